@@ -1,0 +1,82 @@
+"""Build the site with Jupyter Book: beside the old one, swapped in only when it is whole."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from book import stamps
+
+BOOK = stamps.ROOT / "book"
+SITE = BOOK / "_build" / "html"
+INDEX = SITE / "index.html"
+CACHES = stamps.ROOT / ".jupyter_cache"
+EPOCH = "1735689600"  # the date that Sphinx is told: 2025-01-01, so that two builds give the same bytes
+
+
+def sources() -> dict[str, str]:
+    """The hashes of everything that the site is made from, drawn figures included."""
+    folders = [BOOK, BOOK / "_generated", *(stamps.ROOT / name for name in ("proofs", "renderer", "verify"))]
+    files = [path for folder in folders if folder.is_dir() for path in stamps.files_in(folder)]
+    return stamps.hashes([*files, stamps.LOCK_FILE])
+
+
+def execution_cache() -> Path:
+    """Where executed cells are kept: a folder for each state of the packages that a cell can import.
+
+    Jupyter's own cache looks at the cells alone; this way prose edits run nothing and package edits everything.
+    """
+    folders = [stamps.ROOT / name for name in ("proofs", "renderer", "verify")]
+    files = [path for folder in folders if folder.is_dir() for path in stamps.files_in(folder)]
+    files += [*BOOK.glob("*.py"), BOOK / "matplotlibrc", stamps.LOCK_FILE]
+    return CACHES / stamps.key(stamps.hashes(files))
+
+
+def environment(cache: Path) -> dict[str, str]:
+    """The environment of the build: no clock, no random hashes, no time zone, no backend that drops figures."""
+    kept = {name: value for name, value in os.environ.items() if name != "MPLBACKEND"}
+    return kept | {
+        "SOURCE_DATE_EPOCH": EPOCH,
+        "PYTHONHASHSEED": "0",
+        "TZ": "UTC",
+        "PYTHONPATH": str(stamps.ROOT),
+        "PATH": os.pathsep.join([str(Path(sys.executable).parent), kept.get("PATH", os.defpath)]),
+        "BOOK_EXECUTION_CACHE": str(cache),
+    }
+
+
+def build() -> None:
+    """Build the site if anything that it is made from changed."""
+    now = sources()
+    if stamps.read("site") == now and INDEX.is_file():
+        print("  skipped: nothing that it is made from has changed")
+        return
+    stamps.remove("site")
+    cache = execution_cache()
+    _forget_other_caches(cache)
+    work = BOOK / "_build" / "next"
+    shutil.rmtree(work, ignore_errors=True)
+    try:
+        build_into(work, cache)
+        shutil.rmtree(SITE, ignore_errors=True)
+        (work / "_build" / "html").rename(SITE)
+    finally:
+        shutil.rmtree(work, ignore_errors=True)
+    stamps.write("site", now)
+
+
+def build_into(folder: Path, cache: Path) -> None:
+    """Run Jupyter Book with every warning an error; the site is then in `folder`/_build/html."""
+    folder.mkdir(parents=True)
+    program = "import sys; from jupyter_book.cli.main import main; sys.exit(main())"
+    options = ["--all", "-W", "-n", "--keep-going", "-q", "--path-output", str(folder)]
+    command = [sys.executable, "-c", program, "build", str(BOOK), *options]
+    print("  running Jupyter Book (half a minute when the laboratory's cells have to run)", flush=True)
+    subprocess.run(command, cwd=stamps.ROOT, env=environment(cache), check=True)
+
+
+def _forget_other_caches(current: Path) -> None:
+    for other in CACHES.iterdir() if CACHES.is_dir() else ():
+        if other != current:
+            shutil.rmtree(other, ignore_errors=True)

@@ -1,0 +1,50 @@
+"""Draw the figures that changed, say why, and remove what no figure claims."""
+
+import sys
+import time
+from collections.abc import Sequence
+
+from tqdm import tqdm
+
+from book import stamps
+from book.figures import keys, save
+from book.figures.discover import all_figures
+
+
+def draw(ids: Sequence[str] = (), force: bool = False) -> int:
+    """Draw the named figures (all, if none is named) where something changed; the number drawn."""
+    figures = all_figures()
+    unknown = sorted(set(ids) - figures.keys())
+    if unknown:
+        raise ValueError(f"no figure is called {', '.join(unknown)}; there are: {', '.join(figures) or 'none'}")
+    _remove_unclaimed(figures)
+    waiting = []
+    for id in ids or figures:
+        now = keys.sources(figures[id])
+        reason = "asked for" if force else keys.why_redraw(figures[id], now)
+        if reason:
+            waiting.append((figures[id], now, reason))
+    bar = tqdm(waiting, unit="figure", leave=False, disable=not (waiting and sys.stderr.isatty()))
+    for entry, now, reason in bar:
+        bar.set_description(entry.id)
+        start = time.perf_counter()
+        _draw_one(entry, now)
+        tqdm.write(f"  drew {entry.id} ({reason}), {time.perf_counter() - start:.1f} s")
+    print(f"  {len(waiting)} drawn, {len(ids or figures) - len(waiting)} up to date")
+    return len(waiting)
+
+
+def _draw_one(entry, now: dict[str, str]) -> None:
+    stamps.remove(f"figures/{entry.id}")
+    source = keys.source_file(entry).relative_to(stamps.ROOT).as_posix()
+    files = save.save(entry, keys.GENERATED, source, stamps.key(now))
+    stamps.write(f"figures/{entry.id}", {"files": files, "sources": now})
+
+
+def _remove_unclaimed(figures) -> None:
+    """A figure that is no longer registered must not live on in a page."""
+    if keys.GENERATED.is_dir():
+        for path in keys.GENERATED.iterdir():
+            if path.is_file() and path.name.split(".")[0] not in figures:
+                print(f"  removed {path.name}: no figure of that id is registered")
+                path.unlink()
