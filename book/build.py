@@ -73,7 +73,16 @@ def build_into(folder: Path, cache: Path) -> None:
     options = ["--all", "-W", "-n", "--keep-going", "-q", "--path-output", str(folder)]
     command = [sys.executable, "-c", program, "build", str(BOOK), *options]
     print("  running Jupyter Book (half a minute when the laboratory's cells have to run)", flush=True)
-    subprocess.run(command, cwd=stamps.ROOT, env=environment(cache), check=True)
+    done = subprocess.run(command, cwd=stamps.ROOT, env=environment(cache), text=True, capture_output=True)
+    if done.returncode:
+        print(_worth_reading(done.stdout + done.stderr), file=sys.stderr)
+        done.check_returncode()
+
+
+def _worth_reading(log: str) -> str:
+    """The log without Jupyter Book's greetings and the kernel's remark on encryption: warnings and errors."""
+    noise = ("Running Jupyter-Book", "Source Folder:", "Config Path:", "Output Path:", "[IPKernelApp]", "=====")
+    return "\n".join(line for line in log.splitlines() if line.strip() and not any(n in line for n in noise))
 
 
 def _forget_other_caches(current: Path) -> None:

@@ -1,0 +1,18 @@
+"""The chapter's own Sphinx extension.
+
+`{chapter-figure} ID`      a figure, its caption and its provenance (figures.py)
+`{number}` roles           a number from a figure or a benchmark, printed with a format (numbers.py)
+`{benchmark-label} NAME`   where and when a benchmark was measured (numbers.py)
+section ids                `(s1)=` before a heading puts s1 on the section itself (pages.py)
+notebooks                  a page with code cells offers itself as a notebook (pages.py)
+MathJax                    copied into the site from the installed package (assets.py)
+"""
+
+from book._ext.chapter import assets, figures, numbers, pages
+
+
+def setup(app):
+    """Register everything with Sphinx."""
+    for part in (assets, figures, numbers, pages):
+        part.setup(app)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

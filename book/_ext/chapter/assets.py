@@ -1,0 +1,33 @@
+"""MathJax from the installed package, and where executed cells are kept."""
+
+import os
+import shutil
+from importlib.resources import as_file, files
+from pathlib import Path
+
+NEEDED = ("tex-chtml-full.js", "output/chtml/fonts/woff-v2")
+
+
+def copy_mathjax(app) -> None:
+    """Copy what typesetting needs into the site, so that no page asks a network for it."""
+    target = Path(app.outdir) / "_static" / "mathjax"
+    with as_file(files("mathjax") / "static" / "mathjax" / "es5") as source:
+        for name in NEEDED:
+            place = target / name
+            place.parent.mkdir(parents=True, exist_ok=True)
+            if (source / name).is_dir():
+                shutil.copytree(source / name, place, dirs_exist_ok=True)
+            else:
+                shutil.copyfile(source / name, place)
+
+
+def use_execution_cache(app, config) -> None:
+    """The build names a cache that changes with the packages; Jupyter's own looks at the cells alone."""
+    if cache := os.environ.get("BOOK_EXECUTION_CACHE"):
+        config.nb_execution_cache_path = cache
+
+
+def setup(app) -> None:
+    """Connect to Sphinx."""
+    app.connect("config-inited", use_execution_cache, priority=100)
+    app.connect("builder-inited", copy_mathjax)
