@@ -1,0 +1,1 @@
+"""What is true: every formula of the chapter, written once, as SymPy expressions with exact rationals."""

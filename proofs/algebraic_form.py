@@ -1,0 +1,54 @@
+"""The algebraic form of the trigonometric factors: powers of algebraic numbers in place of sines.
+
+With πv = φ and πu = θ/2 + π/2, for whole b and even a,
+
+    cos πbv + i sin πbv = (cos φ + i sin φ)^b,    cos πau + i sin πau = (−cos θ − i sin θ)^(a/2),
+
+and cos φ, sin φ, cos θ, sin θ are algebraic in the image point. A negative power conjugates. Off the pole only.
+Theorem: algebraic_gradient.
+"""
+
+from .program import Program
+from .symbols import cos_phi, cos_theta, real, sin_phi, sin_theta
+
+MAX_WAVE_NUMBER = 64  # beyond it the power's rounding error, which grows like k, is worse than a reduced argument's
+
+base_of_u = (-cos_theta, -sin_theta)
+base_of_v = (cos_phi, sin_phi)
+
+real_part, imaginary_part, other_real, other_imaginary = real("real_part imaginary_part other_real other_imaginary")
+product_real, product_imaginary = real("product_real product_imaginary")
+
+complex_square = Program(
+    "complex_square",
+    (real_part, imaginary_part),
+    (
+        (product_real, (real_part - imaginary_part) * (real_part + imaginary_part)),
+        (product_imaginary, 2 * real_part * imaginary_part),
+    ),
+    (product_real, product_imaginary),
+)
+"""(a + ib)² = (a − b)(a + b) + 2iab."""
+
+complex_product = Program(
+    "complex_product",
+    (real_part, imaginary_part, other_real, other_imaginary),
+    (
+        (product_real, real_part * other_real - imaginary_part * other_imaginary),
+        (product_imaginary, real_part * other_imaginary + imaginary_part * other_real),
+    ),
+    (product_real, product_imaginary),
+)
+"""(a + ib)(c + id)."""
+
+
+def powers(wave_numbers):
+    """Return the whole powers (of base_of_u, of base_of_v) for numeric wave numbers (a, b), or None.
+
+    None where the algebraic form does not apply: a not an even integer, b not an integer, or beyond
+    MAX_WAVE_NUMBER in magnitude. A wave number 0 gives the power 0.
+    """
+    a, b = wave_numbers
+    if a % 2 != 0 or b % 1 != 0 or max(abs(a), abs(b)) > MAX_WAVE_NUMBER:
+        return None
+    return int(a) // 2, int(b)

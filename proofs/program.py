@@ -1,0 +1,82 @@
+"""A straight-line program: an ordered list of named definitions, each an expression in earlier names.
+
+It is the chapter's derivation, line by line. Kernels print it as it stands; proofs substitute as much of it as
+they need.
+"""
+
+from dataclasses import dataclass
+
+from sympy import Expr, Symbol
+
+
+@dataclass(frozen=True)
+class Program:
+    """Definitions `(symbol, expression)` in order, from `inputs` to `outputs` (tuples of symbols).
+
+    Raises ValueError where a line uses a name that is neither an input nor defined above it, where a name is
+    defined twice, or where an output is not defined.
+    """
+
+    name: str
+    inputs: tuple[Symbol, ...]
+    definitions: tuple[tuple[Symbol, Expr], ...]
+    outputs: tuple[Symbol, ...]
+
+    def __post_init__(self):
+        known = set(self.inputs)
+        for symbol, expression in self.definitions:
+            unknown = expression.free_symbols - known
+            if unknown:
+                raise ValueError(f"{self.name}: {symbol} uses {sorted(map(str, unknown))} before any definition")
+            if symbol in known:
+                raise ValueError(f"{self.name}: {symbol} is defined twice")
+            known.add(symbol)
+        missing = set(self.outputs) - known
+        if missing:
+            raise ValueError(f"{self.name}: outputs {sorted(map(str, missing))} are not defined")
+
+    def __getitem__(self, symbol):
+        """Return the expression that defines `symbol`, as it stands."""
+        return dict(self.definitions)[symbol]
+
+    def reaches(self, *symbols):
+        """Return every name, inputs included, that the given symbols depend on (themselves included)."""
+        found = set(symbols)
+        for symbol, expression in reversed(self.definitions):
+            if symbol in found:
+                found |= expression.free_symbols
+        return found
+
+    def keep(self, *outputs, name=None):
+        """Return the program for `outputs` alone, without the lines and inputs that they do not need."""
+        needed = self.reaches(*outputs)
+        return Program(
+            name or self.name,
+            tuple(s for s in self.inputs if s in needed),
+            tuple(line for line in self.definitions if line[0] in needed),
+            outputs,
+        )
+
+    def expand(self, symbol, until=()):
+        """Return `symbol` as one expression in the inputs and the names in `until`."""
+        expression = symbol
+        for name, definition in reversed(self.definitions):
+            if name not in until:
+                expression = expression.xreplace({name: definition})
+        return expression
+
+
+def chain(name, *programs, outputs=None):
+    """Return the programs one after another: a later one's inputs may be names that an earlier one defines.
+
+    A line that an earlier program already has, letter for letter, is not repeated.
+    """
+    definitions, inputs = {}, {}
+    for program in programs:
+        for symbol in program.inputs:
+            if symbol not in definitions:
+                inputs[symbol] = None
+        for symbol, expression in program.definitions:
+            if definitions.setdefault(symbol, expression) != expression:
+                raise ValueError(f"{name}: {symbol} is defined twice, differently")
+    return Program(name, tuple(inputs), tuple(definitions.items()), outputs or programs[-1].outputs)

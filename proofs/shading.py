@@ -1,0 +1,94 @@
+"""Both shading models, and the colour of a pixel: ambient + Σ over the lights of diffuse and specular, then a clip."""
+
+from sympy import Max, Min, Piecewise, Pow, sqrt
+
+from .program import Program, chain
+from .symbols import bumped, dot, light, mu, point, real, shininess, specular, specular_base, towards, vector, view
+
+to_light = vector("to_light")
+light_distance, light_scale = real("light_distance light_scale")
+halfway, halfway_length = vector("halfway"), real("halfway_length")
+
+light_direction = Program(
+    "light_direction",
+    (*point, *light, *bumped),
+    (
+        *((d, p - q) for d, p, q in zip(to_light, light, point, strict=True)),
+        (light_distance, sqrt(dot(to_light, to_light))),
+        (light_scale, 1 / light_distance),
+        *((w, d * light_scale) for w, d in zip(towards, to_light, strict=True)),
+        (mu, dot(bumped, towards)),
+    ),
+    (*towards, mu),
+)
+"""ω = (L − P)/|L − P|, μ = N'·ω. Domain: L ≠ P."""
+
+blinn = chain(
+    "blinn",
+    light_direction,
+    Program(
+        "blinn_base",
+        (*towards, *view, *bumped),
+        (
+            *((k, a + b) for k, a, b in zip(halfway, towards, view, strict=True)),
+            (halfway_length, sqrt(dot(halfway, halfway))),
+            (
+                specular_base,
+                Piecewise((Max(0, dot(bumped, halfway) / halfway_length), halfway_length > 0), (0, True)),
+            ),
+        ),
+        (specular_base,),
+    ),
+    outputs=(mu, specular_base),
+)
+"""Blinn–Phong: the base of the highlight is max(0, N'·(ω + v̂)/|ω + v̂|), and 0 where ω = −v̂."""
+
+phong = chain(
+    "phong",
+    light_direction,
+    Program(
+        "phong_base",
+        (*towards, *view, *bumped, mu),
+        ((specular_base, Max(0, 2 * mu * dot(bumped, view) - dot(towards, view))),),
+        (specular_base,),
+    ),
+    outputs=(mu, specular_base),
+)
+"""Phong: the base is max(0, (2μN' − ω)·v̂)."""
+
+MODELS = {"blinn": blinn, "phong": phong}
+
+highlight = Program(
+    "highlight", (specular_base, shininess), ((specular, Pow(specular_base, shininess)),), (specular,)
+)
+"""The highlight is base^p, p > 0: not gated by the sign of μ, as in the seed."""
+
+color, albedo, light_color, ka, kd, ks, ambient = real("color albedo light_color ka kd ks ambient")
+lit = real("lit")
+
+ambient_term = Program("ambient_term", (ka, ambient), ((color, ka * ambient),), (color,))
+"""k_a · ambient, per channel."""
+
+light_term = Program(
+    "light_term",
+    (color, light_color, albedo, kd, ks, mu, specular),
+    ((lit, color + light_color * (kd * albedo * Max(0, mu) + ks * specular)),),
+    (lit,),
+)
+"""A light adds colour · (k_d · albedo · max(0, μ) + k_s · base^p) per channel, unless it is occluded."""
+
+clip = Program("clip", (color,), ((lit, Min(1, Max(0, color))),), (lit,))
+"""A channel is clipped to [0, 1]."""
+
+floor_dark, floor_tint, floor_base, floor_red, floor_blue = real("floor_dark floor_tint floor_base floor_red floor_blue")
+floor_albedo = Program(
+    "floor_albedo",
+    (floor_dark, floor_tint),
+    (
+        (floor_base, Piecewise((Pow(20, -1) * 3, floor_dark > 0), (Pow(20, -1) * 17, True))),
+        (floor_red, floor_base * (1 - floor_tint)),
+        (floor_blue, floor_base),
+    ),
+    (floor_red, floor_blue),
+)
+"""The floor's albedo: 17/20 on light squares, 3/20 on dark ones; red and green are dimmed by the tint."""

@@ -1,0 +1,77 @@
+"""The names of the chapter's quantities. All are real; lengths are in units of the world, angles in radians."""
+
+from sympy import Symbol, symbols
+
+
+def real(names):
+    """Return real symbols for a blank-separated string of names."""
+    return symbols(names, real=True)
+
+
+def vector(name):
+    """Return the three real symbols (name_x, name_y, name_z)."""
+    return tuple(Symbol(f"{name}_{axis}", real=True) for axis in "xyz")
+
+
+def dot(a, b):
+    """Return the scalar product of two 3-tuples of expressions."""
+    return sum(p * q for p, q in zip(a, b, strict=True))
+
+
+def cross(a, b):
+    """Return the vector product of two 3-tuples of expressions."""
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+# Raster: the pixel in `column` (from the left) and `row` (from the top) of `width` × `height` pixels.
+column, row, width, height = real("column row width height")
+# Image plane: the floor plane z = 0 seen from the eye E = (0, 0, e); half is its vertical half-extent.
+x, y, half = real("x y half")
+rho, rho_silhouette = real("rho rho_silhouette")
+
+eye, radius = symbols("eye radius", positive=True)
+ball_radius = Symbol("ball_radius", positive=True)
+ball_on, floor_on = real("ball_on floor_on")
+ball_center = vector("ball_center")
+
+# Sphere A: the angles of a point, and the chart.
+cos_theta, sin_theta, cos_phi, sin_phi = real("cos_theta sin_theta cos_phi sin_phi")
+theta, phi = real("theta phi")
+u, v = real("u v")
+
+# The height field h(u, v), its wave numbers and its gradient.
+k_u, k_v = real("k_u k_v")
+h, h_u, h_v = real("h h_u h_v")
+beta, epsilon = real("beta epsilon")
+
+# A visible point P, its unit normal N, the bumped normal, the direction to the eye.
+point = vector("point")
+normal = vector("normal")
+bumped = vector("bumped")
+view = vector("view")
+
+# A light: position, and unit direction towards it.
+light = vector("light")
+towards = vector("towards")
+mu, specular_base, specular, shininess = real("mu specular_base specular shininess")
+
+TEX_NAMES = {
+    eye: "e",
+    radius: "R",
+    ball_radius: "R_2",
+    **{c: f"C_{axis}" for c, axis in zip(ball_center, "xyz", strict=True)},
+    rho_silhouette: r"\rho_s",
+    cos_theta: r"\cos\theta",
+    sin_theta: r"\sin\theta",
+    cos_phi: r"\cos\varphi",
+    sin_phi: r"\sin\varphi",
+    phi: r"\varphi",
+    epsilon: r"\varepsilon",
+    **{p: f"P_{axis}" for p, axis in zip(point, "xyz", strict=True)},
+    **{n: f"N_{axis}" for n, axis in zip(normal, "xyz", strict=True)},
+    **{n: f"N'_{axis}" for n, axis in zip(bumped, "xyz", strict=True)},
+    **{d: rf"\hat v_{axis}" for d, axis in zip(view, "xyz", strict=True)},
+    **{p: f"L_{axis}" for p, axis in zip(light, "xyz", strict=True)},
+    **{d: rf"\omega_{axis}" for d, axis in zip(towards, "xyz", strict=True)},
+    shininess: "p",
+}

@@ -1,0 +1,143 @@
+"""Which programs become row kernels, and which of their inputs vary along a row."""
+
+from dataclasses import dataclass
+
+from proofs import algebraic_form, bump, camera, creases, finite_difference, height_fields, shading, shadow
+from proofs.chart import chart
+from proofs.program import Program, chain
+from proofs.symbols import (
+    bumped,
+    column,
+    cos_phi,
+    cos_theta,
+    h_u,
+    h_v,
+    mu,
+    point,
+    real,
+    sin_phi,
+    sin_theta,
+    specular,
+    specular_base,
+    u,
+    v,
+    x,
+)
+
+ANGLES = (cos_theta, sin_theta, cos_phi, sin_phi)
+
+
+@dataclass(frozen=True)
+class RowKernel:
+    """A program, and which of its inputs are rows (the rest are scalars). Outputs are rows.
+
+    `into` renames outputs, so that a kernel may overwrite one of its input rows.
+    """
+
+    program: Program
+    rows: tuple
+    into: tuple = ()
+
+
+def _renamed(program, name):
+    return Program(name, program.inputs, program.definitions, program.outputs)
+
+
+def _raster_kernels():
+    abscissa = camera.image_point.keep(x, name="image_x")
+    return [RowKernel(abscissa, (column,)), RowKernel(camera.visible_surface, (x,))]
+
+
+def _shadow_kernels():
+    """Return the shadow test at the visible points of A, of B and of the floor, straight from the image point."""
+    on_a = chain("shadow_on_a", camera.angles_on_a, camera.point_on_a, shadow.shadow)
+    on_b = chain("shadow_on_b", camera.point_on_b, shadow.shadow)
+    on_floor = chain("shadow_on_floor", camera.point_on_floor, shadow.shadow)
+    dark = chain("checker", camera.point_on_floor, shadow.checker).keep(shadow.dark)
+    return [RowKernel(p, (x,)) for p in (on_a, on_b, on_floor, dark)]
+
+
+def _geometry_kernels():
+    """Return the kernels that place points and normals, on all three surfaces."""
+    along = (*point, *bumped)
+    on_a = chain("normal_on_a", camera.point_on_a, bump.bumped_normal, outputs=along)
+    center, r = camera.ball_center, camera.ball_radius
+    normal_of_b = Program(
+        "normal_of_b",
+        (*point, *center, r),
+        tuple((n, (p - c) / r) for n, p, c in zip(bumped, point, center, strict=True)),
+        bumped,
+    )
+    on_b = chain("normal_on_b", camera.point_on_b, normal_of_b, outputs=along)
+    upright = Program("upright", (x,), ((bumped[0], 0 * x), (bumped[1], 0 * x), (bumped[2], 0 * x + 1)), bumped)
+    on_floor = chain("normal_on_floor", camera.point_on_floor, upright, outputs=along)
+    return [
+        RowKernel(camera.angles_on_a, (x,)),
+        RowKernel(chart, ANGLES),
+        RowKernel(on_a, (*ANGLES, h_u, h_v)),
+        RowKernel(on_b, (x,)),
+        RowKernel(on_floor, (x,)),
+    ]
+
+
+def _power_kernels():
+    """Return the kernels that square and multiply complex numbers and highlights, in place."""
+    a, b = algebraic_form.real_part, algebraic_form.imaginary_part
+    c, d = algebraic_form.other_real, algebraic_form.other_imaginary
+    base, power = real("base power")
+    square = Program("square", (base,), ((power, base**2),), (power,))
+    multiply = Program("multiply", (specular, base), ((power, specular * base),), (power,))
+    return [
+        RowKernel(algebraic_form.complex_square, (a, b), (a, b)),
+        RowKernel(algebraic_form.complex_product, (a, b, c, d), (a, b)),
+        RowKernel(square, (base,), (base,)),
+        RowKernel(multiply, (specular, base), (specular,)),
+    ]
+
+
+def _field_kernels(field):
+    """Return one field's kernels: height, exact gradient, differences, creases."""
+    kernels = [
+        RowKernel(height_fields.height(field), (u, v)),
+        RowKernel(height_fields.gradient(field), (u, v)),
+        RowKernel(creases.kink_flag(field), (sin_phi, u, v)),
+        RowKernel(creases.straddling(field), (u, v)),
+    ]
+    kernels += [RowKernel(method(field), (u, v)) for method in finite_difference.METHODS.values()]
+    if field.wave_numbers:
+        tail = height_fields.gradient_from_factors(field)
+        kernels.append(RowKernel(tail, tail.inputs[:4]))
+    return kernels
+
+
+def _shading_kernels():
+    rows = (*point, *bumped, x)
+    models = [
+        RowKernel(chain(name, camera.view_direction, model, outputs=(mu, specular_base)), rows)
+        for name, model in shading.MODELS.items()
+    ]
+    color = shading.color
+    return [
+        *models,
+        RowKernel(shading.highlight, (specular_base,)),
+        RowKernel(shading.light_term, (color, mu, specular), (color,)),
+        RowKernel(shading.clip, (color,), (color,)),
+        RowKernel(height_fields.slope, (h_u, h_v)),
+    ]
+
+
+ROW_KERNELS = [
+    *_raster_kernels(),
+    *_shadow_kernels(),
+    *_geometry_kernels(),
+    *_power_kernels(),
+    *(kernel for field in height_fields.HEIGHT_FIELDS.values() for kernel in _field_kernels(field)),
+    *_shading_kernels(),
+]
+
+SCALAR_PROGRAMS = [
+    camera.image_extent,
+    camera.image_point.keep(camera.y, name="image_y"),
+    shading.ambient_term,
+    shading.floor_albedo,
+]

@@ -1,0 +1,185 @@
+"""Print one definition of a straight-line program in Numba's Python, in NumPy, in mpmath.
+
+All of them print the same operations in the same order, so that float64 back ends agree to the last bit: integers as
+floats, whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals that float64 holds as one literal.
+"""
+
+from sympy import Rational, S, Symbol
+from sympy.printing.precedence import PRECEDENCE, precedence
+from sympy.printing.str import StrPrinter
+
+
+class StraightLinePrinter(StrPrinter):
+    """What the back ends share. A subclass names its functions and prints selects, comparisons and literals."""
+
+    sqrt = "sqrt"
+    names = {"Abs": "abs", "floor": "floor", "rint": "rint", "sign": "sign", "Max": "maximum", "Min": "minimum"}
+    infinity, pi, power = "inf", "pi", "pow"
+
+    def literal(self, rational):
+        """Return the text of an exact rational."""
+        number = float(rational)
+        if Rational(number) != rational:
+            return f"({float(rational.p)!r} / {float(rational.q)!r})"
+        return repr(number)
+
+    def _print_Rational(self, expr):
+        return self.literal(expr)
+
+    _print_Integer = _print_Zero = _print_One = _print_NegativeOne = _print_Half = _print_Rational
+
+    def _print_Pi(self, expr):
+        return self.pi
+
+    def _print_Infinity(self, expr):
+        return self.infinity
+
+    def _print_Symbol(self, expr):
+        return expr.name
+
+    def _print_Mul(self, expr):
+        coefficient, factors = expr.as_coeff_mul()
+        product = expr if coefficient is S.One else expr.func(*factors)
+        above, below = [], []
+        for factor in product.as_ordered_factors():
+            inverse = factor.is_Pow and factor.exp.is_Rational and factor.exp.is_negative
+            (below if inverse else above).append(1 / factor if inverse else factor)
+        sign = "-" if coefficient.is_negative else ""
+        if abs(coefficient) != 1 or not above:
+            above.insert(0, abs(coefficient))
+        text = " * ".join(self.parenthesize(factor, PRECEDENCE["Mul"]) for factor in above)
+        if len(below) == 1:
+            text += f" / {self.parenthesize(below[0], PRECEDENCE['Mul'], strict=True)}"
+        elif below:
+            text += f" / ({' * '.join(self.parenthesize(factor, PRECEDENCE['Mul']) for factor in below)})"
+        return sign + text
+
+    def parenthesize(self, item, level, strict=False):
+        """Return the printed item, in parentheses where it binds less tightly (strictly: not more tightly)."""
+        product = item.is_Pow and item.exp.is_Integer
+        binding = PRECEDENCE["Mul"] if product else precedence(item)
+        loose = binding <= level if strict else binding < level
+        return f"({self._print(item)})" if loose else self._print(item)
+
+    def _print_Add(self, expr):
+        text = ""
+        for term in self._as_ordered_terms(expr):
+            printed = self._print(term)
+            if not text:
+                text = printed
+            elif printed.startswith("-"):
+                text += f" - {printed[1:]}"
+            else:
+                text += f" + {printed}"
+        return text
+
+    def _print_Pow(self, expr):
+        base, exponent = expr.base, expr.exp
+        if exponent == S.Half:
+            return f"{self.sqrt}({self._print(base)})"
+        if exponent.is_Rational and exponent.is_negative:
+            return f"1.0 / {self.parenthesize(1 / expr, PRECEDENCE['Mul'], strict=True)}"
+        if exponent.is_Integer:
+            return " * ".join([self.parenthesize(base, PRECEDENCE["Mul"])] * int(exponent))
+        if exponent.is_Rational:
+            raise ValueError(f"no back end prints the power {expr}")
+        return f"{self.power}({self._print(base)}, {self._print(exponent)})"
+
+    def _call(self, name, arguments):
+        return f"{name}({', '.join(self._print(a) for a in arguments)})"
+
+    def _print_Abs(self, expr):
+        return self._call(self.names["Abs"], expr.args)
+
+    def _print_floor(self, expr):
+        return self._call(self.names["floor"], expr.args)
+
+    def _print_rint(self, expr):
+        return self._call(self.names["rint"], expr.args)
+
+    def _print_sign(self, expr):
+        return self._call(self.names["sign"], expr.args)
+
+    def _print_Max(self, expr):
+        return self._call(self.names["Max"], expr.args)
+
+    def _print_Min(self, expr):
+        return self._call(self.names["Min"], expr.args)
+
+    def _print_atan2pi(self, expr):
+        return self._call("atan2pi", expr.args)
+
+    def _half_turn(self, name, argument):
+        coefficient, factors = argument.as_coeff_mul()
+        if len(factors) == 2 and all(isinstance(f, Symbol) for f in factors):
+            first, second = sorted(factors, key=lambda f: f.name)
+            return f"{name}_of_product({self._print(coefficient * first)}, {self._print(second)})"
+        return f"{name}({self._print(argument)})"
+
+    def _print_sinpi(self, expr):
+        return self._half_turn("sinpi", expr.args[0])
+
+    def _print_cospi(self, expr):
+        return self._half_turn("cospi", expr.args[0])
+
+    def _print_Relational(self, expr):
+        return f"({self._print(expr.lhs)} {expr.rel_op} {self._print(expr.rhs)})"
+
+    def _print_Piecewise(self, expr):
+        (last, otherwise) = expr.args[-1]
+        if otherwise != True:  # noqa: E712  (SymPy's true is not Python's)
+            raise ValueError(f"a selection without a last resort: {expr}")
+        text = self._print(last)
+        for value, condition in reversed(expr.args[:-1]):
+            text = self.select(self._print(condition), self._print(value), text)
+        return text
+
+    def select(self, condition, value, otherwise):
+        """Return the text of `value if condition else otherwise`."""
+        return f"({value} if {condition} else {otherwise})"
+
+    def _print_And(self, expr):
+        return self.connect("&", expr)
+
+    def _print_Or(self, expr):
+        return self.connect("|", expr)
+
+    def connect(self, connective, expr):
+        """Return the text of a conjunction or disjunction; its comparisons are already in parentheses."""
+        arguments = sorted(expr.args, key=str)
+        return "(" + f" {connective} ".join(self._print(a) for a in arguments) + ")"
+
+
+class NumbaPrinter(StraightLinePrinter):
+    """Scalars inside a compiled loop."""
+
+    sqrt, infinity, pi, power = "math.sqrt", "math.inf", "math.pi", "math.pow"
+    names = {**StraightLinePrinter.names, "floor": "np.floor", "rint": "np.rint"}
+
+
+class NumPyPrinter(StraightLinePrinter):
+    """Whole arrays."""
+
+    sqrt, infinity, pi, power = "np.sqrt", "np.inf", "np.pi", "np.power"
+    names = {
+        "Abs": "np.abs",
+        "floor": "np.floor",
+        "rint": "np.rint",
+        "sign": "np.sign",
+        "Max": "np.maximum",
+        "Min": "np.minimum",
+    }
+
+    def select(self, condition, value, otherwise):
+        return f"np.where({condition}, {value}, {otherwise})"
+
+
+class MpmathPrinter(StraightLinePrinter):
+    """Numbers of any precision: exact rationals stay exact quotients, sinpi and its kin are the functions themselves."""
+
+    names = {**StraightLinePrinter.names, "Max": "max", "Min": "min", "rint": "nint"}
+
+    def literal(self, rational):
+        return str(rational.p) if rational.q == 1 else f"(mpf({rational.p}) / {rational.q})"
+
+

@@ -1,0 +1,103 @@
+"""The text of `renderer/kernels.py`.
+
+A kernel is a straight-line program, printed as it stands inside one loop over a row of pixels. Lines that do not
+depend on the pixel stand before the loop.
+"""
+
+import textwrap
+
+from proofs import elementary
+from proofs.program import Program, chain
+from renderer.generate.kernel_list import ROW_KERNELS, SCALAR_PROGRAMS
+from renderer.generate.printers import NumbaPrinter
+
+HEADER = '''"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression and run it again.
+
+Each `*_row` function runs over the pixels start ≤ i < stop of one row: arguments ending in `_row` are float64 arrays
+along the row, the others are scalars, and results are written to the last arrays. Compiled without fast-math.
+"""
+
+import math
+
+import numpy as np
+from numba import njit
+
+inline = njit(inline="always", error_model="numpy")
+compiled = njit(cache=True, nogil=True, error_model="numpy")
+
+
+@inline
+def maximum(a, b):
+    return b if b > a else a
+
+
+@inline
+def minimum(a, b):
+    return b if b < a else a
+
+
+@inline
+def sign(a):
+    return 1.0 if a > 0.0 else (-1.0 if a < 0.0 else 0.0)
+'''
+
+
+def elementary_functions():
+    """Return [(function name, arguments, program)] of our own elementary functions."""
+    functions = [("atan2pi", elementary.angle_in_half_turns)]
+    for name, core in (("sinpi", elementary.sine_of_half_turns), ("cospi", elementary.cosine_of_half_turns)):
+        exact = Program(
+            name, (elementary.product,), ((elementary.product_error, 0 * elementary.product), *core.definitions), core.outputs
+        )
+        functions += [(name, exact), (f"{name}_of_product", chain(name, elementary.two_product, core))]
+    return functions
+
+
+def print_function(name, program, printer, decorator="@inline\n"):
+    """Return the text of a scalar function with one result, a line for each definition."""
+    arguments = ", ".join(s.name for s in program.inputs)
+    lines = [f"{s.name} = {printer.doprint(e)}" for s, e in program.definitions]
+    lines.append(f"return {', '.join(s.name for s in program.outputs)}")
+    return f"{decorator}def {name}({arguments}):\n" + textwrap.indent("\n".join(lines), "    ") + "\n"
+
+
+def print_row_kernel(kernel, printer):
+    """Return the text of a row kernel: the lines that its outputs need, in the program's order."""
+    program, rows = kernel.program, set(kernel.rows)
+    targets = dict(zip(program.outputs, kernel.into or program.outputs, strict=True))
+    arguments = [f"{s.name}_row" if s in rows else s.name for s in program.inputs]
+    arguments += [f"{t.name}_row" for t in targets.values() if f"{t.name}_row" not in arguments]
+    needed = program.reaches(*program.outputs)
+    varying, before, inside = set(rows), [], []
+    for symbol, expression in program.definitions:
+        if symbol not in needed:
+            continue
+        if expression.free_symbols & varying:
+            varying.add(symbol)
+        line = f"{symbol.name} = {printer.doprint(expression)}"
+        (inside if symbol in varying else before).append(line)
+    loads = [f"{s.name} = {s.name}_row[i]" for s in program.inputs if s in rows & needed]
+    stores = [f"{t.name}_row[i] = {s.name}" for s, t in targets.items()]
+    signature = textwrap.wrap(", ".join([*arguments, "start", "stop"]), 105)
+    return "\n".join(
+        [
+            "@compiled",
+            f"def {program.name}_row(",
+            *(f"    {line}" for line in signature),
+            "):",
+            *(f"    {line}" for line in before),
+            "    for i in range(np.uint64(start), np.uint64(stop)):",
+            *(f"        {line}" for line in (*loads, *inside, *stores)),
+            "",
+        ]
+    )
+
+
+def kernels_source():
+    """Return the text of renderer/kernels.py."""
+    printer = NumbaPrinter()
+    parts = [print_function(name, program, printer) for name, program in elementary_functions()]
+    parts += [print_function(p.name, p, printer, "@compiled\n") for p in SCALAR_PROGRAMS]
+    parts += [print_row_kernel(kernel, printer) for kernel in ROW_KERNELS]
+    return HEADER + "".join(f"\n\n{part}" for part in parts)
+

@@ -1,0 +1,962 @@
+"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression and run it again.
+
+Each `*_row` function runs over the pixels start ≤ i < stop of one row: arguments ending in `_row` are float64 arrays
+along the row, the others are scalars, and results are written to the last arrays. Compiled without fast-math.
+"""
+
+import math
+
+import numpy as np
+from numba import njit
+
+inline = njit(inline="always", error_model="numpy")
+compiled = njit(cache=True, nogil=True, error_model="numpy")
+
+
+@inline
+def maximum(a, b):
+    return b if b > a else a
+
+
+@inline
+def minimum(a, b):
+    return b if b < a else a
+
+
+@inline
+def sign(a):
+    return 1.0 if a > 0.0 else (-1.0 if a < 0.0 else 0.0)
+
+
+@inline
+def atan2pi(ordinate, abscissa):
+    larger = maximum(abs(abscissa), abs(ordinate))
+    smaller = minimum(abs(abscissa), abs(ordinate))
+    middle = (1.0 if (smaller > 0.198912367379658 * larger) else 0.0)
+    steep = (1.0 if (smaller > 0.6681786379192989 * larger) else 0.0)
+    node = (1.0 if (steep > 0.0) else (0.41421356237309503 if (middle > 0.0) else 0.0))
+    node_value = (0.25 if (steep > 0.0) else (0.125 if (middle > 0.0) else 0.0))
+    node_correction = (0.0 if (steep > 0.0) else (-3.898644475369108e-18 if (middle > 0.0) else 0.0))
+    denominator = larger + node * smaller
+    ratio = ((-larger * node + smaller) / denominator if (larger > 0.0) else 0.0)
+    ratio_squared = ratio * ratio
+    arctangent_tail = ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (0.015157613627799556 - 0.013839560268860464 * ratio_squared) - 0.016753151904410034) + 0.018724110951987685) - 0.021220659078919377) + 0.02448537586029159) - 0.028937262380344605) + 0.035367765131532294) - 0.04547284088339867) + 0.06366197723675814) - 0.10610329539459688) - 1.9678676675182486e-17
+    small_part = node_correction + ratio * (arctangent_tail + 0.3183098861837907)
+    first_octant = node_value + small_part
+    first_quadrant = (0.5 - first_octant if (abs(abscissa) < abs(ordinate)) else first_octant)
+    half_plane = (1.0 - first_quadrant if (abscissa < 0.0) else first_quadrant)
+    angle = (-half_plane if (ordinate < 0.0) else half_plane)
+    return angle
+
+
+@inline
+def sinpi(product):
+    product_error = 0.0
+    quarters = np.rint(2.0 * product)
+    remainder_high = product - 0.5 * quarters
+    remainder = product_error + remainder_high
+    quadrant = quarters - 4.0 * np.floor(0.25 * quarters)
+    z = remainder * remainder
+    sine_tail = z * (z * (z * (z * (z * (z * (z * (7.952054001475513e-07 * z - 2.1915353447830217e-05) + 0.00046630280576761255) - 0.0073704309457143504) + 0.08214588661112823) - 0.5992645293207921) + 2.5501640398773455) - 5.16771278004997) + 1.2246467991473532e-16
+    sine_near = remainder * (sine_tail + 3.141592653589793)
+    cosine_near = z * (z * (z * (z * (z * (z * (z * (4.303069587032947e-06 * z - 0.0001046381049248457) + 0.0019295743094039231) - 0.02580689139001406) + 0.2353306303588932) - 1.3352627688545895) + 4.0587121264167685) - 4.934802200544679) + 1.0
+    sine = (sine_near if (quadrant < 0.5) else (cosine_near if (quadrant < 1.5) else (-sine_near if (quadrant < 2.5) else -cosine_near)))
+    return sine
+
+
+@inline
+def sinpi_of_product(a, b):
+    product = a * b
+    a_split = 134217729.0 * a
+    a_excess = -a + a_split
+    a_high = -a_excess + a_split
+    a_low = a - a_high
+    b_split = 134217729.0 * b
+    b_excess = -b + b_split
+    b_high = -b_excess + b_split
+    b_low = b - b_high
+    error_1 = a_high * b_high - product
+    error_2 = a_high * b_low + error_1
+    error_3 = a_low * b_high + error_2
+    product_error = a_low * b_low + error_3
+    quarters = np.rint(2.0 * product)
+    remainder_high = product - 0.5 * quarters
+    remainder = product_error + remainder_high
+    quadrant = quarters - 4.0 * np.floor(0.25 * quarters)
+    z = remainder * remainder
+    sine_tail = z * (z * (z * (z * (z * (z * (z * (7.952054001475513e-07 * z - 2.1915353447830217e-05) + 0.00046630280576761255) - 0.0073704309457143504) + 0.08214588661112823) - 0.5992645293207921) + 2.5501640398773455) - 5.16771278004997) + 1.2246467991473532e-16
+    sine_near = remainder * (sine_tail + 3.141592653589793)
+    cosine_near = z * (z * (z * (z * (z * (z * (z * (4.303069587032947e-06 * z - 0.0001046381049248457) + 0.0019295743094039231) - 0.02580689139001406) + 0.2353306303588932) - 1.3352627688545895) + 4.0587121264167685) - 4.934802200544679) + 1.0
+    sine = (sine_near if (quadrant < 0.5) else (cosine_near if (quadrant < 1.5) else (-sine_near if (quadrant < 2.5) else -cosine_near)))
+    return sine
+
+
+@inline
+def cospi(product):
+    product_error = 0.0
+    quarters = np.rint(2.0 * product)
+    remainder_high = product - 0.5 * quarters
+    remainder = product_error + remainder_high
+    quadrant = quarters - 4.0 * np.floor(0.25 * quarters)
+    z = remainder * remainder
+    sine_tail = z * (z * (z * (z * (z * (z * (z * (7.952054001475513e-07 * z - 2.1915353447830217e-05) + 0.00046630280576761255) - 0.0073704309457143504) + 0.08214588661112823) - 0.5992645293207921) + 2.5501640398773455) - 5.16771278004997) + 1.2246467991473532e-16
+    sine_near = remainder * (sine_tail + 3.141592653589793)
+    cosine_near = z * (z * (z * (z * (z * (z * (z * (4.303069587032947e-06 * z - 0.0001046381049248457) + 0.0019295743094039231) - 0.02580689139001406) + 0.2353306303588932) - 1.3352627688545895) + 4.0587121264167685) - 4.934802200544679) + 1.0
+    cosine = (cosine_near if (quadrant < 0.5) else (-sine_near if (quadrant < 1.5) else (-cosine_near if (quadrant < 2.5) else sine_near)))
+    return cosine
+
+
+@inline
+def cospi_of_product(a, b):
+    product = a * b
+    a_split = 134217729.0 * a
+    a_excess = -a + a_split
+    a_high = -a_excess + a_split
+    a_low = a - a_high
+    b_split = 134217729.0 * b
+    b_excess = -b + b_split
+    b_high = -b_excess + b_split
+    b_low = b - b_high
+    error_1 = a_high * b_high - product
+    error_2 = a_high * b_low + error_1
+    error_3 = a_low * b_high + error_2
+    product_error = a_low * b_low + error_3
+    quarters = np.rint(2.0 * product)
+    remainder_high = product - 0.5 * quarters
+    remainder = product_error + remainder_high
+    quadrant = quarters - 4.0 * np.floor(0.25 * quarters)
+    z = remainder * remainder
+    sine_tail = z * (z * (z * (z * (z * (z * (z * (7.952054001475513e-07 * z - 2.1915353447830217e-05) + 0.00046630280576761255) - 0.0073704309457143504) + 0.08214588661112823) - 0.5992645293207921) + 2.5501640398773455) - 5.16771278004997) + 1.2246467991473532e-16
+    sine_near = remainder * (sine_tail + 3.141592653589793)
+    cosine_near = z * (z * (z * (z * (z * (z * (z * (4.303069587032947e-06 * z - 0.0001046381049248457) + 0.0019295743094039231) - 0.02580689139001406) + 0.2353306303588932) - 1.3352627688545895) + 4.0587121264167685) - 4.934802200544679) + 1.0
+    cosine = (cosine_near if (quadrant < 0.5) else (-sine_near if (quadrant < 1.5) else (-cosine_near if (quadrant < 2.5) else sine_near)))
+    return cosine
+
+
+@compiled
+def image_extent(eye, radius):
+    tangent_squared = (eye - radius) * (eye + radius)
+    half = 1.25 * eye * radius / math.sqrt(tangent_squared)
+    return half
+
+
+@compiled
+def image_y(row, height, half):
+    y = half * ((-3.0 / 20.0) + (height - 2.0 * row - 1.0) / height)
+    return y
+
+
+@compiled
+def ambient_term(ka, ambient):
+    color = ambient * ka
+    return color
+
+
+@compiled
+def floor_albedo(floor_dark, floor_tint):
+    floor_base = ((3.0 / 20.0) if (floor_dark > 0.0) else (17.0 / 20.0))
+    floor_red = floor_base * (1.0 - floor_tint)
+    floor_blue = floor_base
+    return floor_red, floor_blue
+
+
+@compiled
+def image_x_row(
+    column_row, width, height, half, x_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        column = column_row[i]
+        x = half * (2.0 * column - width + 1.0) / height
+        x_row[i] = x
+
+
+@compiled
+def visible_surface_row(
+    x_row, y, eye, radius, ball_center_x, ball_center_y, ball_center_z, ball_radius, ball_on, floor_on,
+    surface_row, start, stop
+):
+    tangent_squared = (eye - radius) * (eye + radius)
+    rho_silhouette = eye * radius / math.sqrt(tangent_squared)
+    distance = -ball_center_z + eye
+    t_floor = (1.0 if (floor_on > 0.0) else math.inf)
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        rho_raw = math.sqrt(x * x + y * y)
+        rho = (rho_raw if (rho_raw >= (1.0 / 1e+150) * eye) else 0.0)
+        discriminant_a = tangent_squared * (-rho + rho_silhouette) * (rho + rho_silhouette)
+        root_a = math.sqrt(maximum(0.0, discriminant_a))
+        t_a = (tangent_squared / (eye * eye + root_a) if (discriminant_a >= 0.0) else math.inf)
+        toward_b = ball_center_x * x + ball_center_y * y + distance * eye
+        discriminant_b = ball_radius * ball_radius * (eye * eye + x * x + y * y) - (ball_center_x * eye - distance * x) * (ball_center_x * eye - distance * x) - (ball_center_x * y - ball_center_y * x) * (ball_center_x * y - ball_center_y * x) - (-ball_center_y * eye + distance * y) * (-ball_center_y * eye + distance * y)
+        root_b = math.sqrt(maximum(0.0, discriminant_b))
+        t_b = ((ball_center_x * ball_center_x + ball_center_y * ball_center_y + (-ball_radius + distance) * (ball_radius + distance)) / (root_b + toward_b) if ((ball_on > 0.0) & (discriminant_b >= 0.0) & (toward_b > 0.0)) else math.inf)
+        surface = (1.0 if ((t_a < math.inf) & (t_a <= t_b) & (t_a <= t_floor)) else (2.0 if ((t_b < math.inf) & (t_b <= t_floor)) else (3.0 if (t_floor < math.inf) else 0.0)))
+        surface_row[i] = surface
+
+
+@compiled
+def shadow_on_a_row(
+    x_row, y, eye, radius, light_x, light_y, light_z, center_x, center_y, center_z, body_radius,
+    occluded_row, start, stop
+):
+    tangent_squared = (eye - radius) * (eye + radius)
+    rho_silhouette = eye * radius / math.sqrt(tangent_squared)
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        rho_raw = math.sqrt(x * x + y * y)
+        rho = (rho_raw if (rho_raw >= (1.0 / 1e+150) * eye) else 0.0)
+        discriminant_a = tangent_squared * (-rho + rho_silhouette) * (rho + rho_silhouette)
+        root_a = math.sqrt(maximum(0.0, discriminant_a))
+        cos_theta = (x / rho if (rho > 0.0) else 0.0)
+        sin_theta = (y / rho if (rho > 0.0) else 0.0)
+        sin_phi = rho * tangent_squared / (radius * (eye * eye + root_a))
+        cos_phi = eye * (radius * radius + root_a) / (radius * (eye * eye + root_a))
+        point_x = cos_theta * radius * sin_phi
+        point_y = radius * sin_phi * sin_theta
+        point_z = cos_phi * radius
+        segment_x = light_x - point_x
+        segment_y = light_y - point_y
+        segment_z = light_z - point_z
+        offset_x = center_x - point_x
+        offset_y = center_y - point_y
+        offset_z = center_z - point_z
+        segment_squared = segment_x * segment_x + segment_y * segment_y + segment_z * segment_z
+        toward_center = offset_x * segment_x + offset_y * segment_y + offset_z * segment_z
+        shadow_discriminant = body_radius * body_radius * segment_squared - (-offset_x * segment_y + offset_y * segment_x) * (-offset_x * segment_y + offset_y * segment_x) - (offset_x * segment_z - offset_z * segment_x) * (offset_x * segment_z - offset_z * segment_x) - (-offset_y * segment_z + offset_z * segment_y) * (-offset_y * segment_z + offset_z * segment_y)
+        occluded = (1.0 if ((segment_squared > toward_center) & (shadow_discriminant >= 0.0) & (toward_center > 0.0)) else 0.0)
+        occluded_row[i] = occluded
+
+
+@compiled
+def shadow_on_b_row(
+    x_row, y, eye, ball_center_x, ball_center_y, ball_center_z, ball_radius, ball_on, light_x, light_y,
+    light_z, center_x, center_y, center_z, body_radius, occluded_row, start, stop
+):
+    distance = -ball_center_z + eye
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        toward_b = ball_center_x * x + ball_center_y * y + distance * eye
+        discriminant_b = ball_radius * ball_radius * (eye * eye + x * x + y * y) - (ball_center_x * eye - distance * x) * (ball_center_x * eye - distance * x) - (ball_center_x * y - ball_center_y * x) * (ball_center_x * y - ball_center_y * x) - (-ball_center_y * eye + distance * y) * (-ball_center_y * eye + distance * y)
+        root_b = math.sqrt(maximum(0.0, discriminant_b))
+        t_b = ((ball_center_x * ball_center_x + ball_center_y * ball_center_y + (-ball_radius + distance) * (ball_radius + distance)) / (root_b + toward_b) if ((ball_on > 0.0) & (discriminant_b >= 0.0) & (toward_b > 0.0)) else math.inf)
+        point_x = t_b * x
+        point_y = t_b * y
+        point_z = eye * (1.0 - t_b)
+        segment_x = light_x - point_x
+        segment_y = light_y - point_y
+        segment_z = light_z - point_z
+        offset_x = center_x - point_x
+        offset_y = center_y - point_y
+        offset_z = center_z - point_z
+        segment_squared = segment_x * segment_x + segment_y * segment_y + segment_z * segment_z
+        toward_center = offset_x * segment_x + offset_y * segment_y + offset_z * segment_z
+        shadow_discriminant = body_radius * body_radius * segment_squared - (-offset_x * segment_y + offset_y * segment_x) * (-offset_x * segment_y + offset_y * segment_x) - (offset_x * segment_z - offset_z * segment_x) * (offset_x * segment_z - offset_z * segment_x) - (-offset_y * segment_z + offset_z * segment_y) * (-offset_y * segment_z + offset_z * segment_y)
+        occluded = (1.0 if ((segment_squared > toward_center) & (shadow_discriminant >= 0.0) & (toward_center > 0.0)) else 0.0)
+        occluded_row[i] = occluded
+
+
+@compiled
+def shadow_on_floor_row(
+    x_row, y, light_x, light_y, light_z, center_x, center_y, center_z, body_radius, occluded_row, start, stop
+):
+    point_y = y
+    point_z = 0.0
+    segment_y = light_y - point_y
+    segment_z = light_z - point_z
+    offset_y = center_y - point_y
+    offset_z = center_z - point_z
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        point_x = x
+        segment_x = light_x - point_x
+        offset_x = center_x - point_x
+        segment_squared = segment_x * segment_x + segment_y * segment_y + segment_z * segment_z
+        toward_center = offset_x * segment_x + offset_y * segment_y + offset_z * segment_z
+        shadow_discriminant = body_radius * body_radius * segment_squared - (-offset_x * segment_y + offset_y * segment_x) * (-offset_x * segment_y + offset_y * segment_x) - (offset_x * segment_z - offset_z * segment_x) * (offset_x * segment_z - offset_z * segment_x) - (-offset_y * segment_z + offset_z * segment_y) * (-offset_y * segment_z + offset_z * segment_y)
+        occluded = (1.0 if ((segment_squared > toward_center) & (shadow_discriminant >= 0.0) & (toward_center > 0.0)) else 0.0)
+        occluded_row[i] = occluded
+
+
+@compiled
+def checker_row(
+    x_row, y, dark_row, start, stop
+):
+    point_y = y
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        point_x = x
+        square = np.floor(point_x) + np.floor(point_y)
+        dark = (1.0 if ((point_x != np.floor(point_x)) & (point_y != np.floor(point_y)) & (square != 2.0 * np.floor(0.5 * square))) else 0.0)
+        dark_row[i] = dark
+
+
+@compiled
+def angles_on_a_row(
+    x_row, y, eye, radius, cos_theta_row, sin_theta_row, cos_phi_row, sin_phi_row, start, stop
+):
+    tangent_squared = (eye - radius) * (eye + radius)
+    rho_silhouette = eye * radius / math.sqrt(tangent_squared)
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        rho_raw = math.sqrt(x * x + y * y)
+        rho = (rho_raw if (rho_raw >= (1.0 / 1e+150) * eye) else 0.0)
+        discriminant_a = tangent_squared * (-rho + rho_silhouette) * (rho + rho_silhouette)
+        root_a = math.sqrt(maximum(0.0, discriminant_a))
+        cos_theta = (x / rho if (rho > 0.0) else 0.0)
+        sin_theta = (y / rho if (rho > 0.0) else 0.0)
+        sin_phi = rho * tangent_squared / (radius * (eye * eye + root_a))
+        cos_phi = eye * (radius * radius + root_a) / (radius * (eye * eye + root_a))
+        cos_theta_row[i] = cos_theta
+        sin_theta_row[i] = sin_theta
+        cos_phi_row[i] = cos_phi
+        sin_phi_row[i] = sin_phi
+
+
+@compiled
+def chart_row(
+    cos_theta_row, sin_theta_row, cos_phi_row, sin_phi_row, u_row, v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        cos_theta = cos_theta_row[i]
+        sin_theta = sin_theta_row[i]
+        cos_phi = cos_phi_row[i]
+        sin_phi = sin_phi_row[i]
+        u_closed = 0.5 * atan2pi(sin_theta, cos_theta) + 0.5
+        u = (u_closed if (u_closed < 1.0) else 0.0)
+        v = atan2pi(sin_phi, cos_phi)
+        u_row[i] = u
+        v_row[i] = v
+
+
+@compiled
+def normal_on_a_row(
+    cos_theta_row, sin_theta_row, cos_phi_row, sin_phi_row, radius, h_u_row, h_v_row, beta, point_x_row,
+    point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop
+):
+    e_theta_z = 0.0
+    for i in range(np.uint64(start), np.uint64(stop)):
+        cos_theta = cos_theta_row[i]
+        sin_theta = sin_theta_row[i]
+        cos_phi = cos_phi_row[i]
+        sin_phi = sin_phi_row[i]
+        h_u = h_u_row[i]
+        h_v = h_v_row[i]
+        point_x = cos_theta * radius * sin_phi
+        point_y = radius * sin_phi * sin_theta
+        point_z = cos_phi * radius
+        normal_x = cos_theta * sin_phi
+        normal_y = sin_phi * sin_theta
+        normal_z = cos_phi
+        e_theta_x = -sin_theta
+        e_theta_y = cos_theta
+        e_phi_x = cos_phi * cos_theta
+        e_phi_y = cos_phi * sin_theta
+        e_phi_z = -sin_phi
+        g_x = e_phi_x * h_v + e_theta_x * h_u
+        g_y = e_phi_y * h_v + e_theta_y * h_u
+        g_z = e_phi_z * h_v + e_theta_z * h_u
+        m_x = beta * g_x + normal_x
+        m_y = beta * g_y + normal_y
+        m_z = beta * g_z + normal_z
+        m_length = math.sqrt(m_x * m_x + m_y * m_y + m_z * m_z)
+        m_scale = 1.0 / m_length
+        bumped_x = m_scale * m_x
+        bumped_y = m_scale * m_y
+        bumped_z = m_scale * m_z
+        point_x_row[i] = point_x
+        point_y_row[i] = point_y
+        point_z_row[i] = point_z
+        bumped_x_row[i] = bumped_x
+        bumped_y_row[i] = bumped_y
+        bumped_z_row[i] = bumped_z
+
+
+@compiled
+def normal_on_b_row(
+    x_row, y, eye, ball_center_x, ball_center_y, ball_center_z, ball_radius, ball_on, point_x_row,
+    point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop
+):
+    distance = -ball_center_z + eye
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        toward_b = ball_center_x * x + ball_center_y * y + distance * eye
+        discriminant_b = ball_radius * ball_radius * (eye * eye + x * x + y * y) - (ball_center_x * eye - distance * x) * (ball_center_x * eye - distance * x) - (ball_center_x * y - ball_center_y * x) * (ball_center_x * y - ball_center_y * x) - (-ball_center_y * eye + distance * y) * (-ball_center_y * eye + distance * y)
+        root_b = math.sqrt(maximum(0.0, discriminant_b))
+        t_b = ((ball_center_x * ball_center_x + ball_center_y * ball_center_y + (-ball_radius + distance) * (ball_radius + distance)) / (root_b + toward_b) if ((ball_on > 0.0) & (discriminant_b >= 0.0) & (toward_b > 0.0)) else math.inf)
+        point_x = t_b * x
+        point_y = t_b * y
+        point_z = eye * (1.0 - t_b)
+        bumped_x = (-ball_center_x + point_x) / ball_radius
+        bumped_y = (-ball_center_y + point_y) / ball_radius
+        bumped_z = (-ball_center_z + point_z) / ball_radius
+        point_x_row[i] = point_x
+        point_y_row[i] = point_y
+        point_z_row[i] = point_z
+        bumped_x_row[i] = bumped_x
+        bumped_y_row[i] = bumped_y
+        bumped_z_row[i] = bumped_z
+
+
+@compiled
+def normal_on_floor_row(
+    x_row, y, point_x_row, point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop
+):
+    point_y = y
+    point_z = 0.0
+    bumped_x = 0.0
+    bumped_y = 0.0
+    bumped_z = 1.0
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        point_x = x
+        point_x_row[i] = point_x
+        point_y_row[i] = point_y
+        point_z_row[i] = point_z
+        bumped_x_row[i] = bumped_x
+        bumped_y_row[i] = bumped_y
+        bumped_z_row[i] = bumped_z
+
+
+@compiled
+def complex_square_row(
+    real_part_row, imaginary_part_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        real_part = real_part_row[i]
+        imaginary_part = imaginary_part_row[i]
+        product_real = (-imaginary_part + real_part) * (imaginary_part + real_part)
+        product_imaginary = 2.0 * imaginary_part * real_part
+        real_part_row[i] = product_real
+        imaginary_part_row[i] = product_imaginary
+
+
+@compiled
+def complex_product_row(
+    real_part_row, imaginary_part_row, other_real_row, other_imaginary_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        real_part = real_part_row[i]
+        imaginary_part = imaginary_part_row[i]
+        other_real = other_real_row[i]
+        other_imaginary = other_imaginary_row[i]
+        product_real = -imaginary_part * other_imaginary + other_real * real_part
+        product_imaginary = imaginary_part * other_real + other_imaginary * real_part
+        real_part_row[i] = product_real
+        imaginary_part_row[i] = product_imaginary
+
+
+@compiled
+def square_row(
+    base_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        base = base_row[i]
+        power = base * base
+        base_row[i] = power
+
+
+@compiled
+def multiply_row(
+    specular_row, base_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        specular = specular_row[i]
+        base = base_row[i]
+        power = base * specular
+        specular_row[i] = power
+
+
+@compiled
+def height_sine_row(
+    u_row, v_row, k_u, k_v, h_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        h = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v)
+        h_row[i] = h
+
+
+@compiled
+def gradient_sine_row(
+    u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        cos_u = cospi_of_product(k_u, u)
+        cos_v = cospi_of_product(k_v, v)
+        sin_u = sinpi_of_product(k_u, u)
+        sin_v = sinpi_of_product(k_v, v)
+        h_u = math.pi * cos_u * k_u * sin_v
+        h_v = math.pi * cos_v * k_v * sin_u
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def kink_sine_row(
+    sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        sin_phi = sin_phi_row[i]
+        kink = (1.0 if (sin_phi <= 0.0) else 0.0)
+        kink_row[i] = kink
+
+
+@compiled
+def straddling_sine_row(
+    u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
+):
+    straddles = 0.0
+    for i in range(np.uint64(start), np.uint64(stop)):
+        straddles_row[i] = straddles
+
+
+@compiled
+def forward_sine_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        u_plus = epsilon + u - np.floor(epsilon + u)
+        stepped = (epsilon + v if (epsilon + v <= 1.0) else -epsilon + v)
+        h_here = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v)
+        h_u_plus = sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v)
+        h_v_plus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, stepped)
+        h_u = (-h_here + h_u_plus) / epsilon
+        h_v = ((-h_here + h_v_plus) / epsilon if (epsilon + v <= 1.0) else (h_here - h_v_plus) / epsilon)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def central_sine_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        u_plus = epsilon + u - np.floor(epsilon + u)
+        u_minus = -epsilon + u - np.floor(-epsilon + u)
+        v_plus = minimum(1.0, epsilon + v)
+        v_minus = maximum(0.0, -epsilon + v)
+        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
+        h_u_plus = sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v)
+        h_u_minus = sinpi_of_product(k_u, u_minus) * sinpi_of_product(k_v, v)
+        h_v_plus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus)
+        h_v_minus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus)
+        h_u = 0.5 * (-h_u_minus + h_u_plus) / epsilon
+        h_v = (-h_v_minus + h_v_plus) / span_v
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def central4_sine_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        u_plus = epsilon + u - np.floor(epsilon + u)
+        u_minus = -epsilon + u - np.floor(-epsilon + u)
+        v_plus = minimum(1.0, epsilon + v)
+        v_minus = maximum(0.0, -epsilon + v)
+        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
+        u_plus_2 = 2.0 * epsilon + u - np.floor(2.0 * epsilon + u)
+        u_minus_2 = -2.0 * epsilon + u - np.floor(-2.0 * epsilon + u)
+        v_plus_2 = minimum(1.0, 2.0 * epsilon + v)
+        v_minus_2 = maximum(0.0, -2.0 * epsilon + v)
+        h_u_plus = sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v)
+        h_u_minus = sinpi_of_product(k_u, u_minus) * sinpi_of_product(k_v, v)
+        h_v_plus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus)
+        h_v_minus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus)
+        h_u_plus_2 = sinpi_of_product(k_u, u_plus_2) * sinpi_of_product(k_v, v)
+        h_u_minus_2 = sinpi_of_product(k_u, u_minus_2) * sinpi_of_product(k_v, v)
+        h_v_plus_2 = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus_2)
+        h_v_minus_2 = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus_2)
+        h_u = (1.0 / 12.0) * (-8.0 * h_u_minus + h_u_minus_2 + 8.0 * h_u_plus - h_u_plus_2) / epsilon
+        near_difference = -h_v_minus + h_v_plus
+        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference / span_v)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def gradient_from_factors_sine_row(
+    sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        sin_u = sin_u_row[i]
+        cos_u = cos_u_row[i]
+        sin_v = sin_v_row[i]
+        cos_v = cos_v_row[i]
+        h_u = math.pi * cos_u * k_u * sin_v
+        h_v = math.pi * cos_v * k_v * sin_u
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def height_ridges_row(
+    u_row, v_row, k_u, k_v, h_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        h = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v))
+        h_row[i] = h
+
+
+@compiled
+def gradient_ridges_row(
+    u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        cos_u = cospi_of_product(k_u, u)
+        cos_v = cospi_of_product(k_v, v)
+        sin_u = sinpi_of_product(k_u, u)
+        sin_v = sinpi_of_product(k_v, v)
+        h_u = math.pi * cos_u * k_u * sin_v * sign(sin_u * sin_v)
+        h_v = math.pi * cos_v * k_v * sin_u * sign(sin_u * sin_v)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def kink_ridges_row(
+    sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        sin_phi = sin_phi_row[i]
+        u = u_row[i]
+        v = v_row[i]
+        kink = (1.0 if ((abs(sinpi_of_product(k_u, u)) < (3.0 / 100.0)) | (abs(sinpi_of_product(k_v, v)) < (3.0 / 100.0)) | (sin_phi <= 0.0)) else 0.0)
+        kink_row[i] = kink
+
+
+@compiled
+def straddling_ridges_row(
+    u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        crease_distance_0 = abs(k_u * u - np.rint(k_u * u))
+        crease_distance_1 = abs(k_v * v - np.rint(k_v * v))
+        straddles = (1.0 if ((crease_distance_0 < epsilon * abs(k_u)) | (crease_distance_1 < epsilon * abs(k_v))) else 0.0)
+        straddles_row[i] = straddles
+
+
+@compiled
+def forward_ridges_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        u_plus = epsilon + u - np.floor(epsilon + u)
+        stepped = (epsilon + v if (epsilon + v <= 1.0) else -epsilon + v)
+        h_here = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v))
+        h_u_plus = abs(sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v))
+        h_v_plus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, stepped))
+        h_u = (-h_here + h_u_plus) / epsilon
+        h_v = ((-h_here + h_v_plus) / epsilon if (epsilon + v <= 1.0) else (h_here - h_v_plus) / epsilon)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def central_ridges_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        u_plus = epsilon + u - np.floor(epsilon + u)
+        u_minus = -epsilon + u - np.floor(-epsilon + u)
+        v_plus = minimum(1.0, epsilon + v)
+        v_minus = maximum(0.0, -epsilon + v)
+        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
+        h_u_plus = abs(sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v))
+        h_u_minus = abs(sinpi_of_product(k_u, u_minus) * sinpi_of_product(k_v, v))
+        h_v_plus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus))
+        h_v_minus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus))
+        h_u = 0.5 * (-h_u_minus + h_u_plus) / epsilon
+        h_v = (-h_v_minus + h_v_plus) / span_v
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def central4_ridges_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        u_plus = epsilon + u - np.floor(epsilon + u)
+        u_minus = -epsilon + u - np.floor(-epsilon + u)
+        v_plus = minimum(1.0, epsilon + v)
+        v_minus = maximum(0.0, -epsilon + v)
+        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
+        u_plus_2 = 2.0 * epsilon + u - np.floor(2.0 * epsilon + u)
+        u_minus_2 = -2.0 * epsilon + u - np.floor(-2.0 * epsilon + u)
+        v_plus_2 = minimum(1.0, 2.0 * epsilon + v)
+        v_minus_2 = maximum(0.0, -2.0 * epsilon + v)
+        h_u_plus = abs(sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v))
+        h_u_minus = abs(sinpi_of_product(k_u, u_minus) * sinpi_of_product(k_v, v))
+        h_v_plus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus))
+        h_v_minus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus))
+        h_u_plus_2 = abs(sinpi_of_product(k_u, u_plus_2) * sinpi_of_product(k_v, v))
+        h_u_minus_2 = abs(sinpi_of_product(k_u, u_minus_2) * sinpi_of_product(k_v, v))
+        h_v_plus_2 = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus_2))
+        h_v_minus_2 = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus_2))
+        h_u = (1.0 / 12.0) * (-8.0 * h_u_minus + h_u_minus_2 + 8.0 * h_u_plus - h_u_plus_2) / epsilon
+        near_difference = -h_v_minus + h_v_plus
+        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference / span_v)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def gradient_from_factors_ridges_row(
+    sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        sin_u = sin_u_row[i]
+        cos_u = cos_u_row[i]
+        sin_v = sin_v_row[i]
+        cos_v = cos_v_row[i]
+        h_u = math.pi * cos_u * k_u * sin_v * sign(sin_u * sin_v)
+        h_v = math.pi * cos_v * k_v * sin_u * sign(sin_u * sin_v)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def height_rings_row(
+    u_row, v_row, k_u, k_v, h_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        v = v_row[i]
+        h = sinpi_of_product(2.0 * k_v, v)
+        h_row[i] = h
+
+
+@compiled
+def gradient_rings_row(
+    u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
+):
+    h_u = 0.0
+    for i in range(np.uint64(start), np.uint64(stop)):
+        v = v_row[i]
+        cos_v = cospi_of_product(2.0 * k_v, v)
+        h_v = 2.0 * math.pi * cos_v * k_v
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def kink_rings_row(
+    sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        sin_phi = sin_phi_row[i]
+        kink = (1.0 if (sin_phi <= 0.0) else 0.0)
+        kink_row[i] = kink
+
+
+@compiled
+def straddling_rings_row(
+    u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
+):
+    straddles = 0.0
+    for i in range(np.uint64(start), np.uint64(stop)):
+        straddles_row[i] = straddles
+
+
+@compiled
+def forward_rings_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        v = v_row[i]
+        stepped = (epsilon + v if (epsilon + v <= 1.0) else -epsilon + v)
+        h_here = sinpi_of_product(2.0 * k_v, v)
+        h_u_plus = sinpi_of_product(2.0 * k_v, v)
+        h_v_plus = sinpi_of_product(2.0 * k_v, stepped)
+        h_u = (-h_here + h_u_plus) / epsilon
+        h_v = ((-h_here + h_v_plus) / epsilon if (epsilon + v <= 1.0) else (h_here - h_v_plus) / epsilon)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def central_rings_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        v = v_row[i]
+        v_plus = minimum(1.0, epsilon + v)
+        v_minus = maximum(0.0, -epsilon + v)
+        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
+        h_u_plus = sinpi_of_product(2.0 * k_v, v)
+        h_u_minus = sinpi_of_product(2.0 * k_v, v)
+        h_v_plus = sinpi_of_product(2.0 * k_v, v_plus)
+        h_v_minus = sinpi_of_product(2.0 * k_v, v_minus)
+        h_u = 0.5 * (-h_u_minus + h_u_plus) / epsilon
+        h_v = (-h_v_minus + h_v_plus) / span_v
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def central4_rings_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        v = v_row[i]
+        v_plus = minimum(1.0, epsilon + v)
+        v_minus = maximum(0.0, -epsilon + v)
+        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
+        v_plus_2 = minimum(1.0, 2.0 * epsilon + v)
+        v_minus_2 = maximum(0.0, -2.0 * epsilon + v)
+        h_u_plus = sinpi_of_product(2.0 * k_v, v)
+        h_u_minus = sinpi_of_product(2.0 * k_v, v)
+        h_v_plus = sinpi_of_product(2.0 * k_v, v_plus)
+        h_v_minus = sinpi_of_product(2.0 * k_v, v_minus)
+        h_u_plus_2 = sinpi_of_product(2.0 * k_v, v)
+        h_u_minus_2 = sinpi_of_product(2.0 * k_v, v)
+        h_v_plus_2 = sinpi_of_product(2.0 * k_v, v_plus_2)
+        h_v_minus_2 = sinpi_of_product(2.0 * k_v, v_minus_2)
+        h_u = (1.0 / 12.0) * (-8.0 * h_u_minus + h_u_minus_2 + 8.0 * h_u_plus - h_u_plus_2) / epsilon
+        near_difference = -h_v_minus + h_v_plus
+        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference / span_v)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def gradient_from_factors_rings_row(
+    sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
+):
+    h_u = 0.0
+    for i in range(np.uint64(start), np.uint64(stop)):
+        cos_v = cos_v_row[i]
+        h_v = 2.0 * math.pi * cos_v * k_v
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def blinn_row(
+    x_row, y, eye, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z, bumped_x_row,
+    bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        point_x = point_x_row[i]
+        point_y = point_y_row[i]
+        point_z = point_z_row[i]
+        bumped_x = bumped_x_row[i]
+        bumped_y = bumped_y_row[i]
+        bumped_z = bumped_z_row[i]
+        view_scale = 1.0 / math.sqrt(eye * eye + x * x + y * y)
+        view_x = -view_scale * x
+        view_y = -view_scale * y
+        view_z = eye * view_scale
+        to_light_x = light_x - point_x
+        to_light_y = light_y - point_y
+        to_light_z = light_z - point_z
+        light_distance = math.sqrt(to_light_x * to_light_x + to_light_y * to_light_y + to_light_z * to_light_z)
+        light_scale = 1.0 / light_distance
+        towards_x = light_scale * to_light_x
+        towards_y = light_scale * to_light_y
+        towards_z = light_scale * to_light_z
+        mu = bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z
+        halfway_x = towards_x + view_x
+        halfway_y = towards_y + view_y
+        halfway_z = towards_z + view_z
+        halfway_length = math.sqrt(halfway_x * halfway_x + halfway_y * halfway_y + halfway_z * halfway_z)
+        specular_base = (maximum(0.0, (bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z) / halfway_length) if (halfway_length > 0.0) else 0.0)
+        mu_row[i] = mu
+        specular_base_row[i] = specular_base
+
+
+@compiled
+def phong_row(
+    x_row, y, eye, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z, bumped_x_row,
+    bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        point_x = point_x_row[i]
+        point_y = point_y_row[i]
+        point_z = point_z_row[i]
+        bumped_x = bumped_x_row[i]
+        bumped_y = bumped_y_row[i]
+        bumped_z = bumped_z_row[i]
+        view_scale = 1.0 / math.sqrt(eye * eye + x * x + y * y)
+        view_x = -view_scale * x
+        view_y = -view_scale * y
+        view_z = eye * view_scale
+        to_light_x = light_x - point_x
+        to_light_y = light_y - point_y
+        to_light_z = light_z - point_z
+        light_distance = math.sqrt(to_light_x * to_light_x + to_light_y * to_light_y + to_light_z * to_light_z)
+        light_scale = 1.0 / light_distance
+        towards_x = light_scale * to_light_x
+        towards_y = light_scale * to_light_y
+        towards_z = light_scale * to_light_z
+        mu = bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z
+        specular_base = maximum(0.0, 2.0 * mu * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) - towards_x * view_x - towards_y * view_y - towards_z * view_z)
+        mu_row[i] = mu
+        specular_base_row[i] = specular_base
+
+
+@compiled
+def highlight_row(
+    specular_base_row, shininess, specular_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        specular_base = specular_base_row[i]
+        specular = math.pow(specular_base, shininess)
+        specular_row[i] = specular
+
+
+@compiled
+def light_term_row(
+    color_row, light_color, albedo, kd, ks, mu_row, specular_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        color = color_row[i]
+        mu = mu_row[i]
+        specular = specular_row[i]
+        lit = color + light_color * (albedo * kd * maximum(0.0, mu) + ks * specular)
+        color_row[i] = lit
+
+
+@compiled
+def clip_row(
+    color_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        color = color_row[i]
+        lit = minimum(1.0, maximum(0.0, color))
+        color_row[i] = lit
+
+
+@compiled
+def slope_row(
+    h_u_row, h_v_row, slope_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        h_u = h_u_row[i]
+        h_v = h_v_row[i]
+        slope = math.sqrt(h_u * h_u + h_v * h_v)
+        slope_row[i] = slope
