@@ -12,7 +12,9 @@ Refer to it with {numref}`fig-eps_sweep`. Without a caption it has no number and
 `:class:` adds CSS classes; `:plain:` leaves out the provenance line.
 """
 
+import html
 from pathlib import Path
+from urllib.parse import quote
 
 from docutils import nodes
 from docutils.parsers.rst import directives
@@ -24,6 +26,20 @@ from book._ext.chapter.results import UnknownResult, load_result, result_file
 
 def _width(argument: str) -> str:
     return directives.choice(argument, ("text", "page"))
+
+
+class PixelImage(nodes.image):
+    """An image that states its size in CSS pixels, so that nothing moves when it arrives."""
+
+
+def visit_pixel_image(translator, node: PixelImage) -> None:
+    """Write the `<img>`: Sphinx's own would lose the proportions on a narrow screen and link to itself."""
+    builder = translator.builder
+    source = f"{builder.imgpath}/{quote(builder.images[node['uri']])}"
+    alt, classes = html.escape(node["alt"], quote=True), " ".join(node["classes"])
+    size = f'width="{node["css_width"]}" height="{node["css_height"]}"'
+    translator.body.append(f'<img src="{source}" alt="{alt}" class="{classes}" {size} />\n')
+    raise nodes.SkipNode
 
 
 class ChapterFigure(SphinxDirective):
@@ -66,12 +82,12 @@ class ChapterFigure(SphinxDirective):
 
     def _images(self, id: str, description: dict) -> list[nodes.image]:
         width, height = (size * self.options.get("zoom", 1) for size in description["size"])
-        common = {"alt": " ".join(self.options["alt"].split()), "width": f"{width}px", "height": f"{height}px"}
+        common = {"alt": " ".join(self.options["alt"].split()), "css_width": width, "css_height": height}
         if description["kind"] == "png":  # a render is the same on the dark page, and no filter may touch it
-            return [nodes.image("", uri=f"/_generated/{id}.png", classes=["render", "dark-light"], **common)]
+            return [PixelImage("", uri=f"/_generated/{id}.png", classes=["render", "dark-light"], **common)]
         return [
-            nodes.image("", uri=f"/_generated/{id}.svg", classes=["plot", "only-light"], **common),
-            nodes.image("", uri=f"/_generated/{id}.dark.svg", classes=["plot", "only-dark"], **common),
+            PixelImage("", uri=f"/_generated/{id}.svg", classes=["plot", "only-light"], **common),
+            PixelImage("", uri=f"/_generated/{id}.dark.svg", classes=["plot", "only-dark"], **common),
         ]
 
     def _add_caption(self, figure: nodes.figure, id: str) -> None:
@@ -107,5 +123,6 @@ def _download(text: str, target: str, title: str) -> addnodes.download_reference
 
 
 def setup(app) -> None:
-    """Register the directive."""
+    """Register the directive and its image."""
+    app.add_node(PixelImage, html=(visit_pixel_image, None))
     app.add_directive("chapter-figure", ChapterFigure)
