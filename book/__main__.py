@@ -1,6 +1,6 @@
 """One command that makes the book: check the proofs, draw the figures, build the site.
 
-    python -m book [all | check | figures | build] [--help]
+Usage: python -m book [all | check | figures | build] [--help]
 """
 
 import argparse

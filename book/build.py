@@ -25,7 +25,7 @@ def sources() -> dict[str, str]:
 def execution_cache() -> Path:
     """Where executed cells are kept: a folder for each state of the packages that a cell can import.
 
-    Jupyter's own cache looks at the cells alone; this way prose edits run nothing and package edits everything.
+    Jupyter's own cache looks at the cells alone; this way prose edits run nothing, package edits everything.
     """
     folders = [stamps.ROOT / name for name in ("proofs", "renderer", "verify")]
     files = [path for folder in folders if folder.is_dir() for path in stamps.files_in(folder)]
@@ -34,7 +34,7 @@ def execution_cache() -> Path:
 
 
 def environment(cache: Path) -> dict[str, str]:
-    """The environment of the build: no clock, no random hashes, no time zone, no backend that drops figures."""
+    """The environment of the build: no clock, random hash, time zone, or backend that drops figures."""
     kept = {name: value for name, value in os.environ.items() if name != "MPLBACKEND"}
     return kept | {
         "SOURCE_DATE_EPOCH": EPOCH,
@@ -80,8 +80,8 @@ def build_into(folder: Path, cache: Path) -> None:
 
 
 def _worth_reading(log: str) -> str:
-    """The log without Jupyter Book's greetings and the kernel's remark on encryption: warnings and errors."""
-    noise = ("Running Jupyter-Book", "Source Folder:", "Config Path:", "Output Path:", "[IPKernelApp]", "=====")
+    """The log's warnings and errors, without greetings and the kernel's remark on encryption."""
+    noise = ("Running Jupyter-Book", " Folder:", "Config Path:", "Output Path:", "[IPKernelApp]", "=====")
     return "\n".join(line for line in log.splitlines() if line.strip() and not any(n in line for n in noise))
 
 

@@ -1,4 +1,4 @@
-"""What a result was made from: hashes of all sources it can reach. Never too few of them; too many is allowed.
+"""What a result was made from: hashes of all sources it can reach, never too few, rather too many.
 
 Stamps are small JSON files in `.stamps/`. A result is up to date when its stamp equals what is there now.
 """
@@ -24,9 +24,9 @@ COMPUTED_IMPORTS = {"importlib", "pkgutil", "runpy", "__import__"}
 def files_in(folder: Path) -> Iterator[Path]:
     """Every source and data file below a folder, build products left out."""
     for path in sorted(folder.rglob("*")):
-        if path.is_file() and not PRODUCTS.intersection(path.relative_to(folder).parts):
-            if not path.name.startswith("."):
-                yield path
+        product = PRODUCTS.intersection(path.relative_to(folder).parts)
+        if path.is_file() and not product and not path.name.startswith("."):
+            yield path
 
 
 def reachable(source: Path) -> set[Path]:
@@ -38,7 +38,8 @@ def reachable(source: Path) -> set[Path]:
         if path not in found:
             found.add(path)
             waiting.extend(_direct_imports(path) - found)
-    folders = {path.parent for path in found if path.parent.name != "figures" and path.parent != ROOT / "book"}
+    code_only = {ROOT / "book", ROOT / "book" / "figures"}  # what lies beside these is prose
+    folders = {path.parent for path in found} - code_only
     data = {other for folder in folders for other in folder.iterdir() if other.is_file() and _is_data(other)}
     return found | data
 

@@ -16,7 +16,9 @@ def draw(ids: Sequence[str] = (), force: bool = False) -> int:
     figures = all_figures()
     unknown = sorted(set(ids) - figures.keys())
     if unknown:
-        raise ValueError(f"no figure is called {', '.join(unknown)}; there are: {', '.join(figures) or 'none'}")
+        raise ValueError(
+            f"no figure is called {', '.join(unknown)}; there are: {', '.join(figures) or 'none'}"
+        )
     _remove_unclaimed(figures)
     waiting = []
     for id in ids or figures:

@@ -40,7 +40,7 @@ class Registered:
 
 
 def figure(id: str, data: tuple[str, ...] | list[str] = ()) -> Callable:
-    """Register the decorated function under an id; `data` names files it reads, by their path from the root."""
+    """Register the decorated function under an id; `data`: files that it reads, by path from the root."""
     if not re.fullmatch(r"[a-z0-9_]+", id):
         raise ValueError(f"figure id {id!r}: an id is made of a-z, 0-9 and _")
 
@@ -80,4 +80,6 @@ def _plain(id: str, key: str, value: Any) -> int | float | str | bool:
         if not math.isfinite(value):
             raise ValueError(f"figure {id!r}: number {key!r} is {value}, which is not finite")
         return float(value)
-    raise ValueError(f"figure {id!r}: number {key!r} is a {type(value).__name__}; give an int, float, str or bool")
+    raise ValueError(
+        f"figure {id!r}: number {key!r} is a {type(value).__name__}; give an int, float, str or bool"
+    )

@@ -40,7 +40,7 @@ def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
 
 
 def save(entry: Registered, folder: Path, source: str, key: str) -> list[str]:
-    """Draw a figure and write its files; the JSON comes last, so that it never describes a missing picture."""
+    """Draw a figure and write its files, the JSON last: it never describes a missing picture."""
     files, description = draw_files(entry)
     for suffix, content in files.items():
         write_whole(folder / f"{entry.id}{suffix}", content)
@@ -72,7 +72,9 @@ def _css_size(fig: Figure) -> list[int]:
 
 def _png(id: str, picture: np.ndarray) -> bytes:
     if not isinstance(picture, np.ndarray) or picture.dtype != np.uint8 or picture.ndim != 3:
-        raise TypeError(f"figure {id!r}: a picture is a Matplotlib figure, a uint8 array (h, w, 3 or 4) or None")
+        raise TypeError(
+            f"figure {id!r}: a picture is a Matplotlib figure, a uint8 array (h, w, 3 or 4) or None"
+        )
     buffer = io.BytesIO()
     Image.fromarray(np.ascontiguousarray(picture)).save(buffer, format="PNG", optimize=True)
     return buffer.getvalue()

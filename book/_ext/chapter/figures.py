@@ -14,6 +14,7 @@ Refer to it with {numref}`fig-eps_sweep`. Without a caption it has no number and
 
 import html
 from pathlib import Path
+from typing import ClassVar
 from urllib.parse import quote
 
 from docutils import nodes
@@ -47,7 +48,7 @@ class ChapterFigure(SphinxDirective):
 
     required_arguments = 1
     has_content = True
-    option_spec = {
+    option_spec: ClassVar = {
         "alt": directives.unchanged,
         "width": _width,
         "zoom": directives.positive_int,

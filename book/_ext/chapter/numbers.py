@@ -20,6 +20,7 @@ from book._ext.chapter.results import BENCHMARK_PREFIX, UnknownResult, load_resu
 SYNTAX = re.compile(r"(?P<id>(?:bench:)?\w+)\.(?P<key>[^\s|]+)(?:\s*[|\s]\s*(?P<format>\S+))?")
 E_NOTATION = re.compile(r"(?P<mantissa>[+-]?\d+(?:\.\d+)?)e(?P<exponent>[+-]\d+)")
 MINUS = "\N{MINUS SIGN}"
+TIMES = "\N{NO-BREAK SPACE}×\N{NO-BREAK SPACE}"
 
 
 def parse(text: str) -> tuple[str, str, str | None]:
@@ -47,8 +48,9 @@ def typeset(value: int | float | str | bool, spec: str | None = None) -> list[no
     match = E_NOTATION.fullmatch(text)
     if match is None:
         return [nodes.Text(text.replace("-", MINUS))]
-    mantissa, exponent = match["mantissa"].replace("-", MINUS), str(int(match["exponent"])).replace("-", MINUS)
-    front = {"1": "10", f"{MINUS}1": f"{MINUS}10"}.get(mantissa, f"{mantissa}\N{NO-BREAK SPACE}×\N{NO-BREAK SPACE}10")
+    mantissa = match["mantissa"].replace("-", MINUS)
+    exponent = str(int(match["exponent"])).replace("-", MINUS)
+    front = mantissa[:-1] + "10" if mantissa in ("1", f"{MINUS}1") else f"{mantissa}{TIMES}10"
     return [nodes.Text(front), nodes.superscript("", exponent)]
 
 
@@ -83,7 +85,7 @@ class BenchmarkLabel(SphinxDirective):
             raise self.error(f"benchmark-label: {error}") from error
         except KeyError as error:
             raise self.error(f"benchmark-label: {id!r} has no label {error}") from error
-        return [nodes.paragraph("", sentence, classes=["measured"])]
+        return [nodes.paragraph("", sentence, classes=["benchmark-label"])]
 
 
 def setup(app) -> None:

@@ -8,16 +8,14 @@ from docutils import nodes
 from book import stamps
 
 NOTE = (
-    "This notebook is a page of the book, with the outputs it was built with. Run it in the book's environment, "
-    "from the repository's root: it imports the repository's own packages."
+    "This notebook is a page of the book, with the outputs it was built with. Run it in the book's "
+    "environment, from the repository's root: it imports the repository's own packages."
 )
 
 
 def put_explicit_ids_first(app, document) -> None:
     """`(s1)=` before a heading gives `<section id="s1">`; Sphinx alone gives the section its title's id."""
-    explicit = {
-        document.nameids.get(name) for name, is_explicit in document.nametypes.items() if is_explicit
-    }
+    explicit = {document.nameids.get(name) for name, is_explicit in document.nametypes.items() if is_explicit}
     for section in document.findall(nodes.section):
         section["ids"].sort(key=lambda id: id not in explicit)
 
@@ -49,6 +47,6 @@ def _has_cells(doctree) -> bool:
 
 
 def setup(app) -> None:
-    """Connect to Sphinx: ids before the table of contents is collected, the notebook before the buttons are made."""
+    """Connect to Sphinx: ids before contents are collected, the notebook before the buttons are made."""
     app.connect("doctree-read", put_explicit_ids_first, priority=100)
     app.connect("html-page-context", offer_notebook, priority=400)

@@ -13,9 +13,10 @@ class UnknownResult(ValueError):
 def result_file(book: Path, id: str) -> Path:
     """The JSON file behind an id; ids with the prefix `bench:` are committed benchmarks."""
     if id.startswith(BENCHMARK_PREFIX):
-        folder, name, what = book.parent / "verify" / "benchmark" / "results", id[len(BENCHMARK_PREFIX) :], "benchmark"
+        folder, what = book.parent / "verify" / "benchmark" / "results", "benchmark"
     else:
-        folder, name, what = book / "_generated", id, "figure"
+        folder, what = book / "_generated", "figure"
+    name = id.removeprefix(BENCHMARK_PREFIX)
     path = folder / f"{name}.json"
     if "/" in name or not path.is_file():
         known = ", ".join(sorted(other.stem for other in folder.glob("*.json"))) or "none"

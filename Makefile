@@ -1,0 +1,45 @@
+# Everything here also works without make, in an activated environment: see `make help`.
+PYTHON ?= python3
+BIN := .venv/bin
+RUN := $(BIN)/python
+
+.PHONY: help environment book test verify figures bench clean
+.DEFAULT_GOAL := help
+
+help: ## list these targets
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+book: environment ## check the proofs, draw the figures, build the book, say where it is  (python -m book)
+	@$(RUN) -m book
+
+test: environment ## run every test, the proofs' included  (pytest verify tests)
+	@$(RUN) -m pytest verify tests -q -n 2
+
+verify: environment ## run the proofs' checker alone  (pytest verify)
+	@$(RUN) -m pytest verify -q -n 2
+
+figures: environment ## draw the figures that changed  (python -m book figures)
+	@$(RUN) -m book figures
+
+bench: environment ## measure times on this machine and write them with its name  (python -m verify.benchmark)
+	@$(RUN) -m verify.benchmark
+
+clean: ## remove what was built; the environment stays
+	@rm -rf book/_build book/_generated .stamps .jupyter_cache .pytest_cache .ruff_cache .benchmarks .hypothesis
+	@find . -path ./.venv -prune -o -name __pycache__ -type d -prune -exec rm -rf {} +
+	@echo "removed what was built"
+
+# The environment keeps a copy of the lock that it was installed from, so that there is nothing to do while they agree.
+environment: ## create .venv and install exactly what requirements.lock names, where that is not done yet
+	@if ! $(RUN) -c "" 2>/dev/null; then \
+	  $(PYTHON) -c "import sys; sys.exit(sys.version_info < (3, 11))" 2>/dev/null || { \
+	    echo "This needs Python 3.11 or newer; '$(PYTHON)' is $$($(PYTHON) --version 2>&1 || true)." >&2; \
+	    echo "Name another one: make PYTHON=python3.12 $(MAKECMDGOALS)" >&2; exit 1; }; \
+	  echo "Creating .venv with $$($(PYTHON) --version)"; \
+	  $(PYTHON) -m venv --clear .venv; \
+	fi
+	@if ! cmp -s requirements.lock .venv/requirements.lock; then \
+	  echo "Installing what requirements.lock names (a minute the first time)"; \
+	  $(RUN) -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock && \
+	  cp requirements.lock .venv/requirements.lock; \
+	fi
