@@ -141,12 +141,6 @@ def image_extent(eye, radius):
 
 
 @compiled
-def image_y(row, height, half):
-    y = half * ((-3.0 / 20.0) + (height - 2.0 * row - 1.0) / height)
-    return y
-
-
-@compiled
 def ambient_term(ka, ambient):
     color = ambient * ka
     return color
@@ -168,6 +162,16 @@ def image_x_row(
         column = column_row[i]
         x = half * (2.0 * column - width + 1.0) / height
         x_row[i] = x
+
+
+@compiled
+def image_y_row(
+    row_row, height, half, y_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        row = row_row[i]
+        y = half * ((-3.0 / 20.0) + (height - 2.0 * row - 1.0) / height)
+        y_row[i] = y
 
 
 @compiled
@@ -467,393 +471,6 @@ def multiply_row(
 
 
 @compiled
-def height_sine_row(
-    u_row, v_row, k_u, k_v, h_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        u = u_row[i]
-        v = v_row[i]
-        h = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v)
-        h_row[i] = h
-
-
-@compiled
-def gradient_sine_row(
-    u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        u = u_row[i]
-        v = v_row[i]
-        cos_u = cospi_of_product(k_u, u)
-        cos_v = cospi_of_product(k_v, v)
-        sin_u = sinpi_of_product(k_u, u)
-        sin_v = sinpi_of_product(k_v, v)
-        h_u = math.pi * cos_u * k_u * sin_v
-        h_v = math.pi * cos_v * k_v * sin_u
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def kink_sine_row(
-    sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        sin_phi = sin_phi_row[i]
-        kink = (1.0 if (sin_phi <= 0.0) else 0.0)
-        kink_row[i] = kink
-
-
-@compiled
-def straddling_sine_row(
-    u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
-):
-    straddles = 0.0
-    for i in range(np.uint64(start), np.uint64(stop)):
-        straddles_row[i] = straddles
-
-
-@compiled
-def forward_sine_row(
-    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        u = u_row[i]
-        v = v_row[i]
-        u_plus = epsilon + u - np.floor(epsilon + u)
-        stepped = (epsilon + v if (epsilon + v <= 1.0) else -epsilon + v)
-        h_here = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v)
-        h_u_plus = sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v)
-        h_v_plus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, stepped)
-        h_u = (-h_here + h_u_plus) / epsilon
-        h_v = ((-h_here + h_v_plus) / epsilon if (epsilon + v <= 1.0) else (h_here - h_v_plus) / epsilon)
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def central_sine_row(
-    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        u = u_row[i]
-        v = v_row[i]
-        u_plus = epsilon + u - np.floor(epsilon + u)
-        u_minus = -epsilon + u - np.floor(-epsilon + u)
-        v_plus = minimum(1.0, epsilon + v)
-        v_minus = maximum(0.0, -epsilon + v)
-        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
-        h_u_plus = sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v)
-        h_u_minus = sinpi_of_product(k_u, u_minus) * sinpi_of_product(k_v, v)
-        h_v_plus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus)
-        h_v_minus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus)
-        h_u = 0.5 * (-h_u_minus + h_u_plus) / epsilon
-        h_v = (-h_v_minus + h_v_plus) / span_v
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def central4_sine_row(
-    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        u = u_row[i]
-        v = v_row[i]
-        u_plus = epsilon + u - np.floor(epsilon + u)
-        u_minus = -epsilon + u - np.floor(-epsilon + u)
-        v_plus = minimum(1.0, epsilon + v)
-        v_minus = maximum(0.0, -epsilon + v)
-        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
-        u_plus_2 = 2.0 * epsilon + u - np.floor(2.0 * epsilon + u)
-        u_minus_2 = -2.0 * epsilon + u - np.floor(-2.0 * epsilon + u)
-        v_plus_2 = minimum(1.0, 2.0 * epsilon + v)
-        v_minus_2 = maximum(0.0, -2.0 * epsilon + v)
-        h_u_plus = sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v)
-        h_u_minus = sinpi_of_product(k_u, u_minus) * sinpi_of_product(k_v, v)
-        h_v_plus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus)
-        h_v_minus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus)
-        h_u_plus_2 = sinpi_of_product(k_u, u_plus_2) * sinpi_of_product(k_v, v)
-        h_u_minus_2 = sinpi_of_product(k_u, u_minus_2) * sinpi_of_product(k_v, v)
-        h_v_plus_2 = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus_2)
-        h_v_minus_2 = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus_2)
-        h_u = (1.0 / 12.0) * (-8.0 * h_u_minus + h_u_minus_2 + 8.0 * h_u_plus - h_u_plus_2) / epsilon
-        near_difference = -h_v_minus + h_v_plus
-        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference / span_v)
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def gradient_from_factors_sine_row(
-    sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        sin_u = sin_u_row[i]
-        cos_u = cos_u_row[i]
-        sin_v = sin_v_row[i]
-        cos_v = cos_v_row[i]
-        h_u = math.pi * cos_u * k_u * sin_v
-        h_v = math.pi * cos_v * k_v * sin_u
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def height_ridges_row(
-    u_row, v_row, k_u, k_v, h_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        u = u_row[i]
-        v = v_row[i]
-        h = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v))
-        h_row[i] = h
-
-
-@compiled
-def gradient_ridges_row(
-    u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        u = u_row[i]
-        v = v_row[i]
-        cos_u = cospi_of_product(k_u, u)
-        cos_v = cospi_of_product(k_v, v)
-        sin_u = sinpi_of_product(k_u, u)
-        sin_v = sinpi_of_product(k_v, v)
-        h_u = math.pi * cos_u * k_u * sin_v * sign(sin_u * sin_v)
-        h_v = math.pi * cos_v * k_v * sin_u * sign(sin_u * sin_v)
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def kink_ridges_row(
-    sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        sin_phi = sin_phi_row[i]
-        u = u_row[i]
-        v = v_row[i]
-        kink = (1.0 if ((abs(sinpi_of_product(k_u, u)) < (3.0 / 100.0)) | (abs(sinpi_of_product(k_v, v)) < (3.0 / 100.0)) | (sin_phi <= 0.0)) else 0.0)
-        kink_row[i] = kink
-
-
-@compiled
-def straddling_ridges_row(
-    u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        u = u_row[i]
-        v = v_row[i]
-        crease_distance_0 = abs(k_u * u - np.rint(k_u * u))
-        crease_distance_1 = abs(k_v * v - np.rint(k_v * v))
-        straddles = (1.0 if ((crease_distance_0 < epsilon * abs(k_u)) | (crease_distance_1 < epsilon * abs(k_v))) else 0.0)
-        straddles_row[i] = straddles
-
-
-@compiled
-def forward_ridges_row(
-    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        u = u_row[i]
-        v = v_row[i]
-        u_plus = epsilon + u - np.floor(epsilon + u)
-        stepped = (epsilon + v if (epsilon + v <= 1.0) else -epsilon + v)
-        h_here = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v))
-        h_u_plus = abs(sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v))
-        h_v_plus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, stepped))
-        h_u = (-h_here + h_u_plus) / epsilon
-        h_v = ((-h_here + h_v_plus) / epsilon if (epsilon + v <= 1.0) else (h_here - h_v_plus) / epsilon)
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def central_ridges_row(
-    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        u = u_row[i]
-        v = v_row[i]
-        u_plus = epsilon + u - np.floor(epsilon + u)
-        u_minus = -epsilon + u - np.floor(-epsilon + u)
-        v_plus = minimum(1.0, epsilon + v)
-        v_minus = maximum(0.0, -epsilon + v)
-        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
-        h_u_plus = abs(sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v))
-        h_u_minus = abs(sinpi_of_product(k_u, u_minus) * sinpi_of_product(k_v, v))
-        h_v_plus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus))
-        h_v_minus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus))
-        h_u = 0.5 * (-h_u_minus + h_u_plus) / epsilon
-        h_v = (-h_v_minus + h_v_plus) / span_v
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def central4_ridges_row(
-    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        u = u_row[i]
-        v = v_row[i]
-        u_plus = epsilon + u - np.floor(epsilon + u)
-        u_minus = -epsilon + u - np.floor(-epsilon + u)
-        v_plus = minimum(1.0, epsilon + v)
-        v_minus = maximum(0.0, -epsilon + v)
-        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
-        u_plus_2 = 2.0 * epsilon + u - np.floor(2.0 * epsilon + u)
-        u_minus_2 = -2.0 * epsilon + u - np.floor(-2.0 * epsilon + u)
-        v_plus_2 = minimum(1.0, 2.0 * epsilon + v)
-        v_minus_2 = maximum(0.0, -2.0 * epsilon + v)
-        h_u_plus = abs(sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v))
-        h_u_minus = abs(sinpi_of_product(k_u, u_minus) * sinpi_of_product(k_v, v))
-        h_v_plus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus))
-        h_v_minus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus))
-        h_u_plus_2 = abs(sinpi_of_product(k_u, u_plus_2) * sinpi_of_product(k_v, v))
-        h_u_minus_2 = abs(sinpi_of_product(k_u, u_minus_2) * sinpi_of_product(k_v, v))
-        h_v_plus_2 = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus_2))
-        h_v_minus_2 = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus_2))
-        h_u = (1.0 / 12.0) * (-8.0 * h_u_minus + h_u_minus_2 + 8.0 * h_u_plus - h_u_plus_2) / epsilon
-        near_difference = -h_v_minus + h_v_plus
-        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference / span_v)
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def gradient_from_factors_ridges_row(
-    sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        sin_u = sin_u_row[i]
-        cos_u = cos_u_row[i]
-        sin_v = sin_v_row[i]
-        cos_v = cos_v_row[i]
-        h_u = math.pi * cos_u * k_u * sin_v * sign(sin_u * sin_v)
-        h_v = math.pi * cos_v * k_v * sin_u * sign(sin_u * sin_v)
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def height_rings_row(
-    u_row, v_row, k_u, k_v, h_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        v = v_row[i]
-        h = sinpi_of_product(2.0 * k_v, v)
-        h_row[i] = h
-
-
-@compiled
-def gradient_rings_row(
-    u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
-):
-    h_u = 0.0
-    for i in range(np.uint64(start), np.uint64(stop)):
-        v = v_row[i]
-        cos_v = cospi_of_product(2.0 * k_v, v)
-        h_v = 2.0 * math.pi * cos_v * k_v
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def kink_rings_row(
-    sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        sin_phi = sin_phi_row[i]
-        kink = (1.0 if (sin_phi <= 0.0) else 0.0)
-        kink_row[i] = kink
-
-
-@compiled
-def straddling_rings_row(
-    u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
-):
-    straddles = 0.0
-    for i in range(np.uint64(start), np.uint64(stop)):
-        straddles_row[i] = straddles
-
-
-@compiled
-def forward_rings_row(
-    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        v = v_row[i]
-        stepped = (epsilon + v if (epsilon + v <= 1.0) else -epsilon + v)
-        h_here = sinpi_of_product(2.0 * k_v, v)
-        h_u_plus = sinpi_of_product(2.0 * k_v, v)
-        h_v_plus = sinpi_of_product(2.0 * k_v, stepped)
-        h_u = (-h_here + h_u_plus) / epsilon
-        h_v = ((-h_here + h_v_plus) / epsilon if (epsilon + v <= 1.0) else (h_here - h_v_plus) / epsilon)
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def central_rings_row(
-    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        v = v_row[i]
-        v_plus = minimum(1.0, epsilon + v)
-        v_minus = maximum(0.0, -epsilon + v)
-        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
-        h_u_plus = sinpi_of_product(2.0 * k_v, v)
-        h_u_minus = sinpi_of_product(2.0 * k_v, v)
-        h_v_plus = sinpi_of_product(2.0 * k_v, v_plus)
-        h_v_minus = sinpi_of_product(2.0 * k_v, v_minus)
-        h_u = 0.5 * (-h_u_minus + h_u_plus) / epsilon
-        h_v = (-h_v_minus + h_v_plus) / span_v
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def central4_rings_row(
-    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        v = v_row[i]
-        v_plus = minimum(1.0, epsilon + v)
-        v_minus = maximum(0.0, -epsilon + v)
-        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
-        v_plus_2 = minimum(1.0, 2.0 * epsilon + v)
-        v_minus_2 = maximum(0.0, -2.0 * epsilon + v)
-        h_u_plus = sinpi_of_product(2.0 * k_v, v)
-        h_u_minus = sinpi_of_product(2.0 * k_v, v)
-        h_v_plus = sinpi_of_product(2.0 * k_v, v_plus)
-        h_v_minus = sinpi_of_product(2.0 * k_v, v_minus)
-        h_u_plus_2 = sinpi_of_product(2.0 * k_v, v)
-        h_u_minus_2 = sinpi_of_product(2.0 * k_v, v)
-        h_v_plus_2 = sinpi_of_product(2.0 * k_v, v_plus_2)
-        h_v_minus_2 = sinpi_of_product(2.0 * k_v, v_minus_2)
-        h_u = (1.0 / 12.0) * (-8.0 * h_u_minus + h_u_minus_2 + 8.0 * h_u_plus - h_u_plus_2) / epsilon
-        near_difference = -h_v_minus + h_v_plus
-        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference / span_v)
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
-def gradient_from_factors_rings_row(
-    sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
-):
-    h_u = 0.0
-    for i in range(np.uint64(start), np.uint64(stop)):
-        cos_v = cos_v_row[i]
-        h_v = 2.0 * math.pi * cos_v * k_v
-        h_u_row[i] = h_u
-        h_v_row[i] = h_v
-
-
-@compiled
 def blinn_row(
     x_row, y, eye, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z, bumped_x_row,
     bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
@@ -960,3 +577,718 @@ def slope_row(
         h_v = h_v_row[i]
         slope = math.sqrt(h_u * h_u + h_v * h_v)
         slope_row[i] = slope
+
+
+@compiled
+def height_sine_row(
+    u_row, v_row, k_u, k_v, h_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        h = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v)
+        h_row[i] = h
+
+
+@compiled
+def height_sine_runs(
+    runs, u_plane, v_plane, k_u, k_v, h_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        height_sine_row(
+            u_plane[row], v_plane[row], k_u, k_v, h_plane[row], start, stop
+        )
+
+
+@compiled
+def gradient_sine_row(
+    u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        cos_u = cospi_of_product(k_u, u)
+        cos_v = cospi_of_product(k_v, v)
+        sin_u = sinpi_of_product(k_u, u)
+        sin_v = sinpi_of_product(k_v, v)
+        h_u = math.pi * cos_u * k_u * sin_v
+        h_v = math.pi * cos_v * k_v * sin_u
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def gradient_sine_runs(
+    runs, u_plane, v_plane, k_u, k_v, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        gradient_sine_row(
+            u_plane[row], v_plane[row], k_u, k_v, h_u_plane[row], h_v_plane[row], start, stop
+        )
+
+
+@compiled
+def kink_sine_row(
+    sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        sin_phi = sin_phi_row[i]
+        kink = (1.0 if (sin_phi <= 0.0) else 0.0)
+        kink_row[i] = kink
+
+
+@compiled
+def kink_sine_runs(
+    runs, sin_phi_plane, u_plane, v_plane, k_u, k_v, kink_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        kink_sine_row(
+            sin_phi_plane[row], u_plane[row], v_plane[row], k_u, k_v, kink_plane[row], start, stop
+        )
+
+
+@compiled
+def straddling_sine_row(
+    u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
+):
+    straddles = 0.0
+    for i in range(np.uint64(start), np.uint64(stop)):
+        straddles_row[i] = straddles
+
+
+@compiled
+def straddling_sine_runs(
+    runs, u_plane, v_plane, k_u, k_v, epsilon, straddles_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        straddling_sine_row(
+            u_plane[row], v_plane[row], k_u, k_v, epsilon, straddles_plane[row], start, stop
+        )
+
+
+@compiled
+def forward_sine_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        u_plus = epsilon + u - np.floor(epsilon + u)
+        stepped = (epsilon + v if (epsilon + v <= 1.0) else -epsilon + v)
+        h_here = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v)
+        h_u_plus = sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v)
+        h_v_plus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, stepped)
+        h_u = (-h_here + h_u_plus) / epsilon
+        h_v = ((-h_here + h_v_plus) / epsilon if (epsilon + v <= 1.0) else (h_here - h_v_plus) / epsilon)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def forward_sine_runs(
+    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        forward_sine_row(
+            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
+        )
+
+
+@compiled
+def central_sine_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        u_plus = epsilon + u - np.floor(epsilon + u)
+        u_minus = -epsilon + u - np.floor(-epsilon + u)
+        v_plus = minimum(1.0, epsilon + v)
+        v_minus = maximum(0.0, -epsilon + v)
+        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
+        h_u_plus = sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v)
+        h_u_minus = sinpi_of_product(k_u, u_minus) * sinpi_of_product(k_v, v)
+        h_v_plus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus)
+        h_v_minus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus)
+        h_u = 0.5 * (-h_u_minus + h_u_plus) / epsilon
+        h_v = (-h_v_minus + h_v_plus) / span_v
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def central_sine_runs(
+    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        central_sine_row(
+            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
+        )
+
+
+@compiled
+def central4_sine_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        u_plus = epsilon + u - np.floor(epsilon + u)
+        u_minus = -epsilon + u - np.floor(-epsilon + u)
+        v_plus = minimum(1.0, epsilon + v)
+        v_minus = maximum(0.0, -epsilon + v)
+        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
+        u_plus_2 = 2.0 * epsilon + u - np.floor(2.0 * epsilon + u)
+        u_minus_2 = -2.0 * epsilon + u - np.floor(-2.0 * epsilon + u)
+        v_plus_2 = minimum(1.0, 2.0 * epsilon + v)
+        v_minus_2 = maximum(0.0, -2.0 * epsilon + v)
+        h_u_plus = sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v)
+        h_u_minus = sinpi_of_product(k_u, u_minus) * sinpi_of_product(k_v, v)
+        h_v_plus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus)
+        h_v_minus = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus)
+        h_u_plus_2 = sinpi_of_product(k_u, u_plus_2) * sinpi_of_product(k_v, v)
+        h_u_minus_2 = sinpi_of_product(k_u, u_minus_2) * sinpi_of_product(k_v, v)
+        h_v_plus_2 = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus_2)
+        h_v_minus_2 = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus_2)
+        h_u = (1.0 / 12.0) * (-8.0 * h_u_minus + h_u_minus_2 + 8.0 * h_u_plus - h_u_plus_2) / epsilon
+        near_difference = -h_v_minus + h_v_plus
+        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference / span_v)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def central4_sine_runs(
+    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        central4_sine_row(
+            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
+        )
+
+
+@compiled
+def gradient_from_factors_sine_row(
+    sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        sin_u = sin_u_row[i]
+        cos_u = cos_u_row[i]
+        sin_v = sin_v_row[i]
+        cos_v = cos_v_row[i]
+        h_u = math.pi * cos_u * k_u * sin_v
+        h_v = math.pi * cos_v * k_v * sin_u
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def gradient_from_factors_sine_runs(
+    runs, sin_u_plane, cos_u_plane, sin_v_plane, cos_v_plane, k_u, k_v, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        gradient_from_factors_sine_row(
+            sin_u_plane[row], cos_u_plane[row], sin_v_plane[row], cos_v_plane[row], k_u, k_v, h_u_plane[row],
+            h_v_plane[row], start, stop
+        )
+
+
+def wave_numbers_sine(k_u, k_v):
+    a = k_u
+    b = k_v
+    return a, b
+
+
+@compiled
+def height_ridges_row(
+    u_row, v_row, k_u, k_v, h_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        h = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v))
+        h_row[i] = h
+
+
+@compiled
+def height_ridges_runs(
+    runs, u_plane, v_plane, k_u, k_v, h_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        height_ridges_row(
+            u_plane[row], v_plane[row], k_u, k_v, h_plane[row], start, stop
+        )
+
+
+@compiled
+def gradient_ridges_row(
+    u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        cos_u = cospi_of_product(k_u, u)
+        cos_v = cospi_of_product(k_v, v)
+        sin_u = sinpi_of_product(k_u, u)
+        sin_v = sinpi_of_product(k_v, v)
+        h_u = math.pi * cos_u * k_u * sin_v * sign(sin_u * sin_v)
+        h_v = math.pi * cos_v * k_v * sin_u * sign(sin_u * sin_v)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def gradient_ridges_runs(
+    runs, u_plane, v_plane, k_u, k_v, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        gradient_ridges_row(
+            u_plane[row], v_plane[row], k_u, k_v, h_u_plane[row], h_v_plane[row], start, stop
+        )
+
+
+@compiled
+def kink_ridges_row(
+    sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        sin_phi = sin_phi_row[i]
+        u = u_row[i]
+        v = v_row[i]
+        kink = (1.0 if ((abs(sinpi_of_product(k_u, u)) < (3.0 / 100.0)) | (abs(sinpi_of_product(k_v, v)) < (3.0 / 100.0)) | (sin_phi <= 0.0)) else 0.0)
+        kink_row[i] = kink
+
+
+@compiled
+def kink_ridges_runs(
+    runs, sin_phi_plane, u_plane, v_plane, k_u, k_v, kink_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        kink_ridges_row(
+            sin_phi_plane[row], u_plane[row], v_plane[row], k_u, k_v, kink_plane[row], start, stop
+        )
+
+
+@compiled
+def straddling_ridges_row(
+    u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        crease_distance_0 = abs(k_u * u - np.rint(k_u * u))
+        crease_distance_1 = abs(k_v * v - np.rint(k_v * v))
+        straddles = (1.0 if ((crease_distance_0 < epsilon * abs(k_u)) | (crease_distance_1 < epsilon * abs(k_v))) else 0.0)
+        straddles_row[i] = straddles
+
+
+@compiled
+def straddling_ridges_runs(
+    runs, u_plane, v_plane, k_u, k_v, epsilon, straddles_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        straddling_ridges_row(
+            u_plane[row], v_plane[row], k_u, k_v, epsilon, straddles_plane[row], start, stop
+        )
+
+
+@compiled
+def forward_ridges_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        u_plus = epsilon + u - np.floor(epsilon + u)
+        stepped = (epsilon + v if (epsilon + v <= 1.0) else -epsilon + v)
+        h_here = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v))
+        h_u_plus = abs(sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v))
+        h_v_plus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, stepped))
+        h_u = (-h_here + h_u_plus) / epsilon
+        h_v = ((-h_here + h_v_plus) / epsilon if (epsilon + v <= 1.0) else (h_here - h_v_plus) / epsilon)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def forward_ridges_runs(
+    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        forward_ridges_row(
+            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
+        )
+
+
+@compiled
+def central_ridges_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        u_plus = epsilon + u - np.floor(epsilon + u)
+        u_minus = -epsilon + u - np.floor(-epsilon + u)
+        v_plus = minimum(1.0, epsilon + v)
+        v_minus = maximum(0.0, -epsilon + v)
+        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
+        h_u_plus = abs(sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v))
+        h_u_minus = abs(sinpi_of_product(k_u, u_minus) * sinpi_of_product(k_v, v))
+        h_v_plus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus))
+        h_v_minus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus))
+        h_u = 0.5 * (-h_u_minus + h_u_plus) / epsilon
+        h_v = (-h_v_minus + h_v_plus) / span_v
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def central_ridges_runs(
+    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        central_ridges_row(
+            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
+        )
+
+
+@compiled
+def central4_ridges_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        u = u_row[i]
+        v = v_row[i]
+        u_plus = epsilon + u - np.floor(epsilon + u)
+        u_minus = -epsilon + u - np.floor(-epsilon + u)
+        v_plus = minimum(1.0, epsilon + v)
+        v_minus = maximum(0.0, -epsilon + v)
+        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
+        u_plus_2 = 2.0 * epsilon + u - np.floor(2.0 * epsilon + u)
+        u_minus_2 = -2.0 * epsilon + u - np.floor(-2.0 * epsilon + u)
+        v_plus_2 = minimum(1.0, 2.0 * epsilon + v)
+        v_minus_2 = maximum(0.0, -2.0 * epsilon + v)
+        h_u_plus = abs(sinpi_of_product(k_u, u_plus) * sinpi_of_product(k_v, v))
+        h_u_minus = abs(sinpi_of_product(k_u, u_minus) * sinpi_of_product(k_v, v))
+        h_v_plus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus))
+        h_v_minus = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus))
+        h_u_plus_2 = abs(sinpi_of_product(k_u, u_plus_2) * sinpi_of_product(k_v, v))
+        h_u_minus_2 = abs(sinpi_of_product(k_u, u_minus_2) * sinpi_of_product(k_v, v))
+        h_v_plus_2 = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus_2))
+        h_v_minus_2 = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus_2))
+        h_u = (1.0 / 12.0) * (-8.0 * h_u_minus + h_u_minus_2 + 8.0 * h_u_plus - h_u_plus_2) / epsilon
+        near_difference = -h_v_minus + h_v_plus
+        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference / span_v)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def central4_ridges_runs(
+    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        central4_ridges_row(
+            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
+        )
+
+
+@compiled
+def gradient_from_factors_ridges_row(
+    sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        sin_u = sin_u_row[i]
+        cos_u = cos_u_row[i]
+        sin_v = sin_v_row[i]
+        cos_v = cos_v_row[i]
+        h_u = math.pi * cos_u * k_u * sin_v * sign(sin_u * sin_v)
+        h_v = math.pi * cos_v * k_v * sin_u * sign(sin_u * sin_v)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def gradient_from_factors_ridges_runs(
+    runs, sin_u_plane, cos_u_plane, sin_v_plane, cos_v_plane, k_u, k_v, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        gradient_from_factors_ridges_row(
+            sin_u_plane[row], cos_u_plane[row], sin_v_plane[row], cos_v_plane[row], k_u, k_v, h_u_plane[row],
+            h_v_plane[row], start, stop
+        )
+
+
+def wave_numbers_ridges(k_u, k_v):
+    a = k_u
+    b = k_v
+    return a, b
+
+
+@compiled
+def height_rings_row(
+    u_row, v_row, k_u, k_v, h_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        v = v_row[i]
+        h = sinpi_of_product(2.0 * k_v, v)
+        h_row[i] = h
+
+
+@compiled
+def height_rings_runs(
+    runs, u_plane, v_plane, k_u, k_v, h_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        height_rings_row(
+            u_plane[row], v_plane[row], k_u, k_v, h_plane[row], start, stop
+        )
+
+
+@compiled
+def gradient_rings_row(
+    u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
+):
+    h_u = 0.0
+    for i in range(np.uint64(start), np.uint64(stop)):
+        v = v_row[i]
+        cos_v = cospi_of_product(2.0 * k_v, v)
+        h_v = 2.0 * math.pi * cos_v * k_v
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def gradient_rings_runs(
+    runs, u_plane, v_plane, k_u, k_v, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        gradient_rings_row(
+            u_plane[row], v_plane[row], k_u, k_v, h_u_plane[row], h_v_plane[row], start, stop
+        )
+
+
+@compiled
+def kink_rings_row(
+    sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        sin_phi = sin_phi_row[i]
+        kink = (1.0 if (sin_phi <= 0.0) else 0.0)
+        kink_row[i] = kink
+
+
+@compiled
+def kink_rings_runs(
+    runs, sin_phi_plane, u_plane, v_plane, k_u, k_v, kink_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        kink_rings_row(
+            sin_phi_plane[row], u_plane[row], v_plane[row], k_u, k_v, kink_plane[row], start, stop
+        )
+
+
+@compiled
+def straddling_rings_row(
+    u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
+):
+    straddles = 0.0
+    for i in range(np.uint64(start), np.uint64(stop)):
+        straddles_row[i] = straddles
+
+
+@compiled
+def straddling_rings_runs(
+    runs, u_plane, v_plane, k_u, k_v, epsilon, straddles_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        straddling_rings_row(
+            u_plane[row], v_plane[row], k_u, k_v, epsilon, straddles_plane[row], start, stop
+        )
+
+
+@compiled
+def forward_rings_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        v = v_row[i]
+        stepped = (epsilon + v if (epsilon + v <= 1.0) else -epsilon + v)
+        h_here = sinpi_of_product(2.0 * k_v, v)
+        h_u_plus = sinpi_of_product(2.0 * k_v, v)
+        h_v_plus = sinpi_of_product(2.0 * k_v, stepped)
+        h_u = (-h_here + h_u_plus) / epsilon
+        h_v = ((-h_here + h_v_plus) / epsilon if (epsilon + v <= 1.0) else (h_here - h_v_plus) / epsilon)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def forward_rings_runs(
+    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        forward_rings_row(
+            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
+        )
+
+
+@compiled
+def central_rings_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        v = v_row[i]
+        v_plus = minimum(1.0, epsilon + v)
+        v_minus = maximum(0.0, -epsilon + v)
+        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
+        h_u_plus = sinpi_of_product(2.0 * k_v, v)
+        h_u_minus = sinpi_of_product(2.0 * k_v, v)
+        h_v_plus = sinpi_of_product(2.0 * k_v, v_plus)
+        h_v_minus = sinpi_of_product(2.0 * k_v, v_minus)
+        h_u = 0.5 * (-h_u_minus + h_u_plus) / epsilon
+        h_v = (-h_v_minus + h_v_plus) / span_v
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def central_rings_runs(
+    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        central_rings_row(
+            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
+        )
+
+
+@compiled
+def central4_rings_row(
+    u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        v = v_row[i]
+        v_plus = minimum(1.0, epsilon + v)
+        v_minus = maximum(0.0, -epsilon + v)
+        span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
+        v_plus_2 = minimum(1.0, 2.0 * epsilon + v)
+        v_minus_2 = maximum(0.0, -2.0 * epsilon + v)
+        h_u_plus = sinpi_of_product(2.0 * k_v, v)
+        h_u_minus = sinpi_of_product(2.0 * k_v, v)
+        h_v_plus = sinpi_of_product(2.0 * k_v, v_plus)
+        h_v_minus = sinpi_of_product(2.0 * k_v, v_minus)
+        h_u_plus_2 = sinpi_of_product(2.0 * k_v, v)
+        h_u_minus_2 = sinpi_of_product(2.0 * k_v, v)
+        h_v_plus_2 = sinpi_of_product(2.0 * k_v, v_plus_2)
+        h_v_minus_2 = sinpi_of_product(2.0 * k_v, v_minus_2)
+        h_u = (1.0 / 12.0) * (-8.0 * h_u_minus + h_u_minus_2 + 8.0 * h_u_plus - h_u_plus_2) / epsilon
+        near_difference = -h_v_minus + h_v_plus
+        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference / span_v)
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def central4_rings_runs(
+    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        central4_rings_row(
+            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
+        )
+
+
+@compiled
+def gradient_from_factors_rings_row(
+    sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
+):
+    h_u = 0.0
+    for i in range(np.uint64(start), np.uint64(stop)):
+        cos_v = cos_v_row[i]
+        h_v = 2.0 * math.pi * cos_v * k_v
+        h_u_row[i] = h_u
+        h_v_row[i] = h_v
+
+
+@compiled
+def gradient_from_factors_rings_runs(
+    runs, sin_u_plane, cos_u_plane, sin_v_plane, cos_v_plane, k_u, k_v, h_u_plane, h_v_plane
+):
+    for index in range(runs.shape[0]):
+        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
+        gradient_from_factors_rings_row(
+            sin_u_plane[row], cos_u_plane[row], sin_v_plane[row], cos_v_plane[row], k_u, k_v, h_u_plane[row],
+            h_v_plane[row], start, stop
+        )
+
+
+def wave_numbers_rings(k_u, k_v):
+    a = 0.0
+    b = 2.0 * k_v
+    return a, b
+
+
+HEIGHT_EVALUATIONS = {'forward': 3, 'central': 4, 'central4': 8}
+
+
+MAX_ALGEBRAIC = 64
+
+
+FIELDS = {
+    "sine": {
+        "height": height_sine_runs,
+        "gradient": gradient_sine_runs,
+        "kink": kink_sine_runs,
+        "straddling": straddling_sine_runs,
+        "forward": forward_sine_runs,
+        "central": central_sine_runs,
+        "central4": central4_sine_runs,
+        "gradient_from_factors": gradient_from_factors_sine_runs,
+        "wave_numbers": wave_numbers_sine,
+    },
+    "ridges": {
+        "height": height_ridges_runs,
+        "gradient": gradient_ridges_runs,
+        "kink": kink_ridges_runs,
+        "straddling": straddling_ridges_runs,
+        "forward": forward_ridges_runs,
+        "central": central_ridges_runs,
+        "central4": central4_ridges_runs,
+        "gradient_from_factors": gradient_from_factors_ridges_runs,
+        "wave_numbers": wave_numbers_ridges,
+    },
+    "rings": {
+        "height": height_rings_runs,
+        "gradient": gradient_rings_runs,
+        "kink": kink_rings_runs,
+        "straddling": straddling_rings_runs,
+        "forward": forward_rings_runs,
+        "central": central_rings_runs,
+        "central4": central4_rings_runs,
+        "gradient_from_factors": gradient_from_factors_rings_runs,
+        "wave_numbers": wave_numbers_rings,
+    },
+}

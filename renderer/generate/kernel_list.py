@@ -44,8 +44,9 @@ def _renamed(program, name):
 
 
 def _raster_kernels():
-    abscissa = camera.image_point.keep(x, name="image_x")
-    return [RowKernel(abscissa, (column,)), RowKernel(camera.visible_surface, (x,))]
+    across = camera.image_point.keep(x, name="image_x")
+    down = camera.image_point.keep(camera.y, name="image_y")
+    return [RowKernel(across, (column,)), RowKernel(down, (camera.row,)), RowKernel(camera.visible_surface, (x,))]
 
 
 def _shadow_kernels():
@@ -95,7 +96,7 @@ def _power_kernels():
     ]
 
 
-def _field_kernels(field):
+def field_kernels(field):
     """Return one field's kernels: height, exact gradient, differences, creases."""
     kernels = [
         RowKernel(height_fields.height(field), (u, v)),
@@ -131,13 +132,11 @@ ROW_KERNELS = [
     *_shadow_kernels(),
     *_geometry_kernels(),
     *_power_kernels(),
-    *(kernel for field in height_fields.HEIGHT_FIELDS.values() for kernel in _field_kernels(field)),
     *_shading_kernels(),
 ]
 
 SCALAR_PROGRAMS = [
     camera.image_extent,
-    camera.image_point.keep(camera.y, name="image_y"),
     shading.ambient_term,
     shading.floor_albedo,
 ]

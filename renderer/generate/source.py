@@ -7,8 +7,12 @@ depend on the pixel stand before the loop.
 import textwrap
 
 from proofs import elementary
+from proofs.algebraic_form import MAX_WAVE_NUMBER
+from proofs.finite_difference import HEIGHT_EVALUATIONS
+from proofs.height_fields import HEIGHT_FIELDS
 from proofs.program import Program, chain
-from renderer.generate.kernel_list import ROW_KERNELS, SCALAR_PROGRAMS
+from proofs.symbols import k_u, k_v, real
+from renderer.generate.kernel_list import ROW_KERNELS, SCALAR_PROGRAMS, field_kernels
 from renderer.generate.printers import NumbaPrinter
 
 HEADER = '''"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression and run it again.
@@ -93,11 +97,59 @@ def print_row_kernel(kernel, printer):
     )
 
 
+def print_runs_kernel(kernel):
+    """Return the text of the function that takes a row kernel over the runs of a band of rows."""
+    program = kernel.program
+    inputs = [f"{s.name}_plane" if s in kernel.rows else s.name for s in program.inputs]
+    planes = inputs + [f"{s.name}_plane" for s in program.outputs]
+    rows = [f"{a}[row]" if a.endswith("_plane") else a for a in planes]
+    return "\n".join(
+        [
+            "@compiled",
+            f"def {program.name}_runs(",
+            *(f"    {line}" for line in textwrap.wrap(", ".join(["runs", *planes]), 105)),
+            "):",
+            "    for index in range(runs.shape[0]):",
+            "        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]",
+            f"        {program.name}_row(",
+            *(f"            {line}" for line in textwrap.wrap(", ".join([*rows, "start", "stop"]), 97)),
+            "        )",
+            "",
+        ]
+    )
+
+
+def field_table():
+    """Return the text of the table from a field's name to its kernels."""
+    lines = ["FIELDS = {"]
+    for field in HEIGHT_FIELDS.values():
+        lines.append(f'    "{field.name}": {{')
+        for kernel in field_kernels(field):
+            role = kernel.program.name.removesuffix(f"_{field.name}")
+            lines.append(f'        "{role}": {kernel.program.name}_runs,')
+        lines.append(f'        "wave_numbers": {f"wave_numbers_{field.name}" if field.wave_numbers else None},')
+        lines.append("    },")
+    return "\n".join([*lines, "}", ""])
+
+
+def _wave_numbers(field):
+    a, b = real("a b")
+    return Program(
+        f"wave_numbers_{field.name}", (k_u, k_v), tuple(zip((a, b), field.wave_numbers, strict=True)), (a, b)
+    )
+
+
 def kernels_source():
     """Return the text of renderer/kernels.py."""
     printer = NumbaPrinter()
+    fields = HEIGHT_FIELDS.values()
     parts = [print_function(name, program, printer) for name, program in elementary_functions()]
     parts += [print_function(p.name, p, printer, "@compiled\n") for p in SCALAR_PROGRAMS]
     parts += [print_row_kernel(kernel, printer) for kernel in ROW_KERNELS]
+    for field in fields:
+        for kernel in field_kernels(field):
+            parts += [print_row_kernel(kernel, printer), print_runs_kernel(kernel)]
+        if field.wave_numbers:
+            parts.append(print_function(f"wave_numbers_{field.name}", _wave_numbers(field), printer, ""))
+    parts += [f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\n", f"MAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n", field_table()]
     return HEADER + "".join(f"\n\n{part}" for part in parts)
-

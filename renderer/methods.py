@@ -1,0 +1,55 @@
+"""How the gradient of the height field is taken: exactly, or by a finite difference of step ε."""
+
+import math
+from dataclasses import dataclass
+
+from renderer.kernels import HEIGHT_EVALUATIONS
+from renderer.scene import check_choice, check_number
+
+METHODS = ("exact", *HEIGHT_EVALUATIONS)
+FORMS = ("auto", "general", "algebraic")
+
+
+@dataclass(frozen=True)
+class GradientMethod:
+    """A way to take the gradient: its name; for a difference the step ε in (0, 1/2]; for `exact` the form.
+
+    Make one with `exact`, `central`, `forward` or `central4`. Raises ValueError on anything else.
+    """
+
+    name: str
+    eps: float | None = None
+    form: str = "auto"
+
+    def __post_init__(self):
+        check_choice("gradient", self.name, METHODS)
+        check_choice("form", self.form, FORMS)
+        if self.name != "exact":
+            smallest = math.ulp(0.0)
+            eps = check_number("eps", self.eps, smallest, 0.5, "a number above 0, at most 0.5")
+            object.__setattr__(self, "eps", eps)
+
+    @property
+    def height_evaluations(self):
+        """How many times h is evaluated for one gradient: 0 when it is exact."""
+        return HEIGHT_EVALUATIONS.get(self.name, 0)
+
+
+def exact(form="auto"):
+    """Return the exact gradient. `auto` takes the algebraic form where it applies, and the general one elsewhere."""
+    return GradientMethod("exact", form=form)
+
+
+def central(eps):
+    """Return the central difference of step eps: second order, 4 height evaluations."""
+    return GradientMethod("central", eps)
+
+
+def forward(eps):
+    """Return the forward difference of step eps: first order, 3 height evaluations."""
+    return GradientMethod("forward", eps)
+
+
+def central4(eps):
+    """Return the fourth-order central difference of step eps: 8 height evaluations."""
+    return GradientMethod("central4", eps)

@@ -1,0 +1,70 @@
+"""The raster: its size, the part of it that is drawn, and the image point of every pixel."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from renderer.kernels import image_extent, image_x_row, image_y_row
+
+MAX_SIDE = 2**24
+MAX_DRAWN = 2**28
+
+
+def _check_size(name, value, high):
+    whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+    if not whole or not 1 <= value <= high:
+        raise ValueError(f"{name} = {value!r} is not allowed: a whole number from 1 to {high}")
+    return int(value)
+
+
+@dataclass(frozen=True)
+class Raster:
+    """A raster of width × height pixels, of which the crop (left, top, width, height) is drawn; None is all of it.
+
+    Raises ValueError on a side outside 1 … 2**24, a crop not inside the raster, more than 2**28 drawn pixels.
+    """
+
+    width: int
+    height: int
+    crop: tuple | None = None
+
+    def __post_init__(self):
+        width = _check_size("width", self.width, MAX_SIDE)
+        height = _check_size("height", self.height, MAX_SIDE)
+        object.__setattr__(self, "width", width)
+        object.__setattr__(self, "height", height)
+        object.__setattr__(self, "crop", self._checked_crop(width, height))
+        drawn = self.crop[2] * self.crop[3]
+        if drawn > MAX_DRAWN:
+            raise ValueError(f"width * height = {drawn} is not allowed: at most {MAX_DRAWN} drawn pixels")
+
+    def _checked_crop(self, width, height):
+        if self.crop is None:
+            return (0, 0, width, height)
+        allowed = f"(left, top, width, height), whole numbers, inside the raster of {width} x {height}"
+        try:
+            left, top, wide, high = (int(number) for number in self.crop)
+            whole = tuple(self.crop) == (left, top, wide, high)
+        except (TypeError, ValueError, OverflowError):
+            whole = False
+        inside = whole and left >= 0 and top >= 0 and wide >= 1 and high >= 1
+        if not inside or left + wide > width or top + high > height:
+            raise ValueError(f"crop = {self.crop!r} is not allowed: {allowed}")
+        return (left, top, wide, high)
+
+    @property
+    def shape(self):
+        """(rows, columns) that are drawn."""
+        return (self.crop[3], self.crop[2])
+
+    def image_points(self, scene):
+        """Return (x of each drawn column, y of each drawn row), the image points of the pixels' centres."""
+        left, top, wide, high = self.crop
+        half = image_extent(scene.eye, scene.radius)
+        x = np.empty(wide)
+        columns = np.arange(left, left + wide, dtype=np.float64)
+        image_x_row(columns, float(self.width), float(self.height), half, x, 0, wide)
+        y = np.empty(high)
+        rows = np.arange(top, top + high, dtype=np.float64)
+        image_y_row(rows, float(self.height), half, y, 0, high)
+        return x, y

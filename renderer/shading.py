@@ -1,0 +1,142 @@
+"""The second stage, second half: normals, light by light, the colour of every pixel."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from renderer.chambers import DARK_BIT, FIRST_LIGHT_BIT, FLOOR, NOTHING, SPHERE_A, SPHERE_B, SURFACE_BITS
+from renderer.kernels import (
+    ambient_term,
+    blinn_row,
+    clip_row,
+    compiled,
+    floor_albedo,
+    highlight_row,
+    light_term_row,
+    multiply_row,
+    normal_on_a_row,
+    normal_on_b_row,
+    normal_on_floor_row,
+    phong_row,
+    square_row,
+)
+from renderer.scene import MODELS
+
+
+class Material(NamedTuple):
+    """The scene's shading, as the kernels take it. `model` is an index into MODELS; `power` is the shininess if it is
+    whole, else 0. base: the ambient colour (3). albedo: (5, 3) for nothing, A, B, light and dark floor squares.
+    positions, colors: (n, 3), and bits (n), of the lights that are on."""
+
+    beta: float
+    kd: float
+    ks: float
+    shininess: float
+    power: int
+    model: int
+    base: np.ndarray
+    albedo: np.ndarray
+    positions: np.ndarray
+    colors: np.ndarray
+    bits: np.ndarray
+
+
+def material_of(scene):
+    """Return the Material of a scene."""
+    on = [(number, light) for number, light in enumerate(scene.lights) if light.color is not None]
+    floor = [(red, red, blue) for red, blue in (floor_albedo(dark, scene.floor_tint) for dark in (0.0, 1.0))]
+    whole = scene.shininess == int(scene.shininess)
+    return Material(
+        scene.beta,
+        scene.kd,
+        scene.ks,
+        scene.shininess,
+        int(scene.shininess) if whole else 0,
+        MODELS.index(scene.model),
+        np.array([ambient_term(scene.ka, channel) for channel in scene.ambient]),
+        np.array([(0.0, 0.0, 0.0), scene.albedo_a, scene.albedo_b, *floor]),
+        np.array([light.position for _, light in on], np.float64).reshape(-1, 3),
+        np.array([light.color for _, light in on], np.float64).reshape(-1, 3),
+        np.array([1 << (FIRST_LIGHT_BIT + number) for number, _ in on], np.uint8),
+    )
+
+
+@compiled
+def _place(x, y, g, m, surface, row, planes, place, start, stop):
+    """Write the points and normals of a run into `place`, six rows."""
+    if surface == SPHERE_A:
+        normal_on_a_row(
+            planes.cos_theta[row], planes.sin_theta[row], planes.cos_phi[row], planes.sin_phi[row], g.radius,
+            planes.h_u[row], planes.h_v[row], m.beta,
+            place[0], place[1], place[2], place[3], place[4], place[5], start, stop,
+        )
+    elif surface == SPHERE_B:
+        normal_on_b_row(
+            x, y, g.eye, g.ball_x, g.ball_y, g.ball_z, g.ball_radius, g.ball_on,
+            place[0], place[1], place[2], place[3], place[4], place[5], start, stop,
+        )
+    else:
+        normal_on_floor_row(
+            x, y, place[0], place[1], place[2], place[3], place[4], place[5], start, stop
+        )
+
+
+@compiled
+def _raise_to_shininess(m, base_row, power_row, start, stop):
+    """Write base^shininess: by repeated squaring if it is whole (the base row is used up), else by pow."""
+    if m.power == 0:
+        highlight_row(base_row, m.shininess, power_row, start, stop)
+        return
+    power_row[start:stop] = 1.0
+    remaining = m.power
+    while remaining:
+        if remaining & 1:
+            multiply_row(power_row, base_row, start, stop)
+        remaining >>= 1
+        if remaining:
+            square_row(base_row, start, stop)
+
+
+@compiled
+def _add_light(x, y, eye, m, light, albedo, place, work, rgb, row, start, stop):
+    """Add one light to a run's colours; `work` is three rows: μ, the highlight's base, the highlight."""
+    position, color = m.positions[light], m.colors[light]
+    lx, ly, lz = position[0], position[1], position[2]
+    if m.model == 0:
+        blinn_row(
+            x, y, eye, place[0], place[1], place[2], lx, ly, lz, place[3], place[4], place[5],
+            work[0], work[1], start, stop,
+        )
+    else:
+        phong_row(
+            x, y, eye, place[0], place[1], place[2], lx, ly, lz, place[3], place[4], place[5],
+            work[0], work[1], start, stop,
+        )
+    _raise_to_shininess(m, work[1], work[2], start, stop)
+    for channel in range(3):
+        light_term_row(
+            rgb[channel, row], color[channel], albedo[channel], m.kd, m.ks, work[0], work[2], start, stop
+        )
+
+
+@compiled
+def shade_runs(runs, x, y_of_row, g, m, planes, rgb):
+    """Write the colours of a band's runs into `rgb`, (3, rows, columns). One run at a time; A's planes are filled."""
+    columns = x.shape[0]
+    place, work = np.empty((6, columns)), np.empty((3, columns))
+    for index in range(runs.shape[0]):
+        row, start, stop, code = runs[index, 0], runs[index, 1], runs[index, 2], runs[index, 3]
+        surface = code & SURFACE_BITS
+        if surface == NOTHING:
+            rgb[:, row, start:stop] = 0.0
+            continue
+        y = y_of_row[row]
+        albedo = m.albedo[surface + 1 if surface == FLOOR and code & DARK_BIT else surface]
+        _place(x, y, g, m, surface, row, planes, place, start, stop)
+        for channel in range(3):
+            rgb[channel, row, start:stop] = m.base[channel]
+        for light in range(m.bits.shape[0]):
+            if not code & m.bits[light]:
+                _add_light(x, y, g.eye, m, light, albedo, place, work, rgb, row, start, stop)
+        for channel in range(3):
+            clip_row(rgb[channel, row], start, stop)

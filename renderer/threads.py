@@ -1,0 +1,31 @@
+"""Bands of rows over threads: the compiled kernels release the interpreter's lock."""
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+
+
+def available_cores():
+    """Return how many cores this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+@cache
+def _pool(threads):
+    return ThreadPoolExecutor(threads, thread_name_prefix="bands")
+
+
+def run_bands(work, count, threads):
+    """Call work(0), …, work(count − 1) on `threads` threads, and return when all are done.
+
+    The first call is made here alone, so that a kernel is compiled once before the others ask for it.
+    """
+    work(0)
+    if threads == 1 or count < 3:
+        for number in range(1, count):
+            work(number)
+    else:
+        for _ in _pool(threads).map(work, range(1, count)):
+            pass
