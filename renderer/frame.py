@@ -44,11 +44,16 @@ class Frame:
                 self._copy_runs(band, plane, data[name][rows])
         return data
 
-    def _band_data(self, band):
-        scene, kernels, runs = self.scene, FIELDS[self.scene.field], band.runs_on_a
+    def planes(self, band):
+        """Return the band's Planes: angles, and the gradient by the frame's method, on sphere A."""
         planes = empty_planes(len(band.y), self.raster.shape[1])
         fill_angles(self.stage, band, planes)
-        fill_gradient(scene, self.method, band, planes)
+        fill_gradient(self.scene, self.method, band, planes)
+        return planes
+
+    def _band_data(self, band):
+        scene, kernels, runs = self.scene, FIELDS[self.scene.field], band.runs_on_a
+        planes = self.planes(band)
         u, v = chart_of(band, planes)
         data = {"u": u, "v": v, "h_u": planes.h_u, "h_v": planes.h_v}
         for name in ("h", "slope", "kink", "straddling"):

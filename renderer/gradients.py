@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from renderer.chambers import SPHERE_A
 from renderer.kernels import (
     FIELDS,
     MAX_ALGEBRAIC,
@@ -134,3 +135,35 @@ def fill_gradient(scene, method, band, planes):
         kernels["gradient"](runs, u, v, scene.ku, scene.kv, planes.h_u, planes.h_v)
     else:
         kernels[method.name](runs, u, v, scene.ku, scene.kv, method.eps, planes.h_u, planes.h_v)
+
+
+def _single_run(u, v):
+    u, v = np.broadcast_arrays(np.asarray(u, np.float64), np.asarray(v, np.float64))
+    inside = (u >= 0) & (u < 1) & (v >= 0) & (v <= 1)
+    if not inside.all():
+        raise ValueError(f"(u, v) = ({u[~inside][0]}, {v[~inside][0]}) is not allowed: u in [0, 1), v in [0, 1]")
+    runs = np.array([[0, 0, u.size, SPHERE_A]], np.int64)
+    return runs, np.ascontiguousarray(u).reshape(1, -1), np.ascontiguousarray(v).reshape(1, -1), u.shape
+
+
+def height_at(scene, u, v):
+    """Return h(u, v) of the scene's field, an array of the broadcast shape. Raises ValueError off the chart."""
+    runs, u_plane, v_plane, shape = _single_run(u, v)
+    h = np.empty_like(u_plane)
+    FIELDS[scene.field]["height"](runs, u_plane, v_plane, scene.ku, scene.kv, h)
+    return h.reshape(shape)
+
+
+def gradient_at(scene, u, v, method):
+    """Return (h_u, h_v) at chart points by `method` (exact: the general form), arrays of the broadcast shape.
+
+    u ∈ [0, 1), v ∈ [0, 1], else ValueError.
+    """
+    runs, u_plane, v_plane, shape = _single_run(u, v)
+    h_u, h_v = np.empty((2, *u_plane.shape))
+    kernels = FIELDS[scene.field]
+    if method.name == "exact":
+        kernels["gradient"](runs, u_plane, v_plane, scene.ku, scene.kv, h_u, h_v)
+    else:
+        kernels[method.name](runs, u_plane, v_plane, scene.ku, scene.kv, method.eps, h_u, h_v)
+    return h_u.reshape(shape), h_v.reshape(shape)

@@ -62,6 +62,12 @@ def material_of(scene):
 
 
 @compiled
+def _albedo_index(code):
+    surface = code & SURFACE_BITS
+    return surface + 1 if surface == FLOOR and code & DARK_BIT else surface
+
+
+@compiled
 def _place(x, y, g, m, surface, row, planes, place, start, stop):
     """Write the points and normals of a run into `place`, six rows."""
     if surface == SPHERE_A:
@@ -130,8 +136,7 @@ def shade_runs(runs, x, y_of_row, g, m, planes, rgb):
         if surface == NOTHING:
             rgb[:, row, start:stop] = 0.0
             continue
-        y = y_of_row[row]
-        albedo = m.albedo[surface + 1 if surface == FLOOR and code & DARK_BIT else surface]
+        y, albedo = y_of_row[row], m.albedo[_albedo_index(code)]
         _place(x, y, g, m, surface, row, planes, place, start, stop)
         for channel in range(3):
             rgb[channel, row, start:stop] = m.base[channel]
@@ -140,3 +145,19 @@ def shade_runs(runs, x, y_of_row, g, m, planes, rgb):
                 _add_light(x, y, g.eye, m, light, albedo, place, work, rgb, row, start, stop)
         for channel in range(3):
             clip_row(rgb[channel, row], start, stop)
+
+
+def placed(scene, stage, planes, code):
+    """Return the first pixel's point and normal (N' on sphere A), six rows of one, for a stage of one pixel."""
+    rows = np.empty((6, 1))
+    _place(stage.x, stage.bands[0].y[0], stage.geometry, material_of(scene), code & SURFACE_BITS, 0, planes, rows, 0, 1)
+    return rows
+
+
+def light_rows(stage, material, light, code, place):
+    """Return (μ, specular, added colour), rows of one, of one light at a stage of one pixel, occluded or not."""
+    work, rgb = np.empty((3, 1)), np.zeros((3, 1, 1))
+    albedo = material.albedo[_albedo_index(code)]
+    y = stage.bands[0].y[0]
+    _add_light(stage.x, y, stage.geometry.eye, material, light, albedo, place, work, rgb, 0, 0, 1)
+    return work[0], work[2], rgb[:, 0]
