@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from filelock import FileLock
 
 from book import stamps
+from book.figures.registry import UnknownFigure
 
 
 def check() -> None:
@@ -83,16 +84,19 @@ def run(options: argparse.Namespace) -> None:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """The exit status: 0 when all went well, 1 when a stage failed, 2 for a bad command line."""
+    """The exit status: 0 when all went well, 1 when a stage failed, 2 for a bad command line.
+
+    What a figure raises is not caught: its author needs the whole traceback.
+    """
     options = parser().parse_args(arguments)
     try:
         run(options)
     except subprocess.CalledProcessError as error:
         print(f"book: failed with status {error.returncode}; what went wrong is above", file=sys.stderr)
         return 1
-    except (ValueError, TypeError, OSError) as error:
+    except UnknownFigure as error:
         print(f"book: {error}", file=sys.stderr)
-        return 1
+        return 2
     return 0
 
 

@@ -8,7 +8,19 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
 
-__all__ = ["MODES", "PAGE_WIDTH", "ROLE", "TEXT_WIDTH", "dark", "light", "mode", "palette", "readable"]
+__all__ = [
+    "MODES",
+    "PAGE_WIDTH",
+    "ROLE",
+    "TEXT_WIDTH",
+    "contrast",
+    "css",
+    "dark",
+    "light",
+    "mode",
+    "palette",
+    "readable",
+]
 
 CSS_FILE = Path(__file__).parent / "static" / "palette.css"
 CSS_PIXELS_PER_INCH = 96
@@ -64,13 +76,13 @@ def dark():
     return _drawing_for("dark")
 
 
-def readable(colour: str, contrast: float = 4.5, against: str | None = None) -> str:
+def readable(colour: str, least: float = 4.5, against: str | None = None) -> str:
     """The colour, moved towards the ink just as far as text of that colour needs to be read on the page."""
     colours = palette()
     paper = against or colours["paper"]
     for step in range(101):
         mixed = _mix(colour, colours["ink"], step / 100)
-        if _contrast(mixed, paper) >= contrast:
+        if contrast(mixed, paper) >= least:
             return mixed
     return colours["ink"]
 
@@ -93,7 +105,8 @@ def _luminance(colour: str) -> float:
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue
 
 
-def _contrast(one: str, other: str) -> float:
+def contrast(one: str, other: str) -> float:
+    """The contrast of two colours, from 1 to 21, as the same guidelines define it."""
     brighter, darker = sorted((_luminance(one), _luminance(other)), reverse=True)
     return (brighter + 0.05) / (darker + 0.05)
 
@@ -112,6 +125,7 @@ def css() -> str:
     widths = f"  --text-width: {TEXT_WIDTH * CSS_PIXELS_PER_INCH:.0f}px;\n" + (
         f"  --page-width: {PAGE_WIDTH * CSS_PIXELS_PER_INCH:.0f}px;"
     )
+    widths += f"\n  --paper-light: {MODES['light']['paper']};"
     return (
         "/* Generated from book/palette.py by `python -m book.palette`: edit that file, not this one. */\n"
         f":root {{\n{widths}\n}}\n\n"

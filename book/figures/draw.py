@@ -9,6 +9,7 @@ from tqdm import tqdm
 from book import stamps
 from book.figures import keys, save
 from book.figures.discover import all_figures
+from book.figures.registry import UnknownFigure
 
 
 def draw(ids: Sequence[str] = (), force: bool = False) -> int:
@@ -16,7 +17,7 @@ def draw(ids: Sequence[str] = (), force: bool = False) -> int:
     figures = all_figures()
     unknown = sorted(set(ids) - figures.keys())
     if unknown:
-        raise ValueError(
+        raise UnknownFigure(
             f"no figure is called {', '.join(unknown)}; there are: {', '.join(figures) or 'none'}"
         )
     _remove_unclaimed(figures)

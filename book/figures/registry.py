@@ -22,6 +22,10 @@ import numpy as np
 FIGURES: dict[str, "Registered"] = {}
 
 
+class UnknownFigure(ValueError):
+    """An id that no figure is registered under."""
+
+
 @dataclass(frozen=True)
 class Drawing:
     """A picture and the numbers that its caption and the prose cite."""

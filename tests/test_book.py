@@ -1,0 +1,167 @@
+"""The built site: ids, figures, alternative texts, numbers, and that nothing is loaded from elsewhere."""
+
+import json
+import os
+import re
+import subprocess
+from collections import Counter
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+import yaml
+
+from book import build, palette, stamps
+from book.figures.discover import all_figures
+
+ROOT = Path(__file__).resolve().parent.parent
+TOC = yaml.safe_load((ROOT / "book" / "_toc.yml").read_text(encoding="utf-8"))
+PAGES = [TOC["root"], *(chapter["file"] for chapter in TOC["chapters"])]
+SECTIONS = {f"s{n}": f"s{n}" for n in range(1, 10)} | {"sim": "s4", "lab": "s5"}
+LOADING = {("img", "src"), ("script", "src"), ("link", "href"), ("iframe", "src"), ("source", "src")}
+
+
+class Elements(HTMLParser):
+    """Every element of a page: its tag and its attributes."""
+
+    def __init__(self, page: str):
+        super().__init__()
+        self.all = []
+        self.feed(page)
+
+    def handle_starttag(self, tag, attributes):
+        self.all.append((tag, dict(attributes)))
+
+
+@pytest.fixture(scope="session")
+def pages(site) -> dict[str, Elements]:
+    """The elements of every page of the table of contents."""
+    return {page: Elements((site / f"{page}.html").read_text(encoding="utf-8")) for page in PAGES}
+
+
+def source_of(page: str) -> str:
+    return (ROOT / "book" / f"{page}.md").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("id", SECTIONS)
+def test_section_carries_its_own_id(pages, id):
+    holders = [tag for tag, attributes in pages[SECTIONS[id]].all if attributes.get("id") == id]
+    assert holders == ["section"]
+
+
+@pytest.mark.parametrize("number", range(1, 9))
+def test_cell_carries_its_own_id(pages, number):
+    holders = [attributes for _, attributes in pages["s5"].all if attributes.get("id") == f"cell{number}"]
+    assert len(holders) == 1
+    assert "cell" in holders[0]["class"].split()
+
+
+def test_every_figure_that_pages_place_is_shown(pages):
+    placed = Counter()
+    for page in PAGES:
+        placed.update(re.findall(r"\{chapter-figure\}\s+(\w+)", source_of(page)))
+    shown = Counter()
+    for elements in pages.values():
+        for tag, attributes in elements.all:
+            source = attributes.get("src", "")
+            if tag == "img" and source.startswith("_images/") and not source.endswith(".dark.svg"):
+                shown[Path(source).stem] += 1
+    assert placed
+    assert {id: shown[id] for id in placed} == dict(placed)
+
+
+def test_every_figure_with_a_picture_is_placed_and_registered():
+    placed = {id for page in PAGES for id in re.findall(r"\{chapter-figure\}\s+(\w+)", source_of(page))}
+    drawn = {path.name.split(".")[0] for path in (ROOT / "book" / "_generated").glob("*.[sp][vn]g")}
+    assert drawn == placed
+    assert placed <= all_figures().keys()
+
+
+def test_every_image_says_what_it_shows(pages):
+    for page, elements in pages.items():
+        for tag, attributes in elements.all:
+            if tag == "img" and "logo__image" not in (attributes.get("class") or ""):
+                alternative = (attributes.get("alt") or "").strip()
+                assert alternative, f"{page}: {attributes.get('src')} has no alternative text"
+                assert not re.search(r"_images|\.(svg|png)$", alternative), f"{page}: {alternative} is a file"
+
+
+def test_nothing_is_loaded_from_elsewhere(site):
+    for page in site.glob("*.html"):
+        for tag, attributes in Elements(page.read_text(encoding="utf-8")).all:
+            for name in ("src", "href"):
+                if (tag, name) in LOADING:
+                    assert not re.match(r"(https?:)?//", attributes.get(name) or ""), (
+                        f"{page.name}: {attributes}"
+                    )
+
+
+def test_site_names_no_folder_of_the_machine_that_built_it(site):
+    for path in site.rglob("*"):
+        if path.suffix in {".html", ".js", ".json", ".ipynb", ".svg", ".md"}:
+            assert str(ROOT).encode() not in path.read_bytes(), path.name
+
+
+def test_page_with_cells_offers_its_notebook(site, pages):
+    notebook = json.loads((site / "_sources" / "s5.ipynb").read_text(encoding="utf-8"))
+    assert [cell["id"] for cell in notebook["cells"]] == [f"cell-{n}" for n in range(len(notebook["cells"]))]
+    assert sum(cell["cell_type"] == "code" for cell in notebook["cells"]) >= 8
+    links = [attributes.get("href") for tag, attributes in pages["s5"].all if tag == "a"]
+    assert "_sources/s5.ipynb" in links
+    links = [attributes.get("href") or "" for tag, attributes in pages["s1"].all if tag == "a"]
+    assert not any(link.endswith(".ipynb") for link in links)
+
+
+def test_mathematics_needs_no_network(site):
+    mathjax = site / "_static" / "mathjax"
+    assert (mathjax / "tex-chtml-full.js").stat().st_size > 1_000_000
+    assert len(list((mathjax / "output/chtml/fonts/woff-v2").glob("*.woff"))) >= 20
+
+
+def test_stylesheet_has_the_colours_of_the_plots():
+    assert palette.CSS_FILE.read_text(encoding="utf-8") == palette.css(), "run python -m book.palette"
+
+
+def test_stylesheet_is_short_and_has_no_colour_of_its_own():
+    lines = (ROOT / "book" / "static" / "book.css").read_text(encoding="utf-8").splitlines()
+    assert len(lines) < 200
+    own = [line for line in lines if re.search(r"#[0-9a-fA-F]{3,8}\b|\brgba?\(", line)]
+    assert own == []
+
+
+def test_text_in_a_role_colour_can_be_read():
+    for mode in (palette.light, palette.dark):
+        with mode():
+            colours = palette.palette()
+            for role in palette.ROLE:
+                text = palette.readable(colours[role])
+                assert palette.contrast(text, colours["paper"]) >= 4.5
+            assert palette.contrast(colours["muted"], colours["paper"]) >= 4.5
+
+
+def test_second_build_does_nothing(site):
+    index = build.INDEX.stat().st_mtime_ns
+    build.build()
+    assert build.INDEX.stat().st_mtime_ns == index
+    assert stamps.read("site") == build.sources()
+
+
+def test_make_help_lists_every_target():
+    shown = subprocess.run(["make", "help"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    phony = re.search(r"^\.PHONY: (.*)$", (ROOT / "Makefile").read_text(), re.MULTILINE)[1].split()
+    for target in phony:
+        assert re.search(rf"^  make {target} +\S", shown, re.MULTILINE), target
+
+
+def test_make_says_which_python_is_too_old(tmp_path):
+    old = tmp_path / "old-python"
+    old.write_text('#!/bin/sh\n[ "$1" = --version ] && echo "Python 3.9.2" && exit 0\nexit 1\n')
+    old.chmod(0o755)
+    (tmp_path / "Makefile").write_text((ROOT / "Makefile").read_text())
+    clean = {name: value for name, value in os.environ.items() if not name.startswith("MAKE")}
+    done = subprocess.run(
+        ["make", "book", f"PYTHON={old}"], cwd=tmp_path, env=clean, capture_output=True, text=True
+    )
+    assert done.returncode != 0
+    assert "needs Python 3.11" in done.stderr and "Python 3.9.2" in done.stderr
+    assert not (tmp_path / ".venv").exists()

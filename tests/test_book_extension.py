@@ -1,0 +1,170 @@
+"""The book's own Sphinx extension: numbers, figures, ids; what is unknown fails the build."""
+
+import json
+import re
+
+import pytest
+from docutils import nodes
+from docutils.utils import new_document
+
+from book._ext.chapter import pages
+from book._ext.chapter.numbers import formatted, parse, typeset
+from book._ext.chapter.results import UnknownResult, look_up
+
+
+@pytest.fixture
+def book(tmp_path):
+    """A book folder with one drawn figure, beside one committed benchmark."""
+    generated = tmp_path / "book" / "_generated"
+    results = tmp_path / "verify" / "benchmark" / "results"
+    for folder in (generated, results):
+        folder.mkdir(parents=True)
+    (tmp_path / "book" / "sweep.py").touch()
+    sweep = {"kind": "svg", "size": [640, 300], "numbers": {"rms_1e-3": 0.01214, "flips": 0}}
+    sweep |= {"source": "book/sweep.py", "function": "sweep"}
+    (generated / "sweep.json").write_text(json.dumps(sweep))
+    (generated / "sweep.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
+    (generated / "sweep.dark.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
+    label = {"machine": "two cores", "date": "2025-01-01", "commit": "abc1234"}
+    (results / "frame.json").write_text(json.dumps({"label": label, "numbers": {"time_ms": 16.25}}))
+    return tmp_path / "book"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("sweep.rms_1e-3", ("sweep", "rms_1e-3", None)),
+        ("sweep.rms_1e-3|.3g", ("sweep", "rms_1e-3", ".3g")),
+        ("sweep.rms_1e-3 .3g", ("sweep", "rms_1e-3", ".3g")),
+        ("bench:frame.time_ms|.1f", ("bench:frame", "time_ms", ".1f")),
+    ],
+)
+def test_role_text(text, expected):
+    assert parse(text) == expected
+
+
+@pytest.mark.parametrize("text", ["", "sweep", "sweep.", "sweep.a|", "sweep.a b c"])
+def test_role_text_that_says_nothing(text):
+    with pytest.raises(UnknownResult, match=r"id\.key"):
+        parse(text)
+
+
+def test_numbers_are_looked_up(book):
+    assert look_up(book, "sweep", "rms_1e-3") == 0.01214
+    assert look_up(book, "bench:frame", "time_ms") == 16.25
+
+
+@pytest.mark.parametrize(
+    ("id", "key", "known"),
+    [
+        ("sweep", "rms", "rms_1e-3"),
+        ("swep", "rms", "sweep"),
+        ("bench:fram", "x", "frame"),
+        ("../x", "a", "sweep"),
+    ],
+)
+def test_unknown_numbers_are_refused_with_a_list_of_known_ones(book, id, key, known):
+    with pytest.raises(UnknownResult, match=known):
+        look_up(book, id, key)
+
+
+@pytest.mark.parametrize(
+    ("value", "spec", "expected"),
+    [(0.0121437, None, "0.01214"), (12, None, "12"), ("sine", None, "sine"), (True, None, "yes"),
+     (1824, ",", "1,824"), (0.5, ".0%", "50%")],
+)  # fmt: skip
+def test_formats(value, spec, expected):
+    assert formatted(value, spec) == expected
+
+
+@pytest.mark.parametrize(
+    ("value", "spec", "expected"),
+    [
+        (6.116e-5, ".1e", "6.1\u00a0×\u00a010^−5"),
+        (-6.116e-5, ".1e", "−6.1\u00a0×\u00a010^−5"),
+        (1e-6, ".0e", "10^−6"),
+        (2.5e20, None, "2.5\u00a0×\u00a010^20"),
+        (-1.5, None, "−1.5"),
+        ("one-sided", None, "one-sided"),
+    ],
+)
+def test_typesetting(value, spec, expected):
+    parts = typeset(value, spec)
+    text = "".join(
+        f"^{part.astext()}" if isinstance(part, nodes.superscript) else part.astext() for part in parts
+    )
+    assert text == expected
+
+
+def test_explicit_ids_come_first():
+    document = new_document("page")
+    section = nodes.section(ids=["what-changes", "s1"], names=["what changes", "s1"])
+    document += section
+    document.nameids = {"what changes": "what-changes", "s1": "s1"}
+    document.nametypes = {"what changes": False, "s1": True}
+    pages.put_explicit_ids_first(None, document)
+    assert section["ids"] == ["s1", "what-changes"]
+
+
+@pytest.fixture
+def build_page(book, tmp_path):
+    """Build one page with the extension; the page's HTML and the warnings."""
+    from io import StringIO
+
+    from sphinx.application import Sphinx
+    from sphinx.util.docutils import docutils_namespace
+
+    def built(text: str) -> tuple[str, str]:
+        (book / "index.md").write_text(f"# Page\n\n{text}\n")
+        warnings = StringIO()
+        settings = {
+            "extensions": ["myst_parser", "sphinx.ext.mathjax", "book._ext.chapter"],
+            "myst_enable_extensions": ["colon_fence"],
+            "numfig": True,
+            "exclude_patterns": ["_generated"],
+        }
+        out = tmp_path / "out"
+        with docutils_namespace():
+            app = Sphinx(book, None, out, out / "doctrees", "html", settings, None, warnings, freshenv=True)
+            app.build()
+        return (out / "index.html").read_text(), warnings.getvalue()
+
+    return built
+
+
+FIGURE = ":::{chapter-figure} %s\n%s\n\nThe RMS is {number}`sweep.rms_1e-3`.\n:::\n\nSee {numref}`fig-sweep`."
+
+
+def test_figure_has_number_label_alt_text_and_provenance(build_page):
+    html, warnings = build_page(FIGURE % ("sweep", ":alt: a falling curve\n:width: page"))
+    assert warnings == ""
+    assert 'id="fig-sweep"' in html
+    assert html.count('alt="a falling curve"') == 2
+    assert 'class="plot only-dark"' in html and 'class="plot only-light"' in html
+    assert 'href="#fig-sweep"><span class="std std-numref">Fig. 1</span>' in html
+    assert '<span class="number">0.01214</span>' in html
+    assert "sweep.json" in html and "sweep.py" in html and "figures</span> <span" in html
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (FIGURE % ("sweep", ":width: page"), r"index\.md:3.*alt is required"),
+        (FIGURE % ("swep", ":alt: a curve"), r"index\.md:3.*unknown figure 'swep'; there are: sweep"),
+        (FIGURE % ("sweep", ":alt: a curve\n:width: half"), r"index\.md:3.*half"),
+        ("A number: {number}`sweep.rsm`.", r"index\.md:3.*no number 'rsm'; it has: flips, rms_1e-3"),
+        ("A number: {number}`sweep.flips|.q`.", r"index\.md:3.*number: "),
+        ("| a |\n|---|\n| {number}`nothing.here` |", r"index\.md:\d+.*unknown figure 'nothing'"),
+        ("```{benchmark-label} none\n```", r"index\.md:3.*unknown benchmark 'none'; there are: frame"),
+    ],
+)
+def test_what_is_unknown_fails_the_build(build_page, text, message):
+    _, warnings = build_page(text)
+    assert re.search(message, warnings), warnings
+
+
+def test_benchmark_says_where_it_was_measured(build_page):
+    html, warnings = build_page("```{benchmark-label} frame\n```\n\n{number}`bench:frame.time_ms|.1f` ms")
+    assert warnings == ""
+    assert "Measured on two cores, 2025-01-01, at commit abc1234." in html
+    assert '<span class="number">16.2</span>' in html

@@ -1,0 +1,158 @@
+"""The figures' machinery: what a figure may return, what is kept, and when it is drawn again."""
+
+import io
+import json
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+from PIL import Image
+
+from book import stamps
+from book.figures import keys, registry, save
+from book.figures.registry import Drawing, Registered, plain_numbers
+from book.pictures import difference_map, panels, strip
+from book.style import decades, label_line_end, palette, plot, slope_triangle, styled
+
+
+@pytest.fixture
+def no_figures(monkeypatch):
+    """An empty registry."""
+    monkeypatch.setattr(registry, "FIGURES", {})
+
+
+def curve() -> Drawing:
+    """A falling curve."""
+    fig, ax = plot(height=2)
+    steps = np.array([1e-6, 1e-3, 1.0])
+    ax.plot(steps, steps**2, color=palette()["numeric"])
+    decades(ax)
+    label_line_end(ax, 1.0, 1.0, "error", palette()["numeric"])
+    slope_triangle(ax, 1e-4, 1e-9, 2, "2")
+    return Drawing(fig, numbers={"count": np.int64(3), "least": np.float32(0.5), "wins": np.bool_(True)})
+
+
+def test_ids_are_plain_and_unique(no_figures):
+    registry.figure("curve")(curve)
+    with pytest.raises(ValueError, match="taken"):
+        registry.figure("curve")(curve)
+    for id in ("Curve", "a-b", "", "a.b"):
+        with pytest.raises(ValueError, match="a-z"):
+            registry.figure(id)
+
+
+def test_figure_needs_a_docstring(no_figures):
+    with pytest.raises(ValueError, match="docstring"):
+        registry.figure("plain")(lambda: Drawing())
+
+
+def test_numbers_become_plain():
+    plain = plain_numbers(
+        "f", {"a": np.float64(0.5), "b": np.int32(2), "c": np.bool_(False), "d": np.array(1)}
+    )
+    assert plain == {"a": 0.5, "b": 2, "c": False, "d": 1}
+    assert [type(value) for value in plain.values()] == [float, int, bool, int]
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf, None, [1], 1j, np.zeros(2)])
+def test_numbers_that_say_nothing_are_refused_by_name(value):
+    with pytest.raises(ValueError, match="figure 'f': number 'rms'"):
+        plain_numbers("f", {"rms": value})
+
+
+def test_plot_is_saved_light_and_dark_and_the_same_each_time(tmp_path):
+    entry = Registered("curve", curve)
+    names = save.save(entry, tmp_path, "book/figures/x.py", "key")
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(names)
+    light, dark = (tmp_path / f"curve{suffix}" for suffix in (".svg", ".dark.svg"))
+    assert light.read_bytes() != dark.read_bytes()
+    assert 'width="480pt"' in light.read_text()  # 640 CSS pixels: the text column
+    description = json.loads((tmp_path / "curve.json").read_text())
+    assert description["numbers"] == {"count": 3, "least": 0.5, "wins": True}
+    assert (description["size"], description["about"]) == ([640, 192], "A falling curve.")
+    before = light.read_bytes()
+    save.save(entry, tmp_path, "book/figures/x.py", "key")
+    assert light.read_bytes() == before
+
+
+def test_render_is_saved_at_its_own_pixels(tmp_path):
+    pixels = np.arange(4 * 5 * 3, dtype=np.uint8).reshape(4, 5, 3)
+    save.save(Registered("render", lambda: Drawing(pixels)), tmp_path, "x.py", "key")
+    assert np.array_equal(np.asarray(Image.open(tmp_path / "render.png")), pixels)
+
+
+def test_numbers_alone_need_no_picture(tmp_path):
+    names = save.save(Registered("table", lambda: Drawing(numbers={"n": 1})), tmp_path, "x.py", "key")
+    assert names == ["table.json"]
+
+
+@pytest.mark.parametrize("picture", [np.zeros((2, 2, 3)), np.zeros((2, 2), np.uint8), "a.png"])
+def test_other_pictures_are_refused(tmp_path, picture):
+    with pytest.raises((TypeError, AttributeError), match="uint8"):
+        save.save(Registered("odd", lambda: Drawing(picture)), tmp_path, "x.py", "key")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_figure_whose_numbers_change_when_drawn_again_is_refused(tmp_path):
+    numbers = iter([1, 2])
+    entry = Registered("unsteady", lambda: Drawing(Figure(), numbers={"n": next(numbers)}))
+    with pytest.raises(ValueError, match="other numbers"):
+        save.save(entry, tmp_path, "x.py", "key")
+
+
+def test_strip_keeps_every_pixel():
+    one, two = (np.full((3, 2, 3), value, np.uint8) for value in (10, 200))
+    sheet = strip([one, two], scale=2)
+    assert sheet.shape == (6, 4 + 12 + 4, 4)
+    assert np.array_equal(sheet[::2, :4:2, :3], one) and np.array_equal(sheet[::2, 16::2, :3], two)
+    assert not sheet[:, 4:16].any()
+
+
+def test_panels_show_every_pixel_once_at_the_size_of_a_css_pixel():
+    rng = np.random.default_rng(0)
+    image = rng.integers(0, 256, (32, 48, 3), dtype=np.uint8)
+    with styled():
+        fig = panels([image, image], ["numeric", "symbolic"])
+    buffer = io.BytesIO()
+    fig.savefig(buffer, format="png", dpi=96)
+    shown = np.asarray(Image.open(buffer).convert("RGB"))
+    assert np.array_equal(shown[24 : 24 + 32, :48], image)
+    assert np.array_equal(shown[24 : 24 + 32, 60 : 60 + 48], image)
+
+
+def test_difference_map_is_black_where_there_is_none():
+    pixels = difference_map(np.array([[0.0, np.nan, 1e-16, 1.0]]))
+    assert not pixels[0, :2].any()
+    assert pixels[0, 3].sum() > pixels[0, 2].sum()
+
+
+def test_sources_reach_through_packages_and_imports():
+    reached = {path.relative_to(stamps.ROOT).as_posix() for path in stamps.reachable(keys.SAVING)}
+    # save.py imports style.py, which imports palette.py: neither may be missed.
+    assert {"book/__init__.py", "book/figures/save.py", "book/style.py", "book/palette.py"} <= reached
+    assert "book/figures/discover.py" not in reached
+
+
+def test_computed_import_reaches_the_whole_package():
+    reached = stamps.reachable(stamps.ROOT / "book" / "figures" / "discover.py")
+    assert {path for path in stamps.files_in(stamps.ROOT / "book") if path.suffix == ".py"} <= reached
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        ({}, None),
+        ({"book/style.py": "1"}, "book/style.py changed"),
+        ({"book/new.py": "1"}, "book/new.py changed"),
+        ({"book/new.py": "1", "book/style.py": "1"}, "book/new.py changed and 1 more"),
+    ],
+)
+def test_reason_to_draw_again(monkeypatch, tmp_path, change, reason):
+    monkeypatch.setattr(stamps, "STAMPS", tmp_path)
+    monkeypatch.setattr(keys, "GENERATED", tmp_path)
+    entry, before = Registered("curve", curve), {"book/style.py": "0", "python": "3.11"}
+    assert keys.why_redraw(entry, before) == "new"
+    stamps.write("figures/curve", {"files": ["curve.svg"], "sources": before})
+    assert keys.why_redraw(entry, before) == "curve.svg is missing"
+    (tmp_path / "curve.svg").touch()
+    assert keys.why_redraw(entry, before | change) == reason
