@@ -43,7 +43,9 @@ normal_by_beta = chain(
     Program(
         "projection",
         (*g, *bumped, m_length),
-        tuple((d, (g_i - b_i * dot(bumped, g)) / m_length) for d, g_i, b_i in zip(bumped_by_beta, g, bumped, strict=True)),
+        tuple(
+            (d, (g_i - b_i * dot(bumped, g)) / m_length) for d, g_i, b_i in zip(bumped_by_beta, g, bumped, strict=True)
+        ),
         bumped_by_beta,
     ),
 )

@@ -84,7 +84,9 @@ _reduction = (
 
 
 def _by_quadrant(*values):
-    return Piecewise(*((value, quadrant < Rational(2 * n + 1, 2)) for n, value in enumerate(values[:3])), (values[3], True))
+    return Piecewise(
+        *((value, quadrant < Rational(2 * n + 1, 2)) for n, value in enumerate(values[:3])), (values[3], True)
+    )
 
 
 sine_of_half_turns = Program(
@@ -93,7 +95,7 @@ sine_of_half_turns = Program(
     (*_reduction, (sine, _by_quadrant(sine_near, cosine_near, -sine_near, -cosine_near))),
     (sine,),
 )
-"""sin π(product + product_error). The argument is reduced to a quarter of a half-turn exactly, so the zeros are exact."""
+"""sin π(product + product_error). The argument is reduced, exactly, to a quarter of a half-turn: zeros are exact."""
 
 cosine_of_half_turns = Program(
     "cosine_of_half_turns",
@@ -129,10 +131,16 @@ angle_in_half_turns = Program(
         (denominator, larger + node * smaller),
         (ratio, Piecewise(((smaller - node * larger) / denominator, larger > 0), (0, True))),
         (ratio_squared, ratio**2),
-        (arctangent_tail, _inverse_pi_low + ratio_squared * polynomial(ratio_squared, _arctangent_series[1:])),
+        (
+            arctangent_tail,
+            _inverse_pi_low + ratio_squared * polynomial(ratio_squared, _arctangent_series[1:]),
+        ),
         (small_part, node_correction + ratio * (_arctangent_series[0] + arctangent_tail)),
         (first_octant, node_value + small_part),
-        (first_quadrant, Piecewise((Rational(1, 2) - first_octant, Abs(ordinate) > Abs(abscissa)), (first_octant, True))),
+        (
+            first_quadrant,
+            Piecewise((Rational(1, 2) - first_octant, Abs(ordinate) > Abs(abscissa)), (first_octant, True)),
+        ),
         (half_plane, Piecewise((1 - first_quadrant, abscissa < 0), (first_quadrant, True))),
         (angle, Piecewise((-half_plane, ordinate < 0), (half_plane, True))),
     ),

@@ -44,7 +44,10 @@ def forward(field):
         (stepped, Piecewise((v + epsilon, v + epsilon <= 1), (v - epsilon, True))),
         *_heights(field, (h_here, u, v), (h_u_plus, u_plus, v), (h_v_plus, u, stepped)),
         (h_u, (h_u_plus - h_here) / epsilon),
-        (h_v, Piecewise(((h_v_plus - h_here) / epsilon, v + epsilon <= 1), ((h_here - h_v_plus) / epsilon, True))),
+        (
+            h_v,
+            Piecewise(((h_v_plus - h_here) / epsilon, v + epsilon <= 1), ((h_here - h_v_plus) / epsilon, True)),
+        ),
     )
     return _program("forward", field, lines)
 

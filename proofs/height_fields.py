@@ -86,9 +86,7 @@ def gradient(field):
         lines = tuple(zip((h_u, h_v), field.gradient(), strict=True))
         return Program(f"gradient_{field.name}", (u, v, k_u, k_v), lines, (h_u, h_v))
     named, tail = factors(field), gradient_from_factors(field)
-    return Program(
-        f"gradient_{field.name}", (u, v, k_u, k_v), named.definitions + tail.definitions, (h_u, h_v)
-    )
+    return Program(f"gradient_{field.name}", (u, v, k_u, k_v), named.definitions + tail.definitions, (h_u, h_v))
 
 
 slope_value = real("slope")

@@ -3,7 +3,20 @@
 from sympy import Max, Min, Piecewise, Pow, sqrt
 
 from .program import Program, chain
-from .symbols import bumped, dot, light, mu, point, real, shininess, specular, specular_base, towards, vector, view
+from .symbols import (
+    bumped,
+    dot,
+    light,
+    mu,
+    point,
+    real,
+    shininess,
+    specular,
+    specular_base,
+    towards,
+    vector,
+    view,
+)
 
 to_light = vector("to_light")
 light_distance, light_scale = real("light_distance light_scale")
@@ -58,9 +71,7 @@ phong = chain(
 
 MODELS = {"blinn": blinn, "phong": phong}
 
-highlight = Program(
-    "highlight", (specular_base, shininess), ((specular, Pow(specular_base, shininess)),), (specular,)
-)
+highlight = Program("highlight", (specular_base, shininess), ((specular, Pow(specular_base, shininess)),), (specular,))
 """The highlight is base^p, p > 0: not gated by the sign of μ, as in the seed."""
 
 color, albedo, light_color, ka, kd, ks, ambient = real("color albedo light_color ka kd ks ambient")
@@ -80,7 +91,9 @@ light_term = Program(
 clip = Program("clip", (color,), ((lit, Min(1, Max(0, color))),), (lit,))
 """A channel is clipped to [0, 1]."""
 
-floor_dark, floor_tint, floor_base, floor_red, floor_blue = real("floor_dark floor_tint floor_base floor_red floor_blue")
+floor_dark, floor_tint, floor_base, floor_red, floor_blue = real(
+    "floor_dark floor_tint floor_base floor_red floor_blue"
+)
 floor_albedo = Program(
     "floor_albedo",
     (floor_dark, floor_tint),

@@ -27,7 +27,8 @@ shadow = Program(
         (
             occluded,
             Piecewise(
-                (1, And(shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared)), (0, True)
+                (1, And(shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared)),
+                (0, True),
             ),
         ),
     ),

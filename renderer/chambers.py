@@ -56,13 +56,42 @@ def _mark_shadows(x, y, g, surface, position, bit, code_row, flag_row, start, st
     lx, ly, lz = position[0], position[1], position[2]
     if surface == SPHERE_B:
         shadow_on_b_row(
-            x, y, g.eye, g.ball_x, g.ball_y, g.ball_z, g.ball_radius, g.ball_on,
-            lx, ly, lz, 0.0, 0.0, 0.0, g.radius, flag_row, start, stop,
+            x,
+            y,
+            g.eye,
+            g.ball_x,
+            g.ball_y,
+            g.ball_z,
+            g.ball_radius,
+            g.ball_on,
+            lx,
+            ly,
+            lz,
+            0.0,
+            0.0,
+            0.0,
+            g.radius,
+            flag_row,
+            start,
+            stop,
         )
         _mark(code_row, flag_row, bit, start, stop)
     if surface == SPHERE_A and g.ball_on > 0.0:
         shadow_on_a_row(
-            x, y, g.eye, g.radius, lx, ly, lz, g.ball_x, g.ball_y, g.ball_z, g.ball_radius, flag_row, start, stop
+            x,
+            y,
+            g.eye,
+            g.radius,
+            lx,
+            ly,
+            lz,
+            g.ball_x,
+            g.ball_y,
+            g.ball_z,
+            g.ball_radius,
+            flag_row,
+            start,
+            stop,
         )
         _mark(code_row, flag_row, bit, start, stop)
     if surface == FLOOR:
@@ -81,8 +110,19 @@ def _mark_chambers(x, y_of_row, g, positions, bits, codes):
     for row in range(codes.shape[0]):
         y, code_row = y_of_row[row], codes[row]
         visible_surface_row(
-            x, y, g.eye, g.radius, g.ball_x, g.ball_y, g.ball_z, g.ball_radius, g.ball_on, g.floor_on,
-            surface_row, 0, columns,
+            x,
+            y,
+            g.eye,
+            g.radius,
+            g.ball_x,
+            g.ball_y,
+            g.ball_z,
+            g.ball_radius,
+            g.ball_on,
+            g.floor_on,
+            surface_row,
+            0,
+            columns,
         )
         start = 0
         while start < columns:

@@ -38,8 +38,16 @@ def _angles_runs(runs, x, y_of_row, eye, radius, p):
     for index in range(runs.shape[0]):
         row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
         angles_on_a_row(
-            x, y_of_row[row], eye, radius,
-            p.cos_theta[row], p.sin_theta[row], p.cos_phi[row], p.sin_phi[row], start, stop,
+            x,
+            y_of_row[row],
+            eye,
+            radius,
+            p.cos_theta[row],
+            p.sin_theta[row],
+            p.cos_phi[row],
+            p.sin_phi[row],
+            start,
+            stop,
         )
 
 
@@ -47,9 +55,7 @@ def _angles_runs(runs, x, y_of_row, eye, radius, p):
 def _chart_runs(runs, p, u, v):
     for index in range(runs.shape[0]):
         row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        chart_row(
-            p.cos_theta[row], p.sin_theta[row], p.cos_phi[row], p.sin_phi[row], u[row], v[row], start, stop
-        )
+        chart_row(p.cos_theta[row], p.sin_theta[row], p.cos_phi[row], p.sin_phi[row], u[row], v[row], start, stop)
 
 
 @compiled

@@ -72,19 +72,44 @@ def _place(x, y, g, m, surface, row, planes, place, start, stop):
     """Write the points and normals of a run into `place`, six rows."""
     if surface == SPHERE_A:
         normal_on_a_row(
-            planes.cos_theta[row], planes.sin_theta[row], planes.cos_phi[row], planes.sin_phi[row], g.radius,
-            planes.h_u[row], planes.h_v[row], m.beta,
-            place[0], place[1], place[2], place[3], place[4], place[5], start, stop,
+            planes.cos_theta[row],
+            planes.sin_theta[row],
+            planes.cos_phi[row],
+            planes.sin_phi[row],
+            g.radius,
+            planes.h_u[row],
+            planes.h_v[row],
+            m.beta,
+            place[0],
+            place[1],
+            place[2],
+            place[3],
+            place[4],
+            place[5],
+            start,
+            stop,
         )
     elif surface == SPHERE_B:
         normal_on_b_row(
-            x, y, g.eye, g.ball_x, g.ball_y, g.ball_z, g.ball_radius, g.ball_on,
-            place[0], place[1], place[2], place[3], place[4], place[5], start, stop,
+            x,
+            y,
+            g.eye,
+            g.ball_x,
+            g.ball_y,
+            g.ball_z,
+            g.ball_radius,
+            g.ball_on,
+            place[0],
+            place[1],
+            place[2],
+            place[3],
+            place[4],
+            place[5],
+            start,
+            stop,
         )
     else:
-        normal_on_floor_row(
-            x, y, place[0], place[1], place[2], place[3], place[4], place[5], start, stop
-        )
+        normal_on_floor_row(x, y, place[0], place[1], place[2], place[3], place[4], place[5], start, stop)
 
 
 @compiled
@@ -110,19 +135,45 @@ def _add_light(x, y, eye, m, light, albedo, place, work, rgb, row, start, stop):
     lx, ly, lz = position[0], position[1], position[2]
     if m.model == 0:
         blinn_row(
-            x, y, eye, place[0], place[1], place[2], lx, ly, lz, place[3], place[4], place[5],
-            work[0], work[1], start, stop,
+            x,
+            y,
+            eye,
+            place[0],
+            place[1],
+            place[2],
+            lx,
+            ly,
+            lz,
+            place[3],
+            place[4],
+            place[5],
+            work[0],
+            work[1],
+            start,
+            stop,
         )
     else:
         phong_row(
-            x, y, eye, place[0], place[1], place[2], lx, ly, lz, place[3], place[4], place[5],
-            work[0], work[1], start, stop,
+            x,
+            y,
+            eye,
+            place[0],
+            place[1],
+            place[2],
+            lx,
+            ly,
+            lz,
+            place[3],
+            place[4],
+            place[5],
+            work[0],
+            work[1],
+            start,
+            stop,
         )
     _raise_to_shininess(m, work[1], work[2], start, stop)
     for channel in range(3):
-        light_term_row(
-            rgb[channel, row], color[channel], albedo[channel], m.kd, m.ks, work[0], work[2], start, stop
-        )
+        light_term_row(rgb[channel, row], color[channel], albedo[channel], m.kd, m.ks, work[0], work[2], start, stop)
 
 
 @compiled
@@ -150,7 +201,18 @@ def shade_runs(runs, x, y_of_row, g, m, planes, rgb):
 def placed(scene, stage, planes, code):
     """Return the first pixel's point and normal (N' on sphere A), six rows of one, for a stage of one pixel."""
     rows = np.empty((6, 1))
-    _place(stage.x, stage.bands[0].y[0], stage.geometry, material_of(scene), code & SURFACE_BITS, 0, planes, rows, 0, 1)
+    _place(
+        stage.x,
+        stage.bands[0].y[0],
+        stage.geometry,
+        material_of(scene),
+        code & SURFACE_BITS,
+        0,
+        planes,
+        rows,
+        0,
+        1,
+    )
     return rows
 
 

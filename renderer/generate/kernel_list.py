@@ -46,7 +46,11 @@ def _renamed(program, name):
 def _raster_kernels():
     across = camera.image_point.keep(x, name="image_x")
     down = camera.image_point.keep(camera.y, name="image_y")
-    return [RowKernel(across, (column,)), RowKernel(down, (camera.row,)), RowKernel(camera.visible_surface, (x,))]
+    return [
+        RowKernel(across, (column,)),
+        RowKernel(down, (camera.row,)),
+        RowKernel(camera.visible_surface, (x,)),
+    ]
 
 
 def _shadow_kernels():

@@ -13,7 +13,14 @@ class StraightLinePrinter(StrPrinter):
     """What the back ends share. A subclass names its functions and prints selects, comparisons and literals."""
 
     sqrt = "sqrt"
-    names = {"Abs": "abs", "floor": "floor", "rint": "rint", "sign": "sign", "Max": "maximum", "Min": "minimum"}
+    names = {
+        "Abs": "abs",
+        "floor": "floor",
+        "rint": "rint",
+        "sign": "sign",
+        "Max": "maximum",
+        "Min": "minimum",
+    }
     infinity, pi, power = "inf", "pi", "pow"
 
     def literal(self, rational):
@@ -181,5 +188,3 @@ class MpmathPrinter(StraightLinePrinter):
 
     def literal(self, rational):
         return str(rational.p) if rational.q == 1 else f"(mpf({rational.p}) / {rational.q})"
-
-

@@ -51,7 +51,10 @@ def elementary_functions():
     functions = [("atan2pi", elementary.angle_in_half_turns)]
     for name, core in (("sinpi", elementary.sine_of_half_turns), ("cospi", elementary.cosine_of_half_turns)):
         exact = Program(
-            name, (elementary.product,), ((elementary.product_error, 0 * elementary.product), *core.definitions), core.outputs
+            name,
+            (elementary.product,),
+            ((elementary.product_error, 0 * elementary.product), *core.definitions),
+            core.outputs,
         )
         functions += [(name, exact), (f"{name}_of_product", chain(name, elementary.two_product, core))]
     return functions
@@ -151,5 +154,9 @@ def kernels_source():
             parts += [print_row_kernel(kernel, printer), print_runs_kernel(kernel)]
         if field.wave_numbers:
             parts.append(print_function(f"wave_numbers_{field.name}", _wave_numbers(field), printer, ""))
-    parts += [f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\n", f"MAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n", field_table()]
+    parts += [
+        f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\n",
+        f"MAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n",
+        field_table(),
+    ]
     return HEADER + "".join(f"\n\n{part}" for part in parts)

@@ -1,0 +1,76 @@
+"""The facts about a scene that stand under the ε-table: each is computed when it is asked for."""
+
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+
+from renderer.gradients import gradient_at, height_at
+from renderer.kernels import FIELDS
+from renderer.methods import central, exact
+from renderer.render import render
+from renderer.scene import MODELS, Scene
+from renderer.sweep import difference_on_a
+
+SMOOTH_POINT = (0.31, 0.47)
+SMALL_SINE = 1e-4
+
+
+def point_errors(scene, steps, at=SMOOTH_POINT):
+    """Return [|central h_u − exact h_u|] of the scene's field at a chart point, for each ε."""
+    right = gradient_at(scene, *at, exact())[0]
+    return [float(abs(gradient_at(scene, *at, central(eps))[0] - right)) for eps in steps]
+
+
+def flips_everywhere(scene, width, height, betas=(-1.0, 0.0, 0.35, 2.0), steps=(1e-1, 1e-3, 1e-6, 1e-12)):
+    """Return (frames, flips): pixels whose chamber differs from the scene's own, over fields, β, ε, both models."""
+    own = render(scene, width, height).chambers
+    frames = flips = 0
+    for field, beta, eps, model in product(FIELDS, betas, steps, MODELS):
+        other = render(replace(scene, field=field, beta=beta, model=model), width, height, central(eps))
+        frames, flips = frames + 1, flips + int(np.count_nonzero(other.chambers != own))
+    return frames, flips
+
+
+def flat_difference(scene, width, height, eps=1e-3):
+    """Return the largest |numeric − exact| over the whole picture at β = 0."""
+    flat = replace(scene, beta=0.0)
+    return float(np.abs(render(flat, width, height, central(eps)).rgb - render(flat, width, height).rgb).max())
+
+
+def crease_gradient(scene, u=0.125, v=0.47):
+    """Return (h, h_u, h_v) by the exact gradient of the ridges field at a chart point; default on a crease."""
+    ridges = replace(scene, field="ridges")
+    return (float(height_at(ridges, u, v)), *(float(d) for d in gradient_at(ridges, u, v, exact())))
+
+
+def pixels_near_the_pole(scene, width, height, below=SMALL_SINE):
+    """Return (how many pixels of A have sin φ below `below`, the least sin φ on A)."""
+    v = render(scene, width, height).surface_data["v"]
+    sines = np.sin(np.pi * v[~np.isnan(v)])
+    return int((sines < below).sum()), float(sines.min()) if sines.size else float("nan")
+
+
+def facts(scene=None, width=256, height=256):
+    """Return [(what, value)], both text: the facts of the chapter's table that the ε-table does not show."""
+    scene = scene or Scene()
+    steps = (1e-3, 1e-4, 1e-6)
+    errors = point_errors(replace(scene, field="sine"), steps)
+    frames, flips = flips_everywhere(scene, width, height)
+    _, h_u, h_v = crease_gradient(scene)
+    near, least = pixels_near_the_pole(scene, width, height)
+    at = f"({SMOOTH_POINT[0]:g}, {SMOOTH_POINT[1]:g})"
+    return [
+        *((f"sine at {at}: error of h_u, eps = {e:g}", f"{error:.4g}") for e, error in zip(steps, errors, strict=True)),
+        (f"flips over {frames} frames (fields, beta, eps, models)", str(flips)),
+        ("beta = 0: largest |numeric - exact|", f"{flat_difference(scene, width, height):g}"),
+        ("ridges on the crease u = 1/8: exact (h_u, h_v)", f"({h_u:g}, {h_v:g})"),
+        (f"pixels of A with sin(phi) < {SMALL_SINE:g} (least {least:.2g})", str(near)),
+    ]
+
+
+def crease_contrast(frame, reference):
+    """Return (mean |difference| where the kink flag is set, elsewhere on A)."""
+    delta = np.abs(difference_on_a(frame, reference))
+    kink = reference.kink[reference.stage.on_a]
+    return float(delta[kink].mean()), float(delta[~kink].mean())

@@ -1,0 +1,94 @@
+"""Pictures of a frame as bytes: sRGB image, slope, kinks, and the difference of two frames."""
+
+import numpy as np
+
+from renderer.scene import check_number
+
+
+def to_bytes(rgb):
+    """Return linear light, (…, 3) in [0, 1], as sRGB bytes, uint8 (IEC 61966-2-1)."""
+    linear = np.clip(np.asarray(rgb, dtype=np.float64), 0.0, 1.0)
+    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+    return np.rint(encoded * 255).astype(np.uint8)
+
+
+def image_view(frame):
+    """Return the picture itself: (height, width, 3) uint8, sRGB."""
+    return to_bytes(frame.rgb)
+
+
+def slope_view(frame, highest=None):
+    """Return |∇h| on sphere A in grey, from 0 to `highest` (default: the largest in the frame); black off A."""
+    slope = frame.slope
+    highest = slope.max() if highest is None else check_number("highest", highest, 0.0)
+    share = slope / highest if highest > 0 else np.zeros_like(slope)
+    return _grey(share)
+
+
+def kink_view(frame):
+    """Return the kink flags in white over the dimmed picture: (height, width, 3) uint8."""
+    dimmed = to_bytes(frame.rgb) // 3
+    return np.where(frame.kink[..., None], np.uint8(255), dimmed)
+
+
+def _grey(share):
+    grey = np.rint(np.clip(share, 0.0, 1.0) * 255).astype(np.uint8)
+    return np.repeat(grey[..., None], 3, axis=2)
+
+
+def difference_linear(delta, gain=100.0):
+    """Return |delta| × gain, clipped to [0, 1], channel by channel: uint8, not sRGB-encoded."""
+    gain = check_number("gain", gain, 0.0, 1e300)
+    return np.rint(np.clip(np.abs(delta) * gain, 0.0, 1.0) * 255).astype(np.uint8)
+
+
+def difference_logarithmic(delta, low=-16, high=0):
+    """Return |delta| on a scale from 10^low to 10^high in the colours of inferno: (height, width, 3) uint8.
+
+    Of several channels the largest counts; zero and NaN are black.
+    """
+    import matplotlib  # only this view needs it, and it is slow to import
+
+    size = np.abs(np.asarray(delta, dtype=np.float64))
+    if size.ndim == 3:
+        size = size.max(axis=2)
+    drawn = size > 0
+    exponent = np.log10(size, out=np.full(size.shape, float(low)), where=drawn)
+    share = np.clip((exponent - low) / (high - low), 0.0, 1.0)
+    colours = matplotlib.colormaps["inferno"](share, bytes=True)[..., :3]
+    return np.where(drawn[..., None], colours, np.uint8(0))
+
+
+def add_colour_bar(figure, box, limits, label=""):
+    """Draw inferno's colour bar in powers of ten from 10^limits[0] to 10^limits[1] into a Matplotlib figure."""
+    import matplotlib
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    low, high = limits
+    bar = figure.colorbar(
+        ScalarMappable(Normalize(low, high), matplotlib.colormaps["inferno"]), cax=figure.add_axes(box)
+    )
+    ticks = np.arange(low, high + 1e-9, max(1, round((high - low) / 8)))
+    bar.set_ticks(ticks, labels=[rf"$10^{{{tick:.0f}}}$" for tick in ticks])
+    bar.outline.set_visible(False)
+    bar.ax.tick_params(length=0)
+    if label:
+        bar.set_label(label)
+
+
+def with_colour_bar(image, low=-16, high=0, label="largest |ΔI| of a channel"):
+    """Return a logarithmic difference picture with its colour bar at the right: uint8, the picture's pixels kept."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    height, width = image.shape[:2]
+    tall, room = max(height, 160), 96
+    figure = Figure(figsize=((width + room) / 100, tall / 100), dpi=100, facecolor="white")
+    total = width + room
+    add_colour_bar(figure, [(width + 12) / total, 8 / tall, 12 / total, 1 - 16 / tall], (low, high), label)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    sheet = np.asarray(canvas.buffer_rgba())[..., :3].copy()
+    sheet[:height, :width] = image
+    return sheet
