@@ -1,4 +1,4 @@
-"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression and run it again.
+"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
 
 Each `*_row` function runs over the pixels start ≤ i < stop of one row: arguments ending in `_row` are float64 arrays
 along the row, the others are scalars, and results are written to the last arrays. Compiled without fast-math.

@@ -51,7 +51,7 @@ def check_choice(name, value, choices):
 
 @dataclass(frozen=True)
 class Light:
-    """A point light: position (world units) and linear RGB colour, each channel in [0, 1e6]; None is a light that is off."""
+    """A point light: position (world units), linear RGB colour (channels in [0, 1e6]); None is a light that is off."""
 
     position: tuple
     color: tuple | None = (1.0, 1.0, 1.0)

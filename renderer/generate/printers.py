@@ -4,6 +4,8 @@ All of them print the same operations in the same order, so that float64 back en
 floats, whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals that float64 holds as one literal.
 """
 
+from typing import ClassVar
+
 from sympy import Rational, S, Symbol
 from sympy.printing.precedence import PRECEDENCE, precedence
 from sympy.printing.str import StrPrinter
@@ -13,7 +15,7 @@ class StraightLinePrinter(StrPrinter):
     """What the back ends share. A subclass names its functions and prints selects, comparisons and literals."""
 
     sqrt = "sqrt"
-    names = {
+    names: ClassVar = {
         "Abs": "abs",
         "floor": "floor",
         "rint": "rint",
@@ -161,14 +163,14 @@ class NumbaPrinter(StraightLinePrinter):
     """Scalars inside a compiled loop."""
 
     sqrt, infinity, pi, power = "math.sqrt", "math.inf", "math.pi", "math.pow"
-    names = {**StraightLinePrinter.names, "floor": "np.floor", "rint": "np.rint"}
+    names: ClassVar = {**StraightLinePrinter.names, "floor": "np.floor", "rint": "np.rint"}
 
 
 class NumPyPrinter(StraightLinePrinter):
     """Whole arrays."""
 
     sqrt, infinity, pi, power = "np.sqrt", "np.inf", "np.pi", "np.power"
-    names = {
+    names: ClassVar = {
         "Abs": "np.abs",
         "floor": "np.floor",
         "rint": "np.rint",
@@ -182,9 +184,9 @@ class NumPyPrinter(StraightLinePrinter):
 
 
 class MpmathPrinter(StraightLinePrinter):
-    """Numbers of any precision: exact rationals stay exact quotients, sinpi and its kin are the functions themselves."""
+    """Numbers of any precision: rationals stay exact quotients, sinpi and its kin are the functions themselves."""
 
-    names = {**StraightLinePrinter.names, "Max": "max", "Min": "min", "rint": "nint"}
+    names: ClassVar = {**StraightLinePrinter.names, "Max": "max", "Min": "min", "rint": "nint"}
 
     def literal(self, rational):
         return str(rational.p) if rational.q == 1 else f"(mpf({rational.p}) / {rational.q})"

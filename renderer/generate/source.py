@@ -15,7 +15,7 @@ from proofs.symbols import k_u, k_v, real
 from renderer.generate.kernel_list import ROW_KERNELS, SCALAR_PROGRAMS, field_kernels
 from renderer.generate.printers import NumbaPrinter
 
-HEADER = '''"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression and run it again.
+HEADER = '''"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
 
 Each `*_row` function runs over the pixels start ≤ i < stop of one row: arguments ending in `_row` are float64 arrays
 along the row, the others are scalars, and results are written to the last arrays. Compiled without fast-math.
