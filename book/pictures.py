@@ -66,9 +66,7 @@ def difference_map(delta: np.ndarray, low: float = -16, high: float = 0) -> np.n
     return np.where(drawn[..., None], colours, np.uint8(0))
 
 
-def with_colour_bar(
-    image: np.ndarray, low: float = -16, high: float = 0, label: str = "", scale: int = 1
-) -> Figure:
+def with_colour_bar(image: np.ndarray, low: float = -16, high: float = 0, label: str = "", scale: int = 1) -> Figure:
     """A difference map (or a strip that ends in one) with a bar in powers of ten at its right."""
     return panels([image], None, scale=scale, bar=(low, high), bar_label=label)
 

@@ -101,9 +101,7 @@ def slope_triangle(ax: Axes, x0: float, y0: float, slope: float, text: str, deca
     x1, y1 = x0 * 10.0**decades, y0 * 10.0 ** (slope * decades)
     colour = palette()["muted"]
     ax.plot([x0, x1, x1, x0], [y0, y0, y1, y0], color=colour, linewidth=0.8, solid_joinstyle="miter")
-    ax.annotate(
-        text, (x1, (y0 * y1) ** 0.5), xytext=(4, 0), textcoords="offset points", va="center", color=colour
-    )
+    ax.annotate(text, (x1, (y0 * y1) ** 0.5), xytext=(4, 0), textcoords="offset points", va="center", color=colour)
     ax.annotate("1", ((x0 * x1) ** 0.5, y0), xytext=(0, -3 if slope > 0 else 3), textcoords="offset points",
                 ha="center", va="top" if slope > 0 else "bottom", color=colour)  # fmt: skip
 

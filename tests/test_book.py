@@ -91,9 +91,7 @@ def test_nothing_is_loaded_from_elsewhere(site):
         for tag, attributes in Elements(page.read_text(encoding="utf-8")).all:
             for name in ("src", "href"):
                 if (tag, name) in LOADING:
-                    assert not re.match(r"(https?:)?//", attributes.get(name) or ""), (
-                        f"{page.name}: {attributes}"
-                    )
+                    assert not re.match(r"(https?:)?//", attributes.get(name) or ""), f"{page.name}: {attributes}"
 
 
 def test_site_names_no_folder_of_the_machine_that_built_it(site):
@@ -159,9 +157,13 @@ def test_make_says_which_python_is_too_old(tmp_path):
     old.chmod(0o755)
     (tmp_path / "Makefile").write_text((ROOT / "Makefile").read_text())
     clean = {name: value for name, value in os.environ.items() if not name.startswith("MAKE")}
-    done = subprocess.run(
-        ["make", "book", f"PYTHON={old}"], cwd=tmp_path, env=clean, capture_output=True, text=True
-    )
+    done = subprocess.run(["make", "book", f"PYTHON={old}"], cwd=tmp_path, env=clean, capture_output=True, text=True)
     assert done.returncode != 0
     assert "needs Python 3.11" in done.stderr and "Python 3.9.2" in done.stderr
     assert not (tmp_path / ".venv").exists()
+
+
+def test_no_page_uses_an_id_twice(pages):
+    for page, elements in pages.items():
+        ids = Counter(attributes["id"] for _, attributes in elements.all if "id" in attributes)
+        assert [id for id, count in ids.items() if count > 1] == [], page

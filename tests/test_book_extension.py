@@ -90,9 +90,7 @@ def test_formats(value, spec, expected):
 )
 def test_typesetting(value, spec, expected):
     parts = typeset(value, spec)
-    text = "".join(
-        f"^{part.astext()}" if isinstance(part, nodes.superscript) else part.astext() for part in parts
-    )
+    text = "".join(f"^{part.astext()}" if isinstance(part, nodes.superscript) else part.astext() for part in parts)
     assert text == expected
 
 

@@ -47,9 +47,7 @@ def test_figure_needs_a_docstring(no_figures):
 
 
 def test_numbers_become_plain():
-    plain = plain_numbers(
-        "f", {"a": np.float64(0.5), "b": np.int32(2), "c": np.bool_(False), "d": np.array(1)}
-    )
+    plain = plain_numbers("f", {"a": np.float64(0.5), "b": np.int32(2), "c": np.bool_(False), "d": np.array(1)})
     assert plain == {"a": 0.5, "b": 2, "c": False, "d": 1}
     assert [type(value) for value in plain.values()] == [float, int, bool, int]
 

@@ -111,9 +111,7 @@ def test_plots_have_the_colours_of_the_page_and_renders_their_own_pixels(browser
     plots, renders = [], []
     for page in PAGES:
         settled(tab, address(site, server, "http", page))
-        plots += tab.evaluate(
-            "[...document.querySelectorAll('img.plot')].filter(i => i.offsetWidth).map(i => i.src)"
-        )
+        plots += tab.evaluate("[...document.querySelectorAll('img.plot')].filter(i => i.offsetWidth).map(i => i.src)")
         renders += tab.evaluate(
             """[...document.querySelectorAll('img.render')].map(i => [i.src,
                 i.getBoundingClientRect().width / i.naturalWidth,

@@ -17,9 +17,7 @@ def draw(ids: Sequence[str] = (), force: bool = False) -> int:
     figures = all_figures()
     unknown = sorted(set(ids) - figures.keys())
     if unknown:
-        raise UnknownFigure(
-            f"no figure is called {', '.join(unknown)}; there are: {', '.join(figures) or 'none'}"
-        )
+        raise UnknownFigure(f"no figure is called {', '.join(unknown)}; there are: {', '.join(figures) or 'none'}")
     _remove_unclaimed(figures)
     waiting = []
     for id in ids or figures:

@@ -20,9 +20,7 @@ def sources(entry: Registered) -> dict[str, str]:
     data = [stamps.ROOT / name for name in entry.data]
     for path in data:
         if not path.is_file():
-            raise FileNotFoundError(
-                f"figure {entry.id!r}: its data {path.relative_to(stamps.ROOT)} is missing"
-            )
+            raise FileNotFoundError(f"figure {entry.id!r}: its data {path.relative_to(stamps.ROOT)} is missing")
     style = stamps.ROOT / "book" / "matplotlibrc"
     code = stamps.reachable(source_file(entry)) | stamps.reachable(SAVING)
     return stamps.hashes([*code, *data, style, stamps.LOCK_FILE])

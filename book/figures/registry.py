@@ -84,6 +84,4 @@ def _plain(id: str, key: str, value: Any) -> int | float | str | bool:
         if not math.isfinite(value):
             raise ValueError(f"figure {id!r}: number {key!r} is {value}, which is not finite")
         return float(value)
-    raise ValueError(
-        f"figure {id!r}: number {key!r} is a {type(value).__name__}; give an int, float, str or bool"
-    )
+    raise ValueError(f"figure {id!r}: number {key!r} is a {type(value).__name__}; give an int, float, str or bool")

@@ -72,9 +72,7 @@ def _css_size(fig: Figure) -> list[int]:
 
 def _png(id: str, picture: np.ndarray) -> bytes:
     if not isinstance(picture, np.ndarray) or picture.dtype != np.uint8 or picture.ndim != 3:
-        raise TypeError(
-            f"figure {id!r}: a picture is a Matplotlib figure, a uint8 array (h, w, 3 or 4) or None"
-        )
+        raise TypeError(f"figure {id!r}: a picture is a Matplotlib figure, a uint8 array (h, w, 3 or 4) or None")
     buffer = io.BytesIO()
     Image.fromarray(np.ascontiguousarray(picture)).save(buffer, format="PNG", optimize=True)
     return buffer.getvalue()
