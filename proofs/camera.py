@@ -215,3 +215,12 @@ view_direction = Program(
     view,
 )
 """v̂ = (E − P)/|E − P| = (−x, −y, e)/√(x² + y² + e²): the same for every point of a ray. Domain: t > 0."""
+
+parallel_radius = Program(
+    "parallel_radius",
+    (sin_phi, cos_phi, eye, radius),
+    ((rho, eye * radius * sin_phi / (eye - radius * cos_phi)),),
+    (rho,),
+)
+"""ρ = e R sin φ/(e − R cos φ): the image radius of the parallel φ of sphere A. It is visible where cos φ > R/e.
+Theorem: kink_loci."""
