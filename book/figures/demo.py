@@ -3,7 +3,7 @@
 import numpy as np
 
 from book.figures.registry import Drawing, figure
-from book.style import decades, label_line_end, palette, plot, slope_triangle
+from book.style import decades, difference_map, label_line_end, palette, panels, plot, slope_triangle
 
 
 @figure("demo_curve")
@@ -31,3 +31,13 @@ def hero() -> Drawing:
     picture = np.repeat((255 * light[..., None]).astype(np.uint8), 3, axis=2)
     picture[:, 360:, 0] //= 2
     return Drawing(picture, numbers={"width": 720})
+
+
+@figure("demo_panels")
+def demo_panels() -> Drawing:
+    """Three pictures and a colour bar."""
+    y, x = np.mgrid[-1:1:256j, -1:1:256j]
+    noise = np.random.default_rng(0).integers(0, 256, (256, 256, 3), dtype=np.uint8)
+    delta = np.where(x * x + y * y < 0.8, 10 ** (-8 + 7 * np.sin(9 * x) * y), 0)
+    pictures = [noise, noise[::-1], difference_map(delta)]
+    return Drawing(panels(pictures, ["numeric", "symbolic", "difference"], bar=(-16, 0), bar_label="largest channel"))

@@ -35,8 +35,9 @@ def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
         files, size, kind = {}, None, "numbers"
     else:
         files, size, kind = {".png": _png(entry.id, picture)}, [picture.shape[1], picture.shape[0]], "png"
+    exact = kind == "png" or getattr(picture, "pixel_exact", False)
     about = " ".join((entry.draw.__doc__ or "").split("\n\n")[0].split())
-    return files, {"id": entry.id, "about": about, "kind": kind, "size": size, "numbers": numbers}
+    return files, {"id": entry.id, "about": about, "kind": kind, "size": size, "exact": exact, "numbers": numbers}
 
 
 def save(entry: Registered, folder: Path, source: str, key: str) -> list[str]:

@@ -86,9 +86,10 @@ class ChapterFigure(SphinxDirective):
         common = {"alt": " ".join(self.options["alt"].split()), "css_width": width, "css_height": height}
         if description["kind"] == "png":  # a render is the same on the dark page, and no filter may touch it
             return [PixelImage("", uri=f"/_generated/{id}.png", classes=["render", "dark-light"], **common)]
+        kind = ["plot", "exact"] if description.get("exact") else ["plot"]
         return [
-            PixelImage("", uri=f"/_generated/{id}.svg", classes=["plot", "only-light"], **common),
-            PixelImage("", uri=f"/_generated/{id}.dark.svg", classes=["plot", "only-dark"], **common),
+            PixelImage("", uri=f"/_generated/{id}.svg", classes=[*kind, "only-light"], **common),
+            PixelImage("", uri=f"/_generated/{id}.dark.svg", classes=[*kind, "only-dark"], **common),
         ]
 
     def _add_caption(self, figure: nodes.figure, id: str) -> None:
