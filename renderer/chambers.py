@@ -44,6 +44,11 @@ def geometry_of(scene):
     return Geometry(scene.eye, scene.radius, *center, ball_radius, float(scene.ball), float(scene.floor))
 
 
+def light_positions_of(scene):
+    """Return the position of every light, None for one that is off: what the shadows depend on."""
+    return tuple(None if light.color is None else light.position for light in scene.lights)
+
+
 @compiled
 def _mark(code_row, flag_row, bit, start, stop):
     for i in range(np.uint64(start), np.uint64(stop)):
@@ -181,7 +186,7 @@ class Stage:
 
     def __init__(self, scene, raster: Raster, run_bands):
         """Compute the chambers; `run_bands(work, count)` calls work(band number) for every band."""
-        self.geometry = geometry_of(scene)
+        self.geometry, self.light_positions, self.raster = geometry_of(scene), light_positions_of(scene), raster
         self.x, y = raster.image_points(scene)
         self.chambers = np.zeros(raster.shape, np.uint8)
         on = [number for number, light in enumerate(scene.lights) if light.color is not None]
@@ -201,6 +206,11 @@ class Stage:
 
         run_bands(work, len(tops))
         self.bands = bands
+
+    def serves(self, scene, raster):
+        """Return whether these are the chambers of the scene on the raster."""
+        made_for = (self.geometry, self.light_positions, self.raster)
+        return made_for == (geometry_of(scene), light_positions_of(scene), raster)
 
     @property
     def on_a(self):

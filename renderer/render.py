@@ -2,19 +2,19 @@
 
 import numpy as np
 
-from renderer.chambers import FLOOR, SPHERE_A, SPHERE_B, SURFACE_BITS, Stage, geometry_of
+from renderer.chambers import FLOOR, SPHERE_A, SPHERE_B, SURFACE_BITS, Stage
 from renderer.frame import Frame
 from renderer.gradients import empty_planes, fill_angles, fill_gradient, uses_algebraic_form
 from renderer.methods import GradientMethod, exact
 from renderer.raster import Raster
 from renderer.scene import Scene
 from renderer.shading import material_of, shade_runs
-from renderer.threads import available_cores, run_bands
+from renderer.threads import checked_threads, run_bands
 
 
 def stage_of(scene, width, height, crop=None, threads=None):
     """Return the Stage of a scene on a raster: give it to `render` to draw the same chambers again."""
-    threads = threads or available_cores()
+    threads = checked_threads(threads)
     return Stage(scene, Raster(width, height, crop), lambda work, count: run_bands(work, count, threads))
 
 
@@ -30,11 +30,11 @@ def render(scene, width, height, gradient=None, crop=None, threads=None, stage=N
         raise ValueError(f"scene = {scene!r} is not allowed: a Scene")
     if not isinstance(method, GradientMethod):
         raise ValueError(f"gradient = {method!r} is not allowed: exact(), central(eps), forward(eps) or central4(eps)")
-    raster, threads = Raster(width, height, crop), threads or available_cores()
+    raster, threads = Raster(width, height, crop), checked_threads(threads)
     algebraic = method.name == "exact" and uses_algebraic_form(scene, method)
     stage = stage or stage_of(scene, width, height, crop, threads)
-    if stage.chambers.shape != raster.shape or stage.geometry != geometry_of(scene):
-        raise ValueError("stage is not allowed: it was made for another scene or raster")
+    if not stage.serves(scene, raster):
+        raise ValueError(f"stage = {stage!r} is not allowed: one made for the same lengths, lights and raster")
     rgb, material = np.empty((3, *raster.shape)), material_of(scene)
 
     def work(number):

@@ -4,12 +4,23 @@ import os
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 
+MAX_THREADS = 256
+
 
 def available_cores():
     """Return how many cores this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
+
+
+def checked_threads(threads):
+    """Return `threads`, all cores for None, or raise ValueError unless it is a whole number from 1 to MAX_THREADS."""
+    if threads is None:
+        return available_cores()
+    if not isinstance(threads, int) or isinstance(threads, bool) or not 1 <= threads <= MAX_THREADS:
+        raise ValueError(f"threads = {threads!r} is not allowed: a whole number from 1 to {MAX_THREADS}")
+    return threads
 
 
 @cache
