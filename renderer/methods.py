@@ -1,6 +1,5 @@
 """How the gradient of the height field is taken: exactly, or by a finite difference of step ε."""
 
-import math
 from dataclasses import dataclass
 
 from renderer.kernels import HEIGHT_EVALUATIONS
@@ -8,11 +7,12 @@ from renderer.scene import check_choice, check_number
 
 METHODS = ("exact", *HEIGHT_EVALUATIONS)
 FORMS = ("auto", "general", "algebraic")
+SMALLEST_STEP = 1e-40  # a jump of h over a smaller step, times the largest β, squared, would overflow
 
 
 @dataclass(frozen=True)
 class GradientMethod:
-    """A way to take the gradient: its name; for a difference the step ε in (0, 1/2]; for `exact` the form.
+    """A way to take the gradient: its name; for a difference the step ε in [1e-40, 1/2]; for `exact` the form.
 
     Make one with `exact`, `central`, `forward` or `central4`. Raises ValueError on anything else.
     """
@@ -24,10 +24,11 @@ class GradientMethod:
     def __post_init__(self):
         check_choice("gradient", self.name, METHODS)
         check_choice("form", self.form, FORMS)
-        if self.name != "exact":
-            smallest = math.ulp(0.0)
-            eps = check_number("eps", self.eps, smallest, 0.5, "a number above 0, at most 0.5")
-            object.__setattr__(self, "eps", eps)
+        if self.name == "exact":
+            if self.eps is not None:
+                raise ValueError(f"eps = {self.eps!r} is not allowed: None for the exact gradient")
+        else:
+            object.__setattr__(self, "eps", check_number("eps", self.eps, SMALLEST_STEP, 0.5))
 
     @property
     def height_evaluations(self):
