@@ -71,7 +71,7 @@ class Scene:
 
     Lengths are in world units, colours linear RGB. Defaults are the chapter's. Raises ValueError that names the
     field, its value and what is allowed: 1e-6 ≤ radius/eye ≤ 1 − 1e-9; every other length at most 1e9 radii (and
-    B's radius at least 1e-9 of one); B clear of the eye; no light inside or on a surface.
+    B's radius at least 1e-9 of one); B clear of the eye; no light inside a sphere or within 1e-9 of a surface.
     """
 
     radius: float = 1.0
@@ -154,8 +154,8 @@ class Scene:
             _reject(name, position, "outside sphere A")
         if self.ball and math.dist(position, self.ball_center) <= self.ball_radius * (1 + 1e-9):
             _reject(name, position, "outside sphere B")
-        if self.floor and position[2] == 0.0:
-            _reject(name, position, "not on the floor z = 0")
+        if self.floor and abs(position[2]) <= 1e-9 * self.radius:
+            _reject(name, position, "off the floor z = 0 by more than 1e-9 radius")
 
 
 SCENE_FIELDS = tuple(f.name for f in fields(Scene))
