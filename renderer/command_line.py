@@ -2,6 +2,7 @@
 
 import argparse
 import dataclasses
+import re
 import sys
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from renderer.raster import Raster
 from renderer.render import render
 from renderer.scene import MODELS, Light, Scene
 from renderer.sweep import DECADES, sweep, table, write_csv
+from renderer.threads import checked_threads
 
 NUMBERS = {
     "ku": "wave number in u",
@@ -27,6 +29,31 @@ NUMBERS = {
     "ks": "specular weight",
     "floor_tint": "how much red and green the floor lacks",
 }
+
+
+class OneLineParser(argparse.ArgumentParser):
+    """A parser that says what is wrong in one line, and takes -1e-3 and -6,2,8 for values, not for options."""
+
+    def __init__(self, *arguments, **options):
+        super().__init__(*arguments, **options)
+        self._negative_number_matcher = re.compile(r"-(\d|\.|inf|nan)")  # argparse's own knows no exponent and no list
+
+    def error(self, message):
+        self.exit(2, f"{self.prog}: error: {message}\n")
+
+
+def _number(text):
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not allowed: a number") from None
+
+
+def _whole(text):
+    try:
+        return int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not allowed: a whole number") from None
 
 
 def _light(text):
@@ -66,7 +93,7 @@ def _add_scene(parser):
         value = getattr(default, name)
         option = "--" + name.replace("_", "-")
         group.add_argument(
-            option, dest=name, type=float, default=value, help=f"{what} (default: {value:g})", metavar="X"
+            option, dest=name, type=_number, default=value, help=f"{what} (default: {value:g})", metavar="X"
         )
     group.add_argument("--no-ball", dest="ball", action="store_false", help="leave sphere B out")
     group.add_argument("--no-floor", dest="floor", action="store_false", help="leave the floor out")
@@ -78,20 +105,20 @@ def _add_scene(parser):
 
 def _add_raster(parser):
     group = parser.add_argument_group("raster")
-    group.add_argument("--size", type=int, default=256, metavar="N", help="width and height in pixels (default: 256)")
-    group.add_argument("--width", type=int, metavar="N", help="width, if it is not --size")
-    group.add_argument("--height", type=int, metavar="N", help="height, if it is not --size")
-    group.add_argument("--threads", type=int, metavar="N", help="threads (default: all cores)")
+    group.add_argument("--size", type=_whole, default=256, metavar="N", help="width and height (default: 256)")
+    group.add_argument("--width", type=_whole, metavar="N", help="width, if it is not --size")
+    group.add_argument("--height", type=_whole, metavar="N", help="height, if it is not --size")
+    group.add_argument("--threads", type=_whole, metavar="N", help="threads (default: all cores)")
 
 
 def _add_gradient(parser, default):
     parser.add_argument("--gradient", default=default, help=f"{', '.join(METHODS)} (default: {default})")
-    parser.add_argument("--eps", type=float, default=1e-3, metavar="X", help="step of a difference (default: 1e-3)")
+    parser.add_argument("--eps", type=_number, default=1e-3, metavar="X", help="step of a difference (default: 1e-3)")
 
 
 def build_parser():
     """Return the argument parser."""
-    parser = argparse.ArgumentParser(prog="python -m renderer", description=__doc__)
+    parser = OneLineParser(prog="python -m renderer", description=__doc__)
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="image|views|sweep")
     image = verbs.add_parser("image", help="draw one picture", description="Draw one picture.")
     image.add_argument("--out", required=True, metavar="FILE", help="a .png, or a .npz with every buffer")
@@ -106,7 +133,7 @@ def build_parser():
     epsilons = verbs.add_parser("sweep", help="print the table of eps", description="Print the table of eps.")
     epsilons.add_argument(
         "--eps",
-        type=float,
+        type=_number,
         nargs="+",
         default=list(DECADES),
         metavar="X",
@@ -132,13 +159,14 @@ def _scene(options):
 def _size(options):
     width = options.size if options.width is None else options.width
     height = options.size if options.height is None else options.height
-    if options.threads is not None and not 1 <= options.threads <= 256:
-        raise ValueError(f"threads = {options.threads} is not allowed: a whole number from 1 to 256")
+    checked_threads(options.threads)
     return width, height
 
 
 def _method(options):
-    return exact() if options.gradient == "exact" else GradientMethod(options.gradient, options.eps)
+    is_exact = options.gradient == "exact"
+    difference = GradientMethod("central" if is_exact else options.gradient, options.eps)  # a bad step is never let by
+    return exact() if is_exact else difference
 
 
 def _image(options):
@@ -182,7 +210,7 @@ def _views(options):
 def _sweep(options):
     from tqdm import tqdm
 
-    target = files.checked_target(options.csv, (".csv",)) if options.csv else None
+    target = files.checked_target(options.csv, (".csv",), "csv") if options.csv else None
     scene, size = _scene(options), _size(options)
     if options.gradient == "exact":
         raise ValueError("gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'")
@@ -211,7 +239,7 @@ def main(arguments=None):
     options = build_parser().parse_args(arguments)
     try:
         {"image": _image, "views": _views, "sweep": _sweep}[options.verb](options)
-    except (ValueError, OSError) as error:
+    except (ValueError, OSError, MemoryError) as error:
         print(f"python -m renderer {options.verb}: error: {error}", file=sys.stderr)
         return 2
     return 0

@@ -10,24 +10,40 @@ import numpy as np
 PICTURE_SUFFIXES = (".png", ".npz")
 
 
-def checked_target(path, suffixes):
-    """Return `path` as a Path, or raise ValueError unless it ends in one of `suffixes` and can be written."""
+def checked_target(path, suffixes, name="out"):
+    """Return `path` as a Path, or raise ValueError unless it ends in one of `suffixes` and can be written.
+
+    `name` is what the message calls it.
+    """
     path = Path(path)
     if path.suffix not in suffixes:
-        raise ValueError(f"out = {str(path)!r} is not allowed: a file name that ends in {' or '.join(suffixes)}")
+        raise ValueError(f"{name} = {str(path)!r} is not allowed: a file name that ends in {' or '.join(suffixes)}")
     if path.is_dir() or not path.parent.is_dir():
-        raise ValueError(f"out = {str(path)!r} is not allowed: a file in a folder that exists")
-    if not os.access(path.parent, os.W_OK):
-        raise ValueError(f"out = {str(path)!r} is not allowed: a file in a folder that can be written")
+        raise ValueError(f"{name} = {str(path)!r} is not allowed: a file in a folder that exists")
+    try:
+        _remove(_temporary(path))
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise ValueError(f"{name} = {str(path)!r} is not allowed: a file that can be written ({reason})") from None
     return path
+
+
+def _temporary(path):
+    """Make an empty file beside `path` and return its name."""
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix)
+    os.close(handle)
+    return name
+
+
+def _remove(name):
+    Path(name).unlink(missing_ok=True)
 
 
 @contextmanager
 def whole_file(path):
     """Yield a temporary file name beside `path`; rename it to `path` at the end, or remove it on an error."""
     path = Path(path)
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix)
-    os.close(handle)
+    name = _temporary(path)
     try:
         yield name
         mask = os.umask(0)
@@ -35,7 +51,7 @@ def whole_file(path):
         os.chmod(name, 0o666 & ~mask)
         os.replace(name, path)
     except BaseException:
-        Path(name).unlink(missing_ok=True)
+        _remove(name)
         raise
 
 
