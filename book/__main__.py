@@ -24,9 +24,16 @@ def check() -> None:
 
 def figures(ids: Sequence[str] = (), force: bool = False) -> None:
     """Draw the figures that changed."""
+    from book.figures import fresh
+
+    if not ids and not force and fresh.nothing_changed():
+        print("  all up to date")
+        return
     from book.figures.draw import draw
 
     draw(ids, force)
+    if not ids:
+        fresh.remember()
 
 
 def build() -> None:

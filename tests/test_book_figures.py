@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from book import stamps
-from book.figures import keys, registry, save
+from book.figures import fresh, keys, registry, save
 from book.figures.registry import Drawing, Registered, plain_numbers
 from book.pictures import difference_map, panels, strip
 from book.style import decades, label_line_end, palette, plot, slope_triangle, styled
@@ -39,6 +39,20 @@ def test_ids_are_plain_and_unique(no_figures):
     for id in ("Curve", "a-b", "", "a.b"):
         with pytest.raises(ValueError, match="a-z"):
             registry.figure(id)
+
+
+def test_data_lies_where_changes_are_seen(no_figures):
+    with pytest.raises(ValueError, match="tests/data/"):
+        registry.figure("curve", data=["elsewhere/table.csv"])
+
+
+def test_figures_are_looked_at_again_when_code_or_a_drawing_changed(monkeypatch, tmp_path):
+    monkeypatch.setattr(stamps, "STAMPS", tmp_path)
+    assert not fresh.nothing_changed()
+    fresh.remember()
+    assert fresh.nothing_changed()
+    monkeypatch.setattr(fresh.check, "sources", lambda: [stamps.LOCK_FILE])
+    assert not fresh.nothing_changed()
 
 
 def test_figure_needs_a_docstring(no_figures):

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from book.figures.registry import FIGURES, Registered
 
-INFRASTRUCTURE = {"__main__", "discover", "draw", "keys", "registry", "save"}
+INFRASTRUCTURE = {"__main__", "discover", "draw", "fresh", "keys", "registry", "save"}
 
 
 def all_figures() -> dict[str, Registered]:

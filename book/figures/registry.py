@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 
+DATA_FOLDERS = ("proofs/", "renderer/", "verify/", "book/", "tests/data/")  # those that are hashed
 FIGURES: dict[str, "Registered"] = {}
 
 
@@ -47,6 +48,9 @@ def figure(id: str, data: tuple[str, ...] | list[str] = ()) -> Callable:
     """Register the decorated function under an id; `data`: files that it reads, by path from the root."""
     if not re.fullmatch(r"[a-z0-9_]+", id):
         raise ValueError(f"figure id {id!r}: an id is made of a-z, 0-9 and _")
+
+    if any(not name.startswith(DATA_FOLDERS) for name in data):
+        raise ValueError(f"figure {id!r}: its data must lie in one of {', '.join(DATA_FOLDERS)}")
 
     def register(draw: Callable[[], Drawing]) -> Callable[[], Drawing]:
         if id in FIGURES:
