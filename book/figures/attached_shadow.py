@@ -1,0 +1,44 @@
+"""What the bump does move: the attached shadow."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+from book.figures.chapter_scene import SCENE, SIZE, symbolic
+from book.figures.registry import Drawing, figure
+from book.style import panels
+from renderer import render
+from renderer.terminator import light_cosines
+from renderer.views import image_view
+
+
+@cache
+def turned(size=SIZE):
+    """Return, for each light, the pixels of A that β turns to the light's other side, (height, width) bool."""
+    bumped = symbolic("ridges", size)
+    flat = render(replace(SCENE, beta=0.0), size, size, stage=bumped.stage)
+    sides = [(light_cosines(bumped, n) > 0, light_cosines(flat, n) > 0) for n in range(len(SCENE.lights))]
+    return [(one != other) & bumped.stage.on_a for one, other in sides]
+
+
+@figure("attached_shadow")
+def attached_shadow() -> Drawing:
+    """The pixels of A that the bump turns away from a light, or towards it, for each light."""
+    size = 300
+    dimmed = image_view(symbolic("ridges", size)) // 3
+    colour = np.array([0xCC, 0x79, 0xA7], np.uint8)
+    pictures = [np.where(flags[..., None], colour, dimmed) for flags in turned(size)]
+    fig = panels([image_view(symbolic("ridges", size)), *pictures], ("the picture", "first light", "second light"))
+    on_a = int(symbolic().stage.on_a.sum())
+    first, second = turned()
+    numbers = {
+        "beta": SCENE.beta,
+        "pixels_a": on_a,
+        "first": int(first.sum()),
+        "second": int(second.sum()),
+        "first_share": first.sum() / on_a,
+        "second_share": second.sum() / on_a,
+        "either_share": (first | second).sum() / on_a,
+    }
+    return Drawing(fig, numbers=numbers)

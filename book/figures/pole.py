@@ -1,0 +1,89 @@
+"""Toward the pole: the seed's tangent frame against ours, and the clamped difference."""
+
+import numpy as np
+from mpmath import mp, mpf
+
+from book.figures.registry import Drawing, figure
+from book.style import decades, label_line_end, palette, plot, readable
+from proofs.height_fields import HEIGHT_FIELDS, gradient
+from proofs.tangent_frame import seed_frame, tangent_frame
+from renderer import Scene, central, exact, gradient_at
+from renderer.generate.compiled import compiled_program
+
+AZIMUTHS = np.linspace(-3.0, 3.0, 25)
+SEED_FALLBACK = 1e-4
+K_U, K_V = 8, 4
+
+
+def _tangent_gradient(frame, slopes):
+    """Return g = h_u e_θ + h_v e_φ from a frame (six numbers) and a gradient."""
+    return np.array([slopes[0] * frame[i] + slopes[1] * frame[i + 3] for i in range(3)])
+
+
+def _errors(small_sine):
+    """Return the largest errors of g over the azimuths (seed's frame, with its fallback, ours) at one sin φ."""
+    seed = compiled_program(seed_frame, "numpy")
+    ours = compiled_program(tangent_frame, "numpy")
+    exact_frame = compiled_program(tangent_frame, "mpmath")
+    slope = compiled_program(gradient(HEIGHT_FIELDS["sine"]), "mpmath")
+    worst = np.zeros(3)
+    for azimuth in AZIMUTHS:
+        with mp.workdps(50):
+            sine, angle = mpf(float(small_sine)), mpf(float(azimuth))
+            angles = (mp.cos(angle), mp.sin(angle), mp.sqrt(1 - sine**2), sine)
+            point = ((angle + mp.pi) / (2 * mp.pi), mp.asin(sine) / mp.pi)
+            slopes = slope(*point, mpf(K_U), mpf(K_V))
+            right = np.array(_tangent_gradient(exact_frame(*angles), slopes), dtype=object)
+            rounded = [np.float64(float(a)) for a in angles]
+            n = (rounded[3] * rounded[0], rounded[3] * rounded[1], rounded[2])
+            float_slopes = [np.float64(float(s)) for s in slopes]
+            with np.errstate(divide="ignore", invalid="ignore"):
+                plain = _tangent_gradient(seed(*n), float_slopes)
+            fallback = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
+            guarded = plain if small_sine > SEED_FALLBACK else _tangent_gradient(fallback, float_slopes)
+            stable = _tangent_gradient(ours(*rounded), float_slopes)
+            for index, value in enumerate((plain, guarded, stable)):
+                error = max(abs(mpf(float(v)) - r) for v, r in zip(value, right, strict=True) if np.isfinite(v))
+                worst[index] = max(worst[index], float(error))
+    return worst
+
+
+@figure("pole")
+def pole() -> Drawing:
+    """The largest error of g near the pole: the seed's frame, with and without its fallback, and the stable one."""
+    sines = np.logspace(0, -8, 49)[1:]
+    plain, guarded, stable = np.array([_errors(sine) for sine in sines]).T
+    fig, ax = plot(height=3.8)
+    orange, blue = palette()["numeric"], palette()["symbolic"]
+    ax.plot(sines, guarded, color=orange, linewidth=1.4, linestyle=(0, (5, 2)))
+    ax.plot(sines, plain, color=orange, linewidth=1.6)
+    ax.plot(sines, stable, color=blue, linewidth=1.8)
+    decades(ax, "x", every=2)
+    decades(ax, "y", every=4)
+    ax.set_xlim(1, 1e-9)
+    ax.set_ylim(1e-18, 1e4)
+    ax.set_xlabel("sin φ")
+    ax.set_ylabel("error of $g$")
+    label_line_end(ax, sines[30], guarded[30], "seed, with its fallback", readable(orange), side="above")
+    label_line_end(ax, sines[22], plain[22], "seed's frame", readable(orange), side="left")
+    label_line_end(ax, sines[30], stable[30], "stable frame", readable(blue), side="above")
+    index = int(np.abs(np.log(sines / SEED_FALLBACK)).argmin())
+    numbers = {
+        "seed_at_1e-4": plain[index],
+        "fallback_worst": guarded.max(),
+        "seed_worst": plain.max(),
+        "stable_worst": stable.max(),
+    }
+    return Drawing(fig, numbers=numbers | _clamped_slopes())
+
+
+def _clamped_slopes():
+    """Return the fitted orders of the clamped difference of h_v at fixed v/ε = 1/2, and in the interior."""
+    steps, scene = np.logspace(-2, -4, 9), Scene(field="sine")
+    clamped, inside = [], []
+    for eps in steps:
+        for errors, v in ((clamped, eps / 2), (inside, 0.3)):
+            difference = gradient_at(scene, 0.31, v, central(eps))[1]
+            errors.append(abs(float(difference - gradient_at(scene, 0.31, v, exact())[1])))
+    order = [np.polyfit(np.log(steps), np.log(errors), 1)[0] for errors in (clamped, inside)]
+    return {"clamped_order": order[0], "interior_order": order[1]}

@@ -1,0 +1,90 @@
+"""The scene: its chambers, its height fields on the chart, and where the creases fall in the picture."""
+
+import matplotlib
+import numpy as np
+
+from book.figures.chapter_scene import FIELD_NAMES, SCENE, symbolic
+from book.figures.registry import Drawing, figure
+from book.style import panels, plot
+from proofs.camera import parallel_radius, silhouette_of_a
+from proofs.symbols import cos_phi, eye, radius, rho, rho_silhouette, sin_phi
+from renderer import Scene, height_at, render
+from renderer.views import image_view
+
+
+@figure("chambers")
+def chambers() -> Drawing:
+    """The default scene, and beside it its chambers, each in a colour of its own."""
+    frame = symbolic("ridges", 450)
+    codes, index = np.unique(frame.chambers, return_inverse=True)
+    colours = matplotlib.colormaps["tab20b"](np.arange(len(codes)) / max(1, len(codes) - 1), bytes=True)[:, :3]
+    picture = colours[index.reshape(frame.chambers.shape)]
+    fig = panels([image_view(frame), picture], ("the picture", "its chambers"))
+    surfaces = np.bincount(symbolic().chambers.ravel() & 3, minlength=4)
+    numbers = {"count": len(codes), "pixels_a": surfaces[1], "pixels_b": surfaces[2], "pixels_floor": surfaces[3]}
+    return Drawing(fig, numbers=numbers)
+
+
+@figure("height_fields")
+def height_fields() -> Drawing:
+    """The three height fields on the chart, the default wave numbers."""
+    fig, axes = plot(width="page", height=3.1, ncols=3, sharey=True)
+    u, v = np.meshgrid((np.arange(480) + 0.5) / 480, (np.arange(240) + 0.5) / 240)
+    for ax, field in zip(axes, FIELD_NAMES, strict=True):
+        h = height_at(Scene(field=field), u, v)
+        image = ax.imshow(h, extent=(0, 1, 1, 0), aspect="auto", cmap="gray", vmin=-1, vmax=1, interpolation="nearest")
+        ax.set_title(field)
+        ax.set_xlabel("$u$")
+    axes[0].set_ylabel("$v$")
+    bar = fig.colorbar(image, ax=axes, label="$h$", ticks=[-1, 0, 1])
+    bar.outline.set_visible(False)
+    return Drawing(fig, numbers={"ku": int(SCENE.ku), "kv": int(SCENE.kv), "beta": SCENE.beta})
+
+
+def _visible_parallels(scene):
+    """Return [(m, φ, ρ)] of the creases v = m/k_v that face the eye, the pole left out."""
+    found = []
+    for m in range(1, int(scene.kv)):
+        phi = np.pi * m / scene.kv
+        if np.cos(phi) > scene.radius / scene.eye:
+            values = {sin_phi: np.sin(phi), cos_phi: np.cos(phi), eye: scene.eye, radius: scene.radius}
+            found.append((m, phi, float(parallel_radius.expand(rho).subs(values))))
+    return found
+
+
+def _draw_on_a(ax, frame, x, y, **line):
+    """Draw an image curve where sphere A is what the pixel shows."""
+    columns, rows = frame.raster.image_points(SCENE)
+    step = columns[1] - columns[0]
+    column, row = (x - columns[0]) / step, (rows[0] - y) / step
+    high, wide = frame.raster.shape
+    nearest = np.clip(np.rint(row), 0, high - 1).astype(int), np.clip(np.rint(column), 0, wide - 1).astype(int)
+    ax.plot(np.where(frame.stage.on_a[nearest], column, np.nan), row, **line)
+
+
+@figure("kink_loci")
+def kink_loci() -> Drawing:
+    """The creases of ridges over the picture: rays from the axis and a circle."""
+    frame = render(SCENE, 640, 560)
+    fig = panels([image_view(frame) // 2 + 40])
+    ax = fig.axes[0]
+    limits = ax.axis()
+    rim = float(silhouette_of_a.expand(rho_silhouette).subs({eye: SCENE.eye, radius: SCENE.radius}))
+    angle, along = np.linspace(0, 2 * np.pi, 1441), np.linspace(0, rim, 400)
+    parallels = _visible_parallels(SCENE)
+    for _, _, circle in parallels:
+        _draw_on_a(ax, frame, circle * np.cos(angle), circle * np.sin(angle), color="#56B4E9", linewidth=1.6)
+    for m in range(int(SCENE.ku)):
+        theta = 2 * np.pi * m / SCENE.ku - np.pi
+        ray = along * np.cos(theta), along * np.sin(theta)
+        _draw_on_a(ax, frame, *ray, color="#F0E442", linewidth=1.4, linestyle=(0, (4, 3)))
+    columns, rows = frame.raster.image_points(SCENE)
+    step = columns[1] - columns[0]
+    middle = (-columns[0] / step, rows[0] / step)
+    notes = {"$u = 0$": (middle[0] - rim / step, middle[1])}
+    notes[f"$v = 1/{int(SCENE.kv)}$"] = (middle[0], middle[1] + parallels[0][2] / step)
+    for text, at in notes.items():
+        ax.annotate(text, at, xytext=(7, -15), textcoords="offset points", color="white")
+    ax.axis(limits)
+    numbers = {"rays": int(SCENE.ku), "circles": len(parallels), "circle_radius": parallels[0][2], "rim": rim}
+    return Drawing(fig, numbers=numbers)

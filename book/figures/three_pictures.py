@@ -1,0 +1,49 @@
+"""Numeric, symbolic, difference: of one field, and of all three."""
+
+import numpy as np
+
+from book.figures.chapter_scene import FIELD_NAMES, TELLING_EPS, numeric, symbolic
+from book.figures.registry import Drawing, figure
+from book.style import panels
+from renderer.sweep import difference_on_a, rms
+from renderer.views import difference_logarithmic, to_bytes
+
+LOW, HIGH = -8, 0
+SIDE = 264
+GAP = 12
+TITLES = ("numeric", "symbolic", "difference")
+
+
+def _three(field, size):
+    first, second = numeric(field, size), symbolic(field, size)
+    delta = first.rgb - second.rgb
+    return to_bytes(first.rgb), to_bytes(second.rgb), difference_logarithmic(delta, LOW, HIGH)
+
+
+def _column(pictures):
+    """Return pictures one above another, with a gap that lets the page through: (…, width, 4)."""
+    width = pictures[0].shape[1]
+    opaque = [np.dstack([p, np.full(p.shape[:2], 255, np.uint8)]) for p in pictures]
+    gap = np.zeros((GAP, width, 4), np.uint8)
+    return np.concatenate([part for p in opaque for part in (p, gap)][:-1])
+
+
+@figure("three_pictures")
+def three_pictures() -> Drawing:
+    """Ridges by central differences, exactly, and the difference on a logarithmic scale."""
+    fig = panels(_three("ridges", SIDE), TITLES, bar=(LOW, HIGH), bar_label="largest |ΔI| of a channel")
+    delta = difference_on_a(numeric("ridges", SIDE), symbolic("ridges", SIDE))
+    return Drawing(fig, numbers={"eps": TELLING_EPS, "largest": np.abs(delta).max(), "rms": rms(delta), "side": SIDE})
+
+
+@figure("contact_sheet")
+def contact_sheet() -> Drawing:
+    """Sine, ridges and rings, from the top: numeric, symbolic, difference."""
+    rows = [_three(field, SIDE) for field in FIELD_NAMES]
+    columns = [_column([row[column] for row in rows]) for column in range(3)]
+    fig = panels(columns, TITLES, bar=(LOW, HIGH), bar_label="largest |ΔI| of a channel")
+    numbers = {"eps": TELLING_EPS}
+    for field in FIELD_NAMES:
+        delta = difference_on_a(numeric(field, SIDE), symbolic(field, SIDE))
+        numbers |= {f"{field}_rms": rms(delta), f"{field}_largest": np.abs(delta).max()}
+    return Drawing(fig, numbers=numbers)
