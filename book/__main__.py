@@ -31,9 +31,10 @@ def figures(ids: Sequence[str] = (), force: bool = False) -> None:
         return
     from book.figures.draw import draw
 
+    before = fresh.sources()
     draw(ids, force)
     if not ids:
-        fresh.remember()
+        fresh.remember(before)
 
 
 def build() -> None:

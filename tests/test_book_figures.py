@@ -49,7 +49,7 @@ def test_data_lies_where_changes_are_seen(no_figures):
 def test_figures_are_looked_at_again_when_code_or_a_drawing_changed(monkeypatch, tmp_path):
     monkeypatch.setattr(stamps, "STAMPS", tmp_path)
     assert not fresh.nothing_changed()
-    fresh.remember()
+    fresh.remember(fresh.sources())
     assert fresh.nothing_changed()
     monkeypatch.setattr(fresh.check, "sources", lambda: [stamps.LOCK_FILE])
     assert not fresh.nothing_changed()
