@@ -130,8 +130,10 @@ class Scene:
             lights = tuple(self.lights)
         except TypeError:
             _reject("lights", self.lights, allowed)
-        if len(lights) > MAX_LIGHTS or not all(isinstance(light, Light) for light in lights):
-            _reject("lights", f"{len(lights)} items", allowed)
+        if not all(isinstance(light, Light) for light in lights):
+            _reject("lights", self.lights, allowed)
+        if len(lights) > MAX_LIGHTS:
+            raise ValueError(f"lights = {len(lights)} lights is not allowed: {allowed}")
         return lights
 
     def _check_lengths(self):
