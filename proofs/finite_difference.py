@@ -13,7 +13,7 @@ u_plus, u_minus, v_plus, v_minus = real("u_plus u_minus v_plus v_minus")
 u_plus_2, u_minus_2, v_plus_2, v_minus_2 = real("u_plus_2 u_minus_2 v_plus_2 v_minus_2")
 h_here, h_u_plus, h_u_minus, h_v_plus, h_v_minus = real("h_here h_u_plus h_u_minus h_v_plus h_v_minus")
 h_u_plus_2, h_u_minus_2, h_v_plus_2, h_v_minus_2 = real("h_u_plus_2 h_u_minus_2 h_v_plus_2 h_v_minus_2")
-span_v, near_difference, u_shifted = real("span_v near_difference u_shifted")
+span_v, near_difference_u, near_difference_v = real("span_v near_difference_u near_difference_v")
 
 HEIGHT_EVALUATIONS = {"forward": 3, "central": 4, "central4": 8}
 
@@ -88,16 +88,17 @@ def central4(field):
             (h_v_plus_2, u, v_plus_2),
             (h_v_minus_2, u, v_minus_2),
         ),
-        (h_u, (8 * (h_u_plus - h_u_minus) - (h_u_plus_2 - h_u_minus_2)) / (12 * epsilon)),
-        (near_difference, h_v_plus - h_v_minus),
+        (near_difference_u, h_u_plus - h_u_minus),  # named, or 8 is multiplied in and equal heights do not cancel
+        (h_u, (8 * near_difference_u - (h_u_plus_2 - h_u_minus_2)) / (12 * epsilon)),
+        (near_difference_v, h_v_plus - h_v_minus),
         (
             h_v,
             Piecewise(
                 (
-                    (8 * near_difference - (h_v_plus_2 - h_v_minus_2)) / (12 * epsilon),
+                    (8 * near_difference_v - (h_v_plus_2 - h_v_minus_2)) / (12 * epsilon),
                     And(v + 2 * epsilon <= 1, v - 2 * epsilon >= 0),
                 ),
-                (near_difference / span_v, True),
+                (near_difference_v / span_v, True),
             ),
         ),
     )

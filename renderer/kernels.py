@@ -756,9 +756,10 @@ def central4_sine_row(
         h_u_minus_2 = sinpi_of_product(k_u, u_minus_2) * sinpi_of_product(k_v, v)
         h_v_plus_2 = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus_2)
         h_v_minus_2 = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus_2)
-        h_u = (1.0 / 12.0) * (-8.0 * h_u_minus + h_u_minus_2 + 8.0 * h_u_plus - h_u_plus_2) / epsilon
-        near_difference = -h_v_minus + h_v_plus
-        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference / span_v)
+        near_difference_u = -h_u_minus + h_u_plus
+        h_u = (1.0 / 12.0) * (h_u_minus_2 - h_u_plus_2 + 8.0 * near_difference_u) / epsilon
+        near_difference_v = -h_v_minus + h_v_plus
+        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference_v / span_v)
         h_u_row[i] = h_u
         h_v_row[i] = h_v
 
@@ -990,9 +991,10 @@ def central4_ridges_row(
         h_u_minus_2 = abs(sinpi_of_product(k_u, u_minus_2) * sinpi_of_product(k_v, v))
         h_v_plus_2 = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_plus_2))
         h_v_minus_2 = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v_minus_2))
-        h_u = (1.0 / 12.0) * (-8.0 * h_u_minus + h_u_minus_2 + 8.0 * h_u_plus - h_u_plus_2) / epsilon
-        near_difference = -h_v_minus + h_v_plus
-        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference / span_v)
+        near_difference_u = -h_u_minus + h_u_plus
+        h_u = (1.0 / 12.0) * (h_u_minus_2 - h_u_plus_2 + 8.0 * near_difference_u) / epsilon
+        near_difference_v = -h_v_minus + h_v_plus
+        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference_v / span_v)
         h_u_row[i] = h_u
         h_v_row[i] = h_v
 
@@ -1203,9 +1205,10 @@ def central4_rings_row(
         h_u_minus_2 = sinpi_of_product(2.0 * k_v, v)
         h_v_plus_2 = sinpi_of_product(2.0 * k_v, v_plus_2)
         h_v_minus_2 = sinpi_of_product(2.0 * k_v, v_minus_2)
-        h_u = (1.0 / 12.0) * (-8.0 * h_u_minus + h_u_minus_2 + 8.0 * h_u_plus - h_u_plus_2) / epsilon
-        near_difference = -h_v_minus + h_v_plus
-        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference / span_v)
+        near_difference_u = -h_u_minus + h_u_plus
+        h_u = (1.0 / 12.0) * (h_u_minus_2 - h_u_plus_2 + 8.0 * near_difference_u) / epsilon
+        near_difference_v = -h_v_minus + h_v_plus
+        h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference_v / span_v)
         h_u_row[i] = h_u
         h_v_row[i] = h_v
 
