@@ -14,6 +14,7 @@ from renderer.kernels import (
     complex_product_row,
     complex_square_row,
 )
+from renderer.threads import scratch
 
 
 class Planes(NamedTuple):
@@ -29,8 +30,12 @@ class Planes(NamedTuple):
 
 def empty_planes(rows, columns):
     """Return Planes of a band, with the gradient set to zero."""
-    angles = np.empty((4, rows, columns))
-    return Planes(*angles, *np.zeros((2, rows, columns)))
+    return Planes(*np.empty((4, rows, columns)), *np.zeros((2, rows, columns)))
+
+
+def scratch_planes(rows, columns):
+    """Return Planes of a band that are this thread's own and will be used again; the gradient is whatever it was."""
+    return Planes(*scratch("planes", (len(Planes._fields), rows, columns)))
 
 
 @compiled
@@ -121,9 +126,12 @@ def fill_angles(stage, band, planes):
     _angles_runs(band.runs_on_a, stage.x, band.y, g.eye, g.radius, planes)
 
 
-def chart_of(band, planes):
-    """Return (u, v), each (rows, columns), of the band's pixels of A; the angles must be there."""
-    u, v = np.empty((2, *planes.h_u.shape))
+def chart_of(band, planes, own=True):
+    """Return (u, v), each (rows, columns), of the band's pixels of A; the angles must be there.
+
+    Without `own` the arrays are this thread's scratch.
+    """
+    u, v = np.empty((2, *planes.h_u.shape)) if own else scratch("chart", (2, *planes.h_u.shape))
     _chart_runs(band.runs_on_a, planes, u, v)
     return u, v
 
@@ -132,11 +140,11 @@ def fill_gradient(scene, method, band, planes):
     """Write h_u and h_v of the band's pixels of A into `planes`; the angles must be there."""
     kernels, runs = FIELDS[scene.field], band.runs_on_a
     if method.name == "exact" and uses_algebraic_form(scene, method):
-        factors = np.empty((4, *planes.h_u.shape))
+        factors = scratch("factors", (4, *planes.h_u.shape))
         _factors_runs(runs, planes, *algebraic_powers(scene), *factors)
         kernels["gradient_from_factors"](runs, *factors, scene.ku, scene.kv, planes.h_u, planes.h_v)
         return
-    u, v = chart_of(band, planes)
+    u, v = chart_of(band, planes, own=False)
     if method.name == "exact":
         kernels["gradient"](runs, u, v, scene.ku, scene.kv, planes.h_u, planes.h_v)
     else:

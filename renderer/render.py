@@ -4,7 +4,7 @@ import numpy as np
 
 from renderer.chambers import FLOOR, SPHERE_A, SPHERE_B, SURFACE_BITS, Stage
 from renderer.frame import Frame
-from renderer.gradients import empty_planes, fill_angles, fill_gradient, uses_algebraic_form
+from renderer.gradients import fill_angles, fill_gradient, scratch_planes, uses_algebraic_form
 from renderer.methods import GradientMethod, exact
 from renderer.raster import Raster
 from renderer.scene import Scene
@@ -39,10 +39,13 @@ def render(scene, width, height, gradient=None, crop=None, threads=None, stage=N
 
     def work(number):
         band = stage.bands[number]
-        planes = empty_planes(len(band.y), raster.shape[1])
+        planes = scratch_planes(len(band.y), raster.shape[1])
         fill_angles(stage, band, planes)
         if scene.beta != 0.0:
             fill_gradient(scene, method, band, planes)
+        else:
+            planes.h_u.fill(0.0)
+            planes.h_v.fill(0.0)
         rows = slice(band.top, band.top + len(band.y))
         shade_runs(band.runs, stage.x, band.y, stage.geometry, material, planes, rgb[:, rows])
 

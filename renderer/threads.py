@@ -1,8 +1,24 @@
 """Bands of rows over threads: the compiled kernels release the interpreter's lock."""
 
 import os
+import threading
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
+
+import numpy as np
+
+_own = threading.local()
+
+
+def scratch(name, shape):
+    """Return this thread's own float64 array of that name and shape; its content is whatever was left there.
+
+    Memory fresh from the system costs more to touch than the kernels cost to run, so it is kept.
+    """
+    arrays = _own.__dict__.setdefault("arrays", {})
+    if name not in arrays or arrays[name].shape != shape:
+        arrays[name] = np.empty(shape)
+    return arrays[name]
 
 MAX_THREADS = 256
 

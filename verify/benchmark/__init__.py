@@ -1,0 +1,1 @@
+"""Run time, measured on one machine and kept with its name: `make bench`. Nothing here is a test."""
