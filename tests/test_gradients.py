@@ -1,0 +1,216 @@
+"""The gradient of the height field: both exact forms, creases, the pole, the orders of the differences."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from renderer import Scene, central, central4, exact, forward, gradient_at, height_at, pixel, render
+from renderer.chambers import SPHERE_A
+from renderer.facts import crease_gradient, pixels_near_the_pole, point_errors
+from renderer.kernels import FIELDS
+from tests.strategies import scenes, steps, wave_numbers
+
+SINE, RIDGES, RINGS = (Scene(field=field) for field in ("sine", "ridges", "rings"))
+SMOOTH = (0.31, 0.47)
+POLE = (21, 20, 10, 8)  # a raster and its pixel whose centre is the pole
+CREASE = (21, 20, 14, 8)  # ... whose centre has y = 0, x > 0: u = 1/2, and ku u is whole for every even ku
+even = st.integers(-32, 32).map(lambda n: 2.0 * n)
+whole = st.integers(-64, 64).map(float)
+chart_points = st.tuples(st.floats(0, 1, exclude_max=True), st.floats(0, 1))
+
+
+@given(scenes(field="sine", ku=even, kv=whole, ball=False))
+def test_the_algebraic_and_the_general_form_agree(scene):
+    one, other = (render(scene, 16, 16, exact(form)).surface_data for form in ("algebraic", "general"))
+    # u is off by about an ulp of 1, which the general form turns into π k ulp of a factor.
+    allowed = 4e-16 * (np.pi * (1 + abs(scene.ku) + abs(scene.kv))) ** 2
+    for name in ("h_u", "h_v"):
+        np.testing.assert_allclose(one[name], other[name], rtol=0, atol=allowed)
+
+
+@given(scenes(field="ridges", ku=even, kv=whole, ball=False))
+def test_both_forms_of_ridges_agree_off_the_creases(scene):
+    one, other = (render(scene, 16, 16, exact(form)).surface_data for form in ("algebraic", "general"))
+    allowed = 4e-16 * (np.pi * (1 + abs(scene.ku) + abs(scene.kv))) ** 2
+    smooth = one["h"] > 1e-10
+    for name in ("h_u", "h_v"):
+        np.testing.assert_allclose(one[name][smooth], other[name][smooth], rtol=0, atol=allowed)
+
+
+@pytest.mark.parametrize("m", range(8))
+@pytest.mark.parametrize("v", [0.1, 0.25, 0.47, 0.5, 0.9])
+def test_the_gradient_on_a_crease_in_u_is_exactly_zero(m, v):
+    assert gradient_at(RIDGES, m / 8, v, exact()) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("m", range(5))
+@pytest.mark.parametrize("u", [0.1, 0.31, 0.99])
+def test_the_gradient_on_a_crease_in_v_is_exactly_zero(m, u):
+    assert gradient_at(RIDGES, u, m / 4, exact()) == (0.0, 0.0)
+
+
+def test_the_fact_about_the_crease_at_one_eighth():
+    assert crease_gradient(Scene()) == (0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("towards", [0.0, 1.0])
+def test_the_floats_beside_a_crease_are_not_on_it(towards):
+    beside = float(np.nextafter(0.125, towards))
+    expected = np.pi * 8 * abs(np.sin(np.pi * 4 * 0.47)) * (1 if towards else -1)
+    assert gradient_at(RIDGES, beside, 0.47, exact())[0] == pytest.approx(expected, rel=1e-14)
+
+
+def test_every_float_beside_every_crease_is_off_it():
+    """The product k u rounds to m at many of them."""
+    k = np.arange(1, 65.0)
+    for wave_number in k:
+        creases = np.arange(1, wave_number) / wave_number
+        exactly = creases * 2.0**60 % 1 == 0  # all: a double in [2^-6, 1) is a multiple of 2^-60
+        assert exactly.all()
+        for towards in (0.0, 1.0):
+            u = np.nextafter(creases, towards)
+            assert (gradient_at(replace(RIDGES, ku=wave_number), u, 0.31, exact())[0] != 0).all()
+
+
+def kink_at(scene, u, v):
+    flag = np.empty((1, 1))
+    runs = np.array([[0, 0, 1, SPHERE_A]])
+    sin_phi, u_plane, v_plane = (np.array([[value]]) for value in (np.sin(np.pi * v), u, v))
+    FIELDS[scene.field]["kink"](runs, sin_phi, u_plane, v_plane, scene.ku, scene.kv, flag)
+    return flag[0, 0]
+
+
+def test_the_crease_is_flagged():
+    assert kink_at(RIDGES, 0.125, 0.47) == 1
+    assert kink_at(RIDGES, 0.31, 0.25) == 1
+    assert kink_at(RIDGES, *SMOOTH) == 0
+    assert kink_at(SINE, 0.125, 0.47) == 0
+    assert kink_at(RINGS, 0.125, 0.25) == 0
+
+
+@pytest.mark.parametrize(("factor", "flag"), [(0.0299, 1), (0.0301, 0), (-0.0299, 1), (-0.0301, 0)])
+def test_the_kink_band_is_where_a_factor_is_below_three_hundredths(factor, flag):
+    assert kink_at(RIDGES, 0.125 + np.arcsin(factor) / (8 * np.pi), 0.47) == flag
+
+
+@pytest.mark.parametrize("form", ["algebraic", "general"])
+@pytest.mark.parametrize("ku", [-6.0, 2.0, 4.0, 8.0, 64.0])
+def test_a_pixel_on_a_crease(form, ku):
+    record = pixel(replace(RIDGES, ku=ku), *CREASE, exact(form))
+    assert (record.u, record.h, record.gradient, record.kink) == (0.5, 0.0, (0.0, 0.0), True)
+
+
+@pytest.mark.parametrize("field", FIELDS)
+@pytest.mark.parametrize("method", [exact(), exact("general"), central(1e-3), forward(1e-3), central4(1e-3)])
+@pytest.mark.parametrize("beta", [0.0, 0.35, 1e100])
+def test_the_pole(field, method, beta):
+    record = pixel(Scene(field=field, beta=beta), *POLE, method)
+    assert (record.surface, record.v, record.kink) == ("A", 0.0, True)
+    assert record.point == (0.0, 0.0, 1.0)
+    assert record.normal == (0.0, 0.0, 1.0)
+
+
+def test_no_pixel_of_the_default_raster_is_near_the_pole():
+    near, least = pixels_near_the_pole(Scene(), 256, 256)
+    assert near == 0
+    assert least == pytest.approx(4.4e-3, rel=0.02)
+
+
+@pytest.mark.parametrize(
+    ("u", "v"), [(1.0, 0.5), (-1e-9, 0.5), (0.5, -1e-9), (0.5, 1 + 1e-9), (np.nan, 0.5), (0.5, np.nan), (np.inf, 0.5)]
+)
+@pytest.mark.parametrize("method", [exact(), central(1e-3)])
+def test_points_off_the_chart_are_rejected(u, v, method):
+    with pytest.raises(ValueError) as error:
+        gradient_at(SINE, [0.5, u], [0.5, v], method)
+    assert str(error.value) == f"(u, v) = ({float(u)}, {float(v)}) is not allowed: u in [0, 1), v in [0, 1]"
+
+
+def test_heights_off_the_chart_are_rejected():
+    with pytest.raises(ValueError, match="is not allowed: u in"):
+        height_at(SINE, 1.0, 0.5)
+
+
+def test_points_are_broadcast():
+    h_u, h_v = gradient_at(SINE, np.zeros((3, 1)) + 0.31, np.full(4, 0.47), exact())
+    assert h_u.shape == h_v.shape == height_at(SINE, np.zeros((3, 1)), np.zeros(4)).shape == (3, 4)
+    assert (h_u == gradient_at(SINE, *SMOOTH, exact())[0]).all()
+
+
+@given(chart_points, wave_numbers, wave_numbers)
+def test_heights_are_the_fields(point, ku, kv):
+    u, v = point
+    factor_u, factor_v = np.sin(np.pi * (ku * u % 2)), np.sin(np.pi * (kv * v % 2))
+    # The product k u is rounded here, not there.
+    rounding = 1e-15 * (2 + abs(ku) + abs(kv))
+    for field, h in (("sine", factor_u * factor_v), ("ridges", abs(factor_u * factor_v))):
+        assert height_at(Scene(field=field, ku=ku, kv=kv), u, v) == pytest.approx(h, abs=rounding)
+    assert height_at(Scene(field="rings", ku=ku, kv=kv), u, v) == pytest.approx(
+        np.sin(np.pi * (2 * kv * v % 2)), abs=2 * rounding
+    )
+
+
+def test_the_exact_gradient_is_the_fields():
+    (u, v), pi = SMOOTH, np.pi
+    expected = (8 * pi * np.cos(8 * pi * u) * np.sin(4 * pi * v), 4 * pi * np.sin(8 * pi * u) * np.cos(4 * pi * v))
+    assert gradient_at(SINE, u, v, exact()) == pytest.approx(expected, rel=1e-13)
+    sign = np.sign(np.sin(8 * pi * u) * np.sin(4 * pi * v))
+    assert gradient_at(RIDGES, u, v, exact()) == pytest.approx([sign * d for d in expected], rel=1e-13)
+    assert gradient_at(RINGS, u, v, exact()) == pytest.approx((0.0, 8 * pi * np.cos(8 * pi * v)), rel=1e-13)
+
+
+@pytest.mark.parametrize(("make", "order"), [(forward, 1), (central, 2), (central4, 4)])
+@pytest.mark.parametrize("coordinate", [0, 1])
+@pytest.mark.parametrize("scene", [SINE, RIDGES])
+def test_the_order_of_a_difference(make, order, coordinate, scene):
+    steps = 2.0 ** -np.arange(8.0, 13.0)
+    right = gradient_at(scene, *SMOOTH, exact())[coordinate]
+    errors = [abs(gradient_at(scene, *SMOOTH, make(eps))[coordinate] - right) for eps in steps]
+    fitted, _ = np.polyfit(np.log(steps), np.log(errors), 1)
+    assert fitted == pytest.approx(order, abs=0.03)
+
+
+def test_the_error_of_the_central_difference_at_the_chapters_point():
+    assert point_errors(SINE, (1e-3, 1e-4)) == pytest.approx([6.116e-5, 6.116e-7], rel=1e-3)
+    assert 7e-12 < point_errors(SINE, (1e-6,))[0] < 7e-10
+
+
+@pytest.mark.parametrize("eps", [1e-2, 1e-3])
+def test_the_central_difference_of_a_sine_is_the_derivative_times_sinc(eps):
+    h_u, h_v = gradient_at(SINE, *SMOOTH, exact())
+    by_difference = gradient_at(SINE, *SMOOTH, central(eps))
+    assert by_difference == pytest.approx((h_u * np.sinc(8 * eps), h_v * np.sinc(4 * eps)), rel=1e-11)
+
+
+def test_at_a_crease_the_central_difference_is_zero_and_beside_it_wrong():
+    eps, delta = 2.0**-10, 2.0**-12
+    factor = abs(np.sin(4 * np.pi * 0.47))
+    expected = np.cos(8 * np.pi * eps) * np.sin(8 * np.pi * delta) / eps * factor
+    assert gradient_at(RIDGES, 0.125, 0.47, central(eps))[0] == 0
+    assert gradient_at(RIDGES, 0.125 + delta, 0.47, central(eps))[0] == pytest.approx(expected, rel=1e-12)
+
+
+def test_u_wraps_around_the_seam():
+    eps = 2.0**-10
+    at_seam = gradient_at(SINE, 0.0, 0.47, central(eps))[0]
+    assert at_seam == pytest.approx(float(gradient_at(SINE, 0.25, 0.47, central(eps))[0]), rel=1e-12)
+    jump = float(height_at(replace(SINE, ku=2.5), np.nextafter(1, 0), 0.47))
+    across = gradient_at(replace(SINE, ku=2.5), 0.0, 0.47, central(1e-9))[0]
+    assert across == pytest.approx(-jump / 2e-9, rel=1e-6)
+
+
+def test_v_is_clamped_at_the_poles():
+    eps = 1e-3
+    for v, inside in ((0.0, eps), (1.0, 1 - eps)):
+        expected = (height_at(SINE, 0.31, inside) - 0.0) / (inside - v)
+        for make in (forward, central, central4):
+            assert gradient_at(SINE, 0.31, v, make(eps))[1] == pytest.approx(float(expected), rel=1e-9)
+
+
+@given(chart_points, steps, wave_numbers)
+def test_rings_have_no_slope_in_u_by_any_method(point, eps, kv):
+    for method in (exact(), forward(eps), central(eps), central4(eps)):
+        assert gradient_at(replace(RINGS, kv=kv), *point, method)[0] == 0

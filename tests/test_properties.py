@@ -1,0 +1,233 @@
+"""What holds for every scene that is accepted: range, finiteness, invariances, each with its exact conditions."""
+
+import math
+import warnings
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from renderer import Light, Scene, exact, pixel, render
+from renderer.kernels import FIELDS
+from renderer.raster import Raster
+from tests.strategies import differences, exact_methods, methods, rasters, scenes, wave_numbers
+
+FLOOR = 3
+DARK = 128
+
+
+@pytest.fixture(autouse=True)
+def warnings_are_errors():
+    with warnings.catch_warnings(), np.errstate(all="raise"):
+        warnings.simplefilter("error")
+        yield
+
+
+def mirrored(scene):
+    """The scene with every x negated."""
+    x, y, z = scene.ball_center
+    lights = tuple(Light((-light.position[0], *light.position[1:]), light.color) for light in scene.lights)
+    return replace(scene, ball_center=(-x, y, z), lights=lights)
+
+
+def scaled(scene, factor):
+    """The scene with every length times `factor`."""
+
+    def times(triple):
+        return tuple(factor * c for c in triple)
+
+    return replace(
+        scene,
+        radius=factor * scene.radius,
+        eye=factor * scene.eye,
+        ball_center=times(scene.ball_center),
+        ball_radius=factor * scene.ball_radius,
+        lights=tuple(Light(times(light.position), light.color) for light in scene.lights),
+    )
+
+
+@given(scenes(), rasters(), methods)
+def test_rgb_is_in_range_and_every_buffer_finite(scene, size, method):
+    frame = render(scene, *size, method)
+    assert frame.rgb.min() >= 0
+    assert frame.rgb.max() <= 1
+    assert np.isfinite(frame.slope).all()
+    on_a = frame.stage.on_a
+    for name, plane in frame.surface_data.items():
+        assert (np.isfinite(plane) == on_a).all(), name
+    assert ((frame.surface_data["u"][on_a] >= 0) & (frame.surface_data["u"][on_a] < 1)).all()
+    assert ((frame.surface_data["v"][on_a] >= 0) & (frame.surface_data["v"][on_a] < 0.5)).all()
+
+
+@given(scenes(), rasters(), methods, st.data())
+def test_nothing_behind_a_pixel_is_hidden_by_the_clip(scene, size, method, data):
+    """The clip turns NaN into 0, so look at what it was made from."""
+    column, row = (data.draw(st.integers(0, side - 1)) for side in size)
+    record = pixel(scene, *size, column, row, method)
+    if record.surface == "none":
+        return
+    assert math.hypot(*record.normal) == pytest.approx(1, abs=1e-6 if record.surface == "B" else 1e-14)
+    for light in record.lights:
+        assert abs(light.mu) <= 1 + 1e-6
+        assert 0 <= light.specular < math.inf
+        assert all(0 <= channel < math.inf for channel in light.adds)
+
+
+@given(scenes(), rasters(), methods, methods)
+def test_no_amplitude_no_height_and_a_plain_sphere_have_the_same_bits(scene, size, method, other):
+    """A zero gradient times any β adds ±0 to N, and a zero β takes the same path with a zero gradient."""
+    flat = render(replace(scene, beta=0.0), *size, method).rgb
+    for field in FIELDS:
+        low = replace(scene, field=field, ku=0.0, kv=0.0)
+        np.testing.assert_array_equal(render(low, *size, other).rgb, flat)
+
+
+@given(scenes(field=st.sampled_from(["sine", "ridges"])), rasters(), methods, st.booleans())
+def test_one_zero_wave_number_makes_a_product_flat(scene, size, method, which):
+    low = replace(scene, ku=0.0) if which else replace(scene, kv=0.0)
+    np.testing.assert_array_equal(render(low, *size, method).rgb, render(replace(scene, beta=0.0), *size).rgb)
+
+
+@given(scenes(beta=0.0), rasters())
+def test_a_plain_sphere_has_the_normal_of_its_points(scene, size):
+    width, height = size
+    record = pixel(scene, width, height, width // 2, height // 2)
+    assume(record.surface == "A")
+    assert record.normal == pytest.approx([c / scene.radius for c in record.point], abs=1e-15)
+
+
+@given(scenes(), rasters())
+def test_mirrored_chambers(scene, size):
+    """Bit for bit, but that dark and light squares of the floor are exchanged off the grid lines."""
+    one, other = render(scene, *size), render(mirrored(scene), *size)
+    differ = one.chambers ^ other.chambers[:, ::-1]
+    x, y = Raster(*size).image_points(scene)
+    off_grid = (y != np.floor(y))[:, None] & (x != np.floor(x))
+    np.testing.assert_array_equal(differ, np.where(off_grid & (one.chambers & 3 == FLOOR), DARK, 0))
+
+
+def assert_mirrored(scene, size, method, beta=None):
+    turned = mirrored(scene if beta is None else replace(scene, beta=beta))
+    one, other = render(scene, *size, method), render(turned, *size, method)
+    kept = one.chambers & 3 != FLOOR
+    np.testing.assert_array_equal(one.rgb[kept], other.rgb[:, ::-1][kept])
+
+
+@given(scenes(field="rings"), rasters(), methods)
+def test_rings_are_mirrored_for_every_wave_number_and_method(scene, size, method):
+    assert_mirrored(scene, size, method)
+
+
+@given(scenes(beta=0.0), rasters(), methods)
+def test_a_plain_sphere_is_mirrored(scene, size, method):
+    assert_mirrored(scene, size, method)
+
+
+whole = st.integers(-64, 64).map(float)
+
+
+@given(scenes(field="ridges", ku=st.integers(-32, 32).map(lambda n: 2.0 * n), kv=whole), rasters())
+def test_ridges_are_mirrored_for_even_ku(scene, size):
+    """h(1/2 − u) = h(u). Bit for bit by the algebraic form, which conjugates; u itself is rounded."""
+    assert_mirrored(scene, size, exact("algebraic"))
+
+
+@given(scenes(field="sine", ku=st.integers(-16, 15).map(lambda n: 4.0 * n + 2), kv=whole), rasters())
+def test_sine_is_mirrored_for_ku_two_more_than_a_multiple_of_four(scene, size):
+    """h(1/2 − u) = h(u) there."""
+    assert_mirrored(scene, size, exact("algebraic"))
+
+
+@given(scenes(field="sine", ku=st.integers(-16, 16).map(lambda n: 4.0 * n), kv=whole), rasters())
+def test_sine_is_mirrored_with_its_amplitude_for_ku_a_multiple_of_four(scene, size):
+    """h(1/2 − u) = −h(u) there, so β changes its sign."""
+    assert_mirrored(scene, size, exact("algebraic"), beta=-scene.beta)
+
+
+@pytest.mark.parametrize(("field", "ku"), [("ridges", 3.0), ("ridges", 2.5), ("sine", 3.0), ("sine", 4.0)])
+def test_other_wave_numbers_are_not_mirrored(field, ku):
+    scene = Scene(field=field, ku=ku, floor=False)
+    difference = render(scene, 32, 32).rgb - render(mirrored(scene), 32, 32).rgb[:, ::-1]
+    assert np.abs(difference).max() > 0.1
+
+
+def both_negated(scene, *names):
+    return replace(scene, **{name: -getattr(scene, name) for name in names})
+
+
+@given(scenes(field="ridges"), rasters(), methods, st.sampled_from([("ku",), ("kv",), ("ku", "kv")]))
+def test_ridges_are_even_in_each_wave_number(scene, size, method, names):
+    np.testing.assert_array_equal(
+        render(both_negated(scene, *names), *size, method).rgb, render(scene, *size, method).rgb
+    )
+
+
+@given(scenes(field="sine"), rasters(), methods, st.sampled_from([("ku", "kv"), ("beta", "ku"), ("beta", "kv")]))
+def test_sine_is_odd_in_each_wave_number_and_the_amplitude(scene, size, method, names):
+    np.testing.assert_array_equal(
+        render(both_negated(scene, *names), *size, method).rgb, render(scene, *size, method).rgb
+    )
+
+
+@given(scenes(field="rings"), rasters(), methods, wave_numbers)
+def test_rings_are_odd_in_kv_and_the_amplitude_and_know_no_ku(scene, size, method, ku):
+    other = replace(both_negated(scene, "beta", "kv"), ku=ku)
+    np.testing.assert_array_equal(render(other, *size, method).rgb, render(scene, *size, method).rgb)
+
+
+@given(scenes(radius=st.just(1.0)), rasters(), methods, st.integers(-40, 40))
+def test_powers_of_two_scale_all_lengths(scene, size, method, n):
+    """Bit for bit, but for the floor's squares, whose side stays 1."""
+    one, other = render(scene, *size, method), render(scaled(scene, 2.0**n), *size, method)
+    np.testing.assert_array_equal(one.chambers & ~np.uint8(DARK), other.chambers & ~np.uint8(DARK))
+    kept = one.chambers & 3 != FLOOR
+    np.testing.assert_array_equal(one.rgb[kept], other.rgb[kept])
+
+
+@given(scenes(), rasters(40), methods, st.data())
+def test_tiles_make_the_whole(scene, size, method, data):
+    cuts = [sorted({0, side, *data.draw(st.lists(st.integers(0, side), max_size=2))}) for side in size]
+    whole = render(scene, *size, method)
+    rows = []
+    for top, bottom in zip(cuts[1][:-1], cuts[1][1:], strict=True):
+        crops = [(left, top, right - left, bottom - top) for left, right in zip(cuts[0][:-1], cuts[0][1:], strict=True)]
+        rows.append(np.hstack([render(scene, *size, method, crop=crop).rgb for crop in crops]))
+    np.testing.assert_array_equal(np.vstack(rows), whole.rgb)
+
+
+@given(scenes(), rasters(), methods, st.data())
+def test_the_order_of_the_lights(scene, size, method, data):
+    """The shadow bits are permuted alike; every term is ≥ 0, so that colours differ by a few roundings at most."""
+    order = data.draw(st.permutations(range(len(scene.lights))))
+    other = render(replace(scene, lights=tuple(scene.lights[n] for n in order)), *size, method)
+    one = render(scene, *size, method)
+    expected = one.chambers & 0x83
+    for place, number in enumerate(order):
+        expected |= ((one.chambers >> (2 + number)) & 1) << (2 + place)
+    np.testing.assert_array_equal(other.chambers, expected)
+    np.testing.assert_allclose(other.rgb, one.rgb, rtol=0, atol=2e-15)
+
+
+SHADING = ("field", "ku", "kv", "beta", "model", "ambient", "albedo_a", "albedo_b", "ka", "kd", "ks", "shininess")
+
+
+@given(scenes(), scenes(), rasters(), methods)
+def test_no_flips(scene, other, size, method):
+    """Chambers depend on neither field, wave numbers, β, ε, method nor anything of the shading."""
+    shaded = replace(scene, floor_tint=other.floor_tint, **{name: getattr(other, name) for name in SHADING})
+    np.testing.assert_array_equal(render(shaded, *size, method).chambers, render(scene, *size).chambers)
+
+
+@given(scenes(beta=0.0), rasters(), differences, exact_methods)
+def test_without_amplitude_the_difference_is_exactly_zero(scene, size, difference, method):
+    np.testing.assert_array_equal(render(scene, *size, difference).rgb, render(scene, *size, method).rgb)
+
+
+@given(scenes(field="ridges"), rasters(), differences)
+def test_straddling_grows_with_the_step(scene, size, difference):
+    wider = replace(difference, eps=min(0.5, 2 * difference.eps))
+    narrow, wide = (render(scene, *size, method).straddling for method in (difference, wider))
+    assert (wide >= narrow).all()
+    assert not render(scene, *size, exact()).straddling.any()

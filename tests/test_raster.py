@@ -1,0 +1,93 @@
+"""Rasters: sizes, crops, and where the pixels' centres lie."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+
+from renderer import Scene
+from renderer.raster import MAX_SIDE, Raster
+from tests.strategies import rasters, scenes
+
+
+def rejection(*arguments):
+    with pytest.raises(ValueError) as error:
+        Raster(*arguments)
+    return str(error.value)
+
+
+@pytest.mark.parametrize("side", [0, -1, MAX_SIDE + 1, 10**30, 1.5, 8.0, math.nan, "8", None, True])
+def test_a_side_that_is_rejected(side):
+    allowed = "is not allowed: a whole number from 1 to 16777216"
+    assert rejection(side, 8) == f"width = {side!r} {allowed}"
+    assert rejection(8, side) == f"height = {side!r} {allowed}"
+
+
+def test_a_raster_that_is_huge():
+    assert rejection(2**20, 2**20) == f"width * height = {2**40} is not allowed: at most {2**28} drawn pixels"
+
+
+def test_a_small_crop_of_a_huge_raster():
+    assert Raster(MAX_SIDE, MAX_SIDE, (MAX_SIDE - 2, MAX_SIDE - 1, 2, 1)).shape == (1, 2)
+
+
+@pytest.mark.parametrize(
+    "crop",
+    [
+        (0, 0, 9, 8),
+        (0, 0, 8, 7),
+        (-1, 0, 1, 1),
+        (0, -1, 1, 1),
+        (8, 0, 1, 1),
+        (0, 6, 1, 1),
+        (0, 0, 0, 1),
+        (0, 0, 1, 0),
+        (0, 0, 1),
+        (0, 0, 1.5, 1),
+        (0, 0, math.nan, 1),
+        (0, 0, math.inf, 1),
+        ("0", "0", "1", "1"),
+        "0011",
+        7,
+    ],
+)
+def test_a_crop_that_is_rejected(crop):
+    allowed = "(left, top, width, height), whole numbers, inside the raster of 8 x 6"
+    assert rejection(8, 6, crop) == f"crop = {crop!r} is not allowed: {allowed}"
+
+
+def test_a_size_of_numpys_is_accepted():
+    assert Raster(np.int32(8), np.uint8(6)) == Raster(8, 6, (0, 0, 8, 6))
+
+
+@given(scenes(), rasters())
+def test_the_columns_are_symmetric_about_the_axis(scene, size):
+    x, _ = Raster(*size).image_points(scene)
+    np.testing.assert_array_equal(x, -x[::-1])
+
+
+@given(scenes(), rasters())
+def test_row_0_is_at_the_top(scene, size):
+    _, y = Raster(*size).image_points(scene)
+    assert (np.diff(y) < 0).all()
+
+
+@given(scenes(), rasters())
+def test_pixels_are_square(scene, size):
+    x, y = Raster(*size).image_points(scene)
+    half = 1.25 * scene.eye / math.sqrt((scene.eye / scene.radius) ** 2 - 1)
+    np.testing.assert_allclose(np.diff(x), 2 * half / size[1], rtol=1e-6)
+    np.testing.assert_allclose(-np.diff(y), 2 * half / size[1], rtol=1e-6)
+
+
+def test_the_vertical_half_extent_is_five_quarters_of_the_silhouette():
+    _, y = Raster(1, 2).image_points(Scene())
+    assert y[0] - y[1] == pytest.approx(1.25 * 4 / math.sqrt(15), rel=1e-15)
+    assert y.mean() == pytest.approx(-0.15 * 1.25 * 4 / math.sqrt(15), rel=1e-15)
+
+
+@pytest.mark.parametrize("width", [1, 21, 255])
+def test_an_odd_width_puts_a_column_on_the_axis(width):
+    x, _ = Raster(width, 20).image_points(Scene())
+    assert x[width // 2] == 0.0

@@ -1,0 +1,259 @@
+"""The interface of `render`: shapes, types, crops, threads, stages, lights that are off, the count of the work."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from renderer import Light, Scene, central, central4, exact, forward, render, stage_of
+from renderer.kernels import FIELDS
+from tests.strategies import methods, rasters, scenes
+
+DEFAULT = Scene()
+MANY_BANDS = (300, 200)
+
+
+def same(one, other):
+    """Whether two frames are the same, bit for bit."""
+    planes = ("rgb", "chambers", "kink", "slope", "straddling")
+    return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in planes)
+
+
+@pytest.mark.parametrize(("name", "dtype"), [("chambers", "uint8"), ("kink", "bool"), ("slope", "float64")])
+def test_shapes_and_types(name, dtype):
+    plane = getattr(render(DEFAULT, 30, 20), name)
+    assert (plane.shape, plane.dtype) == ((20, 30), dtype)
+
+
+def test_rgb_is_rows_by_columns_by_three():
+    rgb = render(DEFAULT, 30, 20).rgb
+    assert (rgb.shape, rgb.dtype) == ((20, 30, 3), "float64")
+
+
+def test_row_0_is_at_the_top():
+    # B stands above the axis, and more of the floor is seen below than above: y's centre is moved down.
+    rows = np.nonzero(render(DEFAULT, 64, 64).chambers & 3 == 2)[0]
+    assert rows.mean() < 32
+
+
+def test_column_0_is_at_the_left():
+    columns = np.nonzero(render(DEFAULT, 64, 64).chambers & 3 == 2)[1]
+    assert columns.mean() > 32
+
+
+def test_all_surfaces_are_there():
+    assert set(np.unique(render(DEFAULT, 64, 64).chambers & 3)) == {1, 2, 3}
+    assert set(np.unique(render(replace(DEFAULT, floor=False), 64, 64).chambers & 3)) == {0, 1, 2}
+    assert set(np.unique(render(replace(DEFAULT, ball=False), 64, 64).chambers & 3)) == {1, 3}
+    assert set(np.unique(render(replace(DEFAULT, ball=False, floor=False), 64, 64).chambers & 3)) == {0, 1}
+
+
+def test_chamber_bits():
+    chambers = render(DEFAULT, 256, 256).chambers
+    floor = chambers & 3 == 3
+    assert (chambers & 0b01110000 == 0).all()  # two lights: bits 2 and 3
+    assert (chambers[~floor] & 128 == 0).all()
+    assert {0, 4, 8, 12} == set(np.unique(chambers[floor] & 12))
+    assert {0, 128} == set(np.unique(chambers[floor] & 128))
+
+
+def test_nothing_is_black():
+    frame = render(replace(DEFAULT, floor=False), 64, 64)
+    assert (frame.rgb[frame.chambers & 3 == 0] == 0).all()
+
+
+def test_without_lights_there_is_ambient_light_alone():
+    frame = render(replace(DEFAULT, lights=()), 32, 32)
+    np.testing.assert_array_equal(frame.rgb, np.broadcast_to([0.1 * 0.15, 0.1 * 0.15, 0.1 * 0.16], (32, 32, 3)))
+
+
+def test_the_exact_gradient_is_the_default():
+    assert same(render(DEFAULT, 40, 40), render(DEFAULT, 40, 40, exact()))
+
+
+@pytest.mark.parametrize("field", FIELDS)
+def test_kink_and_slope_are_off_outside_a(field):
+    frame = render(replace(DEFAULT, field=field), 64, 64)
+    off = frame.chambers & 3 != 1
+    assert not frame.kink[off].any()
+    assert not frame.slope[off].any()
+    assert frame.slope[~off].any()
+
+
+@given(scenes(), rasters(40), methods, st.data())
+def test_a_crop_equals_the_part_of_the_whole(scene, size, method, data):
+    left, top = (data.draw(st.integers(0, side - 1)) for side in size)
+    width, height = data.draw(st.integers(1, size[0] - left)), data.draw(st.integers(1, size[1] - top))
+    part = render(scene, *size, method, crop=(left, top, width, height))
+    whole = render(scene, *size, method)
+    window = np.s_[top : top + height, left : left + width]
+    np.testing.assert_array_equal(part.rgb, whole.rgb[window])
+    np.testing.assert_array_equal(part.chambers, whole.chambers[window])
+    np.testing.assert_array_equal(part.slope, whole.slope[window])
+    np.testing.assert_array_equal(part.kink, whole.kink[window])
+
+
+@pytest.mark.parametrize("field", FIELDS)
+@pytest.mark.parametrize("method", [exact(), exact("general"), central(1e-3), forward(1e-3), central4(1e-3)])
+def test_one_thread_and_two_give_the_same_bits(field, method):
+    scene = replace(DEFAULT, field=field)
+    assert len(stage_of(scene, *MANY_BANDS).bands) > 2
+    assert same(render(scene, *MANY_BANDS, method, threads=1), render(scene, *MANY_BANDS, method, threads=2))
+
+
+def test_rows_longer_than_a_run_and_a_band():
+    wide = render(DEFAULT, 20_000, 3, threads=2)
+    part = render(DEFAULT, 20_000, 3, crop=(9_000, 1, 3_000, 1))
+    np.testing.assert_array_equal(wide.rgb[1:2, 9_000:12_000], part.rgb)
+
+
+@given(scenes(), rasters(), st.data())
+def test_a_stage_used_again_gives_the_same_bits(scene, size, data):
+    stage = stage_of(scene, *size)
+    for _ in range(2):
+        names = ("model", "field", "ku", "kv", "beta", "kd", "shininess")
+        other = data.draw(scenes())
+        shaded = replace(scene, **{name: getattr(other, name) for name in names})
+        method = data.draw(methods)
+        assert same(render(shaded, *size, method, stage=stage), render(shaded, *size, method))
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        {"eye": 5.0},
+        {"radius": 0.9},
+        {"ball": False},
+        {"floor": False},
+        {"ball_radius": 0.3},
+        {"ball_center": (0.5, 0.5, 1.4)},
+        {"lights": ()},
+        {"lights": DEFAULT.lights[::-1]},
+        {"lights": (Light((5, 5, 10), None), DEFAULT.lights[1])},
+    ],
+)
+def test_a_stage_of_another_scene_is_rejected(other):
+    stage = stage_of(replace(DEFAULT, **other), 16, 16)
+    with pytest.raises(ValueError, match=r"stage = .* is not allowed: one made for the same lengths"):
+        render(DEFAULT, 16, 16, stage=stage)
+
+
+@pytest.mark.parametrize(("size", "crop"), [((16, 17), None), ((20, 20), (0, 0, 16, 16)), ((16, 16), (0, 0, 8, 8))])
+def test_a_stage_of_another_raster_is_rejected(size, crop):
+    stage = stage_of(DEFAULT, *size, crop=crop)
+    with pytest.raises(ValueError, match=r"stage = .* is not allowed"):
+        render(DEFAULT, 16, 16, stage=stage)
+
+
+def test_a_stage_of_another_crop_of_the_same_shape_is_rejected():
+    with pytest.raises(ValueError, match=r"stage = .* is not allowed"):
+        render(DEFAULT, 16, 16, crop=(8, 8, 4, 4), stage=stage_of(DEFAULT, 16, 16, crop=(0, 0, 4, 4)))
+
+
+def test_lights_may_change_colour_under_a_stage():
+    red = replace(DEFAULT, lights=tuple(Light(light.position, (1, 0, 0)) for light in DEFAULT.lights))
+    assert same(render(red, 32, 32, stage=stage_of(DEFAULT, 32, 32)), render(red, 32, 32))
+
+
+@given(scenes(), rasters(), st.data())
+def test_a_light_that_is_off_is_as_good_as_absent(scene, size, data):
+    number = data.draw(st.integers(0, min(4, len(scene.lights))))
+    off = Light((50 * scene.radius, 0.0, 50 * scene.radius), None)
+    lights = scene.lights[:4]
+    without = render(replace(scene, lights=lights), *size)
+    with_it = render(replace(scene, lights=(*lights[:number], off, *lights[number:])), *size)
+    np.testing.assert_array_equal(with_it.rgb, without.rgb)
+    low = (1 << (2 + number)) - 1  # the bits below the light's; those above are moved up by one
+    shadows, kept = without.chambers & 0x7C, without.chambers & 0x83
+    moved = (shadows & low) | ((shadows & ~np.uint8(low)) << 1)
+    np.testing.assert_array_equal(with_it.chambers, kept | moved)
+
+
+@pytest.mark.parametrize(
+    ("method", "heights"), [(exact(), 0), (forward(1e-3), 3), (central(1e-3), 4), (central4(1e-3), 8)]
+)
+def test_height_evaluations(method, heights):
+    frame = render(DEFAULT, 64, 64, method)
+    on_a = int((frame.chambers & 3 == 1).sum())
+    assert on_a > 1000
+    assert frame.work["height_evaluations"] == heights * on_a
+    assert frame.work["gradient_evaluations"] == (on_a if method == exact() else 0)
+
+
+@pytest.mark.parametrize("method", [exact(), central(1e-3)])
+def test_no_bump_no_evaluations(method):
+    work = render(replace(DEFAULT, beta=0.0), 64, 64, method).work
+    assert (work["gradient_evaluations"], work["height_evaluations"], work["algebraic_gradients"]) == (0, 0, 0)
+
+
+@pytest.mark.parametrize(
+    ("fields", "algebraic"),
+    [
+        ({}, True),
+        ({"ku": 64.0, "kv": 64.0}, True),
+        ({"ku": -8.0, "kv": -3.0}, True),
+        ({"ku": 0.0, "kv": 0.0}, True),
+        ({"ku": 66.0}, False),
+        ({"kv": 65.0}, False),
+        ({"ku": 7.0}, False),
+        ({"kv": 2.5}, False),
+        ({"field": "rings", "ku": 7.3, "kv": 2.5}, True),
+        ({"field": "rings", "kv": 2.25}, False),
+        ({"field": "rings", "kv": 33.0}, False),
+    ],
+)
+def test_which_scenes_have_an_algebraic_gradient(fields, algebraic):
+    work = render(replace(DEFAULT, **fields), 32, 32).work
+    assert work["algebraic_gradients"] == (work["pixels_a"] if algebraic else 0)
+
+
+def test_the_algebraic_form_is_rejected_where_there_is_none():
+    with pytest.raises(ValueError, match=r"form = 'algebraic' is not allowed for field 'ridges' with ku = 7, kv = 4"):
+        render(replace(DEFAULT, ku=7), 8, 8, exact("algebraic"))
+
+
+def test_pixels_by_surface():
+    frame = render(DEFAULT, 64, 64)
+    counted = [int((frame.chambers & 3 == surface).sum()) for surface in (1, 2, 3)]
+    assert [frame.work[name] for name in ("pixels_a", "pixels_b", "pixels_floor")] == counted
+
+
+def test_shadow_tests():
+    work = render(DEFAULT, 64, 64).work  # two lights; A and B each look for the other, the floor for both
+    assert work["shadow_tests"] == 2 * (work["pixels_a"] + work["pixels_b"] + 2 * work["pixels_floor"])
+
+
+def test_specular_powers():
+    frame = render(DEFAULT, 64, 64)
+    assert frame.work["specular_powers"] == sum(int((frame.chambers & bit == 0).sum()) for bit in (4, 8))
+
+
+@pytest.mark.parametrize("threads", [0, -1, 257, 1.5, "2", True])
+def test_threads_that_are_rejected(threads):
+    with pytest.raises(ValueError) as error:
+        render(DEFAULT, 8, 8, threads=threads)
+    assert str(error.value) == f"threads = {threads!r} is not allowed: a whole number from 1 to 256"
+
+
+def test_a_scene_that_is_none_is_rejected():
+    with pytest.raises(ValueError, match="scene = 'ridges' is not allowed: a Scene"):
+        render("ridges", 8, 8)
+
+
+def test_a_gradient_that_is_none_of_ours_is_rejected():
+    allowed = r"exact\(\), central\(eps\), forward\(eps\) or central4\(eps\)"
+    with pytest.raises(ValueError, match=f"gradient = 'central' is not allowed: {allowed}"):
+        render(DEFAULT, 8, 8, "central")
+
+
+def test_a_tall_raster_shows_the_middle_of_a_wide_one():
+    wide, tall = render(DEFAULT, 64, 32), render(DEFAULT, 32, 32)
+    np.testing.assert_array_equal(wide.rgb[:, 16:48], tall.rgb)
+    np.testing.assert_array_equal(wide.chambers[:, 16:48], tall.chambers)
+
+
+def test_sphere_a_is_as_wide_as_it_is_high():
+    on_a = render(replace(DEFAULT, ball=False), 301, 200).chambers & 3 == 1
+    assert abs(int(on_a.any(axis=0).sum()) - int(on_a.any(axis=1).sum())) <= 1

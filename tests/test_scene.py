@@ -1,0 +1,171 @@
+"""Scenes and lights: what they accept, what they reject and how they say so, their defaults."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+
+from renderer import Light, Scene
+from renderer.kernels import FIELDS
+from tests.strategies import rejected_fields, scenes
+
+INSIDE_B = (0.5, 0.5, 1.3)
+
+
+def message(error):
+    """The one line of an exception; it has the shape NAME = VALUE is not allowed: WHAT IS."""
+    text = str(error.value)
+    assert "\n" not in text
+    assert " is not allowed: " in text
+    return text
+
+
+def rejection(**fields):
+    with pytest.raises(ValueError) as error:
+        Scene(**fields)
+    return message(error)
+
+
+def light_rejection(*arguments):
+    with pytest.raises(ValueError) as error:
+        Light(*arguments)
+    return message(error)
+
+
+@given(rejected_fields)
+def test_a_rejection_names_field_and_value(rejected):
+    name, value = rejected
+    assume(not (name == "field" and value in tuple(FIELDS)))
+    text = rejection(**{name: value})
+    assert text.startswith(name)
+    shown = text.partition(" = ")[2].rpartition(" is not allowed: ")[0]
+    assert shown in {repr(value), *(repr(item) for item in (value if isinstance(value, tuple) else ()))}
+
+
+@given(scenes())
+def test_a_scene_that_is_accepted_is_accepted_again_and_equal(scene):
+    assert dataclasses.replace(scene) == scene
+
+
+@given(scenes())
+def test_every_number_of_a_scene_is_a_float(scene):
+    assert all(type(getattr(scene, f.name)) is float for f in dataclasses.fields(Scene) if f.type == "float")
+
+
+@pytest.mark.parametrize(
+    ("fields", "text"),
+    [
+        ({"radius": 4.0}, "eye = 4.0 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 4"),
+        ({"radius": 5.0}, "eye = 4.0 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 5"),
+        ({"eye": 0.0}, "eye = 0.0 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 1"),
+        ({"eye": -4.0}, "eye = -4.0 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 1"),
+        ({"eye": 1.1e6}, "eye = 1100000.0 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 1"),
+        ({"radius": 0.0}, "radius = 0.0 is not allowed: a finite number from 1e-60 to 1e+60"),
+        ({"radius": math.nan}, "radius = nan is not allowed: a finite number from 1e-60 to 1e+60"),
+        ({"field": "foo"}, "field = 'foo' is not allowed: one of 'sine', 'ridges', 'rings'"),
+        ({"model": "gouraud"}, "model = 'gouraud' is not allowed: one of 'blinn', 'phong'"),
+        ({"ku": 2.0**20 + 1}, "ku = 1048577.0 is not allowed: a finite number from -1.04858e+06 to 1.04858e+06"),
+        ({"kv": -(2.0**21)}, "kv = -2097152.0 is not allowed: a finite number from -1.04858e+06 to 1.04858e+06"),
+        ({"beta": 1e101}, "beta = 1e+101 is not allowed: a finite number from -1e+100 to 1e+100"),
+        ({"beta": math.nan}, "beta = nan is not allowed: a finite number from -1e+100 to 1e+100"),
+        ({"shininess": 0.0}, "shininess = 0.0 is not allowed: a finite number from 0.001 to 1e+06"),
+        ({"shininess": 2e6}, "shininess = 2000000.0 is not allowed: a finite number from 0.001 to 1e+06"),
+        ({"kd": -0.1}, "kd = -0.1 is not allowed: a finite number from 0 to 1e+06"),
+        ({"floor_tint": 1.5}, "floor_tint = 1.5 is not allowed: a finite number from 0 to 1"),
+        ({"albedo_a": (0, 0, 2)}, "albedo_a[2] = 2 is not allowed: a finite number from 0 to 1"),
+        ({"ambient": (0, -1, 0)}, "ambient[1] = -1 is not allowed: a finite number from 0 to 1e+06"),
+        ({"ball_radius": 0.0}, "ball_radius = 0.0 is not allowed: a finite number from 1e-09 to 1e+09"),
+        ({"ball_radius": 2.9}, "ball_center = (0.5, 0.5, 1.3) is not allowed: B clear of the eye"),
+        ({"ball_center": (0, 0, 4)}, "ball_center = (0.0, 0.0, 4.0) is not allowed: B clear of the eye"),
+        ({"ball_center": (0, 2e9, 0)}, "ball_center[1] = 2000000000.0 is not allowed: a finite number from -1e+09 to"),
+        ({"lights": (Light((5, 5, 5)),) * 6}, "lights = 6 lights is not allowed: a sequence of at most 5 Light"),
+        ({"lights": (Light((0, 0, 0.5)),)}, "lights[0].position = (0.0, 0.0, 0.5) is not allowed: outside sphere A"),
+        ({"lights": (Light((0, 0, 1)),)}, "lights[0].position = (0.0, 0.0, 1.0) is not allowed: outside sphere A"),
+        ({"lights": (Light(INSIDE_B),)}, "lights[0].position = (0.5, 0.5, 1.3) is not allowed: outside sphere B"),
+        ({"lights": (Light((5, 5, 5)), Light((3, 0, 0)))}, "lights[1].position = (3.0, 0.0, 0.0) is not allowed: off"),
+        ({"lights": (Light((3, 0, 1e-200)),)}, "lights[0].position = (3.0, 0.0, 1e-200) is not allowed: off the floor"),
+        ({"lights": (Light((3e9, 0, 1)),)}, "lights[0].position[0] = 3000000000.0 is not allowed: a finite number"),
+    ],
+)
+def test_a_rejection_says_what_is_allowed(fields, text):
+    assert rejection(**fields).startswith(text)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        (((1, 2),), "light.position = (1, 2) is not allowed: three finite numbers from -inf to inf"),
+        (((1, 2, math.nan),), "light.position[2] = nan is not allowed: a finite number from -inf to inf"),
+        (("123",), "light.position = '123' is not allowed: three finite numbers from -inf to inf"),
+        (((1, 2, 3), (1, 1)), "light.color = (1, 1) is not allowed: three finite numbers from 0 to 1e+06"),
+        (((1, 2, 3), (-1, 1, 1)), "light.color[0] = -1 is not allowed: a finite number from 0 to 1e+06"),
+    ],
+)
+def test_a_light_says_what_is_allowed(arguments, text):
+    assert light_rejection(*arguments).startswith(text)
+
+
+@pytest.mark.parametrize(
+    "fields",
+    [
+        {"radius": 4 * (1 - 1e-9)},
+        {"radius": 1e-6, "eye": 1.0, "ball": False, "lights": ()},
+        {"ku": 2.0**20, "kv": -(2.0**20)},
+        {"beta": -1e100},
+        {"shininess": 1e-3},
+        {"shininess": 1e6},
+        {"lights": (Light((5, 5, 5)),) * 5},
+        {"lights": ()},
+        {"ball_radius": 2.7},
+        {"floor": False, "lights": (Light((3, 0, 0)),)},
+        {"ball": False, "lights": (Light(INSIDE_B),)},
+    ],
+)
+def test_the_edges_of_the_domain_are_accepted(fields):
+    scene = Scene(**{"ball": fields.get("radius", 1.0) < 2, **fields})
+    assert all(getattr(scene, name) == value for name, value in fields.items())
+
+
+def test_numbers_are_converted():
+    scene = Scene(ku=np.int64(3), ball_center=np.array([0.5, 0.5, 1.3]), lights=[Light([5, 5, 5], [1, 1, 1])])
+    assert (scene.ku, scene.ball_center, scene.lights) == (3.0, (0.5, 0.5, 1.3), (Light((5.0, 5.0, 5.0)),))
+
+
+@pytest.mark.parametrize(("thing", "name"), [(Scene(), "beta"), (Scene().lights[0], "color")])
+def test_frozen(thing, name):
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        setattr(thing, name, 0.0)
+
+
+def test_a_scene_can_be_a_key():
+    assert len({Scene(), Scene(), Scene(beta=0.1)}) == 2
+
+
+def test_defaults_are_the_seeds():
+    assert dataclasses.asdict(Scene()) == {
+        "radius": 1.0,
+        "eye": 4.0,
+        "ball": True,
+        "ball_center": (0.5, 0.5, 1.3),
+        "ball_radius": 0.32,
+        "floor": True,
+        "lights": (
+            {"position": (5.0, 5.0, 10.0), "color": (1.0, 1.0, 1.0)},
+            {"position": (-6.0, 2.0, 8.0), "color": (0.9, 0.65, 0.25)},
+        ),
+        "ambient": (0.15, 0.15, 0.16),
+        "albedo_a": (0.63, 0.19, 0.16),
+        "albedo_b": (0.33, 0.44, 0.62),
+        "ka": 0.1,
+        "kd": 0.7,
+        "ks": 0.5,
+        "shininess": 32.0,
+        "model": "blinn",
+        "floor_tint": 0.25,
+        "field": "ridges",
+        "ku": 8.0,
+        "kv": 4.0,
+        "beta": 0.35,
+    }
