@@ -1,0 +1,135 @@
+"""Certificates: made by the search, stored as JSON beside the theorems, compared with what the formulas say now.
+
+`python -m proofs.certificate [ID …]` finds the certificates of the named theorems (default: of those whose stored
+ones are missing or stale; --all: of all) and writes them. Format, version 1: {"version", "theorem", "claims":
+[{"claim", "statements": [{"sha256", "statement", "certificate"}]}]}; `proofs.statement` documents statements, and
+`proofs.kernel` reads certificates.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+from . import kernel
+from .claim import Induction, Separation
+from .counterexample import refutation
+from .induction import induction
+from .search import NotFound, search
+from .statement import VERSION, derivations, digest
+from .theorem import all_theorems, borrowed
+
+FOLDER = Path(__file__).parent / "certificates"
+
+
+class Stale(ValueError):
+    """A stored certificate is missing, or belongs to an older statement."""
+
+
+def statements(claim, theorems):
+    """Return the statements of a claim, as the formulas stand now."""
+    if isinstance(claim, Separation):
+        lines = [[s.name, sorted(t.name for t in e.free_symbols)] for s, e in claim.lines.definitions]
+        outputs, avoid = (sorted(s.name for s in names) for names in (claim.outputs, claim.avoid))
+        return [{"version": VERSION, "kind": "separation", "lines": lines, "outputs": outputs, "avoid": avoid}]
+    if isinstance(claim, Induction):
+        return [induction(claim)]
+    return derivations(borrowed(claim, theorems))
+
+
+def prove(claim, theorems):
+    """Return [(statement, certificate)] of a claim, found anew; raises NotFound."""
+    squares = getattr(claim, "squares", ())
+    return [(s, search(s, squares)) for s in statements(claim, theorems)]
+
+
+def refute(claim, point, theorems):
+    """Return [(statement, certificate)] that the claim fails at the point ((symbol, value), …); raises NotFound."""
+    found = refutation(statements(claim, theorems), {str(s).replace(" ", ""): v for s, v in point})
+    if found is None:
+        raise NotFound((claim.name, "counterexample"))
+    return [found]
+
+
+def evidence(theorem, theorems):
+    """Return [(claim, [(statement, certificate)])] of a theorem, found anew; raises NotFound."""
+    points = dict(theorem.refuted_at)
+    return [
+        (c, refute(c, points[c.name], theorems) if c.name in points else prove(c, theorems)) for c in theorem.claims
+    ]
+
+
+def path_of(theorem):
+    """Return the path of the theorem's stored certificates."""
+    return FOLDER / f"{theorem.id}.json"
+
+
+def stored(theorem, theorems):
+    """Return [(claim, [(statement, certificate)])] from the file, or raise Stale.
+
+    The statements are translated afresh from the formulas; the file's must be the same.
+    """
+    path = path_of(theorem)
+    if not path.exists():
+        raise Stale(f"{theorem.id} has no stored certificate: run python -m proofs.certificate {theorem.id}")
+    entries = {entry["claim"]: entry["statements"] for entry in json.loads(path.read_text())["claims"]}
+    result = []
+    for claim in theorem.claims:
+        now = statements(claim, theorems)
+        kept = entries.pop(claim.name, [])
+        if theorem.expected == "refuted":
+            point = {str(s).replace(" ", ""): v for s, v in dict(theorem.refuted_at)[claim.name]}
+            now = [found[0]] if (found := refutation(now, point)) else []
+        if not now or [digest(s) for s in now] != [entry["sha256"] for entry in kept]:
+            raise Stale(
+                f"{theorem.id}/{claim.name}: the formulas no longer say what the stored certificate proves; "
+                f"if the theorem still holds, python -m proofs.certificate {theorem.id} finds a new one"
+            )
+        result.append((claim, [(s, entry["certificate"]) for s, entry in zip(now, kept, strict=True)]))
+    if entries:
+        raise Stale(f"{theorem.id}: the stored certificates have other claims: {', '.join(sorted(entries))}")
+    return result
+
+
+def text(theorem, found):
+    """Return the file's text for [(claim, [(statement, certificate)])]."""
+    claims = [
+        {
+            "claim": claim.name,
+            "statements": [{"sha256": digest(s), "statement": s, "certificate": c} for s, c in pairs],
+        }
+        for claim, pairs in found
+    ]
+    return (
+        json.dumps({"version": VERSION, "theorem": theorem.id, "claims": claims}, indent=1, ensure_ascii=False) + "\n"
+    )
+
+
+def main(arguments):
+    """Find and write certificates; return 0 if all were found and the kernel accepts them."""
+    theorems, failed = all_theorems(), False
+    named = [a for a in arguments if a != "--all"]
+    for id in named or theorems:
+        theorem = theorems[id]
+        if not arguments:
+            try:
+                stored(theorem, theorems)
+                continue
+            except (Stale, NotFound):
+                pass
+        try:
+            found = evidence(theorem, theorems)
+            for _, pairs in found:
+                for statement, certificate in pairs:
+                    if why := kernel.check(statement, certificate):
+                        raise why
+        except (NotFound, kernel.Rejected) as error:
+            print(f"{id}: {error}")
+            failed = True
+            continue
+        path_of(theorem).write_text(text(theorem, found), encoding="utf-8")
+        print(f"{id}: {sum(len(pairs) for _, pairs in found)} statements")
+    return int(failed)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

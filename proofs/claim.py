@@ -1,0 +1,77 @@
+"""What a theorem claims, before translation: SymPy relations over the lines of a straight-line program."""
+
+from dataclasses import dataclass, replace
+
+from sympy import Basic, Symbol, sympify
+
+from .program import Program
+
+
+@dataclass(frozen=True)
+class Claim:
+    """For all real values of the inputs: if `given` holds, every relation of `shows` holds.
+
+    shows: relations, in order; one that is proved may be used for the next. given: relations over the names of
+    `lines` and further free symbols. lines: the program whose names the relations use. squares: polynomials whose
+    squares the search may use in an inequality. borrowed: (theorem id, claim name) of claims whose conclusions are
+    used here; that claim's `given` and lines must be among this one's. ranges: {symbol: (low, high)} for sampling.
+    """
+
+    name: str
+    shows: tuple[Basic, ...]
+    given: tuple[Basic, ...] = ()
+    lines: Program | None = None
+    squares: tuple[Basic, ...] = ()
+    borrowed: tuple[tuple[str, str], ...] = ()
+    ranges: tuple[tuple[Symbol, tuple], ...] = ()
+
+    def __post_init__(self):
+        object.__setattr__(self, "shows", tuple(map(sympify, self.shows)))
+        object.__setattr__(self, "given", tuple(map(sympify, self.given)))
+
+    def but(self, **changes):
+        """Return the claim with some fields changed: how a mutant is made."""
+        return replace(self, **changes)
+
+    def names(self):
+        """Return the defined names that the claim needs, and the program kept to them (None without one)."""
+        used = set().union(*(r.free_symbols for r in (*self.shows, *self.given)))
+        if self.lines is None:
+            return used, None
+        defined = tuple(s for s, _ in self.lines.definitions if s in used)
+        return used, self.lines.keep(*defined)
+
+
+@dataclass(frozen=True)
+class Separation:
+    """In the program `lines`, none of `outputs` depends on any of `avoid`."""
+
+    name: str
+    lines: Program
+    outputs: tuple[Symbol, ...]
+    avoid: tuple[Symbol, ...]
+
+    def but(self, **changes):
+        """Return the claim with some fields changed: how a mutant is made."""
+        return replace(self, **changes)
+
+
+@dataclass(frozen=True)
+class Induction:
+    """For every whole n ≥ 0: `shows`, equations over n, the parameters and the states of recurrences.
+
+    states: (symbol, value at n = 0, value at n + 1 in terms of the values at n). cos and sin of n·α are states too, by
+    the addition formulas. given: relations over the parameters. strengthen: further equations to carry along.
+    """
+
+    name: str
+    n: Symbol
+    shows: tuple[Basic, ...]
+    states: tuple[tuple[Symbol, Basic, Basic], ...] = ()
+    given: tuple[Basic, ...] = ()
+    strengthen: tuple[Basic, ...] = ()
+    ranges: tuple[tuple[Symbol, tuple], ...] = ()
+
+    def but(self, **changes):
+        """Return the claim with some fields changed: how a mutant is made."""
+        return replace(self, **changes)

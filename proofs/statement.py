@@ -1,0 +1,256 @@
+"""From SymPy to data: the translation of a claim into statements that the kernel checks. This file is trusted.
+
+Format, version 1 (JSON). A polynomial is {"x^2 y": "-3/2", "": "1"}: names, powers, exact rationals. A statement has
+a `kind`. A "derivation" has `variables` (all real numbers, unless a step says more) and `steps`, each with a
+polynomial `of`:
+
+    assume   of ⋈ 0 is given; ⋈ is `is`: "=", "!=", ">", ">="
+    define   `new` abbreviates `of`
+    root     `new` = √of; needs a proof of `of` ≥ 0; gives new² = of and new ≥ 0
+    inverse  `new` = 1/of; needs a proof of `of` ≠ 0; gives new · of = 1
+    circle   `new` is two names, the cosine and sine of one real number; gives c² + s² = 1
+    show     of ⋈ 0 has to be proved; later steps may use it
+
+A "separation" has `lines` [[name, [names it uses]], …], `outputs`, `avoid`. An "induction" has `variables`, `state`,
+`assume` (about the variables), `start` and `next` (polynomials of each state), `show` (polynomials, zero for every n).
+
+Rules. A quotient becomes an inverse, a radical a root, with their obligations. sin and cos of a sum of whole
+multiples are expanded by the addition formulas; the atoms become circles. |a| is √(a²), or ±a where the sign is
+given. Max, Min, sign and Piecewise take the branch that is given; where none is, the claim is split into two
+statements, one with the condition assumed and one with its negation. A symbol declared positive is assumed > 0; of π
+only 3 < π < 22/7 is used. Anything else is an error, never a guess. Derivatives are SymPy's `diff`.
+"""
+
+import hashlib
+import json
+from math import lcm
+
+from sympy import Abs, And, Max, Min, Piecewise, Poly, Rational, S, Symbol, cos, expand, expand_mul, pi, sign, sin
+from sympy.core.relational import Eq, Relational
+
+from .half_turns import ordinary
+
+VERSION = 1
+TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {-1, 0}}  # signs of left − right
+RELATIONS = {frozenset(s): (f, r) for f, r, s in (
+    (1, "=", {0}), (1, "!=", {-1, 1}), (1, ">", {1}), (1, ">=", {0, 1}), (-1, ">", {-1}), (-1, ">=", {-1, 0})
+)}  # fmt: skip
+
+
+class Untranslatable(ValueError):
+    """The claim has a part that no rule translates."""
+
+
+class _Undecided(Exception):
+    """A condition is neither given nor chosen yet."""
+
+
+def digest(statement):
+    """Return the SHA-256 of the statement's canonical JSON."""
+    return hashlib.sha256(json.dumps(statement, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
+
+
+def polynomial_data(expression):
+    """Return a polynomial expression in symbols as {"x^2 y": "-3/2"}, sorted."""
+    expression = expand(expression)
+    symbols = sorted(expression.free_symbols, key=lambda s: s.name)
+    if not symbols:
+        return {} if expression == 0 else {"": str(Rational(expression))}
+    data = {}
+    for monomial, coefficient in Poly(expression, *symbols, domain="QQ").terms():
+        factors = (s.name if e == 1 else f"{s.name}^{e}" for s, e in zip(symbols, monomial, strict=True) if e)
+        data[" ".join(factors)] = str(coefficient)
+    return dict(sorted(data.items()))
+
+
+class Derivation:
+    """One derivation of a claim under construction; `choices` decide the conditions that are not given."""
+
+    def __init__(self, claim, choices=()):
+        self.choices, self.steps, self.variables = list(choices), [], []
+        self.generators, self.signs, self.denominators, self.abbreviated = {}, {}, {}, {}
+        _, lines = claim.names()
+        definitions = lines.definitions if lines else ()
+        self._collect_angles([*claim.given, *claim.shows, *(e for _, e in definitions)])
+        undefined, pending = {s for s, _ in definitions}, list(claim.given)
+        for symbol, expression in ((None, None), *definitions):
+            if symbol is not None:
+                value = self.polynomial(ordinary(expression))
+                self.step("define", value, new=symbol.name)
+                self.abbreviated[symbol] = self.written_out(value)
+                undefined.discard(symbol)
+            for relation in [r for r in pending if not r.free_symbols & undefined]:
+                pending.remove(relation)
+                for part in relation.args if isinstance(relation, And) else [relation]:
+                    self.assume(*self.relation(part))
+        for relation in claim.shows:
+            difference, signs = self.relation(relation)
+            factor, is_ = RELATIONS[frozenset(signs)]
+            self.step("show", factor * difference, is_=is_)
+
+    def statement(self):
+        """Return the statement."""
+        return {"version": VERSION, "kind": "derivation", "variables": self.variables, "steps": self.steps}
+
+    def step(self, kind, polynomial, new=None, is_=None):
+        named = ({"new": new} if new else {}) | ({"is": is_} if is_ else {})
+        self.steps.append({"step": kind, **named, "of": polynomial_data(polynomial)})
+
+    def written_out(self, polynomial):
+        """Return the polynomial with its abbreviations written out: equal ones then look the same."""
+        return expand(polynomial.xreplace(self.abbreviated))
+
+    # Relations and signs
+
+    def relation(self, relation):
+        """Return (left − right, the signs for which the relation holds)."""
+        if not isinstance(relation, Relational):
+            raise Untranslatable(f"{relation} is not a relation")
+        return self.polynomial(ordinary(relation.lhs - relation.rhs)), TRUE_FOR[relation.rel_op]
+
+    def _normal(self, difference):
+        data = polynomial_data(self.written_out(difference))
+        leading = Rational(next(iter(data.values()))) if data else S.One
+        key = json.dumps({k: str(Rational(c) / abs(leading) * (1 if leading > 0 else -1)) for k, c in data.items()})
+        return data, key, 1 if leading > 0 else -1
+
+    def assume(self, difference, signs):
+        """Add a given: the sign of `difference` is one of `signs`."""
+        _, key, orientation = self._normal(difference)
+        self.signs[key] = self.signs.get(key, {-1, 0, 1}) & {orientation * s for s in signs}
+        factor, is_ = RELATIONS[frozenset(signs)]
+        self.step("assume", factor * difference, is_=is_)
+
+    def decide(self, condition):
+        """Return whether a condition holds: as given, or else as chosen."""
+        if condition in (True, False):
+            return bool(condition)
+        if isinstance(condition, And):
+            return all(self.decide(part) for part in sorted(condition.args, key=str))
+        difference, wanted = self.relation(condition)
+        data, key, orientation = self._normal(difference)
+        if set(data) <= {""}:
+            value = Rational(data.get("", 0))
+            return bool({(value > 0) - (value < 0)} & wanted)
+        possible = {orientation * s for s in self.signs.get(key, {-1, 0, 1})}
+        if possible <= wanted or not possible & wanted:
+            return possible <= wanted
+        if not self.choices:
+            raise _Undecided
+        choice = self.choices.pop(0)
+        self.assume(difference, possible & wanted if choice else possible - wanted)
+        return choice
+
+    def _exceeds(self, difference):
+        """Return whether `difference` is ≥ 0, or False if it is known to be ≤ 0 (at 0 both answers do)."""
+        _, key, orientation = self._normal(self.polynomial(difference))
+        known = {orientation * s for s in self.signs.get(key, {-1, 0, 1})}
+        return False if 1 not in known else self.decide(difference >= 0)
+
+    # Expressions
+
+    def polynomial(self, e):
+        """Return the expression as a polynomial in variables and generators, adding the steps that it needs."""
+        if e.is_Rational:
+            return e
+        if e.is_Symbol or e is pi:
+            return self._variable(e)
+        if e.is_Add or e.is_Mul:
+            return e.func(*(self.polynomial(a) for a in sorted(e.args, key=str)))
+        if e.is_Pow and (2 * e.exp).is_Integer:
+            base, power = self.polynomial(e.base), 2 * e.exp
+            base, power = (base, power / 2) if power % 2 == 0 else (self._generator("root", base), power)
+            return base**power if power > 0 else self._generator("inverse", base) ** -power
+        if isinstance(e, sin | cos):
+            return self._turn(expand_mul(e.args[0]))[isinstance(e, sin)]
+        if isinstance(e, Abs):
+            return self._absolute(e.args[0])
+        if isinstance(e, sign):
+            return S(1 if self.decide(e.args[0] > 0) else -1 if self.decide(e.args[0] < 0) else 0)
+        if isinstance(e, Max | Min):
+            best, *others = sorted(e.args, key=str)
+            for other in others:
+                best = other if self._exceeds(other - best if isinstance(e, Max) else best - other) else best
+            return self.polynomial(best)
+        if isinstance(e, Piecewise):
+            return self.polynomial(next(value for value, condition in e.args if self.decide(condition)))
+        raise Untranslatable(f"no rule translates {e}")
+
+    def _variable(self, symbol):
+        name = str(symbol)
+        if name not in self.variables and not any(s.get("new") == name for s in self.steps):
+            self.variables.append(name)
+            if symbol is pi:
+                self.step("assume", Symbol(name) - 3, is_=">")
+                self.step("assume", Rational(22, 7) - Symbol(name), is_=">")
+            elif symbol.is_nonnegative:
+                self.assume(symbol, {1} if symbol.is_positive else {0, 1})
+        return Symbol(name) if symbol is pi else symbol
+
+    def _generator(self, kind, of):
+        whole = self.written_out(of)
+        if kind == "inverse" and whole.is_Rational and whole != 0:
+            return 1 / whole
+        key = kind, json.dumps(polynomial_data(whole))
+        if key not in self.generators:
+            new = Symbol(f"{kind}_{1 + sum(k == kind for k, _ in self.generators)}", real=True)
+            self.step(kind, of, new=new.name)
+            self.generators[key] = new
+            if kind == "root":
+                self.signs[self._normal(new)[1]] = {0, 1}
+        return self.generators[key]
+
+    def _absolute(self, argument):
+        of = self.polynomial(argument)
+        _, key, orientation = self._normal(of)
+        signs = {orientation * s for s in self.signs.get(key, {-1, 0, 1})}
+        return of if -1 not in signs else -of if 1 not in signs else self._generator("root", of**2)
+
+    def _collect_angles(self, expressions):
+        """Note, for each atom of an angle, the denominator of its multiples."""
+        for expression in expressions:
+            for e in ordinary(expression).atoms(sin, cos):
+                for term in expand_mul(e.args[0]).as_ordered_terms():
+                    multiple, atom = term.as_coeff_Mul()
+                    self.denominators[atom] = lcm(self.denominators.get(atom, 1), int(multiple.q))
+
+    def _turn(self, angle):
+        """Return (cos, sin) of a sum of whole multiples of atoms."""
+        c, s = S.One, S.Zero
+        for term in sorted(angle.as_ordered_terms(), key=str):
+            multiple, atom = term.as_coeff_Mul()
+            if atom is pi or term == 0:
+                turn = [self.polynomial(f(term)) if not f(term).has(f) else None for f in (cos, sin)]
+                if None in turn:
+                    raise Untranslatable(f"no closed form of cos({term})")
+                c, s = c * turn[0] - s * turn[1], s * turn[0] + c * turn[1]
+                continue
+            whole = int(multiple * self.denominators[atom])
+            d, t = self._circle(atom / self.denominators[atom])
+            for _ in range(abs(whole)):
+                c, s = expand(c * d - (t if whole > 0 else -t) * s), expand(s * d + (t if whole > 0 else -t) * c)
+        return c, s
+
+    def _circle(self, atom):
+        names = tuple(f"{f}({atom})".replace(" ", "") for f in ("cos", "sin"))
+        if ("circle", names) not in self.generators:
+            self.generators["circle", names] = tuple(Symbol(name, real=True) for name in names)
+            self.steps.append({"step": "circle", "new": " ".join(names), "of": {}})
+        return self.generators["circle", names]
+
+
+def derivations(claim):
+    """Return the statements of a Claim: one, or one for each combination of conditions that are not given."""
+    pending, statements = [()], []
+    while pending:
+        choices = pending.pop()
+        try:
+            statements.append(Derivation(claim, choices).statement())
+        except _Undecided:
+            pending += [(*choices, False), (*choices, True)]
+    return statements
+
+
+def equation(left, right):
+    """Return Eq(left, right) that SymPy leaves as it is."""
+    return Eq(left, right, evaluate=False)

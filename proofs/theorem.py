@@ -1,0 +1,147 @@
+"""A theorem as data, and how theorems are found and ordered. To add one, see CONTRIBUTING."""
+
+import importlib
+import pkgutil
+from dataclasses import dataclass
+from graphlib import CycleError, TopologicalSorter
+
+from sympy import Symbol
+
+from .claim import Claim, Induction, Separation
+
+GRADES = ("failed", "cited", "measured", "certified", "proved", "refuted")
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step of the argument as the reader sees it: what, and why."""
+
+    what: str
+    why: str
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A point on, or just past, the edge of a side condition, and what becomes of the claim there.
+
+    at: ((symbol, value), …) for every input. outcome: "holds", "fails" or "undefined" (a division by zero, the root
+    of a negative number, a comparison with infinity).
+    """
+
+    at: tuple[tuple[Symbol, object], ...]
+    outcome: str
+
+
+@dataclass(frozen=True)
+class SideCondition:
+    """A condition without which the claim named `claim` is not claimed; `edges` are tested in every run."""
+
+    text: str
+    claim: str
+    edges: tuple[Edge, ...]
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """A false variant of a claim: the checker has to refuse it, and a counterexample has to be found.
+
+    at: a point where it fails, ((symbol, value), …), for those that sampling is unlikely to hit.
+    """
+
+    text: str
+    claim: Claim | Separation | Induction
+    at: tuple = ()
+
+
+@dataclass(frozen=True)
+class Theorem:
+    """A statement with everything that its evidence is made of.
+
+    id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader.
+    section: "s3" … where the book discusses it. claims: what is checked. uses: ids of theorems that it rests on.
+    steps: the argument. side_conditions: each with its edge tests. mutants: at least two. finding: "F3" if it is
+    about a finding. refuted_at: of a false statement, {claim name: the exact point where it fails}, as pairs; such a
+    theorem is `refuted`, and its mutants are the true variants, which that point must not refute.
+    expected: the grade that a run has to reach.
+    """
+
+    id: str
+    title: str
+    section: str
+    statement: str
+    claims: tuple
+    mutants: tuple[Mutant, ...]
+    steps: tuple[Step, ...]
+    hypotheses: tuple[str, ...] = ()
+    side_conditions: tuple[SideCondition, ...] = ()
+    uses: tuple[str, ...] = ()
+    finding: str = ""
+    refuted_at: tuple[tuple[str, tuple], ...] = ()
+    expected: str = "proved"
+    source: str = ""
+
+    def __post_init__(self):
+        if self.expected not in GRADES:
+            raise ValueError(f"{self.id}: expected = {self.expected!r} is not one of {', '.join(GRADES)}")
+        if len(self.mutants) < 2:
+            raise ValueError(f"{self.id}: needs at least two mutants")
+        names = [claim.name for claim in self.claims]
+        if len(set(names)) < len(names) or not names:
+            raise ValueError(f"{self.id}: claims need different names")
+        if unknown := {c.claim for c in self.side_conditions} - set(names):
+            raise ValueError(f"{self.id}: side conditions of unknown claims {sorted(unknown)}")
+        if (self.expected == "refuted") != (dict(self.refuted_at).keys() == set(names)):
+            raise ValueError(f"{self.id}: a refuted statement, and no other, has a point for each claim")
+        borrowed = {id for claim in self.claims for id, _ in getattr(claim, "borrowed", ())}
+        if not borrowed <= set(self.uses):
+            raise ValueError(f"{self.id}: uses lacks {sorted(borrowed - set(self.uses))}")
+
+    def claim(self, name):
+        """Return the claim of that name."""
+        return next(claim for claim in self.claims if claim.name == name)
+
+
+def in_order(theorems):
+    """Return {id: Theorem}, each after those that it uses.
+
+    Raises ValueError on a double id, an unknown use or a cycle, and names it.
+    """
+    by_id = {}
+    for theorem in theorems:
+        if by_id.setdefault(theorem.id, theorem) is not theorem:
+            raise ValueError(f"two theorems are called {theorem.id}")
+    for theorem in theorems:
+        if unknown := set(theorem.uses) - by_id.keys():
+            raise ValueError(f"{theorem.id} uses unknown theorems: {', '.join(sorted(unknown))}")
+    try:
+        order = list(TopologicalSorter({t.id: t.uses for t in theorems}).static_order())
+    except CycleError as error:
+        raise ValueError(f"theorems use each other in a cycle: {' → '.join(error.args[1])}") from None
+    return {id: by_id[id] for id in order}
+
+
+def all_theorems():
+    """Return {id: Theorem} of every Theorem in the modules of `proofs.theorems`, each after those that it uses."""
+    package = importlib.import_module("proofs.theorems")
+    found = []
+    for module in sorted(m.name for m in pkgutil.iter_modules(package.__path__)):
+        namespace = vars(importlib.import_module(f"proofs.theorems.{module}"))
+        found += [value for value in namespace.values() if isinstance(value, Theorem)]
+    return in_order(list({id(t): t for t in found}.values()))
+
+
+def borrowed(claim, theorems):
+    """Return the claim with its borrowed conclusions among its givens.
+
+    Raises ValueError unless the other claim's givens and lines are among this one's.
+    """
+    added = ()
+    for id, name in getattr(claim, "borrowed", ()):
+        other = theorems[id].claim(name)
+        mine = dict(claim.lines.definitions) if claim.lines else {}
+        _, kept = other.names()
+        needed = dict(kept.definitions) if kept else {}
+        if not set(other.given) <= set(claim.given) or not needed.items() <= mine.items():
+            raise ValueError(f"{claim.name}: the hypotheses of {id}/{name} are not all given here")
+        added += other.shows
+    return claim.but(given=claim.given + added) if added else claim

@@ -1,0 +1,1 @@
+"""The theorems, one module a topic: every `Theorem` at the top level of a module is found."""

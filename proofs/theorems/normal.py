@@ -1,0 +1,118 @@
+"""The bumped normal: its length before normalising, and its derivative with respect to β."""
+
+from sympy import diff
+
+from ..bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
+from ..claim import Claim
+from ..program import chain
+from ..statement import equation
+from ..symbols import beta, dot, h_u, h_v, normal
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from .frame import on_circles
+
+tangent = (equation(dot(normal, normal), 1), equation(dot(normal, g), 0))
+
+_tangent = Claim(
+    "g_is_tangent", (equation(dot(normal, g), 0), equation(dot(g, g), h_u**2 + h_v**2)), on_circles, bumped_normal
+)
+_length = Claim(
+    "length",
+    (
+        equation(dot(m, m), 1 + beta**2 * dot(g, g)),
+        dot(m, m) >= 1,
+        m_length >= 1,
+        equation(m_length**2, 1 + beta**2 * dot(g, g)),
+        equation(dot(bumped, bumped), 1),
+    ),
+    tangent,
+    perturbed,
+    squares=tuple(beta * g_i for g_i in g),
+)
+
+unit_length = Theorem(
+    id="unit_length",
+    title="Normalising is never ill-conditioned",
+    section="s3",
+    statement=r"$N\cdot g = 0$, so $|M|^2 = 1 + \beta^2 |g|^2 \ge 1$ and $|N'| = 1$, for every $\beta$.",
+    hypotheses=(r"$|N| = 1$", r"$g = h_u e_\theta + h_v e_\varphi$"),
+    claims=(_tangent, _length),
+    uses=("tangent_frame",),
+    steps=(
+        Step(r"$N\cdot g = 0$ and $|g|^2 = h_u^2 + h_v^2$", "the frame is orthonormal"),
+        Step(r"$|M|^2 = |N|^2 + 2\beta N\cdot g + \beta^2|g|^2 = 1 + \beta^2|g|^2$", "expansion"),
+        Step(r"$|M|^2 \ge 1$", "the rest is a sum of squares"),
+    ),
+    mutants=(
+        Mutant("|M|² = 1 − β²|g|²", _length.but(shows=(equation(dot(m, m), 1 - beta**2 * dot(g, g)),))),
+        Mutant("|M|² = 1 + β|g|²", _length.but(shows=(equation(dot(m, m), 1 + beta * dot(g, g)),))),
+        Mutant("|M| > 1", _length.but(shows=(m_length > 1,)), at=((beta, 0),)),
+        Mutant("N·g not zero", _length.but(given=tangent[:1])),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$g \perp N$",
+            "length",
+            (
+                Edge(((beta, 1), *zip(normal, (0, 0, 1), strict=True), *zip(g, (1, 0, 0), strict=True)), "holds"),
+                Edge(((beta, -1), *zip(normal, (0, 0, 1), strict=True), *zip(g, (0, 0, 1), strict=True)), "undefined"),
+            ),
+        ),
+    ),
+)
+
+_lines = chain("both", perturbed, normal_by_beta)
+_expanded = [perturbed.expand(b) for b in bumped]
+_derivative = Claim(
+    "derivative",
+    tuple(equation(diff(b, beta), d) for b, d in zip(_expanded, bumped_by_beta, strict=True)),
+    (dot(m, m) > 0,),
+    _lines,
+)
+_on_the_sphere = Claim("tangent_to_directions", (equation(dot(bumped, bumped_by_beta), 0),), (dot(m, m) > 0,), _lines)
+
+derivative = Theorem(
+    id="normal_by_beta",
+    title="The normal's derivative in β",
+    section="s3",
+    statement=r"$\partial N'/\partial\beta = (I - N'N'^{\mathsf T})\,g/|M|$, "
+    "tangent to the sphere of directions.",
+    hypotheses=(r"$M \ne 0$",),
+    claims=(_derivative, _on_the_sphere),
+    uses=("unit_length",),
+    steps=(
+        Step(
+            r"$\partial M/\partial\beta = g$, $\partial|M|/\partial\beta = M\cdot g/|M|$",
+            "differentiation of the lines",
+        ),
+        Step("each component", "membership in the ideal of |M|² and 1/|M|"),
+    ),
+    mutants=(
+        Mutant(
+            "without the projection",
+            _derivative.but(
+                shows=tuple(equation(diff(b, beta), g_i / m_length) for b, g_i in zip(_expanded, g, strict=True))
+            ),
+        ),
+        Mutant(
+            "without 1/|M|",
+            _derivative.but(
+                shows=tuple(
+                    equation(diff(b, beta), d * m_length) for b, d in zip(_expanded, bumped_by_beta, strict=True)
+                )
+            ),
+        ),
+        Mutant(
+            "the sign turned",
+            _derivative.but(
+                shows=tuple(equation(diff(b, beta), -d) for b, d in zip(_expanded, bumped_by_beta, strict=True))
+            ),
+        ),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$M \ne 0$",
+            "derivative",
+            (Edge(((beta, -1), *zip(normal, (0, 0, 1), strict=True), *zip(g, (0, 0, 1), strict=True)), "undefined"),),
+        ),
+    ),
+)
