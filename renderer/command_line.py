@@ -127,7 +127,7 @@ def build_parser():
     several = verbs.add_parser("views", help="draw every view", description="Draw both pipelines and their difference.")
     several.add_argument("--out", required=True, metavar="FOLDER", help="the folder to write to; it is made if need be")
     several.add_argument(
-        "--gain", type=float, default=100.0, metavar="X", help="of the linear difference (default: 100)"
+        "--gain", type=_number, default=100.0, metavar="X", help="of the linear difference (default: 100)"
     )
     _add_gradient(several, "central")
     epsilons = verbs.add_parser("sweep", help="print the table of eps", description="Print the table of eps.")

@@ -18,7 +18,7 @@ def checked_target(path, suffixes, name="out"):
     path = Path(path)
     if path.suffix not in suffixes:
         raise ValueError(f"{name} = {str(path)!r} is not allowed: a file name that ends in {' or '.join(suffixes)}")
-    if path.is_dir() or not path.parent.is_dir():
+    if os.path.isdir(path) or not os.path.isdir(path.parent):  # unlike Path's, False for a name that is too long
         raise ValueError(f"{name} = {str(path)!r} is not allowed: a file in a folder that exists")
     try:
         _remove(_temporary(path))
