@@ -1,0 +1,280 @@
+"""The command line: what it writes and prints, and how it refuses."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from renderer import Light, Scene, central, render, views
+from renderer.command_line import main
+from renderer.scene import DEFAULT_LIGHTS
+from renderer.sweep import sweep
+
+ROOT = Path(__file__).resolve().parent.parent
+SIX_LIGHTS = ["--light", "5,5,10"] * 6
+
+
+def run(*arguments):
+    """Run the command line in this process; return its exit status."""
+    try:
+        return main([str(argument) for argument in arguments])
+    except SystemExit as end:  # argparse's way out
+        return end.code
+
+
+def shell(*arguments, cwd=ROOT):
+    command = [sys.executable, "-m", "renderer", *map(str, arguments)]
+    return subprocess.run(command, cwd=cwd, capture_output=True, text=True)
+
+
+def picture(path):
+    return np.asarray(Image.open(path))
+
+
+def test_image_png(tmp_path, capsys):
+    target = tmp_path / "a.png"
+    assert run("image", "--size", 32, "--field", "sine", "--gradient", "central", "--out", target) == 0
+    expected = views.image_view(render(Scene(field="sine"), 32, 32, central(1e-3)))
+    np.testing.assert_array_equal(picture(target), expected)
+    assert capsys.readouterr() == (f"wrote {target}: 32 x 32 pixels\n", "")
+
+
+def test_image_npz_with_every_option_of_the_scene(tmp_path):
+    options = {
+        "--field": "rings", "--model": "phong", "--ku": "-3", "--kv": "2.5", "--beta": "-1e-1", "--shininess": "9.5",
+        "--radius": "1.1", "--eye": "5", "--ball-radius": ".3", "--ka": ".2", "--kd": ".6", "--ks": ".4",
+        "--floor-tint": "0.5", "--width": "20", "--height": "10", "--crop": "5,2,10,6", "--threads": "1",
+    }  # fmt: skip
+    lights = ["--light", "-6,2,8", "--light", "5,5,10,1,0.5,0"]
+    target = tmp_path / "a.npz"
+    flat = [text for option in options.items() for text in option]
+    assert run("image", "--no-ball", "--no-floor", *lights, *flat, "--out", target) == 0
+    scene = Scene(
+        field="rings", model="phong", ku=-3.0, kv=2.5, beta=-0.1, shininess=9.5, radius=1.1, eye=5.0, ball_radius=0.3,
+        ka=0.2, kd=0.6, ks=0.4, floor_tint=0.5, ball=False, floor=False,
+        lights=(Light((-6, 2, 8)), Light((5, 5, 10), (1, 0.5, 0))),
+    )  # fmt: skip
+    frame = render(scene, 20, 10, crop=(5, 2, 10, 6))
+    stored = np.load(target)
+    np.testing.assert_array_equal(stored["rgb"], frame.rgb)
+    np.testing.assert_array_equal(stored["h_v"], frame.surface_data["h_v"])
+
+
+def test_defaults_are_the_chapters(tmp_path):
+    assert run("image", "--size", 32, "--out", tmp_path / "a.npz") == 0
+    np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["rgb"], render(Scene(), 32, 32).rgb)
+
+
+def test_views(tmp_path, capsys):
+    folder = tmp_path / "new" / "views"
+    assert run("views", "--size", 24, "--eps", "1e-2", "--out", folder) == 0
+    names = ["numeric", "symbolic", "slope", "kink", "difference_linear", "difference_logarithmic"]
+    assert sorted(path.stem for path in folder.iterdir()) == sorted(names)
+    assert capsys.readouterr().out == f"wrote {folder}: {', '.join(f'{name}.png' for name in names)}\n"
+    one, other = render(Scene(), 24, 24, central(1e-2)), render(Scene(), 24, 24)
+    np.testing.assert_array_equal(picture(folder / "numeric.png"), views.image_view(one))
+    np.testing.assert_array_equal(picture(folder / "symbolic.png"), views.image_view(other))
+    np.testing.assert_array_equal(
+        picture(folder / "difference_linear.png"), views.difference_linear(one.rgb - other.rgb)
+    )
+
+
+def test_sweep(tmp_path, capsys):
+    target = tmp_path / "a.csv"
+    steps = ["1e-2", "1e-3"]
+    assert run("sweep", "--size", 32, "--eps", *steps, "--gradient", "forward", "--no-facts", "--csv", target) == 0
+    out, err = capsys.readouterr()
+    first, names, *rows, last = out.splitlines()
+    expected = sweep(Scene(), 32, 32, (1e-2, 1e-3), "forward")
+    assert first == "ridges, blinn, 32 x 32: forward difference against the exact gradient"
+    assert names.split()[0] == "eps"
+    assert [float(row.split()[2]) for row in rows] == pytest.approx([row.rms for row in expected], rel=1e-3)
+    assert last == f"wrote {target}"
+    assert len(target.read_text().splitlines()) == 3
+    assert err == ""
+
+
+def test_sweep_prints_the_chapters_table(capsys):
+    assert run("sweep", "--size", 64) == 0
+    out = capsys.readouterr().out
+    assert sum(line.split()[3:4] == ["0"] for line in out.splitlines()[2:8]) == 6
+    assert "flips over 96 frames (fields, beta, eps, models) " in out
+    assert "6.116e-05" in out
+
+
+IMAGE = ["image", "--size", "8"]
+REFUSED = [
+    (["--field", "foo"], "field = 'foo' is not allowed: one of 'sine', 'ridges', 'rings'"),
+    (["--model", "foo"], "model = 'foo' is not allowed: one of 'blinn', 'phong'"),
+    (["--gradient", "foo"], "gradient = 'foo' is not allowed: one of 'exact', 'forward', 'central', 'central4'"),
+    (["--radius", "4"], "eye = 4.0 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 4"),
+    (["--radius", "5"], "eye = 4.0 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 5"),
+    (["--eps", "0"], "eps = 0.0 is not allowed: a finite number from 1e-40 to 0.5"),
+    (["--eps", "-1e-3"], "eps = -0.001 is not allowed: a finite number from 1e-40 to 0.5"),
+    (["--eps", "nan"], "eps = nan is not allowed: a finite number from 1e-40 to 0.5"),
+    (["--gradient", "central", "--eps", "nan"], "eps = nan is not allowed: a finite number from 1e-40 to 0.5"),
+    (["--beta", "nan"], "beta = nan is not allowed: a finite number from -1e+100 to 1e+100"),
+    (["--beta", "-inf"], "beta = -inf is not allowed: a finite number from -1e+100 to 1e+100"),
+    (["--ku", "nan"], "ku = nan is not allowed: a finite number from -1.04858e+06 to 1.04858e+06"),
+    (["--eye", "nan"], "eye = nan is not allowed: a finite number from -inf to inf"),
+    (["--size", "0"], "width = 0 is not allowed: a whole number from 1 to 16777216"),
+    (["--height", "-3"], "height = -3 is not allowed: a whole number from 1 to 16777216"),
+    (["--width", "99999999"], "width = 99999999 is not allowed: a whole number from 1 to 16777216"),
+    (["--size", "1000000"], "width * height = 1000000000000 is not allowed: at most 268435456 drawn pixels"),
+    (["--crop", "0,0,9,9"], "crop = (0, 0, 9, 9) is not allowed: (left, top, width, height), whole numbers, inside"),
+    (["--threads", "0"], "threads = 0 is not allowed: a whole number from 1 to 256"),
+    (["--ball-radius", "3"], "ball_center = (0.5, 0.5, 1.3) is not allowed: B clear of the eye"),
+    (SIX_LIGHTS, "lights = 6 lights is not allowed: a sequence of at most 5 Light"),
+    (["--light", "0,0,0"], "lights[0].position = (0.0, 0.0, 0.0) is not allowed: outside sphere A"),
+    (["--light", "3,0,0"], "lights[0].position = (3.0, 0.0, 0.0) is not allowed: off the floor z = 0"),
+    (["--light", "0,nan,9"], "argument --light: light.position[1] = nan is not allowed: a finite number"),
+    (["--light", "1,2"], "argument --light: '1,2' is not allowed: X,Y,Z or X,Y,Z,R,G,B"),
+    (["--light", "x"], "argument --light: 'x' is not allowed: X,Y,Z or X,Y,Z,R,G,B"),
+    (["--crop", "1,2"], "argument --crop: '1,2' is not allowed: LEFT,TOP,WIDTH,HEIGHT"),
+    (["--ku", "abc"], "argument --ku: 'abc' is not allowed: a number"),
+    (["--eps", "abc"], "argument --eps: 'abc' is not allowed: a number"),
+    (["--size", "1.5"], "argument --size: '1.5' is not allowed: a whole number"),
+    (["--size", ""], "argument --size: '' is not allowed: a whole number"),
+    (["--beta"], "argument --beta: expected one argument"),
+    (["--nonsense", "1"], "unrecognized arguments: --nonsense 1"),
+]
+
+
+@pytest.mark.parametrize(("options", "message"), REFUSED)
+def test_image_refuses(options, message, tmp_path, capsys):
+    assert run(*IMAGE, "--out", tmp_path / "a.png", *options) == 2
+    out, err = capsys.readouterr()
+    assert err.count("\n") == 1
+    assert err.endswith("\n")
+    assert err.startswith(f"python -m renderer: error: {message}") or err.startswith(
+        f"python -m renderer image: error: {message}"
+    )
+    assert out == ""
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "allowed"),
+    [
+        ("a.jpg", "a file name that ends in .png or .npz"),
+        ("no/a.png", "a file in a folder that exists"),
+        ("a" * 300 + ".png", "a file that can be written (File name too long)"),
+    ],
+)
+def test_image_refuses_a_target(name, allowed, tmp_path, capsys):
+    target = str(tmp_path / name)
+    assert run(*IMAGE, "--out", target) == 2
+    assert capsys.readouterr() == ("", f"python -m renderer image: error: out = {target!r} is not allowed: {allowed}\n")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--gradient", "exact"], "gradient = 'exact' is not allowed: views compare a difference with the exact"),
+        (["--gain", "-1"], "gain = -1.0 is not allowed: a finite number from 0 to 1e+300"),
+        (["--gain", "much"], "argument --gain: 'much' is not allowed: a number"),
+        (["--eps", "0"], "eps = 0.0 is not allowed: a finite number from 1e-40 to 0.5"),
+        (["--size", "0"], "width = 0 is not allowed: a whole number from 1 to 16777216"),
+        (["--threads", "999"], "threads = 999 is not allowed: a whole number from 1 to 256"),
+        (["--field", "foo"], "field = 'foo' is not allowed: one of"),
+    ],
+)
+def test_views_refuse(options, message, tmp_path, capsys):
+    assert run("views", "--size", "8", "--out", tmp_path / "views", *options) == 2
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+    assert err.startswith(f"python -m renderer views: error: {message}")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_views_refuse_a_folder_that_is_a_file(tmp_path, capsys):
+    (tmp_path / "file").write_text("old")
+    assert run("views", "--size", "8", "--out", tmp_path / "file") == 2
+    assert capsys.readouterr().err.startswith(f"python -m renderer views: error: out = {str(tmp_path / 'file')!r} is")
+    assert (tmp_path / "file").read_text() == "old"
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--gradient", "exact"], "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'"),
+        (["--gradient", "foo"], "gradient = 'foo' is not allowed: one of"),
+        (["--eps", "1e-3", "-1"], "eps = -1.0 is not allowed: a finite number from 1e-40 to 0.5"),
+        (["--eps", "1e-3", "x"], "argument --eps: 'x' is not allowed: a number"),
+        (["--size", "0"], "width = 0 is not allowed: a whole number from 1 to 16777216"),
+        (["--csv", "no/a.csv"], "csv = 'no/a.csv' is not allowed: a file in a folder that exists"),
+        (["--csv", "a.txt"], "csv = 'a.txt' is not allowed: a file name that ends in .csv"),
+        ([*SIX_LIGHTS], "lights = 6 lights is not allowed: a sequence of at most 5 Light"),
+    ],
+)
+def test_sweep_refuses(options, message, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert run("sweep", "--size", "8", *options) == 2
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+    assert err.startswith(f"python -m renderer sweep: error: {message}")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_too_little_memory_is_one_line(tmp_path, monkeypatch, capsys):
+    def no_memory(*arguments, **options):
+        raise MemoryError("Unable to allocate 6.00 GiB")
+
+    monkeypatch.setattr("renderer.command_line.render", no_memory)
+    assert run(*IMAGE, "--out", tmp_path / "a.png") == 2
+    assert capsys.readouterr().err == "python -m renderer image: error: Unable to allocate 6.00 GiB\n"
+
+
+@pytest.mark.parametrize("arguments", [(), ("draw",), ("image",), ("views",)])
+def test_a_missing_or_unknown_verb_or_target(arguments, capsys):
+    assert run(*arguments) == 2
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+
+
+@pytest.mark.parametrize("verb", [None, "image", "views", "sweep"])
+def test_help(verb, capsys):
+    assert run(*([verb] if verb else []), "--help") == 0
+    out, err = capsys.readouterr()
+    assert out.startswith("usage: python -m renderer")
+    assert err == ""
+    wanted = ("--field", "--ku", "--light", "--size", "--eps") if verb else ("image", "views", "sweep")
+    assert all(word in out for word in wanted)
+
+
+def test_the_default_lights_can_be_given_as_options(tmp_path):
+    lights = [",".join(map(str, light.position + light.color)) for light in DEFAULT_LIGHTS]
+    options = [text for light in lights for text in ("--light", light)]
+    assert run(*IMAGE, *options, "--out", tmp_path / "a.npz") == 0
+    np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["rgb"], render(Scene(), 8, 8).rgb)
+
+
+def test_the_shells_exit_status(tmp_path):
+    good = shell("image", "--size", 16, "--out", tmp_path / "a.png")
+    assert (good.returncode, good.stderr) == (0, "")
+    assert picture(tmp_path / "a.png").shape == (16, 16, 3)
+    bad = shell("image", "--field", "foo", "--out", tmp_path / "b.png")
+    assert bad.returncode == 2
+    message = "python -m renderer image: error: field = 'foo' is not allowed: one of 'sine', 'ridges', 'rings'\n"
+    assert (bad.stdout, bad.stderr) == ("", message)
+    assert [path.name for path in tmp_path.iterdir()] == ["a.png"]
+
+
+def test_drawing_needs_neither_sympy_nor_the_proofs(tmp_path):
+    code = f"""
+import sys
+from renderer.command_line import main
+assert main(["image", "--size", "8", "--out", {str(tmp_path / "a.npz")!r}]) == 0
+assert main(["views", "--size", "8", "--out", {str(tmp_path)!r}]) == 0
+assert main(["sweep", "--size", "8"]) == 0
+loaded = {{name.split(".")[0] for name in sys.modules}}
+assert not loaded & {{"sympy", "proofs", "verify", "book"}}, loaded
+print("numpy" in loaded)
+"""
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.endswith("True\n")

@@ -1,0 +1,142 @@
+"""Files are whole or not there at all."""
+
+import os
+import stat
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from renderer import Scene, central, files, render, views
+
+FRAME = render(Scene(), 24, 16, central(1e-3))
+PICTURE = views.image_view(FRAME)
+
+
+class Interruption(Exception):
+    """What happens in the middle of a file."""
+
+
+def break_png(monkeypatch):
+    def save(self, name, **options):
+        with open(name, "wb") as file:
+            file.write(b"\x89PNG half")
+        raise Interruption
+
+    monkeypatch.setattr(Image.Image, "save", save)
+    return lambda path: files.write_png(path, PICTURE)
+
+
+def break_npz(monkeypatch):
+    def savez(name, **arrays):
+        with open(name, "wb") as file:
+            file.write(b"PK half")
+        raise Interruption
+
+    monkeypatch.setattr(np, "savez_compressed", savez)
+    return lambda path: files.write_npz(path, FRAME)
+
+
+def break_rename(monkeypatch):
+    def replace(source, target):
+        raise Interruption
+
+    monkeypatch.setattr(os, "replace", replace)
+    return lambda path: files.write_png(path, PICTURE)
+
+
+BREAKS = pytest.mark.parametrize(
+    ("broken", "name"), [(break_png, "a.png"), (break_npz, "a.npz"), (break_rename, "a.png")]
+)
+
+
+@BREAKS
+def test_a_failure_in_the_middle_leaves_nothing(broken, name, tmp_path, monkeypatch):
+    write = broken(monkeypatch)
+    with pytest.raises(Interruption):
+        write(tmp_path / name)
+    assert list(tmp_path.iterdir()) == []
+
+
+@BREAKS
+def test_a_failure_in_the_middle_leaves_the_old_file(broken, name, tmp_path, monkeypatch):
+    (tmp_path / name).write_bytes(b"old")
+    write = broken(monkeypatch)
+    with pytest.raises(Interruption):
+        write(tmp_path / name)
+    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(name, b"old")]
+
+
+def test_an_interrupt_from_the_keyboard_leaves_nothing(tmp_path):
+    with pytest.raises(KeyboardInterrupt), files.whole_file(tmp_path / "a.csv") as name:
+        with open(name, "w") as file:
+            file.write("half")
+        raise KeyboardInterrupt
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_target_is_untouched_until_the_end(tmp_path):
+    target = tmp_path / "a.csv"
+    target.write_text("old")
+    with files.whole_file(target) as name:
+        with open(name, "w") as file:
+            file.write("new")
+        assert target.read_text() == "old"
+    assert target.read_text() == "new"
+    assert list(tmp_path.iterdir()) == [target]
+
+
+def test_a_file_has_the_permissions_of_any_other(tmp_path):
+    files.write_png(tmp_path / "a.png", PICTURE)
+    (tmp_path / "b").write_text("")
+    assert stat.S_IMODE((tmp_path / "a.png").stat().st_mode) == stat.S_IMODE((tmp_path / "b").stat().st_mode)
+
+
+def test_png_keeps_every_byte(tmp_path):
+    files.write_png(tmp_path / "a.png", PICTURE)
+    np.testing.assert_array_equal(np.asarray(Image.open(tmp_path / "a.png")), PICTURE)
+
+
+def test_npz_keeps_every_buffer(tmp_path):
+    files.write_npz(tmp_path / "a.npz", FRAME)
+    stored = np.load(tmp_path / "a.npz")
+    assert set(stored.files) == {"rgb", "chambers", "u", "v", "h", "h_u", "h_v", "slope", "kink", "straddling"}
+    np.testing.assert_array_equal(stored["rgb"], FRAME.rgb)
+    np.testing.assert_array_equal(stored["chambers"], FRAME.chambers)
+    for name, plane in FRAME.surface_data.items():
+        np.testing.assert_array_equal(stored[name], plane)
+
+
+@pytest.mark.parametrize(
+    ("name", "allowed"),
+    [
+        ("a.jpg", "a file name that ends in .png or .npz"),
+        ("a", "a file name that ends in .png or .npz"),
+        (".png", "a file name that ends in .png or .npz"),
+        ("no/a.png", "a file in a folder that exists"),
+        ("folder.png", "a file in a folder that exists"),
+        ("file/a.png", "a file in a folder that exists"),
+        ("a" * 300 + ".png", "a file that can be written (File name too long)"),
+        ("a\0.png", "a file that can be written (embedded null byte)"),
+    ],
+)
+def test_a_target_that_is_rejected(name, allowed, tmp_path):
+    (tmp_path / "folder.png").mkdir()
+    (tmp_path / "file").write_text("")
+    with pytest.raises(ValueError) as error:
+        files.checked_target(tmp_path / name, files.PICTURE_SUFFIXES)
+    assert str(error.value) == f"out = {str(tmp_path / name)!r} is not allowed: {allowed}"
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
+def test_a_folder_that_is_read_only(tmp_path):
+    tmp_path.chmod(0o500)
+    with pytest.raises(ValueError, match=r"is not allowed: a file that can be written \(Permission denied\)"):
+        files.checked_target(tmp_path / "a.png", files.PICTURE_SUFFIXES)
+
+
+def test_checking_a_target_leaves_nothing_and_the_old_file(tmp_path):
+    (tmp_path / "a.png").write_bytes(b"old")
+    assert files.checked_target(tmp_path / "a.png", files.PICTURE_SUFFIXES) == tmp_path / "a.png"
+    assert files.checked_target(str(tmp_path / "b.npz"), files.PICTURE_SUFFIXES) == tmp_path / "b.npz"
+    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [("a.png", b"old")]

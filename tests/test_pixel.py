@@ -1,0 +1,142 @@
+"""The record of one pixel: the same bits as the frame, and parts that add up to its colour."""
+
+import math
+from dataclasses import fields, replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from renderer import Scene, central, exact, pixel, render
+from renderer.pixel import PixelRecord
+from renderer.raster import Raster
+from tests.strategies import methods, rasters, scenes
+
+ONLY_ON_A = ("theta", "phi", "u", "v", "h", "gradient", "kink", "straddling")
+
+
+def draw_pixel(data, size):
+    return tuple(data.draw(st.integers(0, side - 1)) for side in size)
+
+
+@given(scenes(), rasters(), methods, st.data())
+def test_a_record_has_the_bits_of_the_frame(scene, size, method, data):
+    column, row = draw_pixel(data, size)
+    record, frame = pixel(scene, *size, column, row, method), render(scene, *size, method)
+    assert record.rgb == tuple(frame.rgb[row, column])
+    assert record.chamber == frame.chambers[row, column]
+    assert bool(record.kink) == frame.kink[row, column]
+    assert bool(record.straddling) == frame.straddling[row, column]
+    if record.surface == "A":
+        surface = {name: plane[row, column] for name, plane in frame.surface_data.items()}
+        assert (record.u, record.v, record.h) == (surface["u"], surface["v"], surface["h"])
+        assert record.gradient == (surface["h_u"], surface["h_v"])
+
+
+@given(scenes(), rasters(), methods, st.data())
+def test_ambient_and_lights_add_up_to_the_colour(scene, size, method, data):
+    record = pixel(scene, *size, *draw_pixel(data, size), method)
+    if record.surface == "none":
+        assert record.rgb == (0.0, 0.0, 0.0)
+        return
+    for channel in range(3):
+        terms = [scene.ka * scene.ambient[channel], *(light.adds[channel] for light in record.lights)]
+        assert record.rgb[channel] == pytest.approx(min(1.0, sum(terms)), abs=2e-15)
+
+
+@given(scenes(), rasters(), st.data())
+def test_lights_that_are_on_are_there_in_order(scene, size, data):
+    record = pixel(scene, *size, *draw_pixel(data, size))
+    on = [number for number, light in enumerate(scene.lights) if light.color is not None]
+    assert [light.number for light in record.lights] == (on if record.surface != "none" else [])
+    assert all(light.occluded == bool(record.chamber >> (2 + light.number) & 1) for light in record.lights)
+    assert all(light.adds == (0.0, 0.0, 0.0) for light in record.lights if light.occluded)
+
+
+def first_of(surface, scene=None):
+    """The first pixel of a surface in the default frame, as a record."""
+    scene = scene or Scene()
+    row, column = np.argwhere(render(scene, 64, 64).chambers & 3 == surface)[0]
+    return pixel(scene, 64, 64, int(column), int(row))
+
+
+def test_the_names_of_the_surfaces():
+    assert [first_of(surface).surface for surface in (1, 2, 3)] == ["A", "B", "floor"]
+    assert first_of(0, Scene(floor=False)).surface == "none"
+
+
+@pytest.mark.parametrize("surface", [2, 3])
+def test_what_exists_on_a_alone_is_none_elsewhere(surface):
+    record = first_of(surface)
+    assert [getattr(record, name) for name in ONLY_ON_A] == [None] * len(ONLY_ON_A)
+
+
+def test_points_lie_on_their_surfaces():
+    assert math.hypot(*first_of(1).point) == pytest.approx(1, rel=1e-14)
+    assert math.dist(first_of(2).point, Scene().ball_center) == pytest.approx(0.32, rel=1e-13)
+    assert first_of(3).point[2] == 0
+
+
+@pytest.mark.parametrize("surface", [1, 2, 3])
+def test_points_lie_on_the_ray_through_the_pixel(surface):
+    record, scene = first_of(surface), Scene()
+    x, y = Raster(64, 64).image_points(scene)
+    eye, image_point = np.array([0, 0, 4.0]), np.array([x[record.column], y[record.row], 0.0])
+    share = 1 - record.point[2] / 4
+    assert 0 < share <= 1
+    np.testing.assert_allclose(record.point, eye + share * (image_point - eye), rtol=0, atol=1e-14)
+
+
+def test_the_chart_belongs_to_the_point():
+    record = first_of(1)
+    x, y, z = record.point
+    assert record.theta == pytest.approx(math.atan2(y, x), abs=1e-14)
+    assert record.phi == pytest.approx(math.acos(z), abs=1e-12)
+    assert (record.u, record.v) == pytest.approx(((record.theta + math.pi) / (2 * math.pi), record.phi / math.pi))
+
+
+def test_the_bumped_normal_is_the_frames():
+    record = first_of(1)
+    (h_u, h_v), theta, phi = record.gradient, record.theta, record.phi
+    n = np.array(record.point)
+    e_theta = np.array([-math.sin(theta), math.cos(theta), 0])
+    e_phi = np.array([math.cos(phi) * math.cos(theta), math.cos(phi) * math.sin(theta), -math.sin(phi)])
+    m = n + 0.35 * (h_u * e_theta + h_v * e_phi)
+    np.testing.assert_allclose(record.normal, m / np.linalg.norm(m), rtol=0, atol=1e-13)
+
+
+@pytest.mark.parametrize("model", ["blinn", "phong"])
+@pytest.mark.parametrize("surface", [1, 2, 3])
+def test_the_light_of_a_pixel_is_the_models(model, surface):
+    scene = replace(Scene(), model=model, shininess=7.5)
+    record = first_of(surface, scene)
+    n, p = np.array(record.normal), np.array(record.point)
+    view = np.array([0, 0, 4.0]) - p
+    view /= np.linalg.norm(view)
+    for light, source in zip(record.lights, scene.lights, strict=True):
+        omega = np.array(source.position) - p
+        omega /= np.linalg.norm(omega)
+        halfway = (omega + view) / np.linalg.norm(omega + view)
+        base = n @ halfway if model == "blinn" else (2 * (n @ omega) * n - omega) @ view
+        assert light.mu == pytest.approx(n @ omega, abs=1e-14)
+        assert light.specular == pytest.approx(max(0.0, base) ** 7.5, abs=1e-13)
+
+
+def test_a_difference_reports_its_own_gradient():
+    exactly, numerically = (pixel(Scene(), 64, 64, 30, 30, method) for method in (exact(), central(0.1)))
+    assert exactly.gradient != numerically.gradient
+    assert exactly.point == numerically.point
+
+
+@pytest.mark.parametrize("place", [(-1, 0), (64, 0), (0, -1), (0, 64), (0.5, 0)])
+def test_a_pixel_off_the_raster_is_rejected(place):
+    with pytest.raises(ValueError, match=r"crop = .* is not allowed: .* inside the raster of 64 x 64"):
+        pixel(Scene(), 64, 64, *place)
+
+
+def test_a_record_is_plain_numbers():
+    record = first_of(1)
+    plain = (int, float, str, bool, tuple)
+    assert all(isinstance(getattr(record, f.name), plain) for f in fields(PixelRecord))
+    assert all(type(c) is float for c in (*record.rgb, *record.point, *record.normal, *record.gradient))

@@ -1,0 +1,151 @@
+"""The ε-table: the chapter's numbers, no flips, and the table as text and as CSV."""
+
+import csv
+import math
+from dataclasses import asdict, replace
+from functools import cache
+from itertools import product
+
+import numpy as np
+import pytest
+
+from renderer import Scene, central, render
+from renderer.facts import crease_contrast, facts, flat_difference, flips_everywhere
+from renderer.kernels import FIELDS
+from renderer.scene import MODELS
+from renderer.sweep import DECADES, difference_on_a, rms, sweep, table, write_csv
+
+RMS = {1e-1: 0.1959, 1e-2: 0.04675, 1e-3: 0.01214, 1e-4: 0.00347, 1e-5: 0.001005}
+LARGEST = {1e-1: 0.98, 1e-2: 0.72, 1e-3: 0.62, 1e-4: 0.46, 1e-5: 0.28}
+
+
+@cache
+def default_rows():
+    return {row.eps: row for row in sweep(Scene(), 256, 256)}
+
+
+@pytest.mark.parametrize("eps", RMS)
+def test_rms(eps):
+    assert default_rows()[eps].rms == pytest.approx(RMS[eps], rel=0.01)
+
+
+@pytest.mark.parametrize("eps", LARGEST)
+def test_largest(eps):
+    assert default_rows()[eps].largest == pytest.approx(LARGEST[eps], rel=0.02)
+
+
+def test_below_the_last_straddling_pixel_there_is_rounding_alone():
+    row = default_rows()[1e-6]
+    assert 3.5e-12 < row.rms < 1.4e-11
+    assert row.largest < 1e-9
+    assert row.straddling == 0
+
+
+def test_straddling_pixels_become_fewer():
+    counts = [default_rows()[eps].straddling for eps in DECADES]
+    assert counts == sorted(counts, reverse=True)
+    assert counts[0] > counts[-2] > 0
+
+
+def test_the_rms_falls_about_like_the_root_of_eps():
+    middle = [default_rows()[eps].rms for eps in DECADES[1:5]]
+    fitted, _ = np.polyfit(np.log(DECADES[1:5]), np.log(middle), 1)
+    assert 0.45 < fitted < 0.65
+
+
+@pytest.mark.parametrize(("field", "model"), list(product(FIELDS, MODELS)))
+@pytest.mark.parametrize("method", ["forward", "central", "central4"])
+def test_no_flips(field, model, method):
+    rows = sweep(Scene(field=field, model=model), 96, 96, (1e-1, 1e-5, 1e-12), method)
+    assert [row.flips for row in rows] == [0, 0, 0]
+
+
+def test_no_flips_for_any_amplitude():
+    frames, flips = flips_everywhere(Scene(), 64, 64)
+    assert (frames, flips) == (3 * 4 * 4 * 2, 0)
+
+
+@pytest.mark.parametrize("field", FIELDS)
+def test_without_amplitude_the_difference_is_exactly_zero(field):
+    assert flat_difference(Scene(field=field), 128, 128) == 0
+    (row,) = sweep(Scene(field=field, beta=0.0), 64, 64, (1e-3,))
+    assert (row.largest, row.rms, row.flips) == (0, 0, 0)
+
+
+def test_smooth_fields_descend_by_two_orders_a_decade():
+    one, other = sweep(Scene(field="sine"), 128, 128, (1e-3, 1e-4))
+    assert one.rms / other.rms == pytest.approx(100, rel=0.01)
+
+
+def test_the_error_on_kinks_is_orders_above_the_rest():
+    on, off = crease_contrast(render(Scene(), 256, 256, central(1e-3)), render(Scene(), 256, 256))
+    assert on / off > 1e3
+
+
+def test_rms_and_largest_are_over_a_alone():
+    scene = Scene()
+    one, other = render(scene, 64, 64, central(1e-2)), render(scene, 64, 64)
+    delta = (one.rgb - other.rgb)[one.chambers & 3 == 1]
+    (row,) = sweep(scene, 64, 64, (1e-2,))
+    assert row.rms == pytest.approx(math.sqrt((delta**2).mean()), rel=1e-14)
+    assert row.largest == np.abs(delta).max()
+    np.testing.assert_array_equal(difference_on_a(one, other), delta)
+
+
+def test_rms_of_nothing():
+    assert rms(np.empty((0, 3))) == 0
+
+
+def test_a_sweep_without_a_pixel_of_a():
+    behind_b = Scene(ball_center=(0, 0, 2.5), ball_radius=1.1)
+    (row,) = sweep(behind_b, 1, 1, (1e-3,))
+    assert render(behind_b, 1, 1).work["pixels_a"] == 0
+    assert (row.largest, row.rms, row.flips, row.straddling) == (0, 0, 0, 0)
+
+
+def test_progress_sees_every_step():
+    seen = []
+
+    def progress(steps):
+        for step in steps:
+            seen.append(step)
+            yield step
+
+    sweep(Scene(), 8, 8, (1e-2, 1e-3), progress=progress)
+    assert seen == [1e-2, 1e-3]
+
+
+def test_a_bad_step_is_rejected():
+    with pytest.raises(ValueError, match=r"eps = 0\.0 is not allowed"):
+        sweep(Scene(), 8, 8, (1e-2, 0.0))
+
+
+def test_csv_keeps_every_digit(tmp_path):
+    rows = list(default_rows().values())
+    write_csv(tmp_path / "a.csv", rows)
+    with open(tmp_path / "a.csv", newline="", encoding="utf-8") as file:
+        read = list(csv.DictReader(file))
+    assert [{name: float(text) for name, text in row.items()} for row in read] == [asdict(row) for row in rows]
+
+
+def test_the_table_has_a_line_for_every_step():
+    rows = list(default_rows().values())
+    first, *rest = table(rows).splitlines()
+    assert first.split() == ["eps", "max", "|dI|", "on", "A", "RMS", "on", "A", "flips", "straddling"]
+    assert [float(line.split()[0]) for line in rest] == list(DECADES)
+    assert [float(line.split()[2]) for line in rest] == pytest.approx([row.rms for row in rows], rel=1e-3)
+    assert [int(line.split()[3]) for line in rest] == [0] * 6
+
+
+def test_facts():
+    told = dict(facts(Scene(), 64, 64))
+    assert told["flips over 96 frames (fields, beta, eps, models)"] == "0"
+    assert told["beta = 0: largest |numeric - exact|"] == "0"
+    assert told["ridges on the crease u = 1/8: exact (h_u, h_v)"] in ("(0, 0)", "(0, -0)", "(-0, 0)", "(-0, -0)")
+    assert told["sine at (0.31, 0.47): error of h_u, eps = 0.001"] == "6.116e-05"
+    assert told["sine at (0.31, 0.47): error of h_u, eps = 0.0001"] == "6.116e-07"
+
+
+def test_facts_are_the_scenes():
+    told = dict(facts(replace(Scene(), ku=2.0), 32, 32))
+    assert told["sine at (0.31, 0.47): error of h_u, eps = 0.001"] != "6.116e-05"
