@@ -57,7 +57,7 @@ def facts(scene=None, width=256, height=256):
     steps = (1e-3, 1e-4, 1e-6)
     errors = point_errors(replace(scene, field="sine"), steps)
     frames, flips = flips_everywhere(scene, width, height)
-    _, h_u, h_v = crease_gradient(scene)
+    _, h_u, h_v = (number + 0.0 for number in crease_gradient(scene))  # −0 prints as 0
     near, least = pixels_near_the_pole(scene, width, height)
     at = f"({SMOOTH_POINT[0]:g}, {SMOOTH_POINT[1]:g})"
     return [

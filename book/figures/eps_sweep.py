@@ -10,7 +10,6 @@ from renderer.facts import flat_difference, flips_everywhere, pixels_near_the_po
 from renderer.sweep import DECADES, difference_on_a, rms, sweep
 
 DASHES = {"sine": (0, (5, 2)), "ridges": (0, ()), "rings": (0, (1.5, 1.5))}
-LABEL_SIDE = {"sine": "left", "ridges": "left", "rings": "left"}
 
 
 def _rms_curve(field, steps):
@@ -30,10 +29,10 @@ def eps_sweep() -> Drawing:
         ax.plot(steps, curve, color=colour, linestyle=DASHES[field], linewidth=1.6)
     decades(ax, "both", every=2)
     ax.set_ylim(1e-13, 1)
-    where = {"ridges": 1e-4, "sine": 1e-3, "rings": 3e-3}
+    where = {"ridges": 1e-4, "sine": 3e-4, "rings": 1e-2}
     for field, eps in where.items():
         index = int(np.abs(np.log(steps / eps)).argmin())
-        label_line_end(ax, steps[index], curves[field][index], field, readable(colour), side="above")
+        label_line_end(ax, steps[index], curves[field][index], field, readable(colour), side="above" if field == "ridges" else "left")
     slope_triangle(ax, 2e-4, 1e-8, 2, "2")
     slope_triangle(ax, 3e-5, 6e-4, 0.5, "½")
     ax.set_xlabel("step ε")

@@ -6,7 +6,7 @@ from book.figures.registry import Drawing, figure
 from renderer import Scene, central, exact, render, stage_of
 from renderer.views import to_bytes
 
-WIDTH, HEIGHT, EPS = 928, 520, 2e-2
+WIDTH, HEIGHT, EPS = 928, 420, 2e-2
 SEAM = 2  # pixels of paper between the halves
 
 
