@@ -16,6 +16,7 @@ class Ideal:
     def __init__(self, names, equations, max_pairs=400, max_terms=300):
         """equations: {index: kernel polynomial}. Beyond the limits the basis stays incomplete (`complete` False)."""
         self.ring, *generators = ring(list(reversed(names)), QQ, lex)
+        self.position = {name: i for i, name in enumerate(reversed(names))}
         self.generators = dict(zip(reversed(names), generators, strict=True)) if names else {}
         self.equations = {i: g for i, p in equations.items() if (g := self.element(p))}
         self.basis = []
@@ -26,13 +27,13 @@ class Ideal:
 
     def element(self, p):
         """Return a kernel polynomial as an element of the ring."""
-        total = self.ring.zero
+        terms = {}
         for monomial, coefficient in p.items():
-            term = self.ring.ground_new(QQ(coefficient.numerator, coefficient.denominator))
+            exponents = [0] * len(self.position)
             for name in monomial:
-                term *= self.generators[name]
-            total += term
-        return total
+                exponents[self.position[name]] += 1
+            terms[tuple(exponents)] = QQ(coefficient.numerator, coefficient.denominator)
+        return self.ring.from_dict(terms)
 
     def data(self, element):
         """Return an element as {"x^2 y": "-3/2"}."""

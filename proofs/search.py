@@ -56,7 +56,7 @@ def find(goal, facts, values, inverses=(), squares=()):
         cofactors = ideal.members(ideal.element(p), [n for n in inverses if n[0] in names])
         if cofactors is not None:
             return {"rule": "ideal", "cofactors": _stored(ideal, cofactors)}
-        if len(p) > 12:  # the square of a long polynomial is too long to guess with
+        if len(p) > 8:  # the square of a long polynomial is too long to guess with
             raise _not_found(ideal, goal)
     hints = [q for q in squares if all(n.partition("^")[0] in values for text in q for n in text.split())]
     proof = _contradiction(goal, facts, values, names, ideal, hints)
@@ -83,7 +83,8 @@ def _contradiction(goal, facts, values, names, ideal, squares):
     hints = [({"": "1"}, kernel.ONE)] + [(q, kernel.read(q, values)) for q in squares]
     if opposite == "!=":
         hints.append((ideal.data(ideal.element(negated[0])), negated[0]))
-    for degree, wide in ((1, False), (2, False), (2, True), (3, True)):
+    narrow = ((1, False), (2, False))
+    for degree, wide in narrow if opposite == "!=" else (*narrow, (2, True), (3, True)):
         roots = hints + (_monomials(negated[0], facts) if wide else [])
         proof = _combine(facts, opposite, ideal, roots, degree)
         if proof is not None:

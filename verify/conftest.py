@@ -1,0 +1,128 @@
+"""What the proofs' run adds to pytest: options, one table at the end, one report for the book."""
+
+import json
+import os
+import time
+from pathlib import Path
+
+import pytest
+
+from verify.proof_checker import final_grades
+
+REPORT = Path(__file__).resolve().parent.parent / "book" / "_generated" / "proofs.json"
+KEY = pytest.StashKey[list]()
+
+
+def pytest_addoption(parser):
+    group = parser.getgroup("proofs")
+    group.addoption("--theorem", metavar="ID", action="append", help="only this theorem and those that it uses")
+    group.addoption(
+        "--search", action="store_true", help="find every certificate anew instead of reading the stored ones"
+    )
+    if not any("--long" in option.names() for option in parser._anonymous.options):
+        group.addoption("--long", action="store_true", help="also what takes minutes")
+
+
+def pytest_configure(config):
+    config.stash[KEY] = []
+
+
+def pytest_collection_modifyitems(config, items):
+    """Keep what --theorem names, and skip what is marked long without --long."""
+    if ids := config.getoption("theorem"):
+        from proofs.theorem import all_theorems
+
+        theorems = all_theorems()
+        if unknown := set(ids) - theorems.keys():
+            raise pytest.UsageError(f"--theorem: there is no {', '.join(sorted(unknown))}")
+        wanted = _with_uses(ids, theorems)
+        kept = [i for i in items if getattr(i, "callspec", None) and i.callspec.params.get("theorem_id") in wanted]
+        config.hook.pytest_deselected(items=[i for i in items if i not in kept])
+        items[:] = kept
+    if not config.getoption("--long"):
+        for item in items:
+            if item.get_closest_marker("long"):
+                item.add_marker(pytest.mark.skip(reason="takes minutes; run with --long"))
+
+
+def _with_uses(ids, theorems):
+    wanted, pending = set(), list(ids)
+    while pending:
+        id = pending.pop()
+        if id not in wanted:
+            wanted.add(id)
+            pending += theorems[id].uses
+    return wanted
+
+
+@pytest.fixture
+def record_evidence(record_property):
+    """Return a function that hands a theorem's evidence to the controlling process, workers or none."""
+    start = time.perf_counter()
+
+    def record(evidence):
+        entry = evidence.record | {"killed": f"{evidence.mutants_killed}/{evidence.mutants}"}
+        record_property("evidence", json.dumps(entry, ensure_ascii=False))
+        record_property("seconds", f"{time.perf_counter() - start:.2f}")
+
+    return record
+
+
+class _Collector:
+    """Collects the evidence that the tests' reports carry, in the controller."""
+
+    def __init__(self, config):
+        self.config = config
+
+    def pytest_runtest_logreport(self, report):
+        if report.when == "call":
+            properties = dict(report.user_properties)
+            if "evidence" in properties:
+                entry = json.loads(properties["evidence"])
+                self.config.stash[KEY].append((entry, float(properties["seconds"])))
+
+
+def pytest_sessionstart(session):
+    if not hasattr(session.config, "workerinput"):
+        session.config.pluginmanager.register(_Collector(session.config), "proofs-collector")
+
+
+def _results(config):
+    """Return [(entry, seconds, grade, reason)] in order of the ids."""
+    grades = final_grades([entry for entry, _ in config.stash[KEY]])
+    ordered = sorted(config.stash[KEY], key=lambda pair: pair[0]["id"])
+    return [(entry, seconds, *grades[entry["id"]]) for entry, seconds in ordered]
+
+
+def pytest_sessionfinish(session, exitstatus):
+    """Fail a run in which a theorem misses its expected grade; write the report when every theorem was run."""
+    config = session.config
+    if hasattr(config, "workerinput") or not config.stash[KEY]:
+        return
+    results = _results(config)
+    partial = config.getoption("keyword") or config.getoption("theorem")
+    if any(grade != entry["expected"] for entry, _, grade, _ in results) and not partial and session.exitstatus == 0:
+        session.exitstatus = pytest.ExitCode.TESTS_FAILED
+    from proofs.theorem import all_theorems
+
+    if {entry["id"] for entry, *_ in results} == all_theorems().keys():
+        _write_report([entry | {"grade": grade} for entry, _, grade, _ in results])
+
+
+def _write_report(entries):
+    """Write the report, without times, whole or not at all."""
+    REPORT.parent.mkdir(parents=True, exist_ok=True)
+    text = json.dumps({"version": 1, "theorems": entries}, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
+    temporary = REPORT.with_suffix(f".{os.getpid()}")
+    temporary.write_text(text, encoding="utf-8")
+    temporary.replace(REPORT)
+
+
+def pytest_terminal_summary(terminalreporter, config):
+    if not config.stash[KEY]:
+        return
+    terminalreporter.section("theorems")
+    for entry, seconds, grade, reason in _results(config):
+        mark = "" if grade == entry["expected"] else f"   expected {entry['expected']}  {reason}"
+        line = f"{entry['id']:32} {grade:9} {seconds:6.2f} s   mutants {entry['killed']}{mark}"
+        terminalreporter.write_line(line, red=bool(mark))

@@ -1,0 +1,17 @@
+"""Every theorem of `proofs.theorems`, one test each: certificates, samples, edges, mutants."""
+
+import pytest
+
+from proofs.theorem import all_theorems
+from verify.proof_checker import LONG_POINTS, POINTS, examine
+
+THEOREMS = all_theorems()
+
+
+@pytest.mark.parametrize("theorem_id", THEOREMS)
+def test_theorem(theorem_id, record_evidence, pytestconfig):
+    theorem = THEOREMS[theorem_id]
+    points = LONG_POINTS if pytestconfig.getoption("--long") else POINTS
+    found = examine(theorem, THEOREMS, anew=pytestconfig.getoption("search"), points=points)
+    record_evidence(found)
+    assert found.grade == theorem.expected, "\n".join([f"{theorem.id}: {theorem.title}", *found.problems])
