@@ -127,6 +127,7 @@ def derive(statement, meet):
             require(kind == "circle" and len(rest) == 1, f"there is no step {kind}")
             facts.append((add(add(multiply(y, y), multiply(*rest, *rest)), ONE, -1), "="))
         values |= new
+    return facts
 
 
 def prove_all(statement, certificate):

@@ -1,0 +1,12 @@
+"""The committed kernels are what the expressions print to, byte for byte: an edited formula shows here."""
+
+from pathlib import Path
+
+from renderer.generate.source import kernels_source
+
+KERNELS = Path(__file__).resolve().parent.parent / "renderer" / "kernels.py"
+
+
+def test_kernels_are_what_the_expressions_print_to():
+    """Fails when a formula, a printer or the file was edited: run `python -m renderer.generate` and read the diff."""
+    assert KERNELS.read_text(encoding="utf-8") == kernels_source()
