@@ -35,7 +35,7 @@ wave_numbers = st.one_of(
     st.sampled_from([0.0, -0.0, 0.5, -0.5, 1.0, 2.5, 64.0, -64.0, 66.0, 1e-300, 5e-324, 2.0**20, -(2.0**20)]),
 )
 betas = st.one_of(rounded(-2, 2), st.sampled_from([0.0, -0.0, 0.35, 5e-324, -5e-324, 1e-300, 1e20, 1e100, -1e100]))
-shares = st.one_of(rounded(0, 1), st.sampled_from([0.0, 1.0]))
+shares = st.integers(0, 64).map(lambda n: n / 64)
 weights = st.one_of(shares, st.sampled_from([0.0, 0.1, 5.0, 1e6]))
 shininesses = st.one_of(
     st.integers(1, 200).map(float), rounded(0.001, 200), st.sampled_from([1e-3, 0.5, 1.0, 32.0, 1e6, 999999.5])
@@ -91,12 +91,24 @@ def _accepts(**fields):
 
 
 @st.composite
+def lenses(draw):
+    """Accepted scenes with no more than sphere A, the eye and the floor drawn anew."""
+    return Scene(**_lens(draw, radii, ratios), ball=False, lights=())
+
+
+def _lens(draw, radii, ratios):
+    radius = draw(radii)
+    eye = radius / draw(ratios)
+    while not 1e-6 <= radius / eye <= 1 - 1e-9:  # the rounding of the quotient at the domain's edges
+        eye = math.nextafter(eye, 4 * radius)
+    return {"radius": radius, "eye": eye}
+
+
+@st.composite
 def scenes(draw, **fixed):
     """Accepted scenes; `fixed` gives a field as a value or as a strategy, `radius` and `ratio` as strategies."""
-    radius = draw(fixed.pop("radius", radii))
-    place = {"radius": radius, "eye": radius / draw(fixed.pop("ratio", ratios))}
-    while not 1e-6 <= radius / place["eye"] <= 1 - 1e-9:  # the rounding of the quotient at the domain's edges
-        place["eye"] = math.nextafter(place["eye"], 4 * radius)
+    place = _lens(draw, fixed.pop("radius", radii), fixed.pop("ratio", ratios))
+    radius = place["radius"]
     ball = {
         "ball_center": _scaled(draw(triples(rounded(-3, 3))), radius),
         "ball_radius": radius * draw(st.one_of(rounded(0.05, 1), st.sampled_from([0.01, 0.32, 2.0]))),
@@ -138,10 +150,11 @@ not_triples = st.one_of(
     st.sampled_from([None, 1.0, "abc", b"abc", (), (0.1,), (0.1, 0.1), (0.1,) * 4]),
     st.tuples(st.just(0.1), not_numbers, st.just(0.1)),
 )
+unknown_names = st.one_of(st.text(max_size=5), st.none(), st.integers()).filter(lambda n: n not in (*FIELDS, *MODELS))
 rejected_fields = st.one_of(
     st.tuples(st.sampled_from(NUMBER_FIELDS), not_numbers),
     st.tuples(st.sampled_from(TRIPLE_FIELDS), not_triples),
-    st.tuples(st.sampled_from(["field", "model"]), st.one_of(st.text(max_size=5), st.none(), st.integers())),
+    st.tuples(st.sampled_from(["field", "model"]), unknown_names),
     st.tuples(st.sampled_from(["ball", "floor"]), st.sampled_from([None, "yes", 2, math.nan, ()])),
     st.tuples(st.just("lights"), st.sampled_from([None, 1.0, "no", ((5, 5, 5),), (None,)])),
 )

@@ -8,7 +8,7 @@ from hypothesis import given
 
 from renderer import Scene
 from renderer.raster import MAX_SIDE, Raster
-from tests.strategies import rasters, scenes
+from tests.strategies import lenses, rasters
 
 
 def rejection(*arguments):
@@ -61,19 +61,19 @@ def test_a_size_of_numpys_is_accepted():
     assert Raster(np.int32(8), np.uint8(6)) == Raster(8, 6, (0, 0, 8, 6))
 
 
-@given(scenes(), rasters())
+@given(lenses(), rasters())
 def test_the_columns_are_symmetric_about_the_axis(scene, size):
     x, _ = Raster(*size).image_points(scene)
     np.testing.assert_array_equal(x, -x[::-1])
 
 
-@given(scenes(), rasters())
+@given(lenses(), rasters())
 def test_row_0_is_at_the_top(scene, size):
     _, y = Raster(*size).image_points(scene)
     assert (np.diff(y) < 0).all()
 
 
-@given(scenes(), rasters())
+@given(lenses(), rasters())
 def test_pixels_are_square(scene, size):
     x, y = Raster(*size).image_points(scene)
     half = 1.25 * scene.eye / math.sqrt((scene.eye / scene.radius) ** 2 - 1)
