@@ -20,6 +20,7 @@ def scratch(name, shape):
         arrays[name] = np.empty(shape)
     return arrays[name]
 
+
 MAX_THREADS = 256
 
 
