@@ -14,7 +14,7 @@ from . import kernel
 from .claim import Induction, Separation
 from .counterexample import refutation
 from .induction import induction
-from .search import NotFound, search
+from .search import MAX_EFFORT, NotFound, search
 from .statement import VERSION, derivations, digest
 from .theorem import all_theorems, borrowed
 
@@ -36,10 +36,10 @@ def statements(claim, theorems):
     return derivations(borrowed(claim, theorems))
 
 
-def prove(claim, theorems):
+def prove(claim, theorems, effort=MAX_EFFORT):
     """Return [(statement, certificate)] of a claim, found anew; raises NotFound."""
     squares = getattr(claim, "squares", ())
-    return [(s, search(s, squares)) for s in statements(claim, theorems)]
+    return [(s, search(s, squares, effort)) for s in statements(claim, theorems)]
 
 
 def refute(claim, point, theorems):

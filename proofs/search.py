@@ -17,20 +17,25 @@ class NotFound(Exception):
         self.goal, self.remainder = goal, remainder
 
 
-def search(statement, squares=()):
+EFFORTS = ((1, False), (2, False), (2, True), (3, True))  # factors of a product; squares of names and sums
+MAX_EFFORT = len(EFFORTS)
+
+
+def search(statement, squares=(), effort=MAX_EFFORT):
     """Return a certificate of the statement, or raise NotFound.
 
-    squares: SymPy polynomials in the statement's names whose squares may be used in inequalities.
+    squares: SymPy polynomials in the statement's names whose squares may be used in inequalities. effort: how many of
+    EFFORTS to try for an inequality.
     """
     finders = {"derivation": _derivation, "separation": _separation, "induction": _induction}
-    return finders[statement["kind"]](statement, [polynomial_data(s) for s in squares])
+    return finders[statement["kind"]](statement, [polynomial_data(s) for s in squares], effort)
 
 
-def _derivation(statement, squares):
+def _derivation(statement, squares, effort):
     proofs, inverses = [], _inverses(statement)
 
     def meet(goal, facts, values):
-        proofs.append(find(goal, facts, values, inverses, squares))
+        proofs.append(find(goal, facts, values, inverses, squares, effort))
 
     kernel.derive(statement, meet)
     return {"proofs": proofs}
@@ -46,7 +51,7 @@ def _inverses(statement):
     return found
 
 
-def find(goal, facts, values, inverses=(), squares=()):
+def find(goal, facts, values, inverses=(), squares=(), effort=2):
     """Return a proof of the goal from the facts, or raise NotFound."""
     names = [name for name, value in values.items() if value == kernel.variable(name)]
     equations = {i: p for i, (p, relation) in enumerate(facts) if relation == "="}
@@ -59,7 +64,7 @@ def find(goal, facts, values, inverses=(), squares=()):
         if len(p) > 8:  # the square of a long polynomial is too long to guess with
             raise _not_found(ideal, goal)
     hints = [q for q in squares if all(n.partition("^")[0] in values for text in q for n in text.split())]
-    proof = _contradiction(goal, facts, values, names, ideal, hints)
+    proof = _contradiction(goal, facts, values, names, ideal, hints, effort)
     if proof is None:
         raise _not_found(ideal, goal)
     return proof
@@ -74,7 +79,7 @@ def _stored(ideal, cofactors):
     return [[i, ideal.data(q)] for i, q in sorted(cofactors.items()) if q]
 
 
-def _contradiction(goal, facts, values, names, ideal, squares):
+def _contradiction(goal, facts, values, names, ideal, squares, effort):
     scale, opposite = kernel.NEGATION[goal[1]]
     negated = (kernel.add({}, goal[0], scale), opposite)
     facts = [*facts, negated]
@@ -83,8 +88,7 @@ def _contradiction(goal, facts, values, names, ideal, squares):
     hints = [({"": "1"}, kernel.ONE)] + [(q, kernel.read(q, values)) for q in squares]
     if opposite == "!=":
         hints.append((ideal.data(ideal.element(negated[0])), negated[0]))
-    narrow = ((1, False), (2, False))
-    for degree, wide in narrow if opposite == "!=" else (*narrow, (2, True), (3, True)):
+    for degree, wide in EFFORTS[: min(effort, 2) if opposite == "!=" else effort]:
         roots = hints + (_monomials(negated[0], facts) if wide else [])
         proof = _combine(facts, opposite, ideal, roots, degree)
         if proof is not None:
@@ -154,7 +158,7 @@ def _contradiction_proof(candidates, elements, solution, ideal):
     }
 
 
-def _separation(statement, squares):
+def _separation(statement, squares, effort):
     uses = dict(statement["lines"])
     reached, pending = set(), list(statement["outputs"])
     while pending:
@@ -167,7 +171,7 @@ def _separation(statement, squares):
     return {"reached": sorted(reached)}
 
 
-def _induction(statement, squares):
+def _induction(statement, squares, effort):
     certificate = {"strengthen": statement.get("strengthen", []), "base": [], "step": []}
     names = (*statement["variables"], *statement["state"])
     values = {name: kernel.variable(name) for name in names}

@@ -26,7 +26,7 @@ import json
 from math import lcm
 
 from sympy import Abs, And, Max, Min, Piecewise, Poly, Rational, S, Symbol, cos, expand, expand_mul, pi, sign, sin
-from sympy.core.relational import Eq, Relational
+from sympy.core.relational import Eq, GreaterThan, Relational, StrictGreaterThan
 
 from .half_turns import ordinary
 
@@ -254,3 +254,13 @@ def derivations(claim):
 def equation(left, right):
     """Return Eq(left, right) that SymPy leaves as it is."""
     return Eq(left, right, evaluate=False)
+
+
+def greater(left, right):
+    """Return left > right that SymPy leaves as it is, so that the kernel decides it."""
+    return StrictGreaterThan(left, right, evaluate=False)
+
+
+def at_least(left, right):
+    """Return left ≥ right that SymPy leaves as it is, so that the kernel decides it."""
+    return GreaterThan(left, right, evaluate=False)

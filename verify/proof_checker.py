@@ -15,8 +15,8 @@ from proofs import kernel
 from proofs.certificate import Stale, evidence, prove, stored
 from proofs.claim import Separation
 from proofs.counterexample import refutation
-from proofs.search import NotFound, search
-from proofs.statement import derivations, polynomial_data
+from proofs.search import MAX_EFFORT, NotFound
+from proofs.statement import derivations
 from proofs.theorem import borrowed
 from verify import second_checker, witness
 
@@ -71,10 +71,10 @@ def not_found(error):
     return f"no certificate found: {goal}"
 
 
-def accept(claim, theorems, pairs=None):
+def accept(claim, theorems, pairs=None, effort=MAX_EFFORT):
     """Return (the reasons why a claim is not accepted, the certified pairs): the one path for theorems and mutants."""
     try:
-        pairs = prove(claim, theorems) if pairs is None else pairs
+        pairs = prove(claim, theorems, effort) if pairs is None else pairs
     except NotFound as error:
         return [not_found(error)], []
     return [why for pair in pairs if (why := why_rejected(*pair))], pairs
@@ -89,7 +89,7 @@ def examine(theorem, theorems, anew=False, points=POINTS):
     found.record["side_conditions"] = [_edges(found, theorem, condition) for condition in theorem.side_conditions]
     found.mutants = len(theorem.mutants)
     refute = _refute_variant if theorem.expected == "refuted" else _refute_mutant
-    found.record["mutants"] = [refute(found, theorem, mutant, theorems) for mutant in theorem.mutants]
+    found.record["mutants"] = [refute(found, theorem, mutant, theorems, anew) for mutant in theorem.mutants]
     found.record["grade"] = found.grade
     return found
 
@@ -144,9 +144,9 @@ def _edges(found, theorem, condition):
     return {"condition": condition.text, "claim": condition.claim, "edges": edges}
 
 
-def _refute_mutant(found, theorem, mutant, theorems):
+def _refute_mutant(found, theorem, mutant, theorems, anew):
     """Check that a mutant is refused, and find its counterexample."""
-    reasons, _ = accept(mutant.claim, theorems)
+    reasons, _ = accept(mutant.claim, theorems, effort=MAX_EFFORT if anew else 2)
     point = counterexample(mutant, f"{theorem.id}/{mutant.text}", theorems)
     if not reasons:
         found.problems.append(f"mutant accepted: {mutant.text}")
@@ -209,7 +209,7 @@ def path_to_avoided(claim):
     return None
 
 
-def _refute_variant(found, theorem, mutant, theorems):
+def _refute_variant(found, theorem, mutant, theorems, anew):
     """Check that a true variant of a refuted statement is accepted, and that the counterexample spares it."""
     reasons, _ = accept(mutant.claim, theorems)
     points = [point for _, point in theorem.refuted_at]
@@ -243,6 +243,3 @@ def final_grades(evidences):
     for id in by_id:
         grade(id)
     return grades
-
-
-__all__ = ["Evidence", "accept", "examine", "final_grades", "polynomial_data", "search", "why_rejected"]
