@@ -20,6 +20,7 @@ from .symbols import (
     floor_on,
     half,
     height,
+    normal,
     point,
     radius,
     real,
@@ -28,6 +29,7 @@ from .symbols import (
     row,
     sin_phi,
     sin_theta,
+    vector,
     view,
     width,
     x,
@@ -202,8 +204,35 @@ point_on_b = chain(
 )
 """P = P(t_B)."""
 
+radius_vector, radius_length = vector("radius_vector"), real("radius_length")
+
+normal_of_b = chain(
+    "normal_of_b",
+    point_on_b,
+    Program(
+        "outward",
+        (*point, *ball_center),
+        (
+            *((d, p - c) for d, p, c in zip(radius_vector, point, ball_center, strict=True)),
+            (radius_length, sqrt(dot(radius_vector, radius_vector))),
+            *((n, d / radius_length) for n, d in zip(normal, radius_vector, strict=True)),
+        ),
+        normal,
+    ),
+    outputs=(*point, *normal),
+)
+"""N = (P − C)/|P − C|: the length is R₂ but for rounding, and it is the rounded one that makes N a unit vector."""
+
 point_on_floor = Program("point_on_floor", (x, y), ((point[0], x), (point[1], y), (point[2], 0 * x)), point)
 """P = (x, y, 0): the image plane is the floor."""
+
+normal_of_floor = chain(
+    "normal_of_floor",
+    point_on_floor,
+    Program("upright", (x,), tuple(zip(normal, (0 * x, 0 * x, 0 * x + 1), strict=True)), normal),
+    outputs=(*point, *normal),
+)
+"""N = (0, 0, 1)."""
 
 view_direction = Program(
     "view_direction",

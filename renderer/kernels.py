@@ -376,7 +376,7 @@ def normal_on_a_row(
 
 
 @compiled
-def normal_on_b_row(
+def normal_of_b_row(
     x_row, y, eye, ball_center_x, ball_center_y, ball_center_z, ball_radius, ball_on, point_x_row,
     point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop
 ):
@@ -390,35 +390,39 @@ def normal_on_b_row(
         point_x = t_b * x
         point_y = t_b * y
         point_z = eye * (1.0 - t_b)
-        bumped_x = (-ball_center_x + point_x) / ball_radius
-        bumped_y = (-ball_center_y + point_y) / ball_radius
-        bumped_z = (-ball_center_z + point_z) / ball_radius
+        radius_vector_x = -ball_center_x + point_x
+        radius_vector_y = -ball_center_y + point_y
+        radius_vector_z = -ball_center_z + point_z
+        radius_length = math.sqrt(radius_vector_x * radius_vector_x + radius_vector_y * radius_vector_y + radius_vector_z * radius_vector_z)
+        normal_x = radius_vector_x / radius_length
+        normal_y = radius_vector_y / radius_length
+        normal_z = radius_vector_z / radius_length
         point_x_row[i] = point_x
         point_y_row[i] = point_y
         point_z_row[i] = point_z
-        bumped_x_row[i] = bumped_x
-        bumped_y_row[i] = bumped_y
-        bumped_z_row[i] = bumped_z
+        bumped_x_row[i] = normal_x
+        bumped_y_row[i] = normal_y
+        bumped_z_row[i] = normal_z
 
 
 @compiled
-def normal_on_floor_row(
+def normal_of_floor_row(
     x_row, y, point_x_row, point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop
 ):
     point_y = y
     point_z = 0.0
-    bumped_x = 0.0
-    bumped_y = 0.0
-    bumped_z = 1.0
+    normal_x = 0.0
+    normal_y = 0.0
+    normal_z = 1.0
     for i in range(np.uint64(start), np.uint64(stop)):
         x = x_row[i]
         point_x = x
         point_x_row[i] = point_x
         point_y_row[i] = point_y
         point_z_row[i] = point_z
-        bumped_x_row[i] = bumped_x
-        bumped_y_row[i] = bumped_y
-        bumped_z_row[i] = bumped_z
+        bumped_x_row[i] = normal_x
+        bumped_y_row[i] = normal_y
+        bumped_z_row[i] = normal_z
 
 
 @compiled

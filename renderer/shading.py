@@ -14,9 +14,9 @@ from renderer.kernels import (
     highlight_row,
     light_term_row,
     multiply_row,
+    normal_of_b_row,
+    normal_of_floor_row,
     normal_on_a_row,
-    normal_on_b_row,
-    normal_on_floor_row,
     phong_row,
     square_row,
 )
@@ -90,7 +90,7 @@ def _place(x, y, g, m, surface, row, planes, place, start, stop):
             stop,
         )
     elif surface == SPHERE_B:
-        normal_on_b_row(
+        normal_of_b_row(
             x,
             y,
             g.eye,
@@ -109,7 +109,7 @@ def _place(x, y, g, m, surface, row, planes, place, start, stop):
             stop,
         )
     else:
-        normal_on_floor_row(x, y, place[0], place[1], place[2], place[3], place[4], place[5], start, stop)
+        normal_of_floor_row(x, y, place[0], place[1], place[2], place[3], place[4], place[5], start, stop)
 
 
 @compiled

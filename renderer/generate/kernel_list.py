@@ -66,22 +66,12 @@ def _geometry_kernels():
     """Return the kernels that place points and normals, on all three surfaces."""
     along = (*point, *bumped)
     on_a = chain("normal_on_a", camera.point_on_a, bump.bumped_normal, outputs=along)
-    center, r = camera.ball_center, camera.ball_radius
-    normal_of_b = Program(
-        "normal_of_b",
-        (*point, *center, r),
-        tuple((n, (p - c) / r) for n, p, c in zip(bumped, point, center, strict=True)),
-        bumped,
-    )
-    on_b = chain("normal_on_b", camera.point_on_b, normal_of_b, outputs=along)
-    upright = Program("upright", (x,), ((bumped[0], 0 * x), (bumped[1], 0 * x), (bumped[2], 0 * x + 1)), bumped)
-    on_floor = chain("normal_on_floor", camera.point_on_floor, upright, outputs=along)
     return [
         RowKernel(camera.angles_on_a, (x,)),
         RowKernel(chart, ANGLES),
         RowKernel(on_a, (*ANGLES, h_u, h_v)),
-        RowKernel(on_b, (x,)),
-        RowKernel(on_floor, (x,)),
+        RowKernel(camera.normal_of_b, (x,), along),
+        RowKernel(camera.normal_of_floor, (x,), along),
     ]
 
 
