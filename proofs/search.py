@@ -115,7 +115,11 @@ def _combine(facts, opposite, ideal, roots, degree):
     ordered = [i for i, (_, relation) in enumerate(facts) if relation in (">", ">=")]
     strict = [i for i, (_, relation) in enumerate(facts) if relation == ">"]
     roots_of_unequal = ideal.data(ideal.element(facts[last][0]))
+    p = facts[last][0]
     candidates = []  # (polynomial, positive indices or None, root of the square, factor indices)
+    if opposite == "!=" and len(p) <= 4:
+        square = kernel.multiply(p, p)
+        candidates.append((kernel.multiply(square, square), (last, last), ideal.data(ideal.element(square)), ()))
     for size in range(degree + 1):
         for indices in combinations_with_replacement(strict, size):
             unequal = [last] if opposite == "!=" else []

@@ -4,6 +4,7 @@ A chamber is a set of pixels with the same surface, cast shadows and checker squ
 height field, β, ε nor the gradient method (theorem bump_moves_no_boundary), so a `Stage` serves every such change.
 """
 
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -211,6 +212,14 @@ class Stage:
         """Return whether these are the chambers of the scene on the raster."""
         made_for = (self.geometry, self.light_positions, self.raster)
         return made_for == (geometry_of(scene), light_positions_of(scene), raster)
+
+    @cached_property
+    def pixel_counts(self):
+        """(256,) int: how many pixels have each chamber code, added up over the runs."""
+        counts = np.zeros(256, np.int64)
+        for band in self.bands:
+            np.add.at(counts, band.runs[:, 3], band.runs[:, 2] - band.runs[:, 1])
+        return counts
 
     @property
     def on_a(self):

@@ -55,8 +55,7 @@ def render(scene, width, height, gradient=None, crop=None, threads=None, stage=N
 
 def work_done(scene, method, stage, algebraic):
     """Return how many of each kind were computed: pixels by surface, evaluations, shadow tests, specular powers."""
-    counts = np.bincount(stage.chambers.ravel(), minlength=256)
-    codes = np.arange(256)
+    counts, codes = stage.pixel_counts, np.arange(256)
     pixels = {s: int(counts[(codes & SURFACE_BITS) == s].sum()) for s in (SPHERE_A, SPHERE_B, FLOOR)}
     on = [1 << (2 + number) for number, light in enumerate(scene.lights) if light.color is not None]
     bodies = {SPHERE_A: int(scene.ball), SPHERE_B: 1, FLOOR: 1 + scene.ball}

@@ -6,9 +6,10 @@ It knows nothing of the kernel, of certificates, or of the translation into poly
 import random
 from dataclasses import dataclass, field
 from fractions import Fraction
+from graphlib import TopologicalSorter
 
 import mpmath
-from sympy import And, Eq, Poly, PolynomialError, Rational, sympify
+from sympy import And, Eq, Max, Min, Piecewise, Poly, PolynomialError, Rational, sympify
 from sympy.printing.pycode import MpmathPrinter
 
 from proofs.claim import Induction
@@ -127,9 +128,10 @@ class Sampler:
         self.inputs = sorted((used | set(lines.inputs if lines else ())) - defined, key=lambda s: s.name)
         early = [r for r in claim.given if not r.free_symbols & defined]
         self.early = Relations(self.inputs, early)
+        equations = [_written_out(r, definitions) for r in claim.given if isinstance(r, Eq)]
         self.late = Relations(self.inputs, [r for r in claim.given if r.free_symbols & defined], definitions)
         self.shows = Relations(self.inputs, claim.shows, definitions)
-        self.solved = _solvable(early)
+        self.solved = _solvable([r for r in equations if not r.free_symbols & defined])
         self.pools = {s: self._pool(s) for s in self.inputs}
 
     def _pool(self, symbol):
@@ -172,22 +174,45 @@ class Sampler:
             return True
 
 
+def _written_out(relation, definitions):
+    """Return an equation in the inputs, if all that it uses is defined by rational expressions; else as it stands."""
+    expanded = relation
+    for symbol, expression in reversed(definitions):
+        if symbol in expanded.free_symbols:
+            if expression.has(Piecewise, Max, Min):
+                return relation
+            expanded = expanded.xreplace({symbol: expression})
+    return expanded if isinstance(expanded, Eq) else relation
+
+
 def _solvable(relations):
-    """Return [(symbol, code of the coefficients of an equation in it)], each needing only what is known before."""
-    solved = {}
+    """Return [(symbol, code of the coefficients of an equation in it)], each after those that it needs."""
+    solved, needs = {}, {}
     for relation in relations:
         if not isinstance(relation, Eq):
             continue
         for symbol in sorted(relation.free_symbols - solved.keys(), key=lambda s: s.name, reverse=True):
-            others = sorted(relation.free_symbols - {symbol}, key=lambda s: s.name)
+            others = relation.free_symbols - {symbol}
+            if symbol in _reached(others, needs):
+                continue
             try:
                 coefficients = Poly(relation.lhs - relation.rhs, symbol).all_coeffs()
             except PolynomialError:
                 continue
-            if len(coefficients) > 1 and not any(symbol in code.inputs for code in solved.values()):
-                solved[symbol] = Code(others, coefficients)
-                break
-    return list(solved.items())
+            solved[symbol], needs[symbol] = Code(sorted(others, key=lambda s: s.name), coefficients), others
+            break
+    order = TopologicalSorter({s: {n for n in needs[s] if n in solved} for s in solved}).static_order()
+    return [(symbol, solved[symbol]) for symbol in order]
+
+
+def _reached(symbols, needs):
+    found, pending = set(), list(symbols)
+    while pending:
+        symbol = pending.pop()
+        if symbol not in found:
+            found.add(symbol)
+            pending += needs.get(symbol, ())
+    return found
 
 
 def _real_roots(coefficients):

@@ -1,13 +1,14 @@
 """The tangent frame of sphere A: tangent, orthonormal, and which way round it is."""
 
-from sympy import cos, diff, sin
+from sympy import Rational, cos, diff, sin
 
+from ..camera import POLE, angles_on_a, discriminant_a, rho_raw, t_a
 from ..claim import Claim
 from ..program import chain
-from ..statement import equation
-from ..symbols import cos_phi, cos_theta, cross, dot, normal, phi, sin_phi, sin_theta, theta
-from ..tangent_frame import e_phi, e_theta, tangent_frame, unit_normal
-from ..theorem import Mutant, Step, Theorem
+from ..statement import equation, greater
+from ..symbols import cos_phi, cos_theta, cross, dot, eye, normal, phi, radius, rho, sin_phi, sin_theta, theta, x, y
+from ..tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, tangent_frame, unit_normal
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
 
 frame = chain("frame", unit_normal, tangent_frame)
 on_circles = (equation(cos_theta**2 + sin_theta**2, 1), equation(cos_phi**2 + sin_phi**2, 1))
@@ -17,6 +18,11 @@ angles = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: cos(phi), sin_p
 def equations(left, right):
     """Return the three equations of two vectors."""
     return tuple(equation(a, b) for a, b in zip(left, right, strict=True))
+
+
+def _at(c, s):
+    """Return the inputs θ = 0, (cos φ, sin φ) = (c, s)."""
+    return ((cos_theta, 1), (sin_theta, 0), (cos_phi, c), (sin_phi, s))
 
 
 def _in_angles(names):
@@ -55,5 +61,95 @@ theorem = Theorem(
         Mutant("e_θ × e_φ = N (F3)", _right_handed.but(shows=equations(cross(e_theta, e_phi), normal))),
         Mutant("e_θ = ∂N/∂θ, without sin φ", _along_theta.but(shows=equations(_theta, [diff(n, theta) for n in _n]))),
         Mutant("e_φ ⟂ N without θ's circle", _unit.but(shows=(equation(dot(e_phi, normal), 0),), given=on_circles[1:])),
+    ),
+)
+
+seed_orientation = Theorem(
+    id="seed_orientation",
+    title="The seed's orientation of the frame",
+    section="s7",
+    finding="F3",
+    statement=r"$e_\theta \times e_\varphi = N$.",
+    claims=(_right_handed.but(name="left_handed", shows=equations(cross(e_theta, e_phi), normal)),),
+    refuted_at=(
+        ("left_handed", ((cos_theta, 1), (sin_theta, 0), (cos_phi, Rational(3, 5)), (sin_phi, Rational(4, 5)))),
+    ),
+    steps=(Step(r"at one point $e_\theta \times e_\varphi = -N$", "arithmetic"),),
+    mutants=(
+        Mutant("e_φ × e_θ = N", _right_handed),
+        Mutant("e_θ × e_φ = −N", _right_handed.but(shows=equations(cross(e_theta, e_phi), [-n for n in normal]))),
+    ),
+    expected="refuted",
+)
+
+_north = (sin_phi > 0,)
+_seed = Claim(
+    "seed_frame",
+    (
+        equation(seed_frame[seed_sin_phi], sin_phi),
+        *equations([seed_frame.expand(e) for e in (*e_theta, *e_phi)], (*e_theta, *e_phi)),
+    ),
+    (*on_circles, *_north),
+    frame,
+)
+_off_the_pole = (eye > radius, rho_raw >= POLE * eye, discriminant_a >= 0)
+_angles = Claim(
+    "angles",
+    (
+        greater(rho, 0),
+        greater(t_a, 0),
+        equation(radius * sin_phi, t_a * rho),
+        equation(radius * cos_phi, eye * (1 - t_a)),
+        equation(radius * sin_phi * cos_theta, t_a * x),
+        equation(radius * sin_phi * sin_theta, t_a * y),
+        equation(cos_theta**2 + sin_theta**2, 1),
+        equation(cos_phi**2 + sin_phi**2, 1),
+        greater(sin_phi, 0),
+    ),
+    _off_the_pole,
+    angles_on_a,
+)
+
+stable = Theorem(
+    id="stable_frame",
+    title="The frame without cancellation",
+    section="s3",
+    statement=r"Off the pole the point hit is $R(\sin\varphi\cos\theta, \sin\varphi\sin\theta, \cos\varphi)$ with "
+    r"$\cos\theta = x/\rho$, $\sin\theta = y/\rho$, $\sin\varphi = t\rho/R > 0$, $\cos\varphi = e(1-t)/R$; and where "
+    r"$\sin\varphi > 0$ the seed's frame, from $N$ alone, is the same.",
+    hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$", "the ray hits A"),
+    claims=(_angles, _seed),
+    uses=("hit_of_a", "tangent_frame"),
+    steps=(
+        Step(r"$R\sin\varphi = t\rho$, $R\cos\varphi = e(1-t)$", "both from the conjugate form of $t$"),
+        Step(r"$\cos^2+\sin^2 = 1$ for both angles", "the point is on the sphere"),
+        Step(r"$\sqrt{1-N_z^2} = \sin\varphi$", r"$\sin\varphi > 0$"),
+    ),
+    mutants=(
+        Mutant("R cos φ = e t", _angles.but(shows=(equation(radius * cos_phi, eye * t_a),))),
+        Mutant("sin φ = ρ/R", _angles.but(shows=(equation(radius * sin_phi, rho),))),
+        Mutant("x and y swapped", _angles.but(shows=(equation(radius * sin_phi * cos_theta, t_a * y),))),
+        Mutant(
+            "√(1 − N_z²) = sin φ, whatever its sign",
+            _seed.but(shows=_seed.shows[:1], given=on_circles, squares=(sin_phi,)),
+        ),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$\sin\varphi > 0$",
+            "seed_frame",
+            (
+                Edge(_at(1, 0), "undefined"),
+                Edge(_at(Rational(3, 5), Rational(-4, 5)), "fails"),
+            ),
+        ),
+        SideCondition(
+            r"$\rho \ge 10^{-150}e$",
+            "angles",
+            (
+                Edge(((x, Rational(1, 10**30)), (y, 0), (eye, 2), (radius, 1)), "holds"),
+                Edge(((x, POLE), (y, 0), (eye, 2), (radius, 1)), "fails"),
+            ),
+        ),
     ),
 )

@@ -150,8 +150,9 @@ theorem_b = Theorem(
     id="hit_of_b",
     title="The near hit with sphere B",
     section="s3",
-    statement=r"With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, $d \ge 0$ and "
-    r"$b > 0$, then $t = c/(b+\sqrt d) > 0$ is the least root of $|P(t)-C|^2 = R_2^2$; if $b \le 0$, every root is negative.",
+    statement=r"With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, "
+    r"$d \ge 0$ and $b > 0$, then $t = c/(b+\sqrt d) > 0$ is the least root of $|P(t)-C|^2 = R_2^2$; "
+    r"if $b \le 0$, every root is negative.",
     hypotheses=("$c > 0$: the eye is outside B",),
     claims=(_quadratic, _solves_b, _near_b, _behind_b),
     steps=(
