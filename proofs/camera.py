@@ -234,13 +234,15 @@ normal_of_floor = chain(
 )
 """N = (0, 0, 1)."""
 
+view_length = Program(
+    "view_length", (x, y, eye), ((view_scale, 1 / sqrt(x**2 + y**2 + eye**2)),), (view_scale,)
+)
+"""1/|E − (x, y, 0)|."""
+
 view_direction = Program(
     "view_direction",
-    (x, y, eye),
-    (
-        (view_scale, 1 / sqrt(x**2 + y**2 + eye**2)),
-        *((d, c * view_scale) for d, c in zip(view, (-x, -y, eye), strict=True)),
-    ),
+    (x, y, eye, view_scale),
+    tuple((d, c * view_scale) for d, c in zip(view, (-x, -y, eye), strict=True)),
     view,
 )
 """v̂ = (E − P)/|E − P| = (−x, −y, e)/√(x² + y² + e²): the same for every point of a ray. Domain: t > 0."""

@@ -74,21 +74,27 @@ MODELS = {"blinn": blinn, "phong": phong}
 highlight = Program("highlight", (specular_base, shininess), ((specular, Pow(specular_base, shininess)),), (specular,))
 """The highlight is base^p, p > 0: not gated by the sign of μ, as in the seed."""
 
-color, albedo, light_color, ka, kd, ks, ambient = real("color albedo light_color ka kd ks ambient")
-lit = real("lit")
+color, ka, kd, ks, ambient = real("color ka kd ks ambient")
+colors, lit = real("red green blue"), real("lit_red lit_green lit_blue")
+albedos, light_colors = real("albedo_red albedo_green albedo_blue"), real("light_red light_green light_blue")
+diffuse, shine, clipped = real("diffuse shine clipped")
 
 ambient_term = Program("ambient_term", (ka, ambient), ((color, ka * ambient),), (color,))
 """k_a · ambient, per channel."""
 
 light_term = Program(
     "light_term",
-    (color, light_color, albedo, kd, ks, mu, specular),
-    ((lit, color + light_color * (kd * albedo * Max(0, mu) + ks * specular)),),
-    (lit,),
+    (*colors, *light_colors, *albedos, kd, ks, mu, specular),
+    (
+        (diffuse, kd * Max(0, mu)),
+        (shine, ks * specular),
+        *((s, c + i * (a * diffuse + shine)) for s, c, i, a in zip(lit, colors, light_colors, albedos, strict=True)),
+    ),
+    lit,
 )
 """A light adds colour · (k_d · albedo · max(0, μ) + k_s · base^p) per channel, unless it is occluded."""
 
-clip = Program("clip", (color,), ((lit, Min(1, Max(0, color))),), (lit,))
+clip = Program("clip", (color,), ((clipped, Min(1, Max(0, color))),), (clipped,))
 """A channel is clipped to [0, 1]."""
 
 floor_dark, floor_tint, floor_base, floor_red, floor_blue = real(

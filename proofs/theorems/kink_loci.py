@@ -1,0 +1,89 @@
+"""Where the creases of a field are seen: meridians are rays of the image, parallels are circles."""
+
+from sympy import Rational, Symbol, cos, pi, sqrt
+
+from ..camera import point_on_a
+from ..claim import Claim
+from ..height_fields import HEIGHT_FIELDS
+from ..statement import at_least, equation, greater
+from ..symbols import cos_phi, cos_theta, eye, k_u, k_v, point, radius, real, sin_phi, sin_theta, u, v, x, y
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from .frame import equations, on_circles
+from .hits import along
+
+t, m = real("t"), Symbol("m", integer=True)
+circle_radius = eye * radius * sin_phi / (eye - radius * cos_phi)
+
+_seen = (*on_circles, sin_phi >= 0, eye > radius, *equations(along(t), point))
+_projection = Claim(
+    "projection",
+    (
+        at_least(1 - cos_phi, 0),
+        greater(eye - radius * cos_phi, 0),
+        equation(eye * t, eye - radius * cos_phi),
+        greater(t, 0),
+        equation(x * cos_theta + y * sin_theta, circle_radius),
+        equation(x * sin_theta, y * cos_theta),
+        at_least(x * cos_theta + y * sin_theta, 0),
+        equation(x**2 + y**2, circle_radius**2),
+        at_least(circle_radius, 0),
+        equation(sqrt(x**2 + y**2), circle_radius),
+    ),
+    _seen,
+    point_on_a,
+    squares=(1 - cos_phi, sin_phi),
+)
+_ridges = HEIGHT_FIELDS["ridges"]
+_creases = tuple(
+    Claim(
+        f"crease_{c}",
+        (equation(factor.subs(c, m / k), 0), equation(_ridges.expression.subs(c, m / k), 0)),
+        (k > 0,),
+    )
+    for factor, c, k in zip(_ridges.creases, (u, v), (k_u, k_v), strict=True)
+)
+_on_the_axis = ((cos_theta, 1), (sin_theta, 0), (cos_phi, 1), (sin_phi, 0), (eye, 1), (x, 0), (y, 0))
+_other_sign = equation((eye + radius * cos_phi) * x, eye * radius * sin_phi * cos_theta)
+_count = Claim(
+    "count",
+    (
+        greater(cos(pi / 4), Rational(1, 4)),
+        greater(Rational(1, 4), cos(pi / 2)),
+        greater(Rational(1, 4), cos(3 * pi / 4)),
+    ),
+)
+
+theorem = Theorem(
+    id="kink_loci",
+    title="The creases are rays and circles",
+    section="s3",
+    statement=r"Seen from $E$ on the axis, the point of A at $(\theta, \varphi)$ is at the image point "
+    r"$\rho(\cos\theta, \sin\theta)$ with $\rho = e R\sin\varphi/(e - R\cos\varphi)$: a meridian is a ray, a parallel "
+    r"a circle. Ridges is creased on the rays $k_u u = m$ and the circles $k_v v = m$, of which those with "
+    r"$\cos\varphi > R/e$ are seen: one circle in the default scene.",
+    hypotheses=("$e > R > 0$", r"$\sin\varphi \ge 0$"),
+    claims=(_projection, *_creases, _count),
+    uses=("stable_frame",),
+    steps=(
+        Step(r"$t = 1 - (R/e)\cos\varphi > 0$", "the third coordinate of the ray; $e > R$ and $\\cos\\varphi \\le 1$"),
+        Step(r"$(x, y) = \rho(\cos\theta, \sin\theta)$", "the other two, divided by $t$"),
+        Step(r"$\sin\pi m = 0$", "the crease factors"),
+        Step(r"$\cos\pi/4 > 1/4 > \cos\pi/2$", "$R/e = 1/4$, $k_v = 4$"),
+    ),
+    mutants=(
+        Mutant("ρ with e + R cos φ", _projection.but(shows=(_other_sign,))),
+        Mutant("ρ = R sin φ", _projection.but(shows=(equation(x**2 + y**2, (radius * sin_phi) ** 2),))),
+        Mutant("the ray on the other side", _projection.but(shows=(at_least(0, x * cos_theta + y * sin_theta),))),
+        Mutant("two circles are seen", _count.but(shows=(greater(cos(pi / 2), Rational(1, 4)),))),
+    ),
+    side_conditions=(
+        SideCondition(
+            "$e > R$",
+            "projection",
+            (
+                Edge((*_on_the_axis, (radius, 1), (t, 0)), "undefined"),
+                Edge((*_on_the_axis, (radius, 2), (t, -1)), "fails"),
+            ),
+        ),
+    ),
+)
