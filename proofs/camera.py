@@ -234,9 +234,7 @@ normal_of_floor = chain(
 )
 """N = (0, 0, 1)."""
 
-view_length = Program(
-    "view_length", (x, y, eye), ((view_scale, 1 / sqrt(x**2 + y**2 + eye**2)),), (view_scale,)
-)
+view_length = Program("view_length", (x, y, eye), ((view_scale, 1 / sqrt(x**2 + y**2 + eye**2)),), (view_scale,))
 """1/|E − (x, y, 0)|."""
 
 view_direction = Program(

@@ -475,19 +475,29 @@ def multiply_row(
 
 
 @compiled
-def blinn_row(
-    x_row, y, eye, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z, bumped_x_row,
-    bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
+def view_length_row(
+    x_row, y, eye, view_scale_row, start, stop
 ):
     for i in range(np.uint64(start), np.uint64(stop)):
         x = x_row[i]
+        view_scale = 1.0 / math.sqrt(eye * eye + x * x + y * y)
+        view_scale_row[i] = view_scale
+
+
+@compiled
+def blinn_row(
+    x_row, y, eye, view_scale_row, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z,
+    bumped_x_row, bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        view_scale = view_scale_row[i]
         point_x = point_x_row[i]
         point_y = point_y_row[i]
         point_z = point_z_row[i]
         bumped_x = bumped_x_row[i]
         bumped_y = bumped_y_row[i]
         bumped_z = bumped_z_row[i]
-        view_scale = 1.0 / math.sqrt(eye * eye + x * x + y * y)
         view_x = -view_scale * x
         view_y = -view_scale * y
         view_z = eye * view_scale
@@ -511,18 +521,18 @@ def blinn_row(
 
 @compiled
 def phong_row(
-    x_row, y, eye, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z, bumped_x_row,
-    bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
+    x_row, y, eye, view_scale_row, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z,
+    bumped_x_row, bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
 ):
     for i in range(np.uint64(start), np.uint64(stop)):
         x = x_row[i]
+        view_scale = view_scale_row[i]
         point_x = point_x_row[i]
         point_y = point_y_row[i]
         point_z = point_z_row[i]
         bumped_x = bumped_x_row[i]
         bumped_y = bumped_y_row[i]
         bumped_z = bumped_z_row[i]
-        view_scale = 1.0 / math.sqrt(eye * eye + x * x + y * y)
         view_x = -view_scale * x
         view_y = -view_scale * y
         view_z = eye * view_scale
@@ -541,6 +551,30 @@ def phong_row(
 
 
 @compiled
+def light_cosine_row(
+    point_x_row, point_y_row, point_z_row, light_x, light_y, light_z, bumped_x_row, bumped_y_row,
+    bumped_z_row, mu_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        point_x = point_x_row[i]
+        point_y = point_y_row[i]
+        point_z = point_z_row[i]
+        bumped_x = bumped_x_row[i]
+        bumped_y = bumped_y_row[i]
+        bumped_z = bumped_z_row[i]
+        to_light_x = light_x - point_x
+        to_light_y = light_y - point_y
+        to_light_z = light_z - point_z
+        light_distance = math.sqrt(to_light_x * to_light_x + to_light_y * to_light_y + to_light_z * to_light_z)
+        light_scale = 1.0 / light_distance
+        towards_x = light_scale * to_light_x
+        towards_y = light_scale * to_light_y
+        towards_z = light_scale * to_light_z
+        mu = bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z
+        mu_row[i] = mu
+
+
+@compiled
 def highlight_row(
     specular_base_row, shininess, specular_row, start, stop
 ):
@@ -552,14 +586,23 @@ def highlight_row(
 
 @compiled
 def light_term_row(
-    color_row, light_color, albedo, kd, ks, mu_row, specular_row, start, stop
+    red_row, green_row, blue_row, light_red, light_green, light_blue, albedo_red, albedo_green, albedo_blue,
+    kd, ks, mu_row, specular_row, start, stop
 ):
     for i in range(np.uint64(start), np.uint64(stop)):
-        color = color_row[i]
+        red = red_row[i]
+        green = green_row[i]
+        blue = blue_row[i]
         mu = mu_row[i]
         specular = specular_row[i]
-        lit = color + light_color * (albedo * kd * maximum(0.0, mu) + ks * specular)
-        color_row[i] = lit
+        diffuse = kd * maximum(0.0, mu)
+        shine = ks * specular
+        lit_red = light_red * (albedo_red * diffuse + shine) + red
+        lit_green = green + light_green * (albedo_green * diffuse + shine)
+        lit_blue = blue + light_blue * (albedo_blue * diffuse + shine)
+        red_row[i] = lit_red
+        green_row[i] = lit_green
+        blue_row[i] = lit_blue
 
 
 @compiled
@@ -568,8 +611,8 @@ def clip_row(
 ):
     for i in range(np.uint64(start), np.uint64(stop)):
         color = color_row[i]
-        lit = minimum(1.0, maximum(0.0, color))
-        color_row[i] = lit
+        clipped = minimum(1.0, maximum(0.0, color))
+        color_row[i] = clipped
 
 
 @compiled

@@ -19,6 +19,7 @@ from renderer.kernels import (
     normal_on_a_row,
     phong_row,
     square_row,
+    view_length_row,
 )
 from renderer.scene import MODELS
 
@@ -130,57 +131,39 @@ def _raise_to_shininess(m, base_row, power_row, start, stop):
 
 @compiled
 def _add_light(x, y, eye, m, light, albedo, place, work, rgb, row, start, stop):
-    """Add one light to a run's colours; `work` is three rows: μ, the highlight's base, the highlight."""
+    """Add one light to a run's colours; `work` is four rows: view scale (filled), μ, highlight's base, highlight."""
     position, color = m.positions[light], m.colors[light]
     lx, ly, lz = position[0], position[1], position[2]
+    px, py, pz, nx, ny, nz = place[0], place[1], place[2], place[3], place[4], place[5]
     if m.model == 0:
-        blinn_row(
-            x,
-            y,
-            eye,
-            place[0],
-            place[1],
-            place[2],
-            lx,
-            ly,
-            lz,
-            place[3],
-            place[4],
-            place[5],
-            work[0],
-            work[1],
-            start,
-            stop,
-        )
+        blinn_row(x, y, eye, work[0], px, py, pz, lx, ly, lz, nx, ny, nz, work[1], work[2], start, stop)
     else:
-        phong_row(
-            x,
-            y,
-            eye,
-            place[0],
-            place[1],
-            place[2],
-            lx,
-            ly,
-            lz,
-            place[3],
-            place[4],
-            place[5],
-            work[0],
-            work[1],
-            start,
-            stop,
-        )
-    _raise_to_shininess(m, work[1], work[2], start, stop)
-    for channel in range(3):
-        light_term_row(rgb[channel, row], color[channel], albedo[channel], m.kd, m.ks, work[0], work[2], start, stop)
+        phong_row(x, y, eye, work[0], px, py, pz, lx, ly, lz, nx, ny, nz, work[1], work[2], start, stop)
+    _raise_to_shininess(m, work[2], work[3], start, stop)
+    light_term_row(
+        rgb[0, row],
+        rgb[1, row],
+        rgb[2, row],
+        color[0],
+        color[1],
+        color[2],
+        albedo[0],
+        albedo[1],
+        albedo[2],
+        m.kd,
+        m.ks,
+        work[1],
+        work[3],
+        start,
+        stop,
+    )
 
 
 @compiled
 def shade_runs(runs, x, y_of_row, g, m, planes, rgb):
     """Write the colours of a band's runs into `rgb`, (3, rows, columns). One run at a time; A's planes are filled."""
     columns = x.shape[0]
-    place, work = np.empty((6, columns)), np.empty((3, columns))
+    place, work = np.empty((6, columns)), np.empty((4, columns))
     for index in range(runs.shape[0]):
         row, start, stop, code = runs[index, 0], runs[index, 1], runs[index, 2], runs[index, 3]
         surface = code & SURFACE_BITS
@@ -191,6 +174,7 @@ def shade_runs(runs, x, y_of_row, g, m, planes, rgb):
         _place(x, y, g, m, surface, row, planes, place, start, stop)
         for channel in range(3):
             rgb[channel, row, start:stop] = m.base[channel]
+        view_length_row(x, y, g.eye, work[0], start, stop)
         for light in range(m.bits.shape[0]):
             if not code & m.bits[light]:
                 _add_light(x, y, g.eye, m, light, albedo, place, work, rgb, row, start, stop)
@@ -218,8 +202,9 @@ def placed(scene, stage, planes, code):
 
 def light_rows(stage, material, light, code, place):
     """Return (μ, specular, added colour), rows of one, of one light at a stage of one pixel, occluded or not."""
-    work, rgb = np.empty((3, 1)), np.zeros((3, 1, 1))
+    work, rgb = np.empty((4, 1)), np.zeros((3, 1, 1))
     albedo = material.albedo[_albedo_index(code)]
     y = stage.bands[0].y[0]
+    view_length_row(stage.x, y, stage.geometry.eye, work[0], 0, 1)
     _add_light(stage.x, y, stage.geometry.eye, material, light, albedo, place, work, rgb, 0, 0, 1)
-    return work[0], work[2], rgb[:, 0]
+    return work[1], work[3], rgb[:, 0]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from renderer.kernels import blinn_row, normal_on_a_row
+from renderer.kernels import light_cosine_row, normal_on_a_row
 
 
 def light_cosines(frame, light):
@@ -13,14 +13,12 @@ def light_cosines(frame, light):
     cosines = np.full(frame.raster.shape, np.nan)
     position, stage = frame.scene.lights[light].position, frame.stage
     g, columns = stage.geometry, frame.raster.shape[1]
-    place, unused = np.empty((6, columns)), np.empty(columns)
+    place = np.empty((6, columns))
     for band in stage.bands:
         p = frame.planes(band)
         for row, start, stop, _ in band.runs_on_a:
             angles = (p.cos_theta[row], p.sin_theta[row], p.cos_phi[row], p.sin_phi[row])
             normal_on_a_row(*angles, g.radius, p.h_u[row], p.h_v[row], frame.scene.beta, *place, start, stop)
             target = cosines[band.top + row]
-            blinn_row(
-                stage.x, band.y[row], g.eye, *place[:3], *position, *place[3:], target, unused, start, stop
-            )  # fmt: skip
+            light_cosine_row(*place[:3], *position, *place[3:], target, start, stop)
     return cosines

@@ -106,16 +106,18 @@ def field_kernels(field):
 
 
 def _shading_kernels():
-    rows = (*point, *bumped, x)
+    rows = (*point, *bumped, x, camera.view_scale)
     models = [
         RowKernel(chain(name, camera.view_direction, model, outputs=(mu, specular_base)), rows)
         for name, model in shading.MODELS.items()
     ]
-    color = shading.color
+    color, colors = shading.color, shading.colors
     return [
+        RowKernel(camera.view_length, (x,)),
         *models,
+        RowKernel(shading.light_direction.keep(mu, name="light_cosine"), (*point, *bumped)),
         RowKernel(shading.highlight, (specular_base,)),
-        RowKernel(shading.light_term, (color, mu, specular), (color,)),
+        RowKernel(shading.light_term, (*colors, mu, specular), colors),
         RowKernel(shading.clip, (color,), (color,)),
         RowKernel(height_fields.slope, (h_u, h_v)),
     ]
