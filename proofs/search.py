@@ -86,11 +86,12 @@ def _contradiction(goal, facts, values, names, ideal, squares, effort):
     if opposite == "=":
         ideal = Ideal(names, {i: p for i, (p, relation) in enumerate(facts) if relation == "="})
     hints = [({"": "1"}, kernel.ONE)] + [(q, kernel.read(q, values)) for q in squares]
+    abbreviations = [({n: "1"}, q) for n, q in values.items() if n not in names and 1 < len(q) <= 8][-16:]
     if opposite == "!=":
         hints.append((ideal.data(ideal.element(negated[0])), negated[0]))
     for degree, wide in EFFORTS[: min(effort, 2) if opposite == "!=" else effort]:
         roots = hints + (_monomials(negated[0], facts) if wide else [])
-        proof = _combine(facts, opposite, ideal, roots, degree)
+        proof = _combine(facts, opposite, ideal, roots, abbreviations, degree)
         if proof is not None:
             return proof
     return None
@@ -109,7 +110,7 @@ def _monomials(p, facts):
     return single + (pairs if len(facts) < 16 else [])
 
 
-def _combine(facts, opposite, ideal, roots, degree):
+def _combine(facts, opposite, ideal, roots, plain_roots, degree):
     """Return the proof Σ σ S + Σ λ s² Π h = Σ q g with Σ σ = 1, by linear programming, or None."""
     last = len(facts) - 1
     ordered = [i for i, (_, relation) in enumerate(facts) if relation in (">", ">=")]
@@ -127,7 +128,8 @@ def _combine(facts, opposite, ideal, roots, degree):
             candidates.append((q, (*indices, *unequal), roots_of_unequal if unequal else {"": "1"}, indices))
         for indices in combinations_with_replacement(ordered, size):
             q = kernel.multiply(*(facts[i][0] for i in indices))
-            for data, root in roots if size < 2 else roots[:1] + roots[-1:] * (opposite == "!="):
+            few = roots + plain_roots * (size == 0)
+            for data, root in few if size < 2 else roots[:1] + roots[-1:] * (opposite == "!="):
                 candidates.append((kernel.multiply(q, root, root), None, data, indices))
     if len(candidates) > 700:
         return None

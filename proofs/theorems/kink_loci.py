@@ -2,17 +2,17 @@
 
 from sympy import Rational, Symbol, cos, pi, sqrt
 
-from ..camera import point_on_a
+from ..camera import parallel_radius, point_on_a
 from ..claim import Claim
 from ..height_fields import HEIGHT_FIELDS
 from ..statement import at_least, equation, greater
-from ..symbols import cos_phi, cos_theta, eye, k_u, k_v, point, radius, real, sin_phi, sin_theta, u, v, x, y
+from ..symbols import cos_phi, cos_theta, eye, k_u, k_v, point, radius, real, rho, sin_phi, sin_theta, u, v, x, y
 from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
 from .frame import equations, on_circles
 from .hits import along
 
 t, m = real("t"), Symbol("m", integer=True)
-circle_radius = eye * radius * sin_phi / (eye - radius * cos_phi)
+circle_radius = parallel_radius[rho]
 
 _seen = (*on_circles, sin_phi >= 0, eye > radius, *equations(along(t), point))
 _projection = Claim(

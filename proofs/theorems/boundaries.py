@@ -1,0 +1,90 @@
+"""The bump moves no boundary between chambers; the line where a light grazes N' is none, and does move."""
+
+from sympy import Rational, Symbol
+
+from ..bump import bumped, g, perturbed
+from ..camera import surface
+from ..claim import Claim, Separation
+from ..finite_difference import central
+from ..height_fields import HEIGHT_FIELDS
+from ..pixel import dark_square, occlusion, pixel, rgb
+from ..program import Program
+from ..statement import equation
+from ..symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, towards
+from ..theorem import Mutant, Step, Theorem
+from .normal import tangent
+
+_ridges = HEIGHT_FIELDS["ridges"]
+_any_gradient = Program("any_gradient", (h_u, h_v), (), (h_u, h_v))
+_chamber = (surface, occlusion(0), dark_square)
+_unmoved = {
+    model: Separation(
+        model,
+        pixel(_ridges, model, lights=1, gradient_program=_any_gradient),
+        _chamber,
+        (h_u, h_v, beta, *bumped),
+    )
+    for model in ("blinn", "phong")
+}
+_by_difference = Separation(
+    "central_difference",
+    pixel(_ridges, lights=1, gradient_program=central(_ridges)),
+    _chamber,
+    (k_u, k_v, epsilon, h_u, h_v, beta, *bumped),
+)
+_mu = Symbol("mu_0", real=True)
+
+theorem = Theorem(
+    id="bump_moves_no_boundary",
+    title="The bump moves no boundary",
+    section="s3",
+    statement=r"Which surface a pixel shows, which lights another body hides from it, and its checker square depend on "
+    r"none of $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$: $N'$ enters the shading alone.",
+    hypotheses=("the pixel's whole program: both shading models, any gradient, and a difference of ridges",),
+    claims=(*_unmoved.values(), _by_difference),
+    steps=(
+        Step("write the pixel as a straight-line program", "the lines are those that the kernels print"),
+        Step("the names that the chamber reaches are closed under “is used by a line of”", "reading each line once"),
+        Step(r"none of them is $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$ or $N'$", "look"),
+    ),
+    mutants=(
+        Mutant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"].but(outputs=(_mu,), avoid=(beta,))),
+        Mutant("nor the colour", _unmoved["phong"].but(outputs=rgb[:1], avoid=(beta,))),
+        Mutant("the colour ignores ε", _by_difference.but(outputs=rgb[:1], avoid=(epsilon,))),
+    ),
+)
+
+_in_light = Claim(
+    "in_light",
+    (dot(bumped, towards) > 0,),
+    (*tangent, dot(normal, towards) > 0, equation(dot(towards, towards), 1)),
+    perturbed,
+    squares=tuple(beta * g_i for g_i in g),
+)
+
+attached_shadow = Theorem(
+    id="attached_shadow",
+    title="The bump moves no shadow",
+    section="s3",
+    finding="F17",
+    statement=r"Where $N\cdot\omega > 0$, also $N'\cdot\omega > 0$.",
+    claims=(_in_light,),
+    refuted_at=(
+        (
+            "in_light",
+            (
+                *zip(normal, (0, 0, 1), strict=True),
+                *zip(g, (1, 0, 0), strict=True),
+                *zip(towards, (Rational(-12, 13), 0, Rational(5, 13)), strict=True),
+                (beta, Rational(3, 4)),
+            ),
+        ),
+    ),
+    steps=(Step(r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$", r"$\beta g = (3/4, 0, 0)$"),),
+    mutants=(
+        Mutant("true at β = 0", _in_light.but(given=(*_in_light.given, equation(beta, 0)))),
+        Mutant("true where β g·ω ≥ 0", _in_light.but(given=(*_in_light.given, beta * dot(g, towards) >= 0))),
+    ),
+    uses=("unit_length",),
+    expected="refuted",
+)
