@@ -2,19 +2,20 @@
 
 import copy
 import json
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
 from sympy import Eq, Max, Piecewise, Symbol, cos, oo, sin, sqrt, symbols
 
 from proofs import kernel
-from proofs.certificate import FOLDER, prove, statements
+from proofs.certificate import FOLDER, Stale, prove, statements, stored
 from proofs.claim import Claim, Induction, Separation
 from proofs.feasible import feasible
 from proofs.program import Program
 from proofs.search import NotFound, search
 from proofs.statement import Untranslatable, derivations, digest, equation
-from proofs.theorem import Mutant, Step, Theorem, in_order
+from proofs.theorem import Mutant, Step, Theorem, all_theorems, in_order
 from verify import second_checker, witness
 from verify.proof_checker import examine, final_grades, path_to_avoided, why_rejected
 
@@ -247,3 +248,21 @@ def test_what_rests_on_an_unproved_theorem_is_not_proved():
     assert [grades[id][0] for id in "abc"] == ["failed", "failed", "failed"]
     assert "a" in grades["b"][1]
     assert final_grades([entry("c", "proved", ["b"])])["c"][0] == "failed"
+
+
+FRAME = all_theorems()["tangent_frame"].claim("orthonormal")
+EDITED = [s for s, expression in FRAME.lines.definitions if expression != 0]
+
+
+@pytest.mark.parametrize("symbol", EDITED, ids=str)
+def test_an_edited_line_is_caught(symbol):
+    """One added to a line of the frame's program: the stored certificate is stale, and no new one is found."""
+    theorems = all_theorems()
+    definitions = tuple((s, e + 1 if s == symbol else e) for s, e in FRAME.lines.definitions)
+    program = Program("edited", FRAME.lines.inputs, definitions, FRAME.lines.outputs)
+    edited = replace(theorems["tangent_frame"], claims=(FRAME.but(lines=program),), side_conditions=())
+    with pytest.raises(Stale, match="tangent_frame/orthonormal"):
+        stored(edited, theorems)
+    found = examine(edited, theorems)
+    assert found.grade == "failed"
+    assert "searched anew: no certificate found for" in found.problems[0]

@@ -1,0 +1,49 @@
+"""The 50-digit reference against itself with twice the digits, and the renderer's pixels against it."""
+
+import random
+
+import mpmath
+import numpy as np
+import pytest
+
+from renderer import Light, Scene, central, exact, render
+from verify.reference import reference_pixel
+
+SIZE = 48
+SCENES = {
+    "default": Scene(),
+    "phong": Scene(model="phong", field="sine", shininess=5.5, beta=-1.5),
+    "rings": Scene(field="rings", kv=2.5, lights=(Light((3.0, -4.0, 6.0), (0.4, 1.0, 0.2)),), floor=False),
+    "odd": Scene(field="sine", ku=7.3, kv=-3.1, ball=False, eye=2.5),
+}
+COLORS = ("rgb_red", "rgb_green", "rgb_blue")
+
+
+def sampled_pixels(name, count=24):
+    rng = random.Random(name)
+    return [(rng.randrange(SIZE), rng.randrange(SIZE)) for _ in range(count)]
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_doubling_the_digits_changes_nothing(name):
+    for column, row in sampled_pixels(name, 5):
+        coarse, fine = (reference_pixel(SCENES[name], SIZE, SIZE, column, row, digits=d) for d in (50, 100))
+        for color in COLORS:
+            assert abs(coarse[color] - fine[color]) < mpmath.mpf(10) ** -48
+
+
+@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize(("gradient", "method", "eps"), [(exact(), "exact", None), (central(1e-3), "central", 1e-3)])
+def test_the_renderer_agrees(name, gradient, method, eps):
+    """Chambers exactly; colours to rounding, which a difference amplifies by 1/ε."""
+    frame = render(SCENES[name], SIZE, SIZE, gradient=gradient)
+    tolerance = 1e-11 if eps is None else 1e-9
+    for column, row in sampled_pixels(name):
+        truth = reference_pixel(SCENES[name], SIZE, SIZE, column, row, method, eps)
+        code = int(frame.chambers[row, column])
+        assert code & 3 == int(truth["surface"])
+        assert code >> 7 == int(truth["dark_square"])
+        assert [code >> (2 + i) & 1 for i in range(len(SCENES[name].lights))] == [
+            int(truth[f"occluded_{i}"]) for i in range(len(SCENES[name].lights))
+        ]
+        np.testing.assert_allclose(frame.rgb[row, column], [float(truth[c]) for c in COLORS], rtol=0, atol=tolerance)
