@@ -3,8 +3,24 @@
 from dataclasses import dataclass, replace
 
 from sympy import Basic, Symbol, sympify
+from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
 
 from .program import Program
+
+
+def equation(left, right):
+    """Return left = right that SymPy leaves as it is, so that the kernel decides it."""
+    return Eq(left, right, evaluate=False)
+
+
+def greater(left, right):
+    """Return left > right that SymPy leaves as it is, so that the kernel decides it."""
+    return StrictGreaterThan(left, right, evaluate=False)
+
+
+def at_least(left, right):
+    """Return left ≥ right that SymPy leaves as it is, so that the kernel decides it."""
+    return GreaterThan(left, right, evaluate=False)
 
 
 @dataclass(frozen=True)

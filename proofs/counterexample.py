@@ -26,8 +26,6 @@ def complete(statement, point):
     """
     values = {name: Fraction(str(point[name])) for name in statement["variables"]}
     for step in statement["steps"]:
-        if step["step"] == "circle":
-            values |= {name: Fraction(str(point[name])) for name in step["new"].split()}
         if step["step"] not in ("root", "inverse", "define"):
             continue
         value = _evaluate(step["of"], values)
@@ -67,7 +65,7 @@ def refutation(statements, point):
                 continue
             refuted = statement | {"kind": "refutation", "steps": statement["steps"][:end]}
             defined = {s["new"] for s in refuted["steps"] if s["step"] == "define"}
-            declared = {n for s in refuted["steps"] for n in s.get("new", "").split()} | set(statement["variables"])
+            declared = {s["new"] for s in refuted["steps"] if "new" in s} | set(statement["variables"])
             kept = {n: str(v) for n, v in sorted(values.items()) if n in declared - defined}
             if kernel.check(refuted, {"point": kept}) is None:
                 return refuted, {"point": kept}

@@ -1,28 +1,39 @@
 """The translation of inductions: recurrences for the states, the addition formulas for cos nα and sin nα. Trusted."""
 
-from sympy import S, expand, sympify
+from sympy import S, Symbol, expand, sympify
 from sympy.core.relational import Eq
 
+from .angles import Angles, Untranslatable
 from .claim import Claim
 from .half_turns import ordinary
-from .statement import VERSION, Derivation, Untranslatable, polynomial_data
+from .statement import VERSION, Derivation, polynomial_data
 
 
 class _Recurrence(Derivation):
-    """A derivation's rules of translation, for polynomials in n's states and the parameters."""
+    """A derivation's rules of translation, in n's states and the parameters; cos nα and sin nα are states."""
 
     def __init__(self, claim):
         super().__init__(Claim(claim.name, (), ()))
-        self.n, self.angles = claim.n, {}
+        self.n, self.turning = claim.n, {}
 
     def _circle(self, atom):
-        c, s = super()._circle(atom)
-        self.angles[atom] = c, s
-        return c, s
+        if not atom.has(self.n):
+            return super()._circle(atom)
+        if atom not in self.turning:
+            names = (f"{f}({atom})".replace(" ", "") for f in ("cos", "sin"))
+            self.turning[atom] = tuple(Symbol(name, real=True) for name in names)
+        return self.turning[atom]
 
-
-def _polynomials(translation, expressions):
-    return [translation.polynomial(ordinary(sympify(e))) for e in expressions]
+    def turns(self):
+        """Return {name: (start, next)} of the cosines and sines of the multiples of n, by the addition formulas."""
+        state = {}
+        for atom, (c, s) in list(self.turning.items()):
+            step, start = expand(atom.subs(self.n, self.n + 1) - atom), atom.subs(self.n, 0)
+            if step.has(self.n) or start != 0:
+                raise Untranslatable(f"{atom} is not a multiple of {self.n}")
+            d, t = self._turn(step)
+            state |= {c.name: (S.One, expand(c * d - s * t)), s.name: (S.Zero, expand(s * d + c * t))}
+        return state
 
 
 def induction(claim):
@@ -31,38 +42,23 @@ def induction(claim):
     relations = (*claim.given, *claim.shows, *claim.strengthen)
     if not all(isinstance(r, Eq) for r in (*claim.shows, *claim.strengthen)):
         raise Untranslatable(f"{claim.name}: an induction shows equations")
-    t._collect_angles([*relations, *(sympify(e) for _, *two in claim.states for e in two)])
-    state = {symbol.name: _polynomials(t, two) for symbol, *two in claim.states}
-    shows, strengthen = ([t.relation(r)[0] for r in rs] for rs in (claim.shows, claim.strengthen))
+    t.angles = Angles([*relations, *(sympify(e) for _, *two in claim.states for e in two)])
+    state = {s.name: [t.polynomial(ordinary(sympify(e))) for e in two] for s, *two in claim.states}
+    shows, strengthen = ([polynomial_data(t.relation(r)[0]) for r in rs] for rs in (claim.shows, claim.strengthen))
     for r in claim.given:
         t.assume(*t.relation(r))
-    for atom, (c, s) in list(t.angles.items()):
-        if not atom.has(t.n):
-            continue
-        step = expand(atom.subs(t.n, t.n + 1) - atom)
-        if step.has(t.n):
-            raise Untranslatable(f"{claim.name}: {atom} is not linear in {t.n}")
-        d, e = t._turn(step)
-        state |= {c.name: (S.One, expand(c * d - s * e)), s.name: (S.Zero, expand(s * d + c * e))}
-    return _data(t, claim, state, shows, strengthen)
-
-
-def _data(t, claim, state, shows, strengthen):
-    kinds = {step["step"] for step in t.steps}
-    if kinds & {"root", "inverse"} or claim.n.name in t.variables:
+    state |= t.turns()
+    if any(step["step"] != "assume" for step in t.steps) or claim.n.name in t.variables:
         raise Untranslatable(f"{claim.name}: a radical, a quotient, or n itself, in an induction")
-    circles = [c for atom, c in t.angles.items() if not atom.has(t.n)]
-    parameters = sorted({v for v in t.variables if v not in state} | {x.name for pair in circles for x in pair})
-    assume = [{"of": step["of"], "is": step["is"]} for step in t.steps if step["step"] == "assume"]
-    assume += [{"of": polynomial_data(c**2 + s**2 - 1), "is": "="} for c, s in circles]
+    start, following = ({name: polynomial_data(state[name][i]) for name in sorted(state)} for i in (0, 1))
     return {
         "version": VERSION,
         "kind": "induction",
-        "variables": parameters,
+        "variables": [v for v in t.variables if v not in state],
         "state": sorted(state),
-        "assume": assume,
-        "start": {name: polynomial_data(state[name][0]) for name in sorted(state)},
-        "next": {name: polynomial_data(state[name][1]) for name in sorted(state)},
-        "show": [polynomial_data(p) for p in shows],
-        "strengthen": [polynomial_data(p) for p in strengthen],
+        "assume": [{"of": step["of"], "is": step["is"]} for step in t.steps],
+        "start": start,
+        "next": following,
+        "show": shows,
+        "strengthen": strengthen,
     }

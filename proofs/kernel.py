@@ -10,8 +10,6 @@ from fractions import Fraction
 HOLDS = {"=": lambda a: a == 0, "!=": lambda a: a != 0, ">": lambda a: a > 0, ">=": lambda a: a >= 0}
 NEGATION = {"=": (1, "!="), "!=": (1, "="), ">": (-1, ">="), ">=": (-1, ">")}  # not p > 0 is −p ≥ 0
 CASES = {"<": (-1, ">"), "=": (1, "="), ">": (1, ">")}
-
-
 ONE = {(): Fraction(1)}
 
 
@@ -99,7 +97,7 @@ def prove(goal, facts, proof, values):
             split = (add({}, read(proof["on"], values), scale), added)
             prove(goal, [*facts, split], proof["branches"][branch], values)
     else:
-        raise Rejected(f"there is no rule {proof['rule']!r}", None)
+        require(False, f"there is no rule {proof['rule']!r}")
 
 
 def derive(statement, meet):
@@ -114,19 +112,15 @@ def derive(statement, meet):
             require(goal[1] in HOLDS, f"there is no relation {goal[1]}")
             facts.append(goal)
             continue
-        new = {name: variable(name) for name in step["new"].split()}
-        require(not new.keys() & values.keys(), f"{step['new']} is not new")
-        y, *rest = new.values()
-        if kind == "define":  # y abbreviates p
-            new = {step["new"]: p}
-        elif kind == "root":  # y = √p
+        name, y = step["new"], variable(step["new"])
+        require(name not in values, f"{name} is not new")
+        if kind == "root":  # y = √p
             facts += [(add(multiply(y, y), p, -1), "="), (y, ">=")]
         elif kind == "inverse":  # y = 1/p
             facts.append((add(multiply(y, p), ONE, -1), "="))
-        else:  # a cosine and a sine
-            require(kind == "circle" and len(rest) == 1, f"there is no step {kind}")
-            facts.append((add(add(multiply(y, y), multiply(*rest, *rest)), ONE, -1), "="))
-        values |= new
+        else:
+            require(kind == "define", f"there is no step {kind}")
+        values[name] = p if kind == "define" else y
     return facts
 
 
@@ -138,13 +132,12 @@ def prove_all(statement, certificate):
 def refute(statement, certificate):
     """Reject unless at the point everything holds except the last goal."""
     point, goals = {name: {(): Fraction(value)} for name, value in certificate["point"].items()}, []
-    facts = derive(statement, lambda goal, facts, values: goals.append(goal))
+    *facts, (claim, relation) = derive(statement, lambda goal, *_: goals.append(goal))
     require(statement["steps"][-1]["step"] == "show", "there is no last goal")
-    for p, relation in [*goals[:-1], *facts[:-1], (goals[-1][0], "fails")]:
-        at_point = substitute(p, point)
-        require(set(at_point) <= {()}, "the point leaves a name without a value", at_point)
-        holds = HOLDS.get(relation, lambda a: not HOLDS[goals[-1][1]](a))
-        require(holds(at_point.get((), 0)), "the point is not a counterexample", p)
+    for p, holds in [(q, HOLDS[r]) for q, r in facts + goals[:-1]] + [(claim, lambda a: not HOLDS[relation](a))]:
+        value = substitute(p, point)
+        require(set(value) <= {()}, "the point leaves a name without a value", value)
+        require(holds(value.get((), 0)), "the point is not a counterexample", p)
 
 
 def induct(statement, certificate):

@@ -8,26 +8,26 @@ polynomial `of`:
     define   `new` abbreviates `of`
     root     `new` = √of; needs a proof of `of` ≥ 0; gives new² = of and new ≥ 0
     inverse  `new` = 1/of; needs a proof of `of` ≠ 0; gives new · of = 1
-    circle   `new` is two names, the cosine and sine of one real number; gives c² + s² = 1
     show     of ⋈ 0 has to be proved; later steps may use it
 
 A "separation" has `lines` [[name, [names it uses]], …], `outputs`, `avoid`. An "induction" has `variables`, `state`,
 `assume` (about the variables), `start` and `next` (polynomials of each state), `show` (polynomials, zero for every n).
 
 Rules. A quotient becomes an inverse, a radical a root, with their obligations. sin and cos of a sum of whole
-multiples are expanded by the addition formulas; the atoms become circles. |a| is √(a²), or ±a where the sign is
-given. Max, Min, sign and Piecewise take the branch that is given; where none is, the claim is split into two
-statements, one with the condition assumed and one with its negation. A symbol declared positive is assumed > 0; of π
-only 3 < π < 22/7 is used. Anything else is an error, never a guess. Derivatives are SymPy's `diff`.
+multiples are expanded by the addition formulas (`proofs.angles`); an atom gives two variables with c² + s² = 1. |a| is
+√(a²), or ±a where the sign is given. Max, Min, sign and Piecewise take the branch that is given; where none is, the
+claim is split into two statements, one with the condition assumed and one with its negation. A symbol declared
+positive is assumed > 0; of π only 3 < π < 22/7 is used. Anything else is an error, never a guess. Derivatives are
+SymPy's `diff`.
 """
 
 import hashlib
 import json
-from math import lcm
 
-from sympy import Abs, And, Max, Min, Piecewise, Poly, Rational, S, Symbol, cos, expand, expand_mul, pi, sign, sin
-from sympy.core.relational import Eq, GreaterThan, Relational, StrictGreaterThan
+from sympy import Abs, And, Max, Min, Piecewise, Poly, Rational, S, Symbol, cos, expand, pi, sign, sin
+from sympy.core.relational import Relational
 
+from .angles import Angles, Untranslatable
 from .half_turns import ordinary
 
 VERSION = 1
@@ -35,10 +35,6 @@ TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {
 RELATIONS = {frozenset(s): (f, r) for f, r, s in (
     (1, "=", {0}), (1, "!=", {-1, 1}), (1, ">", {1}), (1, ">=", {0, 1}), (-1, ">", {-1}), (-1, ">=", {-1, 0})
 )}  # fmt: skip
-
-
-class Untranslatable(ValueError):
-    """The claim has a part that no rule translates."""
 
 
 class _Undecided(Exception):
@@ -68,10 +64,10 @@ class Derivation:
 
     def __init__(self, claim, choices=()):
         self.choices, self.steps, self.variables = list(choices), [], []
-        self.generators, self.signs, self.denominators, self.abbreviated = {}, {}, {}, {}
+        self.generators, self.signs, self.abbreviated = {}, {}, {}
         _, lines = claim.names()
         definitions = lines.definitions if lines else ()
-        self._collect_angles([*claim.given, *claim.shows, *(e for _, e in definitions)])
+        self.angles = Angles([*claim.given, *claim.shows, *(e for _, e in definitions)])
         undefined, pending = {s for s, _ in definitions}, list(claim.given)
         for symbol, expression in ((None, None), *definitions):
             if symbol is not None:
@@ -162,7 +158,7 @@ class Derivation:
             base, power = (base, power / 2) if power % 2 == 0 else (self._generator("root", base), power)
             return base**power if power > 0 else self._generator("inverse", base) ** -power
         if isinstance(e, sin | cos):
-            return self._turn(expand_mul(e.args[0]))[isinstance(e, sin)]
+            return self._turn(e.args[0])[isinstance(e, sin)]
         if isinstance(e, Abs):
             return self._absolute(e.args[0])
         if isinstance(e, sign):
@@ -206,36 +202,22 @@ class Derivation:
         signs = {orientation * s for s in self.signs.get(key, {-1, 0, 1})}
         return of if -1 not in signs else -of if 1 not in signs else self._generator("root", of**2)
 
-    def _collect_angles(self, expressions):
-        """Note, for each atom of an angle, the denominator of its multiples."""
-        for expression in expressions:
-            for e in ordinary(expression).atoms(sin, cos):
-                for term in expand_mul(e.args[0]).as_ordered_terms():
-                    multiple, atom = term.as_coeff_Mul()
-                    self.denominators[atom] = lcm(self.denominators.get(atom, 1), int(multiple.q))
-
     def _turn(self, angle):
-        """Return (cos, sin) of a sum of whole multiples of atoms."""
+        """Return (cos, sin) of an angle, by the addition formulas."""
         c, s = S.One, S.Zero
-        for term in sorted(angle.as_ordered_terms(), key=str):
-            multiple, atom = term.as_coeff_Mul()
-            if atom is pi or term == 0:
-                turn = [self.polynomial(f(term)) if not f(term).has(f) else None for f in (cos, sin)]
-                if None in turn:
-                    raise Untranslatable(f"no closed form of cos({term})")
-                c, s = c * turn[0] - s * turn[1], s * turn[0] + c * turn[1]
-                continue
-            whole = int(multiple * self.denominators[atom])
-            d, t = self._circle(atom / self.denominators[atom])
+        for number, atom, whole in self.angles.parts(angle):
+            d, t = [self.polynomial(f) for f in number] if atom is None else self._circle(atom)
+            t = -t if whole < 0 else t
             for _ in range(abs(whole)):
-                c, s = expand(c * d - (t if whole > 0 else -t) * s), expand(s * d + (t if whole > 0 else -t) * c)
+                c, s = expand(c * d - s * t), expand(s * d + c * t)
         return c, s
 
     def _circle(self, atom):
         names = tuple(f"{f}({atom})".replace(" ", "") for f in ("cos", "sin"))
         if ("circle", names) not in self.generators:
-            self.generators["circle", names] = tuple(Symbol(name, real=True) for name in names)
-            self.steps.append({"step": "circle", "new": " ".join(names), "of": {}})
+            c, s = self.generators["circle", names] = tuple(Symbol(name, real=True) for name in names)
+            self.variables += names
+            self.assume(c**2 + s**2 - 1, {0})
         return self.generators["circle", names]
 
 
@@ -249,18 +231,3 @@ def derivations(claim):
         except _Undecided:
             pending += [(*choices, False), (*choices, True)]
     return statements
-
-
-def equation(left, right):
-    """Return Eq(left, right) that SymPy leaves as it is."""
-    return Eq(left, right, evaluate=False)
-
-
-def greater(left, right):
-    """Return left > right that SymPy leaves as it is, so that the kernel decides it."""
-    return StrictGreaterThan(left, right, evaluate=False)
-
-
-def at_least(left, right):
-    """Return left ≥ right that SymPy leaves as it is, so that the kernel decides it."""
-    return GreaterThan(left, right, evaluate=False)

@@ -94,7 +94,7 @@ def _combination(names, facts, cofactors):
 def _steps(statement, prove):
     """Go through a derivation; prove(names, facts, goal) is called for each obligation. Return names and facts."""
     steps = statement["steps"]
-    names = Names(statement["variables"], [n for s in steps if "new" in s for n in s["new"].split()])
+    names = Names(statement["variables"], [s["new"] for s in steps if "new" in s])
     facts = []
     for s in steps:
         of = names(s["of"])
@@ -116,10 +116,6 @@ def _steps(statement, prove):
                 prove(names, facts, ("!=", of))
                 names.open.add(s["new"])
                 facts.append(("=", names.value[s["new"]] * of - 1))
-            case "circle":
-                c, t = s["new"].split()
-                names.open |= {c, t}
-                facts.append(("=", names.value[c] ** 2 + names.value[t] ** 2 - 1))
             case other:
                 raise Refused(f"unknown step {other}")
         if facts and facts[-1][0] not in ("=", "!=", ">", ">="):

@@ -9,12 +9,13 @@ import pytest
 from sympy import Eq, Max, Piecewise, Symbol, cos, oo, sin, sqrt, symbols
 
 from proofs import kernel
+from proofs.angles import Untranslatable
 from proofs.certificate import FOLDER, Stale, prove, statements, stored
-from proofs.claim import Claim, Induction, Separation
+from proofs.claim import Claim, Induction, Separation, equation
 from proofs.feasible import feasible
 from proofs.program import Program
 from proofs.search import NotFound, search
-from proofs.statement import Untranslatable, derivations, digest, equation
+from proofs.statement import derivations, digest
 from proofs.theorem import Mutant, Step, Theorem, all_theorems, in_order
 from verify import second_checker, witness
 from verify.proof_checker import examine, final_grades, path_to_avoided, why_rejected
@@ -86,7 +87,6 @@ def tamper(statement, certificate):
         ([("inverse", {"x": "1"}, {"new": "r"}), show({"r x": "1", "": "-1"}, "=")], NOTHING, "x may be 0"),
         ([("root", {"x": "1"}, {"new": "w"})], NOTHING, "x may be negative"),
         ([("define", {"": "1"}, {"new": "x"}), show({"x": "1", "": "-1"}, "=")], NOTHING, "x is not new"),
-        ([("circle", {}, {"new": "x y"})], NOTHING, "x is not new"),
         ([show({"z": "1"}, "=")], NOTHING, "z is not declared"),
         ([("assume", {"x": "1"}, {"is": "<>"}), show({"x": "1"}, "=")], NOTHING, "no such relation"),
         ([("assume", {"x": "1"}, {"is": ">"}), show({"x": "1"}, "=")], INEQUALITY, "not an equation"),

@@ -70,9 +70,13 @@ def _parts(relations):
 
 
 class Relations:
-    """Relations over inputs and definitions, as code: called with values, whether all of them hold, to 40 digits."""
+    """Relations over inputs and definitions, as code: called with values, whether all of them hold, to 40 digits.
 
-    def __init__(self, inputs, relations, definitions=()):
+    exactly: inequalities hold without that tolerance, as what is given has to.
+    """
+
+    def __init__(self, inputs, relations, definitions=(), exactly=False):
+        self.slack = 0 if exactly else TOLERANCE
         self.parts = _parts(relations)
         sides = [side for r in self.parts for side in ((0, 1) if r == False else (r.lhs, r.rhs))]  # noqa: E712
         self.code = Code(inputs, sides, definitions)
@@ -80,18 +84,20 @@ class Relations:
 
     def __call__(self, values):
         sides = self.code(values)
-        return all(_holds(op, a, b) for op, a, b in zip(self.operators, sides[::2], sides[1::2], strict=True))
+        return all(
+            _holds(op, a, b, self.slack) for op, a, b in zip(self.operators, sides[::2], sides[1::2], strict=True)
+        )
 
 
-def _holds(operator, left, right):
-    gap, slack = left - right, TOLERANCE * (1 + abs(left) + abs(right))
+def _holds(operator, left, right, tolerance):
+    gap, size = left - right, 1 + abs(left) + abs(right)
     return {
-        "==": abs(gap) <= slack,
-        "!=": abs(gap) > slack,
-        ">": gap > slack,
-        ">=": gap >= -slack,
-        "<": gap < -slack,
-        "<=": gap <= slack,
+        "==": abs(gap) <= TOLERANCE * size,
+        "!=": abs(gap) > TOLERANCE * size,
+        ">": gap > 0,
+        ">=": gap >= -tolerance * size,
+        "<": gap < 0,
+        "<=": gap <= tolerance * size,
     }[operator]
 
 
@@ -127,9 +133,9 @@ class Sampler:
         defined = {s for s, _ in definitions}
         self.inputs = sorted((used | set(lines.inputs if lines else ())) - defined, key=lambda s: s.name)
         early = [r for r in claim.given if not r.free_symbols & defined]
-        self.early = Relations(self.inputs, early)
+        self.early = Relations(self.inputs, early, exactly=True)
         equations = [_written_out(r, definitions) for r in claim.given if isinstance(r, Eq)]
-        self.late = Relations(self.inputs, [r for r in claim.given if r.free_symbols & defined], definitions)
+        self.late = Relations(self.inputs, [r for r in claim.given if r.free_symbols & defined], definitions, True)
         self.shows = Relations(self.inputs, claim.shows, definitions)
         self.solved = _solvable([r for r in equations if not r.free_symbols & defined])
         self.pools = {s: self._pool(s) for s in self.inputs}

@@ -4,12 +4,11 @@ from sympy import Rational, Symbol
 
 from ..bump import bumped, g, perturbed
 from ..camera import surface
-from ..claim import Claim, Separation
+from ..claim import Claim, Separation, equation
 from ..finite_difference import central
 from ..height_fields import HEIGHT_FIELDS
 from ..pixel import dark_square, occlusion, pixel, rgb
 from ..program import Program
-from ..statement import equation
 from ..symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, towards
 from ..theorem import Mutant, Step, Theorem
 from .normal import tangent

@@ -3,9 +3,8 @@
 from sympy import Rational, cos, diff, sin
 
 from ..camera import POLE, angles_on_a, discriminant_a, rho_raw, t_a
-from ..claim import Claim
+from ..claim import Claim, equation, greater
 from ..program import chain
-from ..statement import equation, greater
 from ..symbols import cos_phi, cos_theta, cross, dot, eye, normal, phi, radius, rho, sin_phi, sin_theta, theta, x, y
 from ..tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, tangent_frame, unit_normal
 from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
@@ -147,7 +146,7 @@ stable = Theorem(
             r"$\rho \ge 10^{-150}e$",
             "angles",
             (
-                Edge(((x, Rational(1, 10**30)), (y, 0), (eye, 2), (radius, 1)), "holds"),
+                Edge(((x, 2 * POLE), (y, 0), (eye, 2), (radius, 1)), "holds"),
                 Edge(((x, POLE), (y, 0), (eye, 2), (radius, 1)), "fails"),
             ),
         ),

@@ -18,8 +18,7 @@ from ..camera import (
     tangent_squared,
     toward_b,
 )
-from ..claim import Claim
-from ..statement import equation, greater
+from ..claim import Claim, equation, greater
 from ..symbols import ball_center, ball_on, ball_radius, dot, eye, radius, real, rho, x, y
 from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
 

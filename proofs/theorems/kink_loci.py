@@ -3,9 +3,8 @@
 from sympy import Rational, Symbol, cos, pi, sqrt
 
 from ..camera import parallel_radius, point_on_a
-from ..claim import Claim
+from ..claim import Claim, at_least, equation, greater
 from ..height_fields import HEIGHT_FIELDS
-from ..statement import at_least, equation, greater
 from ..symbols import cos_phi, cos_theta, eye, k_u, k_v, point, radius, real, rho, sin_phi, sin_theta, u, v, x, y
 from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
 from .frame import equations, on_circles

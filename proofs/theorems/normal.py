@@ -3,9 +3,8 @@
 from sympy import diff
 
 from ..bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
-from ..claim import Claim
+from ..claim import Claim, equation
 from ..program import chain
-from ..statement import equation
 from ..symbols import beta, dot, h_u, h_v, normal
 from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
 from .frame import on_circles
