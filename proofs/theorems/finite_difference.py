@@ -1,0 +1,97 @@
+"""The central difference of a sine: the derivative times sinc, and the bound of its truncation."""
+
+from sympy import Rational, cos, pi, sin
+
+from ..claim import Claim, at_least, equation, greater
+from ..difference_cases import inside, nothing_clamps, nothing_wraps
+from ..finite_difference import central, span_v, v_minus, v_plus
+from ..height_fields import HEIGHT_FIELDS
+from ..symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+
+sine, rings = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["rings"]
+name = "central_difference_of_sine"
+
+
+def difference(field, output):
+    """Return the central difference away from the seam and the poles, as one expression."""
+    return inside(field).expand(output)
+
+
+def sinc(x):
+    """Return sin x / x."""
+    return sin(x) / x
+
+
+def _times_sinc(name, field, output, frequency, given):
+    slope = dict(zip((h_u, h_v), field.gradient(), strict=True))[output]
+    shows = (
+        equation(2 * epsilon * difference(field, output), 2 * slope / (pi * frequency) * sin(pi * frequency * epsilon)),
+        equation(difference(field, output), slope * sinc(pi * frequency * epsilon)),
+    )
+    return Claim(name, shows, (*given, *(k > 0 for k in frequency.free_symbols)))
+
+
+_u = _times_sinc("sine_in_u", sine, h_u, k_u, nothing_wraps)
+_v = _times_sinc("sine_in_v", sine, h_v, k_v, nothing_clamps)
+_rings = _times_sinc("rings_in_v", rings, h_v, 2 * k_v, nothing_clamps)
+_clamp = Claim(
+    "no_clamp",
+    (equation(v_plus, v + epsilon), equation(v_minus, v - epsilon), equation(span_v, 2 * epsilon)),
+    nothing_clamps,
+    central(sine),
+)
+_cosine = Claim(
+    "cosine",
+    (
+        equation(
+            (cos(pi * k_u * (u + epsilon)) - cos(pi * k_u * (u - epsilon))) / (2 * epsilon),
+            -pi * k_u * sin(pi * k_u * u) * sinc(pi * k_u * epsilon),
+        ),
+    ),
+    (epsilon > 0, k_u > 0),
+)
+_angle = pi * k_u * epsilon
+
+theorem = Theorem(
+    id=name,
+    title="The central difference of a sine",
+    section="s4",
+    statement=r"For $h = \sin\pi k_u u\,\sin\pi k_v v$ the central difference is the derivative times "
+    r"$\operatorname{sinc}$: $D_\varepsilon h_u = h_u \sin(\pi k_u\varepsilon)/(\pi k_u\varepsilon)$, the same in $v$; "
+    r"rings' own frequency is $2k_v$; and of $\cos\pi k u$ likewise.",
+    hypotheses=(
+        r"$\varepsilon > 0$, $k > 0$",
+        r"nothing wraps or clamps: $\varepsilon \le u < 1 - \varepsilon$ or $\varepsilon \le v \le 1 - \varepsilon$",
+    ),
+    claims=(_clamp, _u, _v, _rings, _cosine),
+    steps=(
+        Step(r"$v_\pm = v \pm \varepsilon$, divided by $2\varepsilon$", "the lines' own cases, decided"),
+        Step(r"$\sin(a+b) - \sin(a-b) = 2\cos a\sin b$", "the addition formulas"),
+        Step("divide by $2\\varepsilon$", "$\\varepsilon > 0$"),
+    ),
+    mutants=(
+        Mutant("rings' frequency k_v", _times_sinc("rings_in_v", rings, h_v, k_v, nothing_clamps)),
+        Mutant(
+            "the step 2ε in sinc",
+            _u.but(shows=(equation(difference(sine, h_u), sine.gradient()[0] * sinc(2 * _angle)),)),
+        ),
+        Mutant("the derivative itself", _u.but(shows=(equation(difference(sine, h_u), sine.gradient()[0]),))),
+        Mutant("v clamped: span 2ε", _clamp.but(given=(epsilon > 0, epsilon < Rational(1, 2), v >= 0, v <= 1))),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$\varepsilon \le v \le 1-\varepsilon$",
+            "no_clamp",
+            (
+                Edge(((v, Rational(1, 8)), (epsilon, Rational(1, 8))), "holds"),
+                Edge(((v, Rational(1, 8)), (epsilon, Rational(1, 7))), "fails"),
+            ),
+        ),
+        SideCondition(
+            r"$\varepsilon > 0$",
+            "cosine",
+            (Edge(((u, Rational(1, 3)), (epsilon, 0), (k_u, 8)), "undefined"),),
+        ),
+    ),
+)
