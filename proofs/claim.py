@@ -24,13 +24,30 @@ def at_least(left, right):
 
 
 @dataclass(frozen=True)
+class CitedLemma:
+    """A relation that is taken from a source, a key of the bibliography, and not proved here.
+
+    What is proved with it is “proved, given the source”. It holds under the claim's own givens, as samples test.
+    """
+
+    relation: Basic
+    source: str
+
+    @property
+    def text(self):
+        """The relation as text, for the report."""
+        return str(self.relation)
+
+
+@dataclass(frozen=True)
 class Claim:
     """For all real values of the inputs: if `given` holds, every relation of `shows` holds.
 
     shows: relations, in order; one that is proved may be used for the next. given: relations over the names of
     `lines` and further free symbols. lines: the program whose names the relations use. squares: polynomials whose
     squares the search may use in an inequality. borrowed: (theorem id, claim name) of claims whose conclusions are
-    used here; that claim's `given` and lines must be among this one's. ranges: {symbol: (low, high)} for sampling.
+    used here; that claim's `given` and lines must be among this one's. cited: lemmas whose relations are used here.
+    ranges: {symbol: (low, high)} for sampling.
     """
 
     name: str
@@ -40,6 +57,7 @@ class Claim:
     squares: tuple[Basic, ...] = ()
     borrowed: tuple[tuple[str, str], ...] = ()
     ranges: tuple[tuple[Symbol, tuple], ...] = ()
+    cited: tuple[CitedLemma, ...] = ()
 
     def __post_init__(self):
         object.__setattr__(self, "shows", tuple(map(sympify, self.shows)))
@@ -51,7 +69,8 @@ class Claim:
 
     def names(self):
         """Return the defined names that the claim needs, and the program kept to them (None without one)."""
-        used = set().union(*(r.free_symbols for r in (*self.shows, *self.given)))
+        cited = (lemma.relation for lemma in self.cited)
+        used = set().union(*(r.free_symbols for r in (*self.shows, *self.given, *cited)))
         if self.lines is None:
             return used, None
         defined = tuple(s for s, _ in self.lines.definitions if s in used)

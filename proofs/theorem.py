@@ -10,14 +10,16 @@ from sympy import Symbol
 from .claim import Claim, Induction, Separation
 
 GRADES = ("failed", "cited", "measured", "certified", "proved", "refuted")
+WITHOUT_CLAIMS = ("cited", "measured", "certified")
 
 
 @dataclass(frozen=True)
 class Step:
-    """One step of the argument as the reader sees it: what, and why."""
+    """One step of the argument as the reader sees it: what, and why. uses: ids of the theorems that it cites."""
 
     what: str
     why: str
+    uses: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -58,20 +60,21 @@ class Theorem:
     """A statement with everything that its evidence is made of.
 
     id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader.
-    section: "s3" … where the book discusses it. claims: what is checked. uses: ids of theorems that it rests on.
-    steps: the argument. side_conditions: each with its edge tests. mutants: at least two. finding: "F3" if it is
-    about a finding. refuted_at: of a false statement, {claim name: the exact point where it fails}, as pairs; such a
-    theorem is `refuted`, and its mutants are the true variants, which that point must not refute.
-    expected: the grade that a run has to reach.
+    section: "s3" … where the book discusses it. claims: what is checked. uses: ids of the theorems that claims borrow
+    from or steps use. steps: the argument. side_conditions: each with its edge tests. mutants: at least two.
+    finding: "F3" if it is about a finding. refuted_at: of a false statement, {claim name: the exact point where it
+    fails}, as pairs; such a theorem is `refuted`, and its mutants are the true variants, which that point must not
+    refute. expected: the grade that a run has to reach. Without claims it is `measured` or `certified`, by a function
+    in verify/measurements, or `cited`; source: the bibliography's key of what is cited.
     """
 
     id: str
     title: str
     section: str
     statement: str
-    claims: tuple
-    mutants: tuple[Mutant, ...]
-    steps: tuple[Step, ...]
+    claims: tuple = ()
+    mutants: tuple[Mutant, ...] = ()
+    steps: tuple[Step, ...] = ()
     hypotheses: tuple[str, ...] = ()
     side_conditions: tuple[SideCondition, ...] = ()
     uses: tuple[str, ...] = ()
@@ -83,18 +86,18 @@ class Theorem:
     def __post_init__(self):
         if self.expected not in GRADES:
             raise ValueError(f"{self.id}: expected = {self.expected!r} is not one of {', '.join(GRADES)}")
-        if len(self.mutants) < 2:
+        checked = bool(self.claims) or self.expected not in WITHOUT_CLAIMS
+        if checked and len(self.mutants) < 2:
             raise ValueError(f"{self.id}: needs at least two mutants")
+        if self.expected == "cited" and not self.source:
+            raise ValueError(f"{self.id}: what is cited needs a source")
         names = [claim.name for claim in self.claims]
-        if len(set(names)) < len(names) or not names:
+        if len(set(names)) < len(names) or (checked and not names):
             raise ValueError(f"{self.id}: claims need different names")
         if unknown := {c.claim for c in self.side_conditions} - set(names):
             raise ValueError(f"{self.id}: side conditions of unknown claims {sorted(unknown)}")
-        if (self.expected == "refuted") != (dict(self.refuted_at).keys() == set(names)):
+        if dict(self.refuted_at).keys() != (set(names) if self.expected == "refuted" else set()):
             raise ValueError(f"{self.id}: a refuted statement, and no other, has a point for each claim")
-        borrowed = {id for claim in self.claims for id, _ in getattr(claim, "borrowed", ())}
-        if not borrowed <= set(self.uses):
-            raise ValueError(f"{self.id}: uses lacks {sorted(borrowed - set(self.uses))}")
 
     def claim(self, name):
         """Return the claim of that name."""
@@ -131,11 +134,11 @@ def all_theorems():
 
 
 def borrowed(claim, theorems):
-    """Return the claim with its borrowed conclusions among its givens.
+    """Return the claim with its borrowed conclusions, and what it cites, among its givens.
 
     Raises ValueError unless the other claim's givens and lines are among this one's.
     """
-    added = ()
+    added = tuple(lemma.relation for lemma in getattr(claim, "cited", ()))
     for id, name in getattr(claim, "borrowed", ()):
         other = theorems[id].claim(name)
         mine = dict(claim.lines.definitions) if claim.lines else {}
@@ -145,3 +148,12 @@ def borrowed(claim, theorems):
             raise ValueError(f"{claim.name}: the hypotheses of {id}/{name} are not all given here")
         added += other.shows
     return claim.but(given=claim.given + added) if added else claim
+
+
+def incomplete(theorem, theorems):
+    """Return what `uses` gets wrong: it lists exactly the theorems that claims borrow from or steps use."""
+    needed = {id for claim in theorem.claims for id, _ in getattr(claim, "borrowed", ())}
+    needed |= {id for step in theorem.steps for id in step.uses}
+    lacks = sorted(needed - set(theorem.uses))
+    problems = [f"{theorem.id}: uses lacks {', '.join(lacks)}, which a claim borrows from or a step uses"] * bool(lacks)
+    return problems

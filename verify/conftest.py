@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from verify.proof_checker import final_grades
+from verify.grades import graded, summary
 
 REPORT = Path(__file__).resolve().parent.parent / "book" / "_generated" / "proofs.json"
 KEY = pytest.StashKey[list]()
@@ -88,10 +88,9 @@ def pytest_sessionstart(session):
 
 
 def _results(config):
-    """Return [(entry, seconds, grade, reason)] in order of the ids."""
-    grades = final_grades([entry for entry, _ in config.stash[KEY]])
-    ordered = sorted(config.stash[KEY], key=lambda pair: pair[0]["id"])
-    return [(entry, seconds, *grades[entry["id"]]) for entry, seconds in ordered]
+    """Return [(entry of the report, seconds)] in order of the ids."""
+    seconds = {entry["id"]: time for entry, time in config.stash[KEY]}
+    return [(entry, seconds[entry["id"]]) for entry in graded([entry for entry, _ in config.stash[KEY]])]
 
 
 def pytest_sessionfinish(session, exitstatus):
@@ -99,20 +98,21 @@ def pytest_sessionfinish(session, exitstatus):
     config = session.config
     if hasattr(config, "workerinput") or not config.stash[KEY]:
         return
-    results = _results(config)
+    entries = [entry for entry, _ in _results(config)]
     partial = config.getoption("keyword") or config.getoption("theorem")
-    if any(grade != entry["expected"] for entry, _, grade, _ in results) and not partial and session.exitstatus == 0:
+    if any(e["grade"] != e["expected"] for e in entries) and not partial and session.exitstatus == 0:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
     from proofs.theorem import all_theorems
 
-    if {entry["id"] for entry, *_ in results} == all_theorems().keys():
-        _write_report([entry | {"grade": grade} for entry, _, grade, _ in results])
+    if {entry["id"] for entry in entries} == all_theorems().keys():
+        _write_report(entries)
 
 
 def _write_report(entries):
     """Write the report, without times, whole or not at all."""
     REPORT.parent.mkdir(parents=True, exist_ok=True)
-    text = json.dumps({"version": 1, "theorems": entries}, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
+    report = {"version": 1, "summary": summary(entries), "theorems": entries}
+    text = json.dumps(report, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
     temporary = REPORT.with_suffix(f".{os.getpid()}")
     temporary.write_text(text, encoding="utf-8")
     temporary.replace(REPORT)
@@ -122,7 +122,11 @@ def pytest_terminal_summary(terminalreporter, config):
     if not config.stash[KEY]:
         return
     terminalreporter.section("theorems")
-    for entry, seconds, grade, reason in _results(config):
-        mark = "" if grade == entry["expected"] else f"   expected {entry['expected']}  {reason}"
-        line = f"{entry['id']:32} {grade:9} {seconds:6.2f} s   mutants {entry['killed']}{mark}"
+    results = _results(config)
+    for entry, seconds in results:
+        good = entry["grade"] == entry["expected"]
+        mark = "" if good else f"   expected {entry['expected']}  {entry.get('reason', '')}"
+        line = f"{entry['id']:32} {entry['grade_line']:9} {seconds:6.2f} s   mutants {entry['killed']}{mark}"
         terminalreporter.write_line(line, red=bool(mark))
+    counts = summary([entry for entry, _ in results])
+    terminalreporter.write_line(", ".join(f"{n} {key.replace('_', ' ')}" for key, n in counts.items()))

@@ -3,25 +3,29 @@
 proved     both checkers accept a certificate of every claim, no sample at 50 digits contradicts one, every side
            condition behaves as stated at its edge, every mutant is refuted, every theorem it uses is proved
 refuted    both checkers accept an exact counterexample, and 50 digits agree
+certified  every measurement holds in ball arithmetic, and rejects its false variants
+measured   every measurement holds on its samples, and rejects its false variants
+cited      the source is in the bibliography
 failed     anything else. Nothing raises a grade by hand.
 """
 
+import re
 from dataclasses import dataclass, field
-from fractions import Fraction
-
-import mpmath
+from pathlib import Path
 
 from proofs import kernel
 from proofs.certificate import Stale, evidence, prove, stored
 from proofs.claim import Separation
-from proofs.counterexample import refutation
 from proofs.search import MAX_EFFORT, NotFound
-from proofs.statement import derivations
-from proofs.theorem import borrowed
+from proofs.theorem import incomplete
 from verify import second_checker, witness
+from verify.counterexamples import FAILURES, counterexample, path_to_avoided
+from verify.grades import final_grades
+from verify.measurements import measurements
 
+__all__ = ["LONG_POINTS", "POINTS", "Evidence", "examine", "final_grades", "path_to_avoided", "why_rejected"]
 POINTS, LONG_POINTS = 32, 2000
-MUTANT_FAILURES, MUTANT_POINTS = 6, 400
+BIBLIOGRAPHY = Path(__file__).resolve().parent.parent / "book" / "references.bib"
 
 
 @dataclass
@@ -35,13 +39,14 @@ class Evidence:
     problems: list = field(default_factory=list)
     mutants_killed: int = 0
     mutants: int = 0
+    reached: str = ""  # by measurement or citation; else the checkers' verdict stands
 
     @property
     def grade(self):
         """The grade on this theorem's own evidence; `final_grades` adds what it rests on."""
         if self.problems:
             return "failed"
-        return self.expected if self.expected in ("proved", "refuted") else self.record.get("grade", "failed")
+        return self.reached or ("refuted" if self.expected == "refuted" else "proved")
 
 
 def show_polynomial(p, limit=12):
@@ -84,14 +89,57 @@ def examine(theorem, theorems, anew=False, points=POINTS):
     """Return the Evidence of a theorem. anew: search for every certificate, whatever is stored."""
     found = Evidence(theorem.id, theorem.expected, theorem.uses)
     found.record = {"id": theorem.id, "expected": theorem.expected, "uses": sorted(theorem.uses)}
-    _check_certificates(found, theorem, theorems, anew)
+    found.problems += incomplete(theorem, theorems)
+    if theorem.claims:
+        _check_certificates(found, theorem, theorems, anew)
+    _check_sources(found, theorem)
+    found.record["measurements"] = [_measured(found, *entry) for entry in measurements(theorem.id)]
     found.record["witness"] = [_sampled(found, theorem, claim, points) for claim in theorem.claims]
     found.record["side_conditions"] = [_edges(found, theorem, condition) for condition in theorem.side_conditions]
-    found.mutants = len(theorem.mutants)
+    found.mutants += len(theorem.mutants)
     refute = _refute_variant if theorem.expected == "refuted" else _refute_mutant
     found.record["mutants"] = [refute(found, theorem, mutant, theorems, anew) for mutant in theorem.mutants]
+    _settle(found, theorem)
     found.record["grade"] = found.grade
     return found
+
+
+def _settle(found, theorem):
+    """Find what a theorem reaches for which the checkers have no verdict: by measurement, or else by citation."""
+    if theorem.expected in ("certified", "measured"):
+        seen = found.record["measurements"]
+        found.reached = "certified" if seen and all(m["certified"] for m in seen) else "measured"
+        if not seen:
+            found.problems.append("no measurement is registered for it in verify/measurements")
+    elif theorem.expected == "cited":
+        found.reached = "cited"
+    elif found.record["measurements"] and not theorem.claims:
+        found.problems.append("measurements alone prove nothing")
+
+
+def _measured(found, function, false):
+    """Run a measurement, and its false variants, which it has to reject."""
+    seen, rejected = function(), []
+    if not seen.accepted:
+        found.problems.append(f"{seen.what}: worst {seen.worst}, bound {seen.bound}, holds: {seen.holds}")
+    for text, changes in false.items():
+        rejected.append({"variant": text, "rejected": not function(**changes).accepted})
+        found.mutants, found.mutants_killed = found.mutants + 1, found.mutants_killed + rejected[-1]["rejected"]
+        if not rejected[-1]["rejected"]:
+            found.problems.append(f"{seen.what}: does not reject the false variant “{text}”")
+    return seen.record() | {"false_variants": rejected}
+
+
+def _check_sources(found, theorem):
+    """Keep the cited source and lemmas; each key has to be in the bibliography."""
+    lemmas = [lemma for claim in theorem.claims for lemma in getattr(claim, "cited", ())]
+    if theorem.source:
+        found.record["source"] = theorem.source
+    if lemmas:
+        found.record["cited_lemmas"] = [{"relation": lemma.text, "source": lemma.source} for lemma in lemmas]
+    keys = {lemma.source for lemma in lemmas} | ({theorem.source} if theorem.source else set())
+    known = set(re.findall(r"^@\w+\{([^,\s]+)", BIBLIOGRAPHY.read_text(encoding="utf-8"), re.MULTILINE))
+    found.problems += [f"the bibliography has no {key}" for key in sorted(keys - known)]
 
 
 def _check_certificates(found, theorem, theorems, anew):
@@ -126,7 +174,9 @@ def _sampled(found, theorem, claim, points):
             found.problems.append(f"{claim.name}: at 50 digits the point is not a counterexample")
         return {"claim": claim.name, "points": 1}
     seed = f"{theorem.id}/{claim.name}"
-    seen = witness.sample(claim, seed, points, failures=MUTANT_FAILURES)
+    cited = tuple(lemma.relation for lemma in getattr(claim, "cited", ()))
+    tested = claim.but(shows=(*cited, *claim.shows)) if cited else claim
+    seen = witness.sample(tested, seed, points, failures=FAILURES)
     if seen.failures:
         found.problems.append(f"{claim.name}: false at {witness.printed(seen.smallest, 20)}")
     if not seen.points:
@@ -147,66 +197,13 @@ def _edges(found, theorem, condition):
 def _refute_mutant(found, theorem, mutant, theorems, anew):
     """Check that a mutant is refused, and find its counterexample."""
     reasons, _ = accept(mutant.claim, theorems, effort=MAX_EFFORT if anew else 2)
-    point = counterexample(mutant, f"{theorem.id}/{mutant.text}", theorems)
+    point = counterexample(mutant, f"{theorem.id}/{mutant.text}", theorems, why_rejected)
     if not reasons:
         found.problems.append(f"mutant accepted: {mutant.text}")
     if point is None:
         found.problems.append(f"mutant without a counterexample: {mutant.text}")
     found.mutants_killed += bool(reasons) and point is not None
     return {"mutant": mutant.text, "refused": bool(reasons), "counterexample": point}
-
-
-def counterexample(mutant, seed, theorems):
-    """Return {"exact": bool, "at": {name: text}} where a mutant fails, the simplest that was found, or None."""
-    if isinstance(mutant.claim, Separation):
-        path = path_to_avoided(mutant.claim)
-        return None if path is None else {"exact": True, "at": {"path": " → ".join(path)}}
-    if mutant.at:
-        failing = witness.fails_at(mutant.claim, mutant.at)
-        failures = [failing] if failing else []
-    else:
-        failures = witness.sample(mutant.claim, seed, MUTANT_POINTS, failures=MUTANT_FAILURES).failures
-    if not failures:
-        return None
-    exact = exact_counterexample(mutant.claim, failures, theorems)
-    if exact is not None:
-        return {"exact": True, "at": exact}
-    return {"exact": False, "at": witness.printed(witness.Witness(1, failures).smallest)}
-
-
-def exact_counterexample(claim, failures, theorems):
-    """Return a rational point, {name: text}, near one of the failures, that both checkers accept, or None."""
-    if not hasattr(claim, "lines"):
-        return None
-    statements = derivations(borrowed(claim, theorems))
-    for point in sorted(failures, key=witness._length):
-        rational = {str(s): _rational(v) for s, v in point.items()}
-        if all(q is not None for q in rational.values()):
-            pair = refutation(statements, rational)
-            if pair is not None and why_rejected(*pair) is None:
-                return {name: str(q) for name, q in sorted(rational.items())}
-    return None
-
-
-def _rational(value):
-    """Return the Fraction of small denominator that a 50-digit number is, or None."""
-    with mpmath.workdps(witness.WORKING_DIGITS):
-        q = Fraction(mpmath.nstr(value, 40)).limit_denominator(10**4)
-        return q if abs(value - mpmath.mpf(q.numerator) / q.denominator) < witness.TOLERANCE else None
-
-
-def path_to_avoided(claim):
-    """Return the shortest list of names from an output of a Separation to a name that it should avoid, or None."""
-    uses = {s: sorted(e.free_symbols, key=str) for s, e in claim.lines.definitions}
-    paths, seen = [[s] for s in claim.outputs], set(claim.outputs)
-    for path in paths:
-        if path[-1] in claim.avoid:
-            return [s.name for s in path]
-        for name in uses.get(path[-1], []):
-            if name not in seen:
-                seen.add(name)
-                paths.append([*path, name])
-    return None
 
 
 def _refute_variant(found, theorem, mutant, theorems, anew):
@@ -221,25 +218,3 @@ def _refute_variant(found, theorem, mutant, theorems, anew):
         found.problems.append(f"the counterexample also refutes the true variant: {mutant.text}")
     found.mutants_killed += not reasons and spared
     return {"variant": mutant.text, "accepted": not reasons, "spared": spared}
-
-
-def final_grades(evidences):
-    """Return {id: (grade, reason)}: a theorem is proved only if all that it uses, in the same run, is proved."""
-    grades = {}
-    by_id = {e["id"]: e for e in evidences}
-
-    def grade(id):
-        if id not in grades:
-            record = by_id.get(id)
-            if record is None:
-                return "missing", f"{id} was not run"
-            weak = [use for use in record["uses"] if grade(use)[0] != "proved"]
-            if record["grade"] == "proved" and weak:
-                grades[id] = "failed", f"it uses {', '.join(weak)}, not proved in this run"
-            else:
-                grades[id] = record["grade"], ""
-        return grades[id]
-
-    for id in by_id:
-        grade(id)
-    return grades

@@ -1,0 +1,70 @@
+"""From each theorem's own evidence to its grade in the run: what it rests on counts as well."""
+
+STANDING = ("proved", "refuted", "certified", "measured", "cited")  # from the strongest; "failed" is none of them
+GIVES = {"proved": ("proved",), "refuted": ("proved",)}  # what such a theorem may use
+
+
+def final_grades(evidences):
+    """Return {id: (grade, reason)}: a theorem is proved only if all that it uses, in the same run, is proved."""
+    grades = {}
+    by_id = {e["id"]: e for e in evidences}
+
+    def grade(id):
+        if id not in grades:
+            record = by_id.get(id)
+            if record is None:
+                return "missing", f"{id} was not run"
+            enough = GIVES.get(record["grade"], STANDING)
+            weak = [use for use in record["uses"] if grade(use)[0] not in enough]
+            if record["grade"] != "failed" and weak:
+                wanted = "not proved" if enough == ("proved",) else "without evidence"
+                grades[id] = "failed", f"it uses {', '.join(weak)}, {wanted} in this run"
+            else:
+                grades[id] = record["grade"], ""
+        return grades[id]
+
+    for id in by_id:
+        grade(id)
+    return grades
+
+
+def given_cited(evidences):
+    """Return {id: the sources whose cited lemmas it rests on, directly or through what it uses}."""
+    by_id, sources = {e["id"]: e for e in evidences}, {}
+
+    def of(id):
+        if id not in sources:
+            record = by_id.get(id, {"uses": ()})
+            own = {lemma["source"] for lemma in record.get("cited_lemmas", ())}
+            sources[id] = own.union(*(of(use) for use in record["uses"]))
+        return sources[id]
+
+    return {id: sorted(of(id)) for id in by_id}
+
+
+def grade_line(grade, sources, bibliography_key=""):
+    """Return how a grade reads: "proved", "proved, given Dekker1971", "cited: Blinn1978", …"""
+    if grade in ("proved", "refuted") and sources:
+        return f"{grade}, given {', '.join(sources)}"
+    return f"cited: {bibliography_key}" if grade == "cited" else grade
+
+
+def graded(evidences):
+    """Return the entries of the report, in order of their ids: what each run found, its grade and its grade line."""
+    grades, sources = final_grades(evidences), given_cited(evidences)
+    entries = []
+    for entry in sorted(evidences, key=lambda e: e["id"]):
+        grade, reason = grades[entry["id"]]
+        line = grade_line(grade, sources[entry["id"]], entry.get("source", ""))
+        more = {"reason": reason} if reason else {}
+        entries.append(entry | more | {"grade": grade, "grade_line": line, "given_cited": sources[entry["id"]]})
+    return entries
+
+
+def summary(entries):
+    """Return how many theorems have each grade; those proved given a cited lemma are counted apart."""
+    counts = {}
+    for entry in entries:
+        key = entry["grade"] + ("_given_cited" if entry["given_cited"] and entry["grade"] != "failed" else "")
+        counts[key] = counts.get(key, 0) + 1
+    return dict(sorted(counts.items()))
