@@ -1,0 +1,225 @@
+"""How far the bump turns the normal: the angle, the limits β → 0 and β → ±∞, and what that leaves of a shadow line."""
+
+from sympy import Abs, Rational, sqrt
+
+from ..bump import bumped, g, m_length, perturbed
+from ..claim import Claim, at_least, equation, greater
+from ..symbols import beta, cross, dot, normal, real, towards
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from .frame import equations
+from .normal import tangent
+
+_length = (("unit_length", "length"),)
+_g_squared, cosine = dot(g, g), dot(normal, bumped)
+_turned = cross(normal, bumped)
+_clear = tuple((n, (-Rational(2, 3), Rational(2, 3))) for n in normal[:2])  # samples keep N_z off zero
+
+
+def minus(a, b):
+    """Return the difference of two vectors."""
+    return tuple(p - q for p, q in zip(a, b, strict=True))
+
+
+def at(normal_at, g_at, beta_at):
+    """Return the inputs of `perturbed`."""
+    return (*zip(normal, normal_at, strict=True), *zip(g, g_at, strict=True), (beta, beta_at))
+
+
+_angle = Claim(
+    "angle",
+    (
+        equation(m_length * cosine, 1),
+        greater(cosine, 0),
+        equation(dot(_turned, _turned), beta**2 * _g_squared * cosine**2),
+    ),
+    tangent,
+    perturbed,
+    borrowed=_length,
+    ranges=_clear,
+)
+
+angle = Theorem(
+    id="angle_of_the_bump",
+    title="The angle between N and N'",
+    section="s3",
+    statement=r"The angle between $N$ and $N'$ is $\arctan(|\beta||g|)$: $N\cdot N' = 1/|M| > 0$ and "
+    r"$|N\times N'|^2 = \beta^2|g|^2\,(N\cdot N')^2$.",
+    hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
+    claims=(_angle,),
+    uses=("unit_length",),
+    steps=(
+        Step(r"$N\cdot M = 1$, so $N\cdot N' = 1/|M|$", r"$|N| = 1$, $N\cdot g = 0$"),
+        Step(
+            r"$|N\times N'|^2 = 1-(N\cdot N')^2 = \beta^2|g|^2/|M|^2$", "Lagrange's identity, $|M|^2 = 1+\\beta^2|g|^2$"
+        ),
+        Step(r"the tangent is $|\beta||g|$, the angle less than $\pi/2$", "the cosine is positive"),
+    ),
+    mutants=(
+        Mutant("the sine is |β||g|", _angle.but(shows=(equation(dot(_turned, _turned), beta**2 * _g_squared),))),
+        Mutant(
+            "the tangent is |β||g|²",
+            _angle.but(shows=(equation(dot(_turned, _turned), beta**2 * _g_squared**2 * cosine**2),)),
+        ),
+        Mutant("at least 45°", _angle.but(shows=(2 * cosine**2 <= 1,))),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$N\cdot g = 0$",
+            "angle",
+            (
+                Edge(at((0, 0, 1), (1, 0, 0), 7), "holds"),
+                Edge(at((0, 0, 1), (0, 0, 1), 1), "fails"),
+                Edge(at((0, 0, 1), (0, 0, 1), -1), "undefined"),
+            ),
+        ),
+    ),
+)
+
+w = real("w")
+_w = equation(w, Abs(beta) * sqrt(_g_squared))
+_moved = minus(bumped, normal)
+_small = Claim(
+    "small_beta",
+    (
+        equation(m_length * dot(_moved, _moved), 2 * (m_length - 1)),
+        at_least(beta**2 * _g_squared - dot(_moved, _moved), 0),
+        equation(w**2, beta**2 * _g_squared),
+        at_least(w, 0),
+        at_least(w, sqrt(dot(_moved, _moved))),
+    ),
+    (*tangent, _w),
+    perturbed,
+    borrowed=_length,
+    ranges=_clear,
+)
+_still = Claim(
+    "zero_beta", equations(bumped, normal), (*tangent, equation(beta, 0)), perturbed, borrowed=_length, ranges=_clear
+)
+_flat = Claim(
+    "zero_height",
+    equations(bumped, normal),
+    (*tangent, *equations(g, (0, 0, 0))),
+    perturbed,
+    borrowed=_length,
+    ranges=_clear,
+)
+
+
+def _large(name, side):
+    """Return the claim for β of the given sign, ±1."""
+    direction = tuple(side * g_i / sqrt(_g_squared) for g_i in g)
+    gap = minus(bumped, direction)
+    return Claim(
+        name,
+        (
+            greater(sqrt(_g_squared), 0),
+            greater(w, 0),
+            equation(w**2, beta**2 * _g_squared),
+            equation(m_length**2, 1 + w**2),
+            at_least(m_length, w),
+            equation(m_length * dot(bumped, direction), w),
+            equation(m_length * dot(gap, gap), 2 * (m_length - w)),
+            equation(m_length * (m_length + w) * dot(gap, gap), 2),
+            at_least(1, w**2 * dot(gap, gap)),
+            at_least(1, w * sqrt(dot(gap, gap))),
+        ),
+        (*tangent, side * beta > 0, _g_squared > 0, _w),
+        perturbed,
+        borrowed=_length,
+        ranges=_clear,
+    )
+
+
+_up, _down = _large("large_beta", 1), _large("large_negative_beta", -1)
+_gap_squared = 2 - 2 * dot(bumped, g) / sqrt(_g_squared)
+
+limits = Theorem(
+    id="normal_limits",
+    title="The bumped normal for small and large β",
+    section="s3",
+    statement=r"$|N'-N| \le |\beta||g|$, with equality at $\beta = 0$; and for $\beta \ne 0$, $g \ne 0$, "
+    r"$|N' - \operatorname{sign}(\beta)\,g/|g|| \le 1/(|\beta||g|)$. Where the height is zero, so is $g$, and $N' = N$ "
+    r"as for $\beta = 0$.",
+    hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
+    claims=(_small, _up, _down, _still, _flat),
+    uses=("unit_length",),
+    steps=(
+        Step(r"$|N'-N|^2 = 2-2/|M|$", "$N\\cdot N' = 1/|M|$"),
+        Step(r"$2-2/|M| \le |M|^2-1 = \beta^2|g|^2$", r"$|M| \ge 1$"),
+        Step(r"$|N'\mp g/|g||^2 = 2(|M|-w)/|M| = 2/(|M|(|M|+w))$, $w = |\beta||g|$", r"$|M|^2-w^2 = 1$"),
+        Step(r"it is at most $1/w^2$", r"$|M| \ge w$"),
+        Step("$M = N$ where $g = 0$ or $\\beta = 0$", r"$|N| = 1$"),
+    ),
+    mutants=(
+        Mutant("half as far", _small.but(shows=(at_least(w, 2 * sqrt(dot(_moved, _moved))),))),
+        Mutant("N' → g/|g| for β → −∞ too", _down.but(shows=(greater(dot(bumped, g), 0),))),
+        Mutant("|N' − g/|g||² ≤ ½/(β²|g|²)", _up.but(shows=(at_least(1, 2 * w**2 * _gap_squared),))),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$\beta \ne 0$, $g \ne 0$",
+            "large_beta",
+            (
+                Edge((*at((0, 0, 1), (1, 0, 0), Rational(3, 4)), (w, Rational(3, 4))), "holds"),
+                Edge((*at((0, 0, 1), (1, 0, 0), 0), (w, 0)), "fails"),
+                Edge((*at((0, 0, 1), (0, 0, 0), 1), (w, 0)), "undefined"),
+            ),
+        ),
+    ),
+)
+
+_within = Claim(
+    "shadow_line",
+    (
+        equation(w**2, beta**2 * _g_squared),
+        at_least(w, 0),
+        at_least(_g_squared - dot(g, towards) ** 2, 0),
+        at_least(w**2 - (beta * dot(g, towards)) ** 2, 0),
+        at_least(w + beta * dot(g, towards), 0),
+        greater(dot(normal, towards) + beta * dot(g, towards), 0),
+        equation(m_length * dot(bumped, towards), dot(normal, towards) + beta * dot(g, towards)),
+        greater(dot(bumped, towards), 0),
+    ),
+    (*tangent, _w, equation(dot(towards, towards), 1), dot(normal, towards) > w),
+    perturbed,
+    squares=cross(g, towards),
+    borrowed=_length,
+    ranges=_clear,
+)
+_light = tuple(zip(towards, (Rational(-3, 5), 0, Rational(4, 5)), strict=True))
+
+shadow_line = Theorem(
+    id="shadow_line_moves_within",
+    title="How far the bump can move an attached shadow",
+    section="s3",
+    statement=r"Where $N\cdot\omega > |\beta||g|$, also $N'\cdot\omega > 0$: the attached shadow's line moves only "
+    r"where $|N\cdot\omega| \le |\beta||g|$, and not at all at $\beta = 0$.",
+    hypotheses=(r"$|N| = |\omega| = 1$", r"$N\cdot g = 0$"),
+    claims=(_within,),
+    uses=("unit_length",),
+    steps=(
+        Step(r"$(g\cdot\omega)^2 \le |g|^2$", "Lagrange's identity"),
+        Step(r"$M\cdot\omega = N\cdot\omega + \beta g\cdot\omega \ge N\cdot\omega - |\beta||g| > 0$", "expansion"),
+        Step("for the other side, the same with $-\\omega$", "nothing else changes"),
+    ),
+    mutants=(
+        Mutant(
+            "N·ω > ½|β||g| suffices",
+            _within.but(shows=_within.shows[-1:], given=(*_within.given[:-1], dot(normal, towards) > w / 2)),
+            (*at((0, 0, 1), (1, 0, 0), 1), *zip(towards, (Rational(-4, 5), 0, Rational(3, 5)), strict=True), (w, 1)),
+        ),
+        Mutant("N'·ω ≥ N·ω", _within.but(shows=(at_least(dot(bumped, towards), dot(normal, towards)),))),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$N\cdot\omega > |\beta||g|$",
+            "shadow_line",
+            (
+                Edge((*at((0, 0, 1), (1, 0, 0), 1), *_light, (w, 1)), "holds"),
+                Edge((*at((0, 0, 1), (1, 0, 0), Rational(4, 3)), *_light, (w, Rational(4, 3))), "fails"),
+                Edge((*at((0, 0, 1), (1, 0, 0), 0), *_light, (w, 0)), "holds"),
+                Edge((*at((0, 0, 1), (1, 0, 0), 0), *zip(towards, (1, 0, 0), strict=True), (w, 0)), "fails"),
+            ),
+        ),
+    ),
+)
