@@ -48,20 +48,14 @@ ray_direction = (x, y, -eye)
 _tangent = (tangent_squared, (eye - radius) * (eye + radius))  # squared length of the tangents from E to A
 
 image_extent = Program(
-    "image_extent",
-    (eye, radius),
-    (_tangent, (half, Rational(5, 4) * eye * radius / sqrt(tangent_squared))),
-    (half,),
+    "image_extent", (eye, radius), (_tangent, (half, Rational(5, 4) * eye * radius / sqrt(tangent_squared))), (half,)
 )
 """half = 5/4 · e R/√(e² − R²): the image plane's vertical half-extent, 1.25 silhouette radii. Source: seed, Cell 1."""
 
 image_point = Program(
     "image_point",
     (column, row, width, height, half),
-    (
-        (x, half * (2 * column + 1 - width) / height),
-        (y, half * ((height - 1 - 2 * row) / height - Rational(3, 20))),
-    ),
+    ((x, half * (2 * column + 1 - width) / height), (y, half * ((height - 1 - 2 * row) / height - Rational(3, 20)))),
     (x, y),
 )
 """The centre of a pixel. Pixels are square: the horizontal half-extent is half · width/height. The view is centred
@@ -70,10 +64,7 @@ image_point = Program(
 image_radius = Program(
     "image_radius",
     (x, y, eye),
-    (
-        (rho_raw, sqrt(x**2 + y**2)),
-        (rho, Piecewise((rho_raw, rho_raw >= POLE * eye), (0, True))),
-    ),
+    ((rho_raw, sqrt(x**2 + y**2)), (rho, Piecewise((rho_raw, rho_raw >= POLE * eye), (0, True)))),
     (rho,),
 )
 """ρ = √(x² + y²), and 0 at the pole (ρ below 10⁻¹⁵⁰ of the eye's height)."""
@@ -136,29 +127,32 @@ hit_of_b = Program(
 d = b² − |D|² c = |D|² R₂² − |D × (E − C)|² (Lagrange's identity); ∞ where d < 0 or b ≤ 0 (behind the eye), or
 where there is no B. Domain: E outside B. Theorem: hit_of_b. The seed has c = |C|² − R₂²: refuted, F1."""
 
-visible_surface = chain(
-    "visible_surface",
-    hit_of_a,
-    hit_of_b,
-    Program(
-        "nearest",
-        (t_a, t_b, floor_on),
+without_b = Program("without_b", (), ((t_b, oo),), (t_b,))
+"""No hit with sphere B."""
+
+_nearest = Program(
+    "nearest",
+    (t_a, t_b, floor_on),
+    (
+        (t_floor, Piecewise((1, floor_on > 0), (oo, True))),
         (
-            (t_floor, Piecewise((1, floor_on > 0), (oo, True))),
-            (
-                surface,
-                Piecewise(
-                    (1, And(t_a < oo, t_a <= t_b, t_a <= t_floor)),
-                    (2, And(t_b < oo, t_b <= t_floor)),
-                    (3, t_floor < oo),
-                    (0, True),
-                ),
+            surface,
+            Piecewise(
+                (1, And(t_a < oo, t_a <= t_b, t_a <= t_floor)),
+                (2, And(t_b < oo, t_b <= t_floor)),
+                (3, t_floor < oo),
+                (0, True),
             ),
         ),
-        (surface,),
     ),
+    (surface,),
 )
+
+visible_surface = chain("visible_surface", hit_of_a, hit_of_b, _nearest)
 """The surface that a ray meets first: 0 none, 1 sphere A, 2 sphere B, 3 floor."""
+
+surface_without_b = chain("surface_without_b", hit_of_a, without_b, _nearest)
+"""The same where the ray passes B by."""
 
 angles_on_a = chain(
     "angles_on_a",
@@ -183,11 +177,7 @@ No term cancels, so they keep their digits up to the pole, where both of θ's ar
 point_on_a = Program(
     "point_on_a",
     (cos_theta, sin_theta, cos_phi, sin_phi, radius),
-    (
-        (point[0], radius * sin_phi * cos_theta),
-        (point[1], radius * sin_phi * sin_theta),
-        (point[2], radius * cos_phi),
-    ),
+    ((point[0], radius * sin_phi * cos_theta), (point[1], radius * sin_phi * sin_theta), (point[2], radius * cos_phi)),
     point,
 )
 """P = R N, N = (sin φ cos θ, sin φ sin θ, cos φ)."""

@@ -9,12 +9,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from renderer.bounds import scene_boxes
 from renderer.kernels import (
     checker_row,
     compiled,
     shadow_on_a_row,
     shadow_on_b_row,
     shadow_on_floor_row,
+    surface_without_b_row,
     visible_surface_row,
 )
 from renderer.raster import Raster
@@ -57,17 +59,30 @@ def _mark(code_row, flag_row, bit, start, stop):
 
 
 @compiled
-def _mark_shadows(x, y, g, surface, position, bit, code_row, flag_row, start, stop):
-    """Set a light's bit where another body stands between the surface and the light."""
+def _within(box, row, start, stop):
+    """Return the part of [start, stop) that a box (left, right, top, bottom) leaves of a row; perhaps empty."""
+    if row < box[2] or row >= box[3]:
+        return start, start
+    left, right = max(start, box[0]), min(stop, box[1])
+    return left, max(left, right)
+
+
+@compiled
+def _mark_shadows(x, y, g, surface, position, boxes, row, bit, code_row, flag_row, start, stop):
+    """Set a light's bit where another body stands between the surface and the light.
+
+    boxes: where A's shadow on the floor, B's on the floor and B's on A can be.
+    """
     lx, ly, lz = position[0], position[1], position[2]
+    bx, by, bz = g.ball_x, g.ball_y, g.ball_z
     if surface == SPHERE_B:
         shadow_on_b_row(
             x,
             y,
             g.eye,
-            g.ball_x,
-            g.ball_y,
-            g.ball_z,
+            bx,
+            by,
+            bz,
             g.ball_radius,
             g.ball_on,
             lx,
@@ -82,54 +97,55 @@ def _mark_shadows(x, y, g, surface, position, bit, code_row, flag_row, start, st
             stop,
         )
         _mark(code_row, flag_row, bit, start, stop)
-    if surface == SPHERE_A and g.ball_on > 0.0:
-        shadow_on_a_row(
-            x,
-            y,
-            g.eye,
-            g.radius,
-            lx,
-            ly,
-            lz,
-            g.ball_x,
-            g.ball_y,
-            g.ball_z,
-            g.ball_radius,
-            flag_row,
-            start,
-            stop,
-        )
-        _mark(code_row, flag_row, bit, start, stop)
-    if surface == FLOOR:
-        shadow_on_floor_row(x, y, lx, ly, lz, 0.0, 0.0, 0.0, g.radius, flag_row, start, stop)
-        _mark(code_row, flag_row, bit, start, stop)
+    elif surface == SPHERE_A and g.ball_on > 0.0:
+        left, right = _within(boxes[2], row, start, stop)
+        shadow_on_a_row(x, y, g.eye, g.radius, lx, ly, lz, bx, by, bz, g.ball_radius, flag_row, left, right)
+        _mark(code_row, flag_row, bit, left, right)
+    elif surface == FLOOR:
+        left, right = _within(boxes[0], row, start, stop)
+        shadow_on_floor_row(x, y, lx, ly, lz, 0.0, 0.0, 0.0, g.radius, flag_row, left, right)
+        _mark(code_row, flag_row, bit, left, right)
         if g.ball_on > 0.0:
-            shadow_on_floor_row(x, y, lx, ly, lz, g.ball_x, g.ball_y, g.ball_z, g.ball_radius, flag_row, start, stop)
-            _mark(code_row, flag_row, bit, start, stop)
+            left, right = _within(boxes[1], row, start, stop)
+            shadow_on_floor_row(x, y, lx, ly, lz, bx, by, bz, g.ball_radius, flag_row, left, right)
+            _mark(code_row, flag_row, bit, left, right)
 
 
 @compiled
-def _mark_chambers(x, y_of_row, g, positions, bits, codes):
-    """Write the chamber codes of a band of rows."""
+def _mark_surfaces(x, y, g, box, row, surface_row):
+    """Write the surface of every pixel of a row; B is looked for inside its box alone."""
+    columns = x.shape[0]
+    left, right = _within(box, row, 0, columns)
+    if g.ball_on == 0.0:
+        left, right = 0, 0
+    surface_without_b_row(x, y, g.eye, g.radius, g.floor_on, surface_row, 0, left)
+    visible_surface_row(
+        x,
+        y,
+        g.eye,
+        g.radius,
+        g.ball_x,
+        g.ball_y,
+        g.ball_z,
+        g.ball_radius,
+        g.ball_on,
+        g.floor_on,
+        surface_row,
+        left,
+        right,
+    )
+    surface_without_b_row(x, y, g.eye, g.radius, g.floor_on, surface_row, right, columns)
+
+
+@compiled
+def _mark_chambers(x, y_of_row, g, positions, bits, boxes, codes, top):
+    """Write the chamber codes of a band of rows, the first of which is row `top` of the raster."""
+    box_of_b, shadow_boxes = boxes
     columns = x.shape[0]
     surface_row, flag_row = np.empty(columns), np.empty(columns)
     for row in range(codes.shape[0]):
-        y, code_row = y_of_row[row], codes[row]
-        visible_surface_row(
-            x,
-            y,
-            g.eye,
-            g.radius,
-            g.ball_x,
-            g.ball_y,
-            g.ball_z,
-            g.ball_radius,
-            g.ball_on,
-            g.floor_on,
-            surface_row,
-            0,
-            columns,
-        )
+        y, code_row, here = y_of_row[row], codes[row], top + row
+        _mark_surfaces(x, y, g, box_of_b, here, surface_row)
         start = 0
         while start < columns:
             surface = int(surface_row[start])
@@ -141,7 +157,20 @@ def _mark_chambers(x, y_of_row, g, positions, bits, codes):
                 checker_row(x, y, flag_row, start, stop)
                 _mark(code_row, flag_row, DARK_BIT, start, stop)
             for light in range(positions.shape[0]):
-                _mark_shadows(x, y, g, surface, positions[light], bits[light], code_row, flag_row, start, stop)
+                _mark_shadows(
+                    x,
+                    y,
+                    g,
+                    surface,
+                    positions[light],
+                    shadow_boxes[light],
+                    here,
+                    bits[light],
+                    code_row,
+                    flag_row,
+                    start,
+                    stop,
+                )
             start = stop
 
 
@@ -193,6 +222,7 @@ class Stage:
         on = [number for number, light in enumerate(scene.lights) if light.color is not None]
         positions = np.array([scene.lights[n].position for n in on], np.float64).reshape(-1, 3)
         bits = np.array([1 << (FIRST_LIGHT_BIT + n) for n in on], np.uint8)
+        boxes = scene_boxes(self.x, y, self.geometry, positions)
         rows_in_band = band_rows(raster)
         tops = range(0, raster.shape[0], rows_in_band)
         bands = [None] * len(tops)
@@ -200,7 +230,7 @@ class Stage:
         def work(number):
             rows = slice(tops[number], tops[number] + rows_in_band)
             codes = self.chambers[rows]
-            _mark_chambers(self.x, y[rows], self.geometry, positions, bits, codes)
+            _mark_chambers(self.x, y[rows], self.geometry, positions, bits, boxes, codes, tops[number])
             runs = _cut_runs(codes)
             runs_on_a = runs[(runs[:, 3] & SURFACE_BITS) == SPHERE_A]
             bands[number] = Band(tops[number], y[rows], runs, runs_on_a)

@@ -85,9 +85,7 @@ def _add_scene(parser):
         "--field", default=default.field, help=f"height field: {', '.join(FIELDS)} (default: {default.field})"
     )
     group.add_argument(
-        "--model",
-        default=default.model,
-        help=f"shading model: {', '.join(MODELS)} (default: {default.model})",
+        "--model", default=default.model, help=f"shading model: {', '.join(MODELS)} (default: {default.model})"
     )
     for name, what in NUMBERS.items():
         value = getattr(default, name)
@@ -132,12 +130,7 @@ def build_parser():
     _add_gradient(several, "central")
     epsilons = verbs.add_parser("sweep", help="print the table of eps", description="Print the table of eps.")
     epsilons.add_argument(
-        "--eps",
-        type=_number,
-        nargs="+",
-        default=list(DECADES),
-        metavar="X",
-        help="steps (default: 1e-1 … 1e-6)",
+        "--eps", type=_number, nargs="+", default=list(DECADES), metavar="X", help="steps (default: 1e-1 … 1e-6)"
     )
     epsilons.add_argument("--gradient", default="central", help="forward, central, central4 (default: central)")
     epsilons.add_argument("--csv", metavar="FILE", help="write the table to a .csv too")

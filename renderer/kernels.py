@@ -141,6 +141,18 @@ def image_extent(eye, radius):
 
 
 @compiled
+def tangent_interval(apex, apex_height, center, center_height, sphere_radius, level):
+    across = -apex + center
+    drop = apex_height - center_height
+    spread = sphere_radius * math.sqrt(across * across + (drop - sphere_radius) * (drop + sphere_radius))
+    slope_low = (across * drop - spread) / ((drop - sphere_radius) * (drop + sphere_radius))
+    slope_high = (across * drop + spread) / ((drop - sphere_radius) * (drop + sphere_radius))
+    low = apex + slope_low * (apex_height - level)
+    high = apex + slope_high * (apex_height - level)
+    return low, high
+
+
+@compiled
 def ambient_term(ka, ambient):
     color = ambient * ka
     return color
@@ -194,6 +206,25 @@ def visible_surface_row(
         discriminant_b = ball_radius * ball_radius * (eye * eye + x * x + y * y) - (ball_center_x * eye - distance * x) * (ball_center_x * eye - distance * x) - (ball_center_x * y - ball_center_y * x) * (ball_center_x * y - ball_center_y * x) - (-ball_center_y * eye + distance * y) * (-ball_center_y * eye + distance * y)
         root_b = math.sqrt(maximum(0.0, discriminant_b))
         t_b = ((ball_center_x * ball_center_x + ball_center_y * ball_center_y + (-ball_radius + distance) * (ball_radius + distance)) / (root_b + toward_b) if ((ball_on > 0.0) & (discriminant_b >= 0.0) & (toward_b > 0.0)) else math.inf)
+        surface = (1.0 if ((t_a < math.inf) & (t_a <= t_b) & (t_a <= t_floor)) else (2.0 if ((t_b < math.inf) & (t_b <= t_floor)) else (3.0 if (t_floor < math.inf) else 0.0)))
+        surface_row[i] = surface
+
+
+@compiled
+def surface_without_b_row(
+    x_row, y, eye, radius, floor_on, surface_row, start, stop
+):
+    tangent_squared = (eye - radius) * (eye + radius)
+    rho_silhouette = eye * radius / math.sqrt(tangent_squared)
+    t_b = math.inf
+    t_floor = (1.0 if (floor_on > 0.0) else math.inf)
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        rho_raw = math.sqrt(x * x + y * y)
+        rho = (rho_raw if (rho_raw >= (1.0 / 1e+150) * eye) else 0.0)
+        discriminant_a = tangent_squared * (-rho + rho_silhouette) * (rho + rho_silhouette)
+        root_a = math.sqrt(maximum(0.0, discriminant_a))
+        t_a = (tangent_squared / (eye * eye + root_a) if (discriminant_a >= 0.0) else math.inf)
         surface = (1.0 if ((t_a < math.inf) & (t_a <= t_b) & (t_a <= t_floor)) else (2.0 if ((t_b < math.inf) & (t_b <= t_floor)) else (3.0 if (t_floor < math.inf) else 0.0)))
         surface_row[i] = surface
 

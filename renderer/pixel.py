@@ -59,11 +59,7 @@ def pixel(scene, width, height, column, row, gradient=None):
     }
     if code & SURFACE_BITS:
         place = placed(frame.scene, frame.stage, frame.planes(frame.stage.bands[0]), code)
-        record |= {
-            "point": _triple(place[:3]),
-            "normal": _triple(place[3:]),
-            "lights": _lights(frame, place, code),
-        }
+        record |= {"point": _triple(place[:3]), "normal": _triple(place[3:]), "lights": _lights(frame, place, code)}
     if code & SURFACE_BITS == SPHERE_A:
         record |= _on_a(frame)
     return PixelRecord(**record)

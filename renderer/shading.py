@@ -185,18 +185,7 @@ def shade_runs(runs, x, y_of_row, g, m, planes, rgb):
 def placed(scene, stage, planes, code):
     """Return the first pixel's point and normal (N' on sphere A), six rows of one, for a stage of one pixel."""
     rows = np.empty((6, 1))
-    _place(
-        stage.x,
-        stage.bands[0].y[0],
-        stage.geometry,
-        material_of(scene),
-        code & SURFACE_BITS,
-        0,
-        planes,
-        rows,
-        0,
-        1,
-    )
+    _place(stage.x, stage.bands[0].y[0], stage.geometry, material_of(scene), code & SURFACE_BITS, 0, planes, rows, 0, 1)
     return rows
 
 

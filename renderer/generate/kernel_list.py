@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from proofs import algebraic_form, bump, camera, creases, finite_difference, height_fields, shading, shadow
+from proofs import algebraic_form, bounds, bump, camera, creases, finite_difference, height_fields, shading, shadow
 from proofs.chart import chart
 from proofs.program import Program, chain
 from proofs.symbols import (
@@ -50,6 +50,7 @@ def _raster_kernels():
         RowKernel(across, (column,)),
         RowKernel(down, (camera.row,)),
         RowKernel(camera.visible_surface, (x,)),
+        RowKernel(camera.surface_without_b, (x,)),
     ]
 
 
@@ -123,16 +124,6 @@ def _shading_kernels():
     ]
 
 
-ROW_KERNELS = [
-    *_raster_kernels(),
-    *_shadow_kernels(),
-    *_geometry_kernels(),
-    *_power_kernels(),
-    *_shading_kernels(),
-]
+ROW_KERNELS = [*_raster_kernels(), *_shadow_kernels(), *_geometry_kernels(), *_power_kernels(), *_shading_kernels()]
 
-SCALAR_PROGRAMS = [
-    camera.image_extent,
-    shading.ambient_term,
-    shading.floor_albedo,
-]
+SCALAR_PROGRAMS = [camera.image_extent, bounds.tangent_interval, shading.ambient_term, shading.floor_albedo]

@@ -154,9 +154,5 @@ def kernels_source():
             parts += [print_row_kernel(kernel, printer), print_runs_kernel(kernel)]
         if field.wave_numbers:
             parts.append(print_function(f"wave_numbers_{field.name}", _wave_numbers(field), printer, ""))
-    parts += [
-        f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\n",
-        f"MAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n",
-        field_table(),
-    ]
+    parts += [f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\n", f"MAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n", field_table()]
     return HEADER + "".join(f"\n\n{part}" for part in parts)
