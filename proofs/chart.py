@@ -21,9 +21,6 @@ chart = Program(
 """u = (1 + θ/π)/2 reduced to [0, 1) (θ = π gives 1, which is 0), v = φ/π, both by atan2. Theorem: chart."""
 
 seed_chart = Program(
-    "seed_chart",
-    normal,
-    ((u, (atan2(normal[1], normal[0]) + pi) / (2 * pi)), (v, acos(normal[2]) / pi)),
-    (u, v),
+    "seed_chart", normal, ((u, (atan2(normal[1], normal[0]) + pi) / (2 * pi)), (v, acos(normal[2]) / pi)), (u, v)
 )
 """The seed's chart, from N: v by acos loses digits at the pole, and u = 1 is not reduced (F20)."""

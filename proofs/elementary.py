@@ -131,10 +131,7 @@ angle_in_half_turns = Program(
         (denominator, larger + node * smaller),
         (ratio, Piecewise(((smaller - node * larger) / denominator, larger > 0), (0, True))),
         (ratio_squared, ratio**2),
-        (
-            arctangent_tail,
-            _inverse_pi_low + ratio_squared * polynomial(ratio_squared, _arctangent_series[1:]),
-        ),
+        (arctangent_tail, _inverse_pi_low + ratio_squared * polynomial(ratio_squared, _arctangent_series[1:])),
         (small_part, node_correction + ratio * (_arctangent_series[0] + arctangent_tail)),
         (first_octant, node_value + small_part),
         (

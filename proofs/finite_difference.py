@@ -44,10 +44,7 @@ def forward(field):
         (stepped, Piecewise((v + epsilon, v + epsilon <= 1), (v - epsilon, True))),
         *_heights(field, (h_here, u, v), (h_u_plus, u_plus, v), (h_v_plus, u, stepped)),
         (h_u, (h_u_plus - h_here) / epsilon),
-        (
-            h_v,
-            Piecewise(((h_v_plus - h_here) / epsilon, v + epsilon <= 1), ((h_here - h_v_plus) / epsilon, True)),
-        ),
+        (h_v, Piecewise(((h_v_plus - h_here) / epsilon, v + epsilon <= 1), ((h_here - h_v_plus) / epsilon, True))),
     )
     return _program("forward", field, lines)
 
@@ -57,11 +54,7 @@ def central(field):
     lines = (
         *_plus_and_minus,
         *_heights(
-            field,
-            (h_u_plus, u_plus, v),
-            (h_u_minus, u_minus, v),
-            (h_v_plus, u, v_plus),
-            (h_v_minus, u, v_minus),
+            field, (h_u_plus, u_plus, v), (h_u_minus, u_minus, v), (h_v_plus, u, v_plus), (h_v_minus, u, v_minus)
         ),
         (h_u, (h_u_plus - h_u_minus) / (2 * epsilon)),
         (h_v, (h_v_plus - h_v_minus) / span_v),

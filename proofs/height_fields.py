@@ -72,12 +72,7 @@ def gradient_from_factors(field):
     lines = tuple(
         (symbol, derivative.subs(names)) for symbol, derivative in zip((h_u, h_v), field.gradient(), strict=True)
     )
-    return Program(
-        f"gradient_from_factors_{field.name}",
-        (sin_u, cos_u, sin_v, cos_v, k_u, k_v),
-        lines,
-        (h_u, h_v),
-    )
+    return Program(f"gradient_from_factors_{field.name}", (sin_u, cos_u, sin_v, cos_v, k_u, k_v), lines, (h_u, h_v))
 
 
 def gradient(field):

@@ -3,20 +3,7 @@
 from sympy import Max, Min, Piecewise, Pow, sqrt
 
 from .program import Program, chain
-from .symbols import (
-    bumped,
-    dot,
-    light,
-    mu,
-    point,
-    real,
-    shininess,
-    specular,
-    specular_base,
-    towards,
-    vector,
-    view,
-)
+from .symbols import bumped, dot, light, mu, point, real, shininess, specular, specular_base, towards, vector, view
 
 to_light = vector("to_light")
 light_distance, light_scale = real("light_distance light_scale")
@@ -45,10 +32,7 @@ blinn = chain(
         (
             *((k, a + b) for k, a, b in zip(halfway, towards, view, strict=True)),
             (halfway_length, sqrt(dot(halfway, halfway))),
-            (
-                specular_base,
-                Piecewise((Max(0, dot(bumped, halfway) / halfway_length), halfway_length > 0), (0, True)),
-            ),
+            (specular_base, Piecewise((Max(0, dot(bumped, halfway) / halfway_length), halfway_length > 0), (0, True))),
         ),
         (specular_base,),
     ),

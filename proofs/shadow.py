@@ -20,15 +20,11 @@ shadow = Program(
         *((o, p - q) for o, p, q in zip(offset, center, point, strict=True)),
         (segment_squared, dot(segment, segment)),
         (toward_center, dot(segment, offset)),
-        (
-            shadow_discriminant,
-            segment_squared * body_radius**2 - sum(c**2 for c in cross(segment, offset)),
-        ),
+        (shadow_discriminant, segment_squared * body_radius**2 - sum(c**2 for c in cross(segment, offset))),
         (
             occluded,
             Piecewise(
-                (1, And(shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared)),
-                (0, True),
+                (1, And(shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared)), (0, True)
             ),
         ),
     ),
@@ -51,9 +47,7 @@ checker = Program(
                 (
                     1,
                     And(
-                        Ne(square, 2 * floor(square / 2)),
-                        Ne(point[0], floor(point[0])),
-                        Ne(point[1], floor(point[1])),
+                        Ne(square, 2 * floor(square / 2)), Ne(point[0], floor(point[0])), Ne(point[1], floor(point[1]))
                     ),
                 ),
                 (0, True),

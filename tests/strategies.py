@@ -60,10 +60,7 @@ def rasters(draw, largest=24):
     sizes = st.integers(1, largest)
     return draw(
         st.one_of(
-            st.tuples(sizes, sizes),
-            st.tuples(sizes, st.just(1)),
-            st.tuples(st.just(1), sizes),
-            st.just((21, 20)),
+            st.tuples(sizes, sizes), st.tuples(sizes, st.just(1)), st.tuples(st.just(1), sizes), st.just((21, 20))
         )
     )
 

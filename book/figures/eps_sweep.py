@@ -32,7 +32,14 @@ def eps_sweep() -> Drawing:
     where = {"ridges": 1e-4, "sine": 3e-4, "rings": 1e-2}
     for field, eps in where.items():
         index = int(np.abs(np.log(steps / eps)).argmin())
-        label_line_end(ax, steps[index], curves[field][index], field, readable(colour), side="above" if field == "ridges" else "left")
+        label_line_end(
+            ax,
+            steps[index],
+            curves[field][index],
+            field,
+            readable(colour),
+            side="above" if field == "ridges" else "left",
+        )
     slope_triangle(ax, 2e-4, 1e-8, 2, "2")
     slope_triangle(ax, 3e-5, 6e-4, 0.5, "½")
     ax.set_xlabel("step ε")
