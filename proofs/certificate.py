@@ -93,10 +93,7 @@ def stored(theorem, theorems):
 def text(theorem, found):
     """Return the file's text for [(claim, [(statement, certificate)])]."""
     claims = [
-        {
-            "claim": claim.name,
-            "statements": [{"sha256": digest(s), "statement": s, "certificate": c} for s, c in pairs],
-        }
+        {"claim": claim.name, "statements": [{"sha256": digest(s), "statement": s, "certificate": c} for s, c in pairs]}
         for claim, pairs in found
     ]
     return (

@@ -9,8 +9,6 @@ from fractions import Fraction
 
 HOLDS = {"=": lambda a: a == 0, "!=": lambda a: a != 0, ">": lambda a: a > 0, ">=": lambda a: a >= 0}
 NEGATION = {"=": (1, "!="), "!=": (1, "="), ">": (-1, ">="), ">=": (-1, ">")}  # not p > 0 is −p ≥ 0
-CASES = {"<": (-1, ">"), "=": (1, "="), ">": (1, ">")}
-ONE = {(): Fraction(1)}
 
 
 class Rejected(Exception):
@@ -26,78 +24,59 @@ def variable(name):
     return {(name,): Fraction(1)}
 
 
-def add(p, q, scale=1):
-    """Return p + scale · q."""
-    total = dict(p)
-    for monomial, coefficient in q.items():
-        total[monomial] = total.get(monomial, 0) + scale * coefficient
+def add(*polynomials):
+    total = {}
+    for p in polynomials:
+        for monomial, coefficient in p.items():
+            total[monomial] = total.get(monomial, 0) + coefficient
     return {monomial: coefficient for monomial, coefficient in total.items() if coefficient}
 
 
-def multiply(*polynomials):
-    product = ONE
-    for q in polynomials:
-        p, product = product, {}
-        for a, c in p.items():
-            for b, d in q.items():
-                monomial = tuple(sorted(a + b))
-                product[monomial] = product.get(monomial, 0) + c * d
-    return {monomial: coefficient for monomial, coefficient in product.items() if coefficient}
+def multiply(number, *polynomials):
+    product = {(): Fraction(number)}
+    for p in polynomials:
+        product = add(*({tuple(sorted(a + b)): c * d for b, d in p.items()} for a, c in product.items()))
+    return product
 
 
 def substitute(p, values):
-    """Return p with names replaced by polynomials, {name: polynomial}, all at once."""
-    total = {}
-    for monomial, coefficient in p.items():
-        rest = {tuple(name for name in monomial if name not in values): coefficient}
-        total = add(total, multiply(rest, *(values[name] for name in monomial if name in values)))
-    return total
+    """Return p with every name replaced by its polynomial in `values`."""
+    return add(*(multiply(coefficient, *(values[name] for name in monomial)) for monomial, coefficient in p.items()))
 
 
 def read(data, values):
-    """Return the polynomial {"x^2 y": "-3/2", "": "1"}; `values` has every name: itself, or what abbreviates."""
-    total = {}
+    """Return the polynomial {"x^2 y": "-3/2", "": "1"} with every name replaced by its polynomial in `values`."""
+    terms = []
     for text, coefficient in data.items():
-        factors = [factor.partition("^") for factor in text.split()]
-        require(all(name in values for name, _, _ in factors), f"a name in {text} is not declared")
-        monomial = tuple(sorted(name for name, _, power in factors for _ in range(int(power or 1))))
-        total = add(total, {monomial: Fraction(coefficient)})
-    return substitute(total, {name: q for name, q in values.items() if q != variable(name)})
-
-
-def close(p, facts, cofactors, values):
-    """Reject unless p = Σ q_i g_i, where every g_i = 0 is a fact."""
-    for index, cofactor in cofactors:
-        require(facts[index][1] == "=", f"fact {index} is not an equation")
-        p = add(p, multiply(read(cofactor, values), facts[index][0]), -1)
-    require(not p, "the two sides differ", p)
+        powers = [factor.partition("^")[::2] for factor in text.split()]
+        terms.append(multiply(coefficient, *(values[name] for name, power in powers for _ in range(int(power or 1)))))
+    return add(*terms)
 
 
 def prove(goal, facts, proof, values):
     """Reject unless `proof` derives the goal from the facts."""
     p, relation = goal
-    if proof["rule"] == "ideal":  # p = Σ q_i g_i
-        require(relation == "=", "membership in an ideal proves equations only")
-        close(p, facts, proof["cofactors"], values)
-    elif proof["rule"] == "contradiction":  # of facts and negated goal: positive + Σ c s² Π h_j = Σ q_i g_i
-        scale, opposite = NEGATION[relation]
-        facts, total = [*facts, (add({}, p, scale), opposite)], ONE
-        for index in proof["positive"]:
-            q, strict = facts[index]
-            require(strict in (">", "!="), f"fact {index} is not strict")
-            total = multiply(total, q, q) if strict == "!=" else multiply(total, q)
-        for coefficient, root, factors in proof["sum"]:
-            require(Fraction(coefficient) >= 0, "a coefficient is negative")
-            require(all(facts[j][1] in (">", ">=") for j in factors), "a factor is not known to be non-negative")
-            square = [read(root, values)] * 2
-            total = add(total, multiply({(): Fraction(coefficient)}, *square, *(facts[j][0] for j in factors)))
-        close(total, facts, proof["cofactors"], values)
-    elif proof["rule"] == "cases":  # by the sign of a polynomial
-        for branch, (scale, added) in CASES.items():
-            split = (add({}, read(proof["on"], values), scale), added)
+    if proof["rule"] == "cases":  # by the sign of a polynomial
+        for branch, sign, added in (("<", -1, ">"), ("=", 1, "="), (">", 1, ">")):
+            split = (multiply(sign, read(proof["on"], values)), added)
             prove(goal, [*facts, split], proof["branches"][branch], values)
-    else:
-        require(False, f"there is no rule {proof['rule']!r}")
+        return
+    if proof["rule"] == "ideal":  # p = Σ q_i g_i, where every g_i = 0 is a fact
+        require(relation == "=", "membership in an ideal proves equations only")
+    else:  # contradiction of facts and negated goal: Π of what is ≠ 0 or > 0, + Σ c s² Π h_j = Σ q_i g_i
+        require(proof["rule"] == "contradiction", f"there is no rule {proof['rule']!r}")
+        sign, opposite = NEGATION[relation]
+        facts = [*facts, (multiply(sign, p), opposite)]
+        strict = [facts[index] for index in proof["positive"]]
+        require(all(r in (">", "!=") for _, r in strict), "a fact is not strict")
+        p = multiply(1, *(q for f, r in strict for q in ([f, f] if r == "!=" else [f])))
+        for coefficient, root, factors in proof["sum"]:
+            require(all(facts[j][1] in (">", ">=") for j in factors) and Fraction(coefficient) >= 0, "may be negative")
+            p = add(p, multiply(coefficient, *[read(root, values)] * 2, *(facts[j][0] for j in factors)))
+    for index, cofactor in proof["cofactors"]:
+        require(facts[index][1] == "=", f"fact {index} is not an equation")
+        p = add(p, multiply(-1, read(cofactor, values), facts[index][0]))
+    require(not p, "the two sides differ", p)
 
 
 def derive(statement, meet):
@@ -115,9 +94,9 @@ def derive(statement, meet):
         name, y = step["new"], variable(step["new"])
         require(name not in values, f"{name} is not new")
         if kind == "root":  # y = √p
-            facts += [(add(multiply(y, y), p, -1), "="), (y, ">=")]
+            facts += [(add(multiply(1, y, y), multiply(-1, p)), "="), (y, ">=")]
         elif kind == "inverse":  # y = 1/p
-            facts.append((add(multiply(y, p), ONE, -1), "="))
+            facts.append((add(multiply(1, y, p), multiply(-1)), "="))
         else:
             require(kind == "define", f"there is no step {kind}")
         values[name] = p if kind == "define" else y
@@ -131,13 +110,11 @@ def prove_all(statement, certificate):
 
 def refute(statement, certificate):
     """Reject unless at the point everything holds except the last goal."""
-    point, goals = {name: {(): Fraction(value)} for name, value in certificate["point"].items()}, []
+    point, goals = {name: multiply(value) for name, value in certificate["point"].items()}, []
     *facts, (claim, relation) = derive(statement, lambda goal, *_: goals.append(goal))
     require(statement["steps"][-1]["step"] == "show", "there is no last goal")
     for p, holds in [(q, HOLDS[r]) for q, r in facts + goals[:-1]] + [(claim, lambda a: not HOLDS[relation](a))]:
-        value = substitute(p, point)
-        require(set(value) <= {()}, "the point leaves a name without a value", value)
-        require(holds(value.get((), 0)), "the point is not a counterexample", p)
+        require(holds(substitute(p, point).get((), 0)), "the point is not a counterexample", p)
 
 
 def induct(statement, certificate):
@@ -149,16 +126,15 @@ def induct(statement, certificate):
     require(not any(set(n) & start.keys() for p, _ in facts for n in p), "an assumption about the state")
     claims = [read(p, values) for p in statement["show"] + certificate["strengthen"]]
     for p, base, step in zip(claims, certificate["base"], certificate["step"], strict=True):
-        prove((substitute(p, start), "="), facts, base, values)
-        prove((substitute(p, following), "="), facts + [(q, "=") for q in claims], step, values)
+        prove((substitute(p, values | start), "="), facts, base, values)
+        prove((substitute(p, values | following), "="), facts + [(q, "=") for q in claims], step, values)
 
 
 def separate(statement, certificate):
     """Reject unless the certificate's set holds the outputs and all that they use, and nothing to be avoided."""
     reached = set(certificate["reached"])
-    require(reached >= set(statement["outputs"]), "an output is missing")
-    for name, uses in statement["lines"]:
-        require(name not in reached or reached >= set(uses), f"{name} uses a name that is missing")
+    closed = all(reached >= set(uses) for name, uses in statement["lines"] if name in reached)
+    require(closed and reached >= set(statement["outputs"]), "an output, or a name that is used, is missing")
     require(not reached & set(statement["avoid"]), "reaches what was to be avoided")
 
 
@@ -168,6 +144,7 @@ RULES = {"derivation": prove_all, "refutation": refute, "induction": induct, "se
 def check(statement, certificate):
     """Return None if the certificate proves the statement, else the exception that says why it does not."""
     try:
+        require(statement["version"] == 1, "only version 1 is known")
         RULES[statement["kind"]](statement, certificate)
     except Exception as why:  # a malformed certificate proves nothing either
         return why

@@ -81,11 +81,11 @@ def _stored(ideal, cofactors):
 
 def _contradiction(goal, facts, values, names, ideal, squares, effort):
     scale, opposite = kernel.NEGATION[goal[1]]
-    negated = (kernel.add({}, goal[0], scale), opposite)
+    negated = (kernel.multiply(scale, goal[0]), opposite)
     facts = [*facts, negated]
     if opposite == "=":
         ideal = Ideal(names, {i: p for i, (p, relation) in enumerate(facts) if relation == "="})
-    hints = [({"": "1"}, kernel.ONE)] + [(q, kernel.read(q, values)) for q in squares]
+    hints = [({"": "1"}, kernel.multiply(1))] + [(q, kernel.read(q, values)) for q in squares]
     abbreviations = [({n: "1"}, q) for n, q in values.items() if n not in names and 1 < len(q) <= 8][-16:]
     if opposite == "!=":
         hints.append((ideal.data(ideal.element(negated[0])), negated[0]))
@@ -102,7 +102,7 @@ def _monomials(p, facts):
     names = sorted({name for monomial in p for name in monomial})[:6]
     single = [({n: "1"}, kernel.variable(n)) for n in names]
     pairs = [
-        ({a: "1", b: str(s)}, kernel.add(kernel.variable(a), kernel.variable(b), s))
+        ({a: "1", b: str(s)}, kernel.add(kernel.variable(a), kernel.multiply(s, kernel.variable(b))))
         for i, a in enumerate(names)
         for b in names[i + 1 :]
         for s in (1, -1)
@@ -119,18 +119,18 @@ def _combine(facts, opposite, ideal, roots, plain_roots, degree):
     p = facts[last][0]
     candidates = []  # (polynomial, positive indices or None, root of the square, factor indices)
     if opposite == "!=" and len(p) <= 4:
-        square = kernel.multiply(p, p)
-        candidates.append((kernel.multiply(square, square), (last, last), ideal.data(ideal.element(square)), ()))
+        square = kernel.multiply(1, p, p)
+        candidates.append((kernel.multiply(1, square, square), (last, last), ideal.data(ideal.element(square)), ()))
     for size in range(degree + 1):
         for indices in combinations_with_replacement(strict, size):
             unequal = [last] if opposite == "!=" else []
-            q = kernel.multiply(*(facts[i][0] for i in (*indices, *unequal, *unequal)))
+            q = kernel.multiply(1, *(facts[i][0] for i in (*indices, *unequal, *unequal)))
             candidates.append((q, (*indices, *unequal), roots_of_unequal if unequal else {"": "1"}, indices))
         for indices in combinations_with_replacement(ordered, size):
-            q = kernel.multiply(*(facts[i][0] for i in indices))
+            q = kernel.multiply(1, *(facts[i][0] for i in indices))
             few = roots + plain_roots * (size == 0)
             for data, root in few if size < 2 else roots[:1] + roots[-1:] * (opposite == "!="):
-                candidates.append((kernel.multiply(q, root, root), None, data, indices))
+                candidates.append((kernel.multiply(1, q, root, root), None, data, indices))
     if len(candidates) > 700:
         return None
     columns, elements = [], []
@@ -185,7 +185,7 @@ def _induction(statement, squares, effort):
     facts = [(kernel.read(step["of"], values), step["is"]) for step in statement["assume"]]
     claims = [kernel.read(p, values) for p in statement["show"]]
     for p in claims:
-        certificate["base"].append(find((kernel.substitute(p, start), "="), facts, values))
+        certificate["base"].append(find((kernel.substitute(p, values | start), "="), facts, values))
         step_facts = facts + [(q, "=") for q in claims]
-        certificate["step"].append(find((kernel.substitute(p, following), "="), step_facts, values))
+        certificate["step"].append(find((kernel.substitute(p, values | following), "="), step_facts, values))
     return certificate

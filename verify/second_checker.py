@@ -180,12 +180,7 @@ def _separation(statement, certificate):
 
 def check(statement, certificate):
     """Return None if the certificate proves the statement, else the exception that says why it does not."""
-    kinds = {
-        "derivation": _derivation,
-        "refutation": _refutation,
-        "induction": _induction,
-        "separation": _separation,
-    }
+    kinds = {"derivation": _derivation, "refutation": _refutation, "induction": _induction, "separation": _separation}
     try:
         if statement["version"] != 1:
             raise Refused(f"version {statement['version']}")
