@@ -141,19 +141,57 @@ def borrowed(claim, theorems):
     added = tuple(lemma.relation for lemma in getattr(claim, "cited", ()))
     for id, name in getattr(claim, "borrowed", ()):
         other = theorems[id].claim(name)
-        mine = dict(claim.lines.definitions) if claim.lines else {}
-        _, kept = other.names()
-        needed = dict(kept.definitions) if kept else {}
-        if not set(other.given) <= set(claim.given) or not needed.items() <= mine.items():
+        if not _supplies(other, claim, set(claim.given)):
             raise ValueError(f"{claim.name}: the hypotheses of {id}/{name} are not all given here")
         added += other.shows
     return claim.but(given=claim.given + added) if added else claim
 
 
+def _supplies(other, claim, given):
+    """Return whether a claim may take another's conclusions, given some relations: its names mean the same there."""
+    mine = dict(claim.lines.definitions) if claim.lines else {}
+    _, kept = other.names()
+    needed = dict(kept.definitions) if kept else {}
+    return set(other.given) <= given and needed.items() <= mine.items()
+
+
 def incomplete(theorem, theorems):
-    """Return what `uses` gets wrong: it lists exactly the theorems that claims borrow from or steps use."""
+    """Return what is wrong with `uses`, or could be borrowed and is assumed instead.
+
+    `uses` lists exactly the theorems that a claim borrows from, that a step uses, or that conclude what a claim is
+    given, about the same names.
+    """
     needed = {id for claim in theorem.claims for id, _ in getattr(claim, "borrowed", ())}
     needed |= {id for step in theorem.steps for id in step.uses}
+    concluding = [c for id in theorem.uses if id in theorems for c in _concluding(theorem, theorems[id])]
     lacks = sorted(needed - set(theorem.uses))
+    idle = sorted(set(theorem.uses) - needed - {id for id, *_ in concluding})
     problems = [f"{theorem.id}: uses lacks {', '.join(lacks)}, which a claim borrows from or a step uses"] * bool(lacks)
+    for id in idle:
+        problems.append(f"{theorem.id}: uses {id}, but no claim borrows from it; name it in the step that does: uses=")
+    for id, other in theorems.items():
+        if other.expected != "refuted" and not _rests_on(id, theorem.id, theorems):
+            for _, claim, conclusion, relations in _concluding(theorem, other):
+                others = set(claim.given) - relations
+                if _supplies(conclusion, claim, others) and (id, conclusion.name) not in claim.borrowed:
+                    text = ", ".join(sorted(map(str, relations)))
+                    problems.append(f"{theorem.id}/{claim.name}: borrow {text} from {id}/{conclusion.name}")
     return problems
+
+
+def _concluding(theorem, other):
+    """Return [(id, claim, conclusion, relations)]: what a claim of `theorem` is given and `other` concludes."""
+    if other.id == theorem.id:
+        return []
+    return [
+        (other.id, claim, conclusion, relations)
+        for claim in theorem.claims
+        for conclusion in other.claims
+        if isinstance(claim, Claim) and isinstance(conclusion, Claim)
+        if (relations := set(claim.given) & set(conclusion.shows))
+    ]
+
+
+def _rests_on(id, target, theorems):
+    """Return whether the theorem `id` is, or uses at however many removes, `target`."""
+    return id == target or any(_rests_on(use, target, theorems) for use in theorems[id].uses if use in theorems)

@@ -121,8 +121,8 @@ stable = Theorem(
     uses=("hit_of_a", "tangent_frame"),
     steps=(
         Step(r"$R\sin\varphi = t\rho$, $R\cos\varphi = e(1-t)$", "both from the conjugate form of $t$"),
-        Step(r"$\cos^2+\sin^2 = 1$ for both angles", "the point is on the sphere"),
-        Step(r"$\sqrt{1-N_z^2} = \sin\varphi$", r"$\sin\varphi > 0$"),
+        Step(r"$\cos^2+\sin^2 = 1$ for both angles", "the point is on the sphere", uses=("hit_of_a",)),
+        Step(r"$\sqrt{1-N_z^2} = \sin\varphi$", r"$|N| = 1$ and $\sin\varphi > 0$", uses=("tangent_frame",)),
     ),
     mutants=(
         Mutant("R cos φ = e t", _angles.but(shows=(equation(radius * cos_phi, eye * t_a),))),

@@ -84,6 +84,7 @@ derivative = Theorem(
             "differentiation of the lines",
         ),
         Step("each component", "membership in the ideal of |M|² and 1/|M|"),
+        Step(r"$M \ne 0$ for every $\beta$ where $g \perp N$", r"$|M| \ge 1$ there", uses=("unit_length",)),
     ),
     mutants=(
         Mutant(
