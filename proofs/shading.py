@@ -7,7 +7,8 @@ from .symbols import bumped, dot, light, mu, point, real, shininess, specular, s
 
 to_light = vector("to_light")
 light_distance, light_scale = real("light_distance light_scale")
-halfway, halfway_length = vector("halfway"), real("halfway_length")
+halfway = vector("halfway")
+halfway_length, halfway_squared = real("halfway_length halfway_squared")
 
 light_direction = Program(
     "light_direction",
@@ -23,14 +24,20 @@ light_direction = Program(
 )
 """ω = (L − P)/|L − P|, μ = N'·ω. Domain: L ≠ P."""
 
+halfway_vector = chain(
+    "halfway_vector",
+    light_direction,
+    Program("halfway_sum", (*towards, *view), tuple((k, a + b) for k, a, b in zip(halfway, towards, view)), halfway),
+)
+"""ω + v̂, not normalised."""
+
 blinn = chain(
     "blinn",
-    light_direction,
+    halfway_vector,
     Program(
         "blinn_base",
-        (*towards, *view, *bumped),
+        (*halfway, *bumped),
         (
-            *((k, a + b) for k, a, b in zip(halfway, towards, view, strict=True)),
             (halfway_length, sqrt(dot(halfway, halfway))),
             (specular_base, Piecewise((Max(0, dot(bumped, halfway) / halfway_length), halfway_length > 0), (0, True))),
         ),
@@ -39,6 +46,25 @@ blinn = chain(
     outputs=(mu, specular_base),
 )
 """Blinn–Phong: the base of the highlight is max(0, N'·(ω + v̂)/|ω + v̂|), and 0 where ω = −v̂."""
+
+blinn_squared = chain(
+    "blinn_squared",
+    halfway_vector,
+    Program(
+        "blinn_squared_base",
+        (*halfway, *bumped),
+        (
+            (halfway_squared, dot(halfway, halfway)),
+            (
+                specular_base,
+                Piecewise((Max(0, dot(bumped, halfway)) ** 2 / halfway_squared, halfway_squared > 0), (0, True)),
+            ),
+        ),
+        (specular_base,),
+    ),
+    outputs=(mu, specular_base),
+)
+"""The square of Blinn–Phong's base: base^p = (base²)^(p/2) for an even p, without a root."""
 
 phong = chain(
     "phong",

@@ -582,6 +582,41 @@ def phong_row(
 
 
 @compiled
+def blinn_squared_row(
+    x_row, y, eye, view_scale_row, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z,
+    bumped_x_row, bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        view_scale = view_scale_row[i]
+        point_x = point_x_row[i]
+        point_y = point_y_row[i]
+        point_z = point_z_row[i]
+        bumped_x = bumped_x_row[i]
+        bumped_y = bumped_y_row[i]
+        bumped_z = bumped_z_row[i]
+        view_x = -view_scale * x
+        view_y = -view_scale * y
+        view_z = eye * view_scale
+        to_light_x = light_x - point_x
+        to_light_y = light_y - point_y
+        to_light_z = light_z - point_z
+        light_distance = math.sqrt(to_light_x * to_light_x + to_light_y * to_light_y + to_light_z * to_light_z)
+        light_scale = 1.0 / light_distance
+        towards_x = light_scale * to_light_x
+        towards_y = light_scale * to_light_y
+        towards_z = light_scale * to_light_z
+        mu = bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z
+        halfway_x = towards_x + view_x
+        halfway_y = towards_y + view_y
+        halfway_z = towards_z + view_z
+        halfway_squared = halfway_x * halfway_x + halfway_y * halfway_y + halfway_z * halfway_z
+        specular_base = (maximum(0.0, bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z) * maximum(0.0, bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z) / halfway_squared if (halfway_squared > 0.0) else 0.0)
+        mu_row[i] = mu
+        specular_base_row[i] = specular_base
+
+
+@compiled
 def light_cosine_row(
     point_x_row, point_y_row, point_z_row, light_x, light_y, light_z, bumped_x_row, bumped_y_row,
     bumped_z_row, mu_row, start, stop

@@ -8,6 +8,7 @@ from renderer.chambers import DARK_BIT, FIRST_LIGHT_BIT, FLOOR, NOTHING, SPHERE_
 from renderer.kernels import (
     ambient_term,
     blinn_row,
+    blinn_squared_row,
     clip_row,
     compiled,
     floor_albedo,
@@ -21,12 +22,13 @@ from renderer.kernels import (
     square_row,
     view_length_row,
 )
-from renderer.scene import MODELS
+
+BLINN, PHONG, BLINN_SQUARED = 0, 1, 2
 
 
 class Material(NamedTuple):
-    """The scene's shading, as the kernels take it. `model` is an index into MODELS; `power` is the shininess if it is
-    whole, else 0. base: the ambient colour (3). albedo: (5, 3) for nothing, A, B, light and dark floor squares.
+    """The scene's shading, as the kernels take it. model: BLINN, PHONG, or BLINN_SQUARED for an even shininess.
+    power: the whole power that the highlight's base is raised to, 0 if the shininess is not whole. base: the ambient colour (3). albedo: (5, 3) for nothing, A, B, light and dark floor squares.
     positions, colors: (n, 3), and bits (n), of the lights that are on."""
 
     beta: float
@@ -46,14 +48,17 @@ def material_of(scene):
     """Return the Material of a scene."""
     on = [(number, light) for number, light in enumerate(scene.lights) if light.color is not None]
     floor = [(red, red, blue) for red, blue in (floor_albedo(dark, scene.floor_tint) for dark in (0.0, 1.0))]
-    whole = scene.shininess == int(scene.shininess)
+    power = int(scene.shininess) if scene.shininess == int(scene.shininess) else 0
+    model = BLINN if scene.model == "blinn" else PHONG
+    if model == BLINN and power and power % 2 == 0:
+        model, power = BLINN_SQUARED, power // 2
     return Material(
         scene.beta,
         scene.kd,
         scene.ks,
         scene.shininess,
-        int(scene.shininess) if whole else 0,
-        MODELS.index(scene.model),
+        power,
+        model,
         np.array([ambient_term(scene.ka, channel) for channel in scene.ambient]),
         np.array([(0.0, 0.0, 0.0), scene.albedo_a, scene.albedo_b, *floor]),
         np.array([light.position for _, light in on], np.float64).reshape(-1, 3),
@@ -69,48 +74,20 @@ def _albedo_index(code):
 
 
 @compiled
-def _place(x, y, g, m, surface, row, planes, place, start, stop):
-    """Write the points and normals of a run into `place`, six rows."""
+def _place(x, y, g, m, surface, row, p, place, start, stop):
+    """Write the points and normals of a run into `place`, six rows; `p` are the band's planes."""
+    px, py, pz, nx, ny, nz = place[0], place[1], place[2], place[3], place[4], place[5]
     if surface == SPHERE_A:
+        cos_theta, sin_theta, cos_phi, sin_phi = p.cos_theta[row], p.sin_theta[row], p.cos_phi[row], p.sin_phi[row]
+        h_u, h_v = p.h_u[row], p.h_v[row]
         normal_on_a_row(
-            planes.cos_theta[row],
-            planes.sin_theta[row],
-            planes.cos_phi[row],
-            planes.sin_phi[row],
-            g.radius,
-            planes.h_u[row],
-            planes.h_v[row],
-            m.beta,
-            place[0],
-            place[1],
-            place[2],
-            place[3],
-            place[4],
-            place[5],
-            start,
-            stop,
+            cos_theta, sin_theta, cos_phi, sin_phi, g.radius, h_u, h_v, m.beta, px, py, pz, nx, ny, nz, start, stop
         )
     elif surface == SPHERE_B:
-        normal_of_b_row(
-            x,
-            y,
-            g.eye,
-            g.ball_x,
-            g.ball_y,
-            g.ball_z,
-            g.ball_radius,
-            g.ball_on,
-            place[0],
-            place[1],
-            place[2],
-            place[3],
-            place[4],
-            place[5],
-            start,
-            stop,
-        )
+        bx, by, bz, radius = g.ball_x, g.ball_y, g.ball_z, g.ball_radius
+        normal_of_b_row(x, y, g.eye, bx, by, bz, radius, g.ball_on, px, py, pz, nx, ny, nz, start, stop)
     else:
-        normal_of_floor_row(x, y, place[0], place[1], place[2], place[3], place[4], place[5], start, stop)
+        normal_of_floor_row(x, y, px, py, pz, nx, ny, nz, start, stop)
 
 
 @compiled
@@ -135,7 +112,9 @@ def _add_light(x, y, eye, m, light, albedo, place, work, rgb, row, start, stop):
     position, color = m.positions[light], m.colors[light]
     lx, ly, lz = position[0], position[1], position[2]
     px, py, pz, nx, ny, nz = place[0], place[1], place[2], place[3], place[4], place[5]
-    if m.model == 0:
+    if m.model == BLINN_SQUARED:
+        blinn_squared_row(x, y, eye, work[0], px, py, pz, lx, ly, lz, nx, ny, nz, work[1], work[2], start, stop)
+    elif m.model == BLINN:
         blinn_row(x, y, eye, work[0], px, py, pz, lx, ly, lz, nx, ny, nz, work[1], work[2], start, stop)
     else:
         phong_row(x, y, eye, work[0], px, py, pz, lx, ly, lz, nx, ny, nz, work[1], work[2], start, stop)

@@ -110,7 +110,7 @@ def _shading_kernels():
     rows = (*point, *bumped, x, camera.view_scale)
     models = [
         RowKernel(chain(name, camera.view_direction, model, outputs=(mu, specular_base)), rows)
-        for name, model in shading.MODELS.items()
+        for name, model in {**shading.MODELS, "blinn_squared": shading.blinn_squared}.items()
     ]
     color, colors = shading.color, shading.colors
     return [
