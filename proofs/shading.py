@@ -8,7 +8,7 @@ from .symbols import bumped, dot, light, mu, point, real, shininess, specular, s
 to_light = vector("to_light")
 light_distance, light_scale = real("light_distance light_scale")
 halfway = vector("halfway")
-halfway_length, halfway_squared = real("halfway_length halfway_squared")
+halfway_length, halfway_squared, along_halfway = real("halfway_length halfway_squared along_halfway")
 
 light_direction = Program(
     "light_direction",
@@ -27,7 +27,12 @@ light_direction = Program(
 halfway_vector = chain(
     "halfway_vector",
     light_direction,
-    Program("halfway_sum", (*towards, *view), tuple((k, a + b) for k, a, b in zip(halfway, towards, view)), halfway),
+    Program(
+        "halfway_sum",
+        (*towards, *view),
+        tuple((k, a + b) for k, a, b in zip(halfway, towards, view, strict=True)),
+        halfway,
+    ),
 )
 """ω + v̂, not normalised."""
 
@@ -55,10 +60,8 @@ blinn_squared = chain(
         (*halfway, *bumped),
         (
             (halfway_squared, dot(halfway, halfway)),
-            (
-                specular_base,
-                Piecewise((Max(0, dot(bumped, halfway)) ** 2 / halfway_squared, halfway_squared > 0), (0, True)),
-            ),
+            (along_halfway, Max(0, dot(bumped, halfway))),
+            (specular_base, Piecewise((along_halfway**2 / halfway_squared, halfway_squared > 0), (0, True))),
         ),
         (specular_base,),
     ),

@@ -611,7 +611,8 @@ def blinn_squared_row(
         halfway_y = towards_y + view_y
         halfway_z = towards_z + view_z
         halfway_squared = halfway_x * halfway_x + halfway_y * halfway_y + halfway_z * halfway_z
-        specular_base = (maximum(0.0, bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z) * maximum(0.0, bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z) / halfway_squared if (halfway_squared > 0.0) else 0.0)
+        along_halfway = maximum(0.0, bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z)
+        specular_base = (along_halfway * along_halfway / halfway_squared if (halfway_squared > 0.0) else 0.0)
         mu_row[i] = mu
         specular_base_row[i] = specular_base
 

@@ -27,9 +27,12 @@ BLINN, PHONG, BLINN_SQUARED = 0, 1, 2
 
 
 class Material(NamedTuple):
-    """The scene's shading, as the kernels take it. model: BLINN, PHONG, or BLINN_SQUARED for an even shininess.
-    power: the whole power that the highlight's base is raised to, 0 if the shininess is not whole. base: the ambient colour (3). albedo: (5, 3) for nothing, A, B, light and dark floor squares.
-    positions, colors: (n, 3), and bits (n), of the lights that are on."""
+    """The scene's shading, as the kernels take it.
+
+    model: BLINN, PHONG, or BLINN_SQUARED for an even shininess. power: the whole power that the highlight's base is
+    raised to, 0 if the shininess is not whole. base: the ambient colour (3). albedo: (5, 3) for nothing, A, B, light
+    and dark floor squares. positions, colors: (n, 3), and bits (n), of the lights that are on.
+    """
 
     beta: float
     kd: float
