@@ -1,4 +1,4 @@
-"""The central difference's lines where they have one form each: away from the seam and the poles, and at the pole v = 0.
+"""The central difference's lines where each has one form: away from the seam and the poles, and at the pole v = 0.
 
 The lines are those of `proofs.finite_difference`, with floor, Min, Max and the case of the span decided; the theorems
 prove each decision about v from the lines themselves. Of u the definition of floor is used: it is 0 on [0, 1).
@@ -7,6 +7,7 @@ prove each decision about v from the lines themselves. Of u the definition of fl
 from sympy import Max, Min, Piecewise, floor
 
 from .finite_difference import central, h_u_minus, h_u_plus, h_v_minus, h_v_plus
+from .height_fields import HEIGHT_FIELDS
 from .program import Program
 from .symbols import epsilon, u, v
 
@@ -36,9 +37,13 @@ def at_pole(field):
     return _decided(central(field), "at_pole", lower=False, span=1)
 
 
-def of_heights(field):
-    """Return the central difference with its four heights as inputs: what it does to any heights."""
-    program = central(field)
-    heights = (h_u_plus, h_u_minus, h_v_plus, h_v_minus)
-    lines = tuple(line for line in program.definitions if line[0] not in heights)
-    return Program("central_of_heights", (u, v, epsilon, *heights), lines, program.outputs)
+def of_heights(heights):
+    """Return the central difference with its heights given, {h_v_plus: expression, …}; the others are inputs."""
+    program = central(HEIGHT_FIELDS["sine"])
+    all_heights = {name: heights.get(name) for name in (h_u_plus, h_u_minus, h_v_plus, h_v_minus)}
+    inputs = {name for name, given in all_heights.items() if given is None}
+    inputs |= {s for given in heights.values() for s in given.free_symbols} - {u, v, epsilon}
+    lines = [(name, all_heights.get(name, line)) for name, line in program.definitions]
+    lines = tuple(line for line in lines if line[1] is not None)
+    names = (u, v, epsilon, *sorted(inputs, key=lambda s: s.name))
+    return Program("central_of_heights", names, lines, program.outputs)

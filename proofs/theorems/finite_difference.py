@@ -2,11 +2,11 @@
 
 from sympy import Rational, cos, pi, sin
 
-from ..claim import Claim, at_least, equation, greater
+from ..claim import Claim, equation
 from ..difference_cases import inside, nothing_clamps, nothing_wraps
 from ..finite_difference import central, span_v, v_minus, v_plus
 from ..height_fields import HEIGHT_FIELDS
-from ..symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
+from ..symbols import epsilon, h_u, h_v, k_u, k_v, u, v
 from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
 
 sine, rings = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["rings"]
@@ -89,9 +89,7 @@ theorem = Theorem(
             ),
         ),
         SideCondition(
-            r"$\varepsilon > 0$",
-            "cosine",
-            (Edge(((u, Rational(1, 3)), (epsilon, 0), (k_u, 8)), "undefined"),),
+            r"$\varepsilon > 0$", "cosine", (Edge(((u, Rational(1, 3)), (epsilon, 0), (k_u, 8)), "undefined"),)
         ),
     ),
 )

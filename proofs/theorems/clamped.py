@@ -1,0 +1,215 @@
+"""The difference that is clamped at the pole v = 0: first order in general, second order where the field is odd."""
+
+from sympy import Abs, Rational, S, Symbol, pi, sin
+
+from ..claim import Claim, at_least, equation
+from ..difference_cases import at_pole, of_heights, pole_clamps
+from ..finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
+from ..height_fields import HEIGHT_FIELDS, HeightField
+from ..symbols import epsilon, h_v, k_u, k_v, real, u, v
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from .cited import sine_of_half_turn
+
+sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
+slope, here, largest, bend_plus, bend_minus = real("slope here largest bend_plus bend_minus")
+ranges = ((v, (0, Rational(1, 2))), (epsilon, (0, Rational(1, 2))), (largest, (0, 3)))
+
+
+def both_ways(bound, quantity):
+    """Return −bound ≤ quantity ≤ bound."""
+    return at_least(bound - quantity, 0), at_least(bound + quantity, 0)
+
+
+_clamp = Claim(
+    "clamp",
+    (equation(v_plus, v + epsilon), equation(v_minus, 0), equation(span_v, v + epsilon)),
+    pole_clamps,
+    central(sine),
+)
+_bends = tuple(part for bend in (bend_plus, bend_minus) for part in (bend <= largest, bend >= -largest))
+_first = Claim(
+    "first_order",
+    (
+        *both_ways(largest * (epsilon**2 + v**2) / 2, (v + epsilon) * (h_v - slope)),
+        *both_ways(largest * (epsilon**2 + v**2) / (2 * (epsilon + v)), h_v - slope),
+    ),
+    (*pole_clamps, *_bends),
+    of_heights(
+        {
+            h_v_plus: here + epsilon * slope + bend_plus * epsilon**2 / 2,
+            h_v_minus: here - v * slope + bend_minus * v**2 / 2,
+        }
+    ),
+    squares=(epsilon, v),
+    ranges=ranges,
+)
+_sharp = Claim(
+    "first_order_sharp",
+    (equation(h_v, (epsilon**2 + v**2) / (2 * (epsilon + v))),),
+    pole_clamps,
+    of_heights({h_v_plus: epsilon**2 / 2, h_v_minus: -(v**2) / 2}),
+)
+_parabola = HeightField("parabola", v**2 / 2)
+_at_zero = Claim(
+    "at_the_pole_itself",
+    (equation(at_pole(_parabola).expand(h_v) - _parabola.gradient()[1], (epsilon - v) / 2),),
+    pole_clamps,
+)
+
+first_order = Theorem(
+    id="clamped_difference",
+    title="The difference clamped at the pole",
+    section="s4",
+    statement=r"For $0 \le v < \varepsilon$ the central difference is $(h(v+\varepsilon) - h(0))/(v+\varepsilon)$, and "
+    r"$|D_\varepsilon h - h_v| \le \frac{\varepsilon^2+v^2}{2(\varepsilon+v)}\sup|h_{vv}|$: first order. No smaller "
+    r"factor will do: $h(w) = \tfrac12(w-v)|w-v|$ attains it; at $v = 0$ so does $w^2/2$.",
+    hypotheses=(
+        r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
+        r"Taylor's theorem: $h(v+\varepsilon) = h + \varepsilon h_v + \tfrac12\varepsilon^2 a$ and "
+        r"$h(0) = h - v h_v + \tfrac12 v^2 b$ with $|a|, |b| \le \sup|h_{vv}|$ over $[0, v+\varepsilon]$",
+    ),
+    claims=(_clamp, _first, _sharp, _at_zero),
+    steps=(
+        Step(r"$v_- = 0$, $v_+ = v+\varepsilon$, divided by $v+\varepsilon$", "the lines' own cases, decided"),
+        Step(r"$(v+\varepsilon)|D_\varepsilon h - h_v| \le S(\varepsilon^2+v^2)/2$", "the two remainders, added"),
+        Step("equality", "the remainders of $(w-v)|w-v|/2$ are $\\varepsilon^2/2$ and $-v^2/2$"),
+    ),
+    mutants=(
+        Mutant(
+            "ε² − v², as if the two remainders cancelled",
+            _first.but(shows=both_ways(largest * (epsilon**2 - v**2) / (2 * (epsilon + v)), h_v - slope)),
+        ),
+        Mutant(
+            "w²/2 attains the bound off the pole",
+            _at_zero.but(
+                shows=(equation(at_pole(_parabola).expand(h_v) - v, (epsilon**2 + v**2) / (2 * (epsilon + v))),)
+            ),
+        ),
+        Mutant("divided by 2ε", _clamp.but(shows=(equation(span_v, 2 * epsilon),))),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$v < \varepsilon$",
+            "clamp",
+            (
+                Edge(((v, Rational(1, 8)), (epsilon, Rational(1, 8))), "holds"),
+                Edge(((v, Rational(1, 4)), (epsilon, Rational(1, 8))), "fails"),
+            ),
+        ),
+        SideCondition(
+            r"$v + \varepsilon \le 1$", "clamp", (Edge(((v, Rational(1, 2)), (epsilon, Rational(3, 4))), "fails"),)
+        ),
+    ),
+)
+
+_odd = tuple(equation(field.expression.subs(v, -v), -field.expression) for field in (sine, rings))
+_are_odd = Claim("odd", _odd)
+_sines = tuple(Symbol(str(sin(w)).replace(" ", ""), real=True) for w in (pi * k_u * u, pi * k_v * v))
+_odd_ridge = Abs(sin(pi * k_u * u)) * sin(pi * k_v * v)
+_first_ridge = Claim(
+    "first_ridge",
+    (
+        at_least(_odd_ridge, 0),
+        at_least(_odd_ridge, ridges.expression),
+        at_least(ridges.expression, _odd_ridge),
+        equation(ridges.expression, _odd_ridge),
+    ),
+    (k_v > 0, v >= 0, 1 - k_v * v >= 0),
+    squares=(_sines[0] * _sines[1],),
+    cited=(sine_of_half_turn(pi * k_v * v),),
+    ranges=((v, (0, 1)), (k_v, (0, 3))),
+)
+_end = v + epsilon
+_room = (epsilon**2 + 2 * epsilon * v - 2 * v**2) / 6
+_rise = _end**2 / 8 - v**2 / 2
+_middle = slope + bend_minus * _rise
+_second = Claim(
+    "second_order",
+    (
+        equation(h_v - slope, _end**2 / 24 * bend_plus + _rise * bend_minus),
+        at_least(_rise, 0),
+        *(at_least(_rise * (largest + s * bend_minus), 0) for s in (1, -1)),
+        *both_ways(largest * _room, h_v - slope),
+    ),
+    (*pole_clamps, *_bends),
+    of_heights({h_v_plus: _end * _middle + bend_plus * _end**3 / 24, h_v_minus: S.Zero}),
+    squares=(_end,),
+    ranges=ranges,
+)
+_off_zero = of_heights({h_v_plus: _second.lines[h_v_plus], h_v_minus: here})
+_cubic = HeightField("cubic", v**3 / 6)
+_attained = Claim(
+    "second_order_sharp", (equation(at_pole(_cubic).expand(h_v) - _cubic.gradient()[1], _room),), pole_clamps
+)
+
+second_order = Theorem(
+    id="clamped_difference_of_odd",
+    title="Where the field is odd, the clamp costs no order",
+    section="s4",
+    statement=r"If $h$ is odd about $v = 0$ and $0 \le v < \varepsilon$, then "
+    r"$|D_\varepsilon h - h_v| \le \tfrac16(\varepsilon^2+2\varepsilon v-2v^2)\sup|h_{vvv}|$: second order. Sine and "
+    r"rings are odd; on $[0, 1/k_v]$ ridges is $|\sin\pi k_u u|\sin\pi k_v v$, which is; $w^3/6$ attains the bound.",
+    hypotheses=(
+        r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
+        r"$s = v+\varepsilon$; the midpoint rule for $h(s) = \int_0^s h_v$: $h(s) = s h_v(s/2) + \tfrac1{24}s^3 a$, "
+        r"$|a| \le \sup|h_{vvv}|$",
+        r"the mean value theorem: $|h_{vv}(w)| \le w\sup|h_{vvv}|$, so that $h_v(s/2) = h_v(v) + "
+        r"\tfrac12(s^2/4 - v^2)b$, $|b| \le \sup|h_{vvv}|$",
+    ),
+    claims=(_are_odd, _first_ridge, _second, _attained),
+    uses=("clamped_difference",),
+    steps=(
+        Step(r"$h(0) = 0$ and $h_{vv}(0) = 0$", "$h$ is odd"),
+        Step("the clamped difference divides by $v+\\varepsilon$", "its lines", uses=("clamped_difference",)),
+        Step(r"$D_\varepsilon h - h_v = s^2a/24 + (s^2/8 - v^2/2)b$", r"the two theorems; $v \le s/2$"),
+        Step(r"$s^2/24 + s^2/8 - v^2/2 = (s^2 - 3v^2)/6$", "expansion"),
+        Step(r"$s^2 - 3v^2 = \varepsilon^2 + 2\varepsilon v - 2v^2$", "expansion"),
+    ),
+    mutants=(
+        Mutant("the unclamped bound ε²/6", _second.but(shows=both_ways(largest * epsilon**2 / 6, h_v - slope))),
+        Mutant("h(0) = 0 is not needed", _second.but(lines=_off_zero)),
+        Mutant("1 − v² is odd too", Claim("odd", (equation((1 - v**2).subs(v, -v), v**2 - 1),))),
+        Mutant(
+            "w³/6 attains ε²/6 for v > 0",
+            _attained.but(shows=(equation(at_pole(_cubic).expand(h_v) - v**2 / 2, epsilon**2 / 6),)),
+        ),
+    ),
+    side_conditions=(
+        SideCondition(
+            "ridges up to its first crease, $k_v v \\le 1$",
+            "first_ridge",
+            (
+                Edge(((u, Rational(1, 3)), (k_u, 1), (k_v, 4), (v, Rational(1, 4))), "holds"),
+                Edge(((u, Rational(1, 3)), (k_u, 1), (k_v, 4), (v, Rational(3, 8))), "fails"),
+            ),
+        ),
+    ),
+)
+
+
+def _at_zero_of(h):
+    """Return the error of the clamped difference at v = 0 of a field h(v)."""
+    field = HeightField("at_zero", h)
+    return (at_pole(field).expand(h_v) - field.gradient()[1]).subs(v, 0)
+
+
+_steps = (epsilon > 0, epsilon <= 1)
+_costs = Claim("costs_an_order", (at_least(Abs(_at_zero_of(v - v**3)), epsilon),), _steps)
+
+always_first_order = Theorem(
+    id="seed_clamp",
+    title="The seed's clamp always costs an order",
+    section="s7",
+    finding="F16",
+    statement=r"At the pole the one-sided difference is of first order for every field: at $v = 0$ that of "
+    r"$h = v - v^3$ errs by $\varepsilon$ at least.",
+    hypotheses=(r"$0 < \varepsilon \le 1$",),
+    claims=(_costs,),
+    refuted_at=(("costs_an_order", ((epsilon, Rational(1, 2)),)),),
+    steps=(Step(r"the error is $-\varepsilon^2$: $1/4$ at $\varepsilon = 1/2$", "$h$ is odd"),),
+    mutants=(
+        Mutant("of v − v³ it is −ε²", Claim("odd", (equation(_at_zero_of(v - v**3), -(epsilon**2)),), _steps)),
+        Mutant("of v + v², not odd, it is ε", Claim("not_odd", (equation(_at_zero_of(v + v**2), epsilon),), _steps)),
+    ),
+    expected="refuted",
+)
