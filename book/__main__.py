@@ -22,6 +22,13 @@ def check() -> None:
     check.check()
 
 
+def report() -> None:
+    """Have the theorems' report, which the site is made from too."""
+    from book import report
+
+    report.make()
+
+
 def figures(ids: Sequence[str] = (), force: bool = False) -> None:
     """Draw the figures that changed."""
     from book.figures import fresh
@@ -54,7 +61,7 @@ def parser() -> argparse.ArgumentParser:
     drawing.add_argument("ids", nargs="*", metavar="ID", help="only these figures")
     drawing.add_argument("--force", action="store_true", help="draw them even if nothing changed")
     drawing.add_argument("--list", action="store_true", help="list the figures and what each draws")
-    verbs.add_parser("build", help="draw the figures that changed, then build the site if anything changed")
+    verbs.add_parser("build", help="report, figures, then the site if anything changed")
     return top
 
 
@@ -82,6 +89,8 @@ def run(options: argparse.Namespace) -> None:
             stage("Checking the proofs", check)
         if verb == "figures":
             stage("Drawing figures", lambda: figures(options.ids, options.force))
+        if verb in ("all", "build"):
+            stage("Reading the report of the proofs", report)
         if verb in ("all", "build"):
             stage("Drawing figures", figures)
             stage("Building the site", build)

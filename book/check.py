@@ -5,7 +5,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from book import stamps
+from book import report, stamps
 
 # Whole folders, code and data: a proof may read what it does not import.
 FOLDERS = ("proofs", "renderer", "verify", "book", "tests/data")
@@ -23,12 +23,15 @@ def sources() -> Iterator[Path]:
 
 
 def check() -> None:
-    """Run `pytest verify`, or say why there is no need to."""
+    """Run `pytest verify`, which writes the report that the book reads, or say why there is no need to."""
     now = stamps.hashes(sources())
-    if stamps.read("check") == now:
+    if stamps.read("check") == now | {"report": report.digest()}:
         print("  skipped: they passed, and nothing that they can reach has changed since")
         return
+    before = report.sources()
     stamps.remove("check")
+    stamps.remove("report")
     command = [sys.executable, "-m", "pytest", "verify", "-q", "-n", "2"]
     subprocess.run(command, cwd=stamps.ROOT, check=True)
-    stamps.write("check", now)
+    report.remember(before)
+    stamps.write("check", now | {"report": report.digest()})

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from tqdm import tqdm
 
-from book import stamps
+from book import report, stamps
 from book.figures import keys, save
 from book.figures.discover import all_figures
 from book.figures.registry import UnknownFigure
@@ -46,6 +46,6 @@ def _remove_unclaimed(figures) -> None:
     """A figure that is no longer registered must not live on in a page."""
     if keys.GENERATED.is_dir():
         for path in keys.GENERATED.iterdir():
-            if path.is_file() and path.name.split(".")[0] not in figures:
+            if path.is_file() and path != report.REPORT and path.name.split(".")[0] not in figures:
                 print(f"  removed {path.name}: no figure of that id is registered")
                 path.unlink()

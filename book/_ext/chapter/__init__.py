@@ -3,16 +3,20 @@
 `{chapter-figure} ID`      a figure, its caption and its provenance (figures.py)
 `{number}` roles           a number from a figure or a benchmark, printed with a format (numbers.py)
 `{benchmark-label} NAME`   where and when a benchmark was measured (numbers.py)
+`{theorem} ID`             a theorem's card; {theorem-ref}`ID` refers to it (cards.py)
+`{all-claims}`, `{grades}` every theorem by section and grade, and what the grades mean (claims.py)
+`{dependency-graph}`       what rests on what (dependencies.py)
+`{docstring} FILE`         a module's docstring; sources as pages, theorems as downloads (listings.py)
 section ids                `(s1)=` before a heading puts s1 on the section itself (pages.py)
 notebooks                  a page with code cells offers itself as a notebook (pages.py)
 MathJax                    copied into the site from the installed package (assets.py)
 """
 
-from book._ext.chapter import assets, figures, numbers, pages
+from book._ext.chapter import assets, cards, claims, dependencies, elements, figures, listings, numbers, pages
 
 
 def setup(app):
     """Register everything with Sphinx."""
-    for part in (assets, figures, numbers, pages):
+    for part in (assets, cards, claims, dependencies, elements, figures, listings, numbers, pages):
         part.setup(app)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

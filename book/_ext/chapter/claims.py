@@ -1,0 +1,93 @@
+"""The page of all claims: counted, by section and grade, with a filter that needs no script.
+
+:::{all-claims}
+:::
+:::{grades}           the legend of the badges
+:::
+"""
+
+import re
+from collections import Counter
+from pathlib import Path
+
+from docutils import nodes
+
+from book._ext.chapter.cards import ProofsDirective, card, link
+from book._ext.chapter.elements import Html
+from book._ext.chapter.evidence import badge, count, evidence_line, legend
+from book._ext.chapter.theorems import CLAIMS_PAGE, MEANINGS, SHAPES, kind
+
+ORDER = list(MEANINGS)
+
+
+class Grades(ProofsDirective):
+    """The legend: of the grades that occur."""
+
+    def content_nodes(self, proofs):
+        occurring = {kind(entry["grade"]) for entry in proofs.entries.values()}
+        return [legend([g for g in ORDER if g in occurring or g not in ("failed",)])]
+
+
+class AllClaims(ProofsDirective):
+    """Every theorem: a line each; and the cards of those that stand on no other page."""
+
+    def content_nodes(self, proofs):
+        grades = {id: kind(entry["grade"]) for id, entry in proofs.entries.items()}
+        parts = [filters(Counter(grades.values()))]
+        sections = {id: section_of(proofs, id) for id in proofs.in_page_order()}
+        for section in sorted(set(sections.values()), key=section_order):
+            ids = [id for id in sections if sections[id] == section]
+            ids.sort(key=lambda id: ORDER.index(grades[id]))
+            title = section_title(Path(self.env.srcdir), section)
+            place = nodes.section("", nodes.title("", title), ids=[f"claims-{section}"], names=[], classes=["claims"])
+            place += Html("ul", *(self.line(proofs, id) for id in ids), classes=["claim-list"])
+            parts.append(place)
+        if unplaced := [id for id in proofs.in_page_order() if proofs.places[id].page == CLAIMS_PAGE]:
+            place = nodes.section("", nodes.title("", "On no other page"), ids=["on-no-other-page"], names=[])
+            place += [card(self.env, proofs, id) for id in unplaced]
+            parts.append(place)
+        return parts
+
+    def line(self, proofs, id):
+        """One theorem: badge, name with a link to its card, evidence."""
+        entry = proofs.entries[id]
+        name = link(f"{proofs.label(id)}", self.address(id, proofs))
+        title = nodes.Text(f" {proofs.theorems[id].title}")
+        evidence = Html("span", nodes.Text(evidence_line(entry)), classes=["evidence-line"])
+        return Html("li", badge(entry["grade"]), name, title, evidence, classes=[kind(entry["grade"])])
+
+
+def filters(counts: Counter) -> Html:
+    """Radio buttons, one for each grade that occurs: the style sheet does the rest."""
+    choices = [("all", f"all {sum(counts.values())}")]
+    choices += [(grade, f"{SHAPES[grade]} {counts[grade]} {grade}") for grade in ORDER if counts[grade]]
+    parts = [Html("legend", nodes.Text(f"Show, of {count(sum(counts.values()), 'claim')}:"))]
+    for grade, text in choices:
+        checked = {"checked": None} if grade == "all" else {}
+        box = Html("input", type="radio", name="grade", id=f"only-{grade}", **checked)
+        parts.append(Html("label", box, nodes.Text(f" {text}"), for_=f"only-{grade}"))
+    return Html("fieldset", *parts, classes=["grade-filter"])
+
+
+def section_of(proofs, id: str) -> str:
+    """The page that has the card; of those that have none, the section that the theorem names."""
+    page = proofs.places[id].page
+    return proofs.theorems[id].section if page == CLAIMS_PAGE else page
+
+
+def section_order(section: str) -> tuple:
+    """s2 before s10."""
+    return tuple(int(part) if part.isdigit() else part for part in re.split(r"(\d+)", section))
+
+
+def section_title(book: Path, section: str) -> str:
+    """The title of the page that a section's name names."""
+    page = book / f"{section}.md"
+    found = re.search(r"^# (.+)$", page.read_text(encoding="utf-8"), re.MULTILINE) if page.is_file() else None
+    return found[1] if found else section
+
+
+def setup(app) -> None:
+    """Register the directives."""
+    app.add_directive("all-claims", AllClaims)
+    app.add_directive("grades", Grades)

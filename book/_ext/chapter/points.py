@@ -1,0 +1,49 @@
+"""Points as the reader sees them: {"normal_x": "0", …} becomes N = (0, 0, 1)."""
+
+import re
+from fractions import Fraction
+
+import mpmath
+from sympy import Symbol, latex
+
+from proofs.symbols import TEX_NAMES
+
+TEX = {symbol.name: tex for symbol, tex in TEX_NAMES.items()}
+LONG = 10**9  # numerators and denominators above are given to six digits
+
+
+def tex_name(name: str) -> str:
+    """The name of a variable as TeX."""
+    return TEX.get(name) or (latex(Symbol(name)) if name.isidentifier() else rf"\texttt{{{name}}}".replace("_", r"\_"))
+
+
+def tex_value(text: str) -> str:
+    """A rational as it stands; a number of many digits to six of them."""
+    try:
+        value = Fraction(text)
+    except ValueError:
+        return rf"\texttt{{{text}}}".replace("_", r"\_")
+    if max(abs(value.numerator), value.denominator) < LONG:
+        return str(value)
+    digits = mpmath.nstr(mpmath.mpf(value.numerator) / value.denominator, 6)
+    mantissa, _, exponent = digits.partition("e")
+    if not exponent:
+        return mantissa + r"\ldots"
+    front = "" if mantissa in ("1.0", "1") else rf"{mantissa.removesuffix('.0')}\cdot "
+    return rf"{front}10^{{{int(exponent)}}}"
+
+
+def tex_point(at: dict[str, str]) -> list[str]:
+    """Equations in TeX, one a variable; three coordinates make one vector."""
+    left, equations = dict(at), []
+    for name, value in at.items():
+        if name not in left:
+            continue
+        base = re.sub(r"_x$", "", name)
+        names = [f"{base}_{axis}" for axis in "xyz"]
+        if base != name and all(n in left for n in names):
+            values = ", ".join(tex_value(left.pop(n)) for n in names)
+            equations.append(f"{re.sub('_x$', '', tex_name(name))} = ({values})")
+        else:
+            equations.append(f"{tex_name(name)} = {tex_value(left.pop(name) and value)}")
+    return equations
