@@ -50,13 +50,13 @@ class Sampler:
         for symbol in self.inputs:
             if symbol not in solved and symbol not in values:
                 values[symbol] = self._draw(symbol)
-        for symbol, coefficients in self.solved:
-            if symbol not in values:
-                roots = _real_roots(coefficients(values))
-                if not roots:
-                    return None
-                values[symbol] = self.random.choice(roots)
         try:
+            for symbol, coefficients in self.solved:
+                if symbol not in values:
+                    roots = _real_roots(coefficients(values))
+                    if not roots:
+                        return None
+                    values[symbol] = self.random.choice(roots)
             return values if self.early(values) else None
         except Undefined:
             return None

@@ -1,0 +1,120 @@
+"""The surface that the bump pretends to be: its normal, Blinn's, and the chapter's, which is neither (F18)."""
+
+from sympy import Function, diff, pi, sin
+
+from ..claim import Claim, equation
+from ..displacement import blinn_normal, displaced, displaced_normal, h_phi, h_theta, lift
+from ..symbols import beta, cos_phi, cos_theta, cross, dot, h, h_u, h_v, normal, phi, sin_phi, sin_theta, theta
+from ..tangent_frame import e_phi, e_theta
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from .frame import angles, equations, frame, on_circles
+
+_field = Function("field")(theta, phi)
+_values = {diff(_field, theta): h_theta, diff(_field, phi): h_phi, _field: h}
+
+
+def _along(angle):
+    """Return ∂(P + βhN)/∂angle on the unit sphere, for any field h(θ, φ)."""
+    surface = [(1 + beta * _field) * frame[n].xreplace(angles) for n in normal]
+    return [diff(s, angle).subs(_values) for s in surface]
+
+
+def _in_angles(program, names):
+    return [program.expand(n, until=(h_theta, h_phi)).xreplace(angles) for n in names]
+
+
+_scaled = [(1 + beta * h) * sin(phi) * d for d in _in_angles(displaced_normal, displaced)]
+_product = Claim("product", equations(cross(_along(phi), _along(theta)), _scaled), (sin(phi) > 0,))
+_u, _v = (theta + pi) / (2 * pi), phi / pi
+_chart_scale = Claim(
+    "chart_scale",
+    (equation(h_theta, h_u * diff(_u, theta)), equation(h_phi, h_v * diff(_v, phi))),
+    (),
+    displaced_normal,
+)
+raised = (*on_circles, sin_phi > 0, 1 + beta * h > 0)
+_outward = Claim(
+    "outward", (equation(dot(displaced, normal), lift), dot(displaced, normal) > 0), raised, displaced_normal
+)
+_slopes = tuple(h_theta / sin_phi * t + h_phi * p for t, p in zip(e_theta, e_phi, strict=True))
+_blinn = tuple(blinn_normal.expand(d, until=(*normal, *e_theta, *e_phi, h_theta, h_phi)) for d in displaced)
+_first_order = Claim(
+    "first_order",
+    (
+        *(equation(lift * b - d, -(beta**2) * h * s) for b, d, s in zip(_blinn, displaced, _slopes, strict=True)),
+        equation(dot(_slopes, _slopes), (h_theta / sin_phi) ** 2 + h_phi**2),
+        *equations(cross(displaced, _blinn), [-(beta**2) * h * c for c in cross(normal, _slopes)]),
+    ),
+    (*on_circles, sin_phi > 0),
+    displaced_normal,
+)
+
+displaced_theorem = Theorem(
+    id="displaced_normal",
+    title="The displaced surface's normal, and Blinn's",
+    section="s3",
+    statement=r"The surface $(1+\beta h)N$ over the unit sphere has $\partial_\varphi \times \partial_\theta = "
+    r"(1+\beta h)\sin\varphi\, D$ with $D = (1+\beta h)N - \beta G$, "
+    r"$G = \tfrac{h_u}{2\pi\sin\varphi}e_\theta + \tfrac{h_v}{\pi}e_\varphi$, and $D\cdot N = 1+\beta h > "
+    r"0$: outwards. "
+    r"Blinn's $B = N - \beta G$ has $D \times B = -\beta^2 h\, N\times G$: the same direction to first "
+    r"order in $\beta$.",
+    hypotheses=(r"$\sin\varphi > 0$", r"$1+\beta h > 0$", r"$h$ is differentiable"),
+    claims=(_product, _chart_scale, _outward, _first_order),
+    uses=("tangent_frame",),
+    steps=(
+        Step(
+            r"$\partial_\theta = \beta h_\theta N + (1+\beta h)\sin\varphi\,e_\theta$, $\partial_\varphi$ likewise",
+            "product rule",
+        ),
+        Step(
+            "their product, component by component",
+            r"the circle equations of $\theta$ and $\varphi$",
+            uses=("tangent_frame",),
+        ),
+        Step(r"$h_\theta = h_u/2\pi$, $h_\varphi = h_v/\pi$", r"$u = (\theta+\pi)/2\pi$, $v = \varphi/\pi$"),
+        Step(r"$(1+\beta h)B - D = -\beta^2 h G$", "expansion"),
+    ),
+    mutants=(
+        Mutant("inwards: ∂θ × ∂φ", _product.but(shows=equations(cross(_along(theta), _along(phi)), _scaled))),
+        Mutant(
+            "without the metric factor sin φ",
+            _product.but(shows=equations(cross(_along(phi), _along(theta)), [s / sin(phi) for s in _scaled])),
+        ),
+        Mutant(
+            "Blinn's is the displaced normal", _first_order.but(shows=equations(cross(displaced, _blinn), (0, 0, 0)))
+        ),
+        Mutant("h_φ = h_v/2π", _chart_scale.but(shows=(equation(2 * pi * h_phi, h_v),))),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$\sin\varphi > 0$",
+            "first_order",
+            (
+                Edge(
+                    ((cos_theta, 1), (sin_theta, 0), (cos_phi, 1), (sin_phi, 0), (h, 1), (h_u, 1), (h_v, 1), (beta, 1)),
+                    "undefined",
+                ),
+            ),
+        ),
+        SideCondition(
+            r"$1+\beta h > 0$",
+            "outward",
+            (
+                Edge(
+                    (
+                        (cos_theta, 1),
+                        (sin_theta, 0),
+                        (cos_phi, 0),
+                        (sin_phi, 1),
+                        (h, -1),
+                        (h_u, 1),
+                        (h_v, 1),
+                        (beta, 1),
+                    ),
+                    "fails",
+                ),
+            ),
+        ),
+    ),
+)

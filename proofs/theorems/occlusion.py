@@ -1,0 +1,153 @@
+"""The shadow test: which signs say that a sphere stands between two points, and its discriminant."""
+
+from sympy import Rational, sqrt
+
+from ..camera import discriminant_b, hit_of_b, ray_direction, toward_b
+from ..claim import Claim, at_least, equation, greater
+from ..shadow import (
+    body_radius,
+    center,
+    occluded,
+    offset,
+    segment,
+    segment_squared,
+    shadow,
+    shadow_discriminant,
+    toward_center,
+)
+from ..symbols import ball_center, ball_radius, dot, eye, light, point, real
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from .hits import distance_squared
+
+s = real("s")
+_between = tuple(p + s * d for p, d in zip(point, segment, strict=True))
+_ends_outside = (dot(offset, offset) > body_radius**2, distance_squared(light, center) > body_radius**2)
+_excess = dot(offset, offset) - body_radius**2
+_quadratic = Claim(
+    "quadratic",
+    (
+        equation(
+            distance_squared(_between, center) - body_radius**2,
+            segment_squared * s**2 - 2 * toward_center * s + _excess,
+        ),
+        equation(distance_squared(light, center) - body_radius**2, segment_squared - 2 * toward_center + _excess),
+        equation(shadow_discriminant, toward_center**2 - segment_squared * _excess),
+        at_least(segment_squared, 0),
+    ),
+    (),
+    shadow,
+    squares=segment,
+)
+_conditions = (shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared)
+_program = Claim("program", (equation(occluded, 1),), _conditions, shadow)
+_a, _b, _c, _d = real("a b c d")
+_positive_at_both_ends = (_a >= 0, _c > 0, _a - 2 * _b + _c > 0, equation(_d, _b**2 - _a * _c))
+_first = (_b - sqrt(_d)) / _a
+_if = Claim(
+    "if",
+    (
+        greater(_a, 0),
+        greater(_a - _b, 0),
+        equation((_b - sqrt(_d)) * (_b + sqrt(_d)), _a * _c),
+        greater(_b + sqrt(_d), 0),
+        greater(_b - sqrt(_d), 0),
+        equation((_a - _b - sqrt(_d)) * (_a - _b + sqrt(_d)), _a * (_a - 2 * _b + _c)),
+        greater(_a - _b + sqrt(_d), 0),
+        greater(1 / _a, 0),
+        greater(_first, 0),
+        greater(1, _first),
+        equation(_a * _first**2 - 2 * _b * _first + _c, 0),
+    ),
+    (*_positive_at_both_ends, _d >= 0, _b > 0, _b < _a),
+)
+_only_if = Claim(
+    "only_if",
+    (greater(_b, 0), greater(_a - _b, 0), equation((_a * s - _b) ** 2, _d), at_least(_d, 0)),
+    (*_positive_at_both_ends, s > 0, s < 1, equation(_a * s**2 - 2 * _b * s + _c, 0)),
+    squares=(_a * s - _b,),
+)
+_of_b = Claim(
+    "of_b",
+    (
+        equation(
+            discriminant_b,
+            toward_b**2
+            - dot(ray_direction, ray_direction) * (distance_squared((0, 0, eye), ball_center) - ball_radius**2),
+        ),
+    ),
+    (),
+    hit_of_b,
+)
+_of_shadow = Claim("of_shadow", _quadratic.shows[2:3], (), shadow)
+_wrong_side = toward_b**2 - dot(ray_direction, ray_direction) * (
+    distance_squared((0, 0, 0), ball_center) - ball_radius**2
+)
+
+lagrange = Theorem(
+    id="lagrange_identity",
+    title="Both discriminants without cancellation",
+    section="s3",
+    statement=r"$|a|^2r^2 - |a\times w|^2 = (a\cdot w)^2 - |a|^2(|w|^2-r^2)$: for sphere B with $a = (x, y, -e)$, "
+    r"$w = C - E$, $r = R_2$; for a shadow with $a = L - P$, $w = C - P$.",
+    claims=(_of_b, _of_shadow),
+    steps=(Step(r"$|a\times w|^2 = |a|^2|w|^2 - (a\cdot w)^2$", "Lagrange's identity, by expansion"),),
+    mutants=(
+        Mutant("w = C", _of_b.but(shows=(equation(discriminant_b, _wrong_side),))),
+        Mutant(
+            "+ |a × w|²",
+            _of_shadow.but(
+                shows=(
+                    equation(
+                        shadow_discriminant, toward_center**2 - segment_squared * (dot(offset, offset) + body_radius**2)
+                    ),
+                )
+            ),
+        ),
+    ),
+)
+
+theorem = Theorem(
+    id="occlusion_by_signs",
+    title="The shadow test by signs",
+    section="s3",
+    statement=r"Let $P$ and $L$ be outside the sphere about $C$ of radius $r$. Then $|P+s(L-P)-C| = r$ for some "
+    r"$s$ in $(0, 1)$ exactly if $d = |a|^2r^2-|a\times w|^2 \ge 0$ and $0 < a\cdot w < |a|^2$, where $a "
+    r"= L-P$, $w = C-P$.",
+    hypotheses=("$|C-P| > r$ and $|C-L| > r$",),
+    claims=(_quadratic, _program, _if, _only_if),
+    uses=("lagrange_identity",),
+    steps=(
+        Step(
+            r"$|P+sa-C|^2-r^2 = |a|^2s^2 - 2(a\cdot w)s + |w|^2-r^2$",
+            "expansion; positive at $s = 0$ and $s = 1$",
+            ("lagrange_identity",),
+        ),
+        Step(
+            r"if: $s = (a\cdot w-\sqrt d)/|a|^2$ is a root in $(0, 1)$",
+            r"$d < (a\cdot w)^2$ and $d < (|a|^2-a\cdot w)^2$",
+        ),
+        Step(r"only if: a root has $(|a|^2s - a\cdot w)^2 = d \ge 0$", "the square completed"),
+        Step(
+            "and the vertex lies between the ends", "a convex parabola, positive at both ends, with a root between them"
+        ),
+    ),
+    mutants=(
+        Mutant("without the vertex before L", _if.but(shows=(greater(1, _first),), given=_if.given[:-1])),
+        Mutant(
+            "without the vertex after P", _if.but(shows=(greater(_first, 0),), given=(*_if.given[:-2], _a > 0, _b < _a))
+        ),
+        Mutant(
+            "d > 0 for every root",
+            _only_if.but(shows=(greater(_d, 0),)),
+            at=((_a, 4), (_b, 2), (_c, 1), (s, Rational(1, 2))),
+        ),
+    ),
+    side_conditions=(
+        SideCondition("$|C-P| > r$", "if", (Edge(((_a, 4), (_b, 2), (_c, 0), (_d, 4)), "fails"),)),
+        SideCondition(
+            "$|C-L| > r$",
+            "if",
+            (Edge(((_a, 4), (_b, 3), (_c, 2), (_d, 1)), "holds"), Edge(((_a, 4), (_b, 2), (_c, -1), (_d, 8)), "fails")),
+        ),
+    ),
+)

@@ -1,0 +1,154 @@
+"""Which points of sphere A are seen: the silhouette's radius, and cos φ > R/e."""
+
+from sympy import Rational
+
+from ..camera import POLE, discriminant_a, hit_of_a, ray_direction, rho_raw, root_a, t_a, tangent_squared
+from ..claim import Claim, at_least, equation, greater
+from ..symbols import dot, eye, radius, real, rho, rho_silhouette, x, y
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from .hits import along
+
+t = real("t")
+_eye_outside = (eye > radius, rho_raw >= POLE * eye)
+_square = rho**2 + eye**2
+_inside = Claim(
+    "inside",
+    (
+        greater(tangent_squared, 0),
+        greater(rho_silhouette + rho, 0),
+        at_least(tangent_squared * (rho_silhouette - rho), 0),
+        discriminant_a >= 0,
+    ),
+    (*_eye_outside, rho <= rho_silhouette),
+    hit_of_a,
+)
+_only_inside = Claim(
+    "only_inside", (rho_silhouette > 0, rho <= rho_silhouette), (*_eye_outside, discriminant_a >= 0), hit_of_a
+)
+_quadratic = Claim(
+    "quadratic", (equation(discriminant_a, eye**4 - _square * (eye**2 - radius**2)),), _eye_outside, hit_of_a
+)
+_in_front = Claim("in_front", (greater(t_a, 0), greater(1, t_a)), (*_eye_outside, discriminant_a >= 0), hit_of_a)
+_touching = along(1 - radius**2 / eye**2)
+_tangent = Claim(
+    "tangent",
+    (
+        equation(discriminant_a, 0),
+        equation(rho**2, rho_silhouette**2),
+        equation(dot(_touching, _touching), radius**2),
+        equation(dot(_touching, ray_direction), 0),
+        equation(eye * _touching[2], radius**2),
+    ),
+    (*_eye_outside, equation((x**2 + y**2) * (eye**2 - radius**2), eye**2 * radius**2)),
+    hit_of_a,
+)
+_on_a = (*_eye_outside, discriminant_a >= 0, equation(dot(along(t), along(t)), radius**2))
+_cos_phi = along(t)[2] / radius
+_from_center = _square * t - eye**2
+_place = (
+    equation(t * _from_center, radius * (radius - eye * _cos_phi)),
+    equation(_from_center**2, discriminant_a),
+    equation(2 * eye**2 * t, _square * t**2 + eye**2 - radius**2),
+    greater(eye**2 * t, 0),
+    greater(t, 0),
+)
+_visible = Claim(
+    "visible",
+    (
+        *_place,
+        at_least(0, _from_center),
+        at_least(-_from_center, root_a),
+        at_least(root_a, -_from_center),
+        at_least(t, t_a),
+        at_least(t_a, t),
+    ),
+    (*_on_a, eye * _cos_phi >= radius),
+    hit_of_a,
+    squares=(rho * t, eye * t),
+)
+_hidden = Claim(
+    "hidden",
+    (*_place, greater(_from_center, 0), greater(t, t_a)),
+    (*_on_a, eye * _cos_phi < radius),
+    hit_of_a,
+    squares=(rho * t, eye * t),
+)
+
+
+def _rim(t):
+    """Return the inputs of a ray that touches A at t = 16/25, with a value of t."""
+    return ((x, Rational(15, 16)), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 4)), (real("t"), t))
+
+
+silhouette = Theorem(
+    id="silhouette_of_a",
+    title="The silhouette of sphere A",
+    section="s3",
+    statement=r"Let $e > R$. A ray meets A exactly if $\rho \le \rho_s = eR/\sqrt{e^2-R^2}$, and then $0 "
+    r"< t < 1$: in front "
+    r"of the floor. At $\rho = \rho_s$ it touches A, $P\cdot D = 0$, at height $P_z = R^2/e$, that is "
+    r"$\cos\varphi = R/e$.",
+    hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$"),
+    claims=(_quadratic, _inside, _only_inside, _in_front, _tangent),
+    uses=("hit_of_a",),
+    steps=(
+        Step(r"$d = e^4-(\rho^2+e^2)(e^2-R^2) = (e^2-R^2)(\rho_s^2-\rho^2)$", "expansion"),
+        Step(r"its sign is that of $\rho_s-\rho$", "the other factors are positive"),
+        Step(r"$t = (e^2-R^2)/(e^2+\sqrt d) < 1$", r"$e^2-R^2 < e^2 \le e^2+\sqrt d$", ("hit_of_a",)),
+        Step(r"$d = 0$: the double root is $t = e^2/(\rho^2+e^2) = 1-R^2/e^2$", "substitution"),
+    ),
+    mutants=(
+        Mutant(
+            "ρ_s = R e/√(e² + R²)",
+            _only_inside.but(shows=(at_least(eye**2 * radius**2, rho**2 * (eye**2 + radius**2)),)),
+        ),
+        Mutant("t < 1/2", _in_front.but(shows=(greater(Rational(1, 2), t_a),))),
+        Mutant("cos φ = 0 on the silhouette", _tangent.but(shows=(equation(_touching[2], 0),))),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$\rho \le \rho_s$",
+            "inside",
+            (
+                Edge(((x, Rational(15, 16)), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 4))), "holds"),
+                Edge(((x, 1), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 4))), "fails"),
+            ),
+        ),
+        SideCondition("$e > R$", "in_front", (Edge(((x, 0), (y, 0), (eye, 1), (radius, 1)), "undefined"),)),
+    ),
+)
+
+visible = Theorem(
+    id="visible_iff",
+    title="Which points of sphere A are seen",
+    section="s3",
+    statement=r"The point $P(t)$ of A at polar angle $\varphi$ is the ray's near hit, $t = t_A$, where "
+    r"$\cos\varphi \ge R/e$ "
+    r"(on the rim $\cos\varphi = R/e$ the two hits are one), and lies behind it, $t > t_A$, where "
+    r"$\cos\varphi < R/e$.",
+    hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$", "$|P(t)| = R$", "no other body stands before A"),
+    claims=(_visible, _hidden),
+    uses=("hit_of_a", "silhouette_of_a"),
+    steps=(
+        Step(r"$t\,((\rho^2+e^2)t-e^2) = R^2-eR\cos\varphi$", r"$R\cos\varphi = e(1-t)$ and $|P(t)| = R$"),
+        Step(
+            "$t > 0$, and a ray that hits A has $d \\ge 0$", r"$2e^2t = (\rho^2+e^2)t^2+e^2-R^2$", ("silhouette_of_a",)
+        ),
+        Step(
+            r"$(\rho^2+e^2)t-e^2 = \mp\sqrt d$", r"its square is $d$, its sign that of $R-e\cos\varphi$", ("hit_of_a",)
+        ),
+    ),
+    mutants=(
+        Mutant("visible where cos φ ≥ 0", _visible.but(shows=(equation(t, t_a),), given=(*_on_a, _cos_phi >= 0))),
+        Mutant(
+            "hidden on the rim",
+            _hidden.but(shows=(t > t_a,), given=(*_on_a, equation(eye * _cos_phi, radius)), squares=()),
+        ),
+        Mutant("the hidden point is nearer", _hidden.but(shows=(t < t_a,))),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$\cos\varphi \ge R/e$", "visible", (Edge(_rim(Rational(16, 25)), "holds"), Edge(_rim(1), "fails"))
+        ),
+    ),
+)
