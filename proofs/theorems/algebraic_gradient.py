@@ -1,0 +1,121 @@
+"""The algebraic gradient is the trigonometric one: powers of (cos + i sin) by induction on the power."""
+
+from sympy import cos, pi, sin
+
+from ..algebraic_form import (
+    base_of_u,
+    base_of_v,
+    complex_product,
+    complex_square,
+    imaginary_part,
+    other_imaginary,
+    other_real,
+    product_imaginary,
+    product_real,
+    real_part,
+)
+from ..claim import Claim, Induction, equation
+from ..height_fields import HEIGHT_FIELDS, cos_u, cos_v, factors, sin_u, sin_v
+from ..symbols import cos_phi, cos_theta, k_u, k_v, phi, real, sin_phi, sin_theta, theta, u, v
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+
+n, sign, alpha, gamma = real("n sign alpha gamma")
+_angles = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: cos(phi), sin_phi: sin(phi)}
+_chart = {u: (theta + pi) / (2 * pi), v: phi / pi}
+_alternating = (sign, 1, -sign)
+
+
+def _product(parts, others):
+    """Return the lines of `complex_product` for two complex numbers."""
+    given = dict(zip((real_part, imaginary_part, other_real, other_imaginary), (*parts, *others), strict=True))
+    return [complex_product[p].xreplace(given) for p in (product_real, product_imaginary)]
+
+
+def _powers(base):
+    """Return the states of baseⁿ, by repeated `complex_product`."""
+    base = [b.xreplace(_angles) for b in base]
+    following = _product((real_part, imaginary_part), base)
+    return tuple(zip((real_part, imaginary_part), (1, 0), following, strict=True))
+
+
+def _factors(field, wave_numbers):
+    """Return a field's trigonometric factors in the angles θ, φ of the chart, for given wave numbers."""
+    program = factors(HEIGHT_FIELDS[field])
+    return {name: program[name].subs(wave_numbers).subs(_chart) for name in program.outputs}
+
+
+_power = equation(real_part, cos(n * alpha)), equation(imaginary_part, sin(n * alpha))
+_plain = Induction("power", n, _power, _powers((cos(alpha), sin(alpha))))
+_backwards = Induction(
+    "negative_power",
+    n,
+    (equation(real_part, cos(-n * alpha)), equation(imaginary_part, sin(-n * alpha))),
+    _powers((cos(alpha), -sin(alpha))),
+)
+_sine = _factors("sine", {k_u: 2 * n, k_v: n})
+_in_u = Induction(
+    "in_u",
+    n,
+    (
+        equation(real_part, _sine[cos_u]),
+        equation(imaginary_part, _sine[sin_u]),
+        equation(real_part, sign * cos(n * theta)),
+        equation(imaginary_part, sign * sin(n * theta)),
+        equation(sign, cos(n * pi)),
+        equation(sin(n * pi), 0),
+    ),
+    (*_powers(base_of_u), _alternating),
+)
+_in_v = Induction(
+    "in_v", n, (equation(real_part, _sine[cos_v]), equation(imaginary_part, _sine[sin_v])), _powers(base_of_v)
+)
+_rings = _factors("rings", {k_v: n / 2})
+_rings_in_v = _in_v.but(
+    name="rings_in_v", shows=(equation(real_part, _rings[cos_v]), equation(imaginary_part, _rings[sin_v]))
+)
+
+
+def _on_circle(program, angles, total):
+    parts = (f(a) for a in angles for f in (cos, sin))
+    given = dict(zip((real_part, imaginary_part, other_real, other_imaginary), parts, strict=False))
+    return (
+        equation(program[product_real].xreplace(given), cos(total)),
+        equation(program[product_imaginary].xreplace(given), sin(total)),
+    )
+
+
+_square = Claim("square", _on_circle(complex_square, (alpha,), 2 * alpha))
+_times = Claim("product", _on_circle(complex_product, (alpha, gamma), alpha + gamma))
+_half = _factors("sine", {k_u: 2 * n + 1, k_v: n})
+
+theorem = Theorem(
+    id="algebraic_gradient",
+    title="The algebraic gradient is the trigonometric one",
+    section="s3",
+    statement=r"For every whole $n \ge 0$, with $\pi u = (\theta+\pi)/2$ and $\pi v = \varphi$: "
+    r"$(-\cos\theta - i\sin\theta)^n = (-1)^n(\cos n\theta + i\sin n\theta)$ has the parts $\cos\pi k_u u$, "
+    r"$\sin\pi k_u u$ for $k_u = 2n$; and $(\cos\varphi+i\sin\varphi)^n$ has $\cos\pi k_v v$, $\sin\pi k_v v$ for "
+    r"$k_v = n$, and rings' factors for $2k_v = n$. A negative wave number conjugates; $n = 0$ gives $1$ and $0$.",
+    hypotheses=("$k_u$ even, $k_v$ whole (rings: $2k_v$ whole)",),
+    claims=(_plain, _backwards, _in_u, _in_v, _rings_in_v, _square, _times),
+    steps=(
+        Step(r"$(c+is)^0 = 1$; $(c+is)^{n+1} = (c+is)^n(c+is)$", "induction, by the lines of complex_product"),
+        Step(r"$\cos(n\theta+n\pi) = (-1)^n\cos n\theta$", "the sign is carried along"),
+        Step(r"$\cos(-n\alpha) = \cos n\alpha$, $\sin(-n\alpha) = -\sin n\alpha$", "the powers of $c-is$"),
+        Step("squaring doubles the angle, a product adds the angles", "so any order of squarings and products does"),
+    ),
+    mutants=(
+        Mutant("without the sign", _in_u.but(shows=(equation(real_part, cos(n * theta)),))),
+        Mutant("k_u odd", _in_u.but(shows=(equation(real_part, _half[cos_u]),))),
+        Mutant("rings with k_v", _rings_in_v.but(shows=(equation(real_part, _factors("rings", {k_v: n})[cos_v]),))),
+        Mutant("a negative power does not conjugate", _backwards.but(states=_plain.states)),
+        Mutant("squaring keeps the angle", _square.but(shows=_on_circle(complex_square, (alpha,), alpha))),
+    ),
+    side_conditions=(
+        SideCondition(
+            "the parts are on the unit circle",
+            "square",
+            (Edge(((alpha, 0),), "holds"), Edge(((alpha, pi / 2),), "holds")),
+        ),
+    ),
+)

@@ -1,0 +1,188 @@
+"""The highlight is Lipschitz in the normal, for a whole shininess p ≥ 1; and for p < 1 it is not."""
+
+from sympy import Abs, Max, Piecewise, Rational, sqrt
+
+from ..claim import Claim, Induction, at_least, equation, greater
+from ..shading import blinn, clip, clipped, color, halfway, halfway_length, phong, specular_base
+from ..symbols import bumped, cross, dot, mu, real, towards, vector, view
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from .normal_limits import minus
+
+apart, turned = real("apart turned")
+
+n, m, omega = vector("n"), vector("m"), vector("omega")
+_gap = (equation(apart**2, dot(minus(n, m), minus(n, m))),)
+x, z = real("x"), real("z")
+
+
+def between(p, q, bound):
+    """Return |p − q| ≤ bound as two inequalities."""
+    return (at_least(bound, p - q), at_least(bound, q - p))
+
+
+_scalar = Claim(
+    "along_a_direction",
+    (at_least(apart**2 - dot(minus(n, m), omega) ** 2, 0), *between(dot(n, omega), dot(m, omega), apart)),
+    (apart >= 0, *_gap, equation(dot(omega, omega), 1)),
+    squares=cross(minus(n, m), omega),
+)
+_upper = clip[clipped].xreplace({Max(0, color): color})
+_clamps = Claim(
+    "clamps",
+    (*between(Max(0, x), Max(0, z), Abs(x - z)), *between(_upper.subs(color, x), _upper.subs(color, z), Abs(x - z))),
+)
+
+
+def seen_from(normal_of_light, program):
+    """Return the program's base of the highlight with another normal, before its clamp at 0."""
+    base = program[specular_base]
+    base = base.args[0].expr if isinstance(base, Piecewise) else base
+    (inner,) = (argument for argument in base.args if argument != 0)
+    seen = dict(zip((*bumped, *towards), (*normal_of_light, *omega), strict=True))
+    return inner.xreplace({mu: program[mu]}).xreplace(seen)
+
+
+_units = tuple(equation(dot(p, p), 1) for p in (n, m, omega))
+_cosines = dot(n, omega), dot(m, omega), dot(n, m)
+
+
+def gram(a, b, c):
+    """Return the Gram determinant of three unit vectors, from their scalar products."""
+    return 1 + 2 * a * b * c - a**2 - b**2 - c**2
+
+
+_reflected = [tuple(2 * dot(p, omega) * p_i - w for p_i, w in zip(p, omega, strict=True)) for p in (n, m)]
+_a, _b, _c = real("a b c")
+_gram = Claim("gram", (equation(dot(n, cross(m, omega)) ** 2, gram(*_cosines)),), _units)
+_swing = Claim(
+    "mirror",
+    (
+        equation(
+            dot(minus(*_reflected), minus(*_reflected)),
+            4 * (_cosines[0] ** 2 + _cosines[1] ** 2 - 2 * _cosines[0] * _cosines[1] * _cosines[2]),
+        ),
+        equation(dot(minus(n, m), minus(n, m)), 2 - 2 * _cosines[2]),
+        *(equation(seen_from(p, phong), dot(r, view)) for p, r in zip((n, m), _reflected, strict=True)),
+    ),
+    _units,
+)
+_twice = Claim(
+    "twice",
+    (at_least(4 * apart**2, turned**2), at_least(2 * apart, turned)),
+    (
+        apart >= 0,
+        turned >= 0,
+        gram(_a, _b, _c) >= 0,
+        _c <= 1,
+        equation(turned**2, 4 * (_a**2 + _b**2 - 2 * _a * _b * _c)),
+        equation(apart**2, 2 - 2 * _c),
+    ),
+    squares=(1 - _c,),
+)
+_blinn = Claim(
+    "blinn",
+    (
+        equation(seen_from(n, blinn), dot(n, halfway) / halfway_length),
+        equation(dot(halfway, halfway) / halfway_length**2, 1),
+    ),
+    (halfway_length > 0, equation(halfway_length**2, dot(halfway, halfway))),
+)
+
+count, power, of_x, of_z, quotient = real("count power of_x of_z quotient")  # pⁿ: xᵖ, zᵖ, (xᵖ − zᵖ)/(x − z)
+_by_x, _by_z, _geometric = real("by_x by_z geometric")
+_states = (
+    (of_x, 1, x * of_x),
+    (of_z, 1, z * of_z),
+    (power, 0, power + 1),
+    (quotient, 0, x * quotient + of_z),
+    (_geometric, 0, _geometric + of_z),
+    (_by_x, 0, x * _by_x + power),
+    (_by_z, 0, x * _by_z + _geometric),
+)
+_factored = (
+    equation(of_x - of_z, (x - z) * quotient),
+    equation(1 - of_z, (1 - z) * _geometric),
+    equation(power - quotient, (1 - x) * _by_x + (1 - z) * _by_z),
+)
+_powers = Induction("factors", count, _factored, _states)
+_unit_interval = (x >= 0, x <= 1, z >= 0, z <= 1)
+_signs = Claim(
+    "no_state_is_negative",
+    tuple(at_least(following, 0) for _, _, following in _states),
+    (*_unit_interval, *(s >= 0 for s, _, _ in _states)),
+)
+_power = Claim(
+    "power",
+    (at_least(power, quotient), *between(of_x, of_z, power * (x - z))),
+    (*_unit_interval, x >= z, quotient >= 0, _by_x >= 0, _by_z >= 0, *_factored),
+)
+
+_dropped = tuple((s, start, x * quotient if s == quotient else following) for s, start, following in _states)
+_gram_part = _cosines[0] ** 2 + _cosines[1] ** 2 - 2 * _cosines[0] * _cosines[1] * _cosines[2]
+_parallel = (*zip((*n, *m), (1, 0, 0, -1, 0, 0), strict=True), (apart, 2))
+
+
+theorem = Theorem(
+    id="specular_lipschitz",
+    title="The highlight is Lipschitz in the normal",
+    section="s4",
+    statement=r"For whole $p \ge 1$, $|x^p - z^p| \le p\,|x-z|$ on $[0, 1]$. Blinn's base is 1-Lipschitz in $N'$, "
+    r"Phong's 2-Lipschitz, and so is $\mu = N'\cdot\omega$ with 1; so the highlight is Lipschitz with $p$ (Blinn) and "
+    r"$2p$ (Phong).",
+    hypotheses=(
+        r"$p$ whole, $x, z \in [0, 1]$; by symmetry $x \ge z$",
+        "unit vectors",
+        r"the power's factors are carried along by a recurrence; none of them is negative, step by step",
+    ),
+    claims=(_scalar, _clamps, _blinn, _gram, _swing, _twice, _powers, _signs, _power),
+    uses=(),
+    steps=(
+        Step(r"$|n\cdot\omega - m\cdot\omega| \le |n-m|$ for a unit $\omega$, or unit $H/|H|$", "Lagrange's identity"),
+        Step(r"$\max(0, \cdot)$ and the clip do not increase a distance", "by cases"),
+        Step(r"$R = 2(n\cdot\omega)n - \omega$ turns by at most $2|\Delta n|$", "the Gram determinant is a square"),
+        Step(r"$x^p - z^p = (x-z)\,S_p$, $p - S_p = (1-x)A_p + (1-z)B_p$", "induction on $p$"),
+        Step("$S_p, A_p, B_p \\ge 0$", "so they start, and each is a sum of products of such; induction on $p$"),
+    ),
+    mutants=(
+        Mutant("Phong's base is 1-Lipschitz", _twice.but(shows=(at_least(apart, turned),))),
+        Mutant("the reflection without its factor 2", _swing.but(shows=(equation(_swing.shows[0].lhs, _gram_part),))),
+        Mutant("p − 1 in place of p", _power.but(shows=between(of_x, of_z, (power - 1) * (x - z)))),
+        Mutant("x^p − z^p with the quotient's last term dropped", _powers.but(states=_dropped)),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$\omega$ has length 1",
+            "along_a_direction",
+            (
+                Edge((*_parallel, *zip(omega, (1, 0, 0), strict=True)), "holds"),
+                Edge((*_parallel, *zip(omega, (2, 0, 0), strict=True)), "fails"),
+            ),
+        ),
+    ),
+)
+
+bound = real("bound")
+_root = Claim("root", (at_least(bound * x, sqrt(x)),), (x >= 0, x <= 1, bound >= 1))
+
+below_one = Theorem(
+    id="highlight_below_one",
+    title="A shininess below 1",
+    section="s4",
+    statement=r"For every $p > 0$ the power $x^p$ is Lipschitz on $[0, 1]$ (at $p = 1/2$: $\sqrt x \le L x$).",
+    hypotheses=("$L \\ge 1$",),
+    claims=(_root,),
+    refuted_at=(("root", ((x, Rational(1, 4096)), (bound, 32))),),
+    steps=(Step(r"$L = 32$: $\sqrt x = 1/64 > 32/4096 = 1/128$", "and $x = 1/4L^2$ for any other $L$"),),
+    mutants=(
+        Mutant("true where x ≥ 1/L²", _root.but(given=(*_root.given, bound * sqrt(x) >= 1))),
+        Mutant(
+            "false for every L, at x = 1/4L²",
+            Claim(
+                "any_bound",
+                (greater(bound, 0), greater(z, 0), greater(sqrt(z**2), bound * z**2)),
+                (bound >= 1, z >= 0, equation(2 * bound * z, 1)),
+            ),
+        ),
+    ),
+    expected="refuted",
+)
