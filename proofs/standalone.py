@@ -29,7 +29,7 @@ DATA = r"""
 {data}
 """
 
-GIVEN = {given!r}  # what it borrows from other theorems, which have scripts of their own, or cites from elsewhere
+GIVEN = {given!r}  # what it borrows from theorems, which have scripts of their own, or cites from elsewhere
 
 # 3. What happens when the script is run.
 
@@ -64,10 +64,9 @@ def run(text, given=""):
             print(f"{shown}: {verdict}")
     verdict = "REJECTED" if failures or not kinds else "REFUTED" if kinds == {"refutation"} else "PROVED"
     given = f", given {given}" if given and verdict == "PROVED" else ""
-    print(
-        f"{data['theorem']}: {verdict}{given}. {len(text)} characters of statements and certificates, {terms} words in the"
-    )
-    print(f"certificates, checked in {time.perf_counter() - start:.3f} s by exact rational arithmetic.")
+    print(f"{data['theorem']}: {verdict}{given}.")
+    size = f"{len(text)} characters of statements and certificates, {terms} words of them in the certificates"
+    print(f"{size}, checked in {time.perf_counter() - start:.3f} s by exact rational arithmetic.")
     return int(verdict == "REJECTED")
 
 

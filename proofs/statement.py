@@ -23,6 +23,7 @@ SymPy's `diff`.
 
 import hashlib
 import json
+from functools import cache
 
 from sympy import Abs, And, Max, Min, Piecewise, Poly, Rational, S, Symbol, cos, expand, pi, sign, sin
 from sympy.core.relational import Relational
@@ -221,6 +222,7 @@ class Derivation:
         return self.generators["circle", names]
 
 
+@cache
 def derivations(claim):
     """Return the statements of a Claim: one, or one for each combination of conditions that are not given."""
     pending, statements = [()], []

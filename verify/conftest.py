@@ -19,12 +19,22 @@ def pytest_addoption(parser):
     group.addoption(
         "--search", action="store_true", help="find every certificate anew instead of reading the stored ones"
     )
+    group.addoption(
+        "--stored", action="store_true", help="check the stored certificates alone: no samples, no mutants, no report"
+    )
     if not any("--long" in option.names() for option in parser._anonymous.options):
         group.addoption("--long", action="store_true", help="also what takes minutes")
 
 
 def pytest_configure(config):
     config.stash[KEY] = []
+
+
+def pytest_ignore_collect(collection_path, config):
+    """With --theorem or --stored, do not even import the other tests."""
+    one = config.getoption("theorem") or config.getoption("stored")
+    others = collection_path.name.startswith("test_") and collection_path.name != "test_theorems.py"
+    return True if one and others else None
 
 
 def pytest_collection_modifyitems(config, items):

@@ -10,7 +10,11 @@ from proofs.statement import derivations
 from proofs.theorem import borrowed
 from verify import witness
 
-FAILURES, POINTS = 6, 400
+FAILURES = 6
+EFFORTS = (
+    (60, 20),
+    (400, 200),
+)  # points that satisfy the hypotheses, and draws for each: a short look, then a long one
 
 
 def counterexample(mutant, seed, theorems, refused):
@@ -25,7 +29,10 @@ def counterexample(mutant, seed, theorems, refused):
         failing = witness.fails_at(mutant.claim, mutant.at)
         failures = [failing] if failing else []
     else:
-        failures = witness.sample(mutant.claim, seed, POINTS, failures=FAILURES).failures
+        for points, attempts in EFFORTS:
+            failures = witness.sample(mutant.claim, seed, points, failures=FAILURES, attempts=attempts).failures
+            if failures:
+                break
     if not failures:
         return None
     exact = exact_counterexample(mutant.claim, failures, theorems, refused)

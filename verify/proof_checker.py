@@ -10,79 +10,32 @@ failed     anything else. Nothing raises a grade by hand.
 """
 
 import re
-from dataclasses import dataclass, field
 from pathlib import Path
 
-from proofs import kernel
-from proofs.certificate import Stale, evidence, prove, stored
+from proofs.certificate import Stale, evidence, stored
 from proofs.claim import Separation
 from proofs.search import MAX_EFFORT, NotFound
 from proofs.theorem import incomplete
-from verify import second_checker, witness
+from verify import witness
+from verify.acceptance import accept, not_found, show_polynomial, why_rejected
 from verify.counterexamples import FAILURES, counterexample, path_to_avoided
+from verify.evidence import Evidence
 from verify.grades import final_grades
 from verify.measurements import measurements
 
-__all__ = ["LONG_POINTS", "POINTS", "Evidence", "examine", "final_grades", "path_to_avoided", "why_rejected"]
+__all__ = [
+    "LONG_POINTS",
+    "POINTS",
+    "Evidence",
+    "certificate_problems",
+    "examine",
+    "final_grades",
+    "path_to_avoided",
+    "show_polynomial",
+    "why_rejected",
+]
 POINTS, LONG_POINTS = 32, 2000
 BIBLIOGRAPHY = Path(__file__).resolve().parent.parent / "book" / "references.bib"
-
-
-@dataclass
-class Evidence:
-    """What a run found about one theorem. `problems` name what is missing; `record` is what the report keeps."""
-
-    id: str
-    expected: str
-    uses: tuple
-    record: dict = field(default_factory=dict)
-    problems: list = field(default_factory=list)
-    mutants_killed: int = 0
-    mutants: int = 0
-    reached: str = ""  # by measurement or citation; else the checkers' verdict stands
-
-    @property
-    def grade(self):
-        """The grade on this theorem's own evidence; `final_grades` adds what it rests on."""
-        if self.problems:
-            return "failed"
-        return self.reached or ("refuted" if self.expected == "refuted" else "proved")
-
-
-def show_polynomial(p, limit=12):
-    """Return a polynomial, the kernel's or polynomial data, as text of at most `limit` terms."""
-    terms = p if all(isinstance(k, str) for k in p) else {" ".join(m): str(c) for m, c in p.items()}
-    text = " + ".join(f"{c}·{m.replace(' ', '·')}" if m else str(c) for m, c in list(terms.items())[:limit]) or "0"
-    return text + (f" + … ({len(terms)} terms)" if len(terms) > limit else "")
-
-
-def why_rejected(statement, certificate):
-    """Return None if both checkers accept, else the reason, with the residual polynomial."""
-    for name, checker in (("the kernel", kernel.check), ("the second checker", second_checker.check)):
-        why = checker(statement, certificate)
-        if why is not None:
-            reason, *residual = why.args or (repr(why),)
-            shown = f"; residual {show_polynomial(residual[0])}" if residual and residual[0] else ""
-            return f"{name} rejects: {reason}{shown}"
-    return None
-
-
-def not_found(error):
-    """Return the text of a failed search: the goal, and what is left of it."""
-    goal, relation = error.goal
-    if isinstance(goal, dict):
-        left = f"; what is left of it: {show_polynomial(error.remainder)}" if error.remainder else ""
-        return f"no certificate found for {show_polynomial(goal)} {relation} 0{left}"
-    return f"no certificate found: {goal}"
-
-
-def accept(claim, theorems, pairs=None, effort=MAX_EFFORT):
-    """Return (the reasons why a claim is not accepted, the certified pairs): the one path for theorems and mutants."""
-    try:
-        pairs = prove(claim, theorems, effort) if pairs is None else pairs
-    except NotFound as error:
-        return [not_found(error)], []
-    return [why for pair in pairs if (why := why_rejected(*pair))], pairs
 
 
 def examine(theorem, theorems, anew=False, points=POINTS):
@@ -90,8 +43,7 @@ def examine(theorem, theorems, anew=False, points=POINTS):
     found = Evidence(theorem.id, theorem.expected, theorem.uses)
     found.record = {"id": theorem.id, "expected": theorem.expected, "uses": sorted(theorem.uses)}
     found.problems += incomplete(theorem, theorems)
-    if theorem.claims:
-        _check_certificates(found, theorem, theorems, anew)
+    _check_certificates(found, theorem, theorems, anew)
     _check_sources(found, theorem)
     found.record["measurements"] = [_measured(found, *entry) for entry in measurements(theorem.id)]
     found.record["witness"] = [_sampled(found, theorem, claim, points) for claim in theorem.claims]
@@ -142,7 +94,16 @@ def _check_sources(found, theorem):
     found.problems += [f"the bibliography has no {key}" for key in sorted(keys - known)]
 
 
+def certificate_problems(theorem, theorems):
+    """Return what both checkers, and the formulas as they stand, have against the stored certificates alone."""
+    found = Evidence(theorem.id, theorem.expected, theorem.uses)
+    _check_certificates(found, theorem, theorems, anew=False)
+    return found.problems
+
+
 def _check_certificates(found, theorem, theorems, anew):
+    if not theorem.claims:
+        return
     try:
         claims = evidence(theorem, theorems) if anew else stored(theorem, theorems)
     except (Stale, NotFound) as error:

@@ -1,0 +1,24 @@
+"""What a run found about one theorem, and the grade on that evidence alone."""
+
+from dataclasses import dataclass, field
+
+
+@dataclass
+class Evidence:
+    """What a run found about one theorem. `problems` name what is missing; `record` is what the report keeps."""
+
+    id: str
+    expected: str
+    uses: tuple
+    record: dict = field(default_factory=dict)
+    problems: list = field(default_factory=list)
+    mutants_killed: int = 0
+    mutants: int = 0
+    reached: str = ""  # by measurement or citation; else the checkers' verdict stands
+
+    @property
+    def grade(self):
+        """The grade on this theorem's own evidence; `final_grades` adds what it rests on."""
+        if self.problems:
+            return "failed"
+        return self.reached or ("refuted" if self.expected == "refuted" else "proved")

@@ -1,0 +1,111 @@
+"""The campaign: one operator or sign edited at random in the expressions of proofs/, and the checks must fail.
+
+Each edit is made in a copy of the tree. First the quick part of `pytest verify` is run there (are the kernels still
+what is generated, do the stored certificates still belong to the formulas); then, if it passes, all of it.
+"""
+
+import ast
+import random
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+PROVING = ["angles", "ideal", "feasible", "kernel", "search", "statement", "induction", "counterexample"]
+MACHINERY = [*PROVING, "certificate", "standalone", "claim", "theorem", "program", "polynomial_data", "signs"]
+SEED, EDITS = 1978, 30
+OTHER = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
+TURNED = {ast.Lt: ast.Gt, ast.Gt: ast.Lt, ast.LtE: ast.Lt, ast.GtE: ast.Gt}
+QUICK = ["verify/test_kernels_generated.py", "verify/test_theorems.py", "--stored"]
+
+# Edits (file, line, what) that leave every formula what it was: each with its reason.
+EQUIVALENT = {}
+
+
+def sites(tree):
+    """Return [(node, what)] for every operator, sign and comparison of a module that can be edited."""
+    found = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.BinOp) and type(node.op) in OTHER:
+            found.append((node, f"{type(node.op).__name__} → {OTHER[type(node.op)].__name__}"))
+        elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            found.append((node, "sign dropped"))
+        elif isinstance(node, ast.Compare) and type(node.ops[0]) in TURNED:
+            found.append((node, f"{type(node.ops[0]).__name__} → {TURNED[type(node.ops[0])].__name__}"))
+    return found
+
+
+def edited(source, index):
+    """Return (the source with its index-th site edited, its line, what was done)."""
+    tree = ast.parse(source)
+    node, what = sites(tree)[index]
+    if isinstance(node, ast.BinOp):
+        node.op = OTHER[type(node.op)]()
+    elif isinstance(node, ast.Compare):
+        node.ops[0] = TURNED[type(node.ops[0])]()
+    else:
+        node.op = ast.UAdd()
+    return ast.unparse(tree), node.lineno, what
+
+
+def draw(seed=SEED, number=EDITS):
+    """Return [(path below the root, index of the site)], the same for the same seed and sources."""
+    everywhere = [
+        (path.relative_to(ROOT), index)
+        for path in sorted((ROOT / "proofs").glob("*.py"))
+        if path.stem not in MACHINERY
+        for index in range(len(sites(ast.parse(path.read_text(encoding="utf-8")))))
+    ]
+    return random.Random(seed).sample(everywhere, number)
+
+
+def passes(folder, arguments):
+    """Return whether pytest passes in the folder."""
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *arguments]
+    return subprocess.run(command, cwd=folder, capture_output=True, check=False).returncode == 0
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory):
+    """A copy of what `pytest verify` reads."""
+    folder = tmp_path_factory.mktemp("campaign")
+    for name in ("proofs", "renderer", "verify", "book/static", "tests/data"):
+        if (ROOT / name).exists():
+            shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "_build"))
+    for name in ("pyproject.toml", "book/references.bib", "CONTRIBUTING.md"):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, folder / name)
+    return folder
+
+
+def test_there_is_something_to_edit():
+    """Edits are what they say: one place, and another program."""
+    source = "a = x + y\nb = -x if x < y else x * y\n"
+    assert [edited(source, i)[1:] for i in range(len(sites(ast.parse(source))))] == [
+        (1, "Add → Sub"),
+        (2, "Lt → Gt"),
+        (2, "sign dropped"),
+        (2, "Mult → Div"),
+    ]
+    assert edited(source, 0)[0].splitlines()[0] == "a = x - y"
+    assert len(draw()) == EDITS
+
+
+@pytest.mark.long
+def test_no_edit_survives(copy):
+    everything = ["verify", "-n", "2", "--deselect", "verify/test_campaign.py"]
+    assert passes(copy, QUICK) and passes(copy, everything), "the copy fails before any edit"
+    survivors = []
+    for path, index in draw():
+        original = (copy / path).read_text(encoding="utf-8")
+        changed, line, what = edited(original, index)
+        (copy / path).write_text(changed, encoding="utf-8")
+        survived = passes(copy, QUICK) and passes(copy, everything)
+        (copy / path).write_text(original, encoding="utf-8")
+        print(f"{path}:{line}: {what}: {'SURVIVES' if survived else 'caught'}", flush=True)
+        if survived and (path.stem, line, what) not in EQUIVALENT:
+            survivors.append(f"{path}:{line}: {what}")
+    assert survivors == []
