@@ -1,0 +1,119 @@
+"""How near the pole the pixels of a raster come: the seed's fallback at the pole touches none of 256² (F10)."""
+
+from sympy import Rational, Symbol
+
+from ..camera import image_extent, image_point, parallel_radius
+from ..claim import Claim, at_least, equation, greater
+from ..program import chain
+from ..symbols import column, cos_phi, eye, height, radius, rho, row, sin_phi, width, x, y
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+
+m, n = Symbol("m", integer=True), Symbol("n", integer=True)
+FALLBACK = Rational(1, 10**4)  # the seed's: below this sin φ it takes another basis
+
+_default = {eye: 4, radius: 1, width: 256, height: 256, column: m, row: n}
+_pixel = [chain("pixel", image_extent, image_point).expand(c).xreplace(_default) for c in (x, y)]
+_nearest = Rational(34, 15) / 256**2  # ρ² of the pixels beside the axis
+_whole = ((m - 127) * (m - 128) >= 0, (n - 108) * (n - 109) >= 0)
+_radius_squared = sum(c**2 for c in _pixel)
+_on_the_raster = tuple(
+    Claim(
+        f"raster_{name}",
+        (at_least((2 * m - 255) ** 2, 1), at_least((1083 - 10 * n) ** 2, 9), at_least(_radius_squared, _nearest)),
+        (_whole[0], given),
+        ranges=((m, (0, 255)), (n, (0, 255))),
+    )
+    for name, given in (("above", n <= 108), ("below", n >= 109))
+)
+_linear = Claim(
+    "linear",
+    (
+        at_least(1 - cos_phi, 0),
+        greater(eye - radius * cos_phi, 0),
+        at_least(rho, 0),
+        at_least(eye * radius * sin_phi, (eye - radius) * rho),
+    ),
+    (equation(cos_phi**2 + sin_phi**2, 1), sin_phi >= 0, eye > radius),
+    parallel_radius,
+    squares=(sin_phi, 1 - cos_phi),
+)
+_bound = Rational(44, 10000)
+_far = Claim(
+    "far",
+    (greater(sin_phi, _bound), greater(sin_phi, FALLBACK)),
+    (4 * sin_phi >= 3 * rho, rho >= 0, rho**2 >= _nearest),
+)
+_needed = (FALLBACK * Rational(4, 3)) ** 2
+_only_near = Claim("only_near", (greater(_needed, rho**2),), (4 * sin_phi >= 3 * rho, rho >= 0, sin_phi < FALLBACK))
+_no_pixel = tuple(c.but(name=c.name + "_far", shows=(greater(_radius_squared, _needed),)) for c in _on_the_raster)
+_beside = Claim("beside", (greater(_needed, _radius_squared),), (*_whole, (n - 107) * (n - 110) <= 0))
+
+theorem = Theorem(
+    id="pixels_off_the_pole",
+    title="No pixel comes near the pole",
+    section="s7",
+    finding="F10",
+    statement=r"In the default view every pixel of $256^2$ has $\rho \ge \sqrt{34/15}/256$; a visible point of A has "
+    r"$\sin\varphi \ge \rho\,(e-R)/(eR)$; so $\sin\varphi > 0.0044$ on A: the seed's fallback below "
+    r"$10^{-4}$ is never taken.",
+    hypotheses=("$e = 4$, $R = 1$, $256^2$ pixels", "column $m$ and row $n$ are whole numbers"),
+    claims=(*_on_the_raster, _linear, _far),
+    uses=("kink_loci",),
+    steps=(
+        Step(r"$x = (2m-255)\sqrt{15}/768$, $y = (1083-10n)\sqrt{15}/3840$", "the pixel's centre"),
+        Step(
+            r"$|2m-255| \ge 1$, $|1083-10n| \ge 3$",
+            r"whole numbers: $m \le 127$ or $m \ge 128$, $n \le 108$ or $n \ge 109$",
+        ),
+        Step(
+            r"$\rho = eR\sin\varphi/(e-R\cos\varphi)$ and $\cos\varphi \le 1$", "a parallel is a circle", ("kink_loci",)
+        ),
+        Step(r"$\tfrac34\sqrt{34/15}/256 > 0.0044$", "squared"),
+    ),
+    mutants=(
+        Mutant(
+            "ρ ≥ 2/256",
+            _on_the_raster[0].but(shows=(at_least(_radius_squared, Rational(4, 256**2)),)),
+            at=((m, 127), (n, 108)),
+        ),
+        Mutant("sin φ ≥ ρ/R", _linear.but(shows=(at_least(radius * sin_phi, rho),))),
+        Mutant(
+            "sin φ > 0.0045",
+            _far.but(shows=(greater(sin_phi, Rational(45, 10000)),)),
+            at=((sin_phi, Rational(4412, 10**6)), (rho, Rational(5882, 10**6))),
+        ),
+    ),
+    side_conditions=(
+        SideCondition(
+            "column and row are whole numbers",
+            "raster_above",
+            (
+                Edge(((m, Rational(255, 2)), (n, 108)), "fails"),
+                Edge(((m, 127), (n, 108)), "holds"),
+                Edge(((m, 127), (n, Rational(217, 2))), "fails"),
+            ),
+        ),
+    ),
+)
+
+seed_theorem = Theorem(
+    id="seed_pole_rows",
+    title="The seed's rows at the pole",
+    section="s7",
+    finding="F10",
+    statement=r"In the two rows of $256^2$ beside the axis the fallback is taken: $\sin\varphi < "
+    r"10^{-4}$, which needs "
+    r"$\rho < \tfrac43 10^{-4}$.",
+    hypotheses=("$e = 4$, $R = 1$",),
+    claims=(_beside,),
+    refuted_at=(("beside", ((m, 127), (n, 108))),),
+    steps=(
+        Step(r"at the pixel nearest the axis $\rho = \sqrt{34/15}/256 > 0.0058$", "arithmetic; $m = 127$, $n = 108$"),
+    ),
+    mutants=(
+        Mutant("ρ ≥ √(34/15)/256 at every pixel, n ≤ 108", _on_the_raster[0]),
+        Mutant("no pixel is that near the axis, n ≥ 109", _no_pixel[1]),
+        Mutant("sin φ < 10⁻⁴ needs ρ < 4/3·10⁻⁴", _only_near),
+    ),
+    expected="refuted",
+)

@@ -1,0 +1,201 @@
+"""The shadow of a sphere on the floor: a conic, its type by the light's height, and its degree along a "
+"row of pixels."""
+
+from sympy import diff
+
+from ..camera import distance, point_on_floor
+from ..claim import Claim, equation, greater
+from ..program import chain
+from ..shadow import body_radius, center, segment_squared, shadow, shadow_discriminant, toward_center
+from ..symbols import ball_center, ball_radius, cross, dot, eye, light, x, y
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from .hits import distance_squared
+from .silhouettes import theorem as silhouette_of_b
+
+_on_floor = chain("on_floor", point_on_floor, shadow)
+_w = tuple(a - b for a, b in zip(light, center, strict=True))
+_c = dot(_w, _w) - body_radius**2
+_apart = distance_squared(light, center) > body_radius**2
+_xx, _xy, _yy = _w[0] ** 2 - _c, _w[0] * _w[1], _w[1] ** 2 - _c
+_to_light = tuple(a - b for a, b in zip((x, y, 0), light, strict=True))  # P − L
+_across = dot(_to_light, _w)
+_conic = Claim(
+    "conic",
+    (
+        equation(shadow_discriminant, _across**2 - _c * dot(_to_light, _to_light)),
+        equation(
+            shadow_discriminant - _xx * x**2 - 2 * _xy * x * y - _yy * y**2,
+            sum(c * diff(_on_floor.expand(shadow_discriminant), c).subs({x: 0, y: 0}) for c in (x, y))
+            + _on_floor.expand(shadow_discriminant).subs({x: 0, y: 0}),
+        ),
+        equation(_xx * _yy - _xy**2, _c * (_w[2] ** 2 - body_radius**2)),
+    ),
+    (),
+    _on_floor,
+)
+_determinant = _xx * _yy - _xy**2
+_types = tuple(
+    Claim(name, (greater(_c, 0), shown), (_apart, given))
+    for name, shown, given in (
+        ("ellipse", greater(_determinant, 0), _w[2] ** 2 > body_radius**2),
+        ("parabola", equation(_determinant, 0), equation(_w[2] ** 2, body_radius**2)),
+        ("hyperbola", greater(0, _determinant), _w[2] ** 2 < body_radius**2),
+    )
+)
+_along_row = tuple(a - b for a, b in zip(cross(light, center), cross(_w, (0, y, 0)), strict=True))
+_turn = cross((1, 0, 0), _w)
+_row = Claim(
+    "row",
+    (
+        equation(
+            shadow_discriminant,
+            (body_radius**2 - _w[1] ** 2 - _w[2] ** 2) * x**2
+            - 2 * (body_radius**2 * light[0] + dot(_along_row, _turn)) * x
+            + body_radius**2 * (light[0] ** 2 + (light[1] - y) ** 2 + light[2] ** 2)
+            - dot(_along_row, _along_row),
+        ),
+        equation(segment_squared, x**2 - 2 * light[0] * x + light[0] ** 2 + (light[1] - y) ** 2 + light[2] ** 2),
+        equation(diff(_on_floor.expand(toward_center), x), 2 * x - light[0] - center[0]),
+    ),
+    (),
+    _on_floor,
+)
+_origin = {c: 0 for c in center}
+_of_a = Claim(
+    "of_a",
+    (
+        equation(
+            _on_floor.expand(shadow_discriminant).xreplace(_origin),
+            (x * light[0] + y * light[1]) ** 2
+            - dot(light, light) * (x**2 + y**2)
+            + body_radius**2 * dot(_to_light, _to_light),
+        ),
+    ),
+)
+_away = Claim("away", (equation(segment_squared - toward_center, -_across),), (), _on_floor)
+_rename = {
+    x: x - light[0],
+    y: y - light[1],
+    eye: light[2],
+    distance: light[2] - center[2],
+    ball_radius: body_radius,
+    ball_center[0]: center[0] - light[0],
+    ball_center[1]: center[1] - light[1],
+}
+
+
+def _from_the_light(name):
+    """Return a claim about B's silhouette with the light as its eye."""
+    claim = silhouette_of_b.claim(name)
+    moved = {
+        field: tuple(
+            r.func(r.lhs.xreplace(_rename), r.rhs.xreplace(_rename), evaluate=False) for r in getattr(claim, field)
+        )
+        for field in ("shows", "given")
+    }
+    moved["squares"] = tuple(e.xreplace(_rename) for e in claim.squares)
+    return claim.but(**moved | {"given": (light[2] > 0, body_radius > 0, *moved["given"])})
+
+
+_cast = (_from_the_light("all_seen"), _from_the_light("none_seen"))
+
+_behind_a = Claim(
+    "behind_a",
+    (equation(_on_floor.expand(toward_center).xreplace(_origin), x**2 + y**2 - x * light[0] - y * light[1]),),
+)
+_leading = Claim(
+    "leading",
+    (equation(diff(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _w[1] ** 2 - _w[2] ** 2)),),
+)
+_given_scene = (*zip(light, (0, 0, 3), strict=True), *zip(center, (2, 0, 2), strict=True), (body_radius, 1))
+
+shadow_of_b = Theorem(
+    id="shadow_of_b_on_floor",
+    title="A sphere's shadow on the floor is a conic",
+    section="s3",
+    statement=r"Let the light $L$, $L_z > 0$, be outside the sphere about $C$ of radius $r$, $w = L-C$, "
+    r"$c = |w|^2-r^2$. On the floor "
+    r"the shadow's discriminant is $((P-L)\cdot w)^2-c|P-L|^2$, a quadratic in $(x, y)$ with the determinant "
+    r"$c\,(w_z^2-r^2)$: an ellipse if the light is above the sphere's top or below its lowest point, a "
+    r"parabola if level with either, a "
+    r"hyperbola between. The part cast away from the light has $a\cdot w' < |a|^2$ ($a = L-P$, $w' = "
+    r"C-P$): all of it if "
+    r"$L_z \ge C_z+r$, none if $L_z \le C_z-r$, and one branch of the hyperbola.",
+    hypotheses=("$|L-C| > r$", "$L_z > 0$"),
+    claims=(_conic, *_types, _away, *_cast),
+    uses=("lagrange_identity", "silhouette_of_b", "occlusion_by_signs"),
+    steps=(
+        Step(r"$d = (a\cdot w')^2-|a|^2(|w'|^2-r^2)$, the same seen from $L$", "expansion", ("lagrange_identity",)),
+        Step(r"its quadratic part has the determinant $c\,(w_z^2-r^2)$", "expansion; $c > 0$"),
+        Step(r"$|a|^2-a\cdot w' = (P-L)\cdot(C-L)$", "the vertex comes before the light", ("occlusion_by_signs",)),
+        Step("its sign, type by type", "the silhouette of the sphere with the light as the eye", ("silhouette_of_b",)),
+    ),
+    mutants=(
+        Mutant(
+            "the determinant is c (w_z² + r²)",
+            _conic.but(shows=(equation(_determinant, _c * (_w[2] ** 2 + body_radius**2)),)),
+        ),
+        Mutant("an ellipse from any height", _types[2].but(shows=(greater(_determinant, 0),))),
+        Mutant(
+            "the vertex on the sphere's side", _away.but(shows=(equation(segment_squared - toward_center, _across),))
+        ),
+    ),
+    side_conditions=(SideCondition("the light is not level with the top", "ellipse", (Edge(_given_scene, "fails"),)),),
+)
+
+shadow_of_a = Theorem(
+    id="shadow_of_a_on_floor",
+    title="Sphere A's shadow on the floor",
+    section="s3",
+    statement=r"With $C = 0$: $d = (P\cdot L)^2-|L|^2|P|^2+R^2|P-L|^2$ on the floor, a conic of the type "
+    r"of a sphere's shadow with "
+    r"$w_z = L_z$: an ellipse if $L_z > R$. Floor points in front of A have $d \ge 0$ too; those in its "
+    r"shadow have $a\cdot w' > 0$: "
+    r"$P\cdot L < |P|^2$.",
+    hypotheses=("$|L| > R$, $|P| > R$",),
+    claims=(_of_a, _behind_a),
+    uses=("shadow_of_b_on_floor", "occlusion_by_signs"),
+    steps=(
+        Step("put $C = 0$", "substitution", ("shadow_of_b_on_floor",)),
+        Step(r"$a\cdot w' = |P|^2-P\cdot L$", "the vertex comes after P", ("occlusion_by_signs",)),
+    ),
+    mutants=(
+        Mutant(
+            "− R²|P − L|²",
+            _of_a.but(
+                shows=(equation(_of_a.shows[0].lhs, 2 * _of_a.shows[0].lhs - _of_a.shows[0].rhs + body_radius**2),)
+            ),
+        ),
+        Mutant(
+            "the vertex on the light's side",
+            _behind_a.but(shows=(equation(-_behind_a.shows[0].lhs, _behind_a.shows[0].rhs),)),
+        ),
+    ),
+)
+
+row = Theorem(
+    id="shadow_along_a_row",
+    title="Along a row of pixels the shadow test is quadratic",
+    section="s3",
+    statement=r"On the floor, for fixed $y$, the discriminant $|a|^2r^2-|a\times w'|^2$ is a polynomial "
+    r"of degree at most 2 in $x$, "
+    r"with the leading coefficient $r^2-w_y^2-w_z^2$, $w = L-C$; $|a|^2$ and $a\cdot w'$ are quadratics "
+    r"with leading coefficient 1, "
+    r"and $|a|^2-a\cdot w'$ is linear. So a row is cut by the roots of two quadratics and one linear polynomial.",
+    claims=(_row, _leading, _away),
+    uses=("occlusion_by_signs",),
+    steps=(
+        Step(r"$(L-P)\times(C-P) = L\times C-(L-C)\times P$", r"$P\times P = 0$: linear in $P$, not quadratic"),
+        Step(r"$|a|^2-a\cdot w' = (P-L)\cdot(C-L)$", "the conditions of the shadow test", ("occlusion_by_signs",)),
+    ),
+    mutants=(
+        Mutant(
+            "the leading coefficient is r² − w_z²",
+            _leading.but(shows=(equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _w[2] ** 2)),)),
+        ),
+        Mutant(
+            "w_x in place of w_y",
+            _leading.but(shows=(equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _w[0] ** 2 - _w[2] ** 2)),)),
+        ),
+    ),
+)

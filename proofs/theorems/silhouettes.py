@@ -1,0 +1,135 @@
+"""The silhouette of sphere B: a conic, its type, and the branch that is not seen; for any apex, as "
+"shadows need it."""
+
+from ..camera import discriminant_b, distance, hit_of_b, ray_direction, toward_b
+from ..claim import Claim, at_least, equation, greater
+from ..symbols import ball_center, ball_radius, dot, eye, x, y
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from .hits import distance_squared
+
+_cx, _cy, _cz = ball_center
+_above = eye - _cz  # H: how far the eye is above B's centre
+_c = _cx**2 + _cy**2 + _above**2 - ball_radius**2
+_outside = distance_squared((0, 0, eye), ball_center) > ball_radius**2
+_xx, _xy, _yy = _cx**2 - _c, _cx * _cy, _cy**2 - _c
+_xz, _yz, _zz = eye * _above * _cx, eye * _above * _cy, eye**2 * (_above**2 - _c)
+_conic = Claim(
+    "conic",
+    (
+        equation(discriminant_b, _xx * x**2 + 2 * _xy * x * y + _yy * y**2 + 2 * _xz * x + 2 * _yz * y + _zz),
+        equation(_xx * _yy - _xy**2, _c * (_above**2 - ball_radius**2)),
+        equation(
+            _xx * (_yy * _zz - _yz**2) - _xy * (_xy * _zz - _yz * _xz) + _xz * (_xy * _yz - _yy * _xz),
+            eye**2 * _c**2 * ball_radius**2,
+        ),
+    ),
+    (),
+    hit_of_b,
+)
+_determinant = _xx * _yy - _xy**2
+_types = tuple(
+    Claim(name, (greater(_c, 0), shown), (_outside, given))
+    for name, shown, given in (
+        ("ellipse", greater(_determinant, 0), _above**2 > ball_radius**2),
+        ("parabola", equation(_determinant, 0), equation(_above**2, ball_radius**2)),
+        ("hyperbola", greater(0, _determinant), _above**2 < ball_radius**2),
+    )
+)
+_s, _q, _image = _cx**2 + _cy**2, x * _cx + y * _cy, x**2 + y**2
+_h = distance  # H = e − C_z
+_ch = _s + _h**2 - ball_radius**2
+_bh = _q + eye * _h
+_apart = (
+    at_least((_h - ball_radius) * (_h + ball_radius), 0),
+    at_least(_image, 0),
+    at_least((_ch - _s) * _image, 0),
+    at_least(_s * _image, _q**2),
+    greater(eye**2, 0),
+    greater(_ch * eye**2, 0),
+    greater(_ch * (_image + eye**2), _q**2),
+    greater(_bh**2 - _q**2, 0),
+    equation(_bh**2 - _q**2, eye * _h * (2 * _bh - eye * _h)),
+)
+_inside = (_ch > 0, _bh**2 >= _ch * (_image + eye**2))
+_hints = (x * _cy - y * _cx, x, y)
+_all_seen = Claim(
+    "all_seen",
+    (greater(_h, 0), greater(eye * _h, 0), *_apart, greater(2 * _bh - eye * _h, 0), greater(_bh, 0)),
+    (_h >= ball_radius, *_inside),
+    squares=_hints,
+)
+_none_seen = Claim(
+    "none_seen",
+    (
+        greater(-_h, 0),
+        greater(-eye * _h, 0),
+        at_least((-_h - ball_radius) * (-_h + ball_radius), 0),
+        *_apart[1:],
+        greater(-2 * _bh + eye * _h, 0),
+        greater(0, _bh),
+    ),
+    (-_h >= ball_radius, *_inside),
+    squares=_hints,
+)
+_branch = Claim(
+    "branch",
+    (
+        equation(toward_b**2, _c * dot(ray_direction, ray_direction)),
+        greater(dot(ray_direction, ray_direction), 0),
+        greater(toward_b**2, 0),
+    ),
+    (_outside, equation(discriminant_b, 0)),
+    hit_of_b,
+    squares=(x, y, eye),
+)
+
+
+def _scene(eye_height, x_at, center=(2, 0, 3), ball_radius_is=1):
+    """Return the inputs of the conic's type for an eye above a centre on the axis."""
+    return ((eye, eye_height), (x, x_at), (y, 0), *zip(ball_center, center, strict=True), (ball_radius, ball_radius_is))
+
+
+theorem = Theorem(
+    id="silhouette_of_b",
+    title="The silhouette of sphere B is a conic",
+    section="s3",
+    statement=r"Let $H = e-C_z$ and $c = |E-C|^2-R_2^2 > 0$. The silhouette $b^2 = c\,(x^2+y^2+e^2)$, $b "
+    r"= xC_x+yC_y+eH$, is a "
+    r"non-degenerate conic, with the determinants $c\,(H^2-R_2^2)$ and $e^2c^2R_2^2$: an ellipse if $|H| "
+    r"> R_2$, a parabola if "
+    r"$|H| = R_2$, a hyperbola if $|H| < R_2$. It is seen where $b > 0$, where the hits have $t > 0$: all of it if "
+    r"$H \ge R_2$, none if $H \le -R_2$, and of the hyperbola the branch $b > 0$; the branch $b < 0$ is spurious.",
+    hypotheses=("$c > 0$: the eye is outside B",),
+    claims=(_conic, *_types, _branch, _all_seen, _none_seen),
+    uses=("hit_of_b", "lagrange_identity"),
+    steps=(
+        Step(
+            r"$d = b^2-c\,(x^2+y^2+e^2)$, written as a quadratic form in $(x, y, 1)$",
+            "expansion",
+            ("lagrange_identity",),
+        ),
+        Step(r"its determinants are $c\,(H^2-R_2^2)$ and $e^2c^2R_2^2 \ne 0$", "expansion; $c > 0$"),
+        Step(r"on it $b^2 > 0$; $b < 0$ has $t < 0$", r"$b \le 0$: every root is negative", ("hit_of_b",)),
+        Step(r"$H \ge R_2$: $b^2 > (xC_x+yC_y)^2$", r"$c \ge C_x^2+C_y^2$ and Cauchy's inequality"),
+        Step(r"so $eH(2b-eH) > 0$ and $b > 0$; $H \le -R_2$ likewise", r"$b^2-(b-eH)^2 = eH(2b-eH)$"),
+    ),
+    mutants=(
+        Mutant(
+            "the determinant is c (H² + R₂²)",
+            _conic.but(shows=(equation(_determinant, _c * (_above**2 + ball_radius**2)),)),
+        ),
+        Mutant("an ellipse even if |H| < R₂", _types[2].but(shows=(greater(_determinant, 0),))),
+        Mutant("b > 0 on all of the silhouette", _branch.but(shows=(toward_b > 0,), squares=())),
+    ),
+    side_conditions=(
+        SideCondition("$|H| > R_2$", "ellipse", (Edge(_scene(4, 0), "fails"), Edge(_scene(5, 0), "holds"))),
+        SideCondition(
+            "$H \\ge R_2$",
+            "all_seen",
+            (
+                Edge((*_scene(1, -9, (2, 0, 0)), (distance, 0)), "fails"),
+                Edge((*_scene(1, -9, (2, 0, 0)), (distance, 1)), "fails"),
+            ),
+        ),
+    ),
+)
