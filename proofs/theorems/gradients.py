@@ -1,0 +1,85 @@
+"""The gradients of the three fields, as the kernels print them: exact differences, and the sign of ridges."""
+
+from sympy import Abs, Symbol, cos, pi, sign, sin
+
+from ..claim import Claim, equation
+from ..height_fields import HEIGHT_FIELDS, gradient
+from ..symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+
+sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
+slopes = {field.name: [gradient(field).expand(s) for s in (h_u, h_v)] for field in (sine, ridges, rings)}
+
+
+def _difference(field, coordinate, slope, frequency):
+    """Return f h(+ε) − f h = f h (cos fε − 1) + h' sin fε, which says that h' is the derivative."""
+    h, angle = field.expression, frequency * epsilon
+    moved = h.subs(coordinate, coordinate + epsilon)
+    return equation(frequency * (moved - h), frequency * h * (cos(angle) - 1) + slope * sin(angle))
+
+
+_sine = Claim(
+    "sine",
+    (
+        equation(slopes["sine"][0], pi * k_u * cos(pi * k_u * u) * sin(pi * k_v * v)),
+        equation(slopes["sine"][1], pi * k_v * sin(pi * k_u * u) * cos(pi * k_v * v)),
+        _difference(sine, u, slopes["sine"][0], pi * k_u),
+        _difference(sine, v, slopes["sine"][1], pi * k_v),
+    ),
+)
+_rings = Claim(
+    "rings",
+    (
+        equation(slopes["rings"][0], 0),
+        equation(slopes["rings"][1], 2 * pi * k_v * cos(2 * pi * k_v * v)),
+        _difference(rings, v, slopes["rings"][1], 2 * pi * k_v),
+    ),
+)
+_p = sine.expression
+_ridges = Claim(
+    "ridges",
+    (
+        *(equation(r, sign(_p) * s) for r, s in zip(slopes["ridges"], slopes["sine"], strict=True)),
+        *(equation(ridges.expression * r, _p * s) for r, s in zip(slopes["ridges"], slopes["sine"], strict=True)),
+    ),
+    squares=(Symbol("sin(pi*k_u*u)", real=True) * Symbol("sin(pi*k_v*v)", real=True),),
+)
+p, d = real("p d")
+_same = equation(Abs(p + d), Abs(p) + sign(p) * d)
+_near = Claim("same_sign", (_same,), (p > 0, p + d >= 0))
+_mirrored = Claim("same_sign_below", (_same,), (p < 0, p + d <= 0))
+
+theorem = Theorem(
+    id="gradients",
+    title="The gradients of the three fields",
+    section="s3",
+    statement=r"Sine: $h_u = \pi k_u\cos\pi k_u u\,\sin\pi k_v v$, $h_v = \pi k_v\sin\pi k_u u\,\cos\pi k_v v$. Rings: "
+    r"$h_u = 0$, $h_v = 2\pi k_v\cos 2\pi k_v v$. Ridges, $|p|$ with sine's height $p$: "
+    r"$\operatorname{sign}(p)\,p_u$ and $\operatorname{sign}(p)\,p_v$, its derivative where $p \ne 0$; "
+    "on the creases the kernels print 0.",
+    hypotheses=("any real $k_u$, $k_v$", r"$\sin x/x \to 1$ and $(1-\cos x)/x \to 0$ as $x \to 0$"),
+    claims=(_sine, _rings, _ridges, _near, _mirrored),
+    steps=(
+        Step(
+            r"$\omega(h(u+\varepsilon)-h(u)) = \omega h(\cos\omega\varepsilon-1) + h_u\sin\omega\varepsilon$, "
+            r"$\omega = \pi k_u$",
+            r"the addition formulas; divided by $\omega\varepsilon$ it tends to $h_u$",
+        ),
+        Step("the same in $v$, and for rings with $2\\pi k_v$", "the addition formulas"),
+        Step(r"$|p+d| = |p| + \operatorname{sign}(p)\,d$ for $|d| \le |p|$", "by the sign of $p$"),
+        Step(r"$h h_u = p p_u$, also on the creases", "both sides are 0 there"),
+    ),
+    mutants=(
+        Mutant("sine with its factors swapped", _sine.but(shows=(equation(slopes["sine"][0], slopes["sine"][1]),))),
+        Mutant("the other sign", _sine.but(shows=(_difference(sine, u, -slopes["sine"][0], pi * k_u),))),
+        Mutant("rings with πk_v", _rings.but(shows=(_difference(rings, v, slopes["rings"][1], pi * k_v),))),
+        Mutant("ridges without the sign", _ridges.but(shows=(equation(slopes["ridges"][0], slopes["sine"][0]),))),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$|d| \le |p|$: no crease is crossed",
+            "same_sign",
+            (Edge(((p, 1), (d, -1)), "holds"), Edge(((p, 1), (d, -2)), "fails"), Edge(((p, 0), (d, 1)), "fails")),
+        ),
+    ),
+)
