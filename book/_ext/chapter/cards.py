@@ -4,7 +4,7 @@
 :expect: proved               (by default what the theorem itself expects; anything else fails the build)
 :::
 
-{theorem-ref}`kink_loci`      a link that reads "Theorem 3 (Kink loci)"; {theorem-ref}`kink_loci|short` without the title
+{theorem-ref}`kink_loci`      a link that reads "Theorem 3 (Kink loci)"; `kink_loci|short` gives "Theorem 3"
 """
 
 from typing import ClassVar
@@ -83,7 +83,7 @@ def card(env, proofs: Proofs, id: str) -> Html:
     theorem, entry = proofs.theorems[id], proofs.entries[id]
     title = Html(
         "p",
-        badge(entry["grade"]),
+        badge(entry["grade"], entry.get("grade_line", "")),
         Html("strong", nodes.Text(proofs.label(id))),
         nodes.Text(" "),
         Html("span", nodes.Text(theorem.title), classes=["theorem-name"], id=f"title-{id}"),
@@ -154,11 +154,9 @@ def point_nodes(at: dict[str, str]) -> list[nodes.Node]:
     """A point as mathematics, one equation after the other."""
     if "path" in at:
         return [nodes.literal("", at["path"])]
-    parts = []
-    for equation in tex_point(at):
-        parts += [nodes.Text(", ")] if parts else []
-        parts.append(nodes.math(equation, equation))
-    return parts
+    equations = tex_point(at)
+    tex = [f"{equation}," for equation in equations[:-1]] + equations[-1:]
+    return [node for part in tex for node in (nodes.math(part, part), nodes.Text(" "))][:-1]
 
 
 def edge(tested: dict) -> Html:

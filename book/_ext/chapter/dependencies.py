@@ -19,7 +19,7 @@ from book._ext.chapter.evidence import badge
 from book._ext.chapter.theorems import kind
 
 WIDTH, MARKS, ROW, LINE, TOP, ARC = 450, 112, 30, 17, 20, 100
-TEXT_COLUMNS = 42
+TEXT_COLUMNS = 46
 
 
 def components(uses: Mapping[str, Iterable[str]]) -> list[list[str]]:
@@ -56,6 +56,11 @@ def rows(uses: Mapping[str, Iterable[str]]) -> list[str]:
     return ordered
 
 
+def wrapped(text: str) -> list[str]:
+    """The lines of a node's text."""
+    return textwrap.wrap(text, TEXT_COLUMNS, break_on_hyphens=False)
+
+
 def mark(grade: str, y: float) -> str:
     """The grade's shape at the height y."""
     x = MARKS
@@ -72,7 +77,7 @@ def drawing(proofs, address) -> str:
     """The graph as SVG; address(id) is that of a theorem's card."""
     uses = {id: theorem.uses for id, theorem in proofs.theorems.items()}
     order, at, y = rows(uses), {}, TOP
-    lines = {id: textwrap.wrap(f"{proofs.label(id)} {proofs.theorems[id].title}", TEXT_COLUMNS) for id in order}
+    lines = {id: wrapped(f"{proofs.label(id)} {proofs.theorems[id].title}") for id in order}
     for id in order:
         at[id], y = y, y + ROW + LINE * (len(lines[id]) - 1)
     near = {id: {id, *uses[id], *proofs.users(id)} for id in order}
@@ -84,7 +89,7 @@ def drawing(proofs, address) -> str:
         text = "".join(
             f'<tspan x="{MARKS + 18}" y="{at[id] + 5 + LINE * n}">{html.escape(part)}</tspan>'
             for n, part in enumerate(lines[id])
-        )
+        ).replace(proofs.label(id), f'<tspan class="label">{proofs.label(id)}</tspan>', 1)
         parts.append(
             f'<g id="node-{id}" class="{classes}"><a href="#node-{id}" aria-label="Neighbours of {title}">'
             f'<circle class="reach" cx="{MARKS}" cy="{at[id]}" r="13"/>{mark(grade, at[id])}</a>'

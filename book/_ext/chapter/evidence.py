@@ -23,8 +23,8 @@ def findings(entry: dict) -> list[str]:
     """What the last run found, part by part."""
     refuted, parts = kind(entry["grade"]) == "refuted", []
     if entry.get("statements"):
-        what = "exact counterexample" if refuted else "certificate"
-        parts.append(f"{count(entry['statements'], what)}, checked by two kernels")
+        what = count(entry["statements"], "exact counterexample" if refuted else "certificate")
+        parts.append(f"{what}, checked by two kernels")
     for seen in entry.get("measurements", ()):
         parts.append("an enclosure of every case" if seen["certified"] else count(seen["samples"], "measured case"))
     mutants = entry.get("mutants", ())
@@ -56,17 +56,17 @@ def measurement(seen: dict) -> list[nodes.Node]:
     return [*parts, nodes.Text(", enclosed in balls" if seen["certified"] else "")]
 
 
-def badge(grade: str) -> Html:
+def badge(grade: str, line: str = "") -> Html:
     """The grade as a shape and a letter; its name is there to be heard."""
     name = kind(grade)
     text = nodes.Text(f"{SHAPES[name]}\N{THIN SPACE}{LETTERS[name]}".strip())
-    return Html("span", text, classes=["evidence", name], title=grade, role="img", aria_label=grade)
+    return Html("span", text, classes=["evidence", name], title=line or grade, role="img", aria_label=line or grade)
 
 
 def legend(grades) -> Html:
     """What the badges mean."""
     items = [
-        Html("li", badge(g), Html("strong", nodes.Text(g)), nodes.Text(f" {MEANINGS[g]}"))
+        Html("li", badge(g), Html("strong", nodes.Text(g)), nodes.Text(f": {MEANINGS[g]}"))
         for g in MEANINGS
         if g in grades
     ]

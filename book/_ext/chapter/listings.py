@@ -36,7 +36,8 @@ def numbered(app, path: Path) -> str:
     """A source as HTML: lines with numbers, each with its own id."""
     text = path.read_text(encoding="utf-8")
     listing = app.builder.highlighter.highlight_block(text, "python", lineanchors="L", linenos="inline")
-    return f'<h1>{html.escape(path.relative_to(stamps.ROOT).as_posix())}</h1>\n<div class="highlight-python listing">{listing}</div>'
+    name = html.escape(path.relative_to(stamps.ROOT).as_posix())
+    return f'<h1>{name}</h1>\n<div class="highlight-python listing">{listing}</div>'
 
 
 def pages(app):

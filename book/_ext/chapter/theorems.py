@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import dataclass
+from functools import cache
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
@@ -135,6 +136,7 @@ def certificate(id: str) -> Path | None:
     return path if path.is_file() else None
 
 
+@cache
 def script(id: str) -> str | None:
     """The text of the stand-alone script that re-checks a theorem, if there is one."""
     if find_spec("proofs.standalone") is None or certificate(id) is None:

@@ -1,0 +1,291 @@
+"""Theorems in the book: the card is the checked object's, and what did not reach its grade does not build."""
+
+import html
+import json
+import re
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from docutils import nodes
+
+from book import check, report, stamps
+from book._ext.chapter import theorems as book_theorems
+from book._ext.chapter.dependencies import components, drawing, rows
+from book._ext.chapter.elements import typeset
+from book._ext.chapter.evidence import evidence_line, findings
+from book._ext.chapter.listings import LISTED, listed
+from book._ext.chapter.points import tex_point, tex_value
+from book._ext.chapter.theorems import Proofs, module_and_line, placements
+from proofs.theorem import all_theorems
+
+ROOT = Path(__file__).resolve().parent.parent
+THEOREMS = all_theorems()
+ENTRY = {
+    "id": "kink_loci",
+    "expected": "proved",
+    "grade": "proved",
+    "statements": 4,
+    "uses": [],
+    "mutants": [
+        {"mutant": "a sign", "refused": True, "counterexample": {"exact": True, "at": {"x": "1"}}},
+        {"mutant": "a factor", "refused": True, "counterexample": None},
+    ],
+    "witness": [{"claim": "a", "points": 1000, "digits": 50}, {"claim": "b", "points": 0}],
+    "side_conditions": [{"condition": "x > 0", "edges": [{"at": {"x": "0"}, "outcome": "fails"}]}],
+}
+
+
+@pytest.fixture
+def fresh_report(tmp_path, monkeypatch):
+    """A report of every theorem as its author expects it, with a stamp that says it is fresh."""
+    entries = [ENTRY | {"id": id, "expected": t.expected, "grade": t.expected} for id, t in THEOREMS.items()]
+    path = tmp_path / "proofs.json"
+    path.write_text(json.dumps({"version": 1, "theorems": entries}))
+    monkeypatch.setattr(report, "REPORT", path)
+    monkeypatch.setattr(report, "sources", lambda: {"proofs/x.py": "1"})
+    monkeypatch.setattr(stamps, "STAMPS", tmp_path / "stamps")
+    report.remember(report.sources())
+    return path
+
+
+@pytest.fixture
+def build_page(fresh_report, tmp_path):
+    """Build a book of one page with the extension; the page's HTML and the warnings."""
+    from io import StringIO
+
+    from sphinx.application import Sphinx
+    from sphinx.util.docutils import docutils_namespace
+
+    def built(text: str) -> tuple[str, str]:
+        book = tmp_path / "book"
+        book.mkdir(exist_ok=True)
+        (book / "claims.md").write_text("---\norphan: true\n---\n# Claims\n\n:::{all-claims}\n:::\n")
+        (book / "index.md").write_text(f"# Page\n\n{text}\n")
+        settings = {
+            "extensions": ["myst_parser", "sphinx.ext.mathjax", "book._ext.chapter"],
+            "myst_enable_extensions": ["colon_fence"],
+        }
+        warnings, out = StringIO(), tmp_path / "out"
+        with docutils_namespace():
+            app = Sphinx(book, None, out, out / "doctrees", "html", settings, None, warnings, freshenv=True)
+            app.build()
+        return (out / "index.html").read_text(), warnings.getvalue()
+
+    return built
+
+
+def regraded(path, id, grade):
+    content = json.loads(path.read_text())
+    for entry in content["theorems"]:
+        if entry["id"] == id:
+            entry["grade"] = grade
+    path.write_text(json.dumps(content))
+
+
+# The card
+
+
+def test_statement_on_the_page_is_the_checked_objects(build_page):
+    page, warnings = build_page(":::{theorem} kink_loci\n:::\n\nSee {theorem-ref}`kink_loci`.")
+    assert warnings == ""
+    shown = re.search(r'<p class="statement">(.*?)</p>', page, re.DOTALL)[1]
+    shown = re.sub(r'<span class="math notranslate nohighlight">\\\((.*?)\\\)</span>', r"$\1$", shown, flags=re.DOTALL)
+    assert html.unescape(shown) == THEOREMS["kink_loci"].statement
+    assert 'href="#theorem-kink_loci">Theorem 1 (The creases are rays and circles)</a>' in page
+    assert "pytest verify --theorem kink_loci" in re.sub(r"<[^>]+>", "", page)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (":::{theorem} kink_locus\n:::", r"index\.md:3.*unknown theorem 'kink_locus'; there are: .*kink_loci"),
+        (":::{theorem} kink_loci\n:expect: refuted\n:::", r"'kink_loci' is expected to be refuted.*made it proved"),
+        ("{theorem-ref}`kink_locus`", r"index\.md:3.*unknown theorem 'kink_locus'"),
+        (":::{theorem} kink_loci\n:::\n\n:::{theorem} kink_loci\n:::", r"'kink_loci' is placed twice"),
+    ],
+)
+def test_what_is_unknown_or_not_expected_fails_the_build(build_page, text, message):
+    assert re.search(message, build_page(text)[1])
+
+
+def test_a_grade_that_was_not_reached_fails_the_build(fresh_report, build_page):
+    regraded(fresh_report, "kink_loci", "failed")
+    report.remember(report.sources())
+    for text in (":::{theorem} kink_loci\n:::", "{theorem-ref}`kink_loci`"):
+        assert re.search(r"'kink_loci' is expected to be proved; its last run made it failed", build_page(text)[1])
+
+
+def test_a_report_edited_by_hand_fails_the_build(fresh_report, build_page):
+    regraded(fresh_report, "seed_orientation", "proved")
+    assert "the report of the proofs is stale" in build_page(":::{theorem} kink_loci\n:::")[1]
+
+
+def test_a_stale_or_missing_report_is_refused(fresh_report, monkeypatch):
+    assert report.load().keys() == THEOREMS.keys()
+    monkeypatch.setattr(report, "sources", lambda: {"proofs/x.py": "2"})
+    with pytest.raises(report.NoReport, match=r"stale.*python -m book check"):
+        report.load()
+    fresh_report.unlink()
+    with pytest.raises(report.NoReport, match="no report"):
+        report.load()
+
+
+def test_report_depends_on_proofs_and_checkers():
+    names = report.sources().keys()
+    assert {"proofs/kernel.py", "proofs/certificates/kink_loci.json", "verify/witness.py"} <= names
+
+
+def test_a_missing_report_triggers_the_check(fresh_report, monkeypatch):
+    commands = []
+    monkeypatch.setattr(subprocess, "run", lambda command, **_: commands.append(command))
+    monkeypatch.setattr(check, "sources", lambda: [stamps.LOCK_FILE])
+    report.make()
+    assert commands == []
+    check.check()
+    check.check()
+    assert len(commands) == 1
+    fresh_report.unlink()
+    check.check()
+    report.make()
+    assert [command[3] for command in commands[1:]] == ["verify", "verify/test_theorems.py"]
+
+
+# Numbers, words, points
+
+
+def test_numbers_follow_the_pages_and_then_the_rest(tmp_path):
+    (tmp_path / "_toc.yml").write_text("root: index\nchapters: [{file: b}, {file: a}]\n")
+    (tmp_path / "index.md").write_text("# Front\n")
+    (tmp_path / "a.md").write_text(":::{theorem} one\n:::\n")
+    (tmp_path / "b.md").write_text("1. point\n\n   ::::{theorem} two\n   ::::\n\n```{theorem} three\n```\n")
+    found = placements(tmp_path, ["zero", "one", "two", "three"])
+    assert {id: (place.page, place.number) for id, place in found.items()} == {
+        "two": ("b", 1),
+        "three": ("b", 2),
+        "one": ("a", 3),
+        "zero": ("claims", 4),
+    }
+
+
+def test_evidence_in_words():
+    assert evidence_line(ENTRY) == (
+        "Proved: 4 certificates, checked by two kernels; 1 of 2 false variants refuted; "
+        "1,000 samples at 50 digits; 1 edge test"
+    )
+    spared = {"variant": "v", "accepted": True, "spared": True}
+    refuted = {"grade": "refuted", "statements": 1, "mutants": [spared]}
+    assert findings(refuted) == ["1 exact counterexample, checked by two kernels", "1 of 1 true variants proved"]
+    assert evidence_line({"grade": "cited", "grade_line": "cited: Blinn1978"}) == "Cited: Blinn1978"
+
+
+def test_points_are_set_as_mathematics():
+    at = {"normal_x": "0", "normal_y": "0", "normal_z": "1", "beta": "3/4", "eye": "1." + "3" * 40}
+    assert tex_point(at) == ["N = (0, 0, 1)", r"\beta = 3/4", r"e = 1.33333\ldots"]
+    assert tex_value("1/" + "5" + "0" * 150) == r"2\cdot 10^{-151}"
+
+
+def test_text_is_set_with_its_mathematics():
+    parts = typeset("so $a_b$ and k_u, not cos_phi")
+    assert [type(part) for part in parts] == [nodes.Text, nodes.math, nodes.Text, nodes.subscript, nodes.Text]
+
+
+def test_every_theorem_has_a_file_and_a_line():
+    for id in THEOREMS:
+        path, line = module_and_line(id)
+        assert path in listed()
+        assert line >= 1
+
+
+# The graph
+
+
+def test_rows_put_everything_below_what_it_rests_on():
+    uses = {"a": (), "lone": (), "b": ("a",), "c": ("a", "b"), "x": (), "y": ("x",)}
+    assert components(uses) == [["a", "b", "c"], ["x", "y"], ["lone"]]
+    order = rows(uses)
+    assert order == ["a", "b", "c", "x", "y", "lone"]
+
+
+def test_graph_has_a_mark_a_name_and_two_links_for_each_theorem(fresh_report, tmp_path):
+    (tmp_path / "claims.md").touch()
+    proofs = book_theorems.load(tmp_path)
+    svg = drawing(proofs, lambda id: f"claims.html#theorem-{id}")
+    assert svg == drawing(proofs, lambda id: f"claims.html#theorem-{id}")
+    for id, theorem in THEOREMS.items():
+        assert f'id="node-{id}"' in svg
+        assert f'href="#node-{id}"' in svg and f'href="claims.html#theorem-{id}"' in svg
+        assert html.escape(theorem.title) in svg
+    assert svg.count('class="edge') == sum(len(set(t.uses)) for t in THEOREMS.values())
+
+
+def test_a_refuted_claim_is_not_called_a_theorem():
+    theorem = replace(THEOREMS["seed_orientation"])
+    places = {theorem.id: book_theorems.Placement("s3", 7)}
+    assert Proofs({theorem.id: theorem}, {theorem.id: {"grade": "refuted"}}, places).label(theorem.id) == "Claim 7"
+
+
+# The site
+
+
+def ids_of(page: Path) -> set[str]:
+    return set(re.findall(r'\bid="([^"]+)"', page.read_text(encoding="utf-8")))
+
+
+def test_every_theorem_of_the_report_is_on_the_claims_page(site):
+    page = (site / "claims.html").read_text(encoding="utf-8")
+    for id, entry in report.load().items():
+        target = re.search(rf'href="(\w+\.html)?#theorem-{id}"', page)
+        assert target, id
+        assert f"theorem-{id}" in ids_of(site / (target[1] or "claims.html"))
+        assert html.escape(evidence_line(entry)) in html.unescape(page) or evidence_line(entry) in html.unescape(page)
+
+
+def test_every_node_of_the_graph_leads_somewhere(site):
+    page = (site / "dependencies.html").read_text(encoding="utf-8")
+    drawn = re.search(r'<div class="graph">.*?</svg>', page, re.DOTALL)[0]
+    nodes_drawn = re.findall(r'<g id="node-(\w+)"', drawn)
+    assert set(nodes_drawn) == THEOREMS.keys()
+    targets = re.findall(r'<a href="([^"]+)"', drawn)
+    assert len(targets) == 2 * len(nodes_drawn)
+    for target in targets:
+        file, _, anchor = target.partition("#")
+        assert anchor in ids_of(site / (file or "dependencies.html")), target
+
+
+def test_sources_and_downloads_are_there(site):
+    for page in site.glob("*.html"):
+        text = page.read_text(encoding="utf-8")
+        for target in set(re.findall(r'href="((?:source|_downloads/theorems)/[^"]+)"', text)):
+            file, _, anchor = target.partition("#")
+            assert (site / file).is_file(), target
+            assert not anchor or anchor in ids_of(site / file), target
+    for id in THEOREMS:
+        if path := book_theorems.certificate(id):
+            assert (site / "_downloads" / "theorems" / f"{id}.json").read_bytes() == path.read_bytes()
+
+
+def test_downloaded_scripts_run_with_nothing_but_python(site, tmp_path):
+    scripts = sorted((site / "_downloads" / "theorems").glob("*.py"))
+    if not scripts:
+        pytest.skip("proofs has no stand-alone scripts yet")
+    assert {path.stem for path in scripts} == {id for id in THEOREMS if book_theorems.script(id)}
+    for path in scripts:
+        command = [sys.executable, "-I", "-S", str(path)]
+        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60)
+        assert done.returncode == 0, f"{path.name}: {done.stdout}{done.stderr}"
+
+
+def test_what_is_trusted_is_all_there(site):
+    """Everything of ours that the kernel and the translation can reach is listed on the page."""
+    page = (ROOT / "book" / "trusted.md").read_text(encoding="utf-8")
+    for name in ("kernel", "statement"):
+        for path in stamps.reachable(ROOT / "proofs" / f"{name}.py"):
+            if path.suffix == ".py" and path.name != "__init__.py":
+                assert f"{{literalinclude}} ../{path.relative_to(ROOT).as_posix()}" in page
+    shown = (site / "trusted.html").read_text(encoding="utf-8")
+    lines = len((ROOT / "proofs" / "kernel.py").read_text(encoding="utf-8").splitlines())
+    assert f'<span class="number">{lines}</span> lines' in shown
+    assert any(pattern.startswith("proofs/") for pattern in LISTED)
