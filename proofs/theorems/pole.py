@@ -1,0 +1,125 @@
+"""At the pole: when the chapter's g has a limit, and when the true surface gradient has one (F12)."""
+
+from sympy import cos, pi, sin
+
+from ..bump import bumped_normal, g
+from ..claim import Claim, Induction, equation
+from ..height_fields import HEIGHT_FIELDS, gradient
+from ..symbols import cos_phi, cos_theta, dot, h_u, h_v, k_u, k_v, phi, real, sin_phi, sin_theta, theta, u, v
+from ..theorem import Mutant, Step, Theorem
+
+sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
+_meridian = u, (theta + pi) / (2 * pi)
+
+
+def at_pole(field):
+    """Return g/π on the meridian θ as v → 0: its lines at v = 0, φ = 0."""
+    slopes = {s: gradient(field).expand(s).subs(v, 0).subs(*_meridian) / pi for s in (h_u, h_v)}
+    pole = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: 1, sin_phi: 0, **slopes}
+    return tuple(bumped_normal.expand(g_i).subs(pole) for g_i in g)
+
+
+_turned = k_u * (theta + pi) / 2
+_sine, _rings = at_pole(sine), at_pole(rings)
+_length = Claim(
+    "sine",
+    (equation(dot(_sine, _sine), k_v**2 * sin(_turned) ** 2), *(equation(g_i.subs(theta, -pi), 0) for g_i in _sine)),
+)
+_opposite = Claim(
+    "rings",
+    (equation(dot(_rings, _rings), 4 * k_v**2), *(equation(g_i.subs(theta, theta + pi), -g_i) for g_i in _rings)),
+)
+
+n, chebyshev, following = real("n chebyshev following")
+_two = sine.expression.subs({k_u: 2, k_v: n}).subs(*_meridian).subs(v, phi / pi)
+_smooth = Induction(
+    "polynomial",
+    n,
+    (
+        equation(sin(n * phi), chebyshev * sin(phi)),
+        equation(sin((n + 1) * phi), following * sin(phi)),
+        equation(_two, -(sin(phi) * sin(theta)) * chebyshev),
+    ),
+    ((chebyshev, 0, following), (following, 1, 2 * cos(phi) * following - chebyshev)),
+)
+_surface = tuple(  # the surface gradient over k_v, at φ → 0: h_θ/sin φ e_θ + h_φ e_φ with sin(k_v φ)/sin φ → k_v
+    k_u / 2 * cos(_turned) * t + sin(_turned) * p
+    for t, p in zip((-sin(theta), cos(theta)), (cos(theta), sin(theta)), strict=True)
+)
+_limit = Claim(
+    "surface_gradient",
+    (
+        equation(dot(_surface, _surface), k_u**2 / 4 + (1 - k_u**2 / 4) * sin(_turned) ** 2),
+        *(equation(s.subs(k_u, 2), c) for s, c in zip(_surface, (0, -1), strict=True)),
+        *(equation(s.subs(k_u, -2), c) for s, c in zip(_surface, (0, 1), strict=True)),
+    ),
+)
+
+theorem = Theorem(
+    id="pole",
+    title="The gradient at the pole",
+    section="s3",
+    statement=r"As $v \to 0$ on the meridian $\theta$, sine's $g$ tends to "
+    r"$\pi k_v\sin\pi k_u u\,(\cos\theta, \sin\theta, 0)$, whose length is 0 on $u = 0$ and $\pi|k_v\sin\pi k_u u|$ "
+    r"elsewhere: $g$ has no limit at the pole unless $k_u k_v = 0$. Rings' tends to a vector of length $2\pi|k_v|$ "
+    r"that turns round with $\theta$: none unless $k_v = 0$. Sine's true surface gradient tends to $k_v$ times a vector of "
+    r"squared length $k_u^2/4 + (1-k_u^2/4)\sin^2\pi k_u u$: with $k_v \ne 0$ it has no limit unless $k_u = 0$ or "
+    r"$k_u = \pm 2$, when it is $k_v(0, \mp 1, 0)$; for $k_u = 2$ and whole $k_v \ge 0$, $h = -y\,U_{k_v-1}(z)$ is a "
+    r"polynomial on the sphere.",
+    hypotheses=(
+        r"along a meridian $g$ is continuous in $v$",
+        r"for $k_u \ne 0$ some $u \in [0, 1)$ has $\sin\pi k_u u \ne 0$",
+        r"$\sin k_v\varphi/\sin\varphi \to k_v$ as $\varphi \to 0$",
+    ),
+    claims=(_length, _opposite, _limit, _smooth),
+    steps=(
+        Step(
+            r"$h_u \to 0$, $h_v \to \pi k_v\sin\pi k_u u$ (rings: $2\pi k_v$), "
+            r"$e_\varphi \to (\cos\theta, \sin\theta, 0)$",
+            "the lines at $v = 0$, $\\varphi = 0$",
+        ),
+        Step(
+            "two meridians, two limits",
+            r"$u = 0$ and one where $\sin\pi k_u u \ne 0$; for rings, $\theta$ and $\theta + \pi$",
+        ),
+        Step(
+            r"$(h_\theta/\sin\varphi)\,e_\theta + h_\varphi e_\varphi$ at $\varphi \to 0$",
+            "its squared length, and its value for $k_u = \\pm 2$",
+        ),
+        Step(
+            r"$\sin n\varphi = \sin\varphi\,U_{n-1}(\cos\varphi)$",
+            r"induction: $U_n = 2\cos\varphi\,U_{n-1} - U_{n-2}$",
+        ),
+    ),
+    mutants=(
+        Mutant("sine's g has a limit", _length.but(shows=[equation(s.subs(theta, 0), s) for s in _sine])),
+        Mutant("rings' has one", _opposite.but(shows=[equation(s.subs(theta, theta + pi), s) for s in _rings])),
+        Mutant(
+            "the true gradient has one for k_u = 1",
+            _limit.but(shows=[equation(s.subs({k_u: 1, theta: 0}), s.subs(k_u, 1)) for s in _surface]),
+        ),
+        Mutant("h = y U for k_u = 2", _smooth.but(shows=(equation(_two, sin(phi) * sin(theta) * chebyshev),))),
+    ),
+)
+
+_same = Claim("one_limit", [equation(s, s.subs(theta, -pi)) for s in _sine[1:2]])
+_angles = ((theta, (0, 1)), (k_u * theta / 2, (0, 1)), (pi * k_u / 2, (-1, 0)))
+_values = tuple((f(a), x) for a, two in _angles for f, x in zip((cos, sin), two, strict=True))
+
+smooth_everywhere = Theorem(
+    id="sine_is_smooth_everywhere",
+    title="Sine is smooth everywhere",
+    section="s7",
+    finding="F12",
+    statement=r"For sine, $g$ tends to the same vector along every meridian as $v \to 0$.",
+    claims=(_same,),
+    refuted_at=(("one_limit", ((k_u, 2), (k_v, 1), (theta, pi / 2), *_values)),),
+    steps=(
+        Step(r"$k_u = 2$, $k_v = 1$: $(0, -\pi, 0)$ on $\theta = \pi/2$, and $0$ on $\theta = -\pi$", "arithmetic"),
+    ),
+    mutants=(
+        Mutant("true for k_v = 0", _same.but(given=(equation(k_v, 0),))),
+        Mutant("true of the surface gradient, k_u = 2", Claim("surface", _limit.shows[1:3])),
+    ),
+    expected="refuted",
+)
