@@ -2,7 +2,7 @@
 
 `python -m proofs.certificate [ID …]` finds the certificates of the named theorems (default: of those whose stored
 ones are missing or stale; --all: of all) and writes them. Format, version 1: {"version", "theorem", "claims":
-[{"claim", "statements": [{"sha256", "statement", "certificate"}]}]}; `proofs.statement` documents statements, and
+[{"claim", "statements": [{"sha256", "statement", "certificate"}]}]}; `proofs.statement_data` documents statements, and
 `proofs.kernel` reads certificates.
 """
 

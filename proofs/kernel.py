@@ -1,6 +1,6 @@
 """The kernel decides whether a certificate proves a statement, by exact rational arithmetic and nothing else.
 
-Trust this file and the translation of formulas into statements (`proofs.statement`, which documents the data).
+Trust this file and the translation of formulas into statements (`proofs.statement`; `statement_data` has the format).
 A polynomial is {monomial: coefficient}, a monomial the sorted tuple of its names: 2x²y is {("x", "x", "y"): 2}.
 A fact or goal is (p, relation): p = 0, p ≥ 0, p > 0 or p ≠ 0.
 """

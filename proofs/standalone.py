@@ -23,7 +23,7 @@ SCRIPT = '''#!/usr/bin/env python3
 
 {kernel}
 
-# 2. The statement, as polynomials, and its certificate, as the search found it (format: proofs/statement.py).
+# 2. The statement, as polynomials, and its certificate, as the search found it (format: proofs/statement_data.py).
 
 DATA = r"""
 {data}

@@ -1,63 +1,28 @@
 """From SymPy to data: the translation of a claim into statements that the kernel checks. This file is trusted.
 
-Format, version 1 (JSON). A polynomial is {"x^2 y": "-3/2", "": "1"}: names, powers, exact rationals. A statement has
-a `kind`. A "derivation" has `variables` (all real numbers, unless a step says more) and `steps`, each with a
-polynomial `of`:
-
-    assume   of ⋈ 0 is given; ⋈ is `is`: "=", "!=", ">", ">="
-    define   `new` abbreviates `of`
-    root     `new` = √of; needs a proof of `of` ≥ 0; gives new² = of and new ≥ 0
-    inverse  `new` = 1/of; needs a proof of `of` ≠ 0; gives new · of = 1
-    show     of ⋈ 0 has to be proved; later steps may use it
-
-A "separation" has `lines` [[name, [names it uses]], …], `outputs`, `avoid`. An "induction" has `variables`, `state`,
-`assume` (about the variables), `start` and `next` (polynomials of each state), `show` (polynomials, zero for every n).
-
-Rules. A quotient becomes an inverse, a radical a root, with their obligations. sin and cos of a sum of whole
-multiples are expanded by the addition formulas (`proofs.angles`); an atom gives two variables with c² + s² = 1. |a| is
-√(a²), or ±a where the sign is given. Max, Min, sign and Piecewise take the branch that is given; where none is, the
-claim is split into two statements, one with the condition assumed and one with its negation. A symbol declared
-positive is assumed > 0; of π only 3 < π < 22/7 is used. Anything else is an error, never a guess. Derivatives are
-SymPy's `diff`.
+The rules (`proofs.statement_data` has the format). A quotient becomes an inverse, a radical a root, with their
+obligations. sin and cos of a sum of whole multiples are expanded by the addition formulas (`proofs.angles`); an atom
+gives two variables with c² + s² = 1. |a| is √(a²), or ±a where the sign is given. Max, Min, sign and Piecewise take the
+branch that is given; where none is, the claim is split into two statements, one with the condition assumed and one with
+its negation. A symbol declared positive is assumed > 0; of π only 3 < π < 22/7 is used. Derivatives are SymPy's `diff`.
+Anything else is an error, never a guess.
 """
 
-import hashlib
 import json
 from functools import cache
 
-from sympy import Abs, And, Max, Min, Piecewise, Poly, Rational, S, Symbol, cos, expand, pi, sign, sin
+from sympy import Abs, And, Max, Min, Piecewise, Rational, S, Symbol, cos, expand, pi, sign, sin
 from sympy.core.relational import Relational
 
 from .angles import Angles, Untranslatable
 from .half_turns import ordinary
+from .statement_data import RELATIONS, TRUE_FOR, VERSION, digest, polynomial_data
 
-VERSION = 1
-TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {-1, 0}}  # signs of left − right
-RELATIONS = {frozenset(s): (f, r) for f, r, s in (
-    (1, "=", {0}), (1, "!=", {-1, 1}), (1, ">", {1}), (1, ">=", {0, 1}), (-1, ">", {-1}), (-1, ">=", {-1, 0})
-)}  # fmt: skip
+__all__ = ["VERSION", "derivations", "digest", "polynomial_data"]
 
 
 class _Undecided(Exception):
     """A condition is neither given nor chosen yet."""
-
-
-def digest(statement):
-    """Return the SHA-256 of the statement's canonical JSON."""
-    return hashlib.sha256(json.dumps(statement, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
-
-
-def polynomial_data(expression):
-    """Return a polynomial expression in symbols as {"x^2 y": "-3/2"}, sorted."""
-    expression = expand(expression)
-    symbols = sorted(expression.free_symbols, key=lambda s: s.name)
-    if not symbols:
-        return {} if expression == 0 else {"": str(Rational(expression))}
-    data = {}
-    for monomial, coefficient in Poly(expression, *symbols, domain="QQ").terms():
-        factors = (s.name if e == 1 else f"{s.name}^{e}" for s, e in zip(symbols, monomial, strict=True) if e)
-        data[" ".join(factors)] = str(coefficient)
-    return dict(sorted(data.items()))
 
 
 class Derivation:
@@ -141,8 +106,7 @@ class Derivation:
     def _exceeds(self, difference):
         """Return whether `difference` is ≥ 0, or False if it is known to be ≤ 0 (at 0 both answers do)."""
         _, key, orientation = self._normal(self.polynomial(difference))
-        known = {orientation * s for s in self.signs.get(key, {-1, 0, 1})}
-        return False if 1 not in known else self.decide(difference >= 0)
+        return orientation in self.signs.get(key, {-1, 0, 1}) and self.decide(difference >= 0)
 
     # Expressions
 

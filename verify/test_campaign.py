@@ -15,7 +15,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 PROVING = ["angles", "ideal", "feasible", "kernel", "search", "statement", "induction", "counterexample"]
-MACHINERY = [*PROVING, "certificate", "standalone", "claim", "theorem", "program", "polynomial_data", "signs"]
+MACHINERY = [*PROVING, "certificate", "standalone", "claim", "theorem", "program", "statement_data"]
 SEED, EDITS = 1978, 30
 OTHER = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
 TURNED = {ast.Lt: ast.Gt, ast.Gt: ast.Lt, ast.LtE: ast.Lt, ast.GtE: ast.Gt}
