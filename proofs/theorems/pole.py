@@ -62,8 +62,8 @@ theorem = Theorem(
     statement=r"As $v \to 0$ on the meridian $\theta$, sine's $g$ tends to "
     r"$\pi k_v\sin\pi k_u u\,(\cos\theta, \sin\theta, 0)$, whose length is 0 on $u = 0$ and $\pi|k_v\sin\pi k_u u|$ "
     r"elsewhere: $g$ has no limit at the pole unless $k_u k_v = 0$. Rings' tends to a vector of length $2\pi|k_v|$ "
-    r"that turns round with $\theta$: none unless $k_v = 0$. Sine's true surface gradient tends to $k_v$ times a vector of "
-    r"squared length $k_u^2/4 + (1-k_u^2/4)\sin^2\pi k_u u$: with $k_v \ne 0$ it has no limit unless $k_u = 0$ or "
+    r"that turns round with $\theta$: none unless $k_v = 0$. Sine's surface gradient tends to $k_v$ times a vector "
+    r"of squared length $k_u^2/4 + (1-k_u^2/4)\sin^2\pi k_u u$: with $k_v \ne 0$ it has no limit unless $k_u = 0$ or "
     r"$k_u = \pm 2$, when it is $k_v(0, \mp 1, 0)$; for $k_u = 2$ and whole $k_v \ge 0$, $h = -y\,U_{k_v-1}(z)$ is a "
     r"polynomial on the sphere.",
     hypotheses=(

@@ -1,0 +1,126 @@
+"""The image's derivative in β, in closed form: the chain rule through the lines of the shading."""
+
+from sympy import Max, diff
+
+from ..bump import bumped_by_beta
+from ..claim import Claim, Induction, equation
+from ..image_derivative import (
+    base_by_beta,
+    base_derivatives,
+    clip_derivative,
+    mu_by_beta,
+    mu_derivative,
+    term_by_beta,
+    term_derivative,
+)
+from ..shading import (
+    albedos,
+    blinn,
+    clip,
+    clipped,
+    color,
+    halfway_length,
+    kd,
+    ks,
+    light_colors,
+    light_direction,
+    light_term,
+    lit,
+    phong,
+)
+from ..symbols import bumped, mu, real, shininess, specular, specular_base
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+
+s, n, power, x, slope, of_x, by_s = real("s n power x slope of_x by_s")
+_moved = tuple(b + s * d for b, d in zip(bumped, bumped_by_beta, strict=True))
+
+
+def at_zero(expression):
+    """Return the derivative in s at s = 0."""
+    return diff(expression, s).subs(s, 0)
+
+
+def _inner(program):
+    """Return the program's base of the highlight before its clamp, with μ written out."""
+    base = program[specular_base]
+    (clamped,) = base.atoms(Max)
+    return next(a for a in clamped.args if a != 0).xreplace({mu: light_direction[mu]})
+
+
+def _closed(model):
+    return base_derivatives[model][base_by_beta].xreplace(
+        {mu: light_direction[mu], mu_by_beta: mu_derivative[mu_by_beta]}
+    )
+
+
+_along = dict(zip(bumped, _moved, strict=True))
+_mu = Claim("mu", (equation(at_zero(light_direction[mu].xreplace(_along)), mu_derivative[mu_by_beta]),))
+_blinn, _phong = (
+    Claim(model, (equation(at_zero(_inner(program).xreplace(_along)), _closed(model)),), given)
+    for model, program, given in (("blinn", blinn, (halfway_length > 0,)), ("phong", phong, ()))
+)
+
+
+def _term(name, p, given, lit_side, shiny):
+    """Return the claim of a light's share where μ and the base have given signs, for the shininess p."""
+    share = light_term.expand(lit[0]).xreplace({Max(0, mu): mu * lit_side, specular: specular_base**p * shiny})
+    share = share.xreplace({mu: mu + s * mu_by_beta, specular_base: specular_base + s * base_by_beta})
+    closed = term_derivative.expand(term_by_beta).subs(shininess, p)
+    return Claim(name, (equation(Max(0, mu), mu * lit_side), equation(at_zero(share), closed)), given)
+
+
+_sides = tuple(
+    _term(f"{a}_{b}", 32, ((mu > 0, mu < 0)[i], (specular_base > 0, specular_base < 0)[j]), 1 - i, 1 - j)
+    for i, a in enumerate(("lit", "unlit"))
+    for j, b in enumerate(("shiny", "dull"))
+)
+_power = Induction(
+    "power_rule",
+    n,
+    (equation(by_s * x, power * of_x * slope),),
+    ((of_x, 1, x * of_x), (by_s, 0, by_s * x + of_x * slope), (power, 0, power + 1)),
+)
+_kept = clip_derivative[clipped]
+_clip = (
+    Claim("inside", (equation(clip[clipped], color), equation(_kept, term_by_beta)), (color > 0, color < 1)),
+    Claim("above", (equation(clip[clipped], 1), equation(_kept, 0)), (color > 0, color > 1)),
+    Claim("below", (equation(Max(0, color), 0), equation(_kept, 0)), (color < 0,)),
+)
+
+
+def _grazing(cosine):
+    """Return a light's inputs at μ = cosine, of unit coefficients, in a highlight that does not move."""
+    values = {mu: cosine, mu_by_beta: 1, specular_base: 1, base_by_beta: 0}
+    return (*values.items(), *((c, 1) for c in (kd, ks, albedos[0], light_colors[0])))
+
+
+theorem = Theorem(
+    id="image_derivative",
+    title="The image's derivative in β",
+    section="s3",
+    statement=r"Off $\mu = 0$, base $= 0$ and the clip's ends, a light's share of a channel has the derivative "
+    r"$i\,(a k_d\,\mu'[\mu > 0] + k_s\,p\,\text{base}^{p-1}\,\text{base}'[\text{base} > 0])$ with "
+    r"$\mu' = \partial_\beta N'\cdot\omega$ and $\text{base}' = \partial_\beta N'\cdot H/|H|$ (Blinn) or "
+    r"$2(\mu'\,N'\cdot\hat v + \mu\,\partial_\beta N'\cdot\hat v)$ (Phong); the clip keeps it where the channel is "
+    r"inside $(0, 1)$ and makes it 0 outside.",
+    hypotheses=("the lines' derivative at $p = 32$; the power rule for every whole $p$",),
+    claims=(_mu, _blinn, _phong, *_sides, _power, *_clip),
+    uses=("normal_by_beta",),
+    steps=(
+        Step(r"$\partial_\beta N'$", "in closed form", uses=("normal_by_beta",)),
+        Step("each line, along $N' + s\\,\\partial_\\beta N'$ at $s = 0$", "the chain rule"),
+        Step(r"$(x^{p})'\,x = p\,x^p x'$", "induction on $p$ by the product rule"),
+    ),
+    mutants=(
+        Mutant("Phong without its factor 2", _phong.but(shows=(equation(2 * _phong.shows[0].lhs, _closed("phong")),))),
+        Mutant("the highlight's factor p + 1", _power.but(shows=(equation(by_s * x, (power + 1) * of_x * slope),))),
+        Mutant("the lit side's slope where μ < 0", _sides[2].but(shows=_sides[0].shows[1:])),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$\mu \ne 0$",
+            "lit_shiny",
+            (Edge(_grazing(1), "holds"), Edge(_grazing(0), "fails"), Edge(_grazing(-1), "fails")),
+        ),
+    ),
+)
