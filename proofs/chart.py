@@ -2,7 +2,7 @@
 
 from sympy import Piecewise, Rational, acos, atan2, pi
 
-from .half_turns import atan2pi
+from .half_turns import atan2pi, cospi, sinpi
 from .program import Program
 from .symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, u, v
 
@@ -19,6 +19,15 @@ chart = Program(
     (u, v),
 )
 """u = (1 + θ/π)/2 reduced to [0, 1) (θ = π gives 1, which is 0), v = φ/π, both by atan2. Theorem: chart."""
+
+chart_inverse = Program(
+    "chart_inverse",
+    (u, v),
+    ((cos_theta, -cospi(2 * u)), (sin_theta, -sinpi(2 * u)), (cos_phi, cospi(v)), (sin_phi, sinpi(v))),
+    (cos_theta, sin_theta, cos_phi, sin_phi),
+)
+"""The angles from the chart: θ = 2πu − π, φ = πv, so cos θ = −cos 2πu, sin θ = −sin 2πu. Domain: 0 ≤ v ≤ 1, any u.
+Theorem: chart_inverse."""
 
 seed_chart = Program(
     "seed_chart", normal, ((u, (atan2(normal[1], normal[0]) + pi) / (2 * pi)), (v, acos(normal[2]) / pi)), (u, v)

@@ -60,7 +60,7 @@ _row = Claim(
     (),
     _on_floor,
 )
-_origin = {c: 0 for c in center}
+_origin = dict.fromkeys(center, 0)
 _of_a = Claim(
     "of_a",
     (
@@ -147,11 +147,9 @@ shadow_of_a = Theorem(
     id="shadow_of_a_on_floor",
     title="Sphere A's shadow on the floor",
     section="s3",
-    statement=r"With $C = 0$: $d = (P\cdot L)^2-|L|^2|P|^2+R^2|P-L|^2$ on the floor, a conic of the type "
-    r"of a sphere's shadow with "
-    r"$w_z = L_z$: an ellipse if $L_z > R$. Floor points in front of A have $d \ge 0$ too; those in its "
-    r"shadow have $a\cdot w' > 0$: "
-    r"$P\cdot L < |P|^2$.",
+    statement=r"With $C = 0$: $d = (P\cdot L)^2-|L|^2|P|^2+R^2|P-L|^2$, a conic of the type of a sphere's "
+    r"shadow with $w_z = L_z$: "
+    r"an ellipse if $L_z > R$. The shadow is its part with $0 < a\cdot w' < |a|^2$, beyond A: $P\cdot L < |P|^2$.",
     hypotheses=("$|L| > R$, $|P| > R$",),
     claims=(_of_a, _behind_a),
     uses=("shadow_of_b_on_floor", "occlusion_by_signs"),

@@ -1,0 +1,125 @@
+"""The chart of sphere A and its inverse, as far as they are algebraic: the angles' cosines and sines, and N."""
+
+from sympy import Rational, cos, pi, sin, sqrt
+
+from ..chart import chart, chart_inverse, u_closed
+from ..claim import Claim, at_least, equation, greater
+from ..half_turns import atan2pi, cospi, sinpi
+from ..program import Program
+from ..symbols import cos_phi, cos_theta, dot, normal, real, sin_phi, sin_theta, u, v
+from ..tangent_frame import unit_normal
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from .frame import equations, on_circles
+
+turn, polar = real("turn polar")  # θ/π in (−1, 1] and φ/π in [0, 1]: what atan2pi is
+_of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): polar}
+_by_turns = Program("by_turns", (turn, polar), tuple((s, e.xreplace(_of_angles)) for s, e in chart.definitions), (u, v))
+_half_turns = (turn > -1, turn <= 1)
+_range = Claim(
+    "range",
+    (at_least(u, 0), greater(1, u), at_least(v, 0), at_least(1, v)),
+    (*_half_turns, polar >= 0, polar <= 1),
+    _by_turns,
+)
+_seam = Claim("seam", (equation(u_closed, 1), equation(u, 0)), (equation(turn, 1),), _by_turns)
+_inside = Claim(
+    "inside", (equation(u, u_closed), equation(pi * (2 * u - 1), pi * turn)), (turn > -1, turn < 1), _by_turns
+)
+
+
+def _back(at):
+    """Return (cos θ, sin θ, cos φ, sin φ) that the inverse gives at the chart point."""
+    return [chart_inverse[name].xreplace(at) for name in (cos_theta, sin_theta, cos_phi, sin_phi)]
+
+
+_angles = [f(a) for a in (turn, polar) for f in (cospi, sinpi)]
+_round_trip = Claim("round_trip", equations(_back({u: _by_turns.expand(u_closed), v: _by_turns.expand(v)}), _angles))
+_on_the_seam = Claim("on_the_seam", equations(_back({u: u * 0})[:2], [a.subs(turn, 1) for a in _angles[:2]]))
+
+_angle_names = (cos_theta, sin_theta, cos_phi, sin_phi)
+_recovered = Claim(
+    "recovered",
+    (
+        equation(normal[0] ** 2 + normal[1] ** 2, sin_phi**2),
+        equation(sqrt(normal[0] ** 2 + normal[1] ** 2), sin_phi),
+        equation(normal[2], cos_phi),
+        equation(normal[0] / sqrt(normal[0] ** 2 + normal[1] ** 2), cos_theta),
+        equation(normal[1] / sqrt(normal[0] ** 2 + normal[1] ** 2), sin_theta),
+    ),
+    (*on_circles, sin_phi > 0),
+    unit_normal,
+)
+_from_chart = [unit_normal.expand(n).xreplace(dict(chart_inverse.definitions)) for n in normal]
+_unit = Claim("unit", (equation(dot(_from_chart, _from_chart), 1),))
+_formula = Claim(
+    "formula", equations(_from_chart, [-sin(pi * v) * cos(2 * pi * u), -sin(pi * v) * sin(2 * pi * u), cos(pi * v)])
+)
+
+forward = Theorem(
+    id="chart",
+    title="The chart of sphere A",
+    section="s3",
+    statement=r"For $\theta \in (-\pi, \pi]$ and $\varphi \in [0, \pi]$: $u \in [0, 1)$ and $v \in [0, "
+    r"1]$; $u = (\theta+\pi)/2\pi$ "
+    r"where $\theta < \pi$, and $\theta = \pi$ gives $u = 0$, not 1. Back from $(u, v)$ come the same "
+    r"cosines and sines of $\theta$ and "
+    r"$\varphi$, on the seam too.",
+    hypotheses=(
+        r"$\theta = \pi\,\mathrm{atan2pi}(\sin\theta, \cos\theta) \in (-\pi, \pi]$, $\varphi$ likewise: "
+        r"the meaning of atan2",
+    ),
+    claims=(_range, _inside, _seam, _round_trip, _on_the_seam),
+    steps=(
+        Step(r"$0 < (1+\theta/\pi)/2 \le 1$, and 1 is replaced by 0", "the case of the reduction"),
+        Step(r"$\cos(2\pi u-\pi) = \cos\theta$", "addition formulas"),
+        Step(r"at $u = 0$: $(\cos\theta, \sin\theta) = (-1, 0)$", r"as at $\theta = \pi$"),
+    ),
+    mutants=(
+        Mutant("u ≤ 1/2", _range.but(shows=(at_least(Rational(1, 2), u),))),
+        Mutant("u is (θ + π)/2π on the seam as well", _seam.but(shows=(equation(u, u_closed),))),
+        Mutant(
+            "back with cos 2πu, without the minus",
+            _round_trip.but(shows=(equation(-_round_trip.shows[0].lhs, _round_trip.shows[0].rhs),)),
+        ),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$\theta < \pi$",
+            "inside",
+            (Edge(((turn, 1), (polar, 0)), "fails"), Edge(((turn, Rational(12, 13)), (polar, 0)), "holds")),
+        ),
+    ),
+)
+
+inverse = Theorem(
+    id="chart_inverse",
+    title="The inverse of the chart",
+    section="s3",
+    statement=r"$N(u, v) = (-\sin\pi v\cos 2\pi u, -\sin\pi v\sin 2\pi u, \cos\pi v)$ has length 1. Where "
+    r"$\sin\varphi > 0$, $N$ gives "
+    r"back $\sin\varphi = \sqrt{N_x^2+N_y^2}$, $\cos\varphi = N_z$, $\cos\theta = N_x/\sin\varphi$, "
+    r"$\sin\theta = N_y/\sin\varphi$.",
+    hypotheses=(r"$\sin\varphi > 0$ for the way back",),
+    claims=(_formula, _unit, _recovered),
+    steps=(
+        Step(r"$\theta = 2\pi u-\pi$, $\varphi = \pi v$", "the chart, solved"),
+        Step(r"$N_x^2+N_y^2 = \sin^2\varphi$", r"$\cos^2\theta+\sin^2\theta = 1$"),
+        Step("the root and the quotients", r"$\sin\varphi > 0$"),
+    ),
+    mutants=(
+        Mutant(
+            "N_x = + sin πv cos 2πu", _formula.but(shows=(equation(-_formula.shows[0].lhs, _formula.shows[0].rhs),))
+        ),
+        Mutant("whatever the sign of sin φ", _recovered.but(shows=_recovered.shows[1:2], given=on_circles)),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$\sin\varphi > 0$",
+            "recovered",
+            (
+                Edge(((cos_theta, 1), (sin_theta, 0), (cos_phi, 1), (sin_phi, 0)), "undefined"),
+                Edge(((cos_theta, 1), (sin_theta, 0), (cos_phi, Rational(3, 5)), (sin_phi, Rational(-4, 5))), "fails"),
+            ),
+        ),
+    ),
+)
