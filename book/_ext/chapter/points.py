@@ -43,7 +43,8 @@ def tex_point(at: dict[str, str]) -> list[str]:
         names = [f"{base}_{axis}" for axis in "xyz"]
         if base != name and all(n in left for n in names):
             values = ", ".join(tex_value(left.pop(n)) for n in names)
-            equations.append(f"{re.sub('_x$', '', tex_name(name))} = ({values})")
+            vector = re.sub("_x$", "", TEX[name]) if name in TEX else tex_name(base)
+            equations.append(f"{vector} = ({values})")
         else:
             equations.append(f"{tex_name(name)} = {tex_value(left.pop(name) and value)}")
     return equations
