@@ -62,10 +62,13 @@ def draw(seed=SEED, number=EDITS):
     return random.Random(seed).sample(everywhere, number)
 
 
-def passes(folder, arguments):
-    """Return whether pytest passes in the folder."""
+def passes(folder, arguments, seconds=900):
+    """Return whether pytest passes in the folder; an edit that keeps a loop from ending is not a pass."""
     command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *arguments]
-    return subprocess.run(command, cwd=folder, capture_output=True, check=False).returncode == 0
+    try:
+        return subprocess.run(command, cwd=folder, capture_output=True, check=False, timeout=seconds).returncode == 0
+    except subprocess.TimeoutExpired:
+        return False
 
 
 @pytest.fixture(scope="module")
