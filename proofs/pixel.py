@@ -10,19 +10,7 @@ from .bump import bumped_normal
 from .chart import chart
 from .height_fields import gradient
 from .program import Program, chain
-from .symbols import (
-    ball_center,
-    ball_on,
-    bumped,
-    light,
-    mu,
-    normal,
-    point,
-    radius,
-    real,
-    specular,
-    vector,
-)
+from .symbols import ball_center, ball_on, bumped, light, mu, normal, point, radius, real, specular, vector
 
 CHANNELS = ("red", "green", "blue")
 dark_square = real("dark_square")

@@ -56,12 +56,7 @@ def test_numbers_are_looked_up(book):
 
 @pytest.mark.parametrize(
     ("id", "key", "known"),
-    [
-        ("sweep", "rms", "rms_1e-3"),
-        ("swep", "rms", "sweep"),
-        ("bench:fram", "x", "frame"),
-        ("../x", "a", "sweep"),
-    ],
+    [("sweep", "rms", "rms_1e-3"), ("swep", "rms", "sweep"), ("bench:fram", "x", "frame"), ("../x", "a", "sweep")],
 )
 def test_unknown_numbers_are_refused_with_a_list_of_known_ones(book, id, key, known):
     with pytest.raises(UnknownResult, match=known):
