@@ -28,12 +28,7 @@ TEXT_WIDTH = 640 / CSS_PIXELS_PER_INCH  # inches; the column of prose
 PAGE_WIDTH = 928 / CSS_PIXELS_PER_INCH  # inches; the column and the margin beside it
 
 # What a colour means is the same everywhere. Okabe and Ito's set, safe for colour-blind readers.
-ROLE = {
-    "numeric": "#D55E00",
-    "symbolic": "#0072B2",
-    "difference": "#CC79A7",
-    "reference": "#009E73",
-}
+ROLE = {"numeric": "#D55E00", "symbolic": "#0072B2", "difference": "#CC79A7", "reference": "#009E73"}
 
 MODES = {
     "light": ROLE

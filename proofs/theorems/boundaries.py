@@ -18,10 +18,7 @@ _any_gradient = Program("any_gradient", (h_u, h_v), (), (h_u, h_v))
 _chamber = (surface, occlusion(0), dark_square)
 _unmoved = {
     model: Separation(
-        model,
-        pixel(_ridges, model, lights=1, gradient_program=_any_gradient),
-        _chamber,
-        (h_u, h_v, beta, *bumped),
+        model, pixel(_ridges, model, lights=1, gradient_program=_any_gradient), _chamber, (h_u, h_v, beta, *bumped)
     )
     for model in ("blinn", "phong")
 }

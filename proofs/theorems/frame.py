@@ -137,10 +137,7 @@ stable = Theorem(
         SideCondition(
             r"$\sin\varphi > 0$",
             "seed_frame",
-            (
-                Edge(_at(1, 0), "undefined"),
-                Edge(_at(Rational(3, 5), Rational(-4, 5)), "fails"),
-            ),
+            (Edge(_at(1, 0), "undefined"), Edge(_at(Rational(3, 5), Rational(-4, 5)), "fails")),
         ),
         SideCondition(
             r"$\rho \ge 10^{-150}e$",

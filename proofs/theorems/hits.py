@@ -117,12 +117,7 @@ _solves_b = Claim(
 _length = dot(ray_direction, ray_direction)
 _near_b = Claim(
     "near",
-    (
-        greater(_length, 0),
-        equation(_length * t_b, toward_b - root_b),
-        _length * t - toward_b + root_b >= 0,
-        t >= t_b,
-    ),
+    (greater(_length, 0), equation(_length * t_b, toward_b - root_b), _length * t - toward_b + root_b >= 0, t >= t_b),
     (*_sees_b, equation(distance_squared(along(t), ball_center), ball_radius**2)),
     hit_of_b,
 )
