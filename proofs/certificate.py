@@ -11,11 +11,12 @@ import sys
 from pathlib import Path
 
 from . import kernel
+from .check import digest
 from .claim import Induction, Separation
 from .counterexample import refutation
 from .induction import induction
 from .search import MAX_EFFORT, NotFound, search
-from .statement import VERSION, derivations, digest
+from .statement import VERSION, derivations
 from .theorem import all_theorems, borrowed
 
 FOLDER = Path(__file__).parent / "certificates"

@@ -16,9 +16,9 @@ from sympy.core.relational import Relational
 
 from .angles import Angles, Untranslatable
 from .half_turns import ordinary
-from .statement_data import RELATIONS, TRUE_FOR, VERSION, digest, polynomial_data
+from .statement_data import RELATIONS, TRUE_FOR, VERSION, polynomial_data
 
-__all__ = ["VERSION", "derivations", "digest", "polynomial_data"]
+__all__ = ["VERSION", "derivations", "polynomial_data"]
 
 
 class _Undecided(Exception):

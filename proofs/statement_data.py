@@ -14,8 +14,6 @@ A "separation" has `lines` [[name, [names it uses]], …], `outputs`, `avoid`. A
 `assume` (about the variables), `start` and `next` (polynomials of each state), `show` (polynomials, zero for every n).
 """
 
-import hashlib
-import json
 from functools import cache
 
 from sympy import Poly, Rational, expand
@@ -25,11 +23,6 @@ TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {
 RELATIONS = {frozenset(s): (f, r) for f, r, s in (
     (1, "=", {0}), (1, "!=", {-1, 1}), (1, ">", {1}), (1, ">=", {0, 1}), (-1, ">", {-1}), (-1, ">=", {-1, 0})
 )}  # fmt: skip
-
-
-def digest(statement):
-    """Return the SHA-256 of the statement's canonical JSON."""
-    return hashlib.sha256(json.dumps(statement, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
 
 
 @cache

@@ -7,11 +7,12 @@ from sympy import Eq, Max, Piecewise, Symbol, cos, oo, sin, sqrt, symbols
 
 from proofs.angles import Untranslatable
 from proofs.certificate import prove, statements
+from proofs.check import digest
 from proofs.claim import Claim, Induction, Separation, equation
 from proofs.feasible import feasible
 from proofs.program import Program
 from proofs.search import NotFound, search
-from proofs.statement import derivations, digest
+from proofs.statement import derivations
 from verify import witness
 from verify.proof_checker import path_to_avoided, why_rejected
 
