@@ -20,12 +20,11 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter, NullLocator
 
 from book.palette import PAGE_WIDTH, ROLE, TEXT_WIDTH, dark, light, mode, palette, readable
-from book.pictures import difference_map, panels, strip, to_bytes, with_colour_bar
+from book.pictures import panels
 
 __all__ = [
-    "PAGE_WIDTH", "ROLE", "TEXT_WIDTH", "bound_style", "dark", "decades", "difference_map", "label_line_end",
-    "light", "mode", "palette", "panels", "plot", "readable", "slope_triangle", "strip", "styled", "to_bytes",
-    "with_colour_bar",
+    "PAGE_WIDTH", "ROLE", "TEXT_WIDTH", "bound_style", "dark", "decades", "label_line_end",
+    "light", "mode", "palette", "panels", "plot", "readable", "slope_triangle", "styled",
 ]  # fmt: skip
 
 WIDTHS = {"text": TEXT_WIDTH, "page": PAGE_WIDTH}

@@ -11,7 +11,7 @@ from PIL import Image
 from book import stamps
 from book.figures import fresh, keys, registry, save
 from book.figures.registry import Drawing, Registered, plain_numbers
-from book.pictures import difference_map, panels, strip
+from book.pictures import panels
 from book.style import decades, label_line_end, palette, plot, slope_triangle, styled
 
 
@@ -112,14 +112,6 @@ def test_figure_whose_numbers_change_when_drawn_again_is_refused(tmp_path):
         save.save(entry, tmp_path, "x.py", "key")
 
 
-def test_strip_keeps_every_pixel():
-    one, two = (np.full((3, 2, 3), value, np.uint8) for value in (10, 200))
-    sheet = strip([one, two], scale=2)
-    assert sheet.shape == (6, 4 + 12 + 4, 4)
-    assert np.array_equal(sheet[::2, :4:2, :3], one) and np.array_equal(sheet[::2, 16::2, :3], two)
-    assert not sheet[:, 4:16].any()
-
-
 def test_panels_show_every_pixel_once_at_the_size_of_a_css_pixel():
     rng = np.random.default_rng(0)
     image = rng.integers(0, 256, (32, 48, 3), dtype=np.uint8)
@@ -130,12 +122,6 @@ def test_panels_show_every_pixel_once_at_the_size_of_a_css_pixel():
     shown = np.asarray(Image.open(buffer).convert("RGB"))
     assert np.array_equal(shown[24 : 24 + 32, :48], image)
     assert np.array_equal(shown[24 : 24 + 32, 60 : 60 + 48], image)
-
-
-def test_difference_map_is_black_where_there_is_none():
-    pixels = difference_map(np.array([[0.0, np.nan, 1e-16, 1.0]]))
-    assert not pixels[0, :2].any()
-    assert pixels[0, 3].sum() > pixels[0, 2].sum()
 
 
 def test_sources_reach_through_packages_and_imports():
