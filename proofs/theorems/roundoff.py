@@ -122,7 +122,7 @@ best_step = Theorem(
     section="s4",
     statement=r"For $T, E > 0$ the bound $T\varepsilon^2 + E/\varepsilon$ is least at "
     r"$\varepsilon = (E/2T)^{1/3}$, where it is $3T^{1/3}(E/2)^{2/3}$: no step goes below that floor.",
-    hypotheses=(r"$T, E, \varepsilon > 0$", r"$T$ of `truncation_bound`, $E$ of `roundoff_bound`"),
+    hypotheses=(r"$T, E, \varepsilon > 0$", r"$T$ from the truncation bound, $E$ from the rounding bound"),
     claims=(_least,),
     steps=(
         Step(
