@@ -60,6 +60,7 @@ def build() -> None:
     try:
         build_into(work, cache)
         shutil.rmtree(SITE, ignore_errors=True)
+        (work / "_build" / "html" / ".buildinfo").unlink(missing_ok=True)  # it depends on where the site was built
         (work / "_build" / "html").rename(SITE)
     finally:
         shutil.rmtree(work, ignore_errors=True)

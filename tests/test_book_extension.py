@@ -161,3 +161,14 @@ def test_benchmark_says_where_it_was_measured(build_page):
     assert warnings == ""
     assert "Measured on two cores, 2025-01-01, at commit abc1234." in html
     assert '<span class="number">16.2</span>' in html
+
+
+def test_a_stream_cut_in_pieces_is_one():
+    pieces = [
+        {"output_type": "stream", "name": "stdout", "text": ["a\n"]},
+        {"output_type": "stream", "name": "stdout", "text": "b\n"},
+        {"output_type": "display_data", "data": {}},
+        {"output_type": "stream", "name": "stdout", "text": "c\n"},
+    ]
+    texts = [output.get("text") for output in pages.merged(pieces)]
+    assert texts == ["a\nb\n", None, "c\n"]

@@ -40,8 +40,22 @@ def stable(notebook: dict) -> dict:
     for number, cell in enumerate(cells):
         cell["id"] = f"cell-{number}"
         cell["metadata"] = {name: cell["metadata"][name] for name in ("tags",) if name in cell["metadata"]}
+        if "outputs" in cell:
+            cell["outputs"] = merged(cell["outputs"])
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     return notebook | {"cells": cells, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5}
+
+
+def merged(outputs: list[dict]) -> list[dict]:
+    """The outputs with neighbouring pieces of one stream as one: how a kernel cuts its prints is chance."""
+    whole = []
+    for output in outputs:
+        last = whole[-1] if whole else {}
+        if output["output_type"] == "stream" and last.get("name") == output["name"]:
+            whole[-1] = last | {"text": "".join(last["text"]) + "".join(output["text"])}
+        else:
+            whole.append(output | {"text": "".join(output["text"])} if "text" in output else output)
+    return whole
 
 
 def _has_cells(doctree) -> bool:
