@@ -93,7 +93,7 @@ class Derivation:
         data, key, orientation = self._normal(difference)
         if set(data) <= {""}:
             value = Rational(data.get("", 0))
-            return bool({(value > 0) - (value < 0)} & wanted)
+            return bool({int(bool(value > 0)) - int(bool(value < 0))} & wanted)
         possible = {orientation * s for s in self.signs.get(key, {-1, 0, 1})}
         if possible <= wanted or not possible & wanted:
             return possible <= wanted

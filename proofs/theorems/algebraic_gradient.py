@@ -1,6 +1,6 @@
 """The algebraic gradient is the trigonometric one: powers of (cos + i sin) by induction on the power."""
 
-from sympy import cos, pi, sin
+from sympy import Rational, cos, pi, sin
 
 from ..algebraic_form import (
     base_of_u,
@@ -86,6 +86,12 @@ def _on_circle(program, angles, total):
 
 _square = Claim("square", _on_circle(complex_square, (alpha,), 2 * alpha))
 _times = Claim("product", _on_circle(complex_product, (alpha, gamma), alpha + gamma))
+_itself, _conjugate = (real_part, imaginary_part), (real_part, -imaginary_part)
+_reciprocal = Claim(
+    "reciprocal",
+    tuple(equation(part, one) for part, one in zip(_product(_itself, _conjugate), (1, 0), strict=True)),
+    given=(equation(real_part**2 + imaginary_part**2, 1),),
+)
 _half = _factors("sine", {k_u: 2 * n + 1, k_v: n})
 
 theorem = Theorem(
@@ -97,11 +103,12 @@ theorem = Theorem(
     r"$\sin\pi k_u u$ for $k_u = 2n$; and $(\cos\varphi+i\sin\varphi)^n$ has $\cos\pi k_v v$, $\sin\pi k_v v$ for "
     r"$k_v = n$, and rings' factors for $2k_v = n$. A negative wave number conjugates; $n = 0$ gives $1$ and $0$.",
     hypotheses=("$k_u$ even, $k_v$ whole (rings: $2k_v$ whole)",),
-    claims=(_plain, _backwards, _in_u, _in_v, _rings_in_v, _square, _times),
+    claims=(_plain, _backwards, _in_u, _in_v, _rings_in_v, _square, _times, _reciprocal),
     steps=(
         Step(r"$(c+is)^0 = 1$; $(c+is)^{n+1} = (c+is)^n(c+is)$", "induction, by the lines of complex_product"),
         Step(r"$\cos(n\theta+n\pi) = (-1)^n\cos n\theta$", "the sign is carried along"),
         Step(r"$\cos(-n\alpha) = \cos n\alpha$, $\sin(-n\alpha) = -\sin n\alpha$", "the powers of $c-is$"),
+        Step("$(c+is)(c-is) = c^2+s^2 = 1$", "so the conjugate's powers are those with a negative exponent"),
         Step("squaring doubles the angle, a product adds the angles", "so any order of squarings and products does"),
     ),
     mutants=(
@@ -113,9 +120,13 @@ theorem = Theorem(
     ),
     side_conditions=(
         SideCondition(
-            "the parts are on the unit circle",
-            "square",
-            (Edge(((alpha, 0),), "holds"), Edge(((alpha, pi / 2),), "holds")),
+            "the conjugate is the reciprocal on the unit circle, and not off it",
+            "reciprocal",
+            (
+                Edge(((real_part, Rational(3, 5)), (imaginary_part, Rational(4, 5))), "holds"),
+                Edge(((real_part, Rational(3, 5)), (imaginary_part, 1)), "fails"),
+                Edge(((real_part, 0), (imaginary_part, 0)), "fails"),
+            ),
         ),
     ),
 )
