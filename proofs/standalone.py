@@ -77,6 +77,7 @@ def standalone_script(theorem_id):
         raise ValueError(f"{theorem_id} is {theorem.expected}: it has no certificate")
     borrowed = [f"{id}/{name}" for claim in theorem.claims for id, name in getattr(claim, "borrowed", ())]
     cited = [lemma.source for claim in theorem.claims for lemma in getattr(claim, "cited", ())]
+    cited += [theorem.source] if theorem.source else []
     return SCRIPT.format(
         header=_header(theorem),
         kernel=inspect.getsource(kernel).strip(),

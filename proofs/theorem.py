@@ -65,7 +65,8 @@ class Theorem:
     finding: "F3" if it is about a finding. refuted_at: of a false statement, {claim name: the exact point where it
     fails}, as pairs; such a theorem is `refuted`, and its mutants are the true variants, which that point must not
     refute. expected: the grade that a run has to reach. Without claims it is `measured` or `certified`, by a function
-    in verify/measurements, or `cited`; source: the bibliography's key of what is cited.
+    in verify/measurements, or `cited`; source: the bibliography's key of what is cited, or of the analysis
+    that a proved theorem takes among its hypotheses (then it is proved, given that source).
     """
 
     id: str

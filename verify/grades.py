@@ -29,13 +29,15 @@ def final_grades(evidences):
 
 
 def given_cited(evidences):
-    """Return {id: the sources whose cited lemmas it rests on, directly or through what it uses}."""
+    """Return {id: the sources whose lemmas or hypotheses it rests on, directly or through what it uses}."""
     by_id, sources = {e["id"]: e for e in evidences}, {}
 
     def of(id):
         if id not in sources:
             record = by_id.get(id, {"uses": ()})
             own = {lemma["source"] for lemma in record.get("cited_lemmas", ())}
+            if record.get("source") and record.get("grade") != "cited":
+                own.add(record["source"])
             sources[id] = own.union(*(of(use) for use in record["uses"]))
         return sources[id]
 

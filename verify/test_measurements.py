@@ -6,7 +6,7 @@ from sympy import cos, sin, symbols
 
 from proofs.claim import CitedLemma, Claim, at_least, equation
 from proofs.theorem import Mutant, Step, Theorem, all_theorems
-from verify.grades import graded, summary
+from verify.grades import given_cited, graded, summary
 from verify.measurements import Measurement, _registered, measured_ids, measures, rounded
 from verify.proof_checker import examine
 
@@ -139,3 +139,9 @@ def test_equations_may_be_cited_too():
     claim = Claim("given", (equation(cos(x) * 2, 2),), cited=(CitedLemma(equation(cos(x), 1), "Blinn1978"),))
     theorem = Theorem("t", "t", "s3", "", (claim,), (Mutant("a", claim), Mutant("b", claim)))
     assert examine(theorem, {}, anew=True).grade == "failed"  # proved given a lemma that the samples contradict
+
+
+def test_analysis_among_the_hypotheses_is_told_in_the_grade():
+    entry = {"id": "limit", "grade": "proved", "uses": (), "source": "DLMF", "problems": []}
+    assert given_cited([entry]) == {"limit": ["DLMF"]}
+    assert given_cited([entry | {"grade": "cited"}]) == {"limit": []}

@@ -58,6 +58,7 @@ _at_zero = Claim(
 
 first_order = Theorem(
     id="clamped_difference",
+    source="DLMF",
     title="The difference clamped at the pole",
     section="s4",
     statement=r"For $0 \le v < \varepsilon$ the central difference is $(h(v+\varepsilon) - h(0))/(v+\varepsilon)$, and "

@@ -51,6 +51,7 @@ _mirrored = Claim("same_sign_below", (_same,), (p < 0, p + d <= 0))
 
 theorem = Theorem(
     id="gradients",
+    source="DLMF",
     title="The gradients of the three fields",
     section="s3",
     statement=r"Sine: $h_u = \pi k_u\cos\pi k_u u\,\sin\pi k_v v$, $h_v = \pi k_v\sin\pi k_u u\,\cos\pi k_v v$. Rings: "

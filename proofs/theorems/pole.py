@@ -57,6 +57,7 @@ _limit = Claim(
 
 theorem = Theorem(
     id="pole",
+    source="DLMF",
     title="The gradient at the pole",
     section="s3",
     statement=r"As $v \to 0$ on the meridian $\theta$, sine's $g$ tends to "

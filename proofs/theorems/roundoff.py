@@ -54,6 +54,7 @@ _model = Claim(
 
 theorem = Theorem(
     id="roundoff_bound",
+    source="DLMF",
     title="The rounding error of the central difference",
     section="s4",
     statement=r"In the standard model, with unit roundoff $\mu$, heights off by at most $\eta$ and arguments by at "
