@@ -40,15 +40,3 @@ complex_product = Program(
     (product_real, product_imaginary),
 )
 """(a + ib)(c + id)."""
-
-
-def powers(wave_numbers):
-    """Return the whole powers (of base_of_u, of base_of_v) for numeric wave numbers (a, b), or None.
-
-    None where the algebraic form does not apply: a not an even integer, b not an integer, or beyond
-    MAX_WAVE_NUMBER in magnitude. A wave number 0 gives the power 0.
-    """
-    a, b = wave_numbers
-    if a % 2 != 0 or b % 1 != 0 or max(abs(a), abs(b)) > MAX_WAVE_NUMBER:
-        return None
-    return int(a) // 2, int(b)

@@ -1,7 +1,7 @@
 """What is drawn: the scene and its lights, checked when they are made."""
 
 import math
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 
 from renderer.kernels import FIELDS
 
@@ -158,6 +158,3 @@ class Scene:
             _reject(name, position, "outside sphere B")
         if self.floor and abs(position[2]) <= 1e-9 * self.radius:
             _reject(name, position, "off the floor z = 0 by more than 1e-9 radius")
-
-
-SCENE_FIELDS = tuple(f.name for f in fields(Scene))

@@ -38,7 +38,19 @@ def height_fields() -> Drawing:
     axes[0].set_ylabel("$v$")
     bar = fig.colorbar(image, ax=axes, label="$h$", ticks=[-1, 0, 1])
     bar.outline.set_visible(False)
-    return Drawing(fig, numbers={"ku": int(SCENE.ku), "kv": int(SCENE.kv), "beta": SCENE.beta})
+    return Drawing(fig, numbers={"ku": int(SCENE.ku), "kv": int(SCENE.kv)})
+
+
+def _point(numbers):
+    return "(" + ", ".join(f"{number:g}".replace("-", "−") for number in numbers) + ")"
+
+
+@figure("default_scene")
+def default_scene() -> Drawing:
+    """What the chapter's scene is made of, for the table in §2; numbers only."""
+    numbers = {name: f"{getattr(SCENE, name):g}" for name in ("radius", "eye", "ball_radius", "beta", "shininess")}
+    lights = {f"light_{number}": _point(light.position) for number, light in enumerate(SCENE.lights, 1)}
+    return Drawing(numbers=numbers | lights | {"ball_center": _point(SCENE.ball_center), "field": SCENE.field})
 
 
 def _visible_parallels(scene):

@@ -39,10 +39,6 @@ class RowKernel:
     into: tuple = ()
 
 
-def _renamed(program, name):
-    return Program(name, program.inputs, program.definitions, program.outputs)
-
-
 def _raster_kernels():
     across = camera.image_point.keep(x, name="image_x")
     down = camera.image_point.keep(camera.y, name="image_y")
