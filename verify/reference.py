@@ -61,7 +61,8 @@ def _pixel_reference(field, model, lights, method):
     return Reference(pixel(HEIGHT_FIELDS[field], model, lights, gradient))
 
 
-def _scene_values(scene, lights):
+def scene_values(scene, lights):
+    """Return {name: number} of a scene with these of its lights, as `proofs.pixel` names its inputs."""
     center, ball_radius = (scene.ball_center, scene.ball_radius) if scene.ball else ((0.0, 0.0, 0.0), 1.0)
     values = {
         "eye": scene.eye,
@@ -89,7 +90,7 @@ def reference_pixel(scene, width, height, column, row, method="exact", eps=None,
     rgb_red, rgb_green, rgb_blue. Off the surface that a name belongs to it has no meaning.
     """
     lights = [light for light in scene.lights if light.color is not None]
-    values = _scene_values(scene, lights) | {"column": column, "row": row, "width": width, "height": height}
+    values = scene_values(scene, lights) | {"column": column, "row": row, "width": width, "height": height}
     if eps is not None:
         values["epsilon"] = eps
     return _pixel_reference(scene.field, scene.model, len(lights), method)(values, digits)

@@ -1,0 +1,100 @@
+"""The default scene in NumPy, tiles of rows: what one writes who knows NumPy well and has no compiler.
+
+The lines are the proofs', printed as NumPy with its own sin, cos and arctan2. A tile's pixels are sorted by the surface
+that is seen, and each surface is shaded by the lines that it needs; equal lines are computed once.
+"""
+
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+
+import numpy as np
+
+from proofs.camera import image_extent, image_point, surface, visible_surface
+from proofs.height_fields import HEIGHT_FIELDS
+from proofs.pixel import pixel, rgb
+from proofs.program import Program
+from proofs.symbols import ball_on, floor_on, height, width, x, y
+from renderer.generate.printers import NumPyPrinter
+from renderer.generate.source import print_function
+from verify.reference import scene_values
+
+TILE_PIXELS = 2**14
+
+
+class TrigonometricPrinter(NumPyPrinter):
+    """NumPy with its own trigonometric functions in place of sinpi and its kin."""
+
+    def _print_atan2pi(self, expr):
+        return f"({self._call('np.arctan2', expr.args)} / np.pi)"
+
+    def _half_turn(self, name, argument):
+        return f"np.{name.removesuffix('pi')}(np.pi * ({self._print(argument)}))"
+
+    def _print_Pow(self, expr):
+        return f"np.square({self._print(expr.base)})" if expr.exp == 2 else super()._print_Pow(expr)
+
+
+def without_repeats(program):
+    """Return the program with a line that says what an earlier one says replaced by the earlier one's name."""
+    first, same, lines = {}, {}, []
+    for symbol, expression in program.definitions:
+        expression = expression.xreplace(same)
+        if expression in first:
+            same[symbol] = first[expression]
+        else:
+            first[expression] = symbol
+            lines.append((symbol, expression))
+    outputs = tuple(same.get(s, s) for s in program.outputs)
+    return Program(program.name, program.inputs, tuple(lines), outputs)
+
+
+def on_surface(program, number):
+    """Return the program of a pixel for one surface: image point → colour, every choice of the surface decided."""
+    decided = {surface: number, ball_on: 1, floor_on: 1}
+    given = (surface, x, y)
+    lines = tuple((s, e.xreplace(decided)) for s, e in program.definitions if s not in given)
+    return without_repeats(Program(f"surface_{number}", (x, y, *program.inputs), lines, rgb).keep(*rgb))
+
+
+def numpy_function(program):
+    """Return (the program as a function of its inputs, the inputs' names)."""
+    scope = {"np": np}
+    exec(print_function(program.name, program, TrigonometricPrinter(), ""), scope)
+    return scope[program.name], [s.name for s in program.inputs]
+
+
+@cache
+def tile_functions(field="ridges", model="blinn", lights=2):
+    """Return (extent, image point, visible surface, {surface: colour}), each from `numpy_function`."""
+    whole = pixel(HEIGHT_FIELDS[field], model, lights)
+    shades = {number: numpy_function(on_surface(whole, number)) for number in (1, 2, 3)}
+    return *(numpy_function(program) for program in (image_extent, image_point, visible_surface)), shades
+
+
+def numpy_tiles(scene, wide, high, threads=1):
+    """Return (rgb (high, wide, 3) in [0, 1], surface (high, wide)) of a scene with both spheres and a floor."""
+    extent, point, visible, shades = tile_functions(scene.field, scene.model, len(scene.lights))
+    values = scene_values(scene, scene.lights) | {width.name: float(wide), height.name: float(high)}
+
+    def call(function, **more):
+        return function[0](*((values | more)[name] for name in function[1]))
+
+    half = call(extent)
+    planes, surfaces = np.empty((3, high, wide)), np.empty((high, wide), np.uint8)
+    columns = np.arange(wide, dtype=np.float64)
+
+    def tile(top):
+        rows = np.arange(top, min(high, top + step), dtype=np.float64)[:, None]
+        at_x, at_y = np.broadcast_arrays(*call(point, half=half, column=columns, row=rows))
+        here = surfaces[top : top + step]
+        here[:] = call(visible, x=at_x, y=at_y)
+        for number, shade in shades.items():
+            seen = here == number
+            if seen.any():
+                for plane, channel in zip(planes[:, top : top + step], call(shade, x=at_x[seen], y=at_y[seen]), strict=True):
+                    plane[seen] = channel
+
+    step = max(1, TILE_PIXELS // wide)
+    with np.errstate(all="ignore"), ThreadPoolExecutor(threads) as pool:
+        list(pool.map(tile, range(0, high, step)))
+    return np.moveaxis(planes, 0, -1), surfaces
