@@ -91,7 +91,9 @@ def numpy_tiles(scene, wide, high, threads=1):
         for number, shade in shades.items():
             seen = here == number
             if seen.any():
-                for plane, channel in zip(planes[:, top : top + step], call(shade, x=at_x[seen], y=at_y[seen]), strict=True):
+                for plane, channel in zip(
+                    planes[:, top : top + step], call(shade, x=at_x[seen], y=at_y[seen]), strict=True
+                ):
                     plane[seen] = channel
 
     step = max(1, TILE_PIXELS // wide)

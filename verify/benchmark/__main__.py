@@ -1,98 +1,136 @@
-"""Measure, and write what was measured with a label:  python -m verify.benchmark
+"""Measure run time on this machine, print what was asked for against what was measured, and keep it with a label.
 
-Runs the bench_*.py files of this folder under pytest-benchmark and writes results/frames.json and gradients.json:
-{"label": {machine, cores, date, commit}, "numbers": {...}}, medians. The book prints from these files, so commit them.
+Two parts: `frames` (whole frames by every renderer, steps of a sweep, the command line's start) and `gradients` (the
+gradient alone, time against error; other libraries where they are installed). A whole part is written to
+verify/benchmark/results/PART.json, from which the book prints: commit it. Run it on a machine that does nothing else.
 """
 
 import argparse
+import contextlib
 import datetime
+import importlib.metadata
 import json
-import platform
-import subprocess
+import os
 import sys
-import tempfile
 from pathlib import Path
-
-import pytest
 
 from renderer.files import whole_file
 from renderer.threads import available_cores
-from verify.benchmark.bench_gradients import POINTS
+from verify.benchmark import agreement, gradients, image_gradient, start
+from verify.benchmark.frames import frame_cases, step_cases
+from verify.benchmark.numbers import frame_numbers
+from verify.benchmark.plan import Case, run
+from verify.benchmark.targets import table, verdicts
 
-HERE = Path(__file__).parent
-RESULTS = HERE / "results"
-
-
-def processor():
-    """Return the processor's name, or the architecture where the system does not tell."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-        return next(line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
-    except (OSError, StopIteration):
-        return platform.processor() or platform.machine()
+RESULTS = Path(__file__).parent / "results"
+SCENES = 10**4
+QUICK_SIDE, QUICK_VISITS, QUICK_SCENES = 1024, 1, 100
 
 
-def commit():
-    """Return the short id of the commit that was measured, with + if the tree differs from it."""
-    git = ["git", "-C", str(HERE)]
-    head = subprocess.run([*git, "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
-    dirty = subprocess.run([*git, "status", "--porcelain", "-uno"], capture_output=True, text=True, check=False)
-    return head.stdout.strip() + ("+" if dirty.stdout.strip() else "") if head.returncode == 0 else "unknown"
-
-
-def label():
-    """Return where and when: machine, cores, date, commit."""
+def label(report, *packages):
+    """Return where, with what and when, from pytest-benchmark's report: machine, cores, versions, date, commit."""
+    machine, commit = report["machine_info"], report["commit_info"]
+    versions = ", ".join(f"{name} {importlib.metadata.version(name)}" for name in packages)
+    processor = machine["cpu"].get("brand_raw") or machine["machine"]
+    short = "unknown" if commit["id"] == "unversioned" else commit["id"][:7]
     return {
-        "machine": f"{processor()}, {available_cores()} cores, Python {platform.python_version()}",
+        "machine": f"{processor}, {available_cores()} cores, Python {machine['python_version']}, {versions}",
         "date": datetime.date.today().isoformat(),
-        "commit": commit(),
+        "commit": short + ("+" if commit["dirty"] else ""),
     }
 
 
-def medians(file):
-    """Run one bench file and return {parameters: median seconds}."""
-    with tempfile.TemporaryDirectory() as folder:
-        report = Path(folder) / "report.json"
-        options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", "-o", "python_functions=bench_*"]
-        status = pytest.main([str(HERE / file), f"--benchmark-json={report}", "--benchmark-min-rounds=15", *options])
-        if status:
-            raise SystemExit(f"{file}: pytest ended with status {int(status)}; nothing was written")
-        found = json.loads(report.read_text(encoding="utf-8"))["benchmarks"]
-    return {(b["name"].split("[")[0], *b["params"].values()): b["stats"]["median"] for b in found}
+def selected(cases, only, quick):
+    """Return the cases whose name contains `only`, with one visit each when it has to be quick."""
+    return [Case(c.name, c.prepare, c.repeats, QUICK_VISITS if quick else c.visits) for c in cases if only in c.name]
 
 
-def frame_numbers(times):
-    """Return the milliseconds of frames, and the ratio of the two pipelines."""
-    numbers = {}
-    for (name, *params), seconds in times.items():
-        method = next(p for p in params if isinstance(p, str))
-        size = next(p for p in params if isinstance(p, int))
-        kind = "whole_" if name == "bench_whole_frame" else ""
-        numbers[f"{kind}{method}_{size}_ms"] = 1e3 * seconds
-    numbers["central_to_exact"] = numbers["central_1024_ms"] / numbers["exact_1024_ms"]
-    numbers["general_to_exact"] = numbers["general_1024_ms"] / numbers["exact_1024_ms"]
-    return numbers
+@contextlib.contextmanager
+def one_core():
+    """Let this process, and the threads that it starts in here, run on one core alone, where the system can do that."""
+    if not hasattr(os, "sched_setaffinity"):
+        yield
+        return
+    cores = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {max(cores)})
+    try:
+        yield
+    finally:
+        os.sched_setaffinity(0, cores)
 
 
-def gradient_numbers(times):
-    """Return the nanoseconds of one gradient by each method, and the ratio of central to exact."""
-    numbers = {f"{method}_ns": 1e9 * seconds / POINTS for (_, method), seconds in times.items()}
-    return numbers | {"central_to_exact": numbers["central_ns"] / numbers["exact_ns"]}
+def measure_frames(only, quick):
+    """Return (label, numbers) of whole frames; None if no case has that name."""
+    cases = [*frame_cases(QUICK_SIDE if quick else 2**24), *step_cases(), image_gradient.CASE, *start.CASES]
+    if not (cases := selected(cases, only, quick)):
+        return None
+    times, report = run(cases, "frames")
+    numbers = frame_numbers(times)
+    if image_gradient.CASE.name in times:
+        numbers["image_gradient_ns"] = 1e9 * times[image_gradient.CASE.name] / image_gradient.points()
+    if not only:
+        scenes = QUICK_SCENES if quick else SCENES
+        numbers |= {"scenes": scenes, "chambers_differing": agreement.chambers_differing(scenes)}
+        numbers |= {"image_error": agreement.image_error(), "sympy_imported": int(start.imports_sympy())}
+    return label(report, "numpy", "numba"), numbers | verdicts(numbers)
 
 
-def main():
-    """Measure both files and write the results."""
-    argparse.ArgumentParser(prog="python -m verify.benchmark", description=__doc__).parse_args()
-    RESULTS.mkdir(exist_ok=True)
-    where = label()
-    for name, numbers_of in (("frames", frame_numbers), ("gradients", gradient_numbers)):
-        numbers = numbers_of(medians(f"bench_{name}.py"))
-        with whole_file(RESULTS / f"{name}.json") as target:
-            text = json.dumps({"label": where, "numbers": numbers}, indent=2, sort_keys=True)
-            Path(target).write_text(text + "\n", encoding="utf-8")
-        print(f"wrote verify/benchmark/results/{name}.json")
-        for key, value in sorted(numbers.items()):
-            print(f"  {key:24} {value:10.3f}")
+def measure_gradients(only, quick):
+    """Return (label, numbers) of the gradient alone; None if no case has that name."""
+    with one_core():
+        functions, absent = gradients.available()
+        cases = selected([gradients.gradient_case(*item) for item in functions.items()], only, quick)
+        if not cases:
+            return None
+        times, report = run(cases, "gradients")
+        numbers = gradients.gradient_numbers(times, functions)
+    if absent:
+        print(f"left out, not installed: {', '.join(absent)}")
+    libraries = [gradients.DISTRIBUTIONS.get(n, n) for n in times if n in gradients.LIBRARIES and n != "complex_step"]
+    return label(report, "numpy", "numba", *libraries), numbers | {"absent": ", ".join(absent) or "none"}
+
+
+PARTS = {"frames": measure_frames, "gradients": measure_gradients}
+
+
+def write(folder, part, where, numbers):
+    """Write a part's result, whole or not at all."""
+    folder.mkdir(parents=True, exist_ok=True)
+    text = json.dumps({"label": where, "numbers": numbers}, indent=2, sort_keys=True, ensure_ascii=False)
+    with whole_file(folder / f"{part}.json") as target:
+        Path(target).write_text(text + "\n", encoding="utf-8")
+    print(f"wrote {part}.json")
+
+
+def show(part, where, numbers):
+    """Print a part's numbers and, for frames, the table of targets."""
+    print(f"\n{part}: {where['machine']}; {where['date']}, commit {where['commit']}")
+    for key, value in sorted(numbers.items()):
+        if not key.endswith(("_target", "_verdict")):
+            print(f"  {key:36} {value:12.4g}" if isinstance(value, float) else f"  {key:36} {value!s:>12}")
+    if part == "frames":
+        print(f"\n{table(numbers)}")
+
+
+def main(arguments=None):
+    """Measure, print, and write whole parts."""
+    parser = argparse.ArgumentParser(prog="python -m verify.benchmark", description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="one round, sides up to 1024; writes nothing by itself")
+    parser.add_argument(
+        "--only", default="", metavar="NAME", help="frames, gradients, or cases whose name contains NAME"
+    )
+    parser.add_argument("--output", type=Path, metavar="FOLDER", help="write the results there, whatever was measured")
+    options = parser.parse_args(arguments)
+    parts = [options.only] if options.only in PARTS else list(PARTS)
+    only = "" if options.only in PARTS else options.only
+    found = {part: result for part in parts if (result := PARTS[part](only, options.quick))}
+    if not found:
+        parser.error(f"--only {options.only}: no case has that in its name")
+    folder = options.output or (None if only or options.quick else RESULTS)
+    for part, (where, numbers) in found.items():
+        show(part, where, numbers)
+        if folder:
+            write(folder, part, where, numbers)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,69 @@
+"""What the renderer has to reach, and the table that says whether a run reached it."""
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Target:
+    """A number of a run and the interval that it has to lie in: [low, high]; `form` is a format with the unit."""
+
+    key: str
+    what: str
+    high: float = math.inf
+    low: float = -math.inf
+    form: str = "{:.3g}"
+
+    @property
+    def text(self):
+        """The interval in words."""
+        low, high = (self.form.format(bound) for bound in (self.low, self.high))
+        if self.low == self.high:
+            return high
+        if math.isinf(self.low):
+            return f"≤ {high}"
+        return f"≥ {low}" if math.isinf(self.high) else f"{low} to {high}"
+
+    def verdict(self, numbers):
+        """Return (measured, verdict), both text; a number that is not there or not a number is not met."""
+        if self.key not in numbers:
+            return "–", "not measured"
+        value = numbers[self.key]
+        return self.form.format(value), "met" if self.low <= value <= self.high else "not met"
+
+
+MS, NS, SECONDS, TIMES = "{:.3g} ms", "{:.3g} ns", "{:.3g} s", "{:,.3g} ×"
+TARGETS = (
+    Target("algebraic_1024_2_ms", "default frame, exact, 1024², two threads", 9, form=MS),
+    Target("numpy_to_algebraic_1024", "… NumPy row tiles take, in its times", low=12, form=TIMES),
+    Target("algebraic_256_2_ms", "default frame, exact, 256², two threads", 0.8, form=MS),
+    Target("seed_to_algebraic_256", "… the mended seed loops take, in its times", low=5000, form="{:,.0f} ×"),
+    Target("central_1024_2_ms", "default frame, central differences, 1024², two threads", 30, form=MS),
+    Target("eps_step_exact_1024_2_ms", "ε-step with the cache, exact, 1024²", 5, form=MS),
+    Target("eps_step_central_1024_2_ms", "ε-step with the cache, central, 1024²", 15, form=MS),
+    Target("image_gradient_ns", "exact gradient from the image point, algebraic, one thread, a point", 10, form=NS),
+    Target("a_alone_central_to_algebraic", "sphere A alone: central takes, in times of exact", low=2, form=TIMES),
+    Target("exponent_2", "time ∝ pixels to the power, 256² to 8192²", 1.05, 0.95, "{:.3f}"),
+    Target("chambers_differing", "pixels whose chamber differs from the per-pixel reference", 0, 0, "{:,}"),
+    Target("image_error", "image against the strict scalar reference, largest difference", 1e-13, form="{:.1e}"),
+    Target("start_cold_s", "python -m renderer image, cold cache", 4, form=SECONDS),
+    Target("start_warm_s", "python -m renderer image, warm cache", 0.9, form=SECONDS),
+    Target("sympy_imported", "times that SymPy is imported for it", 0, 0, "{:d}"),
+)
+
+
+def verdicts(numbers, targets=TARGETS):
+    """Return {key of the book: text}: the target of each number, and the verdict on it."""
+    found = {}
+    for target in targets:
+        found |= {f"{target.key}_target": target.text, f"{target.key}_verdict": target.verdict(numbers)[1]}
+    return found
+
+
+def table(numbers, targets=TARGETS):
+    """Return the table as text: what, target, measured, verdict."""
+    rows = [("what", "target", "measured", "")] + [(t.what, t.text, *t.verdict(numbers)) for t in targets]
+    widths = [max(len(row[column]) for row in rows) for column in range(4)]
+    return "\n".join(
+        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows
+    )
