@@ -1,11 +1,11 @@
 """Our own sinpi, cospi and atan2pi for float64: exact argument reduction, then a Taylor polynomial.
 
 Every constant is an exact rational that float64 holds. The polynomials are truncated alternating series, so the
-error of truncation is below the first term left out; `verify/` measures the whole error against 50 digits. A line
-that must round in a given order is a line of its own.
+error of truncation is below the first term left out. A line that must round in a given order is a line of its own.
+Theorem: elementary_functions.
 """
 
-from sympy import Abs, Max, Min, Piecewise, Rational, atan, factorial, floor, pi, tan
+from sympy import Abs, Max, Min, Piecewise, Rational, atan, factorial, floor, pi
 
 from .half_turns import rint
 from .program import Program
@@ -13,7 +13,7 @@ from .symbols import real
 
 SINE_TERMS = 9  # the first left out, (π/4)^18/19!, is below 2^-62 of the sine
 COSINE_TERMS = 9  # (π/4)^18/18! is below 2^-58
-ARCTANGENT_TERMS = 12  # tan(π/16)^24/25 is below 2^-60
+ARCTANGENT_TERMS = 16  # (5/16)^32/33 is below 2^-58
 SPLITTER = 2**27 + 1
 
 
@@ -68,18 +68,18 @@ sine_tail, sine_near, cosine_near, sine, cosine = real("sine_tail sine_near cosi
 
 PI_HIGH = float64(pi)
 PI_LOW = float64(pi - PI_HIGH)
-_sine_series = [float64((-1) ** n * pi ** (2 * n + 1) / factorial(2 * n + 1)) for n in range(1, SINE_TERMS)]
-_cosine_series = [float64((-1) ** n * pi ** (2 * n) / factorial(2 * n)) for n in range(1, COSINE_TERMS)]
+sine_series = [float64((-1) ** n * pi ** (2 * n + 1) / factorial(2 * n + 1)) for n in range(1, SINE_TERMS)]
+cosine_series = [float64((-1) ** n * pi ** (2 * n) / factorial(2 * n)) for n in range(1, COSINE_TERMS)]
 
-_reduction = (
+reduction = (
     (quarters, rint(2 * product)),
     (remainder_high, product - quarters * Rational(1, 2)),
     (remainder, remainder_high + product_error),
     (quadrant, quarters - 4 * floor(quarters * Rational(1, 4))),
     (z, remainder**2),
-    (sine_tail, PI_LOW + z * polynomial(z, _sine_series)),
+    (sine_tail, PI_LOW + z * polynomial(z, sine_series)),
     (sine_near, remainder * (PI_HIGH + sine_tail)),
-    (cosine_near, 1 + z * polynomial(z, _cosine_series)),
+    (cosine_near, 1 + z * polynomial(z, cosine_series)),
 )
 
 
@@ -92,7 +92,7 @@ def _by_quadrant(*values):
 sine_of_half_turns = Program(
     "sine_of_half_turns",
     (product, product_error),
-    (*_reduction, (sine, _by_quadrant(sine_near, cosine_near, -sine_near, -cosine_near))),
+    (*reduction, (sine, _by_quadrant(sine_near, cosine_near, -sine_near, -cosine_near))),
     (sine,),
 )
 """sin π(product + product_error). The argument is reduced, exactly, to a quarter of a half-turn: zeros are exact."""
@@ -100,7 +100,7 @@ sine_of_half_turns = Program(
 cosine_of_half_turns = Program(
     "cosine_of_half_turns",
     (product, product_error),
-    (*_reduction, (cosine, _by_quadrant(cosine_near, -sine_near, -cosine_near, sine_near))),
+    (*reduction, (cosine, _by_quadrant(cosine_near, -sine_near, -cosine_near, sine_near))),
     (cosine,),
 )
 """cos π(product + product_error), reduced in the same way."""
@@ -112,10 +112,11 @@ denominator, arctangent_tail, first_octant, first_quadrant, half_plane, angle = 
 )
 small_part = real("small_part")
 
-_node = float64(tan(pi / 8))
-_node_correction = float64(atan(_node) / pi - Rational(1, 8))
-_arctangent_series = [float64((-1) ** n / ((2 * n + 1) * pi)) for n in range(ARCTANGENT_TERMS)]
-_inverse_pi_low = float64(1 / pi - _arctangent_series[0])
+_half = Rational(1, 2)
+_value_at_half = float64(atan(_half) / pi)
+_correction_at_half = float64(atan(_half) / pi - _value_at_half)
+arctangent_series = [float64((-1) ** n / ((2 * n + 1) * pi)) for n in range(ARCTANGENT_TERMS)]
+_inverse_pi_low = float64(1 / pi - arctangent_series[0])
 
 angle_in_half_turns = Program(
     "angle_in_half_turns",
@@ -123,16 +124,16 @@ angle_in_half_turns = Program(
     (
         (larger, Max(Abs(abscissa), Abs(ordinate))),
         (smaller, Min(Abs(abscissa), Abs(ordinate))),
-        (middle, Piecewise((1, smaller > float64(tan(pi / 16)) * larger), (0, True))),
-        (steep, Piecewise((1, smaller > float64(tan(3 * pi / 16)) * larger), (0, True))),
-        (node, Piecewise((1, steep > 0), (_node, middle > 0), (0, True))),
-        (node_value, Piecewise((Rational(1, 4), steep > 0), (Rational(1, 8), middle > 0), (0, True))),
-        (node_correction, Piecewise((0, steep > 0), (_node_correction, middle > 0), (0, True))),
+        (middle, Piecewise((1, smaller > Rational(5, 16) * larger), (0, True))),
+        (steep, Piecewise((1, smaller > Rational(3, 4) * larger), (0, True))),
+        (node, Piecewise((1, steep > 0), (_half, middle > 0), (0, True))),
+        (node_value, Piecewise((Rational(1, 4), steep > 0), (_value_at_half, middle > 0), (0, True))),
+        (node_correction, Piecewise((0, steep > 0), (_correction_at_half, middle > 0), (0, True))),
         (denominator, larger + node * smaller),
         (ratio, Piecewise(((smaller - node * larger) / denominator, larger > 0), (0, True))),
         (ratio_squared, ratio**2),
-        (arctangent_tail, _inverse_pi_low + ratio_squared * polynomial(ratio_squared, _arctangent_series[1:])),
-        (small_part, node_correction + ratio * (_arctangent_series[0] + arctangent_tail)),
+        (arctangent_tail, _inverse_pi_low + ratio_squared * polynomial(ratio_squared, arctangent_series[1:])),
+        (small_part, node_correction + ratio * (arctangent_series[0] + arctangent_tail)),
         (first_octant, node_value + small_part),
         (
             first_quadrant,
@@ -143,4 +144,5 @@ angle_in_half_turns = Program(
     ),
     (angle,),
 )
-"""atan2(ordinate, abscissa)/π, and 0 at the origin: three nodes 0, tan π/8, 1, each the centre of an arc of π/8."""
+"""atan2(ordinate, abscissa)/π, and 0 at the origin: three nodes 0, 1/2 and 1, from which
+the ratio's numerator is exact or nearly so; `ratio` stays below 5/16."""

@@ -1,0 +1,226 @@
+"""Certified errors of our sinpi, cospi and atan2pi, in units in the last place, over their whole reduced range.
+
+The range is cut into pieces. On each the error is at most that of the polynomial, as it stands with its float64
+coefficients, plus that of the rounded lines. The polynomial is compared with the function's series term by term, so
+that nothing cancels; the lines go through `verify.accuracy.rounding`. Every number is a ball or its upper end.
+
+The reduction before it is exact (Sterbenz), but for one rounding where product_error is added. Below 2^-12 the lines
+scale with their argument, but for its square, which is enclosed down to 0: the piece that ends there stands for all
+smaller ones, down to where a product underflows.
+"""
+
+from fractions import Fraction
+from itertools import pairwise
+from typing import NamedTuple
+
+from flint import arb, ctx, fmpq
+from sympy import Poly, Rational
+
+from proofs import elementary as e
+from proofs.program import Program
+from verify.accuracy.rounding import ZERO, Rounded, between, code_of, run, unit_in_the_last_place
+
+PRECISION, TERMS = 160, 40
+SMALLEST = -12  # binary exponent below which the lines only scale
+PIECES = 40  # a binade
+
+
+CERTIFIED = {
+    "sinpi": Fraction(134, 100),
+    "cospi": Fraction(153, 100),
+    "sinpi_of_product": Fraction(252, 100),
+    "cospi_of_product": Fraction(209, 100),
+    "atan2pi": Fraction(250, 100),
+}
+"""The bounds that the book states, in units in the last place; theorem elementary_functions."""
+
+
+class Piece(NamedTuple):
+    """On `low` ≤ argument ≤ `high` the result is off by at most `ulps` (arb) units in its last place."""
+
+    low: object
+    high: object
+    ulps: object
+
+
+def _ball(rational):
+    return arb(fmpq(int(rational.p), int(rational.q)))
+
+
+def _lines(program, after=(), until=()):
+    """Return the program's lines that do not stand in `after`, up to those that `until` need."""
+    definitions = tuple((s, x) for s, x in program.definitions if s not in after)
+    inputs = tuple({t: None for _, x in definitions for t in sorted(x.free_symbols, key=str)})
+    inputs = tuple(s for s in inputs if s not in {d for d, _ in definitions})
+    return Program(program.name, inputs, definitions, until).keep(*until)
+
+
+def piece_ends(first, last, cuts=()):
+    """Return the ends of pieces from `first` to `last`: PIECES to each binade, evenly, and at the cuts between."""
+    ends, low = list(cuts), arb((1, SMALLEST - 1))
+    while low < last:
+        ends += [low * (PIECES + i) / PIECES for i in range(PIECES)]
+        low *= 2
+    return [arb(first), *sorted(end for end in ends if first < end < last), arb(last)]
+
+
+class Series:
+    """A polynomial of one variable against the Taylor series of what it stands for."""
+
+    def __init__(self, expression, variable, coefficient):
+        polynomial = Poly(expression, variable)
+        own = {power: _ball(c) for (power,), c in polynomial.terms()}
+        self.differences = [own.get(n, arb(0)) - coefficient(n) for n in range(TERMS)]
+        self.left_out = [abs(coefficient(n)) for n in (TERMS, TERMS + 1)]  # the signs alternate, the terms fall
+
+    def error(self, argument):
+        """Return an upper bound of |polynomial − function| over a ball."""
+        total = arb(0)
+        for difference in reversed(self.differences):
+            total = total * argument + difference
+        tail = max(c * argument.abs_upper() ** (TERMS + n) for n, c in enumerate(self.left_out))
+        return total.abs_upper() + tail
+
+
+def _sine_coefficient(shift):
+    def coefficient(n):
+        if n % 2 == shift:
+            return arb(0)
+        return (-1 if n % 4 > 1 else 1) * arb.pi() ** n / arb.fac_ui(n)
+
+    return coefficient
+
+
+def _arctangent_coefficient(n):
+    return arb(0) if n % 2 == 0 else (-1 if n % 4 == 3 else 1) / (n * arb.pi())
+
+
+def sine_pieces(cosine=False, of_product=False, program=e.sine_of_half_turns):
+    """Return the Pieces of sinpi (or cospi) over the reduced argument, 0 ≤ r ≤ 1/4 (the rest by symmetry).
+
+    of_product: the argument has been rounded once, as it is after `two_product`.
+    """
+    near = e.cosine_near if cosine else e.sine_near
+    with ctx.workprec(PRECISION):
+        code = code_of(_lines(program, after=[s for s, _ in e.reduction[:4]], until=(near,)))
+        series = Series(program.expand(near, until=(e.remainder,)), e.remainder, _sine_coefficient(shift=cosine))
+        end = arb((1, -2)) + arb((1, -30))  # |product − quarters/2| ≤ 1/4, and |product_error| < 2^-30
+        cuts = () if cosine else [arb((1, -n)).asin() / arb.pi() for n in range(1, 2 - SMALLEST)]
+        return [
+            _sine_piece(code, series, near.name, low, high, cosine, of_product)
+            for low, high in pairwise(piece_ends(arb((1, SMALLEST - 1)), end, cuts))
+        ]
+
+
+def _sine_piece(code, series, near, low, high, cosine, of_product):
+    smallest = high <= arb((1, SMALLEST))
+    ends = (ZERO if smallest and cosine else low, high)
+    r = between(*ends) * (1 + arb(0, arb((1, -52)) if of_product else 0))  # as it is after rounding
+    true = [end.cos_pi() if cosine else end.sin_pi() for end in ends]
+    steepest = arb.pi() * (high.sin_pi() if cosine else ends[0].cos_pi()).abs_upper()
+    moved = steepest * Rounded(r, rounds=of_product, ends=ends).error
+    known = {"z": (0 if smallest else r.lower() ** 2, r.upper() ** 2), near: (*true, series.error(r) + moved)}
+    return Piece(low, high, run(code, {"remainder": Rounded(r)}, known)[near].ulps())
+
+
+def _threshold(line):
+    """Return c of the line 1 where smaller > c · larger, else 0."""
+    relation = line.args[0][1]
+    return relation.lts.coeff(e.larger)
+
+
+def angle_pieces(program=e.angle_in_half_turns):
+    """Return the Pieces of atan2pi over t = smaller/larger, 0 ≤ t ≤ 1: the worst of the eight octants."""
+    with ctx.workprec(PRECISION):
+        first, second = (_ball(_threshold(program[s])) for s in (e.middle, e.steep))
+        slack = arb((1, -52))  # the comparison's product is rounded
+        cuts = [(arb.pi() / 2**n).tan() for n in range(3, 3 - SMALLEST)]
+        arcs = [
+            (0, 0, piece_ends(arb((1, SMALLEST - 1)), first * (1 + slack), cuts)),
+            (1, 0, piece_ends(first * (1 - slack), second * (1 + slack), cuts)),
+            (1, 1, piece_ends(second * (1 - slack), arb(1))),
+        ]
+        analysis = _Angle(program)
+        return [
+            analysis.piece(low, high, middle, steep) for middle, steep, ends in arcs for low, high in pairwise(ends)
+        ]
+
+
+class _Angle:
+    """The lines of atan2pi in three parts: to the ratio, to the angle in the first octant, to the angle."""
+
+    MANTISSAS = 8
+
+    def __init__(self, program):
+        given = (e.larger, e.smaller, e.middle, e.steep)
+        self.to_node = code_of(_lines(program, given, (e.node, e.node_value, e.node_correction)))
+        self.to_ratio = code_of(_lines(program, given, (e.ratio,)))
+        self.to_octant = code_of(_lines(program, (*given, e.node, e.ratio), (e.first_octant,)))
+        self.octants = [code_of(self._decided(program, *choice)) for choice in ((0, 0), (0, 1), (1, 0), (1, 1))]
+        arctangent = program.expand(e.small_part, until=(e.ratio, e.node_correction)) - e.node_correction
+        self.series = Series(arctangent, e.ratio, _arctangent_coefficient)
+
+    @staticmethod
+    def _decided(program, *branches):
+        """Return the last lines with the octant chosen: 0 the reflection, 1 the value as it is."""
+        lines = [(s, program[s].args[b][0]) for s, b in zip((e.first_quadrant, e.half_plane), branches, strict=True)]
+        return Program("octant", (e.first_octant,), tuple(lines), (e.half_plane,))
+
+    def piece(self, low, high, middle, steep):
+        smallest = high <= arb((1, SMALLEST))
+        choice = {"middle": Rounded(middle), "steep": Rounded(steep)}
+        node, value, correction = self._node(choice)
+        ends = [(end - node) / (1 + node * end) for end in (low, high)]
+        ratio = Rounded(between(*ends), self._ratio_error(low, high, choice, ends), ends=ends)
+        true = [end.atan() / arb.pi() for end in (low, high)]
+        off = (correction - (node.atan() / arb.pi() - value)).abs_upper()
+        small = [end - value for end in true]
+        known = {"small_part": (*small, self.series.error(ratio.exact) + off), "first_octant": true}
+        if smallest:
+            known["ratio_squared"] = (0, high**2)
+        scope = run(self.to_octant, choice | {"ratio": ratio, "node": Rounded(node)}, known)
+        return Piece(low, high, max(self._octants(scope["first_octant"], smallest)))
+
+    def _octants(self, octant, smallest):
+        """Return the ulps of the angle in the four octants above the axis; the others are their mirror images."""
+        for number, code in enumerate(self.octants):
+            low = ZERO if smallest and number < 3 else octant.least
+            start = Rounded(between(low, octant.largest), octant.error, ends=(low, octant.largest))
+            ends = [run(code, {"first_octant": Rounded(end)})["half_plane"].exact for end in (low, octant.largest)]
+            yield run(code, {"first_octant": start}, {"half_plane": ends})["half_plane"].ulps()
+
+    def _node(self, choice):
+        """Return node, node_value and node_correction as the program selects them."""
+        scope = run(self.to_node, dict(choice))
+        return [scope[name].exact for name in ("node", "node_value", "node_correction")]
+
+    def _ratio_error(self, low, high, choice, ends):
+        """Return how far the rounded ratio can be off, whatever the mantissa of `larger`."""
+        worst, t = ZERO, between(low, high)
+        for i in range(self.MANTISSAS):
+            larger = between(1 + arb(i) / self.MANTISSAS, 1 + arb(i + 1) / self.MANTISSAS)
+            sides = choice | {"larger": Rounded(larger), "smaller": Rounded(t * larger)}
+            worst = max(worst, run(self.to_ratio, sides, {"ratio": ends})["ratio"].error)
+        return worst
+
+
+def pieces_of(name):
+    """Return the Pieces of an elementary function by its kernel's name, a key of CERTIFIED."""
+    if name == "atan2pi":
+        return angle_pieces()
+    return sine_pieces(cosine=name.startswith("cos"), of_product=name.endswith("_of_product"))
+
+
+def worst(pieces):
+    """Return the largest certified error of the pieces, in ulps (arb)."""
+    return max(piece.ulps for piece in pieces)
+
+
+def off_by(program, line, coefficient, ulps):
+    """Return the program with a constant of a line off by so many units in its last place: a false variant."""
+    unit = unit_in_the_last_place(_ball(abs(coefficient)))
+    off = coefficient + ulps * Rational(int(unit.man_exp()[0])) * Rational(2) ** int(unit.man_exp()[1])
+    changed = tuple((s, x.xreplace({coefficient: off}) if s == line else x) for s, x in program.definitions)
+    if ulps and changed == program.definitions:
+        raise ValueError(f"{program.name}: {line} has no constant {coefficient}")
+    return Program(program.name, program.inputs, changed, program.outputs)

@@ -1,0 +1,87 @@
+"""The running error analysis: it encloses what float64 does, and what is exact costs nothing."""
+
+import random
+from fractions import Fraction
+
+import pytest
+from flint import arb
+
+from verify.accuracy import rounding
+from verify.accuracy.rounding import Rounded, Undecided, unit_in_the_last_place
+
+EXPRESSIONS = ("a * b + c", "(a - b) / (a + c)", "a * (b - c * c) - 0.1", "(a - 0.5 * b) / (b + 0.5 * a)", "a + b + c")
+
+
+def worst_share(expression, samples=3000):
+    """Return the largest |float64 − exact| over its bound, over samples from [1/2, 2]."""
+    rng, worst = random.Random(expression), 0
+    a, b, c = (Rounded(rounding.between(0.5, 2)) for _ in "abc")
+    code = compile(expression, expression, "eval")
+    try:
+        bound = Fraction(*(int(n) for n in _fraction(eval(code, {"a": a, "b": b, "c": c}).error)))
+    except Undecided:
+        return None
+    for _ in range(samples):
+        x = {name: rng.uniform(0.5, 2) for name in "abc"}
+        exact = eval(code, {name: Exact(value) for name, value in x.items()}).value
+        worst = max(worst, abs(Fraction(eval(code, dict(x))) - exact) / bound)
+    return worst
+
+
+def _fraction(ball):
+    mantissa, exponent = ball.man_exp()
+    return (mantissa * 2 ** int(exponent), 1) if exponent >= 0 else (mantissa, 2 ** -int(exponent))
+
+
+class Exact:
+    """A rational number that takes floats as they are."""
+
+    def __init__(self, value):
+        self.value = value.value if isinstance(value, Exact) else Fraction(value)
+
+    def __add__(self, other):
+        return Exact(self.value + Exact(other).value)
+
+    def __sub__(self, other):
+        return Exact(self.value - Exact(other).value)
+
+    def __mul__(self, other):
+        return Exact(self.value * Exact(other).value)
+
+    def __truediv__(self, other):
+        return Exact(self.value / Exact(other).value)
+
+    __radd__, __rmul__ = __add__, __mul__
+
+
+@pytest.mark.parametrize("expression", EXPRESSIONS)
+def test_the_bound_encloses_what_float64_does(expression):
+    assert 0.2 < worst_share(expression) <= 1
+
+
+def test_a_bound_that_forgets_half_the_unit_is_seen(monkeypatch):
+    unit = unit_in_the_last_place
+    monkeypatch.setattr(rounding, "unit_in_the_last_place", lambda size: unit(size) / 4)
+    assert max(worst_share(e) for e in EXPRESSIONS) > 1
+
+
+def test_what_is_exact_costs_nothing():
+    x = Rounded(rounding.between(1, 1.5))
+    assert (2.0 * x).error == 0
+    assert (x - Rounded(rounding.between(0.8, 1.4))).error == 0  # Sterbenz
+    assert (x - Rounded(rounding.between(0.1, 0.4))).error > 0
+    assert (0.0 + x).error == 0
+    assert arb(2) ** -53 < (x * x).error < arb(2) ** -52 * 1.001
+
+
+def test_what_is_not_decided_is_not_guessed():
+    x = Rounded(rounding.between(-1, 1))
+    with pytest.raises(Undecided):
+        _ = x > 0.5
+    with pytest.raises(Undecided):
+        _ = Rounded(1) / x
+
+
+def test_the_unit_is_that_of_float64():
+    assert unit_in_the_last_place(arb(0.75)) == arb(2) ** -53
+    assert unit_in_the_last_place(arb(1)) == arb(2) ** -52
