@@ -1,0 +1,77 @@
+"""Toward the pole, toward the silhouette, from the nearest eye to the furthest: the normal and the tangent vector."""
+
+import numpy as np
+
+from proofs.bump import g
+from proofs.camera import parallel_radius, silhouette_of_a
+from proofs.symbols import normal
+from verify.stability.measure import in_balls, in_float64, vector_bound, vector_distance, with_bounds
+from verify.stability.pipelines import our_normal, seed_normal, seed_tangent_vector, tangent_vector
+from verify.stability.sweep import Sweep
+
+EYE, RADIUS = 4.0, 1.0
+VECTOR, NORMAL = [s.name for s in g], [s.name for s in normal]
+
+
+def image_points(rho, samples, seed):
+    """Return (x, y) at the given image radii, `samples` random azimuths each: (values, samples)."""
+    azimuth = np.random.default_rng(seed).uniform(-np.pi, np.pi, (len(rho), samples))
+    return rho[:, None] * np.cos(azimuth), rho[:, None] * np.sin(azimuth)
+
+
+def _of_normal(parameter, inputs):
+    ours, truth = with_bounds(our_normal, inputs), in_balls(our_normal, inputs)
+    theirs = in_float64(seed_normal, inputs)
+    values = {n: ours[n].value for n in NORMAL}
+    return Sweep(
+        parameter,
+        vector_distance(values, truth, NORMAL),
+        vector_bound(ours, NORMAL),
+        {"seed": vector_distance(theirs, truth, NORMAL)},
+    )
+
+
+def toward_the_pole(field="ridges", form="algebraic", samples=12, values=76, seed=1):
+    """g against sin φ from 0.84 to 10⁻¹⁴⁹, where the pole begins, as a function of the float64 image point.
+
+    Reason of the bound: no line of the chain cancels, so that every one adds a few roundings of its own size.
+    """
+    sines = np.logspace(np.log10(0.84), -149, values)
+    cosines = np.sqrt((1 - sines) * (1 + sines))
+    (rho,) = in_float64(parallel_radius, {"sin_phi": sines, "cos_phi": cosines, "eye": EYE, "radius": RADIUS}).values()
+    x, y = image_points(rho, samples, seed)
+    inputs = {"x": x, "y": y, "eye": EYE, "radius": RADIUS, "k_u": 8.0, "k_v": 4.0}
+    ours = with_bounds(tangent_vector(field, form), inputs)
+    truth = in_balls(tangent_vector(field, "general"), inputs)
+    others = {
+        name: vector_distance(seed_tangent_vector(field, inputs, fallback), truth, VECTOR)
+        for name, fallback in (("seed", False), ("seed with fallback", True))
+    }
+    errors = vector_distance({n: ours[n].value for n in VECTOR}, truth, VECTOR)
+    return Sweep(sines, errors, vector_bound(ours, VECTOR), others)
+
+
+def toward_the_silhouette(samples=40, values=57, seed=2):
+    """N against s = 1 − (ρ/ρ_s)² from 0.99 to 10⁻¹⁴.
+
+    Reason of the bound: the root is taken of (ρ_s − ρ)(ρ_s + ρ), whose factors are each right to a few roundings of
+    ρ_s; the root turns δ/s into δ/√s, and no form can do better, since ρ_s itself is rounded.
+    """
+    share = np.logspace(np.log10(0.99), -14, values)
+    (edge,) = in_float64(silhouette_of_a, {"eye": EYE, "radius": RADIUS}).values()
+    x, y = image_points(edge * np.sqrt(1 - share), samples, seed)
+    return _of_normal(share, {"x": x, "y": y, "eye": EYE, "radius": RADIUS})
+
+
+def from_near_to_far(samples=60, values=61, seed=3):
+    """N against e/R − 1 from 10⁻⁹ to 10⁶, at image points with 1 − (ρ/ρ_s)² ≥ 0.1.
+
+    Reason of the bound: t is a quotient of positive terms, and e² − R² is a product; nothing cancels at either end.
+    """
+    above = np.logspace(-9 + 1e-6, 6 - 1e-6, values)
+    eye = RADIUS + above
+    edge = in_float64(silhouette_of_a, {"eye": eye, "radius": RADIUS})["rho_silhouette"]
+    random = np.random.default_rng(seed)
+    x, y = image_points(edge, samples, seed)
+    inside = np.sqrt(random.uniform(0, 0.9, x.shape))
+    return _of_normal(above, {"x": x * inside, "y": y * inside, "eye": eye[:, None], "radius": RADIUS})

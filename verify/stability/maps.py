@@ -1,0 +1,67 @@
+"""Accuracy plotted over the input space: of h_u over the chart, of g over the image; ours and the seed's form."""
+
+import numpy as np
+
+from proofs.camera import silhouette_of_a
+from proofs.height_fields import HEIGHT_FIELDS, gradient
+from renderer import Scene
+from verify.stability.geometry import VECTOR
+from verify.stability.measure import distance, in_balls, in_float64, vector_distance
+from verify.stability.pipelines import seed_tangent_vector, tangent_vector
+from verify.stability.running import U
+from verify.stability.wave_numbers import with_rounded_argument
+
+MISSED_ZERO = 1 / U  # all bits lost: a number where there is an exact zero
+
+
+def relative(values, truth):
+    """Return |value − exact| / (2⁻⁵³ |exact|): 0 for an exact zero that is met, MISSED_ZERO for one that is not."""
+    off = distance(values, truth)
+    size = np.array([abs(float(b.mid())) for b in np.ravel(truth)]).reshape(off.shape)
+    with np.errstate(all="ignore"):
+        units = np.where(size > 0, off / (U * size), np.where(off > 0, MISSED_ZERO, 0.0))
+    return np.minimum(units, MISSED_ZERO)
+
+
+def over_the_chart(field="ridges", side=128, ku=8.0, kv=4.0, seed=9):
+    """Return {"seed", "ours"}: (side, side) maps of the error of h_u in units of 2⁻⁵³ of itself, v downwards.
+
+    A point is drawn in each cell of a grid; the first column of cells takes its left edges, u = m/side, so that some
+    lie exactly on a crease.
+    """
+    random = np.random.default_rng(seed)
+    rows, columns = np.mgrid[0:side, 0:side]
+    inside = random.uniform(0, 1, (2, side, side))
+    inside[0][:, :: side // 32] = 0  # every so often the very corner of a cell: a short binary fraction
+    inputs = {"u": (columns + inside[0]) / side, "v": (rows + inside[1]) / side, "k_u": ku, "k_v": kv}
+    program = gradient(HEIGHT_FIELDS[field])
+    truth = in_balls(program, inputs)["h_u"]
+    ours = in_float64(program, inputs)["h_u"]
+    seed_form = in_float64(with_rounded_argument(field, False), inputs, "libm")["h_u"]
+    return {"seed": relative(seed_form, truth), "ours": relative(ours, truth)}
+
+
+def over_the_image(scene=None, size=192, reach=1.0):
+    """Return {"seed", "ours"}: (size, size) maps of |g − exact| in units of 2⁻⁵³ π k, NaN off A.
+
+    reach: the half-width of the view in silhouette radii, centred on the axis; the pole is the centre.
+    """
+    scene = scene or Scene()
+    (edge,) = in_float64(silhouette_of_a, {"eye": scene.eye, "radius": scene.radius}).values()
+    offsets = reach * edge * (2 * np.arange(size) + 1 - size) / size
+    x, y = np.broadcast_arrays(offsets[None, :], -offsets[:, None])
+    on_a = np.hypot(x, y) < edge * (1 - 1e-12)
+    inputs = {"x": x[on_a], "y": y[on_a], "eye": scene.eye, "radius": scene.radius, "k_u": scene.ku, "k_v": scene.kv}
+    truth = in_balls(tangent_vector(scene.field, "general"), inputs)
+    ours = in_float64(tangent_vector(scene.field, "algebraic", scene.ku, scene.kv), inputs)
+    maps = {}
+    for name, vector in (("seed", seed_tangent_vector(scene.field, inputs)), ("ours", ours)):
+        maps[name] = np.full(x.shape, np.nan)
+        maps[name][on_a] = vector_distance(vector, truth, VECTOR) / (U * np.pi * max(scene.ku, scene.kv))
+    return maps
+
+
+def summary(units):
+    """Return (median, largest) of a map as bits lost: log₂ of the error in units, at least 0."""
+    seen = np.maximum(units[~np.isnan(units)], 1.0)
+    return float(np.log2(np.median(seen))), float(np.log2(seen.max()))

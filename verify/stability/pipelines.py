@@ -1,0 +1,66 @@
+"""From the image point to the tangent vector g: our two forms of the chain, and the seed's."""
+
+from functools import lru_cache
+
+import numpy as np
+from sympy import sqrt
+
+from proofs.bump import bumped_normal, g
+from proofs.camera import angles_on_a
+from proofs.chart import chart, seed_chart
+from proofs.half_turns import ordinary
+from proofs.height_fields import HEIGHT_FIELDS, gradient
+from proofs.program import Program, chain
+from proofs.symbols import eye, h_u, h_v, normal, radius, real, x, y
+from proofs.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, unit_normal
+from verify.methods.algebraic import algebraic_gradient
+from verify.stability.measure import in_float64
+
+SEED_FALLBACK = 1e-4
+seed_discriminant, seed_t = real("seed_discriminant seed_t")
+
+seed_normal = Program(
+    "seed_normal",
+    (x, y, eye, radius),
+    (
+        (seed_discriminant, eye**2 * radius**2 - (eye**2 - radius**2) * (x**2 + y**2)),
+        (seed_t, (eye**2 - sqrt(seed_discriminant)) / (x**2 + y**2 + eye**2)),
+        *zip(normal, (seed_t * x / radius, seed_t * y / radius, eye * (1 - seed_t) / radius), strict=True),
+    ),
+    normal,
+)
+"""The seed's hit and normal: t = (e² − √d)/(ρ² + e²), d = e²R² − (e² − R²)ρ². Source: seed, Cell 1."""
+
+our_normal = chain("our_normal", angles_on_a, unit_normal).keep(*normal)
+"""Ours: N from the angles."""
+
+
+@lru_cache
+def tangent_vector(field, form, ku=8.0, kv=4.0):
+    """Return the program (image point, scene) → g by the "general" or the "algebraic" form of the exact gradient."""
+    field = HEIGHT_FIELDS[field]
+    middle = [chart, gradient(field)] if form == "general" else [algebraic_gradient(field, ku, kv)]
+    return chain(f"g_{form}", angles_on_a, *middle, bumped_normal, outputs=g).keep(*g)
+
+
+@lru_cache
+def _seed_program(field):
+    lines = gradient(HEIGHT_FIELDS[field]).definitions
+    naive = Program("naive", (*seed_chart.outputs, *_k(field)), tuple((s, ordinary(e)) for s, e in lines), (h_u, h_v))
+    return chain(
+        "seed_g", seed_normal, seed_chart, naive, seed_frame, outputs=(h_u, h_v, seed_sin_phi, *e_theta, *e_phi)
+    )
+
+
+def _k(field):
+    return gradient(HEIGHT_FIELDS[field]).inputs[2:]
+
+
+def seed_tangent_vector(field, inputs, fallback=True):
+    """Return {component of g: array} as the seed computes it, with or without its fixed frame near the pole."""
+    v = in_float64(_seed_program(field), inputs, "libm")
+    near = ~(v["seed_sin_phi"] > SEED_FALLBACK) & fallback
+    fixed = (v["h_u"], v["h_v"], np.zeros_like(v["h_u"]))
+    with np.errstate(invalid="ignore"):  # without the fallback it divides by zero below 10⁻⁸
+        framed = [v["h_u"] * v[t.name] + v["h_v"] * v[p.name] for t, p in zip(e_theta, e_phi, strict=True)]
+    return {n.name: np.where(near, *both) for n, *both in zip(g, fixed, framed, strict=True)}

@@ -1,0 +1,206 @@
+"""Running error analysis: float64 arithmetic that carries, beside every number, a bound on its distance from the truth.
+
+Each operation adds its own rounding, at most U = 2⁻⁵³ of the result (and half the least denormal), to what it inherits
+from its operands (Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms, §3.3). The bound is a fact about
+this very evaluation: no constant is fitted. A comparison that the bounds cannot decide counts both branches.
+The elementary functions add what verify/test_elementary.py allows them, in units in the last place.
+"""
+
+import numpy as np
+
+from renderer import kernels
+
+U = 2.0**-53
+TINY = 2.0**-1074
+SLACK = 1 + 1e-12  # the bounds are rounded too
+ULPS = {"sinpi": 2.0, "cospi": 2.0, "atan2pi": 2.5, "power": 1.0}
+
+_sin_array, _cos_array, _atan_array = (
+    np.vectorize(getattr(kernels, name).py_func, otypes=[float])
+    for name in ("sinpi_of_product", "cospi_of_product", "atan2pi")
+)
+
+
+class Running:
+    """An array of float64 numbers and, for each, a bound on |number − exact value|."""
+
+    __array_ufunc__ = None  # NumPy leaves mixed operations to the methods below
+
+    def __init__(self, value, bound=0.0):
+        self.value = np.asarray(value, np.float64)
+        self.bound = np.broadcast_to(np.asarray(bound, np.float64), self.value.shape)
+
+    def spread(self, shape):
+        """Return the same numbers as arrays of a larger shape."""
+        return Running(np.broadcast_to(self.value, shape), np.broadcast_to(self.bound, shape))
+
+    def _rounded(self, value, inherited, ulps=0.5):
+        """Return the result of one operation: what it inherits, and its own rounding."""
+        own = 2 * ulps * U * np.abs(value) + TINY
+        with np.errstate(all="ignore"):
+            return Running(value, np.where(np.isfinite(value), (inherited + own) * SLACK, np.inf))
+
+    def __neg__(self):
+        return Running(-self.value, self.bound)
+
+    def __abs__(self):
+        return Running(np.abs(self.value), self.bound)
+
+    def __add__(self, other):
+        other = running(other)
+        return self._rounded(self.value + other.value, self.bound + other.bound)
+
+    def __sub__(self, other):
+        return self + (-running(other))
+
+    def __mul__(self, other):
+        other = running(other)
+        inherited = np.abs(self.value) * other.bound + np.abs(other.value) * self.bound + self.bound * other.bound
+        scaling = _scales(self) | _scales(other)
+        return self._rounded(self.value * other.value, inherited, np.where(scaling, 0.0, 0.5))
+
+    def __truediv__(self, other):
+        other = running(other)
+        value = self.value / other.value
+        least = np.abs(other.value) - other.bound  # of the exact divisor
+        inherited = (self.bound + np.abs(value) * other.bound) / least
+        return self._rounded(value, np.where(least > 0, inherited, np.inf))
+
+    def __radd__(self, other):
+        return running(other) + self
+
+    def __rsub__(self, other):
+        return running(other) - self
+
+    def __rmul__(self, other):
+        return running(other) * self
+
+    def __rtruediv__(self, other):
+        return running(other) / self
+
+    def _compare(self, other, decide):
+        other = running(other)
+        return Comparison(
+            decide(self.value, other.value), np.abs(self.value - other.value) <= self.bound + other.bound, self, other
+        )
+
+    def __lt__(self, other):
+        return self._compare(other, np.less)
+
+    def __le__(self, other):
+        return self._compare(other, np.less_equal)
+
+    def __gt__(self, other):
+        return self._compare(other, np.greater)
+
+    def __ge__(self, other):
+        return self._compare(other, np.greater_equal)
+
+
+class Comparison:
+    """An array of truth values, and where the bounds leave them open (never where both sides are exact)."""
+
+    def __init__(self, holds, close, left=None, right=None):
+        exact = False if left is None else (left.bound == 0) & (right.bound == 0)
+        self.holds, self.open = holds, close & ~np.asarray(exact)
+
+    def __and__(self, other):
+        known_false = (~self.holds & ~self.open) | (~other.holds & ~other.open)
+        return Comparison(self.holds & other.holds, (self.open | other.open) & ~known_false)
+
+    def __or__(self, other):
+        known_true = (self.holds & ~self.open) | (other.holds & ~other.open)
+        return Comparison(self.holds | other.holds, (self.open | other.open) & ~known_true)
+
+
+def _scales(a):
+    """Return whether a factor is exactly a power of two, so that a product with it is not rounded."""
+    return (a.bound == 0) & (np.abs(np.frexp(a.value)[0]) == 0.5)
+
+
+def running(value):
+    """Return a number or an array as an exact Running, a Running as it is."""
+    return value if isinstance(value, Running) else Running(value)
+
+
+def select(condition, value, otherwise):
+    """Return `value` where the condition holds, else `otherwise`; where it is open the bound covers both."""
+    value, otherwise = running(value), running(otherwise)
+    if not isinstance(condition, Comparison):
+        condition = Comparison(np.asarray(condition), np.asarray(False))
+    chosen = np.where(condition.holds, value.value, otherwise.value)
+    bound = np.where(condition.holds, value.bound, otherwise.bound)
+    gap = np.abs(value.value - otherwise.value) + value.bound + otherwise.bound
+    return Running(chosen, np.where(condition.open, np.maximum(bound, gap), bound))
+
+
+def sqrt(a):
+    """√a: the root's error is at most e/√a, and at most √e."""
+    a = running(a)
+    root = np.sqrt(a.value)
+    with np.errstate(all="ignore"):
+        inherited = np.minimum(np.sqrt(a.bound), np.where(root > 0, a.bound / root, np.inf))
+    return a._rounded(root, np.where(a.bound == 0, 0.0, inherited))
+
+
+def maximum(a, b):
+    """The larger one: no further from the truth than the worse of the two."""
+    a, b = running(a), running(b)
+    return Running(np.maximum(a.value, b.value), np.maximum(a.bound, b.bound))
+
+
+def minimum(a, b):
+    """The smaller one."""
+    return -maximum(-running(a), -running(b))
+
+
+def sign(a):
+    """−1, 0 or 1; open where the bound reaches across zero."""
+    a = running(a)
+    return Running(np.sign(a.value), np.where((np.abs(a.value) <= a.bound) & (a.bound > 0), 2.0, 0.0))
+
+
+def power(a, p):
+    """a^p, a ≥ 0, p exact and positive: monotone, so its ends bound it; ours or libm's rounding beside that."""
+    a, p = running(a), running(p)
+    with np.errstate(all="ignore"):
+        value = np.power(a.value, p.value)
+        above = np.power(a.value + a.bound, p.value) * (1 + 4 * U) - value
+        below = value - np.power(np.maximum(0, a.value - a.bound), p.value) * (1 - 4 * U)
+    return a._rounded(value, np.where(a.bound == 0, 0.0, np.maximum(above, below)), ULPS["power"])
+
+
+def _of_product(function, ulps):
+    def of_product(a, b):
+        a, b = running(a), running(b)
+        with np.errstate(all="ignore"):
+            argument = np.abs(a.value) * b.bound + np.abs(b.value) * a.bound + a.bound * b.bound
+        return a._rounded(function(a.value, b.value), np.minimum(2.0, np.pi * SLACK * argument), ulps)
+
+    return of_product
+
+
+sinpi_of_product = _of_product(_sin_array, ULPS["sinpi"])
+cospi_of_product = _of_product(_cos_array, ULPS["cospi"])
+
+
+def sinpi(a):
+    """sin πa."""
+    return sinpi_of_product(a, 1.0)
+
+
+def cospi(a):
+    """cos πa."""
+    return cospi_of_product(a, 1.0)
+
+
+def atan2pi(y, x):
+    """atan2(y, x)/π: the sine of the turn is |x Δy − y Δx|/(r r'); open where the cut is in reach."""
+    y, x = running(y), running(x)
+    moved, length = np.hypot(y.bound, x.bound), np.hypot(y.value, x.value)
+    with np.errstate(all="ignore"):
+        sine = (np.abs(x.value) / length * y.bound + np.abs(y.value) / length * x.bound) / (length - moved)
+        turned = np.where(moved < length, np.arcsin(np.minimum(1, sine)) / np.pi, 2.0)
+    across = (x.value < 0) & (np.abs(y.value) <= y.bound) & (y.bound > 0)
+    turned = np.where(moved == 0, 0.0, np.where(across, 2.0, turned))
+    return y._rounded(_atan_array(y.value, x.value), turned, ULPS["atan2pi"])

@@ -1,0 +1,127 @@
+"""The normal under any amplitude, and the light: close, far, opposite to the eye, with any shininess."""
+
+import numpy as np
+
+from proofs.bump import g, perturbed
+from proofs.camera import point_on_a
+from proofs.program import Program, chain
+from proofs.shading import MODELS, highlight, light_direction
+from proofs.symbols import beta, bumped, cos_phi, cos_theta, mu, normal, sin_phi, sin_theta, specular, specular_base
+from proofs.tangent_frame import tangent_frame, unit_normal
+from verify.stability.measure import distance, in_balls, in_float64, vector_bound, vector_distance, with_bounds
+from verify.stability.sweep import Sweep
+
+BUMPED = [s.name for s in bumped]
+
+
+def angles(random, shape):
+    """Return {cos θ, sin θ, cos φ, sin φ} of random points of the upper half of A."""
+    theta, polar = random.uniform(-np.pi, np.pi, shape), random.uniform(0.01, 1.3, shape)
+    names = (cos_theta, sin_theta, cos_phi, sin_phi)
+    return dict(zip((n.name for n in names), (np.cos(theta), np.sin(theta), np.cos(polar), np.sin(polar)), strict=True))
+
+
+def _sweep(parameter, program, inputs, output):
+    ours, truth = with_bounds(program, inputs)[output], in_balls(program, inputs)[output]
+    return Sweep(parameter, distance(ours.value, truth), ours.bound)
+
+
+def any_amplitude(values=109, samples=24, seed=5):
+    """N' against |β| from the least denormal to 10¹⁰⁰, for slopes of up to π 2²⁰.
+
+    Reason of the bound: M = N + βg with g ⟂ N, so |M| ≥ 1 and dividing by it amplifies nothing.
+    """
+    random = np.random.default_rng(seed)
+    sizes = np.concatenate([[2.0**-1074, 1e-310], np.logspace(-300, 100, values - 2)])
+    at = angles(random, (values, samples))
+    tangents = chain("tangents", unit_normal, tangent_frame, outputs=(*normal, *tangent_frame.outputs))
+    frame = in_float64(tangents, at)
+    slopes = random.uniform(-1, 1, (2, values, samples)) * 10.0 ** random.uniform(0, 6.5, (values, samples))
+    inputs = {n.name: frame[n.name] for n in normal}
+    along, down = tangent_frame.outputs[:3], tangent_frame.outputs[3:]
+    for n, t, p in zip(g, along, down, strict=True):
+        inputs[n.name] = slopes[0] * frame[t.name] + slopes[1] * frame[p.name]
+    inputs[beta.name] = sizes[:, None] * random.choice([-1.0, 1.0], (values, samples))
+    ours, truth = with_bounds(perturbed, inputs), in_balls(perturbed, inputs)
+    errors = vector_distance({n: ours[n].value for n in BUMPED}, truth, BUMPED)
+    return Sweep(sizes, errors, vector_bound(ours, BUMPED))
+
+
+def _lit_point():
+    """Return the program from a point's angles and a light's distance above it to μ = N·ω."""
+    onto = Program("onto", normal, tuple(zip(bumped, normal, strict=True)), bumped)
+    return chain("lit_point", unit_normal, point_on_a, onto, light_direction).keep(mu)
+
+
+def near_and_far_lights(values=73, samples=24, seed=6):
+    """μ against the light's distance from the surface, from 2·10⁻⁹ to 10⁹ radii.
+
+    Reason of the bound: the point is known to some 2⁻⁵³ R, so that a light at distance d is seen in a direction known
+    to 2⁻⁵³ R/d; far away nothing is lost.
+    """
+    random = np.random.default_rng(seed)
+    distances = np.geomspace(2e-9, 0.999e9, values)
+    at = angles(random, (values, samples))
+    n = np.array([at["sin_phi"] * at["cos_theta"], at["sin_phi"] * at["sin_theta"], at["cos_phi"]])
+    aside = random.normal(size=n.shape)
+    aside -= (aside * n).sum(axis=0) * n
+    aside /= np.sqrt((aside**2).sum(axis=0))
+    tilt = random.uniform(0, 1.4, (values, samples))
+    light = n + distances[:, None] * (np.cos(tilt) * n + np.sin(tilt) * aside)
+    inputs = at | {"radius": 1.0} | {f"light_{axis}": c for axis, c in zip("xyz", light, strict=True)}
+    return _sweep(distances, _lit_point(), inputs, mu.name)
+
+
+def opposite_light(model="blinn", values=65, samples=24, seed=7):
+    """The highlight's base against |ω + v̂|, from 1 to 10⁻¹⁶: the light behind the point, seen from the eye.
+
+    Reason of the bound: ω and v̂ are each known to 2⁻⁵³, their sum to 2⁻⁵³/|ω + v̂| of its length; the base itself is
+    a cosine, so that the bound never has to exceed 2.
+    """
+    random = np.random.default_rng(seed)
+    gaps = np.geomspace(1, 1e-16, values)
+    view, aside, up = _frames(random, (values, samples))
+    towards = -view + gaps[:, None] * aside
+    vectors = {"light": towards, "view": view, "bumped": up, "point": np.zeros((3, 1, 1))}
+    inputs = {f"{name}_{axis}": c for name, triple in vectors.items() for axis, c in zip("xyz", triple, strict=True)}
+    sweep = _sweep(gaps, MODELS[model], inputs, specular_base.name)
+    return Sweep(gaps, sweep.errors, np.minimum(sweep.bounds, 2.0))
+
+
+def _frames(random, shape):
+    """Return three random unit vectors, (3, *shape) each, the second at right angles to the first."""
+    view, aside, up = (random.normal(size=(3, *shape)) for _ in range(3))
+    view, up = (a / np.sqrt((a**2).sum(axis=0)) for a in (view, up))
+    aside -= (aside * view).sum(axis=0) * view
+    return view, aside / np.sqrt((aside**2).sum(axis=0)), up
+
+
+def by_squaring(base, whole):
+    """Return base^whole by repeated squaring, as the renderer raises a whole shininess."""
+    result, square = np.ones_like(base), base.copy()
+    while whole:
+        if whole & 1:
+            result = result * square
+        whole >>= 1
+        if whole:
+            square = square * square
+    return result
+
+
+def any_shininess(values=91, samples=24, seed=8):
+    """base^p against p from 10⁻³ to 10⁶, for bases within 8/p of 1, whole p by repeated squaring.
+
+    Reason of the bound: each of p multiplications rounds by at most 2⁻⁵³ of the result, so base^p is off by p 2⁻⁵³
+    base^p, and an inherited error δ of the base by p base^(p−1) δ; δ = 2⁻⁵³ here: p is what a highlight costs.
+    """
+    random = np.random.default_rng(seed)
+    powers = np.geomspace(1e-3, 1e6, values)
+    powers[::2] = np.maximum(1, np.rint(powers[::2]))
+    base = 1 - random.uniform(0, 1, (values, samples)) * np.minimum(1, 8 / powers)[:, None]
+    inputs = {"specular_base": base, "shininess": powers[:, None]}
+    ours, truth = with_bounds(highlight, inputs)[specular.name], in_balls(highlight, inputs)[specular.name]
+    whole = powers == np.rint(powers)
+    raised = ours.value.copy()
+    raised[whole] = [by_squaring(b, int(p)) for b, p in zip(base[whole], powers[whole], strict=True)]
+    bound = ours.bound + (powers[:, None] + 1) * 2.0**-53 * ours.value * (1 + 1e-9)
+    return Sweep(powers, distance(raised, truth), bound)

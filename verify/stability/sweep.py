@@ -1,0 +1,50 @@
+"""A stress sweep: one parameter, some samples at each value; what was measured, and the bound of every single point."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """errors, bounds: (values, samples). others: {name: errors}, for comparison, without a bound.
+
+    A NaN error is a point without a reference: 53 bits do not decide there on which side of a jump it lies.
+    """
+
+    parameter: np.ndarray
+    errors: np.ndarray
+    bounds: np.ndarray
+    others: dict = field(default_factory=dict)
+
+    @property
+    def points(self):
+        """How many points have a reference."""
+        return int(np.count_nonzero(~np.isnan(self.errors)))
+
+    @property
+    def undecided(self):
+        """How many have none."""
+        return int(np.isnan(self.errors).sum())
+
+    @property
+    def escaped(self):
+        """How many errors are above their bound, or their bound is not finite."""
+        known = ~np.isnan(self.errors)
+        return int(np.count_nonzero(known & ~(self.errors <= self.bounds)) + np.isinf(self.bounds[known]).sum())
+
+    @property
+    def sharpness(self):
+        """The median of bound / error, where there is an error."""
+        seen = self.errors > 0
+        return float(np.median(self.bounds[seen] / self.errors[seen]))
+
+    def worst(self, name=None):
+        """Return the largest error at each value: ours, or that of one of the others; NaN where none is finite."""
+        errors = self.errors if name is None else self.others[name]
+        finite = np.where(np.isfinite(errors), errors, -1.0).max(axis=1)
+        return np.where(finite < 0, np.nan, finite)
+
+    def worst_bound(self):
+        """Return the largest bound at each value."""
+        return np.where(np.isnan(self.errors), 0.0, self.bounds).max(axis=1)

@@ -1,0 +1,91 @@
+"""One picture from two scenes: mirrored, turned by a quarter, with its lights in another order.
+
+The raster is centred 3/20 of its half-height below the axis. Where its height is a multiple of 20 the rows above and
+below the axis are mirror images, and with an even width the columns and rows make one square grid about it.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from renderer import Light, Scene, render
+
+ON_A_CREASE = 1e-12  # a crease factor that rounding can turn to either side
+SIZE = 120  # a multiple of 20, and even
+_BELOW = 3 * SIZE // 20  # rows r and SIZE − 1 − _BELOW − r are mirror images
+
+
+def moved(scene, move):
+    """Return the scene with every position (x, y) replaced by move(x, y)."""
+
+    def at(position):
+        return (*move(position[0], position[1]), position[2])
+
+    lights = tuple(Light(at(light.position), light.color) for light in scene.lights)
+    return replace(scene, ball_center=at(scene.ball_center), lights=lights)
+
+
+def about_the_axis(frame):
+    """Return the largest square part of a frame about the axis: (rgb, surface, whether the pixel is on a crease)."""
+    rows = SIZE - _BELOW
+    square = (slice(rows), slice((SIZE - rows) // 2, (SIZE + rows) // 2))
+    data, scene = frame.surface_data, frame.scene
+    factors = [np.abs(np.sin(np.pi * k * data[name])) for k, name in ((scene.ku, "u"), (scene.kv, "v"))]
+    creased = (np.minimum(*factors) < ON_A_CREASE) & (scene.field == "ridges")
+    return frame.rgb[square], (frame.chambers & 3)[square], creased[square]
+
+
+def mirrored_in_x(scene):
+    """Return (the scene x ↔ −x, how its picture becomes the first one's)."""
+    return moved(scene, lambda x, y: (-x, y)), lambda image: image[:, ::-1]
+
+
+def mirrored_in_y(scene):
+    """Return (the scene y ↔ −y, how its picture becomes the first one's)."""
+    return moved(scene, lambda x, y: (x, -y)), lambda image: image[::-1]
+
+
+def turned(scene):
+    """Return (the scene turned by a quarter about the axis, how its picture becomes the first one's)."""
+    return moved(scene, lambda x, y: (-y, x)), lambda image: np.rot90(image, -1)
+
+
+MOVES = {"mirrored in x": mirrored_in_x, "mirrored in y": mirrored_in_y, "turned by a quarter": turned}
+
+# What has the symmetry: ridges is even about every crease; with k_u a multiple of 4 a quarter turn takes creases to
+# creases. Rings does not depend on u. The floor's squares change colour under all three, so there is no floor.
+SCENES = {
+    "ridges": Scene(floor=False),
+    "ridges, Phong": Scene(floor=False, model="phong", shininess=5.0),
+    "ridges, k_u = 12, k_v = 7": Scene(floor=False, ku=12.0, kv=7.0),
+    "rings": Scene(floor=False, field="rings"),
+}
+
+
+def difference(scene, move, gradient=None):
+    """Return (largest |ΔI|, pixels on a crease, pixels whose surface differs) after moving the picture back.
+
+    On a crease 53 bits do not decide the side, and the two pictures may take different ones: such pixels are counted
+    apart, and pixels whose surface differs too.
+    """
+    other, back = MOVES[move](scene)
+    (one, surface, creased), (two, others, _) = (
+        about_the_axis(render(s, SIZE, SIZE, gradient)) for s in (scene, other)
+    )
+    same = surface == back(others)
+    return float(np.abs(one - back(two))[same & ~creased].max()), int(creased.sum()), int((~same).sum())
+
+
+def permuted_lights(scene):
+    """Return the largest |ΔI| over every order of the scene's lights."""
+    first, worst = render(scene, SIZE, SIZE).rgb, 0.0
+    for start in range(1, len(scene.lights)):
+        order = scene.lights[start:] + scene.lights[:start]
+        for lights in (order, order[::-1]):
+            worst = max(worst, float(np.abs(render(replace(scene, lights=lights), SIZE, SIZE).rgb - first).max()))
+    return worst
+
+
+FIVE_LIGHTS = Scene(
+    lights=tuple(Light((6 * np.cos(n), 6 * np.sin(n), 4.0 + n), (0.9, 0.3 + n / 8, 0.5)) for n in range(5))
+)

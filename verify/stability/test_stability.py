@@ -1,0 +1,91 @@
+"""Every stress sweep stays under its bounds, and the bounds say something."""
+
+import numpy as np
+import pytest
+
+from proofs.bump import g
+from verify.stability import symmetry
+from verify.stability.geometry import VECTOR
+from verify.stability.measure import in_float64
+from verify.stability.pipelines import tangent_vector
+from verify.stability.rows import SWEEPS, sweep
+from verify.stability.running import U
+from verify.stability.sweep import Sweep
+
+UNIT = 8 * U
+
+
+@pytest.mark.parametrize("name", SWEEPS)
+def test_no_point_escapes_its_bound(name):
+    seen = sweep(name)
+    assert seen.escaped == 0
+    assert seen.undecided <= seen.points // 100
+    assert seen.points > 500
+
+
+@pytest.mark.parametrize("name", SWEEPS)
+def test_the_bounds_are_of_the_errors_size(name):
+    """Rounding errors add up like a random walk, bounds like a sum: some tens lie between them, not thousands."""
+    assert 1 < sweep(name).sharpness < 100
+
+
+@pytest.mark.parametrize("name", ["pole", "near_to_far", "wave_numbers"])
+def test_the_seeds_form_escapes(name):
+    """The check can fail: other formulas for the same numbers do not pass it."""
+    ours = sweep(name)
+    for errors in ours.others.values():
+        assert Sweep(ours.parameter, errors, ours.bounds).escaped > 100
+
+
+def test_toward_the_pole_nothing_is_lost():
+    ours = sweep("pole")
+    assert ours.worst().max() <= np.pi * 8 * 9 * UNIT  # 8(1 + k) 2⁻⁵³ of π k, k = 8
+    assert np.nanmax(ours.worst("seed")) > 1e-3
+    assert np.nanmax(ours.worst("seed with fallback")) > 20
+
+
+@pytest.mark.parametrize("form", ["general", "algebraic"])
+@pytest.mark.parametrize(("x", "y"), [(0.0, 0.0), (-0.0, 0.0), (3.9e-150, 0.0), (-2e-150, 2e-150), (0.0, -5e-324)])
+def test_the_pole_itself_has_no_bump(form, x, y):
+    """Below 10⁻¹⁵⁰ of the eye's height it is the pole: the frame is zero, so g is, and N' = N."""
+    program = tangent_vector("sine", form)
+    values = in_float64(program, {"x": x, "y": y, "eye": 4.0, "radius": 1.0, "k_u": 8.0, "k_v": 4.0})
+    assert [abs(float(values[n])) for n in VECTOR] == [0.0] * len(g)
+
+
+@pytest.mark.parametrize("field", ["", "_ridges", "_rings"])
+def test_the_gradient_does_not_feel_the_wave_number(field):
+    """|error| ≤ 8 · 2⁻⁵³ π max(1, |k|) up to 2²⁰; with a rounded product it is a million times that."""
+    ours = sweep("wave_numbers" + field)
+    assert ours.worst().max() <= UNIT
+    assert np.nanmax(ours.worst("libm, rounded argument")) > 1e5 * UNIT
+
+
+def test_the_silhouette_costs_a_square_root():
+    """|ΔN| √s is bounded by a few roundings: half of the digits at s = 2⁻⁵³, none in the middle."""
+    ours = sweep("silhouette")
+    assert (ours.worst() * np.sqrt(ours.parameter)).max() <= UNIT
+
+
+def test_the_bump_never_costs_a_digit():
+    assert sweep("amplitude").worst().max() <= UNIT
+
+
+@pytest.mark.parametrize("name", symmetry.SCENES)
+@pytest.mark.parametrize("move", symmetry.MOVES)
+def test_symmetric_scenes_have_one_picture(name, move):
+    """Each picture is within 5·10⁻¹⁴ of the exact one, so that two of them are within 10⁻¹³ of each other."""
+    largest, creased, flips = symmetry.difference(symmetry.SCENES[name], move)
+    assert largest <= 1e-13
+    assert flips == 0
+    assert creased <= 121
+
+
+def test_what_has_no_symmetry_is_seen():
+    odd = symmetry.replace(symmetry.SCENES["ridges"], ku=7.0)
+    assert symmetry.difference(odd, "mirrored in x")[0] > 1e-2
+
+
+def test_the_order_of_the_lights_rounds_and_does_no_more():
+    """Five terms that are not negative, each added with one rounding of a sum below 4: 5 · 4 · 2⁻⁵³."""
+    assert symmetry.permuted_lights(symmetry.FIVE_LIGHTS) <= 20 * U

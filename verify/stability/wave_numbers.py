@@ -1,0 +1,66 @@
+"""Wave numbers: small, large to 2²⁰, negative, zero, not whole; the gradient as a function of float64 (u, v)."""
+
+import numpy as np
+
+from proofs.half_turns import ordinary
+from proofs.height_fields import HEIGHT_FIELDS, gradient
+from proofs.program import Program
+from proofs.symbols import k_u, k_v, real, u, v
+from verify.stability.measure import distance, in_balls, in_float64, with_bounds
+from verify.stability.sweep import Sweep
+
+LARGEST = 2.0**20
+LEAST = 1e-150  # the chart's smallest v off the pole; far below it the product of two sines underflows
+of_u, of_v = real("argument_of_u argument_of_v")
+
+
+def with_rounded_argument(field, reduced):
+    """Return the gradient with the product k·u rounded first: reduced in half-turns after that, or given to libm."""
+    program = gradient(HEIGHT_FIELDS[field])
+    swap = {k_u * u: of_u, k_v * v: of_v}
+    lines = [(s, e.xreplace(swap)) if reduced else (s, ordinary(e)) for s, e in program.definitions]
+    arguments = ((of_u, k_u * u), (of_v, k_v * v)) if reduced else ()
+    name = "rounded" if reduced else "naive"
+    return Program(name, program.inputs, (*arguments, *lines), program.outputs)
+
+
+def wave_numbers(values, random):
+    """Return k: powers between 10⁻³ and 2²⁰, every third a whole number, every second of either kind negative."""
+    k = np.geomspace(1e-3, LARGEST, values)
+    k[::3] = np.maximum(1, np.rint(k[::3]))
+    return np.where(random.random(values) < 0.5, -k, k)
+
+
+def points_of_the_chart(k, samples, random):
+    """Return (u, v): half at random, half next to a crease m/k, where a rounded product is worst."""
+    u_at, v_at = random.uniform(0, 1, (2, len(k), samples))
+    half = samples // 2
+    for at in (u_at, v_at):
+        nearest = np.rint(at[:, :half] * k[:, None]) / k[:, None]
+        at[:, :half] = np.clip(np.nextafter(nearest, at[:, :half]), LEAST, np.nextafter(1, 0))
+    return u_at, v_at
+
+
+def large_wave_numbers(field="sine", values=73, samples=24, seed=4):
+    """The error of (h_u, h_v) over π max(1, |k|) against |k|.
+
+    Reason of the bound: the product k·u is exact as a pair, the reduction is exact, so what is left is the error of
+    two factors and of two products, each a few roundings of a number below π|k|: independent of k.
+    """
+    random = np.random.default_rng(seed)
+    k = wave_numbers(values, random)
+    u_at, v_at = points_of_the_chart(k, samples, random)
+    inputs = {"u": u_at, "v": v_at, "k_u": k[:, None], "k_v": k[:, None]}
+    program = gradient(HEIGHT_FIELDS[field])
+    truth, ours = in_balls(program, inputs), with_bounds(program, inputs)
+    scale = np.pi * np.maximum(1, np.abs(k))[:, None]
+
+    def error(values):
+        return np.maximum(*(distance(values[n], truth[n]) for n in ("h_u", "h_v"))) / scale
+
+    others = {
+        "libm, rounded argument": error(in_float64(with_rounded_argument(field, False), inputs, "libm")),
+        "reduced, rounded product": error(in_float64(with_rounded_argument(field, True), inputs)),
+    }
+    bound = np.maximum(ours["h_u"].bound, ours["h_v"].bound) / scale
+    return Sweep(np.abs(k), error({n: ours[n].value for n in ours}), bound, others)
