@@ -58,22 +58,20 @@ def strict_chambers(scene, width, height):
 
 
 def random_scene(rng):
-    """Return a random accepted scene and a raster's (width, height), odd sides included: spheres that touch, contain and
-    hide each other, and lie behind the eye; lights above, beside and below; a floor or none.
+    """Return (a random accepted scene, width, height): spheres that touch, contain and hide each other or lie behind
+    the eye; lights above, beside and below; with and without B and the floor; odd sides too.
     """
     while True:
         eye = float(rng.choice([1.2, 2.0, 4.0, 50.0]))
-        low = lambda *shape: rng.uniform(-1.5, 1.5, *shape)  # noqa: E731
-        lights = [Light(tuple(rng.uniform(-8, 8, 3))) for _ in range(2)]
         try:
             scene = Scene(
                 eye=eye,
                 ball=bool(rng.random() < 0.9),
                 floor=bool(rng.random() < 0.8),
-                ball_center=(*low(2), float(rng.uniform(-1.5, eye + 1.5))),
-                ball_radius=float(rng.choice([0.05, 0.32, 0.9, 2.0])),
-                lights=lights,
+                ball_center=(*rng.uniform(-1.5, 1.5, 2), rng.uniform(-1.5, eye + 1.5)),
+                ball_radius=rng.choice([0.05, 0.32, 0.9, 2.0]),
+                lights=[Light(rng.uniform(-8, 8, 3)) for _ in range(2)],
             )
-        except ValueError:
+        except ValueError:  # B around the eye, a light inside a sphere
             continue
         return scene, int(rng.integers(1, 40)), int(rng.integers(1, 30))

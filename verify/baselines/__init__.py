@@ -1,1 +1,1 @@
-"""Renderers to be faster than: the chapter's method as loops in Python, and as NumPy arrays. No kernel of ours is in them."""
+"""Renderers to compare with: the chapter's method as loops in Python, and as NumPy arrays. None uses our kernels."""

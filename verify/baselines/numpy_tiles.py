@@ -83,20 +83,19 @@ def numpy_tiles(scene, wide, high, threads=1):
     planes, surfaces = np.empty((3, high, wide)), np.empty((high, wide), np.uint8)
     columns = np.arange(wide, dtype=np.float64)
 
+    @np.errstate(all="ignore")  # a thread starts with NumPy's own settings
     def tile(top):
         rows = np.arange(top, min(high, top + step), dtype=np.float64)[:, None]
         at_x, at_y = np.broadcast_arrays(*call(point, half=half, column=columns, row=rows))
-        here = surfaces[top : top + step]
+        band, here = planes[:, top : top + step], surfaces[top : top + step]
         here[:] = call(visible, x=at_x, y=at_y)
         for number, shade in shades.items():
             seen = here == number
             if seen.any():
-                for plane, channel in zip(
-                    planes[:, top : top + step], call(shade, x=at_x[seen], y=at_y[seen]), strict=True
-                ):
+                for plane, channel in zip(band, call(shade, x=at_x[seen], y=at_y[seen]), strict=True):
                     plane[seen] = channel
 
     step = max(1, TILE_PIXELS // wide)
-    with np.errstate(all="ignore"), ThreadPoolExecutor(threads) as pool:
+    with ThreadPoolExecutor(threads) as pool:
         list(pool.map(tile, range(0, high, step)))
     return np.moveaxis(planes, 0, -1), surfaces

@@ -39,7 +39,7 @@ def exact_gradient(scene, u, v, eps=None):
 
 
 def bumped(scene, normal, gradient, eps):
-    """Return the normal of sphere A, perturbed: the chart point, the gradient there, the frame, and N + βg at length 1."""
+    """Return the perturbed normal of sphere A: chart point, gradient, frame, and N + βg at length 1."""
     n_x, n_y, n_z = normal
     u = (math.atan2(n_y, n_x) + math.pi) / (2 * math.pi)
     v = math.acos(min(1.0, max(-1.0, n_z))) / math.pi

@@ -56,7 +56,7 @@ def frame_case(name, side, threads):
 
 
 def stepping(scene, frames, threads):
-    """Return a `prepare` whose function draws the next of `frames`, (scene, method) in turn, with the chambers given."""
+    """Return a `prepare` whose function draws the next of `frames`, (scene, method), with the chambers given."""
 
     def prepare():
         stage, following = stage_of(scene, STEP, STEP, threads=threads), itertools.cycle(frames)

@@ -11,7 +11,7 @@ def ratio(times, name, above, below):
 
 
 def exponent(times, threads):
-    """Return {exponent_threads: p} of the least-squares fit time ∝ pixels^p through the fitted sizes, if all were timed."""
+    """Return {exponent_threads: p} of the fit time ∝ pixels^p through the fitted sizes; empty unless all were timed."""
     names = [f"algebraic_{side}_{threads}" for side in FITTED]
     if not times.keys() >= set(names):
         return {}

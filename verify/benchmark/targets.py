@@ -48,7 +48,7 @@ TARGETS = (
     Target("image_error", "image against the strict scalar reference, largest difference", 1e-13, form="{:.1e}"),
     Target("start_cold_s", "python -m renderer image, cold cache", 4, form=SECONDS),
     Target("start_warm_s", "python -m renderer image, warm cache", 0.9, form=SECONDS),
-    Target("sympy_imported", "times that SymPy is imported for it", 0, 0, "{:d}"),
+    Target("sympy_imported", "times that SymPy is imported for it", 0, 0, "{:g}"),
 )
 
 

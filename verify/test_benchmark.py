@@ -1,0 +1,148 @@
+"""The benchmark's machinery: turns, medians, the table's verdicts, the results' shape. No time is asserted."""
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+
+from renderer import exact
+from verify.benchmark import __main__ as benchmark
+from verify.benchmark import gradients
+from verify.benchmark.frames import FITTED, frame_cases, step_cases
+from verify.benchmark.numbers import frame_numbers
+from verify.benchmark.plan import Case, in_turns, medians
+from verify.benchmark.targets import TARGETS, Target, table, verdicts
+
+RESULTS = Path(benchmark.RESULTS)
+
+
+def good_numbers():
+    """Return numbers that meet every target, each on its bound."""
+    return {t.key: t.high if math.isfinite(t.high) else t.low for t in TARGETS}
+
+
+def a_case(name, visits):
+    return Case(name, lambda: None, visits=visits)
+
+
+def test_cases_take_turns_forwards_and_backwards():
+    visits = in_turns([a_case("a", 3), a_case("b", 2), a_case("c", 1)])
+    assert [f"{case.name}{number}" for case, number in visits] == ["a0", "b0", "c0", "b1", "a1", "a2"]
+    assert in_turns([]) == []
+
+
+def test_a_case_is_prepared_once():
+    made = []
+    case = Case("a", lambda: made.append(1) or len)
+    assert case.work is case.work is len
+    assert made == [1]
+
+
+def test_the_median_is_over_all_visits():
+    visits = [{"extra_info": {"case": n}, "stats": {"data": d}} for n, d in (("a", [1, 9]), ("b", [5]), ("a", [2]))]
+    assert medians({"benchmarks": visits}) == {"a": 2, "b": 5}
+
+
+@pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.key)
+def test_a_false_number_is_not_met(target):
+    good = good_numbers()
+    assert target.verdict(good)[1] == "met"
+    for false in (target.high + 1, target.low - 1, math.nan):
+        if false in (math.inf, -math.inf):
+            continue
+        assert target.verdict(good | {target.key: false})[1] == "not met"
+        assert verdicts(good | {target.key: false})[f"{target.key}_verdict"] == "not met"
+    assert target.verdict({})[1] == "not measured"
+
+
+def test_the_table_says_what_is_not_met():
+    good, target = good_numbers(), TARGETS[0]
+    assert "not met" not in table(good)
+    lines = table(good | {target.key: 2 * target.high}).splitlines()
+    assert [line.endswith("not met") for line in lines] == [False, True] + [False] * (len(TARGETS) - 1)
+    assert all(text in lines[1] for text in (target.what, "≤ 9 ms", "18 ms"))
+    assert table({}).count("not measured") == len(TARGETS)
+
+
+@pytest.mark.parametrize(
+    ("target", "text"),
+    [
+        (Target("k", "w", high=2, form="{} ms"), "≤ 2 ms"),
+        (Target("k", "w", low=3), "≥ 3"),
+        (Target("k", "w", 1.05, 0.95, "{:.2f}"), "0.95 to 1.05"),
+        (Target("k", "w", 0, 0), "0"),
+    ],
+)
+def test_a_target_in_words(target, text):
+    assert target.text == text
+
+
+def test_numbers_follow_from_medians():
+    times = {f"algebraic_{side}_2": 1e-8 * side**2 for side in FITTED}
+    times |= {"numpy_1024_2": 0.2, "seed_exact_256_1": 4.0, "start_cold": 3.0}
+    numbers = frame_numbers(times)
+    assert numbers["exponent_2"] == pytest.approx(1)
+    assert numbers["algebraic_1024_2_ms"] == pytest.approx(10.48576)
+    assert numbers["numpy_to_algebraic_1024"] == pytest.approx(0.2 / 0.01048576)
+    assert numbers["seed_to_algebraic_256"] == pytest.approx(4 / 0.00065536)
+    assert numbers["start_cold_s"] == 3.0
+    assert "exponent_1" not in numbers
+
+
+def test_every_target_is_measured_by_a_case():
+    times = dict.fromkeys((case.name for case in (*frame_cases(8192), *step_cases(), *benchmark.start.CASES)), 1.0)
+    counted = {"image_gradient_ns", "chambers_differing", "image_error", "sympy_imported"}
+    assert {target.key for target in TARGETS} <= frame_numbers(times).keys() | counted
+
+
+def test_the_gradients_agree_with_the_reference():
+    functions, absent = gradients.available()
+    assert functions.keys() | set(absent) == gradients.OURS.keys() | gradients.LIBRARIES.keys()
+    bounds = {"forward": 1e-5, "central": 1e-7, "central4": 1e-8, "scipy_differentiate": 1e-8, "numdifftools": 1e-8}
+    for name, function in functions.items():
+        assert gradients.largest_error(function) < bounds.get(name, 2e-13), name
+    assert gradients.largest_error(lambda u, v: gradients.ours(exact())(u, 0.999 * v)) > 1e-3
+
+
+def test_a_library_that_is_not_installed_is_left_out(monkeypatch):
+    def absent():
+        import a_module_that_is_not_installed  # noqa: F401
+
+    monkeypatch.setitem(gradients.LIBRARIES, "absent", absent)
+    functions, missing = gradients.available()
+    assert "absent" in missing and "absent" not in functions and "exact" in functions
+
+
+@pytest.mark.parametrize("part", benchmark.PARTS)
+def test_the_kept_results_have_their_shape(part):
+    result = json.loads((RESULTS / f"{part}.json").read_text(encoding="utf-8"))
+    assert result.keys() == {"label", "numbers"}
+    assert result["label"].keys() == {"machine", "date", "commit"} and all(result["label"].values())
+    assert all(isinstance(value, int | float | str) for value in result["numbers"].values())
+    assert all(value > 0 for key, value in result["numbers"].items() if key.endswith(("_ms", "_ns", "_s")))
+
+
+def test_the_kept_frames_carry_true_verdicts():
+    numbers = json.loads((RESULTS / "frames.json").read_text(encoding="utf-8"))["numbers"]
+    assert verdicts(numbers).items() <= numbers.items()
+    assert "not measured" not in verdicts(numbers).values()
+
+
+def test_a_small_run_writes_what_it_measured(tmp_path, capsys):
+    benchmark.main(["--quick", "--only", "algebraic_64", "--output", str(tmp_path)])
+    result = json.loads((tmp_path / "frames.json").read_text(encoding="utf-8"))
+    assert {"algebraic_64_1_ms", "algebraic_64_2_ms"} <= result["numbers"].keys()
+    assert not (tmp_path / "gradients.json").exists()
+    assert "not measured" in capsys.readouterr().out
+
+
+def test_an_unknown_case_is_refused(capsys):
+    with pytest.raises(SystemExit, match="2"):
+        benchmark.main(["--only", "nothing_of_that_name"])
+    assert "nothing_of_that_name" in capsys.readouterr().err
+
+
+def test_a_case_that_fails_stops_the_run():
+    with pytest.raises(SystemExit, match="ZeroDivisionError"):
+        benchmark.run([Case("broken", lambda: lambda: 1 / 0)], "broken")
