@@ -19,12 +19,12 @@ from renderer.threads import available_cores
 from verify.benchmark import agreement, gradients, image_gradient, start
 from verify.benchmark.frames import frame_cases, step_cases
 from verify.benchmark.numbers import frame_numbers
-from verify.benchmark.plan import Case, run
+from verify.benchmark.plan import ROUNDS, Case, run
 from verify.benchmark.targets import table, verdicts
 
 RESULTS = Path(__file__).parent / "results"
 SCENES = 10**4
-QUICK_SIDE, QUICK_VISITS, QUICK_SCENES = 1024, 1, 100
+QUICK_SIDE, QUICK_SCENES = 1024, 100
 
 
 def label(report, *packages):
@@ -40,9 +40,9 @@ def label(report, *packages):
     }
 
 
-def selected(cases, only, quick):
-    """Return the cases whose name contains `only`, with one visit each when it has to be quick."""
-    return [Case(c.name, c.prepare, c.repeats, QUICK_VISITS if quick else c.visits) for c in cases if only in c.name]
+def selected(cases, only, rounds):
+    """Return the cases whose name contains `only`, with at most that many visits."""
+    return [Case(c.name, c.prepare, c.repeats, min(rounds, c.visits)) for c in cases if only in c.name]
 
 
 @contextlib.contextmanager
@@ -59,10 +59,10 @@ def one_core():
         os.sched_setaffinity(0, cores)
 
 
-def measure_frames(only, quick):
+def measure_frames(only, rounds, quick):
     """Return (label, numbers) of whole frames; None if no case has that name."""
     cases = [*frame_cases(QUICK_SIDE if quick else 2**24), *step_cases(), image_gradient.CASE, *start.CASES]
-    if not (cases := selected(cases, only, quick)):
+    if not (cases := selected(cases, only, rounds)):
         return None
     times, report = run(cases, "frames")
     numbers = frame_numbers(times)
@@ -75,11 +75,11 @@ def measure_frames(only, quick):
     return label(report, "numpy", "numba"), numbers | verdicts(numbers)
 
 
-def measure_gradients(only, quick):
-    """Return (label, numbers) of the gradient alone; None if no case has that name."""
+def measure_gradients(only, rounds, quick):
+    """Return (label, numbers) of the gradient alone; None if no case has that name. It is quick anyway."""
     with one_core():
         functions, absent = gradients.available()
-        cases = selected([gradients.gradient_case(*item) for item in functions.items()], only, quick)
+        cases = selected([gradients.gradient_case(*item) for item in functions.items()], only, rounds)
         if not cases:
             return None
         times, report = run(cases, "gradients")
@@ -116,14 +116,18 @@ def main(arguments=None):
     """Measure, print, and write whole parts."""
     parser = argparse.ArgumentParser(prog="python -m verify.benchmark", description=__doc__)
     parser.add_argument("--quick", action="store_true", help="one round, sides up to 1024; writes nothing by itself")
+    parser.add_argument("--rounds", type=int, default=ROUNDS, metavar="N", help=f"at most N rounds (default: {ROUNDS})")
     parser.add_argument(
         "--only", default="", metavar="NAME", help="frames, gradients, or cases whose name contains NAME"
     )
     parser.add_argument("--output", type=Path, metavar="FOLDER", help="write the results there, whatever was measured")
     options = parser.parse_args(arguments)
+    if options.rounds < 1:
+        parser.error(f"--rounds {options.rounds} is not allowed: at least 1")
+    rounds = 1 if options.quick else options.rounds
     parts = [options.only] if options.only in PARTS else list(PARTS)
     only = "" if options.only in PARTS else options.only
-    found = {part: result for part in parts if (result := PARTS[part](only, options.quick))}
+    found = {part: result for part in parts if (result := PARTS[part](only, rounds, options.quick))}
     if not found:
         parser.error(f"--only {options.only}: no case has that in its name")
     folder = options.output or (None if only or options.quick else RESULTS)
