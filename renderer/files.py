@@ -1,5 +1,6 @@
 """Files that appear whole or not at all: written beside their place under another name, then renamed."""
 
+import csv
 import os
 import tempfile
 from contextlib import contextmanager
@@ -67,3 +68,11 @@ def write_npz(path, frame):
     """Write every buffer of a frame: rgb, chambers, and A's surface data (NaN off A)."""
     with whole_file(path) as name:
         np.savez_compressed(name, rgb=frame.rgb, chambers=frame.chambers, **frame.surface_data)
+
+
+def write_csv(path, names, records):
+    """Write dicts as a table with its column names."""
+    with whole_file(path) as name, open(name, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, names)
+        writer.writeheader()
+        writer.writerows(records)

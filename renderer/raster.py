@@ -1,6 +1,7 @@
 """The raster: its size, the part of it that is drawn, and the image point of every pixel."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -27,6 +28,7 @@ class Raster:
     width: int
     height: int
     crop: tuple | None = None
+    most_drawn: ClassVar[int] = MAX_DRAWN
 
     def __post_init__(self):
         width = _check_size("width", self.width, MAX_SIDE)
@@ -35,8 +37,8 @@ class Raster:
         object.__setattr__(self, "height", height)
         object.__setattr__(self, "crop", self._checked_crop(width, height))
         drawn = self.crop[2] * self.crop[3]
-        if drawn > MAX_DRAWN:
-            raise ValueError(f"width * height = {drawn} is not allowed: at most {MAX_DRAWN} drawn pixels")
+        if drawn > self.most_drawn:
+            raise ValueError(f"width * height = {drawn} is not allowed: at most {self.most_drawn} drawn pixels")
 
     def _checked_crop(self, width, height):
         if self.crop is None:

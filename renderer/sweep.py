@@ -1,11 +1,10 @@
 """The ε-table: how far the difference pipeline's picture is from the exact one, step by step."""
 
-import csv
 from dataclasses import asdict, dataclass, fields
 
 import numpy as np
 
-from renderer.files import whole_file
+from renderer import files
 from renderer.methods import GradientMethod, exact
 from renderer.render import render, stage_of
 
@@ -34,6 +33,14 @@ def rms(values):
     return float(np.sqrt(np.mean(np.square(values)))) if values.size else 0.0
 
 
+def compare(frame, reference):
+    """Return the SweepRow of a difference's frame against the exact one, `reference`, of the same raster."""
+    delta = difference_on_a(frame, reference)
+    flips = int(np.count_nonzero(frame.chambers != reference.chambers))
+    largest = float(np.abs(delta).max()) if delta.size else 0.0
+    return SweepRow(frame.method.eps, largest, rms(delta), flips, int(frame.straddling.sum()))
+
+
 def sweep(scene, width, height, steps=DECADES, method="central", threads=None, progress=iter):
     """Return a SweepRow for every ε in `steps`: `method` against the exact gradient.
 
@@ -45,19 +52,13 @@ def sweep(scene, width, height, steps=DECADES, method="central", threads=None, p
     for eps in progress(tuple(steps)):
         own = stage_of(scene, width, height, threads=threads)
         frame = render(scene, width, height, GradientMethod(method, eps), threads=threads, stage=own)
-        delta = difference_on_a(frame, reference)
-        flips = int(np.count_nonzero(frame.chambers != reference.chambers))
-        largest = float(np.abs(delta).max()) if delta.size else 0.0
-        rows.append(SweepRow(float(eps), largest, rms(delta), flips, int(frame.straddling.sum())))
+        rows.append(compare(frame, reference))
     return rows
 
 
 def write_csv(path, rows):
     """Write the table with its column names."""
-    with whole_file(path) as name, open(name, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, [f.name for f in fields(SweepRow)])
-        writer.writeheader()
-        writer.writerows(asdict(row) for row in rows)
+    files.write_csv(path, [f.name for f in fields(SweepRow)], [asdict(row) for row in rows])
 
 
 def table(rows):

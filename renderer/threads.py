@@ -31,12 +31,15 @@ def available_cores():
     return os.cpu_count() or 1
 
 
-def checked_threads(threads):
-    """Return `threads`, all cores for None, or raise ValueError unless it is a whole number from 1 to MAX_THREADS."""
+def checked_threads(threads, name="threads"):
+    """Return `threads`, all cores for None, or raise ValueError unless it is a whole number from 1 to MAX_THREADS.
+
+    `name` is what the message calls it.
+    """
     if threads is None:
         return available_cores()
     if not isinstance(threads, int) or isinstance(threads, bool) or not 1 <= threads <= MAX_THREADS:
-        raise ValueError(f"threads = {threads!r} is not allowed: a whole number from 1 to {MAX_THREADS}")
+        raise ValueError(f"{name} = {threads!r} is not allowed: a whole number from 1 to {MAX_THREADS}")
     return threads
 
 

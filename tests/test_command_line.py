@@ -159,7 +159,7 @@ def test_image_refuses(options, message, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("name", "allowed"),
     [
-        ("a.jpg", "a file name that ends in .png or .npz"),
+        ("a.jpg", "a file name that ends in .png or .npz or .npy or .tif or .tiff"),
         ("no/a.png", "a file in a folder that exists"),
         ("a" * 300 + ".png", "a file that can be written (File name too long)"),
     ],
@@ -224,7 +224,7 @@ def test_too_little_memory_is_one_line(tmp_path, monkeypatch, capsys):
     def no_memory(*arguments, **options):
         raise MemoryError("Unable to allocate 6.00 GiB")
 
-    monkeypatch.setattr("renderer.command_line.render", no_memory)
+    monkeypatch.setattr("renderer.command_line.image.render", no_memory)
     assert run(*IMAGE, "--out", tmp_path / "a.png") == 2
     assert capsys.readouterr().err == "python -m renderer image: error: Unable to allocate 6.00 GiB\n"
 

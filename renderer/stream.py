@@ -1,0 +1,96 @@
+"""Pictures larger than memory: drawn block by block, each written to the file before the next is drawn."""
+
+import shutil
+
+import numpy as np
+
+from renderer import files, views
+from renderer.raster import MAX_SIDE, Raster
+from renderer.render import render
+
+STREAM_SUFFIXES = (".npy", ".tif", ".tiff")
+BLOCK_PIXELS = 2**20  # a block's planes and their copy for the file: about 60 MB
+TILE = 256
+
+
+class StreamedRaster(Raster):
+    """A raster that is drawn block by block, so that only its sides are limited."""
+
+    most_drawn = MAX_SIDE**2
+
+
+def blocks(crop, rows):
+    """Return the crops (left, top, width, height) that make up `crop`: `rows` rows each, whole if they have at most
+    BLOCK_PIXELS pixels, else cut at multiples of TILE columns; from left to right, then downwards."""
+    left, top, width, height = crop
+    wide = width if rows * width <= BLOCK_PIXELS else max(TILE, BLOCK_PIXELS // rows // TILE * TILE)
+    return [
+        (left + x, top + y, min(wide, width - x), min(rows, height - y))
+        for y in range(0, height, rows)
+        for x in range(0, width, wide)
+    ]
+
+
+def stream(scene, width, height, path, gradient=None, crop=None, threads=None, progress=iter):
+    """Draw `scene` on a raster of width × height pixels into a file, in memory that does not depend on its size.
+
+    scene, width, height, gradient, crop, threads: as for `render`, without its limit on the number of pixels.
+    path: what its suffix says. `.npy`: (height, width, 3) float64, linear light, the very numbers of `render`; open
+    it with numpy.load(path, mmap_mode="r"). `.tif`, `.tiff`: the picture for the eye, a BigTIFF of deflated tiles of
+    256 × 256 pixels, (height, width, 3) sRGB bytes, the very bytes of a PNG (viewers that page through big pictures
+    expect these; linear light belongs in the .npy). progress: wraps the list of blocks to draw.
+
+    The file appears whole or not at all. Raises ValueError on what is not allowed, OSError if the file cannot be
+    written. Returns the picture's (rows, columns).
+    """
+    path = files.checked_target(path, STREAM_SUFFIXES)
+    raster = StreamedRaster(width, height, crop)
+    write = _write_npy if path.suffix == ".npy" else _write_tiff
+
+    def frames(rows):
+        for block in progress(blocks(raster.crop, rows)):
+            yield render(scene, width, height, gradient, block, threads)
+
+    with files.whole_file(path) as name:
+        write(name, raster.shape, frames)
+    return raster.shape
+
+
+def _write_npy(name, shape, frames):
+    """Write the frames one after the other: whole rows, or pieces of one row, are in the file's own order.
+
+    Plain writes, not a memory map: its pages would count as this process's, and a full disk would be a signal.
+    """
+    rows, columns = shape
+    size, free = 24 * rows * columns, shutil.disk_usage(name).free
+    if size > free:
+        raise OSError(f"the picture takes {size / 1e9:.3g} GB, and the disk has {free / 1e9:.3g} GB left")
+    header = {"descr": "<f8", "fortran_order": False, "shape": (rows, columns, 3)}
+    with open(name, "wb") as file:
+        np.lib.format.write_array_header_1_0(file, header)
+        for frame in frames(max(1, BLOCK_PIXELS // columns)):
+            file.write(np.ascontiguousarray(frame.rgb, "<f8"))
+
+
+def _write_tiff(name, shape, frames):
+    """Write a band of tiles at a time; a tile at the right or lower edge is filled up with zeros."""
+    import tifffile
+
+    def tiles():
+        for frame in frames(TILE):
+            picture = views.image_view(frame)
+            for left in range(0, picture.shape[1], TILE):
+                tile = picture[:, left : left + TILE]
+                yield np.pad(tile, ((0, TILE - tile.shape[0]), (0, TILE - tile.shape[1]), (0, 0)))
+
+    tifffile.imwrite(
+        name,
+        tiles(),
+        shape=(*shape, 3),
+        dtype=np.uint8,
+        bigtiff=True,
+        tile=(TILE, TILE),
+        photometric="rgb",
+        compression="zlib",
+        metadata=None,
+    )

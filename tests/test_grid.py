@@ -1,0 +1,308 @@
+"""Sweeps over a grid: the same rows by any executor, what is shared, and nothing lost or repeated by a kill."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from dataclasses import fields, replace
+from pathlib import Path
+
+import numpy as np
+import psutil
+import pytest
+from distributed import Client, LocalCluster
+
+from renderer import Light, Scene, grid, render, stage_of
+from renderer.checkpoint import Checkpoint
+from renderer.command_line import main
+from renderer.methods import GradientMethod, central
+from renderer.raster import Raster
+from renderer.sweep import sweep
+
+ROOT = Path(__file__).resolve().parent.parent
+SIZE = (24, 16)
+BETAS = [0.01 * n for n in range(1, 41)]
+MANY = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3), beta=BETAS)
+LONG = grid.grid(Scene(), [(200, 200)], ["central"], (1e-2, 1e-3), beta=BETAS)  # there is time to kill it
+
+
+class Inline(Executor):
+    """An executor that computes a batch when it is given it, and remembers the tasks."""
+
+    def __init__(self):
+        self.tasks = []
+
+    def submit(self, work, batch, *arguments):
+        self.tasks += batch
+        future = Future()
+        try:
+            future.set_result(work(batch, *arguments))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+
+def expected(tasks):
+    """The rows by `sweep`, one task at a time."""
+    rows = [sweep(t.scene, t.width, t.height, (t.method.eps,), t.method.name, 1)[0] for t in tasks]
+    return dict(zip(tasks, rows, strict=True))
+
+
+@pytest.fixture(scope="module")
+def many():
+    return grid.run(MANY, Inline())
+
+
+@pytest.fixture(scope="module")
+def long():
+    return grid.run(LONG, Inline())
+
+
+def test_a_grid_has_every_combination_once():
+    lists = {"field": ["sine", "rings", "sine"], "ku": [2, 4], "kv": [3.0], "beta": [0.1, -0.1]}
+    tasks = grid.grid(Scene(), [(8, 8), (9, 7)], ["central", "forward"], (1e-2, 1e-3, 1e-2), **lists)
+    assert len(tasks) == len(set(tasks)) == 2 * (2 * 2 * 1 * 2) * 2 * 2
+    assert tasks[:2] == [
+        grid.Task(Scene(field="sine", ku=2, kv=3, beta=0.1), central(eps), 8, 8) for eps in (1e-2, 1e-3)
+    ]
+    assert tasks[-1] == grid.Task(Scene(field="rings", ku=4, kv=3, beta=-0.1), GradientMethod("forward", 1e-3), 9, 7)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"sizes": [(8, 8), (0, 8)]}, "width = 0 is not allowed"),
+        ({"methods": ["exact"]}, "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'"),
+        ({"methods": ["foo"]}, "gradient = 'foo' is not allowed"),
+        ({"steps": [0.7]}, r"eps = 0\.7 is not allowed"),
+        ({"field": ["sine", "foo"]}, "field = 'foo' is not allowed"),
+    ],
+)
+def test_what_is_refused(change, message):
+    arguments = {"scene": Scene(), "sizes": [(8, 8)], "methods": ["central"], "steps": [1e-3]}
+    with pytest.raises(ValueError, match=message):
+        grid.grid(**arguments | change)
+
+
+def test_a_task_is_a_difference():
+    with pytest.raises(ValueError, match="gradient = 'exact' is not allowed"):
+        grid.Task(Scene(), GradientMethod("exact"), 8, 8)
+
+
+def test_a_key_is_of_the_content():
+    other = {
+        "radius": 1.1, "eye": 4.5, "ball": False, "ball_center": (0.5, 0.5, 1.4), "ball_radius": 0.3, "floor": False,
+        "lights": (Light((5, 5, 10), None),), "ambient": (0.1, 0.1, 0.1), "albedo_a": (0, 0, 0), "albedo_b": (0, 0, 0),
+        "ka": 0.2, "kd": 0.6, "ks": 0.4, "shininess": 9, "model": "phong", "floor_tint": 0.5, "field": "rings",
+        "ku": 2, "kv": 2, "beta": 0.1,
+    }  # fmt: skip
+    assert set(other) == {field.name for field in fields(Scene)}
+    task = grid.Task(Scene(), central(1e-3), 8, 8)
+    tasks = [replace(task, scene=replace(Scene(), **{name: value})) for name, value in other.items()]
+    tasks += [replace(task, method=central(1e-4)), replace(task, method=GradientMethod("forward", 1e-3))]
+    tasks += [replace(task, width=9), replace(task, height=9), task]
+    assert len({each.key for each in tasks}) == len(tasks)
+    assert grid.Task(Scene(beta=0.35, ku=8), central(0.001), 8, 8).key == task.key
+
+
+def test_a_key_is_of_the_sources_too(tmp_path, monkeypatch):
+    shutil.copytree(ROOT / "renderer", tmp_path / "renderer", ignore=shutil.ignore_patterns("__pycache__"))
+    own, key = grid.version(), grid.Task(Scene(), central(1e-3), 8, 8).key
+    monkeypatch.setattr(grid, "__file__", str(tmp_path / "renderer" / "grid.py"))
+    assert grid.version.__wrapped__() == own
+    with open(tmp_path / "renderer" / "kernels.py", "a") as file:
+        file.write("\n")
+    changed = grid.version.__wrapped__()
+    assert changed != own
+    monkeypatch.setattr(grid, "version", lambda: changed)
+    assert grid.Task(Scene(), central(1e-3), 8, 8).key != key
+
+
+def test_a_batch_shares_its_chambers():
+    tasks = grid.grid(Scene(), [(8, 8), (9, 8)], ["central"], (1e-2, 1e-3), field=["sine", "rings"], beta=range(9))
+    tasks += grid.grid(Scene(ball=False), [(8, 8)], ["central"], (1e-2,), ku=range(1, 7))
+    batches = grid.batches(tasks)
+    assert sorted(map(len, batches)) == [4, 4, 6, 16, 16, 16, 16]
+    assert [task for batch in batches for task in batch] == tasks
+    for batch in batches:
+        first = batch[0]
+        stage = stage_of(first.scene, first.width, first.height)
+        assert all(stage.serves(task.scene, Raster(task.width, task.height)) for task in batch)
+
+
+def test_large_frames_have_smaller_batches():
+    tasks = grid.grid(Scene(), [(2**10, 2**10), (2**13, 2**13)], ["central"], (1e-2, 1e-3), beta=range(8))
+    assert [len(batch) for batch in grid.batches(tasks)] == [8, 8, 4, 4, 4, 4]
+
+
+def test_the_rows_are_those_of_a_sweep():
+    scene = Scene(lights=(Light((5, 5, 10)), Light((1, 1, 9), None)))
+    tasks = grid.grid(
+        scene, [SIZE, (9, 9)], ["central4", "forward"], (1e-1, 1e-4), field=["sine", "ridges"], kv=[3, 4.5]
+    )
+    rows = grid.run(tasks, Inline())
+    assert list(rows) == tasks
+    assert rows == expected(tasks)
+    assert len(set(rows.values())) == len(tasks)
+
+
+def test_a_batch_draws_the_exact_frame_once_a_scene(monkeypatch):
+    drawn, staged = [], []
+    monkeypatch.setattr(grid, "render", lambda *a, **o: drawn.append(a[3].name) or render(*a, **o))
+    monkeypatch.setattr(grid, "stage_of", lambda *a, **o: staged.append(a) or stage_of(*a, **o))
+    tasks = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3, 1e-4), beta=[0.1, 0.2])
+    grid.compare_batch(tasks, grid.version())
+    assert drawn == ["exact", *["central"] * 3] * 2
+    assert len(staged) == 1 + 2  # the batch's, and each scene's own
+
+
+def test_flips_are_counted(monkeypatch):
+    made = []
+
+    def flipping(*arguments, **options):
+        stage = stage_of(*arguments, **options)
+        stage.chambers[0, : len(made)] ^= 128
+        made.append(stage)
+        return stage
+
+    monkeypatch.setattr(grid, "stage_of", flipping)
+    tasks = grid.grid(Scene(), [SIZE], ["central"], (1e-2,), beta=[0.1, 0.2])
+    assert [row.flips for row in grid.compare_batch(tasks, grid.version())] == [1, 2]
+
+
+def test_a_worker_of_another_version_is_refused():
+    with pytest.raises(ValueError, match="a worker's renderer is not allowed"):
+        grid.compare_batch(MANY[:1], "another")
+
+
+def test_threads(many):
+    with ThreadPoolExecutor(3) as executor:
+        assert grid.run(MANY, executor) == many
+
+
+def test_what_is_kept_is_not_computed_again(many, tmp_path):
+    first, second, third = Inline(), Inline(), Inline()
+    assert grid.run(MANY[20:40], first, Checkpoint(tmp_path / "a.jsonl")) == {task: many[task] for task in MANY[20:40]}
+    assert grid.run(MANY, second, Checkpoint(tmp_path / "a.jsonl")) == many
+    assert grid.run(MANY, third, Checkpoint(tmp_path / "a.jsonl")) == many
+    assert (first.tasks, second.tasks, third.tasks) == (MANY[20:40], MANY[:20] + MANY[40:], [])
+
+
+def test_results_of_other_sources_are_computed_again(tmp_path, monkeypatch):
+    tasks = MANY[:4]
+    grid.run(tasks, Inline(), Checkpoint(tmp_path / "a.jsonl"))
+    monkeypatch.setattr(grid, "version", lambda: "changed")
+    executor = Inline()
+    grid.run([replace(task) for task in tasks], executor, Checkpoint(tmp_path / "a.jsonl"))
+    assert executor.tasks == tasks
+
+
+def test_a_failure_keeps_what_was_finished_and_cancels_the_rest(many, tmp_path, monkeypatch):
+    def failing(batch, *arguments):
+        if MANY[32] in batch:
+            raise ArithmeticError("the third batch")
+        return [many[task] for task in batch]
+
+    monkeypatch.setattr(grid, "compare_batch", failing)
+    executor, checkpoint = ThreadPoolExecutor(1), Checkpoint(tmp_path / "a.jsonl")
+    with executor, pytest.raises(ArithmeticError, match="the third batch"):
+        grid.run(MANY, executor, checkpoint)
+    assert set(checkpoint.rows) == {task.key for task in MANY[:32]}
+
+
+def test_the_table_and_the_records():
+    tasks = grid.grid(Scene(), [SIZE], ["forward"], (1e-2,), field=["sine", "rings"])
+    results = grid.run(tasks, Inline())
+    names, first, _ = grid.table(results).splitlines()
+    assert names.split()[:7] == ["field", "ku", "kv", "beta", "gradient", "raster", "eps"]
+    assert first.split()[:7] == ["sine", "8", "4", "0.35", "forward", "24x16", "1.0e-02"]
+    record = grid.records(results)[1]
+    assert tuple(record) == grid.COLUMNS
+    assert (record["field"], record["height"], record["rms"]) == ("rings", 16, results[tasks[1]].rms)
+
+
+def lines(path):
+    return path.read_bytes().splitlines() if path.exists() else []
+
+
+def alive(process):
+    try:
+        return process.status() != psutil.STATUS_ZOMBIE
+    except psutil.NoSuchProcess:
+        return False
+
+
+def test_a_sweep_that_is_killed_goes_on(long, tmp_path, capsys):
+    """A process is killed in mid-run, and its workers end; the same command computes what is missing, nothing twice."""
+    kept = tmp_path / "a.jsonl"
+    options = ["sweep", "--size", "200", "--eps", "1e-2,1e-3", "--beta", ",".join(map(str, BETAS))]
+    options += ["--checkpoint", str(kept), "--workers", "1"]
+    command = [sys.executable, "-m", "renderer", *options, "--executor", "processes"]
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL) as child:
+        deadline = time.monotonic() + 120
+        while len(lines(kept)) < 16:
+            assert child.poll() is None
+            assert time.monotonic() < deadline
+            time.sleep(0.001)
+        workers = psutil.Process(child.pid).children(recursive=True)
+        child.kill()
+    before = lines(kept)
+    assert 16 <= len(before) < len(LONG)
+    assert workers
+    while any(map(alive, workers)):
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+    assert main(options) == 0
+    assert capsys.readouterr().out == grid.table(long) + "\n"
+    after = lines(kept)
+    assert after[: len(before) - 1] == before[:-1]  # the last line may have been torn
+    keys = [json.loads(line)["key"] for line in after]
+    assert sorted(keys) == sorted(task.key for task in LONG)  # every one, and none twice
+
+
+def test_a_dask_worker_that_is_killed(long, tmp_path):
+    """A real local cluster; one of its two worker processes is killed while it has work."""
+    cluster = LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs="CRITICAL")
+    for nanny in cluster.workers.values():
+        nanny.auto_restart = False
+    with cluster, Client(cluster, set_as_default=False) as client:
+        workers = client.run(os.getpid)
+        checkpoint = Checkpoint(tmp_path / "a.jsonl")
+        finished = grid.finished(LONG, client.get_executor(), checkpoint)
+        results = [next(finished)]
+        victim = next(worker for worker, work in client.processing().items() if work)
+        os.kill(workers.pop(victim), signal.SIGKILL)
+        results += finished
+        assert client.run(os.getpid) == workers
+    assert len(results) == len(LONG)
+    assert dict(results) == long
+    assert len(lines(checkpoint.path)) == len(LONG)
+    again = Inline()
+    assert grid.run(LONG, again, Checkpoint(checkpoint.path)) == long
+    assert again.tasks == []
+
+
+def test_a_dask_cluster_from_the_command_line(many, tmp_path, capsys):
+    target = tmp_path / "a.csv"
+    command = [
+        "sweep",
+        "--width",
+        "24",
+        "--height",
+        "16",
+        "--eps",
+        "1e-2,1e-3",
+        "--beta",
+        "0.01,0.02",
+        "--csv",
+        str(target),
+    ]
+    with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster:
+        assert main([*command, "--dask", cluster.scheduler_address]) == 0
+    assert capsys.readouterr().out.startswith(grid.table({task: many[task] for task in MANY[:4]}) + "\nwrote ")
+    rms = np.genfromtxt(target, delimiter=",", names=True, dtype=None, encoding="utf-8")["rms"]
+    assert list(rms) == [many[task].rms for task in MANY[:4]]

@@ -1,0 +1,181 @@
+"""Streamed pictures: the same numbers as `render`, in bounded memory, whole or not there at all."""
+
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import tifffile
+from hypothesis import given
+from hypothesis import strategies as st
+
+from renderer import Scene, central, render, stream, views
+from renderer.raster import MAX_SIDE, Raster
+
+ROOT = Path(__file__).resolve().parent.parent
+WIDTHS = st.integers(1, 3000)
+
+
+@pytest.fixture
+def small_blocks(monkeypatch):
+    """Blocks so small that a little picture has many, and that a row of it is cut."""
+    monkeypatch.setattr(stream, "BLOCK_PIXELS", 300)
+
+
+@given(st.tuples(st.integers(0, 9), st.integers(0, 9), WIDTHS, st.integers(1, 600)), st.sampled_from([1, 7, 256]))
+def test_blocks_cover_the_crop_once_in_order(crop, rows):
+    left, top, width, height = crop
+    seen = np.zeros((height, width), int)
+    blocks = stream.blocks(crop, rows)
+    for x, y, wide, high in blocks:
+        seen[y - top : y - top + high, x - left : x - left + wide] += 1
+    assert (seen == 1).all()
+    assert blocks == sorted(blocks, key=lambda block: (block[1], block[0]))
+
+
+@pytest.mark.parametrize(
+    ("width", "rows"), [(2**24, 1), (2**24, 256), (16384, 64), (16384, 256), (1001, 1047), (2**20 + 1, 1), (1, 2**20)]
+)
+def test_blocks_are_bounded(width, rows):
+    blocks = stream.blocks((0, 0, width, 3 * rows), rows)
+    assert all(wide * high <= stream.BLOCK_PIXELS for _, _, wide, high in blocks)
+
+
+@pytest.mark.parametrize("size", [(37, 53), (701, 5), (1, 1), (300, 4)])
+def test_npy_has_the_numbers_of_render(size, small_blocks, tmp_path):
+    shape = stream.stream(Scene(), *size, tmp_path / "a.npy", central(1e-3))
+    stored = np.load(tmp_path / "a.npy", mmap_mode="r")
+    assert isinstance(stored, np.memmap)
+    assert (stored.dtype, stored.shape, shape) == (np.float64, (size[1], size[0], 3), (size[1], size[0]))
+    np.testing.assert_array_equal(stored, render(Scene(), *size, central(1e-3)).rgb)
+    assert [path.name for path in tmp_path.iterdir()] == ["a.npy"]
+
+
+@pytest.mark.parametrize(("suffix", "size"), [(".tif", (600, 300)), (".tiff", (40, 257)), (".tif", (256, 256))])
+def test_tiff_has_the_bytes_of_a_png(suffix, size, small_blocks, tmp_path):
+    path = tmp_path / f"a{suffix}"
+    stream.stream(Scene(), *size, path)
+    np.testing.assert_array_equal(tifffile.imread(path), views.image_view(render(Scene(), *size)))
+    with tifffile.TiffFile(path) as file:
+        (page,) = file.pages
+        assert file.is_bigtiff
+        assert (page.is_tiled, page.tile, page.dtype) == (True, (256, 256), np.uint8)
+        assert page.photometric == tifffile.PHOTOMETRIC.RGB
+
+
+@pytest.mark.parametrize("name", ["a.npy", "a.tif"])
+def test_a_crop(name, tmp_path):
+    crop = (2**23, 2**23 - 3, 40, 7)
+    assert stream.stream(Scene(), MAX_SIDE, MAX_SIDE, tmp_path / name, crop=crop) == (7, 40)
+    frame = render(Scene(), MAX_SIDE, MAX_SIDE, crop=crop)
+    stored = np.load(tmp_path / name) if name == "a.npy" else tifffile.imread(tmp_path / name)
+    np.testing.assert_array_equal(stored, frame.rgb if name == "a.npy" else views.image_view(frame))
+
+
+def test_only_the_sides_are_limited():
+    with pytest.raises(ValueError, match="at most 268435456 drawn pixels"):
+        Raster(2**20, 2**20)
+    assert stream.StreamedRaster(2**20, 2**20).shape == (2**20, 2**20)
+    with pytest.raises(ValueError, match=r"width = 16777217 is not allowed"):
+        stream.StreamedRaster(2**24 + 1, 1)
+
+
+def test_a_picture_larger_than_the_disk_is_refused_at_once(tmp_path):
+    with pytest.raises(OSError, match=r"the picture takes 6\.76e\+06 GB, and the disk has .* GB left"):
+        stream.stream(Scene(), MAX_SIDE, MAX_SIDE, tmp_path / "a.npy")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_progress_sees_every_block(small_blocks, tmp_path):
+    seen = []
+
+    def progress(blocks):
+        for block in blocks:
+            seen.append(block)
+            yield block
+
+    stream.stream(Scene(), 100, 10, tmp_path / "a.npy", progress=progress)
+    assert seen == [(0, 0, 100, 3), (0, 3, 100, 3), (0, 6, 100, 3), (0, 9, 100, 1)]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((Scene(), 8, 8, "a.png"), "out = 'a.png' is not allowed: a file name that ends in .npy or .tif or .tiff"),
+        ((Scene(), 0, 8, "a.npy"), "width = 0 is not allowed"),
+        ((None, 8, 8, "a.npy"), "scene = None is not allowed: a Scene"),
+        ((Scene(), 8, 8, "a.tif", "exact"), "gradient = 'exact' is not allowed"),
+        ((Scene(), 8, 8, "a.npy", None, (0, 0, 9, 9)), r"crop = \(0, 0, 9, 9\) is not allowed"),
+        ((Scene(), 8, 8, "a.npy", None, None, 0), "threads = 0 is not allowed"),
+    ],
+)
+def test_what_is_refused(arguments, message, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ValueError, match=message):
+        stream.stream(*arguments)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("interruption", [KeyboardInterrupt, OSError])
+@pytest.mark.parametrize("name", ["a.npy", "a.tif"])
+def test_an_interruption_leaves_the_old_file(name, interruption, small_blocks, tmp_path):
+    (tmp_path / name).write_bytes(b"old")
+
+    def progress(blocks):
+        yield from blocks[:2]
+        raise interruption
+
+    with pytest.raises(interruption):
+        stream.stream(Scene(), 300, 600, tmp_path / name, progress=progress)
+    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(name, b"old")]
+
+
+@pytest.mark.parametrize("name", ["a.npy", "a.tif"])
+def test_ctrl_c_in_the_middle_of_a_big_picture(name, tmp_path):
+    (tmp_path / name).write_bytes(b"old")
+    command = [sys.executable, "-m", "renderer", "image", "--size", "16384", "--out", str(tmp_path / name)]
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
+        deadline = time.monotonic() + 60
+        while not any(path.stat().st_size > 10**5 for path in tmp_path.glob(".a-*")):
+            assert child.poll() is None, child.stderr.read()
+            assert time.monotonic() < deadline
+            time.sleep(0.01)
+        child.send_signal(signal.SIGINT)
+        out, err = child.communicate(timeout=60)
+    assert (child.returncode, out, err) == (130, "", "python -m renderer image: interrupted\n")
+    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(name, b"old")]
+
+
+MEMORY = """
+import sys
+from pathlib import Path
+from renderer import Scene, render, stream
+def peak():
+    lines = Path("/proc/self/status").read_text().splitlines()
+    return next(int(line.split()[1]) for line in lines if line.startswith("VmHWM")) / 1024
+stream.BLOCK_PIXELS = 2**16
+stream.stream(Scene(), 300, 300, sys.argv[2])
+before = peak()
+if sys.argv[1] == "streamed":
+    stream.stream(Scene(), 2048, 2048, sys.argv[2])
+else:
+    render(Scene(), 2048, 2048)
+print(peak() - before)
+"""
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the peak of the resident memory is read from /proc")
+def test_memory_does_not_grow_with_the_picture(tmp_path):
+    """The peak of a child's resident memory, mapped pages included: the picture's planes alone are 96 MiB."""
+
+    def growth(how, name):
+        command = [sys.executable, "-c", MEMORY, how, str(tmp_path / name)]
+        done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+        return float(done.stdout)
+
+    assert growth("streamed", "a.npy") < 32
+    assert growth("streamed", "a.tif") < 32
+    assert growth("whole", "a.npy") > 96
