@@ -1,0 +1,54 @@
+// What is known of the pixel under the cursor, by both pipelines, and how many floats apart they are.
+"use strict";
+var Simulator = Simulator || {};
+
+Simulator.cursor = function (root, states, pipeline) {
+  const body = root.querySelector(".sim-pixel tbody"), facts = root.querySelector(".sim-facts"), line = root.querySelector(".sim-python code");
+  const view = new DataView(new ArrayBuffer(8));
+
+  // Where a float stands among all floats, counted from 0.
+  function place(number) {
+    view.setFloat64(0, number);
+    const bits = view.getBigInt64(0);
+    return bits < 0n ? -(bits & 0x7fffffffffffffffn) : bits;
+  }
+
+  function ulps(a, b) {
+    const apart = place(a) - place(b), count = apart < 0n ? -apart : apart;
+    return count < 1000000n ? `${count} ulp` : `${Number(count).toExponential(1)} ulp`;
+  }
+
+  // Both records of a pixel, as renderer.pixel gives them.
+  function records(state) {
+    const scene = pipeline.scene_of(state), raster = states.crop(state), method = { name: state.method, eps: state.eps };
+    return [method, { name: "exact" }].map((m) => pipeline.pixel(scene, m, raster, state.column, state.row));
+  }
+
+  // What both pipelines share.
+  function shared(one) {
+    const yes = (flag) => (flag ? "yes" : "no"), found = [["pixel", `${one.column}, ${one.row}`], ["surface", one.surface]];
+    if (one.u !== undefined) found.push(["kink flag", yes(one.kink)], ["straddles a crease", yes(one.straddling)]);
+    if (one.u !== undefined) for (const [name, key] of [["u", "u"], ["v", "v"], ["θ", "theta"], ["φ", "phi"], ["h", "h"]]) found.push([name, one[key]]);
+    if (one.point) ["x", "y", "z"].forEach((axis, n) => found.push([`P<sub>${axis}</sub>`, one.point[n]]));
+    return found;
+  }
+
+  // What they compute, each in its own way.
+  function compared(one, other) {
+    const found = [], both = (name, key) => found.push([name, key(one), key(other)]);
+    if (one.u !== undefined) ["u", "v"].forEach((axis, n) => both(`h<sub>${axis}</sub>`, (r) => r.gradient[n]));
+    if (one.normal) ["x", "y", "z"].forEach((axis, n) => both(`N′<sub>${axis}</sub>`, (r) => r.normal[n]));
+    ["red", "green", "blue"].forEach((name, n) => both(name, (r) => r.rgb[n]));
+    return found;
+  }
+
+  function show(state) {
+    const [one, other] = records(state);
+    facts.innerHTML = shared(one).map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`).join("");
+    body.innerHTML = compared(one, other).map(([name, a, b]) =>
+      `<tr><th scope="row">${name}</th><td>${a}</td><td>${b}</td><td>${ulps(a, b)}</td></tr>`).join("");
+    line.textContent = states.python(state);
+  }
+
+  return { show, records, ulps };
+};

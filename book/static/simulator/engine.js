@@ -1,0 +1,101 @@
+// The workers, and who draws what: each has a band of rows. One picture is asked for at a time; of the states that
+// come meanwhile only the last is drawn. When nothing moves, the workers are given the idle work.
+"use strict";
+var Simulator = Simulator || {};
+
+Simulator.engine = function (kernels, states, image_points, radius_of_a, heard) {
+  const IDLE_AFTER = 150, MOST_WORKERS = 4;
+  const parts = ["kernels", "pipeline", "views", "worker"].map((name) => `Simulator.${name} = ${Simulator[name]};`);
+  const source = ['"use strict"; const Simulator = {};', ...parts, "Simulator.worker(self);"].join("\n");
+  let workers = [], bands = [], waiting = null, next = null, last = null, timer = 0, id = 0;
+
+  function start() {
+    if (workers.length) return;
+    const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+    const count = Math.max(1, Math.min(MOST_WORKERS, navigator.hardwareConcurrency || 1));
+    workers = Array.from({ length: count }, (_, number) => {
+      const worker = new Worker(address), own = { worker, buffers: [] };
+      worker.onmessage = ({ data }) => receive(data, number, own);
+      worker.onerror = (event) => heard.failed(event.message || "the worker did not start");
+      return own;
+    });
+    waiting = null;
+    if (last) ask(last);
+  }
+
+  function stop() {
+    clearTimeout(timer);
+    for (const { worker } of workers) worker.terminate();
+    workers = [];
+  }
+
+  // Cut the rows into bands of about equal work: a row costs what it has of A, and a little.
+  function cut(state) {
+    const raster = states.crop(state), [x, y] = image_points(kernels.scene, raster), reach = radius_of_a;
+    const cost = [...y].map((at) => {
+      const half = Math.sqrt(Math.max(0, reach * reach - at * at));
+      return Math.max(0, Math.min(half, x[x.length - 1]) - Math.max(-half, x[0])) + 0.1 * (x[x.length - 1] - x[0]);
+    });
+    const whole = cost.reduce((a, b) => a + b, 0), found = [];
+    for (let row = 0, from = 0, sum = 0; row < cost.length; row++) {
+      sum += cost[row];
+      if (sum >= (whole * (found.length + 1)) / workers.length || row === cost.length - 1) {
+        if (found.length < workers.length - 1 || row === cost.length - 1) {
+          found.push({ ...raster, top: raster.top + from, high: row + 1 - from });
+          from = row + 1;
+        }
+      }
+    }
+    return found;
+  }
+
+  const shape = (state) => JSON.stringify(states.crop(state));
+
+  // Draw this state as soon as the workers are free.
+  function ask(state) {
+    clearTimeout(timer);
+    last = state;
+    next = { state, asked: performance.now() };
+    if (!waiting && workers.length) send();
+  }
+
+  function send() {
+    const { state, asked } = next;
+    next = null;
+    if (!bands.length || bands.shape !== shape(state) || bands.count !== workers.length) {
+      bands = Object.assign(cut(state), { shape: shape(state), count: workers.length });
+      for (const own of workers) own.buffers = [];
+    }
+    waiting = { id: ++id, state, asked, replies: [], missing: bands.length };
+    bands.forEach((band, n) => {
+      const { worker, buffers } = workers[n];
+      worker.postMessage({ kind: "draw", id, state, band, buffers }, buffers);
+      workers[n].buffers = [];
+    });
+  }
+
+  function receive(data, number, own) {
+    if (data.kind !== "drawn") {
+      if (data.id === id && !waiting) heard[data.kind](data, bands.length);
+      return;
+    }
+    waiting.replies[number] = data;
+    if (--waiting.missing) return;
+    const { state, asked, replies } = waiting;
+    waiting = null;
+    heard.drawn(state, replies, asked);
+    replies.forEach((reply, n) => {
+      workers[n].buffers = Object.values(reply.images).filter((pixels) => pixels.length).map((pixels) => pixels.buffer);
+    });
+    if (next) send();
+    else timer = setTimeout(() => rest(state), IDLE_AFTER);
+  }
+
+  function rest(state) {
+    if (document.hidden || waiting) return;
+    const steps = heard.resting(state);
+    bands.forEach((band, n) => workers[n].worker.postMessage({ kind: "idle", id, state, band, steps }));
+  }
+
+  return { start, stop, ask };
+};

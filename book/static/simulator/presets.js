@@ -1,0 +1,39 @@
+// The four experiments of the page: a state to begin with, and one quantity that then moves.
+"use strict";
+var Simulator = Simulator || {};
+
+Simulator.presets = function (states, act) {
+  const still = window.matchMedia("(prefers-reduced-motion: reduce)");
+  const step = (exponent) => ({ eps: Number((10 ** exponent).toPrecision(3)) });
+  const experiments = {
+    sweep: { begin: { field: "sine", eps: 0.1 }, seconds: 12, from: -1, to: -16, at: step, still: -6 },
+    creases: { begin: { field: "ridges", view: "loci", eps: 0.1 }, seconds: 6, from: -1, to: -3.5, at: step, still: -2 },
+    pole: { begin: { field: "rings", eps: 1e-3 }, seconds: 5, from: 0, to: 10, at: (z) => act.to_pole(Math.round(z)), still: 10 },
+    flat: { begin: { field: "ridges", eps: 1e-2 }, seconds: 4, from: 0.35, to: 0, at: (b) => ({ beta: Number(b.toFixed(3)) }), still: 0 },
+  };
+  let running = 0;
+
+  function stop() {
+    cancelAnimationFrame(running);
+    running = 0;
+  }
+
+  function run(name) {
+    stop();
+    const { begin, seconds, from, to, at, still: rest } = experiments[name];
+    const { size, column, row } = act.state();
+    const ready = states.zoomed({ ...act.state(), zoom: act.state().zoom }, { zoom: 0, size });
+    act.replace(states.within({ ...states.start(), size, column: ready.column, row: ready.row, ...begin }));
+    if (still.matches) return act.change(at(rest));
+    let first = 0;
+    const tick = (now) => {
+      first = first || now;
+      const share = Math.min(1, (now - first) / 1000 / seconds);
+      act.change(at(from + (to - from) * share));
+      running = share < 1 && !document.hidden ? requestAnimationFrame(tick) : 0;
+    };
+    running = requestAnimationFrame(tick);
+  }
+
+  return { run, stop, names: Object.keys(experiments), running: () => running !== 0 };
+};
