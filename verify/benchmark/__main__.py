@@ -25,6 +25,7 @@ from verify.benchmark.targets import table, verdicts
 RESULTS = Path(__file__).parent / "results"
 SCENES = 10**4
 QUICK_SIDE, QUICK_SCENES = 1024, 100
+BUSY = 0.5  # a load of more than this spoils a measurement
 
 
 def label(report, *packages):
@@ -57,6 +58,14 @@ def one_core():
         yield
     finally:
         os.sched_setaffinity(0, cores)
+
+
+def load():
+    """Return how many processes wanted a core during the last minute, and say so if the machine is busy."""
+    busy = os.getloadavg()[0] if hasattr(os, "getloadavg") else 0.0
+    if busy > BUSY:
+        print(f"this machine is busy (load {busy:.1f}): its times will be too long", file=sys.stderr)
+    return busy
 
 
 def measure_frames(only, rounds, quick):
@@ -127,6 +136,7 @@ def main(arguments=None):
     rounds = 1 if options.quick else options.rounds
     parts = [options.only] if options.only in PARTS else list(PARTS)
     only = "" if options.only in PARTS else options.only
+    before = load()
     found = {part: result for part in parts if (result := PARTS[part](only, rounds, options.quick))}
     if not found:
         parser.error(f"--only {options.only}: no case has that in its name")
@@ -134,7 +144,7 @@ def main(arguments=None):
     for part, (where, numbers) in found.items():
         show(part, where, numbers)
         if folder:
-            write(folder, part, where, numbers)
+            write(folder, part, where, numbers | {"load": before})
 
 
 if __name__ == "__main__":
