@@ -2,13 +2,14 @@
 
 import subprocess
 import sys
+from concurrent.futures import BrokenExecutor
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
-from renderer import Light, Scene, central, render, views
+from renderer import Light, Scene, central, forward, grid, render, views
 from renderer.command_line import main
 from renderer.scene import DEFAULT_LIGHTS
 from renderer.sweep import sweep
@@ -68,6 +69,16 @@ def test_defaults_are_the_chapters(tmp_path):
     np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["rgb"], render(Scene(), 32, 32).rgb)
 
 
+def test_image_streamed(tmp_path, capsys):
+    for name in ("a.npy", "a.tif"):
+        target = tmp_path / name
+        assert run("image", "--size", 40, "--crop", "3,5,20,30", "--gradient", "forward", "--out", target) == 0
+        assert capsys.readouterr() == (f"wrote {target}: 20 x 30 pixels\n", "")
+    frame = render(Scene(), 40, 40, forward(1e-3), crop=(3, 5, 20, 30))
+    np.testing.assert_array_equal(np.load(tmp_path / "a.npy"), frame.rgb)
+    np.testing.assert_array_equal(picture(tmp_path / "a.tif"), views.image_view(frame))
+
+
 def test_views(tmp_path, capsys):
     folder = tmp_path / "new" / "views"
     assert run("views", "--size", 24, "--eps", "1e-2", "--out", folder) == 0
@@ -103,6 +114,62 @@ def test_sweep_prints_the_chapters_table(capsys):
     assert sum(line.split()[3:4] == ["0"] for line in out.splitlines()[2:8]) == 6
     assert "flips over 96 frames (fields, beta, eps, models) " in out
     assert "6.116e-05" in out
+
+
+def test_sweep_of_a_grid(tmp_path, capsys):
+    lists = ["--field", "sine,rings", "--beta", "-0.1,.35", "--kv", "3,4", "--size", "16,24"]
+    lists += ["--eps", "1e-2,1e-3", ".1"]
+    target = tmp_path / "a.csv"
+    assert run("sweep", *lists, "--gradient", "forward,central", "--model", "phong", "--csv", target) == 0
+    out, err = capsys.readouterr()
+    values = {"field": ["sine", "rings"], "kv": [3, 4], "beta": [-0.1, 0.35]}
+    tasks = grid.grid(Scene(model="phong"), [(16, 16), (24, 24)], ["forward", "central"], (1e-2, 1e-3, 0.1), **values)
+    assert len(out.splitlines()) == 1 + len(tasks) + 1
+    for line, task in zip(out.splitlines()[1:], tasks[:13], strict=False):
+        (row,) = sweep(task.scene, task.width, task.height, (task.method.eps,), task.method.name)
+        assert line.split()[0] == task.scene.field
+        assert [float(text) for text in line.split()[6:]] == pytest.approx(
+            [row.eps, row.largest, row.rms, row.flips, row.straddling], rel=1e-3
+        )
+    assert target.read_text().splitlines()[0] == ",".join(grid.COLUMNS)
+    assert len(target.read_text().splitlines()) == 1 + len(tasks)
+    assert err == ""
+
+
+def test_a_sweep_that_is_interrupted_says_what_is_kept(tmp_path, monkeypatch, capsys):
+    kept, compare = tmp_path / "a.jsonl", grid.compare_batch
+
+    def interrupted(batch, *arguments):
+        if len(batch) < 16:
+            raise KeyboardInterrupt
+        return compare(batch, *arguments)
+
+    monkeypatch.setattr(grid, "compare_batch", interrupted)
+    betas = ",".join(map(str, range(1, 21)))
+    command = ["sweep", "--size", "8", "--eps", "1e-3", "--beta", betas, "--workers", "1"]
+    for options, told in (
+        ([], "nothing is kept without --checkpoint"),
+        (["--checkpoint", kept], f"16 of 20 frames are in {kept}, and the same command goes on from there"),
+    ):
+        assert run(*command, *options) == 130
+        assert capsys.readouterr() == ("", f"python -m renderer sweep: interrupted: {told}\n")
+
+
+def test_a_sweep_whose_workers_are_gone(tmp_path, monkeypatch, capsys):
+    def die(*arguments):
+        raise BrokenExecutor
+
+    monkeypatch.setattr(grid, "compare_batch", die)
+    assert run("sweep", "--size", "8", "--eps", "1e-3", "--beta", "1,2", "--checkpoint", tmp_path / "a.jsonl") == 2
+    told = f"the workers are gone; 0 of 2 frames are in {tmp_path / 'a.jsonl'}, and the same command goes on from there"
+    assert capsys.readouterr() == ("", f"python -m renderer sweep: error: {told}\n")
+
+
+def test_a_sweep_without_dask_installed(monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    assert run("sweep", "--size", "8", "--dask", "tcp://localhost:1") == 2
+    allowed = "the package `distributed` is not installed"
+    assert capsys.readouterr().err.endswith(f"error: dask = 'tcp://localhost:1' is not allowed: {allowed}\n")
 
 
 IMAGE = ["image", "--size", "8"]
@@ -209,6 +276,18 @@ def test_views_refuse_a_folder_that_is_a_file(tmp_path, capsys):
         (["--csv", "no/a.csv"], "csv = 'no/a.csv' is not allowed: a file in a folder that exists"),
         (["--csv", "a.txt"], "csv = 'a.txt' is not allowed: a file name that ends in .csv"),
         ([*SIX_LIGHTS], "lights = 6 lights is not allowed: a sequence of at most 5 Light"),
+        (["--field", "sine,foo"], "field = 'foo' is not allowed: one of 'sine', 'ridges', 'rings'"),
+        (["--beta", "1,x"], "argument --beta: 'x' is not allowed: a number"),
+        (["--size", "8,0"], "width = 0 is not allowed: a whole number from 1 to 16777216"),
+        (["--gradient", "central,exact"], "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'"),
+        (["--checkpoint", "a.txt"], "checkpoint = 'a.txt' is not allowed: a file name that ends in .jsonl"),
+        (["--workers", "0"], "workers = 0 is not allowed: a whole number from 1 to 256"),
+        (["--executor", "foo"], "argument --executor: invalid choice: 'foo'"),
+        (["--dask", "foo", "--workers", "2"], "dask = 'foo' is not allowed: no --executor and no --workers beside it"),
+        (
+            ["--dask", "foo"],
+            "dask = 'foo' is not allowed: the address of a scheduler that answers (missing port number",
+        ),
     ],
 )
 def test_sweep_refuses(options, message, tmp_path, monkeypatch, capsys):

@@ -1,5 +1,6 @@
 """sweep: the ε-table of one scene, or the table of a grid of frames."""
 
+import logging
 import os
 from concurrent.futures import BrokenExecutor, CancelledError, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
@@ -114,8 +115,8 @@ def _executor(options):
     if options.dask is not None:
         if options.executor is not None or options.workers is not None:
             raise ValueError(f"dask = {options.dask!r} is not allowed: no --executor and no --workers beside it")
-        with _dask_client(options.dask) as client:
-            yield client.get_executor()
+        with _dask(options.dask) as executor:
+            yield executor
         return
     workers = available_cores() if options.workers is None else checked_threads(options.workers, "workers")
     if options.executor == "processes":  # spawned: a fork of a process with threads may hang
@@ -137,9 +138,22 @@ def _follow_the_parent():
     Thread(target=follow, daemon=True).start()
 
 
-def _dask_client(address):
+@contextmanager
+def _dask(address):
+    """Yield the executor of a Dask cluster; what it would log is said in one line when it is the end of the sweep."""
     try:
-        from distributed import Client
+        from distributed import Client, KilledWorker
     except ImportError:
         raise ValueError(f"dask = {address!r} is not allowed: the package `distributed` is not installed") from None
-    return Client(address, timeout=10)
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)
+    try:
+        client = Client(address, timeout=10, set_as_default=False)
+    except (ValueError, OSError) as error:
+        raise ValueError(
+            f"dask = {address!r} is not allowed: the address of a scheduler that answers ({error})"
+        ) from None
+    with client:
+        try:
+            yield client.get_executor()
+        except KilledWorker as error:
+            raise BrokenExecutor from error
