@@ -1,0 +1,65 @@
+"""Our sine, cosine and arctangent: the certified error of each piece of the range, and errors beneath it."""
+
+import math
+from functools import cache
+
+import numpy as np
+from flint import arb, ctx
+
+from book.figures.registry import Drawing, figure
+from book.style import bound_style, label_line_end, palette, plot, readable
+from renderer import kernels
+from verify.accuracy.elementary import CERTIFIED, pieces_of, worst
+
+NAMES = {"sinpi": r"$\sin\,\pi r$", "cospi": r"$\cos\,\pi r$", "atan2pi": r"atan2$(t, 1)/\pi$"}
+SEED, EACH, LEAST = 8, 3, 0.01  # below LEAST the pieces only repeat themselves
+
+
+def _exact(name, x):
+    return {"sinpi": x.sin_pi, "cospi": x.cos_pi, "atan2pi": lambda: x.atan() / arb.pi()}[name]()
+
+
+_pieces = cache(pieces_of)
+
+
+@cache
+def _samples(name):
+    """Return (ends of the pieces, certified ulps, arguments, their errors in ulps)."""
+    rng, function, pieces = np.random.default_rng(SEED), getattr(kernels, name).py_func, _pieces(name)
+    pieces = [piece for piece in pieces if piece.high > LEAST]
+    arguments, errors = [], []
+    with ctx.workprec(200):
+        for piece in pieces:
+            for x in rng.uniform(float(piece.low), float(piece.high), EACH):
+                exact = _exact(name, arb(float(x)))
+                value = function(float(x), 1.0) if name == "atan2pi" else function(float(x))
+                off = float(abs(arb(value) - exact).mid()) / math.ulp(float(exact.mid()))
+                if off > float(piece.ulps):
+                    raise ValueError(f"{name}({x}) is off by {off} ulps, certified is {float(piece.ulps)}")
+                arguments.append(float(x))
+                errors.append(off)
+    ends = [float(piece.low) for piece in pieces] + [float(pieces[-1].high)]
+    return ends, [float(piece.ulps) for piece in pieces], arguments, errors
+
+
+@figure("elementary_ulps")
+def elementary_ulps() -> Drawing:
+    """The certified error of sinpi, cospi and atan2pi over the reduced range, in ulps, and measured errors below it."""
+    fig, axes = plot("page", 3.2, ncols=3, sharey=True)
+    colour, numbers = palette()["difference"], {}
+    for ax, (name, label) in zip(axes, NAMES.items(), strict=True):
+        ends, certified, arguments, errors = _samples(name)
+        ax.plot(arguments, errors, color=colour, linewidth=0, marker="o", markersize=1.6)
+        ax.stairs(certified, ends, baseline=None, **bound_style())
+        ax.set_title(label)
+        ax.set_xlabel("t" if name == "atan2pi" else "r")
+        ax.set_xlim(0, None)
+        numbers |= {f"{name}_largest": max(errors), f"{name}_samples": len(errors)}
+    axes[0].set_ylim(0, 3)
+    axes[0].set_ylabel("error, ulps")
+    label_line_end(axes[0], 0.165, 1.35, "certified", readable(palette()["bound"]), side="above")
+    axes[0].plot(0.145, 2.2, color=colour, marker="o", markersize=3)
+    label_line_end(axes[0], 0.145, 2.2, "measured", readable(colour))
+    for name, bound in CERTIFIED.items():
+        numbers |= {f"{name}_bound": float(bound), f"{name}_certified": float(worst(_pieces(name)))}
+    return Drawing(fig, numbers=numbers)

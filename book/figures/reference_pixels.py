@@ -1,0 +1,44 @@
+"""Pixels against the 50-digit reference, by what is hard about them."""
+
+from functools import cache
+
+import numpy as np
+
+from book.figures.registry import Drawing, figure
+from book.style import bound_style, decades, label_line_end, palette, plot, readable
+from verify.accuracy.pixels import SCENES, TOLERANCE, checked_pixels, problems
+
+EACH = 15
+
+
+@cache
+def _pixels():
+    return checked_pixels(SCENES, each=EACH)
+
+
+@figure("reference_pixels")
+def reference_pixels() -> Drawing:
+    """The largest channel error of pixels of each kind against 256-bit balls, and the radii of 53-bit balls."""
+    pixels = _pixels()
+    if wrong := problems(pixels):
+        raise ValueError(f"{len(wrong)} pixels are off by more than their bound: {wrong[0]}")
+    kinds = list(dict.fromkeys(p.kind for p in pixels))[::-1]
+    fig, ax = plot(height=3.8)
+    error, radius = palette()["difference"], palette()["reference"]
+    for row, kind in enumerate(kinds):
+        some = [p for p in pixels if p.kind == kind and not p.undecided]
+        for values, colour, marker, shift in (([p.error for p in some], error, "o", 0.12),
+                                              ([p.radius for p in some], radius, "|", -0.2)):  # fmt: skip
+            values = np.array([v for v in values if v > 0])
+            ax.plot(values, np.full(len(values), row + shift), color=colour, linewidth=0, marker=marker, markersize=4)
+    ax.axvline(TOLERANCE, **bound_style())
+    decades(ax, "x", every=2)
+    ax.set_xlim(1e-19, 1e-9)
+    ax.set_yticks(range(len(kinds)), kinds)
+    ax.set_ylim(-0.6, len(kinds) - 0.1)
+    ax.set_xlabel("error of a channel, and radius of its 53-bit ball")
+    label_line_end(ax, TOLERANCE, len(kinds) - 0.45, "$5\\cdot10^{-14}$", readable(palette()["bound"]), side="right")
+    label_line_end(ax, 3e-16, len(kinds) - 0.7, "error", readable(error), side="above")
+    label_line_end(ax, 2e-14, len(kinds) - 1.3, "radius", readable(radius), side="below")
+    numbers = {"pixels": len(pixels), "largest": max(p.error for p in pixels if not p.undecided)}
+    return Drawing(fig, numbers=numbers)

@@ -1,0 +1,132 @@
+"""The U-curve taken apart: truncation, rounded arguments, rounded evaluation, each below its proved bound."""
+
+from functools import cache
+
+import numpy as np
+
+from book.figures.registry import Drawing, figure
+from book.style import bound_style, decades, label_line_end, palette, plot, readable
+from verify.accuracy.best_step import predicted
+from verify.accuracy.clamped_order import fitted_slope
+from verify.accuracy.difference_bounds import bounds, escapes
+from verify.accuracy.differences import CASES, PARTS, STEPS, Case, parts
+
+STEEP = next(case for case in CASES if case.name == "steep")
+SMALL = {
+    "sine, k = 64": "smooth, $k = 64$",
+    "crease, δ = 0.0001": "$10^{-4}$ from a crease",
+    "sine, pole, v = 1e-05": "$10^{-5}$ from the pole, $h_v$",
+    "seam, k = 8": "$10^{-4}$ from the seam, $k_u = 8$",
+    "seam, k = 7": "the same, $k_u = 7$",
+    "seam, k = 7.3": "the same, $k_u = 7.3$",
+}
+ROUNDOFF = 1e-9  # below it rounding rules in every case
+
+
+class EscapedBound(ValueError):
+    """A measured error above its proved bound."""
+
+
+@cache
+def below(case: Case):
+    """Return (the Parts, the Bounds) of a case; EscapedBound if any point is above its bound."""
+    found = parts(case)
+    limits = bounds(case, found)
+    out = {part: count for part, count in escapes(found, limits).items() if count}
+    if out:
+        raise EscapedBound(f"{case.name}: above the proved bound: {out} of {len(found.steps)} points")
+    return found, limits
+
+
+def _dots(ax, steps, values, colour, marker="o", size=1.8):
+    steps, values = steps[::2], np.abs(values[::2])  # half of those that are tested
+    ax.plot(steps[values > 0], values[values > 0], color=colour, linewidth=0, marker=marker, markersize=size)
+
+
+@figure("u_curve_parts")
+def u_curve_parts() -> Drawing:
+    """The three parts of the error of h_u of sine at a steep point, against the step, and their proved bounds."""
+    found, limits = below(STEEP)
+    fig, ax = plot(height=4.6)
+    colours = dict(zip(PARTS, ("reference", "difference", "symbolic", "numeric"), strict=True))
+    markers = dict(zip(PARTS, (".", "x", "+", "o"), strict=True))
+    for part in ("truncation", "argument", "roundoff"):
+        _dots(ax, found.steps, getattr(found, part), palette()[colours[part]], markers[part], 2.4)
+        ax.plot(found.steps, getattr(limits, part), **bound_style() | {"linewidth": 0.9})
+    decades(ax, "both", every=2)
+    ax.set_xlim(1e-16, 0.2)
+    ax.set_ylim(1e-20, 1e3)
+    ax.set_xlabel("step ε")
+    ax.set_ylabel("error of $h_u$")
+    best = predicted(STEEP.k_u)
+    ax.plot(best.step, best.floor, color=palette()["ink"], marker="v", markersize=6)
+    label_line_end(ax, best.step, 20 * best.floor, "floor, proved", palette()["ink"], side="above")
+    for part, at, times, text, side in (
+        ("truncation", 1e-10, 1, "truncation", "right"),
+        ("argument", 1e-12, 4, "rounded $u ± ε$", "right"),
+        ("roundoff", 1e-13, 1e-3, "rounded evaluation", "below"),
+    ):
+        index = int(np.abs(np.log(found.steps / at)).argmin())
+        y = getattr(limits, part)[index] * times
+        label_line_end(ax, at, y, text, readable(palette()[colours[part]]), side=side)
+    branch = (found.steps < 1e-3) & (found.steps > 1e-7)
+    numbers = {
+        "slope": fitted_slope(found.steps[branch], np.abs(found.truncation[branch])),
+        "least": float(np.abs(found.total).min()),
+        "least_at": float(found.steps[np.abs(found.total).argmin()]),
+        "floor": best.floor,
+        "best_eps": best.step,
+        "u": STEEP.u,
+        "v": STEEP.v,
+    }
+    return Drawing(fig, numbers=numbers)
+
+
+@figure("u_curve_places")
+def u_curve_places() -> Drawing:
+    """The error of the difference at six places, smooth and not, below its proved bound."""
+    fig, axes = plot("page", 5.4, nrows=2, ncols=3, sharex=True, sharey=True)
+    for ax, (name, title) in zip(axes.ravel(), SMALL.items(), strict=True):
+        found, limits = below(next(case for case in CASES if case.name == name))
+        _dots(ax, found.steps, found.total, palette()["numeric"], size=1.4)
+        ax.plot(found.steps, limits.total, **bound_style())
+        decades(ax, "both", every=4)
+        ax.set_title(title)
+        ax.set_xlim(1e-16, 0.2)
+        ax.set_ylim(1e-13, 1e4)
+    for ax in axes[1]:
+        ax.set_xlabel("step ε")
+    for ax in axes[:, 0]:
+        ax.set_ylabel("error")
+    return Drawing(fig)
+
+
+@figure("u_curve_margins")
+def u_curve_margins() -> Drawing:
+    """The measured error over its proved bound, at every step: the largest and the median of all places."""
+    shares = np.array([np.abs(found.total) / limits.total for found, limits in map(below, CASES)])
+    fig, ax = plot(height=3.2)
+    colour = palette()["difference"]
+    largest, median = shares.max(axis=0), np.median(shares, axis=0)
+    ax.plot(STEPS, largest, color=colour, linewidth=1.2)
+    ax.plot(STEPS, median, color=colour, linewidth=1.2, linestyle=(0, (2, 1.5)))
+    ax.axhline(1, **bound_style())
+    decades(ax, "x", every=2)
+    decades(ax, "y")
+    ax.set_xlim(1e-16, 0.2)
+    ax.set_ylim(1e-2, 3)
+    ax.set_xlabel("step ε")
+    ax.set_ylabel("error / bound")
+    ink = readable(colour)
+    label_line_end(ax, STEPS[0], largest[0], "largest", ink)
+    label_line_end(ax, STEPS[0], median[0], "median", ink)
+    rounding = shares[:, STEPS < ROUNDOFF]
+    numbers = {
+        "points": shares.size,
+        "places": len(CASES),
+        "escaped": int((shares > 1).sum()),
+        "largest": float(shares.max()),
+        "median_ratio": float(np.median(1 / rounding[rounding > 0])),
+        "per_decade": 40,
+    }
+    return Drawing(fig, numbers=numbers)

@@ -1,0 +1,74 @@
+"""The best step of a central difference and its floor: as the theorem predicts, and as measured; and a trick.
+
+Predicted: T ε² + E/ε is least at (E/2T)^(1/3), with T = (πk)³/6 and E = η + L α (theorem best_step). Measured: the
+largest error over smooth points is least at the best step. The trick takes for ε what u ± ε can represent,
+(u + ε) − u in float64, so that α = 0.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from renderer import Scene, central, gradient_at
+from verify.accuracy.difference_bounds import SINE_ULPS, UNIT
+from verify.accuracy.differences import Case, slope_of
+
+POINTS, SEED, PER_DECADE, WINDOW = 16, 3, 20, 5
+WAVE_NUMBERS = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512)
+
+
+class Best(NamedTuple):
+    """A best step and the error that it leaves."""
+
+    step: float
+    floor: float
+
+
+def predicted(k, representable=False):
+    """Return the Best of the proved bound for sine in u, wherever the point is; representable: with the trick."""
+    rate = math.pi * k
+    heights = SINE_ULPS * UNIT + UNIT
+    rounding = heights + (0 if representable else rate * UNIT)
+    truncation = rate**3 / 6
+    return Best((rounding / 2 / truncation) ** (1 / 3), 3 * truncation ** (1 / 3) * (rounding / 2) ** (2 / 3))
+
+
+def points(seed=SEED):
+    """Return smooth u ∈ [1/2, 3/4], where float64 is coarsest: all of them are multiples of 2^-53."""
+    return np.random.default_rng(seed).uniform(0.5, 0.75, POINTS)
+
+
+def representable_step(at, step):
+    """Return (at + step) − at in float64: a step that takes `at` to numbers that float64 holds, on both sides."""
+    return (at + step) - at
+
+
+def errors(k, steps, representable=False, seed=SEED):
+    """Return (steps, points) |computed − exact| of h_u, sine, v on a crest."""
+    u, v = points(seed), 0.125
+    exact = np.array([float(slope_of(Case("", "sine", float(k), 4.0, float(at), v)).mid()) for at in u])
+    scene, found = Scene(field="sine", ku=float(k)), []
+    for step in steps:
+        used = float(step)
+        if representable:
+            (used,) = set(representable_step(u, used))  # one for all: u is on the grid of 2^-53
+        found.append(np.abs(gradient_at(scene, u, v, central(used))[0] - exact))
+    return np.array(found)
+
+
+def envelope(k, representable=False, seed=SEED):
+    """Return (steps, the largest error over the points and over the WINDOW steps around each).
+
+    The error of u ± ε depends on the last bits of ε, so that a single step may be lucky.
+    """
+    middle = math.log10(predicted(k, representable).step)
+    steps = 10.0 ** np.arange(middle - 1.2, middle + 1.2, 1 / PER_DECADE)
+    worst = errors(k, steps, representable, seed).max(axis=1)
+    return steps, np.lib.stride_tricks.sliding_window_view(np.pad(worst, WINDOW // 2, "edge"), WINDOW).max(axis=1)
+
+
+def measured(k, representable=False, seed=SEED):
+    """Return the measured Best: where the envelope is least."""
+    steps, worst = envelope(k, representable, seed)
+    return Best(float(steps[worst.argmin()]), float(worst.min()))

@@ -1,0 +1,38 @@
+"""The order of the difference that is clamped at the pole, at a fixed v/ε < 1, in exact arithmetic.
+
+Second for the chapter's fields, which are odd about v = 0; first for one that is not: cos πk_v v.
+"""
+
+import numpy as np
+from flint import ctx
+
+from proofs.finite_difference import central
+from proofs.half_turns import cospi
+from proofs.height_fields import HEIGHT_FIELDS, HeightField, gradient
+from proofs.symbols import k_v, v
+from verify.accuracy.balls import Balls
+
+BITS = 300
+FIELDS = {**HEIGHT_FIELDS, "cosine": HeightField("cosine", cospi(k_v * v))}
+STEPS = np.logspace(-6, -3, 13)
+
+
+def errors(field, ratio=0.5, steps=STEPS):
+    """Return |D − h_v| at v = ratio · ε for each step, in exact arithmetic: k = (8, 4), u = 0.31."""
+    difference, slope = Balls(central(FIELDS[field])), Balls(gradient(FIELDS[field]))
+    found = []
+    for step in steps:
+        point = {"u": 0.31, "v": ratio * float(step), "k_u": 8.0, "k_v": 4.0, "epsilon": float(step)}
+        with ctx.workprec(BITS):
+            found.append(abs(float((difference(point, BITS)[0]["h_v"] - slope(point, BITS)[0]["h_v"]).mid())))
+    return np.array(found)
+
+
+def fitted_slope(steps, values):
+    """Return the slope of log values against log steps by least squares."""
+    return float(np.polyfit(np.log(steps), np.log(values), 1)[0])
+
+
+def order(field, ratio=0.5):
+    """Return the fitted order of the clamped difference of a field."""
+    return fitted_slope(STEPS, errors(field, ratio))

@@ -1,0 +1,131 @@
+"""The central difference's error, taken apart: truncation, rounded arguments, rounded evaluation; each exactly.
+
+The difference in exact arithmetic, and the same of the arguments u ± ε as float64 has them, are balls of the
+program's own lines; the float64 difference is the kernel's. With D the exact difference and D̂ that of the rounded
+arguments: total = (D − h') + (D̂ − D) + (computed − D̂).
+"""
+
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+from flint import arb, ctx
+
+from proofs.finite_difference import central, span_v, u_minus, u_plus, v_minus, v_plus
+from proofs.height_fields import HEIGHT_FIELDS, factors, gradient
+from proofs.program import Program
+from renderer import Scene, gradient_at
+from renderer import central as by_central
+from renderer.generate.compiled import compiled_program
+from verify.accuracy.balls import Balls
+
+BITS, PER_DECADE = 300, 40
+ARGUMENTS = (u_plus, u_minus, v_plus, v_minus, span_v)
+STEPS = np.array([10.0 ** (-n / PER_DECADE) for n in range(PER_DECADE, 16 * PER_DECADE + 1)])
+PARTS = ("truncation", "argument", "roundoff", "total")
+
+
+class Case(NamedTuple):
+    """Where a difference is taken: the component ("h_u" or "h_v") of a field at (u, v), and what is special there."""
+
+    name: str
+    field: str
+    k_u: float
+    k_v: float
+    u: float
+    v: float
+    component: str = "h_u"
+    place: str = "smooth"
+    distance: float = 1.0  # to the crease, the pole or the seam, in the component's coordinate
+
+    @property
+    def frequency(self):
+        """Half the number of waves along the component's coordinate."""
+        k = self.k_u if self.component == "h_u" else self.k_v
+        return abs(2 * k if self.field == "rings" else k)
+
+    @property
+    def scene(self):
+        """The scene whose field it is."""
+        return Scene(field=self.field, ku=self.k_u, kv=self.k_v)
+
+
+class Parts(NamedTuple):
+    """The signed errors of one difference, float64 of exact numbers: (steps,) each, and the exact slope.
+
+    moving, still: |sin| of the factor that the step moves, and of the other (1 for rings, which has none).
+    """
+
+    steps: np.ndarray
+    truncation: np.ndarray
+    argument: np.ndarray
+    roundoff: np.ndarray
+    total: np.ndarray
+    slope: float
+    moving: float
+    still: float
+
+
+@cache
+def _programs(field):
+    """Return the Balls of the exact slope, of the difference and of the difference of given arguments, and those."""
+    whole = central(HEIGHT_FIELDS[field])
+    rest = tuple(line for line in whole.definitions if line[0] not in ARGUMENTS)
+    given = Program("given", (*whole.inputs, *ARGUMENTS), rest, whole.outputs)
+    arguments = whole.keep(*ARGUMENTS, name="arguments")
+    code = compiled_program(arguments, "numpy"), [s.name for s in arguments.inputs]
+    balls = [Balls(p) for p in (gradient(HEIGHT_FIELDS[field]), whole, given)]
+    return *balls, code, Balls(factors(HEIGHT_FIELDS[field]))
+
+
+def slope_of(case):
+    """Return the exact slope at a case's point, a ball."""
+    return _programs(case.field)[0](_values(case), BITS)[0][case.component]
+
+
+def _values(case):
+    return {"u": case.u, "v": case.v, "k_u": case.k_u, "k_v": case.k_v}
+
+
+def parts(case, steps=STEPS, computed=None):
+    """Return the Parts of a case over the steps; `computed` replaces the kernel's differences."""
+    _, whole, given, (arguments, names), _ = _programs(case.field)
+    slope, values, rows, scene = slope_of(case), _values(case), [], case.scene
+    for index, step in enumerate(steps):
+        here = values | {"epsilon": float(step)}
+        rounded = dict(zip((s.name for s in ARGUMENTS), map(float, arguments(*(here[n] for n in names))), strict=True))
+        exact, _ = whole(here, BITS)
+        moved, _ = given(here | rounded, BITS)
+        value = computed[index] if computed is not None else _kernel(scene, case, step)
+        with ctx.workprec(BITS):
+            d, d_moved, found = exact[case.component], moved[case.component], arb(float(value))
+            rows.append([float(p.mid()) for p in (d - slope, d_moved - d, found - d_moved, found - slope)])
+    return Parts(np.asarray(steps), *np.array(rows).T, float(slope.mid()), *_factors(case))
+
+
+def _factors(case):
+    lines, _ = _programs(case.field)[4](_values(case), BITS)
+    sines = [abs(float(lines[name].mid())) if name in lines else 1.0 for name in ("sin_u", "sin_v")]
+    return sines if case.component == "h_u" else sines[::-1]
+
+
+def _kernel(scene, case, step):
+    index = 0 if case.component == "h_u" else 1
+    return float(gradient_at(scene, case.u, case.v, by_central(float(step)))[index])
+
+
+SMOOTH = (0.31, 0.47)
+_K = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512)
+
+CASES = (
+    Case("steep", "sine", 8.0, 4.0, 0.61, 0.125),
+    *(Case(f"sine, k = {k}", "sine", k, 4.0, *SMOOTH) for k in _K),
+    *(Case(f"rings, k_v = {k}", "rings", 8.0, k, *SMOOTH, "h_v") for k in (4, 64)),
+    Case("ridges", "ridges", 8.0, 4.0, *SMOOTH),
+    *(Case(f"crease, δ = {d:g}", "ridges", 8.0, 4.0, 0.375 + d, 0.47, "h_u", "crease", (0.375 + d) - 0.375)
+      for d in (1e-2, 1e-4, 1e-6, 1e-8)),
+    *(Case(f"{field}, pole, v = {v:g}", field, 8.0, 4.0, 0.31, v, "h_v", "pole", v)
+      for field in ("sine", "ridges", "rings") for v in (0.0, 1e-5, 1e-2) if (field, v) != ("ridges", 0.0)),
+    *(Case(f"seam, k = {k:g}", "sine", k, 4.0, 1e-4, 0.47, "h_u", "seam", 1e-4) for k in (8.0, 7.0, 7.3)),
+)  # fmt: skip
+"""The places: smooth ones for k from 1 to 512, beside a crease, at the pole's border, beside the seam."""

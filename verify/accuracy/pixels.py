@@ -1,0 +1,147 @@
+"""A picture's float64 pixels against balls of the same program: random pixels, and the places that are hard.
+
+Truth is the pixel's program in balls of 256 bits, whose radius is below 1e-50; what rounding may do to it is the radius
+of the same program in balls of 53 bits. A pixel whose chamber or side of a crease those leave open is counted apart.
+"""
+
+from dataclasses import replace
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from flint import arb, ctx
+
+from proofs.height_fields import HEIGHT_FIELDS
+from proofs.pixel import CHANNELS, pixel
+from renderer import Scene, render
+from renderer.terminator import light_cosines
+from verify.accuracy.balls import Balls
+from verify.reference import scene_values
+
+SIZE, EACH, SEED, BITS = 255, 46, 5, 256  # an odd size: a column of pixels lies on x = 0, on a crease
+OFF_RIM, TOLERANCE = 0.01, 5e-14
+COLORS = tuple(f"rgb_{c}" for c in CHANNELS)
+SCENES = {
+    f"{field}, {model}": Scene(field=field, model=model) for field in HEIGHT_FIELDS for model in ("blinn", "phong")
+}
+SHININESSES = {f"shininess {p:g}": Scene(model=model, shininess=p)
+               for p, model in ((0.5, "blinn"), (7.3, "phong"), (1000.0, "blinn"), (1e6, "phong"))}  # fmt: skip
+
+
+class Checked(NamedTuple):
+    """One pixel. error: the largest of its channels; radius: of its 53-bit balls; off_rim: 1 − (ρ/ρ_s)² ≥ 0.01."""
+
+    scene: str
+    kind: str
+    column: int
+    row: int
+    error: float
+    radius: float
+    off_rim: bool
+    undecided: frozenset
+    same_chamber: bool
+
+    def bound(self, share=1.0):
+        """Return the bound that the pixel is held to; share: of the radius, where that is the bound."""
+        default = not self.scene.startswith("shininess")
+        return TOLERANCE if self.off_rim and default else share * self.radius
+
+
+def _edges(codes):
+    """Return where a code differs from that of the pixel to the right, to the left, above or below."""
+    found = np.zeros(codes.shape, bool)
+    across, down = codes[:, 1:] != codes[:, :-1], codes[1:] != codes[:-1]
+    found[:, 1:] |= across
+    found[:, :-1] |= across
+    found[1:] |= down
+    found[:-1] |= down
+    return found
+
+
+def _kinds(scene, frame):
+    """Return {kind: a plane in which the pixels of that kind have the smallest numbers}."""
+    surface, shadows = frame.chambers & 3, frame.chambers >> 2 & 31
+    u, v = frame.surface_data["u"], frame.surface_data["v"]
+    waves = [w - np.rint(w) for w in (scene.ku * u, scene.kv * v)]
+    flat = render(replace(scene, beta=0.0), *frame.raster.shape[::-1], stage=frame.stage)
+    lights = range(len(scene.lights))
+    return {
+        "at random": np.zeros(surface.shape),
+        "silhouette": np.where(_edges(surface), 0.0, np.inf),
+        "shadow's edge": np.where(_edges(shadows) & ~_edges(surface), 0.0, np.inf),
+        "next to the pole": v,
+        "next to the seam": np.minimum(u, 1 - u),
+        "next to a crease": np.minimum(*np.abs(waves)),
+        "terminator": np.min([np.abs(light_cosines(frame, i)) for i in lights], axis=0),
+        "grazing light": np.min([np.abs(light_cosines(flat, i)) for i in lights], axis=0),
+    }
+
+
+def chosen(scene, frame, each=EACH, seed=SEED):
+    """Return [(kind, column, row)]: `each` pixels of every kind; among equals at random."""
+    rng, found = np.random.default_rng(seed), []
+    for kind, plane in _kinds(scene, frame).items():
+        order = np.lexsort((rng.random(plane.size), plane.ravel()))[:each]
+        rows, columns = np.unravel_index(order[np.isfinite(plane.ravel()[order])], plane.shape)
+        found += [(kind, int(c), int(r)) for c, r in zip(columns, rows, strict=True)]
+    return found
+
+
+@lru_cache(maxsize=32)
+def balls_of(field, model, lights):
+    """Return the Balls of a whole pixel by the exact gradient in its general form."""
+    return Balls(pixel(HEIGHT_FIELDS[field], model, lights))
+
+
+def _off_rim(scene, lines):
+    """Return whether the ray's distance from the centre of the sphere that it hits is below √0.99 radii."""
+    seen = int(lines["surface"].unique_fmpz() or 0)
+    if seen == 1:
+        return bool(1 - (lines["rho"] / lines["rho_silhouette"]) ** 2 >= OFF_RIM)
+    if seen == 2:
+        squared = lines["x"] ** 2 + lines["y"] ** 2 + arb(scene.eye) ** 2
+        return bool(lines["discriminant_b"] / (squared * arb(scene.ball_radius) ** 2) >= OFF_RIM)
+    return seen == 3
+
+
+def _code(lines, lights):
+    names = ("surface", *(f"occluded_{i}" for i in range(lights)), "dark_square")
+    parts = [int(lines[name].unique_fmpz() or 0) for name in names]
+    return parts[0] | sum(bit << (2 + i) for i, bit in enumerate(parts[1:-1])) | parts[-1] << 7
+
+
+def check(name, scene, frame, kind, column, row):
+    """Return a pixel of a frame, Checked."""
+    lights = [light for light in scene.lights if light.color is not None]
+    height, width = frame.raster.shape
+    values = scene_values(scene, lights) | {"column": column, "row": row, "width": width, "height": height}
+    balls = balls_of(scene.field, scene.model, len(lights))
+    truth, _ = balls(values, BITS)
+    rounded, undecided = balls(values)
+    with ctx.workprec(BITS):
+        errors = [abs(arb(float(c)) - truth[n]).upper() for c, n in zip(frame.rgb[row, column], COLORS, strict=True)]
+        return Checked(
+            name,
+            kind,
+            column,
+            row,
+            max(float(e) for e in errors),
+            max(float(rounded[n].rad()) for n in COLORS),
+            _off_rim(scene, truth),
+            undecided,
+            _code(truth, len(lights)) == int(frame.chambers[row, column]),
+        )
+
+
+def checked_pixels(scenes, size=SIZE, each=EACH, seed=SEED):
+    """Return every chosen pixel of {name: Scene}, Checked."""
+    found = []
+    for name, scene in scenes.items():
+        frame = render(scene, size, size)
+        found += [check(name, scene, frame, *place) for place in chosen(scene, frame, each, seed)]
+    return found
+
+
+def problems(pixels, share=1.0):
+    """Return the decided pixels that are above their bound or in another chamber."""
+    return [p for p in pixels if not p.undecided and not (p.error <= p.bound(share) and p.same_chamber)]
