@@ -177,4 +177,4 @@ def test_memory_does_not_grow_with_the_picture(tmp_path):
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
     streamed, whole = map(float, done.stdout.split())
     assert streamed < 32
-    assert whole > 96
+    assert whole > 64  # what it has given back may be used again
