@@ -63,8 +63,8 @@ def u_curve_parts() -> Drawing:
     label_line_end(ax, best.step, 20 * best.floor, "floor, proved", palette()["ink"], side="above")
     for part, at, times, text, side in (
         ("truncation", 1e-10, 1, "truncation", "right"),
-        ("argument", 1e-12, 4, "rounded $u ± ε$", "right"),
-        ("roundoff", 1e-13, 1e-3, "rounded evaluation", "below"),
+        ("argument", 1e-12, 30, "rounded $u ± ε$", "right"),
+        ("roundoff", 1e-13, 1e-5, "rounded evaluation", "below"),
     ):
         index = int(np.abs(np.log(found.steps / at)).argmin())
         y = getattr(limits, part)[index] * times
@@ -118,7 +118,7 @@ def u_curve_margins() -> Drawing:
     ax.set_xlabel("step ε")
     ax.set_ylabel("error / bound")
     ink = readable(colour)
-    label_line_end(ax, STEPS[0], largest[0], "largest", ink)
+    label_line_end(ax, STEPS[0], 0.8 * largest[0], "largest", ink)
     label_line_end(ax, STEPS[0], median[0], "median", ink)
     rounding = shares[:, STEPS < ROUNDOFF]
     numbers = {

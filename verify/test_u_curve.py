@@ -1,0 +1,78 @@
+"""The U-curve taken apart: the three parts make the whole, a point above its bound is seen, and the best step is.
+
+That every point lies below its bound is the theorem `difference_bounds`, run with the others.
+"""
+
+import numpy as np
+import pytest
+
+from renderer import central, exact, gradient_at
+from verify.accuracy import best_step
+from verify.accuracy.difference_bounds import Bounds, bounds, escapes
+from verify.accuracy.differences import CASES, STEPS, Case, parts
+from verify.accuracy.ridge_law import SCENE, predicted, quadrature
+
+STEEP = CASES[0]
+SOME = STEPS[::20]
+
+
+def test_the_steps_are_forty_a_decade_from_a_tenth_to_1e_16():
+    assert STEPS[0] == 0.1
+    assert STEPS[-1] == 1e-16
+    np.testing.assert_allclose(np.diff(np.log10(STEPS)), -1 / 40)
+    assert len(CASES) * len(STEPS) > 10_000
+
+
+@pytest.mark.parametrize("case", CASES[::4], ids=lambda case: case.name)
+def test_the_parts_make_the_whole(case):
+    found = parts(case, SOME)
+    whole = found.truncation + found.argument + found.roundoff
+    np.testing.assert_allclose(whole, found.total, rtol=1e-12, atol=1e-14 * np.abs(found.truncation).max())
+
+
+def test_truncation_has_its_closed_form():
+    """For a sine the exact difference is the slope times sinc."""
+    found, angle = parts(STEEP, SOME), np.pi * STEEP.k_u * SOME
+    wanted = found.slope * (np.sinc(angle / np.pi) - 1)
+    np.testing.assert_allclose(found.truncation[angle > 1e-3], wanted[angle > 1e-3], rtol=1e-8)
+
+
+def test_an_escape_is_seen():
+    found = parts(STEEP, SOME)
+    limits = bounds(STEEP, found)
+    assert not any(escapes(found, limits).values())
+    assert any(escapes(found, Bounds(*(limit / 4 for limit in limits))).values())
+    assert escapes(found._replace(total=found.total + np.nan), limits)["total"] == len(SOME)
+    shifted = parts(STEEP, SOME, computed=found.slope + found.total + 1e-4)  # a kernel that is off by 1e-4
+    assert escapes(shifted, bounds(STEEP, shifted))["roundoff"] > 10
+
+
+def test_a_representable_step_leaves_no_error_in_the_arguments():
+    step = best_step.representable_step(0.61, 1e-7)
+    assert step != 1e-7
+    case = Case("steep", "sine", 8.0, 4.0, 0.61, 0.125)
+    assert parts(case, [step]).argument[0] == 0
+    assert parts(case, [1e-7]).argument[0] != 0
+
+
+@pytest.mark.parametrize("k", [1, 8, 512])
+@pytest.mark.parametrize("representable", [False, True])
+def test_the_best_step_is_where_it_is_predicted(k, representable):
+    proved, seen = best_step.predicted(k, representable), best_step.measured(k, representable)
+    assert proved.step / 4 < seen.step < proved.step * 2
+    assert proved.floor / 20 < seen.floor <= proved.floor
+
+
+def test_the_trick_pays():
+    for k in (8, 512):
+        assert best_step.measured(k, representable=True).floor < best_step.measured(k).floor / 2
+
+
+def test_random_points_would_miss_the_law():
+    """Below ε ≈ 6e-5 a hundred random points see no band; the quadrature does."""
+    step = 1e-7
+    right = predicted("h_u", step)[0]
+    assert abs(quadrature("h_u", step) / right - 1) < 0.02
+    u = np.random.default_rng(1).random(100)
+    numeric, symbolic = (gradient_at(SCENE, u, 0.3, method)[0] for method in (central(step), exact()))
+    assert np.sqrt(((numeric - symbolic) ** 2).mean()) < right / 100
