@@ -45,7 +45,7 @@ TARGETS = (
     Target("a_alone_central_to_algebraic", "sphere A alone: central takes, in times of exact", low=2, form=TIMES),
     Target("exponent_2", "time ∝ pixels to the power, 256² to 8192²", 1.05, 0.95, "{:.3f}"),
     Target("chambers_differing", "pixels whose chamber differs from the per-pixel reference", 0, 0, "{:,}"),
-    Target("image_error", "image against the strict scalar reference, largest difference", 1e-13, form="{:.1e}"),
+    Target("image_error", "image against the strict scalar reference, largest difference", 1e-13, form="{:.2g}"),
     Target("start_cold_s", "python -m renderer image, cold cache", 4, form=SECONDS),
     Target("start_warm_s", "python -m renderer image, warm cache", 0.9, form=SECONDS),
     Target("sympy_imported", "times that SymPy is imported for it", 0, 0, "{:g}"),

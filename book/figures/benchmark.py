@@ -1,0 +1,108 @@
+"""What `make bench` measured and kept: time against pixels, and time against error of the gradient alone."""
+
+import json
+import re
+
+import numpy as np
+
+from book.figures.registry import Drawing, figure
+from book.stamps import ROOT
+from book.style import decades, label_line_end, palette, plot, readable, slope_triangle
+
+FRAMES = "verify/benchmark/results/frames.json"
+GRADIENTS = "verify/benchmark/results/gradients.json"
+# renderer: (label, role of its colour, dashes, threads of its thick line), the loops last
+RENDERERS = {
+    "algebraic": ("exact, algebraic", "symbolic", (0, ()), 2),
+    "general": ("exact, trigonometric", "symbolic", (0, (5, 2)), 2),
+    "central": ("central differences", "numeric", (0, ()), 2),
+    "numpy": ("NumPy, row tiles", "muted", (0, (5, 2)), 2),
+    "seed_exact": ("the seed's loops, mended", "muted", (0, (1.5, 1.5)), 1),
+}
+LABELS_APART = 10**0.3  # least ratio of the heights of two labels
+# method: (label, role of its colour, ours, its label's offset in points)
+METHODS = {
+    "exact": ("exact, this book", "symbolic", True, (8, 0)),
+    "jax": ("JAX", "symbolic", False, (-4, -11)),
+    "sympy_lambdify": ("SymPy lambdify", "symbolic", False, (-4, 11)),
+    "complex_step": ("complex step", "symbolic", False, (4, -11)),
+    "autograd": ("autograd", "symbolic", False, (4, 11)),
+    "forward": ("forward", "numeric", True, (8, 0)),
+    "central": ("central", "numeric", True, (8, 0)),
+    "central4": ("fourth order", "numeric", True, (8, 0)),
+    "scipy_differentiate": ("scipy.differentiate", "numeric", False, (-8, 0)),
+    "numdifftools": ("numdifftools", "numeric", False, (-8, 0)),
+}
+
+
+def measured(path):
+    """Return the numbers of a kept result."""
+    return json.loads((ROOT / path).read_text(encoding="utf-8"))["numbers"]
+
+
+def curve(numbers, renderer, threads):
+    """Return (pixels, milliseconds) of a renderer, in order of size."""
+    matches = [(re.fullmatch(rf"{renderer}_(\d+)_{threads}_ms", key), value) for key, value in numbers.items()]
+    return np.array(sorted((int(match[1]) ** 2, value) for match, value in matches if match)).T
+
+
+def label_ends(ax, ends):
+    """Name the lines that end at [(pixels, ms, label, colour)] in a column right of the longest.
+
+    Thin lines lead there, going on as the lines would.
+    """
+    column, lowest = max(pixels for pixels, *_ in ends) * 1.6, 0.0
+    for pixels, times, label, colour in sorted(ends, key=lambda end: end[1] / end[0]):
+        height = max(times * column / pixels, lowest * LABELS_APART)
+        ax.plot([pixels, column], [times, height], color=palette()["rule"], linewidth=0.7, zorder=0)
+        label_line_end(ax, column, height, label, readable(colour))
+        lowest = height
+
+
+@figure("time_against_pixels", data=[FRAMES])
+def time_against_pixels() -> Drawing:
+    """Time of the default frame against its pixels, every renderer, with the fitted slope of the algebraic one."""
+    numbers, colours = measured(FRAMES), palette()
+    fig, ax = plot(height=4.6)
+    ends = []
+    for renderer, (label, role, dashes, threads) in RENDERERS.items():
+        pixels, times = curve(numbers, renderer, threads)
+        ax.plot(pixels, times, color=colours[role], linestyle=dashes, marker="o", markersize=3.6)
+        if threads == 2:
+            ax.plot(*curve(numbers, renderer, 1), color=colours[role], linestyle=dashes, linewidth=0.7)
+        ends.append((pixels[-1], times[-1], label, colours[role]))
+    decades(ax)
+    label_ends(ax, ends[:-1])
+    label_line_end(ax, *ends[-1], side="above")
+    pixels, times = curve(numbers, "algebraic", 2)
+    slope_triangle(ax, 4e5, 0.2 * np.interp(4e5, pixels, times), numbers["exponent_2"], f"{numbers['exponent_2']:.3f}")
+    ax.set_xlabel("pixels, $64^2$ to $8192^2$")
+    ax.set_ylabel("milliseconds a frame")
+    return Drawing(fig)
+
+
+def around(values):
+    """Return the powers of ten around the values, with room for a marker."""
+    logarithms = np.log10(list(values))
+    return 10.0 ** np.floor(logarithms.min() - 0.15), 10.0 ** np.ceil(logarithms.max() + 0.15)
+
+
+@figure("gradient_time_against_error", data=[GRADIENTS])
+def gradient_time_against_error() -> Drawing:
+    """Time a point against the largest error at 50 digits, each way to take the gradient of sine."""
+    numbers, colours = measured(GRADIENTS), palette()
+    fig, ax = plot(height=4.6)
+    decades(ax, "x")
+    decades(ax, "y", every=2)
+    for method, (label, role, ours, offset) in METHODS.items():
+        if f"{method}_ns" not in numbers:
+            continue
+        at, colour = (numbers[f"{method}_ns"], numbers[f"{method}_error"]), colours[role]
+        ax.plot(*at, "o", markersize=6, color=colour, markerfacecolor=colour if ours else "none", markeredgewidth=1.4)
+        align = {"ha": "left" if offset[0] > 0 else "right", "va": "center"}
+        ax.annotate(label, at, xytext=offset, textcoords="offset points", color=readable(colour), **align)
+    ax.set_xlim(*around(value for key, value in numbers.items() if key.endswith("_ns")))
+    ax.set_ylim(*around(value for key, value in numbers.items() if key.endswith("_error")))
+    ax.set_xlabel("nanoseconds a point, one thread")
+    ax.set_ylabel("largest error of $h_u$ or $h_v$")
+    return Drawing(fig)
