@@ -26,13 +26,12 @@ def relative(values, truth):
 def over_the_chart(field="ridges", side=128, ku=8.0, kv=4.0, seed=9):
     """Return {"seed", "ours"}: (side, side) maps of the error of h_u in units of 2⁻⁵³ of itself, v downwards.
 
-    A point is drawn in each cell of a grid; the first column of cells takes its left edges, u = m/side, so that some
-    lie exactly on a crease.
+    A point is drawn in each cell of a grid; every so often it is the cell's left edge, so that some lie on a crease.
     """
     random = np.random.default_rng(seed)
     rows, columns = np.mgrid[0:side, 0:side]
     inside = random.uniform(0, 1, (2, side, side))
-    inside[0][:, :: side // 32] = 0  # every so often the very corner of a cell: a short binary fraction
+    inside[0][:, :: side // 32] = 0
     inputs = {"u": (columns + inside[0]) / side, "v": (rows + inside[1]) / side, "k_u": ku, "k_v": kv}
     program = gradient(HEIGHT_FIELDS[field])
     truth = in_balls(program, inputs)["h_u"]

@@ -12,8 +12,8 @@ from renderer.generate.printers import MpmathPrinter, NumPyPrinter
 from renderer.generate.source import print_function
 from verify.stability import running
 
-BITS = 240  # 50 digits, and 20 to lose
-WIDEST = 2.0**-110  # a ball wider than this is no reference for float64
+BITS = 300  # 50 digits, and 40 to lose
+WIDEST, NOTHING = 2.0**-110, 1e-60  # a ball wider than both, against its size and at all, is no reference
 
 
 class _LibmPrinter(NumPyPrinter):
@@ -135,8 +135,9 @@ def in_balls(program, inputs):
 def _narrow(results, count):
     results = results if count > 1 or isinstance(results, tuple) else (results,)
     balls = [flint.arb(r) for r in results]
-    wide = [not b.is_finite() or float(b.rad()) > WIDEST * max(1e-300, abs(float(b.mid()))) + 1e-320 for b in balls]
-    return [None if w else b for b, w in zip(balls, wide, strict=True)]
+    return [
+        b if b.is_finite() and float(b.rad()) <= max(NOTHING, WIDEST * abs(float(b.mid()))) else None for b in balls
+    ]
 
 
 def distance(values, balls):

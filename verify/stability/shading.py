@@ -108,20 +108,20 @@ def by_squaring(base, whole):
     return result
 
 
-def any_shininess(values=91, samples=24, seed=8):
-    """base^p against p from 10⁻³ to 10⁶, for bases within 8/p of 1, whole p by repeated squaring.
+def any_shininess(whole=True, values=91, samples=24, seed=8):
+    """base^p against p from 10⁻³ to 10⁶, for bases within 8/p of 1; whole p, from 1 on, by repeated squaring.
 
     Reason of the bound: each of p multiplications rounds by at most 2⁻⁵³ of the result, so base^p is off by p 2⁻⁵³
     base^p, and an inherited error δ of the base by p base^(p−1) δ; δ = 2⁻⁵³ here: p is what a highlight costs.
     """
     random = np.random.default_rng(seed)
     powers = np.geomspace(1e-3, 1e6, values)
-    powers[::2] = np.maximum(1, np.rint(powers[::2]))
+    powers = np.where((powers >= 1) & whole, np.rint(powers), powers)
     base = 1 - random.uniform(0, 1, (values, samples)) * np.minimum(1, 8 / powers)[:, None]
     inputs = {"specular_base": base, "shininess": powers[:, None]}
     ours, truth = with_bounds(highlight, inputs)[specular.name], in_balls(highlight, inputs)[specular.name]
-    whole = powers == np.rint(powers)
+    squared = powers == np.rint(powers)
     raised = ours.value.copy()
-    raised[whole] = [by_squaring(b, int(p)) for b, p in zip(base[whole], powers[whole], strict=True)]
+    raised[squared] = [by_squaring(b, int(p)) for b, p in zip(base[squared], powers[squared], strict=True)]
     bound = ours.bound + (powers[:, None] + 1) * 2.0**-53 * ours.value * (1 + 1e-9)
     return Sweep(powers, distance(raised, truth), bound)

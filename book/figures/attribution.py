@@ -1,0 +1,105 @@
+"""Which term of a central difference's error is the largest: pixel by pixel, and step by step."""
+
+from functools import cache
+
+import numpy as np
+
+from book.figures.registry import Drawing, figure
+from book.pictures import GAP, TITLE
+from book.style import decades, palette, panels, plot
+from renderer import Scene, render
+from verify.stability import attribution
+
+# Okabe and Ito's, none of them one of the book's four roles but that of differences, for what a difference cannot do.
+COLOURS = {
+    "truncation": "#56B4E9",
+    "argument rounding": "#E69F00",
+    "roundoff": "#F0E442",
+    "straddling": "#CC79A7",
+    "one-sided": "#FFFFFF",
+}
+STEPS = (3e-2, 1e-6, 1e-8)
+SIDE, ZOOM = 88, 3
+SWEEP = np.logspace(-0.5, -13, 26)
+KEYS = [name.replace(" ", "_").replace("-", "_") for name in attribution.TERMS]
+
+
+@cache
+def _frame():
+    return render(Scene(), SIDE, SIDE)
+
+
+def _picture(kinds):
+    """Return the kinds as colours, black off A and where there is no error."""
+    table = np.array([[int(c[i : i + 2], 16) for i in (1, 3, 5)] for c in COLOURS.values()], np.uint8)
+    picture = np.where(kinds[..., None] >= 0, table[kinds.clip(0)], np.uint8(0))
+    return picture.repeat(ZOOM, axis=0).repeat(ZOOM, axis=1)
+
+
+@cache
+def _kinds():
+    return [attribution.over_the_image(_frame(), eps) for eps in STEPS]
+
+
+@figure("attribution")
+def attribution_pictures() -> Drawing:
+    """The largest of the error's terms at each pixel of sphere A, at three steps, with a legend."""
+    fig = panels([_picture(kinds) for kinds in _kinds()], [f"ε = {eps:g}" for eps in STEPS])
+    _legend(fig)
+    numbers = {"side": SIDE, "pixels": int((_kinds()[0] > -2).sum())}
+    for eps, kinds in zip(STEPS, _kinds(), strict=True):
+        shares = attribution.shares(kinds[kinds > -2])
+        numbers |= {f"{key}_{eps:.0e}": share for key, share in zip(KEYS, shares.values(), strict=True)}
+    return Drawing(fig, numbers=numbers)
+
+
+def _legend(fig):
+    """Write the colours' names under the pictures, in a strip that is added to the figure."""
+    width, height = fig.get_size_inches() * 96
+    strip = TITLE + GAP
+    fig.set_size_inches(width / 96, (height + strip) / 96)
+    for ax in fig.axes:
+        box = ax.get_position()
+        ax.set_position(
+            [box.x0, (box.y0 * height + strip) / (height + strip), box.width, box.height * height / (height + strip)]
+        )
+    for text in fig.texts:
+        text.set_y((text.get_position()[1] * height + strip) / (height + strip))
+    for index, name in enumerate(COLOURS):
+        left = index * width / len(COLOURS)
+        mark = fig.add_axes([left / width, 6 / (height + strip), 14 / width, 14 / (height + strip)])
+        mark.imshow(_picture(np.array([[index]])), aspect="auto")  # a facecolour would be saved transparent
+        mark.set(xticks=[], yticks=[])
+        for spine in mark.spines.values():
+            spine.set(visible=True, color=palette()["rule"])
+        fig.text((left + 22) / width, 13 / (height + strip), name, va="center", color=palette()["ink"])
+
+
+@cache
+def _shares():
+    return attribution.shares_by_step(_frame(), SWEEP)
+
+
+@figure("attribution_shares")
+def attribution_shares() -> Drawing:
+    """Over random pixels of A, the share of each dominant term against the step."""
+    shares = _shares()
+    fig, ax = plot(height=3.6)
+    parts = ax.stackplot(SWEEP, *shares.values(), colors=COLOURS.values(), linewidth=0.6, edgecolor=palette()["paper"])
+    decades(ax, "x", every=2)
+    ax.set_xlim(SWEEP[0], SWEEP[-1])
+    ax.set_ylim(0, 1)
+    ax.set_yticks([0, 0.5, 1], ["0", "½", "1"])
+    ax.set_xlabel("step ε")
+    ax.set_ylabel("share of A's pixels")
+    for part, hatch in zip(parts, ("", "", "////", "....", ""), strict=True):
+        part.set_hatch(hatch)
+    for name, x, y in (
+        ("straddling", 6e-2, 0.82),
+        ("truncation", 3e-4, 0.5),
+        ("argument rounding", 1e-9, 0.4),
+        ("roundoff", 3e-10, 0.93),
+    ):
+        ax.text(x, y, name, ha="center", va="center", color="#1d1c1a", backgroundcolor=COLOURS[name])
+    most = {f"{key}_most": values.max() for key, values in zip(KEYS, shares.values(), strict=True)}
+    return Drawing(fig, numbers=most | {"points": 400})

@@ -1,0 +1,139 @@
+"""Two frontiers, priced: a height field of texels, and the displaced surface that a bump is not."""
+
+from functools import cache
+
+import numpy as np
+
+from book.figures.chapter_scene import SCENE, symbolic
+from book.figures.registry import Drawing, figure
+from book.style import decades, label_line_end, palette, panels, plot, readable, slope_triangle
+from renderer.views import image_view
+from verify.frontiers import fiction, wall
+
+KINDS = {"bilinear": (0, ()), "cubic": (0, (5, 2))}
+
+
+@cache
+def _errors(field, kind):
+    return wall.errors(field, kind)
+
+
+@figure("frontier_wall")
+def frontier_wall() -> Drawing:
+    """The error of h_u of an interpolated table against the number of texels: two fields, two interpolations."""
+    texels = np.array(wall.TEXELS)
+    fig, axes = plot(height=4.2, ncols=2, sharey=True)
+    colour, numbers = palette()["difference"], {"slope": np.pi * wall.KU, "points": wall.POINTS}
+    for ax, field in zip(axes, ("sine", "ridges"), strict=True):
+        for kind, dash in KINDS.items():
+            largest, rms = _errors(field, kind)
+            ax.plot(texels, largest, color=colour, linestyle=dash, marker="o", markersize=4)
+            ax.plot(texels, rms, color=palette()["muted"], linestyle=dash, linewidth=1.2)
+            numbers |= {f"{field}_{kind}_order": wall.order(largest), f"{field}_{kind}_rms_order": wall.order(rms)}
+            numbers |= {f"{field}_{kind}_{n}": error for n, error in zip(wall.TEXELS, largest, strict=True)}
+            if field == "sine":
+                label_line_end(ax, texels[0], largest[0], kind, readable(colour), side="above")
+        decades(ax, "x")
+        decades(ax, "y", every=2)
+        ax.set_xlim(20, 1000)
+        ax.set_title(field)
+        ax.set_xlabel("texels across")
+    axes[0].set_ylabel("error of $h_u$")
+    third = numbers["slope"] ** 3  # the central difference's error is ε²/6 of it
+    numbers["as_step"] = np.sqrt(6 * numbers["sine_bilinear_513"] / third)
+    ridges, rms = _errors("ridges", "bilinear")
+    label_line_end(axes[1], texels[2], ridges[2], "largest", readable(colour), side="above")
+    label_line_end(axes[1], texels[2], rms[2] / 1.5, "RMS", palette()["muted"], side="below")
+    slope_triangle(axes[0], 120, 1.5e-1, -1, "1", decades=0.5)
+    slope_triangle(axes[0], 60, 3e-4, -3, "3", decades=0.4)
+    slope_triangle(axes[1], 120, 1.5e-1, -0.5, "½", decades=0.5)
+    return Drawing(fig, numbers=numbers)
+
+
+def _degree_bar(high, tall):
+    """Return the colours of 0 to `high` degrees from bottom to top, and room for their numbers, (tall, 50, 4)."""
+    bar = np.zeros((tall, 50, 4), np.uint8)
+    bar[:, :14, :3] = _colours(np.linspace(high, 0, tall)[:, None], high)
+    bar[:, :14, 3] = 255
+    return bar
+
+
+@cache
+def _angles(side):
+    return fiction.angle_maps(symbolic("ridges", side))
+
+
+def _colours(angle, high):
+    """Return angles in degrees in the colours of inferno, black where there is none."""
+    import matplotlib
+
+    return matplotlib.colormaps["inferno"](np.clip(np.nan_to_num(angle) / high, 0, 1), bytes=True)[..., :3]
+
+
+MOST = 180
+
+
+@figure("frontier_angles")
+def frontier_angles() -> Drawing:
+    """The angle between N' and the displaced surface's normal: the chapter's, and three mends, one at a time."""
+    side, full = 200, _angles(256)
+    pictures = [_colours(angles, MOST) for angles in _angles(side).values()]
+    fig = panels([*pictures, _degree_bar(MOST, side)], [*fiction.STEPS, ""])
+    bar = fig.axes[-1].get_position()
+    for angle, place in ((0, "bottom"), (90, "center"), (180, "top")):
+        height = bar.y0 + bar.height * angle / MOST
+        fig.text(bar.x0 + 0.38 * bar.width, height, f"{angle}°", va=place, color=palette()["ink"])
+    numbers = {"beta": SCENE.beta, "most": MOST}
+    for key, angles in zip(("chapter", "sign", "scale", "metric"), full.values(), strict=True):
+        numbers |= {f"{key}_median": np.nanmedian(angles), f"{key}_largest": np.nanmax(angles)}
+    return Drawing(fig, numbers=numbers)
+
+
+@cache
+def _silhouette(betas):
+    return fiction.silhouette_remainders(betas)
+
+
+@figure("frontier_silhouette")
+def frontier_silhouette() -> Drawing:
+    """How far displacement moves the silhouette against β, and what the first two orders leave over."""
+    betas = np.logspace(-3, -1.5, 13)
+    moved, first, second = _silhouette(tuple(betas))
+    fig, ax = plot(height=3.9)
+    colour, ink = palette()["difference"], palette()["ink"]
+    curves = (("displaced − smooth", moved, (0, ()), ink), ("less the first order", first, (0, (5, 2)), colour),
+              ("less the second, too", second, (0, (1.5, 1.5)), colour))  # fmt: skip
+    orders = []
+    for name, curve, dash, shade in curves:
+        ax.plot(betas, curve, color=shade, linestyle=dash)
+        label_line_end(ax, betas[-1], curve[-1], name, readable(shade))
+        orders.append(np.polyfit(np.log(betas[:9]), np.log(curve[:9]), 1)[0])
+    decades(ax, "x")
+    decades(ax, "y", every=2)
+    ax.set_xlabel("amplitude β")
+    ax.set_ylabel("radius of the silhouette, in $R$")
+    for curve, order, below in ((moved, "1", 6), (first, "2", 6), (second, "3", 20)):
+        slope_triangle(ax, 3e-3, np.interp(3e-3, betas, curve) / below, int(order), order, decades=0.4)
+    numbers = {f"order_{n}": order for n, order in enumerate(orders)}
+    return Drawing(fig, numbers=numbers | {"beta": betas[-1], "moved": moved[-1], "left": second[-1]})
+
+
+@cache
+def _leaks(size):
+    return fiction.leaks(SCENE, size)
+
+
+@figure("frontier_leaks")
+def frontier_leaks() -> Drawing:
+    """Where a light reaches what faces away from it, and where it misses what faces it, for each light."""
+    size = 300
+    dimmed = image_view(symbolic("ridges", size)) // 3
+    lit, missed = (np.array(c, np.uint8) for c in ((0xF0, 0xE4, 0x42), (0x56, 0xB4, 0xE9)))
+    pictures = [
+        np.where(leak[..., None], lit, np.where(miss[..., None], missed, dimmed)) for leak, miss in _leaks(size)
+    ]
+    fig = panels([image_view(symbolic("ridges", size)), *pictures], ("the picture", "first light", "second light"))
+    numbers = {"pixels_a": int(symbolic("ridges", 256).stage.on_a.sum())}
+    for name, (leak, miss) in zip(("first", "second"), _leaks(256), strict=True):
+        numbers |= {f"{name}_leaks": int(leak.sum()), f"{name}_missed": int(miss.sum())}
+    return Drawing(fig, numbers=numbers)

@@ -1,0 +1,64 @@
+"""The maps of accuracy, and what the attribution of an error adds up to."""
+
+import numpy as np
+import pytest
+
+from renderer import Scene, central, gradient_at, render
+from verify.stability import attribution, maps
+from verify.stability.measure import distance, in_balls
+
+SCENE = Scene()
+POINTS = np.random.default_rng(12).uniform(0.02, 0.98, (2, 150))
+
+
+def test_a_missed_zero_loses_all_bits_and_a_met_one_none():
+    exact = in_balls(
+        maps.gradient(maps.HEIGHT_FIELDS["ridges"]), {"u": [0.125, 0.125], "v": 0.3, "k_u": 8.0, "k_v": 4.0}
+    )["h_u"]
+    assert maps.relative(np.array([1e-9, 0.0]), exact).tolist() == [maps.MISSED_ZERO, 0.0]
+
+
+def test_over_the_chart_ours_is_right_to_the_last_places():
+    """Ours ≤ 16 roundings of h_u itself, wherever; the seed's form misses the zeros on the creases altogether."""
+    found = maps.over_the_chart(side=64)
+    assert found["ours"].max() <= 16
+    assert found["seed"].max() == maps.MISSED_ZERO
+
+
+def test_over_the_image_nothing_is_lost_off_the_rim():
+    """8(1 + k) = 72 roundings are allowed where 1 − (ρ/ρ_s)² ≥ 0.1, that is within 0.94 ρ_s."""
+    found = maps.over_the_image(size=40, reach=0.66)
+    assert np.nanmax(found["ours"]) <= 72
+    assert maps.summary(found["seed"])[1] > maps.summary(found["ours"])[1] + 5
+
+
+@pytest.mark.parametrize("eps", [3e-2, 1e-5, 1e-8, 1e-12])
+@pytest.mark.parametrize("field", ["ridges", "sine", "rings"])
+def test_the_terms_add_up_to_the_error(field, eps):
+    scene = Scene(field=field)
+    values, _ = attribution.terms(scene, *POINTS, eps)
+    inputs = {"u": POINTS[0], "v": POINTS[1], "k_u": scene.ku, "k_v": scene.kv}
+    right = in_balls(maps.gradient(maps.HEIGHT_FIELDS[field]), inputs)
+    computed = gradient_at(scene, *POINTS, central(eps))
+    for rows, number, name in zip((values[:3], values[3:]), computed, ("h_u", "h_v"), strict=True):
+        error = distance(number, right[name])
+        np.testing.assert_allclose(np.abs(rows.sum(axis=0)), error, rtol=1e-6, atol=1e-14)
+
+
+def test_each_step_has_its_own_term():
+    kinds = {eps: attribution.shares(attribution.dominant(SCENE, *POINTS, eps)) for eps in (0.06, 1e-4, 1e-9)}
+    assert kinds[0.06]["straddling"] > 0.5
+    assert kinds[1e-4]["truncation"] > 0.95
+    assert kinds[1e-9]["argument rounding"] + kinds[1e-9]["roundoff"] == pytest.approx(1)
+
+
+def test_at_the_pole_the_step_is_one_sided():
+    """v < ε: the crease in reach is the end of the chart, and no sample lies beyond it."""
+    kinds = attribution.dominant(SCENE, np.full(5, 0.07), np.linspace(1e-3, 9e-3, 5), 1e-2)
+    assert (kinds == attribution.TERMS.index("one-sided")).all()
+
+
+def test_off_a_there_is_no_term():
+    frame = render(SCENE, 16, 16)
+    kinds = attribution.over_the_image(frame, 1e-5)
+    np.testing.assert_array_equal(kinds > -2, frame.stage.on_a)
