@@ -11,6 +11,7 @@ from .symbols import (
     ball_center,
     ball_on,
     ball_radius,
+    bumped,
     column,
     cos_phi,
     cos_theta,
@@ -42,7 +43,7 @@ t_a, t_b, t_floor = symbols("t_a t_b t_floor", extended_real=True)  # infinity: 
 surface, tangent_squared = real("surface tangent_squared")
 discriminant_a, root_a, rho_raw = real("discriminant_a root_a rho_raw")
 toward_b, discriminant_b, root_b = real("toward_b discriminant_b root_b")
-distance, view_scale = real("distance view_scale")
+distance, view_scale, rho_inverse, hit_scale = real("distance view_scale rho_inverse hit_scale")
 
 ray_direction = (x, y, -eye)
 _tangent = (tangent_squared, (eye - radius) * (eye + radius))  # squared length of the tangents from E to A
@@ -127,9 +128,6 @@ hit_of_b = Program(
 d = b² − |D|² c = |D|² R₂² − |D × (E − C)|² (Lagrange's identity); ∞ where d < 0 or b ≤ 0 (behind the eye), or
 where there is no B. Domain: E outside B. Theorem: hit_of_b. The seed has c = |C|² − R₂²: refuted, F1."""
 
-without_b = Program("without_b", (), ((t_b, oo),), (t_b,))
-"""No hit with sphere B."""
-
 _nearest = Program(
     "nearest",
     (t_a, t_b, floor_on),
@@ -151,9 +149,6 @@ _nearest = Program(
 visible_surface = chain("visible_surface", hit_of_a, hit_of_b, _nearest)
 """The surface that a ray meets first: 0 none, 1 sphere A, 2 sphere B, 3 floor."""
 
-surface_without_b = chain("surface_without_b", hit_of_a, without_b, _nearest)
-"""The same where the ray passes B by."""
-
 angles_on_a = chain(
     "angles_on_a",
     hit_of_a,
@@ -161,10 +156,12 @@ angles_on_a = chain(
         "angles",
         (x, y, rho, root_a, tangent_squared, eye, radius),
         (
-            (cos_theta, Piecewise((x / rho, rho > 0), (0, True))),
-            (sin_theta, Piecewise((y / rho, rho > 0), (0, True))),
-            (sin_phi, tangent_squared * rho / (radius * (eye**2 + root_a))),
-            (cos_phi, eye * (root_a + radius**2) / (radius * (eye**2 + root_a))),
+            (rho_inverse, Piecewise((1 / rho, rho > 0), (0, True))),
+            (hit_scale, 1 / (radius * (eye**2 + root_a))),
+            (cos_theta, x * rho_inverse),
+            (sin_theta, y * rho_inverse),
+            (sin_phi, tangent_squared * rho * hit_scale),
+            (cos_phi, eye * (root_a + radius**2) * hit_scale),
         ),
         (cos_theta, sin_theta, cos_phi, sin_phi),
     ),
@@ -172,7 +169,8 @@ angles_on_a = chain(
 )
 """The angles of the visible point of A from ρ and t alone: sin φ = tρ/R, cos φ = e(1 − t)/R, θ's from x/ρ, y/ρ.
 
-No term cancels, so they keep their digits up to the pole, where both of θ's are set to 0. Theorem: stable_frame."""
+No term cancels, so they keep their digits up to the pole, where both of θ's are set to 0; quotients with one divisor
+share its reciprocal. Theorem: stable_frame."""
 
 point_on_a = Program(
     "point_on_a",
@@ -181,6 +179,11 @@ point_on_a = Program(
     point,
 )
 """P = R N, N = (sin φ cos θ, sin φ sin θ, cos φ)."""
+
+point_of_normal = Program(
+    "point_of_normal", (*normal, radius), tuple((p, radius * n) for p, n in zip(point, normal, strict=True)), point
+)
+"""The same from N."""
 
 point_on_b = chain(
     "point_on_b",
@@ -219,10 +222,10 @@ point_on_floor = Program("point_on_floor", (x, y), ((point[0], x), (point[1], y)
 normal_of_floor = chain(
     "normal_of_floor",
     point_on_floor,
-    Program("upright", (x,), tuple(zip(normal, (0 * x, 0 * x, 0 * x + 1), strict=True)), normal),
-    outputs=(*point, *normal),
+    Program("upright", (x,), tuple(zip(bumped, (0 * x, 0 * x, 0 * x + 1), strict=True)), bumped),
+    outputs=(*point, *bumped),
 )
-"""N = (0, 0, 1)."""
+"""N' = N = (0, 0, 1)."""
 
 view_length = Program("view_length", (x, y, eye), ((view_scale, 1 / sqrt(x**2 + y**2 + eye**2)),), (view_scale,))
 """1/|E − (x, y, 0)|."""

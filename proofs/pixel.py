@@ -80,7 +80,7 @@ def _places(gradient_program):
         "select",
         *((p, _by_surface(*(on(p, s) for s in ("on_a", "on_b", "on_floor")))) for p in point),
         *(
-            (b, _by_surface(on(b, "on_a"), on(n, "on_b"), on(n, "on_floor")))
+            (b, _by_surface(on(b, "on_a"), on(n, "on_b"), on(b, "on_floor")))
             for b, n in zip(bumped, normal, strict=True)
         ),
     )

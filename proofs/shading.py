@@ -9,6 +9,7 @@ to_light = vector("to_light")
 light_distance, light_scale = real("light_distance light_scale")
 halfway = vector("halfway")
 halfway_length, halfway_squared, along_halfway = real("halfway_length halfway_squared along_halfway")
+distance_squared, along_light = real("distance_squared along_light")
 
 light_direction = Program(
     "light_direction",
@@ -52,22 +53,26 @@ blinn = chain(
 )
 """Blinn–Phong: the base of the highlight is max(0, N'·(ω + v̂)/|ω + v̂|), and 0 where ω = −v̂."""
 
-blinn_squared = chain(
+blinn_squared = Program(
     "blinn_squared",
-    halfway_vector,
-    Program(
-        "blinn_squared_base",
-        (*halfway, *bumped),
-        (
-            (halfway_squared, dot(halfway, halfway)),
-            (along_halfway, Max(0, dot(bumped, halfway))),
-            (specular_base, Piecewise((along_halfway**2 / halfway_squared, halfway_squared > 0), (0, True))),
-        ),
-        (specular_base,),
+    (*point, *light, *bumped, *view),
+    (
+        *light_direction.definitions[:3],
+        (distance_squared, dot(to_light, to_light)),
+        (light_distance, sqrt(distance_squared)),
+        *((k, d + light_distance * w) for k, d, w in zip(halfway, to_light, view, strict=True)),
+        (halfway_squared, dot(halfway, halfway)),
+        (along_light, dot(bumped, to_light)),
+        (along_halfway, Max(0, dot(bumped, halfway))),
+        (light_scale, Piecewise((1 / (light_distance * halfway_squared), halfway_squared > 0), (0, True))),
+        (mu, Piecewise((along_light * halfway_squared * light_scale, halfway_squared > 0), (-dot(bumped, view), True))),
+        (specular_base, along_halfway**2 * light_distance * light_scale),
     ),
-    outputs=(mu, specular_base),
+    (mu, specular_base),
 )
-"""The square of Blinn–Phong's base: base^p = (base²)^(p/2) for an even p, without a root."""
+"""Blinn–Phong's μ and the square of its base, from one root and one division: base^p = (base²)^(p/2) for an even p.
+
+The halfway vector is |L − P| (ω + v̂) = (L − P) + |L − P| v̂; where it vanishes ω = −v̂. Theorem: squared_highlight."""
 
 phong = chain(
     "phong",
@@ -107,7 +112,13 @@ light_term = Program(
 )
 """A light adds colour · (k_d · albedo · max(0, μ) + k_s · base^p) per channel, unless it is occluded."""
 
-clip = Program("clip", (color,), ((clipped, Min(1, Max(0, color))),), (clipped,))
+
+def clipped_value(channel):
+    """Return a channel clipped to [0, 1]."""
+    return Min(1, Max(0, channel))
+
+
+clip = Program("clip", (color,), ((clipped, clipped_value(color)),), (clipped,))
 """A channel is clipped to [0, 1]."""
 
 floor_dark, floor_tint, floor_base, floor_red, floor_blue = real(

@@ -1,61 +1,57 @@
-"""The first stage: the chamber of every pixel, and the rows cut into runs of one chamber.
+"""The chamber of every pixel, row by row, and the rows cut into runs of one chamber.
 
-A chamber is a set of pixels with the same surface, cast shadows and checker square. Chambers depend on neither the
-height field, β, ε nor the gradient method (theorem bump_moves_no_boundary), so a `Stage` serves every such change.
+A chamber is a set of pixels with the same surface, cast shadows and checker square. Sphere A is an interval of every
+row: the test is monotone in |x|, rounding included, so the interval's ends are found by bisection and no guard is
+needed. B and the shadows are tested pixel by pixel, inside boxes (`renderer.bounds`).
 """
-
-from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
-from renderer.bounds import scene_boxes
 from renderer.kernels import (
     checker_row,
     compiled,
+    discriminant_of_a,
     shadow_on_a_row,
     shadow_on_b_row,
     shadow_on_floor_row,
-    surface_without_b_row,
     visible_surface_row,
 )
-from renderer.raster import Raster
 
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0, 1, 2, 3
 SURFACE_BITS = 3
 FIRST_LIGHT_BIT = 2
 DARK_BIT = 128
-LONGEST_RUN = 512  # a run's working rows stay in the first-level cache
-
-
-class Geometry(NamedTuple):
-    """The scene's lengths, as the kernels take them; `ball_on` and `floor_on` are 1 or 0."""
-
-    eye: float
-    radius: float
-    ball_x: float
-    ball_y: float
-    ball_z: float
-    ball_radius: float
-    ball_on: float
-    floor_on: float
-
-
-def geometry_of(scene):
-    """Return the Geometry of a scene. An absent B is a unit ball far behind the floor that no kernel asks about."""
-    center, ball_radius = (scene.ball_center, scene.ball_radius) if scene.ball else ((0.0, 0.0, 0.0), 1.0)
-    return Geometry(scene.eye, scene.radius, *center, ball_radius, float(scene.ball), float(scene.floor))
-
-
-def light_positions_of(scene):
-    """Return the position of every light, None for one that is off: what the shadows depend on."""
-    return tuple(None if light.color is None else light.position for light in scene.lights)
+LONGEST_RUN = 256  # a run's working rows stay in the first-level cache
+BLOCK = 32
+LANES = 16
+"""Rows are worked on in whole groups of so many pixels, the last of which may lie outside the run: a vector loop does
+these at once, and what is left over one by one, at several times the cost. Rows have room for them."""
 
 
 @compiled
-def _mark(code_row, flag_row, bit, start, stop):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        code_row[i] = code_row[i] | (bit if flag_row[i] > 0.0 else 0)
+def interval_of_a(x, y, eye, radius, middle, columns):
+    """Return [left, right): the pixels of a row whose ray meets A. x ascends, and is negative before `middle`."""
+    low, left = np.int64(0), middle
+    while low < left:
+        tried = (low + left) // 2
+        if discriminant_of_a(x[tried], y, eye, radius) >= 0.0:
+            left = tried
+        else:
+            low = tried + 1
+    right, high = middle, columns
+    while right < high:
+        tried = (right + high) // 2
+        if discriminant_of_a(x[tried], y, eye, radius) >= 0.0:
+            right = tried + 1
+        else:
+            high = tried
+    return left, right
+
+
+@compiled
+def whole_groups(count):
+    """Return `count` rounded up to whole groups of LANES."""
+    return (count + (LANES - 1)) // LANES * LANES
 
 
 @compiled
@@ -68,195 +64,132 @@ def _within(box, row, start, stop):
 
 
 @compiled
-def _mark_shadows(x, y, g, surface, position, boxes, row, bit, code_row, flag_row, start, stop):
-    """Set a light's bit where another body stands between the surface and the light.
-
-    boxes: where A's shadow on the floor, B's on the floor and B's on A can be.
-    """
-    lx, ly, lz = position[0], position[1], position[2]
-    bx, by, bz = g.ball_x, g.ball_y, g.ball_z
-    if surface == SPHERE_B:
-        shadow_on_b_row(
-            x,
-            y,
-            g.eye,
-            bx,
-            by,
-            bz,
-            g.ball_radius,
-            g.ball_on,
-            lx,
-            ly,
-            lz,
-            0.0,
-            0.0,
-            0.0,
-            g.radius,
-            flag_row,
-            start,
-            stop,
-        )
-        _mark(code_row, flag_row, bit, start, stop)
-    elif surface == SPHERE_A and g.ball_on > 0.0:
-        left, right = _within(boxes[2], row, start, stop)
-        shadow_on_a_row(x, y, g.eye, g.radius, lx, ly, lz, bx, by, bz, g.ball_radius, flag_row, left, right)
-        _mark(code_row, flag_row, bit, left, right)
-    elif surface == FLOOR:
-        left, right = _within(boxes[0], row, start, stop)
-        shadow_on_floor_row(x, y, lx, ly, lz, 0.0, 0.0, 0.0, g.radius, flag_row, left, right)
-        _mark(code_row, flag_row, bit, left, right)
-        if g.ball_on > 0.0:
-            left, right = _within(boxes[1], row, start, stop)
-            shadow_on_floor_row(x, y, lx, ly, lz, bx, by, bz, g.ball_radius, flag_row, left, right)
-            _mark(code_row, flag_row, bit, left, right)
+def _run_end(code_row, start, stop):
+    """Return where the run of one code that begins at `start` ends, looking at a block of pixels at a time."""
+    code, end = code_row[start], start + 1
+    while end + BLOCK <= stop:
+        differences = code ^ code
+        for i in range(np.uint64(end), np.uint64(end + BLOCK)):
+            differences |= code_row[i] ^ code
+        if differences:
+            break
+        end += BLOCK
+    while end < stop and code_row[end] == code:
+        end += 1
+    return end
 
 
 @compiled
-def _mark_surfaces(x, y, g, box, row, surface_row):
+def _fill(code_row, code, start, stop):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        code_row[i] = code
+
+
+@compiled
+def _mark(code_row, flag_row, bit, start, stop):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        code_row[i] = code_row[i] | (bit if flag_row[i] > 0.0 else 0)
+
+
+@compiled
+def _mark_surfaces(x, y, g, middle, box, row, code_row, flag_row):
     """Write the surface of every pixel of a row; B is looked for inside its box alone."""
-    columns = x.shape[0]
-    left, right = _within(box, row, 0, columns)
-    if g.ball_on == 0.0:
-        left, right = 0, 0
-    surface_without_b_row(x, y, g.eye, g.radius, g.floor_on, surface_row, 0, left)
+    eye, radius, bx, by, bz, ball_radius, ball_on, floor_on = g
+    columns = code_row.shape[0]
+    left, right = interval_of_a(x, y, eye, radius, middle, columns)
+    _fill(code_row, np.uint8(FLOOR if floor_on > 0.0 else NOTHING), np.int64(0), columns)
+    _fill(code_row, np.uint8(SPHERE_A), left, right)
+    left, right = _within(box, row, np.int64(0), columns)
     visible_surface_row(
-        x,
-        y,
-        g.eye,
-        g.radius,
-        g.ball_x,
-        g.ball_y,
-        g.ball_z,
-        g.ball_radius,
-        g.ball_on,
-        g.floor_on,
-        surface_row,
-        left,
-        right,
+        x, y, eye, radius, bx, by, bz, ball_radius, ball_on, floor_on, flag_row, left, left + whole_groups(right - left)
     )
-    surface_without_b_row(x, y, g.eye, g.radius, g.floor_on, surface_row, right, columns)
+    for i in range(np.uint64(left), np.uint64(right)):
+        code_row[i] = np.uint8(flag_row[i])
 
 
 @compiled
-def _mark_chambers(x, y_of_row, g, positions, bits, boxes, codes, top):
-    """Write the chamber codes of a band of rows, the first of which is row `top` of the raster."""
-    box_of_b, shadow_boxes = boxes
-    columns = x.shape[0]
-    surface_row, flag_row = np.empty(columns), np.empty(columns)
+def _mark_shadow(x, y, g, surface, light, boxes, row, bit, code_row, flag_row, start, stop):
+    """Set a light's bit where another body stands between the surface and the light; return the tests made.
+
+    boxes: where A's shadow on the floor, B's on the floor, B's on A and A's on B can be.
+    """
+    eye, radius, bx, by, bz, ball_radius, ball_on, _ = g
+    lx, ly, lz = light[0], light[1], light[2]
+    if surface == SPHERE_B:
+        left, right = _within(boxes[3], row, start, stop)
+        shadow_on_b_row(
+            x, y, eye, bx, by, bz, ball_radius, ball_on, lx, ly, lz, 0.0, 0.0, 0.0, radius, flag_row, left, left + whole_groups(right - left),
+        )  # fmt: skip
+        _mark(code_row, flag_row, bit, left, right)
+        return right - left
+    if surface == SPHERE_A:
+        left, right = _within(boxes[2], row, start, stop)
+        reach = left + whole_groups(right - left)
+        shadow_on_a_row(x, y, eye, radius, lx, ly, lz, bx, by, bz, ball_radius, flag_row, left, reach)
+        _mark(code_row, flag_row, bit, left, right)
+        return right - left
+    left, right = _within(boxes[0], row, start, stop)
+    shadow_on_floor_row(x, y, lx, ly, lz, 0.0, 0.0, 0.0, radius, flag_row, left, left + whole_groups(right - left))
+    _mark(code_row, flag_row, bit, left, right)
+    tests = right - left
+    left, right = _within(boxes[1], row, start, stop)
+    shadow_on_floor_row(x, y, lx, ly, lz, bx, by, bz, ball_radius, flag_row, left, left + whole_groups(right - left))
+    _mark(code_row, flag_row, bit, left, right)
+    return tests + right - left
+
+
+@compiled
+def mark_chambers(x, y_of_row, geometry, middle, box_of_b, lights, bits, boxes, codes, top):
+    """Write the chamber codes of a band of rows, the first of which is row `top`; return how many shadow tests.
+
+    x: the columns' and LANES more. geometry: (8,) as `renderer.stage.geometry_of` gives it. lights: (n, 3), their bits (n,) and boxes (n, 4, 4).
+    """
+    g = (
+        geometry[0], geometry[1], geometry[2], geometry[3], geometry[4], geometry[5], geometry[6], geometry[7]
+    )  # fmt: skip
+    columns, tests = codes.shape[1], 0
+    flag_row, dark_row, dark_at = np.empty(x.shape[0]), np.empty(columns, np.uint8), np.nan
     for row in range(codes.shape[0]):
         y, code_row, here = y_of_row[row], codes[row], top + row
-        _mark_surfaces(x, y, g, box_of_b, here, surface_row)
-        start = 0
+        _mark_surfaces(x, y, g, middle, box_of_b, here, code_row, flag_row)
+        if g[7] > 0.0 and (np.floor(y) != dark_at or y == dark_at):  # y matters by its square, and on a grid line
+            checker_row(x, y, flag_row, 0, x.shape[0])
+            _fill(dark_row, np.uint8(0), np.int64(0), columns)
+            _mark(dark_row, flag_row, np.uint8(DARK_BIT), np.int64(0), columns)
+            dark_at = np.nan if y == np.floor(y) else np.floor(y)
+        start = np.int64(0)  # a literal would compile everything below once more
         while start < columns:
-            surface = int(surface_row[start])
-            stop = start + 1
-            while stop < columns and surface_row[stop] == surface_row[start]:
-                stop += 1
-            code_row[start:stop] = surface
+            surface = code_row[start]
+            stop = _run_end(code_row, start, columns)
             if surface == FLOOR:
-                checker_row(x, y, flag_row, start, stop)
-                _mark(code_row, flag_row, DARK_BIT, start, stop)
-            for light in range(positions.shape[0]):
-                _mark_shadows(
-                    x,
-                    y,
-                    g,
-                    surface,
-                    positions[light],
-                    shadow_boxes[light],
-                    here,
-                    bits[light],
-                    code_row,
-                    flag_row,
-                    start,
-                    stop,
-                )
+                for i in range(np.uint64(start), np.uint64(stop)):
+                    code_row[i] |= dark_row[i]
+            if surface != NOTHING:
+                for light in range(lights.shape[0]):
+                    tests += _mark_shadow(
+                        x, y, g, surface, lights[light], boxes[light], here, bits[light], code_row, flag_row, start, stop
+                    )
             start = stop
+    return tests
 
 
 @compiled
-def _cut_row(code_row, runs, first, row):
-    """Append the runs of one row from index `first` on, as (row, start, stop, code); return the next free index."""
-    start, columns = 0, code_row.shape[0]
-    while start < columns:
-        stop, last = start + 1, min(columns, start + LONGEST_RUN)
-        while stop < last and code_row[stop] == code_row[start]:
-            stop += 1
-        runs[first, 0], runs[first, 1], runs[first, 2], runs[first, 3] = row, start, stop, code_row[start]
-        first += 1
-        start = stop
-    return first
+def cut_runs(codes, runs):
+    """Write the runs of a band as (row, start, stop, code), A's from the front, the others from the back.
 
-
-@compiled
-def _cut_runs(codes):
-    """Return the runs of a band of rows, (n, 4) int64."""
-    runs = np.empty((codes.shape[0] * codes.shape[1], 4), np.int64)
-    count = 0
-    for row in range(codes.shape[0]):
-        count = _cut_row(codes[row], runs, count, row)
-    return runs[:count].copy()
-
-
-class Band(NamedTuple):
-    """Some rows of the raster: the first row, their y, their runs (row counted from the band's first), A's runs."""
-
-    top: int
-    y: np.ndarray
-    runs: np.ndarray
-    runs_on_a: np.ndarray
-
-
-class Stage:
-    """The chambers of a scene on a raster: what every gradient method, field, β and ε shares.
-
-    chambers: (height, width) uint8. Bits 0–1 are the surface (0 none, 1 A, 2 B, 3 floor), bit 2 + i says that light i
-    is occluded by another body (0 for a light that is off), bit 7 that the floor square is dark. bands: a list of Band.
+    runs: (rows · columns, 4) int64. Return how many there are of A and of the others.
     """
-
-    def __init__(self, scene, raster: Raster, run_bands):
-        """Compute the chambers; `run_bands(work, count)` calls work(band number) for every band."""
-        self.geometry, self.light_positions, self.raster = geometry_of(scene), light_positions_of(scene), raster
-        self.x, y = raster.image_points(scene)
-        self.chambers = np.zeros(raster.shape, np.uint8)
-        on = [number for number, light in enumerate(scene.lights) if light.color is not None]
-        positions = np.array([scene.lights[n].position for n in on], np.float64).reshape(-1, 3)
-        bits = np.array([1 << (FIRST_LIGHT_BIT + n) for n in on], np.uint8)
-        boxes = scene_boxes(self.x, y, self.geometry, positions)
-        rows_in_band = band_rows(raster)
-        tops = range(0, raster.shape[0], rows_in_band)
-        bands = [None] * len(tops)
-
-        def work(number):
-            rows = slice(tops[number], tops[number] + rows_in_band)
-            codes = self.chambers[rows]
-            _mark_chambers(self.x, y[rows], self.geometry, positions, bits, boxes, codes, tops[number])
-            runs = _cut_runs(codes)
-            runs_on_a = runs[(runs[:, 3] & SURFACE_BITS) == SPHERE_A]
-            bands[number] = Band(tops[number], y[rows], runs, runs_on_a)
-
-        run_bands(work, len(tops))
-        self.bands = bands
-
-    def serves(self, scene, raster):
-        """Return whether these are the chambers of the scene on the raster."""
-        made_for = (self.geometry, self.light_positions, self.raster)
-        return made_for == (geometry_of(scene), light_positions_of(scene), raster)
-
-    @cached_property
-    def pixel_counts(self):
-        """(256,) int: how many pixels have each chamber code, added up over the runs."""
-        counts = np.zeros(256, np.int64)
-        for band in self.bands:
-            np.add.at(counts, band.runs[:, 3], band.runs[:, 2] - band.runs[:, 1])
-        return counts
-
-    @property
-    def on_a(self):
-        """(height, width) bool: the pixels of sphere A."""
-        return (self.chambers & SURFACE_BITS) == SPHERE_A
-
-
-def band_rows(raster):
-    """Return how many rows a band has: about 2^14 pixels, so that its planes stay in the second-level cache."""
-    return max(1, min(raster.shape[0], 2**14 // raster.shape[1]))
+    on_a, elsewhere, columns = 0, 0, codes.shape[1]
+    for row in range(codes.shape[0]):
+        code_row, start = codes[row], np.int64(0)
+        while start < columns:
+            stop = _run_end(code_row, start, min(columns, start + LONGEST_RUN))
+            if code_row[start] & SURFACE_BITS == SPHERE_A:
+                index = on_a
+                on_a += 1
+            else:
+                elsewhere += 1
+                index = runs.shape[0] - elsewhere
+            runs[index, 0], runs[index, 1], runs[index, 2], runs[index, 3] = row, start, stop, code_row[start]
+            start = stop
+    return on_a, elsewhere

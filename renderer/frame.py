@@ -4,21 +4,26 @@ from functools import cached_property
 
 import numpy as np
 
-from renderer.gradients import chart_of, empty_planes, fill_angles, fill_gradient
-from renderer.kernels import FIELDS, slope_row
+from renderer.kernels import FIELDS, chart_row, slope_row
+from renderer.shading import WORK
+from renderer.sphere_a import bump_of
 
 
 class Frame:
     """A picture of a scene.
 
     rgb: (height, width, 3) float64, linear light in [0, 1], row 0 at the top (a view of three planes).
-    chambers: (height, width) uint8, see `renderer.chambers.Stage`. work: what was computed, by kind.
-    scene, raster, method, stage: what it was made from.
+    chambers: (height, width) uint8, see `renderer.stage.Stage`. scene, raster, method, stage: what it was made from.
     """
 
-    def __init__(self, scene, raster, method, stage, planes, work):
-        self.scene, self.raster, self.method, self.stage, self.work = scene, raster, method, stage, work
-        self._planes = planes
+    def __init__(self, scene, raster, method, stage, planes, add_up):
+        self.scene, self.raster, self.method, self.stage = scene, raster, method, stage
+        self._planes, self._add_up = planes, add_up
+
+    @cached_property
+    def work(self):
+        """What was computed for this frame, a dict of counts: see `renderer.work`. A given stage's work is not in it."""
+        return self._add_up()
 
     @property
     def rgb(self):
@@ -31,47 +36,39 @@ class Frame:
         return self.stage.chambers
 
     @cached_property
+    def planes_on_a(self):
+        """(6, pixels of A) float64: cos θ, sin θ, cos φ, sin φ, h_u, h_v by the frame's method, row by row."""
+        planes, bump = np.empty((6, *self.raster.shape)), bump_of(self.scene, self.method)
+        for band in self.stage.bands:
+            bump.draw(self.stage, band, np.zeros(len(WORK), np.int64), planes=planes)
+        return planes[:, self.stage.on_a]
+
+    @cached_property
     def surface_data(self):
         """What is known of sphere A: a dict of (height, width) float64 planes, NaN off A.
 
         u, v, h, h_u, h_v (by the frame's method), slope, kink (1 or 0), and straddling (1 or 0) for a difference.
         """
-        names = ["u", "v", "h", "h_u", "h_v", "slope", "kink", *(["straddling"] if self.method.eps else [])]
-        data = {name: np.full(self.raster.shape, np.nan) for name in names}
-        for band in self.stage.bands:
-            rows = slice(band.top, band.top + len(band.y))
-            for name, plane in self._band_data(band).items():
-                self._copy_runs(band, plane, data[name][rows])
+        data = {}
+        for name, values in self._data_on_a().items():
+            data[name] = np.full(self.raster.shape, np.nan)
+            data[name][self.stage.on_a] = values
         return data
 
-    def planes(self, band):
-        """Return the band's Planes: angles, and the gradient by the frame's method, on sphere A."""
-        planes = empty_planes(len(band.y), self.raster.shape[1])
-        fill_angles(self.stage, band, planes)
-        fill_gradient(self.scene, self.method, band, planes)
-        return planes
-
-    def _band_data(self, band):
-        scene, kernels, runs = self.scene, FIELDS[self.scene.field], band.runs_on_a
-        planes = self.planes(band)
-        u, v = chart_of(band, planes)
-        data = {"u": u, "v": v, "h_u": planes.h_u, "h_v": planes.h_v}
-        for name in ("h", "slope", "kink", "straddling"):
-            data[name] = np.empty_like(u)
-        kernels["height"](runs, u, v, scene.ku, scene.kv, data["h"])
-        kernels["kink"](runs, planes.sin_phi, u, v, scene.ku, scene.kv, data["kink"])
-        for row, start, stop, _ in runs:
-            slope_row(planes.h_u[row], planes.h_v[row], data["slope"][row], start, stop)
+    def _data_on_a(self):
+        kernels, waves = FIELDS[self.scene.field], (self.scene.ku, self.scene.kv)
+        *angles, h_u, h_v = self.planes_on_a
+        whole = (0, h_u.size)
+        u, v, h, slope, kink, straddling = np.empty((6, h_u.size))
+        chart_row(*angles, u, v, *whole)
+        kernels["height"](u, v, *waves, h, *whole)
+        kernels["kink"](angles[3], u, v, *waves, kink, *whole)
+        slope_row(h_u, h_v, slope, *whole)
+        data = {"u": u, "v": v, "h": h, "h_u": h_u, "h_v": h_v, "slope": slope, "kink": kink}
         if self.method.eps:
-            kernels["straddling"](runs, u, v, scene.ku, scene.kv, self.method.eps, data["straddling"])
-        else:
-            del data["straddling"]
+            kernels["straddling"](u, v, *waves, self.method.eps, straddling, *whole)
+            data["straddling"] = straddling
         return data
-
-    @staticmethod
-    def _copy_runs(band, source, target):
-        for row, start, stop, _ in band.runs_on_a:
-            target[row, start:stop] = source[row, start:stop]
 
     @property
     def kink(self):

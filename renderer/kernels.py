@@ -9,38 +9,38 @@ import math
 import numpy as np
 from numba import njit
 
-inline = njit(inline="always", error_model="numpy")
+inlined = njit(inline="always", error_model="numpy")
 compiled = njit(cache=True, nogil=True, error_model="numpy")
 
 
-@inline
+@inlined
 def maximum(a, b):
     return b if b > a else a
 
 
-@inline
+@inlined
 def minimum(a, b):
     return b if b < a else a
 
 
-@inline
+@inlined
 def sign(a):
     return 1.0 if a > 0.0 else (-1.0 if a < 0.0 else 0.0)
 
 
-@inline
+@inlined
 def atan2pi(ordinate, abscissa):
     larger = maximum(abs(abscissa), abs(ordinate))
     smaller = minimum(abs(abscissa), abs(ordinate))
-    middle = (1.0 if (smaller > 0.198912367379658 * larger) else 0.0)
-    steep = (1.0 if (smaller > 0.6681786379192989 * larger) else 0.0)
-    node = (1.0 if (steep > 0.0) else (0.41421356237309503 if (middle > 0.0) else 0.0))
-    node_value = (0.25 if (steep > 0.0) else (0.125 if (middle > 0.0) else 0.0))
-    node_correction = (0.0 if (steep > 0.0) else (-3.898644475369108e-18 if (middle > 0.0) else 0.0))
+    middle = (1.0 if (smaller > 0.3125 * larger) else 0.0)
+    steep = (1.0 if (smaller > 0.75 * larger) else 0.0)
+    node = (1.0 if (steep > 0.0) else (0.5 if (middle > 0.0) else 0.0))
+    node_value = (0.25 if (steep > 0.0) else (0.14758361765043326 if (middle > 0.0) else 0.0))
+    node_correction = (0.0 if (steep > 0.0) else (1.1095511164473943e-17 if (middle > 0.0) else 0.0))
     denominator = larger + node * smaller
     ratio = ((-larger * node + smaller) / denominator if (larger > 0.0) else 0.0)
     ratio_squared = ratio * ratio
-    arctangent_tail = ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (0.015157613627799556 - 0.013839560268860464 * ratio_squared) - 0.016753151904410034) + 0.018724110951987685) - 0.021220659078919377) + 0.02448537586029159) - 0.028937262380344605) + 0.035367765131532294) - 0.04547284088339867) + 0.06366197723675814) - 0.10610329539459688) - 1.9678676675182486e-17
+    arctangent_tail = ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (0.010976202971854851 - 0.010268060844638409 * ratio_squared) - 0.011789255043844099) + 0.012732395447351627) - 0.013839560268860464) + 0.015157613627799556) - 0.016753151904410034) + 0.018724110951987685) - 0.021220659078919377) + 0.02448537586029159) - 0.028937262380344605) + 0.035367765131532294) - 0.04547284088339867) + 0.06366197723675814) - 0.10610329539459688) - 1.9678676675182486e-17
     small_part = node_correction + ratio * (arctangent_tail + 0.3183098861837907)
     first_octant = node_value + small_part
     first_quadrant = (0.5 - first_octant if (abs(abscissa) < abs(ordinate)) else first_octant)
@@ -49,7 +49,7 @@ def atan2pi(ordinate, abscissa):
     return angle
 
 
-@inline
+@inlined
 def sinpi(product):
     product_error = 0.0
     quarters = np.rint(2.0 * product)
@@ -64,7 +64,7 @@ def sinpi(product):
     return sine
 
 
-@inline
+@inlined
 def sinpi_of_product(a, b):
     product = a * b
     a_split = 134217729.0 * a
@@ -91,7 +91,7 @@ def sinpi_of_product(a, b):
     return sine
 
 
-@inline
+@inlined
 def cospi(product):
     product_error = 0.0
     quarters = np.rint(2.0 * product)
@@ -106,7 +106,7 @@ def cospi(product):
     return cosine
 
 
-@inline
+@inlined
 def cospi_of_product(a, b):
     product = a * b
     a_split = 134217729.0 * a
@@ -134,13 +134,31 @@ def cospi_of_product(a, b):
 
 
 @compiled
+def discriminant_of_a(x, y, eye, radius):
+    rho_raw = math.sqrt(x * x + y * y)
+    rho = (rho_raw if (rho_raw >= (1.0 / 1e+150) * eye) else 0.0)
+    tangent_squared = (eye - radius) * (eye + radius)
+    rho_silhouette = eye * radius / math.sqrt(tangent_squared)
+    discriminant_a = tangent_squared * (-rho + rho_silhouette) * (rho + rho_silhouette)
+    return discriminant_a
+
+
 def image_extent(eye, radius):
     tangent_squared = (eye - radius) * (eye + radius)
     half = 1.25 * eye * radius / math.sqrt(tangent_squared)
     return half
 
 
-@compiled
+def image_x(column, width, height, half):
+    x = half * (2.0 * column - width + 1.0) / height
+    return x
+
+
+def image_y(row, height, half):
+    y = half * ((-3.0 / 20.0) + (height - 2.0 * row - 1.0) / height)
+    return y
+
+
 def tangent_interval(apex, apex_height, center, center_height, sphere_radius, level):
     across = -apex + center
     drop = apex_height - center_height
@@ -152,38 +170,16 @@ def tangent_interval(apex, apex_height, center, center_height, sphere_radius, le
     return low, high
 
 
-@compiled
 def ambient_term(ka, ambient):
     color = ambient * ka
     return color
 
 
-@compiled
 def floor_albedo(floor_dark, floor_tint):
     floor_base = ((3.0 / 20.0) if (floor_dark > 0.0) else (17.0 / 20.0))
     floor_red = floor_base * (1.0 - floor_tint)
     floor_blue = floor_base
     return floor_red, floor_blue
-
-
-@compiled
-def image_x_row(
-    column_row, width, height, half, x_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        column = column_row[i]
-        x = half * (2.0 * column - width + 1.0) / height
-        x_row[i] = x
-
-
-@compiled
-def image_y_row(
-    row_row, height, half, y_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        row = row_row[i]
-        y = half * ((-3.0 / 20.0) + (height - 2.0 * row - 1.0) / height)
-        y_row[i] = y
 
 
 @compiled
@@ -211,25 +207,6 @@ def visible_surface_row(
 
 
 @compiled
-def surface_without_b_row(
-    x_row, y, eye, radius, floor_on, surface_row, start, stop
-):
-    tangent_squared = (eye - radius) * (eye + radius)
-    rho_silhouette = eye * radius / math.sqrt(tangent_squared)
-    t_b = math.inf
-    t_floor = (1.0 if (floor_on > 0.0) else math.inf)
-    for i in range(np.uint64(start), np.uint64(stop)):
-        x = x_row[i]
-        rho_raw = math.sqrt(x * x + y * y)
-        rho = (rho_raw if (rho_raw >= (1.0 / 1e+150) * eye) else 0.0)
-        discriminant_a = tangent_squared * (-rho + rho_silhouette) * (rho + rho_silhouette)
-        root_a = math.sqrt(maximum(0.0, discriminant_a))
-        t_a = (tangent_squared / (eye * eye + root_a) if (discriminant_a >= 0.0) else math.inf)
-        surface = (1.0 if ((t_a < math.inf) & (t_a <= t_b) & (t_a <= t_floor)) else (2.0 if ((t_b < math.inf) & (t_b <= t_floor)) else (3.0 if (t_floor < math.inf) else 0.0)))
-        surface_row[i] = surface
-
-
-@compiled
 def shadow_on_a_row(
     x_row, y, eye, radius, light_x, light_y, light_z, center_x, center_y, center_z, body_radius,
     occluded_row, start, stop
@@ -242,10 +219,12 @@ def shadow_on_a_row(
         rho = (rho_raw if (rho_raw >= (1.0 / 1e+150) * eye) else 0.0)
         discriminant_a = tangent_squared * (-rho + rho_silhouette) * (rho + rho_silhouette)
         root_a = math.sqrt(maximum(0.0, discriminant_a))
-        cos_theta = (x / rho if (rho > 0.0) else 0.0)
-        sin_theta = (y / rho if (rho > 0.0) else 0.0)
-        sin_phi = rho * tangent_squared / (radius * (eye * eye + root_a))
-        cos_phi = eye * (radius * radius + root_a) / (radius * (eye * eye + root_a))
+        rho_inverse = (1.0 / rho if (rho > 0.0) else 0.0)
+        hit_scale = 1.0 / (radius * (eye * eye + root_a))
+        cos_theta = rho_inverse * x
+        sin_theta = rho_inverse * y
+        sin_phi = hit_scale * rho * tangent_squared
+        cos_phi = eye * hit_scale * (radius * radius + root_a)
         point_x = cos_theta * radius * sin_phi
         point_y = radius * sin_phi * sin_theta
         point_z = cos_phi * radius
@@ -337,10 +316,12 @@ def angles_on_a_row(
         rho = (rho_raw if (rho_raw >= (1.0 / 1e+150) * eye) else 0.0)
         discriminant_a = tangent_squared * (-rho + rho_silhouette) * (rho + rho_silhouette)
         root_a = math.sqrt(maximum(0.0, discriminant_a))
-        cos_theta = (x / rho if (rho > 0.0) else 0.0)
-        sin_theta = (y / rho if (rho > 0.0) else 0.0)
-        sin_phi = rho * tangent_squared / (radius * (eye * eye + root_a))
-        cos_phi = eye * (radius * radius + root_a) / (radius * (eye * eye + root_a))
+        rho_inverse = (1.0 / rho if (rho > 0.0) else 0.0)
+        hit_scale = 1.0 / (radius * (eye * eye + root_a))
+        cos_theta = rho_inverse * x
+        sin_theta = rho_inverse * y
+        sin_phi = hit_scale * rho * tangent_squared
+        cos_phi = eye * hit_scale * (radius * radius + root_a)
         cos_theta_row[i] = cos_theta
         sin_theta_row[i] = sin_theta
         cos_phi_row[i] = cos_phi
@@ -364,9 +345,21 @@ def chart_row(
 
 
 @compiled
+def chart_v_row(
+    cos_phi_row, sin_phi_row, v_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        cos_phi = cos_phi_row[i]
+        sin_phi = sin_phi_row[i]
+        v = atan2pi(sin_phi, cos_phi)
+        v_row[i] = v
+
+
+@compiled
 def normal_on_a_row(
-    cos_theta_row, sin_theta_row, cos_phi_row, sin_phi_row, radius, h_u_row, h_v_row, beta, point_x_row,
-    point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop
+    cos_theta_row, sin_theta_row, cos_phi_row, sin_phi_row, h_u_row, h_v_row, beta, radius, x_row, y, eye,
+    point_x_row, point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, view_scale_row, start,
+    stop
 ):
     e_theta_z = 0.0
     for i in range(np.uint64(start), np.uint64(stop)):
@@ -376,9 +369,7 @@ def normal_on_a_row(
         sin_phi = sin_phi_row[i]
         h_u = h_u_row[i]
         h_v = h_v_row[i]
-        point_x = cos_theta * radius * sin_phi
-        point_y = radius * sin_phi * sin_theta
-        point_z = cos_phi * radius
+        x = x_row[i]
         normal_x = cos_theta * sin_phi
         normal_y = sin_phi * sin_theta
         normal_z = cos_phi
@@ -398,18 +389,23 @@ def normal_on_a_row(
         bumped_x = m_scale * m_x
         bumped_y = m_scale * m_y
         bumped_z = m_scale * m_z
+        point_x = normal_x * radius
+        point_y = normal_y * radius
+        point_z = normal_z * radius
+        view_scale = 1.0 / math.sqrt(eye * eye + x * x + y * y)
         point_x_row[i] = point_x
         point_y_row[i] = point_y
         point_z_row[i] = point_z
         bumped_x_row[i] = bumped_x
         bumped_y_row[i] = bumped_y
         bumped_z_row[i] = bumped_z
+        view_scale_row[i] = view_scale
 
 
 @compiled
 def normal_of_b_row(
     x_row, y, eye, ball_center_x, ball_center_y, ball_center_z, ball_radius, ball_on, point_x_row,
-    point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop
+    point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, view_scale_row, start, stop
 ):
     distance = -ball_center_z + eye
     for i in range(np.uint64(start), np.uint64(stop)):
@@ -428,32 +424,24 @@ def normal_of_b_row(
         normal_x = radius_vector_x / radius_length
         normal_y = radius_vector_y / radius_length
         normal_z = radius_vector_z / radius_length
+        view_scale = 1.0 / math.sqrt(eye * eye + x * x + y * y)
         point_x_row[i] = point_x
         point_y_row[i] = point_y
         point_z_row[i] = point_z
         bumped_x_row[i] = normal_x
         bumped_y_row[i] = normal_y
         bumped_z_row[i] = normal_z
+        view_scale_row[i] = view_scale
 
 
 @compiled
-def normal_of_floor_row(
-    x_row, y, point_x_row, point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop
+def view_length_row(
+    x_row, y, eye, view_scale_row, start, stop
 ):
-    point_y = y
-    point_z = 0.0
-    normal_x = 0.0
-    normal_y = 0.0
-    normal_z = 1.0
     for i in range(np.uint64(start), np.uint64(stop)):
         x = x_row[i]
-        point_x = x
-        point_x_row[i] = point_x
-        point_y_row[i] = point_y
-        point_z_row[i] = point_z
-        bumped_x_row[i] = normal_x
-        bumped_y_row[i] = normal_y
-        bumped_z_row[i] = normal_z
+        view_scale = 1.0 / math.sqrt(eye * eye + x * x + y * y)
+        view_scale_row[i] = view_scale
 
 
 @compiled
@@ -506,16 +494,6 @@ def multiply_row(
 
 
 @compiled
-def view_length_row(
-    x_row, y, eye, view_scale_row, start, stop
-):
-    for i in range(np.uint64(start), np.uint64(stop)):
-        x = x_row[i]
-        view_scale = 1.0 / math.sqrt(eye * eye + x * x + y * y)
-        view_scale_row[i] = view_scale
-
-
-@compiled
 def blinn_row(
     x_row, y, eye, view_scale_row, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z,
     bumped_x_row, bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
@@ -546,6 +524,33 @@ def blinn_row(
         halfway_z = towards_z + view_z
         halfway_length = math.sqrt(halfway_x * halfway_x + halfway_y * halfway_y + halfway_z * halfway_z)
         specular_base = (maximum(0.0, (bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z) / halfway_length) if (halfway_length > 0.0) else 0.0)
+        mu_row[i] = mu
+        specular_base_row[i] = specular_base
+
+
+@compiled
+def blinn_on_floor_row(
+    x_row, y, eye, view_scale_row, light_x, light_y, light_z, mu_row, specular_base_row, start, stop
+):
+    to_light_y = light_y - y
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        view_scale = view_scale_row[i]
+        view_x = -view_scale * x
+        view_y = -view_scale * y
+        view_z = eye * view_scale
+        to_light_x = light_x - x
+        light_distance = math.sqrt(light_z * light_z + to_light_x * to_light_x + to_light_y * to_light_y)
+        light_scale = 1.0 / light_distance
+        towards_x = light_scale * to_light_x
+        towards_y = light_scale * to_light_y
+        towards_z = light_scale * light_z
+        mu = towards_z
+        halfway_x = towards_x + view_x
+        halfway_y = towards_y + view_y
+        halfway_z = towards_z + view_z
+        halfway_length = math.sqrt(halfway_x * halfway_x + halfway_y * halfway_y + halfway_z * halfway_z)
+        specular_base = (maximum(0.0, halfway_z / halfway_length) if (halfway_length > 0.0) else 0.0)
         mu_row[i] = mu
         specular_base_row[i] = specular_base
 
@@ -582,6 +587,29 @@ def phong_row(
 
 
 @compiled
+def phong_on_floor_row(
+    x_row, y, eye, view_scale_row, light_x, light_y, light_z, mu_row, specular_base_row, start, stop
+):
+    to_light_y = light_y - y
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        view_scale = view_scale_row[i]
+        view_x = -view_scale * x
+        view_y = -view_scale * y
+        view_z = eye * view_scale
+        to_light_x = light_x - x
+        light_distance = math.sqrt(light_z * light_z + to_light_x * to_light_x + to_light_y * to_light_y)
+        light_scale = 1.0 / light_distance
+        towards_x = light_scale * to_light_x
+        towards_y = light_scale * to_light_y
+        towards_z = light_scale * light_z
+        mu = towards_z
+        specular_base = maximum(0.0, 2.0 * mu * view_z - towards_x * view_x - towards_y * view_y - towards_z * view_z)
+        mu_row[i] = mu
+        specular_base_row[i] = specular_base
+
+
+@compiled
 def blinn_squared_row(
     x_row, y, eye, view_scale_row, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z,
     bumped_x_row, bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
@@ -601,18 +629,43 @@ def blinn_squared_row(
         to_light_x = light_x - point_x
         to_light_y = light_y - point_y
         to_light_z = light_z - point_z
-        light_distance = math.sqrt(to_light_x * to_light_x + to_light_y * to_light_y + to_light_z * to_light_z)
-        light_scale = 1.0 / light_distance
-        towards_x = light_scale * to_light_x
-        towards_y = light_scale * to_light_y
-        towards_z = light_scale * to_light_z
-        mu = bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z
-        halfway_x = towards_x + view_x
-        halfway_y = towards_y + view_y
-        halfway_z = towards_z + view_z
+        distance_squared = to_light_x * to_light_x + to_light_y * to_light_y + to_light_z * to_light_z
+        light_distance = math.sqrt(distance_squared)
+        halfway_x = light_distance * view_x + to_light_x
+        halfway_y = light_distance * view_y + to_light_y
+        halfway_z = light_distance * view_z + to_light_z
         halfway_squared = halfway_x * halfway_x + halfway_y * halfway_y + halfway_z * halfway_z
+        along_light = bumped_x * to_light_x + bumped_y * to_light_y + bumped_z * to_light_z
         along_halfway = maximum(0.0, bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z)
-        specular_base = (along_halfway * along_halfway / halfway_squared if (halfway_squared > 0.0) else 0.0)
+        light_scale = (1.0 / (halfway_squared * light_distance) if (halfway_squared > 0.0) else 0.0)
+        mu = (along_light * halfway_squared * light_scale if (halfway_squared > 0.0) else -bumped_x * view_x - bumped_y * view_y - bumped_z * view_z)
+        specular_base = along_halfway * along_halfway * light_distance * light_scale
+        mu_row[i] = mu
+        specular_base_row[i] = specular_base
+
+
+@compiled
+def blinn_squared_on_floor_row(
+    x_row, y, eye, view_scale_row, light_x, light_y, light_z, mu_row, specular_base_row, start, stop
+):
+    to_light_y = light_y - y
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        view_scale = view_scale_row[i]
+        view_x = -view_scale * x
+        view_y = -view_scale * y
+        view_z = eye * view_scale
+        to_light_x = light_x - x
+        distance_squared = light_z * light_z + to_light_x * to_light_x + to_light_y * to_light_y
+        light_distance = math.sqrt(distance_squared)
+        halfway_x = light_distance * view_x + to_light_x
+        halfway_y = light_distance * view_y + to_light_y
+        halfway_z = light_distance * view_z + light_z
+        halfway_squared = halfway_x * halfway_x + halfway_y * halfway_y + halfway_z * halfway_z
+        along_halfway = maximum(0.0, halfway_z)
+        light_scale = (1.0 / (halfway_squared * light_distance) if (halfway_squared > 0.0) else 0.0)
+        mu = (halfway_squared * light_scale * light_z if (halfway_squared > 0.0) else -view_z)
+        specular_base = along_halfway * along_halfway * light_distance * light_scale
         mu_row[i] = mu
         specular_base_row[i] = specular_base
 
@@ -638,6 +691,21 @@ def light_cosine_row(
         towards_y = light_scale * to_light_y
         towards_z = light_scale * to_light_z
         mu = bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z
+        mu_row[i] = mu
+
+
+@compiled
+def light_cosine_on_floor_row(
+    x_row, y, light_x, light_y, light_z, mu_row, start, stop
+):
+    to_light_y = light_y - y
+    for i in range(np.uint64(start), np.uint64(stop)):
+        x = x_row[i]
+        to_light_x = light_x - x
+        light_distance = math.sqrt(light_z * light_z + to_light_x * to_light_x + to_light_y * to_light_y)
+        light_scale = 1.0 / light_distance
+        towards_z = light_scale * light_z
+        mu = towards_z
         mu_row[i] = mu
 
 
@@ -673,13 +741,38 @@ def light_term_row(
 
 
 @compiled
-def clip_row(
-    color_row, start, stop
+def diffuse_term_row(
+    red_row, green_row, blue_row, light_red, light_green, light_blue, albedo_red, albedo_green, albedo_blue,
+    kd, mu_row, start, stop
 ):
     for i in range(np.uint64(start), np.uint64(stop)):
-        color = color_row[i]
-        clipped = minimum(1.0, maximum(0.0, color))
-        color_row[i] = clipped
+        red = red_row[i]
+        green = green_row[i]
+        blue = blue_row[i]
+        mu = mu_row[i]
+        diffuse = kd * maximum(0.0, mu)
+        lit_red = albedo_red * diffuse * light_red + red
+        lit_green = albedo_green * diffuse * light_green + green
+        lit_blue = albedo_blue * diffuse * light_blue + blue
+        red_row[i] = lit_red
+        green_row[i] = lit_green
+        blue_row[i] = lit_blue
+
+
+@compiled
+def clip_row(
+    red_row, green_row, blue_row, lit_red_row, lit_green_row, lit_blue_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        red = red_row[i]
+        green = green_row[i]
+        blue = blue_row[i]
+        lit_red = minimum(1.0, maximum(0.0, red))
+        lit_green = minimum(1.0, maximum(0.0, green))
+        lit_blue = minimum(1.0, maximum(0.0, blue))
+        lit_red_row[i] = lit_red
+        lit_green_row[i] = lit_green
+        lit_blue_row[i] = lit_blue
 
 
 @compiled
@@ -705,17 +798,6 @@ def height_sine_row(
 
 
 @compiled
-def height_sine_runs(
-    runs, u_plane, v_plane, k_u, k_v, h_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        height_sine_row(
-            u_plane[row], v_plane[row], k_u, k_v, h_plane[row], start, stop
-        )
-
-
-@compiled
 def gradient_sine_row(
     u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
 ):
@@ -733,17 +815,6 @@ def gradient_sine_row(
 
 
 @compiled
-def gradient_sine_runs(
-    runs, u_plane, v_plane, k_u, k_v, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        gradient_sine_row(
-            u_plane[row], v_plane[row], k_u, k_v, h_u_plane[row], h_v_plane[row], start, stop
-        )
-
-
-@compiled
 def kink_sine_row(
     sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
 ):
@@ -754,34 +825,12 @@ def kink_sine_row(
 
 
 @compiled
-def kink_sine_runs(
-    runs, sin_phi_plane, u_plane, v_plane, k_u, k_v, kink_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        kink_sine_row(
-            sin_phi_plane[row], u_plane[row], v_plane[row], k_u, k_v, kink_plane[row], start, stop
-        )
-
-
-@compiled
 def straddling_sine_row(
     u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
 ):
     straddles = 0.0
     for i in range(np.uint64(start), np.uint64(stop)):
         straddles_row[i] = straddles
-
-
-@compiled
-def straddling_sine_runs(
-    runs, u_plane, v_plane, k_u, k_v, epsilon, straddles_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        straddling_sine_row(
-            u_plane[row], v_plane[row], k_u, k_v, epsilon, straddles_plane[row], start, stop
-        )
 
 
 @compiled
@@ -800,17 +849,6 @@ def forward_sine_row(
         h_v = ((-h_here + h_v_plus) / epsilon if (epsilon + v <= 1.0) else (h_here - h_v_plus) / epsilon)
         h_u_row[i] = h_u
         h_v_row[i] = h_v
-
-
-@compiled
-def forward_sine_runs(
-    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        forward_sine_row(
-            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
-        )
 
 
 @compiled
@@ -833,17 +871,6 @@ def central_sine_row(
         h_v = (-h_v_minus + h_v_plus) / span_v
         h_u_row[i] = h_u
         h_v_row[i] = h_v
-
-
-@compiled
-def central_sine_runs(
-    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        central_sine_row(
-            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
-        )
 
 
 @compiled
@@ -879,17 +906,6 @@ def central4_sine_row(
 
 
 @compiled
-def central4_sine_runs(
-    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        central4_sine_row(
-            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
-        )
-
-
-@compiled
 def gradient_from_factors_sine_row(
     sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
 ):
@@ -902,18 +918,6 @@ def gradient_from_factors_sine_row(
         h_v = math.pi * cos_v * k_v * sin_u
         h_u_row[i] = h_u
         h_v_row[i] = h_v
-
-
-@compiled
-def gradient_from_factors_sine_runs(
-    runs, sin_u_plane, cos_u_plane, sin_v_plane, cos_v_plane, k_u, k_v, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        gradient_from_factors_sine_row(
-            sin_u_plane[row], cos_u_plane[row], sin_v_plane[row], cos_v_plane[row], k_u, k_v, h_u_plane[row],
-            h_v_plane[row], start, stop
-        )
 
 
 def wave_numbers_sine(k_u, k_v):
@@ -934,17 +938,6 @@ def height_ridges_row(
 
 
 @compiled
-def height_ridges_runs(
-    runs, u_plane, v_plane, k_u, k_v, h_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        height_ridges_row(
-            u_plane[row], v_plane[row], k_u, k_v, h_plane[row], start, stop
-        )
-
-
-@compiled
 def gradient_ridges_row(
     u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
 ):
@@ -962,17 +955,6 @@ def gradient_ridges_row(
 
 
 @compiled
-def gradient_ridges_runs(
-    runs, u_plane, v_plane, k_u, k_v, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        gradient_ridges_row(
-            u_plane[row], v_plane[row], k_u, k_v, h_u_plane[row], h_v_plane[row], start, stop
-        )
-
-
-@compiled
 def kink_ridges_row(
     sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
 ):
@@ -982,17 +964,6 @@ def kink_ridges_row(
         v = v_row[i]
         kink = (1.0 if ((abs(sinpi_of_product(k_u, u)) < (3.0 / 100.0)) | (abs(sinpi_of_product(k_v, v)) < (3.0 / 100.0)) | (sin_phi <= 0.0)) else 0.0)
         kink_row[i] = kink
-
-
-@compiled
-def kink_ridges_runs(
-    runs, sin_phi_plane, u_plane, v_plane, k_u, k_v, kink_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        kink_ridges_row(
-            sin_phi_plane[row], u_plane[row], v_plane[row], k_u, k_v, kink_plane[row], start, stop
-        )
 
 
 @compiled
@@ -1006,17 +977,6 @@ def straddling_ridges_row(
         crease_distance_1 = abs(k_v * v - np.rint(k_v * v))
         straddles = (1.0 if ((crease_distance_0 < epsilon * abs(k_u)) | (crease_distance_1 < epsilon * abs(k_v))) else 0.0)
         straddles_row[i] = straddles
-
-
-@compiled
-def straddling_ridges_runs(
-    runs, u_plane, v_plane, k_u, k_v, epsilon, straddles_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        straddling_ridges_row(
-            u_plane[row], v_plane[row], k_u, k_v, epsilon, straddles_plane[row], start, stop
-        )
 
 
 @compiled
@@ -1035,17 +995,6 @@ def forward_ridges_row(
         h_v = ((-h_here + h_v_plus) / epsilon if (epsilon + v <= 1.0) else (h_here - h_v_plus) / epsilon)
         h_u_row[i] = h_u
         h_v_row[i] = h_v
-
-
-@compiled
-def forward_ridges_runs(
-    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        forward_ridges_row(
-            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
-        )
 
 
 @compiled
@@ -1068,17 +1017,6 @@ def central_ridges_row(
         h_v = (-h_v_minus + h_v_plus) / span_v
         h_u_row[i] = h_u
         h_v_row[i] = h_v
-
-
-@compiled
-def central_ridges_runs(
-    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        central_ridges_row(
-            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
-        )
 
 
 @compiled
@@ -1114,17 +1052,6 @@ def central4_ridges_row(
 
 
 @compiled
-def central4_ridges_runs(
-    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        central4_ridges_row(
-            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
-        )
-
-
-@compiled
 def gradient_from_factors_ridges_row(
     sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
 ):
@@ -1137,18 +1064,6 @@ def gradient_from_factors_ridges_row(
         h_v = math.pi * cos_v * k_v * sin_u * sign(sin_u * sin_v)
         h_u_row[i] = h_u
         h_v_row[i] = h_v
-
-
-@compiled
-def gradient_from_factors_ridges_runs(
-    runs, sin_u_plane, cos_u_plane, sin_v_plane, cos_v_plane, k_u, k_v, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        gradient_from_factors_ridges_row(
-            sin_u_plane[row], cos_u_plane[row], sin_v_plane[row], cos_v_plane[row], k_u, k_v, h_u_plane[row],
-            h_v_plane[row], start, stop
-        )
 
 
 def wave_numbers_ridges(k_u, k_v):
@@ -1168,17 +1083,6 @@ def height_rings_row(
 
 
 @compiled
-def height_rings_runs(
-    runs, u_plane, v_plane, k_u, k_v, h_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        height_rings_row(
-            u_plane[row], v_plane[row], k_u, k_v, h_plane[row], start, stop
-        )
-
-
-@compiled
 def gradient_rings_row(
     u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
 ):
@@ -1192,17 +1096,6 @@ def gradient_rings_row(
 
 
 @compiled
-def gradient_rings_runs(
-    runs, u_plane, v_plane, k_u, k_v, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        gradient_rings_row(
-            u_plane[row], v_plane[row], k_u, k_v, h_u_plane[row], h_v_plane[row], start, stop
-        )
-
-
-@compiled
 def kink_rings_row(
     sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
 ):
@@ -1213,34 +1106,12 @@ def kink_rings_row(
 
 
 @compiled
-def kink_rings_runs(
-    runs, sin_phi_plane, u_plane, v_plane, k_u, k_v, kink_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        kink_rings_row(
-            sin_phi_plane[row], u_plane[row], v_plane[row], k_u, k_v, kink_plane[row], start, stop
-        )
-
-
-@compiled
 def straddling_rings_row(
     u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
 ):
     straddles = 0.0
     for i in range(np.uint64(start), np.uint64(stop)):
         straddles_row[i] = straddles
-
-
-@compiled
-def straddling_rings_runs(
-    runs, u_plane, v_plane, k_u, k_v, epsilon, straddles_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        straddling_rings_row(
-            u_plane[row], v_plane[row], k_u, k_v, epsilon, straddles_plane[row], start, stop
-        )
 
 
 @compiled
@@ -1260,17 +1131,6 @@ def forward_rings_row(
 
 
 @compiled
-def forward_rings_runs(
-    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        forward_rings_row(
-            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
-        )
-
-
-@compiled
 def central_rings_row(
     u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
 ):
@@ -1287,17 +1147,6 @@ def central_rings_row(
         h_v = (-h_v_minus + h_v_plus) / span_v
         h_u_row[i] = h_u
         h_v_row[i] = h_v
-
-
-@compiled
-def central_rings_runs(
-    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        central_rings_row(
-            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
-        )
 
 
 @compiled
@@ -1328,17 +1177,6 @@ def central4_rings_row(
 
 
 @compiled
-def central4_rings_runs(
-    runs, u_plane, v_plane, k_u, k_v, epsilon, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        central4_rings_row(
-            u_plane[row], v_plane[row], k_u, k_v, epsilon, h_u_plane[row], h_v_plane[row], start, stop
-        )
-
-
-@compiled
 def gradient_from_factors_rings_row(
     sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
 ):
@@ -1348,18 +1186,6 @@ def gradient_from_factors_rings_row(
         h_v = 2.0 * math.pi * cos_v * k_v
         h_u_row[i] = h_u
         h_v_row[i] = h_v
-
-
-@compiled
-def gradient_from_factors_rings_runs(
-    runs, sin_u_plane, cos_u_plane, sin_v_plane, cos_v_plane, k_u, k_v, h_u_plane, h_v_plane
-):
-    for index in range(runs.shape[0]):
-        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]
-        gradient_from_factors_rings_row(
-            sin_u_plane[row], cos_u_plane[row], sin_v_plane[row], cos_v_plane[row], k_u, k_v, h_u_plane[row],
-            h_v_plane[row], start, stop
-        )
 
 
 def wave_numbers_rings(k_u, k_v):
@@ -1376,36 +1202,36 @@ MAX_ALGEBRAIC = 64
 
 FIELDS = {
     "sine": {
-        "height": height_sine_runs,
-        "gradient": gradient_sine_runs,
-        "kink": kink_sine_runs,
-        "straddling": straddling_sine_runs,
-        "forward": forward_sine_runs,
-        "central": central_sine_runs,
-        "central4": central4_sine_runs,
-        "gradient_from_factors": gradient_from_factors_sine_runs,
+        "height": height_sine_row,
+        "gradient": gradient_sine_row,
+        "kink": kink_sine_row,
+        "straddling": straddling_sine_row,
+        "forward": forward_sine_row,
+        "central": central_sine_row,
+        "central4": central4_sine_row,
+        "gradient_from_factors": gradient_from_factors_sine_row,
         "wave_numbers": wave_numbers_sine,
     },
     "ridges": {
-        "height": height_ridges_runs,
-        "gradient": gradient_ridges_runs,
-        "kink": kink_ridges_runs,
-        "straddling": straddling_ridges_runs,
-        "forward": forward_ridges_runs,
-        "central": central_ridges_runs,
-        "central4": central4_ridges_runs,
-        "gradient_from_factors": gradient_from_factors_ridges_runs,
+        "height": height_ridges_row,
+        "gradient": gradient_ridges_row,
+        "kink": kink_ridges_row,
+        "straddling": straddling_ridges_row,
+        "forward": forward_ridges_row,
+        "central": central_ridges_row,
+        "central4": central4_ridges_row,
+        "gradient_from_factors": gradient_from_factors_ridges_row,
         "wave_numbers": wave_numbers_ridges,
     },
     "rings": {
-        "height": height_rings_runs,
-        "gradient": gradient_rings_runs,
-        "kink": kink_rings_runs,
-        "straddling": straddling_rings_runs,
-        "forward": forward_rings_runs,
-        "central": central_rings_runs,
-        "central4": central4_rings_runs,
-        "gradient_from_factors": gradient_from_factors_rings_runs,
+        "height": height_rings_row,
+        "gradient": gradient_rings_row,
+        "kink": kink_rings_row,
+        "straddling": straddling_rings_row,
+        "forward": forward_rings_row,
+        "central": central_rings_row,
+        "central4": central4_rings_row,
+        "gradient_from_factors": gradient_from_factors_rings_row,
         "wave_numbers": wave_numbers_rings,
     },
 }

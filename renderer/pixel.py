@@ -3,9 +3,12 @@
 import math
 from dataclasses import dataclass
 
-from renderer.chambers import SPHERE_A, SURFACE_BITS
+import numpy as np
+
+from renderer.chambers import FIRST_LIGHT_BIT, FLOOR, SPHERE_A, SPHERE_B, SURFACE_BITS
+from renderer.kernels import light_term_row, normal_of_b_row, normal_on_a_row, view_length_row
 from renderer.render import render
-from renderer.shading import light_rows, material_of, placed
+from renderer.shading import ROWS, albedo_of, highlight_of, light_on_sphere, material_of, raise_to_shininess
 
 SURFACES = ("none", "A", "B", "floor")
 
@@ -58,8 +61,8 @@ def pixel(scene, width, height, column, row, gradient=None):
         "rgb": tuple(frame.rgb[0, 0].tolist()),
     }
     if code & SURFACE_BITS:
-        place = placed(frame.scene, frame.stage, frame.planes(frame.stage.bands[0]), code)
-        record |= {"point": _triple(place[:3]), "normal": _triple(place[3:]), "lights": _lights(frame, place, code)}
+        rows = _placed(frame, code & SURFACE_BITS)
+        record |= {"point": _triple(rows[:3]), "normal": _triple(rows[3:6]), "lights": _lights(frame, rows, code)}
     if code & SURFACE_BITS == SPHERE_A:
         record |= _on_a(frame)
     return PixelRecord(**record)
@@ -67,6 +70,20 @@ def pixel(scene, width, height, column, row, gradient=None):
 
 def _triple(rows):
     return tuple(float(row[0]) for row in rows)
+
+
+def _placed(frame, surface):
+    """Return the working rows of one pixel with its point, normal (N' on sphere A) and view scale filled in."""
+    rows, stage, scene = np.empty((ROWS, 1)), frame.stage, frame.scene
+    g, x, y = stage.geometry, stage.x, stage.bands[0].y[0]
+    if surface == SPHERE_A:
+        normal_on_a_row(*frame.planes_on_a, scene.beta, g.radius, x, y, g.eye, *rows[:7], 0, 1)
+    elif surface == SPHERE_B:
+        normal_of_b_row(x, y, g.eye, g.ball_x, g.ball_y, g.ball_z, g.ball_radius, g.ball_on, *rows[:7], 0, 1)
+    elif surface == FLOOR:
+        rows[:6, 0] = (x[0], y, 0.0, 0.0, 0.0, 1.0)
+        view_length_row(x, y, g.eye, rows[6], 0, 1)
+    return rows
 
 
 def _on_a(frame):
@@ -83,13 +100,20 @@ def _on_a(frame):
     }
 
 
-def _lights(frame, place, code):
-    scene, material = frame.scene, material_of(frame.scene)
-    numbers = [number for number, light in enumerate(scene.lights) if light.color is not None]
-    records = []
-    for index, number in enumerate(numbers):
-        occluded = bool(code & material.bits[index])
-        mu, specular, added = light_rows(frame.stage, material, index, code, place)
-        adds = (0.0, 0.0, 0.0) if occluded else _triple(added)
-        records.append(LightRecord(number, occluded, float(mu[0]), float(specular[0]), adds))
+def _lights(frame, rows, code):
+    """Return a LightRecord for every light that is on, from a pixel's working rows; an occluded one adds nothing."""
+    material, stage, records = material_of(frame.scene), frame.stage, []
+    numbers, kd, ks, shininess = material.numbers, *material.numbers[:3]
+    power, *style = highlight_of(frame.scene)
+    for number, light in enumerate(frame.scene.lights):
+        if light.color is None:
+            continue
+        x, y, eye, source = stage.x, stage.bands[0].y[0], stage.geometry.eye, np.array(light.position)
+        light_on_sphere(x, y, eye, source, *rows[:9], None, *style, 1)
+        raise_to_shininess(rows[8], rows[12], shininess, power, 1)
+        rows[9:12] = 0.0
+        light_term_row(*rows[9:12], *light.color, *albedo_of(numbers, code), kd, ks, rows[7], rows[12], 0, 1)
+        occluded = bool(code & 1 << (FIRST_LIGHT_BIT + number))
+        adds = (0.0, 0.0, 0.0) if occluded else _triple(rows[9:12])
+        records.append(LightRecord(number, occluded, float(rows[7, 0]), float(rows[12, 0]), adds))
     return tuple(records)

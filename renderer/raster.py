@@ -5,7 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from renderer.kernels import image_extent, image_x_row, image_y_row
+from renderer.kernels import image_extent, image_x, image_y
 
 MAX_SIDE = 2**24
 MAX_DRAWN = 2**28
@@ -59,14 +59,11 @@ class Raster:
         """(rows, columns) that are drawn."""
         return (self.crop[3], self.crop[2])
 
-    def image_points(self, scene):
-        """Return (x of each drawn column, y of each drawn row), the image points of the pixels' centres."""
+    def image_points(self, scene, beyond=0):
+        """Return (x of each drawn column and of `beyond` more, y of each drawn row), the image points of the centres."""
         left, top, wide, high = self.crop
         half = image_extent(scene.eye, scene.radius)
-        x = np.empty(wide)
-        columns = np.arange(left, left + wide, dtype=np.float64)
-        image_x_row(columns, float(self.width), float(self.height), half, x, 0, wide)
-        y = np.empty(high)
-        rows = np.arange(top, top + high, dtype=np.float64)
-        image_y_row(rows, float(self.height), half, y, 0, high)
+        columns, rows = np.arange(left, left + wide + beyond, dtype=np.float64), np.arange(top, top + high, dtype=np.float64)
+        x = image_x(columns, float(self.width), float(self.height), half)
+        y = image_y(rows, float(self.height), half)
         return x, y

@@ -1,29 +1,33 @@
-"""Draw a scene: the chambers first, then band by band the gradient on sphere A and the light everywhere."""
+"""Draw a scene, band by band: the chambers, sphere A with its gradient, and everything else."""
 
 import numpy as np
 
-from renderer.chambers import FLOOR, SPHERE_A, SPHERE_B, SURFACE_BITS, Stage
 from renderer.frame import Frame
-from renderer.gradients import fill_angles, fill_gradient, scratch_planes, uses_algebraic_form
 from renderer.methods import GradientMethod, exact
 from renderer.raster import Raster
 from renderer.scene import Scene
-from renderer.shading import material_of, shade_runs
+from renderer.shading import WORK, copy_runs, material_of, shade_elsewhere
+from renderer.sphere_a import bump_of
+from renderer.stage import Stage
 from renderer.threads import checked_threads, run_bands
+from renderer.work import work_done
 
 
 def stage_of(scene, width, height, crop=None, threads=None):
-    """Return the Stage of a scene on a raster: give it to `render` to draw the same chambers again."""
-    threads = checked_threads(threads)
-    return Stage(scene, Raster(width, height, crop), lambda work, count: run_bands(work, count, threads))
+    """Return the Stage of a scene on a raster: give it to `render` to draw sphere A alone, again and again."""
+    stage = Stage(scene, Raster(width, height, crop))
+    run_bands(stage.fill, len(stage.bands), checked_threads(threads))
+    return stage
 
 
-def render(scene, width, height, gradient=None, crop=None, threads=None, stage=None):
+def render(scene, width, height, gradient=None, crop=None, threads=None, stage=None, count=False):
     """Draw `scene` on a raster of width × height pixels and return the Frame.
 
     gradient: a method from `exact`, `central`, `forward`, `central4` (default: exact). crop: (left, top, width,
     height), the part of the raster to draw. threads: default, all cores. stage: the Stage of a scene that differs at
-    most in field, ku, kv, beta and shading, on the same raster. Raises ValueError that names what is not allowed.
+    most in field, ku, kv, beta and shading, on the same raster: A alone is drawn, the rest is copied from the stage.
+    count: add up the frame's `work` now; else that waits until it is asked for. Raises ValueError that names what is
+    not allowed.
     """
     method = gradient if gradient is not None else exact()
     if not isinstance(scene, Scene):
@@ -31,42 +35,44 @@ def render(scene, width, height, gradient=None, crop=None, threads=None, stage=N
     if not isinstance(method, GradientMethod):
         raise ValueError(f"gradient = {method!r} is not allowed: exact(), central(eps), forward(eps) or central4(eps)")
     raster, threads = Raster(width, height, crop), checked_threads(threads)
-    algebraic = method.name == "exact" and uses_algebraic_form(scene, method)
-    stage = stage or stage_of(scene, width, height, crop, threads)
-    if not stage.serves(scene, raster):
+    bump = bump_of(scene, method, flat=scene.beta == 0.0)
+    if stage is not None and not stage.serves(scene, raster):
         raise ValueError(f"stage = {stage!r} is not allowed: one made for the same lengths, lights and raster")
-    rgb, material = np.empty((3, *raster.shape)), material_of(scene)
+    rgb, counts = np.empty((3, *raster.shape)), None
+    if stage is None:
+        stage, counts = _draw_all(scene, bump, raster, rgb, threads)
+        tests = stage.shadow_tests
+    else:
+        counts, tests = _draw_on(stage, scene, bump, rgb, threads), 0
+    frame = Frame(scene, raster, method, stage, rgb, lambda: work_done(stage, bump, counts, tests))
+    if count:
+        _ = frame.work
+    return frame
 
-    def work(number):
+
+def _draw_all(scene, bump, raster, rgb, threads):
+    """Draw everything, each band's chambers first; return the Stage and the counts."""
+    stage, material = Stage(scene, raster), material_of(scene)
+    counts = np.zeros((len(stage.bands), len(WORK)), np.int64)
+
+    def draw(number):
+        band = stage.fill(number)
+        bump.draw(stage, band, counts[number], rgb)
+        shade_elsewhere(band.runs_elsewhere, *stage.place(band), *material, rgb, counts[number])
+
+    run_bands(draw, len(stage.bands), threads)
+    return stage, counts
+
+
+def _draw_on(stage, scene, bump, rgb, threads):
+    """Draw sphere A, and copy the rest from the stage; return the counts."""
+    counts = np.zeros((len(stage.bands), len(WORK)), np.int64)
+    elsewhere = stage.elsewhere(scene, threads, counts)
+
+    def draw(number):
         band = stage.bands[number]
-        planes = scratch_planes(len(band.y), raster.shape[1])
-        fill_angles(stage, band, planes)
-        if scene.beta != 0.0:
-            fill_gradient(scene, method, band, planes)
-        else:
-            planes.h_u.fill(0.0)
-            planes.h_v.fill(0.0)
-        rows = slice(band.top, band.top + len(band.y))
-        shade_runs(band.runs, stage.x, band.y, stage.geometry, material, planes, rgb[:, rows])
+        bump.draw(stage, band, counts[number], rgb)
+        copy_runs(band.runs_elsewhere, band.top, elsewhere, rgb)
 
-    run_bands(work, len(stage.bands), threads)
-    return Frame(scene, raster, method, stage, rgb, work_done(scene, method, stage, algebraic))
-
-
-def work_done(scene, method, stage, algebraic):
-    """Return how many of each kind were computed: pixels by surface, evaluations, shadow tests, specular powers."""
-    counts, codes = stage.pixel_counts, np.arange(256)
-    pixels = {s: int(counts[(codes & SURFACE_BITS) == s].sum()) for s in (SPHERE_A, SPHERE_B, FLOOR)}
-    on = [1 << (2 + number) for number, light in enumerate(scene.lights) if light.color is not None]
-    bodies = {SPHERE_A: int(scene.ball), SPHERE_B: 1, FLOOR: 1 + scene.ball}
-    bumped = pixels[SPHERE_A] if scene.beta != 0.0 else 0
-    return {
-        "pixels_a": pixels[SPHERE_A],
-        "pixels_b": pixels[SPHERE_B],
-        "pixels_floor": pixels[FLOOR],
-        "gradient_evaluations": bumped if method.name == "exact" else 0,
-        "algebraic_gradients": bumped if algebraic else 0,
-        "height_evaluations": bumped * method.height_evaluations,
-        "shadow_tests": len(on) * sum(bodies[s] * pixels[s] for s in bodies),
-        "specular_powers": sum(int(counts[(codes & bit == 0) & (codes & SURFACE_BITS > 0)].sum()) for bit in on),
-    }
+    run_bands(draw, len(stage.bands), threads)
+    return counts

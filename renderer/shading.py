@@ -1,181 +1,271 @@
-"""The second stage, second half: normals, light by light, the colour of every pixel."""
+"""Light on a run of pixels: ambient, then light by light the cosine and the highlight, then the clip.
 
+What a scene does not need is left out: a light that is occluded or black, and the highlight where k_s = 0.
+"""
+
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
-from renderer.chambers import DARK_BIT, FIRST_LIGHT_BIT, FLOOR, NOTHING, SPHERE_A, SPHERE_B, SURFACE_BITS
+from renderer.chambers import DARK_BIT, FIRST_LIGHT_BIT, FLOOR, LONGEST_RUN, SPHERE_B, SURFACE_BITS, whole_groups
 from renderer.kernels import (
     ambient_term,
+    blinn_on_floor_row,
     blinn_row,
+    blinn_squared_on_floor_row,
     blinn_squared_row,
     clip_row,
     compiled,
+    diffuse_term_row,
     floor_albedo,
     highlight_row,
+    inlined,
+    light_cosine_on_floor_row,
+    light_cosine_row,
     light_term_row,
     multiply_row,
     normal_of_b_row,
-    normal_of_floor_row,
-    normal_on_a_row,
+    phong_on_floor_row,
     phong_row,
     square_row,
     view_length_row,
 )
 
-BLINN, PHONG, BLINN_SQUARED = 0, 1, 2
+ROW_LENGTH = LONGEST_RUN + 8  # not a power of two, or all rows would fall on the same lines of the cache
+ROWS = 13
+"""How many working rows a run needs, each ROW_LENGTH long: the point (px, py, pz), the normal (nx, ny, nz), the view
+scale, μ, the base of the highlight, the colour (red, green, blue), the highlight. They are handed on one by one: Numba
+counts a reference whenever a row is taken from a 2-D array, which costs more than the arithmetic of a short run."""
+
+WORK = ("gradients", "specular_powers", "light_terms")  # what the kernels count
 
 
 class Material(NamedTuple):
     """The scene's shading, as the kernels take it.
 
-    model: BLINN, PHONG, or BLINN_SQUARED for an even shininess. power: the whole power that the highlight's base is
-    raised to, 0 if the shininess is not whole. base: the ambient colour (3). albedo: (5, 3) for nothing, A, B, light
-    and dark floor squares. positions, colors: (n, 3), and bits (n), of the lights that are on.
+    numbers: (17,) kd, ks, shininess, ambient colour (3), albedo of A, of B, of light and of dark floor squares (2: red
+    and green, blue). lights: (n, 6) position and colour of the lights that are on and not black; bits: (n,). power:
+    the whole power that the highlight's base is raised to, 0 if the shininess is not whole. Of the last four one is True,
+    and the others are None, so that Numba leaves out their branches: no highlight at all; Phong's; Blinn's; Blinn's
+    from its base squared, for an even shininess.
     """
 
-    beta: float
-    kd: float
-    ks: float
-    shininess: float
-    power: int
-    model: int
-    base: np.ndarray
-    albedo: np.ndarray
-    positions: np.ndarray
-    colors: np.ndarray
+    numbers: np.ndarray
+    lights: np.ndarray
     bits: np.ndarray
+    power: int
+    dull: bool | None
+    phong: bool | None
+    blinn: bool | None
+    squared: bool | None
 
 
+def highlight_of(scene):
+    """Return (power, Phong's, Blinn's, Blinn's from its square): how the scene's highlight is taken, if it has one."""
+    power = int(scene.shininess) if scene.shininess == int(scene.shininess) else 0
+    even = scene.model == "blinn" and power > 0 and power % 2 == 0
+    style = "squared" if even else scene.model
+    return power // 2 if even else power, *(True if style == name else None for name in ("phong", "blinn", "squared"))
+
+
+@lru_cache(maxsize=64)
 def material_of(scene):
     """Return the Material of a scene."""
-    on = [(number, light) for number, light in enumerate(scene.lights) if light.color is not None]
-    floor = [(red, red, blue) for red, blue in (floor_albedo(dark, scene.floor_tint) for dark in (0.0, 1.0))]
-    power = int(scene.shininess) if scene.shininess == int(scene.shininess) else 0
-    model = BLINN if scene.model == "blinn" else PHONG
-    if model == BLINN and power and power % 2 == 0:
-        model, power = BLINN_SQUARED, power // 2
+    lit = [(n, light) for n, light in enumerate(scene.lights) if light.color is not None and any(light.color)]
+    ambient = [ambient_term(scene.ka, channel) for channel in scene.ambient]
+    floor = [channel for dark in (0.0, 1.0) for channel in floor_albedo(dark, scene.floor_tint)]
+    power, *styles = highlight_of(scene)
+    dull = scene.ks == 0.0
+    weights = [scene.kd, scene.ks, scene.shininess]
     return Material(
-        scene.beta,
-        scene.kd,
-        scene.ks,
-        scene.shininess,
+        np.array([*weights, *ambient, *scene.albedo_a, *scene.albedo_b, *floor]),
+        np.array([(*light.position, *light.color) for _, light in lit], np.float64).reshape(-1, 6),
+        np.array([1 << (FIRST_LIGHT_BIT + number) for number, _ in lit], np.uint8),
         power,
-        model,
-        np.array([ambient_term(scene.ka, channel) for channel in scene.ambient]),
-        np.array([(0.0, 0.0, 0.0), scene.albedo_a, scene.albedo_b, *floor]),
-        np.array([light.position for _, light in on], np.float64).reshape(-1, 3),
-        np.array([light.color for _, light in on], np.float64).reshape(-1, 3),
-        np.array([1 << (FIRST_LIGHT_BIT + number) for number, _ in on], np.uint8),
+        True if dull else None,
+        *(None if dull else style for style in styles),
     )
 
 
-@compiled
-def _albedo_index(code):
+@inlined
+def fill(row, value, count):
+    """Write one value into the first pixels of a row."""
+    for i in range(np.uint64(count)):
+        row[i] = value
+
+
+@inlined
+def albedo_of(numbers, code):
+    """Return the red, green and blue albedo of a chamber."""
     surface = code & SURFACE_BITS
-    return surface + 1 if surface == FLOOR and code & DARK_BIT else surface
+    if surface == FLOOR:
+        first = 14 if code & DARK_BIT else 12
+        return numbers[first], numbers[first], numbers[first + 1]
+    first = 9 if surface == SPHERE_B else 6
+    return numbers[first], numbers[first + 1], numbers[first + 2]
 
 
 @compiled
-def _place(x, y, g, m, surface, row, p, place, start, stop):
-    """Write the points and normals of a run into `place`, six rows; `p` are the band's planes."""
-    px, py, pz, nx, ny, nz = place[0], place[1], place[2], place[3], place[4], place[5]
-    if surface == SPHERE_A:
-        cos_theta, sin_theta, cos_phi, sin_phi = p.cos_theta[row], p.sin_theta[row], p.cos_phi[row], p.sin_phi[row]
-        h_u, h_v = p.h_u[row], p.h_v[row]
-        normal_on_a_row(
-            cos_theta, sin_theta, cos_phi, sin_phi, g.radius, h_u, h_v, m.beta, px, py, pz, nx, ny, nz, start, stop
-        )
-    elif surface == SPHERE_B:
-        bx, by, bz, radius = g.ball_x, g.ball_y, g.ball_z, g.ball_radius
-        normal_of_b_row(x, y, g.eye, bx, by, bz, radius, g.ball_on, px, py, pz, nx, ny, nz, start, stop)
-    else:
-        normal_of_floor_row(x, y, px, py, pz, nx, ny, nz, start, stop)
-
-
-@compiled
-def _raise_to_shininess(m, base_row, power_row, start, stop):
-    """Write base^shininess: by repeated squaring if it is whole (the base row is used up), else by pow."""
-    if m.power == 0:
-        highlight_row(base_row, m.shininess, power_row, start, stop)
+def raise_to_shininess(base, shine, shininess, power, count):
+    """Write base^shininess into `shine`: by repeated squaring if it is whole (the base is used up), else by pow."""
+    if power == 0:
+        highlight_row(base, shininess, shine, 0, count)
         return
-    power_row[start:stop] = 1.0
-    remaining = m.power
-    while remaining:
-        if remaining & 1:
-            multiply_row(power_row, base_row, start, stop)
-        remaining >>= 1
-        if remaining:
-            square_row(base_row, start, stop)
+    while not power & 1:
+        square_row(base, 0, count)
+        power >>= 1
+    for i in range(np.uint64(count)):
+        shine[i] = base[i]
+    power >>= 1
+    while power:
+        square_row(base, 0, count)
+        if power & 1:
+            multiply_row(shine, base, 0, count)
+        power >>= 1
+
+
+@inlined
+def _light_on_floor(x, y, eye, light, view, mu, base, dull, phong, blinn, squared, count):
+    """Write μ and the highlight's base of one light on a run of the floor."""
+    lx, ly, lz = light[0], light[1], light[2]
+    if dull is not None:
+        light_cosine_on_floor_row(x, y, lx, ly, lz, mu, 0, count)
+    if phong is not None:
+        phong_on_floor_row(x, y, eye, view, lx, ly, lz, mu, base, 0, count)
+    if squared is not None:
+        blinn_squared_on_floor_row(x, y, eye, view, lx, ly, lz, mu, base, 0, count)
+    if blinn is not None:
+        blinn_on_floor_row(x, y, eye, view, lx, ly, lz, mu, base, 0, count)
+
+
+@inlined
+def light_on_sphere(
+    x, y, eye, light, px, py, pz, nx, ny, nz, view, mu, base, dull, phong, blinn, squared, count
+):
+    """Write μ and the highlight's base of one light on a run of A or B whose points, normals and view scales are given."""
+    lx, ly, lz = light[0], light[1], light[2]
+    if dull is not None:
+        light_cosine_row(px, py, pz, lx, ly, lz, nx, ny, nz, mu, 0, count)
+    if phong is not None:
+        phong_row(x, y, eye, view, px, py, pz, lx, ly, lz, nx, ny, nz, mu, base, 0, count)
+    if squared is not None:
+        blinn_squared_row(x, y, eye, view, px, py, pz, lx, ly, lz, nx, ny, nz, mu, base, 0, count)
+    if blinn is not None:
+        blinn_row(x, y, eye, view, px, py, pz, lx, ly, lz, nx, ny, nz, mu, base, 0, count)
+
+
+@inlined
+def _add_light(numbers, light, albedo, mu, base, red, green, blue, shine, power, dull, count, pixels, work):
+    """Add one light to the colours of a run, from its μ and the base of its highlight."""
+    lr, lg, lb, kd, ks = light[3], light[4], light[5], numbers[0], numbers[1]
+    work[2] += pixels
+    if dull is not None:
+        diffuse_term_row(red, green, blue, lr, lg, lb, albedo[0], albedo[1], albedo[2], kd, mu, 0, count)
+    if dull is None:
+        work[1] += pixels
+        raise_to_shininess(base, shine, numbers[2], power, count)
+        light_term_row(red, green, blue, lr, lg, lb, albedo[0], albedo[1], albedo[2], kd, ks, mu, shine, 0, count)
+
+
+@inlined
+def _keep_row(values, target):
+    for i in range(np.uint64(target.shape[0])):
+        target[i] = values[i]
 
 
 @compiled
-def _add_light(x, y, eye, m, light, albedo, place, work, rgb, row, start, stop):
-    """Add one light to a run's colours; `work` is four rows: view scale (filled), μ, highlight's base, highlight."""
-    position, color = m.positions[light], m.colors[light]
-    lx, ly, lz = position[0], position[1], position[2]
-    px, py, pz, nx, ny, nz = place[0], place[1], place[2], place[3], place[4], place[5]
-    if m.model == BLINN_SQUARED:
-        blinn_squared_row(x, y, eye, work[0], px, py, pz, lx, ly, lz, nx, ny, nz, work[1], work[2], start, stop)
-    elif m.model == BLINN:
-        blinn_row(x, y, eye, work[0], px, py, pz, lx, ly, lz, nx, ny, nz, work[1], work[2], start, stop)
-    else:
-        phong_row(x, y, eye, work[0], px, py, pz, lx, ly, lz, nx, ny, nz, work[1], work[2], start, stop)
-    _raise_to_shininess(m, work[2], work[3], start, stop)
-    light_term_row(
-        rgb[0, row],
-        rgb[1, row],
-        rgb[2, row],
-        color[0],
-        color[1],
-        color[2],
-        albedo[0],
-        albedo[1],
-        albedo[2],
-        m.kd,
-        m.ks,
-        work[1],
-        work[3],
-        start,
-        stop,
-    )
+def keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v):
+    """Copy the angles and the gradient of a run of A into (6, height, width)."""
+    _keep_row(cos_theta, planes[0, row, start:stop])
+    _keep_row(sin_theta, planes[1, row, start:stop])
+    _keep_row(cos_phi, planes[2, row, start:stop])
+    _keep_row(sin_phi, planes[3, row, start:stop])
+    _keep_row(h_u, planes[4, row, start:stop])
+    _keep_row(h_v, planes[5, row, start:stop])
+
+
+@inlined
+def _ambient(numbers, red, green, blue, count):
+    fill(red, numbers[3], count)
+    fill(green, numbers[4], count)
+    fill(blue, numbers[5], count)
+
+
+@inlined
+def _clip_into(rgb, red, green, blue, row, start, stop):
+    to = slice(start, stop)
+    clip_row(red, green, blue, rgb[0, row, to], rgb[1, row, to], rgb[2, row, to], 0, stop - start)
+
+
+@inlined
+def shade_sphere_run(
+    x, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
+    px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+):  # fmt: skip
+    """Write the colours of a run [start, stop) of A or B into a row of `rgb`, (3, height, width). x begins there.
+
+    The points, normals and view scales of its pixels are given, the other working rows are used up.
+    """
+    count, albedo = whole_groups(stop - start), albedo_of(numbers, code)
+    _ambient(numbers, red, green, blue, count)
+    for light in range(lights.shape[0]):
+        if not code & bits[light]:
+            light_on_sphere(
+                x, y, eye, lights[light], px, py, pz, nx, ny, nz, view, mu, base, dull, phong, blinn, squared, count
+            )
+            _add_light(numbers, lights[light], albedo, mu, base, red, green, blue, shine, power, dull, count, stop - start, work)
+    _clip_into(rgb, red, green, blue, row, start, stop)
+
+
+@inlined
+def _shade_floor_run(
+    x, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
+    view, mu, base, red, green, blue, shine,
+):  # fmt: skip
+    count, albedo = whole_groups(stop - start), albedo_of(numbers, code)
+    _ambient(numbers, red, green, blue, count)
+    if dull is None:
+        view_length_row(x, y, eye, view, 0, count)
+    for light in range(lights.shape[0]):
+        if not code & bits[light]:
+            _light_on_floor(x, y, eye, lights[light], view, mu, base, dull, phong, blinn, squared, count)
+            _add_light(numbers, lights[light], albedo, mu, base, red, green, blue, shine, power, dull, count, stop - start, work)
+    _clip_into(rgb, red, green, blue, row, start, stop)
 
 
 @compiled
-def shade_runs(runs, x, y_of_row, g, m, planes, rgb):
-    """Write the colours of a band's runs into `rgb`, (3, rows, columns). One run at a time; A's planes are filled."""
-    columns = x.shape[0]
-    place, work = np.empty((6, columns)), np.empty((4, columns))
+def shade_elsewhere(runs, x, y_of_row, top, g, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, work):
+    """Write the colours of a band's runs off sphere A into `rgb`, (3, height, width); row `top` is the band's first."""
+    p = np.empty((ROWS, ROW_LENGTH))
+    px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
+    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    eye, bx, by, bz, ball_radius, ball_on = g[0], g[2], g[3], g[4], g[5], g[6]
     for index in range(runs.shape[0]):
-        row, start, stop, code = runs[index, 0], runs[index, 1], runs[index, 2], runs[index, 3]
-        surface = code & SURFACE_BITS
-        if surface == NOTHING:
-            rgb[:, row, start:stop] = 0.0
-            continue
-        y, albedo = y_of_row[row], m.albedo[_albedo_index(code)]
-        _place(x, y, g, m, surface, row, planes, place, start, stop)
+        row, start, stop, code = top + runs[index, 0], runs[index, 1], runs[index, 2], runs[index, 3]
+        here, y, surface = x[start:], y_of_row[runs[index, 0]], code & SURFACE_BITS
+        if surface == SPHERE_B:
+            normal_of_b_row(
+                here, y, eye, bx, by, bz, ball_radius, ball_on, px, py, pz, nx, ny, nz, view, 0, whole_groups(stop - start)
+            )
+            shade_sphere_run(
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
+                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+            )  # fmt: skip
+        elif surface == FLOOR:
+            _shade_floor_run(
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
+                view, mu, base, red, green, blue, shine,
+            )  # fmt: skip
+        else:
+            for channel in range(3):
+                fill(rgb[channel, row, start:stop], 0.0, stop - start)
+
+
+@compiled
+def copy_runs(runs, top, source, rgb):
+    """Copy the colours of a band's runs from one picture to another, both (3, height, width)."""
+    for index in range(runs.shape[0]):
+        row, start, stop = top + runs[index, 0], runs[index, 1], runs[index, 2]
         for channel in range(3):
-            rgb[channel, row, start:stop] = m.base[channel]
-        view_length_row(x, y, g.eye, work[0], start, stop)
-        for light in range(m.bits.shape[0]):
-            if not code & m.bits[light]:
-                _add_light(x, y, g.eye, m, light, albedo, place, work, rgb, row, start, stop)
-        for channel in range(3):
-            clip_row(rgb[channel, row], start, stop)
-
-
-def placed(scene, stage, planes, code):
-    """Return the first pixel's point and normal (N' on sphere A), six rows of one, for a stage of one pixel."""
-    rows = np.empty((6, 1))
-    _place(stage.x, stage.bands[0].y[0], stage.geometry, material_of(scene), code & SURFACE_BITS, 0, planes, rows, 0, 1)
-    return rows
-
-
-def light_rows(stage, material, light, code, place):
-    """Return (μ, specular, added colour), rows of one, of one light at a stage of one pixel, occluded or not."""
-    work, rgb = np.empty((4, 1)), np.zeros((3, 1, 1))
-    albedo = material.albedo[_albedo_index(code)]
-    y = stage.bands[0].y[0]
-    view_length_row(stage.x, y, stage.geometry.eye, work[0], 0, 1)
-    _add_light(stage.x, y, stage.geometry.eye, material, light, albedo, place, work, rgb, 0, 0, 1)
-    return work[1], work[3], rgb[:, 0]
+            _keep_row(source[channel, row, start:stop], rgb[channel, row, start:stop])

@@ -10,15 +10,13 @@ def light_cosines(frame, light):
 
     Its sign decides the attached shadow; a cast shadow of B is not looked at.
     """
+    scene, angles_and_gradient = frame.scene, frame.planes_on_a
+    count = angles_and_gradient.shape[1]
+    place, unused, mu = np.empty((6, count)), np.empty(count), np.empty(count)
+    normal_on_a_row(
+        *angles_and_gradient, scene.beta, scene.radius, np.zeros(count), 0.0, scene.eye, *place, unused, 0, count
+    )
+    light_cosine_row(*place[:3], *scene.lights[light].position, *place[3:], mu, 0, count)
     cosines = np.full(frame.raster.shape, np.nan)
-    position, stage = frame.scene.lights[light].position, frame.stage
-    g, columns = stage.geometry, frame.raster.shape[1]
-    place = np.empty((6, columns))
-    for band in stage.bands:
-        p = frame.planes(band)
-        for row, start, stop, _ in band.runs_on_a:
-            angles = (p.cos_theta[row], p.sin_theta[row], p.cos_phi[row], p.sin_phi[row])
-            normal_on_a_row(*angles, g.radius, p.h_u[row], p.h_v[row], frame.scene.beta, *place, start, stop)
-            target = cosines[band.top + row]
-            light_cosine_row(*place[:3], *position, *place[3:], target, start, stop)
+    cosines[frame.stage.on_a] = mu
     return cosines

@@ -10,14 +10,14 @@ import numpy as np
 _own = threading.local()
 
 
-def scratch(name, shape):
-    """Return this thread's own float64 array of that name and shape; its content is whatever was left there.
+def scratch(name, shape, kind=np.float64):
+    """Return this thread's own array of that name, shape and kind; its content is whatever was left there.
 
     Memory fresh from the system costs more to touch than the kernels cost to run, so it is kept.
     """
     arrays = _own.__dict__.setdefault("arrays", {})
     if name not in arrays or arrays[name].shape != shape:
-        arrays[name] = np.empty(shape)
+        arrays[name] = np.empty(shape, kind)
     return arrays[name]
 
 
@@ -49,14 +49,18 @@ def _pool(threads):
 
 
 def run_bands(work, count, threads):
-    """Call work(0), …, work(count − 1) on `threads` threads, and return when all are done.
+    """Call work(0), …, work(count − 1) on `threads` threads, this one included, and return when all are done.
 
     The first call is made here alone, so that a kernel is compiled once before the others ask for it.
     """
     work(0)
-    if threads == 1 or count < 3:
-        for number in range(1, count):
+    numbers = iter(range(1, count))
+
+    def take():
+        for number in numbers:
             work(number)
-    else:
-        for _ in _pool(threads).map(work, range(1, count)):
-            pass
+
+    helpers = [_pool(threads).submit(take) for _ in range(min(threads, count) - 1)]
+    take()
+    for helper in helpers:
+        helper.result()

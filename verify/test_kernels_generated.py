@@ -1,12 +1,11 @@
 """The committed kernels are what the expressions print to, byte for byte: an edited formula shows here."""
 
-from pathlib import Path
+import pytest
 
-from renderer.generate.source import kernels_source
-
-KERNELS = Path(__file__).resolve().parent.parent / "renderer" / "kernels.py"
+from renderer.generate.files import GENERATED
 
 
-def test_kernels_are_what_the_expressions_print_to():
+@pytest.mark.parametrize("path", GENERATED, ids=lambda path: path.name)
+def test_generated_files_are_what_the_expressions_print_to(path):
     """Fails when a formula, a printer or the file was edited: run `python -m renderer.generate` and read the diff."""
-    assert KERNELS.read_text(encoding="utf-8") == kernels_source()
+    assert path.read_text(encoding="utf-8") == GENERATED[path]()

@@ -1,24 +1,25 @@
 """Write the generated kernels:  python -m renderer.generate [--check]"""
 
 import argparse
-from pathlib import Path
 
-from renderer.generate.source import kernels_source
-
-KERNELS = Path(__file__).parents[1] / "kernels.py"
+from renderer.generate.files import GENERATED
 
 
 def main():
-    """Write renderer/kernels.py, or with --check say whether it is up to date."""
+    """Write every generated file, or with --check say which are up to date."""
     parser = argparse.ArgumentParser(prog="python -m renderer.generate", description=__doc__)
-    parser.add_argument("--check", action="store_true", help="write nothing; exit with 1 if the file is out of date")
-    source = kernels_source()
-    if parser.parse_args().check:
-        stale = KERNELS.read_text(encoding="utf-8") != source
-        print(f"renderer/{KERNELS.name} is {'out of date' if stale else 'up to date'}")
-        raise SystemExit(int(stale))
-    KERNELS.write_text(source, encoding="utf-8")
-    print(f"wrote renderer/{KERNELS.name}: {source.count(chr(10))} lines")
+    parser.add_argument("--check", action="store_true", help="write nothing; exit with 1 if a file is out of date")
+    check, stale = parser.parse_args().check, 0
+    for path, source_of in GENERATED.items():
+        source = source_of()
+        if check:
+            differs = not path.is_file() or path.read_text(encoding="utf-8") != source
+            stale += differs
+            print(f"{path.name} is {'out of date' if differs else 'up to date'}")
+        else:
+            path.write_text(source, encoding="utf-8")
+            print(f"wrote {path.name}: {source.count(chr(10))} lines")
+    raise SystemExit(int(stale > 0))
 
 
 if __name__ == "__main__":

@@ -13,10 +13,10 @@ from proofs.finite_difference import HEIGHT_EVALUATIONS
 from proofs.height_fields import HEIGHT_FIELDS
 from proofs.program import chain
 from proofs.symbols import u, v
-from renderer.generate.kernel_list import ROW_KERNELS, SCALAR_PROGRAMS, RowKernel, field_kernels
+from renderer.generate.kernel_list import ONCE_A_SCENE, ROW_KERNELS, RowKernel, field_kernels
 from renderer.generate.printers_javascript import PRINTER, print_row_kernel, print_scalar_function
-from renderer.scene import Scene
 from renderer.generate.source import _wave_numbers
+from renderer.scene import Scene
 
 HEADER = """// Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
 //
@@ -58,7 +58,15 @@ function rint(a) {
 }
 """
 
-UNUSED = {"tangent_interval", "surface_without_b", "blinn", "highlight"}
+UNUSED = {
+    "tangent_interval",
+    "chart_v",
+    "highlight",
+    "diffuse_term",
+    "light_cosine_on_floor",
+    "blinn",
+    "blinn_on_floor",
+}
 """What the simulator's scene, with its even shininess, has no use for."""
 
 PLOT_PROGRAMS = [
@@ -108,7 +116,7 @@ def _colour_map():
 def javascript_source():
     """Return the text of book/static/simulator/kernels.js."""
     fields, names, parts = HEIGHT_FIELDS.values(), [], [HELPERS]
-    for program in (*(p for p in SCALAR_PROGRAMS if p.name not in UNUSED), *PLOT_PROGRAMS):
+    for program in (*(p for p in ONCE_A_SCENE if p.name not in UNUSED), *PLOT_PROGRAMS):
         parts.append(print_scalar_function(program.name, program))
         names.append(program.name)
     for kernel in (*elementary_kernels(), *(k for k in ROW_KERNELS if k.program.name not in UNUSED)):

@@ -7,12 +7,12 @@ from proofs.chart import chart
 from proofs.program import Program, chain
 from proofs.symbols import (
     bumped,
-    column,
     cos_phi,
     cos_theta,
     h_u,
     h_v,
     mu,
+    normal,
     point,
     real,
     sin_phi,
@@ -39,36 +39,27 @@ class RowKernel:
     into: tuple = ()
 
 
-def _raster_kernels():
-    across = camera.image_point.keep(x, name="image_x")
-    down = camera.image_point.keep(camera.y, name="image_y")
-    return [
-        RowKernel(across, (column,)),
-        RowKernel(down, (camera.row,)),
-        RowKernel(camera.visible_surface, (x,)),
-        RowKernel(camera.surface_without_b, (x,)),
-    ]
-
-
-def _shadow_kernels():
-    """Return the shadow test at the visible points of A, of B and of the floor, straight from the image point."""
+def _chamber_kernels():
+    """Return the visible surface, and the shadow test at the visible points of A, of B and of the floor, straight from the image point."""
     on_a = chain("shadow_on_a", camera.angles_on_a, camera.point_on_a, shadow.shadow)
     on_b = chain("shadow_on_b", camera.point_on_b, shadow.shadow)
     on_floor = chain("shadow_on_floor", camera.point_on_floor, shadow.shadow)
     dark = chain("checker", camera.point_on_floor, shadow.checker).keep(shadow.dark)
-    return [RowKernel(p, (x,)) for p in (on_a, on_b, on_floor, dark)]
+    return [RowKernel(p, (x,)) for p in (camera.visible_surface, on_a, on_b, on_floor, dark)]
 
 
 def _geometry_kernels():
-    """Return the kernels that place points and normals, on all three surfaces."""
-    along = (*point, *bumped)
-    on_a = chain("normal_on_a", camera.point_on_a, bump.bumped_normal, outputs=along)
+    """Return the kernels that place points and normals on the spheres, and say how far the eye is."""
+    along = (*point, *bumped, camera.view_scale)
+    on_a = chain("normal_on_a", bump.bumped_normal, camera.point_of_normal, camera.view_length, outputs=along)
+    on_b = chain("normal_of_b", camera.normal_of_b, camera.view_length, outputs=(*point, *normal, camera.view_scale))
     return [
         RowKernel(camera.angles_on_a, (x,)),
         RowKernel(chart, ANGLES),
-        RowKernel(on_a, (*ANGLES, h_u, h_v)),
-        RowKernel(camera.normal_of_b, (x,), along),
-        RowKernel(camera.normal_of_floor, (x,), along),
+        RowKernel(chart.keep(v, name="chart_v"), ANGLES[2:]),
+        RowKernel(on_a, (*ANGLES, h_u, h_v, x)),
+        RowKernel(on_b, (x,), along),
+        RowKernel(camera.view_length, (x,)),
     ]
 
 
@@ -102,24 +93,45 @@ def field_kernels(field):
     return kernels
 
 
+def _light_kernels():
+    """Return each model of the highlight, and the cosine alone, on the spheres and (folded) on the floor."""
+    kernels = []
+    for name, model in {**shading.MODELS, "blinn_squared": shading.blinn_squared}.items():
+        seen = chain(name, camera.view_direction, model, outputs=(mu, specular_base))
+        kernels.append(RowKernel(seen, (*point, *bumped, x, camera.view_scale)))
+        below = chain(f"{name}_on_floor", camera.normal_of_floor, seen, outputs=seen.outputs)
+        kernels.append(RowKernel(below.folded(), (x, camera.view_scale)))
+    cosine = shading.light_direction.keep(mu, name="light_cosine")
+    below = chain("light_cosine_on_floor", camera.normal_of_floor, cosine, outputs=(mu,))
+    return [*kernels, RowKernel(cosine, (*point, *bumped)), RowKernel(below.folded(), (x,))]
+
+
 def _shading_kernels():
-    rows = (*point, *bumped, x, camera.view_scale)
-    models = [
-        RowKernel(chain(name, camera.view_direction, model, outputs=(mu, specular_base)), rows)
-        for name, model in {**shading.MODELS, "blinn_squared": shading.blinn_squared}.items()
-    ]
-    color, colors = shading.color, shading.colors
+    colors = shading.colors
+    diffuse = chain("diffuse_term", Program("dull", (), ((specular, 0 * mu),), ()), shading.light_term)
+    clip = Program("clip", colors, tuple(zip(shading.lit, map(shading.clipped_value, colors), strict=True)), shading.lit)
     return [
-        RowKernel(camera.view_length, (x,)),
-        *models,
-        RowKernel(shading.light_direction.keep(mu, name="light_cosine"), (*point, *bumped)),
+        *_light_kernels(),
         RowKernel(shading.highlight, (specular_base,)),
         RowKernel(shading.light_term, (*colors, mu, specular), colors),
-        RowKernel(shading.clip, (color,), (color,)),
+        RowKernel(diffuse.folded(), (*colors, mu), colors),
+        RowKernel(clip, colors),
         RowKernel(height_fields.slope, (h_u, h_v)),
     ]
 
 
-ROW_KERNELS = [*_raster_kernels(), *_shadow_kernels(), *_geometry_kernels(), *_power_kernels(), *_shading_kernels()]
+ROW_KERNELS = [*_chamber_kernels(), *_geometry_kernels(), *_power_kernels(), *_shading_kernels()]
 
-SCALAR_PROGRAMS = [camera.image_extent, bounds.tangent_interval, shading.ambient_term, shading.floor_albedo]
+DISCRIMINANT_OF_A = camera.hit_of_a.keep(camera.discriminant_a, name="discriminant_of_a")
+
+ONCE_A_SCENE = [
+    camera.image_extent,
+    camera.image_point.keep(x, name="image_x"),
+    camera.image_point.keep(camera.y, name="image_y"),
+    bounds.tangent_interval,
+    shading.ambient_term,
+    shading.floor_albedo,
+]
+"""What is evaluated once a scene or raster: not worth compiling."""
+
+SCALAR_PROGRAMS = [DISCRIMINANT_OF_A, *ONCE_A_SCENE]

@@ -12,7 +12,7 @@ from proofs.finite_difference import HEIGHT_EVALUATIONS
 from proofs.height_fields import HEIGHT_FIELDS
 from proofs.program import Program, chain
 from proofs.symbols import k_u, k_v, real
-from renderer.generate.kernel_list import ROW_KERNELS, SCALAR_PROGRAMS, field_kernels
+from renderer.generate.kernel_list import DISCRIMINANT_OF_A, ONCE_A_SCENE, ROW_KERNELS, field_kernels
 from renderer.generate.printers import NumbaPrinter
 
 HEADER = '''"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
@@ -26,21 +26,21 @@ import math
 import numpy as np
 from numba import njit
 
-inline = njit(inline="always", error_model="numpy")
+inlined = njit(inline="always", error_model="numpy")
 compiled = njit(cache=True, nogil=True, error_model="numpy")
 
 
-@inline
+@inlined
 def maximum(a, b):
     return b if b > a else a
 
 
-@inline
+@inlined
 def minimum(a, b):
     return b if b < a else a
 
 
-@inline
+@inlined
 def sign(a):
     return 1.0 if a > 0.0 else (-1.0 if a < 0.0 else 0.0)
 '''
@@ -60,7 +60,7 @@ def elementary_functions():
     return functions
 
 
-def print_function(name, program, printer, decorator="@inline\n"):
+def print_function(name, program, printer, decorator="@inlined\n"):
     """Return the text of a scalar function with one result, a line for each definition."""
     arguments = ", ".join(s.name for s in program.inputs)
     lines = [f"{s.name} = {printer.doprint(e)}" for s, e in program.definitions]
@@ -100,28 +100,6 @@ def print_row_kernel(kernel, printer):
     )
 
 
-def print_runs_kernel(kernel):
-    """Return the text of the function that takes a row kernel over the runs of a band of rows."""
-    program = kernel.program
-    inputs = [f"{s.name}_plane" if s in kernel.rows else s.name for s in program.inputs]
-    planes = inputs + [f"{s.name}_plane" for s in program.outputs]
-    rows = [f"{a}[row]" if a.endswith("_plane") else a for a in planes]
-    return "\n".join(
-        [
-            "@compiled",
-            f"def {program.name}_runs(",
-            *(f"    {line}" for line in textwrap.wrap(", ".join(["runs", *planes]), 105)),
-            "):",
-            "    for index in range(runs.shape[0]):",
-            "        row, start, stop = runs[index, 0], runs[index, 1], runs[index, 2]",
-            f"        {program.name}_row(",
-            *(f"            {line}" for line in textwrap.wrap(", ".join([*rows, "start", "stop"]), 97)),
-            "        )",
-            "",
-        ]
-    )
-
-
 def field_table():
     """Return the text of the table from a field's name to its kernels."""
     lines = ["FIELDS = {"]
@@ -129,7 +107,7 @@ def field_table():
         lines.append(f'    "{field.name}": {{')
         for kernel in field_kernels(field):
             role = kernel.program.name.removesuffix(f"_{field.name}")
-            lines.append(f'        "{role}": {kernel.program.name}_runs,')
+            lines.append(f'        "{role}": {kernel.program.name}_row,')
         lines.append(f'        "wave_numbers": {f"wave_numbers_{field.name}" if field.wave_numbers else None},')
         lines.append("    },")
     return "\n".join([*lines, "}", ""])
@@ -147,11 +125,12 @@ def kernels_source():
     printer = NumbaPrinter()
     fields = HEIGHT_FIELDS.values()
     parts = [print_function(name, program, printer) for name, program in elementary_functions()]
-    parts += [print_function(p.name, p, printer, "@compiled\n") for p in SCALAR_PROGRAMS]
+    parts.append(print_function(DISCRIMINANT_OF_A.name, DISCRIMINANT_OF_A, printer, "@compiled\n"))
+    parts += [print_function(p.name, p, printer, "") for p in ONCE_A_SCENE]
     parts += [print_row_kernel(kernel, printer) for kernel in ROW_KERNELS]
     for field in fields:
         for kernel in field_kernels(field):
-            parts += [print_row_kernel(kernel, printer), print_runs_kernel(kernel)]
+            parts.append(print_row_kernel(kernel, printer))
         if field.wave_numbers:
             parts.append(print_function(f"wave_numbers_{field.name}", _wave_numbers(field), printer, ""))
     parts += [f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\n", f"MAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n", field_table()]

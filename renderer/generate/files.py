@@ -1,0 +1,11 @@
+"""The generated files, and what writes each."""
+
+from pathlib import Path
+
+from renderer.generate.shaders import shaders_source
+from renderer.generate.source import kernels_source
+
+RENDERER = Path(__file__).resolve().parents[1]
+
+GENERATED = {RENDERER / "kernels.py": kernels_source, RENDERER / "shaders.py": shaders_source}
+"""{path: the function that returns its text}"""

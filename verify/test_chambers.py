@@ -1,0 +1,91 @@
+"""Intervals, boxes and runs leave no pixel out: the renderer's chambers are those of the test of every pixel."""
+
+import os
+
+import numpy as np
+import pytest
+
+from renderer import Light, Scene, bounds, stage_of
+from renderer.stage import prepared
+from verify.strict import strict_chambers
+
+SCENES = 10_000 if os.environ.get("HYPOTHESIS_PROFILE") == "long" else 400
+BLOCK = 100
+
+
+def random_scene(random):
+    """Return a scene of scales far apart: B may contain, cut, touch or miss everything, lights may be low or below."""
+    while True:
+        radius = 10.0 ** random.uniform(-2, 2)
+        center = tuple(random.normal(size=3) * radius * 10.0 ** random.uniform(-1, 1, 3))
+        positions = random.normal(size=(random.integers(0, 4), 3)) * radius * 10.0 ** random.uniform(-0.5, 2, 3)
+        try:
+            return Scene(
+                radius=radius,
+                eye=radius * 10.0 ** random.uniform(0.01, 2),
+                ball=bool(random.uniform() < 0.9),
+                floor=bool(random.uniform() < 0.9),
+                ball_radius=radius * 10.0 ** random.uniform(-2, 1),
+                ball_center=center,
+                lights=tuple(Light(tuple(p), None if random.uniform() < 0.1 else (1, 1, 1)) for p in positions),
+            )
+        except ValueError:
+            continue  # B around the eye, or a light inside a body
+
+
+def random_raster(random):
+    """Return (width, height, crop): odd and even sizes, one in three cropped."""
+    width, height = (int(n) for n in random.integers(1, 90, 2))
+    if random.uniform() < 2 / 3:
+        return width, height, None
+    left, top = int(random.integers(0, width)), int(random.integers(0, height))
+    return width, height, (left, top, int(random.integers(1, width - left + 1)), int(random.integers(1, height - top + 1)))
+
+
+def differing_pixels(scene, width, height, crop=None):
+    """Return how many pixels' codes differ between the renderer and the strict reference."""
+    codes = stage_of(scene, width, height, crop, threads=1).chambers
+    left, top, wide, high = crop or (0, 0, width, height)
+    strict = strict_chambers(scene, width, height)[top : top + high, left : left + wide]
+    return int(np.count_nonzero(codes != strict))
+
+
+@pytest.mark.parametrize("block", range(SCENES // BLOCK))
+def test_random_scenes(block):
+    random = np.random.default_rng((20, block))
+    for _ in range(BLOCK):
+        scene, raster = random_scene(random), random_raster(random)
+        assert differing_pixels(scene, *raster) == 0, (scene, raster)
+
+
+TOUCHING = {
+    "B touches the floor": {"ball_center": (1.5, 0.0, 0.25), "ball_radius": 0.25},
+    "B touches A from outside": {"ball_center": (0.0, 0.0, 1.5), "ball_radius": 0.5},
+    "B inside A": {"ball_center": (0.0, 0.0, 0.0), "ball_radius": 0.5},
+    "A inside B": {"ball_center": (0.0, 0.0, 0.0), "ball_radius": 1.5},
+    "B equal to A": {"ball_center": (0.0, 0.0, 0.0), "ball_radius": 1.0},
+    "B behind the eye": {"ball_center": (0.0, 0.0, 6.0), "ball_radius": 1.0},
+    "B level with the eye": {"ball_center": (2.0, 0.0, 4.0), "ball_radius": 1.0},
+    "B cuts the floor": {"ball_center": (1.2, -0.3, 0.1), "ball_radius": 0.4},
+    "B below the floor": {"ball_center": (1.0, 0.0, -2.0), "ball_radius": 0.5},
+    "a light below A's top": {"lights": (Light((3.0, 0.0, 0.5)),)},
+    "a light level with A's top": {"lights": (Light((3.0, 0.0, 1.0)),)},
+    "a light below the floor": {"lights": (Light((0.0, 3.0, -2.0)),)},
+    "a light above the eye": {"lights": (Light((0.1, 0.2, 9.0)),)},
+}
+
+
+@pytest.mark.parametrize("case", TOUCHING)
+@pytest.mark.parametrize("size", [(61, 64), (64, 61), (1, 33), (33, 1)])
+def test_degenerate_scenes(case, size):
+    assert differing_pixels(Scene(**TOUCHING[case]), *size) == 0
+
+
+def test_a_box_too_small_is_noticed(monkeypatch):
+    prepared.cache_clear()
+    monkeypatch.setattr(bounds, "GUARD", -6)
+    found = differing_pixels(Scene(), 64, 64)
+    monkeypatch.undo()
+    prepared.cache_clear()
+    assert found > 0
+    assert differing_pixels(Scene(), 64, 64) == 0
