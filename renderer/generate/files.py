@@ -2,10 +2,17 @@
 
 from pathlib import Path
 
+from renderer.generate.javascript import javascript_source
 from renderer.generate.shaders import shaders_source
 from renderer.generate.source import kernels_source
 
 RENDERER = Path(__file__).resolve().parents[1]
 
-GENERATED = {RENDERER / "kernels.py": kernels_source, RENDERER / "shaders.py": shaders_source}
+SIMULATOR = RENDERER.parent / "book" / "static" / "simulator"
+
+GENERATED = {
+    RENDERER / "kernels.py": kernels_source,
+    RENDERER / "shaders.py": shaders_source,
+    SIMULATOR / "kernels.js": javascript_source,
+}
 """{path: the function that returns its text}"""

@@ -20,9 +20,9 @@ from renderer.scene import Scene
 
 HEADER = """// Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
 //
-// Each `*_row` function runs over the pixels start <= i < stop of one row: arguments ending in `_row` are Float64Arrays,
+// Each `*_row` function runs over the pixels start <= i < stop of a row: arguments ending in `_row` are Float64Arrays,
 // the others are numbers, and results are written to the last arrays. Bit for bit the kernels of renderer/kernels.py.
-// One function around them all, so that a worker can be made from its text.
+// One function stands around them all, so that a worker can be made from its text.
 "use strict";
 var Simulator = Simulator || {};
 

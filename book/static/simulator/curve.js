@@ -87,17 +87,16 @@ Simulator.curve = function (root, kernels, pipeline) {
   function show(state, pixel, picture) {
     width = svg.parentElement.clientWidth;
     svg.setAttribute("viewBox", `0 0 ${width} ${HEIGHT}`);
-    const known = picture.filter(Boolean), x = x_of(state.eps);
-    let text = axes() + `<line class="now" x1="${x}" x2="${x}" y1="${EDGE.top - 8}" y2="${HEIGHT - EDGE.bottom}"/>`;
+    const known = picture.filter(Boolean);
+    let text = axes() + `<line class="now" y1="${EDGE.top - 8}" y2="${HEIGHT - EDGE.bottom}"/><circle class="numeric" r="4"/>`;
     let names = "";
     if (pixel) {
-      const errors = pixel.map((p) => [p.eps, p.error]), now = near(pixel, state.eps), cliff = near(pixel, 1e-12);
+      const errors = pixel.map((p) => [p.eps, p.error]), cliff = near(pixel, 1e-12);
       if (cliff.bound !== null) {
         text += `<path class="bound" d="${path(pixel.map((p) => [p.eps, p.bound]))}"/>`;
         names += label("proved bound", "bound", { eps: cliff.eps, size: cliff.bound }, -10);
       }
       text += `<path class="numeric" d="${path(errors)}"/>`;
-      if (now.error > 0) text += `<circle class="numeric" cx="${x}" cy="${y_of(now.error)}" r="4"/>`;
       const floor = near(pixel, 1e-6);
       if (floor.error > 0) names += label("gradient, at the cursor", "numeric", { eps: floor.eps, size: floor.error }, 22);
     }
@@ -108,7 +107,16 @@ Simulator.curve = function (root, kernels, pipeline) {
       names += label("picture, RMS on A", "difference", { eps: cliff.eps, size: cliff.rms }, 24);
     }
     svg.innerHTML = text + names;
+    mark(state.eps, pixel);
     svg.setAttribute("aria-label", summary(state, pixel, known));
+  }
+
+  // Move the mark of the present step, and nothing else.
+  function mark(eps, pixel) {
+    const line = svg.querySelector(".now"), dot = svg.querySelector("circle.numeric"), error = pixel ? near(pixel, eps).error : 0;
+    for (const end of ["x1", "x2"]) line.setAttribute(end, x_of(eps));
+    dot.setAttribute("cx", x_of(eps));
+    dot.setAttribute("cy", error > 0 ? y_of(error) : -100);
   }
 
   const near = (points, eps) => points.reduce((best, p) => (Math.abs(Math.log(p.eps / eps)) < Math.abs(Math.log(best.eps / eps)) ? p : best));
@@ -131,5 +139,5 @@ Simulator.curve = function (root, kernels, pipeline) {
     return lines.join("\n") + "\n";
   }
 
-  return { COARSE, FINE, at_pixel, show, csv, bound };
+  return { COARSE, FINE, at_pixel, show, mark, csv, bound };
 };

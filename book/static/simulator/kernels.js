@@ -1,8 +1,8 @@
 // Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
 //
-// Each `*_row` function runs over the pixels start <= i < stop of one row: arguments ending in `_row` are Float64Arrays,
+// Each `*_row` function runs over the pixels start <= i < stop of a row: arguments ending in `_row` are Float64Arrays,
 // the others are numbers, and results are written to the last arrays. Bit for bit the kernels of renderer/kernels.py.
-// One function around them all, so that a worker can be made from its text.
+// One function stands around them all, so that a worker can be made from its text.
 "use strict";
 var Simulator = Simulator || {};
 
@@ -39,6 +39,16 @@ function image_extent(eye, radius) {
   const tangent_squared = (eye - radius) * (eye + radius),
     half = 1.25 * eye * radius / Math.sqrt(tangent_squared);
   return half;
+}
+
+function image_x(column, width, height, half) {
+  const x = half * (2 * column - width + 1) / height;
+  return x;
+}
+
+function image_y(row, height, half) {
+  const y = half * ((-3 / 20) + (height - 2 * row - 1) / height);
+  return y;
 }
 
 function ambient_term(ka, ambient) {
@@ -142,37 +152,21 @@ function atan2pi_row(ordinate_row, abscissa_row, angle_row, start, stop) {
       ordinate = ordinate_row[i];
     const larger = maximum(Math.abs(abscissa), Math.abs(ordinate)),
       smaller = minimum(Math.abs(abscissa), Math.abs(ordinate)),
-      middle = ((smaller > 0.198912367379658 * larger) ? 1 : 0),
-      steep = ((smaller > 0.6681786379192989 * larger) ? 1 : 0),
-      node = ((steep > 0) ? 1 : ((middle > 0) ? 0.41421356237309503 : 0)),
-      node_value = ((steep > 0) ? 0.25 : ((middle > 0) ? 0.125 : 0)),
-      node_correction = ((steep > 0) ? 0 : ((middle > 0) ? -3.898644475369108e-18 : 0)),
+      middle = ((smaller > 0.3125 * larger) ? 1 : 0),
+      steep = ((smaller > 0.75 * larger) ? 1 : 0),
+      node = ((steep > 0) ? 1 : ((middle > 0) ? 0.5 : 0)),
+      node_value = ((steep > 0) ? 0.25 : ((middle > 0) ? 0.14758361765043326 : 0)),
+      node_correction = ((steep > 0) ? 0 : ((middle > 0) ? 1.1095511164473943e-17 : 0)),
       denominator = larger + node * smaller,
       ratio = ((larger > 0) ? (-larger * node + smaller) / denominator : 0),
       ratio_squared = ratio * ratio,
-      arctangent_tail = ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (0.015157613627799556 - 0.013839560268860464 * ratio_squared) - 0.016753151904410034) + 0.018724110951987685) - 0.021220659078919377) + 0.02448537586029159) - 0.028937262380344605) + 0.035367765131532294) - 0.04547284088339867) + 0.06366197723675814) - 0.10610329539459688) - 1.9678676675182486e-17,
+      arctangent_tail = ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (0.010976202971854851 - 0.010268060844638409 * ratio_squared) - 0.011789255043844099) + 0.012732395447351627) - 0.013839560268860464) + 0.015157613627799556) - 0.016753151904410034) + 0.018724110951987685) - 0.021220659078919377) + 0.02448537586029159) - 0.028937262380344605) + 0.035367765131532294) - 0.04547284088339867) + 0.06366197723675814) - 0.10610329539459688) - 1.9678676675182486e-17,
       small_part = node_correction + ratio * (arctangent_tail + 0.3183098861837907),
       first_octant = node_value + small_part,
       first_quadrant = ((Math.abs(abscissa) < Math.abs(ordinate)) ? 0.5 - first_octant : first_octant),
       half_plane = ((abscissa < 0) ? 1 - first_quadrant : first_quadrant),
       angle = ((ordinate < 0) ? -half_plane : half_plane);
     angle_row[i] = angle;
-  }
-}
-
-function image_x_row(column_row, width, height, half, x_row, start, stop) {
-  for (let i = start; i < stop; i++) {
-    const column = column_row[i];
-    const x = half * (2 * column - width + 1) / height;
-    x_row[i] = x;
-  }
-}
-
-function image_y_row(row_row, height, half, y_row, start, stop) {
-  for (let i = start; i < stop; i++) {
-    const row = row_row[i];
-    const y = half * ((-3 / 20) + (height - 2 * row - 1) / height);
-    y_row[i] = y;
   }
 }
 
@@ -212,10 +206,12 @@ start, stop
       rho = ((rho_raw >= (1 / 1e+150) * eye) ? rho_raw : 0),
       discriminant_a = tangent_squared * (-rho + rho_silhouette) * (rho + rho_silhouette),
       root_a = Math.sqrt(maximum(0, discriminant_a)),
-      cos_theta = ((rho > 0) ? x / rho : 0),
-      sin_theta = ((rho > 0) ? y / rho : 0),
-      sin_phi = rho * tangent_squared / (radius * (eye * eye + root_a)),
-      cos_phi = eye * (radius * radius + root_a) / (radius * (eye * eye + root_a)),
+      rho_inverse = ((rho > 0) ? 1.0 / rho : 0),
+      hit_scale = 1 / (radius * (eye * eye + root_a)),
+      cos_theta = rho_inverse * x,
+      sin_theta = rho_inverse * y,
+      sin_phi = hit_scale * rho * tangent_squared,
+      cos_phi = eye * hit_scale * (radius * radius + root_a),
       point_x = cos_theta * radius * sin_phi,
       point_y = radius * sin_phi * sin_theta,
       point_z = cos_phi * radius,
@@ -301,10 +297,12 @@ function angles_on_a_row(x_row, y, eye, radius, cos_theta_row, sin_theta_row, co
       rho = ((rho_raw >= (1 / 1e+150) * eye) ? rho_raw : 0),
       discriminant_a = tangent_squared * (-rho + rho_silhouette) * (rho + rho_silhouette),
       root_a = Math.sqrt(maximum(0, discriminant_a)),
-      cos_theta = ((rho > 0) ? x / rho : 0),
-      sin_theta = ((rho > 0) ? y / rho : 0),
-      sin_phi = rho * tangent_squared / (radius * (eye * eye + root_a)),
-      cos_phi = eye * (radius * radius + root_a) / (radius * (eye * eye + root_a));
+      rho_inverse = ((rho > 0) ? 1.0 / rho : 0),
+      hit_scale = 1 / (radius * (eye * eye + root_a)),
+      cos_theta = rho_inverse * x,
+      sin_theta = rho_inverse * y,
+      sin_phi = hit_scale * rho * tangent_squared,
+      cos_phi = eye * hit_scale * (radius * radius + root_a);
     cos_theta_row[i] = cos_theta;
     sin_theta_row[i] = sin_theta;
     cos_phi_row[i] = cos_phi;
@@ -326,8 +324,8 @@ function chart_row(cos_theta_row, sin_theta_row, cos_phi_row, sin_phi_row, u_row
 }
 
 function normal_on_a_row(
-cos_theta_row, sin_theta_row, cos_phi_row, sin_phi_row, radius, h_u_row, h_v_row, beta, point_x_row,
-point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop
+cos_theta_row, sin_theta_row, cos_phi_row, sin_phi_row, h_u_row, h_v_row, beta, radius, x_row, y, eye,
+point_x_row, point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, view_scale_row, start, stop
 ) {
   const e_theta_z = 0;
   for (let i = start; i < stop; i++) {
@@ -336,11 +334,9 @@ point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop
       h_u = h_u_row[i],
       h_v = h_v_row[i],
       sin_phi = sin_phi_row[i],
-      sin_theta = sin_theta_row[i];
-    const point_x = cos_theta * radius * sin_phi,
-      point_y = radius * sin_phi * sin_theta,
-      point_z = cos_phi * radius,
-      normal_x = cos_theta * sin_phi,
+      sin_theta = sin_theta_row[i],
+      x = x_row[i];
+    const normal_x = cos_theta * sin_phi,
       normal_y = sin_phi * sin_theta,
       normal_z = cos_phi,
       e_theta_x = -sin_theta,
@@ -358,19 +354,24 @@ point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop
       m_scale = 1.0 / m_length,
       bumped_x = m_scale * m_x,
       bumped_y = m_scale * m_y,
-      bumped_z = m_scale * m_z;
+      bumped_z = m_scale * m_z,
+      point_x = normal_x * radius,
+      point_y = normal_y * radius,
+      point_z = normal_z * radius,
+      view_scale = 1.0 / Math.sqrt(eye * eye + x * x + y * y);
     point_x_row[i] = point_x;
     point_y_row[i] = point_y;
     point_z_row[i] = point_z;
     bumped_x_row[i] = bumped_x;
     bumped_y_row[i] = bumped_y;
     bumped_z_row[i] = bumped_z;
+    view_scale_row[i] = view_scale;
   }
 }
 
 function normal_of_b_row(
 x_row, y, eye, ball_center_x, ball_center_y, ball_center_z, ball_radius, ball_on, point_x_row, point_y_row,
-point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop
+point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, view_scale_row, start, stop
 ) {
   const distance = -ball_center_z + eye;
   for (let i = start; i < stop; i++) {
@@ -388,31 +389,23 @@ point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop
       radius_length = Math.sqrt(radius_vector_x * radius_vector_x + radius_vector_y * radius_vector_y + radius_vector_z * radius_vector_z),
       normal_x = radius_vector_x / radius_length,
       normal_y = radius_vector_y / radius_length,
-      normal_z = radius_vector_z / radius_length;
+      normal_z = radius_vector_z / radius_length,
+      view_scale = 1.0 / Math.sqrt(eye * eye + x * x + y * y);
     point_x_row[i] = point_x;
     point_y_row[i] = point_y;
     point_z_row[i] = point_z;
     bumped_x_row[i] = normal_x;
     bumped_y_row[i] = normal_y;
     bumped_z_row[i] = normal_z;
+    view_scale_row[i] = view_scale;
   }
 }
 
-function normal_of_floor_row(x_row, y, point_x_row, point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, start, stop) {
-  const point_y = y,
-    point_z = 0,
-    normal_x = 0,
-    normal_y = 0,
-    normal_z = 1;
+function view_length_row(x_row, y, eye, view_scale_row, start, stop) {
   for (let i = start; i < stop; i++) {
     const x = x_row[i];
-    const point_x = x;
-    point_x_row[i] = point_x;
-    point_y_row[i] = point_y;
-    point_z_row[i] = point_z;
-    bumped_x_row[i] = normal_x;
-    bumped_y_row[i] = normal_y;
-    bumped_z_row[i] = normal_z;
+    const view_scale = 1.0 / Math.sqrt(eye * eye + x * x + y * y);
+    view_scale_row[i] = view_scale;
   }
 }
 
@@ -457,14 +450,6 @@ function multiply_row(specular_row, base_row, start, stop) {
   }
 }
 
-function view_length_row(x_row, y, eye, view_scale_row, start, stop) {
-  for (let i = start; i < stop; i++) {
-    const x = x_row[i];
-    const view_scale = 1.0 / Math.sqrt(eye * eye + x * x + y * y);
-    view_scale_row[i] = view_scale;
-  }
-}
-
 function phong_row(
 x_row, y, eye, view_scale_row, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z, bumped_x_row,
 bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
@@ -496,6 +481,27 @@ bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
   }
 }
 
+function phong_on_floor_row(x_row, y, eye, view_scale_row, light_x, light_y, light_z, mu_row, specular_base_row, start, stop) {
+  const to_light_y = light_y - y;
+  for (let i = start; i < stop; i++) {
+    const view_scale = view_scale_row[i],
+      x = x_row[i];
+    const view_x = -view_scale * x,
+      view_y = -view_scale * y,
+      view_z = eye * view_scale,
+      to_light_x = light_x - x,
+      light_distance = Math.sqrt(light_z * light_z + to_light_x * to_light_x + to_light_y * to_light_y),
+      light_scale = 1.0 / light_distance,
+      towards_x = light_scale * to_light_x,
+      towards_y = light_scale * to_light_y,
+      towards_z = light_scale * light_z,
+      mu = towards_z,
+      specular_base = maximum(0, 2 * mu * view_z - towards_x * view_x - towards_y * view_y - towards_z * view_z);
+    mu_row[i] = mu;
+    specular_base_row[i] = specular_base;
+  }
+}
+
 function blinn_squared_row(
 x_row, y, eye, view_scale_row, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z, bumped_x_row,
 bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
@@ -515,18 +521,41 @@ bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
       to_light_x = light_x - point_x,
       to_light_y = light_y - point_y,
       to_light_z = light_z - point_z,
-      light_distance = Math.sqrt(to_light_x * to_light_x + to_light_y * to_light_y + to_light_z * to_light_z),
-      light_scale = 1.0 / light_distance,
-      towards_x = light_scale * to_light_x,
-      towards_y = light_scale * to_light_y,
-      towards_z = light_scale * to_light_z,
-      mu = bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z,
-      halfway_x = towards_x + view_x,
-      halfway_y = towards_y + view_y,
-      halfway_z = towards_z + view_z,
+      distance_squared = to_light_x * to_light_x + to_light_y * to_light_y + to_light_z * to_light_z,
+      light_distance = Math.sqrt(distance_squared),
+      halfway_x = light_distance * view_x + to_light_x,
+      halfway_y = light_distance * view_y + to_light_y,
+      halfway_z = light_distance * view_z + to_light_z,
       halfway_squared = halfway_x * halfway_x + halfway_y * halfway_y + halfway_z * halfway_z,
+      along_light = bumped_x * to_light_x + bumped_y * to_light_y + bumped_z * to_light_z,
       along_halfway = maximum(0, bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z),
-      specular_base = ((halfway_squared > 0) ? along_halfway * along_halfway / halfway_squared : 0);
+      light_scale = ((halfway_squared > 0) ? 1 / (halfway_squared * light_distance) : 0),
+      mu = ((halfway_squared > 0) ? along_light * halfway_squared * light_scale : -bumped_x * view_x - bumped_y * view_y - bumped_z * view_z),
+      specular_base = along_halfway * along_halfway * light_distance * light_scale;
+    mu_row[i] = mu;
+    specular_base_row[i] = specular_base;
+  }
+}
+
+function blinn_squared_on_floor_row(x_row, y, eye, view_scale_row, light_x, light_y, light_z, mu_row, specular_base_row, start, stop) {
+  const to_light_y = light_y - y;
+  for (let i = start; i < stop; i++) {
+    const view_scale = view_scale_row[i],
+      x = x_row[i];
+    const view_x = -view_scale * x,
+      view_y = -view_scale * y,
+      view_z = eye * view_scale,
+      to_light_x = light_x - x,
+      distance_squared = light_z * light_z + to_light_x * to_light_x + to_light_y * to_light_y,
+      light_distance = Math.sqrt(distance_squared),
+      halfway_x = light_distance * view_x + to_light_x,
+      halfway_y = light_distance * view_y + to_light_y,
+      halfway_z = light_distance * view_z + light_z,
+      halfway_squared = halfway_x * halfway_x + halfway_y * halfway_y + halfway_z * halfway_z,
+      along_halfway = maximum(0, halfway_z),
+      light_scale = ((halfway_squared > 0) ? 1 / (halfway_squared * light_distance) : 0),
+      mu = ((halfway_squared > 0) ? halfway_squared * light_scale * light_z : -view_z),
+      specular_base = along_halfway * along_halfway * light_distance * light_scale;
     mu_row[i] = mu;
     specular_base_row[i] = specular_base;
   }
@@ -577,11 +606,17 @@ mu_row, specular_row, start, stop
   }
 }
 
-function clip_row(color_row, start, stop) {
+function clip_row(red_row, green_row, blue_row, lit_red_row, lit_green_row, lit_blue_row, start, stop) {
   for (let i = start; i < stop; i++) {
-    const color = color_row[i];
-    const clipped = minimum(1, maximum(0, color));
-    color_row[i] = clipped;
+    const blue = blue_row[i],
+      green = green_row[i],
+      red = red_row[i];
+    const lit_red = minimum(1, maximum(0, red)),
+      lit_green = minimum(1, maximum(0, green)),
+      lit_blue = minimum(1, maximum(0, blue));
+    lit_red_row[i] = lit_red;
+    lit_green_row[i] = lit_green;
+    lit_blue_row[i] = lit_blue;
   }
 }
 
@@ -1153,6 +1188,8 @@ return {
   kink_band,
   rint,
   image_extent,
+  image_x,
+  image_y,
   ambient_term,
   floor_albedo,
   parallel_radius,
@@ -1163,8 +1200,6 @@ return {
   sinpi_of_product_row,
   cospi_of_product_row,
   atan2pi_row,
-  image_x_row,
-  image_y_row,
   visible_surface_row,
   shadow_on_a_row,
   shadow_on_b_row,
@@ -1174,14 +1209,15 @@ return {
   chart_row,
   normal_on_a_row,
   normal_of_b_row,
-  normal_of_floor_row,
+  view_length_row,
   complex_square_row,
   complex_product_row,
   square_row,
   multiply_row,
-  view_length_row,
   phong_row,
+  phong_on_floor_row,
   blinn_squared_row,
+  blinn_squared_on_floor_row,
   light_cosine_row,
   light_term_row,
   clip_row,

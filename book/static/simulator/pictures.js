@@ -22,7 +22,7 @@ Simulator.pictures = function (root, states, pipeline, kernels, act) {
   }
 
   function paint(state, replies) {
-    const resized = bases[0].width !== state.size;
+    const resized = !shown || bases[0].width !== state.size;
     if (resized) for (const canvas of [...bases, mask]) canvas.width = canvas.height = state.size;
     for (const { images, band, codes } of replies) {
       const top = band.top - state.top;
@@ -175,5 +175,6 @@ Simulator.pictures = function (root, states, pipeline, kernels, act) {
 
   boxes.forEach(wire);
   new ResizeObserver(() => shown && layout(shown.size)).observe(root);
-  return { paint, decorate, frame, canvas: (name) => bases[NAMES.indexOf(name)] };
+  const release = () => (pinned = false);
+  return { paint, decorate, frame, release, canvas: (name) => bases[NAMES.indexOf(name)] };
 };

@@ -20,10 +20,9 @@ Simulator.pipeline = function (kernels) {
     scene.lights.flatMap((light, n) => (light ? [{ ...light, bit: 1 << (FIRST_LIGHT_BIT + n), number: n }] : []));
 
   function image_points(scene, { width, height, left, top, wide, high }) {
-    const half = kernels.image_extent(scene.eye, scene.radius), x = new Float64Array(wide), y = new Float64Array(high);
-    kernels.image_x_row(Float64Array.from(x, (_, i) => left + i), width, height, half, x, 0, wide);
-    kernels.image_y_row(Float64Array.from(y, (_, i) => top + i), height, half, y, 0, high);
-    return [x, y];
+    const half = kernels.image_extent(scene.eye, scene.radius);
+    const x = Float64Array.from({ length: wide }, (_, i) => kernels.image_x(left + i, width, height, half));
+    return [x, Float64Array.from({ length: high }, (_, i) => kernels.image_y(top + i, height, half))];
   }
 
   // A scene without B asks with the renderer's stand-in for it.
@@ -90,15 +89,14 @@ Simulator.pipeline = function (kernels) {
       }
     }
     const stage = { x, raster, codes, on_a, elsewhere, count, at: new Int32Array(count), x_of_a: new Float64Array(count) };
-    [stage.cos_theta, stage.sin_theta, stage.cos_phi, stage.sin_phi, stage.u, stage.v, stage.view] = rows(7, count);
+    [stage.cos_theta, stage.sin_theta, stage.cos_phi, stage.sin_phi, stage.u, stage.v] = rows(6, count);
     for (const { row, y, from, start, stop } of on_a) {
       for (let i = start; i < stop; i++) {
         stage.at[i] = row * wide + from + i - start;
         stage.x_of_a[i] = x[from + i - start];
       }
-      const { eye, radius } = scene, { x_of_a, cos_theta, sin_theta, cos_phi, sin_phi, view } = stage;
+      const { eye, radius } = scene, { x_of_a, cos_theta, sin_theta, cos_phi, sin_phi } = stage;
       kernels.angles_on_a_row(x_of_a, y, eye, radius, cos_theta, sin_theta, cos_phi, sin_phi, start, stop);
-      kernels.view_length_row(x_of_a, y, eye, view, start, stop);
     }
     in_chunks(count, (start, stop) =>
       kernels.chart_row(stage.cos_theta, stage.sin_theta, stage.cos_phi, stage.sin_phi, stage.u, stage.v, start, stop));
@@ -167,60 +165,76 @@ Simulator.pipeline = function (kernels) {
     return {
       power: squared ? scene.shininess / 2 : scene.shininess,
       base_row: squared ? kernels.blinn_squared_row : kernels.phong_row,
+      floor_row: squared ? kernels.blinn_squared_on_floor_row : kernels.phong_on_floor_row,
       ambient: scene.ambient.map((channel) => kernels.ambient_term(scene.ka, channel)),
       albedo: [[0, 0, 0], scene.albedo_a, scene.albedo_b, ...floor],
       lights: lights_of(scene),
     };
   }
 
-  let place = [], work = [];
+  let place = [], work = []; // points, normals, 1/|E - P|; mu, the highlight's base, the highlight
 
-  // Add the lights that reach a segment of one chamber: points and normals are in `place`, 1/|E - P| in `view`.
-  function light_segment(scene, m, code, x, y, view, rgb, start, stop) {
-    const surface = code & SURFACE, albedo = m.albedo[surface === FLOOR && code & DARK_BIT ? 4 : surface];
-    const [px, py, pz, nx, ny, nz] = place, [mu, base, highlight] = work;
+  // Add the lights that reach a segment of one chamber, whose places are in `place`.
+  function light_segment(scene, m, code, x, y, rgb, start, stop) {
+    const on_floor = (code & SURFACE) === FLOOR, albedo = m.albedo[on_floor && code & DARK_BIT ? 4 : code & SURFACE];
+    const [px, py, pz, nx, ny, nz, view] = place, [mu, base, highlight] = work;
     rgb.forEach((channel, n) => channel.fill(m.ambient[n], start, stop));
     for (const { position, color, bit } of m.lights) {
       if (code & bit) continue;
-      m.base_row(x, y, scene.eye, view, px, py, pz, ...position, nx, ny, nz, mu, base, start, stop);
-      highlight.fill(1, start, stop);
-      for (let remaining = m.power; remaining;) {
-        if (remaining & 1) kernels.multiply_row(highlight, base, start, stop);
-        remaining >>= 1;
-        if (remaining) kernels.square_row(base, start, stop);
-      }
+      if (on_floor) m.floor_row(x, y, scene.eye, view, ...position, mu, base, start, stop);
+      else m.base_row(x, y, scene.eye, view, px, py, pz, ...position, nx, ny, nz, mu, base, start, stop);
+      raise(base, highlight, m.power, start, stop);
       kernels.light_term_row(...rgb, ...color, ...albedo, scene.kd, scene.ks, mu, highlight, start, stop);
     }
-    for (const channel of rgb) kernels.clip_row(channel, start, stop);
+    kernels.clip_row(...rgb, ...rgb, start, stop);
+  }
+
+  // base^power by repeated squaring; the base is used up.
+  function raise(base, highlight, power, start, stop) {
+    let remaining = power;
+    for (; !(remaining & 1); remaining >>= 1) kernels.square_row(base, start, stop);
+    highlight.set(base.subarray(start, stop), start);
+    for (remaining >>= 1; remaining; remaining >>= 1) {
+      kernels.square_row(base, start, stop);
+      if (remaining & 1) kernels.multiply_row(highlight, base, start, stop);
+    }
   }
 
   function prepare(length) {
-    if (!place.length || place[0].length < length) [place, work] = [rows(6, length), rows(4, length)];
+    if (!place.length || place[0].length < length) [place, work] = [rows(7, length), rows(3, length)];
+  }
+
+  function place_a(scene, stage, { y, start, stop }, h_u, h_v, beta = scene.beta) {
+    const { cos_theta, sin_theta, cos_phi, sin_phi, x_of_a } = stage;
+    kernels.normal_on_a_row(cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, scene.radius, x_of_a, y, scene.eye,
+      ...place, start, stop);
+  }
+
+  function place_elsewhere(scene, x, { y, code, start, stop }) {
+    const [ball, ball_radius] = ball_of(scene);
+    if ((code & SURFACE) === FLOOR) kernels.view_length_row(x, y, scene.eye, place[6], start, stop);
+    else kernels.normal_of_b_row(x, y, scene.eye, ...ball, ball_radius, scene.ball_on, ...place, start, stop);
   }
 
   // The colours of A's pixels, three compact planes.
   function shade_a(scene, stage, { h_u, h_v, rgb }) {
-    const m = material_of(scene), { cos_theta, sin_theta, cos_phi, sin_phi, view, x_of_a } = stage;
+    const m = material_of(scene);
     prepare(stage.count);
-    for (const { y, code, start, stop } of stage.on_a) {
-      kernels.normal_on_a_row(cos_theta, sin_theta, cos_phi, sin_phi, scene.radius, h_u, h_v, scene.beta,
-        ...place, start, stop);
-      light_segment(scene, m, code, x_of_a, y, view, rgb, start, stop);
+    for (const segment of stage.on_a) {
+      place_a(scene, stage, segment, h_u, h_v);
+      light_segment(scene, m, segment.code, stage.x_of_a, segment.y, rgb, segment.start, segment.stop);
     }
   }
 
   // The colours of everything but A, three planes of the raster; 0 on A and where there is nothing.
   function shade_elsewhere(scene, stage) {
-    const m = material_of(scene), [ball, ball_radius] = ball_of(scene), { x, raster: { wide, high } } = stage;
-    const planes = rows(3, wide * high);
+    const m = material_of(scene), { x, raster: { wide, high } } = stage, planes = rows(3, wide * high);
     prepare(wide);
-    for (const { row, y, code, start, stop } of stage.elsewhere) {
-      if (!(code & SURFACE)) continue;
-      if ((code & SURFACE) === B) {
-        kernels.normal_of_b_row(x, y, scene.eye, ...ball, ball_radius, scene.ball_on, ...place, start, stop);
-      } else kernels.normal_of_floor_row(x, y, ...place, start, stop);
-      kernels.view_length_row(x, y, scene.eye, work[3], start, stop);
-      light_segment(scene, m, code, x, y, work[3], planes.map((p) => p.subarray(row * wide)), start, stop);
+    for (const segment of stage.elsewhere) {
+      if (!(segment.code & SURFACE)) continue;
+      place_elsewhere(scene, x, segment);
+      const rgb = planes.map((plane) => plane.subarray(segment.row * wide));
+      light_segment(scene, m, segment.code, x, segment.y, rgb, segment.start, segment.stop);
     }
     return planes;
   }
@@ -246,16 +260,15 @@ Simulator.pipeline = function (kernels) {
     return { planes, codes: stage.codes };
   }
 
-  // Which of A's pixels have N' turned towards a light; b = 0 asks for the plain normal.
+  // Which of A's pixels have N' turned towards a light, at an amplitude.
   function towards_light(scene, stage, target, light, beta) {
     const lit = new Uint8Array(stage.count), [px, py, pz, nx, ny, nz] = place, mu = work[0];
-    const { cos_theta, sin_theta, cos_phi, sin_phi } = stage, { position } = light;
-    in_chunks(stage.count, (start, stop) => {
-      kernels.normal_on_a_row(cos_theta, sin_theta, cos_phi, sin_phi, scene.radius, target.h_u, target.h_v, beta,
-        ...place, start, stop);
-      kernels.light_cosine_row(px, py, pz, ...position, nx, ny, nz, mu, start, stop);
+    for (const segment of stage.on_a) {
+      const { start, stop } = segment;
+      place_a(scene, stage, segment, target.h_u, target.h_v, beta);
+      kernels.light_cosine_row(px, py, pz, ...light.position, nx, ny, nz, mu, start, stop);
       for (let i = start; i < stop; i++) lit[i] = mu[i] > 0 ? 1 : 0;
-    });
+    }
     return lit;
   }
 
@@ -265,18 +278,16 @@ Simulator.pipeline = function (kernels) {
     const stage = make_stage(scene, raster), code = stage.codes[0], { planes } = render(scene, method, raster);
     const record = { column, row, code, surface: ["none", "A", "B", "floor"][code & SURFACE], rgb: planes.map((p) => p[0]) };
     if (!(code & SURFACE)) return record;
-    const h_u = new Float64Array(1), h_v = new Float64Array(1), [ball, ball_radius] = ball_of(scene);
     prepare(1);
-    const [{ y }] = [...stage.on_a, ...stage.elsewhere], { cos_theta, sin_theta, cos_phi, sin_phi } = stage;
     if ((code & SURFACE) === A) {
+      const h_u = new Float64Array(1), h_v = new Float64Array(1);
       gradient(scene, method, stage, h_u, h_v);
-      kernels.normal_on_a_row(cos_theta, sin_theta, cos_phi, sin_phi, scene.radius, h_u, h_v, scene.beta, ...place, 0, 1);
+      place_a(scene, stage, stage.on_a[0], h_u, h_v);
       Object.assign(record, facts_on_a(scene, method, stage, h_u[0], h_v[0]));
-    } else if ((code & SURFACE) === B) {
-      kernels.normal_of_b_row(stage.x, y, scene.eye, ...ball, ball_radius, scene.ball_on, ...place, 0, 1);
-    } else kernels.normal_of_floor_row(stage.x, y, ...place, 0, 1);
+    } else if ((code & SURFACE) === B) place_elsewhere(scene, stage.x, stage.elsewhere[0]);
+    else return { ...record, point: [stage.x[0], stage.elsewhere[0].y, 0], normal: [0, 0, 1] };
     const six = place.map((p) => p[0]);
-    return { ...record, point: six.slice(0, 3), normal: six.slice(3) };
+    return { ...record, point: six.slice(0, 3), normal: six.slice(3, 6) };
   }
 
   function facts_on_a(scene, method, stage, h_u, h_v) {

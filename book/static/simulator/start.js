@@ -6,6 +6,8 @@ Simulator.start = function (root) {
   const kernels = Simulator.kernels(), pipeline = Simulator.pipeline(kernels);
   const states = Simulator.state(kernels.fields, kernels.scene), $ = (selector) => root.querySelector(selector);
   let state = states.start(), wanted = 0, saved = 0, picture = [], picture_of = "", pixel_curve = null;
+  let pixel_key = "", shown_panels = 0;
+  const PANELS_EVERY = 100; // milliseconds
   const times = { numeric: [], symbolic: [], of: "" }, sums = {};
 
   function message(text) {
@@ -21,7 +23,8 @@ Simulator.start = function (root) {
     controls.show(state);
     if (redraw) engine.ask(state);
     else pictures.decorate(state);
-    wanted = wanted || requestAnimationFrame(panels);
+    if (shown_panels) curve.mark(state.eps, pixel_curve);
+    wanted = wanted || setTimeout(panels, Math.max(0, shown_panels + PANELS_EVERY - performance.now()));
     clearTimeout(saved);
     saved = setTimeout(() => history.replaceState(null, "", states.fragment(state)), 300);
   }
@@ -72,13 +75,17 @@ Simulator.start = function (root) {
   const radius_of_a = kernels.image_extent(kernels.scene.eye, kernels.scene.radius) / 1.25;
   const engine = Simulator.engine(kernels, states, pipeline.image_points, radius_of_a, { drawn, resting, counted, followed, timed, failed });
 
+  // What is written beside the pictures follows at a slower pace, so that they are not kept waiting.
   function panels() {
     wanted = 0;
     if (document.hidden) return;
     cursor.show(state);
-    pixel_curve = curve.at_pixel(state, states.crop(state));
+    const { eps, view, scale, ...rest } = state, key = JSON.stringify(rest);
+    if (key !== pixel_key) pixel_curve = curve.at_pixel(state, states.crop(state));
+    pixel_key = key;
     show_curve();
     captions();
+    shown_panels = performance.now();
   }
 
   // The picture's curve belongs to everything but epsilon and what does not change |dI|.
@@ -89,7 +96,7 @@ Simulator.start = function (root) {
     const names = { central: "central difference", forward: "forward difference", central4: "fourth-order difference" };
     $("[data-title=numeric]").textContent = `${names[state.method]}, ε = ${short(state.eps)}`;
     $("[data-title=symbolic]").textContent = "exact gradient";
-    $("[data-title=difference]").textContent = state.scale === "log" ? "largest |ΔI| of a channel" : `|ΔI| × ${short(Number(state.scale))}`;
+    $("[data-title=difference]").textContent = state.scale === "log" ? "|ΔI|, logarithmic" : state.scale === "1e0" ? "|ΔI|" : `|ΔI| × ${short(Number(state.scale))}`;
     root.classList.toggle("sim-linear", state.scale !== "log");
     const none = state.view === "loci" && !kernels.fields[state.field].creases.length;
     const zoomed = state.zoom ? `${(2 ** (state.zoom / 2)).toPrecision(3)} ×` : "1 ×";
@@ -178,7 +185,7 @@ Simulator.start = function (root) {
     const count = all.reduce((n, d) => n + d.count, 0);
     const rms = count ? Math.sqrt(all.reduce((s, d) => s + d.sum, 0) / 3 / count) : 0;
     picture[data.index] = { eps: curve.COARSE[data.index], rms, max: Math.max(...all.map((d) => d.max)) };
-    wanted = wanted || requestAnimationFrame(() => ((wanted = 0), show_curve()));
+    wanted = wanted || setTimeout(panels, PANELS_EVERY);
   }
 
   function timed(data, bands) {
@@ -220,7 +227,7 @@ Simulator.start = function (root) {
       button.addEventListener("click", () => pictures.canvas(name).toBlob((blob) => download(`${name}.png`, blob)));
     }
     for (const button of root.querySelectorAll("[data-zoom]")) button.addEventListener("click", () => act.zoom(Number(button.dataset.zoom)));
-    $("[data-reset]").addEventListener("click", () => (presets.stop(), act.replace(states.start())));
+    $("[data-reset]").addEventListener("click", () => (presets.stop(), pictures.release(), act.replace(states.start())));
     $("[data-csv]").addEventListener("click", () => download("u-curve.csv", new Blob([curve.csv(pixel_curve, picture)], { type: "text/csv" })));
     $("[data-copy]").addEventListener("click", copy);
   }
@@ -260,7 +267,7 @@ Simulator.start = function (root) {
   panels();
   if (from_address()) root.scrollIntoView();
   window.addEventListener("hashchange", from_address);
-  window.addEventListener("resize", () => (wanted = wanted || requestAnimationFrame(panels)));
+  window.addEventListener("resize", () => (wanted = wanted || setTimeout(panels, 0)));
   document.addEventListener("visibilitychange", () => (document.hidden ? (presets.stop(), engine.stop()) : (engine.start(), panels())));
   window.addEventListener("pagehide", () => engine.stop());
   window.addEventListener("pageshow", (event) => event.persisted && engine.start());

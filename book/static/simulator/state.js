@@ -121,7 +121,9 @@ Simulator.state = function (fields, scene) {
       found[name] = read(name, decoded(value));
     }
     const state = { ...start(), ...found };
-    return changed("column" in found || "row" in found ? state : within(state), {});
+    if ("column" in found || "row" in found) return changed(state, {});
+    const { column, row } = within(state);
+    return changed(state, { column, row });
   }
 
   function decoded(value) {

@@ -1,0 +1,385 @@
+"""The simulator as a reader meets it: sliders, boxes, keys, addresses, experiments, phone, print, no script."""
+
+import json
+import random
+import re
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.browser
+
+SIMULATOR = Path(__file__).resolve().parent.parent / "book" / "static" / "simulator"
+DESKTOP, PHONE = {"width": 1280, "height": 900}, {"width": 400, "height": 850}
+STATE = "JSON.stringify(Simulator.running.act.state())"
+VALID = "(() => { const { states, act } = Simulator.running; states.changed(act.state(), {}); return true })()"
+
+
+def opened(context, address):
+    """Open the page and wait for its first picture; return (page, complaints, requests)."""
+    tab, complaints, requests = context.new_page(), [], []
+    tab.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
+    tab.on("pageerror", lambda error: complaints.append(str(error)))
+    tab.on("request", lambda request: requests.append(request.url))
+    tab.goto(address)
+    tab.wait_for_function("window.Simulator && Simulator.running && Simulator.running.frames.length > 0")
+    return tab, complaints, requests
+
+
+@pytest.fixture(scope="module")
+def shared(browser, server):
+    context = browser.new_context(viewport=DESKTOP, reduced_motion="reduce", accept_downloads=True)
+    context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page, complaints, _ = opened(context, f"{server}/s4.html")
+    yield page
+    assert complaints == []
+    context.close()
+
+
+@pytest.fixture
+def tab(shared):
+    """The page in its first state."""
+    shared.click("[data-reset]")
+    return shared
+
+
+def state(tab):
+    return json.loads(tab.evaluate(STATE))
+
+
+def slide(tab, name, value):
+    script = """([name, value]) => { const s = document.getElementById(`sim-${name}`); s.value = value;
+        s.dispatchEvent(new Event('input', { bubbles: true })) }"""
+    tab.evaluate(script, [name, value])
+
+
+def type_into(tab, name, text):
+    box = tab.locator(f"[data-parameter={name}] input[type=text]")
+    box.fill(text)
+    box.press("Tab")
+    return tab.locator(f"#sim-{name}-error").inner_text()
+
+
+def settled(tab):
+    """Wait until the pictures and the idle work are those of the state."""
+    tab.wait_for_function("""() => { const { states, act } = Simulator.running;
+        const drawn = document.getElementById('simulator').dataset.drawn;
+        return drawn === states.fragment({ ...act.state() }) || drawn.replace(/&column.*/, '') ===
+            states.fragment(act.state()).replace(/&column.*/, '') }""")
+
+
+def readout(tab, name):
+    return float(tab.inner_text(f"[data-readout={name}]").replace("−", "-"))
+
+
+@pytest.mark.parametrize("scheme", ["http", "file"])
+def test_it_runs_and_asks_for_nothing_else(browser, site, server, scheme):
+    address = f"{server}/s4.html" if scheme == "http" else (site / "s4.html").as_uri()
+    context = browser.new_context(viewport=DESKTOP)
+    tab, complaints, requests = opened(context, address)
+    for eps in (-2, -8, -14):
+        slide(tab, "eps", eps)
+    tab.wait_for_function("document.querySelector('[data-readout=flips]').textContent === '0'")
+    context.close()
+    assert complaints == []
+    base = server if scheme == "http" else "file:"
+    assert [url for url in requests if not url.startswith((base, "blob:", "data:"))] == []
+
+
+def test_sliders_boxes_and_menus_set_the_state(tab):
+    slide(tab, "eps", -6)
+    slide(tab, "beta", 1.25)
+    assert type_into(tab, "ku", "7.5") == ""
+    tab.select_option("#sim-method", "central4")
+    tab.check("input[value=rings]")
+    tab.uncheck("[data-parameter=ball] input")
+    tab.uncheck("[data-index='1']")
+    now = state(tab)
+    assert (now["eps"], now["beta"], now["ku"], now["method"], now["field"]) == (1e-6, 1.25, 7.5, "central4", "rings")
+    assert now["ball"] is False and now["lights"] == [True, False]
+    assert tab.get_attribute("#sim-eps", "aria-valuetext") == "1e-6"
+
+
+@pytest.mark.parametrize("text", ["", "NaN", "0", "-1", "Infinity", "1e-17", "0.2", "0x1", "1,5", "1e", "ε"])
+def test_a_box_says_what_it_refuses_and_changes_nothing(tab, text):
+    before = state(tab)
+    assert "is not allowed: a number from 1e-16 to 0.1" in type_into(tab, "eps", text)
+    assert state(tab) == before
+    assert tab.get_attribute("[data-parameter=eps] input[type=text]", "aria-invalid") == "true"
+    assert type_into(tab, "eps", "1e-5") == ""
+    assert state(tab)["eps"] == 1e-5
+
+
+def test_keys_move_the_cursor_and_zoom(tab):
+    frame = tab.locator("[data-picture=symbolic]")
+    frame.focus()
+    before = state(tab)
+    for key in ("ArrowRight", "Shift+ArrowDown", "ArrowUp"):
+        frame.press(key)
+    now = state(tab)
+    assert (now["column"], now["row"]) == (before["column"] + 1, before["row"] + 9)
+    frame.press("+")
+    assert state(tab)["zoom"] == 1
+    frame.press("-")
+    assert state(tab)["zoom"] == 0
+    slider = tab.locator("#sim-eps")
+    slider.press("Home")
+    assert state(tab)["eps"] == 1e-16
+    slider.press("End")
+    assert state(tab)["eps"] == 0.1
+    slider.press("PageDown")
+    assert state(tab)["eps"] < 0.1
+
+
+def test_hover_shows_the_pixel_and_a_click_holds_it(tab):
+    frame = tab.locator("[data-picture=numeric]")
+    assert hovered(tab, frame, 60, 90)
+    tab.wait_for_function("document.querySelector('.sim-facts dd').textContent === '60, 90'")
+    frame.click(position={"x": 60.5, "y": 90.5})
+    assert not hovered(tab, frame, 10, 11, tries=2)
+    assert (state(tab)["column"], state(tab)["row"]) == (60, 90)
+    frame.click(position={"x": 20.5, "y": 30.5})  # lets go again
+    assert hovered(tab, frame, 40, 50)
+
+
+def hovered(tab, frame, column, row, tries=20):
+    """Point at a pixel, again while the page still scrolls; return whether the cursor has followed."""
+    for attempt in range(tries):
+        frame.hover(position={"x": column + (0.25 if attempt % 2 else 0.75), "y": row + 0.5})
+        tab.wait_for_timeout(50)
+        if (state(tab)["column"], state(tab)["row"]) == (column, row):
+            return True
+    return False
+
+
+def test_the_address_holds_the_whole_state(tab, server):
+    slide(tab, "beta", 0.7)
+    tab.check("input[value=sine]")
+    tab.click("[data-zoom='1']")
+    tab.wait_for_function("location.hash === Simulator.running.states.fragment(Simulator.running.act.state())")
+    wanted, address = state(tab), tab.url
+    tab.click("[data-reset]")
+    tab.wait_for_function("address => location.href !== address", arg=address)
+    tab.evaluate("address => { location.href = address }", address)
+    tab.wait_for_function(
+        "wanted => JSON.stringify(Simulator.running.act.state()) === wanted",
+        arg=json.dumps(wanted, separators=(",", ":")),
+    )
+
+
+@pytest.mark.parametrize("wrong", ["eps=0", "eps=NaN", "ku=1e9", "field=cosine", "nothing=1", "beta", "beta=1&beta=1",
+                                   "size=100", "lights=2", "left=1", "column=999"])  # fmt: skip
+def test_a_malformed_address_is_refused_with_a_message(tab, wrong):
+    before = state(tab)
+    tab.evaluate("wrong => { location.hash = '#sim?' + wrong }", wrong)
+    tab.wait_for_selector(".sim-message:visible")
+    assert wrong.split("=")[0] in tab.inner_text(".sim-message")
+    assert state(tab) == before
+
+
+def fuzz(rng, seeds):
+    """Return a text made from one of the seeds by a few random edits."""
+    text = list(rng.choice(seeds))
+    for _ in range(rng.randrange(6)):
+        at = rng.randrange(len(text) + 1)
+        edit = rng.choice(
+            ["", "&", "=", "%", "-", "e", "1", "9" * 9, "NaN", "\u0000", "ε", "%zz", "__proto__", ".", " ", "#"]
+        )
+        text[at : at + rng.randrange(3)] = edit
+    return "".join(text)
+
+
+def test_fuzzed_addresses_and_boxes_leave_a_valid_state(tab):
+    rng = random.Random("fuzz")
+    whole = tab.evaluate("Simulator.running.states.fragment(Simulator.running.act.state())")
+    seeds = [
+        whole,
+        "#sim?eps=1e-3",
+        "#sim?zoom=8&left=100&top=100",
+        "#s4",
+        "#sim?lights=10&ball=0",
+        "#sim?constructor=1",
+    ]
+    addresses = [fuzz(rng, seeds).replace("size=256", f"size={rng.choice([128, 256])}") for _ in range(1000)]
+    texts = [
+        (rng.choice(["eps", "beta", "ku", "kv"]), fuzz(rng, ["0.001", "-1e-3", "8", "1e400", ""])) for _ in range(1000)
+    ]
+    script = """([addresses, texts]) => {
+        const { act, states } = Simulator.running, found = [];
+        const check = what => {
+            try { states.changed(act.state(), {}) } catch (error) { found.push(`${what}: ${error}`) }
+        };
+        for (const address of addresses) {
+            history.replaceState(null, '', '#' + encodeURI(address.slice(1)).replaceAll('%25', '%'));
+            dispatchEvent(new HashChangeEvent('hashchange'));
+            check(address);
+        }
+        for (const [name, text] of texts) {
+            const box = document.querySelector(`[data-parameter=${name}] input[type=text]`);
+            box.value = text;
+            box.dispatchEvent(new Event('change'));
+            check(name + ' ' + text);
+        }
+        return found;
+    }"""
+    assert tab.evaluate(script, [addresses, texts]) == []
+
+
+def at_step(tab, field, eps, method="central"):
+    """Return (max, rms) on A once the pictures of a state are there."""
+    tab.evaluate("hash => { location.hash = hash }", f"#sim?field={field}&eps={eps:g}&method={method}")
+    tab.wait_for_function(
+        f"Simulator.running.act.state().eps === {eps!r} && Simulator.running.act.state().field === '{field}'"
+    )
+    settled(tab)
+    return readout(tab, "max"), readout(tab, "rms")
+
+
+def test_first_experiment_the_slope_the_floor_and_the_cliff(tab):
+    """Sine: two decades a decade down to about 1e-6, then one decade a decade up."""
+    rms = {n: at_step(tab, "sine", float(f"1e-{n}"))[1] for n in (2, 3, 4, 6, 8, 10, 12, 16)}
+    assert 80 < rms[2] / rms[3] < 125 and 80 < rms[3] / rms[4] < 125
+    assert rms[6] == min(rms.values())
+    assert 3 < (rms[12] / rms[8]) ** 0.25 < 30
+    assert rms[16] > 0.01
+
+
+def test_second_experiment_the_creases_do_not_fade(tab):
+    """Ridges: the largest difference hardly falls, the RMS like √ε, and both fall where no pixel straddles."""
+    (most_2, rms_2), (most_4, rms_4) = at_step(tab, "ridges", 1e-2), at_step(tab, "ridges", 1e-4)
+    assert most_4 > 0.5 * most_2 and most_4 > 0.3
+    assert 5 < rms_2 / rms_4 < 20
+    assert at_step(tab, "ridges", 1e-6)[0] < 1e-9
+
+
+def test_third_experiment_leads_to_the_pole(tab):
+    tab.click("[data-preset=pole]")
+    now = state(tab)
+    assert (now["field"], now["zoom"]) == ("rings", 10)
+    tab.wait_for_function("document.querySelector('.sim-facts').textContent.includes('surfaceA')")
+    facts = tab.inner_text(".sim-facts").split("\n")
+    assert float(facts[facts.index("v") + 1]) < 1e-3
+
+
+def test_fourth_experiment_makes_the_pictures_one(tab):
+    tab.click("[data-preset=flat]")
+    settled(tab)
+    assert state(tab)["beta"] == 0
+    assert readout(tab, "max") == 0 and readout(tab, "rms") == 0
+
+
+def test_an_experiment_moves_unless_motion_is_unwanted(browser, server):
+    context = browser.new_context(viewport=DESKTOP, reduced_motion="no-preference")
+    page, complaints, _ = opened(context, f"{server}/s4.html")
+    page.click("[data-preset=sweep]")
+    page.wait_for_function("Simulator.running.act.state().eps < 0.05")
+    page.keyboard.press("Tab")
+    slide(page, "beta", 0.5)  # the reader's hand ends it
+    stopped = page.evaluate("Simulator.running.presets.running()")
+    context.close()
+    assert not stopped and complaints == []
+
+
+def test_flips_are_counted_and_the_bound_holds(tab):
+    tab.wait_for_function("document.querySelector('[data-readout=flips]').textContent !== '…'")
+    assert tab.inner_text("[data-readout=flips]") == "0"
+    assert re.match(r"10,954 \(37 %\), 11,092 \(37 %\)", tab.inner_text("[data-readout=attached]"))
+
+
+def test_no_error_at_a_pixel_exceeds_its_bound(tab):
+    """200 random pixels and wave numbers, 121 steps each; and a bound of half the size fails somewhere."""
+    script = """() => {
+        const { curve, states } = Simulator.running;
+        let seed = 1, worst = 0, points = 0;
+        const random = n => (seed = (seed * 48271) % 2147483647) % n;
+        for (let i = 0; i < 200; i++) {
+            const state = { ...states.start(), field: ['sine', 'ridges', 'rings'][random(3)], ku: random(33) - 16,
+                kv: random(17) - 8, column: 40 + random(170), row: 20 + random(170) };
+            for (const { error, bound } of curve.at_pixel(state, states.crop(state)) || []) {
+                if (error > 0) worst = Math.max(worst, error / bound);
+                points++;
+            }
+        }
+        return [worst, points];
+    }"""
+    worst, points = tab.evaluate(script)
+    assert points > 10_000
+    assert 0.5 < worst <= 1
+
+
+def test_pictures_and_curve_are_saved_and_the_line_copied(tab):
+    for name in ("numeric", "symbolic", "difference"):
+        with tab.expect_download() as download:
+            tab.click(f"[data-save={name}]")
+        assert Path(download.value.path()).read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"
+    with tab.expect_download() as download:
+        tab.click("[data-csv]")
+    lines = Path(download.value.path()).read_text().splitlines()
+    assert lines[0] == "step,gradient_error_at_cursor,bound,rms_on_a,max_on_a" and len(lines) > 100
+    tab.click("[data-copy]")
+    tab.wait_for_function("document.querySelector('.sim-copied').textContent === 'copied'")
+    assert tab.evaluate("navigator.clipboard.readText()") == tab.inner_text(".sim-python code")
+
+
+def test_every_size_shows_whole_pixels(tab):
+    for size in (128, 256, 512):
+        tab.select_option("#sim-size", str(size))
+        settled(tab)
+        width = tab.evaluate("document.querySelector('[data-picture=numeric] .pixels').getBoundingClientRect().width")
+        assert width % size == 0 and width > 0
+
+
+def test_phone_has_large_targets_and_no_sideways_scroll(browser, server):
+    context = browser.new_context(viewport=PHONE, device_scale_factor=2, is_mobile=True, has_touch=True)
+    page, complaints, _ = opened(context, f"{server}/s4.html")
+    wide = page.evaluate("document.documentElement.scrollWidth")
+    small = page.evaluate(
+        """[...document.querySelectorAll('#simulator :is(button, select, input:is([type=range], [type=text]))')]
+        .filter(e => e.offsetHeight < 44).map(e => e.outerHTML)"""
+    )
+    page.locator("[data-picture=numeric]").tap()
+    context.close()
+    assert wide <= PHONE["width"] and small == [] and complaints == []
+
+
+def test_paper_and_scriptless_readers_get_the_figures(browser, server):
+    context = browser.new_context(viewport=DESKTOP, java_script_enabled=False)
+    page = context.new_page()
+    page.goto(f"{server}/s4.html")
+    assert page.locator(".sim-absent").is_visible()
+    assert not page.locator("#simulator").is_visible()
+    assert page.locator("img[src*=contact_sheet]").first.is_visible()
+    context.close()
+    context = browser.new_context(viewport=DESKTOP)
+    page, _, _ = opened(context, f"{server}/s4.html")
+    page.emulate_media(media="print")
+    assert not page.locator("#simulator").is_visible()
+    assert page.locator("img[src*=contact_sheet]").first.is_visible()
+    context.close()
+
+
+def test_a_browser_without_workers_is_told(browser, server):
+    context = browser.new_context(viewport=DESKTOP)
+    context.add_init_script("window.Worker = function () { throw new Error('no workers here') }")
+    page = context.new_page()
+    page.goto(f"{server}/s4.html")
+    page.wait_for_selector(".sim-message:visible")
+    assert "no workers here" in page.inner_text(".sim-message")
+    assert not page.locator(".sim-pictures").is_visible()
+    context.close()
+
+
+def test_a_hidden_page_has_no_worker(tab):
+    """What visibilitychange does: the workers end when the page is hidden and come back with it."""
+    hide = """hidden => { Object.defineProperty(document, 'hidden', { value: hidden, configurable: true });
+        document.dispatchEvent(new Event('visibilitychange')) }"""
+    settled(tab)
+    tab.evaluate(hide, True)
+    before = tab.evaluate("Simulator.running.frames.length")
+    slide(tab, "beta", 1.9)
+    tab.wait_for_timeout(300)
+    assert tab.evaluate("Simulator.running.frames.length") == before
+    tab.evaluate(hide, False)
+    settled(tab)
+    assert tab.evaluate("Simulator.running.frames.length") > before
+    assert len(tab.context.pages[0].workers) >= 1

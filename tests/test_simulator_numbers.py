@@ -1,0 +1,209 @@
+"""The simulator's numbers: every bit against the renderer, hovered pixels against 50 digits, the copied line run."""
+
+import base64
+import contextlib
+import io
+import random
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from renderer import Light, Scene, central, central4, exact, forward, pixel, render
+from renderer.pixel import LightRecord, PixelRecord
+from renderer.scene import DEFAULT_LIGHTS
+from renderer.views import difference_linear, image_view
+from verify.reference import reference_pixel
+
+pytestmark = pytest.mark.browser
+
+METHODS = {"central": central, "forward": forward, "central4": central4}
+WHOLE = {"width": 256, "height": 256, "left": 0, "top": 0, "wide": 256, "high": 256}
+BASE = {"ku": 8, "kv": 4, "beta": 0.35, "ball": True, "lights": [True, True], "model": "blinn", "field": "ridges"}
+RENDER = """async ([state, method, raster]) => {
+    const { pipeline } = Simulator.running, drawn = pipeline.render(pipeline.scene_of(state), method, raster);
+    const address = await new Promise(done => {
+        const reader = new FileReader();
+        reader.onload = () => done(reader.result);
+        reader.readAsDataURL(new Blob([...drawn.planes, drawn.codes]));
+    });
+    return address.slice(address.indexOf(',') + 1);
+}"""
+# What the panel shows for each of several states: the text of every cell, and the line of Python.
+SHOWN = """wanted => wanted.map(state => {
+    const { states, cursor } = Simulator.running;
+    cursor.show(states.changed(states.within({ ...states.start(), ...state }), {}));
+    const text = e => e.textContent, root = document.getElementById('simulator');
+    return {
+        facts: Object.fromEntries([...root.querySelectorAll('.sim-facts div')].map(d => [...d.children].map(text))),
+        table: Object.fromEntries([...root.querySelectorAll('.sim-pixel tbody tr')].map(r => {
+            const [name, ...cells] = [...r.children].map(text);
+            return [name, cells];
+        })),
+        line: text(root.querySelector('.sim-python code')),
+    };
+})"""
+
+
+@pytest.fixture(scope="module")
+def tab(browser, server):
+    context = browser.new_context(viewport={"width": 1280, "height": 900})
+    page = context.new_page()
+    page.goto(f"{server}/s4.html")
+    page.wait_for_function("window.Simulator && Simulator.running")
+    yield page
+    context.close()
+
+
+def scene_of(state):
+    lights = tuple(a if on else Light(a.position, None) for a, on in zip(DEFAULT_LIGHTS, state["lights"], strict=True))
+    names = ("field", "ku", "kv", "beta", "model", "ball")
+    return Scene(**{name: state[name] for name in names}, lights=lights)
+
+
+def drawn(tab, state, method, raster=WHOLE):
+    """Return (colours (3, high, wide) as bit patterns, chambers) as the page's pipeline draws them."""
+    data = base64.b64decode(tab.evaluate(RENDER, [state, method, raster]))
+    shape = raster["high"], raster["wide"]
+    bits = np.frombuffer(data, np.int64, 3 * shape[0] * shape[1]).reshape(3, *shape)
+    return bits, np.frombuffer(data, np.uint8, offset=bits.nbytes).reshape(shape)
+
+
+def rendered(state, method, raster=WHOLE):
+    """Return the same of the renderer."""
+    gradient = METHODS[method["name"]](method["eps"]) if "eps" in method else exact()
+    crop = tuple(raster[name] for name in ("left", "top", "wide", "high"))
+    frame = render(scene_of(state), raster["width"], raster["height"], gradient, crop=crop)
+    return np.ascontiguousarray(np.moveaxis(frame.rgb, -1, 0)).view(np.int64), frame.chambers
+
+
+def assert_same_bits(tab, *what):
+    for ours, theirs in zip(drawn(tab, *what), rendered(*what), strict=True):
+        np.testing.assert_array_equal(ours, theirs)
+
+
+@pytest.mark.parametrize("model", ["blinn", "phong"])
+@pytest.mark.parametrize("field", ["sine", "ridges", "rings"])
+def test_pictures_are_the_renderers_to_the_last_bit(tab, field, model):
+    state = BASE | {"field": field, "model": model}
+    for eps in (None, 1e-1, 1e-3, 1e-6, 1e-12):
+        assert_same_bits(tab, state, {"name": "central", "eps": eps} if eps else {"name": "exact"})
+
+
+def test_other_settings_are_the_renderers_to_the_last_bit(tab):
+    far = {"width": 4096, "height": 4096, "left": 1900, "top": 1600, "wide": 96, "high": 160}
+    assert_same_bits(tab, BASE | {"ku": 7.3, "kv": -3.1, "beta": 1.2}, {"name": "exact"}, far)
+    assert_same_bits(tab, BASE | {"ku": -8, "kv": 0, "beta": 0.0}, {"name": "exact"})
+    assert_same_bits(tab, BASE | {"ball": False, "lights": [False, True]}, {"name": "forward", "eps": 1e-3})
+    assert_same_bits(tab, BASE | {"field": "sine", "lights": [True, False]}, {"name": "central4", "eps": 1e-2})
+
+
+def test_the_comparison_sees_the_next_float(tab):
+    step, next_step = ({"name": "central", "eps": eps} for eps in (1e-3, float(np.nextafter(1e-3, 1))))
+    assert not np.array_equal(drawn(tab, BASE, next_step)[0], rendered(BASE, step)[0])
+
+
+def painted(tab, name):
+    """Return the bytes of a canvas, (256, 256, 3)."""
+    script = "name => document.querySelector(`[data-picture=${name}] .pixels`).toDataURL()"
+    image = Image.open(io.BytesIO(base64.b64decode(tab.evaluate(script, name).split(",")[1])))
+    return np.asarray(image.convert("RGB"))
+
+
+def test_the_workers_paint_the_renderers_pictures(tab):
+    """Through workers, bands and canvases: the same sRGB bytes as the renderer's own views."""
+    wanted = "#sim?field=sine&eps=0.01&scale=1e2&model=phong&size=256"
+    tab.evaluate("wanted => { location.hash = wanted }", wanted)
+    tab.wait_for_function(
+        """wanted => { const r = document.getElementById('simulator').dataset.drawn;
+        return r && wanted.slice(5).split('&').every(part => r.slice(5).split('&').includes(part)) }""",
+        arg=wanted,
+    )
+    scene = Scene(field="sine", model="phong")
+    numeric, symbolic = render(scene, 256, 256, central(0.01)), render(scene, 256, 256)
+    np.testing.assert_array_equal(painted(tab, "numeric"), image_view(numeric))
+    np.testing.assert_array_equal(painted(tab, "symbolic"), image_view(symbolic))
+    np.testing.assert_array_equal(painted(tab, "difference"), difference_linear(numeric.rgb - symbolic.rgb, 100))
+
+
+def random_state(rng):
+    """Return a state of the page, cursor included; some off sphere A, zoomed, with odd and fractional wave numbers."""
+    zoom = rng.choice([0, 0, 3, 10])
+    return {
+        "field": rng.choice(["sine", "ridges", "rings"]),
+        "eps": rng.choice([0.1, 1e-3, 1e-6, 1e-7, 2.5e-9, 1e-16]),
+        "beta": rng.choice([0, 0.35, 1.7, 2]),
+        "ku": rng.choice([8, 7, -4, 2.5]),
+        "kv": rng.choice([4, 3, 0, -1.25]),
+        "model": rng.choice(["blinn", "phong"]),
+        "method": rng.choice(list(METHODS)),
+        "ball": rng.random() < 0.8,
+        "lights": [rng.random() < 0.8, rng.random() < 0.8],
+        "size": rng.choice([128, 256, 512]),
+        "zoom": zoom,
+        "left": rng.randrange(4000) if zoom else 0,
+        "top": rng.randrange(4000) if zoom else 0,
+        "column": rng.randrange(4000) if zoom else rng.randrange(128),
+        "row": rng.randrange(4000) if zoom else rng.randrange(128),
+    }
+
+
+def records_of(line):
+    """Run a copied line and return the records that it prints."""
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        exec(line, {})
+    names = {"PixelRecord": PixelRecord, "LightRecord": LightRecord}
+    return [eval(text, names) for text in printed.getvalue().splitlines()]
+
+
+def expected_texts(numeric, symbolic):
+    """Return ({fact: number}, {row: (numeric, symbolic)}) that the panel has to show for two records."""
+    facts = dict(zip(("Px", "Py", "Pz"), numeric.point or (), strict=False))
+    table = {}
+    if numeric.u is not None:
+        facts |= {"u": numeric.u, "v": numeric.v, "h": numeric.h, "θ": numeric.theta, "φ": numeric.phi}
+        table |= {f"h{c}": (numeric.gradient[n], symbolic.gradient[n]) for n, c in enumerate("uv")}
+    if numeric.normal:
+        table |= {f"N′{axis}": (numeric.normal[n], symbolic.normal[n]) for n, axis in enumerate("xyz")}
+    table |= {name: (numeric.rgb[n], symbolic.rgb[n]) for n, name in enumerate(("red", "green", "blue"))}
+    return facts, table
+
+
+def test_the_copied_line_prints_the_numbers_shown(tab):
+    rng, on_a = random.Random("lines"), 0
+    for shown in tab.evaluate(SHOWN, [random_state(rng) for _ in range(50)]):
+        numeric, symbolic = records_of(shown["line"])
+        facts, table = expected_texts(numeric, symbolic)
+        assert shown["facts"]["pixel"] == f"{numeric.column}, {numeric.row}"
+        assert shown["facts"]["surface"] == numeric.surface
+        assert {name: float(shown["facts"][name]) for name in facts} == facts, shown["line"]
+        assert shown["table"].keys() == table.keys()
+        assert {name: tuple(map(float, cells[:2])) for name, cells in shown["table"].items()} == table, shown["line"]
+        if numeric.u is not None:
+            on_a += 1
+            assert shown["facts"]["kink flag"] == ("yes" if numeric.kink else "no")
+            assert shown["facts"]["straddles a crease"] == ("yes" if numeric.straddling else "no")
+    assert on_a >= 10
+
+
+def test_hovered_pixels_agree_with_fifty_digits(tab):
+    """500 pixels of A, B and the floor, exact gradient: within 1e-13, off the rims of surfaces, shadows and squares."""
+    rng, states, worst = random.Random("digits"), [], 0.0
+    codes = render(Scene(), 256, 256).chambers
+    while len(states) < 500:
+        column, row = rng.randrange(1, 255), rng.randrange(1, 255)
+        if len(np.unique(codes[row - 1 : row + 2, column - 1 : column + 2])) == 1:
+            choices = {"field": rng.choice(["sine", "ridges", "rings"]), "model": rng.choice(["blinn", "phong"])}
+            states.append(BASE | choices | {"column": column, "row": row})
+    for state, shown in zip(states, tab.evaluate(SHOWN, states), strict=True):
+        truth = reference_pixel(scene_of(state), 256, 256, state["column"], state["row"])
+        for name in ("red", "green", "blue"):
+            worst = max(worst, abs(float(shown["table"][name][1]) - float(truth[f"rgb_{name}"])))
+    assert worst <= 1e-13
+
+
+def test_the_wrong_pixel_would_be_seen(tab):
+    (shown,) = tab.evaluate(SHOWN, [BASE | {"column": 100, "row": 80}])
+    there = pixel(Scene(), 256, 256, 101, 80).rgb
+    assert [float(shown["table"][name][1]) for name in ("red", "green", "blue")] != list(there)
