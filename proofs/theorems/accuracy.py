@@ -48,7 +48,12 @@ differences = Theorem(
     ),
     uses=(*_truncation, *_rounding),
     steps=(
-        Step("truncation: the exact quotient less the slope", "three bounds, each in its place", uses=_truncation),
+        Step(
+            "truncation: the exact quotient less the slope",
+            r"three bounds, each in its place; elsewhere $|D|, |h'| \le \pi k$, and across a jump $J$ "
+            r"$J/2\varepsilon$ more",
+            uses=_truncation,
+        ),
         Step(
             "arguments and evaluation: what remains",
             r"$\alpha$ is half a unit of $u \pm \varepsilon$; $\eta$ follows from the certified sine",
