@@ -6,7 +6,7 @@ The same expressions as the theorems', for a field that swings at `frequency` ha
 from sympy import Rational, pi
 
 from .program import Program
-from .symbols import epsilon, real
+from .symbols import epsilon, real, v
 
 frequency, steepest = real("frequency steepest")
 unit, evaluation, argument = real("unit evaluation argument")
@@ -19,6 +19,15 @@ truncation_bound = Program(
     (truncation,),
 )
 """ε²/6 · (πk)³, where no crease, seam or pole lies within ε. Theorem: truncation_bound."""
+
+clamped_bound = Program(
+    "clamped_bound",
+    (epsilon, v, frequency),
+    ((truncation, Rational(1, 6) * (epsilon**2 + 2 * epsilon * v - 2 * v**2) * (pi * frequency) ** 3),),
+    (truncation,),
+)
+"""(ε² + 2εv − 2v²)/6 · (πk)³ for the difference clamped at the pole, 0 ≤ v < ε, of a field that is odd about v = 0 up
+to v + ε. Theorem: clamped_difference_of_odd."""
 
 rounding_bound = Program(
     "rounding_bound",

@@ -126,6 +126,17 @@ def test_the_workers_paint_the_renderers_pictures(tab):
     np.testing.assert_array_equal(painted(tab, "difference"), difference_linear(numeric.rgb - symbolic.rgb, 100))
 
 
+def test_the_linear_scale_is_black_where_the_page_says():
+    scene = Scene(field="sine")
+    symbolic = render(scene, 256, 256)
+
+    def lit(eps):
+        return difference_linear(render(scene, 256, 256, central(eps)).rgb - symbolic.rgb, 100).any()
+
+    assert lit(1e-3) and lit(1e-12)
+    assert not any(lit(eps) for eps in (3e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-11))
+
+
 def random_state(rng):
     """Return a state of the page, cursor included; some off sphere A, zoomed, with odd and fractional wave numbers."""
     zoom = rng.choice([0, 0, 3, 10])

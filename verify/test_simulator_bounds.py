@@ -10,8 +10,8 @@ import pytest
 from sympy import pi, simplify
 
 from proofs import step_bounds
-from proofs.symbols import k_u
-from proofs.theorems import roundoff, truncation
+from proofs.symbols import k_u, v
+from proofs.theorems import clamped, roundoff, truncation
 from renderer import Scene
 from renderer.gradients import height_at
 
@@ -24,6 +24,15 @@ def test_the_truncation_bound_is_the_theorems():
     ours = step_bounds.truncation_bound.expand(step_bounds.truncation).xreplace({step_bounds.frequency: k_u})
     assert simplify((upper + lower) / 2 - ours) == 0
     assert simplify((upper + lower) / 2 - 2 * ours) != 0
+
+
+def test_the_clamped_bound_is_the_theorems():
+    claim = next(c for c in clamped.second_order.claims if c.name == "second_order")
+    upper, lower = (relation.lhs for relation in claim.shows[-2:])
+    given = {clamped.largest: (pi * step_bounds.frequency) ** 3}
+    ours = step_bounds.clamped_bound.expand(step_bounds.truncation)
+    assert simplify((upper + lower).xreplace(given) / 2 - ours) == 0
+    assert simplify((upper + lower).xreplace(given) / 2 - ours.xreplace({v: 0})) != 0
 
 
 def test_the_rounding_bound_is_the_theorems():

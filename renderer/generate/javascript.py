@@ -8,8 +8,6 @@ from sympy import diff
 
 from proofs import camera, elementary, step_bounds
 from proofs.algebraic_form import MAX_WAVE_NUMBER
-from proofs.creases import KINK_BAND
-from proofs.finite_difference import HEIGHT_EVALUATIONS
 from proofs.height_fields import HEIGHT_FIELDS
 from proofs.program import chain
 from proofs.symbols import u, v
@@ -72,6 +70,7 @@ UNUSED = {
 PLOT_PROGRAMS = [
     camera.parallel_radius,
     step_bounds.truncation_bound,
+    step_bounds.clamped_bound,
     step_bounds.rounding_bound,
     step_bounds.crease_bound,
     step_bounds.slope_bound,
@@ -127,11 +126,9 @@ def javascript_source():
         if field.wave_numbers:
             parts.append(print_scalar_function(f"wave_numbers_{field.name}", _wave_numbers(field)))
     table = "\n".join(["const fields = {", *map(_field_entry, fields), "};", ""])
-    evaluations = ", ".join(f"{name}: {count}" for name, count in HEIGHT_EVALUATIONS.items())
-    constants = f"const height_evaluations = {{ {evaluations} }};\nconst max_algebraic = {MAX_WAVE_NUMBER};\n"
-    constants += f"const kink_band = {PRINTER.literal(KINK_BAND)};\n"
+    constants = f"const max_algebraic = {MAX_WAVE_NUMBER};\n"
     constants += f"const scene = {json.dumps(_default_scene())};\n"
     constants += f'const inferno = "{_colour_map()}";\n'
-    exported = ["fields", "scene", "inferno", "height_evaluations", "max_algebraic", "kink_band", "rint", *names]
+    exported = ["fields", "scene", "inferno", "max_algebraic", "rint", *names]
     lines = "".join(f"  {name},\n" for name in exported)
     return HEADER + "\n".join([*parts, table, constants, f"return {{\n{lines}}};\n"]) + "};\n"

@@ -19,7 +19,7 @@ Simulator.controls = function (root, states, act) {
     try {
       act.set(make());
       say(holder, "");
-      show(act.state());
+      show(act.state(), true);
     } catch (error) {
       say(holder, error.message);
     }
@@ -51,13 +51,21 @@ Simulator.controls = function (root, states, act) {
     } else input.value = String(value);
   }
 
-  function show(state) {
-    for (const holder of holders) for (const input of holder.querySelectorAll("input, select")) put(input, holder.dataset.parameter, state);
+  let shown = {};
+
+  // Show what has changed, or everything.
+  function show(state, all = false) {
+    for (const holder of holders) {
+      const name = holder.dataset.parameter;
+      if (all || shown[name] !== state[name]) for (const input of holder.querySelectorAll("input, select")) put(input, name, state);
+    }
+    shown = state;
   }
 
   // A new state from elsewhere takes the place of what could not be read.
   function forgive() {
     for (const holder of holders) say(holder, "");
+    shown = {};
   }
 
   holders.forEach(wire);

@@ -12,26 +12,29 @@ Simulator.curve = function (root, kernels, pipeline) {
 
   const waves = (state) => (kernels.fields[state.field].wave_numbers || ((a, b) => [a, b]))(state.ku, state.kv).map(Math.abs);
 
-  // Whether nothing but a smooth piece of the field lies within epsilon, in u and in v.
-  function smooth(state, { u, v }, eps) {
-    const creases = kernels.fields[state.field].creases, [a] = waves(state);
-    const apart = (c, at) => creases.filter(([name]) => name === c).every(([, wave]) => {
+  // What the truncation of h_u and of h_v is at most: where nothing but a smooth piece of the field lies within eps;
+  // at the pole, if the field is odd that far; else 2 pi k.
+  function truncations(state, { u, v }, eps) {
+    const creases = kernels.fields[state.field].creases, [a, b] = waves(state);
+    const nearest = (c, at) => Math.min(...creases.filter(([name]) => name === c).map(([, wave]) => {
       const k = Math.abs(wave(state.ku, state.kv));
-      return Math.abs(k * at - kernels.rint(k * at)) >= k * eps;
-    });
+      return Math.abs(k * at - kernels.rint(k * at)) - k * eps;
+    }));
     const seamless = (u - eps >= 0 && u + eps < 1) || a % 2 === 0; // sine and ridges have the period 1 then
-    return [apart("u", u) && seamless, apart("v", v) && v - eps >= 0 && v + eps <= 1];
+    const smooth = [nearest("u", u) >= 0 && seamless, nearest("v", v) >= 0 && v - eps >= 0 && v + eps <= 1];
+    const odd = v < eps && v + eps <= 1 && (!creases.length || b * (v + eps) <= 1);
+    return [a, b].map((k, n) => {
+      const cap = kernels.crease_bound(k);
+      if (smooth[n]) return Math.min(cap, kernels.truncation_bound(eps, k));
+      return n === 1 && odd ? Math.min(cap, kernels.clamped_bound(eps, v, k)) : cap;
+    });
   }
 
   // The largest error of h_u or h_v that is possible.
   function bound(state, at, eps) {
-    const is_smooth = smooth(state, at, eps);
-    return Math.max(...waves(state).map((k, n) => {
-      if (k === 0) return 0;
-      const steepest = kernels.slope_bound(k), cap = kernels.crease_bound(k);
-      const cut = is_smooth[n] ? Math.min(cap, kernels.truncation_bound(eps, k)) : cap;
-      return cut + kernels.rounding_bound(eps, steepest, UNIT, HEIGHT_ERROR, ARGUMENT_ERROR);
-    }));
+    const cut = truncations(state, at, eps);
+    return Math.max(...waves(state).map((k, n) =>
+      k === 0 ? 0 : cut[n] + kernels.rounding_bound(eps, kernels.slope_bound(k), UNIT, HEIGHT_ERROR, ARGUMENT_ERROR)));
   }
 
   // [{eps, error, bound}] of the gradient at a pixel of A; null elsewhere.

@@ -73,6 +73,11 @@ function truncation_bound(epsilon, frequency) {
   return truncation;
 }
 
+function clamped_bound(epsilon, v, frequency) {
+  const truncation = Math.PI * Math.PI * Math.PI * frequency * frequency * frequency * ((1 / 6) * epsilon * epsilon + (1 / 3) * epsilon * v - (1 / 3) * v * v);
+  return truncation;
+}
+
 function rounding_bound(epsilon, steepest, unit, evaluation, argument) {
   const rounding = steepest * (unit * unit + 2 * unit) + (unit + 1) * (unit + 1) * (argument * steepest + evaluation) / epsilon;
   return rounding;
@@ -1030,6 +1035,7 @@ function straddling_rings_row(u_row, v_row, k_u, k_v, epsilon, straddles_row, st
 }
 
 function forward_rings_row(u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop) {
+  const h_u = 0;
   const [stepped_row, sinpi_0, sinpi_1] = spare_rows(3, stop);
   for (let i = start; i < stop; i++) {
     const v = v_row[i];
@@ -1041,9 +1047,7 @@ function forward_rings_row(u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, st
   for (let i = start; i < stop; i++) {
     const v = v_row[i];
     const h_here = sinpi_0[i],
-      h_u_plus = sinpi_0[i],
       h_v_plus = sinpi_1[i],
-      h_u = (-h_here + h_u_plus) / epsilon,
       h_v = ((epsilon + v <= 1) ? (-h_here + h_v_plus) / epsilon : (h_here - h_v_plus) / epsilon);
     h_u_row[i] = h_u;
     h_v_row[i] = h_v;
@@ -1051,7 +1055,8 @@ function forward_rings_row(u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, st
 }
 
 function central_rings_row(u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop) {
-  const [v_minus_row, v_plus_row, sinpi_0, sinpi_1, sinpi_2] = spare_rows(5, stop);
+  const h_u = 0;
+  const [v_minus_row, v_plus_row, sinpi_0, sinpi_1] = spare_rows(4, stop);
   for (let i = start; i < stop; i++) {
     const v = v_row[i];
     const v_plus = minimum(1, epsilon + v),
@@ -1059,19 +1064,15 @@ function central_rings_row(u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, st
     v_minus_row[i] = v_minus;
     v_plus_row[i] = v_plus;
   }
-  sinpi_of_product_row(2 * k_v, v_row, sinpi_0, start, stop);
-  sinpi_of_product_row(2 * k_v, v_plus_row, sinpi_1, start, stop);
-  sinpi_of_product_row(2 * k_v, v_minus_row, sinpi_2, start, stop);
+  sinpi_of_product_row(2 * k_v, v_plus_row, sinpi_0, start, stop);
+  sinpi_of_product_row(2 * k_v, v_minus_row, sinpi_1, start, stop);
   for (let i = start; i < stop; i++) {
     const v = v_row[i];
     const v_plus = minimum(1, epsilon + v),
       v_minus = maximum(0, -epsilon + v),
       span_v = (((epsilon + v <= 1) & (epsilon - v <= 0)) ? 2 * epsilon : -v_minus + v_plus),
-      h_u_plus = sinpi_0[i],
-      h_u_minus = sinpi_0[i],
-      h_v_plus = sinpi_1[i],
-      h_v_minus = sinpi_2[i],
-      h_u = 0.5 * (-h_u_minus + h_u_plus) / epsilon,
+      h_v_plus = sinpi_0[i],
+      h_v_minus = sinpi_1[i],
       h_v = (-h_v_minus + h_v_plus) / span_v;
     h_u_row[i] = h_u;
     h_v_row[i] = h_v;
@@ -1079,7 +1080,8 @@ function central_rings_row(u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, st
 }
 
 function central4_rings_row(u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop) {
-  const [v_minus_row, v_minus_2_row, v_plus_row, v_plus_2_row, sinpi_0, sinpi_1, sinpi_2, sinpi_3, sinpi_4] = spare_rows(9, stop);
+  const h_u = 0;
+  const [v_minus_row, v_minus_2_row, v_plus_row, v_plus_2_row, sinpi_0, sinpi_1, sinpi_2, sinpi_3] = spare_rows(8, stop);
   for (let i = start; i < stop; i++) {
     const v = v_row[i];
     const v_plus = minimum(1, epsilon + v),
@@ -1091,26 +1093,19 @@ function central4_rings_row(u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, s
     v_plus_row[i] = v_plus;
     v_plus_2_row[i] = v_plus_2;
   }
-  sinpi_of_product_row(2 * k_v, v_row, sinpi_0, start, stop);
-  sinpi_of_product_row(2 * k_v, v_plus_row, sinpi_1, start, stop);
-  sinpi_of_product_row(2 * k_v, v_minus_row, sinpi_2, start, stop);
-  sinpi_of_product_row(2 * k_v, v_plus_2_row, sinpi_3, start, stop);
-  sinpi_of_product_row(2 * k_v, v_minus_2_row, sinpi_4, start, stop);
+  sinpi_of_product_row(2 * k_v, v_plus_row, sinpi_0, start, stop);
+  sinpi_of_product_row(2 * k_v, v_minus_row, sinpi_1, start, stop);
+  sinpi_of_product_row(2 * k_v, v_plus_2_row, sinpi_2, start, stop);
+  sinpi_of_product_row(2 * k_v, v_minus_2_row, sinpi_3, start, stop);
   for (let i = start; i < stop; i++) {
     const v = v_row[i];
     const v_plus = minimum(1, epsilon + v),
       v_minus = maximum(0, -epsilon + v),
       span_v = (((epsilon + v <= 1) & (epsilon - v <= 0)) ? 2 * epsilon : -v_minus + v_plus),
-      h_u_plus = sinpi_0[i],
-      h_u_minus = sinpi_0[i],
-      h_v_plus = sinpi_1[i],
-      h_v_minus = sinpi_2[i],
-      h_u_plus_2 = sinpi_0[i],
-      h_u_minus_2 = sinpi_0[i],
-      h_v_plus_2 = sinpi_3[i],
-      h_v_minus_2 = sinpi_4[i],
-      near_difference_u = -h_u_minus + h_u_plus,
-      h_u = (1 / 12) * (h_u_minus_2 - h_u_plus_2 + 8 * near_difference_u) / epsilon,
+      h_v_plus = sinpi_0[i],
+      h_v_minus = sinpi_1[i],
+      h_v_plus_2 = sinpi_2[i],
+      h_v_minus_2 = sinpi_3[i],
       near_difference_v = -h_v_minus + h_v_plus,
       h_v = (((2 * epsilon + v <= 1) & (2 * epsilon - v <= 0)) ? (1 / 12) * (h_v_minus_2 - h_v_plus_2 + 8 * near_difference_v) / epsilon : near_difference_v / span_v);
     h_u_row[i] = h_u;
@@ -1173,9 +1168,7 @@ const fields = {
   },
 };
 
-const height_evaluations = { forward: 3, central: 4, central4: 8 };
 const max_algebraic = 64;
-const kink_band = (3 / 100);
 const scene = {"radius": 1.0, "eye": 4.0, "ball": true, "ball_center": [0.5, 0.5, 1.3], "ball_radius": 0.32, "floor": true, "lights": [{"position": [5.0, 5.0, 10.0], "color": [1.0, 1.0, 1.0]}, {"position": [-6.0, 2.0, 8.0], "color": [0.9, 0.65, 0.25]}], "ambient": [0.15, 0.15, 0.16], "albedo_a": [0.63, 0.19, 0.16], "albedo_b": [0.33, 0.44, 0.62], "ka": 0.1, "kd": 0.7, "ks": 0.5, "shininess": 32.0, "model": "blinn", "floor_tint": 0.25, "field": "ridges", "ku": 8.0, "kv": 4.0, "beta": 0.35};
 const inferno = "00000300000400000601000701010901010b02010e02021003021204031404031605041806041b07051d08061f0906210a07230b07260d08280e082a0f092d10092f120a32130a34140b36160b39170b3b190b3e1a0b401c0c431d0c451f0c47200c4a220b4c240b4e260b50270b52290b542b0a562d0a582e0a5a300a5c32095d34095f3509603709613909623b09643c09653e0966400966410967430a68450a69460a69480b6a4a0b6a4b0c6b4d0c6b4f0d6c500d6c520e6c530e6d550f6d570f6d58106d5a116d5b116e5d126e5f126e60136e62146e63146e65156e66156e68166e6a176e6b176e6d186e6e186e70196e72196d731a6d751b6d761b6d781c6d7a1c6d7b1d6c7d1d6c7e1e6c801f6b811f6b83206b85206a86216a88216a8922698b22698d23698e24689024689125679325679526669626669827659928649b28649c29639e2963a02a62a12b61a32b61a42c60a62c5fa72d5fa92e5eab2e5dac2f5cae305baf315bb1315ab23259b43358b53357b73456b83556ba3655bb3754bd3753be3852bf3951c13a50c23b4fc43c4ec53d4dc73e4cc83e4bc93f4acb4049cc4148cd4247cf4446d04544d14643d24742d44841d54940d64a3fd74b3ed94d3dda4e3bdb4f3adc5039dd5238de5337df5436e05634e25733e35832e45a31e55b30e65c2ee65e2de75f2ce8612be9622aea6428eb6527ec6726ed6825ed6a23ee6c22ef6d21f06f1ff0701ef1721df2741cf2751af37719f37918f47a16f57c15f57e14f68012f68111f78310f7850ef8870df8880cf88a0bf98c09f98e08f99008fa9107fa9306fa9506fa9706fb9906fb9b06fb9d06fb9e07fba007fba208fba40afba60bfba80dfbaa0efbac10fbae12fbb014fbb116fbb318fbb51afbb71cfbb91efabb21fabd23fabf25fac128f9c32af9c52cf9c72ff8c931f8cb34f8cd37f7cf3af7d13cf6d33ff6d542f5d745f5d948f4db4bf4dc4ff3de52f3e056f3e259f2e45df2e660f1e864f1e968f1eb6cf1ed70f1ee74f1f079f1f27df2f381f2f485f3f689f4f78df5f891f6fa95f7fb99f9fc9dfafda0fcfea4";
 
@@ -1183,9 +1176,7 @@ return {
   fields,
   scene,
   inferno,
-  height_evaluations,
   max_algebraic,
-  kink_band,
   rint,
   image_extent,
   image_x,
@@ -1194,6 +1185,7 @@ return {
   floor_albedo,
   parallel_radius,
   truncation_bound,
+  clamped_bound,
   rounding_bound,
   crease_bound,
   slope_bound,

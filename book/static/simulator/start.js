@@ -130,11 +130,12 @@ Simulator.start = function (root) {
     show_times();
     const old = root.dataset.counted !== chambers_key(of);
     if (old) for (const name of ["flips", "attached"]) put(name, "…");
-    requestAnimationFrame(() => setTimeout(() => frames.push(performance.now() - asked)));
+    const ready = performance.now() - asked;
+    requestAnimationFrame(() => setTimeout(() => frames.push({ ready, painted: performance.now() - asked })));
     root.dataset.drawn = states.fragment(of);
   }
 
-  const frames = []; // milliseconds from a change to its picture on the screen
+  const frames = []; // milliseconds from a change to its pictures in the canvases, and to the end of the frame that shows them
   const chambers_key = ({ size, zoom, left, top, lights, ball, field, ku, kv, beta }) => JSON.stringify([size, zoom, left, top, lights, ball, field, ku, kv, beta]);
 
   function keep_time(name, time) {
