@@ -33,10 +33,17 @@ def commit():
 
 
 def label(*packages):
-    """Return {machine, date, commit} as text; `packages` are named with their versions."""
-    versions = [f"{name} {importlib.metadata.version(name)}" for name in packages]
-    parts = [processor(), f"{available_cores()} cores", f"Python {platform.python_version()}", *versions]
-    return {"machine": ", ".join(parts), "date": datetime.date.today().isoformat(), "commit": commit()}
+    """Return where, with what and when, as text: machine (all of it), processor, python, versions, date, commit."""
+    versions = ", ".join(f"{name} {importlib.metadata.version(name)}" for name in packages)
+    python = f"Python {platform.python_version()}"
+    return {
+        "machine": f"{processor()}, {available_cores()} cores, {python}, {versions}",
+        "processor": processor(),
+        "python": python,
+        "versions": versions,
+        "date": datetime.date.today().isoformat(),
+        "commit": commit(),
+    }
 
 
 def write(path, content):

@@ -69,7 +69,9 @@ def label_along(ax, x, y, text, colour, side="left"):
 def label_numbers():
     """Return where, when and at which commit it was measured, as numbers of a figure."""
     label = result()["label"]
-    return {key: label[key] for key in ("machine", "date", "commit", "rounds")} | {"absent": len(label["absent"])}
+    return {key: label[key] for key in ("processor", "python", "date", "commit", "rounds")} | {
+        "absent": len(label["absent"])
+    }
 
 
 @figure("work_precision", data=[RESULT])
