@@ -1,7 +1,8 @@
 """Measure the simulator in headless Chromium:  python -m tests.measure_simulator [--size 256] [--steps 60]
 
 Prints milliseconds from a slider's step to the pictures in the canvases ("ready") and to the end of the frame that
-shows them ("painted", which waits for the screen's next 60th of a second), and the main thread's long tasks. Times belong to the machine that they were taken on; no test asserts them. Needs the built book.
+shows them ("painted", which waits for the screen's next 60th of a second), and the main thread's long tasks. Times
+belong to the machine that they were taken on; no test asserts them. Needs the built book.
 """
 
 import argparse

@@ -1,5 +1,6 @@
 """The simulator as a reader meets it: sliders, boxes, keys, addresses, experiments, phone, print, no script."""
 
+import gzip
 import json
 import random
 import re
@@ -384,3 +385,9 @@ def test_a_hidden_page_has_no_worker(tab):
     settled(tab)
     assert tab.evaluate("Simulator.running.frames.length") > before
     assert len(tab.context.pages[0].workers) >= 1
+
+
+def test_the_code_is_light():
+    """What the page loads for the simulator, compressed as a server would: at most 60 kB."""
+    parts = [path.read_bytes() for path in sorted(SIMULATOR.iterdir())]
+    assert len(gzip.compress(b"".join(parts))) <= 60_000

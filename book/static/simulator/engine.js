@@ -7,11 +7,11 @@ Simulator.engine = function (kernels, states, image_points, radius_of_a, heard) 
   const IDLE_AFTER = 150, MOST_WORKERS = 4;
   const parts = ["kernels", "pipeline", "views", "worker"].map((name) => `Simulator.${name} = ${Simulator[name]};`);
   const source = ['"use strict"; const Simulator = {};', ...parts, "Simulator.worker(self);"].join("\n");
+  const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
   let workers = [], bands = [], waiting = null, next = null, last = null, timer = 0, id = 0;
 
   function start() {
     if (workers.length) return;
-    const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
     const count = Math.max(1, Math.min(MOST_WORKERS, navigator.hardwareConcurrency || 1));
     workers = Array.from({ length: count }, (_, number) => {
       const worker = new Worker(address), own = { worker, buffers: [] };
