@@ -15,6 +15,9 @@ h_here, h_u_plus, h_u_minus, h_v_plus, h_v_minus = real("h_here h_u_plus h_u_min
 h_u_plus_2, h_u_minus_2, h_v_plus_2, h_v_minus_2 = real("h_u_plus_2 h_u_minus_2 h_v_plus_2 h_v_minus_2")
 span_v, near_difference_u, near_difference_v = real("span_v near_difference_u near_difference_v")
 
+HEIGHTS = (h_here, h_u_plus, h_u_minus, h_v_plus, h_v_minus, h_u_plus_2, h_u_minus_2, h_v_plus_2, h_v_minus_2)
+"""The names of heights in a difference."""
+
 HEIGHT_EVALUATIONS = {"forward": 3, "central": 4, "central4": 8}
 
 

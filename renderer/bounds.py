@@ -57,7 +57,7 @@ def _out_of_reach(height, radius, lowest, highest):
 
 
 def lowest_on_a(g, light):
-    """Return a height below which B's shadow on A cannot be seen: that of A's horizon, or where the shadow's hull ends."""
+    """Return a height below which B's shadow on A is not seen: that of A's horizon, or where the shadow's hull ends."""
     lowest = g.radius * (g.radius / g.eye) * (1 - RELATIVE_GUARD)  # theorem kink_loci: cos φ > R/e
     for _ in range(2):
         levels, far = (lowest, g.radius), 0.0

@@ -117,9 +117,10 @@ def _mark_shadow(x, y, g, surface, light, boxes, row, bit, code_row, flag_row, s
     lx, ly, lz = light[0], light[1], light[2]
     if surface == SPHERE_B:
         left, right = _within(boxes[3], row, start, stop)
+        reach = left + whole_groups(right - left)
         shadow_on_b_row(
-            x, y, eye, bx, by, bz, ball_radius, ball_on, lx, ly, lz, 0.0, 0.0, 0.0, radius, flag_row, left, left + whole_groups(right - left),
-        )  # fmt: skip
+            x, y, eye, bx, by, bz, ball_radius, ball_on, lx, ly, lz, 0.0, 0.0, 0.0, radius, flag_row, left, reach
+        )
         _mark(code_row, flag_row, bit, left, right)
         return right - left
     if surface == SPHERE_A:
@@ -142,7 +143,8 @@ def _mark_shadow(x, y, g, surface, light, boxes, row, bit, code_row, flag_row, s
 def mark_chambers(x, y_of_row, geometry, middle, box_of_b, lights, bits, boxes, codes, top):
     """Write the chamber codes of a band of rows, the first of which is row `top`; return how many shadow tests.
 
-    x: the columns' and LANES more. geometry: (8,) as `renderer.stage.geometry_of` gives it. lights: (n, 3), their bits (n,) and boxes (n, 4, 4).
+    x: the columns' and LANES more. geometry: (8,), see `renderer.stage.geometry_of`. lights: (n, 3), their bits (n,)
+    and boxes (n, 4, 4).
     """
     g = (
         geometry[0], geometry[1], geometry[2], geometry[3], geometry[4], geometry[5], geometry[6], geometry[7]
@@ -167,7 +169,18 @@ def mark_chambers(x, y_of_row, geometry, middle, box_of_b, lights, bits, boxes, 
             if surface != NOTHING:
                 for light in range(lights.shape[0]):
                     tests += _mark_shadow(
-                        x, y, g, surface, lights[light], boxes[light], here, bits[light], code_row, flag_row, start, stop
+                        x,
+                        y,
+                        g,
+                        surface,
+                        lights[light],
+                        boxes[light],
+                        here,
+                        bits[light],
+                        code_row,
+                        flag_row,
+                        start,
+                        stop,
                     )
             start = stop
     return tests

@@ -13,7 +13,7 @@ class Frame:
     """A picture of a scene.
 
     rgb: (height, width, 3) float64, linear light in [0, 1], row 0 at the top (a view of three planes).
-    chambers: (height, width) uint8, see `renderer.stage.Stage`. scene, raster, method, stage: what it was made from.
+    chambers: (height, width) uint8, see `renderer.stage.Stage`. scene, raster, method, stage: what made it.
     """
 
     def __init__(self, scene, raster, method, stage, planes, add_up):
@@ -22,7 +22,7 @@ class Frame:
 
     @cached_property
     def work(self):
-        """What was computed for this frame, a dict of counts: see `renderer.work`. A given stage's work is not in it."""
+        """What was computed for this frame, a dict of counts (`renderer.work`), without a given stage's."""
         return self._add_up()
 
     @property
@@ -44,44 +44,62 @@ class Frame:
         return planes[:, self.stage.on_a]
 
     @cached_property
+    def _chart_on_a(self):
+        u, v = np.empty((2, self.planes_on_a.shape[1]))
+        chart_row(*self.planes_on_a[:4], u, v, 0, u.size)
+        return u, v
+
+    def _field_on_a(self, kernel, *arguments):
+        """Return what a kernel of the field makes of A's pixels: (pixels of A,)."""
+        values = np.empty(self.planes_on_a.shape[1])
+        FIELDS[self.scene.field][kernel](*arguments, values, 0, values.size)
+        return values
+
+    @cached_property
+    def _kink_on_a(self):
+        return self._field_on_a("kink", self.planes_on_a[3], *self._chart_on_a, self.scene.ku, self.scene.kv)
+
+    @cached_property
+    def _straddling_on_a(self):
+        return self._field_on_a("straddling", *self._chart_on_a, self.scene.ku, self.scene.kv, self.method.eps)
+
+    @cached_property
+    def _slope_on_a(self):
+        slope = np.empty(self.planes_on_a.shape[1])
+        slope_row(*self.planes_on_a[4:], slope, 0, slope.size)
+        return slope
+
+    def _plane(self, values, off_a, kind=np.float64):
+        plane = np.full(self.raster.shape, off_a, kind)
+        plane[self.stage.on_a] = values
+        return plane
+
+    @cached_property
     def surface_data(self):
         """What is known of sphere A: a dict of (height, width) float64 planes, NaN off A.
 
         u, v, h, h_u, h_v (by the frame's method), slope, kink (1 or 0), and straddling (1 or 0) for a difference.
         """
-        data = {}
-        for name, values in self._data_on_a().items():
-            data[name] = np.full(self.raster.shape, np.nan)
-            data[name][self.stage.on_a] = values
-        return data
-
-    def _data_on_a(self):
-        kernels, waves = FIELDS[self.scene.field], (self.scene.ku, self.scene.kv)
-        *angles, h_u, h_v = self.planes_on_a
-        whole = (0, h_u.size)
-        u, v, h, slope, kink, straddling = np.empty((6, h_u.size))
-        chart_row(*angles, u, v, *whole)
-        kernels["height"](u, v, *waves, h, *whole)
-        kernels["kink"](angles[3], u, v, *waves, kink, *whole)
-        slope_row(h_u, h_v, slope, *whole)
-        data = {"u": u, "v": v, "h": h, "h_u": h_u, "h_v": h_v, "slope": slope, "kink": kink}
+        (u, v), (h_u, h_v) = self._chart_on_a, self.planes_on_a[4:]
+        h = self._field_on_a("height", u, v, self.scene.ku, self.scene.kv)
+        data = {"u": u, "v": v, "h": h, "h_u": h_u, "h_v": h_v, "slope": self._slope_on_a, "kink": self._kink_on_a}
         if self.method.eps:
-            kernels["straddling"](u, v, *waves, self.method.eps, straddling, *whole)
-            data["straddling"] = straddling
-        return data
+            data["straddling"] = self._straddling_on_a
+        return {name: self._plane(values, np.nan) for name, values in data.items()}
 
     @property
     def kink(self):
         """(height, width) bool: a crease factor of the field is below 0.03 in magnitude, or the pole; False off A."""
-        return self.surface_data["kink"] == 1.0
+        return self._plane(self._kink_on_a == 1.0, False, bool)
 
     @property
     def slope(self):
         """(height, width) float64: √(h_u² + h_v²) by the frame's method; 0 off A."""
-        return np.nan_to_num(self.surface_data["slope"])
+        return self._plane(self._slope_on_a, 0.0)
 
     @property
     def straddling(self):
         """(height, width) bool: a crease lies strictly within ε of the pixel in u or in v; False if exact."""
-        data = self.surface_data.get("straddling")
-        return np.zeros(self.raster.shape, bool) if data is None else data == 1.0
+        if not self.method.eps:
+            return np.zeros(self.raster.shape, bool)
+        return self._plane(self._straddling_on_a == 1.0, False, bool)

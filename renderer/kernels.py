@@ -1118,13 +1118,12 @@ def straddling_rings_row(
 def forward_rings_row(
     u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
 ):
+    h_u = 0.0
     for i in range(np.uint64(start), np.uint64(stop)):
         v = v_row[i]
         stepped = (epsilon + v if (epsilon + v <= 1.0) else -epsilon + v)
         h_here = sinpi_of_product(2.0 * k_v, v)
-        h_u_plus = sinpi_of_product(2.0 * k_v, v)
         h_v_plus = sinpi_of_product(2.0 * k_v, stepped)
-        h_u = (-h_here + h_u_plus) / epsilon
         h_v = ((-h_here + h_v_plus) / epsilon if (epsilon + v <= 1.0) else (h_here - h_v_plus) / epsilon)
         h_u_row[i] = h_u
         h_v_row[i] = h_v
@@ -1134,16 +1133,14 @@ def forward_rings_row(
 def central_rings_row(
     u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
 ):
+    h_u = 0.0
     for i in range(np.uint64(start), np.uint64(stop)):
         v = v_row[i]
         v_plus = minimum(1.0, epsilon + v)
         v_minus = maximum(0.0, -epsilon + v)
         span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
-        h_u_plus = sinpi_of_product(2.0 * k_v, v)
-        h_u_minus = sinpi_of_product(2.0 * k_v, v)
         h_v_plus = sinpi_of_product(2.0 * k_v, v_plus)
         h_v_minus = sinpi_of_product(2.0 * k_v, v_minus)
-        h_u = 0.5 * (-h_u_minus + h_u_plus) / epsilon
         h_v = (-h_v_minus + h_v_plus) / span_v
         h_u_row[i] = h_u
         h_v_row[i] = h_v
@@ -1153,6 +1150,7 @@ def central_rings_row(
 def central4_rings_row(
     u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
 ):
+    h_u = 0.0
     for i in range(np.uint64(start), np.uint64(stop)):
         v = v_row[i]
         v_plus = minimum(1.0, epsilon + v)
@@ -1160,16 +1158,10 @@ def central4_rings_row(
         span_v = (2.0 * epsilon if ((epsilon + v <= 1.0) & (epsilon - v <= 0.0)) else -v_minus + v_plus)
         v_plus_2 = minimum(1.0, 2.0 * epsilon + v)
         v_minus_2 = maximum(0.0, -2.0 * epsilon + v)
-        h_u_plus = sinpi_of_product(2.0 * k_v, v)
-        h_u_minus = sinpi_of_product(2.0 * k_v, v)
         h_v_plus = sinpi_of_product(2.0 * k_v, v_plus)
         h_v_minus = sinpi_of_product(2.0 * k_v, v_minus)
-        h_u_plus_2 = sinpi_of_product(2.0 * k_v, v)
-        h_u_minus_2 = sinpi_of_product(2.0 * k_v, v)
         h_v_plus_2 = sinpi_of_product(2.0 * k_v, v_plus_2)
         h_v_minus_2 = sinpi_of_product(2.0 * k_v, v_minus_2)
-        near_difference_u = -h_u_minus + h_u_plus
-        h_u = (1.0 / 12.0) * (h_u_minus_2 - h_u_plus_2 + 8.0 * near_difference_u) / epsilon
         near_difference_v = -h_v_minus + h_v_plus
         h_v = ((1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon if ((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0)) else near_difference_v / span_v)
         h_u_row[i] = h_u
@@ -1210,6 +1202,7 @@ FIELDS = {
         "central": central_sine_row,
         "central4": central4_sine_row,
         "gradient_from_factors": gradient_from_factors_sine_row,
+        "height_evaluations": {'forward': 3, 'central': 4, 'central4': 8},
         "wave_numbers": wave_numbers_sine,
     },
     "ridges": {
@@ -1221,6 +1214,7 @@ FIELDS = {
         "central": central_ridges_row,
         "central4": central4_ridges_row,
         "gradient_from_factors": gradient_from_factors_ridges_row,
+        "height_evaluations": {'forward': 3, 'central': 4, 'central4': 8},
         "wave_numbers": wave_numbers_ridges,
     },
     "rings": {
@@ -1232,6 +1226,7 @@ FIELDS = {
         "central": central_rings_row,
         "central4": central4_rings_row,
         "gradient_from_factors": gradient_from_factors_rings_row,
+        "height_evaluations": {'forward': 2, 'central': 2, 'central4': 4},
         "wave_numbers": wave_numbers_rings,
     },
 }

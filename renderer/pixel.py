@@ -7,8 +7,9 @@ import numpy as np
 
 from renderer.chambers import FIRST_LIGHT_BIT, FLOOR, SPHERE_A, SPHERE_B, SURFACE_BITS
 from renderer.kernels import light_term_row, normal_of_b_row, normal_on_a_row, view_length_row
+from renderer.material import highlight_of, material_of
 from renderer.render import render
-from renderer.shading import ROWS, albedo_of, highlight_of, light_on_sphere, material_of, raise_to_shininess
+from renderer.shading import ROWS, albedo_of, light_on_sphere, raise_to_shininess
 
 SURFACES = ("none", "A", "B", "floor")
 

@@ -60,10 +60,13 @@ class Raster:
         return (self.crop[3], self.crop[2])
 
     def image_points(self, scene, beyond=0):
-        """Return (x of each drawn column and of `beyond` more, y of each drawn row), the image points of the centres."""
+        """Return (x of each drawn column and of `beyond` more, y of each drawn row): image points of the centres."""
         left, top, wide, high = self.crop
         half = image_extent(scene.eye, scene.radius)
-        columns, rows = np.arange(left, left + wide + beyond, dtype=np.float64), np.arange(top, top + high, dtype=np.float64)
+        columns, rows = (
+            np.arange(left, left + wide + beyond, dtype=np.float64),
+            np.arange(top, top + high, dtype=np.float64),
+        )
         x = image_x(columns, float(self.width), float(self.height), half)
         y = image_y(rows, float(self.height), half)
         return x, y

@@ -3,10 +3,11 @@
 import numpy as np
 
 from renderer.frame import Frame
+from renderer.material import material_of
 from renderer.methods import GradientMethod, exact
 from renderer.raster import Raster
 from renderer.scene import Scene
-from renderer.shading import WORK, copy_runs, material_of, shade_elsewhere
+from renderer.shading import WORK, copy_runs, shade_elsewhere
 from renderer.sphere_a import bump_of
 from renderer.stage import Stage
 from renderer.threads import checked_threads, run_bands

@@ -1,4 +1,4 @@
-"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: change renderer/generate/shaders.py instead.
+"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: it is printed there.
 
 Each function draws sphere A's runs of a band: angles, gradient, normal, lights; one for each field and way to its
 gradient. `bump` is k_u, k_v, β and ε; `powers` those of the algebraic form. It writes the colours into `rgb`, (3,
@@ -37,7 +37,8 @@ from renderer.shading import ROW_LENGTH, ROWS, fill, keep_run, shade_sphere_run
 
 @compiled
 def draw_flat(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -58,14 +59,15 @@ def draw_flat(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_general_sine(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -88,14 +90,15 @@ def draw_general_sine(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_forward_sine(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -118,14 +121,15 @@ def draw_forward_sine(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_central_sine(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -148,14 +152,15 @@ def draw_central_sine(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_central4_sine(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -178,14 +183,15 @@ def draw_central4_sine(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_algebraic_sine(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -209,14 +215,15 @@ def draw_algebraic_sine(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_general_ridges(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -239,14 +246,15 @@ def draw_general_ridges(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_forward_ridges(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -269,14 +277,15 @@ def draw_forward_ridges(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_central_ridges(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -299,14 +308,15 @@ def draw_central_ridges(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_central4_ridges(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -329,14 +339,15 @@ def draw_central4_ridges(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_algebraic_ridges(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -360,14 +371,15 @@ def draw_algebraic_ridges(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_general_rings(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -390,14 +402,15 @@ def draw_general_rings(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_forward_rings(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -420,14 +433,15 @@ def draw_forward_rings(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_central_rings(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -450,14 +464,15 @@ def draw_central_rings(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_central4_rings(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -480,14 +495,15 @@ def draw_central4_rings(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 
 @compiled
 def draw_algebraic_rings(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -510,8 +526,8 @@ def draw_algebraic_rings(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 
 

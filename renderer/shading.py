@@ -3,14 +3,10 @@
 What a scene does not need is left out: a light that is occluded or black, and the highlight where k_s = 0.
 """
 
-from functools import lru_cache
-from typing import NamedTuple
-
 import numpy as np
 
-from renderer.chambers import DARK_BIT, FIRST_LIGHT_BIT, FLOOR, LONGEST_RUN, SPHERE_B, SURFACE_BITS, whole_groups
+from renderer.chambers import DARK_BIT, FLOOR, LONGEST_RUN, SPHERE_B, SURFACE_BITS, whole_groups
 from renderer.kernels import (
-    ambient_term,
     blinn_on_floor_row,
     blinn_row,
     blinn_squared_on_floor_row,
@@ -18,7 +14,6 @@ from renderer.kernels import (
     clip_row,
     compiled,
     diffuse_term_row,
-    floor_albedo,
     highlight_row,
     inlined,
     light_cosine_on_floor_row,
@@ -39,53 +34,6 @@ scale, μ, the base of the highlight, the colour (red, green, blue), the highlig
 counts a reference whenever a row is taken from a 2-D array, which costs more than the arithmetic of a short run."""
 
 WORK = ("gradients", "specular_powers", "light_terms")  # what the kernels count
-
-
-class Material(NamedTuple):
-    """The scene's shading, as the kernels take it.
-
-    numbers: (17,) kd, ks, shininess, ambient colour (3), albedo of A, of B, of light and of dark floor squares (2: red
-    and green, blue). lights: (n, 6) position and colour of the lights that are on and not black; bits: (n,). power:
-    the whole power that the highlight's base is raised to, 0 if the shininess is not whole. Of the last four one is True,
-    and the others are None, so that Numba leaves out their branches: no highlight at all; Phong's; Blinn's; Blinn's
-    from its base squared, for an even shininess.
-    """
-
-    numbers: np.ndarray
-    lights: np.ndarray
-    bits: np.ndarray
-    power: int
-    dull: bool | None
-    phong: bool | None
-    blinn: bool | None
-    squared: bool | None
-
-
-def highlight_of(scene):
-    """Return (power, Phong's, Blinn's, Blinn's from its square): how the scene's highlight is taken, if it has one."""
-    power = int(scene.shininess) if scene.shininess == int(scene.shininess) else 0
-    even = scene.model == "blinn" and power > 0 and power % 2 == 0
-    style = "squared" if even else scene.model
-    return power // 2 if even else power, *(True if style == name else None for name in ("phong", "blinn", "squared"))
-
-
-@lru_cache(maxsize=64)
-def material_of(scene):
-    """Return the Material of a scene."""
-    lit = [(n, light) for n, light in enumerate(scene.lights) if light.color is not None and any(light.color)]
-    ambient = [ambient_term(scene.ka, channel) for channel in scene.ambient]
-    floor = [channel for dark in (0.0, 1.0) for channel in floor_albedo(dark, scene.floor_tint)]
-    power, *styles = highlight_of(scene)
-    dull = scene.ks == 0.0
-    weights = [scene.kd, scene.ks, scene.shininess]
-    return Material(
-        np.array([*weights, *ambient, *scene.albedo_a, *scene.albedo_b, *floor]),
-        np.array([(*light.position, *light.color) for _, light in lit], np.float64).reshape(-1, 6),
-        np.array([1 << (FIRST_LIGHT_BIT + number) for number, _ in lit], np.uint8),
-        power,
-        True if dull else None,
-        *(None if dull else style for style in styles),
-    )
 
 
 @inlined
@@ -140,10 +88,8 @@ def _light_on_floor(x, y, eye, light, view, mu, base, dull, phong, blinn, square
 
 
 @inlined
-def light_on_sphere(
-    x, y, eye, light, px, py, pz, nx, ny, nz, view, mu, base, dull, phong, blinn, squared, count
-):
-    """Write μ and the highlight's base of one light on a run of A or B whose points, normals and view scales are given."""
+def light_on_sphere(x, y, eye, light, px, py, pz, nx, ny, nz, view, mu, base, dull, phong, blinn, squared, count):
+    """Write μ and the highlight's base of one light on a run of A or B: points, normals and view scales are given."""
     lx, ly, lz = light[0], light[1], light[2]
     if dull is not None:
         light_cosine_row(px, py, pz, lx, ly, lz, nx, ny, nz, mu, 0, count)
@@ -214,7 +160,22 @@ def shade_sphere_run(
             light_on_sphere(
                 x, y, eye, lights[light], px, py, pz, nx, ny, nz, view, mu, base, dull, phong, blinn, squared, count
             )
-            _add_light(numbers, lights[light], albedo, mu, base, red, green, blue, shine, power, dull, count, stop - start, work)
+            _add_light(
+                numbers,
+                lights[light],
+                albedo,
+                mu,
+                base,
+                red,
+                green,
+                blue,
+                shine,
+                power,
+                dull,
+                count,
+                stop - start,
+                work,
+            )
     _clip_into(rgb, red, green, blue, row, start, stop)
 
 
@@ -230,7 +191,22 @@ def _shade_floor_run(
     for light in range(lights.shape[0]):
         if not code & bits[light]:
             _light_on_floor(x, y, eye, lights[light], view, mu, base, dull, phong, blinn, squared, count)
-            _add_light(numbers, lights[light], albedo, mu, base, red, green, blue, shine, power, dull, count, stop - start, work)
+            _add_light(
+                numbers,
+                lights[light],
+                albedo,
+                mu,
+                base,
+                red,
+                green,
+                blue,
+                shine,
+                power,
+                dull,
+                count,
+                stop - start,
+                work,
+            )
     _clip_into(rgb, red, green, blue, row, start, stop)
 
 
@@ -246,15 +222,33 @@ def shade_elsewhere(runs, x, y_of_row, top, g, numbers, lights, bits, power, dul
         here, y, surface = x[start:], y_of_row[runs[index, 0]], code & SURFACE_BITS
         if surface == SPHERE_B:
             normal_of_b_row(
-                here, y, eye, bx, by, bz, ball_radius, ball_on, px, py, pz, nx, ny, nz, view, 0, whole_groups(stop - start)
+                here,
+                y,
+                eye,
+                bx,
+                by,
+                bz,
+                ball_radius,
+                ball_on,
+                px,
+                py,
+                pz,
+                nx,
+                ny,
+                nz,
+                view,
+                0,
+                whole_groups(stop - start),
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work,
                 px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )  # fmt: skip
         elif surface == FLOOR:
             _shade_floor_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work,
                 view, mu, base, red, green, blue, shine,
             )  # fmt: skip
         else:

@@ -5,8 +5,9 @@ from typing import NamedTuple
 import numpy as np
 
 from renderer.gradients import algebraic_powers, uses_algebraic_form
+from renderer.kernels import FIELDS
+from renderer.material import material_of
 from renderer.shaders import SHADERS, draw_flat
-from renderer.shading import material_of
 
 
 class Bump(NamedTuple):
@@ -34,4 +35,5 @@ def bump_of(scene, method, flat=False):
     if flat:
         return Bump(draw_flat, arguments, 0, False)
     role = "algebraic" if algebraic else "general" if method.name == "exact" else method.name
-    return Bump(SHADERS[scene.field][role], arguments, method.height_evaluations, algebraic)
+    heights = FIELDS[scene.field]["height_evaluations"].get(role, 0)
+    return Bump(SHADERS[scene.field][role], arguments, heights, algebraic)

@@ -12,8 +12,9 @@ import numpy as np
 
 from renderer.bounds import scene_boxes
 from renderer.chambers import FIRST_LIGHT_BIT, LANES, SPHERE_A, SURFACE_BITS, cut_runs, mark_chambers
+from renderer.material import material_of
 from renderer.raster import Raster
-from renderer.shading import material_of, shade_elsewhere
+from renderer.shading import shade_elsewhere
 from renderer.threads import run_bands, scratch
 
 MOST_BANDS = 16
@@ -74,8 +75,9 @@ def band_rows(rows, columns):
 class Stage:
     """The chambers of a scene on a raster: what every gradient method, field, β and ε shares.
 
-    x: (width,) image points of the columns; wide_x: LANES more. chambers: (height, width) uint8. Bits 0–1 are the surface (0 none, 1 A, 2 B, 3 floor), bit 2 + i says that light i
-    is occluded by another body (0 for a light that is off), bit 7 that the floor square is dark. bands: a list of Band.
+    x: (width,) image points of the columns; wide_x: LANES more. bands: a list of Band. chambers: (height, width)
+    uint8. Bits 0–1 are the surface (0 none, 1 A, 2 B, 3 floor), bit 2 + i says that light i
+    is occluded by another body (0 for a light that is off), bit 7 that the floor square is dark.
     """
 
     def __init__(self, scene, raster: Raster):

@@ -61,6 +61,10 @@ def run_bands(work, count, threads):
             work(number)
 
     helpers = [_pool(threads).submit(take) for _ in range(min(threads, count) - 1)]
-    take()
-    for helper in helpers:
-        helper.result()
+    try:
+        take()
+    finally:
+        for _ in numbers:  # after an interruption or an error nothing more is begun
+            pass
+        for helper in helpers:
+            helper.result()

@@ -8,7 +8,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from renderer import Scene, central, central4, exact, forward, gradient_at, height_at, pixel, render
-from renderer.chambers import SPHERE_A
 from renderer.facts import crease_gradient, pixels_near_the_pole, point_errors
 from renderer.kernels import FIELDS
 from tests.strategies import scenes, steps, wave_numbers
@@ -76,11 +75,10 @@ def test_every_float_beside_every_crease_is_off_it():
 
 
 def kink_at(scene, u, v):
-    flag = np.empty((1, 1))
-    runs = np.array([[0, 0, 1, SPHERE_A]])
-    sin_phi, u_plane, v_plane = (np.array([[value]]) for value in (np.sin(np.pi * v), u, v))
-    FIELDS[scene.field]["kink"](runs, sin_phi, u_plane, v_plane, scene.ku, scene.kv, flag)
-    return flag[0, 0]
+    flag = np.empty(1)
+    sin_phi, u_row, v_row = (np.array([value]) for value in (np.sin(np.pi * v), u, v))
+    FIELDS[scene.field]["kink"](sin_phi, u_row, v_row, scene.ku, scene.kv, flag, 0, 1)
+    return flag[0]
 
 
 def test_the_crease_is_flagged():

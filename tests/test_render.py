@@ -172,23 +172,6 @@ def test_a_light_that_is_off_is_as_good_as_absent(scene, size, data):
 
 
 @pytest.mark.parametrize(
-    ("method", "heights"), [(exact(), 0), (forward(1e-3), 3), (central(1e-3), 4), (central4(1e-3), 8)]
-)
-def test_height_evaluations(method, heights):
-    frame = render(DEFAULT, 64, 64, method)
-    on_a = int((frame.chambers & 3 == 1).sum())
-    assert on_a > 1000
-    assert frame.work["height_evaluations"] == heights * on_a
-    assert frame.work["gradient_evaluations"] == (on_a if method == exact() else 0)
-
-
-@pytest.mark.parametrize("method", [exact(), central(1e-3)])
-def test_no_bump_no_evaluations(method):
-    work = render(replace(DEFAULT, beta=0.0), 64, 64, method).work
-    assert (work["gradient_evaluations"], work["height_evaluations"], work["algebraic_gradients"]) == (0, 0, 0)
-
-
-@pytest.mark.parametrize(
     ("fields", "algebraic"),
     [
         ({}, True),
@@ -212,22 +195,6 @@ def test_which_scenes_have_an_algebraic_gradient(fields, algebraic):
 def test_the_algebraic_form_is_rejected_where_there_is_none():
     with pytest.raises(ValueError, match=r"form = 'algebraic' is not allowed for field 'ridges' with ku = 7, kv = 4"):
         render(replace(DEFAULT, ku=7), 8, 8, exact("algebraic"))
-
-
-def test_pixels_by_surface():
-    frame = render(DEFAULT, 64, 64)
-    counted = [int((frame.chambers & 3 == surface).sum()) for surface in (1, 2, 3)]
-    assert [frame.work[name] for name in ("pixels_a", "pixels_b", "pixels_floor")] == counted
-
-
-def test_shadow_tests():
-    work = render(DEFAULT, 64, 64).work  # two lights; A and B each look for the other, the floor for both
-    assert work["shadow_tests"] == 2 * (work["pixels_a"] + work["pixels_b"] + 2 * work["pixels_floor"])
-
-
-def test_specular_powers():
-    frame = render(DEFAULT, 64, 64)
-    assert frame.work["specular_powers"] == sum(int((frame.chambers & bit == 0).sum()) for bit in (4, 8))
 
 
 @pytest.mark.parametrize("threads", [0, -1, 257, 1.5, "2", True])

@@ -39,7 +39,11 @@ def random_raster(random):
     if random.uniform() < 2 / 3:
         return width, height, None
     left, top = int(random.integers(0, width)), int(random.integers(0, height))
-    return width, height, (left, top, int(random.integers(1, width - left + 1)), int(random.integers(1, height - top + 1)))
+    return (
+        width,
+        height,
+        (left, top, int(random.integers(1, width - left + 1)), int(random.integers(1, height - top + 1))),
+    )
 
 
 def differing_pixels(scene, width, height, crop=None):

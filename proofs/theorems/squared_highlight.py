@@ -4,7 +4,7 @@ from ..claim import Claim, equation
 from ..pixel import instance
 from ..program import chain
 from ..shading import along_halfway, blinn, blinn_squared, halfway, halfway_squared, light_distance
-from ..symbols import bumped, dot, light, mu, point, real, specular_base, view
+from ..symbols import bumped, dot, mu, real, specular_base
 from ..theorem import Mutant, Step, Theorem
 
 _plain = instance(blinn, "plain")
@@ -29,14 +29,14 @@ theorem = Theorem(
     id="squared_highlight",
     title="The highlight from one root and one division",
     section="s6",
-    statement=r"With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and the "
-    r"square of Blinn's base is $(N'\cdot k)^2 |d| s$ where $N'\cdot k \ge 0$.",
+    statement=r"With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and "
+    r"the square of Blinn's base is $(N'\cdot k)^2 |d| s$ where $N'\cdot k \ge 0$.",
     hypotheses=("$L \\ne P$", r"$\omega \ne -\hat v$"),
     claims=(_cosine, _facing),
     uses=(),
     steps=(
         Step(r"$k = |d|(\omega + \hat v)$", "so its direction is the halfway vector's"),
-        Step(r"$(N'\cdot k)^2/(k\cdot k)$ does not depend on the length of $k$", "and neither does its sign on $|d| > 0$"),
+        Step(r"$(N'\cdot k)^2/(k\cdot k)$ does not depend on the length of $k$", "nor does its sign, as $|d| > 0$"),
     ),
     mutants=(
         Mutant("the base, not its square", _facing.but(shows=(equation(specular_base, _base),))),

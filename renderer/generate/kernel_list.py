@@ -40,7 +40,7 @@ class RowKernel:
 
 
 def _chamber_kernels():
-    """Return the visible surface, and the shadow test at the visible points of A, of B and of the floor, straight from the image point."""
+    """Return the visible surface, and the shadow test at the visible points of each, straight from the image point."""
     on_a = chain("shadow_on_a", camera.angles_on_a, camera.point_on_a, shadow.shadow)
     on_b = chain("shadow_on_b", camera.point_on_b, shadow.shadow)
     on_floor = chain("shadow_on_floor", camera.point_on_floor, shadow.shadow)
@@ -78,6 +78,22 @@ def _power_kernels():
     ]
 
 
+def difference(method, field):
+    """Return a difference method's program for a field; where h does not depend on u, without a difference in u."""
+    program = finite_difference.METHODS[method](field)
+    if field.expression.has(u):
+        return program
+    lines = tuple((s, 0 * u if s == h_u else e) for s, e in program.definitions)
+    needed = Program(program.name, program.inputs, lines, program.outputs).reaches(*program.outputs)
+    return Program(program.name, program.inputs, tuple(line for line in lines if line[0] in needed), program.outputs)
+
+
+def height_evaluations(method, field):
+    """Return how many heights a difference of the field evaluates."""
+    heights = set(finite_difference.HEIGHTS)
+    return sum(symbol in heights for symbol, _ in difference(method, field).definitions)
+
+
 def field_kernels(field):
     """Return one field's kernels: height, exact gradient, differences, creases."""
     kernels = [
@@ -86,7 +102,7 @@ def field_kernels(field):
         RowKernel(creases.kink_flag(field), (sin_phi, u, v)),
         RowKernel(creases.straddling(field), (u, v)),
     ]
-    kernels += [RowKernel(method(field), (u, v)) for method in finite_difference.METHODS.values()]
+    kernels += [RowKernel(difference(method, field), (u, v)) for method in finite_difference.METHODS]
     if field.wave_numbers:
         tail = height_fields.gradient_from_factors(field)
         kernels.append(RowKernel(tail, tail.inputs[:4]))
@@ -109,7 +125,9 @@ def _light_kernels():
 def _shading_kernels():
     colors = shading.colors
     diffuse = chain("diffuse_term", Program("dull", (), ((specular, 0 * mu),), ()), shading.light_term)
-    clip = Program("clip", colors, tuple(zip(shading.lit, map(shading.clipped_value, colors), strict=True)), shading.lit)
+    clip = Program(
+        "clip", colors, tuple(zip(shading.lit, map(shading.clipped_value, colors), strict=True)), shading.lit
+    )
     return [
         *_light_kernels(),
         RowKernel(shading.highlight, (specular_base,)),

@@ -7,7 +7,7 @@ from proofs.height_fields import HEIGHT_FIELDS
 from proofs.symbols import u
 from renderer.generate.kernel_list import field_kernels
 
-HEADER = '''"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: change renderer/generate/shaders.py instead.
+HEADER = '''"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: it is printed there.
 
 Each function draws sphere A's runs of a band: angles, gradient, normal, lights; one for each field and way to its
 gradient. `bump` is k_u, k_v, β and ε; `powers` those of the algebraic form. It writes the colours into `rgb`, (3,
@@ -21,11 +21,17 @@ from renderer.chambers import whole_groups
 from renderer.kernels import (
 '''
 
-TEMPLATE = '''
+IMPORTS = """)
+from renderer.powers import powers_of_angles
+from renderer.shading import ROW_LENGTH, ROWS, fill, keep_run, shade_sphere_run
+"""
+
+TEMPLATE = """
 
 @compiled
 def {name}(
-    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, planes, work
+    runs, x, y_of_row, top, g, bump, powers, numbers, lights, bits, power, dull, phong, blinn, squared,
+    rgb, planes, work,
 ):
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
@@ -46,10 +52,10 @@ def {name}(
                 px, py, pz, nx, ny, nz, view, 0, count,
             )
             shade_sphere_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
-'''
+"""
 
 
 def _call(program, arguments):
@@ -73,7 +79,11 @@ def _gradient_lines(field, role, program):
             else "chart_v_row(cos_phi, sin_phi, v, 0, count)"
         ]
         calls.append("chart_row" if both else "chart_v_row")
-    return before, [*lines, _call(program, [*(s.name for s in program.inputs), "h_u", "h_v"]), "work[0] += stop - start"], calls
+    return (
+        before,
+        [*lines, _call(program, [*(s.name for s in program.inputs), "h_u", "h_v"]), "work[0] += stop - start"],
+        calls,
+    )
 
 
 def _shader(name, before, lines):
@@ -98,5 +108,4 @@ def shaders_source():
             table.append(f'        "{role}": draw_{role}_{field.name},')
         table.append("    },")
     imports = "".join(f"    {name},\n" for name in sorted(calls))
-    shading = "from renderer.powers import powers_of_angles\nfrom renderer.shading import ROW_LENGTH, ROWS, fill, keep_run, shade_sphere_run\n"
-    return HEADER + imports + ")\n" + shading + "".join(bodies) + "\n\nSHADERS = {\n" + "\n".join([*table, "}", ""])
+    return HEADER + imports + IMPORTS + "".join(bodies) + "\n\nSHADERS = {\n" + "\n".join([*table, "}", ""])

@@ -12,7 +12,13 @@ from proofs.finite_difference import HEIGHT_EVALUATIONS
 from proofs.height_fields import HEIGHT_FIELDS
 from proofs.program import Program, chain
 from proofs.symbols import k_u, k_v, real
-from renderer.generate.kernel_list import DISCRIMINANT_OF_A, ONCE_A_SCENE, ROW_KERNELS, field_kernels
+from renderer.generate.kernel_list import (
+    DISCRIMINANT_OF_A,
+    ONCE_A_SCENE,
+    ROW_KERNELS,
+    field_kernels,
+    height_evaluations,
+)
 from renderer.generate.printers import NumbaPrinter
 
 HEADER = '''"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
@@ -108,6 +114,8 @@ def field_table():
         for kernel in field_kernels(field):
             role = kernel.program.name.removesuffix(f"_{field.name}")
             lines.append(f'        "{role}": {kernel.program.name}_row,')
+        heights = {method: height_evaluations(method, field) for method in HEIGHT_EVALUATIONS}
+        lines.append(f'        "height_evaluations": {heights},')
         lines.append(f'        "wave_numbers": {f"wave_numbers_{field.name}" if field.wave_numbers else None},')
         lines.append("    },")
     return "\n".join([*lines, "}", ""])
