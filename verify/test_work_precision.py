@@ -29,6 +29,11 @@ def test_what_ours_do_not_beat_has_more_digits_than_float64():
     assert all(r["error"] < 1e-15 for r in unbeaten_by_ours(ROWS))
 
 
+@pytest.mark.parametrize(("field", "error"), [("sine", "largest"), ("ridges", "rms")])
+def test_no_difference_draws_a_frame_faster_and_better(field, error):
+    assert peers_that_beat([r for r in RESULT["frames"] if r["field"] == field], "ms", error) == []
+
+
 @pytest.mark.parametrize(("ns", "error", "beats"), [(4.0, 1e-15, 1), (6.0, 1e-15, 0), (4.0, 1e-13, 0), (6.0, 1e-13, 0)])
 def test_a_better_method_would_be_seen(ns, error, beats):
     rows = [OURS, other(ns, error)]

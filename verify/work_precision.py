@@ -154,10 +154,10 @@ def unbeaten_by_ours(rows):
             and not any(o["ns"] <= r["ns"] and o["error"] <= r["error"] for o in ours)]  # fmt: skip
 
 
-def peers_that_beat(rows):
+def peers_that_beat(rows, cost="ns", error="error"):
     """Return the rows of other methods that are both faster and more accurate than one of ours in float64."""
     ours = [r for r in rows if r["ours"] and "float32" not in r["method"]]
-    return [r for r in rows if not r["ours"] and any(r["ns"] < o["ns"] and r["error"] < o["error"] for o in ours)]
+    return [r for r in rows if not r["ours"] and any(r[cost] < o[cost] and r[error] < o[error] for o in ours)]
 
 
 def write_csv(path, rows):

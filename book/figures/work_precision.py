@@ -91,7 +91,7 @@ def work_precision_figure() -> Drawing:
             corner = shown[shown[:, 1].argmax() if side == "above" else shown[:, 1].argmin()]
             label_line_end(ax, *corner, text, readable(colour), side=side)
         if name in ALONG:
-            side = "right" if "6th" in name else "left"
+            side = "right" if name in ("central, 6th order", "Richardson, 8th order") else "left"
             label_along(ax, own[0]["ns"], ALONG[name], name, readable(colour), side)
     draw_front(ax, [(r["ns"], r["error"]) for r in rows if r["error"] >= SMALLEST], 1e6)
     _label_cluster(ax, rows)
@@ -163,6 +163,7 @@ def work_precision_frames() -> Drawing:
                 label_along(ax, points[0, 0], FRAME_ALONG[short], short, readable(colour), side)
             key = "".join(c if c.isalnum() else "_" for c in name.lower())
             numbers |= {f"{field}_{key}_ms": own[0]["ms"], f"{field}_{key}_error": points[:, 1].min()}
+        numbers[f"{field}_beaten_by"] = len(work_precision.peers_that_beat(chosen, "ms", error))
         draw_front(ax, [(r["ms"], r[error]) for r in chosen], 1.15 * max(r["ms"] for r in chosen))
         decades(ax, "y", every=2)
         ax.set_ylim(1e-17, 1e2)
