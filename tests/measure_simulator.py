@@ -64,9 +64,10 @@ def main():
             loading = tab.evaluate("longTasks.splice(0)")
             for name in SLIDERS:
                 times = measure(tab, name, options.steps)
-                print(
-                    f"{size}² {name:5} median {percentile(times, 0.5):6.1f} ms   95 % {percentile(times, 0.95):6.1f} ms"
-                )
+                for what in ("ready", "painted"):
+                    taken = [time[what] for time in times]
+                    median, high = percentile(taken, 0.5), percentile(taken, 0.95)
+                    print(f"{size}² {name:4} {what:7} median {median:6.1f} ms   95 % {high:6.1f} ms")
             print(f"{size}² long tasks (ms): while loading {loading}, while moving {tab.evaluate('longTasks')}")
             print(f"{size}² pipelines: {tab.inner_text('.sim-readouts')!r}")
         browser.close()
