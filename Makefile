@@ -9,7 +9,7 @@ RUN := $(BIN)/python
 help: ## list these targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-book: environment ## check the proofs, draw the figures, build the book, say where it is  (python -m book)
+book: environment ## check the theorems, draw the figures, build the book, say where it is  (python -m book)
 	@$(RUN) -m book
 
 test: environment ## run every test, the proofs' included  (pytest verify tests)

@@ -1,4 +1,4 @@
-"""One command that makes the book: check the proofs, draw the figures, build the site.
+"""One command that makes the book: check the theorems, draw the figures, build the site.
 
 Usage: python -m book [all | check | figures | build] [--help]
 """
@@ -16,7 +16,7 @@ from book.figures.registry import UnknownFigure
 
 
 def check() -> None:
-    """Run the proofs' checker, unless nothing that it can reach changed since it last passed."""
+    """Run the whole checker, unless nothing that it can reach changed since it last passed."""
     from book import check
 
     check.check()
@@ -55,13 +55,13 @@ def parser() -> argparse.ArgumentParser:
     """The command line."""
     top = argparse.ArgumentParser(prog="python -m book", description=__doc__.splitlines()[0])
     verbs = top.add_subparsers(dest="verb", metavar="VERB")
-    verbs.add_parser("all", help="check, figures and build, then say where the book is (the default)")
-    verbs.add_parser("check", help="run the proofs' checker if anything that it reaches changed")
+    verbs.add_parser("all", help="theorems, figures and the site, then say where the book is (the default)")
+    verbs.add_parser("check", help="run the whole checker, pytest verify, if anything that it reaches changed")
     drawing = verbs.add_parser("figures", help="draw the figures that changed")
     drawing.add_argument("ids", nargs="*", metavar="ID", help="only these figures")
     drawing.add_argument("--force", action="store_true", help="draw them even if nothing changed")
     drawing.add_argument("--list", action="store_true", help="list the figures and what each draws")
-    verbs.add_parser("build", help="report, figures, then the site if anything changed")
+    verbs.add_parser("build", help="theorems, figures, then the site if anything changed")
     return top
 
 
@@ -85,12 +85,12 @@ def run(options: argparse.Namespace) -> None:
     stamps.STAMPS.mkdir(exist_ok=True)
     # Two builds at once would write the same files: the second waits, and then finds its work done.
     with FileLock(stamps.STAMPS / "lock"):
-        if verb in ("all", "check"):
-            stage("Checking the proofs", check)
+        if verb == "check":
+            stage("Checking everything", check)
         if verb == "figures":
             stage("Drawing figures", lambda: figures(options.ids, options.force))
         if verb in ("all", "build"):
-            stage("Reading the report of the proofs", report)
+            stage("Checking the theorems", report)
         if verb in ("all", "build"):
             stage("Drawing figures", figures)
             stage("Building the site", build)
