@@ -13,7 +13,7 @@ from proofs.program import chain
 from proofs.symbols import u, v
 from renderer.generate.kernel_list import ONCE_A_SCENE, ROW_KERNELS, RowKernel, field_kernels
 from renderer.generate.printers_javascript import PRINTER, print_row_kernel, print_scalar_function
-from renderer.generate.source import _wave_numbers
+from renderer.generate.source import wave_numbers_program
 from renderer.scene import Scene
 
 HEADER = """// Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
@@ -124,7 +124,7 @@ def javascript_source():
     for field in fields:
         parts += [print_row_kernel(kernel) for kernel in field_kernels(field)]
         if field.wave_numbers:
-            parts.append(print_scalar_function(f"wave_numbers_{field.name}", _wave_numbers(field)))
+            parts.append(print_scalar_function(f"wave_numbers_{field.name}", wave_numbers_program(field)))
     table = "\n".join(["const fields = {", *map(_field_entry, fields), "};", ""])
     constants = f"const max_algebraic = {MAX_WAVE_NUMBER};\n"
     constants += f"const scene = {json.dumps(_default_scene())};\n"

@@ -121,7 +121,8 @@ def field_table():
     return "\n".join([*lines, "}", ""])
 
 
-def _wave_numbers(field):
+def wave_numbers_program(field):
+    """Return the program (k_u, k_v) → the wave numbers of a field's algebraic form."""
     a, b = real("a b")
     return Program(
         f"wave_numbers_{field.name}", (k_u, k_v), tuple(zip((a, b), field.wave_numbers, strict=True)), (a, b)
@@ -140,6 +141,6 @@ def kernels_source():
         for kernel in field_kernels(field):
             parts.append(print_row_kernel(kernel, printer))
         if field.wave_numbers:
-            parts.append(print_function(f"wave_numbers_{field.name}", _wave_numbers(field), printer, ""))
+            parts.append(print_function(f"wave_numbers_{field.name}", wave_numbers_program(field), printer, ""))
     parts += [f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\n", f"MAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n", field_table()]
     return HEADER + "".join(f"\n\n{part}" for part in parts)
