@@ -21,7 +21,7 @@ NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0, 1, 2, 3
 SURFACE_BITS = 3
 FIRST_LIGHT_BIT = 2
 DARK_BIT = 128
-LONGEST_RUN = 256  # a run's working rows stay in the first-level cache
+LONGEST_RUN = 1024  # a run's working rows stay in the second-level cache; shorter ones cost more to begin
 BLOCK = 32
 LANES = 16
 """Rows are worked on in whole groups of so many pixels, the last of which may lie outside the run: a vector loop does
