@@ -9,6 +9,8 @@ import math
 import numpy as np
 from numba import njit
 
+import renderer.compiled_code  # noqa: F401  (where the compiled code is kept)
+
 inlined = njit(inline="always", error_model="numpy")
 compiled = njit(cache=True, nogil=True, error_model="numpy")
 
