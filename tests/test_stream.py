@@ -133,11 +133,17 @@ def test_an_interruption_leaves_the_old_file(name, interruption, small_blocks, t
     assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(name, b"old")]
 
 
+def heed_interrupts():
+    """Undo what a shell does to its background jobs, and these hand on: that they ignore Ctrl-C."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 @pytest.mark.parametrize("name", ["a.npy", "a.tif"])
 def test_ctrl_c_in_the_middle_of_a_big_picture(name, tmp_path):
     (tmp_path / name).write_bytes(b"old")
     command = [sys.executable, "-m", "renderer", "image", "--size", "16384", "--out", str(tmp_path / name)]
-    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    with subprocess.Popen(command, cwd=ROOT, preexec_fn=heed_interrupts, **pipes) as child:
         deadline = time.monotonic() + 60
         while not any(path.stat().st_size > 10**5 for path in tmp_path.glob(".a-*")):
             assert child.poll() is None, child.stderr.read()

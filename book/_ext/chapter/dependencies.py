@@ -19,7 +19,7 @@ from book._ext.chapter.evidence import badge
 from book._ext.chapter.theorems import kind
 
 WIDTH, MARKS, ROW, LINE, TOP, ARC = 450, 112, 30, 17, 20, 100
-TEXT_COLUMNS = 40
+TEXT_COLUMNS = 38
 
 
 def components(uses: Mapping[str, Iterable[str]]) -> list[list[str]]:

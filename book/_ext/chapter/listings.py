@@ -19,7 +19,7 @@ from book import report, stamps
 from book._ext.chapter.theorems import certificate, proofs_of, script
 
 DOWNLOADS = "_downloads/theorems"
-LISTED = ("proofs/*.py", "proofs/theorems/*.py", "verify/*.py", "verify/measurements/*.py")
+LISTED = ("proofs/*.py", "proofs/theorems/*.py", "verify/*.py", "verify/*/*.py", "tests/test_work.py")
 
 
 def listing_address(path: PurePosixPath) -> str:
