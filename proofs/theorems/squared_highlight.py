@@ -32,7 +32,12 @@ theorem = Theorem(
     section="s6",
     statement=r"With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and "
     r"the square of Blinn's base is $(N'\cdot k)^2 |d| s$ where $N'\cdot k \ge 0$.",
-    hypotheses=("$L \\ne P$", r"$\omega \ne -\hat v$"),
+    hypotheses=(
+        "$L \\ne P$",
+        r"$\omega \ne -\hat v$",
+        r"with $H = \omega + \hat v$ and Blinn's base $b$: $|d|^2|H|^2 = k\cdot k$ and $|d||H|\,b = N'\cdot k$, "
+        r"taken from $k = |d|H$ by hand",
+    ),
     claims=(_k, _cosine, _base_squared),
     uses=(),
     steps=(
