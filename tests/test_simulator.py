@@ -283,6 +283,7 @@ def test_an_experiment_moves_unless_motion_is_unwanted(browser, server):
 
 
 def test_flips_are_counted_and_the_bound_holds(tab):
+    settled(tab)  # until then the read-outs are the last state's
     tab.wait_for_function("document.querySelector('[data-readout=flips]').textContent !== '…'")
     assert tab.inner_text("[data-readout=flips]") == "0"
     assert re.match(r"10,954 \(37 %\), 11,092 \(37 %\)", tab.inner_text("[data-readout=attached]"))
