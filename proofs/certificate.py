@@ -2,8 +2,28 @@
 
 `python -m proofs.certificate [ID …]` finds the certificates of the named theorems (default: of those whose stored
 ones are missing or stale; --all: of all) and writes them. Format, version 1: {"version", "theorem", "claims":
-[{"claim", "statements": [{"sha256", "statement", "certificate"}]}]}; `proofs.statement_data` documents statements, and
-`proofs.kernel` reads certificates.
+[{"claim", "statements": [{"sha256", "statement", "certificate"}]}]}; `proofs.statement_data` documents statements.
+
+A derivation's facts are p ⋈ 0, counted from 0 in the order of its steps: `assume` and, once proved, `show` give one,
+`inverse` one (new · of − 1 = 0), `root` two (new² − of = 0, new ≥ 0), `define` none: its name stands for its polynomial
+from there on. A goal is proved from the facts before it. Its certificate is {"proofs": […]}, one proof for each `show`,
+`root` and `inverse`, in order. A proof has a `rule`:
+
+    ideal          {"cofactors": [[i, q], …]}: the goal is p = 0; every fact i is g = 0; and p = Σ q g.
+    contradiction  {"positive": [i, …], "sum": [[c, s, [i, …]], …], "cofactors": [[i, q], …]}: the goal's negation is
+                   appended to the facts (of p = 0: p ≠ 0; of p ≠ 0: p = 0; of p > 0: −p ≥ 0; of p ≥ 0: −p > 0), and
+                   Π f + Σ c s² Π h = Σ q g, where f: the facts in `positive`, each > 0, or ≠ 0 and then squared (none:
+                   Π f = 1); c ≥ 0 a rational, s a polynomial, h: facts that are > 0 or ≥ 0; g: facts that are = 0.
+                   The left side is positive, the right side zero.
+    cases          {"on": p, "branches": {"<": proof, "=": proof, ">": proof}}: each branch proves the goal with one
+                   more fact, −p > 0, p = 0 or p > 0.
+
+Of a "refutation", which has the form of a derivation and ends in a `show`, it is {"point": {name: rational}}: a value
+for every variable, root and inverse, at which every fact holds but the last, and the last fails. Of an "induction",
+{"strengthen": [p, …], "base": [proof, …], "step": [proof, …]}: the claims are those of `show`, then those of
+`strengthen`. base[k] proves claim k = 0 with `start` put in for the state, from the assumptions; step[k] proves it with
+`next` put in, from the assumptions and then every claim (as it is now) = 0. Of a "separation", {"reached": [name, …]}:
+it has every output, and with a line's name every name that the line uses, and nothing that is to be avoided.
 """
 
 import json

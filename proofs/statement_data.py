@@ -1,8 +1,8 @@
 """What a statement is as data: the format that the kernel and the second checker read. This file is trusted.
 
-Format, version 1 (JSON). A polynomial is {"x^2 y": "-3/2", "": "1"}: names, powers, exact rationals. A statement has
-a `kind`. A "derivation" has `variables` (all real numbers, unless a step says more) and `steps`, each with a
-polynomial `of`:
+Format, version 1 (JSON). A polynomial is {"x^2 y": "-3/2", "": "1"}: names (no blank, no ^), powers, exact rationals.
+A statement has a `kind`. A "derivation" has `variables` (all real numbers, unless a step says more) and `steps`, each
+with a polynomial `of`:
 
     assume   of ⋈ 0 is given; ⋈ is `is`: "=", "!=", ">", ">="
     define   `new` abbreviates `of`
