@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from renderer.kernels import tangent_interval
+from renderer.kernels import shadow_clearance, tangent_interval
 
 GUARD = 2
 RELATIVE_GUARD = 1e-6
@@ -56,6 +56,11 @@ def _out_of_reach(height, radius, lowest, highest):
     return height + radius < lowest - room or height - radius > highest + room
 
 
+def _casts(light, body, ball):
+    """Return whether a body, (center, radius), can stand between the light and some point of a ball."""
+    return not shadow_clearance(*light, *body[0], body[1], *ball[0], ball[1]) > RELATIVE_GUARD
+
+
 def lowest_on_a(g, light):
     """Return a height below which B's shadow on A is not seen: that of A's horizon, or where the shadow's hull ends."""
     lowest = g.radius * (g.radius / g.eye) * (1 - RELATIVE_GUARD)  # theorem kink_loci: cos φ > R/e
@@ -72,7 +77,7 @@ def lowest_on_a(g, light):
 def shadow_boxes(x, y, g, light):
     """Return (4, 4): where A's shadow on the floor, B's on the floor, B's on A and A's on B can be.
 
-    A box is empty where there is no B, no floor, or where the body is out of the light's reach.
+    A box is empty where there is no B, no floor, or where no segment from the light to the surface meets the body.
     """
     a, b = ((0.0, 0.0, 0.0), g.radius), ((g.ball_x, g.ball_y, g.ball_z), g.ball_radius)
     seen = {"floor": (0.0, 0.0), "a": (0.0, g.radius), "b": (b[0][2] - b[1], b[0][2] + b[1])}
@@ -81,6 +86,8 @@ def shadow_boxes(x, y, g, light):
         low, high = seen[surface]
         needs = (index in (2, 3) or g.floor_on) and (index == 0 or g.ball_on)
         if not needs or _out_of_reach(center[2], radius, min(low, light[2]), max(high, light[2])):
+            continue
+        if surface != "floor" and not _casts(light, (center, radius), b if surface == "b" else a):
             continue
         above = light[2] > high and high < g.eye and surface != "b"
         if above and surface == "a":

@@ -172,6 +172,25 @@ def tangent_interval(apex, apex_height, center, center_height, sphere_radius, le
     return low, high
 
 
+def shadow_clearance(light_x, light_y, light_z, center_x, center_y, center_z, body_radius, ball_center_x, ball_center_y, ball_center_z, ball_radius):
+    from_body_x = -center_x + light_x
+    from_body_y = -center_y + light_y
+    from_body_z = -center_z + light_z
+    along_x = ball_center_x - light_x
+    along_y = ball_center_y - light_y
+    along_z = ball_center_z - light_z
+    at_light = -body_radius * body_radius + from_body_x * from_body_x + from_body_y * from_body_y + from_body_z * from_body_z
+    half_slope = along_x * from_body_x + along_y * from_body_y + along_z * from_body_z - ball_radius * body_radius
+    curvature = along_x * along_x + along_y * along_y + along_z * along_z - ball_radius * ball_radius
+    turning = (0.0 if (half_slope >= 0.0) else (1.0 if (curvature + half_slope <= 0.0) else -half_slope / curvature))
+    at_ball = at_light + curvature + 2.0 * half_slope
+    at_turning = at_light + turning * (curvature * turning + 2.0 * half_slope)
+    at_an_end = (at_ball if (at_ball < at_light) else at_light)
+    shortest = (at_turning if (at_an_end > at_turning) else at_an_end)
+    clearance = shortest / (along_x * along_x + along_y * along_y + along_z * along_z + from_body_x * from_body_x + from_body_y * from_body_y + from_body_z * from_body_z)
+    return clearance
+
+
 def ambient_term(ka, ambient):
     color = ambient * ka
     return color
@@ -460,6 +479,21 @@ def complex_square_row(
 
 
 @compiled
+def complex_square_twice_row(
+    real_part_row, imaginary_part_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        real_part = real_part_row[i]
+        imaginary_part = imaginary_part_row[i]
+        product_real_once = (-imaginary_part + real_part) * (imaginary_part + real_part)
+        product_imaginary_once = 2.0 * imaginary_part * real_part
+        product_real = (-product_imaginary_once + product_real_once) * (product_imaginary_once + product_real_once)
+        product_imaginary = 2.0 * product_imaginary_once * product_real_once
+        real_part_row[i] = product_real
+        imaginary_part_row[i] = product_imaginary
+
+
+@compiled
 def complex_product_row(
     real_part_row, imaginary_part_row, other_real_row, other_imaginary_row, start, stop
 ):
@@ -481,6 +515,19 @@ def square_row(
     for i in range(np.uint64(start), np.uint64(stop)):
         base = base_row[i]
         power = base * base
+        base_row[i] = power
+
+
+@compiled
+def sixteenth_power_row(
+    base_row, start, stop
+):
+    for i in range(np.uint64(start), np.uint64(stop)):
+        base = base_row[i]
+        second = base * base
+        fourth = second * second
+        eighth = fourth * fourth
+        power = eighth * eighth
         base_row[i] = power
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from renderer.kernels import compiled, complex_product_row, complex_square_row
+from renderer.kernels import compiled, complex_product_row, complex_square_row, complex_square_twice_row
 
 
 @compiled
@@ -16,6 +16,9 @@ def powers_of_angles(cosine, sine, orientation, exponent, real, imaginary, other
         return
     for i in range(np.uint64(count)):
         real[i], imaginary[i] = orientation * cosine[i], reflection * sine[i]
+    while not remaining & 3:
+        complex_square_twice_row(real, imaginary, 0, count)
+        remaining >>= 2
     while not remaining & 1:
         complex_square_row(real, imaginary, 0, count)
         remaining >>= 1

@@ -23,6 +23,7 @@ from renderer.kernels import (
     normal_of_b_row,
     phong_on_floor_row,
     phong_row,
+    sixteenth_power_row,
     square_row,
     view_length_row,
 )
@@ -60,6 +61,9 @@ def raise_to_shininess(base, shine, shininess, power, count):
     if power == 0:
         highlight_row(base, shininess, shine, 0, count)
         return
+    while not power & 15:
+        sixteenth_power_row(base, 0, count)
+        power >>= 4
     while not power & 1:
         square_row(base, 0, count)
         power >>= 1

@@ -71,6 +71,14 @@ def test_a_body_out_of_the_lights_reach():
     assert work_of(below)["shadow_tests"] == work_of(replace(below, ball=False))["shadow_tests"]
 
 
+def test_a_body_that_clears_the_cone_of_light():
+    """A cannot shade B in the chapter's scene; it can once a light stands so low that A is between them."""
+    alone = work_of(replace(DEFAULT, floor=False))
+    assert 0 < alone["shadow_tests"] <= 2 * alone["pixels_a"]
+    low = replace(DEFAULT, floor=False, lights=(Light((-3.0, -3.0, -1.0)),))
+    assert work_of(low)["shadow_tests"] >= work_of(low)["pixels_b"] > 0
+
+
 def test_an_occluded_light_is_not_computed():
     frame = render(DEFAULT, *SIZE, count=True)
     lit = sum(int(((frame.chambers & bit == 0) & (frame.chambers & 3 > 0)).sum()) for bit in (4, 8))

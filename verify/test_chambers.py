@@ -85,6 +85,18 @@ def test_degenerate_scenes(case, size):
     assert differing_pixels(Scene(**TOUCHING[case]), *size) == 0
 
 
+def test_a_shadow_left_out_is_noticed(monkeypatch):
+    """As if A cleared every cone of light: it shades B here."""
+    scene = Scene(lights=(Light((-3.0, -3.0, -1.0)),))
+    assert differing_pixels(scene, 64, 64) == 0
+    prepared.cache_clear()
+    monkeypatch.setattr(bounds, "_casts", lambda *where: False)
+    found = differing_pixels(scene, 64, 64)
+    monkeypatch.undo()
+    prepared.cache_clear()
+    assert found > 0
+
+
 def test_a_box_too_small_is_noticed(monkeypatch):
     prepared.cache_clear()
     monkeypatch.setattr(bounds, "GUARD", -6)

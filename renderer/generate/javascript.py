@@ -58,6 +58,9 @@ function rint(a) {
 
 UNUSED = {
     "tangent_interval",
+    "shadow_clearance",
+    "sixteenth_power",
+    "complex_square_twice",
     "chart_v",
     "highlight",
     "diffuse_term",

@@ -2,7 +2,18 @@
 
 from dataclasses import dataclass
 
-from proofs import algebraic_form, bounds, bump, camera, creases, finite_difference, height_fields, shading, shadow
+from proofs import (
+    algebraic_form,
+    bounds,
+    bump,
+    camera,
+    creases,
+    finite_difference,
+    height_fields,
+    shading,
+    shadow,
+    shadow_cone,
+)
 from proofs.chart import chart
 from proofs.program import Program, chain
 from proofs.symbols import (
@@ -67,15 +78,28 @@ def _power_kernels():
     """Return the kernels that square and multiply complex numbers and highlights, in place."""
     a, b = algebraic_form.real_part, algebraic_form.imaginary_part
     c, d = algebraic_form.other_real, algebraic_form.other_imaginary
-    base, power = real("base power")
+    base, power, second, fourth, eighth = real("base power second fourth eighth")
     square = Program("square", (base,), ((power, base**2),), (power,))
+    squarings = ((second, base**2), (fourth, second**2), (eighth, fourth**2), (power, eighth**2))
+    sixteenth = Program("sixteenth_power", (base,), squarings, (power,))
     multiply = Program("multiply", (specular, base), ((power, specular * base),), (power,))
     return [
         RowKernel(algebraic_form.complex_square, (a, b), (a, b)),
+        RowKernel(_twice(algebraic_form.complex_square), (a, b), (a, b)),
         RowKernel(algebraic_form.complex_product, (a, b, c, d), (a, b)),
         RowKernel(square, (base,), (base,)),
+        RowKernel(sixteenth, (base,), (base,)),
         RowKernel(multiply, (specular, base), (specular,)),
     ]
+
+
+def _twice(program):
+    """Return a program done twice in a row, its outputs being its inputs: `{name}_twice`."""
+    first = {out: real(f"{out.name}_once") for out in program.outputs}
+    lines = tuple((first[symbol], expression) for symbol, expression in program.definitions)
+    again = dict(zip(program.inputs, (first[out] for out in program.outputs), strict=True))
+    lines += tuple((symbol, expression.xreplace(again)) for symbol, expression in program.definitions)
+    return Program(f"{program.name}_twice", program.inputs, lines, program.outputs)
 
 
 def difference(method, field):
@@ -147,6 +171,7 @@ ONCE_A_SCENE = [
     camera.image_point.keep(x, name="image_x"),
     camera.image_point.keep(camera.y, name="image_y"),
     bounds.tangent_interval,
+    shadow_cone.shadow_clearance,
     shading.ambient_term,
     shading.floor_albedo,
 ]

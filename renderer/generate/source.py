@@ -131,9 +131,9 @@ def wave_numbers_program(field):
     )
 
 
-def kernels_source():
-    """Return the text of renderer/kernels.py."""
-    printer = NumbaPrinter()
+def kernels_source(printer=None):
+    """Return the text of renderer/kernels.py, its expressions printed for Numba or by another `printer`."""
+    printer = printer or NumbaPrinter()
     fields = HEIGHT_FIELDS.values()
     parts = [print_function(name, program, printer) for name, program in elementary_functions()]
     parts.append(print_function(DISCRIMINANT_OF_A.name, DISCRIMINANT_OF_A, printer, "@compiled\n"))

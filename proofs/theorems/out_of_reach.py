@@ -1,0 +1,113 @@
+"""When one sphere cannot shade another: the segments from a light to a ball fill a cone, and the body clears it."""
+
+from sympy import Rational
+
+from ..claim import Claim, at_least, equation, greater
+from ..shadow import body_radius
+from ..shadow_cone import along, at_light, curvature, from_body, half_slope, shadow_clearance
+from ..symbols import ball_radius, cross, dot, real, vector
+from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+
+axis, aside = vector("axis"), vector("aside")
+distance, wander, reach, product, share = real("distance wander reach product share")
+_met = tuple(p + q for p, q in zip(axis, aside, strict=True))
+_cone = Claim(
+    "cone",
+    (
+        equation(distance**2 * wander**2 - product**2, dot(cross(axis, aside), cross(axis, aside))),
+        at_least(distance**2 * wander**2 - product**2, 0),
+        greater(distance * wander, 0),
+        at_least(distance * wander + product, 0),
+        equation(dot(_met, _met), (distance - wander) ** 2 + 2 * (distance * wander + product)),
+        greater(distance - wander, body_radius),
+        greater((distance - wander) ** 2, body_radius**2),
+        greater(dot(_met, _met), body_radius**2),
+    ),
+    (
+        body_radius > 0,
+        wander > 0,
+        reach >= wander,
+        distance > body_radius + reach,
+        equation(distance**2, dot(axis, axis)),
+        equation(wander**2, dot(aside, aside)),
+        equation(product, dot(axis, aside)),
+    ),
+    squares=cross(axis, aside),
+)
+_on_axis = tuple(w + share * d for w, d in zip(from_body, along, strict=True))
+_value = at_light + share * (2 * half_slope + share * curvature)
+_quadratic = Claim(
+    "quadratic",
+    (equation(dot(_on_axis, _on_axis) - (body_radius + share * ball_radius) ** 2, _value),),
+    (),
+    shadow_clearance.keep(at_light, half_slope, curvature, name="along_the_axis"),
+)
+_low, _slope, _bend, _at = real("low slope bend at")
+_parabola = _low + share * (2 * _slope + share * _bend)
+_inside = (share >= 0, share <= 1)
+_least = tuple(
+    Claim(name, (at_least(_parabola, bound),), (*_inside, *given))
+    for name, bound, given in (
+        ("turns_before", _low, (_bend > 0, _slope >= 0)),
+        ("turns_between", _low + _at * (2 * _slope + _at * _bend), (_bend > 0, equation(_slope + _at * _bend, 0))),
+        ("turns_after", _low + 2 * _slope + _bend, (_bend > 0, _slope + _bend <= 0)),
+    )
+)
+_chord = Claim(
+    "bends_down",
+    (at_least(_parabola, (1 - share) * _low + share * (_low + 2 * _slope + _bend)),),
+    (*_inside, _bend <= 0),
+)
+
+
+def _points(apart):
+    """Return a body of radius 1 at the origin, and a point `apart` along x that strays back by 1."""
+    vectors = zip((*axis, *aside), (apart, 0, 0, -1, 0, 0), strict=True)
+    return (*vectors, (distance, apart), (wander, 1), (reach, 1), (product, -apart), (body_radius, 1))
+
+
+theorem = Theorem(
+    id="shadow_out_of_reach",
+    title="A body that clears the cone of light casts no shadow",
+    section="s4",
+    statement=r"The segments from a light $L$ to a ball (centre $C$, radius $s$) pass at share $t$ of the way "
+    r"within $ts$ of $L + t(C-L)$. If $|L - c + t(C-L)| > r + ts$ for all $t \in [0,1]$, no such segment meets the "
+    r"ball of radius $r$ about $c$. The squares' difference is a quadratic in $t$, least at an end or where it turns.",
+    hypotheses=("$r, s > 0$",),
+    claims=(_cone, _quadratic, *_least, _chord),
+    uses=(),
+    steps=(
+        Step(r"$X\cdot w \ge -|X||w|$, so $|X + w| \ge |X| - |w|$", "Lagrange's identity"),
+        Step(r"$|X| - |w| > r + ts - |w| \ge r$", r"$|w| \le ts$"),
+        Step(
+            r"$|X(t)|^2 - (r+ts)^2 = f_0 + 2f_1 t + f_2 t^2$",
+            "expansion; its least value on $[0,1]$ by the sign of $f_2$",
+        ),
+    ),
+    mutants=(
+        Mutant(
+            "without the ball's reach",
+            _cone.but(
+                shows=_cone.shows[-1:],
+                given=(
+                    body_radius > 0,
+                    wander > 0,
+                    reach >= wander,
+                    distance > body_radius,
+                    equation(distance**2, dot(axis, axis)),
+                    equation(wander**2, dot(aside, aside)),
+                    equation(product, dot(axis, aside)),
+                ),
+            ),
+            _points(Rational(3, 2)),
+        ),
+        Mutant("the ends are enough", _least[1].but(shows=(at_least(_parabola, _low),))),
+        Mutant(
+            "a ball of radius s all the way",
+            _quadratic.but(shows=(equation(dot(_on_axis, _on_axis) - (body_radius + ball_radius) ** 2, _value),)),
+        ),
+    ),
+    side_conditions=(
+        SideCondition("$|X| > r + ts$", "cone", (Edge(_points(Rational(5, 2)), "holds"), Edge(_points(2), "fails"))),
+    ),
+)
