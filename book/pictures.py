@@ -31,6 +31,7 @@ def panels(
     height = top + max(h for _, h in sizes) + foot
     fig = Figure(figsize=(width / CSS_PIXELS_PER_INCH, height / CSS_PIXELS_PER_INCH), layout="none")
     fig.pixel_exact = True  # the page may not scale it
+    fig.pictures = tuple(images)  # kept beside the figure, with its data
     left = 0
     for index, (image, (w, h)) in enumerate(zip(images, sizes, strict=True)):
         ax = fig.add_axes([left / width, (height - top - h) / height, w / width, h / height])

@@ -21,7 +21,8 @@ def book(tmp_path):
         folder.mkdir(parents=True)
     (tmp_path / "book" / "sweep.py").touch()
     sweep = {"kind": "svg", "size": [640, 300], "numbers": {"rms_1e-3": 0.01214, "flips": 0}}
-    sweep |= {"source": "book/sweep.py", "function": "sweep"}
+    sweep |= {"source": "book/sweep.py", "function": "sweep", "data": "sweep.csv", "key": "0123456789abcdef"}
+    (generated / "sweep.csv").write_text("step,rms\n0.001,0.01214\n")
     (generated / "sweep.json").write_text(json.dumps(sweep))
     (generated / "sweep.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
     (generated / "sweep.dark.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
@@ -136,7 +137,8 @@ def test_figure_has_number_label_alt_text_and_provenance(build_page):
     assert 'class="plot only-dark"' in html and 'class="plot only-light"' in html
     assert 'href="#fig-sweep"><span class="std std-numref">Fig. 1</span>' in html
     assert '<span class="number">0.01214</span>' in html
-    assert "sweep.json" in html and "sweep.py" in html and "figures</span> <span" in html
+    assert all(name in html for name in ("sweep.json", "sweep.csv", "sweep.py")) and "figures</span> <span" in html
+    assert "0123456789abcdef" in html
 
 
 @pytest.mark.parametrize(

@@ -29,7 +29,8 @@ def curve() -> Drawing:
     decades(ax)
     label_line_end(ax, 1.0, 1.0, "error", palette()["numeric"])
     slope_triangle(ax, 1e-4, 1e-9, 2, "2")
-    return Drawing(fig, numbers={"count": np.int64(3), "least": np.float32(0.5), "wins": np.bool_(True)})
+    numbers = {"count": np.int64(3), "least": np.float32(0.5), "wins": np.bool_(True)}
+    return Drawing(fig, numbers=numbers, data={"step": steps, "error": steps**2})
 
 
 def test_ids_are_plain_and_unique(no_figures):
@@ -107,7 +108,7 @@ def test_other_pictures_are_refused(tmp_path, picture):
 
 def test_figure_whose_numbers_change_when_drawn_again_is_refused(tmp_path):
     numbers = iter([1, 2])
-    entry = Registered("unsteady", lambda: Drawing(Figure(), numbers={"n": next(numbers)}))
+    entry = Registered("unsteady", lambda: Drawing(Figure(), numbers={"n": next(numbers)}, data={"n": [1]}))
     with pytest.raises(ValueError, match="other numbers"):
         save.save(entry, tmp_path, "x.py", "key")
 

@@ -35,6 +35,11 @@ def _image(reach):
     return maps.over_the_image(size=SIDE, reach=reach)
 
 
+def _maps(found):
+    """Return the errors that the pictures show, in units of the rounding, NaN where there is none."""
+    return {name: found[name] for name in ("seed", "ours")}
+
+
 def _numbers(found):
     numbers = {}
     for name in ("seed", "ours"):
@@ -47,7 +52,7 @@ def accuracy_chart() -> Drawing:
     """The error of h_u over the chart, relative to h_u itself, in units of 2^-53: the seed's form and ours."""
     found = _chart()
     fig = panels(list(_pictures(found, 2)), TITLES, bar=(LOW, HIGH), bar_label=LABEL)
-    return Drawing(fig, numbers=_numbers(found) | {"side": SIDE})
+    return Drawing(fig, numbers=_numbers(found) | {"side": SIDE}, data=_maps(found))
 
 
 @figure("accuracy_image")
@@ -55,7 +60,7 @@ def accuracy_image() -> Drawing:
     """The error of g over sphere A, in units of 2^-53 π k: the seed's form and ours."""
     found = _image(1.0)
     fig = panels(list(_pictures(found, 2)), TITLES, bar=(LOW, HIGH), bar_label=LABEL)
-    return Drawing(fig, numbers=_numbers(found))
+    return Drawing(fig, numbers=_numbers(found), data=_maps(found))
 
 
 @figure("accuracy_pole")
@@ -63,4 +68,4 @@ def accuracy_pole() -> Drawing:
     """The same about the pole, enlarged a thousand times."""
     found = _image(REACH)
     fig = panels(list(_pictures(found, 2)), TITLES, bar=(LOW, HIGH), bar_label=LABEL)
-    return Drawing(fig, numbers=_numbers(found) | {"reach": REACH})
+    return Drawing(fig, numbers=_numbers(found) | {"reach": REACH}, data=_maps(found))

@@ -41,4 +41,4 @@ def attached_shadow() -> Drawing:
         "second_share": second.sum() / on_a,
         "either_share": (first | second).sum() / on_a,
     }
-    return Drawing(fig, numbers=numbers)
+    return Drawing(fig, numbers=numbers, data=dict(zip(("first", "second"), turned(size), strict=True)))

@@ -50,7 +50,8 @@ def attribution_pictures() -> Drawing:
     for eps, kinds in zip(STEPS, _kinds(), strict=True):
         shares = attribution.shares(kinds[kinds > -2])
         numbers |= {f"{key}_{eps:.0e}": share for key, share in zip(KEYS, shares.values(), strict=True)}
-    return Drawing(fig, numbers=numbers)
+    kinds = {f"kinds_{eps:.0e}": kinds for eps, kinds in zip(STEPS, _kinds(), strict=True)}
+    return Drawing(fig, numbers=numbers, data={"kinds": list(COLOURS)} | kinds)
 
 
 def _legend(fig):
@@ -102,4 +103,4 @@ def attribution_shares() -> Drawing:
     ):
         ax.text(x, y, name, ha="center", va="center", color="#1d1c1a", backgroundcolor=COLOURS[name])
     most = {f"{key}_most": values.max() for key, values in zip(KEYS, shares.values(), strict=True)}
-    return Drawing(fig, numbers=most | {"points": 400})
+    return Drawing(fig, numbers=most | {"points": 400}, data={"step": SWEEP, **shares})

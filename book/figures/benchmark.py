@@ -46,6 +46,11 @@ def curve(numbers, renderer, threads):
     return np.array(sorted((int(match[1]) ** 2, value) for match, value in matches if match)).T
 
 
+def columns(rows, names):
+    """Return rows as named columns."""
+    return dict(zip(names, zip(*rows, strict=True), strict=True))
+
+
 def label_ends(ax, ends):
     """Name the lines that end at [(pixels, ms, label, colour)] in a column right of the longest.
 
@@ -64,9 +69,11 @@ def time_against_pixels() -> Drawing:
     """Time of the default frame against its pixels, every renderer, with the fitted slope of the algebraic one."""
     numbers, colours = measured(FRAMES), palette()
     fig, ax = plot(height=4.6)
-    ends = []
+    ends, rows = [], []
     for renderer, (label, role, dashes, threads) in RENDERERS.items():
         pixels, times = curve(numbers, renderer, threads)
+        for count in (1, 2):
+            rows += [(renderer, count, *point) for point in curve(numbers, renderer, count).T]
         ax.plot(pixels, times, color=colours[role], linestyle=dashes, marker="o", markersize=3.6)
         if threads == 2:
             ax.plot(*curve(numbers, renderer, 1), color=colours[role], linestyle=dashes, linewidth=0.7)
@@ -78,7 +85,7 @@ def time_against_pixels() -> Drawing:
     slope_triangle(ax, 4e5, 0.2 * np.interp(4e5, pixels, times), numbers["exponent_2"], f"{numbers['exponent_2']:.3f}")
     ax.set_xlabel("pixels, $64^2$ to $8192^2$")
     ax.set_ylabel("milliseconds a frame")
-    return Drawing(fig)
+    return Drawing(fig, data=columns(rows, ("renderer", "threads", "pixels", "ms")))
 
 
 def around(values):
@@ -94,10 +101,12 @@ def gradient_time_against_error() -> Drawing:
     fig, ax = plot(height=4.6)
     decades(ax, "x")
     decades(ax, "y", every=2)
+    rows = []
     for method, (label, role, ours, offset) in METHODS.items():
         if f"{method}_ns" not in numbers:
             continue
         at, colour = (numbers[f"{method}_ns"], numbers[f"{method}_error"]), colours[role]
+        rows.append((method, *at))
         ax.plot(*at, "o", markersize=6, color=colour, markerfacecolor=colour if ours else "none", markeredgewidth=1.4)
         align = {"ha": "left" if offset[0] > 0 else "right", "va": "center"}
         ax.annotate(label, at, xytext=offset, textcoords="offset points", color=readable(colour), **align)
@@ -105,4 +114,4 @@ def gradient_time_against_error() -> Drawing:
     ax.set_ylim(*around(value for key, value in numbers.items() if key.endswith("_error")))
     ax.set_xlabel("nanoseconds a point, one thread")
     ax.set_ylabel("largest error of $h_u$ or $h_v$")
-    return Drawing(fig)
+    return Drawing(fig, data=columns(rows, ("method", "ns", "error")))

@@ -32,9 +32,11 @@ def best_step() -> Drawing:
         decades(ax, "both")
         ax.set_xlabel("wave number $k_u$")
         ax.set_ylabel(name)
-    numbers = {}
+    numbers, data = {}, {"wave_number": WAVE_NUMBERS}
     for representable, short in ((False, "plain"), (True, "trick")):
         proved, seen = _found(representable)
+        for index, what in enumerate(("step", "floor")):
+            data |= {f"{short}_{what}": seen[:, index], f"{short}_{what}_proved": proved[:, index]}
         for k in (8, 512):
             i = WAVE_NUMBERS.index(k)
             numbers |= {f"{short}_{k}_step": seen[i, 0], f"{short}_{k}_floor": seen[i, 1]}
@@ -42,4 +44,4 @@ def best_step() -> Drawing:
         if not (seen[:, 1] <= proved[:, 1]).all():
             raise ValueError(f"a measured floor ({short}) is above the proved one")
     numbers |= {f"gain_{k}": numbers[f"plain_{k}_floor"] / numbers[f"trick_{k}_floor"] for k in (8, 512)}
-    return Drawing(fig, numbers=numbers)
+    return Drawing(fig, numbers=numbers, data=data)

@@ -18,6 +18,7 @@ def crease() -> Drawing:
     offsets = np.linspace(-0.03, 0.03, 601)
     exact_slope = gradient_at(SCENE, CREASE + offsets, ROW, exact())[0]
     fig, ax = plot(height=3.6)
+    data = {"offset": offsets, "exact": exact_slope}
     blue, orange = palette()["symbolic"], palette()["numeric"]
     left, right = offsets < 0, offsets > 0
     for side in (left, right):
@@ -25,6 +26,7 @@ def crease() -> Drawing:
     ax.plot(0, 0, marker="o", color=blue, markersize=5)
     for eps, dash in ((0.02, (0, ())), (0.01, (0, (5, 2))), (0.004, (0, (2, 1.5)))):
         slope = gradient_at(SCENE, CREASE + offsets, ROW, central(eps))[0]
+        data[f"central_{eps:g}"] = slope
         ax.plot(offsets, slope, color=orange, linewidth=1.3, linestyle=dash)
         corner = int(np.searchsorted(offsets, eps))
         text = f"ε = {eps:g}" if eps == 0.02 else f"{eps:g}"
@@ -48,4 +50,4 @@ def crease() -> Drawing:
         "mean_off": off_kink,
         "orders": float(np.log10(on_kink / off_kink)),
     }
-    return Drawing(fig, numbers=numbers)
+    return Drawing(fig, numbers=numbers, data=data)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from book.figures.registry import FIGURES, Registered
 
-INFRASTRUCTURE = {"__main__", "discover", "draw", "fresh", "keys", "registry", "save"}
+INFRASTRUCTURE = {"__main__", "data", "discover", "draw", "fresh", "keys", "registry", "save", "trace"}
 
 
 def all_figures() -> dict[str, Registered]:

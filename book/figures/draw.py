@@ -2,14 +2,14 @@
 
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from tqdm import tqdm
 
 from book import report, stamps
-from book.figures import keys, save
+from book.figures import keys, save, trace
 from book.figures.discover import all_figures
-from book.figures.registry import UnknownFigure
+from book.figures.registry import Registered, UnknownFigure
 
 
 def draw(ids: Sequence[str] = (), force: bool = False) -> int:
@@ -19,12 +19,7 @@ def draw(ids: Sequence[str] = (), force: bool = False) -> int:
     if unknown:
         raise UnknownFigure(f"no figure is called {', '.join(unknown)}; there are: {', '.join(figures) or 'none'}")
     _remove_unclaimed(figures)
-    waiting = []
-    for id in ids or figures:
-        now = keys.sources(figures[id])
-        reason = "asked for" if force else keys.why_redraw(figures[id], now)
-        if reason:
-            waiting.append((figures[id], now, reason))
+    waiting = _waiting([figures[id] for id in ids or figures], force)
     bar = tqdm(waiting, unit="figure", leave=False, disable=not (waiting and sys.stderr.isatty()))
     for entry, now, reason in bar:
         bar.set_description(entry.id)
@@ -35,10 +30,24 @@ def draw(ids: Sequence[str] = (), force: bool = False) -> int:
     return len(waiting)
 
 
-def _draw_one(entry, now: dict[str, str]) -> None:
+def _waiting(entries: Iterable[Registered], force: bool) -> list[tuple[Registered, dict[str, str], str]]:
+    """The figures to draw, each with the hashes of its sources and the reason."""
+    found = []
+    for entry in entries:
+        now = keys.sources(entry)
+        reason = "asked for" if force else keys.why_redraw(entry, now)
+        if reason:
+            found.append((entry, now, reason))
+    return found
+
+
+def _draw_one(entry: Registered, now: dict[str, str]) -> None:
+    """Draw a figure and keep its key; an error if it read a file of the repository that its key lacks."""
     stamps.remove(f"figures/{entry.id}")
     source = keys.source_file(entry).relative_to(stamps.ROOT).as_posix()
-    files = save.save(entry, keys.GENERATED, source, stamps.key(now))
+    with trace.files_read() as seen:
+        files = save.save(entry, keys.GENERATED, source, stamps.key(now))
+    keys.require(entry, seen, now)
     stamps.write(f"figures/{entry.id}", {"files": files, "sources": now})
 
 

@@ -46,7 +46,7 @@ def _samples(name):
 def elementary_ulps() -> Drawing:
     """The certified error of sinpi, cospi and atan2pi over the reduced range, in ulps, and measured errors below it."""
     fig, axes = plot("page", 3.2, ncols=3, sharey=True)
-    colour, numbers = palette()["difference"], {}
+    colour, numbers, data = palette()["difference"], {}, {}
     for ax, (name, label) in zip(axes, NAMES.items(), strict=True):
         ends, certified, arguments, errors = _samples(name)
         ax.plot(arguments, errors, color=colour, linewidth=0, marker="o", markersize=1.6)
@@ -54,6 +54,7 @@ def elementary_ulps() -> Drawing:
         ax.set_title(label)
         ax.set_xlabel("t" if name == "atan2pi" else "r")
         ax.set_xlim(0, None)
+        data |= {f"{name}_ends": ends, f"{name}_certified": certified, f"{name}_at": arguments, f"{name}_error": errors}
         numbers |= {f"{name}_largest": max(errors), f"{name}_samples": len(errors)}
     axes[0].set_ylim(0, 3)
     axes[0].set_ylabel("error, ulps")
@@ -62,4 +63,4 @@ def elementary_ulps() -> Drawing:
     label_line_end(axes[0], 0.145, 2.2, "measured", readable(colour))
     for name, bound in CERTIFIED.items():
         numbers |= {f"{name}_bound": float(bound), f"{name}_certified": float(worst(_pieces(name)))}
-    return Drawing(fig, numbers=numbers)
+    return Drawing(fig, numbers=numbers, data=data)

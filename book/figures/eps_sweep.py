@@ -46,14 +46,14 @@ def eps_sweep() -> Drawing:
     ax.set_ylabel("RMS difference on A")
     smallest = {f"{field}_least": curve.min() for field, curve in curves.items()}
     at = {f"{field}_best_eps": steps[curve.argmin()] for field, curve in curves.items()}
-    return Drawing(fig, numbers=smallest | at)
+    return Drawing(fig, numbers=smallest | at, data={"step": steps, **curves})
 
 
 @figure("eps_table")
 def eps_table() -> Drawing:
     """The ε-table of the default scene, 256 × 256, and the facts beside it; numbers only."""
-    scene, numbers = Scene(), {}
-    for row in sweep(scene, SIZE, SIZE):
+    scene, numbers, rows = Scene(), {}, sweep(Scene(), SIZE, SIZE)
+    for row in rows:
         name = f"1e{round(np.log10(row.eps))}"
         numbers |= {
             f"largest_{name}": row.largest,
@@ -78,4 +78,5 @@ def eps_table() -> Drawing:
     }
     tiny = render(scene, SIZE, SIZE, central(1e-8), stage=symbolic().stage)
     numbers["black_times_100"] = 100 * float(np.abs(difference_on_a(tiny, symbolic())).max())
-    return Drawing(numbers=numbers)
+    table = {name: [getattr(row, name) for row in rows] for name in ("eps", "largest", "rms", "flips", "straddling")}
+    return Drawing(numbers=numbers, data=table)

@@ -24,9 +24,11 @@ def frontier_wall() -> Drawing:
     texels = np.array(wall.TEXELS)
     fig, axes = plot(height=4.2, ncols=2, sharey=True)
     colour, numbers = palette()["difference"], {"slope": np.pi * wall.KU, "points": wall.POINTS}
+    data = {"texels": texels}
     for ax, field in zip(axes, ("sine", "ridges"), strict=True):
         for kind, dash in KINDS.items():
             largest, rms = _errors(field, kind)
+            data |= {f"{field}_{kind}_largest": largest, f"{field}_{kind}_rms": rms}
             ax.plot(texels, largest, color=colour, linestyle=dash, marker="o", markersize=4)
             ax.plot(texels, rms, color=palette()["muted"], linestyle=dash, linewidth=1.2)
             numbers |= {f"{field}_{kind}_order": wall.order(largest), f"{field}_{kind}_rms_order": wall.order(rms)}
@@ -47,7 +49,7 @@ def frontier_wall() -> Drawing:
     slope_triangle(axes[0], 120, 1.5e-1, -1, "1", decades=0.5)
     slope_triangle(axes[0], 60, 3e-4, -3, "3", decades=0.4)
     slope_triangle(axes[1], 120, 1.5e-1, -0.5, "½", decades=0.5)
-    return Drawing(fig, numbers=numbers)
+    return Drawing(fig, numbers=numbers, data=data)
 
 
 def _degree_bar(high, tall):
@@ -84,9 +86,10 @@ def frontier_angles() -> Drawing:
         height = bar.y0 + bar.height * angle / MOST
         fig.text(bar.x0 + 0.38 * bar.width, height, f"{angle}°", va=place, color=palette()["ink"])
     numbers = {"beta": SCENE.beta, "most": MOST}
-    for key, angles in zip(("chapter", "sign", "scale", "metric"), full.values(), strict=True):
+    keys = ("chapter", "sign", "scale", "metric")
+    for key, angles in zip(keys, full.values(), strict=True):
         numbers |= {f"{key}_median": np.nanmedian(angles), f"{key}_largest": np.nanmax(angles)}
-    return Drawing(fig, numbers=numbers)
+    return Drawing(fig, numbers=numbers, data=dict(zip(keys, _angles(side).values(), strict=True)))
 
 
 @cache
@@ -115,7 +118,9 @@ def frontier_silhouette() -> Drawing:
     for curve, order, below in ((moved, "1", 6), (first, "2", 6), (second, "3", 20)):
         slope_triangle(ax, 3e-3, np.interp(3e-3, betas, curve) / below, int(order), order, decades=0.4)
     numbers = {f"order_{n}": order for n, order in enumerate(orders)}
-    return Drawing(fig, numbers=numbers | {"beta": betas[-1], "moved": moved[-1], "left": second[-1]})
+    numbers |= {"beta": betas[-1], "moved": moved[-1], "left": second[-1]}
+    data = {"beta": betas, "moved": moved, "less_first_order": first, "less_second_order": second}
+    return Drawing(fig, numbers=numbers, data=data)
 
 
 @cache
@@ -136,4 +141,7 @@ def frontier_leaks() -> Drawing:
     numbers = {"pixels_a": int(symbolic("ridges", 256).stage.on_a.sum())}
     for name, (leak, miss) in zip(("first", "second"), _leaks(256), strict=True):
         numbers |= {f"{name}_leaks": int(leak.sum()), f"{name}_missed": int(miss.sum())}
-    return Drawing(fig, numbers=numbers)
+    data = {}
+    for name, (leak, miss) in zip(("first", "second"), _leaks(size), strict=True):
+        data |= {f"{name}_leaks": leak, f"{name}_missed": miss}
+    return Drawing(fig, numbers=numbers, data=data)

@@ -25,9 +25,10 @@ def _curves(field):
 def image_error() -> Drawing:
     """The largest and the RMS difference of the pictures on A against ε, 256 × 256, for sine, ridges and rings."""
     fig, axes = plot("page", 3.4, ncols=3, sharey=True)
-    colour, numbers = palette()["difference"], {}
+    colour, numbers, data = palette()["difference"], {}, {"step": STEPS}
     for ax, field in zip(axes, FIELD_NAMES, strict=True):
         largest, mean = _curves(field)
+        data |= {f"{field}_largest": largest, f"{field}_rms": mean}
         ax.plot(STEPS, largest, color=colour, linewidth=1.5)
         ax.plot(STEPS, mean, color=colour, linewidth=1.2, linestyle=(0, (2, 1.5)))
         decades(ax, "both", every=4)
@@ -42,4 +43,4 @@ def image_error() -> Drawing:
     largest, mean = _curves(FIELD_NAMES[0])
     label_line_end(axes[0], STEPS[40], largest[40] * 3, "largest", readable(colour), side="above")
     label_line_end(axes[0], STEPS[40], mean[40] / 3, "RMS", readable(colour), side="below")
-    return Drawing(fig, numbers=numbers)
+    return Drawing(fig, numbers=numbers, data=data)

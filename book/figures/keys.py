@@ -1,6 +1,7 @@
 """Whether a figure is up to date, and if not, why."""
 
 import inspect
+from collections.abc import Iterable
 from pathlib import Path
 
 from book import stamps
@@ -24,6 +25,13 @@ def sources(entry: Registered) -> dict[str, str]:
     style = stamps.ROOT / "book" / "matplotlibrc"
     code = stamps.reachable(source_file(entry)) | stamps.reachable(SAVING)
     return stamps.hashes([*code, *data, style, stamps.LOCK_FILE])
+
+
+def require(entry: Registered, read: Iterable[Path], now: dict[str, str]) -> None:
+    """Raise ValueError if a figure read a file of the repository whose hash is not among its sources."""
+    unknown = sorted({path.relative_to(stamps.ROOT).as_posix() for path in read} - now.keys())
+    if unknown:
+        raise ValueError(f"figure {entry.id!r} read {unknown[0]}, which is not in its key: name it in data=[…]")
 
 
 def why_redraw(entry: Registered, now: dict[str, str]) -> str | None:

@@ -74,7 +74,8 @@ def pole() -> Drawing:
         "seed_worst": plain.max(),
         "stable_worst": stable.max(),
     }
-    return Drawing(fig, numbers=numbers | _clamped_slopes())
+    data = {"sin_phi": sines, "seed": plain, "seed_with_fallback": guarded, "stable": stable}
+    return Drawing(fig, numbers=numbers | _clamped_slopes(), data=data)
 
 
 def _clamped_slopes():

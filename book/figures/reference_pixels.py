@@ -41,4 +41,6 @@ def reference_pixels() -> Drawing:
     label_line_end(ax, 7e-19, len(kinds) - 0.88, "error", readable(error), side="left")
     label_line_end(ax, 4e-12, len(kinds) - 1.2, "radius", readable(radius))
     numbers = {"pixels": len(pixels), "largest": max(p.error for p in pixels if not p.undecided)}
-    return Drawing(fig, numbers=numbers)
+    data = {name: [getattr(p, name) for p in pixels] for name in ("kind", "error", "radius")}
+    data["undecided"] = [bool(p.undecided) for p in pixels]
+    return Drawing(fig, numbers=numbers, data=data)

@@ -4,10 +4,11 @@
     def eps_sweep() -> Drawing:
         \"\"\"RMS of the difference on A against the step.\"\"\"
         ...
-        return Drawing(fig, numbers={"rms_1e-3": 0.0121})
+        return Drawing(fig, numbers={"rms_1e-3": 0.0121}, data={"step": steps, "rms": curve})
 
 A picture is a Matplotlib figure (drawn twice, for the light page and the dark one: take colours from
 `book.style.palette()`), or a uint8 array (height, width, 3 or 4), or None where only the numbers are wanted.
+`data` is what the picture shows, by name: every curve that is drawn has to be in it (`book/figures/data.py`).
 """
 
 import math
@@ -29,10 +30,11 @@ class UnknownFigure(ValueError):
 
 @dataclass(frozen=True)
 class Drawing:
-    """A picture and the numbers that its caption and the prose cite."""
+    """A picture, the numbers that its caption and the prose cite, and the arrays that it shows."""
 
     picture: Any = None
     numbers: Mapping[str, Any] = field(default_factory=dict)
+    data: Mapping[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

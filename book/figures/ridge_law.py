@@ -39,14 +39,15 @@ def ridge_law() -> Drawing:
     ax.set_xlabel("step ε")
     ax.set_ylabel("RMS error of the slope")
     slope_triangle(ax, 3e-8, 2e-4, 0.5, "½")
-    numbers = {}
+    numbers, data = {}, {"step": STEPS, "raster_h_u": raster}
     for name, values in law.items():
         right, room = predicted(name, STEPS)
         if (np.abs(values - right) > room + 1e-9).any():
             raise ValueError(f"the RMS of {name} is further from the theorem's than the theorem allows")
+        data |= {f"chart_{name}": values, f"law_{name}": right, f"law_{name}_room": room}
         numbers[f"{name}_slope"] = clamped_order.fitted_slope(STEPS[FITTED], values[FITTED])
         numbers[f"{name}_constant"] = float((values / right)[FITTED].max())
-    return Drawing(fig, numbers=numbers)
+    return Drawing(fig, numbers=numbers, data=data)
 
 
 @cache
@@ -72,4 +73,4 @@ def clamped_order_figure() -> Drawing:
     slope_triangle(ax, 3e-5, 3e-8, 2, "2")
     slope_triangle(ax, 3e-5, 8e-4, 1, "1")
     orders = {f: clamped_order.fitted_slope(clamped_order.STEPS, values) for f, values in _clamped().items()}
-    return Drawing(fig, numbers=orders)
+    return Drawing(fig, numbers=orders, data={"step": clamped_order.STEPS, **_clamped()})

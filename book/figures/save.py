@@ -1,4 +1,4 @@
-"""Turn a figure's drawing into files: ID.svg and ID.dark.svg, or ID.png, and always ID.json."""
+"""Turn a figure's drawing into files: ID.svg and ID.dark.svg, or ID.png; ID.csv or ID.npz; and always ID.json."""
 
 import io
 import json
@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from PIL import Image
 
+from book.figures.data import SUFFIXES, data_file
 from book.figures.registry import Drawing, Registered, plain_numbers
 from book.palette import dark, light
 from book.stamps import write_whole
@@ -17,27 +18,29 @@ CSS_PIXELS_PER_INCH = 96
 
 
 def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
-    """Draw a figure: its picture's files by suffix, and what its JSON says about them."""
+    """Draw a figure: its files by suffix, and what its JSON says about them."""
     with light(), styled():
         drawing = _called(entry)
         numbers = plain_numbers(entry.id, drawing.numbers)
         picture = drawing.picture
         if isinstance(picture, Figure):
-            files, size = {".svg": _svg(picture)}, _css_size(picture)
-    if isinstance(picture, Figure):
+            files, size, kind = {".svg": _svg(picture)}, _css_size(picture), "svg"
+        elif picture is None:
+            files, size, kind = {}, None, "numbers"
+        else:
+            files, size, kind = {".png": _png(entry.id, picture)}, [picture.shape[1], picture.shape[0]], "png"
+        data = data_file(entry.id, drawing)
+    if kind == "svg":
         with dark(), styled():
             again = _called(entry)
-            if plain_numbers(entry.id, again.numbers) != numbers:
+            if plain_numbers(entry.id, again.numbers) != numbers or data_file(entry.id, again) != data:
                 raise ValueError(f"figure {entry.id!r} gives other numbers when it is drawn again")
             files[".dark.svg"] = _svg(again.picture)
-        kind = "svg"
-    elif picture is None:
-        files, size, kind = {}, None, "numbers"
-    else:
-        files, size, kind = {".png": _png(entry.id, picture)}, [picture.shape[1], picture.shape[0]], "png"
     exact = kind == "png" or getattr(picture, "pixel_exact", False)
     about = " ".join((entry.draw.__doc__ or "").split("\n\n")[0].split())
-    return files, {"id": entry.id, "about": about, "kind": kind, "size": size, "exact": exact, "numbers": numbers}
+    beside = next((f"{entry.id}{suffix}" for suffix in data), None)
+    description = {"id": entry.id, "about": about, "kind": kind, "size": size, "exact": exact}
+    return files | data, description | {"data": beside, "numbers": numbers}
 
 
 def save(entry: Registered, folder: Path, source: str, key: str) -> list[str]:
@@ -45,7 +48,7 @@ def save(entry: Registered, folder: Path, source: str, key: str) -> list[str]:
     files, description = draw_files(entry)
     for suffix, content in files.items():
         write_whole(folder / f"{entry.id}{suffix}", content)
-    for suffix in {".svg", ".dark.svg", ".png"} - files.keys():
+    for suffix in {".svg", ".dark.svg", ".png", *SUFFIXES} - files.keys():
         (folder / f"{entry.id}{suffix}").unlink(missing_ok=True)
     description |= {"source": source, "function": entry.draw.__name__, "key": key}
     text = json.dumps(description, indent=2, ensure_ascii=False, allow_nan=False) + "\n"

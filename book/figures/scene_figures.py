@@ -22,7 +22,7 @@ def chambers() -> Drawing:
     fig = panels([image_view(frame), picture], ("the picture", "its chambers"))
     surfaces = np.bincount(symbolic().chambers.ravel() & 3, minlength=4)
     numbers = {"count": len(codes), "pixels_a": surfaces[1], "pixels_b": surfaces[2], "pixels_floor": surfaces[3]}
-    return Drawing(fig, numbers=numbers)
+    return Drawing(fig, numbers=numbers, data={"chambers": frame.chambers})
 
 
 @figure("height_fields")
@@ -30,15 +30,15 @@ def height_fields() -> Drawing:
     """The three height fields on the chart, the default wave numbers."""
     fig, axes = plot(width="page", height=3.1, ncols=3, sharey=True)
     u, v = np.meshgrid((np.arange(480) + 0.5) / 480, (np.arange(240) + 0.5) / 240)
-    for ax, field in zip(axes, FIELD_NAMES, strict=True):
-        h = height_at(Scene(field=field), u, v)
+    heights = {field: height_at(Scene(field=field), u, v) for field in FIELD_NAMES}
+    for ax, (field, h) in zip(axes, heights.items(), strict=True):
         image = ax.imshow(h, extent=(0, 1, 1, 0), aspect="auto", cmap="gray", vmin=-1, vmax=1, interpolation="nearest")
         ax.set_title(field)
         ax.set_xlabel("$u$")
     axes[0].set_ylabel("$v$")
     bar = fig.colorbar(image, ax=axes, label="$h$", ticks=[-1, 0, 1])
     bar.outline.set_visible(False)
-    return Drawing(fig, numbers={"ku": int(SCENE.ku), "kv": int(SCENE.kv)})
+    return Drawing(fig, numbers={"ku": int(SCENE.ku), "kv": int(SCENE.kv)}, data={"u": u[0], "v": v[:, 0], **heights})
 
 
 def _point(numbers):
@@ -65,13 +65,15 @@ def _visible_parallels(scene):
 
 
 def _draw_on_a(ax, frame, x, y, **line):
-    """Draw an image curve where sphere A is what the pixel shows."""
+    """Draw an image curve where sphere A is what the pixel shows; return its pixels, NaN where hidden, (2, n)."""
     columns, rows = frame.raster.image_points(SCENE)
     step = columns[1] - columns[0]
     column, row = (x - columns[0]) / step, (rows[0] - y) / step
     high, wide = frame.raster.shape
     nearest = np.clip(np.rint(row), 0, high - 1).astype(int), np.clip(np.rint(column), 0, wide - 1).astype(int)
-    ax.plot(np.where(frame.stage.on_a[nearest], column, np.nan), row, **line)
+    shown = np.array([np.where(frame.stage.on_a[nearest], column, np.nan), row])
+    ax.plot(*shown, **line)
+    return shown
 
 
 @figure("kink_loci")
@@ -83,13 +85,14 @@ def kink_loci() -> Drawing:
     limits = ax.axis()
     rim = float(silhouette_of_a.expand(rho_silhouette).subs({eye: SCENE.eye, radius: SCENE.radius}))
     angle, along = np.linspace(0, 2 * np.pi, 1441), np.linspace(0, rim, 400)
-    parallels = _visible_parallels(SCENE)
-    for _, _, circle in parallels:
-        _draw_on_a(ax, frame, circle * np.cos(angle), circle * np.sin(angle), color="#56B4E9", linewidth=1.6)
+    parallels, data = _visible_parallels(SCENE), {}
+    for m, _, size in parallels:
+        circle = size * np.cos(angle), size * np.sin(angle)
+        data[f"circle_{m}"] = _draw_on_a(ax, frame, *circle, color="#56B4E9", linewidth=1.6)
     for m in range(int(SCENE.ku)):
         theta = 2 * np.pi * m / SCENE.ku - np.pi
         ray = along * np.cos(theta), along * np.sin(theta)
-        _draw_on_a(ax, frame, *ray, color="#F0E442", linewidth=1.4, linestyle=(0, (4, 3)))
+        data[f"ray_{m}"] = _draw_on_a(ax, frame, *ray, color="#F0E442", linewidth=1.4, linestyle=(0, (4, 3)))
     columns, rows = frame.raster.image_points(SCENE)
     step = columns[1] - columns[0]
     middle = (-columns[0] / step, rows[0] / step)
@@ -99,4 +102,4 @@ def kink_loci() -> Drawing:
         ax.annotate(text, at, xytext=(7, -15), textcoords="offset points", color="white")
     ax.axis(limits)
     numbers = {"rays": int(SCENE.ku), "circles": len(parallels), "circle_radius": parallels[0][2], "rim": rim}
-    return Drawing(fig, numbers=numbers)
+    return Drawing(fig, numbers=numbers, data=data)

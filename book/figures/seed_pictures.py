@@ -57,6 +57,7 @@ def seed_pictures() -> Drawing:
     sine = [rms(difference_on_a(numeric("sine", eps=float(eps)), symbolic("sine"))) for eps in steps]
     straddling, kink = large.straddling[on_a], symbolic().kink[on_a]
     numbers = {
+        "off_a": float(np.abs(large.rgb - symbolic().rgb)[~on_a].max()),
         "levels_changed": float(np.mean(levels > 0)),
         "sum_over_length": float(np.max(sum_of_slopes[length > 0] / length[length > 0])),
         "straddled_without_flag": float(np.mean(~kink[straddling])),

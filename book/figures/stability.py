@@ -28,6 +28,17 @@ def _at(seen, value):
     return int(np.abs(np.log(seen.parameter / value)).argmin())
 
 
+def _data(*names):
+    """Return the curves of sweeps by name: the parameter, our error, the bound, the others' errors."""
+    data = {}
+    for name in names:
+        seen = sweep(name)
+        front = f"{name}_" if len(names) > 1 else ""
+        data |= {f"{front}parameter": seen.parameter, f"{front}ours": np.maximum(seen.worst(), LOWEST)}
+        data |= {f"{front}bound": seen.worst_bound()} | {f"{front}{other}": seen.worst(other) for other in seen.others}
+    return data
+
+
 def _numbers(*names):
     """Return the numbers of sweeps: points, escapes, undecided, sharpness, the worst of ours and of the others."""
     numbers = {}
@@ -65,7 +76,7 @@ def stability_pole() -> Drawing:
     label_line_end(ax, seen.parameter[last], seen.worst("seed")[last], "seed, without: here it divides by zero", orange)
     label_line_end(ax, 1e-75, seen.worst_bound()[_at(seen, 1e-75)], "bound", ink, side="above")
     label_line_end(ax, 1e-75, seen.worst()[_at(seen, 1e-75)], "ours", blue, side="below")
-    return Drawing(fig, numbers=_numbers("pole", "pole_general"))
+    return Drawing(fig, numbers=_numbers("pole", "pole_general"), data=_data("pole"))
 
 
 @figure("stability_silhouette")
@@ -88,7 +99,7 @@ def stability_silhouette() -> Drawing:
     for name, curve, colour in curves:
         label_line_end(ax, seen.parameter[-1], curve[-1], name, colour)
     scaled = seen.worst() * np.sqrt(seen.parameter) * 2.0**53
-    return Drawing(fig, numbers=_numbers("silhouette") | {"in_roundings": scaled.max()})
+    return Drawing(fig, numbers=_numbers("silhouette") | {"in_roundings": scaled.max()}, data=_data("silhouette"))
 
 
 @figure("stability_near_far")
@@ -105,7 +116,7 @@ def stability_near_far() -> Drawing:
     label_line_end(ax, 1e-6, seen.worst("seed")[_at(seen, 1e-6)], "seed", orange, side="above")
     label_line_end(ax, 1e-3, seen.worst_bound()[_at(seen, 1e-3)], "bound", ink, side="above")
     label_line_end(ax, 1e-3, seen.worst()[_at(seen, 1e-3)], "ours", blue, side="below")
-    return Drawing(fig, numbers=_numbers("near_to_far"))
+    return Drawing(fig, numbers=_numbers("near_to_far"), data=_data("near_to_far"))
 
 
 @figure("stability_wave_numbers")
@@ -127,7 +138,7 @@ def stability_wave_numbers() -> Drawing:
     label_line_end(ax, 10, seen.worst_bound()[_at(seen, 10)], "bound", ink, side="above")
     label_line_end(ax, 10, seen.worst()[_at(seen, 10)], "ours", blue, side="below")
     names = [name for name in SWEEPS if name.startswith("wave_numbers")]
-    return Drawing(fig, numbers=_numbers(*names) | {"allowed": 8 * 2.0**-53})
+    return Drawing(fig, numbers=_numbers(*names) | {"allowed": 8 * 2.0**-53}, data=_data("wave_numbers"))
 
 
 _SHADING = {  # sweep: (x label, y label, every how many decades, limits of y)
@@ -153,7 +164,7 @@ def stability_shading() -> Drawing:
         middle = len(seen.parameter) // 2
         label_line_end(ax, seen.parameter[middle], seen.worst_bound()[middle], "bound", ink, side="above")
         label_line_end(ax, seen.parameter[middle], seen.worst()[middle], "ours", blue, side="below")
-    return Drawing(fig, numbers=_numbers(*_SHADING, "opposite_light_phong"))
+    return Drawing(fig, numbers=_numbers(*_SHADING, "opposite_light_phong"), data=_data(*_SHADING))
 
 
 @figure("stability_symmetry")

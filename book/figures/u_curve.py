@@ -69,4 +69,5 @@ def u_curve() -> Drawing:
         "third_derivative_half": (np.pi * SCENE.ku / 2) ** 3,
         "predicted_eps": (3 * UNIT_ROUNDOFF / third) ** (1 / 3),
     }
-    return Drawing(fig, numbers=numbers | at)
+    data = {"step": steps, "error": measured, "truncation": truncation(steps)}
+    return Drawing(fig, numbers=numbers | at, data=data)

@@ -48,9 +48,11 @@ def u_curve_parts() -> Drawing:
     """The three parts of the error of h_u of sine at a steep point, against the step, and their proved bounds."""
     found, limits = below(STEEP)
     fig, ax = plot(height=4.6)
+    data = {"step": found.steps}
     colours = dict(zip(PARTS, ("reference", "difference", "symbolic", "numeric"), strict=True))
     markers = dict(zip(PARTS, (".", "x", "+", "o"), strict=True))
     for part in ("truncation", "argument", "roundoff"):
+        data |= {part: np.abs(getattr(found, part)), f"{part}_bound": getattr(limits, part)}
         _dots(ax, found.steps, getattr(found, part), palette()[colours[part]], markers[part], 2.4)
         ax.plot(found.steps, getattr(limits, part), **bound_style() | {"linewidth": 0.9})
     decades(ax, "both", every=2)
@@ -79,15 +81,17 @@ def u_curve_parts() -> Drawing:
         "u": STEEP.u,
         "v": STEEP.v,
     }
-    return Drawing(fig, numbers=numbers)
+    return Drawing(fig, numbers=numbers, data=data)
 
 
 @figure("u_curve_places")
 def u_curve_places() -> Drawing:
     """The error of the difference at six places, smooth and not, below its proved bound."""
     fig, axes = plot("page", 5.4, nrows=2, ncols=3, sharex=True, sharey=True)
+    data = {}
     for ax, (name, title) in zip(axes.ravel(), SMALL.items(), strict=True):
         found, limits = below(next(case for case in CASES if case.name == name))
+        data |= {f"step, {name}": found.steps, f"error, {name}": np.abs(found.total), f"bound, {name}": limits.total}
         _dots(ax, found.steps, found.total, palette()["numeric"], size=1.4)
         ax.plot(found.steps, limits.total, **bound_style())
         decades(ax, "both", every=4)
@@ -98,7 +102,7 @@ def u_curve_places() -> Drawing:
         ax.set_xlabel("step ε")
     for ax in axes[:, 0]:
         ax.set_ylabel("error")
-    return Drawing(fig)
+    return Drawing(fig, data=data)
 
 
 @figure("u_curve_margins")
@@ -129,4 +133,4 @@ def u_curve_margins() -> Drawing:
         "median_ratio": float(np.median(1 / rounding[rounding > 0])),
         "per_decade": 40,
     }
-    return Drawing(fig, numbers=numbers)
+    return Drawing(fig, numbers=numbers, data={"step": STEPS, "largest": largest, "median": median})

@@ -24,4 +24,5 @@ def views() -> Drawing:
         "kink_share": frame.kink.sum() / on_a,
         "straddling_share": stepped.straddling.sum() / on_a,
     }
-    return Drawing(fig, numbers=numbers)
+    data = {"slope": frame.slope, "kink": frame.kink, "straddling": stepped.straddling}
+    return Drawing(fig, numbers=numbers, data=data)

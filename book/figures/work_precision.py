@@ -41,6 +41,11 @@ def by_method(rows):
     return {name: [r for r in rows if r["method"] == name] for name in dict.fromkeys(r["method"] for r in rows)}
 
 
+def columns(rows, names):
+    """Return the named values of rows as columns; a method without a parameter has the value NaN."""
+    return {name: [np.nan if row[name] is None else row[name] for row in rows] for name in names}
+
+
 def pareto(points):
     """Return the points (time, error) that no other one beats, by time: the corners of the front."""
     best, front = np.inf, []
@@ -100,7 +105,8 @@ def work_precision_figure() -> Drawing:
     ax.set_ylim(1e-19, 1e4)
     ax.set_xlabel("time, ns a gradient")
     ax.set_ylabel("largest error of $h_u$, $h_v$")
-    return Drawing(fig, numbers=_gradient_numbers(rows) | label_numbers())
+    data = columns(rows, ("method", "value", "ns", "error"))
+    return Drawing(fig, numbers=_gradient_numbers(rows) | label_numbers(), data=data)
 
 
 NAMES = {
@@ -171,4 +177,5 @@ def work_precision_frames() -> Drawing:
         ax.set_title(title)
         ax.set_xlabel("time, ms a frame")
     axes[0].set_ylabel("error of the image on A")
-    return Drawing(fig, numbers=numbers | label_numbers() | {"side": result()["label"]["side"]})
+    numbers |= label_numbers() | {"side": result()["label"]["side"]}
+    return Drawing(fig, numbers=numbers, data=columns(rows, ("field", "method", "value", "ms", "largest", "rms")))

@@ -107,14 +107,16 @@ class ChapterFigure(SphinxDirective):
 
 
 def provenance(id: str, description: dict) -> nodes.paragraph:
-    """The small line under a caption: source · data · reproduce."""
+    """The small line under a caption: source · data · numbers · reproduce: the command · the hash it was drawn from."""
     source = "/" + description["source"].removeprefix("book/")
+    links = [("source", source, f"{description['source']}, {description['function']}()")]
+    links += [("data", f"/_generated/{description['data']}", f"{description['data']}, what the picture shows")]
+    links += [("numbers", f"/_generated/{id}.json", f"{id}.json, what the text cites")]
     line = nodes.paragraph("", classes=["provenance"])
-    line += _download("source", source, f"{description['source']}, {description['function']}()")
-    line += nodes.Text(" · ")
-    line += _download("data", f"/_generated/{id}.json", f"{id}.json")
-    line += nodes.Text(" · reproduce: ")
-    line += nodes.literal("", f"python -m book figures {id}")
+    for link in links:
+        line += [_download(*link), nodes.Text(" · ")]
+    line += [nodes.Text("reproduce: "), nodes.literal("", f"python -m book figures {id}")]
+    line += [nodes.Text(" · drawn from "), nodes.literal("", description["key"])]
     return line
 
 

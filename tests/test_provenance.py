@@ -1,0 +1,206 @@
+"""Where a figure comes from: the numbers beside it, the key that it is kept by, what is drawn again and why."""
+
+import json
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from book import stamps
+from book.figures import draw, fresh, keys, save, trace
+from book.figures.data import MOST_BYTES, data_file, read_data
+from book.figures.discover import INFRASTRUCTURE, all_figures
+from book.figures.registry import Drawing, Registered
+
+FIGURES = stamps.ROOT / "book" / "figures"
+MODULES = sorted(path.stem for path in FIGURES.glob("*.py") if path.stem not in INFRASTRUCTURE | {"__init__"})
+# In a process that has none of the repository's modules, and for each figure module a child of it that has not either.
+TRACE = """
+import json, os, sys
+import flint, matplotlib.figure, mpmath, numba, numpy, PIL.Image, sympy, tqdm
+root, names, found = sys.argv[1], sys.argv[2:], {}
+assert not any(str(getattr(m, "__file__", "")).startswith(root + "/book") for m in sys.modules.values())
+for name in names:
+    read, write = os.pipe()
+    if os.fork() == 0:
+        __import__(f"book.figures.{name}")
+        files = {getattr(m, "__file__", None) or "" for m in list(sys.modules.values())}
+        os.write(write, json.dumps(sorted(f for f in files if f.startswith(root + "/"))).encode())
+        os._exit(0)
+    os.close(write)
+    with os.fdopen(read) as pipe:
+        found[name] = json.loads(pipe.read())
+print(json.dumps(found))
+"""
+
+
+def ours(files) -> set[str]:
+    """Those of the files that are the repository's, by path from its root."""
+    paths = (trace.source_of(stamps.ROOT / file) for file in files)
+    return {path.relative_to(stamps.ROOT).as_posix() for path in paths if path}
+
+
+@pytest.fixture(scope="module")
+def imported() -> dict[str, set[str]]:
+    """Module of figures → the repository's files that Python itself imports with it."""
+    command = [sys.executable, "-c", TRACE, str(stamps.ROOT), *MODULES]
+    environment = os.environ | {"PYTHONPATH": str(stamps.ROOT)}
+    done = subprocess.run(command, cwd=stamps.ROOT, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return {name: ours(files) for name, files in json.loads(done.stdout).items()}
+
+
+def module_of(entry) -> str:
+    return keys.source_file(entry).stem
+
+
+def test_keys_have_every_module_that_python_imports(imported):
+    for entry in all_figures().values():
+        python = imported[module_of(entry)]
+        assert f"book/figures/{module_of(entry)}.py" in python and len(python) > 3
+        assert python <= keys.sources(entry).keys(), entry.id
+
+
+def test_keys_have_data_style_and_lock_and_nothing_that_the_quick_look_misses():
+    seen = fresh.sources().keys()
+    for entry in all_figures().values():
+        now = keys.sources(entry).keys()
+        assert {"requirements.lock", "book/matplotlibrc", "python", *entry.data} <= now
+        assert now <= seen, f"{entry.id}: `make figures` would not look"
+
+
+def edited(monkeypatch, name):
+    """Let a file of the repository look edited."""
+    hashes = stamps.hashes
+    monkeypatch.setattr(
+        stamps, "hashes", lambda paths: {k: "edited" if k == name else v for k, v in hashes(paths).items()}
+    )
+
+
+@pytest.fixture
+def drawn(monkeypatch, tmp_path):
+    """Every figure, as if it had just been drawn; what is drawn now."""
+    monkeypatch.setattr(stamps, "STAMPS", tmp_path)
+    monkeypatch.setattr(keys, "GENERATED", tmp_path / "generated")
+    drawings = []
+    monkeypatch.setattr(save, "save", lambda entry, *rest: drawings.append(entry.id) or [])
+    for entry in all_figures().values():
+        stamps.write(f"figures/{entry.id}", {"files": [], "sources": keys.sources(entry)})
+    return drawings
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["verify/stability/maps.py", "renderer/terminator.py", "renderer/sweep.py", "book/style.py", "book/figures/data.py",
+     "proofs/symbols.py", "verify/results/work_precision.json", "requirements.lock", "book/matplotlibrc"],
+)  # fmt: skip
+def test_editing_one_file_draws_all_that_reach_it_and_says_why(name, drawn, imported, monkeypatch, capsys):
+    assert draw.draw() == 0 and drawn == []
+    figures = all_figures()
+    reach = {id for id, entry in figures.items() if name in keys.sources(entry)}
+    import_it = {id for id, entry in figures.items() if name in imported[module_of(entry)]}
+    edited(monkeypatch, name)
+    capsys.readouterr()
+    assert draw.draw() == len(reach)
+    assert set(drawn) == reach and len(drawn) == len(reach)
+    assert import_it <= reach and reach
+    said = capsys.readouterr().out
+    assert said.count(f"({name} changed") == len(reach)
+    assert f"  {len(reach)} drawn, {len(figures) - len(reach)} up to date" in said
+    drawn.clear()
+    assert draw.draw() == 0 and drawn == []  # and once is enough
+
+
+def test_some_edits_leave_figures_alone():
+    figures = all_figures().values()
+    reached = [set(keys.sources(entry)) for entry in figures]
+    for name in ("verify/stability/maps.py", "renderer/terminator.py"):
+        assert 0 < sum(name in names for names in reached) < len(reached), f"figures import too widely: {name}"
+
+
+def test_file_that_is_read_and_not_in_the_key_is_an_error():
+    path = stamps.ROOT / "verify" / "results" / "work_precision.json"
+
+    def careless() -> Drawing:
+        """Reads what it does not declare."""
+        return Drawing(numbers={"bytes": len(path.read_text())})
+
+    entry = Registered("careless", careless)
+    with trace.files_read() as seen:
+        save.draw_files(entry)
+    with pytest.raises(ValueError, match=r"'careless' read verify/results/work_precision.json.*data="):
+        keys.require(entry, seen, keys.sources(Registered("declares_nothing", all_figures()["hero"].draw)))
+    keys.require(entry, seen, keys.sources(all_figures()["work_precision"]))
+
+
+def test_trace_sees_lazy_imports_as_sources_and_nothing_outside(tmp_path):
+    assert trace.source_of(stamps.ROOT / "book/__pycache__/style.cpython-311.pyc") == stamps.ROOT / "book/style.py"
+    assert trace.source_of(tmp_path / "a.py") is None
+    assert trace.source_of(stamps.ROOT / "book" / "_generated" / "hero.json") is None
+
+
+def line(heights) -> Figure:
+    fig = Figure()
+    fig.subplots().plot(range(len(heights)), heights)
+    return fig
+
+
+def test_columns_of_one_length_are_a_table_and_read_back_to_the_last_bit():
+    third = np.array([1 / 3, 2e-308, np.nan, -0.0])
+    content = data_file("f", Drawing(line(third), data={"k": [1, 2, 3, 4], "third": third, "word": list("abcd")}))
+    assert list(content) == [".csv"]
+    assert content[".csv"].decode().splitlines()[:2] == ["k,third,word", "1,0.3333333333333333,a"]
+    back = read_data("f.csv", content[".csv"])
+    assert np.array_equal(back["third"].view(np.int64), third.view(np.int64))
+    assert back["word"].tolist() == list("abcd")
+
+
+def test_anything_else_is_npz_of_the_same_bytes_each_time():
+    drawing = Drawing(line([1.0]), data={"a": np.eye(3), "b": [1, 2]})
+    content = data_file("f", drawing)
+    assert content == data_file("f", drawing) and list(content) == [".npz"]
+    assert np.array_equal(read_data("f.npz", content[".npz"])["a"], np.eye(3))
+
+
+def test_renders_and_panels_keep_their_pixels():
+    pixels = np.arange(12, dtype=np.uint8).reshape(2, 2, 3)
+    assert np.array_equal(read_data("f.npz", data_file("f", Drawing(pixels))[".npz"])["picture_1"], pixels)
+    fig = Figure()
+    fig.pictures = (pixels, pixels[:1])
+    assert len(read_data("f.npz", data_file("f", Drawing(fig))[".npz"])) == 2
+
+
+@pytest.mark.parametrize(
+    ("drawing", "message"),
+    [
+        (Drawing(Figure()), "needs data="),
+        (Drawing(line(np.arange(5.0) + 0.5), data={"a": np.arange(5)}), "draws a curve that is not in its data: 0.5"),
+        (Drawing(line([1.0]), data={"a": [None]}), "'a' is object"),
+        (Drawing(line([1.0]), data={"a": 1.0}), r"'a' is float64 of shape \(\)"),
+        (Drawing(line([1.0]), data={"picture_1": [1.0]}), "data name 'picture_1'"),
+        (Drawing(line([1.0]), data={"a": np.random.default_rng(0).random(MOST_BYTES // 8)}), "at most"),
+    ],
+)
+def test_data_that_are_missing_or_odd_are_refused_by_the_figures_name(drawing, message):
+    with pytest.raises(ValueError, match=rf"figure 'f'.*{message}"):
+        data_file("f", drawing)
+
+
+def test_figure_whose_data_change_when_drawn_again_is_refused():
+    heights = iter([[1.0], [2.0]])
+    entry = Registered("unsteady", lambda: Drawing(Figure(), data={"a": next(heights)}))
+    with pytest.raises(ValueError, match="other numbers"):
+        save.draw_files(entry)
+
+
+def test_every_drawn_figure_says_where_it_comes_from(site):
+    for id, entry in all_figures().items():
+        description = json.loads((keys.GENERATED / f"{id}.json").read_text())
+        assert (description["id"], description["function"]) == (id, entry.draw.__name__)
+        assert description["key"] == stamps.key(keys.sources(entry)), f"{id} was drawn from other sources"
+        if description["kind"] != "numbers":
+            assert description["data"] in {f"{id}.csv", f"{id}.npz"}
+            assert read_data(description["data"], (keys.GENERATED / description["data"]).read_bytes())
