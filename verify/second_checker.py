@@ -136,7 +136,7 @@ def _refutation(statement, certificate):
     point = {names.all.index(n): _rational(v) for n, v in certificate["point"].items()}
 
     def true_at_point(relation, p):
-        free = {i for i, degree in enumerate(p.degrees()) if degree} - point.keys()
+        free = {i for i, degree in enumerate(p.degrees()) if degree > 0} - point.keys()  # those of 0 are −1
         if free:
             raise Refused("the point leaves a name open")
         value = p(*[point.get(i, fmpq(0)) for i in range(len(names.all) or 1)])

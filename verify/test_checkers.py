@@ -116,3 +116,11 @@ def test_a_counterexample_must_satisfy_the_hypotheses(check):
     assert check(statement, {"point": {"x": "-1"}}) is not None
     assert check(statement, {"point": {"x": "1"}}) is not None
     assert check(statement, {"point": {}}) is not None
+
+
+@CHECKERS
+def test_a_claim_about_zero_leaves_no_name_open(check):
+    """y = 0, and y > 0 is claimed: what is claimed is the polynomial 0, which leaves no name open."""
+    steps = (("define", {}, {"new": "y"}), show({"y": "1"}, ">"))
+    assert check(derivation(*steps, variables=()) | {"kind": "refutation"}, {"point": {}}) is None
+    assert check(derivation(steps[0], show({"y": "1"}, ">=")) | {"kind": "refutation"}, {"point": {}}) is not None
