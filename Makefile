@@ -3,11 +3,11 @@ PYTHON ?= python3
 BIN := .venv/bin
 RUN := $(BIN)/python
 
-.PHONY: help environment book test verify figures bench clean
+.PHONY: help environment book test verify figures release-notes release same-bytes bench clean
 .DEFAULT_GOAL := help
 
 help: ## list these targets
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 book: environment ## check the theorems, draw the figures, build the book, say where it is  (python -m book)
 	@$(RUN) -m book
@@ -20,6 +20,15 @@ verify: environment ## run the proofs' checker alone  (pytest verify)
 
 figures: environment ## draw the figures that changed  (python -m book figures)
 	@$(RUN) -m book figures
+
+release-notes: environment ## say what moved since the last release  (python -m book release-notes)
+	@$(RUN) -m book release-notes
+
+release: environment ## write releases/VERSION.json and its pictures  (python -m book release)
+	@$(RUN) -m book release
+
+same-bytes: environment ## build from a clean clone elsewhere and compare every byte  (python -m book same-bytes)
+	@$(RUN) -m book same-bytes
 
 bench: environment ## measure times on this machine and write them with its name  (python -m verify.benchmark)
 	@$(RUN) -m verify.benchmark

@@ -1,6 +1,6 @@
 """One command that makes the book: check the theorems, draw the figures, build the site.
 
-Usage: python -m book [all | check | figures | build] [--help]
+Usage: python -m book [all | check | figures | build | release-notes | release | same-bytes] [--help]
 """
 
 import argparse
@@ -13,6 +13,8 @@ from filelock import FileLock
 
 from book import stamps
 from book.figures.registry import UnknownFigure
+
+RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made first
 
 
 def check() -> None:
@@ -62,6 +64,10 @@ def parser() -> argparse.ArgumentParser:
     drawing.add_argument("--force", action="store_true", help="draw them even if nothing changed")
     drawing.add_argument("--list", action="store_true", help="list the figures and what each draws")
     verbs.add_parser("build", help="theorems, figures, then the site if anything changed")
+    comparing = verbs.add_parser("release-notes", help="what moved since the last release; fails if left unsaid")
+    comparing.add_argument("--against", metavar="VERSION", help="compare with this release instead of the last")
+    verbs.add_parser("release", help="write releases/VERSION.json and its pictures, if nothing was left unsaid")
+    verbs.add_parser("same-bytes", help="build from a clean clone in another folder and compare every byte")
     return top
 
 
@@ -73,15 +79,28 @@ def stage(name: str, work: Callable[[], None]) -> None:
     print(f"  {time.perf_counter() - start:.1f} s", flush=True)
 
 
-def run(options: argparse.Namespace) -> None:
-    """Do what the command line asked for."""
+def releases(options: argparse.Namespace) -> int:
+    """Compare with the last release, write this one, or compare with a clean clone; the exit status."""
+    from book.releases import command, kept, same_bytes
+
+    try:
+        if options.verb == "release-notes":
+            return command.release_notes(against=options.against)
+        return command.release() if options.verb == "release" else same_bytes.same_bytes()
+    except (kept.NoRelease, same_bytes.NotClean) as error:
+        print(f"book: {error}", file=sys.stderr)
+        return 2
+
+
+def run(options: argparse.Namespace) -> int:
+    """Do what the command line asked for; the exit status."""
     verb = options.verb or "all"
     if verb == "figures" and options.list:
         from book.figures.discover import all_figures
 
         for id, entry in all_figures().items():
             print(f"{id:24} {' '.join(entry.draw.__doc__.split())}")
-        return
+        return 0
     stamps.STAMPS.mkdir(exist_ok=True)
     # Two builds at once would write the same files: the second waits, and then finds its work done.
     with FileLock(stamps.STAMPS / "lock"):
@@ -89,32 +108,34 @@ def run(options: argparse.Namespace) -> None:
             stage("Checking everything", check)
         if verb == "figures":
             stage("Drawing figures", lambda: figures(options.ids, options.force))
-        if verb in ("all", "build"):
+        if verb in ("all", "build", *RELEASES):
             stage("Checking the theorems", report)
-        if verb in ("all", "build"):
             stage("Drawing figures", figures)
+        if verb in ("all", "build", "same-bytes"):
             stage("Building the site", build)
+        if verb in RELEASES:
+            return releases(options)
     if verb in ("all", "build"):
         from book.build import INDEX
 
         print(f"The book is at {INDEX.relative_to(stamps.ROOT)}: open {INDEX.as_uri()}")
+    return 0
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """The exit status: 0 when all went well, 1 when a stage failed, 2 for a bad command line.
+    """The exit status: 0 when all went well, 1 when a stage or a comparison failed, 2 for a bad command line.
 
     What a figure raises is not caught: its author needs the whole traceback.
     """
     options = parser().parse_args(arguments)
     try:
-        run(options)
+        return run(options)
     except subprocess.CalledProcessError as error:
         print(f"book: failed with status {error.returncode}; what went wrong is above", file=sys.stderr)
         return 1
     except UnknownFigure as error:
         print(f"book: {error}", file=sys.stderr)
         return 2
-    return 0
 
 
 if __name__ == "__main__":

@@ -1,0 +1,1 @@
+"""What a release says of itself, and what moved since the one before."""

@@ -1,0 +1,48 @@
+"""The release notes in Markdown, and whether CHANGELOG.md names what has to be named."""
+
+from collections.abc import Sequence
+
+from book.releases.changelog import names
+from book.releases.compare import Change
+
+THEOREMS = ("weakened", "removed", "strengthened", "restated", "added")
+NUMBERS = ("out of tolerance", "moved", "removed", "added")
+PICTURES = ("changed", "drawn otherwise", "removed", "added")
+FOLD = 12  # added things beyond which their ids alone are listed
+
+
+def unnamed(changes: Sequence[Change], changelog: str) -> list[Change]:
+    """The changes that have to be named in the changelog's section and are not."""
+    return [change for change in changes if change.must_be_named and not names(change.id, changelog)]
+
+
+def written(
+    title: str, mathematics: Sequence[Change], numbers: Sequence[Change], pictures: Sequence[Change], missing: Sequence
+) -> str:
+    """The notes: the mathematics, the numbers, the pictures; at the end what the changelog has to name."""
+    parts = [f"# {title}"]
+    for heading, changes, kinds in (
+        ("Theorems", mathematics, THEOREMS),
+        ("Numbers", numbers, NUMBERS),
+        ("Pictures", pictures, PICTURES),
+    ):
+        if changes:
+            parts += [
+                f"## {heading}",
+                *(_list(changes, kind) for kind in kinds if any(c.kind == kind for c in changes)),
+            ]
+    if len(parts) == 1:
+        parts.append("Nothing moved.")
+    if missing:
+        items = "\n".join(f"- `{change.id}` ({change.kind})" for change in missing)
+        parts += ["## Not named in CHANGELOG.md", items]
+    return "\n\n".join(parts) + "\n"
+
+
+def _list(changes: Sequence[Change], kind: str) -> str:
+    some = [change for change in changes if change.kind == kind]
+    head = f"{kind.capitalize()}: {len(some)}"
+    if kind == "added" and len(some) > FOLD:
+        return f"{head}\n\n{', '.join(f'`{change.id}`' for change in some)}"
+    lines = (f"- `{change.id}`" + (f": {change.words}" if change.words else "") for change in some)
+    return f"{head}\n\n" + "\n".join(lines)

@@ -1,0 +1,84 @@
+"""The record of a release: grades of theorems, numbers with their tolerances, measured ratios, digests of pictures.
+
+It is made from what `python -m book figures` and the theorems' run have left in book/_generated, and from the committed
+results of `make bench`; it has no date and no commit, so that the same sources give the same bytes.
+"""
+
+import hashlib
+import json
+import tomllib
+from pathlib import Path
+
+from book import report, stamps
+from book.releases.pictures import kept_file
+from book.releases.tolerances import tolerance
+
+GENERATED = stamps.ROOT / "book" / "_generated"
+BENCHMARKS = stamps.ROOT / "verify" / "benchmark" / "results"
+FORMAT = 1
+LABELS = ("machine", "processor", "date", "commit")
+
+
+def version() -> str:
+    """The version that pyproject.toml states."""
+    content = tomllib.loads((stamps.ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    return content["project"]["version"]
+
+
+def make(generated: Path = GENERATED) -> dict:
+    """The record of what is built now. NoReport if the theorems' report is missing or stale."""
+    figures = [json.loads(path.read_text(encoding="utf-8")) for path in _descriptions(generated)]
+    return {
+        "format": FORMAT,
+        "version": version(),
+        "theorems": theorems(),
+        "numbers": {
+            name: {"value": value, "tolerance": tolerance(name, value)}
+            for figure in figures
+            for name, value in _named(figure["id"], figure["numbers"])
+        },
+        "measured": {path.stem: _measured(path) for path in sorted(BENCHMARKS.glob("*.json"))},
+        "pictures": {f["id"]: _digests(generated, f) for f in figures if f["kind"] != "numbers"},
+    }
+
+
+def theorems() -> dict[str, dict]:
+    """Id → what the last run graded it, and the words of the statement."""
+    from proofs.theorem import all_theorems
+
+    entries, stated = report.load(), all_theorems()
+    return {
+        id: {"grade": entry["grade"], "given": entry["given_cited"], "statement": stated[id].statement}
+        for id, entry in sorted(entries.items())
+    }
+
+
+def _descriptions(generated: Path) -> list[Path]:
+    return sorted(path for path in generated.glob("*.json") if path.name != report.REPORT.name)
+
+
+def _named(source: str, numbers: dict) -> list[tuple[str, int | float | str | bool]]:
+    return [(f"{source}.{key}", value) for key, value in sorted(numbers.items())]
+
+
+def _measured(path: Path) -> dict:
+    """A benchmark's label, and its numbers with their tolerances."""
+    content = json.loads(path.read_text(encoding="utf-8"))
+    numbers = {
+        name: {"value": value, "tolerance": tolerance(name, value)}
+        for name, value in _named(f"bench:{path.stem}", content["numbers"])
+    }
+    return {"label": {key: content["label"][key] for key in LABELS if key in content["label"]}, "numbers": numbers}
+
+
+def _digests(generated: Path, figure: dict) -> dict:
+    """The digests of a picture: of its files, and of the pixels or plotted numbers that a release keeps of it."""
+    id = figure["id"]
+    drawn = [f"{id}{suffix}" for suffix in (".svg", ".dark.svg", ".png") if (generated / f"{id}{suffix}").is_file()]
+    kept, content = kept_file(generated / figure["data"])
+    files = {name: _sha256((generated / name).read_bytes()) for name in (*drawn, figure["data"])}
+    return {"files": files, "kept": kept, "content": content}
+
+
+def _sha256(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()

@@ -1,0 +1,77 @@
+"""Whether a build from a clean clone in another folder gives the same bytes as the one here."""
+
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+from book import stamps
+
+COMPARED = ("book/_build/html", "book/_generated")
+AROUND = 20  # bytes shown on each side of the first that differs
+
+
+class NotClean(ValueError):
+    """What is here is not what is committed, so that a clone cannot give the same."""
+
+
+def files_of(folder: Path) -> dict[str, Path]:
+    """Every file below a folder, by its path from there."""
+    return {path.relative_to(folder).as_posix(): path for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def differences(one: Path, other: Path) -> list[str]:
+    """A line for each file that is in one folder alone or differs; ValueError where there is nothing to compare."""
+    here, there = files_of(one), files_of(other)
+    if not here or not there:
+        raise ValueError(f"{one if not here else other} has no files: nothing was built there")
+    found = [f"{name}: only in {one}" for name in here.keys() - there.keys()]
+    found += [f"{name}: only in {other}" for name in there.keys() - here.keys()]
+    for name in here.keys() & there.keys():
+        first, second = here[name].read_bytes(), there[name].read_bytes()
+        if first != second:
+            found.append(f"{name}: {_first_difference(first, second)}")
+    return sorted(found)
+
+
+def _first_difference(first: bytes, second: bytes) -> str:
+    length = min(len(first), len(second))
+    at = next((i for i in range(length) if first[i] != second[i]), length)
+    start = max(0, at - AROUND)
+    return f"differs from byte {at} on: {first[start : at + AROUND]!r} and {second[start : at + AROUND]!r}"
+
+
+def require_committed(root: Path = stamps.ROOT) -> None:
+    """Raise NotClean if a file that git knows was changed, or a file of the project is unknown to git."""
+    command = ["git", "status", "--porcelain", "--", *stamps.PACKAGES, "requirements.lock", "pyproject.toml"]
+    changed = subprocess.run(command, cwd=root, check=True, capture_output=True, text=True).stdout.splitlines()
+    if changed:
+        more = f" and {len(changed) - 1} more" if len(changed) > 1 else ""
+        raise NotClean(f"not committed: {changed[0][3:]}{more}; a clone would be built from something else")
+
+
+def elsewhere(folder: Path) -> Mapping[str, str]:
+    """An environment that differs from ours where a build must not depend on it: home, time zone, hash seed, caches."""
+    home = folder / "another home"
+    home.mkdir()
+    unwanted = ("XDG_", "MPLCONFIGDIR", "NUMBA_CACHE_DIR", "PYTHONPATH", "IPYTHONDIR", "JUPYTER_")
+    kept = {name: value for name, value in os.environ.items() if not name.startswith(unwanted)}
+    return kept | {"HOME": str(home), "TZ": "Asia/Kathmandu", "PYTHONHASHSEED": "12345", "LC_ALL": "C.UTF-8"}
+
+
+def same_bytes() -> int:
+    """Clone, build there with no cache, compare with the build here; print what differs; the exit status."""
+    require_committed()
+    with tempfile.TemporaryDirectory(prefix="a-clone-") as name:
+        folder = Path(name)
+        clone = folder / "the book, elsewhere"
+        subprocess.run(["git", "clone", "--quiet", str(stamps.ROOT), str(clone)], check=True)
+        subprocess.run([sys.executable, "-m", "book"], cwd=clone, env=elsewhere(folder), check=True)
+        found, files = [], 0
+        for part in COMPARED:
+            found += [f"{part}/{line}" for line in differences(stamps.ROOT / part, clone / part)]
+            files += len(files_of(stamps.ROOT / part))
+    print("\n".join(found) or f"{files} files, built in two folders, agree in every byte")
+    return 1 if found else 0
