@@ -9,14 +9,26 @@
 `{docstring} FILE`         a module's docstring; sources as pages, theorems as downloads (listings.py)
 section ids                `(s1)=` before a heading puts s1 on the section itself (pages.py)
 notebooks                  a page with code cells offers itself as a notebook (pages.py)
+screen readers             lists and tables that they understand (accessibility.py)
 MathJax                    copied into the site from the installed package (assets.py)
 """
 
-from book._ext.chapter import assets, cards, claims, dependencies, elements, figures, listings, numbers, pages
+from book._ext.chapter import (
+    accessibility,
+    assets,
+    cards,
+    claims,
+    dependencies,
+    elements,
+    figures,
+    listings,
+    numbers,
+    pages,
+)
 
 
 def setup(app):
     """Register everything with Sphinx."""
-    for part in (assets, cards, claims, dependencies, elements, figures, listings, numbers, pages):
+    for part in (accessibility, assets, cards, claims, dependencies, elements, figures, listings, numbers, pages):
         part.setup(app)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}
