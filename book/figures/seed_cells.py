@@ -21,18 +21,16 @@ BETA, STEP = 0.35, 1e-7  # the seed's own, in its Cell 5
 PIXEL = (90, 120)  # on sphere A, off every clamp
 
 
-def heights_evaluated(gradient, eps=1e-3):
-    """Return how often one of the seed's gradients asks for h at a chart point, counted where it is called."""
-    calls = []
+def calls(gradient, holder, names, eps=1e-3):
+    """Return how often one of the seed's gradients, at a chart point, calls the functions of these names."""
+    made = []
 
-    def counted(*arguments):
-        calls.append(arguments)
-        return original(*arguments)
+    def counted(function):
+        return lambda *arguments: made.append(function) or function(*arguments)
 
-    original = seed_loops.height_of_field
-    with patch.object(seed_loops, "height_of_field", counted):
+    with patch.multiple(holder, **{name: counted(getattr(holder, name)) for name in names}):
         gradient(Scene(), 0.3, 0.4, eps)
-    return len(calls)
+    return len(made)
 
 
 def chart_point(n_x, n_y):
@@ -67,14 +65,16 @@ def image_slope_ratio(steps=(1e-2, 1e-3)):
 
 @figure("seed_cells", data=[FRAMES])
 def seed_cells() -> Drawing:
-    """The seed's cells, done again: evaluations, checks of derivatives, the chart of its normal, its crease, its cliff."""
+    """The seed's cells, done again: counts, checks of derivatives, a chart point, a crease and the cliff."""
     one_sided, complex_step = normal_derivative_errors()
     u, v = chart_point(0.4, 0.35)
     slope = float(gradient_at(Scene(), *SMOOTH_POINT, exact())[0])
     times = json.loads((stamps.ROOT / FRAMES).read_text(encoding="utf-8"))["numbers"]
     numbers = {
-        "heights_central": heights_evaluated(seed_loops.central_gradient),
-        "heights_exact": heights_evaluated(seed_loops.exact_gradient),
+        "heights_central": calls(seed_loops.central_gradient, seed_loops, ["height_of_field"]),
+        "heights_exact": calls(seed_loops.exact_gradient, seed_loops, ["height_of_field"]),
+        "trigonometric_ratio": calls(seed_loops.central_gradient, math, ["sin", "cos"])
+        / calls(seed_loops.exact_gradient, math, ["sin", "cos"]),
         "time_ratio_128": times["seed_central_128_1_ms"] / times["seed_exact_128_1_ms"],
         "one_sided": one_sided,
         "complex_step": complex_step,

@@ -15,7 +15,7 @@ A claim is one `[[claim]]` table in any file of `book/ledger/claims/`:
       { source = "Blinn1978" },                                    # a key of references.bib
     ]
     so = "No pixel changed chamber in {number}`eps_table.frames` frames."     # one sentence: what is so, in MyST
-    merit = "{number}`eps_table.flips` flips"  # the figure of merit; may be left out where a theorem is evidence
+    merit = "{number}`eps_table.flips` flips"  # the figure of merit; needed if a number is evidence
 
 `holds with a condition` needs a `condition`, in MyST; `outside this chapter: not checked` needs a `reason` in place of
 `so` and has no evidence. Relations are `== 0`, `!= 0`, `< 1e-12`, `<= 1`, `> 0`, `>= 2`, `in [0.45, 0.65]`.

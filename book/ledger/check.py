@@ -119,4 +119,6 @@ def _orphans(ledger: Ledger, run: Run) -> list[str]:
     codes = {code for claim in claims for code in claim.findings}
     faults += [f"finding {code}: no claim has it" for code in FINDINGS if code not in codes]
     used = {claim.where.removeprefix("seed:") for claim in ledger.claims if claim.of_seed}
-    return faults + [f"place {place}: no claim of the seed stands there" for place in ledger.places if place not in used]
+    return faults + [
+        f"place {place}: no claim of the seed stands there" for place in ledger.places if place not in used
+    ]

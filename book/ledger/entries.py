@@ -174,8 +174,8 @@ def _faults(table: dict) -> list[tuple[str, str]]:
         found.append(("evidence", "what is not checked has no evidence and no figure of merit"))
     if not outside and not pieces:
         found.append(("evidence", "missing"))
-    if not outside and not table.get("merit") and not any("theorem" in piece for piece in pieces):
-        found.append(("merit", "missing, and no theorem is evidence"))
+    if not table.get("merit") and any("number" in piece for piece in pieces):
+        found.append(("merit", "missing, and a number is evidence"))
     if table.get("merit") and not NUMBER_ROLE.search(table["merit"]):
         found.append(("merit", "shows no {number}"))
     return found

@@ -36,7 +36,7 @@ def split(name: str) -> tuple[str, str]:
 
 
 def node_exists(root: Path, node: str) -> bool:
-    """Whether a test's node id, "tests/test_x.py::test_y" or "…::TestZ::test_y", is there; parameters are not looked at."""
+    """Whether a test of this node id, "tests/test_x.py::test_y", is there; its parameters are not looked at."""
     file, _, name = node.partition("::")
     return bool(name) and name.partition("[")[0] in _tests(root / file)
 

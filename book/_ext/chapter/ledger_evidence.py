@@ -1,0 +1,148 @@
+"""A claim's evidence as nodes: badges with links, what speaks against it first; and pages for the tests it cites."""
+
+import ast
+import re
+from functools import cache
+from pathlib import Path, PurePosixPath
+
+from docutils import nodes
+from sphinx import addnodes
+
+from book import stamps
+from book._ext.chapter.cards import address, link, page_address, point_nodes
+from book._ext.chapter.elements import Html
+from book._ext.chapter.evidence import badge, evidence_line
+from book._ext.chapter.listings import listed, listing_address, numbered
+from book._ext.chapter.numbers import typeset
+from book._ext.chapter.results import BENCHMARK_PREFIX
+from book._ext.chapter.theorems import page_names
+from book.ledger.check import Run, refutes
+from book.ledger.entries import VERDICTS, Claim, Evidence
+from book.ledger.relations import relation
+
+TITLES = dict(zip(VERDICTS, ("false", "corrected", "conditional", "holds", "outside"), strict=True))
+SIGNS = {"false": "✕", "corrected": "↻", "conditional": "◐", "holds": "✓", "outside": "–"}
+PLACED_FIGURE = re.compile(r"\{chapter-figure\}\s+(\w+)")
+
+
+def verdict_chip(verdict: str, short: bool = False) -> Html:
+    """The verdict as a sign and, unless it is short, in words; its words are there to be heard."""
+    slug = TITLES[verdict]
+    words = verdict.partition(":")[0]
+    text = SIGNS[slug] if short else f"{SIGNS[slug]} {words}"
+    return Html("span", nodes.Text(text), classes=["verdict", slug], role="img", aria_label=verdict, title=verdict)
+
+
+def evidence_nodes(env, proofs, run: Run, claim: Claim, short: bool = False) -> list[nodes.Node]:
+    """What speaks against a claim and what speaks for what is so; short: badges alone."""
+    against = [piece for piece in claim.evidence if refutes(piece, run)]
+    rest = [piece for piece in claim.evidence if piece not in against]
+    if short:
+        return [shown(env, proofs, run, piece, short) for piece in (*against, *rest)]
+    found = []
+    for label, pieces in (("Against it: ", against), ("Shown by " if not against else "What is so: ", rest)):
+        if pieces:
+            items = [part for piece in pieces for part in (nodes.Text("; "), shown(env, proofs, run, piece))][1:]
+            found.append(Html("p", Html("em", nodes.Text(label)), *items, nodes.Text("."), classes=["claim-evidence"]))
+    return found
+
+
+def fails_at(theorem) -> list[nodes.Node]:
+    """The first exact counterexample of a refuted theorem."""
+    at = {str(symbol): str(value) for _, point in theorem.refuted_at[:1] for symbol, value in point}
+    return [nodes.Text(", which fails at "), *point_nodes(at)] if at else []
+
+
+def shown(env, proofs, run: Run, piece: Evidence, short: bool = False) -> nodes.Node:
+    """One piece of evidence: its badge, and a link to what it is."""
+    return {"theorem": _theorem, "number": _number, "test": _test, "source": _source}[piece.kind](
+        env, proofs, run, piece, short
+    )
+
+
+def _theorem(env, proofs, run, piece, short):
+    entry = proofs.entries[piece.name]
+    theorem, label = proofs.theorems[piece.name], proofs.label(piece.name)
+    mark, target = badge(entry["grade"], evidence_line(entry)), address(env, proofs, piece.name)
+    if short:
+        return Html("span", mark, link(label, target), classes=["piece"])
+    return Html("span", mark, link(f"{label} ({theorem.title})", target), *fails_at(theorem), classes=["piece"])
+
+
+def _number(env, proofs, run, piece, short):
+    value = run.number(piece.name)
+    asked = f"measured by this run; it has to be {piece.wants}"
+    mark, target = badge("measured", asked), _place_of_number(env, piece.name, "number" if short else "")
+    if short:
+        return Html("span", mark, target, classes=["piece"])
+    told = [nodes.Text(", where the claim has "), *in_signs(piece.claimed)] if refutes(piece, run) else []
+    return Html("span", mark, target, nodes.Text(" = "), *typeset(value), *told, classes=["piece"])
+
+
+def in_signs(text: str) -> list[nodes.Node]:
+    """A relation as it is set in type: = 0, ≥ 2, 0.45 to 0.65."""
+    asked = relation(text)
+    numbers = [
+        typeset(int(n) if n.is_integer() and abs(n) < 1e6 else n, None if n.is_integer() else ".4g")
+        for n in asked.numbers
+    ]
+    if asked.sign == "in":
+        return [*numbers[0], nodes.Text(" to "), *numbers[1]]
+    return [nodes.Text({"==": "", "!=": "not ", "<=": "≤ ", ">=": "≥ "}.get(asked.sign, f"{asked.sign} ")), *numbers[0]]
+
+
+def _place_of_number(env, name: str, text: str = "") -> nodes.Node:
+    """A link to the figure that a number belongs to, to the benchmark's page, or to the file of the numbers."""
+    figure, _, key = name.partition(".")
+    text = text or key.replace("_", " ")
+    if figure.startswith(BENCHMARK_PREFIX):
+        return link(text, page_address(env, "benchmark"))
+    if page := figure_pages(Path(env.srcdir)).get(figure):
+        return link(text, f"{page_address(env, page)}#fig-{figure}")
+    target = f"/_generated/{figure}.json"
+    file = addnodes.download_reference("", "", reftarget=target, refdoc="", refwarn=True, reftitle=f"{figure}.json")
+    file += nodes.inline("", text)
+    return file
+
+
+@cache
+def figure_pages(book: Path) -> dict[str, str]:
+    """The page on which each figure is placed."""
+    pages = {}
+    for page in page_names(book):
+        for figure in PLACED_FIGURE.findall((book / f"{page}.md").read_text(encoding="utf-8")):
+            pages[figure] = page
+    return pages
+
+
+def _test(env, proofs, run, piece, short):
+    file, _, name = piece.name.partition("::")
+    mark = Html(
+        "span", nodes.Text("T"), classes=["evidence", "tested"], role="img", aria_label="test", title=piece.name
+    )
+    text = "test" if short else name.removeprefix("test_").replace("_", " ")
+    target = link(text, f"{listing_address(PurePosixPath(file))}#L-{line_of(file, name)}", reftitle=piece.name)
+    return Html("span", mark, target, classes=["piece"])
+
+
+def line_of(file: str, name: str) -> int:
+    """The line on which a test begins."""
+    tree = ast.parse((stamps.ROOT / file).read_text(encoding="utf-8"))
+    wanted = name.partition("[")[0].rpartition("::")[2]
+    return next(node.lineno for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) and node.name == wanted)
+
+
+def _source(env, proofs, run, piece, short):
+    return Html("span", badge("cited"), link(piece.name, page_address(env, "references")), classes=["piece"])
+
+
+def test_pages(app):
+    """Yield a page for every test file that a claim cites and that has none yet."""
+    if app.builder.name not in ("html", "dirhtml") or not hasattr(app, "chapter_ledger"):
+        return
+    files = {piece.name.partition("::")[0] for claim in app.chapter_ledger.claims for piece in claim.evidence
+             if piece.kind == "test"}  # fmt: skip
+    known = {path.relative_to(stamps.ROOT).as_posix() for path in listed()}
+    for name in sorted(files - known):
+        context = {"title": name, "body": numbered(app, stamps.ROOT / name), "parents": [], "html_theme_option": {}}
+        yield f"source/{name}", context, "page.html"
