@@ -18,7 +18,7 @@ from book._ext.chapter.elements import typeset
 from book._ext.chapter.evidence import evidence_line, findings
 from book._ext.chapter.listings import LISTED, listed
 from book._ext.chapter.points import tex_point, tex_value
-from book._ext.chapter.theorems import Proofs, module_and_line, placements
+from book._ext.chapter.theorems import Proofs, module_and_line, page_names, placements
 from proofs.theorem import all_theorems
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -168,6 +168,13 @@ def test_numbers_follow_the_pages_and_then_the_rest(tmp_path):
         "one": ("a", 3),
         "zero": ("claims", 4),
     }
+
+
+def test_pages_may_be_in_parts(tmp_path):
+    (tmp_path / "_toc.yml").write_text(
+        "root: index\nparts: [{caption: One, chapters: [{file: b}]}, {caption: Two, chapters: [{file: a}]}]\n"
+    )
+    assert page_names(tmp_path) == ["index", "b", "a"]
 
 
 def test_evidence_in_words():

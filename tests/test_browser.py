@@ -4,13 +4,13 @@ from pathlib import Path
 from urllib.parse import urlparse
 
 import pytest
-import yaml
+
+from book._ext.chapter.theorems import page_names
 
 ROOT = Path(__file__).resolve().parent.parent
 
 pytestmark = pytest.mark.browser
-TOC = yaml.safe_load((ROOT / "book" / "_toc.yml").read_text(encoding="utf-8"))
-PAGES = [TOC["root"], *(chapter["file"] for chapter in TOC["chapters"])]
+PAGES = page_names(ROOT / "book")
 PHONE = {"width": 400, "height": 850}
 DESKTOP = {"width": 1280, "height": 900}
 

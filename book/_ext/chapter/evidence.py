@@ -25,8 +25,11 @@ def findings(entry: dict) -> list[str]:
     if entry.get("statements"):
         what = count(entry["statements"], "exact counterexample" if refuted else "certificate")
         parts.append(f"{what}, checked by two kernels")
-    for seen in entry.get("measurements", ()):
-        parts.append("an enclosure of every case" if seen["certified"] else count(seen["samples"], "measured case"))
+    measured = entry.get("measurements", ())
+    if enclosed := sum(seen["certified"] for seen in measured):
+        parts.append(f"{count(enclosed, 'error')} enclosed in every case")
+    if cases := sum(seen["samples"] for seen in measured if not seen["certified"]):
+        parts.append(count(cases, "measured case"))
     mutants = entry.get("mutants", ())
     rejected = [variant for seen in entry.get("measurements", ()) for variant in seen["false_variants"]]
     if total := len(mutants) + len(rejected):

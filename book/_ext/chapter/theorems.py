@@ -49,7 +49,8 @@ def page_names(book: Path) -> list[str]:
     if not contents.is_file():
         return sorted(path.stem for path in book.glob("*.md"))
     table = yaml.safe_load(contents.read_text(encoding="utf-8"))
-    return [table["root"], *(chapter["file"] for chapter in table["chapters"])]
+    parts = table.get("parts", [table])
+    return [table["root"], *(chapter["file"] for part in parts for chapter in part["chapters"])]
 
 
 def placements(book: Path, ids: list[str]) -> dict[str, Placement]:
