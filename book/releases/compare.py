@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from book.releases.pictures import arrays_of
+from book.releases.pictures import CANVAS, arrays_of
 from book.releases.tolerances import is_within
 from verify.grades import STANDING
 
@@ -113,7 +113,7 @@ def pictures(before: dict, after: dict, kept: Path, generated: Path) -> list[Pic
             found.append(_changed(id, arrays_of(kept / old["kept"]), arrays_of(generated / data)))
         elif old["files"] != new["files"]:
             names = [n for n in sorted(old["files"] | new["files"]) if old["files"].get(n) != new["files"].get(n)]
-            what = "pixels" if new["kept"].endswith(".png") else "numbers"
+            what = CANVAS if new["kept"].endswith(".png") else "numbers"
             found.append(PictureChange(id, "drawn otherwise", f"the same {what}, other bytes: {', '.join(names)}"))
     return sorted(found, key=lambda change: (change.kind, change.id))
 
@@ -123,8 +123,8 @@ def _changed(id: str, old: dict[str, np.ndarray], new: dict[str, np.ndarray]) ->
     if shapes[0] != shapes[1]:
         sizes = [", ".join(f"{n} {'×'.join(map(str, a.shape))}" for n, a in arrays.items()) for arrays in (old, new)]
         return PictureChange(id, "changed", f"other arrays: {sizes[0]} → {sizes[1]}")
-    if "pixels" in old:
-        apart = np.abs(old["pixels"].astype(int) - new["pixels"]).max(axis=2)
+    if CANVAS in old:
+        apart = np.abs(old[CANVAS].astype(int) - new[CANVAS]).max(axis=2)
         words = f"largest difference {apart.max()}/255, RMS {rms(apart):.3g}/255, {np.count_nonzero(apart):,} of "
         brightest = (apart * 255 // apart.max()).astype(np.uint8)
         return PictureChange(id, "changed", f"{words}{apart.size:,} pixels", difference=brightest)

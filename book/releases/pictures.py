@@ -9,15 +9,17 @@ from PIL import Image
 
 from book.figures.data import read_data
 
+CANVAS = "picture_0"  # all of a figure's pictures side by side; no data and no single picture has this name
+
 
 def arrays_of(path: Path) -> dict[str, np.ndarray]:
-    """What is compared of a file of data, or of a kept one: {"pixels": (height, width, 4) uint8}, or all its arrays."""
+    """What is compared of a file of data, or of a kept one: {CANVAS: (height, width, 4) uint8}, or all its arrays."""
     if path.suffix == ".png":
         with Image.open(path) as image:
-            return {"pixels": np.asarray(image.convert("RGBA"))}
+            return {CANVAS: np.asarray(image.convert("RGBA"))}
     arrays = read_data(path.name, path.read_bytes())
     pictures = [array for name, array in arrays.items() if name.startswith("picture_")]
-    return {"pixels": side_by_side(pictures)} if pictures else arrays
+    return {CANVAS: side_by_side(pictures)} if pictures else arrays
 
 
 def side_by_side(pictures: list[np.ndarray]) -> np.ndarray:
@@ -36,15 +38,15 @@ def side_by_side(pictures: list[np.ndarray]) -> np.ndarray:
 def kept_file(data: Path) -> tuple[str, str]:
     """The name under which a release keeps a figure's data, and the digest of the arrays in it."""
     arrays = arrays_of(data)
-    return f"{data.stem}.png" if "pixels" in arrays else data.name, digest(arrays)
+    return f"{data.stem}.png" if CANVAS in arrays else data.name, digest(arrays)
 
 
 def keep(data: Path, folder: Path) -> None:
     """Write a figure's data into a release's folder."""
     arrays = arrays_of(data)
-    if "pixels" in arrays:
+    if CANVAS in arrays:
         buffer = io.BytesIO()
-        Image.fromarray(arrays["pixels"]).save(buffer, format="PNG", optimize=True)
+        Image.fromarray(arrays[CANVAS]).save(buffer, format="PNG", optimize=True)
         (folder / f"{data.stem}.png").write_bytes(buffer.getvalue())
     else:
         (folder / data.name).write_bytes(data.read_bytes())
