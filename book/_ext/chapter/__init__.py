@@ -9,6 +9,7 @@
 `{docstring} FILE`         a module's docstring; sources as pages, theorems as downloads (listings.py)
 section ids                `(s1)=` before a heading puts s1 on the section itself (pages.py)
 notebooks                  a page with code cells offers itself as a notebook (pages.py)
+docstrings                 autodoc reads them as plain text (interface.py)
 screen readers             lists and tables that they understand (accessibility.py)
 MathJax                    copied into the site from the installed package (assets.py)
 """
@@ -21,6 +22,7 @@ from book._ext.chapter import (
     dependencies,
     elements,
     figures,
+    interface,
     listings,
     numbers,
     pages,
@@ -29,6 +31,18 @@ from book._ext.chapter import (
 
 def setup(app):
     """Register everything with Sphinx."""
-    for part in (accessibility, assets, cards, claims, dependencies, elements, figures, listings, numbers, pages):
+    for part in (
+        accessibility,
+        assets,
+        cards,
+        claims,
+        dependencies,
+        elements,
+        figures,
+        interface,
+        listings,
+        numbers,
+        pages,
+    ):
         part.setup(app)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,50 @@
+"""The pages made from docstrings: everything public is on them, and docstrings are read as plain text."""
+
+from sphinx.util.inventory import InventoryFile
+
+import renderer
+from book._ext.chapter.interface import names_of, restructured
+
+PLACES = {"api-renderer.html", "api-proofs.html", "api-verify.html"}
+OTHERS = {
+    "proofs.program.Program",
+    "proofs.height_fields.HeightField",
+    "proofs.claim.Claim",
+    "proofs.theorem.Theorem",
+    "verify.proof_checker.examine",
+    "verify.reference.Reference",
+    "verify.accuracy.balls.Balls",
+}
+
+
+def test_everything_public_has_an_entry(site):
+    with (site / "objects.inv").open("rb") as stream:
+        found = InventoryFile.load(stream, "", lambda base, name: name)
+    places = {
+        name: entry[2].partition("#")[0]
+        for kind in found
+        if kind.startswith("py:")
+        for name, entry in found[kind].items()
+    }
+    public = {f"{getattr(renderer, name).__module__}.{name}" for name in renderer.__all__}
+    assert public | OTHERS <= places.keys()
+    assert set(places.values()) == PLACES
+
+
+def test_markup_of_a_docstring_is_plain_text():
+    assert restructured(["|k_u| ≤ 2²⁰, a * b and `a * b`."], set()) == ["\\|k\\_u\\| ≤ 2²⁰, a \\* b and ``a * b``.", ""]
+
+
+def test_indented_lines_are_a_listing():
+    assert restructured(["Run it:", "", "    python -m x"], set()) == ["Run it:", "", "::", "", "    python -m x", ""]
+
+
+def test_arguments_are_named_and_nothing_else_is():
+    def drawn(size, step_u):
+        pass
+
+    text = "Draw. size, step_u: pixels. Note: none. size: again."
+    assert restructured([text], names_of(drawn)) == [
+        "Draw. **size, step\\_u**: pixels. Note: none. **size**: again.",
+        "",
+    ]
