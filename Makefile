@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 RUN := $(BIN)/python
 
-.PHONY: help environment book test verify figures release-notes release same-bytes bench clean
+.PHONY: help environment book test verify figures single pdf release-notes release same-bytes bench clean
 .DEFAULT_GOAL := help
 
 help: ## list these targets
@@ -20,6 +20,12 @@ verify: environment ## run the proofs' checker alone  (pytest verify)
 
 figures: environment ## draw the figures that changed  (python -m book figures)
 	@$(RUN) -m book figures
+
+single: environment ## the whole chapter as one HTML file that can be mailed  (python -m book single)
+	@$(RUN) -m book single
+
+pdf: environment ## the chapter for printing, by the installed Chromium  (python -m book pdf)
+	@$(RUN) -m book pdf
 
 release-notes: environment ## say what moved since the last release  (python -m book release-notes)
 	@$(RUN) -m book release-notes

@@ -1,6 +1,6 @@
 """One command that makes the book: check the theorems, draw the figures, build the site.
 
-Usage: python -m book [all | check | figures | build | release-notes | release | same-bytes] [--help]
+Usage: python -m book [all | check | figures | build | single | pdf | release-notes | release | same-bytes] [--help]
 """
 
 import argparse
@@ -8,12 +8,16 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Sequence
+from pathlib import Path
 
 from filelock import FileLock
 
 from book import stamps
 from book.figures.registry import UnknownFigure
+from book.printing.file import NoBrowser
+from book.single.file import TooLarge
 
+BUILDING = ("all", "build", "single", "pdf")
 RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made first
 
 
@@ -53,6 +57,20 @@ def build() -> None:
     build.build()
 
 
+def single() -> None:
+    """Write the chapter as one file, unless the site has not changed."""
+    from book.single import file
+
+    file.make()
+
+
+def pdf() -> None:
+    """Print the chapter, unless the site has not changed."""
+    from book.printing import file
+
+    file.make()
+
+
 def parser() -> argparse.ArgumentParser:
     """The command line."""
     top = argparse.ArgumentParser(prog="python -m book", description=__doc__.splitlines()[0])
@@ -64,6 +82,8 @@ def parser() -> argparse.ArgumentParser:
     drawing.add_argument("--force", action="store_true", help="draw them even if nothing changed")
     drawing.add_argument("--list", action="store_true", help="list the figures and what each draws")
     verbs.add_parser("build", help="theorems, figures, then the site if anything changed")
+    verbs.add_parser("single", help="after that, the chapter as one HTML file that can be mailed")
+    verbs.add_parser("pdf", help="after that, the chapter as a PDF, printed by the installed Chromium")
     comparing = verbs.add_parser("release-notes", help="what moved since the last release; fails if left unsaid")
     comparing.add_argument("--against", metavar="VERSION", help="compare with this release instead of the last")
     verbs.add_parser("release", help="write releases/VERSION.json and its pictures, if nothing was left unsaid")
@@ -92,6 +112,15 @@ def releases(options: argparse.Namespace) -> int:
         return 2
 
 
+def made(verb: str) -> Path:
+    """The file that a reader opens."""
+    from book import build
+    from book.printing import file as print_
+    from book.single import file as single_
+
+    return {"single": single_.PLACE, "pdf": print_.PLACE}.get(verb, build.INDEX)
+
+
 def run(options: argparse.Namespace) -> int:
     """Do what the command line asked for; the exit status."""
     verb = options.verb or "all"
@@ -108,17 +137,20 @@ def run(options: argparse.Namespace) -> int:
             stage("Checking everything", check)
         if verb == "figures":
             stage("Drawing figures", lambda: figures(options.ids, options.force))
-        if verb in ("all", "build", *RELEASES):
+        if verb in (*BUILDING, *RELEASES):
             stage("Checking the theorems", report)
             stage("Drawing figures", figures)
-        if verb in ("all", "build", "same-bytes"):
+        if verb in (*BUILDING, "same-bytes"):
             stage("Building the site", build)
+        if verb == "single":
+            stage("Joining the pages in one file", single)
+        if verb == "pdf":
+            stage("Printing the chapter", pdf)
         if verb in RELEASES:
             return releases(options)
-    if verb in ("all", "build"):
-        from book.build import INDEX
-
-        print(f"The book is at {INDEX.relative_to(stamps.ROOT)}: open {INDEX.as_uri()}")
+    if verb in BUILDING:
+        place = made(verb)
+        print(f"The book is at {place.relative_to(stamps.ROOT)}: open {place.as_uri()}")
     return 0
 
 
@@ -136,6 +168,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except UnknownFigure as error:
         print(f"book: {error}", file=sys.stderr)
         return 2
+    except (TooLarge, NoBrowser) as error:
+        print(f"book: {error}", file=sys.stderr)
+        return 1
 
 
 if __name__ == "__main__":

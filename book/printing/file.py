@@ -1,0 +1,26 @@
+"""Print the chapter, unless the print is up to date."""
+
+from book import build, stamps
+
+PLACE = build.BOOK / "_build" / "pdf" / "bump-mapping.pdf"
+
+
+class NoBrowser(RuntimeError):
+    """There is no Chromium to print with."""
+
+
+def make() -> None:
+    """Print the built site's pages into one PDF, which appears whole or not at all; raises NoBrowser."""
+    from book.printing.chromium import print_document
+    from book.printing.paper import document
+
+    site = stamps.read("site")
+    if site is not None and stamps.read("pdf") == site and PLACE.is_file():
+        print("  skipped: the site has not changed")
+        return
+    stamps.remove("pdf")
+    print("  Chromium typesets every page (a minute)", flush=True)
+    made = print_document(document(build.SITE))
+    stamps.write_whole(PLACE, made)
+    stamps.write("pdf", site)
+    print(f"  {len(made) / 1e6:.1f} MB")

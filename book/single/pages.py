@@ -1,0 +1,113 @@
+"""The pages of the built site, read: what each shows, and what it asks to be loaded."""
+
+import posixpath
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+from bs4 import BeautifulSoup, Tag
+
+ARTICLE = re.compile(r'<article class="bd-article">(.*)</article>', re.DOTALL)
+SHELL = "s1"  # the page whose frame is taken: one with contents beside it
+LEFT_OUT = {"search.html", "genindex.html"}  # a file has no search, and its index is empty
+
+
+class BrokenSite(ValueError):
+    """The built site lacks something that one of its pages refers to."""
+
+
+@dataclass(frozen=True)
+class Load:
+    """What a page has loaded: a style sheet or a script, by its path in the site."""
+
+    path: str
+    script: bool
+    deferred: bool
+    data: tuple[tuple[str, str], ...]  # the attributes that a script reads from its own element
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page of the site: its address without .html, and its parts as parsed."""
+
+    name: str
+    article: Tag
+    contents: Tag | None  # "on this page", a list of links
+    neighbours: Tag | None  # links to the pages before and after
+    downloads: list[Tag]  # the items of the download menu
+    loads: list[Load]  # in their order
+
+    @property
+    def listing(self) -> bool:
+        """Whether it is a source's listing, which has no place in the order of the chapter."""
+        return self.name.startswith("source/")
+
+    @property
+    def title(self) -> str:
+        """The page's heading as text."""
+        heading = self.article.find("h1")
+        return heading.get_text().removesuffix("#").strip() if heading else self.name
+
+
+def parsed(text: str) -> BeautifulSoup:
+    """A document, or a part of one."""
+    return BeautifulSoup(text, "html.parser")
+
+
+def target(page: str, address: str) -> tuple[str, str] | None:
+    """The file of the site, and the fragment, that an address on a page means; None if it leads elsewhere."""
+    parts = urlsplit(address)
+    if parts.scheme or parts.netloc:
+        return None
+    path = posixpath.normpath(posixpath.join(posixpath.dirname(page), unquote(parts.path))) if parts.path else ""
+    return path or f"{page}.html", unquote(parts.fragment)
+
+
+def load(page: str, tag: Tag) -> Load:
+    """What a <link> or <script> on a page loads."""
+    path, _ = target(page, tag.get("src") or tag["href"])
+    data = tuple((name, value) for name, value in tag.attrs.items() if name.startswith("data-"))
+    return Load(path, tag.name == "script", tag.has_attr("defer"), data)
+
+
+def read_page(site: Path, name: str) -> Page:
+    """Read one page. A listing is large, and nothing but its article is wanted."""
+    text = (site / f"{name}.html").read_text(encoding="utf-8")
+    found = ARTICLE.search(text)
+    if not found:
+        raise BrokenSite(f"{name}.html has no article: is it a page of this book?")
+    if name.startswith("source/"):
+        return Page(name, parsed(found[0]).article, None, None, [], [])
+    soup = parsed(text)
+    article = soup.find("article", class_="bd-article")
+    contents = soup.select_one("#pst-page-toc-nav > ul")
+    downloads = [link.find_parent("li") for link in soup.select(".dropdown-download-buttons a[href]")]
+    loads = [load(name, tag) for tag in soup.select("link[rel=stylesheet][href], script[src]")]
+    return Page(name, article, contents, soup.find("footer", class_="prev-next-footer"), downloads, loads)
+
+
+def linked(page: Page) -> Iterator[str]:
+    """The names of the pages that a page's text leads to."""
+    for link in page.article.find_all("a", href=True):
+        aim = target(page.name, link["href"])
+        if aim and aim[0].endswith(".html") and aim[0] not in LEFT_OUT:
+            yield aim[0].removesuffix(".html")
+
+
+def read_pages(site: Path, shell: BeautifulSoup, wanted: Callable[[str], bool] = lambda name: True) -> list[Page]:
+    """Every page in the order of the sidebar, then those that these lead to, in the order in which they are met.
+
+    wanted: says of a name whether the page is read.
+    """
+    links = [target(SHELL, link["href"]) for link in shell.select("nav.bd-docs-nav a[href]")]
+    waiting = [aim[0].removesuffix(".html") for aim in links if aim]
+    pages: dict[str, Page] = {}
+    for name in waiting:  # it grows while it is read
+        if name not in pages and wanted(name):
+            if not (site / f"{name}.html").is_file():
+                raise BrokenSite(f"a page links to {name}.html, which the site does not have")
+            pages[name] = read_page(site, name)
+            waiting.extend(linked(pages[name]))
+    return list(pages.values())

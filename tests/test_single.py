@@ -1,0 +1,331 @@
+"""The chapter as one file: opened from the disk without a network, it has what the site has and asks for nothing."""
+
+import gzip
+import json
+import re
+import shutil
+from base64 import b64decode
+from collections import Counter
+from html.parser import HTMLParser
+from urllib.parse import unquote
+
+import pytest
+
+from book.single import file
+from book.single.document import document
+from book.single.listings import make_small
+from book.single.names import Names, relink, rename
+from book.single.pages import BrokenSite, Page, parsed
+from book.single.pictures import change, difference
+from book.single.store import inlined_script, svg_address, svg_parts
+
+PHONE, DESKTOP = {"width": 400, "height": 850}, {"width": 1280, "height": 900}
+
+
+class Elements(HTMLParser):
+    """Every element of a document: its tag and its attributes."""
+
+    def __init__(self, text: str):
+        super().__init__()
+        self.all = []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.all.append((tag, dict(attributes)))
+
+
+@pytest.fixture(scope="module")
+def single(site, tmp_path_factory):
+    """The file, made anew of the built site, alone in a folder that holds nothing else."""
+    place = tmp_path_factory.mktemp("mailed") / "chapter.html"
+    place.write_bytes(file.content(site))
+    return place
+
+
+@pytest.fixture(scope="module")
+def elements(single):
+    return Elements(single.read_text(encoding="utf-8")).all
+
+
+@pytest.fixture(scope="module")
+def opened(browser, single):
+    """The file in a browser without a network; what it asked for and complained of."""
+    context = browser.new_context(viewport=DESKTOP, color_scheme="light", accept_downloads=True, offline=True)
+    context.set_default_timeout(120_000)
+    tab, requests, complaints = context.new_page(), [], []
+    tab.on("request", lambda request: requests.append(request.url))
+    tab.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
+    tab.on("pageerror", lambda error: complaints.append(str(error)))
+    tab.goto(single.as_uri())
+    wait(tab, "window.Simulator && Simulator.running && Simulator.running.frames.length > 0")
+    yield tab, requests, complaints
+    context.close()
+
+
+def wait(tab, condition: str):
+    """Ask until it is so. Playwright's own way evaluates a text in the page, which the file's policy forbids."""
+    for _ in range(300):
+        if tab.evaluate(condition):
+            return
+        tab.wait_for_timeout(100)
+    pytest.fail(f"never came true: {condition}")
+
+
+def go(tab, id: str):
+    """Follow an address inside the file, and wait for its formulas."""
+    tab.evaluate("id => { location.hash = '#' + id }", id)
+    wait(tab, f"Chapter.shown().contains(document.getElementById('{id}'))")
+    tab.evaluate("Chapter.ready()")
+
+
+def page(name: str, article: str) -> Page:
+    return Page(name, parsed(f'<article class="bd-article">{article}</article>').article, None, None, [], [])
+
+
+def test_file_can_be_mailed(single):
+    assert 1_000_000 < single.stat().st_size < file.LARGEST == 12_000_000
+
+
+def test_file_that_is_too_large_is_not_written(site, monkeypatch):
+    monkeypatch.setattr(file, "LARGEST", 1_000_000)
+    with pytest.raises(file.TooLarge, match="at most 1,000,000"):
+        file.content(site)
+
+
+def test_every_id_occurs_once(elements):
+    ids = Counter(attributes["id"] for _, attributes in elements if "id" in attributes)
+    assert len(ids) > 500
+    assert [id for id, count in ids.items() if count > 1] == []
+
+
+def test_every_link_leads_somewhere(elements):
+    ids = {attributes.get("id") for _, attributes in elements}
+    links = [attributes["href"] for tag, attributes in elements if tag == "a" and "href" in attributes]
+    inside = [unquote(link[1:]) for link in links if link.startswith("#")]
+    assert len(inside) > 500
+    assert [link for link in inside if link not in ids] == []
+    assert [link for link in links if not re.match(r"#|data:application/gzip|https?://|mailto:", link)] == []
+
+
+def test_nothing_is_named_that_would_be_loaded(elements):
+    for tag, attributes in elements:
+        for name in ("src", "srcset", "poster", "data"):
+            assert (attributes.get(name) or "data:").startswith("data:"), (tag, attributes)
+        assert tag != "link" or attributes["href"].startswith("data:"), attributes
+
+
+def test_every_id_of_the_site_is_there(single, elements, site):
+    here = {attributes.get("id") for _, attributes in elements}
+    for name in re.findall(r'data-page="([^"]+)"', single.read_text(encoding="utf-8")):
+        if name.startswith("source/"):
+            continue
+        article = re.search(r"<article.*</article>", (site / f"{name}.html").read_text(encoding="utf-8"), re.DOTALL)[0]
+        for _, attributes in Elements(article).all:
+            if id := attributes.get("id"):
+                assert id in here or f"{name}:{id}" in here, (name, id)
+
+
+def test_files_to_keep_are_the_site_s(elements, site):
+    packed = [attributes for tag, attributes in elements if "data-packed" in attributes]
+    assert len(packed) > 100
+    names = {attributes["data-packed"] for attributes in packed}
+    assert {"unit_length.json", "unit_length.py", "s5.ipynb", "s5.md"} <= names
+    kept = {a["data-packed"]: gzip.decompress(b64decode(a["href"].split(",")[1])) for a in packed}
+    assert kept["unit_length.json"] == (site / "_downloads" / "theorems" / "unit_length.json").read_bytes()
+
+
+def test_same_site_gives_the_same_bytes(single, site):
+    assert document(site).encode() == single.read_bytes()
+
+
+def test_page_that_lacks_something_is_refused(site, tmp_path):
+    broken = tmp_path / "html"
+    shutil.copytree(site, broken)
+    text = (broken / "s1.html").read_text(encoding="utf-8")
+    (broken / "s1.html").write_text(text.replace('href="s3.html#s3"', 'href="s3.html#s33"', 1), encoding="utf-8")
+    with pytest.raises(BrokenSite, match="s33"):
+        document(broken)
+
+
+def test_id_of_several_pages_gets_the_page_s_name_and_references_follow():
+    links = '<a href="#x">1</a><a href="b.html#x">2</a><a href="b.html">3</a>'
+    styled = '<label for="x"></label><style>#x{} #own{}</style><i id="own"></i>'
+    pages = [
+        page("a", f'<section id="a"><b id="x"></b>{links}</section>'),
+        page("b", f'<section id="b"><b id="x"></b>{styled}</section>'),
+    ]
+    names = Names(pages)
+    for each in pages:
+        rename(each, names.table[each.name])
+        relink(each.article, each.name, names, lambda link, path: pytest.fail(path))
+    assert [link["href"] for link in pages[0].article.find_all("a")] == ["#a:x", "#b:x", "#b"]
+    assert pages[0].article.b["id"] == "a:x" and pages[1].article.b["id"] == "b:x"
+    assert pages[1].article.label["for"] == "b:x"
+    assert pages[1].article.style.string == r"#b\:x{} #own{}"
+
+
+def test_link_to_no_id_is_refused():
+    names = Names([page("a", '<section id="a"><a href="#nowhere">x</a></section>')])
+    with pytest.raises(BrokenSite, match="nowhere"):
+        names.fragment("a", "#nowhere")
+
+
+def test_small_listing_has_the_text_of_the_large_one():
+    numbered = '<a id="L-{0}" name="L-{0}"></a><span class="linenos">{0}</span>'
+    lines = [numbered.format(1), '<span class="kn">import</span>\n']
+    lines += [numbered.format(2), '<span class="n">x</span> <span class="o">=</span>']
+    listing = page("source/a", "<h1>a</h1><pre>" + "".join(lines) + "\n</pre>")
+    make_small(listing, {"L-2"})
+    assert listing.article.pre.get_text() == "import\nx =\n"
+    assert [a["id"] for a in listing.article.find_all("a")] == ["L-2"]
+    assert listing.article.find(class_="numbers").get_text() == "1\n2"
+
+
+def test_dark_drawing_can_be_made_of_the_light_one(site):
+    darks = sorted((site / "_images").glob("*.dark.svg"))
+    assert darks
+    for path in darks:
+        light, dark = svg_parts(path.with_name(path.name.replace(".dark", ""))), svg_parts(path)
+        for entry in difference(light, dark):
+            part, start, end, text = re.match(r"(\d+) (\d+) (\d+) (.*)$", entry, re.DOTALL).groups()
+            old = light[int(part)]
+            light[int(part)] = old[: int(start)] + text + old[len(old) - int(end) :]
+        assert light == dark, path.name
+
+
+def test_change_between_texts_that_overlap():
+    assert change("aa", "aaa") == "2 0 a"
+    assert change("abXcd", "abYcd") == "2 2 Y"
+
+
+def test_script_cannot_end_its_element(tmp_path):
+    (tmp_path / "a.js").write_text('x = "</script>" + "<!--"')
+    assert "</script" not in inlined_script(tmp_path / "a.js") and "<!--" not in inlined_script(tmp_path / "a.js")
+
+
+def test_drawing_stands_inside_double_quotes(tmp_path):
+    (tmp_path / "a.svg").write_text("""<svg a="50%" b="it's"><use href="#x"/></svg>""")
+    address = svg_address(svg_parts(tmp_path / "a.svg"))
+    assert '"' not in address and "#" not in address and "&amp;apos;" in address
+
+
+@pytest.mark.browser
+def test_every_page_is_typeset_and_whole(opened):
+    tab, _, _ = opened
+    for name in tab.evaluate("Chapter.pages.map(p => p.dataset.page)"):
+        tab.evaluate("n => Chapter.show(Chapter.pages.find(p => p.dataset.page === n))", name)
+        tab.evaluate("Chapter.ready()")
+        seen = tab.evaluate(
+            """() => { const page = Chapter.shown(), shown = [...page.querySelectorAll('img')].filter(i => i.src);
+                return { pages: Chapter.pages.filter(p => p.hasAttribute('hidden')).length,
+                    math: page.querySelectorAll('.math').length,
+                    set: page.querySelectorAll('.math mjx-container').length,
+                    wrong: page.querySelectorAll('mjx-merror, [data-mjx-error]').length,
+                    images: shown.filter(i => !(i.complete && i.naturalWidth)).length } }"""
+        )
+        assert seen["pages"] == tab.evaluate("Chapter.pages.length") - 1
+        assert seen["set"] >= seen["math"] and seen["wrong"] == seen["images"] == 0, (name, seen)
+    loaded = "[...document.fonts].filter(f => /MJX|Awesome/.test(f.family) && f.status == 'error').length"
+    assert tab.evaluate(loaded) == 0
+    assert tab.evaluate("[...document.fonts].some(f => f.family.includes('MJX') && f.status == 'loaded')")
+
+
+@pytest.mark.browser
+def test_links_turn_pages_and_the_way_back_leads_back(opened):
+    tab, _, _ = opened
+    go(tab, "s1")
+    tab.locator(".bd-docs-nav a:visible", has_text="§7").click()
+    wait(tab, "Chapter.shown().dataset.page === 's7'")
+    assert tab.locator(".bd-docs-nav a.current").inner_text().startswith("§7")
+    assert tab.title().startswith("§7")
+    tab.evaluate("Chapter.ready()")
+    tab.evaluate("scrollTo(0, 600)")
+    tab.locator(".chapter-page:not([hidden]) a[href^='#theorem-']:visible").first.evaluate("link => link.click()")
+    wait(tab, "location.hash.startsWith('#theorem-')")
+    target = "document.querySelector(':target').getBoundingClientRect()"
+    tab.evaluate("Chapter.ready()")
+    wait(tab, f"{target}.top < innerHeight && {target}.bottom > 0")
+    tab.go_back()
+    wait(tab, "Chapter.shown().dataset.page === 's7' && Math.abs(scrollY - 600) < 2")
+
+
+@pytest.mark.browser
+def test_simulator_draws_and_its_slider_works(opened):
+    tab, _, _ = opened
+    go(tab, "sim")
+    seen = "document.querySelector('[data-picture=difference] canvas').toDataURL()"
+    rms = "document.querySelector('[data-readout=rms]').textContent"
+    before, value = tab.evaluate(seen), tab.evaluate(rms)
+    assert len(before) > 10_000
+    tab.locator("#sim-eps").focus()
+    for _ in range(30):
+        tab.keyboard.press("ArrowRight")
+    wait(tab, f"{rms} !== '{value}' && {rms} !== '…'")
+    assert tab.evaluate(seen) != before
+    wait(tab, "location.hash.startsWith('#sim?')")
+    assert tab.evaluate("Chapter.shown().dataset.page") == "s4"
+
+
+@pytest.mark.browser
+def test_kept_file_comes_out_under_its_own_name(opened, site):
+    tab, _, _ = opened
+    go(tab, "theorem-unit_length")
+    with tab.expect_download() as kept:
+        tab.locator("a[data-packed='unit_length.json']").first.click()
+    assert kept.value.suggested_filename == "unit_length.json"
+    assert json.loads(kept.value.path().read_text()) == json.loads(
+        (site / "_downloads" / "theorems" / "unit_length.json").read_text()
+    )
+
+
+@pytest.mark.browser
+def test_dark_mode_has_dark_pictures(opened):
+    tab, _, _ = opened
+    go(tab, "s1")
+    paper = "getComputedStyle(document.body).backgroundColor"
+    papers = set()
+    for _ in range(3):
+        tab.locator(".theme-switch-button:visible").first.click()
+        papers.add((tab.evaluate("document.documentElement.dataset.theme"), tab.evaluate(paper)))
+        if tab.evaluate("document.documentElement.dataset.theme") == "dark":
+            wait(
+                tab,
+                """(() => { const seen = [...Chapter.shown().querySelectorAll('img.plot')].filter(i => i.offsetWidth);
+                    const dark = i => i.classList.contains('only-dark') && i.complete && i.naturalWidth;
+                    return seen.length && seen.every(dark) })()""",
+            )
+    assert len(papers) == 2
+
+
+@pytest.mark.browser
+def test_file_fits_a_phone_and_its_menu_leads_on(browser, single):
+    context = browser.new_context(viewport=PHONE, is_mobile=True, has_touch=True)
+    tab = context.new_page()
+    tab.goto(single.as_uri())
+    for name in ("index", "s2", "s4", "claims", "source/proofs/kernel.py"):
+        tab.evaluate("n => Chapter.show(Chapter.pages.find(p => p.dataset.page === n))", name)
+        tab.evaluate("Chapter.ready()")
+        assert tab.evaluate("document.documentElement.scrollWidth") <= PHONE["width"], name
+    tab.locator("button.primary-toggle").click()
+    tab.locator(".bd-docs-nav a:visible", has_text="§1").click()
+    wait(tab, "Chapter.shown().dataset.page === 's1' && !document.querySelector('dialog[open]')")
+    context.close()
+
+
+@pytest.mark.browser
+def test_file_asked_for_nothing_and_complained_of_nothing(opened, single):
+    """The last of the tests of the open file: it sees what all the others did."""
+    _, requests, complaints = opened
+    assert single.as_uri() in requests[0]
+    assert [url for url in requests[1:] if not url.startswith(("data:", "blob:"))] == []
+    assert complaints == []
+
+
+@pytest.mark.browser
+def test_without_scripts_every_page_stands_there(browser, single):
+    context = browser.new_context(java_script_enabled=False, viewport=DESKTOP)
+    tab = context.new_page()
+    tab.goto(single.as_uri())
+    for id in ("s1", "s9", "theorem-kink_loci", "fig-three_pictures"):
+        assert tab.locator(f"[id='{id}']").is_visible()
+    context.close()
