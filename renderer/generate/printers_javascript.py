@@ -9,6 +9,8 @@ from typing import ClassVar
 from sympy import Integer
 
 from proofs.half_turns import atan2pi, cospi, sinpi
+from proofs.program import Program
+from proofs.symbols import real
 from renderer.generate.printers import StraightLinePrinter
 
 ELEMENTARY = (sinpi, cospi, atan2pi)
@@ -79,14 +81,11 @@ class _Body:
     """The statements of a row kernel. What does not vary along the row stands before the loop."""
 
     def __init__(self, program, rows):
-        self.program, self.rows = program, rows
+        self.rows, self.varying = rows, _varying(program, rows)
+        self.program = program = _with_named_arguments(program, self.varying)
         found = dict.fromkeys(c for _, e in program.definitions for c in sorted(e.atoms(*ELEMENTARY), key=str))
         self.names = {call: f"{type(call).__name__}_{number}" for number, call in enumerate(found)}
         self.printer = JavaScriptPrinter({call: f"{name}[i]" for call, name in self.names.items()})
-        self.varying = set(rows)
-        for symbol, expression in program.definitions:
-            if expression.free_symbols & self.varying:
-                self.varying.add(symbol)
 
     def before(self):
         """Return the definitions that do not vary, of those that the outputs need."""
@@ -104,11 +103,9 @@ class _Body:
 
     def _call(self, call, result):
         """Return the statement that takes one function over the row."""
-        name, given = PRINTER.doprint(call).removesuffix(")").split("(", 1)
+        name, given = _name_and_arguments(call)
         moving = {s.name for s in call.free_symbols & self.varying}
-        given = [f"{a}_row" if a in moving else a for a in given.split(", ")]
-        if {a.removesuffix("_row") for a in given} & moving != moving:
-            raise ValueError(f"{self.program.name}: {call} is not a function of rows and scalars")
+        given = [f"{a}_row" if a in moving else a for a in given]
         return f"{name}_row({', '.join([*given, result])}, start, stop);"
 
     def loop(self, outputs, stores):
@@ -134,6 +131,41 @@ class _Body:
                 found |= self._reads(expression)
                 kept.append((symbol, expression))
         return kept[::-1]
+
+
+def _varying(program, rows):
+    """Return the names of a program that vary along the row."""
+    varying = set(rows)
+    for symbol, expression in program.definitions:
+        if expression.free_symbols & varying:
+            varying.add(symbol)
+    return varying
+
+
+def _name_and_arguments(call):
+    """Return the name of the function that a call is printed as, and its arguments, each as text."""
+    name, given = PRINTER.doprint(call).removesuffix(")").split("(", 1)
+    return name, given.split(", ")
+
+
+def _with_named_arguments(program, varying):
+    """Return the program with a line for each argument of a call that is neither a row nor a scalar, such as a sum.
+
+    The new names are put into `varying`.
+    """
+    lines, names = [], {}
+    for symbol, expression in program.definitions:
+        for call in sorted(expression.atoms(*ELEMENTARY), key=str):
+            if {s.name for s in call.free_symbols & varying} <= set(_name_and_arguments(call)[1]):
+                continue
+            for argument in call.args:
+                if argument not in names:
+                    names[argument] = real(f"argument_{len(names)}")
+                    lines.append((names[argument], argument))
+            expression = expression.xreplace({call: call.func(*(names[a] for a in call.args))})
+        lines.append((symbol, expression))
+    varying |= set(names.values())
+    return Program(program.name, program.inputs, tuple(lines), program.outputs)
 
 
 def _constants(pairs):
