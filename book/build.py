@@ -19,7 +19,7 @@ def sources() -> dict[str, str]:
     """The hashes of everything that the site is made from, drawn figures included."""
     folders = [BOOK, BOOK / "_generated", *(stamps.ROOT / name for name in ("proofs", "renderer", "verify"))]
     files = [path for folder in folders if folder.is_dir() for path in stamps.files_in(folder)]
-    return stamps.hashes([*files, stamps.LOCK_FILE])
+    return stamps.hashes([*files, stamps.LOCK_FILE, stamps.ROOT / "pyproject.toml"])
 
 
 def execution_cache() -> Path:

@@ -7,7 +7,7 @@ import pytest
 from docutils import nodes
 from docutils.utils import new_document
 
-from book._ext.chapter import pages
+from book._ext.chapter import notebooks, pages
 from book._ext.chapter.numbers import formatted, parse, typeset
 from book._ext.chapter.results import UnknownResult, look_up
 
@@ -172,5 +172,5 @@ def test_a_stream_cut_in_pieces_is_one():
         {"output_type": "display_data", "data": {}},
         {"output_type": "stream", "name": "stdout", "text": "c\n"},
     ]
-    texts = [output.get("text") for output in pages.merged(pieces)]
+    texts = [output.get("text") for output in notebooks.merged(pieces)]
     assert texts == ["a\nb\n", None, "c\n"]

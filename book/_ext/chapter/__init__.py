@@ -8,7 +8,7 @@
 `{dependency-graph}`       what rests on what (dependencies.py)
 `{docstring} FILE`         a module's docstring; sources as pages, theorems as downloads (listings.py)
 section ids                `(s1)=` before a heading puts s1 on the section itself (pages.py)
-notebooks                  a page with code cells offers itself as a notebook (pages.py)
+`{notebook} NAME`          where a cell's notebook is; all of them as downloads (notebooks.py)
 docstrings                 autodoc reads them as plain text (interface.py)
 screen readers             lists and tables that they understand (accessibility.py)
 MathJax                    copied into the site from the installed package (assets.py)
@@ -24,6 +24,7 @@ from book._ext.chapter import (
     figures,
     interface,
     listings,
+    notebooks,
     numbers,
     pages,
 )
@@ -41,6 +42,7 @@ def setup(app):
         figures,
         interface,
         listings,
+        notebooks,
         numbers,
         pages,
     ):

@@ -1,0 +1,84 @@
+"""The text of a notebook's first cell: it writes out the sources that the notebook uses, and checks them."""
+
+import base64
+import json
+import zlib
+from string import Template
+
+from book.notebooks.sources import digest, hashes, project
+
+TEXT = Template('''\
+# What this notebook uses of the project Symbolic Rendering, version $version, put in a folder beside it by this cell.
+# The book's build made it from the project's own files: with Numba the compiled renderer, without it the same
+# definitions printed for NumPy. HASHES has the SHA-256 of every file.
+import base64
+import hashlib
+import json
+import sys
+import time
+import zlib
+from pathlib import Path
+
+BEGAN = time.perf_counter()
+VERSION, DIGEST, NUMBA = "$version", "$digest", ($numba)
+HASHES = $hashes
+SOURCES = "$sources"
+
+
+def has_numba():
+    """Return whether Numba is here, new enough, and on terms with this NumPy."""
+    try:
+        import numba
+    except ImportError:
+        return False
+    return tuple(int(part) for part in numba.__version__.split(".")[:2]) >= NUMBA
+
+
+def write_sources(back_end):
+    """Write the files for a back end, each checked against its hash, and return their folder."""
+    folder = Path(f"symbolic-rendering-{VERSION}-{DIGEST[:8]}-{back_end}").resolve()
+    if hashlib.sha256(json.dumps(HASHES).encode()).hexdigest() != DIGEST:
+        raise ValueError("HASHES is not what the book's build wrote")
+    sources = json.loads(zlib.decompress(base64.b64decode(SOURCES)))
+    for part in ("both", back_end):
+        for path, text in sources[part].items():
+            found, right = hashlib.sha256(text.encode()).hexdigest(), HASHES.get(f"{part}/{path}")
+            if found != right:
+                raise ValueError(f"{path} is not what the book's build wrote: its SHA-256 is {found}, not {right}")
+            place = folder / path
+            if not place.is_file() or place.read_bytes() != text.encode():
+                place.parent.mkdir(parents=True, exist_ok=True)
+                place.write_bytes(text.encode())
+    return folder
+
+
+BACK_END = "numba" if has_numba() else "numpy"
+FOLDER = write_sources(BACK_END)
+sys.path.insert(0, str(FOLDER))
+if BACK_END == "numpy":
+    import renderer.arrays
+
+    renderer.arrays.take_over()
+
+
+def expect(what, found, as_expected):
+    """Print what the chapter expects and what this run found."""
+    print(f"{'as expected' if as_expected else 'NOT AS EXPECTED'}: {what}; here {found}")
+
+
+files = len(list(FOLDER.rglob("*.py")))
+print(f"version {VERSION}, sources {DIGEST[:8]}, drawn by {BACK_END}: {files} files in {FOLDER.name}")
+''')
+
+
+def first_cell(sources):
+    """Return the text of the first cell for a bundle of `sources.bundle`."""
+    version, numba = project()
+    packed = base64.b64encode(zlib.compress(json.dumps(sources).encode(), 9)).decode()
+    return TEXT.substitute(
+        version=version,
+        digest=digest(sources),
+        numba=", ".join(numba.split(".")),
+        hashes=json.dumps(hashes(sources), indent=4),
+        sources=packed,
+    )

@@ -1,0 +1,126 @@
+"""The laboratory's page as data: eight cells, each of prose and code, and its prose as plain Markdown."""
+
+import re
+from dataclasses import dataclass
+from functools import cache
+
+from myst_nb.core.read import read_myst_markdown_notebook
+from pybtex.database import parse_file
+
+from book import stamps
+from book._ext.chapter.numbers import E_NOTATION, formatted, parse
+from book._ext.chapter.results import load_result, look_up
+
+BOOK = stamps.ROOT / "book"
+PAGE = BOOK / "s5.md"
+HEADING = re.compile(r"^### Cell (?P<number>\d+)\. (?P<title>.+)$", re.MULTILINE)
+SKIPPED, EXPECTED = "skip-execution", "expect"
+ROLE = re.compile(r"\{(?P<role>[\w-]+)\}`(?P<text>[^`]*)`")
+DIRECTIVE = re.compile(r"^:::\{(?P<name>[\w-]+)\} *(?P<argument>\S*)\n(?:.*\n)*?:::$", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Part:
+    """A piece of a cell: `text` is Markdown of the book, or code with its tags."""
+
+    text: str
+    is_code: bool = False
+    tags: tuple = ()
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A cell of the laboratory: its number, its title, its parts in order."""
+
+    number: int
+    title: str
+    parts: tuple
+
+    @property
+    def name(self):
+        """What its notebook is called."""
+        return f"cell{self.number}"
+
+    @property
+    def code(self):
+        """What it runs, expectations included."""
+        return "\n".join(part.text for part in self.parts if part.is_code)
+
+    @property
+    def run_on_the_page(self):
+        """What of it ran when the page was built."""
+        return "\n".join(part.text for part in self.parts if part.is_code and SKIPPED not in part.tags)
+
+
+@cache
+def cells():
+    """Return the laboratory's Cells. Raises ValueError unless they are numbered from 1."""
+    found = []
+    for piece in read_myst_markdown_notebook(PAGE.read_text(encoding="utf-8")).cells:
+        if piece.cell_type == "code":
+            found[-1][2].append(Part(piece.source, True, tuple(piece.metadata.get("tags", ()))))
+            continue
+        end = None
+        for heading in [*HEADING.finditer(piece.source), None]:
+            text = piece.source[end : heading.start() if heading else None].strip()
+            if text and found:
+                found[-1][2].append(Part(text))
+            if heading:
+                found.append((int(heading["number"]), heading["title"], []))
+                end = heading.end()
+    if [number for number, _, _ in found] != list(range(1, len(found) + 1)):
+        raise ValueError(f"cells {[number for number, _, _ in found]} of {PAGE.name} are not allowed: 1, 2, 3, …")
+    return tuple(Cell(number, title, tuple(parts)) for number, title, parts in found)
+
+
+def number(text):
+    """Return the text of the role {number}, as a format of Python's prints it."""
+    id, key, spec = parse(text)
+    return formatted(look_up(BOOK, id, key), spec)
+
+
+def cited(text):
+    """Return {what a role {number} says: the number as text} of some prose."""
+    return {match["text"]: number(match["text"]) for match in ROLE.finditer(text) if match["role"] == "number"}
+
+
+@cache
+def _bibliography():
+    return parse_file(BOOK / "references.bib").entries
+
+
+def _citation(keys):
+    entries = [_bibliography()[key.strip()] for key in keys.split(",")]
+    names = [" and ".join(str(p.last_names[0]) for p in entry.persons["author"]) for entry in entries]
+    return "(" + "; ".join(f"{n} {entry.fields['year']}" for n, entry in zip(names, entries, strict=True)) + ")"
+
+
+def _typeset(text):
+    match = E_NOTATION.fullmatch(number(text))
+    return rf"${match['mantissa']} \times 10^{{{int(match['exponent'])}}}$" if match else number(text)
+
+
+def _said(match):
+    says = {"number": _typeset, "cite": _citation}
+    if match["role"] not in says:
+        raise ValueError(f"the role {match['role']!r} of {PAGE.name} is not allowed: {' or '.join(says)}")
+    return says[match["role"]](match["text"])
+
+
+def _directive(match):
+    if match["name"] == "notebook":
+        return ""
+    if match["name"] != "benchmark-label":
+        raise ValueError(f"the directive {match['name']!r} of {PAGE.name} is not allowed: notebook or benchmark-label")
+    label = load_result(BOOK, f"bench:{match['argument']}")["label"]
+    return f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}."
+
+
+def plain(text):
+    """Return prose of the page as plain Markdown: no targets, no roles, links as their words.
+
+    Raises ValueError on a role or directive that a notebook cannot say.
+    """
+    text = re.sub(r"^\([\w-]+\)=\n?", "", text + "\n", flags=re.MULTILINE)
+    text = ROLE.sub(_said, DIRECTIVE.sub(_directive, text))
+    return re.sub(r"\[([^\]]+)\]\(#[^)]*\)", r"\1", text).strip()

@@ -1,0 +1,93 @@
+"""The notebooks: one for every cell of the laboratory, and one of them all."""
+
+import json
+import re
+
+from book.notebooks import WHOLE
+from book.notebooks.first_cell import first_cell
+from book.notebooks.laboratory import EXPECTED, SKIPPED, cells, cited, plain
+from book.notebooks.slices import needed
+from book.notebooks.sources import bundle, project
+
+KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
+ABOUT = (
+    "From §5 of *Bump Mapping, or the Derivative Is the Texture*, version {version}. This notebook needs Python 3.11 "
+    "or newer with NumPy, SymPy, mpmath and Matplotlib, and nothing else: no network, no other file. Where Numba is "
+    "installed, it draws; elsewhere NumPy does, more slowly, to the same last bit."
+)
+LAST = 'print(f"{time.perf_counter() - BEGAN:.1f} s since the first cell, drawn by {BACK_END}")'
+
+
+def markdown(source):
+    """Return a cell of prose, without an id."""
+    return {"cell_type": "markdown", "metadata": {}, "source": source}
+
+
+def code(source, outputs=(), **metadata):
+    """Return a cell of code, without an id; what it printed when the page was built may be given."""
+    return {
+        "cell_type": "code",
+        "execution_count": None,
+        "metadata": metadata,
+        "outputs": list(outputs),
+        "source": source,
+    }
+
+
+def _expectations(cell):
+    """Return the line that hands a cell's code the numbers that its prose cites."""
+    numbers = {}
+    for part in cell.parts:
+        if not part.is_code:
+            numbers |= cited(part.text)
+    return f"cited = {json.dumps(numbers, indent=4, ensure_ascii=False)}\n\n" if numbers else ""
+
+
+def _body(cell, outputs):
+    """Return a cell's own cells."""
+    found = [markdown(f"## Cell {cell.number}. {cell.title}")]
+    for part in cell.parts:
+        if not part.is_code:
+            if text := plain(part.text):
+                found.append(markdown(text))
+        elif EXPECTED in part.tags:
+            found.append(code(_expectations(cell) + part.text))
+        else:
+            found.append(code(part.text, () if SKIPPED in part.tags else outputs.get(part.text, ())))
+    return found
+
+
+def _earlier(own):
+    """Return the source of what a cell needs of the cells before it, imports first; empty if nothing."""
+    before = [cell.run_on_the_page for cell in cells() if cell.number < own.number]
+    lines = needed(own.code, before)
+    imports = [line for line in lines if line.startswith(("import ", "from "))]
+    others = [f"\n\n{line}\n\n" if line.startswith("def ") else line for line in lines if line not in imports]
+    text = "\n".join(["# From the cells before this one.", *imports, "", *others]).strip()
+    return re.sub(r"\n{4,}", "\n\n\n", text) if lines else ""
+
+
+def _whole(title, middle):
+    """Return the notebook of some cells under a title, its first and last cell put around them."""
+    sources = bundle("\n".join(cell["source"] for cell in middle if cell["cell_type"] == "code"))
+    top = markdown(f"# {title}\n\n{ABOUT.format(version=project()[0])}")
+    every = [top, code(first_cell(sources), jupyter={"source_hidden": True}), *middle, code(LAST)]
+    for number, cell in enumerate(every):
+        cell["id"] = f"cell-{number}"
+    return {"cells": every, "metadata": {"kernelspec": KERNEL}, "nbformat": 4, "nbformat_minor": 5}
+
+
+def notebooks(outputs=None):
+    """Return {name: notebook}, nine of them. outputs: {a cell's source: what it printed when the page was built}."""
+    outputs, found, everything = outputs or {}, {}, []
+    for cell in cells():
+        body, earlier = _body(cell, outputs), _earlier(cell)
+        everything += body
+        found[cell.name] = _whole(f"Cell {cell.number}. {cell.title}", ([code(earlier)] if earlier else []) + body[1:])
+    found[WHOLE] = _whole("The laboratory", [dict(cell) for cell in everything])
+    return found
+
+
+def text_of(notebook):
+    """Return a notebook as the text of its file: the same in every build."""
+    return json.dumps(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
