@@ -11,10 +11,12 @@ from PIL import Image
 
 from renderer import Light, Scene, central, forward, grid, render, views
 from renderer.command_line import main
+from renderer.kernels import FIELDS
 from renderer.scene import DEFAULT_LIGHTS
 from renderer.sweep import sweep
 
 ROOT = Path(__file__).resolve().parent.parent
+FIELD_NAMES = ", ".join(map(repr, FIELDS))
 SIX_LIGHTS = ["--light", "5,5,10"] * 6
 
 
@@ -174,7 +176,7 @@ def test_a_sweep_without_dask_installed(monkeypatch, capsys):
 
 IMAGE = ["image", "--size", "8"]
 REFUSED = [
-    (["--field", "foo"], "field = 'foo' is not allowed: one of 'sine', 'ridges', 'rings'"),
+    (["--field", "foo"], f"field = 'foo' is not allowed: one of {FIELD_NAMES}"),
     (["--model", "foo"], "model = 'foo' is not allowed: one of 'blinn', 'phong'"),
     (["--gradient", "foo"], "gradient = 'foo' is not allowed: one of 'exact', 'forward', 'central', 'central4'"),
     (["--radius", "4"], "eye = 4.0 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 4"),
@@ -276,7 +278,7 @@ def test_views_refuse_a_folder_that_is_a_file(tmp_path, capsys):
         (["--csv", "no/a.csv"], "csv = 'no/a.csv' is not allowed: a file in a folder that exists"),
         (["--csv", "a.txt"], "csv = 'a.txt' is not allowed: a file name that ends in .csv"),
         ([*SIX_LIGHTS], "lights = 6 lights is not allowed: a sequence of at most 5 Light"),
-        (["--field", "sine,foo"], "field = 'foo' is not allowed: one of 'sine', 'ridges', 'rings'"),
+        (["--field", "sine,foo"], f"field = 'foo' is not allowed: one of {FIELD_NAMES}"),
         (["--beta", "1,x"], "argument --beta: 'x' is not allowed: a number"),
         (["--size", "8,0"], "width = 0 is not allowed: a whole number from 1 to 16777216"),
         (["--gradient", "central,exact"], "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'"),
@@ -338,7 +340,7 @@ def test_the_shells_exit_status(tmp_path):
     assert picture(tmp_path / "a.png").shape == (16, 16, 3)
     bad = shell("image", "--field", "foo", "--out", tmp_path / "b.png")
     assert bad.returncode == 2
-    message = "python -m renderer image: error: field = 'foo' is not allowed: one of 'sine', 'ridges', 'rings'\n"
+    message = f"python -m renderer image: error: field = 'foo' is not allowed: one of {FIELD_NAMES}\n"
     assert (bad.stdout, bad.stderr) == ("", message)
     assert [path.name for path in tmp_path.iterdir()] == ["a.png"]
 
@@ -347,6 +349,7 @@ def test_drawing_needs_neither_sympy_nor_the_proofs(tmp_path):
     code = f"""
 import sys
 from renderer.command_line import main
+from renderer.kernels import FIELDS
 assert main(["image", "--size", "8", "--out", {str(tmp_path / "a.npz")!r}]) == 0
 assert main(["views", "--size", "8", "--out", {str(tmp_path)!r}]) == 0
 assert main(["sweep", "--size", "8"]) == 0

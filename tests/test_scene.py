@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 
 from renderer import Light, Scene
+from renderer.kernels import FIELDS
 from tests.strategies import rejected_fields, scenes
 
 INSIDE_B = (0.5, 0.5, 1.3)
@@ -62,7 +63,7 @@ def test_every_number_of_a_scene_is_a_float(scene):
         ({"eye": 1.1e6}, "eye = 1100000.0 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 1"),
         ({"radius": 0.0}, "radius = 0.0 is not allowed: a finite number from 1e-60 to 1e+60"),
         ({"radius": math.nan}, "radius = nan is not allowed: a finite number from 1e-60 to 1e+60"),
-        ({"field": "foo"}, "field = 'foo' is not allowed: one of 'sine', 'ridges', 'rings'"),
+        ({"field": "foo"}, f"field = 'foo' is not allowed: one of {', '.join(map(repr, FIELDS))}"),
         ({"model": "gouraud"}, "model = 'gouraud' is not allowed: one of 'blinn', 'phong'"),
         ({"ku": 2.0**20 + 1}, "ku = 1048577.0 is not allowed: a finite number from -1.04858e+06 to 1.04858e+06"),
         ({"kv": -(2.0**21)}, "kv = -2097152.0 is not allowed: a finite number from -1.04858e+06 to 1.04858e+06"),

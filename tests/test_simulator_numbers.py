@@ -10,6 +10,7 @@ import pytest
 from PIL import Image
 
 from renderer import Light, Scene, central, central4, exact, forward, pixel, render
+from renderer.kernels import FIELDS
 from renderer.pixel import LightRecord, PixelRecord
 from renderer.scene import DEFAULT_LIGHTS
 from renderer.views import difference_linear, image_view
@@ -83,7 +84,7 @@ def assert_same_bits(tab, *what):
 
 
 @pytest.mark.parametrize("model", ["blinn", "phong"])
-@pytest.mark.parametrize("field", ["sine", "ridges", "rings"])
+@pytest.mark.parametrize("field", FIELDS)
 def test_pictures_are_the_renderers_to_the_last_bit(tab, field, model):
     state = BASE | {"field": field, "model": model}
     for eps in (None, 1e-1, 1e-3, 1e-6, 1e-12):
@@ -141,7 +142,7 @@ def random_state(rng):
     """Return a state of the page, cursor included; some off sphere A, zoomed, with odd and fractional wave numbers."""
     zoom = rng.choice([0, 0, 3, 10])
     return {
-        "field": rng.choice(["sine", "ridges", "rings"]),
+        "field": rng.choice(list(FIELDS)),
         "eps": rng.choice([0.1, 1e-3, 1e-6, 1e-7, 2.5e-9, 1e-16]),
         "beta": rng.choice([0, 0.35, 1.7, 2]),
         "ku": rng.choice([8, 7, -4, 2.5]),
@@ -205,7 +206,7 @@ def test_hovered_pixels_agree_with_fifty_digits(tab):
     while len(states) < 500:
         column, row = rng.randrange(1, 255), rng.randrange(1, 255)
         if len(np.unique(codes[row - 1 : row + 2, column - 1 : column + 2])) == 1:
-            choices = {"field": rng.choice(["sine", "ridges", "rings"]), "model": rng.choice(["blinn", "phong"])}
+            choices = {"field": rng.choice(list(FIELDS)), "model": rng.choice(["blinn", "phong"])}
             states.append(BASE | choices | {"column": column, "row": row})
     for state, shown in zip(states, tab.evaluate(SHOWN, states), strict=True):
         truth = reference_pixel(scene_of(state), 256, 256, state["column"], state["row"])

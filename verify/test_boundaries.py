@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 
 from renderer import Scene, central, exact, forward, render
+from renderer.kernels import FIELDS
 
 SIZE = 72
 PLAIN = render(Scene(beta=0.0), SIZE, SIZE).chambers
 
 
-@pytest.mark.parametrize("field", ["sine", "ridges", "rings"])
+@pytest.mark.parametrize("field", FIELDS)
 @pytest.mark.parametrize("model", ["blinn", "phong"])
 def test_no_pixel_flips(field, model):
     for beta in (-2.0, 0.35, 50.0):
