@@ -10,7 +10,7 @@ from book import report, stamps
 # Whole folders, code and data: a proof may read what it does not import.
 FOLDERS = ("proofs", "renderer", "verify", "book", "tests/data")
 FILES = ("requirements.lock", "pyproject.toml", "conftest.py")
-PROSE = {".md", ".bib", ".css", ".yml"}
+PROSE = {".md", ".bib", ".css", ".yml", ".toml"}
 
 
 def sources() -> Iterator[Path]:

@@ -6,6 +6,7 @@
 `{theorem} ID`             a theorem's card; {theorem-ref}`ID` refers to it (cards.py)
 `{all-claims}`, `{grades}` every theorem by section and grade, and what the grades mean (claims.py)
 `{dependency-graph}`       what rests on what (dependencies.py)
+`{ledger-entries}` …     the ledger of claims: entries, tables, figures of merit (ledger.py)
 `{docstring} FILE`         a module's docstring; sources as pages, theorems as downloads (listings.py)
 section ids                `(s1)=` before a heading puts s1 on the section itself (pages.py)
 `{notebook} NAME`          where a cell's notebook is; all of them as downloads (notebooks.py)
@@ -23,6 +24,7 @@ from book._ext.chapter import (
     elements,
     figures,
     interface,
+    ledger,
     listings,
     notebooks,
     numbers,
@@ -41,6 +43,7 @@ def setup(app):
         elements,
         figures,
         interface,
+        ledger,
         listings,
         notebooks,
         numbers,

@@ -17,7 +17,7 @@ from book import stamps
 from book._ext.chapter.cards import link, page_address
 from book._ext.chapter.elements import Html
 from book._ext.chapter.ledger_checked import FINDINGS_PAGE, ClaimLink, Merit, ledger_of, require_ledger
-from book._ext.chapter.ledger_evidence import TITLES, evidence_nodes, test_pages, verdict_chip
+from book._ext.chapter.ledger_evidence import TITLES, evidence_in_short, evidence_nodes, test_pages, verdict_chip
 from book._ext.chapter.ledger_filters import classes, filters
 from book._ext.chapter.theorems import BadTheorem, proofs_of
 from book.ledger.entries import FINDINGS, BadLedger, Claim
@@ -74,9 +74,9 @@ class LedgerDirective(SphinxDirective):
         parts += evidence_nodes(self.env, self.proofs, self.run_found, claim)
         return Html("li", *parts, classes=classes(claim), **attributes)
 
-    def link(self, claim: Claim) -> nodes.reference:
-        """A link to a claim's entry on the page of all."""
-        return link("the entry", f"{page_address(self.env, FINDINGS_PAGE)}#claim-{claim.id}")
+    def address(self, claim: Claim) -> str:
+        """The address of a claim's entry on the page of all."""
+        return f"{page_address(self.env, FINDINGS_PAGE)}#claim-{claim.id}"
 
     @property
     def anchors(self) -> dict[str, list[str]]:
@@ -142,9 +142,9 @@ class LedgerTable(LedgerDirective):
     def row(self, claim: Claim) -> Html:
         """One claim as a row."""
         said = self.inline(claim.merit) if claim.merit else self.inline(claim.so or claim.reason)
-        shown = evidence_nodes(self.env, self.proofs, self.run_found, claim, short=True)
+        shown = evidence_in_short(self.env, self.proofs, claim, self.address(claim))
         cells = [Html("td", *self.inline(claim.words)), Html("td", verdict_chip(claim.verdict, short=True))]
-        return Html("tr", *cells, Html("td", *said), Html("td", *shown, self.link(claim)), classes=classes(claim))
+        return Html("tr", *cells, Html("td", *said), Html("td", *shown), classes=classes(claim))
 
 
 class LedgerClaims(LedgerDirective):
@@ -161,7 +161,14 @@ class LedgerClaims(LedgerDirective):
         """The words, the verdict, the place."""
         codes = [Html("span", nodes.Text(code), classes=["finding-code"]) for code in claim.findings]
         place = Html("span", *self.place(claim), classes=["claim-place"])
-        head = Html("p", verdict_chip(claim.verdict), *codes, place, self.link(claim), classes=["claim-head"])
+        head = Html(
+            "p",
+            verdict_chip(claim.verdict),
+            *codes,
+            place,
+            link("the entry", self.address(claim)),
+            classes=["claim-head"],
+        )
         return Html("li", head, Html("p", *self.inline(claim.words), classes=["claim-words"]), classes=classes(claim))
 
 

@@ -2,6 +2,7 @@
 
 import ast
 import re
+from collections import Counter
 from functools import cache
 from pathlib import Path, PurePosixPath
 
@@ -11,7 +12,7 @@ from sphinx import addnodes
 from book import stamps
 from book._ext.chapter.cards import address, link, page_address, point_nodes
 from book._ext.chapter.elements import Html
-from book._ext.chapter.evidence import badge, evidence_line
+from book._ext.chapter.evidence import badge, count, evidence_line
 from book._ext.chapter.listings import listed, listing_address, numbered
 from book._ext.chapter.numbers import typeset
 from book._ext.chapter.results import BENCHMARK_PREFIX
@@ -33,12 +34,21 @@ def verdict_chip(verdict: str, short: bool = False) -> Html:
     return Html("span", nodes.Text(text), classes=["verdict", slug], role="img", aria_label=verdict, title=verdict)
 
 
-def evidence_nodes(env, proofs, run: Run, claim: Claim, short: bool = False) -> list[nodes.Node]:
-    """What speaks against a claim and what speaks for what is so; short: badges alone."""
+def evidence_in_short(env, proofs, claim: Claim, target: str) -> list[nodes.Node]:
+    """The theorems that a claim rests on; the rest counted, with a link to its entry."""
+    theorems = [piece for piece in claim.evidence if piece.kind == "theorem"]
+    others = Counter(piece.kind for piece in claim.evidence if piece.kind != "theorem")
+    counted = ", ".join(count(number, kind) for kind, number in others.items())
+    return [
+        *(_theorem(env, proofs, None, piece, short=True) for piece in theorems),
+        link(counted or "the entry", target),
+    ]
+
+
+def evidence_nodes(env, proofs, run: Run, claim: Claim) -> list[nodes.Node]:
+    """What speaks against a claim, and what for what is so."""
     against = [piece for piece in claim.evidence if refutes(piece, run)]
     rest = [piece for piece in claim.evidence if piece not in against]
-    if short:
-        return [shown(env, proofs, run, piece, short) for piece in (*against, *rest)]
     found = []
     for label, pieces in (("Against it: ", against), ("Shown by " if not against else "What is so: ", rest)):
         if pieces:
@@ -53,14 +63,13 @@ def fails_at(theorem) -> list[nodes.Node]:
     return [nodes.Text(", which fails at "), *point_nodes(at)] if at else []
 
 
-def shown(env, proofs, run: Run, piece: Evidence, short: bool = False) -> nodes.Node:
+def shown(env, proofs, run: Run, piece: Evidence) -> nodes.Node:
     """One piece of evidence: its badge, and a link to what it is."""
-    return {"theorem": _theorem, "number": _number, "test": _test, "source": _source}[piece.kind](
-        env, proofs, run, piece, short
-    )
+    kinds = {"theorem": _theorem, "number": _number, "test": _test, "source": _source}
+    return kinds[piece.kind](env, proofs, run, piece)
 
 
-def _theorem(env, proofs, run, piece, short):
+def _theorem(env, proofs, run, piece, short=False):
     entry = proofs.entries[piece.name]
     theorem, label = proofs.theorems[piece.name], proofs.label(piece.name)
     mark, target = badge(entry["grade"], evidence_line(entry)), address(env, proofs, piece.name)
@@ -69,12 +78,10 @@ def _theorem(env, proofs, run, piece, short):
     return Html("span", mark, link(f"{label} ({theorem.title})", target), *fails_at(theorem), classes=["piece"])
 
 
-def _number(env, proofs, run, piece, short):
+def _number(env, proofs, run, piece):
     value = run.number(piece.name)
     asked = f"measured by this run; it has to be {piece.wants}"
-    mark, target = badge("measured", asked), _place_of_number(env, piece.name, "number" if short else "")
-    if short:
-        return Html("span", mark, target, classes=["piece"])
+    mark, target = badge("measured", asked), _place_of_number(env, piece.name)
     told = [nodes.Text(", where the claim has "), *in_signs(piece.claimed)] if refutes(piece, run) else []
     return Html("span", mark, target, nodes.Text(" = "), *typeset(value), *told, classes=["piece"])
 
@@ -91,10 +98,10 @@ def in_signs(text: str) -> list[nodes.Node]:
     return [nodes.Text({"==": "", "!=": "not ", "<=": "≤ ", ">=": "≥ "}.get(asked.sign, f"{asked.sign} ")), *numbers[0]]
 
 
-def _place_of_number(env, name: str, text: str = "") -> nodes.Node:
+def _place_of_number(env, name: str) -> nodes.Node:
     """A link to the figure that a number belongs to, to the benchmark's page, or to the file of the numbers."""
     figure, _, key = name.partition(".")
-    text = text or key.replace("_", " ")
+    text = key.replace("_", " ")
     if figure.startswith(BENCHMARK_PREFIX):
         return link(text, page_address(env, "benchmark"))
     if page := figure_pages(Path(env.srcdir)).get(figure):
@@ -115,12 +122,12 @@ def figure_pages(book: Path) -> dict[str, str]:
     return pages
 
 
-def _test(env, proofs, run, piece, short):
+def _test(env, proofs, run, piece):
     file, _, name = piece.name.partition("::")
     mark = Html(
         "span", nodes.Text("T"), classes=["evidence", "tested"], role="img", aria_label="test", title=piece.name
     )
-    text = "test" if short else name.removeprefix("test_").replace("_", " ")
+    text = name.removeprefix("test_").replace("_", " ")
     target = link(text, f"{listing_address(PurePosixPath(file))}#L-{line_of(file, name)}", reftitle=piece.name)
     return Html("span", mark, target, classes=["piece"])
 
@@ -132,7 +139,7 @@ def line_of(file: str, name: str) -> int:
     return next(node.lineno for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) and node.name == wanted)
 
 
-def _source(env, proofs, run, piece, short):
+def _source(env, proofs, run, piece):
     return Html("span", badge("cited"), link(piece.name, page_address(env, "references")), classes=["piece"])
 
 

@@ -1,0 +1,286 @@
+"""The ledger of claims: it stands as it is, and every kind of false entry is refused by name."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from book.ledger import BadLedger, load
+from book.ledger.check import Run, check
+from book.ledger.entries import FINDINGS
+from book.ledger.relations import relation
+from book.ledger.run import last_run, node_exists, split
+
+ROOT = Path(__file__).resolve().parent.parent
+NUMBERS = {"sweep.flips": 0, "sweep.slope": 0.55, "scene.field": "ridges"}
+TRUE = """
+[[claim]]
+id = "flips"
+words = "No pixel changes its chamber."
+where = "s3"
+findings = [FINDINGS]
+verdict = "holds"
+evidence = [{ theorem = "no_flips", grade = "proved" }, { number = "sweep.flips", is = "== 0" }]
+merit = "{number}`sweep.flips` flips"
+so = "None of them does."
+
+[[claim]]
+id = "falls"
+words = "The table descends the truncation slope."
+where = "seed:cell3"
+verdict = "false"
+evidence = [
+  { theorem = "descent", grade = "refuted" },
+  { number = "sweep.slope", is = "in [0.5, 0.6]", claimed = "in [1.9, 2.1]" },
+  { test = "tests/test_ledger.py::test_relations" },
+  { source = "Blinn1978" },
+]
+merit = "slope {number}`sweep.slope|.2f`"
+so = "It falls like the root."
+""".replace("FINDINGS", ", ".join(f'"{code}"' for code in FINDINGS))
+BACKGROUND = '[[background]]\ntheorem = "lemma"\nreason = "what others rest on"\n'
+
+
+def number(name):
+    """A number of the small run below."""
+    if name not in NUMBERS:
+        raise ValueError(f"{name}: no such number")
+    return NUMBERS[name]
+
+
+RUN = Run(
+    grades={"no_flips": "proved", "descent": "refuted", "lemma": "proved"},
+    findings={"no_flips": "F17"},
+    pages=frozenset({"s3"}),
+    sources=frozenset({"Blinn1978"}),
+    number=number,
+    test=lambda node: node_exists(ROOT, node),
+)
+
+
+@pytest.fixture
+def faults(tmp_path):
+    """A function: the faults of a small ledger, its text changed as asked."""
+
+    def found(old="", new="", background=BACKGROUND):
+        assert old in TRUE
+        (tmp_path / "claims").mkdir(exist_ok=True)
+        (tmp_path / "claims" / "some.toml").write_text(TRUE.replace(old, new, 1) if old else TRUE + new)
+        (tmp_path / "background.toml").write_text(background)
+        (tmp_path / "places.toml").write_text('[places]\ncell3 = "Cell 3"\n')
+        try:
+            return check(load(tmp_path), RUN)
+        except BadLedger as error:
+            return error.faults
+
+    return found
+
+
+def test_a_true_ledger_has_no_faults(faults):
+    assert faults() == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "fault"),
+    [
+        ('id = "falls"', 'id = "flips"', "flips: id: two claims"),
+        ('id = "falls"', 'id = "De scends"', "De scends: id: made of"),
+        ('words = "No pixel changes its chamber."', "", "flips: words: missing"),
+        ('where = "s3"', 'where = "s3"\nmood = "grim"', "flips: mood: unknown field"),
+        ('verdict = "false"', 'verdict = "wrong"', "falls: verdict: 'wrong' is not one of"),
+        ('"F22"', '"F23"', "flips: findings: 'F23' is none of"),
+        ('so = "It falls like the root."', "", "falls: so: missing"),
+        ('verdict = "holds"', 'verdict = "holds with a condition"', "flips: condition: missing"),
+        ('verdict = "holds"', 'verdict = "outside this chapter: not checked"', "flips: reason: missing"),
+        ('verdict = "holds"', 'verdict = "outside this chapter: not checked"', "flips: evidence: what is not"),
+        ('merit = "{number}`sweep.flips` flips"', "", "flips: merit: missing"),
+        ('merit = "{number}`sweep.flips` flips"', 'merit = "0 flips"', "flips: merit: shows no"),
+        (', grade = "proved"', "", "flips: evidence no_flips: grade: missing"),
+        ('is = "== 0"', 'is = "about 0"', "flips: evidence sweep.flips: is: 'about 0' is not a relation"),
+        ('{ source = "Blinn1978" }', '{ hearsay = "x" }', "falls: evidence: {'hearsay': 'x'} is not one of"),
+        ('{ source = "Blinn1978" }', '{ source = "Blinn1978", page = 1 }', "falls: evidence Blinn1978: page: unknown"),
+        ('words = "No', "words = No", "some.toml:"),
+    ],
+)  # fmt: skip
+def test_an_entry_that_says_too_little_is_refused(faults, old, new, fault):
+    assert any(found.startswith(fault) for found in faults(old, new)), faults(old, new)
+
+
+def test_a_claim_without_evidence_is_refused(faults):
+    new = '\n[[claim]]\nid = "x"\nwords = "w"\nwhere = "s3"\nverdict = "holds"\nso = "s"\n'
+    assert faults(new=new) == ["x: evidence: missing"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "fault"),
+    [
+        ('"no_flips", grade = "proved"', '"no_flips", grade = "measured"',
+         "flips: evidence no_flips: grade: measured is expected, the run made it proved"),
+        ('"no_flips"', '"no_flip"', "flips: evidence no_flip: theorem: no theorem has this id"),
+        ('is = "== 0"', 'is = "> 0"', "flips: evidence sweep.flips: is: > 0 is expected, the run has 0"),
+        ('number = "sweep.flips"', 'number = "sweep.flops"', "flips: evidence sweep.flops: number: sweep.flops"),
+        ('number = "sweep.flips"', 'number = "scene.field"', "flips: evidence scene.field: number: it is the text"),
+        ("::test_relations", "::test_nothing", "falls: evidence tests/test_ledger.py::test_nothing: test: there is no"),
+        ("Blinn1978", "Blinn1979", "falls: evidence Blinn1979: source: the bibliography has no such key"),
+        ('where = "s3"', 'where = "s33"', "flips: where: 's33' is no page"),
+        ("seed:cell3", "seed:cell9", "falls: where: 'cell9' is no place of the seed"),
+        ("{number}`sweep.slope|.2f`", "{number}`sweep.slop|.2f`", "falls: merit: sweep.slop: no such number"),
+        ("like the root", "by {theorem-ref}`nothing`", "falls: so: unknown theorem 'nothing'"),
+    ],
+)  # fmt: skip
+def test_evidence_that_the_run_does_not_bear_out_is_refused(faults, old, new, fault):
+    assert any(found.startswith(fault) for found in faults(old, new)), faults(old, new)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "fault"),
+    [
+        ('verdict = "false"', 'verdict = "holds"', "falls: verdict: 'holds', but descent, sweep.slope refutes it"),
+        ('verdict = "holds"', 'verdict = "false"', "flips: verdict: 'false', and none of its evidence refutes it"),
+        ('verdict = "holds"', 'verdict = "corrected"', "flips: verdict: 'corrected', and none"),
+        ('is = "== 0" }', 'is = "== 0", claimed = "> 0" }', "flips: verdict: 'holds', but sweep.flips refutes it"),
+        ('grade = "proved" }', 'grade = "proved", refutes = true }', "flips: verdict: 'holds', but no_flips"),
+    ],
+)  # fmt: skip
+def test_a_verdict_that_its_evidence_contradicts_is_refused(faults, old, new, fault):
+    assert any(found.startswith(fault) for found in faults(old, new)), faults(old, new)
+
+
+def test_a_condition_needs_something_that_holds(faults):
+    new = """
+[[claim]]
+id = "x"
+words = "w"
+where = "s3"
+verdict = "holds with a condition"
+condition = "c"
+evidence = [{ theorem = "descent", grade = "refuted" }]
+so = "s"
+"""
+    assert faults(new=new) == ["x: verdict: 'holds with a condition', but all of its evidence refutes it"]
+
+
+def test_a_number_refutes_only_where_the_claims_own_relation_fails(faults):
+    without = faults(
+        '  { theorem = "descent", grade = "refuted" },\n', "", BACKGROUND + BACKGROUND.replace("lemma", "descent")
+    )
+    assert without == []  # the number alone refutes it
+    kept = faults('claimed = "in [1.9, 2.1]"', 'claimed = "in [0.5, 0.6]"')
+    assert kept == []  # the theorem still does
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "background", "fault"),
+    [
+        ('{ theorem = "descent", grade = "refuted" },', "", BACKGROUND, "theorem descent: no claim rests on it"),
+        ("", "", "", "theorem lemma: no claim rests on it"),
+        ("", "", BACKGROUND + BACKGROUND.replace("lemma", "no_flips"), "background no_flips: theorem: flips rests"),
+        ("", "", BACKGROUND + BACKGROUND.replace("lemma", "gone"), "background gone: theorem: no theorem has this id"),
+        ("", "", '[[background]]\ntheorem = "lemma"\n', "background 'lemma': reason: missing"),
+        ('"F7", ', "", BACKGROUND, "finding F7: no claim has it"),
+        ('"F17", ', "", BACKGROUND, "theorem no_flips: it is about F17"),
+        ('where = "seed:cell3"', 'where = "s3"', BACKGROUND, "place cell3: no claim of the seed stands there"),
+    ],
+)  # fmt: skip
+def test_orphans_are_refused(faults, old, new, background, fault):
+    assert any(found.startswith(fault) for found in faults(old, new, background)), faults(old, new, background)
+
+
+@pytest.mark.parametrize(
+    ("text", "yes", "no"),
+    [
+        ("== 0", 0, 1e-300),
+        ("!= 0", 1, 0),
+        ("< 1e-12", 1e-13, 1e-12),
+        ("<= 2", 2, 2.1),
+        ("> -1", 0, -1),
+        (">= 3", 3, 2),
+        ("in [0.45, 0.65]", 0.65, 0.66),
+    ],
+)
+def test_relations(text, yes, no):
+    assert relation(text).holds(yes)
+    assert not relation(text).holds(no)
+
+
+@pytest.mark.parametrize("text", ["", "0", "= 0", "== zero", "in [2, 1]", "in [1]", "< 1 and > 0", 3])
+def test_what_is_no_relation(text):
+    with pytest.raises(ValueError, match="is not a relation; allowed is"):
+        relation(text)
+
+
+def test_numbers_are_named_by_figure_and_key():
+    assert split("bench:frames.image_error") == ("bench:frames", "image_error")
+    assert split("eps_table.rms_1e-3") == ("eps_table", "rms_1e-3")
+    with pytest.raises(ValueError, match=r"figure\.key"):
+        split("eps_table")
+
+
+def test_node_ids_are_looked_up():
+    assert node_exists(ROOT, "tests/test_ledger.py::test_relations")
+    assert node_exists(ROOT, "tests/test_ledger.py::test_relations[== 0-0-1e-300]")
+    for node in ("tests/test_ledger.py", "tests/test_ledger.py::number", "tests/test_gone.py::test_relations"):
+        assert not node_exists(ROOT, node)
+
+
+def test_all_findings_and_all_places_of_the_seed_are_there():
+    ledger = load()
+    assert {code for claim in ledger.claims for code in claim.findings} == {f"F{number}" for number in range(1, 23)}
+    cells = {f"cell{number}{part}" for number in range(1, 9) for part in ("", ".expect")}
+    tries, pitfalls = {f"s4.try{number}" for number in range(1, 5)}, {f"s7.{number}" for number in range(1, 7)}
+    assert cells | tries | pitfalls <= ledger.places.keys()
+
+
+def test_cited_numbers_carry_their_relations():
+    assert "== 0" in load().cited_numbers()["eps_table.flips"]
+
+
+def test_the_ledger_stands(site):
+    """Against the run that built the site."""
+    assert check(load(), last_run()) == []
+    done = subprocess.run([sys.executable, "-m", "book.ledger"], cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert f"{len(load().claims)} claims" in done.stdout
+
+
+def test_one_more_entry_is_one_more_claim(site):
+    claims = load().claims
+    more = Run(**vars(last_run()) | {"grades": last_run().grades | {"one_more": "proved"}})
+    assert check(load(), more) == ["theorem one_more: no claim rests on it, and background.toml does not list it"]
+    assert len({claim.id for claim in claims}) == len(claims)
+
+
+def test_the_page_has_every_claim_and_every_code_once(site):
+    page = (site / "findings.html").read_text(encoding="utf-8")
+    ids = re.findall(r'id="([^"]+)"', page)
+    for claim in load().claims:
+        assert ids.count(f"claim-{claim.id}") == 1
+    for code in FINDINGS:
+        assert ids.count(code) == 1
+        assert f'href="#{code}"' in page
+
+
+def test_the_ledger_is_on_the_pages_of_the_chapter(site):
+    ledger = (site / "s6.html").read_text(encoding="utf-8")
+    pitfalls = (site / "s7.html").read_text(encoding="utf-8")
+    for claim in load().claims:
+        if claim.where.startswith("seed:s6"):
+            assert f"findings.html#claim-{claim.id}" in ledger
+        if claim.id.startswith("pitfall_"):
+            assert f"findings.html#claim-{claim.id}" in pitfalls
+
+
+@pytest.mark.browser
+def test_the_filters_need_no_script(browser, server):
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto(f"{server}/findings.html")
+    whole = page.locator(".ledger .claim:visible").count()
+    page.locator("#only-false").check()
+    false = page.locator(".ledger .claim:visible").count()
+    assert false == sum(claim.verdict == "false" for claim in load().claims)
+    page.locator("#only-book").check()
+    assert page.locator(".ledger .claim:visible").count() < false < whole == len(load().claims)
+    context.close()
