@@ -36,7 +36,7 @@ def release_notes(now: dict | None = None, against: str | None = None, places: P
     title = f"{now['version']}: since {'its own record' if version == now['version'] else version}"
     text = notes.written(title, mathematics, numbers, pictures, missing)
     stamps.write_whole(places.out / "notes.md", text.encode())
-    print(text, end="")
+    print(f"\n{text}")
     return 1 if missing else 0
 
 
