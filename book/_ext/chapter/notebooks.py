@@ -11,8 +11,10 @@ import json
 import re
 from pathlib import Path
 
+import nbformat
 import yaml
 from docutils import nodes
+from jupyter_cache import get_cache
 from sphinx.util.docutils import SphinxDirective
 
 from book import stamps
@@ -71,10 +73,16 @@ def merged(outputs: list[dict]) -> list[dict]:
     return whole
 
 
-def printed(executed: Path) -> dict[str, list[dict]]:
-    """What the cells of an executed page printed, by their source."""
-    ran = [c for c in json.loads(executed.read_text(encoding="utf-8"))["cells"] if c["cell_type"] == "code"]
-    return {"".join(cell["source"]): [_without_metadata(output) for output in merged(cell["outputs"])] for cell in ran}
+def printed(executed: Path, cache: str | None) -> dict[str, list[dict]]:
+    """What the cells of an executed page printed, by their source.
+
+    Where the cells did not run, since the cache had them, myst-nb writes the page's notebook without their outputs.
+    """
+    page = nbformat.read(executed, 4)
+    if cache:
+        _, page = get_cache(cache).merge_match_into_notebook(page)
+    ran = [cell for cell in page.cells if cell.cell_type == "code"]
+    return {cell.source: [_without_metadata(output) for output in merged(cell.outputs)] for cell in ran}
 
 
 def _without_metadata(output: dict) -> dict:
@@ -89,7 +97,7 @@ def offer_notebooks(app, pagename, templatename, context, doctree) -> None:
     if doctree is None or not executed.is_file() or not _has_cells(doctree):
         return
     out = Path(app.outdir)
-    for name, notebook in notebooks(printed(executed)).items():
+    for name, notebook in notebooks(printed(executed, app.config.nb_execution_cache_path)).items():
         text, file = text_of(notebook), f"{name}.ipynb"
         stamps.write_whole(out / FOLDER / file, text.encode())
         script = f"saveNotebook({json.dumps(file)}, {json.dumps(text, ensure_ascii=False)});\n"
