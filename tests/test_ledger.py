@@ -1,15 +1,22 @@
 """The ledger of claims: it stands as it is, and every kind of false entry is refused by name."""
 
 import re
+import shutil
 import subprocess
 import sys
+import textwrap
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
+from sphinx.errors import ExtensionError
 
+import book.ledger
+from book._ext.chapter.ledger_checked import require_ledger
 from book.ledger import BadLedger, load
 from book.ledger.check import Run, check
-from book.ledger.entries import FINDINGS
+from book.ledger.entries import FINDINGS, FOLDER
 from book.ledger.relations import relation
 from book.ledger.run import last_run, node_exists, split
 
@@ -245,11 +252,35 @@ def test_the_ledger_stands(site):
     assert f"{len(load().claims)} claims" in done.stdout
 
 
-def test_one_more_entry_is_one_more_claim(site):
-    claims = load().claims
+def test_one_more_entry_is_one_more_claim(site, tmp_path):
+    """The example of the docstring, put into a file of its own beside the others."""
+    folder = tmp_path / "ledger"
+    shutil.copytree(FOLDER, folder)
+    example = re.search(r"^    \[\[claim\]\]\n(?:    .*\n)+", book.ledger.__doc__, re.MULTILINE)[0]
+    (folder / "claims" / "newcomer.toml").write_text(textwrap.dedent(example))
+    assert len(load(folder).claims) == len(load().claims) + 1
+    assert check(load(folder), last_run()) == []
+
+
+@pytest.mark.parametrize(
+    ("id", "changed", "fault"),
+    [
+        ("ledger_flips", {"verdict": "false"}, "ledger_flips: verdict: 'false', and none of its evidence refutes it"),
+        ("sine_is_smooth", {"verdict": "holds"}, "sine_is_smooth: verdict: 'holds', but sine_is_smooth_everywhere"),
+        ("cell1_ripples", {"where": "seed:cell0"}, "cell1_ripples: where: 'cell0' is no place"),
+    ],
+)
+def test_a_build_stops_where_the_ledger_does_not_stand(site, monkeypatch, id, changed, fault):
+    whole = load()
+    claims = tuple(replace(claim, **changed) if claim.id == id else claim for claim in whole.claims)
+    monkeypatch.setattr(book.ledger, "load", lambda: replace(whole, claims=claims))
+    with pytest.raises(ExtensionError, match=fault):
+        require_ledger(SimpleNamespace(srcdir=ROOT / "book"))
+
+
+def test_a_new_theorem_needs_a_claim(site):
     more = Run(**vars(last_run()) | {"grades": last_run().grades | {"one_more": "proved"}})
     assert check(load(), more) == ["theorem one_more: no claim rests on it, and background.toml does not list it"]
-    assert len({claim.id for claim in claims}) == len(claims)
 
 
 def test_the_page_has_every_claim_and_every_code_once(site):
