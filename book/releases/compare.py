@@ -113,7 +113,7 @@ def pictures(before: dict, after: dict, kept: Path, generated: Path) -> list[Pic
             found.append(_changed(id, arrays_of(kept / old["kept"]), arrays_of(generated / data)))
         elif old["files"] != new["files"]:
             names = [n for n in sorted(old["files"] | new["files"]) if old["files"].get(n) != new["files"].get(n)]
-            what = CANVAS if new["kept"].endswith(".png") else "numbers"
+            what = "pixels" if new["kept"].endswith(".png") else "numbers"
             found.append(PictureChange(id, "drawn otherwise", f"the same {what}, other bytes: {', '.join(names)}"))
     return sorted(found, key=lambda change: (change.kind, change.id))
 
