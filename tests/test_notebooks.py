@@ -320,6 +320,18 @@ def test_notebook_runs_alone_and_prints_what_the_page_does(name, site, clean_pyt
     print(f"{name}: {seconds} s without Numba")
 
 
+def test_notebook_draws_with_numba_where_it_is(site, tmp_path):
+    notebook = json.loads((site / FOLDER / "cell6.ipynb").read_text(encoding="utf-8"))
+    lines = ["import matplotlib", "matplotlib.use('agg')", *(cell["source"] for cell in code_cells(notebook))]
+    done = subprocess.run([sys.executable, "-I", "-c", "\n".join(lines)], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert "drawn by numba" in done.stdout
+    assert UNEXPECTED not in done.stdout
+    (written,) = tmp_path.glob("symbolic-rendering-*-numba")
+    assert (written / "renderer" / "kernels.py").read_bytes() == (stamps.ROOT / "renderer/kernels.py").read_bytes()
+    assert not (written / "renderer" / "arrays.py").exists()
+
+
 @pytest.mark.parametrize(("url", "links"), [("", 1), ("https://example.org/a/b", 1), ("https://github.com/a/b", 2)])
 def test_colab_is_offered_where_a_repository_is_configured(url, links, tmp_path):
     (tmp_path / "_config.yml").write_text(f"repository: {{url: '{url}', branch: pages}}\n")

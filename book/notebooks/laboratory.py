@@ -1,4 +1,8 @@
-"""The laboratory's page as data: eight cells, each of prose and code, and its prose as plain Markdown."""
+"""The laboratory's page as data: eight cells, each of prose and code, and its prose as plain Markdown.
+
+On the page, code tagged `expect` (with `remove-cell` and `skip-execution`) is for the notebooks alone: it calls
+`expect(what, found, whether it is as expected)`, and finds the numbers that its cell's prose cites in `cited`.
+"""
 
 import re
 from dataclasses import dataclass

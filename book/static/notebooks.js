@@ -11,7 +11,7 @@ function saveNotebook(name, text) {
 
 document.addEventListener("click", (event) => {
   const link = event.target.closest(".notebook-links a[download]");
-  if (!link || location.protocol !== "file:") return;
+  if (location.protocol !== "file:" || !link?.pathname.endsWith(".ipynb")) return;
   event.preventDefault();
   const script = document.createElement("script");
   script.src = `${link.href}.js`;
