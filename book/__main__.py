@@ -101,13 +101,13 @@ def stage(name: str, work: Callable[[], None]) -> None:
 
 def releases(options: argparse.Namespace) -> int:
     """Compare with the last release, write this one, or compare with a clean clone; the exit status."""
-    from book.releases import command, kept, same_bytes
+    from book.releases import changelog, command, kept, same_bytes
 
     try:
         if options.verb == "release-notes":
             return command.release_notes(against=options.against)
         return command.release() if options.verb == "release" else same_bytes.same_bytes()
-    except (kept.NoRelease, same_bytes.NotClean) as error:
+    except (kept.NoRelease, changelog.NoHeading, same_bytes.NotClean) as error:
         print(f"book: {error}", file=sys.stderr)
         return 2
 

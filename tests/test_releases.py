@@ -271,6 +271,9 @@ def test_the_command_line_gives_the_status_on(monkeypatch, places, grades, capsy
     assert command_line.main(["release-notes"]) == 1
     assert command_line.main(["release-notes", "--against", "9.9"]) == 2
     assert "there is no release 9.9; there are: 0.1.0" in capsys.readouterr().err
+    places.changelog.write_text("## 0.0.1\n")
+    assert command_line.main(["release"]) == 2
+    assert "CHANGELOG.md has no heading ## 0.1.0" in capsys.readouterr().err
 
 
 def test_the_committed_release_is_whole_and_small():

@@ -8,12 +8,16 @@ from book import stamps
 CHANGELOG = stamps.ROOT / "CHANGELOG.md"
 
 
+class NoHeading(ValueError):
+    """The changelog does not speak of a version."""
+
+
 def section(version: str, path: Path = CHANGELOG) -> str:
-    """The text under "## VERSION", to the next heading of that level; ValueError if there is no such heading."""
+    """The text under "## VERSION", to the next heading of that level; NoHeading if there is no such heading."""
     text = path.read_text(encoding="utf-8")
     match = re.search(rf"^## {re.escape(version)}(?![\w.]).*?$(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
     if match is None:
-        raise ValueError(f"{path.name} has no heading ## {version}")
+        raise NoHeading(f"{path.name} has no heading ## {version}")
     return match[1]
 
 
