@@ -58,8 +58,8 @@ def evidence_nodes(env, proofs, run: Run, claim: Claim) -> list[nodes.Node]:
 
 
 def fails_at(theorem) -> list[nodes.Node]:
-    """The first exact counterexample of a refuted theorem."""
-    at = {str(symbol): str(value) for _, point in theorem.refuted_at[:1] for symbol, value in point}
+    """The first exact counterexample of a refuted theorem; what follows from its coordinates is left out."""
+    at = {str(symbol): str(value) for _, point in theorem.refuted_at[:1] for symbol, value in point if symbol.is_Symbol}
     return [nodes.Text(", which fails at "), *point_nodes(at)] if at else []
 
 
@@ -82,8 +82,10 @@ def _number(env, proofs, run, piece):
     value = run.number(piece.name)
     asked = f"measured by this run; it has to be {piece.wants}"
     mark, target = badge("measured", asked), _place_of_number(env, piece.name)
+    large = abs(value) >= 1000
+    spec = (",.0f" if isinstance(value, float) else ",") if large else None
     told = [nodes.Text(", where the claim has "), *in_signs(piece.claimed)] if refutes(piece, run) else []
-    return Html("span", mark, target, nodes.Text(" = "), *typeset(value), *told, classes=["piece"])
+    return Html("span", mark, target, nodes.Text(" = "), *typeset(value, spec), *told, classes=["piece"])
 
 
 def in_signs(text: str) -> list[nodes.Node]:
@@ -101,7 +103,7 @@ def in_signs(text: str) -> list[nodes.Node]:
 def _place_of_number(env, name: str) -> nodes.Node:
     """A link to the figure that a number belongs to, to the benchmark's page, or to the file of the numbers."""
     figure, _, key = name.partition(".")
-    text = key.replace("_", " ")
+    text = re.sub("_+", " ", key)
     if figure.startswith(BENCHMARK_PREFIX):
         return link(text, page_address(env, "benchmark"))
     if page := figure_pages(Path(env.srcdir)).get(figure):
