@@ -14,6 +14,7 @@ from docutils.parsers.rst import directives
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book import stamps
+from book._ext.chapter import checker
 from book._ext.chapter.elements import Html, typeset
 from book._ext.chapter.evidence import badge, evidence_line, killed, measurement
 from book._ext.chapter.listings import DOWNLOADS, listing_address
@@ -95,6 +96,7 @@ def card(env, proofs: Proofs, id: str) -> Html:
         parts.append(Html("p", Html("em", nodes.Text("Given: ")), *given, nodes.Text("."), classes=["given"]))
     parts.append(Html("p", nodes.Text(f"{evidence_line(entry)}."), classes=["evidence-line"]))
     parts.append(Html("details", Html("summary", nodes.Text(summary(theorem, entry))), *unfolded(env, proofs, id)))
+    parts += checker.check_here(env, proofs, id)
     parts.append(provenance(env, id))
     name = kind(entry["grade"])
     return Html("section", *parts, classes=["theorem", name], id=f"theorem-{id}", aria_labelledby=f"title-{id}")
@@ -212,6 +214,7 @@ class TheoremReference(SphinxRole):
 
 
 def setup(app) -> None:
-    """Register the directive and the role."""
+    """Register the directive, the role, and what the cards' buttons need."""
+    checker.setup(app)
     app.add_directive("theorem", TheoremCard)
     app.add_role("theorem-ref", TheoremReference())

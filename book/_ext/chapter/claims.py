@@ -4,6 +4,8 @@
 :::
 :::{grades}           the legend of the badges
 :::
+:::{check-all}        a button that checks every certificate in the reader's browser
+:::
 """
 
 import re
@@ -13,6 +15,7 @@ from pathlib import Path
 from docutils import nodes
 
 from book._ext.chapter.cards import ProofsDirective, card, link
+from book._ext.chapter.checker import check_all
 from book._ext.chapter.elements import Html
 from book._ext.chapter.evidence import badge, count, evidence_line, legend
 from book._ext.chapter.theorems import CLAIMS_PAGE, MEANINGS, SHAPES, kind
@@ -26,6 +29,13 @@ class Grades(ProofsDirective):
     def content_nodes(self, proofs):
         occurring = {kind(entry["grade"]) for entry in proofs.entries.values()}
         return [legend([g for g in ORDER if g in occurring or g not in ("failed",)])]
+
+
+class CheckAll(ProofsDirective):
+    """The button that checks every certificate in the reader's browser."""
+
+    def content_nodes(self, proofs):
+        return [check_all(proofs)]
 
 
 class AllClaims(ProofsDirective):
@@ -54,7 +64,7 @@ class AllClaims(ProofsDirective):
         name = link(f"{proofs.label(id)}", self.address(id, proofs))
         title = nodes.Text(f" {proofs.theorems[id].title}")
         evidence = Html("span", nodes.Text(evidence_line(entry)), classes=["evidence-line"])
-        return Html("li", badge(entry["grade"]), name, title, evidence, classes=[kind(entry["grade"])])
+        return Html("li", badge(entry["grade"]), name, title, evidence, classes=[kind(entry["grade"])], data_claim=id)
 
 
 def filters(counts: Counter) -> Html:
@@ -90,4 +100,5 @@ def section_title(book: Path, section: str) -> str:
 def setup(app) -> None:
     """Register the directives."""
     app.add_directive("all-claims", AllClaims)
+    app.add_directive("check-all", CheckAll)
     app.add_directive("grades", Grades)

@@ -1,0 +1,130 @@
+"""The kernel in JavaScript: what it accepts, what it has to reject, and that its arithmetic is exact."""
+
+import pytest
+
+from proofs import kernel
+from tests.tampered_certificates import JAVASCRIPT, load_kernel, stored
+from verify.tampering import draws
+from verify.test_checkers import EMPTY, HALF, INEQUALITY, NEGATIVE, NOTHING, derivation, show
+
+pytestmark = pytest.mark.browser
+
+
+@pytest.fixture(scope="module")
+def javascript(browser):
+    context = browser.new_context()
+    yield load_kernel(context.new_page())
+    context.close()
+
+
+def test_the_kernel_is_short():
+    assert len(JAVASCRIPT.read_text(encoding="utf-8").splitlines()) < 250
+
+
+def test_every_stored_certificate_is_accepted(javascript):
+    answers = dict(zip(stored(), javascript(list(stored().values())), strict=True))
+    assert len(answers) > 200
+    assert {name: answer["reason"] for name, answer in answers.items() if not answer["accepted"]} == {}
+    assert all(answer["work"]["identities"] > 0 for answer in answers.values())
+
+
+def cases(branches, on=None):
+    """x² ≥ 0 by the sign of x, with these branches."""
+    proof = {"rule": "cases", "on": on or {"x": "1"}, "branches": branches}
+    return derivation(show({"x^2": "1"}, ">=")), {"proofs": [proof]}
+
+
+def square_of(fact):
+    """−x² > 0, the goal's negation, and x², a product of fact 0 with itself: the sum is 0."""
+    return {"rule": "contradiction", "positive": [1], "sum": [["1", {"": "1"}, [fact, fact]]], "cofactors": []}
+
+
+BY_SIGN = {
+    "<": square_of(0),
+    ">": square_of(0),
+    "=": {"rule": "contradiction", "positive": [1], "sum": [], "cofactors": [[0, {"x": "-1"}]]},
+}
+
+
+def test_cases_need_every_branch(javascript):
+    assert javascript([cases(BY_SIGN)])[0]["accepted"]
+    assert kernel.check(*cases(BY_SIGN)) is None
+    for sign in BY_SIGN:
+        missing = {key: proof for key, proof in BY_SIGN.items() if key != sign}
+        wrong = BY_SIGN | {sign: NOTHING}
+        assert not javascript([cases(missing)])[0]["accepted"]
+        assert not javascript([cases(wrong)])[0]["accepted"]
+    assert not javascript([cases(BY_SIGN, on={"x": "1", "y": "1"})])[0]["accepted"]
+
+
+@pytest.mark.parametrize(
+    ("steps", "proof", "reason"),
+    [
+        ([show({"x": "1"}, "=")], NOTHING, "the two sides differ"),
+        ([show({}, ">")], NOTHING, "equations only"),
+        ([show({"x^2": "-1"}, ">=")], NEGATIVE, "negative weight"),
+        ([show({"x": "1"}, ">=")], EMPTY, "the two sides differ"),
+        ([show({"x": "1"}, ">=")], HALF, ""),
+        ([show({"x": "1"}, "=")], {"rule": "trust me"}, "no rule"),
+        ([("inverse", {"x": "1"}, {"new": "r"}), show({"r x": "1", "": "-1"}, "=")], NOTHING, "equations only"),
+        ([("root", {"x": "1"}, {"new": "w"})], NOTHING, "equations only"),
+        ([("define", {"": "1"}, {"new": "x"}), show({"x": "1", "": "-1"}, "=")], NOTHING, "twice"),
+        ([show({"z": "1"}, "=")], NOTHING, "z stands for nothing"),
+        ([show({"x": "1.5"}, "=")], NOTHING, "not a fraction"),
+        ([show({"x": "1/0"}, "=")], NOTHING, "not a fraction"),
+        ([show({"x^-1": "0"}, "=")], NOTHING, "exponent"),
+        ([show({"x^0": "0"}, "=")], NOTHING, "exponent"),
+        ([show([], "=")], NOTHING, "a polynomial is missing"),
+        ([("assume", {"x": "1"}, {"is": "<>"}), show({}, "=")], NOTHING, "no relation"),
+        ([("assume", {"x": "1"}, {"is": "toString"}), show({}, "=")], NOTHING, "no relation"),
+        ([("assume", {"x": "1"}, {"is": ">"}), show({"x": "1"}, "=")], INEQUALITY, "not ="),
+        ([show({"x": "1"}, "=")], {"rule": "ideal", "cofactors": [[-1, {"": "1"}]]}, "no fact -1"),
+        ([show({"x": "1"}, "=")], {"rule": "ideal", "cofactors": [[0, {"": "1"}]]}, "no fact 0"),
+        ([("conjure", {}, {"new": "w"})], NOTHING, "no step"),
+    ],
+)  # fmt: skip
+def test_unsound_or_malformed_steps_are_rejected(javascript, steps, proof, reason):
+    answer = javascript([(derivation(*steps), {"proofs": [proof] * len(steps)})])[0]
+    assert not answer["accepted"]
+    assert reason in answer["reason"]
+
+
+def test_a_version_or_kind_that_it_does_not_know_is_rejected(javascript):
+    statement = derivation(show({}, "="))
+    accepted = [javascript([(statement | change, {"proofs": [NOTHING]})])[0]["accepted"]
+                for change in ({}, {"version": 2}, {"kind": "constructor"})]  # fmt: skip
+    assert accepted == [True, False, False]
+    assert not javascript([(statement, {"proofs": []})])[0]["accepted"]
+
+
+def test_arithmetic_is_exact(javascript):
+    large = str(3**200)
+    of = {"x": f"{large}/{2**100}", "": "1/3"}
+    assume = ("assume", of, {"is": "="})
+    proof = {"rule": "ideal", "cofactors": [[0, {"x": "7/11"}]]}
+    p = {"x^2": f"{7 * 3**200}/{11 * 2**100}", "x": "7/33"}
+    off = p | {"x^2": f"{7 * 3**200 + 1}/{11 * 2**100}"}
+    good, bad = (derivation(assume, show(of, "=")) for of in (p, off))
+    answers = javascript([(good, {"proofs": [proof]}), (bad, {"proofs": [proof]})])
+    assert [answer["accepted"] for answer in answers] == [True, False]
+    assert answers[1]["residual"] == {"x^2": f"1/{11 * 2**100}"}
+
+
+def powers(monomial):
+    """Return {(name, exponent)} of "x^2 y"."""
+    return frozenset((f.partition("^")[0], int(f.partition("^")[2] or 1)) for f in monomial.split())
+
+
+def test_the_residual_is_the_one_that_python_finds(javascript):
+    compared = 0
+    for name in ("unit_length/length/0", "kink_loci/projection/0", "hit_of_b/root/0"):
+        name = name if name in stored() else next(other for other in stored() if other.startswith(name.split("/")[0]))
+        drawn = draws(*stored()[name], seed=2)
+        pairs = [pair for *pair, still in (next(drawn) for _ in range(40)) if not still]
+        for pair, answer in zip(pairs, javascript(pairs), strict=True):
+            why = kernel.check(*pair)
+            if isinstance(why, kernel.Rejected) and why.args[1]:
+                expected = {frozenset((n, word.count(n)) for n in word): str(c) for word, c in why.args[1].items()}
+                assert {powers(monomial): c for monomial, c in answer["residual"].items()} == expected
+                compared += 1
+    assert compared > 60

@@ -1,0 +1,270 @@
+"""The reader's own browser checks the certificates: the cards, the page of all claims, the changed statement."""
+
+import json
+import re
+
+import pytest
+
+from proofs.theorem import all_theorems
+from tests.tampered_certificates import stored
+from tests.test_browser import DESKTOP, PAGES, PHONE
+
+pytestmark = pytest.mark.browser
+CHECK_HERE, CHANGE, CHECK_ALL = "Check it here", "Change the statement", "Check all"
+OPEN_EVERYTHING = """() => { for (const place of document.querySelectorAll('.checker[data-theorem]')) {
+    for (const button of place.querySelectorAll('.check-buttons button')) button.click();
+    for (const line of [...place.querySelectorAll('.check-line')].slice(-1)) line.click();
+} }"""
+COMPLAINTS = {
+    "cos_theta^2 +": "a term is missing",
+    "q": "nothing is called q here",
+    "1/0": "a division by zero",
+    "cos_theta^99": "an exponent is a whole number",
+    "(1 - 1)": "cannot be read",
+}
+CERTIFIED = {name.partition("/")[0] for name in stored()}
+
+
+def opened(context, address):
+    """Open a page; return (tab, complaints, requests)."""
+    tab, complaints, requests = context.new_page(), [], []
+    tab.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
+    tab.on("pageerror", lambda error: complaints.append(str(error)))
+    tab.goto(address, wait_until="load")
+    tab.on("request", lambda request: requests.append(request.url))
+    return tab, complaints, requests
+
+
+@pytest.fixture
+def page(browser, server):
+    """A function that opens a page of the book on a desktop; nothing may have complained at the end."""
+    context, seen = browser.new_context(viewport=DESKTOP), []
+
+    def go(name):
+        tab, complaints, _ = opened(context, f"{server}/{name}.html")
+        seen.append(complaints)
+        return tab
+
+    yield go
+    context.close()
+    assert [text for complaints in seen for text in complaints] == []
+
+
+@pytest.fixture
+def page_of(site):
+    """A function from a theorem to the page that has its card."""
+    texts = {name: (site / f"{name}.html").read_text(encoding="utf-8") for name in PAGES}
+    return lambda theorem: next(name for name, text in texts.items() if f'id="theorem-{theorem}"' in text)
+
+
+def card(tab, theorem):
+    return tab.locator(f"#theorem-{theorem}")
+
+
+def press(place, text):
+    place.get_by_role("button", name=text, exact=True).click()
+
+
+def verdict(place):
+    place.locator(".check-verdict > p").first.wait_for()
+    return place.locator(".check-verdict").first.inner_text()
+
+
+@pytest.mark.parametrize("scheme", ["http", "file"])
+def test_a_card_checks_its_theorem_and_asks_for_nothing(browser, site, server, scheme):
+    context = browser.new_context(viewport=DESKTOP)
+    address = f"{server}/s3.html" if scheme == "http" else (site / "s3.html").as_uri()
+    tab, complaints, requests = opened(context, address)
+    tab.evaluate("() => MathJax.startup.promise")
+    requests.clear()  # of the formulas' fonts
+    place = card(tab, "unit_length")
+    press(place, CHECK_HERE)
+    said = verdict(place)
+    assert re.match(r"✓? ?Accepted, in (\d+|less than 1) ms, by this browser\. 2 statements under 4 hypotheses: ", said)
+    assert re.search(
+        r"\d+ polynomial identities multiplied out, [\d,]+ products of terms, and nothing is left over", said
+    )
+    assert "Not checked here: that these polynomials say what the words above say." in said
+    place.get_by_text("What was checked").click()
+    assert place.locator(".checker ol > li").count() == 2
+    assert [url for url in requests if not url.startswith("blob:")] == []
+    assert complaints == []
+    context.close()
+
+
+def test_check_all_accepts_everything_and_says_so_on_every_line(page):
+    tab = page("claims")
+    place = tab.locator(".checker[data-all]")
+    press(place, CHECK_ALL)
+    said = verdict(place)
+    assert f"the certificates of {len(CERTIFIED)} of {len(CERTIFIED)} theorems, {len(stored())} in all" in said
+    assert place.locator("progress").evaluate("bar => [bar.value, bar.max]") == [len(stored())] * 2
+    marks = tab.evaluate(
+        "[...document.querySelectorAll('[data-claim]:has(.check-accepted)')].map(e => e.dataset.claim)"
+    )
+    assert set(marks) == CERTIFIED
+    assert tab.locator(".check-mark.check-rejected").count() == 0
+
+
+def test_every_theorem_has_its_button_or_says_why_not(page):
+    buttons, notes = [], []
+    for name in PAGES:
+        tab = page(name)
+        buttons += tab.evaluate("[...document.querySelectorAll('.checker[data-theorem]')].map(e => e.dataset.theorem)")
+        notes += tab.evaluate("[...document.querySelectorAll('.theorem:has(.check-nothing)')].map(e => e.id)")
+    assert sorted(buttons) == sorted(CERTIFIED)
+    assert sorted(notes) == sorted(f"theorem-{id}" for id in all_theorems().keys() - CERTIFIED)
+
+
+def test_the_data_in_the_page_are_the_stored_ones(page):
+    tab = page("s3")
+    data = json.loads(tab.locator("#theorem-unit_length script[type='application/json']").inner_text())
+    pairs = [(pair["statement"], pair["certificate"]) for claim in data["claims"] for pair in claim["statements"]]
+    assert pairs == [pair for name, pair in stored().items() if name.startswith("unit_length/")]
+
+
+def test_a_statement_that_is_changed_from_the_keyboard_is_rejected_and_can_be_put_back(page):
+    tab = page("s3")
+    place = card(tab, "unit_length")
+    place.get_by_role("button", name=CHANGE).focus()
+    tab.keyboard.press("Enter")
+    assert "as it was" in verdict(place.locator(".check-editor"))
+    line = place.locator(".check-line").first
+    line.focus()
+    tab.keyboard.press("Enter")
+    tab.keyboard.press("Tab")
+    tab.keyboard.press("Tab")
+    tab.keyboard.press("Space")  # the second term's sign
+    place.locator(".check-editor .check-rejected").wait_for()
+    said = verdict(place.locator(".check-editor"))
+    assert "Rejected" in said and "at line 15: the two sides differ" in said
+    assert place.locator(".check-residual sup, .check-residual sub").count() > 0
+    assert "It should be 0" in said
+    assert place.locator(".check-changed").count() == 1
+    tab.keyboard.press("Space")  # and back: the focus has stayed
+    place.get_by_text("as it was").wait_for()
+    assert place.locator(".check-changed").count() == 0
+
+
+def test_what_is_typed_is_read_or_refused_in_words(page):
+    place = card(page("s3"), "unit_length")
+    press(place, CHANGE)
+    place.locator(".check-line").first.click()
+    box, error = place.locator(".check-panel input"), place.locator(".check-error")
+    for typed, complaint in COMPLAINTS.items():
+        box.fill(typed)
+        assert complaint in error.inner_text()
+        assert box.get_attribute("aria-invalid") == "true"
+    box.fill("3/2 cos_theta^2 + sin_theta^2 - 1")
+    assert error.inner_text() == ""
+    place.locator(".check-editor .check-rejected").wait_for()
+    assert "1/2" in place.locator(".check-residual").inner_text()
+    press(place, "Put everything back")
+    place.get_by_text("as it was").wait_for()
+
+
+def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(page, page_of):
+    """That ε > 0 is a hypothesis that v + ε = v⁺ does not need."""
+    place = card(page(page_of("central_difference_of_sine")), "central_difference_of_sine")
+    press(place, CHANGE)
+    line = place.locator(".check-line").first
+    assert line.inner_text() == "ε > 0"
+    line.click()
+    place.locator(".check-chips button").click()
+    place.locator(".check-editor .check-accepted").wait_for()
+    assert line.inner_text() == "−ε > 0"
+    assert "Accepted all the same" in verdict(place.locator(".check-editor"))
+    box = place.locator(".check-panel input")
+    box.fill("2 epsilon - epsilon")  # what it was
+    place.get_by_text("as it was").wait_for()
+
+
+def tampered_data(tab, selector):
+    """Return the data of a place, with one sign turned in what the first claim of unit_length shows."""
+    data = json.loads(tab.locator(f"{selector} script[type='application/json']").inner_text())
+    theorem = data if isinstance(data, dict) else next(each for each in data if each["theorem"] == "unit_length")
+    of = theorem["claims"][0]["statements"][0]["statement"]["steps"][-1]["of"]
+    assert of["h_u^2"] == "-1"
+    of["h_u^2"] = "1"
+    return data
+
+
+def test_a_false_certificate_is_rejected_by_the_card_and_by_check_all(page):
+    tab = page("s3")
+    wrong = tampered_data(tab, "#theorem-unit_length")
+    tab.evaluate(
+        "data => Checker.card(document.querySelector('#theorem-unit_length .checker'), data, Checker.clerk())", wrong
+    )
+    press(card(tab, "unit_length"), CHECK_HERE)
+    said = verdict(card(tab, "unit_length"))
+    assert "Rejected" in said and "g is tangent" in said and "Left over" in said
+    tab = page("claims")
+    wrong = tampered_data(tab, ".checker[data-all]")
+    tab.evaluate("data => Checker.all(document.querySelector('.checker[data-all]'), data, Checker.clerk())", wrong)
+    press(tab.locator(".checker[data-all]"), CHECK_ALL)
+    said = verdict(tab.locator(".checker[data-all]"))
+    assert "Rejected" in said and said.endswith("Rejected: unit_length.")
+    assert tab.locator("[data-claim=unit_length] .check-mark.check-rejected").count() == 1
+
+
+@pytest.mark.parametrize(
+    ("breakage", "words"),
+    [
+        ("() => { window.Worker = class { constructor() { throw new Error('forbidden here') } } }", "forbidden here"),
+        ("() => { Checker.kernel = function () { throw new Error('broken') } }", "the worker failed"),
+    ],
+)
+@pytest.mark.parametrize(("name", "button"), [("s3", CHECK_HERE), ("claims", CHECK_ALL)])
+def test_a_worker_that_does_not_start_says_so(page, breakage, words, name, button):
+    tab = page(name)
+    tab.evaluate(breakage)
+    place = tab.locator(".checker[data-all]") if name == "claims" else card(tab, "unit_length")
+    press(place, button)
+    said = verdict(place)
+    assert "No verdict" in said and words in said
+    assert "Accepted" not in said
+
+
+def test_a_worker_that_never_answers_is_given_up(browser, server):
+    context = browser.new_context()
+    tab = context.new_page()
+    tab.clock.install()
+    tab.goto(f"{server}/s3.html")
+    tab.evaluate("() => { window.Worker = class { postMessage() {} terminate() {} } }")
+    press(card(tab, "unit_length"), CHECK_HERE)
+    tab.clock.run_for(21000)
+    assert "no answer within 20 seconds" in verdict(card(tab, "unit_length"))
+    context.close()
+
+
+def test_a_refuted_claim_has_its_counterexample_put_in(page, page_of):
+    assert all_theorems()["seed_clamp"].expected == "refuted"
+    seed_clamp = card(page(page_of("seed_clamp")), "seed_clamp")
+    press(seed_clamp, CHECK_HERE)
+    said = verdict(seed_clamp)
+    assert "1 counterexample put in, in exact fractions: the claim is false there, and 7 other conditions hold" in said
+
+
+def test_without_scripts_the_card_says_what_there_is(browser, server):
+    context = browser.new_context(java_script_enabled=False)
+    tab = context.new_page()
+    tab.goto(f"{server}/s3.html")
+    assert card(tab, "unit_length").get_by_role("button").count() == 0
+    assert "takes JavaScript" in card(tab, "unit_length").inner_text()
+    assert "steps" not in card(tab, "unit_length").inner_text()  # the data are not text
+    context.close()
+
+
+def test_the_editor_fits_a_phone_and_a_finger(browser, server):
+    context = browser.new_context(viewport=PHONE, is_mobile=True, has_touch=True)
+    tab, complaints, _ = opened(context, f"{server}/s3.html")
+    tab.evaluate(OPEN_EVERYTHING)
+    tab.wait_for_function("[...document.querySelectorAll('.check-body > .check-verdict')].every(e => e.innerText)")
+    tab.evaluate("document.querySelectorAll('.checker details').forEach(fold => fold.open = true)")
+    assert tab.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
+    small = tab.evaluate("""[...document.querySelectorAll('.checker :is(button, input, select, summary)')]
+        .filter(e => e.offsetWidth).map(e => [e.outerHTML.slice(0, 80), e.getBoundingClientRect()])
+        .filter(([_, box]) => box.height < 44 || box.width < 44).map(([html]) => html)""")
+    assert small == []
+    assert complaints == []
+    context.close()
