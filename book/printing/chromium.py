@@ -72,6 +72,19 @@ def dated(pdf: bytes) -> bytes:
     return re.sub(rb"D:\d{14}\+00'00'", DATE, pdf)
 
 
+def numbered(tab) -> bytes:
+    """The open document as PDF, with the numbers of its pages in its contents."""
+    numbers = page_numbers(printed(tab))
+    tab.evaluate(
+        "numbers => document.querySelectorAll('.page-number').forEach(p => p.textContent = numbers[p.dataset.for])",
+        numbers,
+    )
+    pdf = printed(tab)
+    if page_numbers(pdf) != numbers:
+        raise RuntimeError("the contents moved the pages that they list")
+    return dated(pdf)
+
+
 def print_document(text: str) -> bytes:
     """The document as PDF; raises NoBrowser."""
     from playwright.sync_api import sync_playwright
@@ -81,14 +94,6 @@ def print_document(text: str) -> bytes:
         place = Path(folder) / "chapter.html"
         place.write_text(text, encoding="utf-8")
         browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
-        tab = opened(browser, place)
-        numbers = page_numbers(printed(tab))
-        tab.evaluate(
-            "numbers => document.querySelectorAll('.page-number').forEach(p => p.textContent = numbers[p.dataset.for])",
-            numbers,
-        )
-        pdf = printed(tab)
+        pdf = numbered(opened(browser, place))
         browser.close()
-    if page_numbers(pdf) != numbers:
-        raise RuntimeError("the contents moved the pages that they list")
-    return dated(pdf)
+    return pdf

@@ -5,7 +5,8 @@ from pathlib import Path
 from bs4 import BeautifulSoup, Tag
 
 from book.single import listings
-from book.single.names import Names, ids_of, relink, rename
+from book.single.certificates import share_certificates
+from book.single.names import Names, ids_of, relink, relink_data, rename
 from book.single.pages import SHELL, BrokenSite, Load, Page, parsed, read_pages, target
 from book.single.pictures import inline_pictures
 from book.single.store import Store, data_address, inlined_script, inlined_styles, packed_address
@@ -30,6 +31,7 @@ class Chapter:
         self.names = Names(self.pages, ids_of(self.shell))
         self.store = Store()
         self.used: set[str] = set()
+        self.packed: dict[bytes, str] = {}
 
     def prepare(self) -> None:
         """Rename, link, and put pictures in; listings last, when it is known which of their lines are wanted."""
@@ -38,7 +40,9 @@ class Chapter:
             for part in filter(None, (page.article, page.contents, page.neighbours, *page.downloads)):
                 relink(part, page.name, self.names, lambda link, path, page=page: self.pack(link, path, page.name))
                 self.used.update(link["href"] for link in part.find_all("a", href=True) if link["href"][0] == "#")
+            relink_data(page.article, page.name, self.names)
             inline_pictures(self.site, page, self.store)
+        share_certificates([page.article for page in self.pages])
         for page in self.pages:
             if page.listing:
                 listings.make_small(page, listings.lines_wanted(self.used, page.name))
@@ -49,8 +53,12 @@ class Chapter:
         if not file.is_file():
             raise BrokenSite(f"{page}.html links to {path}, which the site does not have")
         link.attrs.pop("target", None)
-        link["href"] = self.store.keep(packed_address(file.read_bytes()))
-        link["download"], link["data-packed"] = f"{file.name}.gz", file.name
+        link["data-packed"], content = file.name, file.read_bytes()
+        if content in self.packed:  # the first link to it holds it
+            link["href"] = f"#{self.packed[content]}"
+            return
+        self.packed[content] = link["id"] = f"file-{len(self.packed) + 1}"
+        link["href"], link["download"] = self.store.keep(packed_address(content)), f"{file.name}.gz"
 
     def loads(self) -> list[Load]:
         """What pages load, each once, in their order."""

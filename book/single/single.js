@@ -7,6 +7,13 @@
   const typeset = new Map();
   let current = null, back = null;
 
+  // The list of all certificates names those that stand in a card.
+  for (const list of document.querySelectorAll("script[data-shared]")) {
+    const card = (id) => JSON.parse(document.querySelector(`.checker[data-theorem="${id}"] script[type="application/json"]`).textContent);
+    const whole = (entry) => (typeof entry === "string" ? { theorem: entry, claims: card(entry).claims } : entry);
+    list.textContent = JSON.stringify(JSON.parse(list.textContent).map(whole));
+  }
+
   const plain = (text) => {
     try {
       return decodeURIComponent(text);
@@ -73,7 +80,8 @@
   }
 
   async function unpack(link) {
-    const bytes = Uint8Array.from(atob(link.href.split(",")[1]), (c) => c.charCodeAt(0));
+    const holder = link.hash ? document.getElementById(link.hash.slice(1)) : link;
+    const bytes = Uint8Array.from(atob(holder.href.split(",")[1]), (c) => c.charCodeAt(0));
     const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
     const saved = document.createElement("a");
     saved.href = URL.createObjectURL(await new Response(plain).blob());

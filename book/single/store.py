@@ -7,6 +7,8 @@ import re
 from pathlib import Path
 from urllib.parse import unquote
 
+from book.single.pixels import address, smaller_inside
+
 TOKEN = re.compile(r"%%kept-(\d+)%%")
 UNUSED = {"fa-brands-400.woff2", "fa-regular-400.woff2"}  # no page has a brand's mark or a hollow icon
 TYPES = {".woff2": "font/woff2", ".woff": "font/woff", ".svg": "image/svg+xml", ".png": "image/png"}
@@ -30,6 +32,8 @@ class Store:
 
 def data_address(path: Path) -> str:
     """A file as a data: address."""
+    if path.suffix == ".png":
+        return address(path.read_bytes())
     kind = TYPES.get(path.suffix) or mimetypes.guess_type(path.name)[0] or "application/octet-stream"
     return f"data:{kind};base64,{base64.b64encode(path.read_bytes()).decode()}"
 
@@ -43,6 +47,7 @@ def svg_parts(path: Path) -> list[str]:
     """A drawing as it stands in a data: address with single quotes, cut before each of its tags."""
     text = re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
     text = re.sub(r"\s*\n\s*", " ", text).replace("> <", "><").strip()
+    text = smaller_inside(text)
     text = re.sub("[%#]", lambda match: f"%{ord(match[0]):02X}", text)
     return text.replace("'", "&apos;").replace('"', "'").split("<")
 
@@ -60,7 +65,7 @@ def quoted(text: str) -> str:
 def inlined_styles(path: Path) -> str:
     """A style sheet with what it loads as data: of a font offered twice, the WOFF2; of icons, those in use."""
 
-    def address(match: re.Match) -> str:
+    def inlined(match: re.Match) -> str:
         name = unquote(match[1].strip("'\"").split("?")[0].split("#")[0])
         if name.startswith("data:") or not name:
             return match[0]
@@ -72,7 +77,7 @@ def inlined_styles(path: Path) -> str:
     text = re.sub(r"/\*# sourceMappingURL=.*?\*/", "", path.read_text(encoding="utf-8"))
     text = re.sub(r'@import "([^"]+)";', lambda match: inlined_styles(path.parent / match[1]), text)
     text = re.sub(r',\s*url\([^)]*\.ttf[^)]*\)\s*format\(["\']?truetype["\']?\)', "", text)
-    return re.sub(r"url\(((?:'[^']*'|\"[^\"]*\"|[^)'\"])*)\)", address, text).replace("</style", "<\\/style")
+    return re.sub(r"url\(((?:'[^']*'|\"[^\"]*\"|[^)'\"])*)\)", inlined, text).replace("</style", "<\\/style")
 
 
 def inlined_script(path: Path) -> str:
