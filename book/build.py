@@ -19,7 +19,8 @@ def sources() -> dict[str, str]:
     """The hashes of everything that the site is made from, drawn figures included."""
     folders = [BOOK, BOOK / "_generated", *(stamps.ROOT / name for name in ("proofs", "renderer", "verify"))]
     files = [path for folder in folders if folder.is_dir() for path in stamps.files_in(folder)]
-    return stamps.hashes([*files, stamps.LOCK_FILE, stamps.ROOT / "pyproject.toml"])
+    tests = (stamps.ROOT / "tests").glob("*.py")  # the ledger names them, and the site shows those
+    return stamps.hashes([*files, *tests, stamps.LOCK_FILE, stamps.ROOT / "pyproject.toml"])
 
 
 def execution_cache() -> Path:
