@@ -10,7 +10,6 @@ from proofs.program import Program
 from proofs.symbols import x
 from renderer import Scene, central, exact, render
 from renderer.chambers import SURFACE_BITS
-from renderer.kernels import FIELDS
 from renderer.scene import MODELS
 from verify.baselines import seed_loops as loops
 from verify.baselines.numpy_tiles import numpy_function, numpy_tiles, without_repeats
@@ -25,7 +24,7 @@ def largest(rgb, frame):
     return np.abs(rgb - frame.rgb).max()
 
 
-@pytest.mark.parametrize(("field", "model", "eps"), list(product(FIELDS, MODELS, (None, 1e-3))))
+@pytest.mark.parametrize(("field", "model", "eps"), list(product(loops.FIELDS, MODELS, (None, 1e-3))))
 def test_the_seed_loops_draw_our_picture(field, model, eps):
     scene = Scene(field=field, model=model)
     rgb, surfaces = seed_loops(scene, SIDE, SIDE, eps)
