@@ -7,16 +7,20 @@ import shutil
 from base64 import b64decode
 from collections import Counter
 from html.parser import HTMLParser
+from io import BytesIO
 from urllib.parse import unquote
 
 import pytest
+from PIL import Image
 
 from book.single import file
+from book.single.certificates import share_certificates
 from book.single.document import document
 from book.single.listings import make_small
-from book.single.names import Names, relink, rename
+from book.single.names import Names, relink, relink_data, rename
 from book.single.pages import BrokenSite, Page, parsed
 from book.single.pictures import change, difference
+from book.single.pixels import smaller
 from book.single.store import inlined_script, svg_address, svg_parts
 
 PHONE, DESKTOP = {"width": 400, "height": 850}, {"width": 1280, "height": 900}
@@ -92,6 +96,20 @@ def test_file_that_is_too_large_is_not_written(site, monkeypatch):
         file.content(site)
 
 
+def test_file_is_written_when_the_site_changed(tmp_path, monkeypatch, capsys):
+    made = []
+    monkeypatch.setattr(file, "content", lambda: made.append(1) or b"<html>")
+    monkeypatch.setattr(file, "PLACE", tmp_path / "chapter.html")
+    monkeypatch.setattr(file.stamps, "STAMPS", tmp_path)
+    for site, times in (({"a": "1"}, 1), ({"a": "1"}, 1), ({"a": "2"}, 2)):
+        file.stamps.write("site", site)
+        file.make()
+        assert len(made) == times and file.PLACE.read_bytes() == b"<html>"
+    file.PLACE.unlink()
+    file.make()
+    assert len(made) == 3 and "skipped" in capsys.readouterr().out
+
+
 def test_every_id_occurs_once(elements):
     ids = Counter(attributes["id"] for _, attributes in elements if "id" in attributes)
     assert len(ids) > 500
@@ -156,12 +174,52 @@ def test_id_of_several_pages_gets_the_page_s_name_and_references_follow():
     ]
     names = Names(pages)
     for each in pages:
-        rename(each, names.table[each.name])
+        rename(each, names)
         relink(each.article, each.name, names, lambda link, path: pytest.fail(path))
     assert [link["href"] for link in pages[0].article.find_all("a")] == ["#a:x", "#b:x", "#b"]
     assert pages[0].article.b["id"] == "a:x" and pages[1].article.b["id"] == "b:x"
     assert pages[1].article.label["for"] == "b:x"
     assert pages[1].article.style.string == r"#b\:x{} #own{}"
+
+
+def test_radio_buttons_of_two_pages_stay_two_groups():
+    boxes = '<section id="{0}"><input type="radio" name="grade" id="{0}1"/><input type="radio" name="{0}"/></section>'
+    pages = [page("a", boxes.format("a")), page("b", boxes.format("b"))]
+    names = Names(pages)
+    for each in pages:
+        rename(each, names)
+    found = [[box["name"] for box in each.article.find_all("input")] for each in pages]
+    assert found == [["a:grade", "a"], ["b:grade", "b"]]
+
+
+def test_list_of_all_certificates_names_those_of_the_cards():
+    data = {"one": ["p"], "two": ["q"]}
+    held = '<div class="checker" data-theorem="{0}"><script type="application/json">{1}</script></div>'
+    entries = [{"theorem": id, "claims": claims} for id, claims in data.items()]
+    changed = held.format("two", json.dumps({"theorem": "two", "claims": ["other"]}))
+    card = page("a", held.format("one", json.dumps(entries[0])) + changed)
+    whole = json.dumps(entries)
+    every = page("b", f'<div class="checker" data-all><script type="application/json">{whole}</script></div>')
+    share_certificates([card.article, every.article])
+    script = every.article.find("script")
+    assert json.loads(script.string) == ["one", entries[1]] and script.has_attr("data-shared")
+
+
+def test_links_in_data_follow():
+    one = page(
+        "a", '<section id="a"><script type="application/json">["b.html#x", "b.html", "c.txt"]</script></section>'
+    )
+    names = Names([one, page("b", '<section id="b"><i id="x"></i></section>')])
+    relink_data(one.article, "a", names)
+    assert json.loads(one.article.script.string) == ["#x", "#b", "c.txt"]
+
+
+def test_picture_gets_smaller_and_stays_the_same(site):
+    for path in sorted((site / "_images").glob("*.png")):
+        before, after = path.read_bytes(), smaller(path.read_bytes())
+        assert len(after) <= len(before)
+        pictures = [Image.open(BytesIO(data)).convert("RGBA") for data in (before, after)]
+        assert pictures[0].tobytes() == pictures[1].tobytes(), path.name
 
 
 def test_link_to_no_id_is_refused():
@@ -264,6 +322,19 @@ def test_simulator_draws_and_its_slider_works(opened):
     assert tab.evaluate(seen) != before
     wait(tab, "location.hash.startsWith('#sim?')")
     assert tab.evaluate("Chapter.shown().dataset.page") == "s4"
+
+
+@pytest.mark.browser
+def test_certificates_are_checked(opened):
+    tab, _, _ = opened
+    if not tab.evaluate("document.querySelectorAll('.checker[data-all]').length"):
+        pytest.skip("the site has no checker")
+    go(tab, "theorem-unit_length")
+    tab.locator("#theorem-unit_length .checker button").first.click()
+    wait(tab, "document.querySelector('#theorem-unit_length .check-verdict').textContent.startsWith('Accepted')")
+    tab.evaluate("Chapter.show(document.querySelector('.checker[data-all]').closest('.chapter-page'))")
+    tab.locator(".checker[data-all] button").click()
+    wait(tab, "document.querySelector('.checker[data-all] .check-verdict').textContent.startsWith('Accepted')")
 
 
 @pytest.mark.browser

@@ -102,7 +102,7 @@ def read(site: Path, shell: BeautifulSoup, store: Store) -> list[Page]:
     names = Names(pages)
     for page in pages:
         unfold(page.article)
-        rename(page, names.table[page.name])
+        rename(page, names)
         relink(page.article, page.name, names, lambda link, path: drop_link(link))
         inline_pictures(site, page, store)
     return pages

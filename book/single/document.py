@@ -36,7 +36,7 @@ class Chapter:
     def prepare(self) -> None:
         """Rename, link, and put pictures in; listings last, when it is known which of their lines are wanted."""
         for page in self.pages:
-            rename(page, self.names.table[page.name])
+            rename(page, self.names)
             for part in filter(None, (page.article, page.contents, page.neighbours, *page.downloads)):
                 relink(part, page.name, self.names, lambda link, path, page=page: self.pack(link, path, page.name))
                 self.used.update(link["href"] for link in part.find_all("a", href=True) if link["href"][0] == "#")

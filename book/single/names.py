@@ -16,6 +16,11 @@ def ids_of(part: Tag) -> list[str]:
     return [tag["id"] for tag in part.find_all(id=True)]
 
 
+def radios(page: Page) -> list[Tag]:
+    """The page's radio buttons: those of one name would become one group of the file."""
+    return page.article.select("input[type=radio][name]")
+
+
 class Names:
     """What the ids of the pages are called in the one file."""
 
@@ -25,6 +30,8 @@ class Names:
         own = {name: ids_of(page.article) for name, page in self.pages.items()}
         count = Counter(id for ids in own.values() for id in set(ids)) + Counter(set(reserved))
         self.table = {n: {id: id if count[id] == 1 else f"{n}:{id}" for id in ids} for n, ids in own.items()}
+        groups = {name: {box["name"] for box in radios(page)} for name, page in self.pages.items()}
+        self.groups = Counter(group for names in groups.values() for group in names)
 
     def top(self, name: str) -> str:
         """The id of a page: that of its first section, or its address where it has none."""
@@ -44,8 +51,12 @@ class Names:
         return f"#{self.table[name][id]}"
 
 
-def rename(page: Page, table: dict[str, str]) -> None:
+def rename(page: Page, names: Names) -> None:
     """Give the page's elements their new ids, and change what refers to them by name."""
+    table = names.table[page.name]
+    for box in radios(page):
+        if names.groups[box["name"]] > 1:
+            box["name"] = f"{page.name}:{box['name']}"
     for tag in page.article.find_all(True):
         if tag.get("id"):
             tag["id"] = table[tag["id"]]

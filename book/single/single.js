@@ -69,7 +69,8 @@
   // Go where the address says: to `height` if the reader comes back, else to the element.
   async function go(height) {
     const target = named(), page = (target ? target.closest(".chapter-page") || current : null) || pages[0];
-    const arrive = () => (height === null && target ? target.scrollIntoView({ behavior: "instant" }) : scrollTo({ top: height || 0, behavior: "instant" }));
+    const top = !target || target.matches(".chapter-page, .bd-article > section");
+    const arrive = () => (height === null && !top ? target.scrollIntoView({ behavior: "instant" }) : scrollTo({ top: height || 0, behavior: "instant" }));
     for (const dialog of document.querySelectorAll("dialog[open]")) dialog.close();
     const fresh = !typeset.has(page), turned = page !== current, ready = turned ? show(page) : null;
     if (turned || height !== null) arrive();
