@@ -34,13 +34,15 @@ def code(source, outputs=(), **metadata):
     }
 
 
-def _expectations(cell):
-    """Return the line that hands a cell's code the numbers that its prose cites."""
+def _expectations(cell, source):
+    """Return a cell's expectations, after the numbers that its prose cites if they ask for one."""
+    if "cited[" not in source:
+        return source
     numbers = {}
     for part in cell.parts:
         if not part.is_code:
             numbers |= cited(part.text)
-    return f"cited = {json.dumps(numbers, indent=4, ensure_ascii=False)}\n\n" if numbers else ""
+    return f"cited = {json.dumps(numbers, indent=4, ensure_ascii=False)}\n\n{source}"
 
 
 def _body(cell, outputs):
@@ -51,7 +53,7 @@ def _body(cell, outputs):
             if text := plain(part.text):
                 found.append(markdown(text))
         elif EXPECTED in part.tags:
-            found.append(code(_expectations(cell) + part.text))
+            found.append(code(_expectations(cell, part.text)))
         else:
             found.append(code(part.text, () if SKIPPED in part.tags else outputs.get(part.text, ())))
     return found
