@@ -1,0 +1,179 @@
+"""The newcomer's walk: the section "The way in" of CONTRIBUTING.md, followed to the letter in a copy of the project."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from io import StringIO
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+ROOT = Path(__file__).resolve().parent.parent
+SECTION = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").partition("\n## The way in\n")[2].partition("\n## ")[0]
+FENCE = re.compile(r"```(\w+)\n(.*?)```", re.DOTALL)
+FILE = re.compile(r"`([\w/]+\.\w+)`")
+LAST_FIELD = '        HeightField("rings"'
+CLAIM = "waves_climb_one_way"
+# The ledger against a run in which this theorem has a grade, and every figure that was drawn its numbers.
+HELD = """
+import sys
+from book import stamps
+from book._ext.chapter.results import look_up
+from book._ext.chapter.theorems import page_names
+from book.ledger import load
+from book.ledger.check import Run, check
+from book.ledger.run import split
+id, grade, book = sys.argv[1], sys.argv[2], stamps.ROOT / "book"
+number = lambda name: look_up(book, *split(name))
+run = Run({id: grade}, {}, frozenset(page_names(book)), frozenset(), number, lambda node: True)
+print(load().get(id).words)
+print([fault for fault in check(load(), run) if fault.startswith(id)])
+"""
+
+
+def blocks():
+    """Return [(file, text)]: every block to be written, and the file that was named last before it."""
+    found, end = [], 0
+    for fence in FENCE.finditer(SECTION):
+        named = FILE.findall(SECTION[end : fence.start()])
+        if fence[1] != "bash":
+            found.append((named[-1], fence[2]))
+        end = fence.end()
+    return found
+
+
+def commands():
+    """Return the commands of the section, each as a list of words, the remarks after # left out."""
+    listed = next(fence[2] for fence in FENCE.finditer(SECTION) if fence[1] == "bash")
+    return [line.partition("#")[0].split() for line in listed.splitlines()]
+
+
+def run(folder, *command, succeeds=True):
+    """Run a command of the section in the folder; return what it prints."""
+    python = {"python": [sys.executable], "pytest": [sys.executable, "-m", "pytest"]}
+    environment = {name: value for name, value in os.environ.items() if not name.startswith(("PYTEST_", "NUMBA_CACHE"))}
+    done = subprocess.run(
+        [*python[command[0]], *command[1:]],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+    )
+    assert (done.returncode == 0) == succeeds, done.stdout + done.stderr
+    return done.stdout + done.stderr
+
+
+def copied(folder):
+    """Copy what the commands need of the project."""
+    left_out = shutil.ignore_patterns("__pycache__", "_build", "_generated")
+    for name in ("proofs", "renderer", "verify", "book"):
+        shutil.copytree(ROOT / name, folder / name, ignore=left_out)
+    for name in ("pyproject.toml", "requirements.lock"):
+        shutil.copy(ROOT / name, folder)
+
+
+def written(folder, file, text):
+    """Write a block where the section says: a new file, the end of a page, or after the last height field."""
+    path = folder / file
+    if not path.exists():
+        path.write_text(text, encoding="utf-8")
+        return
+    present = path.read_text(encoding="utf-8")
+    if file.endswith(".py"):
+        lines = present.splitlines(keepends=True)
+        last = next(number for number, line in enumerate(lines) if line.startswith(LAST_FIELD))
+        path.write_text("".join([*lines[: last + 1], text, *lines[last + 1 :]]), encoding="utf-8")
+    else:
+        path.write_text(f"{present}\n{text}", encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def walked(tmp_path_factory):
+    """The folder in which it was all done, and what each command printed."""
+    folder = tmp_path_factory.mktemp("newcomer")
+    copied(folder)
+    for file, text in blocks():
+        written(folder, file, text)
+    return folder, {" ".join(words[:3]): run(folder, *words) for words in commands() if words[0] != "make"}
+
+
+def test_it_is_short_and_names_every_file():
+    assert [file for file, _ in blocks()] == [
+        "proofs/height_fields.py",
+        "proofs/theorems/waves.py",
+        "book/figures/waves.py",
+        "book/s3.md",
+        "book/ledger/claims/waves.toml",
+    ]
+    assert sum(len(text.splitlines()) for _, text in blocks()) < 60
+    assert commands()[-1] == ["make", "book"]
+
+
+def test_the_field_draws_and_is_a_choice_everywhere(walked):
+    folder, _ = walked
+    picture = np.asarray(Image.open(folder / "waves.png"))
+    assert picture.shape == (128, 128, 3)
+    run(folder, "python", "-m", "renderer", "image", "--field", "rings", "--size", "128", "--out", "rings.png")
+    assert (picture != np.asarray(Image.open(folder / "rings.png"))).any(axis=2).mean() > 0.1
+    script = (folder / "book" / "static" / "simulator" / "kernels.js").read_text(encoding="utf-8")
+    assert "function central_waves_row(" in script
+    assert "'waves'" in run(
+        folder, "python", "-m", "renderer", "image", "--field", "foo", "--out", "x.png", succeeds=False
+    )
+
+
+def test_the_theorem_is_proved_and_its_mutants_are_refused(walked):
+    folder, printed = walked
+    assert printed["python -m proofs.certificate"].startswith(f"{CLAIM}: 2 statements")
+    assert (folder / "proofs" / "certificates" / f"{CLAIM}.json").is_file()
+    assert re.search(rf"{CLAIM} +proved .* mutants 2/2", printed["pytest verify --theorem"])
+    path = folder / "proofs" / "theorems" / "waves.py"
+    true = path.read_text(encoding="utf-8")
+    false = true.replace("equation(k_v * _h_u, k_u * _h_v)", "equation(k_u * _h_u, k_v * _h_v)", 1)
+    assert false != true
+    path.write_text(false, encoding="utf-8")
+    try:
+        run(folder, "python", "-m", "proofs.certificate", CLAIM, succeeds=False)
+    finally:
+        path.write_text(true, encoding="utf-8")
+
+
+def test_the_figure_is_drawn_and_stands_on_the_page(walked):
+    from sphinx.application import Sphinx
+    from sphinx.util.docutils import docutils_namespace
+
+    folder, _ = walked
+    numbers = json.loads((folder / "book" / "_generated" / "waves.json").read_text(encoding="utf-8"))["numbers"]
+    assert 0 < numbers["turned"] < 1e-14
+    placed = next(text for file, text in blocks() if file == "book/s3.md")
+    assert (folder / "book" / "s3.md").read_text(encoding="utf-8").endswith(placed)
+    small = folder / "small" / "book"  # the whole book would want every theorem and figure
+    shutil.copytree(folder / "book" / "_generated", small / "_generated")
+    shutil.copytree(folder / "book" / "figures", small / "figures", ignore=shutil.ignore_patterns("__pycache__"))
+    (small / "index.md").write_text(f"# Page\n\n{placed}", encoding="utf-8")
+    settings = {
+        "extensions": ["myst_parser", "sphinx.ext.mathjax", "book._ext.chapter"],
+        "myst_enable_extensions": ["colon_fence"],
+        "numfig": True,
+        "exclude_patterns": ["_generated", "figures"],
+    }
+    warnings, out = StringIO(), folder / "out"
+    with docutils_namespace():
+        Sphinx(small, None, out, out / "doctrees", "html", settings, None, warnings, freshenv=True).build()
+    assert warnings.getvalue() == ""
+    assert 'id="fig-waves"' in (out / "index.html").read_text(encoding="utf-8")
+
+
+def test_the_claim_stands_and_falls_with_the_run(walked):
+    folder, _ = walked
+    assert run(folder, "python", "-c", HELD, CLAIM, "proved").splitlines() == [
+        "Waves climb in one direction alone.",
+        "[]",
+    ]
+    assert "proved is expected, the run made it failed" in run(folder, "python", "-c", HELD, CLAIM, "failed")
