@@ -1,6 +1,7 @@
 """Whether a build from a clean clone in another folder gives the same bytes as the one here."""
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -43,13 +44,26 @@ def _first_difference(first: bytes, second: bytes) -> str:
     return f"differs from byte {at} on: {first[start : at + AROUND]!r} and {second[start : at + AROUND]!r}"
 
 
-def require_committed(root: Path = stamps.ROOT) -> None:
-    """Raise NotClean if a file that git knows was changed, or a file of the project is unknown to git."""
+def knows_git(root: Path) -> bool:
+    """Whether git is there and takes the folder for a repository."""
+    if shutil.which("git") is None or not (root / ".git").exists():
+        return False
+    return subprocess.run(["git", "rev-parse"], cwd=root, capture_output=True).returncode == 0
+
+
+def clone(root: Path, target: Path) -> None:
+    """Clone what is committed; without git, copy the sources alone. NotClean if what is here is not committed."""
+    if not knows_git(root):
+        print("No git here: the sources are copied")
+        products = shutil.ignore_patterns(*stamps.PRODUCTS, "node_modules", ".*")
+        shutil.copytree(root, target, ignore=products)
+        return
     command = ["git", "status", "--porcelain", "--", *stamps.PACKAGES, "requirements.lock", "pyproject.toml"]
     changed = subprocess.run(command, cwd=root, check=True, capture_output=True, text=True).stdout.splitlines()
     if changed:
         more = f" and {len(changed) - 1} more" if len(changed) > 1 else ""
         raise NotClean(f"not committed: {changed[0][3:]}{more}; a clone would be built from something else")
+    subprocess.run(["git", "clone", "--quiet", str(root), str(target)], check=True)
 
 
 def elsewhere(folder: Path) -> Mapping[str, str]:
@@ -63,15 +77,14 @@ def elsewhere(folder: Path) -> Mapping[str, str]:
 
 def same_bytes() -> int:
     """Clone, build there with no cache, compare with the build here; print what differs; the exit status."""
-    require_committed()
     with tempfile.TemporaryDirectory(prefix="a-clone-") as name:
         folder = Path(name)
-        clone = folder / "the book, elsewhere"
-        subprocess.run(["git", "clone", "--quiet", str(stamps.ROOT), str(clone)], check=True)
-        subprocess.run([sys.executable, "-m", "book"], cwd=clone, env=elsewhere(folder), check=True)
+        target = folder / "the book, elsewhere"
+        clone(stamps.ROOT, target)
+        subprocess.run([sys.executable, "-m", "book"], cwd=target, env=elsewhere(folder), check=True)
         found, files = [], 0
         for part in COMPARED:
-            found += [f"{part}/{line}" for line in differences(stamps.ROOT / part, clone / part)]
+            found += [f"{part}/{line}" for line in differences(stamps.ROOT / part, target / part)]
             files += len(files_of(stamps.ROOT / part))
     print("\n".join(found) or f"{files} files, built in two folders, agree in every byte")
     return 1 if found else 0
