@@ -7,6 +7,7 @@ import pytest
 
 from proofs.theorem import all_theorems
 from tests.tampered_certificates import stored
+from tests.test_accessibility import AXE
 from tests.test_browser import DESKTOP, PAGES, PHONE
 
 pytestmark = pytest.mark.browser
@@ -161,6 +162,25 @@ def test_what_is_typed_is_read_or_refused_in_words(page):
     assert "1/2" in place.locator(".check-residual").inner_text()
     press(place, "Put everything back")
     place.get_by_text("as it was").wait_for()
+
+
+@pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm ci --prefix tests/axe")
+def test_an_open_card_has_no_serious_violation(page):
+    tab = page("s3")
+    place = card(tab, "unit_length")
+    for button in (CHECK_HERE, CHANGE):
+        press(place, button)
+    place.get_by_text("What was checked").click()
+    place.locator(".check-line").first.click()
+    place.locator(".check-chips button").first.click()
+    place.locator(".check-editor .check-rejected").wait_for()
+    place.locator(".check-panel input").fill("nonsense")
+    tab.add_script_tag(path=AXE)
+    options = {"include": ["#theorem-unit_length"]}
+    found = tab.evaluate(
+        "async (context) => (await axe.run(context)).violations.map((v) => `${v.impact} ${v.id}`)", options
+    )
+    assert [violation for violation in found if violation.startswith(("serious", "critical"))] == []
 
 
 def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(page, page_of):

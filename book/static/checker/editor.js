@@ -54,7 +54,7 @@ Checker.editor = function (root, statements, polynomials, clerk, told) {
     }
     opened = null;
     if (close) return;
-    const id = `${root.id}-box`, chips = make("div", { class: "check-chips" }), error = make("p", { class: "check-error", id: `${id}-error` });
+    const id = `${root.id}-box`, chips = make("div", { class: "check-chips", role: "group", "aria-labelledby": `${id}-chips` }), error = make("p", { class: "check-error", id: `${id}-error` });
     const box = make("input", { type: "text", id, "aria-describedby": error.id, autocomplete: "off", autocapitalize: "off", spellcheck: "false" });
     const label = make("label", { for: id }, line.names ? "Names, with blanks between them" : "Or type: 3/2 x^2 y − 1");
     const panel = make("div", { class: "check-panel" }, chips, label, box, error);
@@ -71,7 +71,7 @@ Checker.editor = function (root, statements, polynomials, clerk, told) {
     function show_chips(focused) {
       if (line.names) return;
       const terms = sorted(value()).map(([monomial, coefficient], n) => {
-        const chip = make("button", { type: "button", "aria-label": `Turn the sign of ${text({ [monomial]: coefficient })}` }, term(monomial, coefficient, n === 0));
+        const chip = make("button", { type: "button" }, term(monomial, coefficient, n === 0));
         chip.addEventListener("click", () => {
           const turned = coefficient.startsWith("-") ? coefficient.slice(1) : `-${coefficient}`;
           put({ ...value(), [monomial]: turned });
@@ -80,7 +80,7 @@ Checker.editor = function (root, statements, polynomials, clerk, told) {
         });
         return chip;
       });
-      chips.replaceChildren(...(terms.length ? [make("span", {}, "Turn a sign:"), ...terms] : []));
+      chips.replaceChildren(...(terms.length ? [make("span", { id: `${id}-chips` }, "Turn a sign:"), ...terms] : []));
       if (focused !== undefined) chips.querySelectorAll("button")[focused].focus();
     }
 
