@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from renderer.kernels import FIELDS
+
 pytestmark = pytest.mark.browser
 
 SIMULATOR = Path(__file__).resolve().parent.parent / "book" / "static" / "simulator"
@@ -85,6 +87,11 @@ def test_it_runs_and_asks_for_nothing_else(browser, site, server, scheme):
     assert complaints == []
     base = server if scheme == "http" else "file:"
     assert [url for url in requests if not url.startswith((base, "blob:", "data:"))] == []
+
+
+def test_menu_has_every_field_of_the_kernels_once(tab):
+    offered = "[...document.querySelectorAll('[name=sim-field]')].map(button => button.value)"
+    assert sorted(tab.evaluate(offered)) == sorted(FIELDS)
 
 
 def test_sliders_boxes_and_menus_set_the_state(tab):

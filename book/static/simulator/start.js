@@ -5,10 +5,19 @@ var Simulator = Simulator || {};
 Simulator.start = function (root) {
   const kernels = Simulator.kernels(), pipeline = Simulator.pipeline(kernels);
   const states = Simulator.state(kernels.fields, kernels.scene), $ = (selector) => root.querySelector(selector);
+  add_fields($("[data-parameter=field]"));
   let state = states.start(), wanted = 0, saved = 0, picture = [], picture_of = "", pixel_curve = null;
   let pixel_key = "", shown_panels = 0;
   const PANELS_EVERY = 100; // milliseconds
   const times = { numeric: [], symbolic: [], of: "" }, sums = {};
+
+  // The page has the chapter's three fields; any other that the kernels know gets a button too.
+  function add_fields(menu) {
+    for (const name of Object.keys(kernels.fields)) {
+      if (menu.querySelector(`input[value="${name}"]`)) continue;
+      menu.insertAdjacentHTML("beforeend", `<label><input type="radio" name="sim-field" value="${name}"> ${name}</label>`);
+    }
+  }
 
   function message(text) {
     $(".sim-message").textContent = text;
