@@ -13,7 +13,7 @@ from proofs.program import chain
 from proofs.symbols import u, v
 from renderer.generate.kernel_list import ONCE_A_SCENE, ROW_KERNELS, RowKernel, field_kernels
 from renderer.generate.printers_javascript import PRINTER, print_row_kernel, print_scalar_function
-from renderer.generate.source import wave_numbers_program
+from renderer.generate.source import CORES, of_a_number, wave_numbers_program
 from renderer.scene import Scene
 
 HEADER = """// Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
@@ -84,13 +84,23 @@ PLOT_PROGRAMS = [
 def elementary_kernels():
     """Return the row kernels of sine and cosine of a product, and of the arctangent."""
     a, b = elementary.a, elementary.b
-    cores = {"sinpi": elementary.sine_of_half_turns, "cospi": elementary.cosine_of_half_turns}
     kernels = [
-        RowKernel(chain(f"{name}_of_product", elementary.two_product, core), (b,)) for name, core in cores.items()
+        RowKernel(chain(f"{name}_of_product", elementary.two_product, core), (b,)) for name, core in CORES.items()
     ]
     assert kernels[0].program.inputs == (a, b)
     arctangent = elementary.angle_in_half_turns
     return [*kernels, RowKernel(chain("atan2pi", arctangent), arctangent.inputs)]
+
+
+def _field_parts(fields):
+    """Return the texts of the fields' kernels, after sine and cosine of a row of numbers where one of them calls it."""
+    parts = []
+    for field in fields:
+        parts += [print_row_kernel(kernel) for kernel in field_kernels(field)]
+        if field.wave_numbers:
+            parts.append(print_scalar_function(f"wave_numbers_{field.name}", wave_numbers_program(field)))
+    called = [name for name in CORES if any(f" {name}_row(" in part for part in parts)]
+    return [*(print_row_kernel(RowKernel(of_a_number(name), (elementary.product,))) for name in called), *parts]
 
 
 def _field_entry(field):
@@ -124,10 +134,7 @@ def javascript_source():
     for kernel in (*elementary_kernels(), *(k for k in ROW_KERNELS if k.program.name not in UNUSED)):
         parts.append(print_row_kernel(kernel))
         names.append(f"{kernel.program.name}_row")
-    for field in fields:
-        parts += [print_row_kernel(kernel) for kernel in field_kernels(field)]
-        if field.wave_numbers:
-            parts.append(print_scalar_function(f"wave_numbers_{field.name}", wave_numbers_program(field)))
+    parts += _field_parts(fields)
     table = "\n".join(["const fields = {", *map(_field_entry, fields), "};", ""])
     constants = f"const max_algebraic = {MAX_WAVE_NUMBER};\n"
     constants += f"const scene = {json.dumps(_default_scene())};\n"

@@ -54,17 +54,21 @@ def sign(a):
 '''
 
 
+CORES = {"sinpi": elementary.sine_of_half_turns, "cospi": elementary.cosine_of_half_turns}
+
+
+def of_a_number(name):
+    """Return the program of sinpi or cospi of a number that is a float64 already: a product without an error."""
+    core = CORES[name]
+    lines = ((elementary.product_error, 0 * elementary.product), *core.definitions)
+    return Program(name, (elementary.product,), lines, core.outputs)
+
+
 def elementary_functions():
     """Return [(function name, arguments, program)] of our own elementary functions."""
     functions = [("atan2pi", elementary.angle_in_half_turns)]
-    for name, core in (("sinpi", elementary.sine_of_half_turns), ("cospi", elementary.cosine_of_half_turns)):
-        exact = Program(
-            name,
-            (elementary.product,),
-            ((elementary.product_error, 0 * elementary.product), *core.definitions),
-            core.outputs,
-        )
-        functions += [(name, exact), (f"{name}_of_product", chain(name, elementary.two_product, core))]
+    for name, core in CORES.items():
+        functions += [(name, of_a_number(name)), (f"{name}_of_product", chain(name, elementary.two_product, core))]
     return functions
 
 
