@@ -20,7 +20,8 @@ Checker.card = function (place, data, clerk) {
   function rejected(answer, statement, name) {
     const at = { derivation: `, at line ${answer.work.step + 1}`, refutation: "", induction: "", separation: "" }[statement.kind];
     const parts = [line("rejected", "Rejected", `, after ${took(answer.time)}${name ? `: ${name}` : ""}${at}: ${answer.reason}.`)];
-    if (answer.residual) parts.push(make("p", { class: "check-residual" }, "Left over: ", typeset(answer.residual), ". It should be 0."));
+    const [before, after] = statement.kind === "refutation" ? ["Left side less right side, there: ", "."] : ["Left over: ", ". It should be 0."];
+    if (answer.residual) parts.push(make("p", { class: "check-residual" }, before, typeset(answer.residual), after));
     return parts;
   }
 
@@ -54,21 +55,24 @@ Checker.card = function (place, data, clerk) {
 
   function what({ name, statement, certificate }) {
     const listed = (word, parts) => (parts.length ? [make("li", {}, `${word}: `, ...parts.flatMap((part, n) => [n ? "; " : "", part]))] : []);
+    const named = (key) => make("span", {}, ...polynomials.spelled(key));
     const all = (kind) => steps(statement, kind).map(({ of, is }) => related(of, is));
     const point = Object.entries(certificate.point ?? {}).map(([key, value]) => make("span", {}, ...polynomials.spelled(key), ` = ${value}`));
     const aside = ["define", "root", "inverse"].reduce((sum, kind) => sum + steps(statement, kind).length, 0);
     const items = statement.kind === "induction"
       ? [...listed("Given", statement.assume.map(({ of, is }) => related(of, is))), ...listed("For every n", statement.show.map((p) => related(p, "=")))]
       : statement.kind === "separation"
-        ? [make("li", {}, `Avoided: ${statement.avoid.join(", ")}`), make("li", {}, `Outputs: ${statement.outputs.join(", ")}`)]
+        ? [...listed("Outputs", statement.outputs.map(named)), ...listed("Avoided", statement.avoid.map(named))]
         : [...listed("Given", all("assume")), ...listed("At", point), ...listed(statement.kind === "refutation" ? "Claimed, and false" : "Shown", all("show"))];
     return make("li", {}, name, ...(aside ? [`, with ${number(aside, "abbreviation")}`] : []), make("ul", {}, ...items));
   }
 
   function limits() {
     const link = make("a", { href: data.trusted }, "The translation is trusted");
+    const nothing = statements.some(({ statement }) => steps(statement, "show").some(({ of }) => Object.keys(of).length === 0));
+    const expanded = nothing ? " Where a line reads 0 = 0, the translation has multiplied out, and nothing is left to prove." : "";
     const given = data.given.length ? ` Among the hypotheses, and so not proved here: ${data.given.join("; ")}.` : "";
-    return make("p", { class: "check-limits" }, `Not checked here: that these polynomials say what the words above say. `, link, `.${given}`);
+    return make("p", { class: "check-limits" }, `Not checked here: that these polynomials say what the words above say. `, link, `.${expanded}${given}`);
   }
 
   async function check() {
