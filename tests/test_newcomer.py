@@ -123,6 +123,7 @@ def test_the_field_draws_and_is_a_choice_everywhere(walked):
     assert (picture != np.asarray(Image.open(folder / "rings.png"))).any(axis=2).mean() > 0.1
     script = (folder / "book" / "static" / "simulator" / "kernels.js").read_text(encoding="utf-8")
     assert "function central_waves_row(" in script
+    assert set(re.findall(r"\b(\w+_row)\(", script)) == set(re.findall(r"function (\w+_row)\(", script))
     assert "'waves'" in run(
         folder, "python", "-m", "renderer", "image", "--field", "foo", "--out", "x.png", succeeds=False
     )
