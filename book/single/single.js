@@ -98,6 +98,7 @@
       unpack(link);
     } else if (link && link.getAttribute("href").startsWith("#")) {
       history.replaceState({ height: scrollY }, ""); // for the way back
+      if (link.hash === location.hash) go(null); // no change of the address will tell
     }
   });
   window.addEventListener("popstate", (event) => (back = event.state ? event.state.height : null));
