@@ -153,6 +153,19 @@ def test_a_missing_report_triggers_the_check(fresh_report, monkeypatch):
     assert [command[3] for command in commands[1:]] == ["verify", "verify/test_theorems.py"]
 
 
+def unpaired(text):
+    """Whether a text has a formula that does not end, or an empty one."""
+    return "$$" in text or text.count("$") % 2 == 1
+
+
+def test_every_formula_of_a_theorem_ends():
+    assert unpaired("$x$: $$y$ is") and unpaired("$x") and not unpaired("$x$, $y$")
+    for id, theorem in THEOREMS.items():
+        steps = [text for step in theorem.steps for text in (step.what, step.why)]
+        texts = [theorem.title, theorem.statement, *theorem.hypotheses, *steps]
+        assert not [text for text in texts if unpaired(text)], id
+
+
 # Numbers, words, points
 
 

@@ -104,7 +104,7 @@ on_creases = Theorem(
     id="ridges_on_creases",
     title="Ridges is not differentiable elsewhere on its creases",
     section="s3",
-    statement=r"On a crease $u = m/k_u$ where $\sin\pi k_v v \ne 0$: $"
+    statement=r"On a crease $u = m/k_u$ where $\sin\pi k_v v \ne 0$: "
     r"$h(m/k_u \pm s, v) = |\sin\pi k_u s||\sin\pi k_v v|$, so the slopes to either side are "
     r"$\pm\pi k_u|\sin\pi k_v v|$, and $h(m/k_u \pm s, v)/s \ge \pi k_u|\sin\pi k_v v|/2$ for "
     r"$0 < s \le 1/2k_u$: there is no derivative. The same on $v = n/k_v$.",
