@@ -174,3 +174,18 @@ def test_a_stream_cut_in_pieces_is_one():
     ]
     texts = [output.get("text") for output in notebooks.merged(pieces)]
     assert texts == ["a\nb\n", None, "c\n"]
+
+
+def test_printed_lines_are_the_same_wherever_the_kernel_cut_them():
+    from book._ext.chapter import streams
+
+    def printed(*texts):
+        return [message(text) for text in texts]
+
+    def message(text):
+        return {"output_type": "stream", "name": "stdout", "text": text}
+
+    whole, cut = printed("a:\n\n  b\n"), printed("a:", "\n\n  b\n")
+    assert streams._merge(streams.joined(cut)) == streams._merge(streams.joined(whole)) == whole
+    assert streams._merge(printed("a:", "\n\n  b\n")) != whole  # what MyST-NB makes of it alone
+    assert len(cut) == 2 and cut[0]["text"] == "a:"

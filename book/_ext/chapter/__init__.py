@@ -29,6 +29,7 @@ from book._ext.chapter import (
     notebooks,
     numbers,
     pages,
+    streams,
 )
 
 
@@ -48,6 +49,7 @@ def setup(app):
         notebooks,
         numbers,
         pages,
+        streams,
     ):
         part.setup(app)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}
