@@ -205,6 +205,7 @@ def test_points_are_set_as_mathematics():
     at = {"normal_x": "0", "normal_y": "0", "normal_z": "1", "beta": "3/4", "eye": "1." + "3" * 40}
     assert tex_point(at) == ["N = (0, 0, 1)", r"\beta = 3/4", r"e = 1.33333\ldots"]
     assert tex_point({"g_x": "1", "g_y": "0", "g_z": "2"}) == ["g = (1, 0, 2)"]
+    assert tex_value("pi/2") == r"\frac{\pi}{2}" and tex_value("x") == r"\texttt{x}"
     assert tex_value("1/" + "5" + "0" * 150) == r"2\cdot 10^{-151}"
 
 

@@ -18,7 +18,7 @@ from book._ext.chapter.cards import ProofsDirective, card, link
 from book._ext.chapter.checker import check_all
 from book._ext.chapter.elements import Html
 from book._ext.chapter.evidence import badge, count, evidence_line, legend
-from book._ext.chapter.theorems import CLAIMS_PAGE, MEANINGS, SHAPES, kind
+from book._ext.chapter.theorems import CLAIMS_PAGE, MEANINGS, SHAPES, kind, page_names
 
 ORDER = list(MEANINGS)
 
@@ -45,7 +45,8 @@ class AllClaims(ProofsDirective):
         grades = {id: kind(entry["grade"]) for id, entry in proofs.entries.items()}
         parts = [filters(Counter(grades.values()))]
         sections = {id: section_of(proofs, id) for id in proofs.in_page_order()}
-        for section in sorted(set(sections.values()), key=section_order):
+        order = page_names(Path(self.env.srcdir))
+        for section in sorted(set(sections.values()), key=order.index):
             ids = [id for id in sections if sections[id] == section]
             ids.sort(key=lambda id: ORDER.index(grades[id]))
             title = section_title(Path(self.env.srcdir), section)
@@ -83,11 +84,6 @@ def section_of(proofs, id: str) -> str:
     """The page that has the card; of those that have none, the section that the theorem names."""
     page = proofs.places[id].page
     return proofs.theorems[id].section if page == CLAIMS_PAGE else page
-
-
-def section_order(section: str) -> tuple:
-    """s2 before s10."""
-    return tuple(int(part) if part.isdigit() else part for part in re.split(r"(\d+)", section))
 
 
 def section_title(book: Path, section: str) -> str:

@@ -4,11 +4,12 @@ import re
 from fractions import Fraction
 
 import mpmath
-from sympy import Symbol, latex
+from sympy import Symbol, latex, sympify
 
 from proofs.symbols import TEX_NAMES
 
 TEX = {symbol.name: tex for symbol, tex in TEX_NAMES.items()}
+EXPRESSION = re.compile(r"(?:pi|sqrt|[\d+\-*/() ])+")  # what a point may have beside rationals
 LONG = 10**9  # numerators and denominators above are given to six digits
 
 
@@ -18,10 +19,12 @@ def tex_name(name: str) -> str:
 
 
 def tex_value(text: str) -> str:
-    """A rational as it stands; a number of many digits to six of them."""
+    """A rational as it stands, one of many digits to six of them; roots and π typeset."""
     try:
         value = Fraction(text)
     except ValueError:
+        if EXPRESSION.fullmatch(text):
+            return latex(sympify(text))
         return rf"\texttt{{{text}}}".replace("_", r"\_")
     if max(abs(value.numerator), value.denominator) < LONG:
         return str(value)
