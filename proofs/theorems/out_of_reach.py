@@ -69,7 +69,7 @@ def _points(apart):
 theorem = Theorem(
     id="shadow_out_of_reach",
     title="A body that clears the cone of light casts no shadow",
-    section="s4",
+    section="benchmark",
     statement=r"The segments from a light $L$ to a ball (centre $C$, radius $s$) pass at share $t$ of the way "
     r"within $ts$ of $L + t(C-L)$. If $|L - c + t(C-L)| > r + ts$ for all $t \in [0,1]$, no such segment meets the "
     r"ball of radius $r$ about $c$. The squares' difference is a quadratic in $t$, least at an end or where it turns.",
