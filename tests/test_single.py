@@ -15,13 +15,13 @@ from PIL import Image
 
 from book.single import file
 from book.single.certificates import share_certificates
-from book.single.document import document
+from book.single.document import LARGEST_DATA, document
 from book.single.listings import make_small
 from book.single.names import Names, relink, relink_data, rename
 from book.single.pages import BrokenSite, Page, parsed
 from book.single.pictures import change, difference
 from book.single.pixels import smaller
-from book.single.store import inlined_script, svg_address, svg_parts
+from book.single.store import inlined_script, packed_address, svg_address, svg_parts
 
 PHONE, DESKTOP = {"width": 400, "height": 850}, {"width": 1280, "height": 900}
 
@@ -152,6 +152,22 @@ def test_files_to_keep_are_the_site_s(elements, site):
         a["data-packed"]: gzip.decompress(b64decode(a["href"].split(",")[1])) for a in packed if a["href"][0] != "#"
     }
     assert kept["unit_length.json"] == (site / "_downloads" / "theorems" / "unit_length.json").read_bytes()
+
+
+def test_only_large_arrays_are_not_mailed(single, site):
+    left_out = set(
+        re.findall(r'class="not-mailed">data: (\w+\.npz), by the command<', single.read_text(encoding="utf-8"))
+    )
+    sizes = {path.name: len(packed_address(path.read_bytes())) for path in (site / "_downloads").rglob("*.npz")}
+    assert left_out == {name for name, size in sizes.items() if size > LARGEST_DATA}
+    assert left_out and left_out < sizes.keys()
+
+
+def test_coordinates_of_drawings_keep_two_decimals(tmp_path):
+    drawing = '<svg><path d="M 12.34567 -0.00123 L 3 4.5" transform="scale(0.015625)"/><use x="1.00049" y="7"/></svg>'
+    (tmp_path / "a.svg").write_text(drawing)
+    rounded = "<".join(svg_parts(tmp_path / "a.svg"))
+    assert "M 12.35 -0 L 3 4.5" in rounded and "x='1' y='7'" in rounded and "scale(0.015625)" in rounded
 
 
 def test_same_site_gives_the_same_bytes(single, site):

@@ -20,6 +20,10 @@ POLICY = (
 )
 
 
+LARGEST_DATA = 100_000
+"""Bytes of a figure's packed numbers: larger ones are not mailed. The figure is, and the command beside makes them."""
+
+
 class Chapter:
     """The pages of the site with the names that they have in one file."""
 
@@ -53,12 +57,17 @@ class Chapter:
         if not file.is_file():
             raise BrokenSite(f"{page}.html links to {path}, which the site does not have")
         link.attrs.pop("target", None)
-        link["data-packed"], content = file.name, file.read_bytes()
+        content = file.read_bytes()
+        address = packed_address(content)
+        if file.suffix == ".npz" and len(address) > LARGEST_DATA:
+            leave_out(link, file)
+            return
+        link["data-packed"] = file.name
         if content in self.packed:  # the first link to it holds it
             link["href"] = f"#{self.packed[content]}"
             return
         self.packed[content] = link["id"] = f"file-{len(self.packed) + 1}"
-        link["href"], link["download"] = self.store.keep(packed_address(content)), f"{file.name}.gz"
+        link["href"], link["download"] = self.store.keep(address), f"{file.name}.gz"
 
     def loads(self) -> list[Load]:
         """What pages load, each once, in their order."""
@@ -79,6 +88,12 @@ class Chapter:
         made = self.shell.new_tag(name, attrs=attributes or {})
         made.string = self.store.keep(text)
         return made
+
+
+def leave_out(link: Tag, file: Path) -> None:
+    """Say in place of a link to a figure's numbers where its command puts them."""
+    link.name, link.attrs = "span", {"class": ["not-mailed"]}
+    link.string = f"data: {file.name}, by the command"
 
 
 def strip_shell(shell: BeautifulSoup) -> None:

@@ -9,6 +9,8 @@ from urllib.parse import unquote
 
 from book.single.pixels import address, smaller_inside
 
+COORDINATES = re.compile(r'(?<= d=")[^"]+|(?<= [xy]=")[^"]+')
+FRACTION = re.compile(r"-?\d+\.\d{3,}")
 TOKEN = re.compile(r"%%kept-(\d+)%%")
 UNUSED = {"fa-brands-400.woff2", "fa-regular-400.woff2"}  # no page has a brand's mark or a hollow icon
 TYPES = {".woff2": "font/woff2", ".woff": "font/woff", ".svg": "image/svg+xml", ".png": "image/png"}
@@ -47,9 +49,14 @@ def svg_parts(path: Path) -> list[str]:
     """A drawing as it stands in a data: address with single quotes, cut before each of its tags."""
     text = re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
     text = re.sub(r"\s*\n\s*", " ", text).replace("> <", "><").strip()
-    text = smaller_inside(text)
+    text = COORDINATES.sub(lambda match: FRACTION.sub(to_hundredths, match[0]), smaller_inside(text))
     text = re.sub("[%#]", lambda match: f"%{ord(match[0]):02X}", text)
     return text.replace("'", "&apos;").replace('"', "'").split("<")
+
+
+def to_hundredths(match: re.Match) -> str:
+    """A number with two decimals at most: a hundredth of a point cannot be seen."""
+    return f"{float(match[0]):.2f}".rstrip("0").rstrip(".")
 
 
 def svg_address(parts: list[str]) -> str:
