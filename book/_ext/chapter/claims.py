@@ -45,8 +45,9 @@ class AllClaims(ProofsDirective):
         grades = {id: kind(entry["grade"]) for id, entry in proofs.entries.items()}
         parts = [filters(Counter(grades.values()))]
         sections = {id: section_of(proofs, id) for id in proofs.in_page_order()}
-        order = page_names(Path(self.env.srcdir))
-        for section in sorted(set(sections.values()), key=order.index):
+        pages = page_names(Path(self.env.srcdir))
+        in_order = [page for page in pages if page in sections.values()]
+        for section in [*in_order, *sorted({*sections.values()} - {*pages})]:
             ids = [id for id in sections if sections[id] == section]
             ids.sort(key=lambda id: ORDER.index(grades[id]))
             title = section_title(Path(self.env.srcdir), section)
