@@ -11,17 +11,9 @@ from pathlib import Path
 
 import pytest
 
+from book.printing.chromium import FLAGS
+
 ROOT = Path(__file__).resolve().parent.parent
-# Headless, as root, and without a word to the network of its own.
-CHROMIUM_FLAGS = [
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
 
 
 class QuietHandler(http.server.SimpleHTTPRequestHandler):
@@ -70,6 +62,6 @@ def browser():
 
     with sync_playwright() as playwright:
         # Playwright starts it with a fresh profile folder every time.
-        running = playwright.chromium.launch(executable_path=chromium, args=CHROMIUM_FLAGS)
+        running = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
         yield running
         running.close()

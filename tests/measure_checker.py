@@ -13,7 +13,7 @@ from pathlib import Path
 from playwright.sync_api import sync_playwright
 from tqdm import tqdm
 
-from tests.conftest import CHROMIUM_FLAGS
+from book.printing.chromium import FLAGS
 
 PAGE = Path(__file__).resolve().parent.parent / "book" / "_build" / "html" / "claims.html"
 PRESS = """async () => {
@@ -34,7 +34,7 @@ def main():
     options = parser.parse_args()
     taken = []
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=CHROMIUM_FLAGS)
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
         for _ in tqdm(range(options.times), leave=False):
             tab = browser.new_page()
             tab.goto(options.page, wait_until="load")

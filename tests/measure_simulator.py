@@ -12,7 +12,7 @@ from pathlib import Path
 from playwright.sync_api import sync_playwright
 from tqdm import tqdm
 
-from tests.conftest import CHROMIUM_FLAGS
+from book.printing.chromium import FLAGS
 
 PAGE = Path(__file__).resolve().parent.parent / "book" / "_build" / "html" / "s4.html"
 WATCH = """window.longTasks = [];
@@ -53,7 +53,7 @@ def main():
     parser.add_argument("--page", default=PAGE.as_uri(), help="address of the page (default: the built book's)")
     options = parser.parse_args()
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=CHROMIUM_FLAGS)
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
         tab = browser.new_page(viewport={"width": 1280, "height": 1000})
         tab.add_init_script(WATCH)
         for size in options.size:

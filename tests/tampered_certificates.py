@@ -19,9 +19,9 @@ from pathlib import Path
 from playwright.sync_api import sync_playwright
 from tqdm import tqdm
 
+from book.printing.chromium import FLAGS
 from proofs import kernel
 from proofs.check import FOLDER
-from tests.conftest import CHROMIUM_FLAGS
 from verify import second_checker
 from verify.label import label, write
 from verify.tampering import draws
@@ -92,7 +92,7 @@ def _share(arguments):
     """Try some certificates in a browser of one's own; return the counts of each."""
     names, count, seed = arguments
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=CHROMIUM_FLAGS)
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
         javascript = load_kernel(browser.new_page())
         counts = [trial(name, count, seed, javascript) for name in names]
         browser.close()

@@ -5,7 +5,6 @@ import os
 import re
 import subprocess
 from collections import Counter
-from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
@@ -13,23 +12,12 @@ import pytest
 from book import build, palette, stamps
 from book._ext.chapter.theorems import page_names
 from book.figures.discover import all_figures
+from tests.elements import Elements
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = page_names(ROOT / "book")
 SECTIONS = {f"s{n}": f"s{n}" for n in range(1, 10)} | {"sim": "s4", "lab": "s5"}
 LOADING = {("img", "src"), ("script", "src"), ("link", "href"), ("iframe", "src"), ("source", "src")}
-
-
-class Elements(HTMLParser):
-    """Every element of a page: its tag and its attributes."""
-
-    def __init__(self, page: str):
-        super().__init__()
-        self.all = []
-        self.feed(page)
-
-    def handle_starttag(self, tag, attributes):
-        self.all.append((tag, dict(attributes)))
 
 
 @pytest.fixture(scope="session")

@@ -6,7 +6,6 @@ import re
 import shutil
 from base64 import b64decode
 from collections import Counter
-from html.parser import HTMLParser
 from io import BytesIO
 from urllib.parse import unquote
 
@@ -22,20 +21,9 @@ from book.single.pages import BrokenSite, Page, parsed
 from book.single.pictures import change, difference
 from book.single.pixels import smaller
 from book.single.store import inlined_script, packed_address, svg_address, svg_parts
+from tests.elements import Elements
 
 PHONE, DESKTOP = {"width": 400, "height": 850}, {"width": 1280, "height": 900}
-
-
-class Elements(HTMLParser):
-    """Every element of a document: its tag and its attributes."""
-
-    def __init__(self, text: str):
-        super().__init__()
-        self.all = []
-        self.feed(text)
-
-    def handle_starttag(self, tag, attributes):
-        self.all.append((tag, dict(attributes)))
 
 
 @pytest.fixture(scope="module")

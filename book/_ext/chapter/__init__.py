@@ -5,12 +5,14 @@
 `{benchmark-label} NAME`   where and when a benchmark was measured (numbers.py)
 `{theorem} ID`             a theorem's card; {theorem-ref}`ID` refers to it (cards.py)
 `{all-claims}`, `{grades}` every theorem by section and grade, and what the grades mean (claims.py)
+`{check-all}`              what checks every certificate in the reader's browser (claims.py, checker.py)
 `{dependency-graph}`       what rests on what (dependencies.py)
-`{ledger-entries}` …     the ledger of claims: entries, tables, figures of merit (ledger.py)
+`{ledger-entries}` …       the ledger of claims: entries, tables, figures of merit (ledger.py)
 `{docstring} FILE`         a module's docstring; sources as pages, theorems as downloads (listings.py)
 section ids                `(s1)=` before a heading puts s1 on the section itself (pages.py)
 `{notebook} NAME`          where a cell's notebook is; all of them as downloads (notebooks.py)
 docstrings                 autodoc reads them as plain text (interface.py)
+a cell's output            joined before it is merged (streams.py)
 screen readers             lists and tables that they understand (accessibility.py)
 MathJax                    copied into the site from the installed package (assets.py)
 """
@@ -19,6 +21,7 @@ from book._ext.chapter import (
     accessibility,
     assets,
     cards,
+    checker,
     claims,
     dependencies,
     elements,
@@ -39,6 +42,7 @@ def setup(app):
         accessibility,
         assets,
         cards,
+        checker,
         claims,
         dependencies,
         elements,

@@ -214,7 +214,6 @@ class TheoremReference(SphinxRole):
 
 
 def setup(app) -> None:
-    """Register the directive, the role, and what the cards' buttons need."""
-    checker.setup(app)
+    """Register the directive and the role."""
     app.add_directive("theorem", TheoremCard)
     app.add_role("theorem-ref", TheoremReference())
