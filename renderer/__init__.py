@@ -2,7 +2,12 @@
 
 import sys
 
+from renderer import back_end
+
 if "renderer.generate" not in sys.orig_argv:  # the generator has to run while the kernels do not fit the rest
+    if back_end.choose() == back_end.NUMPY:
+        back_end.use_numpy()
+
     from renderer.frame import Frame
     from renderer.gradients import gradient_at, height_at
     from renderer.methods import central, central4, exact, forward

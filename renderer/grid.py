@@ -5,10 +5,10 @@ import json
 from concurrent.futures import as_completed
 from dataclasses import asdict, dataclass, replace
 from functools import cache, cached_property
+from importlib import metadata
 from itertools import groupby, product
 from pathlib import Path
 
-import numba
 import numpy as np
 
 from renderer.methods import GradientMethod, exact
@@ -25,7 +25,7 @@ COLUMNS = (*MOVE_NO_BOUNDARY, "gradient", "width", "height", *SweepRow.__datacla
 @cache
 def version():
     """Return a hash of what computes a result: the renderer's sources, NumPy's and Numba's versions."""
-    digest = hashlib.sha256(f"{np.__version__} {numba.__version__}".encode())
+    digest = hashlib.sha256(f"{np.__version__} {metadata.version('numba')}".encode())
     for path in sorted(Path(__file__).parent.glob("*.py")):
         digest.update(path.name.encode() + path.read_bytes())
     return digest.hexdigest()

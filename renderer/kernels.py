@@ -1,7 +1,8 @@
 """Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
 
 Each `*_row` function runs over the pixels start ≤ i < stop of one row: arguments ending in `_row` are float64 arrays
-along the row, the others are scalars, and results are written to the last arrays. Compiled without fast-math.
+along the row, the others are scalars, and results are written to the last arrays.
+Compiled without fast-math.
 """
 
 import math
@@ -13,6 +14,11 @@ import renderer.compiled_code  # noqa: F401  (where the compiled code is kept)
 
 inlined = njit(inline="always", error_model="numpy")
 compiled = njit(cache=True, nogil=True, error_model="numpy")
+
+
+@inlined
+def pixels(start, stop):
+    return range(np.uint64(start), np.uint64(stop))
 
 
 @inlined
@@ -212,7 +218,7 @@ def visible_surface_row(
     rho_silhouette = eye * radius / math.sqrt(tangent_squared)
     distance = -ball_center_z + eye
     t_floor = (1.0 if (floor_on > 0.0) else math.inf)
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         rho_raw = math.sqrt(x * x + y * y)
         rho = (rho_raw if (rho_raw >= (1.0 / 1e+150) * eye) else 0.0)
@@ -234,7 +240,7 @@ def shadow_on_a_row(
 ):
     tangent_squared = (eye - radius) * (eye + radius)
     rho_silhouette = eye * radius / math.sqrt(tangent_squared)
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         rho_raw = math.sqrt(x * x + y * y)
         rho = (rho_raw if (rho_raw >= (1.0 / 1e+150) * eye) else 0.0)
@@ -268,7 +274,7 @@ def shadow_on_b_row(
     light_z, center_x, center_y, center_z, body_radius, occluded_row, start, stop
 ):
     distance = -ball_center_z + eye
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         toward_b = ball_center_x * x + ball_center_y * y + distance * eye
         discriminant_b = ball_radius * ball_radius * (eye * eye + x * x + y * y) - (ball_center_x * eye - distance * x) * (ball_center_x * eye - distance * x) - (ball_center_x * y - ball_center_y * x) * (ball_center_x * y - ball_center_y * x) - (-ball_center_y * eye + distance * y) * (-ball_center_y * eye + distance * y)
@@ -300,7 +306,7 @@ def shadow_on_floor_row(
     segment_z = light_z - point_z
     offset_y = center_y - point_y
     offset_z = center_z - point_z
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         point_x = x
         segment_x = light_x - point_x
@@ -317,7 +323,7 @@ def checker_row(
     x_row, y, dark_row, start, stop
 ):
     point_y = y
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         point_x = x
         square = np.floor(point_x) + np.floor(point_y)
@@ -331,7 +337,7 @@ def angles_on_a_row(
 ):
     tangent_squared = (eye - radius) * (eye + radius)
     rho_silhouette = eye * radius / math.sqrt(tangent_squared)
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         rho_raw = math.sqrt(x * x + y * y)
         rho = (rho_raw if (rho_raw >= (1.0 / 1e+150) * eye) else 0.0)
@@ -353,7 +359,7 @@ def angles_on_a_row(
 def chart_row(
     cos_theta_row, sin_theta_row, cos_phi_row, sin_phi_row, u_row, v_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         cos_theta = cos_theta_row[i]
         sin_theta = sin_theta_row[i]
         cos_phi = cos_phi_row[i]
@@ -369,7 +375,7 @@ def chart_row(
 def chart_v_row(
     cos_phi_row, sin_phi_row, v_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         cos_phi = cos_phi_row[i]
         sin_phi = sin_phi_row[i]
         v = atan2pi(sin_phi, cos_phi)
@@ -383,7 +389,7 @@ def normal_on_a_row(
     stop
 ):
     e_theta_z = 0.0
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         cos_theta = cos_theta_row[i]
         sin_theta = sin_theta_row[i]
         cos_phi = cos_phi_row[i]
@@ -429,7 +435,7 @@ def normal_of_b_row(
     point_y_row, point_z_row, bumped_x_row, bumped_y_row, bumped_z_row, view_scale_row, start, stop
 ):
     distance = -ball_center_z + eye
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         toward_b = ball_center_x * x + ball_center_y * y + distance * eye
         discriminant_b = ball_radius * ball_radius * (eye * eye + x * x + y * y) - (ball_center_x * eye - distance * x) * (ball_center_x * eye - distance * x) - (ball_center_x * y - ball_center_y * x) * (ball_center_x * y - ball_center_y * x) - (-ball_center_y * eye + distance * y) * (-ball_center_y * eye + distance * y)
@@ -459,7 +465,7 @@ def normal_of_b_row(
 def view_length_row(
     x_row, y, eye, view_scale_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         view_scale = 1.0 / math.sqrt(eye * eye + x * x + y * y)
         view_scale_row[i] = view_scale
@@ -469,7 +475,7 @@ def view_length_row(
 def complex_square_row(
     real_part_row, imaginary_part_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         real_part = real_part_row[i]
         imaginary_part = imaginary_part_row[i]
         product_real = (-imaginary_part + real_part) * (imaginary_part + real_part)
@@ -482,7 +488,7 @@ def complex_square_row(
 def complex_square_twice_row(
     real_part_row, imaginary_part_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         real_part = real_part_row[i]
         imaginary_part = imaginary_part_row[i]
         product_real_once = (-imaginary_part + real_part) * (imaginary_part + real_part)
@@ -497,7 +503,7 @@ def complex_square_twice_row(
 def complex_product_row(
     real_part_row, imaginary_part_row, other_real_row, other_imaginary_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         real_part = real_part_row[i]
         imaginary_part = imaginary_part_row[i]
         other_real = other_real_row[i]
@@ -512,7 +518,7 @@ def complex_product_row(
 def square_row(
     base_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         base = base_row[i]
         power = base * base
         base_row[i] = power
@@ -522,7 +528,7 @@ def square_row(
 def sixteenth_power_row(
     base_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         base = base_row[i]
         second = base * base
         fourth = second * second
@@ -535,7 +541,7 @@ def sixteenth_power_row(
 def multiply_row(
     specular_row, base_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         specular = specular_row[i]
         base = base_row[i]
         power = base * specular
@@ -547,7 +553,7 @@ def blinn_row(
     x_row, y, eye, view_scale_row, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z,
     bumped_x_row, bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         view_scale = view_scale_row[i]
         point_x = point_x_row[i]
@@ -582,7 +588,7 @@ def blinn_on_floor_row(
     x_row, y, eye, view_scale_row, light_x, light_y, light_z, mu_row, specular_base_row, start, stop
 ):
     to_light_y = light_y - y
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         view_scale = view_scale_row[i]
         view_x = -view_scale * x
@@ -609,7 +615,7 @@ def phong_row(
     x_row, y, eye, view_scale_row, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z,
     bumped_x_row, bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         view_scale = view_scale_row[i]
         point_x = point_x_row[i]
@@ -640,7 +646,7 @@ def phong_on_floor_row(
     x_row, y, eye, view_scale_row, light_x, light_y, light_z, mu_row, specular_base_row, start, stop
 ):
     to_light_y = light_y - y
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         view_scale = view_scale_row[i]
         view_x = -view_scale * x
@@ -663,7 +669,7 @@ def blinn_squared_row(
     x_row, y, eye, view_scale_row, point_x_row, point_y_row, point_z_row, light_x, light_y, light_z,
     bumped_x_row, bumped_y_row, bumped_z_row, mu_row, specular_base_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         view_scale = view_scale_row[i]
         point_x = point_x_row[i]
@@ -698,7 +704,7 @@ def blinn_squared_on_floor_row(
     x_row, y, eye, view_scale_row, light_x, light_y, light_z, mu_row, specular_base_row, start, stop
 ):
     to_light_y = light_y - y
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         view_scale = view_scale_row[i]
         view_x = -view_scale * x
@@ -724,7 +730,7 @@ def light_cosine_row(
     point_x_row, point_y_row, point_z_row, light_x, light_y, light_z, bumped_x_row, bumped_y_row,
     bumped_z_row, mu_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         point_x = point_x_row[i]
         point_y = point_y_row[i]
         point_z = point_z_row[i]
@@ -748,7 +754,7 @@ def light_cosine_on_floor_row(
     x_row, y, light_x, light_y, light_z, mu_row, start, stop
 ):
     to_light_y = light_y - y
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         x = x_row[i]
         to_light_x = light_x - x
         light_distance = math.sqrt(light_z * light_z + to_light_x * to_light_x + to_light_y * to_light_y)
@@ -762,7 +768,7 @@ def light_cosine_on_floor_row(
 def highlight_row(
     specular_base_row, shininess, specular_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         specular_base = specular_base_row[i]
         specular = math.pow(specular_base, shininess)
         specular_row[i] = specular
@@ -773,7 +779,7 @@ def light_term_row(
     red_row, green_row, blue_row, light_red, light_green, light_blue, albedo_red, albedo_green, albedo_blue,
     kd, ks, mu_row, specular_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         red = red_row[i]
         green = green_row[i]
         blue = blue_row[i]
@@ -794,7 +800,7 @@ def diffuse_term_row(
     red_row, green_row, blue_row, light_red, light_green, light_blue, albedo_red, albedo_green, albedo_blue,
     kd, mu_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         red = red_row[i]
         green = green_row[i]
         blue = blue_row[i]
@@ -812,7 +818,7 @@ def diffuse_term_row(
 def clip_row(
     red_row, green_row, blue_row, lit_red_row, lit_green_row, lit_blue_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         red = red_row[i]
         green = green_row[i]
         blue = blue_row[i]
@@ -828,7 +834,7 @@ def clip_row(
 def slope_row(
     h_u_row, h_v_row, slope_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         h_u = h_u_row[i]
         h_v = h_v_row[i]
         slope = math.sqrt(h_u * h_u + h_v * h_v)
@@ -839,7 +845,7 @@ def slope_row(
 def height_sine_row(
     u_row, v_row, k_u, k_v, h_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         u = u_row[i]
         v = v_row[i]
         h = sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v)
@@ -850,7 +856,7 @@ def height_sine_row(
 def gradient_sine_row(
     u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         u = u_row[i]
         v = v_row[i]
         cos_u = cospi_of_product(k_u, u)
@@ -867,7 +873,7 @@ def gradient_sine_row(
 def kink_sine_row(
     sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         sin_phi = sin_phi_row[i]
         kink = (1.0 if (sin_phi <= 0.0) else 0.0)
         kink_row[i] = kink
@@ -878,7 +884,7 @@ def straddling_sine_row(
     u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
 ):
     straddles = 0.0
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         straddles_row[i] = straddles
 
 
@@ -886,7 +892,7 @@ def straddling_sine_row(
 def forward_sine_row(
     u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         u = u_row[i]
         v = v_row[i]
         u_plus = epsilon + u - np.floor(epsilon + u)
@@ -904,7 +910,7 @@ def forward_sine_row(
 def central_sine_row(
     u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         u = u_row[i]
         v = v_row[i]
         u_plus = epsilon + u - np.floor(epsilon + u)
@@ -926,7 +932,7 @@ def central_sine_row(
 def central4_sine_row(
     u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         u = u_row[i]
         v = v_row[i]
         u_plus = epsilon + u - np.floor(epsilon + u)
@@ -958,7 +964,7 @@ def central4_sine_row(
 def gradient_from_factors_sine_row(
     sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         sin_u = sin_u_row[i]
         cos_u = cos_u_row[i]
         sin_v = sin_v_row[i]
@@ -979,7 +985,7 @@ def wave_numbers_sine(k_u, k_v):
 def height_ridges_row(
     u_row, v_row, k_u, k_v, h_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         u = u_row[i]
         v = v_row[i]
         h = abs(sinpi_of_product(k_u, u) * sinpi_of_product(k_v, v))
@@ -990,7 +996,7 @@ def height_ridges_row(
 def gradient_ridges_row(
     u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         u = u_row[i]
         v = v_row[i]
         cos_u = cospi_of_product(k_u, u)
@@ -1007,7 +1013,7 @@ def gradient_ridges_row(
 def kink_ridges_row(
     sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         sin_phi = sin_phi_row[i]
         u = u_row[i]
         v = v_row[i]
@@ -1019,7 +1025,7 @@ def kink_ridges_row(
 def straddling_ridges_row(
     u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         u = u_row[i]
         v = v_row[i]
         crease_distance_0 = abs(k_u * u - np.rint(k_u * u))
@@ -1032,7 +1038,7 @@ def straddling_ridges_row(
 def forward_ridges_row(
     u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         u = u_row[i]
         v = v_row[i]
         u_plus = epsilon + u - np.floor(epsilon + u)
@@ -1050,7 +1056,7 @@ def forward_ridges_row(
 def central_ridges_row(
     u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         u = u_row[i]
         v = v_row[i]
         u_plus = epsilon + u - np.floor(epsilon + u)
@@ -1072,7 +1078,7 @@ def central_ridges_row(
 def central4_ridges_row(
     u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         u = u_row[i]
         v = v_row[i]
         u_plus = epsilon + u - np.floor(epsilon + u)
@@ -1104,7 +1110,7 @@ def central4_ridges_row(
 def gradient_from_factors_ridges_row(
     sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         sin_u = sin_u_row[i]
         cos_u = cos_u_row[i]
         sin_v = sin_v_row[i]
@@ -1125,7 +1131,7 @@ def wave_numbers_ridges(k_u, k_v):
 def height_rings_row(
     u_row, v_row, k_u, k_v, h_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         v = v_row[i]
         h = sinpi_of_product(2.0 * k_v, v)
         h_row[i] = h
@@ -1136,7 +1142,7 @@ def gradient_rings_row(
     u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, stop
 ):
     h_u = 0.0
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         v = v_row[i]
         cos_v = cospi_of_product(2.0 * k_v, v)
         h_v = 2.0 * math.pi * cos_v * k_v
@@ -1148,7 +1154,7 @@ def gradient_rings_row(
 def kink_rings_row(
     sin_phi_row, u_row, v_row, k_u, k_v, kink_row, start, stop
 ):
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         sin_phi = sin_phi_row[i]
         kink = (1.0 if (sin_phi <= 0.0) else 0.0)
         kink_row[i] = kink
@@ -1159,7 +1165,7 @@ def straddling_rings_row(
     u_row, v_row, k_u, k_v, epsilon, straddles_row, start, stop
 ):
     straddles = 0.0
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         straddles_row[i] = straddles
 
 
@@ -1168,7 +1174,7 @@ def forward_rings_row(
     u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
 ):
     h_u = 0.0
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         v = v_row[i]
         stepped = (epsilon + v if (epsilon + v <= 1.0) else -epsilon + v)
         h_here = sinpi_of_product(2.0 * k_v, v)
@@ -1183,7 +1189,7 @@ def central_rings_row(
     u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
 ):
     h_u = 0.0
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         v = v_row[i]
         v_plus = minimum(1.0, epsilon + v)
         v_minus = maximum(0.0, -epsilon + v)
@@ -1200,7 +1206,7 @@ def central4_rings_row(
     u_row, v_row, k_u, k_v, epsilon, h_u_row, h_v_row, start, stop
 ):
     h_u = 0.0
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         v = v_row[i]
         v_plus = minimum(1.0, epsilon + v)
         v_minus = maximum(0.0, -epsilon + v)
@@ -1222,7 +1228,7 @@ def gradient_from_factors_rings_row(
     sin_u_row, cos_u_row, sin_v_row, cos_v_row, k_u, k_v, h_u_row, h_v_row, start, stop
 ):
     h_u = 0.0
-    for i in range(np.uint64(start), np.uint64(stop)):
+    for i in pixels(start, stop):
         cos_v = cos_v_row[i]
         h_v = 2.0 * math.pi * cos_v * k_v
         h_u_row[i] = h_u

@@ -1,8 +1,6 @@
 """Whole powers of a row of unit complex numbers, by repeated squaring: the algebraic form's only work."""
 
-import numpy as np
-
-from renderer.kernels import compiled, complex_product_row, complex_square_row, complex_square_twice_row
+from renderer.kernels import compiled, complex_product_row, complex_square_row, complex_square_twice_row, pixels
 
 
 @compiled
@@ -11,10 +9,10 @@ def powers_of_angles(cosine, sine, orientation, exponent, real, imaginary, other
     reflection = orientation if exponent >= 0 else -orientation
     remaining = abs(exponent)
     if remaining == 0:
-        for i in range(np.uint64(count)):
+        for i in pixels(0, count):
             real[i], imaginary[i] = 1.0, 0.0
         return
-    for i in range(np.uint64(count)):
+    for i in pixels(0, count):
         real[i], imaginary[i] = orientation * cosine[i], reflection * sine[i]
     while not remaining & 3:
         complex_square_twice_row(real, imaginary, 0, count)
@@ -24,7 +22,7 @@ def powers_of_angles(cosine, sine, orientation, exponent, real, imaginary, other
         remaining >>= 1
     if remaining == 1:
         return
-    for i in range(np.uint64(count)):
+    for i in pixels(0, count):
         other_real[i], other_imaginary[i] = real[i], imaginary[i]
     remaining >>= 1
     while remaining:

@@ -23,6 +23,7 @@ from renderer.kernels import (
     normal_of_b_row,
     phong_on_floor_row,
     phong_row,
+    pixels,
     sixteenth_power_row,
     square_row,
     view_length_row,
@@ -40,7 +41,7 @@ WORK = ("gradients", "specular_powers", "light_terms")  # what the kernels count
 @inlined
 def fill(row, value, count):
     """Write one value into the first pixels of a row."""
-    for i in range(np.uint64(count)):
+    for i in pixels(0, count):
         row[i] = value
 
 
@@ -67,7 +68,7 @@ def raise_to_shininess(base, shine, shininess, power, count):
     while not power & 1:
         square_row(base, 0, count)
         power >>= 1
-    for i in range(np.uint64(count)):
+    for i in pixels(0, count):
         shine[i] = base[i]
     power >>= 1
     while power:
@@ -120,7 +121,7 @@ def _add_light(numbers, light, albedo, mu, base, red, green, blue, shine, power,
 
 @inlined
 def _keep_row(values, target):
-    for i in range(np.uint64(target.shape[0])):
+    for i in pixels(0, target.shape[0]):
         target[i] = values[i]
 
 

@@ -8,12 +8,10 @@ import shutil
 import subprocess
 import sys
 import zlib
-from dataclasses import replace
 from importlib.metadata import PackageNotFoundError, requires
 from pathlib import Path
 
 import nbformat
-import numpy as np
 import pytest
 from filelock import FileLock
 from packaging.requirements import Requirement
@@ -23,48 +21,16 @@ from sphinx.application import Sphinx
 from book import stamps
 from book._ext.chapter.notebooks import FOLDER, colab_address, merged
 from book.notebooks import WHOLE
-from book.notebooks.array_kernels import at_once
 from book.notebooks.first_cell import first_cell
 from book.notebooks.laboratory import cells, plain
 from book.notebooks.notebook import notebooks, text_of
 from book.notebooks.slices import needed
-from book.notebooks.sources import NUMPY, bundle, closure
-from renderer import Scene, central, central4, exact, forward, render
+from book.notebooks.sources import closure
 
 NAMES = [*(f"cell{number}" for number in range(1, 9)), WHOLE]
 FOUR = ("numpy", "sympy", "mpmath", "matplotlib")
 RUNNERS = ("ipykernel", "nbclient")
 UNEXPECTED = "NOT AS EXPECTED"
-SCENES = {
-    "ridges": (Scene(), exact()),
-    "general": (Scene(field="rings"), exact("general")),
-    "central": (Scene(field="sine"), central(1e-3)),
-    "forward": (Scene(ku=7.0, kv=3.5), forward(1e-2)),
-    "central4": (Scene(field="rings"), central4(1e-2)),
-    "phong": (Scene(model="phong", ku=6.0, kv=3.0), exact()),
-    "odd": (Scene(shininess=7.0), exact()),
-    "dull": (Scene(ks=0.0, field="sine"), exact()),
-    "flat": (Scene(beta=0.0), exact()),
-    "no_ball": (Scene(ball=False), exact()),
-    "no_floor": (Scene(floor=False), central(1e-2)),
-}
-DRAW = """\
-import sys
-sys.modules["numba"] = None
-sys.path.insert(0, ".")
-import numpy as np
-import renderer.arrays
-from renderer import *
-renderer.arrays.take_over()
-scenes, found = eval(sys.argv[1]), {}
-for name, (scene, method) in scenes.items():
-    frame = render(scene, 96, 64, method)
-    work = [count for kind, count in sorted(frame.work.items()) if kind != "pixels"]
-    found |= {f"{name}.rgb": frame.rgb, f"{name}.chambers": frame.chambers, f"{name}.planes": frame.planes_on_a}
-    found[f"{name}.work"] = np.array(work)
-staged = render(Scene(beta=0.1), 96, 64, central(1e-2), stage=stage_of(Scene(), 96, 64))
-np.savez(sys.argv[2], staged=staged.rgb, **found)
-"""
 OFFLINE = '''\
 """Refuse every connection that leaves this machine."""
 import socket
@@ -108,17 +74,12 @@ def test_nine_notebooks_are_valid_and_the_same_when_made_again(site):
 
 
 def test_sources_are_the_projects_own_and_no_more_than_needed():
-    sources = bundle("from renderer import Scene, render")
-    for part in ("both", "numba"):
-        for path, text in sources[part].items():
-            assert (stamps.ROOT / path).read_text(encoding="utf-8") == text, path
-    assert sorted(sources["numpy"]) == sorted(f"renderer/{n}.py" for n in ("arrays", "kernels", "powers", "shading"))
-    assert not any(
-        "numba" in text for text in {**sources["both"], **sources["numpy"]}.values() if "import numba" in text
-    )
-    every = {path for texts in sources.values() for path in texts}
-    assert not any(re.match(r"proofs/|renderer/(generate|command_line|grid|stream)", path) for path in every)
-    assert "proofs/half_turns.py" in closure("from proofs.height_fields import HEIGHT_FIELDS", NUMPY)
+    sources = closure("from renderer import Scene, render")
+    for path, text in sources.items():
+        assert (stamps.ROOT / path).read_text(encoding="utf-8") == text, path
+    assert {f"renderer/{name}.py" for name in ("array_kernels", "arrays", "kernels")} <= sources.keys()
+    assert not any(re.match(r"proofs/|renderer/(generate|command_line|grid|stream)", path) for path in sources)
+    assert "proofs/half_turns.py" in closure("from proofs.height_fields import HEIGHT_FIELDS")
 
 
 def altered(text, change):
@@ -131,32 +92,32 @@ def altered(text, change):
 
 def test_altered_module_is_refused(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    text = first_cell(bundle("from renderer import Scene"))
-    only_write = text[: text.index("BACK_END =")]
+    text = first_cell(closure("from renderer import Scene"))
+    only_write = text[: text.index("FOLDER =")]
     scope = {}
     exec(altered(only_write, lambda sources: None), scope)
-    assert (scope["write_sources"]("numpy") / "renderer" / "arrays.py").is_file()
+    assert (scope["write_sources"]() / "renderer" / "scene.py").is_file()
 
     def one_sign(sources):
-        sources["both"]["renderer/scene.py"] = sources["both"]["renderer/scene.py"].replace("0.35", "0.36")
+        sources["renderer/scene.py"] = sources["renderer/scene.py"].replace("0.35", "0.36")
 
     exec(altered(only_write, one_sign), scope)
     with pytest.raises(ValueError, match=r"renderer/scene\.py is not what the book's build wrote"):
-        scope["write_sources"]("numpy")
+        scope["write_sources"]()
 
     def one_more(sources):
-        sources["both"]["renderer/more.py"] = ""
+        sources["renderer/more.py"] = ""
 
     exec(altered(only_write, one_more), scope)
     with pytest.raises(ValueError, match=r"renderer/more\.py is not what"):
-        scope["write_sources"]("numpy")
-    exec(re.sub(r'("both/renderer/scene\.py": ")....', r"\g<1>0000", only_write), scope)
+        scope["write_sources"]()
+    exec(re.sub(r'("renderer/scene\.py": ")....', r"\g<1>0000", only_write), scope)
     with pytest.raises(ValueError, match="HASHES is not what"):
-        scope["write_sources"]("numpy")
+        scope["write_sources"]()
 
 
 def test_expectation_that_is_not_met_is_said(capsys):
-    text = first_cell({"both": {}, "numba": {}, "numpy": {}})
+    text = first_cell({})
     scope = {}
     exec(text[text.index("def expect") : text.index("files =")], scope)
     scope["expect"]("no flips", 3, False)
@@ -191,40 +152,6 @@ def test_prose_becomes_plain_markdown(site):
     assert plain("{number}`u_curve.error_1e-03|.0e`") == r"$6 \times 10^{-5}$"
     with pytest.raises(ValueError, match="the role 'theorem-ref' of"):
         plain("{theorem-ref}`normal`")
-
-
-def test_loop_over_pixels_of_another_form_is_refused():
-    assert (
-        at_once("for i in range(np.uint64(count)):\n    a[i] = 0.0") == "for i in (slice(0, count),):\n    a[i] = 0.0"
-    )
-    with pytest.raises(ValueError, match="a loop over pixels"):
-        at_once("for j in range(np.uint64(count)):\n    pass")
-
-
-def test_pictures_without_numba_are_the_renderers_to_the_last_bit(tmp_path):
-    for path, text in closure("from renderer import render", NUMPY).items():
-        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / path).write_text(text, encoding="utf-8")
-    wanted = ", ".join(f"{n!r}: ({s!r}, {_call(m)})" for n, (s, m) in SCENES.items())
-    done = subprocess.run(
-        [sys.executable, "-I", "-c", DRAW.replace('"."', repr(str(tmp_path))), f"{{{wanted}}}", tmp_path / "out.npz"],
-        cwd=tmp_path, capture_output=True, text=True,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr
-    assert done.stderr == ""
-    found = np.load(tmp_path / "out.npz")
-    for name, (scene, method) in SCENES.items():
-        frame = render(scene, 96, 64, method)
-        work = [count for kind, count in sorted(frame.work.items()) if kind != "pixels"]
-        np.testing.assert_array_equal(found[f"{name}.rgb"], frame.rgb, err_msg=name)
-        np.testing.assert_array_equal(found[f"{name}.chambers"], frame.chambers, err_msg=name)
-        np.testing.assert_array_equal(found[f"{name}.planes"], frame.planes_on_a, err_msg=name)
-        assert found[f"{name}.work"].tolist() == work, name
-    np.testing.assert_array_equal(found["staged"], render(replace(Scene(), beta=0.1), 96, 64, central(1e-2)).rgb)
-
-
-def _call(method):
-    return f"{method.name}({method.eps!r})" if method.eps else f"exact({method.form!r})"
 
 
 def with_dependencies(names):
@@ -327,9 +254,6 @@ def test_notebook_draws_with_numba_where_it_is(site, tmp_path):
     assert done.returncode == 0, done.stderr
     assert "drawn by numba" in done.stdout
     assert UNEXPECTED not in done.stdout
-    (written,) = tmp_path.glob("symbolic-rendering-*-numba")
-    assert (written / "renderer" / "kernels.py").read_bytes() == (stamps.ROOT / "renderer/kernels.py").read_bytes()
-    assert not (written / "renderer" / "arrays.py").exists()
 
 
 @pytest.mark.parametrize(("url", "links"), [("", 1), ("https://example.org/a/b", 1), ("https://github.com/a/b", 2)])

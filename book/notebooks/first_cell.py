@@ -9,11 +9,12 @@ from book.notebooks.sources import digest, hashes, project
 
 TEXT = Template('''\
 # What this notebook uses of the project Symbolic Rendering, version $version, put in a folder beside it by this cell.
-# The book's build made it from the project's own files: with Numba the compiled renderer, without it the same
-# definitions printed for NumPy. HASHES has the SHA-256 of every file.
+# The book's build took it from the project's own files; HASHES has the SHA-256 of each. With Numba its kernels are
+# compiled, without it NumPy does the same.
 import base64
 import hashlib
 import json
+import os
 import sys
 import time
 import zlib
@@ -34,31 +35,25 @@ def has_numba():
     return tuple(int(part) for part in numba.__version__.split(".")[:2]) >= NUMBA
 
 
-def write_sources(back_end):
-    """Write the files for a back end, each checked against its hash, and return their folder."""
-    folder = Path(f"symbolic-rendering-{VERSION}-{DIGEST[:8]}-{back_end}").resolve()
+def write_sources():
+    """Write the files, each checked against its hash, and return their folder."""
+    folder = Path(f"symbolic-rendering-{VERSION}-{DIGEST[:8]}").resolve()
     if hashlib.sha256(json.dumps(HASHES).encode()).hexdigest() != DIGEST:
         raise ValueError("HASHES is not what the book's build wrote")
-    sources = json.loads(zlib.decompress(base64.b64decode(SOURCES)))
-    for part in ("both", back_end):
-        for path, text in sources[part].items():
-            found, right = hashlib.sha256(text.encode()).hexdigest(), HASHES.get(f"{part}/{path}")
-            if found != right:
-                raise ValueError(f"{path} is not what the book's build wrote: its SHA-256 is {found}, not {right}")
-            place = folder / path
-            if not place.is_file() or place.read_bytes() != text.encode():
-                place.parent.mkdir(parents=True, exist_ok=True)
-                place.write_bytes(text.encode())
+    for path, text in json.loads(zlib.decompress(base64.b64decode(SOURCES))).items():
+        found, right = hashlib.sha256(text.encode()).hexdigest(), HASHES.get(path)
+        if found != right:
+            raise ValueError(f"{path} is not what the book's build wrote: its SHA-256 is {found}, not {right}")
+        place = folder / path
+        if not place.is_file() or place.read_bytes() != text.encode():
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_bytes(text.encode())
     return folder
 
 
-BACK_END = "numba" if has_numba() else "numpy"
-FOLDER = write_sources(BACK_END)
+FOLDER = write_sources()
 sys.path.insert(0, str(FOLDER))
-if BACK_END == "numpy":
-    import renderer.arrays
-
-    renderer.arrays.take_over()
+BACK_END = os.environ["RENDERER_KERNELS"] = "numba" if has_numba() else "numpy"
 
 
 def expect(what, found, as_expected):
@@ -72,7 +67,7 @@ print(f"version {VERSION}, sources {DIGEST[:8]}, drawn by {BACK_END}: {files} fi
 
 
 def first_cell(sources):
-    """Return the text of the first cell for a bundle of `sources.bundle`."""
+    """Return the text of the first cell for a closure of `sources.closure`."""
     version, numba = project()
     packed = base64.b64encode(zlib.compress(json.dumps(sources).encode(), 9)).decode()
     return TEXT.substitute(

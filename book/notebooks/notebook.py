@@ -7,7 +7,7 @@ from book.notebooks import WHOLE
 from book.notebooks.first_cell import first_cell
 from book.notebooks.laboratory import EXPECTED, SKIPPED, cells, cited, plain
 from book.notebooks.slices import needed
-from book.notebooks.sources import bundle, project
+from book.notebooks.sources import closure, project
 
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 ABOUT = (
@@ -71,7 +71,7 @@ def _earlier(own):
 
 def _whole(title, middle):
     """Return the notebook of some cells under a title, its first and last cell put around them."""
-    sources = bundle("\n".join(cell["source"] for cell in middle if cell["cell_type"] == "code"))
+    sources = closure("\n".join(cell["source"] for cell in middle if cell["cell_type"] == "code"))
     top = markdown(f"# {title}\n\n{ABOUT.format(version=project()[0])}")
     every = [top, code(first_cell(sources), jupyter={"source_hidden": True}), *middle, code(LAST)]
     for number, cell in enumerate(every):

@@ -1,4 +1,4 @@
-"""The project's sources that some code needs, with and without Numba: the modules it imports, directly or not."""
+"""The project's sources that some code needs: the modules it imports, directly or not."""
 
 import ast
 import hashlib
@@ -7,10 +7,6 @@ import tomllib
 from functools import cache
 
 from book import stamps
-from book.notebooks.array_kernels import without_compiler
-
-BOTH, NUMBA, NUMPY = "both", "numba", "numpy"
-TAKES_OVER = "import renderer.arrays"
 
 
 @cache
@@ -22,11 +18,10 @@ def project():
 
 
 @cache
-def modules(back_end):
-    """Return {path from the root: text} of every module of `proofs/` and `renderer/` with a back end."""
+def modules():
+    """Return {path from the root: text} of every module of `proofs/` and `renderer/`."""
     paths = [path for name in ("proofs", "renderer") for path in sorted((stamps.ROOT / name).rglob("*.py"))]
-    texts = {path.relative_to(stamps.ROOT).as_posix(): path.read_text(encoding="utf-8") for path in paths}
-    return texts | (without_compiler() if back_end == NUMPY else {})
+    return {path.relative_to(stamps.ROOT).as_posix(): path.read_text(encoding="utf-8") for path in paths}
 
 
 def imported(code, package=()):
@@ -42,9 +37,9 @@ def imported(code, package=()):
     return names
 
 
-def closure(code, back_end):
-    """Return {path: text} of the modules that some code needs with a back end, the packages around them included."""
-    texts, found, waiting = modules(back_end), {}, imported(code + (f"\n{TAKES_OVER}" if back_end == NUMPY else ""))
+def closure(code):
+    """Return {path: text} of the modules that some code needs, the packages around them included."""
+    texts, found, waiting = modules(), {}, imported(code)
     while waiting:
         parts = waiting.pop().split(".")
         for length in range(1, len(parts) + 1):
@@ -53,29 +48,14 @@ def closure(code, back_end):
                 if path in texts and path not in found:
                     found[path] = texts[path]
                     waiting |= imported(texts[path], tuple(path.split("/")[:-1]))
-    return found
-
-
-def bundle(code):
-    """Return {"both" | "numba" | "numpy": {path: text}}: what some code needs in any case, and what with each."""
-    numba, numpy = closure(code, NUMBA), closure(code, NUMPY)
-    both = {path: text for path, text in numba.items() if numpy.get(path) == text}
-
-    def rest(texts):
-        return {path: texts[path] for path in sorted(texts) if path not in both}
-
-    return {BOTH: dict(sorted(both.items())), NUMBA: rest(numba), NUMPY: rest(numpy)}
+    return dict(sorted(found.items()))
 
 
 def hashes(sources):
-    """Return {part/path: SHA-256} of a bundle."""
-    return {
-        f"{part}/{path}": hashlib.sha256(text.encode()).hexdigest()
-        for part, texts in sources.items()
-        for path, text in texts.items()
-    }
+    """Return {path: SHA-256} of a closure."""
+    return {path: hashlib.sha256(text.encode()).hexdigest() for path, text in sources.items()}
 
 
 def digest(sources):
-    """Return one SHA-256 for a bundle: that of its hashes as JSON."""
+    """Return one SHA-256 for a closure: that of its hashes as JSON."""
     return hashlib.sha256(json.dumps(hashes(sources)).encode()).hexdigest()

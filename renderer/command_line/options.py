@@ -5,6 +5,7 @@ import dataclasses
 import re
 import sys
 
+from renderer.back_end import DEFAULT_SIZE
 from renderer.kernels import FIELDS
 from renderer.methods import METHODS, GradientMethod, exact
 from renderer.scene import MODELS, Light, Scene
@@ -115,10 +116,10 @@ def add_raster(parser, lists=False):
     """Add the raster's options; with `lists`, --size takes several values."""
     group = parser.add_argument_group("raster")
     if lists:
-        size = {"type": several(whole), "default": [256], "metavar": "N[,N…]"}
+        size = {"type": several(whole), "default": [DEFAULT_SIZE], "metavar": "N[,N…]"}
     else:
-        size = {"type": whole, "default": 256, "metavar": "N"}
-    group.add_argument("--size", help="width and height (default: 256)", **size)
+        size = {"type": whole, "default": DEFAULT_SIZE, "metavar": "N"}
+    group.add_argument("--size", help=f"width and height (default: {DEFAULT_SIZE})", **size)
     group.add_argument("--width", type=whole, metavar="N", help="width, if it is not --size")
     group.add_argument("--height", type=whole, metavar="N", help="height, if it is not --size")
     group.add_argument("--threads", type=whole, metavar="N", help="threads for a frame (default: all cores)")

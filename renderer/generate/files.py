@@ -4,7 +4,7 @@ from pathlib import Path
 
 from renderer.generate.javascript import javascript_source
 from renderer.generate.shaders import shaders_source
-from renderer.generate.source import kernels_source
+from renderer.generate.source import array_kernels_source, kernels_source
 
 RENDERER = Path(__file__).resolve().parents[1]
 
@@ -12,6 +12,7 @@ SIMULATOR = RENDERER.parent / "book" / "static" / "simulator"
 
 GENERATED = {
     RENDERER / "kernels.py": kernels_source,
+    RENDERER / "array_kernels.py": array_kernels_source,
     RENDERER / "shaders.py": shaders_source,
     SIMULATOR / "kernels.js": javascript_source,
 }

@@ -1,10 +1,11 @@
-"""The text of `renderer/kernels.py`.
+"""The text of `renderer/kernels.py`, and of `renderer/array_kernels.py`.
 
 A kernel is a straight-line program, printed as it stands inside one loop over a row of pixels. Lines that do not
 depend on the pixel stand before the loop.
 """
 
 import textwrap
+from string import Template
 
 from proofs import elementary
 from proofs.algebraic_form import MAX_WAVE_NUMBER
@@ -19,14 +20,20 @@ from renderer.generate.kernel_list import (
     field_kernels,
     height_evaluations,
 )
-from renderer.generate.printers import NumbaPrinter
+from renderer.generate.printers import NumbaPrinter, NumPyPrinter
 
-HEADER = '''"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
+HEADER = '''\
+"""Generated from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
 
 Each `*_row` function runs over the pixels start ≤ i < stop of one row: arguments ending in `_row` are float64 arrays
-along the row, the others are scalars, and results are written to the last arrays. Compiled without fast-math.
+along the row, the others are scalars, and results are written to the last arrays.
+$what
 """
+'''
 
+NUMBA_HEADER = (
+    Template(HEADER).substitute(what="Compiled without fast-math.")
+    + """
 import math
 
 import numpy as np
@@ -36,6 +43,11 @@ import renderer.compiled_code  # noqa: F401  (where the compiled code is kept)
 
 inlined = njit(inline="always", error_model="numpy")
 compiled = njit(cache=True, nogil=True, error_model="numpy")
+
+
+@inlined
+def pixels(start, stop):
+    return range(np.uint64(start), np.uint64(stop))
 
 
 @inlined
@@ -51,7 +63,26 @@ def minimum(a, b):
 @inlined
 def sign(a):
     return 1.0 if a > 0.0 else (-1.0 if a < 0.0 else 0.0)
-'''
+"""
+)
+
+NUMPY_HEADER = (
+    Template(HEADER).substitute(what="Nothing is compiled: NumPy does the whole row at once.")
+    + """
+import numpy as np
+
+
+def inlined(function):
+    return function
+
+
+compiled = np.errstate(all="ignore")  # a selection computes both of its sides
+
+
+def pixels(start, stop):
+    return (slice(start, stop),)
+"""
+)
 
 
 CORES = {"sinpi": elementary.sine_of_half_turns, "cospi": elementary.cosine_of_half_turns}
@@ -105,7 +136,7 @@ def print_row_kernel(kernel, printer):
             *(f"    {line}" for line in signature),
             "):",
             *(f"    {line}" for line in before),
-            "    for i in range(np.uint64(start), np.uint64(stop)):",
+            "    for i in pixels(start, stop):",
             *(f"        {line}" for line in (*loads, *inside, *stores)),
             "",
         ]
@@ -135,9 +166,9 @@ def wave_numbers_program(field):
     )
 
 
-def kernels_source(printer=None):
-    """Return the text of renderer/kernels.py, its expressions printed for Numba or by another `printer`."""
-    printer = printer or NumbaPrinter()
+def kernels_source(printer=NumbaPrinter, header=NUMBA_HEADER):
+    """Return the text of renderer/kernels.py, or that of another back end with its printer and its header."""
+    printer = printer()
     fields = HEIGHT_FIELDS.values()
     parts = [print_function(name, program, printer) for name, program in elementary_functions()]
     parts.append(print_function(DISCRIMINANT_OF_A.name, DISCRIMINANT_OF_A, printer, "@compiled\n"))
@@ -149,4 +180,9 @@ def kernels_source(printer=None):
         if field.wave_numbers:
             parts.append(print_function(f"wave_numbers_{field.name}", wave_numbers_program(field), printer, ""))
     parts += [f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\n", f"MAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n", field_table()]
-    return HEADER + "".join(f"\n\n{part}" for part in parts)
+    return header + "".join(f"\n\n{part}" for part in parts)
+
+
+def array_kernels_source():
+    """Return the text of renderer/array_kernels.py."""
+    return kernels_source(NumPyPrinter, NUMPY_HEADER)

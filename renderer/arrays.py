@@ -1,12 +1,12 @@
 """Without Numba: the renderer's loops over pixels as NumPy's, and its own shading on whole chambers at once.
 
-The notebooks write this file beside the renderer's as `renderer/arrays.py`. A compiled shader draws a run of pixels in
+A compiled shader draws a run of pixels in
 a row; interpreted, beginning on one costs more than a thousand pixels. So the pixels of a chamber in a band, wherever
 they stand, are put into long rows of their own, and the same shader draws these. Bit for bit the same pictures.
 """
 
 import functools
-import sys
+from importlib import import_module
 
 import numpy as np
 
@@ -112,7 +112,7 @@ def mark_chambers(x, y_of_row, geometry, middle, box_of_b, lights, bits, boxes, 
 
 def take_over():
     """Put these functions in the place of the renderer's own."""
-    render = sys.modules["renderer.render"]  # the package gives its function that name
+    render = import_module("renderer.render")  # `renderer.render` is soon the function of that name
     stage.mark_chambers, stage.cut_runs = mark_chambers, cut_runs
     render.copy_runs = copy_runs
     stage.shade_elsewhere = render.shade_elsewhere = by_chamber(shading.shade_elsewhere, (-2,))
