@@ -47,7 +47,7 @@ def test_the_committed_run_rejected_everything():
     """It names where and when it was run; `python -m tests.tampered_certificates` runs it again."""
     result = json.loads(RESULT.read_text(encoding="utf-8"))
     numbers = result["numbers"]
-    assert numbers["count"] >= 100
+    assert numbers["count"] >= 1000
     assert numbers["certificates"] > 200
     rejected = {numbers[f"rejected_by_{kernel}"] for kernel in ("python", "flint", "javascript")}
     assert rejected == {numbers["tampered"]} == {numbers["count"] * numbers["certificates"]}
