@@ -1,4 +1,4 @@
-"""Where Numba keeps compiled code: in a folder of its own for every version of the sources.
+"""What Numba compiles for, and where it keeps the code: in a folder of its own for every version of the sources.
 
 Numba's cache looks at the file of the function that it keeps, and not at the files of those that it calls, so that an
 edited formula would go on drawing as before. Import this before anything is compiled.
@@ -9,6 +9,7 @@ import os
 import tempfile
 from pathlib import Path
 
+import llvmlite.binding
 import numba
 
 HERE = Path(__file__).resolve().parent
@@ -31,4 +32,15 @@ def cache_folder():
     return base / sources_digest()
 
 
+def processor_features():
+    """Return this processor's features as LLVM spells them, 512-bit vectors not shunned where there are any.
+
+    LLVM holds to 256 bits by itself, lest a few wide instructions slow the processor; these loops are nothing else.
+    """
+    features = llvmlite.binding.get_host_cpu_features().flatten()
+    return f"{features},-prefer-256-bit" if "+avx512f" in features.split(",") else features
+
+
 numba.config.CACHE_DIR = str(cache_folder())
+if numba.config.CPU_FEATURES is None:
+    numba.config.CPU_FEATURES = processor_features()

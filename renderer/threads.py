@@ -49,12 +49,8 @@ def _pool(threads):
 
 
 def run_bands(work, count, threads):
-    """Call work(0), …, work(count − 1) on `threads` threads, this one included, and return when all are done.
-
-    The first call is made here alone, so that a kernel is compiled once before the others ask for it.
-    """
-    work(0)
-    numbers = iter(range(1, count))
+    """Call work(0), …, work(count − 1) on `threads` threads, this one included, and return when all are done."""
+    numbers = iter(range(count))
 
     def take():
         for number in numbers:
