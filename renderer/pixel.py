@@ -113,8 +113,8 @@ def _lights(frame, rows, code):
         light_on_sphere(x, y, eye, source, *rows[:9], None, *style, 1)
         raise_to_shininess(rows[8], rows[12], shininess, power, 1)
         rows[9:12] = 0.0
-        light_term_row(*rows[9:12], *light.color, *albedo_of(numbers, code), kd, ks, rows[7], rows[12], 0, 1)
+        light_term_row(*rows[9:12], *light.color, *albedo_of(numbers, code), kd, ks, rows[7], rows[8], 0, 1)
         occluded = bool(code & 1 << (FIRST_LIGHT_BIT + number))
         adds = (0.0, 0.0, 0.0) if occluded else _triple(rows[9:12])
-        records.append(LightRecord(number, occluded, float(rows[7, 0]), float(rows[12, 0]), adds))
+        records.append(LightRecord(number, occluded, float(rows[7, 0]), float(rows[8, 0]), adds))
     return tuple(records)

@@ -31,8 +31,9 @@ from renderer.kernels import (
     gradient_sine_row,
     normal_on_a_row,
 )
+from renderer.lights import lights_on_a
 from renderer.powers import powers_of_angles
-from renderer.shading import ROW_LENGTH, ROWS, fill, keep_run, shade_sphere_run
+from renderer.shading import ROW_LENGTH, ROWS, color_run, fill, keep_run, lights_of, shade_sphere_run
 
 
 @compiled
@@ -53,7 +54,19 @@ def draw_flat(
         fill(h_v, 0.0, count)
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -84,7 +97,19 @@ def draw_general_sine(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -115,7 +140,19 @@ def draw_forward_sine(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -146,7 +183,19 @@ def draw_central_sine(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -177,7 +226,19 @@ def draw_central4_sine(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -209,7 +270,19 @@ def draw_algebraic_sine(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -240,7 +313,19 @@ def draw_general_ridges(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -271,7 +356,19 @@ def draw_forward_ridges(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -302,7 +399,19 @@ def draw_central_ridges(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -333,7 +442,19 @@ def draw_central4_ridges(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -365,7 +486,19 @@ def draw_algebraic_ridges(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -396,7 +529,19 @@ def draw_general_rings(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -427,7 +572,19 @@ def draw_forward_rings(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -458,7 +615,19 @@ def draw_central_rings(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -489,7 +658,19 @@ def draw_central4_rings(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -520,7 +701,19 @@ def draw_algebraic_rings(
         work[0] += stop - start
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,

@@ -28,6 +28,7 @@ from renderer.kernels import (
     square_row,
     view_length_row,
 )
+from renderer.lights import add_lights, lights_on_floor
 
 ROW_LENGTH = LONGEST_RUN + 8  # not a power of two, or all rows would fall on the same lines of the cache
 ROWS = 13
@@ -46,6 +47,20 @@ def fill(row, value, count):
 
 
 @inlined
+def lights_of(code, bits):
+    """Return how many lights reach a chamber, and the first and the second of them."""
+    lit, first, second = 0, 0, 0
+    for light in range(bits.shape[0]):
+        if not code & bits[light]:
+            lit += 1
+            if lit == 1:
+                first = light
+            elif lit == 2:
+                second = light
+    return lit, first, second
+
+
+@inlined
 def albedo_of(numbers, code):
     """Return the red, green and blue albedo of a chamber."""
     surface = code & SURFACE_BITS
@@ -57,10 +72,10 @@ def albedo_of(numbers, code):
 
 
 @compiled
-def raise_to_shininess(base, shine, shininess, power, count):
-    """Write base^shininess into `shine`: by repeated squaring if it is whole (the base is used up), else by pow."""
+def raise_to_shininess(base, spare, shininess, power, count):
+    """Raise a row to the shininess, in place: by repeated squaring if that is whole, else by pow."""
     if power == 0:
-        highlight_row(base, shininess, shine, 0, count)
+        highlight_row(base, shininess, base, 0, count)
         return
     while not power & 15:
         sixteenth_power_row(base, 0, count)
@@ -68,13 +83,15 @@ def raise_to_shininess(base, shine, shininess, power, count):
     while not power & 1:
         square_row(base, 0, count)
         power >>= 1
+    if power == 1:
+        return
     for i in pixels(0, count):
-        shine[i] = base[i]
+        spare[i] = base[i]
     power >>= 1
     while power:
-        square_row(base, 0, count)
+        square_row(spare, 0, count)
         if power & 1:
-            multiply_row(shine, base, 0, count)
+            multiply_row(base, spare, 0, count)
         power >>= 1
 
 
@@ -107,7 +124,7 @@ def light_on_sphere(x, y, eye, light, px, py, pz, nx, ny, nz, view, mu, base, du
 
 
 @inlined
-def _add_light(numbers, light, albedo, mu, base, red, green, blue, shine, power, dull, count, pixels, work):
+def _add_light(numbers, light, albedo, mu, base, red, green, blue, spare, power, dull, count, pixels, work):
     """Add one light to the colours of a run, from its μ and the base of its highlight."""
     lr, lg, lb, kd, ks = light[3], light[4], light[5], numbers[0], numbers[1]
     work[2] += pixels
@@ -115,8 +132,8 @@ def _add_light(numbers, light, albedo, mu, base, red, green, blue, shine, power,
         diffuse_term_row(red, green, blue, lr, lg, lb, albedo[0], albedo[1], albedo[2], kd, mu, 0, count)
     if dull is None:
         work[1] += pixels
-        raise_to_shininess(base, shine, numbers[2], power, count)
-        light_term_row(red, green, blue, lr, lg, lb, albedo[0], albedo[1], albedo[2], kd, ks, mu, shine, 0, count)
+        raise_to_shininess(base, spare, numbers[2], power, count)
+        light_term_row(red, green, blue, lr, lg, lb, albedo[0], albedo[1], albedo[2], kd, ks, mu, base, 0, count)
 
 
 @inlined
@@ -150,9 +167,29 @@ def _clip_into(rgb, red, green, blue, row, start, stop):
 
 
 @inlined
+def color_run(
+    code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+    mu, base, other_mu, other_base, red, green, blue, spare,
+):  # fmt: skip
+    """Write the colours of a run under one or two lights, given μ and the highlight's base of each."""
+    count = whole_groups(stop - start)
+    work[2] += lit * (stop - start)
+    if dull is None:
+        work[1] += lit * (stop - start)
+        raise_to_shininess(base, spare, numbers[2], power, count)
+        if lit == 2:
+            raise_to_shininess(other_base, spare, numbers[2], power, count)
+    albedo = albedo_of(numbers, code)
+    add_lights(
+        numbers, albedo, lights, first, second, lit, mu, base, other_mu, other_base, red, green, blue, dull, count
+    )
+    _clip_into(rgb, red, green, blue, row, start, stop)
+
+
+@inlined
 def shade_sphere_run(
     x, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-    px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+    px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
 ):  # fmt: skip
     """Write the colours of a run [start, stop) of A or B into a row of `rgb`, (3, height, width). x begins there.
 
@@ -174,7 +211,7 @@ def shade_sphere_run(
                 red,
                 green,
                 blue,
-                shine,
+                spare,
                 power,
                 dull,
                 count,
@@ -187,9 +224,19 @@ def shade_sphere_run(
 @inlined
 def _shade_floor_run(
     x, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-    view, mu, base, red, green, blue, shine,
+    view, mu, base, other_mu, other_base, red, green, blue, spare,
 ):  # fmt: skip
     count, albedo = whole_groups(stop - start), albedo_of(numbers, code)
+    lit, first, second = lights_of(code, bits)
+    if lit == 1 or lit == 2:
+        lights_on_floor(
+            x, y, eye, lights, first, second, lit, mu, base, other_mu, other_base, dull, phong, blinn, squared, count
+        )
+        color_run(
+            code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+            mu, base, other_mu, other_base, red, green, blue, spare,
+        )  # fmt: skip
+        return
     _ambient(numbers, red, green, blue, count)
     if dull is None:
         view_length_row(x, y, eye, view, 0, count)
@@ -205,7 +252,7 @@ def _shade_floor_run(
                 red,
                 green,
                 blue,
-                shine,
+                spare,
                 power,
                 dull,
                 count,
@@ -220,7 +267,7 @@ def shade_elsewhere(runs, x, y_of_row, top, g, numbers, lights, bits, power, dul
     """Write the colours of a band's runs off sphere A into `rgb`, (3, height, width); row `top` is the band's first."""
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     eye, bx, by, bz, ball_radius, ball_on = g[0], g[2], g[3], g[4], g[5], g[6]
     for index in range(runs.shape[0]):
         row, start, stop, code = top + runs[index, 0], runs[index, 1], runs[index, 2], runs[index, 3]
@@ -248,13 +295,13 @@ def shade_elsewhere(runs, x, y_of_row, top, g, numbers, lights, bits, power, dul
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
                 row, start, stop, work,
-                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )  # fmt: skip
         elif surface == FLOOR:
             _shade_floor_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
                 row, start, stop, work,
-                view, mu, base, red, green, blue, shine,
+                view, mu, base, px, py, red, green, blue, spare,
             )  # fmt: skip
         else:
             for channel in range(3):

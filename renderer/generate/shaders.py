@@ -3,6 +3,8 @@
 Numba calls a function fast only if its name is known when it compiles, so that what differs by a name is printed.
 """
 
+import textwrap
+
 from proofs.height_fields import HEIGHT_FIELDS
 from proofs.symbols import u
 from renderer.generate.kernel_list import field_kernels
@@ -22,8 +24,9 @@ from renderer.kernels import (
 '''
 
 IMPORTS = """)
+from renderer.lights import lights_on_a
 from renderer.powers import powers_of_angles
-from renderer.shading import ROW_LENGTH, ROWS, fill, keep_run, shade_sphere_run
+from renderer.shading import ROW_LENGTH, ROWS, color_run, fill, keep_run, lights_of, shade_sphere_run
 """
 
 TEMPLATE = """
@@ -46,7 +49,19 @@ def {name}(
 {gradient}
         if planes is not None:
             keep_run(planes, row, start, stop, cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v)
-        if rgb is not None:
+        if rgb is None:
+            continue
+        lit, first, second = lights_of(code, bits)
+        if lit == 1 or lit == 2:
+            lights_on_a(
+                cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
+                lights, first, second, lit, px, py, pz, nx, dull, phong, blinn, squared, count,
+            )
+            color_run(
+                code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
+                px, py, pz, nx, red, green, blue, shine,
+            )
+        else:
             normal_on_a_row(
                 cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, here, y, eye,
                 px, py, pz, nx, ny, nz, view, 0, count,
@@ -56,6 +71,11 @@ def {name}(
                 row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
             )
 """
+
+
+def wrapped(function, arguments):
+    """Return the lines of a call."""
+    return [f"{function}(", *(f"    {line}" for line in textwrap.wrap(", ".join(arguments) + ",", 95)), ")"]
 
 
 def _call(program, arguments):

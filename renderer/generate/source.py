@@ -13,6 +13,7 @@ from proofs.finite_difference import HEIGHT_EVALUATIONS
 from proofs.height_fields import HEIGHT_FIELDS
 from proofs.program import Program, chain
 from proofs.symbols import k_u, k_v, real
+from renderer.generate.fused import FUSED_KERNELS
 from renderer.generate.kernel_list import (
     DISCRIMINANT_OF_A,
     ONCE_A_SCENE,
@@ -173,7 +174,7 @@ def kernels_source(printer=NumbaPrinter, header=NUMBA_HEADER):
     parts = [print_function(name, program, printer) for name, program in elementary_functions()]
     parts.append(print_function(DISCRIMINANT_OF_A.name, DISCRIMINANT_OF_A, printer, "@compiled\n"))
     parts += [print_function(p.name, p, printer, "") for p in ONCE_A_SCENE]
-    parts += [print_row_kernel(kernel, printer) for kernel in ROW_KERNELS]
+    parts += [print_row_kernel(kernel, printer) for kernel in (*ROW_KERNELS, *FUSED_KERNELS)]
     for field in fields:
         for kernel in field_kernels(field):
             parts.append(print_row_kernel(kernel, printer))
