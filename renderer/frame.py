@@ -5,6 +5,7 @@ from functools import cached_property
 import numpy as np
 
 from renderer.kernels import FIELDS, chart_row, slope_row
+from renderer.material import material_key, material_of
 from renderer.shading import WORK
 from renderer.sphere_a import bump_of
 
@@ -13,22 +14,27 @@ class Frame:
     """A picture of a scene.
 
     rgb: (height, width, 3) float64, linear light in [0, 1], row 0 at the top (a view of three planes).
-    chambers: (height, width) uint8, see `renderer.stage.Stage`. scene, raster, method, stage: what made it.
+    planes: the same, (3, height, width). chambers: (height, width) uint8, see `renderer.stage.Stage`.
+    scene, raster, method, stage: what made it.
     """
 
     def __init__(self, scene, raster, method, stage, planes, add_up):
         self.scene, self.raster, self.method, self.stage = scene, raster, method, stage
-        self._planes, self._add_up = planes, add_up
+        self.planes, self._add_up = planes, add_up
 
     @cached_property
     def work(self):
         """What was computed for this frame, a dict of counts (`renderer.work`), without a given stage's."""
         return self._add_up()
 
+    def shaded_as(self, scene):
+        """Return whether a scene's weights, albedos, lights and highlight are this frame's: the same off sphere A."""
+        return material_key(material_of(self.scene)) == material_key(material_of(scene))
+
     @property
     def rgb(self):
         """(height, width, 3) float64 in [0, 1]."""
-        return np.moveaxis(self._planes, 0, -1)
+        return np.moveaxis(self.planes, 0, -1)
 
     @property
     def chambers(self):

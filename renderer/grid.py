@@ -96,9 +96,10 @@ def compare_batch(batch, made_by, threads=1):
     shared = stage_of(batch[0].scene, *size, threads=threads)
     for scene, tasks in groupby(batch, lambda task: task.scene):
         reference = render(scene, *size, exact(), threads=threads, stage=shared)
-        own = stage_of(scene, *size, threads=threads)
+        own, frame = stage_of(scene, *size, threads=threads), None
         for task in tasks:
-            rows.append(compare(render(scene, *size, task.method, threads=threads, stage=own), reference))
+            frame = render(scene, *size, task.method, threads=threads, stage=own, into=frame)
+            rows.append(compare(frame, reference))
     return rows
 
 

@@ -54,3 +54,8 @@ def material_of(scene):
         True if dull else None,
         *(None if dull else style for style in styles),
     )
+
+
+def material_key(material):
+    """Return what is equal for equal materials, and hashable."""
+    return (*(part.tobytes() if isinstance(part, np.ndarray) else part for part in material),)

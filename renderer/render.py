@@ -21,12 +21,14 @@ def stage_of(scene, width, height, crop=None, threads=None):
     return stage
 
 
-def render(scene, width, height, gradient=None, crop=None, threads=None, stage=None, count=False):
+def render(scene, width, height, gradient=None, crop=None, threads=None, stage=None, into=None, count=False):
     """Draw `scene` on a raster of width × height pixels and return the Frame.
 
     gradient: a method from `exact`, `central`, `forward`, `central4` (default: exact). crop: (left, top, width,
     height), the part of the raster to draw. threads: default, all cores. stage: the Stage of a scene that differs at
     most in field, ku, kv, beta and shading, on the same raster: A alone is drawn, the rest is copied from the stage.
+    into: an earlier Frame of that stage, of the same shading: A is drawn over its colours, and nothing is copied; the
+    earlier frame must not be used any more.
     count: add up the frame's `work` now; else that waits until it is asked for. Raises ValueError that names what is
     not allowed.
     """
@@ -39,12 +41,14 @@ def render(scene, width, height, gradient=None, crop=None, threads=None, stage=N
     bump = bump_of(scene, method, flat=scene.beta == 0.0)
     if stage is not None and not stage.serves(scene, raster):
         raise ValueError(f"stage = {stage!r} is not allowed: one made for the same lengths, lights and raster")
-    rgb, counts = np.empty((3, *raster.shape)), None
+    if into is not None and (stage is None or into.stage is not stage or not into.shaded_as(scene)):
+        raise ValueError(f"into = {into!r} is not allowed: a frame of the stage that is given, shaded as this scene is")
+    rgb, counts = np.empty((3, *raster.shape)) if into is None else into.planes, None
     if stage is None:
         stage, counts = _draw_all(scene, bump, raster, rgb, threads)
         tests = stage.shadow_tests
     else:
-        counts, tests = _draw_on(stage, scene, bump, rgb, threads), 0
+        counts, tests = _draw_on(stage, scene, bump, rgb, threads, rest=into is None), 0
     frame = Frame(scene, raster, method, stage, rgb, lambda: work_done(stage, bump, counts, tests))
     if count:
         _ = frame.work
@@ -65,15 +69,16 @@ def _draw_all(scene, bump, raster, rgb, threads):
     return stage, counts
 
 
-def _draw_on(stage, scene, bump, rgb, threads):
-    """Draw sphere A, and copy the rest from the stage; return the counts."""
+def _draw_on(stage, scene, bump, rgb, threads, rest):
+    """Draw sphere A, and if the rest is not there, copy it from the stage; return the counts."""
     counts = np.zeros((len(stage.bands), len(WORK)), np.int64)
-    elsewhere = stage.elsewhere(scene, threads, counts)
+    elsewhere = stage.elsewhere(scene, threads, counts) if rest else None
 
     def draw(number):
         band = stage.bands[number]
         bump.draw(stage, band, counts[number], rgb)
-        copy_runs(band.runs_elsewhere, band.top, elsewhere, rgb)
+        if rest:
+            copy_runs(band.runs_elsewhere, band.top, elsewhere, rgb)
 
     run_bands(draw, len(stage.bands), threads)
     return counts

@@ -12,7 +12,7 @@ import numpy as np
 
 from renderer.bounds import scene_boxes
 from renderer.chambers import FIRST_LIGHT_BIT, LANES, SPHERE_A, SURFACE_BITS, cut_runs, mark_chambers
-from renderer.material import material_of
+from renderer.material import material_key, material_of
 from renderer.raster import Raster
 from renderer.shading import shade_elsewhere
 from renderer.threads import run_bands, scratch
@@ -117,7 +117,7 @@ class Stage:
         counts: (bands, 3), what is drawn for it is added.
         """
         material = material_of(scene)
-        key = (*(part.tobytes() if isinstance(part, np.ndarray) else part for part in material),)
+        key = material_key(material)
         if self._elsewhere[0] != key:
             rgb = np.empty((3, *self.raster.shape))
 

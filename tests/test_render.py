@@ -152,6 +152,27 @@ def test_a_stage_of_another_crop_of_the_same_shape_is_rejected():
         render(DEFAULT, 16, 16, crop=(8, 8, 4, 4), stage=stage_of(DEFAULT, 16, 16, crop=(0, 0, 4, 4)))
 
 
+@given(scenes(), rasters(), st.data())
+def test_drawing_into_an_earlier_frame_gives_the_same_bits(scene, size, data):
+    stage = stage_of(scene, *size)
+    frame = render(scene, *size, data.draw(methods), stage=stage)
+    for _ in range(2):
+        other, method = data.draw(scenes()), data.draw(methods)
+        bumped = replace(scene, field=other.field, ku=other.ku, kv=other.kv, beta=other.beta)
+        planes = frame.planes
+        frame = render(bumped, *size, method, stage=stage, into=frame)
+        assert frame.planes is planes
+        assert same(frame, render(bumped, *size, method))
+
+
+def test_a_frame_of_another_stage_or_shading_is_not_drawn_into():
+    stage, frame = stage_of(DEFAULT, 16, 16), render(DEFAULT, 16, 16)
+    brighter = replace(DEFAULT, ka=0.5)
+    for scene, more in ((DEFAULT, {}), (DEFAULT, {"stage": stage}), (brighter, {"stage": frame.stage})):
+        with pytest.raises(ValueError, match=r"into = .* is not allowed: a frame of the stage"):
+            render(scene, 16, 16, into=frame, **more)
+
+
 def test_lights_may_change_colour_under_a_stage():
     red = replace(DEFAULT, lights=tuple(Light(light.position, (1, 0, 0)) for light in DEFAULT.lights))
     assert same(render(red, 32, 32, stage=stage_of(DEFAULT, 32, 32)), render(red, 32, 32))

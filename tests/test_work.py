@@ -113,6 +113,8 @@ def test_a_stage_leaves_sphere_a_alone_to_be_drawn():
         work = work_of(scene, method, stage=stage)
         on_a = sum(n for code, n in work["pixels"].items() for bit in (4, 8) if code & 3 == 1 and not code & bit)
         assert work["light_terms"] == on_a
+    into = work_of(stage=stage, into=render(DEFAULT, *SIZE, stage=stage))
+    assert into["light_terms"] == work["light_terms"]
     darker = work_of(replace(DEFAULT, ka=0.2), stage=stage)
     assert darker["light_terms"] == first["light_terms"]  # another shading off A
 

@@ -10,11 +10,7 @@ from proofs.symbols import bumped, h_u, h_v, mu, point, real, view, x
 from renderer.generate.kernel_list import ANGLES, RowKernel
 
 COUNTS = (1, 2)
-STYLES = {
-    "dull": shading.light_direction.keep(mu, name="cosine"),
-    **shading.MODELS,
-    "squared": shading.blinn_squared,
-}
+STYLES = {"dull": shading.light_direction.keep(mu, name="cosine"), **shading.MODELS, "squared": shading.blinn_squared}
 """What gives μ and the highlight's base, in each style of `renderer.material`."""
 PLACES = {
     "floor": (camera.normal_of_floor, (x,)),

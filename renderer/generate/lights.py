@@ -60,8 +60,12 @@ def lights_source():
         cases = [(f"{s} is not None", [geometry_kernel(s, count, place) for count in COUNTS]) for s in STYLES]
         parts.append(_function(f"lights_on_{place}", given[place] + common, cases))
         kernels += [kernel for _, each in cases for kernel in each]
-    cases = [(f"dull is {'not ' if dull else ''}None", [terms_kernel(n, dull) for n in COUNTS]) for dull in (True, False)]
-    given = ["numbers, albedo, lights, first, second, lit, mu, base, other_mu, other_base, red, green, blue, dull, count,"]
+    cases = [
+        (f"dull is {'not ' if dull else ''}None", [terms_kernel(n, dull) for n in COUNTS]) for dull in (True, False)
+    ]
+    given = [
+        "numbers, albedo, lights, first, second, lit, mu, base, other_mu, other_base, red, green, blue, dull, count,"
+    ]
     parts.append(_function("add_lights", given, cases))
     kernels += [kernel for _, each in cases for kernel in each]
     names = sorted(["inlined", *(f"{kernel.program.name}_row" for kernel in kernels)])

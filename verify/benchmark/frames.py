@@ -60,12 +60,12 @@ def stepping(scene, frames, threads):
 
     def prepare():
         stage, following = stage_of(scene, STEP, STEP, threads=threads), itertools.cycle(frames)
+        frame = render(scene, STEP, STEP, threads=threads, stage=stage)
 
         def work():
             changed, method = next(following)
-            render(changed, STEP, STEP, method, threads=threads, stage=stage)
+            render(changed, STEP, STEP, method, threads=threads, stage=stage, into=frame)
 
-        work()
         return work
 
     return prepare
