@@ -11,6 +11,7 @@ from proofs.algebraic_form import MAX_WAVE_NUMBER
 from proofs.height_fields import HEIGHT_FIELDS
 from proofs.program import chain
 from proofs.symbols import u, v
+from renderer.generate.fused import COUNTS, geometry_kernel, terms_kernel
 from renderer.generate.kernel_list import ONCE_A_SCENE, ROW_KERNELS, RowKernel, field_kernels
 from renderer.generate.printers_javascript import PRINTER, print_row_kernel, print_scalar_function
 from renderer.generate.source import CORES, of_a_number, wave_numbers_program
@@ -69,6 +70,11 @@ UNUSED = {
     "blinn_on_floor",
 }
 """What the simulator's scene, with its even shininess, has no use for."""
+
+LIGHTS_ON_A = [
+    *(geometry_kernel(style, count, "a") for style in ("phong", "squared") for count in COUNTS),
+    *(terms_kernel(count, dull=False) for count in COUNTS),
+]
 
 PLOT_PROGRAMS = [
     camera.parallel_radius,
@@ -131,7 +137,7 @@ def javascript_source():
     for program in (*(p for p in ONCE_A_SCENE if p.name not in UNUSED), *PLOT_PROGRAMS):
         parts.append(print_scalar_function(program.name, program))
         names.append(program.name)
-    for kernel in (*elementary_kernels(), *(k for k in ROW_KERNELS if k.program.name not in UNUSED)):
+    for kernel in (*elementary_kernels(), *(k for k in ROW_KERNELS if k.program.name not in UNUSED), *LIGHTS_ON_A):
         parts.append(print_row_kernel(kernel))
         names.append(f"{kernel.program.name}_row")
     parts += _field_parts(fields)

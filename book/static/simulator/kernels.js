@@ -634,6 +634,292 @@ function slope_row(h_u_row, h_v_row, slope_row, start, stop) {
   }
 }
 
+function phong_of_1_on_a_row(
+cos_theta_row, sin_theta_row, cos_phi_row, sin_phi_row, h_u_row, h_v_row, beta, radius, x_row, y, eye,
+light_x_1, light_y_1, light_z_1, mu_1_row, specular_base_1_row, start, stop
+) {
+  for (let i = start; i < stop; i++) {
+    const cos_phi = cos_phi_row[i],
+      cos_theta = cos_theta_row[i],
+      h_u = h_u_row[i],
+      h_v = h_v_row[i],
+      sin_phi = sin_phi_row[i],
+      sin_theta = sin_theta_row[i],
+      x = x_row[i];
+    const normal_x = cos_theta * sin_phi,
+      normal_y = sin_phi * sin_theta,
+      e_theta_x = -sin_theta,
+      e_phi_x = cos_phi * cos_theta,
+      e_phi_y = cos_phi * sin_theta,
+      e_phi_z = -sin_phi,
+      g_x = e_phi_x * h_v + e_theta_x * h_u,
+      g_y = cos_theta * h_u + e_phi_y * h_v,
+      g_z = e_phi_z * h_v,
+      m_x = beta * g_x + normal_x,
+      m_y = beta * g_y + normal_y,
+      m_z = beta * g_z + cos_phi,
+      m_length = Math.sqrt(m_x * m_x + m_y * m_y + m_z * m_z),
+      m_scale = 1.0 / m_length,
+      bumped_x = m_scale * m_x,
+      bumped_y = m_scale * m_y,
+      bumped_z = m_scale * m_z,
+      point_x = normal_x * radius,
+      point_y = normal_y * radius,
+      point_z = cos_phi * radius,
+      view_scale = 1.0 / Math.sqrt(eye * eye + x * x + y * y),
+      view_x = -view_scale * x,
+      view_y = -view_scale * y,
+      view_z = eye * view_scale,
+      to_light_x_1 = light_x_1 - point_x,
+      to_light_y_1 = light_y_1 - point_y,
+      to_light_z_1 = light_z_1 - point_z,
+      light_distance_1 = Math.sqrt(to_light_x_1 * to_light_x_1 + to_light_y_1 * to_light_y_1 + to_light_z_1 * to_light_z_1),
+      light_scale_1 = 1.0 / light_distance_1,
+      towards_x_1 = light_scale_1 * to_light_x_1,
+      towards_y_1 = light_scale_1 * to_light_y_1,
+      towards_z_1 = light_scale_1 * to_light_z_1,
+      mu_1 = bumped_x * towards_x_1 + bumped_y * towards_y_1 + bumped_z * towards_z_1,
+      specular_base_1 = maximum(0, 2 * mu_1 * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) - towards_x_1 * view_x - towards_y_1 * view_y - towards_z_1 * view_z);
+    mu_1_row[i] = mu_1;
+    specular_base_1_row[i] = specular_base_1;
+  }
+}
+
+function phong_of_2_on_a_row(
+cos_theta_row, sin_theta_row, cos_phi_row, sin_phi_row, h_u_row, h_v_row, beta, radius, x_row, y, eye,
+light_x_1, light_y_1, light_z_1, light_x_2, light_y_2, light_z_2, mu_1_row, specular_base_1_row, mu_2_row,
+specular_base_2_row, start, stop
+) {
+  for (let i = start; i < stop; i++) {
+    const cos_phi = cos_phi_row[i],
+      cos_theta = cos_theta_row[i],
+      h_u = h_u_row[i],
+      h_v = h_v_row[i],
+      sin_phi = sin_phi_row[i],
+      sin_theta = sin_theta_row[i],
+      x = x_row[i];
+    const normal_x = cos_theta * sin_phi,
+      normal_y = sin_phi * sin_theta,
+      e_theta_x = -sin_theta,
+      e_phi_x = cos_phi * cos_theta,
+      e_phi_y = cos_phi * sin_theta,
+      e_phi_z = -sin_phi,
+      g_x = e_phi_x * h_v + e_theta_x * h_u,
+      g_y = cos_theta * h_u + e_phi_y * h_v,
+      g_z = e_phi_z * h_v,
+      m_x = beta * g_x + normal_x,
+      m_y = beta * g_y + normal_y,
+      m_z = beta * g_z + cos_phi,
+      m_length = Math.sqrt(m_x * m_x + m_y * m_y + m_z * m_z),
+      m_scale = 1.0 / m_length,
+      bumped_x = m_scale * m_x,
+      bumped_y = m_scale * m_y,
+      bumped_z = m_scale * m_z,
+      point_x = normal_x * radius,
+      point_y = normal_y * radius,
+      point_z = cos_phi * radius,
+      view_scale = 1.0 / Math.sqrt(eye * eye + x * x + y * y),
+      view_x = -view_scale * x,
+      view_y = -view_scale * y,
+      view_z = eye * view_scale,
+      to_light_x_1 = light_x_1 - point_x,
+      to_light_y_1 = light_y_1 - point_y,
+      to_light_z_1 = light_z_1 - point_z,
+      light_distance_1 = Math.sqrt(to_light_x_1 * to_light_x_1 + to_light_y_1 * to_light_y_1 + to_light_z_1 * to_light_z_1),
+      light_scale_1 = 1.0 / light_distance_1,
+      towards_x_1 = light_scale_1 * to_light_x_1,
+      towards_y_1 = light_scale_1 * to_light_y_1,
+      towards_z_1 = light_scale_1 * to_light_z_1,
+      mu_1 = bumped_x * towards_x_1 + bumped_y * towards_y_1 + bumped_z * towards_z_1,
+      specular_base_1 = maximum(0, 2 * mu_1 * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) - towards_x_1 * view_x - towards_y_1 * view_y - towards_z_1 * view_z),
+      to_light_x_2 = light_x_2 - point_x,
+      to_light_y_2 = light_y_2 - point_y,
+      to_light_z_2 = light_z_2 - point_z,
+      light_distance_2 = Math.sqrt(to_light_x_2 * to_light_x_2 + to_light_y_2 * to_light_y_2 + to_light_z_2 * to_light_z_2),
+      light_scale_2 = 1.0 / light_distance_2,
+      towards_x_2 = light_scale_2 * to_light_x_2,
+      towards_y_2 = light_scale_2 * to_light_y_2,
+      towards_z_2 = light_scale_2 * to_light_z_2,
+      mu_2 = bumped_x * towards_x_2 + bumped_y * towards_y_2 + bumped_z * towards_z_2,
+      specular_base_2 = maximum(0, 2 * mu_2 * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) - towards_x_2 * view_x - towards_y_2 * view_y - towards_z_2 * view_z);
+    mu_1_row[i] = mu_1;
+    specular_base_1_row[i] = specular_base_1;
+    mu_2_row[i] = mu_2;
+    specular_base_2_row[i] = specular_base_2;
+  }
+}
+
+function squared_of_1_on_a_row(
+cos_theta_row, sin_theta_row, cos_phi_row, sin_phi_row, h_u_row, h_v_row, beta, radius, x_row, y, eye,
+light_x_1, light_y_1, light_z_1, mu_1_row, specular_base_1_row, start, stop
+) {
+  for (let i = start; i < stop; i++) {
+    const cos_phi = cos_phi_row[i],
+      cos_theta = cos_theta_row[i],
+      h_u = h_u_row[i],
+      h_v = h_v_row[i],
+      sin_phi = sin_phi_row[i],
+      sin_theta = sin_theta_row[i],
+      x = x_row[i];
+    const normal_x = cos_theta * sin_phi,
+      normal_y = sin_phi * sin_theta,
+      e_theta_x = -sin_theta,
+      e_phi_x = cos_phi * cos_theta,
+      e_phi_y = cos_phi * sin_theta,
+      e_phi_z = -sin_phi,
+      g_x = e_phi_x * h_v + e_theta_x * h_u,
+      g_y = cos_theta * h_u + e_phi_y * h_v,
+      g_z = e_phi_z * h_v,
+      m_x = beta * g_x + normal_x,
+      m_y = beta * g_y + normal_y,
+      m_z = beta * g_z + cos_phi,
+      m_length = Math.sqrt(m_x * m_x + m_y * m_y + m_z * m_z),
+      m_scale = 1.0 / m_length,
+      bumped_x = m_scale * m_x,
+      bumped_y = m_scale * m_y,
+      bumped_z = m_scale * m_z,
+      point_x = normal_x * radius,
+      point_y = normal_y * radius,
+      point_z = cos_phi * radius,
+      view_scale = 1.0 / Math.sqrt(eye * eye + x * x + y * y),
+      view_x = -view_scale * x,
+      view_y = -view_scale * y,
+      view_z = eye * view_scale,
+      to_light_x_1 = light_x_1 - point_x,
+      to_light_y_1 = light_y_1 - point_y,
+      to_light_z_1 = light_z_1 - point_z,
+      distance_squared_1 = to_light_x_1 * to_light_x_1 + to_light_y_1 * to_light_y_1 + to_light_z_1 * to_light_z_1,
+      light_distance_1 = Math.sqrt(distance_squared_1),
+      halfway_x_1 = light_distance_1 * view_x + to_light_x_1,
+      halfway_y_1 = light_distance_1 * view_y + to_light_y_1,
+      halfway_z_1 = light_distance_1 * view_z + to_light_z_1,
+      halfway_squared_1 = halfway_x_1 * halfway_x_1 + halfway_y_1 * halfway_y_1 + halfway_z_1 * halfway_z_1,
+      along_light_1 = bumped_x * to_light_x_1 + bumped_y * to_light_y_1 + bumped_z * to_light_z_1,
+      along_halfway_1 = maximum(0, bumped_x * halfway_x_1 + bumped_y * halfway_y_1 + bumped_z * halfway_z_1),
+      light_scale_1 = ((halfway_squared_1 > 0) ? 1 / (halfway_squared_1 * light_distance_1) : 0),
+      mu_1 = ((halfway_squared_1 > 0) ? along_light_1 * halfway_squared_1 * light_scale_1 : -bumped_x * view_x - bumped_y * view_y - bumped_z * view_z),
+      specular_base_1 = along_halfway_1 * along_halfway_1 * light_distance_1 * light_scale_1;
+    mu_1_row[i] = mu_1;
+    specular_base_1_row[i] = specular_base_1;
+  }
+}
+
+function squared_of_2_on_a_row(
+cos_theta_row, sin_theta_row, cos_phi_row, sin_phi_row, h_u_row, h_v_row, beta, radius, x_row, y, eye,
+light_x_1, light_y_1, light_z_1, light_x_2, light_y_2, light_z_2, mu_1_row, specular_base_1_row, mu_2_row,
+specular_base_2_row, start, stop
+) {
+  for (let i = start; i < stop; i++) {
+    const cos_phi = cos_phi_row[i],
+      cos_theta = cos_theta_row[i],
+      h_u = h_u_row[i],
+      h_v = h_v_row[i],
+      sin_phi = sin_phi_row[i],
+      sin_theta = sin_theta_row[i],
+      x = x_row[i];
+    const normal_x = cos_theta * sin_phi,
+      normal_y = sin_phi * sin_theta,
+      e_theta_x = -sin_theta,
+      e_phi_x = cos_phi * cos_theta,
+      e_phi_y = cos_phi * sin_theta,
+      e_phi_z = -sin_phi,
+      g_x = e_phi_x * h_v + e_theta_x * h_u,
+      g_y = cos_theta * h_u + e_phi_y * h_v,
+      g_z = e_phi_z * h_v,
+      m_x = beta * g_x + normal_x,
+      m_y = beta * g_y + normal_y,
+      m_z = beta * g_z + cos_phi,
+      m_length = Math.sqrt(m_x * m_x + m_y * m_y + m_z * m_z),
+      m_scale = 1.0 / m_length,
+      bumped_x = m_scale * m_x,
+      bumped_y = m_scale * m_y,
+      bumped_z = m_scale * m_z,
+      point_x = normal_x * radius,
+      point_y = normal_y * radius,
+      point_z = cos_phi * radius,
+      view_scale = 1.0 / Math.sqrt(eye * eye + x * x + y * y),
+      view_x = -view_scale * x,
+      view_y = -view_scale * y,
+      view_z = eye * view_scale,
+      to_light_x_1 = light_x_1 - point_x,
+      to_light_y_1 = light_y_1 - point_y,
+      to_light_z_1 = light_z_1 - point_z,
+      distance_squared_1 = to_light_x_1 * to_light_x_1 + to_light_y_1 * to_light_y_1 + to_light_z_1 * to_light_z_1,
+      light_distance_1 = Math.sqrt(distance_squared_1),
+      halfway_x_1 = light_distance_1 * view_x + to_light_x_1,
+      halfway_y_1 = light_distance_1 * view_y + to_light_y_1,
+      halfway_z_1 = light_distance_1 * view_z + to_light_z_1,
+      halfway_squared_1 = halfway_x_1 * halfway_x_1 + halfway_y_1 * halfway_y_1 + halfway_z_1 * halfway_z_1,
+      along_light_1 = bumped_x * to_light_x_1 + bumped_y * to_light_y_1 + bumped_z * to_light_z_1,
+      along_halfway_1 = maximum(0, bumped_x * halfway_x_1 + bumped_y * halfway_y_1 + bumped_z * halfway_z_1),
+      light_scale_1 = ((halfway_squared_1 > 0) ? 1 / (halfway_squared_1 * light_distance_1) : 0),
+      mu_1 = ((halfway_squared_1 > 0) ? along_light_1 * halfway_squared_1 * light_scale_1 : -bumped_x * view_x - bumped_y * view_y - bumped_z * view_z),
+      specular_base_1 = along_halfway_1 * along_halfway_1 * light_distance_1 * light_scale_1,
+      to_light_x_2 = light_x_2 - point_x,
+      to_light_y_2 = light_y_2 - point_y,
+      to_light_z_2 = light_z_2 - point_z,
+      distance_squared_2 = to_light_x_2 * to_light_x_2 + to_light_y_2 * to_light_y_2 + to_light_z_2 * to_light_z_2,
+      light_distance_2 = Math.sqrt(distance_squared_2),
+      halfway_x_2 = light_distance_2 * view_x + to_light_x_2,
+      halfway_y_2 = light_distance_2 * view_y + to_light_y_2,
+      halfway_z_2 = light_distance_2 * view_z + to_light_z_2,
+      halfway_squared_2 = halfway_x_2 * halfway_x_2 + halfway_y_2 * halfway_y_2 + halfway_z_2 * halfway_z_2,
+      along_light_2 = bumped_x * to_light_x_2 + bumped_y * to_light_y_2 + bumped_z * to_light_z_2,
+      along_halfway_2 = maximum(0, bumped_x * halfway_x_2 + bumped_y * halfway_y_2 + bumped_z * halfway_z_2),
+      light_scale_2 = ((halfway_squared_2 > 0) ? 1 / (halfway_squared_2 * light_distance_2) : 0),
+      mu_2 = ((halfway_squared_2 > 0) ? along_light_2 * halfway_squared_2 * light_scale_2 : -bumped_x * view_x - bumped_y * view_y - bumped_z * view_z),
+      specular_base_2 = along_halfway_2 * along_halfway_2 * light_distance_2 * light_scale_2;
+    mu_1_row[i] = mu_1;
+    specular_base_1_row[i] = specular_base_1;
+    mu_2_row[i] = mu_2;
+    specular_base_2_row[i] = specular_base_2;
+  }
+}
+
+function light_terms_of_1_row(
+red, green, blue, light_red_1, light_green_1, light_blue_1, albedo_red, albedo_green, albedo_blue, kd, ks,
+mu_1_row, specular_1_row, lit_red_1_row, lit_green_1_row, lit_blue_1_row, start, stop
+) {
+  for (let i = start; i < stop; i++) {
+    const mu_1 = mu_1_row[i],
+      specular_1 = specular_1_row[i];
+    const diffuse_1 = kd * maximum(0, mu_1),
+      shine_1 = ks * specular_1,
+      lit_red_1 = light_red_1 * (albedo_red * diffuse_1 + shine_1) + red,
+      lit_green_1 = green + light_green_1 * (albedo_green * diffuse_1 + shine_1),
+      lit_blue_1 = blue + light_blue_1 * (albedo_blue * diffuse_1 + shine_1);
+    lit_red_1_row[i] = lit_red_1;
+    lit_green_1_row[i] = lit_green_1;
+    lit_blue_1_row[i] = lit_blue_1;
+  }
+}
+
+function light_terms_of_2_row(
+red, green, blue, light_red_1, light_green_1, light_blue_1, albedo_red, albedo_green, albedo_blue, kd, ks,
+mu_1_row, specular_1_row, light_red_2, light_green_2, light_blue_2, mu_2_row, specular_2_row, lit_red_2_row,
+lit_green_2_row, lit_blue_2_row, start, stop
+) {
+  for (let i = start; i < stop; i++) {
+    const mu_1 = mu_1_row[i],
+      mu_2 = mu_2_row[i],
+      specular_1 = specular_1_row[i],
+      specular_2 = specular_2_row[i];
+    const diffuse_1 = kd * maximum(0, mu_1),
+      shine_1 = ks * specular_1,
+      lit_red_1 = light_red_1 * (albedo_red * diffuse_1 + shine_1) + red,
+      lit_green_1 = green + light_green_1 * (albedo_green * diffuse_1 + shine_1),
+      lit_blue_1 = blue + light_blue_1 * (albedo_blue * diffuse_1 + shine_1),
+      diffuse_2 = kd * maximum(0, mu_2),
+      shine_2 = ks * specular_2,
+      lit_red_2 = light_red_2 * (albedo_red * diffuse_2 + shine_2) + lit_red_1,
+      lit_green_2 = light_green_2 * (albedo_green * diffuse_2 + shine_2) + lit_green_1,
+      lit_blue_2 = light_blue_2 * (albedo_blue * diffuse_2 + shine_2) + lit_blue_1;
+    lit_red_2_row[i] = lit_red_2;
+    lit_green_2_row[i] = lit_green_2;
+    lit_blue_2_row[i] = lit_blue_2;
+  }
+}
+
 function height_sine_row(u_row, v_row, k_u, k_v, h_row, start, stop) {
   const [sinpi_0, sinpi_1] = spare_rows(2, stop);
   sinpi_of_product_row(k_u, u_row, sinpi_0, start, stop);
@@ -1214,5 +1500,11 @@ return {
   light_term_row,
   clip_row,
   slope_row,
+  phong_of_1_on_a_row,
+  phong_of_2_on_a_row,
+  squared_of_1_on_a_row,
+  squared_of_2_on_a_row,
+  light_terms_of_1_row,
+  light_terms_of_2_row,
 };
 };

@@ -165,6 +165,9 @@ Simulator.pipeline = function (kernels) {
     return {
       power: squared ? scene.shininess / 2 : scene.shininess,
       base_row: squared ? kernels.blinn_squared_row : kernels.phong_row,
+      on_a: squared
+        ? [kernels.squared_of_1_on_a_row, kernels.squared_of_2_on_a_row]
+        : [kernels.phong_of_1_on_a_row, kernels.phong_of_2_on_a_row],
       floor_row: squared ? kernels.blinn_squared_on_floor_row : kernels.phong_on_floor_row,
       ambient: scene.ambient.map((channel) => kernels.ambient_term(scene.ka, channel)),
       albedo: [[0, 0, 0], scene.albedo_a, scene.albedo_b, ...floor],
@@ -172,36 +175,53 @@ Simulator.pipeline = function (kernels) {
     };
   }
 
-  let place = [], work = []; // points, normals, 1/|E - P|; mu, the highlight's base, the highlight
+  let place = [], work = []; // points, normals, 1/|E - P|; mu and the highlight's base of two lights, a spare row
 
   // Add the lights that reach a segment of one chamber, whose places are in `place`.
   function light_segment(scene, m, code, x, y, rgb, start, stop) {
     const on_floor = (code & SURFACE) === FLOOR, albedo = m.albedo[on_floor && code & DARK_BIT ? 4 : code & SURFACE];
-    const [px, py, pz, nx, ny, nz, view] = place, [mu, base, highlight] = work;
+    const [px, py, pz, nx, ny, nz, view] = place, [mu, base, , , spare] = work;
     rgb.forEach((channel, n) => channel.fill(m.ambient[n], start, stop));
     for (const { position, color, bit } of m.lights) {
       if (code & bit) continue;
       if (on_floor) m.floor_row(x, y, scene.eye, view, ...position, mu, base, start, stop);
       else m.base_row(x, y, scene.eye, view, px, py, pz, ...position, nx, ny, nz, mu, base, start, stop);
-      raise(base, highlight, m.power, start, stop);
-      kernels.light_term_row(...rgb, ...color, ...albedo, scene.kd, scene.ks, mu, highlight, start, stop);
+      raise(base, spare, m.power, start, stop);
+      kernels.light_term_row(...rgb, ...color, ...albedo, scene.kd, scene.ks, mu, base, start, stop);
     }
     kernels.clip_row(...rgb, ...rgb, start, stop);
   }
 
-  // base^power by repeated squaring; the base is used up.
-  function raise(base, highlight, power, start, stop) {
+  // base^power in place, by repeated squaring.
+  function raise(base, spare, power, start, stop) {
     let remaining = power;
     for (; !(remaining & 1); remaining >>= 1) kernels.square_row(base, start, stop);
-    highlight.set(base.subarray(start, stop), start);
+    if (remaining === 1) return;
+    spare.set(base.subarray(start, stop), start);
     for (remaining >>= 1; remaining; remaining >>= 1) {
-      kernels.square_row(base, start, stop);
-      if (remaining & 1) kernels.multiply_row(highlight, base, start, stop);
+      kernels.square_row(spare, start, stop);
+      if (remaining & 1) kernels.multiply_row(base, spare, start, stop);
     }
   }
 
+  // One or two lights on a segment of A, in one loop for their geometry and one for their colours.
+  function light_a(scene, m, lit, stage, { y, start, stop }, { h_u, h_v, rgb }) {
+    const { cos_theta, sin_theta, cos_phi, sin_phi, x_of_a } = stage, { kd, ks, albedo_a } = scene;
+    const found = work.slice(0, 2 * lit.length), [mu, base, other_mu, other_base, spare] = work;
+    m.on_a[lit.length - 1](cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, scene.beta, scene.radius, x_of_a, y,
+      scene.eye, ...lit.flatMap((light) => light.position), ...found, start, stop);
+    raise(base, spare, m.power, start, stop);
+    const first = [...m.ambient, ...lit[0].color, ...albedo_a, kd, ks, mu, base];
+    if (lit.length === 1) kernels.light_terms_of_1_row(...first, ...rgb, start, stop);
+    else {
+      raise(other_base, spare, m.power, start, stop);
+      kernels.light_terms_of_2_row(...first, ...lit[1].color, other_mu, other_base, ...rgb, start, stop);
+    }
+    kernels.clip_row(...rgb, ...rgb, start, stop);
+  }
+
   function prepare(length) {
-    if (!place.length || place[0].length < length) [place, work] = [rows(7, length), rows(3, length)];
+    if (!place.length || place[0].length < length) [place, work] = [rows(7, length), rows(5, length)];
   }
 
   function place_a(scene, stage, { y, start, stop }, h_u, h_v, beta = scene.beta) {
@@ -217,12 +237,16 @@ Simulator.pipeline = function (kernels) {
   }
 
   // The colours of A's pixels, three compact planes.
-  function shade_a(scene, stage, { h_u, h_v, rgb }) {
+  function shade_a(scene, stage, target) {
     const m = material_of(scene);
     prepare(stage.count);
     for (const segment of stage.on_a) {
-      place_a(scene, stage, segment, h_u, h_v);
-      light_segment(scene, m, segment.code, stage.x_of_a, segment.y, rgb, segment.start, segment.stop);
+      const lit = m.lights.filter(({ bit }) => !(segment.code & bit));
+      if (lit.length === 1 || lit.length === 2) light_a(scene, m, lit, stage, segment, target);
+      else {
+        place_a(scene, stage, segment, target.h_u, target.h_v);
+        light_segment(scene, m, segment.code, stage.x_of_a, segment.y, target.rgb, segment.start, segment.stop);
+      }
     }
   }
 
