@@ -48,8 +48,9 @@ def read(data, values):
     """Return the polynomial {"x^2 y": "-3/2", "": "1"} with every name replaced by its polynomial in `values`."""
     terms = []
     for text, coefficient in data.items():
-        powers = [factor.partition("^")[::2] for factor in text.split()]
-        terms.append(multiply(coefficient, *(values[name] for name, power in powers for _ in range(int(power or 1)))))
+        powers = [(name, int(power) if sign else 1) for name, sign, power in (f.partition("^") for f in text.split())]
+        require(all(power > 0 for _, power in powers), f"{text!r} is not a product of powers")
+        terms.append(multiply(coefficient, *(values[name] for name, power in powers for _ in range(power))))
     return add(*terms)
 
 

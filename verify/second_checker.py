@@ -34,10 +34,13 @@ class Names:
         for monomial, coefficient in data.items():
             term = self.constant(coefficient)
             for factor in monomial.split():
-                name, _, power = factor.partition("^")
+                name, sign, power = factor.partition("^")
                 if name not in self.open:
                     raise Refused(f"{name} is used before it is introduced")
-                term *= self.value[name] ** int(power or "1")
+                exponent = int(power) if sign else 1
+                if exponent < 1:
+                    raise Refused(f"{factor} is not a power with a positive exponent")
+                term *= self.value[name] ** exponent
             total += term
         return total
 

@@ -77,6 +77,8 @@ def tamper(statement, certificate):
         ([("root", {"x": "1"}, {"new": "w"})], NOTHING, "x may be negative"),
         ([("define", {"": "1"}, {"new": "x"}), show({"x": "1", "": "-1"}, "=")], NOTHING, "x is not new"),
         ([show({"z": "1"}, "=")], NOTHING, "z is not declared"),
+        ([show({"x^-1": "1", "": "-1"}, "=")], NOTHING, "1/x is no polynomial"),
+        ([show({"x^0": "1", "": "-1"}, "=")], NOTHING, "an exponent is positive"),
         ([("assume", {"x": "1"}, {"is": "<>"}), show({"x": "1"}, "=")], NOTHING, "no such relation"),
         ([("assume", {"x": "1"}, {"is": ">"}), show({"x": "1"}, "=")], INEQUALITY, "not an equation"),
         ([("conjure", {}, {"new": "w"})], NOTHING, "no such step"),
