@@ -53,10 +53,11 @@ def long_rows(runs):
             yield code, row[part], column[part]
 
 
-def by_chamber(shader, targets):
+def by_chamber(shader, targets, codes=None):
     """Return a shader that draws a band's pixels chamber by chamber: `shader` is given each as one row of a picture.
 
-    targets: where among its arguments its pictures are, (channels, height, width) or None.
+    targets: where among its arguments its pictures are, (channels, height, width) or None. codes: where the chambers
+    are, if it takes them.
     """
 
     @functools.wraps(shader)
@@ -66,6 +67,8 @@ def by_chamber(shader, targets):
             given = list(arguments)
             for n in targets:
                 given[n] = None if arguments[n] is None else np.empty((len(arguments[n]), 1, len(row)))
+            if codes is not None:
+                given[codes] = np.full((1, len(row)), code, np.uint8)
             one = np.array([[0, 0, len(row), code]])
             shader(one, x[column[whole]], [y_of_row[row[whole]]], 0, *given)
             for n in targets:
@@ -115,7 +118,7 @@ def take_over():
     render = import_module("renderer.render")  # `renderer.render` is soon the function of that name
     stage.mark_chambers, stage.cut_runs = mark_chambers, cut_runs
     render.copy_runs = copy_runs
-    stage.shade_elsewhere = render.shade_elsewhere = by_chamber(shading.shade_elsewhere, (-2,))
+    stage.shade_elsewhere = render.shade_elsewhere = by_chamber(shading.shade_elsewhere, (-3,), codes=-1)
     sphere_a.draw_flat = by_chamber(shaders.draw_flat, (-3, -2))
     sphere_a.SHADERS = {
         field: {way: by_chamber(shader, (-3, -2)) for way, shader in ways.items()}

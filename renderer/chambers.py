@@ -20,7 +20,7 @@ from renderer.kernels import (
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0, 1, 2, 3
 SURFACE_BITS = 3
 FIRST_LIGHT_BIT = 2
-DARK_BIT = 128
+DARK_BIT, ALL_BITS = 128, 255
 LONGEST_RUN = 1024  # a run's working rows stay in the second-level cache; shorter ones cost more to begin
 BLOCK = 32
 LANES = 16
@@ -64,17 +64,17 @@ def _within(box, row, start, stop):
 
 
 @compiled
-def _run_end(code_row, start, stop):
-    """Return where the run of one code that begins at `start` ends, looking at a block of pixels at a time."""
+def run_end(code_row, start, stop, bits):
+    """Return where the run that begins at `start`, of one code in these bits, ends: a block of pixels at a time."""
     code, end = code_row[start], start + 1
     while end + BLOCK <= stop:
         differences = code ^ code
         for i in range(np.uint64(end), np.uint64(end + BLOCK)):
             differences |= code_row[i] ^ code
-        if differences:
+        if differences & bits:
             break
         end += BLOCK
-    while end < stop and code_row[end] == code:
+    while end < stop and not (code_row[end] ^ code) & bits:
         end += 1
     return end
 
@@ -117,25 +117,31 @@ def _mark_shadow(x, y, g, surface, light, boxes, row, bit, code_row, flag_row, s
     lx, ly, lz = light[0], light[1], light[2]
     if surface == SPHERE_B:
         left, right = _within(boxes[3], row, start, stop)
-        reach = left + whole_groups(right - left)
-        shadow_on_b_row(
-            x, y, eye, bx, by, bz, ball_radius, ball_on, lx, ly, lz, 0.0, 0.0, 0.0, radius, flag_row, left, reach
-        )
-        _mark(code_row, flag_row, bit, left, right)
+        if left < right:
+            reach = left + whole_groups(right - left)
+            shadow_on_b_row(
+                x, y, eye, bx, by, bz, ball_radius, ball_on, lx, ly, lz, 0.0, 0.0, 0.0, radius, flag_row, left, reach
+            )
+            _mark(code_row, flag_row, bit, left, right)
         return right - left
     if surface == SPHERE_A:
         left, right = _within(boxes[2], row, start, stop)
-        reach = left + whole_groups(right - left)
-        shadow_on_a_row(x, y, eye, radius, lx, ly, lz, bx, by, bz, ball_radius, flag_row, left, reach)
-        _mark(code_row, flag_row, bit, left, right)
+        if left < right:
+            reach = left + whole_groups(right - left)
+            shadow_on_a_row(x, y, eye, radius, lx, ly, lz, bx, by, bz, ball_radius, flag_row, left, reach)
+            _mark(code_row, flag_row, bit, left, right)
         return right - left
     left, right = _within(boxes[0], row, start, stop)
-    shadow_on_floor_row(x, y, lx, ly, lz, 0.0, 0.0, 0.0, radius, flag_row, left, left + whole_groups(right - left))
-    _mark(code_row, flag_row, bit, left, right)
+    if left < right:
+        reach = left + whole_groups(right - left)
+        shadow_on_floor_row(x, y, lx, ly, lz, 0.0, 0.0, 0.0, radius, flag_row, left, reach)
+        _mark(code_row, flag_row, bit, left, right)
     tests = right - left
     left, right = _within(boxes[1], row, start, stop)
-    shadow_on_floor_row(x, y, lx, ly, lz, bx, by, bz, ball_radius, flag_row, left, left + whole_groups(right - left))
-    _mark(code_row, flag_row, bit, left, right)
+    if left < right:
+        reach = left + whole_groups(right - left)
+        shadow_on_floor_row(x, y, lx, ly, lz, bx, by, bz, ball_radius, flag_row, left, reach)
+        _mark(code_row, flag_row, bit, left, right)
     return tests + right - left
 
 
@@ -162,7 +168,7 @@ def mark_chambers(x, y_of_row, geometry, middle, box_of_b, lights, bits, boxes, 
         start = np.int64(0)  # a literal would compile everything below once more
         while start < columns:
             surface = code_row[start]
-            stop = _run_end(code_row, start, columns)
+            stop = run_end(code_row, start, columns, ALL_BITS)
             if surface == FLOOR:
                 for i in range(np.uint64(start), np.uint64(stop)):
                     code_row[i] |= dark_row[i]
@@ -190,13 +196,15 @@ def mark_chambers(x, y_of_row, geometry, middle, box_of_b, lights, bits, boxes, 
 def cut_runs(codes, runs):
     """Write the runs of a band as (row, start, stop, code), A's from the front, the others from the back.
 
+    A run goes on over dark and light squares of the floor; its code is that of its first pixel.
+
     runs: (rows · columns, 4) int64. Return how many there are of A and of the others.
     """
     on_a, elsewhere, columns = 0, 0, codes.shape[1]
     for row in range(codes.shape[0]):
         code_row, start = codes[row], np.int64(0)
         while start < columns:
-            stop = _run_end(code_row, start, min(columns, start + LONGEST_RUN))
+            stop = run_end(code_row, start, min(columns, start + LONGEST_RUN), ALL_BITS ^ DARK_BIT)
             if code_row[start] & SURFACE_BITS == SPHERE_A:
                 index = on_a
                 on_a += 1

@@ -1542,7 +1542,7 @@ def squared_of_2_on_a_row(
 
 
 @compiled
-def light_terms_of_1_row(
+def light_terms_of_1_on_sphere_row(
     red, green, blue, light_red_1, light_green_1, light_blue_1, albedo_red, albedo_green, albedo_blue, kd,
     ks, mu_1_row, specular_1_row, lit_red_1_row, lit_green_1_row, lit_blue_1_row, start, stop
 ):
@@ -1560,7 +1560,7 @@ def light_terms_of_1_row(
 
 
 @compiled
-def light_terms_of_2_row(
+def light_terms_of_2_on_sphere_row(
     red, green, blue, light_red_1, light_green_1, light_blue_1, albedo_red, albedo_green, albedo_blue, kd,
     ks, mu_1_row, specular_1_row, light_red_2, light_green_2, light_blue_2, mu_2_row, specular_2_row,
     lit_red_2_row, lit_green_2_row, lit_blue_2_row, start, stop
@@ -1586,7 +1586,7 @@ def light_terms_of_2_row(
 
 
 @compiled
-def diffuse_terms_of_1_row(
+def diffuse_terms_of_1_on_sphere_row(
     mu_1_row, red, green, blue, light_red_1, light_green_1, light_blue_1, albedo_red, albedo_green,
     albedo_blue, kd, lit_red_1_row, lit_green_1_row, lit_blue_1_row, start, stop
 ):
@@ -1602,13 +1602,108 @@ def diffuse_terms_of_1_row(
 
 
 @compiled
-def diffuse_terms_of_2_row(
+def diffuse_terms_of_2_on_sphere_row(
     mu_1_row, red, green, blue, light_red_1, light_green_1, light_blue_1, albedo_red, albedo_green,
     albedo_blue, kd, light_red_2, light_green_2, light_blue_2, mu_2_row, lit_red_2_row, lit_green_2_row,
     lit_blue_2_row, start, stop
 ):
     for i in pixels(start, stop):
         mu_1 = mu_1_row[i]
+        mu_2 = mu_2_row[i]
+        diffuse_1 = kd * maximum(0.0, mu_1)
+        lit_red_1 = albedo_red * diffuse_1 * light_red_1 + red
+        lit_green_1 = albedo_green * diffuse_1 * light_green_1 + green
+        lit_blue_1 = albedo_blue * diffuse_1 * light_blue_1 + blue
+        diffuse_2 = kd * maximum(0.0, mu_2)
+        lit_red_2 = albedo_red * diffuse_2 * light_red_2 + lit_red_1
+        lit_green_2 = albedo_green * diffuse_2 * light_green_2 + lit_green_1
+        lit_blue_2 = albedo_blue * diffuse_2 * light_blue_2 + lit_blue_1
+        lit_red_2_row[i] = lit_red_2
+        lit_green_2_row[i] = lit_green_2
+        lit_blue_2_row[i] = lit_blue_2
+
+
+@compiled
+def light_terms_of_1_on_floor_row(
+    red, green, blue, light_red_1, light_green_1, light_blue_1, albedo_red_row, albedo_green_row,
+    albedo_blue_row, kd, ks, mu_1_row, specular_1_row, lit_red_1_row, lit_green_1_row, lit_blue_1_row, start,
+    stop
+):
+    for i in pixels(start, stop):
+        albedo_red = albedo_red_row[i]
+        albedo_green = albedo_green_row[i]
+        albedo_blue = albedo_blue_row[i]
+        mu_1 = mu_1_row[i]
+        specular_1 = specular_1_row[i]
+        diffuse_1 = kd * maximum(0.0, mu_1)
+        shine_1 = ks * specular_1
+        lit_red_1 = light_red_1 * (albedo_red * diffuse_1 + shine_1) + red
+        lit_green_1 = green + light_green_1 * (albedo_green * diffuse_1 + shine_1)
+        lit_blue_1 = blue + light_blue_1 * (albedo_blue * diffuse_1 + shine_1)
+        lit_red_1_row[i] = lit_red_1
+        lit_green_1_row[i] = lit_green_1
+        lit_blue_1_row[i] = lit_blue_1
+
+
+@compiled
+def light_terms_of_2_on_floor_row(
+    red, green, blue, light_red_1, light_green_1, light_blue_1, albedo_red_row, albedo_green_row,
+    albedo_blue_row, kd, ks, mu_1_row, specular_1_row, light_red_2, light_green_2, light_blue_2, mu_2_row,
+    specular_2_row, lit_red_2_row, lit_green_2_row, lit_blue_2_row, start, stop
+):
+    for i in pixels(start, stop):
+        albedo_red = albedo_red_row[i]
+        albedo_green = albedo_green_row[i]
+        albedo_blue = albedo_blue_row[i]
+        mu_1 = mu_1_row[i]
+        specular_1 = specular_1_row[i]
+        mu_2 = mu_2_row[i]
+        specular_2 = specular_2_row[i]
+        diffuse_1 = kd * maximum(0.0, mu_1)
+        shine_1 = ks * specular_1
+        lit_red_1 = light_red_1 * (albedo_red * diffuse_1 + shine_1) + red
+        lit_green_1 = green + light_green_1 * (albedo_green * diffuse_1 + shine_1)
+        lit_blue_1 = blue + light_blue_1 * (albedo_blue * diffuse_1 + shine_1)
+        diffuse_2 = kd * maximum(0.0, mu_2)
+        shine_2 = ks * specular_2
+        lit_red_2 = light_red_2 * (albedo_red * diffuse_2 + shine_2) + lit_red_1
+        lit_green_2 = light_green_2 * (albedo_green * diffuse_2 + shine_2) + lit_green_1
+        lit_blue_2 = light_blue_2 * (albedo_blue * diffuse_2 + shine_2) + lit_blue_1
+        lit_red_2_row[i] = lit_red_2
+        lit_green_2_row[i] = lit_green_2
+        lit_blue_2_row[i] = lit_blue_2
+
+
+@compiled
+def diffuse_terms_of_1_on_floor_row(
+    mu_1_row, red, green, blue, light_red_1, light_green_1, light_blue_1, albedo_red_row, albedo_green_row,
+    albedo_blue_row, kd, lit_red_1_row, lit_green_1_row, lit_blue_1_row, start, stop
+):
+    for i in pixels(start, stop):
+        mu_1 = mu_1_row[i]
+        albedo_red = albedo_red_row[i]
+        albedo_green = albedo_green_row[i]
+        albedo_blue = albedo_blue_row[i]
+        diffuse_1 = kd * maximum(0.0, mu_1)
+        lit_red_1 = albedo_red * diffuse_1 * light_red_1 + red
+        lit_green_1 = albedo_green * diffuse_1 * light_green_1 + green
+        lit_blue_1 = albedo_blue * diffuse_1 * light_blue_1 + blue
+        lit_red_1_row[i] = lit_red_1
+        lit_green_1_row[i] = lit_green_1
+        lit_blue_1_row[i] = lit_blue_1
+
+
+@compiled
+def diffuse_terms_of_2_on_floor_row(
+    mu_1_row, red, green, blue, light_red_1, light_green_1, light_blue_1, albedo_red_row, albedo_green_row,
+    albedo_blue_row, kd, light_red_2, light_green_2, light_blue_2, mu_2_row, lit_red_2_row, lit_green_2_row,
+    lit_blue_2_row, start, stop
+):
+    for i in pixels(start, stop):
+        mu_1 = mu_1_row[i]
+        albedo_red = albedo_red_row[i]
+        albedo_green = albedo_green_row[i]
+        albedo_blue = albedo_blue_row[i]
         mu_2 = mu_2_row[i]
         diffuse_1 = kd * maximum(0.0, mu_1)
         lit_red_1 = albedo_red * diffuse_1 * light_red_1 + red

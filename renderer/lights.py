@@ -1,7 +1,8 @@
 """Generated from proofs/ by `python -m renderer.generate`. Do not edit: it is printed there.
 
 One or two of the lights, `lights[first]` and `lights[second]`, on a run of `count` pixels: μ and the base of the
-highlight into `mu` and `base`, the other light's into `other_mu` and `other_base`; then the colours.
+highlight into `mu` and `base`, the other light's into `other_mu` and `other_base`; then the colours. The albedo is
+a sphere's (red, green, blue), or two rows: red and green, and blue.
 """
 
 from renderer.kernels import (
@@ -9,15 +10,19 @@ from renderer.kernels import (
     blinn_of_1_on_floor_row,
     blinn_of_2_on_a_row,
     blinn_of_2_on_floor_row,
-    diffuse_terms_of_1_row,
-    diffuse_terms_of_2_row,
+    diffuse_terms_of_1_on_floor_row,
+    diffuse_terms_of_1_on_sphere_row,
+    diffuse_terms_of_2_on_floor_row,
+    diffuse_terms_of_2_on_sphere_row,
     dull_of_1_on_a_row,
     dull_of_1_on_floor_row,
     dull_of_2_on_a_row,
     dull_of_2_on_floor_row,
     inlined,
-    light_terms_of_1_row,
-    light_terms_of_2_row,
+    light_terms_of_1_on_floor_row,
+    light_terms_of_1_on_sphere_row,
+    light_terms_of_2_on_floor_row,
+    light_terms_of_2_on_sphere_row,
     phong_of_1_on_a_row,
     phong_of_1_on_floor_row,
     phong_of_2_on_a_row,
@@ -32,7 +37,8 @@ from renderer.kernels import (
 @inlined
 def lights_on_floor(
     x, y, eye,
-    lights, first, second, lit, mu, base, other_mu, other_base, dull, phong, blinn, squared, count,
+    lights, first, second, lit, mu, base, other_mu, other_base,
+    dull, phong, blinn, squared, count,
 ):
     if dull is not None:
         if lit == 1:
@@ -79,7 +85,8 @@ def lights_on_floor(
 @inlined
 def lights_on_a(
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, x, y, eye,
-    lights, first, second, lit, mu, base, other_mu, other_base, dull, phong, blinn, squared, count,
+    lights, first, second, lit, mu, base, other_mu, other_base,
+    dull, phong, blinn, squared, count,
 ):
     if dull is not None:
         if lit == 1:
@@ -132,30 +139,64 @@ def lights_on_a(
 
 
 @inlined
-def add_lights(
-    numbers, albedo, lights, first, second, lit, mu, base, other_mu, other_base, red, green, blue, dull, count,
+def add_lights_on_sphere(
+    numbers, albedo,
+    lights, first, second, lit, mu, base, other_mu, other_base,
+    red, green, blue, dull, count,
 ):
     if dull is not None:
         if lit == 1:
-            diffuse_terms_of_1_row(
+            diffuse_terms_of_1_on_sphere_row(
                 mu, numbers[3], numbers[4], numbers[5], lights[first, 3], lights[first, 4], lights[first, 5],
                 albedo[0], albedo[1], albedo[2], numbers[0], red, green, blue, 0, count,
             )
         else:
-            diffuse_terms_of_2_row(
+            diffuse_terms_of_2_on_sphere_row(
                 mu, numbers[3], numbers[4], numbers[5], lights[first, 3], lights[first, 4], lights[first, 5],
                 albedo[0], albedo[1], albedo[2], numbers[0], lights[second, 3], lights[second, 4],
                 lights[second, 5], other_mu, red, green, blue, 0, count,
             )
     if dull is None:
         if lit == 1:
-            light_terms_of_1_row(
+            light_terms_of_1_on_sphere_row(
                 numbers[3], numbers[4], numbers[5], lights[first, 3], lights[first, 4], lights[first, 5],
                 albedo[0], albedo[1], albedo[2], numbers[0], numbers[1], mu, base, red, green, blue, 0, count,
             )
         else:
-            light_terms_of_2_row(
+            light_terms_of_2_on_sphere_row(
                 numbers[3], numbers[4], numbers[5], lights[first, 3], lights[first, 4], lights[first, 5],
                 albedo[0], albedo[1], albedo[2], numbers[0], numbers[1], mu, base, lights[second, 3],
+                lights[second, 4], lights[second, 5], other_mu, other_base, red, green, blue, 0, count,
+            )
+
+
+@inlined
+def add_lights_on_floor(
+    numbers, albedo, albedo_blue,
+    lights, first, second, lit, mu, base, other_mu, other_base,
+    red, green, blue, dull, count,
+):
+    if dull is not None:
+        if lit == 1:
+            diffuse_terms_of_1_on_floor_row(
+                mu, numbers[3], numbers[4], numbers[5], lights[first, 3], lights[first, 4], lights[first, 5],
+                albedo, albedo, albedo_blue, numbers[0], red, green, blue, 0, count,
+            )
+        else:
+            diffuse_terms_of_2_on_floor_row(
+                mu, numbers[3], numbers[4], numbers[5], lights[first, 3], lights[first, 4], lights[first, 5],
+                albedo, albedo, albedo_blue, numbers[0], lights[second, 3], lights[second, 4], lights[second,
+                5], other_mu, red, green, blue, 0, count,
+            )
+    if dull is None:
+        if lit == 1:
+            light_terms_of_1_on_floor_row(
+                numbers[3], numbers[4], numbers[5], lights[first, 3], lights[first, 4], lights[first, 5],
+                albedo, albedo, albedo_blue, numbers[0], numbers[1], mu, base, red, green, blue, 0, count,
+            )
+        else:
+            light_terms_of_2_on_floor_row(
+                numbers[3], numbers[4], numbers[5], lights[first, 3], lights[first, 4], lights[first, 5],
+                albedo, albedo, albedo_blue, numbers[0], numbers[1], mu, base, lights[second, 3],
                 lights[second, 4], lights[second, 5], other_mu, other_base, red, green, blue, 0, count,
             )

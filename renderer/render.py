@@ -63,7 +63,7 @@ def _draw_all(scene, bump, raster, rgb, threads):
     def draw(number):
         band = stage.fill(number)
         bump.draw(stage, band, counts[number], rgb)
-        shade_elsewhere(band.runs_elsewhere, *stage.place(band), *material, rgb, counts[number])
+        shade_elsewhere(band.runs_elsewhere, *stage.place(band), *material, rgb, counts[number], stage.chambers)
 
     run_bands(draw, len(stage.bands), threads)
     return stage, counts

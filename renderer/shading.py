@@ -5,7 +5,7 @@ What a scene does not need is left out: a light that is occluded or black, and t
 
 import numpy as np
 
-from renderer.chambers import DARK_BIT, FLOOR, LONGEST_RUN, SPHERE_B, SURFACE_BITS, whole_groups
+from renderer.chambers import ALL_BITS, DARK_BIT, FLOOR, LONGEST_RUN, SPHERE_B, SURFACE_BITS, run_end, whole_groups
 from renderer.kernels import (
     blinn_on_floor_row,
     blinn_row,
@@ -28,7 +28,7 @@ from renderer.kernels import (
     square_row,
     view_length_row,
 )
-from renderer.lights import add_lights, lights_on_floor
+from renderer.lights import add_lights_on_floor, add_lights_on_sphere, lights_on_floor
 
 ROW_LENGTH = LONGEST_RUN + 8  # not a power of two, or all rows would fall on the same lines of the cache
 ROWS = 13
@@ -167,23 +167,38 @@ def _clip_into(rgb, red, green, blue, row, start, stop):
 
 
 @inlined
+def raise_both(numbers, lit, base, other_base, spare, power, dull, count, pixels, work):
+    """Raise the highlights' bases of one or two lights to the shininess, and count the work."""
+    work[2] += lit * pixels
+    if dull is None:
+        work[1] += lit * pixels
+        raise_to_shininess(base, spare, numbers[2], power, count)
+        if lit == 2:
+            raise_to_shininess(other_base, spare, numbers[2], power, count)
+
+
+@inlined
 def color_run(
     code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
     mu, base, other_mu, other_base, red, green, blue, spare,
 ):  # fmt: skip
-    """Write the colours of a run under one or two lights, given μ and the highlight's base of each."""
-    count = whole_groups(stop - start)
-    work[2] += lit * (stop - start)
-    if dull is None:
-        work[1] += lit * (stop - start)
-        raise_to_shininess(base, spare, numbers[2], power, count)
-        if lit == 2:
-            raise_to_shininess(other_base, spare, numbers[2], power, count)
-    albedo = albedo_of(numbers, code)
-    add_lights(
+    """Write the colours of a run of a sphere under one or two lights, given μ and the highlight's base of each."""
+    count, albedo = whole_groups(stop - start), albedo_of(numbers, code)
+    raise_both(numbers, lit, base, other_base, spare, power, dull, count, stop - start, work)
+    add_lights_on_sphere(
         numbers, albedo, lights, first, second, lit, mu, base, other_mu, other_base, red, green, blue, dull, count
     )
     _clip_into(rgb, red, green, blue, row, start, stop)
+
+
+@inlined
+def _floor_albedo(codes, row, start, stop, numbers, albedo, albedo_blue):
+    """Write the albedo of a run of the floor: of its dark or its light squares."""
+    code_row = codes[row, start:stop]
+    for i in pixels(0, stop - start):
+        dark = code_row[i] // DARK_BIT
+        albedo[i] = numbers[12 + 2 * dark]
+        albedo_blue[i] = numbers[13 + 2 * dark]
 
 
 @inlined
@@ -224,19 +239,9 @@ def shade_sphere_run(
 @inlined
 def _shade_floor_run(
     x, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
-    view, mu, base, other_mu, other_base, red, green, blue, spare,
+    view, mu, base, red, green, blue, spare,
 ):  # fmt: skip
     count, albedo = whole_groups(stop - start), albedo_of(numbers, code)
-    lit, first, second = lights_of(code, bits)
-    if lit == 1 or lit == 2:
-        lights_on_floor(
-            x, y, eye, lights, first, second, lit, mu, base, other_mu, other_base, dull, phong, blinn, squared, count
-        )
-        color_run(
-            code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-            mu, base, other_mu, other_base, red, green, blue, spare,
-        )  # fmt: skip
-        return
     _ambient(numbers, red, green, blue, count)
     if dull is None:
         view_length_row(x, y, eye, view, 0, count)
@@ -263,8 +268,13 @@ def _shade_floor_run(
 
 
 @compiled
-def shade_elsewhere(runs, x, y_of_row, top, g, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, work):
-    """Write the colours of a band's runs off sphere A into `rgb`, (3, height, width); row `top` is the band's first."""
+def shade_elsewhere(
+    runs, x, y_of_row, top, g, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, work, codes
+):
+    """Write the colours of a band's runs off sphere A into `rgb`, (3, height, width); row `top` is the band's first.
+
+    codes: (height, width), the chambers.
+    """
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
     mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
@@ -298,11 +308,26 @@ def shade_elsewhere(runs, x, y_of_row, top, g, numbers, lights, bits, power, dul
                 px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )  # fmt: skip
         elif surface == FLOOR:
-            _shade_floor_run(
-                here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work,
-                view, mu, base, px, py, red, green, blue, spare,
-            )  # fmt: skip
+            lit, first, second = lights_of(code, bits)
+            if lit == 1 or lit == 2:
+                count = whole_groups(stop - start)
+                lights_on_floor(
+                    here, y, eye, lights, first, second, lit, mu, base, px, py, dull, phong, blinn, squared, count
+                )
+                raise_both(numbers, lit, base, py, spare, power, dull, count, stop - start, work)
+                _floor_albedo(codes, row, start, stop, numbers, pz, nx)
+                add_lights_on_floor(
+                    numbers, pz, nx, lights, first, second, lit, mu, base, px, py, red, green, blue, dull, count
+                )
+                _clip_into(rgb, red, green, blue, row, start, stop)
+                continue
+            while start < stop:  # square by square
+                end = run_end(codes[row], start, stop, ALL_BITS)
+                _shade_floor_run(
+                    x[start:], y, eye, codes[row, start], numbers, lights, bits, power, dull, phong, blinn, squared,
+                    rgb, row, start, end, work, view, mu, base, red, green, blue, spare,
+                )  # fmt: skip
+                start = end
         else:
             for channel in range(3):
                 fill(rgb[channel, row, start:stop], 0.0, stop - start)

@@ -123,7 +123,7 @@ class Stage:
 
             def draw(number):
                 band = self.bands[number]
-                shade_elsewhere(band.runs_elsewhere, *self.place(band), *material, rgb, counts[number])
+                shade_elsewhere(band.runs_elsewhere, *self.place(band), *material, rgb, counts[number], self.chambers)
 
             run_bands(draw, len(self.bands), threads)
             self._elsewhere = (key, rgb)

@@ -41,8 +41,11 @@ def geometry_kernel(style, count, place):
     return RowKernel(program.folded(), varying)
 
 
-def terms_kernel(count, dull):
-    """Return the kernel that adds `count` lights to the ambient colour, with a highlight or without."""
+def terms_kernel(count, dull, place="sphere"):
+    """Return the kernel that adds `count` lights to the ambient colour, with a highlight or without.
+
+    The albedo is one for all pixels, but on the floor, where every pixel has its own.
+    """
     shared, color, terms = (*shading.albedos, shading.kd, shading.ks), shading.colors, []
     for number in range(1, count + 1):
         terms.append(_numbered(shading.light_term, number, shared, zip(shading.colors, color, strict=True)))
@@ -51,11 +54,12 @@ def terms_kernel(count, dull):
     cosines = [real(f"mu_{number}") for number in range(1, count + 1)]
     if dull:
         terms.insert(0, Program("dull", cosines[:1], tuple((s, 0 * cosines[0]) for s in highlights), ()))
-    program = chain(f"{'diffuse' if dull else 'light'}_terms_of_{count}", *terms, outputs=color)
-    return RowKernel(program.folded(), (*cosines, *([] if dull else highlights)))
+    program = chain(f"{'diffuse' if dull else 'light'}_terms_of_{count}_on_{place}", *terms, outputs=color)
+    varying = shading.albedos if place == "floor" else ()
+    return RowKernel(program.folded(), (*cosines, *([] if dull else highlights), *varying))
 
 
 FUSED_KERNELS = [
     *(geometry_kernel(style, count, place) for place in PLACES for style in STYLES for count in COUNTS),
-    *(terms_kernel(count, dull) for dull in (False, True) for count in COUNTS),
+    *(terms_kernel(count, dull, place) for place in ("sphere", "floor") for dull in (False, True) for count in COUNTS),
 ]

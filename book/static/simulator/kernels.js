@@ -876,7 +876,7 @@ specular_base_2_row, start, stop
   }
 }
 
-function light_terms_of_1_row(
+function light_terms_of_1_on_sphere_row(
 red, green, blue, light_red_1, light_green_1, light_blue_1, albedo_red, albedo_green, albedo_blue, kd, ks,
 mu_1_row, specular_1_row, lit_red_1_row, lit_green_1_row, lit_blue_1_row, start, stop
 ) {
@@ -894,7 +894,7 @@ mu_1_row, specular_1_row, lit_red_1_row, lit_green_1_row, lit_blue_1_row, start,
   }
 }
 
-function light_terms_of_2_row(
+function light_terms_of_2_on_sphere_row(
 red, green, blue, light_red_1, light_green_1, light_blue_1, albedo_red, albedo_green, albedo_blue, kd, ks,
 mu_1_row, specular_1_row, light_red_2, light_green_2, light_blue_2, mu_2_row, specular_2_row, lit_red_2_row,
 lit_green_2_row, lit_blue_2_row, start, stop
@@ -1504,7 +1504,7 @@ return {
   phong_of_2_on_a_row,
   squared_of_1_on_a_row,
   squared_of_2_on_a_row,
-  light_terms_of_1_row,
-  light_terms_of_2_row,
+  light_terms_of_1_on_sphere_row,
+  light_terms_of_2_on_sphere_row,
 };
 };

@@ -212,10 +212,10 @@ Simulator.pipeline = function (kernels) {
       scene.eye, ...lit.flatMap((light) => light.position), ...found, start, stop);
     raise(base, spare, m.power, start, stop);
     const first = [...m.ambient, ...lit[0].color, ...albedo_a, kd, ks, mu, base];
-    if (lit.length === 1) kernels.light_terms_of_1_row(...first, ...rgb, start, stop);
+    if (lit.length === 1) kernels.light_terms_of_1_on_sphere_row(...first, ...rgb, start, stop);
     else {
       raise(other_base, spare, m.power, start, stop);
-      kernels.light_terms_of_2_row(...first, ...lit[1].color, other_mu, other_base, ...rgb, start, stop);
+      kernels.light_terms_of_2_on_sphere_row(...first, ...lit[1].color, other_mu, other_base, ...rgb, start, stop);
     }
     kernels.clip_row(...rgb, ...rgb, start, stop);
   }
