@@ -1880,8 +1880,8 @@ def gradient_ridges_row(
         cos_v = cospi_of_product(k_v, v)
         sin_u = sinpi_of_product(k_u, u)
         sin_v = sinpi_of_product(k_v, v)
-        h_u = math.pi * cos_u * k_u * sin_v * sign(sin_u * sin_v)
-        h_v = math.pi * cos_v * k_v * sin_u * sign(sin_u * sin_v)
+        h_u = math.pi * cos_u * k_u * sin_v * (sign(sin_u) * sign(sin_v))
+        h_v = math.pi * cos_v * k_v * sin_u * (sign(sin_u) * sign(sin_v))
         h_u_row[i] = h_u
         h_v_row[i] = h_v
 
@@ -1992,8 +1992,8 @@ def gradient_from_factors_ridges_row(
         cos_u = cos_u_row[i]
         sin_v = sin_v_row[i]
         cos_v = cos_v_row[i]
-        h_u = math.pi * cos_u * k_u * sin_v * sign(sin_u * sin_v)
-        h_v = math.pi * cos_v * k_v * sin_u * sign(sin_u * sin_v)
+        h_u = math.pi * cos_u * k_u * sin_v * (sign(sin_u) * sign(sin_v))
+        h_v = math.pi * cos_v * k_v * sin_u * (sign(sin_u) * sign(sin_v))
         h_u_row[i] = h_u
         h_v_row[i] = h_v
 

@@ -212,3 +212,11 @@ def test_v_is_clamped_at_the_poles():
 def test_rings_have_no_slope_in_u_by_any_method(point, eps, kv):
     for method in (exact(), forward(eps), central(eps), central4(eps)):
         assert gradient_at(replace(RINGS, kv=kv), *point, method)[0] == 0
+
+
+@pytest.mark.parametrize("v", [5e-324, 1e-310, 1e-200])
+@pytest.mark.parametrize("u", [0.31, 1e-200])
+def test_ridges_keep_their_side_of_a_crease_where_a_product_of_factors_underflows(u, v):
+    across = np.abs(gradient_at(SINE, u, v, exact()))
+    assert across[1] > 0.0
+    np.testing.assert_array_equal(np.abs(gradient_at(RIDGES, u, v, exact())), across)

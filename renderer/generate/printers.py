@@ -6,7 +6,7 @@ floats, whole powers as products, x^−1 as a division, x^±½ by sqrt, exact ra
 
 from typing import ClassVar
 
-from sympy import Rational, S, Symbol
+from sympy import Mul, Rational, S, Symbol
 from sympy.printing.precedence import PRECEDENCE, precedence
 from sympy.printing.str import StrPrinter
 
@@ -107,7 +107,9 @@ class StraightLinePrinter(StrPrinter):
         return self._call(self.names["rint"], expr.args)
 
     def _print_sign(self, expr):
-        return self._call(self.names["sign"], expr.args)
+        """The sign of a product is the product of the signs, which does not underflow."""
+        text = " * ".join(self._call(self.names["sign"], [factor]) for factor in Mul.make_args(expr.args[0]))
+        return f"({text})" if expr.args[0].is_Mul else text
 
     def _print_Max(self, expr):
         return self._call(self.names["Max"], expr.args)

@@ -1119,8 +1119,8 @@ function gradient_ridges_row(u_row, v_row, k_u, k_v, h_u_row, h_v_row, start, st
       cos_v = cospi_1[i],
       sin_u = sinpi_2[i],
       sin_v = sinpi_3[i],
-      h_u = Math.PI * cos_u * k_u * sin_v * sign(sin_u * sin_v),
-      h_v = Math.PI * cos_v * k_v * sin_u * sign(sin_u * sin_v);
+      h_u = Math.PI * cos_u * k_u * sin_v * (sign(sin_u) * sign(sin_v)),
+      h_v = Math.PI * cos_v * k_v * sin_u * (sign(sin_u) * sign(sin_v));
     h_u_row[i] = h_u;
     h_v_row[i] = h_v;
   }
@@ -1270,8 +1270,8 @@ function gradient_from_factors_ridges_row(sin_u_row, cos_u_row, sin_v_row, cos_v
       cos_v = cos_v_row[i],
       sin_u = sin_u_row[i],
       sin_v = sin_v_row[i];
-    const h_u = Math.PI * cos_u * k_u * sin_v * sign(sin_u * sin_v),
-      h_v = Math.PI * cos_v * k_v * sin_u * sign(sin_u * sin_v);
+    const h_u = Math.PI * cos_u * k_u * sin_v * (sign(sin_u) * sign(sin_v)),
+      h_v = Math.PI * cos_v * k_v * sin_u * (sign(sin_u) * sign(sin_v));
     h_u_row[i] = h_u;
     h_v_row[i] = h_v;
   }
