@@ -20,7 +20,8 @@ from renderer.kernels import (
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0, 1, 2, 3
 SURFACE_BITS = 3
 FIRST_LIGHT_BIT = 2
-DARK_BIT, ALL_BITS = 128, 255
+DARK_BIT = 128
+ALL_BITS, ALL_BUT_DARK = np.uint8(255), np.uint8(255 - DARK_BIT)
 LONGEST_RUN = 1024  # a run's working rows stay in the second-level cache; shorter ones cost more to begin
 BLOCK = 32
 LANES = 16
@@ -204,7 +205,7 @@ def cut_runs(codes, runs):
     for row in range(codes.shape[0]):
         code_row, start = codes[row], np.int64(0)
         while start < columns:
-            stop = run_end(code_row, start, min(columns, start + LONGEST_RUN), ALL_BITS ^ DARK_BIT)
+            stop = run_end(code_row, start, min(columns, start + LONGEST_RUN), ALL_BUT_DARK)
             if code_row[start] & SURFACE_BITS == SPHERE_A:
                 index = on_a
                 on_a += 1

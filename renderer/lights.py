@@ -10,6 +10,7 @@ from renderer.kernels import (
     blinn_of_1_on_floor_row,
     blinn_of_2_on_a_row,
     blinn_of_2_on_floor_row,
+    compiled,
     diffuse_terms_of_1_on_floor_row,
     diffuse_terms_of_1_on_sphere_row,
     diffuse_terms_of_2_on_floor_row,
@@ -18,7 +19,6 @@ from renderer.kernels import (
     dull_of_1_on_floor_row,
     dull_of_2_on_a_row,
     dull_of_2_on_floor_row,
-    inlined,
     light_terms_of_1_on_floor_row,
     light_terms_of_1_on_sphere_row,
     light_terms_of_2_on_floor_row,
@@ -34,7 +34,7 @@ from renderer.kernels import (
 )
 
 
-@inlined
+@compiled
 def lights_on_floor(
     x, y, eye,
     lights, first, second, lit, mu, base, other_mu, other_base,
@@ -82,7 +82,7 @@ def lights_on_floor(
             )
 
 
-@inlined
+@compiled
 def lights_on_a(
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta, radius, x, y, eye,
     lights, first, second, lit, mu, base, other_mu, other_base,
@@ -138,7 +138,7 @@ def lights_on_a(
             )
 
 
-@inlined
+@compiled
 def add_lights_on_sphere(
     numbers, albedo,
     lights, first, second, lit, mu, base, other_mu, other_base,
@@ -170,7 +170,7 @@ def add_lights_on_sphere(
             )
 
 
-@inlined
+@compiled
 def add_lights_on_floor(
     numbers, albedo, albedo_blue,
     lights, first, second, lit, mu, base, other_mu, other_base,

@@ -49,7 +49,7 @@ def fill(row, value, count):
 @inlined
 def lights_of(code, bits):
     """Return how many lights reach a chamber, and the first and the second of them."""
-    lit, first, second = 0, 0, 0
+    lit, first, second = np.int64(0), np.int64(0), np.int64(0)  # a literal would compile what follows once more
     for light in range(bits.shape[0]):
         if not code & bits[light]:
             lit += 1
@@ -177,7 +177,7 @@ def raise_both(numbers, lit, base, other_base, spare, power, dull, count, pixels
             raise_to_shininess(other_base, spare, numbers[2], power, count)
 
 
-@inlined
+@compiled
 def color_run(
     code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
     mu, base, other_mu, other_base, red, green, blue, spare,
@@ -201,7 +201,7 @@ def _floor_albedo(codes, row, start, stop, numbers, albedo, albedo_blue):
         albedo_blue[i] = numbers[13 + 2 * dark]
 
 
-@inlined
+@compiled
 def shade_sphere_run(
     x, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
     px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
@@ -236,7 +236,7 @@ def shade_sphere_run(
     _clip_into(rgb, red, green, blue, row, start, stop)
 
 
-@inlined
+@compiled
 def _shade_floor_run(
     x, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb, row, start, stop, work,
     view, mu, base, red, green, blue, spare,

@@ -47,7 +47,7 @@ def _function(name, place, arguments, cases):
         for kernel in kernels:
             lines += [f"        {'if lit == 1' if kernel is kernels[0] else 'else'}:"]
             lines += [f"            {line}" for line in _call(kernel, place)]
-    return "\n".join(["", "", "@inlined", *lines, ""])
+    return "\n".join(["", "", "@compiled", *lines, ""])
 
 
 def _functions():
@@ -68,6 +68,6 @@ def lights_source():
     """Return the text of renderer/lights.py."""
     functions = list(_functions())
     kernels = [kernel for *_, cases in functions for each in cases.values() for kernel in each]
-    names = sorted(["inlined", *(f"{kernel.program.name}_row" for kernel in kernels)])
+    names = sorted(["compiled", *(f"{kernel.program.name}_row" for kernel in kernels)])
     imports = "".join(f"    {name},\n" for name in names)
     return HEADER + imports + ")\n" + "".join(_function(*each) for each in functions)
