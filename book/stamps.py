@@ -19,6 +19,7 @@ PACKAGES = ("proofs", "renderer", "verify", "book", "tests")
 PRODUCTS = {"__pycache__", "_build", "_generated", ".ipynb_checkpoints"}
 # A module that imports by computed names can reach anything in its package.
 COMPUTED_IMPORTS = {"importlib", "pkgutil", "runpy", "__import__"}
+LOOKS_ONLY = ("importlib.util", ["find_spec"])  # and imports nothing
 
 
 def files_in(folder: Path) -> Iterator[Path]:
@@ -102,6 +103,8 @@ def _direct_imports(path: Path) -> frozenset[Path]:
         elif isinstance(node, ast.ImportFrom):
             base = ".".join(package[: len(package) - node.level + 1]) if node.level else ""
             module = ".".join(part for part in (base, node.module) if part)
+            if (module, [alias.name for alias in node.names]) == LOOKS_ONLY:
+                continue
             names.update([module, *(f"{module}.{alias.name}" for alias in node.names)])
         elif isinstance(node, ast.Name):
             computed |= node.id in COMPUTED_IMPORTS

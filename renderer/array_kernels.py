@@ -5,6 +5,8 @@ along the row, the others are scalars, and results are written to the last array
 Nothing is compiled: NumPy does the whole row at once.
 """
 
+import math
+
 import numpy as np
 
 
@@ -17,6 +19,10 @@ compiled = np.errstate(all="ignore")  # a selection computes both of its sides
 
 def pixels(start, stop):
     return (slice(start, stop),)
+
+
+def power(base, exponent):
+    return np.frompyfunc(math.pow, 2, 1)(base, exponent).astype(np.float64)  # NumPy's own may differ in the last bit
 
 
 @inlined
@@ -753,7 +759,7 @@ def highlight_row(
 ):
     for i in pixels(start, stop):
         specular_base = specular_base_row[i]
-        specular = np.power(specular_base, shininess)
+        specular = power(specular_base, shininess)
         specular_row[i] = specular
 
 

@@ -6,10 +6,11 @@ they stand, are put into long rows of their own, and the same shader draws these
 """
 
 import functools
-from importlib import import_module
+import sys
 
 import numpy as np
 
+import renderer.render  # noqa: F401  (`take_over` needs it)
 from renderer import shaders, shading, sphere_a, stage
 from renderer.chambers import DARK_BIT, FLOOR, LANES, LONGEST_RUN, SPHERE_A, SPHERE_B, SURFACE_BITS
 from renderer.kernels import checker_row, shadow_on_a_row, shadow_on_b_row, shadow_on_floor_row, visible_surface_row
@@ -18,7 +19,8 @@ from renderer.kernels import checker_row, shadow_on_a_row, shadow_on_b_row, shad
 def cut_runs(codes, runs):
     """Write the runs of a band as (row, start, stop, code), A's from the front, the others from the back.
 
-    As `renderer.chambers.cut_runs`, but runs may be as long as a row. Return how many there are of A and of the others.
+    As `renderer.chambers.cut_runs`, but runs may be as long as a row, and end at every square of the floor. Return how
+    many there are of A and of the others.
     """
     begins = np.ones(codes.shape, bool)
     begins[:, 1:] = codes[:, 1:] != codes[:, :-1]
@@ -115,7 +117,7 @@ def mark_chambers(x, y_of_row, geometry, middle, box_of_b, lights, bits, boxes, 
 
 def take_over():
     """Put these functions in the place of the renderer's own."""
-    render = import_module("renderer.render")  # `renderer.render` is soon the function of that name
+    render = sys.modules["renderer.render"]  # the package gives its function that name
     stage.mark_chambers, stage.cut_runs = mark_chambers, cut_runs
     render.copy_runs = copy_runs
     stage.shade_elsewhere = render.shade_elsewhere = by_chamber(shading.shade_elsewhere, (-3,), codes=-1)

@@ -9,8 +9,8 @@ import os
 import tempfile
 from pathlib import Path
 
-import llvmlite.binding
 import numba
+from numba.core.codegen import get_host_cpu_features
 
 HERE = Path(__file__).resolve().parent
 
@@ -32,15 +32,7 @@ def cache_folder():
     return base / sources_digest()
 
 
-def processor_features():
-    """Return this processor's features as LLVM spells them, 512-bit vectors not shunned where there are any.
-
-    LLVM holds to 256 bits by itself, lest a few wide instructions slow the processor; these loops are nothing else.
-    """
-    features = llvmlite.binding.get_host_cpu_features().flatten()
-    return f"{features},-prefer-256-bit" if "+avx512f" in features.split(",") else features
-
-
 numba.config.CACHE_DIR = str(cache_folder())
-if numba.config.CPU_FEATURES is None:
-    numba.config.CPU_FEATURES = processor_features()
+if numba.config.CPU_FEATURES is None and "+avx512f" in (features := get_host_cpu_features()).split(","):
+    # LLVM holds to 256 bits by itself, lest a few wide instructions slow the processor; these loops are nothing else.
+    numba.config.CPU_FEATURES = f"{features},-prefer-256-bit"

@@ -31,6 +31,16 @@ class Frame:
         """Return whether a scene's weights, albedos, lights and highlight are this frame's: the same off sphere A."""
         return material_key(material_of(self.scene)) == material_key(material_of(scene))
 
+    def give_away(self):
+        """Return the planes for another frame to be drawn into; this one has none any more.
+
+        Raises ValueError if it has given them away.
+        """
+        if self.planes is None:
+            raise ValueError(f"into = {self!r} is not allowed: another frame has been drawn into it")
+        planes, self.planes = self.planes, None
+        return planes
+
     @property
     def rgb(self):
         """(height, width, 3) float64 in [0, 1]."""

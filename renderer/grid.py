@@ -2,10 +2,10 @@
 
 import hashlib
 import json
+import sys
 from concurrent.futures import as_completed
 from dataclasses import asdict, dataclass, replace
 from functools import cache, cached_property
-from importlib import metadata
 from itertools import groupby, product
 from pathlib import Path
 
@@ -24,8 +24,9 @@ COLUMNS = (*MOVE_NO_BOUNDARY, "gradient", "width", "height", *SweepRow.__datacla
 
 @cache
 def version():
-    """Return a hash of what computes a result: the renderer's sources, NumPy's and Numba's versions."""
-    digest = hashlib.sha256(f"{np.__version__} {metadata.version('numba')}".encode())
+    """Return a hash of what computes a result: the renderer's sources, NumPy's version and, if it draws, Numba's."""
+    numba = sys.modules.get("numba")
+    digest = hashlib.sha256(f"{np.__version__} {numba.__version__ if numba else 'NumPy draws'}".encode())
     for path in sorted(Path(__file__).parent.glob("*.py")):
         digest.update(path.name.encode() + path.read_bytes())
     return digest.hexdigest()

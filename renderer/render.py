@@ -28,7 +28,7 @@ def render(scene, width, height, gradient=None, crop=None, threads=None, stage=N
     height), the part of the raster to draw. threads: default, all cores. stage: the Stage of a scene that differs at
     most in field, ku, kv, beta and shading, on the same raster: A alone is drawn, the rest is copied from the stage.
     into: an earlier Frame of that stage, of the same shading: A is drawn over its colours, and nothing is copied; the
-    earlier frame must not be used any more.
+    earlier frame has no colours any more.
     count: add up the frame's `work` now; else that waits until it is asked for. Raises ValueError that names what is
     not allowed.
     """
@@ -41,9 +41,9 @@ def render(scene, width, height, gradient=None, crop=None, threads=None, stage=N
     bump = bump_of(scene, method, flat=scene.beta == 0.0)
     if stage is not None and not stage.serves(scene, raster):
         raise ValueError(f"stage = {stage!r} is not allowed: one made for the same lengths, lights and raster")
-    if into is not None and (stage is None or into.stage is not stage or not into.shaded_as(scene)):
+    if into is not None and not (isinstance(into, Frame) and stage is into.stage and into.shaded_as(scene)):
         raise ValueError(f"into = {into!r} is not allowed: a frame of the stage that is given, shaded as this scene is")
-    rgb, counts = np.empty((3, *raster.shape)) if into is None else into.planes, None
+    rgb, counts = np.empty((3, *raster.shape)) if into is None else into.give_away(), None
     if stage is None:
         stage, counts = _draw_all(scene, bump, raster, rgb, threads)
         tests = stage.shadow_tests

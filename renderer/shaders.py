@@ -44,7 +44,7 @@ def draw_flat(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     for index in range(runs.shape[0]):
         row, start, stop, code = top + runs[index, 0], runs[index, 1], runs[index, 2], runs[index, 3]
@@ -64,7 +64,7 @@ def draw_flat(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -73,7 +73,7 @@ def draw_flat(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -85,7 +85,7 @@ def draw_general_sine(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     u, v = p[0], p[1]
     for index in range(runs.shape[0]):
@@ -107,7 +107,7 @@ def draw_general_sine(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -116,7 +116,7 @@ def draw_general_sine(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -128,7 +128,7 @@ def draw_forward_sine(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     u, v = p[0], p[1]
     for index in range(runs.shape[0]):
@@ -150,7 +150,7 @@ def draw_forward_sine(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -159,7 +159,7 @@ def draw_forward_sine(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -171,7 +171,7 @@ def draw_central_sine(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     u, v = p[0], p[1]
     for index in range(runs.shape[0]):
@@ -193,7 +193,7 @@ def draw_central_sine(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -202,7 +202,7 @@ def draw_central_sine(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -214,7 +214,7 @@ def draw_central4_sine(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     u, v = p[0], p[1]
     for index in range(runs.shape[0]):
@@ -236,7 +236,7 @@ def draw_central4_sine(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -245,7 +245,7 @@ def draw_central4_sine(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -257,7 +257,7 @@ def draw_algebraic_sine(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     sin_u, cos_u, sin_v, cos_v, spare_real, spare_imaginary = p[0], p[1], p[2], p[3], p[4], p[5]
     for index in range(runs.shape[0]):
@@ -280,7 +280,7 @@ def draw_algebraic_sine(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -289,7 +289,7 @@ def draw_algebraic_sine(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -301,7 +301,7 @@ def draw_general_ridges(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     u, v = p[0], p[1]
     for index in range(runs.shape[0]):
@@ -323,7 +323,7 @@ def draw_general_ridges(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -332,7 +332,7 @@ def draw_general_ridges(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -344,7 +344,7 @@ def draw_forward_ridges(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     u, v = p[0], p[1]
     for index in range(runs.shape[0]):
@@ -366,7 +366,7 @@ def draw_forward_ridges(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -375,7 +375,7 @@ def draw_forward_ridges(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -387,7 +387,7 @@ def draw_central_ridges(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     u, v = p[0], p[1]
     for index in range(runs.shape[0]):
@@ -409,7 +409,7 @@ def draw_central_ridges(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -418,7 +418,7 @@ def draw_central_ridges(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -430,7 +430,7 @@ def draw_central4_ridges(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     u, v = p[0], p[1]
     for index in range(runs.shape[0]):
@@ -452,7 +452,7 @@ def draw_central4_ridges(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -461,7 +461,7 @@ def draw_central4_ridges(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -473,7 +473,7 @@ def draw_algebraic_ridges(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     sin_u, cos_u, sin_v, cos_v, spare_real, spare_imaginary = p[0], p[1], p[2], p[3], p[4], p[5]
     for index in range(runs.shape[0]):
@@ -496,7 +496,7 @@ def draw_algebraic_ridges(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -505,7 +505,7 @@ def draw_algebraic_ridges(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -517,7 +517,7 @@ def draw_general_rings(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     u, v = p[0], p[1]
     for index in range(runs.shape[0]):
@@ -539,7 +539,7 @@ def draw_general_rings(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -548,7 +548,7 @@ def draw_general_rings(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -560,7 +560,7 @@ def draw_forward_rings(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     u, v = p[0], p[1]
     for index in range(runs.shape[0]):
@@ -582,7 +582,7 @@ def draw_forward_rings(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -591,7 +591,7 @@ def draw_forward_rings(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -603,7 +603,7 @@ def draw_central_rings(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     u, v = p[0], p[1]
     for index in range(runs.shape[0]):
@@ -625,7 +625,7 @@ def draw_central_rings(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -634,7 +634,7 @@ def draw_central_rings(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -646,7 +646,7 @@ def draw_central4_rings(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     u, v = p[0], p[1]
     for index in range(runs.shape[0]):
@@ -668,7 +668,7 @@ def draw_central4_rings(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -677,7 +677,7 @@ def draw_central4_rings(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 
@@ -689,7 +689,7 @@ def draw_algebraic_rings(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
     sin_u, cos_u, sin_v, cos_v, spare_real, spare_imaginary = p[0], p[1], p[2], p[3], p[4], p[5]
     for index in range(runs.shape[0]):
@@ -711,7 +711,7 @@ def draw_algebraic_rings(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -720,7 +720,7 @@ def draw_algebraic_rings(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 
 

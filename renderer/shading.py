@@ -1,4 +1,6 @@
-"""Light on a run of pixels: ambient, then light by light the cosine and the highlight, then the clip.
+"""Light on a run of pixels: ambient, then each light's cosine and highlight, then the clip.
+
+One or two lights, which is what most pixels see, are done at once (`renderer.lights`); more, one after another.
 
 What a scene does not need is left out: a light that is occluded or black, and the highlight where k_s = 0.
 """
@@ -33,7 +35,7 @@ from renderer.lights import add_lights_on_floor, add_lights_on_sphere, lights_on
 ROW_LENGTH = LONGEST_RUN + 8  # not a power of two, or all rows would fall on the same lines of the cache
 ROWS = 13
 """How many working rows a run needs, each ROW_LENGTH long: the point (px, py, pz), the normal (nx, ny, nz), the view
-scale, μ, the base of the highlight, the colour (red, green, blue), the highlight. They are handed on one by one: Numba
+scale, μ, the base of the highlight, the colour (red, green, blue), a spare row. They are handed on one by one: Numba
 counts a reference whenever a row is taken from a 2-D array, which costs more than the arithmetic of a short run."""
 
 WORK = ("gradients", "specular_powers", "light_terms")  # what the kernels count

@@ -58,7 +58,8 @@ def prepared(geometry, light_positions, raster):
 class Band(NamedTuple):
     """Some rows of the raster: the first row, their y, and their runs (row counted from the band's first).
 
-    A run is (row, start, stop, chamber code), at most LONGEST_RUN pixels; those on sphere A, and the others.
+    A run is (row, start, stop, chamber code), at most LONGEST_RUN pixels; those on sphere A, and the others. On the
+    floor the code is that of its first pixel: squares may change along it.
     """
 
     top: int

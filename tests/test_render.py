@@ -160,14 +160,18 @@ def test_drawing_into_an_earlier_frame_gives_the_same_bits(scene, size, data):
         other, method = data.draw(scenes()), data.draw(methods)
         bumped = replace(scene, field=other.field, ku=other.ku, kv=other.kv, beta=other.beta)
         planes = frame.planes
-        frame = render(bumped, *size, method, stage=stage, into=frame)
+        earlier, frame = frame, render(bumped, *size, method, stage=stage, into=frame)
         assert frame.planes is planes
+        with pytest.raises(ValueError, match=r"into = .* is not allowed: another frame has been drawn into it"):
+            render(bumped, *size, method, stage=stage, into=earlier)
         assert same(frame, render(bumped, *size, method))
 
 
 def test_a_frame_of_another_stage_or_shading_is_not_drawn_into():
     stage, frame = stage_of(DEFAULT, 16, 16), render(DEFAULT, 16, 16)
     brighter = replace(DEFAULT, ka=0.5)
+    with pytest.raises(ValueError, match=r"into = 'frame' is not allowed: a frame"):
+        render(DEFAULT, 16, 16, stage=stage, into="frame")
     for scene, more in ((DEFAULT, {}), (DEFAULT, {"stage": stage}), (brighter, {"stage": frame.stage})):
         with pytest.raises(ValueError, match=r"into = .* is not allowed: a frame of the stage"):
             render(scene, 16, 16, into=frame, **more)

@@ -8,6 +8,7 @@ import pytest
 
 from proofs.height_fields import HEIGHT_FIELDS
 from renderer import kernels
+from renderer.generate.fused import FUSED_KERNELS
 from renderer.generate.kernel_list import ROW_KERNELS, SCALAR_PROGRAMS, RowKernel, field_kernels
 from renderer.generate.printers import NumPyPrinter
 from renderer.generate.source import elementary_functions, kernels_source, print_function
@@ -18,6 +19,7 @@ KERNELS = {
     kernel.program.name: kernel
     for kernel in (
         *ROW_KERNELS,
+        *FUSED_KERNELS,
         *(k for field in HEIGHT_FIELDS.values() for k in field_kernels(field)),
         *(RowKernel(program, ()) for program in SCALAR_PROGRAMS),
     )

@@ -39,7 +39,7 @@ def {name}(
     eye, radius, k_u, k_v, beta, epsilon = g[0], g[1], bump[0], bump[1], bump[2], bump[3]
     p = np.empty((ROWS, ROW_LENGTH))
     px, py, pz, nx, ny, nz, view = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
-    mu, base, red, green, blue, shine = p[7], p[8], p[9], p[10], p[11], p[12]
+    mu, base, red, green, blue, spare = p[7], p[8], p[9], p[10], p[11], p[12]
     cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v = p[7], p[8], p[9], p[10], p[11], p[12]  # until the lights come
 {before}
     for index in range(runs.shape[0]):
@@ -59,7 +59,7 @@ def {name}(
             )
             color_run(
                 code, numbers, lights, first, second, lit, power, dull, rgb, row, start, stop, work,
-                px, py, pz, nx, red, green, blue, shine,
+                px, py, pz, nx, red, green, blue, spare,
             )
         else:
             normal_on_a_row(
@@ -68,7 +68,7 @@ def {name}(
             )
             shade_sphere_run(
                 here, y, eye, code, numbers, lights, bits, power, dull, phong, blinn, squared, rgb,
-                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, shine,
+                row, start, stop, work, px, py, pz, nx, ny, nz, view, mu, base, red, green, blue, spare,
             )
 """
 

@@ -70,6 +70,8 @@ def sign(a):
 NUMPY_HEADER = (
     Template(HEADER).substitute(what="Nothing is compiled: NumPy does the whole row at once.")
     + """
+import math
+
 import numpy as np
 
 
@@ -82,8 +84,18 @@ compiled = np.errstate(all="ignore")  # a selection computes both of its sides
 
 def pixels(start, stop):
     return (slice(start, stop),)
+
+
+def power(base, exponent):
+    return np.frompyfunc(math.pow, 2, 1)(base, exponent).astype(np.float64)  # NumPy's own may differ in the last bit
 """
 )
+
+
+class ArrayPrinter(NumPyPrinter):
+    """Whole rows, but for the power: that is the compiled kernels'."""
+
+    power = "power"
 
 
 CORES = {"sinpi": elementary.sine_of_half_turns, "cospi": elementary.cosine_of_half_turns}
@@ -186,4 +198,4 @@ def kernels_source(printer=NumbaPrinter, header=NUMBA_HEADER):
 
 def array_kernels_source():
     """Return the text of renderer/array_kernels.py."""
-    return kernels_source(NumPyPrinter, NUMPY_HEADER)
+    return kernels_source(ArrayPrinter, NUMPY_HEADER)

@@ -63,9 +63,12 @@ def stepping(scene, frames, threads):
         frame = render(scene, STEP, STEP, threads=threads, stage=stage)
 
         def work():
+            nonlocal frame
             changed, method = next(following)
-            render(changed, STEP, STEP, method, threads=threads, stage=stage, into=frame)
+            frame = render(changed, STEP, STEP, method, threads=threads, stage=stage, into=frame)
 
+        for _ in frames:  # whatever is to be compiled, is
+            work()
         return work
 
     return prepare

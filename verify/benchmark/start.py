@@ -23,7 +23,8 @@ def draw(cache, *options, **environment):
     """Run `python -m renderer image` with the kernels' cache in a folder; return what it wrote to standard error."""
     with tempfile.TemporaryDirectory() as folder:
         command = [sys.executable, *options, "-m", "renderer", "image", "--out", str(Path(folder) / "a.png")]
-        environment = os.environ | {"NUMBA_CACHE_DIR": str(cache)} | environment
+        asked = {name: value for name, value in os.environ.items() if name != VARIABLE}
+        environment = asked | {"NUMBA_CACHE_DIR": str(cache)} | environment
         done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True)
         if done.returncode:
             raise RuntimeError(f"python -m renderer image failed:\n{done.stderr}")
