@@ -19,7 +19,8 @@ from book import report, stamps
 from book._ext.chapter.theorems import certificate, proofs_of, script
 
 DOWNLOADS = "_downloads/theorems"
-LISTED = ("proofs/*.py", "proofs/theorems/*.py", "verify/*.py", "verify/*/*.py", "tests/test_work.py")
+FOLDERS = ("proofs/*.py", "proofs/theorems/*.py", "verify/*.py", "verify/*/*.py")
+LISTED = (*FOLDERS, "renderer/back_end.py", "tests/test_work.py")
 
 
 def listing_address(path: PurePosixPath) -> str:
