@@ -1,4 +1,4 @@
-"""The chamber of every pixel, row by row, and the rows cut into runs of one chamber.
+"""The chamber of every pixel, row by row, and the rows cut into runs: of one chamber, but for the floor's squares.
 
 A chamber is a set of pixels with the same surface, cast shadows and checker square. Sphere A is an interval of every
 row: the test is monotone in |x|, rounding included, so the interval's ends are found by bisection and no guard is
