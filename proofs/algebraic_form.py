@@ -40,3 +40,17 @@ complex_product = Program(
     (product_real, product_imaginary),
 )
 """(a + ib)(c + id)."""
+
+base_u_real, base_u_imaginary, base_v_real, base_v_imaginary = real(
+    "base_u_real base_u_imaginary base_v_real base_v_imaginary"
+)
+
+algebraic_bases = Program(
+    "algebraic_bases",
+    (cos_theta, sin_theta, cos_phi, sin_phi),
+    tuple(
+        zip((base_u_real, base_u_imaginary, base_v_real, base_v_imaginary), (*base_of_u, *base_of_v), strict=True)
+    ),
+    (base_u_real, base_u_imaginary, base_v_real, base_v_imaginary),
+)
+"""The numbers that are raised to the powers a/2 and b."""

@@ -180,11 +180,6 @@ point_on_a = Program(
 )
 """P = R N, N = (sin φ cos θ, sin φ sin θ, cos φ)."""
 
-point_of_normal = Program(
-    "point_of_normal", (*normal, radius), tuple((p, radius * n) for p, n in zip(point, normal, strict=True)), point
-)
-"""The same from N."""
-
 point_on_b = chain(
     "point_on_b",
     hit_of_b,

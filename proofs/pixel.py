@@ -101,7 +101,7 @@ def _shadows(number):
 def _light(number, model, before):
     """Return the programs for one light's share of the colour, and the symbols of the colour after it."""
     position = dict(zip(light, light_position(number), strict=True))
-    base = instance(shading.MODELS[model], number, given=position)
+    base = instance(shading.LIGHT_MODELS[model].program, number, given=position)
     own = {s: Symbol(f"{s.name}_{number}", real=True) for s in (mu, shading.specular_base, specular)}
     power = instance(shading.highlight, number, given=own)
     colors = dict(zip(shading.light_colors, light_color(number), strict=True))

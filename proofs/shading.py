@@ -1,5 +1,7 @@
 """Both shading models, and the colour of a pixel: ambient + Σ over the lights of diffuse and specular, then a clip."""
 
+from dataclasses import dataclass
+
 from sympy import Max, Min, Piecewise, Pow, sqrt
 
 from .program import Program, chain
@@ -87,7 +89,24 @@ phong = chain(
 )
 """Phong: the base is max(0, (2μN' − ω)·v̂)."""
 
-MODELS = {"blinn": blinn, "phong": phong}
+
+
+@dataclass(frozen=True)
+class LightModel:
+    """One model of light: what a light at L does at P, seen from the direction v̂.
+
+    name: identifier. program: (P, L, N', v̂) → μ, the cosine that scatters light (0 where it is negative), and the
+    base of the highlight. squared: the same for the square of the base, where that is cheaper, or None.
+    """
+
+    name: str
+    program: Program
+    squared: Program | None = None
+
+
+LIGHT_MODELS = {model.name: model for model in (LightModel("blinn", blinn, blinn_squared), LightModel("phong", phong))}
+"""The models of light. A model is data: add an entry, and its kernels, the scene's, the command line's and the
+simulator's choices follow from it."""
 
 highlight = Program("highlight", (specular_base, shininess), ((specular, Pow(specular_base, shininess)),), (specular,))
 """The highlight is base^p, p > 0: not gated by the sign of μ, as in the seed."""

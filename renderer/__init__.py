@@ -1,31 +1,34 @@
-"""What is drawn: a bumped sphere A, a small sphere B, a floor, in float64, by kernels generated from `proofs/`."""
+"""What is drawn: a bumped sphere A, a small sphere B, a floor, in float64, by kernels printed from `proofs/`.
 
-import sys
+A name is imported when it is first asked for, so that `renderer.generate` runs while kernels.py does not fit the rest.
+"""
 
-from renderer import back_end
+from importlib import import_module
 
-if "renderer.generate" not in sys.orig_argv:  # the generator has to run while the kernels do not fit the rest
-    if back_end.choose() == back_end.NUMPY:
-        back_end.use_numpy()
+_HOMES = {
+    "Frame": "frame",
+    "Light": "scene",
+    "Scene": "scene",
+    "central": "methods",
+    "central4": "methods",
+    "exact": "methods",
+    "forward": "methods",
+    "gradient_at": "gradients",
+    "height_at": "gradients",
+    "pixel": "pixel_record",
+    "render": "drawing",
+    "stage_of": "drawing",
+}
+__all__ = list(_HOMES)
 
-    from renderer.frame import Frame
-    from renderer.gradients import gradient_at, height_at
-    from renderer.methods import central, central4, exact, forward
-    from renderer.pixel import pixel
-    from renderer.render import render, stage_of
-    from renderer.scene import Light, Scene
 
-    __all__ = [
-        "Frame",
-        "Light",
-        "Scene",
-        "central",
-        "central4",
-        "exact",
-        "forward",
-        "gradient_at",
-        "height_at",
-        "pixel",
-        "render",
-        "stage_of",
-    ]
+def __getattr__(name):
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__():
+    return __all__

@@ -5,10 +5,10 @@ from itertools import product
 
 import numpy as np
 
+from renderer.drawing import render
 from renderer.gradients import gradient_at, height_at
 from renderer.kernels import FIELDS
 from renderer.methods import central, exact
-from renderer.render import render
 from renderer.scene import MODELS, Scene
 from renderer.sweep import difference_on_a
 

@@ -4,10 +4,12 @@ from functools import cached_property
 
 import numpy as np
 
-from renderer.kernels import FIELDS, chart_row, slope_row
-from renderer.material import material_key, material_of
-from renderer.shading import WORK
-from renderer.sphere_a import bump_of
+from renderer.kernels import FIELDS, bumped_normal, chart, phong, point_on_a, slope
+from renderer.numbers import way_of
+from renderer.shader import ON_A
+from renderer.stage import SURFACE_BITS, shading_of
+
+SURFACES = {"pixels_a": 1, "pixels_b": 2, "pixels_floor": 3}
 
 
 class Frame:
@@ -18,28 +20,47 @@ class Frame:
     scene, raster, method, stage: what made it.
     """
 
-    def __init__(self, scene, raster, method, stage, planes, add_up):
+    def __init__(self, scene, raster, method, stage, planes, counts):
         self.scene, self.raster, self.method, self.stage = scene, raster, method, stage
-        self.planes, self._add_up = planes, add_up
+        self._planes, self._counts = planes, counts
 
     @cached_property
     def work(self):
-        """What was computed for this frame, a dict of counts (`renderer.work`), without a given stage's."""
-        return self._add_up()
+        """What was computed for this frame, a dict of counts, without a given stage's.
+
+        pixels: {chamber code: pixels}; pixels_a, pixels_b, pixels_floor; gradient_evaluations (exact ones),
+        algebraic_gradients among them, height_evaluations, shadow_tests, specular_powers, light_terms.
+        """
+        chambers = {code: int(pixels) for code, pixels in enumerate(self.stage.pixel_counts) if pixels}
+        pixels = {n: sum(p for c, p in chambers.items() if c & SURFACE_BITS == s) for n, s in SURFACES.items()}
+        field, way = way_of(self.scene, self.method)
+        heights, gradients = FIELDS[field]["height_evaluations"].get(way, 0), self._counts["gradients"]
+        return pixels | {
+            "pixels": chambers,
+            "gradient_evaluations": 0 if heights else gradients,
+            "algebraic_gradients": gradients if way == "algebraic" else 0,
+            "height_evaluations": heights * gradients,
+            **{kind: self._counts[kind] for kind in ("shadow_tests", "specular_powers", "light_terms")},
+        }
 
     def shaded_as(self, scene):
         """Return whether a scene's weights, albedos, lights and highlight are this frame's: the same off sphere A."""
-        return material_key(material_of(self.scene)) == material_key(material_of(scene))
+        return shading_of(self.scene) == shading_of(scene)
 
-    def give_away(self):
-        """Return the planes for another frame to be drawn into; this one has none any more.
+    def hand_over(self):
+        """Return the memory of the colours for another frame to be drawn into; this one has none any more.
 
-        Raises ValueError if it has given them away.
+        Raises ValueError if it has handed them over.
         """
-        if self.planes is None:
+        if self._planes is None:
             raise ValueError(f"into = {self!r} is not allowed: another frame has been drawn into it")
-        planes, self.planes = self.planes, None
+        planes, self._planes = self._planes, None
         return planes
+
+    @property
+    def planes(self):
+        """(3, height, width) float64 in [0, 1]; None when they are handed over."""
+        return None if self._planes is None else self._planes[..., : self.raster.shape[1]]
 
     @property
     def rgb(self):
@@ -54,36 +75,49 @@ class Frame:
     @cached_property
     def planes_on_a(self):
         """(6, pixels of A) float64: cos θ, sin θ, cos φ, sin φ, h_u, h_v by the frame's method, row by row."""
-        planes, bump = np.empty((6, *self.raster.shape)), bump_of(self.scene, self.method)
-        for band in self.stage.bands:
-            bump.draw(self.stage, band, np.zeros(len(WORK), np.int64), planes=planes)
-        return planes[:, self.stage.on_a]
+        planes = {name: self.stage.new_plane() for name in ON_A}
+        want = {"given": True, "surfaces": "a", "colors": False, "kept": ON_A}
+        self.stage.draw(self.scene, self.method, 1, planes, **want)
+        return np.stack([planes[name][:, : self.raster.shape[1]][self.stage.on_a] for name in ON_A])
 
     @cached_property
+    @np.errstate(all="ignore")
     def _chart_on_a(self):
-        u, v = np.empty((2, self.planes_on_a.shape[1]))
-        chart_row(*self.planes_on_a[:4], u, v, 0, u.size)
-        return u, v
+        return chart(*self.planes_on_a[:4])
 
+    @np.errstate(all="ignore")
     def _field_on_a(self, kernel, *arguments):
         """Return what a kernel of the field makes of A's pixels: (pixels of A,)."""
-        values = np.empty(self.planes_on_a.shape[1])
-        FIELDS[self.scene.field][kernel](*arguments, values, 0, values.size)
-        return values
+        waves = self.scene.ku, self.scene.kv
+        step = (self.method.eps,) if kernel == "straddling" else ()
+        return np.broadcast_to(FIELDS[self.scene.field][kernel](*arguments, *waves, *step), self.on_a_shape)
+
+    @property
+    def on_a_shape(self):
+        """(pixels of A,)."""
+        return self.planes_on_a.shape[1:]
 
     @cached_property
     def _kink_on_a(self):
-        return self._field_on_a("kink", self.planes_on_a[3], *self._chart_on_a, self.scene.ku, self.scene.kv)
+        return self._field_on_a("kink", self.planes_on_a[3], *self._chart_on_a)
 
     @cached_property
     def _straddling_on_a(self):
-        return self._field_on_a("straddling", *self._chart_on_a, self.scene.ku, self.scene.kv, self.method.eps)
+        return self._field_on_a("straddling", *self._chart_on_a)
 
     @cached_property
     def _slope_on_a(self):
-        slope = np.empty(self.planes_on_a.shape[1])
-        slope_row(*self.planes_on_a[4:], slope, 0, slope.size)
-        return slope
+        return slope(*self.planes_on_a[4:])
+
+    def light_cosines(self, light):
+        """Return μ = N'·ω of light number `light` on sphere A, (height, width) float64, NaN off A.
+
+        Its sign decides the attached shadow; a cast shadow of B is not looked at.
+        """
+        angles, gradient = self.planes_on_a[:4], self.planes_on_a[4:]
+        normal = bumped_normal(*angles, *gradient, self.scene.beta)
+        where = point_on_a(*angles, self.scene.radius), self.scene.lights[light].position, normal, (0.0, 0.0, 1.0)
+        return self._plane(phong(*(number for part in where for number in part))[0], np.nan)
 
     def _plane(self, values, off_a, kind=np.float64):
         plane = np.full(self.raster.shape, off_a, kind)
@@ -97,7 +131,7 @@ class Frame:
         u, v, h, h_u, h_v (by the frame's method), slope, kink (1 or 0), and straddling (1 or 0) for a difference.
         """
         (u, v), (h_u, h_v) = self._chart_on_a, self.planes_on_a[4:]
-        h = self._field_on_a("height", u, v, self.scene.ku, self.scene.kv)
+        h = self._field_on_a("height", u, v)
         data = {"u": u, "v": v, "h": h, "h_u": h_u, "h_v": h_v, "slope": self._slope_on_a, "kink": self._kink_on_a}
         if self.method.eps:
             data["straddling"] = self._straddling_on_a

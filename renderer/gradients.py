@@ -3,6 +3,7 @@
 import numpy as np
 
 from renderer.kernels import FIELDS, MAX_ALGEBRAIC
+from renderer.shader import difference
 
 
 def algebraic_powers(scene):
@@ -35,27 +36,26 @@ def _chart_points(u, v):
     inside = (u >= 0) & (u < 1) & (v >= 0) & (v <= 1)
     if not inside.all():
         raise ValueError(f"(u, v) = ({u[~inside][0]}, {v[~inside][0]}) is not allowed: u in [0, 1), v in [0, 1]")
-    return np.ascontiguousarray(u).ravel(), np.ascontiguousarray(v).ravel(), u.shape
+    return u, v
 
 
+@np.errstate(all="ignore")
 def height_at(scene, u, v):
     """Return h(u, v) of the scene's field, an array of the broadcast shape. Raises ValueError off the chart."""
-    u, v, shape = _chart_points(u, v)
-    h = np.empty(u.size)
-    FIELDS[scene.field]["height"](u, v, scene.ku, scene.kv, h, 0, u.size)
-    return h.reshape(shape)
+    u, v = _chart_points(u, v)
+    return np.array(FIELDS[scene.field]["height"](u, v, scene.ku, scene.kv))
 
 
+@np.errstate(all="ignore")
 def gradient_at(scene, u, v, method):
     """Return (h_u, h_v) at chart points by `method` (exact: the general form), arrays of the broadcast shape.
 
     u ∈ [0, 1), v ∈ [0, 1], else ValueError.
     """
-    u, v, shape = _chart_points(u, v)
-    h_u, h_v = np.empty((2, u.size))
-    kernels = FIELDS[scene.field]
+    u, v = _chart_points(u, v)
+    field, waves = FIELDS[scene.field], (scene.ku, scene.kv)
     if method.name == "exact":
-        kernels["gradient"](u, v, scene.ku, scene.kv, h_u, h_v, 0, u.size)
+        gradient = field["gradient"](u, v, *waves)
     else:
-        kernels[method.name](u, v, scene.ku, scene.kv, method.eps, h_u, h_v, 0, u.size)
-    return h_u.reshape(shape), h_v.reshape(shape)
+        gradient = difference(field, method.name, u, v, *waves, method.eps)
+    return tuple(np.broadcast_to(part, u.shape).copy() for part in gradient)

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
+from renderer.drawing import render, stage_of
 from renderer.methods import GradientMethod, exact
 from renderer.raster import Raster
-from renderer.render import render, stage_of
 from renderer.scene import Scene
 from renderer.sweep import SweepRow, compare
 

@@ -59,14 +59,9 @@ class Raster:
         """(rows, columns) that are drawn."""
         return (self.crop[3], self.crop[2])
 
-    def image_points(self, scene, beyond=0):
-        """Return (x of each drawn column and of `beyond` more, y of each drawn row): image points of the centres."""
+    def image_points(self, scene):
+        """Return (x of each drawn column, y of each drawn row): image points of the centres."""
         left, top, wide, high = self.crop
         half = image_extent(scene.eye, scene.radius)
-        columns, rows = (
-            np.arange(left, left + wide + beyond, dtype=np.float64),
-            np.arange(top, top + high, dtype=np.float64),
-        )
-        x = image_x(columns, float(self.width), float(self.height), half)
-        y = image_y(rows, float(self.height), half)
-        return x, y
+        columns, rows = np.arange(left, left + wide, dtype=np.float64), np.arange(top, top + high, dtype=np.float64)
+        return image_x(columns, float(self.width), float(self.height), half), image_y(rows, float(self.height), half)

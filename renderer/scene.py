@@ -3,9 +3,9 @@
 import math
 from dataclasses import dataclass, field
 
-from renderer.kernels import FIELDS
+from renderer.kernels import FIELDS, LIGHT_MODELS
 
-MODELS = ("blinn", "phong")
+MODELS = tuple(LIGHT_MODELS)
 MAX_LIGHTS = 5
 MAX_WAVE_NUMBER = 2.0**20
 

@@ -1,71 +1,37 @@
 """The stage: the chambers of a scene on a raster, and the colours off sphere A: what a bump does not change.
 
 Chambers depend on neither the height field, β, ε nor the gradient method (theorem bump_moves_no_boundary), so a
-`Stage` serves every such change. It takes 1 byte a pixel, 32 bytes a run, and 24 bytes a pixel more once it is drawn
-from for the first time.
+`Stage` serves every such change. It takes 1 byte a pixel, and 24 bytes a pixel more once it is drawn from.
 """
 
 from functools import cached_property, lru_cache
-from typing import NamedTuple
 
 import numpy as np
 
-from renderer.bounds import scene_boxes
-from renderer.chambers import FIRST_LIGHT_BIT, LANES, SPHERE_A, SURFACE_BITS, cut_runs, mark_chambers
-from renderer.material import material_key, material_of
+from renderer.machines import Job, machine
+from renderer.numbers import geometry_of, numbers_of, places_of, want_of
 from renderer.raster import Raster
-from renderer.shading import shade_elsewhere
-from renderer.threads import run_bands, scratch
+from renderer.shader import COLORS, WORK
+from renderer.threads import run_bands
 
+SURFACE_BITS = 3
+PITCH = 16  # rows of planes are as long as whole groups of pixels, whatever the machine's lanes
 MOST_BANDS = 16
 SMALLEST_BAND = 2**13  # pixels: below that, starting on a band costs more than drawing it
 
 
-class Geometry(NamedTuple):
-    """The scene's lengths, in the order of the kernels' geometry array; `ball_on` and `floor_on` are 1 or 0."""
-
-    eye: float
-    radius: float
-    ball_x: float
-    ball_y: float
-    ball_z: float
-    ball_radius: float
-    ball_on: float
-    floor_on: float
-
-
-def geometry_of(scene):
-    """Return the Geometry of a scene. An absent B is a unit ball far behind the floor that no kernel asks about."""
-    center, ball_radius = (scene.ball_center, scene.ball_radius) if scene.ball else ((0.0, 0.0, 0.0), 1.0)
-    return Geometry(scene.eye, scene.radius, *center, ball_radius, float(scene.ball), float(scene.floor))
-
-
-def light_positions_of(scene):
-    """Return the position of every light, None for one that is off: what the shadows depend on."""
-    return tuple(None if light.color is None else light.position for light in scene.lights)
-
-
 @lru_cache(maxsize=16)
-def prepared(geometry, light_positions, raster):
-    """Return (x of the columns and LANES more, y of the rows, lights (n, 3), their bits, boxes): fixed for a scene."""
-    wide_x, y = raster.image_points(geometry, beyond=LANES)
-    on = [number for number, position in enumerate(light_positions) if position is not None]
-    lights = np.array([light_positions[n] for n in on], np.float64).reshape(-1, 3)
-    bits = np.array([1 << (FIRST_LIGHT_BIT + n) for n in on], np.uint8)
-    return wide_x, y, lights, bits, scene_boxes(wide_x[: raster.shape[1]], y, geometry, lights)
-
-
-class Band(NamedTuple):
-    """Some rows of the raster: the first row, their y, and their runs (row counted from the band's first).
-
-    A run is (row, start, stop, chamber code), at most LONGEST_RUN pixels; those on sphere A, and the others. On the
-    floor the code is that of its first pixel: squares may change along it.
-    """
-
-    top: int
-    y: np.ndarray
-    runs_on_a: np.ndarray
-    runs_elsewhere: np.ndarray
+def _prepared(geometry, raster):
+    """Return (x of the columns and NaN up to whole groups, y of the rows, all columns, columns that A may be in)."""
+    x, y = raster.image_points(geometry)
+    wide = np.full(-(-len(x) // PITCH) * PITCH, np.nan)
+    wide[: len(x)] = x
+    everywhere = np.tile(np.array([0, len(x)], np.int64), (len(y), 1))
+    reach, _, _ = places_of(geometry)
+    square = reach * (1 + 1e-9) - y * y
+    half = np.where(square < 0.0, -np.inf, np.sqrt(np.maximum(square, 0.0)))
+    of_a = np.stack([x.searchsorted(-half), x.searchsorted(half, "right")], axis=1).astype(np.int64)
+    return wide, y, everywhere, of_a
 
 
 def band_rows(rows, columns):
@@ -76,69 +42,57 @@ def band_rows(rows, columns):
 class Stage:
     """The chambers of a scene on a raster: what every gradient method, field, β and ε shares.
 
-    x: (width,) image points of the columns; wide_x: LANES more. bands: a list of Band. chambers: (height, width)
-    uint8. Bits 0–1 are the surface (0 none, 1 A, 2 B, 3 floor), bit 2 + i says that light i
-    is occluded by another body (0 for a light that is off), bit 7 that the floor square is dark.
+    chambers: (height, width) uint8. Bits 0–1 are the surface (0 none, 1 A, 2 B, 3 floor), bit 2 + i says that light i
+    is occluded by another body (0 for a light that is off), bit 7 that the floor square is dark. x: (width,) image
+    points of the columns, y: (height,) of the rows.
     """
 
     def __init__(self, scene, raster: Raster):
-        """Prepare the bands; `fill` computes one."""
-        self.geometry, self.light_positions, self.raster = geometry_of(scene), light_positions_of(scene), raster
-        fixed = prepared(self.geometry, self.light_positions, raster)
-        self.wide_x, self._y, self._lights, self._bits, self._boxes = fixed
-        self.x = self.wide_x[: raster.shape[1]]
-        self.chambers = np.empty(raster.shape, np.uint8)
-        self.numbers = np.array(self.geometry)
-        self._middle = int(self.x.searchsorted(0.0))
-        self._rows = band_rows(*raster.shape)
-        self.bands = [None] * -(-raster.shape[0] // self._rows)
-        self._tests = [0] * len(self.bands)
+        """Prepare the planes; they are filled by drawing."""
+        self.geometry, self.raster = geometry_of(scene), raster
+        self._x, self.y, self._everywhere, self._columns_of_a = _prepared(self.geometry, raster)
+        self.x = self._x[: raster.shape[1]]
+        self._codes = self.new_plane(np.uint8)
+        self.chambers = self._codes[:, : raster.shape[1]]
         self._elsewhere = (None, None)
 
-    def fill(self, number):
-        """Compute the chambers and the runs of a band, and return it."""
-        top = number * self._rows
-        rows = slice(top, top + self._rows)
-        codes, y, (box_of_b, boxes) = self.chambers[rows], self._y[rows], self._boxes
-        self._tests[number] = mark_chambers(
-            self.wide_x, y, self.numbers, self._middle, box_of_b, self._lights, self._bits, boxes, codes, top
-        )
-        runs = scratch("runs", (self._rows * len(self.x), 4), np.int64)
-        on_a, elsewhere = cut_runs(codes, runs)
-        self.bands[number] = Band(top, y, runs[:on_a].copy(), runs[len(runs) - elsewhere :].copy())
-        return self.bands[number]
+    def new_plane(self, kind=np.float64, channels=None):
+        """Return memory for a plane, or for several, with rows as long as whole groups."""
+        shape = (len(self.y), len(self._x))
+        return np.empty(shape if channels is None else (channels, *shape), kind)
 
-    def place(self, band):
-        """Return where a band lies, as the shaders take it: x of the columns, y of the rows, first row, lengths."""
-        return self.wide_x, band.y, band.top, self.numbers
+    def draw(self, scene, method, threads, planes, before=None, **want):
+        """Draw what is wanted (`renderer.shader.Want`) into planes, by bands; return what was counted, by WORK.
 
-    def elsewhere(self, scene, threads, counts):
-        """Return the colours off A, (3, height, width), undefined on A: drawn when a scene's shading first needs them.
-
-        counts: (bands, 3), what is drawn for it is added.
+        before: what is called with the rows of a band (a slice) before that is drawn.
         """
-        material = material_of(scene)
-        key = material_key(material)
-        if self._elsewhere[0] != key:
-            rgb = np.empty((3, *self.raster.shape))
+        columns = self._columns_of_a if want.get("surfaces") == "a" else self._everywhere
+        job = Job(*numbers_of(scene, method), self._x, self.y, columns, {"code": self._codes} | planes)
+        draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)
+        starts = range(0, len(self.y), rows)
 
-            def draw(number):
-                band = self.bands[number]
-                shade_elsewhere(band.runs_elsewhere, *self.place(band), *material, rgb, counts[number], self.chambers)
+        def draw_band(number):
+            band = range(starts[number], min(len(self.y), starts[number] + rows))
+            if before:
+                before(slice(band.start, band.stop))
+            return draw_rows(band)
 
-            run_bands(draw, len(self.bands), threads)
-            self._elsewhere = (key, rgb)
-        return self._elsewhere[1]
+        return dict(zip(WORK, map(sum, zip(*run_bands(draw_band, len(starts), threads), strict=True)), strict=True))
+
+    def elsewhere(self, scene, method, threads):
+        """Return (the colours off A, undefined on A, what was counted): drawn when a shading first needs them."""
+        key = shading_of(scene)
+        if self._elsewhere[0] == key:
+            return self._elsewhere[1], dict.fromkeys(WORK, 0)
+        rgb = self.new_plane(channels=3)
+        planes = dict(zip(COLORS, rgb, strict=True))
+        counts = self.draw(scene, method, threads, planes, given=True, surfaces="elsewhere")
+        self._elsewhere = (key, rgb)
+        return rgb, counts
 
     def serves(self, scene, raster):
         """Return whether these are the chambers of the scene on the raster."""
-        made_for = (self.geometry, self.light_positions, self.raster)
-        return made_for == (geometry_of(scene), light_positions_of(scene), raster)
-
-    @property
-    def shadow_tests(self):
-        """How many segments were tested for a body in their way."""
-        return int(sum(self._tests))
+        return (self.geometry, self.raster) == (geometry_of(scene), raster)
 
     @cached_property
     def pixel_counts(self):
@@ -148,4 +102,11 @@ class Stage:
     @property
     def on_a(self):
         """(height, width) bool: the pixels of sphere A."""
-        return (self.chambers & SURFACE_BITS) == SPHERE_A
+        return (self.chambers & SURFACE_BITS) == 1
+
+
+def shading_of(scene):
+    """Return what the colours off A depend on beside the chambers: equal for equal shadings."""
+    lights = tuple(light.color for light in scene.lights)
+    weights = (scene.ka, scene.kd, scene.ks, scene.shininess, scene.model, scene.floor_tint)
+    return (*weights, scene.ambient, scene.albedo_a, scene.albedo_b, lights)

@@ -5,8 +5,8 @@ import shutil
 import numpy as np
 
 from renderer import files, views
+from renderer.drawing import render
 from renderer.raster import MAX_SIDE, Raster
-from renderer.render import render
 
 STREAM_SUFFIXES = (".npy", ".tif", ".tiff")
 BLOCK_PIXELS = 2**20  # a block's planes and their copy for the file: about 60 MB

@@ -5,8 +5,8 @@ from dataclasses import asdict, dataclass, fields
 import numpy as np
 
 from renderer import files
+from renderer.drawing import render, stage_of
 from renderer.methods import GradientMethod, exact
-from renderer.render import render, stage_of
 
 DECADES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 

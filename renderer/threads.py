@@ -1,25 +1,8 @@
 """Bands of rows over threads: the compiled kernels release the interpreter's lock."""
 
 import os
-import threading
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
-
-import numpy as np
-
-_own = threading.local()
-
-
-def scratch(name, shape, kind=np.float64):
-    """Return this thread's own array of that name, shape and kind; its content is whatever was left there.
-
-    Memory fresh from the system costs more to touch than the kernels cost to run, so it is kept.
-    """
-    arrays = _own.__dict__.setdefault("arrays", {})
-    if name not in arrays or arrays[name].shape != shape:
-        arrays[name] = np.empty(shape, kind)
-    return arrays[name]
-
 
 MAX_THREADS = 256
 
@@ -49,18 +32,24 @@ def _pool(threads):
 
 
 def run_bands(work, count, threads):
-    """Call work(0), …, work(count − 1) on `threads` threads, this one included, and return when all are done."""
-    numbers = iter(range(count))
+    """Return [work(0), …, work(count − 1)], done on `threads` threads, this one included.
+
+    An error of any of them is raised when all have stopped; after it, or an interrupt, nothing more is begun.
+    """
+    numbers, results = iter(range(count)), [None] * count
 
     def take():
-        for number in numbers:
-            work(number)
+        try:
+            for number in numbers:
+                results[number] = work(number)
+        finally:
+            for _ in numbers:
+                pass
 
     helpers = [_pool(threads).submit(take) for _ in range(min(threads, count) - 1)]
     try:
         take()
     finally:
-        for _ in numbers:  # after an interruption or an error nothing more is begun
-            pass
         for helper in helpers:
             helper.result()
+    return results

@@ -11,7 +11,7 @@ from renderer.command_line.options import (
     scene_of,
     size_of,
 )
-from renderer.render import render
+from renderer.drawing import render
 from renderer.stream import STREAM_SUFFIXES, stream
 
 OUT = "a .png; a .npz with every buffer; of any size, drawn in bands: a .npy (float64) or a tiled .tif"

@@ -5,7 +5,6 @@ import dataclasses
 import re
 import sys
 
-from renderer.back_end import DEFAULT_SIZE
 from renderer.kernels import FIELDS
 from renderer.methods import METHODS, GradientMethod, exact
 from renderer.scene import MODELS, Light, Scene
@@ -26,6 +25,7 @@ NUMBERS = {
 }
 
 
+DEFAULT_SIZE = 256
 LISTED = ("field", "ku", "kv", "beta")  # of which a sweep takes lists
 
 

@@ -4,9 +4,9 @@ from pathlib import Path
 
 from renderer import files, views
 from renderer.command_line.options import add_gradient, add_raster, add_scene, method_of, number, scene_of, size_of
+from renderer.drawing import render
 from renderer.methods import exact
 from renderer.raster import Raster
-from renderer.render import render
 
 
 def add(verbs):

@@ -1,16 +1,20 @@
-"""Write the generated kernels:  python -m renderer.generate [--check]"""
+"""Write what is printed from the formulas:  python -m renderer.generate [--check]"""
 
 import argparse
+from pathlib import Path
 
-from renderer.generate.files import GENERATED
+from renderer.generate.kernels import kernels_source
+
+PRINTED = {Path(__file__).resolve().parents[1] / "kernels.py": kernels_source}
+"""{path: the function that returns its text}"""
 
 
 def main():
-    """Write every generated file, or with --check say which are up to date."""
+    """Write every printed file, or with --check say which are up to date."""
     parser = argparse.ArgumentParser(prog="python -m renderer.generate", description=__doc__)
     parser.add_argument("--check", action="store_true", help="write nothing; exit with 1 if a file is out of date")
     check, stale = parser.parse_args().check, 0
-    for path, source_of in GENERATED.items():
+    for path, source_of in PRINTED.items():
         source = source_of()
         if check:
             differs = not path.is_file() or path.read_text(encoding="utf-8") != source

@@ -5,7 +5,7 @@ import numpy as np
 from proofs.bump import g, perturbed
 from proofs.camera import point_on_a
 from proofs.program import Program, chain
-from proofs.shading import MODELS, highlight, light_direction
+from proofs.shading import LIGHT_MODELS, highlight, light_direction
 from proofs.symbols import beta, bumped, cos_phi, cos_theta, mu, normal, sin_phi, sin_theta, specular, specular_base
 from proofs.tangent_frame import tangent_frame, unit_normal
 from verify.stability.measure import distance, in_balls, in_float64, vector_bound, vector_distance, with_bounds
@@ -84,7 +84,7 @@ def opposite_light(model="blinn", values=65, samples=24, seed=7):
     towards = -view + gaps[:, None] * aside
     vectors = {"light": towards, "view": view, "bumped": up, "point": np.zeros((3, 1, 1))}
     inputs = {f"{name}_{axis}": c for name, triple in vectors.items() for axis, c in zip("xyz", triple, strict=True)}
-    sweep = _sweep(gaps, MODELS[model], inputs, specular_base.name)
+    sweep = _sweep(gaps, LIGHT_MODELS[model].program, inputs, specular_base.name)
     return Sweep(gaps, sweep.errors, np.minimum(sweep.bounds, 2.0))
 
 

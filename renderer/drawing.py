@@ -1,23 +1,18 @@
-"""Draw a scene, band by band: the chambers, sphere A with its gradient, and everything else."""
-
-import numpy as np
+"""Draw a scene, band by band: everything from nothing, or sphere A alone on a stage."""
 
 from renderer.frame import Frame
-from renderer.material import material_of
 from renderer.methods import GradientMethod, exact
 from renderer.raster import Raster
 from renderer.scene import Scene
-from renderer.shading import WORK, copy_runs, shade_elsewhere
-from renderer.sphere_a import bump_of
+from renderer.shader import COLORS, WORK
 from renderer.stage import Stage
-from renderer.threads import checked_threads, run_bands
-from renderer.work import work_done
+from renderer.threads import checked_threads
 
 
 def stage_of(scene, width, height, crop=None, threads=None):
     """Return the Stage of a scene on a raster: give it to `render` to draw sphere A alone, again and again."""
     stage = Stage(scene, Raster(width, height, crop))
-    run_bands(stage.fill, len(stage.bands), checked_threads(threads))
+    stage.draw(scene, exact(), checked_threads(threads), {}, colors=False)
     return stage
 
 
@@ -38,47 +33,31 @@ def render(scene, width, height, gradient=None, crop=None, threads=None, stage=N
     if not isinstance(method, GradientMethod):
         raise ValueError(f"gradient = {method!r} is not allowed: exact(), central(eps), forward(eps) or central4(eps)")
     raster, threads = Raster(width, height, crop), checked_threads(threads)
-    bump = bump_of(scene, method, flat=scene.beta == 0.0)
     if stage is not None and not stage.serves(scene, raster):
         raise ValueError(f"stage = {stage!r} is not allowed: one made for the same lengths, lights and raster")
     if into is not None and not (isinstance(into, Frame) and stage is into.stage and into.shaded_as(scene)):
         raise ValueError(f"into = {into!r} is not allowed: a frame of the stage that is given, shaded as this scene is")
-    rgb, counts = np.empty((3, *raster.shape)) if into is None else into.give_away(), None
     if stage is None:
-        stage, counts = _draw_all(scene, bump, raster, rgb, threads)
-        tests = stage.shadow_tests
+        stage = Stage(scene, raster)
+        planes = stage.new_plane(channels=3)
+        counts = stage.draw(scene, method, threads, dict(zip(COLORS, planes, strict=True)))
     else:
-        counts, tests = _draw_on(stage, scene, bump, rgb, threads, rest=into is None), 0
-    frame = Frame(scene, raster, method, stage, rgb, lambda: work_done(stage, bump, counts, tests))
+        planes = stage.new_plane(channels=3) if into is None else into.hand_over()
+        counts = _draw_on(stage, scene, method, threads, planes, into is None)
+    frame = Frame(scene, raster, method, stage, planes, counts)
     if count:
         _ = frame.work
     return frame
 
 
-def _draw_all(scene, bump, raster, rgb, threads):
-    """Draw everything, each band's chambers first; return the Stage and the counts."""
-    stage, material = Stage(scene, raster), material_of(scene)
-    counts = np.zeros((len(stage.bands), len(WORK)), np.int64)
+def _draw_on(stage, scene, method, threads, planes, copies):
+    """Draw sphere A, and where the rest is not there, copy it from the stage first; return what was counted."""
+    copy, counts = None, dict.fromkeys(WORK, 0)
+    if copies:
+        rest, counts = stage.elsewhere(scene, method, threads)
 
-    def draw(number):
-        band = stage.fill(number)
-        bump.draw(stage, band, counts[number], rgb)
-        shade_elsewhere(band.runs_elsewhere, *stage.place(band), *material, rgb, counts[number], stage.chambers)
+        def copy(rows):
+            planes[:, rows] = rest[:, rows]
 
-    run_bands(draw, len(stage.bands), threads)
-    return stage, counts
-
-
-def _draw_on(stage, scene, bump, rgb, threads, rest):
-    """Draw sphere A, and if the rest is not there, copy it from the stage; return the counts."""
-    counts = np.zeros((len(stage.bands), len(WORK)), np.int64)
-    elsewhere = stage.elsewhere(scene, threads, counts) if rest else None
-
-    def draw(number):
-        band = stage.bands[number]
-        bump.draw(stage, band, counts[number], rgb)
-        if rest:
-            copy_runs(band.runs_elsewhere, band.top, elsewhere, rgb)
-
-    run_bands(draw, len(stage.bands), threads)
-    return counts
+    of_a = stage.draw(scene, method, threads, dict(zip(COLORS, planes, strict=True)), copy, given=True, surfaces="a")
+    return {kind: counts[kind] + of_a[kind] for kind in WORK}

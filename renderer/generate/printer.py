@@ -1,7 +1,7 @@
-"""Print one definition of a straight-line program in Numba's Python, in NumPy, in mpmath.
+"""Print one definition of a straight-line program in Python.
 
-All of them print the same operations in the same order, so that float64 back ends agree to the last bit: integers as
-floats, whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals that float64 holds as one literal.
+What is printed fixes the operations and their order, so that all machines agree to the last bit: integers as floats,
+whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals that float64 holds as one literal.
 """
 
 from typing import ClassVar
@@ -11,8 +11,8 @@ from sympy.printing.precedence import PRECEDENCE, precedence
 from sympy.printing.str import StrPrinter
 
 
-class StraightLinePrinter(StrPrinter):
-    """What the back ends share. A subclass names its functions and prints selects, comparisons and literals."""
+class KernelPrinter(StrPrinter):
+    """Prints for `renderer.operations`; a subclass may name other functions."""
 
     sqrt = "sqrt"
     names: ClassVar = {
@@ -23,7 +23,7 @@ class StraightLinePrinter(StrPrinter):
         "Max": "maximum",
         "Min": "minimum",
     }
-    infinity, pi, power = "inf", "pi", "pow"
+    infinity, pi, power = "inf", "pi", "power"
 
     def literal(self, rational):
         """Return the text of an exact rational."""
@@ -71,16 +71,10 @@ class StraightLinePrinter(StrPrinter):
         return f"({self._print(item)})" if loose else self._print(item)
 
     def _print_Add(self, expr):
-        text = ""
-        for term in self._as_ordered_terms(expr):
-            printed = self._print(term)
-            if not text:
-                text = printed
-            elif printed.startswith("-"):
-                text += f" - {printed[1:]}"
-            else:
-                text += f" + {printed}"
-        return text
+        first, *others = (self._print(term) for term in self._as_ordered_terms(expr))
+        if first.startswith("-") and not others[0].startswith("-"):  # −a + b is b − a, to the last bit
+            first, others[0] = others[0], first
+        return first + "".join(f" - {t[1:]}" if t.startswith("-") else f" + {t}" for t in others)
 
     def _print_Pow(self, expr):
         base, exponent = expr.base, expr.exp
@@ -124,7 +118,7 @@ class StraightLinePrinter(StrPrinter):
         coefficient, factors = argument.as_coeff_mul()
         if len(factors) == 2 and all(isinstance(f, Symbol) for f in factors):
             first, second = sorted(factors, key=lambda f: f.name)
-            return f"{name}_of_product({self._print(coefficient * first)}, {self._print(second)})"
+            return f"{name}(*two_product({self._print(coefficient * first)}, {self._print(second)}))"
         return f"{name}({self._print(argument)})"
 
     def _print_sinpi(self, expr):
@@ -142,12 +136,16 @@ class StraightLinePrinter(StrPrinter):
             raise ValueError(f"a selection without a last resort: {expr}")
         text = self._print(last)
         for value, condition in reversed(expr.args[:-1]):
-            text = self.select(self._print(condition), self._print(value), text)
+            text = self.select(self._condition(condition), self._print(value), text)
         return text
 
+    def _condition(self, condition):
+        text = self._print(condition)  # it stands in parentheses of its own
+        return text[1:-1]
+
     def select(self, condition, value, otherwise):
-        """Return the text of `value if condition else otherwise`."""
-        return f"({value} if {condition} else {otherwise})"
+        """Return the text of a selection."""
+        return f"where({condition}, {value}, {otherwise})"
 
     def _print_And(self, expr):
         return self.connect("&", expr)
@@ -159,36 +157,3 @@ class StraightLinePrinter(StrPrinter):
         """Return the text of a conjunction or disjunction; its comparisons are already in parentheses."""
         arguments = sorted(expr.args, key=str)
         return "(" + f" {connective} ".join(self._print(a) for a in arguments) + ")"
-
-
-class NumbaPrinter(StraightLinePrinter):
-    """Scalars inside a compiled loop."""
-
-    sqrt, infinity, pi, power = "math.sqrt", "math.inf", "math.pi", "math.pow"
-    names: ClassVar = {**StraightLinePrinter.names, "floor": "np.floor", "rint": "np.rint"}
-
-
-class NumPyPrinter(StraightLinePrinter):
-    """Whole arrays."""
-
-    sqrt, infinity, pi, power = "np.sqrt", "np.inf", "np.pi", "np.power"
-    names: ClassVar = {
-        "Abs": "np.abs",
-        "floor": "np.floor",
-        "rint": "np.rint",
-        "sign": "np.sign",
-        "Max": "np.maximum",
-        "Min": "np.minimum",
-    }
-
-    def select(self, condition, value, otherwise):
-        return f"np.where({condition}, {value}, {otherwise})"
-
-
-class MpmathPrinter(StraightLinePrinter):
-    """Numbers of any precision: rationals stay exact quotients, sinpi and its kin are the functions themselves."""
-
-    names: ClassVar = {**StraightLinePrinter.names, "Max": "max", "Min": "min", "rint": "nint"}
-
-    def literal(self, rational):
-        return str(rational.p) if rational.q == 1 else f"(mpf({rational.p}) / {rational.q})"

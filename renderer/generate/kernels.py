@@ -1,0 +1,73 @@
+"""The text of `renderer/kernels.py`: every program that drawing needs, as a plain Python function."""
+
+import textwrap
+
+from proofs.algebraic_form import MAX_WAVE_NUMBER
+from proofs.elementary import product_error
+from proofs.finite_difference import HEIGHT_EVALUATIONS, METHODS
+from proofs.height_fields import HEIGHT_FIELDS
+from proofs.shading import LIGHT_MODELS
+from renderer.generate import programs
+from renderer.generate.printer import KernelPrinter
+
+HEADER = '''"""Printed from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
+
+Each function is one program of the chapter, a line for each line of its derivation. It works on whatever it is given:
+NumPy's arrays and float64 numbers (under `numpy.errstate`: a selection computes both of its sides), traced values.
+"""
+
+from renderer.operations import floor, inf, maximum, minimum, pi, power, rint, sign, sqrt, where
+'''
+
+
+def print_function(name, program, printer, before=""):
+    """Return the text of a function of a program's inputs that returns its outputs, a line for each definition.
+
+    before: further parameters, as text. The error of a product is 0 unless it is given.
+    """
+    needed = program.reaches(*program.outputs)
+    printed = {s.name: printer.doprint(e) for s, e in program.definitions if s in needed}
+    results = [s.name for s in program.outputs]
+    at_once = f"return {', '.join(printed.values())}"
+    if (
+        list(printed) == results
+        and len(at_once) <= 100
+        and len(needed) == len(printed) + len(needed & {*program.inputs})
+    ):
+        lines = [at_once]
+    else:
+        lines = [*(f"{name} = {text}" for name, text in printed.items()), f"return {', '.join(results)}"]
+    parameters = ", ".join("product_error=0.0" if s == product_error else s.name for s in program.inputs)
+    return "\n".join([f"def {name}({before}{parameters}):", *(f"    {line}" for line in lines), ""])
+
+
+def _field_entry(field):
+    """Return the text of a field's entry in FIELDS: its kernels, its differences, how many heights each evaluates."""
+    lines = [f'"{role}": {program.name},' for role, program in programs.field_programs(field).items()]
+    if not field.wave_numbers:
+        lines.append('"wave_numbers": None,')
+    lines += [f'"{method}": {programs.difference_of(method, field)},' for method in METHODS]
+    heights = {method: programs.height_evaluations(method, field) for method in METHODS}
+    lines.append(f'"height_evaluations": {heights},'.replace("'", '"'))
+    return f'    "{field.name}": {{\n' + textwrap.indent("\n".join(lines), " " * 8) + "\n    },"
+
+
+def kernels_source():
+    """Return the text of renderer/kernels.py."""
+    printer, fields = KernelPrinter(), HEIGHT_FIELDS.values()
+    named = dict(programs.ELEMENTARY)
+    for part in (programs.ONCE_A_SCENE, programs.PLACES, programs.GRADIENT, programs.LIGHT, programs.PLOTS):
+        named |= {program.name: program for program in part}
+    for field in fields:
+        named |= {program.name: program for program in programs.field_programs(field).values()}
+    parts = [print_function(name, program, printer) for name, program in named.items()]
+    parts += [print_function(name, program, printer, "height, ") for name, program in programs.differences().items()]
+    parts.append(f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\nMAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n".replace("'", '"'))
+    parts.append("\n".join(["FIELDS = {", *map(_field_entry, fields), "}", ""]))
+    models = [
+        f'    "{m.name}": ({m.program.name}, {m.squared.name if m.squared else None}),' for m in LIGHT_MODELS.values()
+    ]
+    parts.append(
+        "\n".join(["LIGHT_MODELS = {", *models, "}", '"""{name: (its kernel, that of the squared base)}"""', ""])
+    )
+    return HEADER + "".join(f"\n\n{part}" for part in parts)

@@ -1,0 +1,117 @@
+"""Which programs of `proofs/` become kernels."""
+
+from sympy import Function
+
+from proofs import (
+    algebraic_form,
+    bounds,
+    bump,
+    camera,
+    creases,
+    elementary,
+    finite_difference,
+    height_fields,
+    shading,
+    shadow,
+    shadow_cone,
+    step_bounds,
+)
+from proofs.chart import chart
+from proofs.program import Program
+from proofs.symbols import h_v, k_u, k_v, real, u, v, x, y
+
+ELEMENTARY = {
+    "two_product": elementary.two_product,
+    "sinpi": elementary.sine_of_half_turns,
+    "cospi": elementary.cosine_of_half_turns,
+    "atan2pi": elementary.angle_in_half_turns,
+}
+"""Our own elementary functions. sinpi and cospi take a product and its error, which is 0 unless it is given."""
+
+ONCE_A_SCENE = (
+    camera.image_extent,
+    camera.image_point.keep(x, name="image_x"),
+    camera.image_point.keep(y, name="image_y"),
+    camera.silhouette_of_a,
+    bounds.tangent_interval,
+    shadow_cone.shadow_clearance,
+    shading.ambient_term,
+    shading.floor_albedo,
+)
+
+PLACES = (
+    camera.visible_surface,
+    camera.angles_on_a,
+    camera.point_on_a,
+    camera.normal_of_b,
+    camera.normal_of_floor,
+    camera.view_length,
+    camera.view_direction,
+    shadow.shadow,
+    shadow.checker.keep(shadow.dark),
+)
+
+GRADIENT = (
+    chart,
+    algebraic_form.algebraic_bases,
+    algebraic_form.complex_square,
+    algebraic_form.complex_product,
+    height_fields.slope,
+    bump.bumped_normal,
+)
+
+LIGHT = (
+    *(part for model in shading.LIGHT_MODELS.values() for part in (model.program, model.squared) if part),
+    shading.highlight,
+    shading.light_term,
+    shading.clip,
+)
+
+PLOTS = (
+    camera.parallel_radius,
+    step_bounds.truncation_bound,
+    step_bounds.clamped_bound,
+    step_bounds.rounding_bound,
+    step_bounds.crease_bound,
+    step_bounds.slope_bound,
+)
+"""What the simulator's plots draw: exact loci and proved bounds."""
+
+
+ANY_FIELD = height_fields.HeightField("any", Function("height")(u, v, k_u, k_v))
+
+
+def differences():
+    """Return {name: program} of every difference of a function `height`, and of its part in v alone."""
+    found = {}
+    for method, difference in finite_difference.METHODS.items():
+        program = difference(ANY_FIELD)
+        found |= {method: program, f"{method}_in_v": program.keep(h_v)}
+    return found
+
+
+def difference_of(method, field):
+    """Return the name of a field's difference: where h does not depend on u, there is none in u."""
+    return method if field.expression.has(u) else f"{method}_in_v"
+
+
+def height_evaluations(method, field):
+    """Return how many heights a difference of the field evaluates."""
+    lines = differences()[difference_of(method, field)].definitions
+    return sum(symbol in finite_difference.HEIGHTS for symbol, _ in lines)
+
+
+def field_programs(field):
+    """Return {role: program} of a height field: height, exact gradient, creases, and what its algebraic form needs."""
+    programs = {
+        "height": height_fields.height(field),
+        "gradient": height_fields.gradient(field),
+        "kink": creases.kink_flag(field),
+        "straddling": creases.straddling(field),
+    }
+    if field.wave_numbers:
+        a, b = real("a b")
+        lines = tuple(zip((a, b), field.wave_numbers, strict=True))
+        programs["gradient_from_factors"] = height_fields.gradient_from_factors(field)
+        programs["wave_numbers"] = Program(f"wave_numbers_{field.name}", (k_u, k_v), lines, (a, b))
+    return programs

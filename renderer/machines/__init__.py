@@ -1,0 +1,29 @@
+"""The machines that run the shader: LLVM's vectors where llvmlite is installed, NumPy's rows elsewhere; same bits."""
+
+from functools import cache
+from importlib import import_module
+from importlib.util import find_spec
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Job(NamedTuple):
+    """What is drawn on: the numbers of a scene and of its lights, a raster's image points, and a frame's planes.
+
+    x: as long as a plane's row, NaN beyond the raster's last column. y: (rows,). columns: (rows, 2) int64, which
+    columns of each row are looked at. planes: {name: (rows, columns of x)}, float64, the chamber code uint8.
+    """
+
+    scene: np.ndarray
+    lights: np.ndarray
+    x: np.ndarray
+    y: np.ndarray
+    columns: np.ndarray
+    planes: dict
+
+
+@cache
+def machine():
+    """Return the module that draws in this process: its NAME, and `drawer(want, job)`."""
+    return import_module("renderer.machines." + ("native" if find_spec("llvmlite") else "numpy_rows"))

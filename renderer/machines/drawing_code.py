@@ -1,0 +1,75 @@
+"""The code that draws some rows of a picture: two loops around the traced shader, for any of LLVM's targets."""
+
+import llvmlite.ir as ir
+
+from renderer.machines.traced import BYTE, FLOAT, WHOLE, Tracer, Value
+from renderer.numbers import LIGHT_FORM, SCENE_FORM, of_form
+from renderer.shader import COLORS, ON_A, WORK, Group
+
+PLANES = (*COLORS, "code", *ON_A)
+ARGUMENTS = ("x", "y", "columns", "first_row", "last_row", "pitch", "scene", "lights", "light_count", "counts", *PLANES)
+"""What the code is given: addresses and whole numbers, one array of int64. `columns` is (rows, 2) int64."""
+
+
+class Pixels:
+    """The pixels of one group: their image points, and the frame's planes from `at` on."""
+
+    def __init__(self, tracer, x, y, planes, at):
+        self.x, self.y, self._tracer, self._planes, self._at = x, y, tracer, planes, at
+
+    def _address(self, name):
+        tracer = self._tracer
+        kind = BYTE if name == "code" else FLOAT
+        vector = ir.VectorType(kind, tracer.lanes)
+        pointer = tracer.builder.gep(self._planes[name], [self._at])
+        return tracer.builder.bitcast(pointer, vector.as_pointer()), vector, 1 if name == "code" else 8
+
+    def load(self, name):
+        """Return a plane's numbers as a Value."""
+        address, _, alignment = self._address(name)
+        loaded = self._tracer.builder.load(address, align=alignment)
+        return Value(
+            self._tracer, self._tracer.builder.uitofp(loaded, self._tracer.vector) if name == "code" else loaded
+        )
+
+    def store(self, name, value):
+        """Write a plane's numbers."""
+        address, vector, alignment = self._address(name)
+        stored = self._tracer.value(value).vector
+        if name == "code":
+            stored = self._tracer.builder.fptoui(stored, vector)
+        self._tracer.builder.store(stored, address, align=alignment)
+
+
+def emit(module, name, want, lanes):
+    """Emit the function `name` that draws rows of what is wanted, its one parameter the address of ARGUMENTS."""
+    function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
+    tracer = Tracer(function, lanes, WORK)
+    builder = tracer.builder
+    given = {
+        argument: builder.load(builder.gep(function.args[0], [WHOLE(number)]))
+        for number, argument in enumerate(ARGUMENTS)
+    }
+
+    def address(argument, kind):
+        return builder.inttoptr(given[argument], kind.as_pointer())
+
+    x, y, columns = (address(argument, kind) for argument, kind in (("x", FLOAT), ("y", FLOAT), ("columns", WHOLE)))
+    planes = {plane: address(plane, BYTE if plane == "code" else FLOAT) for plane in PLANES}
+    scene = of_form(SCENE_FORM, tracer.numbers(address("scene", FLOAT), SCENE_FORM))
+    tracer.light_numbers, tracer.light_count = address("lights", FLOAT), given["light_count"]
+    tracer.light_form = LIGHT_FORM
+    with tracer.loop(given["first_row"], given["last_row"]) as row:
+        ends = builder.mul(row, WHOLE(2))
+        begin, end = (builder.load(builder.gep(columns, [builder.add(ends, WHOLE(n))])) for n in (0, 1))
+        y_of_row = tracer.everywhere(builder.load(builder.gep(y, [row])))
+        row_begin = builder.mul(row, given["pitch"])
+        with tracer.loop(builder.and_(begin, WHOLE(-lanes)), end, lanes) as column:
+            x_of_group = builder.bitcast(builder.gep(x, [column]), tracer.vector.as_pointer())
+            at = builder.add(row_begin, column)
+            pixels = Pixels(tracer, Value(tracer, builder.load(x_of_group, align=8)), y_of_row, planes, at)
+            Group(tracer, scene, want, pixels).draw()
+    for number, kind in enumerate(WORK):
+        count = builder.gep(address("counts", WHOLE), [WHOLE(number)])
+        builder.store(builder.load(tracer.counts[kind]), count)
+    builder.ret_void()

@@ -1,0 +1,83 @@
+"""The shader as machine code for this processor, compiled by LLVM when it is first wanted and kept for the process."""
+
+import ctypes
+from functools import cache
+from threading import Lock
+
+import llvmlite.binding as llvm
+import llvmlite.ir as ir
+
+from renderer.kernels import HEIGHT_EVALUATIONS
+from renderer.machines.drawing_code import ARGUMENTS, emit
+from renderer.shader import WORK
+
+NAME = "llvm"
+_compiled, _compiling = {}, Lock()
+
+
+@cache
+def host_lanes(want):
+    """Return how many pixels go through the code at a time: 512 bits of them at least, where there are vectors.
+
+    A difference's heights are long chains of dependent operations: twice as many lanes hide each other's latency.
+    """
+    features = llvm.get_host_cpu_features()
+    wide = 8 if features.get("avx512f") or features.get("avx") else 4
+    is_difference = any(way in HEIGHT_EVALUATIONS for _, way in want.ways)
+    return 2 * wide if is_difference and features.get("avx512f") else wide
+
+
+def _target():
+    """Return LLVM's machine for this processor."""
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    features = llvm.get_host_cpu_features()
+    text = features.flatten()
+    if features.get("avx512f"):  # LLVM holds to 256 bits by itself, lest a few wide instructions slow the processor
+        text += ",-prefer-256-bit"
+    target = llvm.Target.from_default_triple()
+    return target.create_target_machine(cpu=llvm.get_host_cpu_name(), features=text, opt=2)
+
+
+def optimized(module, target, level=2):
+    """Return LLVM's module of a text, simplified: the shader is vectors already, so loops stay as they are."""
+    parsed = llvm.parse_assembly(str(module))
+    parsed.verify()
+    tuning = llvm.create_pipeline_tuning_options(speed_level=level)
+    tuning.loop_vectorization = tuning.slp_vectorization = tuning.loop_unrolling = tuning.loop_interleaving = False
+    passes = llvm.create_pass_builder(target, tuning)
+    passes.getModulePassManager().run(parsed, passes)
+    return parsed
+
+
+def compiled(want, lanes):
+    """Return the function that draws what is wanted: it takes the address of ARGUMENTS."""
+    key = want, lanes
+    with _compiling:
+        if key not in _compiled:
+            module, target = ir.Module(), _target()
+            module.triple = llvm.get_process_triple()
+            emit(module, "draw", *key)
+            engine = llvm.create_mcjit_compiler(optimized(module, target), target)
+            engine.finalize_object()
+            function = ctypes.CFUNCTYPE(None, ctypes.c_void_p)(engine.get_function_address("draw"))
+            _compiled[key] = function, engine
+    return _compiled[key][0]
+
+
+def drawer(want, job, lanes=None):
+    """Return the function that draws rows (a range) of a Job and returns what was counted, in the order of WORK."""
+    code = compiled(want, lanes or host_lanes(want))
+    arrays = {name: getattr(job, name) for name in ("x", "y", "columns", "scene", "lights")} | job.planes
+    given = {name: array.ctypes.data for name, array in arrays.items()}
+    given |= {"pitch": len(job.x), "light_count": len(job.lights)}
+    shared = [given.get(name, 0) for name in ARGUMENTS]
+    first, last, counts = (ARGUMENTS.index(name) for name in ("first_row", "last_row", "counts"))
+
+    def draw(rows):
+        arguments, counted = (ctypes.c_int64 * len(shared))(*shared), (ctypes.c_int64 * len(WORK))()
+        arguments[first], arguments[last], arguments[counts] = rows.start, rows.stop, ctypes.addressof(counted)
+        code(ctypes.addressof(arguments))
+        return list(counted)
+
+    return draw

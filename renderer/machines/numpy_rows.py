@@ -1,0 +1,93 @@
+"""The shader on NumPy's arrays, a row of the picture at a time: where there is no compiler, and to check one."""
+
+import numpy as np
+
+from renderer.numbers import LIGHT_FORM, SCENE_FORM, of_form
+from renderer.shader import WORK, Group
+
+NAME = "numpy"
+
+
+class Variable:
+    """A value that changes."""
+
+    def __init__(self, value):
+        self.value = np.asarray(value)
+
+    def set(self, value, mask=None):
+        """Put a value in its place, where the mask holds."""
+        self.value = value if mask is None else np.where(mask, value, self.value)
+
+
+class Rows:
+    """A machine whose values are arrays along a row."""
+
+    def __init__(self, lights):
+        self.lights, self.counts = [of_form(LIGHT_FORM, light) for light in lights], dict.fromkeys(WORK, 0)
+
+    def variable(self, value):
+        """Return a Variable."""
+        return Variable(value)
+
+    def count(self, kind, mask):
+        """Add the number of a mask's pixels to what is counted of a kind."""
+        self.counts[kind] += int(np.count_nonzero(mask))
+
+    def when(self, mask, body):
+        """Run `body` unless the mask holds for no pixel."""
+        if np.any(mask):
+            body()
+
+    def choose(self, alternatives, index, result_of):
+        """Return `result_of` the alternative of an index."""
+        return result_of(alternatives[0] if len(alternatives) == 1 else alternatives[int(index)])
+
+    def by_squaring(self, exponent, first, square, multiply):
+        """As `renderer.machines.traced.Tracer.by_squaring`."""
+        remaining = int(exponent)
+        if not remaining:
+            return
+        while not remaining & 1:
+            square()
+            remaining >>= 1
+        first()
+        while remaining := remaining >> 1:
+            square()
+            if remaining & 1:
+                multiply()
+
+    def each_light(self, body):
+        """Run `body` on the numbers of one light after another."""
+        for light in self.lights:
+            body(light)
+
+
+class Row:
+    """The pixels of one row: what the shader reads and writes of the frame's planes."""
+
+    def __init__(self, job, number, columns):
+        self.x, self.y, self._planes, self._at = job.x[columns], job.y[number], job.planes, (number, columns)
+
+    def load(self, name):
+        """Return a plane's row as float64."""
+        return self._planes[name][self._at].astype(np.float64)
+
+    def store(self, name, value):
+        """Write a plane's row."""
+        self._planes[name][self._at] = value
+
+
+def drawer(want, job):
+    """Return the function that draws rows (a range) of a Job and returns what was counted, in the order of WORK."""
+    scene = of_form(SCENE_FORM, job.scene)
+
+    @np.errstate(all="ignore")  # a selection computes both of its sides
+    def draw(rows):
+        machine = Rows(job.lights)
+        for number in rows:
+            columns = slice(*job.columns[number])
+            if columns.start < columns.stop:
+                Group(machine, scene, want, Row(job, number, columns)).draw()
+        return [machine.counts[kind] for kind in WORK]
+
+    return draw

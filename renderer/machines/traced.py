@@ -1,0 +1,257 @@
+"""Traced values: the shader and its kernels run on them once, and every operator emits LLVM's instruction for a vector.
+
+Neither fast-math nor contraction is allowed, so that the bits are NumPy's. Only what a literal 0 or 1 does to a number
+is left out: 0·x, x + 0, 1·x, x/1, of which the sign of a zero may differ, and nothing else for a finite x.
+"""
+
+from contextlib import contextmanager
+
+import llvmlite.ir as ir
+
+FLOAT, BIT, BYTE, WHOLE = ir.DoubleType(), ir.IntType(1), ir.IntType(8), ir.IntType(64)
+
+
+class Value:
+    """A float64 of every pixel of a group; `literal` is its number where it is one."""
+
+    def __init__(self, machine, vector, literal=None):
+        self.machine, self.vector, self.literal = machine, vector, literal
+
+    def _emit(self, instruction, other, swap=False):
+        left, right = self, self.machine.value(other)
+        if swap:
+            left, right = right, left
+        return Value(self.machine, getattr(self.machine.builder, instruction)(left.vector, right.vector))
+
+    def __add__(self, other):
+        other = self.machine.value(other)
+        if self.literal == 0.0:
+            return other
+        return self if other.literal == 0.0 else self._emit("fadd", other)
+
+    __radd__ = __add__
+
+    def __sub__(self, other):
+        return self if self.machine.value(other).literal == 0.0 else self._emit("fsub", other)
+
+    def __rsub__(self, other):
+        return self.machine.value(other) - self
+
+    def __mul__(self, other):
+        other = self.machine.value(other)
+        for one, two in ((self, other), (other, self)):
+            if one.literal == 0.0:
+                return one
+            if one.literal == 1.0:
+                return two
+        return self._emit("fmul", other)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other):
+        return self if self.machine.value(other).literal == 1.0 else self._emit("fdiv", other)
+
+    def __rtruediv__(self, other):
+        return self._emit("fdiv", other, swap=True)
+
+    def __neg__(self):
+        return Value(self.machine, self.machine.builder.fneg(self.vector))
+
+    def __abs__(self):
+        return self.machine.call("fabs", self)
+
+    def _compare(operator):
+        def compare(self, other):
+            machine = self.machine
+            compare = machine.builder.fcmp_unordered if operator == "!=" else machine.builder.fcmp_ordered
+            return Mask(machine, compare(operator, self.vector, machine.value(other).vector))
+
+        return compare
+
+    __lt__, __le__, __gt__, __ge__, __eq__, __ne__ = map(_compare, ("<", "<=", ">", ">=", "==", "!="))
+    __hash__ = None
+
+
+class Mask:
+    """For which pixels of a group something holds."""
+
+    def __init__(self, machine, bits):
+        self.machine, self.bits = machine, bits
+
+    def __and__(self, other):
+        return Mask(self.machine, self.machine.builder.and_(self.bits, other.bits))
+
+    def __or__(self, other):
+        return Mask(self.machine, self.machine.builder.or_(self.bits, other.bits))
+
+    def __invert__(self):
+        return Mask(self.machine, self.machine.builder.not_(self.bits))
+
+
+class Variable:
+    """A value that changes: memory that LLVM turns into registers."""
+
+    def __init__(self, machine, value):
+        self.machine, value = machine, machine.value(value)
+        self.place = machine.reserve(value.vector.type)
+        machine.builder.store(value.vector, self.place)
+
+    @property
+    def value(self):
+        """The present value."""
+        return Value(self.machine, self.machine.builder.load(self.place))
+
+    def set(self, value, mask=None):
+        """Put a value in its place, where the mask holds."""
+        machine, vector = self.machine, self.machine.value(value).vector
+        if mask is not None:
+            vector = machine.builder.select(mask.bits, vector, machine.builder.load(self.place))
+        machine.builder.store(vector, self.place)
+
+
+class Tracer:
+    """A machine whose values are traced: it emits into a function that `lanes` pixels at a time go through."""
+
+    def __init__(self, function, lanes, kinds):
+        self.lanes, self.module = lanes, function.module
+        self.vector, self.mask = ir.VectorType(FLOAT, lanes), ir.VectorType(BIT, lanes)
+        self.entry = function.append_basic_block()
+        self.builder = ir.IRBuilder(self.entry)
+        self.counts = {kind: self._zero() for kind in kinds}
+        self.light_numbers = self.light_count = self.light_form = None
+
+    def reserve(self, kind):
+        """Return memory for one value, reserved where the function begins."""
+        with self.builder.goto_block(self.entry):
+            self.builder.position_at_start(self.entry)
+            return self.builder.alloca(kind)
+
+    def _zero(self):
+        place = self.reserve(WHOLE)
+        self.builder.store(WHOLE(0), place)
+        return place
+
+    def value(self, number):
+        """Return a number as a Value, if it is not one."""
+        if isinstance(number, Value):
+            return number
+        return Value(self, ir.Constant(self.vector, [float(number)] * self.lanes), float(number))
+
+    def everywhere(self, scalar):
+        """Return the Value that is one scalar for every pixel."""
+        undefined = ir.Constant(self.vector, ir.Undefined)
+        first = self.builder.insert_element(undefined, scalar, WHOLE(0))
+        lanes = ir.Constant(ir.VectorType(ir.IntType(32), self.lanes), [0] * self.lanes)
+        return Value(self, self.builder.shuffle_vector(first, undefined, lanes))
+
+    def whole(self, value):
+        """Return the one whole number that is everywhere in a Value."""
+        return self.builder.fptosi(self.builder.extract_element(value.vector, WHOLE(0)), WHOLE)
+
+    def call(self, intrinsic, *arguments):
+        """Return what one of LLVM's own functions makes of Values."""
+        vectors = [self.value(argument).vector for argument in arguments]
+        name = f"llvm.{intrinsic}.v{self.lanes}f64"
+        known = self.module.globals.get(name)
+        function = known or ir.Function(self.module, ir.FunctionType(self.vector, [self.vector] * len(vectors)), name)
+        return Value(self, self.builder.call(function, vectors))
+
+    def sqrt(self, value):
+        return self.call("sqrt", value)
+
+    def floor(self, value):
+        return self.call("floor", value)
+
+    def rint(self, value):
+        return self.call("rint", value)
+
+    def power(self, base, exponent):
+        return self.call("pow", base, exponent)
+
+    def where(self, mask, value, otherwise):
+        return Value(self, self.builder.select(mask.bits, self.value(value).vector, self.value(otherwise).vector))
+
+    def variable(self, value):
+        """Return a Variable."""
+        return Variable(self, value)
+
+    def count(self, kind, mask):
+        """Add the number of a mask's pixels to what is counted of a kind."""
+        bits = self._bits(mask)
+        pixels = self.builder.zext(self.builder.ctpop(bits), WHOLE)
+        place = self.counts[kind]
+        self.builder.store(self.builder.add(self.builder.load(place), pixels), place)
+
+    def _bits(self, mask):
+        return self.builder.bitcast(mask.bits, ir.IntType(self.lanes))
+
+    def when(self, mask, body):
+        """Run `body` unless the mask holds for no pixel of the group."""
+        bits = self._bits(mask)
+        with self.builder.if_then(self.builder.icmp_unsigned("!=", bits, bits.type(0))):
+            body()
+
+    def choose(self, alternatives, index, result_of):
+        """Return `result_of` the alternative of an index that is the same everywhere: two numbers."""
+        if len(alternatives) == 1:
+            return result_of(alternatives[0])
+        index, results = self.whole(index), [self.variable(0.0) for _ in range(2)]
+        for number, alternative in enumerate(alternatives):
+            with self.builder.if_then(self.builder.icmp_signed("==", index, WHOLE(number))):
+                for variable, value in zip(results, result_of(alternative), strict=True):
+                    variable.set(value)
+        return [variable.value for variable in results]
+
+    @contextmanager
+    def loop(self, start, stop, step=1):
+        """Emit a loop; the block is its body and is given the number."""
+        builder = self.builder
+        before, head = builder.block, builder.append_basic_block()
+        body, after = builder.append_basic_block(), builder.append_basic_block()
+        builder.branch(head)
+        builder.position_at_end(head)
+        number = builder.phi(WHOLE)
+        number.add_incoming(start, before)
+        builder.cbranch(builder.icmp_signed("<", number, stop), body, after)
+        builder.position_at_end(body)
+        yield number
+        number.add_incoming(builder.add(number, WHOLE(step)), builder.block)
+        builder.branch(head)
+        builder.position_at_end(after)
+
+    def by_squaring(self, exponent, first, square, multiply):
+        """Run what raises something to a whole power that is everywhere the same: nothing for 0.
+
+        `square` as often as the exponent's lowest bit says, `first`; then for each higher bit `square`, and `multiply`
+        where it is set.
+        """
+        builder, exponent = self.builder, self.whole(exponent)
+        with builder.if_then(builder.icmp_signed(">", exponent, WHOLE(0))):
+            zeros = builder.cttz(exponent, BIT(0))
+            with self.loop(WHOLE(0), zeros):
+                square()
+            first()
+            rest = builder.lshr(builder.lshr(exponent, zeros), WHOLE(1))
+            with self.loop(WHOLE(0), builder.sub(WHOLE(64), builder.ctlz(rest, BIT(0)))) as number:
+                square()
+                bit = builder.trunc(builder.lshr(rest, number), BIT)
+                with builder.if_then(bit):
+                    multiply()
+
+    def each_light(self, body):
+        """Run `body` on the numbers of one light after another."""
+        from renderer.numbers import of_form
+
+        with self.loop(WHOLE(0), self.light_count) as number:
+            body(of_form(self.light_form, self.numbers(self.light_numbers, self.light_form, number)))
+
+    def numbers(self, pointer, form, number=None):
+        """Yield the Values of an array of numbers of a form, or of its row `number`."""
+        from renderer.numbers import flat
+
+        count = len(flat(form))
+        for column in range(count):
+            index = WHOLE(column)
+            if number is not None:
+                index = self.builder.add(self.builder.mul(number, WHOLE(count)), index)
+            yield self.everywhere(self.builder.load(self.builder.gep(pointer, [index])))

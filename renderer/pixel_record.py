@@ -1,0 +1,129 @@
+"""Everything about one pixel, as a record: the shader once more, on NumPy, with what it lights written down."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from renderer import kernels
+from renderer.drawing import render
+from renderer.machines.numpy_rows import Rows
+from renderer.numbers import FIRST_LIGHT_BIT, SCENE_FORM, numbers_of, of_form, want_of
+from renderer.shader import Group
+from renderer.stage import SURFACE_BITS
+
+SURFACES = ("none", "A", "B", "floor")
+
+
+@dataclass(frozen=True)
+class LightRecord:
+    """What one light does at a pixel: `occluded` by another body, μ = N'·ω, base^p, and the RGB that it adds."""
+
+    number: int
+    occluded: bool
+    mu: float
+    specular: float
+    adds: tuple
+
+
+@dataclass(frozen=True)
+class PixelRecord:
+    """One pixel. Lengths in world units, angles in radians; what exists on sphere A alone is None elsewhere."""
+
+    column: int
+    row: int
+    surface: str
+    chamber: int
+    point: tuple | None = None
+    normal: tuple | None = None
+    theta: float | None = None
+    phi: float | None = None
+    u: float | None = None
+    v: float | None = None
+    h: float | None = None
+    gradient: tuple | None = None
+    kink: bool | None = None
+    straddling: bool | None = None
+    lights: tuple = ()
+    rgb: tuple = (0.0, 0.0, 0.0)
+
+
+def pixel(scene, width, height, column, row, gradient=None):
+    """Return the PixelRecord of (column, row), counted from the top left, on a raster of width × height.
+
+    `normal` is N' on sphere A. Its rgb is bit for bit that of `render`. Raises ValueError as `render` does.
+    """
+    frame = render(scene, width, height, gradient, crop=(column, row, 1, 1), threads=1)
+    code = int(frame.chambers[0, 0])
+    record = {
+        "column": column,
+        "row": row,
+        "surface": SURFACES[code & SURFACE_BITS],
+        "chamber": code,
+        "rgb": tuple(frame.rgb[0, 0].tolist()),
+    }
+    if record["surface"] != "none":
+        record |= _lit(frame)
+    if record["surface"] == "A":
+        record |= _on_a(frame)
+    return PixelRecord(**record)
+
+
+class _OnePixel:
+    """One pixel of a frame, for the shader: nothing is stored."""
+
+    def __init__(self, frame):
+        self.x, self.y = frame.stage.x, frame.stage.y[0]
+        self._code = frame.chambers[0].astype(np.float64)
+
+    def load(self, name):
+        return self._code
+
+    def store(self, name, value):
+        pass
+
+
+class _WrittenDown(Group):
+    """A group of one pixel whose point, normal and lights are kept."""
+
+    @np.errstate(all="ignore")
+    def light_up(self, mask, point, normal, albedo, bodies):
+        """Keep what each light does, beside lighting the pixel."""
+        s, lights = self.scene, []
+        view = kernels.view_direction(self.x, self.y, s.eye, kernels.view_length(self.x, self.y, s.eye))
+        for light in self.machine.lights:
+            occluded = bool(self.given_shadow(light)[0])
+            mu, specular = self.model(point, light, normal, view, mask)
+            adds = kernels.light_term(0.0, 0.0, 0.0, *light.color, *albedo, s.kd, s.ks, mu, specular)
+            number = int(light.bit).bit_length() - 1 - FIRST_LIGHT_BIT
+            adds = (0.0, 0.0, 0.0) if occluded else _floats(adds)
+            lights.append(LightRecord(number, occluded, *_floats((mu, specular)), adds))
+        self.found = {"point": _floats(point), "normal": _floats(normal), "lights": tuple(lights)}
+
+
+def _floats(numbers):
+    return tuple(float(np.ravel(number)[0]) for number in numbers)
+
+
+def _lit(frame):
+    """Return the point, the normal and the lights of the one pixel of a frame."""
+    scene, lights = numbers_of(frame.scene, frame.method)
+    want = want_of(frame.scene, frame.method, given=True)
+    want = want._replace(lights=tuple((model, style.replace("dull", "base")) for model, style in want.lights))
+    group = _WrittenDown(Rows(lights), of_form(SCENE_FORM, scene), want, _OnePixel(frame))
+    group.draw()
+    return group.found
+
+
+def _on_a(frame):
+    data = {name: plane[0, 0].item() for name, plane in frame.surface_data.items()}
+    return {
+        "theta": (2.0 * data["u"] - 1.0) * math.pi,
+        "phi": data["v"] * math.pi,
+        "u": data["u"],
+        "v": data["v"],
+        "h": data["h"],
+        "gradient": (data["h_u"], data["h_v"]),
+        "kink": data["kink"] == 1.0,
+        "straddling": data.get("straddling") == 1.0,
+    }

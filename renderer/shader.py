@@ -1,0 +1,262 @@
+"""The picture of a group of pixels, written once: surface, shadows, light, as §2 and §3 derive them.
+
+A *machine* runs it (`renderer.machines`): it gives values for many pixels at once, and masks that say for which of
+them something holds. What `when` is given is passed over where its mask holds for no pixel of the group.
+"""
+
+from typing import NamedTuple
+
+from renderer import kernels as k
+from renderer.operations import floor, where
+
+NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0.0, 1.0, 2.0, 3.0
+DARK_BIT = 128.0
+COLORS = ("red", "green", "blue")
+ON_A = ("cos_theta", "sin_theta", "cos_phi", "sin_phi", "h_u", "h_v")
+WORK = ("gradients", "shadow_tests", "specular_powers", "light_terms")
+
+
+class Want(NamedTuple):
+    """What is drawn: it chooses the code, where the scene's numbers are given to it.
+
+    ways: (field, way to its gradient) pairs, of which `scene.way` is the index of one; a way is algebraic, general, a
+    difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is dull (without a
+    highlight), base, or squared. whole: whether the shininess is a whole number. given: whether the chambers are
+    known. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these are wanted. kept: which of
+    ON_A are stored.
+    """
+
+    ways: tuple
+    lights: tuple
+    whole: bool = True
+    given: bool = False
+    surfaces: str = "all"
+    colors: bool = True
+    kept: tuple = ()
+
+
+class Group:
+    """The pixels of a group while they are drawn.
+
+    pixels: their image points x, y (x is NaN beyond a row's end), and `load` and `store` of the frame's planes by name.
+    scene: `renderer.numbers.SceneNumbers`.
+    """
+
+    def __init__(self, machine, scene, want, pixels):
+        self.machine, self.scene, self.want, self.pixels = machine, scene, want, pixels
+        self.x, self.y = pixels.x, pixels.y
+
+    def draw(self):
+        """Find or load the chamber of every pixel, light it, and store what is wanted."""
+        want, x = self.want, self.x
+        surface, self.code = self.given_surface() if want.given else self.visible_surface()
+        on_a, on_b, on_floor = ((surface == number) & (x == x) for number in (SPHERE_A, SPHERE_B, FLOOR))
+        self.color = []
+        if want.surfaces == "a":
+            self.machine.when(on_a, lambda: self.draw_a_over(on_a))
+            return
+        if want.colors:
+            self.color = [self.machine.variable(0.0) for _ in COLORS]
+        if want.surfaces == "all":
+            self.machine.when(on_a, lambda: self.draw_a(on_a))
+        self.machine.when(on_b, lambda: self.draw_b(on_b))
+        self.machine.when(on_floor, lambda: self.draw_floor(on_floor))
+        if not want.given:
+            self.pixels.store("code", self.code.value)
+        self.store_color()
+
+    def store_color(self):
+        """Store the colours that are wanted."""
+        for name, channel in zip(COLORS, self.color, strict=False):
+            self.pixels.store(name, channel.value)
+
+    def visible_surface(self):
+        """Return the surface that each ray meets first, and the chamber code so far, a variable.
+
+        A is met where ρ² is at most `reach_of_a`; B is looked for where it can be.
+        """
+        s, x, y = self.scene, self.x, self.y
+        code = self.machine.variable(where(x * x + y * y <= s.reach_of_a, SPHERE_A, s.ground))
+        near_b = within(s.box_of_b, x, y)
+
+        def look():
+            code.set(k.visible_surface(x, y, s.eye, s.radius, *s.ball, s.ball_on, s.floor_on), near_b)
+
+        self.machine.when(near_b, look)
+        return code.value, code
+
+    def given_surface(self):
+        """Return the surface that each pixel's chamber code says, and the code, a variable."""
+        code = self.pixels.load("code")
+        return code - 4.0 * floor(0.25 * code), self.machine.variable(code)
+
+    def draw_a_over(self, on_a):
+        """Draw sphere A over what is there."""
+        if self.want.colors:
+            self.color = [self.machine.variable(self.pixels.load(name)) for name in COLORS]
+        self.draw_a(on_a)
+        self.store_color()
+
+    def draw_a(self, mask):
+        """§2 and §3: angles, gradient, bumped normal."""
+        s, want = self.scene, self.want
+        angles = k.angles_on_a(self.x, self.y, s.eye, s.radius)
+        gradient = self.gradient(angles, mask) if want.colors or want.kept else (0.0, 0.0)
+        for name, value in zip(ON_A, (*angles, *gradient), strict=True):
+            if name in want.kept:
+                self.pixels.store(name, value)
+        point, normal = k.point_on_a(*angles, s.radius), k.bumped_normal(*angles, *gradient, s.beta)
+        self.light_up(mask, point, normal, s.albedo_a, lambda light: [(s.ball, light.b_on_a)])
+
+    def draw_b(self, mask):
+        """A plain sphere."""
+        s = self.scene
+        point_and_normal = k.normal_of_b(self.x, self.y, s.eye, *s.ball, s.ball_on)
+        a = (0.0, 0.0, 0.0, s.radius)
+        self.light_up(mask, point_and_normal[:3], point_and_normal[3:], s.albedo_b, lambda light: [(a, light.a_on_b)])
+
+    def draw_floor(self, mask):
+        """The floor and its squares."""
+        s = self.scene
+        point_and_normal = k.normal_of_floor(self.x, self.y)
+        if self.want.given:
+            dark = self.code.value >= DARK_BIT
+        else:
+            dark = k.checker(self.x, self.y) > 0.0
+            self.code.set(self.code.value + DARK_BIT, mask & dark)
+        red, blue = (where(dark, *pair) for pair in zip(s.floor_dark, s.floor_light, strict=True))
+        a = (0.0, 0.0, 0.0, s.radius)
+        self.light_up(mask, point_and_normal[:3], point_and_normal[3:], (red, red, blue),
+                      lambda light: [(a, light.a_on_floor), (s.ball, light.b_on_floor)])  # fmt: skip
+
+    def gradient(self, angles, mask):
+        """Return h_u and h_v by the wanted way."""
+        s = self.scene
+
+        def by(way):
+            name, way = way
+            field = k.FIELDS[name]
+            if way == "flat":
+                return 0.0, 0.0
+            self.machine.count("gradients", mask)
+            if way == "algebraic":
+                u_real, u_imaginary, v_real, v_imaginary = k.algebraic_bases(*angles)
+                cos_u, sin_u = self.complex_power(u_real, s.turn_u * u_imaginary, s.power_u)
+                cos_v, sin_v = self.complex_power(v_real, s.turn_v * v_imaginary, s.power_v)
+                return field["gradient_from_factors"](sin_u, cos_u, sin_v, cos_v, s.ku, s.kv)
+            u, v = k.chart(*angles)
+            if way == "general":
+                return field["gradient"](u, v, s.ku, s.kv)
+            return difference(field, way, u, v, s.ku, s.kv, s.eps)
+
+        return self.machine.choose(self.want.ways, s.way, by)
+
+    def complex_power(self, real, imaginary, exponent):
+        """Return (real + i imaginary)^exponent, a whole number that is not negative, by repeated squaring."""
+        machine, one = self.machine, (1.0, 0.0)
+        square, result = ([machine.variable(part) for part in pair] for pair in ((real, imaginary), one))
+
+        def put(target, value):
+            for variable, part in zip(target, value, strict=True):
+                variable.set(part)
+
+        def parts(target):
+            return [variable.value for variable in target]
+
+        machine.by_squaring(
+            exponent,
+            first=lambda: put(result, parts(square)),
+            square=lambda: put(square, k.complex_square(*parts(square))),
+            multiply=lambda: put(result, k.complex_product(*parts(result), *parts(square))),
+        )
+        return parts(result)
+
+    def whole_power(self, base, exponent):
+        """Return base^exponent, a whole number, by repeated squaring."""
+        square, result = self.machine.variable(base), self.machine.variable(1.0)
+        self.machine.by_squaring(
+            exponent,
+            first=lambda: result.set(square.value),
+            square=lambda: square.set(square.value * square.value),
+            multiply=lambda: result.set(result.value * square.value),
+        )
+        return result.value
+
+    def light_up(self, mask, point, normal, albedo, bodies):
+        """Find what each light's shadows are, and add up the light.
+
+        bodies: light → [(a body that may stand in its way, where on the image its shadow can be)].
+        """
+        s, want, machine = self.scene, self.want, self.machine
+        if want.given and not want.colors:
+            return
+        color = [machine.variable(channel) for channel in s.ambient]
+        if want.colors:
+            view = k.view_direction(self.x, self.y, s.eye, k.view_length(self.x, self.y, s.eye))
+
+        def shine(light, lit):
+            machine.count("light_terms", lit)
+            mu, specular = self.model(point, light, normal, view, lit)
+            term = k.light_term(*(c.value for c in color), *light.color, *albedo, s.kd, s.ks, mu, specular)
+            for channel, value in zip(color, term, strict=True):
+                channel.set(value, lit)
+
+        def reach(light):
+            lit = mask & ~(self.given_shadow(light) if want.given else self.shadow(light, mask, point, bodies(light)))
+            if want.colors:
+                lit = lit & (light.glows > 0.0)
+                machine.when(lit, lambda: shine(light, lit))
+
+        machine.each_light(reach)
+        for target, channel in zip(self.color, color, strict=False):
+            target.set(k.clip(channel.value), mask)
+
+    def given_shadow(self, light):
+        """Return where the chamber code has the light's bit."""
+        shifted = floor(self.code.value * light.inverse_bit)
+        return shifted > 2.0 * floor(0.5 * shifted)
+
+    def shadow(self, light, mask, point, bodies):
+        """Return where a body stands before the light, and put the light's bit into the code."""
+        hidden = self.machine.variable(0.0)
+        for body, box in bodies:
+            near = mask & within(box, self.x, self.y)
+
+            def test(body=body, near=near):
+                self.machine.count("shadow_tests", near)
+                hidden.set(1.0, near & (k.shadow(*point, *light.position, *body) > 0.0))
+
+            self.machine.when(near, test)
+        self.code.set(self.code.value + light.bit, hidden.value > 0.0)
+        return hidden.value > 0.0
+
+    def model(self, point, light, normal, view, lit):
+        """Return μ and the highlight, by the wanted model of light."""
+        s = self.scene
+
+        def by(choice):
+            name, style = choice
+            base, squared = k.LIGHT_MODELS[name]
+            mu, specular = (squared if style == "squared" else base)(*point, *light.position, *normal, *view)
+            if style == "dull":
+                return mu, 0.0
+            self.machine.count("specular_powers", lit)
+            whole = self.want.whole
+            return mu, self.whole_power(specular, s.power) if whole else k.highlight(specular, s.shininess)
+
+        return self.machine.choose(self.want.lights, s.model, by)
+
+
+def difference(field, method, *arguments):
+    """Return h_u and h_v by a difference of a field's height; where h does not depend on u, h_u is 0.
+
+    arguments: u, v, k_u, k_v, ε.
+    """
+    found = field[method](field["height"], *arguments)
+    return found if isinstance(found, tuple) else (0.0, found)
+
+
+def within(box, x, y):
+    """Return which image points are in a box (left, right, low, high)."""
+    left, right, low, high = box
+    return (left <= x) & (x <= right) & (low <= y) & (y <= high)
