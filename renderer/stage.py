@@ -61,13 +61,17 @@ class Stage:
         shape = (len(self.y), len(self._x))
         return np.empty(shape if channels is None else (channels, *shape), kind)
 
+    def raster_of(self, of_a=False):
+        """Return a Job's x, y and columns: all columns, or those of each row that A may be in."""
+        return self._x, self.y, self._columns_of_a if of_a else self._everywhere
+
     def draw(self, scene, method, threads, planes, before=None, **want):
         """Draw what is wanted (`renderer.shader.Want`) into planes, by bands; return what was counted, by WORK.
 
         before: what is called with the rows of a band (a slice) before that is drawn.
         """
-        columns = self._columns_of_a if want.get("surfaces") == "a" else self._everywhere
-        job = Job(*numbers_of(scene, method), self._x, self.y, columns, {"code": self._codes} | planes)
+        raster = self.raster_of(of_a=want.get("surfaces") == "a")
+        job = Job(*numbers_of(scene, method), *raster, {"code": self._codes} | planes)
         draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)
         starts = range(0, len(self.y), rows)
 

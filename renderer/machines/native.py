@@ -51,23 +51,29 @@ def optimized(module, target, level=2):
 
 
 def compiled(want, lanes):
-    """Return the function that draws what is wanted: it takes the address of ARGUMENTS."""
-    key = want, lanes
+    """Return (the function that draws what is wanted, given the address of ARGUMENTS; what it lives as long as)."""
+    module, target = ir.Module(), _target()
+    module.triple = llvm.get_process_triple()
+    emit(module, "draw", want, lanes)
+    engine = llvm.create_mcjit_compiler(optimized(module, target), target)
+    engine.finalize_object()
+    return ctypes.CFUNCTYPE(None, ctypes.c_void_p)(engine.get_function_address("draw")), engine
+
+
+def _kept(want, lanes):
+    """Return the function of `compiled`, from the first time that it was wanted."""
     with _compiling:
-        if key not in _compiled:
-            module, target = ir.Module(), _target()
-            module.triple = llvm.get_process_triple()
-            emit(module, "draw", *key)
-            engine = llvm.create_mcjit_compiler(optimized(module, target), target)
-            engine.finalize_object()
-            function = ctypes.CFUNCTYPE(None, ctypes.c_void_p)(engine.get_function_address("draw"))
-            _compiled[key] = function, engine
-    return _compiled[key][0]
+        if (want, lanes) not in _compiled:
+            _compiled[want, lanes] = compiled(want, lanes)
+        return _compiled[want, lanes][0]
 
 
-def drawer(want, job, lanes=None):
-    """Return the function that draws rows (a range) of a Job and returns what was counted, in the order of WORK."""
-    code = compiled(want, lanes or host_lanes(want))
+def drawer(want, job, lanes=None, code=None):
+    """Return the function that draws rows (a range) of a Job and returns what was counted, in the order of WORK.
+
+    lanes: how many pixels at a time (default: `host_lanes`). code: the function to call, if it is not to be kept.
+    """
+    code = code or _kept(want, lanes or host_lanes(want))
     arrays = {name: getattr(job, name) for name in ("x", "y", "columns", "scene", "lights")} | job.planes
     given = {name: array.ctypes.data for name, array in arrays.items()}
     given |= {"pitch": len(job.x), "light_count": len(job.lights)}
@@ -80,4 +86,5 @@ def drawer(want, job, lanes=None):
         code(ctypes.addressof(arguments))
         return list(counted)
 
+    draw.alive = arrays  # whose addresses it has
     return draw
