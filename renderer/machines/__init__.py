@@ -1,8 +1,6 @@
 """The machines that run the shader: LLVM's vectors where llvmlite is installed, NumPy's rows elsewhere; same bits."""
 
 from functools import cache
-from importlib import import_module
-from importlib.util import find_spec
 from typing import NamedTuple
 
 import numpy as np
@@ -26,4 +24,8 @@ class Job(NamedTuple):
 @cache
 def machine():
     """Return the module that draws in this process: its NAME, and `drawer(want, job)`."""
-    return import_module("renderer.machines." + ("native" if find_spec("llvmlite") else "numpy_rows"))
+    try:
+        from renderer.machines import native as found
+    except ImportError:  # no llvmlite, or one that is too old
+        from renderer.machines import numpy_rows as found
+    return found

@@ -6,6 +6,7 @@ from threading import Lock
 
 import llvmlite.binding as llvm
 import llvmlite.ir as ir
+from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options  # since 0.44
 
 from renderer.kernels import HEIGHT_EVALUATIONS
 from renderer.machines.drawing_code import ARGUMENTS, emit
@@ -43,9 +44,9 @@ def optimized(module, target, level=2):
     """Return LLVM's module of a text, simplified: the shader is vectors already, so loops stay as they are."""
     parsed = llvm.parse_assembly(str(module))
     parsed.verify()
-    tuning = llvm.create_pipeline_tuning_options(speed_level=level)
+    tuning = create_pipeline_tuning_options(speed_level=level)
     tuning.loop_vectorization = tuning.slp_vectorization = tuning.loop_unrolling = tuning.loop_interleaving = False
-    passes = llvm.create_pass_builder(target, tuning)
+    passes = create_pass_builder(target, tuning)
     passes.getModulePassManager().run(parsed, passes)
     return parsed
 
