@@ -2,62 +2,19 @@
 
 import math
 from functools import lru_cache
+from types import SimpleNamespace
 from typing import NamedTuple
 
 import numpy as np
 
-from renderer.bounds import ball_box, shadow_boxes
+from renderer.bounds import EVERYWHERE, ball_box, shadow_boxes
 from renderer.gradients import algebraic_powers, uses_algebraic_form
 from renderer.kernels import FIELDS, LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
+from renderer.methods import exact
+from renderer.scene import Light, Scene
 from renderer.shader import FLOOR, NOTHING, Want
 
 FIRST_LIGHT_BIT = 2
-
-
-class SceneNumbers(NamedTuple):
-    """A scene and a gradient method. Boxes are (left, right, low, high) in image points."""
-
-    eye: float
-    radius: float
-    ball: tuple  # centre and radius of B
-    ball_on: float
-    floor_on: float
-    ground: float  # the surface that is seen where there is no sphere
-    reach_of_a: float  # the largest x² + y² at which A is met
-    box_of_b: tuple
-    way: float
-    model: float
-    ku: float
-    kv: float
-    beta: float
-    eps: float
-    power_u: float  # whole powers of the algebraic form, not negative, and what the imaginary parts are turned by
-    power_v: float
-    turn_u: float
-    turn_v: float
-    kd: float
-    ks: float
-    shininess: float
-    power: float  # the whole power of the highlight's base, or of its square
-    ambient: tuple
-    albedo_a: tuple
-    albedo_b: tuple
-    floor_light: tuple  # red and green; blue
-    floor_dark: tuple
-
-
-class LightNumbers(NamedTuple):
-    """A light that is on; the boxes are where a body's shadow on a surface can be."""
-
-    position: tuple
-    color: tuple
-    glows: float  # 0 for a black light, which casts shadows and adds nothing
-    bit: float  # of the chamber code
-    inverse_bit: float
-    a_on_floor: tuple
-    b_on_floor: tuple
-    b_on_a: tuple
-    a_on_b: tuple
 
 
 class Geometry(NamedTuple):
@@ -71,22 +28,17 @@ class Geometry(NamedTuple):
     lights: tuple
 
 
-SCENE_FORM = SceneNumbers(
-    *(0.0,) * 2, (0.0,) * 4, *(0.0,) * 4, (0.0,) * 4, *(0.0,) * 14, *[(0.0,) * 3] * 3, *[(0.0,) * 2] * 2
-)
-LIGHT_FORM = LightNumbers((0.0,) * 3, (0.0,) * 3, 0.0, 0.0, 0.0, *[(0.0,) * 4] * 4)
-"""Examples, which say how many numbers each field has."""
-
-
 def flat(numbers):
     """Return the numbers one after another, a list."""
-    return [part for field in numbers for part in (field if isinstance(field, tuple) else (field,))]
+    return [part for field in vars(numbers).values() for part in (field if isinstance(field, tuple) else (field,))]
 
 
 def of_form(form, values):
-    """Return an iterable of values in the form of an example: the inverse of `flat`."""
-    values = iter(values)
-    return type(form)(*(tuple(next(values) for _ in f) if isinstance(f, tuple) else next(values) for f in form))
+    """Return an iterable of values in the form of other numbers: the inverse of `flat`."""
+    values, names = iter(values), vars(form).items()
+    return SimpleNamespace(
+        **{n: tuple(next(values) for _ in old) if isinstance(old, tuple) else next(values) for n, old in names}
+    )
 
 
 def geometry_of(scene):
@@ -135,39 +87,72 @@ def want_of(scene, method, **more):
     return Want((way_of(scene, method),), (style_of(scene),), scene.shininess.is_integer(), **more)
 
 
+def scene_numbers(scene, method):
+    """Return the numbers of a scene and a gradient method, by name. Boxes are (left, right, low, high)."""
+    geometry = geometry_of(scene)
+    reach, box_of_b, _ = places_of(geometry)
+    (_, way), (_, style) = way_of(scene, method), style_of(scene)
+    power_u, power_v = algebraic_powers(scene) if way == "algebraic" else (0, 0)
+    light, dark = (tuple(float(part) for part in floor_albedo(dark, scene.floor_tint)) for dark in (0.0, 1.0))
+    return SimpleNamespace(
+        eye=scene.eye,
+        radius=scene.radius,
+        ball=geometry.ball,  # centre and radius of B
+        ball_on=geometry.ball_on,
+        floor_on=geometry.floor_on,
+        ground=FLOOR if scene.floor else NOTHING,  # what is seen where there is no sphere
+        reach_of_a=reach,  # the largest x² + y² at which A is met
+        box_of_b=box_of_b,
+        way=float(list(FIELDS).index(scene.field)),
+        model=float(list(LIGHT_MODELS).index(scene.model)),
+        ku=scene.ku,
+        kv=scene.kv,
+        beta=scene.beta,
+        eps=method.eps or 0.0,
+        power_u=float(abs(power_u)),  # whole powers of the algebraic form,
+        power_v=float(abs(power_v)),
+        turn_u=-1.0 if power_u < 0 else 1.0,  # and what turns the imaginary parts of negative ones
+        turn_v=-1.0 if power_v < 0 else 1.0,
+        kd=scene.kd,
+        ks=scene.ks,
+        shininess=scene.shininess,
+        power=scene.shininess / 2 if style == "squared" else scene.shininess,  # of the highlight's base, or its square
+        ambient=tuple(ambient_term(scene.ka, channel) for channel in scene.ambient),
+        albedo_a=scene.albedo_a,
+        albedo_b=scene.albedo_b,
+        floor_light=light,  # red and green; blue
+        floor_dark=dark,
+    )
+
+
+def light_numbers(number, light, boxes):
+    """Return the numbers of a light that is on, by name; the boxes are where a body's shadow on a surface can be."""
+    bit = float(1 << (FIRST_LIGHT_BIT + number))
+    a_on_floor, b_on_floor, b_on_a, a_on_b = boxes
+    return SimpleNamespace(
+        position=light.position,
+        color=light.color,
+        glows=float(any(light.color)),  # 0 for a black light, which casts shadows and adds nothing
+        bit=bit,  # of the chamber code
+        inverse_bit=1 / bit,
+        a_on_floor=a_on_floor,
+        b_on_floor=b_on_floor,
+        b_on_a=b_on_a,
+        a_on_b=a_on_b,
+    )
+
+
+SCENE_FORM = scene_numbers(Scene(), exact())
+LIGHT_FORM = light_numbers(0, Light((0.0, 0.0, 0.0)), (EVERYWHERE * 2,) * 4)
+
+
 @lru_cache(maxsize=64)
 def numbers_of(scene, method):
     """Return (the scene's numbers, those of the lights that are on (n, …)), float64 arrays."""
-    geometry = geometry_of(scene)
-    reach, box_of_b, boxes = places_of(geometry)
-    (_, way), (_, style) = way_of(scene, method), style_of(scene)
-    powers = algebraic_powers(scene) if way == "algebraic" else (0, 0)
-    power = scene.shininess / 2 if style == "squared" else scene.shininess
-    scene_numbers = SceneNumbers(
-        *geometry[:5],
-        FLOOR if scene.floor else NOTHING,
-        reach,
-        box_of_b,
-        float(list(FIELDS).index(scene.field)),
-        float(list(LIGHT_MODELS).index(scene.model)),
-        scene.ku,
-        scene.kv,
-        scene.beta,
-        method.eps or 0.0,
-        *(float(abs(power)) for power in powers),
-        *(-1.0 if power < 0 else 1.0 for power in powers),
-        scene.kd,
-        scene.ks,
-        scene.shininess,
-        power,
-        tuple(ambient_term(scene.ka, channel) for channel in scene.ambient),
-        scene.albedo_a,
-        scene.albedo_b,
-        *(tuple(float(part) for part in floor_albedo(dark, scene.floor_tint)) for dark in (0.0, 1.0)),
-    )
-    lights = []
-    for number, (light, box) in enumerate(zip(scene.lights, boxes, strict=True)):
-        if light.color is not None:
-            bit = float(1 << (FIRST_LIGHT_BIT + number))
-            lights.append(flat(LightNumbers(light.position, light.color, float(any(light.color)), bit, 1 / bit, *box)))
-    return np.array(flat(scene_numbers)), np.array(lights).reshape(len(lights), len(flat(LIGHT_FORM)))
+    boxes = places_of(geometry_of(scene))[2]
+    lights = [
+        flat(light_numbers(number, light, box))
+        for number, (light, box) in enumerate(zip(scene.lights, boxes, strict=True))
+        if light.color is not None
+    ]
+    return np.array(flat(scene_numbers(scene, method))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))
