@@ -1,5 +1,6 @@
 """A rendered picture, with what is known of its pixels; views are made when they are first asked for."""
 
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -74,10 +75,13 @@ class Frame:
 
     @cached_property
     def planes_on_a(self):
-        """(6, pixels of A) float64: cos θ, sin θ, cos φ, sin φ, h_u, h_v by the frame's method, row by row."""
+        """(6, pixels of A) float64: cos θ, sin θ, cos φ, sin φ, h_u, h_v by the frame's method, row by row.
+
+        A picture without a bump is drawn without a gradient; the field has one all the same.
+        """
         planes = {name: self.stage.new_plane() for name in ON_A}
         want = {"given": True, "surfaces": "a", "colors": False, "kept": ON_A}
-        self.stage.draw(self.scene, self.method, 1, planes, **want)
+        self.stage.draw(replace(self.scene, beta=1.0), self.method, 1, planes, **want)
         return np.stack([planes[name][:, : self.raster.shape[1]][self.stage.on_a] for name in ON_A])
 
     @cached_property

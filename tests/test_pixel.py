@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from renderer import Scene, central, exact, pixel, render
-from renderer.pixel import PixelRecord
+from renderer.pixel_record import PixelRecord
 from renderer.raster import Raster
 from tests.strategies import methods, rasters, scenes
 
@@ -59,6 +59,11 @@ def first_of(surface, scene=None):
     scene = scene or Scene()
     row, column = np.argwhere(render(scene, 64, 64).chambers & 3 == surface)[0]
     return pixel(scene, 64, 64, int(column), int(row))
+
+
+def test_a_record_has_the_gradient_of_the_field_without_a_bump_too():
+    flat, bumped = (pixel(Scene(beta=beta), 256, 256, 104, 72) for beta in (0.0, 0.35))
+    assert flat.gradient == bumped.gradient != (0.0, 0.0)
 
 
 def test_the_names_of_the_surfaces():
