@@ -1,58 +1,12 @@
-"""The 50-digit reference: the programs of `proofs/`, printed for mpmath and run on the exact values of float64 inputs.
-
-It shares the expressions with the kernels and nothing else: arithmetic, sinpi, cospi and atan2pi are mpmath's.
-"""
+"""The 50-digit reference of a pixel: its program run on the exact values of a scene's float64 numbers."""
 
 from functools import lru_cache
-
-import mpmath
 
 from proofs import symbols
 from proofs.finite_difference import METHODS
 from proofs.height_fields import HEIGHT_FIELDS
 from proofs.pixel import CHANNELS, light_color, light_position, pixel
-from renderer.generate.printers import MpmathPrinter
-
-DIGITS = 50
-NOTHING = mpmath.nan  # the value of a line that has none, such as the normal of a sphere that is not hit
-
-_NAMESPACE = {
-    "sqrt": mpmath.sqrt,
-    "floor": mpmath.floor,
-    "nint": mpmath.nint,
-    "sign": mpmath.sign,
-    "pow": mpmath.power,
-    "mpf": mpmath.mpf,
-    "inf": mpmath.inf,
-    "pi": mpmath.pi,
-    "sinpi": mpmath.sinpi,
-    "cospi": mpmath.cospi,
-    "sinpi_of_product": lambda a, b: mpmath.sinpi(a * b),
-    "cospi_of_product": lambda a, b: mpmath.cospi(a * b),
-    "atan2pi": lambda y, x: mpmath.atan2(y, x) / mpmath.pi if (x, y) != (0, 0) else mpmath.mpf(0),
-}
-
-
-class Reference:
-    """A straight-line program at any precision."""
-
-    def __init__(self, program):
-        printer = MpmathPrinter()
-        self.program = program
-        self.lines = [(s.name, compile(printer.doprint(e), s.name, "eval")) for s, e in program.definitions]
-
-    def __call__(self, values, digits=DIGITS):
-        """Return {name: value} of every line; `values` has a float or an mpf for every input's name."""
-        # A product k·u of float64 numbers has 106 bits; the guard digits keep it exact, and cancellation away.
-        with mpmath.workdps(digits + 20):
-            scope = dict(_NAMESPACE)
-            scope |= {s.name: mpmath.mpf(values[s.name]) for s in self.program.inputs}
-            for name, code in self.lines:
-                try:
-                    scope[name] = mpmath.mpmathify(eval(code, scope))
-                except ZeroDivisionError:
-                    scope[name] = NOTHING
-            return {name: scope[name] for name, _ in self.lines}
+from verify.evaluate import DIGITS, Reference
 
 
 @lru_cache(maxsize=64)

@@ -1,7 +1,7 @@
 """The strict reference: the whole pixel's program at every pixel, in float64, with nothing skipped and nothing cached.
 
-It is the program of `proofs.pixel`, printed for NumPy, one line after another: what the renderer's spans, boxes and
-kernels have to reproduce.
+It is the program of `proofs.pixel`, printed as the kernels are, one line after another: what the renderer's boxes,
+forms and shortcuts have to reproduce.
 """
 
 from functools import cache
@@ -12,7 +12,7 @@ from proofs.camera import surface
 from proofs.height_fields import HEIGHT_FIELDS
 from proofs.pixel import dark_square, occlusion, pixel, rgb
 from renderer import Light, Scene
-from renderer.generate.compiled import compiled_program
+from renderer.generate.kernels import function_of
 from verify.reference import scene_values
 
 
@@ -20,7 +20,7 @@ from verify.reference import scene_values
 def _program(field, model, lights, outputs):
     whole = pixel(HEIGHT_FIELDS[field], model, lights)
     program = whole.keep(*outputs(lights))
-    return compiled_program(program, "numpy"), [s.name for s in program.inputs]
+    return function_of(program), [s.name for s in program.inputs]
 
 
 def _chamber_outputs(lights):
@@ -48,7 +48,7 @@ def strict_rgb(scene, width, height):
 
 
 def strict_chambers(scene, width, height):
-    """Return the chamber codes, (height, width) uint8, as `renderer.chambers.Stage` defines them."""
+    """Return the chamber codes, (height, width) uint8, as `renderer.stage.Stage` defines them."""
     seen, dark, *occluded = _run(scene, width, height, _chamber_outputs)
     codes = seen.astype(np.uint8) | (dark.astype(np.uint8) << 7)
     on = [number for number, light in enumerate(scene.lights) if light.color is not None]

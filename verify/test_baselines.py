@@ -9,8 +9,8 @@ from sympy import symbols
 from proofs.program import Program
 from proofs.symbols import x
 from renderer import Scene, central, exact, render
-from renderer.chambers import SURFACE_BITS
 from renderer.scene import MODELS
+from renderer.stage import SURFACE_BITS
 from verify.baselines import seed_loops as loops
 from verify.baselines.numpy_tiles import numpy_function, numpy_tiles, without_repeats
 from verify.baselines.seed_loops import seed_loops

@@ -9,7 +9,6 @@ from book.figures.chapter_scene import SCENE, SIZE, symbolic
 from book.figures.registry import Drawing, figure
 from book.style import panels
 from renderer import render
-from renderer.terminator import light_cosines
 from renderer.views import image_view
 
 
@@ -18,7 +17,7 @@ def turned(size=SIZE):
     """Return, for each light, the pixels of A that β turns to the light's other side, (height, width) bool."""
     bumped = symbolic("ridges", size)
     flat = render(replace(SCENE, beta=0.0), size, size, stage=bumped.stage)
-    sides = [(light_cosines(bumped, n) > 0, light_cosines(flat, n) > 0) for n in range(len(SCENE.lights))]
+    sides = [(bumped.light_cosines(n) > 0, flat.light_cosines(n) > 0) for n in range(len(SCENE.lights))]
     return [(one != other) & bumped.stage.on_a for one, other in sides]
 
 

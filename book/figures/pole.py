@@ -8,7 +8,8 @@ from book.style import decades, label_line_end, palette, plot, readable
 from proofs.height_fields import HEIGHT_FIELDS, gradient
 from proofs.tangent_frame import seed_frame, tangent_frame
 from renderer import Scene, central, exact, gradient_at
-from renderer.generate.compiled import compiled_program
+from renderer.generate.kernels import function_of
+from verify.evaluate import NAMES, ExactPrinter
 
 AZIMUTHS = np.linspace(-3.0, 3.0, 25)
 SEED_FALLBACK = 1e-4
@@ -22,10 +23,10 @@ def _tangent_gradient(frame, slopes):
 
 def _errors(small_sine):
     """Return the largest errors of g over the azimuths (seed's frame, with its fallback, ours) at one sin φ."""
-    seed = compiled_program(seed_frame, "numpy")
-    ours = compiled_program(tangent_frame, "numpy")
-    exact_frame = compiled_program(tangent_frame, "mpmath")
-    slope = compiled_program(gradient(HEIGHT_FIELDS["sine"]), "mpmath")
+    seed = function_of(seed_frame)
+    ours = function_of(tangent_frame)
+    exactly = (function_of(p, ExactPrinter(), NAMES) for p in (tangent_frame, gradient(HEIGHT_FIELDS["sine"])))
+    exact_frame, slope = exactly
     worst = np.zeros(3)
     for azimuth in AZIMUTHS:
         with mp.workdps(50):

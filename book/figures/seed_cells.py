@@ -13,7 +13,7 @@ from proofs.chart import seed_chart
 from proofs.symbols import normal
 from renderer import Scene, central, exact, gradient_at, pixel
 from renderer.facts import SMOOTH_POINT
-from renderer.generate.compiled import compiled_program
+from renderer.generate.kernels import function_of
 from verify.baselines import seed_loops
 
 FRAMES = "verify/benchmark/results/frames.json"
@@ -44,7 +44,7 @@ def normal_derivative_errors():
     samples = np.random.default_rng(5).normal(size=(2000, 2, 3))  # in the seed's order: N, g, N, g, …
     normals, g = samples[:, 0].T, 4 * samples[:, 1].T
     normals = normals / np.linalg.norm(normals, axis=0)
-    bump, slope = (compiled_program(program, "numpy") for program in (perturbed, normal_by_beta))
+    bump, slope = (function_of(program) for program in (perturbed, normal_by_beta))
     closed, here = np.array(slope(*normals, *g, BETA)), np.array(bump(*normals, *g, BETA))
     one_sided = (np.array(bump(*normals, *g, BETA + STEP)) - here) / STEP
     complex_step = np.array(bump(*normals, *g, BETA + 1e-200j)).imag / 1e-200

@@ -41,6 +41,19 @@ def print_function(name, program, printer, before=""):
     return "\n".join([f"def {name}({before}{parameters}):", *(f"    {line}" for line in lines), ""])
 
 
+def function_of(program, printer=None, names=None):
+    """Return a program as a Python function of its inputs, in order, that returns its outputs.
+
+    Without more it computes what a kernel does, to the last bit, on float64 numbers and arrays or traced values.
+    names: what the printed text may call instead.
+    """
+    from renderer import kernels  # not above: they may be what is about to be printed
+
+    scope = dict(vars(kernels) if names is None else names)
+    exec(print_function(program.name, program, printer or KernelPrinter()), scope)
+    return scope[program.name]
+
+
 def _field_entry(field):
     """Return the text of a field's entry in FIELDS: its kernels, its differences, how many heights each evaluates."""
     lines = [f'"{role}": {program.name},' for role, program in programs.field_programs(field).items()]

@@ -6,12 +6,14 @@ rounding can do to the same lines. A selection that the balls do not decide take
 
 from flint import arb, ctx, fmpq
 
-from renderer.generate.printers import MpmathPrinter
+from verify.evaluate import ExactPrinter, code_of
 
 
-class _ArbPrinter(MpmathPrinter):
-    def literal(self, rational):
-        return f"ball({rational.p}, {rational.q})"
+class _BallPrinter(ExactPrinter):
+    """Comparisons of balls may be undecided."""
+
+    def _condition(self, condition):
+        return self._print(condition)
 
     def select(self, condition, value, otherwise):
         return f"select({condition}, lambda: {value}, lambda: {otherwise})"
@@ -70,28 +72,23 @@ class Balls:
     """A program in balls: called with {name: float}, it returns ({name: ball} of every line, names left undecided)."""
 
     def __init__(self, program):
-        printer = _ArbPrinter()
-        self.program, self.undecided = program, set()
-        self.lines = [(s.name, compile(printer.doprint(e), s.name, "eval")) for s, e in program.definitions]
+        self.program, self.lines, self.undecided = program, code_of(program, _BallPrinter()), set()
         self.names = {
-            "ball": lambda p, q: arb(fmpq(p, q)),
+            "rational": lambda p, q: arb(fmpq(p, q)),
             "compare": compare,
             "both": both,
             "either": either,
             "select": self._select,
             "sign": self._sign,
             "sqrt": root,
-            "pow": power,
-            "abs": abs,
+            "power": power,
             "floor": arb.floor,
-            "nint": lambda x: (x + 0.5).floor(),
-            "max": lambda *a: _fold(arb.max, a),
-            "min": lambda *a: _fold(arb.min, a),
+            "rint": lambda x: (x + 0.5).floor(),
+            "maximum": lambda *a: _fold(arb.max, a),
+            "minimum": lambda *a: _fold(arb.min, a),
             "inf": arb.pos_inf(),
             "sinpi": arb.sin_pi,
             "cospi": arb.cos_pi,
-            "sinpi_of_product": lambda a, b: (a * b).sin_pi(),
-            "cospi_of_product": lambda a, b: (a * b).cos_pi(),
             "atan2pi": _atan2pi,
         }
 

@@ -16,7 +16,7 @@ from proofs.height_fields import HEIGHT_FIELDS, factors, gradient
 from proofs.program import Program
 from renderer import Scene, gradient_at
 from renderer import central as by_central
-from renderer.generate.compiled import compiled_program
+from renderer.generate.kernels import function_of
 from verify.accuracy.balls import Balls
 
 BITS, PER_DECADE = 300, 40
@@ -73,7 +73,7 @@ def _programs(field):
     rest = tuple(line for line in whole.definitions if line[0] not in ARGUMENTS)
     given = Program("given", (*whole.inputs, *ARGUMENTS), rest, whole.outputs)
     arguments = whole.keep(*ARGUMENTS, name="arguments")
-    code = compiled_program(arguments, "numpy"), [s.name for s in arguments.inputs]
+    code = function_of(arguments), [s.name for s in arguments.inputs]
     balls = [Balls(p) for p in (gradient(HEIGHT_FIELDS[field]), whole, given)]
     return *balls, code, Balls(factors(HEIGHT_FIELDS[field]))
 

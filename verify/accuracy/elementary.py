@@ -18,7 +18,9 @@ from sympy import Poly, Rational
 
 from proofs import elementary as e
 from proofs.program import Program
-from verify.accuracy.rounding import ZERO, Rounded, between, code_of, run, unit_in_the_last_place
+from renderer import kernels
+from verify.accuracy.rounding import ZERO, Rounded, between, run, unit_in_the_last_place
+from verify.evaluate import code_of
 
 PRECISION, TERMS = 160, 40
 SMALLEST = -12  # binary exponent below which the lines only scale
@@ -33,6 +35,13 @@ CERTIFIED = {
     "atan2pi": Fraction(250, 100),
 }
 """The bounds that the book states, in units in the last place; theorem elementary_functions."""
+
+
+KERNELS = {name: getattr(kernels, name) for name in ("sinpi", "cospi", "atan2pi")} | {
+    "sinpi_of_product": lambda a, b: kernels.sinpi(*kernels.two_product(a, b)),
+    "cospi_of_product": lambda a, b: kernels.cospi(*kernels.two_product(a, b)),
+}
+"""What the renderer computes, of float64 numbers or arrays."""
 
 
 class Piece(NamedTuple):
@@ -205,7 +214,7 @@ class _Angle:
 
 
 def pieces_of(name):
-    """Return the Pieces of an elementary function by its kernel's name, a key of CERTIFIED."""
+    """Return the Pieces of an elementary function by its name, a key of CERTIFIED."""
     if name == "atan2pi":
         return angle_pieces()
     return sine_pieces(cosine=name.startswith("cos"), of_product=name.endswith("_of_product"))

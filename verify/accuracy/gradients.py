@@ -17,7 +17,7 @@ from proofs.half_turns import ordinary
 from proofs.height_fields import HEIGHT_FIELDS, gradient
 from proofs.program import chain
 from renderer import Scene, exact, gradient_at
-from renderer.generate.compiled import compiled_program
+from renderer.generate.kernels import function_of
 from verify.accuracy.balls import Balls
 from verify.methods.algebraic import algebraic_gradient
 
@@ -92,7 +92,7 @@ def rounded_product(scene, u, v):
 def image_gradient(field, k_u, k_v):
     """Return the function (x, y, eye, radius) → (h_u, h_v): the algebraic form's lines on arrays, as the kernels'."""
     program = chain(f"image_gradient_{field}", angles_on_a, algebraic_gradient(HEIGHT_FIELDS[field], k_u, k_v))
-    code, names = compiled_program(program, "numpy"), [s.name for s in program.inputs]
+    code, names = function_of(program), [s.name for s in program.inputs]
 
     def run(**values):
         values |= {"k_u": float(k_u), "k_v": float(k_v)}

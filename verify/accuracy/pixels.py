@@ -14,7 +14,6 @@ from flint import arb, ctx
 from proofs.height_fields import HEIGHT_FIELDS
 from proofs.pixel import CHANNELS, pixel
 from renderer import Scene, render
-from renderer.terminator import light_cosines
 from verify.accuracy.balls import Balls
 from verify.reference import scene_values
 
@@ -72,8 +71,8 @@ def _kinds(scene, frame):
         "next to the pole": v,
         "next to the seam": np.minimum(u, 1 - u),
         "next to a crease": np.minimum(*np.abs(waves)),
-        "terminator": np.min([np.abs(light_cosines(frame, i)) for i in lights], axis=0),
-        "grazing light": np.min([np.abs(light_cosines(flat, i)) for i in lights], axis=0),
+        "terminator": np.min([np.abs(frame.light_cosines(i)) for i in lights], axis=0),
+        "grazing light": np.min([np.abs(flat.light_cosines(i)) for i in lights], axis=0),
     }
 
 

@@ -6,8 +6,6 @@ inherits and half a unit in the last place of the largest result that it can hav
 
 from flint import arb
 
-from renderer.generate.printers import NumbaPrinter
-
 ZERO, TINY = arb(0), arb((1, -100))
 
 
@@ -130,12 +128,6 @@ def _cancels(a, b):
     if not (first > 0 and second > 0):
         first, second = -first, -second
     return first > 0 and second > 0 and first <= 2 * second and second <= 2 * first
-
-
-def code_of(program):
-    """Return [(name, code of its line as the kernels print it)] of a straight-line program."""
-    printer = NumbaPrinter()
-    return [(s.name, compile(printer.doprint(e), s.name, "eval")) for s, e in program.definitions]
 
 
 def run(code, scope, known=None):

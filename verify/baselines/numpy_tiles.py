@@ -14,21 +14,27 @@ from proofs.height_fields import HEIGHT_FIELDS
 from proofs.pixel import pixel, rgb
 from proofs.program import Program
 from proofs.symbols import ball_on, floor_on, height, width, x, y
-from renderer.generate.printers import NumPyPrinter
-from renderer.generate.source import print_function
+from renderer.generate.kernels import function_of
+from renderer.generate.printer import KernelPrinter
 from verify.reference import scene_values
 
 TILE_PIXELS = 2**14
 
 
-class TrigonometricPrinter(NumPyPrinter):
-    """NumPy with its own trigonometric functions in place of sinpi and its kin."""
+NUMPY = vars(np) | {
+    "np": np,
+    "sinpi": lambda x: np.sin(np.pi * x),
+    "cospi": lambda x: np.cos(np.pi * x),
+    "atan2pi": lambda y, x: np.arctan2(y, x) / np.pi,
+}
+"""NumPy's own functions, its trigonometric ones in place of sinpi and its kin."""
 
-    def _print_atan2pi(self, expr):
-        return f"({self._call('np.arctan2', expr.args)} / np.pi)"
+
+class TrigonometricPrinter(KernelPrinter):
+    """NumPy as one writes it."""
 
     def _half_turn(self, name, argument):
-        return f"np.{name.removesuffix('pi')}(np.pi * ({self._print(argument)}))"
+        return f"{name}({self._print(argument)})"
 
     def _print_Pow(self, expr):
         return f"np.square({self._print(expr.base)})" if expr.exp == 2 else super()._print_Pow(expr)
@@ -58,9 +64,7 @@ def on_surface(program, number):
 
 def numpy_function(program):
     """Return (the program as a function of its inputs, the inputs' names)."""
-    scope = {"np": np}
-    exec(print_function(program.name, program, TrigonometricPrinter(), ""), scope)
-    return scope[program.name], [s.name for s in program.inputs]
+    return function_of(program, TrigonometricPrinter(), NUMPY), [s.name for s in program.inputs]
 
 
 @cache

@@ -17,7 +17,6 @@ from proofs.half_turns import ordinary
 from proofs.height_fields import HEIGHT_FIELDS
 from proofs.symbols import beta, cos_phi, eye, k_u, k_v, phi, radius, rho, sin_phi, u, v
 from renderer import Scene, render
-from renderer.terminator import light_cosines
 from verify.stability.measure import in_float64
 
 STEPS = ("the chapter's", "sign turned", "and the chart's scale", "and the metric: Blinn's")
@@ -106,6 +105,6 @@ def leaks(scene, size):
     pairs = []
     for number in range(len(scene.lights)):
         with np.errstate(invalid="ignore"):
-            bump, flat = light_cosines(bumped, number), light_cosines(plain, number)
+            bump, flat = bumped.light_cosines(number), plain.light_cosines(number)
             pairs.append(((bump > 0) & (flat <= 0), (bump <= 0) & (flat > 0)))
     return pairs

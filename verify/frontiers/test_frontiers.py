@@ -74,7 +74,7 @@ def test_leaks_and_misses_are_the_flips_of_the_attached_shadow():
     scene, size = Scene(), 48
     bumped, flat = render(scene, size, size), render(replace(scene, beta=0.0), size, size)
     for number, (leak, miss) in enumerate(fiction.leaks(scene, size)):
-        sides = [fiction.light_cosines(frame, number) > 0 for frame in (bumped, flat)]
+        sides = [frame.light_cosines(number) > 0 for frame in (bumped, flat)]
         np.testing.assert_array_equal(leak | miss, sides[0] != sides[1])
         assert not (leak & miss).any()
         assert leak.any() and miss.any()

@@ -36,7 +36,7 @@ def over_the_chart(field="ridges", side=128, ku=8.0, kv=4.0, seed=9):
     program = gradient(HEIGHT_FIELDS[field])
     truth = in_balls(program, inputs)["h_u"]
     ours = in_float64(program, inputs)["h_u"]
-    seed_form = in_float64(with_rounded_argument(field, False), inputs, "libm")["h_u"]
+    seed_form = in_float64(with_rounded_argument(field, False), inputs)["h_u"]
     return {"seed": relative(seed_form, truth), "ours": relative(ours, truth)}
 
 

@@ -58,7 +58,7 @@ def _k(field):
 
 def seed_tangent_vector(field, inputs, fallback=True):
     """Return {component of g: array} as the seed computes it, with or without its fixed frame near the pole."""
-    v = in_float64(_seed_program(field), inputs, "libm")
+    v = in_float64(_seed_program(field), inputs)
     near = ~(v["seed_sin_phi"] > SEED_FALLBACK) & fallback
     fixed = (v["h_u"], v["h_v"], np.zeros_like(v["h_u"]))
     with np.errstate(invalid="ignore"):  # without the fallback it divides by zero below 10⁻⁸

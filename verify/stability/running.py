@@ -13,12 +13,8 @@ from renderer import kernels
 U = 2.0**-53
 TINY = 2.0**-1074
 SLACK = 1 + 1e-12  # the bounds are rounded too
+inf = np.inf
 ULPS = {"sinpi": 2.0, "cospi": 2.0, "atan2pi": 2.5, "power": 1.0}
-
-_sin_array, _cos_array, _atan_array = (
-    np.vectorize(getattr(kernels, name).py_func, otypes=[float])
-    for name in ("sinpi_of_product", "cospi_of_product", "atan2pi")
-)
 
 
 class Running:
@@ -123,7 +119,10 @@ def running(value):
     return value if isinstance(value, Running) else Running(value)
 
 
-def select(condition, value, otherwise):
+pi = Running(np.pi, 2 * U)
+
+
+def where(condition, value, otherwise):
     """Return `value` where the condition holds, else `otherwise`; where it is open the bound covers both."""
     value, otherwise = running(value), running(otherwise)
     if not isinstance(condition, Comparison):
@@ -170,28 +169,24 @@ def power(a, p):
     return a._rounded(value, np.where(a.bound == 0, 0.0, np.maximum(above, below)), ULPS["power"])
 
 
-def _of_product(function, ulps):
-    def of_product(a, b):
+def two_product(a, b):
+    """The two factors: sinpi and cospi take both, and their product with its error."""
+    return a, b
+
+
+def _of_half_turns(function, ulps):
+    def of_half_turns(a, b=1.0):
         a, b = running(a), running(b)
         with np.errstate(all="ignore"):
             argument = np.abs(a.value) * b.bound + np.abs(b.value) * a.bound + a.bound * b.bound
-        return a._rounded(function(a.value, b.value), np.minimum(2.0, np.pi * SLACK * argument), ulps)
+            value = function(*kernels.two_product(a.value, b.value))
+        return a._rounded(value, np.minimum(2.0, np.pi * SLACK * argument), ulps)
 
-    return of_product
-
-
-sinpi_of_product = _of_product(_sin_array, ULPS["sinpi"])
-cospi_of_product = _of_product(_cos_array, ULPS["cospi"])
+    return of_half_turns
 
 
-def sinpi(a):
-    """sin πa."""
-    return sinpi_of_product(a, 1.0)
-
-
-def cospi(a):
-    """cos πa."""
-    return cospi_of_product(a, 1.0)
+sinpi = _of_half_turns(kernels.sinpi, ULPS["sinpi"])  # sin πab
+cospi = _of_half_turns(kernels.cospi, ULPS["cospi"])
 
 
 def atan2pi(y, x):
@@ -203,4 +198,4 @@ def atan2pi(y, x):
         turned = np.where(moved < length, np.arcsin(np.minimum(1, sine)) / np.pi, 2.0)
     across = (x.value < 0) & (np.abs(y.value) <= y.bound) & (y.bound > 0)
     turned = np.where(moved == 0, 0.0, np.where(across, 2.0, turned))
-    return y._rounded(_atan_array(y.value, x.value), turned, ULPS["atan2pi"])
+    return y._rounded(kernels.atan2pi(y.value, x.value), turned, ULPS["atan2pi"])

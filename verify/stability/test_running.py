@@ -53,7 +53,7 @@ def test_a_fault_in_the_last_places_is_above_its_bound():
 
 def test_a_comparison_that_rounding_can_turn_covers_both_branches():
     near = Running([1.0, 1.0], [1e-3, 0.0])
-    chosen = running.select(near >= 1.0005, 5.0, 2.0)
+    chosen = running.where(near >= 1.0005, 5.0, 2.0)
     assert chosen.value.tolist() == [2.0, 2.0]
     assert chosen.bound.tolist() == [3.0, 0.0]
 

@@ -60,7 +60,7 @@ def large_wave_numbers(field="sine", k=None, values=74, samples=24, seed=4):
         return np.maximum(*(distance(values[n], truth[n]) for n in ("h_u", "h_v"))) / scale
 
     others = {
-        "libm, rounded argument": error(in_float64(with_rounded_argument(field, False), inputs, "libm")),
+        "libm, rounded argument": error(in_float64(with_rounded_argument(field, False), inputs)),
         "reduced, rounded product": error(in_float64(with_rounded_argument(field, True), inputs)),
     }
     bound = np.maximum(ours["h_u"].bound, ours["h_v"].bound) / scale

@@ -1,0 +1,78 @@
+"""A straight-line program in other numbers than float64: printed for them, line by line, and run.
+
+What runs it shares the expressions with the kernels and nothing else: arithmetic, sinpi, cospi and atan2pi are
+mpmath's, or those of `verify.accuracy.balls`. For float64 there is `renderer.generate.kernels.function_of`.
+"""
+
+import mpmath
+
+from renderer.generate.printer import KernelPrinter
+
+DIGITS = 50
+NOTHING = mpmath.nan  # the value of a line that has none, such as the normal of a sphere that is not hit
+
+
+class LazyPrinter(KernelPrinter):
+    """One number at a time: a selection computes the side that it takes, and no other."""
+
+    def select(self, condition, value, otherwise):
+        return f"({value} if {condition} else {otherwise})"
+
+
+LAZY = LazyPrinter()
+
+
+class ExactPrinter(LazyPrinter):
+    """Numbers of any precision: rationals are quotients, and a product needs no error beside it."""
+
+    def literal(self, rational):
+        return f"rational({rational.p}, {rational.q})"
+
+    def _half_turn(self, name, argument):
+        return f"{name}({self._print(argument)})"
+
+
+def code_of(program, printer=LAZY):
+    """Return [(name, code of its line)] of a program; by default with the kernels' operations."""
+    return [(s.name, compile(printer.doprint(e), s.name, "eval")) for s, e in program.definitions]
+
+
+def _atan2pi(y, x):
+    return mpmath.atan2(y, x) / mpmath.pi if x or y else mpmath.mpf(0)
+
+
+NAMES = {
+    "rational": lambda p, q: mpmath.mpf(p) / q,
+    "sqrt": mpmath.sqrt,
+    "floor": mpmath.floor,
+    "rint": mpmath.nint,
+    "sign": mpmath.sign,
+    "maximum": max,
+    "minimum": min,
+    "power": mpmath.power,
+    "inf": mpmath.inf,
+    "pi": mpmath.pi,
+    "sinpi": mpmath.sinpi,
+    "cospi": mpmath.cospi,
+    "atan2pi": _atan2pi,
+}
+"""What ExactPrinter's text calls, at mpmath's working precision."""
+
+
+class Reference:
+    """A straight-line program at any precision."""
+
+    def __init__(self, program):
+        self.program, self.lines = program, code_of(program, ExactPrinter())
+
+    def __call__(self, values, digits=DIGITS):
+        """Return {name: value} of every line; `values` has a float or an mpf for every input's name."""
+        # A product k·u of float64 numbers has 106 bits; the guard digits keep it exact, and cancellation away.
+        with mpmath.workdps(digits + 20):
+            scope = NAMES | {s.name: mpmath.mpf(values[s.name]) for s in self.program.inputs}
+            for name, code in self.lines:
+                try:
+                    scope[name] = mpmath.mpmathify(eval(code, scope))
+                except ZeroDivisionError:
+                    scope[name] = NOTHING
+            return {name: scope[name] for name, _ in self.lines}
