@@ -19,7 +19,7 @@ PACKAGES = ("proofs", "renderer", "verify", "book", "tests")
 PRODUCTS = {"__pycache__", "_build", "_generated", ".ipynb_checkpoints"}
 # A module that imports by computed names can reach anything in its package.
 COMPUTED_IMPORTS = {"importlib", "pkgutil", "runpy", "__import__"}
-LOOKS_ONLY = ("importlib.util", ["find_spec"])  # and imports nothing
+LAZY = "_HOMES"  # {name: the module that a package imports it from when it is first asked for}
 
 
 def files_in(folder: Path) -> Iterator[Path]:
@@ -32,17 +32,25 @@ def files_in(folder: Path) -> Iterator[Path]:
 
 def reachable(source: Path) -> set[Path]:
     """The file, the repository's modules that it imports directly or not, and the data beside those."""
-    found: set[Path] = set()
-    waiting = [source.resolve()]
-    while waiting:
-        path = waiting.pop()
-        if path not in found:
-            found.add(path)
-            waiting.extend(_direct_imports(path) - found)
+    found = _followed({source.resolve()})
     code_only = {ROOT / "book", ROOT / "book" / "figures"}  # what lies beside these is prose
     folders = {path.parent for path in found} - code_only
     data = {other for folder in folders for other in folder.iterdir() if other.is_file() and _is_data(other)}
     return found | data
+
+
+def modules_for(code: str) -> set[Path]:
+    """The repository's modules that some code imports, directly or not."""
+    return _followed({file for name in imported(code)[0] for file in _module_files(name)})
+
+
+def _followed(waiting: set[Path]) -> set[Path]:
+    found: set[Path] = set()
+    while waiting:
+        path = waiting.pop()
+        found.add(path)
+        waiting |= _direct_imports(path) - found
+    return found
 
 
 def hashes(paths: Iterable[Path]) -> dict[str, str]:
@@ -87,31 +95,38 @@ def write_whole(path: Path, content: bytes) -> None:
 
 
 def _is_data(path: Path) -> bool:
-    return path.suffix not in {".py", ".pyc", ".nbi", ".nbc"} and not path.name.startswith(".")
+    return path.suffix not in {".py", ".pyc"} and not path.name.startswith(".")
 
 
 @cache
 def _direct_imports(path: Path) -> frozenset[Path]:
     if path.suffix != ".py":
         return frozenset()
-    tree = ast.parse(path.read_text(encoding="utf-8"), filename=str(path))
     package = path.parent.relative_to(ROOT).parts
-    names, computed = set(), False
-    for node in ast.walk(tree):
+    names, computed = imported(path.read_text(encoding="utf-8"), package)
+    found = {file for name in names for file in _module_files(name)}
+    if computed:
+        found.update(file for file in files_in(ROOT / package[0]) if file.suffix == ".py")
+    return frozenset(found)
+
+
+def imported(code: str, package: tuple[str, ...] = ()) -> tuple[set[str], bool]:
+    """The dotted names that may be modules which a source in a package imports; and whether it computes others."""
+    names, computed, homes = set(), False, None
+    for node in ast.walk(ast.parse(code)):
         if isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
-            base = ".".join(package[: len(package) - node.level + 1]) if node.level else ""
-            module = ".".join(part for part in (base, node.module) if part)
-            if (module, [alias.name for alias in node.names]) == LOOKS_ONLY:
-                continue
+            base = package[: len(package) - node.level + 1] if node.level else ()
+            module = ".".join([*base, *([node.module] if node.module else [])])
             names.update([module, *(f"{module}.{alias.name}" for alias in node.names)])
+        elif isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == LAZY:
+            homes = {".".join([*package, home]) for home in ast.literal_eval(node.value).values()}
         elif isinstance(node, ast.Name):
             computed |= node.id in COMPUTED_IMPORTS
-    found = {file for name in names for file in _module_files(name)}
-    if computed or any(name.split(".")[0] in COMPUTED_IMPORTS for name in names):
-        found.update(file for file in files_in(ROOT / package[0]) if file.suffix == ".py")
-    return frozenset(found)
+    if homes is not None:
+        return names | homes, False
+    return names, computed or any(name.split(".")[0] in COMPUTED_IMPORTS for name in names)
 
 
 @cache

@@ -77,7 +77,8 @@ def test_sources_are_the_projects_own_and_no_more_than_needed():
     sources = closure("from renderer import Scene, render")
     for path, text in sources.items():
         assert (stamps.ROOT / path).read_text(encoding="utf-8") == text, path
-    assert {f"renderer/{name}.py" for name in ("array_kernels", "arrays", "kernels")} <= sources.keys()
+    drawing = ("kernels", "drawing", "gradients", "machines/__init__", "machines/native", "machines/numpy_rows")
+    assert {f"renderer/{name}.py" for name in drawing} <= sources.keys()
     assert not any(re.match(r"proofs/|renderer/(generate|command_line|grid|stream)", path) for path in sources)
     assert "proofs/half_turns.py" in closure("from proofs.height_fields import HEIGHT_FIELDS")
 
@@ -213,11 +214,10 @@ def in_empty_folder(python, arguments, folder):
     return subprocess.run([python, *arguments], cwd=folder, env=settings, capture_output=True, text=True)
 
 
-def test_clean_environment_has_neither_numba_nor_a_network(clean_python, tmp_path):
-    done = in_empty_folder(clean_python, ["-c", "import numba"], tmp_path)
-    assert "No module named 'numba'" in done.stderr
-    done = in_empty_folder(clean_python, ["-c", "import renderer"], tmp_path)
-    assert "No module named 'renderer'" in done.stderr
+def test_clean_environment_has_neither_llvmlite_nor_a_network(clean_python, tmp_path):
+    for name in ("llvmlite", "renderer"):
+        done = in_empty_folder(clean_python, ["-c", f"import {name}"], tmp_path)
+        assert f"No module named '{name}'" in done.stderr
     ask = "import urllib.request; urllib.request.urlopen('http://192.0.2.1', timeout=5)"
     assert "a notebook asked the network" in in_empty_folder(clean_python, ["-c", ask], tmp_path).stderr
 
@@ -244,15 +244,15 @@ def test_notebook_runs_alone_and_prints_what_the_page_does(name, site, clean_pyt
         assert run == page
     seconds = re.search(r"([\d.]+) s since the first cell", text)[1]
     record_property("seconds", seconds)
-    print(f"{name}: {seconds} s without Numba")
+    print(f"{name}: {seconds} s without llvmlite")
 
 
-def test_notebook_draws_with_numba_where_it_is(site, tmp_path):
+def test_notebook_draws_by_llvm_where_it_is(site, tmp_path):
     notebook = json.loads((site / FOLDER / "cell6.ipynb").read_text(encoding="utf-8"))
     lines = ["import matplotlib", "matplotlib.use('agg')", *(cell["source"] for cell in code_cells(notebook))]
     done = subprocess.run([sys.executable, "-I", "-c", "\n".join(lines)], cwd=tmp_path, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    assert "drawn by numba" in done.stdout
+    assert "drawn by llvm" in done.stdout
     assert UNEXPECTED not in done.stdout
 
 

@@ -5,34 +5,23 @@ import json
 import zlib
 from string import Template
 
-from book.notebooks.sources import digest, hashes, project
+from book.notebooks.sources import digest, hashes, version
 
 TEXT = Template('''\
 # What this notebook uses of the project Symbolic Rendering, version $version, put in a folder beside it by this cell.
-# The book's build took it from the project's own files; HASHES has the SHA-256 of each. With Numba its kernels are
-# compiled, without it NumPy does the same.
+# The book's build took it from the project's own files; HASHES has the SHA-256 of each.
 import base64
 import hashlib
 import json
-import os
 import sys
 import time
 import zlib
 from pathlib import Path
 
 BEGAN = time.perf_counter()
-VERSION, DIGEST, NUMBA = "$version", "$digest", ($numba)
+VERSION, DIGEST = "$version", "$digest"
 HASHES = $hashes
 SOURCES = "$sources"
-
-
-def has_numba():
-    """Return whether Numba is here, new enough, and on terms with this NumPy."""
-    try:
-        import numba
-    except ImportError:
-        return False
-    return tuple(int(part) for part in numba.__version__.split(".")[:2]) >= NUMBA
 
 
 def write_sources():
@@ -53,7 +42,7 @@ def write_sources():
 
 FOLDER = write_sources()
 sys.path.insert(0, str(FOLDER))
-BACK_END = os.environ["RENDERER_KERNELS"] = "numba" if has_numba() else "numpy"
+from renderer.machines import machine
 
 
 def expect(what, found, as_expected):
@@ -62,18 +51,13 @@ def expect(what, found, as_expected):
 
 
 files = len(list(FOLDER.rglob("*.py")))
-print(f"version {VERSION}, sources {DIGEST[:8]}, drawn by {BACK_END}: {files} files in {FOLDER.name}")
+print(f"version {VERSION}, sources {DIGEST[:8]}, drawn by {machine().NAME}: {files} files in {FOLDER.name}")
 ''')
 
 
 def first_cell(sources):
     """Return the text of the first cell for a closure of `sources.closure`."""
-    version, numba = project()
     packed = base64.b64encode(zlib.compress(json.dumps(sources).encode(), 9)).decode()
     return TEXT.substitute(
-        version=version,
-        digest=digest(sources),
-        numba=", ".join(numba.split(".")),
-        hashes=json.dumps(hashes(sources), indent=4),
-        sources=packed,
+        version=version(), digest=digest(sources), hashes=json.dumps(hashes(sources), indent=4), sources=packed
     )

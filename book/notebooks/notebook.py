@@ -7,15 +7,15 @@ from book.notebooks import WHOLE
 from book.notebooks.first_cell import first_cell
 from book.notebooks.laboratory import EXPECTED, SKIPPED, cells, cited, plain
 from book.notebooks.slices import needed
-from book.notebooks.sources import closure, project
+from book.notebooks.sources import closure, version
 
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 ABOUT = (
     "From §5 of *Bump Mapping, or the Derivative Is the Texture*, version {version}. This notebook needs Python 3.11 "
-    "or newer with NumPy, SymPy, mpmath and Matplotlib, and nothing else: no network, no other file. Where Numba is "
-    "installed, it draws; elsewhere NumPy does, more slowly, to the same last bit."
+    "or newer with NumPy, SymPy, mpmath and Matplotlib, and nothing else: no network, no other file. Where llvmlite "
+    "is installed, LLVM compiles what draws; elsewhere NumPy does it, more slowly, to the same last bit."
 )
-LAST = 'print(f"{time.perf_counter() - BEGAN:.1f} s since the first cell, drawn by {BACK_END}")'
+LAST = 'print(f"{time.perf_counter() - BEGAN:.1f} s since the first cell, drawn by {machine().NAME}")'
 
 
 def markdown(source):
@@ -71,8 +71,9 @@ def _earlier(own):
 
 def _whole(title, middle):
     """Return the notebook of some cells under a title, its first and last cell put around them."""
-    sources = closure("\n".join(cell["source"] for cell in middle if cell["cell_type"] == "code"))
-    top = markdown(f"# {title}\n\n{ABOUT.format(version=project()[0])}")
+    code_cells = [cell["source"] for cell in middle if cell["cell_type"] == "code"]
+    sources = closure("\n".join(["import renderer.machines", *code_cells]))
+    top = markdown(f"# {title}\n\n{ABOUT.format(version=version())}")
     every = [top, code(first_cell(sources), jupyter={"source_hidden": True}), *middle, code(LAST)]
     for number, cell in enumerate(every):
         cell["id"] = f"cell-{number}"
