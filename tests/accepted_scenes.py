@@ -113,7 +113,7 @@ def main():
     parser.add_argument("--out", type=Path, default=RESULT, help="the JSON file")
     options = parser.parse_args()
     numbers = campaign(options.scenes, options.seed, options.workers)
-    write(options.out, {"label": label("numpy", "numba", "hypothesis"), "numbers": numbers})
+    write(options.out, {"label": label("numpy", "llvmlite", "hypothesis"), "numbers": numbers})
     print(", ".join(f"{key.replace('_', ' ')}: {value:,}" for key, value in numbers.items()))
 
 

@@ -109,12 +109,13 @@ def test_a_key_is_of_the_content():
     assert grid.Task(Scene(beta=0.35, ku=8), central(0.001), 8, 8).key == task.key
 
 
-def test_a_key_is_of_the_sources_too(tmp_path, monkeypatch):
+@pytest.mark.parametrize("edited", ["kernels.py", "machines/traced.py"])
+def test_a_key_is_of_the_sources_too(edited, tmp_path, monkeypatch):
     shutil.copytree(ROOT / "renderer", tmp_path / "renderer", ignore=shutil.ignore_patterns("__pycache__"))
     own, key = grid.version(), grid.Task(Scene(), central(1e-3), 8, 8).key
     monkeypatch.setattr(grid, "__file__", str(tmp_path / "renderer" / "grid.py"))
     assert grid.version.__wrapped__() == own
-    with open(tmp_path / "renderer" / "kernels.py", "a") as file:
+    with open(tmp_path / "renderer" / edited, "a") as file:
         file.write("\n")
     changed = grid.version.__wrapped__()
     assert changed != own

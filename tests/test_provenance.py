@@ -20,7 +20,7 @@ MODULES = sorted(path.stem for path in FIGURES.glob("*.py") if path.stem not in 
 # In a process that has none of the repository's modules, and for each figure module a child of it that has not either.
 TRACE = """
 import json, os, sys
-import flint, matplotlib.figure, mpmath, numba, numpy, PIL.Image, sympy, tqdm
+import flint, llvmlite, matplotlib.figure, mpmath, numpy, PIL.Image, sympy, tqdm
 root, names, found = sys.argv[1], sys.argv[2:], {}
 assert not any(str(getattr(m, "__file__", "")).startswith(root + "/book") for m in sys.modules.values())
 for name in names:
@@ -94,8 +94,9 @@ def drawn(monkeypatch, tmp_path):
 
 @pytest.mark.parametrize(
     "name",
-    ["verify/stability/maps.py", "renderer/terminator.py", "renderer/sweep.py", "book/style.py", "book/figures/data.py",
-     "proofs/symbols.py", "verify/results/work_precision.json", "requirements.lock", "book/matplotlibrc"],
+    ["verify/stability/maps.py", "renderer/facts.py", "renderer/machines/traced.py", "book/style.py",
+     "book/figures/data.py", "proofs/symbols.py", "verify/results/work_precision.json", "requirements.lock",
+     "book/matplotlibrc"],
 )  # fmt: skip
 def test_editing_one_file_draws_all_that_reach_it_and_says_why(name, drawn, imported, monkeypatch, capsys):
     assert draw.draw() == 0 and drawn == []
@@ -117,7 +118,7 @@ def test_editing_one_file_draws_all_that_reach_it_and_says_why(name, drawn, impo
 def test_some_edits_leave_figures_alone():
     figures = all_figures().values()
     reached = [set(keys.sources(entry)) for entry in figures]
-    for name in ("verify/stability/maps.py", "renderer/terminator.py"):
+    for name in ("verify/stability/maps.py", "renderer/facts.py"):
         assert 0 < sum(name in names for names in reached) < len(reached), f"figures import too widely: {name}"
 
 

@@ -70,7 +70,7 @@ def elsewhere(folder: Path) -> Mapping[str, str]:
     """An environment that differs from ours where a build must not depend on it: home, time zone, hash seed, caches."""
     home = folder / "another home"
     home.mkdir()
-    unwanted = ("XDG_", "MPLCONFIGDIR", "NUMBA_CACHE_DIR", "PYTHONPATH", "IPYTHONDIR", "JUPYTER_")
+    unwanted = ("XDG_", "MPLCONFIGDIR", "PYTHONPATH", "IPYTHONDIR", "JUPYTER_")
     kept = {name: value for name, value in os.environ.items() if not name.startswith(unwanted)}
     return kept | {"HOME": str(home), "TZ": "Asia/Kathmandu", "PYTHONHASHSEED": "12345", "LC_ALL": "C.UTF-8"}
 

@@ -20,7 +20,7 @@ from book._ext.chapter.theorems import certificate, proofs_of, script
 
 DOWNLOADS = "_downloads/theorems"
 FOLDERS = ("proofs/*.py", "proofs/theorems/*.py", "verify/*.py", "verify/*/*.py")
-LISTED = (*FOLDERS, "renderer/back_end.py", "tests/test_work.py")
+LISTED = (*FOLDERS, "renderer/shader.py", "renderer/machines/*.py", "tests/test_work.py")
 
 
 def listing_address(path: PurePosixPath) -> str:
