@@ -1,137 +1,92 @@
-"""One program, three back ends: Numba's text and NumPy's agree bit for bit, mpmath's to rounding, point by point.
+"""One program, three ways to run it: NumPy and LLVM agree to the last bit, mpmath to rounding, point by point."""
 
-The Numba text is run as plain Python, the same operations in the same order; with --long the compiled kernels too.
-"""
+from itertools import product
 
 import numpy as np
 import pytest
 
+from proofs.finite_difference import METHODS
 from proofs.height_fields import HEIGHT_FIELDS
 from renderer import kernels
-from renderer.generate.fused import FUSED_KERNELS
-from renderer.generate.kernel_list import ROW_KERNELS, SCALAR_PROGRAMS, RowKernel, field_kernels
-from renderer.generate.printers import NumPyPrinter
-from renderer.generate.source import elementary_functions, kernels_source, print_function
-from verify.reference import Reference
+from renderer.generate import programs
+from renderer.shader import difference
+from verify.evaluate import Reference
+from verify.methods.compiled import loop_of
 
 POINTS = 48
-KERNELS = {
-    kernel.program.name: kernel
-    for kernel in (
-        *ROW_KERNELS,
-        *FUSED_KERNELS,
-        *(k for field in HEIGHT_FIELDS.values() for k in field_kernels(field)),
-        *(RowKernel(program, ()) for program in SCALAR_PROGRAMS),
-    )
-}
 RANGES = {
-    "eye": (3, 5), "radius": (0.5, 1), "ball_radius": (0.3, 0.5), "body_radius": (0.3, 0.5), "height": (64, 64),
-    "width": (96, 96), "column": (0, 95), "row": (0, 63), "ball_on": (1, 1), "floor_on": (1, 1), "half": (1, 2),
-    "ball_center_z": (1.2, 1.6), "light_z": (6, 9), "k_u": (-9, 9), "k_v": (-9, 9), "u": (0, 1), "v": (0, 1),
-    "epsilon": (0.01, 0.05), "specular_base": (0, 1), "specular": (0, 1), "shininess": (0.5, 40),
-    "floor_dark": (0, 1), "view_scale": (0.2, 0.3), "tangent_squared": (8, 9),
+    "eye": (3, 5), "radius": (0.5, 1), "ball_radius": (0.3, 0.5), "body_radius": (0.3, 0.5),
+    "sphere_radius": (0.3, 0.5), "height": (64, 65), "width": (96, 97), "column": (0, 95), "row": (0, 63), "ball_on": (1, 1),
+    "floor_on": (1, 1), "half": (1, 2), "ball_center_z": (1.2, 1.6), "light_z": (6, 9), "apex_height": (6, 9), "k_u": (-9, 9),
+    "k_v": (-9, 9), "u": (0, 1), "v": (0, 1), "epsilon": (0.01, 0.05), "specular_base": (0, 1), "specular": (0, 1),
+    "shininess": (0.5, 40), "floor_dark": (0, 1), "view_scale": (0.2, 0.3), "product_error": (-1e-17, 1e-17),
 }  # fmt: skip
 
 
-def plain_kernels():
-    """Return the names of renderer/kernels.py, its functions not compiled."""
-    text = kernels_source().replace("from numba import njit", "njit = lambda **options: lambda function: function")
-    scope = {}
-    exec(text, scope)
-    return scope
+def printed():
+    """Return {name: (program, kernel)} of everything in renderer/kernels.py, a field's differences of its height."""
+    found = {name: (program, getattr(kernels, name)) for name, program in programs.named().items()}
+    for field, (method, program_of) in product(HEIGHT_FIELDS.values(), METHODS.items()):
+        found[f"{method}_{field.name}"] = program_of(field), difference_kernel(kernels.FIELDS[field.name], method)
+    return found
 
 
-PLAIN = plain_kernels()
+def difference_kernel(field, method):
+    """Return a difference as a function of the chart point, the wave numbers and ε."""
+
+    def kernel(u, v, k_u, k_v, epsilon):
+        return difference(field, method, u, v, k_u, k_v, epsilon)
+
+    return kernel
 
 
-def numpy_functions():
-    scope = {"np": np}
-    for name, program in elementary_functions():
-        exec(print_function(name, program, NumPyPrinter(), ""), scope)
-    return scope
+PRINTED = printed()
 
 
-NUMPY = numpy_functions()
+def random_inputs(program):
+    """Return {name: array of POINTS} for a program's inputs, in its domain."""
+    rng = np.random.default_rng(len(program.name))
+    theta, phi = rng.uniform(-np.pi, np.pi, POINTS), rng.uniform(0.01, np.pi - 0.01, POINTS)
+    angles = {"cos_theta": np.cos(theta), "sin_theta": np.sin(theta), "cos_phi": np.cos(phi), "sin_phi": np.sin(phi)}
+    names = [symbol.name for symbol in program.inputs]
+    return {name: angles.get(name, rng.uniform(*RANGES.get(name, (-1, 1)), POINTS)) for name in names}
 
 
-def assert_same(name, numba, numpy):
-    """Assert equality to the last bit; `highlight` alone calls pow, which is each library's own: 2 ulp."""
-    for a, b in zip(numba, numpy, strict=True):
-        if name == "highlight":
-            np.testing.assert_array_max_ulp(a, b, 2)
-        else:
-            np.testing.assert_array_equal(a, b)
-
-
-def random_inputs(kernel):
-    """Return {name: float, or array of POINTS for a row} for a kernel's inputs, in the domain of its program."""
-    rng = np.random.default_rng(len(kernel.program.name))
-    angle_theta, angle_phi = rng.uniform(-np.pi, np.pi, POINTS), rng.uniform(0.01, np.pi - 0.01, POINTS)
-    fixed = {
-        "cos_theta": np.cos(angle_theta), "sin_theta": np.sin(angle_theta),
-        "cos_phi": np.cos(angle_phi), "sin_phi": np.sin(angle_phi),
-    }  # fmt: skip
-    values = {}
-    for symbol in kernel.program.inputs:
-        row = fixed.get(symbol.name, rng.uniform(*RANGES.get(symbol.name, (-1, 1)), POINTS))
-        values[symbol.name] = row if symbol in kernel.rows else np.float64(row[0])
-    return values
-
-
-def run_numpy(kernel, values):
-    """Return the outputs by the program printed for NumPy, line by line."""
-    scope, printer = NUMPY | values, NumPyPrinter()
+def by_numpy(name):
+    """Return (program, inputs, its outputs by NumPy, (outputs, POINTS))."""
+    program, kernel = PRINTED[name]
+    inputs = random_inputs(program)
     with np.errstate(all="ignore"):
-        for symbol, expression in kernel.program.definitions:
-            scope[symbol.name] = eval(printer.doprint(expression), scope)
-    size = POINTS if kernel.rows else 1
-    return [np.broadcast_to(np.float64(scope[s.name]), (size,)).copy() for s in kernel.program.outputs]
+        found = kernel(*inputs.values())
+    found = found if isinstance(found, tuple) else (found,)
+    return program, inputs, np.array([np.broadcast_to(output, POINTS) for output in found])
 
 
-def run_kernel(kernel, values, functions):
-    """Return the outputs of the row kernel (or scalar function) of that name among `functions`."""
-    program = kernel.program
-    if not kernel.rows:
-        result = functions[program.name](*(values[s.name] for s in program.inputs))
-        return [np.array([r]) for r in (result if isinstance(result, tuple) else (result,))]
-    rows = {name: value.copy() for name, value in values.items() if isinstance(value, np.ndarray)}
-    arguments = [rows.get(s.name, values[s.name]) for s in program.inputs]
-    outputs = []
-    for target in kernel.into or program.outputs:
-        if target.name in rows and f"{target.name}" in {s.name for s in kernel.rows}:
-            outputs.append(rows[target.name])
-        else:
-            outputs.append(np.empty(POINTS))
-            arguments.append(outputs[-1])
-    with np.errstate(all="ignore"):
-        functions[f"{program.name}_row"](*arguments, 0, POINTS)
-    return outputs
+@pytest.mark.parametrize("name", PRINTED)
+def test_llvm_agrees_bit_for_bit(name):
+    """`highlight` alone calls the C library's pow, which LLVM may take from elsewhere: 2 ulp."""
+    _, inputs, found = by_numpy(name)
+    compiled = loop_of(PRINTED[name][1], len(found))(*inputs.values())
+    if name == "highlight":
+        np.testing.assert_array_max_ulp(compiled, found, 2)
+    else:
+        np.testing.assert_array_equal(compiled, found)
 
 
-@pytest.mark.parametrize("name", KERNELS)
-def test_numba_and_numpy_agree_bit_for_bit(name):
-    kernel = KERNELS[name]
-    values = random_inputs(kernel)
-    assert_same(name, run_kernel(kernel, values, PLAIN), run_numpy(kernel, values))
-
-
-@pytest.mark.long
-@pytest.mark.parametrize("name", KERNELS)
-def test_the_compiled_kernel_agrees_bit_for_bit(name):
-    kernel = KERNELS[name]
-    values = random_inputs(kernel)
-    assert_same(name, run_kernel(kernel, values, vars(kernels)), run_numpy(kernel, values))
-
-
-@pytest.mark.parametrize("name", KERNELS)
+@pytest.mark.parametrize("name", PRINTED)
 def test_mpmath_agrees(name):
     """float64 against 50 digits at six points: 1e-11, or what a difference of step ε ≥ 0.01 amplifies it to."""
-    kernel = KERNELS[name]
-    values, reference = random_inputs(kernel), Reference(kernel.program)
-    outputs = run_kernel(kernel, values, PLAIN)
-    for point in range(6 if kernel.rows else 1):
-        here = {n: float(v[point]) if isinstance(v, np.ndarray) else float(v) for n, v in values.items()}
-        truth = reference(here)
-        for symbol, output in zip(kernel.program.outputs, outputs, strict=True):
+    program, inputs, found = by_numpy(name)
+    reference = Reference(program)
+    for point in range(6):
+        truth = reference({name: float(values[point]) for name, values in inputs.items()})
+        for symbol, output in zip(program.outputs, found, strict=True):
             expected = float(truth[symbol.name])
             assert output[point] == pytest.approx(expected, rel=1e-11, abs=1e-11, nan_ok=True), symbol
+
+
+def test_another_order_of_additions_is_told_apart():
+    a, b, c = np.random.default_rng(4).uniform(-1, 1, (3, POINTS))
+    compiled = loop_of(lambda a, b, c: a + (b + c), 1)(a, b, c)
+    np.testing.assert_array_equal(compiled[0], a + (b + c))
+    assert (compiled[0] != (a + b) + c).any()

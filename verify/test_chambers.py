@@ -1,12 +1,13 @@
-"""Intervals, boxes and runs leave no pixel out: the renderer's chambers are those of the test of every pixel."""
+"""Boxes and the reach of A leave no pixel out: the renderer's chambers are those of the test of every pixel."""
 
 import os
 
 import numpy as np
 import pytest
 
-from renderer import Light, Scene, bounds, stage_of
-from renderer.stage import prepared
+from proofs.camera import discriminant_a, hit_of_a
+from renderer import Light, Scene, bounds, numbers, stage_of
+from renderer.generate.kernels import function_of
 from verify.strict import strict_chambers
 
 SCENES = 10_000 if os.environ.get("HYPOTHESIS_PROFILE") == "long" else 400
@@ -85,23 +86,73 @@ def test_degenerate_scenes(case, size):
     assert differing_pixels(Scene(**TOUCHING[case]), *size) == 0
 
 
-def test_a_shadow_left_out_is_noticed(monkeypatch):
+@pytest.fixture
+def forget():
+    """Return a function that forgets every scene's boxes; they are forgotten when the test has ended, too."""
+
+    def clear():
+        numbers.places_of.cache_clear()
+        numbers.numbers_of.cache_clear()
+
+    yield clear
+    clear()
+
+
+def test_a_shadow_left_out_is_noticed(monkeypatch, forget):
     """As if A cleared every cone of light: it shades B here."""
     scene = Scene(lights=(Light((-3.0, -3.0, -1.0)),))
     assert differing_pixels(scene, 64, 64) == 0
-    prepared.cache_clear()
+    forget()
     monkeypatch.setattr(bounds, "_casts", lambda *where: False)
-    found = differing_pixels(scene, 64, 64)
-    monkeypatch.undo()
-    prepared.cache_clear()
-    assert found > 0
+    assert differing_pixels(scene, 64, 64) > 0
 
 
-def test_a_box_too_small_is_noticed(monkeypatch):
-    prepared.cache_clear()
-    monkeypatch.setattr(bounds, "GUARD", -6)
-    found = differing_pixels(Scene(), 64, 64)
-    monkeypatch.undo()
-    prepared.cache_clear()
-    assert found > 0
+def test_a_box_too_small_is_noticed(monkeypatch, forget):
     assert differing_pixels(Scene(), 64, 64) == 0
+    forget()
+    monkeypatch.setattr(bounds, "GUARD", -0.05)
+    assert differing_pixels(Scene(), 64, 64) > 0
+
+
+DISCRIMINANT = function_of(hit_of_a.keep(discriminant_a))
+LENSES = [(size / ratio, size) for size in (1e-60, 0.37, 1.0, 1e60) for ratio in (1e-6, 0.01, 0.25, 0.9, 1 - 1e-9)]
+"""(eye, radius): scales and ratios up to the ends of what a scene accepts."""
+
+
+def last_points(random, reach, count=200, steps=4):
+    """Return image points (x, y): the last that are on A at some heights, and their neighbours in float64."""
+    y = np.sqrt(reach) * np.append(random.uniform(-1, 1, count - 1), 0.0)
+    x = np.sqrt(np.maximum(0.0, reach - y * y))
+    for _ in range(steps):
+        x = np.nextafter(x, 0.0)
+    found = [x]
+    for _ in range(2 * steps):
+        found.append(np.nextafter(found[-1], np.inf))
+    return np.concatenate(found), np.tile(y, len(found))
+
+
+def misjudged(random, eye, radius, reach):
+    """Return how many points x² + y² ≤ reach judges otherwise than the sign of the discriminant."""
+    x, y = last_points(random, reach)
+    on_a = DISCRIMINANT(x, y, np.float64(eye), np.float64(radius)) >= 0
+    assert 0 < on_a.sum() < len(on_a)
+    return int(np.count_nonzero(on_a != (x * x + y * y <= reach)))
+
+
+def random_lenses(random, count=300):
+    """Return (eye, radius) of scenes that are accepted."""
+    radii, ratios = 10.0 ** random.uniform(-60, 60, count), 10.0 ** random.uniform(-6, -1e-9, count)
+    return [(Scene(radius=r, eye=r / q, ball=False, lights=()).eye, r) for r, q in zip(radii, ratios, strict=True)]
+
+
+def test_the_reach_of_a_has_the_sign_of_its_discriminant():
+    random = np.random.default_rng(21)
+    for eye, radius in [*LENSES, *random_lenses(random)]:
+        assert misjudged(random, eye, radius, numbers.reach_of_a(eye, radius)) == 0, (eye, radius)
+
+
+@pytest.mark.parametrize("towards", [0.0, np.inf])
+def test_a_reach_that_is_off_by_one_unit_is_noticed(towards):
+    random = np.random.default_rng(22)
+    off = [misjudged(random, *lens, np.nextafter(numbers.reach_of_a(*lens), towards)) for lens in random_lenses(random)]
+    assert sum(off) > 0

@@ -181,7 +181,7 @@ def main():
     absent = sorted(m.name for m in METHODS if not m.available)
     print(f"left out, not installed: {', '.join(absent)}" if absent else "every library is installed")
     gradients, frames = gradient_rows(options.rounds), frame_rows(options.rounds, options.pixels)
-    packages = ["numpy", "numba", "mpmath", *(m.module for m in METHODS if m.module and m.available)]
+    packages = ["numpy", "llvmlite", "mpmath", *(m.module for m in METHODS if m.module and m.available)]
     where = label(*packages) | {"absent": absent, "seed": SEED, "rounds": options.rounds, "side": SIDE}
     write(options.out / "work_precision.json", {"label": where, "gradients": gradients, "frames": frames})
     write_csv(options.out / "work_precision.csv", gradients)

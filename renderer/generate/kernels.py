@@ -68,12 +68,7 @@ def _field_entry(field):
 def kernels_source():
     """Return the text of renderer/kernels.py."""
     printer, fields = KernelPrinter(), HEIGHT_FIELDS.values()
-    named = dict(programs.ELEMENTARY)
-    for part in (programs.ONCE_A_SCENE, programs.PLACES, programs.GRADIENT, programs.LIGHT, programs.PLOTS):
-        named |= {program.name: program for program in part}
-    for field in fields:
-        named |= {program.name: program for program in programs.field_programs(field).values()}
-    parts = [print_function(name, program, printer) for name, program in named.items()]
+    parts = [print_function(name, program, printer) for name, program in programs.named().items()]
     parts += [print_function(name, program, printer, "height, ") for name, program in programs.differences().items()]
     parts.append(f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\nMAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n".replace("'", '"'))
     parts.append("\n".join(["FIELDS = {", *map(_field_entry, fields), "}", ""]))

@@ -115,3 +115,10 @@ def field_programs(field):
         programs["gradient_from_factors"] = height_fields.gradient_from_factors(field)
         programs["wave_numbers"] = Program(f"wave_numbers_{field.name}", (k_u, k_v), lines, (a, b))
     return programs
+
+
+def named():
+    """Return {name in renderer/kernels.py: program} of every kernel but the differences, in the order of the file."""
+    parts = [ONCE_A_SCENE, PLACES, GRADIENT, LIGHT, PLOTS]
+    parts += [field_programs(field).values() for field in height_fields.HEIGHT_FIELDS.values()]
+    return ELEMENTARY | {program.name: program for part in parts for program in part}

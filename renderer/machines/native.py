@@ -51,14 +51,19 @@ def optimized(module, target, level=2):
     return parsed
 
 
-def compiled(want, lanes):
-    """Return (the function that draws what is wanted, given the address of ARGUMENTS; what it lives as long as)."""
-    module, target = ir.Module(), _target()
+def machine_code(emit_into, *what):
+    """Return (the function of one address that emit_into(module, name, *what) emits; what it lives as long as)."""
+    module, target, name = ir.Module(), _target(), "code"
     module.triple = llvm.get_process_triple()
-    emit(module, "draw", want, lanes)
+    emit_into(module, name, *what)
     engine = llvm.create_mcjit_compiler(optimized(module, target), target)
     engine.finalize_object()
-    return ctypes.CFUNCTYPE(None, ctypes.c_void_p)(engine.get_function_address("draw")), engine
+    return ctypes.CFUNCTYPE(None, ctypes.c_void_p)(engine.get_function_address(name)), engine
+
+
+def compiled(want, lanes):
+    """Return (the function that draws what is wanted, given the address of ARGUMENTS; what it lives as long as)."""
+    return machine_code(emit, want, lanes)
 
 
 def _kept(want, lanes):

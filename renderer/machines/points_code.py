@@ -8,32 +8,32 @@ from renderer.machines.traced import FLOAT, WHOLE, Tracer, Value
 
 
 def inputs_of(kernel):
-    """Return the names of what a kernel takes."""
-    return tuple(inspect.signature(kernel).parameters)
+    """Return the names of what a kernel takes at each point: its parameters, but those that only a name can give."""
+    return tuple(p.name for p in inspect.signature(kernel).parameters.values() if p.kind != p.KEYWORD_ONLY)
 
 
-def emit_points(module, name, kernel, lanes):
+def emit_points(module, name, kernel, lanes, number=FLOAT):
     """Emit the function `name`, its one parameter the address of int64 numbers: how many points, then addresses.
 
-    The addresses are of float64 arrays: the kernel's inputs, then its outputs. The arrays are whole groups long.
-    Returns how many outputs there are.
+    The addresses are of arrays of float64 (or another `number`): the kernel's inputs, then its outputs. The arrays are
+    whole groups long. Returns how many outputs there are.
     """
     function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
-    tracer = Tracer(function, lanes, ())
+    tracer = Tracer(function, lanes, (), number)
     builder = tracer.builder
 
     def argument(number):
         return builder.load(builder.gep(function.args[0], [WHOLE(number)]))
 
-    def place(number, at):
-        pointer = builder.gep(builder.inttoptr(argument(1 + number), FLOAT.as_pointer()), [at])
+    def place(array, at):
+        pointer = builder.gep(builder.inttoptr(argument(1 + array), number.as_pointer()), [at])
         return builder.bitcast(pointer, tracer.vector.as_pointer())
 
     inputs = range(len(inputs_of(kernel)))
     with tracer.loop(WHOLE(0), argument(0), lanes) as at:
-        found = kernel(*(Value(tracer, builder.load(place(number, at), align=8)) for number in inputs))
+        found = kernel(*(Value(tracer, builder.load(place(array, at), align=8)) for array in inputs))
         outputs = found if isinstance(found, tuple) else (found,)
-        for number, output in enumerate(outputs, start=len(inputs)):
-            builder.store(tracer.value(output).vector, place(number, at), align=8)
+        for array, output in enumerate(outputs, start=len(inputs)):
+            builder.store(tracer.value(output).vector, place(array, at), align=8)
     builder.ret_void()
     return len(outputs)

@@ -112,9 +112,9 @@ class Variable:
 class Tracer:
     """A machine whose values are traced: it emits into a function that `lanes` pixels at a time go through."""
 
-    def __init__(self, function, lanes, kinds):
+    def __init__(self, function, lanes, kinds, number=FLOAT):
         self.lanes, self.module = lanes, function.module
-        self.vector, self.mask = ir.VectorType(FLOAT, lanes), ir.VectorType(BIT, lanes)
+        self.vector, self.mask = ir.VectorType(number, lanes), ir.VectorType(BIT, lanes)
         self.entry = function.append_basic_block()
         self.builder = ir.IRBuilder(self.entry)
         self.counts = {kind: self._zero() for kind in kinds}
@@ -151,7 +151,7 @@ class Tracer:
     def call(self, intrinsic, *arguments):
         """Return what one of LLVM's own functions makes of Values."""
         vectors = [self.value(argument).vector for argument in arguments]
-        name = f"llvm.{intrinsic}.v{self.lanes}f64"
+        name = f"llvm.{intrinsic}.v{self.lanes}{self.vector.element.intrinsic_name}"
         known = self.module.globals.get(name)
         function = known or ir.Function(self.module, ir.FunctionType(self.vector, [self.vector] * len(vectors)), name)
         return Value(self, self.builder.call(function, vectors))

@@ -55,11 +55,11 @@ def _difference(program):
 def _naive(_):
     program = gradient(FIELD)
     lines = tuple((s, ordinary(e)) for s, e in program.definitions)
-    return compiled_loop(Program("naive", program.inputs, lines, program.outputs), WAVES, "libm")
+    return compiled_loop(Program("naive", program.inputs, lines, program.outputs), WAVES)
 
 
-def _algebraic(functions):
-    return lambda _: compiled_loop(algebraic_gradient(FIELD, KU, KV), WAVES, functions)
+def _algebraic(kind):
+    return lambda _: compiled_loop(algebraic_gradient(FIELD, KU, KV), WAVES, kind)
 
 
 def _peer(function):
@@ -74,8 +74,8 @@ METHODS = (
     Method("Richardson, 8th order", _difference(richardson), "ε", STEPS),
     Method("exact, naive argument", _naive),
     Method("exact, reduced argument", lambda _: compiled_loop(gradient(FIELD), WAVES), ours=True),
-    Method("exact, algebraic", _algebraic("ours"), ours=True, angles=True),
-    Method("exact, algebraic, float32", _algebraic("float32"), ours=True, angles=True),
+    Method("exact, algebraic", _algebraic(np.float64), ours=True, angles=True),
+    Method("exact, algebraic, float32", _algebraic(np.float32), ours=True, angles=True),
     Method("SymPy, NumPy", _peer(peers.sympy_numpy)),
     Method("complex step", _peer(peers.complex_step), "step", tuple(10.0**-n for n in range(1, 21))),
     Method("dual numbers", _peer(peers.dual_numbers)),
