@@ -117,7 +117,7 @@ def _light(number, model, before):
 def pixel(field, model="blinn", lights=2, gradient_program=None):
     """Return the program of a whole pixel.
 
-    field: a HeightField. model: "blinn" or "phong". lights: how many. gradient_program: (u, v, …) → h_u, h_v; default,
+    field: a HeightField. model: one of LIGHT_MODELS. lights: how many. gradient_program: (u, v, …) → h_u, h_v; default,
     the exact gradient. Outputs: surface, occluded_0 …, dark_square, rgb.
     """
     parts = _places(gradient_program or gradient(field))

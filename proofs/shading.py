@@ -1,4 +1,4 @@
-"""Both shading models, and the colour of a pixel: ambient + Σ over the lights of diffuse and specular, then a clip."""
+"""The models of light, and the colour of a pixel: ambient + Σ over the lights of diffuse and specular, then a clip."""
 
 from dataclasses import dataclass
 
@@ -90,7 +90,6 @@ phong = chain(
 """Phong: the base is max(0, (2μN' − ω)·v̂)."""
 
 
-
 @dataclass(frozen=True)
 class LightModel:
     """One model of light: what a light at L does at P, seen from the direction v̂.
@@ -104,7 +103,10 @@ class LightModel:
     squared: Program | None = None
 
 
-LIGHT_MODELS = {model.name: model for model in (LightModel("blinn", blinn, blinn_squared), LightModel("phong", phong))}
+LIGHT_MODELS = {model.name: model for model in (
+    LightModel("blinn", blinn, blinn_squared),
+    LightModel("phong", phong),
+)}  # fmt: skip
 """The models of light. A model is data: add an entry, and its kernels, the scene's, the command line's and the
 simulator's choices follow from it."""
 
