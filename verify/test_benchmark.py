@@ -83,13 +83,13 @@ def test_a_target_in_words(target, text):
 
 def test_numbers_follow_from_medians():
     times = {f"algebraic_{side}_2": 1e-8 * side**2 for side in FITTED}
-    times |= {"numpy_1024_2": 0.2, "seed_exact_256_1": 4.0, "start_cold": 3.0}
+    times |= {"numpy_1024_2": 0.2, "seed_exact_256_1": 4.0, "start_one_picture": 0.5}
     numbers = frame_numbers(times)
     assert numbers["exponent_2"] == pytest.approx(1)
     assert numbers["algebraic_1024_2_ms"] == pytest.approx(10.48576)
     assert numbers["numpy_to_algebraic_1024"] == pytest.approx(0.2 / 0.01048576)
     assert numbers["seed_to_algebraic_256"] == pytest.approx(4 / 0.00065536)
-    assert numbers["start_cold_s"] == 3.0
+    assert numbers["start_one_picture_s"] == 0.5
     assert "exponent_1" not in numbers
 
 

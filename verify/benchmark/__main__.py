@@ -81,7 +81,7 @@ def measure_frames(only, rounds, quick):
         scenes = QUICK_SCENES if quick else SCENES
         numbers |= {"scenes": scenes, "chambers_differing": agreement.chambers_differing(scenes)}
         numbers |= {"image_error": agreement.image_error(), "sympy_imported": int(start.imports_sympy())}
-    return label(report, "numpy", "numba"), numbers | verdicts(numbers)
+    return label(report, "numpy", "llvmlite"), numbers | verdicts(numbers)
 
 
 def measure_gradients(only, rounds, quick):
@@ -96,7 +96,7 @@ def measure_gradients(only, rounds, quick):
     if absent:
         print(f"left out, not installed: {', '.join(absent)}")
     libraries = [gradients.DISTRIBUTIONS.get(n, n) for n in times if n in gradients.LIBRARIES and n != "complex_step"]
-    return label(report, "numpy", "numba", *libraries), numbers | {"absent": ", ".join(absent) or "none"}
+    return label(report, "numpy", "llvmlite", *libraries), numbers | {"absent": ", ".join(absent) or "none"}
 
 
 PARTS = {"frames": measure_frames, "gradients": measure_gradients}

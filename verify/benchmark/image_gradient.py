@@ -1,10 +1,7 @@
 """The exact gradient alone, from the image point (x, y) to (h_u, h_v), in algebraic form on one thread."""
 
-import numpy as np
-
 from renderer import exact, stage_of
-from renderer.shading import WORK
-from renderer.sphere_a import bump_of
+from renderer.shader import ON_A
 from verify.benchmark.frames import A_ALONE, calls
 from verify.benchmark.plan import Case
 
@@ -18,12 +15,11 @@ def points():
 
 def prepare():
     """Return a function that takes the gradient at every pixel of A and draws nothing."""
-    stage, bump = stage_of(A_ALONE, SIDE, SIDE), bump_of(A_ALONE, exact("algebraic"))
-    planes, count = np.empty((6, SIDE, SIDE)), np.zeros(len(WORK), np.int64)
+    stage = stage_of(A_ALONE, SIDE, SIDE)
+    planes = {name: stage.new_plane() for name in ON_A}
 
     def work():
-        for band in stage.bands:
-            bump.draw(stage, band, count, planes=planes)
+        stage.draw(A_ALONE, exact("algebraic"), 1, planes, given=True, surfaces="a", colors=False, kept=ON_A)
 
     work()
     return work
