@@ -1,4 +1,4 @@
-"""The worked example of CONTRIBUTING.md, in a copy of the tree: searched for, proved, and its mutants refuted."""
+"""The worked theorem and the light model of CONTRIBUTING.md, followed to the letter in a copy of the tree."""
 
 import json
 import re
@@ -7,9 +7,30 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
+import pytest
+from PIL import Image
+
+from renderer import Scene, render
+from renderer.views import to_bytes
+
 ROOT = Path(__file__).resolve().parent.parent
-SECTION = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").partition("\n## A theorem\n")[2].partition("\n## ")[0]
-EXAMPLE = re.search(r"```python\n(.*?)```", SECTION, re.DOTALL)[1]
+
+
+def section(title):
+    """Return a section of CONTRIBUTING.md."""
+    return (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").partition(f"\n## {title}\n")[2].partition("\n## ")[0]
+
+
+def blocks(text, language="python"):
+    """Return the blocks of code in a section."""
+    return re.findall(rf"```{language}\n(.*?)```", text, re.DOTALL)
+
+
+SECTION = section("A theorem")
+(EXAMPLE,) = blocks(SECTION)
+LIGHT = section("A light model in one sitting")
+MODEL, ENTRY, CLAIM = blocks(LIGHT)
 EXAMINE = """
 import json
 from proofs.theorem import all_theorems
@@ -17,6 +38,51 @@ from verify.proof_checker import examine
 theorems = all_theorems()
 found = examine(theorems["{id}"], theorems)
 print(json.dumps([found.grade, found.mutants, found.mutants_killed, found.problems]))
+"""
+
+
+# Draws with the new model; "numpy" hides LLVM.
+DRAW = """
+import sys
+if sys.argv[1] == "numpy":
+    sys.modules["llvmlite"] = None
+import numpy as np
+from renderer import Scene, render
+from renderer.machines import machine
+np.save(sys.argv[1], render(Scene(model="oren_nayar"), 128, 128).rgb)
+print(machine().NAME)
+"""
+# Oren and Nayar's own formula, by angles, against what the renderer says of some pixels: the largest error of a number.
+COMPARE = """
+import numpy as np
+from renderer import Scene, pixel
+scene, sigma, errors, roughened = Scene(model="oren_nayar"), {sigma}, [], 0
+a, b = 1 - 0.5 * sigma**2 / (sigma**2 + 0.33), 0.45 * sigma**2 / (sigma**2 + 0.09)
+
+def towards(place, point):
+    return (place - point) / np.linalg.norm(place - point)
+
+def scattered(n, w, v):
+    angles = np.arccos([n @ w, n @ v])
+    azimuth_w, azimuth_v = (d - (n @ d) * n for d in (w, v))
+    turned = azimuth_w @ azimuth_v / np.linalg.norm(azimuth_w) / np.linalg.norm(azimuth_v)
+    return np.cos(angles[0]) * (a + b * max(0, turned) * np.sin(angles.max()) * np.tan(angles.min()))
+
+for column, row in [(column, row) for column in range(2, 96, 7) for row in range(2, 64, 5)]:
+    seen = pixel(scene, 96, 64, column, row)
+    point, n, color = np.array(seen.point), np.array(seen.normal), scene.ka * np.array(scene.ambient)
+    v = towards(np.array([0, 0, scene.eye]), point)
+    for light in seen.lights:
+        w = towards(np.array(scene.lights[light.number].position), point)
+        if n @ w > 0 and n @ v > 0:
+            mu, base = scattered(n, w, v), max(0, 2 * (n @ w) * (n @ v) - w @ v)
+            errors += [mu - light.mu, base**scene.shininess - light.specular]
+            roughened += mu > 1.01 * a * (n @ w)
+        elif n @ w <= 0:
+            assert light.mu <= 0
+        color = color + light.adds
+    errors += list(np.clip(color, 0, 1) - seen.rgb)
+print(len(errors), roughened, np.abs(errors).max())
 """
 
 
@@ -28,11 +94,17 @@ def run(folder, *arguments):
     return done.stdout
 
 
-def test_the_example_is_proved(tmp_path):
+def copied(folder):
+    """Copy what the proofs and the renderer need of the project."""
     for name in ("proofs", "renderer", "verify"):
-        shutil.copytree(ROOT / name, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__", "benchmark"))
-    (tmp_path / "book").mkdir()
-    shutil.copy(ROOT / "book" / "references.bib", tmp_path / "book")
+        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "benchmark"))
+    (folder / "book").mkdir()
+    shutil.copy(ROOT / "book" / "references.bib", folder / "book")
+    shutil.copy(ROOT / "pyproject.toml", folder)
+
+
+def test_the_example_is_proved(tmp_path):
+    copied(tmp_path)
     (tmp_path / "proofs" / "theorems" / "worked_example.py").write_text(EXAMPLE, encoding="utf-8")
     id = re.search(r'id="(\w+)"', EXAMPLE)[1]
     assert run(tmp_path, "-m", "proofs.certificate", id).startswith(f"{id}: ")
@@ -46,3 +118,49 @@ def test_the_example_is_proved(tmp_path):
 def test_the_example_is_short():
     assert len(EXAMPLE.splitlines()) <= 25
     assert all(id in EXAMPLE for id in re.findall(r"python -m proofs\.certificate (\w+)", SECTION))
+
+
+@pytest.fixture(scope="module")
+def lit(tmp_path_factory):
+    """The folder in which the light model was added, and what each command of the section printed."""
+    folder = tmp_path_factory.mktemp("light")
+    copied(folder)
+    shading = folder / "proofs" / "shading.py"
+    text = shading.read_text(encoding="utf-8")
+    for mark, block in (("@dataclass(frozen=True)\nclass LightModel:", f"{MODEL}\n\n"), (")}  # fmt: skip\n", ENTRY)):
+        assert text.count(mark) == 1
+        text = text.replace(mark, block + mark)
+    shading.write_text(text, encoding="utf-8")
+    (folder / "proofs" / "theorems" / "oren_nayar.py").write_text(CLAIM, encoding="utf-8")
+    (listed,) = blocks(LIGHT, "bash")
+    commands = [re.sub("^(python )?", "", line).split() for line in listed.splitlines()]
+    words = [command if command[0] == "-m" else ["-m", *command] for command in commands]
+    return folder, {each[1]: run(folder, *each) for each in words}
+
+
+def test_the_light_model_is_short():
+    assert len((MODEL + ENTRY).splitlines()) < 30
+    assert len(CLAIM.splitlines()) <= 25
+
+
+def test_the_claim_about_the_light_model_is_proved(lit):
+    _, printed = lit
+    assert printed["proofs.certificate"].startswith("smooth_is_lambert: 1 statements")
+    assert re.search(r"smooth_is_lambert +proved .* mutants 2/2", printed["pytest"])
+
+
+def test_the_light_model_draws_the_same_bits_by_both_machines(lit):
+    folder, _ = lit
+    assert [run(folder, "-c", DRAW, name).strip() for name in ("llvm", "numpy")] == ["llvm", "numpy"]
+    by_llvm, by_numpy = (np.load(folder / f"{name}.npy") for name in ("llvm", "numpy"))
+    assert np.array_equal(by_llvm.view(np.int64), by_numpy.view(np.int64))
+    assert np.array_equal(np.asarray(Image.open(folder / "rough.png")), to_bytes(by_llvm))
+    assert np.abs(by_llvm - render(Scene(model="phong"), 128, 128).rgb).max() > 0.05
+
+
+def test_the_light_model_is_oren_and_nayars(lit):
+    folder, _ = lit
+    numbers, roughened, error = run(folder, "-c", COMPARE.format(sigma=0.5)).split()
+    assert int(numbers) > 500 and int(roughened) > 50
+    assert float(error) < 1e-12
+    assert float(run(folder, "-c", COMPARE.format(sigma=0.4)).split()[2]) > 0.01
