@@ -13,7 +13,7 @@ from proofs.height_fields import HEIGHT_FIELDS, gradient
 from proofs.symbols import k_u, k_v, u, v
 from renderer import Scene, central, central4, exact, forward, gradient_at
 from verify.benchmark.plan import Case
-from verify.reference import Reference
+from verify.evaluate import Reference
 
 SCENE = Scene(field="sine")
 POINTS = 10**6

@@ -17,8 +17,8 @@ from proofs.symbols import normal
 from proofs.tangent_frame import seed_frame, tangent_frame
 from renderer import Scene, exact
 from renderer.gradients import gradient_at
+from verify.evaluate import Reference
 from verify.measurements import Measurement, measures
-from verify.reference import Reference
 
 SEED, POINTS, FALLBACK = 20, 200, 1e-4
 _field = HEIGHT_FIELDS["ridges"]
