@@ -14,16 +14,8 @@ from sympy.printing.str import StrPrinter
 class KernelPrinter(StrPrinter):
     """Prints for `renderer.operations`; a subclass may name other functions."""
 
-    sqrt = "sqrt"
-    names: ClassVar = {
-        "Abs": "abs",
-        "floor": "floor",
-        "rint": "rint",
-        "sign": "sign",
-        "Max": "maximum",
-        "Min": "minimum",
-    }
-    infinity, pi, power = "inf", "pi", "power"
+    sqrt, infinity, pi, power = "sqrt", "inf", "pi", "power"
+    names: ClassVar = {"Abs": "abs", "Max": "maximum", "Min": "minimum"}
 
     def literal(self, rational):
         """Return the text of an exact rational."""
@@ -42,9 +34,6 @@ class KernelPrinter(StrPrinter):
 
     def _print_Infinity(self, expr):
         return self.infinity
-
-    def _print_Symbol(self, expr):
-        return expr.name
 
     def _print_Mul(self, expr):
         coefficient, factors = expr.as_coeff_mul()
@@ -91,28 +80,15 @@ class KernelPrinter(StrPrinter):
     def _call(self, name, arguments):
         return f"{name}({', '.join(self._print(a) for a in arguments)})"
 
-    def _print_Abs(self, expr):
-        return self._call(self.names["Abs"], expr.args)
+    def _print_Function(self, expr):
+        return self._call(self.names.get(type(expr).__name__, type(expr).__name__), expr.args)
 
-    def _print_floor(self, expr):
-        return self._call(self.names["floor"], expr.args)
-
-    def _print_rint(self, expr):
-        return self._call(self.names["rint"], expr.args)
+    _print_Max = _print_Min = _print_Abs = _print_Function
 
     def _print_sign(self, expr):
         """The sign of a product is the product of the signs, which does not underflow."""
-        text = " * ".join(self._call(self.names["sign"], [factor]) for factor in Mul.make_args(expr.args[0]))
+        text = " * ".join(self._call("sign", [factor]) for factor in Mul.make_args(expr.args[0]))
         return f"({text})" if expr.args[0].is_Mul else text
-
-    def _print_Max(self, expr):
-        return self._call(self.names["Max"], expr.args)
-
-    def _print_Min(self, expr):
-        return self._call(self.names["Min"], expr.args)
-
-    def _print_atan2pi(self, expr):
-        return self._call("atan2pi", expr.args)
 
     def _half_turn(self, name, argument):
         coefficient, factors = argument.as_coeff_mul()
@@ -136,24 +112,15 @@ class KernelPrinter(StrPrinter):
             raise ValueError(f"a selection without a last resort: {expr}")
         text = self._print(last)
         for value, condition in reversed(expr.args[:-1]):
-            text = self.select(self._condition(condition), self._print(value), text)
+            text = self.select(self._print(condition)[1:-1], self._print(value), text)  # without its parentheses
         return text
-
-    def _condition(self, condition):
-        text = self._print(condition)  # it stands in parentheses of its own
-        return text[1:-1]
 
     def select(self, condition, value, otherwise):
         """Return the text of a selection."""
         return f"where({condition}, {value}, {otherwise})"
 
-    def _print_And(self, expr):
-        return self.connect("&", expr)
+    def _print_And(self, expr, connective=" & "):
+        return f"({connective.join(self._print(part) for part in sorted(expr.args, key=str))})"
 
     def _print_Or(self, expr):
-        return self.connect("|", expr)
-
-    def connect(self, connective, expr):
-        """Return the text of a conjunction or disjunction; its comparisons are already in parentheses."""
-        arguments = sorted(expr.args, key=str)
-        return "(" + f" {connective} ".join(self._print(a) for a in arguments) + ")"
+        return self._print_And(expr, " | ")
