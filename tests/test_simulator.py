@@ -1,5 +1,6 @@
 """The simulator as a reader meets it: sliders, boxes, keys, addresses, experiments, phone, print, no script."""
 
+import base64
 import gzip
 import json
 import random
@@ -12,7 +13,6 @@ from renderer.kernels import FIELDS
 
 pytestmark = pytest.mark.browser
 
-SIMULATOR = Path(__file__).resolve().parent.parent / "book" / "static" / "simulator"
 DESKTOP, PHONE = {"width": 1280, "height": 900}, {"width": 400, "height": 850}
 STATE = "JSON.stringify(Simulator.running.act.state())"
 VALID = "(() => { const { states, act } = Simulator.running; states.changed(act.state(), {}); return true })()"
@@ -396,7 +396,20 @@ def test_a_hidden_page_has_no_worker(tab):
     assert len(tab.context.pages[0].workers) >= 1
 
 
-def test_the_code_is_light():
-    """What the page loads for the simulator, compressed as a server would: at most 60 kB."""
-    parts = [path.read_bytes() for path in sorted(SIMULATOR.iterdir())]
-    assert len(gzip.compress(b"".join(parts))) <= 60_000
+def test_a_browser_without_vectors_is_told(browser, server):
+    context = browser.new_context(viewport=DESKTOP)
+    context.add_init_script("WebAssembly.validate = () => false")
+    page = context.new_page()
+    page.goto(f"{server}/s4.html")
+    page.wait_for_selector(".sim-message:visible")
+    assert "no WebAssembly with vectors" in page.inner_text(".sim-message")
+    assert not page.locator(".sim-pictures").is_visible()
+    context.close()
+
+
+def test_the_code_is_light(site):
+    """What the page loads for the simulator, compressed as a server would: at most 60 kB, the module at most 80 kB."""
+    parts = {path.name: path.read_bytes() for path in sorted((site / "_static" / "simulator").iterdir())}
+    assert len(gzip.compress(b"".join(parts.values()))) <= 60_000
+    program = re.search(rb'Simulator.program = "(.*)"', parts["compiled.js"])[1]
+    assert 10_000 < len(base64.b64decode(program)) <= 80_000

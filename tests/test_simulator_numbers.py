@@ -11,7 +11,7 @@ from PIL import Image
 
 from renderer import Light, Scene, central, central4, exact, forward, pixel, render
 from renderer.kernels import FIELDS
-from renderer.pixel import LightRecord, PixelRecord
+from renderer.pixel_record import LightRecord, PixelRecord
 from renderer.scene import DEFAULT_LIGHTS
 from renderer.views import difference_linear, image_view
 from verify.reference import reference_pixel
@@ -22,7 +22,7 @@ METHODS = {"central": central, "forward": forward, "central4": central4}
 WHOLE = {"width": 256, "height": 256, "left": 0, "top": 0, "wide": 256, "high": 256}
 BASE = {"ku": 8, "kv": 4, "beta": 0.35, "ball": True, "lights": [True, True], "model": "blinn", "field": "ridges"}
 RENDER = """async ([state, method, raster]) => {
-    const { pipeline } = Simulator.running, drawn = pipeline.render(pipeline.scene_of(state), method, raster);
+    const drawn = Simulator.running.module.render(state, method, raster);
     const address = await new Promise(done => {
         const reader = new FileReader();
         reader.onload = () => done(reader.result);
@@ -97,6 +97,25 @@ def test_other_settings_are_the_renderers_to_the_last_bit(tab):
     assert_same_bits(tab, BASE | {"ku": -8, "kv": 0, "beta": 0.0}, {"name": "exact"})
     assert_same_bits(tab, BASE | {"ball": False, "lights": [False, True]}, {"name": "forward", "eps": 1e-3})
     assert_same_bits(tab, BASE | {"field": "sine", "lights": [True, False]}, {"name": "central4", "eps": 1e-2})
+
+
+def random_crop(rng):
+    """Return up to 24 x 24 pixels of a raster: of sphere A, sphere B, the floor, or of two of them."""
+    side, wide, high = rng.choice([64, 257, 4096]), rng.randint(1, 24), rng.randint(1, 24)
+    left, top = (min(int(rng.uniform(0.15, 0.85) * side), side - size) for size in (wide, high))
+    return {"width": side, "height": side, "left": left, "top": top, "wide": wide, "high": high}
+
+
+def test_two_hundred_random_states_are_the_renderers_to_the_last_bit(tab):
+    """Every field, method, model of light and combination of lights, whole wave numbers and others, odd crops."""
+    rng, surfaces = random.Random("states"), set()
+    for _ in range(200):
+        state = random_state(rng)
+        method = rng.choice([{"name": "exact"}, {"name": state["method"], "eps": state["eps"]}])
+        crop = random_crop(rng)
+        assert_same_bits(tab, state, method, crop)
+        surfaces |= set(np.unique(rendered(state, method, crop)[1] & 3))
+    assert surfaces == {1, 2, 3}
 
 
 def test_the_comparison_sees_the_next_float(tab):

@@ -15,8 +15,8 @@ HERE = Path(__file__).parent
 # Icons come from the theme's font; a file that is read from a disk has nothing to search with.
 LEFT_OUT = {"fontawesome.js", "searchtools.js", "language_data.js", "searchindex.js"}
 POLICY = (
-    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' blob:; worker-src blob:; "
-    "img-src data: blob:; font-src data:; connect-src data: blob:; form-action 'none'; base-uri 'none'"
+    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; "
+    "worker-src blob:; img-src data: blob:; font-src data:; connect-src data: blob:; form-action 'none'; base-uri 'none'"
 )
 
 

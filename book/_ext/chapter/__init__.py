@@ -14,7 +14,7 @@ section ids                `(s1)=` before a heading puts s1 on the section itsel
 docstrings                 autodoc reads them as plain text (interface.py)
 a cell's output            joined before it is merged (streams.py)
 screen readers             lists and tables that they understand (accessibility.py)
-MathJax                    copied into the site from the installed package (assets.py)
+MathJax, the simulator     copied into the site from the installed package; compiled into it (assets.py)
 """
 
 from book._ext.chapter import (

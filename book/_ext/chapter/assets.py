@@ -1,9 +1,11 @@
-"""MathJax from the installed package, and where executed cells are kept."""
+"""MathJax from the installed package, the simulator's compiled code, and where executed cells are kept."""
 
 import os
 import shutil
 from importlib.resources import as_file, files
 from pathlib import Path
+
+from book.simulator_module import source
 
 NEEDED = ("tex-chtml-full.js", "output/chtml/fonts/woff-v2")
 
@@ -21,6 +23,13 @@ def copy_mathjax(app) -> None:
                 shutil.copyfile(source / name, place)
 
 
+def write_simulator(app) -> None:
+    """Compile what the simulator runs."""
+    place = Path(app.outdir) / "_static" / "simulator" / "compiled.js"
+    place.parent.mkdir(parents=True, exist_ok=True)
+    place.write_text(source(), encoding="utf-8")
+
+
 def use_execution_cache(app, config) -> None:
     """The build names a cache that changes with the packages; Jupyter's own looks at the cells alone."""
     if cache := os.environ.get("BOOK_EXECUTION_CACHE"):
@@ -31,3 +40,4 @@ def setup(app) -> None:
     """Connect to Sphinx."""
     app.connect("config-inited", use_execution_cache, priority=100)
     app.connect("builder-inited", copy_mathjax)
+    app.connect("builder-inited", write_simulator)

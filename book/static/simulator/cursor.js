@@ -2,7 +2,7 @@
 "use strict";
 var Simulator = Simulator || {};
 
-Simulator.cursor = function (root, states, pipeline) {
+Simulator.cursor = function (root, states, module) {
   const body = root.querySelector(".sim-pixel tbody"), facts = root.querySelector(".sim-facts"), line = root.querySelector(".sim-python code");
   const view = new DataView(new ArrayBuffer(8));
 
@@ -20,8 +20,8 @@ Simulator.cursor = function (root, states, pipeline) {
 
   // Both records of a pixel, as renderer.pixel gives them.
   function records(state) {
-    const scene = pipeline.scene_of(state), raster = states.crop(state), method = { name: state.method, eps: state.eps };
-    return [method, { name: "exact" }].map((m) => pipeline.pixel(scene, m, raster, state.column, state.row));
+    const raster = states.crop(state), method = { name: state.method, eps: state.eps };
+    return [method, { name: "exact" }].map((m) => module.pixel(state, m, raster, state.column, state.row));
   }
 
   // What both pipelines share.

@@ -2,7 +2,7 @@
 "use strict";
 var Simulator = Simulator || {};
 
-Simulator.curve = function (root, kernels, pipeline) {
+Simulator.curve = function (root, data, module) {
   const svg = root.querySelector(".sim-curve svg"), X = [-16, -1], Y = [-16, 2], HEIGHT = 230, EDGE = { top: 14, bottom: 24 };
   const FINE = Array.from({ length: 121 }, (_, n) => Number((10 ** (-16 + n / 8)).toPrecision(3)));
   const COARSE = Array.from({ length: 31 }, (_, n) => Number((10 ** (-1 - n / 2)).toPrecision(3)));
@@ -10,43 +10,42 @@ Simulator.curve = function (root, kernels, pipeline) {
   // verify/ measures; two of them and their product); what rounding u + epsilon moves it by.
   const UNIT = 2 ** -53, HEIGHT_ERROR = 3 * 2 ** -52, ARGUMENT_ERROR = 2 ** -53;
 
-  const waves = (state) => (kernels.fields[state.field].wave_numbers || ((a, b) => [a, b]))(state.ku, state.kv).map(Math.abs);
 
   // What the truncation of h_u and of h_v is at most: where nothing but a smooth piece of the field lies within eps;
   // at the pole, if the field is odd that far; else 2 pi k.
-  function truncations(state, { u, v }, eps) {
-    const creases = kernels.fields[state.field].creases, [a, b] = waves(state);
-    const nearest = (c, at) => Math.min(...creases.filter(([name]) => name === c).map(([, wave]) => {
-      const k = Math.abs(wave(state.ku, state.kv));
-      return Math.abs(k * at - kernels.rint(k * at)) - k * eps;
+  function truncations(state, [a, b], { u, v }, eps) {
+    const { creases } = data.fields[state.field];
+    const nearest = (c, at) => Math.min(...creases.filter(([name]) => name === c).map(([, of_ku, of_kv]) => {
+      const k = Math.abs(of_ku * state.ku + of_kv * state.kv);
+      return Math.abs(k * at - Math.round(k * at)) - k * eps;
     }));
     const seamless = (u - eps >= 0 && u + eps < 1) || a % 2 === 0; // sine and ridges have the period 1 then
     const smooth = [nearest("u", u) >= 0 && seamless, nearest("v", v) >= 0 && v - eps >= 0 && v + eps <= 1];
     const odd = v < eps && v + eps <= 1 && (!creases.length || b * (v + eps) <= 1);
     return [a, b].map((k, n) => {
-      const cap = kernels.crease_bound(k);
-      if (smooth[n]) return Math.min(cap, kernels.truncation_bound(eps, k));
-      return n === 1 && odd ? Math.min(cap, kernels.clamped_bound(eps, v, k)) : cap;
+      const cap = module.kernel("crease_bound", k);
+      if (smooth[n]) return Math.min(cap, module.kernel("truncation_bound", eps, k));
+      return n === 1 && odd ? Math.min(cap, module.kernel("clamped_bound", eps, v, k)) : cap;
     });
   }
 
-  // The largest error of h_u or h_v that is possible.
-  function bound(state, at, eps) {
-    const cut = truncations(state, at, eps);
-    return Math.max(...waves(state).map((k, n) =>
-      k === 0 ? 0 : cut[n] + kernels.rounding_bound(eps, kernels.slope_bound(k), UNIT, HEIGHT_ERROR, ARGUMENT_ERROR)));
+  // The largest error of h_u or h_v that is possible; waves: the wave numbers' sizes.
+  function bound(state, waves, at, eps) {
+    const cut = truncations(state, waves, at, eps);
+    const rounding = (k) => module.kernel("rounding_bound", eps, module.kernel("slope_bound", k), UNIT, HEIGHT_ERROR, ARGUMENT_ERROR);
+    return Math.max(...waves.map((k, n) => (k === 0 ? 0 : cut[n] + rounding(k))));
   }
 
   // [{eps, error, bound}] of the gradient at a pixel of A; null elsewhere.
   function at_pixel(state, raster) {
-    const scene = pipeline.scene_of(state), stage = pipeline.make_stage(scene, { ...raster, left: state.column, top: state.row, wide: 1, high: 1 });
+    const stage = module.make_stage(state, { ...raster, left: state.column, top: state.row, wide: 1, high: 1 });
     if (!stage.count) return null;
-    const [u1, v1, u2, v2] = pipeline.rows(4, 1), at = { u: stage.u[0], v: stage.v[0] };
-    pipeline.gradient(scene, { name: "exact" }, stage, u1, v1);
+    const { u: [u], v: [v] } = module.chart(stage), exact = module.gradient(state, { name: "exact" }, stage);
+    const waves = state.method === "central" ? module.wave_numbers(state)?.map(Math.abs) : null; // without them nothing is proved
     return FINE.map((eps) => {
-      pipeline.gradient(scene, { name: state.method, eps }, stage, u2, v2);
-      const error = Math.max(Math.abs(u2[0] - u1[0]), Math.abs(v2[0] - v1[0]));
-      return { eps, error, bound: state.method === "central" ? bound(state, at, eps) : null };
+      const [h_u, h_v] = module.gradient(state, { name: state.method, eps }, stage);
+      const error = Math.max(Math.abs(h_u - exact[0]), Math.abs(h_v - exact[1]));
+      return { eps, error, bound: waves ? bound(state, waves, { u, v }, eps) : null };
     });
   }
 
@@ -142,5 +141,5 @@ Simulator.curve = function (root, kernels, pipeline) {
     return lines.join("\n") + "\n";
   }
 
-  return { COARSE, FINE, at_pixel, show, mark, csv, bound };
+  return { COARSE, FINE, at_pixel, show, mark, csv };
 };

@@ -3,9 +3,9 @@
 "use strict";
 var Simulator = Simulator || {};
 
-Simulator.engine = function (kernels, states, image_points, radius_of_a, heard) {
+Simulator.engine = function (data, compiled, states, module, heard) {
   const IDLE_AFTER = 150, MOST_WORKERS = 4;
-  const parts = ["kernels", "pipeline", "views", "worker"].map((name) => `Simulator.${name} = ${Simulator[name]};`);
+  const parts = ["module", "views", "worker"].map((name) => `Simulator.${name} = ${Simulator[name]};`);
   const source = ['"use strict"; const Simulator = {};', ...parts, "Simulator.worker(self);"].join("\n");
   const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
   let workers = [], bands = [], waiting = null, next = null, last = null, timer = 0, id = 0;
@@ -16,6 +16,7 @@ Simulator.engine = function (kernels, states, image_points, radius_of_a, heard) 
     workers = Array.from({ length: count }, (_, number) => {
       const worker = new Worker(address), own = { worker, buffers: [] };
       worker.onmessage = ({ data }) => receive(data, number, own);
+      worker.postMessage({ kind: "begin", data, compiled });
       worker.onerror = (event) => heard.failed(event.message || "the worker did not start");
       return own;
     });
@@ -31,7 +32,7 @@ Simulator.engine = function (kernels, states, image_points, radius_of_a, heard) 
 
   // Cut the rows into bands of about equal work: a row costs what it has of A, and a little.
   function cut(state) {
-    const raster = states.crop(state), [x, y] = image_points(kernels.scene, raster), reach = radius_of_a;
+    const raster = states.crop(state), [x, y] = module.image_points(raster), reach = module.radius_of_a;
     const cost = [...y].map((at) => {
       const half = Math.sqrt(Math.max(0, reach * reach - at * at));
       return Math.max(0, Math.min(half, x[x.length - 1]) - Math.max(-half, x[0])) + 0.1 * (x[x.length - 1] - x[0]);

@@ -2,7 +2,7 @@
 "use strict";
 var Simulator = Simulator || {};
 
-Simulator.pictures = function (root, states, pipeline, kernels, act) {
+Simulator.pictures = function (root, states, data, module, act) {
   const NAMES = ["numeric", "symbolic", "difference"];
   const boxes = NAMES.map((name) => root.querySelector(`[data-picture="${name}"]`));
   const bases = boxes.map((box) => box.querySelector(".pixels")), overlays = boxes.map((box) => box.querySelector(".over"));
@@ -43,25 +43,25 @@ Simulator.pictures = function (root, states, pipeline, kernels, act) {
 
   // Where the image point (0, 0) is, in pixels of the raster from its corner, and how long a unit is.
   function frame(state) {
-    const side = states.side(state), [x, y] = pipeline.image_points(kernels.scene, { width: side, height: side, left: 0, top: 0, wide: 2, high: 2 });
+    const side = states.side(state), [x, y] = module.image_points({ width: side, height: side, left: 0, top: 0, wide: 2, high: 2 });
     const unit = 1 / (x[1] - x[0]);
     return { across: 0.5 - x[0] * unit, down: 0.5 + y[0] * unit, unit };
   }
 
   // The creases, exactly: rays where u is m/k_u, circles where v is m/k_v (theorem kink_loci).
   function draw_loci(context, state, scale) {
-    const { across, down, unit } = frame(state), { eye, radius } = kernels.scene;
+    const { across, down, unit } = frame(state), { eye, radius } = data.scene;
     const center = [(across - state.left) * scale, (down - state.top) * scale], reach = 2 * states.side(state) * scale;
     context.beginPath();
-    for (const [coordinate, wave] of kernels.fields[state.field].creases) {
-      const k = Math.abs(wave(state.ku, state.kv));
+    for (const [coordinate, of_ku, of_kv] of data.fields[state.field].creases) {
+      const k = Math.abs(of_ku * state.ku + of_kv * state.kv);
       for (let m = 0; m < k; m++) {
         if (coordinate === "u") {
           const theta = 2 * Math.PI * (m / k) - Math.PI;
           context.moveTo(...center);
           context.lineTo(center[0] + reach * Math.cos(theta), center[1] - reach * Math.sin(theta));
         } else if (m > 0 && Math.cos((Math.PI * m) / k) > radius / eye) {
-          const phi = (Math.PI * m) / k, rho = kernels.parallel_radius(Math.sin(phi), Math.cos(phi), eye, radius);
+          const phi = (Math.PI * m) / k, rho = module.kernel("parallel_radius", Math.sin(phi), Math.cos(phi), eye, radius);
           context.moveTo(center[0] + rho * unit * scale, center[1]);
           context.arc(...center, rho * unit * scale, 0, 2 * Math.PI);
         }

@@ -2,18 +2,17 @@
 "use strict";
 var Simulator = Simulator || {};
 
-Simulator.start = function (root) {
-  const kernels = Simulator.kernels(), pipeline = Simulator.pipeline(kernels);
-  const states = Simulator.state(kernels.fields, kernels.scene), $ = (selector) => root.querySelector(selector);
+Simulator.start = function (root, compiled, module) {
+  const data = Simulator.data, states = Simulator.state(data), $ = (selector) => root.querySelector(selector);
   add_fields($("[data-parameter=field]"));
   let state = states.start(), wanted = 0, saved = 0, picture = [], picture_of = "", pixel_curve = null;
   let pixel_key = "", shown_panels = 0;
   const PANELS_EVERY = 100; // milliseconds
   const times = { numeric: [], symbolic: [], of: "" }, sums = {};
 
-  // The page has the chapter's three fields; any other that the kernels know gets a button too.
+  // The page has the chapter's three fields; any other that the renderer knows gets a button too.
   function add_fields(menu) {
-    for (const name of Object.keys(kernels.fields)) {
+    for (const name of Object.keys(data.fields)) {
       if (menu.querySelector(`input[value="${name}"]`)) continue;
       menu.insertAdjacentHTML("beforeend", `<label><input type="radio" name="sim-field" value="${name}"> ${name}</label>`);
     }
@@ -79,10 +78,9 @@ Simulator.start = function (root) {
   };
 
   const controls = Simulator.controls(root, states, act), presets = Simulator.presets(states, act);
-  const pictures = Simulator.pictures(root, states, pipeline, kernels, act);
-  const curve = Simulator.curve(root, kernels, pipeline), cursor = Simulator.cursor(root, states, pipeline);
-  const radius_of_a = kernels.image_extent(kernels.scene.eye, kernels.scene.radius) / 1.25;
-  const engine = Simulator.engine(kernels, states, pipeline.image_points, radius_of_a, { drawn, resting, counted, followed, timed, failed });
+  const pictures = Simulator.pictures(root, states, data, module, act);
+  const curve = Simulator.curve(root, data, module), cursor = Simulator.cursor(root, states, module);
+  const engine = Simulator.engine(data, compiled, states, module, { drawn, resting, counted, followed, timed, failed });
 
   // What is written beside the pictures follows at a slower pace, so that they are not kept waiting.
   function panels() {
@@ -107,7 +105,7 @@ Simulator.start = function (root) {
     $("[data-title=symbolic]").textContent = "exact gradient";
     $("[data-title=difference]").textContent = state.scale === "log" ? "|ΔI|, logarithmic" : state.scale === "1e0" ? "|ΔI|" : `|ΔI| × ${short(Number(state.scale))}`;
     root.classList.toggle("sim-linear", state.scale !== "log");
-    const none = state.view === "loci" && !kernels.fields[state.field].creases.length;
+    const none = state.view === "loci" && !data.fields[state.field].creases.length;
     const zoomed = state.zoom ? `${(2 ** (state.zoom / 2)).toPrecision(3)} ×` : "1 ×";
     $(".sim-zoom output").textContent = zoomed;
     $(".sim-remark").textContent = none ? `${state.field} has no creases: there is nothing to draw over it.` : "";
@@ -182,8 +180,8 @@ Simulator.start = function (root) {
     const count = all.reduce((n, d) => n + d.count, 0);
     root.dataset.counted = root.dataset.counting;
     put("flips", String(all.reduce((n, d) => n + d.flips, 0)));
-    const shares = all[0].attached.map(({ turned }, n) => {
-      const whole = all.reduce((sum, d) => sum + d.attached[n].turned, 0);
+    const shares = all[0].attached.map((_, n) => {
+      const whole = all.reduce((sum, d) => sum + d.attached[n], 0);
       return `${whole.toLocaleString("en")} (${count ? Math.round((100 * whole) / count) : 0} %)`;
     });
     put("attached", shares.join(", ") || "no light is on");
@@ -207,8 +205,7 @@ Simulator.start = function (root) {
 
   function failed(text) {
     engine.stop();
-    root.classList.add("sim-failed");
-    message(`The simulator could not start (${text}). The figure below shows the three fields.`);
+    Simulator.fail(root, text);
   }
 
   function download(name, blob) {
@@ -257,21 +254,15 @@ Simulator.start = function (root) {
   function color_bar() {
     const canvas = $(".sim-bar canvas"), context = canvas.getContext("2d"), row = new ImageData(256, 1);
     for (let i = 0; i < 256; i++) {
-      for (let c = 0; c < 3; c++) row.data[4 * i + c] = parseInt(kernels.inferno.slice(6 * i + 2 * c, 6 * i + 2 * c + 2), 16);
+      for (let c = 0; c < 3; c++) row.data[4 * i + c] = parseInt(data.inferno.slice(6 * i + 2 * c, 6 * i + 2 * c + 2), 16);
       row.data[4 * i + 3] = 255;
     }
     context.putImageData(row, 0, 0);
   }
 
-  root.hidden = false;
   color_bar();
   buttons();
-  try {
-    engine.start();
-  } catch (error) {
-    failed(error.message);
-    return null;
-  }
+  engine.start();
   controls.show(state);
   engine.ask(state);
   panels();
@@ -281,10 +272,23 @@ Simulator.start = function (root) {
   document.addEventListener("visibilitychange", () => (document.hidden ? (presets.stop(), engine.stop()) : (engine.start(), panels())));
   window.addEventListener("pagehide", () => engine.stop());
   window.addEventListener("pageshow", (event) => event.persisted && engine.start());
-  return { act, states, kernels, pipeline, cursor, curve, frames, presets };
+  return { act, states, module, cursor, curve, frames, presets };
 };
 
-document.addEventListener("DOMContentLoaded", () => {
+Simulator.fail = function (root, text) {
+  root.classList.add("sim-failed");
+  root.querySelector(".sim-message").textContent = `The simulator could not start (${text}). The figure below shows the three fields.`;
+  root.querySelector(".sim-message").hidden = false;
+};
+
+document.addEventListener("DOMContentLoaded", async () => {
   const root = document.getElementById("simulator");
-  if (root) Simulator.running = Simulator.start(root);
+  if (!root) return;
+  root.hidden = false;
+  try {
+    const compiled = await Simulator.compiled(Simulator.program);
+    Simulator.running = Simulator.start(root, compiled, await Simulator.module(Simulator.data, compiled));
+  } catch (error) {
+    Simulator.fail(root, error.message);
+  }
 });

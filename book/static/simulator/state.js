@@ -2,7 +2,7 @@
 "use strict";
 var Simulator = Simulator || {};
 
-Simulator.state = function (fields, scene) {
+Simulator.state = function ({ fields, models, scene }) {
   const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d{1,3})?$/i;
 
   function number(low, high, start) {
@@ -37,7 +37,7 @@ Simulator.state = function (fields, scene) {
     beta: number(0, 2, scene.beta),
     ku: number(-64, 64, scene.ku),
     kv: number(-64, 64, scene.kv),
-    model: choice(["blinn", "phong"], scene.model),
+    model: choice(Object.keys(models), scene.model),
     method: choice(["central", "forward", "central4"], "central"),
     view: choice(["image", "slope", "loci", "straddle"], "image"),
     scale: choice(["log", "1e0", "1e2", "1e4", "1e6", "1e8", "1e10", "1e12"], "log"),

@@ -2,12 +2,12 @@
 "use strict";
 var Simulator = Simulator || {};
 
-Simulator.views = function (kernels) {
+Simulator.views = function (data, module) {
   const LOW = -16; // the logarithmic scale runs from 1e-16 to 1
   const OPAQUE = 255 << 24;
   const grey = (level) => OPAQUE | (level << 16) | (level << 8) | level;
   const inferno = Uint32Array.from({ length: 256 }, (_, n) => {
-    const [r, g, b] = [0, 2, 4].map((k) => parseInt(kernels.inferno.slice(6 * n + k, 6 * n + k + 2), 16));
+    const [r, g, b] = [0, 2, 4].map((k) => parseInt(data.inferno.slice(6 * n + k, 6 * n + k + 2), 16));
     return OPAQUE | (b << 16) | (g << 8) | r;
   });
 
@@ -32,22 +32,21 @@ Simulator.views = function (kernels) {
   }
 
   function image({ rgb: [red, green, blue] }, at, pixels) {
-    for (let i = 0; i < at.length; i++) pixels[at[i]] = color(red[i], green[i], blue[i]);
+    for (const i of at) pixels[i] = color(red[i], green[i], blue[i]);
   }
 
   // |grad h| in grey, white at `steepest`.
   function slope({ h_u, h_v }, at, pixels, steepest) {
-    const row = new Float64Array(at.length), scale = steepest > 0 ? 255 / steepest : 0;
-    kernels.slope_row(h_u, h_v, row, 0, at.length);
-    for (let i = 0; i < at.length; i++) pixels[at[i]] = grey(Math.min(255, Math.round(row[i] * scale)));
+    const slopes = module.kernel("slope", h_u, h_v), scale = steepest > 0 ? 255 / steepest : 0;
+    for (const i of at) pixels[i] = grey(Math.min(255, Math.round(slopes[i] * scale)));
   }
 
   // White where the difference reaches across a crease, over the dimmed picture.
   function straddle({ rgb: [red, green, blue] }, flags, at, pixels) {
     const third = (c) => (byte(c) / 3) | 0;
-    for (let i = 0; i < at.length; i++) {
-      pixels[at[i]] = flags[i] ? grey(255) : OPAQUE | (third(blue[i]) << 16) | (third(green[i]) << 8) | third(red[i]);
-    }
+    at.forEach((i, n) => {
+      pixels[i] = flags[n] ? grey(255) : OPAQUE | (third(blue[i]) << 16) | (third(green[i]) << 8) | third(red[i]);
+    });
   }
 
   const per_factor = 255.999 / -LOW / Math.LN10;
@@ -58,23 +57,23 @@ Simulator.views = function (kernels) {
   function difference(a, b, at, pixels, scale) {
     const [ar, ag, ab] = a.rgb, [br, bg, bb] = b.rgb, gain = scale === "log" ? 0 : Number(scale);
     let max = 0, sum = 0;
-    for (let i = 0; i < at.length; i++) {
+    for (const i of at) {
       const r = Math.abs(ar[i] - br[i]), g = Math.abs(ag[i] - bg[i]), blue = Math.abs(ab[i] - bb[i]);
       const most = r > g ? (r > blue ? r : blue) : g > blue ? g : blue;
       if (most > max) max = most;
       sum += r * r + g * g + blue * blue;
-      if (gain === 0) pixels[at[i]] = log_color(most);
-      else pixels[at[i]] = OPAQUE | (linear_level(blue, gain) << 16) | (linear_level(g, gain) << 8) | linear_level(r, gain);
+      if (gain === 0) pixels[i] = log_color(most);
+      else pixels[i] = OPAQUE | (linear_level(blue, gain) << 16) | (linear_level(g, gain) << 8) | linear_level(r, gain);
     }
     return { max, sum };
   }
 
   // The same numbers without a picture.
-  function apart(a, b) {
+  function apart(a, b, at) {
     let max = 0, sum = 0;
     for (let c = 0; c < 3; c++) {
       const one = a.rgb[c], other = b.rgb[c];
-      for (let i = 0; i < one.length; i++) {
+      for (const i of at) {
         const size = Math.abs(one[i] - other[i]);
         if (size > max) max = size;
         sum += size * size;

@@ -4,7 +4,7 @@
 var Simulator = Simulator || {};
 
 Simulator.worker = function (port) {
-  const kernels = Simulator.kernels(), pipeline = Simulator.pipeline(kernels), views = Simulator.views(kernels);
+  let module, views;
   const kept = {}; // name -> {key, value}
   let pending = null; // the idle work that is left
 
@@ -20,43 +20,35 @@ Simulator.worker = function (port) {
   const difference = (state) => ({ name: state.method, eps: state.eps });
 
   function staged(state, band) {
-    const scene = pipeline.scene_of(state);
     const stage_key = [band, state.ball, state.lights];
-    const stage = keep("stage", stage_key, () => pipeline.make_stage(scene, band));
-    return { scene, stage, stage_key };
+    return { stage: keep("stage", stage_key, () => module.make_stage(state, band)), stage_key };
   }
 
-  // Draw A by one method into the pipeline's own arrays, if anything that it depends on has changed.
-  function drawn(name, method, state, { scene, stage, stage_key }) {
-    const gradient_key = [stage_key, state.field, state.ku, state.kv, method, state.beta === 0];
-    const target = keep(`${name} arrays`, stage_key, () => pipeline.empty_target(stage.count));
-    const begin = performance.now();
-    keep(`${name} colours`, [gradient_key, state.beta, state.model], () => {
-      keep(`${name} gradient`, gradient_key, () => pipeline.slopes(scene, method, stage, target));
-      pipeline.shade_a(scene, stage, target);
-    });
-    return { target, fresh: kept[`${name} colours`].fresh, time: performance.now() - begin };
+  // Draw A by one method, if anything that it depends on has changed.
+  function drawn(name, method, state, { stage, stage_key }) {
+    const begin = performance.now(), key = [stage_key, state.field, state.ku, state.kv, method, state.beta, state.model];
+    keep(name, key, () => module.draw_a(state, method, stage, name));
+    return { fresh: kept[name].fresh, time: performance.now() - begin };
   }
 
   // The picture without A, for every view.
-  function ground(state, { scene, stage, stage_key }) {
+  function ground(state, { stage, stage_key }) {
     return keep("ground", [stage_key, state.model], () => {
       const pixels = new Uint32Array(stage.codes.length);
-      views.background(pipeline.shade_elsewhere(scene, stage), pixels);
+      module.draw_elsewhere(state, stage, "spare");
+      views.background(module.planes(stage, "spare").rgb, pixels);
       return pixels;
     });
   }
 
-  function paint_view(state, { scene, stage }, base, target, pixels) {
+  function paint_view(state, { stage }, base, target, pixels) {
     pixels.set(base);
-    const field = kernels.fields[state.field];
     if (state.view === "slope") {
-      const waves = field.wave_numbers ? field.wave_numbers(state.ku, state.kv) : [state.ku, state.kv];
+      const waves = module.wave_numbers(state) || [state.ku, state.kv];
       pixels.fill(views.OPAQUE);
-      views.slope(target, stage.at, pixels, kernels.slope_bound(Math.max(...waves.map(Math.abs))));
+      views.slope(target, stage.at, pixels, module.kernel("slope_bound", Math.max(...waves.map(Math.abs))));
     } else if (state.view === "straddle") {
-      const flags = new Float64Array(stage.count);
-      field.straddling(stage.u, stage.v, scene.k_u, scene.k_v, state.eps, flags, 0, stage.count);
+      const { u, v } = module.chart(stage), flags = module.kernel(`straddling_${state.field}`, u, v, state.ku, state.kv, state.eps);
       for (let i = 0; i < pixels.length; i++) pixels[i] = views.OPAQUE | ((base[i] >>> 2) & 0x3f3f3f);
       views.straddle(target, flags, stage.at, pixels);
     } else views.image(target, stage.at, pixels);
@@ -65,18 +57,19 @@ Simulator.worker = function (port) {
   function draw({ id, state, band, buffers }) {
     const on = staged(state, band), new_stage = kept.stage.fresh, base = ground(state, on);
     const numeric = drawn("numeric", difference(state), state, on), symbolic = drawn("symbolic", exact, state, on);
+    const [one, other] = ["numeric", "symbolic"].map((name) => module.planes(on.stage, name));
     const begin = performance.now(), images = {}, look = [state.view, state.model, on.stage_key];
     const blank = () => new Uint32Array(buffers?.pop() ?? base.length);
-    keep("view of symbolic", [look, kept["symbolic colours"].key, state.view === "straddle" && state.eps], () => {
+    keep("view of symbolic", [look, kept.symbolic.key, state.view === "straddle" && state.eps], () => {
       images.symbolic = blank();
-      paint_view(state, on, base, symbolic.target, images.symbolic);
+      paint_view(state, on, base, other, images.symbolic);
     });
-    keep("view of numeric", [look, kept["numeric colours"].key], () => {
+    keep("view of numeric", [look, kept.numeric.key], () => {
       images.numeric = blank();
-      paint_view(state, on, base, numeric.target, images.numeric);
+      paint_view(state, on, base, one, images.numeric);
     });
     images.difference = blank().fill(views.OPAQUE);
-    const { max, sum } = views.difference(numeric.target, symbolic.target, on.stage.at, images.difference, state.scale);
+    const { max, sum } = views.difference(one, other, on.stage.at, images.difference, state.scale);
     const times = { paint: performance.now() - begin };
     if (numeric.fresh) times.numeric = numeric.time;
     if (symbolic.fresh) times.symbolic = symbolic.time;
@@ -88,11 +81,11 @@ Simulator.worker = function (port) {
 
   // Both pipelines drawn again from nothing, a few times.
   function time_both(state, on) {
-    const target = pipeline.empty_target(on.stage.count), times = { numeric: [], symbolic: [] };
+    const times = { numeric: [], symbolic: [] };
     for (let round = 0; round < 3; round++) {
       for (const [name, method] of [["numeric", difference(state)], ["symbolic", exact]]) {
         const begin = performance.now();
-        pipeline.draw_a(on.scene, method, on.stage, target);
+        module.draw_a(state, method, on.stage, "spare");
         times[name].push(performance.now() - begin);
       }
     }
@@ -101,22 +94,13 @@ Simulator.worker = function (port) {
 
   // Flips: pixels whose chamber, computed afresh for either side, is not the one that was drawn with. Attached: pixels
   // of A that the bump turns to the other side of a light.
-  function count_flips(state, { scene, stage }) {
-    const flat = pipeline.scene_of({ ...state, beta: 0 });
+  function count_flips(state, { stage }) {
     let flips = 0;
-    for (const side of [scene, flat]) {
-      const codes = pipeline.chambers_of(side, stage.raster);
+    for (const side of [state, { ...state, beta: 0 }]) {
+      const codes = module.chambers_of(side, stage, stage.code_again);
       for (let i = 0; i < codes.length; i++) if (codes[i] !== stage.codes[i]) flips++;
     }
-    const target = kept["symbolic arrays"].value;
-    const attached = pipeline.lights_of(scene).map((light) => {
-      const bumped = pipeline.towards_light(scene, stage, target, light, scene.beta);
-      const plain = pipeline.towards_light(scene, stage, target, light, 0);
-      let turned = 0;
-      for (let i = 0; i < stage.count; i++) if (bumped[i] !== plain[i]) turned++;
-      return { number: light.number, turned };
-    });
-    return { flips, attached };
+    return { flips, attached: module.turned(state, stage, "symbolic") };
   }
 
   // One piece of idle work a turn, so that a new state never waits longer than that.
@@ -124,12 +108,10 @@ Simulator.worker = function (port) {
     const on = staged(state, band);
     drawn("symbolic", exact, state, on);
     yield { kind: "counted", id, ...count_flips(state, on), count: on.stage.count };
-    if (steps) {
-      const target = pipeline.empty_target(on.stage.count);
-      for (const [index, eps] of steps.entries()) {
-        pipeline.draw_a(on.scene, { name: state.method, eps }, on.stage, target);
-        yield { kind: "followed", id, index, ...views.apart(target, kept["symbolic arrays"].value), count: on.stage.count };
-      }
+    for (const [index, eps] of (steps || []).entries()) {
+      module.draw_a(state, { name: state.method, eps }, on.stage, "spare");
+      const [one, other] = ["spare", "symbolic"].map((name) => module.planes(on.stage, name));
+      yield { kind: "followed", id, index, ...views.apart(one, other, on.stage.at), count: on.stage.count };
     }
     yield { kind: "timed", id, times: time_both(state, on) };
   }
@@ -142,12 +124,25 @@ Simulator.worker = function (port) {
     channel.port2.postMessage(0);
   };
 
-  port.onmessage = ({ data }) => {
+  let ready; // messages are taken in their order once the module is there
+
+  async function begin({ data, compiled }) {
+    module = await Simulator.module(data, compiled);
+    views = Simulator.views(data, module);
+  }
+
+  async function receive(data) {
+    await ready;
     pending = null;
     if (data.kind === "draw") draw(data);
     if (data.kind === "idle") {
       pending = idle(data);
       channel.port2.postMessage(0);
     }
+  }
+
+  port.onmessage = ({ data }) => {
+    if (data.kind === "begin") ready = begin(data);
+    else receive(data);
   };
 };

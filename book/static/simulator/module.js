@@ -1,0 +1,192 @@
+// The compiled shader and kernels: their memory, and calls of them. What they compute is written in renderer/shader.py
+// and in proofs/; the numbers beside them, Simulator.data, in book/simulator_module.py.
+"use strict";
+var Simulator = Simulator || {};
+
+// Compile the program of compiled.js; throw where the browser cannot.
+Simulator.compiled = async function (program) {
+  const bytes = Uint8Array.from(atob(program), (letter) => letter.charCodeAt(0));
+  if (typeof WebAssembly !== "object" || !WebAssembly.validate(bytes)) throw new Error("this browser has no WebAssembly with vectors, SIMD");
+  return WebAssembly.compile(bytes);
+};
+
+Simulator.module = async function (data, compiled) {
+  const memory = new WebAssembly.Memory({ initial: 1 });
+  const { exports } = await WebAssembly.instantiate(compiled, { env: { __linear_memory: memory } });
+  const { eye, radius } = data.scene, SURFACE = 3, A = 1, COLORS = ["red", "green", "blue"], PLANES = [...COLORS, "h_u", "h_v"];
+  const PAGE = 2 ** 16, CHUNK = 512, MOST_COLUMNS = Math.max(...Object.values(data.kernels).map(([taken, made]) => taken + made));
+  let top = 64; // an address of 0 is none
+
+  function reserve(bytes) {
+    const address = top, missing = (top += 16 * Math.ceil(bytes / 16)) - memory.buffer.byteLength;
+    if (missing > 0) memory.grow(Math.ceil(missing / PAGE));
+    return address;
+  }
+
+  // A view is of no use any more once memory has been reserved.
+  const floats = (address, length) => new Float64Array(memory.buffer, address, length);
+  const arguments_at = reserve(8 * Math.max(data.arguments.length, 1 + MOST_COLUMNS)), counts_at = reserve(8 * data.counts);
+  const scene_at = reserve(8 * Object.values(data.scenes)[0].scene.length), lights_at = reserve(8 * data.light_size * data.scene.lights.length);
+  const columns_at = Array.from({ length: MOST_COLUMNS }, () => reserve(8 * CHUNK)), beginning = top;
+
+  function call(name, numbers) {
+    new BigInt64Array(memory.buffer, arguments_at, numbers.length).set(numbers.map(BigInt));
+    exports[name](arguments_at);
+  }
+
+  // What a kernel makes of numbers and arrays: its outputs, numbers where it was given numbers alone.
+  function kernel(name, ...inputs) {
+    const [taken, made] = data.kernels[name], arrays = inputs.filter((input) => typeof input !== "number");
+    const length = arrays.length ? arrays[0].length : 1, outputs = Array.from({ length: made }, () => new Float64Array(length));
+    for (let start = 0; start < length; start += CHUNK) {
+      const count = Math.min(CHUNK, length - start), columns = columns_at.map((address) => floats(address, count));
+      inputs.forEach((input, n) => (typeof input === "number" ? columns[n].fill(input) : columns[n].set(input.subarray(start, start + count))));
+      call(name, [count, ...columns_at.slice(0, taken + made)]);
+      outputs.forEach((output, n) => output.set(columns[taken + n], start));
+    }
+    const found = arrays.length ? outputs : outputs.map(([number]) => number);
+    return made === 1 ? found[0] : found;
+  }
+
+  const range = (start, count) => Float64Array.from({ length: count }, (_, n) => start + n);
+
+  function image_points({ width, height, left, top, wide, high }) {
+    const half = kernel("image_extent", eye, radius);
+    return [kernel("image_x", range(left, wide), width, height, half), kernel("image_y", range(top, high), height, half)];
+  }
+
+  // The numbers by which h depends on u and on v, or null.
+  const wave_numbers = ({ field, ku, kv }) => (`wave_numbers_${field}` in data.kernels ? kernel(`wave_numbers_${field}`, ku, kv) : null);
+
+  // As renderer.gradients.algebraic_powers.
+  function algebraic_powers(state) {
+    const [a, b] = wave_numbers(state) || [1, 1];
+    return a % 2 || b % 1 || Math.max(Math.abs(a), Math.abs(b)) > data.max_algebraic ? null : [Math.trunc(a) / 2, Math.trunc(b)];
+  }
+
+  // As renderer.numbers: what a state changes of the scene's numbers, and the numbers of the lights that are on.
+  function numbers_of(state, { name, eps }) {
+    const powers = name === "exact" ? algebraic_powers(state) : null, [power_u, power_v] = powers || [0, 0];
+    const way = state.beta === 0 ? "flat" : name !== "exact" ? name : powers ? "algebraic" : "general";
+    const { index, power } = data.models[state.model], { ku, kv, beta } = state;
+    const changed = { way: data.fields[state.field].ways[way], model: index, power, ku, kv, beta, eps: eps || 0,
+      power_u: Math.abs(power_u), power_v: Math.abs(power_v), turn_u: power_u < 0 ? -1 : 1, turn_v: power_v < 0 ? -1 : 1 };
+    const { scene, lights } = data.scenes[[state.ball, ...state.lights].map(Number).join("")], numbers = Float64Array.from(scene);
+    for (const [key, number] of Object.entries(changed)) numbers[data.offsets[key]] = number;
+    return { scene: numbers, lights };
+  }
+
+  // Draw on a stage, into the planes whose addresses a target has.
+  function draw(what, state, method, stage, target = {}) {
+    const { scene, lights } = numbers_of(state, method), { high } = stage.raster;
+    floats(scene_at, scene.length).set(scene);
+    floats(lights_at, data.light_size * lights.length).set(lights.flat());
+    const columns = what === "draw_a" ? stage.columns_of_a : stage.everywhere;
+    const given = { ...stage, ...target, columns, first_row: 0, last_row: high, scene: scene_at, lights: lights_at, light_count: lights.length, counts: counts_at };
+    call(what, data.arguments.map((name) => given[name] ?? 0));
+  }
+
+  // The rows of a plane without what fills up their last group of pixels.
+  function rows(plane, { pitch, raster: { wide, high } }) {
+    const whole = new plane.constructor(wide * high);
+    for (let row = 0; row < high; row++) whole.set(plane.subarray(row * pitch, row * pitch + wide), row * wide);
+    return whole;
+  }
+
+  // The chamber of every pixel, computed anew.
+  function chambers_of(state, stage, code) {
+    draw("draw_chambers", state, { name: "exact" }, { ...stage, code });
+    return rows(new Uint8Array(memory.buffer, code, stage.pitch * stage.raster.high), stage);
+  }
+
+  // A state's chambers on a raster, and which pixels are A's (theorem bump_moves_no_boundary). It takes the memory over:
+  // an earlier stage is gone. Where `wide` is a whole number of groups, `at` holds for planes and pictures alike.
+  function make_stage(state, raster) {
+    top = beginning;
+    const { wide, high } = raster, pitch = data.lanes * Math.ceil(wide / data.lanes), [x, y] = image_points(raster);
+    const stage = { raster, pitch, targets: {}, x: reserve(8 * pitch), y: reserve(8 * high), code: reserve(pitch * high), code_again: reserve(pitch * high),
+      everywhere: reserve(16 * high), columns_of_a: reserve(16 * high) };
+    floats(stage.x, pitch).fill(NaN).set(x);
+    floats(stage.y, high).set(y);
+    new BigInt64Array(memory.buffer, stage.everywhere, 2 * high).forEach((_, n, ends) => (ends[n] = n % 2 ? BigInt(wide) : 0n));
+    const codes = chambers_of(state, stage, stage.code), at = [], ends = new BigInt64Array(memory.buffer, stage.columns_of_a, 2 * high).fill(0n);
+    for (let row = 0; row < high; row++) {
+      const on_row = codes.subarray(row * wide, (row + 1) * wide), before = at.length;
+      on_row.forEach((code, column) => (code & SURFACE) === A && at.push(row * pitch + column));
+      if (at.length > before) [at[before], at[at.length - 1] + 1].forEach((end, n) => (ends[2 * row + n] = BigInt(end - row * pitch)));
+    }
+    const compact = (of) => Float64Array.from(at, of);
+    return { ...stage, codes, count: at.length, at: Int32Array.from(at), points: [compact((i) => x[i % pitch]), compact((i) => y[Math.floor(i / pitch)])] };
+  }
+
+  // The addresses of a stage's planes of a name.
+  function target(stage, name) {
+    return (stage.targets[name] ??= Object.fromEntries(PLANES.map((plane) => [plane, reserve(8 * stage.pitch * stage.raster.high)])));
+  }
+
+  // Views of those planes.
+  function planes(stage, name) {
+    const [red, green, blue, h_u, h_v] = Object.values(target(stage, name)).map((address) => floats(address, stage.pitch * stage.raster.high));
+    return { rgb: [red, green, blue], h_u, h_v };
+  }
+
+  const draw_a = (state, method, stage, name) => draw("draw_a", state, method, stage, target(stage, name));
+  const draw_elsewhere = (state, stage, name) => draw("draw_elsewhere", state, { name: "exact" }, stage, target(stage, name));
+
+  // A whole picture, three planes, as the renderer's frame.rgb.
+  function render(state, method, raster) {
+    const stage = make_stage(state, raster);
+    draw_elsewhere(state, stage, "picture");
+    draw_a(state, method, stage, "picture");
+    return { planes: planes(stage, "picture").rgb.map((plane) => rows(plane, stage)), codes: stage.codes };
+  }
+
+  // What is known of A's pixels before any height is looked at.
+  function chart(stage) {
+    const angles = kernel("angles_on_a", ...stage.points, eye, radius), [u, v] = kernel("chart", ...angles);
+    return { angles, u, v };
+  }
+
+  // h_u and h_v at the one pixel of a stage on A, whether it is drawn with a bump or not.
+  function gradient(state, method, stage) {
+    draw_a({ ...state, beta: 1 }, method, stage, "gradient");
+    const { h_u, h_v } = planes(stage, "gradient");
+    return [h_u[0], h_v[0]];
+  }
+
+  // How many of A's pixels the bump turns to the other side of each light that is on.
+  function turned(state, stage, name) {
+    const { angles } = chart(stage), { h_u, h_v } = planes(stage, name), slopes = [h_u, h_v].map((plane) => Float64Array.from(stage.at, (i) => plane[i]));
+    const point = kernel("point_on_a", ...angles, radius), normals = [state.beta, 0].map((beta) => kernel("bumped_normal", ...angles, ...slopes, beta));
+    return data.scene.lights.filter((_, n) => state.lights[n]).map(({ position }) => {
+      const [bumped, plain] = normals.map((normal) => kernel("phong", ...point, ...position, ...normal, 0, 0, 1)[0]);
+      return bumped.reduce((count, mu, i) => count + (mu > 0 !== plain[i] > 0), 0);
+    });
+  }
+
+  // What renderer.pixel records, for one pixel of the whole raster.
+  function pixel(state, method, { width, height }, column, row) {
+    const raster = { width, height, left: column, top: row, wide: 1, high: 1 }, rgb = render(state, method, raster).planes.map(([number]) => number);
+    const stage = make_stage(state, raster), [code] = stage.codes, [[x], [y]] = image_points(raster);
+    const record = { column, row, code, surface: ["none", "A", "B", "floor"][code & SURFACE], rgb };
+    if (record.surface === "none") return record;
+    if (record.surface === "A") return { ...record, ...facts_on_a(state, method, stage) };
+    const ball = [...data.scene.ball_center, data.scene.ball_radius, 1];
+    const six = record.surface === "B" ? kernel("normal_of_b", x, y, eye, ...ball) : kernel("normal_of_floor", x, y);
+    return { ...record, point: six.slice(0, 3), normal: six.slice(3) };
+  }
+
+  function facts_on_a(state, method, stage) {
+    const found = chart(stage), [u, v] = [found.u[0], found.v[0]], angles = found.angles.map(([number]) => number);
+    const field = (name, ...inputs) => kernel(`${name}_${state.field}`, ...inputs), slopes = gradient(state, method, stage);
+    return {
+      point: kernel("point_on_a", ...angles, radius), normal: kernel("bumped_normal", ...angles, ...slopes, state.beta), gradient: slopes,
+      theta: (2 * u - 1) * Math.PI, phi: v * Math.PI, u, v, h: field("height", u, v, state.ku, state.kv),
+      kink: field("kink", angles[3], u, v, state.ku, state.kv) === 1,
+      straddling: method.eps ? field("straddling", u, v, state.ku, state.kv, method.eps) === 1 : false,
+    };
+  }
+
+  const radius_of_a = Math.sqrt(Object.values(data.scenes)[0].scene[data.offsets.reach_of_a]); // on the image
+  return { kernel, image_points, radius_of_a, wave_numbers, make_stage, chambers_of, draw_a, draw_elsewhere, planes, render, chart, gradient, turned, pixel };
+};
