@@ -16,7 +16,8 @@ HERE = Path(__file__).parent
 LEFT_OUT = {"fontawesome.js", "searchtools.js", "language_data.js", "searchindex.js"}
 POLICY = (
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; "
-    "worker-src blob:; img-src data: blob:; font-src data:; connect-src data: blob:; form-action 'none'; base-uri 'none'"
+    "worker-src blob:; img-src data: blob:; font-src data:; connect-src data: blob:; form-action 'none'; "
+    "base-uri 'none'"
 )
 
 
