@@ -1,5 +1,6 @@
 """Draw a scene, band by band: everything from nothing, or sphere A alone on a stage."""
 
+from renderer.checks import not_allowed
 from renderer.frame import Frame
 from renderer.methods import GradientMethod, exact
 from renderer.raster import Raster
@@ -29,14 +30,14 @@ def render(scene, width, height, gradient=None, crop=None, threads=None, stage=N
     """
     method = gradient if gradient is not None else exact()
     if not isinstance(scene, Scene):
-        raise ValueError(f"scene = {scene!r} is not allowed: a Scene")
+        raise not_allowed("scene", scene, "a Scene")
     if not isinstance(method, GradientMethod):
-        raise ValueError(f"gradient = {method!r} is not allowed: exact(), central(eps), forward(eps) or central4(eps)")
+        raise not_allowed("gradient", method, "exact(), central(eps), forward(eps) or central4(eps)")
     raster, threads = Raster(width, height, crop), checked_threads(threads)
     if stage is not None and not stage.serves(scene, raster):
-        raise ValueError(f"stage = {stage!r} is not allowed: one made for the same lengths, lights and raster")
+        raise not_allowed("stage", stage, "one made for the same lengths, lights and raster")
     if into is not None and not (isinstance(into, Frame) and stage is into.stage and into.shaded_as(scene)):
-        raise ValueError(f"into = {into!r} is not allowed: a frame of the stage that is given, shaded as this scene is")
+        raise not_allowed("into", into, "a frame of the stage that is given, shaded as this scene is")
     if stage is None:
         stage = Stage(scene, raster)
         planes = stage.new_plane(channels=3)

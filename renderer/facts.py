@@ -24,12 +24,11 @@ def point_errors(scene, steps, at=SMOOTH_POINT):
 
 def flips_everywhere(scene, width, height, betas=(-1.0, 0.0, 0.35, 2.0), steps=(1e-1, 1e-3, 1e-6, 1e-12)):
     """Return (frames, flips): pixels whose chamber differs from the scene's own, over fields, β, ε, both models."""
-    own = render(scene, width, height).chambers
-    frames = flips = 0
+    own, flips = render(scene, width, height).chambers, []
     for field, beta, eps, model in product(FIELDS, betas, steps, MODELS):
         other = render(replace(scene, field=field, beta=beta, model=model), width, height, central(eps))
-        frames, flips = frames + 1, flips + int(np.count_nonzero(other.chambers != own))
-    return frames, flips
+        flips.append(int(np.count_nonzero(other.chambers != own)))
+    return len(flips), sum(flips)
 
 
 def flat_difference(scene, width, height, eps=1e-3):
@@ -41,7 +40,7 @@ def flat_difference(scene, width, height, eps=1e-3):
 def crease_gradient(scene, u=0.125, v=0.47):
     """Return (h, h_u, h_v) by the exact gradient of the ridges field at a chart point; default on a crease."""
     ridges = replace(scene, field="ridges")
-    return (float(height_at(ridges, u, v)), *(float(d) for d in gradient_at(ridges, u, v, exact())))
+    return tuple(map(float, (height_at(ridges, u, v), *gradient_at(ridges, u, v, exact()))))
 
 
 def pixels_near_the_pole(scene, width, height, below=SMALL_SINE):
@@ -53,8 +52,7 @@ def pixels_near_the_pole(scene, width, height, below=SMALL_SINE):
 
 def facts(scene=None, width=256, height=256):
     """Return [(what, value)], both text: the facts of the chapter's table that the ε-table does not show."""
-    scene = scene or Scene()
-    steps = (1e-3, 1e-4, 1e-6)
+    scene, steps = scene or Scene(), (1e-3, 1e-4, 1e-6)
     errors = point_errors(replace(scene, field="sine"), steps)
     frames, flips = flips_everywhere(scene, width, height)
     _, h_u, h_v = (number + 0.0 for number in crease_gradient(scene))  # −0 prints as 0
@@ -71,6 +69,5 @@ def facts(scene=None, width=256, height=256):
 
 def crease_contrast(frame, reference):
     """Return (mean |difference| where the kink flag is set, elsewhere on A)."""
-    delta = np.abs(difference_on_a(frame, reference))
-    kink = reference.kink[reference.stage.on_a]
+    delta, kink = np.abs(difference_on_a(frame, reference)), reference.kink[reference.stage.on_a]
     return float(delta[kink].mean()), float(delta[~kink].mean())

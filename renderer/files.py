@@ -1,12 +1,23 @@
-"""Files that appear whole or not at all: written beside their place under another name, then renamed."""
+"""Files that appear whole or not at all: written beside their place under another name, then renamed.
+
+The other name is `.STEM-????????-unfinished.SUFFIX`, of a file that its writer keeps locked. One that nobody has locked
+was left by a writer that was killed, and whoever writes into that folder next removes it.
+"""
 
 import csv
 import os
 import tempfile
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import numpy as np
+
+from renderer.checks import not_allowed
+
+try:
+    import fcntl
+except ImportError:  # Windows, which removes no file that is open: as good as a lock
+    fcntl = None
 
 PICTURE_SUFFIXES = (".png", ".npz")
 
@@ -16,44 +27,61 @@ def checked_target(path, suffixes, name="out"):
 
     `name` is what the message calls it.
     """
-    path = Path(path)
+    path, shown = Path(path), str(path)
     if path.suffix not in suffixes:
-        raise ValueError(f"{name} = {str(path)!r} is not allowed: a file name that ends in {' or '.join(suffixes)}")
+        raise not_allowed(name, shown, f"a file name that ends in {' or '.join(suffixes)}")
     if os.path.isdir(path) or not os.path.isdir(path.parent):  # unlike Path's, False for a name that is too long
-        raise ValueError(f"{name} = {str(path)!r} is not allowed: a file in a folder that exists")
+        raise not_allowed(name, shown, "a file in a folder that exists")
     try:
-        _remove(_temporary(path))
+        with _unfinished(path):
+            return path
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
-        raise ValueError(f"{name} = {str(path)!r} is not allowed: a file that can be written ({reason})") from None
-    return path
+        raise not_allowed(name, shown, f"a file that can be written ({reason})") from None
 
 
-def _temporary(path):
-    """Make an empty file beside `path` and return its name."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix)
-    os.close(handle)
-    return name
+@contextmanager
+def _unfinished(path):
+    """Make a file beside `path` and yield it, open and locked; remove it at the end if it still has its name."""
+    names = {"dir": path.parent, "prefix": f".{path.stem}-", "suffix": f"-unfinished{path.suffix}"}
+    linked = False
+    while not linked:  # another process may remove the file before it is locked
+        file = tempfile.NamedTemporaryFile(**names, delete=False)  # noqa: SIM115
+        with suppress(OSError):  # where a file system has no locks, nobody can lock it to remove it either
+            if fcntl:
+                fcntl.flock(file, fcntl.LOCK_EX)
+        linked = os.fstat(file.fileno()).st_nlink
+    try:
+        yield file
+    finally:
+        file.close()
+        Path(file.name).unlink(missing_ok=True)
 
 
-def _remove(name):
-    Path(name).unlink(missing_ok=True)
+def remove_abandoned(folder):
+    """Remove the unfinished files in a folder that no living process writes."""
+    for path in Path(folder).glob(".*-????????-unfinished.*"):
+        with suppress(OSError), open(path, "r+b") as file:
+            if fcntl:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            else:
+                file.close()
+            path.unlink()
 
 
 @contextmanager
 def whole_file(path):
     """Yield a temporary file name beside `path`; rename it to `path` at the end, or remove it on an error."""
     path = Path(path)
-    name = _temporary(path)
-    try:
-        yield name
+    remove_abandoned(path.parent)
+    with _unfinished(path) as file:
+        yield file.name
         mask = os.umask(0)
         os.umask(mask)
-        os.chmod(name, 0o666 & ~mask)
-        os.replace(name, path)
-    except BaseException:
-        _remove(name)
-        raise
+        os.chmod(file.name, 0o666 & ~mask)
+        if not fcntl:
+            file.close()
+        os.replace(file.name, path)
 
 
 def write_png(path, image):
@@ -70,9 +98,9 @@ def write_npz(path, frame):
         np.savez_compressed(name, rgb=frame.rgb, chambers=frame.chambers, **frame.surface_data)
 
 
-def write_csv(path, names, records):
-    """Write dicts as a table with its column names."""
+def write_csv(path, records):
+    """Write dicts of the same keys as a table with its column names."""
     with whole_file(path) as name, open(name, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, names)
+        writer = csv.DictWriter(file, [name for record in records[:1] for name in record])
         writer.writeheader()
         writer.writerows(records)

@@ -5,7 +5,9 @@ from functools import cached_property
 
 import numpy as np
 
+from renderer.checks import not_allowed
 from renderer.kernels import FIELDS, bumped_normal, chart, phong, point_on_a, slope
+from renderer.machines import machine
 from renderer.numbers import way_of
 from renderer.shader import ON_A
 from renderer.stage import SURFACE_BITS, shading_of
@@ -27,16 +29,18 @@ class Frame:
 
     @cached_property
     def work(self):
-        """What was computed for this frame, a dict of counts, without a given stage's.
+        """What was computed for this frame, without a given stage's: a dict of counts, and what `machine` drew.
 
-        pixels: {chamber code: pixels}; pixels_a, pixels_b, pixels_floor; gradient_evaluations (exact ones),
-        algebraic_gradients among them, height_evaluations, shadow_tests, specular_powers, light_terms.
+        machine: "llvm" or "numpy". pixels: {chamber code: pixels}; pixels_a, pixels_b, pixels_floor;
+        gradient_evaluations (exact ones), algebraic_gradients among them, height_evaluations, shadow_tests,
+        specular_powers, light_terms.
         """
         chambers = {code: int(pixels) for code, pixels in enumerate(self.stage.pixel_counts) if pixels}
         pixels = {n: sum(p for c, p in chambers.items() if c & SURFACE_BITS == s) for n, s in SURFACES.items()}
         field, way = way_of(self.scene, self.method)
         heights, gradients = FIELDS[field]["height_evaluations"].get(way, 0), self._counts["gradients"]
         return pixels | {
+            "machine": machine().NAME,
             "pixels": chambers,
             "gradient_evaluations": 0 if heights else gradients,
             "algebraic_gradients": gradients if way == "algebraic" else 0,
@@ -54,7 +58,7 @@ class Frame:
         Raises ValueError if it has handed them over.
         """
         if self._planes is None:
-            raise ValueError(f"into = {self!r} is not allowed: another frame has been drawn into it")
+            raise not_allowed("into", self, "another frame has been drawn into it")
         planes, self._planes = self._planes, None
         return planes
 

@@ -4,10 +4,10 @@ from concurrent.futures import as_completed
 from dataclasses import replace
 from itertools import product
 
-from renderer.methods import GradientMethod
+from renderer.checkpoint import version
+from renderer.methods import difference
 from renderer.numbers import geometry_of
-from renderer.sweep import compared
-from renderer.task import Task, version
+from renderer.sweep import Task, compared
 
 BATCH_TASKS, BATCH_PIXELS = (4, 16), 2**23  # what a worker is given at once, and what is lost if it is killed
 
@@ -18,7 +18,7 @@ def grid(scene, sizes, methods, steps, **values):
     sizes: (width, height) pairs. methods: names. steps: ε. values: lists of values by the name of the scene's field.
     """
     scenes = [replace(scene, **dict(zip(values, choice, strict=True))) for choice in product(*values.values())]
-    differences = [GradientMethod(name, None if name == "exact" else eps) for name, eps in product(methods, steps)]
+    differences = [difference(*choice) for choice in product(methods, steps)]
     return list(dict.fromkeys(Task(s, d, *size) for size in sizes for s in scenes for d in differences))
 
 
@@ -36,13 +36,10 @@ def batches(tasks):
 
 
 def compare_batch(batch, made_by, threads=1):
-    """Return the SweepRow of every task of a batch; what a worker does.
-
-    Raises ValueError unless `made_by` is this worker's own version.
-    """
+    """Return {task: SweepRow} of a batch; what a worker does. Raises ValueError unless `made_by` is its own version."""
     if made_by != version():
         raise ValueError("a worker's renderer is not allowed: its sources, machine, NumPy or llvmlite differ")
-    return list(compared(batch, threads))
+    return dict(zip(batch, compared(batch, threads), strict=True))
 
 
 def finished(tasks, executor, checkpoint=None, threads=1):
@@ -51,16 +48,15 @@ def finished(tasks, executor, checkpoint=None, threads=1):
     Every batch is kept in the checkpoint before it is yielded. What has not been started when the generator is closed
     or a batch fails is cancelled.
     """
-    kept = checkpoint.rows if checkpoint else {}
-    yield from [(task, kept[task.key]) for task in tasks if task.key in kept]
-    missing = batches(task for task in tasks if task.key not in kept)
-    futures = {executor.submit(compare_batch, batch, version(), threads): batch for batch in missing}
+    kept = checkpoint.kept(tasks) if checkpoint else {}
+    yield from kept.items()
+    missing = batches(task for task in tasks if task not in kept)
+    futures = [executor.submit(compare_batch, batch, version(), threads) for batch in missing]
     try:
         for future in as_completed(futures):
-            batch, rows = futures[future], future.result()
             if checkpoint:
-                checkpoint.append(batch, rows)
-            yield from zip(batch, rows, strict=True)
+                checkpoint.append(future.result())
+            yield from future.result().items()
     finally:
         for future in futures:
             future.cancel()

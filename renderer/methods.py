@@ -2,10 +2,11 @@
 
 from dataclasses import dataclass
 
+from renderer.checks import check_choice, check_number, not_allowed
 from renderer.kernels import HEIGHT_EVALUATIONS
-from renderer.scene import check_choice, check_number
 
-METHODS = ("exact", *HEIGHT_EVALUATIONS)
+DIFFERENCES = tuple(HEIGHT_EVALUATIONS)
+METHODS = ("exact", *DIFFERENCES)
 FORMS = ("auto", "general", "algebraic")
 SMALLEST_STEP = 1e-40  # a jump of h over a smaller step, times the largest β, squared, would overflow
 
@@ -26,7 +27,7 @@ class GradientMethod:
         check_choice("form", self.form, FORMS)
         if self.name == "exact":
             if self.eps is not None:
-                raise ValueError(f"eps = {self.eps!r} is not allowed: None for the exact gradient")
+                raise not_allowed("eps", self.eps, "None for the exact gradient")
         else:
             object.__setattr__(self, "eps", check_number("eps", self.eps, SMALLEST_STEP, 0.5))
 
@@ -34,6 +35,11 @@ class GradientMethod:
     def height_evaluations(self):
         """How many times h is evaluated for one gradient: 0 when it is exact."""
         return HEIGHT_EVALUATIONS.get(self.name, 0)
+
+
+def difference(name, eps):
+    """Return a difference by its name. Raises ValueError on the exact gradient."""
+    return GradientMethod(check_choice("gradient", name, DIFFERENCES), eps)
 
 
 def exact(form="auto"):

@@ -5,17 +5,11 @@ from typing import ClassVar
 
 import numpy as np
 
+from renderer.checks import check_whole, not_allowed
 from renderer.kernels import image_extent, image_x, image_y
 
 MAX_SIDE = 2**24
 MAX_DRAWN = 2**28
-
-
-def _check_size(name, value, high):
-    whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
-    if not whole or not 1 <= value <= high:
-        raise ValueError(f"{name} = {value!r} is not allowed: a whole number from 1 to {high}")
-    return int(value)
 
 
 @dataclass(frozen=True)
@@ -31,14 +25,14 @@ class Raster:
     most_drawn: ClassVar[int] = MAX_DRAWN
 
     def __post_init__(self):
-        width = _check_size("width", self.width, MAX_SIDE)
-        height = _check_size("height", self.height, MAX_SIDE)
+        width = check_whole("width", self.width, MAX_SIDE)
+        height = check_whole("height", self.height, MAX_SIDE)
         object.__setattr__(self, "width", width)
         object.__setattr__(self, "height", height)
         object.__setattr__(self, "crop", self._checked_crop(width, height))
         drawn = self.crop[2] * self.crop[3]
         if drawn > self.most_drawn:
-            raise ValueError(f"width * height = {drawn} is not allowed: at most {self.most_drawn} drawn pixels")
+            raise not_allowed("width * height", drawn, f"at most {self.most_drawn} drawn pixels")
 
     def _checked_crop(self, width, height):
         if self.crop is None:
@@ -51,7 +45,7 @@ class Raster:
             whole = False
         inside = whole and left >= 0 and top >= 0 and wide >= 1 and high >= 1
         if not inside or left + wide > width or top + high > height:
-            raise ValueError(f"crop = {self.crop!r} is not allowed: {allowed}")
+            raise not_allowed("crop", self.crop, allowed)
         return (left, top, wide, high)
 
     @property

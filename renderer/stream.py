@@ -45,14 +45,13 @@ def stream(scene, width, height, path, gradient=None, crop=None, threads=None, p
     """
     path = files.checked_target(path, STREAM_SUFFIXES)
     raster = StreamedRaster(width, height, crop)
-    write = _write_npy if path.suffix == ".npy" else _write_tiff
 
     def frames(rows):
         for block in progress(blocks(raster.crop, rows)):
             yield render(scene, width, height, gradient, block, threads)
 
     with files.whole_file(path) as name:
-        write(name, raster.shape, frames)
+        (_write_npy if path.suffix == ".npy" else _write_tiff)(name, raster.shape, frames)
     return raster.shape
 
 
@@ -65,8 +64,8 @@ def _write_npy(name, shape, frames):
     size, free = 24 * rows * columns, shutil.disk_usage(name).free
     if size > free:
         raise OSError(f"the picture takes {size / 1e9:.3g} GB, and the disk has {free / 1e9:.3g} GB left")
-    header = {"descr": "<f8", "fortran_order": False, "shape": (rows, columns, 3)}
     with open(name, "wb") as file:
+        header = {"descr": "<f8", "fortran_order": False, "shape": (rows, columns, 3)}
         np.lib.format.write_array_header_1_0(file, header)
         for frame in frames(max(1, BLOCK_PIXELS // columns)):
             file.write(np.ascontiguousarray(frame.rgb, "<f8"))
@@ -83,14 +82,5 @@ def _write_tiff(name, shape, frames):
                 tile = picture[:, left : left + TILE]
                 yield np.pad(tile, ((0, TILE - tile.shape[0]), (0, TILE - tile.shape[1]), (0, 0)))
 
-    tifffile.imwrite(
-        name,
-        tiles(),
-        shape=(*shape, 3),
-        dtype=np.uint8,
-        bigtiff=True,
-        tile=(TILE, TILE),
-        photometric="rgb",
-        compression="zlib",
-        metadata=None,
-    )
+    form = {"shape": (*shape, 3), "dtype": np.uint8, "photometric": "rgb", "metadata": None}
+    tifffile.imwrite(name, tiles(), bigtiff=True, tile=(TILE, TILE), compression="zlib", **form)

@@ -1,14 +1,34 @@
-"""The ε-table: how far the difference pipeline's picture is from the exact one, step by step."""
+"""The ε-table: how far a difference's picture is from the exact one, step by step."""
 
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass
+from itertools import groupby
 
 import numpy as np
 
 from renderer import files
-from renderer.drawing import render, stage_of
-from renderer.methods import GradientMethod, exact
+from renderer.checks import check_choice
+from renderer.drawing import render
+from renderer.methods import DIFFERENCES, GradientMethod, difference, exact
+from renderer.raster import Raster
+from renderer.scene import Scene
 
 DECADES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
+MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
+HEADINGS = {"largest": "max |dI| on A", "rms": "RMS on A"}
+
+
+@dataclass(frozen=True)
+class Task:
+    """A frame to compare with the exact one: a difference, and a raster's width and height. Raises ValueError."""
+
+    scene: Scene
+    method: GradientMethod
+    width: int
+    height: int
+
+    def __post_init__(self):
+        Raster(self.width, self.height)
+        check_choice("gradient", self.method.name, DIFFERENCES)
 
 
 @dataclass(frozen=True)
@@ -37,32 +57,53 @@ def compare(frame, reference):
     """Return the SweepRow of a difference's frame against the exact one, `reference`, of the same raster."""
     delta = difference_on_a(frame, reference)
     flips = int(np.count_nonzero(frame.chambers != reference.chambers))
-    largest = float(np.abs(delta).max()) if delta.size else 0.0
+    largest = float(np.abs(delta).max(initial=0.0))
     return SweepRow(frame.method.eps, largest, rms(delta), flips, int(frame.straddling.sum()))
 
 
-def sweep(scene, width, height, steps=DECADES, method="central", threads=None, progress=iter):
-    """Return a SweepRow for every ε in `steps`: `method` against the exact gradient.
+def compared(tasks, threads=None):
+    """Yield the SweepRow of every Task, of which all share their chambers.
 
-    The exact frame's chambers are computed once; the numeric ones anew for every step, so that flips are counted,
-    not assumed. `progress` wraps the iterable of steps.
+    The exact frame is drawn once a scene, on the first one's stage; a difference's frame is drawn whole, so that flips
+    are counted, not assumed.
     """
-    reference = render(scene, width, height, exact(), threads=threads)
-    rows = []
-    for eps in progress(tuple(steps)):
-        own = stage_of(scene, width, height, threads=threads)
-        frame = render(scene, width, height, GradientMethod(method, eps), threads=threads, stage=own)
-        rows.append(compare(frame, reference))
-    return rows
+    stage = None
+    for _, of_scene in groupby(tasks, lambda task: task.scene):
+        reference = None
+        for task in of_scene:
+            raster = task.scene, task.width, task.height
+            reference = reference or render(*raster, exact(), threads=threads, stage=stage)
+            stage = reference.stage
+            yield compare(render(*raster, task.method, threads=threads), reference)
 
 
-def write_csv(path, rows):
-    """Write the table with its column names."""
-    files.write_csv(path, [f.name for f in fields(SweepRow)], [asdict(row) for row in rows])
+def sweep(scene, width, height, steps=DECADES, method="central", threads=None, progress=iter):
+    """Return a SweepRow for every ε in `steps`: `method` against the exact gradient. `progress` wraps the Tasks."""
+    tasks = [Task(scene, difference(method, eps), width, height) for eps in steps]
+    return list(compared(progress(tasks), threads))
 
 
-def table(rows):
-    """Return the table as text."""
-    lines = [f"{'eps':>9} {'max |dI| on A':>14} {'RMS on A':>12} {'flips':>6} {'straddling':>11}"]
-    lines += [f"{r.eps:9.0e} {r.largest:14.4g} {r.rms:12.4g} {r.flips:6d} {r.straddling:11d}" for r in rows]
-    return "\n".join(lines)
+def records(results):
+    """Return the rows of `sweep`, or the {Task: row} of `renderer.grid.run`, as dicts."""
+    if not isinstance(results, dict):
+        return [asdict(row) for row in results]
+    return [
+        {name: getattr(task.scene, name) for name in MOVE_NO_BOUNDARY}
+        | {"gradient": task.method.name, "width": task.width, "height": task.height}
+        | asdict(row)
+        for task, row in results.items()
+    ]
+
+
+def table(results):
+    """Return the results, as `records` takes them, as text: a line each."""
+    found = records(results)
+    lines = [[HEADINGS.get(name, name) for name in record] for record in found[:1]]
+    lines += [[f"{value:.4g}" if isinstance(value, float) else str(value) for value in r.values()] for r in found]
+    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+    return "\n".join("  ".join(map(str.rjust, line, widths)) for line in lines)
+
+
+def write_csv(path, results):
+    """Write the results, as `records` takes them, with their column names."""
+    files.write_csv(path, records(results))

@@ -4,6 +4,8 @@ import os
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 
+from renderer.checks import check_whole
+
 MAX_THREADS = 256
 
 
@@ -19,11 +21,7 @@ def checked_threads(threads, name="threads"):
 
     `name` is what the message calls it.
     """
-    if threads is None:
-        return available_cores()
-    if not isinstance(threads, int) or isinstance(threads, bool) or not 1 <= threads <= MAX_THREADS:
-        raise ValueError(f"{name} = {threads!r} is not allowed: a whole number from 1 to {MAX_THREADS}")
-    return threads
+    return available_cores() if threads is None else check_whole(name, threads, MAX_THREADS)
 
 
 @cache

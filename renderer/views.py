@@ -2,14 +2,18 @@
 
 import numpy as np
 
-from renderer.scene import check_number
+from renderer.checks import check_number
+
+
+def _bytes(share):
+    """Return numbers as bytes: 0 and less as 0, 1 and more as 255."""
+    return np.rint(np.clip(share, 0.0, 1.0) * 255).astype(np.uint8)
 
 
 def to_bytes(rgb):
     """Return linear light, (…, 3) in [0, 1], as sRGB bytes, uint8 (IEC 61966-2-1)."""
     linear = np.clip(np.asarray(rgb, dtype=np.float64), 0.0, 1.0)
-    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
-    return np.rint(encoded * 255).astype(np.uint8)
+    return _bytes(np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055))
 
 
 def image_view(frame):
@@ -21,25 +25,17 @@ def slope_view(frame, highest=None):
     """Return |∇h| on sphere A in grey, from 0 to `highest` (default: the largest in the frame); black off A."""
     slope = frame.slope
     highest = slope.max() if highest is None else check_number("highest", highest, 0.0)
-    share = slope / highest if highest > 0 else np.zeros_like(slope)
-    return _grey(share)
+    return np.repeat(_bytes(slope / highest if highest > 0 else 0.0 * slope)[..., None], 3, axis=2)
 
 
 def kink_view(frame):
     """Return the kink flags in white over the dimmed picture: (height, width, 3) uint8."""
-    dimmed = to_bytes(frame.rgb) // 3
-    return np.where(frame.kink[..., None], np.uint8(255), dimmed)
-
-
-def _grey(share):
-    grey = np.rint(np.clip(share, 0.0, 1.0) * 255).astype(np.uint8)
-    return np.repeat(grey[..., None], 3, axis=2)
+    return np.where(frame.kink[..., None], np.uint8(255), to_bytes(frame.rgb) // 3)
 
 
 def difference_linear(delta, gain=100.0):
     """Return |delta| × gain, clipped to [0, 1], channel by channel: uint8, not sRGB-encoded."""
-    gain = check_number("gain", gain, 0.0, 1e300)
-    return np.rint(np.clip(np.abs(delta) * gain, 0.0, 1.0) * 255).astype(np.uint8)
+    return _bytes(np.abs(delta) * check_number("gain", gain, 0.0, 1e300))
 
 
 def difference_logarithmic(delta, low=-16, high=0):
@@ -61,14 +57,11 @@ def difference_logarithmic(delta, low=-16, high=0):
 
 def add_colour_bar(figure, box, limits, label=""):
     """Draw inferno's colour bar in powers of ten from 10^limits[0] to 10^limits[1] into a Matplotlib figure."""
-    import matplotlib
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
     low, high = limits
-    bar = figure.colorbar(
-        ScalarMappable(Normalize(low, high), matplotlib.colormaps["inferno"]), cax=figure.add_axes(box)
-    )
+    bar = figure.colorbar(ScalarMappable(Normalize(low, high), "inferno"), cax=figure.add_axes(box))
     ticks = np.arange(low, high + 1e-9, max(1, round((high - low) / 8)))
     bar.set_ticks(ticks, labels=[rf"$10^{{{tick:.0f}}}$" for tick in ticks])
     bar.outline.set_visible(False)
@@ -83,9 +76,8 @@ def with_colour_bar(image, low=-16, high=0, label="largest |ΔI| of a channel"):
     from matplotlib.figure import Figure
 
     height, width = image.shape[:2]
-    tall, room = max(height, 160), 96
-    figure = Figure(figsize=((width + room) / 100, tall / 100), dpi=100, facecolor="white")
-    total = width + room
+    tall, total = max(height, 160), width + 96
+    figure = Figure(figsize=(total / 100, tall / 100), dpi=100, facecolor="white")
     add_colour_bar(figure, [(width + 12) / total, 8 / tall, 12 / total, 1 - 16 / tall], (low, high), label)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()

@@ -5,22 +5,24 @@ import json
 import pytest
 
 from renderer import Scene
-from renderer.checkpoint import Checkpoint
+from renderer.checkpoint import Checkpoint, key_of
 from renderer.grid import grid
 from renderer.sweep import SweepRow
 
 TASKS = grid(Scene(), [(8, 8)], ["central"], (1e-2, 1e-3, 1e-4))
 ROWS = [SweepRow(task.method.eps, 0.1 + 0.2, 1e-300, 0, number) for number, task in enumerate(TASKS)]
-KEPT = {task.key: row for task, row in zip(TASKS, ROWS, strict=True)}
+RESULTS = dict(zip(TASKS, ROWS, strict=True))
+KEPT = {key_of(task): row for task, row in RESULTS.items()}
 
 
 @pytest.fixture
 def full(tmp_path):
     """A file with the three results."""
     checkpoint = Checkpoint(tmp_path / "a.jsonl")
-    checkpoint.append(TASKS[:2], ROWS[:2])
-    checkpoint.append(TASKS[2:], ROWS[2:])
+    checkpoint.append({task: RESULTS[task] for task in TASKS[:2]})
+    checkpoint.append({TASKS[2]: ROWS[2]})
     assert checkpoint.rows == KEPT
+    assert checkpoint.kept([*TASKS, *grid(Scene(), [(9, 9)], ["central"], (1e-2,))]) == RESULTS
     return checkpoint.path
 
 
@@ -46,9 +48,9 @@ def test_wherever_the_writer_was_killed_the_whole_lines_are_kept(full):
     for size in [*range(last, len(content), 17), *range(last, last + 12), len(content) - 1]:
         full.write_bytes(content[:size])
         checkpoint = Checkpoint(full)
-        assert checkpoint.rows == {task.key: KEPT[task.key] for task in TASKS[:2]}
+        assert checkpoint.rows == {key_of(task): RESULTS[task] for task in TASKS[:2]}
         assert full.read_bytes() == content[:last]
-    checkpoint.append(TASKS[2:], ROWS[2:])
+    checkpoint.append({TASKS[2]: ROWS[2]})
     assert full.read_bytes() == content
 
 

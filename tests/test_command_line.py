@@ -130,10 +130,11 @@ def test_sweep_of_a_grid(tmp_path, capsys):
     for line, task in zip(out.splitlines()[1:], tasks[:13], strict=False):
         (row,) = sweep(task.scene, task.width, task.height, (task.method.eps,), task.method.name)
         assert line.split()[0] == task.scene.field
-        assert [float(text) for text in line.split()[6:]] == pytest.approx(
+        assert [float(text) for text in line.split()[7:]] == pytest.approx(
             [row.eps, row.largest, row.rms, row.flips, row.straddling], rel=1e-3
         )
-    assert target.read_text().splitlines()[0] == ",".join(grid.COLUMNS)
+    names = "field,ku,kv,beta,gradient,width,height,eps,largest,rms,flips,straddling"
+    assert target.read_text().splitlines()[0] == names
     assert len(target.read_text().splitlines()) == 1 + len(tasks)
     assert err == ""
 
@@ -199,7 +200,7 @@ REFUSED = [
     (SIX_LIGHTS, "lights = 6 lights is not allowed: a sequence of at most 5 Light"),
     (["--light", "0,0,0"], "lights[0].position = (0.0, 0.0, 0.0) is not allowed: outside sphere A"),
     (["--light", "3,0,0"], "lights[0].position = (3.0, 0.0, 0.0) is not allowed: off the floor z = 0"),
-    (["--light", "0,nan,9"], "argument --light: light.position[1] = nan is not allowed: a finite number"),
+    (["--light", "0,nan,9"], "light.position[1] = nan is not allowed: a finite number"),
     (["--light", "1,2"], "argument --light: '1,2' is not allowed: X,Y,Z or X,Y,Z,R,G,B"),
     (["--light", "x"], "argument --light: 'x' is not allowed: X,Y,Z or X,Y,Z,R,G,B"),
     (["--crop", "1,2"], "argument --crop: '1,2' is not allowed: LEFT,TOP,WIDTH,HEIGHT"),

@@ -75,10 +75,7 @@ def test_every_float_beside_every_crease_is_off_it():
 
 
 def kink_at(scene, u, v):
-    flag = np.empty(1)
-    sin_phi, u_row, v_row = (np.array([value]) for value in (np.sin(np.pi * v), u, v))
-    FIELDS[scene.field]["kink"](sin_phi, u_row, v_row, scene.ku, scene.kv, flag, 0, 1)
-    return flag[0]
+    return FIELDS[scene.field]["kink"](np.sin(np.pi * v), np.float64(u), np.float64(v), scene.ku, scene.kv)
 
 
 def test_the_crease_is_flagged():

@@ -16,12 +16,13 @@ import psutil
 import pytest
 from distributed import Client, LocalCluster
 
-from renderer import Light, Scene, grid, render, stage_of
-from renderer.checkpoint import Checkpoint
+from renderer import Light, Scene, checkpoint, grid, render, stage_of
+from renderer.checkpoint import Checkpoint, key_of
 from renderer.command_line import main
+from renderer.machines import numpy_rows
 from renderer.methods import GradientMethod, central
 from renderer.raster import Raster
-from renderer.sweep import sweep
+from renderer.sweep import Task, records, sweep, table
 
 ROOT = Path(__file__).resolve().parent.parent
 SIZE = (24, 16)
@@ -66,10 +67,8 @@ def test_a_grid_has_every_combination_once():
     lists = {"field": ["sine", "rings", "sine"], "ku": [2, 4], "kv": [3.0], "beta": [0.1, -0.1]}
     tasks = grid.grid(Scene(), [(8, 8), (9, 7)], ["central", "forward"], (1e-2, 1e-3, 1e-2), **lists)
     assert len(tasks) == len(set(tasks)) == 2 * (2 * 2 * 1 * 2) * 2 * 2
-    assert tasks[:2] == [
-        grid.Task(Scene(field="sine", ku=2, kv=3, beta=0.1), central(eps), 8, 8) for eps in (1e-2, 1e-3)
-    ]
-    assert tasks[-1] == grid.Task(Scene(field="rings", ku=4, kv=3, beta=-0.1), GradientMethod("forward", 1e-3), 9, 7)
+    assert tasks[:2] == [Task(Scene(field="sine", ku=2, kv=3, beta=0.1), central(eps), 8, 8) for eps in (1e-2, 1e-3)]
+    assert tasks[-1] == Task(Scene(field="rings", ku=4, kv=3, beta=-0.1), GradientMethod("forward", 1e-3), 9, 7)
 
 
 @pytest.mark.parametrize(
@@ -90,7 +89,7 @@ def test_what_is_refused(change, message):
 
 def test_a_task_is_a_difference():
     with pytest.raises(ValueError, match="gradient = 'exact' is not allowed"):
-        grid.Task(Scene(), GradientMethod("exact"), 8, 8)
+        Task(Scene(), GradientMethod("exact"), 8, 8)
 
 
 def test_a_key_is_of_the_content():
@@ -101,26 +100,32 @@ def test_a_key_is_of_the_content():
         "ku": 2, "kv": 2, "beta": 0.1,
     }  # fmt: skip
     assert set(other) == {field.name for field in fields(Scene)}
-    task = grid.Task(Scene(), central(1e-3), 8, 8)
+    task = Task(Scene(), central(1e-3), 8, 8)
     tasks = [replace(task, scene=replace(Scene(), **{name: value})) for name, value in other.items()]
     tasks += [replace(task, method=central(1e-4)), replace(task, method=GradientMethod("forward", 1e-3))]
     tasks += [replace(task, width=9), replace(task, height=9), task]
-    assert len({each.key for each in tasks}) == len(tasks)
-    assert grid.Task(Scene(beta=0.35, ku=8), central(0.001), 8, 8).key == task.key
+    assert len({key_of(each) for each in tasks}) == len(tasks)
+    assert key_of(Task(Scene(beta=0.35, ku=8), central(0.001), 8, 8)) == key_of(task)
 
 
 @pytest.mark.parametrize("edited", ["kernels.py", "machines/traced.py"])
 def test_a_key_is_of_the_sources_too(edited, tmp_path, monkeypatch):
     shutil.copytree(ROOT / "renderer", tmp_path / "renderer", ignore=shutil.ignore_patterns("__pycache__"))
-    own, key = grid.version(), grid.Task(Scene(), central(1e-3), 8, 8).key
-    monkeypatch.setattr(grid, "__file__", str(tmp_path / "renderer" / "grid.py"))
-    assert grid.version.__wrapped__() == own
+    own, key = checkpoint.version(), key_of(Task(Scene(), central(1e-3), 8, 8))
+    monkeypatch.setattr(checkpoint, "__file__", str(tmp_path / "renderer" / "checkpoint.py"))
+    assert checkpoint.version.__wrapped__() == own
     with open(tmp_path / "renderer" / edited, "a") as file:
         file.write("\n")
-    changed = grid.version.__wrapped__()
+    changed = checkpoint.version.__wrapped__()
     assert changed != own
-    monkeypatch.setattr(grid, "version", lambda: changed)
-    assert grid.Task(Scene(), central(1e-3), 8, 8).key != key
+    monkeypatch.setattr(checkpoint, "version", lambda: changed)
+    assert key_of(Task(Scene(), central(1e-3), 8, 8)) != key
+
+
+def test_a_key_is_of_the_machine_too(monkeypatch):
+    own = checkpoint.version.__wrapped__()
+    monkeypatch.setattr(checkpoint, "machine", lambda: numpy_rows)
+    assert checkpoint.version.__wrapped__() != own
 
 
 def test_a_batch_shares_its_chambers():
@@ -152,27 +157,28 @@ def test_the_rows_are_those_of_a_sweep():
 
 
 def test_a_batch_draws_the_exact_frame_once_a_scene(monkeypatch):
-    drawn, staged = [], []
-    monkeypatch.setattr(grid, "render", lambda *a, **o: drawn.append(a[3].name) or render(*a, **o))
-    monkeypatch.setattr(grid, "stage_of", lambda *a, **o: staged.append(a) or stage_of(*a, **o))
+    drawn = []
+    seen = lambda *a, **o: drawn.append((a[3].name, o.get("stage") is None)) or render(*a, **o)  # noqa: E731
+    monkeypatch.setattr("renderer.sweep.render", seen)
     tasks = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3, 1e-4), beta=[0.1, 0.2])
-    grid.compare_batch(tasks, grid.version())
-    assert drawn == ["exact", *["central"] * 3] * 2
-    assert len(staged) == 1 + 2  # the batch's, and each scene's own
+    grid.compare_batch(tasks, checkpoint.version())
+    of_scene = [("central", True)] * 3  # whole: flips are counted
+    assert drawn == [("exact", True), *of_scene, ("exact", False), *of_scene]
 
 
 def test_flips_are_counted(monkeypatch):
     made = []
 
     def flipping(*arguments, **options):
-        stage = stage_of(*arguments, **options)
-        stage.chambers[0, : len(made)] ^= 128
-        made.append(stage)
-        return stage
+        frame = render(*arguments, **options)
+        if frame.method.eps:
+            made.append(frame)
+            frame.chambers[0, : len(made)] ^= 128
+        return frame
 
-    monkeypatch.setattr(grid, "stage_of", flipping)
-    tasks = grid.grid(Scene(), [SIZE], ["central"], (1e-2,), beta=[0.1, 0.2])
-    assert [row.flips for row in grid.compare_batch(tasks, grid.version())] == [1, 2]
+    monkeypatch.setattr("renderer.sweep.render", flipping)
+    tasks = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3), beta=[0.1, 0.2])
+    assert [row.flips for row in grid.compare_batch(tasks, checkpoint.version()).values()] == [1, 2, 3, 4]
 
 
 def test_a_worker_of_another_version_is_refused():
@@ -196,7 +202,7 @@ def test_what_is_kept_is_not_computed_again(many, tmp_path):
 def test_results_of_other_sources_are_computed_again(tmp_path, monkeypatch):
     tasks = MANY[:4]
     grid.run(tasks, Inline(), Checkpoint(tmp_path / "a.jsonl"))
-    monkeypatch.setattr(grid, "version", lambda: "changed")
+    monkeypatch.setattr(checkpoint, "version", lambda: "changed")
     executor = Inline()
     grid.run([replace(task) for task in tasks], executor, Checkpoint(tmp_path / "a.jsonl"))
     assert executor.tasks == tasks
@@ -206,23 +212,23 @@ def test_a_failure_keeps_what_was_finished_and_cancels_the_rest(many, tmp_path, 
     def failing(batch, *arguments):
         if MANY[32] in batch:
             raise ArithmeticError("the third batch")
-        return [many[task] for task in batch]
+        return {task: many[task] for task in batch}
 
     monkeypatch.setattr(grid, "compare_batch", failing)
-    executor, checkpoint = ThreadPoolExecutor(1), Checkpoint(tmp_path / "a.jsonl")
+    executor, kept = ThreadPoolExecutor(1), Checkpoint(tmp_path / "a.jsonl")
     with executor, pytest.raises(ArithmeticError, match="the third batch"):
-        grid.run(MANY, executor, checkpoint)
-    assert set(checkpoint.rows) == {task.key for task in MANY[:32]}
+        grid.run(MANY, executor, kept)
+    assert set(kept.rows) == {key_of(task) for task in MANY[:32]}
 
 
 def test_the_table_and_the_records():
     tasks = grid.grid(Scene(), [SIZE], ["forward"], (1e-2,), field=["sine", "rings"])
     results = grid.run(tasks, Inline())
-    names, first, _ = grid.table(results).splitlines()
-    assert names.split()[:7] == ["field", "ku", "kv", "beta", "gradient", "raster", "eps"]
-    assert first.split()[:7] == ["sine", "8", "4", "0.35", "forward", "24x16", "1.0e-02"]
-    record = grid.records(results)[1]
-    assert tuple(record) == grid.COLUMNS
+    names, first, _ = table(results).splitlines()
+    assert names.split()[:7] == ["field", "ku", "kv", "beta", "gradient", "width", "height"]
+    assert first.split()[:8] == ["sine", "8", "4", "0.35", "forward", "24", "16", "0.01"]
+    record = records(results)[1]
+    assert list(record)[:7] == names.split()[:7]
     assert (record["field"], record["height"], record["rms"]) == ("rings", 16, results[tasks[1]].rms)
 
 
@@ -258,11 +264,11 @@ def test_a_sweep_that_is_killed_goes_on(long, tmp_path, capsys):
         assert time.monotonic() < deadline
         time.sleep(0.01)
     assert main(options) == 0
-    assert capsys.readouterr().out == grid.table(long) + "\n"
+    assert capsys.readouterr().out == table(long) + "\n"
     after = lines(kept)
     assert after[: len(before) - 1] == before[:-1]  # the last line may have been torn
     keys = [json.loads(line)["key"] for line in after]
-    assert sorted(keys) == sorted(task.key for task in LONG)  # every one, and none twice
+    assert sorted(keys) == sorted(key_of(task) for task in LONG)  # every one, and none twice
 
 
 def test_a_dask_worker_that_is_killed(long, tmp_path):
@@ -272,8 +278,8 @@ def test_a_dask_worker_that_is_killed(long, tmp_path):
         nanny.auto_restart = False
     with cluster, Client(cluster, set_as_default=False) as client:
         workers = client.run(os.getpid)
-        checkpoint = Checkpoint(tmp_path / "a.jsonl")
-        finished = grid.finished(LONG, client.get_executor(), checkpoint)
+        kept = Checkpoint(tmp_path / "a.jsonl")
+        finished = grid.finished(LONG, client.get_executor(), kept)
         results = [next(finished)]
         victim = next(worker for worker, work in client.processing().items() if work)
         killed = workers[victim]
@@ -282,9 +288,9 @@ def test_a_dask_worker_that_is_killed(long, tmp_path):
         assert killed not in client.run(os.getpid).values()
     assert len(results) == len(LONG)
     assert dict(results) == long
-    assert len(lines(checkpoint.path)) == len(LONG)
+    assert len(lines(kept.path)) == len(LONG)
     again = Inline()
-    assert grid.run(LONG, again, Checkpoint(checkpoint.path)) == long
+    assert grid.run(LONG, again, Checkpoint(kept.path)) == long
     assert again.tasks == []
 
 
@@ -305,6 +311,6 @@ def test_a_dask_cluster_from_the_command_line(many, tmp_path, capsys):
     ]
     with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster:
         assert main([*command, "--dask", cluster.scheduler_address]) == 0
-    assert capsys.readouterr().out.startswith(grid.table({task: many[task] for task in MANY[:4]}) + "\nwrote ")
+    assert capsys.readouterr().out.startswith(table({task: many[task] for task in MANY[:4]}) + "\nwrote ")
     rms = np.genfromtxt(target, delimiter=",", names=True, dtype=None, encoding="utf-8")["rms"]
     assert list(rms) == [many[task].rms for task in MANY[:4]]

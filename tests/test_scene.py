@@ -50,7 +50,7 @@ def test_a_scene_that_is_accepted_is_accepted_again_and_equal(scene):
 
 @given(scenes())
 def test_every_number_of_a_scene_is_a_float(scene):
-    assert all(type(getattr(scene, f.name)) is float for f in dataclasses.fields(Scene) if f.type == "float")
+    assert all(type(getattr(scene, f.name)) is float for f in dataclasses.fields(Scene) if f.type is float)
 
 
 @pytest.mark.parametrize(

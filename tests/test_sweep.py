@@ -106,13 +106,13 @@ def test_a_sweep_without_a_pixel_of_a():
 def test_progress_sees_every_step():
     seen = []
 
-    def progress(steps):
-        for step in steps:
-            seen.append(step)
-            yield step
+    def progress(tasks):
+        for task in tasks:
+            seen.append(task)
+            yield task
 
     sweep(Scene(), 8, 8, (1e-2, 1e-3), progress=progress)
-    assert seen == [1e-2, 1e-3]
+    assert [task.method.eps for task in seen] == [1e-2, 1e-3]
 
 
 def test_a_bad_step_is_rejected():

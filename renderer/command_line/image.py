@@ -1,44 +1,28 @@
-"""image: one picture, whole in memory or streamed to a file."""
+"""Draw one picture, whole in memory or streamed to a file."""
 
 from renderer import files, views
-from renderer.command_line.options import (
-    add_gradient,
-    add_raster,
-    add_scene,
-    crop,
-    method_of,
-    progress_bar,
-    scene_of,
-    size_of,
-)
+from renderer.command_line.options import CROP, GRADIENT, RASTER, method_of, progress_bar, scene_of, size_of
 from renderer.drawing import render
 from renderer.stream import STREAM_SUFFIXES, stream
 
 OUT = "a .png; a .npz with every buffer; of any size, drawn in bands: a .npy (float64) or a tiled .tif"
-
-
-def add(verbs):
-    """Add the verb's parser."""
-    parser = verbs.add_parser("image", help="draw one picture", description="Draw one picture.")
-    parser.add_argument("--out", required=True, metavar="FILE", help=OUT)
-    parser.add_argument("--crop", type=crop, metavar="L,T,W,H", help="draw this part of the raster alone")
-    add_gradient(parser, "exact")
-    add_raster(parser)
-    add_scene(parser)
+OPTIONS = {
+    "--out": {"required": True, "metavar": "FILE", "help": OUT},
+    "--crop": CROP | {"help": "draw this part of the raster alone"},
+    **GRADIENT,
+    **RASTER,
+}
 
 
 def run(options):
     """Draw and write."""
     target = files.checked_target(options.out, (*files.PICTURE_SUFFIXES, *STREAM_SUFFIXES))
-    scene, size, method = scene_of(options), size_of(options), method_of(options)
+    picture = scene_of(options), *size_of(options)
+    more = {"gradient": method_of(options), "crop": options.crop, "threads": options.threads}
     if target.suffix in STREAM_SUFFIXES:
-
-        def progress(blocks):
-            return progress_bar(blocks, desc=target.name, unit="block")
-
-        height, width = stream(scene, *size, target, method, options.crop, options.threads, progress)
+        height, width = stream(*picture, target, **more, progress=progress_bar(desc=target.name, unit="block"))
     else:
-        frame = render(scene, *size, method, crop=options.crop, threads=options.threads)
+        frame = render(*picture, **more)
         height, width = frame.raster.shape
         if target.suffix == ".npz":
             files.write_npz(target, frame)

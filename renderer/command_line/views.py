@@ -1,37 +1,35 @@
-"""views: every picture of both pipelines, and of their difference."""
+"""Draw both pipelines, their difference, and what is known of the exact one."""
 
 from pathlib import Path
 
 from renderer import files, views
-from renderer.command_line.options import add_gradient, add_raster, add_scene, method_of, number, scene_of, size_of
+from renderer.checks import not_allowed
+from renderer.command_line.options import GRADIENT, NUMBER, RASTER, method_of, scene_of, size_of
 from renderer.drawing import render
-from renderer.methods import exact
-from renderer.raster import Raster
+from renderer.sweep import Task
 
-
-def add(verbs):
-    """Add the verb's parser."""
-    parser = verbs.add_parser("views", help="draw every view", description="Draw both pipelines and their difference.")
-    parser.add_argument("--out", required=True, metavar="FOLDER", help="the folder to write to; it is made if need be")
-    parser.add_argument("--gain", type=number, default=100.0, metavar="X", help="of the linear map (default: 100)")
-    add_gradient(parser, "central")
-    add_raster(parser)
-    add_scene(parser)
+OPTIONS = {
+    "--out": {"required": True, "metavar": "FOLDER", "help": "the folder to write to; it is made if need be"},
+    "--gain": NUMBER | {"default": 100.0, "help": "of the linear map (default: 100)"},
+    **GRADIENT,
+    "--gradient": GRADIENT["--gradient"] | {"default": "central"},
+    **RASTER,
+}
 
 
 def run(options):
     """Draw and write."""
     scene, size, method = scene_of(options), size_of(options), method_of(options)
     if method.name == "exact":
-        raise ValueError("gradient = 'exact' is not allowed: views compare a difference with the exact gradient")
-    Raster(*size)
+        raise not_allowed("gradient", "exact", "views compare a difference with the exact gradient")
+    Task(scene, method, *size)
     views.difference_linear(0.0, options.gain)
     folder = Path(options.out)
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise ValueError(f"out = {options.out!r} is not allowed: {error.strerror}") from None
-    symbolic = render(scene, *size, exact(), threads=options.threads)
+        raise not_allowed("out", options.out, error.strerror) from None
+    symbolic = render(scene, *size, threads=options.threads)
     numeric = render(scene, *size, method, threads=options.threads, stage=symbolic.stage)
     delta = numeric.rgb - symbolic.rgb
     pictures = {

@@ -1,0 +1,45 @@
+"""Checks of what is given: an error names the argument, its value and what is allowed."""
+
+import math
+from numbers import Integral
+
+
+def not_allowed(name, value, allowed):
+    """Return the ValueError that says so."""
+    return ValueError(f"{name} = {value!r} is not allowed: {allowed}")
+
+
+def check_number(name, value, low=-math.inf, high=math.inf):
+    """Return `value` as a float, or raise ValueError unless it is a finite number in [low, high]."""
+    try:
+        number = math.nan if isinstance(value, (str, bytes, bool)) else float(value)
+    except (TypeError, ValueError, OverflowError):
+        number = math.nan
+    if not math.isfinite(number) or not low <= number <= high:
+        raise not_allowed(name, value, f"a finite number from {low:g} to {high:g}")
+    return number
+
+
+def check_triple(name, value, low=-math.inf, high=math.inf):
+    """Return `value` as a tuple of three floats, or raise ValueError."""
+    try:
+        items = () if isinstance(value, (str, bytes)) else tuple(value)
+    except TypeError:
+        items = ()
+    if len(items) != 3:
+        raise not_allowed(name, value, f"three finite numbers from {low:g} to {high:g}")
+    return tuple(check_number(f"{name}[{i}]", item, low, high) for i, item in enumerate(items))
+
+
+def check_whole(name, value, high):
+    """Return `value` as an int, or raise ValueError unless it is a whole number from 1 to `high`."""
+    if not isinstance(value, Integral) or isinstance(value, bool) or not 1 <= value <= high:
+        raise not_allowed(name, value, f"a whole number from 1 to {high}")
+    return int(value)
+
+
+def check_choice(name, value, choices):
+    """Return `value`, or raise ValueError unless it is one of `choices`."""
+    if value not in tuple(choices):
+        raise not_allowed(name, value, "one of " + ", ".join(map(repr, choices)))
+    return value
