@@ -10,20 +10,19 @@ from verify.evaluate import ExactPrinter, code_of
 
 
 class _BallPrinter(ExactPrinter):
-    """Comparisons of balls may be undecided."""
-
-    def _condition(self, condition):
-        return self._print(condition)
+    """Comparisons of balls may be undecided; a condition stands in parentheses, as a kernel's does."""
 
     def select(self, condition, value, otherwise):
         return f"select({condition}, lambda: {value}, lambda: {otherwise})"
 
-    def connect(self, connective, expr):
-        name = {"&": "both", "|": "either"}[connective]
-        return f"{name}({', '.join(self._print(a) for a in sorted(expr.args, key=str))})"
+    def _print_And(self, expr, connective="both"):
+        return f"({connective}({', '.join(self._print(part) for part in sorted(expr.args, key=str))}))"
+
+    def _print_Or(self, expr):
+        return self._print_And(expr, "either")
 
     def _print_Relational(self, expr):
-        return f"compare({self._print(expr.lhs)}, {expr.rel_op!r}, {self._print(expr.rhs)})"
+        return f"(compare({self._print(expr.lhs)}, {expr.rel_op!r}, {self._print(expr.rhs)}))"
 
 
 _OPERATORS = {"<": ("__lt__", "__ge__"), "<=": ("__le__", "__gt__"), ">": ("__gt__", "__le__"),
