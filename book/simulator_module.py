@@ -19,26 +19,26 @@ from renderer.machines.drawing_code import ARGUMENTS
 from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import LANES, compiled_module
 from renderer.numbers import LIGHT_FORM, SCENE_FORM, flat, numbers_of, scene_numbers, style_of
-from renderer.shader import WORK, Want
+from renderer.shader import ANGLES, CHART, SLOPES, WORK, Want
 
 SCENE = Scene()
 MODELS = {name: replace(SCENE, model=name) for name in LIGHT_MODELS}
 FLAT = (SCENE.field, "flat")  # the same for every field
 WAYS = [*product(FIELDS, ("general", *HEIGHT_EVALUATIONS))]
 WAYS += [(name, "algebraic") for name, field in FIELDS.items() if field["wave_numbers"]] + [FLAT]
-SLOPES = ("h_u", "h_v")
 
 _off_a = Want((FLAT,), tuple(map(style_of, MODELS.values())), SCENE.shininess.is_integer())
 WANTS = {
     "draw_chambers": _off_a._replace(colors=False),
     "draw_elsewhere": _off_a._replace(given=True, surfaces="elsewhere"),
-    "draw_a": _off_a._replace(ways=tuple(WAYS), given=True, surfaces="a", kept=SLOPES),
+    "draw_chart": _off_a._replace(given=True, surfaces="a", colors=False, kept=(*ANGLES, *CHART)),
+    "draw_a": _off_a._replace(ways=tuple(WAYS), given=True, surfaces="a", kept=SLOPES, charted=True),
 }
-"""The three drawings; a picture is all of them, one after another."""
+"""The drawings; a picture is all of them, one after another. A's chart is kept for the next picture."""
 
 OVER_POINTS = (
     *(kernels.image_extent, kernels.image_x, kernels.image_y, kernels.parallel_radius),
-    *(kernels.angles_on_a, kernels.chart, kernels.point_on_a, kernels.bumped_normal, kernels.slope, kernels.phong),
+    *(kernels.point_on_a, kernels.bumped_normal, kernels.slope, kernels.phong),
     *(kernels.normal_of_b, kernels.normal_of_floor),
     *(kernels.truncation_bound, kernels.clamped_bound, kernels.rounding_bound),
     *(kernels.crease_bound, kernels.slope_bound),

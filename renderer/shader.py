@@ -12,7 +12,8 @@ from renderer.operations import floor, where
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0.0, 1.0, 2.0, 3.0
 DARK_BIT = 128.0
 COLORS = ("red", "green", "blue")
-ON_A = ("cos_theta", "sin_theta", "cos_phi", "sin_phi", "h_u", "h_v")
+ANGLES, CHART, SLOPES = ("cos_theta", "sin_theta", "cos_phi", "sin_phi"), ("u", "v"), ("h_u", "h_v")
+ON_A = (*ANGLES, *SLOPES)
 WORK = ("gradients", "shadow_tests", "specular_powers", "light_terms")
 
 
@@ -23,7 +24,7 @@ class Want(NamedTuple):
     difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is dull (without a
     highlight), base, or squared. whole: whether the shininess is a whole number. given: whether the chambers are
     known. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these are wanted. kept: which of
-    ON_A are stored.
+    ON_A are stored, or CHART beside them. charted: whether ANGLES and CHART are known.
     """
 
     ways: tuple
@@ -33,6 +34,7 @@ class Want(NamedTuple):
     surfaces: str = "all"
     colors: bool = True
     kept: tuple = ()
+    charted: bool = False
 
 
 class Group:
@@ -100,13 +102,22 @@ class Group:
     def draw_a(self, mask):
         """§2 and §3: angles, gradient, bumped normal."""
         s, want = self.scene, self.want
-        angles = k.angles_on_a(self.x, self.y, s.eye, s.radius)
+        angles = self.loaded(ANGLES) if want.charted else k.angles_on_a(self.x, self.y, s.eye, s.radius)
         gradient = self.gradient(angles, mask) if want.colors or want.kept else (0.0, 0.0)
-        for name, value in zip(ON_A, (*angles, *gradient), strict=True):
+        chart = self.chart(angles) if CHART[0] in want.kept else ()
+        for name, value in zip((*ON_A, *CHART), (*angles, *gradient, *chart), strict=False):
             if name in want.kept:
                 self.pixels.store(name, value)
         point, normal = k.point_on_a(*angles, s.radius), k.bumped_normal(*angles, *gradient, s.beta)
         self.light_up(mask, point, normal, s.albedo_a, lambda light: [(s.ball, light.b_on_a)])
+
+    def loaded(self, names):
+        """Return what planes have."""
+        return tuple(self.pixels.load(name) for name in names)
+
+    def chart(self, angles):
+        """Return u and v on A."""
+        return self.loaded(CHART) if self.want.charted else k.chart(*angles)
 
     def draw_b(self, mask):
         """A plain sphere."""
@@ -144,7 +155,7 @@ class Group:
                 cos_u, sin_u = self.complex_power(u_real, s.turn_u * u_imaginary, s.power_u)
                 cos_v, sin_v = self.complex_power(v_real, s.turn_v * v_imaginary, s.power_v)
                 return field["gradient_from_factors"](sin_u, cos_u, sin_v, cos_v, s.ku, s.kv)
-            u, v = k.chart(*angles)
+            u, v = self.chart(angles)
             if way == "general":
                 return field["gradient"](u, v, s.ku, s.kv)
             return difference(field, way, u, v, s.ku, s.kv, s.eps)

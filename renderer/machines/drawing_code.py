@@ -4,9 +4,9 @@ import llvmlite.ir as ir
 
 from renderer.machines.traced import BYTE, FLOAT, WHOLE, Tracer, Value
 from renderer.numbers import LIGHT_FORM, SCENE_FORM, of_form
-from renderer.shader import COLORS, ON_A, WORK, Group
+from renderer.shader import CHART, COLORS, ON_A, WORK, Group
 
-PLANES = (*COLORS, "code", *ON_A)
+PLANES = (*COLORS, "code", *ON_A, *CHART)
 ARGUMENTS = ("x", "y", "columns", "first_row", "last_row", "pitch", "scene", "lights", "light_count", "counts", *PLANES)
 """What the code is given: addresses and whole numbers, one array of int64. `columns` is (rows, 2) int64."""
 

@@ -40,7 +40,7 @@ Simulator.curve = function (root, data, module) {
   function at_pixel(state, raster) {
     const stage = module.make_stage(state, { ...raster, left: state.column, top: state.row, wide: 1, high: 1 });
     if (!stage.count) return null;
-    const { u: [u], v: [v] } = module.chart(stage), exact = module.gradient(state, { name: "exact" }, stage);
+    const [[u], [v]] = module.chart(stage), exact = module.gradient(state, { name: "exact" }, stage);
     const waves = state.method === "central" ? module.wave_numbers(state)?.map(Math.abs) : null; // without them nothing is proved
     return FINE.map((eps) => {
       const [h_u, h_v] = module.gradient(state, { name: state.method, eps }, stage);

@@ -13,7 +13,7 @@ Simulator.compiled = async function (program) {
 Simulator.module = async function (data, compiled) {
   const memory = new WebAssembly.Memory({ initial: 1 });
   const { exports } = await WebAssembly.instantiate(compiled, { env: { __linear_memory: memory } });
-  const { eye, radius } = data.scene, SURFACE = 3, A = 1, COLORS = ["red", "green", "blue"], PLANES = [...COLORS, "h_u", "h_v"];
+  const { eye, radius } = data.scene, SURFACE = 3, A = 1, COLORS = ["red", "green", "blue"], PLANES = [...COLORS, "h_u", "h_v"], ANGLES = ["cos_theta", "sin_theta", "cos_phi", "sin_phi"];
   const PAGE = 2 ** 16, CHUNK = 512, MOST_COLUMNS = Math.max(...Object.values(data.kernels).map(([taken, made]) => taken + made));
   let top = 64; // an address of 0 is none
 
@@ -81,7 +81,7 @@ Simulator.module = async function (data, compiled) {
     const { scene, lights } = numbers_of(state, method), { high } = stage.raster;
     floats(scene_at, scene.length).set(scene);
     floats(lights_at, data.light_size * lights.length).set(lights.flat());
-    const columns = what === "draw_a" ? stage.columns_of_a : stage.everywhere;
+    const columns = ["draw_a", "draw_chart"].includes(what) ? stage.columns_of_a : stage.everywhere;
     const given = { ...stage, ...target, columns, first_row: 0, last_row: high, scene: scene_at, lights: lights_at, light_count: lights.length, counts: counts_at };
     call(what, data.arguments.map((name) => given[name] ?? 0));
   }
@@ -99,13 +99,15 @@ Simulator.module = async function (data, compiled) {
     return rows(new Uint8Array(memory.buffer, code, stage.pitch * stage.raster.high), stage);
   }
 
-  // A state's chambers on a raster, and which pixels are A's (theorem bump_moves_no_boundary). It takes the memory over:
+  // A state's chambers on a raster, which pixels are A's, and where these are on the chart: what no bump changes
+  // (theorem bump_moves_no_boundary). It takes the memory over:
   // an earlier stage is gone. Where `wide` is a whole number of groups, `at` holds for planes and pictures alike.
   function make_stage(state, raster) {
     top = beginning;
     const { wide, high } = raster, pitch = data.lanes * Math.ceil(wide / data.lanes), [x, y] = image_points(raster);
     const stage = { raster, pitch, targets: {}, x: reserve(8 * pitch), y: reserve(8 * high), code: reserve(pitch * high), code_again: reserve(pitch * high),
       everywhere: reserve(16 * high), columns_of_a: reserve(16 * high) };
+    for (const plane of [...ANGLES, "u", "v"]) stage[plane] = reserve(8 * pitch * high);
     floats(stage.x, pitch).fill(NaN).set(x);
     floats(stage.y, high).set(y);
     new BigInt64Array(memory.buffer, stage.everywhere, 2 * high).forEach((_, n, ends) => (ends[n] = n % 2 ? BigInt(wide) : 0n));
@@ -115,8 +117,8 @@ Simulator.module = async function (data, compiled) {
       on_row.forEach((code, column) => (code & SURFACE) === A && at.push(row * pitch + column));
       if (at.length > before) [at[before], at[at.length - 1] + 1].forEach((end, n) => (ends[2 * row + n] = BigInt(end - row * pitch)));
     }
-    const compact = (of) => Float64Array.from(at, of);
-    return { ...stage, codes, count: at.length, at: Int32Array.from(at), points: [compact((i) => x[i % pitch]), compact((i) => y[Math.floor(i / pitch)])] };
+    draw("draw_chart", state, { name: "exact" }, stage);
+    return { ...stage, codes, count: at.length, at: Int32Array.from(at) };
   }
 
   // The addresses of a stage's planes of a name.
@@ -141,22 +143,24 @@ Simulator.module = async function (data, compiled) {
     return { planes: planes(stage, "picture").rgb.map((plane) => rows(plane, stage)), codes: stage.codes };
   }
 
-  // What is known of A's pixels before any height is looked at.
-  function chart(stage) {
-    const angles = kernel("angles_on_a", ...stage.points, eye, radius), [u, v] = kernel("chart", ...angles);
-    return { angles, u, v };
+  // The numbers of a plane on A's pixels, one after another.
+  function on_a(stage, address) {
+    const plane = floats(address, stage.pitch * stage.raster.high);
+    return Float64Array.from(stage.at, (i) => plane[i]);
   }
+
+  const angles_of = (stage) => ANGLES.map((name) => on_a(stage, stage[name]));
+  const chart = (stage) => ["u", "v"].map((name) => on_a(stage, stage[name]));
 
   // h_u and h_v at the one pixel of a stage on A, whether it is drawn with a bump or not.
   function gradient(state, method, stage) {
     draw_a({ ...state, beta: 1 }, method, stage, "gradient");
-    const { h_u, h_v } = planes(stage, "gradient");
-    return [h_u[0], h_v[0]];
+    return ["h_u", "h_v"].map((plane) => on_a(stage, target(stage, "gradient")[plane])[0]);
   }
 
   // How many of A's pixels the bump turns to the other side of each light that is on.
   function turned(state, stage, name) {
-    const { angles } = chart(stage), { h_u, h_v } = planes(stage, name), slopes = [h_u, h_v].map((plane) => Float64Array.from(stage.at, (i) => plane[i]));
+    const angles = angles_of(stage), slopes = ["h_u", "h_v"].map((plane) => on_a(stage, target(stage, name)[plane]));
     const point = kernel("point_on_a", ...angles, radius), normals = [state.beta, 0].map((beta) => kernel("bumped_normal", ...angles, ...slopes, beta));
     return data.scene.lights.filter((_, n) => state.lights[n]).map(({ position }) => {
       const [bumped, plain] = normals.map((normal) => kernel("phong", ...point, ...position, ...normal, 0, 0, 1)[0]);
@@ -177,7 +181,7 @@ Simulator.module = async function (data, compiled) {
   }
 
   function facts_on_a(state, method, stage) {
-    const found = chart(stage), [u, v] = [found.u[0], found.v[0]], angles = found.angles.map(([number]) => number);
+    const [u, v, ...angles] = [...chart(stage), ...angles_of(stage)].map(([number]) => number);
     const field = (name, ...inputs) => kernel(`${name}_${state.field}`, ...inputs), slopes = gradient(state, method, stage);
     return {
       point: kernel("point_on_a", ...angles, radius), normal: kernel("bumped_normal", ...angles, ...slopes, state.beta), gradient: slopes,

@@ -48,7 +48,7 @@ Simulator.worker = function (port) {
       pixels.fill(views.OPAQUE);
       views.slope(target, stage.at, pixels, module.kernel("slope_bound", Math.max(...waves.map(Math.abs))));
     } else if (state.view === "straddle") {
-      const { u, v } = module.chart(stage), flags = module.kernel(`straddling_${state.field}`, u, v, state.ku, state.kv, state.eps);
+      const [u, v] = module.chart(stage), flags = module.kernel(`straddling_${state.field}`, u, v, state.ku, state.kv, state.eps);
       for (let i = 0; i < pixels.length; i++) pixels[i] = views.OPAQUE | ((base[i] >>> 2) & 0x3f3f3f);
       views.straddle(target, flags, stage.at, pixels);
     } else views.image(target, stage.at, pixels);
