@@ -90,32 +90,16 @@ class Frame:
 
     @cached_property
     @np.errstate(all="ignore")
-    def _chart_on_a(self):
-        return chart(*self.planes_on_a[:4])
-
-    @np.errstate(all="ignore")
-    def _field_on_a(self, kernel, *arguments):
-        """Return what a kernel of the field makes of A's pixels: (pixels of A,)."""
-        waves = self.scene.ku, self.scene.kv
-        step = (self.method.eps,) if kernel == "straddling" else ()
-        return np.broadcast_to(FIELDS[self.scene.field][kernel](*arguments, *waves, *step), self.on_a_shape)
-
-    @property
-    def on_a_shape(self):
-        """(pixels of A,)."""
-        return self.planes_on_a.shape[1:]
-
-    @cached_property
-    def _kink_on_a(self):
-        return self._field_on_a("kink", self.planes_on_a[3], *self._chart_on_a)
-
-    @cached_property
-    def _straddling_on_a(self):
-        return self._field_on_a("straddling", *self._chart_on_a)
-
-    @cached_property
-    def _slope_on_a(self):
-        return slope(*self.planes_on_a[4:])
+    def _on_a(self):
+        """What is known of A's pixels: {name: (pixels of A,) float64}, as in `surface_data`."""
+        scene, field, (h_u, h_v) = self.scene, FIELDS[self.scene.field], self.planes_on_a[4:]
+        u, v = chart(*self.planes_on_a[:4])
+        here = u, v, scene.ku, scene.kv
+        found = {"u": u, "v": v, "h": field["height"](*here), "h_u": h_u, "h_v": h_v, "slope": slope(h_u, h_v)}
+        found["kink"] = field["kink"](self.planes_on_a[3], *here)
+        if self.method.eps:
+            found["straddling"] = field["straddling"](*here, self.method.eps)
+        return {name: np.broadcast_to(values, u.shape) for name, values in found.items()}
 
     def light_cosines(self, light):
         """Return μ = N'·ω of light number `light` on sphere A, (height, width) float64, NaN off A.
@@ -138,26 +122,19 @@ class Frame:
 
         u, v, h, h_u, h_v (by the frame's method), slope, kink (1 or 0), and straddling (1 or 0) for a difference.
         """
-        (u, v), (h_u, h_v) = self._chart_on_a, self.planes_on_a[4:]
-        h = self._field_on_a("height", u, v)
-        data = {"u": u, "v": v, "h": h, "h_u": h_u, "h_v": h_v, "slope": self._slope_on_a, "kink": self._kink_on_a}
-        if self.method.eps:
-            data["straddling"] = self._straddling_on_a
-        return {name: self._plane(values, np.nan) for name, values in data.items()}
+        return {name: self._plane(values, np.nan) for name, values in self._on_a.items()}
 
     @property
     def kink(self):
         """(height, width) bool: a crease factor of the field is below 0.03 in magnitude, or the pole; False off A."""
-        return self._plane(self._kink_on_a == 1.0, False, bool)
+        return self._plane(self._on_a["kink"] == 1.0, False, bool)
 
     @property
     def slope(self):
         """(height, width) float64: √(h_u² + h_v²) by the frame's method; 0 off A."""
-        return self._plane(self._slope_on_a, 0.0)
+        return self._plane(self._on_a["slope"], 0.0)
 
     @property
     def straddling(self):
         """(height, width) bool: a crease lies strictly within ε of the pixel in u or in v; False if exact."""
-        if not self.method.eps:
-            return np.zeros(self.raster.shape, bool)
-        return self._plane(self._straddling_on_a == 1.0, False, bool)
+        return self._plane(self._on_a["straddling"] == 1.0 if self.method.eps else False, False, bool)
