@@ -1,5 +1,6 @@
 """The command line: what it writes and prints, and how it refuses."""
 
+import dataclasses
 import subprocess
 import sys
 from concurrent.futures import BrokenExecutor
@@ -344,6 +345,30 @@ def test_the_shells_exit_status(tmp_path):
     message = f"python -m renderer image: error: field = 'foo' is not allowed: one of {FIELD_NAMES}\n"
     assert (bad.stdout, bad.stderr) == ("", message)
     assert [path.name for path in tmp_path.iterdir()] == ["a.png"]
+
+
+def test_numpy_draws_without_llvmlite_and_says_so(tmp_path):
+    code = "import sys; sys.modules['llvmlite'] = None; from renderer.command_line import main; sys.exit(main())"
+    command = [sys.executable, "-W", "error", "-c", code, "image", "--size", "20", "--out"]
+    done = subprocess.run([*command, str(tmp_path / "a.npz")], cwd=ROOT, capture_output=True, text=True)
+    told = "NumPy draws, the same but slowly, since llvmlite is not installed (or too old)"
+    assert (done.returncode, done.stderr) == (0, f"python -m renderer image: {told}\n")
+    frame, stored = render(Scene(), 20, 20), np.load(tmp_path / "a.npz")
+    assert frame.work["machine"] == "llvm"
+    np.testing.assert_array_equal(stored["rgb"], frame.rgb)
+    np.testing.assert_array_equal(stored["h_u"], frame.surface_data["h_u"])
+
+
+OF_NUMBERS = [field for field in dataclasses.fields(Scene) if field.type in (float, tuple) and field.name != "lights"]
+
+
+@pytest.mark.parametrize("field", OF_NUMBERS, ids=lambda field: field.name)
+def test_every_number_and_colour_of_the_scene_is_an_option(field, tmp_path):
+    value = 0.9 * np.array(field.default)
+    text = ",".join(map(str, np.ravel(value)))
+    assert run(*IMAGE, "--" + field.name.replace("_", "-"), text, "--out", tmp_path / "a.npz") == 0
+    scene = Scene(**{field.name: field.type(value)})
+    np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["rgb"], render(scene, 8, 8).rgb)
 
 
 def test_drawing_needs_neither_sympy_nor_the_proofs(tmp_path):

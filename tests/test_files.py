@@ -1,7 +1,11 @@
 """Files are whole or not there at all."""
 
 import os
+import signal
 import stat
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -84,6 +88,82 @@ def test_the_target_is_untouched_until_the_end(tmp_path):
         assert target.read_text() == "old"
     assert target.read_text() == "new"
     assert list(tmp_path.iterdir()) == [target]
+
+
+WRITE_FOR_EVER = """
+import sys, time
+from renderer.files import whole_file
+with whole_file(sys.argv[1]) as name:
+    with open(name, "w") as file:
+        file.write("half")
+    print(name, flush=True)
+    time.sleep(600)
+"""
+
+
+@pytest.fixture
+def writer(tmp_path):
+    """A process that is in the middle of a file, and that file."""
+    command = [sys.executable, "-c", WRITE_FOR_EVER, str(tmp_path / "a.npy")]
+    root = Path(__file__).resolve().parent.parent
+    with subprocess.Popen(command, cwd=root, stdout=subprocess.PIPE, text=True) as child:
+        yield child, Path(child.stdout.readline().strip())
+        child.kill()
+
+
+def test_what_a_killed_writer_left_is_removed_by_the_next_one(writer, tmp_path):
+    child, left = writer
+    others = [tmp_path / name for name in (".a-12345678.npy", ".hidden", "a-12345678-unfinished.npy")]
+    for path in others:
+        path.write_text("somebody's")
+    files.write_png(tmp_path / "b.png", PICTURE)
+    assert left.read_text() == "half"  # its writer lives
+    child.send_signal(signal.SIGKILL)
+    child.wait()
+    assert left.exists()
+    files.write_png(tmp_path / "b.png", PICTURE)
+    assert sorted(tmp_path.iterdir()) == sorted([*others, tmp_path / "b.png"])
+
+
+def test_files_of_the_same_process_are_left_alone(tmp_path):
+    with files.whole_file(tmp_path / "a.csv") as one, files.whole_file(tmp_path / "a.csv") as other:
+        assert one != other
+        Path(one).write_text("one")
+        Path(other).write_text("other")
+    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("a.csv", "one")]
+
+
+def test_a_file_that_is_removed_before_it_is_locked_is_made_again(tmp_path, monkeypatch):
+    lock, seen = files.fcntl.flock, []
+
+    def slow(file, kind):
+        if not seen:
+            Path(file.name).unlink()
+        seen.append(file.name)
+        lock(file, kind)
+
+    monkeypatch.setattr(files.fcntl, "flock", slow)
+    with files.whole_file(tmp_path / "a.csv") as name:
+        assert Path(name).exists()
+    assert len(set(seen)) == 2
+    assert [path.name for path in tmp_path.iterdir()] == ["a.csv"]
+
+
+@pytest.mark.parametrize("locks", ["missing", "refused"])
+def test_without_locks_a_file_is_written_all_the_same(locks, tmp_path, monkeypatch):
+    def refuse(file, kind):
+        raise OSError("no locks available")
+
+    if locks == "missing":
+        monkeypatch.setattr(files, "fcntl", None)
+    else:
+        monkeypatch.setattr(files.fcntl, "flock", refuse)
+    left = tmp_path / ".b-12345678-unfinished.csv"
+    left.write_text("half")
+    with files.whole_file(tmp_path / "a.csv") as name:
+        Path(name).write_text("whole")
+    assert (tmp_path / "a.csv").read_text() == "whole"
+    assert left.exists() is (locks == "refused")  # where there are locks, one that cannot be had may be somebody's
 
 
 def test_a_file_has_the_permissions_of_any_other(tmp_path):

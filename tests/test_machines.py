@@ -2,17 +2,23 @@
 
 import subprocess
 import sys
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
-from renderer import Light, Scene, central, central4, exact, forward, render, stage, stage_of
+from renderer import Light, Scene, central, central4, exact, forward, kernels, render, stage, stage_of
 from renderer.machines import native, numpy_rows
+from tests.strategies import methods, rasters, scenes
 
 ROOT = Path(__file__).resolve().parent.parent
+LANES = [2, 4, 8, 16]
+SIZE = (49, 32)
 SCENES = {
     "ridges": (Scene(), exact()),
     "general": (Scene(field="rings"), exact("general")),
@@ -30,42 +36,130 @@ SCENES = {
     "five_lights": (Scene(lights=tuple(Light((3.0 * n - 6, 4, 9), (0.3, 0.4, 0.2)) for n in range(5))), exact()),
     "dark": (Scene(lights=()), exact()),
     "one_black": (Scene(lights=(Light((5, 5, 10), (0, 0, 0)), Light((-6, 2, 8)))), exact()),
+    "largest": (Scene(ku=2.0**20, kv=-(2.0**20), beta=1e100, ka=1e6, kd=1e6, ks=1e6, shininess=1e6), exact()),
+    "least": (Scene(ku=5e-324, kv=1e-300, beta=-5e-324, shininess=1e-3), exact("general")),
+    "widest_step": (Scene(beta=1e100), forward(0.5)),
+    "least_step": (Scene(field="rings", beta=1e100), central4(1e-40)),
+    "near": (Scene(radius=4 * (1 - 1e-9), ball=False, lights=(Light((9, 9, 9)),)), exact()),
+    "far": (Scene(eye=1e6, ball=False), exact()),
+    "tiny": (Scene(1e-60, 4e-60, False, lights=(Light((5e-60, 5e-60, 1e-59)),)), central(1e-3)),
+    "huge": (Scene(1e60, 4e60, False, lights=(Light((5e60, 5e60, 1e61)),)), exact()),
 }
-MACHINE = """\
-import sys
-{without}
-from renderer import *
-from renderer.machines import machine
-render(Scene(), 16, 16)
-print(machine().NAME)
-"""
 
 
-def drawn(drawer, monkeypatch):
-    """Return {name: array} of what the scenes' frames hold, and of one drawn from a stage, by a machine's drawer."""
-    monkeypatch.setattr(stage, "machine", lambda: SimpleNamespace(drawer=drawer))
-    found = {}
-    for name, (scene, method) in SCENES.items():
-        frame = render(scene, 96, 64, method)
-        found |= {f"{name}.rgb": frame.rgb, f"{name}.chambers": frame.chambers, f"{name}.planes": frame.planes_on_a}
-        found[f"{name}.work"] = np.array([count for _, count in sorted(frame.work.items())])
-    staged = render(Scene(beta=0.1), 96, 64, central(1e-2), stage=stage_of(Scene(), 96, 64))
-    return found | {"staged": staged.rgb}
+@contextmanager
+def drawn_by(drawer):
+    """Let a machine's drawer draw."""
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        monkeypatch.setattr(stage, "machine", lambda: SimpleNamespace(drawer=drawer))
+        yield
+
+
+def held(frame):
+    """Return {name: array} of what a frame holds, the counts among it."""
+    planes = {"rgb": frame.rgb, "chambers": frame.chambers, "on_a": frame.planes_on_a}
+    return planes | {kind: np.array(count) for kind, count in frame._counts.items()}
+
+
+def differing(one, other):
+    """Return the names of what differs in two frames' arrays: any number that is not equal, but NaN is NaN."""
+    assert one.keys() == other.keys()
+    return [name for name in one if not np.array_equal(one[name], other[name], equal_nan=name in ("rgb", "on_a"))]
+
+
+def pictures():
+    """Return the arrays of every one of SCENES."""
+    frames = {name: held(render(scene, *SIZE, method)) for name, (scene, method) in SCENES.items()}
+    return {f"{name}.{kind}": array for name, arrays in frames.items() for kind, array in arrays.items()}
 
 
 @pytest.fixture(scope="module")
 def by_numpy():
-    """What NumPy draws."""
-    with pytest.MonkeyPatch.context() as monkeypatch:
-        yield drawn(numpy_rows.drawer, monkeypatch)
+    """What NumPy draws of SCENES."""
+    with drawn_by(numpy_rows.drawer):
+        return pictures()
 
 
-@pytest.mark.parametrize("lanes", [None, 2, 4, 16])
-def test_pictures_by_llvm_are_numpys_to_the_last_bit(lanes, by_numpy, monkeypatch):
-    by_llvm = drawn(partial(native.drawer, lanes=lanes), monkeypatch)
-    assert by_numpy.keys() == by_llvm.keys()
-    for name, array in by_llvm.items():
-        np.testing.assert_array_equal(by_numpy[name], array, err_msg=name)
+@pytest.mark.parametrize("lanes", LANES)
+def test_pictures_by_llvm_are_numpys_to_the_last_bit(lanes, by_numpy):
+    with drawn_by(partial(native.drawer, lanes=lanes)):
+        assert differing(pictures(), by_numpy) == []
+
+
+@settings(max_examples=40)
+@given(scenes(), rasters(40), methods, st.sampled_from(LANES), st.data())
+def test_whatever_the_scene_the_bits_are_the_same(scene, size, method, lanes, data):
+    crop = None
+    if data.draw(st.booleans()):
+        left, top = (data.draw(st.integers(0, side - 1)) for side in size)
+        crop = (left, top, *(data.draw(st.integers(1, s - n)) for s, n in zip(size, (left, top), strict=True)))
+    frames = []
+    for drawer in (numpy_rows.drawer, partial(native.drawer, lanes=lanes)):
+        with drawn_by(drawer):
+            frames.append(held(render(scene, *size, method, crop=crop)))
+    assert differing(*frames) == []
+
+
+@pytest.mark.parametrize("threads", [1, 2, 3])
+@pytest.mark.parametrize("width", [1, 15, 16, 17, 301])
+def test_bands_threads_and_ragged_widths(width, threads, monkeypatch):
+    """Bands of a row or two; also A alone, drawn on a stage and over an earlier frame."""
+    monkeypatch.setattr(stage, "SMALLEST_BAND", 1)
+    size, found = (width, 21), []
+    for drawer, count in ((numpy_rows.drawer, 1), (native.drawer, threads)):
+        with drawn_by(drawer):
+            whole = render(Scene(), *size, central(1e-3), threads=count)
+            own = stage_of(Scene(), *size, threads=count)
+            staged = render(Scene(beta=0.1), *size, threads=count, stage=own)
+            arrays = [held(whole), held(staged)]  # before the colours are handed over
+            over = render(Scene(field="rings"), *size, threads=count, stage=own, into=staged)
+            found.append([*arrays, held(over)])
+    assert [differing(*pair) for pair in zip(*found, strict=True)] == [[], [], []]
+
+
+def one_ulp(name):
+    """Return a kernel whose first result is off by one unit in the last place."""
+    right = getattr(kernels, name)
+
+    def wrong(*arguments):
+        first, *rest = right(*arguments)
+        return first * (1.0 + 2.0**-52), *rest
+
+    return wrong
+
+
+def count_one_more(machine, kind, mask):
+    """Count as `Rows.count` does, and one."""
+    machine.counts[kind] += int(np.count_nonzero(mask)) + 1
+
+
+@pytest.mark.parametrize(
+    ("place", "name", "wrong", "noticed"),
+    [
+        (kernels, "light_term", one_ulp("light_term"), "rgb"),
+        (kernels, "angles_on_a", one_ulp("angles_on_a"), "on_a"),
+        (kernels, "shadow", lambda *arguments: 1.0, "chambers"),
+        (numpy_rows.Rows, "count", count_one_more, "light_terms"),
+    ],
+)
+def test_a_wrong_kernel_is_noticed(place, name, wrong, noticed, by_numpy, monkeypatch):
+    """NumPy draws by it; LLVM's code is of the right ones."""
+    scene, method = SCENES["ridges"]
+    right = {kind: by_numpy[f"ridges.{kind}"] for kind in ("rgb", "chambers", "on_a", *stage.WORK)}
+    monkeypatch.setattr(place, name, wrong)
+    with drawn_by(numpy_rows.drawer):
+        assert noticed in differing(held(render(scene, *SIZE, method)), right)
+
+
+MACHINE = """\
+import sys
+{without}
+import numpy as np
+from renderer import *
+from renderer.machines import machine
+np.save(sys.argv[1], render(Scene(), 33, 16).rgb)
+print(machine().NAME)
+"""
 
 
 @pytest.mark.parametrize(
@@ -76,7 +170,8 @@ def test_pictures_by_llvm_are_numpys_to_the_last_bit(lanes, by_numpy, monkeypatc
         ("import llvmlite.binding; del llvmlite.binding.create_pass_builder  # as before 0.44", "numpy"),
     ],
 )
-def test_numpy_draws_where_llvmlite_is_missing_or_old(without, name):
-    command = [sys.executable, "-W", "error", "-c", MACHINE.format(without=without)]
+def test_numpy_draws_the_same_where_llvmlite_is_missing_or_old(without, name, tmp_path):
+    command = [sys.executable, "-W", "error", "-c", MACHINE.format(without=without), str(tmp_path / "rgb.npy")]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert (done.stdout, done.stderr) == (f"{name}\n", "")
+    np.testing.assert_array_equal(np.load(tmp_path / "rgb.npy"), render(Scene(), 33, 16).rgb)

@@ -5,6 +5,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from renderer import Scene, central, render, stream, views
+from renderer.machines import machine
 from renderer.raster import MAX_SIDE, Raster
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -130,6 +132,32 @@ def test_an_interruption_leaves_the_old_file(name, interruption, small_blocks, t
 
     with pytest.raises(interruption):
         stream.stream(Scene(), 300, 600, tmp_path / name, progress=progress)
+    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(name, b"old")]
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+@pytest.mark.parametrize("name", ["a.npy", "a.tif"])
+def test_an_error_of_a_band_reaches_the_caller_and_leaves_the_old_file(name, threads, tmp_path, monkeypatch):
+    """The last band of the second block fails, on whichever thread draws it."""
+    drawn = []
+
+    def drawer(want, job):
+        draw = machine().drawer(want, job)
+
+        def failing(rows):
+            if rows.stop == len(job.y) and len(drawn) > 0:
+                raise ArithmeticError("a band")
+            drawn.extend([rows] if rows.stop == len(job.y) else [])
+            return draw(rows)
+
+        return failing
+
+    monkeypatch.setattr("renderer.stage.machine", lambda: SimpleNamespace(drawer=drawer))
+    monkeypatch.setattr(stream, "BLOCK_PIXELS", 300 * 200)
+    (tmp_path / name).write_bytes(b"old")
+    with pytest.raises(ArithmeticError, match="a band"):
+        stream.stream(Scene(), 300, 600, tmp_path / name, threads=threads)
+    assert len(drawn) == 1
     assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(name, b"old")]
 
 

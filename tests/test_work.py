@@ -1,6 +1,7 @@
 """What a scene does not need is not computed: the counts hold it, not the clock."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -45,6 +46,12 @@ def test_shadows_are_tested_where_they_can_fall():
     everywhere = 2 * (work["pixels_a"] + work["pixels_b"] + 2 * work["pixels_floor"])
     occluded = sum(pixels for code, pixels in work["pixels"].items() for bit in (4, 8) if code & bit)
     assert occluded < work["shadow_tests"] < everywhere / 2
+
+
+@pytest.mark.parametrize("name", ["llvm", "numpy"])
+def test_the_machine_is_named(name, monkeypatch):
+    monkeypatch.setattr("renderer.frame.machine", lambda: SimpleNamespace(NAME=name))
+    assert work_of()["machine"] == name
 
 
 def test_no_ball_no_floor():
