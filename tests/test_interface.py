@@ -12,7 +12,7 @@ OTHERS = {
     "proofs.claim.Claim",
     "proofs.theorem.Theorem",
     "verify.proof_checker.examine",
-    "verify.reference.Reference",
+    "verify.evaluate.Reference",
     "verify.accuracy.balls.Balls",
 }
 
