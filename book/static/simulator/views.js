@@ -32,7 +32,7 @@ Simulator.views = function (data, module) {
   }
 
   function image({ rgb: [red, green, blue] }, at, pixels) {
-    for (const i of at) pixels[i] = color(red[i], green[i], blue[i]);
+    for (let n = 0; n < at.length; n++) pixels[at[n]] = color(red[at[n]], green[at[n]], blue[at[n]]);
   }
 
   // |grad h| in grey, white at `steepest`.
@@ -57,8 +57,8 @@ Simulator.views = function (data, module) {
   function difference(a, b, at, pixels, scale) {
     const [ar, ag, ab] = a.rgb, [br, bg, bb] = b.rgb, gain = scale === "log" ? 0 : Number(scale);
     let max = 0, sum = 0;
-    for (const i of at) {
-      const r = Math.abs(ar[i] - br[i]), g = Math.abs(ag[i] - bg[i]), blue = Math.abs(ab[i] - bb[i]);
+    for (let n = 0; n < at.length; n++) {
+      const i = at[n], r = Math.abs(ar[i] - br[i]), g = Math.abs(ag[i] - bg[i]), blue = Math.abs(ab[i] - bb[i]);
       const most = r > g ? (r > blue ? r : blue) : g > blue ? g : blue;
       if (most > max) max = most;
       sum += r * r + g * g + blue * blue;
@@ -73,8 +73,8 @@ Simulator.views = function (data, module) {
     let max = 0, sum = 0;
     for (let c = 0; c < 3; c++) {
       const one = a.rgb[c], other = b.rgb[c];
-      for (const i of at) {
-        const size = Math.abs(one[i] - other[i]);
+      for (let n = 0; n < at.length; n++) {
+        const size = Math.abs(one[at[n]] - other[at[n]]);
         if (size > max) max = size;
         sum += size * size;
       }
