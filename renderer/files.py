@@ -89,7 +89,7 @@ def write_png(path, image):
     from PIL import Image
 
     with whole_file(path) as name:
-        Image.fromarray(image).save(name, optimize=True)
+        Image.fromarray(image).save(name)
 
 
 def write_npz(path, frame):

@@ -4,6 +4,8 @@ import numpy as np
 
 from renderer.checks import check_number
 
+ENCODED_AT_ONCE = 2**16  # numbers: they stay in the cache
+
 
 def _bytes(share):
     """Return numbers as bytes: 0 and less as 0, 1 and more as 255."""
@@ -12,8 +14,13 @@ def _bytes(share):
 
 def to_bytes(rgb):
     """Return linear light, (…, 3) in [0, 1], as sRGB bytes, uint8 (IEC 61966-2-1)."""
-    linear = np.clip(np.asarray(rgb, dtype=np.float64), 0.0, 1.0)
-    return _bytes(np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055))
+    rgb = np.asarray(rgb, dtype=np.float64)
+    encoded = np.empty(rgb.shape, np.uint8)
+    count = 1 + rgb.size // ENCODED_AT_ONCE
+    for linear, part in zip(np.array_split(rgb, count), np.array_split(encoded, count), strict=True):
+        linear = np.clip(linear, 0.0, 1.0)
+        part[:] = _bytes(np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055))
+    return encoded
 
 
 def image_view(frame):
