@@ -6,6 +6,7 @@ A script, so that a page opened from a disk has it too.
 import json
 from base64 import b64encode
 from dataclasses import asdict, replace
+from functools import cache
 from itertools import product
 
 from matplotlib import colormaps
@@ -99,6 +100,7 @@ def data(outputs):
     }
 
 
+@cache
 def source():
     """Return the text of the script that the page loads."""
     module, outputs = compiled_module(WANTS, {kernel.__name__: kernel for kernel in OVER_POINTS})
