@@ -86,7 +86,6 @@ class _OnePixel:
 class _WrittenDown(Group):
     """A group of one pixel whose point, normal and lights are kept."""
 
-    @np.errstate(all="ignore")
     def light_up(self, mask, point, normal, albedo, bodies):
         """Keep what each light does, beside lighting the pixel."""
         s, lights = self.scene, []
@@ -105,6 +104,7 @@ def _floats(numbers):
     return tuple(float(np.ravel(number)[0]) for number in numbers)
 
 
+@np.errstate(all="ignore")
 def _lit(frame):
     """Return the point, the normal and the lights of the one pixel of a frame."""
     scene, lights = numbers_of(frame.scene, frame.method)

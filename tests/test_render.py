@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from renderer import Light, Scene, central, central4, exact, forward, render, stage_of
 from renderer.kernels import FIELDS
+from renderer.stage import band_rows
 from tests.strategies import methods, rasters, scenes
 
 DEFAULT = Scene()
@@ -99,7 +100,7 @@ def test_a_crop_equals_the_part_of_the_whole(scene, size, method, data):
 @pytest.mark.parametrize("method", [exact(), exact("general"), central(1e-3), forward(1e-3), central4(1e-3)])
 def test_one_thread_and_two_give_the_same_bits(field, method):
     scene = replace(DEFAULT, field=field)
-    assert len(stage_of(scene, *MANY_BANDS).bands) > 2
+    assert 2 * band_rows(MANY_BANDS[1], MANY_BANDS[0]) < MANY_BANDS[1]
     assert same(render(scene, *MANY_BANDS, method, threads=1), render(scene, *MANY_BANDS, method, threads=2))
 
 
