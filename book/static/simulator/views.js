@@ -32,7 +32,10 @@ Simulator.views = function (data, module) {
   }
 
   function image({ rgb: [red, green, blue] }, at, pixels) {
-    for (let n = 0; n < at.length; n++) pixels[at[n]] = color(red[at[n]], green[at[n]], blue[at[n]]);
+    for (let n = 0; n < at.length; n++) {
+      const i = at[n];
+      pixels[i] = color(red[i], green[i], blue[i]);
+    }
   }
 
   // |grad h| in grey, white at `steepest`.
@@ -50,7 +53,21 @@ Simulator.views = function (data, module) {
   }
 
   const per_factor = 255.999 / -LOW / Math.LN10;
-  const log_color = (size) => (size > 0 ? inferno[Math.max(0, Math.min(255, Math.floor(255.999 + Math.log(size) * per_factor)))] : OPAQUE);
+  // The logarithm by table: the level where the float's upper 16 bits begin, put right by the levels' own thresholds.
+  const size_of = new Float64Array(1), halves = new Uint32Array(size_of.buffer);
+  const least = Float64Array.from({ length: 257 }, (_, level) => (level > 255 ? Infinity : Math.exp((level - 255.999) / per_factor)));
+  const level_at = Uint8Array.from({ length: 2 ** 15 }, (_, upper) => {
+    halves[1] = upper << 16;
+    return Math.max(0, Math.min(255, Math.floor(255.999 + Math.log(size_of[0]) * per_factor)));
+  });
+
+  function log_color(size) {
+    size_of[0] = size;
+    let level = level_at[halves[1] >>> 16];
+    while (size >= least[level + 1]) level++;
+    return size > 0 ? inferno[level] : OPAQUE;
+  }
+
   const linear_level = (size, gain) => Math.round(Math.min(1, size * gain) * 255);
 
   // Paint |a - b| (scale "log", or a gain as text), and return {max, sum} of its size and its square over all channels.
