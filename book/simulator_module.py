@@ -12,8 +12,8 @@ from itertools import product
 from matplotlib import colormaps
 from sympy import diff
 
-from proofs.height_fields import HEIGHT_FIELDS
-from proofs.symbols import k_u, k_v, u, v
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer import Light, Scene, exact, kernels
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEBRAIC
 from renderer.machines.drawing_code import ARGUMENTS

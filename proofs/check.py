@@ -11,7 +11,7 @@ import sys
 import time
 from pathlib import Path
 
-from proofs.kernel import check
+from proofs.engine.kernel import check
 
 FOLDER = Path(__file__).parent / "certificates"
 

@@ -24,7 +24,7 @@ from renderer import pixel, render
 from renderer.kernels import FIELDS
 from renderer.scene import MODELS
 from tests.strategies import methods, rasters, rejected_fields, scenes
-from verify.label import label, write
+from verify.benchmark.label import label, write
 
 RESULT = Path(__file__).resolve().parent.parent / "verify" / "results" / "accepted_scenes.json"
 VARIANTS = tuple(itertools.product(FIELDS, MODELS))

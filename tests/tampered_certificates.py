@@ -2,9 +2,9 @@
 
     python -m tests.tampered_certificates --count 1000 --seed 5
 
-One coefficient or exponent is changed at a time (verify/tampering.py). Whatever is certainly false has to be rejected
-by all three, and whatever a change leaves true accepted by all three; the run ends at the first that is not. Writes
-verify/results/tampered_certificates.json, {"label": …, "numbers": …}: commit it. Needs Chromium.
+One coefficient or exponent is changed at a time (verify/checkers/tampering.py). Whatever is certainly false has to be
+rejected by all three, and whatever a change leaves true accepted by all three; the run ends at the first that is not.
+Writes verify/results/tampered_certificates.json, {"label": …, "numbers": …}: commit it. Needs Chromium.
 """
 
 import argparse
@@ -20,11 +20,11 @@ from playwright.sync_api import sync_playwright
 from tqdm import tqdm
 
 from book.printing.chromium import FLAGS
-from proofs import kernel
 from proofs.check import FOLDER
-from verify import second_checker
-from verify.label import label, write
-from verify.tampering import draws
+from proofs.engine import kernel
+from verify.benchmark.label import label, write
+from verify.checkers import second_checker
+from verify.checkers.tampering import draws
 
 ROOT = Path(__file__).resolve().parent.parent
 RESULT = ROOT / "verify" / "results" / "tampered_certificates.json"

@@ -16,7 +16,7 @@ pytestmark = [
     pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm ci --prefix tests/axe"),
 ]
 # Sphinx's own pages, and the listing of a source: all listings are made alike.
-OTHERS = ["genindex", "search", "source/proofs/bump.py"]
+OTHERS = ["genindex", "search", "source/proofs/formulas/bump.py"]
 RUN = """async (options) => (await axe.run(document, { resultTypes: ['violations'], ...options })).violations
     .filter(v => ['serious', 'critical'].includes(v.impact))
     .map(v => `${v.id}: ${v.nodes.map(n => n.target.join(' ')).slice(0, 5).join(', ')}`)"""

@@ -19,7 +19,7 @@ from book._ext.chapter.evidence import evidence_line, findings
 from book._ext.chapter.listings import LISTED, listed
 from book._ext.chapter.points import tex_point, tex_value
 from book._ext.chapter.theorems import Proofs, module_and_line, page_names, placements
-from proofs.theorem import all_theorems
+from proofs.engine.theorem import all_theorems
 
 ROOT = Path(__file__).resolve().parent.parent
 THEOREMS = all_theorems()
@@ -135,7 +135,7 @@ def test_a_stale_or_missing_report_is_refused(fresh_report, monkeypatch):
 
 def test_report_depends_on_proofs_and_checkers():
     names = report.sources().keys()
-    assert {"proofs/kernel.py", "proofs/certificates/kink_loci.json", "verify/witness.py"} <= names
+    assert {"proofs/engine/kernel.py", "proofs/certificates/kink_loci.json", "verify/checkers/witness.py"} <= names
 
 
 def test_a_missing_report_triggers_the_check(fresh_report, monkeypatch):

@@ -2,10 +2,10 @@
 
 import pytest
 
-from proofs import kernel
+from proofs.engine import kernel
 from tests.tampered_certificates import JAVASCRIPT, load_kernel, stored
-from verify.tampering import draws
-from verify.test_checkers import EMPTY, HALF, INEQUALITY, NEGATIVE, NOTHING, derivation, show
+from verify.checkers.tampering import draws
+from verify.checkers.test_checkers import EMPTY, HALF, INEQUALITY, NEGATIVE, NOTHING, derivation, show
 
 pytestmark = pytest.mark.browser
 

@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from proofs.theorem import all_theorems
+from proofs.engine.theorem import all_theorems
 from tests.tampered_certificates import stored
 from tests.test_accessibility import AXE
 from tests.test_browser import DESKTOP, PAGES, PHONE

@@ -7,11 +7,11 @@ from book._ext.chapter.interface import names_of, restructured
 
 PLACES = {"api-renderer.html", "api-proofs.html", "api-verify.html"}
 OTHERS = {
-    "proofs.program.Program",
-    "proofs.height_fields.HeightField",
-    "proofs.claim.Claim",
-    "proofs.theorem.Theorem",
-    "verify.proof_checker.examine",
+    "proofs.engine.program.Program",
+    "proofs.formulas.height_fields.HeightField",
+    "proofs.engine.claim.Claim",
+    "proofs.engine.theorem.Theorem",
+    "verify.checkers.proof_checker.examine",
     "verify.evaluate.Reference",
     "verify.accuracy.balls.Balls",
 }

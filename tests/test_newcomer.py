@@ -105,7 +105,7 @@ def walked(tmp_path_factory):
 
 def test_it_is_short_and_names_every_file():
     assert [file for file, _ in blocks()] == [
-        "proofs/height_fields.py",
+        "proofs/formulas/height_fields.py",
         "proofs/theorems/waves.py",
         "book/figures/waves.py",
         "book/s3.md",
@@ -130,7 +130,7 @@ def test_the_field_draws_and_is_a_choice_everywhere(walked):
 
 def test_the_theorem_is_proved_and_its_mutants_are_refused(walked):
     folder, printed = walked
-    assert printed["python -m proofs.certificate"].startswith(f"{CLAIM}: 2 statements")
+    assert printed["python -m proofs.engine.certificate"].startswith(f"{CLAIM}: 2 statements")
     assert (folder / "proofs" / "certificates" / f"{CLAIM}.json").is_file()
     assert re.search(rf"{CLAIM} +proved .* mutants 2/2", printed["pytest verify --theorem"])
     path = folder / "proofs" / "theorems" / "waves.py"
@@ -139,7 +139,7 @@ def test_the_theorem_is_proved_and_its_mutants_are_refused(walked):
     assert false != true
     path.write_text(false, encoding="utf-8")
     try:
-        run(folder, "python", "-m", "proofs.certificate", CLAIM, succeeds=False)
+        run(folder, "python", "-m", "proofs.engine.certificate", CLAIM, succeeds=False)
     finally:
         path.write_text(true, encoding="utf-8")
 

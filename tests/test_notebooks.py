@@ -80,7 +80,7 @@ def test_sources_are_the_projects_own_and_no_more_than_needed():
     drawing = ("kernels", "drawing", "gradients", "machines/__init__", "machines/native", "machines/numpy_rows")
     assert {f"renderer/{name}.py" for name in drawing} <= sources.keys()
     assert not any(re.match(r"proofs/|renderer/(generate|command_line|grid|stream)", path) for path in sources)
-    assert "proofs/half_turns.py" in closure("from proofs.height_fields import HEIGHT_FIELDS")
+    assert "proofs/formulas/half_turns.py" in closure("from proofs.formulas.height_fields import HEIGHT_FIELDS")
 
 
 def altered(text, change):

@@ -95,7 +95,7 @@ def drawn(monkeypatch, tmp_path):
 @pytest.mark.parametrize(
     "name",
     ["verify/stability/maps.py", "renderer/facts.py", "renderer/machines/traced.py", "book/style.py",
-     "book/figures/data.py", "proofs/symbols.py", "verify/results/work_precision.json", "requirements.lock",
+     "book/figures/data.py", "proofs/formulas/symbols.py", "verify/results/work_precision.json", "requirements.lock",
      "book/matplotlibrc"],
 )  # fmt: skip
 def test_editing_one_file_draws_all_that_reach_it_and_says_why(name, drawn, imported, monkeypatch, capsys):

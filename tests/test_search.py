@@ -61,7 +61,7 @@ def test_nothing_is_found_where_there_is_nothing(visit):
 
 
 def test_search_from_a_source_page_leads_to_the_page_found(visit):
-    tab = visit("source/proofs/bump.py")
+    tab = visit("source/proofs/formulas/bump.py")
     assert search(tab, "silhouette")
     tab.locator("#search-results li > a[href^='s2.html']").first.click()
     tab.wait_for_url("**/s2.html*")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from verify.grades import graded, summary
+from verify.checkers.grades import graded, summary
 
 REPORT = Path(__file__).resolve().parent.parent / "book" / "_generated" / "proofs.json"
 KEY = pytest.StashKey[list]()
@@ -40,7 +40,7 @@ def pytest_ignore_collect(collection_path, config):
 def pytest_collection_modifyitems(config, items):
     """Keep what --theorem names, and skip what is marked long without --long."""
     if ids := config.getoption("theorem"):
-        from proofs.theorem import all_theorems
+        from proofs.engine.theorem import all_theorems
 
         theorems = all_theorems()
         if unknown := set(ids) - theorems.keys():
@@ -112,7 +112,7 @@ def pytest_sessionfinish(session, exitstatus):
     partial = config.getoption("keyword") or config.getoption("theorem")
     if any(e["grade"] != e["expected"] for e in entries) and not partial and session.exitstatus == 0:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
-    from proofs.theorem import all_theorems
+    from proofs.engine.theorem import all_theorems
 
     if {entry["id"] for entry in entries} == all_theorems().keys():
         _write_report(entries)

@@ -2,10 +2,10 @@
 
 from functools import lru_cache
 
-from proofs import symbols
-from proofs.finite_difference import METHODS
-from proofs.height_fields import HEIGHT_FIELDS
-from proofs.pixel import CHANNELS, light_color, light_position, pixel
+from proofs.formulas import symbols
+from proofs.formulas.finite_difference import METHODS
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.pixel import CHANNELS, light_color, light_position, pixel
 from verify.evaluate import DIGITS, Reference
 
 
@@ -16,7 +16,7 @@ def _pixel_reference(field, model, lights, method):
 
 
 def scene_values(scene, lights):
-    """Return {name: number} of a scene with these of its lights, as `proofs.pixel` names its inputs."""
+    """Return {name: number} of a scene with these of its lights, as `proofs.formulas.pixel` names its inputs."""
     center, ball_radius = (scene.ball_center, scene.ball_radius) if scene.ball else ((0.0, 0.0, 0.0), 1.0)
     values = {
         "eye": scene.eye,

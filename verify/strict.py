@@ -1,16 +1,16 @@
 """The strict reference: the whole pixel's program at every pixel, in float64, with nothing skipped and nothing cached.
 
-It is the program of `proofs.pixel`, printed as the kernels are, one line after another: what the renderer's boxes,
-forms and shortcuts have to reproduce.
+It is the program of `proofs.formulas.pixel`, printed as the kernels are, one line after another: what the renderer's
+boxes, forms and shortcuts have to reproduce.
 """
 
 from functools import cache
 
 import numpy as np
 
-from proofs.camera import surface
-from proofs.height_fields import HEIGHT_FIELDS
-from proofs.pixel import dark_square, occlusion, pixel, rgb
+from proofs.formulas.camera import surface
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from renderer import Light, Scene
 from renderer.generate.kernels import function_of
 from verify.reference import scene_values

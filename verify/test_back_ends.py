@@ -5,13 +5,13 @@ from itertools import product
 import numpy as np
 import pytest
 
-from proofs.finite_difference import METHODS
-from proofs.height_fields import HEIGHT_FIELDS
+from proofs.formulas.finite_difference import METHODS
+from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import kernels
 from renderer.generate import programs
 from renderer.shader import difference
+from verify.benchmark.methods.compiled import loop_of
 from verify.evaluate import Reference
-from verify.methods.compiled import loop_of
 
 POINTS = 48
 RANGES = {

@@ -14,8 +14,6 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-PROVING = ["angles", "ideal", "feasible", "kernel", "search", "statement", "induction", "counterexample"]
-MACHINERY = [*PROVING, "certificate", "standalone", "claim", "theorem", "program", "statement_data"]
 SEED, EDITS = 1978, 30
 OTHER = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
 TURNED = {ast.Lt: ast.Gt, ast.Gt: ast.Lt, ast.LtE: ast.Lt, ast.GtE: ast.Gt}
@@ -55,8 +53,7 @@ def draw(seed=SEED, number=EDITS):
     """Return [(path below the root, index of the site)], the same for the same seed and sources."""
     everywhere = [
         (path.relative_to(ROOT), index)
-        for path in sorted((ROOT / "proofs").glob("*.py"))
-        if path.stem not in MACHINERY
+        for path in sorted((ROOT / "proofs" / "formulas").glob("*.py"))
         for index in range(len(sites(ast.parse(path.read_text(encoding="utf-8")))))
     ]
     return random.Random(seed).sample(everywhere, number)

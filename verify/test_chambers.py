@@ -5,7 +5,7 @@ import os
 import numpy as np
 import pytest
 
-from proofs.camera import discriminant_a, hit_of_a
+from proofs.formulas.camera import discriminant_a, hit_of_a
 from renderer import Light, Scene, bounds, numbers, stage_of
 from renderer.generate.kernels import function_of
 from verify.strict import strict_chambers

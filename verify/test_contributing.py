@@ -33,8 +33,8 @@ LIGHT = section("A light model in one sitting")
 MODEL, ENTRY, CLAIM = blocks(LIGHT)
 EXAMINE = """
 import json
-from proofs.theorem import all_theorems
-from verify.proof_checker import examine
+from proofs.engine.theorem import all_theorems
+from verify.checkers.proof_checker import examine
 theorems = all_theorems()
 found = examine(theorems["{id}"], theorems)
 print(json.dumps([found.grade, found.mutants, found.mutants_killed, found.problems]))
@@ -97,7 +97,7 @@ def run(folder, *arguments):
 def copied(folder):
     """Copy what the proofs and the renderer need of the project."""
     for name in ("proofs", "renderer", "verify"):
-        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "benchmark"))
+        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
     (folder / "book").mkdir()
     shutil.copy(ROOT / "book" / "references.bib", folder / "book")
     shutil.copy(ROOT / "pyproject.toml", folder)
@@ -107,17 +107,17 @@ def test_the_example_is_proved(tmp_path):
     copied(tmp_path)
     (tmp_path / "proofs" / "theorems" / "worked_example.py").write_text(EXAMPLE, encoding="utf-8")
     id = re.search(r'id="(\w+)"', EXAMPLE)[1]
-    assert run(tmp_path, "-m", "proofs.certificate", id).startswith(f"{id}: ")
+    assert run(tmp_path, "-m", "proofs.engine.certificate", id).startswith(f"{id}: ")
     grade, mutants, killed, problems = json.loads(run(tmp_path, "-c", EXAMINE.format(id=id)))
     assert (grade, mutants, killed, problems) == ("proved", 2, 2, [])
-    script = run(tmp_path, "-m", "proofs.standalone", id)
+    script = run(tmp_path, "-m", "proofs.engine.standalone", id)
     (tmp_path / "theorem.py").write_text(script, encoding="utf-8")
     assert f"{id}: PROVED, given unit_length/length." in run(tmp_path, "-I", "-S", "-X", "utf8", "theorem.py")
 
 
 def test_the_example_is_short():
     assert len(EXAMPLE.splitlines()) <= 25
-    assert all(id in EXAMPLE for id in re.findall(r"python -m proofs\.certificate (\w+)", SECTION))
+    assert all(id in EXAMPLE for id in re.findall(r"python -m proofs\.engine\.certificate (\w+)", SECTION))
 
 
 @pytest.fixture(scope="module")
@@ -125,7 +125,7 @@ def lit(tmp_path_factory):
     """The folder in which the light model was added, and what each command of the section printed."""
     folder = tmp_path_factory.mktemp("light")
     copied(folder)
-    shading = folder / "proofs" / "shading.py"
+    shading = folder / "proofs" / "formulas" / "shading.py"
     text = shading.read_text(encoding="utf-8")
     for mark, block in (("@dataclass(frozen=True)\nclass LightModel:", f"{MODEL}\n\n"), (")}  # fmt: skip\n", ENTRY)):
         assert text.count(mark) == 1
@@ -145,7 +145,7 @@ def test_the_light_model_is_short():
 
 def test_the_claim_about_the_light_model_is_proved(lit):
     _, printed = lit
-    assert printed["proofs.certificate"].startswith("smooth_is_lambert: 1 statements")
+    assert printed["proofs.engine.certificate"].startswith("smooth_is_lambert: 1 statements")
     assert re.search(r"smooth_is_lambert +proved .* mutants 2/2", printed["pytest"])
 
 

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from sympy import pi, simplify
 
-from proofs import step_bounds
-from proofs.symbols import k_u, v
+from proofs.formulas import step_bounds
+from proofs.formulas.symbols import k_u, v
 from proofs.theorems import clamped, roundoff, truncation
 from renderer import Scene
 from renderer.gradients import height_at

@@ -2,8 +2,8 @@
 
 import pytest
 
-from proofs.theorem import all_theorems
-from verify.proof_checker import LONG_POINTS, POINTS, certificate_problems, examine
+from proofs.engine.theorem import all_theorems
+from verify.checkers.proof_checker import LONG_POINTS, POINTS, certificate_problems, examine
 
 THEOREMS = all_theorems()
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from book.figures.chapter_scene import SCENE, symbolic
 from book.figures.registry import Drawing, figure
-from verify.frontiers.fiction import STEPS, degrees, normals
+from verify.accuracy.frontiers.fiction import STEPS, degrees, normals
 
 
 @figure("blinn_angles")

@@ -8,7 +8,7 @@ from book.figures.chapter_scene import SCENE, symbolic
 from book.figures.registry import Drawing, figure
 from book.style import decades, label_line_end, palette, panels, plot, readable, slope_triangle
 from renderer.views import image_view
-from verify.frontiers import fiction, wall
+from verify.accuracy.frontiers import fiction, wall
 
 KINDS = {"bilinear": (0, ()), "cubic": (0, (5, 2))}
 

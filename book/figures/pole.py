@@ -5,8 +5,8 @@ from mpmath import mp, mpf
 
 from book.figures.registry import Drawing, figure
 from book.style import decades, label_line_end, palette, plot, readable
-from proofs.height_fields import HEIGHT_FIELDS, gradient
-from proofs.tangent_frame import seed_frame, tangent_frame
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.tangent_frame import seed_frame, tangent_frame
 from renderer import Scene, central, exact, gradient_at
 from renderer.generate.kernels import function_of
 from verify.evaluate import NAMES, ExactPrinter

@@ -8,13 +8,13 @@ import numpy as np
 
 from book import stamps
 from book.figures.registry import Drawing, figure
-from proofs.bump import normal_by_beta, perturbed
-from proofs.chart import seed_chart
-from proofs.symbols import normal
+from proofs.formulas.bump import normal_by_beta, perturbed
+from proofs.formulas.chart import seed_chart
+from proofs.formulas.symbols import normal
 from renderer import Scene, central, exact, gradient_at, pixel
 from renderer.facts import SMOOTH_POINT
 from renderer.generate.kernels import function_of
-from verify.baselines import seed_loops
+from verify.benchmark.baselines import seed_loops
 
 FRAMES = "verify/benchmark/results/frames.json"
 BETA, STEP = 0.35, 1e-7  # the seed's own, in its Cell 5

@@ -5,9 +5,9 @@ from sympy import Rational
 
 from book.figures.registry import Drawing, figure
 from book.style import bound_style, decades, label_line_end, palette, plot, readable, slope_triangle
-from proofs.half_turns import ordinary
-from proofs.height_fields import HEIGHT_FIELDS
-from proofs.symbols import k_u, k_v, u, v
+from proofs.formulas.half_turns import ordinary
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer import Scene, central, gradient_at
 from renderer.facts import SMOOTH_POINT
 

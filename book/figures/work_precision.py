@@ -8,7 +8,7 @@ import numpy as np
 
 from book.figures.registry import Drawing, figure
 from book.style import decades, label_line_end, palette, plot, readable
-from verify import work_precision
+from verify.benchmark import work_precision
 
 RESULT = "verify/results/work_precision.json"
 ROOT = Path(__file__).resolve().parent.parent.parent

@@ -9,7 +9,7 @@ from book import report, stamps
 from book._ext.chapter.results import look_up
 from book._ext.chapter.theorems import kind, page_names
 from book.ledger.check import Run
-from proofs.theorem import all_theorems
+from proofs.engine.theorem import all_theorems
 
 KEY = re.compile(r"^@\w+\{\s*([^,\s]+)\s*,", re.MULTILINE)
 

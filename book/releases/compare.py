@@ -8,7 +8,7 @@ import numpy as np
 
 from book.releases.pictures import CANVAS, arrays_of
 from book.releases.tolerances import is_within
-from verify.grades import STANDING
+from verify.checkers.grades import STANDING
 
 FAR = 2**20  # ulps: what moved further is given in per cent
 

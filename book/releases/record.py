@@ -44,7 +44,7 @@ def make(generated: Path = GENERATED) -> dict:
 
 def theorems() -> dict[str, dict]:
     """Id → what the last run graded it, and the words of the statement."""
-    from proofs.theorem import all_theorems
+    from proofs.engine.theorem import all_theorems
 
     entries, stated = report.load(), all_theorems()
     return {

@@ -2,5 +2,5 @@
 
 `python -m book single` writes it. Names inside it are those of the site; where several pages use one id, each is
 called PAGE:ID (`s3:notes`). A page without a section of its own, such as a source's listing, is called by its
-address without `.html` (`source/proofs/kernel.py`), and its line 12 is `source/proofs/kernel.py:L-12`.
+address without `.html` (`source/proofs/engine/kernel.py`), and its line 12 is `source/proofs/engine/kernel.py:L-12`.
 """

@@ -1,6 +1,6 @@
-"""How accurate the float64 programs are, measured against balls. See verify/measurements/accuracy.py."""
+"""How accurate the float64 programs are, measured against balls. See verify/checkers/measurements/accuracy.py."""
 
-from ..theorem import Step, Theorem
+from proofs.engine.theorem import Step, Theorem
 
 pixels = Theorem(
     id="pixel_accuracy",

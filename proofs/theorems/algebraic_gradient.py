@@ -2,7 +2,9 @@
 
 from sympy import Rational, cos, pi, sin
 
-from ..algebraic_form import (
+from proofs.engine.claim import Claim, Induction, equation
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.algebraic_form import (
     base_of_u,
     base_of_v,
     complex_product,
@@ -14,10 +16,8 @@ from ..algebraic_form import (
     product_real,
     real_part,
 )
-from ..claim import Claim, Induction, equation
-from ..height_fields import HEIGHT_FIELDS, cos_u, cos_v, factors, sin_u, sin_v
-from ..symbols import cos_phi, cos_theta, k_u, k_v, phi, real, sin_phi, sin_theta, theta, u, v
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.height_fields import HEIGHT_FIELDS, cos_u, cos_v, factors, sin_u, sin_v
+from proofs.formulas.symbols import cos_phi, cos_theta, k_u, k_v, phi, real, sin_phi, sin_theta, theta, u, v
 
 n, sign, alpha, gamma = real("n sign alpha gamma")
 _angles = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: cos(phi), sin_phi: sin(phi)}

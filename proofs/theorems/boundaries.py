@@ -2,16 +2,16 @@
 
 from sympy import Rational, Symbol
 
-from ..bump import bumped, g, perturbed
-from ..camera import surface
-from ..claim import Claim, Separation, equation
-from ..finite_difference import central
-from ..height_fields import HEIGHT_FIELDS
-from ..pixel import dark_square, occlusion, pixel, rgb
-from ..program import Program
-from ..symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, towards
-from ..theorem import Mutant, Step, Theorem
-from .normal import tangent
+from proofs.engine.claim import Claim, Separation, equation
+from proofs.engine.program import Program
+from proofs.engine.theorem import Mutant, Step, Theorem
+from proofs.formulas.bump import bumped, g, perturbed
+from proofs.formulas.camera import surface
+from proofs.formulas.finite_difference import central
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
+from proofs.formulas.symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, towards
+from proofs.theorems.normal import tangent
 
 _ridges = HEIGHT_FIELDS["ridges"]
 _any_gradient = Program("any_gradient", (h_u, h_v), (), (h_u, h_v))

@@ -2,14 +2,14 @@
 
 from sympy import Rational, expand, pi
 
-from ..bump import bumped_normal, m
-from ..claim import Claim, equation, greater
-from ..displacement import displaced, displaced_normal, lift
-from ..program import chain
-from ..symbols import beta, cos_phi, cos_theta, cross, dot, h, h_u, h_v, normal, sin_phi, sin_theta
-from ..theorem import Mutant, Step, Theorem
-from .displacement import raised
-from .frame import equations, on_circles
+from proofs.engine.claim import Claim, equation, greater
+from proofs.engine.program import chain
+from proofs.engine.theorem import Mutant, Step, Theorem
+from proofs.formulas.bump import bumped_normal, m
+from proofs.formulas.displacement import displaced, displaced_normal, lift
+from proofs.formulas.symbols import beta, cos_phi, cos_theta, cross, dot, h, h_u, h_v, normal, sin_phi, sin_theta
+from proofs.theorems.displacement import raised
+from proofs.theorems.frame import equations, on_circles
 
 _both = chain("both", displaced_normal, bumped_normal)
 _metric = h_u**2 / (2 * pi * sin_phi) + h_v**2 / pi

@@ -2,14 +2,14 @@
 
 from sympy import Rational, cos, pi, sin, sqrt
 
-from ..chart import chart, chart_inverse, u_closed
-from ..claim import Claim, at_least, equation, greater
-from ..half_turns import atan2pi, cospi, sinpi
-from ..program import Program
-from ..symbols import cos_phi, cos_theta, dot, normal, real, sin_phi, sin_theta, u, v
-from ..tangent_frame import unit_normal
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .frame import equations, on_circles
+from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.program import Program
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.chart import chart, chart_inverse, u_closed
+from proofs.formulas.half_turns import atan2pi, cospi, sinpi
+from proofs.formulas.symbols import cos_phi, cos_theta, dot, normal, real, sin_phi, sin_theta, u, v
+from proofs.formulas.tangent_frame import unit_normal
+from proofs.theorems.frame import equations, on_circles
 
 turn, polar = real("turn polar")  # θ/π in (−1, 1] and φ/π in [0, 1]: what atan2pi is
 _of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): polar}

@@ -2,7 +2,7 @@
 
 from sympy import cos, sin
 
-from ..claim import CitedLemma, at_least
+from proofs.engine.claim import CitedLemma, at_least
 
 SOURCE = "DLMF"  # §1.4.35, Taylor's theorem; §4.18, the signs
 

@@ -2,13 +2,13 @@
 
 from sympy import Abs, Rational, S, Symbol, pi, sin
 
-from ..claim import Claim, at_least, equation
-from ..difference_cases import at_pole, of_heights, pole_clamps
-from ..finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
-from ..height_fields import HEIGHT_FIELDS, HeightField
-from ..symbols import epsilon, h_v, k_u, k_v, real, u, v
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .cited import sine_of_half_turn
+from proofs.engine.claim import Claim, at_least, equation
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.difference_cases import at_pole, of_heights, pole_clamps
+from proofs.formulas.finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
+from proofs.formulas.symbols import epsilon, h_v, k_u, k_v, real, u, v
+from proofs.theorems.cited import sine_of_half_turn
 
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
 slope, here, largest, bend_plus, bend_minus = real("slope here largest bend_plus bend_minus")

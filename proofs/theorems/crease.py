@@ -2,13 +2,13 @@
 
 from sympy import Abs, Rational, cos, pi, sin
 
-from ..claim import Claim, at_least, equation
-from ..difference_cases import inside
-from ..half_turns import ordinary
-from ..height_fields import HEIGHT_FIELDS
-from ..symbols import epsilon, h_u, k_u, k_v, real, u, v
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .cited import sine_of_half_turn
+from proofs.engine.claim import Claim, at_least, equation
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.difference_cases import inside
+from proofs.formulas.half_turns import ordinary
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.symbols import epsilon, h_u, k_u, k_v, real, u, v
+from proofs.theorems.cited import sine_of_half_turn
 
 ridges = HEIGHT_FIELDS["ridges"]
 delta, m = real("delta m")

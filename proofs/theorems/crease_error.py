@@ -2,11 +2,11 @@
 
 from sympy import Rational, Symbol, cos, diff, pi, sin, sqrt
 
-from ..claim import Claim, at_least, equation, greater
-from ..symbols import epsilon, k_u, k_v, v
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .cited import cosine_above, sine_above, sine_below, sine_of_half_turn
-from .crease import delta, ranges, rate, reach, straddled
+from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.symbols import epsilon, k_u, k_v, v
+from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
+from proofs.theorems.crease import delta, ranges, rate, reach, straddled
 
 x, y = rate * epsilon, rate * delta
 _tent, _two_thirds = delta / epsilon - 1, Rational(2, 3)

@@ -2,12 +2,26 @@
 
 from sympy import Function, diff, pi, sin
 
-from ..claim import Claim, equation
-from ..displacement import blinn_normal, displaced, displaced_normal, h_phi, h_theta, lift
-from ..symbols import beta, cos_phi, cos_theta, cross, dot, h, h_u, h_v, normal, phi, sin_phi, sin_theta, theta
-from ..tangent_frame import e_phi, e_theta
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .frame import angles, equations, frame, on_circles
+from proofs.engine.claim import Claim, equation
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.displacement import blinn_normal, displaced, displaced_normal, h_phi, h_theta, lift
+from proofs.formulas.symbols import (
+    beta,
+    cos_phi,
+    cos_theta,
+    cross,
+    dot,
+    h,
+    h_u,
+    h_v,
+    normal,
+    phi,
+    sin_phi,
+    sin_theta,
+    theta,
+)
+from proofs.formulas.tangent_frame import e_phi, e_theta
+from proofs.theorems.frame import angles, equations, frame, on_circles
 
 _field = Function("field")(theta, phi)
 _values = {diff(_field, theta): h_theta, diff(_field, phi): h_phi, _field: h}

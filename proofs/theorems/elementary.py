@@ -1,6 +1,6 @@
-"""The accuracy of our own elementary functions. See verify/measurements/elementary.py."""
+"""The accuracy of our own elementary functions. See verify/checkers/measurements/elementary.py."""
 
-from ..theorem import Theorem
+from proofs.engine.theorem import Theorem
 
 functions = Theorem(
     id="elementary_functions",

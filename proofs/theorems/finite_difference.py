@@ -2,12 +2,12 @@
 
 from sympy import Rational, cos, pi, sin
 
-from ..claim import Claim, equation
-from ..difference_cases import inside, nothing_clamps, nothing_wraps
-from ..finite_difference import central, span_v, v_minus, v_plus
-from ..height_fields import HEIGHT_FIELDS
-from ..symbols import epsilon, h_u, h_v, k_u, k_v, u, v
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.claim import Claim, equation
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.difference_cases import inside, nothing_clamps, nothing_wraps
+from proofs.formulas.finite_difference import central, span_v, v_minus, v_plus
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
 
 sine, rings = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["rings"]
 name = "central_difference_of_sine"

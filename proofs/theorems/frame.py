@@ -2,12 +2,27 @@
 
 from sympy import Rational, cos, diff, sin
 
-from ..camera import POLE, angles_on_a, discriminant_a, rho_raw, t_a
-from ..claim import Claim, equation, greater
-from ..program import chain
-from ..symbols import cos_phi, cos_theta, cross, dot, eye, normal, phi, radius, rho, sin_phi, sin_theta, theta, x, y
-from ..tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, tangent_frame, unit_normal
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.claim import Claim, equation, greater
+from proofs.engine.program import chain
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.camera import POLE, angles_on_a, discriminant_a, rho_raw, t_a
+from proofs.formulas.symbols import (
+    cos_phi,
+    cos_theta,
+    cross,
+    dot,
+    eye,
+    normal,
+    phi,
+    radius,
+    rho,
+    sin_phi,
+    sin_theta,
+    theta,
+    x,
+    y,
+)
+from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, tangent_frame, unit_normal
 
 frame = chain("frame", unit_normal, tangent_frame)
 on_circles = (equation(cos_theta**2 + sin_theta**2, 1), equation(cos_phi**2 + sin_phi**2, 1))

@@ -2,10 +2,10 @@
 
 from sympy import Abs, Symbol, cos, pi, sign, sin
 
-from ..claim import Claim, equation
-from ..height_fields import HEIGHT_FIELDS, gradient
-from ..symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.claim import Claim, equation
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
 
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
 slopes = {field.name: [gradient(field).expand(s) for s in (h_u, h_v)] for field in (sine, ridges, rings)}

@@ -2,11 +2,11 @@
 
 from sympy import Abs, Max, Piecewise, Rational, sqrt
 
-from ..claim import Claim, Induction, at_least, equation, greater
-from ..shading import blinn, clip, clipped, color, halfway, halfway_length, phong, specular_base
-from ..symbols import bumped, cross, dot, mu, real, towards, vector, view
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .normal_limits import minus
+from proofs.engine.claim import Claim, Induction, at_least, equation, greater
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.shading import blinn, clip, clipped, color, halfway, halfway_length, phong, specular_base
+from proofs.formulas.symbols import bumped, cross, dot, mu, real, towards, vector, view
+from proofs.theorems.normal_limits import minus
 
 apart, turned = real("apart turned")
 

@@ -2,8 +2,10 @@
 
 from sympy import Rational
 
-from .. import symbols
-from ..camera import (
+from proofs.engine.claim import Claim, equation, greater
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas import symbols
+from proofs.formulas.camera import (
     POLE,
     discriminant_a,
     discriminant_b,
@@ -18,9 +20,7 @@ from ..camera import (
     tangent_squared,
     toward_b,
 )
-from ..claim import Claim, equation, greater
-from ..symbols import ball_center, ball_on, ball_radius, dot, eye, radius, real, rho, x, y
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.symbols import ball_center, ball_on, ball_radius, dot, eye, radius, real, rho, x, y
 
 t = real("t")
 

@@ -2,9 +2,10 @@
 
 from sympy import Max, diff
 
-from ..bump import bumped_by_beta
-from ..claim import Claim, Induction, equation
-from ..image_derivative import (
+from proofs.engine.claim import Claim, Induction, equation
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.bump import bumped_by_beta
+from proofs.formulas.image_derivative import (
     base_by_beta,
     base_derivatives,
     clip_derivative,
@@ -13,7 +14,7 @@ from ..image_derivative import (
     term_by_beta,
     term_derivative,
 )
-from ..shading import (
+from proofs.formulas.shading import (
     albedos,
     blinn,
     clip,
@@ -28,8 +29,7 @@ from ..shading import (
     lit,
     phong,
 )
-from ..symbols import bumped, mu, real, shininess, specular, specular_base
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.symbols import bumped, mu, real, shininess, specular, specular_base
 
 s, n, power, x, slope, of_x, by_s = real("s n power x slope of_x by_s")
 _moved = tuple(b + s * d for b, d in zip(bumped, bumped_by_beta, strict=True))

@@ -2,13 +2,29 @@
 
 from sympy import Rational, Symbol, cos, pi, sqrt
 
-from ..camera import parallel_radius, point_on_a
-from ..claim import Claim, at_least, equation, greater
-from ..height_fields import HEIGHT_FIELDS
-from ..symbols import cos_phi, cos_theta, eye, k_u, k_v, point, radius, real, rho, sin_phi, sin_theta, u, v, x, y
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .frame import equations, on_circles
-from .hits import along
+from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.camera import parallel_radius, point_on_a
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.symbols import (
+    cos_phi,
+    cos_theta,
+    eye,
+    k_u,
+    k_v,
+    point,
+    radius,
+    real,
+    rho,
+    sin_phi,
+    sin_theta,
+    u,
+    v,
+    x,
+    y,
+)
+from proofs.theorems.frame import equations, on_circles
+from proofs.theorems.hits import along
 
 t, m = real("t"), Symbol("m", integer=True)
 circle_radius = parallel_radius[rho]

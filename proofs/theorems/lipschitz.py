@@ -2,10 +2,10 @@
 
 from sympy import Rational, sqrt
 
-from ..claim import Claim, at_least, equation
-from ..symbols import cross, dot, real, vector
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .normal_limits import minus
+from proofs.engine.claim import Claim, at_least, equation
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.symbols import cross, dot, real, vector
+from proofs.theorems.normal_limits import minus
 
 a, b = vector("a"), vector("b")
 length_a, length_b, apart, turned, product = real("length_a length_b apart turned product")

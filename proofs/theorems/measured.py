@@ -1,6 +1,7 @@
-"""What the seed says of its pictures and its float64 formulas, and what was measured. See verify/measurements."""
+"""What the seed says of its pictures and its float64 formulas, and what was measured. See
+verify/checkers/measurements."""
 
-from ..theorem import Theorem
+from proofs.engine.theorem import Theorem
 
 products = Theorem(
     id="crease_products",

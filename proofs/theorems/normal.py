@@ -2,12 +2,12 @@
 
 from sympy import diff
 
-from ..bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
-from ..claim import Claim, equation
-from ..program import chain
-from ..symbols import beta, dot, h_u, h_v, normal
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .frame import on_circles
+from proofs.engine.claim import Claim, equation
+from proofs.engine.program import chain
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
+from proofs.formulas.symbols import beta, dot, h_u, h_v, normal
+from proofs.theorems.frame import on_circles
 
 tangent = (equation(dot(normal, normal), 1), equation(dot(normal, g), 0))
 

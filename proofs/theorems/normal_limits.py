@@ -2,12 +2,12 @@
 
 from sympy import Abs, Rational, sqrt
 
-from ..bump import bumped, g, m_length, perturbed
-from ..claim import Claim, at_least, equation, greater
-from ..symbols import beta, cross, dot, normal, real, towards
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .frame import equations
-from .normal import tangent
+from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.bump import bumped, g, m_length, perturbed
+from proofs.formulas.symbols import beta, cross, dot, normal, real, towards
+from proofs.theorems.frame import equations
+from proofs.theorems.normal import tangent
 
 _length = (("unit_length", "length"),)
 _g_squared, cosine = dot(g, g), dot(normal, bumped)

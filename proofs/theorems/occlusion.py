@@ -2,9 +2,10 @@
 
 from sympy import Rational, sqrt
 
-from ..camera import discriminant_b, hit_of_b, ray_direction, toward_b
-from ..claim import Claim, at_least, equation, greater
-from ..shadow import (
+from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.camera import discriminant_b, hit_of_b, ray_direction, toward_b
+from proofs.formulas.shadow import (
     body_radius,
     center,
     occluded,
@@ -15,9 +16,8 @@ from ..shadow import (
     shadow_discriminant,
     toward_center,
 )
-from ..symbols import ball_center, ball_radius, dot, eye, light, point, real
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .hits import distance_squared
+from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, light, point, real
+from proofs.theorems.hits import distance_squared
 
 s = real("s")
 _between = tuple(p + s * d for p, d in zip(point, segment, strict=True))

@@ -2,11 +2,11 @@
 
 from sympy import Rational
 
-from ..claim import Claim, at_least, equation, greater
-from ..shadow import body_radius
-from ..shadow_cone import along, at_light, curvature, from_body, half_slope, shadow_clearance
-from ..symbols import ball_radius, cross, dot, real, vector
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.shadow import body_radius
+from proofs.formulas.shadow_cone import along, at_light, curvature, from_body, half_slope, shadow_clearance
+from proofs.formulas.symbols import ball_radius, cross, dot, real, vector
 
 axis, aside = vector("axis"), vector("aside")
 distance, wander, reach, product, share = real("distance wander reach product share")

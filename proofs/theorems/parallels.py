@@ -2,11 +2,11 @@
 
 from sympy import Rational, cos, pi, sin
 
-from ..camera import parallel_radius
-from ..claim import Claim, equation, greater
-from ..symbols import cos_phi, eye, radius, real, rho, sin_phi
-from ..theorem import Mutant, Step, Theorem
-from .kink_loci import theorem as kink_loci
+from proofs.engine.claim import Claim, equation, greater
+from proofs.engine.theorem import Mutant, Step, Theorem
+from proofs.formulas.camera import parallel_radius
+from proofs.formulas.symbols import cos_phi, eye, radius, real, rho, sin_phi
+from proofs.theorems.kink_loci import theorem as kink_loci
 
 a, b = real("a b")
 _falling = Claim(

@@ -2,11 +2,26 @@
 
 from sympy import cos, pi, sin
 
-from ..bump import bumped_normal, g
-from ..claim import Claim, Induction, equation
-from ..height_fields import HEIGHT_FIELDS, gradient
-from ..symbols import cos_phi, cos_theta, dot, h_u, h_v, k_u, k_v, phi, real, sin_phi, sin_theta, theta, u, v
-from ..theorem import Mutant, Step, Theorem
+from proofs.engine.claim import Claim, Induction, equation
+from proofs.engine.theorem import Mutant, Step, Theorem
+from proofs.formulas.bump import bumped_normal, g
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.symbols import (
+    cos_phi,
+    cos_theta,
+    dot,
+    h_u,
+    h_v,
+    k_u,
+    k_v,
+    phi,
+    real,
+    sin_phi,
+    sin_theta,
+    theta,
+    u,
+    v,
+)
 
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
 _meridian = u, (theta + pi) / (2 * pi)

@@ -2,11 +2,11 @@
 
 from sympy import Rational, Symbol
 
-from ..camera import image_extent, image_point, parallel_radius
-from ..claim import Claim, at_least, equation, greater
-from ..program import chain
-from ..symbols import column, cos_phi, eye, height, radius, rho, row, sin_phi, width, x, y
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.program import chain
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.camera import image_extent, image_point, parallel_radius
+from proofs.formulas.symbols import column, cos_phi, eye, height, radius, rho, row, sin_phi, width, x, y
 
 m, n = Symbol("m", integer=True), Symbol("n", integer=True)
 FALLBACK = Rational(1, 10**4)  # the seed's: below this sin φ it takes another basis

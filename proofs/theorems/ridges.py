@@ -2,10 +2,10 @@
 
 from sympy import Abs, Rational, Symbol, cos, pi, sin
 
-from ..claim import CitedLemma, Claim, at_least, equation, greater
-from ..height_fields import HEIGHT_FIELDS
-from ..symbols import k_u, k_v, real, u, v
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.claim import CitedLemma, Claim, at_least, equation, greater
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.symbols import k_u, k_v, real, u, v
 
 ridges, sine = HEIGHT_FIELDS["ridges"], HEIGHT_FIELDS["sine"]
 to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u, v = n/k_v

@@ -2,12 +2,12 @@
 
 from sympy import Rational
 
-from ..claim import Claim, at_least, equation, greater
-from ..difference_cases import of_heights
-from ..finite_difference import h_u_minus, h_u_plus
-from ..symbols import epsilon, h_u, real
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .clamped import both_ways
+from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.difference_cases import of_heights
+from proofs.formulas.finite_difference import h_u_minus, h_u_plus
+from proofs.formulas.symbols import epsilon, h_u, real
+from proofs.theorems.clamped import both_ways
 
 unit, evaluation, argument, steepest = real("unit evaluation argument steepest")
 here, mean, off_plus, off_minus, first, second = real("here mean off_plus off_minus first second")

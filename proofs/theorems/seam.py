@@ -2,11 +2,11 @@
 
 from sympy import Rational, cos, expand, pi, sin
 
-from ..claim import Claim, Induction, equation, greater
-from ..half_turns import sinpi
-from ..height_fields import HEIGHT_FIELDS
-from ..symbols import k_u, k_v, real, u, v
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.claim import Claim, Induction, equation, greater
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.half_turns import sinpi
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.symbols import k_u, k_v, real, u, v
 
 n, alternating = real("n alternating")
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))

@@ -2,11 +2,11 @@
 
 from sympy import Abs, Rational
 
-from ..claim import Claim, at_least, equation
-from ..difference_cases import at_pole
-from ..height_fields import HeightField
-from ..symbols import epsilon, h_v, v
-from ..theorem import Mutant, Step, Theorem
+from proofs.engine.claim import Claim, at_least, equation
+from proofs.engine.theorem import Mutant, Step, Theorem
+from proofs.formulas.difference_cases import at_pole
+from proofs.formulas.height_fields import HeightField
+from proofs.formulas.symbols import epsilon, h_v, v
 
 
 def _at_zero_of(h):

@@ -2,11 +2,11 @@
 
 from sympy import Rational, sqrt
 
-from ..camera import hit_of_b, ray_direction, toward_b
-from ..claim import Claim, at_least, equation, greater
-from ..symbols import ball_center, ball_radius, dot, eye, radius, real, x, y
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .hits import along
+from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.camera import hit_of_b, ray_direction, toward_b
+from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, radius, real, x, y
+from proofs.theorems.hits import along
 
 t, b, d = real("t b d")
 _default = {

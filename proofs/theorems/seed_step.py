@@ -2,11 +2,11 @@
 
 from sympy import Abs, Rational
 
-from ..bump import bumped, bumped_by_beta, g, m, normal_by_beta, perturbed
-from ..claim import Claim, at_least, equation
-from ..symbols import beta, normal
-from ..theorem import Mutant, Step, Theorem
-from .normal import derivative, tangent
+from proofs.engine.claim import Claim, at_least, equation
+from proofs.engine.theorem import Mutant, Step, Theorem
+from proofs.formulas.bump import bumped, bumped_by_beta, g, m, normal_by_beta, perturbed
+from proofs.formulas.symbols import beta, normal
+from proofs.theorems.normal import derivative, tangent
 
 STEP, AGREEMENT = Rational(1, 10**7), Rational(1, 10**12)
 

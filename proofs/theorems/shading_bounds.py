@@ -2,10 +2,10 @@
 
 from sympy import Max
 
-from ..claim import Claim, at_least
-from ..shading import albedos, colors, kd, ks, light_colors, light_term, lit
-from ..symbols import mu, real, specular
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.claim import Claim, at_least
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.shading import albedos, colors, kd, ks, light_colors, light_term, lit
+from proofs.formulas.symbols import mu, real, specular
 
 _other_mu, _other_specular, q, step, so_far, _before = real("other_mu other_specular q step so_far before")
 _other = {mu: _other_mu, specular: _other_specular, colors[0]: _before}

@@ -3,14 +3,14 @@
 
 from sympy import diff
 
-from ..camera import distance, point_on_floor
-from ..claim import Claim, equation, greater
-from ..program import chain
-from ..shadow import body_radius, center, segment_squared, shadow, shadow_discriminant, toward_center
-from ..symbols import ball_center, ball_radius, cross, dot, eye, light, x, y
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .hits import distance_squared
-from .silhouettes import theorem as silhouette_of_b
+from proofs.engine.claim import Claim, equation, greater
+from proofs.engine.program import chain
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.camera import distance, point_on_floor
+from proofs.formulas.shadow import body_radius, center, segment_squared, shadow, shadow_discriminant, toward_center
+from proofs.formulas.symbols import ball_center, ball_radius, cross, dot, eye, light, x, y
+from proofs.theorems.hits import distance_squared
+from proofs.theorems.silhouettes import theorem as silhouette_of_b
 
 _on_floor = chain("on_floor", point_on_floor, shadow)
 _w = tuple(a - b for a, b in zip(light, center, strict=True))

@@ -1,11 +1,11 @@
 """The silhouette of sphere B: a conic, its type, and the branch that is not seen; for any apex, as "
 "shadows need it."""
 
-from ..camera import discriminant_b, distance, hit_of_b, ray_direction, toward_b
-from ..claim import Claim, at_least, equation, greater
-from ..symbols import ball_center, ball_radius, dot, eye, x, y
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .hits import distance_squared
+from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.camera import discriminant_b, distance, hit_of_b, ray_direction, toward_b
+from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, x, y
+from proofs.theorems.hits import distance_squared
 
 _cx, _cy, _cz = ball_center
 _above = eye - _cz  # H: how far the eye is above B's centre

@@ -1,11 +1,19 @@
 """The cheap highlight: Blinn–Phong's cosine and the square of its base from one root and one division."""
 
-from ..claim import Claim, equation
-from ..pixel import instance
-from ..program import chain
-from ..shading import along_halfway, blinn, blinn_squared, halfway, halfway_squared, light_distance, light_scale
-from ..symbols import mu, real, specular_base
-from ..theorem import Mutant, Step, Theorem
+from proofs.engine.claim import Claim, equation
+from proofs.engine.program import chain
+from proofs.engine.theorem import Mutant, Step, Theorem
+from proofs.formulas.pixel import instance
+from proofs.formulas.shading import (
+    along_halfway,
+    blinn,
+    blinn_squared,
+    halfway,
+    halfway_squared,
+    light_distance,
+    light_scale,
+)
+from proofs.formulas.symbols import mu, real, specular_base
 
 _plain = instance(blinn, "plain")
 _both = chain("both", blinn_squared, _plain)

@@ -2,12 +2,12 @@
 
 from sympy import Rational, Symbol, cos, diff, pi, sin
 
-from ..claim import Claim, at_least, equation, greater
-from ..difference_cases import nothing_clamps, nothing_wraps
-from ..symbols import epsilon, h_u, h_v, k_u, k_v, u, v
-from ..theorem import Edge, Mutant, SideCondition, Step, Theorem
-from .cited import sine_above, sine_below
-from .finite_difference import difference, rings, sine
+from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.formulas.difference_cases import nothing_clamps, nothing_wraps
+from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
+from proofs.theorems.cited import sine_above, sine_below
+from proofs.theorems.finite_difference import difference, rings, sine
 
 _cos_u, _sin_u, _cos_v, _sin_v = (
     Symbol(str(f).replace(" ", ""), real=True) for w in (pi * k_u * u, pi * k_v * v) for f in (cos(w), sin(w))

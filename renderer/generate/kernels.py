@@ -2,11 +2,11 @@
 
 import textwrap
 
-from proofs.algebraic_form import MAX_WAVE_NUMBER
-from proofs.elementary import product_error
-from proofs.finite_difference import HEIGHT_EVALUATIONS, METHODS
-from proofs.height_fields import HEIGHT_FIELDS
-from proofs.shading import LIGHT_MODELS
+from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
+from proofs.formulas.elementary import product_error
+from proofs.formulas.finite_difference import HEIGHT_EVALUATIONS, METHODS
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.shading import LIGHT_MODELS
 from renderer.generate import programs
 from renderer.generate.printer import KernelPrinter
 

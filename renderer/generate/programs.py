@@ -2,7 +2,8 @@
 
 from sympy import Function
 
-from proofs import (
+from proofs.engine.program import Program
+from proofs.formulas import (
     algebraic_form,
     bounds,
     bump,
@@ -16,9 +17,8 @@ from proofs import (
     shadow_cone,
     step_bounds,
 )
-from proofs.chart import chart
-from proofs.program import Program
-from proofs.symbols import h_v, k_u, k_v, real, u, v, x, y
+from proofs.formulas.chart import chart
+from proofs.formulas.symbols import h_v, k_u, k_v, real, u, v, x, y
 
 ELEMENTARY = {
     "two_product": elementary.two_product,

@@ -6,10 +6,10 @@ Second for the chapter's fields, which are odd about v = 0; first for one that i
 import numpy as np
 from flint import ctx
 
-from proofs.finite_difference import central
-from proofs.half_turns import cospi
-from proofs.height_fields import HEIGHT_FIELDS, HeightField, gradient
-from proofs.symbols import k_v, v
+from proofs.formulas.finite_difference import central
+from proofs.formulas.half_turns import cospi
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
+from proofs.formulas.symbols import k_v, v
 from verify.accuracy.balls import Balls
 
 BITS = 300

@@ -11,9 +11,9 @@ from typing import NamedTuple
 import numpy as np
 from flint import arb, ctx
 
-from proofs.finite_difference import central, span_v, u_minus, u_plus, v_minus, v_plus
-from proofs.height_fields import HEIGHT_FIELDS, factors, gradient
-from proofs.program import Program
+from proofs.engine.program import Program
+from proofs.formulas.finite_difference import central, span_v, u_minus, u_plus, v_minus, v_plus
+from proofs.formulas.height_fields import HEIGHT_FIELDS, factors, gradient
 from renderer import Scene, gradient_at
 from renderer import central as by_central
 from renderer.generate.kernels import function_of

@@ -16,8 +16,8 @@ from typing import NamedTuple
 from flint import arb, ctx, fmpq
 from sympy import Poly, Rational
 
-from proofs import elementary as e
-from proofs.program import Program
+from proofs.engine.program import Program
+from proofs.formulas import elementary as e
 from renderer import kernels
 from verify.accuracy.rounding import ZERO, Rounded, between, run, unit_in_the_last_place
 from verify.evaluate import code_of

@@ -10,16 +10,16 @@ import numpy as np
 from flint import arb, ctx
 from sympy import lambdify
 
-from proofs import symbols
-from proofs.camera import angles_on_a
-from proofs.chart import chart
-from proofs.half_turns import ordinary
-from proofs.height_fields import HEIGHT_FIELDS, gradient
-from proofs.program import chain
+from proofs.engine.program import chain
+from proofs.formulas import symbols
+from proofs.formulas.camera import angles_on_a
+from proofs.formulas.chart import chart
+from proofs.formulas.half_turns import ordinary
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene, exact, gradient_at
 from renderer.generate.kernels import function_of
 from verify.accuracy.balls import Balls
-from verify.methods.algebraic import algebraic_gradient
+from verify.benchmark.methods.algebraic import algebraic_gradient
 
 BITS, UNIT, SMALLEST = 1200, 2.0**-53, 1e-280
 GENERAL, ALGEBRAIC = 8.0, 8.0  # the bounds: 8, and 8 (1 + k)

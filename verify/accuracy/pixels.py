@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from flint import arb, ctx
 
-from proofs.height_fields import HEIGHT_FIELDS
-from proofs.pixel import CHANNELS, pixel
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.pixel import CHANNELS, pixel
 from renderer import Scene, render
 from verify.accuracy.balls import Balls
 from verify.reference import scene_values

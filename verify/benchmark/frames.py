@@ -7,8 +7,8 @@ import itertools
 from dataclasses import replace
 
 from renderer import Scene, central, exact, render, stage_of
-from verify.baselines.numpy_tiles import numpy_tiles
-from verify.baselines.seed_loops import seed_loops
+from verify.benchmark.baselines.numpy_tiles import numpy_tiles
+from verify.benchmark.baselines.seed_loops import seed_loops
 from verify.benchmark.plan import Case
 
 SCENE = Scene()

@@ -1,6 +1,7 @@
 """The gradient alone, at chart points of the sine field, on one thread: ours, finite differences, and other libraries.
 
-Every one starts from the same expression of `proofs.height_fields`. A library that is not installed is left out.
+Every one starts from the same expression of `proofs.formulas.height_fields`. A library that is not installed is left
+out.
 """
 
 from functools import cache
@@ -8,9 +9,9 @@ from functools import cache
 import numpy as np
 from sympy import lambdify
 
-from proofs.half_turns import ordinary
-from proofs.height_fields import HEIGHT_FIELDS, gradient
-from proofs.symbols import k_u, k_v, u, v
+from proofs.formulas.half_turns import ordinary
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer import Scene, central, central4, exact, forward, gradient_at
 from verify.benchmark.plan import Case
 from verify.evaluate import Reference

@@ -7,11 +7,11 @@ or v ± ε leaves the chart (one-sided). The second is what rounding u ± ε cos
 
 import numpy as np
 
-from proofs.creases import straddling
-from proofs.finite_difference import central
-from proofs.height_fields import HEIGHT_FIELDS, gradient
-from proofs.program import Program
-from proofs.symbols import epsilon, h_u, h_v
+from proofs.engine.program import Program
+from proofs.formulas.creases import straddling
+from proofs.formulas.finite_difference import central
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.symbols import epsilon, h_u, h_v
 from renderer import central as central_difference
 from renderer import gradient_at
 from verify.stability.measure import in_balls, in_float64

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from proofs.camera import silhouette_of_a
-from proofs.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.camera import silhouette_of_a
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene
 from verify.stability.geometry import VECTOR
 from verify.stability.measure import distance, in_balls, in_float64, vector_distance

@@ -5,15 +5,15 @@ from functools import lru_cache
 import numpy as np
 from sympy import sqrt
 
-from proofs.bump import bumped_normal, g
-from proofs.camera import angles_on_a
-from proofs.chart import chart, seed_chart
-from proofs.half_turns import ordinary
-from proofs.height_fields import HEIGHT_FIELDS, gradient
-from proofs.program import Program, chain
-from proofs.symbols import eye, h_u, h_v, normal, radius, real, x, y
-from proofs.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, unit_normal
-from verify.methods.algebraic import algebraic_gradient
+from proofs.engine.program import Program, chain
+from proofs.formulas.bump import bumped_normal, g
+from proofs.formulas.camera import angles_on_a
+from proofs.formulas.chart import chart, seed_chart
+from proofs.formulas.half_turns import ordinary
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.symbols import eye, h_u, h_v, normal, radius, real, x, y
+from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, unit_normal
+from verify.benchmark.methods.algebraic import algebraic_gradient
 from verify.stability.measure import in_float64
 
 SEED_FALLBACK = 1e-4

@@ -2,12 +2,23 @@
 
 import numpy as np
 
-from proofs.bump import g, perturbed
-from proofs.camera import point_on_a
-from proofs.program import Program, chain
-from proofs.shading import LIGHT_MODELS, highlight, light_direction
-from proofs.symbols import beta, bumped, cos_phi, cos_theta, mu, normal, sin_phi, sin_theta, specular, specular_base
-from proofs.tangent_frame import tangent_frame, unit_normal
+from proofs.engine.program import Program, chain
+from proofs.formulas.bump import g, perturbed
+from proofs.formulas.camera import point_on_a
+from proofs.formulas.shading import LIGHT_MODELS, highlight, light_direction
+from proofs.formulas.symbols import (
+    beta,
+    bumped,
+    cos_phi,
+    cos_theta,
+    mu,
+    normal,
+    sin_phi,
+    sin_theta,
+    specular,
+    specular_base,
+)
+from proofs.formulas.tangent_frame import tangent_frame, unit_normal
 from verify.stability.measure import distance, in_balls, in_float64, vector_bound, vector_distance, with_bounds
 from verify.stability.sweep import Sweep
 

@@ -5,12 +5,12 @@ import numpy as np
 import pytest
 from sympy import sqrt
 
-from proofs.camera import angles_on_a
-from proofs.chart import chart
-from proofs.half_turns import sinpi
-from proofs.height_fields import HEIGHT_FIELDS, gradient
-from proofs.program import Program, chain
-from proofs.symbols import real
+from proofs.engine.program import Program, chain
+from proofs.formulas.camera import angles_on_a
+from proofs.formulas.chart import chart
+from proofs.formulas.half_turns import sinpi
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.symbols import real
 from verify.stability import running
 from verify.stability.measure import distance, in_balls, in_float64, with_bounds
 from verify.stability.running import Running, U

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from proofs.bump import g
+from proofs.formulas.bump import g
 from verify.stability import symmetry
 from verify.stability.geometry import VECTOR
 from verify.stability.measure import in_float64

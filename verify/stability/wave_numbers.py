@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from proofs.half_turns import ordinary
-from proofs.height_fields import HEIGHT_FIELDS, gradient
-from proofs.program import Program
-from proofs.symbols import k_u, k_v, real, u, v
+from proofs.engine.program import Program
+from proofs.formulas.half_turns import ordinary
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.symbols import k_u, k_v, real, u, v
 from verify.stability.measure import distance, in_balls, in_float64, with_bounds
 from verify.stability.sweep import Sweep
 

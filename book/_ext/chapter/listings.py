@@ -1,9 +1,9 @@
 """Sources as pages with numbered lines, certificates and scripts as downloads, files counted and quoted.
 
-{source-lines}`proofs/kernel.py`      how many lines a file has
-{source-link}`proofs/kernel.py`       a link to its page
+{source-lines}`proofs/engine/kernel.py`      how many lines a file has
+{source-link}`proofs/engine/kernel.py`       a link to its page
 
-:::{docstring} proofs/certificate.py
+:::{docstring} proofs/engine/certificate.py
 :::
 """
 

@@ -6,7 +6,7 @@ from fractions import Fraction
 import mpmath
 from sympy import Symbol, latex, sympify
 
-from proofs.symbols import TEX_NAMES
+from proofs.formulas.symbols import TEX_NAMES
 
 TEX = {symbol.name: tex for symbol, tex in TEX_NAMES.items()}
 EXPRESSION = re.compile(r"(?:pi|sqrt|[\d+\-*/() ])+")  # what a point may have beside rationals

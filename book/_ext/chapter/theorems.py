@@ -10,7 +10,7 @@ from pathlib import Path
 import yaml
 
 from book import report, stamps
-from proofs.theorem import Theorem, all_theorems
+from proofs.engine.theorem import Theorem, all_theorems
 
 PLACED = re.compile(r"^\s*(?::{3,}|`{3,})\{theorem\}\s+(\S+)\s*$", re.MULTILINE)
 CLAIMS_PAGE = "claims"
@@ -140,6 +140,6 @@ def certificate(id: str) -> Path | None:
 @cache
 def script(id: str) -> str | None:
     """The text of the stand-alone script that re-checks a theorem, if there is one."""
-    if find_spec("proofs.standalone") is None or certificate(id) is None:
+    if find_spec("proofs.engine.standalone") is None or certificate(id) is None:
         return None
-    return import_module("proofs.standalone").standalone_script(id)
+    return import_module("proofs.engine.standalone").standalone_script(id)

@@ -1,0 +1,154 @@
+"""Certificates: made by the search, stored as JSON beside the theorems, compared with what the formulas say now.
+
+`python -m proofs.engine.certificate [ID …]` finds the certificates of the named theorems (default: of those whose
+stored ones are missing or stale; --all: of all) and writes them. Format, version 1: {"version", "theorem", "claims":
+[{"claim", "statements": [{"sha256", "statement", "certificate"}]}]}; `proofs.engine.statement_data` documents
+statements.
+
+A derivation's facts are p ⋈ 0, counted from 0 in the order of its steps: `assume` and, once proved, `show` give one,
+`inverse` one (new · of − 1 = 0), `root` two (new² − of = 0, new ≥ 0), `define` none: its name stands for its polynomial
+from there on. A goal is proved from the facts before it. Its certificate is {"proofs": […]}, one proof for each `show`,
+`root` and `inverse`, in order. A proof has a `rule`:
+
+    ideal          {"cofactors": [[i, q], …]}: the goal is p = 0; every fact i is g = 0; and p = Σ q g.
+    contradiction  {"positive": [i, …], "sum": [[c, s, [i, …]], …], "cofactors": [[i, q], …]}: the goal's negation is
+                   appended to the facts (of p = 0: p ≠ 0; of p ≠ 0: p = 0; of p > 0: −p ≥ 0; of p ≥ 0: −p > 0), and
+                   Π f + Σ c s² Π h = Σ q g, where f: the facts in `positive`, each > 0, or ≠ 0 and then squared (none:
+                   Π f = 1); c ≥ 0 a rational, s a polynomial, h: facts that are > 0 or ≥ 0; g: facts that are = 0.
+                   The left side is positive, the right side zero.
+    cases          {"on": p, "branches": {"<": proof, "=": proof, ">": proof}}: each branch proves the goal with one
+                   more fact, −p > 0, p = 0 or p > 0.
+
+Of a "refutation", which has the form of a derivation and ends in a `show`, it is {"point": {name: rational}}: a value
+for every variable, root and inverse, at which every fact holds but the last, and the last fails. Of an "induction",
+{"strengthen": [p, …], "base": [proof, …], "step": [proof, …]}: the claims are those of `show`, then those of
+`strengthen`. base[k] proves claim k = 0 with `start` put in for the state, from the assumptions; step[k] proves it with
+`next` put in, from the assumptions and then every claim (as it is now) = 0. Of a "separation", {"reached": [name, …]}:
+it has every output, and with a line's name every name that the line uses, and nothing that is to be avoided.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+from proofs.check import digest
+from proofs.engine import kernel
+from proofs.engine.claim import Induction, Separation
+from proofs.engine.counterexample import refutation
+from proofs.engine.induction import induction
+from proofs.engine.search import MAX_EFFORT, NotFound, search
+from proofs.engine.statement import VERSION, derivations
+from proofs.engine.theorem import all_theorems, borrowed
+
+FOLDER = Path(__file__).parents[1] / "certificates"
+
+
+class Stale(ValueError):
+    """A stored certificate is missing, or belongs to an older statement."""
+
+
+def statements(claim, theorems):
+    """Return the statements of a claim, as the formulas stand now."""
+    if isinstance(claim, Separation):
+        lines = [[s.name, sorted(t.name for t in e.free_symbols)] for s, e in claim.lines.definitions]
+        outputs, avoid = (sorted(s.name for s in names) for names in (claim.outputs, claim.avoid))
+        return [{"version": VERSION, "kind": "separation", "lines": lines, "outputs": outputs, "avoid": avoid}]
+    if isinstance(claim, Induction):
+        return [induction(claim)]
+    return derivations(borrowed(claim, theorems))
+
+
+def prove(claim, theorems, effort=MAX_EFFORT):
+    """Return [(statement, certificate)] of a claim, found anew; raises NotFound."""
+    squares = getattr(claim, "squares", ())
+    return [(s, search(s, squares, effort)) for s in statements(claim, theorems)]
+
+
+def refute(claim, point, theorems):
+    """Return [(statement, certificate)] that the claim fails at the point ((symbol, value), …); raises NotFound."""
+    found = refutation(statements(claim, theorems), {str(s).replace(" ", ""): v for s, v in point})
+    if found is None:
+        raise NotFound((claim.name, "counterexample"))
+    return [found]
+
+
+def evidence(theorem, theorems):
+    """Return [(claim, [(statement, certificate)])] of a theorem, found anew; raises NotFound."""
+    points = dict(theorem.refuted_at)
+    return [
+        (c, refute(c, points[c.name], theorems) if c.name in points else prove(c, theorems)) for c in theorem.claims
+    ]
+
+
+def path_of(theorem):
+    """Return the path of the theorem's stored certificates."""
+    return FOLDER / f"{theorem.id}.json"
+
+
+def stored(theorem, theorems):
+    """Return [(claim, [(statement, certificate)])] from the file, or raise Stale.
+
+    The statements are translated afresh from the formulas; the file's must be the same.
+    """
+    path = path_of(theorem)
+    if not path.exists():
+        raise Stale(f"{theorem.id} has no stored certificate: run python -m proofs.engine.certificate {theorem.id}")
+    entries = {entry["claim"]: entry["statements"] for entry in json.loads(path.read_text())["claims"]}
+    result = []
+    for claim in theorem.claims:
+        now = statements(claim, theorems)
+        kept = entries.pop(claim.name, [])
+        if theorem.expected == "refuted":
+            point = {str(s).replace(" ", ""): v for s, v in dict(theorem.refuted_at)[claim.name]}
+            now = [found[0]] if (found := refutation(now, point)) else []
+        if not now or [digest(s) for s in now] != [entry["sha256"] for entry in kept]:
+            raise Stale(
+                f"{theorem.id}/{claim.name}: the formulas no longer say what the stored certificate proves; "
+                f"if the theorem still holds, python -m proofs.engine.certificate {theorem.id} finds a new one"
+            )
+        result.append((claim, [(s, entry["certificate"]) for s, entry in zip(now, kept, strict=True)]))
+    if entries:
+        raise Stale(f"{theorem.id}: the stored certificates have other claims: {', '.join(sorted(entries))}")
+    return result
+
+
+def text(theorem, found):
+    """Return the file's text for [(claim, [(statement, certificate)])]."""
+    claims = [
+        {"claim": claim.name, "statements": [{"sha256": digest(s), "statement": s, "certificate": c} for s, c in pairs]}
+        for claim, pairs in found
+    ]
+    return (
+        json.dumps({"version": VERSION, "theorem": theorem.id, "claims": claims}, indent=1, ensure_ascii=False) + "\n"
+    )
+
+
+def main(arguments):
+    """Find and write certificates; return 0 if all were found and the kernel accepts them."""
+    theorems, failed = all_theorems(), False
+    named = [a for a in arguments if a != "--all"]
+    for id in named or theorems:
+        theorem = theorems[id]
+        if not arguments:
+            try:
+                stored(theorem, theorems)
+                continue
+            except (Stale, NotFound):
+                pass
+        try:
+            found = evidence(theorem, theorems)
+            for _, pairs in found:
+                for statement, certificate in pairs:
+                    if why := kernel.check(statement, certificate):
+                        raise why
+        except (NotFound, kernel.Rejected) as error:
+            print(f"{id}: {error}")
+            failed = True
+            continue
+        path_of(theorem).write_text(text(theorem, found), encoding="utf-8")
+        print(f"{id}: {sum(len(pairs) for _, pairs in found)} statements")
+    return int(failed)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

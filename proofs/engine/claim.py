@@ -1,0 +1,112 @@
+"""What a theorem claims, before translation: SymPy relations over the lines of a straight-line program."""
+
+from dataclasses import dataclass, replace
+
+from sympy import Basic, Symbol, sympify
+from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
+
+from proofs.engine.program import Program
+
+
+def equation(left, right):
+    """Return left = right that SymPy leaves as it is, so that the kernel decides it."""
+    return Eq(left, right, evaluate=False)
+
+
+def greater(left, right):
+    """Return left > right that SymPy leaves as it is, so that the kernel decides it."""
+    return StrictGreaterThan(left, right, evaluate=False)
+
+
+def at_least(left, right):
+    """Return left ≥ right that SymPy leaves as it is, so that the kernel decides it."""
+    return GreaterThan(left, right, evaluate=False)
+
+
+@dataclass(frozen=True)
+class CitedLemma:
+    """A relation that is taken from a source, a key of the bibliography, and not proved here.
+
+    What is proved with it is “proved, given the source”. It holds under the claim's own givens, as samples test.
+    """
+
+    relation: Basic
+    source: str
+
+    @property
+    def text(self):
+        """The relation as text, for the report."""
+        return str(self.relation)
+
+
+@dataclass(frozen=True)
+class Claim:
+    """For all real values of the inputs: if `given` holds, every relation of `shows` holds.
+
+    shows: relations, in order; one that is proved may be used for the next. given: relations over the names of
+    `lines` and further free symbols. lines: the program whose names the relations use. squares: polynomials whose
+    squares the search may use in an inequality. borrowed: (theorem id, claim name) of claims whose conclusions are
+    used here; that claim's `given` and lines must be among this one's. cited: lemmas whose relations are used here.
+    ranges: {symbol: (low, high)} for sampling.
+    """
+
+    name: str
+    shows: tuple[Basic, ...]
+    given: tuple[Basic, ...] = ()
+    lines: Program | None = None
+    squares: tuple[Basic, ...] = ()
+    borrowed: tuple[tuple[str, str], ...] = ()
+    ranges: tuple[tuple[Symbol, tuple], ...] = ()
+    cited: tuple[CitedLemma, ...] = ()
+
+    def __post_init__(self):
+        object.__setattr__(self, "shows", tuple(map(sympify, self.shows)))
+        object.__setattr__(self, "given", tuple(map(sympify, self.given)))
+
+    def but(self, **changes):
+        """Return the claim with some fields changed: how a mutant is made."""
+        return replace(self, **changes)
+
+    def names(self):
+        """Return the defined names that the claim needs, and the program kept to them (None without one)."""
+        cited = (lemma.relation for lemma in self.cited)
+        used = set().union(*(r.free_symbols for r in (*self.shows, *self.given, *cited)))
+        if self.lines is None:
+            return used, None
+        defined = tuple(s for s, _ in self.lines.definitions if s in used)
+        return used, self.lines.keep(*defined)
+
+
+@dataclass(frozen=True)
+class Separation:
+    """In the program `lines`, none of `outputs` depends on any of `avoid`."""
+
+    name: str
+    lines: Program
+    outputs: tuple[Symbol, ...]
+    avoid: tuple[Symbol, ...]
+
+    def but(self, **changes):
+        """Return the claim with some fields changed: how a mutant is made."""
+        return replace(self, **changes)
+
+
+@dataclass(frozen=True)
+class Induction:
+    """For every whole n ≥ 0: `shows`, equations over n, the parameters and the states of recurrences.
+
+    states: (symbol, value at n = 0, value at n + 1 in terms of the values at n). cos and sin of n·α are states too, by
+    the addition formulas. given: relations over the parameters. strengthen: further equations to carry along.
+    """
+
+    name: str
+    n: Symbol
+    shows: tuple[Basic, ...]
+    states: tuple[tuple[Symbol, Basic, Basic], ...] = ()
+    given: tuple[Basic, ...] = ()
+    strengthen: tuple[Basic, ...] = ()
+    ranges: tuple[tuple[Symbol, tuple], ...] = ()
+
+    def but(self, **changes):
+        """Return the claim with some fields changed: how a mutant is made."""
+        return replace(self, **changes)

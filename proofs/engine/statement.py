@@ -1,0 +1,199 @@
+"""From SymPy to data: the translation of a claim into statements that the kernel checks. This file is trusted.
+
+The rules (`proofs.engine.statement_data` has the format). A quotient becomes an inverse, a radical a root, with their
+obligations. sin and cos of a sum of whole multiples are expanded by the addition formulas (`proofs.engine.angles`);
+an atom gives two variables with c² + s² = 1. |a| is √(a²), or ±a where the sign is given. Max, Min, sign and
+Piecewise take the branch that is given; where none is, the claim is split into two statements, one with the condition
+assumed and one with its negation. A symbol declared positive is assumed > 0; of π only 3 < π < 22/7 is used.
+Derivatives are SymPy's `diff`. Anything else is an error, never a guess.
+"""
+
+import json
+from functools import cache
+
+from sympy import Abs, And, Max, Min, Piecewise, Rational, S, Symbol, cos, expand, pi, sign, sin
+from sympy.core.relational import Relational
+
+from proofs.engine.angles import Angles, Untranslatable
+from proofs.engine.statement_data import RELATIONS, TRUE_FOR, VERSION, polynomial_data
+from proofs.formulas.half_turns import ordinary
+
+__all__ = ["VERSION", "derivations", "polynomial_data"]
+
+
+class _Undecided(Exception):
+    """A condition is neither given nor chosen yet."""
+
+
+class Derivation:
+    """One derivation of a claim under construction; `choices` decide the conditions that are not given."""
+
+    def __init__(self, claim, choices=()):
+        self.choices, self.steps, self.variables = list(choices), [], []
+        self.generators, self.signs, self.abbreviated = {}, {}, {}
+        _, lines = claim.names()
+        definitions = lines.definitions if lines else ()
+        self.angles = Angles([*claim.given, *claim.shows, *(e for _, e in definitions)])
+        undefined, pending = {s for s, _ in definitions}, list(claim.given)
+        for symbol, expression in ((None, None), *definitions):
+            if symbol is not None:
+                value = self.polynomial(ordinary(expression))
+                self.step("define", value, new=symbol.name)
+                self.abbreviated[symbol] = self.written_out(value)
+                undefined.discard(symbol)
+            for relation in [r for r in pending if not r.free_symbols & undefined]:
+                pending.remove(relation)
+                for part in relation.args if isinstance(relation, And) else [relation]:
+                    self.assume(*self.relation(part))
+        for relation in claim.shows:
+            difference, signs = self.relation(relation)
+            factor, is_ = RELATIONS[frozenset(signs)]
+            self.step("show", factor * difference, is_=is_)
+
+    def statement(self):
+        """Return the statement."""
+        return {"version": VERSION, "kind": "derivation", "variables": self.variables, "steps": self.steps}
+
+    def step(self, kind, polynomial, new=None, is_=None):
+        named = ({"new": new} if new else {}) | ({"is": is_} if is_ else {})
+        self.steps.append({"step": kind, **named, "of": polynomial_data(polynomial)})
+
+    def written_out(self, polynomial):
+        """Return the polynomial with its abbreviations written out: equal ones then look the same."""
+        return expand(polynomial.xreplace(self.abbreviated))
+
+    # Relations and signs
+
+    def relation(self, relation):
+        """Return (left − right, the signs for which the relation holds)."""
+        if not isinstance(relation, Relational):
+            raise Untranslatable(f"{relation} is not a relation")
+        return self.polynomial(ordinary(relation.lhs - relation.rhs)), TRUE_FOR[relation.rel_op]
+
+    def _normal(self, difference):
+        data = polynomial_data(self.written_out(difference))
+        leading = Rational(next(iter(data.values()))) if data else S.One
+        key = json.dumps({k: str(Rational(c) / abs(leading) * (1 if leading > 0 else -1)) for k, c in data.items()})
+        return data, key, 1 if leading > 0 else -1
+
+    def assume(self, difference, signs):
+        """Add a given: the sign of `difference` is one of `signs`."""
+        _, key, orientation = self._normal(difference)
+        self.signs[key] = self.signs.get(key, {-1, 0, 1}) & {orientation * s for s in signs}
+        factor, is_ = RELATIONS[frozenset(signs)]
+        self.step("assume", factor * difference, is_=is_)
+
+    def decide(self, condition):
+        """Return whether a condition holds: as given, or else as chosen."""
+        if condition in (True, False):
+            return bool(condition)
+        if isinstance(condition, And):
+            return all(self.decide(part) for part in sorted(condition.args, key=str))
+        difference, wanted = self.relation(condition)
+        data, key, orientation = self._normal(difference)
+        if set(data) <= {""}:
+            value = Rational(data.get("", 0))
+            return bool({int(bool(value > 0)) - int(bool(value < 0))} & wanted)
+        possible = {orientation * s for s in self.signs.get(key, {-1, 0, 1})}
+        if possible <= wanted or not possible & wanted:
+            return possible <= wanted
+        if not self.choices:
+            raise _Undecided
+        choice = self.choices.pop(0)
+        self.assume(difference, possible & wanted if choice else possible - wanted)
+        return choice
+
+    def _exceeds(self, difference):
+        """Return whether `difference` is ≥ 0, or False if it is known to be ≤ 0 (at 0 both answers do)."""
+        _, key, orientation = self._normal(self.polynomial(difference))
+        return orientation in self.signs.get(key, {-1, 0, 1}) and self.decide(difference >= 0)
+
+    # Expressions
+
+    def polynomial(self, e):
+        """Return the expression as a polynomial in variables and generators, adding the steps that it needs."""
+        if e.is_Rational:
+            return e
+        if e.is_Symbol or e is pi:
+            return self._variable(e)
+        if e.is_Add or e.is_Mul:
+            return e.func(*(self.polynomial(a) for a in sorted(e.args, key=str)))
+        if e.is_Pow and (2 * e.exp).is_Integer:
+            base, power = self.polynomial(e.base), 2 * e.exp
+            base, power = (base, power / 2) if power % 2 == 0 else (self._generator("root", base), power)
+            return base**power if power > 0 else self._generator("inverse", base) ** -power
+        if isinstance(e, sin | cos):
+            return self._turn(e.args[0])[isinstance(e, sin)]
+        if isinstance(e, Abs):
+            return self._absolute(e.args[0])
+        if isinstance(e, sign):
+            return S(1 if self.decide(e.args[0] > 0) else -1 if self.decide(e.args[0] < 0) else 0)
+        if isinstance(e, Max | Min):
+            best, *others = sorted(e.args, key=str)
+            for other in others:
+                best = other if self._exceeds(other - best if isinstance(e, Max) else best - other) else best
+            return self.polynomial(best)
+        if isinstance(e, Piecewise):
+            return self.polynomial(next(value for value, condition in e.args if self.decide(condition)))
+        raise Untranslatable(f"no rule translates {e}")
+
+    def _variable(self, symbol):
+        name = str(symbol)
+        if name not in self.variables and not any(s.get("new") == name for s in self.steps):
+            self.variables.append(name)
+            if symbol is pi:
+                self.step("assume", Symbol(name) - 3, is_=">")
+                self.step("assume", Rational(22, 7) - Symbol(name), is_=">")
+            elif symbol.is_nonnegative:
+                self.assume(symbol, {1} if symbol.is_positive else {0, 1})
+        return Symbol(name) if symbol is pi else symbol
+
+    def _generator(self, kind, of):
+        whole = self.written_out(of)
+        if kind == "inverse" and whole.is_Rational and whole != 0:
+            return 1 / whole
+        key = kind, json.dumps(polynomial_data(whole))
+        if key not in self.generators:
+            new = Symbol(f"{kind}_{1 + sum(k == kind for k, _ in self.generators)}", real=True)
+            self.step(kind, of, new=new.name)
+            self.generators[key] = new
+            if kind == "root":
+                self.signs[self._normal(new)[1]] = {0, 1}
+        return self.generators[key]
+
+    def _absolute(self, argument):
+        of = self.polynomial(argument)
+        _, key, orientation = self._normal(of)
+        signs = {orientation * s for s in self.signs.get(key, {-1, 0, 1})}
+        return of if -1 not in signs else -of if 1 not in signs else self._generator("root", of**2)
+
+    def _turn(self, angle):
+        """Return (cos, sin) of an angle, by the addition formulas."""
+        c, s = S.One, S.Zero
+        for number, atom, whole in self.angles.parts(angle):
+            d, t = [self.polynomial(f) for f in number] if atom is None else self._circle(atom)
+            t = -t if whole < 0 else t
+            for _ in range(abs(whole)):
+                c, s = expand(c * d - s * t), expand(s * d + c * t)
+        return c, s
+
+    def _circle(self, atom):
+        names = tuple(f"{f}({atom})".replace(" ", "") for f in ("cos", "sin"))
+        if ("circle", names) not in self.generators:
+            c, s = self.generators["circle", names] = tuple(Symbol(name, real=True) for name in names)
+            self.variables += names
+            self.assume(c**2 + s**2 - 1, {0})
+        return self.generators["circle", names]
+
+
+@cache
+def derivations(claim):
+    """Return the statements of a Claim: one, or one for each combination of conditions that are not given."""
+    pending, statements = [()], []
+    while pending:
+        choices = pending.pop()
+        try:
+            statements.append(Derivation(claim, choices).statement())
+        except _Undecided:
+            pending += [(*choices, False), (*choices, True)]
+    return statements

@@ -1,0 +1,198 @@
+"""A theorem as data, and how theorems are found and ordered. To add one, see CONTRIBUTING."""
+
+import importlib
+import pkgutil
+from dataclasses import dataclass
+from graphlib import CycleError, TopologicalSorter
+
+from sympy import Symbol
+
+from proofs.engine.claim import Claim, Induction, Separation
+
+GRADES = ("failed", "cited", "measured", "certified", "proved", "refuted")
+WITHOUT_CLAIMS = ("cited", "measured", "certified")
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step of the argument as the reader sees it: what, and why. uses: ids of the theorems that it cites."""
+
+    what: str
+    why: str
+    uses: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A point on, or just past, the edge of a side condition, and what becomes of the claim there.
+
+    at: ((symbol, value), …) for every input. outcome: "holds", "fails" or "undefined" (a division by zero, the root
+    of a negative number, a comparison with infinity).
+    """
+
+    at: tuple[tuple[Symbol, object], ...]
+    outcome: str
+
+
+@dataclass(frozen=True)
+class SideCondition:
+    """A condition without which the claim named `claim` is not claimed; `edges` are tested in every run."""
+
+    text: str
+    claim: str
+    edges: tuple[Edge, ...]
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """A false variant of a claim: the checker has to refuse it, and a counterexample has to be found.
+
+    at: a point where it fails, ((symbol, value), …), for those that sampling is unlikely to hit.
+    """
+
+    text: str
+    claim: Claim | Separation | Induction
+    at: tuple = ()
+
+
+@dataclass(frozen=True)
+class Theorem:
+    """A statement with everything that its evidence is made of.
+
+    id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader.
+    section: "s3" … where the book discusses it. claims: what is checked. uses: ids of the theorems that claims borrow
+    from or steps use. steps: the argument. side_conditions: each with its edge tests. mutants: at least two.
+    finding: "F3" if it is about a finding. refuted_at: of a false statement, {claim name: the exact point where it
+    fails}, as pairs; such a theorem is `refuted`, and its mutants are the true variants, which that point must not
+    refute. expected: the grade that a run has to reach. Without claims it is `measured` or `certified`, by a function
+    in verify/checkers/measurements, or `cited`; source: the bibliography's key of what is cited, or of the analysis
+    that a proved theorem takes among its hypotheses (then it is proved, given that source).
+    """
+
+    id: str
+    title: str
+    section: str
+    statement: str
+    claims: tuple = ()
+    mutants: tuple[Mutant, ...] = ()
+    steps: tuple[Step, ...] = ()
+    hypotheses: tuple[str, ...] = ()
+    side_conditions: tuple[SideCondition, ...] = ()
+    uses: tuple[str, ...] = ()
+    finding: str = ""
+    refuted_at: tuple[tuple[str, tuple], ...] = ()
+    expected: str = "proved"
+    source: str = ""
+
+    def __post_init__(self):
+        if self.expected not in GRADES:
+            raise ValueError(f"{self.id}: expected = {self.expected!r} is not one of {', '.join(GRADES)}")
+        checked = bool(self.claims) or self.expected not in WITHOUT_CLAIMS
+        if checked and len(self.mutants) < 2:
+            raise ValueError(f"{self.id}: needs at least two mutants")
+        if self.expected == "cited" and not self.source:
+            raise ValueError(f"{self.id}: what is cited needs a source")
+        names = [claim.name for claim in self.claims]
+        if len(set(names)) < len(names) or (checked and not names):
+            raise ValueError(f"{self.id}: claims need different names")
+        if unknown := {c.claim for c in self.side_conditions} - set(names):
+            raise ValueError(f"{self.id}: side conditions of unknown claims {sorted(unknown)}")
+        if dict(self.refuted_at).keys() != (set(names) if self.expected == "refuted" else set()):
+            raise ValueError(f"{self.id}: a refuted statement, and no other, has a point for each claim")
+
+    def claim(self, name):
+        """Return the claim of that name."""
+        return next(claim for claim in self.claims if claim.name == name)
+
+
+def in_order(theorems):
+    """Return {id: Theorem}, each after those that it uses.
+
+    Raises ValueError on a double id, an unknown use or a cycle, and names it.
+    """
+    by_id = {}
+    for theorem in theorems:
+        if by_id.setdefault(theorem.id, theorem) is not theorem:
+            raise ValueError(f"two theorems are called {theorem.id}")
+    for theorem in theorems:
+        if unknown := set(theorem.uses) - by_id.keys():
+            raise ValueError(f"{theorem.id} uses unknown theorems: {', '.join(sorted(unknown))}")
+    try:
+        order = list(TopologicalSorter({t.id: t.uses for t in theorems}).static_order())
+    except CycleError as error:
+        raise ValueError(f"theorems use each other in a cycle: {' → '.join(error.args[1])}") from None
+    return {id: by_id[id] for id in order}
+
+
+def all_theorems():
+    """Return {id: Theorem} of every Theorem in the modules of `proofs.theorems`, each after those that it uses."""
+    package = importlib.import_module("proofs.theorems")
+    found = []
+    for module in sorted(m.name for m in pkgutil.iter_modules(package.__path__)):
+        namespace = vars(importlib.import_module(f"proofs.theorems.{module}"))
+        found += [value for value in namespace.values() if isinstance(value, Theorem)]
+    return in_order(list({id(t): t for t in found}.values()))
+
+
+def borrowed(claim, theorems):
+    """Return the claim with its borrowed conclusions, and what it cites, among its givens.
+
+    Raises ValueError unless the other claim's givens and lines are among this one's.
+    """
+    added = tuple(lemma.relation for lemma in getattr(claim, "cited", ()))
+    for id, name in getattr(claim, "borrowed", ()):
+        other = theorems[id].claim(name)
+        if not _supplies(other, claim, set(claim.given)):
+            raise ValueError(f"{claim.name}: the hypotheses of {id}/{name} are not all given here")
+        added += other.shows
+    return claim.but(given=claim.given + added) if added else claim
+
+
+def _supplies(other, claim, given):
+    """Return whether a claim may take another's conclusions, given some relations: its names mean the same there."""
+    mine = dict(claim.lines.definitions) if claim.lines else {}
+    _, kept = other.names()
+    needed = dict(kept.definitions) if kept else {}
+    return set(other.given) <= given and needed.items() <= mine.items()
+
+
+def incomplete(theorem, theorems):
+    """Return what is wrong with `uses`, or could be borrowed and is assumed instead.
+
+    `uses` lists exactly the theorems that a claim borrows from, that a step uses, or that conclude what a claim is
+    given, about the same names.
+    """
+    needed = {id for claim in theorem.claims for id, _ in getattr(claim, "borrowed", ())}
+    needed |= {id for step in theorem.steps for id in step.uses}
+    concluding = [c for id in theorem.uses if id in theorems for c in _concluding(theorem, theorems[id])]
+    lacks = sorted(needed - set(theorem.uses))
+    idle = sorted(set(theorem.uses) - needed - {id for id, *_ in concluding})
+    problems = [f"{theorem.id}: uses lacks {', '.join(lacks)}, which a claim borrows from or a step uses"] * bool(lacks)
+    for id in idle:
+        problems.append(f"{theorem.id}: uses {id}, but no claim borrows from it; name it in the step that does: uses=")
+    for id, other in theorems.items():
+        if other.expected != "refuted" and not _rests_on(id, theorem.id, theorems):
+            for _, claim, conclusion, relations in _concluding(theorem, other):
+                others = set(claim.given) - relations
+                if _supplies(conclusion, claim, others) and (id, conclusion.name) not in claim.borrowed:
+                    text = ", ".join(sorted(map(str, relations)))
+                    problems.append(f"{theorem.id}/{claim.name}: borrow {text} from {id}/{conclusion.name}")
+    return problems
+
+
+def _concluding(theorem, other):
+    """Return [(id, claim, conclusion, relations)]: what a claim of `theorem` is given and `other` concludes."""
+    if other.id == theorem.id:
+        return []
+    return [
+        (other.id, claim, conclusion, relations)
+        for claim in theorem.claims
+        for conclusion in other.claims
+        if isinstance(claim, Claim) and isinstance(conclusion, Claim)
+        if (relations := set(claim.given) & set(conclusion.shows))
+    ]
+
+
+def _rests_on(id, target, theorems):
+    """Return whether the theorem `id` is, or uses at however many removes, `target`."""
+    return id == target or any(_rests_on(use, target, theorems) for use in theorems[id].uses if use in theorems)

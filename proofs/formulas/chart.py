@@ -1,0 +1,35 @@
+"""The chart of sphere A: azimuth θ ∈ (−π, π], polar angle φ ∈ [0, π], u = (θ + π)/2π ∈ [0, 1), v = φ/π ∈ [0, 1]."""
+
+from sympy import Piecewise, Rational, acos, atan2, pi
+
+from proofs.engine.program import Program
+from proofs.formulas.half_turns import atan2pi, cospi, sinpi
+from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, u, v
+
+u_closed = real("u_closed")
+
+chart = Program(
+    "chart",
+    (cos_theta, sin_theta, cos_phi, sin_phi),
+    (
+        (u_closed, (1 + atan2pi(sin_theta, cos_theta)) * Rational(1, 2)),
+        (u, Piecewise((u_closed, u_closed < 1), (0, True))),
+        (v, atan2pi(sin_phi, cos_phi)),
+    ),
+    (u, v),
+)
+"""u = (1 + θ/π)/2 reduced to [0, 1) (θ = π gives 1, which is 0), v = φ/π, both by atan2. Theorem: chart."""
+
+chart_inverse = Program(
+    "chart_inverse",
+    (u, v),
+    ((cos_theta, -cospi(2 * u)), (sin_theta, -sinpi(2 * u)), (cos_phi, cospi(v)), (sin_phi, sinpi(v))),
+    (cos_theta, sin_theta, cos_phi, sin_phi),
+)
+"""The angles from the chart: θ = 2πu − π, φ = πv, so cos θ = −cos 2πu, sin θ = −sin 2πu. Domain: 0 ≤ v ≤ 1, any u.
+Theorem: chart_inverse."""
+
+seed_chart = Program(
+    "seed_chart", normal, ((u, (atan2(normal[1], normal[0]) + pi) / (2 * pi)), (v, acos(normal[2]) / pi)), (u, v)
+)
+"""The seed's chart, from N: v by acos loses digits at the pole, and u = 1 is not reduced (F20)."""

@@ -1,0 +1,38 @@
+"""Where a height field is creased: the kink flag that the views show, and the pixels whose difference straddles.
+
+A crease factor is sinpi(w) with w linear in u and v; it is zero where w is a whole number.
+"""
+
+from sympy import Abs, Or, Piecewise, Rational, diff
+
+from proofs.engine.program import Program
+from proofs.formulas.half_turns import rint
+from proofs.formulas.symbols import epsilon, k_u, k_v, real, sin_phi, u, v
+
+KINK_BAND = Rational(3, 100)  # the seed's: a crease factor below it in magnitude is shown as a kink
+
+kink, straddles, away = real("kink straddles away")
+
+
+def kink_flag(field):
+    """Return the program → 1 where a crease factor is below KINK_BAND in magnitude, and at the pole; else 0."""
+    at_pole = sin_phi <= 0
+    close = [Abs(factor) < KINK_BAND for factor in field.creases]
+    return Program(
+        f"kink_{field.name}",
+        (sin_phi, u, v, k_u, k_v),
+        ((kink, Piecewise((1, Or(at_pole, *close)), (0, True))),),
+        (kink,),
+    )
+
+
+def straddling(field):
+    """Return the program → 1 where a crease lies strictly inside (u − ε, u + ε) or (v − ε, v + ε); else 0."""
+    lines, conditions = [], []
+    for number, factor in enumerate(field.creases):
+        (argument,) = factor.args
+        distance = real(f"crease_distance_{number}")
+        lines.append((distance, Abs(argument - rint(argument))))
+        conditions += [distance < Abs(rate) * epsilon for c in (u, v) if (rate := diff(argument, c)) != 0]
+    flag = Piecewise((1, Or(*conditions)), (0, True)) if conditions else 0 * epsilon
+    return Program(f"straddling_{field.name}", (u, v, k_u, k_v, epsilon), (*lines, (straddles, flag)), (straddles,))

@@ -1,0 +1,38 @@
+"""The surface that the bump pretends to be: P + βhN on the unit sphere, and its normal; and Blinn's.
+
+The chapter's own N' is neither: it has the opposite sign, no metric factor 1/sin φ and no chart scale (F18).
+"""
+
+from sympy import Rational, pi
+
+from proofs.engine.program import Program, chain
+from proofs.formulas.symbols import beta, h, h_u, h_v, normal, real, sin_phi, vector
+from proofs.formulas.tangent_frame import e_phi, e_theta, tangent_frame, unit_normal
+
+h_theta, h_phi, lift = real("h_theta h_phi lift")
+displaced = vector("displaced")
+
+_angular_slopes = Program(
+    "angular_slopes", (h_u, h_v), ((h_theta, h_u * Rational(1, 2) / pi), (h_phi, h_v / pi)), (h_theta, h_phi)
+)
+"""h_θ = h_u/2π, h_φ = h_v/π: the chart's scale."""
+
+
+def _normal(name, height_of_n, inputs):
+    lines = (
+        (lift, height_of_n),
+        *(
+            (d, lift * n - beta * (h_theta / sin_phi * t + h_phi * p))
+            for d, n, t, p in zip(displaced, normal, e_theta, e_phi, strict=True)
+        ),
+    )
+    tail = Program(name, (*normal, *e_theta, *e_phi, h_theta, h_phi, sin_phi, beta, *inputs), lines, displaced)
+    return chain(name, unit_normal, tangent_frame, _angular_slopes, tail)
+
+
+displaced_normal = _normal("displaced_normal", 1 + beta * h, (h,))
+"""(1 + βh) N − β (h_θ/sin φ · e_θ + h_φ e_φ), not normalised: the normal of P + βhN on the unit sphere.
+Domain: sin φ > 0, 1 + βh > 0."""
+
+blinn_normal = _normal("blinn_normal", 1 + 0 * beta, ())
+"""N − β (h_θ/sin φ · e_θ + h_φ e_φ): the same to first order in β (Blinn 1978). Domain: sin φ > 0."""

@@ -1,0 +1,171 @@
+"""The models of light, and the colour of a pixel: ambient + Σ over the lights of diffuse and specular, then a clip."""
+
+from dataclasses import dataclass
+
+from sympy import Max, Min, Piecewise, Pow, sqrt
+
+from proofs.engine.program import Program, chain
+from proofs.formulas.symbols import (
+    bumped,
+    dot,
+    light,
+    mu,
+    point,
+    real,
+    shininess,
+    specular,
+    specular_base,
+    towards,
+    vector,
+    view,
+)
+
+to_light = vector("to_light")
+light_distance, light_scale = real("light_distance light_scale")
+halfway = vector("halfway")
+halfway_length, halfway_squared, along_halfway = real("halfway_length halfway_squared along_halfway")
+distance_squared, along_light = real("distance_squared along_light")
+
+light_direction = Program(
+    "light_direction",
+    (*point, *light, *bumped),
+    (
+        *((d, p - q) for d, p, q in zip(to_light, light, point, strict=True)),
+        (light_distance, sqrt(dot(to_light, to_light))),
+        (light_scale, 1 / light_distance),
+        *((w, d * light_scale) for w, d in zip(towards, to_light, strict=True)),
+        (mu, dot(bumped, towards)),
+    ),
+    (*towards, mu),
+)
+"""ω = (L − P)/|L − P|, μ = N'·ω. Domain: L ≠ P."""
+
+halfway_vector = chain(
+    "halfway_vector",
+    light_direction,
+    Program(
+        "halfway_sum",
+        (*towards, *view),
+        tuple((k, a + b) for k, a, b in zip(halfway, towards, view, strict=True)),
+        halfway,
+    ),
+)
+"""ω + v̂, not normalised."""
+
+blinn = chain(
+    "blinn",
+    halfway_vector,
+    Program(
+        "blinn_base",
+        (*halfway, *bumped),
+        (
+            (halfway_length, sqrt(dot(halfway, halfway))),
+            (specular_base, Piecewise((Max(0, dot(bumped, halfway) / halfway_length), halfway_length > 0), (0, True))),
+        ),
+        (specular_base,),
+    ),
+    outputs=(mu, specular_base),
+)
+"""Blinn–Phong: the base of the highlight is max(0, N'·(ω + v̂)/|ω + v̂|), and 0 where ω = −v̂."""
+
+blinn_squared = Program(
+    "blinn_squared",
+    (*point, *light, *bumped, *view),
+    (
+        *light_direction.definitions[:3],
+        (distance_squared, dot(to_light, to_light)),
+        (light_distance, sqrt(distance_squared)),
+        *((k, d + light_distance * w) for k, d, w in zip(halfway, to_light, view, strict=True)),
+        (halfway_squared, dot(halfway, halfway)),
+        (along_light, dot(bumped, to_light)),
+        (along_halfway, Max(0, dot(bumped, halfway))),
+        (light_scale, Piecewise((1 / (light_distance * halfway_squared), halfway_squared > 0), (0, True))),
+        (mu, Piecewise((along_light * halfway_squared * light_scale, halfway_squared > 0), (-dot(bumped, view), True))),
+        (specular_base, along_halfway**2 * light_distance * light_scale),
+    ),
+    (mu, specular_base),
+)
+"""Blinn–Phong's μ and the square of its base, from one root and one division: base^p = (base²)^(p/2) for an even p.
+
+The halfway vector is |L − P| (ω + v̂) = (L − P) + |L − P| v̂; where it vanishes ω = −v̂. Theorem: squared_highlight."""
+
+phong = chain(
+    "phong",
+    light_direction,
+    Program(
+        "phong_base",
+        (*towards, *view, *bumped, mu),
+        ((specular_base, Max(0, 2 * mu * dot(bumped, view) - dot(towards, view))),),
+        (specular_base,),
+    ),
+    outputs=(mu, specular_base),
+)
+"""Phong: the base is max(0, (2μN' − ω)·v̂)."""
+
+
+@dataclass(frozen=True)
+class LightModel:
+    """One model of light: what a light at L does at P, seen from the direction v̂.
+
+    name: identifier. program: (P, L, N', v̂) → μ, the cosine that scatters light (0 where it is negative), and the
+    base of the highlight. squared: the same for the square of the base, where that is cheaper, or None.
+    """
+
+    name: str
+    program: Program
+    squared: Program | None = None
+
+
+LIGHT_MODELS = {model.name: model for model in (
+    LightModel("blinn", blinn, blinn_squared),
+    LightModel("phong", phong),
+)}  # fmt: skip
+"""The models of light. A model is data: add an entry, and its kernels, the scene's, the command line's and the
+simulator's choices follow from it."""
+
+highlight = Program("highlight", (specular_base, shininess), ((specular, Pow(specular_base, shininess)),), (specular,))
+"""The highlight is base^p, p > 0: not gated by the sign of μ, as in the seed."""
+
+color, ka, kd, ks, ambient = real("color ka kd ks ambient")
+colors, lit = real("red green blue"), real("lit_red lit_green lit_blue")
+albedos, light_colors = real("albedo_red albedo_green albedo_blue"), real("light_red light_green light_blue")
+diffuse, shine, clipped = real("diffuse shine clipped")
+
+ambient_term = Program("ambient_term", (ka, ambient), ((color, ka * ambient),), (color,))
+"""k_a · ambient, per channel."""
+
+light_term = Program(
+    "light_term",
+    (*colors, *light_colors, *albedos, kd, ks, mu, specular),
+    (
+        (diffuse, kd * Max(0, mu)),
+        (shine, ks * specular),
+        *((s, c + i * (a * diffuse + shine)) for s, c, i, a in zip(lit, colors, light_colors, albedos, strict=True)),
+    ),
+    lit,
+)
+"""A light adds colour · (k_d · albedo · max(0, μ) + k_s · base^p) per channel, unless it is occluded."""
+
+
+def clipped_value(channel):
+    """Return a channel clipped to [0, 1]."""
+    return Min(1, Max(0, channel))
+
+
+clip = Program("clip", (color,), ((clipped, clipped_value(color)),), (clipped,))
+"""A channel is clipped to [0, 1]."""
+
+floor_dark, floor_tint, floor_base, floor_red, floor_blue = real(
+    "floor_dark floor_tint floor_base floor_red floor_blue"
+)
+floor_albedo = Program(
+    "floor_albedo",
+    (floor_dark, floor_tint),
+    (
+        (floor_base, Piecewise((Pow(20, -1) * 3, floor_dark > 0), (Pow(20, -1) * 17, True))),
+        (floor_red, floor_base * (1 - floor_tint)),
+        (floor_blue, floor_base),
+    ),
+    (floor_red, floor_blue),
+)
+"""The floor's albedo: 17/20 on light squares, 3/20 on dark ones; red and green are dimmed by the tint."""

@@ -1,0 +1,59 @@
+"""The shadow test, and the floor's checker."""
+
+from sympy import And, Ne, Piecewise, floor
+
+from proofs.engine.program import Program
+from proofs.formulas.symbols import cross, dot, light, point, real, vector
+
+center, body_radius = vector("center"), real("body_radius")
+segment, offset = vector("segment"), vector("offset")
+segment_squared, toward_center, shadow_discriminant, occluded = real(
+    "segment_squared toward_center shadow_discriminant occluded"
+)
+square, dark = real("square dark")
+
+shadow = Program(
+    "shadow",
+    (*point, *light, *center, body_radius),
+    (
+        *((s, p - q) for s, p, q in zip(segment, light, point, strict=True)),
+        *((o, p - q) for o, p, q in zip(offset, center, point, strict=True)),
+        (segment_squared, dot(segment, segment)),
+        (toward_center, dot(segment, offset)),
+        (shadow_discriminant, segment_squared * body_radius**2 - sum(c**2 for c in cross(segment, offset))),
+        (
+            occluded,
+            Piecewise(
+                (1, And(shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared)), (0, True)
+            ),
+        ),
+    ),
+    (occluded,),
+)
+"""Whether a sphere stands between a point P and a light L: |P + s (L − P) − C| = r for some s in (0, 1).
+
+Both ends lie outside the sphere, so the quadratic in s is positive at 0 and 1 and has a root between them exactly if
+its discriminant is not negative and its vertex lies between them. The discriminant is written by Lagrange's identity.
+Domain: P and L outside the sphere."""
+
+checker = Program(
+    "checker",
+    (point[0], point[1]),
+    (
+        (square, floor(point[0]) + floor(point[1])),
+        (
+            dark,
+            Piecewise(
+                (
+                    1,
+                    And(
+                        Ne(square, 2 * floor(square / 2)), Ne(point[0], floor(point[0])), Ne(point[1], floor(point[1]))
+                    ),
+                ),
+                (0, True),
+            ),
+        ),
+    ),
+    (dark,),
+)
+"""Whether the floor square is dark: sin πx · sin πy < 0, by the parity of ⌊x⌋ + ⌊y⌋. A grid line is light."""

@@ -1,0 +1,34 @@
+"""Whether a sphere can cast a shadow on a ball at all: how far it clears the cone of light that ends on the ball."""
+
+from sympy import Piecewise
+
+from proofs.engine.program import Program
+from proofs.formulas.shadow import body_radius, center
+from proofs.formulas.symbols import ball_center, ball_radius, dot, light, real, vector
+
+from_body, along = vector("from_body"), vector("along")
+at_light, half_slope, curvature = real("at_light half_slope curvature")
+turning, at_ball, at_an_end, at_turning = real("turning at_ball at_an_end at_turning")
+clearance, shortest = real("clearance shortest")
+
+shadow_clearance = Program(
+    "shadow_clearance",
+    (*light, *center, body_radius, *ball_center, ball_radius),
+    (
+        *((w, p - q) for w, p, q in zip(from_body, light, center, strict=True)),
+        *((d, p - q) for d, p, q in zip(along, ball_center, light, strict=True)),
+        (at_light, dot(from_body, from_body) - body_radius**2),
+        (half_slope, dot(from_body, along) - body_radius * ball_radius),
+        (curvature, dot(along, along) - ball_radius**2),
+        (turning, Piecewise((0, half_slope >= 0), (1, half_slope + curvature <= 0), (-half_slope / curvature, True))),
+        (at_ball, at_light + 2 * half_slope + curvature),
+        (at_turning, at_light + turning * (2 * half_slope + turning * curvature)),
+        (at_an_end, Piecewise((at_ball, at_ball < at_light), (at_light, True))),
+        (shortest, Piecewise((at_turning, at_turning < at_an_end), (at_an_end, True))),
+        (clearance, shortest / (dot(from_body, from_body) + dot(along, along))),
+    ),
+    (clearance,),
+)
+"""Positive only if no segment from the light to a point of the ball meets the body: the least value, over the share t
+of the way, of |from_body + t · along|² − (body_radius + t · ball_radius)², over a scale of its terms, so that a guard
+is a number of roundings. Domain: the light lies outside both. Theorem: shadow_out_of_reach."""

@@ -1,0 +1,48 @@
+"""The tangent frame of sphere A: e_θ along the parallels, e_φ along the meridians.
+
+(e_φ, e_θ, N) is right-handed: e_θ × e_φ = −N (F3).
+"""
+
+from sympy import sqrt
+
+from proofs.engine.program import Program
+from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, vector
+
+e_theta, e_phi = vector("e_theta"), vector("e_phi")
+seed_sin_phi = real("seed_sin_phi")
+
+unit_normal = Program(
+    "unit_normal",
+    (cos_theta, sin_theta, cos_phi, sin_phi),
+    tuple(zip(normal, (sin_phi * cos_theta, sin_phi * sin_theta, cos_phi), strict=True)),
+    normal,
+)
+"""N = (sin φ cos θ, sin φ sin θ, cos φ)."""
+
+tangent_frame = Program(
+    "tangent_frame",
+    (cos_theta, sin_theta, cos_phi, sin_phi),
+    (
+        *zip(e_theta, (-sin_theta, cos_theta, 0 * cos_theta), strict=True),
+        *zip(e_phi, (cos_phi * cos_theta, cos_phi * sin_theta, -sin_phi), strict=True),
+    ),
+    (*e_theta, *e_phi),
+)
+"""The stable form: e_θ = (−sin θ, cos θ, 0) = (∂N/∂θ)/sin φ, e_φ = (cos φ cos θ, cos φ sin θ, −sin φ) = ∂N/∂φ.
+Theorem: tangent_frame."""
+
+seed_frame = Program(
+    "seed_frame",
+    normal,
+    (
+        (seed_sin_phi, sqrt(1 - normal[2] ** 2)),
+        *zip(e_theta, (-normal[1] / seed_sin_phi, normal[0] / seed_sin_phi, 0 * normal[0]), strict=True),
+        *zip(
+            e_phi,
+            (normal[2] * normal[0] / seed_sin_phi, normal[2] * normal[1] / seed_sin_phi, -seed_sin_phi),
+            strict=True,
+        ),
+    ),
+    (*e_theta, *e_phi),
+)
+"""The seed's form, from N: sin φ = √(1 − N_z²) cancels near the pole (F20). Domain: sin φ > 0."""

@@ -1,0 +1,110 @@
+"""The fiction: the chapter's N' against the normal of the surface that is really displaced, P + βhN on the unit sphere.
+
+What separates them is turned on one at a time: the sign, the chart's scale, the metric. And what a bump cannot do:
+move the silhouette, or keep light from where the surface faces away.
+"""
+
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+from sympy import cos, diff, lambdify, sin
+
+from proofs.formulas.bump import bumped_normal
+from proofs.formulas.camera import parallel_radius
+from proofs.formulas.displacement import blinn_normal, displaced_normal
+from proofs.formulas.half_turns import ordinary
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.symbols import beta, cos_phi, eye, k_u, k_v, phi, radius, rho, sin_phi, u, v
+from renderer import Scene, render
+from verify.stability.measure import in_float64
+
+STEPS = ("the chapter's", "sign turned", "and the chart's scale", "and the metric: Blinn's")
+
+
+def normals(scene, data):
+    """Return {name: unit normals (3, n)} at points of A: the four of STEPS, and "displaced".
+
+    data: a frame's surface data at those points, each (n,).
+    """
+    theta, polar = 2 * np.pi * data["u"] - np.pi, np.pi * data["v"]
+    inputs = {
+        "cos_theta": np.cos(theta),
+        "sin_theta": np.sin(theta),
+        "cos_phi": np.cos(polar),
+        "sin_phi": np.sin(polar),
+    }
+    inputs |= {"h": data["h"], "h_u": data["h_u"], "h_v": data["h_v"], "beta": scene.beta}
+    turned = inputs | {"beta": -scene.beta}
+    scaled = turned | {"h_u": data["h_u"] / (2 * np.pi), "h_v": data["h_v"] / np.pi}
+    found = [(bumped_normal, inputs), (bumped_normal, turned), (bumped_normal, scaled), (blinn_normal, inputs)]
+    named = zip((*STEPS, "displaced"), [*found, (displaced_normal, inputs)], strict=True)
+    return {name: _unit(in_float64(program, values)) for name, (program, values) in named}
+
+
+def _unit(components):
+    vectors = np.array(list(components.values()))
+    return vectors / np.linalg.norm(vectors, axis=0)
+
+
+def degrees(a, b):
+    """Return the angle between unit vectors (3, n), in degrees."""
+    return np.degrees(2 * np.arcsin(np.clip(np.linalg.norm(a - b, axis=0) / 2, 0, 1)))
+
+
+def angle_maps(frame):
+    """Return {step: (height, width) map of the angle to the displaced normal in degrees, NaN off A}."""
+    on_a = frame.stage.on_a
+    data = {name: plane[on_a] for name, plane in frame.surface_data.items()}
+    found, maps = normals(frame.scene, data), {}
+    for name in STEPS:
+        maps[name] = np.full(on_a.shape, np.nan)
+        maps[name][on_a] = degrees(found[name], found["displaced"])
+    return maps
+
+
+@lru_cache
+def _outline(field):
+    """Return functions of (φ, β, u, k_u, k_v, e): the image radius of a displaced point, and its derivatives."""
+    displaced = 1 + beta * ordinary(HEIGHT_FIELDS[field].expression).xreplace({v: phi / np.pi})
+    seen = parallel_radius[rho].xreplace({radius: displaced, sin_phi: sin(phi), cos_phi: cos(phi)})
+    orders = {"f": seen, "p": diff(seen, phi), "pp": diff(seen, phi, 2), "b": diff(seen, beta),
+              "bb": diff(seen, beta, 2), "pb": diff(seen, phi, beta)}  # fmt: skip
+    return {name: lambdify((phi, beta, u, k_u, k_v, eye), e, "numpy") for name, e in orders.items()}
+
+
+def silhouette_remainders(betas, scene=None):
+    """Return (moved, first, second): the largest, over the azimuths, of how far displacement moves the silhouette,
+    and of what is left after the terms of first and second order in β; each an array over `betas`.
+
+    A displaced point keeps its azimuth, so that the outline at u is the largest image radius along its meridian:
+    ρ_s + β ρ_β + β² (ρ_ββ − ρ_φβ²/ρ_φφ)/2 + …, the derivatives taken at cos φ = R/e. Sine, R = 1.
+    """
+    scene, azimuths = scene or Scene(field="sine"), np.arange(96) / 96
+    of, rest = _outline(scene.field), (azimuths, scene.ku, scene.kv, scene.eye)
+    start = np.full(len(azimuths), np.arccos(1 / scene.eye))
+    smooth, linear = of["f"](start, 0.0, *rest), of["b"](start, 0.0, *rest)
+    square = (of["bb"](start, 0.0, *rest) - of["pb"](start, 0.0, *rest) ** 2 / of["pp"](start, 0.0, *rest)) / 2
+    rows = []
+    for amplitude in betas:
+        polar = start
+        for _ in range(20):
+            polar = polar - of["p"](polar, amplitude, *rest) / of["pp"](polar, amplitude, *rest)
+        moved = of["f"](polar, amplitude, *rest) - smooth
+        rows.append([moved, moved - amplitude * linear, moved - amplitude * linear - amplitude**2 * square])
+    return np.abs(np.array(rows)).max(axis=2).T
+
+
+def leaks(scene, size):
+    """Return, for each light, (lit although the surface faces away, dark although it faces the light), maps of bool.
+
+    The first: N'·ω > 0 ≥ N·ω. The second: N'·ω ≤ 0 < N·ω. Shadows that B casts are not looked at.
+    """
+    bumped = render(scene, size, size)
+    plain = render(replace(scene, beta=0.0), size, size, stage=bumped.stage)
+    pairs = []
+    for number in range(len(scene.lights)):
+        with np.errstate(invalid="ignore"):
+            bump, flat = bumped.light_cosines(number), plain.light_cosines(number)
+            pairs.append(((bump > 0) & (flat <= 0), (bump <= 0) & (flat > 0)))
+    return pairs

@@ -1,0 +1,82 @@
+"""The wall: a height field that is sampled into texels, interpolated, and differentiated exactly, as interpolation.
+
+The table covers u ∈ [0, 1) and v ∈ [0, 2), one period of the formula in either, so that no end condition enters.
+"""
+
+import numpy as np
+
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient, height
+from verify.stability.measure import in_float64
+
+KU, KV = 8.0, 4.0
+POINTS, SEED = 10_000, 8
+TEXELS = (33, 65, 129, 257, 513)  # odd, so that creases lie inside texels, as they do in a picture
+
+
+def table_of(field, texels):
+    """Return h at (i/texels, j/texels), (texels, 2 texels)."""
+    i, j = np.mgrid[0:texels, 0 : 2 * texels] / texels
+    program = height(HEIGHT_FIELDS[field])
+    return in_float64(program, {"u": i, "v": j, "k_u": KU, "k_v": KV})["h"]
+
+
+def linear_weights(share):
+    """Return the weights of the two texels around a point, and their derivatives by the share."""
+    return (1 - share, share), (-np.ones_like(share), np.ones_like(share))
+
+
+def cubic_weights(share):
+    """Return the weights of the four nearest coefficients of a cubic B-spline, and their derivatives."""
+    s, t = share, 1 - share
+    weights = (t**3 / 6, (4 - 6 * s**2 + 3 * s**3) / 6, (4 - 6 * t**2 + 3 * t**3) / 6, s**3 / 6)
+    slopes = (-(t**2) / 2, (3 * s**2 - 4 * s) / 2, (4 * t - 3 * t**2) / 2, s**2 / 2)
+    return weights, slopes
+
+
+def spline_coefficients(table):
+    """Return the coefficients of the periodic cubic B-spline through a table: its samples are (c₋ + 4c + c₊)/6."""
+    spectrum = np.fft.rfft2(table)
+    for axis, frequencies in ((0, np.fft.fftfreq(table.shape[0])), (1, np.fft.rfftfreq(table.shape[1]))):
+        response = (4 + 2 * np.cos(2 * np.pi * frequencies)) / 6
+        spectrum /= response[:, None] if axis == 0 else response[None, :]
+    return np.fft.irfft2(spectrum, table.shape)
+
+
+def interpolated_gradient(table, weights, first, u, v):
+    """Return (h_u, h_v) of a tensor-product interpolation; `first`: offset of its first coefficient."""
+    texels = table.shape[0]
+    at = [np.floor(c * texels).astype(int) for c in (u, v)]
+    (wu, du), (wv, dv) = (weights(c * texels - n) for c, n in zip((u, v), at, strict=True))
+    h_u, h_v = np.zeros_like(u), np.zeros_like(v)
+    for i in range(len(wu)):
+        for j in range(len(wv)):
+            coefficient = table[(at[0] + i + first) % texels, (at[1] + j + first) % (2 * texels)]
+            h_u += coefficient * du[i] * wv[j]
+            h_v += coefficient * wu[i] * dv[j]
+    return h_u * texels, h_v * texels
+
+
+def reconstructed(field, texels, kind, u, v):
+    """Return (h_u, h_v) of the "bilinear" or "cubic" interpolation of a field's table."""
+    table = table_of(field, texels)
+    if kind == "bilinear":
+        return interpolated_gradient(table, linear_weights, 0, u, v)
+    return interpolated_gradient(spline_coefficients(table), cubic_weights, -1, u, v)
+
+
+def sample():
+    """Return (u, v): random points of the chart."""
+    return tuple(np.random.default_rng(SEED).uniform(0, 1, (2, POINTS)))
+
+
+def errors(field, kind, texels=TEXELS):
+    """Return (largest, RMS) error of h_u for each number of texels across, over the sample."""
+    u, v = sample()
+    right = in_float64(gradient(HEIGHT_FIELDS[field]), {"u": u, "v": v, "k_u": KU, "k_v": KV})["h_u"]
+    off = [np.abs(reconstructed(field, n, kind, u, v)[0] - right) for n in texels]
+    return np.array([e.max() for e in off]), np.array([np.sqrt(np.mean(e**2)) for e in off])
+
+
+def order(values, texels=TEXELS, last=4):
+    """Return the fitted order of convergence over the last few sizes."""
+    return float(-np.polyfit(np.log(texels[-last:]), np.log(values[-last:]), 1)[0])

@@ -1,0 +1,105 @@
+"""The default scene in NumPy, tiles of rows: what one writes who knows NumPy well and has no compiler.
+
+The lines are the proofs', printed as NumPy with its own sin, cos and arctan2. A tile's pixels are sorted by the surface
+that is seen, and each surface is shaded by the lines that it needs; equal lines are computed once.
+"""
+
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+
+import numpy as np
+
+from proofs.engine.program import Program
+from proofs.formulas.camera import image_extent, image_point, surface, visible_surface
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.pixel import pixel, rgb
+from proofs.formulas.symbols import ball_on, floor_on, height, width, x, y
+from renderer.generate.kernels import function_of
+from renderer.generate.printer import KernelPrinter
+from verify.reference import scene_values
+
+TILE_PIXELS = 2**14
+
+
+NUMPY = vars(np) | {
+    "np": np,
+    "sinpi": lambda x: np.sin(np.pi * x),
+    "cospi": lambda x: np.cos(np.pi * x),
+    "atan2pi": lambda y, x: np.arctan2(y, x) / np.pi,
+}
+"""NumPy's own functions, its trigonometric ones in place of sinpi and its kin."""
+
+
+class TrigonometricPrinter(KernelPrinter):
+    """NumPy as one writes it."""
+
+    def _half_turn(self, name, argument):
+        return f"{name}({self._print(argument)})"
+
+    def _print_Pow(self, expr):
+        return f"np.square({self._print(expr.base)})" if expr.exp == 2 else super()._print_Pow(expr)
+
+
+def without_repeats(program):
+    """Return the program with a line that says what an earlier one says replaced by the earlier one's name."""
+    first, same, lines = {}, {}, []
+    for symbol, expression in program.definitions:
+        expression = expression.xreplace(same)
+        if expression in first:
+            same[symbol] = first[expression]
+        else:
+            first[expression] = symbol
+            lines.append((symbol, expression))
+    outputs = tuple(same.get(s, s) for s in program.outputs)
+    return Program(program.name, program.inputs, tuple(lines), outputs)
+
+
+def on_surface(program, number):
+    """Return the program of a pixel for one surface: image point → colour, every choice of the surface decided."""
+    decided = {surface: number, ball_on: 1, floor_on: 1}
+    given = (surface, x, y)
+    lines = tuple((s, e.xreplace(decided)) for s, e in program.definitions if s not in given)
+    return without_repeats(Program(f"surface_{number}", (x, y, *program.inputs), lines, rgb).keep(*rgb))
+
+
+def numpy_function(program):
+    """Return (the program as a function of its inputs, the inputs' names)."""
+    return function_of(program, TrigonometricPrinter(), NUMPY), [s.name for s in program.inputs]
+
+
+@cache
+def tile_functions(field="ridges", model="blinn", lights=2):
+    """Return (extent, image point, visible surface, {surface: colour}), each from `numpy_function`."""
+    whole = pixel(HEIGHT_FIELDS[field], model, lights)
+    shades = {number: numpy_function(on_surface(whole, number)) for number in (1, 2, 3)}
+    return *(numpy_function(program) for program in (image_extent, image_point, visible_surface)), shades
+
+
+def numpy_tiles(scene, wide, high, threads=1):
+    """Return (rgb (high, wide, 3) in [0, 1], surface (high, wide)) of a scene with both spheres and a floor."""
+    extent, point, visible, shades = tile_functions(scene.field, scene.model, len(scene.lights))
+    values = scene_values(scene, scene.lights) | {width.name: float(wide), height.name: float(high)}
+
+    def call(function, **more):
+        return function[0](*((values | more)[name] for name in function[1]))
+
+    half = call(extent)
+    planes, surfaces = np.empty((3, high, wide)), np.empty((high, wide), np.uint8)
+    columns = np.arange(wide, dtype=np.float64)
+
+    @np.errstate(all="ignore")  # a thread starts with NumPy's own settings
+    def tile(top):
+        rows = np.arange(top, min(high, top + step), dtype=np.float64)[:, None]
+        at_x, at_y = np.broadcast_arrays(*call(point, half=half, column=columns, row=rows))
+        band, here = planes[:, top : top + step], surfaces[top : top + step]
+        here[:] = call(visible, x=at_x, y=at_y)
+        for number, shade in shades.items():
+            seen = here == number
+            if seen.any():
+                for plane, channel in zip(band, call(shade, x=at_x[seen], y=at_y[seen]), strict=True):
+                    plane[seen] = channel
+
+    step = max(1, TILE_PIXELS // wide)
+    with ThreadPoolExecutor(threads) as pool:
+        list(pool.map(tile, range(0, high, step)))
+    return np.moveaxis(planes, 0, -1), surfaces

@@ -1,0 +1,53 @@
+"""Where, with what and when something was measured: the label of every committed result that a build does not make."""
+
+import datetime
+import importlib.metadata
+import json
+import platform
+import subprocess
+from pathlib import Path
+
+from renderer.files import whole_file
+from renderer.threads import available_cores
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def processor():
+    """Return the processor's name, or the architecture where the system does not tell."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+        return next(line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
+    except (OSError, StopIteration):
+        return platform.processor() or platform.machine()
+
+
+def commit():
+    """Return the short id of the commit that was measured, with + if the tree differs from it."""
+    git = ["git", "-C", str(ROOT)]
+    head = subprocess.run([*git, "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
+    if head.returncode:
+        return "unknown"
+    dirty = subprocess.run([*git, "status", "--porcelain", "-uno"], capture_output=True, text=True, check=False)
+    return head.stdout.strip() + ("+" if dirty.stdout.strip() else "")
+
+
+def label(*packages):
+    """Return where, with what and when, as text: machine (all of it), processor, python, versions, date, commit."""
+    versions = ", ".join(f"{name} {importlib.metadata.version(name)}" for name in packages)
+    python = f"Python {platform.python_version()}"
+    return {
+        "machine": f"{processor()}, {available_cores()} cores, {python}, {versions}",
+        "processor": processor(),
+        "python": python,
+        "versions": versions,
+        "date": datetime.date.today().isoformat(),
+        "commit": commit(),
+    }
+
+
+def write(path, content):
+    """Write a result with its label as JSON, whole or not at all."""
+    Path(path).parent.mkdir(parents=True, exist_ok=True)
+    with whole_file(path) as name:
+        Path(name).write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")

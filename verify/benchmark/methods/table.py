@@ -1,0 +1,93 @@
+"""Every way to take the gradient of the sine field, each with its parameter: the rows of the work-precision diagram.
+
+A method's function takes the points' (u, v), or for the algebraic form cos θ, sin θ, cos φ, sin φ, and returns arrays.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from proofs.engine.program import Program
+from proofs.formulas.finite_difference import central, central4, forward
+from proofs.formulas.half_turns import ordinary
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.symbols import epsilon
+from verify.benchmark.methods import peers
+from verify.benchmark.methods.algebraic import algebraic_gradient
+from verify.benchmark.methods.compiled import compiled_loop
+from verify.benchmark.methods.differences import central6, richardson
+
+FIELD, KU, KV = HEIGHT_FIELDS["sine"], 8.0, 4.0
+WAVES = {"k_u": KU, "k_v": KV}
+STEPS = tuple(10.0 ** (-n / 4) for n in range(4, 45))
+SINGLE = (None,)
+
+
+@dataclass(frozen=True)
+class Method:
+    """One way: make(value of its parameter) → function of the points.
+
+    ours: it is what this project draws with. angles: it takes the angles. timed_once: the parameter does not change
+    what is computed, only with which number. points: how many to time it on. module: a library that it needs.
+    """
+
+    name: str
+    make: Callable
+    parameter: str = ""
+    values: tuple = SINGLE
+    ours: bool = False
+    angles: bool = False
+    timed_once: bool = True
+    points: int = 2**16
+    module: str | None = None
+
+    @property
+    def available(self):
+        """Whether its library is installed."""
+        return self.module is None or peers.installed(self.module)
+
+
+def _difference(program):
+    return lambda eps: compiled_loop(program(FIELD), WAVES | {epsilon.name: eps})
+
+
+def _naive(_):
+    program = gradient(FIELD)
+    lines = tuple((s, ordinary(e)) for s, e in program.definitions)
+    return compiled_loop(Program("naive", program.inputs, lines, program.outputs), WAVES)
+
+
+def _algebraic(kind):
+    return lambda _: compiled_loop(algebraic_gradient(FIELD, KU, KV), WAVES, kind)
+
+
+def _peer(function):
+    return lambda value: function(FIELD, KU, KV, value)
+
+
+METHODS = (
+    Method("forward", _difference(forward), "ε", STEPS),
+    Method("central", _difference(central), "ε", STEPS),
+    Method("central, 4th order", _difference(central4), "ε", STEPS),
+    Method("central, 6th order", _difference(central6), "ε", STEPS),
+    Method("Richardson, 8th order", _difference(richardson), "ε", STEPS),
+    Method("exact, naive argument", _naive),
+    Method("exact, reduced argument", lambda _: compiled_loop(gradient(FIELD), WAVES), ours=True),
+    Method("exact, algebraic", _algebraic(np.float64), ours=True, angles=True),
+    Method("exact, algebraic, float32", _algebraic(np.float32), ours=True, angles=True),
+    Method("SymPy, NumPy", _peer(peers.sympy_numpy)),
+    Method("complex step", _peer(peers.complex_step), "step", tuple(10.0**-n for n in range(1, 21))),
+    Method("dual numbers", _peer(peers.dual_numbers)),
+    Method("JAX", _peer(peers.jax), module="jax"),
+    Method("scipy.differentiate", _peer(peers.scipy_differentiate), "order", (2, 4, 6, 8, 10, 12),
+           timed_once=False, points=1000, module="scipy"),
+    Method("numdifftools", _peer(peers.numdifftools), "order", (2, 4, 6, 8, 10),
+           timed_once=False, points=1000, module="numdifftools"),
+    Method("mpmath", _peer(peers.in_mpmath), "digits", (5, 10, 15, 20, 30, 50), timed_once=False, points=100),
+)  # fmt: skip
+
+
+def sample(points, seed=3):
+    """Return (u, v) at random, clear of the chart's ends by more than any step."""
+    return tuple(np.random.default_rng(seed).uniform(0.35, 0.65, (2, points)))

@@ -1,0 +1,89 @@
+"""Every method takes the same gradient, each difference at its order; what is not installed is left out."""
+
+import numpy as np
+import pytest
+from sympy import Rational
+
+from proofs.formulas.camera import angles_on_a, silhouette_of_a
+from proofs.formulas.chart import chart_inverse
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from renderer import Scene, exact, render
+from verify.benchmark.methods import table
+from verify.benchmark.methods.algebraic import algebraic_gradient
+from verify.benchmark.methods.compiled import compiled_loop
+from verify.benchmark.methods.differences import extrapolated
+from verify.stability.measure import distance, in_balls, in_float64
+
+POINTS = 200
+AVAILABLE = [method for method in table.METHODS if method.available]
+ORDERS = {"forward": 1, "central": 2, "central, 4th order": 4, "central, 6th order": 6, "Richardson, 8th order": 8}
+LEAST = {"exact, algebraic, float32": 1e-4, "forward": 1e-5, "central": 1e-7, "central, 4th order": 1e-9}
+
+
+def error(method, value):
+    """Return the method's largest error at the sample's points."""
+    u, v = table.sample(POINTS)
+    inputs = (u, v)
+    if method.angles:
+        inputs = list(in_float64(chart_inverse, {"u": u, "v": v}).values())
+    truth = in_balls(gradient(table.FIELD), {"u": u, "v": v, **table.WAVES})
+    found = (np.array(part, float) for part in method.make(value)(*inputs))
+    return max(float(distance(f, truth[n]).max()) for f, n in zip(found, ("h_u", "h_v"), strict=True))
+
+
+@pytest.mark.parametrize("method", AVAILABLE, ids=lambda method: method.name)
+def test_every_method_finds_the_gradient(method):
+    best = min(error(method, value) for value in method.values[:: 1 if len(method.values) < 10 else 3])
+    assert best < LEAST.get(method.name, 2e-11)
+
+
+@pytest.mark.parametrize("name", ORDERS)
+def test_differences_have_their_order(name):
+    """Between two steps at which truncation leads, the error falls by their ratio to the order."""
+    method = next(m for m in table.METHODS if m.name == name)
+    high = {1: 1e-4, 2: 1e-3, 4: 1e-2, 6: 2e-2, 8: 3e-2}[ORDERS[name]]
+    low = high / 1.5
+    fitted = np.log(error(method, high) / error(method, low)) / np.log(high / low)
+    assert fitted == pytest.approx(ORDERS[name], abs=0.15)
+
+
+def test_weights_leave_the_even_powers_out():
+    weights = extrapolated([Rational(1), Rational(2), Rational(3)])
+    assert [sum(w * c**n for c, w in weights.items()) for n in (0, 2, 4)] == [1, 0, 0]
+
+
+@pytest.mark.parametrize(("field", "ku", "kv"), [("sine", 8, 4), ("ridges", -6, 5), ("rings", 3, -7), ("sine", 0, 64)])
+def test_the_written_out_powers_are_the_renderers(field, ku, kv):
+    """The same gradient as in a frame, to rounding."""
+    scene = Scene(field=field, ku=float(ku), kv=float(kv), ball=False)
+    frame = render(scene, 20, 20, exact("algebraic"))
+    on_a, lens = frame.stage.on_a, {"eye": scene.eye, "radius": scene.radius}
+    x, y = np.meshgrid(*frame.raster.image_points(scene))
+    angles = in_float64(angles_on_a, {"x": x[on_a], "y": y[on_a], **lens})
+    program = algebraic_gradient(HEIGHT_FIELDS[field], ku, kv)
+    found = in_float64(program, angles | {"k_u": ku, "k_v": kv})
+    for name in ("h_u", "h_v"):
+        np.testing.assert_allclose(found[name], frame.surface_data[name][on_a], rtol=0, atol=1e-11)
+    assert in_float64(silhouette_of_a, lens)["rho_silhouette"] > 0
+
+
+@pytest.mark.parametrize(("ku", "kv"), [(7.0, 4.0), (8.0, 4.5)])
+def test_without_an_algebraic_form(ku, kv):
+    with pytest.raises(ValueError, match="no algebraic form"):
+        algebraic_gradient(HEIGHT_FIELDS["sine"], ku, kv)
+
+
+def test_the_compiled_loop_is_the_renderers_arithmetic():
+    """Bit for bit what the printed program gives on whole arrays."""
+    u, v = table.sample(500)
+    found = compiled_loop(gradient(table.FIELD), table.WAVES)(u, v)
+    for part, right in zip(
+        found, in_float64(gradient(table.FIELD), {"u": u, "v": v, **table.WAVES}).values(), strict=True
+    ):
+        np.testing.assert_array_equal(part, right)
+
+
+def test_what_is_not_installed_is_left_out():
+    absent = table.Method("nobody's", lambda value: None, module="no_such_library_here")
+    assert not absent.available
+    assert all(method.available for method in table.METHODS if method.module is None)

@@ -1,0 +1,78 @@
+"""The baselines draw the chapter's picture: what they are timed for is the same work."""
+
+from itertools import product
+
+import numpy as np
+import pytest
+from sympy import symbols
+
+from proofs.engine.program import Program
+from proofs.formulas.symbols import x
+from renderer import Scene, central, exact, render
+from renderer.scene import MODELS
+from renderer.stage import SURFACE_BITS
+from verify.benchmark.baselines import seed_loops as loops
+from verify.benchmark.baselines.numpy_tiles import numpy_function, numpy_tiles, without_repeats
+from verify.benchmark.baselines.seed_loops import seed_loops
+
+SIDE = 48  # with such sides no pixel lies on a crease, where there is no gradient to agree on
+LOOPS_AGREE = 1e-11  # their frame by √(1 − N_z²) and v by acos lose digits towards the pole (F20)
+TILES_AGREE = 1e-12  # libm's sine of a rounded πku
+
+
+def largest(rgb, frame):
+    return np.abs(rgb - frame.rgb).max()
+
+
+@pytest.mark.parametrize(("field", "model", "eps"), list(product(loops.FIELDS, MODELS, (None, 1e-3))))
+def test_the_seed_loops_draw_our_picture(field, model, eps):
+    scene = Scene(field=field, model=model)
+    rgb, surfaces = seed_loops(scene, SIDE, SIDE, eps)
+    frame = render(scene, SIDE, SIDE, exact() if eps is None else central(eps))
+    assert largest(rgb, frame) < LOOPS_AGREE
+    np.testing.assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)
+
+
+def test_the_seed_loops_draw_other_rasters_and_scenes():
+    scene = Scene(ball=False, floor=False, kv=3.5, beta=-0.8)
+    rgb, surfaces = seed_loops(scene, 30, 22)
+    frame = render(scene, 30, 22)
+    assert largest(rgb, frame) < LOOPS_AGREE
+    np.testing.assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)
+
+
+def test_the_two_pipelines_of_the_seed_loops_differ_in_the_gradient_alone():
+    flat = Scene(beta=0.0)
+    np.testing.assert_array_equal(seed_loops(flat, 16, 16)[0], seed_loops(flat, 16, 16, 1e-3)[0])
+    assert np.abs(seed_loops(Scene(), 16, 16)[0] - seed_loops(Scene(), 16, 16, 1e-1)[0]).max() > 1e-3
+
+
+def test_the_seed_loops_with_the_seeds_own_quadratic_are_told_apart(monkeypatch):
+    """F1: with c = |C|² − R₂² B covers the picture."""
+
+    def as_printed(scene, center, x, y):
+        toward = center[0] * x + center[1] * y + (scene.eye - center[2]) * scene.eye
+        under = toward**2 - (x * x + y * y + scene.eye**2) * (center @ center - scene.ball_radius**2)
+        return (loops.SPHERE_B, 0.5) if under >= 0 else (loops.FLOOR, 1.0)
+
+    monkeypatch.setattr(loops, "nearest_hit", as_printed)
+    _, surfaces = seed_loops(Scene(), 8, 8)
+    assert (surfaces == loops.SPHERE_B).all()
+    assert (surfaces != render(Scene(), 8, 8).chambers & SURFACE_BITS).any()
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+@pytest.mark.parametrize("side", [64, 256])
+def test_the_numpy_tiles_draw_our_picture(side, threads):
+    rgb, surfaces = numpy_tiles(Scene(), side, side, threads)
+    frame = render(Scene(), side, side, exact("general"))
+    assert largest(rgb, frame) < TILES_AGREE
+    np.testing.assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)
+
+
+def test_repeated_lines_are_computed_once():
+    a, b, c = symbols("a b c", real=True)
+    program = Program("p", (x,), ((a, x + 1), (b, x + 1), (c, a * b)), (c, b))
+    slim = without_repeats(program)
+    assert [s for s, _ in slim.definitions] == [a, c]
+    assert numpy_function(slim)[0](2.0) == (9.0, 3.0)

@@ -1,0 +1,194 @@
+"""Measure time against error of every way to take the gradient, and of frames; write it with a label:
+
+    python -m verify.benchmark.work_precision            (some minutes, on a machine that does nothing else)
+
+One core. Errors are the largest over the checked points (pixels) against 50 digits; times are medians of interleaved
+rounds. Libraries that are not installed (JAX, SciPy, numdifftools) are left out with a word. Writes
+verify/results/work_precision.json and work_precision.csv: the book draws from them, so commit them.
+"""
+
+import argparse
+import csv
+import os
+import statistics
+import time
+from functools import lru_cache
+from pathlib import Path
+
+import mpmath
+import numpy as np
+from tqdm import tqdm
+
+from proofs.formulas.chart import chart_inverse
+from proofs.formulas.height_fields import gradient
+from renderer import Scene, central, central4, exact, forward, render, stage_of
+from renderer.files import whole_file
+from verify.benchmark.label import label, write
+from verify.benchmark.methods.table import FIELD, METHODS, STEPS, WAVES, sample
+from verify.reference import reference_pixel
+from verify.stability.measure import distance, in_balls
+
+RESULTS = Path(__file__).parents[1] / "results"
+CHECKED, ROUNDS, SEED = 4096, 15, 3
+SIDE, PIXELS = 256, 600
+FRAMES = {"forward": forward, "central": central, "central, 4th order": central4}
+CHANNELS = ("red", "green", "blue")
+
+
+def angles_of(u, v):
+    """Return cos θ, sin θ, cos φ, sin φ of chart points, each rounded once from the exact value."""
+    balls = in_balls(chart_inverse, {"u": u, "v": v})
+    return tuple(np.array([float(b.mid()) for b in balls[s.name]]) for s in chart_inverse.outputs)
+
+
+def points_for(method, count):
+    """Return the arrays that a method takes, for `count` points."""
+    u, v = sample(count)
+    return angles_of(u, v) if method.angles else (u, v)
+
+
+@lru_cache
+def truth_at(count):
+    """Return {h_u, h_v: balls} at the sample's points."""
+    u, v = sample(count)
+    return in_balls(gradient(FIELD), {"u": u, "v": v, **WAVES})
+
+
+def largest_error(found, count):
+    """Return the largest |error| of h_u and h_v over the sample's points, as a float."""
+    truth = truth_at(count)
+    if found[0].dtype == object:  # mpmath's own numbers, whose error may be far below float64's
+        with mpmath.workdps(70):
+            exactly = ([mpmath.mpf(b.str(60, radius=False)) for b in truth[n]] for n in ("h_u", "h_v"))
+            return float(
+                max(abs(a - b) for f, t in zip(found, exactly, strict=True) for a, b in zip(f, t, strict=True))
+            )
+    return max(float(distance(f, truth[n]).max()) for f, n in zip(found, ("h_u", "h_v"), strict=True))
+
+
+class Timer:
+    """Times calls round by round, each among all the others, so that a slow minute hits all of them."""
+
+    def __init__(self):
+        self.calls, self.seconds = {}, {}
+
+    def add(self, key, call, units):
+        """Time `call`, which does `units` of work, in every round."""
+        call()
+        self.calls[key], self.seconds[key] = (call, units), []
+
+    def run(self, rounds):
+        """Run the rounds, with a progress bar."""
+        for _ in tqdm(range(rounds), desc="rounds", unit="round"):
+            for key, (call, units) in self.calls.items():
+                start = time.perf_counter()
+                call()
+                self.seconds[key].append((time.perf_counter() - start) / units)
+
+    def median(self, key):
+        """Return the median seconds of one unit."""
+        return statistics.median(self.seconds[key])
+
+
+def gradient_rows(rounds):
+    """Return the rows of the gradient's diagram: method, its parameter, ns a gradient, largest error."""
+    timer, rows = Timer(), []
+    for method in tqdm([m for m in METHODS if m.available], desc="errors", unit="method"):
+        checked = min(CHECKED, method.points)
+        inputs = points_for(method, checked)
+        for value in method.values:
+            function = method.make(value)
+            rows.append({"method": method.name, "parameter": method.parameter, "value": value, "ours": method.ours,
+                         "error": largest_error(function(*inputs), checked), "points": checked})  # fmt: skip
+            key = method.name if method.timed_once else (method.name, value)
+            if key not in timer.calls:
+                kind = getattr(function, "kind", np.float64)
+                many = [np.ascontiguousarray(a, kind) for a in points_for(method, method.points)]
+                timer.add(key, lambda f=function, a=many: f(*a), method.points)
+            rows[-1]["key"] = key
+    timer.run(rounds)
+    return [row | {"ns": 1e9 * timer.median(row.pop("key"))} for row in rows]
+
+
+def image_error(frame, pixels):
+    """Return (largest, RMS) |ΔI| of a frame over the given pixels of A, whose 50-digit colours are `pixels`."""
+    off = np.array([np.abs(frame.rgb[place] - colour) for place, colour in pixels.items()])
+    return float(off.max()), float(np.sqrt(np.mean(off**2)))
+
+
+def reference_colours(scene, count):
+    """Return {(row, column): rgb} of random pixels of A, from 50 digits, rounded to float64."""
+    on_a = np.argwhere(stage_of(scene, SIDE, SIDE).on_a)
+    chosen = np.random.default_rng(SEED).choice(len(on_a), count, replace=False)
+    colours = {}
+    for row, column in tqdm(on_a[chosen].tolist(), desc=f"50 digits, {scene.field}", unit="pixel"):
+        line = reference_pixel(scene, SIDE, SIDE, column, row)
+        colours[row, column] = np.array([float(line[f"rgb_{c}"]) for c in CHANNELS])
+    return colours
+
+
+def frame_rows(rounds, count):
+    """Return the rows of the frames' diagram: field, method, its parameter, ms a frame, largest and RMS error."""
+    timer, rows = Timer(), []
+    for field in ("sine", "ridges"):
+        scene = Scene(field=field)
+        stage, pixels = stage_of(scene, SIDE, SIDE), reference_colours(scene, count)
+        methods = [(name, eps, make(eps)) for name, make in FRAMES.items() for eps in STEPS]
+        methods += [("exact, general", None, exact("general")), ("exact, algebraic", None, exact("algebraic"))]
+        for name, eps, method in methods:
+            frame = render(scene, SIDE, SIDE, method, threads=1, stage=stage)
+            largest, rms = image_error(frame, pixels)
+            if (field, name) not in timer.calls:
+                call = lambda s=scene, m=method, t=stage: render(s, SIDE, SIDE, m, threads=1, stage=t)  # noqa: E731
+                timer.add((field, name), call, 1)
+            rows.append({"field": field, "method": name, "value": eps, "ours": name.startswith("exact"),
+                         "largest": largest, "rms": rms})  # fmt: skip
+    timer.run(rounds)
+    return [row | {"ms": 1e3 * timer.median((row["field"], row["method"]))} for row in rows]
+
+
+def unbeaten_by_ours(rows):
+    """Return the rows of other methods that no row of ours beats in both: not slower and not less accurate."""
+    ours = [r for r in rows if r["ours"]]
+    return [r for r in rows if not r["ours"]
+            and not any(o["ns"] <= r["ns"] and o["error"] <= r["error"] for o in ours)]  # fmt: skip
+
+
+def peers_that_beat(rows, cost="ns", error="error"):
+    """Return the rows of other methods that are both faster and more accurate than one of ours in float64."""
+    ours = [r for r in rows if r["ours"] and "float32" not in r["method"]]
+    return [r for r in rows if not r["ours"] and any(r[cost] < o[cost] and r[error] < o[error] for o in ours)]
+
+
+def write_csv(path, rows):
+    """Write the gradient's rows as a table."""
+    with whole_file(path) as name, open(name, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, ["method", "parameter", "value", "ours", "ns", "error", "points"])
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def main():
+    """Parse the command line, measure, write."""
+    formatter = argparse.RawDescriptionHelpFormatter
+    parser = argparse.ArgumentParser(
+        "python -m verify.benchmark.work_precision", description=__doc__, formatter_class=formatter
+    )
+    parser.add_argument("--rounds", type=int, default=ROUNDS, help="timed rounds (default: %(default)s)")
+    parser.add_argument("--pixels", type=int, default=PIXELS, help="checked pixels a field (default: %(default)s)")
+    parser.add_argument("--out", type=Path, default=RESULTS, help="folder of the results")
+    options = parser.parse_args()
+    if hasattr(os, "sched_setaffinity"):
+        os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
+    absent = sorted(m.name for m in METHODS if not m.available)
+    print(f"left out, not installed: {', '.join(absent)}" if absent else "every library is installed")
+    gradients, frames = gradient_rows(options.rounds), frame_rows(options.rounds, options.pixels)
+    packages = ["numpy", "llvmlite", "mpmath", *(m.module for m in METHODS if m.module and m.available)]
+    where = label(*packages) | {"absent": absent, "seed": SEED, "rounds": options.rounds, "side": SIDE}
+    write(options.out / "work_precision.json", {"label": where, "gradients": gradients, "frames": frames})
+    write_csv(options.out / "work_precision.csv", gradients)
+    print(f"others that beat ours in both: {[r['method'] for r in peers_that_beat(gradients)] or 'none'}")
+
+
+if __name__ == "__main__":
+    main()

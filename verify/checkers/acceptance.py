@@ -1,0 +1,42 @@
+"""The one path by which a claim is accepted, a theorem's or a mutant's: a certificate that both checkers accept."""
+
+from proofs.engine import kernel
+from proofs.engine.certificate import prove
+from proofs.engine.search import MAX_EFFORT, NotFound
+from verify.checkers import second_checker
+
+
+def show_polynomial(p, limit=12):
+    """Return a polynomial, the kernel's or polynomial data, as text of at most `limit` terms."""
+    terms = p if all(isinstance(k, str) for k in p) else {" ".join(m): str(c) for m, c in p.items()}
+    text = " + ".join(f"{c}·{m.replace(' ', '·')}" if m else str(c) for m, c in list(terms.items())[:limit]) or "0"
+    return text + (f" + … ({len(terms)} terms)" if len(terms) > limit else "")
+
+
+def why_rejected(statement, certificate):
+    """Return None if both checkers accept, else the reason, with the residual polynomial."""
+    for name, checker in (("the kernel", kernel.check), ("the second checker", second_checker.check)):
+        why = checker(statement, certificate)
+        if why is not None:
+            reason, *residual = why.args or (repr(why),)
+            shown = f"; residual {show_polynomial(residual[0])}" if residual and residual[0] else ""
+            return f"{name} rejects: {reason}{shown}"
+    return None
+
+
+def not_found(error):
+    """Return the text of a failed search: the goal, and what is left of it."""
+    goal, relation = error.goal
+    if isinstance(goal, dict):
+        left = f"; what is left of it: {show_polynomial(error.remainder)}" if error.remainder else ""
+        return f"no certificate found for {show_polynomial(goal)} {relation} 0{left}"
+    return f"no certificate found: {goal}"
+
+
+def accept(claim, theorems, pairs=None, effort=MAX_EFFORT):
+    """Return (the reasons why a claim is not accepted, the certified pairs): the one path for theorems and mutants."""
+    try:
+        pairs = prove(claim, theorems, effort) if pairs is None else pairs
+    except NotFound as error:
+        return [not_found(error)], []
+    return [why for pair in pairs if (why := why_rejected(*pair))], pairs

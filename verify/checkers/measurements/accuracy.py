@@ -1,0 +1,156 @@
+"""How accurate the picture, the exact gradient and the central difference are, against balls. See verify/accuracy."""
+
+from functools import cache
+
+import numpy as np
+
+from verify.accuracy import clamped_order, ridge_law
+from verify.accuracy.difference_bounds import Bounds, bounds, escapes
+from verify.accuracy.differences import CASES, STEPS, parts
+from verify.accuracy.gradients import ALGEBRAIC, GENERAL, rounded_product, worst_at_chart_points, worst_at_image_points
+from verify.accuracy.pixels import SCENES, SEED, SHININESSES, TOLERANCE, checked_pixels, problems
+from verify.checkers.measurements import Measurement, measures
+
+FIELDS = ("sine", "ridges", "rings")
+
+
+@cache
+def _pixels():
+    return checked_pixels(SCENES), checked_pixels(SHININESSES, each=10)
+
+
+@measures("pixel_accuracy", false={"within 5e-16 off the rim": {"tolerance": 5e-16}, "60-bit balls": {"share": 2**-7}})
+def pixels(tolerance=TOLERANCE, share=1.0):
+    """Random and adversarial pixels of every field and model, and of other exponents of shininess."""
+    default, other = _pixels()
+    decided = [p for p in (*default, *other) if not p.undecided]
+    off_rim = [p for p in default if p.off_rim and not p.undecided]
+    rest = [p.error / p.radius for p in decided if p.radius > 0]
+    return Measurement(
+        samples=len(decided),
+        seed=SEED,
+        worst=max(p.error for p in off_rim),
+        bound=tolerance,
+        holds=not problems((*default, *other), share) and len(off_rim) >= 1500 and len(decided) >= 2000,
+        what="the largest error of a channel off the rim, default shininess; elsewhere below the radius of the balls",
+        numbers={
+            "undecided": len(default) + len(other) - len(decided),
+            "largest_share_of_the_radius": max(rest),
+            "rim_largest": max(p.error for p in default if not p.off_rim and not p.undecided),
+        },
+    )
+
+
+@measures("gradient_accuracy", false={"with libm's sine of a rounded πku": {"form": rounded_product}})
+def general_gradient(bound=GENERAL, form=None):
+    """The general form, |k| to 2^20, at random and beside the creases."""
+    found = {field: worst_at_chart_points(field, form=form) for field in FIELDS}
+    return Measurement(
+        samples=sum(f.points for f in found.values()),
+        seed=11,
+        worst=max(f.units for f in found.values()),
+        bound=bound,
+        holds=True,
+        what="the general form: the largest error over π max(1, |k|) 2^-53",
+        numbers={field: f.units for field, f in found.items()},
+    )
+
+
+@measures("gradient_accuracy", false={"within 2 (1 + k)": {"bound": 2.0}})
+def algebraic_gradient(bound=ALGEBRAIC):
+    """The algebraic form from the image point, R/e from 1e-6 to 1 − 1e-9, sin φ to 1e-150."""
+    found = {field: worst_at_image_points(field) for field in FIELDS}
+    return Measurement(
+        samples=sum(f.points for f in found.values()),
+        seed=12,
+        worst=max(f.units for f in found.values()),
+        bound=bound,
+        holds=True,
+        what="the algebraic form: the largest error over π k (1 + k) 2^-53",
+        numbers={field: f.units for field, f in found.items()},
+    )
+
+
+@cache
+def _taken_apart():
+    found = {case: parts(case) for case in CASES}
+    return {case: (seen, bounds(case, seen)) for case, seen in found.items()}
+
+
+@measures("difference_bounds", false={"a third of the bounds": {"share": 1 / 3}})
+def under_the_bounds(share=1.0):
+    """Every part of the error of every difference, ε from 1e-1 to 1e-16, below its proved bound."""
+    out, ratios = 0, []
+    for seen, limits in _taken_apart().values():
+        out += sum(escapes(seen, Bounds(*(share * limit for limit in limits))).values())
+        rounding = (seen.steps < 1e-9) & (seen.total != 0)
+        ratios.append(limits.total[rounding] / np.abs(seen.total[rounding]))
+    return Measurement(
+        samples=len(CASES) * len(STEPS),
+        seed=None,
+        worst=out,
+        bound=0,
+        holds=float(np.median(np.concatenate(ratios))) <= 30,
+        what="measured parts of the error above their bound",
+        numbers={"places": len(CASES), "median_ratio_in_the_rounding_branch": float(np.median(np.concatenate(ratios)))},
+    )
+
+
+@cache
+def _quadrature(component):
+    steps = np.logspace(-3, -8, 11)
+    return steps, np.array([ridge_law.quadrature(component, float(step)) for step in steps])
+
+
+@measures("difference_slopes", false={"∝ ε": {"slope": 1.0}, "√(k_v ε/3) in h_v": {"creases": 1}})
+def ridges_fall_like_a_root(slope=0.5, creases=0):
+    """The RMS error of ridges over the chart: slope and constant by quadrature."""
+    worst = {}
+    for component in ("h_u", "h_v"):
+        steps, rms = _quadrature(component)
+        law, _ = ridge_law.predicted(component, steps)
+        if component == "h_v":
+            law = law * ((ridge_law.SCENE.kv - 1 + creases) / (ridge_law.SCENE.kv - 1)) ** 0.5
+        worst[f"{component}_slope"] = abs(clamped_order.fitted_slope(steps, rms) - slope)
+        worst[f"{component}_constant"] = float(np.abs(rms / law - 1).max())
+    return Measurement(
+        samples=2 * 11,
+        seed=None,
+        worst=max(worst.values()),
+        bound=0.02,
+        holds=True,
+        what="how far the fitted slope is from ½, and the constant from the theorem's, relatively",
+        numbers=worst,
+    )
+
+
+@measures("difference_slopes", false={"first order for all": {"odd": 1.0}, "second for all": {"other": 2.0}})
+def clamped_orders(odd=2.0, other=1.0):
+    """The order of the difference clamped at the pole at v = ε/2."""
+    found = {field: clamped_order.order(field) for field in clamped_order.FIELDS}
+    return Measurement(
+        samples=len(found) * len(clamped_order.STEPS),
+        seed=None,
+        worst=max(abs(order - (other if field == "cosine" else odd)) for field, order in found.items()),
+        bound=0.02,
+        holds=True,
+        what="how far the fitted orders are from 2 for the chapter's fields and from 1 for cos πk_v v",
+        numbers=found,
+    )
+
+
+@measures("difference_slopes", false={"third order": {"slope": 3.0}})
+def truncation_slope(slope=2.0):
+    """The order of the truncation error at a smooth point."""
+    seen, _ = _taken_apart()[CASES[0]]
+    branch = (seen.steps < 1e-3) & (seen.steps > 1e-12)
+    order = clamped_order.fitted_slope(seen.steps[branch], np.abs(seen.truncation[branch]))
+    return Measurement(
+        samples=int(branch.sum()),
+        seed=None,
+        worst=abs(order - slope),
+        bound=0.02,
+        holds=True,
+        what="how far the truncation error's fitted slope is from 2",
+        numbers={"slope": order},
+    )

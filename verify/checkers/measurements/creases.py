@@ -1,0 +1,71 @@
+"""How much a crease shows in the default scene, and which floats a rounded product puts on one."""
+
+from fractions import Fraction
+from functools import lru_cache
+
+import numpy as np
+
+from renderer import Scene, central, render
+from renderer.facts import crease_contrast
+from renderer.gradients import height_at
+from renderer.sweep import difference_on_a
+from verify.checkers.measurements import Measurement, measures
+
+SIZE, MOST = 256, 64
+FIRST_LEVEL = 0.5 / 255  # what rounds to the first of 255 levels
+
+
+@measures("crease_products", false={"all of them": {"count": 1824}, "our kernel does so too": {"zeros": 1756}})
+def rounded_products_hit_the_crease(beside=1824, count=1756, zeros=0):
+    """The nearest floats to all m/k, 0 < m < k ≤ 64, that are not m/k: k·u rounds to m for most of them."""
+    floats = [(k, m / k) for k in range(2, MOST + 1) for m in range(1, k) if Fraction(m / k) * k != m]
+    rounded = sum((k * u).is_integer() for k, u in floats)
+    kernel = sum(float(height_at(Scene(ku=float(k)), u, 0.125)) == 0 for k, u in floats)
+    return Measurement(
+        samples=len(floats),
+        seed=None,
+        worst=max(abs(rounded - count), abs(kernel - zeros)),
+        bound=0,
+        holds=len(floats) == beside,
+        what="floats beside a crease whose product k·u rounds to a whole number; heights of 0 in the kernel",
+        numbers={"beside": len(floats), "rounded_onto": rounded, "kernel_zeros": kernel},
+    )
+
+
+@lru_cache(maxsize=1)
+def _exact():
+    return render(Scene(), SIZE, SIZE)
+
+
+def _difference(step):
+    return render(Scene(), SIZE, SIZE, central(step), stage=_exact().stage)
+
+
+@measures("crease_contrast", false={"one order, as the seed says": {"orders": 1}})
+def contrast(orders=4):
+    """The mean error where the kink flag is set against that elsewhere on A, at ε = 10⁻³, in orders of magnitude."""
+    on, off = crease_contrast(_difference(1e-3), _exact())
+    return Measurement(
+        samples=int(_exact().stage.on_a.sum()),
+        seed=None,
+        worst=abs(float(np.log10(on / off)) - orders),
+        bound=0.5,
+        holds=on > off,
+        what="orders of magnitude between the mean error at the kink flag and elsewhere, 256², ε = 1e-3",
+        numbers={"on": on, "off": off, "orders": float(np.log10(on / off))},
+    )
+
+
+@measures("dark_difference", false={"at 1e-12 it is dark too": {"steps": (1e-8, 1e-12)}})
+def dark(steps=(1e-8, 1e-9, 1e-10)):
+    """The largest |ΔI| × 100 on A stays below half a level of 255."""
+    largest = {step: 100 * float(np.abs(difference_on_a(_difference(step), _exact())).max()) for step in steps}
+    return Measurement(
+        samples=3 * int(_exact().stage.on_a.sum()) * len(steps),
+        seed=None,
+        worst=max(largest.values()),
+        bound=FIRST_LEVEL,
+        holds=True,
+        what="the largest |ΔI| × 100 on A, 256², linear light",
+        numbers={f"at_{step:g}": value for step, value in largest.items()},
+    )

@@ -1,0 +1,124 @@
+"""Random points that satisfy a claim's hypotheses: the equations among them are solved for one symbol each."""
+
+import random
+from fractions import Fraction
+from graphlib import TopologicalSorter
+
+import mpmath
+from sympy import Eq, Max, Min, Piecewise, Poly, PolynomialError, Rational
+
+from verify.checkers.digits import TOLERANCE, Code, Relations, Undefined
+
+SIMPLE = [Fraction(p, q) for q in (1, 2, 3, 4, 5, 13) for p in range(-2 * q, 2 * q + 1)]
+
+
+class Sampler:
+    """Random points for a claim: its inputs, with the equations among its givens solved for one symbol each."""
+
+    def __init__(self, claim, seed):
+        self.random, self.ranges = random.Random(seed), dict(claim.ranges)
+        used, lines = claim.names()
+        definitions = lines.definitions if lines else ()
+        defined = {s for s, _ in definitions}
+        self.inputs = sorted((used | set(lines.inputs if lines else ())) - defined, key=lambda s: s.name)
+        early = [r for r in claim.given if not r.free_symbols & defined]
+        self.early = Relations(self.inputs, early, exactly=True)
+        equations = [_written_out(r, definitions) for r in claim.given if isinstance(r, Eq)]
+        self.late = Relations(self.inputs, [r for r in claim.given if r.free_symbols & defined], definitions, True)
+        self.shows = Relations(self.inputs, claim.shows, definitions)
+        self.solved = _solvable([r for r in equations if not r.free_symbols & defined])
+        self.pools = {s: self._pool(s) for s in self.inputs}
+
+    def _pool(self, symbol):
+        low, high = self.ranges.get(symbol, (Rational(1, 4) if symbol.is_positive else -3, 3))
+        low, high = (Fraction(str(Rational(end))) for end in (low, high))
+        simple = [mpmath.mpf(q.numerator) / q.denominator for q in SIMPLE if low <= q <= high]
+        ends = [mpmath.mpf(q.numerator) / q.denominator for q in (low, high)]
+        return simple, ends, (int(low), int(high)) if symbol.is_integer else None
+
+    def _draw(self, symbol):
+        simple, (low, high), whole = self.pools[symbol]
+        if whole:
+            return mpmath.mpf(self.random.randint(*whole))
+        if simple and self.random.random() < 0.5:
+            return self.random.choice(simple)
+        return low + (high - low) * mpmath.ldexp(self.random.getrandbits(200), -200)
+
+    def inputs_at_random(self, fixed=()):
+        """Return values of the inputs that satisfy the givens about inputs, with some of them fixed, or None."""
+        values, solved = dict(fixed), {symbol for symbol, _ in self.solved}
+        for symbol in self.inputs:
+            if symbol not in solved and symbol not in values:
+                values[symbol] = self._draw(symbol)
+        try:
+            for symbol, coefficients in self.solved:
+                if symbol not in values:
+                    roots = _real_roots(coefficients(values))
+                    if not roots:
+                        return None
+                    values[symbol] = self.random.choice(roots)
+            return values if self.early(values) else None
+        except Undefined:
+            return None
+
+    def fails_at(self, values):
+        """Return None if the other givens fail at the inputs, else whether a conclusion fails or is undefined."""
+        try:
+            return not self.shows(values) if self.late(values) else None
+        except Undefined:
+            return True
+
+
+def _written_out(relation, definitions):
+    """Return an equation in the inputs, if all that it uses is defined by rational expressions; else as it stands."""
+    expanded = relation
+    for symbol, expression in reversed(definitions):
+        if symbol in expanded.free_symbols:
+            if expression.has(Piecewise, Max, Min):
+                return relation
+            expanded = expanded.xreplace({symbol: expression})
+    return expanded if isinstance(expanded, Eq) else relation
+
+
+def _solvable(relations):
+    """Return [(symbol, code of the coefficients of an equation in it)], each after those that it needs."""
+    solved, needs = {}, {}
+    for relation in relations:
+        if not isinstance(relation, Eq):
+            continue
+        for symbol in sorted(relation.free_symbols - solved.keys(), key=lambda s: s.name, reverse=True):
+            others = relation.free_symbols - {symbol}
+            if symbol in _reached(others, needs):
+                continue
+            try:
+                coefficients = Poly(relation.lhs - relation.rhs, symbol).all_coeffs()
+            except PolynomialError:
+                continue
+            solved[symbol], needs[symbol] = Code(sorted(others, key=lambda s: s.name), coefficients), others
+            break
+    order = TopologicalSorter({s: {n for n in needs[s] if n in solved} for s in solved}).static_order()
+    return [(symbol, solved[symbol]) for symbol in order]
+
+
+def _reached(symbols, needs):
+    found, pending = set(), list(symbols)
+    while pending:
+        symbol = pending.pop()
+        if symbol not in found:
+            found.add(symbol)
+            pending += needs.get(symbol, ())
+    return found
+
+
+def _real_roots(coefficients):
+    while coefficients and coefficients[0] == 0:
+        coefficients = coefficients[1:]
+    if len(coefficients) == 2:
+        return [-coefficients[1] / coefficients[0]]
+    if len(coefficients) == 3:
+        a, b, c = coefficients
+        d = b * b - 4 * a * c
+        return [] if d < 0 else [(-b + s * mpmath.sqrt(d)) / (2 * a) for s in (1, -1)]
+    if len(coefficients) < 2:
+        return []
+    return [r.real for r in mpmath.polyroots(coefficients, maxsteps=200, extraprec=300) if abs(r.imag) < TOLERANCE]

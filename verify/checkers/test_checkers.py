@@ -1,0 +1,128 @@
+"""The two checkers of certificates: what both must refuse."""
+
+import copy
+import json
+from fractions import Fraction
+
+import pytest
+
+from proofs.engine import kernel
+from proofs.engine.certificate import FOLDER
+from verify.checkers import second_checker
+
+CHECKERS = pytest.mark.parametrize("check", [kernel.check, second_checker.check], ids=["kernel", "second"])
+STORED = [
+    pytest.param(pair["statement"], pair["certificate"], id=f"{path.stem}-{entry['claim']}-{number}")
+    for path in sorted(FOLDER.glob("*.json"))
+    for entry in json.loads(path.read_text())["claims"]
+    for number, pair in enumerate(entry["statements"])
+]
+
+
+def derivation(*steps, variables=("x", "y")):
+    """Return a derivation of the given steps: (kind, of, further keys)."""
+    listed = [{"step": kind, "of": of, **more} for kind, of, more in steps]
+    return {"version": 1, "kind": "derivation", "variables": list(variables), "steps": listed}
+
+
+def show(of, relation):
+    return ("show", of, {"is": relation})
+
+
+NOTHING = {"rule": "ideal", "cofactors": []}
+NEGATIVE = {"rule": "contradiction", "positive": [0], "sum": [["-1", {"x": "1"}, []]], "cofactors": []}
+EMPTY = {"rule": "contradiction", "positive": [], "sum": [], "cofactors": []}
+HALF = {"rule": "cases", "on": {"x": "1"}, "branches": {">": NOTHING}}
+INEQUALITY = {"rule": "ideal", "cofactors": [[0, {"": "1"}]]}
+
+
+@CHECKERS
+@pytest.mark.parametrize(("statement", "certificate"), STORED)
+def test_tampered_certificates_are_refused(check, statement, certificate):
+    """A certificate with a piece missing, or one number changed, is refused."""
+    assert check(statement, certificate) is None
+    for tampered in tamper(statement, certificate):
+        assert check(statement, tampered) is not None
+
+
+def tamper(statement, certificate):
+    """Return certificates that are false: pieces missing, or one added to a cofactor."""
+    if statement["kind"] == "separation":
+        return [{"reached": [n for n in certificate["reached"] if n != output]} for output in statement["outputs"]]
+    if statement["kind"] == "refutation":
+        point = certificate["point"]
+        return [{"point": {k: v for k, v in point.items() if k != name}} for name in point]
+    key = "proofs" if statement["kind"] == "derivation" else "step"
+    wrong = [certificate | {key: certificate[key][:-1]}]
+    for number, proof in enumerate(certificate[key]):
+        for place in range(len(proof.get("cofactors", []))):
+            changed = copy.deepcopy(certificate)
+            cofactor = changed[key][number]["cofactors"][place][1]
+            cofactor[""] = str(Fraction(cofactor.get("", 0)) + 1)
+            wrong.append(changed)
+    return wrong
+
+
+@CHECKERS
+@pytest.mark.parametrize(
+    ("steps", "proof", "reason"),
+    [
+        ([show({"x": "1"}, "=")], NOTHING, "not zero"),
+        ([show({}, ">")], NOTHING, "an ideal proves equations only"),
+        ([show({"x^2": "-1"}, ">=")], NEGATIVE, "a negative weight"),
+        ([show({"x": "1"}, ">=")], EMPTY, "1 = 0"),
+        ([show({"x": "1"}, ">=")], HALF, "not exhaustive"),
+        ([show({"x": "1"}, "=")], {"rule": "trust me"}, "no such rule"),
+        ([("inverse", {"x": "1"}, {"new": "r"}), show({"r x": "1", "": "-1"}, "=")], NOTHING, "x may be 0"),
+        ([("root", {"x": "1"}, {"new": "w"})], NOTHING, "x may be negative"),
+        ([("define", {"": "1"}, {"new": "x"}), show({"x": "1", "": "-1"}, "=")], NOTHING, "x is not new"),
+        ([show({"z": "1"}, "=")], NOTHING, "z is not declared"),
+        ([show({"x^-1": "1", "": "-1"}, "=")], NOTHING, "1/x is no polynomial"),
+        ([show({"x^0": "1", "": "-1"}, "=")], NOTHING, "an exponent is positive"),
+        ([("assume", {"x": "1"}, {"is": "<>"}), show({"x": "1"}, "=")], NOTHING, "no such relation"),
+        ([("assume", {"x": "1"}, {"is": ">"}), show({"x": "1"}, "=")], INEQUALITY, "not an equation"),
+        ([("conjure", {}, {"new": "w"})], NOTHING, "no such step"),
+    ],
+)  # fmt: skip
+def test_unsound_steps_are_refused(check, steps, proof, reason):
+    assert check(derivation(*steps), {"proofs": [proof] * len(steps)}) is not None, reason
+
+
+@CHECKERS
+def test_an_induction_may_not_assume_its_claim(check):
+    """x(0) = 0, x(n + 1) = x(n) + 1: x = 0 for every n is false, whether assumed about the state or not."""
+    statement = {
+        "version": 1, "kind": "induction", "variables": [], "state": ["x"], "assume": [],
+        "start": {"x": {}}, "next": {"x": {"x": "1", "": "1"}}, "show": [{"x": "1"}],
+    }  # fmt: skip
+    proof = {"rule": "ideal", "cofactors": [[0, {"": "1"}]]}
+    certificate = {"strengthen": [], "base": [NOTHING], "step": [proof]}
+    assert check(statement, certificate) is not None
+    assert check(statement | {"assume": [{"of": {"x": "1"}, "is": "="}]}, certificate) is not None
+    assert check(statement | {"next": {"x": {"x": "1"}}}, certificate) is None
+
+
+@CHECKERS
+def test_a_separation_needs_a_closed_set(check):
+    statement = {"version": 1, "kind": "separation", "lines": [["b", ["a"]], ["c", ["b"]]], "outputs": ["c"]}
+    assert check(statement | {"avoid": ["a"]}, {"reached": ["b", "c"]}) is not None
+    assert check(statement | {"avoid": ["a"]}, {"reached": ["a", "b", "c"]}) is not None
+    assert check(statement | {"avoid": ["d"]}, {"reached": ["a", "b", "c"]}) is None
+
+
+@CHECKERS
+def test_a_counterexample_must_satisfy_the_hypotheses(check):
+    steps = (("assume", {"x": "1"}, {"is": ">"}), show({"x": "1", "": "-1"}, ">="))
+    statement = derivation(*steps, variables=("x",)) | {"kind": "refutation"}
+    assert check(statement, {"point": {"x": "1/2"}}) is None
+    assert check(statement, {"point": {"x": "-1"}}) is not None
+    assert check(statement, {"point": {"x": "1"}}) is not None
+    assert check(statement, {"point": {}}) is not None
+
+
+@CHECKERS
+def test_a_claim_about_zero_leaves_no_name_open(check):
+    """y = 0, and y > 0 is claimed: what is claimed is the polynomial 0, which leaves no name open."""
+    steps = (("define", {}, {"new": "y"}), show({"y": "1"}, ">"))
+    assert check(derivation(*steps, variables=()) | {"kind": "refutation"}, {"point": {}}) is None
+    assert check(derivation(steps[0], show({"y": "1"}, ">=")) | {"kind": "refutation"}, {"point": {}}) is not None

@@ -1,0 +1,102 @@
+"""From a theorem to its grade: what must fail, and what the failure says."""
+
+from dataclasses import replace
+
+import pytest
+from sympy import symbols
+
+from proofs.engine.certificate import Stale, stored
+from proofs.engine.claim import Claim, equation
+from proofs.engine.program import Program
+from proofs.engine.theorem import Mutant, Step, Theorem, all_theorems, borrowed, in_order, incomplete
+from verify.checkers.proof_checker import examine, final_grades
+
+x, y = symbols("x y", real=True)
+FALSE = Claim("quotient", (equation((x * y + x) / x, y + 1),))
+TRUE = FALSE.but(given=(x > 1,))
+
+
+def theorem(id, uses=(), claim=TRUE, mutants=None):
+    mutants = mutants or (Mutant("2 for 1", claim.but(shows=(equation((x * y + x) / x, y + 2),))),) * 2
+    return Theorem(id, id, "s3", "", (claim,), mutants, (Step("all", "at once"),), uses=uses)
+
+
+def test_theorems_that_use_each_other_are_an_error():
+    with pytest.raises(ValueError, match=r"cycle: .*first.*"):
+        in_order([theorem("first", ("second",)), theorem("second", ("first",))])
+    with pytest.raises(ValueError, match="first uses unknown theorems: third"):
+        in_order([theorem("first", ("third",))])
+    assert list(in_order([theorem("first", ("second",)), theorem("second")])) == ["second", "first"]
+
+
+def test_a_false_theorem_fails_and_says_why():
+    false = theorem("false", claim=FALSE.but(shows=(equation(x / y, y / x),), given=(x > 0, y > 0)))
+    found = examine(false, {"false": false}, anew=True)
+    assert found.grade == "failed"
+    assert "no certificate found for" in found.problems[0]
+    assert any("false at {'x'" in problem for problem in found.problems)
+
+
+def test_a_mutant_that_holds_fails_the_theorem():
+    true_mutant = Mutant("the same", TRUE)
+    unproved = theorem("weak", mutants=(true_mutant, true_mutant))
+    found = examine(unproved, {"weak": unproved}, anew=True)
+    assert "mutant accepted: the same" in found.problems
+    assert found.grade == "failed"
+
+
+def test_what_rests_on_an_unproved_theorem_is_not_proved():
+    def entry(id, grade, uses=()):
+        return {"id": id, "grade": grade, "uses": list(uses)}
+
+    grades = final_grades([entry("a", "failed"), entry("b", "proved", ["a"]), entry("c", "proved", ["b"])])
+    assert [grades[id][0] for id in "abc"] == ["failed", "failed", "failed"]
+    assert "a" in grades["b"][1]
+    assert final_grades([entry("c", "proved", ["b"])])["c"][0] == "failed"
+
+
+FRAME = all_theorems()["tangent_frame"].claim("orthonormal")
+EDITED = [s for s, expression in FRAME.lines.definitions if expression != 0]
+
+
+@pytest.mark.parametrize("symbol", EDITED, ids=str)
+def test_an_edited_line_is_caught(symbol):
+    """One added to a line of the frame's program: the stored certificate is stale, and no new one is found."""
+    theorems = all_theorems()
+    definitions = tuple((s, e + 1 if s == symbol else e) for s, e in FRAME.lines.definitions)
+    program = Program("edited", FRAME.lines.inputs, definitions, FRAME.lines.outputs)
+    edited = replace(theorems["tangent_frame"], claims=(FRAME.but(lines=program),), side_conditions=())
+    with pytest.raises(Stale, match="tangent_frame/orthonormal"):
+        stored(edited, theorems)
+    found = examine(edited, theorems)
+    assert found.grade == "failed"
+    assert "searched anew: no certificate found for" in found.problems[0]
+
+
+def test_uses_is_complete():
+    """`uses` has to list what is borrowed or named in a step, and nothing else; what could be borrowed has to be."""
+    program = Program("p", (x,), ((y, x**2),), (y,))
+    square = Claim("square", (y >= 0,), lines=program)
+    first = theorem("first", claim=square, mutants=(Mutant("", square),) * 2)
+    taken = Claim("sum", (y + 1 > 0,), lines=program, borrowed=(("first", "square"),))
+
+    def problems(**changes):
+        second = replace(theorem("second", claim=taken, mutants=(Mutant("", taken),) * 2), **changes)
+        return incomplete(second, {"first": first, "second": second})
+
+    assert problems(uses=("first",)) == []
+    assert problems() == ["second: uses lacks first, which a claim borrows from or a step uses"]
+    plain = taken.but(borrowed=())
+    assert "second: uses first, but no claim borrows" in problems(uses=("first",), claims=(plain,))[0]
+    assert problems(uses=("first",), claims=(plain,), steps=(Step("y ≥ 0", "a square", uses=("first",)),)) == []
+    assumed = plain.but(given=(y >= 0,))
+    assert problems(claims=(assumed,)) == ["second/sum: borrow y >= 0 from first/square"]
+    elsewhere = assumed.but(lines=Program("q", (x,), ((y, x**3),), (y,)))
+    assert problems(claims=(elsewhere,)) == []  # another y
+    assert problems(uses=("first",), claims=(elsewhere,)) == []
+
+
+def test_what_is_borrowed_has_to_be_given():
+    other = theorem("other")
+    with pytest.raises(ValueError, match="the hypotheses of other/quotient are not all given here"):
+        borrowed(FALSE.but(borrowed=(("other", "quotient"),)), {"other": other})

@@ -1,0 +1,100 @@
+"""From a claim to a certificate: what is proved, what is not, and what no rule translates."""
+
+from fractions import Fraction
+
+import pytest
+from sympy import Eq, Max, Piecewise, Symbol, cos, oo, sin, sqrt, symbols
+
+from proofs.check import digest
+from proofs.engine.angles import Untranslatable
+from proofs.engine.certificate import prove, statements
+from proofs.engine.claim import Claim, Induction, Separation, equation
+from proofs.engine.feasible import feasible
+from proofs.engine.program import Program
+from proofs.engine.search import NotFound, search
+from proofs.engine.statement import derivations
+from verify.checkers import witness
+from verify.checkers.proof_checker import path_to_avoided, why_rejected
+
+x, y, z = symbols("x y z", real=True)
+
+TRUE = [
+    Claim("square", (x**2 - 2 * x * y + y**2 >= 0,), squares=(x - y,)),
+    Claim("quotient", (equation((x * y + x) / x, y + 1),), (x > 1,)),
+    Claim("root", (equation(sqrt(x**2), x),), (x >= 0,)),
+    Claim("sum of angles", (equation(sin(x + y), sin(x) * cos(y) + cos(x) * sin(y)),)),
+    Claim("thrice", (equation(cos(3 * x), 4 * cos(x) ** 3 - 3 * cos(x)),)),
+    Claim("half", (equation(cos(x), 2 * cos(x / 2) ** 2 - 1),)),
+    Claim("cases", (Max(x, y) >= x, abs(x) >= x)),
+    Claim("piecewise", (Piecewise((x, x > 0), (-x, True)) >= 0,)),
+    Claim("product", (x * y > 0,), (x > 0, y > 0)),
+    Claim("transitive", (x < z,), (x < y, y < z)),
+]
+FALSE = [
+    Claim("square", (x**2 - 3 * x * y + y**2 >= 0,), squares=(x - y,)),
+    Claim("quotient", (equation((x * y + x) / x, y + 1),)),
+    Claim("root", (equation(sqrt(x**2), x),)),
+    Claim("root of anything", (sqrt(x) >= 0,)),
+    Claim("sum of angles", (equation(sin(x + y), sin(x) * cos(y) - cos(x) * sin(y)),)),
+    Claim("thrice", (equation(cos(3 * x), 4 * cos(x) ** 3 + 3 * cos(x)),)),
+    Claim("cases", (Max(x, y) > x,)),
+    Claim("product", (x * y > 0,), (x > 0, y >= 0)),
+]
+
+
+@pytest.mark.parametrize("claim", TRUE, ids=lambda c: c.name)
+def test_true_claims_are_proved(claim):
+    for statement, certificate in prove(claim, {}):
+        assert why_rejected(statement, certificate) is None
+    assert witness.sample(claim, "true", 40).failures == []
+
+
+@pytest.mark.parametrize("claim", FALSE, ids=lambda c: c.name)
+def test_false_claims_are_not_proved_and_have_counterexamples(claim):
+    with pytest.raises(NotFound):
+        prove(claim, {})
+    assert witness.sample(claim, "false", 400).failures
+
+
+@pytest.mark.parametrize("expression", [Symbol("n") ** x, sin(sin(x)) / 2**y, Piecewise((x, x > 0), (oo, True))])
+def test_what_no_rule_translates_is_an_error(expression):
+    with pytest.raises(Untranslatable):
+        derivations(Claim("untranslatable", (equation(expression, 0),)))
+
+
+def test_translation_is_deterministic_and_sensitive():
+    claim = Claim("angles", (equation(sin(x + y), sin(y + x)),), (Eq(x**2, y),))
+    (first,), (second,) = derivations(claim), derivations(claim)
+    assert digest(first) == digest(second)
+    (other,) = derivations(claim.but(given=(Eq(x**2, -y),)))
+    assert digest(first) != digest(other)
+
+
+def test_induction_on_powers():
+    """(c + is)^n = cos nα + i sin nα; not with the sign turned."""
+    n, a, re, im = Symbol("n", integer=True), *symbols("alpha re im", real=True)
+    states = ((re, 1, re * cos(a) - im * sin(a)), (im, 0, re * sin(a) + im * cos(a)))
+    claim = Induction("power", n, (equation(re, cos(n * a)), equation(im, sin(n * a))), states)
+    ((statement, certificate),) = prove(claim, {})
+    assert why_rejected(statement, certificate) is None
+    assert witness.sample(claim, "power", 40).failures == []
+    wrong = claim.but(shows=(equation(re, cos(n * a)), equation(im, -sin(n * a))))
+    with pytest.raises(NotFound):
+        prove(wrong, {})
+    assert witness.sample(wrong, "power", 40).failures
+
+
+def test_separation_follows_the_program():
+    program = Program("p", (x,), ((y, x + 1), (z, 2 * y)), (z,))
+    apart = Separation("apart", program, (y,), (z,))
+    assert search(*statements(apart, {}))["reached"] == ["x", "y"]
+    joined = apart.but(outputs=(z,), avoid=(x,))
+    with pytest.raises(NotFound):
+        search(*statements(joined, {}))
+    assert path_to_avoided(joined) == ["z", "y", "x"]
+
+
+def test_linear_programming():
+    one = Fraction(1)
+    assert feasible([{"a": one}, {"a": -one, "b": one}], {"b": one}) == {0: 1, 1: 1}
+    assert feasible([{"a": one}], {"a": -one}) is None

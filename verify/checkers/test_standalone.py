@@ -1,0 +1,65 @@
+"""The stand-alone scripts: bare Python accepts each as it is, and none once a number or a statement is changed."""
+
+import json
+import re
+import subprocess
+import sys
+
+import pytest
+
+from proofs.engine.certificate import FOLDER
+from proofs.engine.standalone import main, standalone_script
+from proofs.engine.theorem import Theorem, all_theorems
+
+CHECKED = [path.stem for path in sorted(FOLDER.glob("*.json"))]
+
+
+def run(script, folder):
+    """Run a script with the standard library alone; return the finished process."""
+    path = folder / "theorem.py"
+    path.write_text(script, encoding="utf-8")
+    command = [sys.executable, "-I", "-S", "-X", "utf8", str(path)]
+    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", cwd=folder, check=False)
+
+
+@pytest.mark.parametrize("id", ["tangent_frame", "seed_orientation", "bump_moves_no_boundary"])
+def test_the_script_says_its_verdict(id, tmp_path):
+    done = run(standalone_script(id), tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert f"{id}: {'REFUTED' if id == 'seed_orientation' else 'PROVED'}." in done.stdout
+    assert "accepted" in done.stdout
+    assert "REJECTED" not in done.stdout
+
+
+def test_a_changed_certificate_is_rejected(tmp_path):
+    script = standalone_script("tangent_frame")
+    head, data, tail = re.split(r'(?<=DATA = r""")\n|\n(?=""")', script[script.index("DATA") :], maxsplit=2)
+    changed = json.loads(data)
+    proof = changed["claims"][2]["statements"][0]["certificate"]["proofs"][0]
+    proof["cofactors"][0][1] = {"": "2"}
+    before = script[: script.index("DATA")]
+    done = run(f"{before}{head}\n{json.dumps(changed)}\n{tail}", tmp_path)
+    assert done.returncode == 1
+    assert "orthonormal 1: derivation" in done.stdout
+    assert "REJECTED: ('the two sides differ'" in done.stdout
+
+
+def test_a_changed_statement_is_rejected(tmp_path):
+    done = run(standalone_script("tangent_frame").replace('"is": "="', '"is": ">="', 1), tmp_path)
+    assert done.returncode == 1
+    assert "the statement is not the one that was hashed" in done.stdout
+
+
+def test_every_certificate_has_a_script():
+    for id in CHECKED:
+        if id in all_theorems():
+            compile(standalone_script(id), id, "exec")
+
+
+def test_what_has_no_certificate_has_no_script(monkeypatch, capsys):
+    cited = Theorem("elsewhere", "Elsewhere", "s3", "", expected="cited", source="Blinn1978")
+    monkeypatch.setattr("proofs.engine.standalone.all_theorems", lambda: {"elsewhere": cited})
+    with pytest.raises(ValueError, match="elsewhere is cited: it has no certificate"):
+        standalone_script("elsewhere")
+    assert main(["nothing"]) == 2
+    assert "elsewhere" in capsys.readouterr().err

@@ -1,0 +1,83 @@
+"""Both checkers and the judge of tampered certificates, against each other; the judge and the draw, on their own."""
+
+import json
+import random
+from itertools import islice
+
+import pytest
+
+from proofs.check import FOLDER
+from proofs.engine import kernel
+from verify.checkers import second_checker
+from verify.checkers.by_values import holds
+from verify.checkers.tampering import change, draws
+
+COUNT = 5  # of each certificate; `python -m tests.tampered_certificates` draws 1,000, and asks the browser too
+CHECKERS = {"kernel": kernel.check, "second": second_checker.check}
+THEOREMS = {path.stem: json.loads(path.read_text())["claims"] for path in sorted(FOLDER.glob("*.json"))}
+SQUARE = {
+    "version": 1,
+    "kind": "derivation",
+    "variables": ["x", "y"],
+    "steps": [
+        {"step": "assume", "is": ">", "of": {"y": "1"}},
+        {"step": "show", "is": "!=", "of": {"": "1", "x^2": "1"}},
+    ],
+}
+PROOF = {"rule": "contradiction", "positive": [], "sum": [["1", {"x": "1"}, []]], "cofactors": [[1, {"": "1"}]]}
+
+
+@pytest.mark.parametrize("theorem", THEOREMS)
+def test_a_tampered_certificate_is_rejected_where_its_sides_differ_at_a_point(theorem):
+    for pair in (pair for claim in THEOREMS[theorem] for pair in claim["statements"]):
+        statement, certificate = pair["statement"], pair["certificate"]
+        assert holds(statement, certificate)
+        for *tampered, still in islice(draws(statement, certificate, seed=1), COUNT):
+            for name, check in CHECKERS.items():
+                assert (check(*tampered) is None) == still, (name, tampered)
+
+
+@pytest.mark.parametrize(
+    ("of", "root", "still"),
+    [
+        ({"": "1", "x^2": "1"}, {"x": "1"}, True),
+        ({"": "1", "x^2": "1"}, {"x": "-1"}, True),
+        ({"": "1", "x^2": "1"}, {"x": "2"}, False),
+        ({"": "1", "x^2": "2"}, {"x": "1"}, False),
+        ({"": "1", "x^3": "1"}, {"x": "1"}, False),
+        ({"": "-1", "x^2": "1"}, {"x": "1"}, False),
+    ],
+)
+def test_the_judge_of_a_square(of, root, still):
+    statement = SQUARE | {"steps": [SQUARE["steps"][0], SQUARE["steps"][1] | {"of": of}]}
+    certificate = {"proofs": [PROOF | {"sum": [["1", root, []]]}]}
+    assert holds(statement, certificate) == still
+    assert [check(statement, certificate) is None for check in CHECKERS.values()] == [still, still]
+
+
+def test_a_hypothesis_that_no_proof_uses_may_change():
+    steps = [SQUARE["steps"][0] | {"of": {"y": "-7"}}, SQUARE["steps"][1]]
+    assert holds(SQUARE | {"steps": steps}, {"proofs": [PROOF]})
+
+
+def test_draws_are_seeded_different_and_of_every_sort():
+    drawn = list(islice(draws(SQUARE, {"proofs": [PROOF]}, seed=3), 300))
+    assert drawn == list(islice(draws(SQUARE, {"proofs": [PROOF]}, seed=3), 300))
+    assert drawn != list(islice(draws(SQUARE, {"proofs": [PROOF]}, seed=4), 300))
+    assert {still for *_, still in drawn} == {True, False}
+    goals = [statement["steps"][1]["of"] for statement, *_ in drawn]
+    proofs = [certificate["proofs"][0] for _, certificate, _ in drawn]
+    assert {"": "1", "x^2": "-1"} in goals  # a sign
+    assert {"": "1", "x": "1"} in goals  # an exponent
+    assert any(set(goal) - {"", "x^2"} and goal.get("x^2") == "1" for goal in goals)  # a coefficient that was 0
+    assert any(proof["cofactors"] != PROOF["cofactors"] for proof in proofs)
+    assert any(proof["sum"] != PROOF["sum"] for proof in proofs)
+
+
+def test_a_change_is_of_one_term_and_stays_in_the_format():
+    rng = random.Random(0)
+    for _ in range(500):
+        changed = change({"": "1/2", "x^2 y": "-3"}, ["x", "y"], rng)
+        assert changed != {"": "1/2", "x^2 y": "-3"}
+        assert len(set(changed.items()) & {("", "1/2"), ("x^2 y", "-3")}) >= 1
+        assert all("^0" not in monomial and "-" not in monomial and value != "0" for monomial, value in changed.items())

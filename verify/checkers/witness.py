@@ -1,0 +1,108 @@
+"""The second witness: the claims themselves, as SymPy states them, evaluated at random points with 50 digits.
+
+It knows nothing of the kernel, of certificates, or of the translation into polynomials. A fixed seed for each claim.
+"""
+
+import random
+from dataclasses import dataclass, field
+
+import mpmath
+from sympy import sympify
+
+from proofs.engine.claim import Induction
+from verify.checkers.digits import DIGITS, TOLERANCE, WORKING_DIGITS, Code, Relations, Undefined
+from verify.checkers.sampler import Sampler
+
+__all__ = ["DIGITS", "TOLERANCE", "WORKING_DIGITS", "Witness", "fails_at", "outcome", "printed", "sample"]
+
+
+@dataclass
+class Witness:
+    """What sampling a claim showed: how many points satisfied its hypotheses, and where its conclusion failed."""
+
+    points: int = 0
+    failures: list = field(default_factory=list)
+
+    @property
+    def smallest(self):
+        """The failing point that is shortest to write down, {symbol: value}, or None."""
+        return min(self.failures, key=_length, default=None)
+
+
+def _length(point):
+    return sum(len(mpmath.nstr(value, 20)) for value in point.values()), str(point)
+
+
+def printed(point, digits=DIGITS):
+    """Return a point as {name: text}."""
+    return {str(s): mpmath.nstr(v, digits) for s, v in sorted(point.items(), key=lambda p: str(p[0]))}
+
+
+def sample(claim, seed, points=64, failures=None, attempts=200):
+    """Return the Witness of a claim at `points` random points that satisfy its hypotheses (or until `failures`)."""
+    with mpmath.workdps(WORKING_DIGITS):
+        if isinstance(claim, Induction):
+            return _sample_induction(claim, seed, points)
+        sampler, witness = Sampler(claim, seed), Witness()
+        for _ in range(points * attempts):
+            values = sampler.inputs_at_random()
+            failed = None if values is None else sampler.fails_at(values)
+            if failed is None:
+                continue
+            witness.points += 1
+            if failed:
+                witness.failures.append(values)
+            if witness.points >= points or len(witness.failures) >= (failures or points):
+                break
+        return witness
+
+
+def _exact(point):
+    """Return {symbol: 50-digit value} of ((symbol, exact value), …)."""
+    return {s: Code((), (v,))({})[0] for s, v in point}
+
+
+def outcome(claim, at):
+    """Return "holds", "fails" or "undefined" for the conclusions at the values of the inputs, whatever is given."""
+    with mpmath.workdps(WORKING_DIGITS):
+        values = _exact(at)
+        _, lines = claim.names()
+        try:
+            return "holds" if Relations(values, claim.shows, lines.definitions if lines else ())(values) else "fails"
+        except Undefined:
+            return "undefined"
+
+
+def fails_at(claim, at, attempts=500):
+    """Return a point with the given coordinates where the hypotheses hold and a conclusion does not, or None."""
+    with mpmath.workdps(WORKING_DIGITS):
+        sampler, fixed = Sampler(claim, "fails_at"), _exact(at)
+        for _ in range(attempts):
+            values = sampler.inputs_at_random(fixed)
+            if values is not None and sampler.fails_at(values):
+                return values
+        return None
+
+
+def _sample_induction(claim, seed, points):
+    rng, witness = random.Random(seed), Witness()
+    starts, nexts = ([sympify(e) for e in column] for column in list(zip(*claim.states, strict=True))[1:] or ((), ()))
+    states = [s for s, _, _ in claim.states]
+    used = set().union(*(e.free_symbols for e in (*claim.shows, *claim.given, *starts, *nexts)))
+    inputs = sorted(used - set(states) - {claim.n}, key=lambda s: s.name)
+    everything = [*inputs, *states, claim.n]
+    given, shows = Relations(inputs, claim.given), Relations(everything, claim.shows)
+    start, following = Code(inputs, starts), Code(everything, nexts)
+    while witness.points < points:
+        values = {s: 4 * mpmath.ldexp(rng.getrandbits(200), -200) - 2 for s in inputs}
+        if not given(values):
+            continue
+        now = start(values)
+        for n in range(rng.randint(1, 12) + 1):
+            at = values | dict(zip(states, now, strict=True)) | {claim.n: mpmath.mpf(n)}
+            witness.points += 1
+            if not shows(at):
+                witness.failures.append(at)
+                break
+            now = following(at)
+    return witness
