@@ -12,9 +12,12 @@ from itertools import product
 from matplotlib import colormaps
 from sympy import diff
 
+from proofs.formulas import step_bounds
+from proofs.formulas.camera import parallel_radius
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer import Light, Scene, exact, kernels
+from renderer.generate.kernels import function_of
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEBRAIC
 from renderer.machines.drawing_code import ARGUMENTS
 from renderer.machines.points_code import inputs_of
@@ -38,11 +41,10 @@ WANTS = {
 """The drawings; a picture is all of them, one after another. A's chart is kept for the next picture."""
 
 OVER_POINTS = (
-    *(kernels.image_extent, kernels.image_x, kernels.image_y, kernels.parallel_radius),
+    *(kernels.image_extent, kernels.image_x, kernels.image_y, function_of(parallel_radius)),
     *(kernels.point_on_a, kernels.bumped_normal, kernels.slope, kernels.phong),
     *(kernels.normal_of_b, kernels.normal_of_floor),
-    *(kernels.truncation_bound, kernels.clamped_bound, kernels.rounding_bound),
-    *(kernels.crease_bound, kernels.slope_bound),
+    *map(function_of, step_bounds.BOUNDS),
     *(FIELDS[name][role] for name in FIELDS for role in ("height", "kink", "straddling")),
     *(field["wave_numbers"] for field in FIELDS.values() if field["wave_numbers"]),
 )

@@ -336,32 +336,6 @@ def clip(color):
     return minimum(1.0, maximum(0.0, color))
 
 
-def parallel_radius(sin_phi, cos_phi, eye, radius):
-    return eye * radius * sin_phi / (eye - cos_phi * radius)
-
-
-def truncation_bound(epsilon, frequency):
-    return (1.0 / 6.0) * pi * pi * pi * epsilon * epsilon * frequency * frequency * frequency
-
-
-def clamped_bound(epsilon, v, frequency):
-    truncation = pi * pi * pi * frequency * frequency * frequency * ((1.0 / 6.0) * epsilon * epsilon + (1.0 / 3.0) * epsilon * v - (1.0 / 3.0) * v * v)
-    return truncation
-
-
-def rounding_bound(epsilon, steepest, unit, evaluation, argument):
-    rounding = steepest * (unit * unit + 2.0 * unit) + (unit + 1.0) * (unit + 1.0) * (argument * steepest + evaluation) / epsilon
-    return rounding
-
-
-def crease_bound(frequency):
-    return 2.0 * pi * frequency
-
-
-def slope_bound(frequency):
-    return pi * frequency
-
-
 def height_sine(u, v, k_u, k_v):
     return sinpi(*two_product(k_u, u)) * sinpi(*two_product(k_v, v))
 
@@ -551,9 +525,7 @@ FIELDS = {
         "straddling": straddling_sine,
         "gradient_from_factors": gradient_from_factors_sine,
         "wave_numbers": wave_numbers_sine,
-        "forward": forward,
-        "central": central,
-        "central4": central4,
+        "forward": forward, "central": central, "central4": central4,
         "height_evaluations": {"forward": 3, "central": 4, "central4": 8},
     },
     "ridges": {
@@ -563,9 +535,7 @@ FIELDS = {
         "straddling": straddling_ridges,
         "gradient_from_factors": gradient_from_factors_ridges,
         "wave_numbers": wave_numbers_ridges,
-        "forward": forward,
-        "central": central,
-        "central4": central4,
+        "forward": forward, "central": central, "central4": central4,
         "height_evaluations": {"forward": 3, "central": 4, "central4": 8},
     },
     "rings": {
@@ -575,9 +545,7 @@ FIELDS = {
         "straddling": straddling_rings,
         "gradient_from_factors": gradient_from_factors_rings,
         "wave_numbers": wave_numbers_rings,
-        "forward": forward_in_v,
-        "central": central_in_v,
-        "central4": central4_in_v,
+        "forward": forward_in_v, "central": central_in_v, "central4": central4_in_v,
         "height_evaluations": {"forward": 2, "central": 2, "central4": 4},
     },
 }

@@ -9,14 +9,14 @@ from renderer import Scene, exact, kernels
 from renderer.machines.webassembly import compiled_module
 from renderer.numbers import want_of
 
-KERNELS = {"slope": kernels.slope, "rounding_bound": kernels.rounding_bound}
+KERNELS = {"slope": kernels.slope, "view_length": kernels.view_length}
 
 
 def test_two_kernels_are_a_small_module_and_always_the_same():
     module, outputs = compiled_module({}, KERNELS)
     assert module.startswith(b"\0asm\1\0\0\0") and len(module) < 1000
     assert all(name.encode() in module for name in KERNELS)
-    assert outputs == {"slope": 1, "rounding_bound": 1}
+    assert outputs == {"slope": 1, "view_length": 1}
     assert compiled_module({}, KERNELS)[0] == module
 
 

@@ -43,3 +43,6 @@ crease_bound = Program("crease_bound", (frequency,), ((apart, 2 * pi * frequency
 
 slope_bound = Program("slope_bound", (frequency,), ((steepest, pi * frequency),), (steepest,))
 """L = πk."""
+
+BOUNDS = (truncation_bound, clamped_bound, rounding_bound, crease_bound, slope_bound)
+"""What is drawn behind a measured U-curve."""

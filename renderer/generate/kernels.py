@@ -59,7 +59,7 @@ def _field_entry(field):
     lines = [f'"{role}": {program.name},' for role, program in programs.field_programs(field).items()]
     if not field.wave_numbers:
         lines.append('"wave_numbers": None,')
-    lines += [f'"{method}": {programs.difference_of(method, field)},' for method in METHODS]
+    lines.append(", ".join(f'"{method}": {programs.difference_of(method, field)}' for method in METHODS) + ",")
     heights = {method: programs.height_evaluations(method, field) for method in METHODS}
     lines.append(f'"height_evaluations": {heights},'.replace("'", '"'))
     return f'    "{field.name}": {{\n' + textwrap.indent("\n".join(lines), " " * 8) + "\n    },"

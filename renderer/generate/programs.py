@@ -15,7 +15,6 @@ from proofs.formulas import (
     shading,
     shadow,
     shadow_cone,
-    step_bounds,
 )
 from proofs.formulas.chart import chart
 from proofs.formulas.symbols import h_v, k_u, k_v, real, u, v, x, y
@@ -67,17 +66,6 @@ LIGHT = (
     shading.clip,
 )
 
-PLOTS = (
-    camera.parallel_radius,
-    step_bounds.truncation_bound,
-    step_bounds.clamped_bound,
-    step_bounds.rounding_bound,
-    step_bounds.crease_bound,
-    step_bounds.slope_bound,
-)
-"""What the simulator's plots draw: exact loci and proved bounds."""
-
-
 ANY_FIELD = height_fields.HeightField("any", Function("height")(u, v, k_u, k_v))
 
 
@@ -119,6 +107,6 @@ def field_programs(field):
 
 def named():
     """Return {name in renderer/kernels.py: program} of every kernel but the differences, in the order of the file."""
-    parts = [ONCE_A_SCENE, PLACES, GRADIENT, LIGHT, PLOTS]
+    parts = [ONCE_A_SCENE, PLACES, GRADIENT, LIGHT]
     parts += [field_programs(field).values() for field in height_fields.HEIGHT_FIELDS.values()]
     return ELEMENTARY | {program.name: program for part in parts for program in part}
