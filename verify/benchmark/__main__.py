@@ -20,6 +20,7 @@ from verify.benchmark import agreement, gradients, image_gradient, start
 from verify.benchmark.frames import frame_cases, step_cases
 from verify.benchmark.numbers import frame_numbers
 from verify.benchmark.plan import ROUNDS, Case, run
+from verify.benchmark.rules import rule_cases, rule_numbers
 from verify.benchmark.targets import table, verdicts
 
 RESULTS = Path(__file__).parent / "results"
@@ -70,11 +71,11 @@ def load():
 
 def measure_frames(only, rounds, quick):
     """Return (label, numbers) of whole frames; None if no case has that name."""
-    cases = [*frame_cases(QUICK_SIDE if quick else 2**24), *step_cases(), image_gradient.CASE, *start.CASES]
+    cases = [*frame_cases(QUICK_SIDE if quick else 2**24), *step_cases(), *rule_cases(), image_gradient.CASE, *start.CASES]
     if not (cases := selected(cases, only, rounds)):
         return None
     times, report = run(cases, "frames")
-    numbers = frame_numbers(times)
+    numbers = frame_numbers(times) | rule_numbers(times)
     if image_gradient.CASE.name in times:
         numbers["image_gradient_ns"] = 1e9 * times[image_gradient.CASE.name] / image_gradient.points()
     if not only:

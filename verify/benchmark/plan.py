@@ -18,7 +18,7 @@ import pytest
 from tqdm import tqdm
 
 HERE = Path(__file__).parent
-ROUNDS = 7
+ROUNDS = 9
 
 
 @dataclass(frozen=True)

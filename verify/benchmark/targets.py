@@ -32,7 +32,7 @@ class Target:
         return self.form.format(value), "met" if self.low <= value <= self.high else "not met"
 
 
-MS, NS, TIMES = "{:.3g} ms", "{:.3g} ns", "{:,.3g} ×"
+MS, NS, SECONDS, TIMES = "{:.3g} ms", "{:.3g} ns", "{:.3g} s", "{:,.3g} ×"
 TARGETS = (
     Target("algebraic_1024_2_ms", "default frame, exact, 1024², two threads", 9, form=MS),
     Target("numpy_to_algebraic_1024", "… NumPy row tiles take, in its times", low=12, form=TIMES),
@@ -41,11 +41,14 @@ TARGETS = (
     Target("central_1024_2_ms", "default frame, central differences, 1024², two threads", 30, form=MS),
     Target("eps_step_exact_1024_2_ms", "ε-step with the cache, exact, 1024²", 5, form=MS),
     Target("eps_step_central_1024_2_ms", "ε-step with the cache, central, 1024²", 15, form=MS),
-    Target("image_gradient_ns", "exact gradient from the image point, algebraic, one thread, a point", 10, form=NS),
+    Target("image_gradient_ns", "exact gradient from the image point, algebraic, one thread, a point", 8, form=NS),
     Target("a_alone_central_to_algebraic", "sphere A alone: central takes, in times of exact", low=2, form=TIMES),
     Target("exponent_2", "time ∝ pixels to the power, 256² to 8192²", 1.05, 0.95, "{:.3f}"),
     Target("chambers_differing", "pixels whose chamber differs from the per-pixel reference", 0, 0, "{:,}"),
     Target("image_error", "image against the strict scalar reference, largest difference", 1e-13, form="{:.2g}"),
+    Target("start_one_picture_s", "a fresh interpreter, one picture of 256², imports included", 1.0, form=SECONDS),
+    Target("start_two_pictures_s", "… README's two", 1.5, form=SECONDS),
+    Target("start_image_2048_s", "python -m renderer image --size 2048, from nothing", 2.0, form=SECONDS),
     Target("sympy_imported", "times that python -m renderer image imports SymPy", 0, 0, "{:g}"),
 )
 

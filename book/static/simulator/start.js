@@ -5,6 +5,7 @@ var Simulator = Simulator || {};
 Simulator.start = function (root, compiled, module) {
   const data = Simulator.data, states = Simulator.state(data), $ = (selector) => root.querySelector(selector);
   add_fields($("[data-parameter=field]"));
+  add_models($("#sim-model"));
   let state = states.start(), wanted = 0, saved = 0, picture = [], picture_of = "", pixel_curve = null;
   let pixel_key = "", shown_panels = 0;
   const PANELS_EVERY = 100; // milliseconds
@@ -15,6 +16,13 @@ Simulator.start = function (root, compiled, module) {
     for (const name of Object.keys(data.fields)) {
       if (menu.querySelector(`input[value="${name}"]`)) continue;
       menu.insertAdjacentHTML("beforeend", `<label><input type="radio" name="sim-field" value="${name}"> ${name}</label>`);
+    }
+  }
+
+  // So do the models of light: the menu has the names of two.
+  function add_models(menu) {
+    for (const name of Object.keys(data.models)) {
+      if (![...menu.options].some(({ value }) => value === name)) menu.add(new Option(name, name));
     }
   }
 
