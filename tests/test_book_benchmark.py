@@ -7,7 +7,7 @@ from verify.benchmark.frames import SIDES
 from verify.benchmark.gradients import LIBRARIES, OURS
 from verify.benchmark.targets import TARGETS
 
-PAGE = Path(__file__).parent.parent / "book" / "benchmark.md"
+PAGE = Path(__file__).parent.parent / "book" / "checked" / "benchmark.md"
 
 
 def test_every_renderer_is_drawn():

@@ -12,9 +12,9 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 import book.__main__ as command_line
-from book import stamps
-from book.figures import save
-from book.figures.registry import Drawing, Registered
+from book.build import stamps
+from book.drawing import save
+from book.drawing.registry import Drawing, Registered
 from book.releases import changelog, command, compare, kept, record, same_bytes, tolerances
 
 GRADES = {

@@ -6,8 +6,8 @@ from functools import cache
 import numpy as np
 from flint import arb, ctx
 
-from book.figures.registry import Drawing, figure
-from book.style import bound_style, label_line_end, palette, plot, readable
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import bound_style, label_line_end, palette, plot, readable
 from verify.accuracy.elementary import CERTIFIED, KERNELS, pieces_of, worst
 
 NAMES = {"sinpi": r"$\sin\,\pi r$", "cospi": r"$\cos\,\pi r$", "atan2pi": r"atan2$(t, 1)/\pi$"}

@@ -3,8 +3,8 @@
 import numpy as np
 from sympy import Rational
 
-from book.figures.registry import Drawing, figure
-from book.style import bound_style, decades, label_line_end, palette, plot, readable, slope_triangle
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import bound_style, decades, label_line_end, palette, plot, readable, slope_triangle
 from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import k_u, k_v, u, v
