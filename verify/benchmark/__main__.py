@@ -71,7 +71,13 @@ def load():
 
 def measure_frames(only, rounds, quick):
     """Return (label, numbers) of whole frames; None if no case has that name."""
-    cases = [*frame_cases(QUICK_SIDE if quick else 2**24), *step_cases(), *rule_cases(), image_gradient.CASE, *start.CASES]
+    cases = [
+        *frame_cases(QUICK_SIDE if quick else 2**24),
+        *step_cases(),
+        *rule_cases(),
+        image_gradient.CASE,
+        *start.CASES,
+    ]
     if not (cases := selected(cases, only, rounds)):
         return None
     times, report = run(cases, "frames")

@@ -17,11 +17,11 @@ from proofs.engine.claim import Separation
 from proofs.engine.search import MAX_EFFORT, NotFound
 from proofs.engine.theorem import incomplete
 from verify.checkers import witness
-from verify.checkers.acceptance import accept, not_found, show_polynomial, why_rejected
+from verify.checkers.acceptance import CHECKERS, accept, not_found, show_polynomial, why_rejected
 from verify.checkers.counterexamples import FAILURES, counterexample, path_to_avoided
 from verify.checkers.evidence import Evidence
 from verify.checkers.grades import final_grades
-from verify.checkers.measurements import measurements
+from verify.checkers.registry import measurements
 
 __all__ = [
     "LONG_POINTS",
@@ -115,6 +115,8 @@ def _check_certificates(found, theorem, theorems, anew):
         found.problems += [f"{claim.name}: {why}" for why in reasons]
         count += len(pairs)
     found.record["statements"] = count
+    if len(CHECKERS) < 2:
+        found.record["second_checker"] = "not run"
 
 
 def _stale(theorem, theorems, error):

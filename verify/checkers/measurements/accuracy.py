@@ -9,7 +9,7 @@ from verify.accuracy.difference_bounds import Bounds, bounds, escapes
 from verify.accuracy.differences import CASES, STEPS, parts
 from verify.accuracy.gradients import ALGEBRAIC, GENERAL, rounded_product, worst_at_chart_points, worst_at_image_points
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, TOLERANCE, checked_pixels, problems
-from verify.checkers.measurements import Measurement, measures
+from verify.checkers.measurement import Measurement, measures
 
 FIELDS = ("sine", "ridges", "rings")
 

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 from proofs.formulas import elementary as e
 from verify.accuracy.elementary import CERTIFIED, angle_pieces, off_by, sine_pieces, worst
-from verify.checkers.measurements import Measurement, measures
+from verify.checkers.measurement import Measurement, measures
 
 
 def _certified(name, pieces, bound):

@@ -1,0 +1,92 @@
+"""Evidence that is kept: read again while nothing changed, measured anew after an edit, refused if changed."""
+
+import json
+import shutil
+import subprocess
+import sys
+from dataclasses import asdict, replace
+
+import pytest
+
+from proofs.engine.theorem import all_theorems
+from verify import sources
+from verify.checkers import kept
+from verify.checkers.proof_checker import examine
+
+THEOREMS = all_theorems()
+QUICK = THEOREMS["crease_products"]
+
+
+@pytest.fixture
+def folder(monkeypatch, tmp_path):
+    """An empty folder of kept evidence."""
+    monkeypatch.setattr(kept, "FOLDER", tmp_path / "theorems")
+    return tmp_path / "theorems"
+
+
+@pytest.fixture
+def written(folder):
+    """The key and the evidence that were kept of a theorem."""
+    key, found = kept.key_of(QUICK, 32), examine(QUICK, THEOREMS)
+    kept.keep(found, key)
+    return key, found
+
+
+def test_what_is_kept_is_what_was_found(written):
+    key, found = written
+    assert asdict(kept.read(QUICK, key)) == asdict(found)
+    assert kept.key_of(QUICK, 32) == key
+
+
+def test_what_was_changed_is_not_read(written, folder):
+    key, _ = written
+    (path,) = folder.iterdir()
+    good = json.loads(path.read_text(encoding="utf-8"))
+    tampered = json.loads(json.dumps(good))
+    tampered["evidence"]["record"]["measurements"][0]["worst"] = 0.5
+    for content in (json.dumps(tampered), json.dumps(good | {"hash": ""}), "{}", "[]", ""):
+        path.write_text(content, encoding="utf-8")
+        assert kept.read(QUICK, key) is None
+    assert kept.read(QUICK, "another key") is None
+
+
+def test_what_failed_is_not_kept(folder):
+    failed = examine(QUICK, THEOREMS)
+    failed.problems.append("it does not hold")
+    kept.keep(failed, kept.key_of(QUICK, 32))
+    assert not folder.exists()
+
+
+def test_the_key_knows_the_theorem_and_the_number_of_points():
+    keys = {kept.key_of(QUICK, 32), kept.key_of(QUICK, 2000), kept.key_of(replace(QUICK, title="Another"), 32)}
+    assert len(keys) == 3
+
+
+def test_what_has_a_proof_is_not_kept():
+    assert not any(kept.may_be_kept(t) for t in THEOREMS.values() if t.expected in ("proved", "refuted"))
+    assert kept.may_be_kept(QUICK)
+
+
+def run(copy):
+    """Run two theorems in a copy of the project; return {id: how long each took} as the summary tells."""
+    command = [sys.executable, "-m", "pytest", "verify", "-q", "-p", "no:cacheprovider", "--theorem"]
+    command += ["crease_products", "--theorem", "pole_accuracy"]
+    done = subprocess.run(command, cwd=copy, capture_output=True, text=True, encoding="utf-8", check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    lines = [line.split() for line in done.stdout.splitlines()]
+    return {line[0]: line[2] for line in lines if len(line) > 3 and line[1] == "measured"}
+
+
+def test_a_changed_formula_is_measured_anew(tmp_path):
+    """An edit of the frame, which no rounded product reaches, and the error at the pole does."""
+    for name in ("proofs", "renderer", "verify"):
+        shutil.copytree(sources.ROOT / name, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("pyproject.toml", "book/references.bib"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        shutil.copy(sources.ROOT / name, tmp_path / name)
+    assert "kept" not in run(tmp_path).values()
+    formula = tmp_path / "proofs" / "formulas" / "tangent_frame.py"
+    formula.write_text(formula.read_text(encoding="utf-8") + "\n# edited\n", encoding="utf-8")
+    took = run(tmp_path)
+    assert took["crease_products"] == "kept"
+    assert took["pole_accuracy"] != "kept"
