@@ -4,6 +4,7 @@ Truth is the pixel's program in balls of 256 bits, whose radius is below 1e-50; 
 of the same program in balls of 53 bits. A pixel whose chamber or side of a crease those leave open is counted apart.
 """
 
+from copy import copy
 from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
@@ -62,8 +63,8 @@ def _kinds(scene, frame):
     surface, shadows = frame.chambers & 3, frame.chambers >> 2 & 31
     u, v = frame.surface_data["u"], frame.surface_data["v"]
     waves = [w - np.rint(w) for w in (scene.ku * u, scene.kv * v)]
-    flat = render(replace(scene, beta=0.0), *frame.raster.shape[::-1], stage=frame.stage)
-    lights = range(len(scene.lights))
+    lights, flat = range(len(scene.lights)), copy(frame)
+    flat.scene = replace(scene, beta=0.0)  # its light's cosines are of the same points, without the bump
     return {
         "at random": np.zeros(surface.shape),
         "silhouette": np.where(_edges(surface), 0.0, np.inf),

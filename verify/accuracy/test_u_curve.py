@@ -9,7 +9,7 @@ import pytest
 from renderer import central, exact, gradient_at
 from verify.accuracy import best_step
 from verify.accuracy.difference_bounds import Bounds, bounds, escapes
-from verify.accuracy.differences import CASES, STEPS, Case, parts
+from verify.accuracy.differences import CASES, STEPS, Case, _kernel, _values, parts
 from verify.accuracy.ridge_law import SCENE, predicted, quadrature
 
 STEEP = CASES[0]
@@ -28,6 +28,13 @@ def test_the_parts_make_the_whole(case):
     found = parts(case, SOME)
     whole = found.truncation + found.argument + found.roundoff
     np.testing.assert_allclose(whole, found.total, rtol=1e-12, atol=1e-14 * np.abs(found.truncation).max())
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_the_differences_are_the_renderers(case):
+    at = {name: np.full(len(SOME), value) for name, value in _values(case).items()} | {"epsilon": SOME}
+    one_by_one = [gradient_at(case.scene, case.u, case.v, central(float(step))) for step in SOME]
+    assert _kernel(case, at).tolist() == [float(found[case.component == "h_v"]) for found in one_by_one]
 
 
 def test_truncation_has_its_closed_form():

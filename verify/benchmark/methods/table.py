@@ -5,6 +5,7 @@ A method's function takes the points' (u, v), or for the algebraic form cos θ, 
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central, central4, forward
 from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from proofs.formulas.symbols import epsilon
+from proofs.formulas.symbols import epsilon, k_u, k_v, u, v
 from verify.benchmark.methods import peers
 from verify.benchmark.methods.algebraic import algebraic_gradient
 from verify.benchmark.methods.compiled import compiled_loop
@@ -48,8 +49,16 @@ class Method:
         return self.module is None or peers.installed(self.module)
 
 
+@cache
+def _filled(count, value):
+    return np.full(count, value)
+
+
 def _difference(program):
-    return lambda eps: compiled_loop(program(FIELD), WAVES | {epsilon.name: eps})
+    """Return eps → the difference: ε is read beside the points, so that all steps run the same code."""
+    whole = program(FIELD)
+    points = Program(whole.name, (u, v, epsilon, k_u, k_v), whole.definitions, whole.outputs)
+    return lambda eps: lambda at_u, at_v: compiled_loop(points, WAVES)(at_u, at_v, _filled(len(at_u), eps))
 
 
 def _naive(_):

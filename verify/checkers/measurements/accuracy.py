@@ -142,7 +142,7 @@ def clamped_orders(odd=2.0, other=1.0):
 @measures("difference_slopes", false={"third order": {"slope": 3.0}})
 def truncation_slope(slope=2.0):
     """The order of the truncation error at a smooth point."""
-    seen, _ = _taken_apart()[CASES[0]]
+    seen = parts(CASES[0])
     branch = (seen.steps < 1e-3) & (seen.steps > 1e-12)
     order = clamped_order.fitted_slope(seen.steps[branch], np.abs(seen.truncation[branch]))
     return Measurement(
