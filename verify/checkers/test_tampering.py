@@ -50,7 +50,7 @@ def test_the_judge_of_a_square(of, root, still):
     statement = SQUARE | {"steps": [SQUARE["steps"][0], SQUARE["steps"][1] | {"of": of}]}
     certificate = {"proofs": [PROOF | {"sum": [["1", root, []]]}]}
     assert holds(statement, certificate) == still
-    assert [check(statement, certificate) is None for check in CHECKERS.values()] == [still, still]
+    assert {check(statement, certificate) is None for check in CHECKERS.values()} == {still}
 
 
 def test_a_hypothesis_that_no_proof_uses_may_change():
