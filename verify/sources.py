@@ -25,8 +25,10 @@ def files_in(folder: Path) -> Iterator[Path]:
 
 
 def reachable(source: Path) -> set[Path]:
-    """The file, the repository's modules that it imports directly or not, and the data beside those."""
-    found = followed({source.resolve()})
+    """The file, its packages, the repository's modules that they import directly or not, and the data beside those."""
+    source = source.resolve()
+    around = source.relative_to(ROOT).with_suffix("").parts if source.is_relative_to(ROOT) else ()
+    found = followed({source, *_module_files(".".join(around))})
     code_only = {ROOT / "book", ROOT / "book" / "figures"}  # what lies beside these is prose
     folders = {path.parent for path in found} - code_only
     data = {other for folder in folders for other in folder.iterdir() if other.is_file() and _is_data(other)}
