@@ -22,7 +22,7 @@ from verify.benchmark.methods.differences import central6, richardson
 FIELD, KU, KV = HEIGHT_FIELDS["sine"], 8.0, 4.0
 WAVES = {"k_u": KU, "k_v": KV}
 STEPS = tuple(10.0 ** (-n / 4) for n in range(4, 45))
-SINGLE = (None,)
+SINGLE, FULL = (None,), 2**16
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Method:
     ours: bool = False
     angles: bool = False
     timed_once: bool = True
-    points: int = 2**16
+    points: int = FULL
     module: str | None = None
 
     @property
@@ -88,6 +88,7 @@ METHODS = (
     Method("SymPy, NumPy", _peer(peers.sympy_numpy)),
     Method("complex step", _peer(peers.complex_step), "step", tuple(10.0**-n for n in range(1, 21))),
     Method("dual numbers", _peer(peers.dual_numbers)),
+    Method("autograd", _peer(peers.autograd), module="autograd"),
     Method("JAX", _peer(peers.jax), module="jax"),
     Method("scipy.differentiate", _peer(peers.scipy_differentiate), "order", (2, 4, 6, 8, 10, 12),
            timed_once=False, points=1000, module="scipy"),
