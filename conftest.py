@@ -4,6 +4,20 @@ import os
 
 import pytest
 
+# Files that take most of a minute, or prepare for as long what their tests share: begun first, each on one worker.
+LONGEST = (
+    "test_newcomer.py",
+    "test_wheel.py",
+    "test_contributing.py",
+    "test_notebooks.py",
+    "test_single.py",
+    "test_pdf.py",
+    "test_releases.py",
+    "test_provenance.py",
+    "test_accepted_scenes.py",
+    "test_grid.py",
+)
+
 
 @pytest.hookimpl(trylast=True)
 def pytest_configure(config):
@@ -12,6 +26,11 @@ def pytest_configure(config):
         os.environ.setdefault("SYMBOLIC_RENDERING_CODE", str(config.cache.mkdir("compiled")))
 
 
-def pytest_collection_modifyitems(items):
-    """Begin with what is marked `begin_first`, lest one worker work alone at the end."""
-    items.sort(key=lambda item: item.get_closest_marker("begin_first") is None)
+def pytest_collection_modifyitems(config, items):
+    """Begin with LONGEST, in its order, lest one worker work alone at the end."""
+    order = {name: place for place, name in enumerate(LONGEST)}
+    items.sort(key=lambda item: order.get(item.path.name, len(order)))
+    if config.pluginmanager.hasplugin("xdist"):
+        for item in items:
+            if item.path.name in order:
+                item.add_marker(pytest.mark.xdist_group(item.path.name))

@@ -23,8 +23,6 @@ theorems = all_theorems()
 print(len(theorems), examine(theorems["unit_length"], theorems).grade)
 """
 
-pytestmark = pytest.mark.begin_first
-
 
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory):
