@@ -110,7 +110,7 @@ def _code(lines, lights):
     return parts[0] | sum(bit << (2 + i) for i, bit in enumerate(parts[1:-1])) | parts[-1] << 7
 
 
-def check(name, scene, frame, kind, column, row):
+def checked_pixel(name, scene, frame, kind, column, row):
     """Return a pixel of a frame, Checked."""
     lights = [light for light in scene.lights if light.color is not None]
     height, width = frame.raster.shape
@@ -138,7 +138,7 @@ def checked_pixels(scenes, size=SIZE, each=EACH, seed=SEED):
     found = []
     for name, scene in scenes.items():
         frame = render(scene, size, size)
-        found += [check(name, scene, frame, *place) for place in chosen(scene, frame, each, seed)]
+        found += [checked_pixel(name, scene, frame, *place) for place in chosen(scene, frame, each, seed)]
     return found
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from renderer.files import whole_file
 from verify import sources
-from verify.checkers.evidence import Evidence
+from verify.checkers.examination import Examination
 from verify.checkers.registry import sources_of
 from verify.optional import LIBRARIES
 
@@ -53,12 +53,12 @@ def keep(evidence, key):
 
 
 def read(theorem, key):
-    """Return the Evidence that was kept with that key, or None: nothing kept, another key, or changed since."""
+    """Return the Examination that was kept with that key, or None: nothing kept, another key, or changed since."""
     try:
         kept = json.loads((FOLDER / f"{theorem.id}.json").read_text(encoding="utf-8"))
         if kept["key"] != key or kept["hash"] != sources.key({key: kept["evidence"]}):
             return None
-        found = Evidence(**kept["evidence"])
+        found = Examination(**kept["evidence"])
     except (OSError, ValueError, KeyError, TypeError):
         return None
     found.uses = tuple(found.uses)

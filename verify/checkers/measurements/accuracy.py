@@ -7,7 +7,13 @@ import numpy as np
 from verify.accuracy import clamped_order, ridge_law
 from verify.accuracy.difference_bounds import Bounds, bounds, escapes
 from verify.accuracy.differences import CASES, STEPS, parts
-from verify.accuracy.gradients import ALGEBRAIC, GENERAL, rounded_product, worst_at_chart_points, worst_at_image_points
+from verify.accuracy.gradient_errors import (
+    ALGEBRAIC,
+    GENERAL,
+    rounded_product,
+    worst_at_chart_points,
+    worst_at_image_points,
+)
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, TOLERANCE, checked_pixels, problems
 from verify.checkers.measurement import Measurement, measures
 

@@ -13,7 +13,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from verify.accuracy.elementary import CERTIFIED, KERNELS, pieces_of
+from verify.accuracy.certified_ulps import CERTIFIED, KERNELS, pieces_of
 
 EXACT = {"sin": mpmath.sinpi, "cos": mpmath.cospi}
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 
 @dataclass
-class Evidence:
+class Examination:
     """What a run found about one theorem. `problems` name what is missing; `record` is what the report keeps."""
 
     id: str

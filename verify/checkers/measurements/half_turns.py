@@ -1,9 +1,9 @@
-"""The certificates of our sinpi, cospi and atan2pi. See verify/accuracy/elementary.py."""
+"""The certificates of our sinpi, cospi and atan2pi. See verify/accuracy/certified_ulps.py."""
 
 from fractions import Fraction
 
 from proofs.formulas import elementary as e
-from verify.accuracy.elementary import CERTIFIED, angle_pieces, off_by, sine_pieces, worst
+from verify.accuracy.certified_ulps import CERTIFIED, angle_pieces, off_by, sine_pieces, worst
 from verify.checkers.measurement import Measurement, measures
 
 
