@@ -49,7 +49,7 @@ def _term(text, coefficient, values):
     return product
 
 
-def refutation(statements, point):
+def refutation(statements: list[dict], point: dict) -> tuple[dict, dict] | None:
     """Return (statement, certificate) of kind "refutation" that the kernel accepts, or None.
 
     statements: a claim's derivations. point: {name: rational} for the variables, and cos(…), sin(…) of the circles.
