@@ -101,7 +101,7 @@ def main():
             numbers |= found
         version = browser.version
         browser.close()
-    write(options.out, {"label": label() | {"browser": f"Chromium {version}"}, "numbers": numbers})
+    write(options.out, {"label": label("llvmlite") | {"browser": f"Chromium {version}"}, "numbers": numbers})
 
 
 if __name__ == "__main__":

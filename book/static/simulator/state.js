@@ -11,11 +11,8 @@ Simulator.state = function ({ fields, models, scene }) {
     return { start, read, allowed, holds: (x) => typeof x === "number" && x >= low && x <= high, write: String };
   }
 
-  function whole(low, high, start) {
-    const { read, write } = number(low, high, start);
-    const holds = (x) => Number.isInteger(x) && x >= low && x <= high;
-    return { start, read, write, holds, allowed: `a whole number from ${low} to ${high}` };
-  }
+  const whole = (low, high, start) => ({ ...number(low, high, start), allowed: `a whole number from ${low} to ${high}`,
+    holds: (x) => Number.isInteger(x) && x >= low && x <= high });
 
   function choice(values, start) {
     const read = (text) => values.find((value) => String(value) === text);

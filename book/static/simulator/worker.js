@@ -5,7 +5,7 @@ var Simulator = Simulator || {};
 
 Simulator.worker = function (port) {
   const ROUNDS = 12, exact = { name: "exact" }, kept = {}; // name -> {key, value, fresh, version}
-  let module, pending = null, versions = 0; // the idle work that is left
+  let module, pending = null, timer = 0, versions = 0; // pending: the idle work that is left
 
   // What was made for this key, or what is made now. A key is a list of numbers and names.
   function keep(name, key, make = () => null) {
@@ -120,13 +120,12 @@ Simulator.worker = function (port) {
     }
   }
 
-  const channel = new MessageChannel();
-  channel.port1.onmessage = () => {
+  function go_on() {
     const next = pending?.next();
     if (!next || next.done) return;
     port.postMessage(next.value);
-    channel.port2.postMessage(0);
-  };
+    timer = setTimeout(go_on);
+  }
 
   let ready; // messages are taken in their order once the module is there
 
@@ -134,12 +133,10 @@ Simulator.worker = function (port) {
 
   async function receive(data) {
     await ready;
-    pending = null;
-    if (data.kind === "draw") draw(data);
-    if (data.kind === "idle") {
-      pending = idle(data);
-      channel.port2.postMessage(0);
-    }
+    pending = data.kind === "idle" ? idle(data) : null;
+    clearTimeout(timer);
+    if (pending) go_on();
+    else draw(data);
   }
 
   port.onmessage = ({ data }) => {
