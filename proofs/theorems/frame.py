@@ -12,6 +12,7 @@ from proofs.formulas.symbols import (
     cross,
     dot,
     eye,
+    lengths_of_a,
     normal,
     phi,
     radius,
@@ -106,7 +107,7 @@ _seed = Claim(
     (*on_circles, *_north),
     frame,
 )
-_off_the_pole = (eye > radius, rho_raw >= POLE * eye, discriminant_a >= 0)
+_off_the_pole = (*lengths_of_a, eye > radius, rho_raw >= POLE * eye, discriminant_a >= 0)
 _angles = Claim(
     "angles",
     (
