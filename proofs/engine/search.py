@@ -179,7 +179,7 @@ def _separation(statement, squares, effort):
 
 
 def _induction(statement, squares, effort):
-    certificate = {"strengthen": statement.get("strengthen", []), "base": [], "step": []}
+    certificate = {"base": [], "step": []}
     names = (*statement["variables"], *statement["state"])
     values = {name: kernel.variable(name) for name in names}
     start, following = ({n: kernel.read(p, values) for n, p in statement[k].items()} for k in ("start", "next"))
