@@ -5,8 +5,8 @@ hypothesis. Both sides of a relation are translated as they stand, the factors o
 (sum_1, …) of their own, so that the kernel multiplies. A quotient becomes an inverse, a radical a root, with their
 obligations. sin and cos of a sum of whole multiples are expanded by the addition formulas (`proofs.engine.angles`);
 an atom gives two variables with c² + s² = 1. |a| is √(a²), or ±a where the sign is given. Max, Min, sign and
-Piecewise take the branch that is given; where none is, the claim is split into two statements, one with the condition
-assumed and one with its negation. Of π only 3 < π < 22/7 is used.
+Piecewise take the branch that is given, and its condition is shown; where none is, the claim is split into two
+statements, one with the condition assumed and one with its negation. Of π only 3 < π < 22/7 is used.
 Derivatives are SymPy's `diff`. Anything else is an error, never a guess.
 """
 
@@ -71,9 +71,7 @@ class Derivation:
                     self.assume(*self.relation(part))
         self.showing = True
         for relation in claim.shows:
-            difference, signs = self.relation(relation)
-            factor, is_ = RELATIONS[frozenset(signs)]
-            self.step("show", factor * difference, is_=is_)
+            self.show(*self.relation(relation))
 
     def statement(self):
         """Return the statement."""
@@ -109,6 +107,13 @@ class Derivation:
         factor, is_ = RELATIONS[frozenset(signs)]
         self.step("assume", factor * difference, is_=is_)
 
+    def show(self, difference, signs):
+        """Add what is to be proved: the sign of `difference` is one of `signs`. The branches taken are shown, too."""
+        factor, is_ = RELATIONS[frozenset(signs)]
+        shown = polynomial_data(factor * difference)
+        if {"step": "show", "is": is_, "of": shown} not in self.steps:
+            self.step("show", factor * difference, is_=is_)
+
     def decide(self, condition):
         """Return whether a condition holds: as given, or else as chosen."""
         if condition in (True, False):
@@ -124,6 +129,7 @@ class Derivation:
             return bool({int(bool(value > 0)) - int(bool(value < 0))} & wanted)
         possible = {orientation * s for s in self.signs.get(key, {-1, 0, 1})}
         if possible <= wanted or not possible & wanted:
+            self.show(difference, wanted if possible <= wanted else {-1, 0, 1} - wanted)
             return possible <= wanted
         if not self.choices:
             raise _Undecided
@@ -207,7 +213,11 @@ class Derivation:
         of = self.polynomial(argument)
         _, key, orientation = self._normal(of)
         signs = {orientation * s for s in self.signs.get(key, {-1, 0, 1})}
-        return of if -1 not in signs else -of if 1 not in signs else self._generator("root", of**2)
+        if signs == {-1, 0, 1} or signs == {-1, 1}:
+            return self._generator("root", of**2)
+        factor = -1 if -1 in signs else 1
+        self.show(factor * of, {0, 1})
+        return factor * of
 
     def _turn(self, angle):
         """Return (cos, sin) of an angle, by the addition formulas."""

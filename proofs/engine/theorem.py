@@ -9,7 +9,7 @@ from sympy import Symbol
 
 from proofs.engine.claim import Claim, Induction, Separation
 
-GRADES = ("failed", "cited", "measured", "certified", "proved", "refuted")
+GRADES = ("failed", "cited", "measured", "certified", "by definition", "proved", "refuted")
 WITHOUT_CLAIMS = ("cited", "measured", "certified")
 
 

@@ -44,7 +44,7 @@ class Code:
     def __call__(self, values):
         """Return the expressions' real values, or raise Undefined."""
         try:
-            results = [mpmath.mpmathify(r) for r in self.code(*(values[s] for s in self.inputs))]
+            results = [+mpmath.mpmathify(r) for r in self.code(*(values[s] for s in self.inputs))]
         except (ZeroDivisionError, ValueError, TypeError) as error:
             raise Undefined(str(error)) from None
         if not all(isinstance(r, mpmath.mpf) and mpmath.isfinite(r) for r in results):

@@ -1,7 +1,8 @@
 """From each theorem's own evidence to its grade in the run: what it rests on counts as well."""
 
-STANDING = ("proved", "refuted", "certified", "measured", "cited")  # from the strongest; "failed" is none of them
-GIVES = {"proved": ("proved",), "refuted": ("proved",)}  # what such a theorem may use
+STANDING = ("proved", "refuted", "by definition", "certified", "measured", "cited")  # from the strongest; "failed" is none of them
+EXACT = ("proved", "by definition")
+GIVES = {"proved": EXACT, "by definition": EXACT, "refuted": EXACT}  # what such a theorem may use
 
 
 def final_grades(evidences):
@@ -17,7 +18,7 @@ def final_grades(evidences):
             enough = GIVES.get(record["grade"], STANDING)
             weak = [use for use in record["uses"] if grade(use)[0] not in enough]
             if record["grade"] != "failed" and weak:
-                wanted = "not proved" if enough == ("proved",) else "without evidence"
+                wanted = "not proved" if enough == EXACT else "without evidence"
                 grades[id] = "failed", f"it uses {', '.join(weak)}, {wanted} in this run"
             else:
                 grades[id] = record["grade"], ""

@@ -3,6 +3,7 @@
 proved     both checkers accept a certificate of every claim, no sample at 50 digits contradicts one, every side
            condition behaves as stated at its edge, every mutant is refuted, every theorem it uses is proved
 refuted    both checkers accept an exact counterexample, and 50 digits agree
+by definition  the same, where every claim reads 0 = 0 once it is translated: nothing was left to prove
 certified  every measurement holds in ball arithmetic, and rejects its false variants
 measured   every measurement holds on its samples, and rejects its false variants
 cited      the source is in the bibliography
@@ -17,7 +18,7 @@ from proofs.engine.claim import Separation
 from proofs.engine.search import MAX_EFFORT, NotFound
 from proofs.engine.theorem import incomplete
 from verify.checkers import witness
-from verify.checkers.acceptance import accept, not_found, show_polynomial, why_rejected
+from verify.checkers.acceptance import accept, by_definition, not_found, show_polynomial, why_rejected
 from verify.checkers.counterexamples import FAILURES, counterexample, path_to_avoided
 from verify.checkers.evidence import Evidence
 from verify.checkers.grades import final_grades
@@ -104,6 +105,7 @@ def certificate_problems(theorem, theorems):
 def _check_certificates(found, theorem, theorems, anew):
     if not theorem.claims:
         return
+    found.claims = len(theorem.claims)
     try:
         claims = evidence(theorem, theorems) if anew else stored(theorem, theorems)
     except (Stale, NotFound) as error:
@@ -112,9 +114,11 @@ def _check_certificates(found, theorem, theorems, anew):
     count = 0
     for claim, pairs in claims:
         reasons, _ = accept(claim, theorems, pairs)
+        if by_definition(pairs):
+            found.by_definition.append(claim.name)
         found.problems += [f"{claim.name}: {why}" for why in reasons]
         count += len(pairs)
-    found.record["statements"] = count
+    found.record |= {"statements": count, "by_definition": found.by_definition}
 
 
 def _stale(theorem, theorems, error):
@@ -140,6 +144,8 @@ def _sampled(found, theorem, claim, points):
     seen = witness.sample(tested, seed, points, failures=FAILURES)
     if seen.failures:
         found.problems.append(f"{claim.name}: false at {witness.printed(seen.smallest, 20)}")
+    if seen.undefined:
+        found.problems.append(f"{claim.name}: undefined at {witness.printed(seen.undefined[0], 20)}")
     if not seen.points:
         found.problems.append(f"{claim.name}: no sample satisfies the hypotheses")
     return {"claim": claim.name, "points": seen.points, "digits": witness.DIGITS, "seed": seed}

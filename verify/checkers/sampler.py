@@ -61,12 +61,12 @@ class Sampler:
         except Undefined:
             return None
 
-    def fails_at(self, values):
-        """Return None if the other givens fail at the inputs, else whether a conclusion fails or is undefined."""
+    def verdict(self, values):
+        """Return "holds", "fails" or "undefined" for the conclusions at the inputs; None if the other givens fail."""
         try:
-            return not self.shows(values) if self.late(values) else None
+            return (None if not self.late(values) else "holds" if self.shows(values) else "fails")
         except Undefined:
-            return True
+            return "undefined"
 
 
 def _written_out(relation, definitions):
