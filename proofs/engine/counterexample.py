@@ -32,7 +32,7 @@ def complete(statement, point):
     """
     if not all(symbol.is_Symbol for symbol in point):
         raise NotRational("only a symbol is a coordinate: π, say, is one number")
-    at = {symbol.name: sympify(value) for symbol, value in point.items()}
+    at = {symbol.name: sympify(str(value)) if isinstance(value, Fraction) else sympify(value) for symbol, value in point.items()}
     values = {name: _rational(_coordinate(name, at)) for name in statement["variables"]}
     for step in statement["steps"]:
         if step["step"] not in ("root", "inverse", "define"):

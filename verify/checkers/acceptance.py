@@ -33,10 +33,15 @@ def not_found(error):
     return f"no certificate found: {goal}"
 
 
-def by_definition(pairs):
-    """Return whether all that is shown is 0 = 0, so that nothing was left for the kernel to decide."""
-    shown = [step["of"] for statement, _ in pairs for step in statement.get("steps", ()) if step["step"] == "show"]
-    return bool(shown) and not any(shown)
+def by_definition(claim, pairs):
+    """Return whether nothing was left for the kernel to decide: all that is shown is 0 = 0, or is given.
+
+    The conditions of branches, which a statement shows besides the claim's own relations, count as something.
+    """
+    steps = [step for statement, _ in pairs for step in statement.get("steps", ())]
+    shown = [step for step in steps if step["step"] == "show"]
+    given = [(step["is"], step["of"]) for step in steps if step["step"] == "assume"] * (len(shown) <= len(claim.shows))
+    return bool(shown) and all(not step["of"] or (step["is"], step["of"]) in given for step in shown)
 
 
 def accept(claim, theorems, pairs=None, effort=MAX_EFFORT):

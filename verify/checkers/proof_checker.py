@@ -23,6 +23,7 @@ from verify.checkers.counterexamples import FAILURES, counterexample, path_to_av
 from verify.checkers.evidence import Evidence
 from verify.checkers.grades import final_grades
 from verify.checkers.measurements import measurements
+from verify.checkers.splices import says_the_same, splices
 
 __all__ = [
     "LONG_POINTS",
@@ -114,7 +115,7 @@ def _check_certificates(found, theorem, theorems, anew):
     count = 0
     for claim, pairs in claims:
         reasons, _ = accept(claim, theorems, pairs)
-        if by_definition(pairs):
+        if by_definition(claim, pairs):
             found.by_definition.append(claim.name)
         found.problems += [f"{claim.name}: {why}" for why in reasons]
         count += len(pairs)
@@ -164,13 +165,19 @@ def _edges(found, theorem, condition):
 def _refute_mutant(found, theorem, mutant, theorems, anew):
     """Check that a mutant is refused, and find its counterexample."""
     reasons, _ = accept(mutant.claim, theorems, effort=MAX_EFFORT if anew else 2)
+    tried, wrong = splices(theorem, mutant.claim, theorems), []
+    if any(not any(why_rejected(*pair) for pair in pairs) for pairs in tried):
+        wrong.append(f"a certificate of the theorem proves the mutant: {mutant.text}")
+    if alike := says_the_same(theorem, mutant, theorems):
+        wrong.append(f"mutant {mutant.text} says what {alike} says")
+    found.problems += wrong
     point = counterexample(mutant, f"{theorem.id}/{mutant.text}", theorems, why_rejected)
     if not reasons:
         found.problems.append(f"mutant accepted: {mutant.text}")
     if point is None:
         found.problems.append(f"mutant without a counterexample: {mutant.text}")
-    found.mutants_killed += bool(reasons) and point is not None
-    return {"mutant": mutant.text, "refused": bool(reasons), "counterexample": point}
+    found.mutants_killed += bool(reasons) and point is not None and not wrong
+    return {"mutant": mutant.text, "refused": bool(reasons), "spliced": len(tried), "counterexample": point}
 
 
 def _refute_variant(found, theorem, mutant, theorems, anew):
