@@ -2,6 +2,7 @@
 
 from proofs.engine import kernel
 from proofs.engine.certificate import prove
+from proofs.engine.claim import Claim
 from proofs.engine.search import MAX_EFFORT, NotFound
 from verify.checkers import second_checker
 
@@ -38,6 +39,8 @@ def by_definition(claim, pairs):
 
     The conditions of branches, which a statement shows besides the claim's own relations, count as something.
     """
+    if not isinstance(claim, Claim):
+        return False
     steps = [step for statement, _ in pairs for step in statement.get("steps", ())]
     shown = [step for step in steps if step["step"] == "show"]
     given = [(step["is"], step["of"]) for step in steps if step["step"] == "assume"] * (len(shown) <= len(claim.shows))
