@@ -50,6 +50,9 @@ if __name__ == "__main__":
 def run(text, given=""):
     """Check every statement of the certificate's JSON text; print what was checked; return 0, or 1 on a rejection."""
     start, data, failures, terms = time.perf_counter(), json.loads(text), 0, 0
+    if json.dumps(data, indent=1, ensure_ascii=False) != text.strip():
+        print("REJECTED: the text is not its own canonical form.")
+        return 1
     kinds = {pair["statement"]["kind"] for claim in data["claims"] for pair in claim["statements"]}
     for claim in data["claims"]:
         for number, pair in enumerate(claim["statements"], 1):

@@ -6,6 +6,7 @@ from graphlib import TopologicalSorter
 
 import mpmath
 from sympy import Eq, Max, Min, Piecewise, Poly, PolynomialError, Rational
+from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
 
 from verify.checkers.digits import TOLERANCE, Code, Relations, Undefined, parts_of
 
@@ -32,8 +33,19 @@ class Sampler:
         self.solved_relations = {equations[r] for *_, r in solvable}
         self.pools = {s: self._pool(s) for s in self.inputs}
 
+    def _box(self, symbol):
+        """Return where a symbol without a range is drawn: between what is given of it alone, else in [−3, 3]."""
+        bounds = [(r.gts.is_Symbol, r.lts if r.gts == symbol else r.gts) for r in self.given
+                  if isinstance(r, GreaterThan | StrictGreaterThan | LessThan | StrictLessThan)
+                  and symbol in (r.gts, r.lts) and (r.lts if r.gts == symbol else r.gts).is_Rational]  # fmt: skip
+        low = max((end for below, end in bounds if below), default=None)
+        high = min((end for below, end in bounds if not below), default=None)
+        if low is None:
+            return (-3 if high is None or high > -3 else high - 6), (3 if high is None else high)
+        return low, max(low + 3, 3) if high is None else high
+
     def _pool(self, symbol):
-        low, high = self.ranges.get(symbol, (Rational(1, 4) if symbol.is_positive else -3, 3))
+        low, high = self.ranges.get(symbol) or self._box(symbol)
         low, high = (Fraction(str(Rational(end))) for end in (low, high))
         simple = [mpmath.mpf(q.numerator) / q.denominator for q in SIMPLE if low <= q <= high]
         ends = [mpmath.mpf(q.numerator) / q.denominator for q in (low, high)]
