@@ -16,7 +16,11 @@ from proofs.engine.kernel import check, fits
 FOLDER = Path(__file__).parent / "certificates"
 
 
-PAIR = {"sha256": lambda text: True, "statement": lambda data: True, "certificate": lambda data: True}  # looked at below
+PAIR = {
+    "sha256": lambda text: True,
+    "statement": lambda data: True,
+    "certificate": lambda data: True,
+}  # looked at below
 CLAIM = {"claim": lambda name: isinstance(name, str), "statements": [PAIR]}
 
 

@@ -32,7 +32,10 @@ def complete(statement, point):
     """
     if not all(symbol.is_Symbol for symbol in point):
         raise NotRational("only a symbol is a coordinate: π, say, is one number")
-    at = {symbol.name: sympify(str(value)) if isinstance(value, Fraction) else sympify(value) for symbol, value in point.items()}
+    at = {
+        symbol.name: sympify(str(value)) if isinstance(value, Fraction) else sympify(value)
+        for symbol, value in point.items()
+    }
     values = {name: _rational(_coordinate(name, at)) for name in statement["variables"]}
     for step in statement["steps"]:
         if step["step"] not in ("root", "inverse", "define"):
@@ -50,7 +53,9 @@ def _coordinate(name, at):
     circle = CIRCLE.fullmatch(name)
     if circle is None:
         return at[name]
-    angle = sympify(circle[2], locals={s: Symbol(s, real=True) for s in re.findall(r"[A-Za-z_]\w*", circle[2]) if s != "pi"})
+    angle = sympify(
+        circle[2], locals={s: Symbol(s, real=True) for s in re.findall(r"[A-Za-z_]\w*", circle[2]) if s != "pi"}
+    )
     return {"cos": cos, "sin": sin}[circle[1]](angle.subs({s: at[s.name] for s in angle.free_symbols}))
 
 

@@ -1,7 +1,7 @@
 """From SymPy to data: the translation of a claim into statements that the kernel checks. This file is trusted.
 
-The rules (`proofs.engine.statement_data` has the format). Symbols are plain real ones: a sign, a range, being whole is a
-hypothesis. Both sides of a relation are translated as they stand, the factors of a product that is shown as names
+The rules (`proofs.engine.statement_data` has the format). Symbols are plain real ones: a sign, a range, being whole is
+a hypothesis. Both sides of a relation are translated as they stand, the factors of a product that is shown as names
 (sum_1, …) of their own, so that the kernel multiplies. A quotient becomes an inverse, a radical a root, with their
 obligations. sin and cos of a sum of whole multiples are expanded by the addition formulas (`proofs.engine.angles`);
 an atom gives two variables with c² + s² = 1. |a| is √(a²), or ±a where the sign is given. Max, Min, sign and
@@ -37,7 +37,9 @@ def plain(symbols):
         if not NAME.fullmatch(symbol.name):
             raise Untranslatable(f"{symbol.name!r} is no name, or one that the translation makes itself")
         if symbol not in (Symbol(symbol.name, real=True), Symbol(symbol.name, extended_real=True)):
-            raise Untranslatable(f"{symbol} is not a plain real symbol: what is known of it is a hypothesis to be stated")
+            raise Untranslatable(
+                f"{symbol} is not a plain real symbol: what is known of it is a hypothesis to be stated"
+            )
         if symbol.name in seen:
             raise Untranslatable(f"two symbols are called {symbol}")
         seen.add(symbol.name)

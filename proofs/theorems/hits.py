@@ -171,7 +171,10 @@ theorem_b = Theorem(
     mutants=(
         Mutant("the seed's c", _quadratic.but(shows=(equation(discriminant_b, toward_b**2 - _length * _seed_c),))),
         Mutant("the far root", _near_b.but(shows=(t <= t_b,))),
-        Mutant("b with its sign turned", _behind_b.but(given=(*lengths_of_b, _outside, toward_b >= 0, *_behind_b.given[4:]))),
+        Mutant(
+            "b with its sign turned",
+            _behind_b.but(given=(*lengths_of_b, _outside, toward_b >= 0, *_behind_b.given[4:])),
+        ),
     ),
     side_conditions=(
         SideCondition(

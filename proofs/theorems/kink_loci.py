@@ -58,7 +58,11 @@ _projection = Claim(
 )
 _ridges = HEIGHT_FIELDS["ridges"]
 _creases = tuple(
-    Claim(f"crease_{c}", (equation(factor.subs(c, m / k), 0), equation(_ridges.expression.subs(c, m / k), 0)), (k > 0, whole(m)))
+    Claim(
+        f"crease_{c}",
+        (equation(factor.subs(c, m / k), 0), equation(_ridges.expression.subs(c, m / k), 0)),
+        (k > 0, whole(m)),
+    )
     for factor, c, k in zip(_ridges.creases, (u, v), (k_u, k_v), strict=True)
 )
 _on_the_axis = ((cos_theta, 1), (sin_theta, 0), (cos_phi, 1), (sin_phi, 0), (eye, 1), (x, 0), (y, 0))

@@ -15,7 +15,12 @@ _falling = Claim(
     (sin((a + b) / 2) > 0, sin((b - a) / 2) > 0),
 )
 _default = kink_loci.claim("count")
-_poles = Claim("pole", (equation(rho, 0),), (equation(sin_phi, 0), equation(cos_phi, 1), *lengths_of_a, eye > radius), parallel_radius)
+_poles = Claim(
+    "pole",
+    (equation(rho, 0),),
+    (equation(sin_phi, 0), equation(cos_phi, 1), *lengths_of_a, eye > radius),
+    parallel_radius,
+)
 
 theorem = Theorem(
     id="visible_parallels",

@@ -6,7 +6,21 @@ from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.program import chain
 from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
 from proofs.formulas.camera import image_extent, image_point, parallel_radius
-from proofs.formulas.symbols import column, cos_phi, eye, height, lengths_of_a, radius, real, rho, row, sin_phi, width, x, y
+from proofs.formulas.symbols import (
+    column,
+    cos_phi,
+    eye,
+    height,
+    lengths_of_a,
+    radius,
+    real,
+    rho,
+    row,
+    sin_phi,
+    width,
+    x,
+    y,
+)
 
 m, n = real("m n")
 FALLBACK = Rational(1, 10**4)  # the seed's: below this sin φ it takes another basis

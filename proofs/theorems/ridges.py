@@ -1,6 +1,6 @@
 """Where ridges is differentiable on its creases: at their crossings, and nowhere else on them."""
 
-from sympy import Abs, Rational, Symbol, cos, pi, sin
+from sympy import Abs, Rational, Symbol, pi, sin
 
 from proofs.engine.claim import CitedLemma, Claim, at_least, equation, greater
 from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem

@@ -14,12 +14,89 @@ from proofs.check import FOLDER
 from verify.checkers.kernels import accepted
 
 LARGEST = 20_000  # characters: of the stored pairs the shorter ones are broken
-TEXTS = ["", "x", "x y", "x^2", "x^1", "x^02", "x^1000", "x^-1", "x^", "^2", "x x", "x  y", " x", "x\n", "ẋ", "pi", "root_1",
-         "cos(x)", "cos(x^2)", "cos()", "__proto__", "constructor", "toString", "1", "-1", "0", "-0", "+1", "01", "1e0", "0.5",
-         "1/2", "2/4", "1/-2", "1/0", "1/1", "-1/2", "--1", "1_000", "١", "9" * 500, "9" * 501, "=", "!=", ">", ">=", "<",
-         "assume", "show", "define", "root", "inverse", "ideal", "contradiction", "cases", "derivation", "refutation"]  # fmt: skip
-VALUES = [None, True, False, 0, 1, 2, -1, 7, 0.5, 10**5 + 1, 2**53 + 1, 10**400, [], {}, [[]], [0], {"": "1"}, {"x": "1"},
-          {"x": 1}, {"": "0"}, [[0, {"": "1"}]], {"rule": "ideal", "cofactors": []}]  # fmt: skip
+TEXTS = [
+    "",
+    "x",
+    "x y",
+    "x^2",
+    "x^1",
+    "x^02",
+    "x^1000",
+    "x^-1",
+    "x^",
+    "^2",
+    "x x",
+    "x  y",
+    " x",
+    "x\n",
+    "ẋ",
+    "pi",
+    "root_1",
+    "cos(x)",
+    "cos(x^2)",
+    "cos()",
+    "__proto__",
+    "constructor",
+    "toString",
+    "1",
+    "-1",
+    "0",
+    "-0",
+    "+1",
+    "01",
+    "1e0",
+    "0.5",
+    "1/2",
+    "2/4",
+    "1/-2",
+    "1/0",
+    "1/1",
+    "-1/2",
+    "--1",
+    "1_000",
+    "١",
+    "9" * 500,
+    "9" * 501,
+    "=",
+    "!=",
+    ">",
+    ">=",
+    "<",
+    "assume",
+    "show",
+    "define",
+    "root",
+    "inverse",
+    "ideal",
+    "contradiction",
+    "cases",
+    "derivation",
+    "refutation",
+]
+VALUES = [
+    None,
+    True,
+    False,
+    0,
+    1,
+    2,
+    -1,
+    7,
+    0.5,
+    10**5 + 1,
+    2**53 + 1,
+    10**400,
+    [],
+    {},
+    [[]],
+    [0],
+    {"": "1"},
+    {"x": "1"},
+    {"x": 1},
+    {"": "0"},
+    [[0, {"": "1"}]],
+    {"rule": "ideal", "cofactors": []},
+]
 RAW = ["1.0", "1e0", "-0", "NaN", "1E400", '{"x":"1","x":"1"}', '"\\u0078"', "9007199254740993", "0.10"]
 
 
@@ -62,7 +139,9 @@ def broken(pair, rng):
 
 def short_pairs():
     """Return the stored [statement, certificate] pairs of at most LARGEST characters."""
-    claims = [claim for path in sorted(FOLDER.glob("*.json")) for claim in json.loads(path.read_text("utf-8"))["claims"]]
+    claims = [
+        claim for path in sorted(FOLDER.glob("*.json")) for claim in json.loads(path.read_text("utf-8"))["claims"]
+    ]
     pairs = [[entry["statement"], entry["certificate"]] for claim in claims for entry in claim["statements"]]
     return [pair for pair in pairs if len(json.dumps(pair)) <= LARGEST]
 

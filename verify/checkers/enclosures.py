@@ -1,10 +1,10 @@
-"""Counterexamples that are certified: intervals that hold every rounding show the hypotheses true, a conclusion false."""
+"""Certified counterexamples: intervals, with every rounding in them, show hypotheses true and a conclusion false."""
 
 import mpmath
 from mpmath import iv
 from sympy import Eq
 
-from verify.checkers.digits import Code, Relations, Undefined
+from verify.checkers.digits import Relations, Undefined
 
 BITS = 400
 

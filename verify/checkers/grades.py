@@ -1,6 +1,13 @@
 """From each theorem's own evidence to its grade in the run: what it rests on counts as well."""
 
-STANDING = ("proved", "refuted", "by definition", "certified", "measured", "cited")  # from the strongest; "failed" is none of them
+STANDING = (
+    "proved",
+    "refuted",
+    "by definition",
+    "certified",
+    "measured",
+    "cited",
+)  # from the strongest; "failed" is none of them
 EXACT = ("proved", "by definition")
 GIVES = {"proved": EXACT, "by definition": EXACT, "refuted": EXACT}  # what such a theorem may use
 

@@ -33,7 +33,7 @@ def canonical(text):
 
 
 def accepted(texts):
-    """Return [{kernel: whether it accepts}] of texts '[statement,certificate]'; without node, JavaScript is left out."""
+    """Return [{kernel: whether it accepts}] of texts "[statement,certificate]"; JavaScript needs node."""
     found = [
         {name: canonical(text) and check(*json.loads(text)) is None for name, check in KERNELS.items()}
         for text in texts

@@ -80,7 +80,7 @@ class Sampler:
     def verdict(self, values):
         """Return "holds", "fails" or "undefined" for the conclusions at the inputs; None if the other givens fail."""
         try:
-            return (None if not self.late(values) else "holds" if self.shows(values) else "fails")
+            return None if not self.late(values) else "holds" if self.shows(values) else "fails"
         except Undefined:
             return "undefined"
 

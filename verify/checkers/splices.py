@@ -1,4 +1,4 @@
-"""Mutants before the kernel: what a false variant says, with the certificates of the theorem that it is a variant of."""
+"""Mutants before the kernel: what a false variant says, with the certificates of its theorem."""
 
 from proofs.check import digest
 from proofs.engine.angles import Untranslatable

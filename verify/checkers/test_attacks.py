@@ -54,7 +54,9 @@ def test_a_symbol_hides_no_fact(assumption):
             statements(claim, {})
 
 
-@pytest.mark.parametrize("n", [Symbol("n", positive=True), Symbol("n", even=True), Symbol("n", integer=True, zero=False)])
+@pytest.mark.parametrize(
+    "n", [Symbol("n", positive=True), Symbol("n", even=True), Symbol("n", integer=True, zero=False)]
+)
 def test_an_induction_is_over_every_whole_number(n):
     with pytest.raises(Untranslatable, match="whole, and nothing else"):
         statements(Induction("attack", n, (equation(x, 0),), ((x, 0, x),)), {})
@@ -138,7 +140,10 @@ CIRCLES = [
 
 @pytest.mark.parametrize(("relation", "point"), CIRCLES)
 def test_a_cosine_follows_from_its_angle(relation, point):
-    true = (Mutant("x² ≥ 0", Claim("a", (greater(x**2 + 1, 0),))), Mutant("x = x + 0", Claim("b", (greater(x + 1, x),))))
+    true = (
+        Mutant("x² ≥ 0", Claim("a", (greater(x**2 + 1, 0),))),
+        Mutant("x = x + 0", Claim("b", (greater(x + 1, x),))),
+    )
     refuted = {"mutants": true, "expected": "refuted", "refuted_at": (("attack", point),)}
     assert graded(Claim("attack", (relation,)), **refuted) == "failed"
 
@@ -215,24 +220,53 @@ BROKEN = {
     "version 1.5": [STATEMENT | {"version": 1.5}, CERTIFICATE],
     "version true": [STATEMENT | {"version": True}, CERTIFICATE],
     "a list for a text": [STATEMENT | {"kind": ["derivation"]}, CERTIFICATE],
-    **{f"the coefficient {c!r}": [derivation(show({"x^2": c}, ">=")), CERTIFICATE]
-       for c in ("1e0", "0.5", 1, 1.5, "+1", "01", "2/2", "1/-2", "1/0", "", None, "0", "1 ", "１")},
-    **{f"the monomial {m!r}": [derivation(show({m: "1", "x^2": "1"}, ">=")), CERTIFICATE]
-       for m in ("x x", "x^1000", "x^1", "x^-1", "x^0", "x^02", " x", "x ", "x  y", "x^2^2", "x\t", "^2", "z")},
-    **{f"the index {i!r}": [STATEMENT, {"proofs": [SQUARES | {"positive": [i]}]}] for i in (-1, 1, "0", 0.5, None, True, 2**53 + 1)},
+    **{
+        f"the coefficient {c!r}": [derivation(show({"x^2": c}, ">=")), CERTIFICATE]
+        for c in ("1e0", "0.5", 1, 1.5, "+1", "01", "2/2", "1/-2", "1/0", "", None, "0", "1 ", "１")
+    },
+    **{
+        f"the monomial {m!r}": [derivation(show({m: "1", "x^2": "1"}, ">=")), CERTIFICATE]
+        for m in ("x x", "x^1000", "x^1", "x^-1", "x^0", "x^02", " x", "x ", "x  y", "x^2^2", "x\t", "^2", "z")
+    },
+    **{
+        f"the index {i!r}": [STATEMENT, {"proofs": [SQUARES | {"positive": [i]}]}]
+        for i in (-1, 1, "0", 0.5, None, True, 2**53 + 1)
+    },
     "a variable twice": [STATEMENT | {"variables": ["x", "x"]}, CERTIFICATE],
-    "an empty induction": [{"version": 1, "kind": "induction", "variables": [], "state": [], "assume": [], "start": {},
-                            "next": {}, "show": []}, {"base": [], "step": []}],
-    "an empty separation": [{"version": 1, "kind": "separation", "lines": [], "outputs": [], "avoid": []}, {"reached": []}],
-    "pi as a coordinate": [derivation(show({"pi": "1", "": "-4"}, ">"), variables=("pi",)) | {"kind": "refutation"},
-                           {"point": {"pi": "31/10"}}],
-    "off the circle": [derivation(show({"cos(x)": "1", "": "-1"}, ">"), variables=("cos(x)", "sin(x)")) | {"kind": "refutation"},
-                       {"point": {"cos(x)": "0", "sin(x)": "0"}}],
-    "a cosine alone": [derivation(show({"cos(x)": "1", "": "-1"}, ">"), variables=("cos(x)",)) | {"kind": "refutation"},
-                       {"point": {"cos(x)": "0"}}],
-    "a name too many": [derivation(show({"x": "1"}, ">"), variables=("x",)) | {"kind": "refutation"},
-                        {"point": {"x": "0", "y": "0"}}],
-}  # fmt: skip
+    "an empty induction": [
+        {
+            "version": 1,
+            "kind": "induction",
+            "variables": [],
+            "state": [],
+            "assume": [],
+            "start": {},
+            "next": {},
+            "show": [],
+        },
+        {"base": [], "step": []},
+    ],
+    "an empty separation": [
+        {"version": 1, "kind": "separation", "lines": [], "outputs": [], "avoid": []},
+        {"reached": []},
+    ],
+    "pi as a coordinate": [
+        derivation(show({"pi": "1", "": "-4"}, ">"), variables=("pi",)) | {"kind": "refutation"},
+        {"point": {"pi": "31/10"}},
+    ],
+    "off the circle": [
+        derivation(show({"cos(x)": "1", "": "-1"}, ">"), variables=("cos(x)", "sin(x)")) | {"kind": "refutation"},
+        {"point": {"cos(x)": "0", "sin(x)": "0"}},
+    ],
+    "a cosine alone": [
+        derivation(show({"cos(x)": "1", "": "-1"}, ">"), variables=("cos(x)",)) | {"kind": "refutation"},
+        {"point": {"cos(x)": "0"}},
+    ],
+    "a name too many": [
+        derivation(show({"x": "1"}, ">"), variables=("x",)) | {"kind": "refutation"},
+        {"point": {"x": "0", "y": "0"}},
+    ],
+}
 
 
 def test_the_kernels_accept_what_is_well_formed():
@@ -258,8 +292,13 @@ def test_a_file_is_its_own_canonical_form(tmp_path):
     pair = {"sha256": "0", "statement": STATEMENT, "certificate": CERTIFICATE}
     data = {"version": 1, "theorem": "attack", "claims": [{"claim": "c", "statements": [pair]}]}
     path = tmp_path / "attack.json"
-    for text in (json.dumps(data), canonical(data) + " ", canonical(data).replace('"version": 1,', '"version": 1, "version": 1,', 1),
-                 canonical(data | {"more": 1}), canonical(data | {"theorem": "another"})):  # fmt: skip
+    for text in (
+        json.dumps(data),
+        canonical(data) + " ",
+        canonical(data).replace('"version": 1,', '"version": 1, "version": 1,', 1),
+        canonical(data | {"more": 1}),
+        canonical(data | {"theorem": "another"}),
+    ):
         path.write_text(text, encoding="utf-8")
         assert verdicts(path)[0][0] == "the file"
     path.write_text(canonical(data), encoding="utf-8")
