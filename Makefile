@@ -13,7 +13,7 @@ book: environment ## check the theorems, draw the figures, build the book, say w
 	@$(RUN) -m book
 
 test: environment ## run every test, the proofs' included  (pytest verify tests)
-	@$(RUN) -m pytest verify tests -q -n 2
+	@$(RUN) -m pytest verify tests -q -n 2 --dist loadgroup --no-loadscope-reorder --durations=10
 
 verify: environment ## run the proofs' checker alone  (pytest verify)
 	@$(RUN) -m pytest verify -q -n 2
@@ -38,6 +38,7 @@ same-bytes: environment ## build from a clean clone elsewhere and compare every 
 
 bench: environment ## measure times on this machine and write them with its name  (python -m verify.benchmark)
 	@$(RUN) -m verify.benchmark
+	@$(RUN) -m verify.benchmark.work_precision
 
 clean: ## remove what was built; the environment stays
 	@rm -rf book/_build book/_generated .stamps .jupyter_cache .pytest_cache .ruff_cache .benchmarks .hypothesis

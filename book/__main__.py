@@ -12,10 +12,10 @@ from pathlib import Path
 
 from filelock import FileLock
 
-from book import stamps
-from book.figures.registry import UnknownFigure
-from book.printing.file import NoBrowser
-from book.single.file import TooLarge
+from book.build import stamps
+from book.drawing.registry import UnknownFigure
+from book.editions.chromium import NoBrowser
+from book.editions.single import TooLarge
 
 BUILDING = ("all", "build", "single", "pdf")
 RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made first
@@ -23,26 +23,26 @@ RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made 
 
 def check() -> None:
     """Run the whole checker, unless nothing that it can reach changed since it last passed."""
-    from book import check
+    from book.build import check
 
     check.check()
 
 
 def report() -> None:
     """Have the theorems' report, which the site is made from too."""
-    from book import report
+    from book.build import report
 
     report.make()
 
 
 def figures(ids: Sequence[str] = (), force: bool = False) -> None:
     """Draw the figures that changed."""
-    from book.figures import fresh
+    from book.drawing import fresh
 
     if not ids and not force and fresh.nothing_changed():
         print("  all up to date")
         return
-    from book.figures.draw import draw
+    from book.drawing.draw import draw
 
     before = fresh.sources()
     draw(ids, force)
@@ -52,23 +52,23 @@ def figures(ids: Sequence[str] = (), force: bool = False) -> None:
 
 def build() -> None:
     """Build the site, unless nothing changed since it was last built."""
-    from book import build
+    from book.build import website
 
-    build.build()
+    website.build()
 
 
 def single() -> None:
     """Write the chapter as one file, unless the site has not changed."""
-    from book.single import file
+    from book.editions import single
 
-    file.make()
+    single.make()
 
 
 def pdf() -> None:
     """Print the chapter, unless the site has not changed."""
-    from book.printing import file
+    from book.editions import pdf
 
-    file.make()
+    pdf.make()
 
 
 def parser() -> argparse.ArgumentParser:
@@ -114,18 +114,17 @@ def releases(options: argparse.Namespace) -> int:
 
 def made(verb: str) -> Path:
     """The file that a reader opens."""
-    from book import build
-    from book.printing import file as print_
-    from book.single import file as single_
+    from book.build import website
+    from book.editions import pdf, single
 
-    return {"single": single_.PLACE, "pdf": print_.PLACE}.get(verb, build.INDEX)
+    return {"single": single.PLACE, "pdf": pdf.PLACE}.get(verb, website.INDEX)
 
 
 def run(options: argparse.Namespace) -> int:
     """Do what the command line asked for; the exit status."""
     verb = options.verb or "all"
     if verb == "figures" and options.list:
-        from book.figures.discover import all_figures
+        from book.drawing.discover import all_figures
 
         for id, entry in all_figures().items():
             print(f"{id:24} {' '.join(entry.draw.__doc__.split())}")

@@ -1,12 +1,23 @@
 """Checks of what is given: an error names the argument, its value and what is allowed."""
 
 import math
+from contextlib import contextmanager
 from numbers import Integral
 
 
 def not_allowed(name, value, allowed):
     """Return the ValueError that says so."""
     return ValueError(f"{name} = {value!r} is not allowed: {allowed}")
+
+
+@contextmanager
+def extra(name):
+    """Let an import name the extra of this project that it needs, where what it imports is not installed."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        wanted = f"{error.name} is not installed: pip install 'symbolic-rendering[{name}]'"
+        raise ModuleNotFoundError(wanted, name=error.name) from None
 
 
 def check_number(name, value, low=-math.inf, high=math.inf):

@@ -5,6 +5,7 @@ import shutil
 import numpy as np
 
 from renderer import files, views
+from renderer.checks import extra
 from renderer.drawing import render
 from renderer.raster import MAX_SIDE, Raster
 
@@ -41,7 +42,7 @@ def stream(scene, width, height, path, gradient=None, crop=None, threads=None, p
     expect these; linear light belongs in the .npy). progress: wraps the list of blocks to draw.
 
     The file appears whole or not at all. Raises ValueError on what is not allowed, OSError if the file cannot be
-    written. Returns the picture's (rows, columns).
+    written, ModuleNotFoundError where a TIFF is wanted without the extra `tiff`. Returns the picture's (rows, columns).
     """
     path = files.checked_target(path, STREAM_SUFFIXES)
     raster = StreamedRaster(width, height, crop)
@@ -73,7 +74,8 @@ def _write_npy(name, shape, frames):
 
 def _write_tiff(name, shape, frames):
     """Write a band of tiles at a time; a tile at the right or lower edge is filled up with zeros."""
-    import tifffile
+    with extra("tiff"):
+        import tifffile
 
     def tiles():
         for frame in frames(TILE):

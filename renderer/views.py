@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from renderer.checks import check_number
+from renderer.checks import check_number, extra
 
 ENCODED_AT_ONCE = 2**16  # numbers: they stay in the cache
 
@@ -50,7 +50,8 @@ def difference_logarithmic(delta, low=-16, high=0):
 
     Of several channels the largest counts; zero and NaN are black.
     """
-    import matplotlib  # only this view needs it, and it is slow to import
+    with extra("plot"):
+        import matplotlib  # only this view needs it, and it is slow to import
 
     size = np.abs(np.asarray(delta, dtype=np.float64))
     if size.ndim == 3:
@@ -64,8 +65,9 @@ def difference_logarithmic(delta, low=-16, high=0):
 
 def add_colour_bar(figure, box, limits, label=""):
     """Draw inferno's colour bar in powers of ten from 10^limits[0] to 10^limits[1] into a Matplotlib figure."""
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
+    with extra("plot"):
+        from matplotlib.cm import ScalarMappable
+        from matplotlib.colors import Normalize
 
     low, high = limits
     bar = figure.colorbar(ScalarMappable(Normalize(low, high), "inferno"), cax=figure.add_axes(box))
@@ -79,8 +81,9 @@ def add_colour_bar(figure, box, limits, label=""):
 
 def with_colour_bar(image, low=-16, high=0, label="largest |ΔI| of a channel"):
     """Return a logarithmic difference picture with its colour bar at the right: uint8, the picture's pixels kept."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+    with extra("plot"):
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
 
     height, width = image.shape[:2]
     tall, total = max(height, 160), width + 96

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from book.printing.chromium import FLAGS
+from book.editions.chromium import FLAGS
 
 ROOT = Path(__file__).resolve().parent.parent
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from playwright.sync_api import sync_playwright
 from tqdm import tqdm
 
-from book.printing.chromium import FLAGS
+from book.editions.chromium import FLAGS
 
 PAGE = Path(__file__).resolve().parent.parent / "book" / "_build" / "html" / "claims.html"
 PRESS = """async () => {

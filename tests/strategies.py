@@ -140,6 +140,14 @@ def scenes(draw, **fixed):
     return Scene(**chosen)
 
 
+_looks = (
+    {"field": "ridges", "model": "blinn", "shininess": 32.0},
+    {"field": "sine", "model": "phong", "shininess": 7.5},
+    {"field": "rings", "model": "blinn", "shininess": 7.0},
+)
+looks = st.sampled_from(_looks).flatmap(lambda look: scenes(**look))
+"""Scenes of a few looks, for tests that are about neither field nor light: every combination is code to compile."""
+
 NUMBER_FIELDS = ("radius", "eye", "ball_radius", "ka", "kd", "ks", "shininess", "floor_tint", "ku", "kv", "beta")
 TRIPLE_FIELDS = ("ball_center", "ambient", "albedo_a", "albedo_b")
 not_numbers = st.sampled_from([math.nan, math.inf, -math.inf, "1", b"1", None, True, (), [1.0], 1j, 10**400])

@@ -19,7 +19,7 @@ from pathlib import Path
 from playwright.sync_api import sync_playwright
 from tqdm import tqdm
 
-from book.printing.chromium import FLAGS
+from book.editions.chromium import FLAGS
 from proofs.check import FOLDER
 from proofs.engine import kernel
 from verify.benchmark.label import label, write
@@ -56,7 +56,7 @@ def accepted(pairs, javascript):
     """Return [(Python's verdict, FLINT's, JavaScript's)] of (statement, certificate) pairs: True where accepted."""
     answers = javascript(pairs)
     return [
-        (kernel.check(*pair) is None, second_checker.check(*pair) is None, answer["accepted"])
+        (kernel.check(*pair) is None, second_checker.why_refused(*pair) is None, answer["accepted"])
         for pair, answer in zip(pairs, answers, strict=True)
     ]
 

@@ -3,8 +3,8 @@
 import pytest
 
 from book.figures import elementary_ulps, reference_pixels, u_curve_apart
+from verify.accuracy.certified_ulps import pieces_of
 from verify.accuracy.difference_bounds import Bounds, bounds
-from verify.accuracy.elementary import pieces_of
 
 
 def test_a_u_curve_with_an_escape_is_not_drawn(monkeypatch):

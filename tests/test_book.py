@@ -9,13 +9,14 @@ from pathlib import Path
 
 import pytest
 
-from book import build, palette, stamps
-from book._ext.chapter.theorems import page_names
-from book.figures.discover import all_figures
+from book.build import stamps, website
+from book.build.contents import page_files
+from book.drawing import palette
+from book.drawing.discover import all_figures
 from tests.elements import Elements
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGES = page_names(ROOT / "book")
+PAGES = page_files(ROOT / "book")
 SECTIONS = {f"s{n}": f"s{n}" for n in range(1, 10)} | {"sim": "s4", "lab": "s5"}
 LOADING = {("img", "src"), ("script", "src"), ("link", "href"), ("iframe", "src"), ("source", "src")}
 
@@ -27,7 +28,7 @@ def pages(site) -> dict[str, Elements]:
 
 
 def source_of(page: str) -> str:
-    return (ROOT / "book" / f"{page}.md").read_text(encoding="utf-8")
+    return PAGES[page].read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("id", SECTIONS)
@@ -104,7 +105,7 @@ def test_mathematics_needs_no_network(site):
 
 
 def test_stylesheet_has_the_colours_of_the_plots():
-    assert palette.CSS_FILE.read_text(encoding="utf-8") == palette.css(), "run python -m book.palette"
+    assert palette.CSS_FILE.read_text(encoding="utf-8") == palette.css(), "run python -m book.drawing.palette"
 
 
 def test_stylesheet_is_short_and_has_no_colour_of_its_own():
@@ -125,10 +126,10 @@ def test_text_in_a_role_colour_can_be_read():
 
 
 def test_second_build_does_nothing(site):
-    index = build.INDEX.stat().st_mtime_ns
-    build.build()
-    assert build.INDEX.stat().st_mtime_ns == index
-    assert stamps.read("site") == build.sources()
+    index = website.INDEX.stat().st_mtime_ns
+    website.build()
+    assert website.INDEX.stat().st_mtime_ns == index
+    assert stamps.read("site") == website.sources()
 
 
 def test_make_help_lists_every_target():

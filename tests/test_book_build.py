@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from book import build, check, stamps
+from book.build import check, stamps, website
 
 
 @pytest.fixture
@@ -56,7 +56,7 @@ def test_check_that_fails_is_not_remembered_as_passed(stamped, monkeypatch, runs
 
 def test_check_reaches_code_and_data_but_no_prose():
     names = {path.relative_to(stamps.ROOT).as_posix() for path in check.sources()}
-    assert {"requirements.lock", "pyproject.toml", "book/stamps.py", "tests/data/seed_64.npz"} <= names
+    assert {"requirements.lock", "pyproject.toml", "book/build/stamps.py", "tests/data/seed_64.npz"} <= names
     assert any(name.startswith("proofs/") for name in names)
     assert not any(name.endswith(".md") for name in names if name.startswith("book/"))
 
@@ -66,19 +66,19 @@ def test_failed_build_leaves_the_old_site_and_no_stamp(stamped, monkeypatch):
     site.mkdir()
     (site / "index.html").write_text("old")
     for name, value in {"BOOK": work, "SITE": site, "INDEX": site / "index.html"}.items():
-        monkeypatch.setattr(build, name, value)
-    monkeypatch.setattr(build, "sources", lambda: {"a": "1"})
-    monkeypatch.setattr(build, "execution_cache", lambda: build.CACHES)
-    monkeypatch.setattr(build, "CACHES", stamped / "caches")
+        monkeypatch.setattr(website, name, value)
+    monkeypatch.setattr(website, "sources", lambda: {"a": "1"})
+    monkeypatch.setattr(website, "execution_cache", lambda: website.CACHES)
+    monkeypatch.setattr(website, "CACHES", stamped / "caches")
     stamps.write("site", {"a": "0"})
 
     def half_written(folder, cache):
         (folder / "_build" / "html").mkdir(parents=True)
         raise subprocess.CalledProcessError(1, "jupyter-book")
 
-    monkeypatch.setattr(build, "build_into", half_written)
+    monkeypatch.setattr(website, "build_into", half_written)
     with pytest.raises(subprocess.CalledProcessError):
-        build.build()
+        website.build()
     assert (site / "index.html").read_text() == "old"
     assert stamps.read("site") is None
     assert not (work / "_build" / "next").exists()
@@ -87,7 +87,7 @@ def test_failed_build_leaves_the_old_site_and_no_stamp(stamped, monkeypatch):
 def test_build_does_not_inherit_what_would_change_its_bytes(monkeypatch, tmp_path):
     monkeypatch.setenv("MPLBACKEND", "agg")
     monkeypatch.setenv("TZ", "Asia/Tokyo")
-    environment = build.environment(tmp_path)
+    environment = website.environment(tmp_path)
     assert "MPLBACKEND" not in environment
     assert (environment["TZ"], environment["PYTHONHASHSEED"]) == ("UTC", "0")
 

@@ -7,9 +7,9 @@ import pytest
 from docutils import nodes
 from docutils.utils import new_document
 
-from book._ext.chapter import notebooks, pages
-from book._ext.chapter.numbers import formatted, parse, typeset
-from book._ext.chapter.results import UnknownResult, look_up
+from book.extension import notebooks, pages
+from book.extension.numbers import formatted, parse, typeset
+from book.extension.results import UnknownResult, look_up
 
 
 @pytest.fixture
@@ -112,7 +112,7 @@ def build_page(book, tmp_path):
         (book / "index.md").write_text(f"# Page\n\n{text}\n")
         warnings = StringIO()
         settings = {
-            "extensions": ["myst_parser", "sphinx.ext.mathjax", "book._ext.chapter"],
+            "extensions": ["myst_parser", "sphinx.ext.mathjax", "book.extension"],
             "myst_enable_extensions": ["colon_fence"],
             "numfig": True,
             "exclude_patterns": ["_generated"],
@@ -177,7 +177,7 @@ def test_a_stream_cut_in_pieces_is_one():
 
 
 def test_printed_lines_are_the_same_wherever_the_kernel_cut_them():
-    from book._ext.chapter import streams
+    from book.extension import streams
 
     def printed(*texts):
         return [message(text) for text in texts]

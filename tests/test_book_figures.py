@@ -8,11 +8,11 @@ import pytest
 from matplotlib.figure import Figure
 from PIL import Image
 
-from book import stamps
-from book.figures import fresh, keys, registry, save
-from book.figures.registry import Drawing, Registered, plain_numbers
-from book.pictures import panels
-from book.style import decades, label_line_end, palette, plot, slope_triangle, styled
+from book.build import stamps
+from book.drawing import fresh, keys, registry, save
+from book.drawing.pictures import panels
+from book.drawing.registry import Drawing, Registered, plain_numbers
+from book.drawing.style import decades, label_line_end, palette, plot, slope_triangle, styled
 
 
 @pytest.fixture
@@ -128,8 +128,8 @@ def test_panels_show_every_pixel_once_at_the_size_of_a_css_pixel():
 def test_sources_reach_through_packages_and_imports():
     reached = {path.relative_to(stamps.ROOT).as_posix() for path in stamps.reachable(keys.SAVING)}
     # save.py imports style.py, which imports palette.py: neither may be missed.
-    assert {"book/__init__.py", "book/figures/save.py", "book/style.py", "book/palette.py"} <= reached
-    assert "book/figures/discover.py" not in reached
+    assert {"book/__init__.py", "book/drawing/save.py", "book/drawing/style.py", "book/drawing/palette.py"} <= reached
+    assert "book/drawing/discover.py" not in reached
 
 
 def test_computed_import_reaches_the_whole_package():
@@ -141,15 +141,15 @@ def test_computed_import_reaches_the_whole_package():
     ("change", "reason"),
     [
         ({}, None),
-        ({"book/style.py": "1"}, "book/style.py changed"),
+        ({"book/drawing/style.py": "1"}, "book/drawing/style.py changed"),
         ({"book/new.py": "1"}, "book/new.py changed"),
-        ({"book/new.py": "1", "book/style.py": "1"}, "book/new.py changed and 1 more"),
+        ({"book/new.py": "1", "book/drawing/style.py": "1"}, "book/new.py changed and 1 more"),
     ],
 )
 def test_reason_to_draw_again(monkeypatch, tmp_path, change, reason):
     monkeypatch.setattr(stamps, "STAMPS", tmp_path)
     monkeypatch.setattr(keys, "GENERATED", tmp_path)
-    entry, before = Registered("curve", curve), {"book/style.py": "0", "python": "3.11"}
+    entry, before = Registered("curve", curve), {"book/drawing/style.py": "0", "python": "3.11"}
     assert keys.why_redraw(entry, before) == "new"
     stamps.write("figures/curve", {"files": ["curve.svg"], "sources": before})
     assert keys.why_redraw(entry, before) == "curve.svg is missing"

@@ -11,14 +11,15 @@ from pathlib import Path
 import pytest
 from docutils import nodes
 
-from book import check, report, stamps
-from book._ext.chapter import theorems as book_theorems
-from book._ext.chapter.dependencies import components, drawing, rows
-from book._ext.chapter.elements import typeset
-from book._ext.chapter.evidence import evidence_line, findings
-from book._ext.chapter.listings import LISTED, listed
-from book._ext.chapter.points import tex_point, tex_value
-from book._ext.chapter.theorems import Proofs, module_and_line, page_names, placements
+from book.build import check, report, stamps
+from book.build.contents import page_files
+from book.extension import theorems as book_theorems
+from book.extension.dependencies import components, drawing, rows
+from book.extension.elements import typeset
+from book.extension.evidence import evidence_line, findings
+from book.extension.listings import LISTED, listed
+from book.extension.points import tex_point, tex_value
+from book.extension.theorems import Proofs, module_and_line, placements
 from proofs.engine.theorem import all_theorems
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -65,7 +66,7 @@ def build_page(fresh_report, tmp_path):
         (book / "claims.md").write_text("---\norphan: true\n---\n# Claims\n\n:::{all-claims}\n:::\n")
         (book / "index.md").write_text(f"# Page\n\n{text}\n")
         settings = {
-            "extensions": ["myst_parser", "sphinx.ext.mathjax", "book._ext.chapter"],
+            "extensions": ["myst_parser", "sphinx.ext.mathjax", "book.extension"],
             "myst_enable_extensions": ["colon_fence"],
         }
         warnings, out = StringIO(), tmp_path / "out"
@@ -187,7 +188,7 @@ def test_pages_may_be_in_parts(tmp_path):
     (tmp_path / "_toc.yml").write_text(
         "root: index\nparts: [{caption: One, chapters: [{file: b}]}, {caption: Two, chapters: [{file: a}]}]\n"
     )
-    assert page_names(tmp_path) == ["index", "b", "a"]
+    assert list(page_files(tmp_path)) == ["index", "b", "a"]
 
 
 def test_evidence_in_words():
@@ -302,7 +303,7 @@ def test_downloaded_scripts_run_with_nothing_but_python(site, tmp_path):
 
 def test_what_is_trusted_is_all_there(site):
     """Everything of ours that the kernel and the translation can reach is listed on the page."""
-    page = (ROOT / "book" / "trusted.md").read_text(encoding="utf-8")
+    page = (ROOT / "book" / "checked" / "trusted.md").read_text(encoding="utf-8")
     for name in ("kernel", "statement"):
         for path in stamps.reachable(ROOT / "proofs" / f"{name}.py"):
             if path.suffix == ".py" and path.name != "__init__.py":

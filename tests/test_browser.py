@@ -5,12 +5,12 @@ from urllib.parse import urlparse
 
 import pytest
 
-from book._ext.chapter.theorems import page_names
+from book.build.contents import page_files
 
 ROOT = Path(__file__).resolve().parent.parent
 
 pytestmark = pytest.mark.browser
-PAGES = page_names(ROOT / "book")
+PAGES = list(page_files(ROOT / "book"))
 PHONE = {"width": 400, "height": 850}
 DESKTOP = {"width": 1280, "height": 900}
 

@@ -169,11 +169,20 @@ def test_a_sweep_whose_workers_are_gone(tmp_path, monkeypatch, capsys):
     assert capsys.readouterr() == ("", f"python -m renderer sweep: error: {told}\n")
 
 
-def test_a_sweep_without_dask_installed(monkeypatch, capsys):
-    monkeypatch.setitem(sys.modules, "distributed", None)
-    assert run("sweep", "--size", "8", "--dask", "tcp://localhost:1") == 2
-    allowed = "the package `distributed` is not installed"
-    assert capsys.readouterr().err.endswith(f"error: dask = 'tcp://localhost:1' is not allowed: {allowed}\n")
+@pytest.mark.parametrize(
+    ("module", "extra", "arguments"),
+    [
+        ("distributed", "dask", ["sweep", "--dask", "tcp://localhost:1"]),
+        ("tifffile", "tiff", ["image", "--out", "a.tif"]),
+        ("matplotlib", "plot", ["views", "--out", "."]),
+    ],
+)
+def test_what_needs_an_extra_that_is_not_installed_names_it(module, extra, arguments, monkeypatch, capsys, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(sys.modules, module, None)
+    assert run(*arguments, "--size", "8") == 2
+    told = f"{module} is not installed: pip install 'symbolic-rendering[{extra}]'"
+    assert capsys.readouterr().err.endswith(f"error: {told}\n")
 
 
 IMAGE = ["image", "--size", "8"]

@@ -3,7 +3,7 @@
 from sphinx.util.inventory import InventoryFile
 
 import renderer
-from book._ext.chapter.interface import names_of, restructured
+from book.extension.interface import names_of, restructured
 
 PLACES = {"api-renderer.html", "api-proofs.html", "api-verify.html"}
 OTHERS = {

@@ -13,7 +13,7 @@ import pytest
 from sphinx.errors import ExtensionError
 
 import book.ledger
-from book._ext.chapter.ledger_checked import require_ledger
+from book.extension.ledger_checked import require_ledger
 from book.ledger import BadLedger, load
 from book.ledger.check import Run, check
 from book.ledger.entries import FINDINGS, FOLDER

@@ -100,6 +100,27 @@ def test_whatever_the_scene_the_bits_are_the_same(scene, size, method, lanes, da
     assert differing(*frames) == []
 
 
+def test_code_that_was_kept_is_not_compiled_again(tmp_path, monkeypatch):
+    def drawn(field="ridges"):
+        monkeypatch.setattr(native, "_compiled", {})  # as in another process
+        with drawn_by(native.drawer):
+            return held(render(Scene(field=field), *SIZE))
+
+    expected = drawn()
+    kept = tmp_path / "kept"
+    monkeypatch.setenv("SYMBOLIC_RENDERING_CODE", str(kept))
+    assert differing(drawn(), expected) == []
+    number = len(list(kept.iterdir()))
+    with monkeypatch.context() as patched:
+        patched.setattr(native, "optimized", lambda *_: pytest.fail("compiled again"))
+        assert differing(drawn(), expected) == []
+    assert len(list(kept.iterdir())) == number > 0
+    drawn("sine")  # another text
+    monkeypatch.setattr(native, "_processor", lambda: "another")
+    drawn()
+    assert len(list(kept.iterdir())) == 3 * number
+
+
 @pytest.mark.parametrize("threads", [1, 2, 3])
 @pytest.mark.parametrize("width", [1, 15, 16, 17, 301])
 def test_bands_threads_and_ragged_widths(width, threads, monkeypatch):

@@ -22,15 +22,15 @@ CLAIM = "waves_climb_one_way"
 # The ledger against a run in which this theorem has a grade, and every figure that was drawn its numbers.
 HELD = """
 import sys
-from book import stamps
-from book._ext.chapter.results import look_up
-from book._ext.chapter.theorems import page_names
+from book.build import stamps
+from book.extension.results import look_up
+from book.build.contents import page_files
 from book.ledger import load
 from book.ledger.check import Run, check
 from book.ledger.run import split
 id, grade, book = sys.argv[1], sys.argv[2], stamps.ROOT / "book"
 number = lambda name: look_up(book, *split(name))
-run = Run({id: grade}, {}, frozenset(page_names(book)), frozenset(), number, lambda node: True)
+run = Run({id: grade}, {}, frozenset(page_files(book)), frozenset(), number, lambda node: True)
 print(load().get(id).words)
 print([fault for fault in check(load(), run) if fault.startswith(id)])
 """
@@ -108,7 +108,7 @@ def test_it_is_short_and_names_every_file():
         "proofs/formulas/height_fields.py",
         "proofs/theorems/waves.py",
         "book/figures/waves.py",
-        "book/s3.md",
+        "book/chapter/s3.md",
         "book/ledger/claims/waves.toml",
     ]
     assert sum(len(text.splitlines()) for _, text in blocks()) < 60
@@ -151,14 +151,14 @@ def test_the_figure_is_drawn_and_stands_on_the_page(walked):
     folder, _ = walked
     numbers = json.loads((folder / "book" / "_generated" / "waves.json").read_text(encoding="utf-8"))["numbers"]
     assert 0 < numbers["turned"] < 1e-14
-    placed = next(text for file, text in blocks() if file == "book/s3.md")
-    assert (folder / "book" / "s3.md").read_text(encoding="utf-8").endswith(placed)
+    placed = next(text for file, text in blocks() if file == "book/chapter/s3.md")
+    assert (folder / "book" / "chapter" / "s3.md").read_text(encoding="utf-8").endswith(placed)
     small = folder / "small" / "book"  # the whole book would want every theorem and figure
     shutil.copytree(folder / "book" / "_generated", small / "_generated")
     shutil.copytree(folder / "book" / "figures", small / "figures", ignore=shutil.ignore_patterns("__pycache__"))
     (small / "index.md").write_text(f"# Page\n\n{placed}", encoding="utf-8")
     settings = {
-        "extensions": ["myst_parser", "sphinx.ext.mathjax", "book._ext.chapter"],
+        "extensions": ["myst_parser", "sphinx.ext.mathjax", "book.extension"],
         "myst_enable_extensions": ["colon_fence"],
         "numfig": True,
         "exclude_patterns": ["_generated", "figures"],

@@ -18,8 +18,8 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 from sphinx.application import Sphinx
 
-from book import stamps
-from book._ext.chapter.notebooks import FOLDER, colab_address, merged
+from book.build import stamps
+from book.extension.notebooks import FOLDER, colab_address, merged
 from book.notebooks import WHOLE
 from book.notebooks.first_cell import first_cell
 from book.notebooks.laboratory import cells, plain
@@ -138,7 +138,7 @@ def test_slice_takes_what_a_cell_needs_and_leaves_the_rest():
 
 
 def test_every_cell_of_the_page_has_an_expectation_and_a_link():
-    page = (stamps.ROOT / "book" / "s5.md").read_text(encoding="utf-8")
+    page = (stamps.ROOT / "book" / "chapter" / "s5.md").read_text(encoding="utf-8")
     assert [cell.name for cell in cells()] == NAMES[:-1]
     for cell in cells():
         assert any("**Expect**" in part.text for part in cell.parts), cell.name
@@ -260,7 +260,7 @@ def test_notebook_draws_by_llvm_where_it_is(site, tmp_path):
 def test_colab_is_offered_where_a_repository_is_configured(url, links, tmp_path):
     (tmp_path / "_config.yml").write_text(f"repository: {{url: '{url}', branch: pages}}\n")
     (tmp_path / "index.md").write_text("# A\n\n:::{notebook} cell3\n:::\n")
-    parts = [f"book._ext.chapter.{name}" for name in ("elements", "notebooks")]
+    parts = [f"book.extension.{name}" for name in ("elements", "notebooks")]
     settings = {"extensions": ["myst_parser", *parts], "myst_enable_extensions": ["colon_fence"]}
     out = tmp_path / "out"
     Sphinx(tmp_path, None, out, out / "doctrees", "html", settings, status=None).build()

@@ -8,10 +8,11 @@ import pypdfium2
 import pytest
 from pypdf import PdfReader
 
-from book.printing import chromium, file
-from book.printing.graph import TALLEST, cut_graph, cuts, touches
-from book.printing.paper import STILL, document, drop_link, keep_together, on_paper, unfold
-from book.single.pages import parsed
+from book.editions import chromium
+from book.editions import pdf as edition
+from book.editions.graph import TALLEST, cut_graph, cuts, touches
+from book.editions.pages import parsed
+from book.editions.paper import STILL, document, drop_link, keep_together, on_paper, unfold
 
 POINTS = 72 / 25.4  # in a millimetre
 SIDE, TOP, FOOT = 18 * POINTS, 18 * POINTS, 20 * POINTS  # the margins of a page
@@ -182,20 +183,20 @@ def test_date_of_the_print_is_fixed_and_nothing_moves():
 
 def test_without_a_browser_it_says_so(monkeypatch):
     monkeypatch.setattr(chromium.shutil, "which", lambda name: None)
-    with pytest.raises(file.NoBrowser, match="no Chromium is installed"):
+    with pytest.raises(chromium.NoBrowser, match="no Chromium is installed"):
         chromium.print_document("")
 
 
 def test_print_is_made_when_the_site_changed(tmp_path, monkeypatch, capsys):
     made = []
     monkeypatch.setattr(chromium, "print_document", lambda text: made.append(text) or b"%PDF")
-    monkeypatch.setattr("book.printing.paper.document", lambda site: "text")
-    monkeypatch.setattr(file, "PLACE", tmp_path / "chapter.pdf")
-    monkeypatch.setattr(file.stamps, "STAMPS", tmp_path)
+    monkeypatch.setattr("book.editions.paper.document", lambda site: "text")
+    monkeypatch.setattr(edition, "PLACE", tmp_path / "chapter.pdf")
+    monkeypatch.setattr(edition.stamps, "STAMPS", tmp_path)
     for site, times in (({"a": "1"}, 1), ({"a": "1"}, 1), ({"a": "2"}, 2)):
-        file.stamps.write("site", site)
-        file.make()
-        assert made == ["text"] * times and file.PLACE.read_bytes() == b"%PDF"
+        edition.stamps.write("site", site)
+        edition.make()
+        assert made == ["text"] * times and edition.PLACE.read_bytes() == b"%PDF"
     assert "skipped" in capsys.readouterr().out
 
 

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from book import stamps
-from book.figures import draw, fresh, keys, save, trace
-from book.figures.data import MOST_BYTES, data_file, read_data
-from book.figures.discover import INFRASTRUCTURE, all_figures
-from book.figures.registry import Drawing, Registered
+from book.build import stamps
+from book.drawing import draw, fresh, keys, save, trace
+from book.drawing.data import MOST_BYTES, data_file, read_data
+from book.drawing.discover import all_figures
+from book.drawing.registry import Drawing, Registered
 
 FIGURES = stamps.ROOT / "book" / "figures"
-MODULES = sorted(path.stem for path in FIGURES.glob("*.py") if path.stem not in INFRASTRUCTURE | {"__init__"})
+MODULES = sorted(path.stem for path in FIGURES.glob("*.py") if path.stem != "__init__")
 # In a process that has none of the repository's modules, and for each figure module a child of it that has not either.
 TRACE = """
 import json, os, sys
@@ -68,7 +68,7 @@ def test_keys_have_data_style_and_lock_and_nothing_that_the_quick_look_misses():
     seen = fresh.sources().keys()
     for entry in all_figures().values():
         now = keys.sources(entry).keys()
-        assert {"requirements.lock", "book/matplotlibrc", "python", *entry.data} <= now
+        assert {"requirements.lock", "book/drawing/matplotlibrc", "python", *entry.data} <= now
         assert now <= seen, f"{entry.id}: `make figures` would not look"
 
 
@@ -94,9 +94,9 @@ def drawn(monkeypatch, tmp_path):
 
 @pytest.mark.parametrize(
     "name",
-    ["verify/stability/maps.py", "renderer/facts.py", "renderer/machines/traced.py", "book/style.py",
-     "book/figures/data.py", "proofs/formulas/symbols.py", "verify/results/work_precision.json", "requirements.lock",
-     "book/matplotlibrc"],
+    ["verify/stability/maps.py", "renderer/facts.py", "renderer/machines/traced.py", "book/drawing/style.py",
+     "book/drawing/data.py", "proofs/formulas/symbols.py", "verify/results/work_precision.json", "requirements.lock",
+     "book/drawing/matplotlibrc"],
 )  # fmt: skip
 def test_editing_one_file_draws_all_that_reach_it_and_says_why(name, drawn, imported, monkeypatch, capsys):
     assert draw.draw() == 0 and drawn == []
@@ -138,7 +138,10 @@ def test_file_that_is_read_and_not_in_the_key_is_an_error():
 
 
 def test_trace_sees_lazy_imports_as_sources_and_nothing_outside(tmp_path):
-    assert trace.source_of(stamps.ROOT / "book/__pycache__/style.cpython-311.pyc") == stamps.ROOT / "book/style.py"
+    assert (
+        trace.source_of(stamps.ROOT / "book/drawing/__pycache__/style.cpython-311.pyc")
+        == stamps.ROOT / "book/drawing/style.py"
+    )
     assert trace.source_of(tmp_path / "a.py") is None
     assert trace.source_of(stamps.ROOT / "book" / "_generated" / "hero.json") is None
 

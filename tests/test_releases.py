@@ -12,9 +12,9 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 import book.__main__ as command_line
-from book import stamps
-from book.figures import save
-from book.figures.registry import Drawing, Registered
+from book.build import stamps
+from book.drawing import save
+from book.drawing.registry import Drawing, Registered
 from book.releases import changelog, command, compare, kept, record, same_bytes, tolerances
 
 GRADES = {
@@ -384,12 +384,17 @@ def lint_workflow(path: Path) -> tuple[bool, str]:
     return fits and safe, why + risks
 
 
-def test_the_workflow_is_valid_pinned_and_without_secrets():
-    good, said = lint_workflow(WORKFLOW)
+@pytest.mark.parametrize(
+    ("name", "commands"),
+    [("publish", (".ci/run", "make release-notes", "book/_build/html")), ("weekly", ("make environment", "--long"))],
+)
+def test_the_workflows_are_valid_pinned_and_without_secrets(name, commands):
+    path = WORKFLOW.with_stem(name)
+    good, said = lint_workflow(path)
     assert good, said
-    text = WORKFLOW.read_text()
+    text = path.read_text()
     assert "secrets" not in text.replace("no secret", "") and "GITHUB_TOKEN" not in text
-    assert all(command in text for command in (".ci/run", "make release-notes", "book/_build/html"))
+    assert all(command in text for command in commands)
 
 
 @pytest.mark.parametrize(

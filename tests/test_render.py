@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from renderer import Light, Scene, central, central4, exact, forward, render, stage_of
 from renderer.kernels import FIELDS
 from renderer.stage import band_rows
-from tests.strategies import methods, rasters, scenes
+from tests.strategies import looks, methods, rasters
 
 DEFAULT = Scene()
 MANY_BANDS = (300, 200)
@@ -83,7 +83,7 @@ def test_kink_and_slope_are_off_outside_a(field):
     assert frame.slope[~off].any()
 
 
-@given(scenes(), rasters(40), methods, st.data())
+@given(looks, rasters(40), methods, st.data())
 def test_a_crop_equals_the_part_of_the_whole(scene, size, method, data):
     left, top = (data.draw(st.integers(0, side - 1)) for side in size)
     width, height = data.draw(st.integers(1, size[0] - left)), data.draw(st.integers(1, size[1] - top))
@@ -110,12 +110,12 @@ def test_rows_longer_than_a_run_and_a_band():
     np.testing.assert_array_equal(wide.rgb[1:2, 9_000:12_000], part.rgb)
 
 
-@given(scenes(), rasters(), st.data())
+@given(looks, rasters(), st.data())
 def test_a_stage_used_again_gives_the_same_bits(scene, size, data):
     stage = stage_of(scene, *size)
     for _ in range(2):
         names = ("model", "field", "ku", "kv", "beta", "kd", "shininess")
-        other = data.draw(scenes())
+        other = data.draw(looks)
         shaded = replace(scene, **{name: getattr(other, name) for name in names})
         method = data.draw(methods)
         assert same(render(shaded, *size, method, stage=stage), render(shaded, *size, method))
@@ -153,12 +153,12 @@ def test_a_stage_of_another_crop_of_the_same_shape_is_rejected():
         render(DEFAULT, 16, 16, crop=(8, 8, 4, 4), stage=stage_of(DEFAULT, 16, 16, crop=(0, 0, 4, 4)))
 
 
-@given(scenes(), rasters(), st.data())
+@given(looks, rasters(), st.data())
 def test_drawing_into_an_earlier_frame_gives_the_same_bits(scene, size, data):
     stage = stage_of(scene, *size)
     frame = render(scene, *size, data.draw(methods), stage=stage)
     for _ in range(2):
-        other, method = data.draw(scenes()), data.draw(methods)
+        other, method = data.draw(looks), data.draw(methods)
         bumped = replace(scene, field=other.field, ku=other.ku, kv=other.kv, beta=other.beta)
         planes = frame.planes
         earlier, frame = frame, render(bumped, *size, method, stage=stage, into=frame)
@@ -183,7 +183,7 @@ def test_lights_may_change_colour_under_a_stage():
     assert same(render(red, 32, 32, stage=stage_of(DEFAULT, 32, 32)), render(red, 32, 32))
 
 
-@given(scenes(), rasters(), st.data())
+@given(looks, rasters(), st.data())
 def test_a_light_that_is_off_is_as_good_as_absent(scene, size, data):
     number = data.draw(st.integers(0, min(4, len(scene.lights))))
     off = Light((50 * scene.radius, 0.0, 50 * scene.radius), None)

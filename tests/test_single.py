@@ -12,15 +12,15 @@ from urllib.parse import unquote
 import pytest
 from PIL import Image
 
-from book.single import file
-from book.single.certificates import share_certificates
-from book.single.document import LARGEST_DATA, document
-from book.single.listings import make_small
-from book.single.names import Names, relink, relink_data, rename
-from book.single.pages import BrokenSite, Page, parsed
-from book.single.pictures import change, difference
-from book.single.pixels import smaller
-from book.single.store import inlined_script, packed_address, svg_address, svg_parts
+from book.editions import single as edition
+from book.editions.certificates import share_certificates
+from book.editions.document import LARGEST_DATA, document
+from book.editions.listings import make_small
+from book.editions.names import Names, relink, relink_data, rename
+from book.editions.pages import BrokenSite, Page, parsed
+from book.editions.pictures import change, difference
+from book.editions.pixels import smaller
+from book.editions.store import inlined_script, packed_address, svg_address, svg_parts
 from tests.elements import Elements
 
 PHONE, DESKTOP = {"width": 400, "height": 850}, {"width": 1280, "height": 900}
@@ -30,7 +30,7 @@ PHONE, DESKTOP = {"width": 400, "height": 850}, {"width": 1280, "height": 900}
 def single(site, tmp_path_factory):
     """The file, made anew of the built site, alone in a folder that holds nothing else."""
     place = tmp_path_factory.mktemp("mailed") / "chapter.html"
-    place.write_bytes(file.content(site))
+    place.write_bytes(edition.content(site))
     return place
 
 
@@ -75,26 +75,26 @@ def page(name: str, article: str) -> Page:
 
 
 def test_file_can_be_mailed(single):
-    assert 1_000_000 < single.stat().st_size < file.LARGEST == 12_000_000
+    assert 1_000_000 < single.stat().st_size < edition.LARGEST == 12_000_000
 
 
 def test_file_that_is_too_large_is_not_written(site, monkeypatch):
-    monkeypatch.setattr(file, "LARGEST", 1_000_000)
-    with pytest.raises(file.TooLarge, match="at most 1,000,000"):
-        file.content(site)
+    monkeypatch.setattr(edition, "LARGEST", 1_000_000)
+    with pytest.raises(edition.TooLarge, match="at most 1,000,000"):
+        edition.content(site)
 
 
 def test_file_is_written_when_the_site_changed(tmp_path, monkeypatch, capsys):
     made = []
-    monkeypatch.setattr(file, "content", lambda: made.append(1) or b"<html>")
-    monkeypatch.setattr(file, "PLACE", tmp_path / "chapter.html")
-    monkeypatch.setattr(file.stamps, "STAMPS", tmp_path)
+    monkeypatch.setattr(edition, "content", lambda: made.append(1) or b"<html>")
+    monkeypatch.setattr(edition, "PLACE", tmp_path / "chapter.html")
+    monkeypatch.setattr(edition.stamps, "STAMPS", tmp_path)
     for site, times in (({"a": "1"}, 1), ({"a": "1"}, 1), ({"a": "2"}, 2)):
-        file.stamps.write("site", site)
-        file.make()
-        assert len(made) == times and file.PLACE.read_bytes() == b"<html>"
-    file.PLACE.unlink()
-    file.make()
+        edition.stamps.write("site", site)
+        edition.make()
+        assert len(made) == times and edition.PLACE.read_bytes() == b"<html>"
+    edition.PLACE.unlink()
+    edition.make()
     assert len(made) == 3 and "skipped" in capsys.readouterr().out
 
 

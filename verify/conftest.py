@@ -1,16 +1,22 @@
 """What the proofs' run adds to pytest: options, one table at the end, one report for the book."""
 
 import json
-import os
 import time
 from pathlib import Path
 
 import pytest
 
-from verify.checkers.grades import graded, summary
+from renderer.files import whole_file
+from verify.checkers.grades import NOT_RECHECKED, graded, summary
+from verify.optional import lacking
 
 REPORT = Path(__file__).resolve().parent.parent / "book" / "_generated" / "proofs.json"
 KEY = pytest.StashKey[list]()
+LONGEST = (
+    "test_theorems.py",
+    "test_contributing.py",
+    "test_methods.py",
+)  # begin with these, so that no worker ends with one
 
 
 def pytest_addoption(parser):
@@ -22,6 +28,7 @@ def pytest_addoption(parser):
     group.addoption(
         "--stored", action="store_true", help="check the stored certificates alone: no samples, no mutants, no report"
     )
+    group.addoption("--fresh", action="store_true", help="measure everything anew, whatever evidence was kept")
     if not any("--long" in option.names() for option in parser._anonymous.options):
         group.addoption("--long", action="store_true", help="also what takes minutes")
 
@@ -37,6 +44,22 @@ def pytest_ignore_collect(collection_path, config):
     return True if one and others else None
 
 
+class _Module(pytest.Module):
+    """A file of tests that is skipped, by name, where a library that it needs is not installed."""
+
+    def collect(self):
+        try:
+            return super().collect()
+        except self.CollectError as error:
+            if library := lacking(error):
+                pytest.skip(f"needs {library}", allow_module_level=True)
+            raise
+
+
+def pytest_pycollect_makemodule(module_path, parent):
+    return _Module.from_parent(parent, path=module_path)
+
+
 def pytest_collection_modifyitems(config, items):
     """Keep what --theorem names, and skip what is marked long without --long."""
     if ids := config.getoption("theorem"):
@@ -49,6 +72,7 @@ def pytest_collection_modifyitems(config, items):
         kept = [i for i in items if getattr(i, "callspec", None) and i.callspec.params.get("theorem_id") in wanted]
         config.hook.pytest_deselected(items=[i for i in items if i not in kept])
         items[:] = kept
+    items.sort(key=lambda item: item.path.name not in LONGEST)
     if not config.getoption("--long"):
         for item in items:
             if item.get_closest_marker("long"):
@@ -67,13 +91,15 @@ def _with_uses(ids, theorems):
 
 @pytest.fixture
 def record_evidence(record_property):
-    """Return a function that hands a theorem's evidence to the controlling process, workers or none."""
+    """Return a function that hands a theorem's evidence to the controlling process, workers or none.
+
+    took: how the time is told, "kept" where the evidence was; by default that since the test began.
+    """
     start = time.perf_counter()
 
-    def record(evidence):
-        entry = evidence.record | {"killed": f"{evidence.mutants_killed}/{evidence.mutants}"}
+    def record(entry, took=None):
         record_property("evidence", json.dumps(entry, ensure_ascii=False))
-        record_property("seconds", f"{time.perf_counter() - start:.2f}")
+        record_property("took", took or f"{time.perf_counter() - start:.2f} s")
 
     return record
 
@@ -88,8 +114,7 @@ class _Collector:
         if report.when == "call":
             properties = dict(report.user_properties)
             if "evidence" in properties:
-                entry = json.loads(properties["evidence"])
-                self.config.stash[KEY].append((entry, float(properties["seconds"])))
+                self.config.stash[KEY].append((json.loads(properties["evidence"]), properties["took"]))
 
 
 def pytest_sessionstart(session):
@@ -98,9 +123,9 @@ def pytest_sessionstart(session):
 
 
 def _results(config):
-    """Return [(entry of the report, seconds)] in order of the ids."""
-    seconds = {entry["id"]: time for entry, time in config.stash[KEY]}
-    return [(entry, seconds[entry["id"]]) for entry in graded([entry for entry, _ in config.stash[KEY]])]
+    """Return [(entry of the report, how long it took)] in order of the ids."""
+    took = {entry["id"]: time for entry, time in config.stash[KEY]}
+    return [(entry, took[entry["id"]]) for entry in graded([entry for entry, _ in config.stash[KEY]])]
 
 
 def pytest_sessionfinish(session, exitstatus):
@@ -108,7 +133,7 @@ def pytest_sessionfinish(session, exitstatus):
     config = session.config
     if hasattr(config, "workerinput") or not config.stash[KEY]:
         return
-    entries = [entry for entry, _ in _results(config)]
+    entries = [entry for entry, _ in _results(config) if entry["grade"] != NOT_RECHECKED]
     partial = config.getoption("keyword") or config.getoption("theorem")
     if any(e["grade"] != e["expected"] for e in entries) and not partial and session.exitstatus == 0:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
@@ -123,20 +148,32 @@ def _write_report(entries):
     REPORT.parent.mkdir(parents=True, exist_ok=True)
     report = {"version": 1, "summary": summary(entries), "theorems": entries}
     text = json.dumps(report, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
-    temporary = REPORT.with_suffix(f".{os.getpid()}")
-    temporary.write_text(text, encoding="utf-8")
-    temporary.replace(REPORT)
+    with whole_file(REPORT) as name:
+        Path(name).write_text(text, encoding="utf-8")
 
 
 def pytest_terminal_summary(terminalreporter, config):
+    _tell_what_was_left_out(terminalreporter)
     if not config.stash[KEY]:
         return
     terminalreporter.section("theorems")
     results = _results(config)
-    for entry, seconds in results:
-        good = entry["grade"] == entry["expected"]
+    for entry, took in results:
+        good = entry["grade"] in (entry["expected"], NOT_RECHECKED)
         mark = "" if good else f"   expected {entry['expected']}  {entry.get('reason', '')}"
-        line = f"{entry['id']:32} {entry['grade_line']:9} {seconds:6.2f} s   mutants {entry['killed']}{mark}"
+        line = f"{entry['id']:32} {entry['grade_line']:9} {took:>8}   mutants {entry['killed']}{mark}"
         terminalreporter.write_line(line, red=bool(mark))
     counts = summary([entry for entry, _ in results])
     terminalreporter.write_line(", ".join(f"{n} {key.replace('_', ' ')}" for key, n in counts.items()))
+
+
+def _tell_what_was_left_out(terminalreporter):
+    """List which evidence was not re-checked for want of a library: files of tests, theorems, the second checker."""
+    skipped = [(report.nodeid, str(report.longrepr[2])) for report in terminalreporter.stats.get("skipped", ())]
+    lines = sorted({f"{where}: {why.removeprefix('Skipped: ')}" for where, why in skipped if "needs " in why})
+    if any("second_checker" in entry for entry, _ in terminalreporter.config.stash[KEY]):
+        lines.insert(0, "certificates: the second checker was not run; it needs python-flint")
+    if lines:
+        terminalreporter.section("not re-checked here")
+        for line in lines:
+            terminalreporter.write_line(line)

@@ -4,8 +4,8 @@ from functools import cache
 
 import numpy as np
 
-from book.figures.registry import Drawing, figure
-from book.style import panels
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import panels
 from renderer.views import difference_logarithmic
 from verify.stability import maps
 

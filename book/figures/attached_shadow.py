@@ -5,9 +5,9 @@ from functools import cache
 
 import numpy as np
 
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import panels
 from book.figures.chapter_scene import SCENE, SIZE, symbolic
-from book.figures.registry import Drawing, figure
-from book.style import panels
 from renderer import render
 from renderer.views import image_view
 

@@ -4,9 +4,9 @@ from functools import cache
 
 import numpy as np
 
-from book.figures.registry import Drawing, figure
-from book.pictures import GAP, TITLE
-from book.style import decades, palette, panels, plot
+from book.drawing.pictures import GAP, TITLE
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import decades, palette, panels, plot
 from renderer import Scene, render
 from verify.stability import attribution
 

@@ -5,9 +5,9 @@ import re
 
 import numpy as np
 
-from book.figures.registry import Drawing, figure
-from book.stamps import ROOT
-from book.style import decades, label_line_end, palette, plot, readable, slope_triangle
+from book.build.stamps import ROOT
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import decades, label_line_end, palette, plot, readable, slope_triangle
 
 FRAMES = "verify/benchmark/results/frames.json"
 GRADIENTS = "verify/benchmark/results/gradients.json"

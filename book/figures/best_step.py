@@ -4,8 +4,8 @@ from functools import cache
 
 import numpy as np
 
-from book.figures.registry import Drawing, figure
-from book.style import bound_style, decades, label_line_end, palette, plot, readable
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import bound_style, decades, label_line_end, palette, plot, readable
 from verify.accuracy.best_step import WAVE_NUMBERS, measured, predicted
 
 LABELS = {(0, False): (50, 4e-7), (0, True): (2, 1.2e-7), (1, False): (2, 6e-8), (1, True): (60, 5e-10)}

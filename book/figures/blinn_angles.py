@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from book.drawing.registry import Drawing, figure
 from book.figures.chapter_scene import SCENE, symbolic
-from book.figures.registry import Drawing, figure
 from verify.accuracy.frontiers.fiction import STEPS, degrees, normals
 
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import label_line_end, palette, plot, readable
 from book.figures.chapter_scene import numeric, symbolic
-from book.figures.registry import Drawing, figure
-from book.style import label_line_end, palette, plot, readable
 from renderer import Scene, central, exact, gradient_at
 from renderer.facts import crease_contrast
 

@@ -6,9 +6,9 @@ from functools import cache
 import numpy as np
 from flint import arb, ctx
 
-from book.figures.registry import Drawing, figure
-from book.style import bound_style, label_line_end, palette, plot, readable
-from verify.accuracy.elementary import CERTIFIED, KERNELS, pieces_of, worst
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import bound_style, label_line_end, palette, plot, readable
+from verify.accuracy.certified_ulps import CERTIFIED, KERNELS, pieces_of, worst
 
 NAMES = {"sinpi": r"$\sin\,\pi r$", "cospi": r"$\cos\,\pi r$", "atan2pi": r"atan2$(t, 1)/\pi$"}
 SEED, EACH, LEAST = 8, 3, 0.01  # below LEAST the pieces only repeat themselves

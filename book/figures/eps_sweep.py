@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import decades, label_line_end, palette, plot, readable, slope_triangle
 from book.figures.chapter_scene import FIELD_NAMES, SIZE, symbolic
-from book.figures.registry import Drawing, figure
-from book.style import decades, label_line_end, palette, plot, readable, slope_triangle
 from renderer import Scene, central, render
 from renderer.facts import flat_difference, flips_everywhere, pixels_near_the_pole
 from renderer.sweep import DECADES, difference_on_a, rms, sweep

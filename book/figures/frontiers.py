@@ -4,9 +4,9 @@ from functools import cache
 
 import numpy as np
 
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import decades, label_line_end, palette, panels, plot, readable, slope_triangle
 from book.figures.chapter_scene import SCENE, symbolic
-from book.figures.registry import Drawing, figure
-from book.style import decades, label_line_end, palette, panels, plot, readable, slope_triangle
 from renderer.views import image_view
 from verify.accuracy.frontiers import fiction, wall
 

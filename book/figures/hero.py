@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from book.figures.registry import Drawing, figure
+from book.drawing.registry import Drawing, figure
 from renderer import Scene, central, exact, render, stage_of
 from renderer.views import to_bytes
 

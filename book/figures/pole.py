@@ -3,8 +3,8 @@
 import numpy as np
 from mpmath import mp, mpf
 
-from book.figures.registry import Drawing, figure
-from book.style import decades, label_line_end, palette, plot, readable
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import decades, label_line_end, palette, plot, readable
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.tangent_frame import seed_frame, tangent_frame
 from renderer import Scene, central, exact, gradient_at

@@ -4,8 +4,8 @@ from functools import cache
 
 import numpy as np
 
-from book.figures.registry import Drawing, figure
-from book.style import bound_style, decades, label_line_end, palette, plot, readable
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import bound_style, decades, label_line_end, palette, plot, readable
 from verify.accuracy.pixels import SCENES, TOLERANCE, checked_pixels, problems
 
 EACH = 15

@@ -4,9 +4,9 @@ from functools import cache
 
 import numpy as np
 
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import bound_style, decades, label_line_end, palette, plot, readable, slope_triangle
 from book.figures.chapter_scene import symbolic
-from book.figures.registry import Drawing, figure
-from book.style import bound_style, decades, label_line_end, palette, plot, readable, slope_triangle
 from verify.accuracy import clamped_order
 from verify.accuracy.ridge_law import on_the_raster, predicted, quadrature
 

@@ -3,9 +3,9 @@
 import matplotlib
 import numpy as np
 
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import panels, plot
 from book.figures.chapter_scene import FIELD_NAMES, SCENE, symbolic
-from book.figures.registry import Drawing, figure
-from book.style import panels, plot
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
 from proofs.formulas.symbols import cos_phi, eye, radius, rho, rho_silhouette, sin_phi
 from renderer import Scene, height_at, render

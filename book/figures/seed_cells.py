@@ -6,8 +6,8 @@ from unittest.mock import patch
 
 import numpy as np
 
-from book import stamps
-from book.figures.registry import Drawing, figure
+from book.build import stamps
+from book.drawing.registry import Drawing, figure
 from proofs.formulas.bump import normal_by_beta, perturbed
 from proofs.formulas.chart import seed_chart
 from proofs.formulas.symbols import normal

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from book.drawing.registry import Drawing, figure
 from book.figures.chapter_scene import SIZE, numeric, symbolic
-from book.figures.registry import Drawing, figure
 from renderer import Scene, central, render
 from renderer.sweep import difference_on_a, rms
 from renderer.views import to_bytes

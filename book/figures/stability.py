@@ -5,8 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
-from book.figures.registry import Drawing, figure
-from book.style import bound_style, decades, label_line_end, palette, plot, readable, slope_triangle
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import bound_style, decades, label_line_end, palette, plot, readable, slope_triangle
 from verify.stability import symmetry
 from verify.stability.rows import SWEEPS, sweep
 

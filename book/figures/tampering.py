@@ -3,7 +3,7 @@
 import json
 from pathlib import Path
 
-from book.figures.registry import Drawing, figure
+from book.drawing.registry import Drawing, figure
 
 RESULT = "verify/results/tampered_certificates.json"
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import panels
 from book.figures.chapter_scene import FIELD_NAMES, TELLING_EPS, numeric, symbolic
-from book.figures.registry import Drawing, figure
-from book.style import panels
 from renderer.sweep import difference_on_a, rms
 from renderer.views import difference_logarithmic, to_bytes
 

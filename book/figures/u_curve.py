@@ -1,36 +1,21 @@
-"""The U-curve: the error of a central difference against its step."""
+"""The U-curve: the error of a central difference against its step, measured by mpmath at 50 digits."""
+
+from functools import partial
 
 import numpy as np
-from sympy import Rational
 
-from book.figures.registry import Drawing, figure
-from book.style import bound_style, decades, label_line_end, palette, plot, readable, slope_triangle
-from proofs.formulas.half_turns import ordinary
-from proofs.formulas.height_fields import HEIGHT_FIELDS
-from proofs.formulas.symbols import k_u, k_v, u, v
-from renderer import Scene, central, gradient_at
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import bound_style, decades, label_line_end, palette, plot, readable, slope_triangle
+from renderer import Scene
 from renderer.facts import SMOOTH_POINT
+from verify.accuracy import u_curve as by_mpmath
 
 SCENE = Scene(field="sine")
 UNIT_ROUNDOFF = 2.0**-53
 
 
-def reference(digits=50):
-    """Return h_u of sine at the smooth point, as float64, from the exact expression at 50 digits."""
-    values = {u: Rational(SMOOTH_POINT[0]), v: Rational(SMOOTH_POINT[1]), k_u: int(SCENE.ku), k_v: int(SCENE.kv)}
-    return float(ordinary(HEIGHT_FIELDS["sine"].gradient()[0]).subs(values).evalf(digits))
-
-
-def errors(steps):
-    """Return |central h_u − reference| for each step."""
-    right = reference()
-    return np.array([abs(float(gradient_at(SCENE, *SMOOTH_POINT, central(eps))[0]) - right) for eps in steps])
-
-
-def truncation(steps):
-    """Return the error in exact arithmetic: |h_u| · (1 − sinc(πkε)), where it can be told from 0."""
-    angle = np.pi * SCENE.ku * steps
-    return abs(reference()) * np.where(angle > 1e-4, 1 - np.sin(angle) / angle, angle**2 / 6)
+errors = partial(by_mpmath.errors, *SMOOTH_POINT)
+truncation = partial(by_mpmath.truncation, *SMOOTH_POINT)
 
 
 @figure("u_curve")
@@ -64,7 +49,7 @@ def u_curve() -> Drawing:
         "least": measured[best],
         "best_eps": steps[best],
         "slope": slope,
-        "exact": reference(),
+        "exact": float(by_mpmath.exact_slope(*SMOOTH_POINT)),
         "third_derivative": third,
         "third_derivative_half": (np.pi * SCENE.ku / 2) ** 3,
         "predicted_eps": (3 * UNIT_ROUNDOFF / third) ** (1 / 3),

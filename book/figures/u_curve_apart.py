@@ -4,8 +4,8 @@ from functools import cache
 
 import numpy as np
 
-from book.figures.registry import Drawing, figure
-from book.style import bound_style, decades, label_line_end, palette, plot, readable
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import bound_style, decades, label_line_end, palette, plot, readable
 from verify.accuracy.best_step import predicted
 from verify.accuracy.clamped_order import fitted_slope
 from verify.accuracy.difference_bounds import bounds, escapes

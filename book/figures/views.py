@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import panels
 from book.figures.chapter_scene import numeric, symbolic
-from book.figures.registry import Drawing, figure
-from book.style import panels
 from renderer.views import image_view, kink_view, slope_view
 
 SIDE = 220

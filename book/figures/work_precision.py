@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from book.figures.registry import Drawing, figure
-from book.style import decades, label_line_end, palette, plot, readable
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import decades, label_line_end, palette, plot, readable
 from verify.benchmark import work_precision
 
 RESULT = "verify/results/work_precision.json"

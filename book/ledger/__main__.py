@@ -8,9 +8,9 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 
+from book.build.report import NoReport
 from book.ledger.check import check
 from book.ledger.entries import VERDICTS, BadLedger, load
-from book.report import NoReport
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -5,9 +5,10 @@ import re
 from functools import cache
 from pathlib import Path
 
-from book import report, stamps
-from book._ext.chapter.results import look_up
-from book._ext.chapter.theorems import kind, page_names
+from book.build import report, stamps
+from book.build.contents import page_files
+from book.extension.results import look_up
+from book.extension.theorems import kind
 from book.ledger.check import Run
 from proofs.engine.theorem import all_theorems
 
@@ -20,7 +21,7 @@ def last_run(root: Path = stamps.ROOT) -> Run:
     return Run(
         grades={id: kind(entry["grade"]) for id, entry in report.load().items()},
         findings={id: theorem.finding for id, theorem in all_theorems().items() if theorem.finding},
-        pages=frozenset(page_names(book)),
+        pages=frozenset(page_files(book)),
         sources=frozenset(KEY.findall((book / "references.bib").read_text(encoding="utf-8"))),
         number=lambda name: look_up(book, *split(name)),
         test=lambda node: node_exists(root, node),

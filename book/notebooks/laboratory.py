@@ -11,12 +11,12 @@ from functools import cache
 from myst_nb.core.read import read_myst_markdown_notebook
 from pybtex.database import parse_file
 
-from book import stamps
-from book._ext.chapter.numbers import E_NOTATION, formatted, parse
-from book._ext.chapter.results import load_result, look_up
+from book.build import stamps
+from book.extension.numbers import E_NOTATION, formatted, parse
+from book.extension.results import load_result, look_up
 
 BOOK = stamps.ROOT / "book"
-PAGE = BOOK / "s5.md"
+PAGE = BOOK / "chapter" / "s5.md"
 HEADING = re.compile(r"^### Cell (?P<number>\d+)\. (?P<title>.+)$", re.MULTILINE)
 SKIPPED, EXPECTED = "skip-execution", "expect"
 ROLE = re.compile(r"\{(?P<role>[\w-]+)\}`(?P<text>[^`]*)`")

@@ -5,7 +5,7 @@ import json
 import tomllib
 from functools import cache
 
-from book import stamps
+from book.build import stamps
 
 
 @cache

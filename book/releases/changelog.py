@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from book import stamps
+from book.build import stamps
 
 CHANGELOG = stamps.ROOT / "CHANGELOG.md"
 

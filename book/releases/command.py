@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from book import stamps
+from book.build import stamps
 from book.releases import changelog, compare, kept, notes, record
 
 OUT = stamps.ROOT / "book" / "_build" / "release"

@@ -5,7 +5,7 @@ import re
 import shutil
 from pathlib import Path
 
-from book import stamps
+from book.build import stamps
 from book.releases import pictures
 from book.releases.record import FORMAT
 

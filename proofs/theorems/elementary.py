@@ -1,4 +1,4 @@
-"""The accuracy of our own elementary functions. See verify/checkers/measurements/elementary.py."""
+"""The accuracy of our own elementary functions. See verify/checkers/measurements/half_turns.py."""
 
 from proofs.engine.theorem import Theorem
 

@@ -29,7 +29,7 @@ def main(arguments=None):
     try:
         checked_threads(options.threads)
         VERBS[options.verb].run(options)
-    except (ValueError, OSError, MemoryError) as error:
+    except (ValueError, OSError, MemoryError, ModuleNotFoundError) as error:
         print(f"{prog}: error: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt as interrupt:

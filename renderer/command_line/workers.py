@@ -8,7 +8,7 @@ from multiprocessing import get_context, parent_process
 from signal import SIG_IGN, SIGINT, signal
 from threading import Thread
 
-from renderer.checks import not_allowed
+from renderer.checks import extra, not_allowed
 from renderer.threads import checked_threads
 
 
@@ -39,12 +39,10 @@ def _follow_the_parent():
 def _dask(address):
     """Yield the executor of a Dask cluster; what it would log is said in one line when it is the end of the sweep."""
     try:
-        from distributed import Client, KilledWorker
-
+        with extra("dask"):
+            from distributed import Client, KilledWorker
         logging.getLogger("distributed.client").setLevel(logging.CRITICAL)
         client = Client(address, timeout=10, set_as_default=False)
-    except ImportError:
-        raise not_allowed("dask", address, "the package `distributed` is not installed") from None
     except (ValueError, OSError) as error:
         raise not_allowed("dask", address, f"the address of a scheduler that answers ({error})") from None
     with client:

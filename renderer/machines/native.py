@@ -1,13 +1,21 @@
-"""The shader as machine code for this processor, compiled by LLVM when it is first wanted and kept for the process."""
+"""The shader as machine code for this processor, compiled by LLVM when it is first wanted and kept for the process.
+
+Where the environment variable SYMBOLIC_RENDERING_CODE names a folder, the code is kept there for other processes too.
+"""
 
 import ctypes
+import hashlib
+import os
 from functools import cache
+from pathlib import Path
 from threading import Lock
 
+import llvmlite
 import llvmlite.binding as llvm
 import llvmlite.ir as ir
 from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options  # since 0.44
 
+from renderer.files import whole_file
 from renderer.kernels import HEIGHT_EVALUATIONS
 from renderer.machines.drawing_code import ARGUMENTS, emit
 from renderer.shader import WORK
@@ -51,12 +59,33 @@ def optimized(module, target, level=2):
     return parsed
 
 
+def _processor():
+    """Return this processor's name and what it can do."""
+    return llvm.get_host_cpu_name() + llvm.get_host_cpu_features().flatten()
+
+
+def _object_code(text, target):
+    """Return the object code (bytes) of a module's text: compiled, or as an earlier process of this kind left it."""
+    folder = os.environ.get("SYMBOLIC_RENDERING_CODE")
+    if not folder:
+        return target.emit_object(optimized(text, target))
+    how = Path(__file__).read_text(encoding="utf-8")
+    key = hashlib.sha256("\n".join([llvmlite.__version__, _processor(), how, text]).encode()).hexdigest()
+    path = Path(folder, f"{key}.o")
+    if not path.is_file():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with whole_file(path) as unfinished:
+            Path(unfinished).write_bytes(target.emit_object(optimized(text, target)))
+    return path.read_bytes()
+
+
 def machine_code(emit_into, *what):
     """Return (the function of one address that emit_into(module, name, *what) emits; what it lives as long as)."""
     module, target, name = ir.Module(), _target(), "code"
     module.triple = llvm.get_process_triple()
     emit_into(module, name, *what)
-    engine = llvm.create_mcjit_compiler(optimized(module, target), target)
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target)
+    engine.add_object_file(llvm.ObjectFileRef.from_data(_object_code(str(module), target)))
     engine.finalize_object()
     return ctypes.CFUNCTYPE(None, ctypes.c_void_p)(engine.get_function_address(name)), engine
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from verify.accuracy.elementary import CERTIFIED
+from verify.accuracy.certified_ulps import CERTIFIED
 
 UNIT = 2.0**-53
 SINE_ULPS = float(max(CERTIFIED["sinpi_of_product"], CERTIFIED["cospi_of_product"]))

@@ -14,9 +14,10 @@ from flint import arb, ctx
 from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central, span_v, u_minus, u_plus, v_minus, v_plus
 from proofs.formulas.height_fields import HEIGHT_FIELDS, factors, gradient
-from renderer import Scene, gradient_at
-from renderer import central as by_central
+from renderer import Scene
 from renderer.generate.kernels import function_of
+from renderer.kernels import FIELDS
+from renderer.shader import difference
 from verify.accuracy.balls import Balls
 
 BITS, PER_DECADE = 300, 40
@@ -90,17 +91,19 @@ def _values(case):
 def parts(case, steps=STEPS, computed=None):
     """Return the Parts of a case over the steps; `computed` replaces the kernel's differences."""
     _, whole, given, (arguments, names), _ = _programs(case.field)
-    slope, values, rows, scene = slope_of(case), _values(case), [], case.scene
-    for index, step in enumerate(steps):
-        here = values | {"epsilon": float(step)}
-        rounded = dict(zip((s.name for s in ARGUMENTS), map(float, arguments(*(here[n] for n in names))), strict=True))
+    slope, values, rows = slope_of(case), _values(case), []
+    steps = np.asarray(steps, np.float64)
+    at = {name: np.full(len(steps), value) for name, value in values.items()} | {"epsilon": steps}
+    rounded = np.array(np.broadcast_arrays(*arguments(*(at[n] for n in names)))).T.tolist()
+    computed = _kernel(case, at) if computed is None else computed
+    for step, places, value in zip(steps.tolist(), rounded, computed, strict=True):
+        here = values | {"epsilon": step}
         exact, _ = whole(here, BITS)
-        moved, _ = given(here | rounded, BITS)
-        value = computed[index] if computed is not None else _kernel(scene, case, step)
+        moved, _ = given(here | dict(zip((s.name for s in ARGUMENTS), places, strict=True)), BITS)
         with ctx.workprec(BITS):
             d, d_moved, found = exact[case.component], moved[case.component], arb(float(value))
             rows.append([float(p.mid()) for p in (d - slope, d_moved - d, found - d_moved, found - slope)])
-    return Parts(np.asarray(steps), *np.array(rows).T, float(slope.mid()), *_factors(case))
+    return Parts(steps, *np.array(rows).T, float(slope.mid()), *_factors(case))
 
 
 def _factors(case):
@@ -109,9 +112,11 @@ def _factors(case):
     return sines if case.component == "h_u" else sines[::-1]
 
 
-def _kernel(scene, case, step):
-    index = 0 if case.component == "h_u" else 1
-    return float(gradient_at(scene, case.u, case.v, by_central(float(step)))[index])
+def _kernel(case, at):
+    """Return the kernel's differences of a case at all steps together: bit for bit those of `gradient_at`."""
+    with np.errstate(all="ignore"):
+        found = difference(FIELDS[case.field], "central", *(at[name] for name in ("u", "v", "k_u", "k_v", "epsilon")))
+    return np.broadcast_to(found[0 if case.component == "h_u" else 1], at["epsilon"].shape)
 
 
 SMOOTH = (0.31, 0.47)

@@ -4,6 +4,7 @@ Truth is the pixel's program in balls of 256 bits, whose radius is below 1e-50; 
 of the same program in balls of 53 bits. A pixel whose chamber or side of a crease those leave open is counted apart.
 """
 
+from copy import copy
 from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
@@ -62,8 +63,8 @@ def _kinds(scene, frame):
     surface, shadows = frame.chambers & 3, frame.chambers >> 2 & 31
     u, v = frame.surface_data["u"], frame.surface_data["v"]
     waves = [w - np.rint(w) for w in (scene.ku * u, scene.kv * v)]
-    flat = render(replace(scene, beta=0.0), *frame.raster.shape[::-1], stage=frame.stage)
-    lights = range(len(scene.lights))
+    lights, flat = range(len(scene.lights)), copy(frame)
+    flat.scene = replace(scene, beta=0.0)  # its light's cosines are of the same points, without the bump
     return {
         "at random": np.zeros(surface.shape),
         "silhouette": np.where(_edges(surface), 0.0, np.inf),
@@ -109,7 +110,7 @@ def _code(lines, lights):
     return parts[0] | sum(bit << (2 + i) for i, bit in enumerate(parts[1:-1])) | parts[-1] << 7
 
 
-def check(name, scene, frame, kind, column, row):
+def checked_pixel(name, scene, frame, kind, column, row):
     """Return a pixel of a frame, Checked."""
     lights = [light for light in scene.lights if light.color is not None]
     height, width = frame.raster.shape
@@ -137,7 +138,7 @@ def checked_pixels(scenes, size=SIZE, each=EACH, seed=SEED):
     found = []
     for name, scene in scenes.items():
         frame = render(scene, size, size)
-        found += [check(name, scene, frame, *place) for place in chosen(scene, frame, each, seed)]
+        found += [checked_pixel(name, scene, frame, *place) for place in chosen(scene, frame, each, seed)]
     return found
 
 

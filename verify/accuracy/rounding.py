@@ -52,9 +52,12 @@ class Rounded:
         A ball's radius has 30 bits, so that its ends may lie beyond the power of two at which a range ends.
         """
         self.exact, self.inherited, self.rounds = arb(exact), arb(error).upper(), rounds
-        low, high = (arb(end) for end in ends or (self.exact, self.exact))
-        self.largest = max(low.abs_upper(), high.abs_upper())
-        self.least = ZERO if self.exact.contains(0) else min(low.abs_lower(), high.abs_lower())
+        if ends:
+            low, high = map(arb, ends)
+            self.largest = max(low.abs_upper(), high.abs_upper())
+            self.least = ZERO if self.exact.contains(0) else min(low.abs_lower(), high.abs_lower())
+        else:
+            self.largest, self.least = self.exact.abs_upper(), self.exact.abs_lower()
         self.error = self.inherited
         if rounds and not self.largest.is_zero():
             self.error = (self.inherited + half_a_unit(self.largest, self.inherited)).upper()

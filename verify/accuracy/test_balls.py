@@ -11,7 +11,7 @@ from proofs.engine.program import Program
 from proofs.formulas.symbols import real
 from renderer import Scene, render
 from verify.accuracy.balls import Balls
-from verify.accuracy.pixels import COLORS, SCENES, balls_of, check, chosen, problems
+from verify.accuracy.pixels import COLORS, SCENES, balls_of, checked_pixel, chosen, problems
 from verify.reference import reference_pixel, scene_values
 
 a, b, c, d = real("a b c d")
@@ -73,7 +73,7 @@ def test_a_pixel_that_is_off_is_found():
     scene = Scene()
     frame = render(scene, 64, 64)
     kind, column, row = next(p for p in chosen(scene, frame, each=2) if frame.chambers[p[2], p[1]] & 3 == 1)
-    good = check("ridges, blinn", scene, frame, kind, column, row)
+    good = checked_pixel("ridges, blinn", scene, frame, kind, column, row)
     assert problems([good]) == []
     bad = good._replace(error=1e-13), good._replace(error=float("nan")), good._replace(same_chamber=False)
     assert problems(bad) == list(bad)
@@ -81,7 +81,7 @@ def test_a_pixel_that_is_off_is_found():
     assert problems([rim]) == [rim]
     assert problems([bad[0]._replace(undecided=frozenset({"h_u"}))]) == []
     frame.rgb[row, column] += 1e-12
-    assert problems([check("ridges, blinn", scene, frame, kind, column, row)])
+    assert problems([checked_pixel("ridges, blinn", scene, frame, kind, column, row)])
 
 
 def test_the_reference_needs_no_ball():

@@ -3,13 +3,15 @@
 That every point lies below its bound is the theorem `difference_bounds`, run with the others.
 """
 
+import mpmath
 import numpy as np
 import pytest
+from flint import ctx
 
 from renderer import central, exact, gradient_at
-from verify.accuracy import best_step
+from verify.accuracy import best_step, u_curve
 from verify.accuracy.difference_bounds import Bounds, bounds, escapes
-from verify.accuracy.differences import CASES, STEPS, Case, parts
+from verify.accuracy.differences import CASES, STEPS, Case, _kernel, _values, parts, slope_of
 from verify.accuracy.ridge_law import SCENE, predicted, quadrature
 
 STEEP = CASES[0]
@@ -28,6 +30,26 @@ def test_the_parts_make_the_whole(case):
     found = parts(case, SOME)
     whole = found.truncation + found.argument + found.roundoff
     np.testing.assert_allclose(whole, found.total, rtol=1e-12, atol=1e-14 * np.abs(found.truncation).max())
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_the_differences_are_the_renderers(case):
+    at = {name: np.full(len(SOME), value) for name, value in _values(case).items()} | {"epsilon": SOME}
+    one_by_one = [gradient_at(case.scene, case.u, case.v, central(float(step))) for step in SOME]
+    assert _kernel(case, at).tolist() == [float(found[case.component == "h_v"]) for found in one_by_one]
+
+
+def test_mpmath_and_the_balls_measure_the_same():
+    """The slope to 48 digits; errors and truncation to the last places of float64; a wrong reference is seen."""
+    at = {"u": STEEP.u, "v": STEEP.v}
+    ball, slope = slope_of(STEEP), u_curve.exact_slope(**at)
+    with ctx.workprec(300), mpmath.workdps(60):
+        enclosed = mpmath.mpf(ball.str(60, radius=False))
+        assert ball.rad() < 1e-60 and abs(enclosed - slope) < mpmath.mpf(10) ** -48
+    found = parts(STEEP, SOME)
+    np.testing.assert_allclose(u_curve.errors(**at, steps=SOME), np.abs(found.total), rtol=1e-14)
+    np.testing.assert_allclose(u_curve.truncation(**at, steps=SOME), np.abs(found.truncation), rtol=1e-14)
+    assert np.abs(u_curve.truncation(0.6100001, STEEP.v, SOME) - np.abs(found.truncation)).max() > 1e-7
 
 
 def test_truncation_has_its_closed_form():

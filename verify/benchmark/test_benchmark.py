@@ -2,19 +2,18 @@
 
 import json
 import math
-import os
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import pytest
 
-from renderer import exact
 from verify.benchmark import __main__ as benchmark
-from verify.benchmark import gradients
+from verify.benchmark import plan
 from verify.benchmark.frames import FITTED, frame_cases, step_cases
 from verify.benchmark.numbers import frame_numbers
-from verify.benchmark.plan import Case, in_turns, medians
+from verify.benchmark.plan import Case, in_turns
 from verify.benchmark.targets import TARGETS, Target, table, verdicts
 
 RESULTS = Path(benchmark.RESULTS)
@@ -42,9 +41,15 @@ def test_a_case_is_prepared_once():
     assert made == [1]
 
 
-def test_the_median_is_over_all_visits():
-    visits = [{"extra_info": {"case": n}, "stats": {"data": d}} for n, d in (("a", [1, 9]), ("b", [5]), ("a", [2]))]
-    assert medians({"benchmarks": visits}) == {"a": 2, "b": 5}
+def test_a_time_is_the_median_of_all_calls(monkeypatch):
+    """Calls of 1, 9 and 2 s, in three visits; a visit of several calls begins with one that is not timed."""
+    clock, seen = iter([0, 1, 1, 10, 10, 12]), []
+    monkeypatch.setattr(plan.time, "perf_counter", lambda: next(clock))
+    assert plan.run([Case("a", lambda: partial(seen.append, "a"), visits=3)], "test") == {"a": 2}
+    assert seen == ["a"] * 3
+    monkeypatch.undo()
+    plan.run([Case("b", lambda: partial(seen.append, "b"), 2, 2)], "test")
+    assert seen == ["a"] * 3 + ["b"] * 6
 
 
 @pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.key)
@@ -99,29 +104,11 @@ def test_every_target_is_measured_by_a_case():
     assert {target.key for target in TARGETS} <= frame_numbers(times).keys() | counted
 
 
-def test_the_gradients_agree_with_the_reference():
-    functions, absent = gradients.available()
-    assert functions.keys() | set(absent) == gradients.OURS.keys() | gradients.LIBRARIES.keys()
-    bounds = {"forward": 1e-5, "central": 1e-7, "central4": 1e-8, "scipy_differentiate": 1e-8, "numdifftools": 1e-8}
-    for name, function in functions.items():
-        assert gradients.largest_error(function) < bounds.get(name, 2e-13), name
-    assert gradients.largest_error(lambda u, v: gradients.ours(exact())(u, 0.999 * v)) > 1e-3
-
-
-def test_a_library_that_is_not_installed_is_left_out(monkeypatch):
-    def absent():
-        import a_module_that_is_not_installed  # noqa: F401
-
-    monkeypatch.setitem(gradients.LIBRARIES, "absent", absent)
-    functions, missing = gradients.available()
-    assert "absent" in missing and "absent" not in functions and "exact" in functions
-
-
-@pytest.mark.parametrize("part", benchmark.PARTS)
+@pytest.mark.parametrize("part", ["frames", "gradients"])
 def test_the_kept_results_have_their_shape(part):
     result = json.loads((RESULTS / f"{part}.json").read_text(encoding="utf-8"))
     assert result.keys() == {"label", "numbers"}
-    assert result["label"].keys() == {"machine", "date", "commit"} and all(result["label"].values())
+    assert result["label"].keys() >= {"machine", "date", "commit"} and all(result["label"].values())
     assert all(isinstance(value, int | float | str) for value in result["numbers"].values())
     assert all(value > 0 for key, value in result["numbers"].items() if key.endswith(("_ms", "_ns", "_s")))
 
@@ -133,14 +120,12 @@ def test_the_kept_frames_carry_true_verdicts():
 
 
 def test_a_small_run_writes_what_it_measured(tmp_path):
-    environment = {k: v for k, v in os.environ.items() if not k.startswith("PYTEST")}  # it times nothing under xdist
     command = [sys.executable, "-m", "verify.benchmark", "--quick", "--only", "algebraic_64", "--output", str(tmp_path)]
     root = RESULTS.parents[2]
-    done = subprocess.run(command, cwd=root, env=environment, capture_output=True, text=True)
+    done = subprocess.run(command, cwd=root, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     numbers = json.loads((tmp_path / "frames.json").read_text(encoding="utf-8"))["numbers"]
     assert {"algebraic_64_1_ms", "algebraic_64_2_ms", "load"} <= numbers.keys()
-    assert not (tmp_path / "gradients.json").exists()
     assert "not measured" in done.stdout
 
 
@@ -148,8 +133,3 @@ def test_an_unknown_case_is_refused(capsys):
     with pytest.raises(SystemExit, match="2"):
         benchmark.main(["--only", "nothing_of_that_name"])
     assert "nothing_of_that_name" in capsys.readouterr().err
-
-
-def test_a_case_that_fails_stops_the_run():
-    with pytest.raises(SystemExit, match="ZeroDivisionError"):
-        benchmark.run([Case("broken", lambda: lambda: 1 / 0)], "broken")

@@ -2,12 +2,13 @@
 
 import csv
 import json
+from dataclasses import replace
 
-import numpy as np
 import pytest
 
 from renderer import Scene, central, exact, render, stage_of
 from verify.benchmark import work_precision
+from verify.benchmark.methods.table import METHODS
 from verify.benchmark.work_precision import RESULTS, SIDE, image_error, peers_that_beat, unbeaten_by_ours
 
 RESULT = json.loads((RESULTS / "work_precision.json").read_text(encoding="utf-8"))
@@ -66,11 +67,18 @@ def test_image_errors_are_against_50_digits():
     assert right <= 5e-14 < 1e-4 < rough
 
 
-def test_the_timer_times_each_call_in_every_round():
-    timer, seen = work_precision.Timer(), []
-    timer.add("a", lambda: seen.append("a"), 2)
-    timer.add("b", lambda: seen.append("b"), 1)
-    timer.run(3)
-    assert seen == ["a", "b", *"ab" * 3]
-    assert len(timer.seconds["a"]) == 3 and timer.median("a") > 0
-    assert np.isfinite(timer.median("b"))
+def test_the_cited_numbers_are_those_of_the_diagram():
+    numbers = work_precision.gradient_numbers(ROWS)
+    assert numbers["exact_ns"] == next(r["ns"] for r in ROWS if r["method"] == "exact, reduced argument")
+    central_ = [r for r in ROWS if r["method"] == "central"]
+    assert numbers["central_error"] == min(r["error"] for r in central_) < numbers["forward_error"]
+    assert numbers["central_to_exact"] == central_[0]["ns"] / numbers["exact_ns"]
+    assert set(work_precision.CITED.values()) <= {method.name for method in METHODS}
+
+
+def test_a_small_run_has_a_row_for_every_value(monkeypatch):
+    few = [replace(m, values=m.values[:2]) for m in METHODS if m.name in ("central", "exact, reduced argument")]
+    monkeypatch.setattr(work_precision, "METHODS", few)
+    rows = work_precision.gradient_rows(rounds=2)
+    assert [(r["method"], r["value"]) for r in rows] == [("central", 0.1), ("central", 10**-1.25), (few[1].name, None)]
+    assert all(0.1 < r["ns"] < 1e5 for r in rows) and rows[2]["error"] < 1e-13 < rows[1]["error"] < rows[0]["error"]

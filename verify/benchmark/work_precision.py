@@ -4,15 +4,14 @@
 
 One core. Errors are the largest over the checked points (pixels) against 50 digits; times are medians of interleaved
 rounds. Libraries that are not installed (JAX, SciPy, numdifftools) are left out with a word. Writes
-verify/results/work_precision.json and work_precision.csv: the book draws from them, so commit them.
+verify/results/work_precision.json and work_precision.csv, and what two pages cite of the same run to
+verify/benchmark/results/gradients.json: commit them.
 """
 
 import argparse
 import csv
 import os
-import statistics
-import time
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 
 import mpmath
@@ -24,15 +23,30 @@ from proofs.formulas.height_fields import gradient
 from renderer import Scene, central, central4, exact, forward, render, stage_of
 from renderer.files import whole_file
 from verify.benchmark.label import label, write
-from verify.benchmark.methods.table import FIELD, METHODS, STEPS, WAVES, sample
+from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, sample
+from verify.benchmark.plan import Case, run
 from verify.reference import reference_pixel
 from verify.stability.measure import distance, in_balls
 
 RESULTS = Path(__file__).parents[1] / "results"
+GRADIENTS = Path(__file__).parent / "results" / "gradients.json"
 CHECKED, ROUNDS, SEED = 4096, 15, 3
 SIDE, PIXELS = 256, 600
 FRAMES = {"forward": forward, "central": central, "central, 4th order": central4}
 CHANNELS = ("red", "green", "blue")
+CITED = {
+    "exact": "exact, reduced argument",
+    "forward": "forward",
+    "central": "central",
+    "central4": "central, 4th order",
+    "sympy_lambdify": "SymPy, NumPy",
+    "complex_step": "complex step",
+    "autograd": "autograd",
+    "jax": "JAX",
+    "scipy_differentiate": "scipy.differentiate",
+    "numdifftools": "numdifftools",
+}
+"""{key of the numbers that pages cite: the method's name}"""
 
 
 def angles_of(u, v):
@@ -66,33 +80,9 @@ def largest_error(found, count):
     return max(float(distance(f, truth[n]).max()) for f, n in zip(found, ("h_u", "h_v"), strict=True))
 
 
-class Timer:
-    """Times calls round by round, each among all the others, so that a slow minute hits all of them."""
-
-    def __init__(self):
-        self.calls, self.seconds = {}, {}
-
-    def add(self, key, call, units):
-        """Time `call`, which does `units` of work, in every round."""
-        call()
-        self.calls[key], self.seconds[key] = (call, units), []
-
-    def run(self, rounds):
-        """Run the rounds, with a progress bar."""
-        for _ in tqdm(range(rounds), desc="rounds", unit="round"):
-            for key, (call, units) in self.calls.items():
-                start = time.perf_counter()
-                call()
-                self.seconds[key].append((time.perf_counter() - start) / units)
-
-    def median(self, key):
-        """Return the median seconds of one unit."""
-        return statistics.median(self.seconds[key])
-
-
 def gradient_rows(rounds):
     """Return the rows of the gradient's diagram: method, its parameter, ns a gradient, largest error."""
-    timer, rows = Timer(), []
+    cases, rows = {}, []
     for method in tqdm([m for m in METHODS if m.available], desc="errors", unit="method"):
         checked = min(CHECKED, method.points)
         inputs = points_for(method, checked)
@@ -100,14 +90,36 @@ def gradient_rows(rounds):
             function = method.make(value)
             rows.append({"method": method.name, "parameter": method.parameter, "value": value, "ours": method.ours,
                          "error": largest_error(function(*inputs), checked), "points": checked})  # fmt: skip
-            key = method.name if method.timed_once else (method.name, value)
-            if key not in timer.calls:
+            key = method.name if method.timed_once else f"{method.name}, {value}"
+            if key not in cases:
                 kind = getattr(function, "kind", np.float64)
                 many = [np.ascontiguousarray(a, kind) for a in points_for(method, method.points)]
-                timer.add(key, lambda f=function, a=many: f(*a), method.points)
-            rows[-1]["key"] = key
-    timer.run(rounds)
-    return [row | {"ns": 1e9 * timer.median(row.pop("key"))} for row in rows]
+                cases[key] = Case(key, warmed(partial(function, *many)), visits=rounds)
+            rows[-1] |= {"key": key, "ns": 1e9 / method.points}
+    seconds = run(cases.values(), "gradients")
+    return [row | {"ns": row["ns"] * seconds[row.pop("key")]} for row in rows]
+
+
+def warmed(call):
+    """Return a case's `prepare`: the call, made once before it is timed."""
+
+    def prepare():
+        call()
+        return call
+
+    return prepare
+
+
+def gradient_numbers(rows):
+    """Return the numbers that pages cite: of each method the time, the least error and where; and a ratio."""
+    numbers = {"points": FULL, "checked": CHECKED, "fewer": min(m.points for m in METHODS if m.name in CITED.values())}
+    for key, name in CITED.items():
+        if own := [row for row in rows if row["method"] == name]:
+            best = min(own, key=lambda row: row["error"])
+            numbers |= {f"{key}_ns": best["ns"], f"{key}_error": best["error"]}
+            if best["parameter"] == "ε":
+                numbers[f"{key}_eps"] = best["value"]
+    return numbers | {"central_to_exact": numbers["central_ns"] / numbers["exact_ns"]}
 
 
 def image_error(frame, pixels):
@@ -129,7 +141,7 @@ def reference_colours(scene, count):
 
 def frame_rows(rounds, count):
     """Return the rows of the frames' diagram: field, method, its parameter, ms a frame, largest and RMS error."""
-    timer, rows = Timer(), []
+    cases, rows = {}, []
     for field in ("sine", "ridges"):
         scene = Scene(field=field)
         stage, pixels = stage_of(scene, SIDE, SIDE), reference_colours(scene, count)
@@ -138,13 +150,14 @@ def frame_rows(rounds, count):
         for name, eps, method in methods:
             frame = render(scene, SIDE, SIDE, method, threads=1, stage=stage)
             largest, rms = image_error(frame, pixels)
-            if (field, name) not in timer.calls:
-                call = lambda s=scene, m=method, t=stage: render(s, SIDE, SIDE, m, threads=1, stage=t)  # noqa: E731
-                timer.add((field, name), call, 1)
+            key = f"{field}, {name}"
+            if key not in cases:
+                call = partial(render, scene, SIDE, SIDE, method, threads=1, stage=stage)
+                cases[key] = Case(key, warmed(call), visits=rounds)
             rows.append({"field": field, "method": name, "value": eps, "ours": name.startswith("exact"),
                          "largest": largest, "rms": rms})  # fmt: skip
-    timer.run(rounds)
-    return [row | {"ms": 1e3 * timer.median((row["field"], row["method"]))} for row in rows]
+    seconds = run(cases.values(), "frames")
+    return [row | {"ms": 1e3 * seconds[f"{row['field']}, {row['method']}"]} for row in rows]
 
 
 def unbeaten_by_ours(rows):
@@ -178,14 +191,17 @@ def main():
     parser.add_argument("--pixels", type=int, default=PIXELS, help="checked pixels a field (default: %(default)s)")
     parser.add_argument("--out", type=Path, default=RESULTS, help="folder of the results")
     options = parser.parse_args()
+    packages = ["numpy", "llvmlite", "mpmath", *(m.module for m in METHODS if m.module and m.available)]
+    where = label(*packages)
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     absent = sorted(m.name for m in METHODS if not m.available)
     print(f"left out, not installed: {', '.join(absent)}" if absent else "every library is installed")
     gradients, frames = gradient_rows(options.rounds), frame_rows(options.rounds, options.pixels)
-    packages = ["numpy", "llvmlite", "mpmath", *(m.module for m in METHODS if m.module and m.available)]
-    where = label(*packages) | {"absent": absent, "seed": SEED, "rounds": options.rounds, "side": SIDE}
+    where |= {"absent": absent, "seed": SEED, "rounds": options.rounds, "side": SIDE}
     write(options.out / "work_precision.json", {"label": where, "gradients": gradients, "frames": frames})
+    if options.out == RESULTS:
+        write(GRADIENTS, {"label": where, "numbers": gradient_numbers(gradients)})
     write_csv(options.out / "work_precision.csv", gradients)
     print(f"others that beat ours in both: {[r['method'] for r in peers_that_beat(gradients)] or 'none'}")
 

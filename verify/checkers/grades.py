@@ -1,5 +1,6 @@
 """From each theorem's own evidence to its grade in the run: what it rests on counts as well."""
 
+NOT_RECHECKED = "not re-checked"  # here: a library is not installed
 STANDING = (
     "proved",
     "refuted",
@@ -7,7 +8,7 @@ STANDING = (
     "certified",
     "measured",
     "cited",
-)  # from the strongest; "failed" is none of them
+)  # from the strongest, without "failed"
 EXACT = ("proved", "by definition")
 GIVES = {"proved": EXACT, "by definition": EXACT, "refuted": EXACT}  # what such a theorem may use
 
@@ -24,7 +25,9 @@ def final_grades(evidences):
                 return "missing", f"{id} was not run"
             enough = GIVES.get(record["grade"], STANDING)
             weak = [use for use in record["uses"] if grade(use)[0] not in enough]
-            if record["grade"] != "failed" and weak:
+            if record["grade"] != "failed" and NOT_RECHECKED in (record["grade"], *(grade(use)[0] for use in weak)):
+                grades[id] = NOT_RECHECKED, record.get("reason", "what it uses was not re-checked")
+            elif record["grade"] != "failed" and weak:
                 wanted = "not proved" if enough == EXACT else "without evidence"
                 grades[id] = "failed", f"it uses {', '.join(weak)}, {wanted} in this run"
             else:
@@ -66,6 +69,7 @@ def graded(evidences):
     for entry in sorted(evidences, key=lambda e: e["id"]):
         grade, reason = grades[entry["id"]]
         line = grade_line(grade, sources[entry["id"]], entry.get("source", ""))
+        line += ", second checker not run" if "second_checker" in entry else ""
         more = {"reason": reason} if reason else {}
         entries.append(entry | more | {"grade": grade, "grade_line": line, "given_cited": sources[entry["id"]]})
     return entries

@@ -5,8 +5,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from proofs.engine import kernel
-from verify.checkers import second_checker
+from verify.checkers.acceptance import CHECKERS
 
 JAVASCRIPT = Path(__file__).resolve().parents[2] / "book" / "static" / "checker" / "kernel.js"
 ASK = """
@@ -21,7 +20,6 @@ const answers = lines.map((text) => {
 });
 console.log(JSON.stringify(answers));
 """
-KERNELS = {"Python": kernel.check, "FLINT": second_checker.check}
 
 
 def canonical(text):
@@ -35,7 +33,7 @@ def canonical(text):
 def accepted(texts):
     """Return [{kernel: whether it accepts}] of texts "[statement,certificate]"; JavaScript needs node."""
     found = [
-        {name: canonical(text) and check(*json.loads(text)) is None for name, check in KERNELS.items()}
+        {name: canonical(text) and check(*json.loads(text)) is None for name, check in CHECKERS.items()}
         for text in texts
     ]
     if shutil.which("node"):

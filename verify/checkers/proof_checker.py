@@ -18,17 +18,17 @@ from proofs.engine.claim import Separation
 from proofs.engine.search import MAX_EFFORT, NotFound
 from proofs.engine.theorem import incomplete
 from verify.checkers import witness
-from verify.checkers.acceptance import accept, by_definition, not_found, show_polynomial, why_rejected
+from verify.checkers.acceptance import CHECKERS, accept, by_definition, not_found, show_polynomial, why_rejected
 from verify.checkers.counterexamples import FAILURES, counterexample, path_to_avoided
-from verify.checkers.evidence import Evidence
+from verify.checkers.examination import Examination
 from verify.checkers.grades import final_grades
-from verify.checkers.measurements import measurements
+from verify.checkers.registry import measurements
 from verify.checkers.splices import says_the_same, splices
 
 __all__ = [
     "LONG_POINTS",
     "POINTS",
-    "Evidence",
+    "Examination",
     "certificate_problems",
     "examine",
     "final_grades",
@@ -41,8 +41,8 @@ BIBLIOGRAPHY = Path(__file__).resolve().parents[2] / "book" / "references.bib"
 
 
 def examine(theorem, theorems, anew=False, points=POINTS):
-    """Return the Evidence of a theorem. anew: search for every certificate, whatever is stored."""
-    found = Evidence(theorem.id, theorem.expected, theorem.uses)
+    """Return the Examination of a theorem. anew: search for every certificate, whatever is stored."""
+    found = Examination(theorem.id, theorem.expected, theorem.uses)
     found.record = {"id": theorem.id, "expected": theorem.expected, "uses": sorted(theorem.uses)}
     found.problems += incomplete(theorem, theorems)
     _check_certificates(found, theorem, theorems, anew)
@@ -98,7 +98,7 @@ def _check_sources(found, theorem):
 
 def certificate_problems(theorem, theorems):
     """Return what both checkers, and the formulas as they stand, have against the stored certificates alone."""
-    found = Evidence(theorem.id, theorem.expected, theorem.uses)
+    found = Examination(theorem.id, theorem.expected, theorem.uses)
     _check_certificates(found, theorem, theorems, anew=False)
     return found.problems
 
@@ -120,6 +120,8 @@ def _check_certificates(found, theorem, theorems, anew):
         found.problems += [f"{claim.name}: {why}" for why in reasons]
         count += len(pairs)
     found.record |= {"statements": count, "by_definition": found.by_definition}
+    if len(CHECKERS) < 2:
+        found.record["second_checker"] = "not run"
 
 
 def _stale(theorem, theorems, error):

@@ -265,7 +265,7 @@ def _separation(statement, certificate):
         raise Refused("an output is missing, or a name to avoid is there")
 
 
-def check(statement, certificate):
+def why_refused(statement, certificate):
     """Return None if the certificate proves the statement, else the exception that says why it does not."""
     kinds = {"derivation": _derivation, "refutation": _refutation, "induction": _induction, "separation": _separation}
     try:

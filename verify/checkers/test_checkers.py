@@ -6,11 +6,10 @@ from fractions import Fraction
 
 import pytest
 
-from proofs.engine import kernel
 from proofs.engine.certificate import FOLDER
-from verify.checkers import second_checker
+from verify.checkers import acceptance
 
-CHECKERS = pytest.mark.parametrize("check", [kernel.check, second_checker.check], ids=["kernel", "second"])
+CHECKERS = pytest.mark.parametrize("check", acceptance.CHECKERS.values(), ids=acceptance.CHECKERS)
 STORED = [
     pytest.param(pair["statement"], pair["certificate"], id=f"{path.stem}-{entry['claim']}-{number}")
     for path in sorted(FOLDER.glob("*.json"))

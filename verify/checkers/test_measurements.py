@@ -7,8 +7,9 @@ from sympy import cos, sin, symbols
 from proofs.engine.claim import CitedLemma, Claim, at_least, equation
 from proofs.engine.theorem import Mutant, Step, Theorem, all_theorems
 from verify.checkers.grades import given_cited, graded, summary
-from verify.checkers.measurements import Measurement, _registered, measured_ids, measures, rounded
+from verify.checkers.measurement import REGISTERED, Measurement, measures, rounded
 from verify.checkers.proof_checker import examine
+from verify.checkers.registry import measured_ids
 
 x = symbols("x", real=True)
 
@@ -17,10 +18,10 @@ x = symbols("x", real=True)
 def registry(monkeypatch):
     """Measurements that are registered in a test are forgotten after it."""
     measured_ids()
-    for id in list(_registered):
-        monkeypatch.setitem(_registered, id, list(_registered[id]))
+    for id in list(REGISTERED):
+        monkeypatch.setitem(REGISTERED, id, list(REGISTERED[id]))
     yield
-    _registered.pop("measured_here", None)
+    REGISTERED.pop("measured_here", None)
 
 
 def measured(expected="measured", **more):

@@ -7,13 +7,11 @@ from itertools import islice
 import pytest
 
 from proofs.check import FOLDER
-from proofs.engine import kernel
-from verify.checkers import second_checker
+from verify.checkers.acceptance import CHECKERS
 from verify.checkers.by_values import holds
 from verify.checkers.tampering import change, draws
 
 COUNT = 5  # of each certificate; `python -m tests.tampered_certificates` draws 1,000, and asks the browser too
-CHECKERS = {"kernel": kernel.check, "second": second_checker.check}
 THEOREMS = {path.stem: json.loads(path.read_text())["claims"] for path in sorted(FOLDER.glob("*.json"))}
 SQUARE = {
     "version": 1,
@@ -52,7 +50,7 @@ def test_the_judge_of_a_square(of, root, still):
     statement = SQUARE | {"steps": [SQUARE["steps"][0], SQUARE["steps"][1] | {"of": of}]}
     certificate = {"proofs": [PROOF | {"sum": [["1", root, []]]}]}
     assert holds(statement, certificate) == still
-    assert [check(statement, certificate) is None for check in CHECKERS.values()] == [still, still]
+    assert {check(statement, certificate) is None for check in CHECKERS.values()} == {still}
 
 
 def test_a_hypothesis_that_no_proof_uses_may_change():

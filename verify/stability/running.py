@@ -3,7 +3,7 @@
 Each operation adds its own rounding, at most U = 2⁻⁵³ of the result (and half the least denormal), to what it inherits
 from its operands (Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms, §3.3). The bound is a fact about
 this very evaluation: no constant is fitted. A comparison that the bounds cannot decide counts both branches.
-The elementary functions add what verify/accuracy/test_elementary.py allows them, in units in the last place.
+The elementary functions add what verify/accuracy/test_certified_ulps.py allows them, in units in the last place.
 """
 
 import numpy as np

@@ -48,6 +48,16 @@ def in_mpmath(field, ku, kv, digits):
     return gradient
 
 
+def autograd(field, ku, kv, _):
+    """autograd: reverse mode on its own NumPy."""
+    import autograd.numpy
+    from autograd import elementwise_grad
+
+    height = lambdified(field, ku, kv, [autograd.numpy])
+    along_u, along_v = elementwise_grad(height, 0), elementwise_grad(height, 1)
+    return lambda a, b: (along_u(a, b), along_v(a, b))
+
+
 def jax(field, ku, kv, _):
     """JAX: grad, vmap, jit, float64."""
     import jax

@@ -5,6 +5,7 @@ A method's function takes the points' (u, v), or for the algebraic form cos θ, 
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central, central4, forward
 from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from proofs.formulas.symbols import epsilon
+from proofs.formulas.symbols import epsilon, k_u, k_v, u, v
 from verify.benchmark.methods import peers
 from verify.benchmark.methods.algebraic import algebraic_gradient
 from verify.benchmark.methods.compiled import compiled_loop
@@ -21,7 +22,7 @@ from verify.benchmark.methods.differences import central6, richardson
 FIELD, KU, KV = HEIGHT_FIELDS["sine"], 8.0, 4.0
 WAVES = {"k_u": KU, "k_v": KV}
 STEPS = tuple(10.0 ** (-n / 4) for n in range(4, 45))
-SINGLE = (None,)
+SINGLE, FULL = (None,), 2**16
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,7 @@ class Method:
     ours: bool = False
     angles: bool = False
     timed_once: bool = True
-    points: int = 2**16
+    points: int = FULL
     module: str | None = None
 
     @property
@@ -48,8 +49,16 @@ class Method:
         return self.module is None or peers.installed(self.module)
 
 
+@cache
+def _filled(count, value):
+    return np.full(count, value)
+
+
 def _difference(program):
-    return lambda eps: compiled_loop(program(FIELD), WAVES | {epsilon.name: eps})
+    """Return eps → the difference: ε is read beside the points, so that all steps run the same code."""
+    whole = program(FIELD)
+    points = Program(whole.name, (u, v, epsilon, k_u, k_v), whole.definitions, whole.outputs)
+    return lambda eps: lambda at_u, at_v: compiled_loop(points, WAVES)(at_u, at_v, _filled(len(at_u), eps))
 
 
 def _naive(_):
@@ -79,6 +88,7 @@ METHODS = (
     Method("SymPy, NumPy", _peer(peers.sympy_numpy)),
     Method("complex step", _peer(peers.complex_step), "step", tuple(10.0**-n for n in range(1, 21))),
     Method("dual numbers", _peer(peers.dual_numbers)),
+    Method("autograd", _peer(peers.autograd), module="autograd"),
     Method("JAX", _peer(peers.jax), module="jax"),
     Method("scipy.differentiate", _peer(peers.scipy_differentiate), "order", (2, 4, 6, 8, 10, 12),
            timed_once=False, points=1000, module="scipy"),

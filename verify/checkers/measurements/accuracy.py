@@ -7,9 +7,15 @@ import numpy as np
 from verify.accuracy import clamped_order, ridge_law
 from verify.accuracy.difference_bounds import Bounds, bounds, escapes
 from verify.accuracy.differences import CASES, STEPS, parts
-from verify.accuracy.gradients import ALGEBRAIC, GENERAL, rounded_product, worst_at_chart_points, worst_at_image_points
+from verify.accuracy.gradient_errors import (
+    ALGEBRAIC,
+    GENERAL,
+    rounded_product,
+    worst_at_chart_points,
+    worst_at_image_points,
+)
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, TOLERANCE, checked_pixels, problems
-from verify.checkers.measurements import Measurement, measures
+from verify.checkers.measurement import Measurement, measures
 
 FIELDS = ("sine", "ridges", "rings")
 
@@ -142,7 +148,7 @@ def clamped_orders(odd=2.0, other=1.0):
 @measures("difference_slopes", false={"third order": {"slope": 3.0}})
 def truncation_slope(slope=2.0):
     """The order of the truncation error at a smooth point."""
-    seen, _ = _taken_apart()[CASES[0]]
+    seen = parts(CASES[0])
     branch = (seen.steps < 1e-3) & (seen.steps > 1e-12)
     order = clamped_order.fitted_slope(seen.steps[branch], np.abs(seen.truncation[branch]))
     return Measurement(

@@ -9,7 +9,7 @@ from renderer import Scene, central, render
 from renderer.facts import crease_contrast
 from renderer.gradients import height_at
 from renderer.sweep import difference_on_a
-from verify.checkers.measurements import Measurement, measures
+from verify.checkers.measurement import Measurement, measures
 
 SIZE, MOST = 256, 64
 FIRST_LEVEL = 0.5 / 255  # what rounds to the first of 255 levels

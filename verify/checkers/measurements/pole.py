@@ -17,7 +17,7 @@ from proofs.formulas.symbols import normal
 from proofs.formulas.tangent_frame import seed_frame, tangent_frame
 from renderer import Scene, exact
 from renderer.gradients import gradient_at
-from verify.checkers.measurements import Measurement, measures
+from verify.checkers.measurement import Measurement, measures
 from verify.evaluate import Reference
 
 SEED, POINTS, FALLBACK = 20, 200, 1e-4

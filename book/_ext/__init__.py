@@ -1,1 +1,0 @@
-"""Sphinx extensions that only this book uses."""

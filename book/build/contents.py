@@ -1,0 +1,23 @@
+"""The book's pages: `_toc.yml` says in which folder each stands; its name, and its address, is the file's alone."""
+
+from pathlib import Path
+
+import yaml
+
+
+def page_files(book: Path) -> dict[str, Path]:
+    """The pages' files by their names, in the order of the contents; without contents, those beside each other."""
+    contents = book / "_toc.yml"
+    if not contents.is_file():
+        return {path.stem: path for path in sorted(book.glob("*.md"))}
+    table = yaml.safe_load(contents.read_text(encoding="utf-8"))
+    parts = table.get("parts", [table])
+    places = [table["root"], *(chapter["file"] for part in parts for chapter in part["chapters"])]
+    return {Path(place).name: book / f"{place}.md" for place in places}
+
+
+def page_title(book: Path, name: str) -> str:
+    """The title of a page, mathematics as it is typed; the name itself where there is no such page."""
+    path = page_files(book).get(name)
+    lines = path.read_text(encoding="utf-8").splitlines() if path and path.is_file() else ()
+    return next((line.removeprefix("# ") for line in lines if line.startswith("# ")), name)

@@ -1,0 +1,62 @@
+"""The report of the proofs' run, which the book prints from: whether it belongs to the sources as they are."""
+
+import hashlib
+import json
+import subprocess
+import sys
+
+from book.build import stamps
+
+REPORT = stamps.ROOT / "book" / "_generated" / "proofs.json"
+FOLDERS = ("proofs", "renderer", "verify")  # whole folders: a proof may read what it does not import
+VERSION = 1
+REMEDY = "python -m book check makes it"
+
+
+class NoReport(ValueError):
+    """There is no report, or it was made from other sources."""
+
+
+def sources() -> dict[str, str]:
+    """The hashes of everything that the report can depend on."""
+    files = [path for folder in FOLDERS for path in stamps.files_in(stamps.ROOT / folder)]
+    return stamps.hashes([*files, stamps.LOCK_FILE, stamps.ROOT / "book" / "references.bib"])
+
+
+def digest() -> str:
+    """The hash of the report as it lies there, or "none"."""
+    return hashlib.sha256(REPORT.read_bytes()).hexdigest() if REPORT.is_file() else "none"
+
+
+def remember(before: dict[str, str]) -> None:
+    """Note that the report was made from these sources, hashed before the run."""
+    stamps.write("report", {"sources": stamps.key(before), "report": digest()})
+
+
+def is_fresh() -> bool:
+    """Whether the report is the one that a run over the sources as they are has written."""
+    return REPORT.is_file() and stamps.read("report") == {"sources": stamps.key(sources()), "report": digest()}
+
+
+def make() -> None:
+    """Run the theorems, and nothing else of the checker, unless their report is fresh."""
+    if is_fresh():
+        print("  the report of the proofs is up to date")
+        return
+    before = sources()
+    stamps.remove("report")
+    command = [sys.executable, "-m", "pytest", "verify/test_theorems.py", "-q", "-n", "2"]
+    subprocess.run(command, cwd=stamps.ROOT, check=True)
+    remember(before)
+
+
+def load() -> dict[str, dict]:
+    """The report's entries, {id: entry}; raises NoReport if it is missing or stale."""
+    if not REPORT.is_file():
+        raise NoReport(f"there is no report of the proofs; {REMEDY}")
+    if not is_fresh():
+        raise NoReport(f"the report of the proofs is stale: proofs/, renderer/ or verify/ changed since; {REMEDY}")
+    content = json.loads(REPORT.read_text(encoding="utf-8"))
+    if content["version"] != VERSION:
+        raise NoReport(f"the report has version {content['version']}, and this book reads version {VERSION}")
+    return {entry["id"]: entry for entry in content["theorems"]}

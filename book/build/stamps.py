@@ -1,0 +1,50 @@
+"""What was done, and from which sources: small JSON files in `.stamps/`.
+
+A result is up to date when its stamp equals what `verify.sources` finds now.
+"""
+
+import json
+from pathlib import Path
+
+from renderer.files import whole_file
+from verify.sources import PACKAGES, PRODUCTS, ROOT, files_in, hashes, key, modules_for, reachable
+
+__all__ = [
+    "LOCK_FILE",
+    "PACKAGES",
+    "PRODUCTS",
+    "ROOT",
+    "STAMPS",
+    "files_in",
+    "hashes",
+    "key",
+    "modules_for",
+    "reachable",
+]
+STAMPS = ROOT / ".stamps"
+LOCK_FILE = ROOT / "requirements.lock"
+
+
+def read(name: str) -> dict | None:
+    """A stamp's content, or None where there is no readable stamp."""
+    try:
+        return json.loads((STAMPS / f"{name}.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+
+
+def write(name: str, content: dict) -> None:
+    """Keep a stamp. Call it after the result is in place, never before."""
+    write_whole(STAMPS / f"{name}.json", (json.dumps(content, indent=1) + "\n").encode())
+
+
+def remove(name: str) -> None:
+    """Forget a stamp. Call it before a result is touched."""
+    (STAMPS / f"{name}.json").unlink(missing_ok=True)
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Write a file so that nobody ever sees half of it; its folder is made if there is none."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with whole_file(path) as name:
+        Path(name).write_bytes(content)

@@ -1,0 +1,94 @@
+"""Build the site with Jupyter Book: beside the old one, swapped in only when it is whole."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from book.build import stamps
+
+BOOK = stamps.ROOT / "book"
+SITE = BOOK / "_build" / "html"
+INDEX = SITE / "index.html"
+CACHES = stamps.ROOT / ".jupyter_cache"
+EPOCH = "1735689600"  # the date that Sphinx is told: 2025-01-01, so that two builds give the same bytes
+
+
+def sources() -> dict[str, str]:
+    """The hashes of everything that the site is made from, drawn figures included."""
+    folders = [BOOK, BOOK / "_generated", *(stamps.ROOT / name for name in ("proofs", "renderer", "verify"))]
+    files = [path for folder in folders if folder.is_dir() for path in stamps.files_in(folder)]
+    tests = (stamps.ROOT / "tests").glob("*.py")  # the ledger names them, and the site shows those
+    return stamps.hashes([*files, *tests, stamps.LOCK_FILE, stamps.ROOT / "pyproject.toml"])
+
+
+def execution_cache() -> Path:
+    """Where executed cells are kept: a folder for each state of the packages that a cell can import.
+
+    Jupyter's own cache looks at the cells alone; this way prose edits run nothing, package edits everything.
+    """
+    folders = [stamps.ROOT / name for name in ("proofs", "renderer", "verify")]
+    files = [path for folder in folders if folder.is_dir() for path in stamps.files_in(folder)]
+    files += [BOOK / "drawing" / "matplotlibrc", stamps.LOCK_FILE]
+    return CACHES / stamps.key(stamps.hashes(files))
+
+
+def environment(cache: Path) -> dict[str, str]:
+    """The environment of the build: no clock, random hash, time zone, or backend that drops figures."""
+    kept = {name: value for name, value in os.environ.items() if name != "MPLBACKEND"}
+    return kept | {
+        "SOURCE_DATE_EPOCH": EPOCH,
+        "PYTHONHASHSEED": "0",
+        "TZ": "UTC",
+        "MATPLOTLIBRC": str(BOOK / "drawing" / "matplotlibrc"),
+        "PYTHONPATH": str(stamps.ROOT),
+        "PATH": os.pathsep.join([str(Path(sys.executable).parent), kept.get("PATH", os.defpath)]),
+        "BOOK_EXECUTION_CACHE": str(cache),
+    }
+
+
+def build() -> None:
+    """Build the site if anything that it is made from changed."""
+    now = sources()
+    if stamps.read("site") == now and INDEX.is_file():
+        print("  skipped: nothing that it is made from has changed")
+        return
+    stamps.remove("site")
+    cache = execution_cache()
+    _forget_other_caches(cache)
+    work = BOOK / "_build" / "next"
+    shutil.rmtree(work, ignore_errors=True)
+    try:
+        build_into(work, cache)
+        shutil.rmtree(SITE, ignore_errors=True)
+        (work / "_build" / "html" / ".buildinfo").unlink(missing_ok=True)  # it depends on where the site was built
+        (work / "_build" / "html").rename(SITE)
+    finally:
+        shutil.rmtree(work, ignore_errors=True)
+    stamps.write("site", now)
+
+
+def build_into(folder: Path, cache: Path) -> None:
+    """Run Jupyter Book with every warning an error; the site is then in `folder`/_build/html."""
+    folder.mkdir(parents=True)
+    program = "import sys; from jupyter_book.cli.main import main; sys.exit(main())"
+    options = ["--all", "-W", "-n", "--keep-going", "-q", "--path-output", str(folder)]
+    command = [sys.executable, "-c", program, "build", str(BOOK), *options]
+    print("  running Jupyter Book (half a minute when the laboratory's cells have to run)", flush=True)
+    done = subprocess.run(command, cwd=stamps.ROOT, env=environment(cache), text=True, capture_output=True)
+    if done.returncode:
+        print(_worth_reading(done.stdout + done.stderr), file=sys.stderr)
+        done.check_returncode()
+
+
+def _worth_reading(log: str) -> str:
+    """The log's warnings and errors, without greetings and the kernel's remark on encryption."""
+    noise = ("Running Jupyter-Book", " Folder:", "Config Path:", "Output Path:", "[IPKernelApp]", "=====")
+    return "\n".join(line for line in log.splitlines() if line.strip() and not any(n in line for n in noise))
+
+
+def _forget_other_caches(current: Path) -> None:
+    for other in CACHES.iterdir() if CACHES.is_dir() else ():
+        if other != current:
+            shutil.rmtree(other, ignore_errors=True)

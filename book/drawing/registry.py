@@ -1,0 +1,93 @@
+"""What a figure is: a registered function that returns a `Drawing`.
+
+    @figure("eps_sweep")
+    def eps_sweep() -> Drawing:
+        \"\"\"RMS of the difference on A against the step.\"\"\"
+        ...
+        return Drawing(fig, numbers={"rms_1e-3": 0.0121}, data={"step": steps, "rms": curve})
+
+A picture is a Matplotlib figure (drawn twice, for the light page and the dark one: take colours from
+`book.drawing.style.palette()`), or a uint8 array (height, width, 3 or 4), or None where only the numbers are wanted.
+`data` is what the picture shows, by name: every curve that is drawn has to be in it (`book/drawing/data.py`).
+"""
+
+import math
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from numbers import Integral, Real
+from typing import Any
+
+import numpy as np
+
+DATA_FOLDERS = ("proofs/", "renderer/", "verify/", "book/", "tests/data/")  # those that are hashed
+FIGURES: dict[str, "Registered"] = {}
+
+
+class UnknownFigure(ValueError):
+    """An id that no figure is registered under."""
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A picture, the numbers that its caption and the prose cite, and the arrays that it shows."""
+
+    picture: Any = None
+    numbers: Mapping[str, Any] = field(default_factory=dict)
+    data: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Registered:
+    """A figure's id, the function that draws it, and files that it reads (paths from the root)."""
+
+    id: str
+    draw: Callable[[], Drawing]
+    data: tuple[str, ...] = ()
+
+
+def figure(id: str, data: tuple[str, ...] | list[str] = ()) -> Callable:
+    """Register the decorated function under an id; `data`: files that it reads, by path from the root."""
+    if not re.fullmatch(r"[a-z0-9_]+", id):
+        raise ValueError(f"figure id {id!r}: an id is made of a-z, 0-9 and _")
+
+    if any(not name.startswith(DATA_FOLDERS) for name in data):
+        raise ValueError(f"figure {id!r}: its data must lie in one of {', '.join(DATA_FOLDERS)}")
+
+    def register(draw: Callable[[], Drawing]) -> Callable[[], Drawing]:
+        if id in FIGURES:
+            other = FIGURES[id].draw
+            raise ValueError(f"figure id {id!r} is taken by {other.__module__}.{other.__qualname__}")
+        if not (draw.__doc__ or "").strip():
+            raise ValueError(f"figure {id!r}: its function needs a docstring that says what it draws")
+        FIGURES[id] = Registered(id, draw, tuple(data))
+        return draw
+
+    return register
+
+
+def plain_numbers(id: str, numbers: Mapping[str, Any]) -> dict[str, int | float | str | bool]:
+    """The numbers as plain Python values; an error names the figure and the key."""
+    return {_checked_key(id, key): _plain(id, key, value) for key, value in numbers.items()}
+
+
+def _checked_key(id: str, key: str) -> str:
+    if not isinstance(key, str) or not re.fullmatch(r"[^\s|`]+", key):
+        raise ValueError(f"figure {id!r}: number key {key!r} must be a string without blanks, | and `")
+    return key
+
+
+def _plain(id: str, key: str, value: Any) -> int | float | str | bool:
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value[()]
+    if isinstance(value, bool | np.bool_):
+        return bool(value)
+    if isinstance(value, str):
+        return str(value)
+    if isinstance(value, Integral):
+        return int(value)
+    if isinstance(value, Real):
+        if not math.isfinite(value):
+            raise ValueError(f"figure {id!r}: number {key!r} is {value}, which is not finite")
+        return float(value)
+    raise ValueError(f"figure {id!r}: number {key!r} is a {type(value).__name__}; give an int, float, str or bool")

@@ -1,0 +1,82 @@
+"""Turn a figure's drawing into files: ID.svg and ID.dark.svg, or ID.png; ID.csv or ID.npz; and always ID.json."""
+
+import io
+import json
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+from PIL import Image
+
+from book.build.stamps import write_whole
+from book.drawing.data import SUFFIXES, data_file
+from book.drawing.palette import dark, light
+from book.drawing.registry import Drawing, Registered, plain_numbers
+from book.drawing.style import styled
+
+CSS_PIXELS_PER_INCH = 96
+
+
+def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
+    """Draw a figure: its files by suffix, and what its JSON says about them."""
+    with light(), styled():
+        drawing = _called(entry)
+        numbers = plain_numbers(entry.id, drawing.numbers)
+        picture = drawing.picture
+        if isinstance(picture, Figure):
+            files, size, kind = {".svg": _svg(picture)}, _css_size(picture), "svg"
+        elif picture is None:
+            files, size, kind = {}, None, "numbers"
+        else:
+            files, size, kind = {".png": _png(entry.id, picture)}, [picture.shape[1], picture.shape[0]], "png"
+        data = data_file(entry.id, drawing)
+    if kind == "svg":
+        with dark(), styled():
+            again = _called(entry)
+            if plain_numbers(entry.id, again.numbers) != numbers or data_file(entry.id, again) != data:
+                raise ValueError(f"figure {entry.id!r} gives other numbers when it is drawn again")
+            files[".dark.svg"] = _svg(again.picture)
+    exact = kind == "png" or getattr(picture, "pixel_exact", False)
+    about = " ".join((entry.draw.__doc__ or "").split("\n\n")[0].split())
+    beside = next((f"{entry.id}{suffix}" for suffix in data), None)
+    description = {"id": entry.id, "about": about, "kind": kind, "size": size, "exact": exact}
+    return files | data, description | {"data": beside, "numbers": numbers}
+
+
+def save(entry: Registered, folder: Path, source: str, key: str) -> list[str]:
+    """Draw a figure and write its files, the JSON last: it never describes a missing picture."""
+    files, description = draw_files(entry)
+    for suffix, content in files.items():
+        write_whole(folder / f"{entry.id}{suffix}", content)
+    for suffix in {".svg", ".dark.svg", ".png", *SUFFIXES} - files.keys():
+        (folder / f"{entry.id}{suffix}").unlink(missing_ok=True)
+    description |= {"source": source, "function": entry.draw.__name__, "key": key}
+    text = json.dumps(description, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    write_whole(folder / f"{entry.id}.json", text.encode())
+    return [f"{entry.id}{suffix}" for suffix in (*files, ".json")]
+
+
+def _called(entry: Registered) -> Drawing:
+    drawing = entry.draw()
+    if not isinstance(drawing, Drawing):
+        raise TypeError(f"figure {entry.id!r} returned a {type(drawing).__name__}, not a Drawing")
+    return drawing
+
+
+def _svg(fig: Figure) -> bytes:
+    buffer = io.BytesIO()
+    # No date, no creator: the same drawing must give the same bytes.
+    fig.savefig(buffer, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
+    return buffer.getvalue()
+
+
+def _css_size(fig: Figure) -> list[int]:
+    return [round(float(inches) * CSS_PIXELS_PER_INCH) for inches in fig.get_size_inches()]
+
+
+def _png(id: str, picture: np.ndarray) -> bytes:
+    if not isinstance(picture, np.ndarray) or picture.dtype != np.uint8 or picture.ndim != 3:
+        raise TypeError(f"figure {id!r}: a picture is a Matplotlib figure, a uint8 array (h, w, 3 or 4) or None")
+    buffer = io.BytesIO()
+    Image.fromarray(np.ascontiguousarray(picture)).save(buffer, format="PNG", optimize=True)
+    return buffer.getvalue()

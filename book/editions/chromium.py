@@ -1,0 +1,101 @@
+"""Print a document with the installed Chromium, twice: the contents have page numbers when the pages are known."""
+
+import re
+import shutil
+import tempfile
+from io import BytesIO
+from pathlib import Path
+
+# Headless, as root, and without a word to the network of its own.
+FLAGS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+PAGE = {"width": 658, "height": 979}  # what A4 has inside its margins, in CSS pixels
+PATIENCE = 900_000  # milliseconds: a busy machine typesets thousands of formulas slowly
+FOOTER = (
+    '<div style="color: #66625a; display: flex; font: 8pt Georgia, serif; justify-content: space-between; '
+    'margin: 0 18mm; width: 100%"><span class="title"></span><span class="pageNumber"></span></div>'
+)
+DATE = b"D:20250101000000+00'00'"  # the date that the site is told too: two runs give the same bytes
+
+
+class NoBrowser(RuntimeError):
+    """There is no Chromium to print with."""
+
+
+def installed() -> str:
+    """The path of the installed Chromium; NoBrowser if there is none."""
+    for name in ("chromium", "chromium-browser", "google-chrome"):
+        if found := shutil.which(name):
+            return found
+    raise NoBrowser("no Chromium is installed, and the chapter is printed by one (Debian: apt install chromium)")
+
+
+def opened(browser, place: Path):
+    """A tab with the document as it will be printed, everything made to fit the page."""
+    tab = browser.new_page(viewport=PAGE, color_scheme="light", offline=True)
+    tab.set_default_timeout(PATIENCE)
+    tab.emulate_media(media="print", color_scheme="light")
+    tab.goto(place.as_uri())
+    tab.evaluate("fitToPage()")
+    return tab
+
+
+def printed(tab) -> bytes:
+    """The open document as PDF."""
+    return tab.pdf(
+        prefer_css_page_size=True,
+        print_background=True,
+        display_header_footer=True,
+        header_template="<span></span>",
+        footer_template=FOOTER,
+        tagged=True,
+        outline=True,
+    )
+
+
+def page_numbers(pdf: bytes) -> dict[str, int]:
+    """The number of the page, from 1, on which every named place stands."""
+    from pypdf import PdfReader
+
+    reader = PdfReader(BytesIO(pdf))
+    places = reader.named_destinations
+    return {name.lstrip("/"): reader.get_destination_page_number(place) + 1 for name, place in places.items()}
+
+
+def dated(pdf: bytes) -> bytes:
+    """The file with a fixed date of creation, of the same length."""
+    return re.sub(rb"D:\d{14}\+00'00'", DATE, pdf)
+
+
+def numbered(tab) -> bytes:
+    """The open document as PDF, with the numbers of its pages in its contents."""
+    numbers = page_numbers(printed(tab))
+    tab.evaluate(
+        "numbers => document.querySelectorAll('.page-number').forEach(p => p.textContent = numbers[p.dataset.for])",
+        numbers,
+    )
+    pdf = printed(tab)
+    if page_numbers(pdf) != numbers:
+        raise RuntimeError("the contents moved the pages that they list")
+    return dated(pdf)
+
+
+def print_document(text: str) -> bytes:
+    """The document as PDF; raises NoBrowser."""
+    from playwright.sync_api import sync_playwright
+
+    path = installed()
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        place = Path(folder) / "chapter.html"
+        place.write_text(text, encoding="utf-8")
+        browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
+        pdf = numbered(opened(browser, place))
+        browser.close()
+    return pdf

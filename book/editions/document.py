@@ -1,0 +1,175 @@
+"""The document: the site's own frame around all of its pages, one shown at a time, with everything in it."""
+
+from pathlib import Path
+
+from bs4 import BeautifulSoup, Tag
+
+from book.editions import listings
+from book.editions.certificates import share_certificates
+from book.editions.names import Names, ids_of, relink, relink_data, rename
+from book.editions.pages import SHELL, BrokenSite, Load, Page, parsed, read_pages, target
+from book.editions.pictures import inline_pictures
+from book.editions.store import Store, data_address, inlined_script, inlined_styles, packed_address
+
+HERE = Path(__file__).parent
+# Icons come from the theme's font; a file that is read from a disk has nothing to search with.
+LEFT_OUT = {"fontawesome.js", "searchtools.js", "language_data.js", "searchindex.js"}
+POLICY = (
+    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; "
+    "worker-src blob:; img-src data: blob:; font-src data:; connect-src data: blob:; form-action 'none'; "
+    "base-uri 'none'"
+)
+
+
+LARGEST_DATA = 100_000
+"""Bytes of a figure's packed numbers: larger ones are not mailed. The figure is, and the command beside makes them."""
+
+
+class Chapter:
+    """The pages of the site with the names that they have in one file."""
+
+    def __init__(self, site: Path):
+        self.site = site
+        self.shell = parsed((site / f"{SHELL}.html").read_text(encoding="utf-8"))
+        self.pages = read_pages(site, self.shell)
+        strip_shell(self.shell)
+        self.names = Names(self.pages, ids_of(self.shell))
+        self.store = Store()
+        self.used: set[str] = set()
+        self.packed: dict[bytes, str] = {}
+
+    def prepare(self) -> None:
+        """Rename, link, and put pictures in; listings last, when it is known which of their lines are wanted."""
+        for page in self.pages:
+            rename(page, self.names)
+            for part in filter(None, (page.article, page.contents, page.neighbours, *page.downloads)):
+                relink(part, page.name, self.names, lambda link, path, page=page: self.pack(link, path, page.name))
+                self.used.update(link["href"] for link in part.find_all("a", href=True) if link["href"][0] == "#")
+            relink_data(page.article, page.name, self.names)
+            inline_pictures(self.site, page, self.store)
+        share_certificates([page.article for page in self.pages])
+        for page in self.pages:
+            if page.listing:
+                listings.make_small(page, listings.lines_wanted(self.used, page.name))
+
+    def pack(self, link: Tag, path: str, page: str) -> None:
+        """Make a link to a file of the site carry the file, compressed; the script unpacks it under its own name."""
+        file = self.site / path
+        if not file.is_file():
+            raise BrokenSite(f"{page}.html links to {path}, which the site does not have")
+        link.attrs.pop("target", None)
+        content = file.read_bytes()
+        address = packed_address(content)
+        if file.suffix == ".npz" and len(address) > LARGEST_DATA:
+            leave_out(link, file)
+            return
+        link["data-packed"] = file.name
+        if content in self.packed:  # the first link to it holds it
+            link["href"] = f"#{self.packed[content]}"
+            return
+        self.packed[content] = link["id"] = f"file-{len(self.packed) + 1}"
+        link["href"], link["download"] = self.store.keep(address), f"{file.name}.gz"
+
+    def loads(self) -> list[Load]:
+        """What pages load, each once, in their order."""
+        found = {load.path: load for page in reversed(self.pages) for load in reversed(page.loads)}
+        return [load for path, load in reversed(found.items()) if Path(path).name not in LEFT_OUT]
+
+    def styles(self) -> str:
+        """Every style sheet."""
+        return "\n".join(inlined_styles(self.site / load.path) for load in self.loads() if not load.script)
+
+    def scripts(self, deferred: bool) -> list[Tag]:
+        """Every script as an element: those that wait for the document, or those that do not."""
+        chosen = [load for load in self.loads() if load.script and load.deferred == deferred]
+        return [self.element("script", inlined_script(self.site / load.path), dict(load.data)) for load in chosen]
+
+    def element(self, name: str, text: str, attributes: dict[str, str] | None = None) -> Tag:
+        """A <style> or <script> with a text that is set in at the end."""
+        made = self.shell.new_tag(name, attrs=attributes or {})
+        made.string = self.store.keep(text)
+        return made
+
+
+def leave_out(link: Tag, file: Path) -> None:
+    """Say in place of a link to a figure's numbers where its command puts them."""
+    link.name, link.attrs = "span", {"class": ["not-mailed"]}
+    link.string = f"data: {file.name}, by the command"
+
+
+def strip_shell(shell: BeautifulSoup) -> None:
+    """Take what belongs to one page, to search and to loading out of the frame."""
+    for rule in (
+        "article, footer.prev-next-footer, #jb-print-docs-body, #searchbox, .dropdown-download-buttons li:has(a[href])",
+        "#pst-page-toc-nav > ul, .search-button, .sidebar-primary-item:has(.search-button-field), #pst-search-dialog",
+        "link[rel]:not([rel=icon]), script[src], #ethical-ad-placement, .bd-footer, .bd-footer-content",
+    ):
+        for tag in shell.select(rule):
+            tag.decompose()
+
+
+def wrapped(chapter: Chapter, page: Page) -> Tag:
+    """A page as it stands in the file: its article, and the links to its neighbours."""
+    box = chapter.shell.new_tag(
+        "div", attrs={"class": "chapter-page", "data-page": page.name, "data-title": page.title}
+    )
+    if not page.article.find("section", id=True):
+        box["id"] = page.name
+    for load in page.article.select("link[rel=stylesheet], script[src]"):
+        load.decompose()
+    box.append(page.article)
+    if page.neighbours:
+        box.append(page.neighbours)
+    return box
+
+
+def belonging(part: Tag, page: Page) -> Tag:
+    """A part of the frame that is shown with one page only."""
+    part["data-of"] = page.name
+    return part
+
+
+def put_pages(chapter: Chapter) -> None:
+    """Put the pages into the frame, and what belongs to each into its menus."""
+    shell = chapter.shell
+    inside, contents = shell.select_one(".bd-article-container"), shell.select_one("#pst-page-toc-nav")
+    menu = shell.select_one(".dropdown-download-buttons ul")
+    for page in chapter.pages:
+        inside.append(wrapped(chapter, page))
+        if page.contents:
+            contents.append(belonging(page.contents, page))
+        for item in reversed(page.downloads):
+            menu.insert(0, belonging(item, page))
+
+
+def put_head(chapter: Chapter) -> None:
+    """Title, icon, policy and styles."""
+    shell, head = chapter.shell, chapter.shell.head
+    shell.title.string = shell.select_one("nav.bd-docs-nav a").get_text().strip()
+    icon = shell.select_one("link[rel=icon]")
+    icon["href"] = chapter.store.keep(data_address(chapter.site / target(SHELL, icon["href"])[0]))
+    policy = {"http-equiv": "Content-Security-Policy", "content": POLICY}
+    head.find("meta", charset=True).insert_after(shell.new_tag("meta", attrs=policy))
+    head.append(chapter.element("style", chapter.styles() + (HERE / "single.css").read_text(encoding="utf-8")))
+
+
+def put_scripts(chapter: Chapter) -> None:
+    """Scripts in the order in which a browser would run them; the file's own comes last."""
+    head, body = chapter.shell.head, chapter.shell.body
+    options = next(tag for tag in head.find_all("script") if "DOCUMENTATION_OPTIONS" in tag.get_text())
+    options.insert_before(*chapter.scripts(deferred=False))
+    head.append(chapter.element("script", "window.MathJax.startup = { typeset: false };"))
+    body.extend(chapter.scripts(deferred=True))
+    body.append(chapter.element("script", (HERE / "single.js").read_text(encoding="utf-8")))
+
+
+def document(site: Path) -> str:
+    """The whole file, from the built site."""
+    chapter = Chapter(site)
+    chapter.prepare()
+    sidebar = chapter.shell.select_one("#pst-primary-sidebar")
+    relink(sidebar, SHELL, chapter.names, lambda link, path: link.decompose())
+    put_pages(chapter)
+    put_head(chapter)
+    put_scripts(chapter)
+    return chapter.store.fill(str(chapter.shell)).strip() + "\n"

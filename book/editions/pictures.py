@@ -1,0 +1,62 @@
+"""Pictures in the file: as data: addresses, and of a pair for light and dark the dark one as what differs."""
+
+from pathlib import Path
+from urllib.parse import unquote
+
+from bs4 import Tag
+
+from book.editions.pages import BrokenSite, Page, target
+from book.editions.store import Store, data_address, quoted, svg_address, svg_parts
+
+
+def picture_file(site: Path, page: str, image: Tag) -> Path:
+    """The file that an <img> shows."""
+    aim = target(page, image["src"])
+    if aim is None or not (site / aim[0]).is_file():
+        raise BrokenSite(f"{page}.html shows {image['src']}, which the site does not have")
+    return site / unquote(aim[0])
+
+
+def difference(light: list[str], dark: list[str]) -> list[str] | None:
+    """The parts of the dark drawing that are not those of the light one; None if the drawings are not alike.
+
+    Each is "number start end text": of the part with this number, `start` characters stay at its beginning and
+    `end` at its end, with the text between them.
+    """
+    if len(light) != len(dark):
+        return None
+    pairs = enumerate(zip(light, dark, strict=True))
+    return [f"{n} {change(old, new)}" for n, (old, new) in pairs if old != new]
+
+
+def change(old: str, new: str) -> str:
+    """What makes the new part of the old one."""
+    start = shared(old, new)
+    end = shared(old[start:][::-1], new[start:][::-1])
+    return f"{start} {end} {new[start : len(new) - end]}"
+
+
+def shared(one: str, other: str) -> int:
+    """How many characters two texts have in common at their beginnings."""
+    pairs = enumerate(zip(one, other, strict=False))
+    return next((n for n, (a, b) in pairs if a != b), min(len(one), len(other)))
+
+
+def inline_pictures(site: Path, page: Page, store: Store) -> None:
+    """Put every picture of a page into the file. A dark one is made of its light neighbour when it is wanted."""
+    light: list[str] = []
+    for image in page.article.find_all("img", src=True):
+        if image["src"].startswith("data:"):
+            continue
+        path = picture_file(site, page.name, image)
+        if path.suffix != ".svg":
+            image["src"] = store.keep(data_address(path))
+            continue
+        parts, classes = svg_parts(path), image.get("class", [])
+        changes = difference(light, parts) if "only-dark" in classes else None
+        if changes is None:
+            image["src"] = store.keep(svg_address(parts))
+        else:
+            del image["src"]
+            image["data-dark"] = store.keep(quoted("<".join(changes)))
+        light = parts if "only-light" in classes else []

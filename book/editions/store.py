@@ -1,0 +1,95 @@
+"""Large texts kept apart while the document is put together, and set in at the very end."""
+
+import base64
+import gzip
+import mimetypes
+import re
+from pathlib import Path
+from urllib.parse import unquote
+
+from book.editions.pixels import address, smaller_inside
+
+COORDINATES = re.compile(r'(?<= d=")[^"]+|(?<= [xy]=")[^"]+')
+FRACTION = re.compile(r"-?\d+\.\d{3,}")
+TOKEN = re.compile(r"%%kept-(\d+)%%")
+UNUSED = {"fa-brands-400.woff2", "fa-regular-400.woff2"}  # no page has a brand's mark or a hollow icon
+TYPES = {".woff2": "font/woff2", ".woff": "font/woff", ".svg": "image/svg+xml", ".png": "image/png"}
+
+
+class Store:
+    """Texts by number: keep() gives the token that stands for one until fill()."""
+
+    def __init__(self):
+        self.texts: list[str] = []
+
+    def keep(self, text: str) -> str:
+        """A token for a text that is set in as it stands: it must fit where the token is put."""
+        self.texts.append(text)
+        return f"%%kept-{len(self.texts) - 1}%%"
+
+    def fill(self, document: str) -> str:
+        """The document with every token replaced, once."""
+        return TOKEN.sub(lambda match: self.texts[int(match[1])], document)
+
+
+def data_address(path: Path) -> str:
+    """A file as a data: address."""
+    if path.suffix == ".png":
+        return address(path.read_bytes())
+    kind = TYPES.get(path.suffix) or mimetypes.guess_type(path.name)[0] or "application/octet-stream"
+    return f"data:{kind};base64,{base64.b64encode(path.read_bytes()).decode()}"
+
+
+def packed_address(content: bytes) -> str:
+    """Bytes as a data: address, compressed; the same bytes every time."""
+    return f"data:application/gzip;base64,{base64.b64encode(gzip.compress(content, 9, mtime=0)).decode()}"
+
+
+def svg_parts(path: Path) -> list[str]:
+    """A drawing as it stands in a data: address with single quotes, cut before each of its tags."""
+    text = re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+    text = re.sub(r"\s*\n\s*", " ", text).replace("> <", "><").strip()
+    text = COORDINATES.sub(lambda match: FRACTION.sub(to_hundredths, match[0]), smaller_inside(text))
+    text = re.sub("[%#]", lambda match: f"%{ord(match[0]):02X}", text)
+    return text.replace("'", "&apos;").replace('"', "'").split("<")
+
+
+def to_hundredths(match: re.Match) -> str:
+    """A number with two decimals at most: a hundredth of a point cannot be seen."""
+    return f"{float(match[0]):.2f}".rstrip("0").rstrip(".")
+
+
+def svg_address(parts: list[str]) -> str:
+    """Those parts as an address inside double quotes."""
+    return "data:image/svg+xml;charset=utf-8," + quoted("<".join(parts))
+
+
+def quoted(text: str) -> str:
+    """A text without double quotes as the value of an attribute."""
+    return text.replace("&", "&amp;")
+
+
+def inlined_styles(path: Path) -> str:
+    """A style sheet with what it loads as data: of a font offered twice, the WOFF2; of icons, those in use."""
+
+    def inlined(match: re.Match) -> str:
+        name = unquote(match[1].strip("'\"").split("?")[0].split("#")[0])
+        if name.startswith("data:") or not name:
+            return match[0]
+        file = path.parent / name
+        if file.name in UNUSED:
+            return "url(data:,)"
+        return f'url("{data_address(file)}")' if file.is_file() else "none"
+
+    text = re.sub(r"/\*# sourceMappingURL=.*?\*/", "", path.read_text(encoding="utf-8"))
+    text = re.sub(r'@import "([^"]+)";', lambda match: inlined_styles(path.parent / match[1]), text)
+    text = re.sub(r',\s*url\([^)]*\.ttf[^)]*\)\s*format\(["\']?truetype["\']?\)', "", text)
+    return re.sub(r"url\(((?:'[^']*'|\"[^\"]*\"|[^)'\"])*)\)", inlined, text).replace("</style", "<\\/style")
+
+
+def inlined_script(path: Path) -> str:
+    """A script that may stand between <script> and </script>; MathJax with its fonts in it."""
+    text = re.sub(r"^//# sourceMappingURL=.*$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    fonts = path.parent / "output" / "chtml" / "fonts" / "woff-v2"
+    text = re.sub(r"%%URL%%/(MathJax_[\w-]+\.woff)", lambda match: data_address(fonts / match[1]), text)
+    return re.sub(r"<(?=/script|!--)", r"<\\", text, flags=re.IGNORECASE)

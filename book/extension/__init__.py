@@ -1,0 +1,59 @@
+"""The chapter's own Sphinx extension.
+
+`{chapter-figure} ID`      a figure, its caption and its provenance (figures.py)
+`{number}` roles           a number from a figure or a benchmark, printed with a format (numbers.py)
+`{benchmark-label} NAME`   where and when a benchmark was measured (numbers.py)
+`{theorem} ID`             a theorem's card; {theorem-ref}`ID` refers to it (cards.py)
+`{all-claims}`, `{grades}` every theorem by section and grade, and what the grades mean (claims.py)
+`{check-all}`              what checks every certificate in the reader's browser (claims.py, checker.py)
+`{dependency-graph}`       what rests on what (dependencies.py)
+`{ledger-entries}` …       the ledger of claims: entries, tables, figures of merit (ledger.py)
+`{docstring} FILE`         a module's docstring; sources as pages, theorems as downloads (listings.py)
+section ids                `(s1)=` before a heading puts s1 on the section itself (pages.py)
+`{notebook} NAME`          where a cell's notebook is; all of them as downloads (notebooks.py)
+docstrings                 autodoc reads them as plain text (interface.py)
+a cell's output            joined before it is merged (streams.py)
+screen readers             lists and tables that they understand (accessibility.py)
+MathJax, the simulator     copied into the site from the installed package; compiled into it (assets.py)
+"""
+
+from book.extension import (
+    accessibility,
+    assets,
+    cards,
+    checker,
+    claims,
+    dependencies,
+    elements,
+    figures,
+    interface,
+    ledger,
+    listings,
+    notebooks,
+    numbers,
+    pages,
+    streams,
+)
+
+
+def setup(app):
+    """Register everything with Sphinx."""
+    for part in (
+        accessibility,
+        assets,
+        cards,
+        checker,
+        claims,
+        dependencies,
+        elements,
+        figures,
+        interface,
+        ledger,
+        listings,
+        notebooks,
+        numbers,
+        pages,
+        streams,
+    ):
+        part.setup(app)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

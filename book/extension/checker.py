@@ -1,0 +1,132 @@
+"""Certificates in the page, for the reader's own browser to check: their data, places for the buttons, the scripts."""
+
+import json
+import re
+import unicodedata
+
+from docutils import nodes
+from sympy import Symbol, latex
+
+from book.extension.elements import Html, raw
+from book.extension.points import TEX
+from book.extension.theorems import Proofs, certificate, kind
+
+SCRIPTS = ("kernel", "worker", "polynomials", "editor", "card", "start")
+NO_SCRIPT = "To check it here takes JavaScript. The stand-alone script below takes Python, and nothing else."
+NO_SCRIPT_ALL = "To check them here takes JavaScript. `python -m proofs.check` takes Python, and nothing else."
+WITHOUT = {
+    "measured": "No certificate to check here: this was measured, and the command below measures it again.",
+    "certified": "No certificate to check here: this was enclosed in balls, and the command below encloses it again.",
+    "cited": "No certificate to check here: this is taken from the literature.",
+}
+TEX_PART = re.compile(r"\\hat\s*\{?(\w)\}?|\\([A-Za-z]+)\s?|_\{([^}]*)\}|_(\w|\\[A-Za-z]+)|([^\\_]+)")
+
+
+def check_here(env, proofs: Proofs, id: str) -> list[nodes.Node]:
+    """The place of a card's buttons, with the data; or why there is nothing to check."""
+    path, grade = certificate(id), kind(proofs.entries[id]["grade"])
+    if path is None:
+        return [Html("p", nodes.Text(WITHOUT[grade]), classes=["check-nothing"])] if grade in WITHOUT else []
+    claims = json.loads(path.read_text(encoding="utf-8"))["claims"]
+    names = {name: spelling(name) for name in sorted(names_of(claims))}
+    trusted = env.app.builder.get_relative_uri(env.docname, "trusted")
+    data = {"theorem": id, "claims": claims, "names": names, "given": given(proofs, id), "trusted": trusted}
+    return [place(data, NO_SCRIPT, data_theorem=id)]
+
+
+def check_all(proofs: Proofs) -> Html:
+    """The place of the button that checks everything, with all certificates."""
+    paths = [(id, certificate(id)) for id in proofs.in_page_order()]
+    data = [{"theorem": id, "claims": json.loads(path.read_text())["claims"]} for id, path in paths if path]
+    return place(data, NO_SCRIPT_ALL, data_all=None)
+
+
+def place(data, no_script: str, **attributes) -> Html:
+    """An element with its data as JSON, and what a reader without JavaScript is told."""
+    text = json.dumps(data, separators=(",", ":"), ensure_ascii=False).replace("<", r"\u003c")
+    parts = [
+        Html("noscript", Html("p", nodes.Text(no_script))),
+        raw(f'<script type="application/json">{text}</script>'),
+    ]
+    return Html("div", *parts, classes=["checker"], **attributes)
+
+
+def given(proofs: Proofs, id: str) -> list[str]:
+    """What the theorem's statements take as given from elsewhere, in words."""
+    claims = proofs.theorems[id].claims
+    borrowed = dict.fromkeys(other for claim in claims for other, _ in getattr(claim, "borrowed", ()))
+    cited = dict.fromkeys(lemma.source for claim in claims for lemma in getattr(claim, "cited", ()))
+    own = [f"{proofs.label(other)} ({proofs.theorems[other].title}), which has its own card" for other in borrowed]
+    return own + [f"a lemma from {source}" for source in cited]
+
+
+def names_of(claims: list[dict]) -> set[str]:
+    """The names that the polynomials of the claims use."""
+    names = set()
+    for statement in (pair["statement"] for claim in claims for pair in claim["statements"]):
+        names.update(statement.get("variables", ()), statement.get("state", ()))
+        names.update(step["new"] for step in statement.get("steps", ()) if "new" in step)
+        names.update(name for name, _ in statement.get("lines", ()))
+        names.update(use for _, uses in statement.get("lines", ()) for use in uses)
+    return names
+
+
+def spelling(name: str) -> list[list[str]]:
+    """How a name is set: [[text, "i" italic, "r" upright or "s" subscript], …], from its TeX."""
+    parts = []
+    for text in re.findall(r"[A-Za-z_]\w*|.", name):  # of sin(pi*k_u*u) as of k_u
+        parts += _word(text) if text.isidentifier() else [["\N{THIN SPACE}" if text == "*" else text, "r"]]
+    return merged(parts)
+
+
+def _word(name: str) -> list[list[str]]:
+    if name in ("sin", "cos"):
+        return [[name, "r"]]
+    parts = []
+    for hat, command, long, short, plain in TEX_PART.findall(TEX.get(name) or latex(Symbol(name))):
+        if hat:
+            parts.append([f"{hat}\N{COMBINING CIRCUMFLEX ACCENT}", "i"])
+        elif command:
+            letter = _greek(command)
+            parts.append([letter, "i"] if letter else [f"{command}\N{THIN SPACE}", "r"])
+        elif long or short:
+            parts.append([_subscript(long or short), "s"])
+        else:
+            parts.append([plain.replace("'", "′"), "i"])
+    return parts
+
+
+def _subscript(tex: str) -> str:
+    return re.sub(r"\\([A-Za-z]+)", lambda command: _greek(command[1]) or command[1], tex)
+
+
+def _greek(command: str) -> str | None:
+    """The letter that a TeX command stands for, or None."""
+    try:
+        return unicodedata.lookup(f"GREEK SMALL LETTER {command.removeprefix('var').upper()}")
+    except KeyError:
+        return None
+
+
+def merged(parts: list[list[str]]) -> list[list[str]]:
+    """Neighbours of one kind as one."""
+    whole = []
+    for text, style in parts:
+        if whole and whole[-1][1] == style:
+            whole[-1] = [whole[-1][0] + text, style]
+        else:
+            whole.append([text, style])
+    return whole
+
+
+def add_scripts(app, pagename, templatename, context, doctree) -> None:
+    """Load the checker's scripts and style where a page has a place for it."""
+    if doctree is not None and any("checker" in node["classes"] for node in doctree.findall(Html)):
+        app.add_css_file("checker/checker.css")
+        for name in SCRIPTS:
+            app.add_js_file(f"checker/{name}.js", loading_method="defer")
+
+
+def setup(app) -> None:
+    """Connect to Sphinx."""
+    app.connect("html-page-context", add_scripts)

@@ -1,0 +1,113 @@
+"""Sources as pages with numbered lines, certificates and scripts as downloads, files counted and quoted.
+
+{source-lines}`proofs/engine/kernel.py`      how many lines a file has
+{source-link}`proofs/engine/kernel.py`       a link to its page
+
+:::{docstring} proofs/engine/certificate.py
+:::
+"""
+
+import ast
+import html
+import shutil
+from pathlib import Path, PurePosixPath
+
+from docutils import nodes
+from sphinx.util.docutils import SphinxDirective, SphinxRole
+
+from book.build import report, stamps
+from book.extension.theorems import certificate, proofs_of, script
+
+DOWNLOADS = "_downloads/theorems"
+FOLDERS = ("proofs/*.py", "proofs/theorems/*.py", "verify/*.py", "verify/*/*.py")
+LISTED = (*FOLDERS, "renderer/shader.py", "renderer/machines/*.py", "tests/test_work.py")
+
+
+def listing_address(path: PurePosixPath) -> str:
+    """The address of a source's page, from the site's root, where all pages of the book stand."""
+    return f"source/{path.as_posix()}.html"
+
+
+def listed() -> list[Path]:
+    """Every source that has a page."""
+    return [path for pattern in LISTED for path in sorted(stamps.ROOT.glob(pattern)) if path.read_bytes()]
+
+
+def numbered(app, path: Path) -> str:
+    """A source as HTML: lines with numbers, each with its own id."""
+    text = path.read_text(encoding="utf-8")
+    listing = app.builder.highlighter.highlight_block(text, "python", lineanchors="L", linenos="inline")
+    name = html.escape(path.relative_to(stamps.ROOT).as_posix())
+    return f'<h1>{name}</h1>\n<div class="highlight-python listing">{listing}</div>'
+
+
+def pages(app):
+    """Yield the sources' pages; and put the downloads beside them."""
+    if app.builder.name not in ("html", "dirhtml") or not hasattr(app, "chapter_proofs"):
+        return
+    write_downloads(app)
+    for path in listed():
+        name = path.relative_to(stamps.ROOT).as_posix()
+        context = {"title": name, "body": numbered(app, path), "parents": [], "html_theme_option": {}}
+        yield f"source/{name}", context, "page.html"
+
+
+def write_downloads(app) -> None:
+    """Copy every certificate into the site, and write the stand-alone scripts."""
+    folder = Path(app.outdir) / DOWNLOADS
+    folder.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(report.REPORT, folder / "report.json")
+    for id in proofs_of(app).theorems:
+        if path := certificate(id):
+            shutil.copyfile(path, folder / f"{id}.json")
+        if text := script(id):
+            (folder / f"{id}.py").write_text(text, encoding="utf-8")
+
+
+class SourceRole(SphinxRole):
+    """A role about a file of the repository, which has to exist."""
+
+    def run(self):
+        path = stamps.ROOT / self.text
+        if not path.is_file():
+            message = self.inliner.reporter.error(f"{self.name}: there is no file {self.text}", line=self.lineno)
+            return [nodes.problematic(self.rawtext, self.rawtext)], [message]
+        self.env.note_dependency(str(path))
+        return [self.node(path)], []
+
+
+class SourceLines(SourceRole):
+    """How many lines a file has."""
+
+    def node(self, path):
+        return nodes.inline("", str(len(path.read_text(encoding="utf-8").splitlines())), classes=["number"])
+
+
+class SourceLink(SourceRole):
+    """A link to a file's page."""
+
+    def node(self, path):
+        target = listing_address(PurePosixPath(self.text))
+        return nodes.reference("", "", nodes.literal("", self.text), refuri=target, internal=True)
+
+
+class Docstring(SphinxDirective):
+    """The docstring of a module, as it stands."""
+
+    required_arguments = 1
+
+    def run(self):
+        path = stamps.ROOT / self.arguments[0]
+        if not path.is_file():
+            raise self.error(f"docstring: there is no file {self.arguments[0]}")
+        self.env.note_dependency(str(path))
+        text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8")))
+        return [nodes.literal_block(text, text, language="none", classes=["docstring"])]
+
+
+def setup(app) -> None:
+    """Register roles and directive, and the pages."""
+    app.add_role("source-lines", SourceLines())
+    app.add_role("source-link", SourceLink())
+    app.add_directive("docstring", Docstring)
+    app.connect("html-collect-pages", pages)

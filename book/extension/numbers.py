@@ -1,0 +1,94 @@
+"""The role that prints a number which was computed, and the directive that says where one was measured.
+
+{number}`eps_sweep.rms_1e-3`         four significant digits for a float, as it stands for an int or a string
+{number}`eps_sweep.rms_1e-3|.2e`     any format of Python's; 6.1e-05 is set as 6.1 × 10⁻⁵
+{number}`eps_sweep.rms_1e-3 .2e`     the same with a blank, for use inside tables
+{number}`bench:frame.time_ms|.1f`    from verify/benchmark/results/frame.json
+
+```{benchmark-label} frame
+```
+"""
+
+import re
+from pathlib import Path
+
+from docutils import nodes
+from sphinx.util.docutils import SphinxDirective, SphinxRole
+
+from book.extension.results import BENCHMARK_PREFIX, UnknownResult, load_result, look_up, result_file
+
+SYNTAX = re.compile(r"(?P<id>(?:bench:)?\w+)\.(?P<key>[^\s|]+)(?:\s*[|\s]\s*(?P<format>\S+))?")
+E_NOTATION = re.compile(r"(?P<mantissa>[+-]?\d+(?:\.\d+)?)e(?P<exponent>[+-]\d+)")
+MINUS = "\N{MINUS SIGN}"
+TIMES = "\N{NO-BREAK SPACE}×\N{NO-BREAK SPACE}"
+
+
+def parse(text: str) -> tuple[str, str, str | None]:
+    """The id, the key and the format (None if there is none) that a role's text asks for."""
+    match = SYNTAX.fullmatch(text.strip())
+    if match is None:
+        raise UnknownResult(f"{text!r} is not of the form id.key or id.key|format")
+    return match["id"], match["key"], match["format"]
+
+
+def formatted(value: int | float | str | bool, spec: str | None = None) -> str:
+    """The value as text, by default with four significant digits for a float."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if spec is None:
+        spec = ".4g" if isinstance(value, float) else ""
+    return format(value, spec)
+
+
+def typeset(value: int | float | str | bool, spec: str | None = None) -> list[nodes.Node]:
+    """The value as it is set in type: a true minus, and powers of ten in place of e-notation."""
+    text = formatted(value, spec)
+    if isinstance(value, str):
+        return [nodes.Text(text)]
+    match = E_NOTATION.fullmatch(text)
+    if match is None:
+        return [nodes.Text(text.replace("-", MINUS))]
+    mantissa = match["mantissa"].replace("-", MINUS)
+    exponent = str(int(match["exponent"])).replace("-", MINUS)
+    front = mantissa[:-1] + "10" if mantissa in ("1", f"{MINUS}1") else f"{mantissa}{TIMES}10"
+    return [nodes.Text(front), nodes.superscript("", exponent)]
+
+
+class NumberRole(SphinxRole):
+    """Print one number of a result."""
+
+    def run(self):
+        book = Path(self.env.srcdir)
+        try:
+            id, key, spec = parse(self.text)
+            self.env.note_dependency(str(result_file(book, id)))
+            content = typeset(look_up(book, id, key), spec)
+        except (UnknownResult, ValueError) as error:
+            message = self.inliner.reporter.error(f"number: {error}", line=self.lineno)
+            return [nodes.problematic(self.rawtext, self.rawtext)], [message]
+        return [nodes.inline(self.rawtext, "", *content, classes=["number"])], []
+
+
+class BenchmarkLabel(SphinxDirective):
+    """One small sentence: where, when and at which commit a benchmark was measured."""
+
+    required_arguments = 1
+
+    def run(self):
+        id = BENCHMARK_PREFIX + self.arguments[0].removeprefix(BENCHMARK_PREFIX)
+        book = Path(self.env.srcdir)
+        try:
+            label = load_result(book, id)["label"]
+            self.env.note_dependency(str(result_file(book, id)))
+            sentence = f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}."
+        except UnknownResult as error:
+            raise self.error(f"benchmark-label: {error}") from error
+        except KeyError as error:
+            raise self.error(f"benchmark-label: {id!r} has no label {error}") from error
+        return [nodes.paragraph("", sentence, classes=["benchmark-label"])]
+
+
+def setup(app) -> None:
+    """Register the role and the directive."""
+    app.add_role("number", NumberRole())
+    app.add_directive("benchmark-label", BenchmarkLabel)

@@ -1,0 +1,49 @@
+"""What a page is called, whatever folder it stands in, and its sections' own ids."""
+
+from pathlib import Path, PurePosixPath
+
+import yaml
+from docutils import nodes
+from sphinx.project import Project
+from sphinx_external_toc.parsing import parse_toc_data
+
+
+class ByName(Project):
+    """Pages are called by their files' names alone: chapter/s1.md is s1, at s1.html, as it always was."""
+
+    def path2doc(self, filename) -> str | None:
+        """The page's name, or None for what is no page."""
+        name = super().path2doc(filename)
+        return name and PurePosixPath(name).name
+
+
+def call_pages_by_name(app) -> None:
+    """Put the rule in the project's place, before any page is looked for."""
+    app.project.__class__ = ByName
+
+
+def name_contents(app, config) -> None:
+    """Give the contents, which name folders too, the pages' names."""
+    contents = Path(app.srcdir) / "_toc.yml"
+    if hasattr(config, "external_site_map") and contents.is_file():
+        table = yaml.safe_load(contents.read_text(encoding="utf-8"))
+        for part in table["parts"]:
+            for chapter in part["chapters"]:
+                chapter["file"] = PurePosixPath(chapter["file"]).name
+        config.external_site_map = parse_toc_data(table)
+
+
+def put_explicit_ids_first(app, document) -> None:
+    """`(s1)=` before a heading gives `<section id="s1">`; Sphinx alone gives the section its title's id."""
+    explicit = {document.nameids.get(name) for name, is_explicit in document.nametypes.items() if is_explicit}
+    for number, section in enumerate(document.findall(nodes.section)):
+        section["ids"].sort(key=lambda id: id not in explicit)
+        if section["ids"] == ["proof-content"]:  # sphinx-proof gives every theorem's body this one id
+            section["ids"] = [f"proof-content-{number}"]
+
+
+def setup(app) -> None:
+    """Connect to Sphinx: names after the contents are read, ids before they are collected."""
+    app.connect("config-inited", name_contents, priority=950)
+    app.connect("builder-inited", call_pages_by_name, priority=100)
+    app.connect("doctree-read", put_explicit_ids_first, priority=100)

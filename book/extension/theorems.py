@@ -1,0 +1,134 @@
+"""What the book knows of the theorems: the checked objects, their last run, and which page places which."""
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
+
+from book.build import report, stamps
+from book.build.contents import page_files
+from proofs.engine.theorem import Theorem, all_theorems
+
+PLACED = re.compile(r"^\s*(?::{3,}|`{3,})\{theorem\}\s+(\S+)\s*$", re.MULTILINE)
+CLAIMS_PAGE = "claims"
+LETTERS = {"proved": "P", "certified": "C", "measured": "M", "refuted": "R", "cited": "", "failed": "?"}
+SHAPES = {"proved": "●", "certified": "◆", "measured": "▲", "refuted": "✕", "cited": "○", "failed": "!"}
+MEANINGS = {
+    "proved": "two checkers accepted a certificate, the samples agree, the false variants were refuted",
+    "certified": "enclosed in balls of exact width",
+    "measured": "sampled, with the worst case given",
+    "refuted": "false: an exact counterexample, accepted by two checkers",
+    "cited": "taken from the literature",
+    "failed": "did not reach what its author expected",
+}
+
+
+class BadTheorem(ValueError):
+    """A page asks for a theorem that is unknown, placed twice, or has not reached its grade."""
+
+
+@dataclass(frozen=True)
+class Placement:
+    """The page that has a theorem's card, and its number in the order of the pages."""
+
+    page: str
+    number: int
+
+
+def kind(grade: str) -> str:
+    """The grade without its conditions: "proved given cited" is a kind of proved."""
+    return grade.split()[0]
+
+
+def placements(book: Path, ids: list[str]) -> dict[str, Placement]:
+    """Where every theorem stands: in page order; those that no page places follow on the page of all claims."""
+    found: dict[str, Placement] = {}
+    for page, path in page_files(book).items():
+        for id in PLACED.findall(path.read_text(encoding="utf-8")):
+            if id in found:
+                raise BadTheorem(f"{id!r} is placed twice, on {found[id].page} and on {page}")
+            found[id] = Placement(page, len(found) + 1)
+    for id in ids:
+        found.setdefault(id, Placement(CLAIMS_PAGE, len(found) + 1))
+    return found
+
+
+@dataclass(frozen=True)
+class Proofs:
+    """The theorems with their reports and places; by id."""
+
+    theorems: dict[str, Theorem]
+    entries: dict[str, dict]
+    places: dict[str, Placement]
+
+    def get(self, id: str) -> Theorem:
+        """The theorem, or BadTheorem with the list of those that there are."""
+        if id not in self.theorems:
+            raise BadTheorem(f"unknown theorem {id!r}; there are: {', '.join(sorted(self.theorems))}")
+        return self.theorems[id]
+
+    def reached(self, id: str, expected: str | None = None) -> str:
+        """The grade of the last run; BadTheorem unless it is the expected one."""
+        expected, grade = expected or self.get(id).expected, self.entries[id]["grade"]
+        if grade != expected:
+            raise BadTheorem(f"{id!r} is expected to be {expected}; its last run made it {grade}")
+        return grade
+
+    def label(self, id: str) -> str:
+        """The name by which pages call it: "Theorem 3", or "Claim 4" if it is not proved."""
+        word = "Theorem" if kind(self.entries[id]["grade"]) == "proved" else "Claim"
+        return f"{word} {self.places[id].number}"
+
+    def users(self, id: str) -> list[str]:
+        """The theorems that rest on this one."""
+        return [other for other, theorem in self.theorems.items() if id in theorem.uses]
+
+    def in_page_order(self) -> list[str]:
+        """All ids, as they are numbered."""
+        return sorted(self.theorems, key=lambda id: self.places[id].number)
+
+
+def load(book: Path) -> Proofs:
+    """Everything about the theorems; raises NoReport or BadTheorem."""
+    theorems, entries = all_theorems(), report.load()
+    if theorems.keys() != entries.keys():
+        odd = ", ".join(sorted(theorems.keys() ^ entries.keys()))
+        raise report.NoReport(f"the report and the theorems differ in: {odd}; {report.REMEDY}")
+    return Proofs(theorems, entries, placements(book, list(theorems)))
+
+
+def proofs_of(app) -> Proofs:
+    """The build's Proofs, loaded when first asked for."""
+    if not hasattr(app, "chapter_proofs"):
+        app.chapter_proofs = load(Path(app.srcdir))
+    return app.chapter_proofs
+
+
+def module_and_line(id: str) -> tuple[Path, int]:
+    """The file that declares a theorem, and the line that names it."""
+    paths = sorted((stamps.ROOT / "proofs" / "theorems").glob("*.py"))
+    for path in paths:
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if re.search(rf"\bid=[\"']{id}[\"']", line):
+                return path, max(1, number - 1)
+    for path in paths:  # its id is computed: the first module that holds it
+        held = vars(import_module(f"proofs.theorems.{path.stem}")).values() if path.stem != "__init__" else ()
+        if any(isinstance(value, Theorem) and value.id == id for value in held):
+            return path, 1
+    raise BadTheorem(f"no file of proofs/theorems declares {id!r}")
+
+
+def certificate(id: str) -> Path | None:
+    """The file with the stored certificates, if there is one."""
+    path = stamps.ROOT / "proofs" / "certificates" / f"{id}.json"
+    return path if path.is_file() else None
+
+
+@cache
+def script(id: str) -> str | None:
+    """The text of the stand-alone script that re-checks a theorem, if there is one."""
+    if find_spec("proofs.engine.standalone") is None or certificate(id) is None:
+        return None
+    return import_module("proofs.engine.standalone").standalone_script(id)

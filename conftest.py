@@ -1,0 +1,36 @@
+"""What every test shares: compiled shaders are kept in pytest's cache folder, and what takes longest begins first."""
+
+import os
+
+import pytest
+
+# Files that take most of a minute, or prepare for as long what their tests share: begun first, each on one worker.
+LONGEST = (
+    "test_newcomer.py",
+    "test_wheel.py",
+    "test_contributing.py",
+    "test_notebooks.py",
+    "test_single.py",
+    "test_pdf.py",
+    "test_releases.py",
+    "test_provenance.py",
+    "test_accepted_scenes.py",
+    "test_grid.py",
+)
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_configure(config):
+    """Keep machine code for the other workers and processes: a rendering test's time is mostly the compiler's."""
+    if hasattr(config, "cache"):
+        os.environ.setdefault("SYMBOLIC_RENDERING_CODE", str(config.cache.mkdir("compiled")))
+
+
+def pytest_collection_modifyitems(config, items):
+    """Begin with LONGEST, in its order, lest one worker work alone at the end."""
+    order = {name: place for place, name in enumerate(LONGEST)}
+    items.sort(key=lambda item: order.get(item.path.name, len(order)))
+    if config.pluginmanager.hasplugin("xdist"):
+        for item in items:
+            if item.path.name in order:
+                item.add_marker(pytest.mark.xdist_group(item.path.name))

@@ -1,0 +1,65 @@
+"""Evidence that is kept from run to run, of theorems that rest on measurements alone. It is never committed.
+
+It is kept with a key: a hash of every source that the measurements can reach, of the checkers, of the theorem itself
+and of the libraries' versions. What has another key, or was changed since it was written, is not read.
+"""
+
+import importlib.metadata
+import json
+from dataclasses import asdict
+from pathlib import Path
+
+from renderer.files import whole_file
+from verify import sources
+from verify.checkers.examination import Examination
+from verify.checkers.registry import sources_of
+from verify.optional import LIBRARIES
+
+FOLDER = sources.ROOT / ".stamps" / "theorems"
+CHECKERS = Path(__file__).parent
+ALSO = ("book/references.bib", "requirements.lock")
+
+
+def may_be_kept(theorem):
+    """Return whether a theorem's evidence is kept: measurements alone, in a project's folder."""
+    measured = theorem.expected in ("measured", "certified") and not theorem.claims
+    return measured and (sources.ROOT / "pyproject.toml").exists()
+
+
+def key_of(theorem, points):
+    """Return the key of a theorem's evidence, `points` samples a claim."""
+    reached = set().union(*(sources.reachable(path) for path in sources_of(theorem.id)))
+    reached |= {*CHECKERS.glob("*.py"), *(sources.ROOT / name for name in ALSO)}
+    table = sources.hashes(reached) | {"theorem": repr(theorem), "points": points}
+    return sources.key(table | {name: _version(name) for name in ("sympy", "numpy", "mpmath", *LIBRARIES.values())})
+
+
+def _version(distribution):
+    try:
+        return importlib.metadata.version(distribution)
+    except importlib.metadata.PackageNotFoundError:
+        return None
+
+
+def keep(evidence, key):
+    """Write what a run found about a theorem, if nothing is missing."""
+    if evidence.problems:
+        return
+    found = asdict(evidence)
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    with whole_file(FOLDER / f"{evidence.id}.json") as name:
+        text = json.dumps({"key": key, "evidence": found, "hash": sources.key({key: found})}, indent=1)
+        Path(name).write_text(text + "\n", encoding="utf-8")
+
+
+def read(theorem, key):
+    """Return the Examination that was kept with that key, or None: nothing kept, another key, or changed since."""
+    try:
+        kept = json.loads((FOLDER / f"{theorem.id}.json").read_text(encoding="utf-8"))
+        if kept["key"] != key or kept["hash"] != sources.key({key: kept["evidence"]}):
+            return None
+        found = Examination(**kept["evidence"])
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+    found.uses = tuple(found.uses)
+    return found

@@ -1,0 +1,24 @@
+"""What `pytest verify` uses where it is installed, and does without elsewhere: by name, and never silently."""
+
+try:
+    from flint import arb
+except ImportError:
+
+    class arb:
+        """The name of a ball's type, where there are no balls."""
+
+
+LIBRARIES = {
+    "flint": "python-flint",
+    "llvmlite": "llvmlite",
+    "PIL": "pillow",
+    "tqdm": "tqdm",
+    "hypothesis": "hypothesis",
+    "scipy": "scipy",
+}
+"""{module: the distribution that has it}"""
+
+
+def lacking(error: object) -> str | None:
+    """Return the distribution that is not installed, if that is why an import failed, else None."""
+    return next((name for module, name in LIBRARIES.items() if f"No module named '{module}" in str(error)), None)

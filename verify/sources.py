@@ -1,0 +1,114 @@
+"""What a result was made from: hashes of all sources it can reach, never too few, rather too many."""
+
+import ast
+import hashlib
+import json
+import sys
+from collections.abc import Iterable, Iterator
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PACKAGES = ("proofs", "renderer", "verify", "book", "tests")
+PRODUCTS = {"__pycache__", "_build", "_generated", ".ipynb_checkpoints"}
+# A module that imports by computed names can reach anything in its package.
+COMPUTED_IMPORTS = {"importlib", "pkgutil", "runpy", "__import__"}
+LAZY = "_HOMES"  # {name: the module that a package imports it from when it is first asked for}
+
+
+def files_in(folder: Path) -> Iterator[Path]:
+    """Every source and data file below a folder, build products left out."""
+    for path in sorted(folder.rglob("*")):
+        product = PRODUCTS.intersection(path.relative_to(folder).parts)
+        if path.is_file() and not product and not path.name.startswith("."):
+            yield path
+
+
+def reachable(source: Path) -> set[Path]:
+    """The file, its packages, the repository's modules that they import directly or not, and the data beside those."""
+    source = source.resolve()
+    around = source.relative_to(ROOT).with_suffix("").parts if source.is_relative_to(ROOT) else ()
+    found = followed({source, *_module_files(".".join(around))})
+    code_only = {ROOT / "book", ROOT / "book" / "figures"}  # what lies beside these is prose
+    folders = {path.parent for path in found} - code_only
+    data = {other for folder in folders for other in folder.iterdir() if other.is_file() and _is_data(other)}
+    return found | data
+
+
+def modules_for(code: str) -> set[Path]:
+    """The repository's modules that some code imports, directly or not."""
+    return followed({file for name in imported(code)[0] for file in _module_files(name)})
+
+
+def followed(waiting: set[Path]) -> set[Path]:
+    """The files, and the repository's modules that they import, directly or not."""
+    found: set[Path] = set()
+    waiting = set(waiting)
+    while waiting:
+        path = waiting.pop()
+        found.add(path)
+        waiting |= _direct_imports(path) - found
+    return found
+
+
+def hashes(paths: Iterable[Path]) -> dict[str, str]:
+    """Path from the root → hash of the bytes, for files that exist; and the Python that runs them."""
+    table = {
+        path.relative_to(ROOT).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+        for path in sorted(set(paths))
+        if path.is_file()
+    }
+    return {"python": ".".join(map(str, sys.version_info[:3])), **table}
+
+
+def key(table: dict) -> str:
+    """One hash for a table of hashes."""
+    return hashlib.sha256(json.dumps(table, sort_keys=True).encode()).hexdigest()[:16]
+
+
+def _is_data(path: Path) -> bool:
+    return path.suffix not in {".py", ".pyc"} and not path.name.startswith(".")
+
+
+@cache
+def _direct_imports(path: Path) -> frozenset[Path]:
+    if path.suffix != ".py":
+        return frozenset()
+    package = path.parent.relative_to(ROOT).parts
+    names, computed = imported(path.read_text(encoding="utf-8"), package)
+    found = {file for name in names for file in _module_files(name)}
+    if computed:
+        found.update(file for file in files_in(ROOT / package[0]) if file.suffix == ".py")
+    return frozenset(found)
+
+
+def imported(code: str, package: tuple[str, ...] = ()) -> tuple[set[str], bool]:
+    """The dotted names that may be modules which a source in a package imports; and whether it computes others."""
+    names, computed, homes = set(), False, None
+    for node in ast.walk(ast.parse(code)):
+        if isinstance(node, ast.Import):
+            names.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = package[: len(package) - node.level + 1] if node.level else ()
+            module = ".".join([*base, *([node.module] if node.module else [])])
+            names.update([module, *(f"{module}.{alias.name}" for alias in node.names)])
+        elif isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == LAZY:
+            homes = {".".join([*package, home]) for home in ast.literal_eval(node.value).values()}
+        elif isinstance(node, ast.Name):
+            computed |= node.id in COMPUTED_IMPORTS
+    if homes is not None:
+        return names | homes, False
+    return names, computed or any(name.split(".")[0] in COMPUTED_IMPORTS for name in names)
+
+
+@cache
+def _module_files(name: str) -> frozenset[Path]:
+    """The file of a module of this repository and of the packages around it; nothing for other modules."""
+    parts = name.split(".")
+    if parts[0] not in PACKAGES:
+        return frozenset()
+    found = set()
+    for length in range(1, len(parts) + 1):
+        place = ROOT.joinpath(*parts[:length])
+        found.update(file for file in (place / "__init__.py", place.with_suffix(".py")) if file.is_file())
+    return frozenset(found)
