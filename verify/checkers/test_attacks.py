@@ -12,11 +12,12 @@ from proofs.engine.certificate import prove, statements
 from proofs.engine.claim import CitedLemma, Claim, Induction, equation, greater
 from proofs.engine.program import Program
 from proofs.engine.search import NotFound
-from proofs.engine.theorem import Mutant, Theorem
+from proofs.engine.theorem import Mutant, Theorem, all_theorems
 from verify.checkers import witness
 from verify.checkers.breakages import campaign
 from verify.checkers.kernels import accepted
 from verify.checkers.proof_checker import examine
+from verify.checkers.splices import splices
 from verify.checkers.test_checkers import EMPTY, NOTHING, derivation, show
 
 x, y, n = symbols("x y n", real=True)
@@ -315,3 +316,16 @@ def test_the_kernel_takes_no_huge_number():
 
 def test_equations_are_not_evaluated():
     assert isinstance(equation(x, x), Eq)
+
+
+def test_no_mutant_is_proved_by_the_certificates_of_its_theorem():
+    theorems, tried = all_theorems(), []
+    for theorem in theorems.values():
+        if theorem.claims and theorem.expected != "refuted":
+            tried += [pairs for mutant in theorem.mutants for pairs in splices(theorem, mutant.claim, theorems)]
+    answers = iter(accepted(texts(*(list(pair) for pairs in tried for pair in pairs))))
+    verdicts_of = [[next(answers) for _ in pairs] for pairs in tried]
+    assert len(tried) > 400
+    for answered in verdicts_of:
+        assert not any(all(each[kernel_] for each in answered) for kernel_ in answered[0])
+        assert all(len(set(each.values())) == 1 for each in answered)
