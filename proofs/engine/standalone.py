@@ -97,7 +97,8 @@ def _header(theorem):
     claim = "refuted by an exact counterexample" if theorem.expected == "refuted" else "proved by a certificate"
     parts = [
         f"{theorem.title} ({theorem.id}), {claim}.",
-        theorem.statement,
+        theorem.words,
+        *(f"Argued, and not checked here: {clause.text} ({clause.argued})." for clause in theorem.argued),
         *(f"Given: {hypothesis}." for hypothesis in theorem.hypotheses),
         *(f"Given, from {lemma.source}: {lemma.text}." for lemma in lemmas),
         *([f"It uses, each with a script of its own: {', '.join(theorem.uses)}."] if theorem.uses else []),

@@ -5,12 +5,13 @@ STANDING = (
     "proved",
     "refuted",
     "by definition",
+    "argued",
     "certified",
     "measured",
     "cited",
 )  # from the strongest, without "failed"
-EXACT = ("proved", "by definition")
-GIVES = {"proved": EXACT, "by definition": EXACT, "refuted": EXACT}  # what such a theorem may use
+EXACT = ("proved", "by definition", "argued")  # every claim has a certificate; what is argued is words
+GIVES = {"proved": EXACT, "by definition": EXACT, "argued": EXACT, "refuted": EXACT}  # what such a theorem may use
 
 
 def final_grades(evidences):
@@ -57,7 +58,7 @@ def given_cited(evidences):
 
 def grade_line(grade, sources, bibliography_key=""):
     """Return how a grade reads: "proved", "proved, given Dekker1971", "cited: Blinn1978", …"""
-    if grade in ("proved", "refuted") and sources:
+    if grade in ("proved", "argued", "refuted") and sources:
         return f"{grade}, given {', '.join(sources)}"
     return f"cited: {bibliography_key}" if grade == "cited" else grade
 

@@ -3,6 +3,7 @@
 proved     both checkers accept a certificate of every claim, no sample at 50 digits contradicts one, every side
            condition behaves as stated at its edge, every mutant is refuted, every theorem it uses is proved
 refuted    both checkers accept an exact counterexample, and 50 digits agree
+argued     the same, but a clause of its words is said by no claim
 by definition  the same, where every claim reads 0 = 0 once it is translated: nothing was left to prove
 certified  every measurement holds in ball arithmetic, and rejects its false variants
 measured   every measurement holds on its samples, and rejects its false variants
@@ -106,7 +107,7 @@ def certificate_problems(theorem, theorems):
 def _check_certificates(found, theorem, theorems, anew):
     if not theorem.claims:
         return
-    found.claims = len(theorem.claims)
+    found.claims, found.argued = len(theorem.claims), [clause.text for clause in theorem.argued]
     try:
         claims = evidence(theorem, theorems) if anew else stored(theorem, theorems)
     except (Stale, NotFound) as error:
@@ -119,7 +120,7 @@ def _check_certificates(found, theorem, theorems, anew):
             found.by_definition.append(claim.name)
         found.problems += [f"{claim.name}: {why}" for why in reasons]
         count += len(pairs)
-    found.record |= {"statements": count, "by_definition": found.by_definition}
+    found.record |= {"statements": count, "by_definition": found.by_definition, "argued": found.argued}
     if len(CHECKERS) < 2:
         found.record["second_checker"] = "not run"
 
