@@ -9,21 +9,21 @@ from dataclasses import asdict, replace
 from functools import cache
 from itertools import product
 
+import numpy as np
 from matplotlib import colormaps
-from sympy import diff
 
-from proofs.formulas import step_bounds
-from proofs.formulas.camera import parallel_radius
 from proofs.formulas.height_fields import HEIGHT_FIELDS
-from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer import Light, Scene, exact, kernels
-from renderer.generate.kernels import function_of
+from renderer.generate.creases import crease_point, crease_rates
+from renderer.generate.step_terms import BOUNDS, TERMS, slope_bound
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEBRAIC
 from renderer.machines.drawing_code import ARGUMENTS
+from renderer.machines.painting_code import NUMBERS, PAINTING, SIZE_BITS, SRGB_CELLS
 from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import LANES, compiled_module
 from renderer.numbers import LIGHT_FORM, SCENE_FORM, flat, numbers_of, scene_numbers, style_of
 from renderer.shader import ANGLES, CHART, SLOPES, WORK, Want
+from renderer.views import to_bytes
 
 SCENE = Scene()
 MODELS = {name: replace(SCENE, model=name) for name in LIGHT_MODELS}
@@ -41,13 +41,15 @@ WANTS = {
 """The drawings; a picture is all of them, one after another. A's chart is kept for the next picture."""
 
 OVER_POINTS = (
-    *(kernels.image_extent, kernels.image_x, kernels.image_y, function_of(parallel_radius)),
+    *(kernels.image_extent, kernels.image_x, kernels.image_y, crease_point),
     *(kernels.point_on_a, kernels.bumped_normal, kernels.slope, kernels.phong),
-    *(kernels.normal_of_b, kernels.normal_of_floor),
-    *map(function_of, step_bounds.BOUNDS),
+    *(kernels.normal_of_b, kernels.normal_of_floor, slope_bound, *BOUNDS.values()),
+    *(crease_rates(field) for field in HEIGHT_FIELDS.values() if field.creases),
     *(FIELDS[name][role] for name in FIELDS for role in ("height", "kink", "straddling")),
     *(field["wave_numbers"] for field in FIELDS.values() if field["wave_numbers"]),
 )
+SMALLEST = -16  # the logarithmic scale of differences runs from 10^SMALLEST to 1
+TERM_COLOURS = ("#000000", "#56b4e9", "#e69f00", "#f0e442", "#cc79a7")  # none, then TERMS: as in the book's figure
 
 
 def _scenes():
@@ -66,14 +68,37 @@ def _offsets():
     return {name: sum(list(sizes.values())[:number]) for number, name in enumerate(sizes)}
 
 
-def _creases(field):
-    """Return [[u or v, the coefficients of k_u and k_v in how often it is met]] of creases along a coordinate line."""
-    found = []
-    for factor in field.creases:
-        rates = [(str(c), diff(factor.args[0], c)) for c in (u, v) if factor.has(c)]
-        if len(rates) == 1:
-            found += [[c, *(float(rate.coeff(k)) for k in (k_u, k_v))] for c, rate in rates]
-    return found
+def _thresholds(level_of):
+    """Return the least float64 in [0, 1] at each level from 1 to 255, where level_of(numbers) never falls."""
+    low, high = np.zeros(255, np.int64), np.full(255, np.float64(1).view(np.int64))
+    while (low + 1 < high).any():
+        middle = (low + high) // 2
+        reached = level_of(middle.view(np.float64)) >= np.arange(1, 256)
+        low, high = np.where(reached, low, middle), np.where(reached, middle, high)
+    return high.view(np.float64).tolist()
+
+
+def _level_of_size(size):
+    """Return the level of a difference on the logarithmic scale, as Matplotlib takes it from a share of a scale."""
+    share = (np.log10(size) - SMALLEST) / -SMALLEST
+    return np.clip(np.floor(256 * share), 0, 255)
+
+
+def _colours(rows):
+    """Return (…, 3) bytes as a canvas's opaque pixels, int32: red is the lowest byte."""
+    return (np.asarray(rows, np.uint32) @ np.array([1, 1 << 8, 1 << 16], np.uint32) | 255 << 24).tolist()
+
+
+def _tables():
+    """Return what a painter reads, by name: cells of numbers, and where each level begins; palettes."""
+    bytes_of = [[int(colour[n : n + 2], 16) for n in (1, 3, 5)] for colour in TERM_COLOURS]
+    return {
+        "srgb": {"cells": SRGB_CELLS, "thresholds": _thresholds(lambda linear: to_bytes(linear))},
+        "sizes": {"bits": SIZE_BITS, "thresholds": _thresholds(_level_of_size)},
+        "inferno": _colours(colormaps["inferno"](range(256), bytes=True)[:, :3]),
+        "grey": _colours(np.arange(256)[:, None].repeat(3, axis=1)),
+        "terms": _colours(bytes_of),
+    }
 
 
 def _way_indices(name):
@@ -88,7 +113,7 @@ def data(outputs):
         "scenes": _scenes(),
         "offsets": _offsets(),
         "light_size": len(flat(LIGHT_FORM)),
-        "fields": {n: {"ways": _way_indices(n), "creases": _creases(f)} for n, f in HEIGHT_FIELDS.items()},
+        "fields": {n: {"ways": _way_indices(n), "creases": len(f.creases)} for n, f in HEIGHT_FIELDS.items()},
         "models": {
             n: {"index": number, "power": scene_numbers(scene, exact()).power}
             for number, (n, scene) in enumerate(MODELS.items())
@@ -98,7 +123,11 @@ def data(outputs):
         "counts": len(WORK),
         "lanes": LANES,
         "kernels": {k.__name__: [len(inputs_of(k)), outputs[k.__name__]] for k in OVER_POINTS},
-        "inferno": bytes(colormaps["inferno"](range(256), bytes=True)[:, :3]).hex(),
+        "painting": PAINTING,
+        "numbers": NUMBERS,
+        "tables": _tables(),
+        "terms": TERMS,
+        "term_colours": TERM_COLOURS,
     }
 
 

@@ -1,17 +1,21 @@
 """Checks of what is given: an error names the argument, its value and what is allowed."""
 
 import math
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from numbers import Integral
+from typing import Any, TypeVar
+
+T = TypeVar("T")
 
 
-def not_allowed(name, value, allowed):
+def not_allowed(name: str, value: object, allowed: str) -> ValueError:
     """Return the ValueError that says so."""
     return ValueError(f"{name} = {value!r} is not allowed: {allowed}")
 
 
 @contextmanager
-def extra(name):
+def extra(name: str) -> Iterator[None]:
     """Let an import name the extra of this project that it needs, where what it imports is not installed."""
     try:
         yield
@@ -20,7 +24,7 @@ def extra(name):
         raise ModuleNotFoundError(wanted, name=error.name) from None
 
 
-def check_number(name, value, low=-math.inf, high=math.inf):
+def check_number(name: str, value: Any, low: float = -math.inf, high: float = math.inf) -> float:
     """Return `value` as a float, or raise ValueError unless it is a finite number in [low, high]."""
     try:
         number = math.nan if isinstance(value, (str, bytes, bool)) else float(value)
@@ -31,7 +35,7 @@ def check_number(name, value, low=-math.inf, high=math.inf):
     return number
 
 
-def check_triple(name, value, low=-math.inf, high=math.inf):
+def check_triple(name: str, value: Any, low: float = -math.inf, high: float = math.inf) -> tuple[float, ...]:
     """Return `value` as a tuple of three floats, or raise ValueError."""
     try:
         items = () if isinstance(value, (str, bytes)) else tuple(value)
@@ -42,14 +46,14 @@ def check_triple(name, value, low=-math.inf, high=math.inf):
     return tuple(check_number(f"{name}[{i}]", item, low, high) for i, item in enumerate(items))
 
 
-def check_whole(name, value, high):
+def check_whole(name: str, value: Any, high: int) -> int:
     """Return `value` as an int, or raise ValueError unless it is a whole number from 1 to `high`."""
-    if not isinstance(value, Integral) or isinstance(value, bool) or not 1 <= value <= high:
+    if not isinstance(value, Integral) or isinstance(value, bool) or not 1 <= int(value) <= high:
         raise not_allowed(name, value, f"a whole number from 1 to {high}")
     return int(value)
 
 
-def check_choice(name, value, choices):
+def check_choice(name: str, value: T, choices: Iterable[T]) -> T:
     """Return `value`, or raise ValueError unless it is one of `choices`."""
     if value not in tuple(choices):
         raise not_allowed(name, value, "one of " + ", ".join(map(repr, choices)))

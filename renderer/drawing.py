@@ -10,14 +10,26 @@ from renderer.stage import Stage
 from renderer.threads import checked_threads
 
 
-def stage_of(scene, width, height, crop=None, threads=None):
+def stage_of(
+    scene: Scene, width: int, height: int, crop: tuple[int, int, int, int] | None = None, threads: int | None = None
+) -> Stage:
     """Return the Stage of a scene on a raster: give it to `render` to draw sphere A alone, again and again."""
     stage = Stage(scene, Raster(width, height, crop))
     stage.draw(scene, exact(), checked_threads(threads), {}, colors=False)
     return stage
 
 
-def render(scene, width, height, gradient=None, crop=None, threads=None, stage=None, into=None, count=False):
+def render(
+    scene: Scene,
+    width: int,
+    height: int,
+    gradient: GradientMethod | None = None,
+    crop: tuple[int, int, int, int] | None = None,
+    threads: int | None = None,
+    stage: Stage | None = None,
+    into: Frame | None = None,
+    count: bool = False,
+) -> Frame:
     """Draw `scene` on a raster of width × height pixels and return the Frame.
 
     gradient: a method from `exact`, `central`, `forward`, `central4` (default: exact). crop: (left, top, width,

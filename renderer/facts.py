@@ -1,11 +1,13 @@
 """The facts about a scene that stand under the ε-table: each is computed when it is asked for."""
 
+from collections.abc import Iterable
 from dataclasses import replace
 from itertools import product
 
 import numpy as np
 
 from renderer.drawing import render
+from renderer.frame import Frame
 from renderer.gradients import gradient_at, height_at
 from renderer.kernels import FIELDS
 from renderer.methods import central, exact
@@ -16,13 +18,19 @@ SMOOTH_POINT = (0.31, 0.47)
 SMALL_SINE = 1e-4
 
 
-def point_errors(scene, steps, at=SMOOTH_POINT):
+def point_errors(scene: Scene, steps: Iterable[float], at: tuple[float, float] = SMOOTH_POINT) -> list[float]:
     """Return [|central h_u − exact h_u|] of the scene's field at a chart point, for each ε."""
     right = gradient_at(scene, *at, exact())[0]
     return [float(abs(gradient_at(scene, *at, central(eps))[0] - right)) for eps in steps]
 
 
-def flips_everywhere(scene, width, height, betas=(-1.0, 0.0, 0.35, 2.0), steps=(1e-1, 1e-3, 1e-6, 1e-12)):
+def flips_everywhere(
+    scene: Scene,
+    width: int,
+    height: int,
+    betas: Iterable[float] = (-1.0, 0.0, 0.35, 2.0),
+    steps: Iterable[float] = (1e-1, 1e-3, 1e-6, 1e-12),
+) -> tuple[int, int]:
     """Return (frames, flips): pixels whose chamber differs from the scene's own, over fields, β, ε, both models."""
     own, flips = render(scene, width, height).chambers, []
     for field, beta, eps, model in product(FIELDS, betas, steps, MODELS):
@@ -31,26 +39,26 @@ def flips_everywhere(scene, width, height, betas=(-1.0, 0.0, 0.35, 2.0), steps=(
     return len(flips), sum(flips)
 
 
-def flat_difference(scene, width, height, eps=1e-3):
+def flat_difference(scene: Scene, width: int, height: int, eps: float = 1e-3) -> float:
     """Return the largest |numeric − exact| over the whole picture at β = 0."""
     flat = replace(scene, beta=0.0)
     return float(np.abs(render(flat, width, height, central(eps)).rgb - render(flat, width, height).rgb).max())
 
 
-def crease_gradient(scene, u=0.125, v=0.47):
+def crease_gradient(scene: Scene, u: float = 0.125, v: float = 0.47) -> tuple[float, ...]:
     """Return (h, h_u, h_v) by the exact gradient of the ridges field at a chart point; default on a crease."""
     ridges = replace(scene, field="ridges")
     return tuple(map(float, (height_at(ridges, u, v), *gradient_at(ridges, u, v, exact()))))
 
 
-def pixels_near_the_pole(scene, width, height, below=SMALL_SINE):
+def pixels_near_the_pole(scene: Scene, width: int, height: int, below: float = SMALL_SINE) -> tuple[int, float]:
     """Return (how many pixels of A have sin φ below `below`, the least sin φ on A)."""
     v = render(scene, width, height).surface_data["v"]
     sines = np.sin(np.pi * v[~np.isnan(v)])
     return int((sines < below).sum()), float(sines.min()) if sines.size else float("nan")
 
 
-def facts(scene=None, width=256, height=256):
+def facts(scene: Scene | None = None, width: int = 256, height: int = 256) -> list[tuple[str, str]]:
     """Return [(what, value)], both text: the facts of the chapter's table that the ε-table does not show."""
     scene, steps = scene or Scene(), (1e-3, 1e-4, 1e-6)
     errors = point_errors(replace(scene, field="sine"), steps)
@@ -67,7 +75,7 @@ def facts(scene=None, width=256, height=256):
     ]
 
 
-def crease_contrast(frame, reference):
+def crease_contrast(frame: Frame, reference: Frame) -> tuple[float, ...]:
     """Return (mean |difference| where the kink flag is set, elsewhere on A)."""
     delta, kink = np.abs(difference_on_a(frame, reference)), reference.kink[reference.stage.on_a]
     return float(delta[kink].mean()), float(delta[~kink].mean())

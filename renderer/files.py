@@ -17,7 +17,7 @@ from renderer.checks import not_allowed
 try:
     import fcntl
 except ImportError:  # Windows, which removes no file that is open: as good as a lock
-    fcntl = None
+    fcntl = None  # type: ignore[assignment]
 
 PICTURE_SUFFIXES = (".png", ".npz")
 

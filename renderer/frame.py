@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -9,6 +10,7 @@ from renderer.checks import not_allowed
 from renderer.kernels import FIELDS, bumped_normal, chart, phong, point_on_a, slope
 from renderer.machines import machine
 from renderer.numbers import way_of
+from renderer.scene import Scene
 from renderer.shader import ON_A
 from renderer.stage import SURFACE_BITS, shading_of
 
@@ -28,7 +30,7 @@ class Frame:
         self._planes, self._counts = planes, counts
 
     @cached_property
-    def work(self):
+    def work(self) -> dict[str, Any]:
         """What was computed for this frame, without a given stage's: a dict of counts, and what `machine` drew.
 
         machine: "llvm" or "numpy". pixels: {chamber code: pixels}; pixels_a, pixels_b, pixels_floor;
@@ -48,11 +50,11 @@ class Frame:
             **{kind: self._counts[kind] for kind in ("shadow_tests", "specular_powers", "light_terms")},
         }
 
-    def shaded_as(self, scene):
+    def shaded_as(self, scene: Scene) -> bool:
         """Return whether a scene's weights, albedos, lights and highlight are this frame's: the same off sphere A."""
         return shading_of(self.scene) == shading_of(scene)
 
-    def hand_over(self):
+    def hand_over(self) -> np.ndarray:
         """Return the memory of the colours for another frame to be drawn into; this one has none any more.
 
         Raises ValueError if it has handed them over.
@@ -63,22 +65,22 @@ class Frame:
         return planes
 
     @property
-    def planes(self):
+    def planes(self) -> np.ndarray | None:
         """(3, height, width) float64 in [0, 1]; None when they are handed over."""
         return None if self._planes is None else self._planes[..., : self.raster.shape[1]]
 
     @property
-    def rgb(self):
+    def rgb(self) -> np.ndarray:
         """(height, width, 3) float64 in [0, 1]."""
-        return np.moveaxis(self.planes, 0, -1)
+        return np.moveaxis(self.planes, 0, -1)  # type: ignore[arg-type]  # an error if they are handed over
 
     @property
-    def chambers(self):
+    def chambers(self) -> np.ndarray:
         """(height, width) uint8."""
         return self.stage.chambers
 
     @cached_property
-    def planes_on_a(self):
+    def planes_on_a(self) -> np.ndarray:
         """(6, pixels of A) float64: cos θ, sin θ, cos φ, sin φ, h_u, h_v by the frame's method, row by row.
 
         A picture without a bump is drawn without a gradient; the field has one all the same.
@@ -101,7 +103,7 @@ class Frame:
             found["straddling"] = field["straddling"](*here, self.method.eps)
         return {name: np.broadcast_to(values, u.shape) for name, values in found.items()}
 
-    def light_cosines(self, light):
+    def light_cosines(self, light: int) -> np.ndarray:
         """Return μ = N'·ω of light number `light` on sphere A, (height, width) float64, NaN off A.
 
         Its sign decides the attached shadow; a cast shadow of B is not looked at.
@@ -117,7 +119,7 @@ class Frame:
         return plane
 
     @cached_property
-    def surface_data(self):
+    def surface_data(self) -> dict[str, np.ndarray]:
         """What is known of sphere A: a dict of (height, width) float64 planes, NaN off A.
 
         u, v, h, h_u, h_v (by the frame's method), slope, kink (1 or 0), and straddling (1 or 0) for a difference.
@@ -125,16 +127,16 @@ class Frame:
         return {name: self._plane(values, np.nan) for name, values in self._on_a.items()}
 
     @property
-    def kink(self):
+    def kink(self) -> np.ndarray:
         """(height, width) bool: a crease factor of the field is below 0.03 in magnitude, or the pole; False off A."""
         return self._plane(self._on_a["kink"] == 1.0, False, bool)
 
     @property
-    def slope(self):
+    def slope(self) -> np.ndarray:
         """(height, width) float64: √(h_u² + h_v²) by the frame's method; 0 off A."""
         return self._plane(self._on_a["slope"], 0.0)
 
     @property
-    def straddling(self):
+    def straddling(self) -> np.ndarray:
         """(height, width) bool: a crease lies strictly within ε of the pixel in u or in v; False if exact."""
         return self._plane(self._on_a["straddling"] == 1.0 if self.method.eps else False, False, bool)

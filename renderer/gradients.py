@@ -1,12 +1,15 @@
 """Which form the exact gradient takes, and the gradient and height of a field at points of the chart."""
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from renderer.kernels import FIELDS, MAX_ALGEBRAIC
+from renderer.methods import GradientMethod
+from renderer.scene import Scene
 from renderer.shader import difference
 
 
-def algebraic_powers(scene):
+def algebraic_powers(scene: Scene) -> tuple[int, int] | None:
     """Return the whole powers (for u, for v) of the algebraic form of the scene's field, or None without one."""
     wave_numbers = FIELDS[scene.field]["wave_numbers"]
     if wave_numbers is None:
@@ -17,7 +20,7 @@ def algebraic_powers(scene):
     return int(a) // 2, int(b)
 
 
-def uses_algebraic_form(scene, method):
+def uses_algebraic_form(scene: Scene, method: GradientMethod) -> bool:
     """Return whether the exact gradient of the scene is taken without a transcendental function.
 
     Raises ValueError if the form "algebraic" is asked for where there is none.
@@ -31,31 +34,31 @@ def uses_algebraic_form(scene, method):
     return powers is not None and method.form != "general"
 
 
-def _chart_points(u, v):
-    u, v = np.broadcast_arrays(np.asarray(u, np.float64), np.asarray(v, np.float64))
-    inside = (u >= 0) & (u < 1) & (v >= 0) & (v <= 1)
+def _chart_points(u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    x, y = np.broadcast_arrays(np.asarray(u, np.float64), np.asarray(v, np.float64))
+    inside = (x >= 0) & (x < 1) & (y >= 0) & (y <= 1)
     if not inside.all():
-        raise ValueError(f"(u, v) = ({u[~inside][0]}, {v[~inside][0]}) is not allowed: u in [0, 1), v in [0, 1]")
-    return u, v
+        raise ValueError(f"(u, v) = ({x[~inside][0]}, {y[~inside][0]}) is not allowed: u in [0, 1), v in [0, 1]")
+    return x, y
 
 
 @np.errstate(all="ignore")
-def height_at(scene, u, v):
+def height_at(scene: Scene, u: ArrayLike, v: ArrayLike) -> np.ndarray:
     """Return h(u, v) of the scene's field, an array of the broadcast shape. Raises ValueError off the chart."""
-    u, v = _chart_points(u, v)
-    return np.array(FIELDS[scene.field]["height"](u, v, scene.ku, scene.kv))
+    return np.array(FIELDS[scene.field]["height"](*_chart_points(u, v), scene.ku, scene.kv))
 
 
 @np.errstate(all="ignore")
-def gradient_at(scene, u, v, method):
+def gradient_at(scene: Scene, u: ArrayLike, v: ArrayLike, method: GradientMethod) -> tuple[np.ndarray, np.ndarray]:
     """Return (h_u, h_v) at chart points by `method` (exact: the general form), arrays of the broadcast shape.
 
     u ∈ [0, 1), v ∈ [0, 1], else ValueError.
     """
-    u, v = _chart_points(u, v)
+    here = _chart_points(u, v)
     field, waves = FIELDS[scene.field], (scene.ku, scene.kv)
     if method.name == "exact":
-        gradient = field["gradient"](u, v, *waves)
+        gradient = field["gradient"](*here, *waves)
     else:
-        gradient = difference(field, method.name, u, v, *waves, method.eps)
-    return tuple(np.broadcast_to(part, u.shape).copy() for part in gradient)
+        gradient = difference(field, method.name, *here, *waves, method.eps)
+    h_u, h_v = (np.broadcast_to(part, here[0].shape).copy() for part in gradient)
+    return h_u, h_v

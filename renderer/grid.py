@@ -1,18 +1,27 @@
 """A sweep over a grid of frames: fields × k × β × ε × method × raster, over any `concurrent.futures.Executor`."""
 
-from concurrent.futures import as_completed
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Executor, as_completed
 from dataclasses import replace
 from itertools import product
+from typing import Any
 
-from renderer.checkpoint import version
+from renderer.checkpoint import Checkpoint, version
 from renderer.methods import difference
 from renderer.numbers import geometry_of
-from renderer.sweep import Task, compared
+from renderer.scene import Scene
+from renderer.sweep import SweepRow, Task, compared
 
 BATCH_TASKS, BATCH_PIXELS = (4, 16), 2**23  # what a worker is given at once, and what is lost if it is killed
 
 
-def grid(scene, sizes, methods, steps, **values):
+def grid(
+    scene: Scene,
+    sizes: Iterable[tuple[int, int]],
+    methods: Iterable[str],
+    steps: Iterable[float],
+    **values: Sequence[Any],
+) -> list[Task]:
     """Return the Tasks of every combination, the steps fastest, none twice.
 
     sizes: (width, height) pairs. methods: names. steps: ε. values: lists of values by the name of the scene's field.
@@ -22,27 +31,29 @@ def grid(scene, sizes, methods, steps, **values):
     return list(dict.fromkeys(Task(s, d, *size) for size in sizes for s in scenes for d in differences))
 
 
-def batches(tasks):
+def batches(tasks: Iterable[Task]) -> list[list[Task]]:
     """Return the tasks in lists that share their chambers, in their order: 4 to 16 tasks, the fewer the larger."""
-    groups = {}
+    groups: dict[tuple, list[Task]] = {}
     for task in tasks:
         groups.setdefault((geometry_of(task.scene), task.width, task.height), []).append(task)
     fewest, most = BATCH_TASKS
-    parts = []
+    parts: list[list[Task]] = []
     for (_, width, height), group in groups.items():
         size = max(fewest, min(most, BATCH_PIXELS // (width * height)))
         parts += [group[first : first + size] for first in range(0, len(group), size)]
     return parts
 
 
-def compare_batch(batch, made_by, threads=1):
+def compare_batch(batch: list[Task], made_by: str, threads: int = 1) -> dict[Task, SweepRow]:
     """Return {task: SweepRow} of a batch; what a worker does. Raises ValueError unless `made_by` is its own version."""
     if made_by != version():
         raise ValueError("a worker's renderer is not allowed: its sources, machine, NumPy or llvmlite differ")
     return dict(zip(batch, compared(batch, threads), strict=True))
 
 
-def finished(tasks, executor, checkpoint=None, threads=1):
+def finished(
+    tasks: list[Task], executor: Executor, checkpoint: Checkpoint | None = None, threads: int = 1
+) -> Iterator[tuple[Task, SweepRow]]:
     """Yield (task, SweepRow) as they are finished: first what the Checkpoint has, then what the executor computes.
 
     Every batch is kept in the checkpoint before it is yielded. What has not been started when the generator is closed
@@ -62,7 +73,13 @@ def finished(tasks, executor, checkpoint=None, threads=1):
             future.cancel()
 
 
-def run(tasks, executor, checkpoint=None, threads=1, progress=iter):
+def run(
+    tasks: list[Task],
+    executor: Executor,
+    checkpoint: Checkpoint | None = None,
+    threads: int = 1,
+    progress: Callable[[Iterator[tuple[Task, SweepRow]]], Iterable[tuple[Task, SweepRow]]] = iter,
+) -> dict[Task, SweepRow]:
     """Return {task: SweepRow} in the order of the tasks; `progress` wraps the iterable of finished ones.
 
     executor: any `concurrent.futures.Executor`. checkpoint: a Checkpoint; what it has is not computed again.

@@ -2,13 +2,16 @@
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from renderer import kernels
 from renderer.drawing import render
 from renderer.machines.numpy_rows import Rows
+from renderer.methods import GradientMethod
 from renderer.numbers import FIRST_LIGHT_BIT, SCENE_FORM, numbers_of, of_form, want_of
+from renderer.scene import Scene
 from renderer.shader import Group
 from renderer.stage import SURFACE_BITS
 
@@ -48,14 +51,16 @@ class PixelRecord:
     rgb: tuple = (0.0, 0.0, 0.0)
 
 
-def pixel(scene, width, height, column, row, gradient=None):
+def pixel(
+    scene: Scene, width: int, height: int, column: int, row: int, gradient: GradientMethod | None = None
+) -> PixelRecord:
     """Return the PixelRecord of (column, row), counted from the top left, on a raster of width × height.
 
     `normal` is N' on sphere A. Its rgb is bit for bit that of `render`. Raises ValueError as `render` does.
     """
     frame = render(scene, width, height, gradient, crop=(column, row, 1, 1), threads=1)
     code = int(frame.chambers[0, 0])
-    record = {
+    record: dict[str, Any] = {
         "column": column,
         "row": row,
         "surface": SURFACES[code & SURFACE_BITS],

@@ -49,9 +49,9 @@ class Raster:
         return (left, top, wide, high)
 
     @property
-    def shape(self):
+    def shape(self) -> tuple[int, int]:
         """(rows, columns) that are drawn."""
-        return (self.crop[3], self.crop[2])
+        return (self.crop[3], self.crop[2])  # type: ignore[index]  # checked above
 
     def image_points(self, scene):
         """Return (x of each drawn column, y of each drawn row): image points of the centres."""

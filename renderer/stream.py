@@ -1,13 +1,17 @@
 """Pictures larger than memory: drawn block by block, each written to the file before the next is drawn."""
 
 import shutil
+from collections.abc import Callable, Iterable
+from pathlib import Path
 
 import numpy as np
 
 from renderer import files, views
 from renderer.checks import extra
 from renderer.drawing import render
+from renderer.methods import GradientMethod
 from renderer.raster import MAX_SIDE, Raster
+from renderer.scene import Scene
 
 STREAM_SUFFIXES = (".npy", ".tif", ".tiff")
 BLOCK_PIXELS = 2**20  # a block's planes and their copy for the file: about 60 MB
@@ -20,7 +24,7 @@ class StreamedRaster(Raster):
     most_drawn = MAX_SIDE**2
 
 
-def blocks(crop, rows):
+def blocks(crop: tuple[int, int, int, int], rows: int) -> list[tuple[int, int, int, int]]:
     """Return the crops (left, top, width, height) that make up `crop`: `rows` rows each, whole if they have at most
     BLOCK_PIXELS pixels, else cut at multiples of TILE columns; from left to right, then downwards."""
     left, top, width, height = crop
@@ -32,7 +36,16 @@ def blocks(crop, rows):
     ]
 
 
-def stream(scene, width, height, path, gradient=None, crop=None, threads=None, progress=iter):
+def stream(
+    scene: Scene,
+    width: int,
+    height: int,
+    path: str | Path,
+    gradient: GradientMethod | None = None,
+    crop: tuple[int, int, int, int] | None = None,
+    threads: int | None = None,
+    progress: Callable[[list], Iterable] = iter,
+) -> tuple[int, int]:
     """Draw `scene` on a raster of width × height pixels into a file, in memory that does not depend on its size.
 
     scene, width, height, gradient, crop, threads: as for `render`, without its limit on the number of pixels.
@@ -52,7 +65,7 @@ def stream(scene, width, height, path, gradient=None, crop=None, threads=None, p
             yield render(scene, width, height, gradient, block, threads)
 
     with files.whole_file(path) as name:
-        (_write_npy if path.suffix == ".npy" else _write_tiff)(name, raster.shape, frames)
+        (_write_npy if Path(path).suffix == ".npy" else _write_tiff)(name, raster.shape, frames)
     return raster.shape
 
 

@@ -1,13 +1,17 @@
 """The ε-table: how far a difference's picture is from the exact one, step by step."""
 
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, dataclass
 from itertools import groupby
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from renderer import files
 from renderer.checks import check_choice
 from renderer.drawing import render
+from renderer.frame import Frame
 from renderer.methods import DIFFERENCES, GradientMethod, difference, exact
 from renderer.raster import Raster
 from renderer.scene import Scene
@@ -43,17 +47,20 @@ class SweepRow:
     straddling: int
 
 
-def difference_on_a(frame, reference):
+Results = list[SweepRow] | dict[Task, SweepRow]
+
+
+def difference_on_a(frame: Frame, reference: Frame) -> np.ndarray:
     """Return the differences of two frames of one raster on sphere A: (pixels, 3)."""
     return (frame.rgb - reference.rgb)[reference.stage.on_a]
 
 
-def rms(values):
+def rms(values: np.ndarray) -> float:
     """Return the root of the mean square, 0 of nothing."""
     return float(np.sqrt(np.mean(np.square(values)))) if values.size else 0.0
 
 
-def compare(frame, reference):
+def compare(frame: Frame, reference: Frame) -> SweepRow:
     """Return the SweepRow of a difference's frame against the exact one, `reference`, of the same raster."""
     delta = difference_on_a(frame, reference)
     flips = int(np.count_nonzero(frame.chambers != reference.chambers))
@@ -61,7 +68,7 @@ def compare(frame, reference):
     return SweepRow(frame.method.eps, largest, rms(delta), flips, int(frame.straddling.sum()))
 
 
-def compared(tasks, threads=None):
+def compared(tasks: Iterable[Task], threads: int | None = None) -> Iterator[SweepRow]:
     """Yield the SweepRow of every Task, of which all share their chambers.
 
     The exact frame is drawn once a scene, on the first one's stage; a difference's frame is drawn whole, so that flips
@@ -77,13 +84,21 @@ def compared(tasks, threads=None):
             yield compare(render(*raster, task.method, threads=threads), reference)
 
 
-def sweep(scene, width, height, steps=DECADES, method="central", threads=None, progress=iter):
+def sweep(
+    scene: Scene,
+    width: int,
+    height: int,
+    steps: Iterable[float] = DECADES,
+    method: str = "central",
+    threads: int | None = None,
+    progress: Callable[[list[Task]], Iterable[Task]] = iter,
+) -> list[SweepRow]:
     """Return a SweepRow for every ε in `steps`: `method` against the exact gradient. `progress` wraps the Tasks."""
     tasks = [Task(scene, difference(method, eps), width, height) for eps in steps]
     return list(compared(progress(tasks), threads))
 
 
-def records(results):
+def records(results: Results) -> list[dict[str, Any]]:
     """Return the rows of `sweep`, or the {Task: row} of `renderer.grid.run`, as dicts."""
     if not isinstance(results, dict):
         return [asdict(row) for row in results]
@@ -95,7 +110,7 @@ def records(results):
     ]
 
 
-def table(results):
+def table(results: Results) -> str:
     """Return the results, as `records` takes them, as text: a line each."""
     found = records(results)
     lines = [[HEADINGS.get(name, name) for name in record] for record in found[:1]]
@@ -104,6 +119,6 @@ def table(results):
     return "\n".join("  ".join(map(str.rjust, line, widths)) for line in lines)
 
 
-def write_csv(path, results):
+def write_csv(path: str | Path, results: Results) -> None:
     """Write the results, as `records` takes them, with their column names."""
     files.write_csv(path, records(results))

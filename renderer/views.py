@@ -1,8 +1,14 @@
 """Pictures of a frame as bytes: sRGB image, slope, kinks, and the difference of two frames."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from renderer.checks import check_number, extra
+from renderer.frame import Frame
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 ENCODED_AT_ONCE = 2**16  # numbers: they stay in the cache
 
@@ -12,7 +18,7 @@ def _bytes(share):
     return np.rint(np.clip(share, 0.0, 1.0) * 255).astype(np.uint8)
 
 
-def to_bytes(rgb):
+def to_bytes(rgb: np.ndarray) -> np.ndarray:
     """Return linear light, (…, 3) in [0, 1], as sRGB bytes, uint8 (IEC 61966-2-1)."""
     rgb = np.asarray(rgb, dtype=np.float64)
     encoded = np.empty(rgb.shape, np.uint8)
@@ -23,29 +29,29 @@ def to_bytes(rgb):
     return encoded
 
 
-def image_view(frame):
+def image_view(frame: Frame) -> np.ndarray:
     """Return the picture itself: (height, width, 3) uint8, sRGB."""
     return to_bytes(frame.rgb)
 
 
-def slope_view(frame, highest=None):
+def slope_view(frame: Frame, highest: float | None = None) -> np.ndarray:
     """Return |∇h| on sphere A in grey, from 0 to `highest` (default: the largest in the frame); black off A."""
     slope = frame.slope
     highest = slope.max() if highest is None else check_number("highest", highest, 0.0)
     return np.repeat(_bytes(slope / highest if highest > 0 else 0.0 * slope)[..., None], 3, axis=2)
 
 
-def kink_view(frame):
+def kink_view(frame: Frame) -> np.ndarray:
     """Return the kink flags in white over the dimmed picture: (height, width, 3) uint8."""
     return np.where(frame.kink[..., None], np.uint8(255), to_bytes(frame.rgb) // 3)
 
 
-def difference_linear(delta, gain=100.0):
+def difference_linear(delta: np.ndarray, gain: float = 100.0) -> np.ndarray:
     """Return |delta| × gain, clipped to [0, 1], channel by channel: uint8, not sRGB-encoded."""
     return _bytes(np.abs(delta) * check_number("gain", gain, 0.0, 1e300))
 
 
-def difference_logarithmic(delta, low=-16, high=0):
+def difference_logarithmic(delta: np.ndarray, low: float = -16, high: float = 0) -> np.ndarray:
     """Return |delta| on a scale from 10^low to 10^high in the colours of inferno: (height, width, 3) uint8.
 
     Of several channels the largest counts; zero and NaN are black.
@@ -63,7 +69,9 @@ def difference_logarithmic(delta, low=-16, high=0):
     return np.where(drawn[..., None], colours, np.uint8(0))
 
 
-def add_colour_bar(figure, box, limits, label=""):
+def add_colour_bar(
+    figure: "Figure", box: tuple[float, float, float, float], limits: tuple[float, float], label: str = ""
+) -> None:
     """Draw inferno's colour bar in powers of ten from 10^limits[0] to 10^limits[1] into a Matplotlib figure."""
     with extra("plot"):
         from matplotlib.cm import ScalarMappable
@@ -72,14 +80,16 @@ def add_colour_bar(figure, box, limits, label=""):
     low, high = limits
     bar = figure.colorbar(ScalarMappable(Normalize(low, high), "inferno"), cax=figure.add_axes(box))
     ticks = np.arange(low, high + 1e-9, max(1, round((high - low) / 8)))
-    bar.set_ticks(ticks, labels=[rf"$10^{{{tick:.0f}}}$" for tick in ticks])
+    bar.set_ticks(list(ticks), labels=[rf"$10^{{{tick:.0f}}}$" for tick in ticks])
     bar.outline.set_visible(False)
     bar.ax.tick_params(length=0)
     if label:
         bar.set_label(label)
 
 
-def with_colour_bar(image, low=-16, high=0, label="largest |ΔI| of a channel"):
+def with_colour_bar(
+    image: np.ndarray, low: float = -16, high: float = 0, label: str = "largest |ΔI| of a channel"
+) -> np.ndarray:
     """Return a logarithmic difference picture with its colour bar at the right: uint8, the picture's pixels kept."""
     with extra("plot"):
         from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -88,7 +98,7 @@ def with_colour_bar(image, low=-16, high=0, label="largest |ΔI| of a channel"):
     height, width = image.shape[:2]
     tall, total = max(height, 160), width + 96
     figure = Figure(figsize=(total / 100, tall / 100), dpi=100, facecolor="white")
-    add_colour_bar(figure, [(width + 12) / total, 8 / tall, 12 / total, 1 - 16 / tall], (low, high), label)
+    add_colour_bar(figure, ((width + 12) / total, 8 / tall, 12 / total, 1 - 16 / tall), (low, high), label)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     sheet = np.asarray(canvas.buffer_rgba())[..., :3].copy()

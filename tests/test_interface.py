@@ -13,7 +13,7 @@ OTHERS = {
     "proofs.engine.theorem.Theorem",
     "verify.checkers.proof_checker.examine",
     "verify.evaluate.Reference",
-    "verify.accuracy.balls.Balls",
+    "verify.evaluate.balls.Balls",
 }
 
 

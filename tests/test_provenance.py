@@ -85,6 +85,7 @@ def drawn(monkeypatch, tmp_path):
     """Every figure, as if it had just been drawn; what is drawn now."""
     monkeypatch.setattr(stamps, "STAMPS", tmp_path)
     monkeypatch.setattr(keys, "GENERATED", tmp_path / "generated")
+    monkeypatch.setattr(draw, "PROCESSES", 1)
     drawings = []
     monkeypatch.setattr(save, "save", lambda entry, *rest: drawings.append(entry.id) or [])
     for entry in all_figures().values():
@@ -113,6 +114,33 @@ def test_editing_one_file_draws_all_that_reach_it_and_says_why(name, drawn, impo
     assert f"  {len(reach)} drawn, {len(figures) - len(reach)} up to date" in said
     drawn.clear()
     assert draw.draw() == 0 and drawn == []  # and once is enough
+
+
+def broken() -> Drawing:
+    """A figure that cannot be drawn."""
+    raise ZeroDivisionError("no such slope")
+
+
+def test_two_processes_draw_what_one_draws(tmp_path, monkeypatch):
+    monkeypatch.setattr(stamps, "STAMPS", tmp_path)
+    ids, files = ("kink_loci", "blinn_angles", "views"), {}
+    for processes in (1, 2):
+        monkeypatch.setattr(draw, "PROCESSES", processes)
+        monkeypatch.setattr(keys, "GENERATED", tmp_path / f"by_{processes}")
+        assert draw.draw(ids, force=True) == len(ids)
+        files[processes] = {path.name: path.read_bytes() for path in keys.GENERATED.iterdir()}
+    assert files[1] == files[2] and len(files[1]) > len(ids)
+
+
+def test_what_a_figure_raises_in_another_process_names_it(tmp_path, monkeypatch):
+    monkeypatch.setattr(stamps, "STAMPS", tmp_path)
+    monkeypatch.setattr(keys, "GENERATED", tmp_path / "generated")
+    figures = {"views": all_figures()["views"], "broken": Registered("broken", broken)}
+    monkeypatch.setattr(draw, "all_figures", lambda: figures)
+    with pytest.raises(ZeroDivisionError, match="no such slope") as caught:
+        draw.draw(force=True)
+    assert caught.value.__notes__ == ["while the figure 'broken' was drawn"]
+    assert stamps.read("figures/broken") is None
 
 
 def test_some_edits_leave_figures_alone():

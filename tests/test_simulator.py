@@ -65,10 +65,8 @@ def type_into(tab, name, text):
 
 def settled(tab):
     """Wait until the pictures and the idle work are those of the state."""
-    tab.wait_for_function("""() => { const { states, act } = Simulator.running;
-        const drawn = document.getElementById('simulator').dataset.drawn;
-        return drawn === states.fragment({ ...act.state() }) || drawn.replace(/&column.*/, '') ===
-            states.fragment(act.state()).replace(/&column.*/, '') }""")
+    tab.wait_for_function("""() => { const { states, act, shown } = Simulator.running, drawn = shown();
+        return drawn && drawn.replace(/&column.*/, '') === states.fragment(act.state()).replace(/&column.*/, '') }""")
 
 
 def readout(tab, name):
@@ -317,6 +315,99 @@ def test_no_error_at_a_pixel_exceeds_its_bound(tab):
     assert 0.5 < worst <= 1
 
 
+def test_the_curve_sets_the_step_by_click_drag_and_key(tab):
+    curve = tab.locator(".sim-curve")
+    curve.scroll_into_view_if_needed()
+    box = curve.bounding_box()
+    tab.mouse.move(box["x"] + box["width"] / 2, box["y"] + 50)
+    assert "ε = " in tab.inner_text("[data-reading]") and "gradient here" in tab.inner_text("[data-reading]")
+    before = state(tab)["eps"]
+    tab.mouse.down()
+    middle = state(tab)["eps"]
+    assert middle != before and 1e-9 < middle < 1e-8
+    tab.mouse.move(box["x"] + box["width"] / 4, box["y"] + 50)
+    tab.mouse.up()
+    assert state(tab)["eps"] < 1e-3 * middle
+    curve.press("End")
+    assert state(tab)["eps"] == 0.1
+    curve.press("ArrowLeft")
+    assert state(tab)["eps"] == 0.075
+    assert "ε = 7.5e−2" in tab.get_attribute(".sim-curve", "aria-valuetext")
+
+
+def test_no_name_lies_on_a_curve_or_on_another(tab):
+    tab.wait_for_function("document.querySelectorAll('.sim-curve path').length === 3")
+    script = """() => {
+        const edges = selector => [...document.querySelectorAll(selector)].map(e => e.getBoundingClientRect());
+        const names = edges('.sim-curve :is(.numeric-label, .bound-label, .difference-label)');
+        const right = Math.max(...edges('.sim-curve path').map(e => e.right));
+        const tops = names.map(e => e.top).sort((a, b) => a - b);
+        return [names.length, names.every(e => e.left >= right), tops.slice(1).every((top, n) => top >= tops[n] + 12)];
+    }"""
+    assert tab.evaluate(script) == [3, True, True]
+
+
+def test_a_field_or_a_method_without_a_theorem_has_no_bound(tab):
+    tab.wait_for_selector(".sim-curve path.bound", state="attached")
+    tab.select_option("#sim-method", "forward")
+    tab.wait_for_selector(".sim-curve path.bound", state="detached")
+    tab.select_option("#sim-view", "terms")
+    tab.wait_for_function("document.querySelector('.sim-remark').textContent.startsWith('No theorem')")
+
+
+def test_the_leading_term_is_named_and_shown(tab):
+    """A large step is led by truncation, a small one by a rounded argument; on a crease by the crease."""
+    leading = """() => [...document.querySelectorAll('.sim-facts div')].find(
+        fact => fact.children[0].textContent === 'error led by').children[1].textContent"""
+    tab.select_option("#sim-view", "terms")
+    for exponent, term in ((-3, "truncation"), (-9, "rounded argument"), (-1, "crease, seam or pole")):
+        slide(tab, "eps", exponent)
+        tab.wait_for_function(f"({leading})() === {term!r}")
+    assert tab.locator(".sim-legend").is_visible()
+
+
+def test_far_numbers_are_not_counted_in_floats(tab):
+    slide(tab, "eps", -14)
+    tab.wait_for_function("document.querySelector('.sim-pixel tbody').textContent.includes('—')")
+    assert tab.locator(".sim-far").is_visible()
+    tab.fill("[data-parameter=beta] input[type=text]", "0")
+    tab.press("[data-parameter=beta] input[type=text]", "Tab")
+    tab.wait_for_function(
+        "[...document.querySelectorAll('.sim-pixel tbody tr:last-child td')].at(-1).textContent === '0 ulp'"
+    )
+
+
+def test_the_scale_keeps_its_bar(tab):
+    for scale, last in (("1e4", "10⁻⁴"), ("log", "1")):
+        tab.select_option("#sim-scale", scale)
+        tab.wait_for_function(f"document.querySelector('.sim-bar p').lastChild.textContent === '{last}'")
+        assert tab.locator(".sim-bar").is_visible()
+
+
+@pytest.mark.parametrize("width, height", [(1440, 900), (1024, 768), (390, 844)])
+def test_pictures_step_and_curve_are_seen_together(browser, server, width, height):
+    """One view; on a phone the difference and the step. Whatever the resolution, the pictures keep their size."""
+    context = browser.new_context(viewport={"width": width, "height": height})
+    page, _, _ = opened(context, f"{server}/s4.html")
+    seen = ["[data-picture=difference]", "#sim-eps"]
+    if width > 1000:
+        seen += ["[data-picture=numeric]", "[data-picture=symbolic]", ".sim-curve", "#sim-beta", ".sim-presets"]
+        seen += ["[data-parameter=field]"]
+    script = """seen => {
+        document.getElementById('simulator').scrollIntoView();
+        const edges = seen.map(selector => document.querySelector(selector).getBoundingClientRect());
+        const [{ width, height }] = edges;
+        return [Math.max(...edges.map(e => e.bottom)) - Math.min(...edges.map(e => e.top)), width, height];
+    }"""
+    high, across, down = page.evaluate(script, seen)
+    page.select_option("#sim-size", "512")
+    settled(page)
+    assert page.evaluate(script, seen)[1:] == [across, down]
+    context.close()
+    assert across == down >= 240
+    assert high <= height - 60  # the page's own bar
+
+
 def test_pictures_and_curve_are_saved_and_the_line_copied(tab):
     for name in ("numeric", "symbolic", "difference"):
         with tab.expect_download() as download:
@@ -326,17 +417,21 @@ def test_pictures_and_curve_are_saved_and_the_line_copied(tab):
         tab.click("[data-csv]")
     lines = Path(download.value.path()).read_text().splitlines()
     assert lines[0] == "step,gradient_error_at_cursor,bound,rms_on_a,max_on_a" and len(lines) > 100
-    tab.click("[data-copy]")
-    tab.wait_for_function("document.querySelector('.sim-copied').textContent === 'copied'")
-    assert tab.evaluate("navigator.clipboard.readText()") == tab.inner_text(".sim-python code")
+    for button, wanted in (("[data-copy]", tab.inner_text(".sim-python code")), ("[data-link]", None)):
+        tab.evaluate("document.querySelector('.sim-copied').textContent = ''")
+        tab.click(button)
+        tab.wait_for_function("document.querySelector('.sim-copied').textContent === 'copied'")
+        assert tab.evaluate("navigator.clipboard.readText()") == (wanted or tab.url)
+    assert "#sim?field=ridges" in tab.url
 
 
 def test_every_size_shows_whole_pixels(tab):
+    """A pixel of the raster is a whole number of the screen's, or the other way round."""
     for size in (128, 256, 512):
         tab.select_option("#sim-size", str(size))
         settled(tab)
         width = tab.evaluate("document.querySelector('[data-picture=numeric] .pixels').getBoundingClientRect().width")
-        assert width % size == 0 and width > 0
+        assert max(width, size) % min(width, size) == 0
 
 
 def test_phone_has_large_targets_and_no_sideways_scroll(browser, server):

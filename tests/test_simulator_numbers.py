@@ -3,17 +3,20 @@
 import base64
 import contextlib
 import io
+import math
 import random
 
 import numpy as np
 import pytest
 from PIL import Image
 
+from book.simulator_module import TERM_COLOURS
 from renderer import Light, Scene, central, central4, exact, forward, pixel, render
+from renderer.generate.step_terms import BOUNDS
 from renderer.kernels import FIELDS
 from renderer.pixel_record import LightRecord, PixelRecord
 from renderer.scene import DEFAULT_LIGHTS
-from renderer.views import difference_linear, image_view
+from renderer.views import difference_linear, difference_logarithmic, image_view, slope_view
 from verify.reference import reference_pixel
 
 pytestmark = pytest.mark.browser
@@ -130,20 +133,51 @@ def painted(tab, name):
     return np.asarray(image.convert("RGB"))
 
 
-def test_the_workers_paint_the_renderers_pictures(tab):
-    """Through workers, bands and canvases: the same sRGB bytes as the renderer's own views."""
-    wanted = "#sim?field=sine&eps=0.01&scale=1e2&model=phong&size=256"
+def paint(tab, wanted):
+    """Wait until the pictures of an address are in the canvases."""
     tab.evaluate("wanted => { location.hash = wanted }", wanted)
     tab.wait_for_function(
-        """wanted => { const r = document.getElementById('simulator').dataset.drawn;
+        """wanted => { const r = Simulator.running.shown();
         return r && wanted.slice(5).split('&').every(part => r.slice(5).split('&').includes(part)) }""",
         arg=wanted,
     )
+
+
+def test_the_workers_paint_the_renderers_pictures(tab):
+    """Through workers, bands and canvases: the same sRGB bytes as the renderer's own views."""
+    wanted = "#sim?field=sine&eps=0.01&scale=1e2&model=phong&size=256"
+    paint(tab, wanted)
     scene = Scene(field="sine", model="phong")
     numeric, symbolic = render(scene, 256, 256, central(0.01)), render(scene, 256, 256)
     np.testing.assert_array_equal(painted(tab, "numeric"), image_view(numeric))
     np.testing.assert_array_equal(painted(tab, "symbolic"), image_view(symbolic))
     np.testing.assert_array_equal(painted(tab, "difference"), difference_linear(numeric.rgb - symbolic.rgb, 100))
+    paint(tab, wanted.replace("1e2", "log"))
+    np.testing.assert_array_equal(painted(tab, "difference"), difference_logarithmic(numeric.rgb - symbolic.rgb))
+
+
+@pytest.mark.parametrize("view", ["slope", "kink", "straddle"])
+def test_the_views_are_the_renderers(tab, view):
+    paint(tab, f"#sim?field=ridges&eps=0.01&scale=log&model=blinn&size=256&view={view}")
+    frame = render(Scene(), 256, 256, central(0.01))
+    white = {"kink": frame.kink, "straddle": frame.straddling}.get(view)
+    if view == "slope":
+        expected = slope_view(frame, math.pi * 8)
+    else:
+        expected = np.where(white[..., None], np.uint8(255), image_view(frame) // 3)
+        assert 0 < white.sum() < 20_000
+    np.testing.assert_array_equal(painted(tab, "numeric"), expected)
+
+
+def test_the_leading_terms_are_shown_in_their_colours(tab):
+    """Over A, at a large step: truncation, or the crease where one lies within ε; nothing else, and black off A."""
+    paint(tab, "#sim?field=ridges&eps=0.01&scale=log&model=blinn&size=256&view=terms")
+    frame, shown = render(Scene(), 256, 256, central(0.01)), painted(tab, "numeric")
+    u, v = (frame.surface_data[name][frame.stage.on_a] for name in ("u", "v"))
+    leading = BOUNDS["ridges"](u, v, 8.0, 4.0, 0.01)[1].astype(int)
+    colours = np.array([[int(c[n : n + 2], 16) for n in (1, 3, 5)] for c in TERM_COLOURS], np.uint8)
+    np.testing.assert_array_equal(shown[frame.stage.on_a], colours[leading])
+    assert not shown[~frame.stage.on_a].any() and set(leading) == {1, 4}
 
 
 def test_the_linear_scale_is_black_where_the_page_says():

@@ -12,11 +12,6 @@ from verify.optional import lacking
 
 REPORT = Path(__file__).resolve().parent.parent / "book" / "_generated" / "proofs.json"
 KEY = pytest.StashKey[list]()
-LONGEST = (
-    "test_theorems.py",
-    "test_contributing.py",
-    "test_methods.py",
-)  # begin with these, so that no worker ends with one
 
 
 def pytest_addoption(parser):
@@ -72,7 +67,7 @@ def pytest_collection_modifyitems(config, items):
         kept = [i for i in items if getattr(i, "callspec", None) and i.callspec.params.get("theorem_id") in wanted]
         config.hook.pytest_deselected(items=[i for i in items if i not in kept])
         items[:] = kept
-    items.sort(key=lambda item: item.path.name not in LONGEST)
+    items.sort(key=lambda item: item.path.name != "test_theorems.py")  # some take long: no worker shall end with one
     if not config.getoption("--long"):
         for item in items:
             if item.get_closest_marker("long"):

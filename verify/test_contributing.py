@@ -97,7 +97,7 @@ def run(folder, *arguments):
 def copied(folder):
     """Copy what the proofs and the renderer need of the project."""
     for name in ("proofs", "renderer", "verify"):
-        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copytree(ROOT / name, folder / name)  # with what is compiled, which has the same times
     (folder / "book").mkdir()
     shutil.copy(ROOT / "book" / "references.bib", folder / "book")
     shutil.copy(ROOT / "pyproject.toml", folder)

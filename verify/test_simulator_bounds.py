@@ -1,21 +1,28 @@
-"""What the simulator draws behind its U-curve: the theorems' own bounds, with parameters that hold."""
+"""What the simulator draws behind its U-curve: the theorems' own bounds, with parameters that hold; and its creases."""
 
 import random
-import re
-from pathlib import Path
+from dataclasses import replace
 
 import mpmath
 import numpy as np
 import pytest
-from sympy import pi, simplify
+from sympy import Abs, pi, simplify
 
 from proofs.formulas import step_bounds
-from proofs.formulas.symbols import k_u, v
+from proofs.formulas.half_turns import cospi, sinpi
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
+from proofs.formulas.symbols import k_u, k_v, u, v
 from proofs.theorems import clamped, roundoff, truncation
 from renderer import Scene
-from renderer.gradients import height_at
+from renderer.generate.creases import crease_point, crease_rates
+from renderer.generate.step_terms import ARGUMENT_ERROR, BOUNDS, HEIGHT_ERROR, TERMS, UNIT, bounds_of, is_covered
+from renderer.gradients import gradient_at, height_at
+from renderer.kernels import angles_on_a, chart
+from renderer.methods import central, exact
 
-CURVE = Path(__file__).resolve().parent.parent / "book" / "static" / "simulator" / "curve.js"
+SINE, RIDGES = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["ridges"]
+DOUBLED = HeightField("doubled", sinpi(2 * k_u * u))
+SLANTED = HeightField("slanted", Abs(sinpi(k_u * u + k_v * v)), (sinpi(k_u * u + k_v * v),))
 
 
 def test_the_truncation_bound_is_the_theorems():
@@ -49,12 +56,6 @@ def test_the_caps_are_the_steepest_slope_once_and_twice():
     assert step_bounds.crease_bound.expand(step_bounds.apart) == 2 * slope
 
 
-def parameter(name):
-    """Return a power-of-two constant of the plot's source, as a float."""
-    whole, exponent = re.search(rf"{name} = (?:(\d+) \* )?2 \*\* (-\d+)", CURVE.read_text(encoding="utf-8")).groups()
-    return int(whole or 1) * 2.0 ** int(exponent)
-
-
 @pytest.mark.parametrize("field", ["sine", "ridges", "rings"])
 def test_heights_are_as_good_as_the_plot_assumes(field):
     rng, worst = random.Random(field), 0.0
@@ -64,13 +65,67 @@ def test_heights_are_as_good_as_the_plot_assumes(field):
             one = mpmath.sinpi(mpmath.mpf(k_u) * u) * mpmath.sinpi(mpmath.mpf(k_v) * v)
             exact = {"sine": one, "ridges": abs(one), "rings": mpmath.sinpi(2 * mpmath.mpf(k_v) * v)}[field]
             worst = max(worst, abs(float(exact - float(height_at(Scene(field=field, ku=k_u, kv=k_v), u, v)))))
-    assert 0 < worst <= parameter("HEIGHT_ERROR")
+    assert 0 < worst <= HEIGHT_ERROR
 
 
 def test_a_moved_argument_is_off_by_no_more_than_the_plot_assumes():
     rng, worst = np.random.default_rng(7), 0.0
-    for u, eps in zip(rng.random(5000), 10.0 ** rng.uniform(-16, -1, 5000), strict=True):
+    for at_u, eps in zip(rng.random(5000), 10.0 ** rng.uniform(-16, -1, 5000), strict=True):
         with mpmath.workdps(50):
-            worst = max(worst, *(abs(float(mpmath.mpf(u) + s * mpmath.mpf(eps) - (u + s * eps))) for s in (1, -1)))
-    assert 0.4 * parameter("ARGUMENT_ERROR") < worst <= parameter("ARGUMENT_ERROR")
-    assert parameter("UNIT") == 2.0**-53
+            worst = max(
+                worst, *(abs(float(mpmath.mpf(at_u) + s * mpmath.mpf(eps) - (at_u + s * eps))) for s in (1, -1))
+            )
+    assert 0.4 * ARGUMENT_ERROR < worst <= ARGUMENT_ERROR
+    assert UNIT == 2.0**-53
+
+
+def test_only_what_the_theorems_cover_has_a_bound():
+    """A wave without wave numbers, a slanted one, a square, another frequency, a crease that is none: no bound."""
+    assert set(BOUNDS) == {"sine", "ridges", "rings"}
+    assert bounds_of(DOUBLED) is None and bounds_of(SLANTED) is None
+    for expression in (sinpi(k_u * u) ** 2, sinpi(2 * k_u * u), sinpi(k_u * u) * cospi(k_u * u), 2 * sinpi(k_u * u)):
+        assert not is_covered(replace(SINE, expression=expression))
+    assert not is_covered(replace(RIDGES, creases=())) and not is_covered(replace(SINE, creases=RIDGES.creases))
+    assert is_covered(replace(SINE, expression=sinpi(k_u * u) * cospi(k_v * v)))
+
+
+def drawn(count):
+    """Return random u, v, k_u, k_v and ε: everywhere, by creases, by the seam and by the pole."""
+    rng = np.random.default_rng(11)
+    eps, waves = 10.0 ** rng.uniform(-15, -1, count), rng.integers(-16, 17, (2, count)).astype(float)
+    near = 10.0 ** rng.uniform(-9, -1, (2, count)) * rng.choice([-1, 1], (2, count))
+    places = rng.random((2, count))
+    creased = (np.rint(places * waves) + near) / np.where(waves == 0, 1, waves)
+    places = np.where(rng.random((2, count)) < 0.5, places, creased)
+    return places[0] % 1.0, np.abs(places[1]) % 0.9, *waves, eps
+
+
+@pytest.mark.parametrize("field", BOUNDS)
+def test_no_difference_is_further_off_than_its_bound(field):
+    worst = least = 0.0
+    for at_u, at_v, ku, kv, eps in zip(*drawn(4000), strict=True):
+        scene, here = Scene(field=field, ku=ku, kv=kv), (np.float64(at_u), np.float64(at_v))
+        ours, true = gradient_at(scene, *here, central(eps)), gradient_at(scene, *here, exact())
+        error = max(abs(float(one) - float(other)) for one, other in zip(ours, true, strict=True))
+        bound, leading, *terms = BOUNDS[field](*here, np.float64(ku), np.float64(kv), np.float64(eps))
+        assert bound == pytest.approx(sum(terms)) and terms[int(leading) - 1] == max(terms) and len(terms) == len(TERMS)
+        worst = max(worst, error / bound if bound else error)
+        least = max(least, error / (bound - max(terms)) if bound > max(terms) else 0.0)
+    assert worst <= 1 < least  # without its largest term it is no bound
+
+
+@np.errstate(all="ignore")
+def test_the_creases_are_where_the_factors_are_zero():
+    """Meridians, a parallel and slanted waves: on the image, and back on the chart, the factor is zero there."""
+    for field, ku, kv in ((RIDGES, 8.0, 4.0), (SLANTED, 7.0, 3.0)):
+        rates = np.reshape(crease_rates(field)(ku, kv), (-1, 3))
+        assert len(rates) == len(field.creases)
+        for a, b, offset in rates:
+            x, y = crease_point(a, b, np.float64(1.0), np.linspace(0.01, 1, 97), 4.0, 1.0)
+            seen = ~np.isnan(x)
+            at_u, at_v = chart(*angles_on_a(x[seen], y[seen], 4.0, 1.0))
+            turns = a * at_u + b * at_v + offset
+            assert seen.any() and np.abs(turns - np.rint(turns)).max() < 1e-12
+            assert np.abs(a * at_v + b * at_u).max() > 0.1  # u and v the wrong way round are seen
+    hidden, _ = crease_point(np.float64(0.0), np.float64(4.0), np.float64(2.0), np.linspace(0, 1, 9), 4.0, 1.0)
+    assert np.isnan(hidden).all()  # v = 1/2 is below the horizon

@@ -12,11 +12,13 @@ Pictures made of the renderer's own pixels are in `book/drawing/pictures.py`.
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import lru_cache
 from pathlib import Path
 
 import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.mathtext import MathTextParser
 from matplotlib.ticker import LogLocator, NullFormatter, NullLocator
 
 from book.drawing.palette import PAGE_WIDTH, ROLE, TEXT_WIDTH, dark, light, mode, palette, readable
@@ -26,6 +28,9 @@ __all__ = [
     "PAGE_WIDTH", "ROLE", "TEXT_WIDTH", "bound_style", "dark", "decades", "label_line_end",
     "light", "mode", "palette", "panels", "plot", "readable", "slope_triangle", "styled",
 ]  # fmt: skip
+
+# Matplotlib keeps the last 50 formulas that it typeset. A plot's labels are more, and are laid out some ten times.
+MathTextParser._parse_cached = lru_cache(maxsize=None)(MathTextParser._parse_cached.__wrapped__)
 
 WIDTHS = {"text": TEXT_WIDTH, "page": PAGE_WIDTH}
 

@@ -1,5 +1,7 @@
 """Toward the pole: the seed's tangent frame against ours, and the clamped difference."""
 
+from functools import cache
+
 import numpy as np
 from mpmath import mp, mpf
 
@@ -21,6 +23,7 @@ def _tangent_gradient(frame, slopes):
     return np.array([slopes[0] * frame[i] + slopes[1] * frame[i + 3] for i in range(3)])
 
 
+@cache
 def _errors(small_sine):
     """Return the largest errors of g over the azimuths (seed's frame, with its fallback, ours) at one sin φ."""
     seed = function_of(seed_frame)

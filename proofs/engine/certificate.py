@@ -30,25 +30,28 @@ writes it: proofs/certificates.schema.json has the grammar.
 
 import json
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 from proofs.check import digest
 from proofs.engine import kernel
-from proofs.engine.claim import Induction, Separation
+from proofs.engine.claim import AnyClaim, Induction, Separation
 from proofs.engine.counterexample import refutation
 from proofs.engine.induction import induction
 from proofs.engine.search import MAX_EFFORT, NotFound, search
 from proofs.engine.statement import VERSION, derivations
-from proofs.engine.theorem import all_theorems, borrowed
+from proofs.engine.theorem import Theorem, Theorems, all_theorems, borrowed
 
 FOLDER = Path(__file__).parents[1] / "certificates"
+
+Proved = tuple[dict, dict]  # a statement and its certificate
 
 
 class Stale(ValueError):
     """A stored certificate is missing, or belongs to an older statement."""
 
 
-def statements(claim, theorems):
+def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
     """Return the statements of a claim, as the formulas stand now."""
     if isinstance(claim, Separation):
         lines = [[s.name, sorted(t.name for t in e.free_symbols)] for s, e in claim.lines.definitions]
@@ -59,13 +62,13 @@ def statements(claim, theorems):
     return derivations(borrowed(claim, theorems))
 
 
-def prove(claim, theorems, effort=MAX_EFFORT):
+def prove(claim: AnyClaim, theorems: Theorems, effort: int = MAX_EFFORT) -> list[Proved]:
     """Return [(statement, certificate)] of a claim, found anew; raises NotFound."""
     squares = getattr(claim, "squares", ())
     return [(s, search(s, squares, effort)) for s in statements(claim, theorems)]
 
 
-def refute(claim, point, theorems):
+def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[Proved]:
     """Return [(statement, certificate)] that the claim fails at the point ((symbol, value), …); raises NotFound."""
     found = refutation(statements(claim, theorems), dict(point))
     if found is None:
@@ -73,7 +76,7 @@ def refute(claim, point, theorems):
     return [found]
 
 
-def evidence(theorem, theorems):
+def evidence(theorem: Theorem, theorems: Theorems) -> list[tuple[AnyClaim, list[Proved]]]:
     """Return [(claim, [(statement, certificate)])] of a theorem, found anew; raises NotFound."""
     points = dict(theorem.refuted_at)
     return [
@@ -81,12 +84,12 @@ def evidence(theorem, theorems):
     ]
 
 
-def path_of(theorem):
+def path_of(theorem: Theorem) -> Path:
     """Return the path of the theorem's stored certificates."""
     return FOLDER / f"{theorem.id}.json"
 
 
-def stored(theorem, theorems):
+def stored(theorem: Theorem, theorems: Theorems) -> list[tuple[AnyClaim, list[Proved]]]:
     """Return [(claim, [(statement, certificate)])] from the file, or raise Stale.
 
     The statements are translated afresh from the formulas; the file's must be the same.
@@ -113,7 +116,7 @@ def stored(theorem, theorems):
     return result
 
 
-def restated(theorem, theorems):
+def restated(theorem: Theorem, theorems: Theorems) -> list[tuple[AnyClaim, list[Proved]]] | None:
     """Return [(claim, [(statement, certificate)])] where the stored certificates prove what is said now, or None."""
     if not path_of(theorem).exists() or theorem.expected == "refuted":
         return None
@@ -127,7 +130,7 @@ def restated(theorem, theorems):
     return found
 
 
-def text(theorem, found):
+def text(theorem: Theorem, found: list[tuple[AnyClaim, list[Proved]]]) -> str:
     """Return the file's text for [(claim, [(statement, certificate)])]."""
     claims = [
         {"claim": claim.name, "statements": [{"sha256": digest(s), "statement": s, "certificate": c} for s, c in pairs]}

@@ -8,17 +8,17 @@ from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
 from proofs.engine.program import Program
 
 
-def equation(left, right):
+def equation(left: Basic | int, right: Basic | int) -> Basic:
     """Return left = right that SymPy leaves as it is, so that the kernel decides it."""
     return Eq(left, right, evaluate=False)
 
 
-def greater(left, right):
+def greater(left: Basic | int, right: Basic | int) -> Basic:
     """Return left > right that SymPy leaves as it is, so that the kernel decides it."""
     return StrictGreaterThan(left, right, evaluate=False)
 
 
-def at_least(left, right):
+def at_least(left: Basic | int, right: Basic | int) -> Basic:
     """Return left ≥ right that SymPy leaves as it is, so that the kernel decides it."""
     return GreaterThan(left, right, evaluate=False)
 
@@ -109,3 +109,6 @@ class Induction:
     def but(self, **changes):
         """Return the claim with some fields changed: how a mutant is made."""
         return replace(self, **changes)
+
+
+AnyClaim = Claim | Separation | Induction

@@ -4,7 +4,7 @@ import re
 from fractions import Fraction
 from math import isqrt
 
-from sympy import Symbol, cos, sin, sympify
+from sympy import Expr, Symbol, cos, sin, sympify
 
 from proofs.engine import kernel
 
@@ -49,7 +49,7 @@ def complete(statement, point):
     return values
 
 
-def _coordinate(name, at):
+def _coordinate(name: str, at: dict[str, Expr]) -> Expr:
     circle = CIRCLE.fullmatch(name)
     if circle is None:
         return at[name]
@@ -59,7 +59,7 @@ def _coordinate(name, at):
     return {"cos": cos, "sin": sin}[circle[1]](angle.subs({s: at[s.name] for s in angle.free_symbols}))
 
 
-def _rational(value):
+def _rational(value: Expr) -> Fraction:
     if not value.is_Rational:
         raise NotRational(f"{value} is not rational")
     return Fraction(value.p, value.q)
@@ -77,7 +77,7 @@ def _term(text, coefficient, values):
     return product
 
 
-def refutation(statements, point):
+def refutation(statements: list[dict], point: dict) -> tuple[dict, dict] | None:
     """Return (statement, certificate) of kind "refutation" that the kernel accepts, or None.
 
     statements: a claim's derivations. point: {symbol: exact value} of the inputs, angles too.

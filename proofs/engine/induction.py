@@ -4,7 +4,7 @@ from sympy import S, Symbol, expand, sympify
 from sympy.core.relational import Eq
 
 from proofs.engine.angles import Angles, Untranslatable
-from proofs.engine.claim import Claim
+from proofs.engine.claim import Claim, Induction
 from proofs.engine.statement import VERSION, Derivation, plain, polynomial_data, sides
 from proofs.formulas.half_turns import ordinary
 
@@ -36,7 +36,7 @@ class _Recurrence(Derivation):
         return state
 
 
-def induction(claim):
+def induction(claim: Induction) -> dict:
     """Return the statement of an Induction. Raises Untranslatable where a quotient or a radical occurs."""
     t = _Recurrence(claim)
     relations = (*claim.given, *claim.shows)

@@ -4,6 +4,7 @@ It is the chapter's derivation, line by line. Kernels print it as it stands; pro
 they need.
 """
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 from sympy import Expr, Symbol
@@ -39,7 +40,7 @@ class Program:
         """Return the expression that defines `symbol`, as it stands."""
         return dict(self.definitions)[symbol]
 
-    def reaches(self, *symbols):
+    def reaches(self, *symbols: Symbol) -> set[Symbol]:
         """Return every name, inputs included, that the given symbols depend on (themselves included)."""
         found = set(symbols)
         for symbol, expression in reversed(self.definitions):
@@ -47,7 +48,7 @@ class Program:
                 found |= expression.free_symbols
         return found
 
-    def keep(self, *outputs, name=None):
+    def keep(self, *outputs: Symbol, name: str | None = None) -> "Program":
         """Return the program for `outputs` alone, without the lines and inputs that they do not need."""
         needed = self.reaches(*outputs)
         return Program(
@@ -57,7 +58,7 @@ class Program:
             outputs,
         )
 
-    def expand(self, symbol, until=()):
+    def expand(self, symbol: Symbol, until: Collection[Symbol] = ()) -> Expr:
         """Return `symbol` as one expression in the inputs and the names in `until`."""
         expression = symbol
         for name, definition in reversed(self.definitions):
@@ -65,9 +66,10 @@ class Program:
                 expression = expression.xreplace({name: definition})
         return expression
 
-    def folded(self):
+    def folded(self) -> "Program":
         """Return the program with every line that is a number or another's name put into the lines that use it."""
-        known, definitions = {}, []
+        known: dict[Symbol, Expr] = {}
+        definitions: list[tuple[Symbol, Expr]] = []
         for symbol, expression in self.definitions:
             value = expression.xreplace(known)
             if (value.is_Number or value.is_Symbol) and symbol not in self.outputs:
@@ -77,12 +79,13 @@ class Program:
         return Program(self.name, self.inputs, tuple(definitions), self.outputs).keep(*self.outputs)
 
 
-def chain(name, *programs, outputs=None):
+def chain(name: str, *programs: Program, outputs: tuple[Symbol, ...] | None = None) -> Program:
     """Return the programs one after another: a later one's inputs may be names that an earlier one defines.
 
     A line that an earlier program already has, letter for letter, is not repeated.
     """
-    definitions, inputs = {}, {}
+    definitions: dict[Symbol, Expr] = {}
+    inputs: dict[Symbol, None] = {}
     for program in programs:
         for symbol in program.inputs:
             if symbol not in definitions:

@@ -1,5 +1,6 @@
 """Finding certificates. Nothing here is trusted: the kernel checks what it finds, and what it misses may be true."""
 
+from collections.abc import Iterable
 from fractions import Fraction
 from itertools import combinations_with_replacement
 
@@ -21,7 +22,7 @@ EFFORTS = ((1, False), (2, False), (2, True), (3, True))  # factors of a product
 MAX_EFFORT = len(EFFORTS)
 
 
-def search(statement, squares=(), effort=MAX_EFFORT):
+def search(statement: dict, squares: Iterable = (), effort: int = MAX_EFFORT) -> dict:
     """Return a certificate of the statement, or raise NotFound.
 
     squares: SymPy polynomials in the statement's names whose squares may be used in inequalities. effort: how many of

@@ -74,7 +74,7 @@ def run(text, given=""):
     return int(verdict == "REJECTED")
 
 
-def standalone_script(theorem_id):
+def standalone_script(theorem_id: str) -> str:
     """Return the text of the theorem's script. Raises ValueError for a theorem that has no certificate."""
     theorem = all_theorems()[theorem_id]
     if not theorem.claims:

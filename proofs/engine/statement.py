@@ -18,6 +18,7 @@ from sympy import Abs, And, Max, Min, Piecewise, Rational, S, Symbol, cos, expan
 from sympy.core.relational import Relational
 
 from proofs.engine.angles import Angles, Untranslatable
+from proofs.engine.claim import Claim
 from proofs.engine.statement_data import RELATIONS, TRUE_FOR, VERSION, polynomial_data
 from proofs.formulas.half_turns import ordinary
 
@@ -247,9 +248,10 @@ def sides(expressions):
 
 
 @cache
-def derivations(claim):
+def derivations(claim: Claim) -> list[dict]:
     """Return the statements of a Claim: one, or one for each combination of conditions that are not given."""
-    pending, statements = [()], []
+    pending: list[tuple[bool, ...]] = [()]
+    statements: list[dict] = []
     while pending:
         choices = pending.pop()
         try:

@@ -2,12 +2,13 @@
 
 import importlib
 import pkgutil
+from collections.abc import Sequence
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
 
 from sympy import Symbol
 
-from proofs.engine.claim import Claim, Induction, Separation
+from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
 
 GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition", "proved", "refuted")
 WITHOUT_CLAIMS = ("cited", "measured", "certified")
@@ -119,33 +120,36 @@ class Theorem:
             raise ValueError(f"{self.id}: a refuted statement, and no other, has a point for each claim")
 
     @property
-    def clauses(self):
+    def clauses(self) -> tuple[Clause, ...]:
         """The statement's clauses: a text is one clause, which all the claims say."""
         if isinstance(self.statement, str):
             return (Clause(self.statement, tuple(claim.name for claim in self.claims)),)
         return self.statement
 
     @property
-    def words(self):
+    def words(self) -> str:
         """The statement as one text."""
         return " ".join(clause.text for clause in self.clauses)
 
     @property
-    def argued(self):
+    def argued(self) -> tuple[Clause, ...]:
         """The clauses that no claim says."""
         return tuple(clause for clause in self.clauses if self.claims and not clause.claims)
 
-    def claim(self, name):
+    def claim(self, name: str) -> AnyClaim:
         """Return the claim of that name."""
         return next(claim for claim in self.claims if claim.name == name)
 
 
-def in_order(theorems):
+Theorems = dict[str, Theorem]
+
+
+def in_order(theorems: Sequence[Theorem]) -> Theorems:
     """Return {id: Theorem}, each after those that it uses.
 
     Raises ValueError on a double id, an unknown use or a cycle, and names it.
     """
-    by_id = {}
+    by_id: Theorems = {}
     for theorem in theorems:
         if by_id.setdefault(theorem.id, theorem) is not theorem:
             raise ValueError(f"two theorems are called {theorem.id}")
@@ -159,7 +163,7 @@ def in_order(theorems):
     return {id: by_id[id] for id in order}
 
 
-def all_theorems():
+def all_theorems() -> Theorems:
     """Return {id: Theorem} of every Theorem in the modules of `proofs.theorems`, each after those that it uses."""
     package = importlib.import_module("proofs.theorems")
     found = []
@@ -169,7 +173,7 @@ def all_theorems():
     return in_order(list({id(t): t for t in found}.values()))
 
 
-def borrowed(claim, theorems):
+def borrowed(claim: Claim, theorems: Theorems) -> Claim:
     """Return the claim with its borrowed conclusions, and what it cites, among its givens.
 
     Raises ValueError unless the other claim's givens and lines are among this one's.
@@ -179,7 +183,7 @@ def borrowed(claim, theorems):
         other = theorems[id].claim(name)
         if not _supplies(other, claim, set(claim.given)):
             raise ValueError(f"{claim.name}: the hypotheses of {id}/{name} are not all given here")
-        added += other.shows
+        added += other.shows  # type: ignore[union-attr]  # a separation has no conclusions to borrow
     return claim.but(given=claim.given + added) if added else claim
 
 
@@ -191,7 +195,7 @@ def _supplies(other, claim, given):
     return set(other.given) <= given and needed.items() <= mine.items()
 
 
-def incomplete(theorem, theorems):
+def incomplete(theorem: Theorem, theorems: Theorems) -> list[str]:
     """Return what is wrong with `uses`, or could be borrowed and is assumed instead.
 
     `uses` lists exactly the theorems that a claim borrows from, that a step uses, or that conclude what a claim is

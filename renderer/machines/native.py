@@ -21,7 +21,8 @@ from renderer.machines.drawing_code import ARGUMENTS, emit
 from renderer.shader import WORK
 
 NAME = "llvm"
-_compiled, _compiling = {}, Lock()
+_compiled: dict = {}
+_compiling = Lock()
 
 
 @cache

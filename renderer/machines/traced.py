@@ -68,8 +68,8 @@ class Value:
 
         return compare
 
-    __lt__, __le__, __gt__, __ge__, __eq__, __ne__ = map(_compare, ("<", "<=", ">", ">=", "==", "!="))
-    __hash__ = None
+    __lt__, __le__, __gt__, __ge__, __eq__, __ne__ = map(_compare, ("<", "<=", ">", ">=", "==", "!="))  # type: ignore[arg-type]
+    __hash__ = None  # type: ignore[assignment]
 
 
 class Mask:

@@ -9,6 +9,7 @@ import llvmlite.ir as ir
 
 from renderer.machines.drawing_code import emit
 from renderer.machines.native import optimized
+from renderer.machines.painting_code import PAINTERS, emit_painter
 from renderer.machines.points_code import emit_points
 
 LANES = 2
@@ -18,21 +19,24 @@ HEADER_SIZE = 8
 CUSTOM, IMPORT, EXPORT, CODE, DATA = 0, 2, 7, 10, 11
 
 
-def compiled_module(wants, kernels):
+def compiled_module(wants, kernels, painters=PAINTERS):
     """Return (a module's bytes, {kernel's name: how many outputs it has}).
 
     wants: {name: Want}, each a function that draws rows (`renderer.machines.drawing_code`). kernels: {name: kernel},
-    each a function over points (`renderer.machines.points_code`). The module imports `env.__linear_memory`.
+    each a function over points (`renderer.machines.points_code`). painters: {name: painter}
+    (`renderer.machines.painting_code`). The module imports `env.__linear_memory`.
     """
     module = ir.Module()
     module.triple = TRIPLE
     for name, want in wants.items():
         emit(module, name, want, LANES)
     outputs = {name: emit_points(module, name, kernel, LANES) for name, kernel in kernels.items()}
+    for name, painter in painters.items():
+        emit_painter(module, name, painter)
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
     target = llvm.Target.from_triple(TRIPLE).create_target_machine(features=FEATURES, opt=2, reloc="static")
-    return exported(target.emit_object(optimized(module, target)), [*wants, *kernels]), outputs
+    return exported(target.emit_object(optimized(module, target)), [*wants, *kernels, *painters]), outputs
 
 
 def exported(program, names):

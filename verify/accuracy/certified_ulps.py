@@ -2,7 +2,7 @@
 
 The range is cut into pieces. On each the error is at most that of the polynomial, as it stands with its float64
 coefficients, plus that of the rounded lines. The polynomial is compared with the function's series term by term, so
-that nothing cancels; the lines go through `verify.accuracy.rounding`. Every number is a ball or its upper end.
+that nothing cancels; the lines go through `verify.evaluate.rounding`. Every number is a ball or its upper end.
 
 The reduction before it is exact (Sterbenz), but for one rounding where product_error is added. Below 2^-12 the lines
 scale with their argument, but for its square, which is enclosed down to 0: the piece that ends there stands for all
@@ -19,8 +19,8 @@ from sympy import Poly, Rational
 from proofs.engine.program import Program
 from proofs.formulas import elementary as e
 from renderer import kernels
-from verify.accuracy.rounding import ZERO, Rounded, between, run, unit_in_the_last_place
 from verify.evaluate import code_of
+from verify.evaluate.rounding import ZERO, Rounded, between, run, unit_in_the_last_place
 
 PRECISION, TERMS = 160, 40
 SMALLEST = -12  # binary exponent below which the lines only scale

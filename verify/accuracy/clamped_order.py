@@ -10,7 +10,7 @@ from proofs.formulas.finite_difference import central
 from proofs.formulas.half_turns import cospi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
 from proofs.formulas.symbols import k_v, v
-from verify.accuracy.balls import Balls
+from verify.evaluate.balls import Balls
 
 BITS = 300
 ODD = ("sine", "ridges", "rings")

@@ -18,7 +18,7 @@ from renderer import Scene
 from renderer.generate.kernels import function_of
 from renderer.kernels import FIELDS
 from renderer.shader import difference
-from verify.accuracy.balls import Balls
+from verify.evaluate.balls import Balls
 
 BITS, PER_DECADE = 300, 40
 ARGUMENTS = (u_plus, u_minus, v_plus, v_minus, span_v)

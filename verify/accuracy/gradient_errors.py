@@ -18,8 +18,8 @@ from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene, exact, gradient_at
 from renderer.generate.kernels import function_of
-from verify.accuracy.balls import Balls
 from verify.benchmark.methods.algebraic import algebraic_gradient
+from verify.evaluate.balls import Balls
 
 BITS, UNIT, SMALLEST = 1200, 2.0**-53, 1e-280
 GENERAL, ALGEBRAIC = 8.0, 8.0  # the bounds: 8, and 8 (1 + k)

@@ -15,7 +15,7 @@ from flint import arb, ctx
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import CHANNELS, pixel
 from renderer import Scene, render
-from verify.accuracy.balls import Balls
+from verify.evaluate.balls import Balls
 from verify.reference import scene_values
 
 SIZE, EACH, SEED, BITS = 255, 46, 5, 256  # an odd size: a column of pixels lies on x = 0, on a crease

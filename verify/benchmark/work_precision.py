@@ -25,8 +25,8 @@ from renderer.files import whole_file
 from verify.benchmark.label import label, write
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, sample
 from verify.benchmark.plan import Case, run
+from verify.evaluate.arrays import distance, in_balls
 from verify.reference import reference_pixel
-from verify.stability.measure import distance, in_balls
 
 RESULTS = Path(__file__).parents[1] / "results"
 GRADIENTS = Path(__file__).parent / "results" / "gradients.json"

@@ -14,7 +14,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import epsilon, h_u, h_v
 from renderer import central as central_difference
 from renderer import gradient_at
-from verify.stability.measure import in_balls, in_float64
+from verify.evaluate.arrays import in_balls, in_float64
 
 TERMS = ("truncation", "argument rounding", "roundoff", "straddling", "one-sided")
 _MOVED = ("u_plus", "u_minus", "v_plus", "v_minus", "span_v")

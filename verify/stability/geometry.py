@@ -5,7 +5,7 @@ import numpy as np
 from proofs.formulas.bump import g
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
 from proofs.formulas.symbols import normal
-from verify.stability.measure import in_balls, in_float64, vector_bound, vector_distance, with_bounds
+from verify.evaluate.arrays import in_balls, in_float64, vector_bound, vector_distance, with_bounds
 from verify.stability.pipelines import our_normal, seed_normal, seed_tangent_vector, tangent_vector
 from verify.stability.sweep import Sweep
 

@@ -5,10 +5,10 @@ import numpy as np
 from proofs.formulas.camera import silhouette_of_a
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene
+from verify.evaluate.arrays import distance, in_balls, in_float64, vector_distance
+from verify.evaluate.running import U
 from verify.stability.geometry import VECTOR
-from verify.stability.measure import distance, in_balls, in_float64, vector_distance
 from verify.stability.pipelines import seed_tangent_vector, tangent_vector
-from verify.stability.running import U
 from verify.stability.wave_numbers import with_rounded_argument
 
 MISSED_ZERO = 1 / U  # all bits lost: a number where there is an exact zero

@@ -14,7 +14,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import eye, h_u, h_v, normal, radius, real, x, y
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, unit_normal
 from verify.benchmark.methods.algebraic import algebraic_gradient
-from verify.stability.measure import in_float64
+from verify.evaluate.arrays import in_float64
 
 SEED_FALLBACK = 1e-4
 seed_discriminant, seed_t = real("seed_discriminant seed_t")

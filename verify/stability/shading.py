@@ -19,7 +19,7 @@ from proofs.formulas.symbols import (
     specular_base,
 )
 from proofs.formulas.tangent_frame import tangent_frame, unit_normal
-from verify.stability.measure import distance, in_balls, in_float64, vector_bound, vector_distance, with_bounds
+from verify.evaluate.arrays import distance, in_balls, in_float64, vector_bound, vector_distance, with_bounds
 from verify.stability.sweep import Sweep
 
 BUMPED = [s.name for s in bumped]

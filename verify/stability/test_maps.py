@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from renderer import Scene, central, gradient_at, render
+from verify.evaluate.arrays import distance, in_balls
 from verify.stability import attribution, maps
-from verify.stability.measure import distance, in_balls
 
 SCENE = Scene()
 POINTS = np.random.default_rng(12).uniform(0.02, 0.98, (2, 150))

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from proofs.formulas.bump import g
+from verify.evaluate.arrays import in_float64
+from verify.evaluate.running import U
 from verify.stability import symmetry
 from verify.stability.geometry import VECTOR
-from verify.stability.measure import in_float64
 from verify.stability.pipelines import tangent_vector
 from verify.stability.rows import SWEEPS, sweep
-from verify.stability.running import U
 from verify.stability.sweep import Sweep
 
 UNIT = 8 * U

@@ -6,7 +6,7 @@ from proofs.engine.program import Program
 from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import k_u, k_v, real, u, v
-from verify.stability.measure import distance, in_balls, in_float64, with_bounds
+from verify.evaluate.arrays import distance, in_balls, in_float64, with_bounds
 from verify.stability.sweep import Sweep
 
 LARGEST = 2.0**20

@@ -19,7 +19,7 @@ Simulator.controls = function (root, states, act) {
     try {
       act.set(make());
       say(holder, "");
-      show(act.state(), true);
+      put_all(holder, act.state());
     } catch (error) {
       say(holder, error.message);
     }
@@ -53,12 +53,13 @@ Simulator.controls = function (root, states, act) {
 
   let shown = {};
 
-  // Show what has changed, or everything.
-  function show(state, all = false) {
-    for (const holder of holders) {
-      const name = holder.dataset.parameter;
-      if (all || shown[name] !== state[name]) for (const input of holder.querySelectorAll("input, select")) put(input, name, state);
-    }
+  function put_all(holder, state) {
+    for (const input of holder.querySelectorAll("input, select")) put(input, holder.dataset.parameter, state);
+  }
+
+  // Show what has changed.
+  function show(state) {
+    for (const holder of holders) if (shown[holder.dataset.parameter] !== state[holder.dataset.parameter]) put_all(holder, state);
     shown = state;
   }
 

@@ -2,7 +2,7 @@
 "use strict";
 var Simulator = Simulator || {};
 
-Simulator.cursor = function (root, states, module) {
+Simulator.cursor = function (root, states, data, module) {
   const body = root.querySelector(".sim-pixel tbody"), facts = root.querySelector(".sim-facts"), line = root.querySelector(".sim-python code");
   const view = new DataView(new ArrayBuffer(8));
 
@@ -13,9 +13,18 @@ Simulator.cursor = function (root, states, module) {
     return bits < 0n ? -(bits & 0x7fffffffffffffffn) : bits;
   }
 
+  // Past that many, a count of floats says less than the numbers themselves.
+  const MOST = 10000n;
+
   function ulps(a, b) {
     const apart = place(a) - place(b), count = apart < 0n ? -apart : apart;
-    return count < 1000000n ? `${count} ulp` : `${Number(count).toExponential(1)} ulp`;
+    return count <= MOST ? `${count} ulp` : "—";
+  }
+
+  // Which term of a difference's error may be the largest at this pixel, by the theorems.
+  function leading(state, { u, v }) {
+    const found = module.bounds(state, u, v, state.eps);
+    return found ? data.terms[found[1] - 1] : "no theorem covers this";
   }
 
   // Both records of a pixel, as renderer.pixel gives them.
@@ -25,9 +34,9 @@ Simulator.cursor = function (root, states, module) {
   }
 
   // What both pipelines share.
-  function shared(one) {
+  function shared(one, state) {
     const yes = (flag) => (flag ? "yes" : "no"), found = [["pixel", `${one.column}, ${one.row}`], ["surface", one.surface]];
-    if (one.u !== undefined) found.push(["kink flag", yes(one.kink)], ["straddles a crease", yes(one.straddling)]);
+    if (one.u !== undefined) found.push(["kink flag", yes(one.kink)], ["straddles a crease", yes(one.straddling)], ["error led by", leading(state, one)]);
     if (one.u !== undefined) for (const [name, key] of [["u", "u"], ["v", "v"], ["θ", "theta"], ["φ", "phi"], ["h", "h"]]) found.push([name, one[key]]);
     if (one.point) ["x", "y", "z"].forEach((axis, n) => found.push([`P<sub>${axis}</sub>`, one.point[n]]));
     return found;
@@ -44,9 +53,10 @@ Simulator.cursor = function (root, states, module) {
 
   function show(state) {
     const [one, other] = records(state);
-    facts.innerHTML = shared(one).map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`).join("");
+    facts.innerHTML = shared(one, state).map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`).join("");
     body.innerHTML = compared(one, other).map(([name, a, b]) =>
       `<tr><th scope="row">${name}</th><td>${a}</td><td>${b}</td><td>${ulps(a, b)}</td></tr>`).join("");
+    root.querySelector(".sim-far").hidden = !body.textContent.includes("—");
     line.textContent = states.python(state);
   }
 

@@ -4,23 +4,24 @@
 var Simulator = Simulator || {};
 
 Simulator.engine = function (data, compiled, states, module, heard) {
-  const IDLE_AFTER = 150, MOST_WORKERS = 4;
-  const parts = ["module", "views", "worker"].map((name) => `Simulator.${name} = ${Simulator[name]};`);
+  const IDLE_AFTER = 150;
+  const parts = ["module", "worker"].map((name) => `Simulator.${name} = ${Simulator[name]};`);
   const source = ['"use strict"; const Simulator = {};', ...parts, "Simulator.worker(self);"].join("\n");
   const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
   let workers = [], bands = [], waiting = null, next = null, last = null, timer = 0, id = 0;
 
+  // As many as there are cores; each has its own memory, since pages from a disk cannot share any.
   function start() {
     if (workers.length) return;
-    const count = Math.max(1, Math.min(MOST_WORKERS, navigator.hardwareConcurrency || 1));
-    workers = Array.from({ length: count }, (_, number) => {
-      const worker = new Worker(address), own = { worker, buffers: [] };
-      worker.onmessage = ({ data }) => receive(data, number, own);
+    workers = Array.from({ length: navigator.hardwareConcurrency || 1 }, (_, number) => {
+      const worker = new Worker(address), own = { worker, buffers: {} };
+      worker.onmessage = ({ data }) => receive(data, number);
       worker.postMessage({ kind: "begin", data, compiled });
       worker.onerror = (event) => heard.failed(event.message || "the worker did not start");
       return own;
     });
     waiting = null;
+    bands = [];
     if (last) ask(last);
   }
 
@@ -35,22 +36,18 @@ Simulator.engine = function (data, compiled, states, module, heard) {
     const raster = states.crop(state), [x, y] = module.image_points(raster), reach = module.radius_of_a;
     const cost = [...y].map((at) => {
       const half = Math.sqrt(Math.max(0, reach * reach - at * at));
-      return Math.max(0, Math.min(half, x[x.length - 1]) - Math.max(-half, x[0])) + 0.1 * (x[x.length - 1] - x[0]);
+      return Math.max(0, Math.min(half, x[x.length - 1]) - Math.max(-half, x[0])) + 0.02 * (x[x.length - 1] - x[0]);
     });
     const whole = cost.reduce((a, b) => a + b, 0), found = [];
     for (let row = 0, from = 0, sum = 0; row < cost.length; row++) {
       sum += cost[row];
-      if (sum >= (whole * (found.length + 1)) / workers.length || row === cost.length - 1) {
-        if (found.length < workers.length - 1 || row === cost.length - 1) {
-          found.push({ ...raster, top: raster.top + from, high: row + 1 - from });
-          from = row + 1;
-        }
-      }
+      const full = found.length < workers.length - 1 && sum >= (whole * (found.length + 1)) / workers.length;
+      if (!full && row < cost.length - 1) continue;
+      found.push({ ...raster, top: raster.top + from, high: row + 1 - from });
+      from = row + 1;
     }
     return found;
   }
-
-  const shape = (state) => JSON.stringify(states.crop(state));
 
   // Draw this state as soon as the workers are free.
   function ask(state) {
@@ -60,22 +57,21 @@ Simulator.engine = function (data, compiled, states, module, heard) {
     if (!waiting && workers.length) send();
   }
 
+  const same_raster = (a, b) => ["size", "zoom", "left", "top"].every((name) => a[name] === b[name]);
+
   function send() {
     const { state, asked } = next;
     next = null;
-    if (!bands.length || bands.shape !== shape(state) || bands.count !== workers.length) {
-      bands = Object.assign(cut(state), { shape: shape(state), count: workers.length });
-      for (const own of workers) own.buffers = [];
-    }
+    if (!bands.length || !same_raster(bands.of, state)) bands = Object.assign(cut(state), { of: state });
     waiting = { id: ++id, state, asked, replies: [], missing: bands.length };
     bands.forEach((band, n) => {
       const { worker, buffers } = workers[n];
-      worker.postMessage({ kind: "draw", id, state, band, buffers }, buffers);
-      workers[n].buffers = [];
+      workers[n].buffers = {};
+      worker.postMessage({ kind: "draw", id, state, band, buffers }, Object.values(buffers));
     });
   }
 
-  function receive(data, number, own) {
+  function receive(data, number) {
     if (data.kind !== "drawn") {
       if (data.id === id && !waiting) heard[data.kind](data, bands.length);
       return;
@@ -85,8 +81,8 @@ Simulator.engine = function (data, compiled, states, module, heard) {
     const { state, asked, replies } = waiting;
     waiting = null;
     heard.drawn(state, replies, asked);
-    replies.forEach((reply, n) => {
-      workers[n].buffers = Object.values(reply.images).filter((pixels) => pixels.length).map((pixels) => pixels.buffer);
+    replies.forEach(({ images }, n) => {
+      workers[n].buffers = Object.fromEntries(Object.entries(images).map(([name, { bytes }]) => [name, bytes.buffer]));
     });
     if (next) send();
     else timer = setTimeout(() => rest(state), IDLE_AFTER);

@@ -25,9 +25,35 @@ Simulator.module = async function (data, compiled) {
 
   // A view is of no use any more once memory has been reserved.
   const floats = (address, length) => new Float64Array(memory.buffer, address, length);
-  const arguments_at = reserve(8 * Math.max(data.arguments.length, 1 + MOST_COLUMNS)), counts_at = reserve(8 * data.counts);
+  const arguments_at = reserve(8 * Math.max(data.arguments.length, data.painting.length, 1 + MOST_COLUMNS)), counts_at = reserve(8 * data.counts);
   const scene_at = reserve(8 * Object.values(data.scenes)[0].scene.length), lights_at = reserve(8 * data.light_size * data.scene.lights.length);
-  const columns_at = Array.from({ length: MOST_COLUMNS }, () => reserve(8 * CHUNK)), beginning = top;
+  const columns_at = Array.from({ length: MOST_COLUMNS }, () => reserve(8 * CHUNK)), numbers_at = reserve(8 * data.numbers.length);
+  const { srgb, sizes, ...palettes } = data.tables, WHITE = 255;
+  const tables = { srgb: table(srgb.thresholds, Float64Array.from({ length: srgb.cells + 1 }, (_, n) => n / srgb.cells)), sizes: table(sizes.thresholds, beginnings(sizes.bits)) };
+  const palette_at = Object.fromEntries(Object.entries(palettes).map(([name, colors]) => [name, put(Uint32Array.from(colors))])), beginning = top;
+
+  function put(array) {
+    const address = reserve(array.byteLength);
+    new array.constructor(memory.buffer, address, array.length).set(array);
+    return address;
+  }
+
+  // The numbers that are not negative and begin with each combination of so many upper bits.
+  function beginnings(bits) {
+    const words = new Uint32Array(2 ** bits);
+    for (let n = 0; n < words.length / 2; n++) words[2 * n + 1] = n << (32 - bits);
+    return new Float64Array(words.buffer);
+  }
+
+  // The level at which each cell of numbers begins, and where the levels do.
+  function table(thresholds, cells) {
+    let level = 0;
+    const level_at = Uint8Array.from(cells, (number) => {
+      while (level < WHITE && number >= thresholds[level]) level++;
+      return level;
+    });
+    return { level_at: put(level_at), threshold: put(Float64Array.of(0, ...thresholds, Infinity)) };
+  }
 
   function call(name, numbers) {
     new BigInt64Array(memory.buffer, arguments_at, numbers.length).set(numbers.map(BigInt));
@@ -118,18 +144,34 @@ Simulator.module = async function (data, compiled) {
       if (at.length > before) [at[before], at[at.length - 1] + 1].forEach((end, n) => (ends[2 * row + n] = BigInt(end - row * pitch)));
     }
     draw("draw_chart", state, { name: "exact" }, stage);
-    return { ...stage, codes, count: at.length, at: Int32Array.from(at) };
+    const rows = at.length ? [Math.floor(at[0] / pitch), Math.floor(at[at.length - 1] / pitch) + 1] : [0, 0];
+    return { ...stage, codes, count: at.length, at: Int32Array.from(at), rows };
   }
 
-  // The addresses of a stage's planes of a name.
-  function target(stage, name) {
-    return (stage.targets[name] ??= Object.fromEntries(PLANES.map((plane) => [plane, reserve(8 * stage.pitch * stage.raster.high)])));
+  // The address of a stage's plane of a name.
+  const place = (stage, name, plane) => (stage.targets[`${name} ${plane}`] ??= reserve((plane === "pixels" ? 4 : 8) * stage.pitch * stage.raster.high));
+  const target = (stage, name, planes = PLANES) => Object.fromEntries(planes.map((plane) => [plane, place(stage, name, plane)]));
+
+  // Paint the pixels of a name, on all rows or where A is; return {largest, squares} of a difference.
+  function paint(painter, stage, name, { whole = false, of = name, other = name, table = "srgb", palette = "grey", gain = 1 }) {
+    const columns = whole ? stage.everywhere : stage.columns_of_a, pixels = place(stage, name, "pixels"), plane = place(stage, "view", "plane");
+    const others = Object.fromEntries(COLORS.map((color) => [`other_${color}`, place(stage, other, color)]));
+    const given = { ...target(stage, of, COLORS), ...others, ...tables[table], pixels, plane, columns, first_row: 0, last_row: stage.raster.high, pitch: stage.pitch, palette: palette_at[palette], numbers: numbers_at };
+    const numbers = floats(numbers_at, data.numbers.length).fill(0);
+    numbers[data.numbers.indexOf("gain")] = gain;
+    call(painter, data.painting.map((argument) => given[argument]));
+    return Object.fromEntries(data.numbers.map((key, n) => [key, numbers[n]]));
   }
 
-  // Views of those planes.
-  function planes(stage, name) {
-    const [red, green, blue, h_u, h_v] = Object.values(target(stage, name)).map((address) => floats(address, stage.pitch * stage.raster.high));
-    return { rgb: [red, green, blue], h_u, h_v };
+  // Put numbers of A's pixels, one after another, into the plane of what is viewed; 0 elsewhere.
+  function fill(stage, values) {
+    const plane = floats(place(stage, "view", "plane"), stage.pitch * stage.raster.high).fill(0);
+    stage.at.forEach((i, n) => (plane[i] = values[n]));
+  }
+
+  // A view of the painted bytes of some rows.
+  function bytes(stage, name, [first, last]) {
+    return new Uint8ClampedArray(memory.buffer, place(stage, name, "pixels") + 4 * stage.pitch * first, 4 * stage.pitch * (last - first));
   }
 
   const draw_a = (state, method, stage, name) => draw("draw_a", state, method, stage, target(stage, name));
@@ -140,7 +182,7 @@ Simulator.module = async function (data, compiled) {
     const stage = make_stage(state, raster);
     draw_elsewhere(state, stage, "picture");
     draw_a(state, method, stage, "picture");
-    return { planes: planes(stage, "picture").rgb.map((plane) => rows(plane, stage)), codes: stage.codes };
+    return { planes: COLORS.map((color) => rows(floats(place(stage, "picture", color), stage.pitch * raster.high), stage)), codes: stage.codes };
   }
 
   // The numbers of a plane on A's pixels, one after another.
@@ -152,15 +194,28 @@ Simulator.module = async function (data, compiled) {
   const angles_of = (stage) => ANGLES.map((name) => on_a(stage, stage[name]));
   const chart = (stage) => ["u", "v"].map((name) => on_a(stage, stage[name]));
 
-  // h_u and h_v at the one pixel of a stage on A, whether it is drawn with a bump or not.
-  function gradient(state, method, stage) {
+  // h_u and h_v on A's pixels, whether they are drawn with a bump or not.
+  function gradients(state, method, stage) {
     draw_a({ ...state, beta: 1 }, method, stage, "gradient");
-    return ["h_u", "h_v"].map((plane) => on_a(stage, target(stage, "gradient")[plane])[0]);
+    return ["h_u", "h_v"].map((plane) => on_a(stage, place(stage, "gradient", plane)));
+  }
+
+  const gradient = (...what) => gradients(...what).map(([slope]) => slope); // of the one pixel of a stage
+
+  // What bounds a central difference's error at points of A, by theorem: null where none covers the field or the method.
+  // Arrays: the bound, the number of its largest term, each term.
+  const bounds = ({ field, method, ku, kv }, u, v, eps) =>
+    method === "central" && `bounds_${field}` in data.kernels ? kernel(`bounds_${field}`, u, v, ku, kv, eps) : null;
+
+  // {a, b, c} of the field's crease factors sinpi(a u + b v + c).
+  function creases({ field, ku, kv }) {
+    const rates = data.fields[field].creases ? kernel(`creases_${field}`, ku, kv) : [];
+    return Array.from({ length: rates.length / 3 }, (_, n) => ({ a: rates[3 * n], b: rates[3 * n + 1], c: rates[3 * n + 2] }));
   }
 
   // How many of A's pixels the bump turns to the other side of each light that is on.
   function turned(state, stage, name) {
-    const angles = angles_of(stage), slopes = ["h_u", "h_v"].map((plane) => on_a(stage, target(stage, name)[plane]));
+    const angles = angles_of(stage), slopes = ["h_u", "h_v"].map((plane) => on_a(stage, place(stage, name, plane)));
     const point = kernel("point_on_a", ...angles, radius), normals = [state.beta, 0].map((beta) => kernel("bumped_normal", ...angles, ...slopes, beta));
     return data.scene.lights.filter((_, n) => state.lights[n]).map(({ position }) => {
       const [bumped, plain] = normals.map((normal) => kernel("phong", ...point, ...position, ...normal, 0, 0, 1)[0]);
@@ -192,5 +247,6 @@ Simulator.module = async function (data, compiled) {
   }
 
   const radius_of_a = Math.sqrt(Object.values(data.scenes)[0].scene[data.offsets.reach_of_a]); // on the image
-  return { kernel, image_points, radius_of_a, wave_numbers, make_stage, chambers_of, draw_a, draw_elsewhere, planes, render, chart, gradient, turned, pixel };
+  return { kernel, image_points, radius_of_a, wave_numbers, make_stage, chambers_of, draw_a, draw_elsewhere, paint, fill, bytes, render,
+    chart, angles_of, gradients, gradient, bounds, creases, turned, pixel };
 };

@@ -3,21 +3,22 @@
 var Simulator = Simulator || {};
 
 Simulator.pictures = function (root, states, data, module, act) {
-  const NAMES = ["numeric", "symbolic", "difference"];
-  const boxes = NAMES.map((name) => root.querySelector(`[data-picture="${name}"]`));
+  const NAMES = ["numeric", "symbolic", "difference"], SURFACE = 3, A = 1, GAP = 8, POINTS = 257;
+  const boxes = NAMES.map((name) => root.querySelector(`[data-picture="${name}"]`)), strip = root.querySelector(".sim-pictures");
   const bases = boxes.map((box) => box.querySelector(".pixels")), overlays = boxes.map((box) => box.querySelector(".over"));
-  const mask = document.createElement("canvas");
-  let shown = null, pinned = false;
+  const mask = document.createElement("canvas"), along = Float64Array.from({ length: POINTS }, (_, n) => n / (POINTS - 1));
+  let shown = null, pinned = false, decorated = "";
 
-  // A pixel of the raster is a whole number of the screen's pixels; side by side where three fit.
-  function layout(size) {
-    const room = root.querySelector(".sim-pictures").clientWidth, dpr = window.devicePixelRatio || 1;
-    const gap = 16, third = (room - 2 * gap) / 3, one = size / dpr;
-    const beside = one <= third, space = beside ? third : Math.min(room, 512);
-    const side = Math.max(1, Math.floor(space / one)) * one;
-    root.classList.toggle("sim-stacked", !beside);
+  // All three have one size, whatever their raster is: the largest power of two of the screen's pixels for which there
+  // is room. So a pixel of the raster is a whole number of the screen's, or the other way round.
+  function layout() {
+    const dpr = window.devicePixelRatio || 1, beside = getComputedStyle(strip).overflowX !== "auto";
+    const room = beside ? (strip.clientWidth - 2 * GAP) / 3 : strip.clientWidth, whole = 2 ** Math.floor(Math.log2(room * dpr)) / dpr;
+    const side = whole < 0.66 * room ? Math.floor(room) : whole;
     root.style.setProperty("--side", `${side}px`);
     for (const canvas of overlays) canvas.width = canvas.height = Math.round(side * dpr);
+    for (const canvas of bases) canvas.classList.toggle("smooth", canvas.width > side * dpr || (side * dpr) % canvas.width !== 0);
+    decorated = "";
     decorate();
   }
 
@@ -25,20 +26,18 @@ Simulator.pictures = function (root, states, data, module, act) {
     const resized = !shown || bases[0].width !== state.size;
     if (resized) for (const canvas of [...bases, mask]) canvas.width = canvas.height = state.size;
     for (const { images, band, codes } of replies) {
-      const top = band.top - state.top;
-      for (const [name, pixels] of Object.entries(images)) {
-        const bytes = new Uint8ClampedArray(pixels.buffer);
-        bases[NAMES.indexOf(name)].getContext("2d").putImageData(new ImageData(bytes, band.wide), 0, top);
+      const begin = band.top - state.top;
+      for (const [name, { top, bytes }] of Object.entries(images)) {
+        if (bytes.length) bases[NAMES.indexOf(name)].getContext("2d").putImageData(new ImageData(bytes, band.wide), 0, begin + top);
       }
-      if (codes) {
-        const on_a = new ImageData(band.wide, band.high);
-        for (let i = 0; i < codes.length; i++) on_a.data[4 * i + 3] = (codes[i] & 3) === 1 ? 255 : 0;
-        mask.getContext("2d").putImageData(on_a, 0, top);
-      }
+      if (!codes) continue;
+      const on_a = new ImageData(band.wide, band.high);
+      for (let i = 0; i < codes.length; i++) on_a.data[4 * i + 3] = (codes[i] & SURFACE) === A ? 255 : 0;
+      mask.getContext("2d").putImageData(on_a, 0, begin);
+      decorated = "";
     }
     shown = state;
-    if (resized) layout(state.size);
-    else decorate();
+    if (resized) layout();
   }
 
   // Where the image point (0, 0) is, in pixels of the raster from its corner, and how long a unit is.
@@ -48,22 +47,18 @@ Simulator.pictures = function (root, states, data, module, act) {
     return { across: 0.5 - x[0] * unit, down: 0.5 + y[0] * unit, unit };
   }
 
-  // The creases, exactly: rays where u is m/k_u, circles where v is m/k_v (theorem kink_loci).
+  // The creases, where their factors say (theorem kink_loci): sinpi(a u + b v + c) is zero where that is a whole number.
   function draw_loci(context, state, scale) {
     const { across, down, unit } = frame(state), { eye, radius } = data.scene;
-    const center = [(across - state.left) * scale, (down - state.top) * scale], reach = 2 * states.side(state) * scale;
     context.beginPath();
-    for (const [coordinate, of_ku, of_kv] of data.fields[state.field].creases) {
-      const k = Math.abs(of_ku * state.ku + of_kv * state.kv);
-      for (let m = 0; m < k; m++) {
-        if (coordinate === "u") {
-          const theta = 2 * Math.PI * (m / k) - Math.PI;
-          context.moveTo(...center);
-          context.lineTo(center[0] + reach * Math.cos(theta), center[1] - reach * Math.sin(theta));
-        } else if (m > 0 && Math.cos((Math.PI * m) / k) > radius / eye) {
-          const phi = (Math.PI * m) / k, rho = module.kernel("parallel_radius", Math.sin(phi), Math.cos(phi), eye, radius);
-          context.moveTo(center[0] + rho * unit * scale, center[1]);
-          context.arc(...center, rho * unit * scale, 0, 2 * Math.PI);
+    for (const { a, b, c } of module.creases(state)) {
+      const ends = [c, c + a, c + b, c + a + b], last = Math.floor(Math.max(...ends));
+      for (let level = Math.ceil(Math.min(...ends)); level <= last && (a || b); level++) {
+        const [x, y] = module.kernel("crease_point", a, b, level, along, eye, radius);
+        for (let n = 0, drawing = false; n < POINTS; n++) {
+          const at = [(across - state.left + x[n] * unit) * scale, (down - state.top - y[n] * unit) * scale];
+          if (!isNaN(x[n])) drawing ? context.lineTo(...at) : context.moveTo(...at);
+          drawing = !isNaN(x[n]);
         }
       }
     }
@@ -91,12 +86,17 @@ Simulator.pictures = function (root, states, data, module, act) {
     }
   }
 
+  // Draw what lies over the pictures, if it has changed.
   function decorate(state = shown) {
     if (!shown || !state) return;
+    const { size, zoom, left, top, view, field, ku, kv } = shown;
+    const key = [size, zoom, left, top, state.column, state.row, ...(view === "loci" ? [field, ku, kv] : [])].join();
+    if (key === decorated) return;
+    decorated = key;
     for (const canvas of overlays) {
       const context = canvas.getContext("2d"), scale = canvas.width / shown.size;
       context.clearRect(0, 0, canvas.width, canvas.height);
-      if (shown.view === "loci") draw_loci(context, shown, scale);
+      if (view === "loci") draw_loci(context, shown, scale);
       draw_cursor(context, { ...shown, column: state.column, row: state.row }, scale);
     }
   }
@@ -174,7 +174,7 @@ Simulator.pictures = function (root, states, data, module, act) {
   }
 
   boxes.forEach(wire);
-  new ResizeObserver(() => shown && layout(shown.size)).observe(root);
+  new ResizeObserver(() => shown && layout()).observe(root);
   const release = () => (pinned = false);
   return { paint, decorate, frame, release, canvas: (name) => bases[NAMES.indexOf(name)] };
 };

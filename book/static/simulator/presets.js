@@ -6,10 +6,14 @@ Simulator.presets = function (states, act) {
   const still = window.matchMedia("(prefers-reduced-motion: reduce)");
   const step = (exponent) => ({ eps: Number((10 ** exponent).toPrecision(3)) });
   const experiments = {
-    sweep: { begin: { field: "sine", eps: 0.1 }, seconds: 12, from: -1, to: -16, at: step, still: -6 },
-    creases: { begin: { field: "ridges", view: "loci", eps: 0.1 }, seconds: 6, from: -1, to: -3.5, at: step, still: -2 },
-    pole: { begin: { field: "rings", eps: 1e-3 }, seconds: 5, from: 0, to: 10, at: (z) => act.to_pole(Math.round(z)), still: 10 },
-    flat: { begin: { field: "ridges", eps: 1e-2 }, seconds: 4, from: 0.35, to: 0, at: (b) => ({ beta: Number(b.toFixed(3)) }), still: 0 },
+    sweep: { says: "Sine, ε from 10⁻¹ down to 10⁻¹⁶. The difference darkens, and then comes back as grain: where is it darkest?",
+      begin: { field: "sine", eps: 0.1 }, seconds: 12, from: -1, to: -16, at: step, still: -6 },
+    creases: { says: "Ridges, with their crease lines. As ε falls, the glow along them gets narrower, and hardly fainter.",
+      begin: { field: "ridges", view: "loci", eps: 0.1 }, seconds: 6, from: -1, to: -3.5, at: step, still: -2 },
+    pole: { says: "Rings, magnified at the pole. The pinch is in both pictures, so the difference has nothing to say about it.",
+      begin: { field: "rings", eps: 1e-3 }, seconds: 5, from: 0, to: 10, at: (z) => act.to_pole(Math.round(z)), still: 10 },
+    flat: { says: "β falls to 0. The two pictures become one plain sphere, and the difference is zero, not merely dark.",
+      begin: { field: "ridges", eps: 1e-2 }, seconds: 4, from: 0.35, to: 0, at: (b) => ({ beta: Number(b.toFixed(3)) }), still: 0 },
   };
   let running = 0;
 
@@ -35,5 +39,5 @@ Simulator.presets = function (states, act) {
     running = requestAnimationFrame(tick);
   }
 
-  return { run, stop, names: Object.keys(experiments), running: () => running !== 0 };
+  return { run, stop, says: (name) => experiments[name].says, running: () => running !== 0 };
 };

@@ -4,25 +4,21 @@ var Simulator = Simulator || {};
 
 Simulator.start = function (root, compiled, module) {
   const data = Simulator.data, states = Simulator.state(data), $ = (selector) => root.querySelector(selector);
-  add_fields($("[data-parameter=field]"));
-  add_models($("#sim-model"));
-  let state = states.start(), wanted = 0, saved = 0, picture = [], picture_of = "", pixel_curve = null;
-  let pixel_key = "", shown_panels = 0;
   const PANELS_EVERY = 100; // milliseconds
-  const times = { numeric: [], symbolic: [], of: "" }, sums = {};
+  add_choices();
+  let state = states.start(), shown = null, wanted = 0, saved = 0, picture = [], picture_of = "", pixel_curve = null, pixel_of = "", shown_panels = 0;
+  let counting = "", counted_of = "", timed_of = "", sums = {};
+  const frames = []; // milliseconds from a change to its pictures in the canvases, and to the end of the frame that shows them
 
-  // The page has the chapter's three fields; any other that the renderer knows gets a button too.
-  function add_fields(menu) {
+  // The page names the chapter's fields and models of light; any other that the renderer knows is offered too.
+  function add_choices() {
+    const fields = $("[data-parameter=field]"), models = $("#sim-model");
     for (const name of Object.keys(data.fields)) {
-      if (menu.querySelector(`input[value="${name}"]`)) continue;
-      menu.insertAdjacentHTML("beforeend", `<label><input type="radio" name="sim-field" value="${name}"> ${name}</label>`);
+      const label = `<label><input type="radio" name="sim-field" value="${name}"> ${name}</label>`;
+      if (!fields.querySelector(`input[value="${name}"]`)) fields.insertAdjacentHTML("beforeend", label);
     }
-  }
-
-  // So do the models of light: the menu has the names of two.
-  function add_models(menu) {
     for (const name of Object.keys(data.models)) {
-      if (![...menu.options].some(({ value }) => value === name)) menu.add(new Option(name, name));
+      if (![...models.options].some(({ value }) => value === name)) models.add(new Option(name, name));
     }
   }
 
@@ -31,16 +27,22 @@ Simulator.start = function (root, compiled, module) {
     $(".sim-message").hidden = !text;
   }
 
-  // Take a checked state, and show it: the panels at the next frame, the pictures as soon as the workers can.
+  const names = Object.keys(states.parameters);
+  const key_without = (...left_out) => (of) => names.filter((name) => !left_out.includes(name)).map((name) => of[name]).join();
+  const drawn_key = key_without("column", "row"), pixel_key = key_without("eps", "view", "scale", "model", "lights", "ball", "beta");
+  const curve_key = key_without("eps", "view", "scale", "column", "row");
+  const chambers_key = key_without("eps", "view", "scale", "column", "row", "model", "method"), times_key = key_without("eps", "view", "scale", "column", "row", "beta");
+  const panels_soon = (after = 0) => (wanted = wanted || setTimeout(panels, Math.max(after, shown_panels + PANELS_EVERY - performance.now())));
+
+  // Take a checked state, and show it: the pictures as soon as the workers can, the panels at a slower pace.
   function take(next) {
-    const drawn = ({ column, row, ...rest }) => JSON.stringify(rest);
-    const redraw = drawn(next) !== drawn(state);
+    const redraw = drawn_key(next) !== drawn_key(state);
     state = next;
-    controls.show(state);
     if (redraw) engine.ask(state);
     else pictures.decorate(state);
-    if (shown_panels) curve.mark(state.eps, pixel_curve);
-    wanted = wanted || setTimeout(panels, Math.max(0, shown_panels + PANELS_EVERY - performance.now()));
+    controls.show(state);
+    if (shown_panels) curve.mark(state.eps);
+    panels_soon();
     clearTimeout(saved);
     saved = setTimeout(() => history.replaceState(null, "", states.fragment(state)), 300);
   }
@@ -61,14 +63,7 @@ Simulator.start = function (root, compiled, module) {
       take(states.changed(next, {}));
     },
     cursor: (column, row) => take(states.within({ ...state, column, row })),
-    move(dx, dy) {
-      const left = state.left + Math.min(0, state.column + dx - state.left);
-      const top = state.top + Math.min(0, state.row + dy - state.top);
-      const right = Math.max(0, state.column + dx - state.left - state.size + 1);
-      const down = Math.max(0, state.row + dy - state.top - state.size + 1);
-      const last = states.side(state) - 1, clamp = (x) => Math.max(0, Math.min(last, x));
-      take(states.within({ ...state, left: left + right, top: top + down, column: clamp(state.column + dx), row: clamp(state.row + dy) }));
-    },
+    move: (dx, dy) => take(states.moved(state, dx, dy)),
     zoom(steps, across, down) {
       presets.stop();
       const zoom = Math.max(0, Math.min(states.FURTHEST, state.zoom + steps));
@@ -85,130 +80,70 @@ Simulator.start = function (root, compiled, module) {
     },
   };
 
-  const controls = Simulator.controls(root, states, act), presets = Simulator.presets(states, act);
+  const controls = Simulator.controls(root, states, act), presets = Simulator.presets(states, act), readouts = Simulator.readouts(root, data);
   const pictures = Simulator.pictures(root, states, data, module, act);
-  const curve = Simulator.curve(root, data, module), cursor = Simulator.cursor(root, states, module);
+  const curve = Simulator.curve(root, data, module, act), cursor = Simulator.cursor(root, states, data, module);
   const engine = Simulator.engine(data, compiled, states, module, { drawn, resting, counted, followed, timed, failed });
 
-  // What is written beside the pictures follows at a slower pace, so that they are not kept waiting.
   function panels() {
     wanted = 0;
     if (document.hidden) return;
     cursor.show(state);
-    const { eps, view, scale, ...rest } = state, key = JSON.stringify(rest);
-    if (key !== pixel_key) pixel_curve = curve.at_pixel(state, states.crop(state));
-    pixel_key = key;
-    show_curve();
-    captions();
+    if (pixel_key(state) !== pixel_of) pixel_curve = curve.at_pixel(state, states.crop(state));
+    pixel_of = pixel_key(state);
+    curve.show(state, pixel_curve, picture_of === curve_key(state) ? picture : []);
+    readouts.captions(state);
     shown_panels = performance.now();
   }
 
-  // The picture's curve belongs to everything but epsilon and what does not change |dI|.
-  const curve_key = ({ eps, view, scale, column, row, ...rest }) => JSON.stringify(rest);
-  const show_curve = () => curve.show(state, pixel_curve, picture_of === curve_key(state) ? picture : []);
-
-  function captions() {
-    const names = { central: "central difference", forward: "forward difference", central4: "fourth-order difference" };
-    $("[data-title=numeric]").textContent = `${names[state.method]}, ε = ${short(state.eps)}`;
-    $("[data-title=symbolic]").textContent = "exact gradient";
-    $("[data-title=difference]").textContent = state.scale === "log" ? "|ΔI|, logarithmic" : state.scale === "1e0" ? "|ΔI|" : `|ΔI| × ${short(Number(state.scale))}`;
-    root.classList.toggle("sim-linear", state.scale !== "log");
-    const none = state.view === "loci" && !data.fields[state.field].creases.length;
-    const zoomed = state.zoom ? `${(2 ** (state.zoom / 2)).toPrecision(3)} ×` : "1 ×";
-    $(".sim-zoom output").textContent = zoomed;
-    $(".sim-remark").textContent = none ? `${state.field} has no creases: there is nothing to draw over it.` : "";
-  }
-
-  function short(x) {
-    const [digits, power] = x.toExponential().split("e").map(Number), up = [..."⁰¹²³⁴⁵⁶⁷⁸⁹"];
-    if (x >= 0.01 && x < 1000) return String(x);
-    const exponent = (power < 0 ? "⁻" : "") + [...String(Math.abs(power))].map((d) => up[d]).join("");
-    return digits === 1 ? `10${exponent}` : `${Number(digits.toPrecision(3))} · 10${exponent}`;
-  }
-
-  const number = (x) => (x === 0 ? "0" : x.toExponential(2).replace("e-", "e−").replace("e+", "e"));
-  const put = (name, text) => ($(`[data-readout=${name}]`).textContent = text);
-  const median = (list) => list.slice().sort((a, b) => a - b)[list.length >> 1];
+  const total = (replies, name) => replies.reduce((sum, reply) => sum + reply[name], 0);
 
   function drawn(of, replies, asked) {
     pictures.paint(of, replies);
     pictures.decorate(state);
-    const count = replies.reduce((n, r) => n + r.count, 0), sum = replies.reduce((s, r) => s + r.sum, 0);
-    put("max", count ? number(Math.max(...replies.map((r) => r.max))) : "—");
-    put("rms", count ? number(Math.sqrt(sum / 3 / count)) : "—");
-    const kind = JSON.stringify([of.size, of.field, of.method, of.ku, of.kv, of.model, of.zoom, of.lights, of.ball]);
-    if (times.of !== kind) Object.assign(times, { numeric: [], symbolic: [], of: kind });
-    for (const name of ["numeric", "symbolic"]) {
-      const taken = replies.map((r) => r.times[name]).filter((t) => t !== undefined);
-      if (taken.length) keep_time(name, Math.max(...taken));
-    }
-    show_times();
-    const old = root.dataset.counted !== chambers_key(of);
-    if (old) for (const name of ["flips", "attached"]) put(name, "…");
     const ready = performance.now() - asked;
-    requestAnimationFrame(() => setTimeout(() => frames.push({ ready, painted: performance.now() - asked })));
-    root.dataset.drawn = states.fragment(of);
-  }
-
-  const frames = []; // milliseconds from a change to its pictures in the canvases, and to the end of the frame that shows them
-  const chambers_key = ({ size, zoom, left, top, lights, ball, field, ku, kv, beta }) => JSON.stringify([size, zoom, left, top, lights, ball, field, ku, kv, beta]);
-
-  function keep_time(name, time) {
-    times[name].push(time);
-    if (times[name].length > 15) times[name].shift();
-  }
-
-  function show_times() {
-    if (!times.numeric.length || !times.symbolic.length) return;
-    const [a, b] = [median(times.numeric), median(times.symbolic)];
-    put("numeric", `${a.toFixed(1)} ms`);
-    put("symbolic", `${b.toFixed(1)} ms`);
-    put("ratio", b > 0 ? (a / b).toFixed(2) : "—");
+    readouts.apart({ count: total(replies, "count"), largest: Math.max(...replies.map((r) => r.largest)), squares: total(replies, "squares") });
+    if (counted_of !== chambers_key(of)) readouts.uncounted();
+    if (timed_of !== times_key(of)) readouts.forget_times();
+    timed_of = times_key(of);
+    requestAnimationFrame((at) => frames.push({ ready, at, painted: performance.now() - asked }));
+    shown = of;
   }
 
   // What the workers do while nothing moves.
   function resting(of) {
-    for (const name of Object.keys(sums)) delete sums[name];
-    root.dataset.counting = chambers_key(of);
+    sums = {};
+    counting = chambers_key(of);
     if (picture_of === curve_key(of) && picture.filter(Boolean).length === curve.COARSE.length) return null;
     picture = [];
     picture_of = curve_key(of);
     return curve.COARSE;
   }
 
-  // Add up what the bands report, and return it when all have.
-  function joined(name, data, bands) {
-    (sums[name] = sums[name] || []).push(data);
+  // What the bands report, when all have.
+  function joined(name, reply, bands) {
+    (sums[name] ??= []).push(reply);
     return sums[name].length === bands ? sums[name] : null;
   }
 
-  function counted(data, bands) {
-    const all = joined("counted", data, bands);
+  function counted(reply, bands) {
+    const all = joined("counted", reply, bands);
     if (!all) return;
-    const count = all.reduce((n, d) => n + d.count, 0);
-    root.dataset.counted = root.dataset.counting;
-    put("flips", String(all.reduce((n, d) => n + d.flips, 0)));
-    const shares = all[0].attached.map((_, n) => {
-      const whole = all.reduce((sum, d) => sum + d.attached[n], 0);
-      return `${whole.toLocaleString("en")} (${count ? Math.round((100 * whole) / count) : 0} %)`;
-    });
-    put("attached", shares.join(", ") || "no light is on");
+    counted_of = counting;
+    const attached = all[0].attached.map((_, n) => all.reduce((sum, { attached }) => sum + attached[n], 0));
+    readouts.counted({ count: total(all, "count"), flips: total(all, "flips"), attached });
   }
 
-  function followed(data, bands) {
-    const all = joined(`eps ${data.index}`, data, bands);
+  function followed(reply, bands) {
+    const all = joined(`followed ${reply.index}`, reply, bands), count = all && total(all, "count");
     if (!all) return;
-    const count = all.reduce((n, d) => n + d.count, 0);
-    const rms = count ? Math.sqrt(all.reduce((s, d) => s + d.sum, 0) / 3 / count) : 0;
-    picture[data.index] = { eps: curve.COARSE[data.index], rms, max: Math.max(...all.map((d) => d.max)) };
-    wanted = wanted || setTimeout(panels, PANELS_EVERY);
+    picture[reply.index] = { eps: curve.COARSE[reply.index], rms: count ? Math.sqrt(total(all, "squares") / 3 / count) : 0, max: Math.max(...all.map((r) => r.largest)) };
+    panels_soon();
   }
 
-  function timed(data, bands) {
-    const all = joined("timed", data, bands);
-    if (!all) return;
-    for (const name of ["numeric", "symbolic"]) all[0].times[name].forEach((_, n) => keep_time(name, Math.max(...all.map((d) => d.times[name][n]))));
-    show_times();
+  function timed(reply, bands) {
+    const all = joined(`timed ${reply.round}`, reply, bands);
+    if (all) readouts.timed(...["numeric", "symbolic"].map((name) => Math.max(...all.map((r) => r[name]))));
   }
 
   function failed(text) {
@@ -224,27 +159,32 @@ Simulator.start = function (root, compiled, module) {
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
 
-  async function copy() {
-    const code = $(".sim-python code");
+  async function copy(text, element) {
     try {
-      await navigator.clipboard.writeText(code.textContent);
+      await navigator.clipboard.writeText(text);
       $(".sim-copied").textContent = "copied";
     } catch {
-      getSelection().selectAllChildren(code);
+      getSelection().selectAllChildren(element);
       $(".sim-copied").textContent = "selected: copy it with the keyboard";
     }
   }
 
+  const on = (selector, work) => root.querySelectorAll(selector).forEach((button) => button.addEventListener("click", () => work(button.dataset, button)));
+
   function buttons() {
-    for (const button of root.querySelectorAll("[data-preset]")) button.addEventListener("click", () => presets.run(button.dataset.preset));
-    for (const button of root.querySelectorAll("[data-save]")) {
-      const name = button.dataset.save;
-      button.addEventListener("click", () => pictures.canvas(name).toBlob((blob) => download(`${name}.png`, blob)));
-    }
-    for (const button of root.querySelectorAll("[data-zoom]")) button.addEventListener("click", () => act.zoom(Number(button.dataset.zoom)));
-    $("[data-reset]").addEventListener("click", () => (presets.stop(), pictures.release(), act.replace(states.start())));
-    $("[data-csv]").addEventListener("click", () => download("u-curve.csv", new Blob([curve.csv(pixel_curve, picture)], { type: "text/csv" })));
-    $("[data-copy]").addEventListener("click", copy);
+    on("[data-preset]", ({ preset }) => {
+      presets.run(preset);
+      $(".sim-says").textContent = presets.says(preset);
+    });
+    on("[data-save]", ({ save }) => pictures.canvas(save).toBlob((blob) => download(`${save}.png`, blob)));
+    on("[data-zoom]", ({ zoom }) => act.zoom(Number(zoom)));
+    on("[data-reset]", () => (presets.stop(), pictures.release(), act.replace(states.start())));
+    on("[data-csv]", () => download("u-curve.csv", new Blob([curve.csv(pixel_curve, picture)], { type: "text/csv" })));
+    on("[data-copy]", () => copy(states.python(state), $(".sim-python code")));
+    on("[data-link]", (_, button) => {
+      history.replaceState(null, "", states.fragment(state));
+      copy(location.href, button);
+    });
   }
 
   // Take the state of the address, if it has one; say what is wrong with it, if anything is.
@@ -259,16 +199,6 @@ Simulator.start = function (root, compiled, module) {
     }
   }
 
-  function color_bar() {
-    const canvas = $(".sim-bar canvas"), context = canvas.getContext("2d"), row = new ImageData(256, 1);
-    for (let i = 0; i < 256; i++) {
-      for (let c = 0; c < 3; c++) row.data[4 * i + c] = parseInt(data.inferno.slice(6 * i + 2 * c, 6 * i + 2 * c + 2), 16);
-      row.data[4 * i + 3] = 255;
-    }
-    context.putImageData(row, 0, 0);
-  }
-
-  color_bar();
   buttons();
   engine.start();
   controls.show(state);
@@ -276,11 +206,11 @@ Simulator.start = function (root, compiled, module) {
   panels();
   if (from_address()) root.scrollIntoView();
   window.addEventListener("hashchange", from_address);
-  window.addEventListener("resize", () => (wanted = wanted || setTimeout(panels, 0)));
+  window.addEventListener("resize", () => panels_soon());
   document.addEventListener("visibilitychange", () => (document.hidden ? (presets.stop(), engine.stop()) : (engine.start(), panels())));
   window.addEventListener("pagehide", () => engine.stop());
   window.addEventListener("pageshow", (event) => event.persisted && engine.start());
-  return { act, states, module, cursor, curve, frames, presets };
+  return { act, states, module, cursor, curve, frames, presets, shown: () => shown && states.fragment(shown) };
 };
 
 Simulator.fail = function (root, text) {

@@ -39,7 +39,7 @@ Simulator.state = function ({ fields, models, scene }) {
     kv: number(-64, 64, scene.kv),
     model: choice(Object.keys(models), scene.model),
     method: choice(["central", "forward", "central4"], "central"),
-    view: choice(["image", "slope", "loci", "straddle"], "image"),
+    view: choice(["image", "slope", "kink", "loci", "straddle", "terms"], "image"),
     scale: choice(["log", "1e0", "1e2", "1e4", "1e6", "1e8", "1e10", "1e12"], "log"),
     lights: switches(scene.lights.length),
     ball: { ...choice([true, false], true), read: (text) => ({ 1: true, 0: false })[text], write: (on) => (on ? "1" : "0"),
@@ -92,6 +92,13 @@ Simulator.state = function ({ fields, models, scene }) {
     const left = clamp(state.left, 0, last), top = clamp(state.top, 0, last);
     const column = clamp(state.column, left, left + state.size - 1), row = clamp(state.row, top, top + state.size - 1);
     return { ...state, left, top, column, row };
+  }
+
+  // The cursor moved by so many pixels; the shown part follows it.
+  function moved(state, dx, dy) {
+    const last = side(state) - 1, column = Math.max(0, Math.min(last, state.column + dx)), row = Math.max(0, Math.min(last, state.row + dy));
+    const seen = (begin, at) => Math.max(Math.min(begin, at), at - state.size + 1);
+    return within({ ...state, left: seen(state.left, column), top: seen(state.top, row), column, row });
   }
 
   // Show the raster at another zoom or size; the image point at the share (across, down) of the picture stays there.
@@ -148,5 +155,5 @@ Simulator.state = function ({ fields, models, scene }) {
       `print(pixel(${at}, ${state.method}(${state.eps})), pixel(${at}), sep="\\n")`;
   }
 
-  return { parameters, start, changed, read, within, zoomed, side, crop, fragment, from_fragment, python, FURTHEST };
+  return { parameters, start, changed, read, within, moved, zoomed, side, crop, fragment, from_fragment, python, FURTHEST };
 };

@@ -1,100 +1,102 @@
-// What a worker does: draw a band of rows for a state; when nothing is asked, time both pipelines, count flips, and
-// follow the U-curve of the band. Only what a change touches is computed anew.
+// What a worker does: draw and paint a band of rows for a state; when nothing is asked, time both pipelines, count
+// flips, and follow the U-curve of the band. Only what a change touches is computed anew.
 "use strict";
 var Simulator = Simulator || {};
 
 Simulator.worker = function (port) {
-  let module, views;
-  const kept = {}; // name -> {key, value}
-  let pending = null; // the idle work that is left
+  const ROUNDS = 12, exact = { name: "exact" }, kept = {}; // name -> {key, value, fresh, version}
+  let module, pending = null, versions = 0; // the idle work that is left
 
-  // The value made for this key, or a new one.
-  function keep(name, key, make) {
-    const text = JSON.stringify(key);
-    if (!kept[name] || kept[name].key !== text) kept[name] = { key: text, value: make(kept[name]?.value), fresh: true };
-    else kept[name].fresh = false;
-    return kept[name].value;
+  // What was made for this key, or what is made now. A key is a list of numbers and names.
+  function keep(name, key, make = () => null) {
+    const old = kept[name], fresh = !old || old.key.length !== key.length || key.some((part, n) => part !== old.key[n]);
+    if (fresh) kept[name] = { key, value: make(), version: ++versions };
+    return Object.assign(kept[name], { fresh });
   }
 
-  const exact = { name: "exact" };
   const difference = (state) => ({ name: state.method, eps: state.eps });
 
-  function staged(state, band) {
-    const stage_key = [band, state.ball, state.lights];
-    return { stage: keep("stage", stage_key, () => module.make_stage(state, band)), stage_key };
+  // The chambers and the chart, and what is around A: what no bump changes.
+  function staged(state, { left, top, wide, high, width }) {
+    const raster = { left, top, wide, high, width, height: width };
+    const stage = keep("stage", [state.ball, ...state.lights, left, top, wide, high, width], () => module.make_stage(state, raster));
+    keep("around", [stage.version, state.model], () => {
+      for (const name of ["numeric", "symbolic", "spare"]) module.draw_elsewhere(state, stage.value, name);
+    });
+    return stage.value;
   }
 
   // Draw A by one method, if anything that it depends on has changed.
-  function drawn(name, method, state, { stage, stage_key }) {
-    const begin = performance.now(), key = [stage_key, state.field, state.ku, state.kv, method, state.beta, state.model];
+  function drawn(name, method, state, stage) {
+    const key = [kept.around.version, state.field, state.ku, state.kv, state.beta, method.name, method.eps];
     keep(name, key, () => module.draw_a(state, method, stage, name));
-    return { fresh: kept[name].fresh, time: performance.now() - begin };
   }
 
-  // The picture without A, for every view.
-  function ground(state, { stage, stage_key }) {
-    return keep("ground", [stage_key, state.model], () => {
-      const pixels = new Uint32Array(stage.codes.length);
-      module.draw_elsewhere(state, stage, "spare");
-      views.background(module.planes(stage, "spare").rgb, pixels);
-      return pixels;
-    });
+  // What a view shows of A's pixels, one after another: null for the image itself.
+  function shown(name, { view, field, ku, kv, eps, ...state }, stage) {
+    if (["image", "loci"].includes(view)) return null;
+    const [u, v] = module.chart(stage);
+    if (view === "straddle") return module.kernel(`straddling_${field}`, u, v, ku, kv, eps);
+    if (view === "kink") return module.kernel(`kink_${field}`, module.angles_of(stage)[3], u, v, ku, kv);
+    if (view === "terms") return name === "numeric" ? module.bounds({ ...state, field, ku, kv }, u, v, eps)?.[1] : null;
+    const method = name === "numeric" ? { name: state.method, eps } : exact;
+    return module.kernel("slope", ...module.gradients({ ...state, field, ku, kv }, method, stage));
   }
 
-  function paint_view(state, { stage }, base, target, pixels) {
-    pixels.set(base);
-    if (state.view === "slope") {
-      const waves = module.wave_numbers(state) || [state.ku, state.kv];
-      pixels.fill(views.OPAQUE);
-      views.slope(target, stage.at, pixels, module.kernel("slope_bound", Math.max(...waves.map(Math.abs))));
-    } else if (state.view === "straddle") {
-      const [u, v] = module.chart(stage), flags = module.kernel(`straddling_${state.field}`, u, v, state.ku, state.kv, state.eps);
-      for (let i = 0; i < pixels.length; i++) pixels[i] = views.OPAQUE | ((base[i] >>> 2) & 0x3f3f3f);
-      views.straddle(target, flags, stage.at, pixels);
-    } else views.image(target, stage.at, pixels);
+  function paint_view(name, state, stage, whole) {
+    const values = shown(name, state, stage);
+    if (values) module.fill(stage, values);
+    if (values && state.view === "terms") module.paint("paint_levels", stage, name, { whole, palette: "terms" });
+    else if (values && state.view === "slope") {
+      const waves = module.wave_numbers(state) || [state.ku, state.kv], steepest = module.kernel("slope_bound", Math.max(...waves.map(Math.abs)));
+      module.paint("paint_levels", stage, name, { whole, gain: steepest > 0 ? 255 / steepest : 0 });
+    } else {
+      module.paint("paint_colors", stage, name, { whole });
+      if (values) module.paint("paint_flags", stage, name, { whole });
+    }
+  }
+
+  function paint_difference({ scale }, stage, into, whole) {
+    const way = scale === "log" ? ["paint_difference_logarithmic", { table: "sizes", palette: "inferno" }] : ["paint_difference_linear", { gain: Number(scale) }];
+    return module.paint(way[0], stage, into, { ...way[1], whole, of: "numeric", other: "symbolic" });
   }
 
   function draw({ id, state, band, buffers }) {
-    const on = staged(state, band), new_stage = kept.stage.fresh, base = ground(state, on);
-    const numeric = drawn("numeric", difference(state), state, on), symbolic = drawn("symbolic", exact, state, on);
-    const [one, other] = ["numeric", "symbolic"].map((name) => module.planes(on.stage, name));
-    const begin = performance.now(), images = {}, look = [state.view, state.model, on.stage_key];
-    const blank = () => new Uint32Array(buffers?.pop() ?? base.length);
-    keep("view of symbolic", [look, kept.symbolic.key, state.view === "straddle" && state.eps], () => {
-      images.symbolic = blank();
-      paint_view(state, on, base, other, images.symbolic);
-    });
-    keep("view of numeric", [look, kept.numeric.key], () => {
-      images.numeric = blank();
-      paint_view(state, on, base, one, images.numeric);
-    });
-    images.difference = blank().fill(views.OPAQUE);
-    const { max, sum } = views.difference(one, other, on.stage.at, images.difference, state.scale);
-    const times = { paint: performance.now() - begin };
-    if (numeric.fresh) times.numeric = numeric.time;
-    if (symbolic.fresh) times.symbolic = symbolic.time;
-    const reply = { kind: "drawn", id, band, images, max, sum, count: on.stage.count, times };
-    if (new_stage) reply.codes = on.stage.codes.slice();
-    const moved = [...Object.values(images).map((pixels) => pixels.buffer), ...(reply.codes ? [reply.codes.buffer] : [])];
-    port.postMessage(reply, moved);
+    const stage = staged(state, band), new_stage = kept.stage.fresh, images = {}, moved = [];
+    drawn("numeric", difference(state), state, stage);
+    drawn("symbolic", exact, state, stage);
+
+    // Paint a picture if what it shows has changed: all of it if what is around A has, too.
+    function picture(name, around, on_a, paint) {
+      const whole = keep(`around ${name}`, around).fresh, part = keep(`${name} on A`, [...around, ...on_a], () => paint(whole));
+      if (!part.fresh) return;
+      const rows = whole ? [0, band.high] : stage.rows, bytes = module.bytes(stage, name, rows);
+      const buffer = buffers[name]?.byteLength === bytes.length ? buffers[name] : new ArrayBuffer(bytes.length);
+      images[name] = { top: rows[0], bytes: new Uint8ClampedArray(buffer) };
+      images[name].bytes.set(bytes);
+      moved.push(buffer);
+    }
+
+    for (const name of ["numeric", "symbolic"]) {
+      const by_step = ["straddle", "terms"].includes(state.view) && [state.eps, state.method].join();
+      picture(name, [kept.around.version, state.view], [kept[name].version, by_step], (whole) => paint_view(name, state, stage, whole));
+    }
+    const pair = [kept.around.version, state.scale, kept.numeric.version, kept.symbolic.version];
+    picture("difference", pair.slice(0, 1), pair.slice(1), (whole) => (kept.apart = paint_difference(state, stage, "difference", whole)));
+    const codes = new_stage ? stage.codes.slice() : null;
+    port.postMessage({ kind: "drawn", id, band, images, ...kept.apart, count: stage.count, codes }, codes ? [...moved, codes.buffer] : moved);
   }
 
-  // Both pipelines drawn again from nothing, a few times.
-  function time_both(state, on) {
-    const times = { numeric: [], symbolic: [] };
-    for (let round = 0; round < 3; round++) {
-      for (const [name, method] of [["numeric", difference(state)], ["symbolic", exact]]) {
-        const begin = performance.now();
-        module.draw_a(state, method, on.stage, "spare");
-        times[name].push(performance.now() - begin);
-      }
-    }
-    return times;
+  // How long A takes by a method, drawn again from nothing.
+  function time_of(method, state, stage) {
+    const begin = performance.now();
+    module.draw_a(state, method, stage, "spare");
+    return performance.now() - begin;
   }
 
   // Flips: pixels whose chamber, computed afresh for either side, is not the one that was drawn with. Attached: pixels
   // of A that the bump turns to the other side of a light.
-  function count_flips(state, { stage }) {
+  function count_flips(state, stage) {
     let flips = 0;
     for (const side of [state, { ...state, beta: 0 }]) {
       const codes = module.chambers_of(side, stage, stage.code_again);
@@ -105,15 +107,17 @@ Simulator.worker = function (port) {
 
   // One piece of idle work a turn, so that a new state never waits longer than that.
   function* idle({ id, state, band, steps }) {
-    const on = staged(state, band);
-    drawn("symbolic", exact, state, on);
-    yield { kind: "counted", id, ...count_flips(state, on), count: on.stage.count };
+    const stage = staged(state, band);
+    drawn("symbolic", exact, state, stage);
+    yield { kind: "counted", id, ...count_flips(state, stage), count: stage.count };
     for (const [index, eps] of (steps || []).entries()) {
-      module.draw_a(state, { name: state.method, eps }, on.stage, "spare");
-      const [one, other] = ["spare", "symbolic"].map((name) => module.planes(on.stage, name));
-      yield { kind: "followed", id, index, ...views.apart(one, other, on.stage.at), count: on.stage.count };
+      module.draw_a(state, { name: state.method, eps }, stage, "spare");
+      const found = module.paint("paint_difference_logarithmic", stage, "spare", { other: "symbolic", table: "sizes", palette: "inferno" });
+      yield { kind: "followed", id, index, ...found, count: stage.count };
     }
-    yield { kind: "timed", id, times: time_both(state, on) };
+    for (let round = 0; round < ROUNDS; round++) {
+      yield { kind: "timed", id, round, numeric: time_of(difference(state), state, stage), symbolic: time_of(exact, state, stage) };
+    }
   }
 
   const channel = new MessageChannel();
@@ -126,10 +130,7 @@ Simulator.worker = function (port) {
 
   let ready; // messages are taken in their order once the module is there
 
-  async function begin({ data, compiled }) {
-    module = await Simulator.module(data, compiled);
-    views = Simulator.views(data, module);
-  }
+  const begin = async ({ data, compiled }) => (module = await Simulator.module(data, compiled));
 
   async function receive(data) {
     await ready;

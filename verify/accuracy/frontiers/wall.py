@@ -6,7 +6,7 @@ The table covers u ∈ [0, 1) and v ∈ [0, 2), one period of the formula in eit
 import numpy as np
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient, height
-from verify.stability.measure import in_float64
+from verify.evaluate.arrays import in_float64
 
 KU, KV = 8.0, 4.0
 POINTS, SEED = 10_000, 8

@@ -12,7 +12,7 @@ from verify.benchmark.methods import table
 from verify.benchmark.methods.algebraic import algebraic_gradient
 from verify.benchmark.methods.compiled import compiled_loop
 from verify.benchmark.methods.differences import extrapolated
-from verify.stability.measure import distance, in_balls, in_float64
+from verify.evaluate.arrays import distance, in_balls, in_float64
 
 POINTS = 200
 AVAILABLE = [method for method in table.METHODS if method.available]

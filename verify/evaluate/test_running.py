@@ -11,9 +11,9 @@ from proofs.formulas.chart import chart
 from proofs.formulas.half_turns import sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import real
-from verify.stability import running
-from verify.stability.measure import distance, in_balls, in_float64, with_bounds
-from verify.stability.running import Running, U
+from verify.evaluate import running
+from verify.evaluate.arrays import distance, in_balls, in_float64, with_bounds
+from verify.evaluate.running import Running, U
 
 a, b, c, result = real("a b c result")
 RANDOM = np.random.default_rng(11)

@@ -9,8 +9,8 @@ from sympy import Rational
 from renderer import kernels
 from renderer.generate.kernels import function_of
 from renderer.generate.printer import KernelPrinter
-from verify.accuracy.balls import Balls
-from verify.stability import running
+from verify.evaluate import running
+from verify.evaluate.balls import Balls
 
 BITS = 300  # 50 digits, and 40 to lose
 WIDEST, NOTHING = 2.0**-110, 1e-60  # a ball wider than both, against its size and at all, is no reference

@@ -10,8 +10,8 @@ from sympy import And, Max, Or, Piecewise, Pow, sign, sqrt
 from proofs.engine.program import Program
 from proofs.formulas.symbols import real
 from renderer import Scene, render
-from verify.accuracy.balls import Balls
 from verify.accuracy.pixels import COLORS, SCENES, balls_of, checked_pixel, chosen, problems
+from verify.evaluate.balls import Balls
 from verify.reference import reference_pixel, scene_values
 
 a, b, c, d = real("a b c d")

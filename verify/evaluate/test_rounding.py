@@ -6,8 +6,8 @@ from fractions import Fraction
 import pytest
 from flint import arb
 
-from verify.accuracy import rounding
-from verify.accuracy.rounding import Rounded, Undecided, unit_in_the_last_place
+from verify.evaluate import rounding
+from verify.evaluate.rounding import Rounded, Undecided, unit_in_the_last_place
 
 EXPRESSIONS = ("a * b + c", "(a - b) / (a + c)", "a * (b - c * c) - 0.1", "(a - 0.5 * b) / (b + 0.5 * a)", "a + b + c")
 

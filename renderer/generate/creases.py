@@ -1,0 +1,40 @@
+"""Where on the image a field's creases are: the lines on which a crease factor sinpi(w) is zero, seen from the eye.
+
+Functions of float64 numbers, NumPy's arrays or traced values, as the kernels are.
+"""
+
+from sympy import diff, expand
+
+from proofs.engine.program import Program
+from proofs.formulas.camera import parallel_radius
+from proofs.formulas.symbols import k_u, k_v, real, u, v
+from renderer.generate.kernels import function_of
+from renderer.kernels import cospi, sinpi
+from renderer.operations import where
+
+radius_of_parallel = function_of(parallel_radius)
+
+
+def crease_rates(field):
+    """Return the function (k_u, k_v) → for each crease factor sinpi(a u + b v + c): a, b and c."""
+    lines = []
+    for number, factor in enumerate(field.creases):
+        turns = expand(factor.args[0])
+        parts = diff(turns, u), diff(turns, v), turns.subs({u: 0, v: 0})
+        lines += [(real(f"rate_{number}_{part}"), value) for part, value in enumerate(parts)]
+    return function_of(Program(f"creases_{field.name}", (k_u, k_v), tuple(lines), tuple(name for name, _ in lines)))
+
+
+def crease_point(rate_u, rate_v, level, along, eye, radius):
+    """Return the image point of a point of the crease on which rate_u u + rate_v v is `level`, NaN where it is hidden.
+
+    along: u in [0, 1], or v where the crease is a meridian (rate_v is 0).
+    """
+    is_meridian = rate_v == 0.0
+    at_u = where(is_meridian, level / rate_u, along)
+    at_v = where(is_meridian, along, (level - rate_u * along) / rate_v)
+    cos_phi = cospi(at_v)
+    rho = radius_of_parallel(sinpi(at_v), cos_phi, eye, radius)
+    is_seen = (at_v >= 0.0) & (at_v <= 1.0) & (eye * cos_phi > radius)  # theorem kink_loci
+    rho = where(is_seen, rho, float("nan"))
+    return -rho * cospi(2.0 * at_u), -rho * sinpi(2.0 * at_u)  # θ = 2πu − π
