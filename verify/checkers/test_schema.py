@@ -10,9 +10,22 @@ from verify.checkers.test_attacks import BROKEN, GOOD
 jsonschema = pytest.importorskip("jsonschema")
 SCHEMA = json.loads((FOLDER.parent / "certificates.schema.json").read_text(encoding="utf-8"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
-OF_MEANING = {"inverse 'x'", "a proof left over", "no steps", "no show", "a variable twice", "the monomial 'x x'", "the monomial 'z'",
-              "the coefficient '2/2'", "the index 1", "pi as a coordinate", "off the circle", "a cosine alone",
-              "a name too many", "version 1.0"}  # fmt: skip
+OF_MEANING = {
+    "inverse 'x'",
+    "a proof left over",
+    "no steps",
+    "no show",
+    "a variable twice",
+    "the monomial 'x x'",
+    "the monomial 'z'",
+    "the coefficient '2/2'",
+    "the index 1",
+    "pi as a coordinate",
+    "off the circle",
+    "a cosine alone",
+    "a name too many",
+    "version 1.0",
+}
 
 
 def has_the_form(statement, certificate):
