@@ -387,7 +387,7 @@ def kink_ridges(sin_phi, u, v, k_u, k_v):
 
 def straddling_ridges(u, v, k_u, k_v, epsilon):
     crease_distance_0 = abs(k_u * u - rint(k_u * u))
-    crease_distance_1 = abs(k_v * v - rint(k_v * v))
+    crease_distance_1 = abs(abs(k_v * v) - maximum(1.0, rint(abs(k_v * v))))
     straddles = where((crease_distance_0 < epsilon * abs(k_u)) | (crease_distance_1 < epsilon * abs(k_v)), 1.0, 0.0)
     return straddles
 

@@ -133,7 +133,7 @@ def test_sources_reach_through_packages_and_imports():
 
 
 def test_computed_import_reaches_the_whole_package():
-    reached = stamps.reachable(stamps.ROOT / "book" / "figures" / "discover.py")
+    reached = stamps.reachable(stamps.ROOT / "book" / "drawing" / "discover.py")
     assert {path for path in stamps.files_in(stamps.ROOT / "book") if path.suffix == ".py"} <= reached
 
 
@@ -143,7 +143,7 @@ def test_computed_import_reaches_the_whole_package():
         ({}, None),
         ({"book/drawing/style.py": "1"}, "book/drawing/style.py changed"),
         ({"book/new.py": "1"}, "book/new.py changed"),
-        ({"book/new.py": "1", "book/drawing/style.py": "1"}, "book/new.py changed and 1 more"),
+        ({"book/new.py": "1", "book/drawing/style.py": "1"}, "book/drawing/style.py changed and 1 more"),
     ],
 )
 def test_reason_to_draw_again(monkeypatch, tmp_path, change, reason):

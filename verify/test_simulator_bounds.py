@@ -17,7 +17,7 @@ from renderer import Scene
 from renderer.generate.creases import crease_point, crease_rates
 from renderer.generate.step_terms import ARGUMENT_ERROR, BOUNDS, HEIGHT_ERROR, TERMS, UNIT, bounds_of, is_covered
 from renderer.gradients import gradient_at, height_at
-from renderer.kernels import angles_on_a, chart
+from renderer.kernels import FIELDS, angles_on_a, chart
 from renderer.methods import central, exact
 
 SINE, RIDGES = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["ridges"]
@@ -129,3 +129,12 @@ def test_the_creases_are_where_the_factors_are_zero():
             assert np.abs(a * at_v + b * at_u).max() > 0.1  # u and v the wrong way round are seen
     hidden, _ = crease_point(np.float64(0.0), np.float64(4.0), np.float64(2.0), np.linspace(0, 1, 9), 4.0, 1.0)
     assert np.isnan(hidden).all()  # v = 1/2 is below the horizon
+
+
+def test_a_difference_straddles_circles_and_not_the_pole():
+    """At v < ε the difference is clamped at the pole, where |sin πk_v v| ends; at v = 1/k_v it crosses the crease."""
+    straddling = FIELDS["ridges"]["straddling"]
+    at_v = np.array([1e-9, 1e-4, 0.009, 0.2499, 0.2501, 0.26])
+    flags = straddling(np.full(6, 0.05), at_v, 8.0, 4.0, 1e-3)
+    np.testing.assert_array_equal(flags, [0, 0, 0, 1, 1, 0])
+    assert straddling(np.float64(0.05), np.float64(0.03), 8.0, 16.0, 0.05) == 1  # the first circle, past the pole

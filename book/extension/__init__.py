@@ -17,43 +17,14 @@ screen readers             lists and tables that they understand (accessibility.
 MathJax, the simulator     copied into the site from the installed package; compiled into it (assets.py)
 """
 
-from book.extension import (
-    accessibility,
-    assets,
-    cards,
-    checker,
-    claims,
-    dependencies,
-    elements,
-    figures,
-    interface,
-    ledger,
-    listings,
-    notebooks,
-    numbers,
-    pages,
-    streams,
-)
+PARTS = (
+    "accessibility", "assets", "cards", "checker", "claims", "dependencies", "elements", "figures",
+    "interface", "ledger", "listings", "notebooks", "numbers", "pages", "streams",
+)  # fmt: skip
 
 
 def setup(app):
     """Register everything with Sphinx."""
-    for part in (
-        accessibility,
-        assets,
-        cards,
-        checker,
-        claims,
-        dependencies,
-        elements,
-        figures,
-        interface,
-        ledger,
-        listings,
-        notebooks,
-        numbers,
-        pages,
-        streams,
-    ):
-        part.setup(app)
+    for part in PARTS:
+        app.setup_extension(f"{__name__}.{part}")
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

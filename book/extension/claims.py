@@ -18,6 +18,7 @@ from book.extension.cards import ProofsDirective, card, link
 from book.extension.checker import check_all
 from book.extension.elements import Html
 from book.extension.evidence import badge, count, evidence_line, legend
+from book.extension.ledger_filters import choices
 from book.extension.theorems import CLAIMS_PAGE, MEANINGS, SHAPES, kind
 
 ORDER = list(MEANINGS)
@@ -71,14 +72,9 @@ class AllClaims(ProofsDirective):
 
 def filters(counts: Counter) -> Html:
     """Radio buttons, one for each grade that occurs: the style sheet does the rest."""
-    choices = [("all", f"all {sum(counts.values())}")]
-    choices += [(grade, f"{SHAPES[grade]} {counts[grade]} {grade}") for grade in ORDER if counts[grade]]
-    parts = [Html("legend", nodes.Text(f"Show, of {count(sum(counts.values()), 'claim')}:"))]
-    for grade, text in choices:
-        checked = {"checked": None} if grade == "all" else {}
-        box = Html("input", type="radio", name="grade", id=f"only-{grade}", **checked)
-        parts.append(Html("label", box, nodes.Text(f" {text}"), for_=f"only-{grade}"))
-    return Html("fieldset", *parts, classes=["grade-filter"])
+    options = [("all", f"all {counts.total()}")]
+    options += [(grade, f"{SHAPES[grade]} {counts[grade]} {grade}") for grade in ORDER if counts[grade]]
+    return choices("grade", f"Show, of {count(counts.total(), 'claim')}:", options)
 
 
 def section_of(proofs, id: str) -> str:

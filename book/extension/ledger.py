@@ -19,7 +19,7 @@ from book.build.report import NoReport
 from book.extension.cards import link, page_address
 from book.extension.elements import Html
 from book.extension.ledger_checked import FINDINGS_PAGE, ClaimLink, Merit, ledger_of, require_ledger
-from book.extension.ledger_evidence import TITLES, evidence_in_short, evidence_nodes, test_pages, verdict_chip
+from book.extension.ledger_evidence import TITLES, evidence_in_short, evidence_nodes, verdict_chip
 from book.extension.ledger_filters import classes, filters
 from book.extension.theorems import BadTheorem, proofs_of
 from book.ledger.entries import FINDINGS, BadLedger, Claim
@@ -175,7 +175,7 @@ class LedgerClaims(LedgerDirective):
 
 
 def setup(app) -> None:
-    """Register directives, roles, the check and the pages of tests."""
+    """Register directives, roles, and the check."""
     for name, directive in {
         "ledger-entries": LedgerEntries,
         "ledger-table": LedgerTable,
@@ -185,4 +185,3 @@ def setup(app) -> None:
     app.add_role("merit", Merit())
     app.add_role("claim", ClaimLink())
     app.connect("builder-inited", require_ledger)
-    app.connect("html-collect-pages", test_pages)

@@ -1,4 +1,4 @@
-"""A claim's evidence as nodes: badges with links, what speaks against it first; and pages for the tests it cites."""
+"""A claim's evidence as nodes: badges with links, what speaks against it first."""
 
 import ast
 import re
@@ -14,7 +14,7 @@ from book.build.contents import page_files
 from book.extension.cards import address, link, page_address, point_nodes
 from book.extension.elements import Html
 from book.extension.evidence import badge, count, evidence_line
-from book.extension.listings import listed, listing_address, numbered
+from book.extension.listings import listing_address
 from book.extension.numbers import typeset
 from book.extension.results import BENCHMARK_PREFIX
 from book.ledger.check import Run, refutes
@@ -143,15 +143,3 @@ def line_of(file: str, name: str) -> int:
 
 def _source(env, proofs, run, piece):
     return Html("span", badge("cited"), link(piece.name, page_address(env, "references")), classes=["piece"])
-
-
-def test_pages(app):
-    """Yield a page for every test file that a claim cites and that has none yet."""
-    if app.builder.name not in ("html", "dirhtml") or not hasattr(app, "chapter_ledger"):
-        return
-    files = {piece.name.partition("::")[0] for claim in app.chapter_ledger.claims for piece in claim.evidence
-             if piece.kind == "test"}  # fmt: skip
-    known = {path.relative_to(stamps.ROOT).as_posix() for path in listed()}
-    for name in sorted(files - known):
-        context = {"title": name, "body": numbered(app, stamps.ROOT / name), "parents": [], "html_theme_option": {}}
-        yield f"source/{name}", context, "page.html"

@@ -14,6 +14,7 @@ from pathlib import Path, PurePosixPath
 
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective, SphinxRole
+from sphinx.util.parallel import ParallelTasks, SerialTasks
 
 from book.build import report, stamps
 from book.extension.theorems import certificate, proofs_of, script
@@ -41,15 +42,35 @@ def numbered(app, path: Path) -> str:
     return f'<h1>{name}</h1>\n<div class="highlight-python listing">{listing}</div>'
 
 
-def pages(app):
-    """Yield the sources' pages; and put the downloads beside them."""
-    if app.builder.name not in ("html", "dirhtml") or not hasattr(app, "chapter_proofs"):
-        return
+def write_pages(app):
+    """Write the pages of the listed sources and of the tests that claims cite, and the downloads; nothing is left.
+
+    Sphinx would write what a handler returns in one process.
+    """
+    if app.builder.name != "html" or not hasattr(app, "chapter_proofs"):
+        return ()
     write_downloads(app)
-    for path in listed():
+    paths = sorted({*listed(), *cited_tests(app)})
+    tasks = ParallelTasks(app.parallel) if app.parallel > 1 else SerialTasks()
+    for first in range(app.parallel):
+        tasks.add_task(lambda chunk: write_listings(app, chunk), paths[first :: app.parallel])
+    tasks.join()
+    return ()
+
+
+def write_listings(app, paths: list[Path]) -> None:
+    """Write a page for each source."""
+    for path in paths:
         name = path.relative_to(stamps.ROOT).as_posix()
         context = {"title": name, "body": numbered(app, path), "parents": [], "html_theme_option": {}}
-        yield f"source/{name}", context, "page.html"
+        app.builder.handle_page(f"source/{name}", context, "page.html")
+
+
+def cited_tests(app) -> set[Path]:
+    """The test files that claims of the ledger cite."""
+    claims = app.chapter_ledger.claims if hasattr(app, "chapter_ledger") else ()
+    names = {piece.name.partition("::")[0] for claim in claims for piece in claim.evidence if piece.kind == "test"}
+    return {stamps.ROOT / name for name in names}
 
 
 def write_downloads(app) -> None:
@@ -110,4 +131,4 @@ def setup(app) -> None:
     app.add_role("source-lines", SourceLines())
     app.add_role("source-link", SourceLink())
     app.add_directive("docstring", Docstring)
-    app.connect("html-collect-pages", pages)
+    app.connect("html-collect-pages", write_pages)

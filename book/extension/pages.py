@@ -1,5 +1,6 @@
 """What a page is called, whatever folder it stands in, and its sections' own ids."""
 
+import os
 from pathlib import Path, PurePosixPath
 
 import yaml
@@ -42,8 +43,15 @@ def put_explicit_ids_first(app, document) -> None:
             section["ids"] = [f"proof-content-{number}"]
 
 
+def write_on_two_cores(app, environment) -> None:
+    """Pages are read in one process, where the laboratory's cells run, and written in two."""
+    if "BOOK_EXECUTION_CACHE" in os.environ:  # set by book/build/website.py, and by no test
+        app.parallel = 2
+
+
 def setup(app) -> None:
     """Connect to Sphinx: names after the contents are read, ids before they are collected."""
     app.connect("config-inited", name_contents, priority=950)
     app.connect("builder-inited", call_pages_by_name, priority=100)
+    app.connect("env-updated", write_on_two_cores)
     app.connect("doctree-read", put_explicit_ids_first, priority=100)

@@ -3,7 +3,7 @@
 A crease factor is sinpi(w) with w linear in u and v; it is zero where w is a whole number.
 """
 
-from sympy import Abs, Or, Piecewise, Rational, diff
+from sympy import Abs, Max, Or, Piecewise, Rational, diff
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import rint
@@ -27,12 +27,17 @@ def kink_flag(field):
 
 
 def straddling(field):
-    """Return the program → 1 where a crease lies strictly inside (u − ε, u + ε) or (v − ε, v + ε); else 0."""
+    """Return the program → 1 where a crease lies strictly inside (u − ε, u + ε) or (v − ε, v + ε); else 0.
+
+    Where a factor depends on v alone and is zero at v = 0, that is the pole: the chart ends there, nothing is crossed.
+    """
     lines, conditions = [], []
     for number, factor in enumerate(field.creases):
         (argument,) = factor.args
         distance = real(f"crease_distance_{number}")
-        lines.append((distance, Abs(argument - rint(argument))))
+        ends_at_pole = argument.subs(v, 0) == 0
+        nearest = Max(1, rint(Abs(argument))) if ends_at_pole else rint(argument)
+        lines.append((distance, Abs((Abs(argument) if ends_at_pole else argument) - nearest)))
         conditions += [distance < Abs(rate) * epsilon for c in (u, v) if (rate := diff(argument, c)) != 0]
     flag = Piecewise((1, Or(*conditions)), (0, True)) if conditions else 0 * epsilon
     return Program(f"straddling_{field.name}", (u, v, k_u, k_v, epsilon), (*lines, (straddles, flag)), (straddles,))

@@ -75,7 +75,6 @@ Simulator.curve = function (root, data, module, act) {
     const marks = `<line class="hover" y1="${EDGE.top}" y2="${HEIGHT - EDGE.bottom}" visibility="hidden"/><line class="now" y1="${EDGE.top - 6}" y2="${HEIGHT - EDGE.bottom}"/>`;
     svg.innerHTML = axes() + drawn.join("") + dots.join("") + marks + `<circle class="numeric" r="4"/>` + names();
     mark(state.eps);
-    svg.setAttribute("aria-label", summary(state.eps, pixel, known));
   }
 
   // Move the mark of the present step, and nothing else.
@@ -92,20 +91,10 @@ Simulator.curve = function (root, data, module, act) {
   const say = (size) => Number(size).toExponential(1).replace("e-", "e−").replace("e+", "e");
   const read = (eps) => [`ε = ${say(eps)}`, ...Object.entries(lines).map(([name, points]) => `${NAMES[name]} ${say(near(points, eps).size)}`)].join(" · ");
 
-  function summary(eps, pixel, known) {
-    if (!pixel) return "Error against the step. The cursor is not on sphere A.";
-    const least = pixel.reduce((best, p) => (p.error > 0 && p.error < best.error ? p : best));
-    return `Error against the step. At the cursor the gradient's error is ${say(near(lines.numeric, eps).size)} now and least, ` +
-      `${say(least.error)}, at a step of ${say(least.eps)}.` + (known.length ? ` The picture is followed at ${known.length} steps.` : "");
-  }
-
   function csv(pixel, picture) {
-    const rows = ["step,gradient_error_at_cursor,bound,rms_on_a,max_on_a"];
-    const rms = new Map(picture.filter(Boolean).map((p) => [p.eps, p])), at = new Map((pixel || []).map((p) => [p.eps, p]));
-    for (const eps of [...new Set([...at.keys(), ...rms.keys()])].sort((a, b) => a - b)) {
-      rows.push([eps, at.get(eps)?.error ?? "", at.get(eps)?.bound ?? "", rms.get(eps)?.rms ?? "", rms.get(eps)?.max ?? ""].join(","));
-    }
-    return rows.join("\n") + "\n";
+    const rms = new Map(picture.filter(Boolean).map((p) => [p.eps, p]));
+    const rows = FINE.map((eps, n) => [eps, pixel?.[n].error, pixel?.[n].bound, rms.get(eps)?.rms, rms.get(eps)?.max].join());
+    return ["step,gradient_error_at_cursor,bound,rms_on_a,max_on_a", ...rows].join("\n") + "\n";
   }
 
   // The step under the pointer, or at an exponent.

@@ -33,20 +33,12 @@ Simulator.engine = function (data, compiled, states, module, heard) {
 
   // Cut the rows into bands of about equal work: a row costs what it has of A, and a little.
   function cut(state) {
-    const raster = states.crop(state), [x, y] = module.image_points(raster), reach = module.radius_of_a;
-    const cost = [...y].map((at) => {
-      const half = Math.sqrt(Math.max(0, reach * reach - at * at));
-      return Math.max(0, Math.min(half, x[x.length - 1]) - Math.max(-half, x[0])) + 0.02 * (x[x.length - 1] - x[0]);
-    });
-    const whole = cost.reduce((a, b) => a + b, 0), found = [];
-    for (let row = 0, from = 0, sum = 0; row < cost.length; row++) {
-      sum += cost[row];
-      const full = found.length < workers.length - 1 && sum >= (whole * (found.length + 1)) / workers.length;
-      if (!full && row < cost.length - 1) continue;
-      found.push({ ...raster, top: raster.top + from, high: row + 1 - from });
-      from = row + 1;
-    }
-    return found;
+    const raster = states.crop(state), reach = module.radius_of_a, y = Array.from(module.image_points(raster)[1]);
+    const cost = y.map((at) => Math.sqrt(Math.max(0, reach * reach - at * at)) + 0.02 * reach), whole = cost.reduce((a, b) => a + b);
+    let sum = 0;
+    const band_of = cost.map((part) => Math.floor((workers.length * ((sum += part) - part / 2)) / whole));
+    return workers.map((_, n) => ({ first: band_of.indexOf(n), last: band_of.lastIndexOf(n) })).filter(({ first }) => first >= 0)
+      .map(({ first, last }) => ({ ...raster, top: raster.top + first, high: last + 1 - first }));
   }
 
   // Draw this state as soon as the workers are free.

@@ -71,33 +71,19 @@ Simulator.pictures = function (root, states, data, module, act) {
     context.globalCompositeOperation = "source-over";
   }
 
-  function draw_cursor(context, state, scale) {
-    const x = (state.column - state.left + 0.5) * scale, y = (state.row - state.top + 0.5) * scale;
-    const gap = Math.max(scale / 2 + 1, 3), arm = gap + 7 * (window.devicePixelRatio || 1);
-    for (const [color, width] of [["black", 3], ["white", 1]]) {
-      context.beginPath();
-      for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
-        context.moveTo(x + dx * gap, y + dy * gap);
-        context.lineTo(x + dx * arm, y + dy * arm);
-      }
-      context.strokeStyle = color;
-      context.lineWidth = width * (window.devicePixelRatio || 1);
-      context.stroke();
-    }
-  }
-
-  // Draw what lies over the pictures, if it has changed.
+  // Put the cursor's mark where it is, and draw the creases over the pictures, if they have changed.
   function decorate(state = shown) {
     if (!shown || !state) return;
-    const { size, zoom, left, top, view, field, ku, kv } = shown;
-    const key = [size, zoom, left, top, state.column, state.row, ...(view === "loci" ? [field, ku, kv] : [])].join();
+    const { size, zoom, left, top, view, field, ku, kv } = shown, key = [size, zoom, left, top, view === "loci", field, ku, kv].join();
+    const within = (at, begin) => `${(100 * (at - begin + 0.5)) / size}%`;
+    root.style.setProperty("--across", within(state.column, left));
+    root.style.setProperty("--down", within(state.row, top));
     if (key === decorated) return;
     decorated = key;
     for (const canvas of overlays) {
-      const context = canvas.getContext("2d"), scale = canvas.width / shown.size;
+      const context = canvas.getContext("2d");
       context.clearRect(0, 0, canvas.width, canvas.height);
-      if (view === "loci") draw_loci(context, shown, scale);
-      draw_cursor(context, { ...shown, column: state.column, row: state.row }, scale);
+      if (view === "loci") draw_loci(context, shown, canvas.width / size);
     }
   }
 

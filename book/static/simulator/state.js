@@ -120,25 +120,15 @@ Simulator.state = function ({ fields, models, scene }) {
   function from_fragment(text) {
     if (!text.startsWith(MARK)) return null;
     const found = {};
-    for (const part of text.slice(MARK.length).split("&").filter(Boolean)) {
-      const [name, value, more] = part.split("=");
+    for (const [name, value] of new URLSearchParams(text.slice(MARK.length))) {
       if (!Object.hasOwn(parameters, name)) throw new Error(`the address sets ${name.slice(0, 40)}, which is not a setting`);
       if (name in found) throw new Error(`the address sets ${name} twice`);
-      if (value === undefined || more !== undefined) throw new Error(`the address has no single value for ${name}`);
-      found[name] = read(name, decoded(value));
+      found[name] = read(name, value);
     }
     const state = { ...start(), ...found };
     if ("column" in found || "row" in found) return changed(state, {});
     const { column, row } = within(state);
     return changed(state, { column, row });
-  }
-
-  function decoded(value) {
-    try {
-      return decodeURIComponent(value);
-    } catch {
-      return value;
-    }
   }
 
   const crop = (state) => ({ width: side(state), height: side(state), left: state.left, top: state.top, wide: state.size, high: state.size });
