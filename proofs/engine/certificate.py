@@ -35,6 +35,7 @@ from pathlib import Path
 
 from proofs.check import digest
 from proofs.engine import kernel
+from proofs.engine.angles import Untranslatable
 from proofs.engine.claim import AnyClaim, Induction, Separation
 from proofs.engine.counterexample import refutation
 from proofs.engine.induction import induction
@@ -54,6 +55,9 @@ class Stale(ValueError):
 def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
     """Return the statements of a claim, as the formulas stand now."""
     if isinstance(claim, Separation):
+        known = {*claim.lines.inputs, *(symbol for symbol, _ in claim.lines.definitions)}
+        if unknown := set(claim.outputs) - known:
+            raise Untranslatable(f"{claim.name}: the program has no {', '.join(sorted(map(str, unknown)))}")
         lines = [[s.name, sorted(t.name for t in e.free_symbols)] for s, e in claim.lines.definitions]
         outputs, avoid = (sorted(s.name for s in names) for names in (claim.outputs, claim.avoid))
         return [{"version": VERSION, "kind": "separation", "lines": lines, "outputs": outputs, "avoid": avoid}]

@@ -47,6 +47,8 @@ def induction(claim: Induction) -> dict:
     if not all(isinstance(r, Eq) for r in claim.shows):
         raise Untranslatable(f"{claim.name}: an induction shows equations")
     t.angles = Angles(sides(expressions))
+    if len({s for s, *_ in claim.states}) < len(claim.states):
+        raise Untranslatable(f"{claim.name}: a state is given twice")
     state = {s.name: [t.polynomial(ordinary(sympify(e))) for e in two] for s, *two in claim.states}
     shows = [polynomial_data(t.relation(r)[0]) for r in claim.shows]
     for r in claim.given:

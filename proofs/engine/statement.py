@@ -233,6 +233,8 @@ class Derivation:
         return c, s
 
     def _circle(self, atom):
+        if not atom.is_polynomial():
+            raise Untranslatable(f"the angle {atom} is no polynomial: it may have no value")
         names = tuple(f"{f}({atom})".replace(" ", "") for f in ("cos", "sin"))
         if ("circle", names) not in self.generators:
             c, s = self.generators["circle", names] = tuple(Symbol(name, real=True) for name in names)

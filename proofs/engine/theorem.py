@@ -206,6 +206,9 @@ def incomplete(theorem: Theorem, theorems: Theorems) -> list[str]:
     concluding = [c for id in theorem.uses if id in theorems for c in _concluding(theorem, theorems[id])]
     lacks = sorted(needed - set(theorem.uses))
     idle = sorted(set(theorem.uses) - needed - {id for id, *_ in concluding})
+    circular = sorted(id for id in needed | set(theorem.uses) if id in theorems and _rests_on(id, theorem.id, theorems))
+    if circular:
+        return [f"{theorem.id}: rests on itself, through {', '.join(circular)}"]
     problems = [f"{theorem.id}: uses lacks {', '.join(lacks)}, which a claim borrows from or a step uses"] * bool(lacks)
     for id in idle:
         problems.append(f"{theorem.id}: uses {id}, but no claim borrows from it; name it in the step that does: uses=")

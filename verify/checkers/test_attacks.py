@@ -9,10 +9,10 @@ from proofs.check import canonical, verdicts
 from proofs.engine import kernel
 from proofs.engine.angles import Untranslatable
 from proofs.engine.certificate import prove, statements
-from proofs.engine.claim import CitedLemma, Claim, Induction, equation, greater
+from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, equation, greater
 from proofs.engine.program import Program
 from proofs.engine.search import NotFound
-from proofs.engine.theorem import Mutant, Theorem, all_theorems
+from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems
 from verify.checkers import witness
 from verify.checkers.breakages import campaign
 from verify.checkers.kernels import accepted
@@ -329,3 +329,52 @@ def test_no_mutant_is_proved_by_the_certificates_of_its_theorem():
     for answered in verdicts_of:
         assert not any(all(each[kernel_] for each in answered) for kernel_ in answered[0])
         assert all(len(set(each.values())) == 1 for each in answered)
+
+
+def test_a_claim_borrows_from_no_claim_of_its_own():
+    """Nor from a theorem that rests on its own, nor a conclusion whose hypotheses are not given."""
+    itself = Claim("attack", (greater(x, 10),), borrowed=(("attack", "attack"),))
+    assert graded(itself) == graded(itself, uses=("attack",)) == "failed"
+    one, two = (
+        Theorem(a, "", "s3", "", (Claim("c", (greater(x, 10),), borrowed=((b, "c"),)),), FALSE, uses=(b,))
+        for a, b in (("one", "two"), ("two", "one"))
+    )
+    assert examine(one, {"one": one, "two": two}, anew=True).grade == "failed"
+    p = Symbol("p", real=True)
+    near = Program("near", (x,), ((p, x + 3 - Rational(1, 10**6)),), (p,))
+    lemma = Theorem("lemma", "", "s3", "", (Claim("c", (greater(p + 1, 0),), (greater(p, 0),)),), FALSE)
+    borrowing = Claim("c", (greater(p + 1, 0),), (), near, borrowed=(("lemma", "c"),))
+    borrower = Theorem("attack", "", "s3", "", (borrowing,), FALSE, uses=("lemma",))
+    with pytest.raises(ValueError, match="not all given"):
+        examine(borrower, {"lemma": lemma, "attack": borrower}, anew=True)
+
+
+@pytest.mark.parametrize("angle", [1 / x, sqrt(x), Abs(x), cos(x)])
+def test_an_angle_has_a_value(angle):
+    with pytest.raises(Untranslatable, match="polynomial"):
+        statements(Claim("attack", (equation(cos(angle) ** 2 + sin(angle) ** 2, 1),)), {})
+
+
+def test_a_separation_is_about_names_of_its_program():
+    program = Program("p", (x,), ((y, x + 1),), (y,))
+    with pytest.raises(Untranslatable, match="has no z"):
+        statements(Separation("attack", program, (Symbol("z", real=True),), (x,)), {})
+
+
+def test_a_state_has_one_recurrence():
+    twice = Induction("attack", n, (equation(x, 0),), ((x, 1, x), (x, 0, x)))
+    with pytest.raises(Untranslatable, match="twice"):
+        statements(twice, {})
+
+
+def test_a_clause_without_a_claim_is_argued():
+    true = Claim("said", (greater(x**2 + 1, 0),))
+    words = (
+        Clause("A square is not negative,", ("said",)),
+        Clause("nor is a fourth power.", argued="not written down"),
+    )
+    theorem = Theorem("attack", "", "s3", words, (true,), FALSE, expected="argued")
+    assert examine(theorem, {"attack": theorem}, anew=True).grade == "argued"
+    for wrong in ((words[0], Clause("More.")), (Clause("Other.", ("other",)),), (words[1],)):
+        with pytest.raises(ValueError, match="clause"):
+            Theorem("attack", "", "s3", wrong, (true,), FALSE)
