@@ -25,6 +25,7 @@ from verify.checkers.examination import Examination
 from verify.checkers.grades import final_grades
 from verify.checkers.registry import measurements
 from verify.checkers.splices import says_the_same, splices
+from verify.checkers.unused import unused
 
 __all__ = [
     "LONG_POINTS",
@@ -120,7 +121,9 @@ def _check_certificates(found, theorem, theorems, anew):
             found.by_definition.append(claim.name)
         found.problems += [f"{claim.name}: {why}" for why in reasons]
         count += len(pairs)
+    idle, given = unused([pair for _, pairs in claims for pair in pairs])
     found.record |= {"statements": count, "by_definition": found.by_definition, "argued": found.argued}
+    found.record |= {"hypotheses": given, "unused_hypotheses": idle}
     if len(CHECKERS) < 2:
         found.record["second_checker"] = "not run"
 

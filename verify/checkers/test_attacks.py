@@ -19,6 +19,7 @@ from verify.checkers.kernels import accepted
 from verify.checkers.proof_checker import examine
 from verify.checkers.splices import splices
 from verify.checkers.test_checkers import EMPTY, NOTHING, derivation, show
+from verify.checkers.unused import unused
 
 x, y, n = symbols("x y n", real=True)
 FALSE = (Mutant("x > 1", Claim("a", (greater(x, 1),))), Mutant("x > 2", Claim("b", (greater(x, 2),))))
@@ -378,3 +379,9 @@ def test_a_clause_without_a_claim_is_argued():
     for wrong in ((words[0], Clause("More.")), (Clause("Other.", ("other",)),), (words[1],)):
         with pytest.raises(ValueError, match="clause"):
             Theorem("attack", "", "s3", wrong, (true,), FALSE)
+
+
+def test_a_hypothesis_that_nothing_uses_is_counted():
+    used = Claim("used", (greater(x, 0),), (greater(x, 1),))
+    assert unused(prove(used, {})) == (0, 1)
+    assert unused(prove(used.but(given=(greater(x, 1), greater(y, 1))), {})) == (1, 2)
