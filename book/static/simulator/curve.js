@@ -5,11 +5,12 @@ var Simulator = Simulator || {};
 
 Simulator.curve = function (root, data, module, act) {
   const box = root.querySelector(".sim-curve"), svg = box.querySelector("svg"), reading = root.querySelector("[data-reading]");
+  const [pointer, now, dot] = ["hover", "now", "dot"].map((name) => box.querySelector(`.sim-${name}`));
   const X = [-16, -1], Y = [-16, 2], HEIGHT = 168, EDGE = { top: 10, bottom: 20 }, LINE = 15;
   const FINE = Array.from({ length: 121 }, (_, n) => Number((10 ** (-16 + n / 8)).toPrecision(3)));
   const COARSE = Array.from({ length: 31 }, (_, n) => Number((10 ** (-1 - n / 2)).toPrecision(3)));
   const NAMES = { numeric: "gradient here", bound: "proved bound", difference: "picture, RMS" };
-  let width = 0, inset = 0, lines = {}; // name -> [{eps, size}]
+  let width = 0, inset = 0, lines = {}, drawn = []; // name -> [{eps, size}]
 
   // [{eps, error, bound}] of the gradient at a pixel of A; null elsewhere. A bound is null where nothing is proved.
   function at_pixel(state, raster) {
@@ -62,27 +63,28 @@ Simulator.curve = function (root, data, module, act) {
 
   // state; pixel: what at_pixel gave; picture: [{eps, rms}], as far as it is known.
   function show(state, pixel, picture) {
+    const known = picture.filter(Boolean), what = [pixel, picture, known.length, box.clientWidth];
+    if (what.every((part, n) => part === drawn[n])) return;
+    drawn = what;
     width = box.clientWidth;
     inset = 0.5 * parseFloat(getComputedStyle(root).getPropertyValue("--thumb")); // where the slider's thumb stops
     svg.setAttribute("viewBox", `0 0 ${width} ${HEIGHT}`);
-    const known = picture.filter(Boolean);
     lines = {};
     if (pixel && pixel[0].bound !== null) lines.bound = pixel.map(({ eps, bound }) => ({ eps, size: bound }));
     if (pixel) lines.numeric = pixel.map(({ eps, error }) => ({ eps, size: error }));
     if (known.length) lines.difference = known.map(({ eps, rms }) => ({ eps, size: rms }));
-    const drawn = Object.entries(lines).map(([name, points]) => `<path class="${name}" d="${path(points)}"/>`);
+    const paths = Object.entries(lines).map(([name, points]) => `<path class="${name}" d="${path(points)}"/>`);
     const dots = known.filter((p) => p.rms > 0).map((p) => `<circle class="difference" cx="${x_of(p.eps)}" cy="${y_of(p.rms)}" r="2"/>`);
-    const marks = `<line class="hover" y1="${EDGE.top}" y2="${HEIGHT - EDGE.bottom}" visibility="hidden"/><line class="now" y1="${EDGE.top - 6}" y2="${HEIGHT - EDGE.bottom}"/>`;
-    svg.innerHTML = axes() + drawn.join("") + dots.join("") + marks + `<circle class="numeric" r="4"/>` + names();
+    svg.innerHTML = axes() + paths.join("") + dots.join("") + names();
     mark(state.eps);
   }
 
-  // Move the mark of the present step, and nothing else.
+  // Move the mark of the present step, and nothing else: the plot is not drawn anew.
   function mark(eps) {
-    const line = svg.querySelector(".now"), dot = svg.querySelector("circle.numeric"), error = lines.numeric ? near(lines.numeric, eps).size : 0;
-    for (const end of ["x1", "x2"]) line.setAttribute(end, x_of(eps));
-    dot.setAttribute("cx", x_of(eps));
-    dot.setAttribute("cy", error > 0 ? y_of(error) : -100);
+    const error = lines.numeric ? near(lines.numeric, eps).size : 0;
+    now.style.transform = `translateX(${x_of(eps)}px)`;
+    dot.style.transform = `translate(${x_of(eps)}px, ${y_of(error || 1)}px)`;
+    dot.hidden = !error;
     box.setAttribute("aria-valuenow", Math.log10(eps).toFixed(2));
     box.setAttribute("aria-valuetext", read(eps));
   }
@@ -105,9 +107,9 @@ Simulator.curve = function (root, data, module, act) {
   }
 
   function hover(event) {
-    const line = svg.querySelector(".hover"), eps = pointed(event);
-    for (const end of ["x1", "x2"]) line.setAttribute(end, x_of(eps));
-    line.setAttribute("visibility", "visible");
+    const eps = pointed(event);
+    pointer.style.transform = `translateX(${x_of(eps)}px)`;
+    pointer.hidden = false;
     reading.textContent = read(eps);
     if (event.buttons === 1) act.set({ eps });
   }
@@ -127,7 +129,7 @@ Simulator.curve = function (root, data, module, act) {
   });
   box.addEventListener("pointermove", hover);
   box.addEventListener("pointerleave", () => {
-    svg.querySelector(".hover")?.setAttribute("visibility", "hidden");
+    pointer.hidden = true;
     reading.textContent = "";
   });
   box.addEventListener("keydown", key);

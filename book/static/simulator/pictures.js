@@ -28,7 +28,7 @@ Simulator.pictures = function (root, states, data, module, act) {
     for (const { images, band, codes } of replies) {
       const begin = band.top - state.top;
       for (const [name, { top, bytes }] of Object.entries(images)) {
-        if (bytes.length) bases[NAMES.indexOf(name)].getContext("2d").putImageData(new ImageData(bytes, band.wide), 0, begin + top);
+        if (bytes.length) bases[NAMES.indexOf(name)].getContext("2d", { alpha: false }).putImageData(new ImageData(bytes, band.wide), 0, begin + top);
       }
       if (!codes) continue;
       const on_a = new ImageData(band.wide, band.high);
@@ -82,6 +82,7 @@ Simulator.pictures = function (root, states, data, module, act) {
     decorated = key;
     for (const canvas of overlays) {
       const context = canvas.getContext("2d");
+      canvas.hidden = view !== "loci";
       context.clearRect(0, 0, canvas.width, canvas.height);
       if (view === "loci") draw_loci(context, shown, canvas.width / size);
     }

@@ -7,6 +7,7 @@ Simulator.start = function (root, compiled, module) {
   const PANELS_EVERY = 100; // milliseconds
   add_choices();
   let state = states.start(), shown = null, wanted = 0, saved = 0, picture = [], picture_of = "", pixel_curve = null, pixel_of = "", shown_panels = 0;
+  const none = [];
   let counting = "", counted_of = "", timed_of = "", sums = {};
   const frames = []; // milliseconds from a change to its pictures in the canvases, and to the end of the frame that shows them
 
@@ -91,7 +92,7 @@ Simulator.start = function (root, compiled, module) {
     cursor.show(state);
     if (pixel_key(state) !== pixel_of) pixel_curve = curve.at_pixel(state, states.crop(state));
     pixel_of = pixel_key(state);
-    curve.show(state, pixel_curve, picture_of === curve_key(state) ? picture : []);
+    curve.show(state, pixel_curve, picture_of === curve_key(state) ? picture : none);
     readouts.captions(state);
     shown_panels = performance.now();
   }
