@@ -11,9 +11,17 @@ import sys
 import time
 from pathlib import Path
 
-from proofs.engine.kernel import check
+from proofs.engine.kernel import check, fits
 
 FOLDER = Path(__file__).parent / "certificates"
+
+
+PAIR = {
+    "sha256": lambda text: True,
+    "statement": lambda data: True,
+    "certificate": lambda data: True,
+}  # looked at below
+CLAIM = {"claim": lambda name: isinstance(name, str), "statements": [PAIR]}
 
 
 def files(ids):
@@ -24,6 +32,11 @@ def files(ids):
     return [known[id] for id in ids] if ids else list(known.values())
 
 
+def canonical(data):
+    """Return the one text that a file of certificates may have: no key twice, no number in another form."""
+    return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+
+
 def digest(statement):
     """Return the sha256 of a statement's canonical JSON, as stored beside it."""
     return hashlib.sha256(json.dumps(statement, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
@@ -31,8 +44,13 @@ def digest(statement):
 
 def verdicts(path):
     """Return [(claim, None or why it is rejected)] of a certificate file."""
-    found = []
-    for claim in json.loads(path.read_text(encoding="utf-8"))["claims"]:
+    text, found = path.read_text(encoding="utf-8"), []
+    data = json.loads(text)
+    if text != canonical(data):
+        return [("the file", "it is not its own canonical form")]
+    if not fits(data, {"version": 1, "theorem": path.stem, "claims": [CLAIM]}):
+        return [("the file", "it has another form")]
+    for claim in data["claims"]:
         for entry in claim["statements"]:
             wrong = check(entry["statement"], entry["certificate"])
             if wrong is None and digest(entry["statement"]) != entry["sha256"]:

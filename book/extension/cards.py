@@ -90,7 +90,7 @@ def card(env, proofs: Proofs, id: str) -> Html:
         Html("span", nodes.Text(theorem.title), classes=["theorem-name"], id=f"title-{id}"),
         classes=["theorem-title"],
     )
-    parts = [title, Html("p", *typeset(theorem.statement), classes=["statement"])]
+    parts = [title, Html("p", *statement(theorem), classes=["statement"])]
     if theorem.hypotheses:
         given = [node for h in theorem.hypotheses for node in (nodes.Text("; "), *typeset(h))][1:]
         parts.append(Html("p", Html("em", nodes.Text("Given: ")), *given, nodes.Text("."), classes=["given"]))
@@ -100,6 +100,17 @@ def card(env, proofs: Proofs, id: str) -> Html:
     parts.append(provenance(env, id))
     name = kind(entry["grade"])
     return Html("section", *parts, classes=["theorem", name], id=f"theorem-{id}", aria_labelledby=f"title-{id}")
+
+
+def statement(theorem) -> list[nodes.Node]:
+    """The theorem in words; what no claim says is grey, with the reason."""
+    parts = []
+    for clause in theorem.clauses:
+        parts += [nodes.Text(" ")] if parts else []
+        why = [nodes.Text(" (argued: "), *typeset(clause.argued), nodes.Text(")")]
+        grey = clause in theorem.argued
+        parts += [Html("span", *typeset(clause.text), *why, classes=["argued"])] if grey else typeset(clause.text)
+    return parts
 
 
 def summary(theorem, entry: dict) -> str:

@@ -13,10 +13,30 @@ from proofs.engine.theorem import Theorem, all_theorems
 
 PLACED = re.compile(r"^\s*(?::{3,}|`{3,})\{theorem\}\s+(\S+)\s*$", re.MULTILINE)
 CLAIMS_PAGE = "claims"
-LETTERS = {"proved": "P", "certified": "C", "measured": "M", "refuted": "R", "cited": "", "failed": "?"}
-SHAPES = {"proved": "●", "certified": "◆", "measured": "▲", "refuted": "✕", "cited": "○", "failed": "!"}
+LETTERS = {
+    "proved": "P",
+    "definition": "D",
+    "argued": "A",
+    "certified": "C",
+    "measured": "M",
+    "refuted": "R",
+    "cited": "",
+    "failed": "?",
+}
+SHAPES = {
+    "proved": "●",
+    "definition": "≡",
+    "argued": "◐",
+    "certified": "◆",
+    "measured": "▲",
+    "refuted": "✕",
+    "cited": "○",
+    "failed": "!",
+}
 MEANINGS = {
     "proved": "two checkers accepted a certificate, the samples agree, the false variants were refuted",
+    "definition": "both sides are the same once translated: nothing was left to prove",
+    "argued": "as proved, but for the words in grey, which no claim says",
     "certified": "enclosed in balls of exact width",
     "measured": "sampled, with the worst case given",
     "refuted": "false: an exact counterexample, accepted by two checkers",
@@ -38,8 +58,8 @@ class Placement:
 
 
 def kind(grade: str) -> str:
-    """The grade without its conditions: "proved given cited" is a kind of proved."""
-    return grade.split()[0]
+    """The grade without its conditions, as one word: "proved given cited" is a kind of proved."""
+    return grade.removeprefix("by ").split()[0]
 
 
 def placements(book: Path, ids: list[str]) -> dict[str, Placement]:
@@ -78,7 +98,7 @@ class Proofs:
 
     def label(self, id: str) -> str:
         """The name by which pages call it: "Theorem 3", or "Claim 4" if it is not proved."""
-        word = "Theorem" if kind(self.entries[id]["grade"]) == "proved" else "Claim"
+        word = "Theorem" if kind(self.entries[id]["grade"]) in ("proved", "argued") else "Claim"
         return f"{word} {self.places[id].number}"
 
     def users(self, id: str) -> list[str]:

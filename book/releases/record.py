@@ -48,7 +48,7 @@ def theorems() -> dict[str, dict]:
 
     entries, stated = report.load(), all_theorems()
     return {
-        id: {"grade": entry["grade"], "given": entry["given_cited"], "statement": stated[id].statement}
+        id: {"grade": entry["grade"], "given": entry["given_cited"], "statement": stated[id].words}
         for id, entry in sorted(entries.items())
     }
 

@@ -16,15 +16,16 @@ from there on. A goal is proved from the facts before it. Its certificate is {"p
                    Π f + Σ c s² Π h = Σ q g, where f: the facts in `positive`, each > 0, or ≠ 0 and then squared (none:
                    Π f = 1); c ≥ 0 a rational, s a polynomial, h: facts that are > 0 or ≥ 0; g: facts that are = 0.
                    The left side is positive, the right side zero.
-    cases          {"on": p, "branches": {"<": proof, "=": proof, ">": proof}}: each branch proves the goal with one
-                   more fact, −p > 0, p = 0 or p > 0.
-
 Of a "refutation", which has the form of a derivation and ends in a `show`, it is {"point": {name: rational}}: a value
-for every variable, root and inverse, at which every fact holds but the last, and the last fails. Of an "induction",
-{"strengthen": [p, …], "base": [proof, …], "step": [proof, …]}: the claims are those of `show`, then those of
-`strengthen`. base[k] proves claim k = 0 with `start` put in for the state, from the assumptions; step[k] proves it with
-`next` put in, from the assumptions and then every claim (as it is now) = 0. Of a "separation", {"reached": [name, …]}:
-it has every output, and with a line's name every name that the line uses, and nothing that is to be avoided.
+for every variable, root and inverse, and for nothing else, at which every fact holds but the last, and the last fails;
+pi is no coordinate, and cos(…)² + sin(…)² = 1. Of an "induction", {"base": [proof, …], "step": [proof, …]}: base[k]
+proves p = 0, for the k-th p of `show`, with `start` put in for the state, from the assumptions; step[k] proves it with
+`next` put in, from the assumptions and then every p of `show` (as it is now) = 0. Of a "separation",
+{"reached": [name, …]}: it has every output, and with a line's name every name that the line uses, and nothing that is
+to be avoided.
+
+No key more or less, no proof left over, no text that is not JSON as `json.dumps(…, indent=1, ensure_ascii=False)`
+writes it: proofs/certificates.schema.json has the grammar.
 """
 
 import json
@@ -34,6 +35,7 @@ from pathlib import Path
 
 from proofs.check import digest
 from proofs.engine import kernel
+from proofs.engine.angles import Untranslatable
 from proofs.engine.claim import AnyClaim, Induction, Separation
 from proofs.engine.counterexample import refutation
 from proofs.engine.induction import induction
@@ -53,6 +55,9 @@ class Stale(ValueError):
 def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
     """Return the statements of a claim, as the formulas stand now."""
     if isinstance(claim, Separation):
+        known = {*claim.lines.inputs, *(symbol for symbol, _ in claim.lines.definitions)}
+        if unknown := set(claim.outputs) - known:
+            raise Untranslatable(f"{claim.name}: the program has no {', '.join(sorted(map(str, unknown)))}")
         lines = [[s.name, sorted(t.name for t in e.free_symbols)] for s, e in claim.lines.definitions]
         outputs, avoid = (sorted(s.name for s in names) for names in (claim.outputs, claim.avoid))
         return [{"version": VERSION, "kind": "separation", "lines": lines, "outputs": outputs, "avoid": avoid}]
@@ -69,7 +74,7 @@ def prove(claim: AnyClaim, theorems: Theorems, effort: int = MAX_EFFORT) -> list
 
 def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[Proved]:
     """Return [(statement, certificate)] that the claim fails at the point ((symbol, value), …); raises NotFound."""
-    found = refutation(statements(claim, theorems), {str(s).replace(" ", ""): v for s, v in point})
+    found = refutation(statements(claim, theorems), dict(point))
     if found is None:
         raise NotFound((claim.name, "counterexample"))
     return [found]
@@ -102,8 +107,8 @@ def stored(theorem: Theorem, theorems: Theorems) -> list[tuple[AnyClaim, list[Pr
         now = statements(claim, theorems)
         kept = entries.pop(claim.name, [])
         if theorem.expected == "refuted":
-            point = {str(s).replace(" ", ""): v for s, v in dict(theorem.refuted_at)[claim.name]}
-            now = [found[0]] if (found := refutation(now, point)) else []
+            found = refutation(now, dict(dict(theorem.refuted_at)[claim.name]))
+            now = [found[0]] if found else []
         if not now or [digest(s) for s in now] != [entry["sha256"] for entry in kept]:
             raise Stale(
                 f"{theorem.id}/{claim.name}: the formulas no longer say what the stored certificate proves; "
@@ -113,6 +118,20 @@ def stored(theorem: Theorem, theorems: Theorems) -> list[tuple[AnyClaim, list[Pr
     if entries:
         raise Stale(f"{theorem.id}: the stored certificates have other claims: {', '.join(sorted(entries))}")
     return result
+
+
+def restated(theorem: Theorem, theorems: Theorems) -> list[tuple[AnyClaim, list[Proved]]] | None:
+    """Return [(claim, [(statement, certificate)])] where the stored certificates prove what is said now, or None."""
+    if not path_of(theorem).exists() or theorem.expected == "refuted":
+        return None
+    entries = {e["claim"]: e["statements"] for e in json.loads(path_of(theorem).read_text())["claims"]}
+    found = []
+    for claim in theorem.claims:
+        now, kept = statements(claim, theorems), [e["certificate"] for e in entries.get(claim.name, [])]
+        if len(now) != len(kept) or any(map(kernel.check, now, kept)):
+            return None
+        found.append((claim, list(zip(now, kept, strict=True))))
+    return found
 
 
 def text(theorem: Theorem, found: list[tuple[AnyClaim, list[Proved]]]) -> str:
@@ -130,14 +149,11 @@ def main(arguments):
     """Find and write certificates; return 0 if all were found and the kernel accepts them."""
     theorems, failed = all_theorems(), False
     named = [a for a in arguments if a != "--all"]
-    for id in named or theorems:
+    for id in named or [id for id, theorem in theorems.items() if theorem.claims]:
         theorem = theorems[id]
-        if not arguments:
-            try:
-                stored(theorem, theorems)
-                continue
-            except (Stale, NotFound):
-                pass
+        if (found := restated(theorem, theorems)) and "--all" not in arguments:
+            path_of(theorem).write_text(text(theorem, found), encoding="utf-8")
+            continue
         try:
             found = evidence(theorem, theorems)
             for _, pairs in found:

@@ -96,7 +96,7 @@ class Induction:
     """For every whole n ≥ 0: `shows`, equations over n, the parameters and the states of recurrences.
 
     states: (symbol, value at n = 0, value at n + 1 in terms of the values at n). cos and sin of n·α are states too, by
-    the addition formulas. given: relations over the parameters. strengthen: further equations to carry along.
+    the addition formulas. given: relations over the parameters.
     """
 
     name: str
@@ -104,7 +104,6 @@ class Induction:
     shows: tuple[Basic, ...]
     states: tuple[tuple[Symbol, Basic, Basic], ...] = ()
     given: tuple[Basic, ...] = ()
-    strengthen: tuple[Basic, ...] = ()
     ranges: tuple[tuple[Symbol, tuple], ...] = ()
 
     def but(self, **changes):

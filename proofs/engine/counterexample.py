@@ -1,9 +1,14 @@
 """Exact counterexamples: a rational point at which a claim's hypotheses hold and its conclusion does not."""
 
+import re
 from fractions import Fraction
 from math import isqrt
 
+from sympy import Expr, Symbol, cos, sin, sympify
+
 from proofs.engine import kernel
+
+CIRCLE = re.compile(r"(cos|sin)\((.*)\)")
 
 
 class NotRational(ValueError):
@@ -20,11 +25,18 @@ def rational_root(value):
 
 
 def complete(statement, point):
-    """Return the values {name: Fraction} of every name of a derivation at a point {name: rational}.
+    """Return the values {name: Fraction} of every name of a derivation at a point {symbol: exact value}.
 
-    Raises NotRational where a root is irrational or a denominator is zero, KeyError where a name has no value.
+    A cosine and a sine are those of their angle there, as SymPy has them in closed form: nobody chooses them.
+    Raises NotRational where a value is irrational or a denominator is zero, KeyError where a name has no value.
     """
-    values = {name: Fraction(str(point[name])) for name in statement["variables"]}
+    if not all(symbol.is_Symbol for symbol in point):
+        raise NotRational("only a symbol is a coordinate: π, say, is one number")
+    at = {
+        symbol.name: sympify(str(value)) if isinstance(value, Fraction) else sympify(value)
+        for symbol, value in point.items()
+    }
+    values = {name: _rational(_coordinate(name, at)) for name in statement["variables"]}
     for step in statement["steps"]:
         if step["step"] not in ("root", "inverse", "define"):
             continue
@@ -35,6 +47,22 @@ def complete(statement, point):
             value = 1 / value
         values[step["new"]] = rational_root(value) if step["step"] == "root" else value
     return values
+
+
+def _coordinate(name: str, at: dict[str, Expr]) -> Expr:
+    circle = CIRCLE.fullmatch(name)
+    if circle is None:
+        return at[name]
+    angle = sympify(
+        circle[2], locals={s: Symbol(s, real=True) for s in re.findall(r"[A-Za-z_]\w*", circle[2]) if s != "pi"}
+    )
+    return {"cos": cos, "sin": sin}[circle[1]](angle.subs({s: at[s.name] for s in angle.free_symbols}))
+
+
+def _rational(value: Expr) -> Fraction:
+    if not value.is_Rational:
+        raise NotRational(f"{value} is not rational")
+    return Fraction(value.p, value.q)
 
 
 def _evaluate(data, values):
@@ -52,7 +80,7 @@ def _term(text, coefficient, values):
 def refutation(statements: list[dict], point: dict) -> tuple[dict, dict] | None:
     """Return (statement, certificate) of kind "refutation" that the kernel accepts, or None.
 
-    statements: a claim's derivations. point: {name: rational} for the variables, and cos(…), sin(…) of the circles.
+    statements: a claim's derivations. point: {symbol: exact value} of the inputs, angles too.
     The statement ends with the first conclusion that fails.
     """
     for statement in statements:

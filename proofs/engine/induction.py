@@ -5,7 +5,7 @@ from sympy.core.relational import Eq
 
 from proofs.engine.angles import Angles, Untranslatable
 from proofs.engine.claim import Claim, Induction
-from proofs.engine.statement import VERSION, Derivation, polynomial_data
+from proofs.engine.statement import VERSION, Derivation, plain, polynomial_data, sides
 from proofs.formulas.half_turns import ordinary
 
 
@@ -14,7 +14,7 @@ class _Recurrence(Derivation):
 
     def __init__(self, claim):
         super().__init__(Claim(claim.name, (), ()))
-        self.n, self.turning = claim.n, {}
+        self.n, self.turning, self.showing = claim.n, {}, False
 
     def _circle(self, atom):
         if not atom.has(self.n):
@@ -39,12 +39,18 @@ class _Recurrence(Derivation):
 def induction(claim: Induction) -> dict:
     """Return the statement of an Induction. Raises Untranslatable where a quotient or a radical occurs."""
     t = _Recurrence(claim)
-    relations = (*claim.given, *claim.shows, *claim.strengthen)
-    if not all(isinstance(r, Eq) for r in (*claim.shows, *claim.strengthen)):
+    relations = (*claim.given, *claim.shows)
+    expressions = (*relations, *(sympify(e) for state in claim.states for e in state))
+    if claim.n not in (Symbol(claim.n.name, integer=True), Symbol(claim.n.name, real=True)):
+        raise Untranslatable(f"{claim.name}: of n it is known that it is whole, and nothing else")
+    plain(set().union(*(e.free_symbols for e in expressions)) - {claim.n})
+    if not all(isinstance(r, Eq) for r in claim.shows):
         raise Untranslatable(f"{claim.name}: an induction shows equations")
-    t.angles = Angles([*relations, *(sympify(e) for _, *two in claim.states for e in two)])
+    t.angles = Angles(sides(expressions))
+    if len({s for s, *_ in claim.states}) < len(claim.states):
+        raise Untranslatable(f"{claim.name}: a state is given twice")
     state = {s.name: [t.polynomial(ordinary(sympify(e))) for e in two] for s, *two in claim.states}
-    shows, strengthen = ([polynomial_data(t.relation(r)[0]) for r in rs] for rs in (claim.shows, claim.strengthen))
+    shows = [polynomial_data(t.relation(r)[0]) for r in claim.shows]
     for r in claim.given:
         t.assume(*t.relation(r))
     state |= t.turns()
@@ -60,5 +66,4 @@ def induction(claim: Induction) -> dict:
         "start": start,
         "next": following,
         "show": shows,
-        "strengthen": strengthen,
     }

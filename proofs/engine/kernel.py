@@ -2,13 +2,18 @@
 
 Trust this file and the translation of formulas into statements (`proofs.engine.statement`; `statement_data` has the
 format). A polynomial is {monomial: coefficient}, a monomial the sorted tuple of its names: 2x²y is {("x", "x", "y"):
-2}. A fact or goal is (p, relation): p = 0, p ≥ 0, p > 0 or p ≠ 0.
+2}. A fact or goal is (p, is_relation): p = 0, p ≥ 0, p > 0 or p ≠ 0.
 """
 
+import re
 from fractions import Fraction
+from functools import cache
 
 HOLDS = {"=": lambda a: a == 0, "!=": lambda a: a != 0, ">": lambda a: a > 0, ">=": lambda a: a >= 0}
 NEGATION = {"=": (1, "!="), "!=": (1, "="), ">": (-1, ">="), ">=": (-1, ">")}  # not p > 0 is −p ≥ 0
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,99}|(?:cos|sin)\([A-Za-z0-9_*/()+-]{1,99}\)")
+NUMBER = re.compile(r"-?[0-9]{1,500}(?:/[0-9]{1,500})?")  # and in lowest terms
+LONGEST = 100_000  # items of a list, terms of a polynomial
 
 
 class Rejected(Exception):
@@ -20,8 +25,98 @@ def require(condition, reason, residual=None):
         raise Rejected(reason, residual)
 
 
+# The grammar: what has another shape is no statement and no certificate
+
+
+def is_name(text):
+    return isinstance(text, str) and NAME.fullmatch(text) is not None
+
+
+@cache
+def is_number(text):
+    return isinstance(text, str) and NUMBER.fullmatch(text) is not None and text == str(Fraction(text))
+
+
+def is_power(text):
+    base, sign, exponent = text.partition("^")
+    return is_name(base) and (not sign or re.fullmatch("[2-9]|[1-9][0-9]{1,2}", exponent) is not None)
+
+
+@cache
+def is_monomial(text):
+    factors = text.split(" ") if text else []
+    return all(map(is_power, factors)) and len({f.partition("^")[0] for f in factors}) == len(factors)
+
+
+def is_polynomial(data):
+    short = type(data) is dict and len(data) <= LONGEST
+    return short and all(is_monomial(m) and is_number(c) and c != "0" for m, c in data.items())
+
+
+def is_index(i):
+    return type(i) is int and 0 <= i <= LONGEST
+
+
+def is_relation(text):
+    return text in tuple(HOLDS)
+
+
+def fits(value, shape):
+    """Return whether a value has a shape: [of each item], (of the items, …), {key: shape}, a test, or a text itself."""
+    if isinstance(shape, list):
+        return type(value) is list and len(value) <= LONGEST and all(fits(item, shape[0]) for item in value)
+    if isinstance(shape, tuple):
+        return type(value) is list and len(value) == len(shape) and all(map(fits, value, shape))
+    if isinstance(shape, dict):
+        return type(value) is dict and value.keys() == shape.keys() and all(fits(value[k], shape[k]) for k in shape)
+    return shape(value) if callable(shape) else type(value) is type(shape) and value == shape
+
+
+def is_step(data):
+    return fits(data, STEPS[data["step"]])
+
+
+def is_proof(data):
+    return fits(data, PROOFS[data["rule"]])
+
+
+def values_of(test):
+    return lambda data: type(data) is dict and all(is_name(key) and test(value) for key, value in data.items())
+
+
+COFACTORS = [(is_index, is_polynomial)]
+PROOFS = {
+    "ideal": {"rule": "ideal", "cofactors": COFACTORS},
+    "contradiction": {
+        "rule": "contradiction",
+        "positive": [is_index],
+        "sum": [(is_number, is_polynomial, [is_index])],
+        "cofactors": COFACTORS,
+    },
+}
+STEPS = {kind: {"step": kind, "is": is_relation, "of": is_polynomial} for kind in ("assume", "show")}
+STEPS |= {kind: {"step": kind, "new": is_name, "of": is_polynomial} for kind in ("define", "root", "inverse")}
+SHAPES = {
+    "derivation": ({"variables": [is_name], "steps": [is_step]}, {"proofs": [is_proof]}),
+    "refutation": ({"variables": [is_name], "steps": [is_step]}, {"point": values_of(is_number)}),
+    "induction": (
+        {"variables": [is_name], "state": [is_name], "assume": [{"of": is_polynomial, "is": is_relation}]}
+        | {"start": values_of(is_polynomial), "next": values_of(is_polynomial), "show": [is_polynomial]},
+        {"base": [is_proof], "step": [is_proof]},
+    ),
+    "separation": ({"lines": [(is_name, [is_name])], "outputs": [is_name], "avoid": [is_name]}, {"reached": [is_name]}),
+}
+
+
+# Polynomials
+
+
+def exact(text):
+    return Fraction(text) if "/" in text else int(text)
+
+
 def variable(name):
-    return {(name,): Fraction(1)}
+    return {(name,): 1}
 
 
 def add(*polynomials):
@@ -33,7 +128,7 @@ def add(*polynomials):
 
 
 def multiply(number, *polynomials):
-    product = {(): Fraction(number)}
+    product = {(): number}
     for p in polynomials:
         product = add(*({tuple(sorted(a + b)): c * d for b, d in p.items()} for a, c in product.items()))
     return product
@@ -48,48 +143,48 @@ def read(data, values):
     """Return the polynomial {"x^2 y": "-3/2", "": "1"} with every name replaced by its polynomial in `values`."""
     terms = []
     for text, coefficient in data.items():
-        powers = [(name, int(power) if sign else 1) for name, sign, power in (f.partition("^") for f in text.split())]
-        require(all(power > 0 for _, power in powers), f"{text!r} is not a product of powers")
-        terms.append(multiply(coefficient, *(values[name] for name, power in powers for _ in range(power))))
+        powers = [(name, int(power or 1)) for name, _, power in (f.partition("^") for f in text.split())]
+        terms.append(multiply(exact(coefficient), *(values[name] for name, power in powers for _ in range(power))))
     return add(*terms)
+
+
+# Proofs
 
 
 def prove(goal, facts, proof, values):
     """Reject unless `proof` derives the goal from the facts."""
     p, relation = goal
-    if proof["rule"] == "cases":  # by the sign of a polynomial
-        for branch, sign, added in (("<", -1, ">"), ("=", 1, "="), (">", 1, ">")):
-            split = (multiply(sign, read(proof["on"], values)), added)
-            prove(goal, [*facts, split], proof["branches"][branch], values)
-        return
     if proof["rule"] == "ideal":  # p = Σ q_i g_i, where every g_i = 0 is a fact
         require(relation == "=", "membership in an ideal proves equations only")
     else:  # contradiction of facts and negated goal: Π of what is ≠ 0 or > 0, + Σ c s² Π h_j = Σ q_i g_i
-        require(proof["rule"] == "contradiction", f"there is no rule {proof['rule']!r}")
         sign, opposite = NEGATION[relation]
         facts = [*facts, (multiply(sign, p), opposite)]
         strict = [facts[index] for index in proof["positive"]]
         require(all(r in (">", "!=") for _, r in strict), "a fact is not strict")
         p = multiply(1, *(q for f, r in strict for q in ([f, f] if r == "!=" else [f])))
         for coefficient, root, factors in proof["sum"]:
-            require(all(facts[j][1] in (">", ">=") for j in factors) and Fraction(coefficient) >= 0, "may be negative")
-            p = add(p, multiply(coefficient, *[read(root, values)] * 2, *(facts[j][0] for j in factors)))
+            require(all(facts[j][1] in (">", ">=") for j in factors) and exact(coefficient) >= 0, "may be negative")
+            p = add(p, multiply(exact(coefficient), *[read(root, values)] * 2, *(facts[j][0] for j in factors)))
     for index, cofactor in proof["cofactors"]:
         require(facts[index][1] == "=", f"fact {index} is not an equation")
         p = add(p, multiply(-1, read(cofactor, values), facts[index][0]))
     require(not p, "the two sides differ", p)
 
 
+def named(names):
+    require(len(set(names)) == len(names), "a name is introduced twice")
+    return {name: variable(name) for name in names}
+
+
 def derive(statement, meet):
     """Take a derivation's steps in order; meet(goal, facts, values) is called for whatever has to be proved."""
-    values, facts = {name: variable(name) for name in statement["variables"]}, []
+    values, facts = named(statement["variables"]), []
     for step in statement["steps"]:
         kind, p = step["step"], read(step["of"], values)
         goal = (p, {"root": ">=", "inverse": "!="}.get(kind) or step.get("is"))
         if kind in ("show", "root", "inverse"):
             meet(goal, facts, values)
         if kind in ("show", "assume"):
-            require(goal[1] in HOLDS, f"there is no relation {goal[1]}")
             facts.append(goal)
             continue
         name, y = step["new"], variable(step["new"])
@@ -98,34 +193,41 @@ def derive(statement, meet):
             facts += [(add(multiply(1, y, y), multiply(-1, p)), "="), (y, ">=")]
         elif kind == "inverse":  # y = 1/p
             facts.append((add(multiply(1, y, p), multiply(-1)), "="))
-        else:
-            require(kind == "define", f"there is no step {kind}")
         values[name] = p if kind == "define" else y
     return facts
 
 
 def prove_all(statement, certificate):
     proofs = iter(certificate["proofs"])
+    require(any(step["step"] == "show" for step in statement["steps"]), "nothing is claimed")
     derive(statement, lambda goal, facts, values: prove(goal, facts, next(proofs), values))
+    require(next(proofs, None) is None, "a proof is left over")
 
 
 def refute(statement, certificate):
-    """Reject unless at the point everything holds except the last goal."""
-    point, goals = {name: multiply(value) for name, value in certificate["point"].items()}, []
+    """Reject unless at the point everything holds except the last goal; π is no coordinate, a cosine has its sine."""
+    point, goals = {name: multiply(exact(value)) for name, value in certificate["point"].items()}, []
     *facts, (claim, relation) = derive(statement, lambda goal, *_: goals.append(goal))
     require(statement["steps"][-1]["step"] == "show", "there is no last goal")
+    new = {step["new"] for step in statement["steps"] if step["step"] in ("root", "inverse")}
+    require(point.keys() == new.union(statement["variables"]), "the point is of other names")
+    require("pi" not in point, "π is no coordinate")
+    for name in [name for name in point if "(" in name]:
+        pair = [point[function + name[3:]] for function in ("cos", "sin")]
+        require(add(*(multiply(1, p, p) for p in pair)) == multiply(1), f"{name} is off the circle")
     for p, holds in [(q, HOLDS[r]) for q, r in facts + goals[:-1]] + [(claim, lambda a: not HOLDS[relation](a))]:
         require(holds(substitute(p, point).get((), 0)), "the point is not a counterexample", p)
 
 
 def induct(statement, certificate):
-    """Reject unless every p of `show` is 0 at the start, and at the next state if it, and what else, is 0 now."""
-    values = {name: variable(name) for name in (*statement["variables"], *statement["state"])}
-    start, following = ({n: read(p, values) for n, p in statement[k].items()} for k in ("start", "next"))
-    require(start.keys() == following.keys() == set(statement["state"]), "a state is not given")
-    facts = [(read(step["of"], values), step["is"]) for step in statement["assume"]]
-    require(not any(set(n) & start.keys() for p, _ in facts for n in p), "an assumption about the state")
-    claims = [read(p, values) for p in statement["show"] + certificate["strengthen"]]
+    """Reject unless every p of `show` is 0 at the start, and at the next state if all of them are 0 now."""
+    fixed, values = (named([*statement["variables"], *more]) for more in ((), statement["state"]))
+    require(statement["start"].keys() == statement["next"].keys() == set(statement["state"]), "a state is not given")
+    start = {name: read(p, fixed) for name, p in statement["start"].items()}
+    following = {name: read(p, values) for name, p in statement["next"].items()}
+    facts = [(read(step["of"], fixed), step["is"]) for step in statement["assume"]]
+    claims = [read(p, values) for p in statement["show"]]
+    require(claims, "nothing is claimed")
     for p, base, step in zip(claims, certificate["base"], certificate["step"], strict=True):
         prove((substitute(p, values | start), "="), facts, base, values)
         prove((substitute(p, values | following), "="), facts + [(q, "=") for q in claims], step, values)
@@ -134,6 +236,7 @@ def induct(statement, certificate):
 def separate(statement, certificate):
     """Reject unless the certificate's set holds the outputs and all that they use, and nothing to be avoided."""
     reached = set(certificate["reached"])
+    require(statement["outputs"] and statement["avoid"], "nothing is claimed")
     closed = all(reached >= set(uses) for name, uses in statement["lines"] if name in reached)
     require(closed and reached >= set(statement["outputs"]), "an output, or a name that is used, is missing")
     require(not reached & set(statement["avoid"]), "reaches what was to be avoided")
@@ -145,7 +248,10 @@ RULES = {"derivation": prove_all, "refutation": refute, "induction": induct, "se
 def check(statement, certificate):
     """Return None if the certificate proves the statement, else the exception that says why it does not."""
     try:
-        require(statement["version"] == 1, "only version 1 is known")
-        RULES[statement["kind"]](statement, certificate)
+        kind = statement["kind"]
+        of_statement, of_certificate = SHAPES[kind]
+        require(fits(statement, {"version": 1, "kind": kind} | of_statement), "not a statement's form")
+        require(fits(certificate, of_certificate), "not a certificate's form")
+        RULES[kind](statement, certificate)
     except Exception as why:  # a malformed certificate proves nothing either
         return why

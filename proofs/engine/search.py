@@ -87,7 +87,8 @@ def _contradiction(goal, facts, values, names, ideal, squares, effort):
     if opposite == "=":
         ideal = Ideal(names, {i: p for i, (p, relation) in enumerate(facts) if relation == "="})
     hints = [({"": "1"}, kernel.multiply(1))] + [(q, kernel.read(q, values)) for q in squares]
-    abbreviations = [({n: "1"}, q) for n, q in values.items() if n not in names and 1 < len(q) <= 8][-16:]
+    abbreviations = [({n: "1"}, q) for n, q in values.items() if n not in names and 1 < len(q) <= 8]
+    abbreviations = [(data, q) for data, q in abbreviations if not next(iter(data)).startswith("sum_")][-16:]
     if opposite == "!=":
         hints.append((ideal.data(ideal.element(negated[0])), negated[0]))
     for degree, wide in EFFORTS[: min(effort, 2) if opposite == "!=" else effort]:
@@ -179,7 +180,7 @@ def _separation(statement, squares, effort):
 
 
 def _induction(statement, squares, effort):
-    certificate = {"strengthen": statement.get("strengthen", []), "base": [], "step": []}
+    certificate = {"base": [], "step": []}
     names = (*statement["variables"], *statement["state"])
     values = {name: kernel.variable(name) for name in names}
     start, following = ({n: kernel.read(p, values) for n, p in statement[k].items()} for k in ("start", "next"))

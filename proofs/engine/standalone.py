@@ -50,6 +50,9 @@ if __name__ == "__main__":
 def run(text, given=""):
     """Check every statement of the certificate's JSON text; print what was checked; return 0, or 1 on a rejection."""
     start, data, failures, terms = time.perf_counter(), json.loads(text), 0, 0
+    if json.dumps(data, indent=1, ensure_ascii=False) != text.strip():
+        print("REJECTED: the text is not its own canonical form.")
+        return 1
     kinds = {pair["statement"]["kind"] for claim in data["claims"] for pair in claim["statements"]}
     for claim in data["claims"]:
         for number, pair in enumerate(claim["statements"], 1):
@@ -94,7 +97,8 @@ def _header(theorem):
     claim = "refuted by an exact counterexample" if theorem.expected == "refuted" else "proved by a certificate"
     parts = [
         f"{theorem.title} ({theorem.id}), {claim}.",
-        theorem.statement,
+        theorem.words,
+        *(f"Argued, and not checked here: {clause.text} ({clause.argued})." for clause in theorem.argued),
         *(f"Given: {hypothesis}." for hypothesis in theorem.hypotheses),
         *(f"Given, from {lemma.source}: {lemma.text}." for lemma in lemmas),
         *([f"It uses, each with a script of its own: {', '.join(theorem.uses)}."] if theorem.uses else []),

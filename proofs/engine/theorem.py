@@ -10,7 +10,7 @@ from sympy import Symbol
 
 from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
 
-GRADES = ("failed", "cited", "measured", "certified", "proved", "refuted")
+GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition", "proved", "refuted")
 WITHOUT_CLAIMS = ("cited", "measured", "certified")
 
 
@@ -21,6 +21,18 @@ class Step:
     what: str
     why: str
     uses: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Clause:
+    """A part of a statement, as the reader sees it, and the names of the claims that say it.
+
+    One without claims is argued in the steps and decided by nothing; `argued` says why.
+    """
+
+    text: str
+    claims: tuple[str, ...] = ()
+    argued: str = ""
 
 
 @dataclass(frozen=True)
@@ -60,7 +72,8 @@ class Mutant:
 class Theorem:
     """A statement with everything that its evidence is made of.
 
-    id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader.
+    id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader. The
+    statement may be Clauses, each with the claims that say it; where one is argued, so is the theorem.
     section: "s3" … where the book discusses it. claims: what is checked. uses: ids of the theorems that claims borrow
     from or steps use. steps: the argument. side_conditions: each with its edge tests. mutants: at least two.
     finding: "F3" if it is about a finding. refuted_at: of a false statement, {claim name: the exact point where it
@@ -73,7 +86,7 @@ class Theorem:
     id: str
     title: str
     section: str
-    statement: str
+    statement: str | tuple[Clause, ...]
     claims: tuple = ()
     mutants: tuple[Mutant, ...] = ()
     steps: tuple[Step, ...] = ()
@@ -98,8 +111,30 @@ class Theorem:
             raise ValueError(f"{self.id}: claims need different names")
         if unknown := {c.claim for c in self.side_conditions} - set(names):
             raise ValueError(f"{self.id}: side conditions of unknown claims {sorted(unknown)}")
+        said = {name for clause in self.clauses for name in clause.claims}
+        if said != set(names):
+            raise ValueError(f"{self.id}: no clause, or no claim, is called {sorted(said ^ set(names))}")
+        if any(not clause.argued for clause in self.argued):
+            raise ValueError(f"{self.id}: a clause without a claim needs a reason")
         if dict(self.refuted_at).keys() != (set(names) if self.expected == "refuted" else set()):
             raise ValueError(f"{self.id}: a refuted statement, and no other, has a point for each claim")
+
+    @property
+    def clauses(self) -> tuple[Clause, ...]:
+        """The statement's clauses: a text is one clause, which all the claims say."""
+        if isinstance(self.statement, str):
+            return (Clause(self.statement, tuple(claim.name for claim in self.claims)),)
+        return self.statement
+
+    @property
+    def words(self) -> str:
+        """The statement as one text."""
+        return " ".join(clause.text for clause in self.clauses)
+
+    @property
+    def argued(self) -> tuple[Clause, ...]:
+        """The clauses that no claim says."""
+        return tuple(clause for clause in self.clauses if self.claims and not clause.claims)
 
     def claim(self, name: str) -> AnyClaim:
         """Return the claim of that name."""
@@ -171,6 +206,9 @@ def incomplete(theorem: Theorem, theorems: Theorems) -> list[str]:
     concluding = [c for id in theorem.uses if id in theorems for c in _concluding(theorem, theorems[id])]
     lacks = sorted(needed - set(theorem.uses))
     idle = sorted(set(theorem.uses) - needed - {id for id, *_ in concluding})
+    circular = sorted(id for id in needed | set(theorem.uses) if id in theorems and _rests_on(id, theorem.id, theorems))
+    if circular:
+        return [f"{theorem.id}: rests on itself, through {', '.join(circular)}"]
     problems = [f"{theorem.id}: uses lacks {', '.join(lacks)}, which a claim borrows from or a step uses"] * bool(lacks)
     for id in idle:
         problems.append(f"{theorem.id}: uses {id}, but no claim borrows from it; name it in the step that does: uses=")

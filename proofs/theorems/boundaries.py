@@ -7,7 +7,7 @@ from proofs.engine.program import Program
 from proofs.engine.theorem import Mutant, Step, Theorem
 from proofs.formulas.bump import bumped, g, perturbed
 from proofs.formulas.camera import surface
-from proofs.formulas.finite_difference import central
+from proofs.formulas.finite_difference import central, central4, forward
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from proofs.formulas.symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, towards
@@ -15,19 +15,24 @@ from proofs.theorems.normal import tangent
 
 _ridges = HEIGHT_FIELDS["ridges"]
 _any_gradient = Program("any_gradient", (h_u, h_v), (), (h_u, h_v))
-_chamber = (surface, occlusion(0), dark_square)
+LIGHTS = 5  # as many as a scene may have
+_chamber = (surface, *(occlusion(light) for light in range(LIGHTS)), dark_square)
 _unmoved = {
     model: Separation(
-        model, pixel(_ridges, model, lights=1, gradient_program=_any_gradient), _chamber, (h_u, h_v, beta, *bumped)
+        model, pixel(_ridges, model, lights=LIGHTS, gradient_program=_any_gradient), _chamber, (h_u, h_v, beta, *bumped)
     )
     for model in ("blinn", "phong")
 }
-_by_difference = Separation(
-    "central_difference",
-    pixel(_ridges, lights=1, gradient_program=central(_ridges)),
-    _chamber,
-    (k_u, k_v, epsilon, h_u, h_v, beta, *bumped),
-)
+_by_difference = {
+    f"{method.__name__}_{name}": Separation(
+        f"{method.__name__}_{name}",
+        pixel(field, lights=1, gradient_program=method(field)),
+        (surface, occlusion(0), dark_square),
+        (k_u, k_v, epsilon, h_u, h_v, beta, *bumped),
+    )
+    for method in (forward, central, central4)
+    for name, field in HEIGHT_FIELDS.items()
+}
 _mu = Symbol("mu_0", real=True)
 
 theorem = Theorem(
@@ -36,8 +41,10 @@ theorem = Theorem(
     section="s3",
     statement=r"Which surface a pixel shows, which lights another body hides from it, and its checker square depend on "
     r"none of $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$: $N'$ enters the shading alone.",
-    hypotheses=("the pixel's whole program: both shading models, any gradient, and a difference of ridges",),
-    claims=(*_unmoved.values(), _by_difference),
+    hypotheses=(
+        "the pixel's whole program: both shading models, any gradient, five lights; every difference of every field",
+    ),
+    claims=(*_unmoved.values(), *_by_difference.values()),
     steps=(
         Step("write the pixel as a straight-line program", "the lines are those that the kernels print"),
         Step("the names that the chamber reaches are closed under “is used by a line of”", "reading each line once"),
@@ -46,7 +53,7 @@ theorem = Theorem(
     mutants=(
         Mutant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"].but(outputs=(_mu,), avoid=(beta,))),
         Mutant("nor the colour", _unmoved["phong"].but(outputs=rgb[:1], avoid=(beta,))),
-        Mutant("the colour ignores ε", _by_difference.but(outputs=rgb[:1], avoid=(epsilon,))),
+        Mutant("the colour ignores ε", _by_difference["central_ridges"].but(outputs=rgb[:1], avoid=(epsilon,))),
     ),
 )
 

@@ -3,7 +3,7 @@
 from sympy import Rational, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.program import Program
+from proofs.engine.program import Program, chain
 from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
 from proofs.formulas.chart import chart, chart_inverse, u_closed
 from proofs.formulas.half_turns import atan2pi, cospi, sinpi
@@ -52,7 +52,9 @@ _recovered = Claim(
 _from_chart = [unit_normal.expand(n).xreplace(dict(chart_inverse.definitions)) for n in normal]
 _unit = Claim("unit", (equation(dot(_from_chart, _from_chart), 1),))
 _formula = Claim(
-    "formula", equations(_from_chart, [-sin(pi * v) * cos(2 * pi * u), -sin(pi * v) * sin(2 * pi * u), cos(pi * v)])
+    "formula",
+    equations(normal, [-sin(pi * v) * cos(2 * pi * u), -sin(pi * v) * sin(2 * pi * u), cos(pi * v)]),
+    lines=chain("normal_from_chart", chart_inverse, unit_normal),
 )
 
 forward = Theorem(

@@ -51,9 +51,7 @@ _sharp = Claim(
 )
 _parabola = HeightField("parabola", v**2 / 2)
 _at_zero = Claim(
-    "at_the_pole_itself",
-    (equation(at_pole(_parabola).expand(h_v) - _parabola.gradient()[1], (epsilon - v) / 2),),
-    pole_clamps,
+    "at_the_pole_itself", (equation(h_v - _parabola.gradient()[1], (epsilon - v) / 2),), pole_clamps, at_pole(_parabola)
 )
 
 first_order = Theorem(

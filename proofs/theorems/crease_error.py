@@ -3,7 +3,7 @@
 from sympy import Rational, Symbol, cos, diff, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Clause, Edge, Mutant, SideCondition, Step, Theorem
 from proofs.formulas.symbols import epsilon, k_u, k_v, v
 from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
 from proofs.theorems.crease import delta, ranges, rate, reach, straddled
@@ -74,11 +74,29 @@ theorem = Theorem(
     id="crease_error_area",
     title="The error beside the creases falls like √ε",
     section="s4",
-    statement=r"Within $\varepsilon$ of a crease the error of the central difference of $|\sin\pi k u|$ is "
-    r"$\pi k(|\delta|/\varepsilon - 1)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$, which also bounds it "
-    r"elsewhere. Over the chart the mean square of these tents is $\pi^2k_u^2\,k_u\varepsilon/3$ in $h_u$ and "
-    r"$\pi^2k_v^2\,(k_v-1)\varepsilon/3$ in $h_v$; so the RMS error is $\pi k_u\sqrt{k_u\varepsilon/3}$ and "
-    r"$\pi k_v\sqrt{(k_v-1)\varepsilon/3}$, each up to $\tfrac23\pi k(\pi k\varepsilon)^2$.",
+    statement=(
+        Clause(
+            r"Within $\varepsilon$ of a crease the error of the central difference of $|\sin\pi k u|$ is "
+            r"$\pi k(|\delta|/\varepsilon - 1)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$.",
+            (_near_tent.name,),
+        ),
+        Clause(
+            r"$(\delta-\varepsilon)^3/3\varepsilon^2$ has the derivative $(\delta/\varepsilon-1)^2$ and grows "
+            r"by $\varepsilon/3$; a "
+            r"primitive of $\sin^2\pi k v$ grows by $\tfrac12$ over the chart; tents of these areas at $k_u$ "
+            r"and $k_v - 1$ "
+            r"creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi "
+            r"k_v\sqrt{(k_v-1)\varepsilon/3}$.",
+            tuple(claim.name for claim in (_tents, _means, _in_u, _in_v)),
+        ),
+        Clause(
+            r"So these are the RMS errors in $h_u$ and $h_v$, each up to $\tfrac23\pi k(\pi k\varepsilon)^2$, "
+            r"which also bounds "
+            "the error elsewhere.",
+            argued="that a primitive gives an area, that the tents are disjoint and how many there are",
+        ),
+    ),
+    expected="argued",
     hypotheses=(
         r"$k_u, k_v \ge 1$ whole, $0 < \varepsilon \le 1/2k$: ridges, $k_u$ creases in $u$, $k_v - 1$ inside in $v$",
         r"bounds of sine and cosine by their Taylor polynomials (cited)",

@@ -12,6 +12,7 @@ from proofs.formulas.symbols import (
     cross,
     dot,
     eye,
+    lengths_of_a,
     normal,
     phi,
     radius,
@@ -46,6 +47,7 @@ def _in_angles(names):
 _n, _theta, _phi = (_in_angles(names) for names in (normal, e_theta, e_phi))
 _along_phi = Claim("e_phi", equations(_phi, [diff(n, phi) for n in _n]))
 _along_theta = Claim("e_theta", equations([sin(phi) * e for e in _theta], [diff(n, theta) for n in _n]))
+_along = _along_phi.but(name="derivatives", shows=(*_along_phi.shows, *_along_theta.shows))
 _unit = Claim(
     "orthonormal",
     (
@@ -64,7 +66,7 @@ theorem = Theorem(
     statement=r"$e_\varphi = \partial N/\partial\varphi$ and $\sin\varphi\, e_\theta = \partial N/\partial\theta$; "
     r"$(e_\varphi, e_\theta, N)$ is orthonormal and $e_\varphi \times e_\theta = N$.",
     hypotheses=(r"$\cos^2 + \sin^2 = 1$ for each of $\theta$ and $\varphi$",),
-    claims=(_along_phi, _along_theta, _unit, _right_handed),
+    claims=(_along, _unit, _right_handed),
     steps=(
         Step(r"$\partial N/\partial\varphi$ is $e_\varphi$ line by line", "differentiation"),
         Step(r"$\partial N/\partial\theta$ is $\sin\varphi\, e_\theta$ line by line", "differentiation"),
@@ -106,7 +108,7 @@ _seed = Claim(
     (*on_circles, *_north),
     frame,
 )
-_off_the_pole = (eye > radius, rho_raw >= POLE * eye, discriminant_a >= 0)
+_off_the_pole = (*lengths_of_a, eye > radius, rho_raw >= POLE * eye, discriminant_a >= 0)
 _angles = Claim(
     "angles",
     (

@@ -3,7 +3,7 @@
 from sympy import Abs, Max, Piecewise, Rational, sqrt
 
 from proofs.engine.claim import Claim, Induction, at_least, equation, greater
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Clause, Edge, Mutant, SideCondition, Step, Theorem
 from proofs.formulas.shading import blinn, clip, clipped, color, halfway, halfway_length, phong, specular_base
 from proofs.formulas.symbols import bumped, cross, dot, mu, real, towards, vector, view
 from proofs.theorems.normal_limits import minus
@@ -126,9 +126,23 @@ theorem = Theorem(
     id="specular_lipschitz",
     title="The highlight is Lipschitz in the normal",
     section="s4",
-    statement=r"For whole $p \ge 1$, $|x^p - z^p| \le p\,|x-z|$ on $[0, 1]$. Blinn's base is 1-Lipschitz in $N'$, "
-    r"Phong's 2-Lipschitz, and so is $\mu = N'\cdot\omega$ with 1; so the highlight is Lipschitz with $p$ (Blinn) and "
-    r"$2p$ (Phong).",
+    statement=(
+        Clause(
+            r"Blinn's base is 1-Lipschitz in $N'$, Phong's 2-Lipschitz, and so is $\mu = N'\cdot\omega$ with 1.",
+            tuple(claim.name for claim in (_scalar, _clamps, _blinn, _gram, _swing, _twice)),
+        ),
+        Clause(
+            r"The factors of $x^p - z^p$ and of $p - (x^p - z^p)/(x - z)$ follow a recurrence, one step of "
+            r"which keeps them "
+            r"from being negative; where they are not, $|x^p - z^p| \le p\,|x-z|$ on $[0, 1]$.",
+            tuple(claim.name for claim in (_powers, _signs, _power)),
+        ),
+        Clause(
+            r"So it is for every whole $p \ge 1$, and the highlight is Lipschitz with $p$ (Blinn) and $2p$ (Phong).",
+            argued="an induction over inequalities, which the kernel has no rule for",
+        ),
+    ),
+    expected="argued",
     hypotheses=(
         r"$p$ whole, $x, z \in [0, 1]$; by symmetry $x \ge z$",
         "unit vectors",

@@ -20,7 +20,20 @@ from proofs.formulas.camera import (
     tangent_squared,
     toward_b,
 )
-from proofs.formulas.symbols import ball_center, ball_on, ball_radius, dot, eye, radius, real, rho, x, y
+from proofs.formulas.symbols import (
+    ball_center,
+    ball_on,
+    ball_radius,
+    dot,
+    eye,
+    lengths_of_a,
+    lengths_of_b,
+    radius,
+    real,
+    rho,
+    x,
+    y,
+)
 
 t = real("t")
 
@@ -36,7 +49,7 @@ def distance_squared(point, center):
 
 
 _origin = (0, 0, 0)
-_domain = (eye > radius, rho_raw >= POLE * eye, discriminant_a >= 0)
+_domain = (*lengths_of_a, eye > radius, rho_raw >= POLE * eye, discriminant_a >= 0)
 _solves_a = Claim("solves", (equation(distance_squared(along(t_a), _origin), radius**2), t_a > 0), _domain, hit_of_a)
 _near_a = Claim(
     "near",
@@ -52,7 +65,7 @@ _near_a = Claim(
 _misses_a = Claim(
     "misses",
     (distance_squared(along(t), _origin) > radius**2,),
-    (eye > radius, rho_raw >= POLE * eye, discriminant_a < 0),
+    (*lengths_of_a, eye > radius, rho_raw >= POLE * eye, discriminant_a < 0),
     hit_of_a,
     squares=((rho**2 + eye**2) * t - eye**2,),
 )
@@ -110,7 +123,7 @@ def _on_the_axis(eye, z, ball_radius):
 
 
 _outside = distance_squared(_eye, ball_center) > ball_radius**2
-_sees_b = (_outside, discriminant_b >= 0, toward_b > 0, ball_on > 0)
+_sees_b = (*lengths_of_b, _outside, discriminant_b >= 0, toward_b > 0, ball_on > 0)
 _solves_b = Claim(
     "solves", (equation(distance_squared(along(t_b), ball_center), ball_radius**2), t_b > 0), _sees_b, hit_of_b
 )
@@ -124,7 +137,7 @@ _near_b = Claim(
 _behind_b = Claim(
     "behind",
     (t < 0,),
-    (_outside, toward_b <= 0, equation(distance_squared(along(t), ball_center), ball_radius**2)),
+    (*lengths_of_b, _outside, toward_b <= 0, equation(distance_squared(along(t), ball_center), ball_radius**2)),
     hit_of_b,
     squares=(x * t, y * t, eye * t),
 )
@@ -158,7 +171,10 @@ theorem_b = Theorem(
     mutants=(
         Mutant("the seed's c", _quadratic.but(shows=(equation(discriminant_b, toward_b**2 - _length * _seed_c),))),
         Mutant("the far root", _near_b.but(shows=(t <= t_b,))),
-        Mutant("b with its sign turned", _behind_b.but(given=(_outside, toward_b >= 0, *_behind_b.given[2:]))),
+        Mutant(
+            "b with its sign turned",
+            _behind_b.but(given=(*lengths_of_b, _outside, toward_b >= 0, *_behind_b.given[4:])),
+        ),
     ),
     side_conditions=(
         SideCondition(

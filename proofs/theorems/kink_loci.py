@@ -1,6 +1,6 @@
 """Where the creases of a field are seen: meridians are rays of the image, parallels are circles."""
 
-from sympy import Rational, Symbol, cos, pi, sqrt
+from sympy import Rational, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
@@ -12,6 +12,7 @@ from proofs.formulas.symbols import (
     eye,
     k_u,
     k_v,
+    lengths_of_a,
     point,
     radius,
     real,
@@ -26,10 +27,17 @@ from proofs.formulas.symbols import (
 from proofs.theorems.frame import equations, on_circles
 from proofs.theorems.hits import along
 
-t, m = real("t"), Symbol("m", integer=True)
+t, m = real("t m")
+
+
+def whole(number):
+    """Return the hypothesis that a number is whole, by what the translation knows of it: sin πm = 0."""
+    return equation(sin(pi * number), 0)
+
+
 circle_radius = parallel_radius[rho]
 
-_seen = (*on_circles, sin_phi >= 0, eye > radius, *equations(along(t), point))
+_seen = (*on_circles, sin_phi >= 0, *lengths_of_a, eye > radius, *equations(along(t), point))
 _projection = Claim(
     "projection",
     (
@@ -50,7 +58,11 @@ _projection = Claim(
 )
 _ridges = HEIGHT_FIELDS["ridges"]
 _creases = tuple(
-    Claim(f"crease_{c}", (equation(factor.subs(c, m / k), 0), equation(_ridges.expression.subs(c, m / k), 0)), (k > 0,))
+    Claim(
+        f"crease_{c}",
+        (equation(factor.subs(c, m / k), 0), equation(_ridges.expression.subs(c, m / k), 0)),
+        (k > 0, whole(m)),
+    )
     for factor, c, k in zip(_ridges.creases, (u, v), (k_u, k_v), strict=True)
 )
 _on_the_axis = ((cos_theta, 1), (sin_theta, 0), (cos_phi, 1), (sin_phi, 0), (eye, 1), (x, 0), (y, 0))

@@ -138,7 +138,8 @@ limits = Theorem(
     title="The bumped normal for small and large β",
     section="s3",
     statement=r"$|N'-N| \le |\beta||g|$, with equality at $\beta = 0$; and for $\beta \ne 0$, $g \ne 0$, "
-    r"$|N' - \operatorname{sign}(\beta)\,g/|g|| \le 1/(|\beta||g|)$. Where the height is zero, so is $g$, and $N' = N$ "
+    r"$|N' - \operatorname{sign}(\beta)\,g/|g|| \le 1/(|\beta||g|)$. If $h$ is zero everywhere, so is $g$, and "
+    r"$N' = N$ "
     r"as for $\beta = 0$.",
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
     claims=(_small, _up, _down, _still, _flat),

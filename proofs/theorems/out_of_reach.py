@@ -3,7 +3,7 @@
 from sympy import Rational
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Clause, Edge, Mutant, SideCondition, Step, Theorem
 from proofs.formulas.shadow import body_radius
 from proofs.formulas.shadow_cone import along, at_light, curvature, from_body, half_slope, shadow_clearance
 from proofs.formulas.symbols import ball_radius, cross, dot, real, vector
@@ -33,6 +33,13 @@ _cone = Claim(
         equation(product, dot(axis, aside)),
     ),
     squares=cross(axis, aside),
+)
+_to_ball = real("to_ball_x to_ball_y to_ball_z")
+_within = Claim(
+    "within",
+    (at_least((share * ball_radius) ** 2, sum((share * d) ** 2 for d in _to_ball)),),
+    (at_least(ball_radius**2, dot(_to_ball, _to_ball)),),
+    squares=(share,),
 )
 _on_axis = tuple(w + share * d for w, d in zip(from_body, along, strict=True))
 _value = at_light + share * (2 * half_slope + share * curvature)
@@ -70,11 +77,25 @@ theorem = Theorem(
     id="shadow_out_of_reach",
     title="A body that clears the cone of light casts no shadow",
     section="benchmark",
-    statement=r"The segments from a light $L$ to a ball (centre $C$, radius $s$) pass at share $t$ of the way "
-    r"within $ts$ of $L + t(C-L)$. If $|L - c + t(C-L)| > r + ts$ for all $t \in [0,1]$, no such segment meets the "
-    r"ball of radius $r$ about $c$. The squares' difference is a quadratic in $t$, least at an end or where it turns.",
+    statement=(
+        Clause(
+            r"The segments from a light $L$ to a ball (centre $C$, radius $s$) pass at share $t$ of the way "
+            r"within $ts$ of "
+            r"$L + t(C-L)$.",
+            ("within",),
+        ),
+        Clause(
+            r"If $|L - c + t(C-L)| > r + ts$ for all $t \in [0,1]$, no such segment meets the ball of radius "
+            r"$r$ about $c$.",
+            ("cone",),
+        ),
+        Clause(
+            r"The squares' difference is a quadratic in $t$, least at an end or where it turns.",
+            ("quadratic", "turns_before", "turns_between", "turns_after", "bends_down"),
+        ),
+    ),
     hypotheses=("$r, s > 0$",),
-    claims=(_cone, _quadratic, *_least, _chord),
+    claims=(_within, _cone, _quadratic, *_least, _chord),
     uses=(),
     steps=(
         Step(r"$X\cdot w \ge -|X||w|$, so $|X + w| \ge |X| - |w|$", "Lagrange's identity"),

@@ -5,7 +5,7 @@ from sympy import Rational, cos, pi, sin
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.theorem import Mutant, Step, Theorem
 from proofs.formulas.camera import parallel_radius
-from proofs.formulas.symbols import cos_phi, eye, radius, real, rho, sin_phi
+from proofs.formulas.symbols import cos_phi, eye, lengths_of_a, radius, real, rho, sin_phi
 from proofs.theorems.kink_loci import theorem as kink_loci
 
 a, b = real("a b")
@@ -15,7 +15,12 @@ _falling = Claim(
     (sin((a + b) / 2) > 0, sin((b - a) / 2) > 0),
 )
 _default = kink_loci.claim("count")
-_poles = Claim("pole", (equation(rho, 0),), (equation(sin_phi, 0), equation(cos_phi, 1), eye > radius), parallel_radius)
+_poles = Claim(
+    "pole",
+    (equation(rho, 0),),
+    (equation(sin_phi, 0), equation(cos_phi, 1), *lengths_of_a, eye > radius),
+    parallel_radius,
+)
 
 theorem = Theorem(
     id="visible_parallels",

@@ -1,14 +1,28 @@
 """How near the pole the pixels of a raster come: the seed's fallback at the pole touches none of 256² (F10)."""
 
-from sympy import Rational, Symbol
+from sympy import Rational
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.program import chain
 from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
 from proofs.formulas.camera import image_extent, image_point, parallel_radius
-from proofs.formulas.symbols import column, cos_phi, eye, height, radius, rho, row, sin_phi, width, x, y
+from proofs.formulas.symbols import (
+    column,
+    cos_phi,
+    eye,
+    height,
+    lengths_of_a,
+    radius,
+    real,
+    rho,
+    row,
+    sin_phi,
+    width,
+    x,
+    y,
+)
 
-m, n = Symbol("m", integer=True), Symbol("n", integer=True)
+m, n = real("m n")
 FALLBACK = Rational(1, 10**4)  # the seed's: below this sin φ it takes another basis
 
 _default = {eye: 4, radius: 1, width: 256, height: 256, column: m, row: n}
@@ -33,7 +47,7 @@ _linear = Claim(
         at_least(rho, 0),
         at_least(eye * radius * sin_phi, (eye - radius) * rho),
     ),
-    (equation(cos_phi**2 + sin_phi**2, 1), sin_phi >= 0, eye > radius),
+    (equation(cos_phi**2 + sin_phi**2, 1), sin_phi >= 0, *lengths_of_a, eye > radius),
     parallel_radius,
     squares=(sin_phi, 1 - cos_phi),
 )

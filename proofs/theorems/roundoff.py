@@ -57,11 +57,12 @@ theorem = Theorem(
     source="DLMF",
     title="The rounding error of the central difference",
     section="s4",
-    statement=r"In the standard model, with unit roundoff $\mu$, heights off by at most $\eta$ and arguments by at "
+    statement=r"Of the difference in $u$, in the standard model, with unit roundoff $\mu$, heights off by at "
+    r"most $\eta$ and arguments by at "
     r"most $\alpha$: $|\hat D_\varepsilon h - D_\varepsilon h| \le "
     r"\frac{\eta + L\alpha}{\varepsilon}(1+\mu)^2 + L(2\mu+\mu^2)$, $L = \sup|h'|$.",
     hypotheses=(
-        r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu < 1$; $2\varepsilon$ is exact",
+        r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu < 1$; $2\varepsilon$ is exact; nothing underflows",
         r"$\eta, \alpha$: parameters: of the evaluation of $h$, and of the rounded $u \pm \varepsilon$, wrapped",
         r"the mean value theorem: $\alpha$ moves $h$ by at most $L\alpha$, and $|D_\varepsilon h| \le L$",
     ),

@@ -5,7 +5,7 @@ from sympy import Rational, sqrt
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
 from proofs.formulas.camera import hit_of_b, ray_direction, toward_b
-from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, radius, real, x, y
+from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, lengths_of_a, radius, real, x, y
 from proofs.theorems.hits import along
 
 t, b, d = real("t b d")
@@ -34,7 +34,7 @@ _before = Claim(
 _behind = Claim(
     "behind",
     (at_least(radius, eye * (1 - t)), at_least(eye * t, eye - radius)),
-    (equation(dot(along(t), along(t)), radius**2),),
+    (*lengths_of_a, equation(dot(along(t), along(t)), radius**2)),
     squares=(x * t, y * t),
 )
 

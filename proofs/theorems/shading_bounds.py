@@ -1,9 +1,9 @@
 """How far a gradient's error can move a colour: one light's share of a channel, and its Lipschitz constant."""
 
-from sympy import Max
+from sympy import Max, Min
 
 from proofs.engine.claim import Claim, at_least
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Clause, Edge, Mutant, SideCondition, Step, Theorem
 from proofs.formulas.shading import albedos, colors, kd, ks, light_colors, light_term, lit
 from proofs.formulas.symbols import mu, real, specular
 
@@ -36,6 +36,34 @@ _bound = Claim(
 )
 
 
+_first, _second, _bound_on, _slope_error = real("first second bound_on slope_error")
+_clip = Claim(
+    "clip",
+    tuple(
+        at_least(_bound_on, Min(1, Max(0, a)) - Min(1, Max(0, b))) for a, b in ((_first, _second), (_second, _first))
+    ),
+    (at_least(_bound_on, _first - _second), at_least(_bound_on, _second - _first)),
+)
+_changes, _factors = real("change_1:6"), real("factor_1:6")
+_all_lights = Claim(
+    "all_lights",
+    (
+        at_least(sum(_factors) * step, _changes[-1]),
+        at_least(sum(_factors), 0),
+        at_least(sum(_factors) * _slope_error, _changes[-1]),
+    ),
+    (
+        *(
+            at_least(so_far_ + factor * step, to)
+            for so_far_, factor, to in zip((0, *_changes[:-1]), _factors, _changes, strict=True)
+        ),
+        *(at_least(factor, 0) for factor in _factors),
+        at_least(step, 0),
+        at_least(_slope_error, step),
+    ),
+)
+
+
 def _at_unit_weights(factor):
     """Return the claim with another factor, for i = a = k_d = k_s = 1."""
     ones = dict.fromkeys((albedos[0], light_colors[0], kd, ks), 1)
@@ -52,11 +80,22 @@ difference_bound = Theorem(
     id="difference_bound",
     title="How far a gradient's error can move a colour",
     section="s4",
-    statement=r"A light adds at most $i\,(a k_d + k_s q)\,|\Delta N'|$ to the change of a channel ($q = p$ for Blinn, "
-    r"$2p$ for Phong, whole $p \ge 1$), and the clip adds nothing; so $|\Delta I| \le L\,|\beta||\Delta g|$ with "
-    r"$L = \sum_{\text{lights}} i\,(a k_d + k_s q)$.",
+    statement=(
+        Clause(
+            r"A light adds at most $i\,(a k_d + k_s q)\,|\Delta N'|$ to the change of a channel ($q = p$ for Blinn, "
+            r"$2p$ for Phong, whole $p \ge 1$),",
+            ("light",),
+        ),
+        Clause("and the clip adds nothing;", ("clip",)),
+        Clause(
+            r"so $|\Delta I| \le L\,|\beta||\Delta g|$ with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$, of "
+            r"up to five "
+            "lights.",
+            ("all_lights",),
+        ),
+    ),
     hypotheses=(r"light $i$, albedo $a$, $k_d$, $k_s \ge 0$", "the same chamber: the same point and the same lights"),
-    claims=(_bound,),
+    claims=(_bound, _clip, _all_lights),
     uses=("normalising_is_lipschitz", "specular_lipschitz"),
     steps=(
         Step(
@@ -68,6 +107,12 @@ difference_bound = Theorem(
         Step(r"$|\Delta N'| \le |\beta||\Delta g|$", "normalising", uses=("normalising_is_lipschitz",)),
     ),
     mutants=(
+        Mutant("the clip halves a change", _clip.but(shows=(at_least(_bound_on, 2 * (_clip.shows[0].rhs)),))),
+        Mutant(
+            "without the last light",
+            _all_lights.but(shows=(at_least(sum(_factors[:4]) * step, _changes[-1]),)),
+            tuple(zip((*_factors, *_changes, step, _slope_error), (0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1), strict=True)),
+        ),
         Mutant("without the highlight", _at_unit_weights(_weights[0])),
         Mutant("without the diffuse part", _at_unit_weights(_weights[1] * q)),
     ),

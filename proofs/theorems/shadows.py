@@ -94,7 +94,7 @@ def _from_the_light(name):
         for field in ("shows", "given")
     }
     moved["squares"] = tuple(e.xreplace(_rename) for e in claim.squares)
-    return claim.but(**moved | {"given": (light[2] > 0, body_radius > 0, *moved["given"])})
+    return claim.but(**moved)
 
 
 _cast = (_from_the_light("all_seen"), _from_the_light("none_seen"))

@@ -4,7 +4,7 @@
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
 from proofs.formulas.camera import discriminant_b, distance, hit_of_b, ray_direction, toward_b
-from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, x, y
+from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, lengths_of_b, x, y
 from proofs.theorems.hits import distance_squared
 
 _cx, _cy, _cz = ball_center
@@ -23,12 +23,12 @@ _conic = Claim(
             eye**2 * _c**2 * ball_radius**2,
         ),
     ),
-    (),
+    lengths_of_b,
     hit_of_b,
 )
 _determinant = _xx * _yy - _xy**2
 _types = tuple(
-    Claim(name, (greater(_c, 0), shown), (_outside, given))
+    Claim(name, (greater(_c, 0), shown), (*lengths_of_b, _outside, given))
     for name, shown, given in (
         ("ellipse", greater(_determinant, 0), _above**2 > ball_radius**2),
         ("parabola", equation(_determinant, 0), equation(_above**2, ball_radius**2)),
@@ -55,7 +55,7 @@ _hints = (x * _cy - y * _cx, x, y)
 _all_seen = Claim(
     "all_seen",
     (greater(_h, 0), greater(eye * _h, 0), *_apart, greater(2 * _bh - eye * _h, 0), greater(_bh, 0)),
-    (_h >= ball_radius, *_inside),
+    (*lengths_of_b, _h >= ball_radius, *_inside),
     squares=_hints,
 )
 _none_seen = Claim(
@@ -68,7 +68,7 @@ _none_seen = Claim(
         greater(-2 * _bh + eye * _h, 0),
         greater(0, _bh),
     ),
-    (-_h >= ball_radius, *_inside),
+    (*lengths_of_b, -_h >= ball_radius, *_inside),
     squares=_hints,
 )
 _branch = Claim(
@@ -78,7 +78,7 @@ _branch = Claim(
         greater(dot(ray_direction, ray_direction), 0),
         greater(toward_b**2, 0),
     ),
-    (_outside, equation(discriminant_b, 0)),
+    (*lengths_of_b, _outside, equation(discriminant_b, 0)),
     hit_of_b,
     squares=(x, y, eye),
 )

@@ -5,11 +5,11 @@ from sympy import Rational
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
 from proofs.formulas.camera import POLE, discriminant_a, hit_of_a, ray_direction, rho_raw, root_a, t_a, tangent_squared
-from proofs.formulas.symbols import dot, eye, radius, real, rho, rho_silhouette, x, y
+from proofs.formulas.symbols import dot, eye, lengths_of_a, radius, real, rho, rho_silhouette, x, y
 from proofs.theorems.hits import along
 
 t = real("t")
-_eye_outside = (eye > radius, rho_raw >= POLE * eye)
+_eye_outside = (*lengths_of_a, eye > radius, rho_raw >= POLE * eye)
 _square = rho**2 + eye**2
 _inside = Claim(
     "inside",

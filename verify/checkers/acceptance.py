@@ -5,6 +5,7 @@ The second one needs python-flint: a run without it says so in every grade that 
 
 from proofs.engine import kernel
 from proofs.engine.certificate import prove
+from proofs.engine.claim import Claim
 from proofs.engine.search import MAX_EFFORT, NotFound
 
 try:
@@ -41,6 +42,19 @@ def not_found(error):
         left = f"; what is left of it: {show_polynomial(error.remainder)}" if error.remainder else ""
         return f"no certificate found for {show_polynomial(goal)} {relation} 0{left}"
     return f"no certificate found: {goal}"
+
+
+def by_definition(claim, pairs):
+    """Return whether nothing was left for the kernel to decide: all that is shown is 0 = 0, or is given.
+
+    The conditions of branches, which a statement shows besides the claim's own relations, count as something.
+    """
+    if not isinstance(claim, Claim):
+        return False
+    steps = [step for statement, _ in pairs for step in statement.get("steps", ())]
+    shown = [step for step in steps if step["step"] == "show"]
+    given = [(step["is"], step["of"]) for step in steps if step["step"] == "assume"] * (len(shown) <= len(claim.shows))
+    return bool(shown) and all(not step["of"] or (step["is"], step["of"]) in given for step in shown)
 
 
 def accept(claim, theorems, pairs=None, effort=MAX_EFFORT):

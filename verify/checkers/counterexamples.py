@@ -4,11 +4,13 @@ from fractions import Fraction
 
 import mpmath
 
-from proofs.engine.claim import Separation
+from proofs.engine.claim import Induction, Separation
 from proofs.engine.counterexample import refutation
 from proofs.engine.statement import derivations
 from proofs.engine.theorem import borrowed
 from verify.checkers import witness
+from verify.checkers.enclosures import certified
+from verify.checkers.sampler import Sampler
 
 FAILURES = 6
 EFFORTS = (
@@ -18,13 +20,16 @@ EFFORTS = (
 
 
 def counterexample(mutant, seed, theorems, refused):
-    """Return {"exact": bool, "at": {name: text}} where a mutant fails, the simplest that was found, or None.
+    """Return {"exact": bool, "certified": bool, "at": {name: text}} where a mutant fails, or None.
+
+    exact: at the point, a rational one, both checkers accept that the claim is refuted. certified: intervals show that
+    it fails at a point with these digits.
 
     refused(statement, certificate): None if both checkers accept the pair.
     """
     if isinstance(mutant.claim, Separation):
         path = path_to_avoided(mutant.claim)
-        return None if path is None else {"exact": True, "at": {"path": " → ".join(path)}}
+        return None if path is None else {"exact": True, "certified": True, "at": {"path": " → ".join(path)}}
     if mutant.at:
         failing = witness.fails_at(mutant.claim, mutant.at)
         failures = [failing] if failing else []
@@ -35,10 +40,16 @@ def counterexample(mutant, seed, theorems, refused):
                 break
     if not failures:
         return None
+    if isinstance(mutant.claim, Induction):
+        return {"exact": False, "certified": False, "at": witness.printed(witness.Witness(1, failures).smallest)}
     exact = exact_counterexample(mutant.claim, failures, theorems, refused)
     if exact is not None:
-        return {"exact": True, "at": exact}
-    return {"exact": False, "at": witness.printed(witness.Witness(1, failures).smallest)}
+        return {"exact": True, "certified": True, "at": exact}
+    sampler = Sampler(mutant.claim, seed)
+    with mpmath.workdps(witness.WORKING_DIGITS):
+        near = next((point for point in sorted(failures, key=witness._length) if certified(sampler, point)), None)
+    point = near or witness.Witness(1, failures).smallest
+    return {"exact": False, "certified": near is not None, "at": witness.printed(point)}
 
 
 def exact_counterexample(claim, failures, theorems, refused):
@@ -47,11 +58,11 @@ def exact_counterexample(claim, failures, theorems, refused):
         return None
     statements = derivations(borrowed(claim, theorems))
     for point in sorted(failures, key=witness._length):
-        rational = {str(s): _rational(v) for s, v in point.items()}
+        rational = {s: _rational(v) for s, v in point.items()}
         if all(q is not None for q in rational.values()):
             pair = refutation(statements, rational)
             if pair is not None and refused(*pair) is None:
-                return {name: str(q) for name, q in sorted(rational.items())}
+                return {s.name: str(q) for s, q in sorted(rational.items(), key=str)}
     return None
 
 

@@ -38,13 +38,20 @@ class Code:
         body.append(f"return [{', '.join(_printer.doprint(sympify(e)) for e in expressions)}]")
         arguments = ", ".join(f"v_{s.name}" for s in self.inputs)
         scope = dict(_NAMES)
-        exec(f"def code({arguments}):\n    " + "\n    ".join(body), scope)
+        self.source = f"def code({arguments}):\n    " + "\n    ".join(body)
+        exec(self.source, scope)
         self.code = scope["code"]
+
+    def within(self, scope):
+        """Return the code as a function of {symbol: value} whose functions are those of `scope`."""
+        scope = dict(scope)
+        exec(self.source, scope)
+        return lambda values: scope["code"](*(values[s] for s in self.inputs))
 
     def __call__(self, values):
         """Return the expressions' real values, or raise Undefined."""
         try:
-            results = [mpmath.mpmathify(r) for r in self.code(*(values[s] for s in self.inputs))]
+            results = [+mpmath.mpmathify(r) for r in self.code(*(values[s] for s in self.inputs))]
         except (ZeroDivisionError, ValueError, TypeError) as error:
             raise Undefined(str(error)) from None
         if not all(isinstance(r, mpmath.mpf) and mpmath.isfinite(r) for r in results):
@@ -52,7 +59,7 @@ class Code:
         return results
 
 
-def _parts(relations):
+def parts_of(relations):
     """Return the single relations of conjunctions, the true ones left out."""
     flat = [part for r in relations for part in (r.args if isinstance(r, And) else (r,))]
     return [part for part in flat if part != True]  # noqa: E712  (SymPy's true is not Python's)
@@ -66,7 +73,7 @@ class Relations:
 
     def __init__(self, inputs, relations, definitions=(), exactly=False):
         self.slack = 0 if exactly else TOLERANCE
-        self.parts = _parts(relations)
+        self.parts = parts_of(relations)
         sides = [side for r in self.parts for side in ((0, 1) if r == False else (r.lhs, r.rhs))]  # noqa: E712
         self.code = Code(inputs, sides, definitions)
         self.operators = ["==" if r == False else r.rel_op for r in self.parts]  # noqa: E712

@@ -14,6 +14,9 @@ class Examination:
     problems: list = field(default_factory=list)
     mutants_killed: int = 0
     mutants: int = 0
+    claims: int = 0
+    by_definition: list = field(default_factory=list)  # claims that read 0 = 0
+    argued: list = field(default_factory=list)  # clauses that no claim says
     reached: str = ""  # by measurement or citation; else the checkers' verdict stands
 
     @property
@@ -21,4 +24,8 @@ class Examination:
         """The grade on this theorem's own evidence; `final_grades` adds what it rests on."""
         if self.problems:
             return "failed"
+        if self.argued:
+            return "argued"
+        if self.by_definition and len(self.by_definition) == self.claims:
+            return "by definition"
         return self.reached or ("refuted" if self.expected == "refuted" else "proved")

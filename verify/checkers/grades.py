@@ -1,8 +1,17 @@
 """From each theorem's own evidence to its grade in the run: what it rests on counts as well."""
 
 NOT_RECHECKED = "not re-checked"  # here: a library is not installed
-STANDING = ("proved", "refuted", "certified", "measured", "cited")  # from the strongest; "failed" is none of them
-GIVES = {"proved": ("proved",), "refuted": ("proved",)}  # what such a theorem may use
+STANDING = (
+    "proved",
+    "refuted",
+    "by definition",
+    "argued",
+    "certified",
+    "measured",
+    "cited",
+)  # from the strongest, without "failed"
+EXACT = ("proved", "by definition", "argued")  # every claim has a certificate; what is argued is words
+GIVES = {"proved": EXACT, "by definition": EXACT, "argued": EXACT, "refuted": EXACT}  # what such a theorem may use
 
 
 def final_grades(evidences):
@@ -20,7 +29,7 @@ def final_grades(evidences):
             if record["grade"] != "failed" and NOT_RECHECKED in (record["grade"], *(grade(use)[0] for use in weak)):
                 grades[id] = NOT_RECHECKED, record.get("reason", "what it uses was not re-checked")
             elif record["grade"] != "failed" and weak:
-                wanted = "not proved" if enough == ("proved",) else "without evidence"
+                wanted = "not proved" if enough == EXACT else "without evidence"
                 grades[id] = "failed", f"it uses {', '.join(weak)}, {wanted} in this run"
             else:
                 grades[id] = record["grade"], ""
@@ -49,7 +58,7 @@ def given_cited(evidences):
 
 def grade_line(grade, sources, bibliography_key=""):
     """Return how a grade reads: "proved", "proved, given Dekker1971", "cited: Blinn1978", …"""
-    if grade in ("proved", "refuted") and sources:
+    if grade in ("proved", "argued", "refuted") and sources:
         return f"{grade}, given {', '.join(sources)}"
     return f"cited: {bibliography_key}" if grade == "cited" else grade
 

@@ -3,6 +3,8 @@
 proved     both checkers accept a certificate of every claim, no sample at 50 digits contradicts one, every side
            condition behaves as stated at its edge, every mutant is refuted, every theorem it uses is proved
 refuted    both checkers accept an exact counterexample, and 50 digits agree
+argued     the same, but a clause of its words is said by no claim
+by definition  the same, where every claim reads 0 = 0 once it is translated: nothing was left to prove
 certified  every measurement holds in ball arithmetic, and rejects its false variants
 measured   every measurement holds on its samples, and rejects its false variants
 cited      the source is in the bibliography
@@ -17,11 +19,13 @@ from proofs.engine.claim import Separation
 from proofs.engine.search import MAX_EFFORT, NotFound
 from proofs.engine.theorem import incomplete
 from verify.checkers import witness
-from verify.checkers.acceptance import CHECKERS, accept, not_found, show_polynomial, why_rejected
+from verify.checkers.acceptance import CHECKERS, accept, by_definition, not_found, show_polynomial, why_rejected
 from verify.checkers.counterexamples import FAILURES, counterexample, path_to_avoided
 from verify.checkers.examination import Examination
 from verify.checkers.grades import final_grades
 from verify.checkers.registry import measurements
+from verify.checkers.splices import says_the_same, splices
+from verify.checkers.unused import unused
 
 __all__ = [
     "LONG_POINTS",
@@ -104,6 +108,7 @@ def certificate_problems(theorem, theorems):
 def _check_certificates(found, theorem, theorems, anew):
     if not theorem.claims:
         return
+    found.claims, found.argued = len(theorem.claims), [clause.text for clause in theorem.argued]
     try:
         claims = evidence(theorem, theorems) if anew else stored(theorem, theorems)
     except (Stale, NotFound) as error:
@@ -112,9 +117,13 @@ def _check_certificates(found, theorem, theorems, anew):
     count = 0
     for claim, pairs in claims:
         reasons, _ = accept(claim, theorems, pairs)
+        if by_definition(claim, pairs):
+            found.by_definition.append(claim.name)
         found.problems += [f"{claim.name}: {why}" for why in reasons]
         count += len(pairs)
-    found.record["statements"] = count
+    idle, given = unused([pair for _, pairs in claims for pair in pairs])
+    found.record |= {"statements": count, "by_definition": found.by_definition, "argued": found.argued}
+    found.record |= {"hypotheses": given, "unused_hypotheses": idle}
     if len(CHECKERS) < 2:
         found.record["second_checker"] = "not run"
 
@@ -142,6 +151,8 @@ def _sampled(found, theorem, claim, points):
     seen = witness.sample(tested, seed, points, failures=FAILURES)
     if seen.failures:
         found.problems.append(f"{claim.name}: false at {witness.printed(seen.smallest, 20)}")
+    if seen.undefined:
+        found.problems.append(f"{claim.name}: undefined at {witness.printed(seen.undefined[0], 20)}")
     if not seen.points:
         found.problems.append(f"{claim.name}: no sample satisfies the hypotheses")
     return {"claim": claim.name, "points": seen.points, "digits": witness.DIGITS, "seed": seed}
@@ -160,13 +171,19 @@ def _edges(found, theorem, condition):
 def _refute_mutant(found, theorem, mutant, theorems, anew):
     """Check that a mutant is refused, and find its counterexample."""
     reasons, _ = accept(mutant.claim, theorems, effort=MAX_EFFORT if anew else 2)
+    tried, wrong = splices(theorem, mutant.claim, theorems), []
+    if any(not any(why_rejected(*pair) for pair in pairs) for pairs in tried):
+        wrong.append(f"a certificate of the theorem proves the mutant: {mutant.text}")
+    if alike := says_the_same(theorem, mutant, theorems):
+        wrong.append(f"mutant {mutant.text} says what {alike} says")
+    found.problems += wrong
     point = counterexample(mutant, f"{theorem.id}/{mutant.text}", theorems, why_rejected)
     if not reasons:
         found.problems.append(f"mutant accepted: {mutant.text}")
     if point is None:
         found.problems.append(f"mutant without a counterexample: {mutant.text}")
-    found.mutants_killed += bool(reasons) and point is not None
-    return {"mutant": mutant.text, "refused": bool(reasons), "counterexample": point}
+    found.mutants_killed += bool(reasons) and point is not None and not wrong
+    return {"mutant": mutant.text, "refused": bool(reasons), "spliced": len(tried), "counterexample": point}
 
 
 def _refute_variant(found, theorem, mutant, theorems, anew):

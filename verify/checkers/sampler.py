@@ -6,8 +6,9 @@ from graphlib import TopologicalSorter
 
 import mpmath
 from sympy import Eq, Max, Min, Piecewise, Poly, PolynomialError, Rational
+from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
 
-from verify.checkers.digits import TOLERANCE, Code, Relations, Undefined
+from verify.checkers.digits import TOLERANCE, Code, Relations, Undefined, parts_of
 
 SIMPLE = [Fraction(p, q) for q in (1, 2, 3, 4, 5, 13) for p in range(-2 * q, 2 * q + 1)]
 
@@ -23,14 +24,28 @@ class Sampler:
         self.inputs = sorted((used | set(lines.inputs if lines else ())) - defined, key=lambda s: s.name)
         early = [r for r in claim.given if not r.free_symbols & defined]
         self.early = Relations(self.inputs, early, exactly=True)
-        equations = [_written_out(r, definitions) for r in claim.given if isinstance(r, Eq)]
+        self.given, self.claimed, self.definitions = parts_of(claim.given), claim.shows, definitions
+        equations = {_written_out(r, definitions): r for r in claim.given if isinstance(r, Eq)}
         self.late = Relations(self.inputs, [r for r in claim.given if r.free_symbols & defined], definitions, True)
         self.shows = Relations(self.inputs, claim.shows, definitions)
-        self.solved = _solvable([r for r in equations if not r.free_symbols & defined])
+        solvable = _solvable([r for r in equations if not r.free_symbols & defined])
+        self.solved = [(symbol, coefficients) for symbol, coefficients, _ in solvable]
+        self.solved_relations = {equations[r] for *_, r in solvable}
         self.pools = {s: self._pool(s) for s in self.inputs}
 
+    def _box(self, symbol):
+        """Return where a symbol without a range is drawn: between what is given of it alone, else in [−3, 3]."""
+        bounds = [(r.gts.is_Symbol, r.lts if r.gts == symbol else r.gts) for r in self.given
+                  if isinstance(r, GreaterThan | StrictGreaterThan | LessThan | StrictLessThan)
+                  and symbol in (r.gts, r.lts) and (r.lts if r.gts == symbol else r.gts).is_Rational]  # fmt: skip
+        low = max((end for below, end in bounds if below), default=None)
+        high = min((end for below, end in bounds if not below), default=None)
+        if low is None:
+            return (-3 if high is None or high > -3 else high - 6), (3 if high is None else high)
+        return low, max(low + 3, 3) if high is None else high
+
     def _pool(self, symbol):
-        low, high = self.ranges.get(symbol, (Rational(1, 4) if symbol.is_positive else -3, 3))
+        low, high = self.ranges.get(symbol) or self._box(symbol)
         low, high = (Fraction(str(Rational(end))) for end in (low, high))
         simple = [mpmath.mpf(q.numerator) / q.denominator for q in SIMPLE if low <= q <= high]
         ends = [mpmath.mpf(q.numerator) / q.denominator for q in (low, high)]
@@ -47,9 +62,10 @@ class Sampler:
     def inputs_at_random(self, fixed=()):
         """Return values of the inputs that satisfy the givens about inputs, with some of them fixed, or None."""
         values, solved = dict(fixed), {symbol for symbol, _ in self.solved}
+        scale = self.random.choice((1,) * 7 + (10, 1000))  # now and then beyond the box
         for symbol in self.inputs:
             if symbol not in solved and symbol not in values:
-                values[symbol] = self._draw(symbol)
+                values[symbol] = self._draw(symbol) * (1 if symbol in self.ranges else scale)
         try:
             for symbol, coefficients in self.solved:
                 if symbol not in values:
@@ -61,12 +77,12 @@ class Sampler:
         except Undefined:
             return None
 
-    def fails_at(self, values):
-        """Return None if the other givens fail at the inputs, else whether a conclusion fails or is undefined."""
+    def verdict(self, values):
+        """Return "holds", "fails" or "undefined" for the conclusions at the inputs; None if the other givens fail."""
         try:
-            return not self.shows(values) if self.late(values) else None
+            return None if not self.late(values) else "holds" if self.shows(values) else "fails"
         except Undefined:
-            return True
+            return "undefined"
 
 
 def _written_out(relation, definitions):
@@ -81,8 +97,8 @@ def _written_out(relation, definitions):
 
 
 def _solvable(relations):
-    """Return [(symbol, code of the coefficients of an equation in it)], each after those that it needs."""
-    solved, needs = {}, {}
+    """Return [(symbol, code of an equation's coefficients in it, the equation)], each after those that it needs."""
+    solved, needs, origin = {}, {}, {}
     for relation in relations:
         if not isinstance(relation, Eq):
             continue
@@ -94,10 +110,11 @@ def _solvable(relations):
                 coefficients = Poly(relation.lhs - relation.rhs, symbol).all_coeffs()
             except PolynomialError:
                 continue
+            origin[symbol] = relation
             solved[symbol], needs[symbol] = Code(sorted(others, key=lambda s: s.name), coefficients), others
             break
     order = TopologicalSorter({s: {n for n in needs[s] if n in solved} for s in solved}).static_order()
-    return [(symbol, solved[symbol]) for symbol in order]
+    return [(symbol, solved[symbol], origin[symbol]) for symbol in order]
 
 
 def _reached(symbols, needs):

@@ -31,7 +31,6 @@ def _places(statement, certificate):
     parts = [(0, key, name) for key in ("start", "next") for name in statement.get(key, ())]
     parts += [(0, "show", n) for n in range(len(statement.get("show", ())))]
     parts += [(0, "assume", n, "of") for n in range(len(statement.get("assume", ())))]
-    parts += [(1, "strengthen", n) for n in range(len(certificate.get("strengthen", ())))]
     places = {"statement": steps + parts, "cofactor": [], "square": [], "point": []}
     for key in ("proofs", "base", "step"):
         for number, proof in enumerate(certificate.get(key, ())):
@@ -41,11 +40,6 @@ def _places(statement, certificate):
 
 
 def _places_of_proof(proof, path, places):
-    if proof["rule"] == "cases":
-        places["statement"].append((*path, "on"))
-        for name, branch in proof["branches"].items():
-            _places_of_proof(branch, (*path, "branches", name), places)
-        return
     places["cofactor"] += [(*path, "cofactors", n, 1) for n, (_, q) in enumerate(proof["cofactors"]) if q]
     places["square"] += [(*path, "sum", n, 1) for n in range(len(proof.get("sum", ())))]
 

@@ -33,7 +33,7 @@ def test_a_tampered_certificate_is_rejected(tmp_path, monkeypatch, capsys):
     shown = next(step for step in statement["steps"] if step["step"] == "show")
     monomial = next(iter(shown["of"]))
     shown["of"][monomial] = str(-int(shown["of"][monomial]))
-    (tmp_path / "unit_length.json").write_text(json.dumps(data), encoding="utf-8")
+    (tmp_path / "unit_length.json").write_text(check.canonical(data), encoding="utf-8")
     monkeypatch.setattr(check, "FOLDER", tmp_path)
     assert check.main([]) == 1
     assert "the two sides differ" in capsys.readouterr().out

@@ -31,7 +31,7 @@ def show(of, relation):
 NOTHING = {"rule": "ideal", "cofactors": []}
 NEGATIVE = {"rule": "contradiction", "positive": [0], "sum": [["-1", {"x": "1"}, []]], "cofactors": []}
 EMPTY = {"rule": "contradiction", "positive": [], "sum": [], "cofactors": []}
-HALF = {"rule": "cases", "on": {"x": "1"}, "branches": {">": NOTHING}}
+BY_CASES = {"rule": "cases", "on": {"x": "1"}, "branches": {">": NOTHING}}
 INEQUALITY = {"rule": "ideal", "cofactors": [[0, {"": "1"}]]}
 
 
@@ -70,7 +70,7 @@ def tamper(statement, certificate):
         ([show({}, ">")], NOTHING, "an ideal proves equations only"),
         ([show({"x^2": "-1"}, ">=")], NEGATIVE, "a negative weight"),
         ([show({"x": "1"}, ">=")], EMPTY, "1 = 0"),
-        ([show({"x": "1"}, ">=")], HALF, "not exhaustive"),
+        ([show({"x": "1"}, ">=")], BY_CASES, "no such rule"),
         ([show({"x": "1"}, "=")], {"rule": "trust me"}, "no such rule"),
         ([("inverse", {"x": "1"}, {"new": "r"}), show({"r x": "1", "": "-1"}, "=")], NOTHING, "x may be 0"),
         ([("root", {"x": "1"}, {"new": "w"})], NOTHING, "x may be negative"),
@@ -95,7 +95,7 @@ def test_an_induction_may_not_assume_its_claim(check):
         "start": {"x": {}}, "next": {"x": {"x": "1", "": "1"}}, "show": [{"x": "1"}],
     }  # fmt: skip
     proof = {"rule": "ideal", "cofactors": [[0, {"": "1"}]]}
-    certificate = {"strengthen": [], "base": [NOTHING], "step": [proof]}
+    certificate = {"base": [NOTHING], "step": [proof]}
     assert check(statement, certificate) is not None
     assert check(statement | {"assume": [{"of": {"x": "1"}, "is": "="}]}, certificate) is not None
     assert check(statement | {"next": {"x": {"x": "1"}}}, certificate) is None

@@ -35,10 +35,10 @@ def test_a_changed_certificate_is_rejected(tmp_path):
     script = standalone_script("tangent_frame")
     head, data, tail = re.split(r'(?<=DATA = r""")\n|\n(?=""")', script[script.index("DATA") :], maxsplit=2)
     changed = json.loads(data)
-    proof = changed["claims"][2]["statements"][0]["certificate"]["proofs"][0]
+    proof = changed["claims"][1]["statements"][0]["certificate"]["proofs"][0]
     proof["cofactors"][0][1] = {"": "2"}
     before = script[: script.index("DATA")]
-    done = run(f"{before}{head}\n{json.dumps(changed)}\n{tail}", tmp_path)
+    done = run(f"{before}{head}\n{json.dumps(changed, indent=1, ensure_ascii=False)}\n{tail}", tmp_path)
     assert done.returncode == 1
     assert "orthonormal 1: derivation" in done.stdout
     assert "REJECTED: ('the two sides differ'" in done.stdout

@@ -18,10 +18,12 @@ __all__ = ["DIGITS", "TOLERANCE", "WORKING_DIGITS", "Witness", "fails_at", "outc
 
 @dataclass
 class Witness:
-    """What sampling a claim showed: how many points satisfied its hypotheses, and where its conclusion failed."""
+    """What sampling a claim showed: how many points satisfied its hypotheses, where its conclusion is false, where
+    it, or a quotient or radical that it is about, is undefined (which is not false)."""
 
     points: int = 0
     failures: list = field(default_factory=list)
+    undefined: list = field(default_factory=list)
 
     @property
     def smallest(self):
@@ -42,16 +44,16 @@ def sample(claim, seed, points=64, failures=None, attempts=200):
     """Return the Witness of a claim at `points` random points that satisfy its hypotheses (or until `failures`)."""
     with mpmath.workdps(WORKING_DIGITS):
         if isinstance(claim, Induction):
-            return _sample_induction(claim, seed, points)
+            return _sample_induction(claim, seed, points, attempts)
         sampler, witness = Sampler(claim, seed), Witness()
         for _ in range(points * attempts):
             values = sampler.inputs_at_random()
-            failed = None if values is None else sampler.fails_at(values)
-            if failed is None:
+            verdict = None if values is None else sampler.verdict(values)
+            if verdict is None:
                 continue
             witness.points += 1
-            if failed:
-                witness.failures.append(values)
+            if verdict != "holds":
+                (witness.failures if verdict == "fails" else witness.undefined).append(values)
             if witness.points >= points or len(witness.failures) >= (failures or points):
                 break
         return witness
@@ -79,12 +81,12 @@ def fails_at(claim, at, attempts=500):
         sampler, fixed = Sampler(claim, "fails_at"), _exact(at)
         for _ in range(attempts):
             values = sampler.inputs_at_random(fixed)
-            if values is not None and sampler.fails_at(values):
+            if values is not None and sampler.verdict(values) == "fails":
                 return values
         return None
 
 
-def _sample_induction(claim, seed, points):
+def _sample_induction(claim, seed, points, attempts):
     rng, witness = random.Random(seed), Witness()
     starts, nexts = ([sympify(e) for e in column] for column in list(zip(*claim.states, strict=True))[1:] or ((), ()))
     states = [s for s, _, _ in claim.states]
@@ -93,7 +95,9 @@ def _sample_induction(claim, seed, points):
     everything = [*inputs, *states, claim.n]
     given, shows = Relations(inputs, claim.given), Relations(everything, claim.shows)
     start, following = Code(inputs, starts), Code(everything, nexts)
-    while witness.points < points:
+    for _ in range(points * attempts):
+        if witness.points >= points:
+            break
         values = {s: 4 * mpmath.ldexp(rng.getrandbits(200), -200) - 2 for s in inputs}
         if not given(values):
             continue

@@ -60,10 +60,11 @@ Checker.polynomials = function (names) {
     return parts.join(" ") || "0";
   }
 
-  // Fractions as text, added exactly.
+  // Fractions as text, added exactly, in lowest terms.
   function sum(a, b) {
     const [[p, q], [r, s]] = [a, b].map((x) => x.split("/").map(BigInt)).map(([top, bottom = 1n]) => [top, bottom]);
-    const [top, bottom] = [p * s + r * q, q * s];
+    const divisor = (m, n) => (n ? divisor(n, m % n) : m < 0n ? -m : m), common = divisor(p * s + r * q, q * s);
+    const [top, bottom] = [(p * s + r * q) / common, (q * s) / common];
     return bottom === 1n ? `${top}` : `${top}/${bottom}`;
   }
 

@@ -51,7 +51,7 @@ Checker.all = function (place, theorems, clerk) {
 };
 
 Checker.start = function () {
-  const clerk = Checker.clerk(), data = (element) => JSON.parse(element.querySelector("script[type='application/json']").textContent);
+  const clerk = Checker.clerk(), data = (element) => Checker.parsed(element.querySelector("script[type='application/json']").textContent.replaceAll("\\u003c", "<"));
   for (const place of document.querySelectorAll(".checker[data-theorem]")) Checker.card(place, data(place), clerk);
   for (const place of document.querySelectorAll(".checker[data-all]")) Checker.all(place, data(place), clerk);
 };

@@ -1,0 +1,30 @@
+"""The page of what is trusted names every module that a grade passes through, and no other."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGE = ROOT / "book" / "checked" / "trusted.md"
+LOADED = """
+import sys
+import verify.checkers.proof_checker
+for module in list(sys.modules.values()):
+    print(getattr(module, "__file__", None) or "")
+"""
+
+
+def passed_through():
+    """Return the paths of the engine's and the checkers' modules that the proof checker loads, packages left out."""
+    ran = subprocess.run([sys.executable, "-c", LOADED], cwd=ROOT, capture_output=True, text=True, check=True)
+    paths = [Path(line) for line in ran.stdout.splitlines() if line]
+    inside = [path.relative_to(ROOT).as_posix() for path in paths if path.is_relative_to(ROOT)]
+    folders = ("proofs/engine/", "proofs/check.py", "proofs/formulas/half_turns.py", "verify/")
+    return {path for path in inside if path.startswith(folders) and not path.endswith("__init__.py")}
+
+
+def test_the_page_names_every_module_that_a_grade_passes_through():
+    rows = re.findall(r"^\| \{source-link\}`([^`]+)` \|", PAGE.read_text(encoding="utf-8"), re.MULTILINE)
+    assert len(rows) == len(set(rows))
+    assert set(rows) == passed_through()

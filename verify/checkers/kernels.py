@@ -1,0 +1,44 @@
+"""The three kernels side by side: Python's, FLINT's, and the page's JavaScript, run by node where that is installed."""
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+from verify.checkers.acceptance import CHECKERS
+
+JAVASCRIPT = Path(__file__).resolve().parents[2] / "book" / "static" / "checker" / "kernel.js"
+ASK = """
+const { check } = Checker.kernel();
+const lines = require("fs").readFileSync(0, "utf8").split("\\n").filter(Boolean);
+const answers = lines.map((text) => {
+  try {
+    return check(...Checker.parsed(text)).accepted;
+  } catch {
+    return false;
+  }
+});
+console.log(JSON.stringify(answers));
+"""
+
+
+def canonical(text):
+    """Return whether a compact JSON text is its own canonical form."""
+    try:
+        return json.dumps(json.loads(text), separators=(",", ":"), ensure_ascii=False) == text
+    except ValueError:
+        return False
+
+
+def accepted(texts):
+    """Return [{kernel: whether it accepts}] of texts "[statement,certificate]"; JavaScript needs node."""
+    found = [
+        {name: canonical(text) and check(*json.loads(text)) is None for name, check in CHECKERS.items()}
+        for text in texts
+    ]
+    if shutil.which("node"):
+        code = JAVASCRIPT.read_text(encoding="utf-8") + ASK
+        ran = subprocess.run(["node", "-e", code], input="\n".join(texts), capture_output=True, text=True, check=True)
+        for verdicts, answer in zip(found, json.loads(ran.stdout), strict=True):
+            verdicts["JavaScript"] = answer
+    return found

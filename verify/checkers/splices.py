@@ -1,0 +1,42 @@
+"""Mutants before the kernel: what a false variant says, with the certificates of its theorem."""
+
+from proofs.check import digest
+from proofs.engine.angles import Untranslatable
+from proofs.engine.certificate import Stale, statements, stored
+
+
+def splices(theorem, claim, theorems):
+    """Return [[(statement, certificate)]]: a mutant's statements with each claim's certificates, one list a claim.
+
+    A mutant is proved by a splice if all of its pairs are accepted. One that no rule translates has no statement.
+    """
+    try:
+        said, kept = statements(claim, theorems), stored(theorem, theorems)
+    except (Untranslatable, Stale):
+        return []
+    return [[(s, pairs[min(i, len(pairs) - 1)][1]) for i, s in enumerate(said)] for _, pairs in kept]
+
+
+def says_the_same(theorem, mutant, theorems):
+    """Return the claim, or the earlier mutant, whose statements are those of a mutant, as text; or None."""
+    said = _said(mutant.claim, theorems)
+    if said is None:
+        return None
+    for claim in theorem.claims:
+        if _said(claim, theorems) == said:
+            return f"the claim {claim.name}"
+    for other in theorem.mutants:
+        if other is mutant:
+            break
+        if _said(other.claim, theorems) == said:
+            return f"mutant {other.text}"
+    if sum(other is mutant for other in theorem.mutants) > 1:
+        return "itself, given twice"
+    return None
+
+
+def _said(claim, theorems):
+    try:
+        return [digest(s) for s in statements(claim, theorems)]
+    except Untranslatable:
+        return None

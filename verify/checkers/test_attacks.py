@@ -1,0 +1,387 @@
+"""Attacks on the checkers: false claims that must not be proved, true ones that must not be refuted, broken data."""
+
+import json
+
+import pytest
+from sympy import Abs, Dummy, Eq, Max, Rational, Symbol, cos, evaluate, pi, sin, sqrt, symbols
+
+from proofs.check import canonical, verdicts
+from proofs.engine import kernel
+from proofs.engine.angles import Untranslatable
+from proofs.engine.certificate import prove, statements
+from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, equation, greater
+from proofs.engine.program import Program
+from proofs.engine.search import NotFound
+from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems
+from verify.checkers import witness
+from verify.checkers.breakages import campaign
+from verify.checkers.kernels import accepted
+from verify.checkers.proof_checker import examine
+from verify.checkers.splices import splices
+from verify.checkers.test_checkers import EMPTY, NOTHING, derivation, show
+from verify.checkers.unused import unused
+
+x, y, n = symbols("x y n", real=True)
+FALSE = (Mutant("x > 1", Claim("a", (greater(x, 1),))), Mutant("x > 2", Claim("b", (greater(x, 2),))))
+
+
+def graded(*claims, mutants=FALSE, **changes):
+    """Return the grade of a theorem of these claims, everything found anew."""
+    theorem = Theorem("attack", "", "s3", "", claims, mutants, **changes)
+    return examine(theorem, {"attack": theorem}, anew=True).grade
+
+
+def defined(symbol, expression):
+    """Return a program of one line."""
+    return Program("line", tuple(expression.free_symbols), ((symbol, expression),), (symbol,))
+
+
+def attack_of_a_defined(**assumption):
+    """Return a false claim about a symbol with an assumption that its definition does not bear out."""
+    p = Symbol("p", **assumption)
+    return Claim("attack", (equation(Abs(p), x - 5), greater(p, x - 6)), (), defined(p, x - 5))
+
+
+HIDDEN = ["positive", "nonnegative", "negative", "integer", "rational", "zero", "nonzero", "finite", "even", "prime"]
+
+
+@pytest.mark.parametrize("assumption", HIDDEN)
+def test_a_symbol_hides_no_fact(assumption):
+    for claim in (attack_of_a_defined(**{assumption: True}), attack_of_a_defined(**{assumption: False})):
+        with pytest.raises(Untranslatable, match="plain real"):
+            statements(claim, {})
+    free = Symbol("p", **{assumption: True})
+    for claim in (Claim("shown", (greater(free, 0),)), Claim("given", (greater(x, 0),), (greater(free, 0),))):
+        with pytest.raises(Untranslatable, match="plain real"):
+            statements(claim, {})
+
+
+@pytest.mark.parametrize(
+    "n", [Symbol("n", positive=True), Symbol("n", even=True), Symbol("n", integer=True, zero=False)]
+)
+def test_an_induction_is_over_every_whole_number(n):
+    with pytest.raises(Untranslatable, match="whole, and nothing else"):
+        statements(Induction("attack", n, (equation(x, 0),), ((x, 0, x),)), {})
+
+
+def test_a_whole_number_is_a_hypothesis():
+    """sin πw = 0 of w = x + 1/3 is false; given that it is so for m, it is so for 2m."""
+    w, m = symbols("w m", real=True)
+    with pytest.raises(NotFound):
+        prove(Claim("attack", (equation(sin(pi * w), 0),), (), defined(w, x + Rational(1, 3))), {})
+    prove(Claim("twice", (equation(sin(2 * pi * m), 0),), (equation(sin(pi * m), 0),)), {})
+
+
+@pytest.mark.parametrize("other", [Symbol("x"), Dummy("x", real=True), Symbol("x", extended_real=True)])
+def test_a_name_means_one_symbol(other):
+    with pytest.raises(Untranslatable):
+        statements(Claim("attack", (equation(x, other),), (greater(x, 0),)), {})
+    with pytest.raises(Untranslatable):
+        statements(Claim("attack", (greater(x, 0),), (), defined(x, other + 1)), {})
+
+
+TAKEN = ["pi", "root_1", "inverse_12", "sum_1", "cos(x)", "sin(pi*x)", "x y", "", "x^2", "2x", "é", "_x", "x\n", "x'"]
+
+
+@pytest.mark.parametrize("name", TAKEN)
+def test_a_name_is_not_one_that_the_translation_makes(name):
+    symbol = Symbol(name, real=True)
+    for claim in (Claim("attack", (greater(symbol, 3),)), Claim("line", (greater(symbol, x),), (), defined(symbol, x))):
+        with pytest.raises(Untranslatable, match="no name"):
+            statements(claim, {})
+
+
+CANCELLED = [equation(sqrt(x) ** 2, x), equation(x * y / x, y), equation((x - y) / (x - y), 1), equation(x, x)]
+with evaluate(False):
+    AS_THEY_STAND = [
+        equation(sqrt(x) ** 2, x),
+        equation((x * y) / x, y),
+        equation((x - y) / (x - y), 1),
+        equation(1 / x - 1 / x, 0),
+    ]
+
+
+@pytest.mark.parametrize("relation", CANCELLED, ids=str)
+def test_nothing_to_prove_is_by_definition(relation):
+    assert graded(Claim("attack", (relation,))) == "by definition"
+
+
+@pytest.mark.parametrize("relation", AS_THEY_STAND, ids=str)
+def test_obligations_come_before_anything_cancels(relation):
+    claim = Claim("attack", (relation,))
+    with pytest.raises(NotFound):
+        prove(claim, {})
+    assert graded(claim) == "failed"
+    assert prove(claim.but(given=(greater(x, 0), greater(x, y))), {})
+
+
+def test_an_inequality_keeps_its_quotients():
+    """x/x ≥ 1 and √x √x ≤ x need x ≠ 0 and x ≥ 0, whichever side they stand on."""
+    with evaluate(False):
+        attacks = [greater(x / x + 1, 1), greater(sqrt(x) * sqrt(x) + 1, x), greater(x + 1, sqrt(x) * sqrt(x))]
+    for relation in attacks:
+        with pytest.raises(NotFound):
+            prove(Claim("attack", (relation,)), {})
+
+
+@pytest.mark.parametrize("point", [((pi, Rational(31, 10)),), ((Symbol("pi", real=True), Rational(31, 10)),), ()])
+def test_pi_is_no_coordinate(point):
+    """π > 3.14 is true, though no certificate shows it: it is not refuted at π = 3.1."""
+    claim = Claim("attack", (greater(pi, Rational(314, 100)),))
+    true = (Mutant("π > 3", Claim("a", (greater(pi, 3),))), Mutant("π > 2", Claim("b", (greater(pi, 2),))))
+    assert graded(claim, mutants=true, expected="refuted", refuted_at=(("attack", point),)) == "failed"
+    assert witness.sample(claim, "pi", 4).failures == witness.sample(claim, "pi", 4).undefined == []
+
+
+CIRCLES = [
+    (greater(cos(x), Rational(1, 2)), ((x, 0), (cos(x), 0), (sin(x), 1))),
+    (greater(cos(1), Rational(1, 2)), ((cos(1), 0), (sin(1), 1))),
+    (greater(4, cos(x) + sin(x)), ((x, 0), (cos(x), 2), (sin(x), 3))),
+]
+
+
+@pytest.mark.parametrize(("relation", "point"), CIRCLES)
+def test_a_cosine_follows_from_its_angle(relation, point):
+    true = (
+        Mutant("x² ≥ 0", Claim("a", (greater(x**2 + 1, 0),))),
+        Mutant("x = x + 0", Claim("b", (greater(x + 1, x),))),
+    )
+    refuted = {"mutants": true, "expected": "refuted", "refuted_at": (("attack", point),)}
+    assert graded(Claim("attack", (relation,)), **refuted) == "failed"
+
+
+def test_what_is_undefined_is_not_false():
+    claim = Claim("attack", (equation(x / y, x / y + 0 * x),), ())
+    with evaluate(False):
+        claim = Claim("attack", (equation(x / y, x * (1 / y)),))
+    assert witness.fails_at(claim, ((x, 1), (y, 0))) is None
+    assert witness.sample(claim, "undefined", 400).failures == []
+
+
+def test_a_cited_lemma_that_is_false_is_found():
+    """x ≤ 10 is false only outside the box from which samples are drawn first."""
+    lemma = CitedLemma(x <= 10, "Dekker1971")
+    assert graded(Claim("attack", (greater(11, x),), cited=(lemma,))) == "failed"
+
+
+def test_hypotheses_that_contradict_each_other_prove_nothing():
+    for given in ((x > 0, x < 0), (equation(x**2, -1),), (x > 5, x**2 < 20)):
+        assert graded(Claim("attack", (equation(x, x + 1),), given)) == "failed"
+    whole = Induction("attack", n, (equation(x, 0),), ((x, 0, x),), (y > 0, y < 0))
+    assert graded(whole) == "failed"
+
+
+def test_a_theorem_needs_claims_and_mutants_of_its_own():
+    assert graded(Claim("attack", ())) == "failed"
+    given = greater(x, y)
+    assert graded(Claim("attack", (given,), (given,))) == "by definition"
+    claim = Claim("attack", (greater(x**2 + 1, 0),))
+    assert graded(claim, mutants=(FALSE[0], FALSE[0])) == "failed"
+    assert graded(claim, mutants=(Mutant("itself", claim), FALSE[0])) == "failed"
+
+
+def test_a_branch_is_taken_where_the_kernel_can_show_it():
+    prove(Claim("max", (equation(Max(x, y), x),), (greater(x, y),)), {})
+    for relation in (equation(Max(x, y), x), equation(Abs(x), x)):
+        with pytest.raises(NotFound):
+            prove(Claim("attack", (relation,)), {})
+
+
+# The kernels
+
+
+def texts(*pairs):
+    return [json.dumps(pair, separators=(",", ":"), ensure_ascii=False) for pair in pairs]
+
+
+SQUARE = show({"x^2": "1"}, ">=")
+SQUARES = {"rule": "contradiction", "positive": [0], "sum": [["1", {"x": "1"}, []]], "cofactors": []}
+GOOD = [derivation(SQUARE), {"proofs": [SQUARES]}]
+ONE_IS_ZERO = show({"": "1"}, "=")
+
+
+def inverse(new):
+    """Return the attack that took "" for a name of its own: an inverse of 1 called `new`, then 1 = 0."""
+    named = {} if new is None else {"new": new}
+    proofs = [EMPTY, {"rule": "ideal", "cofactors": [[0, {"": "1"}]]}]
+    return [derivation(("inverse", {"": "2"}, named), ONE_IS_ZERO), {"proofs": proofs}]
+
+
+STATEMENT, CERTIFICATE = GOOD
+STEP = STATEMENT["steps"][0]
+BROKEN = {
+    **{f"inverse {new!r}": inverse(new) for new in ("", None, "x y", "x", 1, "__proto__", "pi^2")},
+    "no show": [derivation(("assume", {"x": "1"}, {"is": ">"})), {"proofs": []}],
+    "no steps": [derivation(), {"proofs": []}],
+    "a proof left over": [STATEMENT, {"proofs": [SQUARES, NOTHING]}],
+    "a proof too few": [STATEMENT, {"proofs": []}],
+    "an unknown key": [STATEMENT | {"trust": "me"}, CERTIFICATE],
+    "an unknown key of a step": [derivation(("show", {"x^2": "1"}, {"is": ">=", "new": "w"})), CERTIFICATE],
+    "an unknown key of a certificate": [STATEMENT, CERTIFICATE | {"strengthen": []}],
+    "an unknown key of a proof": [STATEMENT, {"proofs": [SQUARES | {"on": {}}]}],
+    "version 1.5": [STATEMENT | {"version": 1.5}, CERTIFICATE],
+    "version true": [STATEMENT | {"version": True}, CERTIFICATE],
+    "a list for a text": [STATEMENT | {"kind": ["derivation"]}, CERTIFICATE],
+    **{
+        f"the coefficient {c!r}": [derivation(show({"x^2": c}, ">=")), CERTIFICATE]
+        for c in ("1e0", "0.5", 1, 1.5, "+1", "01", "2/2", "1/-2", "1/0", "", None, "0", "1 ", "１")
+    },
+    **{
+        f"the monomial {m!r}": [derivation(show({m: "1", "x^2": "1"}, ">=")), CERTIFICATE]
+        for m in ("x x", "x^1000", "x^1", "x^-1", "x^0", "x^02", " x", "x ", "x  y", "x^2^2", "x\t", "^2", "z")
+    },
+    **{
+        f"the index {i!r}": [STATEMENT, {"proofs": [SQUARES | {"positive": [i]}]}]
+        for i in (-1, 1, "0", 0.5, None, True, 2**53 + 1)
+    },
+    "a variable twice": [STATEMENT | {"variables": ["x", "x"]}, CERTIFICATE],
+    "an empty induction": [
+        {
+            "version": 1,
+            "kind": "induction",
+            "variables": [],
+            "state": [],
+            "assume": [],
+            "start": {},
+            "next": {},
+            "show": [],
+        },
+        {"base": [], "step": []},
+    ],
+    "an empty separation": [
+        {"version": 1, "kind": "separation", "lines": [], "outputs": [], "avoid": []},
+        {"reached": []},
+    ],
+    "pi as a coordinate": [
+        derivation(show({"pi": "1", "": "-4"}, ">"), variables=("pi",)) | {"kind": "refutation"},
+        {"point": {"pi": "31/10"}},
+    ],
+    "off the circle": [
+        derivation(show({"cos(x)": "1", "": "-1"}, ">"), variables=("cos(x)", "sin(x)")) | {"kind": "refutation"},
+        {"point": {"cos(x)": "0", "sin(x)": "0"}},
+    ],
+    "a cosine alone": [
+        derivation(show({"cos(x)": "1", "": "-1"}, ">"), variables=("cos(x)",)) | {"kind": "refutation"},
+        {"point": {"cos(x)": "0"}},
+    ],
+    "a name too many": [
+        derivation(show({"x": "1"}, ">"), variables=("x",)) | {"kind": "refutation"},
+        {"point": {"x": "0", "y": "0"}},
+    ],
+}
+
+
+def test_the_kernels_accept_what_is_well_formed():
+    assert all(accepted(texts(GOOD))[0].values())
+
+
+def test_the_kernels_refuse_what_is_broken():
+    for name, verdicts_of in zip(BROKEN, accepted(texts(*BROKEN.values())), strict=True):
+        assert not any(verdicts_of.values()), (name, verdicts_of)
+
+
+def test_a_number_that_a_double_rounds_proves_nothing():
+    """2⁵³ + 1 as a literal, of which JavaScript makes 2⁵³; a key twice; a whole number as 1.0."""
+    (text,) = texts(GOOD)
+    literal = texts([derivation(show({"": 2**53 + 1}, "=")), {"proofs": [NOTHING]}])
+    twice = text.replace('"x^2":"1"', '"x^2":"-1","x^2":"1"')
+    float_ = text.replace('"version":1', '"version":1.0')
+    escaped = text.replace('"x^2"', '"\\u0078^2"')
+    assert not any(any(each.values()) for each in accepted([*literal, twice, float_, escaped]))
+
+
+def test_a_file_is_its_own_canonical_form(tmp_path):
+    pair = {"sha256": "0", "statement": STATEMENT, "certificate": CERTIFICATE}
+    data = {"version": 1, "theorem": "attack", "claims": [{"claim": "c", "statements": [pair]}]}
+    path = tmp_path / "attack.json"
+    for text in (
+        json.dumps(data),
+        canonical(data) + " ",
+        canonical(data).replace('"version": 1,', '"version": 1, "version": 1,', 1),
+        canonical(data | {"more": 1}),
+        canonical(data | {"theorem": "another"}),
+    ):
+        path.write_text(text, encoding="utf-8")
+        assert verdicts(path)[0][0] == "the file"
+    path.write_text(canonical(data), encoding="utf-8")
+    assert verdicts(path) == [("c", "its sha256 is another statement's")]
+
+
+def test_the_kernels_agree_on_what_is_broken_at_random():
+    assert campaign(2000, seed=3) < 200
+
+
+def test_the_kernel_takes_no_huge_number():
+    assert kernel.check(derivation(show({"x": "1e999999999"}, "=")), {"proofs": [NOTHING]}) is not None
+
+
+def test_equations_are_not_evaluated():
+    assert isinstance(equation(x, x), Eq)
+
+
+def test_no_mutant_is_proved_by_the_certificates_of_its_theorem():
+    theorems, tried = all_theorems(), []
+    for theorem in theorems.values():
+        if theorem.claims and theorem.expected != "refuted":
+            tried += [pairs for mutant in theorem.mutants for pairs in splices(theorem, mutant.claim, theorems)]
+    answers = iter(accepted(texts(*(list(pair) for pairs in tried for pair in pairs))))
+    verdicts_of = [[next(answers) for _ in pairs] for pairs in tried]
+    assert len(tried) > 400
+    for answered in verdicts_of:
+        assert not any(all(each[kernel_] for each in answered) for kernel_ in answered[0])
+        assert all(len(set(each.values())) == 1 for each in answered)
+
+
+def test_a_claim_borrows_from_no_claim_of_its_own():
+    """Nor from a theorem that rests on its own, nor a conclusion whose hypotheses are not given."""
+    itself = Claim("attack", (greater(x, 10),), borrowed=(("attack", "attack"),))
+    assert graded(itself) == graded(itself, uses=("attack",)) == "failed"
+    one, two = (
+        Theorem(a, "", "s3", "", (Claim("c", (greater(x, 10),), borrowed=((b, "c"),)),), FALSE, uses=(b,))
+        for a, b in (("one", "two"), ("two", "one"))
+    )
+    assert examine(one, {"one": one, "two": two}, anew=True).grade == "failed"
+    p = Symbol("p", real=True)
+    near = Program("near", (x,), ((p, x + 3 - Rational(1, 10**6)),), (p,))
+    lemma = Theorem("lemma", "", "s3", "", (Claim("c", (greater(p + 1, 0),), (greater(p, 0),)),), FALSE)
+    borrowing = Claim("c", (greater(p + 1, 0),), (), near, borrowed=(("lemma", "c"),))
+    borrower = Theorem("attack", "", "s3", "", (borrowing,), FALSE, uses=("lemma",))
+    with pytest.raises(ValueError, match="not all given"):
+        examine(borrower, {"lemma": lemma, "attack": borrower}, anew=True)
+
+
+@pytest.mark.parametrize("angle", [1 / x, sqrt(x), Abs(x), cos(x)])
+def test_an_angle_has_a_value(angle):
+    with pytest.raises(Untranslatable, match="polynomial"):
+        statements(Claim("attack", (equation(cos(angle) ** 2 + sin(angle) ** 2, 1),)), {})
+
+
+def test_a_separation_is_about_names_of_its_program():
+    program = Program("p", (x,), ((y, x + 1),), (y,))
+    with pytest.raises(Untranslatable, match="has no z"):
+        statements(Separation("attack", program, (Symbol("z", real=True),), (x,)), {})
+
+
+def test_a_state_has_one_recurrence():
+    twice = Induction("attack", n, (equation(x, 0),), ((x, 1, x), (x, 0, x)))
+    with pytest.raises(Untranslatable, match="twice"):
+        statements(twice, {})
+
+
+def test_a_clause_without_a_claim_is_argued():
+    true = Claim("said", (greater(x**2 + 1, 0),))
+    words = (
+        Clause("A square is not negative,", ("said",)),
+        Clause("nor is a fourth power.", argued="not written down"),
+    )
+    theorem = Theorem("attack", "", "s3", words, (true,), FALSE, expected="argued")
+    assert examine(theorem, {"attack": theorem}, anew=True).grade == "argued"
+    for wrong in ((words[0], Clause("More.")), (Clause("Other.", ("other",)),), (words[1],)):
+        with pytest.raises(ValueError, match="clause"):
+            Theorem("attack", "", "s3", wrong, (true,), FALSE)
+
+
+def test_a_hypothesis_that_nothing_uses_is_counted():
+    used = Claim("used", (greater(x, 0),), (greater(x, 1),))
+    assert unused(prove(used, {})) == (0, 1)
+    assert unused(prove(used.but(given=(greater(x, 1), greater(y, 1))), {})) == (1, 2)
