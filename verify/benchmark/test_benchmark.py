@@ -108,7 +108,7 @@ def test_every_target_is_measured_by_a_case():
 def test_the_kept_results_have_their_shape(part):
     result = json.loads((RESULTS / f"{part}.json").read_text(encoding="utf-8"))
     assert result.keys() == {"label", "numbers"}
-    assert result["label"].keys() >= {"machine", "date", "commit"} and all(result["label"].values())
+    assert all(result["label"][name] for name in ("machine", "date", "commit"))  # and "absent" may be none
     assert all(isinstance(value, int | float | str) for value in result["numbers"].values())
     assert all(value > 0 for key, value in result["numbers"].items() if key.endswith(("_ms", "_ns", "_s")))
 
