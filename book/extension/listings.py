@@ -20,7 +20,7 @@ from book.build import report, stamps
 from book.extension.theorems import certificate, proofs_of, script
 
 DOWNLOADS = "_downloads/theorems"
-FOLDERS = ("proofs/*.py", "proofs/theorems/*.py", "verify/*.py", "verify/*/*.py")
+FOLDERS = ("proofs/*.py", "proofs/*/*.py", "verify/*.py", "verify/*/*.py", "verify/*/*/*.py")
 LISTED = (*FOLDERS, "renderer/shader.py", "renderer/machines/*.py", "tests/test_work.py")
 
 
