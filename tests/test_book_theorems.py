@@ -17,7 +17,7 @@ from book.extension import theorems as book_theorems
 from book.extension.dependencies import components, drawing, rows
 from book.extension.elements import typeset
 from book.extension.evidence import evidence_line, findings
-from book.extension.listings import LISTED, listed
+from book.extension.listings import listed
 from book.extension.points import tex_point, tex_value
 from book.extension.theorems import Proofs, module_and_line, placements
 from proofs.engine.theorem import all_theorems
@@ -299,16 +299,3 @@ def test_downloaded_scripts_run_with_nothing_but_python(site, tmp_path):
         command = [sys.executable, "-I", "-S", str(path)]
         done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60)
         assert done.returncode == 0, f"{path.name}: {done.stdout}{done.stderr}"
-
-
-def test_what_is_trusted_is_all_there(site):
-    """Everything of ours that the kernel and the translation can reach is listed on the page."""
-    page = (ROOT / "book" / "checked" / "trusted.md").read_text(encoding="utf-8")
-    for name in ("kernel", "statement"):
-        for path in stamps.reachable(ROOT / "proofs" / f"{name}.py"):
-            if path.suffix == ".py" and path.name != "__init__.py":
-                assert f"{{literalinclude}} ../{path.relative_to(ROOT).as_posix()}" in page
-    shown = (site / "trusted.html").read_text(encoding="utf-8")
-    lines = len((ROOT / "proofs" / "kernel.py").read_text(encoding="utf-8").splitlines())
-    assert f'<span class="number">{lines}</span> lines' in shown
-    assert any(pattern.startswith("proofs/") for pattern in LISTED)
