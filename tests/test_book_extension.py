@@ -10,6 +10,7 @@ from docutils.utils import new_document
 from book.extension import notebooks, pages
 from book.extension.numbers import formatted, parse, typeset
 from book.extension.results import UnknownResult, look_up
+from tests import one_page
 
 
 @pytest.fixture
@@ -103,25 +104,10 @@ def test_explicit_ids_come_first():
 @pytest.fixture
 def build_page(book, tmp_path):
     """Build one page with the extension; the page's HTML and the warnings."""
-    from io import StringIO
-
-    from sphinx.application import Sphinx
-    from sphinx.util.docutils import docutils_namespace
 
     def built(text: str) -> tuple[str, str]:
         (book / "index.md").write_text(f"# Page\n\n{text}\n")
-        warnings = StringIO()
-        settings = {
-            "extensions": ["myst_parser", "sphinx.ext.mathjax", "book.extension"],
-            "myst_enable_extensions": ["colon_fence"],
-            "numfig": True,
-            "exclude_patterns": ["_generated"],
-        }
-        out = tmp_path / "out"
-        with docutils_namespace():
-            app = Sphinx(book, None, out, out / "doctrees", "html", settings, None, warnings, freshenv=True)
-            app.build()
-        return (out / "index.html").read_text(), warnings.getvalue()
+        return one_page.build(book, tmp_path / "out")
 
     return built
 

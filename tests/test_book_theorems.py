@@ -21,6 +21,7 @@ from book.extension.listings import listed
 from book.extension.points import tex_point, tex_value
 from book.extension.theorems import Proofs, module_and_line, placements
 from proofs.engine.theorem import all_theorems
+from tests import one_page
 
 ROOT = Path(__file__).resolve().parent.parent
 THEOREMS = all_theorems()
@@ -55,25 +56,13 @@ def fresh_report(tmp_path, monkeypatch):
 @pytest.fixture
 def build_page(fresh_report, tmp_path):
     """Build a book of one page with the extension; the page's HTML and the warnings."""
-    from io import StringIO
-
-    from sphinx.application import Sphinx
-    from sphinx.util.docutils import docutils_namespace
 
     def built(text: str) -> tuple[str, str]:
         book = tmp_path / "book"
         book.mkdir(exist_ok=True)
         (book / "claims.md").write_text("---\norphan: true\n---\n# Claims\n\n:::{all-claims}\n:::\n")
         (book / "index.md").write_text(f"# Page\n\n{text}\n")
-        settings = {
-            "extensions": ["myst_parser", "sphinx.ext.mathjax", "book.extension"],
-            "myst_enable_extensions": ["colon_fence"],
-        }
-        warnings, out = StringIO(), tmp_path / "out"
-        with docutils_namespace():
-            app = Sphinx(book, None, out, out / "doctrees", "html", settings, None, warnings, freshenv=True)
-            app.build()
-        return (out / "index.html").read_text(), warnings.getvalue()
+        return one_page.build(book, tmp_path / "out")
 
     return built
 

@@ -6,12 +6,13 @@ import re
 import shutil
 import subprocess
 import sys
-from io import StringIO
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
+
+from tests import one_page
 
 ROOT = Path(__file__).resolve().parent.parent
 SECTION = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").partition("\n## The way in\n")[2].partition("\n## ")[0]
@@ -145,9 +146,6 @@ def test_the_theorem_is_proved_and_its_mutants_are_refused(walked):
 
 
 def test_the_figure_is_drawn_and_stands_on_the_page(walked):
-    from sphinx.application import Sphinx
-    from sphinx.util.docutils import docutils_namespace
-
     folder, _ = walked
     numbers = json.loads((folder / "book" / "_generated" / "waves.json").read_text(encoding="utf-8"))["numbers"]
     assert 0 < numbers["turned"] < 1e-14
@@ -157,17 +155,9 @@ def test_the_figure_is_drawn_and_stands_on_the_page(walked):
     shutil.copytree(folder / "book" / "_generated", small / "_generated")
     shutil.copytree(folder / "book" / "figures", small / "figures", ignore=shutil.ignore_patterns("__pycache__"))
     (small / "index.md").write_text(f"# Page\n\n{placed}", encoding="utf-8")
-    settings = {
-        "extensions": ["myst_parser", "sphinx.ext.mathjax", "book.extension"],
-        "myst_enable_extensions": ["colon_fence"],
-        "numfig": True,
-        "exclude_patterns": ["_generated", "figures"],
-    }
-    warnings, out = StringIO(), folder / "out"
-    with docutils_namespace():
-        Sphinx(small, None, out, out / "doctrees", "html", settings, None, warnings, freshenv=True).build()
-    assert warnings.getvalue() == ""
-    assert 'id="fig-waves"' in (out / "index.html").read_text(encoding="utf-8")
+    html, warnings = one_page.build(small, folder / "out")
+    assert warnings == ""
+    assert 'id="fig-waves"' in html
 
 
 def test_the_claim_stands_and_falls_with_the_run(walked):

@@ -16,7 +16,6 @@ import pytest
 from filelock import FileLock
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
-from sphinx.application import Sphinx
 
 from book.build import stamps
 from book.extension.notebooks import FOLDER, colab_address, merged
@@ -26,6 +25,7 @@ from book.notebooks.laboratory import cells, plain
 from book.notebooks.notebook import notebooks, text_of
 from book.notebooks.slices import needed
 from book.notebooks.sources import closure
+from tests import one_page
 
 NAMES = [*(f"cell{number}" for number in range(1, 9)), WHOLE]
 FOUR = ("numpy", "sympy", "mpmath", "matplotlib")
@@ -261,10 +261,8 @@ def test_colab_is_offered_where_a_repository_is_configured(url, links, tmp_path)
     (tmp_path / "_config.yml").write_text(f"repository: {{url: '{url}', branch: pages}}\n")
     (tmp_path / "index.md").write_text("# A\n\n:::{notebook} cell3\n:::\n")
     parts = [f"book.extension.{name}" for name in ("elements", "notebooks")]
-    settings = {"extensions": ["myst_parser", *parts], "myst_enable_extensions": ["colon_fence"]}
-    out = tmp_path / "out"
-    Sphinx(tmp_path, None, out, out / "doctrees", "html", settings, status=None).build()
-    found = re.findall(r'<p class="notebook-links">.*?</p>', (out / "index.html").read_text(encoding="utf-8"), re.S)
+    html, _ = one_page.build(tmp_path, tmp_path / "out", extensions=["myst_parser", *parts])
+    found = re.findall(r'<p class="notebook-links">.*?</p>', html, re.S)
     assert len(found) == 1
     assert found[0].count("<a ") == links
     assert f'href="{FOLDER}/cell3.ipynb"' in found[0]
