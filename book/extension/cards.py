@@ -126,10 +126,9 @@ def unfolded(env, proofs: Proofs, id: str) -> list[nodes.Node]:
     """Steps, side conditions with their edges, variants, and the theorems around it."""
     theorem, entry = proofs.theorems[id], proofs.entries[id]
     parts = []
-    for claim, point in theorem.refuted_at:
-        at = {str(symbol): str(value) for symbol, value in point}
-        name = [nodes.Text(f"{claim}, ")] if len(theorem.refuted_at) > 1 else []
-        parts.append(Html("p", nodes.Text("Fails at "), *name, *point_nodes(at), nodes.Text(".")))
+    if theorem.refuted_at:
+        at = {str(symbol): str(value) for symbol, value in theorem.refuted_at}
+        parts.append(Html("p", nodes.Text("Fails at "), *point_nodes(at), nodes.Text(".")))
     if theorem.steps:
         steps = [
             Html("li", *typeset(s.what), Html("span", nodes.Text(" — "), *typeset(s.why), classes=["why"]))

@@ -59,7 +59,7 @@ def evidence_nodes(env, proofs, run: Run, claim: Claim) -> list[nodes.Node]:
 
 def fails_at(theorem) -> list[nodes.Node]:
     """The first exact counterexample of a refuted theorem; what follows from its coordinates is left out."""
-    at = {str(symbol): str(value) for _, point in theorem.refuted_at[:1] for symbol, value in point if symbol.is_Symbol}
+    at = {str(symbol): str(value) for symbol, value in theorem.refuted_at or () if symbol.is_Symbol}
     return [nodes.Text(", which fails at "), *point_nodes(at)] if at else []
 
 

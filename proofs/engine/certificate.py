@@ -82,10 +82,8 @@ def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[
 
 def evidence(theorem: Theorem, theorems: Theorems) -> list[tuple[AnyClaim, list[Proved]]]:
     """Return [(claim, [(statement, certificate)])] of a theorem, found anew; raises NotFound."""
-    points = dict(theorem.refuted_at)
-    return [
-        (c, refute(c, points[c.name], theorems) if c.name in points else prove(c, theorems)) for c in theorem.claims
-    ]
+    point = theorem.refuted_at
+    return [(c, prove(c, theorems) if point is None else refute(c, point, theorems)) for c in theorem.claims]
 
 
 def path_of(theorem: Theorem) -> Path:
@@ -107,7 +105,7 @@ def stored(theorem: Theorem, theorems: Theorems) -> list[tuple[AnyClaim, list[Pr
         now = statements(claim, theorems)
         kept = entries.pop(claim.name, [])
         if theorem.expected == "refuted":
-            found = refutation(now, dict(dict(theorem.refuted_at)[claim.name]))
+            found = refutation(now, dict(theorem.refuted_at or ()))
             now = [found[0]] if found else []
         if not now or [digest(s) for s in now] != [entry["sha256"] for entry in kept]:
             raise Stale(

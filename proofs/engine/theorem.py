@@ -25,13 +25,13 @@ class Step:
 
 @dataclass(frozen=True)
 class Clause:
-    """A part of a statement, as the reader sees it, and the names of the claims that say it.
+    """A part of a statement, as the reader sees it, and the claims that say it.
 
     One without claims is argued in the steps and decided by nothing; `argued` says why.
     """
 
     text: str
-    claims: tuple[str, ...] = ()
+    claims: tuple[AnyClaim, ...] = ()
     argued: str = ""
 
 
@@ -74,13 +74,13 @@ class Theorem:
 
     id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader. The
     statement may be Clauses, each with the claims that say it; where one is argued, so is the theorem.
-    section: "s3" … where the book discusses it. claims: what is checked. uses: ids of the theorems that claims borrow
-    from or steps use. steps: the argument. side_conditions: each with its edge tests. mutants: at least two.
-    finding: "F3" if it is about a finding. refuted_at: of a false statement, {claim name: the exact point where it
-    fails}, as pairs; such a theorem is `refuted`, and its mutants are the true variants, which that point must not
-    refute. expected: the grade that a run has to reach. Without claims it is `measured` or `certified`, by a function
-    in verify/checkers/measurements, or `cited`; source: the bibliography's key of what is cited, or of the analysis
-    that a proved theorem takes among its hypotheses (then it is proved, given that source).
+    section: "s3" … where the book discusses it. claims: what is checked; of Clauses, theirs. uses: ids of the theorems
+    that claims borrow from or steps use. steps: the argument. side_conditions: each with its edge tests. mutants: at
+    least two. finding: "F3" if it is about a finding. refuted_at: of a false statement, the exact point ((symbol,
+    value), …) where its one claim fails; such a theorem is `refuted`, and its mutants are the true variants, which that
+    point must not refute. expected: the grade that a run has to reach. Without claims it is `measured` or `certified`,
+    by a function in verify/checkers/measurements, or `cited`; source: the bibliography's key of what is cited, or of
+    the analysis that a proved theorem takes among its hypotheses (then it is proved, given that source).
     """
 
     id: str
@@ -94,11 +94,14 @@ class Theorem:
     side_conditions: tuple[SideCondition, ...] = ()
     uses: tuple[str, ...] = ()
     finding: str = ""
-    refuted_at: tuple[tuple[str, tuple], ...] = ()
+    refuted_at: tuple[tuple[Symbol, object], ...] | None = None
     expected: str = "proved"
     source: str = ""
 
     def __post_init__(self):
+        if not isinstance(self.statement, str):
+            said = dict.fromkeys(claim for clause in self.statement for claim in clause.claims)
+            object.__setattr__(self, "claims", tuple(said))
         if self.expected not in GRADES:
             raise ValueError(f"{self.id}: expected = {self.expected!r} is not one of {', '.join(GRADES)}")
         checked = bool(self.claims) or self.expected not in WITHOUT_CLAIMS
@@ -111,19 +114,16 @@ class Theorem:
             raise ValueError(f"{self.id}: claims need different names")
         if unknown := {c.claim for c in self.side_conditions} - set(names):
             raise ValueError(f"{self.id}: side conditions of unknown claims {sorted(unknown)}")
-        said = {name for clause in self.clauses for name in clause.claims}
-        if said != set(names):
-            raise ValueError(f"{self.id}: no clause, or no claim, is called {sorted(said ^ set(names))}")
         if any(not clause.argued for clause in self.argued):
             raise ValueError(f"{self.id}: a clause without a claim needs a reason")
-        if dict(self.refuted_at).keys() != (set(names) if self.expected == "refuted" else set()):
-            raise ValueError(f"{self.id}: a refuted statement, and no other, has a point for each claim")
+        if (self.expected == "refuted") != (self.refuted_at is not None and len(names) == 1):
+            raise ValueError(f"{self.id}: a refuted statement, and no other, has a point, and one claim")
 
     @property
     def clauses(self) -> tuple[Clause, ...]:
         """The statement's clauses: a text is one clause, which all the claims say."""
         if isinstance(self.statement, str):
-            return (Clause(self.statement, tuple(claim.name for claim in self.claims)),)
+            return (Clause(self.statement, self.claims),)
         return self.statement
 
     @property

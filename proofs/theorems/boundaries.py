@@ -73,15 +73,10 @@ attached_shadow = Theorem(
     statement=r"Where $N\cdot\omega > 0$, also $N'\cdot\omega > 0$.",
     claims=(_in_light,),
     refuted_at=(
-        (
-            "in_light",
-            (
-                *zip(normal, (0, 0, 1), strict=True),
-                *zip(g, (1, 0, 0), strict=True),
-                *zip(towards, (Rational(-12, 13), 0, Rational(5, 13)), strict=True),
-                (beta, Rational(3, 4)),
-            ),
-        ),
+        *zip(normal, (0, 0, 1), strict=True),
+        *zip(g, (1, 0, 0), strict=True),
+        *zip(towards, (Rational(-12, 13), 0, Rational(5, 13)), strict=True),
+        (beta, Rational(3, 4)),
     ),
     steps=(Step(r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$", r"$\beta g = (3/4, 0, 0)$"),),
     mutants=(

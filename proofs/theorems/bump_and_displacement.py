@@ -7,9 +7,9 @@ from proofs.engine.program import chain
 from proofs.engine.theorem import Mutant, Step, Theorem
 from proofs.formulas.bump import bumped_normal, m
 from proofs.formulas.displacement import displaced, displaced_normal, lift
-from proofs.formulas.symbols import beta, cos_phi, cos_theta, cross, dot, h, h_u, h_v, normal, sin_phi, sin_theta
+from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, sin_phi
 from proofs.theorems.displacement import raised
-from proofs.theorems.frame import equations, on_circles
+from proofs.theorems.frame import at_angle, equations, on_circles
 
 _both = chain("both", displaced_normal, bumped_normal)
 _metric = h_u**2 / (2 * pi * sin_phi) + h_v**2 / pi
@@ -75,7 +75,7 @@ difference_theorem = Theorem(
         Mutant(
             "parallel only if h_u = h_v = 0, whatever β",
             _only_where_flat.but(shows=(equation(h_u, 0),)),
-            at=((beta, 0), (h, 0), (h_u, 1), (h_v, 1), (cos_theta, 1), (sin_theta, 0), (cos_phi, 0), (sin_phi, 1)),
+            at=(*at_angle(0, 1), (beta, 0), (h, 0), (h_u, 1), (h_v, 1)),
         ),
         Mutant("the opposite sign, as Blinn's", _like_blinn),
         Mutant(
@@ -97,21 +97,7 @@ seed_theorem = Theorem(
     finding="F18",
     statement=r"$N'$ is the normal of the displaced surface; in particular $\pi N\cdot(M\times D) = 0$.",
     claims=(_parallel,),
-    refuted_at=(
-        (
-            "parallel",
-            (
-                (cos_theta, 1),
-                (sin_theta, 0),
-                (cos_phi, Rational(3, 5)),
-                (sin_phi, Rational(4, 5)),
-                (beta, 1),
-                (h, 0),
-                (h_u, 1),
-                (h_v, 1),
-            ),
-        ),
-    ),
+    refuted_at=(*at_angle(Rational(3, 5), Rational(4, 5)), (beta, 1), (h, 0), (h_u, 1), (h_v, 1)),
     steps=(
         Step(
             r"$\pi N\cdot(M\times D) = \pm\beta^2h_uh_v(1-1/2\sin\varphi) \ne 0$",

@@ -9,7 +9,7 @@ from proofs.formulas.chart import chart, chart_inverse, u_closed
 from proofs.formulas.half_turns import atan2pi, cospi, sinpi
 from proofs.formulas.symbols import cos_phi, cos_theta, dot, normal, real, sin_phi, sin_theta, u, v
 from proofs.formulas.tangent_frame import unit_normal
-from proofs.theorems.frame import equations, on_circles
+from proofs.theorems.frame import at_angle, equations, on_circles
 
 turn, polar = real("turn polar")  # θ/π in (−1, 1] and φ/π in [0, 1]: what atan2pi is
 _of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): polar}
@@ -118,10 +118,7 @@ inverse = Theorem(
         SideCondition(
             r"$\sin\varphi > 0$",
             "recovered",
-            (
-                Edge(((cos_theta, 1), (sin_theta, 0), (cos_phi, 1), (sin_phi, 0)), "undefined"),
-                Edge(((cos_theta, 1), (sin_theta, 0), (cos_phi, Rational(3, 5)), (sin_phi, Rational(-4, 5))), "fails"),
-            ),
+            (Edge(at_angle(1, 0), "undefined"), Edge(at_angle(Rational(3, 5), Rational(-4, 5)), "fails")),
         ),
     ),
 )

@@ -107,7 +107,7 @@ supremum = Theorem(
     r"$\omega = \pi k$, as for a sine: its supremum falls with $\varepsilon$.",
     hypotheses=(r"$\omega > 0$, $\varepsilon > 0$; beside a crease, against the slope after it",),
     claims=(_descends,),
-    refuted_at=(("descends", ((omega, 1), (epsilon, Rational(1, 2)))),),
+    refuted_at=((omega, 1), (epsilon, Rational(1, 2))),
     steps=(
         Step(r"at the crease $D_\varepsilon h = 0$, the slope after it is $\omega$", "equal heights on either side"),
         Step(r"the error is $\omega = 1$, the bound $1/24$ at $\varepsilon = 1/2$", "arithmetic"),

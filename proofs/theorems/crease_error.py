@@ -78,7 +78,7 @@ theorem = Theorem(
         Clause(
             r"Within $\varepsilon$ of a crease the error of the central difference of $|\sin\pi k u|$ is "
             r"$\pi k(|\delta|/\varepsilon - 1)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$.",
-            (_near_tent.name,),
+            (_near_tent,),
         ),
         Clause(
             r"$(\delta-\varepsilon)^3/3\varepsilon^2$ has the derivative $(\delta/\varepsilon-1)^2$ and grows "
@@ -87,7 +87,7 @@ theorem = Theorem(
             r"and $k_v - 1$ "
             r"creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi "
             r"k_v\sqrt{(k_v-1)\varepsilon/3}$.",
-            tuple(claim.name for claim in (_tents, _means, _in_u, _in_v)),
+            (_tents, _means, _in_u, _in_v),
         ),
         Clause(
             r"So these are the RMS errors in $h_u$ and $h_v$, each up to $\tfrac23\pi k(\pi k\varepsilon)^2$, "
@@ -102,7 +102,6 @@ theorem = Theorem(
         r"bounds of sine and cosine by their Taylor polynomials (cited)",
         r"Minkowski's inequality joins the two: the RMS of a sum differs from one part's by at most the other's",
     ),
-    claims=(_near_tent, _tents, _means, _in_u, _in_v),
     uses=("straddling", "truncation_bound", "clamped_difference_of_odd"),
     steps=(
         Step(

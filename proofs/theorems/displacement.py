@@ -5,23 +5,9 @@ from sympy import Function, diff, pi, sin
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
 from proofs.formulas.displacement import blinn_normal, displaced, displaced_normal, h_phi, h_theta, lift
-from proofs.formulas.symbols import (
-    beta,
-    cos_phi,
-    cos_theta,
-    cross,
-    dot,
-    h,
-    h_u,
-    h_v,
-    normal,
-    phi,
-    sin_phi,
-    sin_theta,
-    theta,
-)
+from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, sin_phi, theta
 from proofs.formulas.tangent_frame import e_phi, e_theta
-from proofs.theorems.frame import angles, equations, frame, on_circles
+from proofs.theorems.frame import angles, at_angle, equations, frame, on_circles
 
 _field = Function("field")(theta, phi)
 _values = {diff(_field, theta): h_theta, diff(_field, phi): h_phi, _field: h}
@@ -104,31 +90,10 @@ displaced_theorem = Theorem(
         SideCondition(
             r"$\sin\varphi > 0$",
             "first_order",
-            (
-                Edge(
-                    ((cos_theta, 1), (sin_theta, 0), (cos_phi, 1), (sin_phi, 0), (h, 1), (h_u, 1), (h_v, 1), (beta, 1)),
-                    "undefined",
-                ),
-            ),
+            (Edge((*at_angle(1, 0), (h, 1), (h_u, 1), (h_v, 1), (beta, 1)), "undefined"),),
         ),
         SideCondition(
-            r"$1+\beta h > 0$",
-            "outward",
-            (
-                Edge(
-                    (
-                        (cos_theta, 1),
-                        (sin_theta, 0),
-                        (cos_phi, 0),
-                        (sin_phi, 1),
-                        (h, -1),
-                        (h_u, 1),
-                        (h_v, 1),
-                        (beta, 1),
-                    ),
-                    "fails",
-                ),
-            ),
+            r"$1+\beta h > 0$", "outward", (Edge((*at_angle(0, 1), (h, -1), (h_u, 1), (h_v, 1), (beta, 1)), "fails"),)
         ),
     ),
 )

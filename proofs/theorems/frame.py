@@ -35,7 +35,7 @@ def equations(left, right):
     return tuple(equation(a, b) for a, b in zip(left, right, strict=True))
 
 
-def _at(c, s):
+def at_angle(c, s):
     """Return the inputs θ = 0, (cos φ, sin φ) = (c, s)."""
     return ((cos_theta, 1), (sin_theta, 0), (cos_phi, c), (sin_phi, s))
 
@@ -87,9 +87,7 @@ seed_orientation = Theorem(
     finding="F3",
     statement=r"$e_\theta \times e_\varphi = N$.",
     claims=(_right_handed.but(name="left_handed", shows=equations(cross(e_theta, e_phi), normal)),),
-    refuted_at=(
-        ("left_handed", ((cos_theta, 1), (sin_theta, 0), (cos_phi, Rational(3, 5)), (sin_phi, Rational(4, 5)))),
-    ),
+    refuted_at=at_angle(Rational(3, 5), Rational(4, 5)),
     steps=(Step(r"at one point $e_\theta \times e_\varphi = -N$", "arithmetic"),),
     mutants=(
         Mutant("e_φ × e_θ = N", _right_handed),
@@ -154,7 +152,7 @@ stable = Theorem(
         SideCondition(
             r"$\sin\varphi > 0$",
             "seed_frame",
-            (Edge(_at(1, 0), "undefined"), Edge(_at(Rational(3, 5), Rational(-4, 5)), "fails")),
+            (Edge(at_angle(1, 0), "undefined"), Edge(at_angle(Rational(3, 5), Rational(-4, 5)), "fails")),
         ),
         SideCondition(
             r"$\rho \ge 10^{-150}e$",

@@ -129,13 +129,13 @@ theorem = Theorem(
     statement=(
         Clause(
             r"Blinn's base is 1-Lipschitz in $N'$, Phong's 2-Lipschitz, and so is $\mu = N'\cdot\omega$ with 1.",
-            tuple(claim.name for claim in (_scalar, _clamps, _blinn, _gram, _swing, _twice)),
+            (_scalar, _clamps, _blinn, _gram, _swing, _twice),
         ),
         Clause(
             r"The factors of $x^p - z^p$ and of $p - (x^p - z^p)/(x - z)$ follow a recurrence, one step of "
             r"which keeps them "
             r"from being negative; where they are not, $|x^p - z^p| \le p\,|x-z|$ on $[0, 1]$.",
-            tuple(claim.name for claim in (_powers, _signs, _power)),
+            (_powers, _signs, _power),
         ),
         Clause(
             r"So it is for every whole $p \ge 1$, and the highlight is Lipschitz with $p$ (Blinn) and $2p$ (Phong).",
@@ -148,7 +148,6 @@ theorem = Theorem(
         "unit vectors",
         r"the power's factors are carried along by a recurrence; none of them is negative, step by step",
     ),
-    claims=(_scalar, _clamps, _blinn, _gram, _swing, _twice, _powers, _signs, _power),
     uses=(),
     steps=(
         Step(r"$|n\cdot\omega - m\cdot\omega| \le |n-m|$ for a unit $\omega$, or unit $H/|H|$", "Lagrange's identity"),
@@ -185,7 +184,7 @@ below_one = Theorem(
     statement=r"For every $p > 0$ the power $x^p$ is Lipschitz on $[0, 1]$ (at $p = 1/2$: $\sqrt x \le L x$).",
     hypotheses=("$L \\ge 1$",),
     claims=(_root,),
-    refuted_at=(("root", ((x, Rational(1, 4096)), (bound, 32))),),
+    refuted_at=((x, Rational(1, 4096)), (bound, 32)),
     steps=(Step(r"$L = 32$: $\sqrt x = 1/64 > 32/4096 = 1/128$", "and $x = 1/4L^2$ for any other $L$"),),
     mutants=(
         Mutant("true where x ≥ 1/L²", _root.but(given=(*_root.given, bound * sqrt(x) >= 1))),

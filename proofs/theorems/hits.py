@@ -196,14 +196,9 @@ seed_quadratic = Theorem(
     statement=r"The constant term of sphere B's quadratic is $|C|^2-R_2^2$.",
     claims=(Claim("constant", (equation(_seed_c, _c),)),),
     refuted_at=(
-        (
-            "constant",
-            (
-                (eye, 4),
-                *zip(ball_center, (_half, _half, Rational(13, 10)), strict=True),
-                (ball_radius, Rational(8, 25)),
-            ),
-        ),
+        (eye, 4),
+        *zip(ball_center, (_half, _half, Rational(13, 10)), strict=True),
+        (ball_radius, Rational(8, 25)),
     ),
     steps=(Step(r"in the default scene $|C|^2-R_2^2 = 2.0876$ and $|E-C|^2-R_2^2 = 7.6876$", "arithmetic"),),
     mutants=(

@@ -82,20 +82,19 @@ theorem = Theorem(
             r"The segments from a light $L$ to a ball (centre $C$, radius $s$) pass at share $t$ of the way "
             r"within $ts$ of "
             r"$L + t(C-L)$.",
-            ("within",),
+            (_within,),
         ),
         Clause(
             r"If $|L - c + t(C-L)| > r + ts$ for all $t \in [0,1]$, no such segment meets the ball of radius "
             r"$r$ about $c$.",
-            ("cone",),
+            (_cone,),
         ),
         Clause(
             r"The squares' difference is a quadratic in $t$, least at an end or where it turns.",
-            ("quadratic", "turns_before", "turns_between", "turns_after", "bends_down"),
+            (_quadratic, *_least, _chord),
         ),
     ),
     hypotheses=("$r, s > 0$",),
-    claims=(_within, _cone, _quadratic, *_least, _chord),
     uses=(),
     steps=(
         Step(r"$X\cdot w \ge -|X||w|$, so $|X + w| \ge |X| - |w|$", "Lagrange's identity"),

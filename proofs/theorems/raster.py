@@ -120,7 +120,7 @@ seed_theorem = Theorem(
     r"$\rho < \tfrac43 10^{-4}$.",
     hypotheses=("$e = 4$, $R = 1$",),
     claims=(_beside,),
-    refuted_at=(("beside", ((m, 127), (n, 108))),),
+    refuted_at=((m, 127), (n, 108)),
     steps=(
         Step(r"at the pixel nearest the axis $\rho = \sqrt{34/15}/256 > 0.0058$", "arithmetic; $m = 127$, $n = 108$"),
     ),

@@ -139,7 +139,7 @@ differentiable = Theorem(
     statement=r"On a crease $k_u u = m$ the slopes of ridges to the right and to the left, $+|p_u|$ and $-|p_u|$ with "
     r"$p = \sin\pi k_u u\,\sin\pi k_v v$, are the same.",
     claims=(_one_slope,),
-    refuted_at=(("one_slope", ((u, Rational(1, 4)), (v, Rational(1, 8)), (k_u, 8), (k_v, 4))),),
+    refuted_at=((u, Rational(1, 4)), (v, Rational(1, 8)), (k_u, 8), (k_v, 4)),
     steps=(Step(r"$k_u = 8$, $k_v = 4$, $(u, v) = (1/4, 1/8)$: $+8\pi$ and $-8\pi$", "arithmetic"),),
     mutants=(
         Mutant("true at a crossing", _one_slope.but(given=(*_one_slope.given, equation(sin(pi * k_v * v), 0)))),

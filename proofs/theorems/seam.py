@@ -107,7 +107,7 @@ seam_saved = Theorem(
     statement=r"For whole $k_u$ sine is differentiable across $u = 0$: its slope is the same on both sides.",
     hypotheses=("$k_u$ is whole",),
     claims=(_periodic,),
-    refuted_at=(("slope", ((k_u, 1), (k_v, 1), (v, Rational(1, 2)))),),
+    refuted_at=((k_u, 1), (k_v, 1), (v, Rational(1, 2))),
     steps=(Step(r"$k_u = 1$, $v = 1/2$, $k_v = 1$: the slope is $\pi$ at $u = 0$, $-\pi$ at $u = 1$", "arithmetic"),),
     mutants=(
         Mutant("true for even k_u", _periodic.but(given=(equation(cos(pi * k_u), 1),))),

@@ -27,7 +27,7 @@ always_first_order = Theorem(
     r"$h = v - v^3$ errs by $\varepsilon$ at least.",
     hypotheses=(r"$0 < \varepsilon \le 1$",),
     claims=(_costs,),
-    refuted_at=(("costs_an_order", ((epsilon, Rational(1, 2)),)),),
+    refuted_at=((epsilon, Rational(1, 2)),),
     steps=(Step(r"the error is $-\varepsilon^2$: $1/4$ at $\varepsilon = 1/2$", "$h$ is odd"),),
     mutants=(
         Mutant("of v − v³ it is −ε²", Claim("odd", (equation(_at_zero_of(v - v**3), -(epsilon**2)),), _steps)),

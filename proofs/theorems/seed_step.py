@@ -31,7 +31,7 @@ theorem = Theorem(
     r"$10^{-12}$.",
     hypotheses=(r"$|N| = 1$, $N\cdot g = 0$; the first component, in exact arithmetic",),
     claims=(_verifies,),
-    refuted_at=(("verifies", _point),),
+    refuted_at=_point,
     steps=(
         Step(r"$N = (0, 0, 1)$, $g = (g_x, 0, 0)$: $N'_x = b/\sqrt{1+b^2}$, $b = \beta g_x$", "the lines"),
         Step(

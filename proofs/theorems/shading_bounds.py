@@ -84,18 +84,17 @@ difference_bound = Theorem(
         Clause(
             r"A light adds at most $i\,(a k_d + k_s q)\,|\Delta N'|$ to the change of a channel ($q = p$ for Blinn, "
             r"$2p$ for Phong, whole $p \ge 1$),",
-            ("light",),
+            (_bound,),
         ),
-        Clause("and the clip adds nothing;", ("clip",)),
+        Clause("and the clip adds nothing;", (_clip,)),
         Clause(
             r"so $|\Delta I| \le L\,|\beta||\Delta g|$ with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$, of "
             r"up to five "
             "lights.",
-            ("all_lights",),
+            (_all_lights,),
         ),
     ),
     hypotheses=(r"light $i$, albedo $a$, $k_d$, $k_s \ge 0$", "the same chamber: the same point and the same lights"),
-    claims=(_bound, _clip, _all_lights),
     uses=("normalising_is_lipschitz", "specular_lipschitz"),
     steps=(
         Step(
