@@ -37,17 +37,17 @@ def report() -> None:
 
 def figures(ids: Sequence[str] = (), force: bool = False) -> None:
     """Draw the figures that changed."""
-    from book.drawing import fresh
+    from book.drawing import keys
 
-    if not ids and not force and fresh.nothing_changed():
+    if not ids and not force and keys.nothing_changed():
         print("  all up to date")
         return
     from book.drawing.draw import draw
 
-    before = fresh.sources()
+    before = keys.all_sources()
     draw(ids, force)
     if not ids:
-        fresh.remember(before)
+        keys.remember(before)
 
 
 def build() -> None:
@@ -124,7 +124,7 @@ def run(options: argparse.Namespace) -> int:
     """Do what the command line asked for; the exit status."""
     verb = options.verb or "all"
     if verb == "figures" and options.list:
-        from book.drawing.discover import all_figures
+        from book.drawing.draw import all_figures
 
         for id, entry in all_figures().items():
             print(f"{id:24} {' '.join(entry.draw.__doc__.split())}")

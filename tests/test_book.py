@@ -12,7 +12,7 @@ import pytest
 from book.build import stamps, website
 from book.build.contents import page_files
 from book.drawing import palette
-from book.drawing.discover import all_figures
+from book.drawing.draw import all_figures
 from tests.elements import Elements
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -116,8 +116,8 @@ def test_stylesheet_is_short_and_has_no_colour_of_its_own():
 
 
 def test_text_in_a_role_colour_can_be_read():
-    for mode in (palette.light, palette.dark):
-        with mode():
+    for mode in palette.MODES:
+        with palette.drawing_for(mode):
             colours = palette.palette()
             for role in palette.ROLE:
                 text = palette.readable(colours[role])

@@ -11,7 +11,7 @@ PAGE = Path(__file__).parent.parent / "book" / "checked" / "benchmark.md"
 
 
 def test_every_renderer_is_drawn():
-    numbers = figures.measured(figures.FRAMES)
+    numbers = figures.committed(figures.FRAMES)["numbers"]
     assert figures.RENDERERS.keys() == SIDES.keys() - {"seed_central"}
     for renderer, (*_, threads) in figures.RENDERERS.items():
         pixels, times = figures.curve(numbers, renderer, threads)

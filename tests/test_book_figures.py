@@ -9,10 +9,9 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from book.build import stamps
-from book.drawing import fresh, keys, registry, save
-from book.drawing.pictures import panels
+from book.drawing import keys, registry, save
 from book.drawing.registry import Drawing, Registered, plain_numbers
-from book.drawing.style import decades, label_line_end, palette, plot, slope_triangle, styled
+from book.drawing.style import decades, label_line_end, palette, panels, plot, slope_triangle, styled
 
 
 @pytest.fixture
@@ -49,11 +48,11 @@ def test_data_lies_where_changes_are_seen(no_figures):
 
 def test_figures_are_looked_at_again_when_code_or_a_drawing_changed(monkeypatch, tmp_path):
     monkeypatch.setattr(stamps, "STAMPS", tmp_path)
-    assert not fresh.nothing_changed()
-    fresh.remember(fresh.sources())
-    assert fresh.nothing_changed()
-    monkeypatch.setattr(fresh.check, "sources", lambda: [stamps.LOCK_FILE])
-    assert not fresh.nothing_changed()
+    assert not keys.nothing_changed()
+    keys.remember(keys.all_sources())
+    assert keys.nothing_changed()
+    monkeypatch.setattr(keys.check, "sources", lambda: [stamps.LOCK_FILE])
+    assert not keys.nothing_changed()
 
 
 def test_figure_needs_a_docstring(no_figures):
@@ -129,11 +128,11 @@ def test_sources_reach_through_packages_and_imports():
     reached = {path.relative_to(stamps.ROOT).as_posix() for path in stamps.reachable(keys.SAVING)}
     # save.py imports style.py, which imports palette.py: neither may be missed.
     assert {"book/__init__.py", "book/drawing/save.py", "book/drawing/style.py", "book/drawing/palette.py"} <= reached
-    assert "book/drawing/discover.py" not in reached
+    assert "book/drawing/draw.py" not in reached
 
 
 def test_computed_import_reaches_the_whole_package():
-    reached = stamps.reachable(stamps.ROOT / "book" / "drawing" / "discover.py")
+    reached = stamps.reachable(stamps.ROOT / "book" / "drawing" / "draw.py")
     assert {path for path in stamps.files_in(stamps.ROOT / "book") if path.suffix == ".py"} <= reached
 
 

@@ -10,9 +10,9 @@ import pytest
 from matplotlib.figure import Figure
 
 from book.build import stamps
-from book.drawing import draw, fresh, keys, save, trace
+from book.drawing import draw, keys, save
 from book.drawing.data import MOST_BYTES, data_file, read_data
-from book.drawing.discover import all_figures
+from book.drawing.draw import all_figures
 from book.drawing.registry import Drawing, Registered
 
 FIGURES = stamps.ROOT / "book" / "figures"
@@ -39,7 +39,7 @@ print(json.dumps(found))
 
 def ours(files) -> set[str]:
     """Those of the files that are the repository's, by path from its root."""
-    paths = (trace.source_of(stamps.ROOT / file) for file in files)
+    paths = (keys.source_of(stamps.ROOT / file) for file in files)
     return {path.relative_to(stamps.ROOT).as_posix() for path in paths if path}
 
 
@@ -65,7 +65,7 @@ def test_keys_have_every_module_that_python_imports(imported):
 
 
 def test_keys_have_data_style_and_lock_and_nothing_that_the_quick_look_misses():
-    seen = fresh.sources().keys()
+    seen = keys.all_sources().keys()
     for entry in all_figures().values():
         now = keys.sources(entry).keys()
         assert {"requirements.lock", "book/drawing/matplotlibrc", "python", *entry.data} <= now
@@ -158,7 +158,7 @@ def test_file_that_is_read_and_not_in_the_key_is_an_error():
         return Drawing(numbers={"bytes": len(path.read_text())})
 
     entry = Registered("careless", careless)
-    with trace.files_read() as seen:
+    with keys.files_read() as seen:
         save.draw_files(entry)
     with pytest.raises(ValueError, match=r"'careless' read verify/results/work_precision.json.*data="):
         keys.require(entry, seen, keys.sources(Registered("declares_nothing", all_figures()["hero"].draw)))
@@ -167,11 +167,11 @@ def test_file_that_is_read_and_not_in_the_key_is_an_error():
 
 def test_trace_sees_lazy_imports_as_sources_and_nothing_outside(tmp_path):
     assert (
-        trace.source_of(stamps.ROOT / "book/drawing/__pycache__/style.cpython-311.pyc")
+        keys.source_of(stamps.ROOT / "book/drawing/__pycache__/style.cpython-311.pyc")
         == stamps.ROOT / "book/drawing/style.py"
     )
-    assert trace.source_of(tmp_path / "a.py") is None
-    assert trace.source_of(stamps.ROOT / "book" / "_generated" / "hero.json") is None
+    assert keys.source_of(tmp_path / "a.py") is None
+    assert keys.source_of(stamps.ROOT / "book" / "_generated" / "hero.json") is None
 
 
 def line(heights) -> Figure:

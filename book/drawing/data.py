@@ -35,7 +35,8 @@ def data_file(id: str, drawing: Drawing) -> dict[str, bytes]:
             raise ValueError(f"figure {id!r}: its Drawing needs data=: the arrays that the picture shows")
         return {}
     shapes = {array.shape for array in arrays.values()}
-    suffix, content = (".csv", _csv(arrays)) if _is_table(shapes) else (".npz", _npz(arrays))
+    is_table = len(shapes) == 1 and len(min(shapes)) == 1
+    suffix, content = (".csv", _csv(arrays)) if is_table else (".npz", _npz(arrays))
     if drawing.data and len(content) > MOST_BYTES:
         raise ValueError(f"figure {id!r}: its data take {len(content)} bytes; at most {MOST_BYTES} are allowed")
     return {suffix: content}
@@ -48,10 +49,6 @@ def read_data(name: str, content: bytes) -> dict[str, np.ndarray]:
             return {key: arrays[key] for key in arrays.files}
     rows = list(csv.reader(io.StringIO(content.decode())))
     return {column[0]: _column(column[1:]) for column in zip(*rows, strict=True)}
-
-
-def _is_table(shapes: set[tuple[int, ...]]) -> bool:
-    return len(shapes) == 1 and len(next(iter(shapes))) == 1
 
 
 def _checked(id: str, name: str, values) -> np.ndarray:

@@ -1,20 +1,20 @@
 """Draw the figures that changed, two at a time, say why, and remove what no figure claims."""
 
+import importlib
+import pkgutil
 import sys
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
-from itertools import repeat
 from multiprocessing import get_context
 from pathlib import Path
 
 from tqdm import tqdm
 
 from book.build import report, stamps
-from book.drawing import keys, save, trace
-from book.drawing.discover import all_figures
-from book.drawing.registry import Registered, UnknownFigure
+from book.drawing import keys, save
+from book.drawing.registry import FIGURES, Registered, UnknownFigure
 
 PROCESSES = 2
 # Those that take longest begin first, so that no process waits long for the other at the end.
@@ -22,6 +22,13 @@ LONGEST = (
     "u_curve_apart", "reference_pixels", "accuracy_maps", "eps_sweep", "elementary_ulps", "attribution", "frontiers",
     "stability", "scene_figures", "pole",
 )  # fmt: skip
+
+
+def all_figures() -> dict[str, Registered]:
+    """Every figure by its id, in alphabetical order: every module of book/figures is imported."""
+    for module in pkgutil.iter_modules([str(stamps.ROOT / "book" / "figures")]):
+        importlib.import_module(f"book.figures.{module.name}")
+    return dict(sorted(FIGURES.items()))
 
 
 def draw(ids: Sequence[str] = (), force: bool = False) -> int:
@@ -55,38 +62,31 @@ class Waiting:
 
 def _waiting(entries: Iterable[Registered], force: bool) -> list[Waiting]:
     """The figures to draw."""
-    found = []
-    for entry in entries:
-        now = keys.sources(entry)
-        reason = "asked for" if force else keys.why_redraw(entry, now)
-        if reason:
-            found.append(Waiting(entry, now, reason))
-    return found
+    found = [(entry, keys.sources(entry)) for entry in entries]
+    reasons = ("asked for" if force else keys.why_redraw(entry, now) for entry, now in found)
+    return [Waiting(*pair, reason) for pair, reason in zip(found, reasons, strict=True) if reason]
 
 
 def _drawn(waiting: list[Waiting]) -> Iterator[tuple[Waiting, float]]:
-    """Draw, and yield each figure with its seconds when it is done."""
+    """Draw, keep each figure's key, and yield it with its seconds when it is done."""
     families = _families(waiting)
     for one in waiting:
         stamps.remove(f"figures/{one.entry.id}")
-    if PROCESSES == 1 or len(families) < 2:
-        done = map(_draw_family, families, repeat(keys.GENERATED))
-        yield from (one for family in done for one in _kept(family))
-        return
+    for family in _in_processes(families) if PROCESSES > 1 < len(families) else map(_draw_family, families):
+        for one, files, seconds in family:
+            stamps.write(f"figures/{one.entry.id}", {"files": files, "sources": one.sources})
+            yield one, seconds
+
+
+def _in_processes(families: list[list[Waiting]]) -> Iterator[list[tuple[Waiting, list[str], float]]]:
+    """Draw each family in one of some processes; yield it when it is done."""
     # Started afresh: a fork would take over locks and threads of the renderer in whatever state they are.
     with ProcessPoolExecutor(PROCESSES, get_context("spawn")) as pool:
-        done = [pool.submit(_draw_family, family, keys.GENERATED) for family in families]
         try:
-            yield from (one for family in as_completed(done) for one in _kept(family.result()))
+            for done in as_completed([pool.submit(_draw_family, family, keys.GENERATED) for family in families]):
+                yield done.result()
         finally:
             pool.shutdown(cancel_futures=True)
-
-
-def _kept(family: list[tuple[Waiting, list[str], float]]) -> Iterator[tuple[Waiting, float]]:
-    """Keep the keys of figures that are drawn."""
-    for one, files, seconds in family:
-        stamps.write(f"figures/{one.entry.id}", {"files": files, "sources": one.sources})
-        yield one, seconds
 
 
 def _families(waiting: list[Waiting]) -> list[list[Waiting]]:
@@ -98,7 +98,7 @@ def _families(waiting: list[Waiting]) -> list[list[Waiting]]:
     return [families[name] for name in sorted(families, key=lambda name: (order.get(name, len(order)), name))]
 
 
-def _draw_family(family: list[Waiting], folder: Path) -> list[tuple[Waiting, list[str], float]]:
+def _draw_family(family: list[Waiting], folder: Path | None = None) -> list[tuple[Waiting, list[str], float]]:
     """Draw some figures in this process: each with its files' names and its seconds.
 
     An error if one read a file of the repository that its key lacks.
@@ -108,8 +108,8 @@ def _draw_family(family: list[Waiting], folder: Path) -> list[tuple[Waiting, lis
         start, entry = time.perf_counter(), one.entry
         source = keys.source_file(entry).relative_to(stamps.ROOT).as_posix()
         try:
-            with trace.files_read() as seen:
-                files = save.save(entry, folder, source, stamps.key(one.sources))
+            with keys.files_read() as seen:
+                files = save.save(entry, folder or keys.GENERATED, source, stamps.key(one.sources))
             keys.require(entry, seen, one.sources)
         except Exception as error:
             error.add_note(f"while the figure {entry.id!r} was drawn")

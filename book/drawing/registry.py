@@ -11,17 +11,18 @@ A picture is a Matplotlib figure (drawn twice, for the light page and the dark o
 `data` is what the picture shows, by name: every curve that is drawn has to be in it (`book/drawing/data.py`).
 """
 
+import json
 import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from numbers import Integral, Real
 from typing import Any
 
 import numpy as np
 
+from book.build import stamps
+
 DATA_FOLDERS = ("proofs/", "renderer/", "verify/", "book/", "tests/data/")  # those that are hashed
-FIGURES: dict[str, "Registered"] = {}
 
 
 class UnknownFigure(ValueError):
@@ -46,11 +47,13 @@ class Registered:
     data: tuple[str, ...] = ()
 
 
+FIGURES: dict[str, Registered] = {}
+
+
 def figure(id: str, data: tuple[str, ...] | list[str] = ()) -> Callable:
     """Register the decorated function under an id; `data`: files that it reads, by path from the root."""
     if not re.fullmatch(r"[a-z0-9_]+", id):
         raise ValueError(f"figure id {id!r}: an id is made of a-z, 0-9 and _")
-
     if any(not name.startswith(DATA_FOLDERS) for name in data):
         raise ValueError(f"figure {id!r}: its data must lie in one of {', '.join(DATA_FOLDERS)}")
 
@@ -68,26 +71,17 @@ def figure(id: str, data: tuple[str, ...] | list[str] = ()) -> Callable:
 
 def plain_numbers(id: str, numbers: Mapping[str, Any]) -> dict[str, int | float | str | bool]:
     """The numbers as plain Python values; an error names the figure and the key."""
-    return {_checked_key(id, key): _plain(id, key, value) for key, value in numbers.items()}
+    plain = {}
+    for key, value in numbers.items():
+        if not isinstance(key, str) or not re.fullmatch(r"[^\s|`]+", key):
+            raise ValueError(f"figure {id!r}: number key {key!r} must be a string without blanks, | and `")
+        value = value.item() if isinstance(value, np.generic | np.ndarray) and np.ndim(value) == 0 else value
+        if not isinstance(value, bool | int | float | str) or (isinstance(value, float) and not math.isfinite(value)):
+            raise ValueError(f"figure {id!r}: number {key!r} is {value!r}; give a finite number, a str or a bool")
+        plain[key] = value
+    return plain
 
 
-def _checked_key(id: str, key: str) -> str:
-    if not isinstance(key, str) or not re.fullmatch(r"[^\s|`]+", key):
-        raise ValueError(f"figure {id!r}: number key {key!r} must be a string without blanks, | and `")
-    return key
-
-
-def _plain(id: str, key: str, value: Any) -> int | float | str | bool:
-    if isinstance(value, np.ndarray) and value.ndim == 0:
-        value = value[()]
-    if isinstance(value, bool | np.bool_):
-        return bool(value)
-    if isinstance(value, str):
-        return str(value)
-    if isinstance(value, Integral):
-        return int(value)
-    if isinstance(value, Real):
-        if not math.isfinite(value):
-            raise ValueError(f"figure {id!r}: number {key!r} is {value}, which is not finite")
-        return float(value)
-    raise ValueError(f"figure {id!r}: number {key!r} is a {type(value).__name__}; give an int, float, str or bool")
+def committed(path: str) -> dict:
+    """What a committed JSON file of results holds, by its path from the root; name it in the figure's `data`."""
+    return json.loads((stamps.ROOT / path).read_text(encoding="utf-8"))

@@ -10,28 +10,27 @@ from PIL import Image
 
 from book.build.stamps import write_whole
 from book.drawing.data import SUFFIXES, data_file
-from book.drawing.palette import dark, light
+from book.drawing.palette import CSS_PIXELS_PER_INCH
 from book.drawing.registry import Drawing, Registered, plain_numbers
 from book.drawing.style import styled
-
-CSS_PIXELS_PER_INCH = 96
 
 
 def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
     """Draw a figure: its files by suffix, and what its JSON says about them."""
-    with light(), styled():
+    with styled():
         drawing = _called(entry)
         numbers = plain_numbers(entry.id, drawing.numbers)
         picture = drawing.picture
         if isinstance(picture, Figure):
-            files, size, kind = {".svg": _svg(picture)}, _css_size(picture), "svg"
+            size = [round(float(inches) * CSS_PIXELS_PER_INCH) for inches in picture.get_size_inches()]
+            files, kind = {".svg": _svg(picture)}, "svg"
         elif picture is None:
             files, size, kind = {}, None, "numbers"
         else:
             files, size, kind = {".png": _png(entry.id, picture)}, [picture.shape[1], picture.shape[0]], "png"
         data = data_file(entry.id, drawing)
     if kind == "svg":
-        with dark(), styled():
+        with styled("dark"):
             again = _called(entry)
             if plain_numbers(entry.id, again.numbers) != numbers or data_file(entry.id, again) != data:
                 raise ValueError(f"figure {entry.id!r} gives other numbers when it is drawn again")
@@ -68,10 +67,6 @@ def _svg(fig: Figure) -> bytes:
     # No date, no creator: the same drawing must give the same bytes.
     fig.savefig(buffer, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
     return buffer.getvalue()
-
-
-def _css_size(fig: Figure) -> list[int]:
-    return [round(float(inches) * CSS_PIXELS_PER_INCH) for inches in fig.get_size_inches()]
 
 
 def _png(id: str, picture: np.ndarray) -> bytes:

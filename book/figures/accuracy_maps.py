@@ -11,61 +11,42 @@ from verify.stability import maps
 
 LOW, HIGH = 0, 8
 OFF = 0x80  # the grey of what is not on A
-TITLES = ("the seed's form", "ours")
-SIDE, REACH = 128, 1e-3
-LABEL = "error, in units of the rounding"
+TITLES = {"seed": "the seed's form", "ours": "ours"}
+SIDE, REACH, ZOOM = 128, 1e-3, 2
+_chart, _image = cache(maps.over_the_chart), cache(maps.over_the_image)
 
 
-def _pictures(found, zoom):
-    """Return the two maps as pictures: one unit and less is black, what is off A grey."""
-    for name in ("seed", "ours"):
-        units = found[name]
-        picture = difference_logarithmic(np.where(units > 1, units, 0.0), LOW, HIGH)
-        picture = np.where(np.isnan(units)[..., None], np.uint8(OFF), picture)
-        yield picture.repeat(zoom, axis=0).repeat(zoom, axis=1)
+def _picture(units):
+    """Return a map as a picture: one unit and less is black, what is off A grey."""
+    picture = difference_logarithmic(np.where(units > 1, units, 0.0), LOW, HIGH)
+    picture = np.where(np.isnan(units)[..., None], np.uint8(OFF), picture)
+    return picture.repeat(ZOOM, axis=0).repeat(ZOOM, axis=1)
 
 
-@cache
-def _chart():
-    return maps.over_the_chart(side=SIDE)
-
-
-@cache
-def _image(reach):
-    return maps.over_the_image(size=SIDE, reach=reach)
-
-
-def _maps(found):
-    """Return the errors that the pictures show, in units of the rounding, NaN where there is none."""
-    return {name: found[name] for name in ("seed", "ours")}
-
-
-def _numbers(found):
-    numbers = {}
-    for name in ("seed", "ours"):
-        numbers[f"{name}_median"], numbers[f"{name}_most"] = maps.summary(found[name])
-    return numbers
+def _drawing(found, **numbers) -> Drawing:
+    """Both maps beside each other, their medians and largest errors; the data are NaN where there is no error."""
+    errors = {name: found[name] for name in TITLES}
+    fig = panels([_picture(units) for units in errors.values()], list(TITLES.values()), bar=(LOW, HIGH),
+                 bar_label="error, in units of the rounding")  # fmt: skip
+    summaries = {}
+    for name, units in errors.items():
+        summaries[f"{name}_median"], summaries[f"{name}_most"] = maps.summary(units)
+    return Drawing(fig, numbers=summaries | numbers, data=errors)
 
 
 @figure("accuracy_chart")
 def accuracy_chart() -> Drawing:
     """The error of h_u over the chart, relative to h_u itself, in units of 2^-53: the seed's form and ours."""
-    found = _chart()
-    fig = panels(list(_pictures(found, 2)), TITLES, bar=(LOW, HIGH), bar_label=LABEL)
-    return Drawing(fig, numbers=_numbers(found) | {"side": SIDE}, data=_maps(found))
+    return _drawing(_chart(side=SIDE), side=SIDE)
 
 
 @figure("accuracy_image")
 def accuracy_image() -> Drawing:
     """The error of g over sphere A, in units of 2^-53 π k: the seed's form and ours."""
-    found = _image(1.0)
-    fig = panels(list(_pictures(found, 2)), TITLES, bar=(LOW, HIGH), bar_label=LABEL)
-    return Drawing(fig, numbers=_numbers(found), data=_maps(found))
+    return _drawing(_image(size=SIDE, reach=1.0))
 
 
 @figure("accuracy_pole")
 def accuracy_pole() -> Drawing:
     """The same about the pole, enlarged a thousand times."""
-    found = _image(REACH)
-    fig = panels(list(_pictures(found, 2)), TITLES, bar=(LOW, HIGH), bar_label=LABEL)
-    return Drawing(fig, numbers=_numbers(found) | {"reach": REACH}, data=_maps(found))
+    return _drawing(_image(size=SIDE, reach=REACH), reach=REACH)

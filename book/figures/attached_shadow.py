@@ -3,13 +3,9 @@
 from dataclasses import replace
 from functools import cache
 
-import numpy as np
-
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import panels
-from book.figures.chapter_scene import SCENE, SIZE, symbolic
+from book.figures.chapter_scene import SCENE, SIZE, marked_by_light, symbolic
 from renderer import render
-from renderer.views import image_view
 
 
 @cache
@@ -24,11 +20,7 @@ def turned(size=SIZE):
 @figure("attached_shadow")
 def attached_shadow() -> Drawing:
     """The pixels of A that the bump turns away from a light, or towards it, for each light."""
-    size = 300
-    dimmed = image_view(symbolic("ridges", size)) // 3
-    colour = np.array([0xCC, 0x79, 0xA7], np.uint8)
-    pictures = [np.where(flags[..., None], colour, dimmed) for flags in turned(size)]
-    fig = panels([image_view(symbolic("ridges", size)), *pictures], ("the picture", "first light", "second light"))
+    fig = marked_by_light([[(flags, (0xCC, 0x79, 0xA7))] for flags in turned(300)])
     on_a = int(symbolic().stage.on_a.sum())
     first, second = turned()
     numbers = {
@@ -40,4 +32,4 @@ def attached_shadow() -> Drawing:
         "second_share": second.sum() / on_a,
         "either_share": (first | second).sum() / on_a,
     }
-    return Drawing(fig, numbers=numbers, data=dict(zip(("first", "second"), turned(size), strict=True)))
+    return Drawing(fig, numbers=numbers, data=dict(zip(("first", "second"), turned(300), strict=True)))

@@ -4,9 +4,9 @@ from functools import cache
 
 import numpy as np
 
-from book.drawing.pictures import GAP, TITLE
+from book.drawing.palette import CSS_PIXELS_PER_INCH, palette
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import decades, palette, panels, plot
+from book.drawing.style import GAP, TITLE, decades, panels, plot
 from renderer import Scene, render
 from verify.stability import attribution
 
@@ -44,7 +44,7 @@ def _kinds():
 @figure("attribution")
 def attribution_pictures() -> Drawing:
     """The largest of the error's terms at each pixel of sphere A, at three steps, with a legend."""
-    fig = panels([_picture(kinds) for kinds in _kinds()], [f"ε = {eps:g}" for eps in STEPS])
+    fig = panels([_picture(kinds) for kinds in _kinds()], [f"ε = {eps:g}" for eps in STEPS], foot=TITLE + GAP)
     _legend(fig)
     numbers = {"side": SIDE, "pixels": int((_kinds()[0] > -2).sum())}
     for eps, kinds in zip(STEPS, _kinds(), strict=True):
@@ -55,25 +55,16 @@ def attribution_pictures() -> Drawing:
 
 
 def _legend(fig):
-    """Write the colours' names under the pictures, in a strip that is added to the figure."""
-    width, height = fig.get_size_inches() * 96
-    strip = TITLE + GAP
-    fig.set_size_inches(width / 96, (height + strip) / 96)
-    for ax in fig.axes:
-        box = ax.get_position()
-        ax.set_position(
-            [box.x0, (box.y0 * height + strip) / (height + strip), box.width, box.height * height / (height + strip)]
-        )
-    for text in fig.texts:
-        text.set_y((text.get_position()[1] * height + strip) / (height + strip))
+    """Write the colours' names under the pictures, in the strip that is left free there."""
+    width, height = fig.get_size_inches() * CSS_PIXELS_PER_INCH
     for index, name in enumerate(COLOURS):
         left = index * width / len(COLOURS)
-        mark = fig.add_axes([left / width, 6 / (height + strip), 14 / width, 14 / (height + strip)])
+        mark = fig.add_axes([left / width, 6 / height, 14 / width, 14 / height])
         mark.imshow(_picture(np.array([[index]])), aspect="auto")  # a facecolour would be saved transparent
         mark.set(xticks=[], yticks=[])
         for spine in mark.spines.values():
             spine.set(visible=True, color=palette()["rule"])
-        fig.text((left + 22) / width, 13 / (height + strip), name, va="center", color=palette()["ink"])
+        fig.text((left + 22) / width, 13 / height, name, va="center", color=palette()["ink"])
 
 
 @cache
@@ -87,12 +78,9 @@ def attribution_shares() -> Drawing:
     shares = _shares()
     fig, ax = plot(height=3.6)
     parts = ax.stackplot(SWEEP, *shares.values(), colors=COLOURS.values(), linewidth=0.6, edgecolor=palette()["paper"])
-    decades(ax, "x", every=2)
-    ax.set_xlim(SWEEP[0], SWEEP[-1])
-    ax.set_ylim(0, 1)
+    limits = {"xlim": (SWEEP[0], SWEEP[-1]), "ylim": (0, 1)}
+    decades(ax, 2, None, **limits, xlabel="step ε", ylabel="share of A's pixels")
     ax.set_yticks([0, 0.5, 1], ["0", "½", "1"])
-    ax.set_xlabel("step ε")
-    ax.set_ylabel("share of A's pixels")
     for part, hatch in zip(parts, ("", "", "////", "....", ""), strict=True):
         part.set_hatch(hatch)
     for name, x, y in (

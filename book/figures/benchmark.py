@@ -1,13 +1,12 @@
 """What `make bench` measured and kept: time against pixels, and time against error of the gradient alone."""
 
-import json
 import re
 
 import numpy as np
 
-from book.build.stamps import ROOT
-from book.drawing.registry import Drawing, figure
-from book.drawing.style import decades, label_line_end, palette, plot, readable, slope_triangle
+from book.drawing.palette import readable
+from book.drawing.registry import Drawing, committed, figure
+from book.drawing.style import decades, label_line_end, palette, plot, slope_triangle
 
 FRAMES = "verify/benchmark/results/frames.json"
 GRADIENTS = "verify/benchmark/results/gradients.json"
@@ -35,11 +34,6 @@ METHODS = {
 }
 
 
-def measured(path):
-    """Return the numbers of a kept result."""
-    return json.loads((ROOT / path).read_text(encoding="utf-8"))["numbers"]
-
-
 def curve(numbers, renderer, threads):
     """Return (pixels, milliseconds) of a renderer, in order of size."""
     matches = [(re.fullmatch(rf"{renderer}_(\d+)_{threads}_ms", key), value) for key, value in numbers.items()]
@@ -60,14 +54,14 @@ def label_ends(ax, ends):
     for pixels, times, label, colour in sorted(ends, key=lambda end: end[1] / end[0]):
         height = max(times * column / pixels, lowest * LABELS_APART)
         ax.plot([pixels, column], [times, height], color=palette()["rule"], linewidth=0.7, zorder=0)
-        label_line_end(ax, column, height, label, readable(colour))
+        label_line_end(ax, column, height, label, colour)
         lowest = height
 
 
 @figure("time_against_pixels", data=[FRAMES])
 def time_against_pixels() -> Drawing:
     """Time of the default frame against its pixels, every renderer, with the fitted slope of the algebraic one."""
-    numbers, colours = measured(FRAMES), palette()
+    numbers, colours = committed(FRAMES)["numbers"], palette()
     fig, ax = plot(height=4.6)
     ends, rows = [], []
     for renderer, (label, role, dashes, threads) in RENDERERS.items():
@@ -78,13 +72,11 @@ def time_against_pixels() -> Drawing:
         if threads == 2:
             ax.plot(*curve(numbers, renderer, 1), color=colours[role], linestyle=dashes, linewidth=0.7)
         ends.append((pixels[-1], times[-1], label, colours[role]))
-    decades(ax)
+    decades(ax, xlabel="pixels, $64^2$ to $8192^2$", ylabel="milliseconds a frame")
     label_ends(ax, ends[:-1])
     label_line_end(ax, *ends[-1], side="above")
     pixels, times = curve(numbers, "algebraic", 2)
     slope_triangle(ax, 4e5, 0.2 * np.interp(4e5, pixels, times), numbers["exponent_2"], f"{numbers['exponent_2']:.3f}")
-    ax.set_xlabel("pixels, $64^2$ to $8192^2$")
-    ax.set_ylabel("milliseconds a frame")
     return Drawing(fig, data=columns(rows, ("renderer", "threads", "pixels", "ms")))
 
 
@@ -97,10 +89,9 @@ def around(values):
 @figure("gradient_time_against_error", data=[GRADIENTS])
 def gradient_time_against_error() -> Drawing:
     """Time a point against the largest error at 50 digits, each way to take the gradient of sine."""
-    numbers, colours = measured(GRADIENTS), palette()
+    numbers, colours = committed(GRADIENTS)["numbers"], palette()
     fig, ax = plot(height=4.6)
-    decades(ax, "x")
-    decades(ax, "y", every=2)
+    decades(ax, 1, 2, xlabel="nanoseconds a point, one thread", ylabel="largest error of $h_u$ or $h_v$")
     rows = []
     for method, (label, role, ours, offset) in METHODS.items():
         if f"{method}_ns" not in numbers:
@@ -112,6 +103,4 @@ def gradient_time_against_error() -> Drawing:
         ax.annotate(label, at, xytext=offset, textcoords="offset points", color=readable(colour), **align)
     ax.set_xlim(*around(value for key, value in numbers.items() if key.endswith("_ns")))
     ax.set_ylim(*around(value for key, value in numbers.items() if key.endswith("_error")))
-    ax.set_xlabel("nanoseconds a point, one thread")
-    ax.set_ylabel("largest error of $h_u$ or $h_v$")
     return Drawing(fig, data=columns(rows, ("method", "ns", "error")))

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import bound_style, decades, label_line_end, palette, plot, readable
+from book.drawing.style import bound_style, decades, label_line_end, palette, plot
 from verify.accuracy.best_step import WAVE_NUMBERS, measured, predicted
 
 LABELS = {(0, False): (50, 4e-7), (0, True): (2, 1.2e-7), (1, False): (2, 6e-8), (1, True): (60, 5e-10)}
@@ -28,10 +28,8 @@ def best_step() -> Drawing:
             ax.plot(WAVE_NUMBERS, proved[:, index], **bound_style())
             ax.plot(WAVE_NUMBERS, seen[:, index], color=colour, linewidth=0, marker=marker, markersize=4.5)
             k, y = LABELS[index, representable]
-            label_line_end(ax, k, y, label, readable(colour))
-        decades(ax, "both")
-        ax.set_xlabel("wave number $k_u$")
-        ax.set_ylabel(name)
+            label_line_end(ax, k, y, label, colour)
+        decades(ax, xlabel="wave number $k_u$", ylabel=name)
     numbers, data = {}, {"wave_number": WAVE_NUMBERS}
     for representable, short in ((False, "plain"), (True, "trick")):
         proved, seen = _found(representable)

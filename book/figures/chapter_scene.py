@@ -2,7 +2,11 @@
 
 from functools import cache
 
+import numpy as np
+
+from book.drawing.style import panels
 from renderer import Scene, central, exact, render
+from renderer.views import image_view
 
 SCENE = Scene()
 SIZE = 256  # the raster of every number on the default scene
@@ -20,3 +24,14 @@ def symbolic(field="ridges", size=SIZE):
 def numeric(field="ridges", size=SIZE, eps=TELLING_EPS):
     """Return the central-difference frame of a field on the chapter's scene."""
     return render(Scene(field=field), size, size, central(eps), stage=symbolic(field, size).stage)
+
+
+def marked_by_light(marks):
+    """Return panels of the picture, and of it dimmed with each light's marks: [(flags, colour)], the last on top."""
+    picture = image_view(symbolic("ridges", 300))
+    pictures = [picture]
+    for of_light in marks:
+        pictures.append(picture // 3)
+        for flags, colour in of_light:
+            pictures[-1] = np.where(flags[..., None], np.array(colour, np.uint8), pictures[-1])
+    return panels(pictures, ("the picture", "first light", "second light"))

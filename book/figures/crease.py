@@ -3,12 +3,11 @@
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import label_line_end, palette, plot, readable
-from book.figures.chapter_scene import numeric, symbolic
-from renderer import Scene, central, exact, gradient_at
+from book.drawing.style import label_line_end, palette, plot
+from book.figures.chapter_scene import SCENE, numeric, symbolic
+from renderer import central, exact, gradient_at
 from renderer.facts import crease_contrast
 
-SCENE = Scene()
 CREASE, ROW = 0.125, 0.47
 
 
@@ -30,12 +29,10 @@ def crease() -> Drawing:
         ax.plot(offsets, slope, color=orange, linewidth=1.3, linestyle=dash)
         corner = int(np.searchsorted(offsets, eps))
         text = f"ε = {eps:g}" if eps == 0.02 else f"{eps:g}"
-        label_line_end(ax, offsets[corner], slope[corner], text, readable(orange), side="above")
-    label_line_end(ax, offsets[-1], exact_slope[-1], "exact", readable(blue))
+        label_line_end(ax, offsets[corner], slope[corner], text, orange, side="above")
+    label_line_end(ax, offsets[-1], exact_slope[-1], "exact", blue)
     ax.axhline(0, color=palette()["grid"], linewidth=0.8, zorder=0)
-    ax.set_ylim(-11, 11)
-    ax.set_xlabel("distance δ from the crease, in $u$")
-    ax.set_ylabel("$h_u$")
+    ax.set(ylim=(-11, 11), xlabel="distance δ from the crease, in $u$", ylabel="$h_u$")
     on_kink, off_kink = crease_contrast(numeric(eps=1e-3), symbolic())
     at_crease = gradient_at(SCENE, CREASE, ROW, exact())[0]
     beside = gradient_at(SCENE, CREASE + 1e-6, ROW, exact())[0]

@@ -7,7 +7,7 @@ import numpy as np
 from flint import arb, ctx
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import bound_style, label_line_end, palette, plot, readable
+from book.drawing.style import bound_style, label_line_end, palette, plot
 from verify.accuracy.certified_ulps import CERTIFIED, KERNELS, pieces_of, worst
 
 NAMES = {"sinpi": r"$\sin\,\pi r$", "cospi": r"$\cos\,\pi r$", "atan2pi": r"atan2$(t, 1)/\pi$"}
@@ -51,16 +51,13 @@ def elementary_ulps() -> Drawing:
         ends, certified, arguments, errors = _samples(name)
         ax.plot(arguments, errors, color=colour, linewidth=0, marker="o", markersize=1.6)
         ax.stairs(certified, ends, baseline=None, **bound_style())
-        ax.set_title(label)
-        ax.set_xlabel("t" if name == "atan2pi" else "r")
-        ax.set_xlim(0, None)
+        ax.set(title=label, xlabel="t" if name == "atan2pi" else "r", xlim=(0, None))
         data |= {f"{name}_ends": ends, f"{name}_certified": certified, f"{name}_at": arguments, f"{name}_error": errors}
         numbers |= {f"{name}_largest": max(errors), f"{name}_samples": len(errors)}
-    axes[0].set_ylim(0, 3)
-    axes[0].set_ylabel("error, ulps")
-    label_line_end(axes[0], 0.165, 1.35, "certified", readable(palette()["bound"]), side="above")
+    axes[0].set(ylim=(0, 3), ylabel="error, ulps")
+    label_line_end(axes[0], 0.165, 1.35, "certified", palette()["bound"], side="above")
     axes[0].plot(0.145, 2.2, color=colour, marker="o", markersize=3)
-    label_line_end(axes[0], 0.145, 2.2, "measured", readable(colour))
+    label_line_end(axes[0], 0.145, 2.2, "measured", colour)
     for name, bound in CERTIFIED.items():
         numbers |= {f"{name}_bound": float(bound), f"{name}_certified": float(worst(_pieces(name)))}
     return Drawing(fig, numbers=numbers, data=data)

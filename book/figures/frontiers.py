@@ -2,20 +2,18 @@
 
 from functools import cache
 
+import matplotlib
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import decades, label_line_end, palette, panels, plot, readable, slope_triangle
-from book.figures.chapter_scene import SCENE, symbolic
-from renderer.views import image_view
+from book.drawing.style import decades, label_line_end, palette, panels, plot, slope_triangle
+from book.figures.chapter_scene import SCENE, marked_by_light, symbolic
 from verify.accuracy.frontiers import fiction, wall
 
 KINDS = {"bilinear": (0, ()), "cubic": (0, (5, 2))}
 
 
-@cache
-def _errors(field, kind):
-    return wall.errors(field, kind)
+_errors, _silhouette, _leaks = cache(wall.errors), cache(fiction.silhouette_remainders), cache(fiction.leaks)
 
 
 @figure("frontier_wall")
@@ -34,17 +32,13 @@ def frontier_wall() -> Drawing:
             numbers |= {f"{field}_{kind}_order": wall.order(largest), f"{field}_{kind}_rms_order": wall.order(rms)}
             numbers |= {f"{field}_{kind}_{n}": error for n, error in zip(wall.TEXELS, largest, strict=True)}
             if field == "sine":
-                label_line_end(ax, texels[0], largest[0], kind, readable(colour), side="above")
-        decades(ax, "x")
-        decades(ax, "y", every=2)
-        ax.set_xlim(20, 1000)
-        ax.set_title(field)
-        ax.set_xlabel("texels across")
+                label_line_end(ax, texels[0], largest[0], kind, colour, side="above")
+        decades(ax, 1, 2, xlim=(20, 1000), title=field, xlabel="texels across")
     axes[0].set_ylabel("error of $h_u$")
     third = numbers["slope"] ** 3  # the central difference's error is ε²/6 of it
     numbers["as_step"] = np.sqrt(6 * numbers["sine_bilinear_513"] / third)
     ridges, rms = _errors("ridges", "bilinear")
-    label_line_end(axes[1], texels[2], ridges[2], "largest", readable(colour), side="above")
+    label_line_end(axes[1], texels[2], ridges[2], "largest", colour, side="above")
     label_line_end(axes[1], texels[2], rms[2] / 1.5, "RMS", palette()["muted"], side="below")
     slope_triangle(axes[0], 120, 1.5e-1, -1, "1", decades=0.5)
     slope_triangle(axes[0], 60, 3e-4, -3, "3", decades=0.4)
@@ -52,12 +46,7 @@ def frontier_wall() -> Drawing:
     return Drawing(fig, numbers=numbers, data=data)
 
 
-def _degree_bar(high, tall):
-    """Return the colours of 0 to `high` degrees from bottom to top, and room for their numbers, (tall, 50, 4)."""
-    bar = np.zeros((tall, 50, 4), np.uint8)
-    bar[:, :14, :3] = _colours(np.linspace(high, 0, tall)[:, None], high)
-    bar[:, :14, 3] = 255
-    return bar
+MOST = 180  # degrees, the colours' upper end
 
 
 @cache
@@ -65,22 +54,25 @@ def _angles(side):
     return fiction.angle_maps(symbolic("ridges", side))
 
 
-def _colours(angle, high):
+def _colours(angle):
     """Return angles in degrees in the colours of inferno, black where there is none."""
-    import matplotlib
-
-    return matplotlib.colormaps["inferno"](np.clip(np.nan_to_num(angle) / high, 0, 1), bytes=True)[..., :3]
+    return matplotlib.colormaps["inferno"](np.clip(np.nan_to_num(angle) / MOST, 0, 1), bytes=True)[..., :3]
 
 
-MOST = 180
+def _degree_bar(tall):
+    """Return the colours of 0 to MOST degrees from bottom to top, and room for their numbers, (tall, 50, 4)."""
+    bar = np.zeros((tall, 50, 4), np.uint8)
+    bar[:, :14, :3] = _colours(np.linspace(MOST, 0, tall)[:, None])
+    bar[:, :14, 3] = 255
+    return bar
 
 
 @figure("frontier_angles")
 def frontier_angles() -> Drawing:
     """The angle between N' and the displaced surface's normal: the chapter's, and three mends, one at a time."""
     side, full = 200, _angles(256)
-    pictures = [_colours(angles, MOST) for angles in _angles(side).values()]
-    fig = panels([*pictures, _degree_bar(MOST, side)], [*fiction.STEPS, ""])
+    pictures = [_colours(angles) for angles in _angles(side).values()]
+    fig = panels([*pictures, _degree_bar(side)], [*fiction.STEPS, ""])
     bar = fig.axes[-1].get_position()
     for angle, place in ((0, "bottom"), (90, "center"), (180, "top")):
         height = bar.y0 + bar.height * angle / MOST
@@ -90,11 +82,6 @@ def frontier_angles() -> Drawing:
     for key, angles in zip(keys, full.values(), strict=True):
         numbers |= {f"{key}_median": np.nanmedian(angles), f"{key}_largest": np.nanmax(angles)}
     return Drawing(fig, numbers=numbers, data=dict(zip(keys, _angles(side).values(), strict=True)))
-
-
-@cache
-def _silhouette(betas):
-    return fiction.silhouette_remainders(betas)
 
 
 @figure("frontier_silhouette")
@@ -109,12 +96,9 @@ def frontier_silhouette() -> Drawing:
     orders = []
     for name, curve, dash, shade in curves:
         ax.plot(betas, curve, color=shade, linestyle=dash)
-        label_line_end(ax, betas[-1], curve[-1], name, readable(shade))
+        label_line_end(ax, betas[-1], curve[-1], name, shade)
         orders.append(np.polyfit(np.log(betas[:9]), np.log(curve[:9]), 1)[0])
-    decades(ax, "x")
-    decades(ax, "y", every=2)
-    ax.set_xlabel("amplitude β")
-    ax.set_ylabel("radius of the silhouette, in $R$")
+    decades(ax, 1, 2, xlabel="amplitude β", ylabel="radius of the silhouette, in $R$")
     for curve, order, below in ((moved, "1", 6), (first, "2", 6), (second, "3", 20)):
         slope_triangle(ax, 3e-3, np.interp(3e-3, betas, curve) / below, int(order), order, decades=0.4)
     numbers = {f"order_{n}": order for n, order in enumerate(orders)}
@@ -123,25 +107,13 @@ def frontier_silhouette() -> Drawing:
     return Drawing(fig, numbers=numbers, data=data)
 
 
-@cache
-def _leaks(size):
-    return fiction.leaks(SCENE, size)
-
-
 @figure("frontier_leaks")
 def frontier_leaks() -> Drawing:
     """Where a light reaches what faces away from it, and where it misses what faces it, for each light."""
-    size = 300
-    dimmed = image_view(symbolic("ridges", size)) // 3
-    lit, missed = (np.array(c, np.uint8) for c in ((0xF0, 0xE4, 0x42), (0x56, 0xB4, 0xE9)))
-    pictures = [
-        np.where(leak[..., None], lit, np.where(miss[..., None], missed, dimmed)) for leak, miss in _leaks(size)
-    ]
-    fig = panels([image_view(symbolic("ridges", size)), *pictures], ("the picture", "first light", "second light"))
-    numbers = {"pixels_a": int(symbolic("ridges", 256).stage.on_a.sum())}
-    for name, (leak, miss) in zip(("first", "second"), _leaks(256), strict=True):
-        numbers |= {f"{name}_leaks": int(leak.sum()), f"{name}_missed": int(miss.sum())}
-    data = {}
-    for name, (leak, miss) in zip(("first", "second"), _leaks(size), strict=True):
-        data |= {f"{name}_leaks": leak, f"{name}_missed": miss}
-    return Drawing(fig, numbers=numbers, data=data)
+    colours = ((0xF0, 0xE4, 0x42), (0x56, 0xB4, 0xE9))
+    fig = marked_by_light([zip(found[::-1], colours[::-1], strict=True) for found in _leaks(SCENE, 300)])
+    numbers, data = {"pixels_a": int(symbolic("ridges", 256).stage.on_a.sum())}, {}
+    for size, kept in ((256, numbers), (300, data)):
+        for name, (leak, miss) in zip(("first", "second"), _leaks(SCENE, size), strict=True):
+            kept |= {f"{name}_leaks": leak, f"{name}_missed": miss}
+    return Drawing(fig, numbers={key: int(np.sum(value)) for key, value in numbers.items()}, data=data)

@@ -6,7 +6,7 @@ import numpy as np
 from mpmath import mp, mpf
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import decades, label_line_end, palette, plot, readable
+from book.drawing.style import decades, label_line_end, palette, plot
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.tangent_frame import seed_frame, tangent_frame
 from renderer import Scene, central, exact, gradient_at
@@ -62,15 +62,10 @@ def pole() -> Drawing:
     ax.plot(sines, guarded, color=orange, linewidth=1.4, linestyle=(0, (5, 2)))
     ax.plot(sines, plain, color=orange, linewidth=1.6)
     ax.plot(sines, stable, color=blue, linewidth=1.8)
-    decades(ax, "x", every=2)
-    decades(ax, "y", every=4)
-    ax.set_xlim(1, 1e-9)
-    ax.set_ylim(1e-18, 1e4)
-    ax.set_xlabel("sin φ")
-    ax.set_ylabel("error of $g$")
-    label_line_end(ax, sines[30], guarded[30], "seed, with its fallback", readable(orange), side="above")
-    label_line_end(ax, sines[22], plain[22], "seed's frame", readable(orange), side="left")
-    label_line_end(ax, sines[30], stable[30], "stable frame", readable(blue), side="above")
+    decades(ax, 2, 4, xlim=(1, 1e-9), ylim=(1e-18, 1e4), xlabel="sin φ", ylabel="error of $g$")
+    label_line_end(ax, sines[30], guarded[30], "seed, with its fallback", orange, side="above")
+    label_line_end(ax, sines[22], plain[22], "seed's frame", orange, side="left")
+    label_line_end(ax, sines[30], stable[30], "stable frame", blue, side="above")
     index = int(np.abs(np.log(sines / SEED_FALLBACK)).argmin())
     numbers = {
         "seed_at_1e-4": plain[index],

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import bound_style, decades, label_line_end, palette, plot, readable
+from book.drawing.style import bound_style, decades, label_line_end, palette, plot
 from verify.accuracy.pixels import SCENES, TOLERANCE, checked_pixels, problems
 
 EACH = 15
@@ -32,14 +32,12 @@ def reference_pixels() -> Drawing:
             values = np.array([v for v in values if v > 0])
             ax.plot(values, np.full(len(values), row + shift), color=colour, linewidth=0, marker=marker, markersize=4)
     ax.axvline(TOLERANCE, **bound_style())
-    decades(ax, "x", every=2)
-    ax.set_xlim(1e-20, 1e-9)
     ax.set_yticks(range(len(kinds)), kinds)
-    ax.set_ylim(-0.6, len(kinds) - 0.1)
-    ax.set_xlabel("error of a channel, and radius of its 53-bit ball")
-    label_line_end(ax, TOLERANCE, len(kinds) - 0.45, "$5\\cdot10^{-14}$", readable(palette()["bound"]), side="right")
-    label_line_end(ax, 7e-19, len(kinds) - 0.88, "error", readable(error), side="left")
-    label_line_end(ax, 4e-12, len(kinds) - 1.2, "radius", readable(radius))
+    limits = {"xlim": (1e-20, 1e-9), "ylim": (-0.6, len(kinds) - 0.1)}
+    decades(ax, 2, None, **limits, xlabel="error of a channel, and radius of its 53-bit ball")
+    label_line_end(ax, TOLERANCE, len(kinds) - 0.45, "$5\\cdot10^{-14}$", palette()["bound"])
+    label_line_end(ax, 7e-19, len(kinds) - 0.88, "error", error, side="left")
+    label_line_end(ax, 4e-12, len(kinds) - 1.2, "radius", radius)
     numbers = {"pixels": len(pixels), "largest": max(p.error for p in pixels if not p.undecided)}
     data = {name: [getattr(p, name) for p in pixels] for name in ("kind", "error", "radius")}
     data["undecided"] = [bool(p.undecided) for p in pixels]

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import bound_style, decades, label_line_end, palette, plot, readable, slope_triangle
+from book.drawing.style import bound_style, decades, label_line_end, palette, plot, slope_triangle
 from book.figures.chapter_scene import symbolic
 from verify.accuracy import clamped_order
 from verify.accuracy.ridge_law import on_the_raster, predicted, quadrature
@@ -31,13 +31,10 @@ def ridge_law() -> Drawing:
         ax.plot(STEPS, predicted(name, STEPS)[0], **bound_style())
         ax.plot(STEPS, law[name], color=colour, linewidth=0, marker=marker, markersize=3.6)
         label_line_end(ax, STEPS[12], law[name][12] * (2 if name == "h_u" else 0.5), f"chart, ${name}$",
-                       readable(colour), side="above" if name == "h_u" else "below")  # fmt: skip
+                       colour, side="above" if name == "h_u" else "below")  # fmt: skip
     ax.plot(STEPS, raster, color=orange, linewidth=1.3)
-    label_line_end(ax, STEPS[-1], raster[-1], "raster, $h_u$", readable(orange), side="above")
-    decades(ax, "both", every=2)
-    ax.set_ylim(1e-9, 1e2)
-    ax.set_xlabel("step ε")
-    ax.set_ylabel("RMS error of the slope")
+    label_line_end(ax, STEPS[-1], raster[-1], "raster, $h_u$", orange, side="above")
+    decades(ax, 2, 2, ylim=(1e-9, 1e2), xlabel="step ε", ylabel="RMS error of the slope")
     slope_triangle(ax, 3e-8, 2e-4, 0.5, "½")
     numbers, data = {}, {"step": STEPS, "raster_h_u": raster}
     for name, values in law.items():
@@ -66,10 +63,8 @@ def clamped_order_figure() -> Drawing:
         colour = orange if field == "cosine" else blue
         ax.plot(clamped_order.STEPS, values, color=colour, marker=markers[field], markersize=4, linewidth=0.9)
         if field in names:
-            label_line_end(ax, clamped_order.STEPS[-1], values[-1], names[field], readable(colour))
-    decades(ax, "both")
-    ax.set_xlabel("step ε")
-    ax.set_ylabel("error of $h_v$")
+            label_line_end(ax, clamped_order.STEPS[-1], values[-1], names[field], colour)
+    decades(ax, xlabel="step ε", ylabel="error of $h_v$")
     slope_triangle(ax, 3e-5, 3e-8, 2, "2")
     slope_triangle(ax, 3e-5, 8e-4, 1, "1")
     orders = {f: clamped_order.fitted_slope(clamped_order.STEPS, values) for f, values in _clamped().items()}

@@ -33,8 +33,7 @@ def height_fields() -> Drawing:
     heights = {field: height_at(Scene(field=field), u, v) for field in FIELD_NAMES}
     for ax, (field, h) in zip(axes, heights.items(), strict=True):
         image = ax.imshow(h, extent=(0, 1, 1, 0), aspect="auto", cmap="gray", vmin=-1, vmax=1, interpolation="nearest")
-        ax.set_title(field)
-        ax.set_xlabel("$u$")
+        ax.set(title=field, xlabel="$u$")
     axes[0].set_ylabel("$v$")
     bar = fig.colorbar(image, ax=axes, label="$h$", ticks=[-1, 0, 1])
     bar.outline.set_visible(False)

@@ -1,13 +1,11 @@
 """What the seed's cells compute, done again away from the picture; numbers only, for the ledger."""
 
-import json
 import math
 from unittest.mock import patch
 
 import numpy as np
 
-from book.build import stamps
-from book.drawing.registry import Drawing, figure
+from book.drawing.registry import Drawing, committed, figure
 from proofs.formulas.bump import normal_by_beta, perturbed
 from proofs.formulas.chart import seed_chart
 from proofs.formulas.symbols import normal
@@ -69,7 +67,7 @@ def seed_cells() -> Drawing:
     one_sided, complex_step = normal_derivative_errors()
     u, v = chart_point(0.4, 0.35)
     slope = float(gradient_at(Scene(), *SMOOTH_POINT, exact())[0])
-    times = json.loads((stamps.ROOT / FRAMES).read_text(encoding="utf-8"))["numbers"]
+    times = committed(FRAMES)["numbers"]
     numbers = {
         "heights_central": calls(seed_loops.central_gradient, seed_loops, ["height_of_field"]),
         "heights_exact": calls(seed_loops.exact_gradient, seed_loops, ["height_of_field"]),

@@ -1,31 +1,31 @@
 """Stability under stress: each error against what is stressed, with the bound of every measured point."""
 
-import json
-from pathlib import Path
-
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import bound_style, decades, label_line_end, palette, plot, readable, slope_triangle
+from book.drawing.style import bound_style, decades, label_curve, label_line_end, palette, plot, slope_triangle
 from verify.stability import symmetry
 from verify.stability.rows import SWEEPS, sweep
 
 LOWEST = 1e-18
+SOLID, DASHED = (0, ()), (0, (5, 2))
 
 
-def _draw(ax, seen, others=(), end=-1):
-    """Draw the bound, our error and the others' (name, dash), and return our colour."""
+def _draw(ax, seen, others=(), **labels):
+    """Draw the bound, our error and the others' (name, dash); labels: where `bound` and `ours` are named."""
     blue, orange = palette()["symbolic"], palette()["numeric"]
     for name, dash in others:
         ax.plot(seen.parameter, seen.worst(name), color=orange, linewidth=1.5, linestyle=dash)
     ax.plot(seen.parameter, seen.worst_bound(), **bound_style())
     ax.plot(seen.parameter, np.maximum(seen.worst(), LOWEST), color=blue, linewidth=1.6)
-    return readable(blue), readable(orange), readable(palette()["bound"])
+    if "bound" in labels:
+        label_curve(ax, seen.parameter, seen.worst_bound(), labels["bound"], "bound", palette()["bound"], side="above")
+        label_curve(ax, seen.parameter, seen.worst(), labels["ours"], "ours", blue, side="below")
 
 
-def _at(seen, value):
-    """Return the index of the parameter nearest to a value, by ratio."""
-    return int(np.abs(np.log(seen.parameter / value)).argmin())
+def _name(ax, seen, other, at, text, side, times=1):
+    """Name the curve of another's error where the parameter is nearest to `at`."""
+    label_curve(ax, seen.parameter, seen.worst(other), at, text, palette()["numeric"], side, times)
 
 
 def _data(*names):
@@ -44,16 +44,9 @@ def _numbers(*names):
     numbers = {}
     for name in names:
         seen = sweep(name)
-        numbers |= {
-            f"{name}_points": seen.points,
-            f"{name}_escaped": seen.escaped,
-            f"{name}_undecided": seen.undecided,
-            f"{name}_sharpness": seen.sharpness,
-            f"{name}_worst": seen.worst().max(),
-        }
-        numbers |= {
-            f"{name}_{other.split(',')[0].replace(' ', '_')}": np.nanmax(seen.worst(other)) for other in seen.others
-        }
+        numbers |= {f"{name}_{what}": getattr(seen, what) for what in ("points", "escaped", "undecided", "sharpness")}
+        worst = {"worst": seen.worst().max()} | {other: np.nanmax(seen.worst(other)) for other in seen.others}
+        numbers |= {f"{name}_{who.split(',')[0].replace(' ', '_')}": error for who, error in worst.items()}
     return numbers
 
 
@@ -62,20 +55,11 @@ def stability_pole() -> Drawing:
     """The error of the tangent vector g against sin φ, from 0.84 to 1e-149: the seed's forms, ours, and our bound."""
     seen = sweep("pole")
     fig, ax = plot(height=4.2)
-    blue, orange, ink = _draw(ax, seen, (("seed", (0, ())), ("seed with fallback", (0, (5, 2)))))
-    decades(ax, "x", every=25)
-    decades(ax, "y", every=4)
-    ax.set_xlim(1, 1e-150)
-    ax.set_ylim(LOWEST, 1e4)
-    ax.set_xlabel("sin φ")
-    ax.set_ylabel("error of $g$")
-    label_line_end(
-        ax, 1e-60, seen.worst("seed with fallback")[_at(seen, 1e-60)], "seed, with its fallback", orange, side="above"
-    )
-    last = np.flatnonzero(np.isfinite(seen.worst("seed")))[-1]
-    label_line_end(ax, seen.parameter[last], seen.worst("seed")[last], "seed, without: here it divides by zero", orange)
-    label_line_end(ax, 1e-75, seen.worst_bound()[_at(seen, 1e-75)], "bound", ink, side="above")
-    label_line_end(ax, 1e-75, seen.worst()[_at(seen, 1e-75)], "ours", blue, side="below")
+    _draw(ax, seen, (("seed", SOLID), ("seed with fallback", DASHED)), bound=1e-75, ours=1e-75)
+    decades(ax, 25, 4, xlim=(1, 1e-150), ylim=(LOWEST, 1e4), xlabel="sin φ", ylabel="error of $g$")
+    _name(ax, seen, "seed with fallback", 1e-60, "seed, with its fallback", "above")
+    last = seen.parameter[np.isfinite(seen.worst("seed"))][-1]
+    _name(ax, seen, "seed", last, "seed, without: here it divides by zero", "right")
     return Drawing(fig, numbers=_numbers("pole", "pole_general"), data=_data("pole"))
 
 
@@ -84,20 +68,14 @@ def stability_silhouette() -> Drawing:
     """The error of the normal against the distance from the silhouette: ours, the seed's, and our bound."""
     seen = sweep("silhouette")
     fig, ax = plot(height=3.6)
-    blue, orange, ink = _draw(ax, seen, (("seed", (0, (5, 2))),))
-    decades(ax, "both", every=2)
-    ax.set_xlim(1, 1e-14)
-    ax.set_ylim(1e-17, 1e-6)
-    ax.set_xlabel(r"$s = 1 - (\rho/\rho_s)^2$")
-    ax.set_ylabel("error of $N$")
+    _draw(ax, seen, (("seed", DASHED),))
+    decades(ax, 2, 2, xlim=(1, 1e-14), ylim=(1e-17, 1e-6), ylabel="error of $N$",
+            xlabel=r"$s = 1 - (\rho/\rho_s)^2$")  # fmt: skip
     slope_triangle(ax, 1e-12, 3e-12, -0.5, "½", decades=2)
-    curves = (
-        ("bound", seen.worst_bound(), ink),
-        ("ours", seen.worst(), blue),
-        ("seed", seen.worst("seed") / 2, orange),
-    )
-    for name, curve, colour in curves:
-        label_line_end(ax, seen.parameter[-1], curve[-1], name, colour)
+    curves = (("bound", seen.worst_bound(), "bound"), ("ours", seen.worst(), "symbolic"),
+              ("seed", seen.worst("seed") / 2, "numeric"))  # fmt: skip
+    for name, curve, role in curves:
+        label_line_end(ax, seen.parameter[-1], curve[-1], name, palette()[role])
     scaled = seen.worst() * np.sqrt(seen.parameter) * 2.0**53
     return Drawing(fig, numbers=_numbers("silhouette") | {"in_roundings": scaled.max()}, data=_data("silhouette"))
 
@@ -107,15 +85,10 @@ def stability_near_far() -> Drawing:
     """The error of the normal from the nearest eye to the furthest: ours, the seed's, and our bound."""
     seen = sweep("near_to_far")
     fig, ax = plot(height=3.6)
-    blue, orange, ink = _draw(ax, seen, (("seed", (0, (5, 2))),))
-    decades(ax, "x", every=3)
-    decades(ax, "y", every=2)
-    ax.set_ylim(1e-17, 1e-8)
-    ax.set_xlabel("$e/R - 1$: the eye's height above the sphere, in radii")
-    ax.set_ylabel("error of $N$")
-    label_line_end(ax, 1e-6, seen.worst("seed")[_at(seen, 1e-6)], "seed", orange, side="above")
-    label_line_end(ax, 1e-3, seen.worst_bound()[_at(seen, 1e-3)], "bound", ink, side="above")
-    label_line_end(ax, 1e-3, seen.worst()[_at(seen, 1e-3)], "ours", blue, side="below")
+    _draw(ax, seen, (("seed", DASHED),), bound=1e-3, ours=1e-3)
+    decades(ax, 3, 2, ylim=(1e-17, 1e-8), ylabel="error of $N$",
+            xlabel="$e/R - 1$: the eye's height above the sphere, in radii")  # fmt: skip
+    _name(ax, seen, "seed", 1e-6, "seed", "above")
     return Drawing(fig, numbers=_numbers("near_to_far"), data=_data("near_to_far"))
 
 
@@ -125,18 +98,10 @@ def stability_wave_numbers() -> Drawing:
     seen = sweep("wave_numbers")
     naive, rounded = seen.others
     fig, ax = plot(height=3.9)
-    blue, orange, ink = _draw(ax, seen, ((naive, (0, ())), (rounded, (0, (5, 2)))))
-    decades(ax, "x", every=1)
-    decades(ax, "y", every=2)
-    ax.set_ylim(1e-17, 1e-8)
-    ax.set_xlabel("$|k|$")
-    ax.set_ylabel(r"error / $\pi\,\max(1, |k|)$")
-    label_line_end(ax, 1e3, seen.worst(naive)[_at(seen, 1e3)], "libm, argument rounded", orange, side="left")
-    label_line_end(
-        ax, 3e4, seen.worst(rounded)[_at(seen, 3e4)] / 10, "reduced, but the\nproduct rounded", orange, side="below"
-    )
-    label_line_end(ax, 10, seen.worst_bound()[_at(seen, 10)], "bound", ink, side="above")
-    label_line_end(ax, 10, seen.worst()[_at(seen, 10)], "ours", blue, side="below")
+    _draw(ax, seen, ((naive, SOLID), (rounded, DASHED)), bound=10, ours=10)
+    decades(ax, 1, 2, ylim=(1e-17, 1e-8), xlabel="$|k|$", ylabel=r"error / $\pi\,\max(1, |k|)$")
+    _name(ax, seen, naive, 1e3, "libm, argument rounded", "left")
+    _name(ax, seen, rounded, 3e4, "reduced, but the\nproduct rounded", "below", times=0.1)
     names = [name for name in SWEEPS if name.startswith("wave_numbers")]
     return Drawing(fig, numbers=_numbers(*names) | {"allowed": 8 * 2.0**-53}, data=_data("wave_numbers"))
 
@@ -155,15 +120,9 @@ def stability_shading() -> Drawing:
     fig, axes = plot(height=5.4, nrows=2, ncols=2)
     for ax, (name, (across, up, every, limits)) in zip(axes.flat, _SHADING.items(), strict=True):
         seen = sweep(name)
-        blue, _, ink = _draw(ax, seen)
-        decades(ax, "x", every=every)
-        decades(ax, "y", every=4)
-        ax.set_ylim(*limits)
-        ax.set_xlabel(across)
-        ax.set_title(up)
-        middle = len(seen.parameter) // 2
-        label_line_end(ax, seen.parameter[middle], seen.worst_bound()[middle], "bound", ink, side="above")
-        label_line_end(ax, seen.parameter[middle], seen.worst()[middle], "ours", blue, side="below")
+        middle = seen.parameter[len(seen.parameter) // 2]
+        _draw(ax, seen, bound=middle, ours=middle)
+        decades(ax, every, 4, ylim=limits, xlabel=across, title=up)
     return Drawing(fig, numbers=_numbers(*_SHADING, "opposite_light_phong"), data=_data(*_SHADING))
 
 
@@ -182,14 +141,3 @@ def stability_totals() -> Drawing:
     seen = [sweep(name) for name in SWEEPS]
     numbers = {f"all_{what}": sum(getattr(s, what) for s in seen) for what in ("points", "escaped", "undecided")}
     return Drawing(numbers=numbers | {"sweeps": len(seen), "sharpness": float(np.median([s.sharpness for s in seen]))})
-
-
-RESULT = "verify/results/accepted_scenes.json"
-
-
-@figure("accepted_scenes", data=[RESULT])
-def accepted_scenes() -> Drawing:
-    """The committed long run over random accepted scenes: its counts and its label; numbers only."""
-    result = json.loads((Path(__file__).resolve().parents[2] / RESULT).read_text(encoding="utf-8"))
-    label = {key: result["label"][key] for key in ("processor", "python", "date", "commit")}
-    return Drawing(numbers=result["numbers"] | label)

@@ -5,7 +5,7 @@ from functools import partial
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import bound_style, decades, label_line_end, palette, plot, readable, slope_triangle
+from book.drawing.style import bound_style, decades, label_line_end, palette, plot, slope_triangle
 from renderer import Scene
 from renderer.facts import SMOOTH_POINT
 from verify.accuracy import u_curve as by_mpmath
@@ -27,13 +27,9 @@ def u_curve() -> Drawing:
     colour = palette()["numeric"]
     ax.plot(steps, measured, color=colour, linewidth=0, marker="o", markersize=2.6)
     ax.plot(steps, truncation(steps), **bound_style())
-    decades(ax, "x", every=2)
-    decades(ax, "y", every=2)
-    ax.set_ylim(1e-13, 1e2)
-    ax.set_xlabel("step ε")
-    ax.set_ylabel("error of $h_u$")
-    label_line_end(ax, steps[0], measured[0], "central\ndifference", readable(colour))
-    middle, ink = 1e-7, readable(palette()["bound"])
+    decades(ax, 2, 2, ylim=(1e-13, 1e2), xlabel="step ε", ylabel="error of $h_u$")
+    label_line_end(ax, steps[0], measured[0], "central\ndifference", colour)
+    middle, ink = 1e-7, palette()["bound"]
     at_middle = truncation(np.array([middle]))[0]
     label_line_end(ax, middle, at_middle, "truncation, in\nexact arithmetic", ink, side="left")
     slope_triangle(ax, 3e-4, 1e-7, 2, "2")

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import bound_style, decades, label_line_end, palette, plot, readable
+from book.drawing.style import bound_style, decades, label_curve, label_line_end, palette, plot
 from verify.accuracy.best_step import predicted
 from verify.accuracy.clamped_order import fitted_slope
 from verify.accuracy.difference_bounds import bounds, escapes
@@ -20,6 +20,7 @@ SMALL = {
     "seam, k = 7": "the same, $k_u = 7$",
     "seam, k = 7.3": "the same, $k_u = 7.3$",
 }
+REACH = (1e-16, 0.2)  # of the steps' axis
 ROUNDOFF = 1e-9  # below it rounding rules in every case
 
 
@@ -55,11 +56,7 @@ def u_curve_parts() -> Drawing:
         data |= {part: np.abs(getattr(found, part)), f"{part}_bound": getattr(limits, part)}
         _dots(ax, found.steps, getattr(found, part), palette()[colours[part]], markers[part], 2.4)
         ax.plot(found.steps, getattr(limits, part), **bound_style() | {"linewidth": 0.9})
-    decades(ax, "both", every=2)
-    ax.set_xlim(1e-16, 0.2)
-    ax.set_ylim(1e-20, 1e3)
-    ax.set_xlabel("step ε")
-    ax.set_ylabel("error of $h_u$")
+    decades(ax, 2, 2, xlim=REACH, ylim=(1e-20, 1e3), xlabel="step ε", ylabel="error of $h_u$")
     best = predicted(STEEP.k_u)
     ax.plot(best.step, best.floor, color=palette()["ink"], marker="v", markersize=6)
     label_line_end(ax, best.step, 20 * best.floor, "floor, proved", palette()["ink"], side="above")
@@ -68,9 +65,7 @@ def u_curve_parts() -> Drawing:
         ("argument", 1e-12, 30, "rounded $u ± ε$", "right"),
         ("roundoff", 1e-13, 1e-5, "rounded evaluation", "below"),
     ):
-        index = int(np.abs(np.log(found.steps / at)).argmin())
-        y = getattr(limits, part)[index] * times
-        label_line_end(ax, at, y, text, readable(palette()[colours[part]]), side=side)
+        label_curve(ax, found.steps, getattr(limits, part), at, text, palette()[colours[part]], side, times)
     branch = (found.steps < 1e-3) & (found.steps > 1e-7)
     numbers = {
         "slope": fitted_slope(found.steps[branch], np.abs(found.truncation[branch])),
@@ -94,10 +89,7 @@ def u_curve_places() -> Drawing:
         data |= {f"step, {name}": found.steps, f"error, {name}": np.abs(found.total), f"bound, {name}": limits.total}
         _dots(ax, found.steps, found.total, palette()["numeric"], size=1.4)
         ax.plot(found.steps, limits.total, **bound_style())
-        decades(ax, "both", every=4)
-        ax.set_title(title)
-        ax.set_xlim(1e-16, 0.2)
-        ax.set_ylim(1e-13, 1e4)
+        decades(ax, 4, 4, title=title, xlim=REACH, ylim=(1e-13, 1e4))
     for ax in axes[1]:
         ax.set_xlabel("step ε")
     for ax in axes[:, 0]:
@@ -115,15 +107,9 @@ def u_curve_margins() -> Drawing:
     ax.plot(STEPS, largest, color=colour, linewidth=1.2)
     ax.plot(STEPS, median, color=colour, linewidth=1.2, linestyle=(0, (2, 1.5)))
     ax.axhline(1, **bound_style())
-    decades(ax, "x", every=2)
-    decades(ax, "y")
-    ax.set_xlim(1e-16, 0.2)
-    ax.set_ylim(1e-2, 3)
-    ax.set_xlabel("step ε")
-    ax.set_ylabel("error / bound")
-    ink = readable(colour)
-    label_line_end(ax, STEPS[0], 0.8 * largest[0], "largest", ink)
-    label_line_end(ax, STEPS[0], median[0], "median", ink)
+    decades(ax, 2, 1, xlim=REACH, ylim=(1e-2, 3), xlabel="step ε", ylabel="error / bound")
+    label_line_end(ax, STEPS[0], 0.8 * largest[0], "largest", colour)
+    label_line_end(ax, STEPS[0], median[0], "median", colour)
     rounding = shares[:, STEPS < ROUNDOFF]
     numbers = {
         "points": shares.size,

@@ -1,17 +1,15 @@
 """Time against error: of the gradient alone by every method, and of whole frames. Times come from the committed run."""
 
-import json
-from functools import cache
-from pathlib import Path
+from functools import partial
 
 import numpy as np
 
-from book.drawing.registry import Drawing, figure
-from book.drawing.style import decades, label_line_end, palette, plot, readable
+from book.drawing.palette import readable
+from book.drawing.registry import Drawing, committed, figure
+from book.drawing.style import decades, label_line_end, palette, plot
 from verify.benchmark import work_precision
 
 RESULT = "verify/results/work_precision.json"
-ROOT = Path(__file__).resolve().parent.parent.parent
 SMALLEST = 1e-18  # of the drawing: mpmath's further digits stand as a number in the caption
 
 # Where a method's name stands: beside its point, (side, what to write); or along its curve, the error at its middle.
@@ -30,10 +28,7 @@ DASHES = {"forward": (0, (1.5, 1.5)), "central": (0, ()), "central, 4th order": 
           "central, 6th order": (0, (8, 2)), "Richardson, 8th order": (0, (5, 2, 1.5, 2))}  # fmt: skip
 
 
-@cache
-def result():
-    """Return the committed result: label, gradients, frames."""
-    return json.loads((ROOT / RESULT).read_text(encoding="utf-8"))
+result = partial(committed, RESULT)  # its label, gradients, frames
 
 
 def by_method(rows):
@@ -94,17 +89,13 @@ def work_precision_figure() -> Drawing:
         if name in GRADIENT_LABELS:
             side, text = GRADIENT_LABELS[name]
             corner = shown[shown[:, 1].argmax() if side == "above" else shown[:, 1].argmin()]
-            label_line_end(ax, *corner, text, readable(colour), side=side)
+            label_line_end(ax, *corner, text, colour, side=side)
         if name in ALONG:
             side = "right" if name in ("central, 6th order", "Richardson, 8th order") else "left"
             label_along(ax, own[0]["ns"], ALONG[name], name, readable(colour), side)
     draw_front(ax, [(r["ns"], r["error"]) for r in rows if r["error"] >= SMALLEST], 1e6)
     _label_cluster(ax, rows)
-    decades(ax, "x")
-    decades(ax, "y", every=2)
-    ax.set_ylim(1e-19, 1e4)
-    ax.set_xlabel("time, ns a gradient")
-    ax.set_ylabel("largest error of $h_u$, $h_v$")
+    decades(ax, 1, 2, ylim=(1e-19, 1e4), xlabel="time, ns a gradient", ylabel="largest error of $h_u$, $h_v$")
     data = columns(rows, ("method", "value", "ns", "error"))
     return Drawing(fig, numbers=_gradient_numbers(rows) | label_numbers(), data=data)
 
@@ -171,11 +162,8 @@ def work_precision_frames() -> Drawing:
             numbers |= {f"{field}_{key}_ms": own[0]["ms"], f"{field}_{key}_error": points[:, 1].min()}
         numbers[f"{field}_beaten_by"] = len(work_precision.peers_that_beat(chosen, "ms", error))
         draw_front(ax, [(r["ms"], r[error]) for r in chosen], 1.15 * max(r["ms"] for r in chosen))
-        decades(ax, "y", every=2)
-        ax.set_ylim(1e-17, 1e2)
-        ax.set_xlim(0, 1.25 * max(r["ms"] for r in chosen))
-        ax.set_title(title)
-        ax.set_xlabel("time, ms a frame")
+        limits = {"xlim": (0, 1.25 * max(r["ms"] for r in chosen)), "ylim": (1e-17, 1e2)}
+        decades(ax, None, 2, **limits, title=title, xlabel="time, ms a frame")
     axes[0].set_ylabel("error of the image on A")
     numbers |= label_numbers() | {"side": result()["label"]["side"]}
     return Drawing(fig, numbers=numbers, data=columns(rows, ("field", "method", "value", "ms", "largest", "rms")))
