@@ -3,6 +3,7 @@
 import json
 import re
 import unicodedata
+from pathlib import Path
 
 from docutils import nodes
 from sympy import Symbol, latex
@@ -27,7 +28,7 @@ def check_here(env, proofs: Proofs, id: str) -> list[nodes.Node]:
     path, grade = certificate(id), kind(proofs.entries[id]["grade"])
     if path is None:
         return [Html("p", nodes.Text(WITHOUT[grade]), classes=["check-nothing"])] if grade in WITHOUT else []
-    claims = json.loads(path.read_text(encoding="utf-8"))["claims"]
+    claims = stored(path)
     names = {name: spelling(name) for name in sorted(names_of(claims))}
     trusted = env.app.builder.get_relative_uri(env.docname, "trusted")
     data = {"theorem": id, "claims": claims, "names": names, "given": given(proofs, id), "trusted": trusted}
@@ -37,8 +38,16 @@ def check_here(env, proofs: Proofs, id: str) -> list[nodes.Node]:
 def check_all(proofs: Proofs) -> Html:
     """The place of the button that checks everything, with all certificates."""
     paths = [(id, certificate(id)) for id in proofs.in_page_order()]
-    data = [{"theorem": id, "claims": json.loads(path.read_text())["claims"]} for id, path in paths if path]
+    data = [{"theorem": id, "claims": stored(path)} for id, path in paths if path]
     return place(data, NO_SCRIPT_ALL, data_all=None)
+
+
+def stored(path: Path) -> list[dict]:
+    """The claims of a file of certificates, with what the kernel in the page reads of each."""
+    claims = json.loads(path.read_text(encoding="utf-8"))["claims"]
+    for claim in claims:
+        claim["statements"] = [{key: case[key] for key in ("statement", "certificate")} for case in claim["statements"]]
+    return claims
 
 
 def place(data, no_script: str, **attributes) -> Html:

@@ -27,11 +27,13 @@ def at_least(left: Basic | int, right: Basic | int) -> Basic:
 class CitedLemma:
     """A relation that is taken from a source, a key of the bibliography, and not proved here.
 
-    What is proved with it is “proved, given the source”. It holds under the claim's own givens, as samples test.
+    What is proved with it is “proved, given the source”. given: the source's own conditions, all of them; a claim that
+    cites it has to prove each, and samples test the relation under them alone.
     """
 
     relation: Basic
     source: str
+    given: tuple[Basic, ...] = ()
 
     @property
     def text(self):
@@ -47,7 +49,8 @@ class Claim:
     `lines` and further free symbols. lines: the program whose names the relations use. squares: polynomials whose
     squares the search may use in an inequality. borrowed: (theorem id, claim name) of claims whose conclusions are
     used here; that claim's `given` and lines must be among this one's. cited: lemmas whose relations are used here.
-    ranges: {symbol: (low, high)} for sampling.
+    ranges: {symbol: (low, high)} for sampling. example: {symbol: rational} of a point where `given` holds, as far as
+    the search for one needs to be told.
     """
 
     name: str
@@ -58,6 +61,7 @@ class Claim:
     borrowed: tuple[tuple[str, str], ...] = ()
     ranges: tuple[tuple[Symbol, tuple], ...] = ()
     cited: tuple[CitedLemma, ...] = ()
+    example: tuple[tuple[Symbol, Basic | int], ...] = ()
 
     def __post_init__(self):
         object.__setattr__(self, "shows", tuple(map(sympify, self.shows)))
@@ -69,7 +73,7 @@ class Claim:
 
     def names(self):
         """Return the defined names that the claim needs, and the program kept to them (None without one)."""
-        cited = (lemma.relation for lemma in self.cited)
+        cited = (relation for lemma in self.cited for relation in (lemma.relation, *lemma.given))
         used = set().union(*(r.free_symbols for r in (*self.shows, *self.given, *cited)))
         if self.lines is None:
             return used, None

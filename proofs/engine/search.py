@@ -133,7 +133,7 @@ def _combine(facts, opposite, ideal, roots, plain_roots, degree):
             few = roots + plain_roots * (size == 0)
             for data, root in few if size < 2 else roots[:1] + roots[-1:] * (opposite == "!="):
                 candidates.append((kernel.multiply(1, q, root, root), None, data, indices))
-    if len(candidates) > 700:
+    if len(candidates) > 1000:
         return None
     columns, elements = [], []
     for p, positive, _, _ in candidates:

@@ -58,18 +58,23 @@ class Derivation:
         self.generators, self.signs, self.abbreviated = {}, {}, {}
         _, lines = claim.names()
         definitions = lines.definitions if lines else ()
-        expressions = (*claim.given, *claim.shows, *(e for line in definitions for e in line))
+        lemmas = [(lemma.relation, lemma.given) for lemma in claim.cited]
+        cited = (r for relation, conditions in lemmas for r in (relation, *conditions))
+        expressions = (*claim.given, *claim.shows, *cited, *(e for line in definitions for e in line))
         plain(set().union(*(e.free_symbols for e in expressions)))
         self.angles = Angles(sides(expressions))
-        undefined, pending = {s for s, _ in definitions}, list(claim.given)
+        undefined, pending = {s for s, _ in definitions}, [*((given, ()) for given in claim.given), *lemmas]
         for symbol, expression in ((None, None), *definitions):
             if symbol is not None:
                 value = self.polynomial(ordinary(expression))
                 self.step("define", value, new=symbol.name)
                 self.abbreviated[symbol] = self.written_out(value)
                 undefined.discard(symbol)
-            for relation in [r for r in pending if not r.free_symbols & undefined]:
-                pending.remove(relation)
+            ready = [p for p in pending if not any(r.free_symbols & undefined for r in (p[0], *p[1]))]
+            pending = [p for p in pending if p not in ready]
+            for relation, conditions in ready:
+                for condition in conditions:
+                    self.show(*self.relation(condition))
                 for part in relation.args if isinstance(relation, And) else [relation]:
                     self.assume(*self.relation(part))
         self.showing = True

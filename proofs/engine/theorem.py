@@ -174,11 +174,11 @@ def all_theorems() -> Theorems:
 
 
 def borrowed(claim: Claim, theorems: Theorems) -> Claim:
-    """Return the claim with its borrowed conclusions, and what it cites, among its givens.
+    """Return the claim with its borrowed conclusions among its givens.
 
     Raises ValueError unless the other claim's givens and lines are among this one's.
     """
-    added = tuple(lemma.relation for lemma in getattr(claim, "cited", ()))
+    added: tuple = ()
     for id, name in getattr(claim, "borrowed", ()):
         other = theorems[id].claim(name)
         if not _supplies(other, claim, set(claim.given)):

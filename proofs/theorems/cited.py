@@ -1,6 +1,6 @@
-"""What is taken from analysis and not proved here: bounds of sine and cosine by their Taylor polynomials."""
+"""What is taken from analysis and not proved here: bounds of sine and cosine, each with its conditions."""
 
-from sympy import cos, sin
+from sympy import cos, pi, sin
 
 from proofs.engine.claim import CitedLemma, at_least
 
@@ -9,12 +9,12 @@ SOURCE = "DLMF"  # §1.4.35, Taylor's theorem; §4.18, the signs
 
 def sine_below(x):
     """sin x ≤ x, for x ≥ 0."""
-    return CitedLemma(at_least(x, sin(x)), SOURCE)
+    return CitedLemma(at_least(x, sin(x)), SOURCE, (at_least(x, 0),))
 
 
 def sine_above(x):
     """sin x ≥ x − x³/6, for x ≥ 0."""
-    return CitedLemma(at_least(sin(x), x - x**3 / 6), SOURCE)
+    return CitedLemma(at_least(sin(x), x - x**3 / 6), SOURCE, (at_least(x, 0),))
 
 
 def cosine_above(x):
@@ -22,6 +22,11 @@ def cosine_above(x):
     return CitedLemma(at_least(cos(x), 1 - x**2 / 2), SOURCE)
 
 
+def sine_of_quarter_turn(x):
+    """4 sin² πx ≥ (πx)², for 0 ≤ x ≤ 1/2: Jordan's inequality, with 1/2 for 2/π."""
+    return CitedLemma(at_least(4 * sin(pi * x) ** 2, (pi * x) ** 2), SOURCE, (at_least(x, 0), at_least(1, 2 * x)))
+
+
 def sine_of_half_turn(x):
-    """sin x ≥ 0, for 0 ≤ x ≤ π."""
-    return CitedLemma(at_least(sin(x), 0), SOURCE)
+    """sin πx ≥ 0, for 0 ≤ x ≤ 1."""
+    return CitedLemma(at_least(sin(pi * x), 0), SOURCE, (at_least(x, 0), at_least(1, x)))

@@ -115,7 +115,7 @@ _first_ridge = Claim(
     ),
     (k_v > 0, v >= 0, 1 - k_v * v >= 0),
     squares=(_sines[0] * _sines[1],),
-    cited=(sine_of_half_turn(pi * k_v * v),),
+    cited=(sine_of_half_turn(k_v * v),),
     ranges=((v, (0, 1)), (k_v, (0, 3))),
 )
 _end = v + epsilon

@@ -17,7 +17,7 @@ half = ((v, 1), (k_v, Rational(1, 2)))  # sin πk_v v = 1
 ranges = ((delta, (Rational(-1, 4), Rational(1, 4))), (epsilon, (0, Rational(1, 4))), (k_u, (0, 4)))
 straddles = (epsilon > 0, k_u > 0, epsilon - delta > 0, epsilon + delta > 0)
 reach = (1 - k_u * (epsilon + delta) >= 0, 1 - k_u * (epsilon - delta) >= 0)
-signs = tuple(sine_of_half_turn(rate * w) for w in (epsilon + delta, epsilon - delta))
+signs = tuple(sine_of_half_turn(k_u * w) for w in (epsilon + delta, epsilon - delta))
 
 across = inside(ridges).expand(h_u).subs(half).subs(u, delta)
 straddled = cos(rate * epsilon) * sin(rate * delta) / epsilon

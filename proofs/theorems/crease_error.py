@@ -35,8 +35,9 @@ _near_tent = Claim(
     ),
     _after,
     squares=(_names[0] - 1, _names[1] - 1, _names[2], _names[3]),
-    cited=(sine_below(y), sine_above(y), cosine_above(y), cosine_above(x), sine_of_half_turn(y)),
+    cited=(sine_below(y), sine_above(y), cosine_above(y), cosine_above(x), sine_of_half_turn(k_u * delta)),
     ranges=ranges,
+    example=((epsilon, Rational(13, 30)), (delta, Rational(13, 30)), (k_u, 1), (_sin_y, Rational(24, 25))),
 )
 _primitive = (delta - epsilon) ** 3 / (3 * epsilon**2)
 _square = v / 2 - sin(2 * pi * k_v * v) / (4 * pi * k_v)

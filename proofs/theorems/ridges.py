@@ -6,6 +6,7 @@ from proofs.engine.claim import CitedLemma, Claim, at_least, equation, greater
 from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import k_u, k_v, real, u, v
+from proofs.theorems.cited import sine_of_quarter_turn
 
 ridges, sine = HEIGHT_FIELDS["ridges"], HEIGHT_FIELDS["sine"]
 to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u, v = n/k_v
@@ -55,7 +56,7 @@ def _either_side(name, along, k, step, across):
         ),
         (k > 0, step > 0, 2 * k * step <= 1, equation(sin(pi * m), 0)),
         squares=(_symbol(across),),
-        cited=(CitedLemma(at_least(4 * sine_of_step**2, angle**2), "DLMF"),),  # Jordan: |sin x| ≥ |x|/2
+        cited=(sine_of_quarter_turn(k * step),),
         ranges=((step, (0, Rational(1, 4))), (k, (Rational(1, 4), 3))),
     )
 

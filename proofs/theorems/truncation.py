@@ -35,8 +35,10 @@ def _bounded(name, field, output, frequency, given, factors, constant=_sixth):
         *(at_least(bound + s * error, 0) for s in (1, -1)),
     )
     lemmas = (sine_below(angle), sine_above(angle))
-    positive = tuple(k > 0 for k in frequency.free_symbols)
-    return Claim(name, shows, (*given, *positive), squares=_squares[field.name], cited=lemmas)
+    (k,) = frequency.free_symbols
+    step, sine_of_step = (Rational(13, 30), Rational(24, 25)) if k == k_u else (Rational(13, 60), Rational(3, 5))
+    example = ((coordinate, Rational(1, 2)), (k, 1), (epsilon, step), (sin(pi * k * epsilon), sine_of_step))
+    return Claim(name, shows, (*given, k > 0), squares=_squares[field.name], cited=lemmas, example=example)
 
 
 _u = _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(pi * k_u * u) * sin(pi * k_v * v))

@@ -65,6 +65,7 @@ _visible = Claim(
     (*_on_a, eye * _cos_phi >= radius),
     hit_of_a,
     squares=(rho * t, eye * t),
+    example=((eye, 5), (radius, 3), (x, Rational(9, 4)), (y, 0)),
 )
 _hidden = Claim(
     "hidden",

@@ -6,6 +6,7 @@ The second one needs python-flint: a run without it says so in every grade that 
 from proofs.engine import kernel
 from proofs.engine.certificate import prove
 from proofs.engine.claim import Claim
+from proofs.engine.hypotheses import is_empty, reasons
 from proofs.engine.search import MAX_EFFORT, NotFound
 
 try:
@@ -44,23 +45,26 @@ def not_found(error):
     return f"no certificate found: {goal}"
 
 
-def by_definition(claim, pairs):
+def by_definition(claim, cases):
     """Return whether nothing was left for the kernel to decide: all that is shown is 0 = 0, or is given.
 
     The conditions of branches, which a statement shows besides the claim's own relations, count as something.
     """
     if not isinstance(claim, Claim):
         return False
-    steps = [step for statement, _ in pairs for step in statement.get("steps", ())]
+    steps = [step for statement, *_ in cases if not is_empty(statement) for step in statement.get("steps", ())]
     shown = [step for step in steps if step["step"] == "show"]
     given = [(step["is"], step["of"]) for step in steps if step["step"] == "assume"] * (len(shown) <= len(claim.shows))
     return bool(shown) and all(not step["of"] or (step["is"], step["of"]) in given for step in shown)
 
 
-def accept(claim, theorems, pairs=None, effort=MAX_EFFORT):
-    """Return (the reasons why a claim is not accepted, the certified pairs): the one path for theorems and mutants."""
+def accept(claim, theorems, cases=None, effort=MAX_EFFORT):
+    """Return the reasons why a claim is not accepted: the one path for theorems and mutants.
+
+    cases: what `proofs.engine.certificate` found or keeps; None: it is searched for.
+    """
     try:
-        pairs = prove(claim, theorems, effort) if pairs is None else pairs
+        cases = prove(claim, theorems, effort) if cases is None else cases
     except NotFound as error:
-        return [not_found(error)], []
-    return [why for pair in pairs if (why := why_rejected(*pair))], pairs
+        return [not_found(error)]
+    return [why for why in reasons(cases, why_rejected) if why]

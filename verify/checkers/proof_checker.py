@@ -15,7 +15,7 @@ import re
 from pathlib import Path
 
 from proofs.engine.certificate import Stale, evidence, stored
-from proofs.engine.claim import Separation
+from proofs.engine.claim import Claim, Separation
 from proofs.engine.search import MAX_EFFORT, NotFound
 from proofs.engine.theorem import incomplete
 from verify.checkers import witness
@@ -25,7 +25,6 @@ from verify.checkers.examination import Examination
 from verify.checkers.grades import final_grades
 from verify.checkers.registry import measurements
 from verify.checkers.splices import says_the_same, splices
-from verify.checkers.unused import unused
 
 __all__ = [
     "LONG_POINTS",
@@ -114,16 +113,14 @@ def _check_certificates(found, theorem, theorems, anew):
     except (Stale, NotFound) as error:
         found.problems.append(not_found(error) if isinstance(error, NotFound) else _stale(theorem, theorems, error))
         return
-    count = 0
-    for claim, pairs in claims:
-        reasons, _ = accept(claim, theorems, pairs)
-        if by_definition(claim, pairs):
+    for claim, cases in claims:
+        if by_definition(claim, cases):
             found.by_definition.append(claim.name)
-        found.problems += [f"{claim.name}: {why}" for why in reasons]
-        count += len(pairs)
-    idle, given = unused([pair for _, pairs in claims for pair in pairs])
-    found.record |= {"statements": count, "by_definition": found.by_definition, "argued": found.argued}
-    found.record |= {"hypotheses": given, "unused_hypotheses": idle}
+        found.problems += [f"{claim.name}: {why}" for why in accept(claim, theorems, cases)]
+    said = [statement for _, cases in claims for statement, *_ in cases]
+    given = sum(step["step"] == "assume" for statement in said for step in statement.get("steps", ()))
+    found.record |= {"statements": len(said), "by_definition": found.by_definition, "argued": found.argued}
+    found.record |= {"hypotheses": given}
     if len(CHECKERS) < 2:
         found.record["second_checker"] = "not run"
 
@@ -146,9 +143,11 @@ def _sampled(found, theorem, claim, points):
             found.problems.append(f"{claim.name}: at 50 digits the point is not a counterexample")
         return {"claim": claim.name, "points": 1}
     seed = f"{theorem.id}/{claim.name}"
-    cited = tuple(lemma.relation for lemma in getattr(claim, "cited", ()))
-    tested = claim.but(shows=(*cited, *claim.shows)) if cited else claim
-    seen = witness.sample(tested, seed, points, failures=FAILURES)
+    for lemma in getattr(claim, "cited", ()):  # under the source's conditions alone
+        alone = Claim("cited", (lemma.relation,), lemma.given, ranges=claim.ranges)
+        if failing := witness.sample(alone, seed, points, failures=FAILURES).smallest:
+            found.problems.append(f"{lemma.text}, from {lemma.source}: false at {witness.printed(failing, 20)}")
+    seen = witness.sample(claim, seed, points, failures=FAILURES)
     if seen.failures:
         found.problems.append(f"{claim.name}: false at {witness.printed(seen.smallest, 20)}")
     if seen.undefined:
@@ -170,7 +169,7 @@ def _edges(found, theorem, condition):
 
 def _refute_mutant(found, theorem, mutant, theorems, anew):
     """Check that a mutant is refused, and find its counterexample."""
-    reasons, _ = accept(mutant.claim, theorems, effort=MAX_EFFORT if anew else 2)
+    reasons = accept(mutant.claim, theorems, effort=MAX_EFFORT if anew else 2)
     tried, wrong = splices(theorem, mutant.claim, theorems), []
     if any(not any(why_rejected(*pair) for pair in pairs) for pairs in tried):
         wrong.append(f"a certificate of the theorem proves the mutant: {mutant.text}")
@@ -188,7 +187,7 @@ def _refute_mutant(found, theorem, mutant, theorems, anew):
 
 def _refute_variant(found, theorem, mutant, theorems, anew):
     """Check that a true variant of a refuted statement is accepted, and that the counterexample spares it."""
-    reasons, _ = accept(mutant.claim, theorems)
+    reasons = accept(mutant.claim, theorems)
     spared = not theorem.refuted_at or witness.fails_at(mutant.claim, theorem.refuted_at, attempts=1) is None
     if reasons:
         found.problems.append(f"true variant not accepted: {mutant.text}: {reasons[0]}")

@@ -14,7 +14,20 @@ def splices(theorem, claim, theorems):
         said, kept = statements(claim, theorems), stored(theorem, theorems)
     except (Untranslatable, Stale):
         return []
-    return [[(s, pairs[min(i, len(pairs) - 1)][1]) for i, s in enumerate(said)] for _, pairs in kept]
+    tried = []
+    for original, cases in kept:
+        before = statements(original, theorems)
+        places = [(s, min(i, len(cases) - 1)) for i, s in enumerate(said)]
+        tried.append([(_fitted(s, before[place], cases[place][0]), cases[place][1]) for s, place in places])
+    return tried
+
+
+def _fitted(said, before, kept):
+    """Return what a mutant says without the assumptions that the stored statement `kept` leaves out of `before`."""
+    if not said.keys() == before.keys() == kept.keys() or "steps" not in said:
+        return said
+    gone = [step for step in before["steps"] if step not in kept["steps"]]
+    return said | {"steps": [step for step in said["steps"] if step["step"] != "assume" or step not in gone]}
 
 
 def says_the_same(theorem, mutant, theorems):

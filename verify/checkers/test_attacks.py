@@ -3,23 +3,25 @@
 import json
 
 import pytest
-from sympy import Abs, Dummy, Eq, Max, Rational, Symbol, cos, evaluate, pi, sin, sqrt, symbols
+from sympy import Abs, Dummy, Eq, Max, Min, Rational, Symbol, cos, evaluate, pi, sin, sqrt, symbols
 
-from proofs.check import canonical, verdicts
+from proofs.check import FOLDER, canonical, verdicts
 from proofs.engine import kernel
 from proofs.engine.angles import Untranslatable
 from proofs.engine.certificate import prove, statements
-from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, equation, greater
+from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, at_least, equation, greater
+from proofs.engine.hypotheses import reasons
+from proofs.engine.points import without_unused
 from proofs.engine.program import Program
 from proofs.engine.search import NotFound
 from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems
+from proofs.theorems.cited import sine_below
 from verify.checkers import witness
 from verify.checkers.breakages import campaign
 from verify.checkers.kernels import accepted
 from verify.checkers.proof_checker import examine
 from verify.checkers.splices import splices
 from verify.checkers.test_checkers import EMPTY, NOTHING, derivation, show
-from verify.checkers.unused import unused
 
 x, y, n = symbols("x y n", real=True)
 FALSE = (Mutant("x > 1", Claim("a", (greater(x, 1),))), Mutant("x > 2", Claim("b", (greater(x, 2),))))
@@ -291,7 +293,7 @@ def test_a_number_that_a_double_rounds_proves_nothing():
 
 
 def test_a_file_is_its_own_canonical_form(tmp_path):
-    pair = {"sha256": "0", "statement": STATEMENT, "certificate": CERTIFICATE}
+    pair = {"sha256": "0", "statement": STATEMENT, "certificate": CERTIFICATE, "point": {}}
     data = {"version": 1, "theorem": "attack", "claims": [{"claim": "c", "statements": [pair]}]}
     path = tmp_path / "attack.json"
     for text in (
@@ -378,7 +380,50 @@ def test_a_clause_without_a_claim_is_argued():
             Theorem("attack", "", "s3", wrong, mutants=FALSE)
 
 
-def test_a_hypothesis_that_nothing_uses_is_counted():
+def test_a_hypothesis_that_no_proof_uses_is_left_out():
+    """None is in a stored statement; and a statement that lacks another hypothesis is not today's."""
     used = Claim("used", (greater(x, 0),), (greater(x, 1),))
-    assert unused(prove(used, {})) == (0, 1)
-    assert unused(prove(used.but(given=(greater(x, 1), greater(y, 1))), {})) == (1, 2)
+    ((one, *_),), ((two, *_),) = prove(used, {}), prove(used.but(given=(greater(x, 1), greater(y, 1))), {})
+    assert one["steps"] == two["steps"]
+    for path in FOLDER.glob("*.json"):
+        for claim in json.loads(path.read_text("utf-8"))["claims"]:
+            pairs = [(entry["statement"], entry["certificate"]) for entry in claim["statements"]]
+            assert all(without_unused(*pair) == pair for pair in pairs if pair[0]["kind"] == "derivation"), path.stem
+
+
+def test_a_point_shows_that_hypotheses_can_hold():
+    """An exact one, of the kernel's names; without it, or at another point, a proof proves nothing."""
+    given = (equation(x**2, 4), at_least(y, 0), at_least(sqrt(y) * x, 1))
+    ((statement, certificate, point),) = prove(
+        Claim("attack", (equation(x**4, 16), greater(sqrt(y) + x, 0)), given), {}
+    )
+    assert point == {"root_1": "1", "x": "2", "y": "1"}
+    assert reasons([(statement, certificate, point)]) == [None]
+    wrong = (point | {"x": "3"}, point | {"root_1": "-1"}, point | {"z": "0"}, {"x": "2"})
+    assert all(reasons([(statement, certificate, each)]) != [None] for each in (None, {}, *wrong))
+    for given in ((x > 0, x < 0), (equation(x, y), equation(y, x + 1))):
+        contradicted = prove(Claim("attack", (equation(x, x + 1),), given), {})
+        assert reasons(contradicted) == ["its hypotheses contradict each other"]
+
+
+def test_a_case_that_cannot_occur_is_no_claim():
+    """Of |x| < 0 no case can occur: each is proved impossible, and the claim is refused."""
+    absurd = derivation(("assume", {"x": "1"}, {"is": ">"}), ("assume", {"x": "-1"}, {"is": ">"}), show({"": "1"}, "="))
+    proof = {"rule": "contradiction", "positive": [0], "sum": [["1", {"": "1"}, [1]]], "cofactors": []}
+    case = absurd | {"variables": ["x"]}, {"proofs": [proof]}, None
+    assert kernel.check(*case[:2]) is None
+    assert reasons([case, case]) == ["its hypotheses contradict each other"] * 2
+    assert reasons([case, (STATEMENT, CERTIFICATE, {})]) == [None, None]
+    branches = Claim("clamped", (at_least(Min(1, Max(0, x)), 0),))
+    cases = prove(branches, {})
+    assert reasons(cases) == [None] * len(cases)
+
+
+def test_what_is_cited_is_cited_with_its_conditions():
+    """sin x ≤ x holds for x ≥ 0: where that is not proved, or not told, the lemma is not to be had."""
+    claim = Claim("attack", (at_least(x + 1, sin(x)),), cited=(sine_below(x),))
+    with pytest.raises(NotFound):
+        prove(claim, {})
+    assert prove(claim.but(given=(greater(x, 1),)), {})
+    untold = CitedLemma(sine_below(x).relation, "Dekker1971")
+    assert graded(claim.but(given=(greater(x, 0),), cited=(untold,))) == "failed"

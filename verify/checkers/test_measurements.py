@@ -100,7 +100,7 @@ def given_a_lemma(relation, source="Blinn1978"):
         "sine",
         (at_least(x, sin(x) * cos(x) ** 2),),
         (x >= 0, x <= 1, sin(x) >= 0),
-        cited=(CitedLemma(relation, source),),
+        cited=(CitedLemma(relation, source, (x >= 0,)),),
     )
     mutants = (
         Mutant("−x", claim.but(shows=(at_least(-x, sin(x)),))),

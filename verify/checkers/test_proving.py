@@ -44,7 +44,7 @@ FALSE = [
 
 @pytest.mark.parametrize("claim", TRUE, ids=lambda c: c.name)
 def test_true_claims_are_proved(claim):
-    for statement, certificate in prove(claim, {}):
+    for statement, certificate, _ in prove(claim, {}):
         assert why_rejected(statement, certificate) is None
     assert witness.sample(claim, "true", 40).failures == []
 
@@ -76,7 +76,7 @@ def test_induction_on_powers():
     n, a, re, im = Symbol("n", integer=True), *symbols("alpha re im", real=True)
     states = ((re, 1, re * cos(a) - im * sin(a)), (im, 0, re * sin(a) + im * cos(a)))
     claim = Induction("power", n, (equation(re, cos(n * a)), equation(im, sin(n * a))), states)
-    ((statement, certificate),) = prove(claim, {})
+    ((statement, certificate, _),) = prove(claim, {})
     assert why_rejected(statement, certificate) is None
     assert witness.sample(claim, "power", 40).failures == []
     wrong = claim.but(shows=(equation(re, cos(n * a)), equation(im, -sin(n * a))))

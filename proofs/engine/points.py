@@ -1,0 +1,139 @@
+"""What is found for a certificate beside its proofs: which hypotheses they use, and a point where these hold.
+
+Nothing here is trusted: the kernels check the shorter certificate, and the point.
+"""
+
+import random
+import re
+from bisect import bisect_left
+from fractions import Fraction
+from math import isqrt
+
+from proofs.engine import kernel
+from proofs.engine.hypotheses import consistency
+
+WHOLE, PARTS = (0, 1, 2, 3, 10, 1000), ((3, 5), (4, 5), (5, 13), (12, 13), (3, 4), (4, 3), (5, 12), (24, 7))
+SIMPLE = [*map(Fraction, WHOLE), *(Fraction(*pair) for pair in (*PARTS, (1, 2), (1, 3), (2, 3), (1, 4), (1, 10)))]
+TRIES = 4000
+
+
+def without_unused(statement: dict, certificate: dict) -> tuple[dict, dict]:
+    """Return a derivation and its certificate without the assumptions that no proof uses; circles stay."""
+    assumed, used, number, proofs = {}, [], 0, iter(certificate["proofs"])
+    for step in statement["steps"]:
+        if step["step"] in ("show", "root", "inverse"):
+            used += [i for i in _indices(next(proofs)) if i < number]  # the next one is the goal's negation
+        elif step["step"] == "assume":
+            assumed[number] = step
+        number += {"define": 0, "root": 2}.get(step["step"], 1)
+    needed = [assumed[i] for i in used if i in assumed]
+    needed += [step for step in assumed.values() if is_circle(step)]
+    idle = sorted(i for i, step in assumed.items() if step not in needed)
+
+    def left(i):
+        return i - bisect_left(idle, i)
+
+    shorter = [
+        proof
+        | {"cofactors": [[left(i), q] for i, q in proof["cofactors"]]}
+        | {key: [left(i) for i in proof[key]] for key in ("positive",) if key in proof}
+        | {key: [[c, s, [left(i) for i in h]] for c, s, h in proof[key]] for key in ("sum",) if key in proof}
+        for proof in certificate["proofs"]
+    ]
+    steps = [step for step in statement["steps"] if step["step"] != "assume" or step in needed]
+    return statement | {"steps": steps}, {"proofs": shorter}
+
+
+def is_circle(step: dict) -> bool:
+    """Return whether an assumption is the c² + s² = 1 of an angle's cosine and sine."""
+    squares = [monomial for monomial in step["of"] if re.fullmatch(r"(cos|sin)\(\S+\)\^2", monomial)]
+    return step["is"] == "=" and len(squares) == 2 and len(step["of"]) == 3
+
+
+def _indices(proof):
+    sums = [i for _, _, factors in proof.get("sum", ()) for i in factors]
+    return [*proof.get("positive", ()), *(i for i, _ in proof["cofactors"]), *sums]
+
+
+class _Dead(Exception):
+    """At these values something fails."""
+
+
+def find_point(statement: dict, example: dict[str, Fraction], tries: int = TRIES) -> dict[str, str] | None:
+    """Return a point at which the hypotheses of a derivation or an induction hold, {name: rational}, or None.
+
+    example: coordinates of it that are known.
+    """
+    said, rng = consistency(statement), random.Random(0)
+    *facts, _ = kernel.derive(said, lambda *_: None)
+    new = [step["new"] for step in said["steps"] if step["step"] in ("root", "inverse")]
+    names = [*said["variables"], *new]
+    fixed = {name: value for name, value in example.items() if name in names}
+    for _ in range(tries):
+        try:
+            values = _attempt(names, facts, fixed, rng, rng.sample(SIMPLE, rng.randint(1, len(SIMPLE))))
+        except _Dead:
+            continue
+        found = {name: str(value) for name, value in sorted(values.items())}
+        if kernel.check(said, {"point": found}) is None:
+            return found
+    return None
+
+
+def _attempt(names, facts, fixed, rng, pool):
+    values = dict(fixed)
+    while True:
+        facts = [(_put_in(p, values), relation) for p, relation in facts]
+        if not all(kernel.HOLDS[r](p.get((), 0)) for p, r in facts if not any(p)):
+            raise _Dead
+        facts = [(p, r) for p, r in facts if any(p)]
+        open_ = [name for name in names if name not in values]
+        if not open_:
+            return values
+        equations = sorted((p for p, r in facts if r == "="), key=lambda p: len(_names(p)))
+        values |= (equations and _solved(equations[0], rng, pool)) or {rng.choice(open_): _simple(rng, pool)}
+
+
+def _simple(rng, pool):
+    return rng.choice(pool) * rng.choice((1, 1, -1))
+
+
+def _names(p):
+    return sorted({name for monomial in p for name in monomial})
+
+
+def _put_in(p, values):
+    total = {}
+    for monomial, coefficient in p.items():
+        for name in monomial:
+            coefficient *= values.get(name, 1)
+        rest = tuple(name for name in monomial if name not in values)
+        total[rest] = total.get(rest, 0) + coefficient
+    return {monomial: coefficient for monomial, coefficient in total.items() if coefficient}
+
+
+def _solved(p, rng, pool):
+    """Return rational values of the names of an equation in one name, or of a conic's two; None where neither."""
+    c, (x, *others) = Fraction(p.get((), 0)), _names(p)
+    if not others and set(p) <= {(), (x,), (x, x)}:
+        a, b = p.get((x, x), 0), p.get((x,), 0)
+        root = _root(b * b - 4 * a * c)
+        return {x: (-b + rng.choice((1, -1)) * root) / (2 * a) if a else -c / Fraction(b)}
+    if len(others) == 1 and set(p) <= {(), (x, x), (others[0], others[0])}:
+        (y,), t = others, abs(_simple(rng, pool)) or Fraction(1, 7)
+        a, b = Fraction(p[x, x]), Fraction(p[y, y])
+        if a * b < 0:  # (ρx − y)(ρx + y) = −c/a·ρ²
+            ratio, right = _root(-a / b), c / b
+            return {y: (t - right / t) / 2, x: (t + right / t) / (2 * ratio)}
+        ratio, radius = _root(a / b), _root(-c / b)
+        return {y: radius * (1 - t * t) / (1 + t * t), x: radius * 2 * t / (1 + t * t) / ratio}
+    return None
+
+
+def _root(value):
+    value = Fraction(value)
+    if value >= 0:
+        root = Fraction(isqrt(value.numerator), isqrt(value.denominator))
+        if root * root == value:
+            return root
+    raise _Dead
