@@ -22,6 +22,7 @@ from tqdm import tqdm
 from book.editions.chromium import FLAGS
 from proofs.check import FOLDER
 from proofs.engine import kernel
+from proofs.engine.hypotheses import consistency
 from verify.benchmark.label import label, write
 from verify.checkers import second_checker
 from verify.checkers.tampering import draws
@@ -37,12 +38,21 @@ SHARE = 6  # certificates that a browser is opened for
 @cache
 def stored():
     """Return {theorem/claim/number: (statement, certificate)} of everything that is stored."""
-    return {
-        f"{path.stem}/{claim['claim']}/{number}": (pair["statement"], pair["certificate"])
-        for path in sorted(FOLDER.glob("*.json"))
-        for claim in json.loads(path.read_text(encoding="utf-8"))["claims"]
-        for number, pair in enumerate(claim["statements"])
-    }
+    return {name: (entry["statement"], entry["certificate"]) for name, entry in _entries()}
+
+
+@cache
+def points():
+    """Return {theorem/claim/number: (statement, certificate)} of the points at which hypotheses hold."""
+    held = {name: entry for name, entry in _entries() if entry["point"] is not None}
+    return {name: (consistency(entry["statement"]), {"point": entry["point"]}) for name, entry in held.items()}
+
+
+def _entries():
+    for path in sorted(FOLDER.glob("*.json")):
+        for claim in json.loads(path.read_text(encoding="utf-8"))["claims"]:
+            for number, entry in enumerate(claim["statements"]):
+                yield f"{path.stem}/{claim['claim']}/{number}", entry
 
 
 def load_kernel(tab):
