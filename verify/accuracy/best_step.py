@@ -10,9 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene, central, gradient_at
 from verify.accuracy.difference_bounds import SINE_ULPS, UNIT
-from verify.accuracy.differences import Case, slope_of
+from verify.evaluate.arrays import in_balls
 
 POINTS, SEED, PER_DECADE, WINDOW = 16, 3, 20, 5
 WAVE_NUMBERS = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512)
@@ -47,7 +48,7 @@ def representable_step(at, step):
 def errors(k, steps, representable=False, seed=SEED):
     """Return (steps, points) |computed − exact| of h_u, sine, v on a crest."""
     u, v = points(seed), 0.125
-    exact = np.array([float(slope_of(Case("", "sine", float(k), 4.0, float(at), v)).mid()) for at in u])
+    exact = in_balls(gradient(HEIGHT_FIELDS["sine"]), {"u": u, "v": v, "k_u": k, "k_v": 4})["h_u"].astype(float)
     scene, found = Scene(field="sine", ku=float(k)), []
     for step in steps:
         used = float(step)

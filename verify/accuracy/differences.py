@@ -9,18 +9,16 @@ from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-from flint import arb, ctx
 
 from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central, span_v, u_minus, u_plus, v_minus, v_plus
 from proofs.formulas.height_fields import HEIGHT_FIELDS, factors, gradient
 from renderer import Scene
-from renderer.generate.kernels import function_of
 from renderer.kernels import FIELDS
 from renderer.shader import difference
-from verify.evaluate.balls import Balls
+from verify.evaluate.arrays import in_balls, in_float64, signed_distance
 
-BITS, PER_DECADE = 300, 40
+PER_DECADE = 40
 ARGUMENTS = (u_plus, u_minus, v_plus, v_minus, span_v)
 STEPS = np.array([10.0 ** (-n / PER_DECADE) for n in range(PER_DECADE, 16 * PER_DECADE + 1)])
 PARTS = ("truncation", "argument", "roundoff", "total")
@@ -50,6 +48,11 @@ class Case(NamedTuple):
         """The scene whose field it is."""
         return Scene(field=self.field, ku=self.k_u, kv=self.k_v)
 
+    @property
+    def inputs(self):
+        """The point and the wave numbers, {name: number}."""
+        return {name: getattr(self, name) for name in ("u", "v", "k_u", "k_v")}
+
 
 class Parts(NamedTuple):
     """The signed errors of one difference, float64 of exact numbers: (steps,) each, and the exact slope.
@@ -68,55 +71,46 @@ class Parts(NamedTuple):
 
 
 @cache
-def _programs(field):
-    """Return the Balls of the exact slope, of the difference and of the difference of given arguments, and those."""
+def _split(field):
+    """Return a central difference in two programs: where it samples, and the quotient of given samples."""
     whole = central(HEIGHT_FIELDS[field])
     rest = tuple(line for line in whole.definitions if line[0] not in ARGUMENTS)
-    given = Program("given", (*whole.inputs, *ARGUMENTS), rest, whole.outputs)
-    arguments = whole.keep(*ARGUMENTS, name="arguments")
-    code = function_of(arguments), [s.name for s in arguments.inputs]
-    balls = [Balls(p) for p in (gradient(HEIGHT_FIELDS[field]), whole, given)]
-    return *balls, code, Balls(factors(HEIGHT_FIELDS[field]))
+    return whole.keep(*ARGUMENTS), Program("given", (*whole.inputs, *ARGUMENTS), rest, whole.outputs)
 
 
-def slope_of(case):
-    """Return the exact slope at a case's point, a ball."""
-    return _programs(case.field)[0](_values(case), BITS)[0][case.component]
+def by_the_kernel(field, at):
+    """Return {component: the renderer's difference}; at: arrays of u, v, k_u, k_v, epsilon by name."""
+    with np.errstate(all="ignore"):
+        found = difference(FIELDS[field], "central", *(at[name] for name in ("u", "v", "k_u", "k_v", "epsilon")))
+    return {name: np.broadcast_to(part, np.shape(at["u"])) for name, part in zip(("h_u", "h_v"), found, strict=True)}
 
 
-def _values(case):
-    return {"u": case.u, "v": case.v, "k_u": case.k_u, "k_v": case.k_v}
+def taken_apart(field, inputs, steps, computed=None):
+    """Return {component: (truncation, argument, roundoff, total)} over arrays of points or of steps.
+
+    inputs: u, v, k_u, k_v by name. computed: {component: differences} in place of the kernel's.
+    """
+    names = ("u", "v", "k_u", "k_v", "epsilon")
+    at = dict(zip(names, np.broadcast_arrays(*(inputs[name] for name in names[:-1]), steps), strict=True))
+    where, given = _split(field)
+    slope, exact = in_balls(gradient(HEIGHT_FIELDS[field]), inputs), in_balls(central(HEIGHT_FIELDS[field]), at)
+    moved, found = in_balls(given, at | in_float64(where, at)), computed or by_the_kernel(field, at)
+    pairs = dict.fromkeys(found, ((exact, slope), (moved, exact), (found, moved), (found, slope)))
+    return {c: np.array([signed_distance(a[c], b[c]) for a, b in both]) for c, both in pairs.items()}
 
 
 def parts(case, steps=STEPS, computed=None):
     """Return the Parts of a case over the steps; `computed` replaces the kernel's differences."""
-    _, whole, given, (arguments, names), _ = _programs(case.field)
-    slope, values, rows = slope_of(case), _values(case), []
     steps = np.asarray(steps, np.float64)
-    at = {name: np.full(len(steps), value) for name, value in values.items()} | {"epsilon": steps}
-    rounded = np.array(np.broadcast_arrays(*arguments(*(at[n] for n in names)))).T.tolist()
-    computed = _kernel(case, at) if computed is None else computed
-    for step, places, value in zip(steps.tolist(), rounded, computed, strict=True):
-        here = values | {"epsilon": step}
-        exact, _ = whole(here, BITS)
-        moved, _ = given(here | dict(zip((s.name for s in ARGUMENTS), places, strict=True)), BITS)
-        with ctx.workprec(BITS):
-            d, d_moved, found = exact[case.component], moved[case.component], arb(float(value))
-            rows.append([float(p.mid()) for p in (d - slope, d_moved - d, found - d_moved, found - slope)])
-    return Parts(steps, *np.array(rows).T, float(slope.mid()), *_factors(case))
+    found = taken_apart(case.field, case.inputs, steps, None if computed is None else {case.component: computed})
+    slope = in_balls(gradient(HEIGHT_FIELDS[case.field]), case.inputs)[case.component].item()
+    return Parts(steps, *found[case.component], float(slope), *_factors(case))
 
 
 def _factors(case):
-    lines, _ = _programs(case.field)[4](_values(case), BITS)
-    sines = [abs(float(lines[name].mid())) if name in lines else 1.0 for name in ("sin_u", "sin_v")]
+    lines = in_balls(factors(HEIGHT_FIELDS[case.field]), case.inputs)
+    sines = [abs(float(lines[name].item())) if name in lines else 1.0 for name in ("sin_u", "sin_v")]
     return sines if case.component == "h_u" else sines[::-1]
-
-
-def _kernel(case, at):
-    """Return the kernel's differences of a case at all steps together: bit for bit those of `gradient_at`."""
-    with np.errstate(all="ignore"):
-        found = difference(FIELDS[case.field], "central", *(at[name] for name in ("u", "v", "k_u", "k_v", "epsilon")))
-    return np.broadcast_to(found[0 if case.component == "h_u" else 1], at["epsilon"].shape)
 
 
 SMOOTH = (0.31, 0.47)

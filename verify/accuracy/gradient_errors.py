@@ -4,40 +4,26 @@ Errors are counted in units of π max(1, |k|) 2^-53: that is the rounding of one
 """
 
 import math
-from typing import NamedTuple
 
 import numpy as np
-from flint import arb, ctx
-from sympy import lambdify
 
 from proofs.engine.program import chain
-from proofs.formulas import symbols
 from proofs.formulas.camera import angles_on_a
 from proofs.formulas.chart import chart
-from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene, exact, gradient_at
-from renderer.generate.kernels import function_of
-from verify.benchmark.methods.algebraic import algebraic_gradient
-from verify.evaluate.balls import Balls
+from verify.benchmark.methods.programs import algebraic_gradient, naive_gradient
+from verify.evaluate.arrays import distance, in_balls, in_float64
 
-BITS, UNIT, SMALLEST = 1200, 2.0**-53, 1e-280
+UNIT, SMALLEST = 2.0**-53, 1e-280
 GENERAL, ALGEBRAIC = 8.0, 8.0  # the bounds: 8, and 8 (1 + k)
+RATIOS = (1e-6, 1e-3, 0.25, 0.5, 0.9, 1 - 1e-6, 1 - 1e-9)
 
 
-class Worst(NamedTuple):
-    """The largest error over its unit, and where."""
-
-    units: float
-    where: str
-    points: int
-
-
-def _units(computed, ball, k):
-    """Return |computed − exact|/(π max(1, |k|) 2^-53), from the ball's far end."""
-    if not math.isfinite(computed):
-        return math.inf
-    return float(abs(arb(computed) - ball).upper()) / (math.pi * max(1.0, abs(k)) * UNIT)
+def _largest(computed, exact, **wave_numbers):
+    """Return the largest |computed − exact|/(π max(1, |k|) 2^-53) of h_u and h_v; NaN if a ball decides nothing."""
+    units = {name: math.pi * max(1.0, abs(k)) * UNIT for name, k in wave_numbers.items()}
+    return max(np.max(distance(computed[name], exact[name])) / unit for name, unit in units.items())
 
 
 def wave_number_pairs(rng, count=24):
@@ -60,46 +46,25 @@ def chart_points(rng, k_u, k_v, count):
     return np.minimum(u, np.nextafter(1, 0)), v
 
 
-def worst_at_chart_points(field, seed=11, each=16, form=None):
-    """Return the Worst of the general exact gradient of a field over all wave numbers; form: another method's."""
-    rng, balls, worst, points = np.random.default_rng(seed), Balls(gradient(HEIGHT_FIELDS[field])), (0.0, ""), 0
+def by_the_renderer(field, at):
+    """Return the general form of the exact gradient, {h_u, h_v: arrays}."""
+    scene = Scene(field=field, ku=at["k_u"], kv=at["k_v"])
+    return dict(zip(("h_u", "h_v"), gradient_at(scene, at["u"], at["v"], exact("general")), strict=True))
+
+
+def by_rounded_products(field, at):
+    """Return the same by libm's sine of a product πku, which is rounded before the sine."""
+    return in_float64(naive_gradient(HEIGHT_FIELDS[field]), at)
+
+
+def worst_at_chart_points(field, seed=11, each=16, form=by_the_renderer):
+    """Return (the largest error of the general exact gradient in units, points) over all wave numbers."""
+    rng, found = np.random.default_rng(seed), []
     for k_u, k_v in wave_number_pairs(rng):
         u, v = chart_points(rng, k_u, k_v, each)
-        computed = np.array((form or _ours)(Scene(field=field, ku=k_u, kv=k_v), u, v))
-        for i in range(each):
-            exact_lines, undecided = balls({"u": u[i], "v": v[i], "k_u": k_u, "k_v": k_v}, 300)
-            if undecided:
-                raise ValueError(f"{field}: 300 bits leave {sorted(undecided)} open at u = {u[i]}, v = {v[i]}")
-            with ctx.workprec(300):
-                for name, k, value in (("h_u", k_u, computed[0, i]), ("h_v", k_v, computed[1, i])):
-                    units = _units(float(value), exact_lines[name], k)
-                    worst = max(worst, (units, f"{name} at u = {u[i]}, v = {v[i]}, k = ({k_u:g}, {k_v:g})"))
-        points += each
-    return Worst(*worst, points)
-
-
-def _ours(scene, u, v):
-    return gradient_at(scene, u, v, exact("general"))
-
-
-def rounded_product(scene, u, v):
-    """Return the gradient by the same formulas with sin(πku) of libm: the argument is rounded before the sine."""
-    slopes = [ordinary(slope) for slope in HEIGHT_FIELDS[scene.field].gradient()]
-    code = lambdify((symbols.u, symbols.v, symbols.k_u, symbols.k_v), slopes, "numpy")
-    return [np.broadcast_to(slope, u.shape) for slope in code(u, v, scene.ku, scene.kv)]
-
-
-def image_gradient(field, k_u, k_v):
-    """Return the function (x, y, eye, radius) → (h_u, h_v): the algebraic form's lines on arrays, as the kernels'."""
-    program = chain(f"image_gradient_{field}", angles_on_a, algebraic_gradient(HEIGHT_FIELDS[field], k_u, k_v))
-    code, names = function_of(program), [s.name for s in program.inputs]
-
-    def run(**values):
-        values |= {"k_u": float(k_u), "k_v": float(k_v)}
-        with np.errstate(all="ignore"):  # both branches of a selection are computed
-            return [np.broadcast_to(c, values["x"].shape) for c in code(*(values[name] for name in names))]
-
-    return run
+        at = {"u": u, "v": v, "k_u": k_u, "k_v": k_v}
+        found.append(_largest(form(field, at), in_balls(gradient(HEIGHT_FIELDS[field]), at), h_u=k_u, h_v=k_v))
+    return float(np.max(found)), len(found) * each
 
 
 def image_points(rng, eye, radius, count):
@@ -115,24 +80,16 @@ def image_points(rng, eye, radius, count):
     return rho * np.cos(angle), rho * np.sin(angle)
 
 
-RATIOS = (1e-6, 1e-3, 0.25, 0.5, 0.9, 1 - 1e-6, 1 - 1e-9)
-
-
 def worst_at_image_points(field, seed=12, each=20, wave_numbers=((2, 1), (8, 4), (-8, 3), (64, 64), (0, 5))):
-    """Return the Worst of the algebraic gradient, in units of (1 + k) π k 2^-53, over scales R/e and wave numbers."""
-    rng, worst, points = np.random.default_rng(seed), (0.0, ""), 0
-    balls = Balls(chain("from_image", angles_on_a, chart, gradient(HEIGHT_FIELDS[field])))
+    """Return (the largest error of the algebraic gradient, in units of (1 + k) π k 2^-53, points) over R/e and k."""
+    rng, found = np.random.default_rng(seed), []
+    whole = chain("from_image", angles_on_a, chart, gradient(HEIGHT_FIELDS[field]))
     for ratio in RATIOS:
         for k_u, k_v in wave_numbers:
             k_v = k_v / 2 if field == "rings" else k_v
             k = max(abs(k_u), abs(k_v)) if field != "rings" else 2 * abs(k_v)
-            given = {"eye": 1 / ratio, "radius": 1.0}
-            x, y = image_points(rng, **given, count=each)
-            computed = image_gradient(field, k_u, k_v)(x=x, y=y, **given)
-            for i in range(each):
-                lines, _ = balls(given | {"x": x[i], "y": y[i], "k_u": k_u, "k_v": k_v}, BITS)
-                with ctx.workprec(BITS):
-                    units = max(_units(float(c[i]), lines[n], k) for c, n in zip(computed, ("h_u", "h_v"), strict=True))
-                worst = max(worst, (units / (1 + k), f"x = {x[i]}, y = {y[i]}, R/e = {ratio}, k = ({k_u}, {k_v:g})"))
-            points += each
-    return Worst(*worst, points)
+            x, y = image_points(rng, 1 / ratio, 1.0, each)
+            at = {"eye": 1 / ratio, "radius": 1.0, "x": x, "y": y, "k_u": k_u, "k_v": k_v}
+            algebraic = chain("image_gradient", angles_on_a, algebraic_gradient(HEIGHT_FIELDS[field], k_u, k_v))
+            found.append(_largest(in_float64(algebraic, at), in_balls(whole, at), h_u=k, h_v=k) / (1 + k))
+    return float(np.max(found)), len(found) * each

@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 from flint import ctx
 
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import central, exact, gradient_at
 from verify.accuracy import best_step, u_curve
 from verify.accuracy.difference_bounds import Bounds, bounds, escapes
-from verify.accuracy.differences import CASES, STEPS, Case, _kernel, _values, parts, slope_of
+from verify.accuracy.differences import CASES, STEPS, by_the_kernel, parts
 from verify.accuracy.ridge_law import SCENE, predicted, quadrature
+from verify.evaluate.arrays import in_balls
 
 STEEP = CASES[0]
 SOME = STEPS[::20]
@@ -34,15 +36,17 @@ def test_the_parts_make_the_whole(case):
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_the_differences_are_the_renderers(case):
-    at = {name: np.full(len(SOME), value) for name, value in _values(case).items()} | {"epsilon": SOME}
+    at = {name: np.full(len(SOME), value) for name, value in case.inputs.items()} | {"epsilon": SOME}
     one_by_one = [gradient_at(case.scene, case.u, case.v, central(float(step))) for step in SOME]
-    assert _kernel(case, at).tolist() == [float(found[case.component == "h_v"]) for found in one_by_one]
+    assert by_the_kernel(case.field, at)[case.component].tolist() == [
+        float(found[case.component == "h_v"]) for found in one_by_one
+    ]
 
 
 def test_mpmath_and_the_balls_measure_the_same():
     """The slope to 48 digits; errors and truncation to the last places of float64; a wrong reference is seen."""
     at = {"u": STEEP.u, "v": STEEP.v}
-    ball, slope = slope_of(STEEP), u_curve.exact_slope(**at)
+    ball, slope = in_balls(gradient(HEIGHT_FIELDS["sine"]), STEEP.inputs)["h_u"].item(), u_curve.exact_slope(**at)
     with ctx.workprec(300), mpmath.workdps(60):
         enclosed = mpmath.mpf(ball.str(60, radius=False))
         assert ball.rad() < 1e-60 and abs(enclosed - slope) < mpmath.mpf(10) ** -48
@@ -72,9 +76,8 @@ def test_an_escape_is_seen():
 def test_a_representable_step_leaves_no_error_in_the_arguments():
     step = best_step.representable_step(0.61, 1e-7)
     assert step != 1e-7
-    case = Case("steep", "sine", 8.0, 4.0, 0.61, 0.125)
-    assert parts(case, [step]).argument[0] == 0
-    assert parts(case, [1e-7]).argument[0] != 0
+    assert parts(STEEP, [step]).argument[0] == 0
+    assert parts(STEEP, [1e-7]).argument[0] != 0
 
 
 @pytest.mark.parametrize("k", [1, 8, 512])

@@ -44,29 +44,29 @@ def _balls(program):
 
 def _arguments(program, inputs):
     """Return the program's inputs, in order, as arrays of one shape."""
-    given = {s.name: np.asarray(inputs[s.name], np.float64) for s in program.inputs}
-    shape = np.broadcast_shapes(*(a.shape for a in given.values()))
-    return [np.broadcast_to(a, shape) for a in given.values()]
+    return np.broadcast_arrays(*(np.asarray(inputs[s.name], np.float64) for s in program.inputs))
+
+
+def _outputs(function, arguments, program):
+    """Return (name, result) of a program's outputs by a function that returns one or several."""
+    with np.errstate(all="ignore"):
+        results = function(*arguments)
+    results = results if isinstance(results, tuple) else (results,)
+    return zip((s.name for s in program.outputs), results, strict=True)
 
 
 def in_float64(program, inputs):
     """Return {output: array}: the program in float64, sinpi and its kin by our functions, sin and its kin by libm's."""
     arguments = _arguments(program, inputs)
-    with np.errstate(all="ignore"):
-        results = _float64_function(program)(*arguments)
-    results = results if isinstance(results, tuple) else (results,)
-    named = zip(program.outputs, results, strict=True)
-    return {s.name: np.broadcast_to(np.asarray(r, np.float64), arguments[0].shape) for s, r in named}
+    named = _outputs(_float64_function(program), arguments, program)
+    return {name: np.broadcast_to(np.asarray(r, np.float64), arguments[0].shape) for name, r in named}
 
 
 def with_bounds(program, inputs):
     """Return {output: Running}: the same numbers as `in_float64`, and their running error bounds."""
     arguments = _arguments(program, inputs)
-    with np.errstate(all="ignore"):
-        results = _running_function(program)(*map(running.Running, arguments))
-    results = results if isinstance(results, tuple) else (results,)
-    shape = arguments[0].shape
-    return {s.name: running.running(r).spread(shape) for s, r in zip(program.outputs, results, strict=True)}
+    named = _outputs(_running_function(program), map(running.Running, arguments), program)
+    return {name: running.running(r).spread(arguments[0].shape) for name, r in named}
 
 
 def in_balls(program, inputs):
@@ -87,21 +87,21 @@ def _narrow(ball):
     return ball.is_finite() and float(ball.rad()) <= max(NOTHING, WIDEST * abs(float(ball.mid())))
 
 
+def signed_distance(values, balls):
+    """Return values − balls as float64 for numbers or balls; NaN without a reference, infinite where not finite."""
+    with flint.ctx.workprec(BITS):
+        return np.asarray(np.frompyfunc(_minus, 2, 1)(values, balls), np.float64)
+
+
+def _minus(value, ball):
+    if value is None or ball is None:
+        return np.nan
+    return float(flint.arb(value) - ball) if isinstance(value, flint.arb) or np.isfinite(value) else np.inf
+
+
 def distance(values, balls):
     """Return |value − ball| as float64; NaN where there is no reference, infinite where the value is not finite."""
-    before = flint.ctx.prec
-    flint.ctx.prec = BITS
-    try:
-        off = [_off(v, b) for v, b in zip(np.ravel(values).tolist(), np.ravel(balls), strict=True)]
-    finally:
-        flint.ctx.prec = before
-    return np.array(off).reshape(np.shape(values))
-
-
-def _off(value, ball):
-    if ball is None:
-        return np.nan
-    return float(abs(flint.arb(value) - ball)) if np.isfinite(value) else np.inf
+    return np.abs(signed_distance(values, balls))
 
 
 def vector_distance(values, balls, names):

@@ -9,11 +9,10 @@ from proofs.engine.program import Program, chain
 from proofs.formulas.bump import bumped_normal, g
 from proofs.formulas.camera import angles_on_a
 from proofs.formulas.chart import chart, seed_chart
-from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import eye, h_u, h_v, normal, radius, real, x, y
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, unit_normal
-from verify.benchmark.methods.algebraic import algebraic_gradient
+from verify.benchmark.methods.programs import algebraic_gradient, naive_gradient
 from verify.evaluate.arrays import in_float64
 
 SEED_FALLBACK = 1e-4
@@ -45,15 +44,8 @@ def tangent_vector(field, form, ku=8.0, kv=4.0):
 
 @lru_cache
 def _seed_program(field):
-    lines = gradient(HEIGHT_FIELDS[field]).definitions
-    naive = Program("naive", (*seed_chart.outputs, *_k(field)), tuple((s, ordinary(e)) for s, e in lines), (h_u, h_v))
-    return chain(
-        "seed_g", seed_normal, seed_chart, naive, seed_frame, outputs=(h_u, h_v, seed_sin_phi, *e_theta, *e_phi)
-    )
-
-
-def _k(field):
-    return gradient(HEIGHT_FIELDS[field]).inputs[2:]
+    outputs = (h_u, h_v, seed_sin_phi, *e_theta, *e_phi)
+    return chain("seed_g", seed_normal, seed_chart, naive_gradient(HEIGHT_FIELDS[field]), seed_frame, outputs=outputs)
 
 
 def seed_tangent_vector(field, inputs, fallback=True):

@@ -3,9 +3,9 @@
 import numpy as np
 
 from proofs.engine.program import Program
-from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import k_u, k_v, real, u, v
+from verify.benchmark.methods.programs import naive_gradient
 from verify.evaluate.arrays import distance, in_balls, in_float64, with_bounds
 from verify.stability.sweep import Sweep
 
@@ -14,14 +14,12 @@ LEAST = 1e-150  # the chart's smallest v off the pole; far below it the product 
 of_u, of_v = real("argument_of_u argument_of_v")
 
 
-def with_rounded_argument(field, reduced):
-    """Return the gradient with the product k·u rounded first: reduced in half-turns after that, or given to libm."""
-    program = gradient(HEIGHT_FIELDS[field])
+def rounded_product_gradient(field):
+    """Return the gradient with the product k·u rounded first, and reduced in half-turns after that."""
+    program = gradient(field)
     swap = {k_u * u: of_u, k_v * v: of_v}
-    lines = [(s, e.xreplace(swap)) if reduced else (s, ordinary(e)) for s, e in program.definitions]
-    arguments = ((of_u, k_u * u), (of_v, k_v * v)) if reduced else ()
-    name = "rounded" if reduced else "naive"
-    return Program(name, program.inputs, (*arguments, *lines), program.outputs)
+    lines = [(s, e.xreplace(swap)) for s, e in program.definitions]
+    return Program("rounded", program.inputs, ((of_u, k_u * u), (of_v, k_v * v), *lines), program.outputs)
 
 
 def wave_numbers(values, random):
@@ -60,8 +58,8 @@ def large_wave_numbers(field="sine", k=None, values=74, samples=24, seed=4):
         return np.maximum(*(distance(values[n], truth[n]) for n in ("h_u", "h_v"))) / scale
 
     others = {
-        "libm, rounded argument": error(in_float64(with_rounded_argument(field, False), inputs)),
-        "reduced, rounded product": error(in_float64(with_rounded_argument(field, True), inputs)),
+        "libm, rounded argument": error(in_float64(naive_gradient(HEIGHT_FIELDS[field]), inputs)),
+        "reduced, rounded product": error(in_float64(rounded_product_gradient(HEIGHT_FIELDS[field]), inputs)),
     }
     bound = np.maximum(ours["h_u"].bound, ours["h_v"].bound) / scale
     return Sweep(np.abs(k), error({n: ours[n].value for n in ours}), bound, others)

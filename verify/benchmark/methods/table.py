@@ -6,18 +6,17 @@ A method's function takes the points' (u, v), or for the algebraic form cos θ, 
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from importlib.util import find_spec
 
 import numpy as np
 
 from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central, central4, forward
-from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import epsilon, k_u, k_v, u, v
 from verify.benchmark.methods import peers
-from verify.benchmark.methods.algebraic import algebraic_gradient
 from verify.benchmark.methods.compiled import compiled_loop
-from verify.benchmark.methods.differences import central6, richardson
+from verify.benchmark.methods.programs import algebraic_gradient, central6, naive_gradient, richardson
 
 FIELD, KU, KV = HEIGHT_FIELDS["sine"], 8.0, 4.0
 WAVES = {"k_u": KU, "k_v": KV}
@@ -46,7 +45,7 @@ class Method:
     @property
     def available(self):
         """Whether its library is installed."""
-        return self.module is None or peers.installed(self.module)
+        return self.module is None or find_spec(self.module) is not None
 
 
 @cache
@@ -61,14 +60,12 @@ def _difference(program):
     return lambda eps: lambda at_u, at_v: compiled_loop(points, WAVES)(at_u, at_v, _filled(len(at_u), eps))
 
 
-def _naive(_):
-    program = gradient(FIELD)
-    lines = tuple((s, ordinary(e)) for s, e in program.definitions)
-    return compiled_loop(Program("naive", program.inputs, lines, program.outputs), WAVES)
+def _compiled(program, kind=np.float64):
+    return lambda _: compiled_loop(program(FIELD), WAVES, kind)
 
 
-def _algebraic(kind):
-    return lambda _: compiled_loop(algebraic_gradient(FIELD, KU, KV), WAVES, kind)
+def _algebraic(field):
+    return algebraic_gradient(field, KU, KV)
 
 
 def _peer(function):
@@ -81,10 +78,10 @@ METHODS = (
     Method("central, 4th order", _difference(central4), "ε", STEPS),
     Method("central, 6th order", _difference(central6), "ε", STEPS),
     Method("Richardson, 8th order", _difference(richardson), "ε", STEPS),
-    Method("exact, naive argument", _naive),
-    Method("exact, reduced argument", lambda _: compiled_loop(gradient(FIELD), WAVES), ours=True),
-    Method("exact, algebraic", _algebraic(np.float64), ours=True, angles=True),
-    Method("exact, algebraic, float32", _algebraic(np.float32), ours=True, angles=True),
+    Method("exact, naive argument", _compiled(naive_gradient)),
+    Method("exact, reduced argument", _compiled(gradient), ours=True),
+    Method("exact, algebraic", _compiled(_algebraic), ours=True, angles=True),
+    Method("exact, algebraic, float32", _compiled(_algebraic, np.float32), ours=True, angles=True),
     Method("SymPy, NumPy", _peer(peers.sympy_numpy)),
     Method("complex step", _peer(peers.complex_step), "step", tuple(10.0**-n for n in range(1, 21))),
     Method("dual numbers", _peer(peers.dual_numbers)),

@@ -9,9 +9,8 @@ from proofs.formulas.chart import chart_inverse
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene, exact, render
 from verify.benchmark.methods import table
-from verify.benchmark.methods.algebraic import algebraic_gradient
 from verify.benchmark.methods.compiled import compiled_loop
-from verify.benchmark.methods.differences import extrapolated
+from verify.benchmark.methods.programs import algebraic_gradient, extrapolated
 from verify.evaluate.arrays import distance, in_balls, in_float64
 
 POINTS = 200

@@ -10,7 +10,8 @@ from verify.accuracy.differences import CASES, STEPS, parts
 from verify.accuracy.gradient_errors import (
     ALGEBRAIC,
     GENERAL,
-    rounded_product,
+    by_rounded_products,
+    by_the_renderer,
     worst_at_chart_points,
     worst_at_image_points,
 )
@@ -47,18 +48,18 @@ def pixels(tolerance=TOLERANCE, share=1.0):
     )
 
 
-@measures("gradient_accuracy", false={"with libm's sine of a rounded πku": {"form": rounded_product}})
-def general_gradient(bound=GENERAL, form=None):
+@measures("gradient_accuracy", false={"with libm's sine of a rounded πku": {"form": by_rounded_products}})
+def general_gradient(bound=GENERAL, form=by_the_renderer):
     """The general form, |k| to 2^20, at random and beside the creases."""
     found = {field: worst_at_chart_points(field, form=form) for field in FIELDS}
     return Measurement(
-        samples=sum(f.points for f in found.values()),
+        samples=sum(points for _, points in found.values()),
         seed=11,
-        worst=max(f.units for f in found.values()),
+        worst=max(units for units, _ in found.values()),
         bound=bound,
         holds=True,
         what="the general form: the largest error over π max(1, |k|) 2^-53",
-        numbers={field: f.units for field, f in found.items()},
+        numbers={field: units for field, (units, _) in found.items()},
     )
 
 
@@ -67,13 +68,13 @@ def algebraic_gradient(bound=ALGEBRAIC):
     """The algebraic form from the image point, R/e from 1e-6 to 1 − 1e-9, sin φ to 1e-150."""
     found = {field: worst_at_image_points(field) for field in FIELDS}
     return Measurement(
-        samples=sum(f.points for f in found.values()),
+        samples=sum(points for _, points in found.values()),
         seed=12,
-        worst=max(f.units for f in found.values()),
+        worst=max(units for units, _ in found.values()),
         bound=bound,
         holds=True,
         what="the algebraic form: the largest error over π k (1 + k) 2^-53",
-        numbers={field: f.units for field, f in found.items()},
+        numbers={field: units for field, (units, _) in found.items()},
     )
 
 

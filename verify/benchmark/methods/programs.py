@@ -1,0 +1,85 @@
+"""Ways to take the gradient as straight-line programs: naive, algebraic for given wave numbers, of higher order.
+
+A difference is Σ wᵢ (h(u + cᵢε) − h(u − cᵢε))/2cᵢε. No wrapping, no clamping: for points clear of the chart's ends.
+"""
+
+from sympy import Rational, prod
+
+from proofs.engine.program import Program, chain
+from proofs.formulas.algebraic_form import base_of_u, base_of_v, complex_product, complex_square
+from proofs.formulas.half_turns import ordinary
+from proofs.formulas.height_fields import cos_u, cos_v, gradient, gradient_from_factors, sin_u, sin_v
+from proofs.formulas.pixel import instance
+from proofs.formulas.symbols import cos_phi, cos_theta, epsilon, h_u, h_v, k_u, k_v, real, sin_phi, sin_theta, u, v
+
+
+def naive_gradient(field):
+    """Return the exact gradient with the ordinary sine of a product πku, which is rounded before its sine is taken."""
+    program = gradient(field)
+    return Program("naive", program.inputs, tuple((s, ordinary(e)) for s, e in program.definitions), program.outputs)
+
+
+def _power(base, exponent, name):
+    """Return (programs, (real, imaginary)) of base^exponent by repeated squaring; negative powers conjugate."""
+    if exponent < 0:
+        base, exponent = (base[0], -base[1]), -exponent
+    programs, result, square = [], None, base
+
+    def step(program, kind, *values):
+        given = dict(zip(program.inputs, values, strict=True))
+        programs.append(instance(program, f"{name}_{kind}_{bit}", given=given))
+        return programs[-1].outputs
+
+    for bit in range(exponent.bit_length()):
+        if bit:
+            square = step(complex_square, "square", *square)
+        if exponent >> bit & 1:
+            result = step(complex_product, "product", *result, *square) if result else square
+    return programs, result if exponent else (1 + 0 * base[0], 0 * base[0])
+
+
+def algebraic_gradient(field, ku, kv):
+    """Return the program (angles of A, k_u, k_v) → h_u, h_v without a transcendental function, its powers written out.
+
+    ValueError unless the field's wave number in u is even and that in v whole. Theorem: algebraic_gradient.
+    """
+    a, b = (float(w.subs({k_u: ku, k_v: kv})) for w in field.wave_numbers)
+    if a % 2 or b % 1:
+        raise ValueError(f"ku = {ku:g}, kv = {kv:g} is not allowed for {field.name}: it has no algebraic form")
+    of_u, (real_u, imaginary_u) = _power(base_of_u, int(a) // 2, "u")
+    of_v, (real_v, imaginary_v) = _power(base_of_v, int(b), "v")
+    lines = ((cos_u, real_u), (sin_u, imaginary_u), (cos_v, real_v), (sin_v, imaginary_v))
+    angles = (cos_theta, sin_theta, cos_phi, sin_phi)
+    factors = Program("factors", (*angles, *(s for p in (*of_u, *of_v) for s in p.outputs)), lines, (sin_u, cos_u))
+    tail = gradient_from_factors(field)
+    return chain(f"algebraic_{field.name}", *of_u, *of_v, factors, tail).keep(h_u, h_v)
+
+
+def extrapolated(steps):
+    """Return the weight of each step cᵢ that leaves the error's terms ε², ε⁴ … out: Lagrange's at 0, in c²."""
+    return {c: prod(d**2 / (d**2 - c**2) for d in steps if d != c) for c in steps}
+
+
+def _extrapolated_difference(name, field, steps):
+    """Return the program (u, v, k_u, k_v, ε) → h_u, h_v that extrapolates central differences of steps cε to 0."""
+    lines, sums = [], {h_u: 0, h_v: 0}
+    for number, (step, weight) in enumerate(extrapolated(steps).items()):
+        for result, coordinate in ((h_u, u), (h_v, v)):
+            above, below, quotient = (real(f"{kind}_{result}_{number}") for kind in ("above", "below", "quotient"))
+            lines += [
+                (above, field.expression.xreplace({coordinate: coordinate + step * epsilon})),
+                (below, field.expression.xreplace({coordinate: coordinate - step * epsilon})),
+                (quotient, (above - below) / (2 * step * epsilon)),
+            ]
+            sums[result] += weight * quotient
+    return Program(f"{name}_{field.name}", (u, v, k_u, k_v, epsilon), (*lines, *sums.items()), (h_u, h_v))
+
+
+def central6(field):
+    """Return the sixth-order central difference: steps ε, 2ε, 3ε; 12 height evaluations."""
+    return _extrapolated_difference("central6", field, [Rational(n) for n in (1, 2, 3)])
+
+
+def richardson(field):
+    """Return Richardson's extrapolation of steps ε, ε/2, ε/4, ε/8: eighth order; 16 height evaluations."""
+    return _extrapolated_difference("richardson", field, [Rational(1, 2**n) for n in range(4)])
