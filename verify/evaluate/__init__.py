@@ -19,9 +19,6 @@ class LazyPrinter(KernelPrinter):
         return f"({value} if {condition} else {otherwise})"
 
 
-LAZY = LazyPrinter()
-
-
 class ExactPrinter(LazyPrinter):
     """Numbers of any precision: rationals are quotients, and a product needs no error beside it."""
 
@@ -32,13 +29,10 @@ class ExactPrinter(LazyPrinter):
         return f"{name}({self._print(argument)})"
 
 
-def code_of(program, printer=LAZY):
+def code_of(program, printer=None):
     """Return [(name, code of its line)] of a program; by default with the kernels' operations."""
+    printer = printer or LazyPrinter()
     return [(s.name, compile(printer.doprint(e), s.name, "eval")) for s, e in program.definitions]
-
-
-def _atan2pi(y, x):
-    return mpmath.atan2(y, x) / mpmath.pi if x or y else mpmath.mpf(0)
 
 
 NAMES = {
@@ -54,25 +48,44 @@ NAMES = {
     "pi": mpmath.pi,
     "sinpi": mpmath.sinpi,
     "cospi": mpmath.cospi,
-    "atan2pi": _atan2pi,
+    "atan2pi": lambda y, x: mpmath.atan2(y, x) / mpmath.pi if x or y else mpmath.mpf(0),
 }
 """What ExactPrinter's text calls, at mpmath's working precision."""
 
 
-class Reference:
-    """A straight-line program at any precision."""
+class Evaluator:
+    """A straight-line program in the numbers of a subclass."""
+
+    printer = ExactPrinter()
 
     def __init__(self, program):
-        self.program, self.lines = program, code_of(program, ExactPrinter())
+        self.program, self.lines = program, code_of(program, self.printer)
+
+    def run(self, names, values, number):
+        """Return {name: value} of every line; names: what the text calls; values: of every input, by name."""
+        scope = names | {s.name: number(values[s.name]) for s in self.program.inputs}
+        for name, code in self.lines:
+            self.line = name
+            scope[name] = self.compute(code, scope)
+        return {name: scope[name] for name, _ in self.lines}
+
+    def compute(self, code, scope):
+        """Return the value of a line."""
+        return eval(code, scope)
+
+
+class Reference(Evaluator):
+    """A straight-line program at any precision, by mpmath."""
 
     def __call__(self, values, digits=DIGITS):
         """Return {name: value} of every line; `values` has a float or an mpf for every input's name."""
         # A product k·u of float64 numbers has 106 bits; the guard digits keep it exact, and cancellation away.
         with mpmath.workdps(digits + 20):
-            scope = NAMES | {s.name: mpmath.mpf(values[s.name]) for s in self.program.inputs}
-            for name, code in self.lines:
-                try:
-                    scope[name] = mpmath.mpmathify(eval(code, scope))
-                except ZeroDivisionError:
-                    scope[name] = NOTHING
-            return {name: scope[name] for name, _ in self.lines}
+            return self.run(NAMES, values, mpmath.mpf)
+
+    def compute(self, code, scope):
+        """Return the value of a line, NOTHING where it divides by zero."""
+        try:
+            return mpmath.mpmathify(eval(code, scope))
+        except ZeroDivisionError:
+            return NOTHING

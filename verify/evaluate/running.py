@@ -6,6 +6,9 @@ this very evaluation: no constant is fitted. A comparison that the bounds cannot
 The elementary functions add what verify/accuracy/test_certified_ulps.py allows them, in units in the last place.
 """
 
+from functools import partialmethod
+from typing import NamedTuple
+
 import numpy as np
 
 from renderer import kernels
@@ -62,51 +65,35 @@ class Running:
         inherited = (self.bound + np.abs(value) * other.bound) / least
         return self._rounded(value, np.where(least > 0, inherited, np.inf))
 
-    def __radd__(self, other):
-        return running(other) + self
+    __radd__, __rmul__ = __add__, __mul__
 
     def __rsub__(self, other):
-        return running(other) - self
-
-    def __rmul__(self, other):
-        return running(other) * self
+        return -self + other
 
     def __rtruediv__(self, other):
         return running(other) / self
 
     def _compare(self, other, decide):
-        other = running(other)
-        return Comparison(
-            decide(self.value, other.value), np.abs(self.value - other.value) <= self.bound + other.bound, self, other
-        )
+        other, exact = running(other), self.bound == 0
+        near = np.abs(self.value - other.value) <= self.bound + other.bound
+        return Comparison(decide(self.value, other.value), near & ~(exact & (other.bound == 0)))
 
-    def __lt__(self, other):
-        return self._compare(other, np.less)
-
-    def __le__(self, other):
-        return self._compare(other, np.less_equal)
-
-    def __gt__(self, other):
-        return self._compare(other, np.greater)
-
-    def __ge__(self, other):
-        return self._compare(other, np.greater_equal)
+    __lt__, __le__ = partialmethod(_compare, decide=np.less), partialmethod(_compare, decide=np.less_equal)
+    __gt__, __ge__ = partialmethod(_compare, decide=np.greater), partialmethod(_compare, decide=np.greater_equal)
 
 
-class Comparison:
-    """An array of truth values, and where the bounds leave them open (never where both sides are exact)."""
+class Comparison(NamedTuple):
+    """Truth values, and where the bounds leave them open (never where both sides are exact)."""
 
-    def __init__(self, holds, close, left=None, right=None):
-        exact = False if left is None else (left.bound == 0) & (right.bound == 0)
-        self.holds, self.open = holds, close & ~np.asarray(exact)
+    holds: np.ndarray
+    open: np.ndarray
 
-    def __and__(self, other):
-        known_false = (~self.holds & ~self.open) | (~other.holds & ~other.open)
-        return Comparison(self.holds & other.holds, (self.open | other.open) & ~known_false)
+    def _joined(self, other, decisive):
+        decided = ((self.holds == decisive) & ~self.open) | ((other.holds == decisive) & ~other.open)
+        holds = self.holds | other.holds if decisive else self.holds & other.holds
+        return Comparison(holds, (self.open | other.open) & ~decided)
 
-    def __or__(self, other):
-        known_true = (self.holds & ~self.open) | (other.holds & ~other.open)
-        return Comparison(self.holds | other.holds, (self.open | other.open) & ~known_true)
+    __and__, __or__ = partialmethod(_joined, decisive=False), partialmethod(_joined, decisive=True)
 
 
 def _scales(a):
