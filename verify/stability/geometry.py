@@ -5,9 +5,9 @@ import numpy as np
 from proofs.formulas.bump import g
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
 from proofs.formulas.symbols import normal
-from verify.evaluate.arrays import in_balls, in_float64, vector_bound, vector_distance, with_bounds
+from verify.evaluate.arrays import in_float64
 from verify.stability.pipelines import our_normal, seed_normal, seed_tangent_vector, tangent_vector
-from verify.stability.sweep import Sweep
+from verify.stability.sweep import measured
 
 EYE, RADIUS = 4.0, 1.0
 VECTOR, NORMAL = [s.name for s in g], [s.name for s in normal]
@@ -20,15 +20,7 @@ def image_points(rho, samples, seed):
 
 
 def _of_normal(parameter, inputs):
-    ours, truth = with_bounds(our_normal, inputs), in_balls(our_normal, inputs)
-    theirs = in_float64(seed_normal, inputs)
-    values = {n: ours[n].value for n in NORMAL}
-    return Sweep(
-        parameter,
-        vector_distance(values, truth, NORMAL),
-        vector_bound(ours, NORMAL),
-        {"seed": vector_distance(theirs, truth, NORMAL)},
-    )
+    return measured(parameter, our_normal, inputs, NORMAL, seed=in_float64(seed_normal, inputs))
 
 
 def toward_the_pole(field="ridges", form="algebraic", samples=12, values=76, seed=1):
@@ -41,14 +33,9 @@ def toward_the_pole(field="ridges", form="algebraic", samples=12, values=76, see
     (rho,) = in_float64(parallel_radius, {"sin_phi": sines, "cos_phi": cosines, "eye": EYE, "radius": RADIUS}).values()
     x, y = image_points(rho, samples, seed)
     inputs = {"x": x, "y": y, "eye": EYE, "radius": RADIUS, "k_u": 8.0, "k_v": 4.0}
-    ours = with_bounds(tangent_vector(field, form), inputs)
-    truth = in_balls(tangent_vector(field, "general"), inputs)
-    others = {
-        name: vector_distance(seed_tangent_vector(field, inputs, fallback), truth, VECTOR)
-        for name, fallback in (("seed", False), ("seed with fallback", True))
-    }
-    errors = vector_distance({n: ours[n].value for n in VECTOR}, truth, VECTOR)
-    return Sweep(sines, errors, vector_bound(ours, VECTOR), others)
+    others = {name: seed_tangent_vector(field, inputs, name != "seed") for name in ("seed", "seed with fallback")}
+    program, reference = tangent_vector(field, form), tangent_vector(field, "general")
+    return measured(sines, program, inputs, VECTOR, reference, **others)
 
 
 def toward_the_silhouette(samples=40, values=57, seed=2):

@@ -1,40 +1,23 @@
 """The normal under any amplitude, and the light: close, far, opposite to the eye, with any shininess."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.bump import g, perturbed
 from proofs.formulas.camera import point_on_a
 from proofs.formulas.shading import LIGHT_MODELS, highlight, light_direction
-from proofs.formulas.symbols import (
-    beta,
-    bumped,
-    cos_phi,
-    cos_theta,
-    mu,
-    normal,
-    sin_phi,
-    sin_theta,
-    specular,
-    specular_base,
-)
+from proofs.formulas.symbols import beta, bumped, mu, normal, specular, specular_base
 from proofs.formulas.tangent_frame import tangent_frame, unit_normal
-from verify.evaluate.arrays import distance, in_balls, in_float64, vector_bound, vector_distance, with_bounds
-from verify.stability.sweep import Sweep
-
-BUMPED = [s.name for s in bumped]
+from verify.evaluate.arrays import distance, in_balls, in_float64, with_bounds
+from verify.stability.sweep import Sweep, measured
 
 
 def angles(random, shape):
     """Return {cos θ, sin θ, cos φ, sin φ} of random points of the upper half of A."""
-    theta, polar = random.uniform(-np.pi, np.pi, shape), random.uniform(0.01, 1.3, shape)
-    names = (cos_theta, sin_theta, cos_phi, sin_phi)
-    return dict(zip((n.name for n in names), (np.cos(theta), np.sin(theta), np.cos(polar), np.sin(polar)), strict=True))
-
-
-def _sweep(parameter, program, inputs, output):
-    ours, truth = with_bounds(program, inputs)[output], in_balls(program, inputs)[output]
-    return Sweep(parameter, distance(ours.value, truth), ours.bound)
+    theta, phi = random.uniform(-np.pi, np.pi, shape), random.uniform(0.01, 1.3, shape)
+    return {"cos_theta": np.cos(theta), "sin_theta": np.sin(theta), "cos_phi": np.cos(phi), "sin_phi": np.sin(phi)}
 
 
 def any_amplitude(values=109, samples=24, seed=5):
@@ -53,9 +36,7 @@ def any_amplitude(values=109, samples=24, seed=5):
     for n, t, p in zip(g, along, down, strict=True):
         inputs[n.name] = slopes[0] * frame[t.name] + slopes[1] * frame[p.name]
     inputs[beta.name] = sizes[:, None] * random.choice([-1.0, 1.0], (values, samples))
-    ours, truth = with_bounds(perturbed, inputs), in_balls(perturbed, inputs)
-    errors = vector_distance({n: ours[n].value for n in BUMPED}, truth, BUMPED)
-    return Sweep(sizes, errors, vector_bound(ours, BUMPED))
+    return measured(sizes, perturbed, inputs, [s.name for s in bumped])
 
 
 def _lit_point():
@@ -80,7 +61,7 @@ def near_and_far_lights(values=73, samples=24, seed=6):
     tilt = random.uniform(0, 1.4, (values, samples))
     light = n + distances[:, None] * (np.cos(tilt) * n + np.sin(tilt) * aside)
     inputs = at | {"radius": 1.0} | {f"light_{axis}": c for axis, c in zip("xyz", light, strict=True)}
-    return _sweep(distances, _lit_point(), inputs, mu.name)
+    return measured(distances, _lit_point(), inputs, [mu.name])
 
 
 def opposite_light(model="blinn", values=65, samples=24, seed=7):
@@ -95,8 +76,8 @@ def opposite_light(model="blinn", values=65, samples=24, seed=7):
     towards = -view + gaps[:, None] * aside
     vectors = {"light": towards, "view": view, "bumped": up, "point": np.zeros((3, 1, 1))}
     inputs = {f"{name}_{axis}": c for name, triple in vectors.items() for axis, c in zip("xyz", triple, strict=True)}
-    sweep = _sweep(gaps, LIGHT_MODELS[model].program, inputs, specular_base.name)
-    return Sweep(gaps, sweep.errors, np.minimum(sweep.bounds, 2.0))
+    found = measured(gaps, LIGHT_MODELS[model].program, inputs, [specular_base.name])
+    return replace(found, bounds=np.minimum(found.bounds, 2.0))
 
 
 def _frames(random, shape):
@@ -109,13 +90,10 @@ def _frames(random, shape):
 
 def by_squaring(base, whole):
     """Return base^whole by repeated squaring, as the renderer raises a whole shininess."""
-    result, square = np.ones_like(base), base.copy()
-    while whole:
-        if whole & 1:
-            result = result * square
-        whole >>= 1
-        if whole:
-            square = square * square
+    result, square = np.ones_like(base), base
+    for bit in range(whole.bit_length()):
+        square = square * square if bit else square
+        result = result * square if whole >> bit & 1 else result
     return result
 
 

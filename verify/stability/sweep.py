@@ -4,6 +4,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from verify.evaluate.arrays import in_balls, vector_bound, vector_distance, with_bounds
+
 
 @dataclass(frozen=True)
 class Sweep:
@@ -48,3 +50,17 @@ class Sweep:
     def worst_bound(self):
         """Return the largest bound at each value."""
         return np.where(np.isnan(self.errors), 0.0, self.bounds).max(axis=1)
+
+
+def measured(parameter, program, inputs, names, reference=None, **others):
+    """Return the Sweep of the vector of a program's outputs by name: its errors against balls and its running bounds.
+
+    reference: another program for the same numbers. others: {name: {output: array}} of other ways to compute them.
+    """
+    ours, truth = with_bounds(program, inputs), in_balls(reference or program, inputs)
+
+    def errors(values):
+        return vector_distance(values, truth, names)
+
+    values = {n: ours[n].value for n in names}
+    return Sweep(parameter, errors(values), vector_bound(ours, names), {n: errors(v) for n, v in others.items()})

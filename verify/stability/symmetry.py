@@ -35,22 +35,12 @@ def about_the_axis(frame):
     return frame.rgb[square], (frame.chambers & 3)[square], creased[square]
 
 
-def mirrored_in_x(scene):
-    """Return (the scene x ↔ −x, how its picture becomes the first one's)."""
-    return moved(scene, lambda x, y: (-x, y)), lambda image: image[:, ::-1]
-
-
-def mirrored_in_y(scene):
-    """Return (the scene y ↔ −y, how its picture becomes the first one's)."""
-    return moved(scene, lambda x, y: (x, -y)), lambda image: image[::-1]
-
-
-def turned(scene):
-    """Return (the scene turned by a quarter about the axis, how its picture becomes the first one's)."""
-    return moved(scene, lambda x, y: (-y, x)), lambda image: np.rot90(image, -1)
-
-
-MOVES = {"mirrored in x": mirrored_in_x, "mirrored in y": mirrored_in_y, "turned by a quarter": turned}
+MOVES = {
+    "mirrored in x": (lambda x, y: (-x, y), lambda image: image[:, ::-1]),
+    "mirrored in y": (lambda x, y: (x, -y), lambda image: image[::-1]),
+    "turned by a quarter": (lambda x, y: (-y, x), lambda image: np.rot90(image, -1)),
+}
+"""{name: (what it does to a position, how the picture becomes the first one's)}"""
 
 # What has the symmetry: ridges is even about every crease; with k_u a multiple of 4 a quarter turn takes creases to
 # creases. Rings does not depend on u. The floor's squares change colour under all three, so there is no floor.
@@ -62,16 +52,15 @@ SCENES = {
 }
 
 
-def difference(scene, move, gradient=None):
+def difference(scene, move):
     """Return (largest |ΔI|, pixels on a crease, pixels whose surface differs) after moving the picture back.
 
     On a crease 53 bits do not decide the side, and the two pictures may take different ones: such pixels are counted
     apart, and pixels whose surface differs too.
     """
-    other, back = MOVES[move](scene)
-    (one, surface, creased), (two, others, _) = (
-        about_the_axis(render(s, SIZE, SIZE, gradient)) for s in (scene, other)
-    )
+    position, back = MOVES[move]
+    pictures = (render(s, SIZE, SIZE) for s in (scene, moved(scene, position)))
+    (one, surface, creased), (two, others, _) = map(about_the_axis, pictures)
     same = surface == back(others)
     return float(np.abs(one - back(two))[same & ~creased].max()), int(creased.sum()), int((~same).sum())
 
