@@ -11,27 +11,18 @@ import numpy as np
 from proofs.formulas.camera import surface
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
-from renderer import Light, Scene
+from renderer import Light, Scene, render, stage_of
 from renderer.generate.kernels import function_of
 from verify.reference import scene_values
 
 
 @cache
 def _program(field, model, lights, outputs):
-    whole = pixel(HEIGHT_FIELDS[field], model, lights)
-    program = whole.keep(*outputs(lights))
+    program = pixel(HEIGHT_FIELDS[field], model, lights).keep(*outputs)
     return function_of(program), [s.name for s in program.inputs]
 
 
-def _chamber_outputs(lights):
-    return surface, dark_square, *(occlusion(number) for number in range(lights))
-
-
-def _color_outputs(lights):
-    return rgb
-
-
-def _run(scene, width, height, outputs):
+def _run(scene, width, height, *outputs):
     """Return the outputs at every pixel, (height, width) each."""
     lights = [light for light in scene.lights if light.color is not None]
     function, names = _program(scene.field, scene.model, len(lights), outputs)
@@ -44,34 +35,56 @@ def _run(scene, width, height, outputs):
 
 def strict_rgb(scene, width, height):
     """Return the picture by the exact gradient in its general form, (height, width, 3)."""
-    return np.stack(_run(scene, width, height, _color_outputs), axis=-1)
+    return np.stack(_run(scene, width, height, *rgb), axis=-1)
 
 
 def strict_chambers(scene, width, height):
     """Return the chamber codes, (height, width) uint8, as `renderer.stage.Stage` defines them."""
-    seen, dark, *occluded = _run(scene, width, height, _chamber_outputs)
-    codes = seen.astype(np.uint8) | (dark.astype(np.uint8) << 7)
     on = [number for number, light in enumerate(scene.lights) if light.color is not None]
+    occlusions = (occlusion(number) for number in range(len(on)))
+    seen, dark, *occluded = _run(scene, width, height, surface, dark_square, *occlusions)
+    codes = seen.astype(np.uint8) | (dark.astype(np.uint8) << 7)
     for number, flag in zip(on, occluded, strict=True):
         codes |= flag.astype(np.uint8) << np.uint8(2 + number)
     return codes
 
 
-def random_scene(rng):
-    """Return (a random accepted scene, width, height): spheres that touch, contain and hide each other or lie behind
-    the eye; lights above, beside and below; with and without B and the floor; odd sides too.
-    """
+def random_scene(random):
+    """Return a scene of scales far apart: B may contain, cut, touch or miss everything, lights may be low or below."""
     while True:
-        eye = float(rng.choice([1.2, 2.0, 4.0, 50.0]))
+        radius = 10.0 ** random.uniform(-2, 2)
+        center = tuple(random.normal(size=3) * radius * 10.0 ** random.uniform(-1, 1, 3))
+        positions = random.normal(size=(random.integers(0, 4), 3)) * radius * 10.0 ** random.uniform(-0.5, 2, 3)
         try:
-            scene = Scene(
-                eye=eye,
-                ball=bool(rng.random() < 0.9),
-                floor=bool(rng.random() < 0.8),
-                ball_center=(*rng.uniform(-1.5, 1.5, 2), rng.uniform(-1.5, eye + 1.5)),
-                ball_radius=rng.choice([0.05, 0.32, 0.9, 2.0]),
-                lights=[Light(rng.uniform(-8, 8, 3)) for _ in range(2)],
+            return Scene(
+                radius=radius,
+                eye=radius * 10.0 ** random.uniform(0.01, 2),
+                ball=bool(random.uniform() < 0.9),
+                floor=bool(random.uniform() < 0.9),
+                ball_radius=radius * 10.0 ** random.uniform(-2, 1),
+                ball_center=center,
+                lights=tuple(Light(tuple(p), None if random.uniform() < 0.1 else (1, 1, 1)) for p in positions),
             )
-        except ValueError:  # B around the eye, a light inside a sphere
-            continue
-        return scene, int(rng.integers(1, 40)), int(rng.integers(1, 30))
+        except ValueError:
+            continue  # B around the eye, or a light inside a body
+
+
+def random_raster(random):
+    """Return (width, height, crop): odd and even sizes, one in three cropped."""
+    width, height = (int(n) for n in random.integers(1, 90, 2))
+    if random.uniform() < 2 / 3:
+        return width, height, None
+    left, top = int(random.integers(0, width)), int(random.integers(0, height))
+    return width, height, (left, top, *(int(random.integers(1, n + 1)) for n in (width - left, height - top)))
+
+
+def differing_pixels(scene, width, height, crop=None):
+    """Return how many pixels' codes differ between the renderer and the strict reference."""
+    left, top, wide, high = crop or (0, 0, width, height)
+    strict = strict_chambers(scene, width, height)[top : top + high, left : left + wide]
+    return int(np.count_nonzero(stage_of(scene, width, height, crop, threads=1).chambers != strict))
+
+
+def image_error(scene, side, method):
+    """Return the largest difference of a channel of a square picture from the strict one."""
+    return float(np.abs(render(scene, side, side, method).rgb - strict_rgb(scene, side, side)).max())

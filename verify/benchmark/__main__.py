@@ -8,25 +8,25 @@ The gradient alone is measured by `python -m verify.benchmark.work_precision`.
 import argparse
 import os
 import sys
+from dataclasses import replace
 from pathlib import Path
 
-from verify.benchmark import agreement, image_gradient, start
-from verify.benchmark.frames import frame_cases, step_cases
+import numpy as np
+from tqdm import tqdm
+
+from renderer import exact
+from verify.benchmark import start
+from verify.benchmark.frames import IMAGE_GRADIENT, SCENE, frame_cases, image_gradient_points, step_cases
 from verify.benchmark.label import label, write
-from verify.benchmark.numbers import frame_numbers
-from verify.benchmark.plan import ROUNDS, Case, run
+from verify.benchmark.plan import ROUNDS, run
 from verify.benchmark.rules import rule_cases, rule_numbers
-from verify.benchmark.targets import table, verdicts
+from verify.benchmark.targets import frame_numbers, table, verdicts
+from verify.strict import differing_pixels, image_error, random_raster, random_scene
 
 RESULTS = Path(__file__).parent / "results"
-SCENES = 10**4
+SCENES, SEED = 10**4, 9
 QUICK_SIDE, QUICK_SCENES = 1024, 100
 BUSY = 0.5  # a load of more than this spoils a measurement
-
-
-def selected(cases, only, rounds):
-    """Return the cases whose name contains `only`, with at most that many visits."""
-    return [Case(c.name, c.prepare, c.repeats, min(rounds, c.visits)) for c in cases if only in c.name]
 
 
 def load():
@@ -37,25 +37,29 @@ def load():
     return busy
 
 
+def counted(scenes):
+    """Return what the run also counts: whether the fast renderer draws what the strict one draws, and its imports."""
+    random = np.random.default_rng(SEED)
+    drawn = ((random_scene(random), random_raster(random)) for _ in tqdm(range(scenes), desc="chambers", unit="scene"))
+    differing = sum(differing_pixels(scene, *raster) for scene, raster in drawn)
+    error = max(image_error(SCENE, 256, exact(form)) for form in ("algebraic", "general"))
+    imported = int(start.imports_sympy())
+    return {"scenes": scenes, "chambers_differing": differing, "image_error": error, "sympy_imported": imported}
+
+
 def measure_frames(only, rounds, quick):
     """Return the numbers of whole frames; None if no case has that name."""
-    cases = [
-        *frame_cases(QUICK_SIDE if quick else 2**24),
-        *step_cases(),
-        *rule_cases(),
-        image_gradient.CASE,
-        *start.CASES,
-    ]
-    if not (cases := selected(cases, only, rounds)):
+    whole = frame_cases(QUICK_SIDE if quick else 2**24)
+    cases = [*whole, *step_cases(), *rule_cases(), IMAGE_GRADIENT, *start.CASES]
+    cases = [replace(case, visits=min(rounds, case.visits)) for case in cases if only in case.name]
+    if not cases:
         return None
     times = run(cases, "frames")
     numbers = frame_numbers(times) | rule_numbers(times)
-    if image_gradient.CASE.name in times:
-        numbers["image_gradient_ns"] = 1e9 * times[image_gradient.CASE.name] / image_gradient.points()
+    if IMAGE_GRADIENT.name in times:
+        numbers["image_gradient_ns"] = 1e9 * times[IMAGE_GRADIENT.name] / image_gradient_points()
     if not only:
-        scenes = QUICK_SCENES if quick else SCENES
-        numbers |= {"scenes": scenes, "chambers_differing": agreement.chambers_differing(scenes)}
-        numbers |= {"image_error": agreement.image_error(), "sympy_imported": int(start.imports_sympy())}
+        numbers |= counted(QUICK_SCENES if quick else SCENES)
     return numbers | verdicts(numbers)
 
 

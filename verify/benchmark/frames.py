@@ -5,8 +5,10 @@ A case's name is renderer_side_threads. No frame is kept: two of 8192² at once 
 
 import itertools
 from dataclasses import replace
+from functools import partial
 
 from renderer import Scene, central, exact, render, stage_of
+from renderer.shader import ON_A
 from verify.benchmark.baselines.numpy_tiles import numpy_tiles
 from verify.benchmark.baselines.seed_loops import seed_loops
 from verify.benchmark.plan import Case
@@ -22,6 +24,7 @@ SIDES = {"seed_exact": (64, 128, 256), "seed_central": (64, 128, 256), "numpy": 
 SLOW = {"seed_exact": 3, "seed_central": 3, "numpy": 5}  # fewer visits, one call each
 PIXELS_A_VISIT = 2**23
 STEP = 1024
+IN_CACHE = 256  # six planes of that side stay in a cache: it is the gradient that is timed, not the memory
 
 
 def calls(side):
@@ -29,15 +32,11 @@ def calls(side):
     return max(2, min(40, PIXELS_A_VISIT // side**2))
 
 
-def prepared(function, *arguments, **options):
-    """Return the case's `prepare`: a function that calls and keeps nothing, compiled by a first small call."""
+def warmed(work):
+    """Return a case's `prepare`: the call, made once before it is timed, so that whatever is to be compiled is."""
 
     def prepare():
-        def work():
-            function(*arguments, **options)
-
-        if function is render:
-            render(arguments[0], 64, 64, *arguments[3:], threads=options["threads"])
+        work()
         return work
 
     return prepare
@@ -45,14 +44,19 @@ def prepared(function, *arguments, **options):
 
 def frame_case(name, side, threads):
     """Return the case of one whole frame, from nothing, by a renderer of SIDES."""
-    label = f"{name}_{side}_{threads}"
+    label, given = f"{name}_{side}_{threads}", (SCENE, side, side)
     if name.startswith("seed"):
-        return Case(
-            label, prepared(seed_loops, SCENE, side, side, None if name == "seed_exact" else EPS), 1, SLOW[name]
-        )
+        work = partial(seed_loops, *given, None if name == "seed_exact" else EPS)
+        return Case(label, lambda: work, 1, SLOW[name])
     if name == "numpy":
-        return Case(label, prepared(numpy_tiles, SCENE, side, side, threads), max(1, calls(side) // 8), SLOW[name])
-    return Case(label, prepared(render, SCENE, side, side, METHODS[name], threads=threads), calls(side))
+        work = partial(numpy_tiles, *given, threads)
+        return Case(label, lambda: work, max(1, calls(side) // 8), SLOW[name])
+
+    def prepare():
+        render(SCENE, 64, 64, METHODS[name], threads=threads)  # compiles
+        return partial(render, *given, METHODS[name], threads=threads)
+
+    return Case(label, prepare, calls(side))
 
 
 def stepping(scene, frames, threads):
@@ -76,16 +80,13 @@ def stepping(scene, frames, threads):
 
 def step_cases():
     """Return the cases with given chambers: steps of ε and β, and sphere A alone on one thread."""
-    steps = [(SCENE, central(10.0**-n)) for n in range(2, 7)]
-    betas = [(replace(SCENE, beta=beta), exact()) for beta in (0.1, 0.2, 0.35, 0.5)]
-    cases = [
-        Case(f"eps_step_exact_{STEP}_2", stepping(SCENE, [(SCENE, exact())], 2), calls(STEP)),
-        Case(f"eps_step_central_{STEP}_2", stepping(SCENE, steps, 2), calls(STEP)),
-        Case(f"beta_step_{STEP}_2", stepping(SCENE, betas, 2), calls(STEP)),
-    ]
-    for name, method in METHODS.items():
-        cases.append(Case(f"a_alone_{name}_{STEP}_1", stepping(A_ALONE, [(A_ALONE, method)], 1), calls(STEP)))
-    return cases
+    sequences = {
+        f"eps_step_exact_{STEP}_2": [(SCENE, exact())],
+        f"eps_step_central_{STEP}_2": [(SCENE, central(10.0**-n)) for n in range(2, 7)],
+        f"beta_step_{STEP}_2": [(replace(SCENE, beta=beta), exact()) for beta in (0.1, 0.2, 0.35, 0.5)],
+        **{f"a_alone_{name}_{STEP}_1": [(A_ALONE, method)] for name, method in METHODS.items()},
+    }
+    return [Case(n, stepping(f[0][0], f, int(n[-1])), calls(STEP)) for n, f in sequences.items()]
 
 
 def frame_cases(largest):
@@ -97,3 +98,19 @@ def frame_cases(largest):
         for threads in ((1,) if name.startswith("seed") else THREADS)
         if side <= largest
     ]
+
+
+def image_gradient_points():
+    """Return how many points a call of IMAGE_GRADIENT takes: the pixels of A."""
+    return int(stage_of(A_ALONE, IN_CACHE, IN_CACHE).on_a.sum())
+
+
+def _image_gradient():
+    stage = stage_of(A_ALONE, IN_CACHE, IN_CACHE)
+    planes = {name: stage.new_plane() for name in ON_A}
+    options = {"given": True, "surfaces": "a", "colors": False, "kept": ON_A}
+    return warmed(partial(stage.draw, A_ALONE, exact("algebraic"), 1, planes, **options))()
+
+
+IMAGE_GRADIENT = Case("image_gradient", _image_gradient, calls(IN_CACHE))
+"""The exact gradient alone, from (x, y) to (h_u, h_v), in algebraic form on one thread: it draws nothing."""

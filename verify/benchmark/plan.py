@@ -17,10 +17,8 @@ ROUNDS = 9
 
 @dataclass(frozen=True)
 class Case:
-    """One thing that is timed.
-
-    name: identifier. prepare: returns the function to time; called once, before. repeats: timed calls in a visit.
-    visits: in how many rounds it takes part.
+    """One thing that is timed: `prepare`, called once, returns the function; `repeats` timed calls in each visit;
+    `visits`: in how many rounds it takes part.
     """
 
     name: str

@@ -1,7 +1,43 @@
-"""What the renderer has to reach, and the table that says whether a run reached it."""
+"""From medians to the numbers that the book cites; what they have to reach, and the table that says whether they do."""
 
 import math
 from dataclasses import dataclass
+
+import numpy as np
+
+from verify.benchmark.frames import FITTED
+
+RATIOS = {
+    **{f"{slow}_to_algebraic_{side}": (f"{case}_{side}_{threads}", f"algebraic_{side}_2")
+       for slow, case, threads in (("numpy", "numpy", 2), ("seed", "seed_exact", 1), ("central", "central", 2))
+       for side in (64, 256, 1024, 4096)},
+    "seed_central_to_exact": ("seed_central_256_1", "seed_exact_256_1"),
+    "eps_step_central_to_exact": ("eps_step_central_1024_2", "eps_step_exact_1024_2"),
+    "a_alone_central_to_algebraic": ("a_alone_central_1024_1", "a_alone_algebraic_1024_1"),
+    "a_alone_central_to_general": ("a_alone_central_1024_1", "a_alone_general_1024_1"),
+}  # fmt: skip
+"""{number: (the case that takes so many times as long, as this case)}"""
+
+
+def exponent(times, threads):
+    """Return p of the fit time ∝ pixels^p through the fitted sizes, or None unless all were timed."""
+    names = [f"algebraic_{side}_{threads}" for side in FITTED]
+    if not times.keys() >= set(names):
+        return None
+    pixels = np.array(FITTED, float) ** 2
+    return float(np.polyfit(np.log(pixels), np.log([times[name] for name in names]), 1)[0])
+
+
+def frame_numbers(times):
+    """Return the milliseconds of frames, the seconds of starts, and what follows from them, of what was timed."""
+    numbers = {}
+    for name, seconds in times.items():
+        numbers |= {f"{name}_s": seconds} if name.startswith("start") else {f"{name}_ms": 1e3 * seconds}
+    numbers |= {
+        n: times[above] / times[below] for n, (above, below) in RATIOS.items() if {above, below} <= times.keys()
+    }
+    fits = {f"exponent_{threads}": exponent(times, threads) for threads in (1, 2)}
+    return numbers | {name: fit for name, fit in fits.items() if fit is not None}
 
 
 @dataclass(frozen=True)
@@ -53,18 +89,16 @@ TARGETS = (
 )
 
 
-def verdicts(numbers, targets=TARGETS):
+def verdicts(numbers):
     """Return {key of the book: text}: the target of each number, and the verdict on it."""
     found = {}
-    for target in targets:
+    for target in TARGETS:
         found |= {f"{target.key}_target": target.text, f"{target.key}_verdict": target.verdict(numbers)[1]}
     return found
 
 
-def table(numbers, targets=TARGETS):
+def table(numbers):
     """Return the table as text: what, target, measured, verdict."""
-    rows = [("what", "target", "measured", "")] + [(t.what, t.text, *t.verdict(numbers)) for t in targets]
-    widths = [max(len(row[column]) for row in rows) for column in range(4)]
-    return "\n".join(
-        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows
-    )
+    rows = [("what", "target", "measured", "")] + [(t.what, t.text, *t.verdict(numbers)) for t in TARGETS]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return "\n".join("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)

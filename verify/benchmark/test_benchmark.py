@@ -12,9 +12,8 @@ import pytest
 from verify.benchmark import __main__ as benchmark
 from verify.benchmark import plan
 from verify.benchmark.frames import FITTED, frame_cases, step_cases
-from verify.benchmark.numbers import frame_numbers
 from verify.benchmark.plan import Case, in_turns
-from verify.benchmark.targets import TARGETS, Target, table, verdicts
+from verify.benchmark.targets import TARGETS, Target, frame_numbers, table, verdicts
 
 RESULTS = Path(benchmark.RESULTS)
 

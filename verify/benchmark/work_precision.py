@@ -22,6 +22,7 @@ from proofs.formulas.chart import chart_inverse
 from proofs.formulas.height_fields import gradient
 from renderer import Scene, central, central4, exact, forward, render, stage_of
 from renderer.files import whole_file
+from verify.benchmark.frames import warmed
 from verify.benchmark.label import label, write
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, sample
 from verify.benchmark.plan import Case, run
@@ -98,16 +99,6 @@ def gradient_rows(rounds):
             rows[-1] |= {"key": key, "ns": 1e9 / method.points}
     seconds = run(cases.values(), "gradients")
     return [row | {"ns": row["ns"] * seconds[row.pop("key")]} for row in rows]
-
-
-def warmed(call):
-    """Return a case's `prepare`: the call, made once before it is timed."""
-
-    def prepare():
-        call()
-        return call
-
-    return prepare
 
 
 def gradient_numbers(rows):
