@@ -5,7 +5,6 @@ from pathlib import Path
 from book.figures import benchmark as figures
 from verify.benchmark.frames import SIDES
 from verify.benchmark.targets import TARGETS
-from verify.benchmark.work_precision import CITED
 
 PAGE = Path(__file__).parent.parent / "book" / "checked" / "benchmark.md"
 
@@ -20,7 +19,8 @@ def test_every_renderer_is_drawn():
 
 
 def test_every_method_has_its_place():
-    assert figures.METHODS.keys() == CITED.keys()
+    rows = figures.committed(figures.GRADIENTS)["gradients"]
+    assert figures.METHODS.keys() <= {row["method"] for row in rows}
 
 
 def test_the_table_has_every_target():

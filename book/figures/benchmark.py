@@ -7,9 +7,10 @@ import numpy as np
 from book.drawing.palette import readable
 from book.drawing.registry import Drawing, committed, figure
 from book.drawing.style import decades, label_line_end, palette, plot, slope_triangle
+from verify.benchmark.work_precision import best_rows
 
 FRAMES = "verify/benchmark/results/frames.json"
-GRADIENTS = "verify/benchmark/results/gradients.json"
+GRADIENTS = "verify/results/work_precision.json"
 # renderer: (label, role of its colour, dashes, threads of its thick line), the loops last
 RENDERERS = {
     "algebraic": ("exact, algebraic", "symbolic", (0, ()), 2),
@@ -21,15 +22,15 @@ RENDERERS = {
 LABELS_APART = 10**0.3  # least ratio of the heights of two labels
 # method: (label, role of its colour, ours, its label's offset in points)
 METHODS = {
-    "exact": ("exact, this book", "symbolic", True, (8, 0)),
-    "jax": ("JAX", "symbolic", False, (-4, -11)),
-    "sympy_lambdify": ("SymPy lambdify", "symbolic", False, (-4, 11)),
-    "complex_step": ("complex step", "symbolic", False, (4, -11)),
+    "exact, reduced argument": ("exact, this book", "symbolic", True, (8, 0)),
+    "JAX": ("JAX", "symbolic", False, (-4, -11)),
+    "SymPy, NumPy": ("SymPy lambdify", "symbolic", False, (-4, 11)),
+    "complex step": ("complex step", "symbolic", False, (4, -11)),
     "autograd": ("autograd", "symbolic", False, (4, 11)),
     "forward": ("forward", "numeric", True, (8, 0)),
     "central": ("central", "numeric", True, (8, 0)),
-    "central4": ("fourth order", "numeric", True, (8, 0)),
-    "scipy_differentiate": ("scipy.differentiate", "numeric", False, (-8, 0)),
+    "central, 4th order": ("fourth order", "numeric", True, (8, 0)),
+    "scipy.differentiate": ("scipy.differentiate", "numeric", False, (-8, 0)),
     "numdifftools": ("numdifftools", "numeric", False, (-8, 0)),
 }
 
@@ -89,18 +90,17 @@ def around(values):
 @figure("gradient_time_against_error", data=[GRADIENTS])
 def gradient_time_against_error() -> Drawing:
     """Time a point against the largest error at 50 digits, each way to take the gradient of sine."""
-    numbers, colours = committed(GRADIENTS)["numbers"], palette()
+    rows, colours = committed(GRADIENTS)["gradients"], palette()
+    best = {row["method"]: (row["ns"], row["error"]) for row in best_rows(rows) if row["method"] in METHODS}
     fig, ax = plot(height=4.6)
     decades(ax, 1, 2, xlabel="nanoseconds a point, one thread", ylabel="largest error of $h_u$ or $h_v$")
-    rows = []
-    for method, (label, role, ours, offset) in METHODS.items():
-        if f"{method}_ns" not in numbers:
-            continue
-        at, colour = (numbers[f"{method}_ns"], numbers[f"{method}_error"]), colours[role]
-        rows.append((method, *at))
+    for method, at in best.items():
+        label, role, ours, offset = METHODS[method]
+        colour = colours[role]
         ax.plot(*at, "o", markersize=6, color=colour, markerfacecolor=colour if ours else "none", markeredgewidth=1.4)
         align = {"ha": "left" if offset[0] > 0 else "right", "va": "center"}
         ax.annotate(label, at, xytext=offset, textcoords="offset points", color=readable(colour), **align)
-    ax.set_xlim(*around(value for key, value in numbers.items() if key.endswith("_ns")))
-    ax.set_ylim(*around(value for key, value in numbers.items() if key.endswith("_error")))
-    return Drawing(fig, data=columns(rows, ("method", "ns", "error")))
+    times, errors = zip(*best.values(), strict=True)
+    ax.set_xlim(*around(times))
+    ax.set_ylim(*around(errors))
+    return Drawing(fig, data={"method": list(best), "ns": times, "error": errors})

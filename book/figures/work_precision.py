@@ -69,7 +69,7 @@ def label_along(ax, x, y, text, colour, side="left"):
 def label_numbers():
     """Return where, when and at which commit it was measured, as numbers of a figure."""
     label = result()["label"]
-    return {key: label[key] for key in ("processor", "python", "date", "commit", "rounds")} | {
+    return {key: label[key] for key in ("machine", "processor", "python", "date", "commit", "rounds")} | {
         "absent": len(label["absent"])
     }
 
@@ -97,7 +97,7 @@ def work_precision_figure() -> Drawing:
     _label_cluster(ax, rows)
     decades(ax, 1, 2, ylim=(1e-19, 1e4), xlabel="time, ns a gradient", ylabel="largest error of $h_u$, $h_v$")
     data = columns(rows, ("method", "value", "ns", "error"))
-    return Drawing(fig, numbers=_gradient_numbers(rows) | label_numbers(), data=data)
+    return Drawing(fig, numbers=work_precision.gradient_numbers(rows) | label_numbers(), data=data)
 
 
 NAMES = {
@@ -115,19 +115,6 @@ def _label_cluster(ax, rows):
     text = "from the left:\n" + ", ".join(NAMES[r["method"]] for r in own)
     ax.annotate(text, (middle, own[0]["error"]), xytext=(0, -48), textcoords="offset points", ha="center", va="top",
                 color=palette()["ink"], arrowprops={"arrowstyle": "-", "color": palette()["muted"]})  # fmt: skip
-
-
-def _gradient_numbers(rows):
-    numbers = {"beaten_by": len(work_precision.peers_that_beat(rows)), "methods": len(by_method(rows))}
-    numbers["unbeaten"] = len(work_precision.unbeaten_by_ours(rows))
-    numbers["others"] = sum(not r["ours"] for r in rows)
-    for name, own in by_method(rows).items():
-        best = min(own, key=lambda r: r["error"])
-        key = "".join(c if c.isalnum() else "_" for c in name.lower())
-        numbers |= {f"{key}_ns": best["ns"], f"{key}_error": best["error"]}
-        if best["value"] is not None:
-            numbers[f"{key}_at"] = best["value"]
-    return numbers
 
 
 FRAME_DASHES = {"forward": (0, (1.5, 1.5)), "central": (0, ()), "central, 4th order": (0, (5, 2))}

@@ -13,6 +13,7 @@ from verify.benchmark.work_precision import RESULTS, SIDE, image_error, peers_th
 
 RESULT = json.loads((RESULTS / "work_precision.json").read_text(encoding="utf-8"))
 ROWS = RESULT["gradients"]
+REDUCED = "exact, reduced argument"
 OURS = {"method": "ours", "ours": True, "ns": 5.0, "error": 1e-14}
 
 
@@ -69,15 +70,14 @@ def test_image_errors_are_against_50_digits():
 
 def test_the_cited_numbers_are_those_of_the_diagram():
     numbers = work_precision.gradient_numbers(ROWS)
-    assert numbers["exact_ns"] == next(r["ns"] for r in ROWS if r["method"] == "exact, reduced argument")
+    assert numbers["exact__reduced_argument_ns"] == next(r["ns"] for r in ROWS if r["method"] == REDUCED)
     central_ = [r for r in ROWS if r["method"] == "central"]
     assert numbers["central_error"] == min(r["error"] for r in central_) < numbers["forward_error"]
-    assert numbers["central_to_exact"] == central_[0]["ns"] / numbers["exact_ns"]
-    assert set(work_precision.CITED.values()) <= {method.name for method in METHODS}
+    assert numbers["central_to_exact"] == central_[0]["ns"] / numbers["exact__reduced_argument_ns"]
 
 
 def test_a_small_run_has_a_row_for_every_value(monkeypatch):
-    few = [replace(m, values=m.values[:2]) for m in METHODS if m.name in ("central", "exact, reduced argument")]
+    few = [replace(m, values=m.values[:2]) for m in METHODS if m.name in ("central", REDUCED)]
     monkeypatch.setattr(work_precision, "METHODS", few)
     rows = work_precision.gradient_rows(rounds=2)
     assert [(r["method"], r["value"]) for r in rows] == [("central", 0.1), ("central", 10**-1.25), (few[1].name, None)]

@@ -4,12 +4,10 @@
 
 One core. Errors are the largest over the checked points (pixels) against 50 digits; times are medians of interleaved
 rounds. Libraries that are not installed (JAX, SciPy, numdifftools) are left out with a word. Writes
-verify/results/work_precision.json and work_precision.csv, and what two pages cite of the same run to
-verify/benchmark/results/gradients.json: commit them.
+verify/results/work_precision.json and work_precision.csv: commit them.
 """
 
 import argparse
-import csv
 import os
 from functools import lru_cache, partial
 from pathlib import Path
@@ -21,7 +19,7 @@ from tqdm import tqdm
 from proofs.formulas.chart import chart_inverse
 from proofs.formulas.height_fields import gradient
 from renderer import Scene, central, central4, exact, forward, render, stage_of
-from renderer.files import whole_file
+from renderer.files import write_csv
 from verify.benchmark.frames import warmed
 from verify.benchmark.label import label, write
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, sample
@@ -30,24 +28,10 @@ from verify.evaluate.arrays import distance, in_balls
 from verify.reference import reference_pixel
 
 RESULTS = Path(__file__).parents[1] / "results"
-GRADIENTS = Path(__file__).parent / "results" / "gradients.json"
 CHECKED, ROUNDS, SEED = 4096, 15, 3
 SIDE, PIXELS = 256, 600
 FRAMES = {"forward": forward, "central": central, "central, 4th order": central4}
 CHANNELS = ("red", "green", "blue")
-CITED = {
-    "exact": "exact, reduced argument",
-    "forward": "forward",
-    "central": "central",
-    "central4": "central, 4th order",
-    "sympy_lambdify": "SymPy, NumPy",
-    "complex_step": "complex step",
-    "autograd": "autograd",
-    "jax": "JAX",
-    "scipy_differentiate": "scipy.differentiate",
-    "numdifftools": "numdifftools",
-}
-"""{key of the numbers that pages cite: the method's name}"""
 
 
 def angles_of(u, v):
@@ -102,15 +86,22 @@ def gradient_rows(rounds):
 
 
 def gradient_numbers(rows):
-    """Return the numbers that pages cite: of each method the time, the least error and where; and a ratio."""
-    numbers = {"points": FULL, "checked": CHECKED, "fewer": min(m.points for m in METHODS if m.name in CITED.values())}
-    for key, name in CITED.items():
-        if own := [row for row in rows if row["method"] == name]:
-            best = min(own, key=lambda row: row["error"])
-            numbers |= {f"{key}_ns": best["ns"], f"{key}_error": best["error"]}
-            if best["parameter"] == "ε":
-                numbers[f"{key}_eps"] = best["value"]
-    return numbers | {"central_to_exact": numbers["central_ns"] / numbers["exact_ns"]}
+    """Return the numbers that pages cite, of each method: its time, its least error and where; counts, and a ratio."""
+    numbers = {"points": FULL, "checked": CHECKED, "fewer": min(r["points"] for r in rows if r["parameter"] == "order")}
+    numbers |= {"beaten_by": len(peers_that_beat(rows)), "unbeaten": len(unbeaten_by_ours(rows))}
+    numbers |= {"methods": len({r["method"] for r in rows}), "others": sum(not r["ours"] for r in rows)}
+    for best in best_rows(rows):
+        key = "".join(c if c.isalnum() else "_" for c in best["method"].lower())
+        numbers |= {f"{key}_ns": best["ns"], f"{key}_error": best["error"]}
+        if best["value"] is not None:
+            numbers[f"{key}_at"] = best["value"]
+    return numbers | {"central_to_exact": numbers["central_ns"] / numbers["exact__reduced_argument_ns"]}
+
+
+def best_rows(rows):
+    """Return each method's row of the least error, in order."""
+    names = dict.fromkeys(row["method"] for row in rows)
+    return [min((r for r in rows if r["method"] == name), key=lambda row: row["error"]) for name in names]
 
 
 def image_error(frame, pixels):
@@ -164,14 +155,6 @@ def peers_that_beat(rows, cost="ns", error="error"):
     return [r for r in rows if not r["ours"] and any(r[cost] < o[cost] and r[error] < o[error] for o in ours)]
 
 
-def write_csv(path, rows):
-    """Write the gradient's rows as a table."""
-    with whole_file(path) as name, open(name, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, ["method", "parameter", "value", "ours", "ns", "error", "points"])
-        writer.writeheader()
-        writer.writerows(rows)
-
-
 def main():
     """Parse the command line, measure, write."""
     formatter = argparse.RawDescriptionHelpFormatter
@@ -191,8 +174,6 @@ def main():
     gradients, frames = gradient_rows(options.rounds), frame_rows(options.rounds, options.pixels)
     where |= {"absent": absent, "seed": SEED, "rounds": options.rounds, "side": SIDE}
     write(options.out / "work_precision.json", {"label": where, "gradients": gradients, "frames": frames})
-    if options.out == RESULTS:
-        write(GRADIENTS, {"label": where, "numbers": gradient_numbers(gradients)})
     write_csv(options.out / "work_precision.csv", gradients)
     print(f"others that beat ours in both: {[r['method'] for r in peers_that_beat(gradients)] or 'none'}")
 
