@@ -4,16 +4,14 @@
 library alone. It prints what was checked, and exits with 1 where the kernel rejects something.
 """
 
-import hashlib
 import inspect
 import json
 import sys
 import textwrap
-import time
 
-from proofs.engine import kernel
+from proofs import check
+from proofs.engine import hypotheses, kernel
 from proofs.engine.certificate import path_of
-from proofs.engine.kernel import check
 from proofs.engine.theorem import all_theorems
 
 SCRIPT = '''#!/usr/bin/env python3
@@ -23,55 +21,42 @@ SCRIPT = '''#!/usr/bin/env python3
 
 {kernel}
 
-# 2. The statement, as polynomials, and its certificate, as the search found it; proofs/engine/statement_data.py has
-# the format.
-
-DATA = r"""
-{data}
-"""
-
-GIVEN = {given!r}  # what it borrows from theorems, which have scripts of their own, or cites from elsewhere
-
-# 3. What happens when the script is run.
+# 2. That hypotheses can hold, and what a file of certificates looks like: from proofs/engine/hypotheses.py and
+# proofs/check.py, as they stand.
 
 import hashlib
 import json
 import sys
-import time
 
+{checks}
+
+# 3. The statement, as polynomials, its certificate, as the search found it, and a point where its hypotheses hold;
+# proofs/engine/statement_data.py and certificate.py have the format.
+
+DATA = r"""{data}"""
+
+# 4. What happens when the script is run.
 
 {run}
 
 if __name__ == "__main__":
-    sys.exit(run(DATA, GIVEN))
+    sys.exit(run(DATA, {id!r}, {given!r}))
 '''
 
 
-def run(text, given=""):
-    """Check every statement of the certificate's JSON text; print what was checked; return 0, or 1 on a rejection."""
-    start, data, failures, terms = time.perf_counter(), json.loads(text), 0, 0
-    if json.dumps(data, indent=1, ensure_ascii=False) != text.strip():
-        print("REJECTED: the text is not its own canonical form.")
-        return 1
-    kinds = {pair["statement"]["kind"] for claim in data["claims"] for pair in claim["statements"]}
-    for claim in data["claims"]:
-        for number, pair in enumerate(claim["statements"], 1):
-            statement = pair["statement"]
-            canonical = json.dumps(statement, sort_keys=True, separators=(",", ":"))
-            same = hashlib.sha256(canonical.encode()).hexdigest() == pair["sha256"]
-            why = check(statement, pair["certificate"]) if same else "the statement is not the one that was hashed"
-            failures += why is not None
-            parts = next(statement[key] for key in ("steps", "lines", "show") if key in statement)
-            terms += len(json.dumps(pair["certificate"]).split())
-            verdict = "accepted" if why is None else f"REJECTED: {why}"
-            shown = f"{claim['claim']} {number}: {statement['kind']}, {len(parts)} lines, sha256 {pair['sha256'][:12]}"
-            print(f"{shown}: {verdict}")
-    verdict = "REJECTED" if failures or not kinds else "REFUTED" if kinds == {"refutation"} else "PROVED"
-    given = f", given {given}" if given and verdict == "PROVED" else ""
-    print(f"{data['theorem']}: {verdict}{given}.")
-    size = f"{len(text)} characters of statements and certificates, {terms} words of them in the certificates"
-    print(f"{size}, checked in {time.perf_counter() - start:.3f} s by exact rational arithmetic.")
-    return int(verdict == "REJECTED")
+def run(text, theorem, given=""):
+    """Check every statement of a certificate file's text; print what was checked; return 0, or 1 on a rejection."""
+    found, kinds = check.verdicts(text, theorem), set()
+    for claim, why in found:
+        print(f"{claim}: {'accepted' if why is None else f'REJECTED: {why}'}")
+    if rejected := any(why is not None for _, why in found) or not found:
+        verdict = "REJECTED"
+    else:
+        kinds = {entry["statement"]["kind"] for claim in json.loads(text)["claims"] for entry in claim["statements"]}
+        verdict = "REFUTED" if kinds == {"refutation"} else f"PROVED, given {given}" if given else "PROVED"
+    print(f"{theorem}: {verdict}.")
+    print(f"{len(text)} characters of statements, certificates and points, checked by exact rational arithmetic.")
+    return int(rejected)
 
 
 def standalone_script(theorem_id: str) -> str:
@@ -85,10 +70,21 @@ def standalone_script(theorem_id: str) -> str:
     return SCRIPT.format(
         header=_header(theorem),
         kernel=inspect.getsource(kernel).strip(),
-        data=path_of(theorem).read_text(encoding="utf-8").strip(),
+        checks=_checks(),
+        data=path_of(theorem).read_text(encoding="utf-8"),
+        id=theorem_id,
         given=", ".join(dict.fromkeys([*borrowed, *cited])),
-        run=inspect.getsource(run).strip(),
+        run=inspect.getsource(run).strip().replace("check.verdicts", "verdicts"),
     )
+
+
+def _checks():
+    """Return what a script needs of `hypotheses` and `proofs.check`: their code without what they import."""
+    code = inspect.getsource(hypotheses)
+    parts = [code[code.index("ABSURD") :].replace("kernel.check", "check").replace("Callable", "object")]
+    source = inspect.getsource(check)
+    parts += [source[source.index("PAIR =") : source.index("def main")]]
+    return "\n\n".join(part.strip() for part in parts)
 
 
 def _header(theorem):

@@ -7,6 +7,7 @@ import sys
 
 import pytest
 
+from proofs.check import canonical
 from proofs.engine.certificate import FOLDER
 from proofs.engine.standalone import main, standalone_script
 from proofs.engine.theorem import Theorem, all_theorems
@@ -32,22 +33,19 @@ def test_the_script_says_its_verdict(id, tmp_path):
 
 
 def test_a_changed_certificate_is_rejected(tmp_path):
-    script = standalone_script("tangent_frame")
-    head, data, tail = re.split(r'(?<=DATA = r""")\n|\n(?=""")', script[script.index("DATA") :], maxsplit=2)
+    head, data, tail = re.split(r'(?<=\nDATA = r""")(?s:(.*?))(?=""")', standalone_script("tangent_frame"), maxsplit=1)
     changed = json.loads(data)
     proof = changed["claims"][1]["statements"][0]["certificate"]["proofs"][0]
     proof["cofactors"][0][1] = {"": "2"}
-    before = script[: script.index("DATA")]
-    done = run(f"{before}{head}\n{json.dumps(changed, indent=1, ensure_ascii=False)}\n{tail}", tmp_path)
+    done = run(head + canonical(changed) + tail, tmp_path)
     assert done.returncode == 1
-    assert "orthonormal 1: derivation" in done.stdout
-    assert "REJECTED: ('the two sides differ'" in done.stdout
+    assert "orthonormal: REJECTED: ('the two sides differ'" in done.stdout
 
 
 def test_a_changed_statement_is_rejected(tmp_path):
-    done = run(standalone_script("tangent_frame").replace('"is": "="', '"is": ">="', 1), tmp_path)
+    done = run(standalone_script("tangent_frame").replace('"is": "=",\n', '"is": ">=",\n', 1), tmp_path)
     assert done.returncode == 1
-    assert "the statement is not the one that was hashed" in done.stdout
+    assert "its sha256 is another statement's" in done.stdout
 
 
 def test_every_certificate_has_a_script():
