@@ -1,21 +1,27 @@
 """The kernel in JavaScript: what it accepts, what it has to reject, and that its arithmetic is exact."""
 
+import json
 from fractions import Fraction
 
 import pytest
 
 from proofs.engine import kernel
-from tests.tampered_certificates import JAVASCRIPT, load_kernel, points, stored
+from tests.tampered_certificates import points, stored
+from verify.checkers.kernels import JAVASCRIPT
 from verify.checkers.tampering import draws
 from verify.checkers.test_checkers import BY_CASES, EMPTY, INEQUALITY, NEGATIVE, NOTHING, derivation, show
 
 pytestmark = pytest.mark.browser
+ASK = "(text) => { const { check } = Checker.kernel(); return JSON.parse(text).map((pair) => check(...pair)) }"
 
 
 @pytest.fixture(scope="module")
 def javascript(browser):
+    """The kernel in an empty tab, as a function: pairs → what it says of each."""
     context = browser.new_context()
-    yield load_kernel(context.new_page())
+    tab = context.new_page()
+    tab.add_script_tag(path=JAVASCRIPT)
+    yield lambda pairs: tab.evaluate(ASK, json.dumps(pairs))
     context.close()
 
 
