@@ -1,4 +1,6 @@
-"""From each theorem's own evidence to its grade in the run: what it rests on counts as well."""
+"""What a run found about one theorem, the grade on that alone, and the grade in the run: what it rests on counts."""
+
+from dataclasses import dataclass, field
 
 NOT_RECHECKED = "not re-checked"  # here: a library is not installed
 STANDING = (
@@ -12,6 +14,34 @@ STANDING = (
 )  # from the strongest, without "failed"
 EXACT = ("proved", "by definition", "argued")  # every claim has a certificate; what is argued is words
 GIVES = {"proved": EXACT, "by definition": EXACT, "argued": EXACT, "refuted": EXACT}  # what such a theorem may use
+
+
+@dataclass
+class Examination:
+    """What a run found about one theorem. `problems` name what is missing; `record` is what the report keeps."""
+
+    id: str
+    expected: str
+    uses: tuple
+    record: dict = field(default_factory=dict)
+    problems: list = field(default_factory=list)
+    mutants_killed: int = 0
+    mutants: int = 0
+    claims: int = 0
+    by_definition: list = field(default_factory=list)  # claims that read 0 = 0
+    argued: list = field(default_factory=list)  # clauses that no claim says
+    reached: str = ""  # by measurement or citation; else the checkers' verdict stands
+
+    @property
+    def grade(self):
+        """The grade on this theorem's own evidence; `final_grades` adds what it rests on."""
+        if self.problems:
+            return "failed"
+        if self.argued:
+            return "argued"
+        if self.by_definition and len(self.by_definition) == self.claims:
+            return "by definition"
+        return self.reached or ("refuted" if self.expected == "refuted" else "proved")
 
 
 def final_grades(evidences):

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from renderer.files import whole_file
 from verify import sources
-from verify.checkers.examination import Examination
+from verify.checkers.grades import Examination
 from verify.checkers.registry import sources_of
 from verify.optional import LIBRARIES
 

@@ -21,8 +21,7 @@ from proofs.engine.theorem import incomplete
 from verify.checkers import witness
 from verify.checkers.acceptance import CHECKERS, accept, by_definition, not_found, show_polynomial, why_rejected
 from verify.checkers.counterexamples import FAILURES, counterexample, path_to_avoided
-from verify.checkers.examination import Examination
-from verify.checkers.grades import final_grades
+from verify.checkers.grades import Examination, final_grades
 from verify.checkers.registry import measurements
 from verify.checkers.splices import says_the_same, splices
 
