@@ -4,14 +4,13 @@ import numpy as np
 import pytest
 from sympy import Rational
 
-from proofs.formulas.camera import angles_on_a, silhouette_of_a
-from proofs.formulas.chart import chart_inverse
-from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.camera import angles_on_a
+from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, exact, render
 from verify.benchmark.methods import table
-from verify.benchmark.methods.compiled import compiled_loop
 from verify.benchmark.methods.programs import algebraic_gradient, extrapolated
-from verify.evaluate.arrays import distance, in_balls, in_float64
+from verify.benchmark.work_precision import largest_error, points_for
+from verify.evaluate.arrays import in_float64
 
 POINTS = 200
 AVAILABLE = [method for method in table.METHODS if method.available]
@@ -21,13 +20,7 @@ LEAST = {"exact, algebraic, float32": 1e-4, "forward": 1e-5, "central": 1e-7, "c
 
 def error(method, value):
     """Return the method's largest error at the sample's points."""
-    u, v = table.sample(POINTS)
-    inputs = (u, v)
-    if method.angles:
-        inputs = list(in_float64(chart_inverse, {"u": u, "v": v}).values())
-    truth = in_balls(gradient(table.FIELD), {"u": u, "v": v, **table.WAVES})
-    found = (np.array(part, float) for part in method.make(value)(*inputs))
-    return max(float(distance(f, truth[n]).max()) for f, n in zip(found, ("h_u", "h_v"), strict=True))
+    return largest_error(method.make(value)(*points_for(method, POINTS)), POINTS)
 
 
 @pytest.mark.parametrize("method", AVAILABLE, ids=lambda method: method.name)
@@ -63,23 +56,12 @@ def test_the_written_out_powers_are_the_renderers(field, ku, kv):
     found = in_float64(program, angles | {"k_u": ku, "k_v": kv})
     for name in ("h_u", "h_v"):
         np.testing.assert_allclose(found[name], frame.surface_data[name][on_a], rtol=0, atol=1e-11)
-    assert in_float64(silhouette_of_a, lens)["rho_silhouette"] > 0
 
 
 @pytest.mark.parametrize(("ku", "kv"), [(7.0, 4.0), (8.0, 4.5)])
 def test_without_an_algebraic_form(ku, kv):
     with pytest.raises(ValueError, match="no algebraic form"):
         algebraic_gradient(HEIGHT_FIELDS["sine"], ku, kv)
-
-
-def test_the_compiled_loop_is_the_renderers_arithmetic():
-    """Bit for bit what the printed program gives on whole arrays."""
-    u, v = table.sample(500)
-    found = compiled_loop(gradient(table.FIELD), table.WAVES)(u, v)
-    for part, right in zip(
-        found, in_float64(gradient(table.FIELD), {"u": u, "v": v, **table.WAVES}).values(), strict=True
-    ):
-        np.testing.assert_array_equal(part, right)
 
 
 def test_what_is_not_installed_is_left_out():
