@@ -15,10 +15,18 @@ def _pixel_reference(field, model, lights, method):
     return Reference(pixel(HEIGHT_FIELDS[field], model, lights, gradient))
 
 
-def scene_values(scene, lights):
-    """Return {name: number} of a scene with these of its lights, as `proofs.formulas.pixel` names its inputs."""
+def lights_on(scene):
+    """Return the lights that are on, in order."""
+    return [light for light in scene.lights if light.color is not None]
+
+
+def scene_values(scene, **others):
+    """Return {name: number} of a scene and its lights that are on, as `proofs.formulas.pixel` names its inputs.
+
+    others: width, height, column, row, epsilon.
+    """
     center, ball_radius = (scene.ball_center, scene.ball_radius) if scene.ball else ((0.0, 0.0, 0.0), 1.0)
-    values = {
+    values = others | {
         "eye": scene.eye,
         "radius": scene.radius,
         "ball_radius": ball_radius,
@@ -31,7 +39,7 @@ def scene_values(scene, lights):
     }
     for name, triple in (("ambient", scene.ambient), ("albedo_a", scene.albedo_a), ("albedo_b", scene.albedo_b)):
         values |= {f"{name}_{c}": value for c, value in zip(CHANNELS, triple, strict=True)}
-    for number, light in enumerate(lights):
+    for number, light in enumerate(lights_on(scene)):
         values |= {s.name: p for s, p in zip(light_position(number), light.position, strict=True)}
         values |= {s.name: c for s, c in zip(light_color(number), light.color, strict=True)}
     return values
@@ -43,8 +51,5 @@ def reference_pixel(scene, width, height, column, row, method="exact", eps=None,
     Among the names: surface, occluded_0 … (lights that are on, in order), dark_square, u, v, h_u, h_v, bumped_x …,
     rgb_red, rgb_green, rgb_blue. Off the surface that a name belongs to it has no meaning.
     """
-    lights = [light for light in scene.lights if light.color is not None]
-    values = scene_values(scene, lights) | {"column": column, "row": row, "width": width, "height": height}
-    if eps is not None:
-        values["epsilon"] = eps
-    return _pixel_reference(scene.field, scene.model, len(lights), method)(values, digits)
+    values = scene_values(scene, column=column, row=row, width=width, height=height, epsilon=eps)
+    return _pixel_reference(scene.field, scene.model, len(lights_on(scene)), method)(values, digits)

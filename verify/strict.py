@@ -13,7 +13,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from renderer import Light, Scene, render, stage_of
 from renderer.generate.kernels import function_of
-from verify.reference import scene_values
+from verify.reference import lights_on, scene_values
 
 
 @cache
@@ -24,9 +24,8 @@ def _program(field, model, lights, outputs):
 
 def _run(scene, width, height, *outputs):
     """Return the outputs at every pixel, (height, width) each."""
-    lights = [light for light in scene.lights if light.color is not None]
-    function, names = _program(scene.field, scene.model, len(lights), outputs)
-    values = scene_values(scene, lights) | {"width": float(width), "height": float(height)}
+    function, names = _program(scene.field, scene.model, len(lights_on(scene)), outputs)
+    values = scene_values(scene, width=float(width), height=float(height))
     values |= {"column": np.arange(width, dtype=np.float64), "row": np.arange(height, dtype=np.float64)[:, None]}
     with np.errstate(all="ignore"):
         results = function(*(values[name] for name in names))

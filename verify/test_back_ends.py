@@ -34,11 +34,7 @@ def printed():
 
 def difference_kernel(field, method):
     """Return a difference as a function of the chart point, the wave numbers and ε."""
-
-    def kernel(u, v, k_u, k_v, epsilon):
-        return difference(field, method, u, v, k_u, k_v, epsilon)
-
-    return kernel
+    return lambda u, v, k_u, k_v, epsilon: difference(field, method, u, v, k_u, k_v, epsilon)
 
 
 PRINTED = printed()

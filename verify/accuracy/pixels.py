@@ -16,7 +16,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import CHANNELS, pixel
 from renderer import Scene, render
 from verify.evaluate.balls import Balls
-from verify.reference import scene_values
+from verify.reference import lights_on, scene_values
 
 SIZE, EACH, SEED, BITS = 255, 46, 5, 256  # an odd size: a column of pixels lies on x = 0, on a crease
 OFF_RIM, TOLERANCE = 0.01, 5e-14
@@ -49,13 +49,10 @@ class Checked(NamedTuple):
 
 def _edges(codes):
     """Return where a code differs from that of the pixel to the right, to the left, above or below."""
-    found = np.zeros(codes.shape, bool)
-    across, down = codes[:, 1:] != codes[:, :-1], codes[1:] != codes[:-1]
-    found[:, 1:] |= across
-    found[:, :-1] |= across
-    found[1:] |= down
-    found[:-1] |= down
-    return found
+    high, wide = codes.shape
+    around = np.pad(codes, 1, "edge")
+    shifted = (around[top : top + high, left : left + wide] for top, left in ((0, 1), (2, 1), (1, 0), (1, 2)))
+    return np.any([codes != other for other in shifted], axis=0)
 
 
 def _kinds(scene, frame):
@@ -112,25 +109,16 @@ def _code(lines, lights):
 
 def checked_pixel(name, scene, frame, kind, column, row):
     """Return a pixel of a frame, Checked."""
-    lights = [light for light in scene.lights if light.color is not None]
     height, width = frame.raster.shape
-    values = scene_values(scene, lights) | {"column": column, "row": row, "width": width, "height": height}
-    balls = balls_of(scene.field, scene.model, len(lights))
+    values, lights = scene_values(scene, column=column, row=row, width=width, height=height), len(lights_on(scene))
+    balls = balls_of(scene.field, scene.model, lights)
     truth, _ = balls(values, BITS)
     rounded, undecided = balls(values)
     with ctx.workprec(BITS):
         errors = [abs(arb(float(c)) - truth[n]).upper() for c, n in zip(frame.rgb[row, column], COLORS, strict=True)]
-        return Checked(
-            name,
-            kind,
-            column,
-            row,
-            max(float(e) for e in errors),
-            max(float(rounded[n].rad()) for n in COLORS),
-            _off_rim(scene, truth),
-            undecided,
-            _code(truth, len(lights)) == int(frame.chambers[row, column]),
-        )
+        error, radius = max(map(float, errors)), max(float(rounded[n].rad()) for n in COLORS)
+        same_chamber = _code(truth, lights) == int(frame.chambers[row, column])
+        return Checked(name, kind, column, row, error, radius, _off_rim(scene, truth), undecided, same_chamber)
 
 
 def checked_pixels(scenes, size=SIZE, each=EACH, seed=SEED):

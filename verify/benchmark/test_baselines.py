@@ -24,19 +24,14 @@ def largest(rgb, frame):
     return np.abs(rgb - frame.rgb).max()
 
 
-@pytest.mark.parametrize(("field", "model", "eps"), list(product(loops.FIELDS, MODELS, (None, 1e-3))))
-def test_the_seed_loops_draw_our_picture(field, model, eps):
-    scene = Scene(field=field, model=model)
-    rgb, surfaces = seed_loops(scene, SIDE, SIDE, eps)
-    frame = render(scene, SIDE, SIDE, exact() if eps is None else central(eps))
-    assert largest(rgb, frame) < LOOPS_AGREE
-    np.testing.assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)
+DRAWN = [(Scene(field=f, model=m), SIDE, SIDE, eps) for f, m, eps in product(loops.FIELDS, MODELS, (None, 1e-3))]
 
 
-def test_the_seed_loops_draw_other_rasters_and_scenes():
-    scene = Scene(ball=False, floor=False, kv=3.5, beta=-0.8)
-    rgb, surfaces = seed_loops(scene, 30, 22)
-    frame = render(scene, 30, 22)
+@pytest.mark.parametrize("drawn", [*DRAWN, (Scene(ball=False, floor=False, kv=3.5, beta=-0.8), 30, 22, None)])
+def test_the_seed_loops_draw_our_picture(drawn):
+    *given, eps = drawn
+    rgb, surfaces = seed_loops(*given, eps)
+    frame = render(*given, exact() if eps is None else central(eps))
     assert largest(rgb, frame) < LOOPS_AGREE
     np.testing.assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)
 

@@ -28,12 +28,8 @@ def normals(scene, data):
     data: a frame's surface data at those points, each (n,).
     """
     theta, polar = 2 * np.pi * data["u"] - np.pi, np.pi * data["v"]
-    inputs = {
-        "cos_theta": np.cos(theta),
-        "sin_theta": np.sin(theta),
-        "cos_phi": np.cos(polar),
-        "sin_phi": np.sin(polar),
-    }
+    inputs = {f"{name}_{angle}": getattr(np, name)(value)
+              for angle, value in (("theta", theta), ("phi", polar)) for name in ("cos", "sin")}  # fmt: skip
     inputs |= {"h": data["h"], "h_u": data["h_u"], "h_v": data["h_v"], "beta": scene.beta}
     turned = inputs | {"beta": -scene.beta}
     scaled = turned | {"h_u": data["h_u"] / (2 * np.pi), "h_v": data["h_v"] / np.pi}

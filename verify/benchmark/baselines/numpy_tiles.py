@@ -13,7 +13,7 @@ from proofs.engine.program import Program
 from proofs.formulas.camera import image_extent, image_point, surface, visible_surface
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import pixel, rgb
-from proofs.formulas.symbols import ball_on, floor_on, height, width, x, y
+from proofs.formulas.symbols import ball_on, floor_on, x, y
 from renderer.generate.kernels import function_of
 from renderer.generate.printer import KernelPrinter
 from verify.reference import scene_values
@@ -78,7 +78,7 @@ def tile_functions(field="ridges", model="blinn", lights=2):
 def numpy_tiles(scene, wide, high, threads=1):
     """Return (rgb (high, wide, 3) in [0, 1], surface (high, wide)) of a scene with both spheres and a floor."""
     extent, point, visible, shades = tile_functions(scene.field, scene.model, len(scene.lights))
-    values = scene_values(scene, scene.lights) | {width.name: float(wide), height.name: float(high)}
+    values = scene_values(scene, width=float(wide), height=float(high))
 
     def call(function, **more):
         return function[0](*((values | more)[name] for name in function[1]))
