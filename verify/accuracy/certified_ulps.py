@@ -9,10 +9,12 @@ scale with their argument, but for its square, which is enclosed down to 0: the 
 smaller ones, down to where a product underflows.
 """
 
+import math
 from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
+import numpy as np
 from flint import arb, ctx, fmpq
 from sympy import Poly, Rational
 
@@ -42,6 +44,30 @@ KERNELS = {name: getattr(kernels, name) for name in ("sinpi", "cospi", "atan2pi"
     "cospi_of_product": lambda a, b: kernels.cospi(*kernels.two_product(a, b)),
 }
 """What the renderer computes, of float64 numbers or arrays."""
+
+
+EXACT = {
+    "sinpi": arb.sin_pi,
+    "cospi": arb.cos_pi,
+    "sinpi_of_product": lambda a, b: (a * b).sin_pi(),
+    "cospi_of_product": lambda a, b: (a * b).cos_pi(),
+    "atan2pi": lambda y, x: arb.atan2(y, x) / arb.pi(),
+}
+"""The same of balls."""
+
+
+def error_in_ulps(computed, exact):
+    """Return |computed − exact ball| in units in the last place of exact; infinite for a missed zero."""
+    if exact.is_zero():
+        return 0.0 if computed == 0 else math.inf
+    return float(abs(arb(computed) - exact).mid()) / math.ulp(float(exact.mid()))
+
+
+def errors_in_ulps(name, *arguments):
+    """Return the errors of a kernel at float64 arrays of one shape."""
+    with ctx.workprec(200):
+        exact = np.frompyfunc(lambda *case: EXACT[name](*map(arb, case)), len(arguments), 1)(*arguments)
+        return np.frompyfunc(error_in_ulps, 2, 1)(KERNELS[name](*arguments), exact).astype(float)
 
 
 class Piece(NamedTuple):
