@@ -15,7 +15,7 @@ from filelock import FileLock
 from book.build import stamps
 from book.drawing.registry import UnknownFigure
 from book.editions.chromium import NoBrowser
-from book.editions.single import TooLarge
+from book.editions.files import TooLarge
 
 BUILDING = ("all", "build", "single", "pdf")
 RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made first
@@ -59,16 +59,16 @@ def build() -> None:
 
 def single() -> None:
     """Write the chapter as one file, unless the site has not changed."""
-    from book.editions import single
+    from book.editions import files
 
-    single.make()
+    files.make("single", files.SINGLE, files.single_file)
 
 
 def pdf() -> None:
     """Print the chapter, unless the site has not changed."""
-    from book.editions import pdf
+    from book.editions import files
 
-    pdf.make()
+    files.make("pdf", files.PDF, files.printed)
 
 
 def parser() -> argparse.ArgumentParser:
@@ -115,9 +115,9 @@ def releases(options: argparse.Namespace) -> int:
 def made(verb: str) -> Path:
     """The file that a reader opens."""
     from book.build import website
-    from book.editions import pdf, single
+    from book.editions import files
 
-    return {"single": single.PLACE, "pdf": pdf.PLACE}.get(verb, website.INDEX)
+    return {"single": files.SINGLE, "pdf": files.PDF}.get(verb, website.INDEX)
 
 
 def run(options: argparse.Namespace) -> int:

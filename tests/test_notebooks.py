@@ -20,11 +20,10 @@ from packaging.utils import canonicalize_name
 from book.build import stamps
 from book.extension.notebooks import FOLDER, colab_address, merged
 from book.notebooks import WHOLE
-from book.notebooks.first_cell import first_cell
+from book.notebooks.first_cell import closure, first_cell
 from book.notebooks.laboratory import cells, plain
 from book.notebooks.notebook import notebooks, text_of
 from book.notebooks.slices import needed
-from book.notebooks.sources import closure
 from tests import one_page
 
 NAMES = [*(f"cell{number}" for number in range(1, 9)), WHOLE]

@@ -12,15 +12,14 @@ from urllib.parse import unquote
 import pytest
 from PIL import Image
 
-from book.editions import single as edition
+from book.editions import files as edition
 from book.editions.certificates import share_certificates
 from book.editions.document import LARGEST_DATA, document
 from book.editions.listings import make_small
 from book.editions.names import Names, relink, relink_data, rename
 from book.editions.pages import BrokenSite, Page, parsed
 from book.editions.pictures import change, difference
-from book.editions.pixels import as_webp, smaller
-from book.editions.store import inlined_script, packed_address, svg_address, svg_parts
+from book.editions.store import as_webp, inlined_script, packed_address, svg_address, svg_parts
 from tests.elements import Elements
 
 PHONE, DESKTOP = {"width": 400, "height": 850}, {"width": 1280, "height": 900}
@@ -30,7 +29,7 @@ PHONE, DESKTOP = {"width": 400, "height": 850}, {"width": 1280, "height": 900}
 def single(site, tmp_path_factory):
     """The file, made anew of the built site, alone in a folder that holds nothing else."""
     place = tmp_path_factory.mktemp("mailed") / "chapter.html"
-    place.write_bytes(edition.content(site))
+    place.write_bytes(edition.single_file(site))
     return place
 
 
@@ -81,20 +80,18 @@ def test_file_can_be_mailed(single):
 def test_file_that_is_too_large_is_not_written(site, monkeypatch):
     monkeypatch.setattr(edition, "LARGEST", 1_000_000)
     with pytest.raises(edition.TooLarge, match="at most 1,000,000"):
-        edition.content(site)
+        edition.single_file(site)
 
 
-def test_file_is_written_when_the_site_changed(tmp_path, monkeypatch, capsys):
-    made = []
-    monkeypatch.setattr(edition, "content", lambda: made.append(1) or b"<html>")
-    monkeypatch.setattr(edition, "PLACE", tmp_path / "chapter.html")
+def test_edition_is_made_when_the_site_changed(tmp_path, monkeypatch, capsys):
+    made, place = [], tmp_path / "chapter.html"
     monkeypatch.setattr(edition.stamps, "STAMPS", tmp_path)
     for site, times in (({"a": "1"}, 1), ({"a": "1"}, 1), ({"a": "2"}, 2)):
         edition.stamps.write("site", site)
-        edition.make()
-        assert len(made) == times and edition.PLACE.read_bytes() == b"<html>"
-    edition.PLACE.unlink()
-    edition.make()
+        edition.make("single", place, lambda: made.append(1) or b"<html>")
+        assert len(made) == times and place.read_bytes() == b"<html>"
+    place.unlink()
+    edition.make("single", place, lambda: made.append(1) or b"<html>")
     assert len(made) == 3 and "skipped" in capsys.readouterr().out
 
 
@@ -222,10 +219,10 @@ def test_links_in_data_follow():
 
 def test_picture_gets_smaller_and_stays_the_same(site):
     for path in sorted((site / "_images").glob("*.png")):
-        before, after = path.read_bytes(), smaller(path.read_bytes())
+        before, after = path.read_bytes(), as_webp(path.read_bytes())
         assert len(after) <= len(before)
-        pictures = [Image.open(BytesIO(data)).convert("RGBA") for data in (before, after, as_webp(before))]
-        assert len({picture.tobytes() for picture in pictures}) == 1, path.name
+        pictures = [Image.open(BytesIO(data)).convert("RGBA").tobytes() for data in (before, after)]
+        assert pictures[0] == pictures[1], path.name
 
 
 def test_link_to_no_id_is_refused():
@@ -239,7 +236,7 @@ def test_small_listing_has_the_text_of_the_large_one():
     lines = [numbered.format(1), '<span class="kn">import</span>\n']
     lines += [numbered.format(2), '<span class="n">x</span> <span class="o">=</span>']
     listing = page("source/a", "<h1>a</h1><pre>" + "".join(lines) + "\n</pre>")
-    make_small(listing, {"L-2"})
+    make_small(listing, {"#L-2"})
     assert listing.article.pre.get_text() == "import\nx =\n"
     assert [a["id"] for a in listing.article.find_all("a")] == ["L-2"]
     assert listing.article.find(class_="numbers").get_text() == "1\n2"

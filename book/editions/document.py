@@ -4,8 +4,8 @@ from pathlib import Path
 
 from bs4 import BeautifulSoup, Tag
 
-from book.editions import listings
 from book.editions.certificates import share_certificates
+from book.editions.listings import make_small
 from book.editions.names import Names, ids_of, relink, relink_data, rename
 from book.editions.pages import SHELL, BrokenSite, Load, Page, parsed, read_pages, target
 from book.editions.pictures import inline_pictures
@@ -50,7 +50,7 @@ class Chapter:
         share_certificates([page.article for page in self.pages])
         for page in self.pages:
             if page.listing:
-                listings.make_small(page, listings.lines_wanted(self.used, page.name))
+                make_small(page, self.used)
 
     def pack(self, link: Tag, path: str, page: str) -> None:
         """Make a link to a file of the site carry the file, compressed; the script unpacks it under its own name."""
@@ -110,9 +110,8 @@ def strip_shell(shell: BeautifulSoup) -> None:
 
 def wrapped(chapter: Chapter, page: Page) -> Tag:
     """A page as it stands in the file: its article, and the links to its neighbours."""
-    box = chapter.shell.new_tag(
-        "div", attrs={"class": "chapter-page", "data-page": page.name, "data-title": page.title}
-    )
+    attributes = {"class": "chapter-page", "data-page": page.name, "data-title": page.title}
+    box = chapter.shell.new_tag("div", attrs=attributes)
     if not page.article.find("section", id=True):
         box["id"] = page.name
     for load in page.article.select("link[rel=stylesheet], script[src]"):
@@ -123,12 +122,6 @@ def wrapped(chapter: Chapter, page: Page) -> Tag:
     return box
 
 
-def belonging(part: Tag, page: Page) -> Tag:
-    """A part of the frame that is shown with one page only."""
-    part["data-of"] = page.name
-    return part
-
-
 def put_pages(chapter: Chapter) -> None:
     """Put the pages into the frame, and what belongs to each into its menus."""
     shell = chapter.shell
@@ -136,10 +129,12 @@ def put_pages(chapter: Chapter) -> None:
     menu = shell.select_one(".dropdown-download-buttons ul")
     for page in chapter.pages:
         inside.append(wrapped(chapter, page))
+        for part in filter(None, (page.contents, *page.downloads)):
+            part["data-of"] = page.name  # it is shown with this page only
         if page.contents:
-            contents.append(belonging(page.contents, page))
+            contents.append(page.contents)
         for item in reversed(page.downloads):
-            menu.insert(0, belonging(item, page))
+            menu.insert(0, item)
 
 
 def put_head(chapter: Chapter) -> None:

@@ -1,7 +1,6 @@
 """The graph of what rests on what is taller than a page: it is cut between its rows."""
 
 import copy
-import re
 from itertools import pairwise
 
 from bs4 import Tag
@@ -27,15 +26,8 @@ def cuts(rows: list[float], height: float) -> list[tuple[float, float]]:
     return [*edges, (top, height)]
 
 
-def touches(edge: Tag, top: float, bottom: float) -> bool:
-    """Whether an arc has a part between two heights."""
-    numbers = [float(number) for number in re.findall(r"-?\d+(?:\.\d+)?", edge["d"])]
-    heights = numbers[1::2]
-    return min(heights) < bottom and max(heights) > top
-
-
 def cut_graph(article: Tag) -> None:
-    """Put pieces in the place of each graph of an article; a node keeps its id in the piece that has it."""
+    """Put pieces in the place of each graph of an article; a node stands in one of them, and keeps its id."""
     for svg in article.select(".graph > svg"):
         _, _, width, height = map(float, svg.get("viewBox", svg.get("viewbox")).split())
         rows = sorted(row_of(node) for node in svg.find_all("g", class_="node"))
@@ -44,9 +36,6 @@ def cut_graph(article: Tag) -> None:
             for node in piece.find_all("g", class_="node"):
                 if not top <= row_of(node) < bottom:
                     node.decompose()
-            for edge in piece.find_all("path", class_="edge"):
-                if not touches(edge, top, bottom):
-                    edge.decompose()
             piece.attrs.pop("viewbox", None)
             piece["viewBox"] = f"0 {top:g} {width + ROOM:g} {bottom - top:g}"
             piece["width"], piece["height"] = f"{width + ROOM:g}", f"{bottom - top:g}"

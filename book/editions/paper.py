@@ -1,5 +1,6 @@
 """The document that is printed: every page of the chapter, one after the other, with nothing folded away."""
 
+from html import escape
 from pathlib import Path
 
 from bs4 import BeautifulSoup, NavigableString, Tag
@@ -39,9 +40,7 @@ def drop_link(link: Tag) -> None:
 def unfold(article: Tag) -> None:
     """Open what is folded, and take away what needs a hand."""
     for place in article.select(".simulator"):
-        still = BeautifulSoup("", "html.parser").new_tag("p", attrs={"class": "on-paper"})
-        still.string = STILL
-        place.replace_with(still)
+        place.replace_with(parsed(f'<p class="on-paper">{STILL}</p>').p)
     for tag in article.select(f"{ACTIVE}, img.only-dark"):
         tag.decompose()
     for details in article.find_all("details"):
@@ -53,16 +52,10 @@ def unfold(article: Tag) -> None:
 
 def keep_together(title: Tag) -> None:
     """Put the title of a card's part and the list under it into a box, which a page does not break."""
-    box = BeautifulSoup("", "html.parser").new_tag("div", attrs={"class": "together"})
+    box = parsed('<div class="together"></div>').div
     title.insert_before(box)
     below = title.find_next_sibling()
     box.extend([title, below] if below and below.name in ("ul", "ol") else [title])
-
-
-def sections(page: Page) -> list[Tag]:
-    """The page's own sections, one below its title."""
-    first = page.article.find("section", id=True)
-    return [part for part in first.find_all("section", recursive=False) if part.find("h2", recursive=False)]
 
 
 def heading(section: Tag) -> str:
@@ -70,30 +63,20 @@ def heading(section: Tag) -> str:
     return section.find(["h1", "h2"]).get_text().strip()
 
 
-def entry(soup: BeautifulSoup, id: str, text: str) -> Tag:
+def entry(section: Tag, inside: str = "") -> str:
     """A line of the contents; the number of the page is filled in when it is known."""
-    item, link = soup.new_tag("li"), soup.new_tag("a", href=f"#{id}")
-    link.string = text
-    number = soup.new_tag("span", attrs={"class": "page-number", "data-for": id})
-    item.extend([link, number])
-    return item
+    id, text = section["id"], escape(heading(section))
+    return f'<li><a href="#{id}">{text}</a><span class="page-number" data-for="{id}"></span>{inside}</li>'
 
 
-def contents(soup: BeautifulSoup, pages: list[Page]) -> Tag:
-    """The table of contents: pages, and their sections."""
-    nav = soup.new_tag("nav", attrs={"class": "paper-contents"})
-    title, outer = soup.new_tag("h2"), soup.new_tag("ol")
-    title.string = "Contents"
-    nav.extend([title, outer])
+def contents(pages: list[Page]) -> Tag:
+    """The table of contents: pages, and their sections, one below the title."""
+    lines = []
     for page in pages:
         first = page.article.find("section", id=True)
-        item = entry(soup, first["id"], heading(first))
-        inner = soup.new_tag("ol")
-        inner.extend(entry(soup, part["id"], heading(part)) for part in sections(page))
-        if inner.find("li"):
-            item.append(inner)
-        outer.append(item)
-    return nav
+        parts = [part for part in first.find_all("section", recursive=False) if part.find("h2", recursive=False)]
+        lines.append(entry(first, f"<ol>{''.join(map(entry, parts))}</ol>" if parts else ""))
+    return parsed(f'<nav class="paper-contents"><h2>Contents</h2><ol>{"".join(lines)}</ol></nav>').nav
 
 
 def read(site: Path, shell: BeautifulSoup, store: Store) -> list[Page]:
@@ -119,7 +102,7 @@ def document(site: Path) -> str:
     whole = parsed(FRAME)
     whole.title.string = heading(pages[0].article)
     front, *rest = [page.article for page in pages]
-    whole.body.extend([front, contents(whole, pages[1:]), *rest])
+    whole.body.extend([front, contents(pages[1:]), *rest])
     for place, name, text in (
         (whole.head, "style", "\n".join([*styles, (HERE / "print.css").read_text(encoding="utf-8")])),
         (whole.head, "script", setting),

@@ -2,18 +2,21 @@
 
 import base64
 import gzip
+import io
 import mimetypes
 import re
+from functools import cache
 from pathlib import Path
 from urllib.parse import unquote
 
-from book.editions.pixels import address, smaller_inside
+from PIL import Image
 
+EMBEDDED = re.compile(r"data:image/png;base64,([A-Za-z0-9+/=\s]+)")
 COORDINATES = re.compile(r'(?<= d=")[^"]+|(?<= [xy]=")[^"]+')
 FRACTION = re.compile(r"-?\d+\.\d{3,}")
 TOKEN = re.compile(r"%%kept-(\d+)%%")
 UNUSED = {"fa-brands-400.woff2", "fa-regular-400.woff2"}  # no page has a brand's mark or a hollow icon
-TYPES = {".woff2": "font/woff2", ".woff": "font/woff", ".svg": "image/svg+xml", ".png": "image/png"}
+TYPES = {".woff2": "font/woff2", ".woff": "font/woff", ".svg": "image/svg+xml"}
 
 
 class Store:
@@ -32,24 +35,40 @@ class Store:
         return TOKEN.sub(lambda match: self.texts[int(match[1])], document)
 
 
+def base64_address(kind: str, content: bytes) -> str:
+    """Bytes of a kind as a data: address."""
+    return f"data:{kind};base64,{base64.b64encode(content).decode()}"
+
+
 def data_address(path: Path) -> str:
     """A file as a data: address."""
-    if path.suffix == ".png":
-        return address(path.read_bytes())
-    kind = TYPES.get(path.suffix) or mimetypes.guess_type(path.name)[0] or "application/octet-stream"
-    return f"data:{kind};base64,{base64.b64encode(path.read_bytes()).decode()}"
+    content, suffix = path.read_bytes(), path.suffix
+    if suffix == ".png":
+        return base64_address("image/webp", as_webp(content))
+    return base64_address(
+        TYPES.get(suffix) or mimetypes.guess_type(path.name)[0] or "application/octet-stream", content
+    )
+
+
+@cache
+def as_webp(png: bytes) -> bytes:
+    """The same pixels as WebP, without loss; those of no colour at all too."""
+    out = io.BytesIO()
+    Image.open(io.BytesIO(png)).save(out, "WEBP", lossless=True, exact=True, method=6)
+    return out.getvalue()
 
 
 def packed_address(content: bytes) -> str:
     """Bytes as a data: address, compressed; the same bytes every time."""
-    return f"data:application/gzip;base64,{base64.b64encode(gzip.compress(content, 9, mtime=0)).decode()}"
+    return base64_address("application/gzip", gzip.compress(content, 9, mtime=0))
 
 
 def svg_parts(path: Path) -> list[str]:
     """A drawing as it stands in a data: address with single quotes, cut before each of its tags."""
     text = re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
     text = re.sub(r"\s*\n\s*", " ", text).replace("> <", "><").strip()
-    text = COORDINATES.sub(lambda match: FRACTION.sub(to_hundredths, match[0]), smaller_inside(text))
+    text = EMBEDDED.sub(lambda match: base64_address("image/webp", as_webp(base64.b64decode(match[1]))), text)
+    text = COORDINATES.sub(lambda match: FRACTION.sub(to_hundredths, match[0]), text)
     text = re.sub("[%#]", lambda match: f"%{ord(match[0]):02X}", text)
     return text.replace("'", "&apos;").replace('"', "'").split("<")
 

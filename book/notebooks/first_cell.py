@@ -1,11 +1,14 @@
 """The text of a notebook's first cell: it writes out the sources that the notebook uses, and checks them."""
 
 import base64
+import hashlib
 import json
+import tomllib
 import zlib
+from functools import cache
 from string import Template
 
-from book.notebooks.sources import digest, hashes, version
+from book.build import stamps
 
 TEXT = Template('''\
 # What this notebook uses of the project Symbolic Rendering, version $version, put in a folder beside it by this cell.
@@ -55,9 +58,24 @@ print(f"version {VERSION}, sources {DIGEST[:8]}, drawn by {machine().NAME}: {fil
 ''')
 
 
+@cache
+def version():
+    """Return the project's version."""
+    return tomllib.loads((stamps.ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
+
+
+def closure(code):
+    """Return {path from the root: text} of the modules that some code imports, directly or not, and their packages."""
+    paths = sorted(stamps.modules_for(code))
+    return {path.relative_to(stamps.ROOT).as_posix(): path.read_text(encoding="utf-8") for path in paths}
+
+
 def first_cell(sources):
-    """Return the text of the first cell for a closure of `sources.closure`."""
-    packed = base64.b64encode(zlib.compress(json.dumps(sources).encode(), 9)).decode()
+    """Return the text of the first cell for a closure."""
+    hashes = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in sources.items()}
     return TEXT.substitute(
-        version=version(), digest=digest(sources), hashes=json.dumps(hashes(sources), indent=4), sources=packed
+        version=version(),
+        digest=hashlib.sha256(json.dumps(hashes).encode()).hexdigest(),
+        hashes=json.dumps(hashes, indent=4),
+        sources=base64.b64encode(zlib.compress(json.dumps(sources).encode(), 9)).decode(),
     )

@@ -88,13 +88,9 @@ def cited(text):
     return {match["text"]: number(match["text"]) for match in ROLE.finditer(text) if match["role"] == "number"}
 
 
-@cache
-def _bibliography():
-    return parse_file(BOOK / "references.bib").entries
-
-
 def _citation(keys):
-    entries = [_bibliography()[key.strip()] for key in keys.split(",")]
+    bibliography = parse_file(BOOK / "references.bib").entries
+    entries = [bibliography[key.strip()] for key in keys.split(",")]
     names = [" and ".join(str(p.last_names[0]) for p in entry.persons["author"]) for entry in entries]
     return "(" + "; ".join(f"{n} {entry.fields['year']}" for n, entry in zip(names, entries, strict=True)) + ")"
 

@@ -4,10 +4,9 @@ import json
 import re
 
 from book.notebooks import WHOLE
-from book.notebooks.first_cell import first_cell
+from book.notebooks.first_cell import closure, first_cell, version
 from book.notebooks.laboratory import EXPECTED, SKIPPED, cells, cited, plain
 from book.notebooks.slices import needed
-from book.notebooks.sources import closure, version
 
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 ABOUT = (
@@ -25,23 +24,15 @@ def markdown(source):
 
 def code(source, outputs=(), **metadata):
     """Return a cell of code, without an id; what it printed when the page was built may be given."""
-    return {
-        "cell_type": "code",
-        "execution_count": None,
-        "metadata": metadata,
-        "outputs": list(outputs),
-        "source": source,
-    }
+    ran = {"execution_count": None, "outputs": list(outputs)}
+    return {"cell_type": "code", "metadata": metadata, "source": source} | ran
 
 
 def _expectations(cell, source):
     """Return a cell's expectations, after the numbers that its prose cites if they ask for one."""
     if "cited[" not in source:
         return source
-    numbers = {}
-    for part in cell.parts:
-        if not part.is_code:
-            numbers |= cited(part.text)
+    numbers = cited("\n".join(part.text for part in cell.parts if not part.is_code))
     return f"cited = {json.dumps(numbers, indent=4, ensure_ascii=False)}\n\n{source}"
 
 

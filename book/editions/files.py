@@ -1,0 +1,46 @@
+"""The editions of the built site: one file that can be mailed, and the print; each is made when the site changed."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from book.build import stamps, website
+
+SINGLE = website.BOOK / "_build" / "single" / "bump-mapping.html"
+PDF = website.BOOK / "_build" / "pdf" / "bump-mapping.pdf"
+LARGEST = 12_000_000  # bytes of the file; what is larger, many mail servers refuse
+
+
+class TooLarge(ValueError):
+    """The file cannot be mailed."""
+
+
+def single_file(site: Path = website.SITE) -> bytes:
+    """The one file's bytes, from the built site; TooLarge if they are too many."""
+    from book.editions.document import document
+
+    made = document(site).encode()
+    if len(made) > LARGEST:
+        raise TooLarge(f"{SINGLE.name} would have {len(made):,} bytes; at most {LARGEST:,} are allowed")
+    return made
+
+
+def printed(site: Path = website.SITE) -> bytes:
+    """The chapter as PDF, from the built site; raises NoBrowser."""
+    from book.editions.chromium import print_document
+    from book.editions.paper import document
+
+    print("  Chromium typesets every page (a minute)", flush=True)
+    return print_document(document(site))
+
+
+def make(name: str, place: Path, content: Callable[[], bytes]) -> None:
+    """Write an edition, which appears whole or not at all, unless it is up to date."""
+    site = stamps.read("site")
+    if site is not None and stamps.read(name) == site and place.is_file():
+        print("  skipped: the site has not changed")
+        return
+    stamps.remove(name)
+    made = content()
+    stamps.write_whole(place, made)
+    stamps.write(name, site)
+    print(f"  {len(made) / 1e6:.1f} MB")
