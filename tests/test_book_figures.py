@@ -32,18 +32,17 @@ def curve() -> Drawing:
     return Drawing(fig, numbers=numbers, data={"step": steps, "error": steps**2})
 
 
-def test_ids_are_plain_and_unique(no_figures):
+def test_figures_have_plain_and_unique_ids_seen_data_and_a_docstring(no_figures):
     registry.figure("curve")(curve)
     with pytest.raises(ValueError, match="taken"):
         registry.figure("curve")(curve)
     for id in ("Curve", "a-b", "", "a.b"):
         with pytest.raises(ValueError, match="a-z"):
             registry.figure(id)
-
-
-def test_data_lies_where_changes_are_seen(no_figures):
-    with pytest.raises(ValueError, match="tests/data/"):
-        registry.figure("curve", data=["elsewhere/table.csv"])
+    with pytest.raises(ValueError, match="tests/data/"):  # where changes are seen
+        registry.figure("table", data=["elsewhere/table.csv"])
+    with pytest.raises(ValueError, match="docstring"):
+        registry.figure("plain")(lambda: Drawing())
 
 
 def test_figures_are_looked_at_again_when_code_or_a_drawing_changed(monkeypatch, tmp_path):
@@ -53,11 +52,6 @@ def test_figures_are_looked_at_again_when_code_or_a_drawing_changed(monkeypatch,
     assert keys.nothing_changed()
     monkeypatch.setattr(keys.check, "sources", lambda: [stamps.LOCK_FILE])
     assert not keys.nothing_changed()
-
-
-def test_figure_needs_a_docstring(no_figures):
-    with pytest.raises(ValueError, match="docstring"):
-        registry.figure("plain")(lambda: Drawing())
 
 
 def test_numbers_become_plain():
@@ -87,15 +81,11 @@ def test_plot_is_saved_light_and_dark_and_the_same_each_time(tmp_path):
     assert light.read_bytes() == before
 
 
-def test_render_is_saved_at_its_own_pixels(tmp_path):
+def test_render_is_saved_at_its_own_pixels_and_numbers_need_no_picture(tmp_path):
     pixels = np.arange(4 * 5 * 3, dtype=np.uint8).reshape(4, 5, 3)
     save.save(Registered("render", lambda: Drawing(pixels)), tmp_path, "x.py", "key")
     assert np.array_equal(np.asarray(Image.open(tmp_path / "render.png")), pixels)
-
-
-def test_numbers_alone_need_no_picture(tmp_path):
-    names = save.save(Registered("table", lambda: Drawing(numbers={"n": 1})), tmp_path, "x.py", "key")
-    assert names == ["table.json"]
+    assert save.save(Registered("table", lambda: Drawing(numbers={"n": 1})), tmp_path, "x.py", "key") == ["table.json"]
 
 
 @pytest.mark.parametrize("picture", [np.zeros((2, 2, 3)), np.zeros((2, 2), np.uint8), "a.png"])
@@ -105,11 +95,11 @@ def test_other_pictures_are_refused(tmp_path, picture):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_figure_whose_numbers_change_when_drawn_again_is_refused(tmp_path):
-    numbers = iter([1, 2])
-    entry = Registered("unsteady", lambda: Drawing(Figure(), numbers={"n": next(numbers)}, data={"n": [1]}))
+@pytest.mark.parametrize(("numbers", "data"), [([1, 2], [1, 1]), ([1, 1], [1, 2])])
+def test_figure_that_changes_when_drawn_again_is_refused(tmp_path, numbers, data):
+    drawings = iter([Drawing(Figure(), {"n": n}, {"a": [a]}) for n, a in zip(numbers, data, strict=True)])
     with pytest.raises(ValueError, match="other numbers"):
-        save.save(entry, tmp_path, "x.py", "key")
+        save.save(Registered("unsteady", lambda: next(drawings)), tmp_path, "x.py", "key")
 
 
 def test_panels_show_every_pixel_once_at_the_size_of_a_css_pixel():

@@ -9,6 +9,7 @@ import pytest
 from pypdf import PdfReader
 
 from book.editions import chromium
+from book.editions.files import printed
 from book.editions.graph import TALLEST, cut_graph, cuts
 from book.editions.pages import parsed
 from book.editions.paper import STILL, document, drop_link, keep_together, on_paper, unfold
@@ -182,8 +183,9 @@ def test_date_of_the_print_is_fixed_and_nothing_moves():
 
 def test_without_a_browser_it_says_so(monkeypatch):
     monkeypatch.setattr(chromium.shutil, "which", lambda name: None)
+    monkeypatch.setattr("book.editions.paper.document", lambda site: "")
     with pytest.raises(chromium.NoBrowser, match="no Chromium is installed"):
-        chromium.print_document("")
+        printed()
 
 
 def test_listings_and_reference_stay_elsewhere():

@@ -18,10 +18,7 @@ from book.drawing.registry import FIGURES, Registered, UnknownFigure
 
 PROCESSES = 2
 # Those that take longest begin first, so that no process waits long for the other at the end.
-LONGEST = (
-    "u_curve_apart", "reference_pixels", "accuracy_maps", "eps_sweep", "elementary_ulps", "attribution", "frontiers",
-    "stability", "scene_figures", "pole",
-)  # fmt: skip
+LONGEST = ("eps_sweep", "stability", "u_curve_apart", "reference_pixels", "accuracy_maps", "attribution")
 
 
 def all_figures() -> dict[str, Registered]:
@@ -94,8 +91,8 @@ def _families(waiting: list[Waiting]) -> list[list[Waiting]]:
     families: dict[str, list[Waiting]] = {}
     for one in waiting:
         families.setdefault(keys.source_file(one.entry).stem, []).append(one)
-    order = {name: place for place, name in enumerate(LONGEST)}
-    return [families[name] for name in sorted(families, key=lambda name: (order.get(name, len(order)), name))]
+    first = [name for name in LONGEST if name in families]
+    return [families[name] for name in (*first, *sorted(families.keys() - {*first}))]
 
 
 def _draw_family(family: list[Waiting], folder: Path | None = None) -> list[tuple[Waiting, list[str], float]]:

@@ -1,6 +1,6 @@
 """Which term of a central difference's error is the largest: pixel by pixel, and step by step."""
 
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 
@@ -24,9 +24,7 @@ SWEEP = np.logspace(-0.5, -13, 26)
 KEYS = [name.replace(" ", "_").replace("-", "_") for name in attribution.TERMS]
 
 
-@cache
-def _frame():
-    return render(Scene(), SIDE, SIDE)
+_frame = cache(partial(render, Scene(), SIDE, SIDE))
 
 
 def _picture(kinds):

@@ -41,11 +41,6 @@ def curve(numbers, renderer, threads):
     return np.array(sorted((int(match[1]) ** 2, value) for match, value in matches if match)).T
 
 
-def columns(rows, names):
-    """Return rows as named columns."""
-    return dict(zip(names, zip(*rows, strict=True), strict=True))
-
-
 def label_ends(ax, ends):
     """Name the lines that end at [(pixels, ms, label, colour)] in a column right of the longest.
 
@@ -78,7 +73,7 @@ def time_against_pixels() -> Drawing:
     label_line_end(ax, *ends[-1], side="above")
     pixels, times = curve(numbers, "algebraic", 2)
     slope_triangle(ax, 4e5, 0.2 * np.interp(4e5, pixels, times), numbers["exponent_2"], f"{numbers['exponent_2']:.3f}")
-    return Drawing(fig, data=columns(rows, ("renderer", "threads", "pixels", "ms")))
+    return Drawing(fig, data=dict(zip(("renderer", "threads", "pixels", "ms"), zip(*rows, strict=True), strict=True)))
 
 
 def around(values):

@@ -117,3 +117,13 @@ def frontier_leaks() -> Drawing:
         for name, (leak, miss) in zip(("first", "second"), _leaks(SCENE, size), strict=True):
             kept |= {f"{name}_leaks": leak, f"{name}_missed": miss}
     return Drawing(fig, numbers={key: int(np.sum(value)) for key, value in numbers.items()}, data=data)
+
+
+@figure("blinn_angles")
+def blinn_angles() -> Drawing:
+    """The median angle between the chapter's N', as it is and with its sign turned, and Blinn's, in degrees."""
+    surface = {name: plane[symbolic().stage.on_a] for name, plane in symbolic().surface_data.items()}
+    found = fiction.normals(SCENE, surface)
+    chapter, turned, _, blinn = (found[name] for name in fiction.STEPS)
+    apart = {"chapter": fiction.degrees(chapter, blinn), "turned": fiction.degrees(turned, blinn)}
+    return Drawing(numbers={name: float(np.median(angles)) for name, angles in apart.items()})

@@ -13,15 +13,16 @@ EACH = 15
 
 @cache
 def _pixels():
-    return checked_pixels(SCENES, each=EACH)
+    pixels = checked_pixels(SCENES, each=EACH)
+    if wrong := problems(pixels):
+        raise ValueError(f"{len(wrong)} pixels are off by more than their bound: {wrong[0]}")
+    return pixels
 
 
 @figure("reference_pixels")
 def reference_pixels() -> Drawing:
     """The largest channel error of pixels of each kind against 256-bit balls, and the radii of 53-bit balls."""
     pixels = _pixels()
-    if wrong := problems(pixels):
-        raise ValueError(f"{len(wrong)} pixels are off by more than their bound: {wrong[0]}")
     kinds = list(dict.fromkeys(p.kind for p in pixels))[::-1]
     fig, ax = plot(height=3.8)
     error, radius = palette()["difference"], palette()["reference"]

@@ -1,11 +1,14 @@
-"""The scene: its chambers, its height fields on the chart, and where the creases fall in the picture."""
+"""The scene: its chambers, its height fields, where the creases fall, and the shadow that the bump moves."""
+
+from dataclasses import replace
+from functools import cache
 
 import matplotlib
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels, plot
-from book.figures.chapter_scene import FIELD_NAMES, SCENE, symbolic
+from book.figures.chapter_scene import FIELD_NAMES, SCENE, SIZE, marked_by_light, symbolic
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
 from proofs.formulas.symbols import cos_phi, eye, radius, rho, rho_silhouette, sin_phi
 from renderer import Scene, height_at, render
@@ -102,3 +105,30 @@ def kink_loci() -> Drawing:
     ax.axis(limits)
     numbers = {"rays": int(SCENE.ku), "circles": len(parallels), "circle_radius": parallels[0][2], "rim": rim}
     return Drawing(fig, numbers=numbers, data=data)
+
+
+@cache
+def turned(size=SIZE):
+    """Return, for each light, the pixels of A that β turns to the light's other side, (height, width) bool."""
+    bumped = symbolic("ridges", size)
+    flat = render(replace(SCENE, beta=0.0), size, size, stage=bumped.stage)
+    sides = [(bumped.light_cosines(n) > 0, flat.light_cosines(n) > 0) for n in range(len(SCENE.lights))]
+    return [(one != other) & bumped.stage.on_a for one, other in sides]
+
+
+@figure("attached_shadow")
+def attached_shadow() -> Drawing:
+    """The pixels of A that the bump turns away from a light, or towards it, for each light."""
+    fig = marked_by_light([[(flags, (0xCC, 0x79, 0xA7))] for flags in turned(300)])
+    on_a = int(symbolic().stage.on_a.sum())
+    first, second = turned()
+    numbers = {
+        "beta": SCENE.beta,
+        "pixels_a": on_a,
+        "first": int(first.sum()),
+        "second": int(second.sum()),
+        "first_share": first.sum() / on_a,
+        "second_share": second.sum() / on_a,
+        "either_share": (first | second).sum() / on_a,
+    }
+    return Drawing(fig, numbers=numbers, data=dict(zip(("first", "second"), turned(300), strict=True)))

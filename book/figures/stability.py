@@ -98,7 +98,7 @@ def stability_wave_numbers() -> Drawing:
     seen = sweep("wave_numbers")
     naive, rounded = seen.others
     fig, ax = plot(height=3.9)
-    _draw(ax, seen, ((naive, SOLID), (rounded, DASHED)), bound=10, ours=10)
+    _draw(ax, seen, ((naive, SOLID), (rounded, DASHED)), bound=1e5, ours=1e5)
     decades(ax, 1, 2, ylim=(1e-17, 1e-8), xlabel="$|k|$", ylabel=r"error / $\pi\,\max(1, |k|)$")
     _name(ax, seen, naive, 1e3, "libm, argument rounded", "left")
     _name(ax, seen, rounded, 3e4, "reduced, but the\nproduct rounded", "below", times=0.1)

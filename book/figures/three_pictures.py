@@ -1,4 +1,4 @@
-"""Numeric, symbolic, difference: of one field, and of all three."""
+"""The chapter's pictures: numeric, symbolic and their difference, of one field and of all three; and views of one."""
 
 import numpy as np
 
@@ -6,10 +6,10 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels
 from book.figures.chapter_scene import FIELD_NAMES, TELLING_EPS, numeric, symbolic
 from renderer.sweep import difference_on_a, rms
-from renderer.views import difference_logarithmic, to_bytes
+from renderer.views import difference_logarithmic, image_view, kink_view, slope_view, to_bytes
 
 LOW, HIGH = -8, 0
-SIDE = 264
+SIDE, VIEW_SIDE = 264, 220
 GAP = 12
 TITLES = ("numeric", "symbolic", "difference")
 
@@ -49,3 +49,21 @@ def contact_sheet() -> Drawing:
         delta = difference_on_a(numeric(field, SIDE), symbolic(field, SIDE))
         numbers |= {f"{field}_rms": rms(delta), f"{field}_largest": np.abs(delta).max()}
     return Drawing(fig, numbers=numbers)
+
+
+@figure("views")
+def views() -> Drawing:
+    """The symbolic picture of ridges, its slope, its kink flags, and the pixels whose difference straddles."""
+    frame, stepped = symbolic("ridges", VIEW_SIDE), numeric("ridges", VIEW_SIDE)
+    straddling = np.where(stepped.straddling[..., None], np.uint8(255), image_view(frame) // 3)
+    pictures = [image_view(frame), slope_view(frame), kink_view(frame), straddling]
+    fig = panels(pictures, ("image", "slope |∇h|", "kink flag", "straddling"))
+    on_a = int(frame.stage.on_a.sum())
+    numbers = {
+        "eps": stepped.method.eps,
+        "steepest": frame.slope.max(),
+        "kink_share": frame.kink.sum() / on_a,
+        "straddling_share": stepped.straddling.sum() / on_a,
+    }
+    data = {"slope": frame.slope, "kink": frame.kink, "straddling": stepped.straddling}
+    return Drawing(fig, numbers=numbers, data=data)

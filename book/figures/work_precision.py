@@ -24,6 +24,7 @@ GRADIENT_LABELS = {
 }
 ALONG = {"forward": 1e-2, "central": 1e-2, "central, 4th order": 1e-6, "central, 6th order": 1e-1,
          "Richardson, 8th order": 1e-8}  # fmt: skip
+SOLID = (0, ())
 DASHES = {"forward": (0, (1.5, 1.5)), "central": (0, ()), "central, 4th order": (0, (5, 2)),
           "central, 6th order": (0, (8, 2)), "Richardson, 8th order": (0, (5, 2, 1.5, 2))}  # fmt: skip
 
@@ -56,22 +57,20 @@ def draw_front(ax, points, right):
     front = pareto(points)
     times, errors = np.append(front[:, 0], right), np.append(front[:, 1], front[-1, 1])
     ax.step(times, errors, where="post", color=palette()["reference"], linewidth=5, alpha=0.3, zorder=0)
-    return front
 
 
 def label_along(ax, x, y, text, colour, side="left"):
     """Write a name along an upright line, to its left or right."""
     away, align = (-3, "right") if side == "left" else (3, "left")
     ax.annotate(text, (x, y), xytext=(away, 0), textcoords="offset points", rotation=90, ha=align, va="center",
-                color=colour, bbox={"pad": 0.5, "color": palette()["paper"]})  # fmt: skip
+                color=readable(colour), bbox={"pad": 0.5, "color": palette()["paper"]})  # fmt: skip
 
 
 def label_numbers():
     """Return where, when and at which commit it was measured, as numbers of a figure."""
     label = result()["label"]
-    return {key: label[key] for key in ("machine", "processor", "python", "date", "commit", "rounds")} | {
-        "absent": len(label["absent"])
-    }
+    cited = {name: label[name] for name in ("machine", "processor", "python", "date", "commit", "rounds")}
+    return cited | {"absent": len(label["absent"])}
 
 
 @figure("work_precision", data=[RESULT])
@@ -85,14 +84,14 @@ def work_precision_figure() -> Drawing:
         shown = points[points[:, 1] >= SMALLEST]
         colour = blue if own[0]["ours"] else orange if name in DASHES else ink
         marker = "o" if len(own) == 1 or name not in DASHES else ""
-        ax.plot(*shown.T, color=colour, linestyle=DASHES.get(name, (0, ())), linewidth=1.4, marker=marker, markersize=5)
+        ax.plot(*shown.T, color=colour, linestyle=DASHES.get(name, SOLID), linewidth=1.4, marker=marker, markersize=5)
         if name in GRADIENT_LABELS:
             side, text = GRADIENT_LABELS[name]
             corner = shown[shown[:, 1].argmax() if side == "above" else shown[:, 1].argmin()]
             label_line_end(ax, *corner, text, colour, side=side)
         if name in ALONG:
             side = "right" if name in ("central, 6th order", "Richardson, 8th order") else "left"
-            label_along(ax, own[0]["ns"], ALONG[name], name, readable(colour), side)
+            label_along(ax, own[0]["ns"], ALONG[name], name, colour, side)
     draw_front(ax, [(r["ns"], r["error"]) for r in rows if r["error"] >= SMALLEST], 1e6)
     _label_cluster(ax, rows)
     decades(ax, 1, 2, ylim=(1e-19, 1e4), xlabel="time, ns a gradient", ylabel="largest error of $h_u$, $h_v$")
@@ -117,7 +116,6 @@ def _label_cluster(ax, rows):
                 color=palette()["ink"], arrowprops={"arrowstyle": "-", "color": palette()["muted"]})  # fmt: skip
 
 
-FRAME_DASHES = {"forward": (0, (1.5, 1.5)), "central": (0, ()), "central, 4th order": (0, (5, 2))}
 FRAME_ALONG = {"forward": 1e-3, "central": 1e-6, "4th": 1e-9}
 
 
@@ -127,26 +125,23 @@ def work_precision_frames() -> Drawing:
     rows = result()["frames"]
     fig, axes = plot(height=4.2, ncols=2, sharey=True)
     blue, orange, numbers = palette()["symbolic"], palette()["numeric"], {}
-    for ax, (field, error, title) in zip(
-        axes, (("sine", "largest", "sine: largest"), ("ridges", "rms", "ridges: RMS, creases and all")), strict=True
-    ):
+    shown = (("sine", "largest", "sine: largest"), ("ridges", "rms", "ridges: RMS, creases and all"))
+    for ax, (field, error, title) in zip(axes, shown, strict=True):
         chosen = [r for r in rows if r["field"] == field]
         for name, own in by_method(chosen).items():
             points = np.array([(r["ms"], r[error]) for r in own])
             colour = blue if own[0]["ours"] else orange
-            ax.plot(
-                *points.T, color=colour, linestyle=FRAME_DASHES.get(name, (0, ())), marker="o" if own[0]["ours"] else ""
-            )
+            marker = "o" if own[0]["ours"] else ""
+            ax.plot(*points.T, color=colour, linestyle=DASHES.get(name, SOLID), marker=marker)
             short = name.removeprefix("exact, ").removeprefix("central, ").removesuffix(" order")
             if own[0]["ours"]:
-                label_line_end(
-                    ax, *points[0], short, readable(colour), side="below" if short == "algebraic" else "above"
-                )
+                side = "below" if short == "algebraic" else "above"
+                label_line_end(ax, *points[0], short, colour, side=side)
             else:
                 side = "right" if short == "4th" else "left"
-                label_along(ax, points[0, 0], FRAME_ALONG[short], short, readable(colour), side)
-            key = "".join(c if c.isalnum() else "_" for c in name.lower())
-            numbers |= {f"{field}_{key}_ms": own[0]["ms"], f"{field}_{key}_error": points[:, 1].min()}
+                label_along(ax, points[0, 0], FRAME_ALONG[short], short, colour, side)
+            key = f"{field}_" + "".join(c if c.isalnum() else "_" for c in name.lower())
+            numbers |= {f"{key}_ms": own[0]["ms"], f"{key}_error": points[:, 1].min()}
         numbers[f"{field}_beaten_by"] = len(work_precision.peers_that_beat(chosen, "ms", error))
         draw_front(ax, [(r["ms"], r[error]) for r in chosen], 1.15 * max(r["ms"] for r in chosen))
         limits = {"xlim": (0, 1.25 * max(r["ms"] for r in chosen)), "ylim": (1e-17, 1e2)}
