@@ -33,20 +33,13 @@ class Code:
     """Definitions and expressions over some inputs, printed as one Python function of 50-digit numbers."""
 
     def __init__(self, inputs, expressions, definitions=()):
-        self.inputs = list(inputs)
+        self.inputs, self.expressions = list(inputs), expressions
         body = [f"v_{s.name} = {_printer.doprint(e)}" for s, e in definitions]
         body.append(f"return [{', '.join(_printer.doprint(sympify(e)) for e in expressions)}]")
         arguments = ", ".join(f"v_{s.name}" for s in self.inputs)
         scope = dict(_NAMES)
-        self.source = f"def code({arguments}):\n    " + "\n    ".join(body)
-        exec(self.source, scope)
+        exec(f"def code({arguments}):\n    " + "\n    ".join(body), scope)
         self.code = scope["code"]
-
-    def within(self, scope):
-        """Return the code as a function of {symbol: value} whose functions are those of `scope`."""
-        scope = dict(scope)
-        exec(self.source, scope)
-        return lambda values: scope["code"](*(values[s] for s in self.inputs))
 
     def __call__(self, values):
         """Return the expressions' real values, or raise Undefined."""

@@ -69,6 +69,8 @@ NAMES = {
     "maximum": lambda *values: reduce(arb.max, values),
     "minimum": lambda *values: reduce(arb.min, values),
     "inf": arb.pos_inf(),
+    "sin": arb.sin,
+    "cos": arb.cos,
     "sinpi": arb.sin_pi,
     "cospi": arb.cos_pi,
     "atan2pi": lambda y, x: arb(0) if y.is_zero() and x.is_zero() else arb.atan2(y, x) / arb.pi(),
@@ -79,12 +81,12 @@ NAMES = {
 class Balls(Evaluator):
     """A program in balls: called with {name: float}, it returns ({name: ball} of every line, names left undecided)."""
 
-    printer = _BallPrinter()
+    printer, names = _BallPrinter(), NAMES
 
     def __call__(self, values, bits=53):
         self.undecided = set()
         with ctx.workprec(bits):
-            names = NAMES | {"pi": arb.pi(), "select": self._select, "sign": self._sign}
+            names = self.names | {"pi": arb.pi(), "select": self._select, "sign": self._sign}
             return self.run(names, values, arb), frozenset(self.undecided)
 
     def _select(self, condition, value, otherwise):
