@@ -6,7 +6,7 @@ from renderer.methods import GradientMethod, exact
 from renderer.raster import Raster
 from renderer.scene import Scene
 from renderer.shader import COLORS, WORK
-from renderer.stage import Stage
+from renderer.stage import Stage, shading_of
 from renderer.threads import checked_threads
 
 
@@ -48,7 +48,8 @@ def render(
     raster, threads = Raster(width, height, crop), checked_threads(threads)
     if stage is not None and not stage.serves(scene, raster):
         raise not_allowed("stage", stage, "one made for the same lengths, lights and raster")
-    if into is not None and not (isinstance(into, Frame) and stage is into.stage and into.shaded_as(scene)):
+    fits = isinstance(into, Frame) and stage is into.stage and shading_of(scene) == shading_of(into.scene)
+    if into is not None and not fits:
         raise not_allowed("into", into, "a frame of the stage that is given, shaded as this scene is")
     if stage is None:
         stage = Stage(scene, raster)

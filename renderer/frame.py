@@ -10,9 +10,8 @@ from renderer.checks import not_allowed
 from renderer.kernels import FIELDS, bumped_normal, chart, phong, point_on_a, slope
 from renderer.machines import machine
 from renderer.numbers import way_of
-from renderer.scene import Scene
 from renderer.shader import ON_A
-from renderer.stage import SURFACE_BITS, shading_of
+from renderer.stage import SURFACE_BITS
 
 SURFACES = {"pixels_a": 1, "pixels_b": 2, "pixels_floor": 3}
 
@@ -37,7 +36,7 @@ class Frame:
         gradient_evaluations (exact ones), algebraic_gradients among them, height_evaluations, shadow_tests,
         specular_powers, light_terms.
         """
-        chambers = {code: int(pixels) for code, pixels in enumerate(self.stage.pixel_counts) if pixels}
+        chambers = {code: pixels for code, pixels in enumerate(np.bincount(self.chambers.ravel()).tolist()) if pixels}
         pixels = {n: sum(p for c, p in chambers.items() if c & SURFACE_BITS == s) for n, s in SURFACES.items()}
         field, way = way_of(self.scene, self.method)
         heights, gradients = FIELDS[field]["height_evaluations"].get(way, 0), self._counts["gradients"]
@@ -49,10 +48,6 @@ class Frame:
             "height_evaluations": heights * gradients,
             **{kind: self._counts[kind] for kind in ("shadow_tests", "specular_powers", "light_terms")},
         }
-
-    def shaded_as(self, scene: Scene) -> bool:
-        """Return whether a scene's weights, albedos, lights and highlight are this frame's: the same off sphere A."""
-        return shading_of(self.scene) == shading_of(scene)
 
     def hand_over(self) -> np.ndarray:
         """Return the memory of the colours for another frame to be drawn into; this one has none any more.

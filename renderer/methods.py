@@ -31,11 +31,6 @@ class GradientMethod:
         else:
             object.__setattr__(self, "eps", check_number("eps", self.eps, SMALLEST_STEP, 0.5))
 
-    @property
-    def height_evaluations(self):
-        """How many times h is evaluated for one gradient: 0 when it is exact."""
-        return HEIGHT_EVALUATIONS.get(self.name, 0)
-
 
 def difference(name, eps):
     """Return a difference by its name. Raises ValueError on the exact gradient."""

@@ -15,6 +15,8 @@ from renderer.scene import Light, Scene
 from renderer.shader import FLOOR, NOTHING, Want
 
 FIRST_LIGHT_BIT = 2
+AS_GIVEN = ("eye", "radius", "ku", "kv", "beta", "kd", "ks", "shininess", "albedo_a", "albedo_b")
+SHADOWS = ("a_on_floor", "b_on_floor", "b_on_a", "a_on_b")  # of which body on which surface, as `shadow_boxes` has them
 
 
 class Geometry(NamedTuple):
@@ -95,8 +97,7 @@ def scene_numbers(scene, method):
     power_u, power_v = algebraic_powers(scene) if way == "algebraic" else (0, 0)
     light, dark = (tuple(float(part) for part in floor_albedo(dark, scene.floor_tint)) for dark in (0.0, 1.0))
     return SimpleNamespace(
-        eye=scene.eye,
-        radius=scene.radius,
+        **{name: getattr(scene, name) for name in AS_GIVEN},
         ball=geometry.ball,  # centre and radius of B
         ball_on=geometry.ball_on,
         floor_on=geometry.floor_on,
@@ -105,21 +106,13 @@ def scene_numbers(scene, method):
         box_of_b=box_of_b,
         way=float(list(FIELDS).index(scene.field)),
         model=float(list(LIGHT_MODELS).index(scene.model)),
-        ku=scene.ku,
-        kv=scene.kv,
-        beta=scene.beta,
         eps=method.eps or 0.0,
         power_u=float(abs(power_u)),  # whole powers of the algebraic form,
         power_v=float(abs(power_v)),
         turn_u=-1.0 if power_u < 0 else 1.0,  # and what turns the imaginary parts of negative ones
         turn_v=-1.0 if power_v < 0 else 1.0,
-        kd=scene.kd,
-        ks=scene.ks,
-        shininess=scene.shininess,
         power=scene.shininess / 2 if style == "squared" else scene.shininess,  # of the highlight's base, or its square
         ambient=tuple(ambient_term(scene.ka, channel) for channel in scene.ambient),
-        albedo_a=scene.albedo_a,
-        albedo_b=scene.albedo_b,
         floor_light=light,  # red and green; blue
         floor_dark=dark,
     )
@@ -128,17 +121,13 @@ def scene_numbers(scene, method):
 def light_numbers(number, light, boxes):
     """Return the numbers of a light that is on, by name; the boxes are where a body's shadow on a surface can be."""
     bit = float(1 << (FIRST_LIGHT_BIT + number))
-    a_on_floor, b_on_floor, b_on_a, a_on_b = boxes
     return SimpleNamespace(
         position=light.position,
         color=light.color,
         glows=float(any(light.color)),  # 0 for a black light, which casts shadows and adds nothing
         bit=bit,  # of the chamber code
         inverse_bit=1 / bit,
-        a_on_floor=a_on_floor,
-        b_on_floor=b_on_floor,
-        b_on_a=b_on_a,
-        a_on_b=a_on_b,
+        **dict(zip(SHADOWS, boxes, strict=True)),
     )
 
 

@@ -8,11 +8,12 @@ import numpy as np
 
 from renderer import kernels
 from renderer.drawing import render
-from renderer.machines.numpy_rows import Rows
+from renderer.machines import Job
+from renderer.machines.numpy_rows import Row, Rows
 from renderer.methods import GradientMethod
 from renderer.numbers import FIRST_LIGHT_BIT, SCENE_FORM, numbers_of, of_form, want_of
 from renderer.scene import Scene
-from renderer.shader import Group
+from renderer.shader import COLORS, Group
 from renderer.stage import SURFACE_BITS
 
 SURFACES = ("none", "A", "B", "floor")
@@ -74,20 +75,6 @@ def pixel(
     return PixelRecord(**record)
 
 
-class _OnePixel:
-    """One pixel of a frame, for the shader: nothing is stored."""
-
-    def __init__(self, frame):
-        self.x, self.y = frame.stage.x, frame.stage.y[0]
-        self._code = frame.chambers[0].astype(np.float64)
-
-    def load(self, name):
-        return self._code
-
-    def store(self, name, value):
-        pass
-
-
 class _WrittenDown(Group):
     """A group of one pixel whose point, normal and lights are kept."""
 
@@ -112,22 +99,21 @@ def _floats(numbers):
 @np.errstate(all="ignore")
 def _lit(frame):
     """Return the point, the normal and the lights of the one pixel of a frame."""
-    scene, lights = numbers_of(frame.scene, frame.method)
+    (scene, lights), stage = numbers_of(frame.scene, frame.method), frame.stage
+    planes = {"code": frame.chambers} | dict(zip(COLORS, np.empty((3, 1, 1)), strict=True))
+    row = Row(Job(scene, lights, stage.x, stage.y, None, planes), 0, slice(None))
     want = want_of(frame.scene, frame.method, given=True)
     want = want._replace(lights=tuple((model, style.replace("dull", "base")) for model, style in want.lights))
-    group = _WrittenDown(Rows(lights), of_form(SCENE_FORM, scene), want, _OnePixel(frame))
+    group = _WrittenDown(Rows(lights), of_form(SCENE_FORM, scene), want, row)
     group.draw()
     return group.found
 
 
 def _on_a(frame):
     data = {name: plane[0, 0].item() for name, plane in frame.surface_data.items()}
-    return {
+    return {name: data[name] for name in ("u", "v", "h")} | {
         "theta": (2.0 * data["u"] - 1.0) * math.pi,
         "phi": data["v"] * math.pi,
-        "u": data["u"],
-        "v": data["v"],
-        "h": data["h"],
         "gradient": (data["h_u"], data["h_v"]),
         "kink": data["kink"] == 1.0,
         "straddling": data.get("straddling") == 1.0,

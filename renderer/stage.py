@@ -4,7 +4,7 @@ Chambers depend on neither the height field, β, ε nor the gradient method (the
 `Stage` serves every such change. It takes 1 byte a pixel, and 24 bytes a pixel more once it is drawn from.
 """
 
-from functools import cached_property, lru_cache
+from functools import lru_cache
 
 import numpy as np
 
@@ -97,11 +97,6 @@ class Stage:
     def serves(self, scene, raster):
         """Return whether these are the chambers of the scene on the raster."""
         return (self.geometry, self.raster) == (geometry_of(scene), raster)
-
-    @cached_property
-    def pixel_counts(self):
-        """(256,) int: how many pixels have each chamber code."""
-        return np.bincount(self.chambers.ravel(), minlength=256)
 
     @property
     def on_a(self):

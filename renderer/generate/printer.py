@@ -14,7 +14,6 @@ from sympy.printing.str import StrPrinter
 class KernelPrinter(StrPrinter):
     """Prints for `renderer.operations`; a subclass may name other functions."""
 
-    sqrt, infinity, pi, power = "sqrt", "inf", "pi", "power"
     names: ClassVar = {"Abs": "abs", "Max": "maximum", "Min": "minimum"}
 
     def literal(self, rational):
@@ -30,10 +29,10 @@ class KernelPrinter(StrPrinter):
     _print_Integer = _print_Zero = _print_One = _print_NegativeOne = _print_Half = _print_Rational
 
     def _print_Pi(self, expr):
-        return self.pi
+        return "pi"
 
     def _print_Infinity(self, expr):
-        return self.infinity
+        return "inf"
 
     def _print_Mul(self, expr):
         coefficient, factors = expr.as_coeff_mul()
@@ -68,14 +67,14 @@ class KernelPrinter(StrPrinter):
     def _print_Pow(self, expr):
         base, exponent = expr.base, expr.exp
         if exponent == S.Half:
-            return f"{self.sqrt}({self._print(base)})"
+            return f"sqrt({self._print(base)})"
         if exponent.is_Rational and exponent.is_negative:
             return f"1.0 / {self.parenthesize(1 / expr, PRECEDENCE['Mul'], strict=True)}"
         if exponent.is_Integer:
             return " * ".join([self.parenthesize(base, PRECEDENCE["Mul"])] * int(exponent))
         if exponent.is_Rational:
             raise ValueError(f"no back end prints the power {expr}")
-        return f"{self.power}({self._print(base)}, {self._print(exponent)})"
+        return f"power({self._print(base)}, {self._print(exponent)})"
 
     def _call(self, name, arguments):
         return f"{name}({', '.join(self._print(a) for a in arguments)})"

@@ -5,6 +5,7 @@ is left out: 0·x, x + 0, 1·x, x/1, of which the sign of a zero may differ, and
 """
 
 from contextlib import contextmanager
+from functools import partialmethod
 
 import llvmlite.ir as ir
 
@@ -117,7 +118,9 @@ class Tracer:
         self.vector, self.mask = ir.VectorType(number, lanes), ir.VectorType(BIT, lanes)
         self.entry = function.append_basic_block()
         self.builder = ir.IRBuilder(self.entry)
-        self.counts = {kind: self._zero() for kind in kinds}
+        self.counts = {kind: self.reserve(WHOLE) for kind in kinds}
+        for place in self.counts.values():
+            self.builder.store(WHOLE(0), place)
         self.light_numbers = self.light_count = self.light_form = None
 
     def reserve(self, kind):
@@ -125,11 +128,6 @@ class Tracer:
         with self.builder.goto_block(self.entry):
             self.builder.position_at_start(self.entry)
             return self.builder.alloca(kind)
-
-    def _zero(self):
-        place = self.reserve(WHOLE)
-        self.builder.store(WHOLE(0), place)
-        return place
 
     def value(self, number):
         """Return a number as a Value, if it is not one."""
@@ -156,17 +154,10 @@ class Tracer:
         function = known or ir.Function(self.module, ir.FunctionType(self.vector, [self.vector] * len(vectors)), name)
         return Value(self, self.builder.call(function, vectors))
 
-    def sqrt(self, value):
-        return self.call("sqrt", value)
-
-    def floor(self, value):
-        return self.call("floor", value)
-
-    def rint(self, value):
-        return self.call("rint", value)
-
-    def power(self, base, exponent):
-        return self.call("pow", base, exponent)
+    sqrt = partialmethod(call, "sqrt")
+    floor = partialmethod(call, "floor")
+    rint = partialmethod(call, "rint")
+    power = partialmethod(call, "pow")
 
     def where(self, mask, value, otherwise):
         return Value(self, self.builder.select(mask.bits, self.value(value).vector, self.value(otherwise).vector))
