@@ -57,7 +57,7 @@ def finished(
     """Yield (task, SweepRow) as they are finished: first what the Checkpoint has, then what the executor computes.
 
     Every batch is kept in the checkpoint before it is yielded. What has not been started when the generator is closed
-    or a batch fails is cancelled.
+    or a batch fails is cancelled. threads: for each frame.
     """
     kept = checkpoint.kept(tasks) if checkpoint else {}
     yield from kept.items()
@@ -80,10 +80,6 @@ def run(
     threads: int = 1,
     progress: Callable[[Iterator[tuple[Task, SweepRow]]], Iterable[tuple[Task, SweepRow]]] = iter,
 ) -> dict[Task, SweepRow]:
-    """Return {task: SweepRow} in the order of the tasks; `progress` wraps the iterable of finished ones.
-
-    executor: any `concurrent.futures.Executor`. checkpoint: a Checkpoint; what it has is not computed again.
-    threads: for each frame.
-    """
+    """Return {task: SweepRow} of `finished` in the order of the tasks; `progress` wraps the iterable."""
     rows = dict(progress(finished(tasks, executor, checkpoint, threads)))
     return {task: rows[task] for task in tasks}

@@ -152,8 +152,9 @@ class Group:
             self.machine.count("gradients", mask)
             if way == "algebraic":
                 u_real, u_imaginary, v_real, v_imaginary = k.algebraic_bases(*angles)
-                cos_u, sin_u = self.complex_power(u_real, s.turn_u * u_imaginary, s.power_u)
-                cos_v, sin_v = self.complex_power(v_real, s.turn_v * v_imaginary, s.power_v)
+                by_complex = k.complex_square, k.complex_product
+                cos_u, sin_u = self.power((u_real, s.turn_u * u_imaginary), s.power_u, *by_complex)
+                cos_v, sin_v = self.power((v_real, s.turn_v * v_imaginary), s.power_v, *by_complex)
                 return field["gradient_from_factors"](sin_u, cos_u, sin_v, cos_v, s.ku, s.kv)
             u, v = self.chart(angles)
             if way == "general":
@@ -162,36 +163,27 @@ class Group:
 
         return self.machine.choose(self.want.ways, s.way, by)
 
-    def complex_power(self, real, imaginary, exponent):
-        """Return (real + i imaginary)^exponent, a whole number that is not negative, by repeated squaring."""
-        machine, one = self.machine, (1.0, 0.0)
-        square, result = ([machine.variable(part) for part in pair] for pair in ((real, imaginary), one))
+    def power(self, base, exponent, square, product):
+        """Return base^exponent, a whole number that is not negative, by repeated squaring.
 
-        def put(target, value):
-            for variable, part in zip(target, value, strict=True):
+        base: the parts of a number, real alone or real and imaginary. square, product: what they do to parts.
+        """
+        squared, result = ([self.machine.variable(part) for part in parts] for parts in (base, (1.0, 0.0)[: len(base)]))
+
+        def put(target, parts):
+            for variable, part in zip(target, parts, strict=True):
                 variable.set(part)
 
         def parts(target):
             return [variable.value for variable in target]
 
-        machine.by_squaring(
-            exponent,
-            first=lambda: put(result, parts(square)),
-            square=lambda: put(square, k.complex_square(*parts(square))),
-            multiply=lambda: put(result, k.complex_product(*parts(result), *parts(square))),
-        )
-        return parts(result)
-
-    def whole_power(self, base, exponent):
-        """Return base^exponent, a whole number, by repeated squaring."""
-        square, result = self.machine.variable(base), self.machine.variable(1.0)
         self.machine.by_squaring(
             exponent,
-            first=lambda: result.set(square.value),
-            square=lambda: square.set(square.value * square.value),
-            multiply=lambda: result.set(result.value * square.value),
+            first=lambda: put(result, parts(squared)),
+            square=lambda: put(squared, square(*parts(squared))),
+            multiply=lambda: put(result, product(*parts(result), *parts(squared))),
         )
-        return result.value
+        return parts(result)
 
     def light_up(self, mask, point, normal, albedo, bodies):
         """Find what each light's shadows are, and add up the light.
@@ -252,8 +244,9 @@ class Group:
             if style == "dull":
                 return mu, 0.0
             self.machine.count("specular_powers", lit)
-            whole = self.want.whole
-            return mu, self.whole_power(specular, s.power) if whole else k.highlight(specular, s.shininess)
+            if not self.want.whole:
+                return mu, k.highlight(specular, s.shininess)
+            return mu, *self.power((specular,), s.power, lambda a: (a * a,), lambda a, b: (a * b,))
 
         return self.machine.choose(self.want.lights, s.model, by)
 

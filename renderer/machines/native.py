@@ -21,7 +21,6 @@ from renderer.machines.drawing_code import ARGUMENTS, emit
 from renderer.shader import WORK
 
 NAME = "llvm"
-_compiled: dict = {}
 _compiling = Lock()
 
 
@@ -91,17 +90,10 @@ def machine_code(emit_into, *what):
     return ctypes.CFUNCTYPE(None, ctypes.c_void_p)(engine.get_function_address(name)), engine
 
 
+@cache
 def compiled(want, lanes):
     """Return (the function that draws what is wanted, given the address of ARGUMENTS; what it lives as long as)."""
     return machine_code(emit, want, lanes)
-
-
-def _kept(want, lanes):
-    """Return the function of `compiled`, from the first time that it was wanted."""
-    with _compiling:
-        if (want, lanes) not in _compiled:
-            _compiled[want, lanes] = compiled(want, lanes)
-        return _compiled[want, lanes][0]
 
 
 def drawer(want, job, lanes=None, code=None):
@@ -109,7 +101,9 @@ def drawer(want, job, lanes=None, code=None):
 
     lanes: how many pixels at a time (default: `host_lanes`). code: the function to call, if it is not to be kept.
     """
-    code = code or _kept(want, lanes or host_lanes(want))
+    if code is None:
+        with _compiling:
+            code, _ = compiled(want, lanes or host_lanes(want))
     arrays = {name: getattr(job, name) for name in ("x", "y", "columns", "scene", "lights")} | job.planes
     given = {name: array.ctypes.data for name, array in arrays.items()}
     given |= {"pitch": len(job.x), "light_count": len(job.lights)}

@@ -9,6 +9,8 @@ from functools import partialmethod
 
 import llvmlite.ir as ir
 
+from renderer.numbers import flat, of_form
+
 FLOAT, BIT, BYTE, WHOLE = ir.DoubleType(), ir.IntType(1), ir.IntType(8), ir.IntType(64)
 
 
@@ -231,15 +233,11 @@ class Tracer:
 
     def each_light(self, body):
         """Run `body` on the numbers of one light after another."""
-        from renderer.numbers import of_form
-
         with self.loop(WHOLE(0), self.light_count) as number:
             body(of_form(self.light_form, self.numbers(self.light_numbers, self.light_form, number)))
 
     def numbers(self, pointer, form, number=None):
         """Yield the Values of an array of numbers of a form, or of its row `number`."""
-        from renderer.numbers import flat
-
         count = len(flat(form))
         for column in range(count):
             index = WHOLE(column)

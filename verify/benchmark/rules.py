@@ -74,7 +74,7 @@ def prepare(scene, method, without=nullcontext):
     with without():
         want, given = numbers.want_of(scene, method), numbers.numbers_of.__wrapped__(scene, method)
         lanes = native.host_lanes(want)
-        code, engine = native.compiled(want, lanes)
+        code, engine = native.compiled.__wrapped__(want, lanes)
     draw = native.drawer(want, Job(*given, *stage.raster_of(), planes), lanes, code)
 
     def work():
