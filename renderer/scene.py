@@ -95,13 +95,11 @@ class Scene:
             if math.hypot(x, y, z - self.eye) <= self.ball_radius * (1 + 1e-9):
                 raise not_allowed("ball_center", self.ball_center, "B clear of the eye")
         for number, light in enumerate(self.lights):
-            self._check_light(f"lights[{number}].position", light.position, far)
-
-    def _check_light(self, name, position, far):
-        check_triple(name, position, -far, far)
-        if math.hypot(*position) <= self.radius * (1 + 1e-9):
-            raise not_allowed(name, position, "outside sphere A")
-        if self.ball and math.dist(position, self.ball_center) <= self.ball_radius * (1 + 1e-9):
-            raise not_allowed(name, position, "outside sphere B")
-        if self.floor and abs(position[2]) <= 1e-9 * self.radius:
-            raise not_allowed(name, position, "off the floor z = 0 by more than 1e-9 radius")
+            name, position = f"lights[{number}].position", light.position
+            check_triple(name, position, -far, far)
+            if math.hypot(*position) <= self.radius * (1 + 1e-9):
+                raise not_allowed(name, position, "outside sphere A")
+            if self.ball and math.dist(position, self.ball_center) <= self.ball_radius * (1 + 1e-9):
+                raise not_allowed(name, position, "outside sphere B")
+            if self.floor and abs(position[2]) <= 1e-9 * self.radius:
+                raise not_allowed(name, position, "off the floor z = 0 by more than 1e-9 radius")

@@ -17,66 +17,34 @@ FRAME = render(Scene(), 24, 16, central(1e-3))
 PICTURE = views.image_view(FRAME)
 
 
-class Interruption(Exception):
-    """What happens in the middle of a file."""
+class Interruption(BaseException):
+    """What happens in the middle of a file: an error, or Ctrl-C."""
 
 
-def break_png(monkeypatch):
-    def save(self, name, **options):
-        with open(name, "wb") as file:
-            file.write(b"\x89PNG half")
-        raise Interruption
-
-    monkeypatch.setattr(Image.Image, "save", save)
-    return lambda path: files.write_png(path, PICTURE)
+def half(*arguments, **options):
+    """Write half of the file that the last argument names."""
+    Path(arguments[-1]).write_bytes(b"half")
+    raise Interruption
 
 
-def break_npz(monkeypatch):
-    def savez(name, **arrays):
-        with open(name, "wb") as file:
-            file.write(b"PK half")
-        raise Interruption
-
-    monkeypatch.setattr(np, "savez_compressed", savez)
-    return lambda path: files.write_npz(path, FRAME)
+def stop(*arguments):
+    raise Interruption
 
 
-def break_rename(monkeypatch):
-    def replace(source, target):
-        raise Interruption
-
-    monkeypatch.setattr(os, "replace", replace)
-    return lambda path: files.write_png(path, PICTURE)
-
-
-BREAKS = pytest.mark.parametrize(
-    ("broken", "name"), [(break_png, "a.png"), (break_npz, "a.npz"), (break_rename, "a.png")]
+@pytest.mark.parametrize("old", [[], [b"old"]])
+@pytest.mark.parametrize(
+    ("place", "function", "broken", "name"),
+    [(Image.Image, "save", half, "a.png"), (np, "savez_compressed", half, "a.npz"), (os, "replace", stop, "a.png")],
 )
-
-
-@BREAKS
-def test_a_failure_in_the_middle_leaves_nothing(broken, name, tmp_path, monkeypatch):
-    write = broken(monkeypatch)
+def test_a_failure_in_the_middle_leaves_nothing_or_the_old_file(
+    place, function, broken, name, old, tmp_path, monkeypatch
+):
+    for content in old:
+        (tmp_path / name).write_bytes(content)
+    monkeypatch.setattr(place, function, broken)
     with pytest.raises(Interruption):
-        write(tmp_path / name)
-    assert list(tmp_path.iterdir()) == []
-
-
-@BREAKS
-def test_a_failure_in_the_middle_leaves_the_old_file(broken, name, tmp_path, monkeypatch):
-    (tmp_path / name).write_bytes(b"old")
-    write = broken(monkeypatch)
-    with pytest.raises(Interruption):
-        write(tmp_path / name)
-    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(name, b"old")]
-
-
-def test_an_interrupt_from_the_keyboard_leaves_nothing(tmp_path):
-    with pytest.raises(KeyboardInterrupt), files.whole_file(tmp_path / "a.csv") as name:
-        with open(name, "w") as file:
-            file.write("half")
-        raise KeyboardInterrupt
-    assert list(tmp_path.iterdir()) == []
+        files.write_png(tmp_path / name, PICTURE) if name == "a.png" else files.write_npz(tmp_path / name, FRAME)
+    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(name, content) for content in old]
 
 
 def test_the_target_is_untouched_until_the_end(tmp_path):

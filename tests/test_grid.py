@@ -76,7 +76,6 @@ def test_a_grid_has_every_combination_once():
     [
         ({"sizes": [(8, 8), (0, 8)]}, "width = 0 is not allowed"),
         ({"methods": ["exact"]}, "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'"),
-        ({"methods": ["foo"]}, "gradient = 'foo' is not allowed"),
         ({"steps": [0.7]}, r"eps = 0\.7 is not allowed"),
         ({"field": ["sine", "foo"]}, "field = 'foo' is not allowed"),
     ],
@@ -296,21 +295,9 @@ def test_a_dask_worker_that_is_killed(long, tmp_path):
 
 def test_a_dask_cluster_from_the_command_line(many, tmp_path, capsys):
     target = tmp_path / "a.csv"
-    command = [
-        "sweep",
-        "--width",
-        "24",
-        "--height",
-        "16",
-        "--eps",
-        "1e-2,1e-3",
-        "--beta",
-        "0.01,0.02",
-        "--csv",
-        str(target),
-    ]
+    command = ["sweep", "--width", "24", "--height", "16", "--eps", "1e-2,1e-3", "--beta", "0.01,0.02", "--csv"]
     with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster:
-        assert main([*command, "--dask", cluster.scheduler_address]) == 0
+        assert main([*command, str(target), "--dask", cluster.scheduler_address]) == 0
     assert capsys.readouterr().out.startswith(table({task: many[task] for task in MANY[:4]}) + "\nwrote ")
     rms = np.genfromtxt(target, delimiter=",", names=True, dtype=None, encoding="utf-8")["rms"]
     assert list(rms) == [many[task].rms for task in MANY[:4]]

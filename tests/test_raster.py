@@ -62,20 +62,10 @@ def test_a_size_of_numpys_is_accepted():
 
 
 @given(lenses(), rasters())
-def test_the_columns_are_symmetric_about_the_axis(scene, size):
-    x, _ = Raster(*size).image_points(scene)
-    np.testing.assert_array_equal(x, -x[::-1])
-
-
-@given(lenses(), rasters())
-def test_row_0_is_at_the_top(scene, size):
-    _, y = Raster(*size).image_points(scene)
-    assert (np.diff(y) < 0).all()
-
-
-@given(lenses(), rasters())
-def test_pixels_are_square(scene, size):
+def test_pixels_are_square_columns_symmetric_and_row_0_at_the_top(scene, size):
     x, y = Raster(*size).image_points(scene)
+    np.testing.assert_array_equal(x, -x[::-1])
+    assert (np.diff(y) < 0).all()
     half = 1.25 * scene.eye / math.sqrt((scene.eye / scene.radius) ** 2 - 1)
     np.testing.assert_allclose(np.diff(x), 2 * half / size[1], rtol=1e-6)
     np.testing.assert_allclose(-np.diff(y), 2 * half / size[1], rtol=1e-6)

@@ -14,30 +14,20 @@ from tests.strategies import rejected_fields, scenes
 INSIDE_B = (0.5, 0.5, 1.3)
 
 
-def message(error):
-    """The one line of an exception; it has the shape NAME = VALUE is not allowed: WHAT IS."""
+def rejection(make, *arguments, **fields):
+    """The one line of the exception; it has the shape NAME = VALUE is not allowed: WHAT IS."""
+    with pytest.raises(ValueError) as error:
+        make(*arguments, **fields)
     text = str(error.value)
     assert "\n" not in text
     assert " is not allowed: " in text
     return text
 
 
-def rejection(**fields):
-    with pytest.raises(ValueError) as error:
-        Scene(**fields)
-    return message(error)
-
-
-def light_rejection(*arguments):
-    with pytest.raises(ValueError) as error:
-        Light(*arguments)
-    return message(error)
-
-
 @given(rejected_fields)
 def test_a_rejection_names_field_and_value(rejected):
     name, value = rejected
-    text = rejection(**{name: value})
+    text = rejection(Scene, **{name: value})
     assert text.startswith(name)
     shown = text.partition(" = ")[2].rpartition(" is not allowed: ")[0]
     assert shown in {repr(value), *(repr(item) for item in (value if isinstance(value, tuple) else ()))}
@@ -89,7 +79,7 @@ def test_every_number_of_a_scene_is_a_float(scene):
     ],
 )
 def test_a_rejection_says_what_is_allowed(fields, text):
-    assert rejection(**fields).startswith(text)
+    assert rejection(Scene, **fields).startswith(text)
 
 
 @pytest.mark.parametrize(
@@ -103,7 +93,7 @@ def test_a_rejection_says_what_is_allowed(fields, text):
     ],
 )
 def test_a_light_says_what_is_allowed(arguments, text):
-    assert light_rejection(*arguments).startswith(text)
+    assert rejection(Light, *arguments).startswith(text)
 
 
 @pytest.mark.parametrize(

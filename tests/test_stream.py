@@ -93,13 +93,7 @@ def test_a_picture_larger_than_the_disk_is_refused_at_once(tmp_path):
 
 def test_progress_sees_every_block(small_blocks, tmp_path):
     seen = []
-
-    def progress(blocks):
-        for block in blocks:
-            seen.append(block)
-            yield block
-
-    stream.stream(Scene(), 100, 10, tmp_path / "a.npy", progress=progress)
+    stream.stream(Scene(), 100, 10, tmp_path / "a.npy", progress=lambda blocks: seen.extend(blocks) or blocks)
     assert seen == [(0, 0, 100, 3), (0, 3, 100, 3), (0, 6, 100, 3), (0, 9, 100, 1)]
 
 

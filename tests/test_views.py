@@ -36,6 +36,7 @@ def test_srgb_has_every_byte_and_never_falls():
 )
 def test_every_picture_is_bytes_at_the_rasters_own_pixels(picture):
     assert (picture.shape, picture.dtype) == ((40, 48, 3), "uint8")
+    assert picture.any()
 
 
 def test_the_image_is_the_frame_encoded():
@@ -57,12 +58,6 @@ def test_slope_of_a_flat_field_is_black():
     assert not views.slope_view(render(Scene(ku=0.0), 16, 16)).any()
 
 
-@pytest.mark.parametrize("highest", [-1.0, np.nan])
-def test_a_bad_highest_slope(highest):
-    with pytest.raises(ValueError, match=r"highest = .* is not allowed"):
-        views.slope_view(FRAME, highest)
-
-
 def test_kinks_are_white_over_a_dimmed_picture():
     picture = views.kink_view(FRAME)
     assert FRAME.kink.any()
@@ -75,10 +70,12 @@ def test_the_linear_difference():
     assert views.difference_linear(delta, 100.0).tolist() == [0, 26, 26, 128, 255, 255]
 
 
-@pytest.mark.parametrize("gain", [-1.0, np.nan, np.inf])
-def test_a_bad_gain(gain):
+@pytest.mark.parametrize("value", [-1.0, np.nan, np.inf])
+def test_a_bad_scale(value):
     with pytest.raises(ValueError, match=r"gain = .* is not allowed"):
-        views.difference_linear(np.zeros(3), gain)
+        views.difference_linear(np.zeros(3), value)
+    with pytest.raises(ValueError, match=r"highest = .* is not allowed"):
+        views.slope_view(FRAME, value)
 
 
 def test_the_logarithmic_difference_is_black_at_zero_and_nowhere_else():
@@ -86,22 +83,13 @@ def test_the_logarithmic_difference_is_black_at_zero_and_nowhere_else():
     picture = views.difference_logarithmic(delta)
     inferno = matplotlib.colormaps["inferno"]
     low, middle, high = (np.array(inferno(share, bytes=True)[:3]) for share in (0.0, 0.5, 1.0))
-    assert (picture[0, :3] == 0).all()
-    assert (picture[0, 3:6] == low).all()
     assert low.any()
-    assert (picture[0, 6] == middle).all()
-    assert (picture[0, 7:] == high).all()
+    np.testing.assert_array_equal(picture[0], [*[0 * low] * 3, *[low] * 3, middle, high, high])
 
 
 def test_of_the_channels_the_largest_counts():
     delta = np.array([[[0.0, -1e-4, 1e-9], [1e-4, 0.0, 0.0]]])
     np.testing.assert_array_equal(*views.difference_logarithmic(delta)[0])
-
-
-def test_no_difference_is_black():
-    same = render(Scene(), 32, 32).rgb - render(Scene(), 32, 32).rgb
-    assert not views.difference_logarithmic(same).any()
-    assert not views.difference_linear(same).any()
 
 
 def test_a_colour_bar_leaves_the_picture_alone():

@@ -17,28 +17,23 @@ class Pixels:
     def __init__(self, tracer, x, y, planes, at):
         self.x, self.y, self._tracer, self._planes, self._at = x, y, tracer, planes, at
 
-    def _address(self, name):
-        tracer = self._tracer
-        kind = BYTE if name == "code" else FLOAT
-        vector = ir.VectorType(kind, tracer.lanes)
-        pointer = tracer.builder.gep(self._planes[name], [self._at])
-        return tracer.builder.bitcast(pointer, vector.as_pointer()), vector, 1 if name == "code" else 8
+    def _place(self, name):
+        """Return (the address of a plane's numbers, the type of them all, the bytes of one)."""
+        kind, size = (BYTE, 1) if name == "code" else (FLOAT, 8)
+        vector, builder = ir.VectorType(kind, self._tracer.lanes), self._tracer.builder
+        return builder.bitcast(builder.gep(self._planes[name], [self._at]), vector.as_pointer()), vector, size
 
     def load(self, name):
         """Return a plane's numbers as a Value."""
-        address, _, alignment = self._address(name)
-        loaded = self._tracer.builder.load(address, align=alignment)
-        return Value(
-            self._tracer, self._tracer.builder.uitofp(loaded, self._tracer.vector) if name == "code" else loaded
-        )
+        (address, _, size), builder = self._place(name), self._tracer.builder
+        loaded = builder.load(address, align=size)
+        return Value(self._tracer, builder.uitofp(loaded, self._tracer.vector) if name == "code" else loaded)
 
     def store(self, name, value):
         """Write a plane's numbers."""
-        address, vector, alignment = self._address(name)
+        (address, vector, size), builder = self._place(name), self._tracer.builder
         stored = self._tracer.value(value).vector
-        if name == "code":
-            stored = self._tracer.builder.fptoui(stored, vector)
-        self._tracer.builder.store(stored, address, align=alignment)
+        builder.store(builder.fptoui(stored, vector) if name == "code" else stored, address, align=size)
 
 
 def emit(module, name, want, lanes):
