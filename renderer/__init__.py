@@ -5,19 +5,30 @@ A name is imported when it is first asked for, so that `renderer.generate` runs 
 
 from importlib import import_module
 
-_NAMES = {
-    "drawing": ("render", "stage_of"),
-    "frame": ("Frame",),
-    "gradients": ("gradient_at", "height_at"),
-    "methods": ("central", "central4", "exact", "forward"),
-    "pixel_record": ("pixel",),
-    "scene": ("Light", "Scene"),
+_HOMES = {
+    "Frame": "frame",
+    "Light": "scene",
+    "Scene": "scene",
+    "central": "methods",
+    "central4": "methods",
+    "exact": "methods",
+    "forward": "methods",
+    "gradient_at": "gradients",
+    "height_at": "gradients",
+    "pixel": "pixel_record",
+    "render": "drawing",
+    "stage_of": "drawing",
 }
-__all__ = sorted(name for names in _NAMES.values() for name in names)
+__all__ = list(_HOMES)
 
 
 def __getattr__(name):
-    for module, names in _NAMES.items():
-        if name in names:
-            return getattr(import_module(f"{__name__}.{module}"), name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__():
+    return __all__

@@ -43,7 +43,7 @@ def test_row_0_is_at_the_top_and_column_0_at_the_left():
     assert rows.mean() < 32 < columns.mean()
 
 
-@pytest.mark.parametrize(("ball", "floor"), product((True, False), repeat=2))
+@pytest.mark.parametrize(("ball", "floor"), list(product((True, False), repeat=2)))
 def test_all_surfaces_are_there(ball, floor):
     seen = np.unique(render(replace(DEFAULT, ball=ball, floor=floor), 64, 64).chambers & 3)
     assert set(seen) == {1, 3 if floor else 0} | ({2} if ball else set())
