@@ -4,6 +4,6 @@ from renderer.generate.__main__ import KERNELS
 from renderer.generate.kernels import kernels_source
 
 
-def test_the_kernels_are_what_the_expressions_print_to():
+def test_printed_files_are_what_the_expressions_print_to():
     """Fails when a formula, a printer or the file was edited: run `python -m renderer.generate` and read the diff."""
     assert KERNELS.read_text(encoding="utf-8") == kernels_source()
