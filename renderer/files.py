@@ -4,6 +4,7 @@ The other name is `.STEM-????????-unfinished.SUFFIX`, of a file that its writer 
 was left by a writer that was killed, and whoever writes into that folder next removes it.
 """
 
+import csv
 import os
 import tempfile
 from contextlib import contextmanager, suppress
@@ -95,3 +96,11 @@ def write_npz(path, frame):
     """Write every buffer of a frame: rgb, chambers, and A's surface data (NaN off A)."""
     with whole_file(path) as name:
         np.savez_compressed(name, rgb=frame.rgb, chambers=frame.chambers, **frame.surface_data)
+
+
+def write_csv(path, records):
+    """Write dicts of the same keys as a table with its column names."""
+    with whole_file(path) as name, open(name, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, [name for record in records[:1] for name in record])
+        writer.writeheader()
+        writer.writerows(records)

@@ -1,6 +1,5 @@
 """The ε-table: how far a difference's picture is from the exact one, step by step."""
 
-import csv
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, dataclass
 from itertools import groupby
@@ -9,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from renderer import files
 from renderer.checks import check_choice
 from renderer.drawing import render
-from renderer.files import whole_file
 from renderer.frame import Frame
 from renderer.methods import DIFFERENCES, GradientMethod, difference, exact
 from renderer.raster import Raster
@@ -122,8 +121,4 @@ def table(results: Results) -> str:
 
 def write_csv(path: str | Path, results: Results) -> None:
     """Write the results, as `records` takes them, with their column names."""
-    rows = records(results)
-    with whole_file(path) as name, open(name, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, [name for row in rows[:1] for name in row])
-        writer.writeheader()
-        writer.writerows(rows)
+    files.write_csv(path, records(results))
