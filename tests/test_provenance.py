@@ -125,7 +125,7 @@ def broken() -> Drawing:
 
 def test_two_processes_draw_what_one_draws(tmp_path, monkeypatch):
     monkeypatch.setattr(stamps, "STAMPS", tmp_path)
-    ids, files = ("kink_loci", "blinn_angles", "views"), {}
+    ids, files = ("kink_loci", "views"), {}
     for processes in (1, 2):
         monkeypatch.setattr(draw, "PROCESSES", processes)
         monkeypatch.setattr(keys, "GENERATED", tmp_path / f"by_{processes}")
@@ -137,7 +137,7 @@ def test_two_processes_draw_what_one_draws(tmp_path, monkeypatch):
 def test_what_a_figure_raises_in_another_process_names_it(tmp_path, monkeypatch):
     monkeypatch.setattr(stamps, "STAMPS", tmp_path)
     monkeypatch.setattr(keys, "GENERATED", tmp_path / "generated")
-    figures = {"views": all_figures()["views"], "broken": Registered("broken", broken)}
+    figures = {"accepted_scenes": all_figures()["accepted_scenes"], "broken": Registered("broken", broken)}
     monkeypatch.setattr(draw, "all_figures", lambda: figures)
     with pytest.raises(ZeroDivisionError, match="no such slope") as caught:
         draw.draw(force=True)

@@ -69,7 +69,7 @@ def go(tab, id: str):
 
 
 def page(name: str, article: str) -> Page:
-    return Page(name, parsed(f'<article class="bd-article">{article}</article>').article, None, None, [], [])
+    return Page(name, parsed(f'<article class="bd-article">{article}</article>').article, None, None, [], {})
 
 
 def test_file_can_be_mailed_and_a_larger_one_is_not_written(single, monkeypatch):

@@ -1,5 +1,6 @@
 """The document: the site's own frame around all of its pages, one shown at a time, with everything in it."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 from bs4 import BeautifulSoup, Tag
@@ -7,7 +8,7 @@ from bs4 import BeautifulSoup, Tag
 from book.editions.certificates import share_certificates
 from book.editions.listings import make_small
 from book.editions.names import Names, ids_of, relink, relink_data, rename
-from book.editions.pages import SHELL, BrokenSite, Load, Page, parsed, read_pages, target
+from book.editions.pages import SHELL, BrokenSite, Page, parsed, read_pages, target
 from book.editions.pictures import inline_pictures
 from book.editions.store import Store, data_address, inlined_script, inlined_styles, packed_address
 
@@ -70,19 +71,19 @@ class Chapter:
         self.packed[content] = link["id"] = f"file-{len(self.packed) + 1}"
         link["href"], link["download"] = self.store.keep(address), f"{file.name}.gz"
 
-    def loads(self) -> list[Load]:
-        """What pages load, each once, in their order."""
-        found = {load.path: load for page in reversed(self.pages) for load in reversed(page.loads)}
-        return [load for path, load in reversed(found.items()) if Path(path).name not in LEFT_OUT]
+    def loads(self, kind: str) -> Iterator[tuple[Path, Tag]]:
+        """What pages load as <link> or <script>, each once, in their order: its file and its element."""
+        found = {path: tag for page in reversed(self.pages) for path, tag in reversed(page.loads.items())}
+        for path, tag in reversed(found.items()):
+            if tag.name == kind and Path(path).name not in LEFT_OUT:
+                yield self.site / path, tag
 
-    def styles(self) -> str:
-        """Every style sheet."""
-        return "\n".join(inlined_styles(self.site / load.path) for load in self.loads() if not load.script)
-
-    def scripts(self, deferred: bool) -> list[Tag]:
-        """Every script as an element: those that wait for the document, or those that do not."""
-        chosen = [load for load in self.loads() if load.script and load.deferred == deferred]
-        return [self.element("script", inlined_script(self.site / load.path), dict(load.data)) for load in chosen]
+    def scripts(self, deferred: bool) -> Iterator[Tag]:
+        """Every script as an element, with its data: those that wait for the document, or those that do not."""
+        for path, tag in self.loads("script"):
+            if tag.has_attr("defer") == deferred:
+                data = {name: value for name, value in tag.attrs.items() if name.startswith("data-")}
+                yield self.element("script", inlined_script(path), data)
 
     def element(self, name: str, text: str, attributes: dict[str, str] | None = None) -> Tag:
         """A <style> or <script> with a text that is set in at the end."""
@@ -115,7 +116,7 @@ def wrapped(chapter: Chapter, page: Page) -> Tag:
     if not page.article.find("section", id=True):
         box["id"] = page.name
     for load in page.article.select("link[rel=stylesheet], script[src]"):
-        load.decompose()
+        load.extract()
     box.append(page.article)
     if page.neighbours:
         box.append(page.neighbours)
@@ -145,7 +146,8 @@ def put_head(chapter: Chapter) -> None:
     icon["href"] = chapter.store.keep(data_address(chapter.site / target(SHELL, icon["href"])[0]))
     policy = {"http-equiv": "Content-Security-Policy", "content": POLICY}
     head.find("meta", charset=True).insert_after(shell.new_tag("meta", attrs=policy))
-    head.append(chapter.element("style", chapter.styles() + (HERE / "single.css").read_text(encoding="utf-8")))
+    styles = "\n".join(inlined_styles(path) for path, _ in chapter.loads("link"))
+    head.append(chapter.element("style", styles + (HERE / "single.css").read_text(encoding="utf-8")))
 
 
 def put_scripts(chapter: Chapter) -> None:

@@ -19,16 +19,6 @@ class BrokenSite(ValueError):
 
 
 @dataclass(frozen=True)
-class Load:
-    """What a page has loaded: a style sheet or a script, by its path in the site."""
-
-    path: str
-    script: bool
-    deferred: bool
-    data: tuple[tuple[str, str], ...]  # the attributes that a script reads from its own element
-
-
-@dataclass(frozen=True)
 class Page:
     """A page of the site: its address without .html, and its parts as parsed."""
 
@@ -37,7 +27,7 @@ class Page:
     contents: Tag | None  # "on this page", a list of links
     neighbours: Tag | None  # links to the pages before and after
     downloads: list[Tag]  # the items of the download menu
-    loads: list[Load]  # in their order
+    loads: dict[str, Tag]  # style sheets and scripts by their paths in the site, in their order
 
     @property
     def listing(self) -> bool:
@@ -65,13 +55,6 @@ def target(page: str, address: str) -> tuple[str, str] | None:
     return path or f"{page}.html", unquote(parts.fragment)
 
 
-def load(page: str, tag: Tag) -> Load:
-    """What a <link> or <script> on a page loads."""
-    path, _ = target(page, tag.get("src") or tag["href"])
-    data = tuple((name, value) for name, value in tag.attrs.items() if name.startswith("data-"))
-    return Load(path, tag.name == "script", tag.has_attr("defer"), data)
-
-
 def read_page(site: Path, name: str) -> Page:
     """Read one page. A listing is large, and nothing but its article is wanted."""
     text = (site / f"{name}.html").read_text(encoding="utf-8")
@@ -79,12 +62,13 @@ def read_page(site: Path, name: str) -> Page:
     if not found:
         raise BrokenSite(f"{name}.html has no article: is it a page of this book?")
     if name.startswith("source/"):
-        return Page(name, parsed(found[0]).article, None, None, [], [])
+        return Page(name, parsed(found[0]).article, None, None, [], {})
     soup = parsed(text)
     article = soup.find("article", class_="bd-article")
     contents = soup.select_one("#pst-page-toc-nav > ul")
     downloads = [link.find_parent("li") for link in soup.select(".dropdown-download-buttons a[href]")]
-    loads = [load(name, tag) for tag in soup.select("link[rel=stylesheet][href], script[src]")]
+    loading = soup.select("link[rel=stylesheet][href], script[src]")
+    loads = {target(name, tag.get("src") or tag["href"])[0]: tag for tag in loading}
     return Page(name, article, contents, soup.find("footer", class_="prev-next-footer"), downloads, loads)
 
 

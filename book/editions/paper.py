@@ -95,9 +95,9 @@ def document(site: Path) -> str:
     """The whole document, from the built site. It loads nothing."""
     shell, store = parsed((site / f"{SHELL}.html").read_text(encoding="utf-8")), Store()
     pages = read(site, shell, store)
-    loads = dict.fromkeys(load for page in pages for load in page.loads)
-    styles = [inlined_styles(site / load.path) for load in loads if not load.script]
-    mathjax = next(load.path for load in loads if load.path.startswith("_static/mathjax/"))
+    loads = {path: tag.name for page in pages for path, tag in page.loads.items()}
+    styles = [inlined_styles(site / path) for path, name in loads.items() if name == "link"]
+    mathjax = next(path for path in loads if path.startswith("_static/mathjax/"))
     setting = next(tag.get_text() for tag in shell.find_all("script") if "window.MathJax" in tag.get_text())
     whole = parsed(FRAME)
     whole.title.string = heading(pages[0].article)
