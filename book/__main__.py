@@ -50,11 +50,11 @@ def figures(ids: Sequence[str] = (), force: bool = False) -> None:
         keys.remember(before)
 
 
-def build() -> None:
-    """Build the site, unless nothing changed since it was last built."""
+def build(whole: bool = False) -> None:
+    """Build the site, unless nothing changed since it was last built. whole: all of it, whatever changed."""
     from book.build import website
 
-    website.build()
+    website.build(whole)
 
 
 def single() -> None:
@@ -74,6 +74,7 @@ def pdf() -> None:
 def parser() -> argparse.ArgumentParser:
     """The command line."""
     top = argparse.ArgumentParser(prog="python -m book", description=__doc__.splitlines()[0])
+    top.add_argument("--all", action="store_true", help="build every page anew, not only those whose prose changed")
     verbs = top.add_subparsers(dest="verb", metavar="VERB")
     verbs.add_parser("all", help="theorems, figures and the site, then say where the book is (the default)")
     verbs.add_parser("check", help="run the whole checker, pytest verify, if anything that it reaches changed")
@@ -140,7 +141,7 @@ def run(options: argparse.Namespace) -> int:
             stage("Checking the theorems", report)
             stage("Drawing figures", figures)
         if verb in (*BUILDING, "same-bytes"):
-            stage("Building the site", build)
+            stage("Building the site", lambda: build(options.all or verb == "same-bytes"))
         if verb == "single":
             stage("Joining the pages in one file", single)
         if verb == "pdf":

@@ -1,18 +1,26 @@
-"""Build the site with Jupyter Book: beside the old one, swapped in only when it is whole."""
+"""Build the site with Jupyter Book: beside the old one, swapped in only when it is whole.
+
+What Sphinx knows of the pages is kept in WORK from one build to the next.
+"""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 from book.build import stamps
+from book.build.contents import page_files
 
 BOOK = stamps.ROOT / "book"
 SITE = BOOK / "_build" / "html"
 INDEX = SITE / "index.html"
+WORK = BOOK / "_build" / "work"
 CACHES = stamps.ROOT / ".jupyter_cache"
 EPOCH = "1735689600"  # the date that Sphinx is told: 2025-01-01, so that two builds give the same bytes
+# What other pages can see of a page: lines with titles, labels, directives and the front matter; what is cited.
+STRUCTURE = re.compile(r"^[ \t>]*(?:#|\(|:::|```|---|\w+:).*\n|\{cite[^`]*`[^`]*`", re.MULTILINE)
 
 
 def sources() -> dict[str, str]:
@@ -48,32 +56,45 @@ def environment(cache: Path) -> dict[str, str]:
     }
 
 
-def build() -> None:
-    """Build the site if anything that it is made from changed."""
-    now = sources()
-    if stamps.read("site") == now and INDEX.is_file():
+def foundation(now: dict[str, str]) -> str:
+    """One hash of all but the pages' own prose: while it stays, an edited page changes itself and the search alone."""
+    pages = {path.relative_to(stamps.ROOT).as_posix(): path for path in page_files(BOOK).values()}
+    structure = {name: "".join(STRUCTURE.findall(path.read_text(encoding="utf-8"))) for name, path in pages.items()}
+    return stamps.key(now | structure | {"place": str(stamps.ROOT)})
+
+
+def build(whole: bool = False) -> None:
+    """Build the site if anything that it is made from changed: the pages whose prose did, or all.
+
+    whole: build all, unless that is how the site was made last.
+    """
+    now, kept = sources(), stamps.read("pages") or {}
+    if stamps.read("site") == now and INDEX.is_file() and not (whole and kept.get("edited")):
         print("  skipped: nothing that it is made from has changed")
         return
     stamps.remove("site")
-    cache = execution_cache()
+    stamps.remove("pages")
+    cache, found = execution_cache(), foundation(now)
     _forget_other_caches(cache)
-    work = BOOK / "_build" / "next"
-    shutil.rmtree(work, ignore_errors=True)
-    try:
-        build_into(work, cache)
-        shutil.rmtree(SITE, ignore_errors=True)
-        (work / "_build" / "html" / ".buildinfo").unlink(missing_ok=True)  # it depends on where the site was built
-        (work / "_build" / "html").rename(SITE)
-    finally:
-        shutil.rmtree(work, ignore_errors=True)
+    edited = WORK.is_dir() and kept.get("foundation") == found and not whole
+    # What Sphinx copies, it names by its bytes where it finds it before it writes a page: so a whole build does not.
+    shutil.rmtree(WORK / "_build" / "html" / "_static" if edited else WORK, ignore_errors=True)
+    build_into(WORK, cache)
+    next_site = SITE.with_name("next")
+    shutil.rmtree(next_site, ignore_errors=True)
+    # .buildinfo depends on where the site was built
+    shutil.copytree(WORK / "_build" / "html", next_site, ignore=shutil.ignore_patterns(".buildinfo"))
+    shutil.rmtree(SITE, ignore_errors=True)
+    next_site.rename(SITE)
+    stamps.write("pages", {"foundation": found, "edited": edited})
     stamps.write("site", now)
 
 
 def build_into(folder: Path, cache: Path) -> None:
     """Run Jupyter Book with every warning an error; the site is then in `folder`/_build/html."""
-    folder.mkdir(parents=True)
+    folder.mkdir(parents=True, exist_ok=True)
     program = "import sys; from jupyter_book.cli.main import main; sys.exit(main())"
-    options = ["--all", "-W", "-n", "--keep-going", "-q", "--path-output", str(folder)]
+    options = ["-W", "-n", "--keep-going", "-q", "--path-output", str(folder)]
     command = [sys.executable, "-c", program, "build", str(BOOK), *options]
     print("  running Jupyter Book (half a minute when the laboratory's cells have to run)", flush=True)
     done = subprocess.run(command, cwd=stamps.ROOT, env=environment(cache), text=True, capture_output=True)

@@ -13,6 +13,7 @@ section ids                `(s1)=` before a heading puts s1 on the section itsel
 `{notebook} NAME`          where a cell's notebook is; all of them as downloads (notebooks.py)
 docstrings                 autodoc reads them as plain text (interface.py)
 a cell's output            joined before it is merged (streams.py)
+an edited page             builds no other (kept.py)
 screen readers             lists and tables that they understand (accessibility.py)
 MathJax, the simulator     copied into the site from the installed package; compiled into it (assets.py)
 """

@@ -47,7 +47,8 @@ def write_pages(app):
 
     Sphinx would write what a handler returns in one process.
     """
-    if app.builder.name != "html" or not hasattr(app, "chapter_proofs"):
+    kept = Path(app.outdir, "source").is_dir()  # they are made from no page's prose
+    if app.builder.name != "html" or kept or not hasattr(app, "chapter_proofs"):
         return ()
     write_downloads(app)
     paths = sorted({*listed(), *cited_tests(app)})

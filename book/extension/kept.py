@@ -1,0 +1,32 @@
+"""What Sphinx needs told after an edit of a page's prose, so that the site has the bytes of one built whole."""
+
+import hashlib
+import pickle
+from pathlib import Path
+
+
+def edited_pages(app, environment, added, changed, removed) -> list[str]:
+    """The pages that are not as they were read; Sphinx itself looks at their times."""
+    paths = {name: Path(environment.doc2path(name)) for name in environment.found_docs}
+    now = {name: hashlib.sha256(path.read_bytes()).digest() for name, path in paths.items()}
+    before, environment.chapter_pages = getattr(environment, "chapter_pages", {}), now
+    return [name for name in now if name not in added and now[name] != before.get(name)]
+
+
+def complete_search(app):
+    """Give the search what Sphinx forgets of the pages that it has not written; no page is left to be written."""
+    if app.builder.name == "html":
+        index, path = app.builder.indexer, Path(app.doctreedir) / "index_entries.pickle"
+        kept = pickle.loads(path.read_bytes()) if path.is_file() else {}
+        index._index_entries = dict(sorted((kept | index._index_entries).items()))
+        path.write_bytes(pickle.dumps(index._index_entries))
+        for words in (index._mapping, index._title_mapping):
+            for word in [word for word, pages in words.items() if not pages]:
+                del words[word]
+    return ()
+
+
+def setup(app) -> None:
+    """Connect to Sphinx."""
+    app.connect("env-get-outdated", edited_pages)
+    app.connect("html-collect-pages", complete_search)
