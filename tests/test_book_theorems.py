@@ -7,6 +7,7 @@ import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from docutils import nodes
@@ -14,6 +15,7 @@ from docutils import nodes
 from book.build import check, report, stamps
 from book.build.contents import page_files
 from book.extension import theorems as book_theorems
+from book.extension.cards import Here
 from book.extension.dependencies import components, drawing, rows
 from book.extension.elements import typeset
 from book.extension.evidence import evidence_line, findings
@@ -223,9 +225,10 @@ def test_rows_put_everything_below_what_it_rests_on():
 
 def test_graph_has_a_mark_a_name_and_two_links_for_each_theorem(fresh_report, tmp_path):
     (tmp_path / "claims.md").touch()
-    proofs = book_theorems.load(tmp_path)
-    svg = drawing(proofs, lambda id: f"claims.html#theorem-{id}")
-    assert svg == drawing(proofs, lambda id: f"claims.html#theorem-{id}")
+    app = SimpleNamespace(srcdir=tmp_path, builder=SimpleNamespace(get_relative_uri=lambda here, page: f"{page}.html"))
+    book = Here(SimpleNamespace(app=app, docname="dependencies"))
+    svg = drawing(book).astext()
+    assert svg == drawing(book).astext()
     for id, theorem in THEOREMS.items():
         assert f'id="node-{id}"' in svg
         assert f'href="#node-{id}"' in svg and f'href="claims.html#theorem-{id}"' in svg

@@ -5,10 +5,10 @@ import re
 import unicodedata
 from pathlib import Path
 
-from docutils import nodes
+from markupsafe import Markup
 from sympy import Symbol, latex
 
-from book.extension.elements import Html, raw
+from book.extension.elements import Filled, filled
 from book.extension.points import TEX
 from book.extension.theorems import Proofs, certificate, kind
 
@@ -23,23 +23,22 @@ WITHOUT = {
 TEX_PART = re.compile(r"\\hat\s*\{?(\w)\}?|\\([A-Za-z]+)\s?|_\{([^}]*)\}|_(\w|\\[A-Za-z]+)|([^\\_]+)")
 
 
-def check_here(env, proofs: Proofs, id: str) -> list[nodes.Node]:
+def check_here(book, id: str) -> Filled | str:
     """The place of a card's buttons, with the data; or why there is nothing to check."""
-    path, grade = certificate(id), kind(proofs.entries[id]["grade"])
+    path, grade = certificate(id), kind(book.proofs.entries[id]["grade"])
     if path is None:
-        return [Html("p", nodes.Text(WITHOUT[grade]), classes=["check-nothing"])] if grade in WITHOUT else []
+        return filled("unchecked", why=WITHOUT[grade]) if grade in WITHOUT else ""
     claims = stored(path)
     names = {name: spelling(name) for name in sorted(names_of(claims))}
-    trusted = env.app.builder.get_relative_uri(env.docname, "trusted")
-    data = {"theorem": id, "claims": claims, "names": names, "given": given(proofs, id), "trusted": trusted}
-    return [place(data, NO_SCRIPT, data_theorem=id)]
+    data = {"theorem": id, "claims": claims, "names": names, "given": given(book.proofs, id)}
+    return place(data | {"trusted": book.page("trusted")}, NO_SCRIPT, id)
 
 
-def check_all(proofs: Proofs) -> Html:
+def check_all(proofs: Proofs) -> Filled:
     """The place of the button that checks everything, with all certificates."""
     paths = [(id, certificate(id)) for id in proofs.in_page_order()]
     data = [{"theorem": id, "claims": stored(path)} for id, path in paths if path]
-    return place(data, NO_SCRIPT_ALL, data_all=None)
+    return place(data, NO_SCRIPT_ALL)
 
 
 def stored(path: Path) -> list[dict]:
@@ -50,14 +49,10 @@ def stored(path: Path) -> list[dict]:
     return claims
 
 
-def place(data, no_script: str, **attributes) -> Html:
+def place(data, no_script: str, theorem: str = "") -> Filled:
     """An element with its data as JSON, and what a reader without JavaScript is told."""
     text = json.dumps(data, separators=(",", ":"), ensure_ascii=False).replace("<", r"\u003c")
-    parts = [
-        Html("noscript", Html("p", nodes.Text(no_script))),
-        raw(f'<script type="application/json">{text}</script>'),
-    ]
-    return Html("div", *parts, classes=["checker"], **attributes)
+    return filled("checker", data=Markup(text), no_script=no_script, theorem=theorem)
 
 
 def given(proofs: Proofs, id: str) -> list[str]:
@@ -130,7 +125,7 @@ def merged(parts: list[list[str]]) -> list[list[str]]:
 
 def add_scripts(app, pagename, templatename, context, doctree) -> None:
     """Load the checker's scripts and style where a page has a place for it."""
-    if doctree is not None and any("checker" in node["classes"] for node in doctree.findall(Html)):
+    if 'class="checker"' in context.get("body", ""):
         app.add_css_file("checker/checker.css")
         for name in SCRIPTS:
             app.add_js_file(f"checker/{name}.js", loading_method="defer")

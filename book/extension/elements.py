@@ -1,44 +1,60 @@
-"""HTML elements as nodes, and the text of theorems as nodes: mathematics between dollars, the rest as it stands."""
+"""HTML from templates with nodes in it, and the text of theorems as nodes: mathematics between dollars, the rest as is.
 
-import html
+filled("card", theorem=theorem)        # templates/card.html
+"""
+
 import re
+from itertools import count
+from pathlib import Path
 
 from docutils import nodes
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
 
 SUBSCRIPT = re.compile(r"(?<![\w])([A-Za-zα-ωΑ-Ω])_([A-Za-z0-9α-ω])(?![\w])")
-BLOCKS = {"section", "details", "p", "ul", "ol", "li"}
+PLACE = re.compile("(\0\\d+\0)")
+_waiting: dict[str, list[nodes.Node]] = {}
+_numbers = count()
 
 
-class Html(nodes.General, nodes.TextElement):
-    """One HTML element around its children: Html("details", open=None) is `<details open>`."""
-
-    def __init__(self, tag="div", *children, classes=(), **attributes):
-        names = {name: name.rstrip("_").replace("_", "-") for name in attributes}
-        super().__init__("", "", *children, tag=tag, html={names[name]: value for name, value in attributes.items()})
-        self["classes"] = list(classes)
+class Filled(nodes.General, nodes.TextElement):
+    """A filled template: pieces of HTML and the nodes between them, written without a tag around."""
 
 
-def visit_html(translator, node: Html) -> None:
-    """Write the start tag."""
-    attributes = dict(node["html"])
-    if node["classes"]:
-        attributes["class"] = " ".join(node["classes"])
-    written = "".join(
-        f" {name}" if value is None else f' {name}="{html.escape(str(value), quote=True)}"'
-        for name, value in attributes.items()
-    )
-    translator.body.append(f"<{node['tag']}{written}>")
+def _hold(value):
+    """What Jinja prints for a value: for nodes, a place that is theirs."""
+    if isinstance(value, nodes.Node):
+        value = [value]
+    if not isinstance(value, list) or not value:
+        return "" if value == [] else value
+    place = f"\0{next(_numbers)}\0"
+    _waiting[place] = value
+    return Markup(place)
 
 
-def depart_html(translator, node: Html) -> None:
-    """Write the end tag."""
-    if node["tag"] != "input":
-        translator.body.append(f"</{node['tag']}>" + "\n" * (node["tag"] in BLOCKS))
+TEMPLATES = Environment(
+    loader=FileSystemLoader(Path(__file__).with_name("templates")),
+    autoescape=True,
+    finalize=_hold,
+    trim_blocks=True,
+    undefined=StrictUndefined,
+)
+
+
+def filled(template: str, **values) -> Filled:
+    """A template's HTML; nodes, and lists of nodes, may be among the values that it prints."""
+    parts = PLACE.split(TEMPLATES.get_template(f"{template}.html").render(values))
+    return Filled("", "", *(node for part in parts if part for node in _waiting.pop(part, None) or [raw(part)]))
 
 
 def raw(text: str) -> nodes.raw:
     """HTML as it stands."""
     return nodes.raw("", text, format="html")
+
+
+def section(title: str, id: str, *children: nodes.Node, classes=()) -> nodes.section:
+    """A section of a page, in its contents too."""
+    return nodes.section("", nodes.title("", title), *children, ids=[id], names=[], classes=list(classes))
 
 
 def typeset(text: str) -> list[nodes.Node]:
@@ -60,6 +76,18 @@ def _plain(text: str) -> list[nodes.Node]:
     return [*found, nodes.Text(text[end:])] if text[end:] else found
 
 
+def literal(text: str) -> nodes.literal:
+    """Code in a line."""
+    return nodes.literal("", text)
+
+
+def _nothing(translator, node) -> None:
+    """A filled template has no tag of its own."""
+
+
 def setup(app) -> None:
-    """Register the element."""
-    app.add_node(Html, html=(visit_html, depart_html))
+    """Register the node."""
+    app.add_node(Filled, html=(_nothing, _nothing))
+
+
+TEMPLATES.globals.update(typeset=typeset, literal=literal)

@@ -1,9 +1,6 @@
 """Evidence in words, made from a theorem's last run and never by its author."""
 
-from docutils import nodes
-
-from book.extension.elements import Html
-from book.extension.numbers import typeset
+from book.extension.elements import TEMPLATES
 from book.extension.theorems import LETTERS, MEANINGS, SHAPES, kind
 
 
@@ -31,7 +28,7 @@ def findings(entry: dict) -> list[str]:
     if cases := sum(seen["samples"] for seen in measured if not seen["certified"]):
         parts.append(count(cases, "measured case"))
     mutants = entry.get("mutants", ())
-    rejected = [variant for seen in entry.get("measurements", ()) for variant in seen["false_variants"]]
+    rejected = [variant for seen in measured for variant in seen["false_variants"]]
     if total := len(mutants) + len(rejected):
         good = sum(map(killed, mutants)) + sum(variant["rejected"] for variant in rejected)
         parts.append(f"{good} of {total} {'true variants proved' if refuted else 'false variants refuted'}")
@@ -50,27 +47,5 @@ def evidence_line(entry: dict) -> str:
     return line[0].upper() + line[1:]
 
 
-def measurement(seen: dict) -> list[nodes.Node]:
-    """What was measured: how many cases, the worst, its bound."""
-    drawn = "" if seen["seed"] is None else f", seed {seen['seed']}"
-    parts = [nodes.Text(f"{seen['what']}: {count(seen['samples'], 'case')}{drawn}; worst "), *typeset(seen["worst"])]
-    if seen["bound"] is not None:
-        parts += [nodes.Text(", bound "), *typeset(seen["bound"])]
-    return [*parts, nodes.Text(", enclosed in balls" if seen["certified"] else "")]
-
-
-def badge(grade: str, line: str = "") -> Html:
-    """The grade as a shape and a letter; its name is there to be heard."""
-    name = kind(grade)
-    text = nodes.Text(f"{SHAPES[name]}\N{THIN SPACE}{LETTERS[name]}".strip())
-    return Html("span", text, classes=["evidence", name], title=line or grade, role="img", aria_label=line or grade)
-
-
-def legend(grades) -> Html:
-    """What the badges mean."""
-    items = [
-        Html("li", badge(g), Html("strong", nodes.Text(g)), nodes.Text(f": {MEANINGS[g]}"))
-        for g in MEANINGS
-        if g in grades
-    ]
-    return Html("ul", *items, classes=["legend-of-grades"])
+TEMPLATES.globals.update(count=count, killed=killed, evidence_line=evidence_line)
+TEMPLATES.globals.update(kind=kind, LETTERS=LETTERS, MEANINGS=MEANINGS, SHAPES=SHAPES)

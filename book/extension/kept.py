@@ -13,9 +13,11 @@ def edited_pages(app, environment, added, changed, removed) -> list[str]:
     return [name for name in now if name not in added and now[name] != before.get(name)]
 
 
-def complete_search(app):
-    """Give the search what Sphinx forgets of the pages that it has not written; no page is left to be written."""
-    if app.builder.name == "html":
+def complete_search(app) -> None:
+    """Before the search's index is written, give it what Sphinx forgets of the pages that it has not written."""
+    written = getattr(app.builder, "dump_search_index", None)  # the HTML builders' alone
+
+    def complete() -> None:
         index, path = app.builder.indexer, Path(app.doctreedir) / "index_entries.pickle"
         kept = pickle.loads(path.read_bytes()) if path.is_file() else {}
         index._index_entries = dict(sorted((kept | index._index_entries).items()))
@@ -23,10 +25,13 @@ def complete_search(app):
         for words in (index._mapping, index._title_mapping):
             for word in [word for word, pages in words.items() if not pages]:
                 del words[word]
-    return ()
+        written()
+
+    if written:
+        app.builder.dump_search_index = complete
 
 
 def setup(app) -> None:
     """Connect to Sphinx."""
     app.connect("env-get-outdated", edited_pages)
-    app.connect("html-collect-pages", complete_search)
+    app.connect("builder-inited", complete_search)

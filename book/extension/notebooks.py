@@ -18,7 +18,7 @@ from jupyter_cache import get_cache
 from sphinx.util.docutils import SphinxDirective
 
 from book.build import stamps
-from book.extension.elements import Html
+from book.extension.elements import filled
 from book.notebooks import WHOLE
 
 FOLDER = "_downloads/notebooks"
@@ -51,14 +51,9 @@ class Notebook(SphinxDirective):
         config = Path(self.env.srcdir) / "_config.yml"
         self.env.note_dependency(str(config))
         words = "notebook of all eight cells" if name == WHOLE else "notebook"
-        links = [_link(f"{FOLDER}/{name}.ipynb", words, f"Download the {words}: {titles[name]}", download=None)]
-        if address := colab_address(yaml.safe_load(config.read_text(encoding="utf-8")), name):
-            links.append(_link(address, "Open in Colab", f"Open in Colab: {titles[name]}"))
-        return [Html("p", *links, classes=["notebook-links"])]
-
-
-def _link(address: str, text: str, label: str, **attributes) -> Html:
-    return Html("a", nodes.Text(text), href=address, aria_label=label, **attributes)
+        colab = colab_address(yaml.safe_load(config.read_text(encoding="utf-8")), name)
+        address = f"{FOLDER}/{name}.ipynb"
+        return [filled("notebook_links", address=address, words=words, title=titles[name], colab=colab)]
 
 
 def merged(outputs: list[dict]) -> list[dict]:

@@ -4,6 +4,7 @@ import re
 from fractions import Fraction
 
 import mpmath
+from docutils import nodes
 from sympy import Symbol, latex, sympify
 
 from proofs.formulas.symbols import TEX_NAMES
@@ -51,3 +52,12 @@ def tex_point(at: dict[str, str]) -> list[str]:
         else:
             equations.append(f"{tex_name(name)} = {tex_value(left.pop(name) and value)}")
     return equations
+
+
+def point(at: dict) -> list[nodes.Node]:
+    """A point as mathematics, one equation after the other; of a path, its name. Keys and values may be SymPy's."""
+    at = {str(name): str(value) for name, value in at.items()}
+    if "path" in at:
+        return [nodes.literal("", at["path"])]
+    *most, last = tex_point(at)
+    return [node for tex in most for node in (nodes.math("", f"{tex},"), nodes.Text(" "))] + [nodes.math("", last)]
