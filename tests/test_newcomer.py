@@ -31,7 +31,7 @@ from book.ledger.check import Run, check
 from book.ledger.run import split
 id, grade, book = sys.argv[1], sys.argv[2], stamps.ROOT / "book"
 number = lambda name: look_up(book, *split(name))
-run = Run({id: grade}, {}, frozenset(page_files(book)), frozenset(), number, lambda node: True)
+run = Run({id: grade}, frozenset(page_files(book)), frozenset(), number, lambda node: True)
 print(load().get(id).words)
 print([fault for fault in check(load(), run) if fault.startswith(id)])
 """

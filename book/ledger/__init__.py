@@ -31,7 +31,7 @@ against the last run (the site's build does so too), prints what is wrong by ent
 
     from book.ledger import load
     load().claims                 # (Claim, …), in the order of the files
-    load().cited_numbers()        # {"eps_table.flips": ("== 0",), …}: what the evidence asks of each number
+    load().resting_on()           # {"bump_moves_no_boundary": [Claim, …], …}: theorem → the claims that rest on it
 """
 
 from book.ledger.entries import VERDICTS, BadLedger, Claim, Evidence, Ledger, load

@@ -12,13 +12,12 @@ THEOREM_ROLE = re.compile(r"\{theorem-ref\}`([^`|]+)")
 
 @dataclass(frozen=True)
 class Run:
-    """What a run has found: grades and finding codes of theorems by id, pages, bibliography keys; and two questions.
+    """What a run has found: grades of theorems by id, pages, bibliography keys; and two questions.
 
     number: the value of "figure.key", or ValueError. test: whether a node id "file.py::name" exists.
     """
 
     grades: dict[str, str]
-    findings: dict[str, str]
     pages: frozenset[str]
     sources: frozenset[str]
     number: Callable[[str], int | float | str | bool]
@@ -101,24 +100,17 @@ def _verdict(claim: Claim, run: Run) -> list[str]:
 def _orphans(ledger: Ledger, run: Run) -> list[str]:
     """Theorems, findings and places of the seed that no claim accounts for; background that is none."""
     claims = [claim for claim in ledger.claims if claim.verdict != OUTSIDE]
-    users: dict[str, list[Claim]] = {id: [] for id in run.grades}
-    for claim in claims:
-        for piece in claim.evidence:
-            if piece.kind == "theorem" and piece.name in users:
-                users[piece.name].append(claim)
+    needed = ledger.resting_on()
     faults = []
-    for id, by in users.items():
-        if not by and id not in ledger.background:
+    for id in run.grades:
+        if id not in needed and id not in ledger.background:
             faults.append(f"theorem {id}: no claim rests on it, and background.toml does not list it")
-        if by and id in ledger.background:
-            faults.append(f"background {id}: theorem: {by[0].id} rests on it, so it is no background")
-        code = run.findings.get(id)
-        if by and code and not any(code in claim.findings for claim in by):
-            faults.append(f"theorem {id}: it is about {code}, and no claim that rests on it has that code")
-    faults += [f"background {id}: theorem: no theorem has this id" for id in ledger.background if id not in users]
+        if id in needed and id in ledger.background:
+            faults.append(f"background {id}: theorem: {needed[id][0].id} rests on it, so it is no background")
+    faults += [f"background {id}: theorem: no theorem has this id" for id in ledger.background if id not in run.grades]
     codes = {code for claim in claims for code in claim.findings}
     faults += [f"finding {code}: no claim has it" for code in FINDINGS if code not in codes]
-    used = {claim.where.removeprefix("seed:") for claim in ledger.claims if claim.of_seed}
+    used = {claim.where for claim in ledger.claims}
     return faults + [
-        f"place {place}: no claim of the seed stands there" for place in ledger.places if place not in used
+        f"place {place}: no claim of the seed stands there" for place in ledger.places if f"seed:{place}" not in used
     ]

@@ -1,24 +1,24 @@
-"""Read the ledger's files into entries, and refuse what no run is needed to refuse."""
+"""Read the ledger's files into entries, and refuse what no run is needed to refuse: schema.json says what they are."""
 
+import json
 import re
 import tomllib
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+
+from jsonschema import Draft202012Validator, FormatChecker
 
 from book.ledger.relations import relation
 
 FOLDER = Path(__file__).resolve().parent
 CONDITIONAL, OUTSIDE = "holds with a condition", "outside this chapter: not checked"
-VERDICTS = ("false", "corrected", CONDITIONAL, "holds", OUTSIDE)  # in the order in which a reader meets them
+SCHEMA = json.loads((FOLDER / "schema.json").read_text(encoding="utf-8"))
+VERDICTS = tuple(SCHEMA["$defs"]["claim"]["properties"]["verdict"]["enum"])  # as a reader meets them
+FORMATS = FormatChecker()
+FORMATS.checks("relation", ValueError)(relation)
 FINDINGS = tuple(f"F{number}" for number in range(1, 23))
-KINDS = {  # what an evidence may be, and the fields that go with each: required, optional
-    "theorem": ({"grade"}, {"refutes"}),
-    "number": ({"is"}, {"claimed"}),
-    "test": (set(), {"refutes"}),
-    "source": (set(), {"refutes"}),
-}
-REQUIRED = ("id", "words", "where", "verdict")
-FIELDS = {*REQUIRED, "findings", "evidence", "so", "merit", "condition", "reason"}
+KINDS = ("theorem", "number", "test", "source")
 NUMBER_ROLE = re.compile(r"\{number\}`([^`|\s]+)[^`]*`")
 
 
@@ -85,12 +85,14 @@ class Ledger:
                 return claim
         raise BadLedger([f"{id!r}: no claim has this id"])
 
-    def cited_numbers(self) -> dict[str, tuple[str, ...]]:
-        """Every number that a claim rests on, with the relations that are asked of it."""
-        found: dict[str, tuple[str, ...]] = {}
-        for piece in (piece for claim in self.claims for piece in claim.evidence if piece.kind == "number"):
-            found[piece.name] = tuple(dict.fromkeys((*found.get(piece.name, ()), piece.wants)))
-        return dict(sorted(found.items()))
+    def resting_on(self) -> dict[str, list[Claim]]:
+        """Theorem → the claims that rest on it; their codes are the findings that it is about."""
+        found: dict[str, list[Claim]] = {}
+        for claim in self.claims:
+            for piece in claim.evidence:
+                if piece.kind == "theorem":
+                    found.setdefault(piece.name, []).append(claim)
+        return found
 
     def sorted_by_place(self) -> list[Claim]:
         """The seed's claims in the order of its places, then the book's by page."""
@@ -107,96 +109,52 @@ def page_order(where: str) -> tuple:
 def load(folder: Path = FOLDER) -> Ledger:
     """Read claims/*.toml, background.toml and places.toml; BadLedger with every fault that shows without a run."""
     faults: list[str] = []
-    claims = []
+    tables = []
     for path in sorted((folder / "claims").glob("*.toml")):
-        tables = _read(path, faults)
-        if unknown := sorted(tables.keys() - {"claim"}):
-            faults.append(f"{path.name}: {', '.join(unknown)}: a file of claims holds [[claim]] tables alone")
-        claims += [claim for table in tables.get("claim", ()) if (claim := _claim(table, path.name, faults))]
-    seen: set[str] = set()
-    for claim in claims:
-        if claim.id in seen:
-            faults.append(f"{claim.id}: id: two claims have it")
-        seen.add(claim.id)
-    background = {}
-    for table in _read(folder / "background.toml", faults).get("background", ()):
-        if not table.get("reason"):
-            faults.append(f"background {table.get('theorem')!r}: reason: missing")
-        background[table.get("theorem", "")] = table.get("reason", "")
-    places = _read(folder / "places.toml", faults).get("places", {})
+        found = _read(path, "file", faults).get("claim", ())
+        faults += [fault for table in found for fault in _faults("claim", table, table.get("id", path.name))]
+        tables += found
+    ids = [table.get("id") for table in tables]
+    faults += [f"{id}: id: two claims have it" for id in sorted({id for id in ids if id and ids.count(id) > 1})]
+    background = _read(folder / "background.toml", "background", faults).get("background", ())
+    places = _read(folder / "places.toml", "places", faults).get("places", {})
     if faults:
         raise BadLedger(faults)
-    return Ledger(tuple(claims), background, places)
+    reasons = {entry["theorem"]: entry["reason"] for entry in background}
+    return Ledger(tuple(map(_claim, tables)), reasons, places)
 
 
-def _read(path: Path, faults: list[str]) -> dict:
+def _read(path: Path, kind: str, faults: list[str]) -> dict:
+    """A file's content; what is wrong with it is added to the faults."""
     if not path.is_file():
         return {}
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        content = tomllib.loads(path.read_text(encoding="utf-8"))
     except tomllib.TOMLDecodeError as error:
         faults.append(f"{path.name}: {error}")
         return {}
+    faults += _faults(kind, content, path.name)
+    return content
 
 
-def _claim(table: dict, file: str, faults: list[str]) -> Claim | None:
-    """One table as a claim; None, with the faults noted, where it is not one."""
-    name = table.get("id") or f"{file}: a claim without an id"
-    before = len(faults)
-    faults += [f"{name}: {field}: missing" for field in REQUIRED if not table.get(field)]
-    faults += [f"{name}: {field}: unknown field" for field in sorted(table.keys() - FIELDS)]
-    evidence = tuple(_evidence(piece, name, faults) for piece in table.get("evidence", ()))
-    faults += [f"{name}: {field}: {what}" for field, what in _faults(table)]
-    if len(faults) > before:
-        return None
-    texts = {field: " ".join(table[field].split()) for field in FIELDS - {"findings", "evidence"} if field in table}
-    return Claim(**texts, findings=tuple(table.get("findings", ())), evidence=evidence)
+def _faults(kind: str, table: dict, name: str) -> Iterator[str]:
+    """What schema.json has against a table: its name, the field, the value, and what is allowed."""
+    schema = {"$ref": f"#/$defs/{kind}", "$defs": SCHEMA["$defs"]}
+    for error in Draft202012Validator(schema, format_checker=FORMATS).iter_errors(table):
+        place = " ".join([name, *map(str, error.absolute_path)])
+        yield f"{place}: {error.message}" + (f": {said}" if (said := error.schema.get("description")) else "")
 
 
-def _faults(table: dict) -> list[tuple[str, str]]:
-    """What a claim's fields say about each other."""
-    found = []
-    if table.get("id") and not re.fullmatch(r"[a-z0-9_]+", table["id"]):
-        found.append(("id", "made of a-z, 0-9 and _"))
-    for code in table.get("findings", ()):
-        if code not in FINDINGS:
-            found.append(("findings", f"{code!r} is none of {FINDINGS[0]} to {FINDINGS[-1]}"))
-    verdict = table.get("verdict")
-    if verdict and verdict not in VERDICTS:
-        return [*found, ("verdict", f"{verdict!r} is not one of {'; '.join(VERDICTS)}")]
-    outside = verdict == OUTSIDE
-    wanted = {"so": not outside, "reason": outside, "condition": verdict == CONDITIONAL}
-    for field, wants in wanted.items():
-        if wants != bool(table.get(field)):
-            found.append((field, f"missing for {verdict!r}" if wants else f"does not go with {verdict!r}"))
-    pieces = table.get("evidence", ())
-    if outside and (pieces or table.get("merit")):
-        found.append(("evidence", "what is not checked has no evidence and no figure of merit"))
-    if not outside and not pieces:
-        found.append(("evidence", "missing"))
-    if not table.get("merit") and any("number" in piece for piece in pieces):
-        found.append(("merit", "missing, and a number is evidence"))
-    if table.get("merit") and not NUMBER_ROLE.search(table["merit"]):
-        found.append(("merit", "shows no {number}"))
-    return found
+def _claim(table: dict) -> Claim:
+    """A table that has no faults as a claim."""
+    texts = {field: " ".join(value.split()) for field, value in table.items() if isinstance(value, str)}
+    return Claim(
+        **texts, findings=tuple(table.get("findings", ())), evidence=tuple(map(_evidence, table.get("evidence", ())))
+    )
 
 
-def _evidence(piece: dict, name: str, faults: list[str]) -> Evidence:
+def _evidence(piece: dict) -> Evidence:
     """One piece of evidence."""
-    kinds = [kind for kind in KINDS if kind in piece]
-    if len(kinds) != 1:
-        faults.append(f"{name}: evidence: {piece} is not one of {', '.join(KINDS)}")
-        return Evidence("", "")
-    kind = kinds[0]
-    required, optional = KINDS[kind]
-    for field in sorted(required - piece.keys()):
-        faults.append(f"{name}: evidence {piece[kind]}: {field}: missing")
-    for field in sorted(piece.keys() - required - optional - {kind}):
-        faults.append(f"{name}: evidence {piece[kind]}: {field}: unknown field")
-    for field in {"is", "claimed"} & piece.keys():
-        try:
-            relation(piece[field])
-        except ValueError as error:
-            faults.append(f"{name}: evidence {piece[kind]}: {field}: {error}")
-    wants = str(piece.get("grade", piece.get("is", "")))
+    kind = next(kind for kind in KINDS if kind in piece)
+    wants = piece.get("grade", piece.get("is", ""))
     return Evidence(kind, piece[kind], wants, piece.get("claimed", ""), piece.get("refutes"))

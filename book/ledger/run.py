@@ -10,7 +10,6 @@ from book.build.contents import page_files
 from book.extension.results import look_up
 from book.extension.theorems import kind
 from book.ledger.check import Run
-from proofs.engine.theorem import all_theorems
 
 KEY = re.compile(r"^@\w+\{\s*([^,\s]+)\s*,", re.MULTILINE)
 
@@ -20,7 +19,6 @@ def last_run(root: Path = stamps.ROOT) -> Run:
     book = root / "book"
     return Run(
         grades={id: kind(entry["grade"]) for id, entry in report.load().items()},
-        findings={id: theorem.finding for id, theorem in all_theorems().items() if theorem.finding},
         pages=frozenset(page_files(book)),
         sources=frozenset(KEY.findall((book / "references.bib").read_text(encoding="utf-8"))),
         number=lambda name: look_up(book, *split(name)),

@@ -76,7 +76,7 @@ class Theorem:
     statement may be Clauses, each with the claims that say it; where one is argued, so is the theorem.
     section: "s3" … where the book discusses it. claims: what is checked; of Clauses, theirs. uses: ids of the theorems
     that claims borrow from or steps use. steps: the argument. side_conditions: each with its edge tests. mutants: at
-    least two. finding: "F3" if it is about a finding. refuted_at: of a false statement, the exact point ((symbol,
+    least two. refuted_at: of a false statement, the exact point ((symbol,
     value), …) where its one claim fails; such a theorem is `refuted`, and its mutants are the true variants, which that
     point must not refute. expected: the grade that a run has to reach. Without claims it is `measured` or `certified`,
     by a function in verify/checkers/measurements, or `cited`; source: the bibliography's key of what is cited, or of
@@ -93,7 +93,6 @@ class Theorem:
     hypotheses: tuple[str, ...] = ()
     side_conditions: tuple[SideCondition, ...] = ()
     uses: tuple[str, ...] = ()
-    finding: str = ""
     refuted_at: tuple[tuple[Symbol, object], ...] | None = None
     expected: str = "proved"
     source: str = ""

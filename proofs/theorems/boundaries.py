@@ -69,7 +69,6 @@ attached_shadow = Theorem(
     id="attached_shadow",
     title="The bump moves no shadow",
     section="s3",
-    finding="F17",
     statement=r"Where $N\cdot\omega > 0$, also $N'\cdot\omega > 0$.",
     claims=(_in_light,),
     refuted_at=(

@@ -94,7 +94,6 @@ seed_theorem = Theorem(
     id="seed_bump_as_displacement",
     title="The bumped normal as the displaced surface's",
     section="s7",
-    finding="F18",
     statement=r"$N'$ is the normal of the displaced surface; in particular $\pi N\cdot(M\times D) = 0$.",
     claims=(_parallel,),
     refuted_at=(*at_angle(Rational(3, 5), Rational(4, 5)), (beta, 1), (h, 0), (h_u, 1), (h_v, 1)),

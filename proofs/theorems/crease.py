@@ -102,7 +102,6 @@ supremum = Theorem(
     id="seed_truncation_slope",
     title="The seed's descent of the truncation slope, at a crease",
     section="s7",
-    finding="F13",
     statement=r"The error of the central difference of ridges is at most $\frac{\varepsilon^2}{6}\omega^3$, "
     r"$\omega = \pi k$, as for a sine: its supremum falls with $\varepsilon$.",
     hypotheses=(r"$\omega > 0$, $\varepsilon > 0$; beside a crease, against the slope after it",),

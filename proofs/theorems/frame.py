@@ -84,7 +84,6 @@ seed_orientation = Theorem(
     id="seed_orientation",
     title="The seed's orientation of the frame",
     section="s7",
-    finding="F3",
     statement=r"$e_\theta \times e_\varphi = N$.",
     claims=(_right_handed.but(name="left_handed", shows=equations(cross(e_theta, e_phi), normal)),),
     refuted_at=at_angle(Rational(3, 5), Rational(4, 5)),

@@ -192,7 +192,6 @@ seed_quadratic = Theorem(
     id="seed_quadratic_of_b",
     title="The seed's quadratic for sphere B",
     section="s7",
-    finding="F1",
     statement=r"The constant term of sphere B's quadratic is $|C|^2-R_2^2$.",
     claims=(Claim("constant", (equation(_seed_c, _c),)),),
     refuted_at=(

@@ -124,7 +124,6 @@ smooth_everywhere = Theorem(
     id="sine_is_smooth_everywhere",
     title="Sine is smooth everywhere",
     section="s7",
-    finding="F12",
     statement=r"For sine, $g$ tends to the same vector along every meridian as $v \to 0$.",
     claims=(_same,),
     refuted_at=((k_u, 2), (k_v, 1), (theta, pi / 2)),

@@ -66,7 +66,6 @@ theorem = Theorem(
     id="pixels_off_the_pole",
     title="No pixel comes near the pole",
     section="s7",
-    finding="F10",
     statement=r"In the default view every pixel of $256^2$ has $\rho \ge \sqrt{34/15}/256$; a visible point of A has "
     r"$\sin\varphi \ge \rho\,(e-R)/(eR)$; so $\sin\varphi > 0.0044$ on A: the seed's fallback below "
     r"$10^{-4}$ is never taken.",
@@ -114,7 +113,6 @@ seed_theorem = Theorem(
     id="seed_pole_rows",
     title="The seed's rows at the pole",
     section="s7",
-    finding="F10",
     statement=r"In the two rows of $256^2$ beside the axis the fallback is taken: $\sin\varphi < "
     r"10^{-4}$, which needs "
     r"$\rho < \tfrac43 10^{-4}$.",

@@ -103,7 +103,6 @@ seam_saved = Theorem(
     id="periodic_u_saves_the_seam",
     title="Periodic in u, so smooth across the seam",
     section="s7",
-    finding="F11",
     statement=r"For whole $k_u$ sine is differentiable across $u = 0$: its slope is the same on both sides.",
     hypotheses=("$k_u$ is whole",),
     claims=(_periodic,),

@@ -22,7 +22,6 @@ always_first_order = Theorem(
     id="seed_clamp",
     title="The seed's clamp always costs an order",
     section="s7",
-    finding="F16",
     statement=r"At the pole the one-sided difference is of first order for every field: at $v = 0$ that of "
     r"$h = v - v^3$ errs by $\varepsilon$ at least.",
     hypotheses=(r"$0 < \varepsilon \le 1$",),

@@ -42,7 +42,6 @@ hidden = Theorem(
     id="seed_covers_the_view",
     title="With the seed's quadratic B is everywhere",
     section="s7",
-    finding="F1",
     statement=r"In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every "
     r"ray with $|x|, |y| \le 2$ has "
     r"$b^2-|D|^2c > 0$ and a root $c/(b+\sqrt d)$ in $(0, \frac14)$; A's points have $t \ge 1-R/e = "

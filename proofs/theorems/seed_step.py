@@ -26,7 +26,6 @@ theorem = Theorem(
     id="seed_step_in_beta",
     title="The seed's check of the normal's derivative",
     section="s7",
-    finding="F6",
     statement=r"The one-sided difference of $N'$ with step $\Delta\beta = 10^{-7}$ is $\partial N'/\partial\beta$ to "
     r"$10^{-12}$.",
     hypotheses=(r"$|N| = 1$, $N\cdot g = 0$; the first component, in exact arithmetic",),

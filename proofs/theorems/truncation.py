@@ -90,7 +90,6 @@ third_derivative = Theorem(
     id="third_derivative_at_eight",
     title="The third derivative is not 2,000 at k = 8",
     section="s7",
-    finding="F2",
     statement=r"$(8\pi)^3 > 13{,}824$, more than six times the 2,000 that the seed gives; $1728 < (4\pi)^3 < 1987$.",
     hypotheses=(r"$3 < \pi < 22/7$",),
     claims=(_at_eight, _at_four),
