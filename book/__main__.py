@@ -8,31 +8,16 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Sequence
-from pathlib import Path
 
 from filelock import FileLock
 
-from book.build import stamps
+from book.build import check, report, stamps, website
 from book.drawing.registry import UnknownFigure
+from book.editions import files
 from book.editions.chromium import NoBrowser
-from book.editions.files import TooLarge
 
 BUILDING = ("all", "build", "single", "pdf")
 RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made first
-
-
-def check() -> None:
-    """Run the whole checker, unless nothing that it can reach changed since it last passed."""
-    from book.build import check
-
-    check.check()
-
-
-def report() -> None:
-    """Have the theorems' report, which the site is made from too."""
-    from book.build import report
-
-    report.make()
 
 
 def figures(ids: Sequence[str] = (), force: bool = False) -> None:
@@ -48,27 +33,6 @@ def figures(ids: Sequence[str] = (), force: bool = False) -> None:
     draw(ids, force)
     if not ids:
         keys.remember(before)
-
-
-def build(whole: bool = False) -> None:
-    """Build the site, unless nothing changed since it was last built. whole: all of it, whatever changed."""
-    from book.build import website
-
-    website.build(whole)
-
-
-def single() -> None:
-    """Write the chapter as one file, unless the site has not changed."""
-    from book.editions import files
-
-    files.make("single", files.SINGLE, files.single_file)
-
-
-def pdf() -> None:
-    """Print the chapter, unless the site has not changed."""
-    from book.editions import files
-
-    files.make("pdf", files.PDF, files.printed)
 
 
 def parser() -> argparse.ArgumentParser:
@@ -102,23 +66,15 @@ def stage(name: str, work: Callable[[], None]) -> None:
 
 def releases(options: argparse.Namespace) -> int:
     """Compare with the last release, write this one, or compare with a clean clone; the exit status."""
-    from book.releases import changelog, command, kept, same_bytes
+    from book.releases import command, kept, notes, same_bytes
 
     try:
         if options.verb == "release-notes":
             return command.release_notes(against=options.against)
         return command.release() if options.verb == "release" else same_bytes.same_bytes()
-    except (kept.NoRelease, changelog.NoHeading, same_bytes.NotClean) as error:
+    except (kept.NoRelease, notes.NoHeading, same_bytes.NotClean) as error:
         print(f"book: {error}", file=sys.stderr)
         return 2
-
-
-def made(verb: str) -> Path:
-    """The file that a reader opens."""
-    from book.build import website
-    from book.editions import files
-
-    return {"single": files.SINGLE, "pdf": files.PDF}.get(verb, website.INDEX)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -134,22 +90,22 @@ def run(options: argparse.Namespace) -> int:
     # Two builds at once would write the same files: the second waits, and then finds its work done.
     with FileLock(stamps.STAMPS / "lock"):
         if verb == "check":
-            stage("Checking everything", check)
+            stage("Checking everything", check.check)
         if verb == "figures":
             stage("Drawing figures", lambda: figures(options.ids, options.force))
         if verb in (*BUILDING, *RELEASES):
-            stage("Checking the theorems", report)
+            stage("Checking the theorems", report.make)
             stage("Drawing figures", figures)
         if verb in (*BUILDING, "same-bytes"):
-            stage("Building the site", lambda: build(options.all or verb == "same-bytes"))
+            stage("Building the site", lambda: website.build(options.all or verb == "same-bytes"))
         if verb == "single":
-            stage("Joining the pages in one file", single)
+            stage("Joining the pages in one file", lambda: files.make("single", files.SINGLE, files.single_file))
         if verb == "pdf":
-            stage("Printing the chapter", pdf)
+            stage("Printing the chapter", lambda: files.make("pdf", files.PDF, files.printed))
         if verb in RELEASES:
             return releases(options)
     if verb in BUILDING:
-        place = made(verb)
+        place = {"single": files.SINGLE, "pdf": files.PDF}.get(verb, website.INDEX)
         print(f"The book is at {place.relative_to(stamps.ROOT)}: open {place.as_uri()}")
     return 0
 
@@ -168,7 +124,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except UnknownFigure as error:
         print(f"book: {error}", file=sys.stderr)
         return 2
-    except (TooLarge, NoBrowser) as error:
+    except (files.TooLarge, NoBrowser) as error:
         print(f"book: {error}", file=sys.stderr)
         return 1
 

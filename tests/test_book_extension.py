@@ -7,7 +7,7 @@ import pytest
 from docutils import nodes
 from docutils.utils import new_document
 
-from book.extension import notebooks, pages
+from book.extension import pages, streams
 from book.extension.numbers import formatted, parse, typeset
 from book.extension.results import UnknownResult, look_up
 from tests import one_page
@@ -153,18 +153,15 @@ def test_benchmark_says_where_it_was_measured(build_page):
 
 def test_a_stream_cut_in_pieces_is_one():
     pieces = [
-        {"output_type": "stream", "name": "stdout", "text": ["a\n"]},
+        {"output_type": "stream", "name": "stdout", "text": "a\n"},
         {"output_type": "stream", "name": "stdout", "text": "b\n"},
         {"output_type": "display_data", "data": {}},
         {"output_type": "stream", "name": "stdout", "text": "c\n"},
     ]
-    texts = [output.get("text") for output in notebooks.merged(pieces)]
-    assert texts == ["a\nb\n", None, "c\n"]
+    assert [output.get("text") for output in streams.joined(pieces)] == ["a\nb\nc\n", None]
 
 
 def test_printed_lines_are_the_same_wherever_the_kernel_cut_them():
-    from book.extension import streams
-
     def printed(*texts):
         return [message(text) for text in texts]
 

@@ -18,7 +18,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 from book.build import stamps
-from book.extension.notebooks import FOLDER, colab_address, merged
+from book.extension.notebooks import FOLDER, colab_address
 from book.notebooks import WHOLE
 from book.notebooks.first_cell import closure, first_cell
 from book.notebooks.laboratory import cells, plain
@@ -59,7 +59,7 @@ def code_cells(notebook):
 
 def printed(cell):
     """Return what a code cell wrote."""
-    return "".join(output["text"] for output in merged(cell["outputs"]) if output["output_type"] == "stream")
+    return "".join("".join(output["text"]) for output in cell["outputs"] if output["output_type"] == "stream")
 
 
 def test_nine_notebooks_are_valid_and_the_same_when_made_again(site):

@@ -12,10 +12,11 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 import book.__main__ as command_line
-from book.build import stamps
+from book.build import report, stamps
 from book.drawing import save
 from book.drawing.registry import Drawing, Registered
-from book.releases import changelog, command, compare, kept, record, same_bytes, tolerances
+from book.releases import command, compare, kept, record, same_bytes, tolerances
+from book.releases import notes as release_notes
 
 GRADES = {
     "unit_length": {"grade": "proved", "given": [], "statement": "$|N| = 1$"},
@@ -224,10 +225,10 @@ def test_every_rule_speaks_of_a_number_that_a_release_has():
 def test_changelog_section_ends_where_the_next_begins(tmp_path):
     path = tmp_path / "CHANGELOG.md"
     path.write_text("# Changelog\n\n## 0.2.0 (unreleased)\n\nunit_length\n\n## 0.2.0.1\n\nother\n\n## 0.1.0\n\nsampled")
-    assert changelog.section("0.2.0", path).split() == ["unit_length"]
-    assert changelog.section("0.1.0", path).split() == ["sampled"]
+    assert release_notes.section("0.2.0", path).split() == ["unit_length"]
+    assert release_notes.section("0.1.0", path).split() == ["sampled"]
     with pytest.raises(ValueError, match=r"no heading ## 0\.3\.0"):
-        changelog.section("0.3.0", path)
+        release_notes.section("0.3.0", path)
 
 
 @pytest.mark.parametrize(
@@ -236,7 +237,7 @@ def test_changelog_section_ends_where_the_next_begins(tmp_path):
      ("bench:u_curve.least", False), ("u_curve.least-2", False), ("u_curve.least.x", False)],
 )  # fmt: skip
 def test_an_id_is_named_as_a_whole(text, named):
-    assert changelog.names("u_curve.least", text) is named
+    assert release_notes.names("u_curve.least", text) is named
 
 
 def test_versions_are_in_order_and_compared_with_the_one_before(tmp_path):
@@ -262,8 +263,8 @@ def test_only_the_two_newest_releases_keep_pictures(places, monkeypatch):
 
 
 def test_the_command_line_gives_the_status_on(monkeypatch, places, grades, capsys):
-    for name in ("report", "figures"):
-        monkeypatch.setattr(command_line, name, lambda: None)
+    monkeypatch.setattr(report, "make", lambda: None)
+    monkeypatch.setattr(command_line, "figures", lambda: None)
     monkeypatch.setattr(command, "Places", lambda: places)
     monkeypatch.setattr(stamps, "STAMPS", places.releases.parent / "stamps")
     assert command_line.main(["release-notes"]) == 0

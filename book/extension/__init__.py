@@ -20,7 +20,7 @@ MathJax, the simulator     copied into the site from the installed package; comp
 
 PARTS = (
     "accessibility", "assets", "cards", "checker", "claims", "dependencies", "elements", "figures",
-    "interface", "ledger", "listings", "notebooks", "numbers", "pages", "streams",
+    "interface", "kept", "ledger", "listings", "notebooks", "numbers", "pages", "streams",
 )  # fmt: skip
 
 

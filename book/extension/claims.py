@@ -16,9 +16,9 @@ from book.extension.cards import Here, ProofsDirective, card
 from book.extension.checker import check_all
 from book.extension.elements import filled, section
 from book.extension.evidence import count
-from book.extension.theorems import CLAIMS_PAGE, MEANINGS, SHAPES, kind
+from book.extension.theorems import CLAIMS_PAGE, GRADES, kind
 
-ORDER = list(MEANINGS)
+ORDER = list(GRADES)
 
 
 class Grades(ProofsDirective):
@@ -57,7 +57,7 @@ class AllClaims(ProofsDirective):
 def grade_filter(counts: Counter):
     """Radio buttons, one for each grade that occurs: the style sheet does the rest."""
     options = [("all", f"all {counts.total()}")]
-    options += [(grade, f"{SHAPES[grade]} {counts[grade]} {grade}") for grade in ORDER if counts[grade]]
+    options += [(grade, f"{GRADES[grade][0]} {counts[grade]} {grade}") for grade in ORDER if counts[grade]]
     return filled("choices", name="grade", legend=f"Show, of {count(counts.total(), 'claim')}:", options=options)
 
 

@@ -1,7 +1,7 @@
 """Evidence in words, made from a theorem's last run and never by its author."""
 
 from book.extension.elements import TEMPLATES
-from book.extension.theorems import LETTERS, MEANINGS, SHAPES, kind
+from book.extension.theorems import GRADES, kind
 
 
 def count(number: int, word: str) -> str:
@@ -47,5 +47,4 @@ def evidence_line(entry: dict) -> str:
     return line[0].upper() + line[1:]
 
 
-TEMPLATES.globals.update(count=count, killed=killed, evidence_line=evidence_line)
-TEMPLATES.globals.update(kind=kind, LETTERS=LETTERS, MEANINGS=MEANINGS, SHAPES=SHAPES)
+TEMPLATES.globals.update(count=count, killed=killed, evidence_line=evidence_line, kind=kind, GRADES=GRADES)

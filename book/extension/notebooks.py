@@ -19,6 +19,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from book.build import stamps
 from book.extension.elements import filled
+from book.extension.streams import joined
 from book.notebooks import WHOLE
 
 FOLDER = "_downloads/notebooks"
@@ -56,18 +57,6 @@ class Notebook(SphinxDirective):
         return [filled("notebook_links", address=address, words=words, title=titles[name], colab=colab)]
 
 
-def merged(outputs: list[dict]) -> list[dict]:
-    """The outputs with neighbouring pieces of one stream as one: how a kernel cuts its prints is chance."""
-    whole = []
-    for output in outputs:
-        last = whole[-1] if whole else {}
-        if output["output_type"] == "stream" and last.get("name") == output["name"]:
-            whole[-1] = last | {"text": "".join(last["text"]) + "".join(output["text"])}
-        else:
-            whole.append(output | {"text": "".join(output["text"])} if "text" in output else output)
-    return whole
-
-
 def printed(executed: Path, cache: str | None) -> dict[str, list[dict]]:
     """What the cells of an executed page printed, by their source.
 
@@ -77,7 +66,7 @@ def printed(executed: Path, cache: str | None) -> dict[str, list[dict]]:
     if cache:
         _, page = get_cache(cache).merge_match_into_notebook(page)
     ran = [cell for cell in page.cells if cell.cell_type == "code"]
-    return {cell.source: [_without_metadata(output) for output in merged(cell.outputs)] for cell in ran}
+    return {cell.source: [_without_metadata(output) for output in joined(cell.outputs)] for cell in ran}
 
 
 def _without_metadata(output: dict) -> dict:

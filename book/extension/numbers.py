@@ -15,6 +15,7 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
+from book.extension.elements import TEMPLATES
 from book.extension.results import BENCHMARK_PREFIX, UnknownResult, load_result, look_up, result_file
 
 SYNTAX = re.compile(r"(?P<id>(?:bench:)?\w+)\.(?P<key>[^\s|]+)(?:\s*[|\s]\s*(?P<format>\S+))?")
@@ -92,3 +93,6 @@ def setup(app) -> None:
     """Register the role and the directive."""
     app.add_role("number", NumberRole())
     app.add_directive("benchmark-label", BenchmarkLabel)
+
+
+TEMPLATES.globals.update(number=typeset)

@@ -4,44 +4,24 @@ import re
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
-from importlib.util import find_spec
 from pathlib import Path
 
 from book.build import report, stamps
 from book.build.contents import page_files
+from proofs.engine.standalone import standalone_script
 from proofs.engine.theorem import Theorem, all_theorems
 
 PLACED = re.compile(r"^\s*(?::{3,}|`{3,})\{theorem\}\s+(\S+)\s*$", re.MULTILINE)
 CLAIMS_PAGE = "claims"
-LETTERS = {
-    "proved": "P",
-    "definition": "D",
-    "argued": "A",
-    "certified": "C",
-    "measured": "M",
-    "refuted": "R",
-    "cited": "",
-    "failed": "?",
-}
-SHAPES = {
-    "proved": "●",
-    "definition": "≡",
-    "argued": "◐",
-    "certified": "◆",
-    "measured": "▲",
-    "refuted": "✕",
-    "cited": "○",
-    "failed": "!",
-}
-MEANINGS = {
-    "proved": "two checkers accepted a certificate, the samples agree, the false variants were refuted",
-    "definition": "both sides are the same once translated: nothing was left to prove",
-    "argued": "as proved, but for the words in grey, which no claim says",
-    "certified": "enclosed in balls of exact width",
-    "measured": "sampled, with the worst case given",
-    "refuted": "false: an exact counterexample, accepted by two checkers",
-    "cited": "taken from the literature",
-    "failed": "did not reach what its author expected",
+GRADES = {  # shape, letter and meaning of each, in the order of the page of all claims
+    "proved": ("●", "P", "two checkers accepted a certificate, the samples agree, the false variants were refuted"),
+    "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),
+    "argued": ("◐", "A", "as proved, but for the words in grey, which no claim says"),
+    "certified": ("◆", "C", "enclosed in balls of exact width"),
+    "measured": ("▲", "M", "sampled, with the worst case given"),
+    "refuted": ("✕", "R", "false: an exact counterexample, accepted by two checkers"),
+    "cited": ("○", "", "taken from the literature"),
+    "failed": ("!", "?", "did not reach what its author expected"),
 }
 
 
@@ -149,6 +129,4 @@ def certificate(id: str) -> Path | None:
 @cache
 def script(id: str) -> str | None:
     """The text of the stand-alone script that re-checks a theorem, if there is one."""
-    if find_spec("proofs.engine.standalone") is None or certificate(id) is None:
-        return None
-    return import_module("proofs.engine.standalone").standalone_script(id)
+    return standalone_script(id) if certificate(id) else None

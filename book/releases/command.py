@@ -7,7 +7,7 @@ from pathlib import Path
 from PIL import Image
 
 from book.build import stamps
-from book.releases import changelog, compare, kept, notes, record
+from book.releases import compare, kept, notes, record
 
 OUT = stamps.ROOT / "book" / "_build" / "release"
 
@@ -18,7 +18,7 @@ class Places:
 
     releases: Path = kept.RELEASES
     generated: Path = record.GENERATED
-    changelog: Path = changelog.CHANGELOG
+    changelog: Path = notes.CHANGELOG
     out: Path = OUT
 
 
@@ -31,8 +31,12 @@ def release_notes(now: dict | None = None, against: str | None = None, places: P
     mathematics = compare.theorems(then["theorems"], now["theorems"])
     numbers = compare.numbers(_all_numbers(then), _all_numbers(now))
     pictures = compare.pictures(then["pictures"], now["pictures"], places.releases / version, places.generated)
-    missing = notes.unnamed([*mathematics, *numbers], changelog.section(now["version"], places.changelog))
-    pictures = _with_images(pictures, places.out)
+    missing = notes.unnamed([*mathematics, *numbers], notes.section(now["version"], places.changelog))
+    shutil.rmtree(places.out, ignore_errors=True)
+    places.out.mkdir(parents=True)
+    for change in pictures:
+        if change.difference is not None:
+            Image.fromarray(change.difference).save(places.out / f"{change.id}.png")
     title = f"{now['version']}: since {'its own record' if version == now['version'] else version}"
     text = notes.written(title, mathematics, numbers, pictures, missing)
     stamps.write_whole(places.out / "notes.md", text.encode())
@@ -56,17 +60,3 @@ def release(places: Places | None = None) -> int:
 def _all_numbers(of: dict) -> dict[str, dict]:
     measured = (numbers for result in of["measured"].values() for numbers in result["numbers"].items())
     return of["numbers"] | dict(measured)
-
-
-def _with_images(pictures: list[compare.PictureChange], out: Path) -> list[compare.Change]:
-    """Write the difference images, and say where they are."""
-    shutil.rmtree(out, ignore_errors=True)
-    out.mkdir(parents=True)
-    told = []
-    for change in pictures:
-        words = change.words
-        if change.difference is not None:
-            Image.fromarray(change.difference).save(out / f"{change.id}.png")
-            words += f"; the difference, largest white: {change.id}.png beside these notes"
-        told.append(compare.Change(change.id, change.kind, words))
-    return told

@@ -1,6 +1,7 @@
 """What moved between two records: theorems, numbers, pictures. Nothing here judges; `notes` does."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -15,19 +16,26 @@ FAR = 2**20  # ulps: what moved further is given in per cent
 
 @dataclass(frozen=True)
 class Change:
-    """One thing that moved: its id, what happened to it in a word, and the words for the notes."""
+    """One thing that moved: its id, what happened to it in a word, and the words for the notes.
+
+    difference: of a picture, its pixels (height, width) uint8, where there are some.
+    """
 
     id: str
     kind: str
     words: str
     must_be_named: bool = False
-
-
-@dataclass(frozen=True)
-class PictureChange(Change):
-    """A picture that moved, and its difference as pixels where there is one, (height, width) uint8."""
-
     difference: np.ndarray | None = field(default=None, compare=False)
+
+
+def _come_and_gone(before: dict, after: dict, words: Callable[[dict], str], named: bool = False) -> list[Change]:
+    """What is in one record alone; named: what is gone must be named."""
+    added = [Change(id, "added", words(after[id])) for id in after.keys() - before.keys()]
+    return added + [Change(id, "removed", words(before[id]), named) for id in before.keys() - after.keys()]
+
+
+def _in_order(found: list[Change]) -> list[Change]:
+    return sorted(found, key=lambda change: (change.kind, change.id))
 
 
 def standing(theorem: dict) -> tuple[int, int]:
@@ -43,8 +51,7 @@ def grade_words(theorem: dict) -> str:
 
 def theorems(before: dict, after: dict) -> list[Change]:
     """Theorems added, removed, weakened, strengthened, and stated in other words."""
-    found = [Change(id, "added", grade_words(after[id])) for id in after.keys() - before.keys()]
-    found += [Change(id, "removed", grade_words(before[id]), True) for id in before.keys() - after.keys()]
+    found = _come_and_gone(before, after, grade_words, named=True)
     for id in before.keys() & after.keys():
         old, new = before[id], after[id]
         words = f"{grade_words(old)} → {grade_words(new)}"
@@ -55,27 +62,21 @@ def theorems(before: dict, after: dict) -> list[Change]:
             found.append(Change(id, "restated", words))
         if new["statement"] != old["statement"]:
             found.append(Change(id, "restated", f"“{old['statement']}” → “{new['statement']}”"))
-    return sorted(found, key=lambda change: (change.kind, change.id))
+    return _in_order(found)
 
 
 def numbers(before: dict, after: dict) -> list[Change]:
     """Numbers added, removed and moved; out of tolerance where they moved further than both records allow."""
-    found = [Change(id, "added", _shown(after[id]["value"])) for id in after.keys() - before.keys()]
-    found += [Change(id, "removed", _shown(before[id]["value"])) for id in before.keys() - after.keys()]
+    found = _come_and_gone(before, after, lambda entry: _shown(entry["value"]))
     for id in before.keys() & after.keys():
         old, new = before[id]["value"], after[id]["value"]
         if old == new and type(old) is type(new):
             continue
-        good = is_within(old, new, before[id]["tolerance"])  # as it was stated: nobody widens it afterwards
-        words = f"{_shown(old)} → {_shown(new)}, {how_far(old, new)}; tolerance {tolerance_words(before[id])}"
+        allowed = before[id]["tolerance"]  # as it was stated: nobody widens it afterwards
+        good, stated = is_within(old, new, allowed), f"{allowed:g} relative" if isinstance(allowed, float) else allowed
+        words = f"{_shown(old)} → {_shown(new)}, {how_far(old, new)}; tolerance {stated or 'exact'}"
         found.append(Change(id, "moved" if good else "out of tolerance", words, not good))
-    return sorted(found, key=lambda change: (change.kind, change.id))
-
-
-def tolerance_words(entry: dict) -> str:
-    """A stated tolerance in words."""
-    allowed = entry["tolerance"]
-    return "any" if allowed == "any" else "exact" if allowed == 0 else f"{allowed:g} relative"
+    return _in_order(found)
 
 
 def how_far(old: int | float | str | bool, new: int | float | str | bool) -> str:
@@ -99,14 +100,13 @@ def _shown(value: int | float | str | bool) -> str:
     return repr(value) if isinstance(value, float) else str(value)
 
 
-def pictures(before: dict, after: dict, kept: Path, generated: Path) -> list[PictureChange]:
+def pictures(before: dict, after: dict, kept: Path, generated: Path) -> list[Change]:
     """Pictures added, removed, changed, and drawn otherwise from the same pixels or numbers.
 
     `kept` is the folder of the release before, `generated` the one with the figures and data as drawn now.
     """
-    found = [PictureChange(id, "added", "") for id in after.keys() - before.keys()]
-    found += [PictureChange(id, "removed", "") for id in before.keys() - after.keys()]
-    for id in sorted(before.keys() & after.keys()):
+    found = _come_and_gone(before, after, lambda picture: "")
+    for id in before.keys() & after.keys():
         old, new = before[id], after[id]
         if old["content"] != new["content"]:
             data = next(name for name in new["files"] if name.endswith((".csv", ".npz")))
@@ -114,23 +114,23 @@ def pictures(before: dict, after: dict, kept: Path, generated: Path) -> list[Pic
         elif old["files"] != new["files"]:
             names = [n for n in sorted(old["files"] | new["files"]) if old["files"].get(n) != new["files"].get(n)]
             what = "pixels" if new["kept"].endswith(".png") else "numbers"
-            found.append(PictureChange(id, "drawn otherwise", f"the same {what}, other bytes: {', '.join(names)}"))
-    return sorted(found, key=lambda change: (change.kind, change.id))
+            found.append(Change(id, "drawn otherwise", f"the same {what}, other bytes: {', '.join(names)}"))
+    return _in_order(found)
 
 
-def _changed(id: str, old: dict[str, np.ndarray], new: dict[str, np.ndarray]) -> PictureChange:
+def _changed(id: str, old: dict[str, np.ndarray], new: dict[str, np.ndarray]) -> Change:
     shapes = [{name: (array.shape, array.dtype.kind) for name, array in arrays.items()} for arrays in (old, new)]
     if shapes[0] != shapes[1]:
         sizes = [", ".join(f"{n} {'×'.join(map(str, a.shape))}" for n, a in arrays.items()) for arrays in (old, new)]
-        return PictureChange(id, "changed", f"other arrays: {sizes[0]} → {sizes[1]}")
+        return Change(id, "changed", f"other arrays: {sizes[0]} → {sizes[1]}")
     if CANVAS in old:
         apart = np.abs(old[CANVAS].astype(int) - new[CANVAS]).max(axis=2)
         words = f"largest difference {apart.max()}/255, RMS {rms(apart):.3g}/255, {np.count_nonzero(apart):,} of "
-        brightest = (apart * 255 // apart.max()).astype(np.uint8)
-        return PictureChange(id, "changed", f"{words}{apart.size:,} pixels", difference=brightest)
+        words += f"{apart.size:,} pixels; the difference, largest white: {id}.png beside these notes"
+        return Change(id, "changed", words, difference=(apart * 255 // apart.max()).astype(np.uint8))
     apart = np.concatenate([relative(old[name], new[name]).ravel() for name in old])
     words = f"largest difference {apart.max():.3g} relative, RMS {rms(apart):.3g}, {np.count_nonzero(apart):,} of "
-    return PictureChange(id, "changed", f"{words}{apart.size:,} plotted numbers")
+    return Change(id, "changed", f"{words}{apart.size:,} plotted numbers")
 
 
 def relative(old: np.ndarray, new: np.ndarray) -> np.ndarray:

@@ -1,14 +1,35 @@
 """The release notes in Markdown, and whether CHANGELOG.md names what has to be named."""
 
+import re
 from collections.abc import Sequence
+from pathlib import Path
 
-from book.releases.changelog import names
+from book.build import stamps
 from book.releases.compare import Change
 
+CHANGELOG = stamps.ROOT / "CHANGELOG.md"
 THEOREMS = ("weakened", "removed", "strengthened", "restated", "added")
 NUMBERS = ("out of tolerance", "moved", "removed", "added")
 PICTURES = ("changed", "drawn otherwise", "removed", "added")
 FOLD = 12  # added things beyond which their ids alone are listed
+
+
+class NoHeading(ValueError):
+    """The changelog does not speak of a version."""
+
+
+def section(version: str, path: Path = CHANGELOG) -> str:
+    """The text under "## VERSION", to the next heading of that level; NoHeading if there is no such heading."""
+    text = path.read_text(encoding="utf-8")
+    match = re.search(rf"^## {re.escape(version)}(?![\w.]).*?$(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
+    if match is None:
+        raise NoHeading(f"{path.name} has no heading ## {version}")
+    return match[1]
+
+
+def names(id: str, text: str) -> bool:
+    """Whether a text names an id as a whole: u_curve.least is not named by u_curve.least_at or by u_curve."""
+    return re.search(rf"(?<![\w:-]){re.escape(id)}(?![\w-]|\.\w)", text) is not None
 
 
 def unnamed(changes: Sequence[Change], changelog: str) -> list[Change]:
