@@ -1,11 +1,13 @@
 """The stages of `python -m book`: what is skipped, what is run again, what a failure leaves behind."""
 
+import shutil
 import subprocess
 import sys
 
 import pytest
 
 from book.build import check, stamps, website
+from book.releases.same_bytes import files_of
 
 
 @pytest.fixture
@@ -61,15 +63,56 @@ def test_check_reaches_code_and_data_but_no_prose():
     assert not any(name.endswith(".md") for name in names if name.startswith("book/"))
 
 
-def test_failed_build_leaves_the_old_site_and_no_stamp(stamped, monkeypatch):
-    site, work = stamped / "html", stamped / "book"
-    site.mkdir()
-    (site / "index.html").write_text("old")
-    for name, value in {"BOOK": work, "SITE": site, "INDEX": site / "index.html"}.items():
+@pytest.fixture
+def small_book(stamped, monkeypatch):
+    """A book of three pages with this one's settings; its folder."""
+    folder = stamped / "book"
+    for name in ("_templates", "static"):
+        shutil.copytree(website.BOOK / name, folder / name)
+    for name in ("_config.yml", "references.bib"):
+        shutil.copy(website.BOOK / name, folder)
+    (folder / "_toc.yml").write_text(
+        "format: jb-book\nroot: index\nparts: [{caption: One, chapters: [{file: s1}, {file: api}]}]\n"
+    )
+    (folder / "index.md").write_text("# Page\n\nSee [](s1.md).\n\n```{bibliography}\n```\n")
+    (folder / "s1.md").write_text("(s1)=\n# Bumps\n\nAn aardvark, by {cite}`Blinn1978`.\n")
+    (folder / "api.md").write_text("# API\n\n```{eval-rst}\n.. autofunction:: renderer.methods.exact\n```\n")
+    build, site = folder / "_build", folder / "_build" / "html"
+    places = {"BOOK": folder, "SITE": site, "INDEX": site / "index.html", "WORK": build / "work"}
+    for name, value in (places | {"CACHES": stamped / "caches"}).items():
         monkeypatch.setattr(website, name, value)
-    monkeypatch.setattr(website, "sources", lambda: {"a": "1"})
-    monkeypatch.setattr(website, "execution_cache", lambda: website.CACHES)
-    monkeypatch.setattr(website, "CACHES", stamped / "caches")
+    monkeypatch.setattr(website, "sources", lambda: {f"book/{p.name}": p.read_text() for p in folder.glob("*.md")})
+    monkeypatch.setattr(website, "execution_cache", lambda: stamped / "caches" / "now")
+    return folder
+
+
+def test_an_edited_page_is_built_alone_and_the_site_has_the_bytes_of_a_whole_build(small_book):
+    website.build()
+    others = [website.WORK / "_build" / "html" / name for name in ("index.html", "api.html")]
+    before, page = [path.stat().st_mtime_ns for path in others], small_book / "s1.md"
+    page.write_text(page.read_text().replace("An aardvark", "Two zebras"))
+    website.build()
+    edited = {name: path.read_bytes() for name, path in files_of(website.SITE).items()}
+    assert b"Two zebras" in edited["s1.html"] and b"aardvark" not in edited["searchindex.js"]
+    assert stamps.read("pages")["edited"] and before[1] == others[1].stat().st_mtime_ns
+    website.build(whole=True)
+    assert not stamps.read("pages")["edited"] and before[1] != others[1].stat().st_mtime_ns
+    assert {name: path.read_bytes() for name, path in files_of(website.SITE).items()} == edited
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "same"),
+    [("An aardvark", "Two", True), ("# Bumps", "# Hills", False), ("s1)=", "s2)=", False), ("Blinn", "Peer", False)],
+)
+def test_what_other_pages_see_of_a_page_builds_them_all(small_book, old, new, same):
+    before, page = website.foundation(website.sources()), small_book / "s1.md"
+    page.write_text(page.read_text().replace(old, new))
+    assert (website.foundation(website.sources()) == before) == same
+
+
+def test_failed_build_leaves_the_old_site_and_no_stamp(small_book, monkeypatch):
+    website.SITE.mkdir(parents=True)
+    website.INDEX.write_text("old")
     stamps.write("site", {"a": "0"})
 
     def half_written(folder, cache):
@@ -79,9 +122,8 @@ def test_failed_build_leaves_the_old_site_and_no_stamp(stamped, monkeypatch):
     monkeypatch.setattr(website, "build_into", half_written)
     with pytest.raises(subprocess.CalledProcessError):
         website.build()
-    assert (site / "index.html").read_text() == "old"
-    assert stamps.read("site") is None
-    assert not (work / "_build" / "next").exists()
+    assert website.INDEX.read_text() == "old"
+    assert stamps.read("site") is None and stamps.read("pages") is None
 
 
 def test_build_does_not_inherit_what_would_change_its_bytes(monkeypatch, tmp_path):

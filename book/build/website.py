@@ -58,9 +58,9 @@ def environment(cache: Path) -> dict[str, str]:
 
 def foundation(now: dict[str, str]) -> str:
     """One hash of all but the pages' own prose: while it stays, an edited page changes itself and the search alone."""
-    pages = {path.relative_to(stamps.ROOT).as_posix(): path for path in page_files(BOOK).values()}
+    pages = {path.relative_to(BOOK.parent).as_posix(): path for path in page_files(BOOK).values()}
     structure = {name: "".join(STRUCTURE.findall(path.read_text(encoding="utf-8"))) for name, path in pages.items()}
-    return stamps.key(now | structure | {"place": str(stamps.ROOT)})
+    return stamps.key(now | structure | {"place": str(BOOK)})
 
 
 def build(whole: bool = False) -> None:

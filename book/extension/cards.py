@@ -12,12 +12,10 @@ from typing import ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import directives
-from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book.build import stamps
-from book.build.report import NoReport
 from book.extension import checker
-from book.extension.elements import TEMPLATES, Filled, filled
+from book.extension.elements import TEMPLATES, BookDirective, BookRole, Filled, filled
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.points import point
 from book.extension.theorems import BadTheorem, certificate, module_and_line, proofs_of, script
@@ -47,25 +45,14 @@ class Here:
         return sorted(ids, key=lambda id: self.proofs.places[id].number)
 
 
-class ProofsDirective(SphinxDirective):
-    """A directive that prints from the proofs; what is wrong with them fails the build."""
-
-    def run(self):
-        try:
-            return self.content_nodes(Here(self.env))
-        except (BadTheorem, NoReport) as error:
-            raise self.error(f"{self.name}: {error}") from error
-
-
-class TheoremCard(ProofsDirective):
+class TheoremCard(BookDirective):
     """Place the card of a theorem."""
 
     required_arguments = 1
     option_spec: ClassVar = {"expect": directives.unchanged}
 
-    def content_nodes(self, book: Here):
-        id = self.arguments[0]
-        book.proofs.get(id)
+    def content_nodes(self):
+        book, id = Here(self.env), self.arguments[0]
         book.proofs.reached(id, self.options.get("expect"))
         if (page := book.proofs.places[id].page) != self.env.docname:
             raise BadTheorem(f"{id!r} is placed on {page}, not here")
@@ -94,24 +81,14 @@ def link(text: str, target: str) -> nodes.reference:
     return nodes.reference("", "", nodes.Text(text), refuri=target, internal=True)
 
 
-def refused(role: SphinxRole, error: Exception):
-    """What a role returns that found nothing: the build fails."""
-    message = role.inliner.reporter.error(f"{role.name}: {error}", line=role.lineno)
-    return [nodes.problematic(role.rawtext, role.rawtext)], [message]
-
-
-class TheoremReference(SphinxRole):
+class TheoremReference(BookRole):
     """A link to a theorem's card."""
 
-    def run(self):
+    def content_nodes(self):
         id, _, style = self.text.partition("|")
-        try:
-            book = Here(self.env)
-            book.proofs.get(id)
-            book.proofs.reached(id)
-        except (BadTheorem, NoReport) as error:
-            return refused(self, error)
-        return [link(book.label(id) if style == "short" else book.name(id), book.card(id))], []
+        book = Here(self.env)
+        book.proofs.reached(id)
+        return [link(book.label(id) if style == "short" else book.name(id), book.card(id))]
 
 
 def setup(app) -> None:

@@ -5,10 +5,9 @@ import re
 import unicodedata
 from pathlib import Path
 
-from markupsafe import Markup
 from sympy import Symbol, latex
 
-from book.extension.elements import Filled, filled
+from book.extension.elements import Filled, filled, raw
 from book.extension.points import TEX
 from book.extension.theorems import Proofs, certificate, kind
 
@@ -52,7 +51,8 @@ def stored(path: Path) -> list[dict]:
 def place(data, no_script: str, theorem: str = "") -> Filled:
     """An element with its data as JSON, and what a reader without JavaScript is told."""
     text = json.dumps(data, separators=(",", ":"), ensure_ascii=False).replace("<", r"\u003c")
-    return filled("checker", data=Markup(text), no_script=no_script, theorem=theorem)
+    script = raw(f'<script type="application/json">{text}</script>')
+    return filled("checker", script=script, no_script=no_script, theorem=theorem)
 
 
 def given(proofs: Proofs, id: str) -> list[str]:

@@ -12,34 +12,35 @@ from collections import Counter
 from pathlib import Path
 
 from book.build.contents import page_files, page_title
-from book.extension.cards import Here, ProofsDirective, card
+from book.extension.cards import Here, card
 from book.extension.checker import check_all
-from book.extension.elements import filled, section
+from book.extension.elements import BookDirective, filled, section
 from book.extension.evidence import count
 from book.extension.theorems import CLAIMS_PAGE, GRADES, kind
 
 ORDER = list(GRADES)
 
 
-class Grades(ProofsDirective):
+class Grades(BookDirective):
     """The legend: all grades, "failed" only where it occurs."""
 
-    def content_nodes(self, book: Here):
-        occurring = {kind(entry["grade"]) for entry in book.proofs.entries.values()}
+    def content_nodes(self):
+        occurring = {kind(entry["grade"]) for entry in Here(self.env).proofs.entries.values()}
         return [filled("grades", grades=[grade for grade in ORDER if grade in occurring or grade != "failed"])]
 
 
-class CheckAll(ProofsDirective):
+class CheckAll(BookDirective):
     """The button that checks every certificate in the reader's browser."""
 
-    def content_nodes(self, book: Here):
-        return [check_all(book.proofs)]
+    def content_nodes(self):
+        return [check_all(Here(self.env).proofs)]
 
 
-class AllClaims(ProofsDirective):
+class AllClaims(BookDirective):
     """Every theorem: a line each; and the cards of those that stand on no other page."""
 
-    def content_nodes(self, book: Here):
+    def content_nodes(self):
+        book = Here(self.env)
         grades = {id: kind(entry["grade"]) for id, entry in book.proofs.entries.items()}
         sections = {id: section_of(book.proofs, id) for id in book.proofs.in_page_order()}
         pages = page_files(Path(self.env.srcdir))

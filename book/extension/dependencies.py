@@ -10,8 +10,8 @@ drawing is text, laid out here; its colours are the style sheet's, and so is the
 import textwrap
 from collections.abc import Iterable, Mapping
 
-from book.extension.cards import ProofsDirective
-from book.extension.elements import Filled, filled, section
+from book.extension.cards import Here
+from book.extension.elements import BookDirective, Filled, filled, section
 
 WIDTH, MARKS, ROW, LINE, TOP, ARC = 450, 112, 30, 17, 20, 100
 TEXT_COLUMNS = 38
@@ -76,10 +76,11 @@ def drawing(book) -> Filled:
     return filled("graph", book=book, rows=table, arcs=arcs, width=WIDTH, height=y, x=MARKS, line_height=LINE)
 
 
-class DependencyGraph(ProofsDirective):
+class DependencyGraph(BookDirective):
     """Draw the graph, and write it out."""
 
-    def content_nodes(self, book):
+    def content_nodes(self):
+        book = Here(self.env)
         return [drawing(book), section("The same in words", "in-words", filled("neighbours", book=book))]
 
 

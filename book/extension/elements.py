@@ -1,15 +1,16 @@
-"""HTML from templates with nodes in it, and the text of theorems as nodes: mathematics between dollars, the rest as is.
+"""HTML from templates with nodes in it, theorems' texts as nodes, and what the book's directives and roles share.
 
 filled("card", theorem=theorem)        # templates/card.html
 """
 
 import re
-from itertools import count
+from itertools import chain, count
 from pathlib import Path
 
 from docutils import nodes
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
+from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 SUBSCRIPT = re.compile(r"(?<![\w])([A-Za-zα-ωΑ-Ω])_([A-Za-z0-9α-ω])(?![\w])")
 PLACE = re.compile("(\0\\d+\0)")
@@ -44,12 +45,14 @@ TEMPLATES = Environment(
 def filled(template: str, **values) -> Filled:
     """A template's HTML; nodes, and lists of nodes, may be among the values that it prints."""
     parts = PLACE.split(TEMPLATES.get_template(f"{template}.html").render(values))
-    return Filled("", "", *(node for part in parts if part for node in _waiting.pop(part, None) or [raw(part)]))
+    # A piece ends with its tag: the search would take words for one that have nothing else between them.
+    pieces = [_waiting.pop(part, None) or map(raw, re.findall(r"[^>]+>?|>", part)) for part in parts if part]
+    return Filled("", "", *chain.from_iterable(pieces))
 
 
 def raw(text: str) -> nodes.raw:
     """HTML as it stands."""
-    return nodes.raw("", text, format="html")
+    return nodes.raw("", str(text), format="html")
 
 
 def section(title: str, id: str, *children: nodes.Node, classes=()) -> nodes.section:
@@ -76,9 +79,35 @@ def _plain(text: str) -> list[nodes.Node]:
     return [*found, nodes.Text(text[end:])] if text[end:] else found
 
 
+def prose(text: str) -> nodes.Text:
+    """Words as Sphinx sets them, with the quotation marks of print."""
+    return nodes.Text(text)
+
+
 def literal(text: str) -> nodes.literal:
     """Code in a line."""
     return nodes.literal("", text)
+
+
+class BookDirective(SphinxDirective):
+    """A directive that prints `content_nodes()`; the ValueError of what is not there fails the build."""
+
+    def run(self):
+        try:
+            return self.content_nodes()
+        except ValueError as error:
+            raise self.error(f"{self.name}: {error}") from error
+
+
+class BookRole(SphinxRole):
+    """A role that prints `content_nodes()`; the ValueError of what is not there fails the build."""
+
+    def run(self):
+        try:
+            return self.content_nodes(), []
+        except ValueError as error:
+            message = self.inliner.reporter.error(f"{self.name}: {error}", line=self.lineno)
+            return [nodes.problematic(self.rawtext, self.rawtext)], [message]
 
 
 def _nothing(translator, node) -> None:
@@ -90,4 +119,4 @@ def setup(app) -> None:
     app.add_node(Filled, html=(_nothing, _nothing))
 
 
-TEMPLATES.globals.update(typeset=typeset, literal=literal)
+TEMPLATES.globals.update(typeset=typeset, raw=raw, prose=prose, literal=literal)

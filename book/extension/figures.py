@@ -20,9 +20,9 @@ from urllib.parse import quote
 from docutils import nodes
 from docutils.parsers.rst import directives
 from sphinx import addnodes
-from sphinx.util.docutils import SphinxDirective
 
-from book.extension.results import UnknownResult, load_result, result_file
+from book.extension.elements import BookDirective
+from book.extension.results import load_result, result_file
 
 
 def _width(argument: str) -> str:
@@ -43,7 +43,7 @@ def visit_pixel_image(translator, node: PixelImage) -> None:
     raise nodes.SkipNode
 
 
-class ChapterFigure(SphinxDirective):
+class ChapterFigure(BookDirective):
     """Place a drawn figure with its caption, its label and where it comes from."""
 
     required_arguments = 1
@@ -56,17 +56,14 @@ class ChapterFigure(SphinxDirective):
         "plain": directives.flag,
     }
 
-    def run(self):
+    def content_nodes(self):
         id, book = self.arguments[0], Path(self.env.srcdir)
         if not self.options.get("alt", "").strip():
-            raise self.error(f"chapter-figure {id!r}: the option alt is required: say what the picture shows")
-        try:
-            self.env.note_dependency(str(result_file(book, id)))
-            description = load_result(book, id)
-        except UnknownResult as error:
-            raise self.error(f"chapter-figure: {error}") from error
+            raise ValueError(f"{id!r}: the option alt is required: say what the picture shows")
+        self.env.note_dependency(str(result_file(book, id)))
+        description = load_result(book, id)
         if description["kind"] == "numbers":
-            raise self.error(f"chapter-figure: {id!r} has numbers but no picture")
+            raise ValueError(f"{id!r} has numbers but no picture")
         return [self._figure(id, description)]
 
     def _figure(self, id: str, description: dict) -> nodes.figure:
@@ -97,7 +94,7 @@ class ChapterFigure(SphinxDirective):
         self.state.nested_parse(self.content, self.content_offset, parsed)
         first, *rest = parsed.children
         if not isinstance(first, nodes.paragraph):
-            raise self.error(f"chapter-figure {id!r}: a caption begins with a paragraph")
+            raise ValueError(f"{id!r}: a caption begins with a paragraph")
         figure += nodes.caption(first.rawsource, "", *first.children)
         if rest:
             figure += nodes.legend("", *rest)

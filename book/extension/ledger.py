@@ -15,16 +15,13 @@ from pathlib import Path
 
 from docutils import nodes
 from sphinx.errors import ExtensionError
-from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book import ledger
 from book.build import stamps
 from book.build.contents import page_title
-from book.build.report import NoReport
-from book.extension.cards import Here, link, refused
-from book.extension.elements import TEMPLATES, filled, section
+from book.extension.cards import Here, link
+from book.extension.elements import TEMPLATES, BookDirective, BookRole, filled, section
 from book.extension.ledger_evidence import number_nodes, test_address
-from book.extension.theorems import BadTheorem
 from book.ledger.check import check, refutes
 from book.ledger.entries import FINDINGS, VERDICTS, BadLedger, Claim, Ledger
 
@@ -51,7 +48,7 @@ def require_ledger(app) -> None:
     if (Path(app.srcdir) / "ledger").is_dir():
         try:
             ledger_of(app)
-        except (BadLedger, NoReport, BadTheorem) as error:
+        except ValueError as error:
             raise ExtensionError(str(error)) from error
 
 
@@ -81,20 +78,11 @@ class Entries(Here):
         return number_nodes(self, piece)
 
 
-class LedgerDirective(SphinxDirective):
-    """A directive that prints from the ledger."""
-
-    def run(self):
-        try:
-            return self.content_nodes(Entries(self))
-        except (BadLedger, NoReport, BadTheorem) as error:
-            raise self.error(f"{self.name}: {error}") from error
-
-
-class LedgerEntries(LedgerDirective):
+class LedgerEntries(BookDirective):
     """Every claim, grouped by verdict."""
 
-    def content_nodes(self, book: Entries):
+    def content_nodes(self):
+        book = Entries(self)
         claims = book.ledger.sorted_by_place()
         by_verdict = sorted(claims, key=lambda claim: VERDICTS.index(claim.verdict))
         first = {code: next(claim for claim in by_verdict if code in claim.findings) for code in FINDINGS}
@@ -109,54 +97,48 @@ class LedgerEntries(LedgerDirective):
         return parts
 
 
-class LedgerTable(LedgerDirective):
+class LedgerTable(BookDirective):
     """The claims at some places of the seed as a table."""
 
     required_arguments = 1
 
-    def content_nodes(self, book: Entries):
+    def content_nodes(self):
+        book = Entries(self)
         claims = [claim for claim in book.ledger.sorted_by_place() if claim.where.startswith(self.arguments[0])]
         if not claims:
             raise BadLedger([f"no claim stands at {self.arguments[0]!r}"])
         return [filled("ledger_table", book=book, claims=claims)]
 
 
-class LedgerClaims(LedgerDirective):
+class LedgerClaims(BookDirective):
     """Some claims, with their verdicts and a link to the rest."""
 
     required_arguments = 1
     final_argument_whitespace = True
 
-    def content_nodes(self, book: Entries):
+    def content_nodes(self):
+        book = Entries(self)
         claims = [book.ledger.get(id) for id in self.arguments[0].split()]
         return [filled("ledger_claims", book=book, claims=claims)]
 
 
-class LedgerRole(SphinxRole):
-    """A role about one claim."""
-
-    def run(self):
-        try:
-            return self.of_claim(ledger_of(self.env.app).get(self.text))
-        except (BadLedger, NoReport) as error:
-            return refused(self, error)
-
-
-class Merit(LedgerRole):
+class Merit(BookRole):
     """A claim's figure of merit."""
 
-    def of_claim(self, claim: Claim):
+    def content_nodes(self):
+        claim = ledger_of(self.env.app).get(self.text)
         if not claim.merit:
             raise BadLedger([f"{claim.id}: merit: missing, and a page asks for it"])
         found, messages = self.inliner.parse(claim.merit, self.lineno, None, nodes.Element())
-        return [nodes.inline("", "", *found, classes=["merit"])], messages
+        return [nodes.inline("", "", *found, classes=["merit"]), *messages]
 
 
-class ClaimLink(LedgerRole):
+class ClaimLink(BookRole):
     """A link to a claim's entry."""
 
-    def of_claim(self, claim: Claim):
-        return [link(claim.verdict, f"{Here(self.env).page(PAGE)}#claim-{claim.id}")], []
+    def content_nodes(self):
+        claim = ledger_of(self.env.app).get(self.text)
+        return [link(claim.verdict, f"{Here(self.env).page(PAGE)}#claim-{claim.id}")]
 
 
 def setup(app) -> None:

@@ -13,10 +13,10 @@ import shutil
 from pathlib import Path, PurePosixPath
 
 from docutils import nodes
-from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.parallel import ParallelTasks, SerialTasks
 
 from book.build import report, stamps
+from book.extension.elements import BookDirective, BookRole
 from book.extension.theorems import certificate, proofs_of, script
 
 DOWNLOADS = "_downloads/theorems"
@@ -86,44 +86,39 @@ def write_downloads(app) -> None:
             (folder / f"{id}.py").write_text(text, encoding="utf-8")
 
 
-class SourceRole(SphinxRole):
-    """A role about a file of the repository, which has to exist."""
-
-    def run(self):
-        path = stamps.ROOT / self.text
-        if not path.is_file():
-            message = self.inliner.reporter.error(f"{self.name}: there is no file {self.text}", line=self.lineno)
-            return [nodes.problematic(self.rawtext, self.rawtext)], [message]
-        self.env.note_dependency(str(path))
-        return [self.node(path)], []
+def source_file(env, name: str) -> Path:
+    """A file of the repository, on which the page that is being read depends; ValueError if there is none."""
+    path = stamps.ROOT / name
+    if not path.is_file():
+        raise ValueError(f"there is no file {name}")
+    env.note_dependency(str(path))
+    return path
 
 
-class SourceLines(SourceRole):
+class SourceLines(BookRole):
     """How many lines a file has."""
 
-    def node(self, path):
-        return nodes.inline("", str(len(path.read_text(encoding="utf-8").splitlines())), classes=["number"])
+    def content_nodes(self):
+        lines = source_file(self.env, self.text).read_text(encoding="utf-8").splitlines()
+        return [nodes.inline("", str(len(lines)), classes=["number"])]
 
 
-class SourceLink(SourceRole):
+class SourceLink(BookRole):
     """A link to a file's page."""
 
-    def node(self, path):
+    def content_nodes(self):
+        source_file(self.env, self.text)
         target = listing_address(PurePosixPath(self.text))
-        return nodes.reference("", "", nodes.literal("", self.text), refuri=target, internal=True)
+        return [nodes.reference("", "", nodes.literal("", self.text), refuri=target, internal=True)]
 
 
-class Docstring(SphinxDirective):
+class Docstring(BookDirective):
     """The docstring of a module, as it stands."""
 
     required_arguments = 1
 
-    def run(self):
-        path = stamps.ROOT / self.arguments[0]
-        if not path.is_file():
-            raise self.error(f"docstring: there is no file {self.arguments[0]}")
-        self.env.note_dependency(str(path))
-        text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8")))
+    def content_nodes(self):
+        text = ast.get_docstring(ast.parse(source_file(self.env, self.arguments[0]).read_text(encoding="utf-8")))
         return [nodes.literal_block(text, text, language="none", classes=["docstring"])]
 
 

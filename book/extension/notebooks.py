@@ -15,10 +15,9 @@ import nbformat
 import yaml
 from docutils import nodes
 from jupyter_cache import get_cache
-from sphinx.util.docutils import SphinxDirective
 
 from book.build import stamps
-from book.extension.elements import filled
+from book.extension.elements import BookDirective, filled
 from book.extension.streams import joined
 from book.notebooks import WHOLE
 
@@ -37,18 +36,18 @@ def colab_address(settings: dict, name: str) -> str | None:
     return f"https://colab.research.google.com/github/{match['repository']}/blob/{branch}/{FOLDER}/{name}.ipynb"
 
 
-class Notebook(SphinxDirective):
+class Notebook(BookDirective):
     """The links of one notebook."""
 
     required_arguments = 1
 
-    def run(self):
+    def content_nodes(self):
         from book.notebooks.laboratory import cells  # which imports this package
 
         name = self.arguments[0]
         titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all eight cells"}
         if name not in titles:
-            raise self.error(f"notebook: {name!r} is not allowed: one of {', '.join(titles)}")
+            raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
         config = Path(self.env.srcdir) / "_config.yml"
         self.env.note_dependency(str(config))
         words = "notebook of all eight cells" if name == WHOLE else "notebook"

@@ -13,9 +13,8 @@ import re
 from pathlib import Path
 
 from docutils import nodes
-from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-from book.extension.elements import TEMPLATES
+from book.extension.elements import TEMPLATES, BookDirective, BookRole
 from book.extension.results import BENCHMARK_PREFIX, UnknownResult, load_result, look_up, result_file
 
 SYNTAX = re.compile(r"(?P<id>(?:bench:)?\w+)\.(?P<key>[^\s|]+)(?:\s*[|\s]\s*(?P<format>\S+))?")
@@ -55,37 +54,27 @@ def typeset(value: int | float | str | bool, spec: str | None = None) -> list[no
     return [nodes.Text(front), nodes.superscript("", exponent)]
 
 
-class NumberRole(SphinxRole):
+class NumberRole(BookRole):
     """Print one number of a result."""
 
-    def run(self):
+    def content_nodes(self):
         book = Path(self.env.srcdir)
-        try:
-            id, key, spec = parse(self.text)
-            self.env.note_dependency(str(result_file(book, id)))
-            content = typeset(look_up(book, id, key), spec)
-        except (UnknownResult, ValueError) as error:
-            message = self.inliner.reporter.error(f"number: {error}", line=self.lineno)
-            return [nodes.problematic(self.rawtext, self.rawtext)], [message]
-        return [nodes.inline(self.rawtext, "", *content, classes=["number"])], []
+        id, key, spec = parse(self.text)
+        self.env.note_dependency(str(result_file(book, id)))
+        return [nodes.inline(self.rawtext, "", *typeset(look_up(book, id, key), spec), classes=["number"])]
 
 
-class BenchmarkLabel(SphinxDirective):
+class BenchmarkLabel(BookDirective):
     """One small sentence: where, when and at which commit a benchmark was measured."""
 
     required_arguments = 1
 
-    def run(self):
+    def content_nodes(self):
         id = BENCHMARK_PREFIX + self.arguments[0].removeprefix(BENCHMARK_PREFIX)
         book = Path(self.env.srcdir)
-        try:
-            label = load_result(book, id)["label"]
-            self.env.note_dependency(str(result_file(book, id)))
-            sentence = f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}."
-        except UnknownResult as error:
-            raise self.error(f"benchmark-label: {error}") from error
-        except KeyError as error:
-            raise self.error(f"benchmark-label: {id!r} has no label {error}") from error
+        label = load_result(book, id)["label"]
+        self.env.note_dependency(str(result_file(book, id)))
+        sentence = f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}."
         return [nodes.paragraph("", sentence, classes=["benchmark-label"])]
 
 

@@ -59,5 +59,6 @@ def point(at: dict) -> list[nodes.Node]:
     at = {str(name): str(value) for name, value in at.items()}
     if "path" in at:
         return [nodes.literal("", at["path"])]
-    *most, last = tex_point(at)
-    return [node for tex in most for node in (nodes.math("", f"{tex},"), nodes.Text(" "))] + [nodes.math("", last)]
+    equations = tex_point(at)
+    tex = [f"{equation}," for equation in equations[:-1]] + equations[-1:]
+    return [node for part in tex for node in (nodes.math("", part), nodes.Text(" "))][:-1]

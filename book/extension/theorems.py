@@ -71,7 +71,8 @@ class Proofs:
 
     def reached(self, id: str, expected: str | None = None) -> str:
         """The grade of the last run; BadTheorem unless it is the expected one."""
-        expected, grade = expected or self.get(id).expected, self.entries[id]["grade"]
+        wanted = self.get(id).expected
+        expected, grade = expected or wanted, self.entries[id]["grade"]
         if grade != expected:
             raise BadTheorem(f"{id!r} is expected to be {expected}; its last run made it {grade}")
         return grade
