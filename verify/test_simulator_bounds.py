@@ -27,29 +27,23 @@ DOUBLED = HeightField("doubled", sinpi(2 * k_u * u))
 SLANTED = HeightField("slanted", Abs(sinpi(k_u * u + k_v * v)), (sinpi(k_u * u + k_v * v),))
 
 
-def test_the_truncation_bound_is_the_theorems():
-    claim = truncation.theorem.claims[0]
-    upper, lower = claim.shows[-2].lhs, claim.shows[-1].lhs
-    ours = step_bounds.truncation_bound.expand(step_bounds.truncation).xreplace({step_bounds.frequency: k_u})
+second_order = next(c for c in clamped.second_order.claims if c.name == "second_order")
+BOUNDED = {  # the claim, our bound, what the claim's symbols stand for, and a change of ours that is seen
+    "truncation": (truncation.theorem.claims[0], step_bounds.truncation_bound.expand(step_bounds.truncation),
+                   {k_u: step_bounds.frequency}, {step_bounds.frequency: 2 * step_bounds.frequency}),
+    "clamped": (second_order, step_bounds.clamped_bound.expand(step_bounds.truncation),
+                {clamped.largest: (pi * step_bounds.frequency) ** 3}, {v: 0}),
+    "rounding": (roundoff.theorem.claims[0], step_bounds.rounding_bound.expand(step_bounds.rounding),
+                 {}, {step_bounds.unit: 0}),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", BOUNDED)
+def test_a_bound_is_the_theorems(name):
+    claim, ours, given, change = BOUNDED[name]
+    upper, lower = (relation.lhs.xreplace(given) for relation in claim.shows[-2:])
     assert simplify((upper + lower) / 2 - ours) == 0
-    assert simplify((upper + lower) / 2 - 2 * ours) != 0
-
-
-def test_the_clamped_bound_is_the_theorems():
-    claim = next(c for c in clamped.second_order.claims if c.name == "second_order")
-    upper, lower = (relation.lhs for relation in claim.shows[-2:])
-    given = {clamped.largest: (pi * step_bounds.frequency) ** 3}
-    ours = step_bounds.clamped_bound.expand(step_bounds.truncation)
-    assert simplify((upper + lower).xreplace(given) / 2 - ours) == 0
-    assert simplify((upper + lower).xreplace(given) / 2 - ours.xreplace({v: 0})) != 0
-
-
-def test_the_rounding_bound_is_the_theorems():
-    claim = roundoff.theorem.claims[0]
-    upper, lower = (relation.lhs for relation in claim.shows[-2:])
-    ours = step_bounds.rounding_bound.expand(step_bounds.rounding)
-    assert simplify((upper + lower) / 2 - ours) == 0
-    assert simplify((upper + lower) / 2 - ours.xreplace({step_bounds.unit: 0})) != 0
+    assert simplify((upper + lower) / 2 - ours.xreplace(change)) != 0
 
 
 def test_the_caps_are_the_steepest_slope_once_and_twice():

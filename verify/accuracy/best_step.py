@@ -35,19 +35,17 @@ def predicted(k, representable=False):
     return Best((rounding / 2 / truncation) ** (1 / 3), 3 * truncation ** (1 / 3) * (rounding / 2) ** (2 / 3))
 
 
-def points(seed=SEED):
-    """Return smooth u ∈ [1/2, 3/4], where float64 is coarsest: all of them are multiples of 2^-53."""
-    return np.random.default_rng(seed).uniform(0.5, 0.75, POINTS)
-
-
 def representable_step(at, step):
     """Return (at + step) − at in float64: a step that takes `at` to numbers that float64 holds, on both sides."""
     return (at + step) - at
 
 
-def errors(k, steps, representable=False, seed=SEED):
-    """Return (steps, points) |computed − exact| of h_u, sine, v on a crest."""
-    u, v = points(seed), 0.125
+def errors(k, steps, representable=False):
+    """Return (steps, points) |computed − exact| of h_u, sine, v on a crest.
+
+    At smooth u ∈ [1/2, 3/4], where float64 is coarsest: all of them are multiples of 2^-53.
+    """
+    u, v = np.random.default_rng(SEED).uniform(0.5, 0.75, POINTS), 0.125
     exact = in_balls(gradient(HEIGHT_FIELDS["sine"]), {"u": u, "v": v, "k_u": k, "k_v": 4})["h_u"].astype(float)
     scene, found = Scene(field="sine", ku=float(k)), []
     for step in steps:
@@ -58,18 +56,13 @@ def errors(k, steps, representable=False, seed=SEED):
     return np.array(found)
 
 
-def envelope(k, representable=False, seed=SEED):
-    """Return (steps, the largest error over the points and over the WINDOW steps around each).
+def measured(k, representable=False):
+    """Return the measured Best: where the largest error over the points and the WINDOW steps around is least.
 
     The error of u ± ε depends on the last bits of ε, so that a single step may be lucky.
     """
     middle = math.log10(predicted(k, representable).step)
     steps = 10.0 ** np.arange(middle - 1.2, middle + 1.2, 1 / PER_DECADE)
-    worst = errors(k, steps, representable, seed).max(axis=1)
-    return steps, np.lib.stride_tricks.sliding_window_view(np.pad(worst, WINDOW // 2, "edge"), WINDOW).max(axis=1)
-
-
-def measured(k, representable=False, seed=SEED):
-    """Return the measured Best: where the envelope is least."""
-    steps, worst = envelope(k, representable, seed)
+    worst = np.pad(errors(k, steps, representable).max(axis=1), WINDOW // 2, "edge")
+    worst = np.lib.stride_tricks.sliding_window_view(worst, WINDOW).max(axis=1)
     return Best(float(steps[worst.argmin()]), float(worst.min()))

@@ -12,7 +12,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import central, exact, gradient_at
 from verify.accuracy import best_step, u_curve
 from verify.accuracy.difference_bounds import Bounds, bounds, escapes
-from verify.accuracy.differences import CASES, STEPS, by_the_kernel, parts
+from verify.accuracy.differences import CASES, STEPS, by_the_kernel, parts, taken_apart
 from verify.accuracy.ridge_law import SCENE, predicted, quadrature
 from verify.evaluate.arrays import in_balls
 
@@ -54,6 +54,14 @@ def test_mpmath_and_the_balls_measure_the_same():
     np.testing.assert_allclose(u_curve.errors(**at, steps=SOME), np.abs(found.total), rtol=1e-14)
     np.testing.assert_allclose(u_curve.truncation(**at, steps=SOME), np.abs(found.truncation), rtol=1e-14)
     assert np.abs(u_curve.truncation(0.6100001, STEEP.v, SOME) - np.abs(found.truncation)).max() > 1e-7
+
+
+@pytest.mark.parametrize("eps", [3e-2, 1e-5, 1e-8, 1e-12])
+@pytest.mark.parametrize("field", ["ridges", "sine", "rings"])
+def test_the_parts_make_the_whole_over_points(field, eps):
+    u, v = np.random.default_rng(12).uniform(0.02, 0.98, (2, 150))
+    for *three, whole in taken_apart(field, {"u": u, "v": v, "k_u": 8.0, "k_v": 4.0}, eps).values():
+        np.testing.assert_allclose(np.sum(three, axis=0), whole, rtol=1e-6, atol=1e-14)
 
 
 def test_truncation_has_its_closed_form():
