@@ -16,6 +16,7 @@ from proofs.formulas.pixel import pixel, rgb
 from proofs.formulas.symbols import ball_on, floor_on, x, y
 from renderer.generate.kernels import function_of
 from renderer.generate.printer import KernelPrinter
+from verify.evaluate import ExactPrinter
 from verify.reference import scene_values
 
 TILE_PIXELS = 2**14
@@ -33,8 +34,7 @@ NUMPY = vars(np) | {
 class TrigonometricPrinter(KernelPrinter):
     """NumPy as one writes it."""
 
-    def _half_turn(self, name, argument):
-        return f"{name}({self._print(argument)})"
+    _half_turn = ExactPrinter._half_turn
 
     def _print_Pow(self, expr):
         return f"np.square({self._print(expr.base)})" if expr.exp == 2 else super()._print_Pow(expr)
