@@ -84,6 +84,13 @@ def whole_file(path):
         os.replace(file.name, path)
 
 
+def write_whole(path: Path, content: bytes) -> None:
+    """Write a file so that nobody ever sees half of it; its folder is made if there is none."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with whole_file(path) as name:
+        Path(name).write_bytes(content)
+
+
 def write_png(path, image):
     """Write a uint8 picture, (height, width, 3 or 4), pixel for pixel."""
     from PIL import Image

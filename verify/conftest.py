@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from renderer.files import whole_file
+from renderer.files import write_whole
 from verify.checkers.grades import NOT_RECHECKED, graded, summary
 from verify.optional import lacking
 
@@ -140,11 +140,9 @@ def pytest_sessionfinish(session, exitstatus):
 
 def _write_report(entries):
     """Write the report, without times, whole or not at all."""
-    REPORT.parent.mkdir(parents=True, exist_ok=True)
     report = {"version": 1, "summary": summary(entries), "theorems": entries}
     text = json.dumps(report, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
-    with whole_file(REPORT) as name:
-        Path(name).write_text(text, encoding="utf-8")
+    write_whole(REPORT, text.encode())
 
 
 def pytest_terminal_summary(terminalreporter, config):

@@ -4,9 +4,8 @@ A result is up to date when its stamp equals what `verify.sources` finds now.
 """
 
 import json
-from pathlib import Path
 
-from renderer.files import whole_file
+from renderer.files import write_whole
 from verify.sources import PACKAGES, PRODUCTS, ROOT, files_in, hashes, key, modules_for, reachable
 
 __all__ = [
@@ -41,10 +40,3 @@ def write(name: str, content: dict) -> None:
 def remove(name: str) -> None:
     """Forget a stamp. Call it before a result is touched."""
     (STAMPS / f"{name}.json").unlink(missing_ok=True)
-
-
-def write_whole(path: Path, content: bytes) -> None:
-    """Write a file so that nobody ever sees half of it; its folder is made if there is none."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with whole_file(path) as name:
-        Path(name).write_bytes(content)

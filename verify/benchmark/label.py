@@ -7,7 +7,7 @@ import platform
 import subprocess
 from pathlib import Path
 
-from renderer.files import whole_file
+from renderer.files import write_whole
 from renderer.threads import available_cores
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -48,6 +48,4 @@ def label(*packages):
 
 def write(path, content):
     """Write a result with its label as JSON, whole or not at all."""
-    Path(path).parent.mkdir(parents=True, exist_ok=True)
-    with whole_file(path) as name:
-        Path(name).write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+    write_whole(path, (json.dumps(content, indent=1) + "\n").encode())

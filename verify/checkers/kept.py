@@ -9,7 +9,7 @@ import json
 from dataclasses import asdict
 from pathlib import Path
 
-from renderer.files import whole_file
+from renderer.files import write_whole
 from verify import sources
 from verify.checkers.grades import Examination
 from verify.checkers.registry import sources_of
@@ -46,10 +46,8 @@ def keep(evidence, key):
     if evidence.problems:
         return
     found = asdict(evidence)
-    FOLDER.mkdir(parents=True, exist_ok=True)
-    with whole_file(FOLDER / f"{evidence.id}.json") as name:
-        text = json.dumps({"key": key, "evidence": found, "hash": sources.key({key: found})}, indent=1)
-        Path(name).write_text(text + "\n", encoding="utf-8")
+    text = json.dumps({"key": key, "evidence": found, "hash": sources.key({key: found})}, indent=1)
+    write_whole(FOLDER / f"{evidence.id}.json", (text + "\n").encode())
 
 
 def read(theorem, key):
