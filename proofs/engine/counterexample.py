@@ -2,26 +2,13 @@
 
 import re
 from fractions import Fraction
-from math import isqrt
 
 from sympy import Expr, Symbol, cos, sin, sympify
 
 from proofs.engine import kernel
+from proofs.engine.points import NotRational, rational_root
 
 CIRCLE = re.compile(r"(cos|sin)\((.*)\)")
-
-
-class NotRational(ValueError):
-    """The point gives no rational value to something that the claim needs."""
-
-
-def rational_root(value):
-    """Return √value of a Fraction, or raise NotRational."""
-    if value >= 0:
-        above, below = isqrt(value.numerator), isqrt(value.denominator)
-        if above * above == value.numerator and below * below == value.denominator:
-            return Fraction(above, below)
-    raise NotRational(f"√({value}) is not rational")
 
 
 def complete(statement, point):
@@ -37,15 +24,12 @@ def complete(statement, point):
         for symbol, value in point.items()
     }
     values = {name: _rational(_coordinate(name, at)) for name in statement["variables"]}
-    for step in statement["steps"]:
-        if step["step"] not in ("root", "inverse", "define"):
-            continue
-        value = _evaluate(step["of"], values)
-        if step["step"] == "inverse":
-            if not value:
-                raise NotRational(f"{step['new']} is the inverse of zero")
-            value = 1 / value
-        values[step["new"]] = rational_root(value) if step["step"] == "root" else value
+    for step in (step for step in statement["steps"] if "new" in step):
+        numbers = {name: kernel.multiply(value) for name, value in values.items()}
+        value = Fraction(kernel.read(step["of"], numbers).get((), 0))
+        if step["step"] == "inverse" and not value:
+            raise NotRational(f"{step['new']} is the inverse of zero")
+        values[step["new"]] = {"root": rational_root, "inverse": lambda p: 1 / p}.get(step["step"], Fraction)(value)
     return values
 
 
@@ -63,18 +47,6 @@ def _rational(value: Expr) -> Fraction:
     if not value.is_Rational:
         raise NotRational(f"{value} is not rational")
     return Fraction(value.p, value.q)
-
-
-def _evaluate(data, values):
-    return sum((value for value in [_term(t, c, values) for t, c in data.items()]), Fraction(0))
-
-
-def _term(text, coefficient, values):
-    product = Fraction(coefficient)
-    for factor in text.split():
-        name, _, power = factor.partition("^")
-        product *= values[name] ** int(power or 1)
-    return product
 
 
 def refutation(statements: list[dict], point: dict) -> tuple[dict, dict] | None:

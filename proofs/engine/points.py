@@ -55,8 +55,8 @@ def _indices(proof):
     return [*proof.get("positive", ()), *(i for i, _ in proof["cofactors"]), *sums]
 
 
-class _Dead(Exception):
-    """At these values something fails."""
+class NotRational(ValueError):
+    """A point gives no rational value to something, or fails what has to hold."""
 
 
 def find_point(statement: dict, example: dict[str, Fraction], tries: int = TRIES) -> dict[str, str] | None:
@@ -72,7 +72,7 @@ def find_point(statement: dict, example: dict[str, Fraction], tries: int = TRIES
     for _ in range(tries):
         try:
             values = _attempt(names, facts, fixed, rng, rng.sample(SIMPLE, rng.randint(1, len(SIMPLE))))
-        except _Dead:
+        except NotRational:
             continue
         found = {name: str(value) for name, value in sorted(values.items())}
         if kernel.check(said, {"point": found}) is None:
@@ -85,7 +85,7 @@ def _attempt(names, facts, fixed, rng, pool):
     while True:
         facts = [(_put_in(p, values), relation) for p, relation in facts]
         if not all(kernel.HOLDS[r](p.get((), 0)) for p, r in facts if not any(p)):
-            raise _Dead
+            raise NotRational
         facts = [(p, r) for p, r in facts if any(p)]
         open_ = [name for name in names if name not in values]
         if not open_:
@@ -116,24 +116,24 @@ def _solved(p, rng, pool):
     """Return rational values of the names of an equation in one name, or of a conic's two; None where neither."""
     c, (x, *others) = Fraction(p.get((), 0)), _names(p)
     if not others and set(p) <= {(), (x,), (x, x)}:
-        a, b = p.get((x, x), 0), p.get((x,), 0)
-        root = _root(b * b - 4 * a * c)
-        return {x: (-b + rng.choice((1, -1)) * root) / (2 * a) if a else -c / Fraction(b)}
+        a, b = Fraction(p.get((x, x), 0)), Fraction(p.get((x,), 0))
+        root = rational_root(b * b - 4 * a * c)
+        return {x: (-b + rng.choice((1, -1)) * root) / (2 * a) if a else -c / b}
     if len(others) == 1 and set(p) <= {(), (x, x), (others[0], others[0])}:
         (y,), t = others, abs(_simple(rng, pool)) or Fraction(1, 7)
         a, b = Fraction(p[x, x]), Fraction(p[y, y])
         if a * b < 0:  # (ρx − y)(ρx + y) = −c/a·ρ²
-            ratio, right = _root(-a / b), c / b
+            ratio, right = rational_root(-a / b), c / b
             return {y: (t - right / t) / 2, x: (t + right / t) / (2 * ratio)}
-        ratio, radius = _root(a / b), _root(-c / b)
+        ratio, radius = rational_root(a / b), rational_root(-c / b)
         return {y: radius * (1 - t * t) / (1 + t * t), x: radius * 2 * t / (1 + t * t) / ratio}
     return None
 
 
-def _root(value):
-    value = Fraction(value)
+def rational_root(value):
+    """Return √value of a Fraction, or raise NotRational."""
     if value >= 0:
         root = Fraction(isqrt(value.numerator), isqrt(value.denominator))
         if root * root == value:
             return root
-    raise _Dead
+    raise NotRational(f"√({value}) is not rational")

@@ -66,18 +66,6 @@ class Program:
                 expression = expression.xreplace({name: definition})
         return expression
 
-    def folded(self) -> "Program":
-        """Return the program with every line that is a number or another's name put into the lines that use it."""
-        known: dict[Symbol, Expr] = {}
-        definitions: list[tuple[Symbol, Expr]] = []
-        for symbol, expression in self.definitions:
-            value = expression.xreplace(known)
-            if (value.is_Number or value.is_Symbol) and symbol not in self.outputs:
-                known[symbol] = value
-            else:
-                definitions.append((symbol, value))
-        return Program(self.name, self.inputs, tuple(definitions), self.outputs).keep(*self.outputs)
-
 
 def chain(name: str, *programs: Program, outputs: tuple[Symbol, ...] | None = None) -> Program:
     """Return the programs one after another: a later one's inputs may be names that an earlier one defines.

@@ -19,23 +19,12 @@ from proofs.engine.claim import Claim, Separation
 from proofs.engine.search import MAX_EFFORT, NotFound
 from proofs.engine.theorem import incomplete
 from verify.checkers import witness
-from verify.checkers.acceptance import CHECKERS, accept, by_definition, not_found, show_polynomial, why_rejected
-from verify.checkers.counterexamples import FAILURES, counterexample, path_to_avoided
-from verify.checkers.grades import Examination, final_grades
+from verify.checkers.acceptance import CHECKERS, accept, by_definition, not_found, why_rejected
+from verify.checkers.counterexamples import FAILURES, counterexample
+from verify.checkers.grades import Examination
 from verify.checkers.registry import measurements
 from verify.checkers.splices import says_the_same, splices
 
-__all__ = [
-    "LONG_POINTS",
-    "POINTS",
-    "Examination",
-    "certificate_problems",
-    "examine",
-    "final_grades",
-    "path_to_avoided",
-    "show_polynomial",
-    "why_rejected",
-]
 POINTS, LONG_POINTS = 32, 2000
 BIBLIOGRAPHY = Path(__file__).resolve().parents[2] / "book" / "references.bib"
 

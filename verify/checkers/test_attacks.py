@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from sympy import Abs, Dummy, Eq, Max, Min, Rational, Symbol, cos, evaluate, pi, sin, sqrt, symbols
+from sympy import Abs, Dummy, Max, Min, Rational, Symbol, cos, evaluate, pi, sin, sqrt, symbols
 
 from proofs.check import FOLDER, canonical, verdicts
 from proofs.engine import kernel
@@ -209,6 +209,13 @@ def inverse(new):
     return [derivation(("inverse", {"": "2"}, named), ONE_IS_ZERO), {"proofs": proofs}]
 
 
+def refutation(of, point, variables=None):
+    """Return the counterexample to of > 0 at a point, whose names are the variables if none are given."""
+    return [derivation(show(of, ">"), variables=variables or point) | {"kind": "refutation"}, {"point": point}]
+
+
+EMPTY_INDUCTION = {key: [] for key in ("variables", "state", "assume", "show")} | {"start": {}, "next": {}}
+EMPTY_INDUCTION |= {"version": 1, "kind": "induction"}
 STATEMENT, CERTIFICATE = GOOD
 STEP = STATEMENT["steps"][0]
 BROKEN = {
@@ -226,7 +233,7 @@ BROKEN = {
     "a list for a text": [STATEMENT | {"kind": ["derivation"]}, CERTIFICATE],
     **{
         f"the coefficient {c!r}": [derivation(show({"x^2": c}, ">=")), CERTIFICATE]
-        for c in ("1e0", "0.5", 1, 1.5, "+1", "01", "2/2", "1/-2", "1/0", "", None, "0", "1 ", "１")
+        for c in ("1e0", "1e999999999", "0.5", 1, 1.5, "+1", "01", "2/2", "1/-2", "1/0", "", None, "0", "1 ", "１")
     },
     **{
         f"the monomial {m!r}": [derivation(show({m: "1", "x^2": "1"}, ">=")), CERTIFICATE]
@@ -237,39 +244,15 @@ BROKEN = {
         for i in (-1, 1, "0", 0.5, None, True, 2**53 + 1)
     },
     "a variable twice": [STATEMENT | {"variables": ["x", "x"]}, CERTIFICATE],
-    "an empty induction": [
-        {
-            "version": 1,
-            "kind": "induction",
-            "variables": [],
-            "state": [],
-            "assume": [],
-            "start": {},
-            "next": {},
-            "show": [],
-        },
-        {"base": [], "step": []},
-    ],
+    "an empty induction": [EMPTY_INDUCTION, {"base": [], "step": []}],
     "an empty separation": [
         {"version": 1, "kind": "separation", "lines": [], "outputs": [], "avoid": []},
         {"reached": []},
     ],
-    "pi as a coordinate": [
-        derivation(show({"pi": "1", "": "-4"}, ">"), variables=("pi",)) | {"kind": "refutation"},
-        {"point": {"pi": "31/10"}},
-    ],
-    "off the circle": [
-        derivation(show({"cos(x)": "1", "": "-1"}, ">"), variables=("cos(x)", "sin(x)")) | {"kind": "refutation"},
-        {"point": {"cos(x)": "0", "sin(x)": "0"}},
-    ],
-    "a cosine alone": [
-        derivation(show({"cos(x)": "1", "": "-1"}, ">"), variables=("cos(x)",)) | {"kind": "refutation"},
-        {"point": {"cos(x)": "0"}},
-    ],
-    "a name too many": [
-        derivation(show({"x": "1"}, ">"), variables=("x",)) | {"kind": "refutation"},
-        {"point": {"x": "0", "y": "0"}},
-    ],
+    "pi as a coordinate": refutation({"pi": "1", "": "-4"}, {"pi": "31/10"}),
+    "off the circle": refutation({"cos(x)": "1", "": "-1"}, {"cos(x)": "0", "sin(x)": "0"}),
+    "a cosine alone": refutation({"cos(x)": "1", "": "-1"}, {"cos(x)": "0"}),
+    "a name too many": refutation({"x": "1"}, {"x": "0", "y": "0"}, variables=("x",)),
 }
 
 
@@ -308,14 +291,6 @@ def test_a_file_is_its_own_canonical_form():
 
 def test_the_kernels_agree_on_what_is_broken_at_random():
     assert campaign(2000, seed=3) < 200
-
-
-def test_the_kernel_takes_no_huge_number():
-    assert kernel.check(derivation(show({"x": "1e999999999"}, "=")), {"proofs": [NOTHING]}) is not None
-
-
-def test_equations_are_not_evaluated():
-    assert isinstance(equation(x, x), Eq)
 
 
 def test_no_mutant_is_proved_by_the_certificates_of_its_theorem():

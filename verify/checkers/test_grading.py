@@ -9,7 +9,8 @@ from proofs.engine.certificate import Stale, stored
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import Program
 from proofs.engine.theorem import Mutant, Step, Theorem, all_theorems, borrowed, in_order, incomplete
-from verify.checkers.proof_checker import examine, final_grades
+from verify.checkers.grades import final_grades
+from verify.checkers.proof_checker import examine
 
 x, y = symbols("x y", real=True)
 FALSE = Claim("quotient", (equation((x * y + x) / x, y + 1),))

@@ -14,7 +14,8 @@ from proofs.engine.program import Program
 from proofs.engine.search import NotFound, search
 from proofs.engine.statement import derivations
 from verify.checkers import witness
-from verify.checkers.proof_checker import path_to_avoided, why_rejected
+from verify.checkers.acceptance import why_rejected
+from verify.checkers.counterexamples import path_to_avoided
 
 x, y, z = symbols("x y z", real=True)
 
