@@ -18,44 +18,38 @@ SMOOTH_POINT = (0.31, 0.47)
 SMALL_SINE = 1e-4
 
 
-def point_errors(scene: Scene, steps: Iterable[float], at: tuple[float, float] = SMOOTH_POINT) -> list[float]:
-    """Return [|central h_u − exact h_u|] of the scene's field at a chart point, for each ε."""
-    right = gradient_at(scene, *at, exact())[0]
-    return [float(abs(gradient_at(scene, *at, central(eps))[0] - right)) for eps in steps]
+def point_errors(scene: Scene, steps: Iterable[float]) -> list[float]:
+    """Return [|central h_u − exact h_u|] of the scene's field at SMOOTH_POINT, for each ε."""
+    right = gradient_at(scene, *SMOOTH_POINT, exact())[0]
+    return [float(abs(gradient_at(scene, *SMOOTH_POINT, central(eps))[0] - right)) for eps in steps]
 
 
-def flips_everywhere(
-    scene: Scene,
-    width: int,
-    height: int,
-    betas: Iterable[float] = (-1.0, 0.0, 0.35, 2.0),
-    steps: Iterable[float] = (1e-1, 1e-3, 1e-6, 1e-12),
-) -> tuple[int, int]:
+def flips_everywhere(scene: Scene, width: int, height: int) -> tuple[int, int]:
     """Return (frames, flips): pixels whose chamber differs from the scene's own, over fields, β, ε, both models."""
     own, flips = render(scene, width, height).chambers, []
-    for field, beta, eps, model in product(FIELDS, betas, steps, MODELS):
+    for field, beta, eps, model in product(FIELDS, (-1.0, 0.0, 0.35, 2.0), (1e-1, 1e-3, 1e-6, 1e-12), MODELS):
         other = render(replace(scene, field=field, beta=beta, model=model), width, height, central(eps))
         flips.append(int(np.count_nonzero(other.chambers != own)))
     return len(flips), sum(flips)
 
 
-def flat_difference(scene: Scene, width: int, height: int, eps: float = 1e-3) -> float:
-    """Return the largest |numeric − exact| over the whole picture at β = 0."""
+def flat_difference(scene: Scene, width: int, height: int) -> float:
+    """Return the largest |numeric − exact| over the whole picture at β = 0, by ε = 1e-3."""
     flat = replace(scene, beta=0.0)
-    return float(np.abs(render(flat, width, height, central(eps)).rgb - render(flat, width, height).rgb).max())
+    return float(np.abs(render(flat, width, height, central(1e-3)).rgb - render(flat, width, height).rgb).max())
 
 
-def crease_gradient(scene: Scene, u: float = 0.125, v: float = 0.47) -> tuple[float, ...]:
-    """Return (h, h_u, h_v) by the exact gradient of the ridges field at a chart point; default on a crease."""
-    ridges = replace(scene, field="ridges")
-    return tuple(map(float, (height_at(ridges, u, v), *gradient_at(ridges, u, v, exact()))))
+def crease_gradient(scene: Scene) -> tuple[float, ...]:
+    """Return (h, h_u, h_v) by the exact gradient of the ridges field on its crease u = 1/8."""
+    ridges, at = replace(scene, field="ridges"), (0.125, SMOOTH_POINT[1])
+    return tuple(map(float, (height_at(ridges, *at), *gradient_at(ridges, *at, exact()))))
 
 
-def pixels_near_the_pole(scene: Scene, width: int, height: int, below: float = SMALL_SINE) -> tuple[int, float]:
-    """Return (how many pixels of A have sin φ below `below`, the least sin φ on A)."""
+def pixels_near_the_pole(scene: Scene, width: int, height: int) -> tuple[int, float]:
+    """Return (how many pixels of A have sin φ below SMALL_SINE, the least sin φ on A)."""
     v = render(scene, width, height).surface_data["v"]
     sines = np.sin(np.pi * v[~np.isnan(v)])
-    return int((sines < below).sum()), float(sines.min()) if sines.size else float("nan")
+    return int((sines < SMALL_SINE).sum()), float(sines.min()) if sines.size else float("nan")
 
 
 def facts(scene: Scene | None = None, width: int = 256, height: int = 256) -> list[tuple[str, str]]:
