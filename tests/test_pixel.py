@@ -16,13 +16,9 @@ from tests.strategies import methods, rasters, scenes
 ONLY_ON_A = ("theta", "phi", "u", "v", "h", "gradient", "kink", "straddling")
 
 
-def draw_pixel(data, size):
-    return tuple(data.draw(st.integers(0, side - 1)) for side in size)
-
-
 @given(scenes(), rasters(), methods, st.data())
-def test_a_record_has_the_bits_of_the_frame(scene, size, method, data):
-    column, row = draw_pixel(data, size)
+def test_a_record_has_the_bits_of_the_frame_and_what_adds_up_to_them(scene, size, method, data):
+    column, row = (data.draw(st.integers(0, side - 1)) for side in size)
     record, frame = pixel(scene, *size, column, row, method), render(scene, *size, method)
     assert record.rgb == tuple(frame.rgb[row, column])
     assert record.chamber == frame.chambers[row, column]
@@ -32,26 +28,16 @@ def test_a_record_has_the_bits_of_the_frame(scene, size, method, data):
         surface = {name: plane[row, column] for name, plane in frame.surface_data.items()}
         assert (record.u, record.v, record.h) == (surface["u"], surface["v"], surface["h"])
         assert record.gradient == (surface["h_u"], surface["h_v"])
-
-
-@given(scenes(), rasters(), methods, st.data())
-def test_ambient_and_lights_add_up_to_the_colour(scene, size, method, data):
-    record = pixel(scene, *size, *draw_pixel(data, size), method)
     if record.surface == "none":
-        assert record.rgb == (0.0, 0.0, 0.0)
+        assert (record.rgb, record.lights) == ((0.0, 0.0, 0.0), ())
         return
+    on = [number for number, light in enumerate(scene.lights) if light.color is not None]
+    assert [light.number for light in record.lights] == on
+    assert all(light.occluded == bool(record.chamber >> (2 + light.number) & 1) for light in record.lights)
+    assert all(light.adds == (0.0, 0.0, 0.0) for light in record.lights if light.occluded)
     for channel in range(3):
         terms = [scene.ka * scene.ambient[channel], *(light.adds[channel] for light in record.lights)]
         assert record.rgb[channel] == pytest.approx(min(1.0, sum(terms)), abs=2e-15)
-
-
-@given(scenes(), rasters(), st.data())
-def test_lights_that_are_on_are_there_in_order(scene, size, data):
-    record = pixel(scene, *size, *draw_pixel(data, size))
-    on = [number for number, light in enumerate(scene.lights) if light.color is not None]
-    assert [light.number for light in record.lights] == (on if record.surface != "none" else [])
-    assert all(light.occluded == bool(record.chamber >> (2 + light.number) & 1) for light in record.lights)
-    assert all(light.adds == (0.0, 0.0, 0.0) for light in record.lights if light.occluded)
 
 
 def first_of(surface, scene=None):
