@@ -24,9 +24,6 @@ SWEEP = np.logspace(-0.5, -13, 26)
 KEYS = [name.replace(" ", "_").replace("-", "_") for name in attribution.TERMS]
 
 
-_frame = cache(partial(render, Scene(), SIDE, SIDE))
-
-
 def _picture(kinds):
     """Return the kinds as colours, black off A and where there is no error."""
     table = np.array([[int(c[i : i + 2], 16) for i in (1, 3, 5)] for c in COLOURS.values()], np.uint8)
@@ -34,22 +31,26 @@ def _picture(kinds):
     return picture.repeat(ZOOM, axis=0).repeat(ZOOM, axis=1)
 
 
+_frame = cache(partial(render, Scene(), SIDE, SIDE))
+
+
 @cache
 def _kinds():
-    return [attribution.over_the_image(_frame(), eps) for eps in STEPS]
+    return {f"{eps:.0e}": attribution.over_the_image(_frame(), eps) for eps in STEPS}
 
 
 @figure("attribution")
 def attribution_pictures() -> Drawing:
     """The largest of the error's terms at each pixel of sphere A, at three steps, with a legend."""
-    fig = panels([_picture(kinds) for kinds in _kinds()], [f"ε = {eps:g}" for eps in STEPS], foot=TITLE + GAP)
+    fig = panels([_picture(kinds) for kinds in _kinds().values()], [f"ε = {eps:g}" for eps in STEPS], foot=TITLE + GAP)
     _legend(fig)
-    numbers = {"side": SIDE, "pixels": int((_kinds()[0] > -2).sum())}
-    for eps, kinds in zip(STEPS, _kinds(), strict=True):
+    numbers, data = {"side": SIDE}, {"kinds": list(COLOURS)}
+    for eps, kinds in _kinds().items():
         shares = attribution.shares(kinds[kinds > -2])
-        numbers |= {f"{key}_{eps:.0e}": share for key, share in zip(KEYS, shares.values(), strict=True)}
-    kinds = {f"kinds_{eps:.0e}": kinds for eps, kinds in zip(STEPS, _kinds(), strict=True)}
-    return Drawing(fig, numbers=numbers, data={"kinds": list(COLOURS)} | kinds)
+        numbers |= {"pixels": int((kinds > -2).sum())}
+        numbers |= {f"{key}_{eps}": share for key, share in zip(KEYS, shares.values(), strict=True)}
+        data[f"kinds_{eps}"] = kinds
+    return Drawing(fig, numbers=numbers, data=data)
 
 
 def _legend(fig):

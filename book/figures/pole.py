@@ -1,6 +1,7 @@
 """Toward the pole: the seed's tangent frame against ours, and the clamped difference."""
 
 from functools import cache
+from itertools import product
 
 import numpy as np
 from mpmath import mp, mpf
@@ -24,31 +25,28 @@ def _tangent_gradient(frame, slopes):
 
 
 @cache
-def _errors(small_sine):
-    """Return the largest errors of g over the azimuths (seed's frame, with its fallback, ours) at one sin φ."""
-    seed = function_of(seed_frame)
-    ours = function_of(tangent_frame)
-    exactly = (function_of(p, ExactPrinter(), NAMES) for p in (tangent_frame, gradient(HEIGHT_FIELDS["sine"])))
-    exact_frame, slope = exactly
-    worst = np.zeros(3)
-    for azimuth in AZIMUTHS:
+def _errors(sines):
+    """Return the largest errors of g over the azimuths at each sin φ: seed's frame, with its fallback, ours."""
+    seed, ours = function_of(seed_frame), function_of(tangent_frame)
+    programs = (tangent_frame, gradient(HEIGHT_FIELDS["sine"]))
+    exact_frame, slope = (function_of(program, ExactPrinter(), NAMES) for program in programs)
+    worst = np.zeros((3, len(sines)))
+    for place, azimuth in product(range(len(sines)), AZIMUTHS):
         with mp.workdps(50):
-            sine, angle = mpf(float(small_sine)), mpf(float(azimuth))
+            sine, angle = mpf(float(sines[place])), mpf(float(azimuth))
             angles = (mp.cos(angle), mp.sin(angle), mp.sqrt(1 - sine**2), sine)
             point = ((angle + mp.pi) / (2 * mp.pi), mp.asin(sine) / mp.pi)
             slopes = slope(*point, mpf(K_U), mpf(K_V))
-            right = np.array(_tangent_gradient(exact_frame(*angles), slopes), dtype=object)
-            rounded = [np.float64(float(a)) for a in angles]
+            right = _tangent_gradient(exact_frame(*angles), slopes)
+            rounded, float_slopes = np.array(angles, dtype=float), np.array(slopes, dtype=float)
             n = (rounded[3] * rounded[0], rounded[3] * rounded[1], rounded[2])
-            float_slopes = [np.float64(float(s)) for s in slopes]
             with np.errstate(divide="ignore", invalid="ignore"):
                 plain = _tangent_gradient(seed(*n), float_slopes)
-            fallback = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
-            guarded = plain if small_sine > SEED_FALLBACK else _tangent_gradient(fallback, float_slopes)
-            stable = _tangent_gradient(ours(*rounded), float_slopes)
-            for index, value in enumerate((plain, guarded, stable)):
+            fallback = _tangent_gradient((1.0, 0.0, 0.0, 0.0, 1.0, 0.0), float_slopes)
+            guarded = plain if sines[place] > SEED_FALLBACK else fallback
+            for index, value in enumerate((plain, guarded, _tangent_gradient(ours(*rounded), float_slopes))):
                 error = max(abs(mpf(float(v)) - r) for v, r in zip(value, right, strict=True) if np.isfinite(v))
-                worst[index] = max(worst[index], float(error))
+                worst[index, place] = max(worst[index, place], float(error))
     return worst
 
 
@@ -56,7 +54,7 @@ def _errors(small_sine):
 def pole() -> Drawing:
     """The largest error of g near the pole: the seed's frame, with and without its fallback, and the stable one."""
     sines = np.logspace(0, -8, 49)[1:]
-    plain, guarded, stable = np.array([_errors(sine) for sine in sines]).T
+    plain, guarded, stable = _errors(tuple(sines))
     fig, ax = plot(height=3.8)
     orange, blue = palette()["numeric"], palette()["symbolic"]
     ax.plot(sines, guarded, color=orange, linewidth=1.4, linestyle=(0, (5, 2)))

@@ -55,22 +55,24 @@ def default_scene() -> Drawing:
     return Drawing(numbers=numbers | lights | {"ball_center": _point(SCENE.ball_center), "field": SCENE.field})
 
 
-def _visible_parallels(scene):
-    """Return [(m, φ, ρ)] of the creases v = m/k_v that face the eye, the pole left out."""
-    found = []
-    for m in range(1, int(scene.kv)):
-        phi = np.pi * m / scene.kv
-        if np.cos(phi) > scene.radius / scene.eye:
-            values = {sin_phi: np.sin(phi), cos_phi: np.cos(phi), eye: scene.eye, radius: scene.radius}
-            found.append((m, phi, float(parallel_radius.expand(rho).subs(values))))
-    return found
+def _visible_parallels():
+    """Return {m: ρ} of the creases v = m/k_v that face the eye, the pole left out."""
+    angles = {m: np.pi * m / SCENE.kv for m in range(1, int(SCENE.kv))}
+    values = {m: {sin_phi: np.sin(phi), cos_phi: np.cos(phi), eye: SCENE.eye, radius: SCENE.radius}
+              for m, phi in angles.items() if np.cos(phi) > SCENE.radius / SCENE.eye}  # fmt: skip
+    return {m: float(parallel_radius.expand(rho).subs(at)) for m, at in values.items()}
+
+
+def _pixel(frame, x, y):
+    """Return the column and the row, not rounded, of points of the image plane."""
+    columns, rows = frame.raster.image_points(SCENE)
+    step = columns[1] - columns[0]
+    return (x - columns[0]) / step, (rows[0] - y) / step
 
 
 def _draw_on_a(ax, frame, x, y, **line):
     """Draw an image curve where sphere A is what the pixel shows; return its pixels, NaN where hidden, (2, n)."""
-    columns, rows = frame.raster.image_points(SCENE)
-    step = columns[1] - columns[0]
-    column, row = (x - columns[0]) / step, (rows[0] - y) / step
+    column, row = _pixel(frame, x, y)
     high, wide = frame.raster.shape
     nearest = np.clip(np.rint(row), 0, high - 1).astype(int), np.clip(np.rint(column), 0, wide - 1).astype(int)
     shown = np.array([np.where(frame.stage.on_a[nearest], column, np.nan), row])
@@ -87,23 +89,18 @@ def kink_loci() -> Drawing:
     limits = ax.axis()
     rim = float(silhouette_of_a.expand(rho_silhouette).subs({eye: SCENE.eye, radius: SCENE.radius}))
     angle, along = np.linspace(0, 2 * np.pi, 1441), np.linspace(0, rim, 400)
-    parallels, data = _visible_parallels(SCENE), {}
-    for m, _, size in parallels:
+    parallels, data = _visible_parallels(), {}
+    for m, size in parallels.items():
         circle = size * np.cos(angle), size * np.sin(angle)
         data[f"circle_{m}"] = _draw_on_a(ax, frame, *circle, color="#56B4E9", linewidth=1.6)
     for m in range(int(SCENE.ku)):
         theta = 2 * np.pi * m / SCENE.ku - np.pi
         ray = along * np.cos(theta), along * np.sin(theta)
         data[f"ray_{m}"] = _draw_on_a(ax, frame, *ray, color="#F0E442", linewidth=1.4, linestyle=(0, (4, 3)))
-    columns, rows = frame.raster.image_points(SCENE)
-    step = columns[1] - columns[0]
-    middle = (-columns[0] / step, rows[0] / step)
-    notes = {"$u = 0$": (middle[0] - rim / step, middle[1])}
-    notes[f"$v = 1/{int(SCENE.kv)}$"] = (middle[0], middle[1] + parallels[0][2] / step)
-    for text, at in notes.items():
-        ax.annotate(text, at, xytext=(7, -15), textcoords="offset points", color="white")
+    for text, at in (("$u = 0$", (-rim, 0)), (f"$v = 1/{int(SCENE.kv)}$", (0, -parallels[1]))):
+        ax.annotate(text, _pixel(frame, *at), xytext=(7, -15), textcoords="offset points", color="white")
     ax.axis(limits)
-    numbers = {"rays": int(SCENE.ku), "circles": len(parallels), "circle_radius": parallels[0][2], "rim": rim}
+    numbers = {"rays": int(SCENE.ku), "circles": len(parallels), "circle_radius": parallels[1], "rim": rim}
     return Drawing(fig, numbers=numbers, data=data)
 
 
