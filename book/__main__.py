@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from filelock import FileLock
 
 from book.build import check, report, stamps, website
+from book.drawing import keys
 from book.drawing.registry import UnknownFigure
 from book.editions import files
 from book.editions.chromium import NoBrowser
@@ -22,8 +23,6 @@ RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made 
 
 def figures(ids: Sequence[str] = (), force: bool = False) -> None:
     """Draw the figures that changed."""
-    from book.drawing import keys
-
     if not ids and not force and keys.nothing_changed():
         print("  all up to date")
         return
