@@ -49,7 +49,7 @@ def verdicts(text, theorem):
     for claim in data["claims"]:
         cases = [(entry["statement"], entry["certificate"], entry["point"]) for entry in claim["statements"]]
         for entry, wrong in zip(claim["statements"], reasons(cases), strict=True):
-            if digest(entry["statement"]) != entry["sha256"]:
+            if wrong is None and digest(entry["statement"]) != entry["sha256"]:
                 wrong = "its sha256 is another statement's"
             found.append((claim["claim"], wrong))
     return found

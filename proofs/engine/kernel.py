@@ -21,6 +21,7 @@ class Rejected(Exception):
 
 
 def require(condition, reason, residual=None):
+    """Raise Rejected with the reason unless the condition holds."""
     if not condition:
         raise Rejected(reason, residual)
 
@@ -29,35 +30,42 @@ def require(condition, reason, residual=None):
 
 
 def is_name(text):
+    """Return whether this is a name, or the cosine or sine of an angle, which is one, too."""
     return isinstance(text, str) and NAME.fullmatch(text) is not None
 
 
 @cache
 def is_number(text):
+    """Return whether this is the text of a whole number or a fraction in lowest terms."""
     return isinstance(text, str) and NUMBER.fullmatch(text) is not None and text == str(Fraction(text))
 
 
 def is_power(text):
+    """Return whether this is "x", or "x^2" to "x^999"."""
     base, sign, exponent = text.partition("^")
     return is_name(base) and (not sign or re.fullmatch("[2-9]|[1-9][0-9]{1,2}", exponent) is not None)
 
 
 @cache
 def is_monomial(text):
+    """Return whether these are powers of different names, a blank between them; none: 1."""
     factors = text.split(" ") if text else []
     return all(map(is_power, factors)) and len({f.partition("^")[0] for f in factors}) == len(factors)
 
 
 def is_polynomial(data):
+    """Return whether this is {monomial: coefficient}, no coefficient 0."""
     short = type(data) is dict and len(data) <= LONGEST
     return short and all(is_monomial(m) and is_number(c) and c != "0" for m, c in data.items())
 
 
 def is_index(i):
+    """Return whether this may number a fact."""
     return type(i) is int and 0 <= i <= LONGEST
 
 
 def is_relation(text):
+    """Return whether this is =, !=, > or >=."""
     return text in tuple(HOLDS)
 
 
@@ -73,14 +81,17 @@ def fits(value, shape):
 
 
 def is_step(data):
+    """Return whether this is a step of one of the STEPS."""
     return fits(data, STEPS[data["step"]])
 
 
 def is_proof(data):
+    """Return whether this is a proof by one of the rules in PROOFS."""
     return fits(data, PROOFS[data["rule"]])
 
 
 def values_of(test):
+    """Return the test of {name: what passes the given test}."""
     return lambda data: type(data) is dict and all(is_name(key) and test(value) for key, value in data.items())
 
 
@@ -112,14 +123,17 @@ SHAPES = {
 
 
 def exact(text):
+    """Return the number of a text: an int where it is whole, which is quicker."""
     return Fraction(text) if "/" in text else int(text)
 
 
 def variable(name):
+    """Return the polynomial that is one name."""
     return {(name,): 1}
 
 
 def add(*polynomials):
+    """Return the sum; no coefficient in it is 0."""
     total = {}
     for p in polynomials:
         for monomial, coefficient in p.items():
@@ -128,6 +142,7 @@ def add(*polynomials):
 
 
 def multiply(number, *polynomials):
+    """Return the product of a number and polynomials."""
     product = {(): number}
     for p in polynomials:
         product = add(*({tuple(sorted(a + b)): c * d for b, d in p.items()} for a, c in product.items()))
@@ -172,6 +187,7 @@ def prove(goal, facts, proof, values):
 
 
 def named(names):
+    """Return {name: the polynomial that is that name}; reject a name that comes twice."""
     require(len(set(names)) == len(names), "a name is introduced twice")
     return {name: variable(name) for name in names}
 
@@ -198,6 +214,7 @@ def derive(statement, meet):
 
 
 def prove_all(statement, certificate):
+    """Reject unless each goal of a derivation has its proof, and there is none left over."""
     proofs = iter(certificate["proofs"])
     require(any(step["step"] == "show" for step in statement["steps"]), "nothing is claimed")
     derive(statement, lambda goal, facts, values: prove(goal, facts, next(proofs), values))

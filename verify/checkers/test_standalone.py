@@ -45,7 +45,7 @@ def test_a_changed_certificate_is_rejected(tmp_path):
 def test_a_changed_statement_is_rejected(tmp_path):
     done = run(standalone_script("tangent_frame").replace('"is": "=",\n', '"is": ">=",\n', 1), tmp_path)
     assert done.returncode == 1
-    assert "its sha256 is another statement's" in done.stdout
+    assert "tangent_frame: REJECTED." in done.stdout
 
 
 def test_every_certificate_has_a_script():
