@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from book.figures.hero import hero
+from book.figures.three_pictures import hero
 
 ROOT = Path(__file__).parents[1]
 

@@ -1,15 +1,18 @@
-"""The chapter's pictures: numeric, symbolic and their difference, of one field and of all three; and views of one."""
+"""The chapter's pictures: the front page's, numeric beside symbolic and their difference, and the views of a frame."""
 
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels
-from book.figures.chapter_scene import FIELD_NAMES, TELLING_EPS, numeric, symbolic
+from book.figures.chapter_scene import FIELD_NAMES, SCENE, TELLING_EPS, numeric, symbolic
+from renderer import central, exact, render, stage_of
 from renderer.sweep import difference_on_a, rms
 from renderer.views import difference_logarithmic, image_view, kink_view, slope_view, to_bytes
 
 LOW, HIGH = -8, 0
 SIDE, VIEW_SIDE = 264, 220
+WIDTH, HEIGHT, HERO_EPS = 928, 420, 2e-2
+SEAM = 2  # pixels of paper between the halves
 GAP = 12
 TITLES = ("numeric", "symbolic", "difference")
 
@@ -67,3 +70,14 @@ def views() -> Drawing:
     }
     data = {"slope": frame.slope, "kink": frame.kink, "straddling": stepped.straddling}
     return Drawing(fig, numbers=numbers, data=data)
+
+
+@figure("hero")
+def hero() -> Drawing:
+    """The default scene, by central differences on the left of the middle and exactly on the right."""
+    stage = stage_of(SCENE, WIDTH, HEIGHT)
+    left = to_bytes(render(SCENE, WIDTH, HEIGHT, central(HERO_EPS), stage=stage).rgb)
+    right = to_bytes(render(SCENE, WIDTH, HEIGHT, exact(), stage=stage).rgb)
+    picture = np.where(np.arange(WIDTH)[None, :, None] < WIDTH // 2, left, right)
+    picture[:, WIDTH // 2 - SEAM // 2 : WIDTH // 2 + SEAM // 2] = 252
+    return Drawing(picture, numbers={"eps": HERO_EPS})
