@@ -1,0 +1,185 @@
+"""The text of `proofs/formal/Formulas.v`: the chapter's programs as Coq definitions over its real numbers.
+
+A program is a module, each of its lines a definition of those inputs that the line depends on.
+"""
+
+from typing import ClassVar
+
+from sympy import And, Or, S, true
+
+from proofs.engine.program import Program
+from proofs.formulas import (
+    algebraic_form,
+    bump,
+    camera,
+    chart,
+    displacement,
+    finite_difference,
+    height_fields,
+    image_derivative,
+    shading,
+    shadow,
+    shadow_cone,
+    tangent_frame,
+)
+from renderer.generate.printer import KernelPrinter
+
+HEADER = """(* Printed from proofs/formulas by `python -m renderer.generate`. Do not edit: change the formula instead.
+   Each module is one program of the chapter; each definition is one line of its derivation. *)
+
+From Coq Require Import Reals.
+From Coquelicot Require Import Coquelicot.
+From Formal Require Import Preliminaries.
+Open Scope R_scope.
+"""
+
+MODULES = (
+    camera,
+    chart,
+    tangent_frame,
+    bump,
+    shading,
+    shadow,
+    shadow_cone,
+    algebraic_form,
+    displacement,
+    image_derivative,
+)
+
+
+COMPARISONS = {
+    ">=": ("le", -1),
+    "<=": ("le", 1),
+    ">": ("lt", -1),
+    "<": ("lt", 1),
+    "==": ("Req_EM_T", 1),
+    "!=": ("differ", 1),
+}
+"""{relation: (what decides it, 1, or -1 where its sides change places)}"""
+
+
+class CoqPrinter(KernelPrinter):
+    """Prints an expression as a term of Coq's real numbers.
+
+    A symbol that may be infinite (a hit that is missed) is of Coquelicot's type Rbar; where it is computed with, its
+    real part is taken.
+    """
+
+    names: ClassVar = {"Abs": "Rabs", "Max": "Rmax", "Min": "Rmin"}
+    pi, infinity = "PI", "p_infty"
+
+    def literal(self, rational):
+        return str(rational.p) if rational.q == 1 else f"({rational.p} / {rational.q})"
+
+    def _print_Symbol(self, symbol):
+        return symbol.name if symbol.is_real else f"real {symbol.name}"
+
+    def parenthesize(self, item, level, strict=False):
+        text = super().parenthesize(item, level, strict)
+        return f"({text})" if " " in text and (item.is_Function or item.is_Symbol) else text
+
+    def _print_Pow(self, expr):
+        base, exponent = expr.base, expr.exp
+        if exponent == S.Half:
+            return f"sqrt {self._atom(base)}"
+        if exponent.is_Integer and exponent > 0:
+            return f"{self._atom(base)} ^ {exponent}"
+        if exponent.is_Rational and exponent.is_negative:
+            return f"/ {self._atom(1 / expr)}"
+        return f"Rpower {self._atom(base)} {self._atom(exponent)}"
+
+    def _atom(self, expr):
+        text = self._print(expr)
+        return text if text.replace("_", "").isalnum() else f"({text})"
+
+    def _call(self, name, arguments):
+        return " ".join([name, *map(self._atom, arguments)])
+
+    def _folded(self, name, arguments):
+        first, *others = arguments
+        return (
+            self._call(name, arguments)
+            if len(others) == 1
+            else f"{name} {self._atom(first)} ({self._folded(name, others)})"
+        )
+
+    def _print_Max(self, expr):
+        return self._folded("Rmax", sorted(expr.args, key=str))
+
+    def _print_Min(self, expr):
+        return self._folded("Rmin", sorted(expr.args, key=str))
+
+    def _print_sign(self, expr):
+        return self._call("sign", expr.args)
+
+    def _print_floor(self, expr):
+        return f"IZR (Int_part {self._atom(expr.args[0])})"
+
+    def _print_sinpi(self, expr):
+        return f"sin (PI * {self._atom(expr.args[0])})"
+
+    def _print_cospi(self, expr):
+        return f"cos (PI * {self._atom(expr.args[0])})"
+
+    def _comparison(self, relation):
+        name, order = COMPARISONS[relation.rel_op]
+        sides = relation.args[::order]
+        if all(side.is_real for side in sides):
+            return self._call({"le": "Rle_dec", "lt": "Rlt_dec"}.get(name, name), sides)
+        return " ".join([f"Rbar_{name}_dec", *map(self._extended, sides)])
+
+    def _extended(self, side):
+        """Return a term of Rbar."""
+        return "p_infty" if side is S.Infinity else side.name if not side.is_real else f"(Finite {self._atom(side)})"
+
+    def _decision(self, condition):
+        """Return a term that decides a condition."""
+        if not isinstance(condition, And | Or):
+            return self._comparison(condition)
+        both = "both" if isinstance(condition, And) else "either"
+        first, *others = (f"({self._decision(part)})" for part in sorted(condition.args, key=str))
+        for other in others:
+            first = f"({both} {first} {other})"
+        return first[1:-1]
+
+    def _print_Piecewise(self, expr):
+        (last, otherwise) = expr.args[-1]
+        if otherwise != true:
+            raise ValueError(f"a selection without a last resort: {expr}")
+        bounded = any(value is S.Infinity for value, _ in expr.args)
+        text = self._branch(last, bounded)
+        for value, condition in reversed(expr.args[:-1]):
+            text = f"if {self._decision(condition)} then {self._branch(value, bounded)} else {text}"
+        return text
+
+    def _branch(self, value, may_be_infinite):
+        text = self._print(value)
+        return f"Finite {self._atom(value)}" if may_be_infinite and value is not S.Infinity else text
+
+
+def module_of(program: Program) -> str:
+    """Return a program as the text of a Coq module."""
+    printer, inside = CoqPrinter(), []
+    real = " ".join(s.name for s in program.inputs if s.is_real)
+    infinite = " ".join(s.name for s in program.inputs if not s.is_real)
+    inside += [f"Variables {real} : R."] if real else []
+    inside += [f"Variables {infinite} : Rbar."] if infinite else []
+    inside += [f"Definition {s.name} := {printer.doprint(e)}." for s, e in program.definitions]
+    return "\n".join(
+        [f"Module {program.name}.", "Section program.", *inside, "End program.", f"End {program.name}.", ""]
+    )
+
+
+def programs() -> dict[str, Program]:
+    """Return {name: program} of all that is printed, in the order of the modules of proofs/formulas."""
+    found = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
+    found += list(image_derivative.base_derivatives.values())
+    for field in height_fields.HEIGHT_FIELDS.values():
+        found += [height_fields.height(field), height_fields.gradient(field)]
+        found += [method(field) for method in finite_difference.METHODS.values()]
+    return {program.name: program for program in found}
+
+
+def formulas_source() -> str:
+    """Return the text of proofs/formal/Formulas.v."""
+    return HEADER + "".join(f"\n{module_of(program)}" for program in programs().values())
