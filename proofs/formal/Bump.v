@@ -1,0 +1,320 @@
+(* The tangent frame, the bumped normal N', and how it differs from the displaced surface's normal. *)
+
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From Formal Require Import Preliminaries Formulas Vectors.
+Open Scope R_scope.
+
+Ltac unfold_vectors :=
+  unfold length, difference, sum, scaled, cross, dot, N, e_theta, e_phi, g, M, N' in *; cbv [fst snd] in *;
+  unfold unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z,
+    tangent_frame.e_theta_x, tangent_frame.e_theta_y, tangent_frame.e_theta_z,
+    tangent_frame.e_phi_x, tangent_frame.e_phi_y, tangent_frame.e_phi_z,
+    bumped_normal.bumped_x, bumped_normal.bumped_y, bumped_normal.bumped_z,
+    bumped_normal.m_scale, bumped_normal.m_length,
+    bumped_normal.m_x, bumped_normal.m_y, bumped_normal.m_z,
+    bumped_normal.g_x, bumped_normal.g_y, bumped_normal.g_z,
+    bumped_normal.normal_x, bumped_normal.normal_y, bumped_normal.normal_z,
+    bumped_normal.e_theta_x, bumped_normal.e_theta_y, bumped_normal.e_theta_z,
+    bumped_normal.e_phi_x, bumped_normal.e_phi_y, bumped_normal.e_phi_z in *.
+Ltac ring_of_angles theta phi := unfold_vectors; ring [(sin2 theta) (sin2 phi)].
+
+(* The tangent frame *)
+
+(* e_phi is the derivative of N by phi. *)
+Theorem tangent_frame__by_phi (theta phi : R) :
+  let '(x, y, z) := e_phi theta phi in
+  is_derive (fun p => fst (fst (N theta p))) phi x /\ is_derive (fun p => snd (fst (N theta p))) phi y /\
+  is_derive (fun p => snd (N theta p)) phi z.
+Proof. unfold_vectors. split; [|split]; auto_derive; trivial; ring. Qed.
+
+(* sin phi e_theta is the derivative of N by theta. *)
+Theorem tangent_frame__by_theta (theta phi : R) :
+  let '(x, y, z) := scaled (sin phi) (e_theta theta) in
+  is_derive (fun t => fst (fst (N t phi))) theta x /\ is_derive (fun t => snd (fst (N t phi))) theta y /\
+  is_derive (fun t => snd (N t phi)) theta z.
+Proof. unfold_vectors. split; [|split]; auto_derive; trivial; ring. Qed.
+
+(* (e_phi, e_theta, N) is orthonormal. *)
+Theorem tangent_frame__orthonormal (theta phi : R) :
+  dot (e_theta theta) (e_theta theta) = 1 /\ dot (e_phi theta phi) (e_phi theta phi) = 1 /\
+  dot (N theta phi) (N theta phi) = 1 /\ dot (e_theta theta) (e_phi theta phi) = 0 /\
+  dot (e_theta theta) (N theta phi) = 0 /\ dot (e_phi theta phi) (N theta phi) = 0.
+Proof. repeat split; ring_of_angles theta phi. Qed.
+
+(* e_phi x e_theta = N. *)
+Theorem tangent_frame__right_handed (theta phi : R) : cross (e_phi theta phi) (e_theta theta) = N theta phi.
+Proof. unfold_vectors. f_equal; [f_equal|]; ring [(sin2 theta) (sin2 phi)]. Qed.
+
+(* The other order gives -N, which is not N. *)
+Theorem tangent_frame__right_handed__false : ~ forall theta phi, cross (e_theta theta) (e_phi theta phi) = N theta phi.
+Proof.
+  intro H. generalize (H 0 0). unfold_vectors. rewrite sin_0, cos_0. intro E. apply (f_equal snd) in E. cbn in E. lra.
+Qed.
+Theorem tangent_frame__orthonormal__false : ~ forall theta phi, dot (e_theta theta) (e_phi theta phi) = 1.
+Proof. intro H. generalize (H 0 0). rewrite (proj1 (proj2 (proj2 (proj2 (tangent_frame__orthonormal 0 0))))). lra. Qed.
+
+(* Normalising *)
+
+Lemma le_of_squares (x y : R) : 0 <= y -> x ^ 2 <= y ^ 2 -> x <= y.
+Proof. intros. nra. Qed.
+
+Lemma length_of_unit (a : vector) : dot a a = 1 -> length a = 1.
+Proof. intro E. unfold length. rewrite E. apply sqrt_1. Qed.
+
+Lemma g_is_tangent (theta phi h_u h_v : R) : dot (N theta phi) (g theta phi h_u h_v) = 0.
+Proof. ring_of_angles theta phi. Qed.
+
+Lemma g_squared (theta phi h_u h_v : R) : dot (g theta phi h_u h_v) (g theta phi h_u h_v) = h_u ^ 2 + h_v ^ 2.
+Proof. ring_of_angles theta phi. Qed.
+
+Lemma m_squared (theta phi h_u h_v beta : R) :
+  dot (M theta phi h_u h_v beta) (M theta phi h_u h_v beta) = 1 + beta ^ 2 * (h_u ^ 2 + h_v ^ 2).
+Proof. ring_of_angles theta phi. Qed.
+
+Lemma m_squared_at_least_1 (theta phi h_u h_v beta : R) : 1 <= dot (M theta phi h_u h_v beta) (M theta phi h_u h_v beta).
+Proof. rewrite m_squared. generalize (pow2_ge_0 (beta * h_u)) (pow2_ge_0 (beta * h_v)). nra. Qed.
+
+Lemma m_length_at_least_1 (theta phi h_u h_v beta : R) : 1 <= length (M theta phi h_u h_v beta).
+Proof. unfold length. rewrite <- sqrt_1. apply sqrt_le_1_alt, m_squared_at_least_1. Qed.
+
+Lemma length_squared (a : vector) : length a ^ 2 = dot a a.
+Proof.
+  destruct a as [[x y] z]. unfold length, dot. rewrite <- Rsqr_pow2. apply Rsqr_sqrt.
+  generalize (Rle_0_sqr x) (Rle_0_sqr y) (Rle_0_sqr z). unfold Rsqr. lra.
+Qed.
+
+Lemma bumped_is_scaled (theta phi h_u h_v beta : R) :
+  N' theta phi h_u h_v beta = scaled (/ length (M theta phi h_u h_v beta)) (M theta phi h_u h_v beta).
+Proof.
+  assert (E : bumped_normal.m_length (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta =
+    length (M theta phi h_u h_v beta)).
+  { unfold length, bumped_normal.m_length, dot, M. f_equal. ring. }
+  unfold N', scaled, M. unfold bumped_normal.bumped_x, bumped_normal.bumped_y, bumped_normal.bumped_z, bumped_normal.m_scale.
+  rewrite E. reflexivity.
+Qed.
+
+Lemma dot_scaled (s : R) (a b : vector) : dot (scaled s a) b = s * dot a b.
+Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. unfold dot, scaled. ring. Qed.
+Lemma dot_comm (a b : vector) : dot a b = dot b a.
+Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. unfold dot. ring. Qed.
+Lemma dot_sum (a b c : vector) : dot (sum a b) c = dot a c + dot b c.
+Proof. destruct a as [[? ?] ?], b as [[? ?] ?], c as [[? ?] ?]. unfold dot, sum. ring. Qed.
+Lemma dot_nonneg (a : vector) : 0 <= dot a a.
+Proof. rewrite <- length_squared. apply pow2_ge_0. Qed.
+Lemma length_nonneg (a : vector) : 0 <= length a.
+Proof. apply sqrt_pos. Qed.
+Lemma m_is_sum (theta phi h_u h_v beta : R) : M theta phi h_u h_v beta = sum (N theta phi) (scaled beta (g theta phi h_u h_v)).
+Proof. unfold_vectors. f_equal; [f_equal|]; ring. Qed.
+Lemma normal_is_unit (theta phi : R) : dot (N theta phi) (N theta phi) = 1.
+Proof. apply tangent_frame__orthonormal. Qed.
+
+(* N . g = 0. *)
+Theorem unit_length__g_is_tangent (theta phi h_u h_v : R) : dot (N theta phi) (g theta phi h_u h_v) = 0.
+Proof. apply g_is_tangent. Qed.
+
+(* |M|^2 = 1 + beta^2 |g|^2 >= 1 and |N'| = 1, for every beta. *)
+Theorem unit_length__length (theta phi h_u h_v beta : R) :
+  let m := M theta phi h_u h_v beta in
+  dot m m = 1 + beta ^ 2 * dot (g theta phi h_u h_v) (g theta phi h_u h_v) /\ 1 <= dot m m /\
+  length (N' theta phi h_u h_v beta) = 1.
+Proof.
+  cbv zeta. rewrite g_squared. split; [apply m_squared|]. split; [apply m_squared_at_least_1|].
+  unfold length at 1. rewrite bumped_is_scaled, dot_scaled, dot_comm, dot_scaled, <- length_squared.
+  generalize (m_length_at_least_1 theta phi h_u h_v beta). intro. rewrite <- sqrt_1. f_equal. field. lra.
+Qed.
+Theorem unit_length__length__false : ~ forall theta phi h_u h_v beta, length (M theta phi h_u h_v beta) = 1.
+Proof.
+  intro H. generalize (length_squared (M 0 0 1 0 1)). rewrite H, m_squared. lra.
+Qed.
+
+(* For |a|, |b| >= 1: |a/|a| - b/|b|| <= min(|a - b|, 2). *)
+Lemma cauchy_schwarz (a b : vector) : dot a b <= length a * length b /\ - (length a * length b) <= dot a b.
+Proof.
+  assert (L : dot a b ^ 2 <= (length a * length b) ^ 2).
+  { rewrite Rpow_mult_distr, !length_squared. destruct a as [[ax ay] az], b as [[bx by_] bz]. unfold dot.
+    generalize (pow2_ge_0 (ax * by_ - ay * bx)) (pow2_ge_0 (ay * bz - az * by_)) (pow2_ge_0 (az * bx - ax * bz)). nra. }
+  assert (P : 0 <= length a * length b) by (apply Rmult_le_pos; apply length_nonneg).
+  split; nra.
+Qed.
+
+Theorem normalising_is_lipschitz__normalise (a b : vector) : 1 <= length a -> 1 <= length b ->
+  length (difference (scaled (/ length a) a) (scaled (/ length b) b)) <= Rmin (length (difference a b)) 2.
+Proof.
+  intros Ha Hb. destruct (cauchy_schwarz a b) as [C D].
+  assert (E : length (difference (scaled (/ length a) a) (scaled (/ length b) b)) ^ 2 = 2 - 2 * (dot a b / (length a * length b))).
+  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (sum _ _)), !dot_sum, !dot_scaled, !(dot_comm _ (scaled _ _)),
+      !dot_scaled, (dot_comm b a), <- !length_squared. field. lra. }
+  assert (F : length (difference a b) ^ 2 = length a ^ 2 + length b ^ 2 - 2 * dot a b).
+  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (sum _ _)), !dot_sum, !(dot_comm _ (scaled _ _)), !dot_scaled,
+      !(dot_comm _ (scaled _ _)), !dot_scaled, (dot_comm b a), <- !length_squared. ring. }
+  set (q := dot a b / (length a * length b)) in *.
+  assert (P : 1 <= length a * length b) by nra.
+  assert (Q : dot a b = q * (length a * length b)) by (unfold q; field; lra).
+  assert (Q1 : -1 <= q <= 1).
+  { rewrite Q in C, D. split; nra. }
+  apply Rmin_glb; (apply le_of_squares; [try apply length_nonneg; lra|]).
+  - rewrite E, F, Q. assert (0 <= (1 - q) * (length a * length b - 1)) by (apply Rmult_le_pos; lra).
+    generalize (pow2_ge_0 (length a - length b)). nra.
+  - rewrite E. lra.
+Qed.
+Theorem normalising_is_lipschitz__normalise__point : exists a b, 1 <= length a /\ 1 <= length b.
+Proof. exists (1, 0, 0), (0, 1, 0). unfold length, dot. split; (replace 1 with (sqrt 1) at 1 by apply sqrt_1); apply sqrt_le_1_alt; lra. Qed.
+(* Inside the unit ball it is not so. *)
+Theorem normalising_is_lipschitz__normalise__false : ~ forall a b : vector, 0 < length a -> 0 < length b ->
+  length (difference (scaled (/ length a) a) (scaled (/ length b) b)) <= Rmin (length (difference a b)) 2.
+Proof.
+  intro H. assert (L : forall x, 0 <= x -> length (x, 0, 0) = x /\ length (0, x, 0) = x).
+  { intros x Hx. unfold length, dot. split; apply Rsqr_inj; try apply sqrt_pos; trivial; rewrite Rsqr_sqrt; unfold Rsqr; nra. }
+  generalize (H (1/2, 0, 0) (0, 1/2, 0)). destruct (L (1/2)) as [E F]; [lra|]. rewrite E, F. intro K.
+  assert (P : 0 < 1/2) by lra. generalize (K P P). clear. intro K.
+  generalize (Rle_trans _ _ _ K (Rmin_l _ _)). clear K. intro K. apply sqrt_le_0 in K; unfold dot, difference, sum, scaled in *; lra.
+Qed.
+
+(* The change of N' with that of g: |N'_1 - N'_2| <= min(|beta| |g_1 - g_2|, 2). *)
+Lemma length_scaled (s : R) (a : vector) : length (scaled s a) = Rabs s * length a.
+Proof.
+  unfold length. rewrite dot_scaled, dot_comm, dot_scaled, <- Rmult_assoc.
+  rewrite sqrt_mult_alt by (generalize (pow2_ge_0 s); nra). f_equal. apply sqrt_Rsqr_abs.
+Qed.
+Theorem normalising_is_lipschitz__bump (theta phi a_u a_v b_u b_v beta : R) :
+  length (difference (N' theta phi a_u a_v beta) (N' theta phi b_u b_v beta)) <=
+  Rmin (Rabs beta * length (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
+Proof.
+  rewrite !bumped_is_scaled, <- length_scaled.
+  replace (scaled beta (difference (g theta phi a_u a_v) (g theta phi b_u b_v)))
+    with (difference (M theta phi a_u a_v beta) (M theta phi b_u b_v beta)) by (unfold_vectors; f_equal; [f_equal|]; ring).
+  apply normalising_is_lipschitz__normalise; apply m_length_at_least_1.
+Qed.
+
+(* The angle between N and N' *)
+
+(* N.N' = 1/|M| > 0. *)
+Lemma normal_dot_bumped (theta phi h_u h_v beta : R) :
+  dot (N theta phi) (N' theta phi h_u h_v beta) = / length (M theta phi h_u h_v beta).
+Proof.
+  rewrite bumped_is_scaled, dot_comm, dot_scaled, dot_comm, m_is_sum, dot_comm, dot_sum, dot_scaled, (dot_comm (g _ _ _ _)), g_is_tangent,
+    normal_is_unit. ring.
+Qed.
+
+Lemma lagrange (a b : vector) : dot (cross a b) (cross a b) = dot a a * dot b b - dot a b ^ 2.
+Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. unfold dot, cross. ring. Qed.
+
+Lemma bumped_is_unit (theta phi h_u h_v beta : R) : dot (N' theta phi h_u h_v beta) (N' theta phi h_u h_v beta) = 1.
+Proof. rewrite <- length_squared, (proj2 (proj2 (unit_length__length _ _ _ _ _))). ring. Qed.
+
+(* |N x N'|^2 = beta^2 |g|^2 (N.N')^2. *)
+Theorem angle_of_the_bump__angle (theta phi h_u h_v beta : R) :
+  let n := N theta phi in let n' := N' theta phi h_u h_v beta in let tangent := g theta phi h_u h_v in
+  dot n n' = / length (M theta phi h_u h_v beta) /\ 0 < dot n n' /\
+  dot (cross n n') (cross n n') = beta ^ 2 * dot tangent tangent * dot n n' ^ 2.
+Proof.
+  cbv zeta. rewrite normal_dot_bumped. generalize (m_length_at_least_1 theta phi h_u h_v beta). intro L.
+  split; [reflexivity|]. split; [apply Rinv_0_lt_compat; lra|].
+  rewrite lagrange, normal_is_unit, bumped_is_unit, normal_dot_bumped, g_squared.
+  generalize (length_squared (M theta phi h_u h_v beta)). rewrite m_squared. intro E.
+  field_simplify_eq; [|lra]. rewrite E. ring.
+Qed.
+
+(* The angle is arctan(|beta| |g|): its cosine is N.N'. *)
+Theorem angle_of_the_bump__arctangent (theta phi h_u h_v beta : R) :
+  acos (dot (N theta phi) (N' theta phi h_u h_v beta)) = atan (Rabs beta * length (g theta phi h_u h_v)).
+Proof.
+  set (t := Rabs beta * length (g theta phi h_u h_v)).
+  assert (T : t ^ 2 = beta ^ 2 * (h_u ^ 2 + h_v ^ 2)).
+  { unfold t. rewrite Rpow_mult_distr, length_squared, g_squared, <- (pow2_abs beta). reflexivity. }
+  assert (T0 : 0 <= t) by (unfold t; apply Rmult_le_pos; [apply Rabs_pos | apply length_nonneg]).
+  rewrite normal_dot_bumped. replace (/ length (M theta phi h_u h_v beta)) with (cos (atan t)).
+  - apply acos_cos. generalize (atan_bound t). split; [|generalize PI_RGT_0; lra].
+    destruct T0 as [P|P]; [left; rewrite <- atan_0; apply atan_increasing; exact P | rewrite <- P, atan_0; lra].
+  - rewrite cos_atan. unfold length. rewrite m_squared. unfold Rdiv. rewrite Rmult_1_l. do 2 f_equal. unfold Rsqr. lra.
+Qed.
+Theorem angle_of_the_bump__angle__false : ~ forall theta phi h_u h_v beta, dot (N theta phi) (N' theta phi h_u h_v beta) = 1.
+Proof.
+  intro H. generalize (H 0 0 1 0 1). rewrite normal_dot_bumped. intro E.
+  generalize (length_squared (M 0 0 1 0 1)). rewrite m_squared. rewrite <- (Rinv_inv (length _)), E. lra.
+Qed.
+
+(* How far the bump can move an attached shadow *)
+
+Lemma dot_bumped (theta phi h_u h_v beta : R) (w : vector) :
+  dot (N' theta phi h_u h_v beta) w = / length (M theta phi h_u h_v beta) * (dot (N theta phi) w + beta * dot (g theta phi h_u h_v) w).
+Proof. rewrite bumped_is_scaled, dot_scaled, m_is_sum, dot_sum, dot_scaled. ring. Qed.
+
+(* Where N.w > |beta| |g|, also N'.w > 0. *)
+Theorem shadow_line_moves_within__shadow_line (theta phi h_u h_v beta : R) (w : vector) : length w = 1 ->
+  dot (N theta phi) w > Rabs beta * length (g theta phi h_u h_v) -> dot (N' theta phi h_u h_v beta) w > 0.
+Proof.
+  intros W H. rewrite dot_bumped. generalize (m_length_at_least_1 theta phi h_u h_v beta). intro L.
+  apply Rmult_lt_0_compat; [apply Rinv_0_lt_compat; lra|].
+  destruct (cauchy_schwarz (g theta phi h_u h_v) w) as [C D]. rewrite W in C, D.
+  unfold Rabs in H. destruct (Rcase_abs beta); nra.
+Qed.
+Theorem shadow_line_moves_within__shadow_line__point : exists theta phi h_u h_v beta w,
+  length w = 1 /\ dot (N theta phi) w > Rabs beta * length (g theta phi h_u h_v).
+Proof.
+  exists 0, 0, 1, 0, 0, (0, 0, 1). rewrite Rabs_R0. split; [apply length_of_unit; unfold dot; ring|].
+  unfold_vectors. rewrite cos_0. lra.
+Qed.
+(* Where N.w > 0 alone it is not so. *)
+Theorem shadow_line_moves_within__shadow_line__false : ~ forall theta phi h_u h_v beta (w : vector), length w = 1 ->
+  dot (N theta phi) w > 0 -> dot (N' theta phi h_u h_v beta) w > 0.
+Proof.
+  intro H. assert (W : length (0, -4/5, 3/5) = 1).
+  { apply length_of_unit. unfold dot. field. }
+  generalize (m_length_at_least_1 0 0 1 0 1) (H 0 0 1 0 1 (0, -4/5, 3/5) W). rewrite dot_bumped. intros L K.
+  assert (P : 0 < / length (M 0 0 1 0 1)) by (apply Rinv_0_lt_compat; lra).
+  set (s := / length (M 0 0 1 0 1)) in *. clearbody s. unfold_vectors. rewrite sin_0, cos_0 in *. nra.
+Qed.
+
+(* Small and large beta *)
+
+(* |N' - N| <= |beta| |g|. *)
+Theorem normal_limits__small_beta (theta phi h_u h_v beta : R) :
+  length (difference (N' theta phi h_u h_v beta) (N theta phi)) <= Rabs beta * length (g theta phi h_u h_v).
+Proof.
+  replace (N theta phi) with (N' theta phi 0 0 beta) at 1.
+  - eapply Rle_trans; [apply normalising_is_lipschitz__bump|]. eapply Rle_trans; [apply Rmin_l|]. right. f_equal. f_equal.
+    unfold_vectors. f_equal; [f_equal|]; ring.
+  - rewrite bumped_is_scaled. replace (length (M theta phi 0 0 beta)) with 1.
+    + rewrite Rinv_1. unfold_vectors. f_equal; [f_equal|]; ring.
+    + symmetry. apply length_of_unit. rewrite m_squared. ring.
+Qed.
+
+(* With equality at beta = 0, and where g = 0: N' = N. *)
+Theorem normal_limits__zero_beta (theta phi h_u h_v : R) : N' theta phi h_u h_v 0 = N theta phi.
+Proof.
+  rewrite bumped_is_scaled. replace (length (M theta phi h_u h_v 0)) with 1.
+  - rewrite Rinv_1. unfold_vectors. f_equal; [f_equal|]; ring.
+  - symmetry. apply length_of_unit. rewrite m_squared. ring.
+Qed.
+Theorem normal_limits__zero_height (theta phi beta : R) (h : R -> R -> R) : (forall u v, h u v = 0) -> forall u v,
+  N' theta phi (Derive (fun u => h u v) u) (Derive (fun v => h u v) v) beta = N theta phi.
+Proof.
+  intros H u v. rewrite (Derive_ext _ (fun _ => 0)) by (intro; apply H). rewrite (Derive_ext (fun v => h u v) (fun _ => 0)) by (intro; apply H).
+  rewrite !Derive_const, bumped_is_scaled. replace (length (M theta phi 0 0 beta)) with 1.
+  - rewrite Rinv_1. unfold_vectors. f_equal; [f_equal|]; ring.
+  - symmetry. apply length_of_unit. rewrite m_squared. ring.
+Qed.
+
+(* For beta and g not zero: |N' - sign(beta) g/|g|| <= 1/(|beta| |g|). *)
+Theorem normal_limits__large_beta (theta phi h_u h_v beta : R) : let tangent := g theta phi h_u h_v in
+  beta <> 0 -> 0 < length tangent ->
+  length (difference (N' theta phi h_u h_v beta) (scaled (sign beta / length tangent) tangent)) <= / (Rabs beta * length tangent).
+Proof.
+  cbv zeta. intros B G. set (G0 := length (g theta phi h_u h_v)) in *.
+  generalize (m_length_at_least_1 theta phi h_u h_v beta) (length_squared (M theta phi h_u h_v beta)).
+  rewrite m_squared, <- (g_squared theta phi), <- length_squared. fold G0. set (m := length (M theta phi h_u h_v beta)). intros L E.
+  assert (B0 : 0 < Rabs beta) by (apply Rabs_pos_lt; exact B).
+  assert (A : sign beta * beta = Rabs beta /\ sign beta ^ 2 = 1).
+  { unfold Rabs. destruct (Rcase_abs beta) as [n|n]; [rewrite sign_eq_m1 | rewrite sign_eq_1]; try lra. }
+  destruct A as [A A2]. set (b := Rabs beta) in *. assert (B2 : beta ^ 2 = b ^ 2) by (unfold b; rewrite <- pow2_abs; reflexivity).
+  assert (D : length (difference (N' theta phi h_u h_v beta) (scaled (sign beta / G0) (g theta phi h_u h_v))) ^ 2 = 2 - 2 * (b * G0 / m)).
+  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (sum _ _)), !dot_sum, bumped_is_unit, !dot_scaled, !(dot_comm _ (scaled _ _)), !dot_scaled,
+      !(dot_comm (g _ _ _ _) (N' _ _ _ _ _)), dot_bumped, g_is_tangent, <- length_squared. fold G0 m.
+    transitivity (1 + sign beta ^ 2 - 2 * (sign beta * beta) * G0 / m); [field; lra|]. rewrite A, A2. field. lra. }
+  apply le_of_squares; [left; apply Rinv_0_lt_compat, Rmult_lt_0_compat; assumption|]. rewrite D. set (t := b * G0) in *.
+  assert (T : 0 < t) by (apply Rmult_lt_0_compat; assumption). assert (E' : m ^ 2 = 1 + t ^ 2) by (rewrite E, B2; unfold t; ring).
+  apply Rmult_le_reg_r with (t ^ 2 * m); [apply Rmult_lt_0_compat; nra|]. field_simplify; try lra.
+  assert (t <= m) by nra. nra.
+Qed.
