@@ -475,3 +475,728 @@ Proof.
   - apply quadratic_b. exact S.
   - intros s M. apply N, quadratic_b. exact M.
 Qed.
+
+Lemma point_b : hit_of_b.toward_b 0 0 4 0 0 0 = 16 /\ hit_of_b.discriminant_b 0 0 4 0 0 0 1 = 16 /\
+  c_of_b 4 0 0 0 1 = 15.
+Proof. unfold hit_of_b.toward_b, hit_of_b.discriminant_b, hit_of_b.distance, c_of_b, dot. repeat split; lra. Qed.
+
+Theorem hit_of_b__near__point : exists x y e cx cy cz r on, 0 < on /\ 0 < c_of_b e cx cy cz r /\
+  0 <= hit_of_b.discriminant_b x y e cx cy cz r /\ 0 < hit_of_b.toward_b x y e cx cy cz.
+Proof. exists 0, 0, 4, 0, 0, 0, 1, 1. destruct point_b as (-> & -> & ->). lra. Qed.
+
+(* Not where the eye is inside B. *)
+Theorem hit_of_b__near__false : ~ forall x y e cx cy cz r on : R, 0 < on ->
+  0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz ->
+  exists t, hit_of_b.t_b x y e cx cy cz r on = Finite t /\ 0 < t.
+Proof.
+  intros F. destruct (F 0 0 4 0 0 3 2 1) as (t & T & P); [lra | | |].
+  1, 2: unfold hit_of_b.toward_b, hit_of_b.discriminant_b, hit_of_b.distance; lra.
+  unfold hit_of_b.t_b in T. destruct both; [| discriminate]. apply Rbar_finite_eq in T. subst t.
+  set (q := hit_of_b.root_b 0 0 4 0 0 3 2) in P. assert (0 <= q) by apply sqrt_pos.
+  unfold hit_of_b.toward_b, hit_of_b.distance in P.
+  match type of P with 0 < ?n / ?m => assert (H1 : 0 < m) by lra; assert (H2 : n < 0) by lra;
+    pose proof (Rdiv_lt_0_compat (- n) m ltac:(lra) H1); unfold Rdiv in *; nra end.
+Qed.
+
+(* If b <= 0 every root is negative, and the program reports no hit. *)
+Theorem hit_of_b__behind (x y e cx cy cz r on : R) : 0 < c_of_b e cx cy cz r ->
+  hit_of_b.toward_b x y e cx cy cz <= 0 ->
+  hit_of_b.t_b x y e cx cy cz r on = p_infty /\ forall t, on_b t x y e cx cy cz r -> t < 0.
+Proof.
+  intros C B. split.
+  - unfold hit_of_b.t_b. destruct both as [[_ N] |]; [lra | reflexivity].
+  - intros t M. apply quadratic_b in M. destruct (Rlt_le_dec t 0) as [L | L]; [exact L | exfalso].
+    assert (0 <= dot x y (- e) x y (- e)) by (unfold dot; nra).
+    assert (0 <= dot x y (- e) x y (- e) * t ^ 2) by nra. nra.
+Qed.
+
+Theorem hit_of_b__behind__point : exists x y e cx cy cz r,
+  0 < c_of_b e cx cy cz r /\ hit_of_b.toward_b x y e cx cy cz <= 0.
+Proof.
+  exists 0, 0, 4, 0, 0, 8, 1. unfold c_of_b, hit_of_b.toward_b, hit_of_b.distance, dot. lra.
+Qed.
+
+(* Not with the sign of b turned. *)
+Theorem hit_of_b__behind__false : ~ forall t x y e cx cy cz r : R, 0 < c_of_b e cx cy cz r ->
+  0 <= hit_of_b.toward_b x y e cx cy cz -> on_b t x y e cx cy cz r -> t < 0.
+Proof.
+  intros F. destruct point_b as (B & _ & C). specialize (F (3 / 4) 0 0 4 0 0 0 1).
+  rewrite B, C in F. enough (3 / 4 < 0) by lra. apply F; try lra. unfold on_b, distance2. lra.
+Qed.
+
+(* The silhouette b^2 = c |D|^2 is a conic in (x, y): the discriminant is a quadratic form in (x, y, 1), with the
+   determinants c (H^2 - R_2^2) of its quadratic part and e^2 c^2 R_2^2 of the whole, which is not 0. *)
+Theorem silhouette_of_b__conic (e cx cy cz r : R) : 0 < e -> 0 < r -> 0 < c_of_b e cx cy cz r ->
+  let c := c_of_b e cx cy cz r in let h := e - cz in
+  let xx := cx ^ 2 - c in let xy := cx * cy in let yy := cy ^ 2 - c in
+  let xz := e * h * cx in let yz := e * h * cy in let zz := e ^ 2 * (h ^ 2 - c) in
+  (forall x y, hit_of_b.discriminant_b x y e cx cy cz r =
+    (x * cx + y * cy + e * h) ^ 2 - c * (x ^ 2 + y ^ 2 + e ^ 2) /\
+    hit_of_b.discriminant_b x y e cx cy cz r =
+    xx * x ^ 2 + 2 * xy * x * y + yy * y ^ 2 + 2 * xz * x + 2 * yz * y + zz) /\
+  xx * yy - xy ^ 2 = c * (h ^ 2 - r ^ 2) /\
+  xx * (yy * zz - yz ^ 2) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz) = e ^ 2 * c ^ 2 * r ^ 2 /\
+  e ^ 2 * c ^ 2 * r ^ 2 <> 0.
+Proof.
+  intros He Hr Hc. assert (0 < e ^ 2 * c_of_b e cx cy cz r ^ 2 * r ^ 2)
+    by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat |]; nra).
+  intros c h xx xy yy xz yz zz. repeat split; try (apply Rgt_not_eq; exact H);
+    unfold zz, yz, xz, yy, xy, xx, h, c, c_of_b, hit_of_b.discriminant_b, hit_of_b.distance, dot; ring.
+Qed.
+
+Theorem silhouette_of_b__conic__point : exists e cx cy cz r, 0 < e /\ 0 < r /\ 0 < c_of_b e cx cy cz r.
+Proof. exists 4, 0, 0, 0, 1. destruct point_b as (_ & _ & ->). lra. Qed.
+
+(* Not with the determinant c (H^2 + R_2^2). *)
+Theorem silhouette_of_b__conic__false : ~ forall e cx cy cz r : R, 0 < e -> 0 < r -> 0 < c_of_b e cx cy cz r ->
+  let c := c_of_b e cx cy cz r in
+  (cx ^ 2 - c) * (cy ^ 2 - c) - (cx * cy) ^ 2 = c * ((e - cz) ^ 2 + r ^ 2).
+Proof.
+  intros F. destruct point_b as (_ & _ & C). specialize (F 4 0 0 0 1). simpl in F. rewrite C in F.
+  specialize (F ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+(* The quadratic part's determinant: its sign is the conic's type. *)
+Definition type_of_b (e cx cy cz r : R) :=
+  (cx ^ 2 - c_of_b e cx cy cz r) * (cy ^ 2 - c_of_b e cx cy cz r) - (cx * cy) ^ 2.
+
+Lemma type_of_b_value e cx cy cz r : type_of_b e cx cy cz r = c_of_b e cx cy cz r * ((e - cz) ^ 2 - r ^ 2).
+Proof. unfold type_of_b, c_of_b, dot. ring. Qed.
+
+Lemma above_sphere h r : 0 < r -> r < Rabs h -> r ^ 2 < h ^ 2.
+Proof. intros Hr H. rewrite <- (pow2_abs h). nra. Qed.
+
+Lemma beside_sphere h r : Rabs h < r -> h ^ 2 < r ^ 2.
+Proof. intros H. pose proof (Rabs_pos h). rewrite <- (pow2_abs h). nra. Qed.
+
+(* An ellipse if |H| > R_2. *)
+Theorem silhouette_of_b__ellipse (e cx cy cz r : R) : 0 < r -> 0 < c_of_b e cx cy cz r -> r < Rabs (e - cz) ->
+  0 < type_of_b e cx cy cz r.
+Proof. intros Hr Hc H. rewrite type_of_b_value. pose proof (above_sphere _ _ Hr H). apply Rmult_lt_0_compat; lra. Qed.
+
+Theorem silhouette_of_b__ellipse__point : exists e cx cy cz r,
+  0 < r /\ 0 < c_of_b e cx cy cz r /\ r < Rabs (e - cz).
+Proof. exists 4, 0, 0, 0, 1. destruct point_b as (_ & _ & ->). rewrite Rabs_pos_eq; lra. Qed.
+
+(* Not if |H| < R_2 too. *)
+Theorem silhouette_of_b__ellipse__false : ~ forall e cx cy cz r : R, 0 < r -> 0 < c_of_b e cx cy cz r ->
+  0 < type_of_b e cx cy cz r.
+Proof. intros F. specialize (F 3 2 0 3 1). unfold type_of_b, c_of_b, dot in F. specialize (F ltac:(lra) ltac:(lra)). lra. Qed.
+
+(* A parabola if |H| = R_2. *)
+Theorem silhouette_of_b__parabola (e cx cy cz r : R) : 0 < r -> 0 < c_of_b e cx cy cz r -> Rabs (e - cz) = r ->
+  type_of_b e cx cy cz r = 0.
+Proof. intros Hr Hc H. rewrite type_of_b_value, <- (pow2_abs (e - cz)), H. ring. Qed.
+
+Theorem silhouette_of_b__parabola__point : exists e cx cy cz r,
+  0 < r /\ 0 < c_of_b e cx cy cz r /\ Rabs (e - cz) = r.
+Proof. exists 4, 2, 0, 3, 1. unfold c_of_b, dot. rewrite Rabs_pos_eq; lra. Qed.
+
+(* Not at other heights. *)
+Theorem silhouette_of_b__parabola__false : ~ forall e cx cy cz r : R, 0 < r -> 0 < c_of_b e cx cy cz r ->
+  type_of_b e cx cy cz r = 0.
+Proof. intros F. specialize (F 3 2 0 3 1). unfold type_of_b, c_of_b, dot in F. specialize (F ltac:(lra) ltac:(lra)). lra. Qed.
+
+(* A quadratic that is negative somewhere and rises has a root on either side. *)
+Lemma two_roots a b c s : 0 < a -> a * s ^ 2 + 2 * b * s + c < 0 ->
+  exists s1 s2, s1 < s < s2 /\ a * s1 ^ 2 + 2 * b * s1 + c = 0 /\ a * s2 ^ 2 + 2 * b * s2 + c = 0.
+Proof.
+  intros Ha N. assert (D : (a * s + b) ^ 2 < b ^ 2 - a * c) by nra.
+  assert (P : 0 <= b ^ 2 - a * c) by (pose proof (pow2_ge_0 (a * s + b)); lra).
+  pose proof (sqrt_pos (b ^ 2 - a * c)). pose proof (sqrt_sqrt _ P) as Q. set (q := sqrt (b ^ 2 - a * c)) in *.
+  assert (- q < a * s + b < q) by (split; nra).
+  assert (R : forall t, t = q \/ t = - q -> a * ((t - b) / a) ^ 2 + 2 * b * ((t - b) / a) + c = 0).
+  { intros t T. replace (a * ((t - b) / a) ^ 2 + 2 * b * ((t - b) / a) + c) with ((t * t - (b ^ 2 - a * c)) / a)
+      by (field; lra). rewrite <- Q. destruct T as [-> | ->]; field; lra. }
+  exists ((- q - b) / a), ((q - b) / a). repeat split; try (apply R; auto).
+  - apply (Rmult_lt_reg_l a); [exact Ha |]. field_simplify; lra.
+  - apply (Rmult_lt_reg_l a); [exact Ha |]. field_simplify; lra.
+Qed.
+
+(* A hyperbola if |H| < R_2: it has points with b > 0 and points with b < 0. *)
+Theorem silhouette_of_b__hyperbola (e cx cy cz r : R) : 0 < e -> 0 < r -> 0 < c_of_b e cx cy cz r ->
+  Rabs (e - cz) < r -> type_of_b e cx cy cz r < 0 /\
+  (exists x y, hit_of_b.discriminant_b x y e cx cy cz r = 0 /\ 0 < hit_of_b.toward_b x y e cx cy cz) /\
+  (exists x y, hit_of_b.discriminant_b x y e cx cy cz r = 0 /\ hit_of_b.toward_b x y e cx cy cz < 0).
+Proof.
+  intros He Hr Hc H. apply beside_sphere in H. split; [rewrite type_of_b_value; nra |].
+  set (w := cx ^ 2 + cy ^ 2). assert (W : c_of_b e cx cy cz r = w + ((e - cz) ^ 2 - r ^ 2)) by (unfold c_of_b, dot, w; ring).
+  set (c := c_of_b e cx cy cz r) in *. set (h := e - cz) in *.
+  assert (T : forall s, hit_of_b.toward_b (s * cx) (s * cy) e cx cy cz = s * w + e * h)
+    by (intros; unfold hit_of_b.toward_b, hit_of_b.distance, w, h; ring).
+  assert (V : forall s, hit_of_b.discriminant_b (s * cx) (s * cy) e cx cy cz r =
+    (w ^ 2 - c * w) * s ^ 2 + 2 * (w * e * h) * s + e ^ 2 * (h ^ 2 - c)).
+  { intros s. destruct (hit_of_b__quadratic 0 (s * cx) (s * cy) e cx cy cz r) as (_ & _ & ->). rewrite T. fold c.
+    unfold dot, w. ring. }
+  assert (P : 0 < w) by lra.
+  destruct (two_roots (w ^ 2 - c * w) (w * e * h) (e ^ 2 * (h ^ 2 - c)) (- (e * h) / w)) as (s1 & s2 & O & R1 & R2).
+  - nra.
+  - replace (_ + _ + _) with (- c * e ^ 2 * (h ^ 2 + w) / w) by (field; lra).
+    assert (0 < c * e ^ 2 * (h ^ 2 + w) / w); [| unfold Rdiv in *; lra].
+    apply Rdiv_lt_0_compat; [| exact P]. repeat apply Rmult_lt_0_compat; nra.
+  - assert (K : w * (- (e * h) / w) = - (e * h)) by (field; lra).
+    split; [exists (s2 * cx), (s2 * cy) | exists (s1 * cx), (s1 * cy)]; rewrite T, V; split; try assumption; nra.
+Qed.
+
+Theorem silhouette_of_b__hyperbola__point : exists e cx cy cz r,
+  0 < e /\ 0 < r /\ 0 < c_of_b e cx cy cz r /\ Rabs (e - cz) < r.
+Proof. exists 3, 2, 0, 3, 1. unfold c_of_b, dot. replace (3 - 3) with 0 by ring. rewrite Rabs_R0. lra. Qed.
+
+(* Not if |H| = R_2 is allowed. *)
+Theorem silhouette_of_b__hyperbola__false : ~ forall e cx cy cz r : R, 0 < e -> 0 < r -> 0 < c_of_b e cx cy cz r ->
+  Rabs (e - cz) <= r -> type_of_b e cx cy cz r < 0.
+Proof.
+  intros F. specialize (F 4 2 0 3 1). rewrite Rabs_pos_eq in F by lra. unfold type_of_b, c_of_b, dot in F.
+  specialize (F ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+(* Of the silhouette the part with b > 0 is seen, where the hits have t > 0; b is never 0 on it, and where b < 0
+   it is spurious: every root is negative. *)
+Theorem silhouette_of_b__branch (x y e cx cy cz r on : R) : 0 < e -> 0 < on -> 0 < c_of_b e cx cy cz r ->
+  hit_of_b.discriminant_b x y e cx cy cz r = 0 ->
+  let b := hit_of_b.toward_b x y e cx cy cz in
+  b <> 0 /\
+  (0 < b -> exists t, hit_of_b.t_b x y e cx cy cz r on = Finite t /\ 0 < t /\ on_b t x y e cx cy cz r) /\
+  (b < 0 -> hit_of_b.t_b x y e cx cy cz r on = p_infty /\ forall t, on_b t x y e cx cy cz r -> t < 0).
+Proof.
+  intros He On C D b. split; [| split].
+  - intros B. destruct (hit_of_b__quadratic 0 x y e cx cy cz r) as (_ & _ & Q). fold b in Q. rewrite D, B in Q.
+    assert (0 < dot x y (- e) x y (- e)) by (unfold dot; nra). nra.
+  - intros B. destruct (hit_of_b__near x y e cx cy cz r on) as (t & T & _ & P & M & _); try assumption; [lra |].
+    exists t. auto.
+  - intros B. apply hit_of_b__behind; [exact C | unfold b in B; lra].
+Qed.
+
+Theorem silhouette_of_b__branch__point : exists x y e cx cy cz r on, 0 < e /\ 0 < on /\ 0 < c_of_b e cx cy cz r /\
+  hit_of_b.discriminant_b x y e cx cy cz r = 0.
+Proof.
+  exists 3, 0, 4, 0, 0, (-1), 3, 1. unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.distance, dot. lra.
+Qed.
+
+(* Not all of it has b > 0. *)
+Theorem silhouette_of_b__branch__false : ~ forall x y e cx cy cz r : R, 0 < e -> 0 < c_of_b e cx cy cz r ->
+  hit_of_b.discriminant_b x y e cx cy cz r = 0 -> 0 < hit_of_b.toward_b x y e cx cy cz.
+Proof.
+  intros F. specialize (F 3 0 4 0 0 9 3).
+  unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance, dot in F.
+  specialize (F ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+Lemma seen_side (e h q b c s i : R) : 0 < e -> b = q + e * h -> q ^ 2 <= s * i -> 0 <= i -> s <= c -> 0 < c ->
+  c * (i + e ^ 2) <= b ^ 2 -> (0 < h -> 0 < b) /\ (h < 0 -> b < 0).
+Proof.
+  intros He B Q I S C D. assert (0 < c * e ^ 2) by (apply Rmult_lt_0_compat; nra).
+  assert (N : 0 < (b - q) * (b + q)) by nra. assert (K : b - q = e * h) by lra. rewrite K in N. split; intros G.
+  - assert (0 < e * h) by nra. assert (0 < b + q) by (apply (Rmult_lt_reg_l (e * h)); lra). lra.
+  - assert (0 < - (e * h)) by nra. assert (0 < - (b + q)) by (apply (Rmult_lt_reg_l (- (e * h))); lra). lra.
+Qed.
+
+Lemma seen_of_b x y e cx cy cz r : 0 < e -> 0 < c_of_b e cx cy cz r -> r ^ 2 <= (e - cz) ^ 2 ->
+  0 <= hit_of_b.discriminant_b x y e cx cy cz r ->
+  (0 < e - cz -> 0 < hit_of_b.toward_b x y e cx cy cz) /\ (e - cz < 0 -> hit_of_b.toward_b x y e cx cy cz < 0).
+Proof.
+  intros He C H D. destruct (hit_of_b__quadratic 0 x y e cx cy cz r) as (_ & _ & Q).
+  apply (seen_side e (e - cz) (x * cx + y * cy) _ (c_of_b e cx cy cz r) (cx ^ 2 + cy ^ 2) (x ^ 2 + y ^ 2)); try assumption.
+  - unfold hit_of_b.toward_b, hit_of_b.distance. ring.
+  - pose proof (pow2_ge_0 (x * cy - y * cx)). nra.
+  - nra.
+  - unfold c_of_b, dot in *. nra.
+  - rewrite Q in D. unfold dot in D. lra.
+Qed.
+
+(* All of it is seen if H >= R_2. *)
+Theorem silhouette_of_b__all_seen (x y e cx cy cz r : R) : 0 < e -> 0 < r -> 0 < c_of_b e cx cy cz r ->
+  r <= e - cz -> 0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz.
+Proof. intros He Hr C H D. apply (seen_of_b x y e cx cy cz r); try assumption; nra. Qed.
+
+Theorem silhouette_of_b__all_seen__point : exists x y e cx cy cz r, 0 < e /\ 0 < r /\ 0 < c_of_b e cx cy cz r /\
+  r <= e - cz /\ 0 <= hit_of_b.discriminant_b x y e cx cy cz r.
+Proof. exists 0, 0, 4, 0, 0, 0, 1. destruct point_b as (_ & -> & ->). lra. Qed.
+
+(* Not if H is less. *)
+Theorem silhouette_of_b__all_seen__false : ~ forall x y e cx cy cz r : R, 0 < e -> 0 < r -> 0 < c_of_b e cx cy cz r ->
+  0 <= e - cz -> 0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz.
+Proof.
+  intros F. specialize (F (-2) 0 1 2 0 1 1).
+  unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance, dot in F.
+  specialize (F ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+(* None of it if H <= - R_2. *)
+Theorem silhouette_of_b__none_seen (x y e cx cy cz r : R) : 0 < e -> 0 < r -> 0 < c_of_b e cx cy cz r ->
+  e - cz <= - r -> 0 <= hit_of_b.discriminant_b x y e cx cy cz r -> hit_of_b.toward_b x y e cx cy cz < 0.
+Proof. intros He Hr C H D. apply (seen_of_b x y e cx cy cz r); try assumption; nra. Qed.
+
+Theorem silhouette_of_b__none_seen__point : exists x y e cx cy cz r, 0 < e /\ 0 < r /\ 0 < c_of_b e cx cy cz r /\
+  e - cz <= - r /\ 0 <= hit_of_b.discriminant_b x y e cx cy cz r.
+Proof.
+  exists 0, 0, 4, 0, 0, 8, 1. unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.distance, dot. lra.
+Qed.
+
+(* Not if H is more. *)
+Theorem silhouette_of_b__none_seen__false : ~ forall x y e cx cy cz r : R, 0 < e -> 0 < r -> 0 < c_of_b e cx cy cz r ->
+  e - cz <= 0 -> 0 <= hit_of_b.discriminant_b x y e cx cy cz r -> hit_of_b.toward_b x y e cx cy cz < 0.
+Proof.
+  intros F. specialize (F 2 0 1 2 0 1 1).
+  unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance, dot in F.
+  specialize (F ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+(* Every point of the unit circle has an angle. *)
+Lemma angle_of c s : c ^ 2 + s ^ 2 = 1 -> exists a, - PI < a <= PI /\ cos a = c /\ sin a = s /\ (0 < s -> 0 < a < PI).
+Proof.
+  intros H. assert (C : -1 <= c <= 1) by nra. pose proof (acos_bound c) as B. pose proof PI_RGT_0.
+  assert (S : sin (acos c) = Rabs s).
+  { rewrite sin_acos by exact C. replace (1 - c²) with (s²) by (unfold Rsqr; nra). apply sqrt_Rsqr_abs. }
+  destruct (Rle_lt_dec 0 s) as [P | N].
+  - exists (acos c). rewrite cos_acos, S, Rabs_pos_eq by assumption. repeat split; try lra; intros.
+    + destruct (Req_dec (acos c) 0) as [E |]; [| lra]. rewrite E, sin_0 in S. rewrite Rabs_pos_eq in S; lra.
+    + destruct (Req_dec (acos c) PI) as [E |]; [| lra]. rewrite E, sin_PI in S. rewrite Rabs_pos_eq in S; lra.
+  - exists (- acos c). rewrite cos_neg, sin_neg, cos_acos, S, Rabs_left by assumption. repeat split; try lra.
+    destruct (Req_dec (acos c) PI) as [E |]; [| lra]. rewrite E, sin_PI in S. rewrite Rabs_left in S; lra.
+Qed.
+
+(* Off the pole the point hit is R (sin phi cos theta, sin phi sin theta, cos phi) for two angles, whose cosines and
+   sines are those of the program: cos theta = x / rho, sin theta = y / rho, sin phi = t rho / R > 0,
+   cos phi = e (1 - t) / R. *)
+Theorem stable_frame__angles (x y e r : R) : 0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
+  let rho := sqrt (x ^ 2 + y ^ 2) in
+  exists t theta phi, hit_of_a.t_a x y e r = Finite t /\ on_a t x y e r /\ - PI < theta <= PI /\ 0 < phi < PI /\
+  (cos theta = angles_on_a.cos_theta x y e /\ sin theta = angles_on_a.sin_theta x y e /\
+   cos phi = angles_on_a.cos_phi x y e r /\ sin phi = angles_on_a.sin_phi x y e r) /\
+  (t * x = point_on_a.point_x (cos theta) (sin phi) r /\ t * y = point_on_a.point_y (sin theta) (sin phi) r /\
+   e * (1 - t) = point_on_a.point_z (cos phi) r) /\
+  (point_on_a.point_x (cos theta) (sin phi) r = r * (sin phi * cos theta) /\
+   point_on_a.point_y (sin theta) (sin phi) r = r * (sin phi * sin theta) /\
+   point_on_a.point_z (cos phi) r = r * cos phi) /\
+  cos theta = x / rho /\ sin theta = y / rho /\ sin phi = t * rho / r /\ 0 < sin phi /\ cos phi = e * (1 - t) / r.
+Proof.
+  intros H O D rho. pose proof (off_axis_pos x y e ltac:(lra) O) as P. pose proof (sqrt_lt_R0 _ P) as Q.
+  pose proof (sqrt_sqrt _ (Rlt_le _ _ P)) as S. fold rho in Q, S.
+  destruct (t_a_near x y e r H O D) as (t & T & A & B & M & _).
+  assert (CT : angles_on_a.cos_theta x y e = x / rho /\ angles_on_a.sin_theta x y e = y / rho).
+  { unfold angles_on_a.cos_theta, angles_on_a.sin_theta, angles_on_a.rho_inverse.
+    change (angles_on_a.rho x y e) with (hit_of_a.rho x y e). rewrite (rho_a x y e O). fold rho.
+    destruct Rlt_dec; [split; field; lra | lra]. }
+  pose proof T as U. rewrite (t_a_value x y e r H O D) in U. apply Rbar_finite_eq in U.
+  pose proof (sqrt_pos (hit_of_a.discriminant_a x y e r)). 
+  assert (K : 0 < e ^ 2 + sqrt (hit_of_a.discriminant_a x y e r)) by nra.
+  assert (SP : angles_on_a.sin_phi x y e r = t * rho / r /\ angles_on_a.cos_phi x y e r = e * (1 - t) / r).
+  { unfold angles_on_a.sin_phi, angles_on_a.cos_phi, angles_on_a.hit_scale.
+    change (angles_on_a.rho x y e) with (hit_of_a.rho x y e). rewrite (rho_a x y e O). fold rho.
+    change (angles_on_a.root_a x y e r) with (sqrt (Rmax 0 (hit_of_a.discriminant_a x y e r))).
+    rewrite Rmax_right by exact D. unfold angles_on_a.tangent_squared. rewrite <- U. split; field; lra. }
+  destruct CT as [CT ST]. destruct SP as [SP CP].
+  assert (N : 0 < t * rho / r) by (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra).
+  destruct (angle_of (x / rho) (y / rho)) as (theta & R1 & C1 & S1 & _).
+  { replace ((x / rho) ^ 2 + (y / rho) ^ 2) with ((x ^ 2 + y ^ 2) / (rho * rho)) by (field; lra). rewrite S. field. lra. }
+  destruct (angle_of (e * (1 - t) / r) (t * rho / r)) as (phi & _ & C2 & S2 & R2).
+  { replace (_ + _) with ((e ^ 2 * (1 - t) ^ 2 + t ^ 2 * (rho * rho)) / r ^ 2) by (field; lra). rewrite S.
+    unfold on_a, distance2 in M. replace (_ + _) with (r ^ 2) by (rewrite <- M; ring). field. lra. }
+  exists t, theta, phi. unfold point_on_a.point_x, point_on_a.point_y, point_on_a.point_z.
+  rewrite CT, ST, SP, CP, C1, S1, C2, S2. split; [exact T |]. split; [exact M |]. split; [exact R1 |].
+  split; [apply R2, N |]. repeat split; try exact N; try (field; lra).
+Qed.
+
+Theorem stable_frame__angles__point : exists x y e r,
+  0 < r < e /\ off_axis x y e /\ 0 <= hit_of_a.discriminant_a x y e r.
+Proof. exact hit_of_a__near__point. Qed.
+
+(* Not cos phi = e t / R. *)
+Theorem stable_frame__angles__false : ~ forall x y e r : R,
+  0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
+  exists t, hit_of_a.t_a x y e r = Finite t /\ angles_on_a.cos_phi x y e r = e * t / r.
+Proof.
+  intros F. destruct rim as [O D]. destruct (F (15 / 16) 0 (5 / 4) (3 / 4)) as (t & T & C); [lra | exact O | lra |].
+  destruct (stable_frame__angles (15 / 16) 0 (5 / 4) (3 / 4)) as (s & a & b & U & M & _ & _ & (_ & _ & V & _) & _ & _ & _ & _ & _ & _ & W);
+    [lra | exact O | lra |]. rewrite T in U. apply Rbar_finite_eq in U. subst s. rewrite <- V, W in C.
+  assert (t = 1 / 2) by lra. subst t. unfold on_a, distance2 in M. lra.
+Qed.
+
+(* Where sin phi > 0 the seed's frame, from N alone, is the same. *)
+Theorem stable_frame__seed_frame (theta phi : R) : 0 < sin phi ->
+  let nx := unit_normal.normal_x (cos theta) (sin phi) in let ny := unit_normal.normal_y (sin theta) (sin phi) in
+  let nz := unit_normal.normal_z (cos phi) in
+  seed_frame.seed_sin_phi nz = sin phi /\
+  seed_frame.e_theta_x ny nz = tangent_frame.e_theta_x (sin theta) /\
+  seed_frame.e_theta_y nx nz = tangent_frame.e_theta_y (cos theta) /\
+  seed_frame.e_theta_z = tangent_frame.e_theta_z /\
+  seed_frame.e_phi_x nx nz = tangent_frame.e_phi_x (cos theta) (cos phi) /\
+  seed_frame.e_phi_y ny nz = tangent_frame.e_phi_y (sin theta) (cos phi) /\
+  seed_frame.e_phi_z nz = tangent_frame.e_phi_z (sin phi).
+Proof.
+  intros H nx ny nz. assert (S : seed_frame.seed_sin_phi nz = sin phi).
+  { unfold seed_frame.seed_sin_phi, nz, unit_normal.normal_z. pose proof (sin2_cos2 phi) as P. unfold Rsqr in P.
+    replace (1 - cos phi ^ 2) with (sin phi ^ 2) by lra. apply sqrt_pow2. lra. }
+  unfold seed_frame.e_theta_x, seed_frame.e_theta_y, seed_frame.e_phi_x, seed_frame.e_phi_y, seed_frame.e_phi_z.
+  rewrite S. unfold nx, ny, nz, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z, tangent_frame.e_theta_x,
+    tangent_frame.e_theta_y, tangent_frame.e_phi_x, tangent_frame.e_phi_y, tangent_frame.e_phi_z.
+  repeat split; field; lra.
+Qed.
+
+Theorem stable_frame__seed_frame__point : exists phi, 0 < sin phi.
+Proof. exists (PI / 2). rewrite sin_PI2. lra. Qed.
+
+(* Not where sin phi < 0. *)
+Theorem stable_frame__seed_frame__false : ~ forall phi : R,
+  seed_frame.seed_sin_phi (unit_normal.normal_z (cos phi)) = sin phi.
+Proof.
+  intros F. specialize (F (- (PI / 2))). rewrite sin_neg, sin_PI2 in F.
+  pose proof (sqrt_pos (1 - unit_normal.normal_z (cos (- (PI / 2))) ^ 2)). unfold seed_frame.seed_sin_phi in F. lra.
+Qed.
+
+(* Seen from E, the point of A at (theta, phi) is at the image point rho (cos theta, sin theta) with
+   rho = e R sin phi / (e - R cos phi): a meridian (theta fixed) is a ray, a parallel (phi fixed) a circle. *)
+Theorem kink_loci__projection (t x y e r theta phi : R) : 0 < r < e -> 0 <= sin phi ->
+  t * x = point_on_a.point_x (cos theta) (sin phi) r -> t * y = point_on_a.point_y (sin theta) (sin phi) r ->
+  e * (1 - t) = point_on_a.point_z (cos phi) r ->
+  let rho := parallel_radius.rho (sin phi) (cos phi) e r in
+  rho = e * r * sin phi / (e - r * cos phi) /\ e - r * cos phi <> 0 /\
+  0 < t /\ x = rho * cos theta /\ y = rho * sin theta /\ 0 <= rho /\ sqrt (x ^ 2 + y ^ 2) = rho.
+Proof.
+  intros H S X Y Z rho. unfold point_on_a.point_x, point_on_a.point_y, point_on_a.point_z in *.
+  pose proof (COS_bound phi). assert (N : 0 < e - r * cos phi) by nra.
+  assert (T : t = (e - r * cos phi) / e) by (apply (Rmult_eq_reg_l e); [field_simplify |]; lra).
+  assert (P : 0 < t) by (rewrite T; apply Rdiv_lt_0_compat; lra).
+  assert (Q : rho = r * sin phi / t) by (unfold rho, parallel_radius.rho; rewrite T; field; lra).
+  assert (EX : x = rho * cos theta) by (rewrite Q; apply (Rmult_eq_reg_l t); [rewrite X; field |]; lra).
+  assert (EY : y = rho * sin theta) by (rewrite Q; apply (Rmult_eq_reg_l t); [rewrite Y; field |]; lra).
+  assert (V : 0 <= rho) by (rewrite Q; unfold Rdiv; apply Rmult_le_pos; [nra | apply Rlt_le, Rinv_0_lt_compat, P]).
+  repeat split; try assumption; try lra. { unfold rho, parallel_radius.rho. field. lra. }
+  rewrite EX, EY. pose proof (sin2_cos2 theta) as C. unfold Rsqr in C.
+  replace (_ + _) with (rho ^ 2) by nra. apply sqrt_pow2, V.
+Qed.
+
+Theorem kink_loci__projection__point : exists t x y e r theta phi, 0 < r < e /\ 0 <= sin phi /\
+  t * x = point_on_a.point_x (cos theta) (sin phi) r /\ t * y = point_on_a.point_y (sin theta) (sin phi) r /\
+  e * (1 - t) = point_on_a.point_z (cos phi) r.
+Proof.
+  exists 1, 1, 0, 4, 1, 0, (PI / 2). unfold point_on_a.point_x, point_on_a.point_y, point_on_a.point_z.
+  rewrite sin_0, cos_0, sin_PI2, cos_PI2. lra.
+Qed.
+
+(* Not with e + R cos phi. *)
+Theorem kink_loci__projection__false : ~ forall t x e r phi : R, 0 < r < e -> 0 <= sin phi ->
+  t * x = point_on_a.point_x 1 (sin phi) r -> e * (1 - t) = point_on_a.point_z (cos phi) r ->
+  x = e * r * sin phi / (e + r * cos phi).
+Proof.
+  intros F. destruct (angle_of (3 / 5) (4 / 5) ltac:(lra)) as (phi & _ & C & S & _).
+  specialize (F (17 / 20) (16 / 17) 4 1 phi). unfold point_on_a.point_x, point_on_a.point_z in F. rewrite C, S in F.
+  specialize (F ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+(* |f| has a corner where f = 0 and f' is not 0. *)
+Lemma corner f x d : is_derive f x d -> f x = 0 -> d <> 0 -> ~ ex_derive (fun y => Rabs (f y)) x.
+Proof.
+  intros F Z D [l L]. apply is_derive_Reals in F. apply is_derive_Reals in L. apply D.
+  assert (l = 0) as ->.
+  { pose (pr := exist _ l L : derivable_pt (fun y => Rabs (f y)) x). change l with (derive_pt (fun y => Rabs (f y)) x pr).
+    apply (deriv_minimum _ (x - 1) (x + 1)); try lra. intros y _ _. rewrite Z, Rabs_R0. apply Rabs_pos. }
+  apply (uniqueness_limite f x); [exact F |]. intros eps E. destruct (L eps E) as [delta H]. exists delta.
+  intros h H0 Hd. specialize (H h H0 Hd). rewrite Z, Rabs_R0, !Rminus_0_r in *.
+  unfold Rdiv in *. rewrite Rabs_mult, Rabs_Rabsolu in H. rewrite Rabs_mult. exact H.
+Qed.
+
+Lemma sine_zero a : sin (PI * a) = 0 <-> exists m : Z, a = IZR m.
+Proof.
+  pose proof PI_RGT_0. split.
+  - intros S. destruct (sin_eq_0_0 _ S) as [m M]. exists m. apply (Rmult_eq_reg_l PI); lra.
+  - intros [m ->]. rewrite Rmult_comm. apply sin_eq_0_1. exists m. reflexivity.
+Qed.
+
+Lemma creased k a c : k <> 0 -> c <> 0 ->
+  (exists m : Z, k * a = IZR m) <-> ~ ex_derive (fun a => Rabs (sin (PI * (k * a)) * c)) a.
+Proof.
+  intros K C. rewrite <- sine_zero. split.
+  - intros S. apply (corner (fun a => sin (PI * (k * a)) * c) a (PI * k * cos (PI * (k * a)) * c)).
+    + auto_derive; [exact I | ring].
+    + cbv beta. rewrite S. apply Rmult_0_l.
+    + assert (cos (PI * (k * a)) <> 0) by (intros Z; pose proof (sin2_cos2 (PI * (k * a))) as Q; unfold Rsqr in Q; nra).
+      pose proof PI_RGT_0. do 3 (apply Rmult_integral_contrapositive_currified; [| assumption]). lra.
+  - intros N. destruct (Req_dec (sin (PI * (k * a))) 0) as [S | S]; [exact S | destruct N].
+    eexists. apply (is_derive_Rabs (fun a => sin (PI * (k * a)) * c) a (PI * k * cos (PI * (k * a)) * c)).
+    + auto_derive; [exact I | ring].
+    + apply Rmult_integral_contrapositive_currified; assumption.
+Qed.
+
+(* Ridges is creased in u exactly on the rays k_u u = m with m whole, off the circles where it is 0 all along. *)
+Theorem kink_loci__crease_u (u v ku kv : R) : ku <> 0 -> sin (PI * (kv * v)) <> 0 ->
+  (exists m : Z, ku * u = IZR m) <-> ~ ex_derive (fun u => height_ridges.h u v ku kv) u.
+Proof. apply creased. Qed.
+
+Lemma half_sine : sin (PI * (1 * (1 / 2))) = 1.
+Proof. replace (PI * (1 * (1 / 2))) with (PI / 2) by field. apply sin_PI2. Qed.
+
+Theorem kink_loci__crease_u__point : exists v ku kv, ku <> 0 /\ sin (PI * (kv * v)) <> 0.
+Proof. exists (1 / 2), 1, 1. rewrite half_sine. lra. Qed.
+
+(* Not where sin (pi k_v v) = 0. *)
+Theorem kink_loci__crease_u__false : ~ forall u v ku kv : R, ku <> 0 ->
+  (exists m : Z, ku * u = IZR m) -> ~ ex_derive (fun u => height_ridges.h u v ku kv) u.
+Proof.
+  intros F. apply (F 0 0 1 1); [lra | exists 0%Z; lra |]. apply (ex_derive_ext (fun _ => 0)); [| apply ex_derive_const].
+  intros t. unfold height_ridges.h. rewrite !Rmult_0_r, sin_0, Rmult_0_r, Rabs_R0. reflexivity.
+Qed.
+
+(* Ridges is creased in v exactly on the circles k_v v = m with m whole, off the rays where it is 0 all along. *)
+Theorem kink_loci__crease_v (u v ku kv : R) : kv <> 0 -> sin (PI * (ku * u)) <> 0 ->
+  (exists m : Z, kv * v = IZR m) <-> ~ ex_derive (fun v => height_ridges.h u v ku kv) v.
+Proof.
+  intros K S. rewrite (creased kv v (sin (PI * (ku * u))) K S).
+  split; intros N D; apply N; (eapply ex_derive_ext; [| exact D]);
+    intros t; unfold height_ridges.h; rewrite Rmult_comm; reflexivity.
+Qed.
+
+Theorem kink_loci__crease_v__point : exists u ku kv, kv <> 0 /\ sin (PI * (ku * u)) <> 0.
+Proof. exists (1 / 2), 1, 1. rewrite half_sine. lra. Qed.
+
+(* Not where sin (pi k_u u) = 0. *)
+Theorem kink_loci__crease_v__false : ~ forall u v ku kv : R, kv <> 0 ->
+  (exists m : Z, kv * v = IZR m) -> ~ ex_derive (fun v => height_ridges.h u v ku kv) v.
+Proof.
+  intros F. apply (F 0 0 1 1); [lra | exists 0%Z; lra |]. apply (ex_derive_ext (fun _ => 0)); [| apply ex_derive_const].
+  intros t. unfold height_ridges.h. rewrite !Rmult_0_r, sin_0, Rmult_0_l, Rabs_R0. reflexivity.
+Qed.
+
+(* Of the circles those with cos phi > R / e are seen: in the default scene, k_v = 4 and R / e = 1/4, one circle. *)
+Theorem kink_loci__count (m : Z) : (0 < m <= 4)%Z -> 1 / 4 < cos (PI * (IZR m / 4)) <-> m = 1%Z.
+Proof.
+  intros H. assert (m = 1 \/ m = 2 \/ m = 3 \/ m = 4)%Z as [-> | [-> | [-> | ->]]] by lia.
+  - replace (PI * (1 / 4)) with (PI / 4) by field. rewrite cos_PI4. split; [reflexivity | intros _].
+    pose proof (sqrt_lt_R0 2 ltac:(lra)). pose proof (sqrt_sqrt 2 ltac:(lra)).
+    apply (Rmult_lt_reg_l (sqrt 2)); [lra |]. field_simplify; nra.
+  - replace (PI * (2 / 4)) with (PI / 2) by field. rewrite cos_PI2. split; [lra | discriminate].
+  - replace (PI * (3 / 4)) with (3 * (PI / 4)) by field. rewrite cos_3PI4. split; [| discriminate].
+    pose proof (sqrt_lt_R0 2 ltac:(lra)). intros L. assert (0 < 1 / sqrt 2) by (apply Rdiv_lt_0_compat; lra).
+    unfold Rdiv in *. lra.
+  - replace (PI * (4 / 4)) with PI by field. rewrite cos_PI. split; [lra | discriminate].
+Qed.
+
+Theorem kink_loci__count__point : exists m : Z, (0 < m <= 4)%Z.
+Proof. exists 1%Z. lia. Qed.
+
+(* Not two. *)
+Theorem kink_loci__count__false : ~ forall m : Z, (0 < m <= 4)%Z -> 1 / 4 < cos (PI * (IZR m / 4)) <-> (m <= 2)%Z.
+Proof.
+  intros F. assert (1 / 4 < cos (PI * (2 / 4))) as C by (apply (F 2%Z); lia).
+  apply (kink_loci__count 2 ltac:(lia)) in C. discriminate.
+Qed.
+
+(* The parallel v = m / k is seen, where no other body hides it, exactly if cos (pi m / k) >= R / e: its point at
+   theta is then the near hit of its ray. *)
+Theorem visible_parallels__seen (t x y e r theta : R) (m k : Z) : 0 < r < e -> off_axis x y e -> (0 <= m <= k)%Z -> (0 < k)%Z ->
+  let phi := PI * (IZR m / IZR k) in
+  t * x = point_on_a.point_x (cos theta) (sin phi) r -> t * y = point_on_a.point_y (sin theta) (sin phi) r ->
+  e * (1 - t) = point_on_a.point_z (cos phi) r ->
+  hit_of_a.t_a x y e r = Finite t <-> r / e <= cos phi.
+Proof.
+  intros H O _ _ phi. unfold point_on_a.point_x, point_on_a.point_y, point_on_a.point_z. intros X Y Z.
+  assert (M : on_a t x y e r).
+  { unfold on_a, distance2. rewrite !Rminus_0_r, X, Y, Z. pose proof (sin2_cos2 phi) as P.
+    pose proof (sin2_cos2 theta) as Q. unfold Rsqr in *. replace (_ + _) with (r ^ 2 * (sin phi * sin phi *
+    (sin theta * sin theta + cos theta * cos theta) + cos phi * cos phi)) by ring. rewrite Q, Rmult_1_r, P. ring. }
+  split.
+  - intros T. destruct (Rle_lt_dec (r / e) (cos phi)) as [L | L]; [exact L | exfalso].
+    pose proof (visible_iff__hidden t x y e r phi H O M ltac:(lra) L) as N. rewrite T in N. simpl in N. lra.
+  - intros L. apply (visible_iff__visible t x y e r phi); try assumption. lra.
+Qed.
+
+Theorem visible_parallels__seen__point : exists (t x y e r theta : R) (m k : Z),
+  0 < r < e /\ off_axis x y e /\ (0 <= m <= k)%Z /\ (0 < k)%Z /\
+  t * x = point_on_a.point_x (cos theta) (sin (PI * (IZR m / IZR k))) r /\
+  t * y = point_on_a.point_y (sin theta) (sin (PI * (IZR m / IZR k))) r /\
+  e * (1 - t) = point_on_a.point_z (cos (PI * (IZR m / IZR k))) r.
+Proof.
+  exists 1, 1, 0, 4, 1, 0, 1%Z, 2%Z. replace (PI * (1 / 2)) with (PI / 2) by field.
+  unfold point_on_a.point_x, point_on_a.point_y, point_on_a.point_z. destruct point_hidden as (O & _).
+  rewrite sin_0, cos_0, sin_PI2, cos_PI2. repeat split; try lia; try lra. exact O.
+Qed.
+
+(* Not exactly if cos >= 0. *)
+Theorem visible_parallels__seen__false : ~ forall (t x e r : R) (m k : Z), 0 < r < e -> off_axis x 0 e -> (0 <= m <= k)%Z ->
+  (0 < k)%Z -> let phi := PI * (IZR m / IZR k) in
+  t * x = point_on_a.point_x 1 (sin phi) r -> e * (1 - t) = point_on_a.point_z (cos phi) r ->
+  0 <= cos phi -> hit_of_a.t_a x 0 e r = Finite t.
+Proof.
+  intros F. specialize (F 1 1 4 1 1%Z 2%Z). cbv zeta in F. replace (PI * (1 / 2)) with (PI / 2) in F by field.
+  unfold point_on_a.point_x, point_on_a.point_z in F. rewrite sin_PI2, cos_PI2 in F.
+  destruct point_hidden as (O & M & _). specialize (F ltac:(lra) O ltac:(lia) ltac:(lia) ltac:(lra) ltac:(lra) ltac:(lra)).
+  pose proof (visible_iff__hidden 1 1 0 4 1 (PI / 2) ltac:(lra) O M) as N. rewrite cos_PI2, F in N.
+  specialize (N ltac:(lra) ltac:(lra)). simpl in N. lra.
+Qed.
+
+Lemma parallel_angle (m k : Z) : (0 <= m <= k)%Z -> (0 < k)%Z -> 0 <= PI * (IZR m / IZR k) <= PI.
+Proof.
+  intros [M N] K. apply IZR_le in M, N. apply IZR_lt in K. pose proof PI_RGT_0.
+  assert (0 <= IZR m / IZR k <= 1); [| nra].
+  split; [apply Rle_mult_inv_pos | apply (Rmult_le_reg_l (IZR k)); [| field_simplify]]; lra.
+Qed.
+
+(* The cosine falls from m = 0 to m = k, so the first parallels are seen, up to some m. *)
+Theorem visible_parallels__falling (m n k : Z) (e r : R) : (0 <= m)%Z -> (m < n)%Z -> (n <= k)%Z ->
+  cos (PI * (IZR n / IZR k)) < cos (PI * (IZR m / IZR k)) /\
+  (r / e <= cos (PI * (IZR n / IZR k)) -> r / e <= cos (PI * (IZR m / IZR k))).
+Proof.
+  intros M N K. pose proof (parallel_angle m k ltac:(lia) ltac:(lia)). pose proof (parallel_angle n k ltac:(lia) ltac:(lia)).
+  enough (cos (PI * (IZR n / IZR k)) < cos (PI * (IZR m / IZR k))) by lra.
+  apply cos_decreasing_1; try lra. apply Rmult_lt_compat_l; [exact PI_RGT_0 |].
+  apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat, IZR_lt | apply IZR_lt]; lia.
+Qed.
+
+Theorem visible_parallels__falling__point : exists m n k : Z, (0 <= m)%Z /\ (m < n)%Z /\ (n <= k)%Z.
+Proof. exists 0%Z, 1%Z, 4%Z. lia. Qed.
+
+(* It does not rise. *)
+Theorem visible_parallels__falling__false : ~ forall m n k : Z, (0 <= m)%Z -> (m < n)%Z -> (n <= k)%Z ->
+  cos (PI * (IZR m / IZR k)) < cos (PI * (IZR n / IZR k)).
+Proof.
+  intros F. specialize (F 0%Z 1%Z 2%Z ltac:(lia) ltac:(lia) ltac:(lia)).
+  destruct (visible_parallels__falling 0 1 2 0 0 ltac:(lia) ltac:(lia) ltac:(lia)). lra.
+Qed.
+
+(* m = 0 is the pole, a point. *)
+Theorem visible_parallels__pole (k e r : R) : 0 < r < e ->
+  parallel_radius.rho (sin (PI * (0 / k))) (cos (PI * (0 / k))) e r = 0.
+Proof.
+  intros H. unfold Rdiv. rewrite Rmult_0_l, Rmult_0_r, sin_0, cos_0. unfold parallel_radius.rho. field. lra.
+Qed.
+
+Theorem visible_parallels__pole__point : exists e r, 0 < r < e.
+Proof. exists 4, 1. lra. Qed.
+
+(* m = 1 is not. *)
+Theorem visible_parallels__pole__false : ~ forall m k : Z, forall e r : R, 0 < r < e ->
+  parallel_radius.rho (sin (PI * (IZR m / IZR k))) (cos (PI * (IZR m / IZR k))) e r = 0.
+Proof.
+  intros F. specialize (F 1%Z 2%Z 4 1 ltac:(lra)). replace (PI * (1 / 2)) with (PI / 2) in F by field.
+  rewrite sin_PI2, cos_PI2 in F. unfold parallel_radius.rho in F. lra.
+Qed.
+
+(* In the default scene, k_v = 4 and R / e = 1/4, it is one circle. *)
+Theorem visible_parallels__count (m : Z) : (0 < m <= 4)%Z -> 1 / 4 <= cos (PI * (IZR m / 4)) <-> m = 1%Z.
+Proof.
+  intros H. rewrite <- (kink_loci__count m H). split; [| lra]. intros [L | E]; [exact L | exfalso].
+  assert (m = 1 \/ m = 2 \/ m = 3 \/ m = 4)%Z as [-> | [-> | [-> | ->]]] by lia.
+  - pose proof (proj2 (kink_loci__count 1 ltac:(lia)) eq_refl). lra.
+  - replace (PI * (2 / 4)) with (PI / 2) in E by field. rewrite cos_PI2 in E. lra.
+  - destruct (visible_parallels__falling 2 3 4 0 0) as [L _]; try lia. 
+    replace (PI * (2 / 4)) with (PI / 2) in L by field. rewrite cos_PI2 in L. lra.
+  - replace (PI * (4 / 4)) with PI in E by field. rewrite cos_PI in E. lra.
+Qed.
+
+Theorem visible_parallels__count__point : exists m : Z, (0 < m <= 4)%Z.
+Proof. exists 1%Z. lia. Qed.
+
+(* Not two. *)
+Theorem visible_parallels__count__false : ~ forall m : Z, (0 < m <= 4)%Z -> 1 / 4 <= cos (PI * (IZR m / 4)) <-> (m <= 2)%Z.
+Proof.
+  intros F. assert (1 / 4 <= cos (PI * (2 / 4))) as C by (apply (F 2%Z); lia).
+  apply (visible_parallels__count 2 ltac:(lia)) in C. discriminate.
+Qed.
+
+(* The pixel's centre in the default view: e = 4, R = 1, 256^2 pixels. *)
+Definition pixel_x (m : Z) := image_point.x (IZR m) 256 256 (image_extent.half 4 1).
+Definition pixel_y (n : Z) := image_point.y (IZR n) 256 (image_extent.half 4 1).
+
+Lemma pixel_value m n : pixel_x m ^ 2 + pixel_y n ^ 2 =
+  5 / 3 * (((2 * IZR m - 255) / 256) ^ 2 + ((1083 - 10 * IZR n) / 1280) ^ 2).
+Proof.
+  unfold pixel_x, pixel_y, image_point.x, image_point.y, image_extent.half, image_extent.tangent_squared.
+  replace ((4 - 1) * (4 + 1)) with 15 by ring. pose proof (sqrt_lt_R0 15 ltac:(lra)). pose proof (sqrt_sqrt 15 ltac:(lra)) as Q.
+  replace (5 / 3) with (25 / (sqrt 15 * sqrt 15)) by (rewrite Q; field). field. lra.
+Qed.
+
+Lemma pixel_far m n : 34 / 15 / 256 ^ 2 <= pixel_x m ^ 2 + pixel_y n ^ 2.
+Proof.
+  rewrite pixel_value. assert (A : 1 <= (2 * IZR m - 255) ^ 2).
+  { assert (m <= 127 \/ 128 <= m)%Z as [L | L] by lia; apply IZR_le in L; nra. }
+  assert (B : 9 <= (1083 - 10 * IZR n) ^ 2).
+  { assert (n <= 108 \/ 109 <= n)%Z as [L | L] by lia; apply IZR_le in L; nra. }
+  lra.
+Qed.
+
+(* Every pixel of 256^2 has rho >= sqrt (34/15) / 256. *)
+Theorem pixels_off_the_pole__raster (m n : Z) : sqrt (34 / 15) / 256 <= sqrt (pixel_x m ^ 2 + pixel_y n ^ 2).
+Proof.
+  replace (sqrt (34 / 15) / 256) with (sqrt (34 / 15 / 256 ^ 2)).
+  - apply sqrt_le_1_alt, pixel_far.
+  - rewrite sqrt_div_alt by lra. rewrite sqrt_pow2 by lra. reflexivity.
+Qed.
+
+(* Not rho >= 2 / 256. *)
+Theorem pixels_off_the_pole__raster__false : ~ forall m n : Z, 2 / 256 <= sqrt (pixel_x m ^ 2 + pixel_y n ^ 2).
+Proof.
+  intros F. specialize (F 127%Z 108%Z). rewrite pixel_value in F.
+  replace (2 / 256) with (sqrt ((2 / 256) ^ 2)) in F by (apply sqrt_pow2; lra). apply sqrt_le_0 in F; lra.
+Qed.
+
+(* A visible point of A has sin phi >= rho (e - R) / (e R). *)
+Theorem pixels_off_the_pole__linear (x y e r : R) : 0 < r < e -> off_axis x y e ->
+  0 <= hit_of_a.discriminant_a x y e r ->
+  sqrt (x ^ 2 + y ^ 2) * (e - r) / (e * r) <= angles_on_a.sin_phi x y e r.
+Proof.
+  intros H O D. destruct (stable_frame__angles x y e r H O D) as
+    (t & a & b & _ & _ & _ & _ & (_ & _ & _ & <-) & _ & _ & _ & _ & -> & _ & C).
+  pose proof (COS_bound b). pose proof (sqrt_pos (x ^ 2 + y ^ 2)). set (rho := sqrt (x ^ 2 + y ^ 2)) in *.
+  assert (e * (1 - t) <= r).
+  { apply (Rmult_le_reg_r (/ r)); [apply Rinv_0_lt_compat; lra |]. rewrite Rinv_r by lra. unfold Rdiv in C. lra. }
+  apply (Rmult_le_reg_r (e * r)); [nra |].
+  replace (rho * (e - r) / (e * r) * (e * r)) with (rho * (e - r)) by (field; lra).
+  replace (t * rho / r * (e * r)) with (rho * (e * t)) by (field; lra). apply Rmult_le_compat_l; lra.
+Qed.
+
+Theorem pixels_off_the_pole__linear__point : exists x y e r,
+  0 < r < e /\ off_axis x y e /\ 0 <= hit_of_a.discriminant_a x y e r.
+Proof. exact hit_of_a__near__point. Qed.
+
+(* Not sin phi >= rho / R. *)
+Theorem pixels_off_the_pole__linear__false : ~ forall x y e r : R, 0 < r < e -> off_axis x y e ->
+  0 <= hit_of_a.discriminant_a x y e r -> sqrt (x ^ 2 + y ^ 2) / r <= angles_on_a.sin_phi x y e r.
+Proof.
+  intros F. destruct rim as [O D]. specialize (F (15 / 16) 0 (5 / 4) (3 / 4) ltac:(lra) O ltac:(lra)).
+  destruct (stable_frame__angles (15 / 16) 0 (5 / 4) (3 / 4)) as
+    (t & a & b & _ & _ & _ & _ & (_ & _ & _ & S) & _); [lra | exact O | lra |].
+  rewrite <- S in F. replace ((15 / 16) ^ 2 + 0 ^ 2) with ((15 / 16) ^ 2) in F by ring. rewrite sqrt_pow2 in F by lra.
+  pose proof (SIN_bound b). lra.
+Qed.
+
+Lemma pixel_off_axis m n : off_axis (pixel_x m) (pixel_y n) 4.
+Proof. apply off_axis_far; [| pose proof (pixel_far m n)]; lra. Qed.
+
+(* So sin phi > 0.0044 at every pixel that shows A: the seed's fallback below 10^-4 is never taken. *)
+Theorem pixels_off_the_pole__far (m n : Z) : 0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
+  44 / 10000 < angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1 /\
+  ~ angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1 < 1 / 10000.
+Proof.
+  intros D. pose proof (pixels_off_the_pole__linear _ _ 4 1 ltac:(lra) (pixel_off_axis m n) D) as L.
+  pose proof (pixels_off_the_pole__raster m n) as P. pose proof (sqrt_pos (34 / 15)). pose proof (sqrt_sqrt (34 / 15) ltac:(lra)).
+  assert (1503 / 1000 < sqrt (34 / 15)) by nra. split; lra.
+Qed.
+
+Theorem pixels_off_the_pole__far__point : exists m n : Z, 0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1.
+Proof.
+  exists 127%Z, 108%Z. rewrite discriminant_a_value by (lra || apply pixel_off_axis). rewrite pixel_value. lra.
+Qed.
+
+(* Not sin phi > 0.0045. *)
+Theorem pixels_off_the_pole__far__false : ~ forall m n : Z,
+  0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
+  45 / 10000 < angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1.
+Proof.
+  intros F. assert (D : hit_of_a.discriminant_a (pixel_x 127) (pixel_y 108) 4 1 =
+    256 - 15 * (16 + 5 / 3 * ((1 / 256) ^ 2 + (3 / 1280) ^ 2))).
+  { rewrite discriminant_a_value by (lra || apply pixel_off_axis). rewrite pixel_value. lra. }
+  specialize (F 127%Z 108%Z ltac:(lra)).
+  destruct (stable_frame__angles (pixel_x 127) (pixel_y 108) 4 1) as
+    (t & a & b & T & _ & _ & _ & (_ & _ & _ & S) & _ & _ & _ & _ & V & _); [lra | apply pixel_off_axis | lra |].
+  rewrite <- S, V in F. rewrite (t_a_value _ _ 4 1) in T by (lra || apply pixel_off_axis). apply Rbar_finite_eq in T.
+  pose proof (sqrt_sqrt (hit_of_a.discriminant_a (pixel_x 127) (pixel_y 108) 4 1) ltac:(lra)) as Q.
+  pose proof (sqrt_pos (hit_of_a.discriminant_a (pixel_x 127) (pixel_y 108) 4 1)) as Q0.
+  set (q := sqrt (hit_of_a.discriminant_a (pixel_x 127) (pixel_y 108) 4 1)) in *. rewrite D in Q.
+  assert (q > 3999 / 1000) by nra.
+  assert (t < 751 / 1000).
+  { rewrite <- T. apply (Rmult_lt_reg_r (4 ^ 2 + q)); [lra |]. unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l; lra. }
+  pose proof (sqrt_sqrt (pixel_x 127 ^ 2 + pixel_y 108 ^ 2) ltac:(nra)) as W. rewrite pixel_value in W.
+  pose proof (sqrt_pos (pixel_x 127 ^ 2 + pixel_y 108 ^ 2)). rewrite pixel_value in *.
+  match type of W with ?s * ?s = _ => assert (s < 59 / 10000) by nra; nra end.
+Qed.
