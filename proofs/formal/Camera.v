@@ -1200,3 +1200,48 @@ Proof.
   pose proof (sqrt_pos (pixel_x 127 ^ 2 + pixel_y 108 ^ 2)). rewrite pixel_value in *.
   match type of W with ?s * ?s = _ => assert (s < 59 / 10000) by nra; nra end.
 Qed.
+
+(* Which surface a pixel shows, whether a sphere hides a light from the point shown (of A, of B, of the floor), and the
+   floor's checker square: the programs that decide them, put one after the other. *)
+Section chamber.
+Variables x y e r bx by_ bz br on floor lx ly lz cx cy cz body : R.
+Definition hidden_from (px py pz : R) := shadow.occluded px py pz lx ly lz cx cy cz body.
+Definition chamber : R * R * R * R * R :=
+  (visible_surface.surface x y e r bx by_ bz br on floor,
+   hidden_from (point_on_a.point_x (angles_on_a.cos_theta x y e) (angles_on_a.sin_phi x y e r) r)
+     (point_on_a.point_y (angles_on_a.sin_theta x y e) (angles_on_a.sin_phi x y e r) r)
+     (point_on_a.point_z (angles_on_a.cos_phi x y e r) r),
+   hidden_from (point_on_b.point_x x y e bx by_ bz br on) (point_on_b.point_y x y e bx by_ bz br on)
+     (point_on_b.point_z x y e bx by_ bz br on),
+   hidden_from (point_on_floor.point_x x) (point_on_floor.point_y y) point_on_floor.point_z,
+   checker.dark x y).
+End chamber.
+
+(* None of them depends on h_u, h_v, beta, epsilon, k_u, k_v. That the printed programs have no such parameter is what
+   this says, and no more: it holds by their definitions. *)
+Theorem bump_moves_no_boundary__chamber (x y e r bx by_ bz br on floor lx ly lz cx cy cz body : R) :
+  exists shown, forall h_u h_v beta epsilon k_u k_v : R,
+  chamber x y e r bx by_ bz br on floor lx ly lz cx cy cz body = shown.
+Proof. eexists. reflexivity. Qed.
+
+Lemma sqrt_is a b : 0 <= b -> a = b ^ 2 -> sqrt a = b.
+Proof. intros B ->. apply sqrt_pow2, B. Qed.
+
+(* The shading does depend on beta: N' may be turned away from a light that N faces. *)
+Theorem bump_moves_no_boundary__chamber__false : ~ forall ct st cp sp h_u h_v beta lx ly lz : R,
+  let mu b := light_direction.mu 0 0 0 lx ly lz (bumped_normal.bumped_x ct st cp sp h_u h_v b)
+    (bumped_normal.bumped_y ct st cp sp h_u h_v b) (bumped_normal.bumped_z ct st cp sp h_u h_v b) in
+  0 < mu 0 -> 0 < mu beta.
+Proof.
+  intros F. specialize (F 1 0 1 0 0 1 (3 / 4) (-12) 0 5). cbv zeta in F.
+  assert (L : light_direction.light_distance 0 0 0 (-12) 0 5 = 13) by (apply sqrt_is; compute; lra).
+  assert (M : forall b l, 0 <= l -> 1 + b ^ 2 = l ^ 2 -> bumped_normal.m_length 1 0 1 0 0 1 b = l).
+  { intros b l P E. apply sqrt_is; [exact P |]. rewrite <- E. compute. ring. }
+  revert F. unfold light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z,
+    light_direction.light_scale. rewrite L. unfold bumped_normal.bumped_x, bumped_normal.bumped_y,
+    bumped_normal.bumped_z, bumped_normal.m_scale. rewrite (M 0 1) by lra. rewrite (M (3 / 4) (5 / 4)) by lra.
+  unfold bumped_normal.m_x, bumped_normal.m_y, bumped_normal.m_z, bumped_normal.g_x, bumped_normal.g_y, bumped_normal.g_z,
+    bumped_normal.normal_x, bumped_normal.normal_y, bumped_normal.normal_z, bumped_normal.e_theta_x, bumped_normal.e_theta_y,
+    bumped_normal.e_theta_z, bumped_normal.e_phi_x, bumped_normal.e_phi_y, bumped_normal.e_phi_z,
+    light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z. lra.
+Qed.
