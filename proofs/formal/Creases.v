@@ -1,0 +1,321 @@
+(* Differences at the pole and across creases, the creases of ridges, and the seam. *)
+
+From Coq Require Import Reals Lra Psatz Lia ZArith.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Formal Require Import Preliminaries Formulas Fields.
+Open Scope R_scope.
+
+(* The difference clamped at the pole *)
+
+Section clamp.
+Variables u v k_u k_v epsilon : R.
+Hypotheses (E : 0 < epsilon) (V : 0 <= v < epsilon) (W : v + epsilon <= 1).
+
+(* For 0 <= v < eps the central difference is (h(v + eps) - h(0))/(v + eps). *)
+Theorem clamped_difference__clamp :
+  central_sine.h_v u v k_u k_v epsilon = (height_sine.h u (v + epsilon) k_u k_v - height_sine.h u 0 k_u k_v) / (v + epsilon) /\
+  central_ridges.h_v u v k_u k_v epsilon = (height_ridges.h u (v + epsilon) k_u k_v - height_ridges.h u 0 k_u k_v) / (v + epsilon) /\
+  central_rings.h_v v k_v epsilon = (height_rings.h (v + epsilon) k_v - height_rings.h 0 k_v) / (v + epsilon).
+Proof.
+  unfold central_sine.h_v, central_sine.h_v_plus, central_sine.h_v_minus, central_sine.span_v, central_sine.v_plus, central_sine.v_minus.
+  unfold central_ridges.h_v, central_ridges.h_v_plus, central_ridges.h_v_minus, central_ridges.span_v, central_ridges.v_plus, central_ridges.v_minus.
+  unfold central_rings.h_v, central_rings.h_v_plus, central_rings.h_v_minus, central_rings.span_v, central_rings.v_plus, central_rings.v_minus.
+  rewrite !Rmin_right, !Rmax_right by lra. destruct (both _ _) as [H|_]; [exfalso; lra|]. unfold_fields.
+  rewrite (Rplus_comm v epsilon), Rminus_0_r. repeat split; reflexivity.
+Qed.
+End clamp.
+Theorem clamped_difference__clamp__point : exists v epsilon : R, 0 < epsilon /\ 0 <= v < epsilon /\ v + epsilon <= 1.
+Proof. exists 0, (1/4). lra. Qed.
+
+(* A function that is 0 at 0, and whose derivative is at most S t^n in size, is at most S t^(n+1)/(n+1). *)
+Lemma nonnegative_growth (f f1 : R -> R) (t : R) : 0 <= t -> (forall s, is_derive f s (f1 s)) -> 0 <= f 0 ->
+  (forall s, 0 <= s <= t -> 0 <= f1 s) -> 0 <= f t.
+Proof.
+  intros T D Z P. destruct (MVT_gen f 0 t f1) as (c & C & Ec).
+  - intros. apply D.
+  - intros x _. apply continuity_pt_filterlim. apply (ex_derive_continuous f). exists (f1 x). apply D.
+  - rewrite Rmin_left, Rmax_right in C by lra. assert (0 <= f1 c * (t - 0)) by (apply Rmult_le_pos; [apply P; lra | lra]). lra.
+Qed.
+
+Lemma growth (n : nat) (f f1 : R -> R) (S t : R) : 0 <= t -> (forall s, is_derive f s (f1 s)) -> f 0 = 0 ->
+  (forall s, 0 <= s <= t -> Rabs (f1 s) <= S * s ^ n) -> Rabs (f t) <= S * (t ^ (n + 1) / INR (n + 1)).
+Proof.
+  intros T D Z B. assert (N : 0 < INR (n + 1)) by (apply lt_0_INR; lia).
+  assert (D' : forall c s, is_derive (fun s => S * (s ^ (n + 1) / INR (n + 1)) + c * f s) s (S * s ^ n + c * f1 s)).
+  { intros c s. generalize (D s). intro Ds. auto_derive; [exists (f1 s); exact Ds|].
+    replace (Derive (fun x => f x) s) with (f1 s) by (symmetry; apply is_derive_unique; exact Ds).
+    replace (pred (n + 1)) with n by lia. field. lra. }
+  assert (A : forall c, Rabs c = 1 -> 0 <= S * (t ^ (n + 1) / INR (n + 1)) + c * f t).
+  { intros c C. apply (nonnegative_growth (fun s => S * (s ^ (n + 1) / INR (n + 1)) + c * f s) (fun s => S * s ^ n + c * f1 s)); trivial.
+    - rewrite Z, pow_i by lia. unfold Rdiv. lra.
+    - intros s Hs. generalize (B s Hs). rewrite <- (Rmult_1_l (Rabs (f1 s))), <- C, <- Rabs_mult. generalize (Rabs_maj2 (c * f1 s)). lra. }
+  generalize (A 1 Rabs_R1) (A (-1) Rabs_m1). intros. apply Rabs_le. lra.
+Qed.
+
+Lemma value_after (h h1 h2 : R -> R) (v t S : R) : (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w)) -> 0 <= t ->
+  (forall w, v <= w <= v + t -> Rabs (h2 w) <= S) -> Rabs (h (v + t) - h v - t * h1 v) <= S * (t ^ 2 / 2).
+Proof.
+  intros D1 D2 T B.
+  assert (F : forall s, 0 <= s <= t -> Rabs (h1 (v + s) - h1 v) <= S * s ^ 1).
+  { intros s Hs. replace (S * s ^ 1) with (S * (s ^ (0 + 1) / INR (0 + 1))) by (simpl; field).
+    apply (growth 0 (fun s => h1 (v + s) - h1 v) (fun s => h2 (v + s))); try lra.
+    - intro r. auto_derive; [exists (h2 (v + r)); apply D2|]. replace (Derive _ _) with (h2 (v + r)) by (symmetry; apply is_derive_unique, D2). ring.
+    - rewrite Rplus_0_r. ring.
+    - intros r Hr. simpl. rewrite Rmult_1_r. apply B. lra. }
+  replace (S * (t ^ 2 / 2)) with (S * (t ^ (1 + 1) / INR (1 + 1))) by (simpl; field).
+  apply (growth 1 (fun s => h (v + s) - h v - s * h1 v) (fun s => h1 (v + s) - h1 v)); trivial.
+  - intro r. auto_derive; [exists (h1 (v + r)); apply D1|]. replace (Derive _ _) with (h1 (v + r)) by (symmetry; apply is_derive_unique, D1). ring.
+  - rewrite Rplus_0_r. ring.
+Qed.
+
+Lemma value_before (h h1 h2 : R -> R) (v t S : R) : (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w)) -> 0 <= t ->
+  (forall w, v - t <= w <= v -> Rabs (h2 w) <= S) -> Rabs (h (v - t) - h v + t * h1 v) <= S * (t ^ 2 / 2).
+Proof.
+  intros D1 D2 T B. generalize (value_after (fun w => h (- w)) (fun w => - h1 (- w)) (fun w => h2 (- w)) (- v) t S).
+  rewrite !Ropp_involutive. replace (- (- v + t)) with (v - t) by ring. replace (h (v - t) - h v - t * - h1 v) with (h (v - t) - h v + t * h1 v) by ring.
+  intro G. apply G; trivial.
+  - intro w. auto_derive; [exists (h1 (- w)); apply D1|]. replace (Derive _ _) with (h1 (- w)) by (symmetry; apply is_derive_unique, D1). ring.
+  - intro w. auto_derive; [exists (h2 (- w)); apply D2|]. replace (Derive _ _) with (h2 (- w)) by (symmetry; apply is_derive_unique, D2). ring.
+  - intros w Hw. apply B. lra.
+Qed.
+
+(* |D_eps h - h'(v)| <= (eps^2 + v^2)/(2 (eps + v)) sup |h''|: first order. *)
+Theorem clamped_difference__first_order (h h1 h2 : R -> R) (v epsilon S : R) :
+  (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w)) -> 0 <= v < epsilon ->
+  (forall w, 0 <= w <= v + epsilon -> Rabs (h2 w) <= S) ->
+  Rabs ((h (v + epsilon) - h 0) / (v + epsilon) - h1 v) <= (epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)) * S.
+Proof.
+  intros D1 D2 V B.
+  assert (A := value_after h h1 h2 v epsilon S D1 D2 ltac:(lra) ltac:(intros; apply B; lra)).
+  assert (C := value_before h h1 h2 v v S D1 D2 ltac:(lra) ltac:(intros; apply B; lra)).
+  replace (v - v) with 0 in C by ring.
+  replace (_ / _ - h1 v) with (((h (v + epsilon) - h v - epsilon * h1 v) - (h 0 - h v + v * h1 v)) / (v + epsilon)) by (field; lra).
+  unfold Rdiv at 1. rewrite Rabs_mult, (Rabs_pos_eq (/ _)) by (left; apply Rinv_0_lt_compat; lra).
+  replace ((epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)) * S) with ((S * (epsilon ^ 2 / 2) + S * (v ^ 2 / 2)) * / (v + epsilon)) by (field; lra).
+  apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; lra|]. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra.
+Qed.
+Theorem clamped_difference__first_order__point : exists (h h1 h2 : R -> R) (v epsilon S : R),
+  (forall w, is_derive h w (h1 w)) /\ (forall w, is_derive h1 w (h2 w)) /\ 0 <= v < epsilon /\ (forall w, 0 <= w <= v + epsilon -> Rabs (h2 w) <= S).
+Proof.
+  exists (fun w => w ^ 2 / 2), (fun w => w), (fun _ => 1), 0, 1, 1.
+  split; [|split; [|split]]; try lra; intros; try (rewrite Rabs_R1; lra); auto_derive; trivial; field.
+Qed.
+
+(* No smaller factor will do: h(w) = (w - v)|w - v|/2, whose derivative |w - v| is 1-Lipschitz, attains it; at v = 0 so does w^2/2. *)
+Theorem clamped_difference__first_order_sharp (v epsilon : R) : 0 <= v < epsilon -> let h w := (w - v) * Rabs (w - v) / 2 in
+  (h (v + epsilon) - h 0) / (v + epsilon) - Rabs (v - v) = (epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)).
+Proof.
+  intro V. cbv beta zeta. replace (v + epsilon - v) with epsilon by ring. replace (0 - v) with (- v) by ring. replace (v - v) with 0 by ring. rewrite Rabs_Ropp, Rabs_R0.
+  rewrite !Rabs_pos_eq by lra. field. lra.
+Qed.
+Theorem clamped_difference__at_the_pole_itself (epsilon : R) : 0 < epsilon -> let h w := w ^ 2 / 2 in
+  (h (0 + epsilon) - h 0) / (0 + epsilon) - Derive h 0 = (epsilon ^ 2 + 0 ^ 2) / (2 * (epsilon + 0)).
+Proof. intro E. cbv beta zeta. rewrite (is_derive_unique _ _ 0) by (auto_derive; trivial; field). field. lra. Qed.
+Theorem clamped_difference__first_order__false : ~ forall (h h1 h2 : R -> R) (v epsilon S : R),
+  (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w)) -> 0 <= v < epsilon ->
+  (forall w, 0 <= w <= v + epsilon -> Rabs (h2 w) <= S) ->
+  Rabs ((h (v + epsilon) - h 0) / (v + epsilon) - h1 v) <= (epsilon ^ 2 + v ^ 2) / (3 * (epsilon + v)) * S.
+Proof.
+  intro H. generalize (H (fun w => w ^ 2 / 2) (fun w => w) (fun _ => 1) 0 1 1). intro K.
+  assert (K' := K ltac:(intro; auto_derive; trivial; field) ltac:(intro; auto_derive; trivial) ltac:(lra) ltac:(intros; rewrite Rabs_R1; lra)). clear K.
+  generalize (Rle_abs ((((0 + 1) ^ 2 / 2 - 0 ^ 2 / 2) / (0 + 1)) - 0)). lra.
+Qed.
+
+(* Where the field is odd *)
+
+(* If h is odd about v = 0: |D_eps h - h'| <= (eps^2 + 2 eps v - 2 v^2)/6 sup |h'''|. *)
+Section odd.
+Variables f f1 f2 f3 : R -> R.
+Hypotheses (D1 : forall w, is_derive f w (f1 w)) (D2 : forall w, is_derive f1 w (f2 w)) (D3 : forall w, is_derive f2 w (f3 w)).
+
+Lemma shifted (g g1 : R -> R) (c m s : R) : (forall w, is_derive g w (g1 w)) -> is_derive (fun t => g (m + c * t)) s (c * g1 (m + c * s)).
+Proof.
+  intro D. auto_derive; [exists (g1 (m + c * s)); apply D|]. replace (Derive _ _) with (g1 (m + c * s)) by (symmetry; apply is_derive_unique, D). ring.
+Qed.
+
+(* A function with f(0) = f''(0) = 0 whose third derivative is not negative up to a has a f'(v) <= f(a) for v <= a/2. *)
+Lemma middle_slope (a v : R) : 0 <= v <= a / 2 -> f 0 = 0 -> f2 0 = 0 -> (forall w, 0 <= w <= a -> 0 <= f3 w) -> a * f1 v <= f a.
+Proof.
+  intros V Z Z2 P.
+  assert (P2 : forall w s, 0 <= w -> 0 <= s -> w + s <= a -> f2 w <= f2 (w + s)).
+  { intros w s W S L. assert (0 <= f2 (w + 1 * s) - f2 w); [|rewrite Rmult_1_l in *; lra].
+    apply (nonnegative_growth (fun t => f2 (w + 1 * t) - f2 w) (fun t => 1 * f3 (w + 1 * t) - 0)); trivial.
+    - intro t. apply (is_derive_minus (fun t => f2 (w + 1 * t)) (fun _ => f2 w)); [apply shifted, D3 | auto_derive; trivial].
+    - rewrite Rmult_0_r, Rplus_0_r. lra.
+    - intros t T. rewrite Rmult_1_l, Rminus_0_r, Rmult_1_l. apply P. lra. }
+  assert (P1 : f1 v <= f1 (a / 2)).
+  { assert (0 <= f1 (v + 1 * (a / 2 - v)) - f1 v); [|replace (v + 1 * (a / 2 - v)) with (a / 2) in * by ring; lra].
+    apply (nonnegative_growth (fun t => f1 (v + 1 * t) - f1 v) (fun t => 1 * f2 (v + 1 * t) - 0)); try lra.
+    - intro t. apply (is_derive_minus (fun t => f1 (v + 1 * t)) (fun _ => f1 v)); [apply shifted, D2 | auto_derive; trivial].
+    - rewrite Rmult_0_r, Rplus_0_r. lra.
+    - intros t T. rewrite Rmult_1_l, Rminus_0_r, Rmult_1_l. rewrite <- Z2. replace (v + t) with (0 + (v + t)) by ring. apply P2; lra. }
+  set (m := a / 2) in *.
+  assert (Q1 : forall t, 0 <= t <= m -> 0 <= f1 (m + 1 * t) + f1 (m + -1 * t) - 2 * f1 m).
+  { intros t T. apply (nonnegative_growth (fun t => f1 (m + 1 * t) + f1 (m + -1 * t) - 2 * f1 m) (fun t => 1 * f2 (m + 1 * t) + -1 * f2 (m + -1 * t) - 0)); try lra.
+    - intro s. apply (is_derive_minus (fun t => f1 (m + 1 * t) + f1 (m + -1 * t)) (fun _ => 2 * f1 m)); [|auto_derive; trivial].
+      apply (is_derive_plus (fun t => f1 (m + 1 * t)) (fun t => f1 (m + -1 * t))); apply shifted, D2.
+    - rewrite !Rmult_0_r, !Rplus_0_r. lra.
+    - intros s S. assert (f2 (m + -1 * s) <= f2 (m + -1 * s + 2 * s)) by (apply P2; unfold m in *; lra).
+      replace (m + -1 * s + 2 * s) with (m + 1 * s) in * by ring. lra. }
+  assert (Q : 0 <= f (m + 1 * m) - f (m + -1 * m) - 2 * f1 m * m).
+  { apply (nonnegative_growth (fun t => f (m + 1 * t) - f (m + -1 * t) - 2 * f1 m * t) (fun t => 1 * f1 (m + 1 * t) - -1 * f1 (m + -1 * t) - 2 * f1 m)); try lra.
+    - intro s. apply (is_derive_minus (fun t => f (m + 1 * t) - f (m + -1 * t)) (fun t => 2 * f1 m * t)); [|auto_derive; trivial; ring].
+      apply (is_derive_minus (fun t => f (m + 1 * t)) (fun t => f (m + -1 * t))); apply shifted, D1.
+    - rewrite !Rmult_0_r, !Rplus_0_r. lra.
+    - intros t T. generalize (Q1 t T). lra. }
+  replace (m + 1 * m) with a in Q by (unfold m; field). replace (m + -1 * m) with 0 in Q by ring. rewrite Z in Q.
+  assert (a * f1 v <= a * f1 m) by (apply Rmult_le_compat_l; [unfold m in V; lra | lra]). unfold m in *. lra.
+Qed.
+End odd.
+
+Theorem clamped_difference_of_odd__second_order (h h1 h2 h3 : R -> R) (v epsilon S : R) :
+  (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w)) -> (forall w, is_derive h2 w (h3 w)) ->
+  (forall w, h (- w) = - h w) -> 0 <= v < epsilon -> (forall w, 0 <= w <= v + epsilon -> Rabs (h3 w) <= S) ->
+  Rabs ((h (v + epsilon) - h 0) / (v + epsilon) - h1 v) <= (epsilon ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 6 * S.
+Proof.
+  intros D1 D2 D3 O V B.
+  assert (Z : h 0 = 0) by (generalize (O 0); rewrite Ropp_0; lra).
+  assert (O1 : forall w, h1 (- w) = h1 w).
+  { intro w. generalize (is_derive_unique _ _ _ (shifted h h1 (-1) 0 w D1)). rewrite (Derive_ext _ (fun t => - h t)).
+    - rewrite Derive_opp, (is_derive_unique _ _ _ (D1 w)). replace (0 + -1 * w) with (- w) by ring. lra.
+    - intro t. rewrite <- O. f_equal. ring. }
+  assert (Z2 : h2 0 = 0).
+  { generalize (is_derive_unique _ _ _ (shifted h1 h2 (-1) 0 0 D2)). rewrite (Derive_ext _ h1).
+    - rewrite (is_derive_unique _ _ _ (D2 0)). replace (0 + -1 * 0) with 0 by ring. lra.
+    - intro t. rewrite <- (O1 t). f_equal. ring. }
+  assert (A : forall c, Rabs c = 1 -> (v + epsilon) * (S * (v ^ 2 / 2) + c * h1 v) <= S * ((v + epsilon) ^ 3 / 6) + c * h (v + epsilon)).
+  { intros c C.
+    apply (middle_slope (fun w => S * (w ^ 3 / 6) + c * h w) (fun w => S * (w ^ 2 / 2) + c * h1 w) (fun w => S * w + c * h2 w) (fun w => S + c * h3 w)); try lra.
+    - intro w. apply (is_derive_plus (fun w => S * (w ^ 3 / 6)) (fun w => c * h w)); [auto_derive; trivial; field | apply (is_derive_scal h), D1].
+    - intro w. apply (is_derive_plus (fun w => S * (w ^ 2 / 2)) (fun w => c * h1 w)); [auto_derive; trivial; field | apply (is_derive_scal h1), D2].
+    - intro w. apply (is_derive_plus (fun w => S * w) (fun w => c * h2 w)); [auto_derive; trivial; field | apply (is_derive_scal h2), D3].
+    - rewrite Z. field.
+    - rewrite Z2. ring.
+    - intros w W. generalize (B w W). rewrite <- (Rmult_1_l (Rabs (h3 w))), <- C, <- Rabs_mult. generalize (Rabs_maj2 (c * h3 w)). lra. }
+  generalize (A 1 Rabs_R1) (A (-1) Rabs_m1). rewrite Z, Rminus_0_r. intros L U.
+  set (a := v + epsilon) in *. assert (P : 0 < a) by (unfold a; lra). set (q := h a / a). assert (Q : h a = q * a) by (unfold q; field; lra). rewrite Q in L, U.
+  replace ((epsilon ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 6 * S) with (S * (a ^ 2 / 6) - S * (v ^ 2 / 2)) by (unfold a; field).
+  apply Rabs_le. split; apply Rmult_le_reg_r with a; trivial; nra.
+Qed.
+(* w^3/6 attains the bound. *)
+Theorem clamped_difference_of_odd__second_order_sharp (v epsilon : R) : 0 <= v < epsilon -> let h w := w ^ 3 / 6 in
+  (h (v + epsilon) - h 0) / (v + epsilon) - Derive h v = (epsilon ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 6.
+Proof. intro V. cbv beta zeta. rewrite (is_derive_unique _ _ (v ^ 2 / 2)) by (auto_derive; trivial; field). field. lra. Qed.
+(* Sine and rings are odd about v = 0. *)
+Theorem clamped_difference_of_odd__odd (u v k_u k_v : R) :
+  height_sine.h u (- v) k_u k_v = - height_sine.h u v k_u k_v /\ height_rings.h (- v) k_v = - height_rings.h v k_v.
+Proof. unfold_fields. split; rewrite ?(Ropp_mult_distr_r_reverse k_v), ?(Ropp_mult_distr_r_reverse (2 * k_v)), ?Ropp_mult_distr_r_reverse, sin_neg; ring. Qed.
+(* On [0, 1/k_v] ridges is |sin(pi k_u u)| sin(pi k_v v), which is odd. *)
+Theorem clamped_difference_of_odd__first_ridge (u v k_u k_v : R) : 0 < k_v -> 0 <= v <= 1 / k_v ->
+  height_ridges.h u v k_u k_v = Rabs (sin (PI * (k_u * u))) * sin (PI * (k_v * v)).
+Proof.
+  intros K V. unfold_fields. rewrite Rabs_mult. f_equal. apply Rabs_pos_eq. generalize PI_RGT_0. intro P.
+  assert (0 <= k_v * v <= 1). { split; [nra|]. apply Rmult_le_reg_l with (/ k_v); [apply Rinv_0_lt_compat, K|]. rewrite <- Rmult_assoc, Rinv_l by lra. lra. }
+  apply sin_ge_0; nra.
+Qed.
+Theorem clamped_difference_of_odd__first_ridge__point : exists v k_v : R, 0 < k_v /\ 0 <= v <= 1 / k_v.
+Proof. exists 0, 1. lra. Qed.
+Theorem clamped_difference_of_odd__second_order__false : ~ forall (h h1 : R -> R) (v epsilon : R),
+  (forall w, is_derive h w (h1 w)) -> (forall w, h (- w) = - h w) -> 0 <= v < epsilon ->
+  (h (v + epsilon) - h 0) / (v + epsilon) = h1 v.
+Proof.
+  intro H. generalize (H (fun w => w ^ 3) (fun w => 3 * w ^ 2) 0 1 ltac:(intro; auto_derive; trivial; simpl; ring) ltac:(intro; simpl; ring) ltac:(lra)). lra.
+Qed.
+
+(* Creases *)
+
+(* sin(pi m + x) is sin x but for its sign. *)
+Lemma sine_of_a_shift (m : Z) (x : R) : Rabs (sin (PI * IZR m + x)) = Rabs (sin x).
+Proof.
+  assert (N : forall n : nat, Rabs (sin (PI * INR n + x)) = Rabs (sin x)).
+  { induction n as [|n IH]; [f_equal; f_equal; simpl; ring|]. rewrite S_INR.
+    replace (PI * (INR n + 1) + x) with (PI * INR n + x + PI) by ring. rewrite neg_sin, Rabs_Ropp. exact IH. }
+  assert (N' : forall n : nat, Rabs (sin (PI * - INR n + x)) = Rabs (sin x)).
+  { induction n as [|n IH]; [f_equal; f_equal; simpl; ring|]. rewrite S_INR, <- IH.
+    replace (PI * - INR n + x) with (PI * - (INR n + 1) + x + PI) by ring. rewrite neg_sin, Rabs_Ropp. reflexivity. }
+  destruct (Z_le_gt_dec 0 m) as [H|H].
+  - rewrite <- (Z2Nat.id m H), <- INR_IZR_INZ. apply N.
+  - replace m with (- Z.of_nat (Z.to_nat (- m)))%Z by lia. rewrite opp_IZR, <- INR_IZR_INZ. apply N'.
+Qed.
+
+(* At distance delta from a crease m/k of |sin(pi k u)|: D_eps h = cos(pi k eps) sin(pi k delta)/eps. *)
+Theorem straddling__value (k delta epsilon : R) (m : Z) : 0 < k -> Rabs delta < epsilon -> epsilon + Rabs delta <= 1 / k ->
+  let h u := Rabs (sin (PI * (k * u))) in let u := IZR m / k + delta in
+  (h (u + epsilon) - h (u - epsilon)) / (2 * epsilon) = cos (PI * (k * epsilon)) * sin (PI * (k * delta)) / epsilon.
+Proof.
+  intros K A B. cbv beta zeta. generalize PI_RGT_0. intro P. apply Rabs_def2 in A as A'. assert (E : 0 < epsilon) by lra.
+  assert (S : forall t, 0 <= t <= 1 / k -> 0 <= sin (PI * (k * t))).
+  { intros t T. assert (0 <= k * t <= 1). { split; [nra|]. apply Rmult_le_reg_l with (/ k); [apply Rinv_0_lt_compat, K|]. rewrite <- Rmult_assoc, Rinv_l; lra. }
+    apply sin_ge_0; nra. }
+  assert (L : - (1 / k - epsilon) <= delta <= 1 / k - epsilon) by (apply Rabs_le_between; lra).
+  replace (PI * (k * (IZR m / k + delta + epsilon))) with (PI * IZR m + PI * (k * (delta + epsilon))) by (field; lra).
+  replace (PI * (k * (IZR m / k + delta - epsilon))) with (PI * IZR m + - (PI * (k * (epsilon - delta)))) by (field; lra).
+  rewrite !sine_of_a_shift, sin_neg, Rabs_Ropp, !Rabs_pos_eq by (apply S; lra).
+  replace (PI * (k * (delta + epsilon))) with (PI * (k * epsilon) + PI * (k * delta)) by ring.
+  replace (PI * (k * (epsilon - delta))) with (PI * (k * epsilon) - PI * (k * delta)) by ring.
+  rewrite sin_plus, sin_minus. field. lra.
+Qed.
+Theorem straddling__value__point : exists k delta epsilon : R, 0 < k /\ Rabs delta < epsilon /\ epsilon + Rabs delta <= 1 / k.
+Proof. exists 1, 0, (1/2). rewrite Rabs_R0. lra. Qed.
+(* At the crease it is 0, for every eps. *)
+Theorem straddling__at_the_crease (k epsilon : R) (m : Z) : 0 < k -> 0 < epsilon <= 1 / k ->
+  let h u := Rabs (sin (PI * (k * u))) in (h (IZR m / k + epsilon) - h (IZR m / k - epsilon)) / (2 * epsilon) = 0.
+Proof.
+  intros K E. generalize (straddling__value k 0 epsilon m K). rewrite Rabs_R0. cbv beta zeta. intro H. rewrite !Rplus_0_r in H. rewrite H by lra.
+  rewrite !Rmult_0_r, sin_0. field. lra.
+Qed.
+(* On either side the slope is +-pi k cos(pi k delta) for 0 < |delta| < 1/k. *)
+Theorem straddling__slope (k delta : R) (m : Z) : 0 < k -> 0 < Rabs delta < 1 / k ->
+  is_derive (fun u => Rabs (sin (PI * (k * u)))) (IZR m / k + delta) (sign delta * PI * k * cos (PI * (k * delta))).
+Proof.
+  intros K H. generalize PI_RGT_0. intro P.
+  assert (Q : forall u, Rabs (sin (PI * (k * u))) = Rabs (sin (PI * (k * (u - IZR m / k))))).
+  { intro u. replace (PI * (k * u)) with (PI * IZR m + PI * (k * (u - IZR m / k))) by (field; lra). apply sine_of_a_shift. }
+  apply (is_derive_ext (fun u => Rabs (sin (PI * (k * (u - IZR m / k)))))); [intro; symmetry; apply Q|].
+  assert (S : sin (PI * (k * delta)) <> 0 /\ sign (sin (PI * (k * delta))) = sign delta).
+  { assert (T : forall t, 0 < t < 1 / k -> 0 < sin (PI * (k * t))).
+    { intros t T. assert (0 < k * t < 1). { split; [nra|]. apply Rmult_lt_reg_l with (/ k); [apply Rinv_0_lt_compat, K|]. rewrite <- Rmult_assoc, Rinv_l; lra. }
+      apply sin_gt_0; nra. }
+    unfold Rabs in H. destruct (Rcase_abs delta) as [n|n].
+    - assert (L : sin (PI * (k * delta)) < 0) by (generalize (T (- delta) H); replace (PI * (k * - delta)) with (- (PI * (k * delta))) by ring; rewrite sin_neg; lra).
+      rewrite !sign_eq_m1 by assumption. lra.
+    - generalize (T delta H). intro L. rewrite !sign_eq_1 by lra. lra. }
+  destruct S as [S1 S2].
+  eapply is_derive_is; [apply (is_derive_Rabs (fun u => sin (PI * (k * (u - IZR m / k)))) (IZR m / k + delta) (PI * k * cos (PI * (k * delta))))|].
+  - auto_derive; trivial. replace (IZR m / k + delta + - (IZR m / k)) with delta by ring. ring.
+  - replace (IZR m / k + delta - IZR m / k) with delta by ring. exact S1.
+  - cbv beta. replace (IZR m / k + delta - IZR m / k) with delta by ring. rewrite S2. ring.
+Qed.
+Theorem straddling__value__false : ~ forall (k delta epsilon : R), 0 < k -> Rabs delta < epsilon -> epsilon + Rabs delta <= 1 / k ->
+  (Rabs (sin (PI * (k * (delta + epsilon)))) - Rabs (sin (PI * (k * (delta - epsilon))))) / (2 * epsilon) = PI * k * cos (PI * (k * delta)).
+Proof.
+  intro H. generalize (H 1 0 (1/2)). rewrite Rabs_R0. intro K. specialize (K ltac:(lra) ltac:(lra) ltac:(lra)).
+  replace (PI * (1 * (0 + 1/2))) with (PI / 2) in K by field. replace (PI * (1 * (0 - 1/2))) with (- (PI / 2)) in K by field.
+  rewrite sin_neg, Rabs_Ropp, !Rmult_0_r, cos_0 in K. generalize PI_RGT_0. lra.
+Qed.
+
+(* Ridges beside its creases *)
+
+(* On a crease u = m/k_u: h(m/k_u +- s, v) = |sin(pi k_u s)| |sin(pi k_v v)|. *)
+Theorem ridges_on_creases__crease_in_u (v k_u k_v s : R) (m : Z) : k_u <> 0 ->
+  height_ridges.h (IZR m / k_u + s) v k_u k_v = Rabs (sin (PI * (k_u * s))) * Rabs (sin (PI * (k_v * v))).
+Proof.
+  intro K. unfold_fields. rewrite Rabs_mult. f_equal.
+  replace (PI * (k_u * (IZR m / k_u + s))) with (PI * IZR m + PI * (k_u * s)) by (field; exact K). apply sine_of_a_shift.
+Qed.
+Theorem ridges_on_creases__crease_in_v (u k_u k_v s : R) (m : Z) : k_v <> 0 ->
+  height_ridges.h u (IZR m / k_v + s) k_u k_v = Rabs (sin (PI * (k_u * u))) * Rabs (sin (PI * (k_v * s))).
+Proof.
+  intro K. unfold_fields. rewrite Rabs_mult. f_equal.
+  replace (PI * (k_v * (IZR m / k_v + s))) with (PI * IZR m + PI * (k_v * s)) by (field; exact K). apply sine_of_a_shift.
+Qed.
+
+(* |sin(pi t)| >= pi t/2 for 0 <= t <= 1/2. *)
+Lemma sine_above_half (t : R) : 0 <= t <= 1/2 -> PI * t / 2 <= sin (PI * t).
+Proof.
+  intro T. generalize PI_RGT_0. intro P. generalize (sine_from_below (PI * t) ltac:(nra)). intro L.
+  assert (Q : PI ^ 2 < 12) by interval. assert (U : (PI * t) ^ 2 <= 3).
+  { rewrite Rpow_mult_distr. assert (t ^ 2 <= 1/4) by nra. assert (0 <= PI ^ 2) by apply pow2_ge_0. nra. }
+  assert (0 <= PI * t) by nra. assert (PI * t * (PI * t) ^ 2 <= PI * t * 3) by (apply Rmult_le_compat_l; lra). simpl in *. lra.
+Qed.
