@@ -107,6 +107,162 @@ Theorem occlusion_by_signs__program__false : ~ forall px py pz lx ly lz cx cy cz
   0 <= shadow.shadow_discriminant px py pz lx ly lz cx cy cz r -> shadow.occluded px py pz lx ly lz cx cy cz r = 1.
 Proof.
   intros F. specialize (F 0 0 0 0 0 0 0 0 0 0). rewrite (proj1 (occlusion_by_signs__program _ _ _ _ _ _ _ _ _ _)) in F.
-  destruct F as (_ & A & _).
-  revert A. shadow_lines. lra.
+  destruct F as (_ & A & _); [| revert A]; shadow_lines; lra.
+Qed.
+
+(* On the floor and for fixed y, the discriminant is a polynomial of degree at most 2 in x with the leading coefficient
+   r^2 - w_y^2 - w_z^2, w = L - C; |a|^2 and a.w' are quadratics with the leading coefficient 1, and |a|^2 - a.w' is
+   linear. So a row is cut by the roots of two quadratics and one linear polynomial. *)
+Theorem shadow_along_a_row__row (y lx ly lz cx cy cz r : R) :
+  exists b c b1 c1 b2 c2 b3 c3 : R, forall x,
+  shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = (r ^ 2 - (ly - cy) ^ 2 - (lz - cz) ^ 2) * x ^ 2 + b * x + c /\
+  shadow.segment_squared x y 0 lx ly lz = x ^ 2 + b1 * x + c1 /\
+  shadow.toward_center x y 0 lx ly lz cx cy cz = x ^ 2 + b2 * x + c2 /\
+  shadow.segment_squared x y 0 lx ly lz - shadow.toward_center x y 0 lx ly lz cx cy cz = b3 * x + c3 /\
+  (shadow.occluded x y 0 lx ly lz cx cy cz r = 1 <->
+    0 <= (r ^ 2 - (ly - cy) ^ 2 - (lz - cz) ^ 2) * x ^ 2 + b * x + c /\ 0 < x ^ 2 + b2 * x + c2 /\ 0 < b3 * x + c3).
+Proof.
+  set (d x := shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r).
+  set (q x := shadow.segment_squared x y 0 lx ly lz). set (w x := shadow.toward_center x y 0 lx ly lz cx cy cz).
+  exists ((d 1 - d (-1)) / 2), (d 0), ((q 1 - q (-1)) / 2), (q 0), ((w 1 - w (-1)) / 2), (w 0),
+    ((q 1 - w 1) - (q 0 - w 0)), (q 0 - w 0). intros x.
+  assert (D : d x = (r ^ 2 - (ly - cy) ^ 2 - (lz - cz) ^ 2) * x ^ 2 + (d 1 - d (-1)) / 2 * x + d 0)
+    by (unfold d; shadow_lines; field).
+  assert (Q : q x = x ^ 2 + (q 1 - q (-1)) / 2 * x + q 0) by (unfold q; shadow_lines; field).
+  assert (W : w x = x ^ 2 + (w 1 - w (-1)) / 2 * x + w 0) by (unfold w; shadow_lines; field).
+  assert (A : q x - w x = ((q 1 - w 1) - (q 0 - w 0)) * x + (q 0 - w 0)) by (unfold q, w; shadow_lines; ring).
+  split; [exact D |]. split; [exact Q |]. split; [exact W |]. split; [exact A |]. rewrite <- D, <- W, <- A.
+  unfold d, q, w. rewrite (proj1 (occlusion_by_signs__program x y 0 lx ly lz cx cy cz r)). split; intros; lra.
+Qed.
+
+(* Not with the leading coefficient r^2 - w_z^2. *)
+Theorem shadow_along_a_row__row__false : ~ forall y lx ly lz cx cy cz r : R, exists b c : R, forall x,
+  shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = (r ^ 2 - (lz - cz) ^ 2) * x ^ 2 + b * x + c.
+Proof.
+  intros F. destruct (F 0 0 1 0 0 0 0 0) as (b & c & H). pose proof (H 0). pose proof (H 1). pose proof (H (-1)).
+  revert H0 H1 H2. shadow_lines. lra.
+Qed.
+
+(* |a|^2 - a.w' = (P - L).(C - L). *)
+Theorem shadow_along_a_row__away (px py pz lx ly lz cx cy cz : R) :
+  shadow.segment_squared px py pz lx ly lz - shadow.toward_center px py pz lx ly lz cx cy cz =
+  dot (px - lx) (py - ly) (pz - lz) (cx - lx) (cy - ly) (cz - lz).
+Proof. shadow_lines. ring. Qed.
+
+(* Not (P - L).(L - C). *)
+Theorem shadow_along_a_row__away__false : ~ forall px py pz lx ly lz cx cy cz : R,
+  shadow.segment_squared px py pz lx ly lz - shadow.toward_center px py pz lx ly lz cx cy cz =
+  dot (px - lx) (py - ly) (pz - lz) (lx - cx) (ly - cy) (lz - cz).
+Proof. intros F. specialize (F 1 0 0 0 0 0 1 0 0). revert F. shadow_lines. lra. Qed.
+
+(* On the floor the discriminant is ((P - L).w)^2 - c |P - L|^2, w = L - C, c = |w|^2 - r^2: a quadratic in (x, y) whose
+   quadratic part has the determinant c (w_z^2 - r^2). *)
+Theorem shadow_of_b_on_floor__conic (lx ly lz cx cy cz r : R) :
+  let wx := lx - cx in let wy := ly - cy in let wz := lz - cz in let c := dot wx wy wz wx wy wz - r ^ 2 in
+  let xx := wx ^ 2 - c in let xy := wx * wy in let yy := wy ^ 2 - c in
+  (forall x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r =
+    dot (x - lx) (y - ly) (0 - lz) wx wy wz ^ 2 - c * apart2 x y 0 lx ly lz) /\
+  (exists e f g, forall x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r =
+    xx * x ^ 2 + 2 * xy * x * y + yy * y ^ 2 + e * x + f * y + g) /\
+  xx * yy - xy ^ 2 = c * (wz ^ 2 - r ^ 2).
+Proof.
+  intros. split; [intros; unfold apart2, c, wx, wy, wz; shadow_lines; ring |]. split; [| unfold xx, xy, yy, c, dot; ring].
+  set (d x y := shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r).
+  exists ((d 1 0 - d (-1) 0) / 2), ((d 0 1 - d 0 (-1)) / 2), (d 0 0). intros x y.
+  change (shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r) with (d x y).
+  unfold d, xx, xy, yy, c, wx, wy, wz; shadow_lines; field.
+Qed.
+
+(* Not with the determinant c (w_z^2 + r^2). *)
+Theorem shadow_of_b_on_floor__conic__false : ~ forall wx wy wz r : R, let c := dot wx wy wz wx wy wz - r ^ 2 in
+  (wx ^ 2 - c) * (wy ^ 2 - c) - (wx * wy) ^ 2 = c * (wz ^ 2 + r ^ 2).
+Proof. intros F. specialize (F 0 0 2 1). unfold dot in F. lra. Qed.
+
+(* The light is outside the sphere where c is positive; the conic's type is the sign of its determinant. *)
+Definition c_of_light (lx ly lz cx cy cz r : R) := dot (lx - cx) (ly - cy) (lz - cz) (lx - cx) (ly - cy) (lz - cz) - r ^ 2.
+Definition type_of_shadow (lx ly lz cx cy cz r : R) :=
+  ((lx - cx) ^ 2 - c_of_light lx ly lz cx cy cz r) * ((ly - cy) ^ 2 - c_of_light lx ly lz cx cy cz r)
+  - ((lx - cx) * (ly - cy)) ^ 2.
+
+Lemma type_of_shadow_value lx ly lz cx cy cz r :
+  type_of_shadow lx ly lz cx cy cz r = c_of_light lx ly lz cx cy cz r * ((lz - cz) ^ 2 - r ^ 2).
+Proof. unfold type_of_shadow, c_of_light, dot. ring. Qed.
+
+(* An ellipse if the light is above the sphere's top or below its lowest point. *)
+Theorem shadow_of_b_on_floor__ellipse (lx ly lz cx cy cz r : R) : 0 < r -> 0 < c_of_light lx ly lz cx cy cz r ->
+  cz + r < lz \/ lz < cz - r -> 0 < type_of_shadow lx ly lz cx cy cz r.
+Proof. intros P C H. rewrite type_of_shadow_value. apply Rmult_lt_0_compat; [exact C |]. destruct H; nra. Qed.
+
+Theorem shadow_of_b_on_floor__ellipse__point : exists lx ly lz cx cy cz r : R,
+  0 < r /\ 0 < c_of_light lx ly lz cx cy cz r /\ (cz + r < lz \/ lz < cz - r).
+Proof. exists 0, 0, 3, 0, 0, 0, 1. unfold c_of_light, dot. lra. Qed.
+
+(* Not if it is level with the top. *)
+Theorem shadow_of_b_on_floor__ellipse__false : ~ forall lx ly lz cx cy cz r : R, 0 < r ->
+  0 < c_of_light lx ly lz cx cy cz r -> cz + r <= lz -> 0 < type_of_shadow lx ly lz cx cy cz r.
+Proof.
+  intros F. specialize (F 0 0 3 2 0 2 1). unfold type_of_shadow, c_of_light, dot in F.
+  specialize (F ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+(* A parabola if it is level with either. *)
+Theorem shadow_of_b_on_floor__parabola (lx ly lz cx cy cz r : R) : 0 < r -> 0 < c_of_light lx ly lz cx cy cz r ->
+  lz = cz + r \/ lz = cz - r -> type_of_shadow lx ly lz cx cy cz r = 0.
+Proof. intros P C H. rewrite type_of_shadow_value. destruct H as [-> | ->]; ring. Qed.
+
+Theorem shadow_of_b_on_floor__parabola__point : exists lx ly lz cx cy cz r : R,
+  0 < r /\ 0 < c_of_light lx ly lz cx cy cz r /\ (lz = cz + r \/ lz = cz - r).
+Proof. exists 0, 0, 3, 2, 0, 2, 1. unfold c_of_light, dot. lra. Qed.
+
+(* Not if it is level with the centre. *)
+Theorem shadow_of_b_on_floor__parabola__false : ~ forall lx ly lz cx cy cz r : R, 0 < r ->
+  0 < c_of_light lx ly lz cx cy cz r -> lz = cz -> type_of_shadow lx ly lz cx cy cz r = 0.
+Proof.
+  intros F. specialize (F 0 0 2 2 0 2 1). unfold type_of_shadow, c_of_light, dot in F.
+  specialize (F ltac:(lra) ltac:(lra) eq_refl). lra.
+Qed.
+
+(* The part cast away from the light has a.w' < |a|^2, that is (P - L).(C - L) > 0. *)
+Definition cast_away (x y lx ly lz cx cy cz : R) :=
+  shadow.toward_center x y 0 lx ly lz cx cy cz < shadow.segment_squared x y 0 lx ly lz.
+Definition cast_back (x y lx ly lz cx cy cz : R) :=
+  shadow.segment_squared x y 0 lx ly lz < shadow.toward_center x y 0 lx ly lz cx cy cz.
+
+(* A hyperbola if it is between: one of its branches is cast away, the other not, and every point is on one of them. *)
+Theorem shadow_of_b_on_floor__hyperbola (lx ly lz cx cy cz r : R) : 0 < lz -> 0 < r ->
+  0 < c_of_light lx ly lz cx cy cz r -> cz - r < lz < cz + r ->
+  type_of_shadow lx ly lz cx cy cz r < 0 /\
+  (exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0 /\ cast_away x y lx ly lz cx cy cz) /\
+  (exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0 /\ cast_back x y lx ly lz cx cy cz) /\
+  (forall x y, 0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r ->
+    cast_away x y lx ly lz cx cy cz \/ cast_back x y lx ly lz cx cy cz).
+Proof.
+  intros L P C H. assert (B : (lz - cz) ^ 2 < r ^ 2) by nra. split; [rewrite type_of_shadow_value; nra |].
+  destruct (shadow_of_b_on_floor__conic lx ly lz cx cy cz r) as (D & _). fold (c_of_light lx ly lz cx cy cz r) in D.
+  set (w := (lx - cx) ^ 2 + (ly - cy) ^ 2).
+  assert (W : c_of_light lx ly lz cx cy cz r = w + ((lz - cz) ^ 2 - r ^ 2)) by (unfold c_of_light, dot, w; ring).
+  set (c := c_of_light lx ly lz cx cy cz r) in *. set (h := lz - cz) in *. assert (Q : 0 < w) by lra.
+  assert (A : forall x y, cast_away x y lx ly lz cx cy cz <-> dot (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) h < 0).
+  { intros x y. unfold cast_away. pose proof (shadow_along_a_row__away x y 0 lx ly lz cx cy cz) as E.
+    unfold h, dot in *. split; intros; lra. }
+  assert (A' : forall x y, cast_back x y lx ly lz cx cy cz <-> 0 < dot (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) h).
+  { intros x y. unfold cast_back. pose proof (shadow_along_a_row__away x y 0 lx ly lz cx cy cz) as E.
+    unfold h, dot in *. split; intros; lra. }
+  destruct (two_roots (w ^ 2 - c * w) (- (w * lz * h)) (lz ^ 2 * (h ^ 2 - c)) (lz * h / w)) as (s1 & s2 & O & R1 & R2).
+  - nra.
+  - replace (_ + _ + _) with (- c * lz ^ 2 * (h ^ 2 + w) / w) by (field; lra).
+    assert (0 < c * lz ^ 2 * (h ^ 2 + w) / w); [| unfold Rdiv in *; lra].
+    apply Rdiv_lt_0_compat; [| exact Q]. repeat apply Rmult_lt_0_compat; nra.
+  - assert (K : w * (lz * h / w) = lz * h) by (field; lra).
+    assert (V : forall s, dot (lx + s * (lx - cx) - lx) (ly + s * (ly - cy) - ly) (0 - lz) (lx - cx) (ly - cy) h
+      = s * w - lz * h) by (intros; unfold dot, w; ring).
+    assert (V2 : forall s, apart2 (lx + s * (lx - cx)) (ly + s * (ly - cy)) 0 lx ly lz = s ^ 2 * w + lz ^ 2)
+      by (intros; unfold apart2, w; ring).
+    split; [| split].
+    + exists (lx + s1 * (lx - cx)), (ly + s1 * (ly - cy)). rewrite A, D, V, V2. split; nra.
+    + exists (lx + s2 * (lx - cx)), (ly + s2 * (ly - cy)). rewrite A', D, V, V2. split; nra.
+    + intros x y. rewrite A, A', D. intros N.
+      assert (0 < apart2 x y 0 lx ly lz).
+      { unfold apart2. pose proof (pow2_ge_0 (x - lx)). pose proof (pow2_ge_0 (y - ly)). assert (0 < lz ^ 2) by nra. lra. }
+      assert (0 < c * apart2 x y 0 lx ly lz) by (apply Rmult_lt_0_compat; assumption). nra.
 Qed.
