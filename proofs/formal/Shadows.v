@@ -266,3 +266,140 @@ Proof.
       { unfold apart2. pose proof (pow2_ge_0 (x - lx)). pose proof (pow2_ge_0 (y - ly)). assert (0 < lz ^ 2) by nra. lra. }
       assert (0 < c * apart2 x y 0 lx ly lz) by (apply Rmult_lt_0_compat; assumption). nra.
 Qed.
+
+Theorem shadow_of_b_on_floor__hyperbola__point : exists lx ly lz cx cy cz r : R, 0 < lz /\ 0 < r /\
+  0 < c_of_light lx ly lz cx cy cz r /\ cz - r < lz < cz + r.
+Proof. exists 0, 0, 2, 2, 0, 2, 1. unfold c_of_light, dot. lra. Qed.
+
+(* Not if it is level with the top. *)
+Theorem shadow_of_b_on_floor__hyperbola__false : ~ forall lx ly lz cx cy cz r : R, 0 < lz -> 0 < r ->
+  0 < c_of_light lx ly lz cx cy cz r -> cz - r < lz <= cz + r -> type_of_shadow lx ly lz cx cy cz r < 0.
+Proof.
+  intros F. specialize (F 0 0 3 2 0 2 1). unfold type_of_shadow, c_of_light, dot in F.
+  specialize (F ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+Lemma cast_side x y lx ly lz cx cy cz r : 0 < lz -> 0 < c_of_light lx ly lz cx cy cz r -> r ^ 2 <= (lz - cz) ^ 2 ->
+  0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r ->
+  (0 < lz - cz -> cast_away x y lx ly lz cx cy cz) /\ (lz - cz < 0 -> cast_back x y lx ly lz cx cy cz).
+Proof.
+  intros L C H D. pose proof (shadow_along_a_row__away x y 0 lx ly lz cx cy cz) as A.
+  destruct (shadow_of_b_on_floor__conic lx ly lz cx cy cz r) as (E & _). fold (c_of_light lx ly lz cx cy cz r) in E.
+  rewrite E in D. unfold cast_away, cast_back.
+  destruct (seen_side lz (lz - cz) (- ((x - lx) * (lx - cx) + (y - ly) * (ly - cy)))
+    (shadow.segment_squared x y 0 lx ly lz - shadow.toward_center x y 0 lx ly lz cx cy cz)
+    (c_of_light lx ly lz cx cy cz r) ((lx - cx) ^ 2 + (ly - cy) ^ 2) ((x - lx) ^ 2 + (y - ly) ^ 2)) as [S N];
+    try assumption.
+  - rewrite A. unfold dot. ring.
+  - pose proof (pow2_ge_0 ((x - lx) * (ly - cy) - (y - ly) * (lx - cx))). lra.
+  - squares.
+  - unfold c_of_light, dot. lra.
+  - rewrite A. unfold apart2, dot in *. lra.
+  - split; intros G; [specialize (S G) | specialize (N G)]; lra.
+Qed.
+
+(* All of it is cast away if L_z >= C_z + r. *)
+Theorem shadow_of_b_on_floor__all_seen (x y lx ly lz cx cy cz r : R) : 0 < lz -> 0 < r ->
+  0 < c_of_light lx ly lz cx cy cz r -> cz + r <= lz ->
+  0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r -> cast_away x y lx ly lz cx cy cz.
+Proof. intros L P C H D. apply (cast_side x y lx ly lz cx cy cz r); try assumption; nra. Qed.
+
+Theorem shadow_of_b_on_floor__all_seen__point : exists x y lx ly lz cx cy cz r : R, 0 < lz /\ 0 < r /\
+  0 < c_of_light lx ly lz cx cy cz r /\ cz + r <= lz /\ 0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r.
+Proof. exists 0, 0, 0, 0, 3, 0, 0, 0, 1. unfold c_of_light. shadow_lines. lra. Qed.
+
+(* Not if the light is level with the centre. *)
+Theorem shadow_of_b_on_floor__all_seen__false : ~ forall x y lx ly lz cx cy cz r : R, 0 < lz -> 0 < r ->
+  0 < c_of_light lx ly lz cx cy cz r -> cz <= lz ->
+  0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r -> cast_away x y lx ly lz cx cy cz.
+Proof.
+  intros F. specialize (F (-2) 0 0 0 1 2 0 1 1). revert F. unfold cast_away, c_of_light. shadow_lines. lra.
+Qed.
+
+(* None of it if L_z <= C_z - r. *)
+Theorem shadow_of_b_on_floor__none_seen (x y lx ly lz cx cy cz r : R) : 0 < lz -> 0 < r ->
+  0 < c_of_light lx ly lz cx cy cz r -> lz <= cz - r ->
+  0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r -> ~ cast_away x y lx ly lz cx cy cz.
+Proof.
+  intros L P C H D. assert (cast_back x y lx ly lz cx cy cz)
+    by (apply (cast_side x y lx ly lz cx cy cz r); try assumption; nra).
+  unfold cast_away, cast_back in *. lra.
+Qed.
+
+Theorem shadow_of_b_on_floor__none_seen__point : exists x y lx ly lz cx cy cz r : R, 0 < lz /\ 0 < r /\
+  0 < c_of_light lx ly lz cx cy cz r /\ lz <= cz - r /\ 0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r.
+Proof. exists 0, 0, 0, 0, 1, 0, 0, 3, 1. unfold c_of_light. shadow_lines. lra. Qed.
+
+(* Not if the light is level with the centre. *)
+Theorem shadow_of_b_on_floor__none_seen__false : ~ forall x y lx ly lz cx cy cz r : R, 0 < lz -> 0 < r ->
+  0 < c_of_light lx ly lz cx cy cz r -> lz <= cz ->
+  0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r -> ~ cast_away x y lx ly lz cx cy cz.
+Proof.
+  intros F. specialize (F 2 0 0 0 1 2 0 1 1). revert F. unfold cast_away, c_of_light. shadow_lines. lra.
+Qed.
+
+(* The part cast away is decided by the sign of (P - L).(C - L) = |a|^2 - a.w'. *)
+Theorem shadow_of_b_on_floor__away (x y lx ly lz cx cy cz : R) :
+  cast_away x y lx ly lz cx cy cz <-> 0 < dot (x - lx) (y - ly) (0 - lz) (cx - lx) (cy - ly) (cz - lz).
+Proof. rewrite <- shadow_along_a_row__away. unfold cast_away. split; intros; lra. Qed.
+
+(* Not of the opposite. *)
+Theorem shadow_of_b_on_floor__away__false : ~ forall x y lx ly lz cx cy cz : R,
+  cast_away x y lx ly lz cx cy cz <-> 0 < dot (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) (lz - cz).
+Proof.
+  intros F. specialize (F 1 0 0 0 1 1 0 0). revert F. unfold cast_away. shadow_lines. intros [F G]. lra.
+Qed.
+
+(* Sphere A's shadow on the floor: with C = 0, d = (P.L)^2 - |L|^2 |P|^2 + R^2 |P - L|^2, a conic of a sphere's shadow's
+   type with w_z = L_z, an ellipse if L_z > R. *)
+Theorem shadow_of_a_on_floor__of_a (lx ly lz r : R) : 0 < r -> r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) ->
+  (forall x y, shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r =
+    dot x y 0 lx ly lz ^ 2 - dot lx ly lz lx ly lz * dot x y 0 x y 0 + r ^ 2 * apart2 x y 0 lx ly lz) /\
+  type_of_shadow lx ly lz 0 0 0 r = (lx ^ 2 + ly ^ 2 + lz ^ 2 - r ^ 2) * (lz ^ 2 - r ^ 2) /\
+  (r < lz -> 0 < type_of_shadow lx ly lz 0 0 0 r).
+Proof.
+  intros P H. assert (N : 0 <= lx ^ 2 + ly ^ 2 + lz ^ 2) by squares. pose proof (sqrt_sqrt _ N).
+  split; [intros; unfold apart2; shadow_lines; ring |]. split; [unfold type_of_shadow, c_of_light, dot; ring |].
+  intros L. apply shadow_of_b_on_floor__ellipse; [exact P | unfold c_of_light, dot; nra | lra].
+Qed.
+
+Theorem shadow_of_a_on_floor__of_a__point : exists lx ly lz r : R, 0 < r /\ r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2).
+Proof. exists 0, 0, 2, 1. rewrite (sqrt_is _ 2); lra. Qed.
+
+(* Not with - R^2 |P - L|^2. *)
+Theorem shadow_of_a_on_floor__of_a__false : ~ forall x y lx ly lz r : R,
+  shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r =
+  dot x y 0 lx ly lz ^ 2 - dot lx ly lz lx ly lz * dot x y 0 x y 0 - r ^ 2 * apart2 x y 0 lx ly lz.
+Proof. intros F. specialize (F 0 0 1 0 0 1). revert F. unfold apart2. shadow_lines. lra. Qed.
+
+(* The shadow is its part with 0 < a.w' < |a|^2, beyond A: 0 < a.w' says P.L < |P|^2. *)
+Theorem shadow_of_a_on_floor__behind_a (x y lx ly lz r : R) : 0 < r -> r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) ->
+  r < sqrt (x ^ 2 + y ^ 2) ->
+  shadow.toward_center x y 0 lx ly lz 0 0 0 = dot x y 0 x y 0 - dot x y 0 lx ly lz /\
+  ((exists s, 0 < s < 1 /\ sqrt (apart2 (x + s * (lx - x)) (y + s * (ly - y)) (0 + s * (lz - 0)) 0 0 0) = r) <->
+   (0 <= shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r /\ dot x y 0 lx ly lz < dot x y 0 x y 0 /\
+    cast_away x y lx ly lz 0 0 0)) /\
+  (r <= lz -> (exists s, 0 < s < 1 /\
+    sqrt (apart2 (x + s * (lx - x)) (y + s * (ly - y)) (0 + s * (lz - 0)) 0 0 0) = r) <->
+   (0 <= shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r /\ dot x y 0 lx ly lz < dot x y 0 x y 0)).
+Proof.
+  intros R L P. assert (T : shadow.toward_center x y 0 lx ly lz 0 0 0 = dot x y 0 x y 0 - dot x y 0 lx ly lz)
+    by (shadow_lines; ring). split; [exact T |].
+  rewrite (occlusion_by_signs__iff x y 0 lx ly lz 0 0 0 r R), T.
+  2: { replace (apart2 0 0 0 x y 0) with (x ^ 2 + y ^ 2) by (unfold apart2; ring). exact P. }
+  2: { replace (apart2 0 0 0 lx ly lz) with (lx ^ 2 + ly ^ 2 + lz ^ 2) by (unfold apart2; ring). exact L. }
+  unfold cast_away. rewrite T. split; [split; intros; lra |]. intros H. split; [intros; lra |]. intros [D B].
+  assert (N : 0 <= lx ^ 2 + ly ^ 2 + lz ^ 2) by squares. pose proof (sqrt_sqrt _ N).
+  assert (A : cast_away x y lx ly lz 0 0 0).
+  { apply (shadow_of_b_on_floor__all_seen x y lx ly lz 0 0 0 r); try assumption; try lra. unfold c_of_light, dot. nra. }
+  unfold cast_away in A. rewrite T in A. lra.
+Qed.
+
+Theorem shadow_of_a_on_floor__behind_a__point : exists x y lx ly lz r : R, 0 < r /\
+  r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) /\ r < sqrt (x ^ 2 + y ^ 2).
+Proof. exists 2, 0, 0, 0, 2, 1. rewrite !(sqrt_is _ 2); lra. Qed.
+
+(* Not with |P|^2 < P.L, on the light's side. *)
+Theorem shadow_of_a_on_floor__behind_a__false : ~ forall x y lx ly lz : R,
+  0 < shadow.toward_center x y 0 lx ly lz 0 0 0 <-> dot x y 0 x y 0 < dot x y 0 lx ly lz.
+Proof. intros F. destruct (F 1 0 0 0 1) as [G _]. revert G. shadow_lines. lra. Qed.
