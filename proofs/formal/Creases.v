@@ -319,3 +319,137 @@ Proof.
   { rewrite Rpow_mult_distr. assert (t ^ 2 <= 1/4) by nra. assert (0 <= PI ^ 2) by apply pow2_ge_0. nra. }
   assert (0 <= PI * t) by nra. assert (PI * t * (PI * t) ^ 2 <= PI * t * 3) by (apply Rmult_le_compat_l; lra). simpl in *. lra.
 Qed.
+
+(* h(m/k_u +- s, v)/s >= pi k_u |sin(pi k_v v)|/2 for 0 < s <= 1/(2 k_u). *)
+Lemma beside_a_crease (v k_u k_v s : R) (m : Z) : 0 < k_u -> 0 < s <= / (2 * k_u) ->
+  PI * k_u * Rabs (sin (PI * (k_v * v))) / 2 * s <= height_ridges.h (IZR m / k_u + s) v k_u k_v /\
+  PI * k_u * Rabs (sin (PI * (k_v * v))) / 2 * s <= height_ridges.h (IZR m / k_u + - s) v k_u k_v.
+Proof.
+  intros K S. rewrite !ridges_on_creases__crease_in_u by lra. replace (PI * (k_u * - s)) with (- (PI * (k_u * s))) by ring. rewrite sin_neg, Rabs_Ropp.
+  assert (T : 0 <= k_u * s <= 1/2). { split; [nra|]. apply Rmult_le_reg_l with (/ k_u); [apply Rinv_0_lt_compat, K|]. rewrite <- Rmult_assoc, Rinv_l, Rmult_1_l by lra.
+    replace (/ k_u * (1/2)) with (/ (2 * k_u)) by (field; lra). lra. }
+  generalize (sine_above_half (k_u * s) T) (Rabs_pos (sin (PI * (k_v * v)))) (Rle_abs (sin (PI * (k_u * s)))). intros A B C.
+  assert (PI * (k_u * s) / 2 * Rabs (sin (PI * (k_v * v))) <= Rabs (sin (PI * (k_u * s))) * Rabs (sin (PI * (k_v * v)))) by (apply Rmult_le_compat_r; lra).
+  split; lra.
+Qed.
+
+(* Where sin(pi k_v v) is not 0, ridges has no derivative by u there. *)
+Theorem ridges_on_creases__differ (v k_u k_v : R) (m : Z) : 0 < k_u -> sin (PI * (k_v * v)) <> 0 ->
+  ~ ex_derive (fun u => height_ridges.h u v k_u k_v) (IZR m / k_u).
+Proof.
+  intros K S [d D]. generalize PI_RGT_0. intro P. apply is_derive_Reals in D.
+  set (c := PI * k_u * Rabs (sin (PI * (k_v * v)))). assert (C : 0 < c) by (apply Rmult_lt_0_compat; [nra | apply Rabs_pos_lt, S]).
+  destruct (D (c / 4) ltac:(lra)) as [delta L]. set (s := Rmin (delta / 2) (/ (2 * k_u))).
+  assert (I : 0 < / (2 * k_u)) by (apply Rinv_0_lt_compat; lra). generalize (cond_pos delta). intro P'.
+  assert (Q : 0 < s) by (apply Rmin_glb_lt; lra). assert (Q1 : s <= delta / 2) by apply Rmin_l. assert (Q2 : s <= / (2 * k_u)) by apply Rmin_r. clearbody s.
+  destruct (beside_a_crease v k_u k_v s m K ltac:(lra)) as [A B]. fold c in A, B.
+  assert (Z : height_ridges.h (IZR m / k_u) v k_u k_v = 0).
+  { rewrite <- (Rplus_0_r (IZR m / k_u)), ridges_on_creases__crease_in_u by lra. rewrite !Rmult_0_r, sin_0, Rabs_R0. ring. }
+  generalize (L s ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)) (L (- s) ltac:(lra) ltac:(rewrite Rabs_Ropp, Rabs_pos_eq; lra)).
+  rewrite Z, !Rminus_0_r. intros X Y. apply Rabs_def2 in X. apply Rabs_def2 in Y.
+  assert (X' : height_ridges.h (IZR m / k_u + s) v k_u k_v / s >= c / 2).
+  { apply Rle_ge, Rmult_le_reg_r with s; [exact Q|]. unfold Rdiv at 2. rewrite Rmult_assoc, Rinv_l; lra. }
+  assert (Y' : height_ridges.h (IZR m / k_u + - s) v k_u k_v / - s <= - (c / 2)).
+  { replace (_ / - s) with (- (height_ridges.h (IZR m / k_u + - s) v k_u k_v / s)) by (field; lra). apply Ropp_le_contravar.
+    apply Rmult_le_reg_r with s; [exact Q|]. unfold Rdiv at 2. rewrite Rmult_assoc, Rinv_l; lra. }
+  lra.
+Qed.
+Theorem ridges_on_creases__differ__point : exists v k_u k_v : R, 0 < k_u /\ sin (PI * (k_v * v)) <> 0.
+Proof. exists (1/2), 1, 1. replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2. lra. Qed.
+(* The seed: ridges is differentiable. *)
+Theorem ridges_on_creases__differ__false : ~ forall u v k_u k_v, ex_derive (fun u => height_ridges.h u v k_u k_v) u.
+Proof.
+  intro H. apply (ridges_on_creases__differ (1/2) 1 1 0); try lra; [|apply H]. replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2. lra.
+Qed.
+
+(* Where creases cross *)
+
+Lemma sine_below (x : R) : Rabs (sin x) <= Rabs x.
+Proof.
+  assert (H : forall y, 0 <= y -> Rabs (sin y) <= y).
+  { intros y Y. generalize (growth 0 sin cos 1 y Y). rewrite pow_1. replace (1 * (y / INR (0 + 1))) with y by (simpl; field). intro G. apply G.
+    - intro s. auto_derive; trivial. ring.
+    - apply sin_0.
+    - intros s _. simpl. rewrite Rmult_1_r. apply Rabs_le, COS_bound. }
+  unfold Rabs at 2. destruct (Rcase_abs x); [|apply H; lra]. rewrite <- Rabs_Ropp, <- sin_neg. apply H. lra.
+Qed.
+
+(* At (a, b) from a crossing: 0 <= h <= pi^2 (k_u^2 a^2 + k_v^2 b^2)/2. *)
+Theorem ridges_at_crossings__crossing (k_u k_v a b : R) (m n : Z) : k_u <> 0 -> k_v <> 0 ->
+  0 <= height_ridges.h (IZR m / k_u + a) (IZR n / k_v + b) k_u k_v <= PI ^ 2 * (k_u ^ 2 * a ^ 2 + k_v ^ 2 * b ^ 2) / 2.
+Proof.
+  intros K L. split; [apply Rabs_pos|]. rewrite ridges_on_creases__crease_in_u by exact K.
+  replace (PI * (k_v * (IZR n / k_v + b))) with (PI * IZR n + PI * (k_v * b)) by (field; exact L). rewrite sine_of_a_shift.
+  generalize (sine_below (PI * (k_u * a))) (sine_below (PI * (k_v * b))) (Rabs_pos (sin (PI * (k_u * a)))) (Rabs_pos (sin (PI * (k_v * b)))). intros A B C D.
+  assert (Rabs (sin (PI * (k_u * a))) * Rabs (sin (PI * (k_v * b))) <= Rabs (PI * (k_u * a)) * Rabs (PI * (k_v * b))) by (apply Rmult_le_compat; assumption).
+  generalize (pow2_ge_0 (Rabs (PI * (k_u * a)) - Rabs (PI * (k_v * b)))). intro Q.
+  assert (E : Rabs (PI * (k_u * a)) ^ 2 + Rabs (PI * (k_v * b)) ^ 2 = PI ^ 2 * (k_u ^ 2 * a ^ 2 + k_v ^ 2 * b ^ 2)) by (rewrite !pow2_abs; ring). nra.
+Qed.
+(* So h is differentiable there, with derivative 0: it is less than any eta times the distance, near enough. *)
+Theorem ridges_at_crossings__flat (k_u k_v : R) (m n : Z) : k_u <> 0 -> k_v <> 0 -> forall eta, 0 < eta -> exists delta, 0 < delta /\
+  forall a b, sqrt (a ^ 2 + b ^ 2) < delta -> Rabs (height_ridges.h (IZR m / k_u + a) (IZR n / k_v + b) k_u k_v) <= eta * sqrt (a ^ 2 + b ^ 2).
+Proof.
+  intros K L eta Hn. set (c := PI ^ 2 * (k_u ^ 2 + k_v ^ 2) / 2). generalize PI_RGT_0. intro P.
+  assert (C : 0 < c).
+  { assert (0 < k_u ^ 2) by (apply pow2_gt_0; exact K). assert (0 < k_v ^ 2) by (apply pow2_gt_0; exact L). assert (0 < PI ^ 2) by (apply pow_lt, P). unfold c. nra. }
+  exists (eta / c). split; [apply Rdiv_lt_0_compat; assumption|]. intros a b H. set (r := sqrt (a ^ 2 + b ^ 2)) in *.
+  assert (R0 : 0 <= r) by apply sqrt_pos. assert (R2 : r ^ 2 = a ^ 2 + b ^ 2) by (apply pow2_sqrt; generalize (pow2_ge_0 a) (pow2_ge_0 b); lra).
+  destruct (ridges_at_crossings__crossing k_u k_v a b m n K L) as [A B]. rewrite Rabs_pos_eq by exact A. eapply Rle_trans; [exact B|].
+  assert (PI ^ 2 * (k_u ^ 2 * a ^ 2 + k_v ^ 2 * b ^ 2) / 2 <= c * r ^ 2).
+  { rewrite R2. unfold c. assert (0 <= PI ^ 2 * (k_u ^ 2 * b ^ 2 + k_v ^ 2 * a ^ 2)).
+    { apply Rmult_le_pos; [apply pow2_ge_0|]. generalize (pow2_ge_0 (k_u * b)) (pow2_ge_0 (k_v * a)). rewrite !Rpow_mult_distr. lra. } lra. }
+  assert (c * r <= eta). { apply Rlt_le. apply Rmult_lt_reg_l with (/ c); [apply Rinv_0_lt_compat, C|]. rewrite <- Rmult_assoc, Rinv_l by lra. unfold Rdiv in H. lra. }
+  nra.
+Qed.
+
+(* The seam *)
+
+(* sin(pi k (u + 1)) = (-1)^k sin(pi k u) for whole k. *)
+Theorem seam__parity (k : nat) (u : R) : sin (PI * (INR k * (u + 1))) = (-1) ^ k * sin (PI * (INR k * u)).
+Proof.
+  assert (H : forall n x, sin (PI * INR n + x) = (-1) ^ n * sin x).
+  { induction n as [|n IH]; intro x; [simpl; rewrite Rmult_1_l; f_equal; ring|]. rewrite S_INR.
+    replace (PI * (INR n + 1) + x) with (PI * INR n + x + PI) by ring. rewrite neg_sin, IH. simpl. ring. }
+  rewrite <- H. f_equal. ring.
+Qed.
+Theorem seam__parity__false : ~ forall k u, sin (PI * (INR k * (u + 1))) = sin (PI * (INR k * u)).
+Proof.
+  intro H. generalize (H 1%nat (1/2)). rewrite seam__parity. simpl INR. replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2. simpl. lra.
+Qed.
+(* Across u = 0 sine's height jumps by -sin(pi k_u) sin(pi k_v v), and its slope by pi k_u (1 - cos(pi k_u)) sin(pi k_v v). *)
+Theorem seam__sine (v k_u k_v : R) :
+  height_sine.h 0 v k_u k_v - height_sine.h 1 v k_u k_v = - sin (PI * k_u) * sin (PI * (k_v * v)) /\
+  gradient_sine.h_u 0 v k_u k_v - gradient_sine.h_u 1 v k_u k_v = PI * k_u * (1 - cos (PI * k_u)) * sin (PI * (k_v * v)).
+Proof. unfold_fields. rewrite !Rmult_0_r, !Rmult_1_r, sin_0, cos_0. split; ring. Qed.
+Theorem seam__sine__false : ~ forall v k_u k_v, gradient_sine.h_u 0 v k_u k_v = gradient_sine.h_u 1 v k_u k_v.
+Proof.
+  intro H. generalize (H (1/2) 1 1) (proj2 (seam__sine (1/2) 1 1)). intros -> E. replace (PI * (1 * (1/2))) with (PI / 2) in E by field.
+  rewrite Rmult_1_r, sin_PI2, cos_PI in E. generalize PI_RGT_0. lra.
+Qed.
+(* For even k_u both jumps are 0; for odd k_u the height has none and the slope 2 pi k_u sin(pi k_v v). *)
+Theorem seam__even (v k_v : R) (n : nat) : let k_u := INR (2 * n) in
+  height_sine.h 0 v k_u k_v = height_sine.h 1 v k_u k_v /\ gradient_sine.h_u 0 v k_u k_v = gradient_sine.h_u 1 v k_u k_v.
+Proof.
+  cbv zeta. destruct (seam__sine v (INR (2 * n)) k_v) as [A B]. rewrite mult_INR in *. replace (INR 2) with 2 in * by (simpl; ring).
+  replace (PI * (2 * INR n)) with (0 + 2 * INR n * PI) in A, B by ring. rewrite sin_period, sin_0 in A. rewrite cos_period, cos_0 in B. lra.
+Qed.
+Theorem seam__odd (v k_v : R) (n : nat) : let k_u := INR (2 * n + 1) in
+  height_sine.h 0 v k_u k_v = height_sine.h 1 v k_u k_v /\
+  gradient_sine.h_u 0 v k_u k_v - gradient_sine.h_u 1 v k_u k_v = 2 * PI * k_u * sin (PI * (k_v * v)).
+Proof.
+  cbv zeta. destruct (seam__sine v (INR (2 * n + 1)) k_v) as [A B]. rewrite plus_INR, mult_INR in *. replace (INR 2) with 2 in * by (simpl; ring). replace (INR 1) with 1 in * by reflexivity.
+  replace (PI * (2 * INR n + 1)) with (PI + 2 * INR n * PI) in A, B by ring. rewrite sin_period, sin_PI in A. rewrite cos_period, cos_PI in B. lra.
+Qed.
+(* Ridges is continuous across the seam for whole k_u, and even about it with h = 0 there. *)
+Theorem seam__ridges (u v k_v : R) (k : nat) :
+  height_ridges.h 0 v (INR k) k_v = 0 /\ height_ridges.h 1 v (INR k) k_v = 0 /\
+  height_ridges.h (1 - u) v (INR k) k_v = height_ridges.h u v (INR k) k_v.
+Proof.
+  assert (H : forall t, Rabs (sin (PI * (INR k * (1 - t)))) = Rabs (sin (PI * (INR k * t)))).
+  { intro t. replace (PI * (INR k * (1 - t))) with (PI * IZR (Z.of_nat k) + - (PI * (INR k * t))) by (rewrite <- INR_IZR_INZ; ring).
+    rewrite sine_of_a_shift, sin_neg, Rabs_Ropp. reflexivity. }
+  unfold_fields. rewrite !Rabs_mult, (H u), <- (H 1). replace (1 - 1) with 0 by ring. rewrite !Rmult_0_r, sin_0, Rabs_R0. repeat split; ring.
+Qed.
+(* Rings does not depend on u: its height has no parameter u. *)
+Theorem seam__rings (u1 u2 v k_v : R) : (fun _ : R => height_rings.h v k_v) u1 = (fun _ : R => height_rings.h v k_v) u2.
+Proof. reflexivity. Qed.
