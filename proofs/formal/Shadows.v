@@ -403,3 +403,200 @@ Proof. exists 2, 0, 0, 0, 2, 1. rewrite !(sqrt_is _ 2); lra. Qed.
 Theorem shadow_of_a_on_floor__behind_a__false : ~ forall x y lx ly lz : R,
   0 < shadow.toward_center x y 0 lx ly lz 0 0 0 <-> dot x y 0 x y 0 < dot x y 0 lx ly lz.
 Proof. intros F. destruct (F 1 0 0 0 1) as [G _]. revert G. shadow_lines. lra. Qed.
+
+(* The length of a vector. *)
+Definition len (x y z : R) := sqrt (x ^ 2 + y ^ 2 + z ^ 2).
+
+Lemma len_pos x y z : 0 <= len x y z.
+Proof. apply sqrt_pos. Qed.
+
+Lemma len_squared x y z : len x y z ^ 2 = x ^ 2 + y ^ 2 + z ^ 2.
+Proof. apply pow2_sqrt. squares. Qed.
+
+(* |X + w| >= |X| - |w|. *)
+Lemma len_apart ax ay az bx by_ bz : len ax ay az - len bx by_ bz <= len (ax + bx) (ay + by_) (az + bz).
+Proof.
+  pose proof (len_pos ax ay az) as A. pose proof (len_pos bx by_ bz) as B. pose proof (len_squared ax ay az) as A2.
+  pose proof (len_squared bx by_ bz) as B2. pose proof (len_squared (ax + bx) (ay + by_) (az + bz)) as C2.
+  pose proof (len_pos (ax + bx) (ay + by_) (az + bz)).
+  set (a := len ax ay az) in *. set (b := len bx by_ bz) in *. set (c := len (ax + bx) (ay + by_) (az + bz)) in *.
+  set (p := ax * bx + ay * by_ + az * bz).
+  assert (P : p ^ 2 <= (a * b) ^ 2).
+  { pose proof (pow2_ge_0 (ay * bz - az * by_)). pose proof (pow2_ge_0 (az * bx - ax * bz)).
+    pose proof (pow2_ge_0 (ax * by_ - ay * bx)). rewrite Rpow_mult_distr, A2, B2. unfold p. lra. }
+  assert (Q : - (a * b) <= p) by (assert (0 <= a * b) by (apply Rmult_le_pos; assumption); nra).
+  assert (E : c ^ 2 = a ^ 2 + b ^ 2 + 2 * p) by (rewrite C2, A2, B2; unfold p; ring).
+  destruct (Rle_lt_dec (a - b) c) as [L | L]; [exact L | exfalso]. assert (c ^ 2 < (a - b) ^ 2) by nra. lra.
+Qed.
+
+(* The segment from the light L to a point Q of the ball (centre C, radius s) passes at share t of the way within t s of
+   L + t (C - L). *)
+Theorem shadow_out_of_reach__within (t lx ly lz bx by_ bz s qx qy qz : R) : 0 <= t -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
+  len (lx + t * (qx - lx) - (lx + t * (bx - lx))) (ly + t * (qy - ly) - (ly + t * (by_ - ly)))
+    (lz + t * (qz - lz) - (lz + t * (bz - lz))) <= t * s.
+Proof.
+  intros T H. replace (len _ _ _) with (t * len (qx - bx) (qy - by_) (qz - bz)) by (
+    unfold len; rewrite <- (sqrt_pow2 t T) at 1; rewrite <- sqrt_mult_alt by (apply pow2_ge_0); f_equal; ring).
+  apply Rmult_le_compat_l; assumption.
+Qed.
+
+Lemma len_axis x : 0 <= x -> len x 0 0 = x.
+Proof. intros X. apply sqrt_is; [exact X | ring]. Qed.
+
+Theorem shadow_out_of_reach__within__point : exists t bx by_ bz s qx qy qz : R,
+  0 <= t /\ len (qx - bx) (qy - by_) (qz - bz) <= s.
+Proof. exists 1, 0, 0, 0, 1, 1, 0, 0. rewrite !Rminus_0_r, len_axis; lra. Qed.
+
+(* Not within t s / 2. *)
+Theorem shadow_out_of_reach__within__false : ~ forall t lx bx s qx : R, 0 <= t -> len (qx - bx) 0 0 <= s ->
+  len (lx + t * (qx - lx) - (lx + t * (bx - lx))) 0 0 <= t * s / 2.
+Proof.
+  intros F. specialize (F 1 0 0 1 1). replace (0 + 1 * (1 - 0) - (0 + 1 * (0 - 0))) with 1 in F by ring.
+  rewrite !Rminus_0_r, len_axis in F by lra. specialize (F ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+(* If |L - c + t (C - L)| > r + t s for all t in [0, 1], no such segment meets the ball of radius r about c. *)
+Theorem shadow_out_of_reach__cone (lx ly lz cx cy cz r bx by_ bz s : R) :
+  (forall t, 0 <= t <= 1 -> r + t * s < len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))) ->
+  forall t qx qy qz, 0 <= t <= 1 -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
+  r < len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz).
+Proof.
+  intros H t qx qy qz T Q. specialize (H t T).
+  pose proof (shadow_out_of_reach__within t lx ly lz bx by_ bz s qx qy qz ltac:(lra) Q) as W.
+  pose proof (len_apart (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))
+    (lx + t * (qx - lx) - (lx + t * (bx - lx))) (ly + t * (qy - ly) - (ly + t * (by_ - ly)))
+    (lz + t * (qz - lz) - (lz + t * (bz - lz)))) as A.
+  replace (len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz)) with
+    (len (lx - cx + t * (bx - lx) + (lx + t * (qx - lx) - (lx + t * (bx - lx))))
+      (ly - cy + t * (by_ - ly) + (ly + t * (qy - ly) - (ly + t * (by_ - ly))))
+      (lz - cz + t * (bz - lz) + (lz + t * (qz - lz) - (lz + t * (bz - lz))))) by (f_equal; ring). lra.
+Qed.
+
+Theorem shadow_out_of_reach__cone__point : exists lx ly lz cx cy cz r bx by_ bz s : R, forall t, 0 <= t <= 1 ->
+  r + t * s < len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz)).
+Proof.
+  exists 3, 0, 0, 0, 0, 0, 1, 4, 0, 0, 1. intros t T. replace (len _ _ _) with (len (3 + t) 0 0) by (f_equal; ring).
+  rewrite len_axis; lra.
+Qed.
+
+(* Not without the ball's reach: |L - c + t (C - L)| > r is not enough. *)
+Theorem shadow_out_of_reach__cone__false : ~ forall lx cx r bx s : R,
+  (forall t, 0 <= t <= 1 -> r < len (lx - cx + t * (bx - lx)) 0 0) ->
+  forall t qx, 0 <= t <= 1 -> len (qx - bx) 0 0 <= s -> r < len (lx + t * (qx - lx) - cx) 0 0.
+Proof.
+  intros F. assert (H : 1 < len (3 + 1 * (1 - 3) - 0) 0 0).
+  { apply (F 3 0 1 2 1); try lra.
+    - intros t T. rewrite len_axis; lra.
+    - unfold len. rewrite (sqrt_is _ 1); lra. }
+  rewrite len_axis in H; lra.
+Qed.
+
+(* The squares' difference is a quadratic in t with the program's coefficients. *)
+Theorem shadow_out_of_reach__quadratic (t lx ly lz cx cy cz r bx by_ bz s : R) :
+  len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz)) ^ 2 - (r + t * s) ^ 2 =
+  shadow_clearance.at_light lx ly lz cx cy cz r + t * (2 * shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s
+    + t * shadow_clearance.curvature lx ly lz bx by_ bz s).
+Proof.
+  rewrite len_squared. unfold shadow_clearance.at_light, shadow_clearance.half_slope, shadow_clearance.curvature,
+    shadow_clearance.along_x, shadow_clearance.along_y, shadow_clearance.along_z, shadow_clearance.from_body_x,
+    shadow_clearance.from_body_y, shadow_clearance.from_body_z. ring.
+Qed.
+
+(* Not with a ball of radius s all the way. *)
+Theorem shadow_out_of_reach__quadratic__false : ~ forall t lx cx r bx s : R,
+  len (lx - cx + t * (bx - lx)) 0 0 ^ 2 - (r + s) ^ 2 =
+  shadow_clearance.at_light lx 0 0 cx 0 0 r + t * (2 * shadow_clearance.half_slope lx 0 0 cx 0 0 r bx 0 0 s
+    + t * shadow_clearance.curvature lx 0 0 bx 0 0 s).
+Proof.
+  intros F. specialize (F 0 0 0 0 0 1). rewrite len_squared in F. revert F.
+  unfold shadow_clearance.at_light, shadow_clearance.from_body_x, shadow_clearance.from_body_y,
+    shadow_clearance.from_body_z. lra.
+Qed.
+
+(* On [0, 1] the program's shortest is the least value of that quadratic: at an end or where it turns. *)
+Theorem shadow_out_of_reach__least (lx ly lz cx cy cz r bx by_ bz s : R) :
+  let f t := shadow_clearance.at_light lx ly lz cx cy cz r
+    + t * (2 * shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s
+           + t * shadow_clearance.curvature lx ly lz bx by_ bz s) in
+  let least := shadow_clearance.shortest lx ly lz cx cy cz r bx by_ bz s in
+  let turning := shadow_clearance.turning lx ly lz cx cy cz r bx by_ bz s in
+  (forall t, 0 <= t <= 1 -> least <= f t) /\ 0 <= turning <= 1 /\ (least = f 0 \/ least = f 1 \/ least = f turning).
+Proof.
+  intros f least turning.
+  assert (H0 : shadow_clearance.at_light lx ly lz cx cy cz r = f 0) by (unfold f; ring).
+  assert (H1 : shadow_clearance.at_ball lx ly lz cx cy cz r bx by_ bz s = f 1) by (unfold f, shadow_clearance.at_ball; ring).
+  assert (H2 : shadow_clearance.at_turning lx ly lz cx cy cz r bx by_ bz s = f turning)
+    by (unfold f, shadow_clearance.at_turning; fold turning; ring).
+  assert (L : least <= f 0 /\ least <= f 1 /\ least <= f turning /\ (least = f 0 \/ least = f 1 \/ least = f turning)).
+  { unfold least, shadow_clearance.shortest, shadow_clearance.at_an_end. rewrite H0, H1, H2.
+    destruct (Rlt_dec (f 1) (f 0)); destruct Rlt_dec; repeat split; auto; lra. }
+  destruct L as (L0 & L1 & L2 & L). unfold turning, shadow_clearance.turning in L2 |- *.
+  set (h := shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s) in *.
+  set (k := shadow_clearance.curvature lx ly lz bx by_ bz s) in *. rewrite <- and_assoc. split; [| exact L].
+  assert (F : forall t, f t = f 0 + t * (2 * h + t * k)) by (intros; unfold f; ring).
+  assert (B : k <= 0 -> forall t, 0 <= t <= 1 -> least <= f t).
+  { intros K t T. rewrite F. rewrite (F 1) in L1. assert (0 <= (1 - t) * (f 0 - least)) by (apply Rmult_le_pos; lra).
+    assert (0 <= t * (f 0 + 1 * (2 * h + 1 * k) - least)) by (apply Rmult_le_pos; lra).
+    assert (0 <= t * (1 - t) * - k) by (repeat apply Rmult_le_pos; lra). lra. }
+  destruct (Rle_dec 0 h) as [P | P]; [| destruct (Rle_dec (k + h) 0) as [N | N]]; (split; [intros t T |]); try lra.
+  - destruct (Rle_lt_dec 0 k); [| apply B; lra]. rewrite F. assert (0 <= t * (2 * h + t * k)) by (apply Rmult_le_pos; nra). lra.
+  - destruct (Rle_lt_dec 0 k); [| apply B; lra]. rewrite (F 1) in L1. rewrite F.
+    assert (0 <= (1 - t) * - (2 * h + (1 + t) * k)) by (apply Rmult_le_pos; nra). lra.
+  - assert (K : 0 < k) by lra. eapply Rle_trans; [exact L2 |]. rewrite (F t), (F (- h / k)).
+    assert (0 <= (t * k + h) ^ 2 / k) by (apply Rle_mult_inv_pos; [apply pow2_ge_0 | exact K]).
+    replace (f 0 + t * (2 * h + t * k)) with (f 0 + - h / k * (2 * h + - h / k * k) + (t * k + h) ^ 2 / k)
+      by (field; lra). lra.
+  - assert (K : 0 < k) by lra. split; [apply Rle_mult_inv_pos; lra |].
+    apply (Rmult_le_reg_r k); [exact K |]. replace (- h / k * k) with (- h) by (field; lra). lra.
+Qed.
+
+(* Not always at the light. *)
+Theorem shadow_out_of_reach__least__false : ~ forall lx cx r bx s t : R, 0 <= t <= 1 ->
+  shadow_clearance.at_light lx 0 0 cx 0 0 r <= shadow_clearance.at_light lx 0 0 cx 0 0 r
+    + t * (2 * shadow_clearance.half_slope lx 0 0 cx 0 0 r bx 0 0 s + t * shadow_clearance.curvature lx 0 0 bx 0 0 s).
+Proof.
+  intros F. specialize (F 2 0 0 1 0 1 ltac:(lra)). revert F. unfold shadow_clearance.half_slope, shadow_clearance.curvature,
+    shadow_clearance.along_x, shadow_clearance.along_y, shadow_clearance.along_z, shadow_clearance.from_body_x,
+    shadow_clearance.from_body_y, shadow_clearance.from_body_z. lra.
+Qed.
+
+(* So where the program's clearance is positive, no segment from the light to a point of the ball meets the body. *)
+Theorem shadow_out_of_reach__program (lx ly lz cx cy cz r bx by_ bz s : R) : 0 < r -> 0 < s ->
+  r < len (lx - cx) (ly - cy) (lz - cz) -> 0 < shadow_clearance.clearance lx ly lz cx cy cz r bx by_ bz s ->
+  forall t qx qy qz, 0 <= t <= 1 -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
+  r < len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz).
+Proof.
+  intros R S O C. apply shadow_out_of_reach__cone. intros t T.
+  destruct (shadow_out_of_reach__least lx ly lz cx cy cz r bx by_ bz s) as (L & _). specialize (L t T).
+  rewrite <- shadow_out_of_reach__quadratic in L.
+  assert (P : 0 < shadow_clearance.shortest lx ly lz cx cy cz r bx by_ bz s).
+  { unfold shadow_clearance.clearance in C. pose proof (len_squared (lx - cx) (ly - cy) (lz - cz)) as Q.
+    match type of C with 0 < ?a / ?b => assert (0 < b); [| apply (Rmult_lt_reg_r (/ b));
+      [apply Rinv_0_lt_compat; assumption | rewrite Rmult_0_l; exact C]] end.
+    assert (0 < (lx - cx) ^ 2 + (ly - cy) ^ 2 + (lz - cz) ^ 2) by nra.
+    pose proof (pow2_ge_0 (bx - lx)). pose proof (pow2_ge_0 (by_ - ly)). pose proof (pow2_ge_0 (bz - lz)).
+    unfold shadow_clearance.along_x, shadow_clearance.along_y, shadow_clearance.along_z, shadow_clearance.from_body_x,
+      shadow_clearance.from_body_y, shadow_clearance.from_body_z. lra. }
+  pose proof (len_pos (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))).
+  assert (0 <= t * s) by nra. set (n := len _ _ _) in *. nra.
+Qed.
+
+Theorem shadow_out_of_reach__program__point : exists lx ly lz cx cy cz r bx by_ bz s : R, 0 < r /\ 0 < s /\
+  r < len (lx - cx) (ly - cy) (lz - cz) /\ 0 < shadow_clearance.clearance lx ly lz cx cy cz r bx by_ bz s.
+Proof.
+  exists 3, 0, 0, 0, 0, 0, 1, 4, 0, 0, 1. rewrite !Rminus_0_r, len_axis by lra. repeat split; try lra.
+  unfold shadow_clearance.clearance, shadow_clearance.shortest, shadow_clearance.at_an_end, shadow_clearance.at_ball,
+    shadow_clearance.at_turning, shadow_clearance.turning, shadow_clearance.at_light, shadow_clearance.half_slope,
+    shadow_clearance.curvature, shadow_clearance.along_x, shadow_clearance.along_y, shadow_clearance.along_z,
+    shadow_clearance.from_body_x, shadow_clearance.from_body_y, shadow_clearance.from_body_z.
+  destruct Rle_dec; [| lra]. destruct Rlt_dec; destruct Rlt_dec; apply Rdiv_lt_0_compat; lra.
+Qed.
+
+(* Not wherever the light is outside the body. *)
+Theorem shadow_out_of_reach__program__false : ~ forall lx cx r bx s : R, 0 < r -> 0 < s -> r < len (lx - cx) 0 0 ->
+  forall t qx, 0 <= t <= 1 -> len (qx - bx) 0 0 <= s -> r < len (lx + t * (qx - lx) - cx) 0 0.
+Proof.
+  intros F. assert (H : 1 < len (3 + 1 / 2 * (-3 - 3) - 0) 0 0).
+  { apply (F 3 0 1 (-3) 1); try lra; unfold len; [rewrite (sqrt_is _ 3) | rewrite (sqrt_is _ 0)]; lra. }
+  replace (3 + 1 / 2 * (-3 - 3) - 0) with 0 in H by field. rewrite len_axis in H; lra.
+Qed.
