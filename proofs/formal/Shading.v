@@ -1,0 +1,265 @@
+(* The light models: how the colour depends on the bumped normal. *)
+
+From Coq Require Import Reals Lra Psatz Lia List.
+From Coquelicot Require Import Coquelicot.
+From Formal Require Import Preliminaries Formulas Vectors Fields Bump.
+Open Scope R_scope.
+
+(* For every whole p, x^p is Lipschitz with p on [0, 1]: by induction. *)
+Lemma power_lipschitz (p : nat) (a b : R) : 0 <= a <= 1 -> 0 <= b <= 1 -> Rabs (a ^ p - b ^ p) <= INR p * Rabs (a - b).
+Proof.
+  intros A B. induction p as [|p IH]; [simpl; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; lra|].
+  replace (a ^ S p - b ^ S p) with (a * (a ^ p - b ^ p) + b ^ p * (a - b)) by (simpl; ring).
+  assert (H : 0 <= b ^ p <= 1). { split; [apply pow_le; lra | rewrite <- (pow1 p); apply pow_incr; lra]. }
+  eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult, (Rabs_pos_eq a), (Rabs_pos_eq (b ^ p)), S_INR by lra.
+  generalize (Rabs_pos (a ^ p - b ^ p)) (Rabs_pos (a - b)). nra.
+Qed.
+
+Lemma clamp_is_lipschitz (a b : R) : Rabs (Rmax 0 a - Rmax 0 b) <= Rabs (a - b).
+Proof. unfold Rmax, Rabs. destruct (Rle_dec 0 a), (Rle_dec 0 b); repeat destruct Rcase_abs; lra. Qed.
+
+Lemma dot_is_lipschitz (n m w : vector) : length w = 1 -> Rabs (dot n w - dot m w) <= length (difference n m).
+Proof.
+  intro W. replace (dot n w - dot m w) with (dot (difference n m) w) by (unfold difference; rewrite dot_sum, dot_scaled; ring).
+  destruct (cauchy_schwarz (difference n m) w) as [A B]. rewrite W in A, B. apply Rabs_le. lra.
+Qed.
+
+(* The models' numbers at a point P lit from L and seen along v: mu and the highlight's base, as functions of N'. *)
+Section models.
+Variables P L v : vector.
+Definition mu (n : vector) : R :=
+  let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in light_direction.mu px py pz lx ly lz x y z.
+Definition blinn_base (n : vector) : R :=
+  let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in
+  blinn.specular_base px py pz lx ly lz x y z vx vy vz.
+Definition phong_base (n : vector) : R :=
+  let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in
+  phong.specular_base px py pz lx ly lz x y z vx vy vz.
+Definition omega : vector := scaled (/ length (difference L P)) (difference L P).
+End models.
+
+Lemma mu_is_a_product (P L n : vector) : mu P L n = dot n (omega P L).
+Proof.
+  destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z].
+  unfold mu, omega, light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z, light_direction.light_scale,
+    light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z, difference, length, dot, scaled, sum.
+  replace ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2) with
+    ((lx + -1 * px) * (lx + -1 * px) + (ly + -1 * py) * (ly + -1 * py) + (lz + -1 * pz) * (lz + -1 * pz)) by ring. ring.
+Qed.
+Lemma direction_is_unit (a : vector) : 0 < length a -> length (scaled (/ length a) a) = 1.
+Proof. intro H. rewrite length_scaled, Rabs_pos_eq by (left; apply Rinv_0_lt_compat, H). apply Rinv_l. lra. Qed.
+
+(* mu is Lipschitz with 1 in N'. *)
+Theorem specular_lipschitz__along_a_direction (P L n m : vector) : 0 < length (difference L P) ->
+  Rabs (mu P L n - mu P L m) <= length (difference n m).
+Proof. intro H. rewrite !mu_is_a_product. apply dot_is_lipschitz, direction_is_unit, H. Qed.
+
+Lemma blinn_base_is (P L v n : vector) : let k := sum (omega P L) v in
+  blinn_base P L v n = if Rlt_dec 0 (length k) then Rmax 0 (dot n (scaled (/ length k) k)) else 0.
+Proof.
+  cbv zeta. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
+  unfold blinn_base, omega, blinn.specular_base, blinn.halfway_length, blinn.halfway_x, blinn.halfway_y, blinn.halfway_z, blinn.towards_x, blinn.towards_y,
+    blinn.towards_z, blinn.light_scale, blinn.light_distance, blinn.to_light_x, blinn.to_light_y, blinn.to_light_z, difference, length, dot, scaled, sum.
+  replace ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2) with
+    ((lx + -1 * px) * (lx + -1 * px) + (ly + -1 * py) * (ly + -1 * py) + (lz + -1 * pz) * (lz + -1 * pz)) by ring.
+  set (s := / sqrt _). replace (lx - px) with (lx + -1 * px) by ring. replace (ly - py) with (ly + -1 * py) by ring. replace (lz - pz) with (lz + -1 * pz) by ring.
+  set (a := s * _ + vx). set (b := s * _ + vy). set (c := s * _ + vz). replace (a ^ 2 + b ^ 2 + c ^ 2) with (a * a + b * b + c * c) by ring.
+  destruct (Rlt_dec 0 (sqrt (a * a + b * b + c * c))); [|reflexivity]. rewrite Rmax_comm. f_equal. unfold Rdiv. ring.
+Qed.
+
+(* Blinn's base is Lipschitz with 1. *)
+Theorem specular_lipschitz__blinn (P L v n m : vector) : Rabs (blinn_base P L v n - blinn_base P L v m) <= length (difference n m).
+Proof.
+  rewrite !blinn_base_is. destruct (Rlt_dec _ _) as [H|H].
+  - eapply Rle_trans; [apply clamp_is_lipschitz|]. apply dot_is_lipschitz, direction_is_unit, H.
+  - rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. apply length_nonneg.
+Qed.
+
+Lemma phong_base_is (P L v n : vector) : phong_base P L v n = Rmax 0 (2 * dot n (omega P L) * dot n v - dot (omega P L) v).
+Proof.
+  rewrite <- mu_is_a_product. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
+  unfold phong_base, mu, omega, phong.specular_base, phong.mu, phong.towards_x, phong.towards_y, phong.towards_z, phong.light_scale, phong.light_distance,
+    phong.to_light_x, phong.to_light_y, phong.to_light_z, light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z,
+    light_direction.light_scale, light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z,
+    difference, length, dot, scaled, sum.
+  replace ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2) with
+    ((lx + -1 * px) * (lx + -1 * px) + (ly + -1 * py) * (ly + -1 * py) + (lz + -1 * pz) * (lz + -1 * pz)) by ring. f_equal. ring.
+Qed.
+
+Ltac expand_dots :=
+  unfold difference;
+  repeat first
+    [ rewrite dot_sum | rewrite dot_scaled
+    | match goal with
+      | |- context [dot ?a (sum ?b ?c)] => rewrite (dot_comm a (sum b c))
+      | |- context [dot ?a (scaled ?t ?b)] => rewrite (dot_comm a (scaled t b))
+      end ].
+
+(* Bessel's inequality for two orthogonal vectors. *)
+Lemma bessel (s d w : vector) : dot s d = 0 -> length w = 1 ->
+  dot d d * dot s w ^ 2 + dot s s * dot d w ^ 2 <= dot s s * dot d d.
+Proof.
+  intros O W. assert (W2 : dot w w = 1) by (rewrite <- length_squared, W; ring).
+  generalize (dot_nonneg s) (dot_nonneg d) (cauchy_schwarz s w) (cauchy_schwarz d w). intros PS PD CS CD. rewrite W in CS, CD.
+  set (k := difference (scaled (dot s s * dot d d) w) (sum (scaled (dot d d * dot s w) s) (scaled (dot s s * dot d w) d))).
+  assert (E : dot k k = dot s s * dot d d * (dot s s * dot d d - (dot d d * dot s w ^ 2 + dot s s * dot d w ^ 2))).
+  { unfold k. expand_dots. rewrite ?(dot_comm w s), ?(dot_comm w d), ?(dot_comm d s), ?O, W2. ring. }
+  generalize (dot_nonneg k). rewrite E. intro K.
+  destruct PS as [PS|PS]; [destruct PD as [PD|PD]|].
+  - assert (0 < dot s s * dot d d) by nra. nra.
+  - assert (length d = 0) by (unfold length; rewrite <- PD; apply sqrt_0). assert (dot d w = 0) by nra. rewrite <- PD. nra.
+  - assert (length s = 0) by (unfold length; rewrite <- PS; apply sqrt_0). assert (dot s w = 0) by nra. rewrite <- PS. nra.
+Qed.
+
+(* Mirroring w at the unit vectors n and m gives vectors whose product with v differs by at most 2 |n - m|. *)
+Theorem specular_lipschitz__mirror (n m w v : vector) : length n = 1 -> length m = 1 -> length w = 1 -> length v = 1 ->
+  Rabs ((2 * dot n w * dot n v - dot w v) - (2 * dot m w * dot m v - dot w v)) <= 2 * length (difference n m).
+Proof.
+  intros Hn Hm Hw Hv. set (s := sum n m). set (d := difference n m).
+  replace (2 * dot n w * dot n v - dot w v - (2 * dot m w * dot m v - dot w v)) with (dot s w * dot d v + dot d w * dot s v)
+    by (unfold s, d; expand_dots; ring).
+  assert (O : dot s d = 0) by (unfold s, d; expand_dots; rewrite (dot_comm m n), <- !length_squared, Hn, Hm; ring).
+  assert (Q : dot s s + dot d d = 4) by (unfold s, d; expand_dots; rewrite (dot_comm m n), <- !length_squared, Hn, Hm; ring).
+  generalize (bessel s d w O Hw) (bessel s d v O Hv) (length_squared d) (length_nonneg d) (dot_nonneg s) (dot_nonneg d).
+  set (A := dot s w). set (A' := dot s v). set (D := dot d w). set (D' := dot d v). intros B B' L L0 PS PD.
+  assert (X : (A * D' + D * A') ^ 2 <= dot s s * dot d d).
+  { destruct PS as [PS|PS]; [destruct PD as [PD|PD]|].
+    - apply Rmult_le_reg_r with (dot s s * dot d d); [nra|].
+      assert ((A * D' + D * A') ^ 2 * (dot s s * dot d d) <= (dot d d * A ^ 2 + dot s s * D ^ 2) * (dot s s * D' ^ 2 + dot d d * A' ^ 2)).
+      { generalize (pow2_ge_0 (dot d d * A * A' - dot s s * D * D')). nra. }
+      eapply Rle_trans; [eassumption|]. apply Rmult_le_compat; nra.
+    - rewrite <- PD in *. assert (D = 0) by nra. assert (D' = 0) by nra. subst D D'. rewrite H, H0. nra.
+    - rewrite <- PS in *. assert (A = 0) by nra. assert (A' = 0) by nra. subst A A'. rewrite H, H0. nra. }
+  assert (Y : (A * D' + D * A') ^ 2 <= (2 * length d) ^ 2) by (rewrite Rpow_mult_distr, L; nra).
+  rewrite <- (pow2_abs (A * D' + D * A')) in Y. apply le_of_squares; [lra | exact Y].
+Qed.
+
+(* Phong's base is Lipschitz with 2, between unit normals. *)
+Theorem specular_lipschitz__phong (P L v n m : vector) : 0 < length (difference L P) -> length n = 1 -> length m = 1 -> length v = 1 ->
+  Rabs (phong_base P L v n - phong_base P L v m) <= 2 * length (difference n m).
+Proof.
+  intros H Hn Hm Hv. rewrite !phong_base_is. eapply Rle_trans; [apply clamp_is_lipschitz|].
+  apply specular_lipschitz__mirror; trivial. apply direction_is_unit, H.
+Qed.
+
+(* Both bases lie in [0, 1] for unit normals. *)
+Lemma product_of_units (n w : vector) : length n = 1 -> length w = 1 -> -1 <= dot n w <= 1.
+Proof. intros N W. destruct (cauchy_schwarz n w) as [A B]. rewrite N, W in *. lra. Qed.
+Lemma blinn_base_in_unit (P L v n : vector) : length n = 1 -> 0 <= blinn_base P L v n <= 1.
+Proof.
+  intro N. rewrite blinn_base_is. destruct (Rlt_dec _ _) as [H|H]; [|lra]. generalize (product_of_units n _ N (direction_is_unit _ H)).
+  unfold Rmax. destruct (Rle_dec _ _); lra.
+Qed.
+Lemma phong_base_in_unit (P L v n : vector) : 0 < length (difference L P) -> length n = 1 -> length v = 1 -> 0 <= phong_base P L v n <= 1.
+Proof.
+  intros H N V. rewrite phong_base_is. generalize (direction_is_unit _ H). fold (omega P L). intro W.
+  set (r := difference (scaled (2 * dot n (omega P L)) n) (omega P L)).
+  assert (R : length r = 1).
+  { apply length_of_unit. unfold r. expand_dots. rewrite (dot_comm (omega P L) n), <- !length_squared, N, W. ring. }
+  replace (2 * dot n (omega P L) * dot n v - dot (omega P L) v) with (dot r v) by (unfold r; expand_dots; ring).
+  generalize (product_of_units r v R V). unfold Rmax. destruct (Rle_dec _ _); lra.
+Qed.
+
+(* So the highlight base^p is Lipschitz with p (Blinn) and 2p (Phong), for every whole p. *)
+Theorem specular_lipschitz__power (p : nat) (P L v n m : vector) : 0 < length (difference L P) -> length n = 1 -> length m = 1 -> length v = 1 ->
+  Rabs (blinn_base P L v n ^ p - blinn_base P L v m ^ p) <= INR p * length (difference n m) /\
+  Rabs (phong_base P L v n ^ p - phong_base P L v m ^ p) <= 2 * INR p * length (difference n m).
+Proof.
+  intros H Hn Hm Hv. generalize (pos_INR p). intro I. split.
+  - eapply Rle_trans; [apply power_lipschitz; apply blinn_base_in_unit; assumption|]. apply Rmult_le_compat_l; [exact I | apply specular_lipschitz__blinn].
+  - eapply Rle_trans; [apply power_lipschitz; apply phong_base_in_unit; assumption|].
+    replace (2 * INR p * length (difference n m)) with (INR p * (2 * length (difference n m))) by ring.
+    apply Rmult_le_compat_l; [exact I | apply specular_lipschitz__phong; assumption].
+Qed.
+Theorem specular_lipschitz__power__point : exists P L v n : vector, 0 < length (difference L P) /\ length n = 1 /\ length v = 1.
+Proof.
+  exists (0, 0, 0), (1, 0, 0), (1, 0, 0), (1, 0, 0).
+  assert (E : length (1, 0, 0) = 1) by (apply length_of_unit; unfold dot; ring). split; [|split; exact E].
+  replace (difference (1, 0, 0) (0, 0, 0)) with ((1, 0, 0) : vector) by (unfold difference, sum, scaled; f_equal; [f_equal|]; ring). rewrite E. lra.
+Qed.
+(* With p alone Phong's is not. *)
+Theorem specular_lipschitz__power__false : ~ forall (p : nat) (a b : R), 0 <= a <= 1 -> 0 <= b <= 1 -> Rabs (a ^ p - b ^ p) <= Rabs (a - b).
+Proof.
+  intro H. generalize (H 2%nat 1 (1/2) ltac:(lra) ltac:(lra)). rewrite !Rabs_pos_eq; simpl; lra.
+Qed.
+
+(* The error of a colour *)
+
+(* A light's share of a channel. *)
+Definition share (model : vector -> R) (P L : vector) (i albedo kd ks : R) (p : nat) (n : vector) : R :=
+  light_term.lit_red 0 i albedo kd ks (mu P L n) (model n ^ p).
+
+(* It moves by at most i (a k_d + k_s q) |N'_1 - N'_2| where base^p is Lipschitz with q. *)
+Theorem difference_bound__light (model : vector -> R) (P L n m : vector) (i albedo kd ks q : R) (p : nat) :
+  0 <= i -> 0 <= albedo -> 0 <= kd -> 0 <= ks -> 0 < length (difference L P) ->
+  Rabs (model n ^ p - model m ^ p) <= q * length (difference n m) ->
+  Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd ks p m) <= i * (albedo * kd + ks * q) * length (difference n m).
+Proof.
+  intros I A D S H Q. unfold share, light_term.lit_red, light_term.diffuse, light_term.shine.
+  set (x := Rmax 0 (mu P L n)). set (y := Rmax 0 (mu P L m)).
+  assert (M : Rabs (x - y) <= length (difference n m)).
+  { eapply Rle_trans; [apply clamp_is_lipschitz | apply specular_lipschitz__along_a_direction, H]. }
+  replace (_ - _) with (i * (albedo * kd * (x - y) + ks * (model n ^ p - model m ^ p))) by ring.
+  rewrite Rabs_mult, (Rabs_pos_eq i), (Rmult_assoc i (albedo * kd + ks * q)) by exact I. apply Rmult_le_compat_l; [exact I|].
+  eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult, (Rabs_pos_eq albedo), (Rabs_pos_eq kd), (Rabs_pos_eq ks) by assumption.
+  assert (albedo * kd * Rabs (x - y) <= albedo * kd * length (difference n m)) by (apply Rmult_le_compat_l; [apply Rmult_le_pos; assumption | exact M]).
+  assert (ks * Rabs (model n ^ p - model m ^ p) <= ks * (q * length (difference n m))) by (apply Rmult_le_compat_l; assumption). lra.
+Qed.
+(* The clip adds nothing. *)
+Theorem difference_bound__clip (a b : R) : Rabs (clip.clipped a - clip.clipped b) <= Rabs (a - b).
+Proof.
+  unfold clip.clipped. eapply Rle_trans; [|apply clamp_is_lipschitz]. unfold Rmin, Rabs. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra.
+Qed.
+(* So |dI| <= sum over the lights of i (a k_d + k_s q), times min(|beta| |dg|, 2): any number of lights. *)
+Theorem difference_bound__all_lights (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R) :
+  (forall f l, In (f, l) shares -> forall n m, length n = 1 -> length m = 1 -> Rabs (f n - f m) <= l * length (difference n m)) ->
+  let colour n := clip.clipped (ambient + fold_right (fun s c => fst s n + c) 0 shares) in
+  let total := fold_right (fun s c => snd s + c) 0 shares in
+  (forall f l, In (f, l) shares -> 0 <= l) ->
+  Rabs (colour (N' theta phi a_u a_v beta) - colour (N' theta phi b_u b_v beta)) <=
+  total * Rmin (Rabs beta * length (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
+Proof.
+  intros Hs. cbv beta zeta. intro Hl. set (n := N' theta phi a_u a_v beta). set (m := N' theta phi b_u b_v beta).
+  assert (Un : length n = 1) by apply unit_length__length. assert (Um : length m = 1) by apply unit_length__length.
+  eapply Rle_trans; [apply difference_bound__clip|].
+  apply Rle_trans with (fold_right (fun s c => snd s + c) 0 shares * length (difference n m)).
+  - replace (_ - _) with (fold_right (fun s c => fst s n + c) 0 shares - fold_right (fun s c => fst s m + c) 0 shares) by ring. clear Hl.
+    induction shares as [|[f l] rest IH]; [simpl; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; lra|]. cbn [fold_right fst snd].
+    replace (_ - _) with ((f n - f m) + (fold_right (fun s c => fst s n + c) 0 rest - fold_right (fun s c => fst s m + c) 0 rest)) by ring.
+    eapply Rle_trans; [apply Rabs_triang|]. generalize (Hs f l (or_introl eq_refl) n m Un Um) (IH (fun f' l' h => Hs f' l' (or_intror h))). lra.
+  - apply Rmult_le_compat_l; [|apply normalising_is_lipschitz__bump]. clear - Hl. induction shares as [|[f l] rest IH]; cbn [fold_right snd]; [lra|].
+    generalize (Hl f l (or_introl eq_refl)) (IH (fun f' l' h => Hl f' l' (or_intror h))). lra.
+Qed.
+Theorem difference_bound__light__point : exists i a d s : R, 0 <= i /\ 0 <= a /\ 0 <= d /\ 0 <= s.
+Proof. exists 1, 1, 1, 1. lra. Qed.
+
+(* The squared highlight *)
+
+(* mu = (N'.d)(k.k)s and base^2 = (N'.k)^2 |d| s where N'.k >= 0: the printed shortcut is the model. *)
+Theorem squared_highlight__is_blinn (px py pz lx ly lz x y z vx vy vz : R) :
+  0 < (lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2 -> 0 < blinn.halfway_length px py pz lx ly lz vx vy vz ->
+  blinn_squared.mu px py pz lx ly lz x y z vx vy vz = blinn.mu px py pz lx ly lz x y z /\
+  blinn_squared.specular_base px py pz lx ly lz x y z vx vy vz = blinn.specular_base px py pz lx ly lz x y z vx vy vz ^ 2.
+Proof.
+  intros D0 H0. unfold blinn.specular_base. destruct (Rlt_dec _ _) as [_|H]; [|contradiction].
+  unfold blinn.halfway_length, blinn.halfway_x, blinn.halfway_y, blinn.halfway_z, blinn.mu, blinn.towards_x, blinn.towards_y, blinn.towards_z, blinn.light_scale,
+    blinn.light_distance, blinn.to_light_x, blinn.to_light_y, blinn.to_light_z in *.
+  unfold blinn_squared.mu, blinn_squared.specular_base, blinn_squared.light_scale, blinn_squared.along_halfway, blinn_squared.along_light, blinn_squared.halfway_squared,
+    blinn_squared.halfway_x, blinn_squared.halfway_y, blinn_squared.halfway_z, blinn_squared.light_distance, blinn_squared.distance_squared, blinn_squared.to_light_x,
+    blinn_squared.to_light_y, blinn_squared.to_light_z.
+  set (r := sqrt ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2)) in *. assert (R : 0 < r) by (apply sqrt_lt_R0; exact D0). clearbody r. clear D0.
+  generalize dependent (lx - px). generalize dependent (ly - py). generalize dependent (lz - pz). intros c b a H0.
+  set (q := (/ r * a + vx) ^ 2 + (/ r * b + vy) ^ 2 + (/ r * c + vz) ^ 2) in *.
+  assert (Q : 0 < q) by (apply Rnot_le_lt; intro L; rewrite (sqrt_neg_0 q L) in H0; lra).
+  assert (E : (r * vx + a) ^ 2 + (r * vy + b) ^ 2 + (r * vz + c) ^ 2 = r ^ 2 * q) by (unfold q; field; lra). rewrite E.
+  assert (Q' : 0 < r ^ 2 * q) by (apply Rmult_lt_0_compat; [apply pow_lt, R | exact Q]).
+  destruct (Rlt_dec 0 (r ^ 2 * q)) as [_|X]; [|contradiction]. split; [field; lra|].
+  assert (S : sqrt q ^ 2 = q) by (apply pow2_sqrt; lra). assert (S0 : 0 < sqrt q) by (apply sqrt_lt_R0; exact Q).
+  set (w := x * (/ r * a + vx) + y * (/ r * b + vy) + z * (/ r * c + vz)).
+  assert (W : x * (r * vx + a) + y * (r * vy + b) + z * (r * vz + c) = r * w) by (unfold w; field; lra). rewrite W.
+  unfold Rmax. destruct (Rle_dec 0 (r * w)) as [T|T], (Rle_dec (w / sqrt q) 0) as [V|V].
+  - assert (w = 0). { assert (0 <= w) by nra. assert (w <= 0); [|lra]. apply Rmult_le_reg_r with (/ sqrt q); [apply Rinv_0_lt_compat, S0|]. unfold Rdiv in V. lra. } subst w. rewrite H. field. lra.
+  - replace ((w / sqrt q) ^ 2) with (w ^ 2 / q) by (rewrite <- S at 1; field; lra). field. lra.
+  - field. lra.
+  - exfalso. apply V. assert (w < 0) by nra. unfold Rdiv. assert (0 < / sqrt q) by (apply Rinv_0_lt_compat, S0). nra.
+Qed.
