@@ -27,12 +27,12 @@ Proof.
   destruct (Rle_lt_dec (x ^ 2 + y ^ 2) 0) as [L | L]; [rewrite sqrt_neg_0 in H by exact L; lra | exact L].
 Qed.
 
-Lemma off_axis_far x y e : e <= 10 -> / 1000000 <= x ^ 2 + y ^ 2 -> off_axis x y e.
+Lemma off_axis_far x y e : e <= 10 -> / 1000000000000 <= x ^ 2 + y ^ 2 -> off_axis x y e.
 Proof.
-  unfold off_axis. intros He H. pose proof tiny_pos. apply Rle_trans with (/ 1000).
-  - assert (tiny <= / 10000); [| nra].
+  unfold off_axis. intros He H. pose proof tiny_pos. apply Rle_trans with (/ 1000000).
+  - assert (tiny <= / 10000000); [| nra].
     unfold tiny, Rdiv. rewrite Rmult_1_l. apply Rinv_le_contravar; [lra | apply IZR_le; vm_compute; discriminate].
-  - rewrite <- (sqrt_pow2 (/ 1000)) by lra. apply sqrt_le_1_alt. lra.
+  - rewrite <- (sqrt_pow2 (/ 1000000)) by lra. apply sqrt_le_1_alt. lra.
 Qed.
 
 Lemma rho_a x y e : off_axis x y e -> hit_of_a.rho x y e = sqrt (x ^ 2 + y ^ 2).
