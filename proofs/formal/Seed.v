@@ -166,3 +166,222 @@ Proof.
   repeat split; try ring. replace (_ - _) with (cos phi * (sin theta * sin theta + cos theta * cos theta)) by ring.
   rewrite T. ring.
 Qed.
+
+(* pi N.(M x D) at given cosines and sines: 0 where N' and the displaced surface's normal D lie in a plane with N. *)
+Definition triple (ct st cp sp h_u h_v beta h : R) :=
+  let nx := unit_normal.normal_x ct sp in let ny := unit_normal.normal_y st sp in let nz := unit_normal.normal_z cp in
+  let mx := bumped_normal.m_x ct st cp sp h_u h_v beta in let my := bumped_normal.m_y ct st cp sp h_u h_v beta in
+  let mz := bumped_normal.m_z cp sp h_u h_v beta in
+  let dx := displaced_normal.displaced_x ct st cp sp h_u h_v beta h in
+  let dy := displaced_normal.displaced_y ct st cp sp h_u h_v beta h in
+  let dz := displaced_normal.displaced_z cp sp h_u h_v beta h in
+  PI * dot nx ny nz (my * dz - mz * dy) (mz * dx - mx * dz) (mx * dy - my * dx).
+
+Ltac both_normals := unfold triple, dot, displaced_normal.displaced_x, displaced_normal.displaced_y,
+  displaced_normal.displaced_z, displaced_normal.lift, displaced_normal.h_theta, displaced_normal.h_phi,
+  displaced_normal.normal_x, displaced_normal.normal_y, displaced_normal.normal_z, displaced_normal.e_theta_x,
+  displaced_normal.e_theta_y, displaced_normal.e_theta_z, displaced_normal.e_phi_x, displaced_normal.e_phi_y,
+  displaced_normal.e_phi_z, bumped_normal.m_x, bumped_normal.m_y, bumped_normal.m_z, bumped_normal.g_x,
+  bumped_normal.g_y, bumped_normal.g_z, bumped_normal.normal_x, bumped_normal.normal_y, bumped_normal.normal_z,
+  bumped_normal.e_theta_x, bumped_normal.e_theta_y, bumped_normal.e_theta_z, bumped_normal.e_phi_x,
+  bumped_normal.e_phi_y, bumped_normal.e_phi_z, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z.
+
+Lemma triple_point : triple 1 0 0 1 1 1 1 0 = 1 / 2.
+Proof. both_normals. field. apply Rgt_not_eq, PI_RGT_0. Qed.
+
+(* In particular pi N.(M x D) = 0: not at theta = 0, phi = pi/2, h = 0, beta = h_u = h_v = 1. *)
+Theorem seed_bump_as_displacement__parallel : ~ forall theta phi h_u h_v beta h : R, 0 < sin phi -> 0 < 1 + beta * h ->
+  triple (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta h = 0.
+Proof.
+  intros F. specialize (F 0 (PI / 2) 1 1 1 0). rewrite cos_0, sin_0, cos_PI2, sin_PI2, triple_point in F.
+  specialize (F ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+(* It is 0 where beta = 0. *)
+Theorem seed_bump_as_displacement__parallel__false : ~ ~ forall theta phi h_u h_v h : R, 0 < sin phi ->
+  triple (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v 0 h = 0.
+Proof. intros N. apply N. intros theta phi h_u h_v h S. pose proof PI_RGT_0. both_normals. field. lra. Qed.
+
+(* N' is the normal of the displaced surface, D = k M with k > 0: not there either. *)
+Theorem seed_bump_as_displacement__same_direction : ~ forall theta phi h_u h_v beta h : R,
+  0 < sin phi -> 0 < 1 + beta * h -> exists k, 0 < k /\
+  displaced_normal.displaced_x (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta h =
+    k * bumped_normal.m_x (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta /\
+  displaced_normal.displaced_y (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta h =
+    k * bumped_normal.m_y (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta /\
+  displaced_normal.displaced_z (cos phi) (sin phi) h_u h_v beta h =
+    k * bumped_normal.m_z (cos phi) (sin phi) h_u h_v beta.
+Proof.
+  intros F. apply seed_bump_as_displacement__parallel. intros theta phi h_u h_v beta h S L.
+  destruct (F theta phi h_u h_v beta h S L) as (k & _ & X & Y & Z). unfold triple, dot. rewrite X, Y, Z. ring.
+Qed.
+
+(* They have the same direction where h_u = h_v = 0. *)
+Theorem seed_bump_as_displacement__same_direction__false : ~ ~ forall theta phi beta h : R,
+  0 < sin phi -> 0 < 1 + beta * h -> exists k, 0 < k /\
+  displaced_normal.displaced_x (cos theta) (sin theta) (cos phi) (sin phi) 0 0 beta h =
+    k * bumped_normal.m_x (cos theta) (sin theta) (cos phi) (sin phi) 0 0 beta /\
+  displaced_normal.displaced_y (cos theta) (sin theta) (cos phi) (sin phi) 0 0 beta h =
+    k * bumped_normal.m_y (cos theta) (sin theta) (cos phi) (sin phi) 0 0 beta /\
+  displaced_normal.displaced_z (cos phi) (sin phi) 0 0 beta h = k * bumped_normal.m_z (cos phi) (sin phi) 0 0 beta.
+Proof.
+  intros N. apply N. intros theta phi beta h S L. exists (1 + beta * h). pose proof PI_RGT_0. split; [exact L |].
+  both_normals. repeat split; field; lra.
+Qed.
+
+(* The one-sided difference of N' with step 10^-7 is its derivative in beta to 10^-12: not where beta g_x = 3/4. *)
+Theorem seed_step_in_beta__verifies : ~ forall nx ny nz gx gy gz beta : R,
+  dot nx ny nz nx ny nz = 1 -> dot nx ny nz gx gy gz = 0 ->
+  Rabs ((perturbed.bumped_x nx ny nz gx gy gz (beta + 1 / 10 ^ 7) - perturbed.bumped_x nx ny nz gx gy gz beta)
+    / (1 / 10 ^ 7) - normal_by_beta.bumped_by_beta_x nx ny nz gx gy gz beta) <= 1 / 10 ^ 12.
+Proof.
+  (* |M| = (t + 1/t)/2 is rational where beta g_x = (t - 1/t)/2: t = 2 at beta, and 2 + 4 10^-6 at the step's end. *)
+  set (t := 2 + 4 / 10 ^ 6). set (b := (t - / t) / 2). set (g := (b - 3 / 4) * 10 ^ 7). set (beta := 3 / 4 / g).
+  assert (T : 0 < t) by (unfold t; lra). assert (G : 24 < g < 26) by (unfold g, b, t; split; lra).
+  assert (E : beta * g = 3 / 4) by (unfold beta; field; lra).
+  assert (E' : (beta + 1 / 10 ^ 7) * g = b) by (rewrite Rmult_plus_distr_r, E; unfold g; field).
+  intros F. specialize (F 0 0 1 g 0 0 beta ltac:(unfold dot; lra) ltac:(unfold dot; lra)).
+  assert (L : forall a l, 0 <= l -> (a * g) ^ 2 + 1 = l ^ 2 -> perturbed.m_length 0 0 1 g 0 0 a = l).
+  { intros a l P Q. apply sqrt_is; [exact P |]. rewrite <- Q. unfold perturbed.m_x, perturbed.m_y, perturbed.m_z. ring. }
+  assert (L1 : perturbed.m_length 0 0 1 g 0 0 beta = 5 / 4) by (apply L; [| rewrite E]; lra).
+  assert (L2 : perturbed.m_length 0 0 1 g 0 0 (beta + 1 / 10 ^ 7) = (t + / t) / 2).
+  { apply L; [pose proof (Rinv_0_lt_compat t T); lra | rewrite E'; unfold b; field; lra]. }
+  revert F. unfold normal_by_beta.bumped_by_beta_x, normal_by_beta.bumped_x, normal_by_beta.bumped_y,
+    normal_by_beta.bumped_z, normal_by_beta.m_scale.
+  change normal_by_beta.m_length with perturbed.m_length. change normal_by_beta.m_x with perturbed.m_x.
+  unfold perturbed.bumped_x, perturbed.m_scale. rewrite L1, L2. unfold perturbed.m_x. rewrite E, E'.
+  intros F. apply Rabs_le_between in F. revert F.
+  replace (normal_by_beta.m_y 0 0 beta) with 0 by (unfold normal_by_beta.m_y; ring).
+  unfold g, b, t. intros F. lra.
+Qed.
+
+(* Before normalising, M is linear in beta and the difference is exact. *)
+Theorem seed_step_in_beta__verifies__false : ~ ~ forall nx gx beta step : R, step <> 0 ->
+  (perturbed.m_x nx gx (beta + step) - perturbed.m_x nx gx beta) / step = gx.
+Proof. intros N. apply N. intros nx gx beta step S. unfold perturbed.m_x. field. exact S. Qed.
+
+(* The clamped difference at the pole v = 0 of a field h, with the program's samples and span. *)
+Definition at_pole (h : R -> R) (epsilon : R) :=
+  (h (central_sine.v_plus 0 epsilon) - h (central_sine.v_minus 0 epsilon)) / central_sine.span_v 0 epsilon.
+
+Lemma at_pole_value h epsilon : 0 < epsilon <= 1 -> at_pole h epsilon = (h epsilon - h 0) / epsilon.
+Proof.
+  intros E. unfold at_pole, central_sine.span_v, central_sine.v_plus, central_sine.v_minus.
+  destruct both as [[A B] | _]; [lra |]. rewrite !Rplus_0_r, Rmin_right, Rmax_right by lra. rewrite Rminus_0_r. reflexivity.
+Qed.
+
+(* It is of first order for every field, that of v - v^3 errs by epsilon at least: not at epsilon = 1/2. *)
+Theorem seed_clamp__costs_an_order : ~ forall epsilon : R, 0 < epsilon <= 1 ->
+  epsilon <= Rabs (at_pole (fun v => v - v ^ 3) epsilon - Derive (fun v => v - v ^ 3) 0).
+Proof.
+  intros F. specialize (F (1 / 2) ltac:(lra)). rewrite at_pole_value in F by lra.
+  rewrite (is_derive_unique _ _ 1) in F by (auto_derive; [exact I | ring]).
+  replace (_ - 1) with (- (1 / 4)) in F by field. rewrite Rabs_left in F; lra.
+Qed.
+
+(* Its error is epsilon^2. *)
+Theorem seed_clamp__costs_an_order__false : ~ ~ forall epsilon : R, 0 < epsilon <= 1 ->
+  at_pole (fun v => v - v ^ 3) epsilon - Derive (fun v => v - v ^ 3) 0 = - epsilon ^ 2.
+Proof.
+  intros N. apply N. intros epsilon E. rewrite at_pole_value by exact E.
+  rewrite (is_derive_unique _ _ 1) by (auto_derive; [exact I | ring]). field. lra.
+Qed.
+
+Lemma whole_part (x : R) (m : Z) : IZR m <= x < IZR m + 1 -> IZR (Int_part x) = IZR m.
+Proof.
+  intros H. f_equal. destruct (base_Int_part x) as [A B].
+  assert (Int_part x < m + 1)%Z by (apply lt_IZR; rewrite plus_IZR; lra).
+  assert (m < Int_part x + 1)%Z by (apply lt_IZR; rewrite plus_IZR; lra). lia.
+Qed.
+
+(* The slope after u: the limit of the one-sided quotient. *)
+Definition slope_after (h : R -> R) (u l : R) := filterlim (fun s => (h (u + s) - h u) / s) (at_right 0) (locally l).
+
+Lemma slope_after_ridge : slope_after (fun u => height_ridges.h u (1 / 2) 2 1) (1 / 2) (2 * PI).
+Proof.
+  assert (D : is_derive (fun s => sin (2 * PI * s)) 0 (2 * PI)).
+  { auto_derive; [exact I |]. rewrite Rmult_0_r, cos_0. ring. }
+  apply is_derive_Reals in D. apply filterlim_locally. intros eps. destruct (D eps (cond_pos eps)) as [d H].
+  assert (P : 0 < Rmin d (1 / 2)) by (apply Rmin_glb_lt; [apply cond_pos | lra]). exists (mkposreal _ P).
+  intros s B S. change (Rabs (s - 0) < Rmin d (1 / 2)) in B. rewrite Rminus_0_r, Rabs_pos_eq in B by lra.
+  pose proof (Rmin_l d (1 / 2)). pose proof (Rmin_r d (1 / 2)).
+  specialize (H s ltac:(lra)). rewrite Rabs_pos_eq in H by lra. specialize (H ltac:(lra)).
+  change (Rabs ((height_ridges.h (1 / 2 + s) (1 / 2) 2 1 - height_ridges.h (1 / 2) (1 / 2) 2 1) / s - 2 * PI) < eps).
+  replace (height_ridges.h (1 / 2 + s) (1 / 2) 2 1) with (sin (2 * PI * s)).
+  2: { unfold height_ridges.h. rewrite half_sine, Rmult_1_r. replace (PI * (2 * (1 / 2 + s))) with (2 * PI * s + PI) by field.
+    rewrite neg_sin, Rabs_Ropp, Rabs_pos_eq; [reflexivity |]. pose proof PI_RGT_0. apply sin_ge_0; nra. }
+  replace (height_ridges.h (1 / 2) (1 / 2) 2 1) with 0.
+  2: { unfold height_ridges.h. replace (PI * (2 * (1 / 2))) with PI by field. rewrite sin_PI, Rmult_0_l, Rabs_R0. reflexivity. }
+  rewrite Rplus_0_l, Rmult_0_r, sin_0 in H. exact H.
+Qed.
+
+Lemma difference_on_ridge epsilon : 0 < epsilon < 1 / 2 -> central_ridges.h_u (1 / 2) (1 / 2) 2 1 epsilon = 0.
+Proof.
+  intros E. unfold central_ridges.h_u, central_ridges.h_u_plus, central_ridges.h_u_minus, central_ridges.u_plus,
+    central_ridges.u_minus. rewrite !(whole_part _ 0) by lra. rewrite half_sine, !Rmult_1_r, !Rminus_0_r.
+  replace (PI * (2 * (epsilon + 1 / 2))) with (2 * PI * epsilon + PI) by field.
+  replace (PI * (2 * (1 / 2 - epsilon))) with (- (2 * PI * epsilon) + PI) by field.
+  rewrite !neg_sin, sin_neg, !Rabs_Ropp. unfold Rdiv. ring.
+Qed.
+
+(* The error of the central difference of ridges is at most epsilon^2 omega^3 / 6, omega = pi k, as for a sine: not at a
+   crease, against the slope after it. *)
+Theorem seed_truncation_slope__descends : ~ forall u v ku kv epsilon l : R, 0 < ku -> 0 < epsilon ->
+  slope_after (fun u => height_ridges.h u v ku kv) u l ->
+  Rabs (central_ridges.h_u u v ku kv epsilon - l) <= epsilon ^ 2 / 6 * (PI * ku) ^ 3.
+Proof.
+  intros F. specialize (F (1 / 2) (1 / 2) 2 1 (1 / 4) (2 * PI) ltac:(lra) ltac:(lra) slope_after_ridge).
+  rewrite difference_on_ridge in F by lra. pose proof PI_RGT_0. pose proof PI_4.
+  rewrite Rminus_0_l, Rabs_Ropp, Rabs_pos_eq in F by lra. nra.
+Qed.
+
+(* There the error is omega, whatever the step is. *)
+Theorem seed_truncation_slope__descends__false : ~ ~ exists u v ku kv l : R, 0 < ku /\
+  slope_after (fun u => height_ridges.h u v ku kv) u l /\
+  forall epsilon, 0 < epsilon < 1 / 2 -> Rabs (central_ridges.h_u u v ku kv epsilon - l) = PI * ku.
+Proof.
+  intros N. apply N. exists (1 / 2), (1 / 2), 2, 1, (2 * PI). split; [lra |]. split; [apply slope_after_ridge |].
+  intros epsilon E. rewrite difference_on_ridge by exact E. pose proof PI_RGT_0.
+  rewrite Rminus_0_l, Rabs_Ropp, Rabs_pos_eq; lra.
+Qed.
+
+Lemma ridge_point : sin (PI * (8 * (1 / 4))) = 0 /\ cos (PI * (8 * (1 / 4))) = 1 /\ sin (PI * (4 * (1 / 8))) = 1.
+Proof.
+  replace (PI * (8 * (1 / 4))) with (2 * PI) by field. replace (PI * (4 * (1 / 8))) with (PI / 2) by field.
+  rewrite sin_2PI, cos_2PI, sin_PI2. auto.
+Qed.
+
+(* On a crease k_u u = m the slopes of ridges to the right and to the left, +|p_u| and -|p_u|, are the same:
+   not at k_u = 8, k_v = 4, (u, v) = (1/4, 1/8). *)
+Theorem ridges_differentiable__one_slope : ~ forall (u v ku kv : R) (m : Z), ku * u = IZR m ->
+  Rabs (gradient_sine.h_u u v ku kv) = - Rabs (gradient_sine.h_u u v ku kv).
+Proof.
+  intros F. specialize (F (1 / 4) (1 / 8) 8 4 2%Z ltac:(lra)). unfold gradient_sine.h_u, gradient_sine.cos_u, gradient_sine.sin_v in F.
+  destruct ridge_point as (_ & C & S). rewrite C, S in F. pose proof PI_RGT_0. rewrite Rabs_pos_eq in F; lra.
+Qed.
+
+(* They are at a crossing. *)
+Theorem ridges_differentiable__one_slope__false : ~ ~ forall (u v ku kv : R) (m n : Z), ku * u = IZR m -> kv * v = IZR n ->
+  Rabs (gradient_sine.h_u u v ku kv) = - Rabs (gradient_sine.h_u u v ku kv).
+Proof.
+  intros N. apply N. intros u v ku kv m n _ E. unfold gradient_sine.h_u, gradient_sine.sin_v.
+  rewrite (proj2 (sine_zero (kv * v))) by (exists n; exact E). rewrite Rmult_0_r, Rabs_R0. ring.
+Qed.
+
+(* Ridges is differentiable in u: not there. *)
+Theorem ridges_differentiable__derivative : ~ forall u v ku kv : R, ex_derive (fun u => height_ridges.h u v ku kv) u.
+Proof.
+  intros F. destruct ridge_point as (_ & _ & S).
+  apply (proj1 (kink_loci__crease_u (1 / 4) (1 / 8) 8 4 ltac:(lra) ltac:(lra))); [exists 2%Z; lra | apply F].
+Qed.
+
+(* It is where it is not 0. *)
+Theorem ridges_differentiable__derivative__false : ~ ~ forall u v ku kv : R, height_ridges.h u v ku kv <> 0 ->
+  ex_derive (fun u => height_ridges.h u v ku kv) u.
+Proof.
+  intros N. apply N. intros u v ku kv H. eexists. unfold height_ridges.h.
+  apply (is_derive_Rabs (fun u => sin (PI * (ku * u)) * sin (PI * (kv * v))) u
+    (PI * ku * cos (PI * (ku * u)) * sin (PI * (kv * v)))).
+  - auto_derive; [exact I | ring].
+  - intros Z. apply H. unfold height_ridges.h. rewrite Z. apply Rabs_R0.
+Qed.
