@@ -385,3 +385,169 @@ Proof.
   - auto_derive; [exact I | ring].
   - intros Z. apply H. unfold height_ridges.h. rewrite Z. apply Rabs_R0.
 Qed.
+
+(* For whole k_u the slope of sine is the same on both sides of u = 0: not at k_u = k_v = 1, v = 1/2. *)
+Theorem periodic_u_saves_the_seam__slope : ~ forall (k : Z) (v kv : R),
+  gradient_sine.h_u 0 v (IZR k) kv = gradient_sine.h_u 1 v (IZR k) kv.
+Proof.
+  intros F. specialize (F 1%Z (1 / 2) 1). unfold gradient_sine.h_u, gradient_sine.cos_u, gradient_sine.sin_v in F.
+  rewrite half_sine, !Rmult_1_r, !Rmult_0_r, cos_0, cos_PI in F. pose proof PI_RGT_0. lra.
+Qed.
+
+(* It is for even k_u. *)
+Theorem periodic_u_saves_the_seam__slope__false : ~ ~ forall (k : Z) (v kv : R),
+  gradient_sine.h_u 0 v (IZR (2 * k)) kv = gradient_sine.h_u 1 v (IZR (2 * k)) kv.
+Proof.
+  intros N. apply N. intros k v kv. unfold gradient_sine.h_u, gradient_sine.cos_u.
+  replace (cos (PI * (IZR (2 * k) * 0))) with 1 by (rewrite !Rmult_0_r, cos_0; reflexivity).
+  replace (cos (PI * (IZR (2 * k) * 1))) with 1; [reflexivity |].
+  rewrite mult_IZR. replace (PI * (2 * IZR k * 1)) with (2 * (PI * IZR k)) by ring.
+  rewrite cos_2a_sin, (proj2 (sine_zero (IZR k))) by (exists k; reflexivity). ring.
+Qed.
+
+(* So it is differentiable across u = 0, with u wrapped to [0, 1): not there either. *)
+Theorem periodic_u_saves_the_seam__derivative : ~ forall (k : Z) (v kv : R),
+  ex_derive (fun u => height_sine.h (u - IZR (Int_part u)) v (IZR k) kv) 0.
+Proof.
+  intros F. pose proof PI_RGT_0. specialize (F 1%Z (1 / 2) 1).
+  apply (corner (fun u => sin (PI * u)) 0 PI); [| | lra |].
+  - auto_derive; [exact I |]. rewrite Rmult_0_r, cos_0. ring.
+  - rewrite Rmult_0_r. apply sin_0.
+  - eapply ex_derive_ext_loc; [| exact F]. exists (mkposreal 1 Rlt_0_1). intros t B. change (Rabs (t - 0) < 1) in B.
+    rewrite Rminus_0_r in B. apply Rabs_lt_between in B. unfold height_sine.h. rewrite half_sine, Rmult_1_r, Rmult_1_l.
+    destruct (Rle_lt_dec 0 t) as [P | M].
+    + rewrite (whole_part t 0) by lra. rewrite Rminus_0_r, Rabs_pos_eq; [reflexivity |]. apply sin_ge_0; nra.
+    + rewrite (whole_part t (-1)) by lra. replace (PI * (t - -1)) with (PI * t + PI) by ring. rewrite neg_sin, Rabs_left1;
+        [reflexivity |]. replace (PI * t) with (- (PI * - t)) by ring. rewrite sin_neg.
+      pose proof (sin_ge_0 (PI * - t)). nra.
+Qed.
+
+(* It is with k_u = 0. *)
+Theorem periodic_u_saves_the_seam__derivative__false : ~ ~ forall v kv : R,
+  ex_derive (fun u => height_sine.h (u - IZR (Int_part u)) v 0 kv) 0.
+Proof.
+  intros N. apply N. intros v kv. apply (ex_derive_ext (fun _ => 0)); [| apply ex_derive_const].
+  intros t. unfold height_sine.h. rewrite Rmult_0_l, Rmult_0_r, sin_0, Rmult_0_l. reflexivity.
+Qed.
+
+(* The vector g of sine on the meridian theta, at the distance v from the pole. *)
+Section meridian.
+Variables ku kv theta v : R.
+Let u := (theta + PI) / (2 * PI).
+Definition meridian_x := bumped_normal.g_x (cos theta) (sin theta) (cos (PI * v)) (gradient_sine.h_u u v ku kv) (gradient_sine.h_v u v ku kv).
+Definition meridian_y := bumped_normal.g_y (cos theta) (sin theta) (cos (PI * v)) (gradient_sine.h_u u v ku kv) (gradient_sine.h_v u v ku kv).
+Definition meridian_z := bumped_normal.g_z (sin (PI * v)) (gradient_sine.h_u u v ku kv) (gradient_sine.h_v u v ku kv).
+End meridian.
+
+Definition tends_at_pole (f : R -> R) (l : R) := filterlim f (at_right 0) (locally l).
+
+Lemma tends_continuous f : continuous f 0 -> tends_at_pole f (f 0).
+Proof. intros C. eapply filterlim_filter_le_1; [apply filter_le_within | exact C]. Qed.
+
+Ltac meridian_lines := unfold meridian_x, meridian_y, meridian_z, bumped_normal.g_x, bumped_normal.g_y, bumped_normal.g_z,
+  bumped_normal.e_phi_x, bumped_normal.e_phi_y, bumped_normal.e_phi_z, bumped_normal.e_theta_x, bumped_normal.e_theta_y,
+  bumped_normal.e_theta_z, gradient_sine.h_u, gradient_sine.h_v, gradient_sine.cos_u, gradient_sine.cos_v,
+  gradient_sine.sin_u, gradient_sine.sin_v.
+
+Lemma meridian_limit theta : tends_at_pole (meridian_y 2 1 theta) (PI * sin theta * sin (theta + PI)).
+Proof.
+  pose proof PI_RGT_0. replace (PI * sin theta * sin (theta + PI)) with (meridian_y 2 1 theta 0).
+  - apply tends_continuous, (ex_derive_continuous (meridian_y 2 1 theta)). meridian_lines. auto_derive. exact I.
+  - meridian_lines. rewrite !Rmult_0_r, sin_0, cos_0.
+    replace (PI * (2 * ((theta + PI) / (2 * PI)))) with (theta + PI) by (field; lra). ring.
+Qed.
+
+(* For sine, g tends to the same vector along every meridian as v -> 0: not for k_u = 2, k_v = 1, where it tends to
+   (0, - pi, 0) on theta = pi/2 and to 0 on theta = pi. *)
+Theorem sine_is_smooth_everywhere__one_limit : ~ forall ku kv : R, exists lx ly lz, forall theta, - PI < theta <= PI ->
+  tends_at_pole (meridian_x ku kv theta) lx /\ tends_at_pole (meridian_y ku kv theta) ly /\
+  tends_at_pole (meridian_z ku kv theta) lz.
+Proof.
+  intros F. pose proof PI_RGT_0. destruct (F 2 1) as (lx & ly & lz & L).
+  destruct (L (PI / 2) ltac:(lra)) as (_ & A & _). destruct (L PI ltac:(lra)) as (_ & B & _).
+  pose proof (filterlim_locally_unique _ _ _ A (meridian_limit (PI / 2))) as E.
+  pose proof (filterlim_locally_unique _ _ _ B (meridian_limit PI)) as G.
+  rewrite neg_sin, sin_PI2 in E. rewrite sin_PI in G. rewrite E in G. lra.
+Qed.
+
+(* It does for k_v = 0. *)
+Theorem sine_is_smooth_everywhere__one_limit__false : ~ ~ forall ku : R, exists lx ly lz, forall theta, - PI < theta <= PI ->
+  tends_at_pole (meridian_x ku 0 theta) lx /\ tends_at_pole (meridian_y ku 0 theta) ly /\
+  tends_at_pole (meridian_z ku 0 theta) lz.
+Proof.
+  intros N. apply N. intros ku. exists 0, 0, 0. intros theta _. repeat split;
+    (apply (filterlim_ext (fun _ => 0)); [| apply filterlim_const]); intros v; meridian_lines;
+    replace (sin (PI * (0 * v))) with 0 by (rewrite Rmult_0_l, Rmult_0_r, sin_0; reflexivity); ring.
+Qed.
+
+(* For every p > 0 the power x^p is Lipschitz on (0, 1]: not for p = 1/2. (The end 0 is left out: Coq's Rpower 0 p is 1.) *)
+Theorem highlight_below_one__power : ~ forall p : R, 0 < p -> exists bound : R, forall x z : R, 0 < x <= 1 -> 0 < z <= 1 ->
+  Rabs (highlight.specular x p - highlight.specular z p) <= bound * Rabs (x - z).
+Proof.
+  intros F. destruct (F (/ 2) ltac:(lra)) as [bound L]. set (m := bound ^ 2 + 1). assert (M : 1 <= m /\ bound <= m) by (unfold m; split; nra).
+  assert (S : 0 < / (4 * m) <= 1 / 4).
+  { split; [apply Rinv_0_lt_compat; lra |]. apply (Rmult_le_reg_r (4 * m)); [lra |]. rewrite Rinv_l; lra. }
+  assert (E : / (4 * m) * m = 1 / 4) by (field; lra). set (s := / (4 * m)) in *.
+  specialize (L (s ^ 2) ((s / 2) ^ 2) ltac:(nra) ltac:(nra)). unfold highlight.specular in L. rewrite !Rpower_sqrt in L by nra.
+  rewrite !sqrt_pow2 in L by lra. rewrite !Rabs_pos_eq in L by nra. nra.
+Qed.
+
+(* It is for p = 2. *)
+Theorem highlight_below_one__power__false : ~ ~ exists bound : R, forall x z : R, 0 < x <= 1 -> 0 < z <= 1 ->
+  Rabs (highlight.specular x 2 - highlight.specular z 2) <= bound * Rabs (x - z).
+Proof.
+  intros N. apply N. exists 2. intros x z X Z. unfold highlight.specular.
+  replace 2 with (INR 2) at 1 2 by reflexivity. rewrite !Rpower_pow by lra.
+  replace (x ^ 2 - z ^ 2) with ((x + z) * (x - z)) by ring. rewrite Rabs_mult, (Rabs_pos_eq (x + z)) by lra.
+  apply Rmult_le_compat_r; [apply Rabs_pos | lra].
+Qed.
+
+(* At p = 1/2, sqrt x <= L x for some L: for none. *)
+Theorem highlight_below_one__root : ~ exists bound : R, forall x : R, 0 <= x <= 1 -> sqrt x <= bound * x.
+Proof.
+  intros [bound L]. set (m := bound ^ 2 + 1). assert (M : 1 <= m /\ bound <= m) by (unfold m; split; nra).
+  assert (S : 0 < / (4 * m) <= 1 / 4).
+  { split; [apply Rinv_0_lt_compat; lra |]. apply (Rmult_le_reg_r (4 * m)); [lra |]. rewrite Rinv_l; lra. }
+  assert (E : / (4 * m) * m = 1 / 4) by (field; lra). set (s := / (4 * m)) in *.
+  specialize (L (s ^ 2) ltac:(nra)). rewrite sqrt_pow2 in L by lra. nra.
+Qed.
+
+(* It holds where x >= 1 / L^2. *)
+Theorem highlight_below_one__root__false : ~ ~ forall bound x : R, 0 < bound -> 1 / bound ^ 2 <= x -> sqrt x <= bound * x.
+Proof.
+  intros N. apply N. intros bound x B X. assert (P : 0 < 1 / bound ^ 2) by (apply Rdiv_lt_0_compat; nra).
+  assert (Q : 1 <= bound ^ 2 * x) by (apply (Rmult_le_compat_l (bound ^ 2)) in X; [field_simplify in X |]; nra).
+  rewrite <- (sqrt_pow2 (bound * x)) by nra. apply sqrt_le_1_alt. nra.
+Qed.
+
+(* The bump moves no shadow: where N faces a light, N.omega > 0, so does N'. Not at N = (0, 0, 1), beta g = (3/4, 0, 0),
+   omega = (-12, 0, 5) / 13. *)
+Theorem attached_shadow__in_light : ~ forall nx ny nz gx gy gz beta px py pz lx ly lz : R,
+  dot nx ny nz nx ny nz = 1 -> dot nx ny nz gx gy gz = 0 -> 0 < light_direction.light_distance px py pz lx ly lz ->
+  0 < light_direction.mu px py pz lx ly lz nx ny nz ->
+  0 < light_direction.mu px py pz lx ly lz (perturbed.bumped_x nx ny nz gx gy gz beta)
+    (perturbed.bumped_y nx ny nz gx gy gz beta) (perturbed.bumped_z nx ny nz gx gy gz beta).
+Proof.
+  intros F. specialize (F 0 0 1 1 0 0 (3 / 4) 0 0 0 (-12) 0 5).
+  assert (L : light_direction.light_distance 0 0 0 (-12) 0 5 = 13) by (apply sqrt_is; compute; lra).
+  assert (M : perturbed.m_length 0 0 1 1 0 0 (3 / 4) = 5 / 4)
+    by (apply sqrt_is; unfold perturbed.m_x, perturbed.m_y, perturbed.m_z; lra).
+  revert F. unfold light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z,
+    light_direction.light_scale, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z,
+    perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale. rewrite L, M.
+  unfold perturbed.m_x, perturbed.m_y, perturbed.m_z, dot. lra.
+Qed.
+
+(* It does at beta = 0. *)
+Theorem attached_shadow__in_light__false : ~ ~ forall nx ny nz gx gy gz px py pz lx ly lz : R,
+  dot nx ny nz nx ny nz = 1 -> 0 < light_direction.mu px py pz lx ly lz nx ny nz ->
+  0 < light_direction.mu px py pz lx ly lz (perturbed.bumped_x nx ny nz gx gy gz 0)
+    (perturbed.bumped_y nx ny nz gx gy gz 0) (perturbed.bumped_z nx ny nz gx gy gz 0).
+Proof.
+  intros N. apply N. intros nx ny nz gx gy gz px py pz lx ly lz U M.
+  assert (L : perturbed.m_length nx ny nz gx gy gz 0 = 1).
+  { apply sqrt_is; [lra |]. transitivity (dot nx ny nz nx ny nz); [| lra].
+    unfold dot, perturbed.m_x, perturbed.m_y, perturbed.m_z. ring. }
+  unfold perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale. rewrite L, Rinv_1.
+  unfold perturbed.m_x, perturbed.m_y, perturbed.m_z. rewrite !Rmult_0_l, !Rplus_0_l, !Rmult_1_l. exact M.
+Qed.
