@@ -1,0 +1,166 @@
+"""The formal proofs:  python -m verify.formal compiles `proofs/formal/` with Coq and records what it accepted.
+
+The statement ID__CLAUSE says a clause of the book's theorem ID; ID__CLAUSE__point gives values at which its hypotheses
+hold, and ID__CLAUSE__false refutes a false variant. A refuted theorem's statements are negations.
+"""
+
+import argparse
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from tqdm import tqdm
+
+from renderer.files import whole_file
+from verify.sources import ROOT, hashes
+
+FOLDER = ROOT / "proofs" / "formal"
+RECORD = FOLDER / "record.json"
+STATEMENT = re.compile(r"^Theorem ((\w+?)__\w+)", re.MULTILINE)
+REQUIRED = re.compile(r"From Formal Require Import ([\w\s]+)\.")
+COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
+AXIOMS = {
+    "ClassicalDedekindReals.sig_forall_dec": "the real numbers",
+    "ClassicalDedekindReals.sig_not_dec": "the real numbers",
+    "FunctionalExtensionality.functional_extensionality_dep": "functions are equal where their values are",
+    "Classical_Prop.classic": "a statement is true or it is not",
+}
+"""{axiom: what it is about}. Where `interval` computes, the specifications of Coq's machine numbers come to these."""
+MACHINE_NUMBERS = ("Uint63.", "PrimInt63.", "PrimFloat.", "FloatAxioms.", "FloatOps.", "Int63.", "Sint63.")
+
+
+class NotAccepted(ValueError):
+    """Coq did not accept a file, or a statement rests on an axiom that is not among those that are named."""
+
+
+def files() -> list[Path]:
+    """Return the files that Coq reads, each after those that it requires."""
+    required = {path: REQUIRED.search(path.read_text(encoding="utf-8")) for path in FOLDER.glob("*.v")}
+    needs = {path.stem: set(found[1].split()) if found else set() for path, found in required.items()}
+    order: list[str] = []
+    while len(order) < len(needs):
+        order += sorted(name for name, names in needs.items() if name not in order and names <= set(order))
+    return [FOLDER / f"{name}.v" for name in order]
+
+
+def statements() -> dict[str, list[str]]:
+    """Return {theorem's id: the names of its statements}, in the order of the files."""
+    found: dict[str, list[str]] = {}
+    for path in files():
+        for name, theorem in STATEMENT.findall(path.read_text(encoding="utf-8")):
+            found.setdefault(theorem, []).append(name)
+    return found
+
+
+def record() -> dict:
+    """Return what Coq accepted, {theorem's id: {"statements": {name: text}, "axioms": [name, …]}}; {} if that is stale."""
+    if not RECORD.is_file():
+        return {}
+    content = json.loads(RECORD.read_text(encoding="utf-8"))
+    return content["theorems"] if content["sources"] == _sources() else {}
+
+
+def _sources() -> dict[str, str]:
+    return hashes(FOLDER.glob("*.v"))
+
+
+def _coqc(folder: Path, name: str) -> str:
+    done = subprocess.run([*COQC, name], cwd=folder, capture_output=True, text=True)
+    if done.returncode:
+        raise NotAccepted(f"Coq does not accept {name}:\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def compile_all() -> dict:
+    """Compile every file in a folder of its own and return what `record` returns; raises NotAccepted."""
+    found, order = statements(), files()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for path in order:
+            shutil.copy(path, folder)
+        waiting, compiled = [path.name for path in order], set()
+        with tqdm(total=len(order) + 1, unit="file", disable=None) as bar, ThreadPoolExecutor(2) as pool:
+            while waiting:
+                ready = [name for name in waiting if _needs(folder / name) <= compiled]
+                for name, _ in zip(ready, pool.map(lambda name: _coqc(folder, name), ready), strict=True):
+                    bar.update()
+                    compiled.add(name)
+                    waiting.remove(name)
+            (folder / "Survey.v").write_text(_survey(found), encoding="utf-8")
+            printed = _coqc(folder, "Survey.v")
+            bar.update()
+    return _read(found, printed)
+
+
+def _needs(path: Path) -> set[str]:
+    required = REQUIRED.search(path.read_text(encoding="utf-8"))
+    return {f"{name}.v" for name in required[1].split()} if required else set()
+
+
+def _survey(found: dict[str, list[str]]) -> str:
+    """Return the text of a file that prints every statement, and each theorem's axioms."""
+    lines = ["From Coq Require Import Reals.", "From Coquelicot Require Import Coquelicot.", "Open Scope R_scope."]
+    lines += [f"From Formal Require Import {' '.join(path.stem for path in files())}.", "Set Printing Width 110."]
+    for theorem, names in found.items():
+        lines += [f"Check {name}." for name in names]
+        lines += [f"Definition all_of_{theorem} := ({', '.join(names)}, I).", f"Print Assumptions all_of_{theorem}."]
+    return "\n".join([*lines, ""])
+
+
+def _read(found: dict[str, list[str]], printed: str) -> dict:
+    """Return the record out of what the survey printed."""
+    known = {name for names in found.values() for name in names}
+    table = {theorem: {"statements": {}, "axioms": []} for theorem in found}
+    of = {name: theorem for theorem, names in found.items() for name in names}
+    parts = re.split(
+        r"^(?=Axioms:|Closed under the global context|\w+__\w+$|\w+__\w+ *:|\w+__\w+\n +:)", printed, flags=re.M
+    )
+    current = None
+    for part in parts:
+        name = part.split(None, 1)[0].rstrip(":") if part.strip() else ""
+        if name in known:
+            current = of[name]
+            table[current]["statements"][name] = " ".join(part.split(":", 1)[1].split())
+        elif name == "Axioms" and current:
+            table[current]["axioms"] = sorted(re.findall(r"^([\w.]+)\s*:", part.split("\n", 1)[1], flags=re.M))
+    for theorem, entry in table.items():
+        strange = [a for a in entry["axioms"] if a not in AXIOMS and not a.startswith(MACHINE_NUMBERS)]
+        if strange or len(entry["statements"]) < len(found[theorem]):
+            raise NotAccepted(f"{theorem} rests on {', '.join(strange) or 'a statement that was not printed'}")
+    return table
+
+
+def main() -> None:
+    """Compile what changed since the record was made, say what was accepted, and write the record."""
+    parser = argparse.ArgumentParser(prog="python -m verify.formal", description=__doc__)
+    parser.add_argument("--fresh", action="store_true", help="compile although nothing changed")
+    fresh = parser.parse_args().fresh
+    table = {} if fresh else record()
+    if table:
+        print("nothing changed since Coq accepted it (--fresh: again)")
+    elif shutil.which("coqc") is None:
+        sys.exit("Coq is not installed: apt-get install coq libcoq-coquelicot libcoq-interval libcoq-flocq")
+    else:
+        table = compile_all()
+        with whole_file(RECORD) as name:
+            text = json.dumps({"sources": _sources(), "theorems": table}, indent=1, ensure_ascii=False)
+            Path(name).write_text(text + "\n", encoding="utf-8")
+    for theorem, entry in table.items():
+        short = sorted(
+            {a.split(".")[0] if a.startswith(MACHINE_NUMBERS) else a.split(".")[-1] for a in entry["axioms"]}
+        )
+        print(
+            f"{theorem:32} {len(entry['statements']):2} statements   {', '.join(short) or 'closed under the global context'}"
+        )
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except NotAccepted as error:
+        sys.exit(str(error))
