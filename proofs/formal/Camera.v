@@ -1,11 +1,12 @@
-(* The camera's theorems: hits with both spheres, their silhouettes, what is seen, creases in the image, the pole's pixels. *)
+(* The camera's theorems: hits with both spheres, their silhouettes, what is seen, creases in the image, the
+   pixels beside the pole. *)
 
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries Formulas.
 Open Scope R_scope.
 
-(* The square of the distance from C to the point P(t) = (t x, t y, e (1 - t)) of the ray through the image point (x, y). *)
+(* The square of the distance from C to P(t) = (t x, t y, e (1 - t)), a point of the ray through the image point. *)
 Definition distance2 (t x y e cx cy cz : R) := (t * x - cx) ^ 2 + (t * y - cy) ^ 2 + (e * (1 - t) - cz) ^ 2.
 Definition on_a (t x y e r : R) := distance2 t x y e 0 0 0 = r ^ 2.
 Definition on_b (t x y e cx cy cz r : R) := distance2 t x y e cx cy cz = r ^ 2.
@@ -153,7 +154,8 @@ Theorem hit_of_a__near__false : ~ forall x y e r : R,
   exists t, hit_of_a.t_a x y e r = Finite t /\ forall s, on_a s x y e r -> s <= t.
 Proof.
   intros F. destruct point_a as (H & O & D). destruct (F (1 / 2) 0 4 1) as (t & T & N); [lra | exact O | lra |].
-  rewrite t_a_value in T by (lra || exact O). injection T as T. pose proof (sqrt_pos (hit_of_a.discriminant_a (1 / 2) 0 4 1)).
+  rewrite t_a_value in T by (lra || exact O). injection T as T.
+  pose proof (sqrt_pos (hit_of_a.discriminant_a (1 / 2) 0 4 1)).
   assert (t < 1) by (rewrite <- T; apply (Rdiv_lt_1 (4 ^ 2 - 1 ^ 2)); lra).
   specialize (N (6 / 5)). unfold on_a, distance2 in N. lra.
 Qed.
@@ -238,7 +240,8 @@ Proof.
   set (rho := sqrt (x ^ 2 + y ^ 2)) in *. set (edge := silhouette_of_a.rho_silhouette e r) in *. split.
   - intros [t M]. destruct (Rle_lt_dec rho edge) as [L | L]; [exact L | exfalso].
     assert (edge ^ 2 < rho ^ 2) by nra. apply (proj2 (hit_of_a__misses x y e r H O ltac:(rewrite D; nra)) t M).
-  - intros L. assert (rho ^ 2 <= edge ^ 2) by nra. destruct (hit_of_a__near x y e r H O) as (t & _ & _ & _ & M & _); [rewrite D; nra | exists t; exact M].
+  - intros L. assert (rho ^ 2 <= edge ^ 2) by nra.
+    destruct (hit_of_a__near x y e r H O) as (t & _ & _ & _ & M & _); [rewrite D; nra | exists t; exact M].
 Qed.
 
 Theorem silhouette_of_a__meets__point : exists x y e r, 0 < r < e /\ off_axis x y e.
@@ -286,7 +289,8 @@ Theorem silhouette_of_a__in_front__point : exists x y e r,
   0 < r < e /\ off_axis x y e /\ sqrt (x ^ 2 + y ^ 2) <= silhouette_of_a.rho_silhouette e r.
 Proof.
   destruct point_a as (H & O & D). exists (1 / 2), 0, 4, 1. repeat split; try lra; try exact O.
-  apply silhouette_of_a__meets; try lra; try exact O. destruct (hit_of_a__near (1 / 2) 0 4 1) as (t & _ & _ & _ & M & _);
+  apply silhouette_of_a__meets; try lra; try exact O.
+  destruct (hit_of_a__near (1 / 2) 0 4 1) as (t & _ & _ & _ & M & _);
     [lra | exact O | lra | exists t; exact M].
 Qed.
 
@@ -297,7 +301,8 @@ Theorem silhouette_of_a__in_front__false : ~ forall x y e r : R, 0 < r < e -> of
 Proof.
   intros F. destruct point_a as (H & O & D).
   destruct (F (1 / 2) 0 4 1) as (t & T & L); [lra | exact O | |].
-  - apply silhouette_of_a__meets; try lra; try exact O. destruct (hit_of_a__near (1 / 2) 0 4 1) as (t & _ & _ & _ & M & _);
+  - apply silhouette_of_a__meets; try lra; try exact O.
+    destruct (hit_of_a__near (1 / 2) 0 4 1) as (t & _ & _ & _ & M & _);
       [lra | exact O | lra | exists t; exact M].
   - destruct (hit_of_a__near (1 / 2) 0 4 1) as (s & U & _ & _ & M & _); [lra | exact O | lra |].
     rewrite T in U. injection U as <-. unfold on_a, distance2 in M. nra.
@@ -423,8 +428,10 @@ Theorem visible_iff__hidden__false : ~ forall t x y e r phi : R, 0 < r < e -> of
   e * (1 - t) = r * cos phi -> cos phi <= r / e -> Rbar_lt (hit_of_a.t_a x y e r) t.
 Proof.
   intros F. destruct point_visible as (O & M & C).
-  specialize (F (16 / 25) (15 / 16) 0 (5 / 4) (3 / 4) (acos (3 / 5)) ltac:(lra) O M). rewrite C in F. specialize (F ltac:(lra) ltac:(lra)).
-  destruct (visible_iff__visible (16 / 25) (15 / 16) 0 (5 / 4) (3 / 4) (acos (3 / 5)) ltac:(lra) O M) as [T _]; try (rewrite C; lra).
+  specialize (F (16 / 25) (15 / 16) 0 (5 / 4) (3 / 4) (acos (3 / 5)) ltac:(lra) O M). rewrite C in F.
+  specialize (F ltac:(lra) ltac:(lra)).
+  destruct (visible_iff__visible (16 / 25) (15 / 16) 0 (5 / 4) (3 / 4) (acos (3 / 5)) ltac:(lra) O M) as [T _];
+    try (rewrite C; lra).
   rewrite T in F. simpl in F. lra.
 Qed.
 
@@ -581,7 +588,9 @@ Proof. exists 4, 0, 0, 0, 1. destruct point_b as (_ & _ & ->). rewrite Rabs_pos_
 (* Not if |H| < R_2 too. *)
 Theorem silhouette_of_b__ellipse__false : ~ forall e cx cy cz r : R, 0 < r -> 0 < c_of_b e cx cy cz r ->
   0 < type_of_b e cx cy cz r.
-Proof. intros F. specialize (F 3 2 0 3 1). unfold type_of_b, c_of_b, dot in F. specialize (F ltac:(lra) ltac:(lra)). lra. Qed.
+Proof.
+  intros F. specialize (F 3 2 0 3 1). unfold type_of_b, c_of_b, dot in F. specialize (F ltac:(lra) ltac:(lra)). lra.
+Qed.
 
 (* A parabola if |H| = R_2. *)
 Theorem silhouette_of_b__parabola (e cx cy cz r : R) : 0 < r -> 0 < c_of_b e cx cy cz r -> Rabs (e - cz) = r ->
@@ -595,7 +604,9 @@ Proof. exists 4, 2, 0, 3, 1. unfold c_of_b, dot. rewrite Rabs_pos_eq; lra. Qed.
 (* Not at other heights. *)
 Theorem silhouette_of_b__parabola__false : ~ forall e cx cy cz r : R, 0 < r -> 0 < c_of_b e cx cy cz r ->
   type_of_b e cx cy cz r = 0.
-Proof. intros F. specialize (F 3 2 0 3 1). unfold type_of_b, c_of_b, dot in F. specialize (F ltac:(lra) ltac:(lra)). lra. Qed.
+Proof.
+  intros F. specialize (F 3 2 0 3 1). unfold type_of_b, c_of_b, dot in F. specialize (F ltac:(lra) ltac:(lra)). lra.
+Qed.
 
 (* A quadratic that is negative somewhere and rises has a root on either side. *)
 Lemma two_roots a b c s : 0 < a -> a * s ^ 2 + 2 * b * s + c < 0 ->
@@ -620,7 +631,8 @@ Theorem silhouette_of_b__hyperbola (e cx cy cz r : R) : 0 < e -> 0 < r -> 0 < c_
   (exists x y, hit_of_b.discriminant_b x y e cx cy cz r = 0 /\ hit_of_b.toward_b x y e cx cy cz < 0).
 Proof.
   intros He Hr Hc H. apply beside_sphere in H. split; [rewrite type_of_b_value; nra |].
-  set (w := cx ^ 2 + cy ^ 2). assert (W : c_of_b e cx cy cz r = w + ((e - cz) ^ 2 - r ^ 2)) by (unfold c_of_b, dot, w; ring).
+  set (w := cx ^ 2 + cy ^ 2). assert (W : c_of_b e cx cy cz r = w + ((e - cz) ^ 2 - r ^ 2)) by (unfold c_of_b, dot, w;
+    ring).
   set (c := c_of_b e cx cy cz r) in *. set (h := e - cz) in *.
   assert (T : forall s, hit_of_b.toward_b (s * cx) (s * cy) e cx cy cz = s * w + e * h)
     by (intros; unfold hit_of_b.toward_b, hit_of_b.distance, w, h; ring).
@@ -696,7 +708,8 @@ Lemma seen_of_b x y e cx cy cz r : 0 < e -> 0 < c_of_b e cx cy cz r -> r ^ 2 <= 
   (0 < e - cz -> 0 < hit_of_b.toward_b x y e cx cy cz) /\ (e - cz < 0 -> hit_of_b.toward_b x y e cx cy cz < 0).
 Proof.
   intros He C H D. destruct (hit_of_b__quadratic 0 x y e cx cy cz r) as (_ & _ & Q).
-  apply (seen_side e (e - cz) (x * cx + y * cy) _ (c_of_b e cx cy cz r) (cx ^ 2 + cy ^ 2) (x ^ 2 + y ^ 2)); try assumption.
+  apply (seen_side e (e - cz) (x * cx + y * cy) _ (c_of_b e cx cy cz r) (cx ^ 2 + cy ^ 2) (x ^ 2 + y ^ 2));
+    try assumption.
   - unfold hit_of_b.toward_b, hit_of_b.distance. ring.
   - pose proof (pow2_ge_0 (x * cy - y * cx)). nra.
   - nra.
@@ -740,6 +753,35 @@ Proof.
   intros F. specialize (F 2 0 1 2 0 1 1).
   unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance, dot in F.
   specialize (F ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+(* A ray meets B in front of the eye exactly if d >= 0 and b > 0: so the silhouette is seen where b > 0. *)
+Theorem silhouette_of_b__meets (x y e cx cy cz r : R) : 0 < c_of_b e cx cy cz r ->
+  (exists t, 0 < t /\ on_b t x y e cx cy cz r) <->
+  0 <= hit_of_b.discriminant_b x y e cx cy cz r /\ 0 < hit_of_b.toward_b x y e cx cy cz.
+Proof.
+  intros C. split.
+  - intros (t & P & M). apply quadratic_b in M.
+    destruct (hit_of_b__quadratic t x y e cx cy cz r) as (_ & _ & ->). set (a := dot x y (- e) x y (- e)) in *.
+    set (b := hit_of_b.toward_b x y e cx cy cz) in *. set (c := c_of_b e cx cy cz r) in *.
+    assert (A : 0 <= a * t ^ 2) by (apply Rmult_le_pos; [unfold a, dot |]; nra). split.
+    + replace (b ^ 2 - a * c) with ((a * t - b) ^ 2 - a * (a * t ^ 2 - 2 * b * t + c)) by ring.
+      rewrite M. pose proof (pow2_ge_0 (a * t - b)). lra.
+    + apply (Rmult_lt_reg_r t); lra.
+  - intros [D B]. destruct (hit_of_b__near x y e cx cy cz r 1 ltac:(lra) C D B) as (t & _ & _ & P & M & _).
+    exists t. auto.
+Qed.
+
+Theorem silhouette_of_b__meets__point : exists e cx cy cz r, 0 < c_of_b e cx cy cz r.
+Proof. exists 4, 0, 0, 0, 1. destruct point_b as (_ & _ & ->). lra. Qed.
+
+(* Not if d >= 0 alone. *)
+Theorem silhouette_of_b__meets__false : ~ forall x y e cx cy cz r : R, 0 < c_of_b e cx cy cz r ->
+  0 <= hit_of_b.discriminant_b x y e cx cy cz r -> exists t, 0 < t /\ on_b t x y e cx cy cz r.
+Proof.
+  intros F. destruct (F 0 0 4 0 0 8 1) as (t & P & M).
+  1, 2: unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.distance, dot; lra.
+  unfold on_b, distance2 in M. nra.
 Qed.
 
 (* Every point of the unit circle has an angle. *)
@@ -789,7 +831,8 @@ Proof.
   destruct CT as [CT ST]. destruct SP as [SP CP].
   assert (N : 0 < t * rho / r) by (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra).
   destruct (angle_of (x / rho) (y / rho)) as (theta & R1 & C1 & S1 & _).
-  { replace ((x / rho) ^ 2 + (y / rho) ^ 2) with ((x ^ 2 + y ^ 2) / (rho * rho)) by (field; lra). rewrite S. field. lra. }
+  { replace ((x / rho) ^ 2 + (y / rho) ^ 2) with ((x ^ 2 + y ^ 2) / (rho * rho)) by (field; lra). rewrite S. field.
+    lra. }
   destruct (angle_of (e * (1 - t) / r) (t * rho / r)) as (phi & _ & C2 & S2 & R2).
   { replace (_ + _) with ((e ^ 2 * (1 - t) ^ 2 + t ^ 2 * (rho * rho)) / r ^ 2) by (field; lra). rewrite S.
     unfold on_a, distance2 in M. replace (_ + _) with (r ^ 2) by (rewrite <- M; ring). field. lra. }
@@ -808,7 +851,8 @@ Theorem stable_frame__angles__false : ~ forall x y e r : R,
   exists t, hit_of_a.t_a x y e r = Finite t /\ angles_on_a.cos_phi x y e r = e * t / r.
 Proof.
   intros F. destruct rim as [O D]. destruct (F (15 / 16) 0 (5 / 4) (3 / 4)) as (t & T & C); [lra | exact O | lra |].
-  destruct (stable_frame__angles (15 / 16) 0 (5 / 4) (3 / 4)) as (s & a & b & U & M & _ & _ & (_ & _ & V & _) & _ & _ & _ & _ & _ & _ & W);
+  destruct (stable_frame__angles (15 / 16) 0 (5 / 4) (3 / 4)) as (s & a & b & U & M & _ & _ & (_ & _ & V & _) & _ & _
+    & _ & _ & _ & _ & W);
     [lra | exact O | lra |]. rewrite T in U. apply Rbar_finite_eq in U. subst s. rewrite <- V, W in C.
   assert (t = 1 / 2) by lra. subst t. unfold on_a, distance2 in M. lra.
 Qed.
@@ -829,7 +873,8 @@ Proof.
   { unfold seed_frame.seed_sin_phi, nz, unit_normal.normal_z. pose proof (sin2_cos2 phi) as P. unfold Rsqr in P.
     replace (1 - cos phi ^ 2) with (sin phi ^ 2) by lra. apply sqrt_pow2. lra. }
   unfold seed_frame.e_theta_x, seed_frame.e_theta_y, seed_frame.e_phi_x, seed_frame.e_phi_y, seed_frame.e_phi_z.
-  rewrite S. unfold nx, ny, nz, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z, tangent_frame.e_theta_x,
+  rewrite S. unfold nx, ny, nz, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z,
+    tangent_frame.e_theta_x,
     tangent_frame.e_theta_y, tangent_frame.e_phi_x, tangent_frame.e_phi_y, tangent_frame.e_phi_z.
   repeat split; field; lra.
 Qed.
@@ -890,7 +935,8 @@ Lemma corner f x d : is_derive f x d -> f x = 0 -> d <> 0 -> ~ ex_derive (fun y 
 Proof.
   intros F Z D [l L]. apply is_derive_Reals in F. apply is_derive_Reals in L. apply D.
   assert (l = 0) as ->.
-  { pose (pr := exist _ l L : derivable_pt (fun y => Rabs (f y)) x). change l with (derive_pt (fun y => Rabs (f y)) x pr).
+  { pose (pr := exist _ l L : derivable_pt (fun y => Rabs (f y)) x).
+    change l with (derive_pt (fun y => Rabs (f y)) x pr).
     apply (deriv_minimum _ (x - 1) (x + 1)); try lra. intros y _ _. rewrite Z, Rabs_R0. apply Rabs_pos. }
   apply (uniqueness_limite f x); [exact F |]. intros eps E. destruct (L eps E) as [delta H]. exists delta.
   intros h H0 Hd. specialize (H h H0 Hd). rewrite Z, Rabs_R0, !Rminus_0_r in *.
@@ -984,7 +1030,8 @@ Qed.
 
 (* The parallel v = m / k is seen, where no other body hides it, exactly if cos (pi m / k) >= R / e: its point at
    theta is then the near hit of its ray. *)
-Theorem visible_parallels__seen (t x y e r theta : R) (m k : Z) : 0 < r < e -> off_axis x y e -> (0 <= m <= k)%Z -> (0 < k)%Z ->
+Theorem visible_parallels__seen (t x y e r theta : R) (m k : Z) : 0 < r < e -> off_axis x y e -> (0 <= m <= k)%Z ->
+  (0 < k)%Z ->
   let phi := PI * (IZR m / IZR k) in
   t * x = point_on_a.point_x (cos theta) (sin phi) r -> t * y = point_on_a.point_y (sin theta) (sin phi) r ->
   e * (1 - t) = point_on_a.point_z (cos phi) r ->
@@ -1013,14 +1060,16 @@ Proof.
 Qed.
 
 (* Not exactly if cos >= 0. *)
-Theorem visible_parallels__seen__false : ~ forall (t x e r : R) (m k : Z), 0 < r < e -> off_axis x 0 e -> (0 <= m <= k)%Z ->
+Theorem visible_parallels__seen__false : ~ forall (t x e r : R) (m k : Z), 0 < r < e -> off_axis x 0 e ->
+  (0 <= m <= k)%Z ->
   (0 < k)%Z -> let phi := PI * (IZR m / IZR k) in
   t * x = point_on_a.point_x 1 (sin phi) r -> e * (1 - t) = point_on_a.point_z (cos phi) r ->
   0 <= cos phi -> hit_of_a.t_a x 0 e r = Finite t.
 Proof.
   intros F. specialize (F 1 1 4 1 1%Z 2%Z). cbv zeta in F. replace (PI * (1 / 2)) with (PI / 2) in F by field.
   unfold point_on_a.point_x, point_on_a.point_z in F. rewrite sin_PI2, cos_PI2 in F.
-  destruct point_hidden as (O & M & _). specialize (F ltac:(lra) O ltac:(lia) ltac:(lia) ltac:(lra) ltac:(lra) ltac:(lra)).
+  destruct point_hidden as (O & M & _). specialize (F ltac:(lra) O ltac:(lia) ltac:(lia) ltac:(lra) ltac:(lra)
+    ltac:(lra)).
   pose proof (visible_iff__hidden 1 1 0 4 1 (PI / 2) ltac:(lra) O M) as N. rewrite cos_PI2, F in N.
   specialize (N ltac:(lra) ltac:(lra)). simpl in N. lra.
 Qed.
@@ -1037,7 +1086,8 @@ Theorem visible_parallels__falling (m n k : Z) (e r : R) : (0 <= m)%Z -> (m < n)
   cos (PI * (IZR n / IZR k)) < cos (PI * (IZR m / IZR k)) /\
   (r / e <= cos (PI * (IZR n / IZR k)) -> r / e <= cos (PI * (IZR m / IZR k))).
 Proof.
-  intros M N K. pose proof (parallel_angle m k ltac:(lia) ltac:(lia)). pose proof (parallel_angle n k ltac:(lia) ltac:(lia)).
+  intros M N K. pose proof (parallel_angle m k ltac:(lia) ltac:(lia)).
+  pose proof (parallel_angle n k ltac:(lia) ltac:(lia)).
   enough (cos (PI * (IZR n / IZR k)) < cos (PI * (IZR m / IZR k))) by lra.
   apply cos_decreasing_1; try lra. apply Rmult_lt_compat_l; [exact PI_RGT_0 |].
   apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat, IZR_lt | apply IZR_lt]; lia.
@@ -1088,7 +1138,8 @@ Theorem visible_parallels__count__point : exists m : Z, (0 < m <= 4)%Z.
 Proof. exists 1%Z. lia. Qed.
 
 (* Not two. *)
-Theorem visible_parallels__count__false : ~ forall m : Z, (0 < m <= 4)%Z -> 1 / 4 <= cos (PI * (IZR m / 4)) <-> (m <= 2)%Z.
+Theorem visible_parallels__count__false : ~ forall m : Z, (0 < m <= 4)%Z -> 1 / 4 <= cos (PI * (IZR m / 4)) <->
+  (m <= 2)%Z.
 Proof.
   intros F. assert (1 / 4 <= cos (PI * (2 / 4))) as C by (apply (F 2%Z); lia).
   apply (visible_parallels__count 2 ltac:(lia)) in C. discriminate.
@@ -1102,7 +1153,8 @@ Lemma pixel_value m n : pixel_x m ^ 2 + pixel_y n ^ 2 =
   5 / 3 * (((2 * IZR m - 255) / 256) ^ 2 + ((1083 - 10 * IZR n) / 1280) ^ 2).
 Proof.
   unfold pixel_x, pixel_y, image_point.x, image_point.y, image_extent.half, image_extent.tangent_squared.
-  replace ((4 - 1) * (4 + 1)) with 15 by ring. pose proof (sqrt_lt_R0 15 ltac:(lra)). pose proof (sqrt_sqrt 15 ltac:(lra)) as Q.
+  replace ((4 - 1) * (4 + 1)) with 15 by ring. pose proof (sqrt_lt_R0 15 ltac:(lra)).
+  pose proof (sqrt_sqrt 15 ltac:(lra)) as Q.
   replace (5 / 3) with (25 / (sqrt 15 * sqrt 15)) by (rewrite Q; field). field. lra.
 Qed.
 
@@ -1169,7 +1221,8 @@ Theorem pixels_off_the_pole__far (m n : Z) : 0 <= hit_of_a.discriminant_a (pixel
   ~ angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1 < 1 / 10000.
 Proof.
   intros D. pose proof (pixels_off_the_pole__linear _ _ 4 1 ltac:(lra) (pixel_off_axis m n) D) as L.
-  pose proof (pixels_off_the_pole__raster m n) as P. pose proof (sqrt_pos (34 / 15)). pose proof (sqrt_sqrt (34 / 15) ltac:(lra)).
+  pose proof (pixels_off_the_pole__raster m n) as P. pose proof (sqrt_pos (34 / 15)).
+  pose proof (sqrt_sqrt (34 / 15) ltac:(lra)).
   assert (1503 / 1000 < sqrt (34 / 15)) by nra. split; lra.
 Qed.
 
@@ -1240,8 +1293,62 @@ Proof.
   revert F. unfold light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z,
     light_direction.light_scale. rewrite L. unfold bumped_normal.bumped_x, bumped_normal.bumped_y,
     bumped_normal.bumped_z, bumped_normal.m_scale. rewrite (M 0 1) by lra. rewrite (M (3 / 4) (5 / 4)) by lra.
-  unfold bumped_normal.m_x, bumped_normal.m_y, bumped_normal.m_z, bumped_normal.g_x, bumped_normal.g_y, bumped_normal.g_z,
-    bumped_normal.normal_x, bumped_normal.normal_y, bumped_normal.normal_z, bumped_normal.e_theta_x, bumped_normal.e_theta_y,
+  unfold bumped_normal.m_x, bumped_normal.m_y, bumped_normal.m_z, bumped_normal.g_x, bumped_normal.g_y,
+    bumped_normal.g_z,
+    bumped_normal.normal_x, bumped_normal.normal_y, bumped_normal.normal_z, bumped_normal.e_theta_x,
+      bumped_normal.e_theta_y,
     bumped_normal.e_theta_z, bumped_normal.e_phi_x, bumped_normal.e_phi_y, bumped_normal.e_phi_z,
     light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z. lra.
+Qed.
+
+(* What the printed lines divide by is not 0, and what they take roots of is not negative: in Coq x / 0 and
+   sqrt (- 1) are numbers too, so this has to be said. *)
+Lemma hit_of_a_divisors x y e r : 0 < r < e ->
+  0 <= x ^ 2 + y ^ 2 /\ 0 < hit_of_a.tangent_squared e r /\ sqrt (hit_of_a.tangent_squared e r) <> 0 /\
+  0 <= Rmax 0 (hit_of_a.discriminant_a x y e r) /\ e ^ 2 + hit_of_a.root_a x y e r <> 0 /\
+  r * (e ^ 2 + hit_of_a.root_a x y e r) <> 0.
+Proof.
+  intros H. assert (T : 0 < hit_of_a.tangent_squared e r) by (unfold hit_of_a.tangent_squared; nra).
+  pose proof (sqrt_lt_R0 _ T). pose proof (Rmax_l 0 (hit_of_a.discriminant_a x y e r)).
+  assert (0 <= hit_of_a.root_a x y e r) by apply sqrt_pos. assert (0 < e ^ 2 + hit_of_a.root_a x y e r) by nra.
+  repeat split; nra.
+Qed.
+
+Lemma hit_of_b_divisors x y e cx cy cz r : 0 < hit_of_b.toward_b x y e cx cy cz ->
+  0 <= Rmax 0 (hit_of_b.discriminant_b x y e cx cy cz r) /\
+  hit_of_b.root_b x y e cx cy cz r + hit_of_b.toward_b x y e cx cy cz <> 0.
+Proof.
+  intros B. split; [apply Rmax_l |]. assert (0 <= hit_of_b.root_b x y e cx cy cz r) by apply sqrt_pos. lra.
+Qed.
+
+Lemma normal_of_b_divisors x y e cx cy cz r on : 0 < r -> 0 < on -> 0 < c_of_b e cx cy cz r ->
+  0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz ->
+  normal_of_b.radius_length x y e cx cy cz r on = r.
+Proof.
+  intros R On C D B. destruct (hit_of_b__near x y e cx cy cz r on On C D B) as (t & T & _ & _ & M & _).
+  apply sqrt_is; [lra |]. unfold on_b, distance2 in M. rewrite <- M.
+  unfold normal_of_b.radius_vector_x, normal_of_b.radius_vector_y, normal_of_b.radius_vector_z, normal_of_b.point_x,
+    normal_of_b.point_y, normal_of_b.point_z. change normal_of_b.t_b with hit_of_b.t_b. rewrite T. reflexivity.
+Qed.
+
+Lemma image_divisors e r height : 0 < r < e -> 0 < height ->
+  0 < image_extent.tangent_squared e r /\ sqrt (image_extent.tangent_squared e r) <> 0 /\ height <> 0.
+Proof.
+  intros H P. assert (T : 0 < image_extent.tangent_squared e r) by (unfold image_extent.tangent_squared; nra).
+  pose proof (sqrt_lt_R0 _ T). repeat split; lra.
+Qed.
+
+Lemma view_length_divisors x y e : 0 < e -> 0 < e ^ 2 + x ^ 2 + y ^ 2 /\ sqrt (e ^ 2 + x ^ 2 + y ^ 2) <> 0.
+Proof.
+  intros H. assert (P : 0 < e ^ 2 + x ^ 2 + y ^ 2) by nra. pose proof (sqrt_lt_R0 _ P). split; lra.
+Qed.
+
+Lemma parallel_radius_divisors phi e r : 0 < r < e -> e - cos phi * r <> 0.
+Proof. intros H. pose proof (COS_bound phi). nra. Qed.
+
+Lemma seed_frame_divisors phi : 0 < sin phi -> 0 <= 1 - unit_normal.normal_z (cos phi) ^ 2 /\
+  seed_frame.seed_sin_phi (unit_normal.normal_z (cos phi)) <> 0.
+Proof.
+  intros S. destruct (stable_frame__seed_frame 0 phi S) as (-> & _). pose proof (COS_bound phi).
+  unfold unit_normal.normal_z. split; nra.
 Qed.

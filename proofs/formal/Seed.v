@@ -1,5 +1,5 @@
-(* The seed's false statements, each refuted at a point: ~ (statement). A refutation shows that the hypotheses hold there.
-   Its false variant is the refutation of the statement put right: that one holds, so ~ ~ (statement put right). *)
+(* The seed's false statements, each refuted at a point: ~ (statement). A refutation shows that the hypotheses hold
+   there. Its false variant is the refutation of the statement put right: that one holds, so ~ ~ (statement put right). *)
 
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
@@ -10,7 +10,8 @@ Open Scope R_scope.
 Theorem seed_quadratic_of_b__constant : ~ forall t x y e cx cy cz r : R, distance2 t x y e cx cy cz - r ^ 2 =
   dot x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t + (dot cx cy cz cx cy cz - r ^ 2).
 Proof.
-  intros F. specialize (F 0 0 0 4 (1 / 2) (1 / 2) (13 / 10) (8 / 25)). unfold distance2, hit_of_b.toward_b, dot in F. lra.
+  intros F. specialize (F 0 0 0 4 (1 / 2) (1 / 2) (13 / 10) (8 / 25)). unfold distance2, hit_of_b.toward_b, dot in F.
+  lra.
 Qed.
 
 (* It is |E - C|^2 - R_2^2. *)
@@ -62,39 +63,58 @@ Proof. exists (3 / 4), 0, 0, 4, 1. unfold on_a, distance2. lra. Qed.
 Theorem seed_covers_the_view__behind__false : ~ forall t x y e r : R, 0 < r < e -> on_a t x y e r -> 1 <= t.
 Proof. intros F. specialize (F (3 / 4) 0 0 4 1). unfold on_a, distance2 in F. lra. Qed.
 
-(* Every pixel of the default view has |x|, |y| <= 2: so B, with the seed's root, stands before A at every one of them,
-   and A is never drawn. *)
-Theorem seed_covers_the_view__never (m n : Z) (t : R) : (0 <= m <= 255)%Z -> (0 <= n <= 255)%Z ->
-  on_a t (pixel_x m) (pixel_y n) 4 1 ->
-  0 < seed_c / (scene_b (pixel_x m) (pixel_y n) + sqrt (seed_d (pixel_x m) (pixel_y n))) < t.
+(* Every pixel of the default view has |x|, |y| <= 2, so the seed's root of B stands before A and before the floor at
+   each: B is what is shown, and A is never drawn. *)
+Theorem seed_covers_the_view__never (m n : Z) (floor_on : R) : (0 <= m <= 255)%Z -> (0 <= n <= 255)%Z ->
+  let seed_t := seed_c / (scene_b (pixel_x m) (pixel_y n) + sqrt (seed_d (pixel_x m) (pixel_y n))) in
+  0 < seed_t < 1 / 4 /\
+  nearest.surface floor_on (hit_of_a.t_a (pixel_x m) (pixel_y n) 4 1) (Finite seed_t) = 2.
 Proof.
-  intros M N A. apply seed_covers_the_view__behind in A; [| lra].
+  intros M N seed_t.
   assert (V : forall a b : R, a ^ 2 + b ^ 2 < 4 -> Rabs a <= 2 /\ Rabs b <= 2) by (intros; split; apply Rabs_le; nra).
   assert (Q : pixel_x m ^ 2 + pixel_y n ^ 2 < 4).
   { rewrite pixel_value. destruct M as [M1 M2], N as [N1 N2]. apply IZR_le in M1, M2, N1, N2.
-    assert (((2 * IZR m - 255) / 256) ^ 2 <= 1) by nra. assert (((1083 - 10 * IZR n) / 1280) ^ 2 <= 1345 / 1000) by nra. lra. }
-  destruct (V _ _ Q) as [X Y]. destruct (seed_covers_the_view__covers _ _ X Y) as (_ & _ & _ & R). lra.
+    assert (((2 * IZR m - 255) / 256) ^ 2 <= 1) by nra.
+    assert (((1083 - 10 * IZR n) / 1280) ^ 2 <= 1345 / 1000) by nra. lra. }
+  destruct (V _ _ Q) as [X Y]. destruct (seed_covers_the_view__covers _ _ X Y) as (_ & _ & _ & S). fold seed_t in S.
+  split; [exact S |]. unfold nearest.surface, nearest.t_floor.
+  destruct (Rle_lt_dec 0 (hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1)) as [D | D].
+  - destruct (t_a_near _ _ 4 1 ltac:(lra) (pixel_off_axis m n) D) as (t & -> & _ & _ & A & _).
+    apply seed_covers_the_view__behind in A; [| lra].
+    destruct both as [[[_ B] _] | _]; [simpl in B; lra |].
+    destruct both as [_ | [B | B]]; [reflexivity | destruct (B I) | destruct Rlt_dec; simpl in B;
+      [lra | destruct (B I)]].
+  - destruct (hit_of_a__misses _ _ 4 1 ltac:(lra) (pixel_off_axis m n) D) as [-> _].
+    destruct both as [[[B _] _] | _]; [destruct B |].
+    destruct both as [_ | [B | B]]; [reflexivity | destruct (B I) | destruct Rlt_dec; simpl in B;
+      [lra | destruct (B I)]].
 Qed.
 
-Theorem seed_covers_the_view__never__point : exists (m n : Z) (t : R), (0 <= m <= 255)%Z /\ (0 <= n <= 255)%Z /\
-  on_a t (pixel_x m) (pixel_y n) 4 1.
-Proof.
-  destruct (t_a_near (pixel_x 127) (pixel_y 108) 4 1) as (t & _ & _ & _ & M & _); [lra | apply pixel_off_axis | |].
-  - rewrite discriminant_a_value by (lra || apply pixel_off_axis). rewrite pixel_value. lra.
-  - exists 127%Z, 108%Z, t. repeat split; try lia. exact M.
-Qed.
+Theorem seed_covers_the_view__never__point : exists m n : Z, (0 <= m <= 255)%Z /\ (0 <= n <= 255)%Z.
+Proof. exists 0%Z, 0%Z. lia. Qed.
 
-(* With the true c, in a ray that meets A away from B, there is no root at all. *)
-Theorem seed_covers_the_view__never__false : ~ forall x y : R, Rabs x <= 2 -> Rabs y <= 2 ->
-  0 <= hit_of_b.discriminant_b x y 4 (1 / 2) (1 / 2) (13 / 10) (8 / 25).
+(* With the true hit A is drawn, at the pixel nearest the axis for one. *)
+Theorem seed_covers_the_view__never__false : ~ forall m n : Z, (0 <= m <= 255)%Z -> (0 <= n <= 255)%Z ->
+  nearest.surface 1 (hit_of_a.t_a (pixel_x m) (pixel_y n) 4 1)
+    (hit_of_b.t_b (pixel_x m) (pixel_y n) 4 (1 / 2) (1 / 2) (13 / 10) (8 / 25) 1) = 2.
 Proof.
-  intros F. specialize (F 0 0). rewrite Rabs_R0 in F. unfold hit_of_b.discriminant_b, hit_of_b.distance in F.
-  specialize (F ltac:(lra) ltac:(lra)). lra.
+  intros F. specialize (F 127%Z 108%Z ltac:(lia) ltac:(lia)).
+  pose proof (pixel_value 127 108) as Q. set (x := pixel_x 127) in *. set (y := pixel_y 108) in *.
+  assert (B : hit_of_b.t_b x y 4 (1 / 2) (1 / 2) (13 / 10) (8 / 25) 1 = p_infty).
+  { unfold hit_of_b.t_b. destruct both as [[[_ D] _] | _]; [exfalso | reflexivity].
+    unfold hit_of_b.discriminant_b, hit_of_b.distance in D. assert (x ^ 2 <= / 10000) by nra.
+    assert (y ^ 2 <= / 10000) by nra.
+    assert (-1 / 100 <= x <= 1 / 100) by nra. assert (-1 / 100 <= y <= 1 / 100) by nra. nra. }
+  rewrite B in F. destruct (t_a_near x y 4 1 ltac:(lra) (pixel_off_axis 127 108)) as (t & T & _ & L & _).
+  { rewrite discriminant_a_value by (lra || apply pixel_off_axis). rewrite Q. lra. }
+  rewrite T in F. revert F. unfold nearest.surface, nearest.t_floor. destruct Rlt_dec; [| lra].
+  destruct both as [_ | [[A | A] | A]]; [lra | destruct (A I) | destruct (A I) | simpl in A; lra].
 Qed.
 
 (* In the two rows beside the axis the fallback, sin phi < 10^-4, is taken: not at the pixel nearest the axis. *)
 Theorem seed_pole_rows__beside : ~ forall m n : Z, (0 <= m <= 255)%Z -> (108 <= n <= 109)%Z ->
-  0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 -> angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1 < 1 / 10000.
+  0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
+    angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1 < 1 / 10000.
 Proof.
   intros F. assert (D : 0 <= hit_of_a.discriminant_a (pixel_x 127) (pixel_y 108) 4 1).
   { rewrite discriminant_a_value by (lra || apply pixel_off_axis). rewrite pixel_value. lra. }
@@ -103,7 +123,8 @@ Qed.
 
 (* sin phi is more than 0.0044 there, as everywhere. *)
 Theorem seed_pole_rows__beside__false : ~ ~ forall m n : Z, (0 <= m <= 255)%Z -> (108 <= n <= 109)%Z ->
-  0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 -> 44 / 10000 < angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1.
+  0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
+    44 / 10000 < angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1.
 Proof. intros N. apply N. intros m n _ _ D. apply (pixels_off_the_pole__far m n D). Qed.
 
 Lemma near_axis x : / 10 ^ 6 <= x <= / 1000 -> off_axis x 0 4 /\ 0 <= hit_of_a.discriminant_a x 0 4 1 /\
@@ -127,7 +148,8 @@ Proof. intros O D S. pose proof (pixels_off_the_pole__linear x y 4 1 ltac:(lra) 
 
 Theorem seed_pole_rows__needs__point : exists x y : R, off_axis x y 4 /\ 0 <= hit_of_a.discriminant_a x y 4 1 /\
   angles_on_a.sin_phi x y 4 1 < 1 / 10000.
-Proof. exists (/ 10 ^ 5), 0. destruct (near_axis (/ 10 ^ 5) ltac:(lra)) as (O & D & S). repeat split; try assumption. lra. Qed.
+Proof. exists (/ 10 ^ 5), 0. destruct (near_axis (/ 10 ^ 5) ltac:(lra)) as (O & D & S). repeat split; try assumption.
+lra. Qed.
 
 (* Not rho < 10^-4. *)
 Theorem seed_pole_rows__needs__false : ~ forall x y : R, off_axis x y 4 -> 0 <= hit_of_a.discriminant_a x y 4 1 ->
@@ -242,7 +264,8 @@ Proof.
   assert (E' : (beta + 1 / 10 ^ 7) * g = b) by (rewrite Rmult_plus_distr_r, E; unfold g; field).
   intros F. specialize (F 0 0 1 g 0 0 beta ltac:(unfold dot; lra) ltac:(unfold dot; lra)).
   assert (L : forall a l, 0 <= l -> (a * g) ^ 2 + 1 = l ^ 2 -> perturbed.m_length 0 0 1 g 0 0 a = l).
-  { intros a l P Q. apply sqrt_is; [exact P |]. rewrite <- Q. unfold perturbed.m_x, perturbed.m_y, perturbed.m_z. ring. }
+  { intros a l P Q. apply sqrt_is; [exact P |]. rewrite <- Q. unfold perturbed.m_x, perturbed.m_y, perturbed.m_z. ring.
+    }
   assert (L1 : perturbed.m_length 0 0 1 g 0 0 beta = 5 / 4) by (apply L; [| rewrite E]; lra).
   assert (L2 : perturbed.m_length 0 0 1 g 0 0 (beta + 1 / 10 ^ 7) = (t + / t) / 2).
   { apply L; [pose proof (Rinv_0_lt_compat t T); lra | rewrite E'; unfold b; field; lra]. }
@@ -267,7 +290,8 @@ Definition at_pole (h : R -> R) (epsilon : R) :=
 Lemma at_pole_value h epsilon : 0 < epsilon <= 1 -> at_pole h epsilon = (h epsilon - h 0) / epsilon.
 Proof.
   intros E. unfold at_pole, central_sine.span_v, central_sine.v_plus, central_sine.v_minus.
-  destruct both as [[A B] | _]; [lra |]. rewrite !Rplus_0_r, Rmin_right, Rmax_right by lra. rewrite Rminus_0_r. reflexivity.
+  destruct both as [[A B] | _]; [lra |]. rewrite !Rplus_0_r, Rmin_right, Rmax_right by lra. rewrite Rminus_0_r.
+  reflexivity.
 Qed.
 
 (* It is of first order for every field, that of v - v^3 errs by epsilon at least: not at epsilon = 1/2. *)
@@ -308,10 +332,12 @@ Proof.
   specialize (H s ltac:(lra)). rewrite Rabs_pos_eq in H by lra. specialize (H ltac:(lra)).
   change (Rabs ((height_ridges.h (1 / 2 + s) (1 / 2) 2 1 - height_ridges.h (1 / 2) (1 / 2) 2 1) / s - 2 * PI) < eps).
   replace (height_ridges.h (1 / 2 + s) (1 / 2) 2 1) with (sin (2 * PI * s)).
-  2: { unfold height_ridges.h. rewrite half_sine, Rmult_1_r. replace (PI * (2 * (1 / 2 + s))) with (2 * PI * s + PI) by field.
+  2: { unfold height_ridges.h. rewrite half_sine, Rmult_1_r.
+       replace (PI * (2 * (1 / 2 + s))) with (2 * PI * s + PI) by field.
     rewrite neg_sin, Rabs_Ropp, Rabs_pos_eq; [reflexivity |]. pose proof PI_RGT_0. apply sin_ge_0; nra. }
   replace (height_ridges.h (1 / 2) (1 / 2) 2 1) with 0.
-  2: { unfold height_ridges.h. replace (PI * (2 * (1 / 2))) with PI by field. rewrite sin_PI, Rmult_0_l, Rabs_R0. reflexivity. }
+  2: { unfold height_ridges.h. replace (PI * (2 * (1 / 2))) with PI by field. rewrite sin_PI, Rmult_0_l, Rabs_R0.
+       reflexivity. }
   rewrite Rplus_0_l, Rmult_0_r, sin_0 in H. exact H.
 Qed.
 
@@ -356,12 +382,14 @@ Qed.
 Theorem ridges_differentiable__one_slope : ~ forall (u v ku kv : R) (m : Z), ku * u = IZR m ->
   Rabs (gradient_sine.h_u u v ku kv) = - Rabs (gradient_sine.h_u u v ku kv).
 Proof.
-  intros F. specialize (F (1 / 4) (1 / 8) 8 4 2%Z ltac:(lra)). unfold gradient_sine.h_u, gradient_sine.cos_u, gradient_sine.sin_v in F.
+  intros F. specialize (F (1 / 4) (1 / 8) 8 4 2%Z ltac:(lra)).
+  unfold gradient_sine.h_u, gradient_sine.cos_u, gradient_sine.sin_v in F.
   destruct ridge_point as (_ & C & S). rewrite C, S in F. pose proof PI_RGT_0. rewrite Rabs_pos_eq in F; lra.
 Qed.
 
 (* They are at a crossing. *)
-Theorem ridges_differentiable__one_slope__false : ~ ~ forall (u v ku kv : R) (m n : Z), ku * u = IZR m -> kv * v = IZR n ->
+Theorem ridges_differentiable__one_slope__false : ~ ~ forall (u v ku kv : R) (m n : Z), ku * u = IZR m ->
+  kv * v = IZR n ->
   Rabs (gradient_sine.h_u u v ku kv) = - Rabs (gradient_sine.h_u u v ku kv).
 Proof.
   intros N. apply N. intros u v ku kv m n _ E. unfold gradient_sine.h_u, gradient_sine.sin_v.
@@ -417,7 +445,8 @@ Proof.
     rewrite Rminus_0_r in B. apply Rabs_lt_between in B. unfold height_sine.h. rewrite half_sine, Rmult_1_r, Rmult_1_l.
     destruct (Rle_lt_dec 0 t) as [P | M].
     + rewrite (whole_part t 0) by lra. rewrite Rminus_0_r, Rabs_pos_eq; [reflexivity |]. apply sin_ge_0; nra.
-    + rewrite (whole_part t (-1)) by lra. replace (PI * (t - -1)) with (PI * t + PI) by ring. rewrite neg_sin, Rabs_left1;
+    + rewrite (whole_part t (-1)) by lra. replace (PI * (t - -1)) with (PI * t + PI) by ring.
+      rewrite neg_sin, Rabs_left1;
         [reflexivity |]. replace (PI * t) with (- (PI * - t)) by ring. rewrite sin_neg.
       pose proof (sin_ge_0 (PI * - t)). nra.
 Qed.
@@ -434,8 +463,10 @@ Qed.
 Section meridian.
 Variables ku kv theta v : R.
 Let u := (theta + PI) / (2 * PI).
-Definition meridian_x := bumped_normal.g_x (cos theta) (sin theta) (cos (PI * v)) (gradient_sine.h_u u v ku kv) (gradient_sine.h_v u v ku kv).
-Definition meridian_y := bumped_normal.g_y (cos theta) (sin theta) (cos (PI * v)) (gradient_sine.h_u u v ku kv) (gradient_sine.h_v u v ku kv).
+Definition meridian_x := bumped_normal.g_x (cos theta) (sin theta) (cos (PI * v)) (gradient_sine.h_u u v ku kv)
+  (gradient_sine.h_v u v ku kv).
+Definition meridian_y := bumped_normal.g_y (cos theta) (sin theta) (cos (PI * v)) (gradient_sine.h_u u v ku kv)
+  (gradient_sine.h_v u v ku kv).
 Definition meridian_z := bumped_normal.g_z (sin (PI * v)) (gradient_sine.h_u u v ku kv) (gradient_sine.h_v u v ku kv).
 End meridian.
 
@@ -444,7 +475,8 @@ Definition tends_at_pole (f : R -> R) (l : R) := filterlim f (at_right 0) (local
 Lemma tends_continuous f : continuous f 0 -> tends_at_pole f (f 0).
 Proof. intros C. eapply filterlim_filter_le_1; [apply filter_le_within | exact C]. Qed.
 
-Ltac meridian_lines := unfold meridian_x, meridian_y, meridian_z, bumped_normal.g_x, bumped_normal.g_y, bumped_normal.g_z,
+Ltac meridian_lines := unfold meridian_x, meridian_y, meridian_z, bumped_normal.g_x, bumped_normal.g_y,
+  bumped_normal.g_z,
   bumped_normal.e_phi_x, bumped_normal.e_phi_y, bumped_normal.e_phi_z, bumped_normal.e_theta_x, bumped_normal.e_theta_y,
   bumped_normal.e_theta_z, gradient_sine.h_u, gradient_sine.h_v, gradient_sine.cos_u, gradient_sine.cos_v,
   gradient_sine.sin_u, gradient_sine.sin_v.
@@ -471,7 +503,8 @@ Proof.
 Qed.
 
 (* It does for k_v = 0. *)
-Theorem sine_is_smooth_everywhere__one_limit__false : ~ ~ forall ku : R, exists lx ly lz, forall theta, - PI < theta <= PI ->
+Theorem sine_is_smooth_everywhere__one_limit__false : ~ ~ forall ku : R, exists lx ly lz, forall theta,
+  - PI < theta <= PI ->
   tends_at_pole (meridian_x ku 0 theta) lx /\ tends_at_pole (meridian_y ku 0 theta) ly /\
   tends_at_pole (meridian_z ku 0 theta) lz.
 Proof.
@@ -480,15 +513,19 @@ Proof.
     replace (sin (PI * (0 * v))) with 0 by (rewrite Rmult_0_l, Rmult_0_r, sin_0; reflexivity); ring.
 Qed.
 
-(* For every p > 0 the power x^p is Lipschitz on (0, 1]: not for p = 1/2. (The end 0 is left out: Coq's Rpower 0 p is 1.) *)
-Theorem highlight_below_one__power : ~ forall p : R, 0 < p -> exists bound : R, forall x z : R, 0 < x <= 1 -> 0 < z <= 1 ->
+(* For every p > 0 the power x^p is Lipschitz on (0, 1]: not for p = 1/2. (The end 0 is left out: Coq's Rpower 0 p is
+   1.) *)
+Theorem highlight_below_one__power : ~ forall p : R, 0 < p -> exists bound : R, forall x z : R, 0 < x <= 1 ->
+  0 < z <= 1 ->
   Rabs (highlight.specular x p - highlight.specular z p) <= bound * Rabs (x - z).
 Proof.
-  intros F. destruct (F (/ 2) ltac:(lra)) as [bound L]. set (m := bound ^ 2 + 1). assert (M : 1 <= m /\ bound <= m) by (unfold m; split; nra).
+  intros F. destruct (F (/ 2) ltac:(lra)) as [bound L]. set (m := bound ^ 2 + 1).
+  assert (M : 1 <= m /\ bound <= m) by (unfold m; split; nra).
   assert (S : 0 < / (4 * m) <= 1 / 4).
   { split; [apply Rinv_0_lt_compat; lra |]. apply (Rmult_le_reg_r (4 * m)); [lra |]. rewrite Rinv_l; lra. }
   assert (E : / (4 * m) * m = 1 / 4) by (field; lra). set (s := / (4 * m)) in *.
-  specialize (L (s ^ 2) ((s / 2) ^ 2) ltac:(nra) ltac:(nra)). unfold highlight.specular in L. rewrite !Rpower_sqrt in L by nra.
+  specialize (L (s ^ 2) ((s / 2) ^ 2) ltac:(nra) ltac:(nra)). unfold highlight.specular in L.
+  rewrite !Rpower_sqrt in L by nra.
   rewrite !sqrt_pow2 in L by lra. rewrite !Rabs_pos_eq in L by nra. nra.
 Qed.
 
@@ -513,7 +550,8 @@ Proof.
 Qed.
 
 (* It holds where x >= 1 / L^2. *)
-Theorem highlight_below_one__root__false : ~ ~ forall bound x : R, 0 < bound -> 1 / bound ^ 2 <= x -> sqrt x <= bound * x.
+Theorem highlight_below_one__root__false : ~ ~ forall bound x : R, 0 < bound -> 1 / bound ^ 2 <= x ->
+  sqrt x <= bound * x.
 Proof.
   intros N. apply N. intros bound x B X. assert (P : 0 < 1 / bound ^ 2) by (apply Rdiv_lt_0_compat; nra).
   assert (Q : 1 <= bound ^ 2 * x) by (apply (Rmult_le_compat_l (bound ^ 2)) in X; [field_simplify in X |]; nra).

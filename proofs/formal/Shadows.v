@@ -29,7 +29,8 @@ Proof.
     apply (Rmult_lt_reg_l a); [lra |]. rewrite V. lra.
 Qed.
 
-(* |P + s a - C|^2 - r^2 = |a|^2 s^2 - 2 (a.w) s + |w|^2 - r^2, with a = L - P, w = C - P: a quadratic whose discriminant
+(* |P + s a - C|^2 - r^2 = |a|^2 s^2 - 2 (a.w) s + |w|^2 - r^2, with a = L - P, w = C - P: a quadratic whose
+   discriminant
    is the program's. *)
 Theorem occlusion_by_signs__quadratic (s px py pz lx ly lz cx cy cz r : R) :
   let a2 := shadow.segment_squared px py pz lx ly lz in
@@ -61,7 +62,8 @@ Proof.
   assert (O : forall n, 0 <= n -> r < sqrt n -> 0 < n - r ^ 2).
   { intros n N S. pose proof (sqrt_sqrt n N). nra. }
   destruct (occlusion_by_signs__quadratic 1 px py pz lx ly lz cx cy cz r) as (_ & _ & E & D).
-  rewrite <- (root_between _ _ (apart2 cx cy cz px py pz - r ^ 2) _); [| shadow_lines; squares | apply O; auto | | exact D].
+  rewrite <- (root_between _ _ (apart2 cx cy cz px py pz - r ^ 2) _); [| shadow_lines; squares | apply O;
+    auto | | exact D].
   - split; intros (s & S & Q); exists s; (split; [exact S |]);
       destruct (occlusion_by_signs__quadratic s px py pz lx ly lz cx cy cz r) as (_ & _ & K & _).
     + rewrite <- K, <- Q, pow2_sqrt by auto. ring.
@@ -166,7 +168,8 @@ Theorem shadow_of_b_on_floor__conic (lx ly lz cx cy cz r : R) :
     xx * x ^ 2 + 2 * xy * x * y + yy * y ^ 2 + e * x + f * y + g) /\
   xx * yy - xy ^ 2 = c * (wz ^ 2 - r ^ 2).
 Proof.
-  intros. split; [intros; unfold apart2, c, wx, wy, wz; shadow_lines; ring |]. split; [| unfold xx, xy, yy, c, dot; ring].
+  intros. split; [intros; unfold apart2, c, wx, wy, wz; shadow_lines; ring |].
+  split; [| unfold xx, xy, yy, c, dot; ring].
   set (d x y := shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r).
   exists ((d 1 0 - d (-1) 0) / 2), ((d 0 1 - d 0 (-1)) / 2), (d 0 0). intros x y.
   change (shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r) with (d x y).
@@ -179,7 +182,8 @@ Theorem shadow_of_b_on_floor__conic__false : ~ forall wx wy wz r : R, let c := d
 Proof. intros F. specialize (F 0 0 2 1). unfold dot in F. lra. Qed.
 
 (* The light is outside the sphere where c is positive; the conic's type is the sign of its determinant. *)
-Definition c_of_light (lx ly lz cx cy cz r : R) := dot (lx - cx) (ly - cy) (lz - cz) (lx - cx) (ly - cy) (lz - cz) - r ^ 2.
+Definition c_of_light (lx ly lz cx cy cz r : R) := dot (lx - cx) (ly - cy) (lz - cz) (lx - cx) (ly - cy) (lz - cz) -
+  r ^ 2.
 Definition type_of_shadow (lx ly lz cx cy cz r : R) :=
   ((lx - cx) ^ 2 - c_of_light lx ly lz cx cy cz r) * ((ly - cy) ^ 2 - c_of_light lx ly lz cx cy cz r)
   - ((lx - cx) * (ly - cy)) ^ 2.
@@ -245,7 +249,8 @@ Proof.
   assert (A : forall x y, cast_away x y lx ly lz cx cy cz <-> dot (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) h < 0).
   { intros x y. unfold cast_away. pose proof (shadow_along_a_row__away x y 0 lx ly lz cx cy cz) as E.
     unfold h, dot in *. split; intros; lra. }
-  assert (A' : forall x y, cast_back x y lx ly lz cx cy cz <-> 0 < dot (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) h).
+  assert (A' : forall x y, cast_back x y lx ly lz cx cy cz <->
+    0 < dot (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) h).
   { intros x y. unfold cast_back. pose proof (shadow_along_a_row__away x y 0 lx ly lz cx cy cz) as E.
     unfold h, dot in *. split; intros; lra. }
   destruct (two_roots (w ^ 2 - c * w) (- (w * lz * h)) (lz ^ 2 * (h ^ 2 - c)) (lz * h / w)) as (s1 & s2 & O & R1 & R2).
@@ -263,7 +268,8 @@ Proof.
     + exists (lx + s2 * (lx - cx)), (ly + s2 * (ly - cy)). rewrite A', D, V, V2. split; nra.
     + intros x y. rewrite A, A', D. intros N.
       assert (0 < apart2 x y 0 lx ly lz).
-      { unfold apart2. pose proof (pow2_ge_0 (x - lx)). pose proof (pow2_ge_0 (y - ly)). assert (0 < lz ^ 2) by nra. lra. }
+      { unfold apart2. pose proof (pow2_ge_0 (x - lx)). pose proof (pow2_ge_0 (y - ly)). assert (0 < lz ^ 2) by nra.
+        lra. }
       assert (0 < c * apart2 x y 0 lx ly lz) by (apply Rmult_lt_0_compat; assumption). nra.
 Qed.
 
@@ -431,7 +437,8 @@ Qed.
 
 (* The segment from the light L to a point Q of the ball (centre C, radius s) passes at share t of the way within t s of
    L + t (C - L). *)
-Theorem shadow_out_of_reach__within (t lx ly lz bx by_ bz s qx qy qz : R) : 0 <= t -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
+Theorem shadow_out_of_reach__within (t lx ly lz bx by_ bz s qx qy qz : R) : 0 <= t ->
+  len (qx - bx) (qy - by_) (qz - bz) <= s ->
   len (lx + t * (qx - lx) - (lx + t * (bx - lx))) (ly + t * (qy - ly) - (ly + t * (by_ - ly)))
     (lz + t * (qz - lz) - (lz + t * (bz - lz))) <= t * s.
 Proof.
@@ -457,7 +464,8 @@ Qed.
 
 (* If |L - c + t (C - L)| > r + t s for all t in [0, 1], no such segment meets the ball of radius r about c. *)
 Theorem shadow_out_of_reach__cone (lx ly lz cx cy cz r bx by_ bz s : R) :
-  (forall t, 0 <= t <= 1 -> r + t * s < len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))) ->
+  (forall t, 0 <= t <= 1 -> r + t * s < len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz -
+    lz))) ->
   forall t qx qy qz, 0 <= t <= 1 -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
   r < len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz).
 Proof.
@@ -524,7 +532,8 @@ Theorem shadow_out_of_reach__least (lx ly lz cx cy cz r bx by_ bz s : R) :
 Proof.
   intros f least turning.
   assert (H0 : shadow_clearance.at_light lx ly lz cx cy cz r = f 0) by (unfold f; ring).
-  assert (H1 : shadow_clearance.at_ball lx ly lz cx cy cz r bx by_ bz s = f 1) by (unfold f, shadow_clearance.at_ball; ring).
+  assert (H1 : shadow_clearance.at_ball lx ly lz cx cy cz r bx by_ bz s = f 1) by (unfold f, shadow_clearance.at_ball;
+    ring).
   assert (H2 : shadow_clearance.at_turning lx ly lz cx cy cz r bx by_ bz s = f turning)
     by (unfold f, shadow_clearance.at_turning; fold turning; ring).
   assert (L : least <= f 0 /\ least <= f 1 /\ least <= f turning /\ (least = f 0 \/ least = f 1 \/ least = f turning)).
@@ -539,7 +548,8 @@ Proof.
     assert (0 <= t * (f 0 + 1 * (2 * h + 1 * k) - least)) by (apply Rmult_le_pos; lra).
     assert (0 <= t * (1 - t) * - k) by (repeat apply Rmult_le_pos; lra). lra. }
   destruct (Rle_dec 0 h) as [P | P]; [| destruct (Rle_dec (k + h) 0) as [N | N]]; (split; [intros t T |]); try lra.
-  - destruct (Rle_lt_dec 0 k); [| apply B; lra]. rewrite F. assert (0 <= t * (2 * h + t * k)) by (apply Rmult_le_pos; nra). lra.
+  - destruct (Rle_lt_dec 0 k); [| apply B; lra]. rewrite F.
+    assert (0 <= t * (2 * h + t * k)) by (apply Rmult_le_pos; nra). lra.
   - destruct (Rle_lt_dec 0 k); [| apply B; lra]. rewrite (F 1) in L1. rewrite F.
     assert (0 <= (1 - t) * - (2 * h + (1 + t) * k)) by (apply Rmult_le_pos; nra). lra.
   - assert (K : 0 < k) by lra. eapply Rle_trans; [exact L2 |]. rewrite (F t), (F (- h / k)).
@@ -555,7 +565,8 @@ Theorem shadow_out_of_reach__least__false : ~ forall lx cx r bx s t : R, 0 <= t 
   shadow_clearance.at_light lx 0 0 cx 0 0 r <= shadow_clearance.at_light lx 0 0 cx 0 0 r
     + t * (2 * shadow_clearance.half_slope lx 0 0 cx 0 0 r bx 0 0 s + t * shadow_clearance.curvature lx 0 0 bx 0 0 s).
 Proof.
-  intros F. specialize (F 2 0 0 1 0 1 ltac:(lra)). revert F. unfold shadow_clearance.half_slope, shadow_clearance.curvature,
+  intros F. specialize (F 2 0 0 1 0 1 ltac:(lra)). revert F.
+  unfold shadow_clearance.half_slope, shadow_clearance.curvature,
     shadow_clearance.along_x, shadow_clearance.along_y, shadow_clearance.along_z, shadow_clearance.from_body_x,
     shadow_clearance.from_body_y, shadow_clearance.from_body_z. lra.
 Qed.
@@ -599,4 +610,19 @@ Proof.
   intros F. assert (H : 1 < len (3 + 1 / 2 * (-3 - 3) - 0) 0 0).
   { apply (F 3 0 1 (-3) 1); try lra; unfold len; [rewrite (sqrt_is _ 3) | rewrite (sqrt_is _ 0)]; lra. }
   replace (3 + 1 / 2 * (-3 - 3) - 0) with 0 in H by field. rewrite len_axis in H; lra.
+Qed.
+
+(* Where the printed lines divide: curvature is not 0 where the turning point is computed, nor the scale. *)
+Lemma shadow_clearance_divisors lx ly lz cx cy cz r bx by_ bz s :
+  ~ 0 <= shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s ->
+  ~ shadow_clearance.curvature lx ly lz bx by_ bz s + shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s <=
+    0 ->
+  shadow_clearance.curvature lx ly lz bx by_ bz s <> 0.
+Proof. intros. lra. Qed.
+
+Lemma shadow_clearance_scale lx ly lz cx cy cz r bx by_ bz : 0 < r -> r < len (lx - cx) (ly - cy) (lz - cz) ->
+  0 < (bx - lx) ^ 2 + (by_ - ly) ^ 2 + (bz - lz) ^ 2 + (lx - cx) ^ 2 + (ly - cy) ^ 2 + (lz - cz) ^ 2.
+Proof.
+  intros R O. pose proof (len_squared (lx - cx) (ly - cy) (lz - cz)). pose proof (pow2_ge_0 (bx - lx)).
+  pose proof (pow2_ge_0 (by_ - ly)). pose proof (pow2_ge_0 (bz - lz)). nra.
 Qed.
