@@ -33,6 +33,9 @@ AXIOMS = {
 """{axiom: what it is about}. Where `interval` computes, the specifications of Coq's machine numbers come to these."""
 MACHINE_NUMBERS = ("Uint63.", "PrimInt63.", "PrimFloat.", "FloatAxioms.", "FloatOps.", "Int63.", "Sint63.")
 
+PARTLY: dict[str, str] = {}
+"""{theorem: what of its words no statement says}"""
+
 
 class NotAccepted(ValueError):
     """Coq did not accept a file, or a statement rests on an axiom that is not among those that are named."""
@@ -58,14 +61,15 @@ def statements() -> dict[str, list[str]]:
 
 
 def record() -> dict:
-    """Return what Coq accepted, {theorem's id: {"statements": {name: text}, "axioms": [name, …]}}; {} if that is stale."""
+    """Return what Coq accepted, {} if that is stale: {theorem: {"statements": {name: text}, "axioms": [name, …]}}."""
     if not RECORD.is_file():
         return {}
     content = json.loads(RECORD.read_text(encoding="utf-8"))
-    return content["theorems"] if content["sources"] == _sources() else {}
+    return content["theorems"] if content["sources"] == sources() else {}
 
 
-def _sources() -> dict[str, str]:
+def sources() -> dict[str, str]:
+    """Return {file: hash} of everything that Coq reads."""
     return hashes(FOLDER.glob("*.v"))
 
 
@@ -148,15 +152,12 @@ def main() -> None:
     else:
         table = compile_all()
         with whole_file(RECORD) as name:
-            text = json.dumps({"sources": _sources(), "theorems": table}, indent=1, ensure_ascii=False)
+            text = json.dumps({"sources": sources(), "theorems": table}, indent=1, ensure_ascii=False)
             Path(name).write_text(text + "\n", encoding="utf-8")
     for theorem, entry in table.items():
-        short = sorted(
-            {a.split(".")[0] if a.startswith(MACHINE_NUMBERS) else a.split(".")[-1] for a in entry["axioms"]}
-        )
-        print(
-            f"{theorem:32} {len(entry['statements']):2} statements   {', '.join(short) or 'closed under the global context'}"
-        )
+        short = sorted({a.split(".")[0 if a.startswith(MACHINE_NUMBERS) else -1] for a in entry["axioms"]})
+        rests = ", ".join(short) or "closed under the global context"
+        print(f"{theorem:32} {len(entry['statements']):2} statements   {rests}")
 
 
 if __name__ == "__main__":

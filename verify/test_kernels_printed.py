@@ -1,9 +1,10 @@
-"""The committed kernels are what the expressions print to, byte for byte: an edited formula shows here."""
+"""The printed files are what the expressions print: an edited formula shows here, and in the diff."""
 
-from renderer.generate.__main__ import KERNELS
-from renderer.generate.kernels import kernels_source
+import pytest
+
+from renderer.generate.__main__ import PRINTED
 
 
-def test_printed_files_are_what_the_expressions_print_to():
-    """Fails when a formula, a printer or the file was edited: run `python -m renderer.generate` and read the diff."""
-    assert KERNELS.read_text(encoding="utf-8") == kernels_source()
+@pytest.mark.parametrize("path", PRINTED, ids=lambda path: path.name)
+def test_printed_files_are_up_to_date(path):
+    assert path.read_text(encoding="utf-8") == PRINTED[path]()

@@ -318,3 +318,21 @@ Proof.
   apply Rmult_le_reg_r with (t ^ 2 * m); [apply Rmult_lt_0_compat; nra|]. field_simplify; try lra.
   assert (t <= m) by nra. nra.
 Qed.
+Theorem normal_limits__large_beta__point : exists theta phi h_u h_v beta : R, beta <> 0 /\ 0 < length (g theta phi h_u h_v).
+Proof.
+  exists 0, 0, 1, 0, 1. split; [lra|]. replace (length (g 0 0 1 0)) with 1; [lra|]. symmetry. apply length_of_unit. rewrite g_squared. ring.
+Qed.
+(* Half the bound is too little. *)
+Theorem normal_limits__small_beta__false : ~ forall theta phi h_u h_v beta,
+  length (difference (N' theta phi h_u h_v beta) (N theta phi)) <= Rabs beta * length (g theta phi h_u h_v) / 2.
+Proof.
+  intro H. generalize (H 0 0 1 0 1). rewrite Rabs_R1, (length_of_unit (g 0 0 1 0)) by (rewrite g_squared; ring). intro K.
+  assert (L : length (M 0 0 1 0 1) ^ 2 = 2) by (rewrite length_squared, m_squared; ring).
+  generalize (m_length_at_least_1 0 0 1 0 1). set (m := length (M 0 0 1 0 1)) in *. intro L1.
+  assert (E : length (difference (N' 0 0 1 0 1) (N 0 0)) ^ 2 = 2 - 2 * / m).
+  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (sum _ _)), !dot_sum, !dot_scaled, !(dot_comm _ (scaled _ _)), !dot_scaled,
+      ?(dot_comm (N' _ _ _ _ _) (N _ _)), normal_is_unit, bumped_is_unit, normal_dot_bumped. fold m. ring. }
+  generalize (length_nonneg (difference (N' 0 0 1 0 1) (N 0 0))). intro P.
+  assert (S : length (difference (N' 0 0 1 0 1) (N 0 0)) ^ 2 <= 1 / 4) by nra. rewrite E in S.
+  assert (I : / m * m = 1) by (apply Rinv_l; lra). assert (m > 1.4) by nra. nra.
+Qed.

@@ -453,3 +453,7 @@ Qed.
 (* Rings does not depend on u: its height has no parameter u. *)
 Theorem seam__rings (u1 u2 v k_v : R) : (fun _ : R => height_rings.h v k_v) u1 = (fun _ : R => height_rings.h v k_v) u2.
 Proof. reflexivity. Qed.
+Theorem ridges_at_crossings__crossing__false : ~ forall k_u k_v a b, height_ridges.h a b k_u k_v = PI ^ 2 * (k_u ^ 2 * a ^ 2 + k_v ^ 2 * b ^ 2) / 2.
+Proof.
+  intro H. generalize (H 1 1 1 0). unfold_fields. rewrite !Rmult_1_l, Rmult_0_r, sin_0, Rmult_0_r, Rabs_R0. assert (0 < PI ^ 2) by (apply pow_lt, PI_RGT_0). lra.
+Qed.

@@ -263,3 +263,23 @@ Proof.
   - field. lra.
   - exfalso. apply V. assert (w < 0) by nra. unfold Rdiv. assert (0 < / sqrt q) by (apply Rinv_0_lt_compat, S0). nra.
 Qed.
+Theorem difference_bound__clip__false : ~ forall a b, Rabs (clip.clipped a - clip.clipped b) = Rabs (a - b).
+Proof.
+  intro H. generalize (H 2 1). unfold clip.clipped. rewrite (Rmax_right 0 2), (Rmax_right 0 1), (Rmin_left 1 2), (Rmin_left 1 1) by lra.
+  rewrite Rminus_diag_eq, Rabs_R0, Rabs_pos_eq by lra. lra.
+Qed.
+(* The printed shortcut is the base's square, not the base. *)
+Theorem squared_highlight__is_blinn__false : ~ forall y z,
+  blinn_squared.specular_base 0 0 0 0 0 1 0 y z 0 0 1 = blinn.specular_base 0 0 0 0 0 1 0 y z 0 0 1.
+Proof.
+  assert (R : sqrt ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2) = 1) by (replace (_ + _) with 1 by ring; apply sqrt_1).
+  assert (W : blinn.halfway_length 0 0 0 0 0 1 0 0 1 = 2).
+  { unfold blinn.halfway_length, blinn.halfway_x, blinn.halfway_y, blinn.halfway_z, blinn.towards_x, blinn.towards_y, blinn.towards_z, blinn.light_scale,
+      blinn.light_distance, blinn.to_light_x, blinn.to_light_y, blinn.to_light_z. rewrite R, Rinv_1. match goal with |- sqrt ?t = _ => replace t with (2 ^ 2) by ring end. apply sqrt_pow2. lra. }
+  intro H. generalize (H (3/5) (4/5)). rewrite (proj2 (squared_highlight__is_blinn 0 0 0 0 0 1 0 (3/5) (4/5) 0 0 1 ltac:(lra) ltac:(rewrite W; lra))).
+  assert (E : blinn.specular_base 0 0 0 0 0 1 0 (3/5) (4/5) 0 0 1 = 4/5).
+  { unfold blinn.specular_base. rewrite W. destruct (Rlt_dec 0 2) as [_|X]; [|lra]. unfold blinn.halfway_x, blinn.halfway_y, blinn.halfway_z, blinn.towards_x,
+      blinn.towards_y, blinn.towards_z, blinn.light_scale, blinn.light_distance, blinn.to_light_x, blinn.to_light_y, blinn.to_light_z.
+    rewrite R, Rinv_1. rewrite Rmax_left; field_simplify; lra. }
+  rewrite E. lra.
+Qed.
