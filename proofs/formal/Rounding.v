@@ -1,0 +1,70 @@
+(* The rounding error of the central difference. *)
+
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From Flocq Require Import Core Relative Plus_error.
+Open Scope R_scope.
+
+Lemma moved_by_at_most (h h1 : R -> R) (L a b : R) : (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> Rabs (h b - h a) <= L * Rabs (b - a).
+Proof. intros D B. apply (bounded_variation h h1). intros t _. split; [apply D | apply B]. Qed.
+
+(* Of any differentiable h, in the standard model: mu the unit roundoff, heights off by at most eta, arguments by at most alpha. *)
+Theorem roundoff_bound__bound (h h1 : R -> R) (L u epsilon mu eta alpha u_plus u_minus h_plus h_minus d1 d2 : R) :
+  (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> 0 < epsilon -> 0 < mu < 1 -> Rabs d1 <= mu -> Rabs d2 <= mu ->
+  Rabs (u_plus - (u + epsilon)) <= alpha -> Rabs (u_minus - (u - epsilon)) <= alpha ->
+  Rabs (h_plus - h u_plus) <= eta -> Rabs (h_minus - h u_minus) <= eta ->
+  Rabs ((h_plus - h_minus) * (1 + d1) / (2 * epsilon) * (1 + d2) - (h (u + epsilon) - h (u - epsilon)) / (2 * epsilon)) <=
+  (eta + L * alpha) / epsilon * (1 + mu) ^ 2 + L * (2 * mu + mu ^ 2).
+Proof.
+  intros D B E M D1 D2 A1 A2 H1 H2. assert (L0 : 0 <= L) by (eapply Rle_trans; [apply Rabs_pos | apply (B 0)]).
+  assert (E1 : Rabs (h_plus - h (u + epsilon)) <= eta + L * alpha).
+  { replace (h_plus - h (u + epsilon)) with (h_plus - h u_plus + (h u_plus - h (u + epsilon))) by ring. eapply Rle_trans; [apply Rabs_triang|].
+    generalize (moved_by_at_most h h1 L (u + epsilon) u_plus D B). nra. }
+  assert (E2 : Rabs (h_minus - h (u - epsilon)) <= eta + L * alpha).
+  { replace (h_minus - h (u - epsilon)) with (h_minus - h u_minus + (h u_minus - h (u - epsilon))) by ring. eapply Rle_trans; [apply Rabs_triang|].
+    generalize (moved_by_at_most h h1 L (u - epsilon) u_minus D B). nra. }
+  assert (S : Rabs ((h (u + epsilon) - h (u - epsilon)) / (2 * epsilon)) <= L).
+  { unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ _)) by (left; apply Rinv_0_lt_compat; lra). generalize (moved_by_at_most h h1 L (u - epsilon) (u + epsilon) D B).
+    replace (u + epsilon - (u - epsilon)) with (2 * epsilon) by ring. rewrite (Rabs_pos_eq (2 * epsilon)) by lra. intro X.
+    apply Rmult_le_reg_r with (2 * epsilon); [lra|]. rewrite Rmult_assoc, Rinv_l by lra. lra. }
+  set (a := h (u + epsilon)) in *. set (b := h (u - epsilon)) in *. set (e := eta + L * alpha) in *. set (q := (a - b) / (2 * epsilon)) in *.
+  set (t := (1 + d1) * (1 + d2)). apply Rabs_le_between in D1. apply Rabs_le_between in D2.
+  assert (T : 0 <= t <= (1 + mu) ^ 2) by (unfold t; split; [nra|]; nra).
+  assert (T' : Rabs (t - 1) <= 2 * mu + mu ^ 2) by (apply Rabs_le; unfold t; split; nra).
+  replace (_ - q) with (((h_plus - a) - (h_minus - b)) / (2 * epsilon) * t + q * (t - 1)) by (unfold q, t; field; lra).
+  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat.
+  - unfold Rdiv. rewrite !Rabs_mult, (Rabs_pos_eq (/ _)), (Rabs_pos_eq t) by (try (left; apply Rinv_0_lt_compat); lra).
+    apply Rmult_le_compat; try lra; [apply Rmult_le_pos; [apply Rabs_pos | left; apply Rinv_0_lt_compat; lra]|].
+    apply Rmult_le_reg_r with (2 * epsilon); [lra|]. rewrite Rmult_assoc, Rinv_l by lra. replace (e * / epsilon * (2 * epsilon)) with (e + e) by (field; lra).
+    rewrite Rmult_1_r. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra.
+  - rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; assumption.
+Qed.
+Theorem roundoff_bound__bound__point : exists (h h1 : R -> R) (L u epsilon mu : R), (forall w, is_derive h w (h1 w)) /\ (forall w, Rabs (h1 w) <= L) /\ 0 < epsilon /\ 0 < mu < 1.
+Proof.
+  exists sin, cos, 1, 0, 1, (1/2). split; [|split; [|lra]]; intro w; [auto_derive; trivial; ring | apply Rabs_le, COS_bound].
+Qed.
+(* Without the heights' error it is not so. *)
+Theorem roundoff_bound__bound__false : ~ forall (h : R -> R) (epsilon eta h_plus h_minus : R), 0 < epsilon -> Rabs (h_plus - h epsilon) <= eta -> Rabs (h_minus - h (- epsilon)) <= eta ->
+  (h_plus - h_minus) / (2 * epsilon) = (h epsilon - h (- epsilon)) / (2 * epsilon).
+Proof.
+  intro H. generalize (H (fun _ => 0) 1 1 1 0 ltac:(lra)). rewrite !Rminus_0_r, Rabs_R1, Rabs_R0. intro K. generalize (K ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+(* Float64, from Flocq: 53 digits, the smallest exponent -1074, to the nearest with ties to even. *)
+Definition float64 (x : R) : Prop := generic_format radix2 (FLT_exp (-1074) 53) x.
+Definition rounded (x : R) : R := round radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n))) x.
+Definition unit_roundoff : R := / 2 * bpow radix2 (-53 + 1).
+
+(* The standard model: an operation that does not underflow is exact but for a factor 1 + d, |d| <= 2^-53. *)
+Theorem roundoff_bound__standard_model (x : R) : bpow radix2 (-1022) <= Rabs x -> exists d, Rabs d <= unit_roundoff /\ rounded x = x * (1 + d).
+Proof. intro H. apply (relative_error_N_FLT_ex radix2 (-1074) 53); [easy | exact H]. Qed.
+
+(* The difference of two float64 numbers needs no such condition. *)
+Local Instance precision : Prec_gt_0 53. Proof. reflexivity. Qed.
+Theorem roundoff_bound__subtraction (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= unit_roundoff /\ rounded (a - b) = (a - b) * (1 + d).
+Proof.
+  intros A B. destruct (FLT_plus_error_N_ex radix2 (-1074) 53 (fun n => negb (Z.even n)) a (- b) A (generic_format_opp _ _ _ B)) as (d & D & E).
+  exists d. split; [|exact E]. eapply Rle_trans; [exact D|]. change (u_ro radix2 53) with unit_roundoff.
+  assert (P : 0 < unit_roundoff) by (unfold unit_roundoff; generalize (bpow_gt_0 radix2 (-53 + 1)); lra).
+  apply Rmult_le_reg_r with (1 + unit_roundoff); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. nra.
+Qed.
