@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 RUN := $(BIN)/python
 
-.PHONY: help environment book test verify figures single pdf release-notes release same-bytes bench clean
+.PHONY: help environment book test verify formal figures single pdf release-notes release same-bytes bench clean
 .DEFAULT_GOAL := help
 
 help: ## list these targets
@@ -17,6 +17,9 @@ test: environment ## run every test, the proofs' included  (pytest verify tests)
 
 verify: environment ## run the proofs' checker alone  (pytest verify)
 	@$(RUN) -m pytest verify -q -n 2
+
+formal: environment ## let Coq check proofs/formal/, and record what it accepted  (python -m verify.formal)
+	@$(RUN) -m verify.formal
 
 figures: environment ## draw the figures that changed  (python -m book figures)
 	@$(RUN) -m book figures

@@ -11,6 +11,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import textwrap
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -27,8 +28,8 @@ COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
 AXIOMS = {
     "ClassicalDedekindReals.sig_forall_dec": "the real numbers",
     "ClassicalDedekindReals.sig_not_dec": "the real numbers",
-    "FunctionalExtensionality.functional_extensionality_dep": "functions are equal where their values are",
-    "Classical_Prop.classic": "a statement is true or it is not",
+    "FunctionalExtensionality.functional_extensionality_dep": "functions",
+    "Classical_Prop.classic": "the excluded middle",
 }
 """{axiom: what it is about}. Where `interval` computes, the specifications of Coq's machine numbers come to these."""
 MACHINE_NUMBERS = ("Uint63.", "PrimInt63.", "PrimFloat.", "FloatAxioms.", "FloatOps.", "Int63.", "Sint63.")
@@ -129,7 +130,7 @@ def _read(found: dict[str, list[str]], printed: str) -> dict:
         name = part.split(None, 1)[0].rstrip(":") if part.strip() else ""
         if name in known:
             current = of[name]
-            table[current]["statements"][name] = " ".join(part.split(":", 1)[1].split())
+            table[current]["statements"][name] = _dedented(part.split(":", 1)[1])
         elif name == "Axioms" and current:
             table[current]["axioms"] = sorted(re.findall(r"^([\w.]+)\s*:", part.split("\n", 1)[1], flags=re.M))
     for theorem, entry in table.items():
@@ -137,6 +138,12 @@ def _read(found: dict[str, list[str]], printed: str) -> dict:
         if strange or len(entry["statements"]) < len(found[theorem]):
             raise NotAccepted(f"{theorem} rests on {', '.join(strange) or 'a statement that was not printed'}")
     return table
+
+
+def _dedented(text: str) -> str:
+    """Return a printed statement without the indentation that its name's line gave it."""
+    first, *others = text.rstrip().split("\n")
+    return textwrap.dedent("\n".join([f"       {first.strip()}", *others])).strip()
 
 
 def main() -> None:

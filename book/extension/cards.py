@@ -12,6 +12,10 @@ from typing import ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import directives
+from markupsafe import Markup
+from pygments import highlight
+from pygments.formatters import HtmlFormatter
+from pygments.lexers import CoqLexer
 
 from book.build import stamps
 from book.extension import checker
@@ -19,6 +23,7 @@ from book.extension.elements import TEMPLATES, BookDirective, BookRole, Filled, 
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.points import point
 from book.extension.theorems import BadTheorem, certificate, module_and_line, proofs_of, script
+from verify import formal
 
 
 class Here:
@@ -73,7 +78,20 @@ def card(book: Here, id: str) -> Filled:
         check_here=checker.check_here(book, id),
         source=f"{listing_address(path.relative_to(stamps.ROOT))}#L-{line}",
         downloads=downloads,
+        partly=formal.PARTLY.get(id),
     )
+
+
+def coq(name: str, statement: str) -> Markup:
+    """A statement of Coq's, coloured."""
+    return Markup(highlight(f"Theorem {name} :\n  {statement}.", CoqLexer(), HtmlFormatter(nowrap=True)))
+
+
+def axioms(names: list[str]) -> str:
+    """What a formal proof takes from Coq's library without proof."""
+    about = [formal.AXIOMS[name] for name in names if name in formal.AXIOMS]
+    about += ["Coq's machine numbers"] if len(about) < len(names) else []
+    return f"Coq's axioms of {', '.join(dict.fromkeys(about))}" if about else "no axiom"
 
 
 def link(text: str, target: str) -> nodes.reference:
@@ -97,4 +115,4 @@ def setup(app) -> None:
     app.add_role("theorem-ref", TheoremReference())
 
 
-TEMPLATES.globals.update(point=point)
+TEMPLATES.globals.update(point=point, coq=coq, axioms=axioms)

@@ -25,7 +25,7 @@ class Grades(BookDirective):
     """The legend: all grades, "failed" only where it occurs."""
 
     def content_nodes(self):
-        occurring = {kind(entry["grade"]) for entry in Here(self.env).proofs.entries.values()}
+        occurring = {kind(entry["shown"]) for entry in Here(self.env).proofs.entries.values()}
         return [filled("grades", grades=[grade for grade in ORDER if grade in occurring or grade != "failed"])]
 
 
@@ -41,7 +41,7 @@ class AllClaims(BookDirective):
 
     def content_nodes(self):
         book = Here(self.env)
-        grades = {id: kind(entry["grade"]) for id, entry in book.proofs.entries.items()}
+        grades = {id: kind(entry["shown"]) for id, entry in book.proofs.entries.items()}
         sections = {id: section_of(book.proofs, id) for id in book.proofs.in_page_order()}
         pages = page_files(Path(self.env.srcdir))
         parts = [grade_filter(Counter(grades.values()))]

@@ -10,10 +10,16 @@ from book.build import report, stamps
 from book.build.contents import page_files
 from proofs.engine.standalone import standalone_script
 from proofs.engine.theorem import Theorem, all_theorems
+from verify import formal
 
 PLACED = re.compile(r"^\s*(?::{3,}|`{3,})\{theorem\}\s+(\S+)\s*$", re.MULTILINE)
 CLAIMS_PAGE = "claims"
 GRADES = {  # shape, letter and meaning of each, in the order of the page of all claims
+    "formal": (
+        "■",
+        "F",
+        "stated in Coq over the printed formulas, word for word, and accepted by its kernel; also proved",
+    ),
     "proved": ("●", "P", "two checkers accepted a certificate, the samples agree, the false variants were refuted"),
     "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),
     "argued": ("◐", "A", "as proved, but for the words in grey, which no claim says"),
@@ -97,6 +103,11 @@ def load(book: Path) -> Proofs:
     if theorems.keys() != entries.keys():
         odd = ", ".join(sorted(theorems.keys() ^ entries.keys()))
         raise report.NoReport(f"the report and the theorems differ in: {odd}; {report.REMEDY}")
+    accepted = formal.record()
+    for id, entry in entries.items():
+        entry["formal"] = accepted.get(id)
+        whole = entry["formal"] and id not in formal.PARTLY and entry["grade"] in ("proved", "argued")
+        entry["shown"] = "formal" if whole else entry["grade"]
     return Proofs(theorems, entries, placements(book, list(theorems)))
 
 
