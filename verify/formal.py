@@ -42,20 +42,23 @@ class NotAccepted(ValueError):
     """Coq did not accept a file, or a statement rests on an axiom that is not among those that are named."""
 
 
-def files() -> list[Path]:
-    """Return the files that Coq reads, each after those that it requires."""
+def files(*wanted: str) -> list[Path]:
+    """Return the files that Coq reads, each after those that it requires: all, or those that are wanted and theirs."""
     required = {path: REQUIRED.search(path.read_text(encoding="utf-8")) for path in FOLDER.glob("*.v")}
     needs = {path.stem: set(found[1].split()) if found else set() for path, found in required.items()}
     order: list[str] = []
     while len(order) < len(needs):
         order += sorted(name for name, names in needs.items() if name not in order and names <= set(order))
-    return [FOLDER / f"{name}.v" for name in order]
+    reached = set(wanted or order)
+    for name in reversed(order):
+        reached |= needs[name] if name in reached else set()
+    return [FOLDER / f"{name}.v" for name in order if name in reached]
 
 
-def statements() -> dict[str, list[str]]:
+def statements(*wanted: str) -> dict[str, list[str]]:
     """Return {theorem's id: the names of its statements}, in the order of the files."""
     found: dict[str, list[str]] = {}
-    for path in files():
+    for path in files(*wanted):
         for name, theorem in STATEMENT.findall(path.read_text(encoding="utf-8")):
             found.setdefault(theorem, []).append(name)
     return found
@@ -81,9 +84,9 @@ def _coqc(folder: Path, name: str) -> str:
     return done.stdout
 
 
-def compile_all() -> dict:
-    """Compile every file in a folder of its own and return what `record` returns; raises NotAccepted."""
-    found, order = statements(), files()
+def compile_files(*wanted: str) -> dict:
+    """Compile files in a folder of their own and return what `record` returns; raises NotAccepted."""
+    found, order = statements(*wanted), files(*wanted)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for path in order:
@@ -96,7 +99,7 @@ def compile_all() -> dict:
                     bar.update()
                     compiled.add(name)
                     waiting.remove(name)
-            (folder / "Survey.v").write_text(_survey(found), encoding="utf-8")
+            (folder / "Survey.v").write_text(_survey(found, order), encoding="utf-8")
             printed = _coqc(folder, "Survey.v")
             bar.update()
     return _read(found, printed)
@@ -107,10 +110,10 @@ def _needs(path: Path) -> set[str]:
     return {f"{name}.v" for name in required[1].split()} if required else set()
 
 
-def _survey(found: dict[str, list[str]]) -> str:
+def _survey(found: dict[str, list[str]], order: list[Path]) -> str:
     """Return the text of a file that prints every statement, and each theorem's axioms."""
     lines = ["From Coq Require Import Reals.", "From Coquelicot Require Import Coquelicot.", "Open Scope R_scope."]
-    lines += [f"From Formal Require Import {' '.join(path.stem for path in files())}.", "Set Printing Width 110."]
+    lines += [f"From Formal Require Import {' '.join(path.stem for path in order)}.", "Set Printing Width 110."]
     for theorem, names in found.items():
         lines += [f"Check {name}." for name in names]
         lines += [f"Definition all_of_{theorem} := ({', '.join(names)}, I).", f"Print Assumptions all_of_{theorem}."]
@@ -149,15 +152,19 @@ def _dedented(text: str) -> str:
 def main() -> None:
     """Compile what changed since the record was made, say what was accepted, and write the record."""
     parser = argparse.ArgumentParser(prog="python -m verify.formal", description=__doc__)
+    parser.add_argument("file", nargs="*", help="this file alone, and what it requires: no record is written")
     parser.add_argument("--fresh", action="store_true", help="compile although nothing changed")
-    fresh = parser.parse_args().fresh
-    table = {} if fresh else record()
+    asked = parser.parse_args()
+    if unknown := set(asked.file) - (known := {path.stem for path in files()}):
+        parser.error(f"file: {', '.join(sorted(unknown))} is not one of {', '.join(sorted(known))}")
+    table = {} if asked.fresh or asked.file else record()
     if table:
         print("nothing changed since Coq accepted it (--fresh: again)")
     elif shutil.which("coqc") is None:
         sys.exit("Coq is not installed: apt-get install coq libcoq-coquelicot libcoq-interval libcoq-flocq")
     else:
-        table = compile_all()
+        table = compile_files(*asked.file)
+    if not asked.file:
         with whole_file(RECORD) as name:
             text = json.dumps({"sources": sources(), "theorems": table}, indent=1, ensure_ascii=False)
             Path(name).write_text(text + "\n", encoding="utf-8")

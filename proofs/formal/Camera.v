@@ -1352,3 +1352,123 @@ Proof.
   intros S. destruct (stable_frame__seed_frame 0 phi S) as (-> & _). pose proof (COS_bound phi).
   unfold unit_normal.normal_z. split; nra.
 Qed.
+
+Lemma nearest_cases (floor : R) (ta tb : Rbar) :
+  let tf := nearest.t_floor floor in let s := nearest.surface floor ta tb in
+  let a := Rbar_lt ta p_infty /\ Rbar_le ta tb /\ Rbar_le ta tf in
+  let b := Rbar_lt tb p_infty /\ Rbar_le tb tf in let c := Rbar_lt tf p_infty in
+  (s = 1 <-> a) /\ (s = 2 <-> ~ a /\ b) /\ (s = 3 <-> ~ a /\ ~ b /\ c) /\ (s = 0 <-> ~ a /\ ~ b /\ ~ c).
+Proof.
+  intros tf s a b c.
+  assert (H : (a /\ s = 1) \/ (~ a /\ b /\ s = 2) \/ (~ a /\ ~ b /\ c /\ s = 3) \/ (~ a /\ ~ b /\ ~ c /\ s = 0)).
+  { unfold s, nearest.surface. fold tf. destruct both as [[[A B] C] | N].
+    - left. split; [exact (conj A (conj B C)) | reflexivity].
+    - right. assert (N1 : ~ a) by (intros (A & B & C); destruct N as [[N | N] | N]; auto).
+      destruct both as [[A B] | M].
+      + left. split; [exact N1 | split; [exact (conj A B) | reflexivity]].
+      + right. assert (M1 : ~ b) by (intros (A & B); destruct M as [M | M]; auto).
+        destruct Rbar_lt_dec as [L | L]; [left | right]; repeat (split; [assumption |]); reflexivity. }
+  clearbody s a b c. destruct H as [(A & ->) | [(A & B & ->) | [(A & B & C & ->) | (A & B & C & ->)]]].
+  all: repeat split; try tauto; intros; try lra.
+  all: tauto.
+Qed.
+
+Lemma ta_is x y e r : visible_surface.t_a x y e r = hit_of_a.t_a x y e r.
+Proof. reflexivity. Qed.
+
+Lemma tb_is x y e bx by_ bz br on :
+  visible_surface.t_b x y e bx by_ bz br on = hit_of_b.t_b x y e bx by_ bz br on.
+Proof. reflexivity. Qed.
+
+Lemma surface_is x y e r bx by_ bz br on floor : visible_surface.surface x y e r bx by_ bz br on floor =
+  nearest.surface floor (hit_of_a.t_a x y e r) (hit_of_b.t_b x y e bx by_ bz br on).
+Proof. rewrite <- ta_is, <- tb_is. unfold visible_surface.surface, nearest.surface. reflexivity. Qed.
+
+(* The surface shown is that of the nearest hit: A's (1) before B's (2) before the floor's (3), which is at t = 1; 0 is
+   the background. *)
+Theorem bump_moves_no_boundary__surface (x y e r bx by_ bz br on floor : R) :
+  let ta := hit_of_a.t_a x y e r in let tb := hit_of_b.t_b x y e bx by_ bz br on in
+  let tf := nearest.t_floor floor in
+  let s := visible_surface.surface x y e r bx by_ bz br on floor in
+  let a := Rbar_lt ta p_infty /\ Rbar_le ta tb /\ Rbar_le ta tf in
+  let b := Rbar_lt tb p_infty /\ Rbar_le tb tf in let c := Rbar_lt tf p_infty in
+  ((s = 1 <-> a) /\ (s = 2 <-> ~ a /\ b) /\ (s = 3 <-> ~ a /\ ~ b /\ c) /\ (s = 0 <-> ~ a /\ ~ b /\ ~ c)) /\
+  (0 < floor -> tf = Finite 1) /\ (floor <= 0 -> tf = p_infty).
+Proof.
+  cbv zeta. rewrite surface_is. split; [apply nearest_cases |].
+  unfold nearest.t_floor. destruct Rlt_dec; split; intros; (reflexivity || lra).
+Qed.
+
+(* Not the floor whenever there is one. *)
+Theorem bump_moves_no_boundary__surface__false : ~ forall x y e r bx by_ bz br on floor : R, 0 < floor ->
+  visible_surface.surface x y e r bx by_ bz br on floor = 3.
+Proof.
+  intros F. destruct point_a as (H & O & D). specialize (F (1 / 2) 0 4 1 0 0 0 1 0 1 ltac:(lra)).
+  destruct (bump_moves_no_boundary__surface (1 / 2) 0 4 1 0 0 0 1 0 1) as ((S & _) & T & _).
+  destruct (t_a_near (1 / 2) 0 4 1 ltac:(lra) O ltac:(lra)) as (t & A & _ & L & _).
+  assert (B : hit_of_b.t_b (1 / 2) 0 4 0 0 0 1 0 = p_infty)
+    by (unfold hit_of_b.t_b; destruct both as [[[Z _] _] | _]; [lra | reflexivity]).
+  rewrite A, B, (T ltac:(lra)) in S. enough (1 = 3) by lra. rewrite <- F. symmetry. apply S. simpl. repeat split; lra.
+Qed.
+
+Lemma sine_between (x : R) (n : Z) : IZR n < x < IZR n + 1 ->
+  (Z.Even n -> 0 < sin (PI * x)) /\ (Z.Odd n -> sin (PI * x) < 0).
+Proof.
+  intros H. pose proof PI_RGT_0. assert (S : 0 < sin (PI * (x - IZR n))) by (apply sin_gt_0; nra).
+  assert (E : sin (PI * x) = sin (PI * (x - IZR n)) * cos (PI * IZR n)).
+  { replace (PI * x) with (PI * (x - IZR n) + PI * IZR n) by ring. rewrite sin_plus.
+    rewrite (proj2 (sine_zero (IZR n))) by (exists n; reflexivity). ring. }
+  assert (C : forall k, cos (PI * IZR (2 * k)) = 1).
+  { intros k. rewrite mult_IZR. replace (PI * (2 * IZR k)) with (2 * (PI * IZR k)) by ring.
+    rewrite cos_2a_sin, (proj2 (sine_zero (IZR k))) by (exists k; reflexivity). ring. }
+  split; intros [k ->]; rewrite E; [rewrite C; lra |].
+  replace (cos (PI * IZR (2 * k + 1))) with (-1); [lra |].
+  rewrite plus_IZR, Rmult_plus_distr_l, cos_plus, C, !Rmult_1_r, cos_PI, sin_PI. ring.
+Qed.
+
+Lemma floor_between (x : R) : x <> IZR (Int_part x) -> IZR (Int_part x) < x < IZR (Int_part x) + 1.
+Proof. intros H. destruct (base_Int_part x). lra. Qed.
+
+Lemma half_floor (n : Z) : IZR n <> 2 * IZR (Int_part (1 / 2 * IZR n)) <-> Z.Odd n.
+Proof.
+  destruct (base_Int_part (1 / 2 * IZR n)) as [A B]. set (k := Int_part (1 / 2 * IZR n)) in *. split.
+  - intros H. exists k. assert (2 * k < n)%Z by (apply lt_IZR; rewrite mult_IZR; lra).
+    assert (n < 2 * k + 2)%Z by (apply lt_IZR; rewrite plus_IZR, mult_IZR; lra). lia.
+  - intros [j ->] E. rewrite plus_IZR, mult_IZR in E. assert (2 * j + 1 = 2 * k)%Z; [| lia].
+    apply eq_IZR. rewrite plus_IZR, !mult_IZR. lra.
+Qed.
+
+(* A checker square is dark exactly where sin (pi x) sin (pi y) < 0: a grid line is light. *)
+Theorem bump_moves_no_boundary__checker (x y : R) : checker.dark x y = 1 <-> sin (PI * x) * sin (PI * y) < 0.
+Proof.
+  assert (Z : forall a, a = IZR (Int_part a) -> sin (PI * a) = 0) by (intros a E; apply sine_zero; eauto).
+  unfold checker.dark, checker.square. rewrite <- plus_IZR.
+  destruct both as [[[X Y] S] | [[X | Y] | S]].
+  - split; [intros _ | reflexivity]. apply half_floor in S. apply floor_between in X, Y.
+    destruct (sine_between _ _ X) as [XE XO], (sine_between _ _ Y) as [YE YO].
+    destruct (Z.Even_or_Odd (Int_part x)) as [P | P]; destruct (Z.Even_or_Odd (Int_part y)) as [Q | Q].
+    + exfalso. destruct P as [a A], Q as [b B], S as [c C]. lia.
+    + specialize (XE P). specialize (YO Q). nra.
+    + specialize (XO P). specialize (YE Q). nra.
+    + exfalso. destruct P as [a A], Q as [b B], S as [c C]. lia.
+  - rewrite (Z x X). lra.
+  - rewrite (Z y Y). lra.
+  - split; [lra | intros H; exfalso].
+    assert (X : x <> IZR (Int_part x)) by (intros E; rewrite (Z x E) in H; lra).
+    assert (Y : y <> IZR (Int_part y)) by (intros E; rewrite (Z y E) in H; lra).
+    apply floor_between in X, Y.
+    destruct (sine_between _ _ X) as [XE XO], (sine_between _ _ Y) as [YE YO].
+    assert (O : ~ Z.Odd (Int_part x + Int_part y)) by (intros O; apply half_floor in O; contradiction).
+    destruct (Z.Even_or_Odd (Int_part x)) as [P | P]; destruct (Z.Even_or_Odd (Int_part y)) as [Q | Q].
+    + specialize (XE P). specialize (YE Q). nra.
+    + apply O. destruct P as [a A], Q as [b B]. exists (a + b)%Z. lia.
+    + apply O. destruct P as [a A], Q as [b B]. exists (a + b)%Z. lia.
+    + specialize (XO P). specialize (YO Q). nra.
+Qed.
+
+(* Not where it is > 0. *)
+Theorem bump_moves_no_boundary__checker__false : ~ forall x y : R, checker.dark x y = 1 <-> 0 < sin (PI * x) * sin (PI * y).
+Proof.
+  intros F. specialize (F (1 / 2) (1 / 2)). rewrite bump_moves_no_boundary__checker in F.
+  replace (PI * (1 / 2)) with (PI / 2) in F by field. rewrite sin_PI2 in F. lra.
+Qed.

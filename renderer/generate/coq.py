@@ -66,10 +66,15 @@ class CoqPrinter(KernelPrinter):
     """
 
     names: ClassVar = {"Abs": "Rabs", "Max": "Rmax", "Min": "Rmin"}
-    pi, infinity = "PI", "p_infty"
 
     def literal(self, rational):
         return str(rational.p) if rational.q == 1 else f"({rational.p} / {rational.q})"
+
+    def _print_Pi(self, expr):
+        return "PI"
+
+    def _print_Infinity(self, expr):
+        return "p_infty"
 
     def _print_Symbol(self, symbol):
         return symbol.name if symbol.is_real else f"real {symbol.name}"
