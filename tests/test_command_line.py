@@ -29,9 +29,9 @@ def run(*arguments):
         return end.code
 
 
-def shell(*arguments, cwd=ROOT):
+def shell(*arguments):
     command = [sys.executable, "-m", "renderer", *map(str, arguments)]
-    return subprocess.run(command, cwd=cwd, capture_output=True, text=True)
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
 
 
 def picture(path):

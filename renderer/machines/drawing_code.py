@@ -3,7 +3,7 @@
 import llvmlite.ir as ir
 
 from renderer.machines.traced import BYTE, FLOAT, WHOLE, Tracer, Value
-from renderer.numbers import LIGHT_FORM, SCENE_FORM, of_form
+from renderer.numbers import SCENE_FORM, of_form
 from renderer.shader import CHART, COLORS, ON_A, WORK, Group
 
 PLANES = (*COLORS, "code", *ON_A, *CHART)
@@ -53,7 +53,6 @@ def emit(module, name, want, lanes):
     planes = {plane: address(plane, BYTE if plane == "code" else FLOAT) for plane in PLANES}
     scene = of_form(SCENE_FORM, tracer.numbers(address("scene", FLOAT), SCENE_FORM))
     tracer.light_numbers, tracer.light_count = address("lights", FLOAT), given["light_count"]
-    tracer.light_form = LIGHT_FORM
     with tracer.loop(given["first_row"], given["last_row"]) as row:
         ends = builder.mul(row, WHOLE(2))
         begin, end = (builder.load(builder.gep(columns, [builder.add(ends, WHOLE(n))])) for n in (0, 1))

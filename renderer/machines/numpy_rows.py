@@ -22,12 +22,10 @@ class Variable:
 class Rows:
     """A machine whose values are arrays along a row."""
 
+    variable = Variable
+
     def __init__(self, lights):
         self.lights, self.counts = [of_form(LIGHT_FORM, light) for light in lights], dict.fromkeys(WORK, 0)
-
-    def variable(self, value):
-        """Return a Variable."""
-        return Variable(value)
 
     def count(self, kind, mask):
         """Add the number of a mask's pixels to what is counted of a kind."""

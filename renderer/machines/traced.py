@@ -9,7 +9,7 @@ from functools import partialmethod
 
 import llvmlite.ir as ir
 
-from renderer.numbers import flat, of_form
+from renderer.numbers import LIGHT_FORM, flat, of_form
 
 FLOAT, BIT, BYTE, WHOLE = ir.DoubleType(), ir.IntType(1), ir.IntType(8), ir.IntType(64)
 
@@ -123,7 +123,7 @@ class Tracer:
         self.counts = {kind: self.reserve(WHOLE) for kind in kinds}
         for place in self.counts.values():
             self.builder.store(WHOLE(0), place)
-        self.light_numbers = self.light_count = self.light_form = None
+        self.light_numbers = self.light_count = None
 
     def reserve(self, kind):
         """Return memory for one value, reserved where the function begins."""
@@ -234,7 +234,7 @@ class Tracer:
     def each_light(self, body):
         """Run `body` on the numbers of one light after another."""
         with self.loop(WHOLE(0), self.light_count) as number:
-            body(of_form(self.light_form, self.numbers(self.light_numbers, self.light_form, number)))
+            body(of_form(LIGHT_FORM, self.numbers(self.light_numbers, LIGHT_FORM, number)))
 
     def numbers(self, pointer, form, number=None):
         """Yield the Values of an array of numbers of a form, or of its row `number`."""
