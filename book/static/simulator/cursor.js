@@ -51,11 +51,18 @@ Simulator.cursor = function (root, states, data, module) {
     return found;
   }
 
+  // Put rows where they differ from what is there.
+  function fill(list, rows) {
+    if (list.children.length !== rows.length) list.innerHTML = rows.join("");
+    else rows.forEach((row, n) => row !== list.texts[n] && (list.children[n].outerHTML = row));
+    list.texts = rows;
+  }
+
   function show(state) {
     const [one, other] = records(state);
-    facts.innerHTML = shared(one, state).map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`).join("");
-    body.innerHTML = compared(one, other).map(([name, a, b]) =>
-      `<tr><th scope="row">${name}</th><td>${a}</td><td>${b}</td><td>${ulps(a, b)}</td></tr>`).join("");
+    fill(facts, shared(one, state).map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`));
+    fill(body, compared(one, other).map(([name, a, b]) =>
+      `<tr><th scope="row">${name}</th><td>${a}</td><td>${b}</td><td>${ulps(a, b)}</td></tr>`));
     root.querySelector(".sim-far").hidden = !body.textContent.includes("—");
     line.textContent = states.python(state);
   }

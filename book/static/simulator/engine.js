@@ -1,14 +1,24 @@
 // The workers, and who draws what: each has a band of rows. One picture is asked for at a time; of the states that
-// come meanwhile only the last is drawn. When nothing moves, the workers are given the idle work.
+// come meanwhile only the last is drawn. When nothing moves, the workers are given the idle work. A small picture is
+// drawn by the page itself: that takes less time than to hand it over, and it is there in the slider's own frame.
 "use strict";
 var Simulator = Simulator || {};
 
 Simulator.engine = function (data, compiled, states, module, heard) {
-  const IDLE_AFTER = 150;
+  const IDLE_AFTER = 150, SMALL = 256, AT_ONCE = 12; // milliseconds; pixels; milliseconds
   const parts = ["module", "worker"].map((name) => `Simulator.${name} = ${Simulator[name]};`);
   const source = ['"use strict"; const Simulator = {};', ...parts, "Simulator.worker(self);"].join("\n");
   const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
-  let workers = [], bands = [], waiting = null, next = null, last = null, timer = 0, id = 0;
+  let workers = [], bands = [], waiting = null, next = null, last = null, timer = 0, id = 0, resting = 0, usual = 0;
+  const page = [{ worker: drawer_here(), buffers: {} }];
+
+  // What a worker does, done here and now.
+  function drawer_here() {
+    const port = { postMessage: (reply) => receive(reply, 0) };
+    Simulator.worker(port);
+    port.onmessage({ data: { kind: "begin", data, compiled } });
+    return { postMessage: (message) => port.onmessage({ data: message }) };
+  }
 
   // As many as there are cores; each has its own memory, since pages from a disk cannot share any.
   function start() {
@@ -32,12 +42,12 @@ Simulator.engine = function (data, compiled, states, module, heard) {
   }
 
   // Cut the rows into bands of about equal work: a row costs what it has of A, and a little.
-  function cut(state) {
+  function cut(state, count) {
     const raster = states.crop(state), reach = module.radius_of_a, y = Array.from(module.image_points(raster)[1]);
     const cost = y.map((at) => Math.sqrt(Math.max(0, reach * reach - at * at)) + 0.02 * reach), whole = cost.reduce((a, b) => a + b);
     let sum = 0;
-    const band_of = cost.map((part) => Math.floor((workers.length * ((sum += part) - part / 2)) / whole));
-    return workers.map((_, n) => ({ first: band_of.indexOf(n), last: band_of.lastIndexOf(n) })).filter(({ first }) => first >= 0)
+    const band_of = cost.map((part) => Math.floor((count * ((sum += part) - part / 2)) / whole));
+    return Array.from({ length: count }, (_, n) => ({ first: band_of.indexOf(n), last: band_of.lastIndexOf(n) })).filter(({ first }) => first >= 0)
       .map(({ first, last }) => ({ ...raster, top: raster.top + first, high: last + 1 - first }));
   }
 
@@ -51,30 +61,36 @@ Simulator.engine = function (data, compiled, states, module, heard) {
 
   const same_raster = (a, b) => ["size", "zoom", "left", "top"].every((name) => a[name] === b[name]);
 
+  // Who draws a state, and each one's band of rows. A drawer keeps what it has as long as its band is the same.
   function send() {
-    const { state, asked } = next;
+    const { state, asked } = next, drawers = state.size <= SMALL && usual < AT_ONCE ? page : workers;
+    const anew = bands.drawers !== drawers || !same_raster(bands.of, state);
     next = null;
-    if (!bands.length || !same_raster(bands.of, state)) bands = Object.assign(cut(state), { of: state });
-    waiting = { id: ++id, state, asked, replies: [], missing: bands.length };
+    if (anew) bands = Object.assign(cut(state, drawers.length), { of: state, drawers });
+    if (resting && drawers === page) for (const { worker } of workers) worker.postMessage({ kind: "stop" });
+    resting = 0;
+    waiting = { id: ++id, state, asked, drawers, anew, sent: performance.now(), replies: [], missing: bands.length };
     bands.forEach((band, n) => {
-      const { worker, buffers } = workers[n];
-      workers[n].buffers = {};
-      worker.postMessage({ kind: "draw", id, state, band, buffers }, Object.values(buffers));
+      const { worker, buffers } = drawers[n];
+      drawers[n].buffers = {};
+      worker.postMessage({ kind: "draw", id, state, band, buffers, anew }, Object.values(buffers));
     });
   }
 
   function receive(data, number) {
     if (data.kind !== "drawn") {
-      if (data.id === id && !waiting) heard[data.kind](data, bands.length);
+      if (data.id === id && resting) heard[data.kind](data, resting);
       return;
     }
+    if (data.id !== waiting?.id) return;
     waiting.replies[number] = data;
     if (--waiting.missing) return;
-    const { state, asked, replies } = waiting;
+    const { state, asked, drawers, anew, sent, replies } = waiting;
     waiting = null;
+    if (drawers === page && !anew) usual += 0.2 * (performance.now() - sent - usual);
     heard.drawn(state, replies, asked);
     replies.forEach(({ images }, n) => {
-      workers[n].buffers = Object.fromEntries(Object.entries(images).map(([name, { bytes }]) => [name, bytes.buffer]));
+      drawers[n].buffers = Object.fromEntries(Object.entries(images).map(([name, { bytes }]) => [name, bytes.buffer]));
     });
     if (next) send();
     else timer = setTimeout(() => rest(state), IDLE_AFTER);
@@ -82,8 +98,9 @@ Simulator.engine = function (data, compiled, states, module, heard) {
 
   function rest(state) {
     if (document.hidden || waiting) return;
-    const steps = heard.resting(state);
-    bands.forEach((band, n) => workers[n].worker.postMessage({ kind: "idle", id, state, band, steps }));
+    const steps = heard.resting(state), parts = bands.drawers === workers ? bands : cut(state, workers.length);
+    resting = parts.length;
+    parts.forEach((band, n) => workers[n].worker.postMessage({ kind: "idle", id, state, band, steps }));
   }
 
   return { start, stop, ask };

@@ -24,6 +24,7 @@ Simulator.start = function (root, compiled, module) {
   }
 
   function message(text) {
+    if ($(".sim-message").textContent === text) return;
     $(".sim-message").textContent = text;
     $(".sim-message").hidden = !text;
   }
@@ -89,11 +90,11 @@ Simulator.start = function (root, compiled, module) {
   function panels() {
     wanted = 0;
     if (document.hidden) return;
-    cursor.show(state);
     if (pixel_key(state) !== pixel_of) pixel_curve = curve.at_pixel(state, states.crop(state));
     pixel_of = pixel_key(state);
     curve.show(state, pixel_curve, picture_of === curve_key(state) ? picture : none);
     readouts.captions(state);
+    cursor.show(state); // after the curve, which asks how wide it is
     shown_panels = performance.now();
   }
 

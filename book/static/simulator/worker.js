@@ -1,10 +1,11 @@
-// What a worker does: draw and paint a band of rows for a state; when nothing is asked, time both pipelines, count
+// What a worker does, or the page itself: draw and paint a band of rows for a state; when nothing is asked, time both pipelines, count
 // flips, and follow the U-curve of the band. Only what a change touches is computed anew.
 "use strict";
 var Simulator = Simulator || {};
 
 Simulator.worker = function (port) {
-  const ROUNDS = 12, exact = { name: "exact" }, kept = {}; // name -> {key, value, fresh, version}
+  const ROUNDS = 12, exact = { name: "exact" };
+  let kept = {}; // name -> {key, value, fresh, version}
   let module, pending = null, timer = 0, versions = 0; // pending: the idle work that is left
 
   // What was made for this key, or what is made now. A key is a list of numbers and names.
@@ -61,7 +62,8 @@ Simulator.worker = function (port) {
     return module.paint(way[0], stage, into, { ...way[1], whole, of: "numeric", other: "symbolic" });
   }
 
-  function draw({ id, state, band, buffers }) {
+  function draw({ id, state, band, buffers, anew }) {
+    if (anew) kept = {};
     const stage = staged(state, band), new_stage = kept.stage.fresh, images = {}, moved = [];
     drawn("numeric", difference(state), state, stage);
     drawn("symbolic", exact, state, stage);
@@ -136,7 +138,7 @@ Simulator.worker = function (port) {
     pending = data.kind === "idle" ? idle(data) : null;
     clearTimeout(timer);
     if (pending) go_on();
-    else draw(data);
+    else if (data.kind === "draw") draw(data);
   }
 
   port.onmessage = ({ data }) => {
