@@ -2,41 +2,39 @@
 
 import base64
 import gzip
-import json
 import random
 import re
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 from renderer.kernels import FIELDS
+from tests.simulator_page import go, settled, slide, state, visited
 
 pytestmark = pytest.mark.browser
 
-DESKTOP, PHONE = {"width": 1280, "height": 900}, {"width": 400, "height": 850}
-STATE = "JSON.stringify(Simulator.running.act.state())"
-VALID = "(() => { const { states, act } = Simulator.running; states.changed(act.state(), {}); return true })()"
-
-
-def opened(context, address):
-    """Open the page and wait for its first picture; return (page, complaints, requests)."""
-    tab, complaints, requests = context.new_page(), [], []
-    tab.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
-    tab.on("pageerror", lambda error: complaints.append(str(error)))
-    tab.on("request", lambda request: requests.append(request.url))
-    tab.goto(address)
-    tab.wait_for_function("window.Simulator && Simulator.running && Simulator.running.frames.length > 0")
-    return tab, complaints, requests
+ROOT = Path(__file__).resolve().parent.parent
+PHONE = {"width": 400, "height": 850}
+CLIPBOARD = ["clipboard-read", "clipboard-write"]
+# k_u u + k_v v at the pixels of A over which a crease is drawn.
+WHITE = """() => {
+    const { module, states, act } = Simulator.running, state = act.state(), { size, ku, kv } = state;
+    const stage = module.make_stage(state, states.crop(state)), [u, v] = module.chart(stage);
+    const small = new OffscreenCanvas(size, size).getContext('2d');
+    small.drawImage(document.querySelector('[data-picture=numeric] .over'), 0, 0, size, size);
+    const { data } = small.getImageData(0, 0, size, size);
+    return [...stage.at].flatMap((i, n) => (data[4 * i + 3] > 128 ? [ku * u[n] + kv * v[n]] : []));
+}"""
+EDITS = ["", *"&=%-e1ε. #", "9" * 9, "NaN", "\0", "%zz", "__proto__"]
 
 
 @pytest.fixture(scope="module")
 def shared(browser, server):
-    context = browser.new_context(viewport=DESKTOP, reduced_motion="reduce", accept_downloads=True)
-    context.grant_permissions(["clipboard-read", "clipboard-write"])
-    page, complaints, _ = opened(context, f"{server}/s4.html")
-    yield page
-    assert complaints == []
-    context.close()
+    with visited(browser, f"{server}/s4.html", reduced_motion="reduce", permissions=CLIPBOARD) as page:
+        yield page
 
 
 @pytest.fixture
@@ -46,27 +44,12 @@ def tab(shared):
     return shared
 
 
-def state(tab):
-    return json.loads(tab.evaluate(STATE))
-
-
-def slide(tab, name, value):
-    script = """([name, value]) => { const s = document.getElementById(`sim-${name}`); s.value = value;
-        s.dispatchEvent(new Event('input', { bubbles: true })) }"""
-    tab.evaluate(script, [name, value])
-
-
 def type_into(tab, name, text):
+    """Type into a box; return what is said of it."""
     box = tab.locator(f"[data-parameter={name}] input[type=text]")
     box.fill(text)
     box.press("Tab")
     return tab.locator(f"#sim-{name}-error").inner_text()
-
-
-def settled(tab):
-    """Wait until the pictures and the idle work are those of the state."""
-    tab.wait_for_function("""() => { const { states, act, shown } = Simulator.running, drawn = shown();
-        return drawn && drawn.replace(/&column.*/, '') === states.fragment(act.state()).replace(/&column.*/, '') }""")
 
 
 def readout(tab, name):
@@ -75,21 +58,12 @@ def readout(tab, name):
 
 @pytest.mark.parametrize("scheme", ["http", "file"])
 def test_it_runs_and_asks_for_nothing_else(browser, site, server, scheme):
-    address = f"{server}/s4.html" if scheme == "http" else (site / "s4.html").as_uri()
-    context = browser.new_context(viewport=DESKTOP)
-    tab, complaints, requests = opened(context, address)
-    for eps in (-2, -8, -14):
-        slide(tab, "eps", eps)
-    tab.wait_for_function("document.querySelector('[data-readout=flips]').textContent === '0'")
-    context.close()
-    assert complaints == []
-    base = server if scheme == "http" else "file:"
+    base, requests = (server if scheme == "http" else site.as_uri()), []
+    with visited(browser, f"{base}/s4.html", asked=requests) as tab:
+        for eps in (-2, -8, -14):
+            slide(tab, "eps", eps)
+        tab.wait_for_function("document.querySelector('[data-readout=flips]').textContent === '0'")
     assert [url for url in requests if not url.startswith((base, "blob:", "data:"))] == []
-
-
-def test_menu_has_every_field_of_the_kernels_once(tab):
-    offered = "[...document.querySelectorAll('[name=sim-field]')].map(button => button.value)"
-    assert sorted(tab.evaluate(offered)) == sorted(FIELDS)
 
 
 def test_sliders_boxes_and_menus_set_the_state(tab):
@@ -167,17 +141,15 @@ def test_the_address_holds_the_whole_state(tab, server):
     tab.click("[data-reset]")
     tab.wait_for_function("address => location.href !== address", arg=address)
     tab.evaluate("address => { location.href = address }", address)
-    tab.wait_for_function(
-        "wanted => JSON.stringify(Simulator.running.act.state()) === wanted",
-        arg=json.dumps(wanted, separators=(",", ":")),
-    )
+    tab.wait_for_function("beta => Simulator.running.act.state().beta === beta", arg=0.7)
+    assert state(tab) == wanted
 
 
 @pytest.mark.parametrize("wrong", ["eps=0", "eps=NaN", "ku=1e9", "field=cosine", "nothing=1", "beta", "beta=1&beta=1",
                                    "size=100", "lights=2", "left=1", "column=999"])  # fmt: skip
 def test_a_malformed_address_is_refused_with_a_message(tab, wrong):
     before = state(tab)
-    tab.evaluate("wrong => { location.hash = '#sim?' + wrong }", wrong)
+    go(tab, f"#sim?{wrong}")
     tab.wait_for_selector(".sim-message:visible")
     assert wrong.split("=")[0] in tab.inner_text(".sim-message")
     assert state(tab) == before
@@ -188,28 +160,17 @@ def fuzz(rng, seeds):
     text = list(rng.choice(seeds))
     for _ in range(rng.randrange(6)):
         at = rng.randrange(len(text) + 1)
-        edit = rng.choice(
-            ["", "&", "=", "%", "-", "e", "1", "9" * 9, "NaN", "\u0000", "ε", "%zz", "__proto__", ".", " ", "#"]
-        )
-        text[at : at + rng.randrange(3)] = edit
+        text[at : at + rng.randrange(3)] = rng.choice(EDITS)
     return "".join(text)
 
 
 def test_fuzzed_addresses_and_boxes_leave_a_valid_state(tab):
     rng = random.Random("fuzz")
-    whole = tab.evaluate("Simulator.running.states.fragment(Simulator.running.act.state())")
-    seeds = [
-        whole,
-        "#sim?eps=1e-3",
-        "#sim?zoom=8&left=100&top=100",
-        "#s4",
-        "#sim?lights=10&ball=0",
-        "#sim?constructor=1",
-    ]
+    seeds = ["#s4", "#sim?eps=1e-3", "#sim?zoom=8&left=100&top=100", "#sim?lights=10&ball=0", "#sim?constructor=1"]
+    seeds.append(tab.evaluate("Simulator.running.states.fragment(Simulator.running.act.state())"))
     addresses = [fuzz(rng, seeds).replace("size=256", f"size={rng.choice([128, 256])}") for _ in range(1000)]
-    texts = [
-        (rng.choice(["eps", "beta", "ku", "kv"]), fuzz(rng, ["0.001", "-1e-3", "8", "1e400", ""])) for _ in range(1000)
-    ]
+    numbers, boxes = ["0.001", "-1e-3", "8", "1e400", ""], ["eps", "beta", "ku", "kv"]
+    texts = [(rng.choice(boxes), fuzz(rng, numbers)) for _ in range(1000)]
     script = """([addresses, texts]) => {
         const { act, states } = Simulator.running, found = [];
         const check = what => {
@@ -233,9 +194,10 @@ def test_fuzzed_addresses_and_boxes_leave_a_valid_state(tab):
 
 def at_step(tab, field, eps, method="central"):
     """Return (max, rms) on A once the pictures of a state are there."""
-    tab.evaluate("hash => { location.hash = hash }", f"#sim?field={field}&eps={eps:g}&method={method}")
+    go(tab, f"#sim?field={field}&eps={eps:g}&method={method}")
     tab.wait_for_function(
-        f"Simulator.running.act.state().eps === {eps!r} && Simulator.running.act.state().field === '{field}'"
+        "([eps, field]) => { const s = Simulator.running.act.state(); return s.eps === eps && s.field === field }",
+        arg=[eps, field],
     )
     settled(tab)
     return readout(tab, "max"), readout(tab, "rms")
@@ -276,15 +238,12 @@ def test_fourth_experiment_makes_the_pictures_one(tab):
 
 
 def test_an_experiment_moves_unless_motion_is_unwanted(browser, server):
-    context = browser.new_context(viewport=DESKTOP, reduced_motion="no-preference")
-    page, complaints, _ = opened(context, f"{server}/s4.html")
-    page.click("[data-preset=sweep]")
-    page.wait_for_function("Simulator.running.act.state().eps < 0.05")
-    page.keyboard.press("Tab")
-    slide(page, "beta", 0.5)  # the reader's hand ends it
-    stopped = page.evaluate("Simulator.running.presets.running()")
-    context.close()
-    assert not stopped and complaints == []
+    with visited(browser, f"{server}/s4.html", reduced_motion="no-preference") as page:
+        page.click("[data-preset=sweep]")
+        page.wait_for_function("Simulator.running.act.state().eps < 0.05")
+        page.keyboard.press("Tab")
+        slide(page, "beta", 0.5)  # the reader's hand ends it
+        assert not page.evaluate("Simulator.running.presets.running()")
 
 
 def test_flips_are_counted_and_the_bound_holds(tab):
@@ -387,8 +346,6 @@ def test_the_scale_keeps_its_bar(tab):
 @pytest.mark.parametrize("width, height", [(1440, 900), (1024, 768), (390, 844)])
 def test_pictures_step_and_curve_are_seen_together(browser, server, width, height):
     """One view; on a phone the difference and the step. Whatever the resolution, the pictures keep their size."""
-    context = browser.new_context(viewport={"width": width, "height": height})
-    page, _, _ = opened(context, f"{server}/s4.html")
     seen = ["[data-picture=difference]", "#sim-eps"]
     if width > 1000:
         seen += ["[data-picture=numeric]", "[data-picture=symbolic]", ".sim-curve", "#sim-beta", ".sim-presets"]
@@ -399,11 +356,11 @@ def test_pictures_step_and_curve_are_seen_together(browser, server, width, heigh
         const [{ width, height }] = edges;
         return [Math.max(...edges.map(e => e.bottom)) - Math.min(...edges.map(e => e.top)), width, height];
     }"""
-    high, across, down = page.evaluate(script, seen)
-    page.select_option("#sim-size", "512")
-    settled(page)
-    assert page.evaluate(script, seen)[1:] == [across, down]
-    context.close()
+    with visited(browser, f"{server}/s4.html", viewport={"width": width, "height": height}) as page:
+        high, across, down = page.evaluate(script, seen)
+        page.select_option("#sim-size", "512")
+        settled(page)
+        assert page.evaluate(script, seen)[1:] == [across, down]
     assert across == down >= 240
     assert high <= height - 60  # the page's own bar
 
@@ -435,43 +392,38 @@ def test_every_size_shows_whole_pixels(tab):
 
 
 def test_phone_has_large_targets_and_no_sideways_scroll(browser, server):
-    context = browser.new_context(viewport=PHONE, device_scale_factor=2, is_mobile=True, has_touch=True)
-    page, complaints, _ = opened(context, f"{server}/s4.html")
-    wide = page.evaluate("document.documentElement.scrollWidth")
-    small = page.evaluate(
-        """[...document.querySelectorAll('#simulator :is(button, select, input:is([type=range], [type=text]))')]
-        .filter(e => e.offsetHeight < 44).map(e => e.outerHTML)"""
-    )
-    page.locator("[data-picture=numeric]").tap()
-    context.close()
-    assert wide <= PHONE["width"] and small == [] and complaints == []
+    options = {"viewport": PHONE, "device_scale_factor": 2, "is_mobile": True, "has_touch": True}
+    with visited(browser, f"{server}/s4.html", **options) as page:
+        assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
+        small = page.evaluate(
+            """[...document.querySelectorAll('#simulator :is(button, select, input:is([type=range], [type=text]))')]
+            .filter(e => e.offsetHeight < 44).map(e => e.outerHTML)"""
+        )
+        assert small == []
+        page.locator("[data-picture=numeric]").tap()
 
 
-def test_paper_and_scriptless_readers_get_the_figures(browser, server):
-    context = browser.new_context(viewport=DESKTOP, java_script_enabled=False)
-    page = context.new_page()
-    page.goto(f"{server}/s4.html")
-    assert page.locator(".sim-absent").is_visible()
-    assert not page.locator("#simulator").is_visible()
-    assert page.locator("img[src*=contact_sheet]").first.is_visible()
-    context.close()
-    context = browser.new_context(viewport=DESKTOP)
-    page, _, _ = opened(context, f"{server}/s4.html")
-    page.emulate_media(media="print")
-    assert not page.locator("#simulator").is_visible()
-    assert page.locator("img[src*=contact_sheet]").first.is_visible()
-    context.close()
+@pytest.mark.parametrize("medium, script", [("screen", False), ("print", True)])
+def test_paper_and_scriptless_readers_get_the_figures(browser, server, medium, script):
+    with visited(browser, f"{server}/s4.html", java_script_enabled=script, started=script) as page:
+        page.emulate_media(media=medium)
+        assert page.locator(".sim-absent").is_visible() is not script
+        assert not page.locator("#simulator").is_visible()
+        assert page.locator("img[src*=contact_sheet]").first.is_visible()
 
 
-def test_a_browser_without_workers_is_told(browser, server):
-    context = browser.new_context(viewport=DESKTOP)
-    context.add_init_script("window.Worker = function () { throw new Error('no workers here') }")
-    page = context.new_page()
-    page.goto(f"{server}/s4.html")
-    page.wait_for_selector(".sim-message:visible")
-    assert "no workers here" in page.inner_text(".sim-message")
-    assert not page.locator(".sim-pictures").is_visible()
-    context.close()
+@pytest.mark.parametrize(
+    "missing, words",
+    [
+        ("window.Worker = function () { throw new Error('no workers here') }", "no workers here"),
+        ("WebAssembly.validate = () => false", "no WebAssembly with vectors"),
+    ],
+)
+def test_a_browser_without_workers_or_vectors_is_told(browser, server, missing, words):
+    with visited(browser, f"{server}/s4.html", prepare=missing, started=False) as page:
+        page.wait_for_selector(".sim-message:visible")
+        assert words in page.inner_text(".sim-message")
+        assert not page.locator(".sim-pictures").is_visible()
 
 
 def test_a_hidden_page_has_no_worker(tab):
@@ -491,15 +443,44 @@ def test_a_hidden_page_has_no_worker(tab):
     assert len(tab.context.pages[0].workers) >= 1
 
 
-def test_a_browser_without_vectors_is_told(browser, server):
-    context = browser.new_context(viewport=DESKTOP)
-    context.add_init_script("WebAssembly.validate = () => false")
-    page = context.new_page()
-    page.goto(f"{server}/s4.html")
-    page.wait_for_selector(".sim-message:visible")
-    assert "no WebAssembly with vectors" in page.inner_text(".sim-message")
-    assert not page.locator(".sim-pictures").is_visible()
-    context.close()
+@pytest.fixture(scope="module")
+def with_two_fields(tmp_path_factory):
+    """compiled.js of a project with two more HEIGHT_FIELDS: no theorem covers them, and one has slanted creases."""
+    folder = tmp_path_factory.mktemp("fields")
+    for name in ("proofs", "renderer", "book"):
+        left_out = shutil.ignore_patterns("__pycache__", "_build", "_generated")
+        shutil.copytree(ROOT / name, folder / name, ignore=left_out)
+    entries = """
+        HeightField("doubled", sinpi(2 * k_u * u)),
+        HeightField("slanted", Abs(sinpi(k_u * u + k_v * v)), (sinpi(k_u * u + k_v * v),)),
+    )
+}
+"""
+    place = folder / "proofs" / "formulas" / "height_fields.py"
+    place.write_text(place.read_text(encoding="utf-8").replace("\n    )\n}\n", entries, 1), encoding="utf-8")
+    printing = "from book.simulator_module import source; print(source())"
+    for command in (["-m", "renderer.generate"], ["-c", printing]):
+        done = subprocess.run([sys.executable, *command], cwd=folder, capture_output=True, text=True, check=True)
+    return done.stdout
+
+
+@pytest.mark.parametrize("field, creases", [("doubled", []), ("slanted", [{"a": 8, "b": 4, "c": 0}])])
+def test_an_added_field_has_no_false_bound_and_its_own_creases(browser, server, with_two_fields, field, creases):
+    """No bound is printed, drawn or attributed; white lines lie where the crease factor is zero, and nowhere else."""
+    address = f"{server}/s4.html#sim?field={field}&view=loci&column=120&row=100"
+    with visited(browser, address, compiled=with_two_fields) as page:
+        settled(page)
+        page.wait_for_selector(".sim-curve path.numeric", state="attached")
+        offered = page.evaluate("[...document.querySelectorAll('[name=sim-field]')].map(button => button.value)")
+        assert sorted(offered) == sorted([*FIELDS, "doubled", "slanted"])
+        assert page.locator(f"[name=sim-field][value={field}]").is_checked()
+        assert page.locator(".sim-curve path.bound").count() == 0
+        assert "no theorem covers this" in page.inner_text(".sim-facts")
+        assert ("has no creases" in page.inner_text(".sim-remark")) is (not creases)
+        assert page.evaluate("Simulator.running.module.creases(Simulator.running.act.state())") == creases
+        white = page.evaluate(WHITE)
+    assert (len(white) > 500) is bool(creases)
+    assert all(abs(w - round(w)) < 0.1 for w in white)
 
 
 def test_the_code_is_light(site):
