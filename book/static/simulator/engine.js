@@ -9,7 +9,7 @@ Simulator.engine = function (data, compiled, states, module, heard) {
   const parts = ["module", "worker"].map((name) => `Simulator.${name} = ${Simulator[name]};`);
   const source = ['"use strict"; const Simulator = {};', ...parts, "Simulator.worker(self);"].join("\n");
   const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
-  let workers = [], bands = [], waiting = null, next = null, last = null, timer = 0, id = 0, resting = 0, usual = 0;
+  let workers = [], bands = [], waiting = null, next = null, last = null, timer = 0, id = 0, resting = 0, pieces = {}, usual = 0;
   const page = [{ worker: drawer_here(), buffers: {} }];
 
   // What a worker does, done here and now.
@@ -78,10 +78,7 @@ Simulator.engine = function (data, compiled, states, module, heard) {
   }
 
   function receive(data, number) {
-    if (data.kind !== "drawn") {
-      if (data.id === id && resting) heard[data.kind](data, resting);
-      return;
-    }
+    if (data.kind !== "drawn") return found(data);
     if (data.id !== waiting?.id) return;
     waiting.replies[number] = data;
     if (--waiting.missing) return;
@@ -96,10 +93,18 @@ Simulator.engine = function (data, compiled, states, module, heard) {
     else timer = setTimeout(() => rest(state), IDLE_AFTER);
   }
 
+  // Idle work is reported when all have done that piece of it.
+  function found(reply) {
+    if (reply.id !== id || !resting) return;
+    const all = (pieces[`${reply.kind} ${reply.index}`] ??= []);
+    if (all.push(reply) === resting) heard[reply.kind](all);
+  }
+
   function rest(state) {
     if (document.hidden || waiting) return;
     const steps = heard.resting(state), parts = bands.drawers === workers ? bands : cut(state, workers.length);
     resting = parts.length;
+    pieces = {};
     parts.forEach((band, n) => workers[n].worker.postMessage({ kind: "idle", id, state, band, steps }));
   }
 

@@ -182,7 +182,8 @@ Simulator.module = async function (data, compiled) {
     const stage = make_stage(state, raster);
     draw_elsewhere(state, stage, "picture");
     draw_a(state, method, stage, "picture");
-    return { planes: COLORS.map((color) => rows(floats(place(stage, "picture", color), stage.pitch * raster.high), stage)), codes: stage.codes };
+    const planes = COLORS.map((color) => rows(floats(place(stage, "picture", color), stage.pitch * raster.high), stage));
+    return { planes, codes: stage.codes, stage };
   }
 
   // The numbers of a plane on A's pixels, one after another.
@@ -225,8 +226,8 @@ Simulator.module = async function (data, compiled) {
 
   // What renderer.pixel records, for one pixel of the whole raster.
   function pixel(state, method, { width, height }, column, row) {
-    const raster = { width, height, left: column, top: row, wide: 1, high: 1 }, rgb = render(state, method, raster).planes.map(([number]) => number);
-    const stage = make_stage(state, raster), [code] = stage.codes, [[x], [y]] = image_points(raster);
+    const raster = { width, height, left: column, top: row, wide: 1, high: 1 }, { planes, codes: [code], stage } = render(state, method, raster);
+    const rgb = planes.map(([number]) => number), [[x], [y]] = image_points(raster);
     const record = { column, row, code, surface: ["none", "A", "B", "floor"][code & SURFACE], rgb };
     if (record.surface === "none") return record;
     if (record.surface === "A") return { ...record, ...facts_on_a(state, method, stage) };

@@ -8,7 +8,7 @@ Simulator.readouts = function (root, data) {
   const ENOUGH = 8, MOST = 24, SPREAD = 0.25; // times are shown when so many agree so far
   const css = (color) => `#${[0, 8, 16].map((shift) => ((color >>> shift) & 255).toString(16).padStart(2, "0")).join("")}`;
   const number = (x) => (x === 0 ? "0" : x.toExponential(2).replace("e-", "e−").replace("e+", "e"));
-  let times = { numeric: [], symbolic: [], ratio: [] }, captioned = "";
+  let times = {}, captioned = "";
 
   function short(x) {
     const [digits, power] = x.toExponential().split("e").map(Number), up = [..."⁰¹²³⁴⁵⁶⁷⁸⁹"];

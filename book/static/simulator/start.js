@@ -8,19 +8,14 @@ Simulator.start = function (root, compiled, module) {
   add_choices();
   let state = states.start(), shown = null, wanted = 0, saved = 0, picture = [], picture_of = "", pixel_curve = null, pixel_of = "", shown_panels = 0;
   const none = [];
-  let counting = "", counted_of = "", timed_of = "", sums = {};
+  let counting = "", counted_of = "", timed_of = "";
   const frames = []; // milliseconds from a change to its pictures in the canvases, and to the end of the frame that shows them
 
-  // The page names the chapter's fields and models of light; any other that the renderer knows is offered too.
+  // Every field and every model of light that the renderer knows; the page has the chapter's models already.
   function add_choices() {
-    const fields = $("[data-parameter=field]"), models = $("#sim-model");
-    for (const name of Object.keys(data.fields)) {
-      const label = `<label><input type="radio" name="sim-field" value="${name}"> ${name}</label>`;
-      if (!fields.querySelector(`input[value="${name}"]`)) fields.insertAdjacentHTML("beforeend", label);
-    }
-    for (const name of Object.keys(data.models)) {
-      if (![...models.options].some(({ value }) => value === name)) models.add(new Option(name, name));
-    }
+    const models = $("#sim-model"), labels = Object.keys(data.fields).map((name) => `<label><input type="radio" name="sim-field" value="${name}"> ${name}</label>`);
+    $("[data-parameter=field]").insertAdjacentHTML("beforeend", labels.join("\n"));
+    for (const name of Object.keys(data.models)) if (!models.querySelector(`[value="${name}"]`)) models.add(new Option(name, name));
   }
 
   function message(text) {
@@ -114,7 +109,6 @@ Simulator.start = function (root, compiled, module) {
 
   // What the workers do while nothing moves.
   function resting(of) {
-    sums = {};
     counting = chambers_key(of);
     if (picture_of === curve_key(of) && picture.filter(Boolean).length === curve.COARSE.length) return null;
     picture = [];
@@ -122,30 +116,21 @@ Simulator.start = function (root, compiled, module) {
     return curve.COARSE;
   }
 
-  // What the bands report, when all have.
-  function joined(name, reply, bands) {
-    (sums[name] ??= []).push(reply);
-    return sums[name].length === bands ? sums[name] : null;
-  }
-
-  function counted(reply, bands) {
-    const all = joined("counted", reply, bands);
-    if (!all) return;
+  // What the workers found, each of its band.
+  function counted(all) {
     counted_of = counting;
     const attached = all[0].attached.map((_, n) => all.reduce((sum, { attached }) => sum + attached[n], 0));
     readouts.counted({ count: total(all, "count"), flips: total(all, "flips"), attached });
   }
 
-  function followed(reply, bands) {
-    const all = joined(`followed ${reply.index}`, reply, bands), count = all && total(all, "count");
-    if (!all) return;
-    picture[reply.index] = { eps: curve.COARSE[reply.index], rms: count ? Math.sqrt(total(all, "squares") / 3 / count) : 0, max: Math.max(...all.map((r) => r.largest)) };
+  function followed(all) {
+    const [{ index }] = all, count = total(all, "count");
+    picture[index] = { eps: curve.COARSE[index], rms: count ? Math.sqrt(total(all, "squares") / 3 / count) : 0, max: Math.max(...all.map((r) => r.largest)) };
     panels_soon();
   }
 
-  function timed(reply, bands) {
-    const all = joined(`timed ${reply.round}`, reply, bands);
-    if (all) readouts.timed(...["numeric", "symbolic"].map((name) => Math.max(...all.map((r) => r[name]))));
+  function timed(all) {
+    readouts.timed(...["numeric", "symbolic"].map((name) => Math.max(...all.map((r) => r[name]))));
   }
 
   function failed(text) {

@@ -56,30 +56,22 @@ Simulator.state = function ({ fields, models, scene }) {
     return Object.fromEntries(Object.entries(parameters).map(([name, p]) => [name, p.start]));
   }
 
+  const refused = (name, value, allowed = parameters[name].allowed) => new Error(`${name} = ${value} is not allowed: ${allowed}`);
+
   // Return the state with changes, checked; throw an Error that names the value and what is allowed.
   function changed(state, changes) {
-    const next = { ...state, ...changes };
-    for (const [name, parameter] of Object.entries(parameters)) {
-      if (!parameter.holds(next[name])) throw new Error(refusal(name, next[name]));
-    }
-    const last = side(next) - next.size;
-    for (const name of ["left", "top"]) if (next[name] > last) throw new Error(refusal(name, next[name], last));
-    for (const [name, low] of [["column", next.left], ["row", next.top]]) {
-      const high = low + next.size - 1;
-      if (next[name] < low || next[name] > high) throw new Error(`${refusal(name, next[name], high)}, and at least ${low}`);
+    const next = { ...state, ...changes }, { left, top, size } = next, last = side(next) - size;
+    for (const [name, parameter] of Object.entries(parameters)) if (!parameter.holds(next[name])) throw refused(name, next[name]);
+    for (const [name, low, high] of [["left", 0, last], ["top", 0, last], ["column", left, left + size - 1], ["row", top, top + size - 1]]) {
+      if (next[name] < low || next[name] > high) throw refused(name, next[name], `from ${low} to ${high} here`);
     }
     return next;
-  }
-
-  function refusal(name, value, high) {
-    const allowed = high === undefined ? parameters[name].allowed : `at most ${high} here`;
-    return `${name} = ${typeof value === "number" && isNaN(value) ? "not a number" : value} is not allowed: ${allowed}`;
   }
 
   // Read one parameter from a text, or throw.
   function read(name, text) {
     const value = parameters[name].read(text);
-    if (!parameters[name].holds(value)) throw new Error(`${name} = ${text.slice(0, 40)} is not allowed: ${parameters[name].allowed}`);
+    if (!parameters[name].holds(value)) throw refused(name, text.slice(0, 40));
     return value;
   }
 

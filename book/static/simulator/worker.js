@@ -117,8 +117,8 @@ Simulator.worker = function (port) {
       const found = module.paint("paint_difference_logarithmic", stage, "spare", { other: "symbolic", table: "sizes", palette: "inferno" });
       yield { kind: "followed", id, index, ...found, count: stage.count };
     }
-    for (let round = 0; round < ROUNDS; round++) {
-      yield { kind: "timed", id, round, numeric: time_of(difference(state), state, stage), symbolic: time_of(exact, state, stage) };
+    for (let index = 0; index < ROUNDS; index++) {
+      yield { kind: "timed", id, index, numeric: time_of(difference(state), state, stage), symbolic: time_of(exact, state, stage) };
     }
   }
 
