@@ -40,22 +40,18 @@ def several(one):
     return one | {"type": lambda text: [read(item) for item in text.split(",")], "metavar": one["metavar"] + ",…"}
 
 
-def numbers(kind, lengths, allowed, metavar):
-    """Return argparse's options for "a,b,c": a tuple of numbers of a kind, as many as one of `lengths`."""
-
-    def read(text):
-        found = tuple(kind(item) for item in text.split(","))
-        if len(found) not in lengths:
-            raise ValueError
-        return found
-
-    return value(read, allowed, metavar)
+def numbers(text, kind, lengths):
+    """Return the numbers of "a,b,c", a tuple. Raises ValueError if they are too many or too few."""
+    found = tuple(kind(item) for item in text.split(","))
+    if len(found) not in lengths:
+        raise ValueError
+    return found
 
 
 NAME, WHOLE, NUMBER = value(str, "", "NAME"), value(int, "a whole number", "N"), value(float, "a number", "X")
-CROP = numbers(int, (4,), "LEFT,TOP,WIDTH,HEIGHT", "L,T,W,H")
-TRIPLE = numbers(float, (3,), "X,Y,Z", "X,Y,Z")
-LIGHT = numbers(float, (3, 6), "X,Y,Z or X,Y,Z,R,G,B", "X,Y,Z[,R,G,B]")
+CROP = value(partial(numbers, kind=int, lengths=(4,)), "LEFT,TOP,WIDTH,HEIGHT", "L,T,W,H")
+TRIPLE = value(partial(numbers, kind=float, lengths=(3,)), "X,Y,Z", "X,Y,Z")
+LIGHT = value(partial(numbers, kind=float, lengths=(3, 6)), "X,Y,Z or X,Y,Z,R,G,B", "X,Y,Z[,R,G,B]")
 KINDS = {str: NAME, float: NUMBER, tuple: TRIPLE, bool: {"action": "store_false"}}
 RASTER = {
     "--size": WHOLE | {"default": "256", "help": "width and height (default: %(default)s)"},
