@@ -1,7 +1,7 @@
 """Hold the ledger against a run: grades, numbers, tests, sources; and see that nothing is left without a claim."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from book.ledger.entries import CONDITIONAL, FINDINGS, NUMBER_ROLE, OUTSIDE, Claim, Evidence, Ledger
@@ -26,8 +26,8 @@ class Run:
 
 def check(ledger: Ledger, run: Run) -> list[str]:
     """Every fault, one line each: the entry, the field, what is wrong."""
-    faults = [fault for claim in ledger.claims for fault in _claim(claim, ledger, run)]
-    return faults + _orphans(ledger, run)
+    faults = [f"{claim.id}: {fault}" for claim in ledger.claims for fault in _claim(claim, ledger, run)]
+    return [*faults, *_orphans(ledger, run)]
 
 
 def refutes(piece: Evidence, run: Run) -> bool:
@@ -39,78 +39,71 @@ def refutes(piece: Evidence, run: Run) -> bool:
     return piece.refutes
 
 
-def _claim(claim: Claim, ledger: Ledger, run: Run) -> list[str]:
-    faults = []
+def _claim(claim: Claim, ledger: Ledger, run: Run) -> Iterator[str]:
     place = claim.where.removeprefix("seed:")
     if claim.of_seed and place not in ledger.places:
-        faults.append(f"{claim.id}: where: {place!r} is no place of the seed; there are: {', '.join(ledger.places)}")
-    if not claim.of_seed and claim.where not in run.pages:
-        faults.append(f"{claim.id}: where: {claim.where!r} is no page; there are: {', '.join(sorted(run.pages))}")
+        yield f"where: {place!r} is no place of the seed; there are: {', '.join(ledger.places)}"
+    if not claim.of_seed and place not in run.pages:
+        yield f"where: {place!r} is no page; there are: {', '.join(sorted(run.pages))}"
     for field, text in claim.texts().items():
-        for name in NUMBER_ROLE.findall(text):
-            faults += _asked(claim.id, field, name, run)
-        for name in THEOREM_ROLE.findall(text):
-            if name not in run.grades:
-                faults.append(f"{claim.id}: {field}: unknown theorem {name!r}")
-    broken = [fault for piece in claim.evidence for fault in _piece(claim.id, piece, run)]
-    return faults + (broken or _verdict(claim, run))
+        yield from (f"{field}: {why}" for name in NUMBER_ROLE.findall(text) if (why := _odd_number(name, None, run)))
+        unknown = (name for name in THEOREM_ROLE.findall(text) if name not in run.grades)
+        yield from (f"{field}: unknown theorem {name!r}" for name in unknown)
+    broken = [f"evidence {piece.name}: {why}" for piece in claim.evidence if (why := _odd(piece, run))]
+    yield from broken or _verdict(claim, run)
 
 
-def _asked(id: str, field: str, name: str, run: Run) -> list[str]:
-    try:
-        run.number(name)
-    except ValueError as error:
-        return [f"{id}: {field}: {error}"]
-    return []
-
-
-def _piece(id: str, piece: Evidence, run: Run) -> list[str]:
-    """What is wrong with one piece of evidence."""
-    at = f"{id}: evidence {piece.name}"
-    if piece.kind == "theorem":
-        if piece.name not in run.grades:
-            return [f"{at}: theorem: no theorem has this id"]
-        grade = run.grades[piece.name]
-        return [] if grade == piece.wants else [f"{at}: grade: {piece.wants} is expected, the run made it {grade}"]
+def _odd(piece: Evidence, run: Run) -> str:
+    """What is wrong with one piece of evidence, or ""."""
+    if piece.kind == "number":
+        return _odd_number(piece.name, piece.wants, run)
     if piece.kind == "test":
-        return [] if run.test(piece.name) else [f"{at}: test: there is no such test"]
+        return "" if run.test(piece.name) else "test: there is no such test"
     if piece.kind == "source":
-        return [] if piece.name in run.sources else [f"{at}: source: the bibliography has no such key"]
+        return "" if piece.name in run.sources else "source: the bibliography has no such key"
+    if piece.name not in run.grades:
+        return "theorem: no theorem has this id"
+    grade = run.grades[piece.name]
+    return "" if grade == piece.wants else f"grade: {piece.wants} is expected, the run made it {grade}"
+
+
+def _odd_number(name: str, wants: str | None, run: Run) -> str:
+    """What is wrong with a number, or with what is asked of it; or ""."""
     try:
-        value = run.number(piece.name)
+        value = run.number(name)
     except ValueError as error:
-        return [f"{at}: number: {error}"]
+        return f"number: {error}" if wants else str(error)
+    if wants is None:
+        return ""
     if isinstance(value, str):
-        return [f"{at}: number: it is the text {value!r}"]
-    return [] if relation(piece.wants).holds(value) else [f"{at}: is: {piece.wants} is expected, the run has {value}"]
+        return f"number: it is the text {value!r}"
+    return "" if relation(wants).holds(value) else f"is: {wants} is expected, the run has {value}"
 
 
-def _verdict(claim: Claim, run: Run) -> list[str]:
+def _verdict(claim: Claim, run: Run) -> Iterator[str]:
     """Whether the evidence bears out the verdict; the evidence itself is in order."""
     against = [piece.name for piece in claim.evidence if refutes(piece, run)]
     if claim.verdict == "holds" and against:
-        return [f"{claim.id}: verdict: 'holds', but {', '.join(against)} refutes it"]
+        yield f"verdict: 'holds', but {', '.join(against)} refutes it"
     if claim.verdict in ("false", "corrected") and not against:
-        return [f"{claim.id}: verdict: {claim.verdict!r}, and none of its evidence refutes it"]
+        yield f"verdict: {claim.verdict!r}, and none of its evidence refutes it"
     if claim.verdict == CONDITIONAL and len(against) == len(claim.evidence):
-        return [f"{claim.id}: verdict: {claim.verdict!r}, but all of its evidence refutes it"]
-    return []
+        yield f"verdict: {claim.verdict!r}, but all of its evidence refutes it"
 
 
-def _orphans(ledger: Ledger, run: Run) -> list[str]:
+def _orphans(ledger: Ledger, run: Run) -> Iterator[str]:
     """Theorems, findings and places of the seed that no claim accounts for; background that is none."""
-    claims = [claim for claim in ledger.claims if claim.verdict != OUTSIDE]
     needed = ledger.resting_on()
-    faults = []
     for id in run.grades:
         if id not in needed and id not in ledger.background:
-            faults.append(f"theorem {id}: no claim rests on it, and background.toml does not list it")
+            yield f"theorem {id}: no claim rests on it, and background.toml does not list it"
         if id in needed and id in ledger.background:
-            faults.append(f"background {id}: theorem: {needed[id][0].id} rests on it, so it is no background")
-    faults += [f"background {id}: theorem: no theorem has this id" for id in ledger.background if id not in run.grades]
-    codes = {code for claim in claims for code in claim.findings}
-    faults += [f"finding {code}: no claim has it" for code in FINDINGS if code not in codes]
+            yield f"background {id}: theorem: {needed[id][0].id} rests on it, so it is no background"
+    yield from (
+        f"background {id}: theorem: no theorem has this id" for id in sorted(ledger.background.keys() - run.grades)
+    )
+    codes = {code for claim in ledger.claims if claim.verdict != OUTSIDE for code in claim.findings}
+    yield from (f"finding {code}: no claim has it" for code in FINDINGS if code not in codes)
     used = {claim.where for claim in ledger.claims}
-    return faults + [
-        f"place {place}: no claim of the seed stands there" for place in ledger.places if f"seed:{place}" not in used
-    ]
+    idle = (place for place in ledger.places if f"seed:{place}" not in used)
+    yield from (f"place {place}: no claim of the seed stands there" for place in idle)
