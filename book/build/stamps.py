@@ -6,20 +6,8 @@ A result is up to date when its stamp equals what `verify.sources` finds now.
 import json
 
 from renderer.files import write_whole
-from verify.sources import PACKAGES, PRODUCTS, ROOT, files_in, hashes, key, modules_for, reachable
+from verify.sources import PACKAGES, PRODUCTS, ROOT, files_in, hashes, key, modules_for, reachable  # noqa: F401
 
-__all__ = [
-    "LOCK_FILE",
-    "PACKAGES",
-    "PRODUCTS",
-    "ROOT",
-    "STAMPS",
-    "files_in",
-    "hashes",
-    "key",
-    "modules_for",
-    "reachable",
-]
 STAMPS = ROOT / ".stamps"
 LOCK_FILE = ROOT / "requirements.lock"
 
