@@ -52,7 +52,7 @@ def _casts(light, body, ball):
 
 def lowest_on_a(g, light):
     """Return a height below which B's shadow on A is not seen: that of A's horizon, or where the shadow's hull ends."""
-    lowest = g.radius * (g.radius / g.eye) * (1 - GUARD)  # theorem kink_loci: cos φ > R/e
+    lowest = g.radius * (g.radius / g.eye) * (1 - GUARD)  # theorem visible_iff: cos φ > R/e
     for _ in range(2):
         levels, far = (lowest, g.radius), 0.0
         for axis, center in enumerate(g.ball[:2]):

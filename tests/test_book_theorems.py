@@ -90,6 +90,14 @@ def test_statement_on_the_page_is_the_checked_objects(build_page):
     assert "pytest verify --theorem kink_loci" in re.sub(r"<[^>]+>", "", page)
 
 
+def test_every_clause_without_a_claim_is_listed(build_page):
+    page, warnings = build_page(":::{argued-clauses}\n:::")
+    assert warnings == ""
+    for theorem in THEOREMS.values():
+        assert page.count(f'claims.html#theorem-{theorem.id}"') == len(theorem.argued), theorem.id
+    assert page.count("(argued: ") == sum(len(theorem.argued) for theorem in THEOREMS.values())
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [

@@ -4,6 +4,8 @@
 :::
 :::{grades}           the legend of the badges
 :::
+:::{argued-clauses}   the words that no claim says, each with its reason
+:::
 :::{check-all}        a button that checks every certificate in the reader's browser
 :::
 """
@@ -36,17 +38,26 @@ class CheckAll(BookDirective):
         return [check_all(Here(self.env).proofs)]
 
 
+class ArguedClauses(BookDirective):
+    """Every clause of a theorem that no claim says, with its reason."""
+
+    def content_nodes(self):
+        book = Here(self.env)
+        ids = [id for id in book.proofs.in_page_order() if kind(book.proofs.entries[id]["shown"]) != "formal"]
+        found = [(id, clause) for id in ids for clause in book.proofs.theorems[id].argued]
+        return [filled("argued_clauses", book=book, found=found)]
+
+
 class AllClaims(BookDirective):
     """Every theorem: a line each; and the cards of those that stand on no other page."""
 
     def content_nodes(self):
         book = Here(self.env)
         grades = {id: kind(entry["shown"]) for id, entry in book.proofs.entries.items()}
-        sections = {id: section_of(book.proofs, id) for id in book.proofs.in_page_order()}
+        sections = {id: book.proofs.places[id].page for id in book.proofs.in_page_order()}
         pages = page_files(Path(self.env.srcdir))
         parts = [grade_filter(Counter(grades.values()))]
-        in_order = [page for page in pages if page in sections.values()]
-        for page in [*in_order, *sorted({*sections.values()} - {*pages})]:
+        for page in [page for page in pages if page in sections.values()]:
             ids = sorted((id for id in sections if sections[id] == page), key=lambda id: ORDER.index(grades[id]))
             lines = filled("claim_list", book=book, ids=ids)
             parts.append(section(page_title(Path(self.env.srcdir), page), f"claims-{page}", lines, classes=["claims"]))
@@ -62,14 +73,9 @@ def grade_filter(counts: Counter):
     return filled("choices", name="grade", legend=f"Show, of {count(counts.total(), 'claim')}:", options=options)
 
 
-def section_of(proofs, id: str) -> str:
-    """The page that has the card; of those that have none, the section that the theorem names."""
-    page = proofs.places[id].page
-    return proofs.theorems[id].section if page == CLAIMS_PAGE else page
-
-
 def setup(app) -> None:
     """Register the directives."""
     app.add_directive("all-claims", AllClaims)
+    app.add_directive("argued-clauses", ArguedClauses)
     app.add_directive("check-all", CheckAll)
     app.add_directive("grades", Grades)

@@ -6,12 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
 
-from sympy import Symbol
+from sympy import Basic, Symbol
 
-from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
+from proofs.engine.claim import AnyClaim, Claim
 
 GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition", "proved", "refuted")
 WITHOUT_CLAIMS = ("cited", "measured", "certified")
+
+Point = tuple[tuple[Symbol, object], ...]
 
 
 @dataclass(frozen=True)
@@ -36,24 +38,23 @@ class Clause:
 
 
 @dataclass(frozen=True)
-class Edge:
-    """A point on, or just past, the edge of a side condition, and what becomes of the claim there.
-
-    at: ((symbol, value), …) for every input. outcome: "holds", "fails" or "undefined" (a division by zero, the root
-    of a negative number, a comparison with infinity).
-    """
-
-    at: tuple[tuple[Symbol, object], ...]
-    outcome: str
-
-
-@dataclass(frozen=True)
 class SideCondition:
-    """A condition without which the claim named `claim` is not claimed; `edges` are tested in every run."""
+    """A condition without which the claim named `claim` is not claimed, and points on, or just past, its edge.
+
+    holds, fails, undefined (a division by zero, the root of a negative number, a comparison with infinity): the points
+    ((symbol, value), …) for every input with what becomes of the claim there, as tested in every run.
+    """
 
     text: str
     claim: str
-    edges: tuple[Edge, ...]
+    holds: Sequence[Point] = ()
+    fails: Sequence[Point] = ()
+    undefined: Sequence[Point] = ()
+
+    @property
+    def edges(self) -> list[tuple[Point, str]]:
+        """The points, each with its outcome."""
+        return [(at, outcome) for outcome in ("holds", "fails", "undefined") for at in getattr(self, outcome)]
 
 
 @dataclass(frozen=True)
@@ -64,8 +65,13 @@ class Mutant:
     """
 
     text: str
-    claim: Claim | Separation | Induction
-    at: tuple = ()
+    claim: AnyClaim
+    at: Point = ()
+
+
+def variant(text: str, claim: AnyClaim, *shows: Basic, at: Point = (), **changes) -> Mutant:
+    """Return the mutant of a claim with other conclusions, if any are given, and other changes."""
+    return Mutant(text, claim.but(**(changes | ({"shows": shows} if shows else {}))), at)
 
 
 @dataclass(frozen=True)
@@ -74,18 +80,17 @@ class Theorem:
 
     id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader. The
     statement may be Clauses, each with the claims that say it; where one is argued, so is the theorem.
-    section: "s3" … where the book discusses it. claims: what is checked; of Clauses, theirs. uses: ids of the theorems
-    that claims borrow from or steps use. steps: the argument. side_conditions: each with its edge tests. mutants: at
-    least two. refuted_at: of a false statement, the exact point ((symbol,
-    value), …) where its one claim fails; such a theorem is `refuted`, and its mutants are the true variants, which that
-    point must not refute. expected: the grade that a run has to reach. Without claims it is `measured` or `certified`,
-    by a function in verify/checkers/measurements, or `cited`; source: the bibliography's key of what is cited, or of
-    the analysis that a proved theorem takes among its hypotheses (then it is proved, given that source).
+    claims: what is checked; of Clauses, theirs. uses: ids of the theorems that claims borrow from or steps use. steps:
+    the argument. side_conditions: each with its edge tests. mutants: at least two. refuted_at: of a false statement,
+    the exact point ((symbol, value), …) where its one claim fails; such a theorem is `refuted`, and its mutants are the
+    true variants, which that point must not refute. expected: the grade that a run has to reach. Without claims it is
+    `measured` or `certified`, by a function in verify/checkers/measurements, or `cited`; source: the bibliography's key
+    of what is cited, or of the analysis that a proved theorem takes among its hypotheses (then it is proved, given
+    that source).
     """
 
     id: str
     title: str
-    section: str
     statement: str | tuple[Clause, ...]
     claims: tuple = ()
     mutants: tuple[Mutant, ...] = ()
@@ -93,7 +98,7 @@ class Theorem:
     hypotheses: tuple[str, ...] = ()
     side_conditions: tuple[SideCondition, ...] = ()
     uses: tuple[str, ...] = ()
-    refuted_at: tuple[tuple[Symbol, object], ...] | None = None
+    refuted_at: Point | None = None
     expected: str = "proved"
     source: str = ""
 

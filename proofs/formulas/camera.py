@@ -240,4 +240,4 @@ parallel_radius = Program(
     (rho,),
 )
 """ρ = e R sin φ/(e − R cos φ): the image radius of the parallel φ of sphere A. It is visible where cos φ > R/e.
-Theorem: kink_loci."""
+Theorems: kink_loci, visible_iff."""

@@ -4,13 +4,14 @@ The lines are those of `proofs.formulas.finite_difference`, with floor, Min, Max
 theorems prove each decision about v from the lines themselves. Of u the definition of floor is used: it is 0 on [0, 1).
 """
 
-from sympy import Max, Min, Piecewise, floor
+from sympy import Max, Min, Piecewise, Rational, floor
 
 from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central, h_u_minus, h_u_plus, h_v_minus, h_v_plus
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import epsilon, u, v
 
+INSIDE = ((u, (0, 1)), (v, (0, 1)), (epsilon, (0, Rational(1, 2))))  # where samples are drawn
 nothing_wraps = (epsilon > 0, u - epsilon >= 0, u + epsilon < 1)
 nothing_clamps = (epsilon > 0, v - epsilon >= 0, v + epsilon <= 1)
 pole_clamps = (epsilon > 0, v >= 0, v - epsilon < 0, v + epsilon <= 1)

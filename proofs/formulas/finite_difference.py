@@ -32,6 +32,13 @@ _plus_and_minus = (
     (v_minus, Max(0, v - epsilon)),
     (span_v, Piecewise((2 * epsilon, And(v + epsilon <= 1, v - epsilon >= 0)), (v_plus - v_minus, True))),
 )
+_four = ((h_u_plus, u_plus, v), (h_u_minus, u_minus, v), (h_v_plus, u, v_plus), (h_v_minus, u, v_minus))
+_four_twice_as_far = (
+    (h_u_plus_2, u_plus_2, v),
+    (h_u_minus_2, u_minus_2, v),
+    (h_v_plus_2, u, v_plus_2),
+    (h_v_minus_2, u, v_minus_2),
+)
 
 
 def _heights(field, *samples):
@@ -56,9 +63,7 @@ def central(field):
     """Return (h(u + ε) − h(u − ε))/2ε, the same in v, clamped at the poles. Second order; 4 evaluations."""
     lines = (
         *_plus_and_minus,
-        *_heights(
-            field, (h_u_plus, u_plus, v), (h_u_minus, u_minus, v), (h_v_plus, u, v_plus), (h_v_minus, u, v_minus)
-        ),
+        *_heights(field, *_four),
         (h_u, (h_u_plus - h_u_minus) / (2 * epsilon)),
         (h_v, (h_v_plus - h_v_minus) / span_v),
     )
@@ -73,17 +78,7 @@ def central4(field):
         (u_minus_2, _wrapped(u - 2 * epsilon)),
         (v_plus_2, Min(1, v + 2 * epsilon)),
         (v_minus_2, Max(0, v - 2 * epsilon)),
-        *_heights(
-            field,
-            (h_u_plus, u_plus, v),
-            (h_u_minus, u_minus, v),
-            (h_v_plus, u, v_plus),
-            (h_v_minus, u, v_minus),
-            (h_u_plus_2, u_plus_2, v),
-            (h_u_minus_2, u_minus_2, v),
-            (h_v_plus_2, u, v_plus_2),
-            (h_v_minus_2, u, v_minus_2),
-        ),
+        *_heights(field, *_four, *_four_twice_as_far),
         (near_difference_u, h_u_plus - h_u_minus),  # named, or 8 is multiplied in and equal heights do not cancel
         (h_u, (8 * near_difference_u - (h_u_plus_2 - h_u_minus_2)) / (12 * epsilon)),
         (near_difference_v, h_v_plus - h_v_minus),

@@ -5,7 +5,6 @@ from proofs.engine.theorem import Step, Theorem
 pixels = Theorem(
     id="pixel_accuracy",
     title="A pixel against the reference",
-    section="accuracy",
     statement=r"Where $1-(\rho/\rho_s)^2 \ge 0.01$, and as far from the outline of B, every channel of the default "
     r"scene is within $5\cdot10^{-14}$ of its exact value, for every field and both models; elsewhere, and for other "
     "exponents, within the radius of the same program in 53-bit balls.",
@@ -20,7 +19,6 @@ pixels = Theorem(
 gradients = Theorem(
     id="gradient_accuracy",
     title="The exact gradient against the reference",
-    section="accuracy",
     statement=r"With $\mu = 2^{-53}$, the general form is within $8\mu\,\pi\max(1,|k|)$ of the exact gradient at the "
     r"float64 $(u, v)$, $|k| \le 2^{20}$; the algebraic form within $8(1+k)\mu\,\pi k$ at the float64 image point, "
     r"$k \le 64$.",
@@ -38,7 +36,6 @@ _rounding = ("roundoff_bound", "elementary_functions")
 differences = Theorem(
     id="difference_bounds",
     title="The U-curve lies below its bounds",
-    section="accuracy",
     statement=r"For $\varepsilon$ from $10^{-1}$ to $10^{-16}$ the truncation error, the error of the rounded "
     r"arguments and that of the rounded evaluation of the float64 central difference are each at most their proved "
     "bounds.",
@@ -68,7 +65,6 @@ _orders = ("truncation_bound", "clamped_difference", "clamped_difference_of_odd"
 slopes = Theorem(
     id="difference_slopes",
     title="The orders of the difference, fitted",
-    section="accuracy",
     statement=r"Fitted within 0.02: the truncation error falls like $\varepsilon^2$; clamped at the pole at "
     r"$v = \varepsilon/2$ it still does for the chapter's fields, and like $\varepsilon$ for $\cos\pi k_v v$; the RMS "
     r"error of ridges over the chart falls like $\sqrt\varepsilon$, with the theorem's constant within 2 %.",

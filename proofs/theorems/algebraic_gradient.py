@@ -3,7 +3,7 @@
 from sympy import Rational, cos, pi, sin
 
 from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.algebraic_form import (
     base_of_u,
     base_of_v,
@@ -18,6 +18,7 @@ from proofs.formulas.algebraic_form import (
 )
 from proofs.formulas.height_fields import HEIGHT_FIELDS, cos_u, cos_v, factors, sin_u, sin_v
 from proofs.formulas.symbols import cos_phi, cos_theta, k_u, k_v, phi, real, sin_phi, sin_theta, theta, u, v
+from proofs.theorems.relations import equations
 
 n, sign, alpha, gamma = real("n sign alpha gamma")
 _angles = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: cos(phi), sin_phi: sin(phi)}
@@ -89,7 +90,7 @@ _times = Claim("product", _on_circle(complex_product, (alpha, gamma), alpha + ga
 _itself, _conjugate = (real_part, imaginary_part), (real_part, -imaginary_part)
 _reciprocal = Claim(
     "reciprocal",
-    tuple(equation(part, one) for part, one in zip(_product(_itself, _conjugate), (1, 0), strict=True)),
+    equations(_product(_itself, _conjugate), (1, 0)),
     given=(equation(real_part**2 + imaginary_part**2, 1),),
 )
 _half = _factors("sine", {k_u: 2 * n + 1, k_v: n})
@@ -97,7 +98,6 @@ _half = _factors("sine", {k_u: 2 * n + 1, k_v: n})
 theorem = Theorem(
     id="algebraic_gradient",
     title="The algebraic gradient is the trigonometric one",
-    section="s3",
     statement=r"For every whole $n \ge 0$, with $\pi u = (\theta+\pi)/2$ and $\pi v = \varphi$: "
     r"$(-\cos\theta - i\sin\theta)^n = (-1)^n(\cos n\theta + i\sin n\theta)$ has the parts $\cos\pi k_u u$, "
     r"$\sin\pi k_u u$ for $k_u = 2n$; and $(\cos\varphi+i\sin\varphi)^n$ has $\cos\pi k_v v$, $\sin\pi k_v v$ for "
@@ -112,21 +112,18 @@ theorem = Theorem(
         Step("squaring doubles the angle, a product adds the angles", "so any order of squarings and products does"),
     ),
     mutants=(
-        Mutant("without the sign", _in_u.but(shows=(equation(real_part, cos(n * theta)),))),
-        Mutant("k_u odd", _in_u.but(shows=(equation(real_part, _half[cos_u]),))),
-        Mutant("rings with k_v", _rings_in_v.but(shows=(equation(real_part, _factors("rings", {k_v: n})[cos_v]),))),
-        Mutant("a negative power does not conjugate", _backwards.but(states=_plain.states)),
-        Mutant("squaring keeps the angle", _square.but(shows=_on_circle(complex_square, (alpha,), alpha))),
+        variant("without the sign", _in_u, equation(real_part, cos(n * theta))),
+        variant("k_u odd", _in_u, equation(real_part, _half[cos_u])),
+        variant("rings with k_v", _rings_in_v, equation(real_part, _factors("rings", {k_v: n})[cos_v])),
+        variant("a negative power does not conjugate", _backwards, states=_plain.states),
+        variant("squaring keeps the angle", _square, *_on_circle(complex_square, (alpha,), alpha)),
     ),
     side_conditions=(
         SideCondition(
             "the conjugate is the reciprocal on the unit circle, and not off it",
             "reciprocal",
-            (
-                Edge(((real_part, Rational(3, 5)), (imaginary_part, Rational(4, 5))), "holds"),
-                Edge(((real_part, Rational(3, 5)), (imaginary_part, 1)), "fails"),
-                Edge(((real_part, 0), (imaginary_part, 0)), "fails"),
-            ),
+            holds=[((real_part, Rational(3, 5)), (imaginary_part, Rational(4, 5)))],
+            fails=[((real_part, Rational(3, 5)), (imaginary_part, 1)), ((real_part, 0), (imaginary_part, 0))],
         ),
     ),
 )

@@ -4,14 +4,14 @@ from sympy import Rational, Symbol
 
 from proofs.engine.claim import Claim, Separation, equation
 from proofs.engine.program import Program
-from proofs.engine.theorem import Mutant, Step, Theorem
+from proofs.engine.theorem import Step, Theorem, variant
 from proofs.formulas.bump import bumped, g, perturbed
 from proofs.formulas.camera import surface
 from proofs.formulas.finite_difference import central, central4, forward
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from proofs.formulas.symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, towards
-from proofs.theorems.normal import tangent
+from proofs.theorems.normal import at, tangent
 
 _ridges = HEIGHT_FIELDS["ridges"]
 _any_gradient = Program("any_gradient", (h_u, h_v), (), (h_u, h_v))
@@ -38,7 +38,6 @@ _mu = Symbol("mu_0", real=True)
 theorem = Theorem(
     id="bump_moves_no_boundary",
     title="The bump moves no boundary",
-    section="s3",
     statement=r"Which surface a pixel shows, which lights another body hides from it, and its checker square depend on "
     r"none of $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$: $N'$ enters the shading alone.",
     hypotheses=(
@@ -51,9 +50,9 @@ theorem = Theorem(
         Step(r"none of them is $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$ or $N'$", "look"),
     ),
     mutants=(
-        Mutant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"].but(outputs=(_mu,), avoid=(beta,))),
-        Mutant("nor the colour", _unmoved["phong"].but(outputs=rgb[:1], avoid=(beta,))),
-        Mutant("the colour ignores ε", _by_difference["central_ridges"].but(outputs=rgb[:1], avoid=(epsilon,))),
+        variant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"], outputs=(_mu,), avoid=(beta,)),
+        variant("nor the colour", _unmoved["phong"], outputs=rgb[:1], avoid=(beta,)),
+        variant("the colour ignores ε", _by_difference["central_ridges"], outputs=rgb[:1], avoid=(epsilon,)),
     ),
 )
 
@@ -68,19 +67,16 @@ _in_light = Claim(
 attached_shadow = Theorem(
     id="attached_shadow",
     title="The bump moves no shadow",
-    section="s3",
     statement=r"Where $N\cdot\omega > 0$, also $N'\cdot\omega > 0$.",
     claims=(_in_light,),
     refuted_at=(
-        *zip(normal, (0, 0, 1), strict=True),
-        *zip(g, (1, 0, 0), strict=True),
+        *at((0, 0, 1), (1, 0, 0), Rational(3, 4)),
         *zip(towards, (Rational(-12, 13), 0, Rational(5, 13)), strict=True),
-        (beta, Rational(3, 4)),
     ),
     steps=(Step(r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$", r"$\beta g = (3/4, 0, 0)$"),),
     mutants=(
-        Mutant("true at β = 0", _in_light.but(given=(*_in_light.given, equation(beta, 0)))),
-        Mutant("true where β g·ω ≥ 0", _in_light.but(given=(*_in_light.given, beta * dot(g, towards) >= 0))),
+        variant("true at β = 0", _in_light, given=(*_in_light.given, equation(beta, 0))),
+        variant("true where β g·ω ≥ 0", _in_light, given=(*_in_light.given, beta * dot(g, towards) >= 0)),
     ),
     uses=("unit_length",),
     expected="refuted",

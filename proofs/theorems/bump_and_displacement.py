@@ -4,12 +4,13 @@ from sympy import Rational, expand, pi
 
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import chain
-from proofs.engine.theorem import Mutant, Step, Theorem
+from proofs.engine.theorem import Mutant, Step, Theorem, variant
 from proofs.formulas.bump import bumped_normal, m
 from proofs.formulas.displacement import displaced, displaced_normal, lift
 from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, sin_phi
 from proofs.theorems.displacement import raised
-from proofs.theorems.frame import at_angle, equations, on_circles
+from proofs.theorems.frame import at_angle, on_circles
+from proofs.theorems.relations import equations
 
 _both = chain("both", displaced_normal, bumped_normal)
 _metric = h_u**2 / (2 * pi * sin_phi) + h_v**2 / pi
@@ -32,7 +33,7 @@ _only_where_flat = Claim(
 _where_flat = Claim(
     "where_flat",
     equations(displaced, [lift * m_i for m_i in m]),
-    (*raised, equation(beta * h_u, 0), equation(beta * h_v, 0)),
+    (sin_phi > 0, equation(beta * h_u, 0), equation(beta * h_v, 0)),
     _both,
 )
 _angle = Claim(
@@ -52,13 +53,10 @@ _like_blinn = Claim(
 difference_theorem = Theorem(
     id="bump_is_not_displacement",
     title="The bumped normal is not the displaced surface's",
-    section="s7",
-    statement=r"If $1+\beta h > 0$, $N' = M/|M|$ with $M = N+\beta g$ has the direction of the displaced "
-    r"surface's normal "
-    r"$D$ exactly where $\beta g = 0$. The cosine of the angle between them is $\bigl(1+\beta "
-    r"h-\beta^2(h_u^2/2\pi\sin\varphi + "
-    r"h_v^2/\pi)\bigr)/|M||D|$, $|M|^2 = 1+\beta^2(h_u^2+h_v^2)$, "
-    r"$|D|^2 = (1+\beta h)^2+\beta^2(h_u^2/4\pi^2\sin^2\varphi + h_v^2/\pi^2)$.",
+    statement=r"If $1+\beta h > 0$, $N' = M/|M|$ with $M = N+\beta g$ has the direction of the displaced surface's "
+    r"normal $D$ exactly where $\beta g = 0$. The cosine of the angle between them is $\bigl(1+\beta "
+    r"h-\beta^2(h_u^2/2\pi\sin\varphi + h_v^2/\pi)\bigr)/|M||D|$, $|M|^2 = 1+\beta^2(h_u^2+h_v^2)$, $|D|^2 = (1+\beta "
+    r"h)^2+\beta^2(h_u^2/4\pi^2\sin^2\varphi + h_v^2/\pi^2)$.",
     hypotheses=(r"$\sin\varphi > 0$", r"$1+\beta h > 0$"),
     claims=(_only_where_flat, _where_flat, _angle),
     uses=("displaced_normal",),
@@ -72,15 +70,17 @@ difference_theorem = Theorem(
         Step("the scalar products", "the frame is orthonormal"),
     ),
     mutants=(
-        Mutant(
+        variant(
             "parallel only if h_u = h_v = 0, whatever β",
-            _only_where_flat.but(shows=(equation(h_u, 0),)),
+            _only_where_flat,
+            equation(h_u, 0),
             at=(*at_angle(0, 1), (beta, 0), (h, 0), (h_u, 1), (h_v, 1)),
         ),
         Mutant("the opposite sign, as Blinn's", _like_blinn),
-        Mutant(
+        variant(
             "without the metric",
-            _angle.but(shows=(equation(dot(m, displaced), lift - beta**2 * (h_u**2 / (2 * pi) + h_v**2 / pi)),)),
+            _angle,
+            equation(dot(m, displaced), lift - beta**2 * (h_u**2 / (2 * pi) + h_v**2 / pi)),
         ),
     ),
 )
@@ -93,7 +93,6 @@ _parallel = Claim(
 seed_theorem = Theorem(
     id="seed_bump_as_displacement",
     title="The bumped normal as the displaced surface's",
-    section="s7",
     statement=r"$N'$ is the normal of the displaced surface; in particular $\pi N\cdot(M\times D) = 0$.",
     claims=(_parallel,),
     refuted_at=(*at_angle(Rational(3, 5), Rational(4, 5)), (beta, 1), (h, 0), (h_u, 1), (h_v, 1)),
@@ -104,10 +103,9 @@ seed_theorem = Theorem(
         ),
     ),
     mutants=(
-        Mutant("true where β = 0", _parallel.but(given=(*_parallel.given, equation(beta, 0)))),
-        Mutant(
-            "on the same line (not the same way) where h_u = 0",
-            _parallel.but(given=(*_parallel.given, equation(h_u, 0))),
+        variant("true where β = 0", _parallel, given=(*_parallel.given, equation(beta, 0))),
+        variant(
+            "on the same line (not the same way) where h_u = 0", _parallel, given=(*_parallel.given, equation(h_u, 0))
         ),
     ),
     expected="refuted",

@@ -4,12 +4,13 @@ from sympy import Rational, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.program import Program, chain
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.chart import chart, chart_inverse, u_closed
 from proofs.formulas.half_turns import atan2pi, cospi, sinpi
 from proofs.formulas.symbols import cos_phi, cos_theta, dot, normal, real, sin_phi, sin_theta, u, v
 from proofs.formulas.tangent_frame import unit_normal
-from proofs.theorems.frame import at_angle, equations, on_circles
+from proofs.theorems.frame import at_angle, on_circles
+from proofs.theorems.relations import equations
 
 turn, polar = real("turn polar")  # θ/π in (−1, 1] and φ/π in [0, 1]: what atan2pi is
 _of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): polar}
@@ -22,9 +23,7 @@ _range = Claim(
     _by_turns,
 )
 _seam = Claim("seam", (equation(u_closed, 1), equation(u, 0)), (equation(turn, 1),), _by_turns)
-_inside = Claim(
-    "inside", (equation(u, u_closed), equation(pi * (2 * u - 1), pi * turn)), (turn > -1, turn < 1), _by_turns
-)
+_inside = Claim("inside", (equation(u, u_closed), equation(pi * (2 * u - 1), pi * turn)), (turn < 1,), _by_turns)
 
 
 def _back(at):
@@ -36,7 +35,6 @@ _angles = [f(a) for a in (turn, polar) for f in (cospi, sinpi)]
 _round_trip = Claim("round_trip", equations(_back({u: _by_turns.expand(u_closed), v: _by_turns.expand(v)}), _angles))
 _on_the_seam = Claim("on_the_seam", equations(_back({u: u * 0})[:2], [a.subs(turn, 1) for a in _angles[:2]]))
 
-_angle_names = (cos_theta, sin_theta, cos_phi, sin_phi)
 _recovered = Claim(
     "recovered",
     (
@@ -46,7 +44,7 @@ _recovered = Claim(
         equation(normal[0] / sqrt(normal[0] ** 2 + normal[1] ** 2), cos_theta),
         equation(normal[1] / sqrt(normal[0] ** 2 + normal[1] ** 2), sin_theta),
     ),
-    (*on_circles, sin_phi > 0),
+    (on_circles[0], sin_phi > 0),
     unit_normal,
 )
 _from_chart = [unit_normal.expand(n).xreplace(dict(chart_inverse.definitions)) for n in normal]
@@ -60,12 +58,9 @@ _formula = Claim(
 forward = Theorem(
     id="chart",
     title="The chart of sphere A",
-    section="s3",
-    statement=r"For $\theta \in (-\pi, \pi]$ and $\varphi \in [0, \pi]$: $u \in [0, 1)$ and $v \in [0, "
-    r"1]$; $u = (\theta+\pi)/2\pi$ "
-    r"where $\theta < \pi$, and $\theta = \pi$ gives $u = 0$, not 1. Back from $(u, v)$ come the same "
-    r"cosines and sines of $\theta$ and "
-    r"$\varphi$, on the seam too.",
+    statement=r"For $\theta \in (-\pi, \pi]$ and $\varphi \in [0, \pi]$: $u \in [0, 1)$ and $v \in [0, 1]$; $u = "
+    r"(\theta+\pi)/2\pi$ where $\theta < \pi$, and $\theta = \pi$ gives $u = 0$, not 1. Back from $(u, v)$ come the "
+    r"same cosines and sines of $\theta$ and $\varphi$, on the seam too.",
     hypotheses=(
         r"$\theta = \pi\,\mathrm{atan2pi}(\sin\theta, \cos\theta) \in (-\pi, \pi]$, $\varphi$ likewise: "
         r"the meaning of atan2",
@@ -77,18 +72,17 @@ forward = Theorem(
         Step(r"at $u = 0$: $(\cos\theta, \sin\theta) = (-1, 0)$", r"as at $\theta = \pi$"),
     ),
     mutants=(
-        Mutant("u ≤ 1/2", _range.but(shows=(at_least(Rational(1, 2), u),))),
-        Mutant("u is (θ + π)/2π on the seam as well", _seam.but(shows=(equation(u, u_closed),))),
-        Mutant(
+        variant("u ≤ 1/2", _range, at_least(Rational(1, 2), u)),
+        variant("u is (θ + π)/2π on the seam as well", _seam, equation(u, u_closed)),
+        variant(
             "back with cos 2πu, without the minus",
-            _round_trip.but(shows=(equation(-_round_trip.shows[0].lhs, _round_trip.shows[0].rhs),)),
+            _round_trip,
+            equation(-_round_trip.shows[0].lhs, _round_trip.shows[0].rhs),
         ),
     ),
     side_conditions=(
         SideCondition(
-            r"$\theta < \pi$",
-            "inside",
-            (Edge(((turn, 1), (polar, 0)), "fails"), Edge(((turn, Rational(12, 13)), (polar, 0)), "holds")),
+            r"$\theta < \pi$", "inside", holds=[((turn, Rational(12, 13)), (polar, 0))], fails=[((turn, 1), (polar, 0))]
         ),
     ),
 )
@@ -96,10 +90,8 @@ forward = Theorem(
 inverse = Theorem(
     id="chart_inverse",
     title="The inverse of the chart",
-    section="s3",
-    statement=r"$N(u, v) = (-\sin\pi v\cos 2\pi u, -\sin\pi v\sin 2\pi u, \cos\pi v)$ has length 1. Where "
-    r"$\sin\varphi > 0$, $N$ gives "
-    r"back $\sin\varphi = \sqrt{N_x^2+N_y^2}$, $\cos\varphi = N_z$, $\cos\theta = N_x/\sin\varphi$, "
+    statement=r"$N(u, v) = (-\sin\pi v\cos 2\pi u, -\sin\pi v\sin 2\pi u, \cos\pi v)$ has length 1. Where $\sin\varphi "
+    r"> 0$, $N$ gives back $\sin\varphi = \sqrt{N_x^2+N_y^2}$, $\cos\varphi = N_z$, $\cos\theta = N_x/\sin\varphi$, "
     r"$\sin\theta = N_y/\sin\varphi$.",
     hypotheses=(r"$\sin\varphi > 0$ for the way back",),
     claims=(_formula, _unit, _recovered),
@@ -109,16 +101,15 @@ inverse = Theorem(
         Step("the root and the quotients", r"$\sin\varphi > 0$"),
     ),
     mutants=(
-        Mutant(
-            "N_x = + sin πv cos 2πu", _formula.but(shows=(equation(-_formula.shows[0].lhs, _formula.shows[0].rhs),))
-        ),
-        Mutant("whatever the sign of sin φ", _recovered.but(shows=_recovered.shows[1:2], given=on_circles)),
+        variant("N_x = + sin πv cos 2πu", _formula, equation(-_formula.shows[0].lhs, _formula.shows[0].rhs)),
+        variant("whatever the sign of sin φ", _recovered, *_recovered.shows[1:2], given=on_circles),
     ),
     side_conditions=(
         SideCondition(
             r"$\sin\varphi > 0$",
             "recovered",
-            (Edge(at_angle(1, 0), "undefined"), Edge(at_angle(Rational(3, 5), Rational(-4, 5)), "fails")),
+            fails=[at_angle(Rational(3, 5), Rational(-4, 5))],
+            undefined=[at_angle(1, 0)],
         ),
     ),
 )

@@ -2,7 +2,7 @@
 
 from sympy import cos, pi, sin
 
-from proofs.engine.claim import CitedLemma, at_least
+from proofs.engine.claim import CitedLemma, at_least, greater
 
 SOURCE = "DLMF"  # §1.4.35, Taylor's theorem; §4.18, the signs
 
@@ -22,9 +22,9 @@ def cosine_above(x):
     return CitedLemma(at_least(cos(x), 1 - x**2 / 2), SOURCE)
 
 
-def sine_of_quarter_turn(x):
-    """4 sin² πx ≥ (πx)², for 0 ≤ x ≤ 1/2: Jordan's inequality, with 1/2 for 2/π."""
-    return CitedLemma(at_least(4 * sin(pi * x) ** 2, (pi * x) ** 2), SOURCE, (at_least(x, 0), at_least(1, 2 * x)))
+def sine_inside_half_turn(x):
+    """sin πx > 0, for 0 < x < 1."""
+    return CitedLemma(greater(sin(pi * x), 0), SOURCE, (greater(x, 0), greater(1, x)))
 
 
 def sine_of_half_turn(x):

@@ -1,23 +1,19 @@
 """The difference that is clamped at the pole v = 0: first order in general, second order where the field is odd."""
 
-from sympy import Abs, Rational, S, Symbol, pi, sin
+from sympy import Abs, Rational, S, pi, sin
 
 from proofs.engine.claim import Claim, at_least, equation
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import at_pole, of_heights, pole_clamps
 from proofs.formulas.finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
 from proofs.formulas.symbols import epsilon, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_of_half_turn
+from proofs.theorems.relations import both_ways, named
 
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
 slope, here, largest, bend_plus, bend_minus = real("slope here largest bend_plus bend_minus")
 ranges = ((v, (0, Rational(1, 2))), (epsilon, (0, Rational(1, 2))), (largest, (0, 3)))
-
-
-def both_ways(bound, quantity):
-    """Return −bound ≤ quantity ≤ bound."""
-    return at_least(bound - quantity, 0), at_least(bound + quantity, 0)
 
 
 _clamp = Claim(
@@ -58,7 +54,6 @@ first_order = Theorem(
     id="clamped_difference",
     source="DLMF",
     title="The difference clamped at the pole",
-    section="s4",
     statement=r"For $0 \le v < \varepsilon$ the central difference is $(h(v+\varepsilon) - h(0))/(v+\varepsilon)$, and "
     r"$|D_\varepsilon h - h_v| \le \frac{\varepsilon^2+v^2}{2(\varepsilon+v)}\sup|h_{vv}|$: first order. No smaller "
     r"factor will do: $h(w) = \tfrac12(w-v)|w-v|$ attains it; at $v = 0$ so does $w^2/2$.",
@@ -74,37 +69,31 @@ first_order = Theorem(
         Step("equality", "the remainders of $(w-v)|w-v|/2$ are $\\varepsilon^2/2$ and $-v^2/2$"),
     ),
     mutants=(
-        Mutant(
+        variant(
             "ε² − v², as if the two remainders cancelled",
-            _first.but(shows=both_ways(largest * (epsilon**2 - v**2) / (2 * (epsilon + v)), h_v - slope)),
+            _first,
+            *both_ways(largest * (epsilon**2 - v**2) / (2 * (epsilon + v)), h_v - slope),
         ),
-        Mutant(
+        variant(
             "w²/2 attains the bound off the pole",
-            _at_zero.but(
-                shows=(equation(at_pole(_parabola).expand(h_v) - v, (epsilon**2 + v**2) / (2 * (epsilon + v))),)
-            ),
+            _at_zero,
+            equation(at_pole(_parabola).expand(h_v) - v, (epsilon**2 + v**2) / (2 * (epsilon + v))),
         ),
-        Mutant("divided by 2ε", _clamp.but(shows=(equation(span_v, 2 * epsilon),))),
+        variant("divided by 2ε", _clamp, equation(span_v, 2 * epsilon)),
     ),
     side_conditions=(
         SideCondition(
             r"$v < \varepsilon$",
             "clamp",
-            (
-                Edge(((v, Rational(1, 8)), (epsilon, Rational(1, 8))), "holds"),
-                Edge(((v, Rational(1, 4)), (epsilon, Rational(1, 8))), "fails"),
-            ),
+            holds=[((v, Rational(1, 8)), (epsilon, Rational(1, 8)))],
+            fails=[((v, Rational(1, 4)), (epsilon, Rational(1, 8)))],
         ),
-        SideCondition(
-            r"$v + \varepsilon \le 1$", "clamp", (Edge(((v, Rational(1, 2)), (epsilon, Rational(3, 4))), "fails"),)
-        ),
+        SideCondition(r"$v + \varepsilon \le 1$", "clamp", fails=[((v, Rational(1, 2)), (epsilon, Rational(3, 4)))]),
     ),
 )
 
-_odd = tuple(equation(field.expression.subs(v, -v), -field.expression) for field in (sine, rings))
-_are_odd = Claim("odd", _odd)
-_sines = tuple(Symbol(str(sin(w)).replace(" ", ""), real=True) for w in (pi * k_u * u, pi * k_v * v))
 _odd_ridge = Abs(sin(pi * k_u * u)) * sin(pi * k_v * v)
+_are_odd = Claim("odd", tuple(equation(h.subs(v, -v), -h) for h in (sine.expression, rings.expression, _odd_ridge)))
 _first_ridge = Claim(
     "first_ridge",
     (
@@ -114,7 +103,7 @@ _first_ridge = Claim(
         equation(ridges.expression, _odd_ridge),
     ),
     (k_v > 0, v >= 0, 1 - k_v * v >= 0),
-    squares=(_sines[0] * _sines[1],),
+    squares=(named(sin(pi * k_u * u)) * named(sin(pi * k_v * v)),),
     cited=(sine_of_half_turn(k_v * v),),
     ranges=((v, (0, 1)), (k_v, (0, 3))),
 )
@@ -144,7 +133,6 @@ _attained = Claim(
 second_order = Theorem(
     id="clamped_difference_of_odd",
     title="Where the field is odd, the clamp costs no order",
-    section="s4",
     statement=r"If $h$ is odd about $v = 0$ and $0 \le v < \varepsilon$, then "
     r"$|D_\varepsilon h - h_v| \le \tfrac16(\varepsilon^2+2\varepsilon v-2v^2)\sup|h_{vvv}|$: second order. Sine and "
     r"rings are odd; on $[0, 1/k_v]$ ridges is $|\sin\pi k_u u|\sin\pi k_v v$, which is; $w^3/6$ attains the bound.",
@@ -165,22 +153,19 @@ second_order = Theorem(
         Step(r"$s^2 - 3v^2 = \varepsilon^2 + 2\varepsilon v - 2v^2$", "expansion"),
     ),
     mutants=(
-        Mutant("the unclamped bound ε²/6", _second.but(shows=both_ways(largest * epsilon**2 / 6, h_v - slope))),
-        Mutant("h(0) = 0 is not needed", _second.but(lines=_off_zero)),
+        variant("the unclamped bound ε²/6", _second, *both_ways(largest * epsilon**2 / 6, h_v - slope)),
+        variant("h(0) = 0 is not needed", _second, lines=_off_zero),
         Mutant("1 − v² is odd too", Claim("odd", (equation((1 - v**2).subs(v, -v), v**2 - 1),))),
-        Mutant(
-            "w³/6 attains ε²/6 for v > 0",
-            _attained.but(shows=(equation(at_pole(_cubic).expand(h_v) - v**2 / 2, epsilon**2 / 6),)),
+        variant(
+            "w³/6 attains ε²/6 for v > 0", _attained, equation(at_pole(_cubic).expand(h_v) - v**2 / 2, epsilon**2 / 6)
         ),
     ),
     side_conditions=(
         SideCondition(
             "ridges up to its first crease, $k_v v \\le 1$",
             "first_ridge",
-            (
-                Edge(((u, Rational(1, 3)), (k_u, 1), (k_v, 4), (v, Rational(1, 4))), "holds"),
-                Edge(((u, Rational(1, 3)), (k_u, 1), (k_v, 4), (v, Rational(3, 8))), "fails"),
-            ),
+            holds=[((u, Rational(1, 3)), (k_u, 1), (k_v, 4), (v, Rational(1, 4)))],
+            fails=[((u, Rational(1, 3)), (k_u, 1), (k_v, 4), (v, Rational(3, 8)))],
         ),
     ),
 )

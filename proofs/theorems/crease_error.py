@@ -3,17 +3,18 @@
 from sympy import Rational, Symbol, cos, diff, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import Clause, Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.symbols import epsilon, k_u, k_v, v
 from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
 from proofs.theorems.crease import delta, ranges, rate, reach, straddled
+from proofs.theorems.relations import named
 
 x, y = rate * epsilon, rate * delta
 _tent, _two_thirds = delta / epsilon - 1, Rational(2, 3)
 _after = (epsilon > 0, k_u > 0, delta > 0, epsilon - delta >= 0, reach[0])
 _sin_y, _cos_y, _cos_x = sin(y), cos(y), cos(x)
 _rest = straddled / rate - _cos_y - _tent
-_names = tuple(Symbol(str(f).replace(" ", ""), real=True) for f in (_cos_y, _cos_x, _sin_y, sin(x)))
+_names = tuple(map(named, (_cos_y, _cos_x, _sin_y, sin(x))))
 _near_tent = Claim(
     "tent",
     (
@@ -74,7 +75,6 @@ _in_v = _mean_square("in_v", k_v, k_v - 1, pi * k_v * sqrt((k_v - 1) * epsilon /
 theorem = Theorem(
     id="crease_error_area",
     title="The error beside the creases falls like √ε",
-    section="s4",
     statement=(
         Clause(
             r"Within $\varepsilon$ of a crease the error of the central difference of $|\sin\pi k u|$ is "
@@ -82,18 +82,15 @@ theorem = Theorem(
             (_near_tent,),
         ),
         Clause(
-            r"$(\delta-\varepsilon)^3/3\varepsilon^2$ has the derivative $(\delta/\varepsilon-1)^2$ and grows "
-            r"by $\varepsilon/3$; a "
-            r"primitive of $\sin^2\pi k v$ grows by $\tfrac12$ over the chart; tents of these areas at $k_u$ "
-            r"and $k_v - 1$ "
-            r"creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi "
+            r"$(\delta-\varepsilon)^3/3\varepsilon^2$ has the derivative $(\delta/\varepsilon-1)^2$ and grows by "
+            r"$\varepsilon/3$; a primitive of $\sin^2\pi k v$ grows by $\tfrac12$ over the chart; tents of these areas "
+            r"at $k_u$ and $k_v - 1$ creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi "
             r"k_v\sqrt{(k_v-1)\varepsilon/3}$.",
             (_tents, _means, _in_u, _in_v),
         ),
         Clause(
-            r"So these are the RMS errors in $h_u$ and $h_v$, each up to $\tfrac23\pi k(\pi k\varepsilon)^2$, "
-            r"which also bounds "
-            "the error elsewhere.",
+            r"So these are the RMS errors in $h_u$ and $h_v$, each up to $\tfrac23\pi k(\pi k\varepsilon)^2$, which "
+            "also bounds the error elsewhere.",
             argued="that a primitive gives an area, that the tents are disjoint and how many there are",
         ),
     ),
@@ -122,25 +119,23 @@ theorem = Theorem(
     mutants=(
         Mutant("√(k_v ε/3) in h_v", _mean_square("in_v", k_v, k_v - 1, pi * k_v * sqrt(k_v * epsilon / 3))),
         Mutant("∝ ε, not √ε", _mean_square("in_u", k_u, k_u, pi * k_u * epsilon * sqrt(k_u / 3))),
-        Mutant("the mean of sin² is ½ for any k", _means.but(given=(k_v > 0,))),
-        Mutant(
+        variant("the mean of sin² is ½ for any k", _means, given=(k_v > 0,)),
+        variant(
             "no tent: the error is below (πk)³ε²/6",
-            _near_tent.but(shows=(at_least(x**2 / 6, _cos_y - straddled / rate),), squares=()),
+            _near_tent,
+            at_least(x**2 / 6, _cos_y - straddled / rate),
+            squares=(),
         ),
     ),
     side_conditions=(
         SideCondition(
-            "$k_v$ whole",
-            "mean_of_a_square",
-            (Edge(((v, 0), (k_v, 3)), "holds"), Edge(((v, 0), (k_v, Rational(5, 4))), "fails")),
+            "$k_v$ whole", "mean_of_a_square", holds=[((v, 0), (k_v, 3))], fails=[((v, 0), (k_v, Rational(5, 4)))]
         ),
         SideCondition(
             r"$k_v \ge 1$",
             "in_v",
-            (
-                Edge(((k_v, 1), (epsilon, Rational(1, 8))), "holds"),
-                Edge(((k_v, Rational(1, 2)), (epsilon, Rational(1, 8))), "undefined"),
-            ),
+            holds=[((k_v, 1), (epsilon, Rational(1, 8)))],
+            undefined=[((k_v, Rational(1, 2)), (epsilon, Rational(1, 8)))],
         ),
     ),
 )

@@ -3,11 +3,12 @@
 from sympy import Function, diff, pi, sin
 
 from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.displacement import blinn_normal, displaced, displaced_normal, h_phi, h_theta, lift
 from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, sin_phi, theta
 from proofs.formulas.tangent_frame import e_phi, e_theta
-from proofs.theorems.frame import angles, at_angle, equations, frame, on_circles
+from proofs.theorems.frame import angles, at_angle, frame, on_circles
+from proofs.theorems.relations import equations
 
 _field = Function("field")(theta, phi)
 _values = {diff(_field, theta): h_theta, diff(_field, phi): h_phi, _field: h}
@@ -52,13 +53,10 @@ _first_order = Claim(
 displaced_theorem = Theorem(
     id="displaced_normal",
     title="The displaced surface's normal, and Blinn's",
-    section="s3",
     statement=r"The surface $(1+\beta h)N$ over the unit sphere has $\partial_\varphi \times \partial_\theta = "
-    r"(1+\beta h)\sin\varphi\, D$ with $D = (1+\beta h)N - \beta G$, "
-    r"$G = \tfrac{h_u}{2\pi\sin\varphi}e_\theta + \tfrac{h_v}{\pi}e_\varphi$, and $D\cdot N = 1+\beta h > "
-    r"0$: outwards. "
-    r"Blinn's $B = N - \beta G$ has $D \times B = -\beta^2 h\, N\times G$: the same direction to first "
-    r"order in $\beta$.",
+    r"(1+\beta h)\sin\varphi\, D$ with $D = (1+\beta h)N - \beta G$, $G = \tfrac{h_u}{2\pi\sin\varphi}e_\theta + "
+    r"\tfrac{h_v}{\pi}e_\varphi$, and $D\cdot N = 1+\beta h > 0$: outwards. Blinn's $B = N - \beta G$ has $D \times B "
+    r"= -\beta^2 h\, N\times G$: the same direction to first order in $\beta$.",
     hypotheses=(r"$\sin\varphi > 0$", r"$1+\beta h > 0$", r"$h$ is differentiable"),
     claims=(_product, _chart_scale, _outward, _first_order),
     uses=("tangent_frame",),
@@ -76,24 +74,19 @@ displaced_theorem = Theorem(
         Step(r"$(1+\beta h)B - D = -\beta^2 h G$", "expansion"),
     ),
     mutants=(
-        Mutant("inwards: ∂θ × ∂φ", _product.but(shows=equations(cross(_along(theta), _along(phi)), _scaled))),
-        Mutant(
+        variant("inwards: ∂θ × ∂φ", _product, *equations(cross(_along(theta), _along(phi)), _scaled)),
+        variant(
             "without the metric factor sin φ",
-            _product.but(shows=equations(cross(_along(phi), _along(theta)), [s / sin(phi) for s in _scaled])),
+            _product,
+            *equations(cross(_along(phi), _along(theta)), [s / sin(phi) for s in _scaled]),
         ),
-        Mutant(
-            "Blinn's is the displaced normal", _first_order.but(shows=equations(cross(displaced, _blinn), (0, 0, 0)))
-        ),
-        Mutant("h_φ = h_v/2π", _chart_scale.but(shows=(equation(2 * pi * h_phi, h_v),))),
+        variant("Blinn's is the displaced normal", _first_order, *equations(cross(displaced, _blinn), (0, 0, 0))),
+        variant("h_φ = h_v/2π", _chart_scale, equation(2 * pi * h_phi, h_v)),
     ),
     side_conditions=(
         SideCondition(
-            r"$\sin\varphi > 0$",
-            "first_order",
-            (Edge((*at_angle(1, 0), (h, 1), (h_u, 1), (h_v, 1), (beta, 1)), "undefined"),),
+            r"$\sin\varphi > 0$", "first_order", undefined=[(*at_angle(1, 0), (h, 1), (h_u, 1), (h_v, 1), (beta, 1))]
         ),
-        SideCondition(
-            r"$1+\beta h > 0$", "outward", (Edge((*at_angle(0, 1), (h, -1), (h_u, 1), (h_v, 1), (beta, 1)), "fails"),)
-        ),
+        SideCondition(r"$1+\beta h > 0$", "outward", fails=[(*at_angle(0, 1), (h, -1), (h_u, 1), (h_v, 1), (beta, 1))]),
     ),
 )

@@ -5,7 +5,6 @@ from proofs.engine.theorem import Theorem
 functions = Theorem(
     id="elementary_functions",
     title="Sine, cosine and arctangent of the kernels",
-    section="accuracy",
     statement=r"In float64 the kernels' $\sin\pi x$ is off by at most 1.34 units in the last place, $\cos\pi x$ by "
     r"1.53, $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product by 2.52 and 2.09, and $\operatorname{atan2}(y, x)/\pi$ "
     "by 2.50.",

@@ -3,8 +3,8 @@
 from sympy import Rational, cos, pi, sin
 
 from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
-from proofs.formulas.difference_cases import inside, nothing_clamps, nothing_wraps
+from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.formulas.difference_cases import INSIDE, inside, nothing_clamps, nothing_wraps
 from proofs.formulas.finite_difference import central, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
@@ -29,7 +29,7 @@ def _times_sinc(name, field, output, frequency, given):
         equation(2 * epsilon * difference(field, output), 2 * slope / (pi * frequency) * sin(pi * frequency * epsilon)),
         equation(difference(field, output), slope * sinc(pi * frequency * epsilon)),
     )
-    return Claim(name, shows, (*given, *(k > 0 for k in frequency.free_symbols)))
+    return Claim(name, shows, given, ranges=INSIDE)
 
 
 _u = _times_sinc("sine_in_u", sine, h_u, k_u, nothing_wraps)
@@ -49,14 +49,13 @@ _cosine = Claim(
             -pi * k_u * sin(pi * k_u * u) * sinc(pi * k_u * epsilon),
         ),
     ),
-    (epsilon > 0, k_u > 0),
+    (epsilon > 0,),
 )
 _angle = pi * k_u * epsilon
 
 theorem = Theorem(
     id=name,
     title="The central difference of a sine",
-    section="s4",
     statement=r"For $h = \sin\pi k_u u\,\sin\pi k_v v$ the central difference is the derivative times "
     r"$\operatorname{sinc}$: $D_\varepsilon h_u = h_u \sin(\pi k_u\varepsilon)/(\pi k_u\varepsilon)$, the same in $v$; "
     r"rings' own frequency is $2k_v$; and of $\cos\pi k u$ likewise.",
@@ -72,24 +71,17 @@ theorem = Theorem(
     ),
     mutants=(
         Mutant("rings' frequency k_v", _times_sinc("rings_in_v", rings, h_v, k_v, nothing_clamps)),
-        Mutant(
-            "the step 2ε in sinc",
-            _u.but(shows=(equation(difference(sine, h_u), sine.gradient()[0] * sinc(2 * _angle)),)),
-        ),
-        Mutant("the derivative itself", _u.but(shows=(equation(difference(sine, h_u), sine.gradient()[0]),))),
-        Mutant("v clamped: span 2ε", _clamp.but(given=(epsilon > 0, epsilon < Rational(1, 2), v >= 0, v <= 1))),
+        variant("the step 2ε in sinc", _u, equation(difference(sine, h_u), sine.gradient()[0] * sinc(2 * _angle))),
+        variant("the derivative itself", _u, equation(difference(sine, h_u), sine.gradient()[0])),
+        variant("v clamped: span 2ε", _clamp, given=(epsilon > 0, epsilon < Rational(1, 2), v >= 0, v <= 1)),
     ),
     side_conditions=(
         SideCondition(
             r"$\varepsilon \le v \le 1-\varepsilon$",
             "no_clamp",
-            (
-                Edge(((v, Rational(1, 8)), (epsilon, Rational(1, 8))), "holds"),
-                Edge(((v, Rational(1, 8)), (epsilon, Rational(1, 7))), "fails"),
-            ),
+            holds=[((v, Rational(1, 8)), (epsilon, Rational(1, 8)))],
+            fails=[((v, Rational(1, 8)), (epsilon, Rational(1, 7)))],
         ),
-        SideCondition(
-            r"$\varepsilon > 0$", "cosine", (Edge(((u, Rational(1, 3)), (epsilon, 0), (k_u, 8)), "undefined"),)
-        ),
+        SideCondition(r"$\varepsilon > 0$", "cosine", undefined=[((u, Rational(1, 3)), (epsilon, 0), (k_u, 8))]),
     ),
 )

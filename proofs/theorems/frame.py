@@ -4,7 +4,7 @@ from sympy import Rational, cos, diff, sin
 
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import chain
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import POLE, angles_on_a, discriminant_a, rho_raw, t_a
 from proofs.formulas.symbols import (
     cos_phi,
@@ -24,15 +24,11 @@ from proofs.formulas.symbols import (
     y,
 )
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, tangent_frame, unit_normal
+from proofs.theorems.relations import equations
 
 frame = chain("frame", unit_normal, tangent_frame)
 on_circles = (equation(cos_theta**2 + sin_theta**2, 1), equation(cos_phi**2 + sin_phi**2, 1))
 angles = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: cos(phi), sin_phi: sin(phi)}
-
-
-def equations(left, right):
-    """Return the three equations of two vectors."""
-    return tuple(equation(a, b) for a, b in zip(left, right, strict=True))
 
 
 def at_angle(c, s):
@@ -57,12 +53,11 @@ _unit = Claim(
     on_circles,
     frame,
 )
-_right_handed = Claim("right_handed", equations(cross(e_phi, e_theta), normal), on_circles, frame)
+_right_handed = Claim("right_handed", equations(cross(e_phi, e_theta), normal), on_circles[:1], frame)
 
 theorem = Theorem(
     id="tangent_frame",
     title="The tangent frame",
-    section="s3",
     statement=r"$e_\varphi = \partial N/\partial\varphi$ and $\sin\varphi\, e_\theta = \partial N/\partial\theta$; "
     r"$(e_\varphi, e_\theta, N)$ is orthonormal and $e_\varphi \times e_\theta = N$.",
     hypotheses=(r"$\cos^2 + \sin^2 = 1$ for each of $\theta$ and $\varphi$",),
@@ -74,23 +69,22 @@ theorem = Theorem(
         Step(r"$e_\varphi \times e_\theta = N$", "each component is a combination of the two circle equations"),
     ),
     mutants=(
-        Mutant("e_θ × e_φ = N (F3)", _right_handed.but(shows=equations(cross(e_theta, e_phi), normal))),
-        Mutant("e_θ = ∂N/∂θ, without sin φ", _along_theta.but(shows=equations(_theta, [diff(n, theta) for n in _n]))),
-        Mutant("e_φ ⟂ N without θ's circle", _unit.but(shows=(equation(dot(e_phi, normal), 0),), given=on_circles[1:])),
+        variant("e_θ × e_φ = N (F3)", _right_handed, *equations(cross(e_theta, e_phi), normal)),
+        variant("e_θ = ∂N/∂θ, without sin φ", _along_theta, *equations(_theta, [diff(n, theta) for n in _n])),
+        variant("e_φ ⟂ N without θ's circle", _unit, equation(dot(e_phi, normal), 0), given=on_circles[1:]),
     ),
 )
 
 seed_orientation = Theorem(
     id="seed_orientation",
     title="The seed's orientation of the frame",
-    section="s7",
     statement=r"$e_\theta \times e_\varphi = N$.",
     claims=(_right_handed.but(name="left_handed", shows=equations(cross(e_theta, e_phi), normal)),),
     refuted_at=at_angle(Rational(3, 5), Rational(4, 5)),
     steps=(Step(r"at one point $e_\theta \times e_\varphi = -N$", "arithmetic"),),
     mutants=(
         Mutant("e_φ × e_θ = N", _right_handed),
-        Mutant("e_θ × e_φ = −N", _right_handed.but(shows=equations(cross(e_theta, e_phi), [-n for n in normal]))),
+        variant("e_θ × e_φ = −N", _right_handed, *equations(cross(e_theta, e_phi), [-n for n in normal])),
     ),
     expected="refuted",
 )
@@ -102,7 +96,7 @@ _seed = Claim(
         equation(seed_frame[seed_sin_phi], sin_phi),
         *equations([seed_frame.expand(e) for e in (*e_theta, *e_phi)], (*e_theta, *e_phi)),
     ),
-    (*on_circles, *_north),
+    (on_circles[1], *_north),
     frame,
 )
 _off_the_pole = (*lengths_of_a, eye > radius, rho_raw >= POLE * eye, discriminant_a >= 0)
@@ -126,7 +120,6 @@ _angles = Claim(
 stable = Theorem(
     id="stable_frame",
     title="The frame without cancellation",
-    section="s3",
     statement=r"Off the pole the point hit is $R(\sin\varphi\cos\theta, \sin\varphi\sin\theta, \cos\varphi)$ with "
     r"$\cos\theta = x/\rho$, $\sin\theta = y/\rho$, $\sin\varphi = t\rho/R > 0$, $\cos\varphi = e(1-t)/R$; and where "
     r"$\sin\varphi > 0$ the seed's frame, from $N$ alone, is the same.",
@@ -139,27 +132,25 @@ stable = Theorem(
         Step(r"$\sqrt{1-N_z^2} = \sin\varphi$", r"$|N| = 1$ and $\sin\varphi > 0$", uses=("tangent_frame",)),
     ),
     mutants=(
-        Mutant("R cos φ = e t", _angles.but(shows=(equation(radius * cos_phi, eye * t_a),))),
-        Mutant("sin φ = ρ/R", _angles.but(shows=(equation(radius * sin_phi, rho),))),
-        Mutant("x and y swapped", _angles.but(shows=(equation(radius * sin_phi * cos_theta, t_a * y),))),
-        Mutant(
-            "√(1 − N_z²) = sin φ, whatever its sign",
-            _seed.but(shows=_seed.shows[:1], given=on_circles, squares=(sin_phi,)),
+        variant("R cos φ = e t", _angles, equation(radius * cos_phi, eye * t_a)),
+        variant("sin φ = ρ/R", _angles, equation(radius * sin_phi, rho)),
+        variant("x and y swapped", _angles, equation(radius * sin_phi * cos_theta, t_a * y)),
+        variant(
+            "√(1 − N_z²) = sin φ, whatever its sign", _seed, *_seed.shows[:1], given=on_circles, squares=(sin_phi,)
         ),
     ),
     side_conditions=(
         SideCondition(
             r"$\sin\varphi > 0$",
             "seed_frame",
-            (Edge(at_angle(1, 0), "undefined"), Edge(at_angle(Rational(3, 5), Rational(-4, 5)), "fails")),
+            fails=[at_angle(Rational(3, 5), Rational(-4, 5))],
+            undefined=[at_angle(1, 0)],
         ),
         SideCondition(
             r"$\rho \ge 10^{-150}e$",
             "angles",
-            (
-                Edge(((x, 2 * POLE), (y, 0), (eye, 2), (radius, 1)), "holds"),
-                Edge(((x, POLE), (y, 0), (eye, 2), (radius, 1)), "fails"),
-            ),
+            holds=[((x, 2 * POLE), (y, 0), (eye, 2), (radius, 1))],
+            fails=[((x, POLE), (y, 0), (eye, 2), (radius, 1))],
         ),
     ),
 )

@@ -3,9 +3,10 @@
 from sympy import Abs, Symbol, cos, pi, sign, sin
 
 from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
+from proofs.theorems.relations import equations
 
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
 slopes = {field.name: [gradient(field).expand(s) for s in (h_u, h_v)] for field in (sine, ridges, rings)}
@@ -39,8 +40,8 @@ _p = sine.expression
 _ridges = Claim(
     "ridges",
     (
-        *(equation(r, sign(_p) * s) for r, s in zip(slopes["ridges"], slopes["sine"], strict=True)),
-        *(equation(ridges.expression * r, _p * s) for r, s in zip(slopes["ridges"], slopes["sine"], strict=True)),
+        *equations(slopes["ridges"], [sign(_p) * s for s in slopes["sine"]]),
+        *equations([ridges.expression * r for r in slopes["ridges"]], [_p * s for s in slopes["sine"]]),
     ),
     squares=(Symbol("sin(pi*k_u*u)", real=True) * Symbol("sin(pi*k_v*v)", real=True),),
 )
@@ -53,11 +54,9 @@ theorem = Theorem(
     id="gradients",
     source="DLMF",
     title="The gradients of the three fields",
-    section="s3",
     statement=r"Sine: $h_u = \pi k_u\cos\pi k_u u\,\sin\pi k_v v$, $h_v = \pi k_v\sin\pi k_u u\,\cos\pi k_v v$. Rings: "
-    r"$h_u = 0$, $h_v = 2\pi k_v\cos 2\pi k_v v$. Ridges, $|p|$ with sine's height $p$: "
-    r"$\operatorname{sign}(p)\,p_u$ and $\operatorname{sign}(p)\,p_v$, its derivative where $p \ne 0$; "
-    "on the creases the kernels print 0.",
+    r"$h_u = 0$, $h_v = 2\pi k_v\cos 2\pi k_v v$. Ridges, $|p|$ with sine's height $p$: $\operatorname{sign}(p)\,p_u$ "
+    r"and $\operatorname{sign}(p)\,p_v$, its derivative where $p \ne 0$; on the creases the kernels print 0.",
     hypotheses=("any real $k_u$, $k_v$", r"$\sin x/x \to 1$ and $(1-\cos x)/x \to 0$ as $x \to 0$"),
     claims=(_sine, _rings, _ridges, _near, _mirrored),
     steps=(
@@ -71,16 +70,17 @@ theorem = Theorem(
         Step(r"$h h_u = p p_u$, also on the creases", "both sides are 0 there"),
     ),
     mutants=(
-        Mutant("sine with its factors swapped", _sine.but(shows=(equation(slopes["sine"][0], slopes["sine"][1]),))),
-        Mutant("the other sign", _sine.but(shows=(_difference(sine, u, -slopes["sine"][0], pi * k_u),))),
-        Mutant("rings with πk_v", _rings.but(shows=(_difference(rings, v, slopes["rings"][1], pi * k_v),))),
-        Mutant("ridges without the sign", _ridges.but(shows=(equation(slopes["ridges"][0], slopes["sine"][0]),))),
+        variant("sine with its factors swapped", _sine, equation(slopes["sine"][0], slopes["sine"][1])),
+        variant("the other sign", _sine, _difference(sine, u, -slopes["sine"][0], pi * k_u)),
+        variant("rings with πk_v", _rings, _difference(rings, v, slopes["rings"][1], pi * k_v)),
+        variant("ridges without the sign", _ridges, equation(slopes["ridges"][0], slopes["sine"][0])),
     ),
     side_conditions=(
         SideCondition(
             r"$|d| \le |p|$: no crease is crossed",
             "same_sign",
-            (Edge(((p, 1), (d, -1)), "holds"), Edge(((p, 1), (d, -2)), "fails"), Edge(((p, 0), (d, 1)), "fails")),
+            holds=[((p, 1), (d, -1))],
+            fails=[((p, 1), (d, -2)), ((p, 0), (d, 1))],
         ),
     ),
 )

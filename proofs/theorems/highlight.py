@@ -3,10 +3,10 @@
 from sympy import Abs, Max, Piecewise, Rational, sqrt
 
 from proofs.engine.claim import Claim, Induction, at_least, equation, greater
-from proofs.engine.theorem import Clause, Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.shading import blinn, clip, clipped, color, halfway, halfway_length, phong, specular_base
 from proofs.formulas.symbols import bumped, cross, dot, mu, real, towards, vector, view
-from proofs.theorems.normal_limits import minus
+from proofs.theorems.relations import both_ways, minus, point
 
 apart, turned = real("apart turned")
 
@@ -15,21 +15,19 @@ _gap = (equation(apart**2, dot(minus(n, m), minus(n, m))),)
 x, z = real("x"), real("z")
 
 
-def between(p, q, bound):
-    """Return |p − q| ≤ bound as two inequalities."""
-    return (at_least(bound, p - q), at_least(bound, q - p))
-
-
 _scalar = Claim(
     "along_a_direction",
-    (at_least(apart**2 - dot(minus(n, m), omega) ** 2, 0), *between(dot(n, omega), dot(m, omega), apart)),
+    (at_least(apart**2 - dot(minus(n, m), omega) ** 2, 0), *both_ways(apart, dot(n, omega) - dot(m, omega))),
     (apart >= 0, *_gap, equation(dot(omega, omega), 1)),
     squares=cross(minus(n, m), omega),
 )
 _upper = clip[clipped].xreplace({Max(0, color): color})
 _clamps = Claim(
     "clamps",
-    (*between(Max(0, x), Max(0, z), Abs(x - z)), *between(_upper.subs(color, x), _upper.subs(color, z), Abs(x - z))),
+    (
+        *both_ways(Abs(x - z), Max(0, x) - Max(0, z)),
+        *both_ways(Abs(x - z), _upper.subs(color, x) - _upper.subs(color, z)),
+    ),
 )
 
 
@@ -44,6 +42,7 @@ def seen_from(normal_of_light, program):
 
 _units = tuple(equation(dot(p, p), 1) for p in (n, m, omega))
 _cosines = dot(n, omega), dot(m, omega), dot(n, m)
+_gram_part = _cosines[0] ** 2 + _cosines[1] ** 2 - 2 * _cosines[0] * _cosines[1] * _cosines[2]
 
 
 def gram(a, b, c):
@@ -57,23 +56,18 @@ _gram = Claim("gram", (equation(dot(n, cross(m, omega)) ** 2, gram(*_cosines)),)
 _swing = Claim(
     "mirror",
     (
-        equation(
-            dot(minus(*_reflected), minus(*_reflected)),
-            4 * (_cosines[0] ** 2 + _cosines[1] ** 2 - 2 * _cosines[0] * _cosines[1] * _cosines[2]),
-        ),
+        equation(dot(minus(*_reflected), minus(*_reflected)), 4 * _gram_part),
         equation(dot(minus(n, m), minus(n, m)), 2 - 2 * _cosines[2]),
         *(equation(seen_from(p, phong), dot(r, view)) for p, r in zip((n, m), _reflected, strict=True)),
     ),
-    _units,
+    _units[:2],
 )
 _twice = Claim(
     "twice",
     (at_least(4 * apart**2, turned**2), at_least(2 * apart, turned)),
     (
         apart >= 0,
-        turned >= 0,
         gram(_a, _b, _c) >= 0,
-        _c <= 1,
         equation(turned**2, 4 * (_a**2 + _b**2 - 2 * _a * _b * _c)),
         equation(apart**2, 2 - 2 * _c),
     ),
@@ -105,36 +99,31 @@ _factored = (
     equation(power - quotient, (1 - x) * _by_x + (1 - z) * _by_z),
 )
 _powers = Induction("factors", count, _factored, _states)
-_unit_interval = (x >= 0, x <= 1, z >= 0, z <= 1)
 _signs = Claim(
     "no_state_is_negative",
     tuple(at_least(following, 0) for _, _, following in _states),
-    (*_unit_interval, *(s >= 0 for s, _, _ in _states)),
+    (x >= 0, z >= 0, *(s >= 0 for s, _, _ in _states)),
 )
 _power = Claim(
     "power",
-    (at_least(power, quotient), *between(of_x, of_z, power * (x - z))),
-    (*_unit_interval, x >= z, quotient >= 0, _by_x >= 0, _by_z >= 0, *_factored),
+    (at_least(power, quotient), *both_ways(power * (x - z), of_x - of_z)),
+    (x <= 1, z <= 1, x >= z, quotient >= 0, _by_x >= 0, _by_z >= 0, _factored[0], _factored[2]),
 )
 
 _dropped = tuple((s, start, x * quotient if s == quotient else following) for s, start, following in _states)
-_gram_part = _cosines[0] ** 2 + _cosines[1] ** 2 - 2 * _cosines[0] * _cosines[1] * _cosines[2]
-_parallel = (*zip((*n, *m), (1, 0, 0, -1, 0, 0), strict=True), (apart, 2))
-
+_parallel = {n: (1, 0, 0), m: (-1, 0, 0), apart: 2}
 
 theorem = Theorem(
     id="specular_lipschitz",
     title="The highlight is Lipschitz in the normal",
-    section="s4",
     statement=(
         Clause(
             r"Blinn's base is 1-Lipschitz in $N'$, Phong's 2-Lipschitz, and so is $\mu = N'\cdot\omega$ with 1.",
             (_scalar, _clamps, _blinn, _gram, _swing, _twice),
         ),
         Clause(
-            r"The factors of $x^p - z^p$ and of $p - (x^p - z^p)/(x - z)$ follow a recurrence, one step of "
-            r"which keeps them "
-            r"from being negative; where they are not, $|x^p - z^p| \le p\,|x-z|$ on $[0, 1]$.",
+            "The factors of $x^p - z^p$ and of $p - (x^p - z^p)/(x - z)$ follow a recurrence, one step of which keeps "
+            r"them from being negative; where they are not, $|x^p - z^p| \le p\,|x-z|$ on $[0, 1]$.",
             (_powers, _signs, _power),
         ),
         Clause(
@@ -148,7 +137,6 @@ theorem = Theorem(
         "unit vectors",
         r"the power's factors are carried along by a recurrence; none of them is negative, step by step",
     ),
-    uses=(),
     steps=(
         Step(r"$|n\cdot\omega - m\cdot\omega| \le |n-m|$ for a unit $\omega$, or unit $H/|H|$", "Lagrange's identity"),
         Step(r"$\max(0, \cdot)$ and the clip do not increase a distance", "by cases"),
@@ -157,19 +145,17 @@ theorem = Theorem(
         Step("$S_p, A_p, B_p \\ge 0$", "so they start, and each is a sum of products of such; induction on $p$"),
     ),
     mutants=(
-        Mutant("Phong's base is 1-Lipschitz", _twice.but(shows=(at_least(apart, turned),))),
-        Mutant("the reflection without its factor 2", _swing.but(shows=(equation(_swing.shows[0].lhs, _gram_part),))),
-        Mutant("p − 1 in place of p", _power.but(shows=between(of_x, of_z, (power - 1) * (x - z)))),
-        Mutant("x^p − z^p with the quotient's last term dropped", _powers.but(states=_dropped)),
+        variant("Phong's base is 1-Lipschitz", _twice, at_least(apart, turned)),
+        variant("the reflection without its factor 2", _swing, equation(_swing.shows[0].lhs, _gram_part)),
+        variant("p − 1 in place of p", _power, *both_ways((power - 1) * (x - z), of_x - of_z)),
+        variant("x^p − z^p with the quotient's last term dropped", _powers, states=_dropped),
     ),
     side_conditions=(
         SideCondition(
             r"$\omega$ has length 1",
             "along_a_direction",
-            (
-                Edge((*_parallel, *zip(omega, (1, 0, 0), strict=True)), "holds"),
-                Edge((*_parallel, *zip(omega, (2, 0, 0), strict=True)), "fails"),
-            ),
+            holds=[point(_parallel | {omega: (1, 0, 0)})],
+            fails=[point(_parallel | {omega: (2, 0, 0)})],
         ),
     ),
 )
@@ -180,14 +166,13 @@ _root = Claim("root", (at_least(bound * x, sqrt(x)),), (x >= 0, x <= 1, bound >=
 below_one = Theorem(
     id="highlight_below_one",
     title="A shininess below 1",
-    section="s4",
     statement=r"For every $p > 0$ the power $x^p$ is Lipschitz on $[0, 1]$ (at $p = 1/2$: $\sqrt x \le L x$).",
     hypotheses=("$L \\ge 1$",),
     claims=(_root,),
     refuted_at=((x, Rational(1, 4096)), (bound, 32)),
     steps=(Step(r"$L = 32$: $\sqrt x = 1/64 > 32/4096 = 1/128$", "and $x = 1/4L^2$ for any other $L$"),),
     mutants=(
-        Mutant("true where x ≥ 1/L²", _root.but(given=(*_root.given, bound * sqrt(x) >= 1))),
+        variant("true where x ≥ 1/L²", _root, given=(*_root.given, bound * sqrt(x) >= 1)),
         Mutant(
             "false for every L, at x = 1/4L²",
             Claim(

@@ -3,7 +3,7 @@
 from sympy import Rational
 
 from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas import symbols
 from proofs.formulas.camera import (
     POLE,
@@ -20,20 +20,7 @@ from proofs.formulas.camera import (
     tangent_squared,
     toward_b,
 )
-from proofs.formulas.symbols import (
-    ball_center,
-    ball_on,
-    ball_radius,
-    dot,
-    eye,
-    lengths_of_a,
-    lengths_of_b,
-    radius,
-    real,
-    rho,
-    x,
-    y,
-)
+from proofs.formulas.symbols import ball_center, ball_on, ball_radius, dot, eye, lengths_of_a, radius, real, rho, x, y
 
 t = real("t")
 
@@ -73,7 +60,6 @@ _misses_a = Claim(
 theorem_a = Theorem(
     id="hit_of_a",
     title="The near hit with sphere A",
-    section="s3",
     statement=r"If $e > R$ and $d = (e^2-R^2)(\rho_s^2-\rho^2) \ge 0$, then $t = (e^2-R^2)/(e^2+\sqrt d)$ is the least "
     r"root of $|P(t)|^2 = R^2$, and $t > 0$; if $d < 0$ there is none.",
     hypotheses=(r"$e > R > 0$", r"$\rho$ is not below $10^{-150} e$"),
@@ -85,29 +71,26 @@ theorem_a = Theorem(
         Step(r"$d < 0$: no hit", "a square plus something positive"),
     ),
     mutants=(
-        Mutant(
-            "d without e² − R²",
-            _solves_a.but(shows=(equation(distance_squared(along(t_a / tangent_squared), _origin), radius**2),)),
+        variant(
+            "d without e² − R²", _solves_a, equation(distance_squared(along(t_a / tangent_squared), _origin), radius**2)
         ),
-        Mutant("the far root", _near_a.but(shows=(t <= t_a,))),
-        Mutant("t < 1", _solves_a.but(shows=(t_a < Rational(1, 2),))),
+        variant("the far root", _near_a, t <= t_a),
+        variant("t < 1", _solves_a, t_a < Rational(1, 2)),
     ),
     side_conditions=(
         SideCondition(
             r"$\rho \le \rho_s$",
             "solves",
-            (
-                Edge(((x, Rational(15, 16)), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 5))), "undefined"),
-                Edge(((x, Rational(3, 4)), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 4))), "holds"),
-            ),
+            holds=[((x, Rational(3, 4)), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 4)))],
+            undefined=[((x, Rational(15, 16)), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 5)))],
         ),
         SideCondition(
             "$e > R$",
             "solves",
-            (
-                Edge(((x, 0), (y, Rational(1, 2)), (eye, 1), (radius, 1)), "undefined"),
-                Edge(((x, 0), (y, Rational(1, 2)), (eye, Rational(1, 2)), (radius, 1)), "undefined"),
-            ),
+            undefined=[
+                ((x, 0), (y, Rational(1, 2)), (eye, 1), (radius, 1)),
+                ((x, 0), (y, Rational(1, 2)), (eye, Rational(1, 2)), (radius, 1)),
+            ],
         ),
     ),
 )
@@ -123,7 +106,7 @@ def _on_the_axis(eye, z, ball_radius):
 
 
 _outside = distance_squared(_eye, ball_center) > ball_radius**2
-_sees_b = (*lengths_of_b, _outside, discriminant_b >= 0, toward_b > 0, ball_on > 0)
+_sees_b = (_outside, discriminant_b >= 0, toward_b > 0, ball_on > 0)
 _solves_b = Claim(
     "solves", (equation(distance_squared(along(t_b), ball_center), ball_radius**2), t_b > 0), _sees_b, hit_of_b
 )
@@ -131,13 +114,13 @@ _length = dot(ray_direction, ray_direction)
 _near_b = Claim(
     "near",
     (greater(_length, 0), equation(_length * t_b, toward_b - root_b), _length * t - toward_b + root_b >= 0, t >= t_b),
-    (*_sees_b, equation(distance_squared(along(t), ball_center), ball_radius**2)),
+    (eye > 0, *_sees_b[1:], equation(distance_squared(along(t), ball_center), ball_radius**2)),
     hit_of_b,
 )
 _behind_b = Claim(
     "behind",
     (t < 0,),
-    (*lengths_of_b, _outside, toward_b <= 0, equation(distance_squared(along(t), ball_center), ball_radius**2)),
+    (_outside, toward_b <= 0, equation(distance_squared(along(t), ball_center), ball_radius**2)),
     hit_of_b,
     squares=(x * t, y * t, eye * t),
 )
@@ -156,7 +139,6 @@ _quadratic = Claim(
 theorem_b = Theorem(
     id="hit_of_b",
     title="The near hit with sphere B",
-    section="s3",
     statement=r"With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, "
     r"$d \ge 0$ and $b > 0$, then $t = c/(b+\sqrt d) > 0$ is the least root of $|P(t)-C|^2 = R_2^2$; "
     r"if $b \le 0$, every root is negative.",
@@ -169,21 +151,15 @@ theorem_b = Theorem(
         Step(r"$b \le 0$, $t \ge 0$: then $|D|^2t^2-2bt+c > 0$", "a sum of a square and non-negative terms"),
     ),
     mutants=(
-        Mutant("the seed's c", _quadratic.but(shows=(equation(discriminant_b, toward_b**2 - _length * _seed_c),))),
-        Mutant("the far root", _near_b.but(shows=(t <= t_b,))),
-        Mutant(
-            "b with its sign turned",
-            _behind_b.but(given=(*lengths_of_b, _outside, toward_b >= 0, *_behind_b.given[4:])),
-        ),
+        variant("the seed's c", _quadratic, equation(discriminant_b, toward_b**2 - _length * _seed_c)),
+        variant("the far root", _near_b, t <= t_b),
+        variant("b with its sign turned", _behind_b, given=(_outside, toward_b >= 0, *_behind_b.given[2:])),
     ),
     side_conditions=(
         SideCondition(
             "$c > 0$: the eye is outside B",
             "solves",
-            (
-                Edge(_on_the_axis(eye=4, z=3, ball_radius=1), "fails"),
-                Edge(_on_the_axis(eye=4, z=3, ball_radius=2), "fails"),
-            ),
+            fails=[_on_the_axis(eye=4, z=3, ball_radius=1), _on_the_axis(eye=4, z=3, ball_radius=2)],
         ),
     ),
 )
@@ -191,7 +167,6 @@ theorem_b = Theorem(
 seed_quadratic = Theorem(
     id="seed_quadratic_of_b",
     title="The seed's quadratic for sphere B",
-    section="s7",
     statement=r"The constant term of sphere B's quadratic is $|C|^2-R_2^2$.",
     claims=(Claim("constant", (equation(_seed_c, _c),)),),
     refuted_at=(

@@ -1,9 +1,9 @@
 """The image's derivative in β, in closed form: the chain rule through the lines of the shading."""
 
-from sympy import Max, diff
+from sympy import Max, Pow, diff
 
 from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped_by_beta
 from proofs.formulas.image_derivative import (
     base_by_beta,
@@ -30,8 +30,10 @@ from proofs.formulas.shading import (
     phong,
 )
 from proofs.formulas.symbols import bumped, mu, real, shininess, specular, specular_base
+from proofs.theorems.relations import equations
 
 s, n, power, x, slope, of_x, by_s = real("s n power x slope of_x by_s")
+raised, raised_by_beta = real("raised raised_by_beta")
 _moved = tuple(b + s * d for b, d in zip(bumped, bumped_by_beta, strict=True))
 
 
@@ -61,16 +63,18 @@ _blinn, _phong = (
 )
 
 
-def _term(name, p, given, lit_side, shiny):
-    """Return the claim of a light's share where μ and the base have given signs, for the shininess p."""
-    share = light_term.expand(lit[0]).xreplace({Max(0, mu): mu * lit_side, specular: specular_base**p * shiny})
-    share = share.xreplace({mu: mu + s * mu_by_beta, specular_base: specular_base + s * base_by_beta})
-    closed = term_derivative.expand(term_by_beta).subs(shininess, p)
-    return Claim(name, (equation(Max(0, mu), mu * lit_side), equation(at_zero(share), closed)), given)
+def _term(name, given, lit_side, shiny):
+    """Return the claim of a light's share where μ and the base have given signs; base^p and its slope are `raised`."""
+    share = light_term.expand(lit[0]).xreplace({Max(0, mu): mu * lit_side, specular: raised * shiny})
+    share = share.xreplace({mu: mu + s * mu_by_beta, raised: raised + s * raised_by_beta})
+    closed = term_derivative.expand(term_by_beta).xreplace({Pow(specular_base, shininess - 1): raised / specular_base})
+    sides = equations((Max(0, mu), Max(0, specular_base)), (mu * lit_side, specular_base * shiny))
+    power_rule = equation(raised_by_beta * specular_base, shininess * raised * base_by_beta)
+    return Claim(name, (*sides, equation(at_zero(share), closed)), (*given, *[power_rule] * shiny))
 
 
 _sides = tuple(
-    _term(f"{a}_{b}", 32, ((mu > 0, mu < 0)[i], (specular_base > 0, specular_base < 0)[j]), 1 - i, 1 - j)
+    _term(f"{a}_{b}", ((mu > 0, mu < 0)[i], (specular_base > 0, specular_base < 0)[j]), 1 - i, 1 - j)
     for i, a in enumerate(("lit", "unlit"))
     for j, b in enumerate(("shiny", "dull"))
 )
@@ -83,28 +87,38 @@ _power = Induction(
 _kept = clip_derivative[clipped]
 _clip = (
     Claim("inside", (equation(clip[clipped], color), equation(_kept, term_by_beta)), (color > 0, color < 1)),
-    Claim("above", (equation(clip[clipped], 1), equation(_kept, 0)), (color > 0, color > 1)),
+    Claim("above", (equation(clip[clipped], 1), equation(_kept, 0)), (color > 1,)),
     Claim("below", (equation(Max(0, color), 0), equation(_kept, 0)), (color < 0,)),
 )
 
 
 def _grazing(cosine):
     """Return a light's inputs at μ = cosine, of unit coefficients, in a highlight that does not move."""
-    values = {mu: cosine, mu_by_beta: 1, specular_base: 1, base_by_beta: 0}
+    values = {mu: cosine, mu_by_beta: 1, specular_base: 1, base_by_beta: 0, raised: 1, raised_by_beta: 0, shininess: 1}
     return (*values.items(), *((c, 1) for c in (kd, ks, albedos[0], light_colors[0])))
 
 
 theorem = Theorem(
     id="image_derivative",
     title="The image's derivative in β",
-    section="s3",
-    statement=r"Off $\mu = 0$, base $= 0$ and the clip's ends, a light's share of a channel has the derivative "
-    r"$i\,(a k_d\,\mu'[\mu > 0] + k_s\,p\,\text{base}^{p-1}\,\text{base}'[\text{base} > 0])$ with "
-    r"$\mu' = \partial_\beta N'\cdot\omega$ and $\text{base}' = \partial_\beta N'\cdot H/|H|$ (Blinn) or "
-    r"$2(\mu'\,N'\cdot\hat v + \mu\,\partial_\beta N'\cdot\hat v)$ (Phong); the clip keeps it where the channel is "
-    r"inside $(0, 1)$ and makes it 0 outside.",
-    hypotheses=("the lines' derivative at $p = 32$; the power rule for every whole $p$",),
-    claims=(_mu, _blinn, _phong, *_sides, _power, *_clip),
+    statement=(
+        Clause(
+            r"Along $N' + s\,\partial_\beta N'$, at $s = 0$: $\mu' = \partial_\beta N'\cdot\omega$ and "
+            r"$\text{base}' = \partial_\beta N'\cdot H/|H|$ (Blinn) or "
+            r"$2(\mu'\,N'\cdot\hat v + \mu\,\partial_\beta N'\cdot\hat v)$ (Phong).",
+            (_mu, _blinn, _phong),
+        ),
+        Clause(
+            r"For every whole $p \ge 0$, $(\text{base}^p)'\,\text{base} = p\,\text{base}^p\,\text{base}'$.", (_power,)
+        ),
+        Clause(
+            r"So off $\mu = 0$ and base $= 0$ a light's share of a channel has the derivative "
+            r"$i\,(a k_d\,\mu'[\mu > 0] + k_s\,p\,\text{base}^{p-1}\,\text{base}'[\text{base} > 0])$;",
+            _sides,
+        ),
+        Clause("the clip keeps it where the channel is inside $(0, 1)$ and makes it 0 outside $[0, 1]$.", _clip),
+    ),
+    hypotheses=(r"$N' = M/|M|$ with $M \ne 0$; $|H| > 0$; $p \ge 1$ whole", "the rules of differentiation"),
     uses=("normal_by_beta",),
     steps=(
         Step(r"$\partial_\beta N'$", "in closed form", uses=("normal_by_beta",)),
@@ -112,15 +126,11 @@ theorem = Theorem(
         Step(r"$(x^{p})'\,x = p\,x^p x'$", "induction on $p$ by the product rule"),
     ),
     mutants=(
-        Mutant("Phong without its factor 2", _phong.but(shows=(equation(2 * _phong.shows[0].lhs, _closed("phong")),))),
-        Mutant("the highlight's factor p + 1", _power.but(shows=(equation(by_s * x, (power + 1) * of_x * slope),))),
-        Mutant("the lit side's slope where μ < 0", _sides[2].but(shows=_sides[0].shows[1:])),
+        variant("Phong without its factor 2", _phong, equation(2 * _phong.shows[0].lhs, _closed("phong"))),
+        variant("the highlight's factor p + 1", _power, equation(by_s * x, (power + 1) * of_x * slope)),
+        variant("the lit side's slope where μ < 0", _sides[2], *_sides[0].shows[2:]),
     ),
     side_conditions=(
-        SideCondition(
-            r"$\mu \ne 0$",
-            "lit_shiny",
-            (Edge(_grazing(1), "holds"), Edge(_grazing(0), "fails"), Edge(_grazing(-1), "fails")),
-        ),
+        SideCondition(r"$\mu \ne 0$", "lit_shiny", holds=[_grazing(1)], fails=[_grazing(0), _grazing(-1)]),
     ),
 )

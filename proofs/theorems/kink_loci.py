@@ -1,9 +1,9 @@
 """Where the creases of a field are seen: meridians are rays of the image, parallels are circles."""
 
-from sympy import Rational, cos, pi, sin, sqrt
+from sympy import pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import parallel_radius, point_on_a
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import (
@@ -24,8 +24,9 @@ from proofs.formulas.symbols import (
     x,
     y,
 )
-from proofs.theorems.frame import equations, on_circles
+from proofs.theorems.frame import on_circles
 from proofs.theorems.hits import along
+from proofs.theorems.relations import equations
 
 t, m = real("t m")
 
@@ -67,46 +68,57 @@ _creases = tuple(
 )
 _on_the_axis = ((cos_theta, 1), (sin_theta, 0), (cos_phi, 1), (sin_phi, 0), (eye, 1), (x, 0), (y, 0))
 _other_sign = equation((eye + radius * cos_phi) * x, eye * radius * sin_phi * cos_theta)
-_count = Claim(
-    "count",
-    (
-        greater(cos(pi / 4), Rational(1, 4)),
-        greater(Rational(1, 4), cos(pi / 2)),
-        greater(Rational(1, 4), cos(3 * pi / 4)),
-    ),
+_p = HEIGHT_FIELDS["sine"]
+_elsewhere = tuple(
+    Claim(
+        f"elsewhere_{name}",
+        (
+            equation(_ridges.expression, side * _p.expression),
+            greater(_ridges.expression, 0),
+            *equations(_ridges.gradient(), [side * p for p in _p.gradient()]),
+        ),
+        (side * _p.expression > 0,),
+    )
+    for name, side in (("above", 1), ("below", -1))
 )
 
 theorem = Theorem(
     id="kink_loci",
     title="The creases are rays and circles",
-    section="s3",
-    statement=r"Seen from $E$ on the axis, the point of A at $(\theta, \varphi)$ is at the image point "
-    r"$\rho(\cos\theta, \sin\theta)$ with $\rho = e R\sin\varphi/(e - R\cos\varphi)$: a meridian is a ray, a parallel "
-    r"a circle. Ridges is creased on the rays $k_u u = m$ and the circles $k_v v = m$, of which those with "
-    r"$\cos\varphi > R/e$ are seen: one circle in the default scene.",
-    hypotheses=("$e > R > 0$", r"$\sin\varphi \ge 0$"),
-    claims=(_projection, *_creases, _count),
-    uses=("stable_frame",),
+    statement=(
+        Clause(
+            r"Seen from $E$ on the axis, the point of A at $(\theta, \varphi)$ is at the image point $\rho(\cos\theta, "
+            r"\sin\theta)$ with $\rho = e R\sin\varphi/(e - R\cos\varphi)$: a meridian is a ray, a parallel a circle.",
+            (_projection,),
+        ),
+        Clause(r"Ridges is 0 on the rays $k_u u = m$ and the circles $k_v v = m$, its creases;", _creases),
+        Clause(
+            r"everywhere else $h > 0$, and $h$ and its gradient are those of $p$ or of $-p$, "
+            r"$p = \sin\pi k_u u\,\sin\pi k_v v$: no other crease.",
+            _elsewhere,
+        ),
+    ),
+    hypotheses=("$e > R > 0$", r"$\sin\varphi \ge 0$", r"$m$ whole: $\sin\pi m = 0$"),
+    uses=("stable_frame", "ridges_on_creases"),
     steps=(
         Step(r"$t = 1 - (R/e)\cos\varphi > 0$", "the third coordinate of the ray; $e > R$ and $\\cos\\varphi \\le 1$"),
         Step(r"$(x, y) = \rho(\cos\theta, \sin\theta)$", "the other two, divided by $t$"),
         Step(r"$\sin\pi m = 0$", "the crease factors"),
-        Step(r"$\cos\pi/4 > 1/4 > \cos\pi/2$", "$R/e = 1/4$, $k_v = 4$"),
+        Step("there ridges has no derivative, unless the other factor is 0", "by its slopes", ("ridges_on_creases",)),
+        Step(r"$|p| = \pm p$ where $p \ne 0$", "by the sign of $p$, which is the same all around"),
     ),
     mutants=(
-        Mutant("ρ with e + R cos φ", _projection.but(shows=(_other_sign,))),
-        Mutant("ρ = R sin φ", _projection.but(shows=(equation(x**2 + y**2, (radius * sin_phi) ** 2),))),
-        Mutant("the ray on the other side", _projection.but(shows=(at_least(0, x * cos_theta + y * sin_theta),))),
-        Mutant("two circles are seen", _count.but(shows=(greater(cos(pi / 2), Rational(1, 4)),))),
+        variant("ρ with e + R cos φ", _projection, _other_sign),
+        variant("ρ = R sin φ", _projection, equation(x**2 + y**2, (radius * sin_phi) ** 2)),
+        variant("the ray on the other side", _projection, at_least(0, x * cos_theta + y * sin_theta)),
+        variant("the slope of p, whatever its sign", _elsewhere[1], *_elsewhere[0].shows[2:3]),
     ),
     side_conditions=(
         SideCondition(
             "$e > R$",
             "projection",
-            (
-                Edge((*_on_the_axis, (radius, 1), (t, 0)), "undefined"),
-                Edge((*_on_the_axis, (radius, 2), (t, -1)), "fails"),
-            ),
+            fails=[(*_on_the_axis, (radius, 2), (t, -1))],
+            undefined=[(*_on_the_axis, (radius, 1), (t, 0))],
         ),
     ),
 )

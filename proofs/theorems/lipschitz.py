@@ -3,9 +3,10 @@
 from sympy import Rational, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
-from proofs.formulas.symbols import cross, dot, real, vector
-from proofs.theorems.normal_limits import minus
+from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
+from proofs.formulas.bump import g, m, perturbed
+from proofs.formulas.symbols import beta, cross, dot, normal, real, vector
+from proofs.theorems.relations import equations, minus
 
 a, b = vector("a"), vector("b")
 length_a, length_b, apart, turned, product = real("length_a length_b apart turned product")
@@ -32,8 +33,15 @@ _normalise = Claim(
         at_least(4, turned**2),
         at_least(2, turned),
     ),
-    (length_a >= 1, length_b >= 1, apart >= 0, turned >= 0, *_outside),
+    (length_a >= 1, length_b >= 1, apart >= 0, *_outside),
     squares=(*cross(a, b), length_a - length_b),
+)
+_other_m, _other_g = vector("other_m"), vector("other_g")
+_moved = Claim(
+    "moved",
+    (equation(dot(minus(m, _other_m), minus(m, _other_m)), beta**2 * dot(minus(g, _other_g), minus(g, _other_g))),),
+    equations(_other_m, [n_i + beta * g_i for n_i, g_i in zip(normal, _other_g, strict=True)]),
+    perturbed,
 )
 
 
@@ -53,11 +61,15 @@ def _pair(length):
 theorem = Theorem(
     id="normalising_is_lipschitz",
     title="Normalising is 1-Lipschitz outside the unit ball",
-    section="s4",
-    statement=r"For $|a|, |b| \ge 1$: $\bigl|a/|a| - b/|b|\bigr| \le \min(|a-b|, 2)$. With $|M| \ge 1$ and "
-    r"$\Delta M = \beta\,\Delta g$, so $|\Delta N'| \le \min(|\beta||\Delta g|, 2)$.",
+    statement=(
+        Clause(r"For $|a|, |b| \ge 1$: $\bigl|a/|a| - b/|b|\bigr| \le \min(|a-b|, 2)$.", (_normalise,)),
+        Clause(
+            r"With $M = N + \beta g$, $|M| \ge 1$: $|\Delta M| = |\beta||\Delta g|$, so "
+            r"$|\Delta N'| \le \min(|\beta||\Delta g|, 2)$.",
+            (_moved,),
+        ),
+    ),
     hypotheses=(r"$|a|, |b| \ge 1$",),
-    claims=(_normalise,),
     uses=("unit_length",),
     steps=(
         Step(r"$|a/|a|-b/|b||^2 = 2 - 2\,a\cdot b/(|a||b|)$", "expansion"),
@@ -68,19 +80,15 @@ theorem = Theorem(
         Step(r"$|M| \ge 1$, $M_1-M_2 = \beta(g_1-g_2)$", "the same $N$ and $\\beta$", uses=("unit_length",)),
     ),
     mutants=(
-        Mutant("with the constant ½", _normalise.but(shows=(at_least(apart, 2 * turned),))),
-        Mutant(
+        variant("with the constant ½", _normalise, at_least(apart, 2 * turned)),
+        variant(
             "inside the unit ball too",
-            _normalise.but(
-                shows=(at_least(apart, turned),), given=(length_a > 0, length_b > 0, apart >= 0, turned >= 0, *_outside)
-            ),
-            _pair(Rational(1, 2)),
+            _normalise,
+            at_least(apart, turned),
+            given=(length_a > 0, length_b > 0, apart >= 0, turned >= 0, *_outside),
+            at=_pair(Rational(1, 2)),
         ),
-        Mutant("at most 1", _normalise.but(shows=(at_least(1, turned),))),
+        variant("at most 1", _normalise, at_least(1, turned)),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$|a|, |b| \ge 1$", "normalise", (Edge(_pair(1), "holds"), Edge(_pair(Rational(1, 2)), "fails"))
-        ),
-    ),
+    side_conditions=(SideCondition(r"$|a|, |b| \ge 1$", "normalise", holds=[_pair(1)], fails=[_pair(Rational(1, 2))]),),
 )

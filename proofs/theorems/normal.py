@@ -4,10 +4,17 @@ from sympy import diff
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
 from proofs.formulas.symbols import beta, dot, h_u, h_v, normal
 from proofs.theorems.frame import on_circles
+from proofs.theorems.relations import equations, point
+
+
+def at(normal_at, g_at, beta_at):
+    """Return the inputs of `perturbed`."""
+    return point({normal: normal_at, g: g_at, beta: beta_at})
+
 
 tangent = (equation(dot(normal, normal), 1), equation(dot(normal, g), 0))
 
@@ -31,7 +38,6 @@ _length = Claim(
 unit_length = Theorem(
     id="unit_length",
     title="Normalising is never ill-conditioned",
-    section="s3",
     statement=r"$N\cdot g = 0$, so $|M|^2 = 1 + \beta^2 |g|^2 \ge 1$ and $|N'| = 1$, for every $\beta$.",
     hypotheses=(r"$|N| = 1$", r"$g = h_u e_\theta + h_v e_\varphi$"),
     claims=(_tangent, _length),
@@ -42,39 +48,27 @@ unit_length = Theorem(
         Step(r"$|M|^2 \ge 1$", "the rest is a sum of squares"),
     ),
     mutants=(
-        Mutant("|M|² = 1 − β²|g|²", _length.but(shows=(equation(dot(m, m), 1 - beta**2 * dot(g, g)),))),
-        Mutant("|M|² = 1 + β|g|²", _length.but(shows=(equation(dot(m, m), 1 + beta * dot(g, g)),))),
-        Mutant("|M| > 1", _length.but(shows=(m_length > 1,)), at=((beta, 0),)),
-        Mutant("N·g not zero", _length.but(given=tangent[:1])),
+        variant("|M|² = 1 − β²|g|²", _length, equation(dot(m, m), 1 - beta**2 * dot(g, g))),
+        variant("|M|² = 1 + β|g|²", _length, equation(dot(m, m), 1 + beta * dot(g, g))),
+        variant("|M| > 1", _length, m_length > 1, at=((beta, 0),)),
+        variant("N·g not zero", _length, given=tangent[:1]),
     ),
     side_conditions=(
         SideCondition(
-            r"$g \perp N$",
-            "length",
-            (
-                Edge(((beta, 1), *zip(normal, (0, 0, 1), strict=True), *zip(g, (1, 0, 0), strict=True)), "holds"),
-                Edge(((beta, -1), *zip(normal, (0, 0, 1), strict=True), *zip(g, (0, 0, 1), strict=True)), "undefined"),
-            ),
+            r"$g \perp N$", "length", holds=[at((0, 0, 1), (1, 0, 0), 1)], undefined=[at((0, 0, 1), (0, 0, 1), -1)]
         ),
     ),
 )
 
 _lines = chain("both", perturbed, normal_by_beta)
-_expanded = [perturbed.expand(b) for b in bumped]
-_derivative = Claim(
-    "derivative",
-    tuple(equation(diff(b, beta), d) for b, d in zip(_expanded, bumped_by_beta, strict=True)),
-    (dot(m, m) > 0,),
-    _lines,
-)
+_slopes = [diff(perturbed.expand(b), beta) for b in bumped]
+_derivative = Claim("derivative", equations(_slopes, bumped_by_beta), (dot(m, m) > 0,), _lines)
 _on_the_sphere = Claim("tangent_to_directions", (equation(dot(bumped, bumped_by_beta), 0),), (dot(m, m) > 0,), _lines)
 
 derivative = Theorem(
     id="normal_by_beta",
     title="The normal's derivative in β",
-    section="s3",
-    statement=r"$\partial N'/\partial\beta = (I - N'N'^{\mathsf T})\,g/|M|$, "
-    "tangent to the sphere of directions.",
+    statement=r"$\partial N'/\partial\beta = (I - N'N'^{\mathsf T})\,g/|M|$, tangent to the sphere of directions.",
     hypotheses=(r"$M \ne 0$",),
     claims=(_derivative, _on_the_sphere),
     uses=("unit_length",),
@@ -87,32 +81,9 @@ derivative = Theorem(
         Step(r"$M \ne 0$ for every $\beta$ where $g \perp N$", r"$|M| \ge 1$ there", uses=("unit_length",)),
     ),
     mutants=(
-        Mutant(
-            "without the projection",
-            _derivative.but(
-                shows=tuple(equation(diff(b, beta), g_i / m_length) for b, g_i in zip(_expanded, g, strict=True))
-            ),
-        ),
-        Mutant(
-            "without 1/|M|",
-            _derivative.but(
-                shows=tuple(
-                    equation(diff(b, beta), d * m_length) for b, d in zip(_expanded, bumped_by_beta, strict=True)
-                )
-            ),
-        ),
-        Mutant(
-            "the sign turned",
-            _derivative.but(
-                shows=tuple(equation(diff(b, beta), -d) for b, d in zip(_expanded, bumped_by_beta, strict=True))
-            ),
-        ),
+        variant("without the projection", _derivative, *equations(_slopes, [g_i / m_length for g_i in g])),
+        variant("without 1/|M|", _derivative, *equations(_slopes, [d * m_length for d in bumped_by_beta])),
+        variant("the sign turned", _derivative, *equations(_slopes, [-d for d in bumped_by_beta])),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$M \ne 0$",
-            "derivative",
-            (Edge(((beta, -1), *zip(normal, (0, 0, 1), strict=True), *zip(g, (0, 0, 1), strict=True)), "undefined"),),
-        ),
-    ),
+    side_conditions=(SideCondition(r"$M \ne 0$", "derivative", undefined=[at((0, 0, 1), (0, 0, 1), -1)]),),
 )

@@ -3,26 +3,16 @@
 from sympy import Abs, Rational, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped, g, m_length, perturbed
 from proofs.formulas.symbols import beta, cross, dot, normal, real, towards
-from proofs.theorems.frame import equations
-from proofs.theorems.normal import tangent
+from proofs.theorems.normal import at, tangent
+from proofs.theorems.relations import equations, minus
 
 _length = (("unit_length", "length"),)
 _g_squared, cosine = dot(g, g), dot(normal, bumped)
 _turned = cross(normal, bumped)
 _clear = tuple((n, (-Rational(2, 3), Rational(2, 3))) for n in normal[:2])  # samples keep N_z off zero
-
-
-def minus(a, b):
-    """Return the difference of two vectors."""
-    return tuple(p - q for p, q in zip(a, b, strict=True))
-
-
-def at(normal_at, g_at, beta_at):
-    """Return the inputs of `perturbed`."""
-    return (*zip(normal, normal_at, strict=True), *zip(g, g_at, strict=True), (beta, beta_at))
 
 
 _angle = Claim(
@@ -41,7 +31,6 @@ _angle = Claim(
 angle = Theorem(
     id="angle_of_the_bump",
     title="The angle between N and N'",
-    section="s3",
     statement=r"The angle between $N$ and $N'$ is $\arctan(|\beta||g|)$: $N\cdot N' = 1/|M| > 0$ and "
     r"$|N\times N'|^2 = \beta^2|g|^2\,(N\cdot N')^2$.",
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
@@ -55,22 +44,17 @@ angle = Theorem(
         Step(r"the tangent is $|\beta||g|$, the angle less than $\pi/2$", "the cosine is positive"),
     ),
     mutants=(
-        Mutant("the sine is |β||g|", _angle.but(shows=(equation(dot(_turned, _turned), beta**2 * _g_squared),))),
-        Mutant(
-            "the tangent is |β||g|²",
-            _angle.but(shows=(equation(dot(_turned, _turned), beta**2 * _g_squared**2 * cosine**2),)),
-        ),
-        Mutant("at least 45°", _angle.but(shows=(2 * cosine**2 <= 1,))),
+        variant("the sine is |β||g|", _angle, equation(dot(_turned, _turned), beta**2 * _g_squared)),
+        variant("the tangent is |β||g|²", _angle, equation(dot(_turned, _turned), beta**2 * _g_squared**2 * cosine**2)),
+        variant("at least 45°", _angle, 2 * cosine**2 <= 1),
     ),
     side_conditions=(
         SideCondition(
             r"$N\cdot g = 0$",
             "angle",
-            (
-                Edge(at((0, 0, 1), (1, 0, 0), 7), "holds"),
-                Edge(at((0, 0, 1), (0, 0, 1), 1), "fails"),
-                Edge(at((0, 0, 1), (0, 0, 1), -1), "undefined"),
-            ),
+            holds=[at((0, 0, 1), (1, 0, 0), 7)],
+            fails=[at((0, 0, 1), (0, 0, 1), 1)],
+            undefined=[at((0, 0, 1), (0, 0, 1), -1)],
         ),
     ),
 )
@@ -92,17 +76,8 @@ _small = Claim(
     borrowed=_length,
     ranges=_clear,
 )
-_still = Claim(
-    "zero_beta", equations(bumped, normal), (*tangent, equation(beta, 0)), perturbed, borrowed=_length, ranges=_clear
-)
-_flat = Claim(
-    "zero_height",
-    equations(bumped, normal),
-    (*tangent, *equations(g, (0, 0, 0))),
-    perturbed,
-    borrowed=_length,
-    ranges=_clear,
-)
+_still = Claim("zero_beta", equations(bumped, normal), (*tangent, equation(beta, 0)), perturbed, ranges=_clear)
+_flat = Claim("zero_height", equations(bumped, normal), (*tangent, *equations(g, (0, 0, 0))), perturbed, ranges=_clear)
 
 
 def _large(name, side):
@@ -136,13 +111,15 @@ _gap_squared = 2 - 2 * dot(bumped, g) / sqrt(_g_squared)
 limits = Theorem(
     id="normal_limits",
     title="The bumped normal for small and large β",
-    section="s3",
-    statement=r"$|N'-N| \le |\beta||g|$, with equality at $\beta = 0$; and for $\beta \ne 0$, $g \ne 0$, "
-    r"$|N' - \operatorname{sign}(\beta)\,g/|g|| \le 1/(|\beta||g|)$. If $h$ is zero everywhere, so is $g$, and "
-    r"$N' = N$ "
-    r"as for $\beta = 0$.",
+    statement=(
+        Clause(r"$|N'-N| \le |\beta||g|$;", (_small,)),
+        Clause(
+            r"for $\beta \ne 0$, $g \ne 0$, $|N' - \operatorname{sign}(\beta)\,g/|g|| \le 1/(|\beta||g|)$.",
+            (_up, _down),
+        ),
+        Clause(r"$N' = N$ at $\beta = 0$, and where $g = 0$.", (_still, _flat)),
+    ),
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
-    claims=(_small, _up, _down, _still, _flat),
     uses=("unit_length",),
     steps=(
         Step(r"$|N'-N|^2 = 2-2/|M|$", "$N\\cdot N' = 1/|M|$"),
@@ -152,19 +129,17 @@ limits = Theorem(
         Step("$M = N$ where $g = 0$ or $\\beta = 0$", r"$|N| = 1$"),
     ),
     mutants=(
-        Mutant("half as far", _small.but(shows=(at_least(w, 2 * sqrt(dot(_moved, _moved))),))),
-        Mutant("N' → g/|g| for β → −∞ too", _down.but(shows=(greater(dot(bumped, g), 0),))),
-        Mutant("|N' − g/|g||² ≤ ½/(β²|g|²)", _up.but(shows=(at_least(1, 2 * w**2 * _gap_squared),))),
+        variant("half as far", _small, at_least(w, 2 * sqrt(dot(_moved, _moved)))),
+        variant("N' → g/|g| for β → −∞ too", _down, greater(dot(bumped, g), 0)),
+        variant("|N' − g/|g||² ≤ ½/(β²|g|²)", _up, at_least(1, 2 * w**2 * _gap_squared)),
     ),
     side_conditions=(
         SideCondition(
             r"$\beta \ne 0$, $g \ne 0$",
             "large_beta",
-            (
-                Edge((*at((0, 0, 1), (1, 0, 0), Rational(3, 4)), (w, Rational(3, 4))), "holds"),
-                Edge((*at((0, 0, 1), (1, 0, 0), 0), (w, 0)), "fails"),
-                Edge((*at((0, 0, 1), (0, 0, 0), 1), (w, 0)), "undefined"),
-            ),
+            holds=[(*at((0, 0, 1), (1, 0, 0), Rational(3, 4)), (w, Rational(3, 4)))],
+            fails=[(*at((0, 0, 1), (1, 0, 0), 0), (w, 0))],
+            undefined=[(*at((0, 0, 1), (0, 0, 0), 1), (w, 0))],
         ),
     ),
 )
@@ -192,7 +167,6 @@ _light = tuple(zip(towards, (Rational(-3, 5), 0, Rational(4, 5)), strict=True))
 shadow_line = Theorem(
     id="shadow_line_moves_within",
     title="How far the bump can move an attached shadow",
-    section="s3",
     statement=r"Where $N\cdot\omega > |\beta||g|$, also $N'\cdot\omega > 0$: the attached shadow's line moves only "
     r"where $|N\cdot\omega| \le |\beta||g|$, and not at all at $\beta = 0$.",
     hypotheses=(r"$|N| = |\omega| = 1$", r"$N\cdot g = 0$"),
@@ -204,23 +178,24 @@ shadow_line = Theorem(
         Step("for the other side, the same with $-\\omega$", "nothing else changes"),
     ),
     mutants=(
-        Mutant(
+        variant(
             "N·ω > ½|β||g| suffices",
-            _within.but(shows=_within.shows[-1:], given=(*_within.given[:-1], dot(normal, towards) > w / 2)),
-            (*at((0, 0, 1), (1, 0, 0), 1), *zip(towards, (Rational(-4, 5), 0, Rational(3, 5)), strict=True), (w, 1)),
+            _within,
+            *_within.shows[-1:],
+            given=(*_within.given[:-1], dot(normal, towards) > w / 2),
+            at=(*at((0, 0, 1), (1, 0, 0), 1), *zip(towards, (Rational(-4, 5), 0, Rational(3, 5)), strict=True), (w, 1)),
         ),
-        Mutant("N'·ω ≥ N·ω", _within.but(shows=(at_least(dot(bumped, towards), dot(normal, towards)),))),
+        variant("N'·ω ≥ N·ω", _within, at_least(dot(bumped, towards), dot(normal, towards))),
     ),
     side_conditions=(
         SideCondition(
             r"$N\cdot\omega > |\beta||g|$",
             "shadow_line",
-            (
-                Edge((*at((0, 0, 1), (1, 0, 0), 1), *_light, (w, 1)), "holds"),
-                Edge((*at((0, 0, 1), (1, 0, 0), Rational(4, 3)), *_light, (w, Rational(4, 3))), "fails"),
-                Edge((*at((0, 0, 1), (1, 0, 0), 0), *_light, (w, 0)), "holds"),
-                Edge((*at((0, 0, 1), (1, 0, 0), 0), *zip(towards, (1, 0, 0), strict=True), (w, 0)), "fails"),
-            ),
+            holds=[(*at((0, 0, 1), (1, 0, 0), 1), *_light, (w, 1)), (*at((0, 0, 1), (1, 0, 0), 0), *_light, (w, 0))],
+            fails=[
+                (*at((0, 0, 1), (1, 0, 0), Rational(4, 3)), *_light, (w, Rational(4, 3))),
+                (*at((0, 0, 1), (1, 0, 0), 0), *zip(towards, (1, 0, 0), strict=True), (w, 0)),
+            ],
         ),
     ),
 )

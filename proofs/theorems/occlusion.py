@@ -3,7 +3,7 @@
 from sympy import Rational, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import discriminant_b, hit_of_b, ray_direction, toward_b
 from proofs.formulas.shadow import (
     body_radius,
@@ -21,7 +21,6 @@ from proofs.theorems.hits import distance_squared
 
 s = real("s")
 _between = tuple(p + s * d for p, d in zip(point, segment, strict=True))
-_ends_outside = (dot(offset, offset) > body_radius**2, distance_squared(light, center) > body_radius**2)
 _excess = dot(offset, offset) - body_radius**2
 _quadratic = Claim(
     "quadratic",
@@ -41,7 +40,7 @@ _quadratic = Claim(
 _conditions = (shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared)
 _program = Claim("program", (equation(occluded, 1),), _conditions, shadow)
 _a, _b, _c, _d = real("a b c d")
-_positive_at_both_ends = (_a >= 0, _c > 0, _a - 2 * _b + _c > 0, equation(_d, _b**2 - _a * _c))
+_positive_at_p = (_a >= 0, _c > 0, equation(_d, _b**2 - _a * _c))
 _first = (_b - sqrt(_d)) / _a
 _if = Claim(
     "if",
@@ -58,12 +57,12 @@ _if = Claim(
         greater(1, _first),
         equation(_a * _first**2 - 2 * _b * _first + _c, 0),
     ),
-    (*_positive_at_both_ends, _d >= 0, _b > 0, _b < _a),
+    (*_positive_at_p, _d >= 0, _b > 0, _b < _a),
 )
 _only_if = Claim(
     "only_if",
     (greater(_b, 0), greater(_a - _b, 0), equation((_a * s - _b) ** 2, _d), at_least(_d, 0)),
-    (*_positive_at_both_ends, s > 0, s < 1, equation(_a * s**2 - 2 * _b * s + _c, 0)),
+    (*_positive_at_p, _a - 2 * _b + _c > 0, s > 0, s < 1, equation(_a * s**2 - 2 * _b * s + _c, 0)),
     squares=(_a * s - _b,),
 )
 _of_b = Claim(
@@ -86,22 +85,16 @@ _wrong_side = toward_b**2 - dot(ray_direction, ray_direction) * (
 lagrange = Theorem(
     id="lagrange_identity",
     title="Both discriminants without cancellation",
-    section="s3",
     statement=r"$|a|^2r^2 - |a\times w|^2 = (a\cdot w)^2 - |a|^2(|w|^2-r^2)$: for sphere B with $a = (x, y, -e)$, "
     r"$w = C - E$, $r = R_2$; for a shadow with $a = L - P$, $w = C - P$.",
     claims=(_of_b, _of_shadow),
     steps=(Step(r"$|a\times w|^2 = |a|^2|w|^2 - (a\cdot w)^2$", "Lagrange's identity, by expansion"),),
     mutants=(
-        Mutant("w = C", _of_b.but(shows=(equation(discriminant_b, _wrong_side),))),
-        Mutant(
+        variant("w = C", _of_b, equation(discriminant_b, _wrong_side)),
+        variant(
             "+ |a × w|²",
-            _of_shadow.but(
-                shows=(
-                    equation(
-                        shadow_discriminant, toward_center**2 - segment_squared * (dot(offset, offset) + body_radius**2)
-                    ),
-                )
-            ),
+            _of_shadow,
+            equation(shadow_discriminant, toward_center**2 - segment_squared * (dot(offset, offset) + body_radius**2)),
         ),
     ),
 )
@@ -109,10 +102,8 @@ lagrange = Theorem(
 theorem = Theorem(
     id="occlusion_by_signs",
     title="The shadow test by signs",
-    section="s3",
-    statement=r"Let $P$ and $L$ be outside the sphere about $C$ of radius $r$. Then $|P+s(L-P)-C| = r$ for some "
-    r"$s$ in $(0, 1)$ exactly if $d = |a|^2r^2-|a\times w|^2 \ge 0$ and $0 < a\cdot w < |a|^2$, where $a "
-    r"= L-P$, $w = C-P$.",
+    statement="Let $P$ and $L$ be outside the sphere about $C$ of radius $r$. Then $|P+s(L-P)-C| = r$ for some $s$ in "
+    r"$(0, 1)$ exactly if $d = |a|^2r^2-|a\times w|^2 \ge 0$ and $0 < a\cdot w < |a|^2$, where $a = L-P$, $w = C-P$.",
     hypotheses=("$|C-P| > r$ and $|C-L| > r$",),
     claims=(_quadratic, _program, _if, _only_if),
     uses=("lagrange_identity",),
@@ -132,22 +123,17 @@ theorem = Theorem(
         ),
     ),
     mutants=(
-        Mutant("without the vertex before L", _if.but(shows=(greater(1, _first),), given=_if.given[:-1])),
-        Mutant(
-            "without the vertex after P", _if.but(shows=(greater(_first, 0),), given=(*_if.given[:-2], _a > 0, _b < _a))
-        ),
-        Mutant(
-            "d > 0 for every root",
-            _only_if.but(shows=(greater(_d, 0),)),
-            at=((_a, 4), (_b, 2), (_c, 1), (s, Rational(1, 2))),
-        ),
+        variant("without the vertex before L", _if, greater(1, _first), given=_if.given[:-1]),
+        variant("without the vertex after P", _if, greater(_first, 0), given=(*_if.given[:-2], _a > 0, _b < _a)),
+        variant("d > 0 for every root", _only_if, greater(_d, 0), at=((_a, 4), (_b, 2), (_c, 1), (s, Rational(1, 2)))),
     ),
     side_conditions=(
-        SideCondition("$|C-P| > r$", "if", (Edge(((_a, 4), (_b, 2), (_c, 0), (_d, 4)), "fails"),)),
+        SideCondition("$|C-P| > r$", "if", fails=[((_a, 4), (_b, 2), (_c, 0), (_d, 4))]),
         SideCondition(
             "$|C-L| > r$",
-            "if",
-            (Edge(((_a, 4), (_b, 3), (_c, 2), (_d, 1)), "holds"), Edge(((_a, 4), (_b, 2), (_c, -1), (_d, 8)), "fails")),
+            "only_if",
+            holds=[((_a, 4), (_b, 3), (_c, 2), (_d, 1), (s, Rational(1, 2)))],
+            fails=[((_a, 4), (_b, 4), (_c, 3), (_d, 4), (s, Rational(1, 2)))],
         ),
     ),
 )

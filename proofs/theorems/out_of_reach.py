@@ -3,7 +3,7 @@
 from sympy import Rational
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import Clause, Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.shadow import body_radius
 from proofs.formulas.shadow_cone import along, at_light, curvature, from_body, half_slope, shadow_clearance
 from proofs.formulas.symbols import ball_radius, cross, dot, real, vector
@@ -16,7 +16,7 @@ _cone = Claim(
     (
         equation(distance**2 * wander**2 - product**2, dot(cross(axis, aside), cross(axis, aside))),
         at_least(distance**2 * wander**2 - product**2, 0),
-        greater(distance * wander, 0),
+        at_least(distance * wander, 0),
         at_least(distance * wander + product, 0),
         equation(dot(_met, _met), (distance - wander) ** 2 + 2 * (distance * wander + product)),
         greater(distance - wander, body_radius),
@@ -25,7 +25,7 @@ _cone = Claim(
     ),
     (
         body_radius > 0,
-        wander > 0,
+        wander >= 0,
         reach >= wander,
         distance > body_radius + reach,
         equation(distance**2, dot(axis, axis)),
@@ -51,19 +51,18 @@ _quadratic = Claim(
 )
 _low, _slope, _bend, _at = real("low slope bend at")
 _parabola = _low + share * (2 * _slope + share * _bend)
-_inside = (share >= 0, share <= 1)
 _least = tuple(
-    Claim(name, (at_least(_parabola, bound),), (*_inside, *given))
+    Claim(name, (at_least(_parabola, bound),), given)
     for name, bound, given in (
-        ("turns_before", _low, (_bend > 0, _slope >= 0)),
+        ("turns_before", _low, (share >= 0, _bend > 0, _slope >= 0)),
         ("turns_between", _low + _at * (2 * _slope + _at * _bend), (_bend > 0, equation(_slope + _at * _bend, 0))),
-        ("turns_after", _low + 2 * _slope + _bend, (_bend > 0, _slope + _bend <= 0)),
+        ("turns_after", _low + 2 * _slope + _bend, (share <= 1, _bend > 0, _slope + _bend <= 0)),
     )
 )
 _chord = Claim(
     "bends_down",
     (at_least(_parabola, (1 - share) * _low + share * (_low + 2 * _slope + _bend)),),
-    (*_inside, _bend <= 0),
+    (share >= 0, share <= 1, _bend <= 0),
 )
 
 
@@ -76,12 +75,10 @@ def _points(apart):
 theorem = Theorem(
     id="shadow_out_of_reach",
     title="A body that clears the cone of light casts no shadow",
-    section="benchmark",
     statement=(
         Clause(
-            r"The segments from a light $L$ to a ball (centre $C$, radius $s$) pass at share $t$ of the way "
-            r"within $ts$ of "
-            r"$L + t(C-L)$.",
+            "The segments from a light $L$ to a ball (centre $C$, radius $s$) pass at share $t$ of the way within $ts$ "
+            "of $L + t(C-L)$.",
             (_within,),
         ),
         Clause(
@@ -95,7 +92,6 @@ theorem = Theorem(
         ),
     ),
     hypotheses=("$r, s > 0$",),
-    uses=(),
     steps=(
         Step(r"$X\cdot w \ge -|X||w|$, so $|X + w| \ge |X| - |w|$", "Lagrange's identity"),
         Step(r"$|X| - |w| > r + ts - |w| \ge r$", r"$|w| \le ts$"),
@@ -105,29 +101,27 @@ theorem = Theorem(
         ),
     ),
     mutants=(
-        Mutant(
+        variant(
             "without the ball's reach",
-            _cone.but(
-                shows=_cone.shows[-1:],
-                given=(
-                    body_radius > 0,
-                    wander > 0,
-                    reach >= wander,
-                    distance > body_radius,
-                    equation(distance**2, dot(axis, axis)),
-                    equation(wander**2, dot(aside, aside)),
-                    equation(product, dot(axis, aside)),
-                ),
+            _cone,
+            *_cone.shows[-1:],
+            given=(
+                body_radius > 0,
+                wander >= 0,
+                reach >= wander,
+                distance > body_radius,
+                equation(distance**2, dot(axis, axis)),
+                equation(wander**2, dot(aside, aside)),
+                equation(product, dot(axis, aside)),
             ),
-            _points(Rational(3, 2)),
+            at=_points(Rational(3, 2)),
         ),
-        Mutant("the ends are enough", _least[1].but(shows=(at_least(_parabola, _low),))),
-        Mutant(
+        variant("the ends are enough", _least[1], at_least(_parabola, _low)),
+        variant(
             "a ball of radius s all the way",
-            _quadratic.but(shows=(equation(dot(_on_axis, _on_axis) - (body_radius + ball_radius) ** 2, _value),)),
+            _quadratic,
+            equation(dot(_on_axis, _on_axis) - (body_radius + ball_radius) ** 2, _value),
         ),
     ),
-    side_conditions=(
-        SideCondition("$|X| > r + ts$", "cone", (Edge(_points(Rational(5, 2)), "holds"), Edge(_points(2), "fails"))),
-    ),
+    side_conditions=(SideCondition("$|X| > r + ts$", "cone", holds=[_points(Rational(5, 2))], fails=[_points(2)]),),
 )

@@ -2,8 +2,8 @@
 
 from sympy import cos, pi, sin
 
-from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.theorem import Mutant, Step, Theorem
+from proofs.engine.claim import Claim, Induction, equation, greater
+from proofs.engine.theorem import Clause, Mutant, Step, Theorem, variant
 from proofs.formulas.bump import bumped_normal, g
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import (
@@ -22,8 +22,9 @@ from proofs.formulas.symbols import (
     u,
     v,
 )
+from proofs.theorems.relations import equations
 
-sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
+sine, rings = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["rings"]
 _meridian = u, (theta + pi) / (2 * pi)
 
 
@@ -36,13 +37,24 @@ def at_pole(field):
 
 _turned = k_u * (theta + pi) / 2
 _sine, _rings = at_pole(sine), at_pole(rings)
+_meridian_direction = (cos(theta), sin(theta), 0)
 _length = Claim(
     "sine",
-    (equation(dot(_sine, _sine), k_v**2 * sin(_turned) ** 2), *(equation(g_i.subs(theta, -pi), 0) for g_i in _sine)),
+    (
+        *equations(_sine, [k_v * sin(_turned) * c for c in _meridian_direction]),
+        equation(dot(_sine, _sine), k_v**2 * sin(_turned) ** 2),
+        *(equation(g_i.subs(at), 0) for at in ({theta: -pi}, {k_u: 0}, {k_v: 0}) for g_i in _sine),
+    ),
 )
+_differs = Claim("sine_differs", (greater(dot(_sine, _sine), 0),), (k_v**2 > 0, sin(_turned) ** 2 > 0))
+_round = [g_i - g_i.subs(theta, theta + pi) for g_i in _rings]
 _opposite = Claim(
     "rings",
-    (equation(dot(_rings, _rings), 4 * k_v**2), *(equation(g_i.subs(theta, theta + pi), -g_i) for g_i in _rings)),
+    (
+        *equations(_rings, [2 * k_v * c for c in _meridian_direction]),
+        equation(dot(_rings, _rings), 4 * k_v**2),
+        equation(dot(_round, _round), 16 * k_v**2),
+    ),
 )
 
 n, chebyshev, following = real("n chebyshev following")
@@ -65,8 +77,8 @@ _limit = Claim(
     "surface_gradient",
     (
         equation(dot(_surface, _surface), k_u**2 / 4 + (1 - k_u**2 / 4) * sin(_turned) ** 2),
-        *(equation(s.subs(k_u, 2), c) for s, c in zip(_surface, (0, -1), strict=True)),
-        *(equation(s.subs(k_u, -2), c) for s, c in zip(_surface, (0, 1), strict=True)),
+        *(equation(s.subs(k_u, 0), 0) for s in _surface),
+        *equations([s.subs(k_u, k) for k in (2, -2) for s in _surface], (0, -1, 0, 1)),
     ),
 )
 
@@ -74,20 +86,31 @@ theorem = Theorem(
     id="pole",
     source="DLMF",
     title="The gradient at the pole",
-    section="s3",
-    statement=r"As $v \to 0$ on the meridian $\theta$, sine's $g$ tends to "
-    r"$\pi k_v\sin\pi k_u u\,(\cos\theta, \sin\theta, 0)$, whose length is 0 on $u = 0$ and $\pi|k_v\sin\pi k_u u|$ "
-    r"elsewhere: $g$ has no limit at the pole unless $k_u k_v = 0$. Rings' tends to a vector of length $2\pi|k_v|$ "
-    r"that turns round with $\theta$: none unless $k_v = 0$. Sine's surface gradient tends to $k_v$ times a vector "
-    r"of squared length $k_u^2/4 + (1-k_u^2/4)\sin^2\pi k_u u$: with $k_v \ne 0$ it has no limit unless $k_u = 0$ or "
-    r"$k_u = \pm 2$, when it is $k_v(0, \mp 1, 0)$; for $k_u = 2$ and whole $k_v \ge 0$, $h = -y\,U_{k_v-1}(z)$ is a "
-    r"polynomial on the sphere.",
+    statement=(
+        Clause(
+            r"At $v = 0$ on the meridian $\theta$, sine's $g$ is $\pi k_v\sin\pi k_u u\,(\cos\theta, \sin\theta, 0)$, "
+            r"of length $\pi|k_v\sin\pi k_u u|$: 0 everywhere if $k_u k_v = 0$; otherwise 0 on $u = 0$ and not 0 where "
+            r"$\sin\pi k_u u \ne 0$, so that two meridians have two limits.",
+            (_length, _differs),
+        ),
+        Clause(
+            r"Rings' is $2\pi k_v(\cos\theta, \sin\theta, 0)$: on opposite meridians $4\pi|k_v|$ apart.", (_opposite,)
+        ),
+        Clause(
+            r"Sine's surface gradient tends to $k_v$ times a vector of squared length "
+            r"$k_u^2/4 + (1-k_u^2/4)\sin^2\pi k_u u$: the same on every meridian only if $k_u = 0$, where it is 0, or "
+            r"$k_u = \pm 2$, where it is $(0, \mp 1, 0)$.",
+            (_limit,),
+        ),
+        Clause(
+            r"For $k_u = 2$ and whole $k_v \ge 0$, $h = -y\,U_{k_v-1}(z)$ is a polynomial on the sphere.", (_smooth,)
+        ),
+    ),
     hypotheses=(
-        r"along a meridian $g$ is continuous in $v$",
+        r"along a meridian $g$ is continuous in $v$: its limit is its value at $v = 0$",
         r"for $k_u \ne 0$ some $u \in [0, 1)$ has $\sin\pi k_u u \ne 0$",
         r"$\sin k_v\varphi/\sin\varphi \to k_v$ as $\varphi \to 0$",
     ),
-    claims=(_length, _opposite, _limit, _smooth),
     steps=(
         Step(
             r"$h_u \to 0$, $h_v \to \pi k_v\sin\pi k_u u$ (rings: $2\pi k_v$), "
@@ -108,22 +131,22 @@ theorem = Theorem(
         ),
     ),
     mutants=(
-        Mutant("sine's g has a limit", _length.but(shows=[equation(s.subs(theta, 0), s) for s in _sine])),
-        Mutant("rings' has one", _opposite.but(shows=[equation(s.subs(theta, theta + pi), s) for s in _rings])),
-        Mutant(
+        variant("sine's g has a limit", _length, *[equation(s.subs(theta, 0), s) for s in _sine]),
+        variant("rings' has one", _opposite, *[equation(s.subs(theta, theta + pi), s) for s in _rings]),
+        variant(
             "the true gradient has one for k_u = 1",
-            _limit.but(shows=[equation(s.subs({k_u: 1, theta: 0}), s.subs(k_u, 1)) for s in _surface]),
+            _limit,
+            *[equation(s.subs({k_u: 1, theta: 0}), s.subs(k_u, 1)) for s in _surface],
         ),
-        Mutant("h = y U for k_u = 2", _smooth.but(shows=(equation(_two, sin(phi) * sin(theta) * chebyshev),))),
+        variant("h = y U for k_u = 2", _smooth, equation(_two, sin(phi) * sin(theta) * chebyshev)),
     ),
 )
 
-_same = Claim("one_limit", [equation(s, s.subs(theta, -pi)) for s in _sine[1:2]])
+_same = Claim("one_limit", (equation(_sine[1], _sine[1].subs(theta, -pi)),))
 
 smooth_everywhere = Theorem(
     id="sine_is_smooth_everywhere",
     title="Sine is smooth everywhere",
-    section="s7",
     statement=r"For sine, $g$ tends to the same vector along every meridian as $v \to 0$.",
     claims=(_same,),
     refuted_at=((k_u, 2), (k_v, 1), (theta, pi / 2)),
@@ -131,8 +154,8 @@ smooth_everywhere = Theorem(
         Step(r"$k_u = 2$, $k_v = 1$: $(0, -\pi, 0)$ on $\theta = \pi/2$, and $0$ on $\theta = -\pi$", "arithmetic"),
     ),
     mutants=(
-        Mutant("true for k_v = 0", _same.but(given=(equation(k_v, 0),))),
-        Mutant("true of the surface gradient, k_u = 2", Claim("surface", _limit.shows[1:3])),
+        variant("true for k_v = 0", _same, given=(equation(k_v, 0),)),
+        Mutant("true of the surface gradient, k_u = 2", Claim("surface", _limit.shows[3:5])),
     ),
     expected="refuted",
 )

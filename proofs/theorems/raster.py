@@ -4,7 +4,7 @@ from sympy import Rational
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.program import chain
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import image_extent, image_point, parallel_radius
 from proofs.formulas.symbols import (
     column,
@@ -65,7 +65,6 @@ _beside = Claim("beside", (greater(_needed, _radius_squared),), (*_whole, (n - 1
 theorem = Theorem(
     id="pixels_off_the_pole",
     title="No pixel comes near the pole",
-    section="s7",
     statement=r"In the default view every pixel of $256^2$ has $\rho \ge \sqrt{34/15}/256$; a visible point of A has "
     r"$\sin\varphi \ge \rho\,(e-R)/(eR)$; so $\sin\varphi > 0.0044$ on A: the seed's fallback below "
     r"$10^{-4}$ is never taken.",
@@ -84,15 +83,14 @@ theorem = Theorem(
         Step(r"$\tfrac34\sqrt{34/15}/256 > 0.0044$", "squared"),
     ),
     mutants=(
-        Mutant(
-            "ρ ≥ 2/256",
-            _on_the_raster[0].but(shows=(at_least(_radius_squared, Rational(4, 256**2)),)),
-            at=((m, 127), (n, 108)),
+        variant(
+            "ρ ≥ 2/256", _on_the_raster[0], at_least(_radius_squared, Rational(4, 256**2)), at=((m, 127), (n, 108))
         ),
-        Mutant("sin φ ≥ ρ/R", _linear.but(shows=(at_least(radius * sin_phi, rho),))),
-        Mutant(
+        variant("sin φ ≥ ρ/R", _linear, at_least(radius * sin_phi, rho)),
+        variant(
             "sin φ > 0.0045",
-            _far.but(shows=(greater(sin_phi, Rational(45, 10000)),)),
+            _far,
+            greater(sin_phi, Rational(45, 10000)),
             at=((sin_phi, Rational(4412, 10**6)), (rho, Rational(5882, 10**6))),
         ),
     ),
@@ -100,11 +98,8 @@ theorem = Theorem(
         SideCondition(
             "column and row are whole numbers",
             "raster_above",
-            (
-                Edge(((m, Rational(255, 2)), (n, 108)), "fails"),
-                Edge(((m, 127), (n, 108)), "holds"),
-                Edge(((m, 127), (n, Rational(217, 2))), "fails"),
-            ),
+            holds=[((m, 127), (n, 108))],
+            fails=[((m, Rational(255, 2)), (n, 108)), ((m, 127), (n, Rational(217, 2)))],
         ),
     ),
 )
@@ -112,9 +107,7 @@ theorem = Theorem(
 seed_theorem = Theorem(
     id="seed_pole_rows",
     title="The seed's rows at the pole",
-    section="s7",
-    statement=r"In the two rows of $256^2$ beside the axis the fallback is taken: $\sin\varphi < "
-    r"10^{-4}$, which needs "
+    statement=r"In the two rows of $256^2$ beside the axis the fallback is taken: $\sin\varphi < 10^{-4}$, which needs "
     r"$\rho < \tfrac43 10^{-4}$.",
     hypotheses=("$e = 4$, $R = 1$",),
     claims=(_beside,),

@@ -3,99 +3,143 @@
 from sympy import Rational
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
-from proofs.formulas.difference_cases import of_heights
-from proofs.formulas.finite_difference import h_u_minus, h_u_plus
-from proofs.formulas.symbols import epsilon, h_u, real
-from proofs.theorems.clamped import both_ways
+from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
+from proofs.formulas.difference_cases import nothing_clamps, of_heights, pole_clamps
+from proofs.formulas.finite_difference import h_u_minus, h_u_plus, h_v_minus, h_v_plus
+from proofs.formulas.symbols import epsilon, h_u, h_v, real, v
+from proofs.theorems.relations import both_ways
 
 unit, evaluation, argument, steepest = real("unit evaluation argument steepest")
-here, mean, off_plus, off_minus, first, second = real("here mean off_plus off_minus first second")
+here, mean, off_plus, off_minus, growth, excess = real("here mean off_plus off_minus growth excess")
+first, second, third = real("first second third")
 truncation, rounding, best = real("truncation rounding best")
 
-_computed = of_heights({h_u_plus: here + 2 * epsilon * mean + off_plus, h_u_minus: here + off_minus})
-_rounded = h_u * (1 + first) * (1 + second)
-_growth, _each = (1 + first) * (1 + second), evaluation + steepest * argument
-_whole = _each * (1 + unit) ** 2 / epsilon + steepest * (2 * unit + unit**2)
-_magnitudes = ((unit, first), (unit, second), (_each, off_plus), (_each, off_minus), (steepest, mean))
-_model = Claim(
-    "bound",
-    (
-        at_least(1 + first, 0),
-        at_least(1 + second, 0),
-        at_least(_growth, 0),
-        at_least((1 + unit) ** 2 - _growth, 0),
-        at_least(_growth - (1 - unit) ** 2, 0),
-        *both_ways(2 * unit + unit**2, _growth - 1),
-        at_least(_each, 0),
-        at_least(steepest, 0),
-        equation(epsilon * (_rounded - mean), (off_plus - off_minus) * _growth / 2 + epsilon * mean * (_growth - 1)),
-        *both_ways(_each * _growth, (off_plus - off_minus) * _growth / 2),
-        *both_ways(_each * (1 + unit) ** 2, (off_plus - off_minus) * _growth / 2),
-        *both_ways(steepest * (2 * unit + unit**2), mean * (_growth - 1)),
-        *both_ways(epsilon * _whole, epsilon * (_rounded - mean)),
-        *both_ways(_whole, _rounded - mean),
-    ),
-    (
-        epsilon > 0,
-        unit > 0,
-        unit < 1,
-        evaluation >= 0,
-        argument >= 0,
-        *(relation for bound, quantity in _magnitudes for relation in both_ways(bound, quantity)),
-    ),
-    _computed,
-    ranges=(
-        (unit, (0, Rational(1, 4))),
-        *((d, (Rational(-1, 4), Rational(1, 4))) for d in (first, second)),
-        *((e, (0, 3)) for e in (evaluation, argument, epsilon, steepest)),
-    ),
+_each = evaluation + steepest * argument
+_factors = tuple(part for d in (first, second, third) for part in both_ways(unit, d))
+_unit = (unit > 0, unit < 1)
+_two = Claim(
+    "two_roundings",
+    both_ways(2 * unit + unit**2, growth - 1),
+    (*_unit, *_factors[:4], equation(growth, (1 + first) * (1 + second))),
+    ranges=((unit, (0, Rational(1, 4))), (first, (Rational(-1, 4), Rational(1, 4)))),
 )
+_three = Claim(
+    "three_roundings",
+    (
+        at_least((1 + unit) ** 2 - (1 + first) * (1 + second), 0),
+        at_least((1 + first) * (1 + second) - (1 - unit) ** 2, 0),
+        *both_ways(3 * unit + unit**2, (1 - unit) * (growth - 1)),
+        *both_ways((3 * unit + unit**2) / (1 - unit), growth - 1),
+    ),
+    (*_unit, *_factors, equation(growth * (1 + third), (1 + first) * (1 + second))),
+    ranges=tuple((d, (Rational(-1, 8), Rational(1, 8))) for d in (unit, first, second, third)),
+)
+
+
+def _rounded(name, output, samples, span, given):
+    """Return the claim about the difference `output` over the span of its two samples, times `growth`."""
+    plus, minus = samples
+    off, bound = off_plus - off_minus, 2 * _each * (1 + excess) / span + steepest * excess
+    magnitudes = ((excess, growth - 1), (_each, off_plus), (_each, off_minus), (steepest, mean))
+    return Claim(
+        name,
+        (
+            *both_ways(2 * _each, off),
+            *both_ways(2 * _each * (1 + excess), off * growth),
+            *both_ways(steepest * excess, mean * (growth - 1)),
+            equation(span * (output * growth - mean), off * growth + span * mean * (growth - 1)),
+            *both_ways(span * bound, span * (output * growth - mean)),
+            *both_ways(bound, output * growth - mean),
+        ),
+        (*given, *(relation for most, quantity in magnitudes for relation in both_ways(most, quantity))),
+        of_heights({plus: here + span * mean + off_plus, minus: here + off_minus}),
+        ranges=(
+            *((d, (Rational(-1, 4), Rational(1, 4))) for d in (off_plus, off_minus, mean)),
+            *((e, (0, 3)) for e in (evaluation, argument, excess, steepest)),
+            *((e, (0, Rational(1, 2))) for e in (epsilon, v)),
+        ),
+    )
+
+
+_in_u = _rounded("in_u", h_u, (h_u_plus, h_u_minus), 2 * epsilon, (epsilon > 0,))
+_in_v = _rounded("in_v", h_v, (h_v_plus, h_v_minus), 2 * epsilon, nothing_clamps)
+_clamped = _rounded("clamped", h_v, (h_v_plus, h_v_minus), v + epsilon, (*pole_clamps, v + epsilon > 0))
+
+
+def _at(error):
+    """Return a constant height whose two samples are off by 1, up and down, because of `error` alone."""
+    none = dict.fromkeys((evaluation, argument, here, mean, excess), 0)
+    ones = {growth: 1, epsilon: 1, error: 1, off_plus: 1, off_minus: -1, steepest: int(error is argument)}
+    return tuple((none | ones).items())
+
 
 theorem = Theorem(
     id="roundoff_bound",
     source="DLMF",
     title="The rounding error of the central difference",
-    section="s4",
-    statement=r"Of the difference in $u$, in the standard model, with unit roundoff $\mu$, heights off by at "
-    r"most $\eta$ and arguments by at "
-    r"most $\alpha$: $|\hat D_\varepsilon h - D_\varepsilon h| \le "
-    r"\frac{\eta + L\alpha}{\varepsilon}(1+\mu)^2 + L(2\mu+\mu^2)$, $L = \sup|h'|$.",
+    statement=(
+        Clause(
+            r"With heights off by at most $\eta$, arguments by at most $\alpha$ and a factor in $1 \pm \kappa$: "
+            r"$|\hat D_\varepsilon h - D_\varepsilon h| \le \frac{2(\eta + L\alpha)}S(1+\kappa) + L\kappa$, "
+            r"$L = \sup|h'|$, in $u$ and in $v$ over the span $S = 2\varepsilon$,",
+            (_in_u, _in_v),
+        ),
+        Clause(r"and clamped at the pole over $S = v + \varepsilon$.", (_clamped,)),
+        Clause(
+            r"In the standard model, with unit roundoff $\mu$, $\kappa = 2\mu + \mu^2$: $1 + \kappa = (1+\mu)^2$;",
+            (_two,),
+        ),
+        Clause(r"where the span is rounded as well, $\kappa = (3\mu + \mu^2)/(1-\mu)$.", (_three,)),
+    ),
     hypotheses=(
         r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu < 1$; $2\varepsilon$ is exact; nothing underflows",
-        r"$\eta, \alpha$: parameters: of the evaluation of $h$, and of the rounded $u \pm \varepsilon$, wrapped",
+        r"$\eta, \alpha$: parameters: of the evaluation of $h$, and of the rounded $u \pm \varepsilon$, wrapped, or "
+        r"$v \pm \varepsilon$, clamped",
         r"the mean value theorem: $\alpha$ moves $h$ by at most $L\alpha$, and $|D_\varepsilon h| \le L$",
     ),
-    claims=(_model,),
     steps=(
-        Step(r"$\hat D = (D + (e_+-e_-)/2\varepsilon)(1+d_1)(1+d_2)$", r"the line, with $|e_\pm| \le \eta + L\alpha$"),
-        Step(r"$|(1+d_1)(1+d_2) - 1| \le 2\mu + \mu^2$", r"$|d_i| \le \mu$"),
+        Step(r"$\hat D = (D + (e_+-e_-)/S)\,\gamma$", r"the line, with $|e_\pm| \le \eta + L\alpha$"),
+        Step(
+            r"$\gamma = (1+d_1)(1+d_2)$, or that over $1+d_3$: $|\gamma - 1| \le \kappa$",
+            r"$|d_i| \le \mu$: difference, quotient, span",
+        ),
         Step("the two parts, added", "each is within its bound"),
     ),
     mutants=(
-        Mutant(
+        variant(
             "half of it: the two errors share 2ε",
-            _model.but(shows=both_ways(_each / (2 * epsilon) * (1 + unit) ** 2, h_u - mean)),
+            _in_u,
+            *both_ways(_each / (2 * epsilon) * (1 + excess) + steepest * excess, h_u * growth - mean),
+            at=_at(evaluation),
         ),
-        Mutant(
+        variant(
             "without the slope times the argument's error",
-            _model.but(shows=both_ways(evaluation / epsilon * (1 + unit) ** 2 + steepest * 3 * unit, _rounded - mean)),
+            _in_u,
+            *both_ways(evaluation / epsilon * (1 + excess) + steepest * excess, h_u * growth - mean),
+            at=_at(argument),
         ),
-        Mutant(
+        variant(
             "one rounding for two",
-            _model.but(shows=both_ways(_each * (1 + unit) / epsilon + steepest * unit, _rounded - mean)),
+            _two,
+            at_least(unit, growth - 1),
+            at=(*((d, Rational(1, 4)) for d in (unit, first, second)), (growth, Rational(25, 16))),
+        ),
+        variant(
+            "the span's rounding costs nothing",
+            _three,
+            at_least(2 * unit + unit**2, growth - 1),
             at=(
-                *((s, Rational(1, 4)) for s in (unit, first, second)),
-                *((s, 1) for s in (mean, steepest, epsilon)),
-                *((s, 0) for s in (evaluation, argument, off_plus, off_minus)),
+                *((d, Rational(1, 4)) for d in (unit, first, second)),
+                (third, Rational(-1, 4)),
+                (growth, Rational(25, 12)),
             ),
         ),
     ),
     side_conditions=(
         SideCondition(
             r"$\varepsilon > 0$",
-            "bound",
-            (Edge(tuple((s, 0) for s in sorted({here, *_model.names()[0]} - {h_u}, key=str)), "undefined"),),
+            "in_u",
+            undefined=[tuple((s, 0) for s in sorted({here, *_in_u.names()[0]} - {h_u}, key=str))],
         ),
     ),
 )
@@ -121,7 +165,6 @@ _least = Claim(
 best_step = Theorem(
     id="best_step",
     title="The best step, and the floor that it leaves",
-    section="s4",
     statement=r"For $T, E > 0$ the bound $T\varepsilon^2 + E/\varepsilon$ is least at "
     r"$\varepsilon = (E/2T)^{1/3}$, where it is $3T^{1/3}(E/2)^{2/3}$: no step goes below that floor.",
     hypotheses=(r"$T, E, \varepsilon > 0$", r"$T$ from the truncation bound, $E$ from the rounding bound"),
@@ -135,17 +178,14 @@ best_step = Theorem(
         Step(r"at $\varepsilon_0$ it is $3T\varepsilon_0^2$, whose cube is $\tfrac{27}4TE^2$", "arithmetic"),
     ),
     mutants=(
-        Mutant("at (E/T)^{1/3}", _least.but(given=(*_positive[:3], equation(rounding, truncation * best**3)))),
-        Mutant(
-            "the floor 4Tε₀²",
-            _least.but(shows=(at_least(truncation * epsilon**2 + rounding / epsilon, 4 * truncation * best**2),)),
+        variant("at (E/T)^{1/3}", _least, given=(*_positive[:3], equation(rounding, truncation * best**3))),
+        variant(
+            "the floor 4Tε₀²", _least, at_least(truncation * epsilon**2 + rounding / epsilon, 4 * truncation * best**2)
         ),
     ),
     side_conditions=(
         SideCondition(
-            r"$\varepsilon > 0$",
-            "least",
-            (Edge(((truncation, 1), (best, 1), (rounding, 2), (epsilon, 0)), "undefined"),),
+            r"$\varepsilon > 0$", "least", undefined=[((truncation, 1), (best, 1), (rounding, 2), (epsilon, 0))]
         ),
     ),
 )

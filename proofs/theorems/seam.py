@@ -2,11 +2,12 @@
 
 from sympy import Rational, cos, expand, pi, sin
 
-from proofs.engine.claim import Claim, Induction, equation, greater
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.claim import Claim, Induction, at_least, equation, greater
+from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.half_turns import sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import k_u, k_v, real, u, v
+from proofs.theorems.relations import named
 
 n, alternating = real("n alternating")
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
@@ -34,7 +35,11 @@ _sine = Claim(
         equation(_turned, cos(pi * k_u) * sine.expression + sin(pi * k_u) * cos(pi * k_u * u) * _in_v),
     ),
 )
-_even = Claim("even", (equation(jump(sine.expression), 0), equation(jump(_slope), 0)), (equation(cos(pi * k_u), 1),))
+_even = Claim(
+    "even",
+    (*(equation(jump(f), 0) for f in (sine.expression, *sine.gradient())), equation(_turned, sine.expression)),
+    (equation(cos(pi * k_u), 1),),
+)
 _odd = Claim(
     "odd",
     (equation(jump(sine.expression), 0), equation(jump(_slope), 2 * pi * k_u * _in_v)),
@@ -47,8 +52,14 @@ _step = real("step")
 _beside = tuple(ridges.expression.subs(u, at) for at in (_step, 1 - _step))
 _crease = Claim(
     "ridges_crease",
-    (equation(_beside[1] ** 2, _beside[0] ** 2), equation(_beside[0] ** 2, sin(pi * k_u * _step) ** 2 * _in_v**2)),
+    (
+        equation(_beside[0] ** 2, sin(pi * k_u * _step) ** 2 * _in_v**2),
+        equation(_beside[1] ** 2, _beside[0] ** 2),
+        at_least(_beside[0], _beside[1]),
+        at_least(_beside[1], _beside[0]),
+    ),
     (_whole,),
+    squares=(named(sin(pi * k_u * _step)) * named(sin(pi * k_v * v)),),
 )
 _broken = Claim(
     "ridges_jump",
@@ -63,14 +74,27 @@ _smooth = Claim(
 theorem = Theorem(
     id="seam",
     title="Which fields cross the seam smoothly",
-    section="s3",
-    statement=r"$\sin\pi k_u(u+1) = (-1)^{k_u}\sin\pi k_u u$ for whole $k_u$. Across $u = 0$, sine's height jumps by "
-    r"$-\sin\pi k_u\,\sin\pi k_v v$ and its slope by $\pi k_u(1-\cos\pi k_u)\sin\pi k_v v$: it is $C^1$ for "
-    r"even $k_u$, has a crease for odd $k_u$ and a jump otherwise. Ridges is continuous for whole $k_u$, and even "
-    r"about the seam with $h = 0$ there: a crease for every $k_u \ne 0$, wherever $\sin\pi k_v v \ne 0$; for other "
-    r"$k_u$ it jumps. Rings does not depend on $u$.",
-    hypotheses=("$k_u$ is whole: $\\sin\\pi k_u = 0$; even: $\\cos\\pi k_u = 1$; odd: $\\cos\\pi k_u = -1$",),
-    claims=(_parity, _sine, _even, _odd, _ridges, _crease, _broken, _smooth),
+    statement=(
+        Clause(r"$\cos\pi n = (-1)^n$ and $\sin\pi n = 0$ for whole $n \ge 0$.", (_parity,)),
+        Clause(
+            r"Across $u = 0$, sine's height jumps by $-\sin\pi k_u\,\sin\pi k_v v$ and its slope by "
+            r"$\pi k_u(1-\cos\pi k_u)\sin\pi k_v v$:",
+            (_sine,),
+        ),
+        Clause("not at all for even $k_u$, where $h(u+1, v) = h(u, v)$ and both slopes are continuous;", (_even,)),
+        Clause(r"for odd $k_u$ in its slope alone, by $2\pi k_u\sin\pi k_v v$.", (_odd,)),
+        Clause(
+            r"Ridges is 0 on the seam for whole $k_u$, and even about it, $h^2 = \sin^2\pi k_u s\,\sin^2\pi k_v v$ "
+            r"at $s$ from it, as on a crease;",
+            (_ridges, _crease),
+        ),
+        Clause(r"it jumps where neither $\sin\pi k_u$ nor $\sin\pi k_v v$ is 0.", (_broken,)),
+        Clause("Rings does not depend on $u$.", (_smooth,)),
+    ),
+    hypotheses=(
+        r"$k_u$ is whole: $\sin\pi k_u = 0$; even: $\cos\pi k_u = 1$; odd: $\cos\pi k_u = -1$, of either sign: "
+        r"$\cos$ is even",
+    ),
     steps=(
         Step(r"$\cos\pi n = (-1)^n$, $\sin\pi n = 0$", "induction"),
         Step(r"$h(0,v)-h(1,v)$ and $h_u(0,v)-h_u(1,v)$", "the field and its derivative at both ends"),
@@ -79,20 +103,20 @@ theorem = Theorem(
     ),
     uses=("ridges_on_creases",),
     mutants=(
-        Mutant("C¹ for odd k_u", _odd.but(shows=_even.shows)),
-        Mutant("continuous for every k_u", _sine.but(shows=(equation(jump(sine.expression), 0),))),
-        Mutant("ridges continuous for every k_u", _ridges.but(given=())),
-        Mutant("h(u + 1) = h for whole k_u", _sine.but(shows=(equation(_turned, sine.expression),), given=(_whole,))),
+        variant("C¹ for odd k_u", _odd, *_even.shows),
+        variant("continuous for every k_u", _sine, equation(jump(sine.expression), 0)),
+        variant("ridges continuous for every k_u", _ridges, given=()),
+        variant("h(u + 1) = h for whole k_u", _sine, equation(_turned, sine.expression), given=(_whole,)),
     ),
     side_conditions=(
         SideCondition(
             "$k_u$ is even",
             "even",
-            (
-                Edge(((k_u, 2), (k_v, 1), (v, Rational(1, 2))), "holds"),
-                Edge(((k_u, 1), (k_v, 1), (v, Rational(1, 2))), "fails"),
-                Edge(((k_u, Rational(3, 2)), (k_v, 1), (v, Rational(1, 2))), "fails"),
-            ),
+            holds=[((k_u, 2), (k_v, 1), (u, Rational(1, 3)), (v, Rational(1, 2)))],
+            fails=[
+                ((k_u, 1), (k_v, 1), (u, Rational(1, 3)), (v, Rational(1, 2))),
+                ((k_u, Rational(3, 2)), (k_v, 1), (u, Rational(1, 3)), (v, Rational(1, 2))),
+            ],
         ),
     ),
 )
@@ -102,14 +126,13 @@ _periodic = Claim("slope", (equation(expand(jump(_slope) / pi), 0),), (_whole,))
 seam_saved = Theorem(
     id="periodic_u_saves_the_seam",
     title="Periodic in u, so smooth across the seam",
-    section="s7",
     statement=r"For whole $k_u$ sine is differentiable across $u = 0$: its slope is the same on both sides.",
     hypotheses=("$k_u$ is whole",),
     claims=(_periodic,),
     refuted_at=((k_u, 1), (k_v, 1), (v, Rational(1, 2))),
     steps=(Step(r"$k_u = 1$, $v = 1/2$, $k_v = 1$: the slope is $\pi$ at $u = 0$, $-\pi$ at $u = 1$", "arithmetic"),),
     mutants=(
-        Mutant("true for even k_u", _periodic.but(given=(equation(cos(pi * k_u), 1),))),
+        variant("true for even k_u", _periodic, given=(equation(cos(pi * k_u), 1),)),
         Mutant("true for the height", Claim("height", (equation(jump(sine.expression), 0),), (_whole,))),
     ),
     expected="refuted",

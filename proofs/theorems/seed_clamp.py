@@ -21,7 +21,6 @@ _costs = Claim("costs_an_order", (at_least(Abs(_at_zero_of(v - v**3)), epsilon),
 always_first_order = Theorem(
     id="seed_clamp",
     title="The seed's clamp always costs an order",
-    section="s7",
     statement=r"At the pole the one-sided difference is of first order for every field: at $v = 0$ that of "
     r"$h = v - v^3$ errs by $\varepsilon$ at least.",
     hypotheses=(r"$0 < \varepsilon \le 1$",),

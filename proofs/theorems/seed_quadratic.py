@@ -3,9 +3,9 @@
 from sympy import Rational, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import hit_of_b, ray_direction, toward_b
-from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, lengths_of_a, radius, real, x, y
+from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, radius, real, x, y
 from proofs.theorems.hits import along
 
 t, b, d = real("t b d")
@@ -18,7 +18,6 @@ _b = hit_of_b.expand(toward_b).xreplace(_default)
 _seed_c = (sum(c**2 for c in ball_center) - ball_radius**2).xreplace(_default)
 _true_c = (dot((0, 0, eye), (0, 0, eye)) - 2 * eye * ball_center[2]).xreplace(_default) + _seed_c
 _length = dot(ray_direction, ray_direction).xreplace(_default)
-_view = (at_least(4, x**2), at_least(4, y**2))
 _covers = Claim(
     "covers",
     (greater(_b, Rational(35, 4)), greater(_b**2, Rational(1225, 16)), greater(_b**2 - _length * _seed_c, 0)),
@@ -34,19 +33,16 @@ _before = Claim(
 _behind = Claim(
     "behind",
     (at_least(radius, eye * (1 - t)), at_least(eye * t, eye - radius)),
-    (*lengths_of_a, equation(dot(along(t), along(t)), radius**2)),
+    (radius > 0, equation(dot(along(t), along(t)), radius**2)),
     squares=(x * t, y * t),
 )
 
 hidden = Theorem(
     id="seed_covers_the_view",
     title="With the seed's quadratic B is everywhere",
-    section="s7",
-    statement=r"In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every "
-    r"ray with $|x|, |y| \le 2$ has "
-    r"$b^2-|D|^2c > 0$ and a root $c/(b+\sqrt d)$ in $(0, \frac14)$; A's points have $t \ge 1-R/e = "
-    r"\frac34$. So B covers the view and "
-    r"A is never drawn.",
+    statement="In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every ray with "
+    r"$|x|, |y| \le 2$ has $b^2-|D|^2c > 0$ and a root $c/(b+\sqrt d)$ in $(0, \frac14)$; A's points have $t \ge 1-R/e "
+    r"= \frac34$. So B covers the view and A is never drawn.",
     hypotheses=(r"the view has $|x| \le 5/\sqrt{15}$, $|y| \le 23/4\sqrt{15}$, both less than 2",),
     claims=(_covers, _before, _behind),
     uses=("hit_of_b",),
@@ -57,15 +53,13 @@ hidden = Theorem(
         Step(r"$e(1-t) \le R$ on A", "no point of A is higher than $R$"),
     ),
     mutants=(
-        Mutant("with the true c too", _covers.but(shows=(greater(_b**2 - _length * _true_c, 0),))),
-        Mutant("the root is beyond 1/4", _before.but(shows=(greater(_root, Rational(1, 4)),))),
-        Mutant("A's points have t ≥ 1", _behind.but(shows=(at_least(t, 1),), squares=())),
+        variant("with the true c too", _covers, greater(_b**2 - _length * _true_c, 0)),
+        variant("the root is beyond 1/4", _before, greater(_root, Rational(1, 4))),
+        variant("A's points have t ≥ 1", _behind, at_least(t, 1), squares=()),
     ),
     side_conditions=(
         SideCondition(
-            r"$|x|, |y| \le 2$",
-            "covers",
-            (Edge(((x, -2), (y, Rational(-19, 10))), "holds"), Edge(((x, -3), (y, -3)), "fails")),
+            r"$|x|, |y| \le 2$", "covers", holds=[((x, -2), (y, Rational(-19, 10)))], fails=[((x, -3), (y, -3))]
         ),
     ),
 )

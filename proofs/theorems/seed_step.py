@@ -5,8 +5,8 @@ from sympy import Abs, Rational
 from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.theorem import Mutant, Step, Theorem
 from proofs.formulas.bump import bumped, bumped_by_beta, g, m, normal_by_beta, perturbed
-from proofs.formulas.symbols import beta, normal
-from proofs.theorems.normal import derivative, tangent
+from proofs.formulas.symbols import beta
+from proofs.theorems.normal import at, derivative, tangent
 
 STEP, AGREEMENT = Rational(1, 10**7), Rational(1, 10**12)
 
@@ -20,12 +20,11 @@ _linear = Claim("linear", (equation((_m.subs(beta, beta + STEP) - _m) / STEP, g[
 # |M| = (t + 1/t)/2 is rational where β g_x = (t − 1/t)/2: t = 2 at β, and 2 + 4·10⁻⁶ at β + 10⁻⁷.
 _before, _after = ((t - 1 / t) / 2 for t in (Rational(2), 2 + Rational(4, 10**6)))
 _g_x = (_after - _before) / STEP
-_point = (*zip(normal, (0, 0, 1), strict=True), *zip(g, (_g_x, 0, 0), strict=True), (beta, _before / _g_x))
+_point = at((0, 0, 1), (_g_x, 0, 0), _before / _g_x)
 
 theorem = Theorem(
     id="seed_step_in_beta",
     title="The seed's check of the normal's derivative",
-    section="s7",
     statement=r"The one-sided difference of $N'$ with step $\Delta\beta = 10^{-7}$ is $\partial N'/\partial\beta$ to "
     r"$10^{-12}$.",
     hypotheses=(r"$|N| = 1$, $N\cdot g = 0$; the first component, in exact arithmetic",),

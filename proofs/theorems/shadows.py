@@ -5,19 +5,21 @@ from sympy import diff
 
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import chain
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import distance, point_on_floor
 from proofs.formulas.shadow import body_radius, center, segment_squared, shadow, shadow_discriminant, toward_center
 from proofs.formulas.symbols import ball_center, ball_radius, cross, dot, eye, light, x, y
 from proofs.theorems.hits import distance_squared
+from proofs.theorems.relations import minus
+from proofs.theorems.silhouettes import conic_types
 from proofs.theorems.silhouettes import theorem as silhouette_of_b
 
 _on_floor = chain("on_floor", point_on_floor, shadow)
-_w = tuple(a - b for a, b in zip(light, center, strict=True))
+_w = minus(light, center)
 _c = dot(_w, _w) - body_radius**2
 _apart = distance_squared(light, center) > body_radius**2
 _xx, _xy, _yy = _w[0] ** 2 - _c, _w[0] * _w[1], _w[1] ** 2 - _c
-_to_light = tuple(a - b for a, b in zip((x, y, 0), light, strict=True))  # P − L
+_to_light = minus((x, y, 0), light)  # P − L
 _across = dot(_to_light, _w)
 _conic = Claim(
     "conic",
@@ -34,15 +36,8 @@ _conic = Claim(
     _on_floor,
 )
 _determinant = _xx * _yy - _xy**2
-_types = tuple(
-    Claim(name, (greater(_c, 0), shown), (_apart, given))
-    for name, shown, given in (
-        ("ellipse", greater(_determinant, 0), _w[2] ** 2 > body_radius**2),
-        ("parabola", equation(_determinant, 0), equation(_w[2] ** 2, body_radius**2)),
-        ("hyperbola", greater(0, _determinant), _w[2] ** 2 < body_radius**2),
-    )
-)
-_along_row = tuple(a - b for a, b in zip(cross(light, center), cross(_w, (0, y, 0)), strict=True))
+_types = conic_types(_c, _determinant, _w[2], body_radius, _apart)
+_along_row = minus(cross(light, center), cross(_w, (0, y, 0)))
 _turn = cross((1, 0, 0), _w)
 _row = Claim(
     "row",
@@ -112,15 +107,11 @@ _given_scene = (*zip(light, (0, 0, 3), strict=True), *zip(center, (2, 0, 2), str
 shadow_of_b = Theorem(
     id="shadow_of_b_on_floor",
     title="A sphere's shadow on the floor is a conic",
-    section="s3",
-    statement=r"Let the light $L$, $L_z > 0$, be outside the sphere about $C$ of radius $r$, $w = L-C$, "
-    r"$c = |w|^2-r^2$. On the floor "
-    r"the shadow's discriminant is $((P-L)\cdot w)^2-c|P-L|^2$, a quadratic in $(x, y)$ with the determinant "
-    r"$c\,(w_z^2-r^2)$: an ellipse if the light is above the sphere's top or below its lowest point, a "
-    r"parabola if level with either, a "
-    r"hyperbola between. The part cast away from the light has $a\cdot w' < |a|^2$ ($a = L-P$, $w' = "
-    r"C-P$): all of it if "
-    r"$L_z \ge C_z+r$, none if $L_z \le C_z-r$, and one branch of the hyperbola.",
+    statement="Let the light $L$, $L_z > 0$, be outside the sphere about $C$ of radius $r$, $w = L-C$, $c = "
+    r"|w|^2-r^2$. On the floor the shadow's discriminant is $((P-L)\cdot w)^2-c|P-L|^2$, a quadratic in $(x, y)$ with "
+    r"the determinant $c\,(w_z^2-r^2)$: an ellipse if the light is above the sphere's top or below its lowest point, a "
+    r"parabola if level with either, a hyperbola between. The part cast away from the light has $a\cdot w' < |a|^2$ "
+    r"($a = L-P$, $w' = C-P$): all of it if $L_z \ge C_z+r$, none if $L_z \le C_z-r$, and one branch of the hyperbola.",
     hypotheses=("$|L-C| > r$", "$L_z > 0$"),
     claims=(_conic, *_types, _away, *_cast),
     uses=("lagrange_identity", "silhouette_of_b", "occlusion_by_signs"),
@@ -131,22 +122,16 @@ shadow_of_b = Theorem(
         Step("its sign, type by type", "the silhouette of the sphere with the light as the eye", ("silhouette_of_b",)),
     ),
     mutants=(
-        Mutant(
-            "the determinant is c (w_z² + r²)",
-            _conic.but(shows=(equation(_determinant, _c * (_w[2] ** 2 + body_radius**2)),)),
-        ),
-        Mutant("an ellipse from any height", _types[2].but(shows=(greater(_determinant, 0),))),
-        Mutant(
-            "the vertex on the sphere's side", _away.but(shows=(equation(segment_squared - toward_center, _across),))
-        ),
+        variant("the determinant is c (w_z² + r²)", _conic, equation(_determinant, _c * (_w[2] ** 2 + body_radius**2))),
+        variant("an ellipse from any height", _types[2], greater(_determinant, 0)),
+        variant("the vertex on the sphere's side", _away, equation(segment_squared - toward_center, _across)),
     ),
-    side_conditions=(SideCondition("the light is not level with the top", "ellipse", (Edge(_given_scene, "fails"),)),),
+    side_conditions=(SideCondition("the light is not level with the top", "ellipse", fails=[_given_scene]),),
 )
 
 shadow_of_a = Theorem(
     id="shadow_of_a_on_floor",
     title="Sphere A's shadow on the floor",
-    section="s3",
     statement=r"With $C = 0$: $d = (P\cdot L)^2-|L|^2|P|^2+R^2|P-L|^2$, a conic of the type of a sphere's "
     r"shadow with $w_z = L_z$: "
     r"an ellipse if $L_z > R$. The shadow is its part with $0 < a\cdot w' < |a|^2$, beyond A: $P\cdot L < |P|^2$.",
@@ -158,28 +143,22 @@ shadow_of_a = Theorem(
         Step(r"$a\cdot w' = |P|^2-P\cdot L$", "the vertex comes after P", ("occlusion_by_signs",)),
     ),
     mutants=(
-        Mutant(
+        variant(
             "− R²|P − L|²",
-            _of_a.but(
-                shows=(equation(_of_a.shows[0].lhs, 2 * _of_a.shows[0].lhs - _of_a.shows[0].rhs + body_radius**2),)
-            ),
+            _of_a,
+            equation(_of_a.shows[0].lhs, 2 * _of_a.shows[0].lhs - _of_a.shows[0].rhs + body_radius**2),
         ),
-        Mutant(
-            "the vertex on the light's side",
-            _behind_a.but(shows=(equation(-_behind_a.shows[0].lhs, _behind_a.shows[0].rhs),)),
-        ),
+        variant("the vertex on the light's side", _behind_a, equation(-_behind_a.shows[0].lhs, _behind_a.shows[0].rhs)),
     ),
 )
 
 row = Theorem(
     id="shadow_along_a_row",
     title="Along a row of pixels the shadow test is quadratic",
-    section="s3",
-    statement=r"On the floor, for fixed $y$, the discriminant $|a|^2r^2-|a\times w'|^2$ is a polynomial "
-    r"of degree at most 2 in $x$, "
-    r"with the leading coefficient $r^2-w_y^2-w_z^2$, $w = L-C$; $|a|^2$ and $a\cdot w'$ are quadratics "
-    r"with leading coefficient 1, "
-    r"and $|a|^2-a\cdot w'$ is linear. So a row is cut by the roots of two quadratics and one linear polynomial.",
+    statement=r"On the floor, for fixed $y$, the discriminant $|a|^2r^2-|a\times w'|^2$ is a polynomial of degree at "
+    r"most 2 in $x$, with the leading coefficient $r^2-w_y^2-w_z^2$, $w = L-C$; $|a|^2$ and $a\cdot w'$ are quadratics "
+    r"with leading coefficient 1, and $|a|^2-a\cdot w'$ is linear. So a row is cut by the roots of two quadratics and "
+    "one linear polynomial.",
     claims=(_row, _leading, _away),
     uses=("occlusion_by_signs",),
     steps=(
@@ -187,13 +166,15 @@ row = Theorem(
         Step(r"$|a|^2-a\cdot w' = (P-L)\cdot(C-L)$", "the conditions of the shadow test", ("occlusion_by_signs",)),
     ),
     mutants=(
-        Mutant(
+        variant(
             "the leading coefficient is r² − w_z²",
-            _leading.but(shows=(equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _w[2] ** 2)),)),
+            _leading,
+            equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _w[2] ** 2)),
         ),
-        Mutant(
+        variant(
             "w_x in place of w_y",
-            _leading.but(shows=(equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _w[0] ** 2 - _w[2] ** 2)),)),
+            _leading,
+            equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _w[0] ** 2 - _w[2] ** 2)),
         ),
     ),
 )

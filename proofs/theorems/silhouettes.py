@@ -2,7 +2,7 @@
 "shadows need it."""
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import discriminant_b, distance, hit_of_b, ray_direction, toward_b
 from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, lengths_of_b, x, y
 from proofs.theorems.hits import distance_squared
@@ -23,18 +23,23 @@ _conic = Claim(
             eye**2 * _c**2 * ball_radius**2,
         ),
     ),
-    lengths_of_b,
+    (),
     hit_of_b,
 )
 _determinant = _xx * _yy - _xy**2
-_types = tuple(
-    Claim(name, (greater(_c, 0), shown), (*lengths_of_b, _outside, given))
-    for name, shown, given in (
-        ("ellipse", greater(_determinant, 0), _above**2 > ball_radius**2),
-        ("parabola", equation(_determinant, 0), equation(_above**2, ball_radius**2)),
-        ("hyperbola", greater(0, _determinant), _above**2 < ball_radius**2),
+
+
+def conic_types(c, determinant, height, radius, outside):
+    """Return the claims that a sphere's outline is an ellipse, a parabola or a hyperbola, by the height above it."""
+    cases = (
+        ("ellipse", greater(determinant, 0), height**2 > radius**2),
+        ("parabola", equation(determinant, 0), equation(height**2, radius**2)),
+        ("hyperbola", greater(0, determinant), height**2 < radius**2),
     )
-)
+    return tuple(Claim(name, (greater(c, 0), shown), (outside, given)) for name, shown, given in cases)
+
+
+_types = conic_types(_c, _determinant, _above, ball_radius, _outside)
 _s, _q, _image = _cx**2 + _cy**2, x * _cx + y * _cy, x**2 + y**2
 _h = distance  # H = e − C_z
 _ch = _s + _h**2 - ball_radius**2
@@ -78,7 +83,7 @@ _branch = Claim(
         greater(dot(ray_direction, ray_direction), 0),
         greater(toward_b**2, 0),
     ),
-    (*lengths_of_b, _outside, equation(discriminant_b, 0)),
+    (eye > 0, _outside, equation(discriminant_b, 0)),
     hit_of_b,
     squares=(x, y, eye),
 )
@@ -92,13 +97,11 @@ def _scene(eye_height, x_at, center=(2, 0, 3), ball_radius_is=1):
 theorem = Theorem(
     id="silhouette_of_b",
     title="The silhouette of sphere B is a conic",
-    section="s3",
-    statement=r"Let $H = e-C_z$ and $c = |E-C|^2-R_2^2 > 0$. The silhouette $b^2 = c\,(x^2+y^2+e^2)$, $b "
-    r"= xC_x+yC_y+eH$, is a "
-    r"non-degenerate conic, with the determinants $c\,(H^2-R_2^2)$ and $e^2c^2R_2^2$: an ellipse if $|H| "
-    r"> R_2$, a parabola if "
-    r"$|H| = R_2$, a hyperbola if $|H| < R_2$. It is seen where $b > 0$, where the hits have $t > 0$: all of it if "
-    r"$H \ge R_2$, none if $H \le -R_2$, and of the hyperbola the branch $b > 0$; the branch $b < 0$ is spurious.",
+    statement=r"Let $H = e-C_z$ and $c = |E-C|^2-R_2^2 > 0$. The silhouette $b^2 = c\,(x^2+y^2+e^2)$, $b = "
+    r"xC_x+yC_y+eH$, is a non-degenerate conic, with the determinants $c\,(H^2-R_2^2)$ and $e^2c^2R_2^2$: an ellipse "
+    "if $|H| > R_2$, a parabola if $|H| = R_2$, a hyperbola if $|H| < R_2$. It is seen where $b > 0$, where the hits "
+    r"have $t > 0$: all of it if $H \ge R_2$, none if $H \le -R_2$, and of the hyperbola the branch $b > 0$; the "
+    "branch $b < 0$ is spurious.",
     hypotheses=("$c > 0$: the eye is outside B",),
     claims=(_conic, *_types, _branch, _all_seen, _none_seen),
     uses=("hit_of_b", "lagrange_identity"),
@@ -114,22 +117,16 @@ theorem = Theorem(
         Step(r"so $eH(2b-eH) > 0$ and $b > 0$; $H \le -R_2$ likewise", r"$b^2-(b-eH)^2 = eH(2b-eH)$"),
     ),
     mutants=(
-        Mutant(
-            "the determinant is c (H² + R₂²)",
-            _conic.but(shows=(equation(_determinant, _c * (_above**2 + ball_radius**2)),)),
-        ),
-        Mutant("an ellipse even if |H| < R₂", _types[2].but(shows=(greater(_determinant, 0),))),
-        Mutant("b > 0 on all of the silhouette", _branch.but(shows=(toward_b > 0,), squares=())),
+        variant("the determinant is c (H² + R₂²)", _conic, equation(_determinant, _c * (_above**2 + ball_radius**2))),
+        variant("an ellipse even if |H| < R₂", _types[2], greater(_determinant, 0)),
+        variant("b > 0 on all of the silhouette", _branch, toward_b > 0, squares=()),
     ),
     side_conditions=(
-        SideCondition("$|H| > R_2$", "ellipse", (Edge(_scene(4, 0), "fails"), Edge(_scene(5, 0), "holds"))),
+        SideCondition("$|H| > R_2$", "ellipse", holds=[_scene(5, 0)], fails=[_scene(4, 0)]),
         SideCondition(
             "$H \\ge R_2$",
             "all_seen",
-            (
-                Edge((*_scene(1, -9, (2, 0, 0)), (distance, 0)), "fails"),
-                Edge((*_scene(1, -9, (2, 0, 0)), (distance, 1)), "fails"),
-            ),
+            fails=[(*_scene(1, -9, (2, 0, 0)), (distance, 0)), (*_scene(1, -9, (2, 0, 0)), (distance, 1))],
         ),
     ),
 )

@@ -2,7 +2,7 @@
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
-from proofs.engine.theorem import Mutant, Step, Theorem
+from proofs.engine.theorem import Step, Theorem, variant
 from proofs.formulas.pixel import instance
 from proofs.formulas.shading import (
     along_halfway,
@@ -14,20 +14,19 @@ from proofs.formulas.shading import (
     light_scale,
 )
 from proofs.formulas.symbols import mu, real, specular_base
+from proofs.theorems.relations import equations
 
 _plain = instance(blinn, "plain")
 _both = chain("both", blinn_squared, _plain)
 _mu, _base, _length = real("mu_plain specular_base_plain halfway_length_plain")
 _plain_halfway = tuple(real(f"{s.name}_plain") for s in halfway)
-_scaled = tuple(equation(k, light_distance * w) for k, w in zip(halfway, _plain_halfway, strict=True))
+_scaled = equations(halfway, [light_distance * w for w in _plain_halfway])
 _k = Claim("halfway", _scaled, (light_distance > 0,), _both)
-_cosine = Claim("cosine", (equation(mu, _mu),), (light_distance > 0, halfway_squared > 0), _both)
+_cosine = Claim("cosine", (equation(mu, _mu),), (halfway_squared > 0,), _both)
 _base_squared = Claim(
     "base",
     (equation(blinn_squared[specular_base], _base**2),),
     (
-        light_distance > 0,
-        _length > 0,
         equation(light_scale * light_distance * halfway_squared, 1),
         equation(light_distance**2 * _length**2, halfway_squared),
         equation(light_distance * _length * _base, along_halfway),
@@ -37,7 +36,6 @@ _base_squared = Claim(
 theorem = Theorem(
     id="squared_highlight",
     title="The highlight from one root and one division",
-    section="s6",
     statement=r"With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and "
     r"the square of Blinn's base is $(N'\cdot k)^2 |d| s$ where $N'\cdot k \ge 0$.",
     hypotheses=(
@@ -47,14 +45,13 @@ theorem = Theorem(
         r"taken from $k = |d|H$ by hand",
     ),
     claims=(_k, _cosine, _base_squared),
-    uses=(),
     steps=(
         Step(r"$k = |d|(\omega + \hat v)$", "so its direction is the halfway vector's"),
         Step(r"$(N'\cdot k)^2/(k\cdot k)$ does not depend on the length of $k$", "nor does its sign, as $|d| > 0$"),
     ),
     mutants=(
-        Mutant("k without |d|", _k.but(shows=(equation(halfway[0], _plain_halfway[0]),))),
-        Mutant("the base, not its square", _base_squared.but(shows=(equation(blinn_squared[specular_base], _base),))),
-        Mutant("k twice as long", _k.but(shows=(equation(halfway[0], 2 * light_distance * _plain_halfway[0]),))),
+        variant("k without |d|", _k, equation(halfway[0], _plain_halfway[0])),
+        variant("the base, not its square", _base_squared, equation(blinn_squared[specular_base], _base)),
+        variant("k twice as long", _k, equation(halfway[0], 2 * light_distance * _plain_halfway[0])),
     ),
 )

@@ -1,22 +1,28 @@
 """The truncation error of the central difference of the smooth fields, with its constant."""
 
-from sympy import Rational, Symbol, cos, diff, pi, sin
+from sympy import Rational, cos, diff, pi, sin
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
-from proofs.formulas.difference_cases import nothing_clamps, nothing_wraps
+from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
+from proofs.formulas.difference_cases import INSIDE, nothing_clamps, nothing_wraps
+from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
 from proofs.theorems.cited import sine_above, sine_below
 from proofs.theorems.finite_difference import difference, rings, sine
+from proofs.theorems.relations import equations, named
 
-_cos_u, _sin_u, _cos_v, _sin_v = (
-    Symbol(str(f).replace(" ", ""), real=True) for w in (pi * k_u * u, pi * k_v * v) for f in (cos(w), sin(w))
-)
+_in_u, _in_v = pi * k_u * u, pi * k_v * v
+ridges = HEIGHT_FIELDS["ridges"]
 _sixth = Rational(1, 6)
-_squares = {"sine": (_cos_u - _sin_v, _cos_u + _sin_v, _sin_u, _cos_v), "rings": ()}
 
 
-def _bounded(name, field, output, frequency, given, factors, constant=_sixth):
+def _hints(a, b):
+    """Return the terms of 2(1 ∓ cos a sin b) = (cos a ∓ sin b)² + sin² a + cos² b."""
+    c, s = named(cos(a)), named(sin(b))
+    return c - s, c + s, named(sin(a)), named(cos(b))
+
+
+def _bounded(name, field, output, frequency, given, factors, squares=(), constant=_sixth):
     """Return the claim |D − slope| ≤ constant · ε² (π frequency)³; slope = π frequency · factors."""
     coordinate = {h_u: u, h_v: v}[output]
     slope, third = (diff(field.expression, coordinate, n) for n in (1, 3))
@@ -36,13 +42,33 @@ def _bounded(name, field, output, frequency, given, factors, constant=_sixth):
     )
     lemmas = (sine_below(angle), sine_above(angle))
     (k,) = frequency.free_symbols
-    step, sine_of_step = (Rational(13, 30), Rational(24, 25)) if k == k_u else (Rational(13, 60), Rational(3, 5))
+    step, sine_of_step = (Rational(13, 30), Rational(24, 25)) if k == frequency else (Rational(13, 60), Rational(3, 5))
     example = ((coordinate, Rational(1, 2)), (k, 1), (epsilon, step), (sin(pi * k * epsilon), sine_of_step))
-    return Claim(name, shows, (*given, k > 0), squares=_squares[field.name], cited=lemmas, example=example)
+    return Claim(name, shows, (*given, k > 0), None, squares, cited=lemmas, ranges=INSIDE, example=example)
 
 
-_u = _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(pi * k_u * u) * sin(pi * k_v * v))
+_u = _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(_in_u) * sin(_in_v), _hints(_in_u, _in_v))
+_v = _bounded("sine_in_v", sine, h_v, k_v, nothing_clamps, sin(_in_u) * cos(_in_v), _hints(_in_v, _in_u))
 _rings = _bounded("rings", rings, h_v, 2 * k_v, nothing_clamps, cos(2 * pi * k_v * v))
+
+
+def _between_creases(name, output, coordinate, given, side):
+    """Return the claim that ridges has sine's difference and slope, times `side`, the sign of sine's heights."""
+    sines = [sine.expression.subs(coordinate, coordinate + step) for step in (epsilon, -epsilon, 0)]
+    slopes = [diff(field.expression, coordinate) for field in (ridges, sine)]
+    return Claim(
+        name,
+        equations((difference(ridges, output), slopes[0]), (side * difference(sine, output), side * slopes[1])),
+        (*given, *(side * height >= 0 for height in sines[:2]), side * sines[2] > 0),
+        ranges=INSIDE,
+    )
+
+
+_ridges = tuple(
+    _between_creases(f"ridges_{coordinate}_{name}", output, coordinate, given, side)
+    for output, coordinate, given in ((h_u, u, nothing_wraps), (h_v, v, nothing_clamps))
+    for name, side in (("above", 1), ("below", -1))
+)
 _at_eight = Claim("at_eight", (greater((8 * pi) ** 3, 24**3), greater(24**3, 6 * 2000)))
 _at_four = Claim("at_four", (greater((4 * pi) ** 3, 1728), greater(1987, (4 * pi) ** 3)))
 _rings_by_k_v = epsilon**2 / 6 * (pi * k_v) ** 3 - difference(rings, h_v) + rings.gradient()[1]
@@ -50,52 +76,56 @@ _rings_by_k_v = epsilon**2 / 6 * (pi * k_v) ** 3 - difference(rings, h_v) + ring
 theorem = Theorem(
     id="truncation_bound",
     title="The truncation error of the central difference",
-    section="s4",
-    statement=r"$|D_\varepsilon h - h'| \le \frac{\varepsilon^2}{6}(\pi k)^3$ and $|h'''| \le (\pi k)^3$: "
-    r"$k = k_u$ for sine in $u$, $k = 2k_v$ for rings in $v$.",
+    statement=(
+        Clause(
+            r"$|D_\varepsilon h - h'| \le \frac{\varepsilon^2}{6}(\pi k)^3$ and $|h'''| \le (\pi k)^3$: "
+            r"$k = k_u$ for sine in $u$, $k_v$ in $v$, $2k_v$ for rings in $v$.",
+            (_u, _v, _rings),
+        ),
+        Clause(
+            r"Where $\sin\pi k_u u\,\sin\pi k_v v$ has one sign at the three points, ridges' difference and slope are "
+            r"sine's, or both their negatives: the same bound.",
+            _ridges,
+        ),
+    ),
     hypotheses=(
         r"$\varepsilon > 0$, $k > 0$",
         r"nothing wraps or clamps: $\varepsilon \le u < 1 - \varepsilon$ or $\varepsilon \le v \le 1 - \varepsilon$",
         r"$x - x^3/6 \le \sin x \le x$ for $x \ge 0$ (cited)",
     ),
-    claims=(_u, _rings),
     steps=(
         Step(r"$D_\varepsilon h - h' = h'(\operatorname{sinc}\pi k\varepsilon - 1)$", "the lines; addition formulas"),
         Step(r"$0 \le 1 - \operatorname{sinc} x \le x^2/6$", "cited"),
         Step(r"$|\cos\pi k_u u\,\sin\pi k_v v| \le 1$", r"$2(1 \mp ca) = (c \mp a)^2 + (1-c^2) + (1-a^2)$"),
     ),
     mutants=(
-        Mutant(
+        variant(
             "rings with k_v for 2k_v",
-            _rings.but(shows=(at_least(_rings_by_k_v, 0),)),
+            _rings,
+            at_least(_rings_by_k_v, 0),
             at=((k_v, 2), (v, Rational(1, 4)), (epsilon, Rational(1, 16))),
         ),
         Mutant(
             "a seventh for the sixth",
-            _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(pi * k_u * u) * sin(pi * k_v * v), Rational(1, 7)),
+            _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(_in_u) * sin(_in_v), (), Rational(1, 7)),
             at=((k_u, 1), (u, Rational(1, 16)), (k_v, 1), (v, Rational(1, 2)), (epsilon, Rational(1, 100))),
         ),
     ),
     side_conditions=(
-        SideCondition(
-            r"$\varepsilon > 0$", "rings", (Edge(((v, Rational(1, 2)), (epsilon, 0), (k_v, 2)), "undefined"),)
-        ),
-        SideCondition(
-            "$k > 0$", "rings", (Edge(((v, Rational(1, 2)), (epsilon, Rational(1, 8)), (k_v, -2)), "fails"),)
-        ),
+        SideCondition(r"$\varepsilon > 0$", "rings", undefined=[((v, Rational(1, 2)), (epsilon, 0), (k_v, 2))]),
+        SideCondition("$k > 0$", "rings", fails=[((v, Rational(1, 2)), (epsilon, Rational(1, 8)), (k_v, -2))]),
     ),
 )
 
 third_derivative = Theorem(
     id="third_derivative_at_eight",
     title="The third derivative is not 2,000 at k = 8",
-    section="s7",
     statement=r"$(8\pi)^3 > 13{,}824$, more than six times the 2,000 that the seed gives; $1728 < (4\pi)^3 < 1987$.",
     hypotheses=(r"$3 < \pi < 22/7$",),
     claims=(_at_eight, _at_four),
     steps=(Step(r"$8\pi > 24$ and $24^3 = 13{,}824$", r"$\pi > 3$"), Step(r"$(88/7)^3 < 1987$", r"$\pi < 22/7$")),
     mutants=(
-        Mutant("(8π)³ is about 2,000", _at_eight.but(shows=(greater(2100, (8 * pi) ** 3),))),
-        Mutant("(4π)³ exceeds 2,000", _at_four.but(shows=(greater((4 * pi) ** 3, 2000),))),
+        variant("(8π)³ is about 2,000", _at_eight, greater(2100, (8 * pi) ** 3)),
+        variant("(4π)³ exceeds 2,000", _at_four, greater((4 * pi) ** 3, 2000)),
     ),
 )

@@ -3,7 +3,7 @@
 from sympy import Rational
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import Edge, Mutant, SideCondition, Step, Theorem
+from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import POLE, discriminant_a, hit_of_a, ray_direction, rho_raw, root_a, t_a, tangent_squared
 from proofs.formulas.symbols import dot, eye, lengths_of_a, radius, real, rho, rho_silhouette, x, y
 from proofs.theorems.hits import along
@@ -84,10 +84,8 @@ def _rim(t):
 silhouette = Theorem(
     id="silhouette_of_a",
     title="The silhouette of sphere A",
-    section="s3",
-    statement=r"Let $e > R$. A ray meets A exactly if $\rho \le \rho_s = eR/\sqrt{e^2-R^2}$, and then $0 "
-    r"< t < 1$: in front "
-    r"of the floor. At $\rho = \rho_s$ it touches A, $P\cdot D = 0$, at height $P_z = R^2/e$, that is "
+    statement=r"Let $e > R$. A ray meets A exactly if $\rho \le \rho_s = eR/\sqrt{e^2-R^2}$, and then $0 < t < 1$: in "
+    r"front of the floor. At $\rho = \rho_s$ it touches A, $P\cdot D = 0$, at height $P_z = R^2/e$, that is "
     r"$\cos\varphi = R/e$.",
     hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$"),
     claims=(_quadratic, _inside, _only_inside, _in_front, _tangent),
@@ -99,33 +97,26 @@ silhouette = Theorem(
         Step(r"$d = 0$: the double root is $t = e^2/(\rho^2+e^2) = 1-R^2/e^2$", "substitution"),
     ),
     mutants=(
-        Mutant(
-            "ρ_s = R e/√(e² + R²)",
-            _only_inside.but(shows=(at_least(eye**2 * radius**2, rho**2 * (eye**2 + radius**2)),)),
-        ),
-        Mutant("t < 1/2", _in_front.but(shows=(greater(Rational(1, 2), t_a),))),
-        Mutant("cos φ = 0 on the silhouette", _tangent.but(shows=(equation(_touching[2], 0),))),
+        variant("ρ_s = R e/√(e² + R²)", _only_inside, at_least(eye**2 * radius**2, rho**2 * (eye**2 + radius**2))),
+        variant("t < 1/2", _in_front, greater(Rational(1, 2), t_a)),
+        variant("cos φ = 0 on the silhouette", _tangent, equation(_touching[2], 0)),
     ),
     side_conditions=(
         SideCondition(
             r"$\rho \le \rho_s$",
             "inside",
-            (
-                Edge(((x, Rational(15, 16)), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 4))), "holds"),
-                Edge(((x, 1), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 4))), "fails"),
-            ),
+            holds=[((x, Rational(15, 16)), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 4)))],
+            fails=[((x, 1), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 4)))],
         ),
-        SideCondition("$e > R$", "in_front", (Edge(((x, 0), (y, 0), (eye, 1), (radius, 1)), "undefined"),)),
+        SideCondition("$e > R$", "in_front", undefined=[((x, 0), (y, 0), (eye, 1), (radius, 1))]),
     ),
 )
 
 visible = Theorem(
     id="visible_iff",
     title="Which points of sphere A are seen",
-    section="s3",
-    statement=r"The point $P(t)$ of A at polar angle $\varphi$ is the ray's near hit, $t = t_A$, where "
-    r"$\cos\varphi \ge R/e$ "
-    r"(on the rim $\cos\varphi = R/e$ the two hits are one), and lies behind it, $t > t_A$, where "
+    statement=r"The point $P(t)$ of A at polar angle $\varphi$ is the ray's near hit, $t = t_A$, where $\cos\varphi "
+    r"\ge R/e$ (on the rim $\cos\varphi = R/e$ the two hits are one), and lies behind it, $t > t_A$, where "
     r"$\cos\varphi < R/e$.",
     hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$", "$|P(t)| = R$", "no other body stands before A"),
     claims=(_visible, _hidden),
@@ -140,16 +131,11 @@ visible = Theorem(
         ),
     ),
     mutants=(
-        Mutant("visible where cos φ ≥ 0", _visible.but(shows=(equation(t, t_a),), given=(*_on_a, _cos_phi >= 0))),
-        Mutant(
-            "hidden on the rim",
-            _hidden.but(shows=(t > t_a,), given=(*_on_a, equation(eye * _cos_phi, radius)), squares=()),
-        ),
-        Mutant("the hidden point is nearer", _hidden.but(shows=(t < t_a,))),
+        variant("visible where cos φ ≥ 0", _visible, equation(t, t_a), given=(*_on_a, _cos_phi >= 0)),
+        variant("hidden on the rim", _hidden, t > t_a, given=(*_on_a, equation(eye * _cos_phi, radius)), squares=()),
+        variant("the hidden point is nearer", _hidden, t < t_a),
     ),
     side_conditions=(
-        SideCondition(
-            r"$\cos\varphi \ge R/e$", "visible", (Edge(_rim(Rational(16, 25)), "holds"), Edge(_rim(1), "fails"))
-        ),
+        SideCondition(r"$\cos\varphi \ge R/e$", "visible", holds=[_rim(Rational(16, 25))], fails=[_rim(1)]),
     ),
 )

@@ -35,6 +35,6 @@ def crease_point(rate_u, rate_v, level, along, eye, radius):
     at_v = where(is_meridian, along, (level - rate_u * along) / rate_v)
     cos_phi = cospi(at_v)
     rho = radius_of_parallel(sinpi(at_v), cos_phi, eye, radius)
-    is_seen = (at_v >= 0.0) & (at_v <= 1.0) & (eye * cos_phi > radius)  # theorem kink_loci
+    is_seen = (at_v >= 0.0) & (at_v <= 1.0) & (eye * cos_phi > radius)  # theorem visible_iff
     rho = where(is_seen, rho, float("nan"))
     return -rho * cospi(2.0 * at_u), -rho * sinpi(2.0 * at_u)  # θ = 2πu − π

@@ -147,11 +147,11 @@ def _sampled(found, theorem, claim, points):
 
 def _edges(found, theorem, condition):
     claim, edges = theorem.claim(condition.claim), []
-    for edge in condition.edges:
-        outcome = witness.outcome(claim, edge.at)
-        if outcome != edge.outcome:
-            found.problems.append(f"side condition {condition.text}: {outcome} at {dict(edge.at)}, not {edge.outcome}")
-        edges.append({"at": {str(s): str(v) for s, v in edge.at}, "outcome": outcome})
+    for at, expected in condition.edges:
+        outcome = witness.outcome(claim, at)
+        if outcome != expected:
+            found.problems.append(f"side condition {condition.text}: {outcome} at {dict(at)}, not {expected}")
+        edges.append({"at": {str(s): str(v) for s, v in at}, "outcome": outcome})
     return {"condition": condition.text, "claim": condition.claim, "edges": edges}
 
 

@@ -29,7 +29,7 @@ FALSE = (Mutant("x > 1", Claim("a", (greater(x, 1),))), Mutant("x > 2", Claim("b
 
 def graded(*claims, mutants=FALSE, **changes):
     """Return the grade of a theorem of these claims, everything found anew."""
-    theorem = Theorem("attack", "", "s3", "", claims, mutants, **changes)
+    theorem = Theorem("attack", "", "", claims, mutants, **changes)
     return examine(theorem, {"attack": theorem}, anew=True).grade
 
 
@@ -311,15 +311,15 @@ def test_a_claim_borrows_from_no_claim_of_its_own():
     itself = Claim("attack", (greater(x, 10),), borrowed=(("attack", "attack"),))
     assert graded(itself) == graded(itself, uses=("attack",)) == "failed"
     one, two = (
-        Theorem(a, "", "s3", "", (Claim("c", (greater(x, 10),), borrowed=((b, "c"),)),), FALSE, uses=(b,))
+        Theorem(a, "", "", (Claim("c", (greater(x, 10),), borrowed=((b, "c"),)),), FALSE, uses=(b,))
         for a, b in (("one", "two"), ("two", "one"))
     )
     assert examine(one, {"one": one, "two": two}, anew=True).grade == "failed"
     p = Symbol("p", real=True)
     near = Program("near", (x,), ((p, x + 3 - Rational(1, 10**6)),), (p,))
-    lemma = Theorem("lemma", "", "s3", "", (Claim("c", (greater(p + 1, 0),), (greater(p, 0),)),), FALSE)
+    lemma = Theorem("lemma", "", "", (Claim("c", (greater(p + 1, 0),), (greater(p, 0),)),), FALSE)
     borrowing = Claim("c", (greater(p + 1, 0),), (), near, borrowed=(("lemma", "c"),))
-    borrower = Theorem("attack", "", "s3", "", (borrowing,), FALSE, uses=("lemma",))
+    borrower = Theorem("attack", "", "", (borrowing,), FALSE, uses=("lemma",))
     with pytest.raises(ValueError, match="not all given"):
         examine(borrower, {"lemma": lemma, "attack": borrower}, anew=True)
 
@@ -345,11 +345,11 @@ def test_a_state_has_one_recurrence():
 def test_a_clause_without_a_claim_is_argued():
     true = Claim("said", (greater(x**2 + 1, 0),))
     words = (Clause("A square is not negative,", (true,)), Clause("nor is a fourth power.", argued="not written down"))
-    theorem = Theorem("attack", "", "s3", words, mutants=FALSE, expected="argued")
+    theorem = Theorem("attack", "", words, mutants=FALSE, expected="argued")
     assert examine(theorem, {"attack": theorem}, anew=True).grade == "argued"
     for wrong in ((words[0], Clause("More.")), (words[1],)):
         with pytest.raises(ValueError, match=r"clause|claims"):
-            Theorem("attack", "", "s3", wrong, mutants=FALSE)
+            Theorem("attack", "", wrong, mutants=FALSE)
 
 
 def test_a_hypothesis_that_no_proof_uses_is_left_out():

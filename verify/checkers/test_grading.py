@@ -19,7 +19,7 @@ TRUE = FALSE.but(given=(x > 1,))
 
 def theorem(id, uses=(), claim=TRUE, mutants=None):
     mutants = mutants or (Mutant("2 for 1", claim.but(shows=(equation((x * y + x) / x, y + 2),))),) * 2
-    return Theorem(id, id, "s3", "", (claim,), mutants, (Step("all", "at once"),), uses=uses)
+    return Theorem(id, id, "", (claim,), mutants, (Step("all", "at once"),), uses=uses)
 
 
 def test_theorems_that_use_each_other_are_an_error():

@@ -25,7 +25,7 @@ def registry(monkeypatch):
 
 
 def measured(expected="measured", **more):
-    return Theorem("measured_here", "A measurement", "s3", "", expected=expected, **more)
+    return Theorem("measured_here", "A measurement", "", expected=expected, **more)
 
 
 def squares(bound=81, certified=False):
@@ -106,7 +106,7 @@ def given_a_lemma(relation, source="Blinn1978"):
         Mutant("−x", claim.but(shows=(at_least(-x, sin(x)),))),
         Mutant("x/2", claim.but(shows=(at_least(x / 2, sin(x)),))),
     )
-    return Theorem("lemma", "A lemma", "s3", "", (claim,), mutants, (Step("all", "at once"),))
+    return Theorem("lemma", "A lemma", "", (claim,), mutants, (Step("all", "at once"),))
 
 
 def test_what_rests_on_a_cited_lemma_says_so():
@@ -138,7 +138,7 @@ def test_a_claim_that_is_proved_may_not_rest_on_a_citation():
 
 def test_equations_may_be_cited_too():
     claim = Claim("given", (equation(cos(x) * 2, 2),), cited=(CitedLemma(equation(cos(x), 1), "Blinn1978"),))
-    theorem = Theorem("t", "t", "s3", "", (claim,), (Mutant("a", claim), Mutant("b", claim)))
+    theorem = Theorem("t", "t", "", (claim,), (Mutant("a", claim), Mutant("b", claim)))
     assert examine(theorem, {}, anew=True).grade == "failed"  # proved given a lemma that the samples contradict
 
 

@@ -55,7 +55,7 @@ def test_every_certificate_has_a_script():
 
 
 def test_what_has_no_certificate_has_no_script(monkeypatch, capsys):
-    cited = Theorem("elsewhere", "Elsewhere", "s3", "", expected="cited", source="Blinn1978")
+    cited = Theorem("elsewhere", "Elsewhere", "", expected="cited", source="Blinn1978")
     monkeypatch.setattr("proofs.engine.standalone.all_theorems", lambda: {"elsewhere": cited})
     with pytest.raises(ValueError, match="elsewhere is cited: it has no certificate"):
         standalone_script("elsewhere")
