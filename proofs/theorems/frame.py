@@ -5,14 +5,13 @@ from sympy import Rational, cos, diff, sin
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import chain
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
-from proofs.formulas.camera import POLE, angles_on_a, discriminant_a, rho_raw, t_a
+from proofs.formulas.camera import POLE, angles_on_a, t_a
 from proofs.formulas.symbols import (
     cos_phi,
     cos_theta,
     cross,
     dot,
     eye,
-    lengths_of_a,
     normal,
     phi,
     radius,
@@ -24,6 +23,7 @@ from proofs.formulas.symbols import (
     y,
 )
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, tangent_frame, unit_normal
+from proofs.theorems.hits import ray_meets_a
 from proofs.theorems.relations import equations
 
 frame = chain("frame", unit_normal, tangent_frame)
@@ -99,7 +99,6 @@ _seed = Claim(
     (on_circles[1], *_north),
     frame,
 )
-_off_the_pole = (*lengths_of_a, eye > radius, rho_raw >= POLE * eye, discriminant_a >= 0)
 _angles = Claim(
     "angles",
     (
@@ -113,7 +112,7 @@ _angles = Claim(
         equation(cos_phi**2 + sin_phi**2, 1),
         greater(sin_phi, 0),
     ),
-    _off_the_pole,
+    ray_meets_a,
     angles_on_a,
 )
 

@@ -36,8 +36,11 @@ def distance_squared(point, center):
 
 
 _origin = (0, 0, 0)
-_domain = (*lengths_of_a, eye > radius, rho_raw >= POLE * eye, discriminant_a >= 0)
-_solves_a = Claim("solves", (equation(distance_squared(along(t_a), _origin), radius**2), t_a > 0), _domain, hit_of_a)
+eye_outside_a = (*lengths_of_a, eye > radius, rho_raw >= POLE * eye)
+ray_meets_a = (*eye_outside_a, discriminant_a >= 0)
+_solves_a = Claim(
+    "solves", (equation(distance_squared(along(t_a), _origin), radius**2), t_a > 0), ray_meets_a, hit_of_a
+)
 _near_a = Claim(
     "near",
     (
@@ -46,13 +49,13 @@ _near_a = Claim(
         (rho**2 + eye**2) * t - eye**2 + root_a >= 0,
         t >= t_a,
     ),
-    (*_domain, equation(distance_squared(along(t), _origin), radius**2)),
+    (*ray_meets_a, equation(distance_squared(along(t), _origin), radius**2)),
     hit_of_a,
 )
 _misses_a = Claim(
     "misses",
     (distance_squared(along(t), _origin) > radius**2,),
-    (*lengths_of_a, eye > radius, rho_raw >= POLE * eye, discriminant_a < 0),
+    (*eye_outside_a, discriminant_a < 0),
     hit_of_a,
     squares=((rho**2 + eye**2) * t - eye**2,),
 )

@@ -4,12 +4,11 @@ from sympy import Rational
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
-from proofs.formulas.camera import POLE, discriminant_a, hit_of_a, ray_direction, rho_raw, root_a, t_a, tangent_squared
-from proofs.formulas.symbols import dot, eye, lengths_of_a, radius, real, rho, rho_silhouette, x, y
-from proofs.theorems.hits import along
+from proofs.formulas.camera import discriminant_a, hit_of_a, ray_direction, root_a, t_a, tangent_squared
+from proofs.formulas.symbols import dot, eye, radius, real, rho, rho_silhouette, x, y
+from proofs.theorems.hits import along, eye_outside_a, ray_meets_a
 
 t = real("t")
-_eye_outside = (*lengths_of_a, eye > radius, rho_raw >= POLE * eye)
 _square = rho**2 + eye**2
 _inside = Claim(
     "inside",
@@ -19,16 +18,14 @@ _inside = Claim(
         at_least(tangent_squared * (rho_silhouette - rho), 0),
         discriminant_a >= 0,
     ),
-    (*_eye_outside, rho <= rho_silhouette),
+    (*eye_outside_a, rho <= rho_silhouette),
     hit_of_a,
 )
-_only_inside = Claim(
-    "only_inside", (rho_silhouette > 0, rho <= rho_silhouette), (*_eye_outside, discriminant_a >= 0), hit_of_a
-)
+_only_inside = Claim("only_inside", (rho_silhouette > 0, rho <= rho_silhouette), ray_meets_a, hit_of_a)
 _quadratic = Claim(
-    "quadratic", (equation(discriminant_a, eye**4 - _square * (eye**2 - radius**2)),), _eye_outside, hit_of_a
+    "quadratic", (equation(discriminant_a, eye**4 - _square * (eye**2 - radius**2)),), eye_outside_a, hit_of_a
 )
-_in_front = Claim("in_front", (greater(t_a, 0), greater(1, t_a)), (*_eye_outside, discriminant_a >= 0), hit_of_a)
+_in_front = Claim("in_front", (greater(t_a, 0), greater(1, t_a)), ray_meets_a, hit_of_a)
 _touching = along(1 - radius**2 / eye**2)
 _tangent = Claim(
     "tangent",
@@ -39,10 +36,10 @@ _tangent = Claim(
         equation(dot(_touching, ray_direction), 0),
         equation(eye * _touching[2], radius**2),
     ),
-    (*_eye_outside, equation((x**2 + y**2) * (eye**2 - radius**2), eye**2 * radius**2)),
+    (*eye_outside_a, equation((x**2 + y**2) * (eye**2 - radius**2), eye**2 * radius**2)),
     hit_of_a,
 )
-_on_a = (*_eye_outside, discriminant_a >= 0, equation(dot(along(t), along(t)), radius**2))
+_on_a = (*ray_meets_a, equation(dot(along(t), along(t)), radius**2))
 _cos_phi = along(t)[2] / radius
 _from_center = _square * t - eye**2
 _place = (
