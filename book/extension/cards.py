@@ -15,7 +15,7 @@ from docutils.parsers.rst import directives
 from markupsafe import Markup
 from pygments import highlight
 from pygments.formatters import HtmlFormatter
-from pygments.lexers import CoqLexer
+from pygments.lexers import get_lexer_by_name
 
 from book.build import stamps
 from book.extension import checker
@@ -84,7 +84,7 @@ def card(book: Here, id: str) -> Filled:
 
 def coq(name: str, statement: str) -> Markup:
     """A statement of Coq's, coloured."""
-    return Markup(highlight(f"Theorem {name} :\n  {statement}.", CoqLexer(), HtmlFormatter(nowrap=True)))
+    return Markup(highlight(f"Theorem {name} :\n  {statement}.", get_lexer_by_name("coq"), HtmlFormatter(nowrap=True)))
 
 
 def axioms(names: list[str]) -> str:
