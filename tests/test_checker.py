@@ -185,18 +185,19 @@ def test_an_open_card_has_no_serious_violation(page):
 
 
 def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(page, page_of):
-    """That ε > 0 is a hypothesis that v + ε = v⁺ does not need."""
-    place = card(page(page_of("central_difference_of_sine")), "central_difference_of_sine")
+    """That sin² + cos² = 1 is what the oddness of a sine does not need."""
+    name = "clamped_difference_of_odd"
+    place = card(page(page_of(name)), name)
     press(place, CHANGE)
     line = place.locator(".check-line").first
-    assert line.inner_text() == "ε > 0"
+    circle = line.inner_text()
     line.click()
-    place.locator(".check-chips button").click()
+    place.locator(".check-chips button").first.click()
     place.locator(".check-editor .check-accepted").wait_for()
-    assert line.inner_text() == "−ε > 0"
+    assert line.inner_text() == f"−{circle}"
     assert "Accepted all the same" in verdict(place.locator(".check-editor"))
     box = place.locator(".check-panel input")
-    box.fill("2 epsilon - epsilon")  # what it was
+    box.fill("2 cos(pi*k_u*u)^2 - cos(pi*k_u*u)^2 + sin(pi*k_u*u)^2 - 1")  # what it was
     place.get_by_text("as it was").wait_for()
 
 

@@ -33,34 +33,24 @@ def search(statement: dict, squares: Iterable = (), effort: int = MAX_EFFORT) ->
 
 
 def _derivation(statement, squares, effort):
-    proofs, inverses = [], _inverses(statement)
+    proofs = []
 
     def meet(goal, facts, values):
-        proofs.append(find(goal, facts, values, inverses, squares, effort))
+        proofs.append(find(goal, facts, values, squares, effort))
 
     kernel.derive(statement, meet)
     return {"proofs": proofs}
 
 
-def _inverses(statement):
-    """Return [(name, index of its equation among the facts)] of the statement's inverses."""
-    found, index = [], 0
-    for step in statement["steps"]:
-        if step["step"] == "inverse":
-            found.append((step["new"], index))
-        index += {"define": 0, "root": 2}.get(step["step"], 1)
-    return found
-
-
-def find(goal, facts, values, inverses=(), squares=(), effort=2):
+def find(goal, facts, values, squares=(), effort=2):
     """Return a proof of the goal from the facts, or raise NotFound."""
     names = [name for name, value in values.items() if value == kernel.variable(name)]
     equations = {i: p for i, (p, relation) in enumerate(facts) if relation == "="}
     ideal = Ideal(names, equations)
     p, relation = goal
     if relation == "=":
-        cofactors = ideal.members(ideal.element(p), [n for n in inverses if n[0] in names])
-        if cofactors is not None:
+        remainder, cofactors = ideal.divide(ideal.element(p))
+        if not remainder:
             return {"rule": "ideal", "cofactors": _stored(ideal, cofactors)}
         if len(p) > 8:  # the square of a long polynomial is too long to guess with
             raise _not_found(ideal, goal)
