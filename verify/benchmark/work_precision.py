@@ -12,7 +12,6 @@ import os
 from functools import lru_cache, partial
 from pathlib import Path
 
-import mpmath
 import numpy as np
 from tqdm import tqdm
 
@@ -25,6 +24,7 @@ from verify.benchmark.label import label, write
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, sample
 from verify.benchmark.plan import Case, run
 from verify.evaluate.arrays import distance, in_balls
+from verify.evaluate.balls import ball_of
 from verify.reference import reference_pixel
 
 RESULTS = Path(__file__).parents[1] / "results"
@@ -34,16 +34,11 @@ FRAMES = {"forward": forward, "central": central, "central, 4th order": central4
 CHANNELS = ("red", "green", "blue")
 
 
-def angles_of(u, v):
-    """Return cos θ, sin θ, cos φ, sin φ of chart points, each rounded once from the exact value."""
-    balls = in_balls(chart_inverse, {"u": u, "v": v})
-    return tuple(np.array([float(b.mid()) for b in balls[s.name]]) for s in chart_inverse.outputs)
-
-
 def points_for(method, count):
-    """Return the arrays that a method takes, for `count` points."""
+    """Return the arrays that a method takes, for `count` points; each angle is rounded once from the exact value."""
     u, v = sample(count)
-    return angles_of(u, v) if method.angles else (u, v)
+    balls = in_balls(chart_inverse, {"u": u, "v": v}) if method.angles else {}
+    return tuple(angle.astype(float) for angle in balls.values()) or (u, v)
 
 
 @lru_cache
@@ -57,11 +52,7 @@ def largest_error(found, count):
     """Return the largest |error| of h_u and h_v over the sample's points, as a float."""
     truth = truth_at(count)
     if found[0].dtype == object:  # mpmath's own numbers, whose error may be far below float64's
-        with mpmath.workdps(70):
-            exactly = ([mpmath.mpf(b.str(60, radius=False)) for b in truth[n]] for n in ("h_u", "h_v"))
-            return float(
-                max(abs(a - b) for f, t in zip(found, exactly, strict=True) for a, b in zip(f, t, strict=True))
-            )
+        found = [np.frompyfunc(ball_of, 1, 1)(f) for f in found]
     return max(float(distance(f, truth[n]).max()) for f, n in zip(found, ("h_u", "h_v"), strict=True))
 
 

@@ -44,6 +44,12 @@ def joined(decisive, *conditions):
     return decisive if decisive in conditions else (None if None in conditions else not decisive)
 
 
+def ball_of(number):
+    """Return an mpf as a ball of its exact value."""
+    negative, mantissa, exponent, _ = number._mpf_
+    return arb((-int(mantissa) if negative else int(mantissa), int(exponent)))
+
+
 def power(base, exponent):
     """Return base^exponent for base ≥ 0 by its meaning, exponent > 0; a ball that reaches below 0 is cut off there."""
     if base > 0:

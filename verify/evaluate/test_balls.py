@@ -11,17 +11,11 @@ from proofs.engine.program import Program
 from proofs.formulas.symbols import real
 from renderer import Scene, render
 from verify.accuracy.pixels import COLORS, SCENES, balls_of, checked_pixel, chosen, problems
-from verify.evaluate.balls import Balls
+from verify.evaluate.balls import Balls, ball_of
 from verify.reference import reference_pixel, scene_values
 
 a, b, c, d = real("a b c d")
 SIZE = 96
-
-
-def fraction(number):
-    """Return an mpf as a ball of its exact value."""
-    negative, mantissa, exponent, _ = number._mpf_
-    return arb((-int(mantissa) if negative else int(mantissa), int(exponent)))
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -36,7 +30,7 @@ def test_balls_enclose_the_reference(name):
         coarse, undecided = balls_of(scene.field, scene.model, 2)(values)
         with ctx.workprec(400):
             for color in COLORS:
-                assert abs(fine[color].mid() - fraction(truth[color])) < arb(10) ** -48
+                assert abs(fine[color].mid() - ball_of(truth[color])) < arb(10) ** -48
                 assert undecided or coarse[color].contains(fine[color].mid())
 
 
@@ -83,4 +77,4 @@ def test_a_pixel_that_is_off_is_found():
 
 def test_the_reference_needs_no_ball():
     with mpmath.workdps(30):
-        assert fraction(mpmath.mpf("-0.75")) == arb(-0.75)
+        assert ball_of(mpmath.mpf("-0.75")) == arb(-0.75)
