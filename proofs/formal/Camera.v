@@ -11,7 +11,7 @@ Definition distance2 (t x y e cx cy cz : R) := (t * x - cx) ^ 2 + (t * y - cy) ^
 Definition on_a (t x y e r : R) := distance2 t x y e 0 0 0 = r ^ 2.
 Definition on_b (t x y e cx cy cz r : R) := distance2 t x y e cx cy cz = r ^ 2.
 
-Definition dot (ax ay az bx by_ bz : R) := ax * bx + ay * by_ + az * bz.
+Definition dot3 (ax ay az bx by_ bz : R) := ax * bx + ay * by_ + az * bz.
 Definition cross2 (ax ay az bx by_ bz : R) :=
   (ay * bz - az * by_) ^ 2 + (az * bx - ax * bz) ^ 2 + (ax * by_ - ay * bx) ^ 2.
 
@@ -195,40 +195,40 @@ Qed.
    |a|^2 r^2 - |a x w|^2 and (a.w)^2 - |a|^2 (|w|^2 - r^2). *)
 Theorem lagrange_identity__of_b (x y e cx cy cz r : R) :
   hit_of_b.discriminant_b x y e cx cy cz r =
-    dot x y (- e) x y (- e) * r ^ 2 - cross2 x y (- e) cx cy (cz - e) /\
+    dot3 x y (- e) x y (- e) * r ^ 2 - cross2 x y (- e) cx cy (cz - e) /\
   hit_of_b.discriminant_b x y e cx cy cz r =
-    dot x y (- e) cx cy (cz - e) ^ 2
-    - dot x y (- e) x y (- e) * (dot cx cy (cz - e) cx cy (cz - e) - r ^ 2).
-Proof. unfold hit_of_b.discriminant_b, hit_of_b.distance, dot, cross2. split; ring. Qed.
+    dot3 x y (- e) cx cy (cz - e) ^ 2
+    - dot3 x y (- e) x y (- e) * (dot3 cx cy (cz - e) cx cy (cz - e) - r ^ 2).
+Proof. unfold hit_of_b.discriminant_b, hit_of_b.distance, dot3, cross2. split; ring. Qed.
 
 (* Not with w = C in place of C - E. *)
 Theorem lagrange_identity__of_b__false : ~ forall x y e cx cy cz r : R,
   hit_of_b.discriminant_b x y e cx cy cz r =
-    dot x y (- e) cx cy (cz - e) ^ 2 - dot x y (- e) x y (- e) * (dot cx cy cz cx cy cz - r ^ 2).
-Proof. intros F. specialize (F 0 0 1 0 0 0 1). unfold hit_of_b.discriminant_b, hit_of_b.distance, dot in F. lra. Qed.
+    dot3 x y (- e) cx cy (cz - e) ^ 2 - dot3 x y (- e) x y (- e) * (dot3 cx cy cz cx cy cz - r ^ 2).
+Proof. intros F. specialize (F 0 0 1 0 0 0 1). unfold hit_of_b.discriminant_b, hit_of_b.distance, dot3 in F. lra. Qed.
 
 (* The same for a shadow, with a = L - P, w = C - P. *)
 Theorem lagrange_identity__of_shadow (px py pz lx ly lz cx cy cz r : R) :
   let ax := lx - px in let ay := ly - py in let az := lz - pz in
   let wx := cx - px in let wy := cy - py in let wz := cz - pz in
   let d := shadow.shadow_discriminant px py pz lx ly lz cx cy cz r in
-  d = dot ax ay az ax ay az * r ^ 2 - cross2 ax ay az wx wy wz /\
-  d = dot ax ay az wx wy wz ^ 2 - dot ax ay az ax ay az * (dot wx wy wz wx wy wz - r ^ 2).
+  d = dot3 ax ay az ax ay az * r ^ 2 - cross2 ax ay az wx wy wz /\
+  d = dot3 ax ay az wx wy wz ^ 2 - dot3 ax ay az ax ay az * (dot3 wx wy wz wx wy wz - r ^ 2).
 Proof.
   intros. unfold d, shadow.shadow_discriminant, shadow.segment_squared, shadow.segment_x, shadow.segment_y,
-    shadow.segment_z, shadow.offset_x, shadow.offset_y, shadow.offset_z, dot, cross2, ax, ay, az, wx, wy, wz.
+    shadow.segment_z, shadow.offset_x, shadow.offset_y, shadow.offset_z, dot3, cross2, ax, ay, az, wx, wy, wz.
   split; ring.
 Qed.
 
 (* Not with + |a x w|^2. *)
 Theorem lagrange_identity__of_shadow__false : ~ forall px py pz lx ly lz cx cy cz r : R,
   shadow.shadow_discriminant px py pz lx ly lz cx cy cz r =
-  dot (lx - px) (ly - py) (lz - pz) (lx - px) (ly - py) (lz - pz) * r ^ 2
+  dot3 (lx - px) (ly - py) (lz - pz) (lx - px) (ly - py) (lz - pz) * r ^ 2
   + cross2 (lx - px) (ly - py) (lz - pz) (cx - px) (cy - py) (cz - pz).
 Proof.
   intros F. specialize (F 0 0 0 1 0 0 0 1 0 0).
   unfold shadow.shadow_discriminant, shadow.segment_squared, shadow.segment_x, shadow.segment_y,
-    shadow.segment_z, shadow.offset_x, shadow.offset_y, shadow.offset_z, dot, cross2 in F. lra.
+    shadow.segment_z, shadow.offset_x, shadow.offset_y, shadow.offset_z, dot3, cross2 in F. lra.
 Qed.
 
 (* A ray meets A exactly if rho <= rho_s = e R / sqrt (e^2 - R^2). *)
@@ -312,7 +312,7 @@ Qed.
 Theorem silhouette_of_a__tangent (x y e r : R) : 0 < r < e -> off_axis x y e ->
   sqrt (x ^ 2 + y ^ 2) = silhouette_of_a.rho_silhouette e r ->
   exists t, hit_of_a.t_a x y e r = Finite t /\ on_a t x y e r /\ (forall s, on_a s x y e r -> s = t) /\
-  dot (t * x) (t * y) (e * (1 - t)) x y (- e) = 0 /\ e * (1 - t) = r ^ 2 / e /\
+  dot3 (t * x) (t * y) (e * (1 - t)) x y (- e) = 0 /\ e * (1 - t) = r ^ 2 / e /\
   forall phi, e * (1 - t) = r * cos phi -> cos phi = r / e.
 Proof.
   intros H O E. destruct (rho_silhouette_squared e r H) as [P S]. rewrite <- E, pow2_sqrt in S by nra.
@@ -328,7 +328,7 @@ Proof.
   - intros s M. apply quadratic_a in M. assert (((x ^ 2 + y ^ 2 + e ^ 2) * s - e ^ 2) ^ 2 = 0) by nra.
     assert ((x ^ 2 + y ^ 2 + e ^ 2) * s = e ^ 2) by nra.
     apply (Rmult_eq_reg_l (x ^ 2 + y ^ 2 + e ^ 2)); [lra | nra].
-  - unfold dot. nra.
+  - unfold dot3. nra.
   - intros phi Q. rewrite K in Q. apply (Rmult_eq_reg_l r); [rewrite <- Q; field; lra | lra].
 Qed.
 
@@ -436,29 +436,29 @@ Proof.
 Qed.
 
 (* The constant of B's quadratic: the eye is outside B where it is positive. *)
-Definition c_of_b (e cx cy cz r : R) := dot cx cy (cz - e) cx cy (cz - e) - r ^ 2.
+Definition c_of_b (e cx cy cz r : R) := dot3 cx cy (cz - e) cx cy (cz - e) - r ^ 2.
 
 (* |P(t) - C|^2 - R_2^2 = |D|^2 t^2 - 2 b t + c and d = b^2 - |D|^2 c, with D = (x, y, -e), b = -D.(E - C). *)
 Theorem hit_of_b__quadratic (t x y e cx cy cz r : R) :
-  hit_of_b.toward_b x y e cx cy cz = - dot x y (- e) (- cx) (- cy) (e - cz) /\
+  hit_of_b.toward_b x y e cx cy cz = - dot3 x y (- e) (- cx) (- cy) (e - cz) /\
   distance2 t x y e cx cy cz - r ^ 2 =
-    dot x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t + c_of_b e cx cy cz r /\
+    dot3 x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t + c_of_b e cx cy cz r /\
   hit_of_b.discriminant_b x y e cx cy cz r =
-    hit_of_b.toward_b x y e cx cy cz ^ 2 - dot x y (- e) x y (- e) * c_of_b e cx cy cz r.
+    hit_of_b.toward_b x y e cx cy cz ^ 2 - dot3 x y (- e) x y (- e) * c_of_b e cx cy cz r.
 Proof.
-  unfold distance2, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance, c_of_b, dot.
+  unfold distance2, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance, c_of_b, dot3.
   repeat split; ring.
 Qed.
 
 (* Not with the seed's constant, |C|^2 - R_2^2. *)
 Theorem hit_of_b__quadratic__false : ~ forall t x y e cx cy cz r : R, distance2 t x y e cx cy cz - r ^ 2 =
-  dot x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t + (dot cx cy cz cx cy cz - r ^ 2).
+  dot3 x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t + (dot3 cx cy cz cx cy cz - r ^ 2).
 Proof.
-  intros F. specialize (F 0 0 0 1 0 0 0 0). unfold distance2, hit_of_b.toward_b, hit_of_b.distance, dot in F. lra.
+  intros F. specialize (F 0 0 0 1 0 0 0 0). unfold distance2, hit_of_b.toward_b, hit_of_b.distance, dot3 in F. lra.
 Qed.
 
 Lemma quadratic_b t x y e cx cy cz r : on_b t x y e cx cy cz r <->
-  dot x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t + c_of_b e cx cy cz r = 0.
+  dot3 x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t + c_of_b e cx cy cz r = 0.
 Proof. destruct (hit_of_b__quadratic t x y e cx cy cz r) as (_ & Q & _). unfold on_b. split; intros; lra. Qed.
 
 (* If c > 0, d >= 0 and b > 0, then t = c / (b + sqrt d) is the least root of |P(t) - C|^2 = R_2^2, and t > 0. *)
@@ -471,21 +471,22 @@ Theorem hit_of_b__near (x y e cx cy cz r on : R) : 0 < on -> 0 < c_of_b e cx cy 
 Proof.
   intros On C D B. destruct (hit_of_b__quadratic 0 x y e cx cy cz r) as (_ & _ & Q).
   set (b := hit_of_b.toward_b x y e cx cy cz) in *. set (d := hit_of_b.discriminant_b x y e cx cy cz r) in *.
-  assert (A : 0 < dot x y (- e) x y (- e)).
-  { destruct (Rle_lt_dec (dot x y (- e) x y (- e)) 0) as [N | P]; [exfalso | exact P]. unfold dot in N.
+  assert (A : 0 < dot3 x y (- e) x y (- e)).
+  { destruct (Rle_lt_dec (dot3 x y (- e) x y (- e)) 0) as [N | P]; [exfalso | exact P]. unfold dot3 in N.
     assert (x = 0 /\ y = 0 /\ e = 0) as (-> & -> & ->) by (repeat split; nra).
     unfold b, hit_of_b.toward_b in B. lra. }
   destruct (near_root _ b _ d A B C Q D) as (P & _ & S & N & _).
   eexists. split; [| split; [reflexivity | split; [exact P | split]]].
   - unfold hit_of_b.t_b, hit_of_b.root_b. fold b. fold d. rewrite Rmax_right by exact D.
-    destruct both as [_ | [[N1 | N1] | N1]]; [do 2 f_equal; [unfold c_of_b, dot, hit_of_b.distance |]; ring | | |]; lra.
+    destruct both as [_ | [[N1 | N1] | N1]]; [do 2 f_equal; [unfold c_of_b, dot3, hit_of_b.distance |]; ring | | |];
+      lra.
   - apply quadratic_b. exact S.
   - intros s M. apply N, quadratic_b. exact M.
 Qed.
 
 Lemma point_b : hit_of_b.toward_b 0 0 4 0 0 0 = 16 /\ hit_of_b.discriminant_b 0 0 4 0 0 0 1 = 16 /\
   c_of_b 4 0 0 0 1 = 15.
-Proof. unfold hit_of_b.toward_b, hit_of_b.discriminant_b, hit_of_b.distance, c_of_b, dot. repeat split; lra. Qed.
+Proof. unfold hit_of_b.toward_b, hit_of_b.discriminant_b, hit_of_b.distance, c_of_b, dot3. repeat split; lra. Qed.
 
 Theorem hit_of_b__near__point : exists x y e cx cy cz r on, 0 < on /\ 0 < c_of_b e cx cy cz r /\
   0 <= hit_of_b.discriminant_b x y e cx cy cz r /\ 0 < hit_of_b.toward_b x y e cx cy cz.
@@ -513,14 +514,14 @@ Proof.
   intros C B. split.
   - unfold hit_of_b.t_b. destruct both as [[_ N] |]; [lra | reflexivity].
   - intros t M. apply quadratic_b in M. destruct (Rlt_le_dec t 0) as [L | L]; [exact L | exfalso].
-    assert (0 <= dot x y (- e) x y (- e)) by (unfold dot; nra).
-    assert (0 <= dot x y (- e) x y (- e) * t ^ 2) by nra. nra.
+    assert (0 <= dot3 x y (- e) x y (- e)) by (unfold dot3; nra).
+    assert (0 <= dot3 x y (- e) x y (- e) * t ^ 2) by nra. nra.
 Qed.
 
 Theorem hit_of_b__behind__point : exists x y e cx cy cz r,
   0 < c_of_b e cx cy cz r /\ hit_of_b.toward_b x y e cx cy cz <= 0.
 Proof.
-  exists 0, 0, 4, 0, 0, 8, 1. unfold c_of_b, hit_of_b.toward_b, hit_of_b.distance, dot. lra.
+  exists 0, 0, 4, 0, 0, 8, 1. unfold c_of_b, hit_of_b.toward_b, hit_of_b.distance, dot3. lra.
 Qed.
 
 (* Not with the sign of b turned. *)
@@ -548,7 +549,7 @@ Proof.
   intros He Hr Hc. assert (0 < e ^ 2 * c_of_b e cx cy cz r ^ 2 * r ^ 2)
     by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat |]; nra).
   intros c h xx xy yy xz yz zz. repeat split; try (apply Rgt_not_eq; exact H);
-    unfold zz, yz, xz, yy, xy, xx, h, c, c_of_b, hit_of_b.discriminant_b, hit_of_b.distance, dot; ring.
+    unfold zz, yz, xz, yy, xy, xx, h, c, c_of_b, hit_of_b.discriminant_b, hit_of_b.distance, dot3; ring.
 Qed.
 
 Theorem silhouette_of_b__conic__point : exists e cx cy cz r, 0 < e /\ 0 < r /\ 0 < c_of_b e cx cy cz r.
@@ -568,7 +569,7 @@ Definition type_of_b (e cx cy cz r : R) :=
   (cx ^ 2 - c_of_b e cx cy cz r) * (cy ^ 2 - c_of_b e cx cy cz r) - (cx * cy) ^ 2.
 
 Lemma type_of_b_value e cx cy cz r : type_of_b e cx cy cz r = c_of_b e cx cy cz r * ((e - cz) ^ 2 - r ^ 2).
-Proof. unfold type_of_b, c_of_b, dot. ring. Qed.
+Proof. unfold type_of_b, c_of_b, dot3. ring. Qed.
 
 Lemma above_sphere h r : 0 < r -> r < Rabs h -> r ^ 2 < h ^ 2.
 Proof. intros Hr H. rewrite <- (pow2_abs h). nra. Qed.
@@ -589,7 +590,7 @@ Proof. exists 4, 0, 0, 0, 1. destruct point_b as (_ & _ & ->). rewrite Rabs_pos_
 Theorem silhouette_of_b__ellipse__false : ~ forall e cx cy cz r : R, 0 < r -> 0 < c_of_b e cx cy cz r ->
   0 < type_of_b e cx cy cz r.
 Proof.
-  intros F. specialize (F 3 2 0 3 1). unfold type_of_b, c_of_b, dot in F. specialize (F ltac:(lra) ltac:(lra)). lra.
+  intros F. specialize (F 3 2 0 3 1). unfold type_of_b, c_of_b, dot3 in F. specialize (F ltac:(lra) ltac:(lra)). lra.
 Qed.
 
 (* A parabola if |H| = R_2. *)
@@ -599,13 +600,13 @@ Proof. intros Hr Hc H. rewrite type_of_b_value, <- (pow2_abs (e - cz)), H. ring.
 
 Theorem silhouette_of_b__parabola__point : exists e cx cy cz r,
   0 < r /\ 0 < c_of_b e cx cy cz r /\ Rabs (e - cz) = r.
-Proof. exists 4, 2, 0, 3, 1. unfold c_of_b, dot. rewrite Rabs_pos_eq; lra. Qed.
+Proof. exists 4, 2, 0, 3, 1. unfold c_of_b, dot3. rewrite Rabs_pos_eq; lra. Qed.
 
 (* Not at other heights. *)
 Theorem silhouette_of_b__parabola__false : ~ forall e cx cy cz r : R, 0 < r -> 0 < c_of_b e cx cy cz r ->
   type_of_b e cx cy cz r = 0.
 Proof.
-  intros F. specialize (F 3 2 0 3 1). unfold type_of_b, c_of_b, dot in F. specialize (F ltac:(lra) ltac:(lra)). lra.
+  intros F. specialize (F 3 2 0 3 1). unfold type_of_b, c_of_b, dot3 in F. specialize (F ltac:(lra) ltac:(lra)). lra.
 Qed.
 
 (* A quadratic that is negative somewhere and rises has a root on either side. *)
@@ -631,7 +632,7 @@ Theorem silhouette_of_b__hyperbola (e cx cy cz r : R) : 0 < e -> 0 < r -> 0 < c_
   (exists x y, hit_of_b.discriminant_b x y e cx cy cz r = 0 /\ hit_of_b.toward_b x y e cx cy cz < 0).
 Proof.
   intros He Hr Hc H. apply beside_sphere in H. split; [rewrite type_of_b_value; nra |].
-  set (w := cx ^ 2 + cy ^ 2). assert (W : c_of_b e cx cy cz r = w + ((e - cz) ^ 2 - r ^ 2)) by (unfold c_of_b, dot, w;
+  set (w := cx ^ 2 + cy ^ 2). assert (W : c_of_b e cx cy cz r = w + ((e - cz) ^ 2 - r ^ 2)) by (unfold c_of_b, dot3, w;
     ring).
   set (c := c_of_b e cx cy cz r) in *. set (h := e - cz) in *.
   assert (T : forall s, hit_of_b.toward_b (s * cx) (s * cy) e cx cy cz = s * w + e * h)
@@ -639,7 +640,7 @@ Proof.
   assert (V : forall s, hit_of_b.discriminant_b (s * cx) (s * cy) e cx cy cz r =
     (w ^ 2 - c * w) * s ^ 2 + 2 * (w * e * h) * s + e ^ 2 * (h ^ 2 - c)).
   { intros s. destruct (hit_of_b__quadratic 0 (s * cx) (s * cy) e cx cy cz r) as (_ & _ & ->). rewrite T. fold c.
-    unfold dot, w. ring. }
+    unfold dot3, w. ring. }
   assert (P : 0 < w) by lra.
   destruct (two_roots (w ^ 2 - c * w) (w * e * h) (e ^ 2 * (h ^ 2 - c)) (- (e * h) / w)) as (s1 & s2 & O & R1 & R2).
   - nra.
@@ -652,13 +653,13 @@ Qed.
 
 Theorem silhouette_of_b__hyperbola__point : exists e cx cy cz r,
   0 < e /\ 0 < r /\ 0 < c_of_b e cx cy cz r /\ Rabs (e - cz) < r.
-Proof. exists 3, 2, 0, 3, 1. unfold c_of_b, dot. replace (3 - 3) with 0 by ring. rewrite Rabs_R0. lra. Qed.
+Proof. exists 3, 2, 0, 3, 1. unfold c_of_b, dot3. replace (3 - 3) with 0 by ring. rewrite Rabs_R0. lra. Qed.
 
 (* Not if |H| = R_2 is allowed. *)
 Theorem silhouette_of_b__hyperbola__false : ~ forall e cx cy cz r : R, 0 < e -> 0 < r -> 0 < c_of_b e cx cy cz r ->
   Rabs (e - cz) <= r -> type_of_b e cx cy cz r < 0.
 Proof.
-  intros F. specialize (F 4 2 0 3 1). rewrite Rabs_pos_eq in F by lra. unfold type_of_b, c_of_b, dot in F.
+  intros F. specialize (F 4 2 0 3 1). rewrite Rabs_pos_eq in F by lra. unfold type_of_b, c_of_b, dot3 in F.
   specialize (F ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
@@ -673,7 +674,7 @@ Theorem silhouette_of_b__branch (x y e cx cy cz r on : R) : 0 < e -> 0 < on -> 0
 Proof.
   intros He On C D b. split; [| split].
   - intros B. destruct (hit_of_b__quadratic 0 x y e cx cy cz r) as (_ & _ & Q). fold b in Q. rewrite D, B in Q.
-    assert (0 < dot x y (- e) x y (- e)) by (unfold dot; nra). nra.
+    assert (0 < dot3 x y (- e) x y (- e)) by (unfold dot3; nra). nra.
   - intros B. destruct (hit_of_b__near x y e cx cy cz r on) as (t & T & _ & P & M & _); try assumption; [lra |].
     exists t. auto.
   - intros B. apply hit_of_b__behind; [exact C | unfold b in B; lra].
@@ -682,7 +683,7 @@ Qed.
 Theorem silhouette_of_b__branch__point : exists x y e cx cy cz r on, 0 < e /\ 0 < on /\ 0 < c_of_b e cx cy cz r /\
   hit_of_b.discriminant_b x y e cx cy cz r = 0.
 Proof.
-  exists 3, 0, 4, 0, 0, (-1), 3, 1. unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.distance, dot. lra.
+  exists 3, 0, 4, 0, 0, (-1), 3, 1. unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.distance, dot3. lra.
 Qed.
 
 (* Not all of it has b > 0. *)
@@ -690,7 +691,7 @@ Theorem silhouette_of_b__branch__false : ~ forall x y e cx cy cz r : R, 0 < e ->
   hit_of_b.discriminant_b x y e cx cy cz r = 0 -> 0 < hit_of_b.toward_b x y e cx cy cz.
 Proof.
   intros F. specialize (F 3 0 4 0 0 9 3).
-  unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance, dot in F.
+  unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance, dot3 in F.
   specialize (F ltac:(lra) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
@@ -713,8 +714,8 @@ Proof.
   - unfold hit_of_b.toward_b, hit_of_b.distance. ring.
   - pose proof (pow2_ge_0 (x * cy - y * cx)). nra.
   - nra.
-  - unfold c_of_b, dot in *. nra.
-  - rewrite Q in D. unfold dot in D. lra.
+  - unfold c_of_b, dot3 in *. nra.
+  - rewrite Q in D. unfold dot3 in D. lra.
 Qed.
 
 (* All of it is seen if H >= R_2. *)
@@ -731,7 +732,7 @@ Theorem silhouette_of_b__all_seen__false : ~ forall x y e cx cy cz r : R, 0 < e 
   0 <= e - cz -> 0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz.
 Proof.
   intros F. specialize (F (-2) 0 1 2 0 1 1).
-  unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance, dot in F.
+  unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance, dot3 in F.
   specialize (F ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
@@ -743,7 +744,7 @@ Proof. intros He Hr C H D. apply (seen_of_b x y e cx cy cz r); try assumption; n
 Theorem silhouette_of_b__none_seen__point : exists x y e cx cy cz r, 0 < e /\ 0 < r /\ 0 < c_of_b e cx cy cz r /\
   e - cz <= - r /\ 0 <= hit_of_b.discriminant_b x y e cx cy cz r.
 Proof.
-  exists 0, 0, 4, 0, 0, 8, 1. unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.distance, dot. lra.
+  exists 0, 0, 4, 0, 0, 8, 1. unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.distance, dot3. lra.
 Qed.
 
 (* Not if H is more. *)
@@ -751,7 +752,7 @@ Theorem silhouette_of_b__none_seen__false : ~ forall x y e cx cy cz r : R, 0 < e
   e - cz <= 0 -> 0 <= hit_of_b.discriminant_b x y e cx cy cz r -> hit_of_b.toward_b x y e cx cy cz < 0.
 Proof.
   intros F. specialize (F 2 0 1 2 0 1 1).
-  unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance, dot in F.
+  unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance, dot3 in F.
   specialize (F ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
@@ -762,9 +763,9 @@ Theorem silhouette_of_b__meets (x y e cx cy cz r : R) : 0 < c_of_b e cx cy cz r 
 Proof.
   intros C. split.
   - intros (t & P & M). apply quadratic_b in M.
-    destruct (hit_of_b__quadratic t x y e cx cy cz r) as (_ & _ & ->). set (a := dot x y (- e) x y (- e)) in *.
+    destruct (hit_of_b__quadratic t x y e cx cy cz r) as (_ & _ & ->). set (a := dot3 x y (- e) x y (- e)) in *.
     set (b := hit_of_b.toward_b x y e cx cy cz) in *. set (c := c_of_b e cx cy cz r) in *.
-    assert (A : 0 <= a * t ^ 2) by (apply Rmult_le_pos; [unfold a, dot |]; nra). split.
+    assert (A : 0 <= a * t ^ 2) by (apply Rmult_le_pos; [unfold a, dot3 |]; nra). split.
     + replace (b ^ 2 - a * c) with ((a * t - b) ^ 2 - a * (a * t ^ 2 - 2 * b * t + c)) by ring.
       rewrite M. pose proof (pow2_ge_0 (a * t - b)). lra.
     + apply (Rmult_lt_reg_r t); lra.
@@ -780,7 +781,7 @@ Theorem silhouette_of_b__meets__false : ~ forall x y e cx cy cz r : R, 0 < c_of_
   0 <= hit_of_b.discriminant_b x y e cx cy cz r -> exists t, 0 < t /\ on_b t x y e cx cy cz r.
 Proof.
   intros F. destruct (F 0 0 4 0 0 8 1) as (t & P & M).
-  1, 2: unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.distance, dot; lra.
+  1, 2: unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.distance, dot3; lra.
   unfold on_b, distance2 in M. nra.
 Qed.
 
@@ -1158,6 +1159,25 @@ Proof.
   replace (5 / 3) with (25 / (sqrt 15 * sqrt 15)) by (rewrite Q; field). field. lra.
 Qed.
 
+(* A pixel's centre is at x = (2 m - 255) sqrt 15 / 768, y = (1083 - 10 n) sqrt 15 / 3840. *)
+Theorem pixels_off_the_pole__centre (m n : Z) : pixel_x m = (2 * IZR m - 255) * sqrt 15 / 768 /\
+  pixel_y n = (1083 - 10 * IZR n) * sqrt 15 / 3840.
+Proof.
+  unfold pixel_x, pixel_y, image_point.x, image_point.y, image_extent.half, image_extent.tangent_squared.
+  replace ((4 - 1) * (4 + 1)) with 15 by ring. pose proof (sqrt_lt_R0 15 ltac:(lra)).
+  pose proof (sqrt_sqrt 15 ltac:(lra)) as Q. set (q := sqrt 15) in *.
+  replace (5 / 4 * 4 * 1 / q) with (q / 3).
+  - split; field.
+  - apply (Rmult_eq_reg_r (3 * q)); [field_simplify; lra | lra].
+Qed.
+
+(* The rows do not go up. *)
+Theorem pixels_off_the_pole__centre__false : ~ forall n : Z, pixel_y n = (10 * IZR n - 1083) * sqrt 15 / 3840.
+Proof.
+  intros F. specialize (F 0%Z). rewrite (proj2 (pixels_off_the_pole__centre 0 0)) in F.
+  pose proof (sqrt_lt_R0 15 ltac:(lra)). lra.
+Qed.
+
 Lemma pixel_far m n : 34 / 15 / 256 ^ 2 <= pixel_x m ^ 2 + pixel_y n ^ 2.
 Proof.
   rewrite pixel_value. assert (A : 1 <= (2 * IZR m - 255) ^ 2).
@@ -1467,8 +1487,63 @@ Proof.
 Qed.
 
 (* Not where it is > 0. *)
-Theorem bump_moves_no_boundary__checker__false : ~ forall x y : R, checker.dark x y = 1 <-> 0 < sin (PI * x) * sin (PI * y).
+Theorem bump_moves_no_boundary__checker__false : ~ forall x y : R, checker.dark x y = 1 <->
+  0 < sin (PI * x) * sin (PI * y).
 Proof.
   intros F. specialize (F (1 / 2) (1 / 2)). rewrite bump_moves_no_boundary__checker in F.
   replace (PI * (1 / 2)) with (PI / 2) in F by field. rewrite sin_PI2 in F. lra.
+Qed.
+
+(* The hit on B has the point P(t) and the outward unit normal (P(t) - C) / R_2. *)
+Theorem hit_of_b__normal (x y e cx cy cz r on : R) : 0 < r -> 0 < on -> 0 < c_of_b e cx cy cz r ->
+  0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz ->
+  exists t, hit_of_b.t_b x y e cx cy cz r on = Finite t /\
+  (point_on_b.point_x x y e cx cy cz r on = t * x /\ point_on_b.point_y x y e cx cy cz r on = t * y /\
+   point_on_b.point_z x y e cx cy cz r on = e * (1 - t)) /\
+  (normal_of_b.normal_x x y e cx cy cz r on = (t * x - cx) / r /\
+   normal_of_b.normal_y x y e cx cy cz r on = (t * y - cy) / r /\
+   normal_of_b.normal_z x y e cx cy cz r on = (e * (1 - t) - cz) / r) /\
+  normal_of_b.normal_x x y e cx cy cz r on ^ 2 + normal_of_b.normal_y x y e cx cy cz r on ^ 2
+    + normal_of_b.normal_z x y e cx cy cz r on ^ 2 = 1.
+Proof.
+  intros R On C D B. destruct (hit_of_b__near x y e cx cy cz r on On C D B) as (t & T & _ & _ & M & _).
+  pose proof (normal_of_b_divisors x y e cx cy cz r on R On C D B) as L. exists t. split; [exact T |].
+  unfold point_on_b.point_x, point_on_b.point_y, point_on_b.point_z, normal_of_b.normal_x, normal_of_b.normal_y,
+    normal_of_b.normal_z. rewrite L. unfold normal_of_b.radius_vector_x, normal_of_b.radius_vector_y,
+    normal_of_b.radius_vector_z, normal_of_b.point_x, normal_of_b.point_y, normal_of_b.point_z.
+  change normal_of_b.t_b with hit_of_b.t_b. change point_on_b.t_b with hit_of_b.t_b. rewrite T. simpl real.
+  split; [repeat split |]. split; [repeat split |]. unfold on_b, distance2 in M.
+  replace (_ + _ + _) with (((t * x - cx) ^ 2 + (t * y - cy) ^ 2 + (e * (1 - t) - cz) ^ 2) / r ^ 2) by (field; lra).
+  rewrite M. field. lra.
+Qed.
+
+Theorem hit_of_b__normal__point : exists x y e cx cy cz r on, 0 < r /\ 0 < on /\ 0 < c_of_b e cx cy cz r /\
+  0 <= hit_of_b.discriminant_b x y e cx cy cz r /\ 0 < hit_of_b.toward_b x y e cx cy cz.
+Proof. exists 0, 0, 4, 0, 0, 0, 1, 1. destruct point_b as (-> & -> & ->). lra. Qed.
+
+(* Not the inward one. *)
+Theorem hit_of_b__normal__false : ~ forall x y e cx cy cz r on : R, 0 < r -> 0 < on -> 0 < c_of_b e cx cy cz r ->
+  0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz ->
+  exists t, hit_of_b.t_b x y e cx cy cz r on = Finite t /\
+  normal_of_b.normal_z x y e cx cy cz r on = (cz - e * (1 - t)) / r.
+Proof.
+  intros F. destruct point_b as (B & D & C). destruct (F 0 0 4 0 0 0 1 1) as (t & T & Z); try lra.
+  destruct (hit_of_b__normal 0 0 4 0 0 0 1 1) as (s & S & _ & (X & Y & Q) & U); try lra.
+  rewrite S in T. apply Rbar_finite_eq in T. subst s. rewrite X, Y, Q in U. rewrite Q in Z. nra.
+Qed.
+
+(* The view direction is the unit vector from the image point (x, y, 0), and so from every point of its ray, to the
+   eye. *)
+Lemma view_direction_value (x y e : R) : 0 < e -> let s := view_length.view_scale x y e in
+  view_direction.view_x x s = (0 - x) / sqrt (dot3 x y (- e) x y (- e)) /\
+  view_direction.view_y y s = (0 - y) / sqrt (dot3 x y (- e) x y (- e)) /\
+  view_direction.view_z e s = (e - 0) / sqrt (dot3 x y (- e) x y (- e)) /\ 0 < sqrt (dot3 x y (- e) x y (- e)) /\
+  view_direction.view_x x s ^ 2 + view_direction.view_y y s ^ 2 + view_direction.view_z e s ^ 2 = 1.
+Proof.
+  intros H s. destruct (view_length_divisors x y e H) as [P N]. pose proof (sqrt_lt_R0 _ P).
+  pose proof (sqrt_sqrt _ (Rlt_le _ _ P)) as Q.
+  unfold s, view_length.view_scale, view_direction.view_x, view_direction.view_y, view_direction.view_z.
+  replace (dot3 x y (- e) x y (- e)) with (e ^ 2 + x ^ 2 + y ^ 2) by (unfold dot3; ring).
+  set (l := sqrt (e ^ 2 + x ^ 2 + y ^ 2)) in *. repeat split; try (field; lra); [assumption |].
+  replace (_ + _ + _) with ((e ^ 2 + x ^ 2 + y ^ 2) / (l * l)) by (field; lra). rewrite Q. field. lra.
 Qed.

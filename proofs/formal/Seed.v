@@ -1,5 +1,6 @@
 (* The seed's false statements, each refuted at a point: ~ (statement). A refutation shows that the hypotheses hold
-   there. Its false variant is the refutation of the statement put right: that one holds, so ~ ~ (statement put right). *)
+   there. Its false variant is the refutation of the statement put right: that one holds, so ~ ~ (statement put right).
+   *)
 
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
@@ -8,24 +9,24 @@ Open Scope R_scope.
 
 (* The constant term of sphere B's quadratic is |C|^2 - R_2^2: not in the default scene. *)
 Theorem seed_quadratic_of_b__constant : ~ forall t x y e cx cy cz r : R, distance2 t x y e cx cy cz - r ^ 2 =
-  dot x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t + (dot cx cy cz cx cy cz - r ^ 2).
+  dot3 x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t + (dot3 cx cy cz cx cy cz - r ^ 2).
 Proof.
-  intros F. specialize (F 0 0 0 4 (1 / 2) (1 / 2) (13 / 10) (8 / 25)). unfold distance2, hit_of_b.toward_b, dot in F.
+  intros F. specialize (F 0 0 0 4 (1 / 2) (1 / 2) (13 / 10) (8 / 25)). unfold distance2, hit_of_b.toward_b, dot3 in F.
   lra.
 Qed.
 
 (* It is |E - C|^2 - R_2^2. *)
 Theorem seed_quadratic_of_b__constant__false : ~ ~ forall t x y e cx cy cz r : R, distance2 t x y e cx cy cz - r ^ 2 =
-  dot x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t
-  + (dot cx cy (cz - e) cx cy (cz - e) - r ^ 2).
+  dot3 x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t
+  + (dot3 cx cy (cz - e) cx cy (cz - e) - r ^ 2).
 Proof. intros N. apply N. intros. apply hit_of_b__quadratic. Qed.
 
 (* The default scene's b, and the seed's c = |C|^2 - R_2^2 = 2.0876 in place of |E - C|^2 - R_2^2. *)
 Definition scene_b (x y : R) := hit_of_b.toward_b x y 4 (1 / 2) (1 / 2) (13 / 10).
-Definition seed_c := dot (1 / 2) (1 / 2) (13 / 10) (1 / 2) (1 / 2) (13 / 10) - (8 / 25) ^ 2.
-Definition seed_d (x y : R) := scene_b x y ^ 2 - dot x y (- (4)) x y (- (4)) * seed_c.
+Definition seed_c := dot3 (1 / 2) (1 / 2) (13 / 10) (1 / 2) (1 / 2) (13 / 10) - (8 / 25) ^ 2.
+Definition seed_d (x y : R) := scene_b x y ^ 2 - dot3 x y (- (4)) x y (- (4)) * seed_c.
 
-Ltac seed_scene := unfold seed_d, seed_c, scene_b, hit_of_b.toward_b, hit_of_b.distance, dot in *.
+Ltac seed_scene := unfold seed_d, seed_c, scene_b, hit_of_b.toward_b, hit_of_b.distance, dot3 in *.
 
 (* Every ray with |x|, |y| <= 2 has b^2 - |D|^2 c > 0 and a root c / (b + sqrt d) in (0, 1/4). *)
 Theorem seed_covers_the_view__covers (x y : R) : Rabs x <= 2 -> Rabs y <= 2 ->
@@ -34,7 +35,7 @@ Theorem seed_covers_the_view__covers (x y : R) : Rabs x <= 2 -> Rabs y <= 2 ->
 Proof.
   intros X Y. apply Rabs_le_between in X, Y. assert (C : seed_c = 20876 / 10000) by (seed_scene; lra).
   assert (B : 35 / 4 < scene_b x y) by (seed_scene; lra).
-  assert (D : 0 < seed_d x y) by (unfold seed_d; rewrite C; unfold dot; nra).
+  assert (D : 0 < seed_d x y) by (unfold seed_d; rewrite C; unfold dot3; nra).
   pose proof (sqrt_pos (seed_d x y)). repeat split; try assumption.
   - apply Rdiv_lt_0_compat; lra.
   - apply (Rmult_lt_reg_r (scene_b x y + sqrt (seed_d x y))); [lra |]. field_simplify; lra.
@@ -197,9 +198,9 @@ Definition triple (ct st cp sp h_u h_v beta h : R) :=
   let dx := displaced_normal.displaced_x ct st cp sp h_u h_v beta h in
   let dy := displaced_normal.displaced_y ct st cp sp h_u h_v beta h in
   let dz := displaced_normal.displaced_z cp sp h_u h_v beta h in
-  PI * dot nx ny nz (my * dz - mz * dy) (mz * dx - mx * dz) (mx * dy - my * dx).
+  PI * dot3 nx ny nz (my * dz - mz * dy) (mz * dx - mx * dz) (mx * dy - my * dx).
 
-Ltac both_normals := unfold triple, dot, displaced_normal.displaced_x, displaced_normal.displaced_y,
+Ltac both_normals := unfold triple, dot3, displaced_normal.displaced_x, displaced_normal.displaced_y,
   displaced_normal.displaced_z, displaced_normal.lift, displaced_normal.h_theta, displaced_normal.h_phi,
   displaced_normal.normal_x, displaced_normal.normal_y, displaced_normal.normal_z, displaced_normal.e_theta_x,
   displaced_normal.e_theta_y, displaced_normal.e_theta_z, displaced_normal.e_phi_x, displaced_normal.e_phi_y,
@@ -235,7 +236,7 @@ Theorem seed_bump_as_displacement__same_direction : ~ forall theta phi h_u h_v b
     k * bumped_normal.m_z (cos phi) (sin phi) h_u h_v beta.
 Proof.
   intros F. apply seed_bump_as_displacement__parallel. intros theta phi h_u h_v beta h S L.
-  destruct (F theta phi h_u h_v beta h S L) as (k & _ & X & Y & Z). unfold triple, dot. rewrite X, Y, Z. ring.
+  destruct (F theta phi h_u h_v beta h S L) as (k & _ & X & Y & Z). unfold triple, dot3. rewrite X, Y, Z. ring.
 Qed.
 
 (* They have the same direction where h_u = h_v = 0. *)
@@ -253,7 +254,7 @@ Qed.
 
 (* The one-sided difference of N' with step 10^-7 is its derivative in beta to 10^-12: not where beta g_x = 3/4. *)
 Theorem seed_step_in_beta__verifies : ~ forall nx ny nz gx gy gz beta : R,
-  dot nx ny nz nx ny nz = 1 -> dot nx ny nz gx gy gz = 0 ->
+  dot3 nx ny nz nx ny nz = 1 -> dot3 nx ny nz gx gy gz = 0 ->
   Rabs ((perturbed.bumped_x nx ny nz gx gy gz (beta + 1 / 10 ^ 7) - perturbed.bumped_x nx ny nz gx gy gz beta)
     / (1 / 10 ^ 7) - normal_by_beta.bumped_by_beta_x nx ny nz gx gy gz beta) <= 1 / 10 ^ 12.
 Proof.
@@ -262,7 +263,7 @@ Proof.
   assert (T : 0 < t) by (unfold t; lra). assert (G : 24 < g < 26) by (unfold g, b, t; split; lra).
   assert (E : beta * g = 3 / 4) by (unfold beta; field; lra).
   assert (E' : (beta + 1 / 10 ^ 7) * g = b) by (rewrite Rmult_plus_distr_r, E; unfold g; field).
-  intros F. specialize (F 0 0 1 g 0 0 beta ltac:(unfold dot; lra) ltac:(unfold dot; lra)).
+  intros F. specialize (F 0 0 1 g 0 0 beta ltac:(unfold dot3; lra) ltac:(unfold dot3; lra)).
   assert (L : forall a l, 0 <= l -> (a * g) ^ 2 + 1 = l ^ 2 -> perturbed.m_length 0 0 1 g 0 0 a = l).
   { intros a l P Q. apply sqrt_is; [exact P |]. rewrite <- Q. unfold perturbed.m_x, perturbed.m_y, perturbed.m_z. ring.
     }
@@ -561,7 +562,7 @@ Qed.
 (* The bump moves no shadow: where N faces a light, N.omega > 0, so does N'. Not at N = (0, 0, 1), beta g = (3/4, 0, 0),
    omega = (-12, 0, 5) / 13. *)
 Theorem attached_shadow__in_light : ~ forall nx ny nz gx gy gz beta px py pz lx ly lz : R,
-  dot nx ny nz nx ny nz = 1 -> dot nx ny nz gx gy gz = 0 -> 0 < light_direction.light_distance px py pz lx ly lz ->
+  dot3 nx ny nz nx ny nz = 1 -> dot3 nx ny nz gx gy gz = 0 -> 0 < light_direction.light_distance px py pz lx ly lz ->
   0 < light_direction.mu px py pz lx ly lz nx ny nz ->
   0 < light_direction.mu px py pz lx ly lz (perturbed.bumped_x nx ny nz gx gy gz beta)
     (perturbed.bumped_y nx ny nz gx gy gz beta) (perturbed.bumped_z nx ny nz gx gy gz beta).
@@ -573,19 +574,19 @@ Proof.
   revert F. unfold light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z,
     light_direction.light_scale, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z,
     perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale. rewrite L, M.
-  unfold perturbed.m_x, perturbed.m_y, perturbed.m_z, dot. lra.
+  unfold perturbed.m_x, perturbed.m_y, perturbed.m_z, dot3. lra.
 Qed.
 
 (* It does at beta = 0. *)
 Theorem attached_shadow__in_light__false : ~ ~ forall nx ny nz gx gy gz px py pz lx ly lz : R,
-  dot nx ny nz nx ny nz = 1 -> 0 < light_direction.mu px py pz lx ly lz nx ny nz ->
+  dot3 nx ny nz nx ny nz = 1 -> 0 < light_direction.mu px py pz lx ly lz nx ny nz ->
   0 < light_direction.mu px py pz lx ly lz (perturbed.bumped_x nx ny nz gx gy gz 0)
     (perturbed.bumped_y nx ny nz gx gy gz 0) (perturbed.bumped_z nx ny nz gx gy gz 0).
 Proof.
   intros N. apply N. intros nx ny nz gx gy gz px py pz lx ly lz U M.
   assert (L : perturbed.m_length nx ny nz gx gy gz 0 = 1).
-  { apply sqrt_is; [lra |]. transitivity (dot nx ny nz nx ny nz); [| lra].
-    unfold dot, perturbed.m_x, perturbed.m_y, perturbed.m_z. ring. }
+  { apply sqrt_is; [lra |]. transitivity (dot3 nx ny nz nx ny nz); [| lra].
+    unfold dot3, perturbed.m_x, perturbed.m_y, perturbed.m_z. ring. }
   unfold perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale. rewrite L, Rinv_1.
   unfold perturbed.m_x, perturbed.m_y, perturbed.m_z. rewrite !Rmult_0_l, !Rplus_0_l, !Rmult_1_l. exact M.
 Qed.

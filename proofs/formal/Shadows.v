@@ -6,7 +6,7 @@ From Formal Require Import Preliminaries Formulas Camera.
 Open Scope R_scope.
 
 Ltac shadow_lines := unfold shadow.shadow_discriminant, shadow.toward_center, shadow.segment_squared, shadow.segment_x,
-  shadow.segment_y, shadow.segment_z, shadow.offset_x, shadow.offset_y, shadow.offset_z, dot, cross2.
+  shadow.segment_y, shadow.segment_z, shadow.offset_x, shadow.offset_y, shadow.offset_z, dot3, cross2.
 
 (* The square of the distance of two points. *)
 Definition apart2 (px py pz qx qy qz : R) := (px - qx) ^ 2 + (py - qy) ^ 2 + (pz - qz) ^ 2.
@@ -35,8 +35,8 @@ Qed.
 Theorem occlusion_by_signs__quadratic (s px py pz lx ly lz cx cy cz r : R) :
   let a2 := shadow.segment_squared px py pz lx ly lz in
   let aw := shadow.toward_center px py pz lx ly lz cx cy cz in
-  a2 = dot (lx - px) (ly - py) (lz - pz) (lx - px) (ly - py) (lz - pz) /\
-  aw = dot (lx - px) (ly - py) (lz - pz) (cx - px) (cy - py) (cz - pz) /\
+  a2 = dot3 (lx - px) (ly - py) (lz - pz) (lx - px) (ly - py) (lz - pz) /\
+  aw = dot3 (lx - px) (ly - py) (lz - pz) (cx - px) (cy - py) (cz - pz) /\
   apart2 (px + s * (lx - px)) (py + s * (ly - py)) (pz + s * (lz - pz)) cx cy cz - r ^ 2 =
     a2 * s ^ 2 - 2 * aw * s + (apart2 cx cy cz px py pz - r ^ 2) /\
   shadow.shadow_discriminant px py pz lx ly lz cx cy cz r = aw ^ 2 - a2 * (apart2 cx cy cz px py pz - r ^ 2).
@@ -148,28 +148,28 @@ Qed.
 (* |a|^2 - a.w' = (P - L).(C - L). *)
 Theorem shadow_along_a_row__away (px py pz lx ly lz cx cy cz : R) :
   shadow.segment_squared px py pz lx ly lz - shadow.toward_center px py pz lx ly lz cx cy cz =
-  dot (px - lx) (py - ly) (pz - lz) (cx - lx) (cy - ly) (cz - lz).
+  dot3 (px - lx) (py - ly) (pz - lz) (cx - lx) (cy - ly) (cz - lz).
 Proof. shadow_lines. ring. Qed.
 
 (* Not (P - L).(L - C). *)
 Theorem shadow_along_a_row__away__false : ~ forall px py pz lx ly lz cx cy cz : R,
   shadow.segment_squared px py pz lx ly lz - shadow.toward_center px py pz lx ly lz cx cy cz =
-  dot (px - lx) (py - ly) (pz - lz) (lx - cx) (ly - cy) (lz - cz).
+  dot3 (px - lx) (py - ly) (pz - lz) (lx - cx) (ly - cy) (lz - cz).
 Proof. intros F. specialize (F 1 0 0 0 0 0 1 0 0). revert F. shadow_lines. lra. Qed.
 
 (* On the floor the discriminant is ((P - L).w)^2 - c |P - L|^2, w = L - C, c = |w|^2 - r^2: a quadratic in (x, y) whose
    quadratic part has the determinant c (w_z^2 - r^2). *)
 Theorem shadow_of_b_on_floor__conic (lx ly lz cx cy cz r : R) :
-  let wx := lx - cx in let wy := ly - cy in let wz := lz - cz in let c := dot wx wy wz wx wy wz - r ^ 2 in
+  let wx := lx - cx in let wy := ly - cy in let wz := lz - cz in let c := dot3 wx wy wz wx wy wz - r ^ 2 in
   let xx := wx ^ 2 - c in let xy := wx * wy in let yy := wy ^ 2 - c in
   (forall x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r =
-    dot (x - lx) (y - ly) (0 - lz) wx wy wz ^ 2 - c * apart2 x y 0 lx ly lz) /\
+    dot3 (x - lx) (y - ly) (0 - lz) wx wy wz ^ 2 - c * apart2 x y 0 lx ly lz) /\
   (exists e f g, forall x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r =
     xx * x ^ 2 + 2 * xy * x * y + yy * y ^ 2 + e * x + f * y + g) /\
   xx * yy - xy ^ 2 = c * (wz ^ 2 - r ^ 2).
 Proof.
   intros. split; [intros; unfold apart2, c, wx, wy, wz; shadow_lines; ring |].
-  split; [| unfold xx, xy, yy, c, dot; ring].
+  split; [| unfold xx, xy, yy, c, dot3; ring].
   set (d x y := shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r).
   exists ((d 1 0 - d (-1) 0) / 2), ((d 0 1 - d 0 (-1)) / 2), (d 0 0). intros x y.
   change (shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r) with (d x y).
@@ -177,12 +177,12 @@ Proof.
 Qed.
 
 (* Not with the determinant c (w_z^2 + r^2). *)
-Theorem shadow_of_b_on_floor__conic__false : ~ forall wx wy wz r : R, let c := dot wx wy wz wx wy wz - r ^ 2 in
+Theorem shadow_of_b_on_floor__conic__false : ~ forall wx wy wz r : R, let c := dot3 wx wy wz wx wy wz - r ^ 2 in
   (wx ^ 2 - c) * (wy ^ 2 - c) - (wx * wy) ^ 2 = c * (wz ^ 2 + r ^ 2).
-Proof. intros F. specialize (F 0 0 2 1). unfold dot in F. lra. Qed.
+Proof. intros F. specialize (F 0 0 2 1). unfold dot3 in F. lra. Qed.
 
 (* The light is outside the sphere where c is positive; the conic's type is the sign of its determinant. *)
-Definition c_of_light (lx ly lz cx cy cz r : R) := dot (lx - cx) (ly - cy) (lz - cz) (lx - cx) (ly - cy) (lz - cz) -
+Definition c_of_light (lx ly lz cx cy cz r : R) := dot3 (lx - cx) (ly - cy) (lz - cz) (lx - cx) (ly - cy) (lz - cz) -
   r ^ 2.
 Definition type_of_shadow (lx ly lz cx cy cz r : R) :=
   ((lx - cx) ^ 2 - c_of_light lx ly lz cx cy cz r) * ((ly - cy) ^ 2 - c_of_light lx ly lz cx cy cz r)
@@ -190,7 +190,7 @@ Definition type_of_shadow (lx ly lz cx cy cz r : R) :=
 
 Lemma type_of_shadow_value lx ly lz cx cy cz r :
   type_of_shadow lx ly lz cx cy cz r = c_of_light lx ly lz cx cy cz r * ((lz - cz) ^ 2 - r ^ 2).
-Proof. unfold type_of_shadow, c_of_light, dot. ring. Qed.
+Proof. unfold type_of_shadow, c_of_light, dot3. ring. Qed.
 
 (* An ellipse if the light is above the sphere's top or below its lowest point. *)
 Theorem shadow_of_b_on_floor__ellipse (lx ly lz cx cy cz r : R) : 0 < r -> 0 < c_of_light lx ly lz cx cy cz r ->
@@ -199,13 +199,13 @@ Proof. intros P C H. rewrite type_of_shadow_value. apply Rmult_lt_0_compat; [exa
 
 Theorem shadow_of_b_on_floor__ellipse__point : exists lx ly lz cx cy cz r : R,
   0 < r /\ 0 < c_of_light lx ly lz cx cy cz r /\ (cz + r < lz \/ lz < cz - r).
-Proof. exists 0, 0, 3, 0, 0, 0, 1. unfold c_of_light, dot. lra. Qed.
+Proof. exists 0, 0, 3, 0, 0, 0, 1. unfold c_of_light, dot3. lra. Qed.
 
 (* Not if it is level with the top. *)
 Theorem shadow_of_b_on_floor__ellipse__false : ~ forall lx ly lz cx cy cz r : R, 0 < r ->
   0 < c_of_light lx ly lz cx cy cz r -> cz + r <= lz -> 0 < type_of_shadow lx ly lz cx cy cz r.
 Proof.
-  intros F. specialize (F 0 0 3 2 0 2 1). unfold type_of_shadow, c_of_light, dot in F.
+  intros F. specialize (F 0 0 3 2 0 2 1). unfold type_of_shadow, c_of_light, dot3 in F.
   specialize (F ltac:(lra) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
@@ -216,13 +216,13 @@ Proof. intros P C H. rewrite type_of_shadow_value. destruct H as [-> | ->]; ring
 
 Theorem shadow_of_b_on_floor__parabola__point : exists lx ly lz cx cy cz r : R,
   0 < r /\ 0 < c_of_light lx ly lz cx cy cz r /\ (lz = cz + r \/ lz = cz - r).
-Proof. exists 0, 0, 3, 2, 0, 2, 1. unfold c_of_light, dot. lra. Qed.
+Proof. exists 0, 0, 3, 2, 0, 2, 1. unfold c_of_light, dot3. lra. Qed.
 
 (* Not if it is level with the centre. *)
 Theorem shadow_of_b_on_floor__parabola__false : ~ forall lx ly lz cx cy cz r : R, 0 < r ->
   0 < c_of_light lx ly lz cx cy cz r -> lz = cz -> type_of_shadow lx ly lz cx cy cz r = 0.
 Proof.
-  intros F. specialize (F 0 0 2 2 0 2 1). unfold type_of_shadow, c_of_light, dot in F.
+  intros F. specialize (F 0 0 2 2 0 2 1). unfold type_of_shadow, c_of_light, dot3 in F.
   specialize (F ltac:(lra) ltac:(lra) eq_refl). lra.
 Qed.
 
@@ -244,23 +244,24 @@ Proof.
   intros L P C H. assert (B : (lz - cz) ^ 2 < r ^ 2) by nra. split; [rewrite type_of_shadow_value; nra |].
   destruct (shadow_of_b_on_floor__conic lx ly lz cx cy cz r) as (D & _). fold (c_of_light lx ly lz cx cy cz r) in D.
   set (w := (lx - cx) ^ 2 + (ly - cy) ^ 2).
-  assert (W : c_of_light lx ly lz cx cy cz r = w + ((lz - cz) ^ 2 - r ^ 2)) by (unfold c_of_light, dot, w; ring).
+  assert (W : c_of_light lx ly lz cx cy cz r = w + ((lz - cz) ^ 2 - r ^ 2)) by (unfold c_of_light, dot3, w; ring).
   set (c := c_of_light lx ly lz cx cy cz r) in *. set (h := lz - cz) in *. assert (Q : 0 < w) by lra.
-  assert (A : forall x y, cast_away x y lx ly lz cx cy cz <-> dot (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) h < 0).
+  assert (A : forall x y, cast_away x y lx ly lz cx cy cz <->
+    dot3 (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) h < 0).
   { intros x y. unfold cast_away. pose proof (shadow_along_a_row__away x y 0 lx ly lz cx cy cz) as E.
-    unfold h, dot in *. split; intros; lra. }
+    unfold h, dot3 in *. split; intros; lra. }
   assert (A' : forall x y, cast_back x y lx ly lz cx cy cz <->
-    0 < dot (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) h).
+    0 < dot3 (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) h).
   { intros x y. unfold cast_back. pose proof (shadow_along_a_row__away x y 0 lx ly lz cx cy cz) as E.
-    unfold h, dot in *. split; intros; lra. }
+    unfold h, dot3 in *. split; intros; lra. }
   destruct (two_roots (w ^ 2 - c * w) (- (w * lz * h)) (lz ^ 2 * (h ^ 2 - c)) (lz * h / w)) as (s1 & s2 & O & R1 & R2).
   - nra.
   - replace (_ + _ + _) with (- c * lz ^ 2 * (h ^ 2 + w) / w) by (field; lra).
     assert (0 < c * lz ^ 2 * (h ^ 2 + w) / w); [| unfold Rdiv in *; lra].
     apply Rdiv_lt_0_compat; [| exact Q]. repeat apply Rmult_lt_0_compat; nra.
   - assert (K : w * (lz * h / w) = lz * h) by (field; lra).
-    assert (V : forall s, dot (lx + s * (lx - cx) - lx) (ly + s * (ly - cy) - ly) (0 - lz) (lx - cx) (ly - cy) h
-      = s * w - lz * h) by (intros; unfold dot, w; ring).
+    assert (V : forall s, dot3 (lx + s * (lx - cx) - lx) (ly + s * (ly - cy) - ly) (0 - lz) (lx - cx) (ly - cy) h
+      = s * w - lz * h) by (intros; unfold dot3, w; ring).
     assert (V2 : forall s, apart2 (lx + s * (lx - cx)) (ly + s * (ly - cy)) 0 lx ly lz = s ^ 2 * w + lz ^ 2)
       by (intros; unfold apart2, w; ring).
     split; [| split].
@@ -275,13 +276,13 @@ Qed.
 
 Theorem shadow_of_b_on_floor__hyperbola__point : exists lx ly lz cx cy cz r : R, 0 < lz /\ 0 < r /\
   0 < c_of_light lx ly lz cx cy cz r /\ cz - r < lz < cz + r.
-Proof. exists 0, 0, 2, 2, 0, 2, 1. unfold c_of_light, dot. lra. Qed.
+Proof. exists 0, 0, 2, 2, 0, 2, 1. unfold c_of_light, dot3. lra. Qed.
 
 (* Not if it is level with the top. *)
 Theorem shadow_of_b_on_floor__hyperbola__false : ~ forall lx ly lz cx cy cz r : R, 0 < lz -> 0 < r ->
   0 < c_of_light lx ly lz cx cy cz r -> cz - r < lz <= cz + r -> type_of_shadow lx ly lz cx cy cz r < 0.
 Proof.
-  intros F. specialize (F 0 0 3 2 0 2 1). unfold type_of_shadow, c_of_light, dot in F.
+  intros F. specialize (F 0 0 3 2 0 2 1). unfold type_of_shadow, c_of_light, dot3 in F.
   specialize (F ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
@@ -296,11 +297,11 @@ Proof.
     (shadow.segment_squared x y 0 lx ly lz - shadow.toward_center x y 0 lx ly lz cx cy cz)
     (c_of_light lx ly lz cx cy cz r) ((lx - cx) ^ 2 + (ly - cy) ^ 2) ((x - lx) ^ 2 + (y - ly) ^ 2)) as [S N];
     try assumption.
-  - rewrite A. unfold dot. ring.
+  - rewrite A. unfold dot3. ring.
   - pose proof (pow2_ge_0 ((x - lx) * (ly - cy) - (y - ly) * (lx - cx))). lra.
   - squares.
-  - unfold c_of_light, dot. lra.
-  - rewrite A. unfold apart2, dot in *. lra.
+  - unfold c_of_light, dot3. lra.
+  - rewrite A. unfold apart2, dot3 in *. lra.
   - split; intros G; [specialize (S G) | specialize (N G)]; lra.
 Qed.
 
@@ -346,12 +347,12 @@ Qed.
 
 (* The part cast away is decided by the sign of (P - L).(C - L) = |a|^2 - a.w'. *)
 Theorem shadow_of_b_on_floor__away (x y lx ly lz cx cy cz : R) :
-  cast_away x y lx ly lz cx cy cz <-> 0 < dot (x - lx) (y - ly) (0 - lz) (cx - lx) (cy - ly) (cz - lz).
+  cast_away x y lx ly lz cx cy cz <-> 0 < dot3 (x - lx) (y - ly) (0 - lz) (cx - lx) (cy - ly) (cz - lz).
 Proof. rewrite <- shadow_along_a_row__away. unfold cast_away. split; intros; lra. Qed.
 
 (* Not of the opposite. *)
 Theorem shadow_of_b_on_floor__away__false : ~ forall x y lx ly lz cx cy cz : R,
-  cast_away x y lx ly lz cx cy cz <-> 0 < dot (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) (lz - cz).
+  cast_away x y lx ly lz cx cy cz <-> 0 < dot3 (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) (lz - cz).
 Proof.
   intros F. specialize (F 1 0 0 0 1 1 0 0). revert F. unfold cast_away. shadow_lines. intros [F G]. lra.
 Qed.
@@ -360,13 +361,13 @@ Qed.
    type with w_z = L_z, an ellipse if L_z > R. *)
 Theorem shadow_of_a_on_floor__of_a (lx ly lz r : R) : 0 < r -> r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) ->
   (forall x y, shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r =
-    dot x y 0 lx ly lz ^ 2 - dot lx ly lz lx ly lz * dot x y 0 x y 0 + r ^ 2 * apart2 x y 0 lx ly lz) /\
+    dot3 x y 0 lx ly lz ^ 2 - dot3 lx ly lz lx ly lz * dot3 x y 0 x y 0 + r ^ 2 * apart2 x y 0 lx ly lz) /\
   type_of_shadow lx ly lz 0 0 0 r = (lx ^ 2 + ly ^ 2 + lz ^ 2 - r ^ 2) * (lz ^ 2 - r ^ 2) /\
   (r < lz -> 0 < type_of_shadow lx ly lz 0 0 0 r).
 Proof.
   intros P H. assert (N : 0 <= lx ^ 2 + ly ^ 2 + lz ^ 2) by squares. pose proof (sqrt_sqrt _ N).
-  split; [intros; unfold apart2; shadow_lines; ring |]. split; [unfold type_of_shadow, c_of_light, dot; ring |].
-  intros L. apply shadow_of_b_on_floor__ellipse; [exact P | unfold c_of_light, dot; nra | lra].
+  split; [intros; unfold apart2; shadow_lines; ring |]. split; [unfold type_of_shadow, c_of_light, dot3; ring |].
+  intros L. apply shadow_of_b_on_floor__ellipse; [exact P | unfold c_of_light, dot3; nra | lra].
 Qed.
 
 Theorem shadow_of_a_on_floor__of_a__point : exists lx ly lz r : R, 0 < r /\ r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2).
@@ -375,21 +376,21 @@ Proof. exists 0, 0, 2, 1. rewrite (sqrt_is _ 2); lra. Qed.
 (* Not with - R^2 |P - L|^2. *)
 Theorem shadow_of_a_on_floor__of_a__false : ~ forall x y lx ly lz r : R,
   shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r =
-  dot x y 0 lx ly lz ^ 2 - dot lx ly lz lx ly lz * dot x y 0 x y 0 - r ^ 2 * apart2 x y 0 lx ly lz.
+  dot3 x y 0 lx ly lz ^ 2 - dot3 lx ly lz lx ly lz * dot3 x y 0 x y 0 - r ^ 2 * apart2 x y 0 lx ly lz.
 Proof. intros F. specialize (F 0 0 1 0 0 1). revert F. unfold apart2. shadow_lines. lra. Qed.
 
 (* The shadow is its part with 0 < a.w' < |a|^2, beyond A: 0 < a.w' says P.L < |P|^2. *)
 Theorem shadow_of_a_on_floor__behind_a (x y lx ly lz r : R) : 0 < r -> r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) ->
   r < sqrt (x ^ 2 + y ^ 2) ->
-  shadow.toward_center x y 0 lx ly lz 0 0 0 = dot x y 0 x y 0 - dot x y 0 lx ly lz /\
+  shadow.toward_center x y 0 lx ly lz 0 0 0 = dot3 x y 0 x y 0 - dot3 x y 0 lx ly lz /\
   ((exists s, 0 < s < 1 /\ sqrt (apart2 (x + s * (lx - x)) (y + s * (ly - y)) (0 + s * (lz - 0)) 0 0 0) = r) <->
-   (0 <= shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r /\ dot x y 0 lx ly lz < dot x y 0 x y 0 /\
+   (0 <= shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r /\ dot3 x y 0 lx ly lz < dot3 x y 0 x y 0 /\
     cast_away x y lx ly lz 0 0 0)) /\
   (r <= lz -> (exists s, 0 < s < 1 /\
     sqrt (apart2 (x + s * (lx - x)) (y + s * (ly - y)) (0 + s * (lz - 0)) 0 0 0) = r) <->
-   (0 <= shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r /\ dot x y 0 lx ly lz < dot x y 0 x y 0)).
+   (0 <= shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r /\ dot3 x y 0 lx ly lz < dot3 x y 0 x y 0)).
 Proof.
-  intros R L P. assert (T : shadow.toward_center x y 0 lx ly lz 0 0 0 = dot x y 0 x y 0 - dot x y 0 lx ly lz)
+  intros R L P. assert (T : shadow.toward_center x y 0 lx ly lz 0 0 0 = dot3 x y 0 x y 0 - dot3 x y 0 lx ly lz)
     by (shadow_lines; ring). split; [exact T |].
   rewrite (occlusion_by_signs__iff x y 0 lx ly lz 0 0 0 r R), T.
   2: { replace (apart2 0 0 0 x y 0) with (x ^ 2 + y ^ 2) by (unfold apart2; ring). exact P. }
@@ -397,7 +398,8 @@ Proof.
   unfold cast_away. rewrite T. split; [split; intros; lra |]. intros H. split; [intros; lra |]. intros [D B].
   assert (N : 0 <= lx ^ 2 + ly ^ 2 + lz ^ 2) by squares. pose proof (sqrt_sqrt _ N).
   assert (A : cast_away x y lx ly lz 0 0 0).
-  { apply (shadow_of_b_on_floor__all_seen x y lx ly lz 0 0 0 r); try assumption; try lra. unfold c_of_light, dot. nra. }
+  { apply (shadow_of_b_on_floor__all_seen x y lx ly lz 0 0 0 r); try assumption; try lra. unfold c_of_light, dot3. nra.
+    }
   unfold cast_away in A. rewrite T in A. lra.
 Qed.
 
@@ -407,7 +409,7 @@ Proof. exists 2, 0, 0, 0, 2, 1. rewrite !(sqrt_is _ 2); lra. Qed.
 
 (* Not with |P|^2 < P.L, on the light's side. *)
 Theorem shadow_of_a_on_floor__behind_a__false : ~ forall x y lx ly lz : R,
-  0 < shadow.toward_center x y 0 lx ly lz 0 0 0 <-> dot x y 0 x y 0 < dot x y 0 lx ly lz.
+  0 < shadow.toward_center x y 0 lx ly lz 0 0 0 <-> dot3 x y 0 x y 0 < dot3 x y 0 lx ly lz.
 Proof. intros F. destruct (F 1 0 0 0 1) as [G _]. revert G. shadow_lines. lra. Qed.
 
 (* The length of a vector. *)
