@@ -1,0 +1,138 @@
+(* The image's derivative by beta: the chain rule through the lines of the shading. *)
+
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From Formal Require Import Preliminaries Formulas Vectors Fields.
+Open Scope R_scope.
+
+Lemma positive_nearby (f : R -> R) (x l : R) : is_derive f x l -> 0 < f x -> locally x (fun t => 0 < f t).
+Proof.
+  intros D P. apply (ex_derive_continuous f x (ex_intro _ l D) (fun y => 0 < y)). exists (mkposreal _ P). intros y B.
+  unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B. apply Rabs_def2 in B. lra.
+Qed.
+
+(* A clamp at 0 keeps the derivative above 0, and makes it 0 below. *)
+Lemma clamp_derive (f : R -> R) (x l : R) : is_derive f x l -> f x <> 0 -> is_derive (fun t => Rmax 0 (f t)) x (if Rlt_dec 0 (f x) then l else 0).
+Proof.
+  intros D N. destruct (Rlt_dec 0 (f x)) as [P|P].
+  - apply (is_derive_ext_loc f); [|exact D]. apply (filter_imp _ _ (fun t (H : 0 < f t) => eq_sym (Rmax_right 0 (f t) (Rlt_le _ _ H)))), (positive_nearby f x l); assumption.
+  - apply (is_derive_ext_loc (fun _ => 0)); [|auto_derive; trivial].
+    assert (Q : locally x (fun t => 0 < - f t)) by (apply (positive_nearby (fun t => - f t) x (- l)); [apply (is_derive_opp f), D | lra]).
+    revert Q. apply filter_imp. intros t H. rewrite Rmax_left; lra.
+Qed.
+
+(* base^p, and 0 at base = 0, for every p > 0. *)
+Definition highlight_of (base p : R) : R := if Rlt_dec 0 base then highlight.specular base p else 0.
+
+Lemma power_derive (f : R -> R) (x l p : R) : is_derive f x l -> f x <> 0 ->
+  is_derive (fun t => highlight_of (Rmax 0 (f t)) p) x (if Rlt_dec 0 (Rmax 0 (f x)) then p * Rpower (Rmax 0 (f x)) (p - 1) * l else 0).
+Proof.
+  intros D N. destruct (Rlt_dec 0 (f x)) as [P|P].
+  - rewrite Rmax_right by lra. destruct (Rlt_dec 0 (f x)) as [_|H]; [|contradiction].
+    apply (is_derive_ext_loc (fun t => exp (p * ln (f t)))).
+    + generalize (positive_nearby f x l D P). apply filter_imp. intros t H. unfold highlight_of. rewrite Rmax_right by lra. destruct (Rlt_dec 0 (f t)); [reflexivity | contradiction].
+    + eapply is_derive_is; [apply (is_derive_comp exp (fun t => p * ln (f t)) x (exp (p * ln (f x))) (p * (l * / f x)))|].
+      * apply is_derive_Reals, derivable_pt_lim_exp.
+      * apply (is_derive_scal (fun t => ln (f t))). apply (is_derive_comp ln f x (/ f x) l); [|exact D]. apply is_derive_Reals, derivable_pt_lim_ln, P.
+      * unfold scal. simpl. unfold mult. simpl. unfold Rpower. rewrite Rmult_minus_distr_r, Rmult_1_l. unfold Rminus. rewrite exp_plus, exp_Ropp, exp_ln by exact P. ring.
+  - rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra|]. apply (is_derive_ext_loc (fun _ => 0)); [|auto_derive; trivial].
+    assert (Q : locally x (fun t => 0 < - f t)) by (apply (positive_nearby (fun t => - f t) x (- l)); [apply (is_derive_opp f), D | lra]).
+    revert Q. apply filter_imp. intros t H. unfold highlight_of. rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra | reflexivity].
+Qed.
+
+(* Off mu = 0 and base = 0, a light's share of a channel has the derivative that is printed, for every p. *)
+Theorem image_derivative__share (mu base : R -> R) (beta mu_by_beta base_by_beta i albedo kd ks p : R) :
+  is_derive mu beta mu_by_beta -> is_derive base beta base_by_beta -> mu beta <> 0 -> base beta <> 0 ->
+  is_derive (fun b => light_term.lit_red 0 i albedo kd ks (mu b) (highlight_of (Rmax 0 (base b)) p)) beta
+    (term_derivative.term_by_beta (mu beta) mu_by_beta (Rmax 0 (base beta)) base_by_beta p kd ks albedo i).
+Proof.
+  intros DM DB NM NB. unfold light_term.lit_red, light_term.diffuse, light_term.shine, term_derivative.term_by_beta, term_derivative.diffuse_by_beta, term_derivative.shine_by_beta.
+  generalize (clamp_derive mu beta mu_by_beta DM NM) (power_derive base beta base_by_beta p DB NB). intros A B.
+  set (m := fun b => Rmax 0 (mu b)) in *. set (s := fun b => highlight_of (Rmax 0 (base b)) p) in *.
+  apply (is_derive_ext (fun b => i * (albedo * (kd * m b) + ks * s b) + 0)); [reflexivity|].
+  eapply is_derive_is.
+  - apply (is_derive_plus (fun b => i * (albedo * (kd * m b) + ks * s b)) (fun _ => 0)); [|apply is_derive_const].
+    apply (is_derive_scal (fun b => albedo * (kd * m b) + ks * s b)). apply (is_derive_plus (fun b => albedo * (kd * m b)) (fun b => ks * s b)).
+    + apply (is_derive_scal (fun b => kd * m b)), (is_derive_scal m), A.
+    + apply (is_derive_scal s), B.
+  - unfold plus, zero. simpl. destruct (Rlt_dec 0 (mu beta)), (Rlt_dec 0 (Rmax 0 (base beta))); ring.
+Qed.
+Theorem image_derivative__share__point : exists (mu base : R -> R) (beta m b : R), is_derive mu beta m /\ is_derive base beta b /\ mu beta <> 0 /\ base beta <> 0.
+Proof. exists (fun b => b), (fun b => b), 1, 1, 1. split; [|split; [|lra]]; auto_derive; trivial. Qed.
+
+Lemma times_derive (f : R -> R) (x l c : R) : is_derive f x l -> is_derive (fun t => f t * c) x (l * c).
+Proof. intro D. apply (is_derive_ext (fun t => c * f t)); [intro; apply Rmult_comm|]. rewrite Rmult_comm. apply (is_derive_scal f), D. Qed.
+
+Section lines.
+Variables nx ny nz : R -> R.
+Variables beta dx dy dz : R.
+Hypotheses (X : is_derive nx beta dx) (Y : is_derive ny beta dy) (Z : is_derive nz beta dz).
+Lemma product_derive (a b c : R) : is_derive (fun t => nx t * a + ny t * b + nz t * c) beta (dx * a + dy * b + dz * c).
+Proof.
+  apply (is_derive_plus (fun t => nx t * a + ny t * b) (fun t => nz t * c)); [apply (is_derive_plus (fun t => nx t * a) (fun t => ny t * b))|]; apply times_derive; assumption.
+Qed.
+Variables px py pz lx ly lz vx vy vz : R.
+Let tx := light_direction.towards_x px py pz lx ly lz.
+Let ty := light_direction.towards_y px py pz lx ly lz.
+Let tz := light_direction.towards_z px py pz lx ly lz.
+
+(* mu' = N'_beta . omega. *)
+Theorem image_derivative__mu :
+  is_derive (fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b)) beta (mu_derivative.mu_by_beta tx ty tz dx dy dz).
+Proof. apply product_derive. Qed.
+
+(* Blinn: base' = N'_beta . H/|H|, before the clamp. *)
+Theorem image_derivative__blinn : let hx := tx + vx in let hy := ty + vy in let hz := tz + vz in let r := blinn.halfway_length px py pz lx ly lz vx vy vz in
+  is_derive (fun b => (nx b * hx + ny b * hy + nz b * hz) / r) beta (blinn_base_derivative.base_by_beta hx hy hz r dx dy dz) /\
+  (0 < r -> forall b, blinn.specular_base px py pz lx ly lz (nx b) (ny b) (nz b) vx vy vz = Rmax 0 ((nx b * hx + ny b * hy + nz b * hz) / r)).
+Proof.
+  cbv zeta. split.
+  - apply times_derive, product_derive.
+  - intros P b. unfold blinn.specular_base. destruct (Rlt_dec _ _) as [_|H]; [|contradiction]. apply Rmax_comm.
+Qed.
+
+(* Phong: base' = 2 (mu' N'.v + mu N'_beta.v), before the clamp. *)
+Theorem image_derivative__phong : let m := fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b) in
+  let m' := mu_derivative.mu_by_beta tx ty tz dx dy dz in
+  is_derive (fun b => 2 * m b * (nx b * vx + ny b * vy + nz b * vz) - tx * vx - ty * vy - tz * vz) beta
+    (phong_base_derivative.base_by_beta vx vy vz (nx beta) (ny beta) (nz beta) dx dy dz (m beta) m') /\
+  (forall b, phong.specular_base px py pz lx ly lz (nx b) (ny b) (nz b) vx vy vz = Rmax 0 (2 * m b * (nx b * vx + ny b * vy + nz b * vz) - tx * vx - ty * vy - tz * vz)).
+Proof.
+  cbv zeta. split; [|reflexivity]. generalize image_derivative__mu (product_derive vx vy vz). intros A B.
+  set (m := fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b)) in *. set (q := fun b => nx b * vx + ny b * vy + nz b * vz) in *.
+  apply (is_derive_ext (fun b => 2 * (m b * q b) - (tx * vx + ty * vy + tz * vz))); [intro t; unfold q, m; cbv beta; match goal with |- ?a = ?b => change (a = b :> R) end; ring|].
+  eapply is_derive_is.
+  - apply (is_derive_minus (fun b => 2 * (m b * q b)) (fun _ => tx * vx + ty * vy + tz * vz)); [|apply is_derive_const].
+    apply (is_derive_scal (fun b => m b * q b)), (is_derive_mult m q); [exact A | exact B | intros; apply Rmult_comm].
+  - unfold minus, plus, opp, zero, mult, phong_base_derivative.base_by_beta, q. simpl. unfold m. ring.
+Qed.
+End lines.
+
+(* The clip keeps the derivative where the channel is inside (0, 1), and makes it 0 outside. *)
+Theorem image_derivative__clip (channel : R -> R) (beta slope : R) : is_derive channel beta slope -> channel beta <> 0 -> channel beta <> 1 ->
+  is_derive (fun b => clip.clipped (channel b)) beta (clip_derivative.clipped (channel beta) slope).
+Proof.
+  intros D N0 N1. unfold clip.clipped, clip_derivative.clipped.
+  assert (E : forall c, Rmin 1 (Rmax 0 c) = Rmax 0 c - Rmax 0 (c - 1)).
+  { intro c. unfold Rmin, Rmax. repeat destruct Rle_dec; lra. }
+  apply (is_derive_ext (fun b => Rmax 0 (channel b) - Rmax 0 (channel b - 1))); [intro; symmetry; apply E|].
+  eapply is_derive_is.
+  - apply (is_derive_minus (fun b => Rmax 0 (channel b)) (fun b => Rmax 0 (channel b - 1))); apply clamp_derive; trivial; [exact D | | lra].
+    apply (is_derive_minus channel (fun _ => 1)); [exact D | apply is_derive_const].
+  - unfold minus, plus, opp, zero. simpl. destruct (both _ _) as [[A B]|H].
+    + destruct (Rlt_dec 0 (channel beta)), (Rlt_dec 0 (channel beta - 1)); try lra; ring.
+    + destruct (Rlt_dec 0 (channel beta)), (Rlt_dec 0 (channel beta - 1)); destruct H; try lra; ring.
+Qed.
+Theorem image_derivative__clip__point : exists c : R, c <> 0 /\ c <> 1.
+Proof. exists (1/2). lra. Qed.
+(* At the clip's end there is no derivative. *)
+Theorem image_derivative__clip__false : ~ forall (channel : R -> R) (beta slope : R), is_derive channel beta slope ->
+  is_derive (fun b => clip.clipped (channel b)) beta (clip_derivative.clipped (channel beta) slope).
+Proof.
+  intro H. assert (I : is_derive (fun b : R => b) 0 1) by (auto_derive; trivial). generalize (H (fun b => b) 0 1 I). unfold clip_derivative.clipped.
+  destruct (both _ _) as [[A B]|_]; [lra|]. intro D. apply is_derive_Reals in D. destruct (D (1/2) ltac:(lra)) as [delta L].
+  generalize (cond_pos delta). intro P. set (s := Rmin (delta / 2) (1/2)). assert (S : 0 < s) by (apply Rmin_glb_lt; lra).
+  assert (S1 : s <= delta / 2) by apply Rmin_l. assert (S2 : s <= 1/2) by apply Rmin_r. clearbody s.
+  generalize (L s ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)). rewrite Rplus_0_l. unfold clip.clipped. rewrite (Rmax_left 0 0), (Rmax_right 0 s), (Rmin_right 1 s), (Rmin_right 1 0) by lra.
+  replace ((s - 0) / s - 0) with 1 by (field; lra). rewrite Rabs_R1. lra.
+Qed.
