@@ -2,7 +2,8 @@
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Flocq Require Import Core Relative Plus_error.
+From Flocq Require Import Core Relative Plus_error Pff2Flocq.
+From Formal Require Import Float Float64.
 Open Scope R_scope.
 
 Lemma moved_by_at_most (h h1 : R -> R) (L a b : R) : (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> Rabs (h b - h a) <= L * Rabs (b - a).
@@ -50,21 +51,35 @@ Proof.
   intro H. generalize (H (fun _ => 0) 1 1 1 0 ltac:(lra)). rewrite !Rminus_0_r, Rabs_R1, Rabs_R0. intro K. generalize (K ltac:(lra) ltac:(lra)). lra.
 Qed.
 
-(* Float64, from Flocq: 53 digits, the smallest exponent -1074, to the nearest with ties to even. *)
-Definition float64 (x : R) : Prop := generic_format radix2 (FLT_exp (-1074) 53) x.
-Definition rounded (x : R) : R := round radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n))) x.
-Definition unit_roundoff : R := / 2 * bpow radix2 (-53 + 1).
+(* Float64 *)
 
 (* The standard model: an operation that does not underflow is exact but for a factor 1 + d, |d| <= 2^-53. *)
 Theorem roundoff_bound__standard_model (x : R) : bpow radix2 (-1022) <= Rabs x -> exists d, Rabs d <= unit_roundoff /\ rounded x = x * (1 + d).
 Proof. intro H. apply (relative_error_N_FLT_ex radix2 (-1074) 53); [easy | exact H]. Qed.
 
 (* The difference of two float64 numbers needs no such condition. *)
-Local Instance precision : Prec_gt_0 53. Proof. reflexivity. Qed.
 Theorem roundoff_bound__subtraction (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= unit_roundoff /\ rounded (a - b) = (a - b) * (1 + d).
 Proof.
   intros A B. destruct (FLT_plus_error_N_ex radix2 (-1074) 53 (fun n => negb (Z.even n)) a (- b) A (generic_format_opp _ _ _ B)) as (d & D & E).
   exists d. split; [|exact E]. eapply Rle_trans; [exact D|]. change (u_ro radix2 53) with unit_roundoff.
   assert (P : 0 < unit_roundoff) by (unfold unit_roundoff; generalize (bpow_gt_0 radix2 (-53 + 1)); lra).
   apply Rmult_le_reg_r with (1 + unit_roundoff); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. nra.
+Qed.
+
+(* Dekker's product: the printed sum and its error are the product itself, where nothing underflows. *)
+Theorem roundoff_bound__two_product (a b : R) : float64 a -> float64 b -> a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a * b) ->
+  two_product_float64.product a b + two_product_float64.product_error a b = a * b.
+Proof.
+  intros A B U. etransitivity;
+    [|symmetry; exact (proj1 (Dekker radix2 (-1074) 53 (fun n => negb (Z.even n)) ltac:(easy) ltac:(easy) a b A B (or_introl eq_refl)) U)].
+  assert (C : bpow radix2 (53 - Z.div2 53) + 1 = 134217729) by (simpl; lra). rewrite C.
+  change (round radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n)))) with rounded.
+  assert (N : forall x, rounded (rounded (x - rounded (x * 134217729)) + rounded (x * 134217729)) =
+    rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x))).
+  { intro x. rewrite (Rmult_comm x). f_equal. rewrite <- (Ropp_involutive (rounded (x - _))), <- rounded_opp, Ropp_minus_distr. ring. }
+  rewrite !N.
+  unfold two_product_float64.product, two_product_float64.product_error, two_product_float64.error_3, two_product_float64.error_2, two_product_float64.error_1,
+    two_product_float64.a_low, two_product_float64.a_high, two_product_float64.a_excess, two_product_float64.a_split, two_product_float64.b_low,
+    two_product_float64.b_high, two_product_float64.b_excess, two_product_float64.b_split.
+  f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. unfold two_product_float64.product. ring.
 Qed.

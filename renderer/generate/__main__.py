@@ -2,11 +2,16 @@
 
 from pathlib import Path
 
-from renderer.generate.coq import formulas_source
+from renderer.generate.coq import float64_source, formulas_source
 from renderer.generate.kernels import kernels_source
 
 ROOT = Path(__file__).resolve().parents[2]
-PRINTED = {ROOT / "renderer" / "kernels.py": kernels_source, ROOT / "proofs" / "formal" / "Formulas.v": formulas_source}
+FORMAL = ROOT / "proofs" / "formal"
+PRINTED = {
+    ROOT / "renderer" / "kernels.py": kernels_source,
+    FORMAL / "Formulas.v": formulas_source,
+    FORMAL / "Float64.v": float64_source,
+}
 """{file: what returns its text}"""
 
 if __name__ == "__main__":

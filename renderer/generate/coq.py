@@ -3,6 +3,7 @@
 A program is a module, each of its lines a definition of those inputs that the line depends on.
 """
 
+import ast
 from typing import ClassVar
 
 from sympy import And, Or, S, true
@@ -14,6 +15,7 @@ from proofs.formulas import (
     camera,
     chart,
     displacement,
+    elementary,
     finite_difference,
     height_fields,
     image_derivative,
@@ -22,7 +24,10 @@ from proofs.formulas import (
     shadow_cone,
     tangent_frame,
 )
+from proofs.formulas.finite_difference import h_u_minus, h_u_plus
+from proofs.formulas.symbols import epsilon, h_u
 from renderer.generate.printer import KernelPrinter
+from renderer.generate.programs import ANY_FIELD
 
 HEADER = """(* Printed from proofs/formulas by `python -m renderer.generate`. Do not edit: change the formula instead.
    Each module is one program of the chapter; each definition is one line of its derivation. *)
@@ -32,6 +37,16 @@ From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries.
 Open Scope R_scope.
 """
+
+FLOAT64_HEADER = """(* Printed from proofs/formulas by `python -m renderer.generate`. Do not edit: change the formula.
+   The float64 operations of kernels, one after the other as they are carried out, each rounded. *)
+
+From Coq Require Import Reals.
+From Formal Require Import Float.
+Open Scope R_scope.
+"""
+
+ANY_CENTRAL = finite_difference.central(ANY_FIELD)
 
 MODULES = (
     camera,
@@ -170,9 +185,11 @@ def module_of(program: Program) -> str:
     inside += [f"Variables {real} : R."] if real else []
     inside += [f"Variables {infinite} : Rbar."] if infinite else []
     inside += [f"Definition {s.name} := {printer.doprint(e)}." for s, e in program.definitions]
-    return "\n".join(
-        [f"Module {program.name}.", "Section program.", *inside, "End program.", f"End {program.name}.", ""]
-    )
+    return _in_module(program.name, inside)
+
+
+def _in_module(name, inside):
+    return "\n".join([f"Module {name}.", "Section program.", *inside, "End program.", f"End {name}.", ""])
 
 
 def programs() -> dict[str, Program]:
@@ -183,6 +200,49 @@ def programs() -> dict[str, Program]:
         found += [height_fields.height(field), height_fields.gradient(field)]
         found += [method(field) for method in finite_difference.METHODS.values()]
     return {program.name: program for program in found}
+
+
+OPERATIONS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
+
+
+def rounded(text: str) -> str:
+    """Return a line of a kernel in Coq, each of its operations rounded to float64, in its order."""
+
+    def term(node: ast.expr) -> str:
+        match node:
+            case ast.BinOp(left, operation, right):
+                return f"rounded ({term(left)} {OPERATIONS[type(operation)]} {term(right)})"
+            case ast.UnaryOp(ast.USub(), operand):
+                return f"- {term(operand)}"
+            case ast.Constant(value):
+                above, below = value.as_integer_ratio()
+                return str(above) if below == 1 else f"({above} / {below})"
+            case ast.Name(name):
+                return name
+        raise ValueError(f"no rounded form of {ast.unparse(node)}")
+
+    return term(ast.parse(text, mode="eval").body)
+
+
+def float64_module(program: Program) -> str:
+    """Return a program's float64 operations as the text of a Coq module."""
+    printer = KernelPrinter()
+    inside = [f"Variables {' '.join(s.name for s in program.inputs)} : R."]
+    inside += [f"Definition {s.name} := {rounded(printer.doprint(e))}." for s, e in program.definitions]
+    lines = [
+        f"Module {program.name}_float64.",
+        "Section program.",
+        *inside,
+        "End program.",
+        f"End {program.name}_float64.",
+    ]
+    return "\n".join([*lines, ""])
+
+
+def float64_source() -> str:
+    """Return the text of proofs/formal/Float64.v: the operations of kernels as they are carried out."""
+    difference = Program("difference", (h_u_plus, h_u_minus, epsilon), ((h_u, ANY_CENTRAL[h_u]),), (h_u,))
+    return FLOAT64_HEADER + "".join(f"\n{float64_module(program)}" for program in (elementary.two_product, difference))
 
 
 def formulas_source() -> str:

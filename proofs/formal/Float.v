@@ -1,0 +1,15 @@
+(* Float64, from Flocq: 53 digits, the smallest exponent -1074, to the nearest with ties to even; no largest exponent. *)
+
+From Coq Require Import Reals Lra.
+From Flocq Require Import Core Relative.
+Open Scope R_scope.
+
+Definition float64 (x : R) : Prop := generic_format radix2 (FLT_exp (-1074) 53) x.
+Definition rounded (x : R) : R := round radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n))) x.
+Definition unit_roundoff : R := / 2 * bpow radix2 (-53 + 1).
+
+Global Instance precision : Prec_gt_0 53.
+Proof. reflexivity. Qed.
+
+Lemma rounded_opp (x : R) : rounded (- x) = - rounded x.
+Proof. unfold rounded. apply (round_NE_opp radix2 (FLT_exp (-1074) 53)). Qed.
