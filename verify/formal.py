@@ -34,14 +34,7 @@ AXIOMS = {
 """{axiom: what it is about}. Where `interval` computes, the specifications of Coq's machine numbers come to these."""
 MACHINE_NUMBERS = ("Uint63.", "PrimInt63.", "PrimFloat.", "FloatAxioms.", "FloatOps.", "Int63.", "Sint63.")
 
-PARTLY: dict[str, str] = {
-    "kink_loci": "off the creases h and its gradient are those of p or of −p",
-    "ridges_on_creases": "the bounds of the quotients h/s",
-    "roundoff_bound": "the difference in v, and the clamped one",
-    "seam": "for even k_u that h(u + 1, v) = h(u, v), and where ridges jumps",
-    "truncation_bound": "sine in v, and ridges between its creases",
-    "visible_parallels": "that each parallel nearer the pole is seen as well",
-}
+PARTLY = {"crease_error_area": "how many tents there are, and that they do not overlap"}
 """{theorem: what of its words no statement says}"""
 
 

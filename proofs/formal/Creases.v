@@ -457,3 +457,34 @@ Theorem ridges_at_crossings__crossing__false : ~ forall k_u k_v a b, height_ridg
 Proof.
   intro H. generalize (H 1 1 1 0). unfold_fields. rewrite !Rmult_1_l, Rmult_0_r, sin_0, Rmult_0_r, Rabs_R0. assert (0 < PI ^ 2) by (apply pow_lt, PI_RGT_0). lra.
 Qed.
+
+(* Sine's height is periodic for even k_u: h(u + 1, v) = h(u, v). *)
+Theorem seam__even_period (u v k_v : R) (n : nat) : height_sine.h (u + 1) v (INR (2 * n)) k_v = height_sine.h u v (INR (2 * n)) k_v.
+Proof. unfold_fields. rewrite seam__parity, pow_1_even. ring. Qed.
+(* Ridges jumps where neither sin(pi k_u) nor sin(pi k_v v) is 0. *)
+Theorem seam__ridges_jump (v k_u k_v : R) : sin (PI * k_u) <> 0 -> sin (PI * (k_v * v)) <> 0 -> height_ridges.h 0 v k_u k_v = 0 /\ 0 < height_ridges.h 1 v k_u k_v.
+Proof.
+  intros A B. unfold_fields. rewrite !Rmult_0_r, sin_0, Rmult_0_l, Rabs_R0, Rmult_1_r. split; [reflexivity|].
+  apply Rabs_pos_lt. intro E. apply Rmult_integral in E. destruct E; contradiction.
+Qed.
+
+(* At s on either side of a crease, 0 < s <= 1/k: h = sin x A/(pi k), x = pi k s, and A (1 - x^2/6) <= h/s <= A with the slope A. *)
+Theorem ridges_on_creases__quotients (A k s : R) : 0 <= A -> 0 < k -> 0 < s <= 1 / k -> let x := PI * (k * s) in let h := Rabs (sin x) * A in
+  PI * k * A * (1 - x ^ 2 / 6) <= h / s <= PI * k * A.
+Proof.
+  intros HA K S. cbv zeta. generalize PI_RGT_0. intro P. assert (T : 0 < k * s <= 1).
+  { split; [nra|]. apply Rmult_le_reg_l with (/ k); [apply Rinv_0_lt_compat, K|]. rewrite <- Rmult_assoc, Rinv_l by lra. lra. }
+  set (x := PI * (k * s)). assert (X : 0 < x) by (unfold x; nra). rewrite Rabs_pos_eq by (apply sin_ge_0; unfold x; nra).
+  generalize (sine_from_below x ltac:(lra)) (sin_lt_x x X). intros L U.
+  assert (E : sin x * A / s = sin x / x * (PI * k * A)) by (unfold x; field; repeat split; lra). rewrite E.
+  assert (Q : 1 - x ^ 2 / 6 <= sin x / x <= 1).
+  { assert (W : sin x / x * x = sin x) by (field; lra). split; apply Rmult_le_reg_r with x; trivial; rewrite W; nra. }
+  assert (0 <= PI * k * A) by (apply Rmult_le_pos; [nra | exact HA]). split; nra.
+Qed.
+(* The same crease in v has no derivative either. *)
+Theorem ridges_on_creases__differ_in_v (u k_u k_v : R) (n : Z) : 0 < k_v -> sin (PI * (k_u * u)) <> 0 ->
+  ~ ex_derive (fun v => height_ridges.h u v k_u k_v) (IZR n / k_v).
+Proof.
+  intros K S E. apply (ridges_on_creases__differ u k_v k_u n K S). destruct E as [d D]. exists d. revert D. apply is_derive_ext.
+  intro t. unfold_fields. rewrite Rmult_comm. reflexivity.
+Qed.

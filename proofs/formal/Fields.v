@@ -230,3 +230,76 @@ Proof.
   assert (H : 0 < (PI * k) ^ 3) by (apply pow_lt; nra). rewrite C, Rabs_mult, Rabs_Ropp, (Rabs_pos_eq ((PI * k) ^ 3)) by lra.
   rewrite <- (Rmult_1_r ((PI * k) ^ 3)) at 2. apply Rmult_le_compat_l; [lra|]. apply Rabs_le, COS_bound.
 Qed.
+
+(* The same for sine in v. *)
+Theorem truncation_bound__sine_in_v (u v k_u k_v epsilon : R) : 0 < k_v -> 0 < epsilon -> 0 <= v - epsilon -> v + epsilon <= 1 ->
+  Rabs (central_sine.h_v u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_v) ^ 3.
+Proof.
+  intros K E A B. rewrite central_difference_of_sine__sine_in_v by lra. generalize PI_RGT_0. intro P.
+  assert (X : 0 < PI * (k_v * epsilon)) by (apply Rmult_lt_0_compat; [lra | apply Rmult_lt_0_compat; lra]).
+  replace (_ - _) with (gradient_sine.h_v u v k_u k_v * (sin (PI * (k_v * epsilon)) / (PI * (k_v * epsilon)) - 1)) by ring.
+  rewrite Rabs_mult. assert (G : Rabs (gradient_sine.h_v u v k_u k_v) <= PI * k_v).
+  { unfold_fields. replace (_ * _) with (PI * k_v * (cos (PI * (k_v * v)) * sin (PI * (k_u * u)))) by ring. rewrite Rabs_mult, Rabs_pos_eq by nra.
+    rewrite <- (Rmult_1_r (PI * k_v)) at 2. apply Rmult_le_compat_l; [nra|]. rewrite Rabs_mult, <- (Rmult_1_r 1).
+    apply Rmult_le_compat; try apply Rabs_pos; apply Rabs_le; [apply COS_bound | apply SIN_bound]. }
+  replace (epsilon ^ 2 / 6 * (PI * k_v) ^ 3) with (PI * k_v * ((PI * (k_v * epsilon)) ^ 2 / 6)) by field.
+  apply Rmult_le_compat; try apply Rabs_pos; [exact G | apply sinc_near_1; exact X].
+Qed.
+
+(* Where p has one sign at the three points, ridges' difference and slope are sine's, or both their negatives: the same bound. *)
+Theorem truncation_bound__ridges (u v k_u k_v epsilon s : R) : 0 < k_u -> 0 < epsilon -> 0 <= u - epsilon -> u + epsilon < 1 -> s = 1 \/ s = -1 ->
+  0 < s * height_sine.h (u - epsilon) v k_u k_v -> 0 < s * height_sine.h u v k_u k_v -> 0 < s * height_sine.h (u + epsilon) v k_u k_v ->
+  central_ridges.h_u u v k_u k_v epsilon = s * central_sine.h_u u v k_u k_v epsilon /\ gradient_ridges.h_u u v k_u k_v = s * gradient_sine.h_u u v k_u k_v /\
+  Rabs (central_ridges.h_u u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_u) ^ 3.
+Proof.
+  intros K E A B S P0 P1 P2. generalize (truncation_bound__sine u v k_u k_v epsilon K E A B). intro T.
+  assert (D : central_ridges.h_u u v k_u k_v epsilon = s * central_sine.h_u u v k_u k_v epsilon).
+  { unfold central_ridges.h_u, central_ridges.h_u_plus, central_ridges.h_u_minus, central_ridges.u_plus, central_ridges.u_minus,
+      central_sine.h_u, central_sine.h_u_plus, central_sine.h_u_minus, central_sine.u_plus, central_sine.u_minus.
+    rewrite !floor_of_a_fraction by lra. unfold height_sine.h in P0, P2. rewrite !Rminus_0_r, (Rplus_comm epsilon u).
+    set (a := sin (PI * (k_u * (u + epsilon))) * sin (PI * (k_v * v))) in *. set (b := sin (PI * (k_u * (u - epsilon))) * sin (PI * (k_v * v))) in *.
+    unfold Rabs. destruct S as [-> | ->]; destruct (Rcase_abs a), (Rcase_abs b); try lra; field; lra. }
+  assert (G : gradient_ridges.h_u u v k_u k_v = s * gradient_sine.h_u u v k_u k_v).
+  { rewrite (proj1 (gradients__ridges u v k_u k_v)). f_equal. destruct S as [-> | ->]; [apply sign_eq_1 | apply sign_eq_m1]; lra. }
+  split; [exact D | split; [exact G|]]. rewrite D, G, <- Rmult_minus_distr_l, Rabs_mult. replace (Rabs s) with 1; [lra|].
+  destruct S as [-> | ->]; [symmetry; apply Rabs_R1 | symmetry; apply Rabs_m1].
+Qed.
+Theorem truncation_bound__ridges_in_v (u v k_u k_v epsilon s : R) : 0 < k_v -> 0 < epsilon -> 0 <= v - epsilon -> v + epsilon <= 1 -> s = 1 \/ s = -1 ->
+  0 < s * height_sine.h u (v - epsilon) k_u k_v -> 0 < s * height_sine.h u v k_u k_v -> 0 < s * height_sine.h u (v + epsilon) k_u k_v ->
+  Rabs (central_ridges.h_v u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_v) ^ 3.
+Proof.
+  intros K E A B S P0 P1 P2. generalize (truncation_bound__sine_in_v u v k_u k_v epsilon K E A B). intro T.
+  assert (D : central_ridges.h_v u v k_u k_v epsilon = s * central_sine.h_v u v k_u k_v epsilon).
+  { unfold central_ridges.h_v, central_ridges.h_v_plus, central_ridges.h_v_minus, central_ridges.span_v, central_ridges.v_plus, central_ridges.v_minus,
+      central_sine.h_v, central_sine.h_v_plus, central_sine.h_v_minus, central_sine.span_v, central_sine.v_plus, central_sine.v_minus.
+    rewrite Rmin_right, Rmax_left by lra. destruct (both _ _) as [_|H]; [|exfalso; destruct H; lra]. unfold height_sine.h in P0, P2. rewrite (Rplus_comm epsilon v).
+    set (a := sin (PI * (k_u * u)) * sin (PI * (k_v * (v + epsilon)))) in *. set (b := sin (PI * (k_u * u)) * sin (PI * (k_v * (v - epsilon)))) in *.
+    unfold Rabs. destruct S as [-> | ->]; destruct (Rcase_abs a), (Rcase_abs b); try lra; field; lra. }
+  assert (G : gradient_ridges.h_v u v k_u k_v = s * gradient_sine.h_v u v k_u k_v).
+  { rewrite (proj1 (proj2 (gradients__ridges u v k_u k_v))). f_equal. destruct S as [-> | ->]; [apply sign_eq_1 | apply sign_eq_m1]; lra. }
+  rewrite D, G, <- Rmult_minus_distr_l, Rabs_mult. replace (Rabs s) with 1; [lra|]. destruct S as [-> | ->]; [symmetry; apply Rabs_R1 | symmetry; apply Rabs_m1].
+Qed.
+(* Twice as good it is not. *)
+Theorem truncation_bound__third__false : ~ forall u k, 0 < k -> Rabs (Derive_n (fun u => sin (PI * (k * u))) 3 u) <= (PI * k) ^ 3 / 2.
+Proof.
+  intro H. generalize (H 0 1 ltac:(lra)). generalize PI_RGT_0. intro P.
+  assert (A : forall t, Derive_n (fun u => sin (PI * (1 * u))) 1 t = PI * cos (PI * (1 * t))) by (intro; apply is_derive_unique; auto_derive; trivial; ring).
+  assert (B : forall t, Derive_n (fun u => sin (PI * (1 * u))) 2 t = - PI ^ 2 * sin (PI * (1 * t))).
+  { intro t. change (Derive (Derive_n (fun u => sin (PI * (1 * u))) 1) t = - PI ^ 2 * sin (PI * (1 * t))). rewrite (Derive_ext _ _ _ A). apply is_derive_unique. auto_derive; trivial. ring. }
+  change (Derive_n _ 3 0) with (Derive (Derive_n (fun u => sin (PI * (1 * u))) 2) 0). rewrite (Derive_ext _ _ _ B), (is_derive_unique _ _ (- PI ^ 3 * cos (PI * (1 * 0)))) by (auto_derive; trivial; ring).
+  rewrite !Rmult_0_r, cos_0, Rmult_1_r, Rabs_Ropp, Rabs_pos_eq, Rmult_1_r by (apply pow_le; lra). assert (0 < PI ^ 3) by (apply pow_lt, P). lra.
+Qed.
+
+(* Off the creases h and its gradient are those of p, or of -p: there is no other crease. *)
+Theorem kink_loci__between (u v k_u k_v : R) : let p := height_sine.h u v k_u k_v in p <> 0 ->
+  0 < height_ridges.h u v k_u k_v /\ exists s, (s = 1 \/ s = -1) /\ height_ridges.h u v k_u k_v = s * p /\
+  gradient_ridges.h_u u v k_u k_v = s * gradient_sine.h_u u v k_u k_v /\ gradient_ridges.h_v u v k_u k_v = s * gradient_sine.h_v u v k_u k_v.
+Proof.
+  cbv zeta. intro N. destruct (gradients__ridges u v k_u k_v) as (U & V & _). split; [apply Rabs_pos_lt, N|]. exists (sign (height_sine.h u v k_u k_v)).
+  change (height_ridges.h u v k_u k_v) with (Rabs (height_sine.h u v k_u k_v)). set (p := height_sine.h u v k_u k_v) in *.
+  split; [|split; [|split; [exact U | exact V]]]; destruct (Rle_lt_dec 0 p).
+  - left. apply sign_eq_1. lra.
+  - right. apply sign_eq_m1. assumption.
+  - rewrite sign_eq_1, Rabs_pos_eq by lra. ring.
+  - rewrite sign_eq_m1, Rabs_left by assumption. ring.
+Qed.

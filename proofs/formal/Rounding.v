@@ -83,3 +83,35 @@ Proof.
     two_product_float64.b_high, two_product_float64.b_excess, two_product_float64.b_split.
   f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. unfold two_product_float64.product. ring.
 Qed.
+
+(* Over any span S with a factor in 1 +- kappa: in u and in v, S = 2 eps, and clamped at the pole, S = v + eps. *)
+Theorem roundoff_bound__any_span (h h1 : R -> R) (L a b S kappa eta alpha a' b' h_a h_b t : R) :
+  (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> 0 < S -> a - b = S -> Rabs (t - 1) <= kappa ->
+  Rabs (a' - a) <= alpha -> Rabs (b' - b) <= alpha -> Rabs (h_a - h a') <= eta -> Rabs (h_b - h b') <= eta ->
+  Rabs ((h_a - h_b) / S * t - (h a - h b) / S) <= 2 * (eta + L * alpha) / S * (1 + kappa) + L * kappa.
+Proof.
+  intros D B P AB K A1 A2 H1 H2. assert (L0 : 0 <= L) by (eapply Rle_trans; [apply Rabs_pos | apply (B 0)]).
+  assert (E : forall x x' y, Rabs (x' - x) <= alpha -> Rabs (y - h x') <= eta -> Rabs (y - h x) <= eta + L * alpha).
+  { intros x x' y X Y. replace (y - h x) with (y - h x' + (h x' - h x)) by ring. eapply Rle_trans; [apply Rabs_triang|].
+    generalize (moved_by_at_most h h1 L x x' D B). nra. }
+  generalize (E _ _ _ A1 H1) (E _ _ _ A2 H2) (moved_by_at_most h h1 L b a D B). rewrite AB, (Rabs_pos_eq S) by lra. intros E1 E2 M.
+  set (e := eta + L * alpha) in *. assert (I : 0 < / S) by (apply Rinv_0_lt_compat, P).
+  assert (Q : Rabs ((h a - h b) / S) <= L).
+  { unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ S)) by lra. apply Rmult_le_reg_r with S; [exact P|]. rewrite Rmult_assoc, Rinv_l by lra. lra. }
+  assert (T : Rabs t <= 1 + kappa) by (replace t with (1 + (t - 1)) by ring; eapply Rle_trans; [apply Rabs_triang|]; rewrite Rabs_R1; lra).
+  replace (_ - _) with (((h_a - h a) - (h_b - h b)) / S * t + (h a - h b) / S * (t - 1)) by (field; lra).
+  eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat.
+  - apply Rmult_le_compat; try apply Rabs_pos; [|exact T]. unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ S)) by lra. apply Rmult_le_compat_r; [lra|].
+    eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra.
+  - apply Rmult_le_compat; try apply Rabs_pos; assumption.
+Qed.
+(* Three roundings, the span's among them: kappa = (3 mu + mu^2)/(1 - mu). *)
+Theorem roundoff_bound__three_roundings (mu d1 d2 d3 : R) : 0 < mu < 1 -> Rabs d1 <= mu -> Rabs d2 <= mu -> Rabs d3 <= mu ->
+  Rabs ((1 + d1) * (1 + d2) / (1 + d3) - 1) <= (3 * mu + mu ^ 2) / (1 - mu) /\ Rabs ((1 + d1) * (1 + d2) - 1) <= 2 * mu + mu ^ 2.
+Proof.
+  intros M D1 D2 D3. apply Rabs_le_between in D1. apply Rabs_le_between in D2. apply Rabs_le_between in D3.
+  assert (T : - (2 * mu + mu ^ 2) <= (1 + d1) * (1 + d2) - 1 <= 2 * mu + mu ^ 2) by (split; nra).
+  split; [|apply Rabs_le, T]. replace (_ - 1) with (((1 + d1) * (1 + d2) - 1 - d3) / (1 + d3)) by (field; lra).
+  unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ (1 + d3))) by (left; apply Rinv_0_lt_compat; lra).
+  apply Rmult_le_compat; [apply Rabs_pos | left; apply Rinv_0_lt_compat; lra | apply Rabs_le; lra | apply Rinv_le_contravar; lra].
+Qed.
