@@ -6,37 +6,37 @@ From Formal Require Import Preliminaries Formulas Vectors Fields.
 Open Scope R_scope.
 
 (* The n-th power of a + ib by the printed product. *)
-Fixpoint power (n : nat) (a b : R) : R * R :=
+Fixpoint complex_power (n : nat) (a b : R) : R * R :=
   match n with
   | O => (1, 0)
-  | S n => let (c, d) := power n a b in (complex_product.product_real c d a b, complex_product.product_imaginary c d a b)
+  | S n => let (c, d) := complex_power n a b in (complex_product.product_real c d a b, complex_product.product_imaginary c d a b)
   end.
 
-Lemma de_moivre (n : nat) (t : R) : power n (cos t) (sin t) = (cos (INR n * t), sin (INR n * t)).
+Lemma de_moivre (n : nat) (t : R) : complex_power n (cos t) (sin t) = (cos (INR n * t), sin (INR n * t)).
 Proof.
-  induction n as [|n IH]; [simpl; rewrite Rmult_0_l, cos_0, sin_0; reflexivity|]. cbn [power]. rewrite IH, S_INR.
+  induction n as [|n IH]; [simpl; rewrite Rmult_0_l, cos_0, sin_0; reflexivity|]. cbn [complex_power]. rewrite IH, S_INR.
   unfold complex_product.product_real, complex_product.product_imaginary. replace ((INR n + 1) * t) with (INR n * t + t) by ring.
   rewrite cos_plus, sin_plus. f_equal; ring.
 Qed.
-Lemma power_of_negative (n : nat) (a b : R) : power n (- a) (- b) = ((-1) ^ n * fst (power n a b), (-1) ^ n * snd (power n a b)).
+Lemma power_of_negative (n : nat) (a b : R) : complex_power n (- a) (- b) = ((-1) ^ n * fst (complex_power n a b), (-1) ^ n * snd (complex_power n a b)).
 Proof.
-  induction n as [|n IH]; [simpl; f_equal; ring|]. cbn [power]. rewrite IH. destruct (power n a b) as [c d].
+  induction n as [|n IH]; [simpl; f_equal; ring|]. cbn [complex_power]. rewrite IH. destruct (complex_power n a b) as [c d].
   unfold complex_product.product_real, complex_product.product_imaginary. simpl. f_equal; ring.
 Qed.
 
 (* (-cos theta - i sin theta)^n = (-1)^n (cos n theta + i sin n theta), for every whole n. *)
 Theorem algebraic_gradient__power (n : nat) (theta : R) :
-  power n (algebraic_bases.base_u_real (cos theta)) (algebraic_bases.base_u_imaginary (sin theta)) =
+  complex_power n (algebraic_bases.base_u_real (cos theta)) (algebraic_bases.base_u_imaginary (sin theta)) =
   ((-1) ^ n * cos (INR n * theta), (-1) ^ n * sin (INR n * theta)).
 Proof.
   unfold algebraic_bases.base_u_real, algebraic_bases.base_u_imaginary. rewrite power_of_negative, de_moivre. reflexivity.
 Qed.
-Theorem algebraic_gradient__power__false : ~ forall n theta, power n (- cos theta) (- sin theta) = (cos (INR n * theta), sin (INR n * theta)).
+Theorem algebraic_gradient__power__false : ~ forall n theta, complex_power n (- cos theta) (- sin theta) = (cos (INR n * theta), sin (INR n * theta)).
 Proof. intro H. generalize (f_equal fst (H 1%nat 0)). cbn. unfold complex_product.product_real. rewrite !Rmult_0_r, cos_0, sin_0. lra. Qed.
 
 (* With pi u = (theta + pi)/2 these are cos(pi k_u u) and sin(pi k_u u) for k_u = 2n. *)
 Theorem algebraic_gradient__in_u (n : nat) (theta : R) : let u := (theta + PI) / (2 * PI) in let k_u := 2 * INR n in
-  power n (algebraic_bases.base_u_real (cos theta)) (algebraic_bases.base_u_imaginary (sin theta)) =
+  complex_power n (algebraic_bases.base_u_real (cos theta)) (algebraic_bases.base_u_imaginary (sin theta)) =
   (cos (PI * (k_u * u)), sin (PI * (k_u * u))).
 Proof.
   cbv zeta. generalize PI_RGT_0. intro P. unfold algebraic_bases.base_u_real, algebraic_bases.base_u_imaginary.
@@ -44,8 +44,8 @@ Proof.
 Qed.
 (* With pi v = phi, (cos phi + i sin phi)^n has cos(pi k_v v) and sin(pi k_v v) for k_v = n, and the factors of rings for 2 k_v = n. *)
 Theorem algebraic_gradient__in_v (n : nat) (phi : R) : let v := phi / PI in let k_v := INR n in
-  power n (algebraic_bases.base_v_real (cos phi)) (algebraic_bases.base_v_imaginary (sin phi)) = (gradient_sine.cos_v v k_v, gradient_sine.sin_v v k_v) /\
-  power n (algebraic_bases.base_v_real (cos phi)) (algebraic_bases.base_v_imaginary (sin phi)) = (gradient_rings.cos_v v (k_v / 2), gradient_rings.sin_v v (k_v / 2)).
+  complex_power n (algebraic_bases.base_v_real (cos phi)) (algebraic_bases.base_v_imaginary (sin phi)) = (gradient_sine.cos_v v k_v, gradient_sine.sin_v v k_v) /\
+  complex_power n (algebraic_bases.base_v_real (cos phi)) (algebraic_bases.base_v_imaginary (sin phi)) = (gradient_rings.cos_v v (k_v / 2), gradient_rings.sin_v v (k_v / 2)).
 Proof.
   cbv zeta. generalize PI_RGT_0. intro P. unfold algebraic_bases.base_v_real, algebraic_bases.base_v_imaginary. rewrite de_moivre. unfold_fields.
   replace (PI * (INR n * (phi / PI))) with (INR n * phi) by (field; lra).
@@ -53,7 +53,7 @@ Proof.
 Qed.
 (* A negative wave number conjugates. *)
 Theorem algebraic_gradient__negative_power (n : nat) (phi : R) :
-  (fst (power n (cos phi) (sin phi)), - snd (power n (cos phi) (sin phi))) = (cos (- INR n * phi), sin (- INR n * phi)).
+  (fst (complex_power n (cos phi) (sin phi)), - snd (complex_power n (cos phi) (sin phi))) = (cos (- INR n * phi), sin (- INR n * phi)).
 Proof. rewrite de_moivre. simpl. rewrite Ropp_mult_distr_l_reverse, cos_neg, sin_neg. reflexivity. Qed.
 (* The printed square and product are those of complex numbers. *)
 Theorem algebraic_gradient__product (a b c d : R) :

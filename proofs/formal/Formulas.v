@@ -408,7 +408,7 @@ End phong.
 Module highlight.
 Section program.
 Variables specular_base shininess : R.
-Definition specular := Rpower specular_base shininess.
+Definition specular := power specular_base shininess.
 End program.
 End highlight.
 
@@ -578,7 +578,7 @@ Module term_derivative.
 Section program.
 Variables mu mu_by_beta specular_base base_by_beta shininess kd ks albedo_red light_red : R.
 Definition diffuse_by_beta := if Rlt_dec 0 mu then kd * mu_by_beta else 0.
-Definition shine_by_beta := if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * Rpower specular_base (shininess - 1) else 0.
+Definition shine_by_beta := if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * power specular_base (shininess - 1) else 0.
 Definition term_by_beta := light_red * (albedo_red * diffuse_by_beta + shine_by_beta).
 End program.
 End term_derivative.

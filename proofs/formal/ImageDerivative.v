@@ -21,23 +21,23 @@ Proof.
     revert Q. apply filter_imp. intros t H. rewrite Rmax_left; lra.
 Qed.
 
-(* base^p, and 0 at base = 0, for every p > 0. *)
-Definition highlight_of (base p : R) : R := if Rlt_dec 0 base then highlight.specular base p else 0.
+(* The printed highlight: base^p, and 0 at base = 0. *)
+Definition highlight_of (base p : R) : R := highlight.specular base p.
 
 Lemma power_derive (f : R -> R) (x l p : R) : is_derive f x l -> f x <> 0 ->
-  is_derive (fun t => highlight_of (Rmax 0 (f t)) p) x (if Rlt_dec 0 (Rmax 0 (f x)) then p * Rpower (Rmax 0 (f x)) (p - 1) * l else 0).
+  is_derive (fun t => highlight_of (Rmax 0 (f t)) p) x (if Rlt_dec 0 (Rmax 0 (f x)) then p * power (Rmax 0 (f x)) (p - 1) * l else 0).
 Proof.
   intros D N. destruct (Rlt_dec 0 (f x)) as [P|P].
   - rewrite Rmax_right by lra. destruct (Rlt_dec 0 (f x)) as [_|H]; [|contradiction].
     apply (is_derive_ext_loc (fun t => exp (p * ln (f t)))).
-    + generalize (positive_nearby f x l D P). apply filter_imp. intros t H. unfold highlight_of. rewrite Rmax_right by lra. destruct (Rlt_dec 0 (f t)); [reflexivity | contradiction].
+    + generalize (positive_nearby f x l D P). apply filter_imp. intros t H. unfold highlight_of, highlight.specular, power. rewrite Rmax_right by lra. destruct (Rlt_dec 0 (f t)); [reflexivity | contradiction].
     + eapply is_derive_is; [apply (is_derive_comp exp (fun t => p * ln (f t)) x (exp (p * ln (f x))) (p * (l * / f x)))|].
       * apply is_derive_Reals, derivable_pt_lim_exp.
       * apply (is_derive_scal (fun t => ln (f t))). apply (is_derive_comp ln f x (/ f x) l); [|exact D]. apply is_derive_Reals, derivable_pt_lim_ln, P.
-      * unfold scal. simpl. unfold mult. simpl. unfold Rpower. rewrite Rmult_minus_distr_r, Rmult_1_l. unfold Rminus. rewrite exp_plus, exp_Ropp, exp_ln by exact P. ring.
+      * unfold scal. simpl. unfold mult. simpl. unfold power. destruct (Rlt_dec 0 (f x)) as [_|H]; [|contradiction]. unfold Rpower. rewrite Rmult_minus_distr_r, Rmult_1_l. unfold Rminus. rewrite exp_plus, exp_Ropp, exp_ln by exact P. ring.
   - rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra|]. apply (is_derive_ext_loc (fun _ => 0)); [|auto_derive; trivial].
     assert (Q : locally x (fun t => 0 < - f t)) by (apply (positive_nearby (fun t => - f t) x (- l)); [apply (is_derive_opp f), D | lra]).
-    revert Q. apply filter_imp. intros t H. unfold highlight_of. rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra | reflexivity].
+    revert Q. apply filter_imp. intros t H. unfold highlight_of, highlight.specular, power. rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra | reflexivity].
 Qed.
 
 (* Off mu = 0 and base = 0, a light's share of a channel has the derivative that is printed, for every p. *)

@@ -514,10 +514,9 @@ Proof.
     replace (sin (PI * (0 * v))) with 0 by (rewrite Rmult_0_l, Rmult_0_r, sin_0; reflexivity); ring.
 Qed.
 
-(* For every p > 0 the power x^p is Lipschitz on (0, 1]: not for p = 1/2. (The end 0 is left out: Coq's Rpower 0 p is
-   1.) *)
-Theorem highlight_below_one__power : ~ forall p : R, 0 < p -> exists bound : R, forall x z : R, 0 < x <= 1 ->
-  0 < z <= 1 ->
+(* For every p > 0 the power x^p is Lipschitz on [0, 1]: not for p = 1/2. *)
+Theorem highlight_below_one__power : ~ forall p : R, 0 < p -> exists bound : R, forall x z : R, 0 <= x <= 1 ->
+  0 <= z <= 1 ->
   Rabs (highlight.specular x p - highlight.specular z p) <= bound * Rabs (x - z).
 Proof.
   intros F. destruct (F (/ 2) ltac:(lra)) as [bound L]. set (m := bound ^ 2 + 1).
@@ -526,16 +525,19 @@ Proof.
   { split; [apply Rinv_0_lt_compat; lra |]. apply (Rmult_le_reg_r (4 * m)); [lra |]. rewrite Rinv_l; lra. }
   assert (E : / (4 * m) * m = 1 / 4) by (field; lra). set (s := / (4 * m)) in *.
   specialize (L (s ^ 2) ((s / 2) ^ 2) ltac:(nra) ltac:(nra)). unfold highlight.specular in L.
-  rewrite !Rpower_sqrt in L by nra.
+  rewrite !power_positive, !Rpower_sqrt in L by nra.
   rewrite !sqrt_pow2 in L by lra. rewrite !Rabs_pos_eq in L by nra. nra.
 Qed.
 
 (* It is for p = 2. *)
-Theorem highlight_below_one__power__false : ~ ~ exists bound : R, forall x z : R, 0 < x <= 1 -> 0 < z <= 1 ->
+Theorem highlight_below_one__power__false : ~ ~ exists bound : R, forall x z : R, 0 <= x <= 1 -> 0 <= z <= 1 ->
   Rabs (highlight.specular x 2 - highlight.specular z 2) <= bound * Rabs (x - z).
 Proof.
   intros N. apply N. exists 2. intros x z X Z. unfold highlight.specular.
-  replace 2 with (INR 2) at 1 2 by reflexivity. rewrite !Rpower_pow by lra.
+  assert (P : forall y, 0 <= y <= 1 -> power y 2 = y ^ 2).
+  { intros y Y. unfold power. destruct (Rlt_dec 0 y) as [Q | Q]; [| replace y with 0 by lra; ring].
+    replace 2 with (INR 2) at 1 by reflexivity. apply Rpower_pow, Q. }
+  rewrite !P by lra.
   replace (x ^ 2 - z ^ 2) with ((x + z) * (x - z)) by ring. rewrite Rabs_mult, (Rabs_pos_eq (x + z)) by lra.
   apply Rmult_le_compat_r; [apply Rabs_pos | lra].
 Qed.

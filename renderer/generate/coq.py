@@ -106,7 +106,7 @@ class CoqPrinter(KernelPrinter):
             return f"{self._atom(base)} ^ {exponent}"
         if exponent.is_Rational and exponent.is_negative:
             return f"/ {self._atom(1 / expr)}"
-        return f"Rpower {self._atom(base)} {self._atom(exponent)}"
+        return f"power {self._atom(base)} {self._atom(exponent)}"
 
     def _atom(self, expr):
         text = self._print(expr)
