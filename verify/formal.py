@@ -34,7 +34,10 @@ AXIOMS = {
 """{axiom: what it is about}. Where `interval` computes, the specifications of Coq's machine numbers come to these."""
 MACHINE_NUMBERS = ("Uint63.", "PrimInt63.", "PrimFloat.", "FloatAxioms.", "FloatOps.", "Int63.", "Sint63.")
 
-PARTLY = {"crease_error_area": "how many tents there are, and that they do not overlap"}
+PARTLY = {
+    "crease_error_area": "how many tents there are, and that they do not overlap",
+    "elementary_functions": "how each operation is rounded, and the arctangent",
+}
 """{theorem: what of its words no statement says}"""
 
 

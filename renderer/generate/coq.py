@@ -192,10 +192,17 @@ def _in_module(name, inside):
     return "\n".join([f"Module {name}.", "Section program.", *inside, "End program.", f"End {name}.", ""])
 
 
+def half_turn_polynomials() -> Program:
+    """Return what the kernels' sine and cosine evaluate once the argument is reduced."""
+    first = [symbol for symbol, _ in elementary.reduction].index(elementary.z)
+    outputs = (elementary.sine_near, elementary.cosine_near)
+    return Program("half_turn_polynomials", (elementary.remainder,), elementary.reduction[first:], outputs)
+
+
 def programs() -> dict[str, Program]:
     """Return {name: program} of all that is printed, in the order of the modules of proofs/formulas."""
     found = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
-    found += list(image_derivative.base_derivatives.values())
+    found += [*image_derivative.base_derivatives.values(), half_turn_polynomials()]
     for field in height_fields.HEIGHT_FIELDS.values():
         found += [height_fields.height(field), height_fields.gradient(field)]
         found += [method(field) for method in finite_difference.METHODS.values()]
