@@ -17,7 +17,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from renderer.files import whole_file
+from renderer.files import write_whole
 from verify.sources import ROOT, hashes
 
 FOLDER = ROOT / "proofs" / "formal"
@@ -167,10 +167,9 @@ def main() -> None:
         sys.exit("Coq is not installed: apt-get install coq libcoq-coquelicot libcoq-interval libcoq-flocq")
     else:
         table = compile_files(*asked.file)
-    if not asked.file:
-        with whole_file(RECORD) as name:
+        if not asked.file:
             text = json.dumps({"sources": sources(), "theorems": table}, indent=1, ensure_ascii=False)
-            Path(name).write_text(text + "\n", encoding="utf-8")
+            write_whole(RECORD, f"{text}\n".encode())
     for theorem, entry in table.items():
         short = sorted({a.split(".")[0 if a.startswith(MACHINE_NUMBERS) else -1] for a in entry["axioms"]})
         rests = ", ".join(short) or "closed under the global context"

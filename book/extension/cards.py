@@ -8,6 +8,7 @@
 """
 
 from collections.abc import Iterable
+from textwrap import indent
 from typing import ClassVar
 
 from docutils import nodes
@@ -84,7 +85,8 @@ def card(book: Here, id: str) -> Filled:
 
 def coq(name: str, statement: str) -> Markup:
     """A statement of Coq's, coloured."""
-    return Markup(highlight(f"Theorem {name} :\n  {statement}.", get_lexer_by_name("coq"), HtmlFormatter(nowrap=True)))
+    text = f"Theorem {name} :\n{indent(statement, '  ')}."
+    return Markup(highlight(text, get_lexer_by_name("coq"), HtmlFormatter(nowrap=True)))
 
 
 def axioms(names: list[str]) -> str:

@@ -12,9 +12,11 @@ from proofs.formulas.symbols import u as along_u
 from proofs.formulas.symbols import v as along_v
 from renderer.generate.kernels import function_of
 from renderer.kernels import FIELDS
-from renderer.operations import floor, minimum, rint, where
+from renderer.operations import floor, maximum, minimum, rint, where
 
 UNIT = 2.0**-53
+THREE_ROUNDINGS = 2 * UNIT
+"""Where the span is rounded as well: 2 · 2μ + (2μ)² is above (3μ + μ²)/(1 − μ), as the theorem has it for that case."""
 HEIGHT_ERROR = 3 * 2.0**-52
 """What a height is off by: a sine of a product is good to 2 ulp, as verify/ measures; two of them and their product."""
 ARGUMENT_ERROR = 2.0**-53
@@ -56,14 +58,14 @@ def bounds_of(field):
         met = rate * coordinate
         return abs(met - rint(met)) >= rate * epsilon if field.creases else rate >= 0.0
 
-    def rounded(rate, epsilon):
+    def rounded(rate, half_span, unit):
         steepest = slope_bound(rate)
-        value = rounding_bound(epsilon, steepest, UNIT, HEIGHT_ERROR, 0.0)
-        return rounding_bound(epsilon, steepest, UNIT, HEIGHT_ERROR, ARGUMENT_ERROR) - value, value
+        value = rounding_bound(half_span, steepest, unit, HEIGHT_ERROR, 0.0)
+        return rounding_bound(half_span, steepest, unit, HEIGHT_ERROR, ARGUMENT_ERROR) - value, value
 
-    def terms(rate, epsilon, is_smooth, truncation):
+    def terms(rate, half_span, unit, is_smooth, truncation):
         """Return the terms of one slope: 2πk at most, whatever lies within ε; none where h does not depend on it."""
-        most, (argument, value) = crease_bound(rate), rounded(rate, epsilon)
+        most, (argument, value) = crease_bound(rate), rounded(rate, half_span, unit)
         found = where(is_smooth, minimum(most, truncation), 0.0), argument, value, where(is_smooth, 0.0, most)
         return [where(rate > 0.0, term, 0.0) for term in found]
 
@@ -71,13 +73,14 @@ def bounds_of(field):
         a, b = (abs(0.0 * u + rate) for rate in wave_numbers(k_u, k_v))
         whole_periods = 0.5 * a == floor(0.5 * a)  # then the seam is none
         seamless = ((u - epsilon >= 0.0) & (u + epsilon < 1.0)) | whole_periods
-        in_u = terms(a, epsilon, clear(a, u, epsilon) & seamless, truncation_bound(epsilon, a))
+        in_u = terms(a, epsilon, UNIT, clear(a, u, epsilon) & seamless, truncation_bound(epsilon, a))
         inside = clear(b, v, epsilon) & (v - epsilon >= 0.0) & (v + epsilon <= 1.0)
         clamped = ~inside & (v < epsilon) & (v + epsilon <= 1.0)  # at the pole, where h has to be odd
         clamped = clamped & (b * (v + epsilon) <= 1.0) if field.creases else clamped
         clamped = clamped & (b >= 0.0 if is_odd else b < 0.0)
         truncation = where(inside, truncation_bound(epsilon, b), clamped_bound(epsilon, v, b))
-        in_v = terms(b, epsilon, inside | clamped, truncation)
+        half_span = 0.5 * (minimum(1.0, v + epsilon) - maximum(0.0, v - epsilon))
+        in_v = terms(b, half_span, THREE_ROUNDINGS, inside | clamped, truncation)
         return _larger(in_u, in_v)
 
     bounds.__name__ = f"bounds_{field.name}"
