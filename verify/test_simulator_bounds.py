@@ -34,7 +34,7 @@ BOUNDED = {  # the claim, our bound, what the claim's symbols stand for, and a c
     "clamped": (second_order, step_bounds.clamped_bound.expand(step_bounds.truncation),
                 {clamped.largest: (pi * step_bounds.frequency) ** 3}, {v: 0}),
     "rounding": (roundoff.theorem.claims[0], step_bounds.rounding_bound.expand(step_bounds.rounding),
-                 {}, {step_bounds.unit: 0}),
+                 {roundoff.excess: 2 * step_bounds.unit + step_bounds.unit**2}, {step_bounds.unit: 0}),
 }  # fmt: skip
 
 

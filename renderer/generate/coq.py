@@ -221,7 +221,7 @@ def rounded(text: str) -> str:
                 return f"rounded ({term(left)} {OPERATIONS[type(operation)]} {term(right)})"
             case ast.UnaryOp(ast.USub(), operand):
                 return f"- {term(operand)}"
-            case ast.Constant(value):
+            case ast.Constant(float(value)):
                 above, below = value.as_integer_ratio()
                 return str(above) if below == 1 else f"({above} / {below})"
             case ast.Name(name):
