@@ -116,7 +116,7 @@ def _needs(path: Path) -> set[str]:
 def _survey(found: dict[str, list[str]], order: list[Path]) -> str:
     """Return the text of a file that prints every statement, and each theorem's axioms."""
     lines = ["From Coq Require Import Reals.", "From Coquelicot Require Import Coquelicot.", "Open Scope R_scope."]
-    lines += [f"From Formal Require Import {' '.join(path.stem for path in order)}.", "Set Printing Width 110."]
+    lines += [f"From Formal Require Import {' '.join(path.stem for path in order)}.", "Set Printing Width 72."]
     for theorem, names in found.items():
         lines += [f"Check {name}." for name in names]
         lines += [f"Definition all_of_{theorem} := ({', '.join(names)}, I).", f"Print Assumptions all_of_{theorem}."]

@@ -44,6 +44,8 @@ def evidence_line(entry: dict) -> str:
     """One line: the grade, and what it follows from."""
     grade = entry.get("grade_line", entry["grade"])
     line = f"{grade}: {'; '.join(findings(entry))}" if findings(entry) else grade
+    if entry.get("shown") == "formal":
+        line = f"formal: {count(len(entry['formal']['statements']), 'statement')} in Coq; {line}"
     return line[0].upper() + line[1:]
 
 
