@@ -24,6 +24,7 @@ from book.extension.points import tex_point, tex_value
 from book.extension.theorems import Proofs, module_and_line, placements
 from proofs.engine.theorem import all_theorems
 from tests import one_page
+from verify import formal
 
 ROOT = Path(__file__).resolve().parent.parent
 THEOREMS = all_theorems()
@@ -93,9 +94,10 @@ def test_statement_on_the_page_is_the_checked_objects(build_page):
 def test_every_clause_without_a_claim_is_listed(build_page):
     page, warnings = build_page(":::{argued-clauses}\n:::")
     assert warnings == ""
-    for theorem in THEOREMS.values():
-        assert page.count(f'claims.html#theorem-{theorem.id}"') == len(theorem.argued), theorem.id
-    assert page.count("(argued: ") == sum(len(theorem.argued) for theorem in THEOREMS.values())
+    in_coq = formal.record().keys() - formal.PARTLY.keys()  # where Coq says them, nothing is left to argue
+    listed = {id: 0 if id in in_coq else len(theorem.argued) for id, theorem in THEOREMS.items()}
+    assert {id: page.count(f'claims.html#theorem-{id}"') for id in THEOREMS} == listed
+    assert page.count("(argued: ") == sum(listed.values()) > 0
 
 
 @pytest.mark.parametrize(

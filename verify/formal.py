@@ -32,6 +32,7 @@ AXIOMS = {
     "Classical_Prop.classic": "the excluded middle",
 }
 """{axiom: what it is about}. Where `interval` computes, the specifications of Coq's machine numbers come to these."""
+SEPARATOR = "I\n     : True\n"
 MACHINE_NUMBERS = ("Uint63.", "PrimInt63.", "PrimFloat.", "FloatAxioms.", "FloatOps.", "Int63.", "Sint63.")
 
 PARTLY = {
@@ -119,30 +120,22 @@ def _survey(found: dict[str, list[str]], order: list[Path]) -> str:
     lines += [f"From Formal Require Import {' '.join(path.stem for path in order)}.", "Set Printing Width 72."]
     for theorem, names in found.items():
         lines += [f"Check {name}." for name in names]
-        lines += [f"Definition all_of_{theorem} := ({', '.join(names)}, I).", f"Print Assumptions all_of_{theorem}."]
+        lines += [f"Definition all_of_{theorem} := ({', '.join(names)}, I).", "Check I."]
+        lines += [f"Print Assumptions all_of_{theorem}.", "Check I."]
     return "\n".join([*lines, ""])
 
 
 def _read(found: dict[str, list[str]], printed: str) -> dict:
-    """Return the record out of what the survey printed."""
-    known = {name for names in found.values() for name in names}
-    table = {theorem: {"statements": {}, "axioms": []} for theorem in found}
-    of = {name: theorem for theorem, names in found.items() for name in names}
-    parts = re.split(
-        r"^(?=Axioms:|Closed under the global context|\w+__\w+$|\w+__\w+ *:|\w+__\w+\n +:)", printed, flags=re.M
-    )
-    current = None
-    for part in parts:
-        name = part.split(None, 1)[0].rstrip(":") if part.strip() else ""
-        if name in known:
-            current = of[name]
-            table[current]["statements"][name] = _dedented(part.split(":", 1)[1])
-        elif name == "Axioms" and current:
-            table[current]["axioms"] = sorted(re.findall(r"^([\w.]+)\s*:", part.split("\n", 1)[1], flags=re.M))
-    for theorem, entry in table.items():
-        strange = [a for a in entry["axioms"] if a not in AXIOMS and not a.startswith(MACHINE_NUMBERS)]
-        if strange or len(entry["statements"]) < len(found[theorem]):
+    """Return the record out of what the survey printed: each theorem's statements, then its axioms."""
+    parts, table = printed.split(SEPARATOR), {}
+    for theorem, said, rests in zip(found, parts[0::2], parts[1::2], strict=False):
+        pieces = re.split(rf"^({'|'.join(found[theorem])})\s*:", said, flags=re.M)
+        axioms = sorted(re.findall(r"^([\w.]+)\s*:", rests.partition("Axioms:")[2], flags=re.M))
+        strange = [name for name in axioms if name not in AXIOMS and not name.startswith(MACHINE_NUMBERS)]
+        if strange or pieces[1::2] != found[theorem]:
             raise NotAccepted(f"{theorem} rests on {', '.join(strange) or 'a statement that was not printed'}")
+        texts = {name: _dedented(text) for name, text in zip(pieces[1::2], pieces[2::2], strict=True)}
+        table[theorem] = {"statements": texts, "axioms": axioms}
     return table
 
 

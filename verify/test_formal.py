@@ -35,7 +35,7 @@ def test_coq_accepts_what_the_record_says(pytestconfig):
 
 FALSE = "Theorem unit_length__length : 1 + 1 = 3. Proof. lra. Qed."
 ADMITTED = "Theorem unit_length__length : 1 + 1 = 3. Proof. Admitted."
-ASSUMED = "Axiom three : 1 + 1 = 3. Theorem unit_length__length : 1 + 1 = 3. Proof. exact three. Qed."
+ASSUMED = "Axiom three : 1 + 1 = 3.\nTheorem unit_length__length : 1 + 1 = 3. Proof. exact three. Qed."
 
 
 @needs_coq

@@ -55,13 +55,15 @@ def typeset(value: int | float | str | bool, spec: str | None = None) -> list[no
 
 
 class NumberRole(BookRole):
-    """Print one number of a result."""
+    """Print one number of a result, on one line, or one of its words."""
 
     def content_nodes(self):
         book = Path(self.env.srcdir)
         id, key, spec = parse(self.text)
         self.env.note_dependency(str(result_file(book, id)))
-        return [nodes.inline(self.rawtext, "", *typeset(look_up(book, id, key), spec), classes=["number"])]
+        value = look_up(book, id, key)
+        kept_together = [] if isinstance(value, str) else ["number"]
+        return [nodes.inline(self.rawtext, "", *typeset(value, spec), classes=kept_together)]
 
 
 class BenchmarkLabel(BookDirective):
