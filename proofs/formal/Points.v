@@ -1,0 +1,131 @@
+(* Points at which hypotheses hold, of statements whose files do not give one beside them. *)
+
+From Coq Require Import Reals Lra Lia ZArith.
+From Coquelicot Require Import Coquelicot.
+From Flocq Require Import Core.
+From Formal Require Import Preliminaries Formulas Vectors Fields Bump Float.
+Open Scope R_scope.
+
+Lemma sine_of_a_right_angle : sin (PI * (1 * (1/2))) = 1.
+Proof. replace (PI * (1 * (1/2))) with (PI / 2) by field. apply sin_PI2. Qed.
+Lemma a_unit : length (1, 0, 0) = 1.
+Proof. apply length_of_unit. unfold dot. ring. Qed.
+Lemma a_distance : 0 < length (difference (1, 0, 0) (0, 0, 0)).
+Proof. replace (difference (1, 0, 0) (0, 0, 0)) with ((1, 0, 0) : vector) by (unfold difference, sum, scaled; f_equal; [f_equal|]; ring). rewrite a_unit. lra. Qed.
+
+Theorem kink_loci__between__point : exists u v k_u k_v, height_sine.h u v k_u k_v <> 0.
+Proof. exact gradients__ridges__point. Qed.
+Theorem gradients__on_creases__point : exists u v k_u k_v, height_sine.h u v k_u k_v = 0.
+Proof. exists 0, 0, 1, 1. unfold_fields. rewrite !Rmult_0_r, sin_0. ring. Qed.
+Theorem central_difference_of_sine__rings_in_v__point : exists v k_v epsilon : R, k_v <> 0 /\ 0 < epsilon /\ 0 <= v - epsilon /\ v + epsilon <= 1.
+Proof. exact central_difference_of_sine__sine_in_v__point. Qed.
+Theorem central_difference_of_sine__cosine__point : exists k epsilon : R, k <> 0 /\ 0 < epsilon.
+Proof. exists 1, 1. lra. Qed.
+Theorem truncation_bound__rings__point : exists v k_v epsilon : R, 0 < k_v /\ 0 < epsilon /\ 0 <= v - epsilon /\ v + epsilon <= 1.
+Proof. exists (1/2), 1, (1/4). lra. Qed.
+Theorem truncation_bound__sine_in_v__point : exists v k_v epsilon : R, 0 < k_v /\ 0 < epsilon /\ 0 <= v - epsilon /\ v + epsilon <= 1.
+Proof. exact truncation_bound__rings__point. Qed.
+Theorem truncation_bound__third__point : exists k : R, 0 < k.
+Proof. exists 1. lra. Qed.
+Lemma between_creases (t : R) : 0 < t < 1 -> 0 < sin (PI * (1 * t)).
+Proof. intro T. generalize PI_RGT_0. intro P. apply sin_gt_0; rewrite Rmult_1_l; nra. Qed.
+Theorem truncation_bound__ridges__point : exists u v k_u k_v epsilon s, 0 < k_u /\ 0 < epsilon /\ 0 <= u - epsilon /\ u + epsilon < 1 /\ (s = 1 \/ s = -1) /\
+  0 < s * height_sine.h (u - epsilon) v k_u k_v /\ 0 < s * height_sine.h u v k_u k_v /\ 0 < s * height_sine.h (u + epsilon) v k_u k_v.
+Proof.
+  exists (1/2), (1/2), 1, 1, (1/4), 1. unfold_fields. rewrite sine_of_a_right_angle, !Rmult_1_l, !Rmult_1_r.
+  generalize (between_creases (1/2 - 1/4) ltac:(lra)) (between_creases (1/2) ltac:(lra)) (between_creases (1/2 + 1/4) ltac:(lra)). rewrite !Rmult_1_l. lra.
+Qed.
+Theorem truncation_bound__ridges_in_v__point : exists u v k_u k_v epsilon s, 0 < k_v /\ 0 < epsilon /\ 0 <= v - epsilon /\ v + epsilon <= 1 /\ (s = 1 \/ s = -1) /\
+  0 < s * height_sine.h u (v - epsilon) k_u k_v /\ 0 < s * height_sine.h u v k_u k_v /\ 0 < s * height_sine.h u (v + epsilon) k_u k_v.
+Proof.
+  exists (1/2), (1/2), 1, 1, (1/4), 1. unfold_fields. rewrite sine_of_a_right_angle, !Rmult_1_l.
+  generalize (between_creases (1/2 - 1/4) ltac:(lra)) (between_creases (1/2) ltac:(lra)) (between_creases (1/2 + 1/4) ltac:(lra)). rewrite !Rmult_1_l. lra.
+Qed.
+Theorem elementary_functions__sine__point : exists r : R, - (1/4) <= r <= 1/4.
+Proof. exists 0. lra. Qed.
+Theorem roundoff_bound__standard_model__point : exists x : R, bpow radix2 (-1022) <= Rabs x.
+Proof. exists (bpow radix2 (-1022)). apply Rle_abs. Qed.
+Theorem roundoff_bound__two_product__point : exists a b : R, float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a * b)).
+Proof. exists 0, 0. split; [|split]; try apply generic_format_0. left. ring. Qed.
+Theorem roundoff_bound__any_span__point : exists (h h1 : R -> R) (L a b S kappa eta alpha : R), (forall w, is_derive h w (h1 w)) /\ (forall w, Rabs (h1 w) <= L) /\
+  0 < S /\ a - b = S /\ 0 <= kappa /\ 0 <= eta /\ 0 <= alpha.
+Proof.
+  exists sin, cos, 1, 1, 0, 1, 0, 0, 0. split; [|split; [|lra]]; intro w; [auto_derive; trivial; ring | apply Rabs_le, COS_bound].
+Qed.
+Theorem roundoff_bound__three_roundings__point : exists mu d : R, 0 < mu < 1 /\ Rabs d <= mu.
+Proof. exists (1/2), 0. rewrite Rabs_R0. lra. Qed.
+Theorem chart__round_trip__point : exists theta phi : R, - PI < theta <= PI /\ 0 <= phi <= PI.
+Proof. exists 0, 0. generalize PI_RGT_0. lra. Qed.
+Theorem normal_limits__zero_height__point : exists h : R -> R -> R, forall u v, h u v = 0.
+Proof. exists (fun _ _ => 0). reflexivity. Qed.
+Theorem clamped_difference__first_order_sharp__point : exists v epsilon : R, 0 <= v < epsilon.
+Proof. exists 0, 1. lra. Qed.
+Theorem clamped_difference__at_the_pole_itself__point : exists epsilon : R, 0 < epsilon.
+Proof. exists 1. lra. Qed.
+Theorem clamped_difference_of_odd__second_order__point : exists (h h1 h2 h3 : R -> R) (v epsilon bound : R), (forall w, is_derive h w (h1 w)) /\
+  (forall w, is_derive h1 w (h2 w)) /\ (forall w, is_derive h2 w (h3 w)) /\ (forall w, h (- w) = - h w) /\ 0 <= v < epsilon /\
+  (forall w, 0 <= w <= v + epsilon -> Rabs (h3 w) <= bound).
+Proof.
+  exists (fun w => w ^ 3 / 6), (fun w => w ^ 2 / 2), (fun w => w), (fun _ => 1), 0, 1, 1.
+  split; [|split; [|split; [|split; [|split]]]]; try lra; intros; try (rewrite Rabs_R1; lra); try (auto_derive; trivial; field). field.
+Qed.
+Theorem clamped_difference_of_odd__second_order_sharp__point : exists v epsilon : R, 0 <= v < epsilon.
+Proof. exists 0, 1. lra. Qed.
+Theorem straddling__at_the_crease__point : exists k epsilon : R, 0 < k /\ 0 < epsilon <= 1 / k.
+Proof. exists 1, 1. lra. Qed.
+Theorem straddling__slope__point : exists k delta : R, 0 < k /\ 0 < Rabs delta < 1 / k.
+Proof. exists 1, (1/2). rewrite Rabs_pos_eq; lra. Qed.
+Theorem ridges_on_creases__crease_in_u__point : exists k_u : R, k_u <> 0.
+Proof. exists 1. lra. Qed.
+Theorem ridges_on_creases__crease_in_v__point : exists k_v : R, k_v <> 0.
+Proof. exists 1. lra. Qed.
+Theorem ridges_on_creases__quotients__point : exists A k s : R, 0 <= A /\ 0 < k /\ 0 < s <= 1 / k.
+Proof. exists 1, 1, 1. lra. Qed.
+Theorem ridges_on_creases__differ_in_v__point : exists u k_u k_v : R, 0 < k_v /\ sin (PI * (k_u * u)) <> 0.
+Proof. exists (1/2), 1, 1. rewrite sine_of_a_right_angle. lra. Qed.
+Theorem ridges_at_crossings__crossing__point : exists k_u k_v : R, k_u <> 0 /\ k_v <> 0.
+Proof. exists 1, 1. lra. Qed.
+Theorem ridges_at_crossings__flat__point : exists k_u k_v eta : R, k_u <> 0 /\ k_v <> 0 /\ 0 < eta.
+Proof. exists 1, 1, 1. lra. Qed.
+Theorem seam__ridges_jump__point : exists v k_u k_v : R, sin (PI * k_u) <> 0 /\ sin (PI * (k_v * v)) <> 0.
+Proof. exists (1/2), (1/2), 1. rewrite sine_of_a_right_angle. replace (PI * (1/2)) with (PI / 2) by field. rewrite sin_PI2. lra. Qed.
+Theorem image_derivative__mu__point : exists (n : R -> R) (beta d : R), is_derive n beta d.
+Proof. exists (fun b => b), 0, 1. auto_derive; trivial. Qed.
+Theorem image_derivative__blinn__point : exists (n : R -> R) (beta d : R), is_derive n beta d.
+Proof. exact image_derivative__mu__point. Qed.
+Theorem image_derivative__phong__point : exists (n : R -> R) (beta d : R), is_derive n beta d.
+Proof. exact image_derivative__mu__point. Qed.
+Theorem pole__one_limit__point : exists k_u : R, forall u, k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = k_u ^ 2 / 4.
+Proof. exists 2. intro u. field. Qed.
+Theorem crease_error_area__tents__point : exists epsilon : R, 0 < epsilon.
+Proof. exists 1. lra. Qed.
+Theorem crease_error_area__mean_of_a_square__point : exists k : nat, (0 < k)%nat.
+Proof. exists 1%nat. lia. Qed.
+Theorem crease_error_area__in_u__point : exists k_u epsilon : R, 0 < k_u /\ 0 < epsilon.
+Proof. exists 1, 1. lra. Qed.
+Theorem normal_by_beta__tangent_to_directions__point : exists nx ny nz gx gy gz beta,
+  0 < (beta * gx + nx) ^ 2 + (beta * gy + ny) ^ 2 + (beta * gz + nz) ^ 2.
+Proof. exists 1, 0, 0, 0, 0, 0, 0. lra. Qed.
+Theorem displaced_normal__first_order__point : exists phi, 0 < sin phi.
+Proof. exists (PI / 2). rewrite sin_PI2. lra. Qed.
+Theorem displaced_normal__product__point : exists (h : R -> R -> R) (u v phi h_u h_v : R), 0 < sin phi /\ is_derive (fun u => h u v) u h_u /\ is_derive (fun v => h u v) v h_v.
+Proof. exists (fun u v => u + v), 0, 0, (PI / 2), 1, 1. rewrite sin_PI2. split; [lra | split; auto_derive; trivial; ring]. Qed.
+Theorem bump_is_not_displacement__angle__point : exists phi, 0 < sin phi.
+Proof. exact displaced_normal__first_order__point. Qed.
+Theorem specular_lipschitz__along_a_direction__point : exists P L : vector, 0 < length (difference L P).
+Proof. exists (0, 0, 0), (1, 0, 0). exact a_distance. Qed.
+Theorem specular_lipschitz__mirror__point : exists n : vector, length n = 1.
+Proof. exists (1, 0, 0). exact a_unit. Qed.
+Theorem specular_lipschitz__phong__point : exists P L n : vector, 0 < length (difference L P) /\ length n = 1.
+Proof. exists (0, 0, 0), (1, 0, 0), (1, 0, 0). split; [exact a_distance | exact a_unit]. Qed.
+Theorem difference_bound__all_lights__point : exists (f : vector -> R) (l : R), 0 <= l /\ forall n m, Rabs (f n - f m) <= l * length (difference n m).
+Proof. exists (fun _ => 0), 0. split; [lra|]. intros. rewrite Rminus_0_r, Rabs_R0. lra. Qed.
+Theorem squared_highlight__is_blinn__point : exists px py pz lx ly lz vx vy vz,
+  0 < (lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2 /\ 0 < blinn.halfway_length px py pz lx ly lz vx vy vz.
+Proof.
+  exists 0, 0, 0, 0, 0, 1, 0, 0, 1. split; [lra|].
+  unfold blinn.halfway_length, blinn.halfway_x, blinn.halfway_y, blinn.halfway_z, blinn.towards_x, blinn.towards_y, blinn.towards_z, blinn.light_scale,
+    blinn.light_distance, blinn.to_light_x, blinn.to_light_y, blinn.to_light_z.
+  replace (sqrt ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2)) with 1 by (symmetry; replace (_ + _) with 1 by ring; apply sqrt_1).
+  rewrite Rinv_1. apply sqrt_lt_R0. lra.
+Qed.
