@@ -18,10 +18,11 @@ from pathlib import Path
 from tqdm import tqdm
 
 from renderer.files import write_whole
-from verify.sources import ROOT, hashes
+from verify.sources import ROOT, hashes, key
 
 FOLDER = ROOT / "proofs" / "formal"
 RECORD = FOLDER / "record.json"
+KEPT = ROOT / ".stamps" / "formal"  # what Coq was last asked about here
 STATEMENT = re.compile(r"^Theorem ((\w+?)__\w+)", re.MULTILINE)
 REQUIRED = re.compile(r"From Formal Require Import ([\w\s]+)\.")
 COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
@@ -161,6 +162,7 @@ def main() -> None:
     else:
         table = compile_files(*asked.file)
         if not asked.file:
+            write_whole(KEPT, key(sources()).encode())
             text = json.dumps({"sources": sources(), "theorems": table}, indent=1, ensure_ascii=False)
             write_whole(RECORD, f"{text}\n".encode())
     for theorem, entry in table.items():

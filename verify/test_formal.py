@@ -6,10 +6,10 @@ import shutil
 import pytest
 
 from proofs.engine.theorem import all_theorems
+from renderer.files import write_whole
 from verify import formal
-from verify.sources import ROOT, key
+from verify.sources import key
 
-KEPT = ROOT / ".stamps" / "formal"
 needs_coq = pytest.mark.skipif(
     shutil.which("coqc") is None, reason="Coq is not installed: the record is not re-checked"
 )
@@ -26,10 +26,9 @@ def test_statements_are_of_theorems_of_the_book():
 @needs_coq
 def test_coq_accepts_what_the_record_says(pytestconfig):
     now = key(formal.sources())
-    if pytestconfig.getoption("--fresh") or not KEPT.is_file() or KEPT.read_text(encoding="utf-8") != now:
+    if pytestconfig.getoption("--fresh") or not formal.KEPT.is_file() or formal.KEPT.read_text() != now:
         assert json.loads(formal.RECORD.read_text(encoding="utf-8"))["theorems"] == formal.compile_files()
-        KEPT.parent.mkdir(exist_ok=True)
-        KEPT.write_text(now, encoding="utf-8")
+        write_whole(formal.KEPT, now.encode())
     assert formal.record(), "proofs/formal changed since its record was made: run python -m verify.formal"
 
 

@@ -7,16 +7,14 @@
 {theorem-ref}`kink_loci`      a link that reads "Theorem 3 (Kink loci)"; `kink_loci|short` gives "Theorem 3"
 """
 
+import re
 from collections.abc import Iterable
 from textwrap import indent
 from typing import ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import directives
-from markupsafe import Markup
-from pygments import highlight
-from pygments.formatters import HtmlFormatter
-from pygments.lexers import get_lexer_by_name
+from markupsafe import Markup, escape
 
 from book.build import stamps
 from book.extension import checker
@@ -25,6 +23,8 @@ from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.points import point
 from book.extension.theorems import BadTheorem, certificate, module_and_line, proofs_of, script
 from verify import formal
+
+KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
 
 
 class Here:
@@ -84,9 +84,16 @@ def card(book: Here, id: str) -> Filled:
 
 
 def coq(name: str, statement: str) -> Markup:
-    """A statement of Coq's, coloured."""
-    text = f"Theorem {name} :\n{indent(statement, '  ')}."
-    return Markup(highlight(text, get_lexer_by_name("coq"), HtmlFormatter(nowrap=True)))
+    """A statement of Coq's, its keywords coloured."""
+    words = escape(f"Theorem {name} :\n{indent(statement, '  ')}.")
+    return Markup(KEYWORDS.sub(r'<span class="k">\1</span>', words))
+
+
+def in_coq(entry: dict) -> tuple[dict[str, str], int, int]:
+    """The statements of a theorem's record, and how many points and false variants stand beside them."""
+    said = (entry["formal"] or {"statements": {}})["statements"]
+    points, false = (sum(name.endswith(end) for name in said) for end in ("__point", "__false"))
+    return {name: text for name, text in said.items() if not name.endswith(("__point", "__false"))}, points, false
 
 
 def axioms(names: list[str]) -> str:
@@ -117,4 +124,4 @@ def setup(app) -> None:
     app.add_role("theorem-ref", TheoremReference())
 
 
-TEMPLATES.globals.update(point=point, coq=coq, axioms=axioms)
+TEMPLATES.globals.update(point=point, coq=coq, in_coq=in_coq, axioms=axioms)
