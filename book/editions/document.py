@@ -10,7 +10,7 @@ from book.editions.listings import make_small
 from book.editions.names import Names, ids_of, relink, relink_data, rename
 from book.editions.pages import SHELL, BrokenSite, Page, parsed, read_pages, target
 from book.editions.pictures import inline_pictures
-from book.editions.store import Store, data_address, inlined_script, inlined_styles, packed_address
+from book.editions.store import Store, base64_gzip, data_address, inlined_script, inlined_styles, packed_address
 
 HERE = Path(__file__).parent
 # Icons come from the theme's font; a file that is read from a disk has nothing to search with.
@@ -82,8 +82,10 @@ class Chapter:
         """Every script as an element, with its data: those that wait for the document, or those that do not."""
         for path, tag in self.loads("script"):
             if tag.has_attr("defer") == deferred:
-                data = {name: value for name, value in tag.attrs.items() if name.startswith("data-")}
-                yield self.element("script", inlined_script(path), data)
+                text, data = inlined_script(path), {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
+                if path.parent.name == "mathjax":  # the file's own script unpacks it
+                    text, data = base64_gzip(text.encode()), {"type": "application/gzip", "id": "packed-mathjax"}
+                yield self.element("script", text, data)
 
     def element(self, name: str, text: str, attributes: dict[str, str] | None = None) -> Tag:
         """A <style> or <script> with a text that is set in at the end."""

@@ -28,9 +28,22 @@
     return document.getElementById(id) || pages.find((page) => page.dataset.page === id);
   }
 
+  const unpacked = (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip")));
+  };
+
+  // MathJax is more than a tenth of the file, and is carried compressed.
+  const typesetter = (async () => {
+    const script = document.createElement("script");
+    script.textContent = await unpacked(document.getElementById("packed-mathjax").textContent).text();
+    document.head.append(script);
+    await MathJax.startup.promise;
+  })();
+
   function mathematics(page) {
     const before = [...typeset.values()].pop();
-    if (!typeset.has(page)) typeset.set(page, Promise.all([MathJax.startup.promise, before]).then(() => MathJax.typesetPromise([page])));
+    if (!typeset.has(page)) typeset.set(page, Promise.all([typesetter, before]).then(() => MathJax.typesetPromise([page])));
     return typeset.get(page);
   }
 
@@ -82,10 +95,8 @@
 
   async function unpack(link) {
     const holder = link.hash ? document.getElementById(link.hash.slice(1)) : link;
-    const bytes = Uint8Array.from(atob(holder.href.split(",")[1]), (c) => c.charCodeAt(0));
-    const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
     const saved = document.createElement("a");
-    saved.href = URL.createObjectURL(await new Response(plain).blob());
+    saved.href = URL.createObjectURL(await unpacked(holder.href.split(",")[1]).blob());
     saved.download = link.dataset.packed;
     saved.click();
     setTimeout(() => URL.revokeObjectURL(saved.href), 1000);

@@ -58,9 +58,14 @@ def as_webp(png: bytes) -> bytes:
     return out.getvalue()
 
 
+def base64_gzip(content: bytes) -> str:
+    """Bytes compressed, as text; the same every time."""
+    return base64.b64encode(gzip.compress(content, 9, mtime=0)).decode()
+
+
 def packed_address(content: bytes) -> str:
-    """Bytes as a data: address, compressed; the same bytes every time."""
-    return base64_address("application/gzip", gzip.compress(content, 9, mtime=0))
+    """Bytes as a data: address, compressed."""
+    return f"data:application/gzip;base64,{base64_gzip(content)}"
 
 
 def svg_parts(path: Path) -> list[str]:
