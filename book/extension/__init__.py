@@ -8,6 +8,7 @@
 `{check-all}`              what checks every certificate in the reader's browser (claims.py, checker.py)
 `{dependency-graph}`       what rests on what (dependencies.py)
 `{ledger-entries}` …       the ledger of claims: entries, tables, figures of merit (ledger.py)
+`{seed}`                   the page that the chapter came as, with its verdicts (seed.py)
 `{docstring} FILE`         a module's docstring; sources as pages, theorems as downloads (listings.py)
 section ids                `(s1)=` before a heading puts s1 on the section itself (pages.py)
 `{notebook} NAME`          where a cell's notebook is; all of them as downloads (notebooks.py)
@@ -20,7 +21,7 @@ MathJax, the simulator     copied into the site from the installed package; comp
 
 PARTS = (
     "accessibility", "assets", "cards", "checker", "claims", "dependencies", "elements", "figures",
-    "interface", "kept", "ledger", "listings", "notebooks", "numbers", "pages", "streams",
+    "interface", "kept", "ledger", "listings", "notebooks", "numbers", "pages", "seed", "streams",
 )  # fmt: skip
 
 

@@ -1,0 +1,54 @@
+"""The seed as a page: quoted as it came, and under each place the verdicts on what is claimed there.
+
+:::{seed}
+:::
+"""
+
+import re
+
+from docutils import nodes
+from docutils.statemachine import StringList
+
+from book.extension.elements import BookDirective, filled, raw, section
+from book.extension.ledger import Entries
+from book.ledger.seed import parts
+
+HEADING = re.compile(r"^(§\d · .+|🐍 .+)$", re.M)
+PROGRAM = re.compile(r"\n· · paste into colab.new → Run\n(.*)", re.S)
+LINES = re.compile(r"(?<=\S)\n(?=\S)")  # lines of one block, as on the front and in the table of §6
+
+
+class Seed(BookDirective):
+    """The whole of it, in sections."""
+
+    def content_nodes(self):
+        book = Entries(self)
+        claims = [claim for claim in book.ledger.sorted_by_place() if claim.of_seed]
+        front = nodes.container(classes=["seed"])
+        found = [front]
+        for place, text in parts().items():
+            for piece in HEADING.split(text):
+                if HEADING.match(piece):
+                    found.append(section(piece, f"seed-part-{len(found)}", classes=["seed"]))
+                elif piece.strip():
+                    found[-1] += self.quoted(piece)
+            if place:
+                here = [claim for claim in claims if claim.where == f"seed:{place}"]
+                found[-1] += filled("seed_claims", book=book, claims=here, id="seed-" + place.replace(".", "-"))
+        return found
+
+    def quoted(self, text: str) -> list[nodes.Node]:
+        """A piece of the text, its mathematics typeset; a program stays folded."""
+        program = PROGRAM.search(text)
+        words = PROGRAM.sub("\n", text) if program else text
+        quote = nodes.block_quote()
+        self.state.nested_parse(StringList(LINES.sub("\\\\\n", words).splitlines()), self.content_offset, quote)
+        if program:
+            code = nodes.literal_block(program[1], program[1].rstrip(), language="none")
+            quote += [raw("<details><summary>The program, as printed</summary>"), code, raw("</details>")]
+        return [quote]
+
+
+def setup(app) -> None:
+    """Register the directive."""
+    app.add_directive("seed", Seed)
