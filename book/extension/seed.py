@@ -27,14 +27,16 @@ class Seed(BookDirective):
         front = nodes.container(classes=["seed"])
         found = [front]
         for place, text in parts().items():
-            for piece in HEADING.split(text):
+            here = [claim for claim in claims if claim.where == f"seed:{place}"]
+            verdicts = (
+                [filled("seed_claims", book=book, claims=here, id="seed-" + place.replace(".", "-"))] if place else []
+            )
+            for piece in filter(str.strip, HEADING.split(text)):
                 if HEADING.match(piece):
                     found.append(section(piece, f"seed-part-{len(found)}", classes=["seed"]))
-                elif piece.strip():
-                    found[-1] += self.quoted(piece)
-            if place:
-                here = [claim for claim in claims if claim.where == f"seed:{place}"]
-                found[-1] += filled("seed_claims", book=book, claims=here, id="seed-" + place.replace(".", "-"))
+                else:
+                    found[-1] += [*self.quoted(piece), *verdicts]
+                    verdicts = []  # they stand under the first of its pieces
         return found
 
     def quoted(self, text: str) -> list[nodes.Node]:
