@@ -13,6 +13,7 @@ import sys
 import tempfile
 import textwrap
 from concurrent.futures import ThreadPoolExecutor
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 from tqdm import tqdm
@@ -34,6 +35,8 @@ AXIOMS = {
 }
 """{axiom: what it is about}. Where `interval` computes, the specifications of Coq's machine numbers come to these."""
 SEPARATOR = "I\n     : True\n"
+CLOSED = "Closed under the global context\n"
+AXIOM = re.compile(r"[\w.]+( : .*)?$|  ")  # its name, and its type there or indented below it
 MACHINE_NUMBERS = ("Uint63.", "PrimInt63.", "PrimFloat.", "FloatAxioms.", "FloatOps.", "Int63.", "Sint63.")
 
 PARTLY = {
@@ -47,17 +50,32 @@ class NotAccepted(ValueError):
     """Coq did not accept a file, or a statement rests on an axiom that is not among those that are named."""
 
 
+def layers(*wanted: str) -> list[list[str]]:
+    """Return the names of the files that Coq reads, each in a later layer than those that it requires.
+
+    All, or those that are wanted and theirs. Raises NotAccepted where one requires what is not there, or itself.
+    """
+    required = {path.stem: REQUIRED.search(path.read_text(encoding="utf-8")) for path in FOLDER.glob("*.v")}
+    needs = {name: set(found[1].split()) if found else set() for name, found in required.items()}
+    if missing := set().union(*needs.values(), wanted) - needs.keys():
+        raise NotAccepted(f"there is no {', '.join(sorted(missing))} in {FOLDER.name}/")
+    sorter, found = TopologicalSorter(needs), []
+    try:
+        sorter.prepare()
+    except CycleError as error:
+        raise NotAccepted(f"files that require each other: {', '.join(error.args[1])}") from error
+    while ready := sorted(sorter.get_ready()):
+        sorter.done(*ready)
+        found.append(ready)
+    reached = set(wanted or needs)
+    for name in (name for layer in reversed(found) for name in layer):
+        reached |= needs[name] if name in reached else set()
+    return [sorted(reached.intersection(layer)) for layer in found]
+
+
 def files(*wanted: str) -> list[Path]:
     """Return the files that Coq reads, each after those that it requires: all, or those that are wanted and theirs."""
-    required = {path: REQUIRED.search(path.read_text(encoding="utf-8")) for path in FOLDER.glob("*.v")}
-    needs = {path.stem: set(found[1].split()) if found else set() for path, found in required.items()}
-    order: list[str] = []
-    while len(order) < len(needs):
-        order += sorted(name for name, names in needs.items() if name not in order and names <= set(order))
-    reached = set(wanted or order)
-    for name in reversed(order):
-        reached |= needs[name] if name in reached else set()
-    return [FOLDER / f"{name}.v" for name in order if name in reached]
+    return [FOLDER / f"{name}.v" for layer in layers(*wanted) for name in layer]
 
 
 def statements(*wanted: str) -> dict[str, list[str]]:
@@ -78,8 +96,8 @@ def record() -> dict:
 
 
 def sources() -> dict[str, str]:
-    """Return {file: hash} of everything that Coq reads."""
-    return hashes(FOLDER.glob("*.v"))
+    """Return {file: hash} of everything that Coq reads; which Python asks it is no matter."""
+    return {path: of for path, of in hashes(FOLDER.glob("*.v")).items() if path != "python"}
 
 
 def _coqc(folder: Path, name: str) -> str:
@@ -96,23 +114,12 @@ def compile_files(*wanted: str) -> dict:
         folder = Path(name)
         for path in order:
             shutil.copy(path, folder)
-        waiting, compiled = [path.name for path in order], set()
+        (folder / "Survey.v").write_text(_survey(found, order), encoding="utf-8")
         with tqdm(total=len(order) + 1, unit="file", disable=None) as bar, ThreadPoolExecutor(2) as pool:
-            while waiting:
-                ready = [name for name in waiting if _needs(folder / name) <= compiled]
-                for name, _ in zip(ready, pool.map(lambda name: _coqc(folder, name), ready), strict=True):
-                    bar.update()
-                    compiled.add(name)
-                    waiting.remove(name)
-            (folder / "Survey.v").write_text(_survey(found, order), encoding="utf-8")
-            printed = _coqc(folder, "Survey.v")
-            bar.update()
-    return _read(found, printed)
-
-
-def _needs(path: Path) -> set[str]:
-    required = REQUIRED.search(path.read_text(encoding="utf-8"))
-    return {f"{name}.v" for name in required[1].split()} if required else set()
+            for layer in [*layers(*wanted), ["Survey"]]:
+                printed = list(pool.map(lambda name: _coqc(folder, f"{name}.v"), layer))
+                bar.update(len(layer))
+    return _read(found, printed[-1])
 
 
 def _survey(found: dict[str, list[str]], order: list[Path]) -> str:
@@ -127,17 +134,32 @@ def _survey(found: dict[str, list[str]], order: list[Path]) -> str:
 
 
 def _read(found: dict[str, list[str]], printed: str) -> dict:
-    """Return the record out of what the survey printed: each theorem's statements, then its axioms."""
-    parts, table = printed.split(SEPARATOR), {}
-    for theorem, said, rests in zip(found, parts[0::2], parts[1::2], strict=False):
+    """Return the record out of what the survey printed: each theorem's statements, then what it rests on."""
+    *parts, rest = printed.split(SEPARATOR)
+    if len(parts) != 2 * len(found) or rest.strip():
+        raise NotAccepted(f"Coq printed {len(parts)} parts, not the {2 * len(found)} of {len(found)} theorems")
+    table = {}
+    for theorem, said, rests in zip(found, parts[0::2], parts[1::2], strict=True):
         pieces = re.split(rf"^({'|'.join(found[theorem])})\s*:", said, flags=re.M)
-        axioms = sorted(re.findall(r"^([\w.]+)\s*:", rests.partition("Axioms:")[2], flags=re.M))
-        strange = [name for name in axioms if name not in AXIOMS and not name.startswith(MACHINE_NUMBERS)]
-        if strange or pieces[1::2] != found[theorem]:
-            raise NotAccepted(f"{theorem} rests on {', '.join(strange) or 'a statement that was not printed'}")
+        if pieces[1::2] != found[theorem]:
+            raise NotAccepted(f"a statement of {theorem} was not printed")
         texts = {name: _dedented(text) for name, text in zip(pieces[1::2], pieces[2::2], strict=True)}
-        table[theorem] = {"statements": texts, "axioms": axioms}
+        table[theorem] = {"statements": texts, "axioms": _axioms(theorem, rests)}
     return table
+
+
+def _axioms(theorem: str, printed: str) -> list[str]:
+    """Return the axioms out of what Coq printed; raises NotAccepted for others, and for whatever is not an axiom."""
+    if printed == CLOSED:
+        return []
+    heading, _, listed = printed.partition("\n")
+    lines = listed.splitlines()
+    names = [line.partition(" ")[0] for line in lines if not line.startswith(" ")]
+    odd = [line for line in lines if not AXIOM.match(line)]
+    odd += [name for name in names if name not in AXIOMS and not name.startswith(MACHINE_NUMBERS)]
+    if heading != "Axioms:" or odd or not names:
+        raise NotAccepted(f"{theorem} rests on {'; '.join(odd) or printed}")
+    return sorted(names)
 
 
 def _dedented(text: str) -> str:

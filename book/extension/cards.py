@@ -91,7 +91,7 @@ def coq(name: str, statement: str) -> Markup:
 
 def in_coq(entry: dict) -> tuple[dict[str, str], int, int]:
     """The statements of a theorem's record, and how many points and false variants stand beside them."""
-    said = (entry["formal"] or {"statements": {}})["statements"]
+    said = entry["formal"]["statements"]
     points, false = (sum(name.endswith(end) for name in said) for end in ("__point", "__false"))
     return {name: text for name, text in said.items() if not name.endswith(("__point", "__false"))}, points, false
 

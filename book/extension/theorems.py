@@ -15,11 +15,7 @@ from verify import formal
 PLACED = re.compile(r"^\s*(?::{3,}|`{3,})\{theorem\}\s+(\S+)\s*$", re.MULTILINE)
 CLAIMS_PAGE = "claims"
 GRADES = {  # shape, letter and meaning of each, in the order of the page of all claims
-    "formal": (
-        "■",
-        "F",
-        "stated in Coq over the printed formulas, word for word, and accepted by its kernel; also proved",
-    ),
+    "formal": ("■", "F", "stated over the printed formulas clause for clause, accepted by Coq's kernel; also proved"),
     "proved": ("●", "P", "two checkers accepted a certificate, the samples agree, the false variants were refuted"),
     "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),
     "argued": ("◐", "A", "as proved, but for the words in grey, which no claim says"),

@@ -236,14 +236,7 @@ def float64_module(program: Program) -> str:
     printer = KernelPrinter()
     inside = [f"Variables {' '.join(s.name for s in program.inputs)} : R."]
     inside += [f"Definition {s.name} := {rounded(printer.doprint(e))}." for s, e in program.definitions]
-    lines = [
-        f"Module {program.name}_float64.",
-        "Section program.",
-        *inside,
-        "End program.",
-        f"End {program.name}_float64.",
-    ]
-    return "\n".join([*lines, ""])
+    return _in_module(f"{program.name}_float64", inside)
 
 
 def float64_source() -> str:
