@@ -42,6 +42,7 @@ same-bytes: environment ## build from a clean clone elsewhere and compare every 
 bench: environment ## measure times on this machine and write them with its name  (python -m verify.benchmark)
 	@$(RUN) -m verify.benchmark
 	@$(RUN) -m verify.benchmark.work_precision
+	@$(RUN) -m verify.benchmark.texture
 
 clean: ## remove what was built; the environment stays
 	@rm -rf book/_build book/_generated .stamps .jupyter_cache .pytest_cache .ruff_cache .benchmarks .hypothesis

@@ -41,12 +41,12 @@ def in_turns(cases):
     return visits
 
 
-def run(cases, title):
-    """Time the cases in turns; return {name: median seconds of a call}.
+def timings(cases, title):
+    """Time the cases in turns; return {name: seconds of every call}, the rounds one after another.
 
     A visit begins with a call that is not timed, which warms the caches, unless a call is so long that it is made once.
     """
-    seconds = {case.name: [] for case in cases}
+    seconds: dict[str, list[float]] = {case.name: [] for case in cases}
     for case, _ in tqdm(in_turns(cases), desc=title, unit="visit"):
         work = case.work
         if case.repeats > 1:
@@ -55,4 +55,9 @@ def run(cases, title):
             start = time.perf_counter()
             work()
             seconds[case.name].append(time.perf_counter() - start)
-    return {name: statistics.median(measured) for name, measured in seconds.items()}
+    return seconds
+
+
+def run(cases, title):
+    """Time the cases in turns; return {name: median seconds of a call}."""
+    return {name: statistics.median(measured) for name, measured in timings(cases, title).items()}

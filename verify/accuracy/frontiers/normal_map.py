@@ -1,0 +1,89 @@
+"""The wall again, one derivative later: a table of normals, stored, interpolated, and normalised again.
+
+A texel holds the bumped normal in the tangent frame, (βh_u, βh_v, 1) over its length; the frame is orthonormal, so that
+lengths and angles there are those in space. The gradient that is stored may be exact or a difference's.
+"""
+
+import numpy as np
+
+from renderer import Scene, central, exact, gradient_at
+from verify.accuracy.frontiers.wall import linear_weights, sample
+
+TEXELS = (33, 65, 129, 257, 513, 1025)
+EPS = 1e-3
+
+
+def tangent_normal(scene, u, v, method):
+    """Return the bumped normal in the tangent frame, (3, …), at points of the chart."""
+    h_u, h_v = gradient_at(scene, u, v, method)
+    return unit(np.array([scene.beta * h_u, scene.beta * h_v, np.ones_like(h_u)]))
+
+
+def unit(vectors):
+    """Return vectors (3, …) over their lengths."""
+    return vectors / np.sqrt((vectors**2).sum(axis=0))
+
+
+def baked(scene, texels, method):
+    """Return the normal map: unit normals at (i/texels, j/texels), (3, texels, texels).
+
+    The field has to have the period 1 in u and v, as those of the chapter have for even k_u and k_v.
+    """
+    return tangent_normal(scene, *(np.mgrid[0:texels, 0:texels] / texels), method)
+
+
+def in_bytes(normals):
+    """Return unit normals as a texture keeps them: each component from −1 … 1 to 0 … 255, uint8."""
+    return np.rint((normals + 1) * 127.5).astype(np.uint8)
+
+
+def from_bytes(stored):
+    """Return the normals that a texture's bytes say, not normalised."""
+    return stored / 127.5 - 1
+
+
+def fetched(normals, u, v):
+    """Return the normal that a map gives at points, (3, n): bilinear between four texels, and normalised."""
+    texels = normals.shape[1]
+    at = [np.floor(c * texels).astype(int) for c in (u, v)]
+    weights = [linear_weights(c * texels - n)[0] for c, n in zip((u, v), at, strict=True)]
+    found = np.zeros((3, *np.shape(u)))
+    for i, along in enumerate(weights[0]):
+        for j, down in enumerate(weights[1]):
+            found += normals[:, (at[0] + i) % texels, (at[1] + j) % texels] * along * down
+    return unit(found)
+
+
+def apart(a, b):
+    """Return |a − b| of vectors (3, n)."""
+    return np.sqrt(((a - b) ** 2).sum(axis=0))
+
+
+def rms(lengths):
+    """Return the root of the mean square."""
+    return float(np.sqrt(np.mean(lengths**2)))
+
+
+def errors(field, texels=TEXELS, eps=EPS):
+    """Return {name: array over `texels`} over the chart's sample: how far from the exact N' the fetched one is.
+
+    symbolic, numeric: RMS of the map of exact gradients, and of central differences. between: RMS of one from the
+    other. largest: of the first. bytes: RMS of the first kept in 8 bits. same: the share of equal bytes of the two.
+    """
+    scene, (u, v) = Scene(field=field), sample()
+    right, rows = tangent_normal(scene, u, v, exact()), []
+    for n in texels:
+        maps = [baked(scene, n, method) for method in (exact(), central(eps))]
+        stored = [in_bytes(normals) for normals in maps]
+        one, other = (fetched(normals, u, v) for normals in maps)
+        coarse = fetched(from_bytes(stored[0]), u, v)
+        rows.append({"symbolic": rms(apart(one, right)), "numeric": rms(apart(other, right)),
+                     "between": rms(apart(one, other)), "largest": apart(one, right).max(),
+                     "bytes": rms(apart(coarse, right)), "same": np.mean(stored[0] == stored[1])})  # fmt: skip
+    return {name: np.array([row[name] for row in rows]) for name in rows[0]}
+
+
+def without_a_map(field, eps=EPS):
+    """Return the RMS error of N' over the same sample where both pipelines have the formula: the numeric one's."""
+    scene, points = Scene(field=field), sample()
+    return rms(apart(*(tangent_normal(scene, *points, method) for method in (central(eps), exact()))))

@@ -1,0 +1,54 @@
+"""Stored normals: exact at a texel's centre, of second order between, and the same whichever pipeline stored them."""
+
+import numpy as np
+import pytest
+
+from renderer import Scene, central, exact
+from verify.accuracy.frontiers import normal_map
+from verify.accuracy.frontiers.wall import order
+
+SIZES = (129, 257, 513)
+SINE = Scene(field="sine")
+
+
+@pytest.fixture(scope="module")
+def of_sine():
+    return normal_map.errors("sine", SIZES)
+
+
+def test_a_smooth_map_is_of_second_order(of_sine):
+    """Of one more than a table of heights, because nothing is differentiated after the fetch."""
+    assert order(of_sine["symbolic"], SIZES, last=3) == pytest.approx(2, abs=0.15)
+
+
+def test_a_creased_map_is_not():
+    found = normal_map.errors("ridges", SIZES)
+    assert order(found["symbolic"], SIZES, last=3) == pytest.approx(0.5, abs=0.1)
+    assert (found["largest"] > 1.9).all()  # of at most 2: the normal of the other side
+
+
+@pytest.mark.parametrize("texels", [33, 64])
+def test_it_is_exact_at_the_centres(texels):
+    at = np.mgrid[0:texels, 0:texels] / texels
+    for scene in (SINE, Scene()):
+        map_ = normal_map.baked(scene, texels, exact())
+        np.testing.assert_allclose(normal_map.fetched(map_, *at), map_, atol=1e-12)
+
+
+def test_the_pipelines_meet_in_the_map(of_sine):
+    """Their difference is that of the formulas, and far below what the texels cost either."""
+    apart = normal_map.without_a_map("sine")
+    assert of_sine["between"] == pytest.approx(apart, rel=0.1)
+    assert (of_sine["symbolic"] > 30 * of_sine["between"]).all()
+    assert of_sine["numeric"] == pytest.approx(of_sine["symbolic"], rel=2e-2)
+
+
+def test_at_the_best_step_they_store_the_same_bytes_and_at_a_coarse_one_they_do_not():
+    right = normal_map.in_bytes(normal_map.baked(SINE, 129, exact()))
+    assert (right == normal_map.in_bytes(normal_map.baked(SINE, 129, central(1e-6)))).all()
+    assert np.mean(right == normal_map.in_bytes(normal_map.baked(SINE, 129, central(3e-2)))) < 0.9
+
+
+def test_bytes_are_a_256th_off():
+    normals = normal_map.baked(SINE, 33, exact())
+    assert np.abs(normal_map.from_bytes(normal_map.in_bytes(normals)) - normals).max() <= 1 / 255

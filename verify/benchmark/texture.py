@@ -1,0 +1,197 @@
+"""Measure what a bumped normal costs, computed from the formula or fetched from a table, and write it with a label:
+
+    python -m verify.benchmark.texture                   (seconds, on a machine that does nothing else)
+
+One thread, compiled loops of one kind over the pixels of A in raster order. Each gives the normal in the tangent frame:
+from the exact gradient or a difference of the formula; from a bilinear normal map; from a bilinear table of heights,
+by the interpolation's own derivative or by a central difference of it. Ratios are taken round by round, and carry their
+quartiles. Writes verify/benchmark/results/texture.json: commit it.
+"""
+
+import argparse
+import sys
+from functools import cache, partial
+from itertools import product
+from pathlib import Path
+
+import llvmlite.ir as ir
+import numpy as np
+from sympy import sqrt
+
+from proofs.engine.program import Program, chain
+from proofs.formulas.finite_difference import central
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.symbols import beta, epsilon, h_u, h_v, k_u, k_v, real, vector
+from renderer import Scene, exact, height_at, render
+from renderer.machines.traced import WHOLE, Value
+from verify.accuracy.frontiers.normal_map import baked
+from verify.benchmark.__main__ import RESULTS, load
+from verify.benchmark.frames import warmed
+from verify.benchmark.label import label, write
+from verify.benchmark.methods.compiled import compiled_loop, loop_of
+from verify.benchmark.methods.programs import algebraic_gradient
+from verify.benchmark.plan import Case, timings
+
+FIELD, SIDE, EPS = "sine", 512, 1e-3
+SMALL, LARGE = 257, 2049  # a map that the processor's own memory holds, and one that it does not
+ROUNDS, CALLS = 25, 4
+SCENE = Scene(field=FIELD)
+RATIOS = {"central_to_exact": ("central", "exact"), "central_to_algebraic": ("central", "algebraic"),
+          "difference_to_derivative": ("height_difference", "height_derivative"),
+          **{f"{slow}_to_map": (slow, "map_small") for slow in ("central", "exact", "algebraic")},
+          "large_to_small": ("map_large", "map_small")}  # fmt: skip
+
+_tangent, _inverse = vector("tangent"), real("inverse")
+_to_normal = Program(
+    "to_normal",
+    (h_u, h_v, beta),
+    (
+        (_inverse, 1 / sqrt((beta * h_u) ** 2 + (beta * h_v) ** 2 + 1)),
+        *zip(_tangent, (beta * h_u * _inverse, beta * h_v * _inverse, _inverse), strict=True),
+    ),
+    _tangent,
+)
+"""N' in the tangent frame, (βh_u, βh_v, 1) over its length."""
+
+
+def _from_formula(program):
+    """Return the compiled loop from the points to N', by a program of the gradient."""
+    whole = chain(f"normal_{program.name}", program, _to_normal)
+    scalars = {k_u: SCENE.ku, k_v: SCENE.kv, epsilon: EPS, beta: SCENE.beta}
+    used = [s for s in scalars if s in whole.inputs]
+    points = tuple(s for s in whole.inputs if s not in scalars)
+    ordered = Program(whole.name, (*points, *used), whole.definitions, whole.outputs)
+    return compiled_loop(ordered, {s.name: scalars[s] for s in used})
+
+
+def _texel(table, row, column):
+    """Return the channels of the texels at whole rows and columns, Values of which each lane is loaded by itself."""
+    machine, channels = row.machine, table.shape[2]
+    builder, texel = machine.builder, ir.VectorType(ir.FloatType(), channels)
+    index = (row * float(table.shape[1]) + column).vector
+    found = [ir.Constant(machine.vector, ir.Undefined)] * channels
+    for lane in map(WHOLE, range(machine.lanes)):
+        at = builder.mul(builder.fptosi(builder.extract_element(index, lane), WHOLE), WHOLE(4 * channels))
+        place = builder.inttoptr(builder.add(at, WHOLE(table.ctypes.data)), texel.as_pointer())
+        wide = builder.fpext(builder.load(place, align=4), ir.VectorType(machine.vector.element, channels))
+        found = [builder.insert_element(f, builder.extract_element(wide, WHOLE(n)), lane) for n, f in enumerate(found)]
+    return [Value(machine, vector) for vector in found]
+
+
+def _corners(table, u, v):
+    """Return (corners {(i, j): channels}, the share of the way to the next texel in u and in v)."""
+    machine, texels = u.machine, float(len(table))
+    low = [machine.floor(c * texels) for c in (u, v)]
+    high = [machine.where(n + 1.0 >= texels, n + (1.0 - texels), n + 1.0) for n in low]
+    ends = list(zip(low, high, strict=True))
+    corners = {(i, j): _texel(table, ends[0][i], ends[1][j]) for i, j in product((0, 1), repeat=2)}
+    return corners, u * texels - low[0], v * texels - low[1]
+
+
+def _bilinear(table, u, v):
+    """Return the channels of a bilinear interpolation, Values."""
+    corners, s, t = _corners(table, u, v)
+    sides = [[a + (b - a) * s for a, b in zip(corners[0, j], corners[1, j], strict=True)] for j in (0, 1)]
+    return [a + (b - a) * t for a, b in zip(*sides, strict=True)]
+
+
+def _unit(x, y, z):
+    inverse = 1.0 / x.machine.sqrt(x * x + y * y + z * z)
+    return x * inverse, y * inverse, z * inverse
+
+
+def _from_map(normals, u, v):
+    return _unit(*_bilinear(normals, u, v)[:3])
+
+
+def _by_derivative(heights, u, v):
+    corners, s, t = _corners(heights, u, v)
+    (a,), (b,), (c,), (d,) = (corners[place] for place in ((0, 0), (1, 0), (0, 1), (1, 1)))
+    size = SCENE.beta * len(heights)
+    return _unit(((b - a) * (1.0 - t) + (d - c) * t) * size, ((c - a) * (1.0 - s) + (d - b) * s) * size, 1.0 + 0.0 * s)
+
+
+def _by_difference(heights, u, v):
+    step = 0.5 / len(heights)  # half a texel to either side, within the chart: the sample keeps clear of its ends
+    rises = [_bilinear(heights, *plus)[0] - _bilinear(heights, *minus)[0]
+             for plus, minus in (((u + step, v), (u - step, v)), ((u, v + step), (u, v - step)))]  # fmt: skip
+    size = SCENE.beta / (2 * step)
+    return _unit(*(rise * size for rise in rises), 1.0 + 0.0 * u)
+
+
+def _loop(kernel, table):
+    """Return a compiled loop over (u, v) that reads a table, float32 (rows, columns, channels), and keeps it alive."""
+    table = np.ascontiguousarray(table, np.float32)
+
+    def given(u, v):
+        return kernel(table, u, v)
+
+    run = loop_of(given, 3)
+    return lambda *points: (table, run(*points))[1]
+
+
+def _four_channels(texels):
+    normals = np.moveaxis(baked(SCENE, texels, exact()), 0, -1)
+    return np.concatenate([normals, np.zeros_like(normals[..., :1])], axis=2)  # 16 bytes a texel, as textures are kept
+
+
+def _heights(texels):
+    return height_at(SCENE, *(np.mgrid[0:texels, 0:texels] / texels))[..., None]
+
+
+@cache
+def points():
+    """Return (chart points, angles) of the pixels of A in raster order, two texels of SMALL off the chart's ends."""
+    frame = render(SCENE, SIDE, SIDE)
+    chart = np.array([frame.surface_data[name][frame.stage.on_a] for name in ("u", "v")])
+    clear = ((chart > 2 / SMALL) & (chart < 1 - 2 / SMALL)).all(axis=0)
+    return tuple(np.ascontiguousarray(a) for a in chart[:, clear]), tuple(frame.planes_on_a[:4, clear])
+
+
+@cache
+def ways():
+    """Return {name: (function, its points)} of everything that is timed."""
+    field, (chart, angles) = HEIGHT_FIELDS[FIELD], points()
+    return {
+        "algebraic": (_from_formula(algebraic_gradient(field, SCENE.ku, SCENE.kv)), angles),
+        "exact": (_from_formula(gradient(field)), chart),
+        "central": (_from_formula(central(field)), chart),
+        "map_small": (_loop(_from_map, _four_channels(SMALL)), chart),
+        "map_large": (_loop(_from_map, _four_channels(LARGE)), chart),
+        "height_derivative": (_loop(_by_derivative, _heights(SMALL)), chart),
+        "height_difference": (_loop(_by_difference, _heights(SMALL)), chart),
+    }
+
+
+def quartiles(slow, fast):
+    """Return the quartiles (low, median, high) of the ratio of two cases' times, taken round by round."""
+    medians = [np.median(np.reshape(times, (-1, CALLS)), axis=1) for times in (slow, fast)]
+    return np.quantile(np.divide(*medians), (0.25, 0.5, 0.75))
+
+
+def numbers_of(seconds, count):
+    """Return what the book cites of {way: seconds of every call}: ns a point, and each ratio with its quartiles."""
+    numbers = {f"{name}_ns": 1e9 * float(np.median(times)) / count for name, times in seconds.items()}
+    for name, (slow, fast) in RATIOS.items():
+        low, middle, high = quartiles(seconds[slow], seconds[fast])
+        numbers |= {name: float(middle), f"{name}_low": float(low), f"{name}_high": float(high)}
+    return numbers
+
+
+def main(arguments=None):
+    """Measure, print, write."""
+    parser = argparse.ArgumentParser("python -m verify.benchmark.texture", description=__doc__.splitlines()[0])
+    parser.add_argument("--rounds", type=int, default=ROUNDS, help="timed rounds (default: %(default)s)")
+    parser.add_argument("--output", type=Path, default=RESULTS, metavar="FOLDER", help="where the result is written")
+    options = parser.parse_args(arguments)
+    before, count = load(), len(points()[0][0])
+    cases = [Case(n, warmed(partial(f, *at)), CALLS, options.rounds) for n, (f, at) in ways().items()]
+    numbers = numbers_of(timings(cases, "normals"), count)
+    for name, value in numbers.items():
+        print(f"  {name:32} {value:8.3g}")
+    numbers |= {"points": count, "small": SMALL, "large": LARGE, "rounds": options.rounds, "eps": EPS, "load": before}
+    write(options.output / "texture.json", {"label": label("numpy", "llvmlite"), "numbers": numbers})
+
+
+if __name__ == "__main__":
+    sys.exit(main())
