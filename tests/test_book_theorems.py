@@ -10,6 +10,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from bs4 import BeautifulSoup
 from docutils import nodes
 
 from book.build import check, report, stamps
@@ -81,14 +82,31 @@ def regraded(path, id, grade):
 # The card
 
 
+def statement_in(page):
+    """The text of the only statement of a page, its formulas between dollars."""
+    shown = BeautifulSoup(page, "html.parser").select_one(".statement")
+    for title in shown.select(".theorem-title"):
+        title.decompose()
+    for formula in shown.select(".math"):
+        formula.replace_with(f"${formula.get_text()[2:-2]}$")
+    return shown.get_text().strip()
+
+
 def test_statement_on_the_page_is_the_checked_objects(build_page):
     page, warnings = build_page(":::{theorem} kink_loci\n:::\n\nSee {theorem-ref}`kink_loci`.")
     assert warnings == ""
-    shown = re.search(r'<p class="statement">(.*?)</p>', page, re.DOTALL)[1]
-    shown = re.sub(r'<span class="math notranslate nohighlight">\\\((.*?)\\\)</span>', r"$\1$", shown, flags=re.DOTALL)
-    assert html.unescape(shown) == THEOREMS["kink_loci"].words
+    assert statement_in(page) == THEOREMS["kink_loci"].words
     assert 'href="#theorem-kink_loci">Theorem 1 (The creases are rays and circles)</a>' in page
     assert "pytest verify --theorem kink_loci" in re.sub(r"<[^>]+>", "", page)
+
+
+def test_words_stand_for_a_statement_which_is_folded_away(build_page):
+    page, warnings = build_page(":::{theorem} kink_loci\nRays, and *circles*.\n:::")
+    assert warnings == "" and statement_in(page) == THEOREMS["kink_loci"].words
+    card = BeautifulSoup(page, "html.parser").select_one("#theorem-kink_loci")
+    assert [part.name for part in card.find_all(recursive=False)] == ["p", "details"]
+    assert card.p.get_text().endswith("Rays, and circles.") and card.p.em.get_text() == "circles"
+    assert card.details.select(".statement") and not card.details.has_attr("open")
 
 
 def test_every_clause_without_a_claim_is_listed(build_page):

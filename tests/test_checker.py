@@ -59,7 +59,11 @@ def page_of(site):
 
 
 def card(tab, theorem):
-    return tab.locator(f"#theorem-{theorem}")
+    """A theorem's card, unfolded."""
+    place = tab.locator(f"#theorem-{theorem}")
+    if place.locator("details").first.get_attribute("open") is None:
+        place.locator("summary").first.click()
+    return place
 
 
 def press(place, text):
@@ -74,7 +78,7 @@ def verdict(place):
 @pytest.mark.parametrize("scheme", ["http", "file"])
 def test_a_card_checks_its_theorem_and_asks_for_nothing(browser, site, server, scheme):
     context = browser.new_context(viewport=DESKTOP)
-    address = f"{server}/s3.html" if scheme == "http" else (site / "s3.html").as_uri()
+    address = f"{server}/lemmas.html" if scheme == "http" else (site / "lemmas.html").as_uri()
     tab, complaints, requests = opened(context, address)
     tab.evaluate("() => MathJax.startup.promise")
     icon = tab.evaluate("document.querySelector('link[rel~=icon]').href")  # a browser asks for it when it likes
@@ -119,14 +123,14 @@ def test_every_theorem_has_its_button_or_says_why_not(page):
 
 
 def test_the_data_in_the_page_are_the_stored_ones(page):
-    tab = page("s3")
+    tab = page("lemmas")
     data = json.loads(tab.locator("#theorem-unit_length script[type='application/json']").inner_text())
     pairs = [(pair["statement"], pair["certificate"]) for claim in data["claims"] for pair in claim["statements"]]
     assert pairs == [pair for name, pair in stored().items() if name.startswith("unit_length/")]
 
 
 def test_a_statement_that_is_changed_from_the_keyboard_is_rejected_and_can_be_put_back(page):
-    tab = page("s3")
+    tab = page("lemmas")
     place = card(tab, "unit_length")
     place.get_by_role("button", name=CHANGE).focus()
     tab.keyboard.press("Enter")
@@ -149,7 +153,7 @@ def test_a_statement_that_is_changed_from_the_keyboard_is_rejected_and_can_be_pu
 
 
 def test_what_is_typed_is_read_or_refused_in_words(page):
-    place = card(page("s3"), "unit_length")
+    place = card(page("lemmas"), "unit_length")
     press(place, CHANGE)
     place.locator(".check-line").first.click()
     box, error = place.locator(".check-panel input"), place.locator(".check-error")
@@ -167,7 +171,7 @@ def test_what_is_typed_is_read_or_refused_in_words(page):
 
 @pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm ci --prefix tests/axe")
 def test_an_open_card_has_no_serious_violation(page):
-    tab = page("s3")
+    tab = page("lemmas")
     place = card(tab, "unit_length")
     for button in (CHECK_HERE, CHANGE):
         press(place, button)
@@ -212,7 +216,7 @@ def tampered_data(tab, selector):
 
 
 def test_a_false_certificate_is_rejected_by_the_card_and_by_check_all(page):
-    tab = page("s3")
+    tab = page("lemmas")
     wrong = tampered_data(tab, "#theorem-unit_length")
     tab.evaluate(
         "data => Checker.card(document.querySelector('#theorem-unit_length .checker'), data, Checker.clerk())", wrong
@@ -236,7 +240,7 @@ def test_a_false_certificate_is_rejected_by_the_card_and_by_check_all(page):
         ("() => { Checker.kernel = function () { throw new Error('broken') } }", "the worker failed"),
     ],
 )
-@pytest.mark.parametrize(("name", "button"), [("s3", CHECK_HERE), ("claims", CHECK_ALL)])
+@pytest.mark.parametrize(("name", "button"), [("lemmas", CHECK_HERE), ("claims", CHECK_ALL)])
 def test_a_worker_that_does_not_start_says_so(page, breakage, words, name, button):
     tab = page(name)
     tab.evaluate(breakage)
@@ -251,7 +255,7 @@ def test_a_worker_that_never_answers_is_given_up(browser, server):
     context = browser.new_context()
     tab = context.new_page()
     tab.clock.install()
-    tab.goto(f"{server}/s3.html")
+    tab.goto(f"{server}/lemmas.html")
     tab.evaluate("() => { window.Worker = class { postMessage() {} terminate() {} } }")
     press(card(tab, "unit_length"), CHECK_HERE)
     tab.clock.run_for(21000)
@@ -270,7 +274,7 @@ def test_a_refuted_claim_has_its_counterexample_put_in(page, page_of):
 def test_without_scripts_the_card_says_what_there_is(browser, server):
     context = browser.new_context(java_script_enabled=False)
     tab = context.new_page()
-    tab.goto(f"{server}/s3.html")
+    tab.goto(f"{server}/lemmas.html")
     assert card(tab, "unit_length").get_by_role("button").count() == 0
     assert "takes JavaScript" in card(tab, "unit_length").inner_text()
     assert "steps" not in card(tab, "unit_length").inner_text()  # the data are not text
@@ -279,7 +283,7 @@ def test_without_scripts_the_card_says_what_there_is(browser, server):
 
 def test_the_editor_fits_a_phone_and_a_finger(browser, server):
     context = browser.new_context(viewport=PHONE, is_mobile=True, has_touch=True)
-    tab, complaints, _ = opened(context, f"{server}/s3.html")
+    tab, complaints, _ = opened(context, f"{server}/lemmas.html")
     tab.evaluate(OPEN_EVERYTHING)
     tab.wait_for_function("[...document.querySelectorAll('.check-body > .check-verdict')].every(e => e.innerText)")
     tab.evaluate("document.querySelectorAll('.checker details').forEach(fold => fold.open = true)")

@@ -9,7 +9,7 @@ pytestmark = pytest.mark.browser
 FOUND = {
     "silhouette": "s2.html",
     "trace": "s2.html",
-    "Lagrange": "s3.html",
+    "Lagrange": "lemmas.html",
     "ε": "s7.html",
     "perturbed normal": "s3.html",
 }

@@ -1,13 +1,17 @@
-"""HTML that screen readers understand, where Sphinx writes some that they do not."""
+"""HTML as readers need it, where Sphinx writes some that screen readers do not understand, or that breaks badly."""
 
 import re
 
 EMPTY_HEADING = re.compile(r'<th class="head[^"]*">(?:<p></p>)?</th>')
 
+# A formula breaks nowhere inside, but would break before the comma that follows it.
+PUNCTUATED = re.compile(r'(<span class="math notranslate nohighlight">[^<]*</span>)([.,;:?!)\]’”]+|[’-]\w+)')
+
 
 def readable(body: str) -> str:
-    """A page's HTML with a bibliography's entries as items of its list, and no heading cell that is empty."""
+    """A page's HTML: a bibliography's entries as items of its list, no empty heading cell, commas at their formulas."""
     body = body.replace('role="doc-biblioentry"', 'role="listitem"')
+    body = PUNCTUATED.sub(r'<span class="unbroken">\1\2</span>', body)
     return EMPTY_HEADING.sub('<td class="head"></td>', body)
 
 

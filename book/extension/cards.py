@@ -2,13 +2,15 @@
 
 :::{theorem} kink_loci
 :expect: proved               (by default what the theorem itself expects; anything else fails the build)
+
+Words that stand for the statement, which is then folded away with its proof. Without them the statement stands.
 :::
 
 {theorem-ref}`kink_loci`      a link that reads "Theorem 3 (Kink loci)"; `kink_loci|short` gives "Theorem 3"
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from textwrap import indent
 from typing import ClassVar
 
@@ -55,6 +57,7 @@ class TheoremCard(BookDirective):
     """Place the card of a theorem."""
 
     required_arguments = 1
+    has_content = True
     option_spec: ClassVar = {"expect": directives.unchanged}
 
     def content_nodes(self):
@@ -62,11 +65,12 @@ class TheoremCard(BookDirective):
         book.proofs.reached(id, self.options.get("expect"))
         if (page := book.proofs.places[id].page) != self.env.docname:
             raise BadTheorem(f"{id!r} is placed on {page}, not here")
-        return [card(book, id)]
+        brief, messages = self.state.inline_text(" ".join(self.content), self.lineno)
+        return [card(book, id, brief), *messages]
 
 
-def card(book: Here, id: str) -> Filled:
-    """The card: title, statement, hypotheses, evidence; folded away, what the evidence is made of."""
+def card(book: Here, id: str, brief: Sequence[nodes.Node] = ()) -> Filled:
+    """The card: its name with the statement, or words in brief for it; all else is folded away."""
     path, line = module_and_line(id)
     downloads = {"certificate": f"{DOWNLOADS}/{id}.json"} if certificate(id) else {}
     downloads |= {"stand-alone script": f"{DOWNLOADS}/{id}.py"} if script(id) else {}
@@ -74,6 +78,7 @@ def card(book: Here, id: str) -> Filled:
         "card",
         id=id,
         book=book,
+        brief=list(brief),
         theorem=book.proofs.theorems[id],
         entry=book.proofs.entries[id],
         check_here=checker.check_here(book, id),
