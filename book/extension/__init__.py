@@ -1,6 +1,7 @@
 """The chapter's own Sphinx extension.
 
 `{chapter-figure} ID`      a figure, its caption and its provenance (figures.py)
+`{idea} ID`                a figure that a hand can move (ideas.py)
 `{number}` roles           a number from a figure or a benchmark, printed with a format (numbers.py)
 `{benchmark-label} NAME`   where and when a benchmark was measured (numbers.py)
 `{theorem} ID`             a theorem's card; {theorem-ref}`ID` refers to it (cards.py)
@@ -21,7 +22,7 @@ MathJax, the simulator     copied into the site from the installed package; comp
 
 PARTS = (
     "accessibility", "assets", "cards", "checker", "claims", "dependencies", "elements", "figures",
-    "interface", "kept", "ledger", "listings", "notebooks", "numbers", "pages", "seed", "streams",
+    "ideas", "interface", "kept", "ledger", "listings", "notebooks", "numbers", "pages", "seed", "streams",
 )  # fmt: skip
 
 

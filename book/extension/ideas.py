@@ -1,0 +1,41 @@
+"""The directive that places a small interactive: a figure that a hand can move.
+
+:::{idea} slope_is_texture
+:alt: what the still picture shows
+:width: page
+
+The caption. Everything is as for {chapter-figure}: the still picture is the figure of that name, and it stays where no
+script runs and on paper. `static/ideas/slope_is_texture.js` draws in its place where one does.
+:::
+"""
+
+from docutils import nodes
+
+from book.extension.figures import ChapterFigure
+
+SHARED = ("simulator/compiled.js", "simulator/module.js", "ideas/ideas.js")
+
+
+class Idea(ChapterFigure):
+    """Place a figure with a script that replaces its picture."""
+
+    def content_nodes(self):
+        (figure,) = super().content_nodes()
+        figure["classes"].append("idea")
+        figure["idea"] = self.arguments[0]
+        return [figure]
+
+
+def load_scripts(app, pagename, templatename, context, doctree) -> None:
+    """Let a page with interactives load what they need, each file once."""
+    found = [node["idea"] for node in doctree.findall(nodes.figure) if "idea" in node] if doctree else []
+    for name in [*SHARED, *(f"ideas/{id}.js" for id in found)] if found else ():
+        app.add_js_file(name, loading_method="defer")
+    if found:
+        app.add_css_file("ideas/ideas.css")
+
+
+def setup(app) -> None:
+    """Register the directive, and what its pages load."""
+    app.add_directive("idea", Idea)
+    app.connect("html-page-context", load_scripts)
