@@ -9,6 +9,7 @@ import hashlib
 import json
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 from proofs.engine.hypotheses import reasons
@@ -17,11 +18,7 @@ from proofs.engine.kernel import fits
 FOLDER = Path(__file__).parent / "certificates"
 
 
-PAIR = dict.fromkeys(("sha256", "statement", "certificate", "point"), lambda data: True)  # looked at below
-CLAIM = {"claim": lambda name: isinstance(name, str), "statements": [PAIR]}
-
-
-def files(ids):
+def files(ids: Sequence[str]) -> list[Path]:
     """Return the certificate files of the given theorems (all, if none is given); ValueError on an unknown id."""
     known = {path.stem: path for path in sorted(FOLDER.glob("*.json"))}
     if unknown := [id for id in ids if id not in known]:
@@ -29,19 +26,24 @@ def files(ids):
     return [known[id] for id in ids] if ids else list(known.values())
 
 
-def canonical(data):
+PAIR = dict.fromkeys(("sha256", "statement", "certificate", "point"), lambda data: True)  # looked at below
+CLAIM = {"claim": lambda name: isinstance(name, str), "statements": [PAIR]}
+
+
+def canonical(data: object) -> str:
     """Return the one text that a file of certificates may have: no key twice, no number in another form."""
     return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
 
 
-def digest(statement):
+def digest(statement: dict) -> str:
     """Return the sha256 of a statement's canonical JSON, as stored beside it."""
     return hashlib.sha256(json.dumps(statement, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
 
 
-def verdicts(text, theorem):
+def verdicts(text: str, theorem: str) -> list[tuple[str, object]]:
     """Return [(claim, None or why it is rejected)] of a certificate file's text."""
-    data, found = json.loads(text), []
+    data = json.loads(text)
+    found: list[tuple[str, object]] = []
     if text != canonical(data):
         return [("the file", "it is not its own canonical form")]
     if not fits(data, {"version": 1, "theorem": theorem, "claims": [CLAIM]}):
@@ -55,7 +57,7 @@ def verdicts(text, theorem):
     return found
 
 
-def main(arguments=None):
+def main(arguments: list[str] | None = None) -> int:
     """Print a line a theorem; return 0 if the kernel accepts all, 1 if not, 2 on an unknown id."""
     parser = argparse.ArgumentParser(prog="python -m proofs.check", description=__doc__)
     parser.add_argument("ids", nargs="*", metavar="ID", help="theorems (default: all)")

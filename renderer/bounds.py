@@ -5,11 +5,17 @@ leave a pixel out; where a bound does not exist the box is the whole plane.
 """
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from renderer.kernels import shadow_clearance, tangent_interval
 
+if TYPE_CHECKING:
+    from renderer.numbers import Geometry
+
+Box = tuple[float, float, float, float]
 GUARD = 1e-6
 EVERYWHERE = (-math.inf, math.inf)
 EMPTY = (math.inf, -math.inf) * 2
@@ -30,7 +36,7 @@ def _interval(apex, apex_height, center, center_height, radius, levels, eye=math
     return min(ends) - room, max(ends) + room
 
 
-def box(apex, center, radius, levels, eye):
+def box(apex: Sequence[float], center: Sequence[float], radius: float, levels: Sequence[float], eye: float) -> Box:
     """Return the box of what a sphere hides from `apex` between two heights, which are below the apex and the eye."""
     if min(apex[2], eye) <= max(levels):
         return EVERYWHERE * 2
@@ -50,7 +56,7 @@ def _casts(light, body, ball):
         return not shadow_clearance(*light, *body[0], body[1], *ball[0], np.float64(ball[1])) > GUARD
 
 
-def lowest_on_a(g, light):
+def lowest_on_a(g: "Geometry", light: Sequence[float]) -> float:
     """Return a height below which B's shadow on A is not seen: that of A's horizon, or where the shadow's hull ends."""
     lowest = g.radius * (g.radius / g.eye) * (1 - GUARD)  # theorem visible_iff: cos φ > R/e
     for _ in range(2):
@@ -63,7 +69,7 @@ def lowest_on_a(g, light):
     return lowest
 
 
-def shadow_boxes(g, light):
+def shadow_boxes(g: "Geometry", light: Sequence[float]) -> tuple[Box, ...]:
     """Return where A's shadow on the floor, B's on the floor, B's on A and A's on B can be, of a light at a point.
 
     A box is empty where there is no B, no floor, or where no segment from the light to the surface meets the body.
@@ -87,6 +93,6 @@ def _shadow_box(g, light, body, surface):
     return box(light, *body, (lowest_on_a(g, light) if surface == "a" else low, high), g.eye)
 
 
-def ball_box(g):
+def ball_box(g: "Geometry") -> Box:
     """Return where B can be seen: empty without one."""
     return box((0.0, 0.0, g.eye), g.ball[:3], g.ball[3], (0.0,), g.eye) if g.ball_on else EMPTY

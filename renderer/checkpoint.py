@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import sys
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from functools import cache
 from pathlib import Path
@@ -13,13 +14,13 @@ import numpy as np
 from renderer.checks import not_allowed
 from renderer.files import checked_target
 from renderer.machines import machine
-from renderer.sweep import SweepRow
+from renderer.sweep import SweepRow, Task
 
 _START = b'{"key": '
 
 
 @cache
-def version():
+def version() -> str:
     """Return a hash of what computes a result: the renderer's sources, the machine that draws, NumPy, llvmlite."""
     drawing, folder = machine().NAME, Path(__file__).parent  # llvmlite is loaded then, if it draws
     llvmlite = getattr(sys.modules.get("llvmlite"), "__version__", None)
@@ -29,7 +30,7 @@ def version():
     return digest.hexdigest()
 
 
-def key_of(task):
+def key_of(task: Task) -> str:
     """Return a hash of a Task and of what computes it: equal keys, equal results."""
     return hashlib.sha256(json.dumps([asdict(task), version()], sort_keys=True).encode()).hexdigest()
 
@@ -41,7 +42,7 @@ class Checkpoint:
     ValueError if the file cannot be written or holds anything but results. One sweep at a time may write to it.
     """
 
-    def __init__(self, path):
+    def __init__(self, path: str | Path):
         self.path, self.rows = checked_target(path, (".jsonl",), "checkpoint"), {}
         content = self.path.read_bytes() if self.path.exists() else b""
         *lines, torn = content.split(b"\n")
@@ -59,12 +60,12 @@ class Checkpoint:
     def _none(self, number):
         return not_allowed("checkpoint", str(self.path), f"a file of results, and its line {number} is none")
 
-    def kept(self, tasks):
+    def kept(self, tasks: Iterable[Task]) -> dict[Task, SweepRow]:
         """Return {task: row} of those of the tasks that are kept."""
         keys = {task: key_of(task) for task in tasks}
         return {task: self.rows[key] for task, key in keys.items() if key in self.rows}
 
-    def append(self, results):
+    def append(self, results: Mapping[Task, SweepRow]) -> None:
         """Keep {task: row}; when this returns, they are on the disk."""
         keys = {task: key_of(task) for task in results}
         lines = [{"key": keys[task], "task": asdict(task), "row": asdict(row)} for task, row in results.items()]

@@ -7,12 +7,17 @@ was left by a writer that was killed, and whoever writes into that folder next r
 import csv
 import os
 import tempfile
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from renderer.checks import not_allowed
+
+if TYPE_CHECKING:
+    from renderer.frame import Frame
 
 try:
     import fcntl
@@ -22,7 +27,7 @@ except ImportError:  # Windows, which removes no file that is open: as good as a
 PICTURE_SUFFIXES = (".png", ".npz")
 
 
-def checked_target(path, suffixes, name="out"):
+def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out") -> Path:
     """Return `path` as a Path, or raise ValueError unless it ends in one of `suffixes` and can be written.
 
     `name` is what the message calls it.
@@ -58,7 +63,7 @@ def _unfinished(path):
         Path(file.name).unlink(missing_ok=True)
 
 
-def remove_abandoned(folder):
+def remove_abandoned(folder: str | Path) -> None:
     """Remove the unfinished files in a folder that no living process writes."""
     for path in Path(folder).glob(".*-????????-unfinished.*"):
         with suppress(OSError), open(path, "r+b") as file:
@@ -70,7 +75,7 @@ def remove_abandoned(folder):
 
 
 @contextmanager
-def whole_file(path):
+def whole_file(path: str | Path) -> Iterator[str]:
     """Yield a temporary file name beside `path`; rename it to `path` at the end, or remove it on an error."""
     path = Path(path)
     remove_abandoned(path.parent)
@@ -91,7 +96,7 @@ def write_whole(path: Path, content: bytes) -> None:
         Path(name).write_bytes(content)
 
 
-def write_png(path, image):
+def write_png(path: str | Path, image: np.ndarray) -> None:
     """Write a uint8 picture, (height, width, 3 or 4), pixel for pixel."""
     from PIL import Image
 
@@ -99,13 +104,13 @@ def write_png(path, image):
         Image.fromarray(image).save(name)
 
 
-def write_npz(path, frame):
+def write_npz(path: str | Path, frame: "Frame") -> None:
     """Write every buffer of a frame: rgb, chambers, and A's surface data (NaN off A)."""
     with whole_file(path) as name:
-        np.savez_compressed(name, rgb=frame.rgb, chambers=frame.chambers, **frame.surface_data)
+        np.savez_compressed(name, rgb=frame.rgb, chambers=frame.chambers, **frame.surface_data)  # type: ignore[arg-type]
 
 
-def write_csv(path, records):
+def write_csv(path: str | Path, records: Sequence[Mapping[str, Any]]) -> None:
     """Write dicts of the same keys as a table with its column names."""
     with whole_file(path) as name, open(name, "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, [name for record in records[:1] for name in record])

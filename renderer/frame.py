@@ -9,9 +9,12 @@ import numpy as np
 from renderer.checks import not_allowed
 from renderer.kernels import FIELDS, bumped_normal, chart, phong, point_on_a, slope
 from renderer.machines import machine
+from renderer.methods import GradientMethod
 from renderer.numbers import way_of
+from renderer.raster import Raster
+from renderer.scene import Scene
 from renderer.shader import ON_A
-from renderer.stage import SURFACE_BITS
+from renderer.stage import SURFACE_BITS, Stage
 
 SURFACES = {"pixels_a": 1, "pixels_b": 2, "pixels_floor": 3}
 
@@ -24,9 +27,18 @@ class Frame:
     scene, raster, method, stage: what made it.
     """
 
-    def __init__(self, scene, raster, method, stage, planes, counts):
+    def __init__(
+        self,
+        scene: Scene,
+        raster: Raster,
+        method: GradientMethod,
+        stage: Stage,
+        planes: np.ndarray,
+        counts: dict[str, int],
+    ):
         self.scene, self.raster, self.method, self.stage = scene, raster, method, stage
-        self._planes, self._counts = planes, counts
+        self._planes: np.ndarray | None = planes
+        self._counts = counts
 
     @cached_property
     def work(self) -> dict[str, Any]:
@@ -81,7 +93,7 @@ class Frame:
         A picture without a bump is drawn without a gradient; the field has one all the same.
         """
         planes = {name: self.stage.new_plane() for name in ON_A}
-        want = {"given": True, "surfaces": "a", "colors": False, "kept": ON_A}
+        want: dict[str, Any] = {"given": True, "surfaces": "a", "colors": False, "kept": ON_A}
         self.stage.draw(replace(self.scene, beta=1.0), self.method, 1, planes, **want)
         return np.stack([planes[name][:, : self.raster.shape[1]][self.stage.on_a] for name in ON_A])
 

@@ -32,26 +32,26 @@ class GradientMethod:
             object.__setattr__(self, "eps", check_number("eps", self.eps, SMALLEST_STEP, 0.5))
 
 
-def difference(name, eps):
+def difference(name: str, eps: float) -> GradientMethod:
     """Return a difference by its name. Raises ValueError on the exact gradient."""
     return GradientMethod(check_choice("gradient", name, DIFFERENCES), eps)
 
 
-def exact(form="auto"):
+def exact(form: str = "auto") -> GradientMethod:
     """Return the exact gradient. `auto` takes the algebraic form where it applies, and the general one elsewhere."""
     return GradientMethod("exact", form=form)
 
 
-def central(eps):
+def central(eps: float) -> GradientMethod:
     """Return the central difference of step eps: second order, 4 height evaluations."""
     return GradientMethod("central", eps)
 
 
-def forward(eps):
+def forward(eps: float) -> GradientMethod:
     """Return the forward difference of step eps: first order, 3 height evaluations."""
     return GradientMethod("forward", eps)
 
 
-def central4(eps):
+def central4(eps: float) -> GradientMethod:
     """Return the fourth-order central difference of step eps: 8 height evaluations."""
     return GradientMethod("central4", eps)

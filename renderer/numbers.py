@@ -1,16 +1,17 @@
 """The numbers that the shader is given: of the scene, of each light, and where on the image each thing can be."""
 
 import math
+from collections.abc import Iterable
 from functools import lru_cache
 from types import SimpleNamespace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from renderer.bounds import EVERYWHERE, ball_box, shadow_boxes
+from renderer.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
 from renderer.gradients import algebraic_powers, uses_algebraic_form
 from renderer.kernels import FIELDS, LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
-from renderer.methods import exact
+from renderer.methods import GradientMethod, exact
 from renderer.scene import Light, Scene
 from renderer.shader import FLOOR, NOTHING, Want
 
@@ -24,18 +25,18 @@ class Geometry(NamedTuple):
 
     eye: float
     radius: float
-    ball: tuple
+    ball: tuple[float, float, float, float]
     ball_on: float
     floor_on: float
     lights: tuple
 
 
-def flat(numbers):
+def flat(numbers: SimpleNamespace) -> list:
     """Return the numbers one after another, a list."""
     return [part for field in vars(numbers).values() for part in (field if isinstance(field, tuple) else (field,))]
 
 
-def of_form(form, values):
+def of_form(form: SimpleNamespace, values: Iterable) -> SimpleNamespace:
     """Return an iterable of values in the form of other numbers: the inverse of `flat`."""
     values, names = iter(values), vars(form).items()
     return SimpleNamespace(
@@ -43,14 +44,14 @@ def of_form(form, values):
     )
 
 
-def geometry_of(scene):
+def geometry_of(scene: Scene) -> Geometry:
     """Return the Geometry of a scene. An absent B is a unit ball that no kernel asks about."""
     ball = (*scene.ball_center, scene.ball_radius) if scene.ball else (0.0, 0.0, 0.0, 1.0)
     lights = tuple(None if light.color is None else light.position for light in scene.lights)
     return Geometry(scene.eye, scene.radius, ball, float(scene.ball), float(scene.floor), lights)
 
 
-def reach_of_a(eye, radius):
+def reach_of_a(eye: float, radius: float) -> float:
     """Return the largest float64 X for which √X is at most ρ_s: a ray meets A exactly if x² + y² ≤ X.
 
     The discriminant has the sign of ρ_s − ρ, ρ = √(x² + y²), and a rounded root is monotone. Theorem: hit_of_a.
@@ -65,36 +66,36 @@ def reach_of_a(eye, radius):
 
 
 @lru_cache(maxsize=64)
-def places_of(geometry):
+def places_of(geometry: Geometry) -> tuple[float, Box, list[tuple[Box, ...] | None]]:
     """Return (reach of A, box of B, [boxes of each light, None for one that is off]): fixed for the chambers."""
     boxes = [None if position is None else shadow_boxes(geometry, position) for position in geometry.lights]
     return reach_of_a(geometry.eye, geometry.radius), ball_box(geometry), boxes
 
 
-def way_of(scene, method):
+def way_of(scene: Scene, method: GradientMethod) -> tuple[str, str]:
     """Return (field, way): how the gradient of a scene is taken by a method; not at all where there is no bump."""
     algebraic = method.name == "exact" and uses_algebraic_form(scene, method)
     way = "algebraic" if algebraic else "general" if method.name == "exact" else method.name
     return scene.field, "flat" if scene.beta == 0.0 else way
 
 
-def style_of(scene):
+def style_of(scene: Scene) -> tuple[str, str]:
     """Return (model, style): how light is taken; from the squared base for an even shininess, where a model has it."""
     squared = LIGHT_MODELS[scene.model][1] is not None and scene.shininess % 2.0 == 0.0
     return scene.model, "dull" if scene.ks == 0.0 else "squared" if squared else "base"
 
 
-def want_of(scene, method, **more):
+def want_of(scene: Scene, method: GradientMethod, **more: Any) -> Want:
     """Return the Want of a scene's picture by a method."""
     return Want((way_of(scene, method),), (style_of(scene),), scene.shininess.is_integer(), **more)
 
 
-def scene_numbers(scene, method):
+def scene_numbers(scene: Scene, method: GradientMethod) -> SimpleNamespace:
     """Return the numbers of a scene and a gradient method, by name. Boxes are (left, right, low, high)."""
     geometry = geometry_of(scene)
     reach, box_of_b, _ = places_of(geometry)
     (_, way), (_, style) = way_of(scene, method), style_of(scene)
-    power_u, power_v = algebraic_powers(scene) if way == "algebraic" else (0, 0)
+    power_u, power_v = (algebraic_powers(scene) if way == "algebraic" else None) or (0, 0)
     light, dark = (tuple(float(part) for part in floor_albedo(dark, scene.floor_tint)) for dark in (0.0, 1.0))
     return SimpleNamespace(
         **{name: getattr(scene, name) for name in AS_GIVEN},
@@ -118,13 +119,13 @@ def scene_numbers(scene, method):
     )
 
 
-def light_numbers(number, light, boxes):
+def light_numbers(number: int, light: Light, boxes: Iterable[Box]) -> SimpleNamespace:
     """Return the numbers of a light that is on, by name; the boxes are where a body's shadow on a surface can be."""
     bit = float(1 << (FIRST_LIGHT_BIT + number))
     return SimpleNamespace(
         position=light.position,
         color=light.color,
-        glows=float(any(light.color)),  # 0 for a black light, which casts shadows and adds nothing
+        glows=float(any(light.color or ())),  # 0 for a black light, which casts shadows and adds nothing
         bit=bit,  # of the chamber code
         inverse_bit=1 / bit,
         **dict(zip(SHADOWS, boxes, strict=True)),
@@ -136,12 +137,12 @@ LIGHT_FORM = light_numbers(0, Light((0.0, 0.0, 0.0)), (EVERYWHERE * 2,) * 4)
 
 
 @lru_cache(maxsize=64)
-def numbers_of(scene, method):
+def numbers_of(scene: Scene, method: GradientMethod) -> tuple[np.ndarray, np.ndarray]:
     """Return (the scene's numbers, those of the lights that are on (n, …)), float64 arrays."""
     boxes = places_of(geometry_of(scene))[2]
     lights = [
         flat(light_numbers(number, light, box))
         for number, (light, box) in enumerate(zip(scene.lights, boxes, strict=True))
-        if light.color is not None
+        if box is not None
     ]
     return np.array(flat(scene_numbers(scene, method))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))

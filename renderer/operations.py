@@ -4,10 +4,13 @@
 """
 
 import math
+from typing import Any
 
 import numpy as np
 
 pi, inf = math.pi, math.inf
+Number = Any  # a float64, an array of them, or a traced value
+Mask = Any  # for which of them something holds
 
 
 def _operation(name, on_arrays):
@@ -35,16 +38,16 @@ where = _operation("where", np.where)
 power = _operation("power", _power)
 
 
-def maximum(a, b):
+def maximum(a: Number, b: Number) -> Number:
     """Return the larger of two numbers."""
     return where(b > a, b, a)
 
 
-def minimum(a, b):
+def minimum(a: Number, b: Number) -> Number:
     """Return the smaller of two numbers."""
     return where(b < a, b, a)
 
 
-def sign(a):
+def sign(a: Number) -> Number:
     """Return −1, 0 or 1."""
     return where(a > 0.0, 1.0, where(a < 0.0, -1.0, 0.0))

@@ -4,10 +4,12 @@ A *machine* runs it (`renderer.machines`): it gives values for many pixels at on
 them something holds. What `when` is given is passed over where its mask holds for no pixel of the group.
 """
 
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Sequence
+from types import SimpleNamespace
+from typing import Any, NamedTuple, Protocol
 
 from renderer import kernels as k
-from renderer.operations import floor, where
+from renderer.operations import Mask, Number, floor, where
 
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0.0, 1.0, 2.0, 3.0
 DARK_BIT = 128.0
@@ -15,6 +17,21 @@ COLORS = ("red", "green", "blue")
 ANGLES, CHART, SLOPES = ("cos_theta", "sin_theta", "cos_phi", "sin_phi"), ("u", "v"), ("h_u", "h_v")
 ON_A = (*ANGLES, *SLOPES)
 WORK = ("gradients", "shadow_tests", "specular_powers", "light_terms")
+
+Step = Callable[[], None]
+Numbers = Sequence[Number]
+Bodies = Callable[[SimpleNamespace], Iterable[tuple[Numbers, Numbers]]]
+
+
+class Machine(Protocol):
+    """What runs the shader: `renderer.machines.traced.Tracer`, `renderer.machines.numpy_rows.Rows`."""
+
+    def variable(self, value: Number) -> Any: ...
+    def count(self, kind: str, mask: Mask) -> None: ...
+    def when(self, mask: Mask, body: Step) -> None: ...
+    def choose(self, alternatives: Sequence, index: Number, result_of: Callable[[Any], Numbers]) -> Numbers: ...
+    def by_squaring(self, exponent: Number, first: Step, square: Step, multiply: Step) -> None: ...
+    def each_light(self, body: Callable[[SimpleNamespace], None]) -> None: ...
 
 
 class Want(NamedTuple):
@@ -44,11 +61,11 @@ class Group:
     scene: `renderer.numbers.scene_numbers`.
     """
 
-    def __init__(self, machine, scene, want, pixels):
+    def __init__(self, machine: Machine, scene: SimpleNamespace, want: Want, pixels: Any):
         self.machine, self.scene, self.want, self.pixels = machine, scene, want, pixels
         self.x, self.y = pixels.x, pixels.y
 
-    def draw(self):
+    def draw(self) -> None:
         """Find or load the chamber of every pixel, light it, and store what is wanted."""
         want, x = self.want, self.x
         surface, self.code = self.given_surface() if want.given else self.visible_surface()
@@ -67,12 +84,12 @@ class Group:
             self.pixels.store("code", self.code.value)
         self.store_color()
 
-    def store_color(self):
+    def store_color(self) -> None:
         """Store the colours that are wanted."""
         for name, channel in zip(COLORS, self.color, strict=False):
             self.pixels.store(name, channel.value)
 
-    def visible_surface(self):
+    def visible_surface(self) -> tuple[Number, Any]:
         """Return the surface that each ray meets first, and the chamber code so far, a variable.
 
         A is met where ρ² is at most `reach_of_a`; B is looked for where it can be.
@@ -87,19 +104,19 @@ class Group:
         self.machine.when(near_b, look)
         return code.value, code
 
-    def given_surface(self):
+    def given_surface(self) -> tuple[Number, Any]:
         """Return the surface that each pixel's chamber code says, and the code, a variable."""
         code = self.pixels.load("code")
         return code - 4.0 * floor(0.25 * code), self.machine.variable(code)
 
-    def draw_a_over(self, on_a):
+    def draw_a_over(self, on_a: Mask) -> None:
         """Draw sphere A over what is there."""
         if self.want.colors:
             self.color = [self.machine.variable(self.pixels.load(name)) for name in COLORS]
         self.draw_a(on_a)
         self.store_color()
 
-    def draw_a(self, mask):
+    def draw_a(self, mask: Mask) -> None:
         """§2 and §3: angles, gradient, bumped normal."""
         s, want = self.scene, self.want
         angles = self.loaded(ANGLES) if want.charted else k.angles_on_a(self.x, self.y, s.eye, s.radius)
@@ -111,22 +128,22 @@ class Group:
         point, normal = k.point_on_a(*angles, s.radius), k.bumped_normal(*angles, *gradient, s.beta)
         self.light_up(mask, point, normal, s.albedo_a, lambda light: [(s.ball, light.b_on_a)])
 
-    def loaded(self, names):
+    def loaded(self, names: Iterable[str]) -> Numbers:
         """Return what planes have."""
         return tuple(self.pixels.load(name) for name in names)
 
-    def chart(self, angles):
+    def chart(self, angles: Numbers) -> Numbers:
         """Return u and v on A."""
         return self.loaded(CHART) if self.want.charted else k.chart(*angles)
 
-    def draw_b(self, mask):
+    def draw_b(self, mask: Mask) -> None:
         """A plain sphere."""
         s = self.scene
         point_and_normal = k.normal_of_b(self.x, self.y, s.eye, *s.ball, s.ball_on)
         a = (0.0, 0.0, 0.0, s.radius)
         self.light_up(mask, point_and_normal[:3], point_and_normal[3:], s.albedo_b, lambda light: [(a, light.a_on_b)])
 
-    def draw_floor(self, mask):
+    def draw_floor(self, mask: Mask) -> None:
         """The floor and its squares."""
         s = self.scene
         point_and_normal = k.normal_of_floor(self.x, self.y)
@@ -140,7 +157,7 @@ class Group:
         self.light_up(mask, point_and_normal[:3], point_and_normal[3:], (red, red, blue),
                       lambda light: [(a, light.a_on_floor), (s.ball, light.b_on_floor)])  # fmt: skip
 
-    def gradient(self, angles, mask):
+    def gradient(self, angles: Numbers, mask: Mask) -> Numbers:
         """Return h_u and h_v by the wanted way."""
         s = self.scene
 
@@ -163,7 +180,7 @@ class Group:
 
         return self.machine.choose(self.want.ways, s.way, by)
 
-    def power(self, base, exponent, square, product):
+    def power(self, base: Numbers, exponent: Number, square: Callable, product: Callable) -> Numbers:
         """Return base^exponent, a whole number that is not negative, by repeated squaring.
 
         base: the parts of a number, real alone or real and imaginary. square, product: what they do to parts.
@@ -185,7 +202,7 @@ class Group:
         )
         return parts(result)
 
-    def light_up(self, mask, point, normal, albedo, bodies):
+    def light_up(self, mask: Mask, point: Numbers, normal: Numbers, albedo: Numbers, bodies: Bodies) -> None:
         """Find what each light's shadows are, and add up the light.
 
         bodies: light → [(a body that may stand in its way, where on the image its shadow can be)].
@@ -214,12 +231,14 @@ class Group:
         for target, channel in zip(self.color, color, strict=False):
             target.set(k.clip(channel.value), mask)
 
-    def given_shadow(self, light):
+    def given_shadow(self, light: SimpleNamespace) -> Mask:
         """Return where the chamber code has the light's bit."""
         shifted = floor(self.code.value * light.inverse_bit)
         return shifted > 2.0 * floor(0.5 * shifted)
 
-    def shadow(self, light, mask, point, bodies):
+    def shadow(
+        self, light: SimpleNamespace, mask: Mask, point: Numbers, bodies: Iterable[tuple[Numbers, Numbers]]
+    ) -> Mask:
         """Return where a body stands before the light, and put the light's bit into the code."""
         hidden = self.machine.variable(0.0)
         for body, box in bodies:
@@ -233,7 +252,7 @@ class Group:
         self.code.set(self.code.value + light.bit, hidden.value > 0.0)
         return hidden.value > 0.0
 
-    def model(self, point, light, normal, view, lit):
+    def model(self, point: Numbers, light: SimpleNamespace, normal: Numbers, view: Numbers, lit: Mask) -> Numbers:
         """Return μ and the highlight, by the wanted model of light."""
         s = self.scene
 
@@ -251,7 +270,7 @@ class Group:
         return self.machine.choose(self.want.lights, s.model, by)
 
 
-def difference(field, method, *arguments):
+def difference(field: dict[str, Callable], method: str, *arguments: Number) -> Numbers:
     """Return h_u and h_v by a difference of a field's height; where h does not depend on u, h_u is 0.
 
     arguments: u, v, k_u, k_v, ε.
@@ -260,7 +279,7 @@ def difference(field, method, *arguments):
     return found if isinstance(found, tuple) else (0.0, found)
 
 
-def within(box, x, y):
+def within(box: Numbers, x: Number, y: Number) -> Mask:
     """Return which image points are in a box (left, right, low, high)."""
     left, right, low, high = box
     return (left <= x) & (x <= right) & (low <= y) & (y <= high)

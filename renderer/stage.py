@@ -4,13 +4,17 @@ Chambers depend on neither the height field, β, ε nor the gradient method (the
 `Stage` serves every such change. It takes 1 byte a pixel, and 24 bytes a pixel more once it is drawn from.
 """
 
+from collections.abc import Callable
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
 from renderer.machines import Job, machine
+from renderer.methods import GradientMethod
 from renderer.numbers import geometry_of, numbers_of, places_of, want_of
 from renderer.raster import Raster
+from renderer.scene import Scene
 from renderer.shader import COLORS, WORK
 from renderer.threads import run_bands
 
@@ -34,7 +38,7 @@ def _prepared(geometry, raster):
     return wide, y, everywhere, of_a
 
 
-def band_rows(rows, columns):
+def band_rows(rows: int, columns: int) -> int:
     """Return how many rows a band has: MOST_BANDS bands, unless they would be smaller than SMALLEST_BAND."""
     return min(rows, max(-(-rows // MOST_BANDS), -(-SMALLEST_BAND // columns)))
 
@@ -47,25 +51,33 @@ class Stage:
     points of the columns, y: (height,) of the rows.
     """
 
-    def __init__(self, scene, raster: Raster):
+    def __init__(self, scene: Scene, raster: Raster):
         """Prepare the planes; they are filled by drawing."""
         self.geometry, self.raster = geometry_of(scene), raster
         self._x, self.y, self._everywhere, self._columns_of_a = _prepared(self.geometry, raster)
         self.x = self._x[: raster.shape[1]]
         self._codes = self.new_plane(np.uint8)
         self.chambers = self._codes[:, : raster.shape[1]]
-        self._elsewhere = (None, None)
+        self._elsewhere: tuple[Any, Any] = (None, None)
 
-    def new_plane(self, kind=np.float64, channels=None):
+    def new_plane(self, kind: type = np.float64, channels: int | None = None) -> np.ndarray:
         """Return memory for a plane, or for several, with rows as long as whole groups."""
         shape = (len(self.y), len(self._x))
         return np.empty(shape if channels is None else (channels, *shape), kind)
 
-    def raster_of(self, of_a=False):
+    def raster_of(self, of_a: bool = False) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return a Job's x, y and columns: all columns, or those of each row that A may be in."""
         return self._x, self.y, self._columns_of_a if of_a else self._everywhere
 
-    def draw(self, scene, method, threads, planes, before=None, **want):
+    def draw(
+        self,
+        scene: Scene,
+        method: GradientMethod,
+        threads: int,
+        planes: dict[str, np.ndarray],
+        before: Callable[[slice], None] | None = None,
+        **want: Any,
+    ) -> dict[str, int]:
         """Draw what is wanted (`renderer.shader.Want`) into planes, by bands; return what was counted, by WORK.
 
         before: what is called with the rows of a band (a slice) before that is drawn.
@@ -83,7 +95,7 @@ class Stage:
 
         return dict(zip(WORK, map(sum, zip(*run_bands(draw_band, len(starts), threads), strict=True)), strict=True))
 
-    def elsewhere(self, scene, method, threads):
+    def elsewhere(self, scene: Scene, method: GradientMethod, threads: int) -> tuple[np.ndarray, dict[str, int]]:
         """Return (the colours off A, undefined on A, what was counted): drawn when a shading first needs them."""
         key = shading_of(scene)
         if self._elsewhere[0] == key:
@@ -94,17 +106,17 @@ class Stage:
         self._elsewhere = (key, rgb)
         return rgb, counts
 
-    def serves(self, scene, raster):
+    def serves(self, scene: Scene, raster: Raster) -> bool:
         """Return whether these are the chambers of the scene on the raster."""
         return (self.geometry, self.raster) == (geometry_of(scene), raster)
 
     @property
-    def on_a(self):
+    def on_a(self) -> np.ndarray:
         """(height, width) bool: the pixels of sphere A."""
         return (self.chambers & SURFACE_BITS) == 1
 
 
-def shading_of(scene):
+def shading_of(scene: Scene) -> tuple:
     """Return what the colours off A depend on beside the chambers: equal for equal shadings."""
     lights = tuple(light.color for light in scene.lights)
     weights = (scene.ka, scene.kd, scene.ks, scene.shininess, scene.model, scene.floor_tint)

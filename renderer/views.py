@@ -46,7 +46,7 @@ def kink_view(frame: Frame) -> np.ndarray:
     return np.where(frame.kink[..., None], np.uint8(255), to_bytes(frame.rgb) // 3)
 
 
-def difference_linear(delta: np.ndarray, gain: float = 100.0) -> np.ndarray:
+def difference_linear(delta: np.ndarray | float, gain: float = 100.0) -> np.ndarray:
     """Return |delta| × gain, clipped to [0, 1], channel by channel: uint8, not sRGB-encoded."""
     return _bytes(np.abs(delta) * check_number("gain", gain, 0.0, 1e300))
 

@@ -1,11 +1,14 @@
 """Angles as sums of whole multiples of atoms, so that the addition formulas apply. Trusted, like
 `proofs.engine.statement`."""
 
+from collections.abc import Iterable
 from math import lcm
 
-from sympy import cos, expand_mul, pi, sin
+from sympy import Expr, cos, expand_mul, pi, sin
 
 from proofs.formulas.half_turns import ordinary
+
+Part = tuple[tuple[Expr, Expr] | None, Expr | None, int]
 
 
 class Untranslatable(ValueError):
@@ -15,17 +18,17 @@ class Untranslatable(ValueError):
 class Angles:
     """The atoms of all the angles of some expressions: an atom is divided by the denominators that occur with it."""
 
-    def __init__(self, expressions):
-        self.denominators = {}
+    def __init__(self, expressions: Iterable[Expr]):
+        self.denominators: dict[Expr, int] = {}
         for expression in expressions:
             for e in ordinary(expression).atoms(sin, cos):
                 for term in expand_mul(e.args[0]).as_ordered_terms():
                     multiple, atom = term.as_coeff_Mul()
                     self.denominators[atom] = lcm(self.denominators.get(atom, 1), int(multiple.q))
 
-    def parts(self, angle):
+    def parts(self, angle: Expr) -> list[Part]:
         """Return [(None, atom, whole multiple)] of an angle; a number has ((cos, sin), None, 1) instead."""
-        found = []
+        found: list[Part] = []
         for term in sorted(expand_mul(angle).as_ordered_terms(), key=str):
             multiple, atom = term.as_coeff_Mul()
             if atom is pi or term == 0:

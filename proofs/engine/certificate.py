@@ -169,7 +169,7 @@ def wrong_with(found: list[tuple[AnyClaim, list[Proved]]]) -> list[str]:
     return [f"{claim.name}: {why}" for claim, cases in found for why in reasons(cases) if why]
 
 
-def main(arguments):
+def main(arguments: list[str]) -> int:
     """Find and write certificates; return 0 if all were found and the kernel accepts them."""
     theorems, failed = all_theorems(), False
     named = [a for a in arguments if a != "--all"]

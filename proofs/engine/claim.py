@@ -1,6 +1,7 @@
 """What a theorem claims, before translation: SymPy relations over the lines of a straight-line program."""
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 from sympy import Basic, Symbol, sympify
 from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
@@ -36,7 +37,7 @@ class CitedLemma:
     given: tuple[Basic, ...] = ()
 
     @property
-    def text(self):
+    def text(self) -> str:
         """The relation as text, for the report."""
         return str(self.relation)
 
@@ -67,11 +68,11 @@ class Claim:
         object.__setattr__(self, "shows", tuple(map(sympify, self.shows)))
         object.__setattr__(self, "given", tuple(map(sympify, self.given)))
 
-    def but(self, **changes):
+    def but(self, **changes: Any) -> "Claim":
         """Return the claim with some fields changed: how a mutant is made."""
         return replace(self, **changes)
 
-    def names(self):
+    def names(self) -> tuple[set[Symbol], Program | None]:
         """Return the defined names that the claim needs, and the program kept to them (None without one)."""
         cited = (relation for lemma in self.cited for relation in (lemma.relation, *lemma.given))
         used = set().union(*(r.free_symbols for r in (*self.shows, *self.given, *cited)))
@@ -90,7 +91,7 @@ class Separation:
     outputs: tuple[Symbol, ...]
     avoid: tuple[Symbol, ...]
 
-    def but(self, **changes):
+    def but(self, **changes: Any) -> "Separation":
         """Return the claim with some fields changed: how a mutant is made."""
         return replace(self, **changes)
 
@@ -110,7 +111,7 @@ class Induction:
     given: tuple[Basic, ...] = ()
     ranges: tuple[tuple[Symbol, tuple], ...] = ()
 
-    def but(self, **changes):
+    def but(self, **changes: Any) -> "Induction":
         """Return the claim with some fields changed: how a mutant is made."""
         return replace(self, **changes)
 

@@ -1,6 +1,7 @@
 """Exact counterexamples: a rational point at which a claim's hypotheses hold and its conclusion does not."""
 
 import re
+from collections.abc import Mapping
 from fractions import Fraction
 
 from sympy import Expr, Symbol, cos, sin, sympify
@@ -11,7 +12,7 @@ from proofs.engine.points import NotRational, rational_root
 CIRCLE = re.compile(r"(cos|sin)\((.*)\)")
 
 
-def complete(statement, point):
+def complete(statement: dict, point: Mapping[Symbol, Expr | Fraction | int]) -> dict[str, Fraction]:
     """Return the values {name: Fraction} of every name of a derivation at a point {symbol: exact value}.
 
     A cosine and a sine are those of their angle there, as SymPy has them in closed form: nobody chooses them.

@@ -1,9 +1,12 @@
 """Exact linear programming, as far as sums of squares need it: some x ≥ 0 with A x = b, by the simplex method."""
 
+from collections.abc import Hashable, Mapping, Sequence
 from fractions import Fraction
 
+Column = Mapping[Hashable, Fraction]
 
-def feasible(columns, target, max_steps=2000):
+
+def feasible(columns: Sequence[Column], target: Column, max_steps: int = 2000) -> dict[int, Fraction] | None:
     """Return {column number: positive Fraction} with Σ x_j column_j = target, or None.
 
     columns and target are {row: Fraction}. Phase one of the simplex method with Bland's rule: it cannot cycle.
@@ -11,16 +14,16 @@ def feasible(columns, target, max_steps=2000):
     rows = sorted({row for column in (*columns, target) for row in column}, key=repr)
     index = {row: i for i, row in enumerate(rows)}
     sign = [-1 if target.get(row, 0) < 0 else 1 for row in rows]
-    table = [{} for _ in rows]
+    table: list[dict[int, Fraction]] = [{} for _ in rows]
     for j, column in enumerate(columns):
         for row, value in column.items():
             table[index[row]][j] = sign[index[row]] * value
     right = [sign[i] * target.get(row, Fraction(0)) for i, row in enumerate(rows)]
-    basis = [None] * len(rows)  # None: the row's artificial variable
+    basis: list[int | None] = [None] * len(rows)  # None: the row's artificial variable
     for _ in range(max_steps):
         if not any(right[i] for i, b in enumerate(basis) if b is None):
             return {b: right[i] for i, b in enumerate(basis) if b is not None and right[i]}
-        cost = {}
+        cost: dict[int, Fraction] = {}
         for i, b in enumerate(basis):
             if b is None:
                 for j, value in table[i].items():

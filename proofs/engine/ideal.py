@@ -3,17 +3,22 @@
 Nothing here is trusted: the kernel multiplies every answer out.
 """
 
+from collections.abc import Mapping, Sequence
 from itertools import combinations
 
 from sympy.polys.domains import QQ
 from sympy.polys.orderings import lex
-from sympy.polys.rings import ring
+from sympy.polys.rings import PolyElement, ring
+
+from proofs.engine.kernel import Polynomial
 
 
 class Ideal:
     """The ideal of equations g_i = 0 in named variables, the latest name the largest, with cofactors."""
 
-    def __init__(self, names, equations, max_pairs=400, max_terms=300):
+    def __init__(
+        self, names: Sequence[str], equations: Mapping[int, Polynomial], max_pairs: int = 400, max_terms: int = 300
+    ):
         """equations: {index: kernel polynomial}. Beyond the limits the basis stays incomplete."""
         self.ring, *_ = ring(list(reversed(names)), QQ, lex)
         self.position = {name: i for i, name in enumerate(reversed(names))}
@@ -24,7 +29,7 @@ class Ideal:
                 self.basis.append((g, {i: self.ring.one}))
         self._buchberger(max_pairs, max_terms)
 
-    def element(self, p):
+    def element(self, p: Polynomial) -> PolyElement:
         """Return a kernel polynomial as an element of the ring."""
         terms = {}
         for monomial, coefficient in p.items():
@@ -34,7 +39,7 @@ class Ideal:
             terms[tuple(exponents)] = QQ(coefficient.numerator, coefficient.denominator)
         return self.ring.from_dict(terms)
 
-    def data(self, element):
+    def data(self, element: PolyElement) -> dict[str, str]:
         """Return an element as {"x^2 y": "-3/2"}."""
         names = [str(g) for g in self.ring.gens]
         result = {}
@@ -43,9 +48,9 @@ class Ideal:
             result[" ".join(factors)] = f"{c.numerator}" if c.denominator == 1 else f"{c.numerator}/{c.denominator}"
         return dict(sorted(result.items()))
 
-    def divide(self, p):
+    def divide(self, p: PolyElement) -> tuple[PolyElement, dict[int, PolyElement]]:
         """Return (remainder, cofactors {index: element}) of p by the basis."""
-        cofactors = {}
+        cofactors: dict[int, PolyElement] = {}
         if not self.basis or not p:
             return p, cofactors
         quotients, remainder = p.div([g for g, _ in self.basis])

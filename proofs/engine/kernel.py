@@ -6,8 +6,13 @@ format). A polynomial is {monomial: coefficient}, a monomial the sorted tuple of
 """
 
 import re
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cache
+
+Polynomial = dict[tuple[str, ...], int | Fraction]
+Fact = tuple[Polynomial, str]
+Values = dict[str, Polynomial]
 
 HOLDS = {"=": lambda a: a == 0, "!=": lambda a: a != 0, ">": lambda a: a > 0, ">=": lambda a: a >= 0}
 NEGATION = {"=": (1, "!="), "!=": (1, "="), ">": (-1, ">="), ">=": (-1, ">")}  # not p > 0 is −p ≥ 0
@@ -20,7 +25,7 @@ class Rejected(Exception):
     """(reason, residual): why a certificate proves nothing; where two sides differ, the residual polynomial."""
 
 
-def require(condition, reason, residual=None):
+def require(condition: object, reason: str, residual: Polynomial | None = None) -> None:
     """Raise Rejected with the reason unless the condition holds."""
     if not condition:
         raise Rejected(reason, residual)
@@ -29,47 +34,48 @@ def require(condition, reason, residual=None):
 # The grammar: what has another shape is no statement and no certificate
 
 
-def is_name(text):
+def is_name(text: object) -> bool:
     """Return whether this is a name, or the cosine or sine of an angle, which is one, too."""
     return isinstance(text, str) and NAME.fullmatch(text) is not None
 
 
 @cache
-def is_number(text):
+def is_number(text: object) -> bool:
     """Return whether this is the text of a whole number or a fraction in lowest terms."""
     return isinstance(text, str) and NUMBER.fullmatch(text) is not None and text == str(Fraction(text))
 
 
-def is_power(text):
+def is_power(text: str) -> bool:
     """Return whether this is "x", or "x^2" to "x^999"."""
     base, sign, exponent = text.partition("^")
     return is_name(base) and (not sign or re.fullmatch("[2-9]|[1-9][0-9]{1,2}", exponent) is not None)
 
 
 @cache
-def is_monomial(text):
+def is_monomial(text: str) -> bool:
     """Return whether these are powers of different names, a blank between them; none: 1."""
     factors = text.split(" ") if text else []
     return all(map(is_power, factors)) and len({f.partition("^")[0] for f in factors}) == len(factors)
 
 
-def is_polynomial(data):
+def is_polynomial(data: object) -> bool:
     """Return whether this is {monomial: coefficient}, no coefficient 0."""
-    short = type(data) is dict and len(data) <= LONGEST
-    return short and all(is_monomial(m) and is_number(c) and c != "0" for m, c in data.items())
+    if type(data) is not dict or len(data) > LONGEST:
+        return False
+    return all(is_monomial(m) and is_number(c) and c != "0" for m, c in data.items())
 
 
-def is_index(i):
+def is_index(i: object) -> bool:
     """Return whether this may number a fact."""
     return type(i) is int and 0 <= i <= LONGEST
 
 
-def is_relation(text):
+def is_relation(text: object) -> bool:
     """Return whether this is =, !=, > or >=."""
     return text in tuple(HOLDS)
 
 
-def fits(value, shape):
+def fits(value: object, shape: object) -> bool:
     """Return whether a value has a shape: [of each item], (of the items, …), {key: shape}, a test, or a text itself."""
     if isinstance(shape, list):
         return type(value) is list and len(value) <= LONGEST and all(fits(item, shape[0]) for item in value)
@@ -80,17 +86,17 @@ def fits(value, shape):
     return shape(value) if callable(shape) else type(value) is type(shape) and value == shape
 
 
-def is_step(data):
+def is_step(data: dict) -> bool:
     """Return whether this is a step of one of the STEPS."""
     return fits(data, STEPS[data["step"]])
 
 
-def is_proof(data):
+def is_proof(data: dict) -> bool:
     """Return whether this is a proof by one of the rules in PROOFS."""
     return fits(data, PROOFS[data["rule"]])
 
 
-def values_of(test):
+def values_of(test: Callable) -> Callable:
     """Return the test of {name: what passes the given test}."""
     return lambda data: type(data) is dict and all(is_name(key) and test(value) for key, value in data.items())
 
@@ -122,39 +128,39 @@ SHAPES = {
 # Polynomials
 
 
-def exact(text):
+def exact(text: str) -> int | Fraction:
     """Return the number of a text: an int where it is whole, which is quicker."""
     return Fraction(text) if "/" in text else int(text)
 
 
-def variable(name):
+def variable(name: str) -> Polynomial:
     """Return the polynomial that is one name."""
     return {(name,): 1}
 
 
-def add(*polynomials):
+def add(*polynomials: Polynomial) -> Polynomial:
     """Return the sum; no coefficient in it is 0."""
-    total = {}
+    total: Polynomial = {}
     for p in polynomials:
         for monomial, coefficient in p.items():
             total[monomial] = total.get(monomial, 0) + coefficient
     return {monomial: coefficient for monomial, coefficient in total.items() if coefficient}
 
 
-def multiply(number, *polynomials):
+def multiply(number: int | Fraction, *polynomials: Polynomial) -> Polynomial:
     """Return the product of a number and polynomials."""
-    product = {(): number}
+    product: Polynomial = {(): number}
     for p in polynomials:
         product = add(*({tuple(sorted(a + b)): c * d for b, d in p.items()} for a, c in product.items()))
     return product
 
 
-def substitute(p, values):
+def substitute(p: Polynomial, values: Values) -> Polynomial:
     """Return p with every name replaced by its polynomial in `values`."""
     return add(*(multiply(coefficient, *(values[name] for name in monomial)) for monomial, coefficient in p.items()))
 
 
-def read(data, values):
+def read(data: dict[str, str], values: Values) -> Polynomial:
     """Return the polynomial {"x^2 y": "-3/2", "": "1"} with every name replaced by its polynomial in `values`."""
     terms = []
     for text, coefficient in data.items():
@@ -166,7 +172,7 @@ def read(data, values):
 # Proofs
 
 
-def prove(goal, facts, proof, values):
+def prove(goal: Fact, facts: list[Fact], proof: dict, values: Values) -> None:
     """Reject unless `proof` derives the goal from the facts."""
     p, relation = goal
     if proof["rule"] == "ideal":  # p = Σ q_i g_i, where every g_i = 0 is a fact
@@ -186,15 +192,16 @@ def prove(goal, facts, proof, values):
     require(not p, "the two sides differ", p)
 
 
-def named(names):
+def named(names: Sequence[str]) -> Values:
     """Return {name: the polynomial that is that name}; reject a name that comes twice."""
     require(len(set(names)) == len(names), "a name is introduced twice")
     return {name: variable(name) for name in names}
 
 
-def derive(statement, meet):
+def derive(statement: dict, meet: Callable) -> list[Fact]:
     """Take a derivation's steps in order; meet(goal, facts, values) is called for whatever has to be proved."""
-    values, facts = named(statement["variables"]), []
+    values = named(statement["variables"])
+    facts: list[Fact] = []
     for step in statement["steps"]:
         kind, p = step["step"], read(step["of"], values)
         goal = (p, {"root": ">=", "inverse": "!="}.get(kind) or step.get("is"))
@@ -213,7 +220,7 @@ def derive(statement, meet):
     return facts
 
 
-def prove_all(statement, certificate):
+def prove_all(statement: dict, certificate: dict) -> None:
     """Reject unless each goal of a derivation has its proof, and there is none left over."""
     proofs = iter(certificate["proofs"])
     require(any(step["step"] == "show" for step in statement["steps"]), "nothing is claimed")
@@ -221,7 +228,7 @@ def prove_all(statement, certificate):
     require(next(proofs, None) is None, "a proof is left over")
 
 
-def refute(statement, certificate):
+def refute(statement: dict, certificate: dict) -> None:
     """Reject unless at the point everything holds except the last goal; π is no coordinate, a cosine has its sine."""
     point, goals = {name: multiply(exact(value)) for name, value in certificate["point"].items()}, []
     *facts, (claim, relation) = derive(statement, lambda goal, *_: goals.append(goal))
@@ -236,7 +243,7 @@ def refute(statement, certificate):
         require(holds(substitute(p, point).get((), 0)), "the point is not a counterexample", p)
 
 
-def induct(statement, certificate):
+def induct(statement: dict, certificate: dict) -> None:
     """Reject unless every p of `show` is 0 at the start, and at the next state if all of them are 0 now."""
     fixed, values = (named([*statement["variables"], *more]) for more in ((), statement["state"]))
     require(statement["start"].keys() == statement["next"].keys() == set(statement["state"]), "a state is not given")
@@ -250,7 +257,7 @@ def induct(statement, certificate):
         prove((substitute(p, values | following), "="), facts + [(q, "=") for q in claims], step, values)
 
 
-def separate(statement, certificate):
+def separate(statement: dict, certificate: dict) -> None:
     """Reject unless the certificate's set holds the outputs and all that they use, and nothing to be avoided."""
     reached = set(certificate["reached"])
     require(statement["outputs"] and statement["avoid"], "nothing is claimed")
@@ -262,7 +269,7 @@ def separate(statement, certificate):
 RULES = {"derivation": prove_all, "refutation": refute, "induction": induct, "separation": separate}
 
 
-def check(statement, certificate):
+def check(statement: dict, certificate: dict) -> Exception | None:
     """Return None if the certificate proves the statement, else the exception that says why it does not."""
     try:
         kind = statement["kind"]
@@ -272,3 +279,4 @@ def check(statement, certificate):
         RULES[kind](statement, certificate)
     except Exception as why:  # a malformed certificate proves nothing either
         return why
+    return None

@@ -130,7 +130,7 @@ def _solved(p, rng, pool):
     return None
 
 
-def rational_root(value):
+def rational_root(value: Fraction) -> Fraction:
     """Return √value of a Fraction, or raise NotRational."""
     if value >= 0:
         root = Fraction(isqrt(value.numerator), isqrt(value.denominator))

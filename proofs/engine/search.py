@@ -1,19 +1,20 @@
 """Finding certificates. Nothing here is trusted: the kernel checks what it finds, and what it misses may be true."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import combinations_with_replacement
 
 from proofs.engine import kernel
 from proofs.engine.feasible import feasible
 from proofs.engine.ideal import Ideal
+from proofs.engine.kernel import Fact, Values
 from proofs.engine.statement import polynomial_data
 
 
 class NotFound(Exception):
     """No certificate was found; `goal` is the polynomial data and relation that could not be shown."""
 
-    def __init__(self, goal, remainder=None):
+    def __init__(self, goal: object, remainder: object = None):
         super().__init__(f"no certificate found for {goal}")
         self.goal, self.remainder = goal, remainder
 
@@ -42,7 +43,7 @@ def _derivation(statement, squares, effort):
     return {"proofs": proofs}
 
 
-def find(goal, facts, values, squares=(), effort=2):
+def find(goal: Fact, facts: list[Fact], values: Values, squares: Sequence[dict] = (), effort: int = 2) -> dict:
     """Return a proof of the goal from the facts, or raise NotFound."""
     names = [name for name, value in values.items() if value == kernel.variable(name)]
     equations = {i: p for i, (p, relation) in enumerate(facts) if relation == "="}

@@ -44,7 +44,7 @@ if __name__ == "__main__":
 '''
 
 
-def run(text, theorem, given=""):
+def run(text: str, theorem: str, given: str = "") -> int:
     """Check every statement of a certificate file's text; print what was checked; return 0, or 1 on a rejection."""
     found, kinds = check.verdicts(text, theorem), set()
     for claim, why in found:
@@ -105,15 +105,14 @@ def _header(theorem):
     return f'r"""{text}\n"""'
 
 
-def main(arguments):
+def main(arguments: list[str]) -> int:
     """Write the named theorem's script to standard output."""
     if len(arguments) != 1 or arguments[0] not in all_theorems():
         print(
             f"usage: python -m proofs.engine.standalone ID, with one of: {', '.join(all_theorems())}", file=sys.stderr
         )
         return 2
-    sys.stdout.reconfigure(encoding="utf-8")
-    sys.stdout.write(standalone_script(arguments[0]))
+    sys.stdout.buffer.write(standalone_script(arguments[0]).encode())
     return 0
 
 

@@ -12,9 +12,11 @@ Derivatives are SymPy's `diff`. Anything else is an error, never a guess.
 
 import json
 import re
+from collections.abc import Iterable, Sequence
 from functools import cache
+from typing import Any
 
-from sympy import Abs, And, Max, Min, Piecewise, Rational, S, Symbol, cos, expand, pi, sign, sin
+from sympy import Abs, And, Basic, Expr, Max, Min, Piecewise, Rational, S, Symbol, cos, expand, pi, sign, sin
 from sympy.core.relational import Relational
 
 from proofs.engine.angles import Angles, Untranslatable
@@ -28,7 +30,7 @@ __all__ = ["VERSION", "derivations", "polynomial_data"]
 NAME = re.compile(r"(?!(?:pi|(?:root|inverse|sum)_\d+)$)[A-Za-z][A-Za-z0-9_]*", re.ASCII)  # the others are taken
 
 
-def plain(symbols):
+def plain(symbols: Iterable[Symbol]) -> None:
     """Raise Untranslatable unless every symbol is real, nothing more, and has a name of its own.
 
     extended_real says less than real, and is allowed: of a quantity that may be infinite where no claim is made.
@@ -53,9 +55,13 @@ class _Undecided(Exception):
 class Derivation:
     """One derivation of a claim under construction; `choices` decide the conditions that are not given."""
 
-    def __init__(self, claim, choices=()):
-        self.choices, self.steps, self.variables, self.showing = list(choices), [], [], False
-        self.generators, self.signs, self.abbreviated = {}, {}, {}
+    def __init__(self, claim: Claim, choices: Sequence[bool] = ()):
+        self.choices, self.showing = list(choices), False
+        self.steps: list[dict] = []
+        self.variables: list[str] = []
+        self.generators: dict[tuple, Any] = {}
+        self.signs: dict[str, set[int]] = {}
+        self.abbreviated: dict[Symbol, Expr] = {}
         _, lines = claim.names()
         definitions = lines.definitions if lines else ()
         lemmas = [(lemma.relation, lemma.given) for lemma in claim.cited]
@@ -81,21 +87,21 @@ class Derivation:
         for relation in claim.shows:
             self.show(*self.relation(relation))
 
-    def statement(self):
+    def statement(self) -> dict:
         """Return the statement."""
         return {"version": VERSION, "kind": "derivation", "variables": self.variables, "steps": self.steps}
 
-    def step(self, kind, polynomial, new=None, is_=None):
+    def step(self, kind: str, polynomial: Expr, new: str | None = None, is_: str | None = None) -> None:
         named = ({"new": new} if new else {}) | ({"is": is_} if is_ else {})
         self.steps.append({"step": kind, **named, "of": polynomial_data(polynomial)})
 
-    def written_out(self, polynomial):
+    def written_out(self, polynomial: Expr) -> Expr:
         """Return the polynomial with its abbreviations written out: equal ones then look the same."""
         return expand(polynomial.xreplace(self.abbreviated))
 
     # Relations and signs
 
-    def relation(self, relation):
+    def relation(self, relation: Basic) -> tuple[Expr, set[int]]:
         """Return (left − right, the signs for which the relation holds)."""
         if not isinstance(relation, Relational):
             raise Untranslatable(f"{relation} is not a relation")
@@ -108,21 +114,21 @@ class Derivation:
         key = json.dumps({k: str(Rational(c) / abs(leading) * (1 if leading > 0 else -1)) for k, c in data.items()})
         return data, key, 1 if leading > 0 else -1
 
-    def assume(self, difference, signs):
+    def assume(self, difference: Expr, signs: set[int]) -> None:
         """Add a given: the sign of `difference` is one of `signs`."""
         _, key, orientation = self._normal(difference)
         self.signs[key] = self.signs.get(key, {-1, 0, 1}) & {orientation * s for s in signs}
         factor, is_ = RELATIONS[frozenset(signs)]
         self.step("assume", factor * difference, is_=is_)
 
-    def show(self, difference, signs):
+    def show(self, difference: Expr, signs: set[int]) -> None:
         """Add what is to be proved: the sign of `difference` is one of `signs`. The branches taken are shown, too."""
         factor, is_ = RELATIONS[frozenset(signs)]
         shown = polynomial_data(factor * difference)
         if {"step": "show", "is": is_, "of": shown} not in self.steps:
             self.step("show", factor * difference, is_=is_)
 
-    def decide(self, condition):
+    def decide(self, condition: Basic) -> bool:
         """Return whether a condition holds: as given, or else as chosen."""
         if condition in (True, False):
             return bool(condition)
@@ -153,7 +159,7 @@ class Derivation:
 
     # Expressions
 
-    def polynomial(self, e):
+    def polynomial(self, e: Expr) -> Expr:
         """Return the expression as a polynomial in variables and generators, adding the steps that it needs."""
         if e.is_Rational:
             return e
@@ -248,7 +254,7 @@ class Derivation:
         return self.generators["circle", names]
 
 
-def sides(expressions):
+def sides(expressions: Iterable[Basic]) -> list[Basic]:
     """Return the expressions, and the sides of those that are relations (a relation itself may evaluate to true)."""
     parts = [part for e in expressions for part in (e.args if isinstance(e, And) else [e])]
     return [side for part in parts for side in (part.args if isinstance(part, Relational) else [part])]

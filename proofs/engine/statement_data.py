@@ -16,7 +16,7 @@ A "separation" has `lines` [[name, [names it uses]], …], `outputs`, `avoid`. A
 
 from functools import cache
 
-from sympy import Poly, Rational, expand
+from sympy import Expr, Poly, Rational, expand
 
 VERSION = 1
 TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {-1, 0}}  # signs of left − right
@@ -26,7 +26,7 @@ RELATIONS = {frozenset(s): (f, r) for f, r, s in (
 
 
 @cache
-def polynomial_data(expression):
+def polynomial_data(expression: Expr) -> dict[str, str]:
     """Return a polynomial expression in symbols as {"x^2 y": "-3/2"}, sorted."""
     expression = expand(expression)
     symbols = sorted(expression.free_symbols, key=lambda s: s.name)

@@ -5,6 +5,7 @@ import pkgutil
 from collections.abc import Sequence
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
+from typing import Any
 
 from sympy import Basic, Symbol
 
@@ -69,7 +70,7 @@ class Mutant:
     at: Point = ()
 
 
-def variant(text: str, claim: AnyClaim, *shows: Basic, at: Point = (), **changes) -> Mutant:
+def variant(text: str, claim: AnyClaim, *shows: Basic, at: Point = (), **changes: Any) -> Mutant:
     """Return the mutant of a claim with other conclusions, if any are given, and other changes."""
     return Mutant(text, claim.but(**(changes | ({"shows": shows} if shows else {}))), at)
 

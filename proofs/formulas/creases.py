@@ -7,6 +7,7 @@ from sympy import Abs, Max, Or, Piecewise, Rational, diff
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import rint
+from proofs.formulas.height_fields import HeightField
 from proofs.formulas.symbols import epsilon, k_u, k_v, real, sin_phi, u, v
 
 KINK_BAND = Rational(3, 100)  # the seed's: a crease factor below it in magnitude is shown as a kink
@@ -14,7 +15,7 @@ KINK_BAND = Rational(3, 100)  # the seed's: a crease factor below it in magnitud
 kink, straddles, away = real("kink straddles away")
 
 
-def kink_flag(field):
+def kink_flag(field: HeightField) -> Program:
     """Return the program → 1 where a crease factor is below KINK_BAND in magnitude, and at the pole; else 0."""
     at_pole = sin_phi <= 0
     close = [Abs(factor) < KINK_BAND for factor in field.creases]
@@ -26,7 +27,7 @@ def kink_flag(field):
     )
 
 
-def straddling(field):
+def straddling(field: HeightField) -> Program:
     """Return the program → 1 where a crease lies strictly inside (u − ε, u + ε) or (v − ε, v + ε); else 0.
 
     Where a factor depends on v alone and is zero at v = 0, that is the pole: the chart ends there, nothing is crossed.

@@ -4,11 +4,13 @@ The lines are those of `proofs.formulas.finite_difference`, with floor, Min, Max
 theorems prove each decision about v from the lines themselves. Of u the definition of floor is used: it is 0 on [0, 1).
 """
 
-from sympy import Max, Min, Piecewise, Rational, floor
+from collections.abc import Mapping
+
+from sympy import Expr, Max, Min, Piecewise, Rational, Symbol, floor
 
 from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central, h_u_minus, h_u_plus, h_v_minus, h_v_plus
-from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
 from proofs.formulas.symbols import epsilon, u, v
 
 INSIDE = ((u, (0, 1)), (v, (0, 1)), (epsilon, (0, Rational(1, 2))))  # where samples are drawn
@@ -28,23 +30,23 @@ def _decided(program, name, lower, span):
     return Program(f"{program.name}_{name}", program.inputs, lines, program.outputs)
 
 
-def inside(field):
+def inside(field: HeightField) -> Program:
     """Return the central difference where nothing wraps or clamps: `nothing_wraps` and `nothing_clamps`."""
     return _decided(central(field), "inside", lower=True, span=0)
 
 
-def at_pole(field):
+def at_pole(field: HeightField) -> Program:
     """Return the central difference where nothing wraps and v − ε is clamped to 0: `nothing_wraps`, `pole_clamps`."""
     return _decided(central(field), "at_pole", lower=False, span=1)
 
 
-def of_heights(heights):
+def of_heights(heights: Mapping[Symbol, Expr]) -> Program:
     """Return the central difference with its heights given, {h_v_plus: expression, …}; the others are inputs."""
     program = central(HEIGHT_FIELDS["sine"])
     all_heights = {name: heights.get(name) for name in (h_u_plus, h_u_minus, h_v_plus, h_v_minus)}
     inputs = {name for name, given in all_heights.items() if given is None}
     inputs |= {s for given in heights.values() for s in given.free_symbols} - {u, v, epsilon}
-    lines = [(name, all_heights.get(name, line)) for name, line in program.definitions]
-    lines = tuple(line for line in lines if line[1] is not None)
+    given = ((name, all_heights.get(name, line)) for name, line in program.definitions)
+    lines = tuple((name, line) for name, line in given if line is not None)
     names = (u, v, epsilon, *sorted(inputs, key=lambda s: s.name))
     return Program("central_of_heights", names, lines, program.outputs)

@@ -5,7 +5,9 @@ error of truncation is below the first term left out. A line that must round in 
 Theorem: elementary_functions.
 """
 
-from sympy import Abs, Max, Min, Piecewise, Rational, atan, factorial, floor, pi
+from collections.abc import Sequence
+
+from sympy import Abs, Expr, Max, Min, Piecewise, Rational, Symbol, atan, factorial, floor, pi
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import rint
@@ -17,7 +19,7 @@ ARCTANGENT_TERMS = 16  # (5/16)^32/33 is below 2^-58
 SPLITTER = 2**27 + 1
 
 
-def float64(exact):
+def float64(exact: Expr) -> Rational:
     """Return the float64 nearest to a real number of the normal range, as an exact rational."""
     value, scale = Rational(str(exact.evalf(60))), Rational(1)
     while Abs(value) * scale < 2**52:
@@ -27,7 +29,7 @@ def float64(exact):
     return round(value * scale) / scale
 
 
-def polynomial(variable, coefficients):
+def polynomial(variable: Symbol, coefficients: Sequence[Expr]) -> Expr:
     """Return Horner's form of Σ coefficients[i] · variable^i."""
     result = coefficients[-1]
     for coefficient in reversed(coefficients[:-1]):

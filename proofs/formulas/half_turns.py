@@ -4,7 +4,7 @@ They are the trigonometric functions, named so that a kernel can reduce the argu
 at the integers, which float64 holds, while sin of a rounded πx has none.
 """
 
-from sympy import Function, Integer, atan2, cos, pi, sin
+from sympy import Basic, Expr, Function, Integer, atan2, cos, pi, sin
 
 
 class _OfHalfTurns(Function):
@@ -29,7 +29,7 @@ class sinpi(_OfHalfTurns):
 
     plain = sin
 
-    def fdiff(self, argindex=1):
+    def fdiff(self, argindex: int = 1) -> Expr:
         return pi * cospi(self.args[0])
 
 
@@ -38,7 +38,7 @@ class cospi(_OfHalfTurns):
 
     plain = cos
 
-    def fdiff(self, argindex=1):
+    def fdiff(self, argindex: int = 1) -> Expr:
         return -pi * sinpi(self.args[0])
 
 
@@ -59,11 +59,11 @@ class rint(Function):
     is_integer = True
 
     @classmethod
-    def eval(cls, argument):
+    def eval(cls, argument: Expr) -> Integer | None:
         return Integer(round(argument)) if argument.is_Rational else None
 
 
-def ordinary(expression):
+def ordinary(expression: Basic) -> Basic:
     """Return the expression with sinpi, cospi and atan2pi written as sin, cos and atan2."""
     return (
         expression.replace(sinpi, lambda a: sin(pi * a))

@@ -27,7 +27,7 @@ class HeightField:
     creases: tuple[Expr, ...] = ()
     wave_numbers: tuple[Expr, Expr] | None = None
 
-    def gradient(self):
+    def gradient(self) -> tuple[Expr, Expr]:
         """Return (∂h/∂u, ∂h/∂v) by differentiation; valid off the creases, with sign 0 = 0 on them."""
         return tuple(diff(self.expression, coordinate) for coordinate in (u, v))
 
@@ -55,18 +55,18 @@ def _named_factors(field):
     return names
 
 
-def height(field):
+def height(field: HeightField) -> Program:
     """Return the program (u, v, k_u, k_v) → h."""
     return Program(f"height_{field.name}", (u, v, k_u, k_v), ((h, field.expression),), (h,))
 
 
-def factors(field):
+def factors(field: HeightField) -> Program:
     """Return the program (u, v, k_u, k_v) → the field's trigonometric factors, by name."""
     lines = tuple((name, factor) for factor, name in sorted(_named_factors(field).items(), key=lambda p: str(p[1])))
     return Program(f"factors_{field.name}", (u, v, k_u, k_v), lines, tuple(name for name, _ in lines))
 
 
-def gradient_from_factors(field):
+def gradient_from_factors(field: HeightField) -> Program:
     """Return the program (factors, k_u, k_v) → h_u, h_v: the derivative with its factors named."""
     names = _named_factors(field)
     lines = tuple(
@@ -75,7 +75,7 @@ def gradient_from_factors(field):
     return Program(f"gradient_from_factors_{field.name}", (sin_u, cos_u, sin_v, cos_v, k_u, k_v), lines, (h_u, h_v))
 
 
-def gradient(field):
+def gradient(field: HeightField) -> Program:
     """Return the program (u, v, k_u, k_v) → h_u, h_v: the general exact gradient, any real k_u and k_v."""
     if field.wave_numbers is None:
         lines = tuple(zip((h_u, h_v), field.gradient(), strict=True))

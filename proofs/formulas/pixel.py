@@ -3,14 +3,17 @@
 The same programs that the kernels print, joined: what a theorem about a pixel speaks of, and the 50-digit reference.
 """
 
-from sympy import Eq, Max, Piecewise, Symbol
+from collections.abc import Collection, Mapping
+
+from sympy import Eq, Expr, Max, Piecewise, Symbol
 
 from proofs.engine.program import Program, chain
 from proofs.formulas import camera, shading, shadow
 from proofs.formulas.bump import bumped_normal
 from proofs.formulas.chart import chart
-from proofs.formulas.height_fields import gradient
+from proofs.formulas.height_fields import HeightField, gradient
 from proofs.formulas.symbols import (
+    Vector,
     ball_center,
     ball_on,
     bumped,
@@ -32,22 +35,24 @@ ambient_light, albedo_of_a, albedo_of_b = (
 )
 
 
-def light_position(number):
+def light_position(number: int) -> Vector:
     """Return the position symbols of a light."""
     return vector(f"light_{number}")
 
 
-def light_color(number):
+def light_color(number: int) -> Vector:
     """Return the colour symbols of a light."""
     return real(" ".join(f"light_{number}_{c}" for c in CHANNELS))
 
 
-def occlusion(number):
+def occlusion(number: int) -> Symbol:
     """Return the symbol that is 1 where another body stands before a light, else 0."""
     return real(f"occluded_{number}")
 
 
-def instance(program, suffix, kept=(), given=None):
+def instance(
+    program: Program, suffix: str | int, kept: Collection[Symbol] = (), given: Mapping[Symbol, Expr] | None = None
+) -> Program:
     """Return the program with its own names suffixed, except those in `kept`, and inputs replaced by `given`."""
     own = {s: Symbol(f"{s.name}_{suffix}", real=True) for s, _ in program.definitions if s not in kept}
     changed = {**own, **(given or {})}
@@ -126,7 +131,9 @@ def _light(number, model, before):
     return [base, power, term, _program(f"after_{number}", *lines)], after
 
 
-def pixel(field, model="blinn", lights=2, gradient_program=None):
+def pixel(
+    field: HeightField, model: str = "blinn", lights: int = 2, gradient_program: Program | None = None
+) -> Program:
     """Return the program of a whole pixel.
 
     field: a HeightField. model: one of LIGHT_MODELS. lights: how many. gradient_program: (u, v, …) → h_u, h_v; default,

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from sympy import Max, Min, Piecewise, Pow, sqrt
+from sympy import Expr, Max, Min, Piecewise, Pow, sqrt
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.symbols import (
@@ -147,7 +147,7 @@ light_term = Program(
 """A light adds colour · (k_d · albedo · max(0, μ) + k_s · base^p) per channel, unless it is occluded."""
 
 
-def clipped_value(channel):
+def clipped_value(channel: Expr) -> Expr:
     """Return a channel clipped to [0, 1]."""
     return Min(1, Max(0, channel))
 

@@ -1,24 +1,29 @@
 """The names of the chapter's quantities. All are real; lengths are in units of the world, angles in radians."""
 
-from sympy import Symbol, symbols
+from collections.abc import Sequence
+from typing import Any
+
+from sympy import Expr, Symbol, symbols
+
+Vector = tuple[Symbol, Symbol, Symbol]
 
 
-def real(names):
+def real(names: str) -> Any:
     """Return real symbols for a blank-separated string of names."""
     return symbols(names, real=True)
 
 
-def vector(name):
+def vector(name: str) -> Vector:
     """Return the three real symbols (name_x, name_y, name_z)."""
     return tuple(Symbol(f"{name}_{axis}", real=True) for axis in "xyz")
 
 
-def dot(a, b):
+def dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
     """Return the scalar product of two 3-tuples of expressions."""
     return sum(p * q for p, q in zip(a, b, strict=True))
 
 
-def cross(a, b):
+def cross(a: Sequence[Expr], b: Sequence[Expr]) -> tuple[Expr, Expr, Expr]:
     """Return the vector product of two 3-tuples of expressions."""
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 

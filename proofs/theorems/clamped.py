@@ -124,7 +124,7 @@ _second = Claim(
     squares=(_end,),
     ranges=ranges,
 )
-_off_zero = of_heights({h_v_plus: _second.lines[h_v_plus], h_v_minus: here})
+_off_zero = of_heights({h_v_plus: _second.lines[h_v_plus], h_v_minus: here})  # type: ignore[index]
 _cubic = HeightField("cubic", v**3 / 6)
 _attained = Claim(
     "second_order_sharp", (equation(at_pole(_cubic).expand(h_v) - _cubic.gradient()[1], _room),), pole_clamps

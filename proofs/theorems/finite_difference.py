@@ -1,24 +1,24 @@
 """The central difference of a sine: the derivative times sinc, and the bound of its truncation."""
 
-from sympy import Rational, cos, pi, sin
+from sympy import Expr, Rational, Symbol, cos, pi, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, inside, nothing_clamps, nothing_wraps
 from proofs.formulas.finite_difference import central, span_v, v_minus, v_plus
-from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
 
 sine, rings = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["rings"]
 name = "central_difference_of_sine"
 
 
-def difference(field, output):
+def difference(field: HeightField, output: Symbol) -> Expr:
     """Return the central difference away from the seam and the poles, as one expression."""
     return inside(field).expand(output)
 
 
-def sinc(x):
+def sinc(x: Expr) -> Expr:
     """Return sin x / x."""
     return sin(x) / x
 

@@ -1,10 +1,10 @@
 """The tangent frame of sphere A: tangent, orthonormal, and which way round it is."""
 
-from sympy import Rational, cos, diff, sin
+from sympy import Expr, Rational, cos, diff, sin
 
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import chain
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import Mutant, Point, SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import POLE, angles_on_a, t_a
 from proofs.formulas.symbols import (
     cos_phi,
@@ -31,7 +31,7 @@ on_circles = (equation(cos_theta**2 + sin_theta**2, 1), equation(cos_phi**2 + si
 angles = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: cos(phi), sin_phi: sin(phi)}
 
 
-def at_angle(c, s):
+def at_angle(c: Expr | int, s: Expr | int) -> Point:
     """Return the inputs θ = 0, (cos φ, sin φ) = (c, s)."""
     return ((cos_theta, 1), (sin_theta, 0), (cos_phi, c), (sin_phi, s))
 

@@ -1,8 +1,11 @@
 """The highlight is Lipschitz in the normal, for a whole shininess p ≥ 1; and for p < 1 it is not."""
 
-from sympy import Abs, Max, Piecewise, Rational, sqrt
+from collections.abc import Sequence
+
+from sympy import Abs, Expr, Max, Piecewise, Rational, sqrt
 
 from proofs.engine.claim import Claim, Induction, at_least, equation, greater
+from proofs.engine.program import Program
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.shading import blinn, clip, clipped, color, halfway, halfway_length, phong, specular_base
 from proofs.formulas.symbols import bumped, cross, dot, mu, real, towards, vector, view
@@ -31,7 +34,7 @@ _clamps = Claim(
 )
 
 
-def seen_from(normal_of_light, program):
+def seen_from(normal_of_light: Sequence[Expr], program: Program) -> Expr:
     """Return the program's base of the highlight with another normal, before its clamp at 0."""
     base = program[specular_base]
     base = base.args[0].expr if isinstance(base, Piecewise) else base
@@ -45,7 +48,7 @@ _cosines = dot(n, omega), dot(m, omega), dot(n, m)
 _gram_part = _cosines[0] ** 2 + _cosines[1] ** 2 - 2 * _cosines[0] * _cosines[1] * _cosines[2]
 
 
-def gram(a, b, c):
+def gram(a: Expr, b: Expr, c: Expr) -> Expr:
     """Return the Gram determinant of three unit vectors, from their scalar products."""
     return 1 + 2 * a * b * c - a**2 - b**2 - c**2
 

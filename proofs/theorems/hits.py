@@ -1,6 +1,8 @@
 """The rays' hits with both spheres: they solve the quadratic, and they are its near roots."""
 
-from sympy import Rational
+from collections.abc import Sequence
+
+from sympy import Expr, Rational
 
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
@@ -25,12 +27,12 @@ from proofs.formulas.symbols import ball_center, ball_on, ball_radius, dot, eye,
 t = real("t")
 
 
-def along(t):
+def along(t: Expr) -> tuple[Expr, Expr, Expr]:
     """Return the point P(t) = (t x, t y, e (1 − t)) of the ray through the image point (x, y)."""
     return (t * x, t * y, eye * (1 - t))
 
 
-def distance_squared(point, center):
+def distance_squared(point: Sequence[Expr], center: Sequence[Expr]) -> Expr:
     """Return |P − C|²."""
     return sum((p - c) ** 2 for p, c in zip(point, center, strict=True))
 

@@ -1,6 +1,6 @@
 """The image's derivative in β, in closed form: the chain rule through the lines of the shading."""
 
-from sympy import Max, Pow, diff
+from sympy import Expr, Max, Pow, diff
 
 from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
@@ -37,7 +37,7 @@ raised, raised_by_beta = real("raised raised_by_beta")
 _moved = tuple(b + s * d for b, d in zip(bumped, bumped_by_beta, strict=True))
 
 
-def at_zero(expression):
+def at_zero(expression: Expr) -> Expr:
     """Return the derivative in s at s = 0."""
     return diff(expression, s).subs(s, 0)
 

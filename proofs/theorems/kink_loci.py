@@ -1,6 +1,6 @@
 """Where the creases of a field are seen: meridians are rays of the image, parallels are circles."""
 
-from sympy import pi, sin, sqrt
+from sympy import Basic, Expr, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
@@ -31,7 +31,7 @@ from proofs.theorems.relations import equations
 t, m = real("t m")
 
 
-def whole(number):
+def whole(number: Expr) -> Basic:
     """Return the hypothesis that a number is whole, by what the translation knows of it: sin πm = 0."""
     return equation(sin(pi * number), 0)
 

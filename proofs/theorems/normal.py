@@ -1,17 +1,19 @@
 """The bumped normal: its length before normalising, and its derivative with respect to β."""
 
-from sympy import diff
+from collections.abc import Sequence
+
+from sympy import Expr, diff
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
-from proofs.engine.theorem import SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import Point, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
 from proofs.formulas.symbols import beta, dot, h_u, h_v, normal
 from proofs.theorems.frame import on_circles
 from proofs.theorems.relations import equations, point
 
 
-def at(normal_at, g_at, beta_at):
+def at(normal_at: Sequence, g_at: Sequence, beta_at: Expr | int) -> Point:
     """Return the inputs of `perturbed`."""
     return point({normal: normal_at, g: g_at, beta: beta_at})
 

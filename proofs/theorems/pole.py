@@ -1,11 +1,11 @@
 """At the pole: when the chapter's g has a limit, and when the true surface gradient has one (F12)."""
 
-from sympy import cos, pi, sin
+from sympy import Expr, cos, pi, sin
 
 from proofs.engine.claim import Claim, Induction, equation, greater
 from proofs.engine.theorem import Clause, Mutant, Step, Theorem, variant
 from proofs.formulas.bump import bumped_normal, g
-from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
 from proofs.formulas.symbols import (
     cos_phi,
     cos_theta,
@@ -28,7 +28,7 @@ sine, rings = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["rings"]
 _meridian = u, (theta + pi) / (2 * pi)
 
 
-def at_pole(field):
+def at_pole(field: HeightField) -> tuple[Expr, ...]:
     """Return g/π on the meridian θ as v → 0: its lines at v = 0, φ = 0."""
     slopes = {s: gradient(field).expand(s).subs(v, 0).subs(*_meridian) / pi for s in (h_u, h_v)}
     pole = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: 1, sin_phi: 0, **slopes}

@@ -1,6 +1,6 @@
 """Across the seam u = 0: which fields are continuous there, and which are differentiable (F11)."""
 
-from sympy import Rational, cos, expand, pi, sin
+from sympy import Expr, Rational, cos, expand, pi, sin
 
 from proofs.engine.claim import Claim, Induction, at_least, equation, greater
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
@@ -15,7 +15,7 @@ _whole, _in_v = equation(sin(pi * k_u), 0), sinpi(k_v * v)
 _turned = sine.expression.subs(u, u + 1)
 
 
-def jump(expression):
+def jump(expression: Expr) -> Expr:
     """Return the change of an expression in u across the seam: at u = 0 less at u = 1."""
     return expression.subs(u, 0) - expression.subs(u, 1)
 

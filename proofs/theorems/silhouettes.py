@@ -1,6 +1,8 @@
 """The silhouette of sphere B: a conic, its type, and the branch that is not seen; for any apex, as "
 "shadows need it."""
 
+from sympy import Basic, Expr
+
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import discriminant_b, distance, hit_of_b, ray_direction, toward_b
@@ -29,7 +31,7 @@ _conic = Claim(
 _determinant = _xx * _yy - _xy**2
 
 
-def conic_types(c, determinant, height, radius, outside):
+def conic_types(c: Expr, determinant: Expr, height: Expr, radius: Expr, outside: Basic) -> tuple[Claim, ...]:
     """Return the claims that a sphere's outline is an ellipse, a parabola or a hyperbola, by the height above it."""
     cases = (
         ("ellipse", greater(determinant, 0), height**2 > radius**2),

@@ -1,5 +1,7 @@
 """Draw one picture, whole in memory or streamed to a file."""
 
+from argparse import Namespace
+
 from renderer import files, views
 from renderer.command_line.options import CROP, GRADIENT, RASTER, method_of, progress_bar, scene_of, size_of
 from renderer.drawing import render
@@ -14,7 +16,7 @@ OPTIONS = {
 }
 
 
-def run(options):
+def run(options: Namespace) -> None:
     """Draw and write."""
     target = files.checked_target(options.out, (*files.PICTURE_SUFFIXES, *STREAM_SUFFIXES))
     picture = scene_of(options), *size_of(options)

@@ -3,26 +3,30 @@
 import argparse
 import re
 import sys
+from collections.abc import Callable, Collection
 from dataclasses import fields
 from functools import partial
+from typing import Any, NoReturn
 
 from renderer.methods import METHODS, GradientMethod, exact
 from renderer.scene import Light, Scene
 from renderer.sweep import MOVE_NO_BOUNDARY
 
+Option = dict[str, Any]  # what argparse is told of one
+
 
 class OneLineParser(argparse.ArgumentParser):
     """A parser that says what is wrong in one line, and takes -1e-3 and -6,2,8 for values, not for options."""
 
-    def __init__(self, *arguments, **options):
+    def __init__(self, *arguments: Any, **options: Any):
         super().__init__(*arguments, **options)
         self._negative_number_matcher = re.compile(r"-(\d|\.|inf|nan)")  # argparse's own knows no exponent and no list
 
-    def error(self, message):
+    def error(self, message: str) -> NoReturn:
         self.exit(2, f"{self.prog}: error: {message}\n")
 
 
-def value(read, allowed, metavar):
+def value(read: Callable[[str], Any], allowed: str, metavar: str) -> Option:
     """Return argparse's options for a value: `read` makes it of a text, or raises ValueError."""
 
     def parse(text):
@@ -34,13 +38,13 @@ def value(read, allowed, metavar):
     return {"type": parse, "metavar": metavar}
 
 
-def several(one):
+def several(one: Option) -> Option:
     """Return argparse's options for values with commas between them, of those for one."""
     read = one["type"]
     return one | {"type": lambda text: [read(item) for item in text.split(",")], "metavar": one["metavar"] + ",…"}
 
 
-def numbers(text, kind, lengths):
+def numbers(text: str, kind: Callable[[str], Any], lengths: Collection[int]) -> tuple:
     """Return the numbers of "a,b,c", a tuple. Raises ValueError if they are too many or too few."""
     found = tuple(kind(item) for item in text.split(","))
     if len(found) not in lengths:
@@ -52,7 +56,7 @@ NAME, WHOLE, NUMBER = value(str, "", "NAME"), value(int, "a whole number", "N"),
 CROP = value(partial(numbers, kind=int, lengths=(4,)), "LEFT,TOP,WIDTH,HEIGHT", "L,T,W,H")
 TRIPLE = value(partial(numbers, kind=float, lengths=(3,)), "X,Y,Z", "X,Y,Z")
 LIGHT = value(partial(numbers, kind=float, lengths=(3, 6)), "X,Y,Z or X,Y,Z,R,G,B", "X,Y,Z[,R,G,B]")
-KINDS = {str: NAME, float: NUMBER, tuple: TRIPLE, bool: {"action": "store_false"}}
+KINDS: dict[Any, Option] = {str: NAME, float: NUMBER, tuple: TRIPLE, bool: {"action": "store_false"}}
 RASTER = {
     "--size": WHOLE | {"default": "256", "help": "width and height (default: %(default)s)"},
     "--width": WHOLE | {"help": "width, if it is not --size"},
@@ -65,7 +69,7 @@ GRADIENT = {
 }
 
 
-def add_scene(parser, lists=False):
+def add_scene(parser: argparse.ArgumentParser, lists: bool = False) -> None:
     """Add an option for every field of Scene; with `lists`, those that move no boundary take several values."""
     group = parser.add_argument_group("scene (defaults are the chapter's)", argument_default=argparse.SUPPRESS)
     for field in fields(Scene):
@@ -81,7 +85,7 @@ def add_scene(parser, lists=False):
         group.add_argument(f"--{option}", dest=field.name, help=what, **kind)
 
 
-def scene_of(options):
+def scene_of(options: argparse.Namespace) -> Scene:
     """Return the Scene of the options."""
     given = {field.name: getattr(options, field.name) for field in fields(Scene) if field.name in options}
     if "lights" in given:
@@ -89,20 +93,21 @@ def scene_of(options):
     return Scene(**given)
 
 
-def size_of(options, size=None):
+def size_of(options: argparse.Namespace, size: int | None = None) -> tuple[int, int]:
     """Return (width, height), from --size or from `size` where --width and --height are not given."""
     size = options.size if size is None else size
-    return tuple(size if side is None else side for side in (options.width, options.height))
+    width, height = (size if side is None else side for side in (options.width, options.height))
+    return width, height
 
 
-def method_of(options):
+def method_of(options: argparse.Namespace) -> GradientMethod:
     """Return the gradient method."""
     is_exact = options.gradient == "exact"
     difference = GradientMethod("central" if is_exact else options.gradient, options.eps)  # a bad step is never let by
     return exact() if is_exact else difference
 
 
-def progress_bar(**options):
+def progress_bar(**options: Any) -> Callable:
     """Return what wraps an iterable with a bar on stderr, where that is a terminal, if it takes more than a second."""
     from tqdm import tqdm
 

@@ -4,6 +4,7 @@ Lists of values, such as --field sine,ridges --beta 0.1,0.35 --size 256,1024, ma
 computed by several workers.
 """
 
+from argparse import Namespace
 from concurrent.futures import BrokenExecutor, CancelledError
 
 from renderer import grid
@@ -29,7 +30,7 @@ OPTIONS = {
 }
 
 
-def run(options):
+def run(options: Namespace) -> None:
     """Compute, print, and write."""
     target = checked_target(options.csv, (".csv",), "csv") if options.csv else None
     lists = {name: vars(options).pop(name) for name in MOVE_NO_BOUNDARY if name in options}

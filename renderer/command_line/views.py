@@ -1,5 +1,6 @@
 """Draw both pipelines, their difference, and what is known of the exact one."""
 
+from argparse import Namespace
 from pathlib import Path
 
 from renderer import files, views
@@ -17,7 +18,7 @@ OPTIONS = {
 }
 
 
-def run(options):
+def run(options: Namespace) -> None:
     """Draw and write."""
     scene, size, method = scene_of(options), size_of(options), method_of(options)
     Task(scene, method, *size)  # which is of a difference
@@ -26,7 +27,7 @@ def run(options):
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise not_allowed("out", options.out, error.strerror) from None
+        raise not_allowed("out", options.out, str(error.strerror)) from None
     symbolic = render(scene, *size, threads=options.threads)
     numeric = render(scene, *size, method, threads=options.threads, stage=symbolic.stage)
     delta = numeric.rgb - symbolic.rgb

@@ -2,8 +2,9 @@
 
 import logging
 import os
-from concurrent.futures import BrokenExecutor, ProcessPoolExecutor, ThreadPoolExecutor
-from contextlib import contextmanager
+from argparse import Namespace
+from concurrent.futures import BrokenExecutor, Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import AbstractContextManager, contextmanager
 from multiprocessing import get_context, parent_process
 from signal import SIG_IGN, SIGINT, signal
 from threading import Thread
@@ -12,7 +13,7 @@ from renderer.checks import extra, not_allowed
 from renderer.threads import checked_threads
 
 
-def executor_of(options):
+def executor_of(options: Namespace) -> AbstractContextManager[Executor]:
     """Return the executor that the options ask for, a context manager."""
     if options.dask is None:
         workers = checked_threads(options.workers, "workers")

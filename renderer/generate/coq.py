@@ -6,7 +6,7 @@ A program is a module, each of its lines a definition of those inputs that the l
 import ast
 from typing import ClassVar
 
-from sympy import And, Or, S, true
+from sympy import And, Basic, Or, Rational, S, true
 
 from proofs.engine.program import Program
 from proofs.formulas import (
@@ -82,7 +82,7 @@ class CoqPrinter(KernelPrinter):
 
     names: ClassVar = {"Abs": "Rabs", "Max": "Rmax", "Min": "Rmin"}
 
-    def literal(self, rational):
+    def literal(self, rational: Rational) -> str:
         return str(rational.p) if rational.q == 1 else f"({rational.p} / {rational.q})"
 
     def _print_Pi(self, expr):
@@ -94,7 +94,7 @@ class CoqPrinter(KernelPrinter):
     def _print_Symbol(self, symbol):
         return symbol.name if symbol.is_real else f"real {symbol.name}"
 
-    def parenthesize(self, item, level, strict=False):
+    def parenthesize(self, item: Basic, level: int, strict: bool = False) -> str:
         text = super().parenthesize(item, level, strict)
         return f"({text})" if " " in text and (item.is_Function or item.is_Symbol) else text
 

@@ -3,19 +3,22 @@
 Functions of float64 numbers, NumPy's arrays or traced values, as the kernels are.
 """
 
+from collections.abc import Callable
+
 from sympy import diff, expand
 
 from proofs.engine.program import Program
 from proofs.formulas.camera import parallel_radius
+from proofs.formulas.height_fields import HeightField
 from proofs.formulas.symbols import k_u, k_v, real, u, v
 from renderer.generate.kernels import function_of
 from renderer.kernels import cospi, sinpi
-from renderer.operations import where
+from renderer.operations import Number, where
 
 radius_of_parallel = function_of(parallel_radius)
 
 
-def crease_rates(field):
+def crease_rates(field: HeightField) -> Callable:
     """Return the function (k_u, k_v) → for each crease factor sinpi(a u + b v + c): a, b and c."""
     lines = []
     for number, factor in enumerate(field.creases):
@@ -25,7 +28,9 @@ def crease_rates(field):
     return function_of(Program(f"creases_{field.name}", (k_u, k_v), tuple(lines), tuple(name for name, _ in lines)))
 
 
-def crease_point(rate_u, rate_v, level, along, eye, radius):
+def crease_point(
+    rate_u: Number, rate_v: Number, level: Number, along: Number, eye: Number, radius: Number
+) -> tuple[Number, Number]:
     """Return the image point of a point of the crease on which rate_u u + rate_v v is `level`, NaN where it is hidden.
 
     along: u in [0, 1], or v where the crease is a meridian (rate_v is 0).

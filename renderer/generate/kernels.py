@@ -1,7 +1,10 @@
 """The text of `renderer/kernels.py`: every program that drawing needs, as a plain Python function."""
 
 import textwrap
+from collections.abc import Callable, Mapping
+from typing import Any
 
+from proofs.engine.program import Program
 from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.elementary import product_error
 from proofs.formulas.finite_difference import HEIGHT_EVALUATIONS, METHODS
@@ -20,7 +23,7 @@ from renderer.operations import floor, inf, maximum, minimum, pi, power, rint, s
 '''
 
 
-def print_function(name, program, printer, before=""):
+def print_function(name: str, program: Program, printer: KernelPrinter, before: str = "") -> str:
     """Return the text of a function of a program's inputs that returns its outputs, a line for each definition.
 
     before: further parameters, as text. The error of a product is 0 unless it is given.
@@ -41,7 +44,9 @@ def print_function(name, program, printer, before=""):
     return "\n".join([f"def {name}({before}{parameters}):", *(f"    {line}" for line in lines), ""])
 
 
-def function_of(program, printer=None, names=None):
+def function_of(
+    program: Program, printer: KernelPrinter | None = None, names: Mapping[str, Any] | None = None
+) -> Callable:
     """Return a program as a Python function of its inputs, in order, that returns its outputs.
 
     Without more it computes what a kernel does, to the last bit, on float64 numbers and arrays or traced values.
@@ -65,7 +70,7 @@ def _field_entry(field):
     return f'    "{field.name}": {{\n' + textwrap.indent("\n".join(lines), " " * 8) + "\n    },"
 
 
-def kernels_source():
+def kernels_source() -> str:
     """Return the text of renderer/kernels.py."""
     printer, fields = KernelPrinter(), HEIGHT_FIELDS.values()
     parts = [print_function(name, program, printer) for name, program in programs.named().items()]

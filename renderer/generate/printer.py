@@ -6,7 +6,7 @@ whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals 
 
 from typing import ClassVar
 
-from sympy import Mul, Rational, S, Symbol
+from sympy import Basic, Mul, Rational, S, Symbol
 from sympy.printing.precedence import PRECEDENCE, precedence
 from sympy.printing.str import StrPrinter
 
@@ -16,7 +16,7 @@ class KernelPrinter(StrPrinter):
 
     names: ClassVar = {"Abs": "abs", "Max": "maximum", "Min": "minimum"}
 
-    def literal(self, rational):
+    def literal(self, rational: Rational) -> str:
         """Return the text of an exact rational."""
         number = float(rational)
         if Rational(number) != rational:
@@ -51,7 +51,7 @@ class KernelPrinter(StrPrinter):
             text += f" / ({' * '.join(self.parenthesize(factor, PRECEDENCE['Mul']) for factor in below)})"
         return sign + text
 
-    def parenthesize(self, item, level, strict=False):
+    def parenthesize(self, item: Basic, level: int, strict: bool = False) -> str:
         """Return the printed item, in parentheses where it binds less tightly (strictly: not more tightly)."""
         product = item.is_Pow and item.exp.is_Integer
         binding = PRECEDENCE["Mul"] if product else precedence(item)
@@ -114,7 +114,7 @@ class KernelPrinter(StrPrinter):
             text = self.select(self._print(condition)[1:-1], self._print(value), text)  # without its parentheses
         return text
 
-    def select(self, condition, value, otherwise):
+    def select(self, condition: str, value: str, otherwise: str) -> str:
         """Return the text of a selection."""
         return f"where({condition}, {value}, {otherwise})"
 

@@ -1,5 +1,7 @@
 """Which programs of `proofs/` become kernels."""
 
+from collections.abc import Iterable
+
 from sympy import Function
 
 from proofs.engine.program import Program
@@ -17,6 +19,7 @@ from proofs.formulas import (
     shadow_cone,
 )
 from proofs.formulas.chart import chart
+from proofs.formulas.height_fields import HeightField
 from proofs.formulas.symbols import h_v, k_u, k_v, real, u, v, x, y
 
 ELEMENTARY = {
@@ -69,27 +72,27 @@ LIGHT = (
 ANY_FIELD = height_fields.HeightField("any", Function("height")(u, v, k_u, k_v))
 
 
-def differences():
+def differences() -> dict[str, Program]:
     """Return {name: program} of every difference of a function `height`, and of its part in v alone."""
-    found = {}
+    found: dict[str, Program] = {}
     for method, difference in finite_difference.METHODS.items():
         program = difference(ANY_FIELD)
         found |= {method: program, f"{method}_in_v": program.keep(h_v)}
     return found
 
 
-def difference_of(method, field):
+def difference_of(method: str, field: HeightField) -> str:
     """Return the name of a field's difference: where h does not depend on u, there is none in u."""
     return method if field.expression.has(u) else f"{method}_in_v"
 
 
-def height_evaluations(method, field):
+def height_evaluations(method: str, field: HeightField) -> int:
     """Return how many heights a difference of the field evaluates."""
     lines = differences()[difference_of(method, field)].definitions
     return sum(symbol in finite_difference.HEIGHTS for symbol, _ in lines)
 
 
-def field_programs(field):
+def field_programs(field: HeightField) -> dict[str, Program]:
     """Return {role: program} of a height field: height, exact gradient, creases, and what its algebraic form needs."""
     programs = {
         "height": height_fields.height(field),
@@ -105,8 +108,8 @@ def field_programs(field):
     return programs
 
 
-def named():
+def named() -> dict[str, Program]:
     """Return {name in renderer/kernels.py: program} of every kernel but the differences, in the order of the file."""
-    parts = [ONCE_A_SCENE, PLACES, GRADIENT, LIGHT]
+    parts: list[Iterable[Program]] = [ONCE_A_SCENE, PLACES, GRADIENT, LIGHT]
     parts += [field_programs(field).values() for field in height_fields.HEIGHT_FIELDS.values()]
     return ELEMENTARY | {program.name: program for part in parts for program in part}

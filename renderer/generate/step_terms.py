@@ -3,11 +3,13 @@
 Each is a function of float64 numbers, NumPy's arrays or traced values, as the kernels are.
 """
 
+from collections.abc import Callable
+
 from sympy import Abs, Mul
 
 from proofs.formulas import step_bounds
 from proofs.formulas.half_turns import cospi, sinpi
-from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
 from proofs.formulas.symbols import u as along_u
 from proofs.formulas.symbols import v as along_v
 from renderer.generate.kernels import function_of
@@ -26,7 +28,7 @@ TERMS = ("truncation", "rounded argument", "rounded value", "crease, seam or pol
 truncation_bound, clamped_bound, rounding_bound, crease_bound, slope_bound = map(function_of, step_bounds.BOUNDS)
 
 
-def is_covered(field):
+def is_covered(field: HeightField) -> bool:
     """Return whether the theorems bound a field's differences.
 
     They do if h, or its absolute value, is a product of at most one sine or cosine of πau and one of πbv, a and b the
@@ -42,16 +44,17 @@ def is_covered(field):
     return known and once and {*field.creases} == ({*factors} if folded else set())
 
 
-def bounds_of(field):
+def bounds_of(field: HeightField) -> Callable | None:
     """Return the function (u, v, k_u, k_v, ε) → (bound, leading, a bound for each of TERMS) of a field, or None.
 
     They are those of the slope, h_u or h_v, whose error may be larger, by the central difference. The bound is their
     sum; `leading` is the number of the largest, counted from 1. Raises no error; None where nothing is proved.
     """
-    if not is_covered(field):
+    if field.wave_numbers is None or not is_covered(field):
         return None
+    in_v = sinpi(field.wave_numbers[1] * along_v)
     wave_numbers = FIELDS[field.name]["wave_numbers"]
-    is_odd = any(factor == sinpi(field.wave_numbers[1] * along_v) for factor in field.expression.atoms(sinpi))
+    is_odd = in_v in field.expression.atoms(sinpi)
 
     def clear(rate, coordinate, epsilon):
         """Return whether no crease lies within ε along a coordinate."""

@@ -1,6 +1,7 @@
 """The machines that run the shader: LLVM's vectors where llvmlite is installed, NumPy's rows elsewhere; same bits."""
 
 from functools import cache
+from types import ModuleType
 from typing import NamedTuple
 
 import numpy as np
@@ -22,10 +23,12 @@ class Job(NamedTuple):
 
 
 @cache
-def machine():
+def machine() -> ModuleType:
     """Return the module that draws in this process: its NAME, and `drawer(want, job)`."""
     try:
-        from renderer.machines import native as found
+        from renderer.machines import native
     except ImportError:  # no llvmlite, or one that is too old
-        from renderer.machines import numpy_rows as found
-    return found
+        from renderer.machines import numpy_rows
+
+        return numpy_rows
+    return native

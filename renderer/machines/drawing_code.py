@@ -1,10 +1,13 @@
 """The code that draws some rows of a picture: two loops around the traced shader, for any of LLVM's targets."""
 
+from collections.abc import Mapping
+
 import llvmlite.ir as ir
 
 from renderer.machines.traced import BYTE, FLOAT, WHOLE, Tracer, Value
 from renderer.numbers import SCENE_FORM, of_form
-from renderer.shader import CHART, COLORS, ON_A, WORK, Group
+from renderer.operations import Number
+from renderer.shader import CHART, COLORS, ON_A, WORK, Group, Want
 
 PLANES = (*COLORS, "code", *ON_A, *CHART)
 ARGUMENTS = ("x", "y", "columns", "first_row", "last_row", "pitch", "scene", "lights", "light_count", "counts", *PLANES)
@@ -14,7 +17,7 @@ ARGUMENTS = ("x", "y", "columns", "first_row", "last_row", "pitch", "scene", "li
 class Pixels:
     """The pixels of one group: their image points, and the frame's planes from `at` on."""
 
-    def __init__(self, tracer, x, y, planes, at):
+    def __init__(self, tracer: Tracer, x: Value, y: Value, planes: Mapping[str, ir.Value], at: ir.Value):
         self.x, self.y, self._tracer, self._planes, self._at = x, y, tracer, planes, at
 
     def _place(self, name):
@@ -23,20 +26,20 @@ class Pixels:
         vector, builder = ir.VectorType(kind, self._tracer.lanes), self._tracer.builder
         return builder.bitcast(builder.gep(self._planes[name], [self._at]), vector.as_pointer()), vector, size
 
-    def load(self, name):
+    def load(self, name: str) -> Value:
         """Return a plane's numbers as a Value."""
         (address, _, size), builder = self._place(name), self._tracer.builder
         loaded = builder.load(address, align=size)
         return Value(self._tracer, builder.uitofp(loaded, self._tracer.vector) if name == "code" else loaded)
 
-    def store(self, name, value):
+    def store(self, name: str, value: Number) -> None:
         """Write a plane's numbers."""
         (address, vector, size), builder = self._place(name), self._tracer.builder
         stored = self._tracer.value(value).vector
         builder.store(builder.fptoui(stored, vector) if name == "code" else stored, address, align=size)
 
 
-def emit(module, name, want, lanes):
+def emit(module: ir.Module, name: str, want: Want, lanes: int) -> None:
     """Emit the function `name` that draws rows of what is wanted, its one parameter the address of ARGUMENTS."""
     function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
     tracer = Tracer(function, lanes, WORK)

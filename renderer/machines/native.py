@@ -6,9 +6,11 @@ Where the environment variable SYMBOLIC_RENDERING_CODE names a folder, the code 
 import ctypes
 import hashlib
 import os
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from threading import Lock
+from typing import Any
 
 import llvmlite
 import llvmlite.binding as llvm
@@ -17,15 +19,16 @@ from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options
 
 from renderer.files import whole_file
 from renderer.kernels import HEIGHT_EVALUATIONS
+from renderer.machines import Job
 from renderer.machines.drawing_code import ARGUMENTS, emit
-from renderer.shader import WORK
+from renderer.shader import WORK, Want
 
 NAME = "llvm"
 _compiling = Lock()
 
 
 @cache
-def host_lanes(want):
+def host_lanes(want: Want) -> int:
     """Return how many pixels go through the code at a time: 512 bits of them at least, where there are vectors.
 
     A difference's heights are long chains of dependent operations: twice as many lanes hide each other's latency.
@@ -48,7 +51,7 @@ def _target():
     return target.create_target_machine(cpu=llvm.get_host_cpu_name(), features=text, opt=2)
 
 
-def optimized(module, target, level=2):
+def optimized(module: ir.Module | str, target: llvm.TargetMachine, level: int = 2) -> llvm.ModuleRef:
     """Return LLVM's module of a text, simplified: the shader is vectors already, so loops stay as they are."""
     parsed = llvm.parse_assembly(str(module))
     parsed.verify()
@@ -79,7 +82,7 @@ def _object_code(text, target):
     return path.read_bytes()
 
 
-def machine_code(emit_into, *what):
+def machine_code(emit_into: Callable, *what: Any) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
     """Return (the function of one address that emit_into(module, name, *what) emits; what it lives as long as)."""
     module, target, name = ir.Module(), _target(), "code"
     module.triple = llvm.get_process_triple()
@@ -91,12 +94,14 @@ def machine_code(emit_into, *what):
 
 
 @cache
-def compiled(want, lanes):
+def compiled(want: Want, lanes: int) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
     """Return (the function that draws what is wanted, given the address of ARGUMENTS; what it lives as long as)."""
     return machine_code(emit, want, lanes)
 
 
-def drawer(want, job, lanes=None, code=None):
+def drawer(
+    want: Want, job: Job, lanes: int | None = None, code: Callable[[int], None] | None = None
+) -> Callable[[range], list[int]]:
     """Return the function that draws rows (a range) of a Job and returns what was counted, in the order of WORK.
 
     lanes: how many pixels at a time (default: `host_lanes`). code: the function to call, if it is not to be kept.
@@ -116,5 +121,5 @@ def drawer(want, job, lanes=None, code=None):
         code(ctypes.addressof(arguments))
         return list(counted)
 
-    draw.alive = arrays  # whose addresses it has
+    draw.alive = arrays  # type: ignore[attr-defined]  # whose addresses it has
     return draw

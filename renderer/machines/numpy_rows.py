@@ -1,9 +1,15 @@
 """The shader on NumPy's arrays, a row of the picture at a time: where there is no compiler, and to check one."""
 
+from collections.abc import Callable, Iterable, Sequence
+from types import SimpleNamespace
+from typing import Any
+
 import numpy as np
 
+from renderer.machines import Job
 from renderer.numbers import LIGHT_FORM, SCENE_FORM, of_form
-from renderer.shader import WORK, Group
+from renderer.operations import Mask, Number
+from renderer.shader import WORK, Group, Step, Want
 
 NAME = "numpy"
 
@@ -11,10 +17,10 @@ NAME = "numpy"
 class Variable:
     """A value that changes."""
 
-    def __init__(self, value):
+    def __init__(self, value: Number):
         self.value = np.asarray(value)
 
-    def set(self, value, mask=None):
+    def set(self, value: Number, mask: Mask | None = None) -> None:
         """Put a value in its place, where the mask holds."""
         self.value = value if mask is None else np.where(mask, value, self.value)
 
@@ -24,23 +30,23 @@ class Rows:
 
     variable = Variable
 
-    def __init__(self, lights):
+    def __init__(self, lights: Iterable[np.ndarray]):
         self.lights, self.counts = [of_form(LIGHT_FORM, light) for light in lights], dict.fromkeys(WORK, 0)
 
-    def count(self, kind, mask):
+    def count(self, kind: str, mask: Mask) -> None:
         """Add the number of a mask's pixels to what is counted of a kind."""
         self.counts[kind] += int(np.count_nonzero(mask))
 
-    def when(self, mask, body):
+    def when(self, mask: Mask, body: Step) -> None:
         """Run `body` unless the mask holds for no pixel."""
         if np.any(mask):
             body()
 
-    def choose(self, alternatives, index, result_of):
+    def choose(self, alternatives: Sequence, index: Number, result_of: Callable[[Any], Sequence]) -> Sequence:
         """Return `result_of` the alternative of an index."""
         return result_of(alternatives[0] if len(alternatives) == 1 else alternatives[int(index)])
 
-    def by_squaring(self, exponent, first, square, multiply):
+    def by_squaring(self, exponent: Number, first: Step, square: Step, multiply: Step) -> None:
         """As `renderer.machines.traced.Tracer.by_squaring`."""
         remaining = int(exponent)
         if not remaining:
@@ -54,7 +60,7 @@ class Rows:
             if remaining & 1:
                 multiply()
 
-    def each_light(self, body):
+    def each_light(self, body: Callable[[SimpleNamespace], None]) -> None:
         """Run `body` on the numbers of one light after another."""
         for light in self.lights:
             body(light)
@@ -63,19 +69,19 @@ class Rows:
 class Row:
     """The pixels of one row: what the shader reads and writes of the frame's planes."""
 
-    def __init__(self, job, number, columns):
+    def __init__(self, job: Job, number: int, columns: slice):
         self.x, self.y, self._planes, self._at = job.x[columns], job.y[number], job.planes, (number, columns)
 
-    def load(self, name):
+    def load(self, name: str) -> np.ndarray:
         """Return a plane's row as float64."""
         return self._planes[name][self._at].astype(np.float64)
 
-    def store(self, name, value):
+    def store(self, name: str, value: Number) -> None:
         """Write a plane's row."""
         self._planes[name][self._at] = value
 
 
-def drawer(want, job):
+def drawer(want: Want, job: Job) -> Callable[[range], list[int]]:
     """Return the function that draws rows (a range) of a Job and returns what was counted, in the order of WORK."""
     scene = of_form(SCENE_FORM, job.scene)
 

@@ -1,18 +1,19 @@
 """The code that runs one kernel over points: a loop around its traced function, for any of LLVM's targets."""
 
 import inspect
+from collections.abc import Callable
 
 import llvmlite.ir as ir
 
 from renderer.machines.traced import FLOAT, WHOLE, Tracer, Value
 
 
-def inputs_of(kernel):
+def inputs_of(kernel: Callable) -> tuple[str, ...]:
     """Return the names of what a kernel takes at each point: its parameters, but those that only a name can give."""
     return tuple(p.name for p in inspect.signature(kernel).parameters.values() if p.kind != p.KEYWORD_ONLY)
 
 
-def emit_points(module, name, kernel, lanes, number=FLOAT):
+def emit_points(module: ir.Module, name: str, kernel: Callable, lanes: int, number: ir.Type = FLOAT) -> int:
     """Emit the function `name`, its one parameter the address of int64 numbers: how many points, then addresses.
 
     The addresses are of arrays of float64 (or another `number`): the kernel's inputs, then its outputs. The arrays are

@@ -4,12 +4,16 @@ Neither fast-math nor contraction is allowed, so that the bits are NumPy's. Only
 is left out: 0·x, x + 0, 1·x, x/1, of which the sign of a zero may differ, and nothing else for a finite x.
 """
 
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partialmethod
+from types import SimpleNamespace
+from typing import Any
 
 import llvmlite.ir as ir
 
 from renderer.numbers import LIGHT_FORM, flat, of_form
+from renderer.shader import Step
 
 FLOAT, BIT, BYTE, WHOLE = ir.DoubleType(), ir.IntType(1), ir.IntType(8), ir.IntType(64)
 
@@ -17,7 +21,7 @@ FLOAT, BIT, BYTE, WHOLE = ir.DoubleType(), ir.IntType(1), ir.IntType(8), ir.IntT
 class Value:
     """A float64 of every pixel of a group; `literal` is its number where it is one."""
 
-    def __init__(self, machine, vector, literal=None):
+    def __init__(self, machine: "Tracer", vector: ir.Value, literal: float | None = None):
         self.machine, self.vector, self.literal = machine, vector, literal
 
     def _emit(self, instruction, other, swap=False):
@@ -78,7 +82,7 @@ class Value:
 class Mask:
     """For which pixels of a group something holds."""
 
-    def __init__(self, machine, bits):
+    def __init__(self, machine: "Tracer", bits: ir.Value):
         self.machine, self.bits = machine, bits
 
     def __and__(self, other):
@@ -94,17 +98,17 @@ class Mask:
 class Variable:
     """A value that changes: memory that LLVM turns into registers."""
 
-    def __init__(self, machine, value):
+    def __init__(self, machine: "Tracer", value: Value | float):
         self.machine, value = machine, machine.value(value)
         self.place = machine.reserve(value.vector.type)
         machine.builder.store(value.vector, self.place)
 
     @property
-    def value(self):
+    def value(self) -> Value:
         """The present value."""
         return Value(self.machine, self.machine.builder.load(self.place))
 
-    def set(self, value, mask=None):
+    def set(self, value: Value | float, mask: Mask | None = None) -> None:
         """Put a value in its place, where the mask holds."""
         machine, vector = self.machine, self.machine.value(value).vector
         if mask is not None:
@@ -115,7 +119,7 @@ class Variable:
 class Tracer:
     """A machine whose values are traced: it emits into a function that `lanes` pixels at a time go through."""
 
-    def __init__(self, function, lanes, kinds, number=FLOAT):
+    def __init__(self, function: ir.Function, lanes: int, kinds: Iterable[str], number: ir.Type = FLOAT):
         self.lanes, self.module = lanes, function.module
         self.vector, self.mask = ir.VectorType(number, lanes), ir.VectorType(BIT, lanes)
         self.entry = function.append_basic_block()
@@ -125,30 +129,30 @@ class Tracer:
             self.builder.store(WHOLE(0), place)
         self.light_numbers = self.light_count = None
 
-    def reserve(self, kind):
+    def reserve(self, kind: ir.Type) -> ir.Value:
         """Return memory for one value, reserved where the function begins."""
         with self.builder.goto_block(self.entry):
             self.builder.position_at_start(self.entry)
             return self.builder.alloca(kind)
 
-    def value(self, number):
+    def value(self, number: Value | float) -> Value:
         """Return a number as a Value, if it is not one."""
         if isinstance(number, Value):
             return number
         return Value(self, ir.Constant(self.vector, [float(number)] * self.lanes), float(number))
 
-    def everywhere(self, scalar):
+    def everywhere(self, scalar: ir.Value) -> Value:
         """Return the Value that is one scalar for every pixel."""
         undefined = ir.Constant(self.vector, ir.Undefined)
         first = self.builder.insert_element(undefined, scalar, WHOLE(0))
         lanes = ir.Constant(ir.VectorType(ir.IntType(32), self.lanes), [0] * self.lanes)
         return Value(self, self.builder.shuffle_vector(first, undefined, lanes))
 
-    def whole(self, value):
+    def whole(self, value: Value) -> ir.Value:
         """Return the one whole number that is everywhere in a Value."""
         return self.builder.fptosi(self.builder.extract_element(value.vector, WHOLE(0)), WHOLE)
 
-    def call(self, intrinsic, *arguments):
+    def call(self, intrinsic: str, *arguments: Value | float) -> Value:
         """Return what one of LLVM's own functions makes of Values."""
         vectors = [self.value(argument).vector for argument in arguments]
         name = f"llvm.{intrinsic}.v{self.lanes}{self.vector.element.intrinsic_name}"
@@ -161,14 +165,14 @@ class Tracer:
     rint = partialmethod(call, "rint")
     power = partialmethod(call, "pow")
 
-    def where(self, mask, value, otherwise):
+    def where(self, mask: Mask, value: Value | float, otherwise: Value | float) -> Value:
         return Value(self, self.builder.select(mask.bits, self.value(value).vector, self.value(otherwise).vector))
 
-    def variable(self, value):
+    def variable(self, value: Value | float) -> Variable:
         """Return a Variable."""
         return Variable(self, value)
 
-    def count(self, kind, mask):
+    def count(self, kind: str, mask: Mask) -> None:
         """Add the number of a mask's pixels to what is counted of a kind."""
         bits = self._bits(mask)
         pixels = self.builder.zext(self.builder.ctpop(bits), WHOLE)
@@ -178,13 +182,13 @@ class Tracer:
     def _bits(self, mask):
         return self.builder.bitcast(mask.bits, ir.IntType(self.lanes))
 
-    def when(self, mask, body):
+    def when(self, mask: Mask, body: Step) -> None:
         """Run `body` unless the mask holds for no pixel of the group."""
         bits = self._bits(mask)
         with self.builder.if_then(self.builder.icmp_unsigned("!=", bits, bits.type(0))):
             body()
 
-    def choose(self, alternatives, index, result_of):
+    def choose(self, alternatives: Sequence, index: Value, result_of: Callable[[Any], Sequence]) -> Sequence:
         """Return `result_of` the alternative of an index that is the same everywhere: two numbers."""
         if len(alternatives) == 1:
             return result_of(alternatives[0])
@@ -196,7 +200,7 @@ class Tracer:
         return [variable.value for variable in results]
 
     @contextmanager
-    def loop(self, start, stop, step=1):
+    def loop(self, start: ir.Value, stop: ir.Value, step: int = 1) -> Iterator[ir.Value]:
         """Emit a loop; the block is its body and is given the number."""
         builder = self.builder
         before, head = builder.block, builder.append_basic_block()
@@ -212,7 +216,7 @@ class Tracer:
         builder.branch(head)
         builder.position_at_end(after)
 
-    def by_squaring(self, exponent, first, square, multiply):
+    def by_squaring(self, exponent: Value, first: Step, square: Step, multiply: Step) -> None:
         """Run what raises something to a whole power that is everywhere the same: nothing for 0.
 
         `square` as often as the exponent's lowest bit says, `first`; then for each higher bit `square`, and `multiply`
@@ -231,12 +235,12 @@ class Tracer:
                 with builder.if_then(bit):
                     multiply()
 
-    def each_light(self, body):
+    def each_light(self, body: Callable[[SimpleNamespace], None]) -> None:
         """Run `body` on the numbers of one light after another."""
         with self.loop(WHOLE(0), self.light_count) as number:
             body(of_form(LIGHT_FORM, self.numbers(self.light_numbers, LIGHT_FORM, number)))
 
-    def numbers(self, pointer, form, number=None):
+    def numbers(self, pointer: ir.Value, form: SimpleNamespace, number: ir.Value | None = None) -> Iterator[Value]:
         """Yield the Values of an array of numbers of a form, or of its row `number`."""
         count = len(flat(form))
         for column in range(count):

@@ -4,6 +4,8 @@ Every call is inlined and nothing is from libm, so that LLVM's object file of th
 for its exports.
 """
 
+from collections.abc import Callable, Mapping, Sequence
+
 import llvmlite.binding as llvm
 import llvmlite.ir as ir
 
@@ -11,6 +13,7 @@ from renderer.machines.drawing_code import emit
 from renderer.machines.native import optimized
 from renderer.machines.painting_code import PAINTERS, emit_painter
 from renderer.machines.points_code import emit_points
+from renderer.shader import Want
 
 LANES = 2
 TRIPLE = "wasm32-unknown-unknown"
@@ -19,7 +22,9 @@ HEADER_SIZE = 8
 CUSTOM, IMPORT, EXPORT, CODE, DATA = 0, 2, 7, 10, 11
 
 
-def compiled_module(wants, kernels, painters=PAINTERS):
+def compiled_module(
+    wants: Mapping[str, Want], kernels: Mapping[str, Callable], painters: Mapping[str, Callable] = PAINTERS
+) -> tuple[bytes, dict[str, int]]:
     """Return (a module's bytes, {kernel's name: how many outputs it has}).
 
     wants: {name: Want}, each a function that draws rows (`renderer.machines.drawing_code`). kernels: {name: kernel},
@@ -39,7 +44,7 @@ def compiled_module(wants, kernels, painters=PAINTERS):
     return exported(target.emit_object(optimized(module, target)), [*wants, *kernels, *painters]), outputs
 
 
-def exported(program, names):
+def exported(program: bytes, names: Sequence[str]) -> bytes:
     """Return an object file as a module that exports its functions, whose names are given in their order.
 
     Raises ValueError if it has data, or imports more than the memory: then a linker would be needed.
