@@ -4,7 +4,7 @@ try:
     from flint import arb
 except ImportError:
 
-    class arb:
+    class arb:  # type: ignore[no-redef]
         """The name of a ball's type, where there are no balls."""
 
 

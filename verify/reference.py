@@ -1,11 +1,15 @@
 """The 50-digit reference of a pixel: its program run on the exact values of a scene's float64 numbers."""
 
 from functools import lru_cache
+from typing import Any
+
+from mpmath import mpf
 
 from proofs.formulas import symbols
 from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import CHANNELS, light_color, light_position, pixel
+from renderer import Light, Scene
 from verify.evaluate import DIGITS, Reference
 
 
@@ -15,12 +19,12 @@ def _pixel_reference(field, model, lights, method):
     return Reference(pixel(HEIGHT_FIELDS[field], model, lights, gradient))
 
 
-def lights_on(scene):
+def lights_on(scene: Scene) -> list[Light]:
     """Return the lights that are on, in order."""
     return [light for light in scene.lights if light.color is not None]
 
 
-def scene_values(scene, **others):
+def scene_values(scene: Scene, **others: Any) -> dict[str, Any]:
     """Return {name: number} of a scene and its lights that are on, as `proofs.formulas.pixel` names its inputs.
 
     others: width, height, column, row, epsilon.
@@ -45,7 +49,16 @@ def scene_values(scene, **others):
     return values
 
 
-def reference_pixel(scene, width, height, column, row, method="exact", eps=None, digits=DIGITS):
+def reference_pixel(
+    scene: Scene,
+    width: int,
+    height: int,
+    column: int,
+    row: int,
+    method: str = "exact",
+    eps: float | None = None,
+    digits: int = DIGITS,
+) -> dict[str, mpf]:
     """Return {name: value} of every line of a pixel's program, from the exact values of the scene's numbers.
 
     Among the names: surface, occluded_0 … (lights that are on, in order), dark_square, u, v, h_u, h_v, bumped_x …,

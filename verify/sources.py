@@ -84,7 +84,8 @@ def _direct_imports(path: Path) -> frozenset[Path]:
 
 def imported(code: str, package: tuple[str, ...] = ()) -> tuple[set[str], bool]:
     """The dotted names that may be modules which a source in a package imports; and whether it computes others."""
-    names, computed, homes = set(), False, None
+    names: set[str] = set()
+    computed, homes = False, None
     for node in ast.walk(ast.parse(code)):
         if isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
@@ -107,7 +108,7 @@ def _module_files(name: str) -> frozenset[Path]:
     parts = name.split(".")
     if parts[0] not in PACKAGES:
         return frozenset()
-    found = set()
+    found: set[Path] = set()
     for length in range(1, len(parts) + 1):
         place = ROOT.joinpath(*parts[:length])
         found.update(file for file in (place / "__init__.py", place.with_suffix(".py")) if file.is_file())

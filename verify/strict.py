@@ -13,6 +13,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from renderer import Light, Scene, render, stage_of
 from renderer.generate.kernels import function_of
+from renderer.methods import GradientMethod
 from verify.reference import lights_on, scene_values
 
 
@@ -32,12 +33,12 @@ def _run(scene, width, height, *outputs):
     return [np.broadcast_to(result, (height, width)) for result in results]
 
 
-def strict_rgb(scene, width, height):
+def strict_rgb(scene: Scene, width: int, height: int) -> np.ndarray:
     """Return the picture by the exact gradient in its general form, (height, width, 3)."""
     return np.stack(_run(scene, width, height, *rgb), axis=-1)
 
 
-def strict_chambers(scene, width, height):
+def strict_chambers(scene: Scene, width: int, height: int) -> np.ndarray:
     """Return the chamber codes, (height, width) uint8, as `renderer.stage.Stage` defines them."""
     on = [number for number, light in enumerate(scene.lights) if light.color is not None]
     occlusions = (occlusion(number) for number in range(len(on)))
@@ -48,7 +49,7 @@ def strict_chambers(scene, width, height):
     return codes
 
 
-def random_scene(random):
+def random_scene(random: np.random.Generator) -> Scene:
     """Return a scene of scales far apart: B may contain, cut, touch or miss everything, lights may be low or below."""
     while True:
         radius = 10.0 ** random.uniform(-2, 2)
@@ -68,22 +69,23 @@ def random_scene(random):
             continue  # B around the eye, or a light inside a body
 
 
-def random_raster(random):
+def random_raster(random: np.random.Generator) -> tuple[int, int, tuple[int, int, int, int] | None]:
     """Return (width, height, crop): odd and even sizes, one in three cropped."""
     width, height = (int(n) for n in random.integers(1, 90, 2))
     if random.uniform() < 2 / 3:
         return width, height, None
     left, top = int(random.integers(0, width)), int(random.integers(0, height))
-    return width, height, (left, top, *(int(random.integers(1, n + 1)) for n in (width - left, height - top)))
+    wide, high = (int(random.integers(1, n + 1)) for n in (width - left, height - top))
+    return width, height, (left, top, wide, high)
 
 
-def differing_pixels(scene, width, height, crop=None):
+def differing_pixels(scene: Scene, width: int, height: int, crop: tuple[int, int, int, int] | None = None) -> int:
     """Return how many pixels' codes differ between the renderer and the strict reference."""
     left, top, wide, high = crop or (0, 0, width, height)
     strict = strict_chambers(scene, width, height)[top : top + high, left : left + wide]
     return int(np.count_nonzero(stage_of(scene, width, height, crop, threads=1).chambers != strict))
 
 
-def image_error(scene, side, method):
+def image_error(scene: Scene, side: int, method: GradientMethod) -> float:
     """Return the largest difference of a channel of a square picture from the strict one."""
     return float(np.abs(render(scene, side, side, method).rgb - strict_rgb(scene, side, side)).max())

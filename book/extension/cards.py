@@ -17,6 +17,8 @@ from typing import ClassVar
 from docutils import nodes
 from docutils.parsers.rst import directives
 from markupsafe import Markup, escape
+from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 
 from book.build import stamps
 from book.extension import checker
@@ -32,7 +34,7 @@ KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
 class Here:
     """The theorems as they are named and found from the page that is being read."""
 
-    def __init__(self, env):
+    def __init__(self, env: BuildEnvironment):
         self.env, self.proofs = env, proofs_of(env.app)
         self.label, self.users = self.proofs.label, self.proofs.users
 
@@ -60,7 +62,7 @@ class TheoremCard(BookDirective):
     has_content = True
     option_spec: ClassVar = {"expect": directives.unchanged}
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         book, id = Here(self.env), self.arguments[0]
         book.proofs.reached(id, self.options.get("expect"))
         if (page := book.proofs.places[id].page) != self.env.docname:
@@ -116,14 +118,14 @@ def link(text: str, target: str) -> nodes.reference:
 class TheoremReference(BookRole):
     """A link to a theorem's card."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         id, _, style = self.text.partition("|")
         book = Here(self.env)
         book.proofs.reached(id)
         return [link(book.label(id) if style == "short" else book.name(id), book.card(id))]
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Register the directive and the role."""
     app.add_directive("theorem", TheoremCard)
     app.add_role("theorem-ref", TheoremReference())

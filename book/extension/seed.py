@@ -8,6 +8,7 @@ import re
 
 from docutils import nodes
 from docutils.statemachine import StringList
+from sphinx.application import Sphinx
 
 from book.extension.elements import BookDirective, filled, raw, section
 from book.extension.ledger import Entries
@@ -21,7 +22,7 @@ LINES = re.compile(r"(?<=\S)\n(?=\S)")  # lines of one block, as on the front an
 class Seed(BookDirective):
     """The whole of it, in sections."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         book = Entries(self)
         claims = [claim for claim in book.ledger.sorted_by_place() if claim.of_seed]
         front = nodes.container(classes=["seed"])
@@ -51,6 +52,6 @@ class Seed(BookDirective):
         return [quote]
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Register the directive."""
     app.add_directive("seed", Seed)

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import combinations_with_replacement
+from typing import Any
 
 from proofs.engine import kernel
 from proofs.engine.feasible import feasible
@@ -14,7 +15,7 @@ from proofs.engine.statement import polynomial_data
 class NotFound(Exception):
     """No certificate was found; `goal` is the polynomial data and relation that could not be shown."""
 
-    def __init__(self, goal: object, remainder: object = None):
+    def __init__(self, goal: Any, remainder: Any = None):
         super().__init__(f"no certificate found for {goal}")
         self.goal, self.remainder = goal, remainder
 

@@ -13,7 +13,7 @@ class _OfHalfTurns(Function):
     is_real = True
 
     @classmethod
-    def eval(cls, argument):
+    def eval(cls, argument: Expr) -> Basic | None:
         return cls.plain(pi * argument) if argument.is_Rational else None
 
     def _eval_evalf(self, precision):

@@ -6,6 +6,7 @@ largest error over smooth points is least at the best step. The trick takes for 
 """
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -26,7 +27,7 @@ class Best(NamedTuple):
     floor: float
 
 
-def predicted(k, representable=False):
+def predicted(k: float, representable: bool = False) -> Best:
     """Return the Best of the proved bound for sine in u, wherever the point is; representable: with the trick."""
     rate = math.pi * k
     heights = SINE_ULPS * UNIT + UNIT
@@ -35,12 +36,12 @@ def predicted(k, representable=False):
     return Best((rounding / 2 / truncation) ** (1 / 3), 3 * truncation ** (1 / 3) * (rounding / 2) ** (2 / 3))
 
 
-def representable_step(at, step):
+def representable_step(at: np.ndarray, step: float) -> np.ndarray:
     """Return (at + step) − at in float64: a step that takes `at` to numbers that float64 holds, on both sides."""
     return (at + step) - at
 
 
-def errors(k, steps, representable=False):
+def errors(k: float, steps: Sequence[float] | np.ndarray, representable: bool = False) -> np.ndarray:
     """Return (steps, points) |computed − exact| of h_u, sine, v on a crest.
 
     At smooth u ∈ [1/2, 3/4], where float64 is coarsest: all of them are multiples of 2^-53.
@@ -56,7 +57,7 @@ def errors(k, steps, representable=False):
     return np.array(found)
 
 
-def measured(k, representable=False):
+def measured(k: float, representable: bool = False) -> Best:
     """Return the measured Best: where the largest error over the points and the WINDOW steps around is least.
 
     The error of u ± ε depends on the last bits of ε, so that a single step may be lucky.

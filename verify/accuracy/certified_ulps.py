@@ -10,13 +10,14 @@ smaller ones, down to where a product underflows.
 """
 
 import math
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from flint import arb, ctx, fmpq
-from sympy import Poly, Rational
+from sympy import Expr, Poly, Rational, Symbol
 
 from proofs.engine.program import Program
 from proofs.formulas import elementary as e
@@ -46,7 +47,7 @@ KERNELS = {name: getattr(kernels, name) for name in ("sinpi", "cospi", "atan2pi"
 """What the renderer computes, of float64 numbers or arrays."""
 
 
-EXACT = {
+EXACT: dict[str, Callable[..., arb]] = {
     "sinpi": arb.sin_pi,
     "cospi": arb.cos_pi,
     "sinpi_of_product": lambda a, b: (a * b).sin_pi(),
@@ -56,14 +57,14 @@ EXACT = {
 """The same of balls."""
 
 
-def error_in_ulps(computed, exact):
+def error_in_ulps(computed: float, exact: arb) -> float:
     """Return |computed − exact ball| in units in the last place of exact; infinite for a missed zero."""
     if exact.is_zero():
         return 0.0 if computed == 0 else math.inf
     return float(abs(arb(computed) - exact).mid()) / math.ulp(float(exact.mid()))
 
 
-def errors_in_ulps(name, *arguments):
+def errors_in_ulps(name: str, *arguments: np.ndarray) -> np.ndarray:
     """Return the errors of a kernel at float64 arrays of one shape."""
     with ctx.workprec(200):
         exact = np.frompyfunc(lambda *case: EXACT[name](*map(arb, case)), len(arguments), 1)(*arguments)
@@ -73,9 +74,9 @@ def errors_in_ulps(name, *arguments):
 class Piece(NamedTuple):
     """On `low` ≤ argument ≤ `high` the result is off by at most `ulps` (arb) units in its last place."""
 
-    low: object
-    high: object
-    ulps: object
+    low: arb
+    high: arb
+    ulps: arb
 
 
 def _ball(rational):
@@ -90,7 +91,7 @@ def _lines(program, after=(), until=()):
     return Program(program.name, inputs, definitions, until).keep(*until)
 
 
-def piece_ends(first, last, cuts=()):
+def piece_ends(first: arb, last: arb, cuts: Iterable[arb] = ()) -> list[arb]:
     """Return the ends of pieces from `first` to `last`: PIECES to each binade, evenly, and at the cuts between."""
     ends, low = list(cuts), arb((1, SMALLEST - 1))
     while low < last:
@@ -102,13 +103,13 @@ def piece_ends(first, last, cuts=()):
 class Series:
     """A polynomial of one variable against the Taylor series of what it stands for."""
 
-    def __init__(self, expression, variable, coefficient):
+    def __init__(self, expression: Expr, variable: Symbol, coefficient: Callable[[int], arb]):
         polynomial = Poly(expression, variable)
         own = {power: _ball(c) for (power,), c in polynomial.terms()}
         self.differences = [own.get(n, arb(0)) - coefficient(n) for n in range(TERMS)]
         self.left_out = [abs(coefficient(n)) for n in (TERMS, TERMS + 1)]  # the signs alternate, the terms fall
 
-    def error(self, argument):
+    def error(self, argument: arb) -> arb:
         """Return an upper bound of |polynomial − function| over a ball."""
         total = arb(0)
         for difference in reversed(self.differences):
@@ -130,7 +131,7 @@ def _arctangent_coefficient(n):
     return arb(0) if n % 2 == 0 else (-1 if n % 4 == 3 else 1) / (n * arb.pi())
 
 
-def sine_pieces(cosine=False, of_product=False, program=e.sine_of_half_turns):
+def sine_pieces(cosine: bool = False, of_product: bool = False, program: Program = e.sine_of_half_turns) -> list[Piece]:
     """Return the Pieces of sinpi (or cospi) over the reduced argument, 0 ≤ r ≤ 1/4 (the rest by symmetry).
 
     of_product: the argument has been rounded once, as it is after `two_product`.
@@ -164,7 +165,7 @@ def _threshold(line):
     return relation.lts.coeff(e.larger)
 
 
-def angle_pieces(program=e.angle_in_half_turns):
+def angle_pieces(program: Program = e.angle_in_half_turns) -> list[Piece]:
     """Return the Pieces of atan2pi over t = smaller/larger, 0 ≤ t ≤ 1: the worst of the eight octants."""
     with ctx.workprec(PRECISION):
         first, second = (_ball(_threshold(program[s])) for s in (e.middle, e.steep))
@@ -239,19 +240,19 @@ class _Angle:
         return worst
 
 
-def pieces_of(name):
+def pieces_of(name: str) -> list[Piece]:
     """Return the Pieces of an elementary function by its name, a key of CERTIFIED."""
     if name == "atan2pi":
         return angle_pieces()
     return sine_pieces(cosine=name.startswith("cos"), of_product=name.endswith("_of_product"))
 
 
-def worst(pieces):
+def worst(pieces: Iterable[Piece]) -> arb:
     """Return the largest certified error of the pieces, in ulps (arb)."""
     return max(piece.ulps for piece in pieces)
 
 
-def off_by(program, line, coefficient, ulps):
+def off_by(program: Program, line: Symbol, coefficient: Expr, ulps: int) -> Program:
     """Return the program with a constant of a line off by so many units in its last place: a false variant."""
     unit = unit_in_the_last_place(_ball(abs(coefficient)))
     off = coefficient + ulps * Rational(int(unit.man_exp()[0])) * Rational(2) ** int(unit.man_exp()[1])

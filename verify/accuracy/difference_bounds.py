@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from verify.accuracy.certified_ulps import CERTIFIED
+from verify.accuracy.differences import Case, Parts
 
 UNIT = 2.0**-53
 SINE_ULPS = float(max(CERTIFIED["sinpi_of_product"], CERTIFIED["cospi_of_product"]))
@@ -26,7 +27,7 @@ class Bounds(NamedTuple):
     total: np.ndarray
 
 
-def steepest(case, found):
+def steepest(case: Case, found: Parts) -> np.ndarray:
     """Return L: a bound of |h'| wherever the arguments reach, at most |h'| here and the curvature's share more."""
     rate = np.pi * case.frequency
     near = abs(found.slope) + rate**2 * (found.steps + argument_error(case, found.steps))
@@ -39,7 +40,7 @@ def _sine_error(largest):
     return SINE_ULPS * np.minimum(UNIT, 2 * UNIT * largest)
 
 
-def height_errors(case, found):
+def height_errors(case: Case, found: Parts) -> tuple[np.ndarray, float]:
     """Return (η, δ): how far a computed height can be off on its own, and relatively by the factor that both share.
 
     The factor that does not move is computed once for both heights: its error scales their difference.
@@ -51,7 +52,7 @@ def height_errors(case, found):
     return (_sine_error(reach) + UNIT * reach) * found.still * (1 + shared), shared
 
 
-def argument_error(case, steps):
+def argument_error(case: Case, steps: np.ndarray) -> np.ndarray:
     """Return α: how far u ± ε, or v ± ε, as float64 has them can be off; wrapping rounds once more."""
     at = case.u if case.component == "h_u" else case.v
     wraps = (case.component == "h_u") & ((at - steps < 0) | (at + steps >= 1))
@@ -64,7 +65,7 @@ def _span(case, steps):
     return np.where(clamped, case.v + steps, 2 * steps)
 
 
-def truncation_bound(case, steps):
+def truncation_bound(case: Case, steps: np.ndarray) -> np.ndarray:
     """Return a bound of |D − h'| in exact arithmetic."""
     rate = np.pi * case.frequency
     smooth, lipschitz = rate**3 * steps**2 / 6, 2 * rate + 0 * steps
@@ -87,7 +88,7 @@ def truncation_bound(case, steps):
     return np.minimum(smooth, lipschitz) * ROOM
 
 
-def bounds(case, found):
+def bounds(case: Case, found: Parts) -> Bounds:
     """Return the Bounds of a case's Parts."""
     steps, span = found.steps, _span(case, found.steps)
     largest, (alone, shared) = steepest(case, found), height_errors(case, found)
@@ -99,7 +100,7 @@ def bounds(case, found):
     return Bounds(truncation, argument, roundoff, truncation + argument + roundoff)
 
 
-def escapes(found, limits):
+def escapes(found: Parts, limits: Bounds) -> dict[str, int]:
     """Return {part: how many points are above their bound}; what is not a number is above."""
     return {
         part: int(np.count_nonzero(~(np.abs(getattr(found, part)) <= getattr(limits, part)))) for part in limits._fields

@@ -9,6 +9,7 @@ from functools import cache
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central, span_v, u_minus, u_plus, v_minus, v_plus
@@ -16,7 +17,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, factors, gradient
 from renderer import Scene
 from renderer.kernels import FIELDS
 from renderer.shader import difference
-from verify.evaluate.arrays import in_balls, in_float64, signed_distance
+from verify.evaluate.arrays import Inputs, in_balls, in_float64, signed_distance
 
 PER_DECADE = 40
 ARGUMENTS = (u_plus, u_minus, v_plus, v_minus, span_v)
@@ -38,18 +39,18 @@ class Case(NamedTuple):
     distance: float = 1.0  # to the crease, the pole or the seam, in the component's coordinate
 
     @property
-    def frequency(self):
+    def frequency(self) -> float:
         """Half the number of waves along the component's coordinate."""
         k = self.k_u if self.component == "h_u" else self.k_v
         return abs(2 * k if self.field == "rings" else k)
 
     @property
-    def scene(self):
+    def scene(self) -> Scene:
         """The scene whose field it is."""
         return Scene(field=self.field, ku=self.k_u, kv=self.k_v)
 
     @property
-    def inputs(self):
+    def inputs(self) -> dict[str, float]:
         """The point and the wave numbers, {name: number}."""
         return {name: getattr(self, name) for name in ("u", "v", "k_u", "k_v")}
 
@@ -78,14 +79,16 @@ def _split(field):
     return whole.keep(*ARGUMENTS), Program("given", (*whole.inputs, *ARGUMENTS), rest, whole.outputs)
 
 
-def by_the_kernel(field, at):
+def by_the_kernel(field: str, at: Inputs) -> dict[str, np.ndarray]:
     """Return {component: the renderer's difference}; at: arrays of u, v, k_u, k_v, epsilon by name."""
     with np.errstate(all="ignore"):
         found = difference(FIELDS[field], "central", *(at[name] for name in ("u", "v", "k_u", "k_v", "epsilon")))
     return {name: np.broadcast_to(part, np.shape(at["u"])) for name, part in zip(("h_u", "h_v"), found, strict=True)}
 
 
-def taken_apart(field, inputs, steps, computed=None):
+def taken_apart(
+    field: str, inputs: Inputs, steps: ArrayLike, computed: dict[str, np.ndarray] | None = None
+) -> dict[str, np.ndarray]:
     """Return {component: (truncation, argument, roundoff, total)} over arrays of points or of steps.
 
     inputs: u, v, k_u, k_v by name. computed: {component: differences} in place of the kernel's.
@@ -99,12 +102,13 @@ def taken_apart(field, inputs, steps, computed=None):
     return {c: np.array([signed_distance(a[c], b[c]) for a, b in both]) for c, both in pairs.items()}
 
 
-def parts(case, steps=STEPS, computed=None):
+def parts(case: Case, steps: ArrayLike = STEPS, computed: np.ndarray | None = None) -> Parts:
     """Return the Parts of a case over the steps; `computed` replaces the kernel's differences."""
     steps = np.asarray(steps, np.float64)
     found = taken_apart(case.field, case.inputs, steps, None if computed is None else {case.component: computed})
     slope = in_balls(gradient(HEIGHT_FIELDS[case.field]), case.inputs)[case.component].item()
-    return Parts(steps, *found[case.component], float(slope), *_factors(case))
+    truncation, argument, roundoff, total = found[case.component]
+    return Parts(steps, truncation, argument, roundoff, total, float(slope), *_factors(case))
 
 
 def _factors(case):

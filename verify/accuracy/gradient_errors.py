@@ -4,6 +4,7 @@ Errors are counted in units of π max(1, |k|) 2^-53: that is the rounding of one
 """
 
 import math
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -26,15 +27,16 @@ def _largest(computed, exact, **wave_numbers):
     return max(np.max(distance(computed[name], exact[name])) / unit for name, unit in units.items())
 
 
-def wave_number_pairs(rng, count=24):
+def wave_number_pairs(rng: np.random.Generator, count: int = 24) -> list[tuple[float, ...]]:
     """Return wave numbers of every kind up to 2^20 in magnitude: whole, real, negative, zero, the largest."""
+    pairs: list[tuple[float, ...]]
     pairs = [(8.0, 4.0), (7.3, -3.1), (0.0, 5.0), (3.0, 0.0), (-64.0, 64.0), (2.0**20, -(2.0**20)), (0.25, 1e-5)]
     pairs += [tuple(float(s * 2.0**p) for s, p in zip(rng.choice([-1, 1], 2), rng.uniform(-3, 20, 2), strict=True))
               for _ in range(count)]  # fmt: skip
     return pairs + [tuple(float(k) for k in rng.integers(-(2**20), 2**20, 2)) for _ in range(count)]
 
 
-def chart_points(rng, k_u, k_v, count):
+def chart_points(rng: np.random.Generator, k_u: float, k_v: float, count: int) -> tuple[np.ndarray, np.ndarray]:
     """Return u ∈ [0, 1), v ∈ [0, 1]: at random, and floats beside m/k. None is so small that ku underflows."""
     u, v = rng.random(count), rng.random(count)
     half = count // 2
@@ -46,18 +48,20 @@ def chart_points(rng, k_u, k_v, count):
     return np.minimum(u, np.nextafter(1, 0)), v
 
 
-def by_the_renderer(field, at):
+def by_the_renderer(field: str, at: Mapping) -> dict[str, np.ndarray]:
     """Return the general form of the exact gradient, {h_u, h_v: arrays}."""
     scene = Scene(field=field, ku=at["k_u"], kv=at["k_v"])
     return dict(zip(("h_u", "h_v"), gradient_at(scene, at["u"], at["v"], exact("general")), strict=True))
 
 
-def by_rounded_products(field, at):
+def by_rounded_products(field: str, at: Mapping) -> dict[str, np.ndarray]:
     """Return the same by libm's sine of a product πku, which is rounded before the sine."""
     return in_float64(naive_gradient(HEIGHT_FIELDS[field]), at)
 
 
-def worst_at_chart_points(field, seed=11, each=16, form=by_the_renderer):
+def worst_at_chart_points(
+    field: str, seed: int = 11, each: int = 16, form: Callable[[str, Mapping], dict] = by_the_renderer
+) -> tuple[float, int]:
     """Return (the largest error of the general exact gradient in units, points) over all wave numbers."""
     rng, found = np.random.default_rng(seed), []
     for k_u, k_v in wave_number_pairs(rng):
@@ -67,7 +71,7 @@ def worst_at_chart_points(field, seed=11, each=16, form=by_the_renderer):
     return float(np.max(found)), len(found) * each
 
 
-def image_points(rng, eye, radius, count):
+def image_points(rng: np.random.Generator, eye: float, radius: float, count: int) -> tuple[np.ndarray, np.ndarray]:
     """Return image points with 1 − (ρ/ρ_s)² ≥ 0.1: spread over the disc, and toward the pole down to sin φ = 1e-150."""
     rim = eye * radius / math.sqrt((eye - radius) * (eye + radius))
     rho = rim * math.sqrt(0.9) * np.sqrt(rng.random(count)) * (1 - 1e-12)
@@ -80,7 +84,12 @@ def image_points(rng, eye, radius, count):
     return rho * np.cos(angle), rho * np.sin(angle)
 
 
-def worst_at_image_points(field, seed=12, each=20, wave_numbers=((2, 1), (8, 4), (-8, 3), (64, 64), (0, 5))):
+def worst_at_image_points(
+    field: str,
+    seed: int = 12,
+    each: int = 20,
+    wave_numbers: Sequence[tuple[float, float]] = ((2, 1), (8, 4), (-8, 3), (64, 64), (0, 5)),
+) -> tuple[float, int]:
     """Return (the largest error of the algebraic gradient, in units of (1 + k) π k 2^-53, points) over R/e and k."""
     rng, found = np.random.default_rng(seed), []
     whole = chain("from_image", angles_on_a, chart, gradient(HEIGHT_FIELDS[field]))

@@ -4,6 +4,7 @@ Truth is the pixel's program in balls of 256 bits, whose radius is below 1e-50; 
 of the same program in balls of 53 bits. A pixel whose chamber or side of a crease those leave open is counted apart.
 """
 
+from collections.abc import Iterable, Mapping
 from copy import copy
 from dataclasses import replace
 from functools import lru_cache
@@ -15,6 +16,7 @@ from flint import arb, ctx
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import CHANNELS, pixel
 from renderer import Scene, render
+from renderer.frame import Frame
 from verify.evaluate.balls import Balls
 from verify.reference import lights_on, scene_values
 
@@ -41,7 +43,7 @@ class Checked(NamedTuple):
     undecided: frozenset
     same_chamber: bool
 
-    def bound(self, share=1.0):
+    def bound(self, share: float = 1.0) -> float:
         """Return the bound that the pixel is held to; share: of the radius, where that is the bound."""
         default = not self.scene.startswith("shininess")
         return TOLERANCE if self.off_rim and default else share * self.radius
@@ -74,7 +76,7 @@ def _kinds(scene, frame):
     }
 
 
-def chosen(scene, frame, each=EACH, seed=SEED):
+def chosen(scene: Scene, frame: Frame, each: int = EACH, seed: int = SEED) -> list[tuple[str, int, int]]:
     """Return [(kind, column, row)]: `each` pixels of every kind; among equals at random."""
     rng, found = np.random.default_rng(seed), []
     for kind, plane in _kinds(scene, frame).items():
@@ -85,7 +87,7 @@ def chosen(scene, frame, each=EACH, seed=SEED):
 
 
 @lru_cache(maxsize=32)
-def balls_of(field, model, lights):
+def balls_of(field: str, model: str, lights: int) -> Balls:
     """Return the Balls of a whole pixel by the exact gradient in its general form."""
     return Balls(pixel(HEIGHT_FIELDS[field], model, lights))
 
@@ -107,7 +109,7 @@ def _code(lines, lights):
     return parts[0] | sum(bit << (2 + i) for i, bit in enumerate(parts[1:-1])) | parts[-1] << 7
 
 
-def checked_pixel(name, scene, frame, kind, column, row):
+def checked_pixel(name: str, scene: Scene, frame: Frame, kind: str, column: int, row: int) -> Checked:
     """Return a pixel of a frame, Checked."""
     height, width = frame.raster.shape
     values, lights = scene_values(scene, column=column, row=row, width=width, height=height), len(lights_on(scene))
@@ -121,7 +123,7 @@ def checked_pixel(name, scene, frame, kind, column, row):
         return Checked(name, kind, column, row, error, radius, _off_rim(scene, truth), undecided, same_chamber)
 
 
-def checked_pixels(scenes, size=SIZE, each=EACH, seed=SEED):
+def checked_pixels(scenes: Mapping[str, Scene], size: int = SIZE, each: int = EACH, seed: int = SEED) -> list[Checked]:
     """Return every chosen pixel of {name: Scene}, Checked."""
     found = []
     for name, scene in scenes.items():
@@ -130,6 +132,6 @@ def checked_pixels(scenes, size=SIZE, each=EACH, seed=SEED):
     return found
 
 
-def problems(pixels, share=1.0):
+def problems(pixels: Iterable[Checked], share: float = 1.0) -> list[Checked]:
     """Return the decided pixels that are above their bound or in another chamber."""
     return [p for p in pixels if not p.undecided and not (p.error <= p.bound(share) and p.same_chamber)]

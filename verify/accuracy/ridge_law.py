@@ -8,14 +8,16 @@ the bands below ε ≈ 6e-5. The differences are the kernels' own.
 import math
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from renderer import Scene, central, exact, gradient_at
+from renderer.frame import Frame
 
 NODES = 20
 SCENE = Scene()  # ridges, k_u = 8, k_v = 4
 
 
-def predicted(component, steps, scene=SCENE):
+def predicted(component: str, steps: ArrayLike, scene: Scene = SCENE) -> tuple[np.ndarray, np.ndarray]:
     """Return (the theorem's RMS, how far it may be off) for each step."""
     k = scene.ku if component == "h_u" else scene.kv
     creases = k if component == "h_u" else k - 1
@@ -33,7 +35,7 @@ def _panels(k, step):
     return (ends[:-1, None] + half * (1 + nodes)).ravel(), (half * weights).ravel()
 
 
-def quadrature(component, step, scene=SCENE):
+def quadrature(component: str, step: float, scene: Scene = SCENE) -> float:
     """Return the RMS over the chart of (central difference − exact) of ridges, whole k_u and k_v."""
     index, k = (0, scene.ku) if component == "h_u" else (1, scene.kv)
     along, weights = _panels(int(k), step)
@@ -44,7 +46,7 @@ def quadrature(component, step, scene=SCENE):
     return float(math.sqrt(weights @ error @ across_weights))
 
 
-def on_the_raster(component, step, frame):
+def on_the_raster(component: str, step: float, frame: Frame) -> float:
     """Return the same RMS over the pixels of sphere A in a frame: its centres alone, and as the image crowds them."""
     index, on_a = (0, 1)[component == "h_v"], frame.stage.on_a
     u, v = (frame.surface_data[name][on_a] for name in ("u", "v"))

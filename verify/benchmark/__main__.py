@@ -10,6 +10,7 @@ import os
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from tqdm import tqdm
@@ -29,7 +30,7 @@ QUICK_SIDE, QUICK_SCENES = 1024, 100
 BUSY = 0.5  # a load of more than this spoils a measurement
 
 
-def load():
+def load() -> float:
     """Return how many processes wanted a core during the last minute, and say so if the machine is busy."""
     busy = os.getloadavg()[0] if hasattr(os, "getloadavg") else 0.0
     if busy > BUSY:
@@ -37,7 +38,7 @@ def load():
     return busy
 
 
-def counted(scenes):
+def counted(scenes: int) -> dict[str, float]:
     """Return what the run also counts: whether the fast renderer draws what the strict one draws, and its imports."""
     random = np.random.default_rng(SEED)
     drawn = ((random_scene(random), random_raster(random)) for _ in tqdm(range(scenes), desc="chambers", unit="scene"))
@@ -47,7 +48,7 @@ def counted(scenes):
     return {"scenes": scenes, "chambers_differing": differing, "image_error": error, "sympy_imported": imported}
 
 
-def measure_frames(only, rounds, quick):
+def measure_frames(only: str, rounds: int, quick: bool) -> dict[str, Any] | None:
     """Return the numbers of whole frames; None if no case has that name."""
     whole = frame_cases(QUICK_SIDE if quick else 2**24)
     cases = [*whole, *step_cases(), *rule_cases(), IMAGE_GRADIENT, *start.CASES]
@@ -63,7 +64,7 @@ def measure_frames(only, rounds, quick):
     return numbers | verdicts(numbers)
 
 
-def show(where, numbers):
+def show(where: dict[str, str], numbers: dict[str, Any]) -> None:
     """Print the numbers, and the table of targets."""
     print(f"\n{where['machine']}; {where['date']}, commit {where['commit']}")
     for key, value in sorted(numbers.items()):
@@ -72,7 +73,7 @@ def show(where, numbers):
     print(f"\n{table(numbers)}")
 
 
-def main(arguments=None):
+def main(arguments: list[str] | None = None) -> None:
     """Measure, print, and write a whole run."""
     parser = argparse.ArgumentParser(prog="python -m verify.benchmark", description=__doc__)
     parser.add_argument("--quick", action="store_true", help="one round, sides up to 1024; writes nothing by itself")
@@ -95,4 +96,4 @@ def main(arguments=None):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

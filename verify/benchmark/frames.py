@@ -4,10 +4,12 @@ A case's name is renderer_side_threads. No frame is kept: two of 8192² at once 
 """
 
 import itertools
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
 
 from renderer import Scene, central, exact, render, stage_of
+from renderer.methods import GradientMethod
 from renderer.shader import ON_A
 from verify.benchmark.baselines.numpy_tiles import numpy_tiles
 from verify.benchmark.baselines.seed_loops import seed_loops
@@ -27,12 +29,12 @@ STEP = 1024
 IN_CACHE = 256  # six planes of that side stay in a cache: it is the gradient that is timed, not the memory
 
 
-def calls(side):
+def calls(side: int) -> int:
     """Return how many frames of that side a visit times: two at least, so that one before them touches the memory."""
     return max(2, min(40, PIXELS_A_VISIT // side**2))
 
 
-def warmed(work):
+def warmed(work: Callable) -> Callable[[], Callable]:
     """Return a case's `prepare`: the call, made once before it is timed, so that whatever is to be compiled is."""
 
     def prepare():
@@ -42,7 +44,7 @@ def warmed(work):
     return prepare
 
 
-def frame_case(name, side, threads):
+def frame_case(name: str, side: int, threads: int) -> Case:
     """Return the case of one whole frame, from nothing, by a renderer of SIDES."""
     label, given = f"{name}_{side}_{threads}", (SCENE, side, side)
     if name.startswith("seed"):
@@ -59,7 +61,7 @@ def frame_case(name, side, threads):
     return Case(label, prepare, calls(side))
 
 
-def stepping(scene, frames, threads):
+def stepping(scene: Scene, frames: Iterable[tuple[Scene, GradientMethod]], threads: int) -> Callable[[], Callable]:
     """Return a `prepare` whose function draws the next of `frames`, (scene, method), with the chambers given."""
 
     def prepare():
@@ -78,7 +80,7 @@ def stepping(scene, frames, threads):
     return prepare
 
 
-def step_cases():
+def step_cases() -> list[Case]:
     """Return the cases with given chambers: steps of ε and β, and sphere A alone on one thread."""
     sequences = {
         f"eps_step_exact_{STEP}_2": [(SCENE, exact())],
@@ -89,7 +91,7 @@ def step_cases():
     return [Case(n, stepping(f[0][0], f, int(n[-1])), calls(STEP)) for n, f in sequences.items()]
 
 
-def frame_cases(largest):
+def frame_cases(largest: int) -> list[Case]:
     """Return every case of a whole frame up to a side of `largest`."""
     return [
         frame_case(name, side, threads)
@@ -100,7 +102,7 @@ def frame_cases(largest):
     ]
 
 
-def image_gradient_points():
+def image_gradient_points() -> int:
     """Return how many points a call of IMAGE_GRADIENT takes: the pixels of A."""
     return int(stage_of(A_ALONE, IN_CACHE, IN_CACHE).on_a.sum())
 

@@ -13,7 +13,7 @@ from renderer.threads import available_cores
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def processor():
+def processor() -> str:
     """Return the processor's name, or the architecture where the system does not tell."""
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
@@ -22,7 +22,7 @@ def processor():
         return platform.processor() or platform.machine()
 
 
-def commit():
+def commit() -> str:
     """Return the short id of the commit that was measured, with + if the tree differs from it."""
     git = ["git", "-C", str(ROOT)]
     head = subprocess.run([*git, "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
@@ -32,7 +32,7 @@ def commit():
     return head.stdout.strip() + ("+" if dirty.stdout.strip() else "")
 
 
-def label(*packages):
+def label(*packages: str) -> dict[str, str]:
     """Return where, with what and when, as text: machine (all of it), processor, python, versions, date, commit."""
     versions = ", ".join(f"{name} {importlib.metadata.version(name)}" for name in packages)
     python = f"Python {platform.python_version()}"
@@ -46,6 +46,6 @@ def label(*packages):
     }
 
 
-def write(path, content):
+def write(path: Path, content: object) -> None:
     """Write a result with its label as JSON, whole or not at all."""
     write_whole(path, (json.dumps(content, indent=1) + "\n").encode())

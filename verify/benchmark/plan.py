@@ -6,7 +6,7 @@ all of them. A case's time is the median over all its calls.
 
 import statistics
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -27,12 +27,12 @@ class Case:
     visits: int = ROUNDS
 
     @cached_property
-    def work(self):
+    def work(self) -> Callable:
         """The prepared function."""
         return self.prepare()
 
 
-def in_turns(cases):
+def in_turns(cases: Collection[Case]) -> list[tuple[Case, int]]:
     """Return the visits [(case, round)]: each round goes once through the cases that are still due."""
     visits = []
     for number in range(max((case.visits for case in cases), default=0)):
@@ -41,7 +41,7 @@ def in_turns(cases):
     return visits
 
 
-def timings(cases, title):
+def timings(cases: Collection[Case], title: str) -> dict[str, list[float]]:
     """Time the cases in turns; return {name: seconds of every call}, the rounds one after another.
 
     A visit begins with a call that is not timed, which warms the caches, unless a call is so long that it is made once.
@@ -58,6 +58,6 @@ def timings(cases, title):
     return seconds
 
 
-def run(cases, title):
+def run(cases: Collection[Case], title: str) -> dict[str, float]:
     """Time the cases in turns; return {name: median seconds of a call}."""
     return {name: statistics.median(measured) for name, measured in timings(cases, title).items()}

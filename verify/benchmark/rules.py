@@ -3,6 +3,7 @@
 A rule is taken away from what the shader is given, or from the machine that traces it; the shader knows of none.
 """
 
+from collections.abc import Callable, Mapping
 from contextlib import nullcontext
 from unittest import mock
 
@@ -11,6 +12,7 @@ import numpy as np
 from renderer import Light, Scene, central, exact, numbers
 from renderer.bounds import EVERYWHERE
 from renderer.machines import Job, native, traced
+from renderer.methods import GradientMethod
 from renderer.raster import Raster
 from renderer.shader import COLORS
 from renderer.stage import Stage
@@ -67,7 +69,7 @@ RULES = {
 """{rule: what takes it away while a picture's code and numbers are made}"""
 
 
-def prepare(scene, method, without=nullcontext):
+def prepare(scene: Scene, method: GradientMethod, without: Callable = nullcontext) -> Callable[[], None]:
     """Return the function that draws a scene on one thread, made without a rule."""
     stage = Stage(scene, Raster(SIDE, SIDE))
     planes = dict(zip(COLORS, stage.new_plane(channels=3), strict=True)) | {"code": stage.new_plane(np.uint8)}
@@ -80,12 +82,12 @@ def prepare(scene, method, without=nullcontext):
     def work():
         draw(range(SIDE))
 
-    work.keeps = engine
+    work.keeps = engine  # type: ignore[attr-defined]
     work()
     return work
 
 
-def rule_cases():
+def rule_cases() -> list[Case]:
     """Return the cases: each scene as it is, and without each rule."""
     cases = []
     for name, (scene, method) in SCENES.items():
@@ -95,7 +97,7 @@ def rule_cases():
     return cases
 
 
-def rule_numbers(times):
+def rule_numbers(times: Mapping[str, float]) -> dict[str, float]:
     """Return {rule_saves_SCENE: the share of the time without a rule that it saves, in percent}."""
     saved = {}
     for rule in RULES:

@@ -20,7 +20,7 @@ difference = numeric.rgb - symbolic.rgb
 """  # README's
 
 
-def python(*arguments):
+def python(*arguments: str) -> str:
     """Run a fresh interpreter; return what it wrote to standard error. Raises RuntimeError if it fails."""
     done = subprocess.run([sys.executable, *arguments], cwd=ROOT, capture_output=True, text=True)
     if done.returncode:
@@ -28,13 +28,13 @@ def python(*arguments):
     return done.stderr
 
 
-def image(*options, side=2048):
+def image(*options: str, side: int = 2048) -> str:
     """Run `python -m renderer image`; return what it wrote to standard error."""
     with tempfile.TemporaryDirectory() as folder:
         return python(*options, "-m", "renderer", "image", "--size", str(side), "--out", str(Path(folder) / "a.png"))
 
 
-def imports_sympy():
+def imports_sympy() -> bool:
     """Return whether the command imports SymPy, by the interpreter's own list of imports."""
     return bool(re.search(r"\| +sympy$", image("-X", "importtime", side=64), re.MULTILINE))
 

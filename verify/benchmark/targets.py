@@ -1,6 +1,7 @@
 """From medians to the numbers that the book cites; what they have to reach, and the table that says whether they do."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,7 +20,7 @@ RATIOS = {
 """{number: (the case that takes so many times as long, as this case)}"""
 
 
-def exponent(times, threads):
+def exponent(times: Mapping[str, float], threads: int) -> float | None:
     """Return p of the fit time ∝ pixels^p through the fitted sizes, or None unless all were timed."""
     names = [f"algebraic_{side}_{threads}" for side in FITTED]
     if not times.keys() >= set(names):
@@ -28,9 +29,9 @@ def exponent(times, threads):
     return float(np.polyfit(np.log(pixels), np.log([times[name] for name in names]), 1)[0])
 
 
-def frame_numbers(times):
+def frame_numbers(times: Mapping[str, float]) -> dict[str, float]:
     """Return the milliseconds of frames, the seconds of starts, and what follows from them, of what was timed."""
-    numbers = {}
+    numbers: dict[str, float] = {}
     for name, seconds in times.items():
         numbers |= {f"{name}_s": seconds} if name.startswith("start") else {f"{name}_ms": 1e3 * seconds}
     numbers |= {
@@ -51,7 +52,7 @@ class Target:
     form: str = "{:.3g}"
 
     @property
-    def text(self):
+    def text(self) -> str:
         """The interval in words."""
         low, high = (self.form.format(bound) for bound in (self.low, self.high))
         if self.low == self.high:
@@ -60,7 +61,7 @@ class Target:
             return f"≤ {high}"
         return f"≥ {low}" if math.isinf(self.high) else f"{low} to {high}"
 
-    def verdict(self, numbers):
+    def verdict(self, numbers: Mapping[str, float]) -> tuple[str, str]:
         """Return (measured, verdict), both text; a number that is not there or not a number is not met."""
         if self.key not in numbers:
             return "–", "not measured"
@@ -89,15 +90,15 @@ TARGETS = (
 )
 
 
-def verdicts(numbers):
+def verdicts(numbers: Mapping[str, float]) -> dict[str, str]:
     """Return {key of the book: text}: the target of each number, and the verdict on it."""
-    found = {}
+    found: dict[str, str] = {}
     for target in TARGETS:
         found |= {f"{target.key}_target": target.text, f"{target.key}_verdict": target.verdict(numbers)[1]}
     return found
 
 
-def table(numbers):
+def table(numbers: Mapping[str, float]) -> str:
     """Return the table as text: what, target, measured, verdict."""
     rows = [("what", "target", "measured", "")] + [(t.what, t.text, *t.verdict(numbers)) for t in TARGETS]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]

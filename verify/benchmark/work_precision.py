@@ -9,8 +9,10 @@ verify/results/work_precision.json and work_precision.csv: commit them.
 
 import argparse
 import os
+from collections.abc import Mapping, Sequence
 from functools import lru_cache, partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from tqdm import tqdm
@@ -19,9 +21,10 @@ from proofs.formulas.chart import chart_inverse
 from proofs.formulas.height_fields import gradient
 from renderer import Scene, central, central4, exact, forward, render, stage_of
 from renderer.files import write_csv
+from renderer.frame import Frame
 from verify.benchmark.frames import warmed
 from verify.benchmark.label import label, write
-from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, sample
+from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
 from verify.benchmark.plan import Case, run
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import ball_of
@@ -33,8 +36,10 @@ SIDE, PIXELS = 256, 600
 FRAMES = {"forward": forward, "central": central, "central, 4th order": central4}
 CHANNELS = ("red", "green", "blue")
 
+Row = dict[str, Any]
 
-def points_for(method, count):
+
+def points_for(method: Method, count: int) -> tuple[np.ndarray, ...]:
     """Return the arrays that a method takes, for `count` points; each angle is rounded once from the exact value."""
     u, v = sample(count)
     balls = in_balls(chart_inverse, {"u": u, "v": v}) if method.angles else {}
@@ -42,13 +47,13 @@ def points_for(method, count):
 
 
 @lru_cache
-def truth_at(count):
+def truth_at(count: int) -> dict[str, np.ndarray]:
     """Return {h_u, h_v: balls} at the sample's points."""
     u, v = sample(count)
     return in_balls(gradient(FIELD), {"u": u, "v": v, **WAVES})
 
 
-def largest_error(found, count):
+def largest_error(found: Sequence[np.ndarray], count: int) -> float:
     """Return the largest |error| of h_u and h_v over the sample's points, as a float."""
     truth = truth_at(count)
     if found[0].dtype == object:  # mpmath's own numbers, whose error may be far below float64's
@@ -56,7 +61,7 @@ def largest_error(found, count):
     return max(float(distance(f, truth[n]).max()) for f, n in zip(found, ("h_u", "h_v"), strict=True))
 
 
-def gradient_rows(rounds):
+def gradient_rows(rounds: int) -> list[Row]:
     """Return the rows of the gradient's diagram: method, its parameter, ns a gradient, largest error."""
     cases, rows = {}, []
     for method in tqdm([m for m in METHODS if m.available], desc="errors", unit="method"):
@@ -76,7 +81,7 @@ def gradient_rows(rounds):
     return [row | {"ns": row["ns"] * seconds[row.pop("key")]} for row in rows]
 
 
-def gradient_numbers(rows):
+def gradient_numbers(rows: Sequence[Row]) -> dict[str, float]:
     """Return the numbers that pages cite, of each method: its time, its least error and where; counts, and a ratio."""
     numbers = {"points": FULL, "checked": CHECKED, "fewer": min(r["points"] for r in rows if r["parameter"] == "order")}
     numbers |= {"beaten_by": len(peers_that_beat(rows)), "unbeaten": len(unbeaten_by_ours(rows))}
@@ -89,19 +94,19 @@ def gradient_numbers(rows):
     return numbers | {"central_to_exact": numbers["central_ns"] / numbers["exact__reduced_argument_ns"]}
 
 
-def best_rows(rows):
+def best_rows(rows: Sequence[Row]) -> list[Row]:
     """Return each method's row of the least error, in order."""
     names = dict.fromkeys(row["method"] for row in rows)
     return [min((r for r in rows if r["method"] == name), key=lambda row: row["error"]) for name in names]
 
 
-def image_error(frame, pixels):
+def image_error(frame: Frame, pixels: Mapping[tuple[int, int], np.ndarray]) -> tuple[float, float]:
     """Return (largest, RMS) |ΔI| of a frame over the given pixels of A, whose 50-digit colours are `pixels`."""
     off = np.array([np.abs(frame.rgb[place] - colour) for place, colour in pixels.items()])
     return float(off.max()), float(np.sqrt(np.mean(off**2)))
 
 
-def reference_colours(scene, count):
+def reference_colours(scene: Scene, count: int) -> dict[tuple[int, int], np.ndarray]:
     """Return {(row, column): rgb} of random pixels of A, from 50 digits, rounded to float64."""
     on_a = np.argwhere(stage_of(scene, SIDE, SIDE).on_a)
     chosen = np.random.default_rng(SEED).choice(len(on_a), count, replace=False)
@@ -112,7 +117,7 @@ def reference_colours(scene, count):
     return colours
 
 
-def frame_rows(rounds, count):
+def frame_rows(rounds: int, count: int) -> list[Row]:
     """Return the rows of the frames' diagram: field, method, its parameter, ms a frame, largest and RMS error."""
     cases, rows = {}, []
     for field in ("sine", "ridges"):
@@ -133,20 +138,20 @@ def frame_rows(rounds, count):
     return [row | {"ms": 1e3 * seconds[f"{row['field']}, {row['method']}"]} for row in rows]
 
 
-def unbeaten_by_ours(rows):
+def unbeaten_by_ours(rows: Sequence[Row]) -> list[Row]:
     """Return the rows of other methods that no row of ours beats in both: not slower and not less accurate."""
     ours = [r for r in rows if r["ours"]]
     return [r for r in rows if not r["ours"]
             and not any(o["ns"] <= r["ns"] and o["error"] <= r["error"] for o in ours)]  # fmt: skip
 
 
-def peers_that_beat(rows, cost="ns", error="error"):
+def peers_that_beat(rows: Sequence[Row], cost: str = "ns", error: str = "error") -> list[Row]:
     """Return the rows of other methods that are both faster and more accurate than one of ours in float64."""
     ours = [r for r in rows if r["ours"] and "float32" not in r["method"]]
     return [r for r in rows if not r["ours"] and any(r[cost] < o[cost] and r[error] < o[error] for o in ours)]
 
 
-def main():
+def main() -> None:
     """Parse the command line, measure, write."""
     formatter = argparse.RawDescriptionHelpFormatter
     parser = argparse.ArgumentParser(
@@ -157,7 +162,7 @@ def main():
     parser.add_argument("--out", type=Path, default=RESULTS, help="folder of the results")
     options = parser.parse_args()
     packages = ["numpy", "llvmlite", "mpmath", *(m.module for m in METHODS if m.module and m.available)]
-    where = label(*packages)
+    where: Row = label(*packages)
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     absent = sorted(m.name for m in METHODS if not m.available)

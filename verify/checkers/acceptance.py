@@ -3,29 +3,32 @@
 The second one needs python-flint: a run without it says so in every grade that rests on a certificate.
 """
 
+from collections.abc import Sequence
+
 from proofs.engine import kernel
-from proofs.engine.certificate import prove
-from proofs.engine.claim import Claim
+from proofs.engine.certificate import Proved, prove
+from proofs.engine.claim import AnyClaim, Claim
 from proofs.engine.hypotheses import is_empty, reasons
 from proofs.engine.search import MAX_EFFORT, NotFound
+from proofs.engine.theorem import Theorems
 
 try:
     from verify.checkers.second_checker import why_refused
 except ImportError:  # no python-flint
-    why_refused = None
-
-CHECKERS = {"the kernel": kernel.check} | ({"the second checker": why_refused} if why_refused else {})
+    CHECKERS = {"the kernel": kernel.check}
+else:
+    CHECKERS = {"the kernel": kernel.check, "the second checker": why_refused}
 """{name: a function of a statement and a certificate that returns None, or why the one does not prove the other}"""
 
 
-def show_polynomial(p, limit=12):
+def show_polynomial(p: dict, limit: int = 12) -> str:
     """Return a polynomial, the kernel's or polynomial data, as text of at most `limit` terms."""
     terms = p if all(isinstance(k, str) for k in p) else {" ".join(m): str(c) for m, c in p.items()}
     text = " + ".join(f"{c}·{m.replace(' ', '·')}" if m else str(c) for m, c in list(terms.items())[:limit]) or "0"
     return text + (f" + … ({len(terms)} terms)" if len(terms) > limit else "")
 
 
-def why_rejected(statement, certificate):
+def why_rejected(statement: dict, certificate: dict) -> str | None:
     """Return None if every checker accepts, else the reason, with the residual polynomial."""
     for name, checker in CHECKERS.items():
         why = checker(statement, certificate)
@@ -36,7 +39,7 @@ def why_rejected(statement, certificate):
     return None
 
 
-def not_found(error):
+def not_found(error: NotFound) -> str:
     """Return the text of a failed search: the goal, and what is left of it."""
     goal, relation = error.goal
     if isinstance(goal, dict):
@@ -45,7 +48,7 @@ def not_found(error):
     return f"no certificate found: {goal}"
 
 
-def by_definition(claim, cases):
+def by_definition(claim: AnyClaim, cases: Sequence[Proved]) -> bool:
     """Return whether nothing was left for the kernel to decide: all that is shown is 0 = 0, or is given.
 
     The conditions of branches, which a statement shows besides the claim's own relations, count as something.
@@ -58,7 +61,7 @@ def by_definition(claim, cases):
     return bool(shown) and all(not step["of"] or (step["is"], step["of"]) in given for step in shown)
 
 
-def accept(claim, theorems, cases=None, effort=MAX_EFFORT):
+def accept(claim: AnyClaim, theorems: Theorems, cases: list[Proved] | None = None, effort: int = MAX_EFFORT) -> list:
     """Return the reasons why a claim is not accepted: the one path for theorems and mutants.
 
     cases: what `proofs.engine.certificate` found or keeps; None: it is searched for.

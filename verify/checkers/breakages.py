@@ -9,6 +9,7 @@ import argparse
 import copy
 import json
 import random
+from typing import Any
 
 from proofs.check import FOLDER
 from verify.checkers.kernels import accepted
@@ -18,18 +19,36 @@ TEXTS = """x x^2 x^1 x^02 x^1000 x^-1 x^ ^2 ẋ pi root_1 cos(x) cos(x^2) cos() 
     1 -1 0 -0 +1 01 1e0 0.5 1/2 2/4 1/-2 1/0 1/1 -1/2 --1 1_000 ١ = != > >= < assume show define root inverse ideal
     contradiction cases derivation refutation""".split()  # noqa: SIM905
 TEXTS += ["", "x y", "x x", "x  y", " x", "x\n", "9" * 500, "9" * 501]
-VALUES = [None, True, False, 0, 1, 2, -1, 7, 0.5, 10**5 + 1, 2**53 + 1, 10**400, [], {}, [[]], [0], {"": "1"}]
+VALUES: list[Any] = [
+    None,
+    True,
+    False,
+    0,
+    1,
+    2,
+    -1,
+    7,
+    0.5,
+    10**5 + 1,
+    2**53 + 1,
+    10**400,
+    [],
+    {},
+    [[]],
+    [0],
+    {"": "1"},
+]
 VALUES += [{"x": "1"}, {"x": 1}, {"": "0"}, [[0, {"": "1"}]], {"rule": "ideal", "cofactors": []}]
 RAW = ["1.0", "1e0", "-0", "NaN", "1E400", '{"x":"1","x":"1"}', '"\\u0078"', "9007199254740993", "0.10"]
 
 
-def places(tree, path=()):
+def places(tree: Any, path: tuple = ()) -> list[tuple]:
     """Return the paths of all places in a JSON tree."""
     children = tree.items() if isinstance(tree, dict) else enumerate(tree) if isinstance(tree, list) else ()
     return [path, *(p for key, child in children for p in places(child, (*path, key)))]
 
 
-def broken(pair, rng):
+def broken(pair: list, rng: random.Random) -> str:
     """Return a text '[statement,certificate]' of the pair with one place broken."""
     tree = copy.deepcopy(pair)
     *way, last = rng.choice(places(tree)[1:])
@@ -60,7 +79,7 @@ def broken(pair, rng):
     return text if raw is None else text.replace('"RAW"', raw)
 
 
-def short_pairs():
+def short_pairs() -> list[list]:
     """Return the stored [statement, certificate] pairs of at most LARGEST characters."""
     claims = [
         claim for path in sorted(FOLDER.glob("*.json")) for claim in json.loads(path.read_text("utf-8"))["claims"]
@@ -69,7 +88,7 @@ def short_pairs():
     return [pair for pair in pairs if len(json.dumps(pair)) <= LARGEST]
 
 
-def campaign(count, seed, batch=2000):
+def campaign(count: int, seed: int, batch: int = 2000) -> int:
     """Break `count` pairs; return how many all kernels accept. Raises AssertionError where two kernels differ."""
     rng, pairs, good = random.Random(seed), short_pairs(), 0
     for start in range(0, count, batch):
@@ -80,7 +99,7 @@ def campaign(count, seed, batch=2000):
     return good
 
 
-def main():
+def main() -> None:
     """Parse the command line, run, print."""
     parser = argparse.ArgumentParser("python -m verify.checkers.breakages", description=__doc__)
     parser.add_argument("--count", type=int, default=100_000, help="broken pairs (default: %(default)s)")

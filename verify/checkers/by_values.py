@@ -13,7 +13,7 @@ RELATION = {"=": lambda a: a == 0, "!=": lambda a: a != 0, ">": lambda a: a > 0,
 NEGATED = {"=": (1, "!="), "!=": (1, "="), ">": (-1, ">="), ">=": (-1, ">")}
 
 
-def holds(statement, certificate, seed=0):
+def holds(statement: dict, certificate: dict, seed: int = 0) -> bool:
     """Return False if the evidence is certainly false; True if it holds at a random point (at *the* point, exactly)."""
     kind = statement["kind"]
     if kind == "separation":
@@ -30,7 +30,7 @@ def holds(statement, certificate, seed=0):
     if kind == "induction":
         return _induction(statement, certificate, point)
     waiting, agrees = iter(certificate["proofs"]), []
-    _facts(statement, point, lambda *place: agrees.append(_agrees(*place[:2], next(waiting), place[2])))
+    _facts(statement, point, lambda goal, facts, values: agrees.append(_agrees(goal, facts, next(waiting), values)))
     return all(agrees)
 
 

@@ -1,13 +1,15 @@
 """Counterexamples of false variants: a point at 50 digits, and where it can be had an exact one."""
 
+from collections.abc import Callable, Iterable
 from fractions import Fraction
+from typing import Any
 
 import mpmath
 
-from proofs.engine.claim import Induction, Separation
+from proofs.engine.claim import Claim, Induction, Separation
 from proofs.engine.counterexample import refutation
 from proofs.engine.statement import derivations
-from proofs.engine.theorem import borrowed
+from proofs.engine.theorem import Mutant, Theorems, borrowed
 from verify.checkers import witness
 from verify.checkers.enclosures import certified
 from verify.checkers.sampler import Sampler
@@ -19,7 +21,7 @@ EFFORTS = (
 )  # points that satisfy the hypotheses, and draws for each: a short look, then a long one
 
 
-def counterexample(mutant, seed, theorems, refused):
+def counterexample(mutant: Mutant, seed: str, theorems: Theorems, refused: Callable) -> dict[str, Any] | None:
     """Return {"exact": bool, "certified": bool, "at": {name: text}} where a mutant fails, or None.
 
     exact: at the point, a rational one, both checkers accept that the claim is refuted. certified: intervals show that
@@ -31,7 +33,7 @@ def counterexample(mutant, seed, theorems, refused):
         path = path_to_avoided(mutant.claim)
         return None if path is None else {"exact": True, "certified": True, "at": {"path": " → ".join(path)}}
     if mutant.at:
-        failing = witness.fails_at(mutant.claim, mutant.at)
+        failing = witness.fails_at(mutant.claim, mutant.at)  # type: ignore[arg-type]  # no Induction: its mutants give no point
         failures = [failing] if failing else []
     else:
         for points, attempts in EFFORTS:
@@ -52,10 +54,10 @@ def counterexample(mutant, seed, theorems, refused):
     return {"exact": False, "certified": near is not None, "at": witness.printed(point)}
 
 
-def exact_counterexample(claim, failures, theorems, refused):
+def exact_counterexample(
+    claim: Claim, failures: Iterable[dict], theorems: Theorems, refused: Callable
+) -> dict[str, str] | None:
     """Return a rational point, {name: text}, near one of the failures, that both checkers accept, or None."""
-    if not hasattr(claim, "lines"):
-        return None
     statements = derivations(borrowed(claim, theorems))
     for point in sorted(failures, key=witness._length):
         rational = {s: _rational(v) for s, v in point.items()}
@@ -73,7 +75,7 @@ def _rational(value):
         return q if abs(value - mpmath.mpf(q.numerator) / q.denominator) < witness.TOLERANCE else None
 
 
-def path_to_avoided(claim):
+def path_to_avoided(claim: Separation) -> list[str] | None:
     """Return the shortest list of names from an output of a Separation to a name that it should avoid, or None."""
     uses = {s: sorted(e.free_symbols, key=str) for s, e in claim.lines.definitions}
     paths, seen = [[s] for s in claim.outputs], set(claim.outputs)

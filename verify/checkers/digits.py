@@ -1,9 +1,12 @@
 """Expressions and relations as 50-digit code: what the second witness evaluates."""
 
+from collections.abc import Iterable, Mapping, Sequence
+
 import mpmath
-from sympy import And, sympify
+from sympy import And, Basic, Expr, Symbol, sympify
 from sympy.printing.pycode import MpmathPrinter
 
+Lines = Sequence[tuple[Symbol, Expr]]
 DIGITS = 50
 WORKING_DIGITS = DIGITS + 15
 TOLERANCE = mpmath.mpf(10) ** -40
@@ -32,7 +35,7 @@ _printer = _Printer({"fully_qualified_modules": False, "allow_unknown_functions"
 class Code:
     """Definitions and expressions over some inputs, printed as one Python function of 50-digit numbers."""
 
-    def __init__(self, inputs, expressions, definitions=()):
+    def __init__(self, inputs: Iterable[Symbol], expressions: Sequence[Basic], definitions: Lines = ()):
         self.inputs, self.expressions = list(inputs), expressions
         body = [f"v_{s.name} = {_printer.doprint(e)}" for s, e in definitions]
         body.append(f"return [{', '.join(_printer.doprint(sympify(e)) for e in expressions)}]")
@@ -41,7 +44,7 @@ class Code:
         exec(f"def code({arguments}):\n    " + "\n    ".join(body), scope)
         self.code = scope["code"]
 
-    def __call__(self, values):
+    def __call__(self, values: Mapping) -> list[mpmath.mpf]:
         """Return the expressions' real values, or raise Undefined."""
         try:
             results = [+mpmath.mpmathify(r) for r in self.code(*(values[s] for s in self.inputs))]
@@ -52,7 +55,7 @@ class Code:
         return results
 
 
-def parts_of(relations):
+def parts_of(relations: Iterable[Basic]) -> list[Basic]:
     """Return the single relations of conjunctions, the true ones left out."""
     flat = [part for r in relations for part in (r.args if isinstance(r, And) else (r,))]
     return [part for part in flat if part != True]  # noqa: E712  (SymPy's true is not Python's)
@@ -64,14 +67,16 @@ class Relations:
     exactly: inequalities hold without that tolerance, as what is given has to.
     """
 
-    def __init__(self, inputs, relations, definitions=(), exactly=False):
+    def __init__(
+        self, inputs: Iterable[Symbol], relations: Iterable[Basic], definitions: Lines = (), exactly: bool = False
+    ):
         self.slack = 0 if exactly else TOLERANCE
         self.parts = parts_of(relations)
         sides = [side for r in self.parts for side in ((0, 1) if r == False else (r.lhs, r.rhs))]  # noqa: E712
         self.code = Code(inputs, sides, definitions)
         self.operators = ["==" if r == False else r.rel_op for r in self.parts]  # noqa: E712
 
-    def __call__(self, values):
+    def __call__(self, values: Mapping) -> bool:
         sides = self.code(values)
         return all(
             _holds(op, a, b, self.slack) for op, a, b in zip(self.operators, sides[::2], sides[1::2], strict=True)

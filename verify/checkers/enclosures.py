@@ -1,21 +1,25 @@
 """Certified counterexamples: balls, with every rounding in them, show hypotheses true and a conclusion false."""
 
+from collections.abc import Mapping
+from typing import Any
+
 from sympy import Eq, Symbol
 
 from proofs.engine.program import Program
 from verify.checkers.digits import Undefined, parts_of
+from verify.checkers.sampler import Sampler
 
 try:
     from flint import arb, ctx
 
     from verify.evaluate.balls import NAMES, Balls, compare
 except ImportError:  # no python-flint: then no counterexample is certified
-    arb = None
+    arb = None  # type: ignore[assignment, misc]
 
 BITS = 400
 
 
-def certified(sampler, point):
+def certified(sampler: Sampler, point: Mapping[Symbol, Any]) -> bool:
     """Return whether balls show that a claim fails near a 50-digit point {symbol: value} of its sampler.
 
     The free inputs are taken as they are, exactly; what the sampler solved for is solved again, by formulas, so that

@@ -1,5 +1,6 @@
 """What a run found about one theorem, the grade on that alone, and the grade in the run: what it rests on counts."""
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 NOT_RECHECKED = "not re-checked"  # here: a library is not installed
@@ -33,7 +34,7 @@ class Examination:
     reached: str = ""  # by measurement or citation; else the checkers' verdict stands
 
     @property
-    def grade(self):
+    def grade(self) -> str:
         """The grade on this theorem's own evidence; `final_grades` adds what it rests on."""
         if self.problems:
             return "failed"
@@ -44,7 +45,7 @@ class Examination:
         return self.reached or ("refuted" if self.expected == "refuted" else "proved")
 
 
-def final_grades(evidences):
+def final_grades(evidences: Iterable[dict]) -> dict[str, tuple[str, str]]:
     """Return {id: (grade, reason)}: a theorem is proved only if all that it uses, in the same run, is proved."""
     grades = {}
     by_id = {e["id"]: e for e in evidences}
@@ -70,7 +71,7 @@ def final_grades(evidences):
     return grades
 
 
-def given_cited(evidences):
+def given_cited(evidences: Iterable[dict]) -> dict[str, list[str]]:
     """Return {id: the sources whose lemmas or hypotheses it rests on, directly or through what it uses}."""
     by_id, sources = {e["id"]: e for e in evidences}, {}
 
@@ -86,14 +87,14 @@ def given_cited(evidences):
     return {id: sorted(of(id)) for id in by_id}
 
 
-def grade_line(grade, sources, bibliography_key=""):
+def grade_line(grade: str, sources: Sequence[str], bibliography_key: str = "") -> str:
     """Return how a grade reads: "proved", "proved, given Dekker1971", "cited: Blinn1978", …"""
     if grade in ("proved", "argued", "refuted") and sources:
         return f"{grade}, given {', '.join(sources)}"
     return f"cited: {bibliography_key}" if grade == "cited" else grade
 
 
-def graded(evidences):
+def graded(evidences: Sequence[dict]) -> list[dict]:
     """Return the entries of the report, in order of their ids: what each run found, its grade and its grade line."""
     grades, sources = final_grades(evidences), given_cited(evidences)
     entries = []
@@ -106,9 +107,9 @@ def graded(evidences):
     return entries
 
 
-def summary(entries):
+def summary(entries: Iterable[dict]) -> dict[str, int]:
     """Return how many theorems have each grade; those proved given a cited lemma are counted apart."""
-    counts = {}
+    counts: dict[str, int] = {}
     for entry in entries:
         key = entry["grade"] + ("_given_cited" if entry["given_cited"] and entry["grade"] != "failed" else "")
         counts[key] = counts.get(key, 0) + 1

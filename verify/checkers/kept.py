@@ -9,6 +9,7 @@ import json
 from dataclasses import asdict
 from pathlib import Path
 
+from proofs.engine.theorem import Theorem
 from renderer.files import write_whole
 from verify import sources
 from verify.checkers.grades import Examination
@@ -20,13 +21,13 @@ CHECKERS = Path(__file__).parent
 ALSO = ("book/references.bib", "requirements.lock")
 
 
-def may_be_kept(theorem):
+def may_be_kept(theorem: Theorem) -> bool:
     """Return whether a theorem's evidence is kept: measurements alone, in a project's folder."""
     measured = theorem.expected in ("measured", "certified") and not theorem.claims
     return measured and (sources.ROOT / "pyproject.toml").exists()
 
 
-def key_of(theorem, points):
+def key_of(theorem: Theorem, points: int) -> str:
     """Return the key of a theorem's evidence, `points` samples a claim."""
     reached = set().union(*(sources.reachable(path) for path in sources_of(theorem.id)))
     reached |= {*CHECKERS.glob("*.py"), *(sources.ROOT / name for name in ALSO)}
@@ -41,7 +42,7 @@ def _version(distribution):
         return None
 
 
-def keep(evidence, key):
+def keep(evidence: Examination, key: str) -> None:
     """Write what a run found about a theorem, if nothing is missing."""
     if evidence.problems:
         return
@@ -50,7 +51,7 @@ def keep(evidence, key):
     write_whole(FOLDER / f"{evidence.id}.json", (text + "\n").encode())
 
 
-def read(theorem, key):
+def read(theorem: Theorem, key: str) -> Examination | None:
     """Return the Examination that was kept with that key, or None: nothing kept, another key, or changed since."""
     try:
         kept = json.loads((FOLDER / f"{theorem.id}.json").read_text(encoding="utf-8"))

@@ -3,6 +3,7 @@
 import json
 import shutil
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 
 from verify.checkers.acceptance import CHECKERS
@@ -22,7 +23,7 @@ console.log(JSON.stringify(answers));
 """
 
 
-def canonical(text):
+def canonical(text: str) -> bool:
     """Return whether a compact JSON text is its own canonical form."""
     try:
         return json.dumps(json.loads(text), separators=(",", ":"), ensure_ascii=False) == text
@@ -30,7 +31,7 @@ def canonical(text):
         return False
 
 
-def accepted(texts):
+def accepted(texts: Sequence[str]) -> list[dict[str, bool]]:
     """Return [{kernel: whether it accepts}] of texts "[statement,certificate]"; JavaScript needs node."""
     found = [
         {name: canonical(text) and check(*json.loads(text)) is None for name, check in CHECKERS.items()}

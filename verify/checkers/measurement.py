@@ -11,13 +11,17 @@ balls of python-flint (or integers), and the run compares them again.
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import Any
 
 from verify.optional import arb
 
 DIGITS = 6
-REGISTERED = {}  # {theorem's id: [(function, {text: keyword arguments of a false variant})]}
+REGISTERED: dict[
+    str, list[tuple[Callable, dict]]
+] = {}  # {theorem's id: [(function, {text: keyword arguments of a false variant})]}
 
 
 @dataclass(frozen=True)
@@ -30,8 +34,8 @@ class Measurement:
 
     samples: int
     seed: int | None
-    worst: object
-    bound: object
+    worst: Any
+    bound: Any
     holds: bool
     what: str
     numbers: dict = field(default_factory=dict)
@@ -44,7 +48,7 @@ class Measurement:
             raise ValueError(f"{self.what}: what is certified is enclosed in balls")
 
     @property
-    def accepted(self):
+    def accepted(self) -> bool:
         """Whether the claim holds, and what was seen is finite and within its bound (balls: certainly)."""
         if self.certified:
             worst, bound = (arb(n.numerator) / n.denominator if isinstance(n, Fraction) else arb(n)
@@ -53,14 +57,14 @@ class Measurement:
         within = self.bound is None or self.worst <= self.bound
         return bool(self.holds) and bool(within) and math.isfinite(self.worst)
 
-    def record(self):
+    def record(self) -> dict[str, Any]:
         """Return what the report keeps, with numbers rounded so that they do not depend on the machine's last bits."""
         numbers = {name: rounded(value) for name, value in sorted(self.numbers.items())}
         seen = {"samples": self.samples, "seed": self.seed, "certified": self.certified, "what": self.what}
         return seen | {"worst": rounded(self.worst), "bound": rounded(self.bound), "numbers": numbers}
 
 
-def rounded(value, digits=DIGITS):
+def rounded(value: Any, digits: int = DIGITS) -> Any:
     """Return a number to `digits` significant digits, as an int or float; texts, booleans and None as they are.
 
     A ball is rounded from its upper end.
@@ -71,7 +75,7 @@ def rounded(value, digits=DIGITS):
     return float(f"{float(value):.{digits}g}")
 
 
-def measures(theorem_id, false):
+def measures(theorem_id: str, false: dict[str, dict[str, Any]]) -> Callable[[Callable], Callable]:
     """Register a function as evidence of a theorem. false: {text: keyword arguments} of claims it has to reject."""
     if not false:
         raise ValueError(f"{theorem_id}: a measurement needs a false variant that it rejects")

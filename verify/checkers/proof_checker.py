@@ -17,7 +17,7 @@ from pathlib import Path
 from proofs.engine.certificate import Stale, evidence, stored
 from proofs.engine.claim import Claim, Separation
 from proofs.engine.search import MAX_EFFORT, NotFound
-from proofs.engine.theorem import incomplete
+from proofs.engine.theorem import Theorem, Theorems, incomplete
 from verify.checkers import witness
 from verify.checkers.acceptance import CHECKERS, accept, by_definition, not_found, why_rejected
 from verify.checkers.counterexamples import FAILURES, counterexample
@@ -29,7 +29,7 @@ POINTS, LONG_POINTS = 32, 2000
 BIBLIOGRAPHY = Path(__file__).resolve().parents[2] / "book" / "references.bib"
 
 
-def examine(theorem, theorems, anew=False, points=POINTS):
+def examine(theorem: Theorem, theorems: Theorems, anew: bool = False, points: int = POINTS) -> Examination:
     """Return the Examination of a theorem. anew: search for every certificate, whatever is stored."""
     found = Examination(theorem.id, theorem.expected, theorem.uses)
     found.record = {"id": theorem.id, "expected": theorem.expected, "uses": sorted(theorem.uses)}
@@ -85,7 +85,7 @@ def _check_sources(found, theorem):
     found.problems += [f"the bibliography has no {key}" for key in sorted(keys - known)]
 
 
-def certificate_problems(theorem, theorems):
+def certificate_problems(theorem: Theorem, theorems: Theorems) -> list[str]:
     """Return what both checkers, and the formulas as they stand, have against the stored certificates alone."""
     found = Examination(theorem.id, theorem.expected, theorem.uses)
     _check_certificates(found, theorem, theorems, anew=False)

@@ -4,6 +4,7 @@ import importlib
 import inspect
 import pkgutil
 import re
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
@@ -28,22 +29,22 @@ def _left_out():
     return needs
 
 
-def measurements(theorem_id):
+def measurements(theorem_id: str) -> list[tuple[Callable, dict]]:
     """Return [(function, {text: keyword arguments of a false variant})] that are registered for a theorem."""
     _left_out()
     return list(REGISTERED.get(theorem_id, ()))
 
 
-def measured_ids():
+def measured_ids() -> set[str]:
     """Return the ids that have a measurement."""
     return REGISTERED.keys() | _left_out()
 
 
-def library_for(theorem_id):
+def library_for(theorem_id: str) -> str | None:
     """Return the library without which a theorem cannot be measured here, or None if it can."""
     return _left_out().get(theorem_id)
 
 
-def sources_of(theorem_id):
+def sources_of(theorem_id: str) -> set[Path]:
     """Return the files in which a theorem's measurements are written."""
     return {Path(inspect.getfile(function)).resolve() for function, _ in measurements(theorem_id)}

@@ -1,13 +1,15 @@
 """Random points that satisfy a claim's hypotheses: the equations among them are solved for one symbol each."""
 
 import random
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from graphlib import TopologicalSorter
 
 import mpmath
-from sympy import Eq, Max, Min, Piecewise, Poly, PolynomialError, Rational
+from sympy import Eq, Max, Min, Piecewise, Poly, PolynomialError, Rational, Symbol
 from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
 
+from proofs.engine.claim import Claim
 from verify.checkers.digits import TOLERANCE, Code, Relations, Undefined, parts_of
 
 SIMPLE = [Fraction(p, q) for q in (1, 2, 3, 4, 5, 13) for p in range(-2 * q, 2 * q + 1)]
@@ -16,7 +18,7 @@ SIMPLE = [Fraction(p, q) for q in (1, 2, 3, 4, 5, 13) for p in range(-2 * q, 2 *
 class Sampler:
     """Random points for a claim: its inputs, with the equations among its givens solved for one symbol each."""
 
-    def __init__(self, claim, seed):
+    def __init__(self, claim: Claim, seed: str | int):
         self.random, self.ranges = random.Random(seed), dict(claim.ranges)
         used, lines = claim.names()
         definitions = lines.definitions if lines else ()
@@ -59,7 +61,7 @@ class Sampler:
             return self.random.choice(simple)
         return low + (high - low) * mpmath.ldexp(self.random.getrandbits(200), -200)
 
-    def inputs_at_random(self, fixed=()):
+    def inputs_at_random(self, fixed: Mapping | Iterable[tuple] = ()) -> dict[Symbol, mpmath.mpf] | None:
         """Return values of the inputs that satisfy the givens about inputs, with some of them fixed, or None."""
         values, solved = dict(fixed), {symbol for symbol, _ in self.solved}
         scale = self.random.choice((1,) * 7 + (10, 1000))  # now and then beyond the box
@@ -77,7 +79,7 @@ class Sampler:
         except Undefined:
             return None
 
-    def verdict(self, values):
+    def verdict(self, values: Mapping[Symbol, mpmath.mpf]) -> str | None:
         """Return "holds", "fails" or "undefined" for the conclusions at the inputs; None if the other givens fail."""
         try:
             return None if not self.late(values) else "holds" if self.shows(values) else "fails"

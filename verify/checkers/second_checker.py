@@ -5,8 +5,9 @@ It shares no code with the kernel, neither its arithmetic (fmpq_mpoly) nor its r
 """
 
 import re
+from collections.abc import Iterable
 
-from flint import Ordering, fmpq, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 
 class Refused(Exception):
@@ -85,7 +86,7 @@ def _proof_form(proof):
 class Names:
     """All names of a statement as the variables of one FLINT ring, and which of them may be used yet."""
 
-    def __init__(self, free, new):
+    def __init__(self, free: Iterable[str], new: Iterable[str]):
         self.all = [*free, *new]
         if len(set(self.all)) != len(self.all):
             raise Refused(f"a name is introduced twice among {self.all}")
@@ -93,10 +94,10 @@ class Names:
         self.value = {n: self.ring.gen(i) for i, n in enumerate(self.all)}
         self.open = set(free)
 
-    def constant(self, text):
+    def constant(self, text: str) -> fmpq_mpoly:
         return self.ring.constant(_rational(text))
 
-    def __call__(self, data):
+    def __call__(self, data: dict[str, str]) -> fmpq_mpoly:
         total = self.ring.constant(0)
         _well_formed(data)
         for monomial, coefficient in data.items():
@@ -265,7 +266,7 @@ def _separation(statement, certificate):
         raise Refused("an output is missing, or a name to avoid is there")
 
 
-def why_refused(statement, certificate):
+def why_refused(statement: dict, certificate: dict) -> Exception | None:
     """Return None if the certificate proves the statement, else the exception that says why it does not."""
     kinds = {"derivation": _derivation, "refutation": _refutation, "induction": _induction, "separation": _separation}
     try:

@@ -3,9 +3,11 @@
 from proofs.check import digest
 from proofs.engine.angles import Untranslatable
 from proofs.engine.certificate import Stale, statements, stored
+from proofs.engine.claim import AnyClaim
+from proofs.engine.theorem import Mutant, Theorem, Theorems
 
 
-def splices(theorem, claim, theorems):
+def splices(theorem: Theorem, claim: AnyClaim, theorems: Theorems) -> list[list[tuple[dict, dict]]]:
     """Return [[(statement, certificate)]]: a mutant's statements with each claim's certificates, one list a claim.
 
     A mutant is proved by a splice if all of its pairs are accepted. One that no rule translates has no statement.
@@ -30,7 +32,7 @@ def _fitted(said, before, kept):
     return said | {"steps": [step for step in said["steps"] if step["step"] != "assume" or step not in gone]}
 
 
-def says_the_same(theorem, mutant, theorems):
+def says_the_same(theorem: Theorem, mutant: Mutant, theorems: Theorems) -> str | None:
     """Return the claim, or the earlier mutant, whose statements are those of a mutant, as text; or None."""
     said = _said(mutant.claim, theorems)
     if said is None:

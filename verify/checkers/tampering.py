@@ -11,18 +11,19 @@ the others.
 """
 
 import random
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from verify.checkers.by_values import holds
 
 
-def draws(statement, certificate, seed):
+def draws(statement: dict, certificate: dict, seed: int | str) -> Iterator[tuple[dict, dict, bool]]:
     """Yield for ever (tampered statement, tampered certificate, whether the evidence still holds); seeded."""
     rng, change_one = random.Random(seed), _separation if statement["kind"] == "separation" else _polynomial
     while True:
-        tampered = change_one((statement, certificate), rng)
-        if tampered != (statement, certificate):
-            yield *tampered, holds(*tampered, rng.randrange(2**32))
+        said, shown = change_one((statement, certificate), rng)
+        if (said, shown) != (statement, certificate):
+            yield said, shown, holds(said, shown, rng.randrange(2**32))
 
 
 def _places(statement, certificate):
@@ -55,7 +56,7 @@ def _polynomial(pair, rng):
     return _replaced(pair, path, change(old, sorted(names.union(pair[0]["variables"])), rng))
 
 
-def change(polynomial, names, rng):
+def change(polynomial: dict[str, str], names: Sequence[str], rng: random.Random) -> dict[str, str]:
     """Return the polynomial with one coefficient or exponent changed; `names` are those that it may use."""
     changed = dict(polynomial)
     if names and (not changed or rng.random() < 0.2):  # the coefficient of a term that is not there

@@ -4,12 +4,15 @@ It knows nothing of the kernel, of certificates, or of the translation into poly
 """
 
 import random
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import mpmath
-from sympy import sympify
+from sympy import Symbol, sympify
 
-from proofs.engine.claim import Induction
+from proofs.engine.claim import Claim, Induction
+from proofs.engine.theorem import Point
 from verify.checkers.digits import DIGITS, TOLERANCE, WORKING_DIGITS, Code, Relations, Undefined
 from verify.checkers.sampler import Sampler
 
@@ -26,7 +29,7 @@ class Witness:
     undefined: list = field(default_factory=list)
 
     @property
-    def smallest(self):
+    def smallest(self) -> Any:
         """The failing point that is shortest to write down, {symbol: value}, or None."""
         return min(self.failures, key=_length, default=None)
 
@@ -35,12 +38,14 @@ def _length(point):
     return sum(len(mpmath.nstr(value, 20)) for value in point.values()), str(point)
 
 
-def printed(point, digits=DIGITS):
+def printed(point: Mapping[Symbol, mpmath.mpf], digits: int = DIGITS) -> dict[str, str]:
     """Return a point as {name: text}."""
     return {str(s): mpmath.nstr(v, digits) for s, v in sorted(point.items(), key=lambda p: str(p[0]))}
 
 
-def sample(claim, seed, points=64, failures=None, attempts=200):
+def sample(
+    claim: Claim | Induction, seed: str | int, points: int = 64, failures: int | None = None, attempts: int = 200
+) -> Witness:
     """Return the Witness of a claim at `points` random points that satisfy its hypotheses (or until `failures`)."""
     with mpmath.workdps(WORKING_DIGITS):
         if isinstance(claim, Induction):
@@ -64,7 +69,7 @@ def _exact(point):
     return {s: Code((), (v,))({})[0] for s, v in point}
 
 
-def outcome(claim, at):
+def outcome(claim: Claim, at: Point) -> str:
     """Return "holds", "fails" or "undefined" for the conclusions at the values of the inputs, whatever is given."""
     with mpmath.workdps(WORKING_DIGITS):
         values = _exact(at)
@@ -75,7 +80,7 @@ def outcome(claim, at):
             return "undefined"
 
 
-def fails_at(claim, at, attempts=500):
+def fails_at(claim: Claim, at: Point, attempts: int = 500) -> dict | None:
     """Return a point with the given coordinates where the hypotheses hold and a conclusion does not, or None."""
     with mpmath.workdps(WORKING_DIGITS):
         sampler, fixed = Sampler(claim, "fails_at"), _exact(at)

@@ -1,17 +1,21 @@
 """One program, three evaluations over arrays of inputs: float64, balls of 50 digits, float64 with running bounds."""
 
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
+from typing import Any
 
 import flint
 import numpy as np
 from sympy import Rational
 
+from proofs.engine.program import Program
 from renderer import kernels
 from renderer.generate.kernels import function_of
 from renderer.generate.printer import KernelPrinter
 from verify.evaluate import running
 from verify.evaluate.balls import Balls
 
+Inputs = Mapping[str, Any]  # numbers or arrays
 BITS = 300  # 50 digits, and 40 to lose
 WIDEST, NOTHING = 2.0**-110, 1e-60  # a ball wider than both, against its size and at all, is no reference
 LIBM = {"sin": np.sin, "cos": np.cos, "acos": np.arccos, "atan2": np.arctan2}
@@ -55,21 +59,21 @@ def _outputs(function, arguments, program):
     return zip((s.name for s in program.outputs), results, strict=True)
 
 
-def in_float64(program, inputs):
+def in_float64(program: Program, inputs: Inputs) -> dict[str, np.ndarray]:
     """Return {output: array}: the program in float64, sinpi and its kin by our functions, sin and its kin by libm's."""
     arguments = _arguments(program, inputs)
     named = _outputs(_float64_function(program), arguments, program)
     return {name: np.broadcast_to(np.asarray(r, np.float64), arguments[0].shape) for name, r in named}
 
 
-def with_bounds(program, inputs):
+def with_bounds(program: Program, inputs: Inputs) -> dict[str, running.Running]:
     """Return {output: Running}: the same numbers as `in_float64`, and their running error bounds."""
     arguments = _arguments(program, inputs)
     named = _outputs(_running_function(program), map(running.Running, arguments), program)
     return {name: running.running(r).spread(arguments[0].shape) for name, r in named}
 
 
-def in_balls(program, inputs):
+def in_balls(program: Program, inputs: Inputs) -> dict[str, np.ndarray]:
     """Return {output: array of balls} for the exact values of the inputs.
 
     A ball that is too wide to judge float64 (an undecided comparison, a division by zero) is None.
@@ -87,7 +91,7 @@ def _narrow(ball):
     return ball.is_finite() and float(ball.rad()) <= max(NOTHING, WIDEST * abs(float(ball.mid())))
 
 
-def signed_distance(values, balls):
+def signed_distance(values: np.ndarray, balls: np.ndarray) -> np.ndarray:
     """Return values − balls as float64 for numbers or balls; NaN without a reference, infinite where not finite."""
     with flint.ctx.workprec(BITS):
         return np.asarray(np.frompyfunc(_minus, 2, 1)(values, balls), np.float64)
@@ -99,12 +103,14 @@ def _minus(value, ball):
     return float(flint.arb(value) - ball) if isinstance(value, flint.arb) or np.isfinite(value) else np.inf
 
 
-def distance(values, balls):
+def distance(values: np.ndarray, balls: np.ndarray) -> np.ndarray:
     """Return |value − ball| as float64; NaN where there is no reference, infinite where the value is not finite."""
     return np.abs(signed_distance(values, balls))
 
 
-def vector_distance(values, balls, names):
+def vector_distance(
+    values: Mapping[str, np.ndarray], balls: Mapping[str, np.ndarray], names: Iterable[str]
+) -> np.ndarray:
     """Return |value − ball| of the vector with the given components, √ of the sum of squares."""
     parts = np.array([distance(values[n], balls[n]) for n in names])
     largest = parts.max(axis=0)
@@ -113,6 +119,6 @@ def vector_distance(values, balls, names):
     return np.where((largest > 0) & (largest < np.inf), scaled, largest)
 
 
-def vector_bound(bounds, names):
+def vector_bound(bounds: Mapping[str, running.Running], names: Iterable[str]) -> np.ndarray:
     """Return the bound on the same distance."""
     return np.sqrt(sum(bounds[n].bound ** 2 for n in names))

@@ -4,8 +4,10 @@ At a few hundred bits the balls are a reference that says itself how good it is;
 rounding can do to the same lines. A selection that the balls do not decide takes both branches, and is named.
 """
 
+from collections.abc import Mapping
 from functools import reduce
 
+import mpmath
 from flint import arb, ctx, fmpq
 
 from verify.evaluate import Evaluator, ExactPrinter
@@ -31,7 +33,7 @@ _OPERATORS = {"<": ("__lt__", "__ge__"), "<=": ("__le__", "__gt__"), ">": ("__gt
               ">=": ("__ge__", "__lt__"), "==": ("__eq__", "__ne__"), "!=": ("__ne__", "__eq__")}  # fmt: skip
 
 
-def compare(left, operator, right):
+def compare(left: arb, operator: str, right: arb) -> bool | None:
     """Return True, False, or None where the balls leave it open."""
     holds, fails = _OPERATORS[operator]
     if getattr(left, holds)(right):
@@ -39,18 +41,18 @@ def compare(left, operator, right):
     return False if getattr(left, fails)(right) else None
 
 
-def joined(decisive, *conditions):
+def joined(decisive: bool, *conditions: bool | None) -> bool | None:
     """Return the conjunction of True, False and None, which one False decides, or the disjunction: one True."""
     return decisive if decisive in conditions else (None if None in conditions else not decisive)
 
 
-def ball_of(number):
+def ball_of(number: mpmath.mpf) -> arb:
     """Return an mpf as a ball of its exact value."""
     negative, mantissa, exponent, _ = number._mpf_
     return arb((-int(mantissa) if negative else int(mantissa), int(exponent)))
 
 
-def power(base, exponent):
+def power(base: arb, exponent: arb) -> arb:
     """Return base^exponent for base ≥ 0 by its meaning, exponent > 0; a ball that reaches below 0 is cut off there."""
     if base > 0:
         return base**exponent
@@ -58,7 +60,7 @@ def power(base, exponent):
     return arb(0).union(high**exponent) if high > 0 else arb(0)
 
 
-def root(value):
+def root(value: arb) -> arb:
     """Return √value likewise; there is none of a ball below 0."""
     high = value.upper()
     return arb(0).union(high.sqrt()) if high > 0 and not value > 0 else value.sqrt()
@@ -89,8 +91,8 @@ class Balls(Evaluator):
 
     printer, names = _BallPrinter(), NAMES
 
-    def __call__(self, values, bits=53):
-        self.undecided = set()
+    def __call__(self, values: Mapping[str, float], bits: int = 53) -> tuple[dict[str, arb], frozenset[str]]:
+        self.undecided: set[str] = set()
         with ctx.workprec(bits):
             names = self.names | {"pi": arb.pi(), "select": self._select, "sign": self._sign}
             return self.run(names, values, arb), frozenset(self.undecided)

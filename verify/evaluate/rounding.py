@@ -4,12 +4,15 @@ A `Rounded` goes through the printed text of a straight-line program in place of
 inherits and half a unit in the last place of the largest result that it can have: round to nearest, no underflow.
 """
 
+from collections.abc import Iterable, Mapping
+from types import CodeType
+
 from flint import arb
 
 ZERO, TINY = arb(0), arb((1, -100))
 
 
-def between(low, high):
+def between(low: arb, high: arb) -> arb:
     """Return a ball around [low, high]."""
     return arb(low).union(arb(high))
 
@@ -18,13 +21,13 @@ class Undecided(ArithmeticError):
     """A comparison that the enclosures do not decide."""
 
 
-def unit_in_the_last_place(magnitude):
+def unit_in_the_last_place(magnitude: arb) -> arb:
     """Return ulp(x) of float64 for an exact positive arb x of the normal range: 2^(e − 52) where 2^e ≤ x < 2^(e+1)."""
     mantissa, exponent = magnitude.man_exp()
     return arb((1, int(exponent) + int(mantissa).bit_length() - 53))
 
 
-def half_a_unit(magnitude, inherited):
+def half_a_unit(magnitude: arb, inherited: arb) -> arb:
     """Return an upper bound of what rounding adds where |exact| ≤ magnitude and |unrounded − exact| ≤ inherited.
 
     Half an ulp of the largest binade that `exact` reaches, its upper end 2^e included (2^e needs no rounding). If
@@ -46,7 +49,9 @@ class Rounded:
 
     __slots__ = ("error", "exact", "inherited", "largest", "least", "rounds")
 
-    def __init__(self, exact, error=ZERO, rounds=False, ends=None):
+    def __init__(
+        self, exact: arb | float, error: arb = ZERO, rounds: bool = False, ends: tuple[arb, arb] | None = None
+    ):
         """error: what is inherited; rounds: whether half a unit is added to it; ends: of `exact`, if not the ball's.
 
         A ball's radius has 30 bits, so that its ends may lie beyond the power of two at which a range ends.
@@ -62,16 +67,16 @@ class Rounded:
         if rounds and not self.largest.is_zero():
             self.error = (self.inherited + half_a_unit(self.largest, self.inherited)).upper()
 
-    def known_as(self, low, high, apart=ZERO):
+    def known_as(self, low: arb, high: arb, apart: arb = ZERO) -> "Rounded":
         """Return the number as an approximation of one in [low, high], from which exact arithmetic is `apart`."""
         return Rounded(between(low, high), self.inherited + apart, self.rounds, ends=(low, high))
 
-    def ulps(self):
+    def ulps(self) -> arb:
         """Return the error in ulps of the float64 nearest to the exact number: below 2^e and next to it, of 2^e."""
         nearest = self.least * (1 + arb((1, -54)) * (1 - arb((1, -30))))
         return (self.error / unit_in_the_last_place(nearest.lower())).upper()
 
-    def computed(self):
+    def computed(self) -> arb:
         """Return a ball around the float64 number."""
         return self.exact + arb(0, self.error)
 
@@ -105,7 +110,7 @@ class Rounded:
 
     __radd__, __rmul__ = __add__, __mul__
 
-    def is_zero(self):
+    def is_zero(self) -> bool:
         """Return whether the float64 number is certainly 0."""
         return self.exact.is_zero() and self.error.is_zero()
 
@@ -133,7 +138,7 @@ def _cancels(a, b):
     return first > 0 and second > 0 and first <= 2 * second and second <= 2 * first
 
 
-def run(code, scope, known=None):
+def run(code: Iterable[tuple[str, CodeType]], scope: dict, known: Mapping[str, tuple] | None = None) -> dict:
     """Run the lines in `scope`, {name: Rounded}, and return it; `known` has what `known_as` is told, by name."""
     for name, line in code:
         value = _rounded(eval(line, {}, scope))

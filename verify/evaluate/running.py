@@ -10,6 +10,7 @@ from functools import partialmethod
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from renderer import kernels
 
@@ -25,11 +26,11 @@ class Running:
 
     __array_ufunc__ = None  # NumPy leaves mixed operations to the methods below
 
-    def __init__(self, value, bound=0.0):
+    def __init__(self, value: ArrayLike, bound: ArrayLike = 0.0):
         self.value = np.asarray(value, np.float64)
         self.bound = np.broadcast_to(np.asarray(bound, np.float64), self.value.shape)
 
-    def spread(self, shape):
+    def spread(self, shape: tuple[int, ...]) -> "Running":
         """Return the same numbers as arrays of a larger shape."""
         return Running(np.broadcast_to(self.value, shape), np.broadcast_to(self.bound, shape))
 
@@ -93,7 +94,7 @@ class Comparison(NamedTuple):
         holds = self.holds | other.holds if decisive else self.holds & other.holds
         return Comparison(holds, (self.open | other.open) & ~decided)
 
-    __and__, __or__ = partialmethod(_joined, decisive=False), partialmethod(_joined, decisive=True)
+    __and__, __or__ = partialmethod(_joined, decisive=False), partialmethod(_joined, decisive=True)  # type: ignore[misc]
 
 
 def _scales(a):
@@ -101,7 +102,10 @@ def _scales(a):
     return (a.bound == 0) & (np.abs(np.frexp(a.value)[0]) == 0.5)
 
 
-def running(value):
+Number = Running | ArrayLike
+
+
+def running(value: Number) -> Running:
     """Return a number or an array as an exact Running, a Running as it is."""
     return value if isinstance(value, Running) else Running(value)
 
@@ -109,7 +113,7 @@ def running(value):
 pi = Running(np.pi, 2 * U)
 
 
-def where(condition, value, otherwise):
+def where(condition: Comparison | ArrayLike, value: Number, otherwise: Number) -> Running:
     """Return `value` where the condition holds, else `otherwise`; where it is open the bound covers both."""
     value, otherwise = running(value), running(otherwise)
     if not isinstance(condition, Comparison):
@@ -120,7 +124,7 @@ def where(condition, value, otherwise):
     return Running(chosen, np.where(condition.open, np.maximum(bound, gap), bound))
 
 
-def sqrt(a):
+def sqrt(a: Number) -> Running:
     """√a: the root's error is at most e/√a, and at most √e."""
     a = running(a)
     root = np.sqrt(a.value)
@@ -129,24 +133,24 @@ def sqrt(a):
     return a._rounded(root, np.where(a.bound == 0, 0.0, inherited))
 
 
-def maximum(a, b):
+def maximum(a: Number, b: Number) -> Running:
     """The larger one: no further from the truth than the worse of the two."""
     a, b = running(a), running(b)
     return Running(np.maximum(a.value, b.value), np.maximum(a.bound, b.bound))
 
 
-def minimum(a, b):
+def minimum(a: Number, b: Number) -> Running:
     """The smaller one."""
     return -maximum(-running(a), -running(b))
 
 
-def sign(a):
+def sign(a: Number) -> Running:
     """−1, 0 or 1; open where the bound reaches across zero."""
     a = running(a)
     return Running(np.sign(a.value), np.where((np.abs(a.value) <= a.bound) & (a.bound > 0), 2.0, 0.0))
 
 
-def power(a, p):
+def power(a: Number, p: Number) -> Running:
     """a^p, a ≥ 0, p exact and positive: monotone, so its ends bound it; ours or libm's rounding beside that."""
     a, p = running(a), running(p)
     with np.errstate(all="ignore"):
@@ -156,7 +160,7 @@ def power(a, p):
     return a._rounded(value, np.where(a.bound == 0, 0.0, np.maximum(above, below)), ULPS["power"])
 
 
-def two_product(a, b):
+def two_product(a: Number, b: Number) -> tuple[Number, Number]:
     """The two factors: sinpi and cospi take both, and their product with its error."""
     return a, b
 
@@ -176,7 +180,7 @@ sinpi = _of_half_turns(kernels.sinpi, ULPS["sinpi"])  # sin πab
 cospi = _of_half_turns(kernels.cospi, ULPS["cospi"])
 
 
-def atan2pi(y, x):
+def atan2pi(y: Number, x: Number) -> Running:
     """atan2(y, x)/π: the sine of the turn is |x Δy − y Δx|/(r r'); open where the cut is in reach."""
     y, x = running(y), running(x)
     moved, length = np.hypot(y.bound, x.bound), np.hypot(y.value, x.value)

@@ -4,17 +4,21 @@ The terms are those of `verify.accuracy.differences`: truncation, unless a creas
 leaves the chart (one-sided); what rounding u ± ε costs; the rounding of h.
 """
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from proofs.formulas.creases import straddling
 from proofs.formulas.height_fields import HEIGHT_FIELDS
+from renderer import Scene
+from renderer.frame import Frame
 from verify.accuracy.differences import taken_apart
 from verify.evaluate.arrays import in_float64
 
 TERMS = ("truncation", "argument rounding", "roundoff", "straddling", "one-sided")
 
 
-def terms(scene, u, v, eps):
+def terms(scene: Scene, u: np.ndarray, v: np.ndarray, eps: float) -> tuple[np.ndarray, np.ndarray]:
     """Return (values, kinds): for each point of the chart the six signed terms, (6, n), and their kinds, (6, n).
 
     Rows: h_u's three terms, then h_v's. Kinds index TERMS.
@@ -37,7 +41,7 @@ def _first_kinds(field, inputs):
     return np.where(in_u, 3, 0), np.where(in_v & ~at_the_end, 3, np.where(outside, 4, 0))
 
 
-def dominant(scene, u, v, eps):
+def dominant(scene: Scene, u: np.ndarray, v: np.ndarray, eps: float) -> np.ndarray:
     """Return which term is the largest at each point: an index into TERMS, −1 where all are zero."""
     values, kinds = terms(scene, u, v, eps)
     largest = np.abs(values).argmax(axis=0)
@@ -45,12 +49,12 @@ def dominant(scene, u, v, eps):
     return np.where(values[at] == 0, -1, kinds[at])
 
 
-def shares(kinds):
+def shares(kinds: np.ndarray) -> dict[str, float]:
     """Return {term: its share of the points}."""
     return {name: float(np.mean(kinds == index)) for index, name in enumerate(TERMS)}
 
 
-def over_the_image(frame, eps):
+def over_the_image(frame: Frame, eps: float) -> np.ndarray:
     """Return the dominant term at every pixel of a frame, (height, width) int; −2 off A."""
     data, on_a = frame.surface_data, frame.stage.on_a
     result = np.full(on_a.shape, -2)
@@ -58,7 +62,7 @@ def over_the_image(frame, eps):
     return result
 
 
-def shares_by_step(frame, steps, points=400, seed=10):
+def shares_by_step(frame: Frame, steps: Iterable[float], points: int = 400, seed: int = 10) -> dict[str, np.ndarray]:
     """Return {term: its share for each step}, over random pixels of A in the frame."""
     data, on_a = frame.surface_data, frame.stage.on_a
     chosen = np.random.default_rng(seed).choice(np.flatnonzero(on_a), points, replace=False)

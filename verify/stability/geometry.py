@@ -7,13 +7,13 @@ from proofs.formulas.camera import parallel_radius, silhouette_of_a
 from proofs.formulas.symbols import normal
 from verify.evaluate.arrays import in_float64
 from verify.stability.pipelines import our_normal, seed_normal, seed_tangent_vector, tangent_vector
-from verify.stability.sweep import measured
+from verify.stability.sweep import Sweep, measured
 
 EYE, RADIUS = 4.0, 1.0
 VECTOR, NORMAL = [s.name for s in g], [s.name for s in normal]
 
 
-def image_points(rho, samples, seed):
+def image_points(rho: np.ndarray, samples: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
     """Return (x, y) at the given image radii, `samples` random azimuths each: (values, samples)."""
     azimuth = np.random.default_rng(seed).uniform(-np.pi, np.pi, (len(rho), samples))
     return rho[:, None] * np.cos(azimuth), rho[:, None] * np.sin(azimuth)
@@ -23,7 +23,9 @@ def _of_normal(parameter, inputs):
     return measured(parameter, our_normal, inputs, NORMAL, seed=in_float64(seed_normal, inputs))
 
 
-def toward_the_pole(field="ridges", form="algebraic", samples=12, values=76, seed=1):
+def toward_the_pole(
+    field: str = "ridges", form: str = "algebraic", samples: int = 12, values: int = 76, seed: int = 1
+) -> Sweep:
     """g against sin φ from 0.84 to 10⁻¹⁴⁹, where the pole begins, as a function of the float64 image point.
 
     Reason of the bound: no line of the chain cancels, so that every one adds a few roundings of its own size.
@@ -38,7 +40,7 @@ def toward_the_pole(field="ridges", form="algebraic", samples=12, values=76, see
     return measured(sines, program, inputs, VECTOR, reference, **others)
 
 
-def toward_the_silhouette(samples=40, values=57, seed=2):
+def toward_the_silhouette(samples: int = 40, values: int = 57, seed: int = 2) -> Sweep:
     """N against s = 1 − (ρ/ρ_s)² from 0.99 to 10⁻¹⁴.
 
     Reason of the bound: the root is taken of (ρ_s − ρ)(ρ_s + ρ), whose factors are each right to a few roundings of
@@ -50,7 +52,7 @@ def toward_the_silhouette(samples=40, values=57, seed=2):
     return _of_normal(share, {"x": x, "y": y, "eye": EYE, "radius": RADIUS})
 
 
-def from_near_to_far(samples=60, values=61, seed=3):
+def from_near_to_far(samples: int = 60, values: int = 61, seed: int = 3) -> Sweep:
     """N against e/R − 1 from 10⁻⁹ to 10⁶, at image points with 1 − (ρ/ρ_s)² ≥ 0.1.
 
     Reason of the bound: t is a quotient of positive terms, and e² − R² is a product; nothing cancels at either end.

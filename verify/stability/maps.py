@@ -14,7 +14,7 @@ from verify.stability.pipelines import seed_tangent_vector, tangent_vector
 MISSED_ZERO = 1 / U  # all bits lost: a number where there is an exact zero
 
 
-def relative(values, truth):
+def relative(values: np.ndarray, truth: np.ndarray) -> np.ndarray:
     """Return |value − exact| / (2⁻⁵³ |exact|): 0 for an exact zero that is met, MISSED_ZERO for one that is not."""
     off = distance(values, truth)
     size = np.array([abs(float(b.mid())) for b in np.ravel(truth)]).reshape(off.shape)
@@ -23,7 +23,9 @@ def relative(values, truth):
     return np.minimum(units, MISSED_ZERO)
 
 
-def over_the_chart(field="ridges", side=128, ku=8.0, kv=4.0, seed=9):
+def over_the_chart(
+    field: str = "ridges", side: int = 128, ku: float = 8.0, kv: float = 4.0, seed: int = 9
+) -> dict[str, np.ndarray]:
     """Return {"seed", "ours"}: (side, side) maps of the error of h_u in units of 2⁻⁵³ of itself, v downwards.
 
     A point is drawn in each cell of a grid; every so often it is the cell's left edge, so that some lie on a crease.
@@ -40,7 +42,7 @@ def over_the_chart(field="ridges", side=128, ku=8.0, kv=4.0, seed=9):
     return {"seed": relative(seed_form, truth), "ours": relative(ours, truth)}
 
 
-def over_the_image(scene=None, size=192, reach=1.0):
+def over_the_image(scene: Scene | None = None, size: int = 192, reach: float = 1.0) -> dict[str, np.ndarray]:
     """Return {"seed", "ours"}: (size, size) maps of |g − exact| in units of 2⁻⁵³ π k, NaN off A.
 
     reach: the half-width of the view in silhouette radii, centred on the axis; the pole is the centre.
@@ -60,7 +62,7 @@ def over_the_image(scene=None, size=192, reach=1.0):
     return maps
 
 
-def summary(units):
+def summary(units: np.ndarray) -> tuple[float, float]:
     """Return (median, largest) of a map as bits lost: log₂ of the error in units, at least 0."""
     seen = np.maximum(units[~np.isnan(units)], 1.0)
     return float(np.log2(np.median(seen))), float(np.log2(seen.max()))

@@ -13,7 +13,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import eye, h_u, h_v, normal, radius, real, x, y
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, unit_normal
 from verify.benchmark.methods.programs import algebraic_gradient, naive_gradient
-from verify.evaluate.arrays import in_float64
+from verify.evaluate.arrays import Inputs, in_float64
 
 SEED_FALLBACK = 1e-4
 seed_discriminant, seed_t = real("seed_discriminant seed_t")
@@ -35,10 +35,10 @@ our_normal = chain("our_normal", angles_on_a, unit_normal).keep(*normal)
 
 
 @lru_cache
-def tangent_vector(field, form, ku=8.0, kv=4.0):
+def tangent_vector(field: str, form: str, ku: float = 8.0, kv: float = 4.0) -> Program:
     """Return the program (image point, scene) → g by the "general" or the "algebraic" form of the exact gradient."""
-    field = HEIGHT_FIELDS[field]
-    middle = [chart, gradient(field)] if form == "general" else [algebraic_gradient(field, ku, kv)]
+    known = HEIGHT_FIELDS[field]
+    middle = [chart, gradient(known)] if form == "general" else [algebraic_gradient(known, ku, kv)]
     return chain(f"g_{form}", angles_on_a, *middle, bumped_normal, outputs=g).keep(*g)
 
 
@@ -48,7 +48,7 @@ def _seed_program(field):
     return chain("seed_g", seed_normal, seed_chart, naive_gradient(HEIGHT_FIELDS[field]), seed_frame, outputs=outputs)
 
 
-def seed_tangent_vector(field, inputs, fallback=True):
+def seed_tangent_vector(field: str, inputs: Inputs, fallback: bool = True) -> dict[str, np.ndarray]:
     """Return {component of g: array} as the seed computes it, with or without its fixed frame near the pole."""
     v = in_float64(_seed_program(field), inputs)
     near = ~(v["seed_sin_phi"] > SEED_FALLBACK) & fallback

@@ -3,6 +3,7 @@
 from functools import lru_cache
 
 from verify.stability import geometry, shading, wave_numbers
+from verify.stability.sweep import Sweep
 
 SWEEPS = {
     "pole": geometry.toward_the_pole,
@@ -25,6 +26,6 @@ SWEEPS = {
 
 
 @lru_cache
-def sweep(name):
+def sweep(name: str) -> Sweep:
     """Return a sweep, measured once."""
     return SWEEPS[name]()

@@ -14,13 +14,13 @@ from verify.evaluate.arrays import distance, in_balls, in_float64, with_bounds
 from verify.stability.sweep import Sweep, measured
 
 
-def angles(random, shape):
+def angles(random: np.random.Generator, shape: tuple[int, ...]) -> dict[str, np.ndarray]:
     """Return {cos θ, sin θ, cos φ, sin φ} of random points of the upper half of A."""
     theta, phi = random.uniform(-np.pi, np.pi, shape), random.uniform(0.01, 1.3, shape)
     return {"cos_theta": np.cos(theta), "sin_theta": np.sin(theta), "cos_phi": np.cos(phi), "sin_phi": np.sin(phi)}
 
 
-def any_amplitude(values=109, samples=24, seed=5):
+def any_amplitude(values: int = 109, samples: int = 24, seed: int = 5) -> Sweep:
     """N' against |β| from the least denormal to 10¹⁰⁰, for slopes of up to π 2²⁰.
 
     Reason of the bound: M = N + βg with g ⟂ N, so |M| ≥ 1 and dividing by it amplifies nothing.
@@ -45,7 +45,7 @@ def _lit_point():
     return chain("lit_point", unit_normal, point_on_a, onto, light_direction).keep(mu)
 
 
-def near_and_far_lights(values=73, samples=24, seed=6):
+def near_and_far_lights(values: int = 73, samples: int = 24, seed: int = 6) -> Sweep:
     """μ against the light's distance from the surface, from 2·10⁻⁹ to 10⁹ radii.
 
     Reason of the bound: the point is known to some 2⁻⁵³ R, so that a light at distance d is seen in a direction known
@@ -64,7 +64,7 @@ def near_and_far_lights(values=73, samples=24, seed=6):
     return measured(distances, _lit_point(), inputs, [mu.name])
 
 
-def opposite_light(model="blinn", values=65, samples=24, seed=7):
+def opposite_light(model: str = "blinn", values: int = 65, samples: int = 24, seed: int = 7) -> Sweep:
     """The highlight's base against |ω + v̂|, from 1 to 10⁻¹⁶: the light behind the point, seen from the eye.
 
     Reason of the bound: ω and v̂ are each known to 2⁻⁵³, their sum to 2⁻⁵³/|ω + v̂| of its length; the base itself is
@@ -88,7 +88,7 @@ def _frames(random, shape):
     return view, aside / np.sqrt((aside**2).sum(axis=0)), up
 
 
-def by_squaring(base, whole):
+def by_squaring(base: np.ndarray, whole: int) -> np.ndarray:
     """Return base^whole by repeated squaring, as the renderer raises a whole shininess."""
     result, square = np.ones_like(base), base
     for bit in range(whole.bit_length()):
@@ -97,7 +97,7 @@ def by_squaring(base, whole):
     return result
 
 
-def any_shininess(whole=True, values=91, samples=24, seed=8):
+def any_shininess(whole: bool = True, values: int = 91, samples: int = 24, seed: int = 8) -> Sweep:
     """base^p against p from 10⁻³ to 10⁶, for bases within 8/p of 1; whole p, from 1 on, by repeated squaring.
 
     Reason of the bound: each of p multiplications rounds by at most 2⁻⁵³ of the result, so base^p is off by p 2⁻⁵³

@@ -4,18 +4,20 @@ The raster is centred 3/20 of its half-height below the axis. Where its height i
 below the axis are mirror images, and with an even width the columns and rows make one square grid about it.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 
 from renderer import Light, Scene, render
+from renderer.frame import Frame
 
 ON_A_CREASE = 1e-12  # a crease factor that rounding can turn to either side
 SIZE = 120  # a multiple of 20, and even
 _BELOW = 3 * SIZE // 20  # rows r and SIZE − 1 − _BELOW − r are mirror images
 
 
-def moved(scene, move):
+def moved(scene: Scene, move: Callable) -> Scene:
     """Return the scene with every position (x, y) replaced by move(x, y)."""
 
     def at(position):
@@ -25,7 +27,7 @@ def moved(scene, move):
     return replace(scene, ball_center=at(scene.ball_center), lights=lights)
 
 
-def about_the_axis(frame):
+def about_the_axis(frame: Frame) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the largest square part of a frame about the axis: (rgb, surface, whether the pixel is on a crease)."""
     rows = SIZE - _BELOW
     square = (slice(rows), slice((SIZE - rows) // 2, (SIZE + rows) // 2))
@@ -52,7 +54,7 @@ SCENES = {
 }
 
 
-def difference(scene, move):
+def difference(scene: Scene, move: str) -> tuple[float, int, int]:
     """Return (largest |ΔI|, pixels on a crease, pixels whose surface differs) after moving the picture back.
 
     On a crease 53 bits do not decide the side, and the two pictures may take different ones: such pixels are counted
@@ -65,7 +67,7 @@ def difference(scene, move):
     return float(np.abs(one - back(two))[same & ~creased].max()), int(creased.sum()), int((~same).sum())
 
 
-def permuted_lights(scene):
+def permuted_lights(scene: Scene) -> float:
     """Return the largest |ΔI| over every order of the scene's lights."""
     first, worst = render(scene, SIZE, SIZE).rgb, 0.0
     for start in range(1, len(scene.lights)):

@@ -1,9 +1,10 @@
 """Wave numbers: small, large to 2²⁰, negative, zero, not whole; the gradient as a function of float64 (u, v)."""
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from proofs.engine.program import Program
-from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
 from proofs.formulas.symbols import k_u, k_v, real, u, v
 from verify.benchmark.methods.programs import naive_gradient
 from verify.evaluate.arrays import distance, in_balls, in_float64, with_bounds
@@ -14,7 +15,7 @@ LEAST = 1e-150  # the chart's smallest v off the pole; far below it the product 
 of_u, of_v = real("argument_of_u argument_of_v")
 
 
-def rounded_product_gradient(field):
+def rounded_product_gradient(field: HeightField) -> Program:
     """Return the gradient with the product k·u rounded first, and reduced in half-turns after that."""
     program = gradient(field)
     swap = {k_u * u: of_u, k_v * v: of_v}
@@ -22,7 +23,7 @@ def rounded_product_gradient(field):
     return Program("rounded", program.inputs, ((of_u, k_u * u), (of_v, k_v * v), *lines), program.outputs)
 
 
-def wave_numbers(values, random):
+def wave_numbers(values: int, random: np.random.Generator) -> np.ndarray:
     """Return k between 10⁻³ and 2²⁰ evenly by ratio; from 1 on every third one is whole, and about half negative."""
     k = np.geomspace(1e-3, LARGEST - 0.3, values)
     whole = (np.arange(values) % 3 == 0) & (k >= 1)
@@ -30,7 +31,7 @@ def wave_numbers(values, random):
     return np.where(random.random(values) < 0.5, -k, k)
 
 
-def points_of_the_chart(k, samples, random):
+def points_of_the_chart(k: np.ndarray, samples: int, random: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
     """Return (u, v): half at random, half next to a crease m/k, where a rounded product is worst."""
     u_at, v_at = random.uniform(0, 1, (2, len(k), samples))
     half = samples // 2
@@ -40,7 +41,9 @@ def points_of_the_chart(k, samples, random):
     return u_at, v_at
 
 
-def large_wave_numbers(field="sine", k=None, values=74, samples=24, seed=4):
+def large_wave_numbers(
+    field: str = "sine", k: ArrayLike | None = None, values: int = 74, samples: int = 24, seed: int = 4
+) -> Sweep:
     """The error of (h_u, h_v) over π max(1, |k|) against |k|; by default for `wave_numbers`.
 
     Reason of the bound: the product k·u is exact as a pair, the reduction is exact, so what is left is the error of

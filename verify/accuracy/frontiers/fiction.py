@@ -4,6 +4,7 @@ What separates them is turned on one at a time: the sign, the chart's scale, the
 move the silhouette, or keep light from where the surface faces away.
 """
 
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import lru_cache
 
@@ -17,12 +18,13 @@ from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import beta, cos_phi, eye, k_u, k_v, phi, radius, rho, sin_phi, u, v
 from renderer import Scene, render
+from renderer.frame import Frame
 from verify.evaluate.arrays import in_float64
 
 STEPS = ("the chapter's", "sign turned", "and the chart's scale", "and the metric: Blinn's")
 
 
-def normals(scene, data):
+def normals(scene: Scene, data: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
     """Return {name: unit normals (3, n)} at points of A: the four of STEPS, and "displaced".
 
     data: a frame's surface data at those points, each (n,).
@@ -43,12 +45,12 @@ def _unit(components):
     return vectors / np.linalg.norm(vectors, axis=0)
 
 
-def degrees(a, b):
+def degrees(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Return the angle between unit vectors (3, n), in degrees."""
     return np.degrees(2 * np.arcsin(np.clip(np.linalg.norm(a - b, axis=0) / 2, 0, 1)))
 
 
-def angle_maps(frame):
+def angle_maps(frame: Frame) -> dict[str, np.ndarray]:
     """Return {step: (height, width) map of the angle to the displaced normal in degrees, NaN off A}."""
     on_a = frame.stage.on_a
     data = {name: plane[on_a] for name, plane in frame.surface_data.items()}
@@ -69,7 +71,7 @@ def _outline(field):
     return {name: lambdify((phi, beta, u, k_u, k_v, eye), e, "numpy") for name, e in orders.items()}
 
 
-def silhouette_remainders(betas, scene=None):
+def silhouette_remainders(betas: Iterable[float], scene: Scene | None = None) -> np.ndarray:
     """Return (moved, first, second): the largest, over the azimuths, of how far displacement moves the silhouette,
     and of what is left after the terms of first and second order in β; each an array over `betas`.
 
@@ -91,7 +93,7 @@ def silhouette_remainders(betas, scene=None):
     return np.abs(np.array(rows)).max(axis=2).T
 
 
-def leaks(scene, size):
+def leaks(scene: Scene, size: int) -> list[tuple[np.ndarray, np.ndarray]]:
     """Return, for each light, (lit although the surface faces away, dark although it faces the light), maps of bool.
 
     The first: N'·ω > 0 ≥ N·ω. The second: N'·ω ≤ 0 < N·ω. Shadows that B casts are not looked at.

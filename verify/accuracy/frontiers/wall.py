@@ -3,6 +3,8 @@
 The table covers u ∈ [0, 1) and v ∈ [0, 2), one period of the formula in either, so that no end condition enters.
 """
 
+from collections.abc import Callable, Sequence
+
 import numpy as np
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient, height
@@ -12,20 +14,23 @@ KU, KV = 8.0, 4.0
 POINTS, SEED = 10_000, 8
 TEXELS = (33, 65, 129, 257, 513)  # odd, so that creases lie inside texels, as they do in a picture
 
+Pair = tuple[np.ndarray, np.ndarray]
+Weights = tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]
 
-def table_of(field, texels):
+
+def table_of(field: str, texels: int) -> np.ndarray:
     """Return h at (i/texels, j/texels), (texels, 2 texels)."""
     i, j = np.mgrid[0:texels, 0 : 2 * texels] / texels
     program = height(HEIGHT_FIELDS[field])
     return in_float64(program, {"u": i, "v": j, "k_u": KU, "k_v": KV})["h"]
 
 
-def linear_weights(share):
+def linear_weights(share: np.ndarray) -> Weights:
     """Return the weights of the two texels around a point, and their derivatives by the share."""
     return (1 - share, share), (-np.ones_like(share), np.ones_like(share))
 
 
-def cubic_weights(share):
+def cubic_weights(share: np.ndarray) -> Weights:
     """Return the weights of the four nearest coefficients of a cubic B-spline, and their derivatives."""
     s, t = share, 1 - share
     weights = (t**3 / 6, (4 - 6 * s**2 + 3 * s**3) / 6, (4 - 6 * t**2 + 3 * t**3) / 6, s**3 / 6)
@@ -33,7 +38,7 @@ def cubic_weights(share):
     return weights, slopes
 
 
-def spline_coefficients(table):
+def spline_coefficients(table: np.ndarray) -> np.ndarray:
     """Return the coefficients of the periodic cubic B-spline through a table: its samples are (c₋ + 4c + c₊)/6."""
     spectrum = np.fft.rfft2(table)
     for axis, frequencies in ((0, np.fft.fftfreq(table.shape[0])), (1, np.fft.rfftfreq(table.shape[1]))):
@@ -42,7 +47,9 @@ def spline_coefficients(table):
     return np.fft.irfft2(spectrum, table.shape)
 
 
-def interpolated_gradient(table, weights, first, u, v):
+def interpolated_gradient(
+    table: np.ndarray, weights: Callable[[np.ndarray], Weights], first: int, u: np.ndarray, v: np.ndarray
+) -> Pair:
     """Return (h_u, h_v) of a tensor-product interpolation; `first`: offset of its first coefficient."""
     texels = table.shape[0]
     at = [np.floor(c * texels).astype(int) for c in (u, v)]
@@ -56,7 +63,7 @@ def interpolated_gradient(table, weights, first, u, v):
     return h_u * texels, h_v * texels
 
 
-def reconstructed(field, texels, kind, u, v):
+def reconstructed(field: str, texels: int, kind: str, u: np.ndarray, v: np.ndarray) -> Pair:
     """Return (h_u, h_v) of the "bilinear" or "cubic" interpolation of a field's table."""
     table = table_of(field, texels)
     if kind == "bilinear":
@@ -64,12 +71,12 @@ def reconstructed(field, texels, kind, u, v):
     return interpolated_gradient(spline_coefficients(table), cubic_weights, -1, u, v)
 
 
-def sample():
+def sample() -> Pair:
     """Return (u, v): random points of the chart."""
     return tuple(np.random.default_rng(SEED).uniform(0, 1, (2, POINTS)))
 
 
-def errors(field, kind, texels=TEXELS):
+def errors(field: str, kind: str, texels: Sequence[int] = TEXELS) -> Pair:
     """Return (largest, RMS) error of h_u for each number of texels across, over the sample."""
     u, v = sample()
     right = in_float64(gradient(HEIGHT_FIELDS[field]), {"u": u, "v": v, "k_u": KU, "k_v": KV})["h_u"]
@@ -77,6 +84,6 @@ def errors(field, kind, texels=TEXELS):
     return np.array([e.max() for e in off]), np.array([np.sqrt(np.mean(e**2)) for e in off])
 
 
-def order(values, texels=TEXELS, last=4):
+def order(values: np.ndarray, texels: Sequence[int] = TEXELS, last: int = 4) -> float:
     """Return the fitted order of convergence over the last few sizes."""
     return float(-np.polyfit(np.log(texels[-last:]), np.log(values[-last:]), 1)[0])

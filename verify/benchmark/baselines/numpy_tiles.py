@@ -4,16 +4,19 @@ The lines are the proofs', printed as NumPy with its own sin, cos and arctan2. A
 that is seen, and each surface is shaded by the lines that it needs; equal lines are computed once.
 """
 
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 
 import numpy as np
+from sympy import Expr, Symbol
 
 from proofs.engine.program import Program
 from proofs.formulas.camera import image_extent, image_point, surface, visible_surface
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import pixel, rgb
 from proofs.formulas.symbols import ball_on, floor_on, x, y
+from renderer import Scene
 from renderer.generate.kernels import function_of
 from renderer.generate.printer import KernelPrinter
 from verify.evaluate import ExactPrinter
@@ -40,9 +43,11 @@ class TrigonometricPrinter(KernelPrinter):
         return f"np.square({self._print(expr.base)})" if expr.exp == 2 else super()._print_Pow(expr)
 
 
-def without_repeats(program):
+def without_repeats(program: Program) -> Program:
     """Return the program with a line that says what an earlier one says replaced by the earlier one's name."""
-    first, same, lines = {}, {}, []
+    first: dict[Expr, Symbol] = {}
+    same: dict[Symbol, Symbol] = {}
+    lines = []
     for symbol, expression in program.definitions:
         expression = expression.xreplace(same)
         if expression in first:
@@ -54,7 +59,7 @@ def without_repeats(program):
     return Program(program.name, program.inputs, tuple(lines), outputs)
 
 
-def on_surface(program, number):
+def on_surface(program: Program, number: int) -> Program:
     """Return the program of a pixel for one surface: image point → colour, every choice of the surface decided."""
     decided = {surface: number, ball_on: 1, floor_on: 1}
     given = (surface, x, y)
@@ -62,20 +67,20 @@ def on_surface(program, number):
     return without_repeats(Program(f"surface_{number}", (x, y, *program.inputs), lines, rgb).keep(*rgb))
 
 
-def numpy_function(program):
+def numpy_function(program: Program) -> tuple[Callable, list[str]]:
     """Return (the program as a function of its inputs, the inputs' names)."""
     return function_of(program, TrigonometricPrinter(), NUMPY), [s.name for s in program.inputs]
 
 
 @cache
-def tile_functions(field="ridges", model="blinn", lights=2):
+def tile_functions(field: str = "ridges", model: str = "blinn", lights: int = 2) -> tuple:
     """Return (extent, image point, visible surface, {surface: colour}), each from `numpy_function`."""
     whole = pixel(HEIGHT_FIELDS[field], model, lights)
     shades = {number: numpy_function(on_surface(whole, number)) for number in (1, 2, 3)}
     return *(numpy_function(program) for program in (image_extent, image_point, visible_surface)), shades
 
 
-def numpy_tiles(scene, wide, high, threads=1):
+def numpy_tiles(scene: Scene, wide: int, high: int, threads: int = 1) -> tuple[np.ndarray, np.ndarray]:
     """Return (rgb (high, wide, 3) in [0, 1], surface (high, wide)) of a scene with both spheres and a floor."""
     extent, point, visible, shades = tile_functions(scene.field, scene.model, len(scene.lights))
     values = scene_values(scene, width=float(wide), height=float(high))

@@ -5,14 +5,18 @@ u = 1, which is u = 0. Its frame by √(1 − N_z²) and its v by acos stay: the
 """
 
 import math
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from renderer import Scene
+
+Ball = tuple[np.ndarray, float]  # centre and radius
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0, 1, 2, 3
 FIELDS = ("sine", "ridges", "rings")  # the seed's, and no others
 
 
-def height_of_field(scene, u, v):
+def height_of_field(scene: Scene, u: float, v: float) -> float:
     """Return h(u, v)."""
     if scene.field == "rings":
         return math.sin(2 * math.pi * scene.kv * v)
@@ -20,7 +24,7 @@ def height_of_field(scene, u, v):
     return abs(product) if scene.field == "ridges" else product
 
 
-def central_gradient(scene, u, v, eps):
+def central_gradient(scene: Scene, u: float, v: float, eps: float) -> tuple[float, float]:
     """Return (h_u, h_v) by central differences of step eps: u wraps, v is clamped and divides by what is left."""
     upper, lower = min(1.0, v + eps), max(0.0, v - eps)
     span = 2 * eps if v + eps <= 1.0 and v - eps >= 0.0 else upper - lower
@@ -29,7 +33,7 @@ def central_gradient(scene, u, v, eps):
     return along_u / (2 * eps), along_v / span
 
 
-def exact_gradient(scene, u, v, eps=None):
+def exact_gradient(scene: Scene, u: float, v: float, eps: float | None = None) -> tuple[float, float]:
     """Return (h_u, h_v) by the derivative; on a crease the sign of zero is zero."""
     a, b = math.pi * scene.ku, math.pi * scene.kv
     if scene.field == "rings":
@@ -39,7 +43,7 @@ def exact_gradient(scene, u, v, eps=None):
     return a * math.cos(a * u) * sin_v * sign, b * sin_u * math.cos(b * v) * sign
 
 
-def bumped(scene, normal, gradient, eps):
+def bumped(scene: Scene, normal: np.ndarray, gradient: Callable, eps: float | None) -> np.ndarray:
     """Return the perturbed normal of sphere A: chart point, gradient, frame, and N + βg at length 1."""
     n_x, n_y, n_z = normal
     u = (math.atan2(n_y, n_x) + math.pi) / (2 * math.pi)
@@ -52,7 +56,7 @@ def bumped(scene, normal, gradient, eps):
     return m / np.linalg.norm(m)
 
 
-def nearest_hit(scene, center, x, y):
+def nearest_hit(scene: Scene, center: np.ndarray, x: float, y: float) -> tuple[int, float]:
     """Return (surface, t) of the first surface along the ray (tx, ty, e − te)."""
     e, squared = scene.eye, x * x + y * y + scene.eye**2
     best, t = (FLOOR, 1.0) if scene.floor else (NOTHING, math.inf)
@@ -68,7 +72,7 @@ def nearest_hit(scene, center, x, y):
     return best, t
 
 
-def is_shadowed(point, light, center, radius):
+def is_shadowed(point: np.ndarray, light: np.ndarray, center: np.ndarray, radius: float) -> bool:
     """Return whether a sphere stands between the point and the light: a root of its quadratic in (0, 1)."""
     segment, offset = light - point, point - center
     a, b, c = float(segment @ segment), float(offset @ segment), float(offset @ offset) - radius * radius
@@ -79,7 +83,9 @@ def is_shadowed(point, light, center, radius):
     return 0 < (-b - root) / a < 1 or 0 < (-b + root) / a < 1
 
 
-def shaded(scene, point, normal, view, albedo, blockers):
+def shaded(
+    scene: Scene, point: np.ndarray, normal: np.ndarray, view: np.ndarray, albedo: np.ndarray, blockers: Sequence[Ball]
+) -> np.ndarray:
     """Return the colour, linear RGB, not yet clipped."""
     color = scene.ka * np.array(scene.ambient)
     for light in scene.lights:
@@ -101,7 +107,9 @@ def shaded(scene, point, normal, view, albedo, blockers):
     return color
 
 
-def surface_at(scene, surface, point, center, gradient, eps):
+def surface_at(
+    scene: Scene, surface: int, point: np.ndarray, center: np.ndarray, gradient: Callable, eps: float | None
+) -> tuple[np.ndarray, np.ndarray, list[Ball]]:
     """Return (shading normal, albedo, the spheres that can shadow it) of a point of a surface."""
     body_a, body_b = (np.zeros(3), scene.radius), (center, scene.ball_radius)
     others = [body_b] if scene.ball else []
@@ -115,7 +123,7 @@ def surface_at(scene, surface, point, center, gradient, eps):
     return np.array([0.0, 0.0, 1.0]), np.array([dimmed, dimmed, base]), [body_a, *others]
 
 
-def seed_loops(scene, width, height, eps=None):
+def seed_loops(scene: Scene, width: int, height: int, eps: float | None = None) -> tuple[np.ndarray, np.ndarray]:
     """Return (rgb (height, width, 3) in [0, 1], surface (height, width)): the exact pipeline, or of step eps."""
     gradient = exact_gradient if eps is None else central_gradient
     rgb, surfaces = np.zeros((height, width, 3)), np.zeros((height, width), np.uint8)

@@ -1,18 +1,20 @@
 """A kernel or program as a compiled loop over points: one thread, no fast-math, float64 or float32."""
 
+from collections.abc import Callable, Mapping
 from functools import lru_cache, partial
 
 import llvmlite.ir as ir
 import numpy as np
 
+from proofs.engine.program import Program
 from renderer import kernels
 from renderer.generate.kernels import function_of
 from renderer.machines.native import machine_code
 from renderer.machines.points_code import emit_points, inputs_of
 from renderer.machines.traced import FLOAT
 
-LANES = {np.float64: 16, np.float32: 32}
-TYPES = {np.float64: FLOAT, np.float32: ir.FloatType()}
+LANES: dict[type, int] = {np.float64: 16, np.float32: 32}
+TYPES: dict[type, ir.Type] = {np.float64: FLOAT, np.float32: ir.FloatType()}
 NAMES = vars(kernels) | {
     "sin": lambda value: value.machine.call("sin", value),
     "cos": lambda value: value.machine.call("cos", value),
@@ -20,7 +22,7 @@ NAMES = vars(kernels) | {
 """What a program may call: our functions, and the platform's libm by LLVM's own."""
 
 
-def loop_of(kernel, outputs, kind=np.float64):
+def loop_of(kernel: Callable, outputs: int, kind: type = np.float64) -> Callable:
     """Return a function of arrays (n,), one for each of a kernel's parameters → array (outputs, n).
 
     kernel: it is traced, as those of renderer/kernels.py can be. kind: of the numbers.
@@ -36,7 +38,7 @@ def loop_of(kernel, outputs, kind=np.float64):
         code(given.ctypes.data)
         return filled[:, :count]
 
-    run.kind, run.alive = kind, alive  # the kind of number that it takes without converting
+    run.kind, run.alive = kind, alive  # type: ignore[attr-defined]  # the kind of number that it takes without converting
     return run
 
 
@@ -49,7 +51,7 @@ def _compiled(program, scalars, kind):
     return loop_of(kernel, len(program.outputs), kind)
 
 
-def compiled_loop(program, scalars, kind=np.float64):
+def compiled_loop(program: Program, scalars: Mapping[str, float], kind: type = np.float64) -> Callable:
     """Return a function of arrays (the program's inputs, in order, without the scalars) → array (outputs, n).
 
     scalars: {input's name: value}, of the last inputs; they are constants of the code. kind: float32 for a program that

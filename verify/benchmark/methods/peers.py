@@ -1,17 +1,22 @@
 """Other ways and other people's libraries, on the same expression of the height field, in NumPy or their own arrays."""
 
+from collections.abc import Callable
+from typing import Any
+
 import mpmath
 import numpy as np
+from numpy.typing import ArrayLike
 from sympy import lambdify
 
 from proofs.formulas.half_turns import ordinary
+from proofs.formulas.height_fields import HeightField
 from proofs.formulas.symbols import k_u, k_v, u, v
 
 
 class Dual:
     """A dual number a + b du + c dv over NumPy arrays: forward-mode automatic differentiation of products and sines."""
 
-    def __init__(self, value, by_u=0.0, by_v=0.0):
+    def __init__(self, value: ArrayLike, by_u: ArrayLike = 0.0, by_v: ArrayLike = 0.0):
         self.value, self.by_u, self.by_v = value, by_u, by_v
 
     def __mul__(self, other):
@@ -25,7 +30,7 @@ class Dual:
 
     __rmul__ = __mul__
 
-    def sin(self):
+    def sin(self) -> "Dual":
         """Return sin of it, by the chain rule."""
         slope = np.cos(self.value)
         return Dual(np.sin(self.value), slope * self.by_u, slope * self.by_v)
@@ -35,23 +40,23 @@ def _with_waves(expression, ku, kv):
     return ordinary(expression.subs({k_u: int(ku), k_v: int(kv)}))
 
 
-def lambdified(field, ku, kv, modules="numpy"):
+def lambdified(field: HeightField, ku: float, kv: float, modules: Any = "numpy") -> Callable:
     """Return h as a function of u and v, printed for `modules` by SymPy."""
     return lambdify((u, v), _with_waves(field.expression, ku, kv), modules)
 
 
-def sympy_numpy(field, ku, kv, _):
+def sympy_numpy(field: HeightField, ku: float, kv: float, _: None) -> Callable:
     """SymPy's derivative, printed for NumPy."""
     return lambdify((u, v), tuple(_with_waves(d, ku, kv) for d in field.gradient()), "numpy", cse=True)
 
 
-def complex_step(field, ku, kv, step):
+def complex_step(field: HeightField, ku: float, kv: float, step: float) -> Callable:
     """The imaginary part of h beside the real axis, over the step: no difference is taken (Squire and Trapp 1998)."""
     height = lambdified(field, ku, kv)
     return lambda a, b: (height(a + step * 1j, b).imag / step, height(a, b + step * 1j).imag / step)
 
 
-def dual_numbers(field, ku, kv, _):
+def dual_numbers(field: HeightField, ku: float, kv: float, _: None) -> Callable:
     """Dual numbers over NumPy arrays."""
     height = lambdified(field, ku, kv, [{"sin": Dual.sin, "pi": np.pi}])
 
@@ -62,7 +67,7 @@ def dual_numbers(field, ku, kv, _):
     return gradient
 
 
-def in_mpmath(field, ku, kv, digits):
+def in_mpmath(field: HeightField, ku: float, kv: float, digits: int) -> Callable:
     """The exact expression in mpmath, point by point, at a number of digits; mpf results."""
     slopes = lambdify((u, v), tuple(_with_waves(d, ku, kv) for d in field.gradient()), "mpmath")
 
@@ -74,7 +79,7 @@ def in_mpmath(field, ku, kv, digits):
     return gradient
 
 
-def autograd(field, ku, kv, _):
+def autograd(field: HeightField, ku: float, kv: float, _: None) -> Callable:
     """autograd: reverse mode on its own NumPy."""
     import autograd.numpy
     from autograd import elementwise_grad
@@ -84,7 +89,7 @@ def autograd(field, ku, kv, _):
     return lambda a, b: (along_u(a, b), along_v(a, b))
 
 
-def jax(field, ku, kv, _):
+def jax(field: HeightField, ku: float, kv: float, _: None) -> Callable:
     """JAX: grad, vmap, jit, float64."""
     import jax
 
@@ -93,7 +98,7 @@ def jax(field, ku, kv, _):
     return lambda a, b: tuple(np.asarray(part) for part in compiled(a, b))
 
 
-def scipy_differentiate(field, ku, kv, order):
+def scipy_differentiate(field: HeightField, ku: float, kv: float, order: int) -> Callable:
     """scipy.differentiate.derivative: adaptive central differences of an order."""
     from scipy.differentiate import derivative
 
@@ -104,7 +109,7 @@ def scipy_differentiate(field, ku, kv, order):
     )
 
 
-def numdifftools(field, ku, kv, order):
+def numdifftools(field: HeightField, ku: float, kv: float, order: int) -> Callable:
     """numdifftools.Derivative: extrapolated central differences of an order."""
     from numdifftools import Derivative
 

@@ -3,17 +3,19 @@
 A difference is Σ wᵢ (h(u + cᵢε) − h(u − cᵢε))/2cᵢε. No wrapping, no clamping: for points clear of the chart's ends.
 """
 
+from collections.abc import Sequence
+
 from sympy import Rational, prod
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.algebraic_form import base_of_u, base_of_v, complex_product, complex_square
 from proofs.formulas.half_turns import ordinary
-from proofs.formulas.height_fields import cos_u, cos_v, gradient, gradient_from_factors, sin_u, sin_v
+from proofs.formulas.height_fields import HeightField, cos_u, cos_v, gradient, gradient_from_factors, sin_u, sin_v
 from proofs.formulas.pixel import instance
 from proofs.formulas.symbols import cos_phi, cos_theta, epsilon, h_u, h_v, k_u, k_v, real, sin_phi, sin_theta, u, v
 
 
-def naive_gradient(field):
+def naive_gradient(field: HeightField) -> Program:
     """Return the exact gradient with the ordinary sine of a product πku, which is rounded before its sine is taken."""
     program = gradient(field)
     return Program("naive", program.inputs, tuple((s, ordinary(e)) for s, e in program.definitions), program.outputs)
@@ -38,12 +40,12 @@ def _power(base, exponent, name):
     return programs, result if exponent else (1 + 0 * base[0], 0 * base[0])
 
 
-def algebraic_gradient(field, ku, kv):
+def algebraic_gradient(field: HeightField, ku: float, kv: float) -> Program:
     """Return the program (angles of A, k_u, k_v) → h_u, h_v without a transcendental function, its powers written out.
 
     ValueError unless the field's wave number in u is even and that in v whole. Theorem: algebraic_gradient.
     """
-    a, b = (float(w.subs({k_u: ku, k_v: kv})) for w in field.wave_numbers)
+    a, b = (float(w.subs({k_u: ku, k_v: kv})) for w in field.wave_numbers or ())
     if a % 2 or b % 1:
         raise ValueError(f"ku = {ku:g}, kv = {kv:g} is not allowed for {field.name}: it has no algebraic form")
     of_u, (real_u, imaginary_u) = _power(base_of_u, int(a) // 2, "u")
@@ -55,7 +57,7 @@ def algebraic_gradient(field, ku, kv):
     return chain(f"algebraic_{field.name}", *of_u, *of_v, factors, tail).keep(h_u, h_v)
 
 
-def extrapolated(steps):
+def extrapolated(steps: Sequence[Rational]) -> dict[Rational, Rational]:
     """Return the weight of each step cᵢ that leaves the error's terms ε², ε⁴ … out: Lagrange's at 0, in c²."""
     return {c: prod(d**2 / (d**2 - c**2) for d in steps if d != c) for c in steps}
 
@@ -75,11 +77,11 @@ def _extrapolated_difference(name, field, steps):
     return Program(f"{name}_{field.name}", (u, v, k_u, k_v, epsilon), (*lines, *sums.items()), (h_u, h_v))
 
 
-def central6(field):
+def central6(field: HeightField) -> Program:
     """Return the sixth-order central difference: steps ε, 2ε, 3ε; 12 height evaluations."""
     return _extrapolated_difference("central6", field, [Rational(n) for n in (1, 2, 3)])
 
 
-def richardson(field):
+def richardson(field: HeightField) -> Program:
     """Return Richardson's extrapolation of steps ε, ε/2, ε/4, ε/8: eighth order; 16 height evaluations."""
     return _extrapolated_difference("richardson", field, [Rational(1, 2**n) for n in range(4)])

@@ -43,7 +43,7 @@ class Method:
     module: str | None = None
 
     @property
-    def available(self):
+    def available(self) -> bool:
         """Whether its library is installed."""
         return self.module is None or find_spec(self.module) is not None
 
@@ -95,6 +95,6 @@ METHODS = (
 )  # fmt: skip
 
 
-def sample(points, seed=3):
+def sample(points: int, seed: int = 3) -> tuple[np.ndarray, np.ndarray]:
     """Return (u, v) at random, clear of the chart's ends by more than any step."""
     return tuple(np.random.default_rng(seed).uniform(0.35, 0.65, (2, points)))

@@ -1,5 +1,6 @@
 """How accurate the picture, the exact gradient and the central difference are, against balls. See verify/accuracy."""
 
+from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -27,7 +28,7 @@ def _pixels():
 
 
 @measures("pixel_accuracy", false={"within 5e-16 off the rim": {"tolerance": 5e-16}, "60-bit balls": {"share": 2**-7}})
-def pixels(tolerance=TOLERANCE, share=1.0):
+def pixels(tolerance: float = TOLERANCE, share: float = 1.0) -> Measurement:
     """Random and adversarial pixels of every field and model, and of other exponents of shininess."""
     default, other = _pixels()
     decided = [p for p in (*default, *other) if not p.undecided]
@@ -49,7 +50,7 @@ def pixels(tolerance=TOLERANCE, share=1.0):
 
 
 @measures("gradient_accuracy", false={"with libm's sine of a rounded πku": {"form": by_rounded_products}})
-def general_gradient(bound=GENERAL, form=by_the_renderer):
+def general_gradient(bound: float = GENERAL, form: Callable = by_the_renderer) -> Measurement:
     """The general form, |k| to 2^20, at random and beside the creases."""
     found = {field: worst_at_chart_points(field, form=form) for field in FIELDS}
     return Measurement(
@@ -64,7 +65,7 @@ def general_gradient(bound=GENERAL, form=by_the_renderer):
 
 
 @measures("gradient_accuracy", false={"within 2 (1 + k)": {"bound": 2.0}})
-def algebraic_gradient(bound=ALGEBRAIC):
+def algebraic_gradient(bound: float = ALGEBRAIC) -> Measurement:
     """The algebraic form from the image point, R/e from 1e-6 to 1 − 1e-9, sin φ to 1e-150."""
     found = {field: worst_at_image_points(field) for field in FIELDS}
     return Measurement(
@@ -85,7 +86,7 @@ def _taken_apart():
 
 
 @measures("difference_bounds", false={"a third of the bounds": {"share": 1 / 3}})
-def under_the_bounds(share=1.0):
+def under_the_bounds(share: float = 1.0) -> Measurement:
     """Every part of the error of every difference, ε from 1e-1 to 1e-16, below its proved bound."""
     out, ratios = 0, []
     for seen, limits in _taken_apart().values():
@@ -110,7 +111,7 @@ def _quadrature(component):
 
 
 @measures("difference_slopes", false={"∝ ε": {"slope": 1.0}, "√(k_v ε/3) in h_v": {"creases": 1}})
-def ridges_fall_like_a_root(slope=0.5, creases=0):
+def ridges_fall_like_a_root(slope: float = 0.5, creases: int = 0) -> Measurement:
     """The RMS error of ridges over the chart: slope and constant by quadrature."""
     worst = {}
     for component in ("h_u", "h_v"):
@@ -132,7 +133,7 @@ def ridges_fall_like_a_root(slope=0.5, creases=0):
 
 
 @measures("difference_slopes", false={"first order for all": {"odd": 1.0}, "second for all": {"other": 2.0}})
-def clamped_orders(odd=2.0, other=1.0):
+def clamped_orders(odd: float = 2.0, other: float = 1.0) -> Measurement:
     """The order of the difference clamped at the pole at v = ε/2."""
     found = {field: clamped_order.order(field) for field in clamped_order.FIELDS}
     return Measurement(
@@ -147,7 +148,7 @@ def clamped_orders(odd=2.0, other=1.0):
 
 
 @measures("difference_slopes", false={"third order": {"slope": 3.0}})
-def truncation_slope(slope=2.0):
+def truncation_slope(slope: float = 2.0) -> Measurement:
     """The order of the truncation error at a smooth point."""
     seen = parts(CASES[0])
     branch = (seen.steps < 1e-3) & (seen.steps > 1e-12)

@@ -1,5 +1,6 @@
 """How much a crease shows in the default scene, and which floats a rounded product puts on one."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
 
@@ -16,7 +17,7 @@ FIRST_LEVEL = 0.5 / 255  # what rounds to the first of 255 levels
 
 
 @measures("crease_products", false={"all of them": {"count": 1824}, "our kernel does so too": {"zeros": 1756}})
-def rounded_products_hit_the_crease(beside=1824, count=1756, zeros=0):
+def rounded_products_hit_the_crease(beside: int = 1824, count: int = 1756, zeros: int = 0) -> Measurement:
     """The nearest floats to all m/k, 0 < m < k ≤ 64, that are not m/k: k·u rounds to m for most of them."""
     floats = [(k, m / k) for k in range(2, MOST + 1) for m in range(1, k) if Fraction(m / k) * k != m]
     rounded = sum((k * u).is_integer() for k, u in floats)
@@ -42,7 +43,7 @@ def _difference(step):
 
 
 @measures("crease_contrast", false={"one order, as the seed says": {"orders": 1}})
-def contrast(orders=4):
+def contrast(orders: float = 4) -> Measurement:
     """The mean error where the kink flag is set against that elsewhere on A, at ε = 10⁻³, in orders of magnitude."""
     on, off = crease_contrast(_difference(1e-3), _exact())
     return Measurement(
@@ -57,7 +58,7 @@ def contrast(orders=4):
 
 
 @measures("dark_difference", false={"at 1e-12 it is dark too": {"steps": (1e-8, 1e-12)}})
-def dark(steps=(1e-8, 1e-9, 1e-10)):
+def dark(steps: Sequence[float] = (1e-8, 1e-9, 1e-10)) -> Measurement:
     """The largest |ΔI| × 100 on A stays below half a level of 255."""
     largest = {step: 100 * float(np.abs(difference_on_a(_difference(step), _exact())).max()) for step in steps}
     return Measurement(

@@ -93,7 +93,7 @@ def _one_digit(value):
     "pole_accuracy",
     false={"the stable forms lose as much": {"seed_form": 2}, "the fallback helps": {"with_fallback": 1}},
 )
-def toward_the_pole(seed_form=1, with_fallback=0):
+def toward_the_pole(seed_form: int = 1, with_fallback: int = 0) -> Measurement:
     """The seed's forms lose digits toward the pole, its fallback all of them; the stable forms none."""
     near, nearer = _worst(1.01e-4), _worst(6e-7)
     stable = max(near[2], nearer[2])
