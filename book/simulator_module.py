@@ -108,7 +108,7 @@ def _way_indices(name):
     return {way: number for number, (field, way) in enumerate(WAYS) if field == name or way == "flat"}
 
 
-def data(outputs):
+def data(outputs: dict[str, int]) -> dict:
     """Return what the page and its workers know beside the module. outputs: {kernel: how many}."""
     return {
         "scene": asdict(SCENE),
@@ -134,7 +134,7 @@ def data(outputs):
 
 
 @cache
-def source():
+def source() -> str:
     """Return the text of the script that the page loads."""
     module, outputs = compiled_module(WANTS, {kernel.__name__: kernel for kernel in OVER_POINTS})
     return (

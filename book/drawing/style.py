@@ -14,6 +14,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -65,7 +66,7 @@ def styled(mode: str = "light") -> Iterator[None]:
         yield
 
 
-def plot(width: str = "text", height: float = 3.9, **subplots) -> tuple[Figure, Axes]:
+def plot(width: str = "text", height: float = 3.9, **subplots: Any) -> tuple[Figure, Any]:
     """A figure as wide as the text column ("text") or the page ("page"), and its axes, without a box.
 
     `height` is in inches; other arguments go to `Figure.subplots` (nrows, ncols, sharey, width_ratios …).
@@ -81,7 +82,7 @@ def bound_style() -> dict[str, object]:
     return {"color": palette()["bound"], "linestyle": (0, (5, 3)), "linewidth": 1.3}
 
 
-def label_line_end(ax: Axes, x: float, y: float, text: str, color: str, side: str = "right", **more) -> None:
+def label_line_end(ax: Axes, x: float, y: float, text: str, color: str, side: str = "right", **more: Any) -> None:
     """Write a line's name beside its end, in its colour: a label in place of a legend.
 
     `side` is "right", "left", "above" or "below" of the point. Room for it is kept by the layout.
@@ -97,7 +98,9 @@ def label_line_end(ax: Axes, x: float, y: float, text: str, color: str, side: st
                 color=readable(color), annotation_clip=False, **more)  # fmt: skip
 
 
-def label_curve(ax: Axes, x, y, at: float, text: str, color: str, side: str = "right", times: float = 1) -> None:
+def label_curve(
+    ax: Axes, x: np.ndarray, y: np.ndarray, at: float, text: str, color: str, side: str = "right", times: float = 1
+) -> None:
     """Write a curve's name where its x is nearest to `at` by ratio, at `times` its height there."""
     index = int(np.abs(np.log(np.asarray(x) / at)).argmin())
     label_line_end(ax, x[index], y[index] * times, text, color, side)
@@ -116,7 +119,7 @@ def slope_triangle(ax: Axes, x0: float, y0: float, slope: float, text: str, deca
                 ha="center", va="top" if slope > 0 else "bottom", color=colour)  # fmt: skip
 
 
-def decades(ax: Axes, x: int | None = 1, y: int | None = 1, **axes) -> None:
+def decades(ax: Axes, x: int | None = 1, y: int | None = 1, **axes: Any) -> None:
     """Log axes whose ticks are powers of ten only, with a thin grid to read values off.
 
     x, y: every how many decades there is a tick, None for a linear axis. Others go to `ax.set` (xlabel, ylim, title …).

@@ -5,6 +5,10 @@ import shutil
 import tempfile
 from io import BytesIO
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
 
 # Headless, as root, and without a word to the network of its own.
 FLAGS = [
@@ -37,7 +41,7 @@ def installed() -> str:
     raise NoBrowser("no Chromium is installed, and the chapter is printed by one (Debian: apt install chromium)")
 
 
-def opened(browser, place: Path):
+def opened(browser: "Browser", place: Path) -> "Page":
     """A tab with the document as it will be printed, everything made to fit the page."""
     tab = browser.new_page(viewport=PAGE, color_scheme="light", offline=True)
     tab.set_default_timeout(PATIENCE)
@@ -47,7 +51,7 @@ def opened(browser, place: Path):
     return tab
 
 
-def printed(tab) -> bytes:
+def printed(tab: "Page") -> bytes:
     """The open document as PDF."""
     return tab.pdf(
         prefer_css_page_size=True,
@@ -74,7 +78,7 @@ def dated(pdf: bytes) -> bytes:
     return re.sub(rb"D:\d{14}\+00'00'", DATE, pdf)
 
 
-def numbered(tab) -> bytes:
+def numbered(tab: "Page") -> bytes:
     """The open document as PDF, with the numbers of its pages in its contents."""
     numbers = page_numbers(printed(tab))
     tab.evaluate(

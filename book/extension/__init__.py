@@ -20,13 +20,15 @@ screen readers             lists and tables that they understand (accessibility.
 MathJax, the simulator     copied into the site from the installed package; compiled into it (assets.py)
 """
 
+from sphinx.application import Sphinx
+
 PARTS = (
     "accessibility", "assets", "cards", "checker", "claims", "dependencies", "elements", "figures",
     "ideas", "interface", "kept", "ledger", "listings", "notebooks", "numbers", "pages", "seed", "streams",
 )  # fmt: skip
 
 
-def setup(app):
+def setup(app: Sphinx) -> dict[str, str | bool]:
     """Register everything with Sphinx."""
     for part in PARTS:
         app.setup_extension(f"{__name__}.{part}")

@@ -2,6 +2,9 @@
 
 import re
 
+from docutils import nodes
+from sphinx.application import Sphinx
+
 EMPTY_HEADING = re.compile(r'<th class="head[^"]*">(?:<p></p>)?</th>')
 
 # A formula breaks nowhere inside, but would break before the comma that follows it.
@@ -15,12 +18,12 @@ def readable(body: str) -> str:
     return EMPTY_HEADING.sub('<td class="head"></td>', body)
 
 
-def mend(app, pagename, templatename, context, doctree) -> None:
+def mend(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
     """Put the mended body in the page's place."""
     if "body" in context:
         context["body"] = readable(context["body"])
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Connect to Sphinx."""
     app.connect("html-page-context", mend)

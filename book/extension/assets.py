@@ -5,12 +5,15 @@ import shutil
 from importlib.resources import as_file, files
 from pathlib import Path
 
+from sphinx.application import Sphinx
+from sphinx.config import Config
+
 from book.simulator_module import source
 
 NEEDED = ("tex-chtml-full.js", "output/chtml/fonts/woff-v2")
 
 
-def copy_mathjax(app) -> None:
+def copy_mathjax(app: Sphinx) -> None:
     """Copy what typesetting needs into the site, so that no page asks a network for it."""
     target = Path(app.outdir) / "_static" / "mathjax"
     with as_file(files("mathjax") / "static" / "mathjax" / "es5") as source:
@@ -23,20 +26,20 @@ def copy_mathjax(app) -> None:
                 shutil.copyfile(source / name, place)
 
 
-def write_simulator(app) -> None:
+def write_simulator(app: Sphinx) -> None:
     """Compile what the simulator runs."""
     place = Path(app.outdir) / "_static" / "simulator" / "compiled.js"
     place.parent.mkdir(parents=True, exist_ok=True)
     place.write_text(source(), encoding="utf-8")
 
 
-def use_execution_cache(app, config) -> None:
+def use_execution_cache(app: Sphinx, config: Config) -> None:
     """The build names a cache that changes with the packages; Jupyter's own looks at the cells alone."""
     if cache := os.environ.get("BOOK_EXECUTION_CACHE"):
         config.nb_execution_cache_path = cache
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Connect to Sphinx."""
     app.connect("config-inited", use_execution_cache, priority=100)
     app.connect("builder-inited", copy_mathjax)

@@ -4,12 +4,18 @@ import json
 import re
 import unicodedata
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+from docutils import nodes
+from sphinx.application import Sphinx
 from sympy import Symbol, latex
 
 from book.extension.elements import Filled, filled, raw
 from book.extension.points import TEX
 from book.extension.theorems import Proofs, certificate, kind
+
+if TYPE_CHECKING:
+    from book.extension.cards import Here
 
 SCRIPTS = ("kernel", "worker", "polynomials", "editor", "card", "start")
 NO_SCRIPT = "To check it here takes JavaScript. The stand-alone script below takes Python, and nothing else."
@@ -22,7 +28,7 @@ WITHOUT = {
 TEX_PART = re.compile(r"\\hat\s*\{?(\w)\}?|\\([A-Za-z]+)\s?|_\{([^}]*)\}|_(\w|\\[A-Za-z]+)|([^\\_]+)")
 
 
-def check_here(book, id: str) -> Filled | str:
+def check_here(book: "Here", id: str) -> Filled | str:
     """The place of a card's buttons, with the data; or why there is nothing to check."""
     path, grade = certificate(id), kind(book.proofs.entries[id]["grade"])
     if path is None:
@@ -48,7 +54,7 @@ def stored(path: Path) -> list[dict]:
     return claims
 
 
-def place(data, no_script: str, theorem: str = "") -> Filled:
+def place(data: dict | list, no_script: str, theorem: str = "") -> Filled:
     """An element with its data as JSON, and what a reader without JavaScript is told."""
     text = json.dumps(data, separators=(",", ":"), ensure_ascii=False).replace("<", r"\u003c")
     script = raw(f'<script type="application/json">{text}</script>')
@@ -123,7 +129,7 @@ def merged(parts: list[list[str]]) -> list[list[str]]:
     return whole
 
 
-def add_scripts(app, pagename, templatename, context, doctree) -> None:
+def add_scripts(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
     """Load the checker's scripts and style where a page has a place for it."""
     if 'class="checker"' in context.get("body", ""):
         app.add_css_file("checker/checker.css")
@@ -131,6 +137,6 @@ def add_scripts(app, pagename, templatename, context, doctree) -> None:
             app.add_js_file(f"checker/{name}.js", loading_method="defer")
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Connect to Sphinx."""
     app.connect("html-page-context", add_scripts)

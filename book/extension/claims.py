@@ -13,10 +13,13 @@
 from collections import Counter
 from pathlib import Path
 
+from docutils import nodes
+from sphinx.application import Sphinx
+
 from book.build.contents import page_files, page_title
 from book.extension.cards import Here, card
 from book.extension.checker import check_all
-from book.extension.elements import BookDirective, filled, section
+from book.extension.elements import BookDirective, Filled, filled, section
 from book.extension.evidence import count
 from book.extension.theorems import CLAIMS_PAGE, GRADES, kind
 
@@ -26,7 +29,7 @@ ORDER = list(GRADES)
 class Grades(BookDirective):
     """The legend: all grades, "failed" only where it occurs."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         occurring = {kind(entry["shown"]) for entry in Here(self.env).proofs.entries.values()}
         return [filled("grades", grades=[grade for grade in ORDER if grade in occurring or grade != "failed"])]
 
@@ -34,14 +37,14 @@ class Grades(BookDirective):
 class CheckAll(BookDirective):
     """The button that checks every certificate in the reader's browser."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         return [check_all(Here(self.env).proofs)]
 
 
 class ArguedClauses(BookDirective):
     """Every clause of a theorem that no claim says, with its reason."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         book = Here(self.env)
         ids = [id for id in book.proofs.in_page_order() if kind(book.proofs.entries[id]["shown"]) != "formal"]
         found = [(id, clause) for id in ids for clause in book.proofs.theorems[id].argued]
@@ -51,7 +54,7 @@ class ArguedClauses(BookDirective):
 class AllClaims(BookDirective):
     """Every theorem: a line each; and the cards of those that stand on no other page."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         book = Here(self.env)
         grades = {id: kind(entry["shown"]) for id, entry in book.proofs.entries.items()}
         sections = {id: book.proofs.places[id].page for id in book.proofs.in_page_order()}
@@ -66,14 +69,14 @@ class AllClaims(BookDirective):
         return parts
 
 
-def grade_filter(counts: Counter):
+def grade_filter(counts: Counter) -> Filled:
     """Radio buttons, one for each grade that occurs: the style sheet does the rest."""
     options = [("all", f"all {counts.total()}")]
     options += [(grade, f"{GRADES[grade][0]} {counts[grade]} {grade}") for grade in ORDER if counts[grade]]
     return filled("choices", name="grade", legend=f"Show, of {count(counts.total(), 'claim')}:", options=options)
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Register the directives."""
     app.add_directive("all-claims", AllClaims)
     app.add_directive("argued-clauses", ArguedClauses)

@@ -10,6 +10,9 @@ drawing is text, laid out here; its colours are the style sheet's, and so is the
 import textwrap
 from collections.abc import Iterable, Mapping
 
+from docutils import nodes
+from sphinx.application import Sphinx
+
 from book.extension.cards import Here
 from book.extension.elements import BookDirective, Filled, filled, section
 
@@ -51,7 +54,7 @@ def rows(uses: Mapping[str, Iterable[str]]) -> list[str]:
     return ordered
 
 
-def drawing(book) -> Filled:
+def drawing(book: Here) -> Filled:
     """The graph as SVG; `book` names the theorems and has the addresses of their cards."""
     proofs = book.proofs
     uses = {id: theorem.uses for id, theorem in proofs.theorems.items()}
@@ -79,11 +82,11 @@ def drawing(book) -> Filled:
 class DependencyGraph(BookDirective):
     """Draw the graph, and write it out."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         book = Here(self.env)
         return [drawing(book), section("The same in words", "in-words", filled("neighbours", book=book))]
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Register the directive."""
     app.add_directive("dependency-graph", DependencyGraph)

@@ -4,12 +4,15 @@ filled("card", theorem=theorem)        # templates/card.html
 """
 
 import re
+from collections.abc import Iterable
 from itertools import chain, count
 from pathlib import Path
+from typing import Any
 
 from docutils import nodes
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
+from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 SUBSCRIPT = re.compile(r"(?<![\w])([A-Za-zα-ωΑ-Ω])_([A-Za-z0-9α-ω])(?![\w])")
@@ -42,7 +45,7 @@ TEMPLATES = Environment(
 )
 
 
-def filled(template: str, **values) -> Filled:
+def filled(template: str, **values: Any) -> Filled:
     """A template's HTML; nodes, and lists of nodes, may be among the values that it prints."""
     parts = PLACE.split(TEMPLATES.get_template(f"{template}.html").render(values))
     # A piece ends with its tag: the search would take words for one that have nothing else between them.
@@ -55,7 +58,7 @@ def raw(text: str) -> nodes.raw:
     return nodes.raw("", str(text), format="html")
 
 
-def section(title: str, id: str, *children: nodes.Node, classes=()) -> nodes.section:
+def section(title: str, id: str, *children: nodes.Node, classes: Iterable[str] = ()) -> nodes.section:
     """A section of a page, in its contents too."""
     return nodes.section("", nodes.title("", title), *children, ids=[id], names=[], classes=list(classes))
 
@@ -92,7 +95,7 @@ def literal(text: str) -> nodes.literal:
 class BookDirective(SphinxDirective):
     """A directive that prints `content_nodes()`; the ValueError of what is not there fails the build."""
 
-    def run(self):
+    def run(self) -> list[nodes.Node]:
         try:
             return self.content_nodes()
         except ValueError as error:
@@ -102,7 +105,7 @@ class BookDirective(SphinxDirective):
 class BookRole(SphinxRole):
     """A role that prints `content_nodes()`; the ValueError of what is not there fails the build."""
 
-    def run(self):
+    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
         try:
             return self.content_nodes(), []
         except ValueError as error:
@@ -114,7 +117,7 @@ def _nothing(translator, node) -> None:
     """A filled template has no tag of its own."""
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Register the node."""
     app.add_node(Filled, html=(_nothing, _nothing))
 

@@ -20,6 +20,8 @@ from urllib.parse import quote
 from docutils import nodes
 from docutils.parsers.rst import directives
 from sphinx import addnodes
+from sphinx.application import Sphinx
+from sphinx.writers.html5 import HTML5Translator
 
 from book.extension.elements import BookDirective
 from book.extension.results import load_result, result_file
@@ -33,7 +35,7 @@ class PixelImage(nodes.image):
     """An image that states its size in CSS pixels, so that nothing moves when it arrives."""
 
 
-def visit_pixel_image(translator, node: PixelImage) -> None:
+def visit_pixel_image(translator: HTML5Translator, node: PixelImage) -> None:
     """Write the `<img>`: Sphinx's own would lose the proportions on a narrow screen and link to itself."""
     builder = translator.builder
     source = f"{builder.imgpath}/{quote(builder.images[node['uri']])}"
@@ -56,7 +58,7 @@ class ChapterFigure(BookDirective):
         "plain": directives.flag,
     }
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         id, book = self.arguments[0], Path(self.env.srcdir)
         if not self.options.get("alt", "").strip():
             raise ValueError(f"{id!r}: the option alt is required: say what the picture shows")
@@ -123,7 +125,7 @@ def _download(text: str, target: str, title: str) -> addnodes.download_reference
     return link
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Register the directive and its image."""
     app.add_node(PixelImage, html=(visit_pixel_image, None))
     app.add_directive("chapter-figure", ChapterFigure)

@@ -5,6 +5,9 @@ autodoc reads reStructuredText, to which |k| ≤ 2²⁰ and k_u are markup. So e
 
 import inspect
 import re
+from typing import Any
+
+from sphinx.application import Sphinx
 
 MARKUP = re.compile(r"([\\*_|<>])")
 INDENT = "    "
@@ -38,7 +41,7 @@ def restructured(lines: list[str], names: set[str]) -> list[str]:
     return found
 
 
-def names_of(thing) -> set[str]:
+def names_of(thing: Any) -> set[str]:
     """What a docstring may name: the parameters of a callable, and the attributes of a class."""
     try:
         names = set(inspect.signature(thing).parameters)
@@ -47,12 +50,12 @@ def names_of(thing) -> set[str]:
     return names | set(getattr(thing, "__annotations__", ())) | set(vars(thing) if inspect.isclass(thing) else ())
 
 
-def read_docstring(app, what, name, thing, options, lines) -> None:
+def read_docstring(app: Sphinx, what: str, name: str, thing: object, options: object, lines: list[str]) -> None:
     """Let autodoc read plain text."""
     lines[:] = restructured(lines, names_of(thing))
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Connect to autodoc."""
     app.setup_extension("sphinx.ext.autodoc")
     app.connect("autodoc-process-docstring", read_docstring)

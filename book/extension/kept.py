@@ -4,8 +4,13 @@ import hashlib
 import pickle
 from pathlib import Path
 
+from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 
-def edited_pages(app, environment, added, changed, removed) -> list[str]:
+
+def edited_pages(
+    app: Sphinx, environment: BuildEnvironment, added: set[str], changed: set[str], removed: set[str]
+) -> list[str]:
     """The pages that are not as they were read; Sphinx itself looks at their times."""
     paths = {name: Path(environment.doc2path(name)) for name in environment.found_docs}
     now = {name: hashlib.sha256(path.read_bytes()).digest() for name, path in paths.items()}
@@ -13,7 +18,7 @@ def edited_pages(app, environment, added, changed, removed) -> list[str]:
     return [name for name in now if name not in added and now[name] != before.get(name)]
 
 
-def complete_search(app) -> None:
+def complete_search(app: Sphinx) -> None:
     """Before the search's index is written, give it what Sphinx forgets of the pages that it has not written."""
     written = getattr(app.builder, "dump_search_index", None)  # the HTML builders' alone
 
@@ -31,7 +36,7 @@ def complete_search(app) -> None:
         app.builder.dump_search_index = complete
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Connect to Sphinx."""
     app.connect("env-get-outdated", edited_pages)
     app.connect("builder-inited", complete_search)

@@ -14,6 +14,7 @@ from collections import Counter
 from pathlib import Path
 
 from docutils import nodes
+from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 
 from book import ledger
@@ -23,7 +24,7 @@ from book.extension.cards import Here, link
 from book.extension.elements import TEMPLATES, BookDirective, BookRole, filled, section
 from book.extension.ledger_evidence import number_nodes, test_address
 from book.ledger.check import check, refutes
-from book.ledger.entries import FINDINGS, VERDICTS, BadLedger, Claim, Ledger
+from book.ledger.entries import FINDINGS, VERDICTS, BadLedger, Claim, Evidence, Ledger
 
 PAGE = "findings"
 SLUGS = dict(zip(VERDICTS, ("false", "corrected", "conditional", "holds", "outside"), strict=True))
@@ -31,7 +32,7 @@ SIGNS = {"false": "✕", "corrected": "↻", "conditional": "◐", "holds": "✓
 GROUPS = ("False", "Corrected", "True with a condition", "True", "Outside this chapter")
 
 
-def ledger_of(app) -> Ledger:
+def ledger_of(app: Sphinx) -> Ledger:
     """The build's ledger, held against the last run when first asked for; raises BadLedger or NoReport."""
     if not hasattr(app, "chapter_ledger"):
         from book.ledger import run  # it imports this package's results
@@ -43,7 +44,7 @@ def ledger_of(app) -> Ledger:
     return app.chapter_ledger
 
 
-def require_ledger(app) -> None:
+def require_ledger(app: Sphinx) -> None:
     """Stop a build of this book whose ledger does not stand."""
     if (Path(app.srcdir) / "ledger").is_dir():
         try:
@@ -55,7 +56,7 @@ def require_ledger(app) -> None:
 class Entries(Here):
     """The claims as they are printed and found from the page that is being read."""
 
-    def __init__(self, directive):
+    def __init__(self, directive: BookDirective):
         super().__init__(directive.env)
         self.ledger = ledger_of(self.env.app)
         self.run, self._directive = self.env.app.chapter_run, directive
@@ -73,7 +74,7 @@ class Entries(Here):
         """The title of a page."""
         return page_title(stamps.ROOT / "book", page)
 
-    def number(self, piece) -> list[nodes.Node]:
+    def number(self, piece: Evidence) -> list[nodes.Node]:
         """A number that is evidence."""
         return number_nodes(self, piece)
 
@@ -81,7 +82,7 @@ class Entries(Here):
 class LedgerEntries(BookDirective):
     """Every claim, grouped by verdict."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         book = Entries(self)
         claims = book.ledger.sorted_by_place()
         by_verdict = sorted(claims, key=lambda claim: VERDICTS.index(claim.verdict))
@@ -102,7 +103,7 @@ class LedgerTable(BookDirective):
 
     required_arguments = 1
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         book = Entries(self)
         claims = [claim for claim in book.ledger.sorted_by_place() if claim.where.startswith(self.arguments[0])]
         if not claims:
@@ -116,7 +117,7 @@ class LedgerClaims(BookDirective):
     required_arguments = 1
     final_argument_whitespace = True
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         book = Entries(self)
         claims = [book.ledger.get(id) for id in self.arguments[0].split()]
         return [filled("ledger_claims", book=book, claims=claims)]
@@ -125,7 +126,7 @@ class LedgerClaims(BookDirective):
 class Merit(BookRole):
     """A claim's figure of merit."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         claim = ledger_of(self.env.app).get(self.text)
         if not claim.merit:
             raise BadLedger([f"{claim.id}: merit: missing, and a page asks for it"])
@@ -136,12 +137,12 @@ class Merit(BookRole):
 class ClaimLink(BookRole):
     """A link to a claim's entry."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         claim = ledger_of(self.env.app).get(self.text)
         return [link(claim.verdict, f"{Here(self.env).page(PAGE)}#claim-{claim.id}")]
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Register directives, roles, and the check."""
     app.add_directive("ledger-entries", LedgerEntries)
     app.add_directive("ledger-table", LedgerTable)

@@ -13,6 +13,8 @@ import shutil
 from pathlib import Path, PurePosixPath
 
 from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 from sphinx.util.parallel import ParallelTasks, SerialTasks
 
 from book.build import report, stamps
@@ -34,7 +36,7 @@ def listed() -> list[Path]:
     return [path for pattern in LISTED for path in sorted(stamps.ROOT.glob(pattern)) if path.read_bytes()]
 
 
-def numbered(app, path: Path) -> str:
+def numbered(app: Sphinx, path: Path) -> str:
     """A source as HTML: lines with numbers, each with its own id."""
     text = path.read_text(encoding="utf-8")
     listing = app.builder.highlighter.highlight_block(text, "python", lineanchors="L", linenos="inline")
@@ -42,7 +44,7 @@ def numbered(app, path: Path) -> str:
     return f'<h1>{name}</h1>\n<div class="highlight-python listing">{listing}</div>'
 
 
-def write_pages(app):
+def write_pages(app: Sphinx) -> tuple:
     """Write the pages of the listed sources and of the tests that claims cite, and the downloads; nothing is left.
 
     Sphinx would write what a handler returns in one process.
@@ -59,7 +61,7 @@ def write_pages(app):
     return ()
 
 
-def write_listings(app, paths: list[Path]) -> None:
+def write_listings(app: Sphinx, paths: list[Path]) -> None:
     """Write a page for each source."""
     for path in paths:
         name = path.relative_to(stamps.ROOT).as_posix()
@@ -67,14 +69,14 @@ def write_listings(app, paths: list[Path]) -> None:
         app.builder.handle_page(f"source/{name}", context, "page.html")
 
 
-def cited_tests(app) -> set[Path]:
+def cited_tests(app: Sphinx) -> set[Path]:
     """The test files that claims of the ledger cite."""
     claims = app.chapter_ledger.claims if hasattr(app, "chapter_ledger") else ()
     names = {piece.name.partition("::")[0] for claim in claims for piece in claim.evidence if piece.kind == "test"}
     return {stamps.ROOT / name for name in names}
 
 
-def write_downloads(app) -> None:
+def write_downloads(app: Sphinx) -> None:
     """Copy every certificate into the site, and write the stand-alone scripts."""
     folder = Path(app.outdir) / DOWNLOADS
     folder.mkdir(parents=True, exist_ok=True)
@@ -86,7 +88,7 @@ def write_downloads(app) -> None:
             (folder / f"{id}.py").write_text(text, encoding="utf-8")
 
 
-def source_file(env, name: str) -> Path:
+def source_file(env: BuildEnvironment, name: str) -> Path:
     """A file of the repository, on which the page that is being read depends; ValueError if there is none."""
     path = stamps.ROOT / name
     if not path.is_file():
@@ -98,7 +100,7 @@ def source_file(env, name: str) -> Path:
 class SourceLines(BookRole):
     """How many lines a file has."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         lines = source_file(self.env, self.text).read_text(encoding="utf-8").splitlines()
         return [nodes.inline("", str(len(lines)), classes=["number"])]
 
@@ -106,7 +108,7 @@ class SourceLines(BookRole):
 class SourceLink(BookRole):
     """A link to a file's page."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         source_file(self.env, self.text)
         target = listing_address(PurePosixPath(self.text))
         return [nodes.reference("", "", nodes.literal("", self.text), refuri=target, internal=True)]
@@ -117,12 +119,12 @@ class Docstring(BookDirective):
 
     required_arguments = 1
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         text = ast.get_docstring(ast.parse(source_file(self.env, self.arguments[0]).read_text(encoding="utf-8")))
         return [nodes.literal_block(text, text, language="none", classes=["docstring"])]
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Register roles and directive, and the pages."""
     app.add_role("source-lines", SourceLines())
     app.add_role("source-link", SourceLink())

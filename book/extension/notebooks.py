@@ -15,6 +15,7 @@ import nbformat
 import yaml
 from docutils import nodes
 from jupyter_cache import get_cache
+from sphinx.application import Sphinx
 
 from book.build import stamps
 from book.extension.elements import BookDirective, filled
@@ -41,7 +42,7 @@ class Notebook(BookDirective):
 
     required_arguments = 1
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         from book.notebooks.laboratory import cells  # which imports this package
 
         name = self.arguments[0]
@@ -72,7 +73,9 @@ def _without_metadata(output: dict) -> dict:
     return output | {"metadata": {}} if "metadata" in output else output
 
 
-def offer_notebooks(app, pagename, templatename, context, doctree) -> None:
+def offer_notebooks(
+    app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None
+) -> None:
     """Write the notebooks with what the page printed; the theme lists that of all cells in the download menu."""
     from book.notebooks.notebook import notebooks, text_of
 
@@ -94,7 +97,7 @@ def _has_cells(doctree) -> bool:
     return any(node.get("nb_element") == "cell_code" for node in doctree.findall(nodes.container))
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Register the directive; write the notebooks before a page's buttons are made."""
     app.add_directive("notebook", Notebook)
     app.connect("html-page-context", offer_notebooks, priority=400)

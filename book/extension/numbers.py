@@ -13,6 +13,7 @@ import re
 from pathlib import Path
 
 from docutils import nodes
+from sphinx.application import Sphinx
 
 from book.extension.elements import TEMPLATES, BookDirective, BookRole
 from book.extension.results import BENCHMARK_PREFIX, UnknownResult, load_result, look_up, result_file
@@ -57,7 +58,7 @@ def typeset(value: int | float | str | bool, spec: str | None = None) -> list[no
 class NumberRole(BookRole):
     """Print one number of a result, on one line, or one of its words."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         book = Path(self.env.srcdir)
         id, key, spec = parse(self.text)
         self.env.note_dependency(str(result_file(book, id)))
@@ -71,7 +72,7 @@ class BenchmarkLabel(BookDirective):
 
     required_arguments = 1
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         id = BENCHMARK_PREFIX + self.arguments[0].removeprefix(BENCHMARK_PREFIX)
         book = Path(self.env.srcdir)
         label = load_result(book, id)["label"]
@@ -80,7 +81,7 @@ class BenchmarkLabel(BookDirective):
         return [nodes.paragraph("", sentence, classes=["benchmark-label"])]
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Register the role and the directive."""
     app.add_role("number", NumberRole())
     app.add_directive("benchmark-label", BenchmarkLabel)

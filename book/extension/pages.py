@@ -5,6 +5,9 @@ from pathlib import Path, PurePosixPath
 
 import yaml
 from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.config import Config
+from sphinx.environment import BuildEnvironment
 from sphinx.project import Project
 from sphinx_external_toc.parsing import parse_toc_data
 
@@ -12,18 +15,18 @@ from sphinx_external_toc.parsing import parse_toc_data
 class ByName(Project):
     """Pages are called by their files' names alone: chapter/s1.md is s1, at s1.html, as it always was."""
 
-    def path2doc(self, filename) -> str | None:
+    def path2doc(self, filename: str) -> str | None:
         """The page's name, or None for what is no page."""
         name = super().path2doc(filename)
         return name and PurePosixPath(name).name
 
 
-def call_pages_by_name(app) -> None:
+def call_pages_by_name(app: Sphinx) -> None:
     """Put the rule in the project's place, before any page is looked for."""
     app.project.__class__ = ByName
 
 
-def name_contents(app, config) -> None:
+def name_contents(app: Sphinx, config: Config) -> None:
     """Give the contents, which name folders too, the pages' names."""
     contents = Path(app.srcdir) / "_toc.yml"
     if hasattr(config, "external_site_map") and contents.is_file():
@@ -34,7 +37,7 @@ def name_contents(app, config) -> None:
         config.external_site_map = parse_toc_data(table)
 
 
-def put_explicit_ids_first(app, document) -> None:
+def put_explicit_ids_first(app: Sphinx, document: nodes.document) -> None:
     """`(s1)=` before a heading gives `<section id="s1">`; Sphinx alone gives the section its title's id."""
     explicit = {document.nameids.get(name) for name, is_explicit in document.nametypes.items() if is_explicit}
     for number, section in enumerate(document.findall(nodes.section)):
@@ -43,13 +46,13 @@ def put_explicit_ids_first(app, document) -> None:
             section["ids"] = [f"proof-content-{number}"]
 
 
-def write_on_two_cores(app, environment) -> None:
+def write_on_two_cores(app: Sphinx, environment: BuildEnvironment) -> None:
     """Pages are read in one process, where the laboratory's cells run, and written in two."""
     if "BOOK_EXECUTION_CACHE" in os.environ:  # set by book/build/website.py, and by no test
         app.parallel = 2
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Connect to Sphinx: names after the contents are read, ids before they are collected."""
     app.connect("config-inited", name_contents, priority=950)
     app.connect("builder-inited", call_pages_by_name, priority=100)

@@ -7,6 +7,7 @@ builds then differ. Here each stream's messages are joined first, and MyST-NB fi
 from copy import deepcopy
 
 from myst_nb.core import render
+from sphinx.application import Sphinx
 
 _merge = render.coalesce_streams
 
@@ -24,6 +25,6 @@ def joined(outputs: list) -> list:
     return found
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Join before MyST-NB merges."""
     render.coalesce_streams = lambda outputs: _merge(joined(outputs))

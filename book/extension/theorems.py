@@ -6,6 +6,8 @@ from functools import cache
 from importlib import import_module
 from pathlib import Path
 
+from sphinx.application import Sphinx
+
 from book.build import report, stamps
 from book.build.contents import page_files
 from proofs.engine.standalone import standalone_script
@@ -107,7 +109,7 @@ def load(book: Path) -> Proofs:
     return Proofs(theorems, entries, placements(book, list(theorems)))
 
 
-def proofs_of(app) -> Proofs:
+def proofs_of(app: Sphinx) -> Proofs:
     """The build's Proofs, loaded when first asked for."""
     if not hasattr(app, "chapter_proofs"):
         app.chapter_proofs = load(Path(app.srcdir))

@@ -1,8 +1,10 @@
 """What `make bench` measured and kept: time against pixels, and time against error of the gradient alone."""
 
 import re
+from collections.abc import Iterable, Mapping
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from book.drawing.palette import readable
 from book.drawing.registry import Drawing, committed, figure
@@ -35,13 +37,13 @@ METHODS = {
 }
 
 
-def curve(numbers, renderer, threads):
+def curve(numbers: Mapping[str, float], renderer: str, threads: int) -> np.ndarray:
     """Return (pixels, milliseconds) of a renderer, in order of size."""
     matches = [(re.fullmatch(rf"{renderer}_(\d+)_{threads}_ms", key), value) for key, value in numbers.items()]
     return np.array(sorted((int(match[1]) ** 2, value) for match, value in matches if match)).T
 
 
-def label_ends(ax, ends):
+def label_ends(ax: Axes, ends: Iterable[tuple[float, float, str, str]]) -> None:
     """Name the lines that end at [(pixels, ms, label, colour)] in a column right of the longest.
 
     Thin lines lead there, going on as the lines would.
@@ -76,7 +78,7 @@ def time_against_pixels() -> Drawing:
     return Drawing(fig, data=dict(zip(("renderer", "threads", "pixels", "ms"), zip(*rows, strict=True), strict=True)))
 
 
-def around(values):
+def around(values: Iterable[float]) -> tuple[float, float]:
     """Return the powers of ten around the values, with room for a marker."""
     logarithms = np.log10(list(values))
     return 10.0 ** np.floor(logarithms.min() - 0.15), 10.0 ** np.ceil(logarithms.max() + 0.15)

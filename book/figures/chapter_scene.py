@@ -1,11 +1,14 @@
 """What the figures share: the chapter's scene, its rasters, and renders that several figures look at."""
 
+from collections.abc import Sequence
 from functools import cache
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from book.drawing.style import panels
 from renderer import Scene, central, exact, render
+from renderer.frame import Frame
 from renderer.views import image_view
 
 SCENE = Scene()
@@ -15,18 +18,18 @@ FIELD_NAMES = ("sine", "ridges", "rings")
 
 
 @cache
-def symbolic(field="ridges", size=SIZE):
+def symbolic(field: str = "ridges", size: int = SIZE) -> Frame:
     """Return the exact frame of a field on the chapter's scene."""
     return render(Scene(field=field), size, size, exact())
 
 
 @cache
-def numeric(field="ridges", size=SIZE, eps=TELLING_EPS):
+def numeric(field: str = "ridges", size: int = SIZE, eps: float = TELLING_EPS) -> Frame:
     """Return the central-difference frame of a field on the chapter's scene."""
     return render(Scene(field=field), size, size, central(eps), stage=symbolic(field, size).stage)
 
 
-def marked_by_light(marks):
+def marked_by_light(marks: Sequence) -> Figure:
     """Return panels of the picture, and of it dimmed with each light's marks: [(flags, colour)], the last on top."""
     picture = image_view(symbolic("ridges", 300))
     pictures = [picture]

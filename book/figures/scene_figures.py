@@ -105,7 +105,7 @@ def kink_loci() -> Drawing:
 
 
 @cache
-def turned(size=SIZE):
+def turned(size: int = SIZE) -> list[np.ndarray]:
     """Return, for each light, the pixels of A that β turns to the light's other side, (height, width) bool."""
     bumped = symbolic("ridges", size)
     flat = render(replace(SCENE, beta=0.0), size, size, stage=bumped.stage)

@@ -1,6 +1,8 @@
 """What the seed's cells compute and say of its pictures, done again and looked at; numbers only, for the ledger."""
 
 import math
+from collections.abc import Callable, Iterable
+from types import ModuleType
 from unittest.mock import patch
 
 import numpy as np
@@ -24,7 +26,7 @@ FIRST_LEVEL = 0.5 / 255  # what rounds to the first of 255 levels
 SMALL_STEPS = 10.0 ** -np.arange(8, 17)
 
 
-def calls(gradient, holder, names, eps=1e-3):
+def calls(gradient: Callable, holder: ModuleType, names: Iterable[str], eps: float = 1e-3) -> int:
     """Return how often one of the seed's gradients, at a chart point, calls the functions of these names."""
     made = []
 
@@ -36,13 +38,13 @@ def calls(gradient, holder, names, eps=1e-3):
     return len(made)
 
 
-def chart_point(n_x, n_y):
+def chart_point(n_x: float, n_y: float) -> tuple[float, ...]:
     """Return (u, v) of the unit normal with these components, n_z > 0."""
     values = dict(zip(normal, (n_x, n_y, math.sqrt(1 - n_x**2 - n_y**2)), strict=True))
     return tuple(float(seed_chart.expand(output).evalf(subs=values)) for output in seed_chart.outputs)
 
 
-def normal_derivative_errors():
+def normal_derivative_errors() -> tuple[float, float]:
     """Return the worst component of ∂N'/∂β, by a one-sided and by a complex step, against the closed form."""
     samples = np.random.default_rng(5).normal(size=(2000, 2, 3))  # in the seed's order: N, g, N, g, …
     normals, g = samples[:, 0].T, 4 * samples[:, 1].T
@@ -54,7 +56,7 @@ def normal_derivative_errors():
     return np.abs(closed - one_sided).max(), np.abs(closed - complex_step).max()
 
 
-def image_slope_ratio(steps=(1e-2, 1e-3)):
+def image_slope_ratio(steps: Iterable[float] = (1e-2, 1e-3)) -> float:
     """Return how many times the error of a central difference of red in β falls from one step to the next."""
 
     def difference(step):
@@ -92,7 +94,7 @@ def seed_cells() -> Drawing:
     return Drawing(numbers=numbers)
 
 
-def flat_limits(size=128):
+def flat_limits(size: int = 128) -> dict[str, float]:
     """Return three pictures' largest or mean difference from the plain sphere, and two differences' errors."""
     flat = render(Scene(beta=0.0), size, size).rgb
     no_height = render(Scene(field="sine", ku=0, beta=1.5), size, size).rgb
@@ -109,7 +111,7 @@ def flat_limits(size=128):
     }
 
 
-def first_visible_step():
+def first_visible_step() -> float:
     """Return the largest step from 1e-8 downwards at which |ΔI| × 100 reaches the first level of a linear canvas."""
     for eps in SMALL_STEPS:
         frame = render(Scene(field="sine"), SIZE, SIZE, central(eps), stage=symbolic("sine").stage)
@@ -118,7 +120,7 @@ def first_visible_step():
     raise ValueError("no step of these reaches the first level")
 
 
-def clamp_taken(eps):
+def clamp_taken(eps: float) -> float:
     """Return the share of A's pixels whose v ± ε lies in the chart and whose rounded span is below 2ε all the same."""
     v = symbolic().surface_data["v"][symbolic().stage.on_a]
     v = v[(v - eps > 0) & (v + eps < 1)]

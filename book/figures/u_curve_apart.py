@@ -8,8 +8,8 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import bound_style, decades, label_curve, label_line_end, palette, plot
 from verify.accuracy.best_step import predicted
 from verify.accuracy.clamped_order import fitted_slope
-from verify.accuracy.difference_bounds import bounds, escapes
-from verify.accuracy.differences import CASES, PARTS, STEPS, Case, parts
+from verify.accuracy.difference_bounds import Bounds, bounds, escapes
+from verify.accuracy.differences import CASES, PARTS, STEPS, Case, Parts, parts
 
 STEEP = next(case for case in CASES if case.name == "steep")
 SMALL = {
@@ -29,7 +29,7 @@ class EscapedBound(ValueError):
 
 
 @cache
-def below(case: Case):
+def below(case: Case) -> tuple[Parts, Bounds]:
     """Return (the Parts, the Bounds) of a case; EscapedBound if any point is above its bound."""
     found = parts(case)
     limits = bounds(case, found)

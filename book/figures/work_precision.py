@@ -1,13 +1,16 @@
 """Time against error: of the gradient alone by every method, and of whole frames. Times come from the committed run."""
 
+from collections.abc import Iterable, Sequence
 from functools import partial
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from book.drawing.palette import readable
 from book.drawing.registry import Drawing, committed, figure
 from book.drawing.style import decades, label_line_end, palette, plot
 from verify.benchmark import work_precision
+from verify.benchmark.work_precision import Row
 
 RESULT = "verify/results/work_precision.json"
 SMALLEST = 1e-18  # of the drawing: mpmath's further digits stand as a number in the caption
@@ -32,17 +35,17 @@ DASHES = {"forward": (0, (1.5, 1.5)), "central": (0, ()), "central, 4th order": 
 result = partial(committed, RESULT)  # its label, gradients, frames
 
 
-def by_method(rows):
+def by_method(rows: Sequence[Row]) -> dict[str, list[Row]]:
     """Return {method: its rows, in order}."""
     return {name: [r for r in rows if r["method"] == name] for name in dict.fromkeys(r["method"] for r in rows)}
 
 
-def columns(rows, names):
+def columns(rows: Sequence[Row], names: Iterable[str]) -> dict[str, list[float]]:
     """Return the named values of rows as columns; a method without a parameter has the value NaN."""
     return {name: [np.nan if row[name] is None else row[name] for row in rows] for name in names}
 
 
-def pareto(points):
+def pareto(points: Iterable[tuple[float, float]]) -> np.ndarray:
     """Return the points (time, error) that no other one beats, by time: the corners of the front."""
     best, front = np.inf, []
     for when, error in sorted(points):
@@ -52,21 +55,21 @@ def pareto(points):
     return np.array(front)
 
 
-def draw_front(ax, points, right):
+def draw_front(ax: Axes, points: Iterable[tuple[float, float]], right: float) -> None:
     """Draw the Pareto front as steps, down from its first corner and on to `right`."""
     front = pareto(points)
     times, errors = np.append(front[:, 0], right), np.append(front[:, 1], front[-1, 1])
     ax.step(times, errors, where="post", color=palette()["reference"], linewidth=5, alpha=0.3, zorder=0)
 
 
-def label_along(ax, x, y, text, colour, side="left"):
+def label_along(ax: Axes, x: float, y: float, text: str, colour: str, side: str = "left") -> None:
     """Write a name along an upright line, to its left or right."""
     away, align = (-3, "right") if side == "left" else (3, "left")
     ax.annotate(text, (x, y), xytext=(away, 0), textcoords="offset points", rotation=90, ha=align, va="center",
                 color=readable(colour), bbox={"pad": 0.5, "color": palette()["paper"]})  # fmt: skip
 
 
-def label_numbers():
+def label_numbers() -> dict[str, str | int]:
     """Return where, when and at which commit it was measured, as numbers of a figure."""
     label = result()["label"]
     cited = {name: label[name] for name in ("machine", "processor", "python", "date", "commit", "rounds")}
