@@ -10,6 +10,7 @@ script runs and on paper. `static/ideas/slope_is_texture.js` draws in its place 
 """
 
 from docutils import nodes
+from sphinx.application import Sphinx
 
 from book.extension.figures import ChapterFigure
 
@@ -19,14 +20,14 @@ SHARED = ("simulator/compiled.js", "simulator/module.js", "ideas/ideas.js")
 class Idea(ChapterFigure):
     """Place a figure with a script that replaces its picture."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         (figure,) = super().content_nodes()
         figure["classes"].append("idea")
         figure["idea"] = self.arguments[0]
         return [figure]
 
 
-def load_scripts(app, pagename, templatename, context, doctree) -> None:
+def load_scripts(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
     """Let a page with interactives load what they need, each file once."""
     found = [node["idea"] for node in doctree.findall(nodes.figure) if "idea" in node] if doctree else []
     for name in [*SHARED, *(f"ideas/{id}.js" for id in found)] if found else ():
@@ -35,7 +36,7 @@ def load_scripts(app, pagename, templatename, context, doctree) -> None:
         app.add_css_file("ideas/ideas.css")
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Register the directive, and what its pages load."""
     app.add_directive("idea", Idea)
     app.connect("html-page-context", load_scripts)

@@ -1,7 +1,11 @@
 """The still pictures of the small interactives: what paper shows, and a page on which no script runs."""
 
+from typing import Any
+
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import ArrayLike
 
 from book.drawing.palette import CSS_PIXELS_PER_INCH
 from book.drawing.registry import Drawing, figure
@@ -9,6 +13,7 @@ from book.drawing.style import palette
 from book.figures.chapter_scene import SCENE
 from book.idea_kernels import bump_at
 from renderer import Scene, exact, render
+from renderer.frame import Frame
 from renderer.generate.creases import crease_point
 from renderer.views import image_view, to_bytes
 
@@ -16,7 +21,7 @@ PARALLEL, POINT = 0.125, 0.453  # v of the circle, u of the point on it
 LIGHT = SCENE.lights[0]
 
 
-def pixel_axes(fig, left, top, wide, high, **limits):
+def pixel_axes(fig: Figure, left: float, top: float, wide: float, high: float, **limits: Any) -> Axes:
     """Return axes that fill a box given in CSS pixels from the figure's upper left corner, without a frame."""
     width, height = (size * CSS_PIXELS_PER_INCH for size in fig.get_size_inches())
     ax = fig.add_axes([left / width, (height - top - high) / height, wide / width, high / height])
@@ -25,25 +30,25 @@ def pixel_axes(fig, left, top, wide, high, **limits):
     return ax
 
 
-def canvas(wide, high):
+def canvas(wide: float, high: float) -> Figure:
     """Return a figure of so many CSS pixels, which the page shows at that size."""
     fig = Figure(figsize=(wide / CSS_PIXELS_PER_INCH, high / CSS_PIXELS_PER_INCH), layout="none")
     fig.pixel_exact = True
     return fig
 
 
-def along_circle(u, beta=SCENE.beta):
+def along_circle(u: ArrayLike, beta: float = SCENE.beta) -> tuple[np.ndarray, ...]:
     """Return h, h_u, h_v, the tilt in degrees and μ at points of the circle."""
     return bump_at(np.asarray(u, float), PARALLEL, SCENE.ku, SCENE.kv, beta, SCENE.radius, *LIGHT.position)
 
 
-def on_circle(u):
+def on_circle(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the image points of points of the circle."""
     with np.errstate(divide="ignore", invalid="ignore"):  # a selection computes both of its sides
         return crease_point(1.0, 0.0, u, PARALLEL, SCENE.eye, SCENE.radius)
 
 
-def on_picture(frame, x, y):
+def on_picture(frame: Frame, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return image points as columns and rows of a frame, not rounded."""
     columns, rows = frame.raster.image_points(SCENE)
     return (x - columns[0]) / (columns[1] - columns[0]), (rows[0] - y) / (columns[1] - columns[0])

@@ -9,7 +9,7 @@ quartiles. Writes verify/benchmark/results/texture.json: commit it.
 """
 
 import argparse
-import sys
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from itertools import product
 from pathlib import Path
@@ -32,6 +32,7 @@ from verify.benchmark.methods.compiled import compiled_loop, loop_of
 from verify.benchmark.methods.programs import algebraic_gradient
 from verify.benchmark.plan import Case, timings
 
+Points = tuple[np.ndarray, ...]
 FIELD, SIDE, EPS = "sine", 512, 1e-3
 SMALL, LARGE = 257, 2049  # a map that the processor's own memory holds, and one that it does not
 ROUNDS, CALLS = 25, 4
@@ -140,7 +141,7 @@ def _heights(texels):
 
 
 @cache
-def points():
+def points() -> tuple[Points, Points]:
     """Return (chart points, angles) of the pixels of A in raster order, two texels of SMALL off the chart's ends."""
     frame = render(SCENE, SIDE, SIDE)
     chart = np.array([frame.surface_data[name][frame.stage.on_a] for name in ("u", "v")])
@@ -149,7 +150,7 @@ def points():
 
 
 @cache
-def ways():
+def ways() -> dict[str, tuple[Callable, Points]]:
     """Return {name: (function, its points)} of everything that is timed."""
     field, (chart, angles) = HEIGHT_FIELDS[FIELD], points()
     return {
@@ -163,13 +164,13 @@ def ways():
     }
 
 
-def quartiles(slow, fast):
+def quartiles(slow: Sequence[float], fast: Sequence[float]) -> np.ndarray:
     """Return the quartiles (low, median, high) of the ratio of two cases' times, taken round by round."""
     medians = [np.median(np.reshape(times, (-1, CALLS)), axis=1) for times in (slow, fast)]
     return np.quantile(np.divide(*medians), (0.25, 0.5, 0.75))
 
 
-def numbers_of(seconds, count):
+def numbers_of(seconds: Mapping[str, Sequence[float]], count: int) -> dict[str, float]:
     """Return what the book cites of {way: seconds of every call}: ns a point, and each ratio with its quartiles."""
     numbers = {f"{name}_ns": 1e9 * float(np.median(times)) / count for name, times in seconds.items()}
     for name, (slow, fast) in RATIOS.items():
@@ -178,7 +179,7 @@ def numbers_of(seconds, count):
     return numbers
 
 
-def main(arguments=None):
+def main(arguments: list[str] | None = None) -> None:
     """Measure, print, write."""
     parser = argparse.ArgumentParser("python -m verify.benchmark.texture", description=__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, default=ROUNDS, help="timed rounds (default: %(default)s)")
@@ -194,4 +195,4 @@ def main(arguments=None):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -4,45 +4,49 @@ A texel holds the bumped normal in the tangent frame, (βh_u, βh_v, 1) over its
 lengths and angles there are those in space. The gradient that is stored may be exact or a difference's.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from renderer import Scene, central, exact, gradient_at
+from renderer.methods import GradientMethod
 from verify.accuracy.frontiers.wall import linear_weights, sample
 
 TEXELS = (33, 65, 129, 257, 513, 1025)
 EPS = 1e-3
 
 
-def tangent_normal(scene, u, v, method):
+def tangent_normal(scene: Scene, u: np.ndarray, v: np.ndarray, method: GradientMethod) -> np.ndarray:
     """Return the bumped normal in the tangent frame, (3, …), at points of the chart."""
     h_u, h_v = gradient_at(scene, u, v, method)
     return unit(np.array([scene.beta * h_u, scene.beta * h_v, np.ones_like(h_u)]))
 
 
-def unit(vectors):
+def unit(vectors: np.ndarray) -> np.ndarray:
     """Return vectors (3, …) over their lengths."""
     return vectors / np.sqrt((vectors**2).sum(axis=0))
 
 
-def baked(scene, texels, method):
+def baked(scene: Scene, texels: int, method: GradientMethod) -> np.ndarray:
     """Return the normal map: unit normals at (i/texels, j/texels), (3, texels, texels).
 
     The field has to have the period 1 in u and v, as those of the chapter have for even k_u and k_v.
     """
-    return tangent_normal(scene, *(np.mgrid[0:texels, 0:texels] / texels), method)
+    u, v = np.mgrid[0:texels, 0:texels] / texels
+    return tangent_normal(scene, u, v, method)
 
 
-def in_bytes(normals):
+def in_bytes(normals: np.ndarray) -> np.ndarray:
     """Return unit normals as a texture keeps them: each component from −1 … 1 to 0 … 255, uint8."""
     return np.rint((normals + 1) * 127.5).astype(np.uint8)
 
 
-def from_bytes(stored):
+def from_bytes(stored: np.ndarray) -> np.ndarray:
     """Return the normals that a texture's bytes say, not normalised."""
     return stored / 127.5 - 1
 
 
-def fetched(normals, u, v):
+def fetched(normals: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Return the normal that a map gives at points, (3, n): bilinear between four texels, and normalised."""
     texels = normals.shape[1]
     at = [np.floor(c * texels).astype(int) for c in (u, v)]
@@ -54,17 +58,17 @@ def fetched(normals, u, v):
     return unit(found)
 
 
-def apart(a, b):
+def apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Return |a − b| of vectors (3, n)."""
     return np.sqrt(((a - b) ** 2).sum(axis=0))
 
 
-def rms(lengths):
+def rms(lengths: np.ndarray) -> float:
     """Return the root of the mean square."""
     return float(np.sqrt(np.mean(lengths**2)))
 
 
-def errors(field, texels=TEXELS, eps=EPS):
+def errors(field: str, texels: Sequence[int] = TEXELS, eps: float = EPS) -> dict[str, np.ndarray]:
     """Return {name: array over `texels`} over the chart's sample: how far from the exact N' the fetched one is.
 
     symbolic, numeric: RMS of the map of exact gradients, and of central differences. between: RMS of one from the
@@ -83,7 +87,7 @@ def errors(field, texels=TEXELS, eps=EPS):
     return {name: np.array([row[name] for row in rows]) for name in rows[0]}
 
 
-def without_a_map(field, eps=EPS):
+def without_a_map(field: str, eps: float = EPS) -> float:
     """Return the RMS error of N' over the same sample where both pipelines have the formula: the numeric one's."""
     scene, points = Scene(field=field), sample()
     return rms(apart(*(tangent_normal(scene, *points, method) for method in (central(eps), exact()))))
