@@ -50,9 +50,13 @@ def _point(numbers):
 @figure("default_scene")
 def default_scene() -> Drawing:
     """What the chapter's scene is made of, for the table in §2; numbers only."""
-    numbers = {name: f"{getattr(SCENE, name):g}" for name in ("radius", "eye", "ball_radius", "beta", "shininess")}
-    lights = {f"light_{number}": _point(light.position) for number, light in enumerate(SCENE.lights, 1)}
-    return Drawing(numbers=numbers | lights | {"ball_center": _point(SCENE.ball_center), "field": SCENE.field})
+    names = ("radius", "eye", "ball_radius", "beta", "shininess", "ka", "kd", "ks", "floor_tint")
+    numbers = {name: f"{getattr(SCENE, name):g}" for name in names}
+    for number, light in enumerate(SCENE.lights, 1):
+        numbers |= {f"light_{number}": _point(light.position), f"colour_{number}": _point(light.color)}
+    numbers |= {name: _point(getattr(SCENE, name)) for name in ("ball_center", "ambient", "albedo_a", "albedo_b")}
+    lean = SCENE.beta * symbolic().slope.max()
+    return Drawing(numbers=numbers | {"field": SCENE.field, "lean": lean})
 
 
 def _visible_parallels():
