@@ -1,6 +1,8 @@
 """The page that the chapter came as: kept byte for byte, cut where claims stand, and each claim led to its verdict."""
 
+import ast
 import hashlib
+import textwrap
 
 import pytest
 
@@ -26,3 +28,29 @@ def test_a_beginning_that_is_not_there_is_named(tmp_path):
     (tmp_path / "places.toml").write_text('[begins]\ns1 = "One"\ns2 = "Three"\n')
     with pytest.raises(BadLedger, match=r"s2: seed.txt has no 'Three' after s1"):
         parts(tmp_path)
+
+
+def program(cell: str) -> str:
+    """The printed program of a cell."""
+    return parts()[cell].split("paste into colab.new → Run\n")[1]
+
+
+def test_the_first_table_of_cell_5_prints_three_blank_lines(capsys):
+    """The loop is run as printed, in a fresh namespace, on a function of β in place of the image."""
+    code = program("cell5")
+    loop = code[code.index("prev = None") : code.index("fd_fine =")]
+    exec(loop, {"I_of_beta": lambda beta: beta**3})
+    assert capsys.readouterr().out == "\n\n\n"
+    exec(loop, {"I_of_beta": lambda beta: beta**3, "fd_fine": 3 * 0.35**2})
+    assert capsys.readouterr().out.count("error ratio") == 3  # with the reference at hand there would be a table
+
+
+def test_the_loop_of_cell_7_draws_one_number_20000_times_and_uses_none():
+    code = program("cell7")
+    begin = code.index("pole_px = 0")
+    loop, rest = code[begin : code.index("import numpy as np")], code[code.index("import numpy as np") :]
+    tree = ast.parse(textwrap.dedent(loop))
+    assert "range(20000)" in loop and "if False else np.random.default_rng(2).random()" in loop
+    kept = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
+    used = {node.id for node in ast.walk(ast.parse(rest)) if isinstance(node, ast.Name)}
+    assert kept == {"pole_px", "_", "th"} and not kept & used
