@@ -12,6 +12,8 @@ from book.extension.numbers import formatted, parse, typeset
 from book.extension.results import UnknownResult, look_up
 from tests import one_page
 
+QUARTILES = {"time_ms_low": 15.5, "time_ms_high": 18.75}
+
 
 @pytest.fixture
 def book(tmp_path):
@@ -28,7 +30,9 @@ def book(tmp_path):
     (generated / "sweep.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
     (generated / "sweep.dark.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
     label = {"machine": "two cores", "date": "2025-01-01", "commit": "abc1234"}
-    (results / "frame.json").write_text(json.dumps({"label": label, "numbers": {"time_ms": 16.25}}))
+    (results / "frame.json").write_text(
+        json.dumps({"label": label, "numbers": {"time_ms": 16.25, "quick_ms": 1.5} | QUARTILES})
+    )
     return tmp_path / "book"
 
 
@@ -145,10 +149,11 @@ def test_what_is_unknown_fails_the_build(build_page, text, message):
 
 
 def test_benchmark_says_where_it_was_measured(build_page):
-    html, warnings = build_page("```{benchmark-label} frame\n```\n\n{number}`bench:frame.time_ms|.1f` ms")
+    times = "{number}`bench:frame.time_ms|.1f` ms{spread}`bench:frame.time_ms|.0f`, no{spread}`bench:frame.quick_ms`."
+    html, warnings = build_page(f"```{{benchmark-label}} frame\n```\n\n{times}")
     assert warnings == ""
     assert "Measured on two cores, 2025-01-01, at commit abc1234." in html
-    assert '<span class="number">16.2</span>' in html
+    assert '<span class="number">16.2</span> ms (16 to 19), no.' in html
 
 
 def test_a_stream_cut_in_pieces_is_one():

@@ -4,6 +4,7 @@
 {number}`eps_sweep.rms_1e-3|.2e`     any format of Python's; 6.1e-05 is set as 6.1 × 10⁻⁵
 {number}`eps_sweep.rms_1e-3 .2e`     the same with a blank, for use inside tables
 {number}`bench:frame.time_ms|.1f`    from verify/benchmark/results/frame.json
+{spread}`bench:frame.time_ms|.1f`    its quartiles, " (1.2 to 1.4)", or nothing where the run kept none
 
 ```{benchmark-label} frame
 ```
@@ -67,6 +68,21 @@ class NumberRole(BookRole):
         return [nodes.inline(self.rawtext, "", *typeset(value, spec), classes=kept_together)]
 
 
+class SpreadRole(BookRole):
+    """Print the quartiles of a measured number."""
+
+    def content_nodes(self) -> list[nodes.Node]:
+        book = Path(self.env.srcdir)
+        id, key, spec = parse(self.text)
+        self.env.note_dependency(str(result_file(book, id)))
+        look_up(book, id, key)
+        kept = load_result(book, id)["numbers"]
+        if f"{key}_low" not in kept:
+            return []
+        low, high = (typeset(kept[f"{key}_{end}"], spec) for end in ("low", "high"))
+        return [nodes.Text(" ("), *low, nodes.Text(" to "), *high, nodes.Text(")")]
+
+
 class BenchmarkLabel(BookDirective):
     """One small sentence: where, when and at which commit a benchmark was measured."""
 
@@ -84,6 +100,7 @@ class BenchmarkLabel(BookDirective):
 def setup(app: Sphinx) -> None:
     """Register the role and the directive."""
     app.add_role("number", NumberRole())
+    app.add_role("spread", SpreadRole())
     app.add_directive("benchmark-label", BenchmarkLabel)
 
 

@@ -19,9 +19,9 @@ from renderer import exact
 from verify.benchmark import start
 from verify.benchmark.frames import IMAGE_GRADIENT, SCENE, frame_cases, image_gradient_points, step_cases
 from verify.benchmark.label import label, write
-from verify.benchmark.plan import ROUNDS, run
+from verify.benchmark.plan import ROUNDS, medians, timings
 from verify.benchmark.rules import rule_cases, rule_numbers
-from verify.benchmark.targets import frame_numbers, table, verdicts
+from verify.benchmark.targets import frame_numbers, spreads, table
 from verify.strict import differing_pixels, image_error, random_raster, random_scene
 
 RESULTS = Path(__file__).parent / "results"
@@ -55,21 +55,21 @@ def measure_frames(only: str, rounds: int, quick: bool) -> dict[str, Any] | None
     cases = [replace(case, visits=min(rounds, case.visits)) for case in cases if only in case.name]
     if not cases:
         return None
-    times = run(cases, "frames")
-    numbers = frame_numbers(times) | rule_numbers(times)
+    seconds = timings(cases, "frames")
+    times = medians(seconds)
+    numbers = frame_numbers(times) | spreads(seconds) | rule_numbers(times)
     if IMAGE_GRADIENT.name in times:
         numbers["image_gradient_ns"] = 1e9 * times[IMAGE_GRADIENT.name] / image_gradient_points()
     if not only:
         numbers |= counted(QUICK_SCENES if quick else SCENES)
-    return numbers | verdicts(numbers)
+    return numbers
 
 
 def show(where: dict[str, str], numbers: dict[str, Any]) -> None:
     """Print the numbers, and the table of targets."""
     print(f"\n{where['machine']}; {where['date']}, commit {where['commit']}")
     for key, value in sorted(numbers.items()):
-        if not key.endswith(("_target", "_verdict")):
-            print(f"  {key:36} {value:12.4g}" if isinstance(value, float) else f"  {key:36} {value!s:>12}")
+        print(f"  {key:36} {value:12.4g}" if isinstance(value, float) else f"  {key:36} {value!s:>12}")
     print(f"\n{table(numbers)}")
 
 

@@ -6,7 +6,7 @@ all of them. A case's time is the median over all its calls.
 
 import statistics
 import time
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -58,6 +58,6 @@ def timings(cases: Collection[Case], title: str) -> dict[str, list[float]]:
     return seconds
 
 
-def run(cases: Collection[Case], title: str) -> dict[str, float]:
-    """Time the cases in turns; return {name: median seconds of a call}."""
-    return {name: statistics.median(measured) for name, measured in timings(cases, title).items()}
+def medians(seconds: Mapping[str, Collection[float]]) -> dict[str, float]:
+    """Return {name: median seconds of a call}."""
+    return {name: statistics.median(calls) for name, calls in seconds.items()}

@@ -1,7 +1,8 @@
 """From medians to the numbers that the book cites; what they have to reach, and the table that says whether they do."""
 
 import math
-from collections.abc import Mapping
+import statistics
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -39,6 +40,17 @@ def frame_numbers(times: Mapping[str, float]) -> dict[str, float]:
     }
     fits = {f"exponent_{threads}": exponent(times, threads) for threads in (1, 2)}
     return numbers | {name: fit for name, fit in fits.items() if fit is not None}
+
+
+def spreads(seconds: Mapping[str, Sequence[float]]) -> dict[str, float]:
+    """Return the quartiles of each case that was called more than once: {NAME_ms_low: …, NAME_ms_high: …}."""
+    numbers = {}
+    for name, calls in seconds.items():
+        if len(calls) > 1:
+            unit, factor = ("s", 1.0) if name.startswith("start") else ("ms", 1e3)
+            low, _, high = statistics.quantiles(calls, n=4, method="inclusive")
+            numbers |= {f"{name}_{unit}_low": factor * low, f"{name}_{unit}_high": factor * high}
+    return numbers
 
 
 @dataclass(frozen=True)
@@ -88,14 +100,6 @@ TARGETS = (
     Target("start_image_2048_s", "python -m renderer image --size 2048, from nothing", 2.0, form=SECONDS),
     Target("sympy_imported", "times that python -m renderer image imports SymPy", 0, 0, "{:g}"),
 )
-
-
-def verdicts(numbers: Mapping[str, float]) -> dict[str, str]:
-    """Return {key of the book: text}: the target of each number, and the verdict on it."""
-    found: dict[str, str] = {}
-    for target in TARGETS:
-        found |= {f"{target.key}_target": target.text, f"{target.key}_verdict": target.verdict(numbers)[1]}
-    return found
 
 
 def table(numbers: Mapping[str, float]) -> str:

@@ -13,7 +13,7 @@ from verify.benchmark import __main__ as benchmark
 from verify.benchmark import plan
 from verify.benchmark.frames import FITTED, frame_cases, step_cases
 from verify.benchmark.plan import Case, in_turns
-from verify.benchmark.targets import TARGETS, Target, frame_numbers, table, verdicts
+from verify.benchmark.targets import TARGETS, Target, frame_numbers, spreads, table
 
 RESULTS = Path(benchmark.RESULTS)
 
@@ -37,11 +37,12 @@ def test_a_time_is_the_median_of_all_calls(monkeypatch):
     """Calls of 1, 9 and 2 s, in three visits; a visit of several calls begins with one that is not timed."""
     clock, seen = iter([0, 1, 1, 10, 10, 12]), []
     monkeypatch.setattr(plan.time, "perf_counter", lambda: next(clock))
-    assert plan.run([Case("a", lambda: partial(seen.append, "a"), visits=3)], "test") == {"a": 2}
+    seconds = plan.timings([Case("a", lambda: partial(seen.append, "a"), visits=3)], "test")
+    assert plan.medians(seconds) == {"a": 2} and seconds == {"a": [1, 9, 2]}
     assert seen == ["a"] * 3
     monkeypatch.undo()
     made = []
-    plan.run([Case("b", lambda: made.append(1) or partial(seen.append, "b"), 2, 2)], "test")
+    plan.timings([Case("b", lambda: made.append(1) or partial(seen.append, "b"), 2, 2)], "test")
     assert seen == ["a"] * 3 + ["b"] * 6 and made == [1]  # prepared once
 
 
@@ -51,7 +52,7 @@ def test_a_false_number_is_not_met(target):
     assert target.verdict(good)[1] == "met"
     for false in (target.high + 1, target.low - 1, math.nan):
         if not math.isinf(false):
-            assert verdicts(good | {target.key: false})[f"{target.key}_verdict"] == "not met"
+            assert target.verdict(good | {target.key: false})[1] == "not met"
     assert target.verdict({})[1] == "not measured"
 
 
@@ -89,20 +90,29 @@ def test_numbers_follow_from_medians():
     assert "exponent_1" not in numbers
 
 
+def test_a_time_carries_its_quartiles():
+    seconds = {"a": [0.5, 0.1, 0.2, 0.3, 0.4], "start_b": [1.0, 2.0, 3.0], "once": [1.0]}
+    assert spreads(seconds) == pytest.approx(
+        {"a_ms_low": 200, "a_ms_high": 400, "start_b_s_low": 1.5, "start_b_s_high": 2.5}
+    )
+
+
 def test_every_target_is_measured_by_a_case():
     times = dict.fromkeys((case.name for case in (*frame_cases(8192), *step_cases(), *benchmark.start.CASES)), 1.0)
     counted = {"image_gradient_ns", "chambers_differing", "image_error", "sympy_imported"}
     assert {target.key for target in TARGETS} <= frame_numbers(times).keys() | counted
 
 
-def test_the_kept_frames_carry_true_verdicts():
+def test_the_kept_frames_follow_from_their_medians():
     result = json.loads((RESULTS / "frames.json").read_text(encoding="utf-8"))
     numbers = result["numbers"]
     assert all(result["label"][name] for name in ("machine", "date", "commit"))
     assert all(isinstance(value, int | float | str) for value in numbers.values())
     assert all(value > 0 for key, value in numbers.items() if key.endswith(("_ms", "_ns", "_s")))
-    assert verdicts(numbers).items() <= numbers.items()
-    assert "not measured" not in verdicts(numbers).values()
+    assert "not measured" not in table(numbers)
+    assert not any(key.endswith(("_target", "_verdict")) for key in numbers)  # what was asked for is no measurement
+    ends = [key.removesuffix("_low") for key in numbers if key.endswith("_low")]
+    assert all(numbers[f"{key}_low"] <= numbers[key] <= numbers[f"{key}_high"] for key in ends)
     timed = {key.removesuffix("_ms"): value / 1e3 for key, value in numbers.items() if key.endswith("_ms")}
     derived = frame_numbers(timed)
     assert {key: numbers[key] for key in derived} == pytest.approx(derived)

@@ -25,7 +25,7 @@ from renderer.frame import Frame
 from verify.benchmark.frames import warmed
 from verify.benchmark.label import label, write
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
-from verify.benchmark.plan import Case, run
+from verify.benchmark.plan import Case, medians, timings
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import ball_of
 from verify.reference import reference_pixel
@@ -77,7 +77,7 @@ def gradient_rows(rounds: int) -> list[Row]:
                 many = [np.ascontiguousarray(a, kind) for a in points_for(method, method.points)]
                 cases[key] = Case(key, warmed(partial(function, *many)), visits=rounds)
             rows[-1] |= {"key": key, "ns": 1e9 / method.points}
-    seconds = run(cases.values(), "gradients")
+    seconds = medians(timings(cases.values(), "gradients"))
     return [row | {"ns": row["ns"] * seconds[row.pop("key")]} for row in rows]
 
 
@@ -134,7 +134,7 @@ def frame_rows(rounds: int, count: int) -> list[Row]:
                 cases[key] = Case(key, warmed(call), visits=rounds)
             rows.append({"field": field, "method": name, "value": eps, "ours": name.startswith("exact"),
                          "largest": largest, "rms": rms})  # fmt: skip
-    seconds = run(cases.values(), "frames")
+    seconds = medians(timings(cases.values(), "frames"))
     return [row | {"ms": 1e3 * seconds[f"{row['field']}, {row['method']}"]} for row in rows]
 
 
