@@ -44,7 +44,7 @@ def frame_numbers(times: Mapping[str, float]) -> dict[str, float]:
 
 def spreads(seconds: Mapping[str, Sequence[float]]) -> dict[str, float]:
     """Return the quartiles of each case that was called more than once: {NAME_ms_low: …, NAME_ms_high: …}."""
-    numbers = {}
+    numbers: dict[str, float] = {}
     for name, calls in seconds.items():
         if len(calls) > 1:
             unit, factor = ("s", 1.0) if name.startswith("start") else ("ms", 1e3)
