@@ -10,6 +10,7 @@ from book.drawing.palette import readable
 from book.drawing.registry import Drawing, committed, figure
 from book.drawing.style import decades, label_line_end, palette, plot
 from verify.benchmark import work_precision
+from verify.benchmark.methods.table import CLEAR
 from verify.benchmark.work_precision import Row
 
 RESULT = "verify/results/work_precision.json"
@@ -99,7 +100,8 @@ def work_precision_figure() -> Drawing:
     _label_cluster(ax, rows)
     decades(ax, 1, 2, ylim=(1e-19, 1e4), xlabel="time, ns a gradient", ylabel="largest error of $h_u$, $h_v$")
     data = columns(rows, ("method", "value", "ns", "error"))
-    return Drawing(fig, numbers=work_precision.gradient_numbers(rows) | label_numbers(), data=data)
+    numbers = work_precision.gradient_numbers(rows) | label_numbers() | dict(zip(("from", "to"), CLEAR, strict=True))
+    return Drawing(fig, numbers=numbers, data=data)
 
 
 NAMES = {

@@ -95,6 +95,10 @@ METHODS = (
 )  # fmt: skip
 
 
+CLEAR = (0.35, 0.65)
+"""Where u and v of the sample lie: no step leaves the chart from there."""
+
+
 def sample(points: int, seed: int = 3) -> tuple[np.ndarray, np.ndarray]:
-    """Return (u, v) at random, clear of the chart's ends by more than any step."""
-    return tuple(np.random.default_rng(seed).uniform(0.35, 0.65, (2, points)))
+    """Return (u, v) at random, in CLEAR."""
+    return tuple(np.random.default_rng(seed).uniform(*CLEAR, (2, points)))
