@@ -6,7 +6,7 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import bound_style, decades, label_line_end, palette, plot
-from verify.accuracy.best_step import WAVE_NUMBERS, measured, predicted
+from verify.accuracy.best_step import WAVE_NUMBERS, gain, measured, predicted
 
 LABELS = {(0, False): (50, 4e-7), (0, True): (2, 1.2e-7), (1, False): (2, 6e-8), (1, True): (60, 5e-10)}
 
@@ -42,4 +42,5 @@ def best_step() -> Drawing:
         if not (seen[:, 1] <= proved[:, 1]).all():
             raise ValueError(f"a measured floor ({short}) is above the proved one")
     numbers |= {f"gain_{k}": numbers[f"plain_{k}_floor"] / numbers[f"trick_{k}_floor"] for k in (8, 512)}
+    numbers |= {f"library_gain_{k}": gain(k, library=True) for k in (8, 512)}
     return Drawing(fig, numbers=numbers, data=data)
