@@ -1,0 +1,75 @@
+"""What stacks on a bump: a mean over points of a lamp, or over points of a pixel, of the two pipelines' difference.
+
+A bump moves no boundary, so each sample's chambers are the same for both pipelines, and |ΔI| ≤ L|β||Δg| in each
+(theorem difference_bound). A mean keeps the bound (theorem mean_keeps_the_bound).
+"""
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from renderer import Light, Scene, central, exact, render
+from renderer.sweep import rms
+
+SIDE, EPS = 256, 1e-2
+HALF = 1.5  # of the lamp's side, in radii of A
+
+
+class Stacked(NamedTuple):
+    """A mean over samples, (height, width, 3) each: numeric − symbolic, its bound, the symbolic picture.
+
+    on_a: (height, width), the pixels whose samples all lie on A. flips: samples whose chamber is not the same for both.
+    """
+
+    difference: np.ndarray
+    bound: np.ndarray
+    picture: np.ndarray
+    on_a: np.ndarray
+    flips: int
+
+    @property
+    def rms(self) -> float:
+        """The RMS of the difference on A."""
+        return rms(self.difference[self.on_a])
+
+    @property
+    def of_the_bound(self) -> float:
+        """The largest share of its bound that a difference takes up, infinite where one exceeds a bound of 0."""
+        off, most = np.abs(self.difference[self.on_a]), self.bound[self.on_a]
+        return float(np.max(np.where(off > 0, off, 0) / np.where((most > 0) | (off > 0), most, 1), initial=0))
+
+
+def steepest(scene: Scene) -> np.ndarray:
+    """Return L of each channel, (3,): Σ over the lights of i (a k_d + k_s p), for Blinn's highlight of a whole p."""
+    colors = np.sum([light.color for light in scene.lights], axis=0)
+    return colors * (np.array(scene.albedo_a) * scene.kd + scene.ks * scene.shininess)
+
+
+def lamp_points(light: Light, count: int, half: float = HALF) -> list[Light]:
+    """Return count² lights on a level square lamp about a light, at the middles of equal squares."""
+    steps = half * ((2 * np.arange(count) + 1) / count - 1)
+    x, y, z = light.position
+    return [replace(light, position=(x + across, y + along, z)) for across in steps for along in steps]
+
+
+def _boxes(samples, count):
+    """Return the mean of count² samples a pixel: (…, side, side, 3)."""
+    side = samples.shape[-2] // count
+    return samples.reshape(*samples.shape[:-3], side, count, side, count, 3).mean(axis=(-4, -2))
+
+
+def stacked(scene: Scene, lamp: int = 1, pixel: int = 1, side: int = SIDE, eps: float = EPS) -> Stacked:
+    """Return the mean over lamp² points of a lamp in place of the first light, and over pixel² points of each pixel."""
+    mean, flips, on_a = np.zeros((3, side, side, 3)), 0, np.ones((side, side), bool)
+    for number, light in enumerate(lamp_points(scene.lights[0], lamp), start=1):
+        lit = replace(scene, lights=(light, *scene.lights[1:]))
+        numeric, symbolic = (render(lit, side * pixel, side * pixel, method) for method in (central(eps), exact()))
+        bound, there = np.zeros_like(symbolic.rgb), symbolic.stage.on_a
+        apart = np.hypot(*(numeric.planes_on_a[4:] - symbolic.planes_on_a[4:]))  # |Δg|: the frame is orthonormal
+        bound[there] = abs(lit.beta) * apart[:, None] * steepest(lit)
+        sample = _boxes(np.array([numeric.rgb - symbolic.rgb, bound, symbolic.rgb]), pixel)
+        mean += (sample - mean) / number  # the theorem's line, with the share 1/number
+        flips += int(np.count_nonzero(numeric.chambers != symbolic.chambers))
+        on_a = there.reshape(side, pixel, side, pixel).all(axis=(1, 3))
+    return Stacked(*mean, on_a, flips)

@@ -1,0 +1,53 @@
+"""A mean over a lamp or a pixel: within the mean of the bounds, of the same chambers, as systematic as one sample."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from renderer import Light, Scene, central, exact, render
+from verify.accuracy import stacking
+from verify.accuracy.stacking import stacked
+
+SIDE = 64
+SINE = Scene(field="sine")
+
+
+@pytest.mark.parametrize("scene", [SINE, Scene()], ids=["sine", "ridges"])
+@pytest.mark.parametrize("samples", [{"lamp": 4}, {"pixel": 3}, {"lamp": 2, "pixel": 2}], ids=str)
+def test_a_mean_keeps_the_bound_and_moves_no_boundary(scene, samples):
+    mean = stacked(scene, **samples, side=SIDE)
+    assert 0 < mean.of_the_bound <= 1
+    assert mean.flips == 0 and mean.on_a.any()
+
+
+def test_a_bound_without_the_highlight_is_exceeded(monkeypatch):
+    """The check can fail: k_s p is most of L."""
+    monkeypatch.setattr(stacking, "steepest", lambda scene: np.array(scene.albedo_a) * scene.kd / 8)
+    assert stacked(SINE, lamp=2, side=SIDE).of_the_bound > 1
+
+
+def test_one_point_is_the_plain_pair_of_pictures():
+    one = stacked(SINE, side=SIDE)
+    numeric, symbolic = (render(SINE, SIDE, SIDE, method) for method in (central(stacking.EPS), exact()))
+    np.testing.assert_array_equal(one.difference, numeric.rgb - symbolic.rgb)
+    np.testing.assert_array_equal(one.picture, symbolic.rgb)
+
+
+def test_a_mean_does_not_heal_a_difference():
+    """What a difference is off by has one sign over a lamp: were it noise, 16 points would leave a quarter."""
+    one, many = (stacked(SINE, lamp=lamp, side=SIDE).rms for lamp in (1, 4))
+    assert 0.9 < many / one < 1
+
+
+def test_a_lamp_is_spread_about_its_light():
+    light = Light((1.0, 2.0, 3.0))
+    points = np.array([point.position for point in stacking.lamp_points(light, 4)])
+    np.testing.assert_allclose(points.mean(axis=0), light.position)
+    np.testing.assert_allclose(np.ptp(points, axis=0), (1.5 * stacking.HALF, 1.5 * stacking.HALF, 0))
+    assert stacking.lamp_points(light, 1) == [light]
+
+
+def test_a_light_that_is_dimmed_dims_the_bound():
+    dim = replace(SINE, lights=tuple(replace(light, color=(0.5, 0.5, 0.5)) for light in SINE.lights))
+    assert (stacking.steepest(dim) < stacking.steepest(SINE)).all()
