@@ -8,9 +8,7 @@ from proofs.theorems.relations import both_ways, point
 mean, sample, share, bound = real("mean sample share bound")
 _next = mean + share * (sample - mean)
 _step = Claim(
-    "one_more",
-    both_ways(bound, _next),
-    (share >= 0, share <= 1, *both_ways(bound, mean), *both_ways(bound, sample)),
+    "one_more", both_ways(bound, _next), (share >= 0, share <= 1, *both_ways(bound, mean), *both_ways(bound, sample))
 )
 
 theorem = Theorem(

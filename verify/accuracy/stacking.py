@@ -72,4 +72,4 @@ def stacked(scene: Scene, lamp: int = 1, pixel: int = 1, side: int = SIDE, eps: 
         mean += (sample - mean) / number  # the theorem's line, with the share 1/number
         flips += int(np.count_nonzero(numeric.chambers != symbolic.chambers))
         on_a = there.reshape(side, pixel, side, pixel).all(axis=(1, 3))
-    return Stacked(*mean, on_a, flips)
+    return Stacked(mean[0], mean[1], mean[2], on_a, flips)

@@ -4,6 +4,7 @@ The surface is r(direction) = 1 + βh over the unit sphere, at the origin; the f
 least of |X| − r(X/|X|) along the ray is 0. No approximation in β is made.
 """
 
+from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -29,18 +30,20 @@ def _heights(field):
     return lambdify((u, v, k_u, k_v), ordinary(HEIGHT_FIELDS[field].expression), "numpy")
 
 
-def height_towards(scene, x, y, z):
+def height_towards(scene: Scene, x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
     """Return h in the direction (x, y, z) from A's centre; of directions below the floor, too."""
     theta, polar = np.arctan2(y, x), np.arctan2(np.hypot(x, y), z)
     return _heights(scene.field)((theta + np.pi) / (2 * np.pi), polar / np.pi, scene.ku, scene.kv)
 
 
-def above(scene, beta, points):
+def above(scene: Scene, beta: float, points: np.ndarray) -> np.ndarray:
     """Return |X| − r(X/|X|) at points (3, …): how far they are outside the displaced surface, along the radius."""
     return np.sqrt((points**2).sum(axis=0)) - 1 - beta * height_towards(scene, *points)
 
 
-def least_along(function, low, high, samples=ALONG):
+def least_along(
+    function: Callable[[np.ndarray], np.ndarray], low: float, high: float, samples: int = ALONG
+) -> np.ndarray:
     """Return the least value of a function of shares t in [low, high]: a grid, then golden sections about its best.
 
     function: arrays (…, n) → the same; one result for each of its leading indices.
@@ -55,7 +58,7 @@ def least_along(function, low, high, samples=ALONG):
     return function((left + right) / 2)[..., 0]
 
 
-def smooth_edge(light, azimuths):
+def smooth_edge(light: np.ndarray, azimuths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return (s, ds/dβ for h = 1) of the edge of the smooth sphere's shadow, at floor points s (cos α, sin α).
 
     The line from L to s q passes the centre at s |q × L| / |sq − L|; at the edge that is 1.
@@ -68,7 +71,7 @@ def smooth_edge(light, azimuths):
     return distance, gap**3 / (np.sqrt(sine) * (far - distance * ahead))
 
 
-def grazed_height(scene, light, azimuths):
+def grazed_height(scene: Scene, light: np.ndarray, azimuths: np.ndarray) -> np.ndarray:
     """Return h at the points where the light's rays touch the smooth sphere on their way to its shadow's edge."""
     floor = _floor(smooth_edge(light, azimuths)[0], azimuths)
     ray = np.array(light)[:, None] - floor
@@ -80,12 +83,12 @@ def _floor(distance, azimuths):
     return np.array([distance * np.cos(azimuths), distance * np.sin(azimuths), np.zeros(np.shape(distance))])
 
 
-def away_from(light, count=AZIMUTHS):
+def away_from(light: np.ndarray, count: int = AZIMUTHS) -> np.ndarray:
     """Return azimuths on the floor about the direction away from a light."""
     return np.arctan2(-light[1], -light[0]) + np.linspace(-SPREAD, SPREAD, count)
 
 
-def edge(scene, light, azimuths, beta):
+def edge(scene: Scene, light: np.ndarray, azimuths: np.ndarray, beta: float) -> np.ndarray:
     """Return s of the outermost edge of the displaced surface's shadow on the floor, for each azimuth, by halving."""
     start, rate = smooth_edge(light, azimuths)
     reach = 1.5 * abs(beta) * rate + 1e-9
@@ -103,7 +106,7 @@ def edge(scene, light, azimuths, beta):
     return (low + high) / 2
 
 
-def shadow_remainders(betas, light, scene=SCENE):
+def shadow_remainders(betas: np.ndarray, light: np.ndarray, scene: Scene = SCENE) -> tuple[np.ndarray, np.ndarray]:
     """Return (moved, left): the largest, over the azimuths, of how far the shadow's edge moves on the floor, and of
     what is left of it after the term of first order, h ds/dβ; each an array over `betas`.
     """
@@ -115,7 +118,7 @@ def shadow_remainders(betas, light, scene=SCENE):
     return np.abs(moved).max(axis=1), np.abs(left).max(axis=1)
 
 
-def outline(scene, azimuths, beta, samples=2001):
+def outline(scene: Scene, azimuths: np.ndarray, beta: float, samples: int = 2001) -> np.ndarray:
     """Return the image radius of the displaced surface's outline at each azimuth, the largest of a grid in φ."""
     polar = np.linspace(0, np.pi / 2, samples)[:, None]
     direction = np.sin(polar) * np.cos(azimuths), np.sin(polar) * np.sin(azimuths), np.cos(polar) + 0 * azimuths
@@ -123,7 +126,7 @@ def outline(scene, azimuths, beta, samples=2001):
     return (scene.eye * far * np.sin(polar) / (scene.eye - far * np.cos(polar))).max(axis=0)
 
 
-def first_surface(scene, beta, side, samples=400):
+def first_surface(scene: Scene, beta: float, side: int, samples: int = 400) -> np.ndarray:
     """Return which surface a pixel's ray meets first, (side, side): 1 the displaced A, 2 B, 3 the floor.
 
     The ray is looked at in `samples` points; a bulge that it crosses between two of them is missed.
