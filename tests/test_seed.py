@@ -16,6 +16,17 @@ def test_it_is_kept_as_it_came():
     assert hashlib.sha256(SEED.read_bytes()).hexdigest() == CAME_AS
 
 
+def test_the_front_page_and_the_citation_name_its_authors():
+    front, citation = ((SEED.parents[1] / name).read_text(encoding="utf-8") for name in ("index.md", "../CITATION.cff"))
+    lines = parts()[""].splitlines()
+    credits = [line.split(" — ") for line in lines if line.endswith("Mathematical Development")]
+    assert [name for name, _ in credits] == ["Dr. L. Van Warren", "Kimi K3"]
+    for name, role in credits:
+        assert f"**{name}**, {role}" in front and f"- name: {name}\n" in citation
+        assert f"{name}: {role}" in " ".join(citation.split())
+    assert lines[2].split(" — ")[1] in front and " ".join(lines[4:6]) in front  # title and subtitle
+
+
 def test_its_parts_are_the_whole_in_order_and_have_a_claim_each():
     found = parts()
     assert "".join(found.values()) == SEED.read_text(encoding="utf-8")
