@@ -89,7 +89,7 @@ def run(options: argparse.Namespace) -> int:
     # Two builds at once would write the same files: the second waits, and then finds its work done.
     with FileLock(stamps.STAMPS / "lock"):
         if verb == "check":
-            stage("Checking everything", check.check)
+            stage("Checking everything", check.run)
         if verb == "figures":
             stage("Drawing figures", lambda: figures(options.ids, options.force))
         if verb in (*BUILDING, *RELEASES):

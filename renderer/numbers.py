@@ -82,7 +82,7 @@ def way_of(scene: Scene, method: GradientMethod) -> tuple[str, str]:
 def style_of(scene: Scene) -> tuple[str, str]:
     """Return (model, style): how light is taken; from the squared base for an even shininess, where a model has it."""
     squared = LIGHT_MODELS[scene.model][1] is not None and scene.shininess % 2.0 == 0.0
-    return scene.model, "dull" if scene.ks == 0.0 else "squared" if squared else "base"
+    return scene.model, "diffuse" if scene.ks == 0.0 else "squared" if squared else "base"
 
 
 def want_of(scene: Scene, method: GradientMethod, **more: Any) -> Want:

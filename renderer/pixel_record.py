@@ -103,7 +103,7 @@ def _lit(frame):
     planes = {"code": frame.chambers} | dict(zip(COLORS, np.empty((3, 1, 1)), strict=True))
     row = Row(Job(scene, lights, stage.x, stage.y, None, planes), 0, slice(None))
     want = want_of(frame.scene, frame.method, given=True)
-    want = want._replace(lights=tuple((model, style.replace("dull", "base")) for model, style in want.lights))
+    want = want._replace(lights=tuple((model, style.replace("diffuse", "base")) for model, style in want.lights))
     group = _WrittenDown(Rows(lights), of_form(SCENE_FORM, scene), want, row)
     group.draw()
     return group.found

@@ -38,7 +38,7 @@ class Want(NamedTuple):
     """What is drawn: it chooses the code, where the scene's numbers are given to it.
 
     ways: (field, way to its gradient) pairs, of which `scene.way` is the index of one; a way is algebraic, general, a
-    difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is dull (without a
+    difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
     highlight), base, or squared. whole: whether the shininess is a whole number. given: whether the chambers are
     known. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these are wanted. kept: which of
     ON_A are stored, or CHART beside them. charted: whether ANGLES and CHART are known.
@@ -260,7 +260,7 @@ class Group:
             name, style = choice
             base, squared = k.LIGHT_MODELS[name]
             mu, specular = (squared if style == "squared" else base)(*point, *light.position, *normal, *view)
-            if style == "dull":
+            if style == "diffuse":
                 return mu, 0.0
             self.machine.count("specular_powers", lit)
             if not self.want.whole:

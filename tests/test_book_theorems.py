@@ -164,11 +164,11 @@ def test_a_missing_report_triggers_the_check(fresh_report, monkeypatch):
     monkeypatch.setattr(check, "sources", lambda: [stamps.LOCK_FILE])
     report.make()
     assert commands == []
-    check.check()
-    check.check()
+    check.run()
+    check.run()
     assert len(commands) == 1
     fresh_report.unlink()
-    check.check()
+    check.run()
     report.make()
     assert [command[3] for command in commands[1:]] == ["verify", "verify/test_theorems.py"]
 

@@ -15,7 +15,7 @@ from sphinx.errors import ExtensionError
 import book.ledger
 from book.extension.ledger import require_ledger
 from book.ledger import BadLedger, load
-from book.ledger.check import Run, check
+from book.ledger.check import Run, faults_in
 from book.ledger.entries import FINDINGS, FOLDER
 from book.ledger.relations import relation
 from book.ledger.run import last_run, node_exists, split
@@ -77,7 +77,7 @@ def faults(tmp_path):
         (tmp_path / "background.toml").write_text(background)
         (tmp_path / "places.toml").write_text('[places]\ncell3 = "Cell 3"\n')
         try:
-            return check(load(tmp_path), RUN)
+            return faults_in(load(tmp_path), RUN)
         except BadLedger as error:
             return error.faults
 
@@ -243,7 +243,7 @@ def test_all_findings_and_all_places_of_the_seed_are_there():
 
 def test_the_ledger_stands(site):
     """Against the run that built the site."""
-    assert check(load(), last_run()) == []
+    assert faults_in(load(), last_run()) == []
     done = subprocess.run([sys.executable, "-m", "book.ledger"], cwd=ROOT, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     assert f"{len(load().claims)} claims" in done.stdout
@@ -256,7 +256,7 @@ def test_one_more_entry_is_one_more_claim(site, tmp_path):
     example = re.search(r"^    \[\[claim\]\]\n(?:    .*\n)+", book.ledger.__doc__, re.MULTILINE)[0]
     (folder / "claims" / "newcomer.toml").write_text(textwrap.dedent(example))
     assert len(load(folder).claims) == len(load().claims) + 1
-    assert check(load(folder), last_run()) == []
+    assert faults_in(load(folder), last_run()) == []
 
 
 @pytest.mark.parametrize(
@@ -277,7 +277,7 @@ def test_a_build_stops_where_the_ledger_does_not_stand(site, monkeypatch, id, ch
 
 def test_a_new_theorem_needs_a_claim(site):
     more = Run(**vars(last_run()) | {"grades": last_run().grades | {"one_more": "proved"}})
-    assert check(load(), more) == ["theorem one_more: no claim rests on it, and background.toml does not list it"]
+    assert faults_in(load(), more) == ["theorem one_more: no claim rests on it, and background.toml does not list it"]
 
 
 def test_the_page_has_every_claim_and_every_code_once(site):

@@ -27,7 +27,7 @@ SCENES = {
     "central4": (Scene(field="rings"), central4(1e-2)),
     "phong": (Scene(model="phong", ku=6.0, kv=3.0), exact()),
     "odd": (Scene(shininess=7.0), exact()),
-    "dull": (Scene(ks=0.0, field="sine"), exact()),
+    "diffuse": (Scene(ks=0.0, field="sine"), exact()),
     "flat": (Scene(beta=0.0), exact()),
     "no_ball": (Scene(ball=False), exact()),
     "no_floor": (Scene(floor=False), central(1e-2)),

@@ -93,9 +93,9 @@ def test_an_occluded_light_is_not_computed():
 
 
 def test_no_highlight_where_its_weight_is_zero():
-    dull = work_of(replace(DEFAULT, ks=0.0))
-    assert dull["specular_powers"] == 0
-    assert dull["light_terms"] == work_of()["light_terms"]
+    diffuse = work_of(replace(DEFAULT, ks=0.0))
+    assert diffuse["specular_powers"] == 0
+    assert diffuse["light_terms"] == work_of()["light_terms"]
 
 
 def test_a_crop_computes_its_pixels_alone():

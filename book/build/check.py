@@ -22,7 +22,7 @@ def sources() -> Iterator[Path]:
     yield from (stamps.ROOT / name for name in FILES)
 
 
-def check() -> None:
+def run() -> None:
     """Run `pytest verify`, which writes the report that the book reads, or say why there is no need to."""
     now = stamps.hashes(sources())
     if stamps.read("check") == now | {"report": report.digest()}:

@@ -23,8 +23,8 @@ from book.build.contents import page_title
 from book.extension.cards import Here, link
 from book.extension.elements import TEMPLATES, BookDirective, BookRole, filled, section
 from book.extension.ledger_evidence import number_nodes, test_address
-from book.ledger.check import check, refutes
-from book.ledger.entries import FINDINGS, VERDICTS, BadLedger, Claim, Evidence, Ledger
+from book.ledger.check import faults_in, refutes
+from book.ledger.entries import FINDINGS, VERDICTS, BadLedger, Evidence, Ledger, LedgerClaim
 
 PAGE = "findings"
 SLUGS = dict(zip(VERDICTS, ("false", "corrected", "conditional", "holds", "outside"), strict=True))
@@ -38,8 +38,8 @@ def ledger_of(app: Sphinx) -> Ledger:
         from book.ledger import run  # it imports this package's results
 
         found, app.chapter_run = ledger.load(), run.last_run()
-        if faults := check(found, app.chapter_run):
-            raise BadLedger(faults)
+        if wrong := faults_in(found, app.chapter_run):
+            raise BadLedger(wrong)
         app.chapter_ledger = found
     return app.chapter_ledger
 
@@ -66,7 +66,7 @@ class Entries(Here):
         found, messages = self._directive.state.inline_text(text, self._directive.lineno)
         return [*found, *messages]
 
-    def entry(self, claim: Claim) -> str:
+    def entry(self, claim: LedgerClaim) -> str:
         """The address of a claim's entry on the page of all."""
         return f"{self.page(PAGE)}#claim-{claim.id}"
 

@@ -30,10 +30,10 @@ A theorem that no claim needs is listed in background.toml with a reason. `pytho
 against the last run (the site's build does so too), prints what is wrong by entry and field, and counts verdicts.
 
     from book.ledger import load
-    load().claims                 # (Claim, …), in the order of the files
-    load().resting_on()           # {"bump_moves_no_boundary": [Claim, …], …}: theorem → the claims that rest on it
+    load().claims                 # (LedgerClaim, …), in the order of the files
+    load().resting_on()           # {"bump_moves_no_boundary": [LedgerClaim, …], …}: theorem → claims that rest on it
 """
 
-from book.ledger.entries import VERDICTS, BadLedger, Claim, Evidence, Ledger, load
+from book.ledger.entries import VERDICTS, BadLedger, Evidence, Ledger, LedgerClaim, load
 
-__all__ = ["VERDICTS", "BadLedger", "Claim", "Evidence", "Ledger", "load"]
+__all__ = ["VERDICTS", "BadLedger", "Evidence", "Ledger", "LedgerClaim", "load"]

@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from book.build.report import NoReport
-from book.ledger.check import check
+from book.ledger.check import faults_in
 from book.ledger.entries import VERDICTS, BadLedger, load
 
 
@@ -20,8 +20,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     try:
         ledger = load()
-        if faults := check(ledger, last_run()):
-            raise BadLedger(faults)
+        if found := faults_in(ledger, last_run()):
+            raise BadLedger(found)
     except (BadLedger, NoReport) as error:
         print(f"ledger: {error}", file=sys.stderr)
         return 1

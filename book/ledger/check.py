@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from book.ledger.entries import CONDITIONAL, FINDINGS, NUMBER_ROLE, OUTSIDE, Claim, Evidence, Ledger
+from book.ledger.entries import CONDITIONAL, FINDINGS, NUMBER_ROLE, OUTSIDE, Evidence, Ledger, LedgerClaim
 from book.ledger.relations import relation
 
 THEOREM_ROLE = re.compile(r"\{theorem-ref\}`([^`|]+)")
@@ -24,10 +24,10 @@ class Run:
     test: Callable[[str], bool]
 
 
-def check(ledger: Ledger, run: Run) -> list[str]:
+def faults_in(ledger: Ledger, run: Run) -> list[str]:
     """Every fault, one line each: the entry, the field, what is wrong."""
-    faults = [f"{claim.id}: {fault}" for claim in ledger.claims for fault in _claim(claim, ledger, run)]
-    return [*faults, *_orphans(ledger, run)]
+    found = [f"{claim.id}: {fault}" for claim in ledger.claims for fault in _claim(claim, ledger, run)]
+    return [*found, *_orphans(ledger, run)]
 
 
 def refutes(piece: Evidence, run: Run) -> bool:
@@ -39,7 +39,7 @@ def refutes(piece: Evidence, run: Run) -> bool:
     return piece.refutes
 
 
-def _claim(claim: Claim, ledger: Ledger, run: Run) -> Iterator[str]:
+def _claim(claim: LedgerClaim, ledger: Ledger, run: Run) -> Iterator[str]:
     place = claim.where.removeprefix("seed:")
     if claim.of_seed and place not in ledger.places:
         yield f"where: {place!r} is no place of the seed; there are: {', '.join(ledger.places)}"
@@ -80,7 +80,7 @@ def _odd_number(name: str, wants: str | None, run: Run) -> str:
     return "" if relation(wants).holds(value) else f"is: {wants} is expected, the run has {value}"
 
 
-def _verdict(claim: Claim, run: Run) -> Iterator[str]:
+def _verdict(claim: LedgerClaim, run: Run) -> Iterator[str]:
     """Whether the evidence bears out the verdict; the evidence itself is in order."""
     against = [piece.name for piece in claim.evidence if refutes(piece, run)]
     if claim.verdict == "holds" and against:

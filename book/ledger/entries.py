@@ -45,7 +45,7 @@ class Evidence:
 
 
 @dataclass(frozen=True)
-class Claim:
+class LedgerClaim:
     """One entry; texts are MyST, "" where there is none."""
 
     id: str
@@ -74,27 +74,27 @@ class Claim:
 class Ledger:
     """All claims; the theorems that need none, with the reason; and the places of the seed, with their names."""
 
-    claims: tuple[Claim, ...]
+    claims: tuple[LedgerClaim, ...]
     background: dict[str, str]
     places: dict[str, str]
 
-    def get(self, id: str) -> Claim:
+    def get(self, id: str) -> LedgerClaim:
         """The claim of that id; BadLedger if there is none."""
         for claim in self.claims:
             if claim.id == id:
                 return claim
         raise BadLedger([f"{id!r}: no claim has this id"])
 
-    def resting_on(self) -> dict[str, list[Claim]]:
+    def resting_on(self) -> dict[str, list[LedgerClaim]]:
         """Theorem → the claims that rest on it; their codes are the findings that it is about."""
-        found: dict[str, list[Claim]] = {}
+        found: dict[str, list[LedgerClaim]] = {}
         for claim in self.claims:
             for piece in claim.evidence:
                 if piece.kind == "theorem":
                     found.setdefault(piece.name, []).append(claim)
         return found
 
-    def sorted_by_place(self) -> list[Claim]:
+    def sorted_by_place(self) -> list[LedgerClaim]:
         """The seed's claims in the order of its places, then the book's by page."""
         order = {f"seed:{place}": number for number, place in enumerate(self.places)}
         return sorted(self.claims, key=lambda claim: (order.get(claim.where, len(order)), page_order(claim.where)))
@@ -145,10 +145,10 @@ def _faults(kind: str, table: dict, name: str) -> Iterator[str]:
         yield f"{place}: {error.message}" + (f": {said}" if (said := error.schema.get("description")) else "")
 
 
-def _claim(table: dict) -> Claim:
+def _claim(table: dict) -> LedgerClaim:
     """A table that has no faults as a claim."""
     texts = {field: " ".join(value.split()) for field, value in table.items() if isinstance(value, str)}
-    return Claim(
+    return LedgerClaim(
         **texts, findings=tuple(table.get("findings", ())), evidence=tuple(map(_evidence, table.get("evidence", ())))
     )
 

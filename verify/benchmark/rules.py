@@ -60,7 +60,9 @@ RULES = {
     "flat": lambda: mock.patch.object(
         numbers, "way_of", lambda s, m: (s.field, "general") if not s.beta else _way_of(s, m)
     ),
-    "dull": lambda: mock.patch.object(numbers, "style_of", lambda s: (s.model, "base") if not s.ks else _style_of(s)),
+    "diffuse": lambda: mock.patch.object(
+        numbers, "style_of", lambda s: (s.model, "base") if not s.ks else _style_of(s)
+    ),
     "squared": lambda: mock.patch.object(
         numbers, "style_of", lambda s: (s.model, _style_of(s)[1].replace("squared", "base"))
     ),
