@@ -15,6 +15,8 @@ SCENE = Scene()
 SIZE = 256  # the raster of every number on the default scene
 TELLING_EPS = 1e-2  # a step at which the creases are plainly wrong to the eye
 FIELD_NAMES = ("sine", "ridges", "rings")
+MARKED = 300  # the side of a panel with marks
+FINE = 3  # samples to a side of a pixel where a picture is for the eye; what is counted has one
 
 
 @cache
@@ -29,12 +31,22 @@ def numeric(field: str = "ridges", size: int = SIZE, eps: float = TELLING_EPS) -
     return render(Scene(field=field), size, size, central(eps), stage=symbolic(field, size).stage)
 
 
+def averaged(picture: np.ndarray, times: int = FINE) -> np.ndarray:
+    """Return a picture of bytes, (high, wide, channels), at a `times`-th of its size: the mean of every square."""
+    high, wide, channels = picture.shape
+    squares = picture.reshape(high // times, times, wide // times, times, channels)
+    return np.rint(squares.mean(axis=(1, 3))).astype(np.uint8)
+
+
 def marked_by_light(marks: Sequence) -> Figure:
-    """Return panels of the picture, and of it dimmed with each light's marks: [(flags, colour)], the last on top."""
-    picture = image_view(symbolic("ridges", 300))
+    """Return panels of the picture, and of it dimmed with each light's marks: [(flags, colour)], the last on top.
+
+    The flags are those of a raster of FINE times the panels' side.
+    """
+    picture = image_view(symbolic("ridges", MARKED * FINE))
     pictures = [picture]
     for of_light in marks:
         pictures.append(picture // 3)
         for flags, colour in of_light:
             pictures[-1] = np.where(flags[..., None], np.array(colour, np.uint8), pictures[-1])
-    return panels(pictures, ("the picture", "first light", "second light"))
+    return panels([averaged(each) for each in pictures], ("the picture", "first light", "second light"))

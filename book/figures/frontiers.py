@@ -7,7 +7,7 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import decades, label_line_end, palette, panels, plot, slope_triangle
-from book.figures.chapter_scene import SCENE, marked_by_light, symbolic
+from book.figures.chapter_scene import FINE, MARKED, SCENE, marked_by_light, symbolic
 from verify.accuracy.frontiers import fiction, wall
 
 KINDS = {"bilinear": (0, ()), "cubic": (0, (5, 2))}
@@ -111,9 +111,9 @@ def frontier_silhouette() -> Drawing:
 def frontier_leaks() -> Drawing:
     """Where a light reaches what faces away from it, and where it misses what faces it, for each light."""
     colours = ((0xF0, 0xE4, 0x42), (0x56, 0xB4, 0xE9))
-    fig = marked_by_light([zip(found[::-1], colours[::-1], strict=True) for found in _leaks(SCENE, 300)])
+    fig = marked_by_light([zip(found[::-1], colours[::-1], strict=True) for found in _leaks(SCENE, MARKED * FINE)])
     numbers, data = {"pixels_a": int(symbolic("ridges", 256).stage.on_a.sum())}, {}
-    for size, kept in ((256, numbers), (300, data)):
+    for size, kept in ((256, numbers), (MARKED, data)):
         for name, (leak, miss) in zip(("first", "second"), _leaks(SCENE, size), strict=True):
             kept |= {f"{name}_leaks": leak, f"{name}_missed": miss}
     return Drawing(fig, numbers={key: int(np.sum(value)) for key, value in numbers.items()}, data=data)

@@ -3,29 +3,61 @@
 from dataclasses import replace
 from functools import cache
 
-import matplotlib
 import numpy as np
+from matplotlib.figure import Figure
 
+from book.drawing.palette import CSS_PIXELS_PER_INCH, palette
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels, plot
-from book.figures.chapter_scene import FIELD_NAMES, SCENE, SIZE, marked_by_light, symbolic
+from book.figures.chapter_scene import FIELD_NAMES, FINE, MARKED, SCENE, SIZE, averaged, marked_by_light, symbolic
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
 from proofs.formulas.symbols import cos_phi, eye, radius, rho, rho_silhouette, sin_phi
 from renderer import Scene, height_at, render
 from renderer.views import image_view
 
+BODIES = {  # surface and bit 7, the dark floor square: (name, colour where both lights arrive)
+    1: ("sphere A", (0xD9, 0x6A, 0x4F)),
+    2: ("sphere B", (0x6B, 0xA3, 0xD6)),
+    3: ("floor, light square", (0xE6, 0xD9, 0xB4)),
+    3 | 128: ("floor, dark square", (0x9C, 0xA9, 0x7C)),
+}
+HIDDEN = {0: ("both lights", 1.0), 4: ("first hidden", 0.74), 8: ("second hidden", 0.55), 12: ("both hidden", 0.4)}
+"""{bits 2 and 3, the lights that another body hides: (name, how bright the colour is)}"""
+
+
+def _chamber_colour(body, hidden):
+    return np.rint(np.array(BODIES[body][1]) * HIDDEN[hidden][1]).astype(np.uint8)
+
+
+def _chamber_legend(fig: Figure, codes: np.ndarray) -> None:
+    """Write under the pictures what a colour says: a row for each body, a column for the lights that are hidden."""
+    width, height = fig.get_size_inches() * CSS_PIXELS_PER_INCH
+    for column, (hidden, (name, _)) in enumerate(HIDDEN.items()):
+        left = 180 + 180 * column
+        fig.text(left / width, 112 / height, name, va="baseline", color=palette()["muted"])
+        for row, (body, (surface, _)) in enumerate(BODIES.items()):
+            low = 82 - 25 * row
+            if column == 0:
+                fig.text(4 / width, (low + 4) / height, surface, va="baseline", color=palette()["ink"])
+            if body | hidden in codes:
+                mark = fig.add_axes((left / width, low / height, 90 / width, 16 / height))
+                mark.imshow(_chamber_colour(body, hidden)[None, None], aspect="auto")
+                mark.set_axis_off()
+
 
 @figure("chambers")
 def chambers() -> Drawing:
-    """The default scene, and beside it its chambers, each in a colour of its own."""
-    frame = symbolic("ridges", 450)
-    codes, index = np.unique(frame.chambers, return_inverse=True)
-    colours = matplotlib.colormaps["tab20b"](np.arange(len(codes)) / max(1, len(codes) - 1), bytes=True)[:, :3]
-    picture = colours[index.reshape(frame.chambers.shape)]
-    fig = panels([image_view(frame), picture], ("the picture", "its chambers"))
+    """The default scene, and beside it its chambers, each in a colour of its own, with a legend."""
+    fine, codes = symbolic("ridges", 450 * FINE), np.unique(symbolic("ridges", 450).chambers)
+    colours = np.zeros((256, 3), np.uint8)
+    for code in codes:
+        colours[code] = _chamber_colour(code & 131, code & 12)
+    pictures = [averaged(image_view(fine)), averaged(colours[fine.chambers])]
+    fig = panels(pictures, ("the picture", "its chambers"), foot=140)
+    _chamber_legend(fig, codes)
     surfaces = np.bincount(symbolic().chambers.ravel() & 3, minlength=4)
     numbers = {"count": len(codes), "pixels_a": surfaces[1], "pixels_b": surfaces[2], "pixels_floor": surfaces[3]}
-    return Drawing(fig, numbers=numbers, data={"chambers": frame.chambers})
+    return Drawing(fig, numbers=numbers, data={"chambers": symbolic("ridges", 450).chambers})
 
 
 @figure("height_fields")
@@ -88,7 +120,7 @@ def _draw_on_a(ax, frame, x, y, **line):
 def kink_loci() -> Drawing:
     """The creases of ridges over the picture: rays from the axis and a circle."""
     frame = render(SCENE, 640, 560)
-    fig = panels([image_view(frame) // 2 + 40])
+    fig = panels([averaged(image_view(render(SCENE, 640 * FINE, 560 * FINE))) // 2 + 40])
     ax = fig.axes[0]
     limits = ax.axis()
     rim = float(silhouette_of_a.expand(rho_silhouette).subs({eye: SCENE.eye, radius: SCENE.radius}))
@@ -120,7 +152,7 @@ def turned(size: int = SIZE) -> list[np.ndarray]:
 @figure("attached_shadow")
 def attached_shadow() -> Drawing:
     """The pixels of A that the bump turns away from a light, or towards it, for each light."""
-    fig = marked_by_light([[(flags, (0xCC, 0x79, 0xA7))] for flags in turned(300)])
+    fig = marked_by_light([[(flags, (0xCC, 0x79, 0xA7))] for flags in turned(MARKED * FINE)])
     on_a = int(symbolic().stage.on_a.sum())
     first, second = turned()
     numbers = {
@@ -132,4 +164,4 @@ def attached_shadow() -> Drawing:
         "second_share": second.sum() / on_a,
         "either_share": (first | second).sum() / on_a,
     }
-    return Drawing(fig, numbers=numbers, data=dict(zip(("first", "second"), turned(300), strict=True)))
+    return Drawing(fig, numbers=numbers, data=dict(zip(("first", "second"), turned(MARKED), strict=True)))

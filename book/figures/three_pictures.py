@@ -4,7 +4,7 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels
-from book.figures.chapter_scene import FIELD_NAMES, SCENE, TELLING_EPS, numeric, symbolic
+from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, TELLING_EPS, averaged, numeric, symbolic
 from renderer import central, exact, render, stage_of
 from renderer.sweep import difference_on_a, rms
 from renderer.views import difference_logarithmic, image_view, kink_view, slope_view, to_bytes
@@ -18,9 +18,9 @@ TITLES = ("numeric", "symbolic", "difference")
 
 
 def _three(field, size):
-    first, second = numeric(field, size), symbolic(field, size)
-    delta = first.rgb - second.rgb
-    return to_bytes(first.rgb), to_bytes(second.rgb), difference_logarithmic(delta, LOW, HIGH)
+    delta = numeric(field, size).rgb - symbolic(field, size).rgb
+    fine = (averaged(image_view(frame(field, size * FINE))) for frame in (numeric, symbolic))
+    return *fine, difference_logarithmic(delta, LOW, HIGH)
 
 
 def _column(pictures):
@@ -57,10 +57,12 @@ def contact_sheet() -> Drawing:
 @figure("views")
 def views() -> Drawing:
     """The symbolic picture of ridges, its slope, its kink flags, and the pixels whose difference straddles."""
-    frame, stepped = symbolic("ridges", VIEW_SIDE), numeric("ridges", VIEW_SIDE)
-    straddling = np.where(stepped.straddling[..., None], np.uint8(255), image_view(frame) // 3)
-    pictures = [image_view(frame), slope_view(frame), kink_view(frame), straddling]
+    fine, fine_step = symbolic("ridges", VIEW_SIDE * FINE), numeric("ridges", VIEW_SIDE * FINE)
+    straddling = np.where(fine_step.straddling[..., None], np.uint8(255), image_view(fine) // 3)
+    pictures = [image_view(fine), slope_view(fine), kink_view(fine), straddling]
+    pictures = [averaged(np.dstack([picture] * 3) if picture.ndim == 2 else picture) for picture in pictures]
     fig = panels(pictures, ("image", "slope |∇h|", "kink flag", "straddling"))
+    frame, stepped = symbolic("ridges", VIEW_SIDE), numeric("ridges", VIEW_SIDE)
     on_a = int(frame.stage.on_a.sum())
     numbers = {
         "eps": stepped.method.eps,
