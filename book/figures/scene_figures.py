@@ -11,6 +11,7 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels, plot
 from book.figures.chapter_scene import FIELD_NAMES, FINE, MARKED, SCENE, SIZE, averaged, marked_by_light, symbolic
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
+from proofs.formulas.shading import floor_albedo, floor_blue, floor_dark
 from proofs.formulas.symbols import cos_phi, eye, radius, rho, rho_silhouette, sin_phi
 from renderer import Scene, height_at, render
 from renderer.views import image_view
@@ -87,6 +88,8 @@ def default_scene() -> Drawing:
     for number, light in enumerate(SCENE.lights, 1):
         numbers |= {f"light_{number}": _point(light.position), f"colour_{number}": _point(light.color)}
     numbers |= {name: _point(getattr(SCENE, name)) for name in ("ball_center", "ambient", "albedo_a", "albedo_b")}
+    floor = floor_albedo.expand(floor_blue)
+    numbers |= {name: f"{float(floor.subs({floor_dark: dark})):g}" for dark, name in enumerate(("light", "dark"))}
     lean = SCENE.beta * symbolic().slope.max()
     return Drawing(numbers=numbers | {"field": SCENE.field, "lean": lean})
 
