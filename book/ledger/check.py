@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 from book.ledger.entries import CONDITIONAL, FINDINGS, NUMBER_ROLE, OUTSIDE, Evidence, Ledger, LedgerClaim
 from book.ledger.relations import relation
@@ -20,7 +21,7 @@ class Run:
     grades: dict[str, str]
     pages: frozenset[str]
     sources: frozenset[str]
-    number: Callable[[str], int | float | str | bool]
+    number: Callable[[str], Any]
     test: Callable[[str], bool]
 
 

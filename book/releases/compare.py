@@ -81,7 +81,7 @@ def numbers(before: dict, after: dict) -> list[Change]:
 
 def how_far(old: int | float | str | bool, new: int | float | str | bool) -> str:
     """The way from one value to another, in ulps if it is short, else in per cent, or in words."""
-    if any(isinstance(value, str | bool) for value in (old, new)):
+    if isinstance(old, str | bool) or isinstance(new, str | bool):
         return "another value"
     if type(old) is not type(new):
         return "another kind of number"

@@ -37,4 +37,4 @@ def is_within(before: int | float | str | bool, after: int | float | str | bool,
         return True
     if isinstance(before, str | bool) or isinstance(after, str | bool):
         return False
-    return abs(after - before) <= allowed * max(abs(before), abs(after))
+    return abs(after - before) <= float(allowed) * max(abs(before), abs(after))
