@@ -40,11 +40,15 @@ def test_the_compiled_fetch_is_that_of_numpy():
 
 
 def test_a_ratio_is_taken_round_by_round():
-    """A round in which the machine is ten times slower leaves the ratio as it was."""
+    """A round in which the machine is ten times slower, or a call that is interrupted, leaves the ratio as it was."""
     fast = np.repeat([1.0, 1.0, 10.0, 1.0, 1.0], texture.CALLS)
-    assert texture.quartiles(2 * fast, fast) == pytest.approx([2, 2, 2])
-    slow = 2 * fast * np.repeat([1, 2, 3, 4, 5], texture.CALLS)
-    assert texture.quartiles(slow, fast) == pytest.approx([4, 6, 8])
+    slow = 2 * fast
+    slow[1] = 50.0
+    seconds = dict.fromkeys(texture.ways(), fast) | {"central": slow}
+    numbers = texture.numbers_of(seconds, 1)
+    assert [numbers[f"central_to_exact{end}"] for end in ("_low", "", "_high")] == pytest.approx([2, 2, 2])
+    numbers = texture.numbers_of(seconds | {"central": slow * np.repeat([1, 2, 3, 4, 5], texture.CALLS)}, 1)
+    assert [numbers[f"central_to_exact{end}"] for end in ("_low", "", "_high")] == pytest.approx([4, 6, 8])
 
 
 def test_the_kept_ratios_lie_between_their_quartiles():
@@ -52,7 +56,7 @@ def test_the_kept_ratios_lie_between_their_quartiles():
     numbers = result["numbers"]
     assert {"machine", "date", "commit"} <= result["label"].keys() and numbers["load"] >= 0
     assert {f"{name}_ns" for name in texture.ways()} <= numbers.keys()
-    for name in texture.RATIOS:
+    for name in (*texture.RATIOS, *(f"{way}_ns" for way in texture.ways())):
         assert 0 < numbers[f"{name}_low"] <= numbers[name] <= numbers[f"{name}_high"]
 
 
