@@ -1,7 +1,8 @@
 """The formal proofs:  python -m verify.formal compiles `proofs/formal/` with Coq and records what it accepted.
 
-The statement ID__CLAUSE says a clause of the book's theorem ID; ID__CLAUSE__point gives values at which its hypotheses
-hold, and ID__CLAUSE__false refutes a false variant. A refuted theorem's statements are negations.
+The statement ID__NAME is of the book's theorem ID; where that has several clauses, a comment says which ones it says:
+Theorem (* clauses 2, 3 *) ID__NAME. ID__NAME__point gives values at which its hypotheses hold, and ID__NAME__false
+refutes a false variant. A refuted theorem's statements are negations.
 """
 
 import argparse
@@ -24,7 +25,7 @@ from verify.sources import ROOT, hashes, key
 FOLDER = ROOT / "proofs" / "formal"
 RECORD = FOLDER / "record.json"
 KEPT = ROOT / ".stamps" / "formal"  # what Coq was last asked about here
-STATEMENT = re.compile(r"^Theorem ((\w+?)__\w+)", re.MULTILINE)
+STATEMENT = re.compile(r"^Theorem (?:\(\* clauses? ([\d, ]+) \*\) )?((\w+?)__\w+)", re.MULTILINE)
 REQUIRED = re.compile(r"From Formal Require Import ([\w\s]+)\.")
 COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
 AXIOMS = {
@@ -40,6 +41,7 @@ AXIOM = re.compile(r"[\w.]+( : .*)?$|  ")  # its name, and its type there or ind
 MACHINE_NUMBERS = ("Uint63.", "PrimInt63.", "PrimFloat.", "FloatAxioms.", "FloatOps.", "Int63.", "Sint63.")
 
 PARTLY = {
+    "bump_moves_no_boundary": "that none of these depends on the bump: the lines printed for them have no such input",
     "crease_error_area": "how many tents there are, and that they do not overlap",
     "elementary_functions": "how each operation is rounded, and the arctangent",
 }
@@ -78,17 +80,24 @@ def files(*wanted: str) -> list[Path]:
     return [FOLDER / f"{name}.v" for layer in layers(*wanted) for name in layer]
 
 
-def statements(*wanted: str) -> dict[str, list[str]]:
-    """Return {theorem's id: the names of its statements}, in the order of the files."""
-    found: dict[str, list[str]] = {}
+Statements = dict[str, dict[str, list[int]]]
+"""{theorem's id: {a statement's name: the clauses, counted from 1, that it is said to say}}"""
+
+
+def statements(*wanted: str) -> Statements:
+    """Return the statements in the order of the files."""
+    found: Statements = {}
     for path in files(*wanted):
-        for name, theorem in STATEMENT.findall(path.read_text(encoding="utf-8")):
-            found.setdefault(theorem, []).append(name)
+        for clauses, name, theorem in STATEMENT.findall(path.read_text(encoding="utf-8")):
+            found.setdefault(theorem, {})[name] = [int(number) for number in clauses.split(",") if clauses]
     return found
 
 
 def record() -> dict:
-    """Return what Coq accepted, {} if that is stale: {theorem: {"statements": {name: text}, "axioms": [name, …]}}."""
+    """Return what Coq accepted, {} if that is stale.
+
+    {theorem: {"statements": {name: text}, "clauses": {name: those it says, of several}, "axioms": [name, …]}}.
+    """
     if not RECORD.is_file():
         return {}
     content = json.loads(RECORD.read_text(encoding="utf-8"))
@@ -122,7 +131,7 @@ def compile_files(*wanted: str) -> dict:
     return _read(found, printed[-1])
 
 
-def _survey(found: dict[str, list[str]], order: list[Path]) -> str:
+def _survey(found: Statements, order: list[Path]) -> str:
     """Return the text of a file that prints every statement, and each theorem's axioms."""
     lines = ["From Coq Require Import Reals.", "From Coquelicot Require Import Coquelicot.", "Open Scope R_scope."]
     lines += [f"From Formal Require Import {' '.join(path.stem for path in order)}.", "Set Printing Width 72."]
@@ -133,7 +142,7 @@ def _survey(found: dict[str, list[str]], order: list[Path]) -> str:
     return "\n".join([*lines, ""])
 
 
-def _read(found: dict[str, list[str]], printed: str) -> dict:
+def _read(found: Statements, printed: str) -> dict:
     """Return the record out of what the survey printed: each theorem's statements, then what it rests on."""
     *parts, rest = printed.split(SEPARATOR)
     if len(parts) != 2 * len(found) or rest.strip():
@@ -141,10 +150,11 @@ def _read(found: dict[str, list[str]], printed: str) -> dict:
     table = {}
     for theorem, said, rests in zip(found, parts[0::2], parts[1::2], strict=True):
         pieces = re.split(rf"^({'|'.join(found[theorem])})\s*:", said, flags=re.M)
-        if pieces[1::2] != found[theorem]:
+        if pieces[1::2] != list(found[theorem]):
             raise NotAccepted(f"a statement of {theorem} was not printed")
         texts = {name: _dedented(text) for name, text in zip(pieces[1::2], pieces[2::2], strict=True)}
-        table[theorem] = {"statements": texts, "axioms": _axioms(theorem, rests)}
+        clauses = {name: said for name, said in found[theorem].items() if said}
+        table[theorem] = {"statements": texts, "clauses": clauses, "axioms": _axioms(theorem, rests)}
     return table
 
 

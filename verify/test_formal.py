@@ -1,14 +1,18 @@
 """Coq accepts proofs/formal/ as its record says, and refuses what is false, assumed or left out."""
 
 import json
+import re
 import shutil
+import subprocess
+import sys
 
 import pytest
 
 from proofs.engine.theorem import all_theorems
 from renderer.files import write_whole
 from verify import formal
-from verify.sources import key
+from verify.sources import ROOT, key
+from verify.test_campaign import draw, edited
 
 needs_coq = pytest.mark.skipif(
     shutil.which("coqc") is None, reason="Coq is not installed: the record is not re-checked"
@@ -20,7 +24,18 @@ def test_statements_are_of_theorems_of_the_book():
     assert named.keys() <= all_theorems().keys()
     assert formal.PARTLY.keys() <= named.keys()
     for id, names in named.items():
-        assert all_theorems()[id].expected == "refuted" or any(name.endswith("__false") for name in names), id
+        said = {name for name in names if not name.endswith(("__point", "__false"))}
+        assert all_theorems()[id].expected == "refuted" or {f"{name}__false" for name in said} <= names.keys(), id
+
+
+def test_every_clause_of_a_formal_theorem_has_a_statement_that_says_it():
+    for id, names in formal.statements().items():
+        theorem = all_theorems()[id]
+        named = [clauses for name, clauses in names.items() if not name.endswith(("__point", "__false"))]
+        every = set(range(1, len(theorem.clauses) + 1)) if len(theorem.clauses) > 1 else set()
+        said = set().union(*named)
+        assert said <= every and all(clauses for clauses in named) == bool(every), id
+        assert said == every or id in formal.PARTLY, id
 
 
 @needs_coq
@@ -88,9 +103,48 @@ SAID, CLOSED = f"unit_length__length\n     : 1 = 1\n{TRUE}", f"Closed under the 
     ],
 )
 def test_a_survey_that_is_cut_short_or_says_more_than_axioms_is_refused(printed, why):
-    found = {"unit_length": ["unit_length__length"]}
+    found = {"unit_length": {"unit_length__length": []}}
     assert formal._read(found, SAID + CLOSED)["unit_length"]["axioms"] == []
     axioms = "Axioms:\nClassical_Prop.classic : forall P : Prop, P \\/ ~ P\n" + TRUE
     assert formal._read(found, SAID + axioms)["unit_length"]["axioms"] == ["Classical_Prop.classic"]
     with pytest.raises(formal.NotAccepted, match=why):
         formal._read(found, printed)
+
+
+PRINT = "from renderer.generate.coq import formulas_source; print(formulas_source(), end='')"
+MODULE = re.compile(r"^Module (\w+)\.\n(.*?)^End \1\.", re.MULTILINE | re.DOTALL)
+
+
+@needs_coq
+@pytest.mark.long
+def test_no_broken_formula_is_accepted(tmp_path, monkeypatch):
+    """One operator of proofs/formulas/ at a time: Coq refuses it, or no statement is about what is printed of it."""
+    for name in ("proofs", "renderer"):
+        shutil.copytree(ROOT / name, tmp_path / name)
+    folder = tmp_path / "proofs" / "formal"
+    monkeypatch.setattr(formal, "FOLDER", folder)
+    accepted, before = [], (folder / "Formulas.v").read_text(encoding="utf-8")
+    texts = {file.stem: file.read_text(encoding="utf-8") for file in formal.files() if file.stem != "Formulas"}
+    for path, index in draw(seed=20, number=20):
+        original = (tmp_path / path).read_text(encoding="utf-8")
+        changed, line, what = edited(original, index)
+        (tmp_path / path).write_text(changed, encoding="utf-8")
+        done = subprocess.run([sys.executable, "-c", PRINT], cwd=tmp_path, capture_output=True, text=True)
+        (tmp_path / path).write_text(original, encoding="utf-8")
+        modules = {name for name, _ in set(MODULE.findall(done.stdout)) ^ set(MODULE.findall(before))}
+        about = [file for file, text in texts.items() if any(re.search(rf"\b{name}\.", text) for name in modules)]
+        verdict = "cannot be printed"
+        if done.returncode == 0:
+            (folder / "Formulas.v").write_text(done.stdout, encoding="utf-8")
+            verdict = _verdict(about) if about else "no statement is about it"
+        accepted += [f"{path}:{line}: {what}"] if verdict == "accepted" else []
+        print(f"{path}:{line}: {what}: {verdict}", flush=True)
+    assert accepted == []
+
+
+def _verdict(about):
+    try:
+        formal.compile_files(*about)
+    except formal.NotAccepted as error:
+        return f"refused: {re.search(r'File .*line [0-9]+|$', str(error))[0]}"
+    return "accepted"

@@ -96,11 +96,15 @@ def coq(name: str, statement: str) -> Markup:
     return Markup(KEYWORDS.sub(r'<span class="k">\1</span>', words))
 
 
-def in_coq(entry: dict) -> tuple[dict[str, str], int, int]:
-    """The statements of a theorem's record, and how many points and false variants stand beside them."""
-    said = entry["formal"]["statements"]
-    points, false = (sum(name.endswith(end) for name in said) for end in ("__point", "__false"))
-    return {name: text for name, text in said.items() if not name.endswith(("__point", "__false"))}, points, false
+def in_coq(entry: dict) -> tuple[dict[tuple, dict[str, str]], int, int]:
+    """A theorem's statements by the clauses that they say, () of the one, and how many points and false variants."""
+    record, said = entry["formal"], {}
+    points, false = (sum(name.endswith(end) for name in record["statements"]) for end in ("__point", "__false"))
+    clauses = {name: tuple(record["clauses"].get(name, ())) for name in record["statements"]}
+    for name in sorted(record["statements"], key=clauses.get):
+        if not name.endswith(("__point", "__false")):
+            said.setdefault(clauses[name], {})[name] = record["statements"][name]
+    return said, points, false
 
 
 def axioms(names: list[str]) -> str:

@@ -158,3 +158,8 @@ Theorem chart_inverse__recovered__false : ~ forall theta phi, sin phi = sqrt ((c
 Proof.
   intro H. generalize (H 0 (- (PI / 2))). rewrite sin_neg, sin_PI2. generalize (sqrt_pos ((cos 0 * - (1)) ^ 2 + (- (1) * sin 0) ^ 2)). lra.
 Qed.
+Theorem algebraic_gradient__in_v__false : ~ forall n phi, complex_power n (cos phi) (sin phi) = (gradient_rings.cos_v (phi / PI) (INR n), gradient_rings.sin_v (phi / PI) (INR n)).
+Proof.
+  intro H. generalize (f_equal fst (H 1%nat (PI / 2))) PI_RGT_0. cbn. unfold complex_product.product_real, gradient_rings.cos_v. intros E P. revert E.
+  replace (PI * (2 * 1 * (PI / 2 / PI))) with PI by (field; lra). rewrite cos_PI2, sin_PI2, cos_PI. lra.
+Qed.

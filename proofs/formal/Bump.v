@@ -138,7 +138,7 @@ Proof.
   split; nra.
 Qed.
 
-Theorem normalising_is_lipschitz__normalise (a b : vector) : 1 <= length a -> 1 <= length b ->
+Theorem (* clause 1 *) normalising_is_lipschitz__normalise (a b : vector) : 1 <= length a -> 1 <= length b ->
   length (difference (scaled (/ length a) a) (scaled (/ length b) b)) <= Rmin (length (difference a b)) 2.
 Proof.
   intros Ha Hb. destruct (cauchy_schwarz a b) as [C D].
@@ -177,14 +177,25 @@ Proof.
   unfold length. rewrite dot_scaled, dot_comm, dot_scaled, <- Rmult_assoc.
   rewrite sqrt_mult_alt by (generalize (pow2_ge_0 s); nra). f_equal. apply sqrt_Rsqr_abs.
 Qed.
-Theorem normalising_is_lipschitz__bump (theta phi a_u a_v b_u b_v beta : R) :
+Theorem (* clause 2 *) normalising_is_lipschitz__bump (theta phi a_u a_v b_u b_v beta : R) :
+  length (difference (M theta phi a_u a_v beta) (M theta phi b_u b_v beta)) = Rabs beta * length (difference (g theta phi a_u a_v) (g theta phi b_u b_v)) /\
   length (difference (N' theta phi a_u a_v beta) (N' theta phi b_u b_v beta)) <=
   Rmin (Rabs beta * length (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
 Proof.
   rewrite !bumped_is_scaled, <- length_scaled.
   replace (scaled beta (difference (g theta phi a_u a_v) (g theta phi b_u b_v)))
     with (difference (M theta phi a_u a_v beta) (M theta phi b_u b_v beta)) by (unfold_vectors; f_equal; [f_equal|]; ring).
-  apply normalising_is_lipschitz__normalise; apply m_length_at_least_1.
+  split; [reflexivity | apply normalising_is_lipschitz__normalise; apply m_length_at_least_1].
+Qed.
+(* It is no equality: |dN'| is at most 2. *)
+Theorem normalising_is_lipschitz__bump__false : ~ forall theta phi a_u a_v b_u b_v beta,
+  length (difference (N' theta phi a_u a_v beta) (N' theta phi b_u b_v beta)) = Rabs beta * length (difference (g theta phi a_u a_v) (g theta phi b_u b_v)).
+Proof.
+  intro H. destruct (normalising_is_lipschitz__bump 0 0 3 0 0 0 1) as [_ B]. rewrite H in B.
+  replace (length (difference (g 0 0 3 0) (g 0 0 0 0))) with 3 in B.
+  - rewrite Rabs_R1 in B. generalize (Rmin_r (1 * 3) 2). lra.
+  - symmetry. replace (difference (g 0 0 3 0) (g 0 0 0 0)) with (scaled 3 (g 0 0 1 0)) by (unfold_vectors; f_equal; [f_equal|]; ring).
+    rewrite length_scaled, (length_of_unit (g 0 0 1 0)), Rabs_pos_eq by (try rewrite g_squared; lra). ring.
 Qed.
 
 (* The angle between N and N' *)
@@ -241,14 +252,21 @@ Lemma dot_bumped (theta phi h_u h_v beta : R) (w : vector) :
   dot (N' theta phi h_u h_v beta) w = / length (M theta phi h_u h_v beta) * (dot (N theta phi) w + beta * dot (g theta phi h_u h_v) w).
 Proof. rewrite bumped_is_scaled, dot_scaled, m_is_sum, dot_sum, dot_scaled. ring. Qed.
 
-(* Where N.w > |beta| |g|, also N'.w > 0. *)
+(* Where N.w > |beta| |g|, also N'.w > 0, and where N.w < - |beta| |g|, also N'.w < 0: the line moves only between; at beta = 0 not at all. *)
 Theorem shadow_line_moves_within__shadow_line (theta phi h_u h_v beta : R) (w : vector) : length w = 1 ->
-  dot (N theta phi) w > Rabs beta * length (g theta phi h_u h_v) -> dot (N' theta phi h_u h_v beta) w > 0.
+  (dot (N theta phi) w > Rabs beta * length (g theta phi h_u h_v) -> dot (N' theta phi h_u h_v beta) w > 0) /\
+  (dot (N theta phi) w < - (Rabs beta * length (g theta phi h_u h_v)) -> dot (N' theta phi h_u h_v beta) w < 0) /\
+  (beta = 0 -> dot (N' theta phi h_u h_v beta) w = dot (N theta phi) w).
 Proof.
-  intros W H. rewrite dot_bumped. generalize (m_length_at_least_1 theta phi h_u h_v beta). intro L.
-  apply Rmult_lt_0_compat; [apply Rinv_0_lt_compat; lra|].
+  intros W. rewrite dot_bumped. generalize (m_length_at_least_1 theta phi h_u h_v beta). intro L.
   destruct (cauchy_schwarz (g theta phi h_u h_v) w) as [C D]. rewrite W in C, D.
-  unfold Rabs in H. destruct (Rcase_abs beta); nra.
+  assert (I : 0 < / length (M theta phi h_u h_v beta)) by (apply Rinv_0_lt_compat; lra).
+  assert (B : Rabs (beta * dot (g theta phi h_u h_v) w) <= Rabs beta * length (g theta phi h_u h_v)).
+  { rewrite Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos | apply Rabs_le; lra]. }
+  apply Rabs_le_between in B. split; [|split].
+  - intro H. apply Rmult_lt_0_compat; [exact I | lra].
+  - intro H. set (i := / _) in *. set (q := dot (N theta phi) w + _) in *. assert (q < 0) by (unfold q; lra). nra.
+  - intros ->. rewrite (length_of_unit (M theta phi h_u h_v 0)) by (rewrite m_squared; ring). rewrite Rinv_1. ring.
 Qed.
 Theorem shadow_line_moves_within__shadow_line__point : exists theta phi h_u h_v beta w,
   length w = 1 /\ dot (N theta phi) w > Rabs beta * length (g theta phi h_u h_v).
@@ -270,7 +288,7 @@ Qed.
 (* Small and large beta *)
 
 (* |N' - N| <= |beta| |g|. *)
-Theorem normal_limits__small_beta (theta phi h_u h_v beta : R) :
+Theorem (* clause 1 *) normal_limits__small_beta (theta phi h_u h_v beta : R) :
   length (difference (N' theta phi h_u h_v beta) (N theta phi)) <= Rabs beta * length (g theta phi h_u h_v).
 Proof.
   replace (N theta phi) with (N' theta phi 0 0 beta) at 1.
@@ -282,13 +300,23 @@ Proof.
 Qed.
 
 (* With equality at beta = 0, and where g = 0: N' = N. *)
-Theorem normal_limits__zero_beta (theta phi h_u h_v : R) : N' theta phi h_u h_v 0 = N theta phi.
+Theorem (* clause 3 *) normal_limits__zero (theta phi h_u h_v beta : R) : beta = 0 \/ g theta phi h_u h_v = (0, 0, 0) -> N' theta phi h_u h_v beta = N theta phi.
 Proof.
-  rewrite bumped_is_scaled. replace (length (M theta phi h_u h_v 0)) with 1.
-  - rewrite Rinv_1. unfold_vectors. f_equal; [f_equal|]; ring.
-  - symmetry. apply length_of_unit. rewrite m_squared. ring.
+  intro H. assert (E : M theta phi h_u h_v beta = N theta phi).
+  { rewrite m_is_sum. destruct H as [-> | ->]; destruct (N theta phi) as [[x y] z]; [destruct (g theta phi h_u h_v) as [[a b] c]|]; unfold sum, scaled; f_equal; [f_equal| |f_equal|]; ring. }
+  rewrite bumped_is_scaled, E, (length_of_unit (N theta phi)), Rinv_1 by apply normal_is_unit. destruct (N theta phi) as [[x y] z]. unfold scaled. f_equal; [f_equal|]; ring.
 Qed.
-Theorem normal_limits__zero_height (theta phi beta : R) (h : R -> R -> R) : (forall u v, h u v = 0) -> forall u v,
+Theorem normal_limits__zero__point : exists theta phi h_u h_v beta : R, beta = 0 \/ g theta phi h_u h_v = (0, 0, 0).
+Proof. exists 0, 0, 1, 1, 0. left. reflexivity. Qed.
+(* Elsewhere it is not. *)
+Lemma another_normal : N' 0 0 1 0 1 <> N 0 0.
+Proof.
+  intro E. generalize (normal_dot_bumped 0 0 1 0 1) (length_squared (M 0 0 1 0 1)). rewrite E, normal_is_unit, m_squared. intros I L.
+  rewrite <- (Rinv_inv (length _)), <- I, Rinv_1 in L. lra.
+Qed.
+Theorem normal_limits__zero__false : ~ forall theta phi h_u h_v beta, N' theta phi h_u h_v beta = N theta phi.
+Proof. intro H. exact (another_normal (H 0 0 1 0 1)). Qed.
+Theorem (* clause 3 *) normal_limits__zero_height (theta phi beta : R) (h : R -> R -> R) : (forall u v, h u v = 0) -> forall u v,
   N' theta phi (Derive (fun u => h u v) u) (Derive (fun v => h u v) v) beta = N theta phi.
 Proof.
   intros H u v. rewrite (Derive_ext _ (fun _ => 0)) by (intro; apply H). rewrite (Derive_ext (fun v => h u v) (fun _ => 0)) by (intro; apply H).
@@ -297,8 +325,13 @@ Proof.
   - symmetry. apply length_of_unit. rewrite m_squared. ring.
 Qed.
 
+Theorem normal_limits__zero_height__false : ~ forall theta phi beta (h : R -> R -> R) u v, N' theta phi (Derive (fun u => h u v) u) (Derive (fun v => h u v) v) beta = N theta phi.
+Proof.
+  intro H. generalize (H 0 0 1 (fun u _ => u) 0 0). rewrite Derive_id, Derive_const. exact another_normal.
+Qed.
+
 (* For beta and g not zero: |N' - sign(beta) g/|g|| <= 1/(|beta| |g|). *)
-Theorem normal_limits__large_beta (theta phi h_u h_v beta : R) : let tangent := g theta phi h_u h_v in
+Theorem (* clause 2 *) normal_limits__large_beta (theta phi h_u h_v beta : R) : let tangent := g theta phi h_u h_v in
   beta <> 0 -> 0 < length tangent ->
   length (difference (N' theta phi h_u h_v beta) (scaled (sign beta / length tangent) tangent)) <= / (Rabs beta * length tangent).
 Proof.
@@ -335,4 +368,22 @@ Proof.
   generalize (length_nonneg (difference (N' 0 0 1 0 1) (N 0 0))). intro P.
   assert (S : length (difference (N' 0 0 1 0 1) (N 0 0)) ^ 2 <= 1 / 4) by nra. rewrite E in S.
   assert (I : / m * m = 1) by (apply Rinv_l; lra). assert (m > 1.4) by nra. nra.
+Qed.
+(* False variants: N's derivative by theta has the factor sin phi, and the limit for large beta its sign. *)
+Theorem tangent_frame__by_theta__false : ~ forall theta phi, is_derive (fun t => snd (fst (N t phi))) theta (snd (fst (e_theta theta))).
+Proof.
+  intro H. assert (B : Derive (fun t => snd (fst (N t 0))) 0 = 0) by (apply is_derive_unique; unfold_vectors; auto_derive; trivial; rewrite sin_0; ring).
+  generalize (eq_trans (eq_sym B) (is_derive_unique _ _ _ (H 0 0))). unfold_vectors. rewrite cos_0. lra.
+Qed.
+Theorem normal_limits__large_beta__false : ~ forall theta phi h_u h_v beta, beta <> 0 -> 0 < length (g theta phi h_u h_v) ->
+  length (difference (N' theta phi h_u h_v beta) (scaled (/ length (g theta phi h_u h_v)) (g theta phi h_u h_v))) <= / (Rabs beta * length (g theta phi h_u h_v)).
+Proof.
+  assert (U : length (g 0 0 1 0) = 1) by (apply length_of_unit; rewrite g_squared; ring).
+  intro H. generalize (H 0 0 1 0 (-3) ltac:(lra) ltac:(rewrite U; lra)). rewrite U, Rinv_1, Rabs_left by lra.
+  assert (E : length (difference (N' 0 0 1 0 (-3)) (scaled 1 (g 0 0 1 0))) ^ 2 = 2 + 6 * / length (M 0 0 1 0 (-3))).
+  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (sum _ _)), !dot_sum, bumped_is_unit, !dot_scaled, !(dot_comm _ (scaled _ _)), !dot_scaled,
+      ?(dot_comm (g _ _ _ _) (N' _ _ _ _ _)), dot_bumped, g_is_tangent, g_squared. ring. }
+  assert (I : 0 < / length (M 0 0 1 0 (-3))) by (apply Rinv_0_lt_compat; generalize (m_length_at_least_1 0 0 1 0 (-3)); lra).
+  replace (/ (- -3 * 1)) with (1 / 3) by field. set (l := length (difference (N' 0 0 1 0 (-3)) (scaled 1 (g 0 0 1 0)))) in *.
+  intro X. assert (l ^ 2 <= (1 / 3) ^ 2) by (apply pow_incr; split; [apply length_nonneg | exact X]). lra.
 Qed.

@@ -893,7 +893,7 @@ Qed.
 
 (* Seen from E, the point of A at (theta, phi) is at the image point rho (cos theta, sin theta) with
    rho = e R sin phi / (e - R cos phi): a meridian (theta fixed) is a ray, a parallel (phi fixed) a circle. *)
-Theorem kink_loci__projection (t x y e r theta phi : R) : 0 < r < e -> 0 <= sin phi ->
+Theorem (* clause 1 *) kink_loci__projection (t x y e r theta phi : R) : 0 < r < e -> 0 <= sin phi ->
   t * x = point_on_a.point_x (cos theta) (sin phi) r -> t * y = point_on_a.point_y (sin theta) (sin phi) r ->
   e * (1 - t) = point_on_a.point_z (cos phi) r ->
   let rho := parallel_radius.rho (sin phi) (cos phi) e r in
@@ -967,7 +967,7 @@ Proof.
 Qed.
 
 (* Ridges is creased in u exactly on the rays k_u u = m with m whole, off the circles where it is 0 all along. *)
-Theorem kink_loci__crease_u (u v ku kv : R) : ku <> 0 -> sin (PI * (kv * v)) <> 0 ->
+Theorem (* clauses 2, 3 *) kink_loci__crease_u (u v ku kv : R) : ku <> 0 -> sin (PI * (kv * v)) <> 0 ->
   (exists m : Z, ku * u = IZR m) <-> ~ ex_derive (fun u => height_ridges.h u v ku kv) u.
 Proof. apply creased. Qed.
 
@@ -986,7 +986,7 @@ Proof.
 Qed.
 
 (* Ridges is creased in v exactly on the circles k_v v = m with m whole, off the rays where it is 0 all along. *)
-Theorem kink_loci__crease_v (u v ku kv : R) : kv <> 0 -> sin (PI * (ku * u)) <> 0 ->
+Theorem (* clauses 2, 3 *) kink_loci__crease_v (u v ku kv : R) : kv <> 0 -> sin (PI * (ku * u)) <> 0 ->
   (exists m : Z, kv * v = IZR m) <-> ~ ex_derive (fun v => height_ridges.h u v ku kv) v.
 Proof.
   intros K S. rewrite (creased kv v (sin (PI * (ku * u))) K S).
@@ -1005,8 +1005,8 @@ Proof.
   intros t. unfold height_ridges.h. rewrite !Rmult_0_r, sin_0, Rmult_0_l, Rabs_R0. reflexivity.
 Qed.
 
-(* Of the circles those with cos phi > R / e are seen: in the default scene, k_v = 4 and R / e = 1/4, one circle. *)
-Theorem kink_loci__count (m : Z) : (0 < m <= 4)%Z -> 1 / 4 < cos (PI * (IZR m / 4)) <-> m = 1%Z.
+(* Above 1/4 only the first of four. *)
+Lemma count_above (m : Z) : (0 < m <= 4)%Z -> 1 / 4 < cos (PI * (IZR m / 4)) <-> m = 1%Z.
 Proof.
   intros H. assert (m = 1 \/ m = 2 \/ m = 3 \/ m = 4)%Z as [-> | [-> | [-> | ->]]] by lia.
   - replace (PI * (1 / 4)) with (PI / 4) by field. rewrite cos_PI4. split; [reflexivity | intros _].
@@ -1019,19 +1019,9 @@ Proof.
   - replace (PI * (4 / 4)) with PI by field. rewrite cos_PI. split; [lra | discriminate].
 Qed.
 
-Theorem kink_loci__count__point : exists m : Z, (0 < m <= 4)%Z.
-Proof. exists 1%Z. lia. Qed.
-
-(* Not two. *)
-Theorem kink_loci__count__false : ~ forall m : Z, (0 < m <= 4)%Z -> 1 / 4 < cos (PI * (IZR m / 4)) <-> (m <= 2)%Z.
-Proof.
-  intros F. assert (1 / 4 < cos (PI * (2 / 4))) as C by (apply (F 2%Z); lia).
-  apply (kink_loci__count 2 ltac:(lia)) in C. discriminate.
-Qed.
-
 (* The parallel v = m / k is seen, where no other body hides it, exactly if cos (pi m / k) >= R / e: its point at
    theta is then the near hit of its ray. *)
-Theorem visible_parallels__seen (t x y e r theta : R) (m k : Z) : 0 < r < e -> off_axis x y e -> (0 <= m <= k)%Z ->
+Theorem (* clause 2 *) visible_parallels__seen (t x y e r theta : R) (m k : Z) : 0 < r < e -> off_axis x y e -> (0 <= m <= k)%Z ->
   (0 < k)%Z ->
   let phi := PI * (IZR m / IZR k) in
   t * x = point_on_a.point_x (cos theta) (sin phi) r -> t * y = point_on_a.point_y (sin theta) (sin phi) r ->
@@ -1075,38 +1065,23 @@ Proof.
   specialize (N ltac:(lra) ltac:(lra)). simpl in N. lra.
 Qed.
 
-Lemma parallel_angle (m k : Z) : (0 <= m <= k)%Z -> (0 < k)%Z -> 0 <= PI * (IZR m / IZR k) <= PI.
-Proof.
-  intros [M N] K. apply IZR_le in M, N. apply IZR_lt in K. pose proof PI_RGT_0.
-  assert (0 <= IZR m / IZR k <= 1); [| nra].
-  split; [apply Rle_mult_inv_pos | apply (Rmult_le_reg_l (IZR k)); [| field_simplify]]; lra.
-Qed.
+(* From pole to pole the cosine falls: where a parallel is seen, so is each nearer the pole. *)
+Theorem (* clauses 1, 2 *) visible_parallels__falling (a b e r : R) : 0 <= a -> a < b -> b <= 1 ->
+  cos (PI * b) < cos (PI * a) /\ (r / e <= cos (PI * b) -> r / e <= cos (PI * a)).
+Proof. intros A L B. pose proof PI_RGT_0. enough (cos (PI * b) < cos (PI * a)) by lra. apply cos_decreasing_1; nra. Qed.
 
-(* The cosine falls from m = 0 to m = k, so the first parallels are seen, up to some m. *)
-Theorem visible_parallels__falling (m n k : Z) (e r : R) : (0 <= m)%Z -> (m < n)%Z -> (n <= k)%Z ->
-  cos (PI * (IZR n / IZR k)) < cos (PI * (IZR m / IZR k)) /\
-  (r / e <= cos (PI * (IZR n / IZR k)) -> r / e <= cos (PI * (IZR m / IZR k))).
-Proof.
-  intros M N K. pose proof (parallel_angle m k ltac:(lia) ltac:(lia)).
-  pose proof (parallel_angle n k ltac:(lia) ltac:(lia)).
-  enough (cos (PI * (IZR n / IZR k)) < cos (PI * (IZR m / IZR k))) by lra.
-  apply cos_decreasing_1; try lra. apply Rmult_lt_compat_l; [exact PI_RGT_0 |].
-  apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat, IZR_lt | apply IZR_lt]; lia.
-Qed.
-
-Theorem visible_parallels__falling__point : exists m n k : Z, (0 <= m)%Z /\ (m < n)%Z /\ (n <= k)%Z.
-Proof. exists 0%Z, 1%Z, 4%Z. lia. Qed.
+Theorem visible_parallels__falling__point : exists a b : R, 0 <= a /\ a < b /\ b <= 1.
+Proof. exists 0, (1 / 4). lra. Qed.
 
 (* It does not rise. *)
-Theorem visible_parallels__falling__false : ~ forall m n k : Z, (0 <= m)%Z -> (m < n)%Z -> (n <= k)%Z ->
-  cos (PI * (IZR m / IZR k)) < cos (PI * (IZR n / IZR k)).
+Theorem visible_parallels__falling__false : ~ forall a b : R, 0 <= a -> a < b -> b <= 1 -> cos (PI * a) < cos (PI * b).
 Proof.
-  intros F. specialize (F 0%Z 1%Z 2%Z ltac:(lia) ltac:(lia) ltac:(lia)).
-  destruct (visible_parallels__falling 0 1 2 0 0 ltac:(lia) ltac:(lia) ltac:(lia)). lra.
+  intros F. specialize (F 0 (1 / 2) ltac:(lra) ltac:(lra) ltac:(lra)).
+  destruct (visible_parallels__falling 0 (1 / 2) 0 0 ltac:(lra) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
 (* m = 0 is the pole, a point. *)
-Theorem visible_parallels__pole (k e r : R) : 0 < r < e ->
+Theorem (* clause 3 *) visible_parallels__pole (k e r : R) : 0 < r < e ->
   parallel_radius.rho (sin (PI * (0 / k))) (cos (PI * (0 / k))) e r = 0.
 Proof.
   intros H. unfold Rdiv. rewrite Rmult_0_l, Rmult_0_r, sin_0, cos_0. unfold parallel_radius.rho. field. lra.
@@ -1124,13 +1099,13 @@ Proof.
 Qed.
 
 (* In the default scene, k_v = 4 and R / e = 1/4, it is one circle. *)
-Theorem visible_parallels__count (m : Z) : (0 < m <= 4)%Z -> 1 / 4 <= cos (PI * (IZR m / 4)) <-> m = 1%Z.
+Theorem (* clause 4 *) visible_parallels__count (m : Z) : (0 < m <= 4)%Z -> 1 / 4 <= cos (PI * (IZR m / 4)) <-> m = 1%Z.
 Proof.
-  intros H. rewrite <- (kink_loci__count m H). split; [| lra]. intros [L | E]; [exact L | exfalso].
+  intros H. rewrite <- (count_above m H). split; [| lra]. intros [L | E]; [exact L | exfalso].
   assert (m = 1 \/ m = 2 \/ m = 3 \/ m = 4)%Z as [-> | [-> | [-> | ->]]] by lia.
-  - pose proof (proj2 (kink_loci__count 1 ltac:(lia)) eq_refl). lra.
+  - pose proof (proj2 (count_above 1 ltac:(lia)) eq_refl). lra.
   - replace (PI * (2 / 4)) with (PI / 2) in E by field. rewrite cos_PI2 in E. lra.
-  - destruct (visible_parallels__falling 2 3 4 0 0) as [L _]; try lia. 
+  - destruct (visible_parallels__falling (2 / 4) (3 / 4) 0 0) as [L _]; try lra.
     replace (PI * (2 / 4)) with (PI / 2) in L by field. rewrite cos_PI2 in L. lra.
   - replace (PI * (4 / 4)) with PI in E by field. rewrite cos_PI in E. lra.
 Qed.
@@ -1274,52 +1249,8 @@ Proof.
   match type of W with ?s * ?s = _ => assert (s < 59 / 10000) by nra; nra end.
 Qed.
 
-(* Which surface a pixel shows, whether a sphere hides a light from the point shown (of A, of B, of the floor), and the
-   floor's checker square: the programs that decide them, put one after the other. *)
-Section chamber.
-Variables x y e r bx by_ bz br on floor lx ly lz cx cy cz body : R.
-Definition hidden_from (px py pz : R) := shadow.occluded px py pz lx ly lz cx cy cz body.
-Definition chamber : R * R * R * R * R :=
-  (visible_surface.surface x y e r bx by_ bz br on floor,
-   hidden_from (point_on_a.point_x (angles_on_a.cos_theta x y e) (angles_on_a.sin_phi x y e r) r)
-     (point_on_a.point_y (angles_on_a.sin_theta x y e) (angles_on_a.sin_phi x y e r) r)
-     (point_on_a.point_z (angles_on_a.cos_phi x y e r) r),
-   hidden_from (point_on_b.point_x x y e bx by_ bz br on) (point_on_b.point_y x y e bx by_ bz br on)
-     (point_on_b.point_z x y e bx by_ bz br on),
-   hidden_from (point_on_floor.point_x x) (point_on_floor.point_y y) point_on_floor.point_z,
-   checker.dark x y).
-End chamber.
-
-(* None of them depends on h_u, h_v, beta, epsilon, k_u, k_v. That the printed programs have no such parameter is what
-   this says, and no more: it holds by their definitions. *)
-Theorem bump_moves_no_boundary__chamber (x y e r bx by_ bz br on floor lx ly lz cx cy cz body : R) :
-  exists shown, forall h_u h_v beta epsilon k_u k_v : R,
-  chamber x y e r bx by_ bz br on floor lx ly lz cx cy cz body = shown.
-Proof. eexists. reflexivity. Qed.
-
 Lemma sqrt_is a b : 0 <= b -> a = b ^ 2 -> sqrt a = b.
 Proof. intros B ->. apply sqrt_pow2, B. Qed.
-
-(* The shading does depend on beta: N' may be turned away from a light that N faces. *)
-Theorem bump_moves_no_boundary__chamber__false : ~ forall ct st cp sp h_u h_v beta lx ly lz : R,
-  let mu b := light_direction.mu 0 0 0 lx ly lz (bumped_normal.bumped_x ct st cp sp h_u h_v b)
-    (bumped_normal.bumped_y ct st cp sp h_u h_v b) (bumped_normal.bumped_z ct st cp sp h_u h_v b) in
-  0 < mu 0 -> 0 < mu beta.
-Proof.
-  intros F. specialize (F 1 0 1 0 0 1 (3 / 4) (-12) 0 5). cbv zeta in F.
-  assert (L : light_direction.light_distance 0 0 0 (-12) 0 5 = 13) by (apply sqrt_is; compute; lra).
-  assert (M : forall b l, 0 <= l -> 1 + b ^ 2 = l ^ 2 -> bumped_normal.m_length 1 0 1 0 0 1 b = l).
-  { intros b l P E. apply sqrt_is; [exact P |]. rewrite <- E. compute. ring. }
-  revert F. unfold light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z,
-    light_direction.light_scale. rewrite L. unfold bumped_normal.bumped_x, bumped_normal.bumped_y,
-    bumped_normal.bumped_z, bumped_normal.m_scale. rewrite (M 0 1) by lra. rewrite (M (3 / 4) (5 / 4)) by lra.
-  unfold bumped_normal.m_x, bumped_normal.m_y, bumped_normal.m_z, bumped_normal.g_x, bumped_normal.g_y,
-    bumped_normal.g_z,
-    bumped_normal.normal_x, bumped_normal.normal_y, bumped_normal.normal_z, bumped_normal.e_theta_x,
-      bumped_normal.e_theta_y,
-    bumped_normal.e_theta_z, bumped_normal.e_phi_x, bumped_normal.e_phi_y, bumped_normal.e_phi_z,
-    light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z. lra.
-Qed.
 
 (* What the printed lines divide by is not 0, and what they take roots of is not negative: in Coq x / 0 and
    sqrt (- 1) are numbers too, so this has to be said. *)

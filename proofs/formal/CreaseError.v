@@ -7,7 +7,7 @@ Open Scope R_scope.
 
 (* Within eps of a crease of |sin(pi k u)| the difference, cos(pi k eps) sin(pi k delta)/eps, less the slope, sign(delta) pi k cos(pi k delta),
    is pi k (|delta|/eps - 1) in size, up to 2/3 pi k (pi k eps)^2. *)
-Theorem crease_error_area__tent (k delta epsilon : R) : 0 < k -> 0 < Rabs delta < epsilon ->
+Theorem (* clause 1 *) crease_error_area__tent (k delta epsilon : R) : 0 < k -> 0 < Rabs delta < epsilon ->
   Rabs (cos (PI * (k * epsilon)) * sin (PI * (k * delta)) / epsilon - sign delta * PI * k * cos (PI * (k * delta)) - sign delta * (PI * k * (Rabs delta / epsilon - 1))) <=
   2 / 3 * (PI * k) * (PI * k * epsilon) ^ 2.
 Proof.
@@ -50,7 +50,7 @@ Proof.
 Qed.
 
 (* The square of the tent has the area eps/3 on either side of the crease. *)
-Theorem crease_error_area__tents (epsilon : R) : 0 < epsilon -> is_RInt (fun d => (d / epsilon - 1) ^ 2) 0 epsilon (epsilon / 3).
+Theorem (* clause 2 *) crease_error_area__tents (epsilon : R) : 0 < epsilon -> is_RInt (fun d => (d / epsilon - 1) ^ 2) 0 epsilon (epsilon / 3).
 Proof.
   intro E. replace (epsilon / 3) with (minus ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2)) ((0 - epsilon) ^ 3 / (3 * epsilon ^ 2))) by (unfold minus, plus, opp; simpl; field; lra).
   apply (is_RInt_derive (fun d => (d - epsilon) ^ 3 / (3 * epsilon ^ 2))).
@@ -58,7 +58,7 @@ Proof.
   - intros x _. apply (ex_derive_continuous (fun d => (d / epsilon - 1) ^ 2)). auto_derive. trivial.
 Qed.
 (* The mean of sin^2(pi k v) over the chart is 1/2. *)
-Theorem crease_error_area__mean_of_a_square (k : nat) : (0 < k)%nat -> is_RInt (fun v => sin (PI * (INR k * v)) ^ 2) 0 1 (1/2).
+Theorem (* clause 2 *) crease_error_area__mean_of_a_square (k : nat) : (0 < k)%nat -> is_RInt (fun v => sin (PI * (INR k * v)) ^ 2) 0 1 (1/2).
 Proof.
   intro K. assert (Q : 0 < INR k) by (apply lt_0_INR; exact K). generalize PI_RGT_0. intro P.
   replace (1/2) with (minus (1 / 2 - sin (2 * (PI * (INR k * 1))) / (4 * PI * INR k)) (0 / 2 - sin (2 * (PI * (INR k * 0))) / (4 * PI * INR k))).
@@ -68,9 +68,22 @@ Proof.
   - rewrite !Rmult_0_r, sin_0. replace (2 * (PI * (INR k * 1))) with (0 + 2 * INR k * PI) by ring. rewrite sin_period, sin_0. unfold minus, plus, opp. simpl. field. split; lra.
 Qed.
 (* Tents at k_u creases, of height pi k_u |sin(pi k_v v)| and width 2 eps, have the root mean square pi k_u sqrt(k_u eps/3). *)
-Theorem crease_error_area__in_u (k_u epsilon : R) : 0 < k_u -> 0 < epsilon ->
+Theorem (* clause 2 *) crease_error_area__in_u (k_u epsilon : R) : 0 < k_u -> 0 < epsilon ->
   sqrt (k_u * (2 * (epsilon / 3)) * ((PI * k_u) ^ 2 * (1/2))) = PI * k_u * sqrt (k_u * epsilon / 3).
 Proof.
   intros K E. generalize PI_RGT_0. intro P. replace (k_u * (2 * (epsilon / 3)) * ((PI * k_u) ^ 2 * (1/2))) with ((PI * k_u) ^ 2 * (k_u * epsilon / 3)) by field.
   rewrite sqrt_mult by (try apply pow2_ge_0; unfold Rdiv; nra). rewrite sqrt_pow2 by nra. reflexivity.
+Qed.
+(* False variants of the areas. *)
+Theorem crease_error_area__tents__false : ~ forall epsilon, 0 < epsilon -> is_RInt (fun d => (d / epsilon - 1) ^ 2) 0 epsilon (epsilon / 2).
+Proof. intro H. generalize (is_RInt_unique _ _ _ _ (H 1 Rlt_0_1)). rewrite (is_RInt_unique _ _ _ _ (crease_error_area__tents 1 Rlt_0_1)). lra. Qed.
+Theorem crease_error_area__mean_of_a_square__false : ~ forall k : nat, (0 < k)%nat -> is_RInt (fun v => sin (PI * (INR k * v)) ^ 2) 0 1 1.
+Proof.
+  intro H. generalize (is_RInt_unique _ _ _ _ (H 1%nat (le_n 1))). rewrite (is_RInt_unique _ _ _ _ (crease_error_area__mean_of_a_square 1 (le_n 1))). lra.
+Qed.
+Theorem crease_error_area__in_u__false : ~ forall k_u epsilon, 0 < k_u -> 0 < epsilon ->
+  sqrt (k_u * (2 * (epsilon / 3)) * ((PI * k_u) ^ 2 * (1/2))) = PI * k_u * sqrt (k_u * epsilon).
+Proof.
+  intro H. generalize (H 1 3 ltac:(lra) ltac:(lra)). rewrite crease_error_area__in_u by lra. generalize PI_RGT_0. intros P E.
+  replace (1 * 3 / 3) with 1 in E by field. rewrite sqrt_1, Rmult_1_r in E. assert (1 < sqrt (1 * 3)) by (rewrite <- sqrt_1 at 1; apply sqrt_lt_1; lra). nra.
 Qed.

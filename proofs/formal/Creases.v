@@ -103,11 +103,27 @@ Proof.
 Qed.
 
 (* No smaller factor will do: h(w) = (w - v)|w - v|/2, whose derivative |w - v| is 1-Lipschitz, attains it; at v = 0 so does w^2/2. *)
-Theorem clamped_difference__first_order_sharp (v epsilon : R) : 0 <= v < epsilon -> let h w := (w - v) * Rabs (w - v) / 2 in
-  (h (v + epsilon) - h 0) / (v + epsilon) - Rabs (v - v) = (epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)).
+Lemma slope_of_half_square (v w : R) : is_derive (fun w => (w - v) * Rabs (w - v) / 2) w (Rabs (w - v)).
 Proof.
-  intro V. cbv beta zeta. replace (v + epsilon - v) with epsilon by ring. replace (0 - v) with (- v) by ring. replace (v - v) with 0 by ring. rewrite Rabs_Ropp, Rabs_R0.
-  rewrite !Rabs_pos_eq by lra. field. lra.
+  destruct (Rtotal_order w v) as [L|[->|G]].
+  - rewrite Rabs_left by lra. apply (is_derive_ext_loc (fun w => - (w - v) ^ 2 / 2)); [|auto_derive; trivial; field].
+    assert (P : 0 < v - w) by lra. exists (mkposreal _ P). intros y B. unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+    apply Rabs_def2 in B. rewrite Rabs_left by lra. match goal with |- ?a = ?b => change (a = b :> R) end; field.
+  - rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. apply is_derive_Reals. intros e E. exists (mkposreal e E). intros t T B. simpl in B.
+    replace (v + t - v) with t by ring. replace (v - v) with 0 by ring. rewrite Rmult_0_l. replace (_ - 0) with (Rabs t / 2) by (field; exact T).
+    generalize (Rabs_pos t). intro. rewrite Rabs_pos_eq; lra.
+  - rewrite Rabs_pos_eq by lra. apply (is_derive_ext_loc (fun w => (w - v) ^ 2 / 2)); [|auto_derive; trivial; field].
+    assert (P : 0 < w - v) by lra. exists (mkposreal _ P). intros y B. unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+    apply Rabs_def2 in B. rewrite Rabs_pos_eq by lra. match goal with |- ?a = ?b => change (a = b :> R) end; field.
+Qed.
+Theorem clamped_difference__first_order_sharp (v epsilon : R) : 0 <= v < epsilon -> let h w := (w - v) * Rabs (w - v) / 2 in
+  (forall w, is_derive h w (Rabs (w - v))) /\ (forall w x, Rabs (Rabs (w - v) - Rabs (x - v)) <= 1 * Rabs (w - x)) /\
+  (h (v + epsilon) - h 0) / (v + epsilon) - Derive h v = (epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)).
+Proof.
+  intro V. cbv beta zeta. split; [apply slope_of_half_square | split].
+  - intros w x. rewrite Rmult_1_l. replace (w - x) with (w - v - (x - v)) by ring. apply Rabs_triang_inv2.
+  - replace (Derive _ v) with (Rabs (v - v)) by (symmetry; apply is_derive_unique, slope_of_half_square). replace (v + epsilon - v) with epsilon by ring. replace (0 - v) with (- v) by ring. replace (v - v) with 0 by ring.
+    rewrite Rabs_Ropp, Rabs_R0, !Rabs_pos_eq by lra. field. lra.
 Qed.
 Theorem clamped_difference__at_the_pole_itself (epsilon : R) : 0 < epsilon -> let h w := w ^ 2 / 2 in
   (h (0 + epsilon) - h 0) / (0 + epsilon) - Derive h 0 = (epsilon ^ 2 + 0 ^ 2) / (2 * (epsilon + 0)).
@@ -295,16 +311,35 @@ Proof.
   rewrite sin_neg, Rabs_Ropp, !Rmult_0_r, cos_0 in K. generalize PI_RGT_0. lra.
 Qed.
 
+(* So the error beside the crease comes to pi k, slope less difference as delta falls to 0. *)
+Theorem straddling__error (k epsilon : R) : 0 < epsilon ->
+  filterlim (fun delta => sign delta * PI * k * cos (PI * (k * delta)) - cos (PI * (k * epsilon)) * sin (PI * (k * delta)) / epsilon) (at_right 0) (locally (PI * k)).
+Proof.
+  intro E. apply (filterlim_ext_loc (fun delta => PI * k * cos (PI * (k * delta)) - cos (PI * (k * epsilon)) * sin (PI * (k * delta)) / epsilon)).
+  - exists (mkposreal 1 Rlt_0_1). intros d _ D. rewrite sign_eq_1 by exact D. ring.
+  - apply (filterlim_filter_le_1 (F := locally 0)); [intros Q H; unfold at_right, within; revert H; apply filter_imp; auto|].
+    replace (PI * k) with (PI * k * cos (PI * (k * 0)) - cos (PI * (k * epsilon)) * sin (PI * (k * 0)) / epsilon) at 1 by (rewrite !Rmult_0_r, sin_0, cos_0; field; lra).
+    apply (ex_derive_continuous (fun delta => PI * k * cos (PI * (k * delta)) - cos (PI * (k * epsilon)) * sin (PI * (k * delta)) / epsilon) 0). auto_derive. trivial.
+Qed.
+Theorem straddling__error__point : exists epsilon : R, 0 < epsilon.
+Proof. exists 1. lra. Qed.
+(* It does not come to 0. *)
+Theorem straddling__error__false : ~ forall k epsilon, 0 < epsilon ->
+  filterlim (fun delta => sign delta * PI * k * cos (PI * (k * delta)) - cos (PI * (k * epsilon)) * sin (PI * (k * delta)) / epsilon) (at_right 0) (locally 0).
+Proof.
+  intro H. generalize PI_RGT_0 (filterlim_locally_unique _ _ _ (H 1 1 Rlt_0_1) (straddling__error 1 1 Rlt_0_1)). lra.
+Qed.
+
 (* Ridges beside its creases *)
 
 (* On a crease u = m/k_u: h(m/k_u +- s, v) = |sin(pi k_u s)| |sin(pi k_v v)|. *)
-Theorem ridges_on_creases__crease_in_u (v k_u k_v s : R) (m : Z) : k_u <> 0 ->
+Theorem (* clause 1 *) ridges_on_creases__crease_in_u (v k_u k_v s : R) (m : Z) : k_u <> 0 ->
   height_ridges.h (IZR m / k_u + s) v k_u k_v = Rabs (sin (PI * (k_u * s))) * Rabs (sin (PI * (k_v * v))).
 Proof.
   intro K. unfold_fields. rewrite Rabs_mult. f_equal.
   replace (PI * (k_u * (IZR m / k_u + s))) with (PI * IZR m + PI * (k_u * s)) by (field; exact K). apply sine_of_a_shift.
 Qed.
-Theorem ridges_on_creases__crease_in_v (u k_u k_v s : R) (m : Z) : k_v <> 0 ->
+Theorem (* clause 1 *) ridges_on_creases__crease_in_v (u k_u k_v s : R) (m : Z) : k_v <> 0 ->
   height_ridges.h u (IZR m / k_v + s) k_u k_v = Rabs (sin (PI * (k_u * u))) * Rabs (sin (PI * (k_v * s))).
 Proof.
   intro K. unfold_fields. rewrite Rabs_mult. f_equal.
@@ -334,7 +369,7 @@ Proof.
 Qed.
 
 (* Where sin(pi k_v v) is not 0, ridges has no derivative by u there. *)
-Theorem ridges_on_creases__differ (v k_u k_v : R) (m : Z) : 0 < k_u -> sin (PI * (k_v * v)) <> 0 ->
+Theorem (* clause 2 *) ridges_on_creases__differ (v k_u k_v : R) (m : Z) : 0 < k_u -> sin (PI * (k_v * v)) <> 0 ->
   ~ ex_derive (fun u => height_ridges.h u v k_u k_v) (IZR m / k_u).
 Proof.
   intros K S [d D]. generalize PI_RGT_0. intro P. apply is_derive_Reals in D.
@@ -374,38 +409,48 @@ Proof.
   unfold Rabs at 2. destruct (Rcase_abs x); [|apply H; lra]. rewrite <- Rabs_Ropp, <- sin_neg. apply H. lra.
 Qed.
 
-(* At (a, b) from a crossing: 0 <= h <= pi^2 (k_u^2 a^2 + k_v^2 b^2)/2. *)
-Theorem ridges_at_crossings__crossing (k_u k_v a b : R) (m n : Z) : k_u <> 0 -> k_v <> 0 ->
-  0 <= height_ridges.h (IZR m / k_u + a) (IZR n / k_v + b) k_u k_v <= PI ^ 2 * (k_u ^ 2 * a ^ 2 + k_v ^ 2 * b ^ 2) / 2.
+(* At (a, b) from a crossing: 0 <= h <= pi^2 (k_u^2 a^2 + k_v^2 b^2)/2 <= K (a^2 + b^2)/2. *)
+Theorem (* clause 1 *) ridges_at_crossings__crossing (k_u k_v a b : R) (m n : Z) : 0 < k_u -> 0 < k_v ->
+  0 <= height_ridges.h (IZR m / k_u + a) (IZR n / k_v + b) k_u k_v <= PI ^ 2 * (k_u ^ 2 * a ^ 2 + k_v ^ 2 * b ^ 2) / 2 /\
+  PI ^ 2 * (k_u ^ 2 * a ^ 2 + k_v ^ 2 * b ^ 2) / 2 <= PI ^ 2 * Rmax k_u k_v ^ 2 * (a ^ 2 + b ^ 2) / 2.
 Proof.
-  intros K L. split; [apply Rabs_pos|]. rewrite ridges_on_creases__crease_in_u by exact K.
-  replace (PI * (k_v * (IZR n / k_v + b))) with (PI * IZR n + PI * (k_v * b)) by (field; exact L). rewrite sine_of_a_shift.
-  generalize (sine_below (PI * (k_u * a))) (sine_below (PI * (k_v * b))) (Rabs_pos (sin (PI * (k_u * a)))) (Rabs_pos (sin (PI * (k_v * b)))). intros A B C D.
-  assert (Rabs (sin (PI * (k_u * a))) * Rabs (sin (PI * (k_v * b))) <= Rabs (PI * (k_u * a)) * Rabs (PI * (k_v * b))) by (apply Rmult_le_compat; assumption).
-  generalize (pow2_ge_0 (Rabs (PI * (k_u * a)) - Rabs (PI * (k_v * b)))). intro Q.
-  assert (E : Rabs (PI * (k_u * a)) ^ 2 + Rabs (PI * (k_v * b)) ^ 2 = PI ^ 2 * (k_u ^ 2 * a ^ 2 + k_v ^ 2 * b ^ 2)) by (rewrite !pow2_abs; ring). nra.
+  intros K L. split; [split; [apply Rabs_pos|]|].
+  - rewrite ridges_on_creases__crease_in_u by lra.
+    replace (PI * (k_v * (IZR n / k_v + b))) with (PI * IZR n + PI * (k_v * b)) by (field; lra). rewrite sine_of_a_shift.
+    generalize (sine_below (PI * (k_u * a))) (sine_below (PI * (k_v * b))) (Rabs_pos (sin (PI * (k_u * a)))) (Rabs_pos (sin (PI * (k_v * b)))). intros A B C D.
+    assert (Rabs (sin (PI * (k_u * a))) * Rabs (sin (PI * (k_v * b))) <= Rabs (PI * (k_u * a)) * Rabs (PI * (k_v * b))) by (apply Rmult_le_compat; assumption).
+    generalize (pow2_ge_0 (Rabs (PI * (k_u * a)) - Rabs (PI * (k_v * b)))). intro Q.
+    assert (E : Rabs (PI * (k_u * a)) ^ 2 + Rabs (PI * (k_v * b)) ^ 2 = PI ^ 2 * (k_u ^ 2 * a ^ 2 + k_v ^ 2 * b ^ 2)) by (rewrite !pow2_abs; ring). nra.
+  - assert (A : k_u ^ 2 <= Rmax k_u k_v ^ 2) by (apply pow_incr; split; [lra | apply Rmax_l]). assert (B : k_v ^ 2 <= Rmax k_u k_v ^ 2) by (apply pow_incr; split; [lra | apply Rmax_r]).
+    unfold Rdiv. rewrite Rmult_assoc with (r1 := PI ^ 2) (r2 := Rmax k_u k_v ^ 2). apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; [apply pow2_ge_0|].
+    generalize (pow2_ge_0 a) (pow2_ge_0 b). nra.
 Qed.
-(* So h is differentiable there, with derivative 0: it is less than any eta times the distance, near enough. *)
-Theorem ridges_at_crossings__flat (k_u k_v : R) (m n : Z) : k_u <> 0 -> k_v <> 0 -> forall eta, 0 < eta -> exists delta, 0 < delta /\
-  forall a b, sqrt (a ^ 2 + b ^ 2) < delta -> Rabs (height_ridges.h (IZR m / k_u + a) (IZR n / k_v + b) k_u k_v) <= eta * sqrt (a ^ 2 + b ^ 2).
+(* So h is differentiable there, with derivative 0: it is at most eta times the distance wherever K times the distance is at most 2 eta. *)
+Theorem (* clause 2 *) ridges_at_crossings__flat (k_u k_v : R) (m n : Z) : 0 < k_u -> 0 < k_v -> forall eta, 0 < eta -> let K := PI ^ 2 * Rmax k_u k_v ^ 2 in
+  0 < 2 * eta / K /\ forall a b, K * sqrt (a ^ 2 + b ^ 2) <= 2 * eta -> Rabs (height_ridges.h (IZR m / k_u + a) (IZR n / k_v + b) k_u k_v) <= eta * sqrt (a ^ 2 + b ^ 2).
 Proof.
-  intros K L eta Hn. set (c := PI ^ 2 * (k_u ^ 2 + k_v ^ 2) / 2). generalize PI_RGT_0. intro P.
-  assert (C : 0 < c).
-  { assert (0 < k_u ^ 2) by (apply pow2_gt_0; exact K). assert (0 < k_v ^ 2) by (apply pow2_gt_0; exact L). assert (0 < PI ^ 2) by (apply pow_lt, P). unfold c. nra. }
-  exists (eta / c). split; [apply Rdiv_lt_0_compat; assumption|]. intros a b H. set (r := sqrt (a ^ 2 + b ^ 2)) in *.
-  assert (R0 : 0 <= r) by apply sqrt_pos. assert (R2 : r ^ 2 = a ^ 2 + b ^ 2) by (apply pow2_sqrt; generalize (pow2_ge_0 a) (pow2_ge_0 b); lra).
-  destruct (ridges_at_crossings__crossing k_u k_v a b m n K L) as [A B]. rewrite Rabs_pos_eq by exact A. eapply Rle_trans; [exact B|].
-  assert (PI ^ 2 * (k_u ^ 2 * a ^ 2 + k_v ^ 2 * b ^ 2) / 2 <= c * r ^ 2).
-  { rewrite R2. unfold c. assert (0 <= PI ^ 2 * (k_u ^ 2 * b ^ 2 + k_v ^ 2 * a ^ 2)).
-    { apply Rmult_le_pos; [apply pow2_ge_0|]. generalize (pow2_ge_0 (k_u * b)) (pow2_ge_0 (k_v * a)). rewrite !Rpow_mult_distr. lra. } lra. }
-  assert (c * r <= eta). { apply Rlt_le. apply Rmult_lt_reg_l with (/ c); [apply Rinv_0_lt_compat, C|]. rewrite <- Rmult_assoc, Rinv_l by lra. unfold Rdiv in H. lra. }
-  nra.
+  intros K L eta Hn. cbv zeta. assert (C : 0 < PI ^ 2 * Rmax k_u k_v ^ 2).
+  { apply Rmult_lt_0_compat; apply pow_lt; [apply PI_RGT_0 | apply Rlt_le_trans with k_u; [exact K | apply Rmax_l]]. }
+  split; [apply Rdiv_lt_0_compat; lra|]. intros a b H. destruct (ridges_at_crossings__crossing k_u k_v a b m n K L) as [[A B] B'].
+  rewrite Rabs_pos_eq by exact A. eapply Rle_trans; [exact B|]. eapply Rle_trans; [exact B'|].
+  assert (R2 : sqrt (a ^ 2 + b ^ 2) ^ 2 = a ^ 2 + b ^ 2) by (apply pow2_sqrt; generalize (pow2_ge_0 a) (pow2_ge_0 b); lra). rewrite <- R2 at 1.
+  generalize (sqrt_pos (a ^ 2 + b ^ 2)). nra.
+Qed.
+(* Where one crease runs alone it is not: on v = 0 about v = 1/2. *)
+Theorem ridges_at_crossings__flat__false : ~ forall k_u k_v (m : Z), 0 < k_u -> 0 < k_v -> forall eta, 0 < eta -> exists delta, 0 < delta /\
+  forall a, Rabs a < delta -> Rabs (height_ridges.h (IZR m / k_u + a) (1/2) k_u k_v) <= eta * Rabs a.
+Proof.
+  intro H. destruct (H 1 1 0%Z ltac:(lra) ltac:(lra) 1 ltac:(lra)) as (delta & D & L). set (s := Rmin (delta / 2) (1/2)).
+  assert (S : 0 < s) by (apply Rmin_glb_lt; lra). assert (S1 : s <= delta / 2) by apply Rmin_l. assert (S2 : s <= 1/2) by apply Rmin_r. clearbody s.
+  generalize (L s ltac:(rewrite Rabs_pos_eq; lra)). rewrite ridges_on_creases__crease_in_u by lra. replace (PI * (1 * (1/2))) with (PI / 2) by field.
+  rewrite sin_PI2, Rabs_R1, Rmult_1_r, Rabs_Rabsolu, Rmult_1_l, Rmult_1_l, (Rabs_pos_eq s) by lra. generalize (sine_above_half s ltac:(lra)) (Rle_abs (sin (PI * s))).
+  assert (PI > 3) by interval. nra.
 Qed.
 
 (* The seam *)
 
 (* sin(pi k (u + 1)) = (-1)^k sin(pi k u) for whole k. *)
-Theorem seam__parity (k : nat) (u : R) : sin (PI * (INR k * (u + 1))) = (-1) ^ k * sin (PI * (INR k * u)).
+Theorem (* clause 3 *) seam__parity (k : nat) (u : R) : sin (PI * (INR k * (u + 1))) = (-1) ^ k * sin (PI * (INR k * u)).
 Proof.
   assert (H : forall n x, sin (PI * INR n + x) = (-1) ^ n * sin x).
   { induction n as [|n IH]; intro x; [simpl; rewrite Rmult_1_l; f_equal; ring|]. rewrite S_INR.
@@ -417,7 +462,7 @@ Proof.
   intro H. generalize (H 1%nat (1/2)). rewrite seam__parity. simpl INR. replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2. simpl. lra.
 Qed.
 (* Across u = 0 sine's height jumps by -sin(pi k_u) sin(pi k_v v), and its slope by pi k_u (1 - cos(pi k_u)) sin(pi k_v v). *)
-Theorem seam__sine (v k_u k_v : R) :
+Theorem (* clause 2 *) seam__sine (v k_u k_v : R) :
   height_sine.h 0 v k_u k_v - height_sine.h 1 v k_u k_v = - sin (PI * k_u) * sin (PI * (k_v * v)) /\
   gradient_sine.h_u 0 v k_u k_v - gradient_sine.h_u 1 v k_u k_v = PI * k_u * (1 - cos (PI * k_u)) * sin (PI * (k_v * v)).
 Proof. unfold_fields. rewrite !Rmult_0_r, !Rmult_1_r, sin_0, cos_0. split; ring. Qed.
@@ -426,51 +471,61 @@ Proof.
   intro H. generalize (H (1/2) 1 1) (proj2 (seam__sine (1/2) 1 1)). intros -> E. replace (PI * (1 * (1/2))) with (PI / 2) in E by field.
   rewrite Rmult_1_r, sin_PI2, cos_PI in E. generalize PI_RGT_0. lra.
 Qed.
-(* For even k_u both jumps are 0; for odd k_u the height has none and the slope 2 pi k_u sin(pi k_v v). *)
-Theorem seam__even (v k_v : R) (n : nat) : let k_u := INR (2 * n) in
-  height_sine.h 0 v k_u k_v = height_sine.h 1 v k_u k_v /\ gradient_sine.h_u 0 v k_u k_v = gradient_sine.h_u 1 v k_u k_v.
+(* cos(pi n) = (-1)^n and sin(pi n) = 0 for whole n. *)
+Theorem (* clause 1 *) seam__whole (n : nat) : cos (PI * INR n) = (-1) ^ n /\ sin (PI * INR n) = 0.
 Proof.
-  cbv zeta. destruct (seam__sine v (INR (2 * n)) k_v) as [A B]. rewrite mult_INR in *. replace (INR 2) with 2 in * by (simpl; ring).
-  replace (PI * (2 * INR n)) with (0 + 2 * INR n * PI) in A, B by ring. rewrite sin_period, sin_0 in A. rewrite cos_period, cos_0 in B. lra.
+  induction n as [|n [C S]]; [simpl; rewrite Rmult_0_r, sin_0, cos_0; split; reflexivity|]. rewrite S_INR, Rmult_plus_distr_l, Rmult_1_r, neg_cos, neg_sin, C, S. simpl. split; ring.
 Qed.
-Theorem seam__odd (v k_v : R) (n : nat) : let k_u := INR (2 * n + 1) in
-  height_sine.h 0 v k_u k_v = height_sine.h 1 v k_u k_v /\
+Theorem seam__whole__false : ~ forall n, cos (PI * INR n) = 1.
+Proof. intro H. generalize (H 1%nat). rewrite (proj1 (seam__whole 1)). simpl. lra. Qed.
+Lemma sine_of_whole (n : Z) : sin (PI * IZR n) = 0.
+Proof. apply sin_eq_0_1. exists n. ring. Qed.
+Lemma cosine_of_even (n : Z) : cos (PI * IZR (2 * n)) = 1.
+Proof. rewrite mult_IZR. replace (PI * (2 * IZR n)) with (2 * (PI * IZR n)) by ring. rewrite cos_2a_sin, sine_of_whole. ring. Qed.
+Lemma cosine_of_odd (n : Z) : cos (PI * IZR (2 * n + 1)) = -1.
+Proof. rewrite plus_IZR, Rmult_plus_distr_l, Rmult_1_r, neg_cos, cosine_of_even. reflexivity. Qed.
+(* For even k_u, of either sign, nothing jumps; for odd k_u the slope in u alone does, by 2 pi k_u sin(pi k_v v). *)
+Theorem (* clause 3 *) seam__even (v k_v : R) (n : Z) : let k_u := IZR (2 * n) in
+  height_sine.h 0 v k_u k_v = height_sine.h 1 v k_u k_v /\ gradient_sine.h_u 0 v k_u k_v = gradient_sine.h_u 1 v k_u k_v /\
+  gradient_sine.h_v 0 v k_u k_v = gradient_sine.h_v 1 v k_u k_v.
+Proof. cbv zeta. unfold_fields. rewrite !Rmult_0_r, !Rmult_1_r, sine_of_whole, cosine_of_even, sin_0, cos_0. repeat split; ring. Qed.
+Theorem (* clause 4 *) seam__odd (v k_v : R) (n : Z) : let k_u := IZR (2 * n + 1) in
+  height_sine.h 0 v k_u k_v = height_sine.h 1 v k_u k_v /\ gradient_sine.h_v 0 v k_u k_v = gradient_sine.h_v 1 v k_u k_v /\
   gradient_sine.h_u 0 v k_u k_v - gradient_sine.h_u 1 v k_u k_v = 2 * PI * k_u * sin (PI * (k_v * v)).
+Proof. cbv zeta. unfold_fields. rewrite !Rmult_0_r, !Rmult_1_r, sine_of_whole, cosine_of_odd, sin_0, cos_0. repeat split; ring. Qed.
+(* Ridges is 0 on the seam for whole k_u, and even about it, as on a crease. *)
+Theorem (* clause 5 *) seam__ridges (s v k_v : R) (k : Z) :
+  height_ridges.h 0 v (IZR k) k_v = 0 /\ height_ridges.h 1 v (IZR k) k_v = 0 /\ height_ridges.h (1 - s) v (IZR k) k_v = height_ridges.h s v (IZR k) k_v /\
+  height_ridges.h s v (IZR k) k_v ^ 2 = sin (PI * (IZR k * s)) ^ 2 * sin (PI * (k_v * v)) ^ 2.
 Proof.
-  cbv zeta. destruct (seam__sine v (INR (2 * n + 1)) k_v) as [A B]. rewrite plus_INR, mult_INR in *. replace (INR 2) with 2 in * by (simpl; ring). replace (INR 1) with 1 in * by reflexivity.
-  replace (PI * (2 * INR n + 1)) with (PI + 2 * INR n * PI) in A, B by ring. rewrite sin_period, sin_PI in A. rewrite cos_period, cos_PI in B. lra.
+  assert (H : forall t, Rabs (sin (PI * (IZR k * (1 - t)))) = Rabs (sin (PI * (IZR k * t)))).
+  { intro t. replace (PI * (IZR k * (1 - t))) with (PI * IZR k + - (PI * (IZR k * t))) by ring. rewrite sine_of_a_shift, sin_neg, Rabs_Ropp. reflexivity. }
+  unfold_fields. rewrite pow2_abs, !Rabs_mult, (H s), <- (H 1). replace (1 - 1) with 0 by ring. rewrite !Rmult_0_r, sin_0, Rabs_R0. repeat split; ring.
 Qed.
-(* Ridges is continuous across the seam for whole k_u, and even about it with h = 0 there. *)
-Theorem seam__ridges (u v k_v : R) (k : nat) :
-  height_ridges.h 0 v (INR k) k_v = 0 /\ height_ridges.h 1 v (INR k) k_v = 0 /\
-  height_ridges.h (1 - u) v (INR k) k_v = height_ridges.h u v (INR k) k_v.
-Proof.
-  assert (H : forall t, Rabs (sin (PI * (INR k * (1 - t)))) = Rabs (sin (PI * (INR k * t)))).
-  { intro t. replace (PI * (INR k * (1 - t))) with (PI * IZR (Z.of_nat k) + - (PI * (INR k * t))) by (rewrite <- INR_IZR_INZ; ring).
-    rewrite sine_of_a_shift, sin_neg, Rabs_Ropp. reflexivity. }
-  unfold_fields. rewrite !Rabs_mult, (H u), <- (H 1). replace (1 - 1) with 0 by ring. rewrite !Rmult_0_r, sin_0, Rabs_R0. repeat split; ring.
-Qed.
-(* Rings does not depend on u: its height has no parameter u. *)
-Theorem seam__rings (u1 u2 v k_v : R) : (fun _ : R => height_rings.h v k_v) u1 = (fun _ : R => height_rings.h v k_v) u2.
-Proof. reflexivity. Qed.
+(* Rings does not depend on u: u is in no line of its height, and its slope in u and its central difference are 0. *)
+Theorem (* clause 7 *) seam__rings (v k_v epsilon : R) : height_rings.h v k_v = sin (PI * (2 * k_v * v)) /\ gradient_rings.h_u = 0 /\ central_rings.h_u v k_v epsilon = 0.
+Proof. unfold central_rings.h_u, central_rings.h_u_plus, central_rings.h_u_minus, Rdiv. repeat split; ring. Qed.
+(* Sine does. *)
+Theorem seam__rings__false : ~ forall u v k_u k_v, gradient_sine.h_u u v k_u k_v = 0.
+Proof. intro H. apply gradients__on_creases__false. intros u v k_u k_v _. apply H. Qed.
 Theorem ridges_at_crossings__crossing__false : ~ forall k_u k_v a b, height_ridges.h a b k_u k_v = PI ^ 2 * (k_u ^ 2 * a ^ 2 + k_v ^ 2 * b ^ 2) / 2.
 Proof.
   intro H. generalize (H 1 1 1 0). unfold_fields. rewrite !Rmult_1_l, Rmult_0_r, sin_0, Rmult_0_r, Rabs_R0. assert (0 < PI ^ 2) by (apply pow_lt, PI_RGT_0). lra.
 Qed.
 
 (* Sine's height is periodic for even k_u: h(u + 1, v) = h(u, v). *)
-Theorem seam__even_period (u v k_v : R) (n : nat) : height_sine.h (u + 1) v (INR (2 * n)) k_v = height_sine.h u v (INR (2 * n)) k_v.
-Proof. unfold_fields. rewrite seam__parity, pow_1_even. ring. Qed.
+Theorem (* clause 3 *) seam__even_period (u v k_v : R) (n : Z) : height_sine.h (u + 1) v (IZR (2 * n)) k_v = height_sine.h u v (IZR (2 * n)) k_v.
+Proof. unfold_fields. rewrite Rmult_plus_distr_l, Rmult_1_r, Rmult_plus_distr_l, sin_plus, sine_of_whole, cosine_of_even. ring. Qed.
 (* Ridges jumps where neither sin(pi k_u) nor sin(pi k_v v) is 0. *)
-Theorem seam__ridges_jump (v k_u k_v : R) : sin (PI * k_u) <> 0 -> sin (PI * (k_v * v)) <> 0 -> height_ridges.h 0 v k_u k_v = 0 /\ 0 < height_ridges.h 1 v k_u k_v.
+Theorem (* clause 6 *) seam__ridges_jump (v k_u k_v : R) : sin (PI * k_u) <> 0 -> sin (PI * (k_v * v)) <> 0 -> height_ridges.h 0 v k_u k_v = 0 /\ 0 < height_ridges.h 1 v k_u k_v.
 Proof.
   intros A B. unfold_fields. rewrite !Rmult_0_r, sin_0, Rmult_0_l, Rabs_R0, Rmult_1_r. split; [reflexivity|].
   apply Rabs_pos_lt. intro E. apply Rmult_integral in E. destruct E; contradiction.
 Qed.
 
 (* At s on either side of a crease, 0 < s <= 1/k: h = sin x A/(pi k), x = pi k s, and A (1 - x^2/6) <= h/s <= A with the slope A. *)
-Theorem ridges_on_creases__quotients (A k s : R) : 0 <= A -> 0 < k -> 0 < s <= 1 / k -> let x := PI * (k * s) in let h := Rabs (sin x) * A in
-  PI * k * A * (1 - x ^ 2 / 6) <= h / s <= PI * k * A.
+Theorem (* clauses 1, 2 *) ridges_on_creases__quotients (A k s : R) : 0 <= A -> 0 < k -> 0 < s <= 1 / k -> let x := PI * (k * s) in let h := Rabs (sin x) * A in
+  PI * k * A * (1 - x ^ 2 / 6) <= h / s <= PI * k * A /\ (x <= 1 -> 0 < A -> PI * k * A < h / s - - (h / s)).
 Proof.
   intros HA K S. cbv zeta. generalize PI_RGT_0. intro P. assert (T : 0 < k * s <= 1).
   { split; [nra|]. apply Rmult_le_reg_l with (/ k); [apply Rinv_0_lt_compat, K|]. rewrite <- Rmult_assoc, Rinv_l by lra. lra. }
@@ -479,12 +534,28 @@ Proof.
   assert (E : sin x * A / s = sin x / x * (PI * k * A)) by (unfold x; field; repeat split; lra). rewrite E.
   assert (Q : 1 - x ^ 2 / 6 <= sin x / x <= 1).
   { assert (W : sin x / x * x = sin x) by (field; lra). split; apply Rmult_le_reg_r with x; trivial; rewrite W; nra. }
-  assert (0 <= PI * k * A) by (apply Rmult_le_pos; [nra | exact HA]). split; nra.
+  assert (0 <= PI * k * A) by (apply Rmult_le_pos; [nra | exact HA]). split; [split; nra|]. intros X1 A0.
+  assert (0 < PI * k * A) by (apply Rmult_lt_0_compat; [nra | exact A0]). assert (x ^ 2 <= 1) by nra. nra.
 Qed.
 (* The same crease in v has no derivative either. *)
-Theorem ridges_on_creases__differ_in_v (u k_u k_v : R) (n : Z) : 0 < k_v -> sin (PI * (k_u * u)) <> 0 ->
+Theorem (* clause 2 *) ridges_on_creases__differ_in_v (u k_u k_v : R) (n : Z) : 0 < k_v -> sin (PI * (k_u * u)) <> 0 ->
   ~ ex_derive (fun v => height_ridges.h u v k_u k_v) (IZR n / k_v).
 Proof.
   intros K S E. apply (ridges_on_creases__differ u k_v k_u n K S). destruct E as [d D]. exists d. revert D. apply is_derive_ext.
   intro t. unfold_fields. rewrite Rmult_comm. reflexivity.
+Qed.
+(* False variants: the clamped difference has not the span 2 eps, and the slope beside a crease has the side's sign. *)
+Theorem clamped_difference__clamp__false : ~ forall v k_v epsilon, 0 < epsilon -> 0 <= v < epsilon -> v + epsilon <= 1 ->
+  central_rings.h_v v k_v epsilon = (height_rings.h (v + epsilon) k_v - height_rings.h 0 k_v) / (2 * epsilon).
+Proof.
+  intro H. generalize (H 0 1 (1/4) ltac:(lra) ltac:(lra) ltac:(lra)). rewrite (proj2 (proj2 (clamped_difference__clamp 0 0 0 1 (1/4) ltac:(lra) ltac:(lra)))).
+  unfold_fields. replace (PI * (2 * 1 * (0 + 1/4))) with (PI / 2) by field. rewrite !Rmult_0_r, sin_0, sin_PI2. lra.
+Qed.
+Theorem straddling__slope__false : ~ forall k delta (m : Z), 0 < k -> 0 < Rabs delta < 1 / k ->
+  is_derive (fun u => Rabs (sin (PI * (k * u)))) (IZR m / k + delta) (PI * k * cos (PI * (k * delta))).
+Proof.
+  intro H. assert (D : 0 < Rabs (- (1/4)) < 1 / 1) by (rewrite Rabs_left; lra).
+  generalize (is_derive_unique _ _ _ (H 1 (- (1/4)) 0%Z ltac:(lra) D)) (is_derive_unique _ _ _ (straddling__slope 1 (- (1/4)) 0 ltac:(lra) D)). intros A B.
+  assert (C := eq_trans (eq_sym A) B). rewrite sign_eq_m1 in C by lra. generalize PI_RGT_0. intro P.
+  assert (Q : 0 < cos (PI * (1 * - (1/4)))) by (apply cos_gt_0; lra). assert (0 < PI * 1 * cos (PI * (1 * - (1/4)))) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.

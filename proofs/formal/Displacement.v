@@ -39,6 +39,15 @@ Proof.
     replace (r ^ 3) with (r * (r * (r * 1))) by ring; replace (r ^ 2) with (r * (r * 1)) by ring; rewrite ?r2; ring.
 Qed.
 
+(* (I - N'N'^T) g / |M|, with M = N + beta g. *)
+Theorem normal_by_beta__projection : let m := sum (nx, ny, nz) (scaled beta (gx, gy, gz)) in
+  by_beta = scaled (/ length m) (difference (gx, gy, gz) (scaled (dot direction (gx, gy, gz)) direction)) /\ direction = scaled (/ length m) m.
+Proof.
+  cbv zeta. unfold by_beta, direction, difference, length, sum, scaled. unfold_by_beta.
+  replace ((nx + beta * gx) * (nx + beta * gx) + (ny + beta * gy) * (ny + beta * gy) + (nz + beta * gz) * (nz + beta * gz)) with m2 by (unfold m2; ring).
+  fold m2. unfold Rdiv. split; repeat apply (f_equal2 pair); ring.
+Qed.
+
 (* It is tangent to the sphere of directions. *)
 Theorem normal_by_beta__tangent_to_directions : 0 < m2 -> dot direction by_beta = 0.
 Proof.
@@ -51,6 +60,14 @@ End by_beta.
 Theorem normal_by_beta__derivative__point : exists nx ny nz gx gy gz beta,
   0 < (beta * gx + nx) ^ 2 + (beta * gy + ny) ^ 2 + (beta * gz + nz) ^ 2.
 Proof. exists 1, 0, 0, 0, 0, 0, 0. lra. Qed.
+Theorem normal_by_beta__projection__false : ~ forall nx ny nz gx gy gz beta, normal_by_beta.bumped_by_beta_x nx ny nz gx gy gz beta =
+  gx / length (sum (nx, ny, nz) (scaled beta (gx, gy, gz))).
+Proof.
+  intro H. generalize (H 1 0 0 1 0 0 0). unfold normal_by_beta.bumped_by_beta_x, normal_by_beta.bumped_x, normal_by_beta.bumped_y, normal_by_beta.bumped_z, normal_by_beta.m_scale,
+    normal_by_beta.m_length, normal_by_beta.m_x, normal_by_beta.m_y, normal_by_beta.m_z.
+  replace (sum (1, 0, 0) (scaled 0 (1, 0, 0))) with ((1, 0, 0) : vector) by (unfold sum, scaled; f_equal; [f_equal|]; ring). rewrite (length_of_unit (1, 0, 0)) by (unfold dot; ring).
+  replace ((0 * 1 + 1) ^ 2 + (0 * 0 + 0) ^ 2 + (0 * 0 + 0) ^ 2) with 1 by ring. rewrite sqrt_1. lra.
+Qed.
 (* It is not g/|M|. *)
 Theorem normal_by_beta__derivative__false : ~ forall gx beta, is_derive (fun b => perturbed.bumped_x 0 0 1 gx 0 0 b) beta (gx / sqrt (1 + (beta * gx) ^ 2)).
 Proof.
@@ -108,6 +125,23 @@ Theorem displaced_normal__outward (theta phi h_u h_v beta h : R) : 0 < sin phi -
 Proof.
   intros S L. rewrite displaced_in_frame, dot_sum, !dot_scaled, normal_is_unit, (dot_comm (G _ _ _ _)), slopes_are_tangent by exact S.
   split; lra.
+Qed.
+Theorem displaced_normal__outward__false : ~ forall theta phi h_u h_v beta h, 0 < sin phi -> 0 < 1 + beta * h -> dot (D theta phi h_u h_v beta h) (N theta phi) = 1.
+Proof.
+  assert (S : 0 < sin (PI / 2)) by (rewrite sin_PI2; lra). intro H. generalize (H 0 (PI / 2) 0 0 1 1 S ltac:(lra)).
+  rewrite (proj1 (displaced_normal__outward 0 (PI / 2) 0 0 1 1 S ltac:(lra))). lra.
+Qed.
+(* D = (1 + beta h)N - beta G, and Blinn's B = N - beta G. *)
+Theorem displaced_normal__frame (theta phi h_u h_v beta h : R) : 0 < sin phi ->
+  D theta phi h_u h_v beta h = sum (scaled (1 + beta * h) (N theta phi)) (scaled (- beta) (G theta phi h_u h_v)) /\
+  B theta phi h_u h_v beta = sum (N theta phi) (scaled (- beta) (G theta phi h_u h_v)).
+Proof. intro S. split; [apply displaced_in_frame | apply blinn_in_frame]; exact S. Qed.
+Theorem displaced_normal__frame__point : exists phi, 0 < sin phi.
+Proof. exists (PI / 2). rewrite sin_PI2. lra. Qed.
+Theorem displaced_normal__frame__false : ~ forall theta phi h_u h_v beta h, 0 < sin phi -> D theta phi h_u h_v beta h = B theta phi h_u h_v beta.
+Proof.
+  assert (S : 0 < sin (PI / 2)) by (rewrite sin_PI2; lra). intro H. generalize (H 0 (PI / 2) 0 0 1 1 S) (proj1 (displaced_normal__outward 0 (PI / 2) 0 0 1 1 S ltac:(lra))).
+  intros ->. rewrite blinn_in_frame, dot_sum, dot_scaled, normal_is_unit, (dot_comm (G _ _ _ _)), slopes_are_tangent by exact S. lra.
 Qed.
 Theorem displaced_normal__outward__point : exists phi beta h, 0 < sin phi /\ 0 < 1 + beta * h.
 Proof. exists (PI / 2), 0, 0. rewrite sin_PI2. lra. Qed.
@@ -223,4 +257,28 @@ Proof.
   intro H. assert (S : 0 < sin (PI / 2)) by (rewrite sin_PI2; lra). assert (L : 0 < 1 + 1 * 0) by lra.
   generalize (proj1 (bump_is_not_displacement__only_where_flat 0 (PI / 2) 1 0 1 0 S L) (H _ _ _ _ _ _ S L)).
   unfold nothing. unfold_vectors. rewrite sin_PI2, cos_PI2, sin_0, cos_0. intro E. injection E. lra.
+Qed.
+(* False variants: N is not normal to the direction's derivative; the product without its lift; the angle without its bump. *)
+Theorem normal_by_beta__tangent_to_directions__false : ~ forall nx ny nz gx gy gz beta, 0 < (beta * gx + nx) ^ 2 + (beta * gy + ny) ^ 2 + (beta * gz + nz) ^ 2 ->
+  dot (nx, ny, nz) (normal_by_beta.bumped_by_beta_x nx ny nz gx gy gz beta, normal_by_beta.bumped_by_beta_y nx ny nz gx gy gz beta,
+    normal_by_beta.bumped_by_beta_z nx ny nz gx gy gz beta) = 0.
+Proof.
+  intro H. generalize (H 1 0 0 1 0 0 0 ltac:(lra)) (H 1 0 0 0 1 0 1 ltac:(lra)). intros _. unfold dot, normal_by_beta.bumped_by_beta_x, normal_by_beta.bumped_x, normal_by_beta.bumped_y,
+    normal_by_beta.bumped_z, normal_by_beta.m_scale, normal_by_beta.m_length, normal_by_beta.m_x, normal_by_beta.m_y, normal_by_beta.m_z.
+  replace ((1 * 0 + 1) ^ 2 + (1 * 1 + 0) ^ 2 + (1 * 0 + 0) ^ 2) with 2 by ring. assert (P : 0 < / sqrt 2) by (apply Rinv_0_lt_compat, sqrt_lt_R0; lra).
+  unfold Rdiv. set (i := / sqrt 2) in *. clearbody i. assert (0 < i * i * i) by (repeat apply Rmult_lt_0_compat; exact P). lra.
+Qed.
+Theorem displaced_normal__product__false : ~ forall (h : R -> R -> R) (theta phi h_u h_v beta : R), let u := (theta + PI) / (2 * PI) in let v := phi / PI in
+  0 < sin phi -> is_derive (fun u => h u v) u h_u -> is_derive (fun v => h u v) v h_v ->
+  cross (derive (surface h beta theta) phi) (derive (fun t => surface h beta t phi) theta) = scaled (sin phi) (D theta phi h_u h_v beta (h u v)).
+Proof.
+  assert (S : 0 < sin (PI / 2)) by (rewrite sin_PI2; lra).
+  assert (K : forall x : R, is_derive (fun _ : R => 1) x 0) by (intro x; apply (is_derive_const 1 x)).
+  intro H. generalize (H (fun _ _ => 1) 0 (PI / 2) 0 0 1 S (K _) (K _)) (displaced_normal__product (fun _ _ => 1) 0 (PI / 2) 0 0 1 S (K _) (K _)). cbv zeta. intros -> E.
+  apply (f_equal (fun a => dot a (N 0 (PI / 2)))) in E. rewrite !dot_scaled, (proj1 (displaced_normal__outward 0 (PI / 2) 0 0 1 1 S ltac:(lra))) in E. rewrite sin_PI2 in E. lra.
+Qed.
+Theorem bump_is_not_displacement__angle__false : ~ forall theta phi h_u h_v beta h, 0 < sin phi -> dot (M theta phi h_u h_v beta) (D theta phi h_u h_v beta h) = 1 + beta * h.
+Proof.
+  assert (S : 0 < sin (PI / 2)) by (rewrite sin_PI2; lra). intro H. generalize (H 0 (PI / 2) 0 1 1 0 S) (proj1 (bump_is_not_displacement__angle 0 (PI / 2) 0 1 1 0 S)). intros -> E.
+  assert (P : 0 < 1 ^ 2 / PI) by (apply Rdiv_lt_0_compat; [lra | apply PI_RGT_0]). unfold Rdiv in *. lra.
 Qed.

@@ -6,8 +6,6 @@ From Flocq Require Import Core.
 From Formal Require Import Preliminaries Formulas Vectors Fields Bump Float.
 Open Scope R_scope.
 
-Lemma sine_of_a_right_angle : sin (PI * (1 * (1/2))) = 1.
-Proof. replace (PI * (1 * (1/2))) with (PI / 2) by field. apply sin_PI2. Qed.
 Lemma a_unit : length (1, 0, 0) = 1.
 Proof. apply length_of_unit. unfold dot. ring. Qed.
 Lemma a_distance : 0 < length (difference (1, 0, 0) (0, 0, 0)).
@@ -45,7 +43,7 @@ Theorem elementary_functions__sine__point : exists r : R, - (1/4) <= r <= 1/4.
 Proof. exists 0. lra. Qed.
 Theorem roundoff_bound__standard_model__point : exists x : R, bpow radix2 (-1022) <= Rabs x.
 Proof. exists (bpow radix2 (-1022)). apply Rle_abs. Qed.
-Theorem roundoff_bound__two_product__point : exists a b : R, float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a * b)).
+Theorem elementary_functions__two_product__point : exists a b : R, float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a * b)).
 Proof. exists 0, 0. split; [|split]; try apply generic_format_0. left. ring. Qed.
 Theorem roundoff_bound__any_span__point : exists (h h1 : R -> R) (L a b S kappa eta alpha : R), (forall w, is_derive h w (h1 w)) /\ (forall w, Rabs (h1 w) <= L) /\
   0 < S /\ a - b = S /\ 0 <= kappa /\ 0 <= eta /\ 0 <= alpha.
@@ -83,9 +81,9 @@ Theorem ridges_on_creases__quotients__point : exists A k s : R, 0 <= A /\ 0 < k 
 Proof. exists 1, 1, 1. lra. Qed.
 Theorem ridges_on_creases__differ_in_v__point : exists u k_u k_v : R, 0 < k_v /\ sin (PI * (k_u * u)) <> 0.
 Proof. exists (1/2), 1, 1. rewrite sine_of_a_right_angle. lra. Qed.
-Theorem ridges_at_crossings__crossing__point : exists k_u k_v : R, k_u <> 0 /\ k_v <> 0.
+Theorem ridges_at_crossings__crossing__point : exists k_u k_v : R, 0 < k_u /\ 0 < k_v.
 Proof. exists 1, 1. lra. Qed.
-Theorem ridges_at_crossings__flat__point : exists k_u k_v eta : R, k_u <> 0 /\ k_v <> 0 /\ 0 < eta.
+Theorem ridges_at_crossings__flat__point : exists k_u k_v eta : R, 0 < k_u /\ 0 < k_v /\ 0 < eta.
 Proof. exists 1, 1, 1. lra. Qed.
 Theorem seam__ridges_jump__point : exists v k_u k_v : R, sin (PI * k_u) <> 0 /\ sin (PI * (k_v * v)) <> 0.
 Proof. exists (1/2), (1/2), 1. rewrite sine_of_a_right_angle. replace (PI * (1/2)) with (PI / 2) by field. rewrite sin_PI2. lra. Qed.

@@ -22,7 +22,7 @@ Ltac unfold_g := unfold g_of_sine, g_of_rings, g, bumped_normal.g_x, bumped_norm
 Ltac limit := apply limit_is_value; [auto_derive; trivial | rewrite ?Rmult_0_r, ?sin_0, ?cos_0; ring].
 
 (* As v -> 0, sine's g tends to pi k_v sin(pi k_u u) (cos theta, sin theta, 0). *)
-Theorem pole__sine : let s := PI * k_v * sin (PI * (k_u * u)) in
+Theorem (* clause 1 *) pole__sine : let s := PI * k_v * sin (PI * (k_u * u)) in
   filterlim (fun v => fst (fst (g_of_sine v))) (locally 0) (locally (s * cos theta)) /\
   filterlim (fun v => snd (fst (g_of_sine v))) (locally 0) (locally (s * sin theta)) /\
   filterlim (fun v => snd (g_of_sine v)) (locally 0) (locally 0) /\
@@ -32,7 +32,7 @@ Proof.
   unfold length, dot. replace (_ + _) with (Rsqr (PI * t)) by (unfold Rsqr, t; ring [(sin2 theta)]). rewrite sqrt_Rsqr_abs, Rabs_mult, Rabs_pos_eq by lra. reflexivity.
 Qed.
 (* Rings' tends to 2 pi k_v (cos theta, sin theta, 0): on opposite meridians 4 pi |k_v| apart. *)
-Theorem pole__rings : let s := 2 * PI * k_v in
+Theorem (* clause 2 *) pole__rings : let s := 2 * PI * k_v in
   filterlim (fun v => fst (fst (g_of_rings v))) (locally 0) (locally (s * cos theta)) /\
   filterlim (fun v => snd (fst (g_of_rings v))) (locally 0) (locally (s * sin theta)) /\
   filterlim (fun v => snd (g_of_rings v)) (locally 0) (locally 0) /\
@@ -45,7 +45,7 @@ Qed.
 End meridian.
 
 (* So sine's g has no limit at the pole unless k_u k_v = 0: it is 0 on u = 0, and not 0 where sin(pi k_u u) is not. *)
-Theorem pole__sine_differs (u k_u k_v : R) : k_v <> 0 -> sin (PI * (k_u * u)) <> 0 ->
+Theorem (* clause 1 *) pole__sine_differs (u k_u k_v : R) : k_v <> 0 -> sin (PI * (k_u * u)) <> 0 ->
   PI * Rabs (k_v * sin (PI * (k_u * 0))) = 0 /\ 0 < PI * Rabs (k_v * sin (PI * (k_u * u))).
 Proof.
   intros K S. rewrite !Rmult_0_r, sin_0, Rmult_0_r, Rabs_R0, Rmult_0_r. split; [reflexivity|]. generalize PI_RGT_0. intro P.
@@ -53,6 +53,11 @@ Proof.
 Qed.
 Theorem pole__sine_differs__point : exists u k_u k_v : R, k_v <> 0 /\ sin (PI * (k_u * u)) <> 0.
 Proof. exists (1/2), 1, 1. replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2. lra. Qed.
+(* With k_u k_v = 0 it is 0 everywhere. *)
+Theorem (* clause 1 *) pole__sine_vanishes (u k_u k_v : R) : k_u * k_v = 0 -> PI * Rabs (k_v * sin (PI * (k_u * u))) = 0.
+Proof. intro E. apply Rmult_integral in E. destruct E as [-> | ->]; rewrite ?Rmult_0_l, ?Rmult_0_r, ?sin_0, ?Rmult_0_r, Rabs_R0; ring. Qed.
+Theorem pole__sine_vanishes__point : exists k_u k_v : R, k_u * k_v = 0.
+Proof. exists 0, 1. ring. Qed.
 Theorem pole__sine__false : ~ forall u k_u k_v, PI * Rabs (k_v * sin (PI * (k_u * u))) = 0.
 Proof. intro H. generalize (H (1/2) 1 1). replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2, Rabs_pos_eq by lra. generalize PI_RGT_0. lra. Qed.
 
@@ -87,7 +92,7 @@ Definition limit : vector :=
   scaled k_v (sum (scaled (k_u / 2 * cos (PI * (k_u * u))) (- sin theta, cos theta, 0)) (scaled (sin (PI * (k_u * u))) (cos theta, sin theta, 0))).
 
 (* It tends to k_v times a vector of squared length k_u^2/4 + (1 - k_u^2/4) sin^2(pi k_u u). *)
-Theorem pole__surface_gradient :
+Theorem (* clause 3 *) pole__surface_gradient :
   is_lim (fun v => fst (fst (surface_gradient v))) 0 (fst (fst limit)) /\ is_lim (fun v => snd (fst (surface_gradient v))) 0 (snd (fst limit)) /\
   is_lim (fun v => snd (surface_gradient v)) 0 (snd limit) /\
   dot limit limit = k_v ^ 2 * (k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2).
@@ -119,13 +124,13 @@ Qed.
 End surface.
 
 (* It is the same on every meridian only if k_u = 0 or k_u = +-2. *)
-Theorem pole__one_limit (k_u : R) : (forall u, k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = k_u ^ 2 / 4) -> k_u = 0 \/ k_u = 2 \/ k_u = -2.
+Theorem (* clause 3 *) pole__one_limit (k_u : R) : (forall u, k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = k_u ^ 2 / 4) -> k_u = 0 \/ k_u = 2 \/ k_u = -2.
 Proof.
   intro H. destruct (Req_dec k_u 0) as [Z|N]; [left; exact Z|]. right. generalize (H (/ (2 * k_u))).
   replace (PI * (k_u * / (2 * k_u))) with (PI / 2) by (field; exact N). rewrite sin_PI2. intro E.
   assert (Q : (k_u - 2) * (k_u + 2) = 0) by lra. apply Rmult_integral in Q. lra.
 Qed.
-Theorem pole__at_two (theta k_v : R) : limit theta 0 k_v = nothing /\ limit theta 2 k_v = (0, - k_v, 0) /\ limit theta (-2) k_v = (0, k_v, 0).
+Theorem (* clause 3 *) pole__at_two (theta k_v : R) : limit theta 0 k_v = nothing /\ limit theta 2 k_v = (0, - k_v, 0) /\ limit theta (-2) k_v = (0, k_v, 0).
 Proof.
   generalize PI_RGT_0. intro P. unfold limit, nothing, sum, scaled.
   replace (PI * (0 * ((theta + PI) / (2 * PI)))) with 0 by ring. replace (PI * (2 * ((theta + PI) / (2 * PI)))) with (theta + PI) by (field; lra).
@@ -144,10 +149,31 @@ Proof.
   replace ((INR n + 1 + 1) * phi) with ((INR n + 1) * phi + phi) by ring. replace (INR n * phi) with ((INR n + 1) * phi - phi) by ring.
   rewrite sin_plus, sin_minus. ring.
 Qed.
-Theorem pole__polynomial (theta phi : R) (k : nat) : let '(x, y, z) := N theta phi in
+Theorem (* clause 4 *) pole__polynomial (theta phi : R) (k : nat) : let '(x, y, z) := N theta phi in
   height_sine.h ((theta + PI) / (2 * PI)) (phi / PI) 2 (INR k) = - y * fst (chebyshev k z).
 Proof.
   generalize PI_RGT_0. intro P. unfold N, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z. unfold_fields.
   replace (PI * (2 * ((theta + PI) / (2 * PI)))) with (theta + PI) by (field; lra). replace (PI * (INR k * (phi / PI))) with (INR k * phi) by (field; lra).
   rewrite neg_sin, <- (proj1 (sine_of_a_multiple k phi)). ring.
+Qed.
+(* False variants. *)
+Theorem pole__sine_vanishes__false : ~ forall u k_u k_v, PI * Rabs (k_v * sin (PI * (k_u * u))) = 0.
+Proof. exact pole__sine__false. Qed.
+Theorem pole__rings__false : ~ forall theta k_v, (2 * PI * k_v * cos theta, 2 * PI * k_v * sin theta, 0) = (2 * PI * k_v * cos (theta + PI), 2 * PI * k_v * sin (theta + PI), 0).
+Proof. intro H. generalize (f_equal (fun a => fst (fst a)) (H 0 1)) PI_RGT_0. cbn [fst]. rewrite neg_cos, cos_0. lra. Qed.
+Theorem pole__sine_differs__false : ~ forall u k_u k_v, k_v <> 0 -> 0 < PI * Rabs (k_v * sin (PI * (k_u * u))).
+Proof. intro H. generalize (H 0 1 1 ltac:(lra)). rewrite !Rmult_0_r, sin_0, Rmult_0_r, Rabs_R0. lra. Qed.
+Theorem pole__surface_gradient__false : ~ forall theta k_u k_v, dot (limit theta k_u k_v) (limit theta k_u k_v) = k_v ^ 2 * (k_u ^ 2 / 4).
+Proof.
+  intro H. generalize (H 0 1 1) (proj2 (proj2 (proj2 (pole__surface_gradient 0 1 1)))) PI_RGT_0. intros -> E P. revert E.
+  replace (PI * (1 * ((0 + PI) / (2 * PI)))) with (PI / 2) by (field; lra). rewrite sin_PI2. lra.
+Qed.
+Theorem pole__one_limit__false : ~ forall k_u, (forall u, k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = k_u ^ 2 / 4) -> k_u = 0.
+Proof. intro H. assert (2 = 0) by (apply H; intro u; field). lra. Qed.
+Theorem pole__at_two__false : ~ forall theta k_v, limit theta 2 k_v = nothing.
+Proof. intro H. generalize (H 0 1). rewrite (proj1 (proj2 (pole__at_two 0 1))). unfold nothing. intro E. apply (f_equal (fun a => snd (fst a))) in E. cbn in E. lra. Qed.
+Theorem pole__polynomial__false : ~ forall theta phi k, let '(x, y, z) := N theta phi in height_sine.h ((theta + PI) / (2 * PI)) (phi / PI) 2 (INR k) = y * fst (chebyshev k z).
+Proof.
+  intro H. generalize (H (PI / 2) (PI / 2) 1%nat) (pole__polynomial (PI / 2) (PI / 2) 1). unfold N, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z.
+  cbn [chebyshev fst]. rewrite sin_PI2. intros -> E. lra.
 Qed.

@@ -3,6 +3,7 @@
 From Coq Require Import Reals Lra Psatz Lia List.
 From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries Formulas Vectors Fields Bump.
+Import ListNotations.
 Open Scope R_scope.
 
 (* For every whole p, x^p is Lipschitz with p on [0, 1]: by induction. *)
@@ -50,7 +51,7 @@ Lemma direction_is_unit (a : vector) : 0 < length a -> length (scaled (/ length 
 Proof. intro H. rewrite length_scaled, Rabs_pos_eq by (left; apply Rinv_0_lt_compat, H). apply Rinv_l. lra. Qed.
 
 (* mu is Lipschitz with 1 in N'. *)
-Theorem specular_lipschitz__along_a_direction (P L n m : vector) : 0 < length (difference L P) ->
+Theorem (* clause 1 *) specular_lipschitz__along_a_direction (P L n m : vector) : 0 < length (difference L P) ->
   Rabs (mu P L n - mu P L m) <= length (difference n m).
 Proof. intro H. rewrite !mu_is_a_product. apply dot_is_lipschitz, direction_is_unit, H. Qed.
 
@@ -68,7 +69,7 @@ Proof.
 Qed.
 
 (* Blinn's base is Lipschitz with 1. *)
-Theorem specular_lipschitz__blinn (P L v n m : vector) : Rabs (blinn_base P L v n - blinn_base P L v m) <= length (difference n m).
+Theorem (* clause 1 *) specular_lipschitz__blinn (P L v n m : vector) : Rabs (blinn_base P L v n - blinn_base P L v m) <= length (difference n m).
 Proof.
   rewrite !blinn_base_is. destruct (Rlt_dec _ _) as [H|H].
   - eapply Rle_trans; [apply clamp_is_lipschitz|]. apply dot_is_lipschitz, direction_is_unit, H.
@@ -112,7 +113,7 @@ Proof.
 Qed.
 
 (* Mirroring w at the unit vectors n and m gives vectors whose product with v differs by at most 2 |n - m|. *)
-Theorem specular_lipschitz__mirror (n m w v : vector) : length n = 1 -> length m = 1 -> length w = 1 -> length v = 1 ->
+Theorem (* clause 1 *) specular_lipschitz__mirror (n m w v : vector) : length n = 1 -> length m = 1 -> length w = 1 -> length v = 1 ->
   Rabs ((2 * dot n w * dot n v - dot w v) - (2 * dot m w * dot m v - dot w v)) <= 2 * length (difference n m).
 Proof.
   intros Hn Hm Hw Hv. set (s := sum n m). set (d := difference n m).
@@ -135,7 +136,7 @@ Proof.
 Qed.
 
 (* Phong's base is Lipschitz with 2, between unit normals. *)
-Theorem specular_lipschitz__phong (P L v n m : vector) : 0 < length (difference L P) -> length n = 1 -> length m = 1 -> length v = 1 ->
+Theorem (* clause 1 *) specular_lipschitz__phong (P L v n m : vector) : 0 < length (difference L P) -> length n = 1 -> length m = 1 -> length v = 1 ->
   Rabs (phong_base P L v n - phong_base P L v m) <= 2 * length (difference n m).
 Proof.
   intros H Hn Hm Hv. rewrite !phong_base_is. eapply Rle_trans; [apply clamp_is_lipschitz|].
@@ -161,7 +162,7 @@ Proof.
 Qed.
 
 (* So the highlight base^p is Lipschitz with p (Blinn) and 2p (Phong), for every whole p. *)
-Theorem specular_lipschitz__power (p : nat) (P L v n m : vector) : 0 < length (difference L P) -> length n = 1 -> length m = 1 -> length v = 1 ->
+Theorem (* clause 3 *) specular_lipschitz__power (p : nat) (P L v n m : vector) : 0 < length (difference L P) -> length n = 1 -> length m = 1 -> length v = 1 ->
   Rabs (blinn_base P L v n ^ p - blinn_base P L v m ^ p) <= INR p * length (difference n m) /\
   Rabs (phong_base P L v n ^ p - phong_base P L v m ^ p) <= 2 * INR p * length (difference n m).
 Proof.
@@ -177,6 +178,23 @@ Proof.
   assert (E : length (1, 0, 0) = 1) by (apply length_of_unit; unfold dot; ring). split; [|split; exact E].
   replace (difference (1, 0, 0) (0, 0, 0)) with ((1, 0, 0) : vector) by (unfold difference, sum, scaled; f_equal; [f_equal|]; ring). rewrite E. lra.
 Qed.
+(* On [0, 1] itself: |x^p - z^p| <= p |x - z|; one step of the recurrence keeps the factor q of x^p - z^p, and p - q, from being negative. *)
+Theorem (* clauses 2, 3 *) specular_lipschitz__whole_power (p : nat) (x z : R) : 0 <= x <= 1 -> 0 <= z <= 1 -> Rabs (x ^ p - z ^ p) <= INR p * Rabs (x - z).
+Proof. apply power_lipschitz. Qed.
+Theorem specular_lipschitz__whole_power__point : exists x z : R, 0 <= x <= 1 /\ 0 <= z <= 1.
+Proof. exists 0, 1. lra. Qed.
+Theorem specular_lipschitz__whole_power__false : ~ forall (p : nat) x z, Rabs (x ^ p - z ^ p) <= INR p * Rabs (x - z).
+Proof. intro H. generalize (H 2%nat 2 1). rewrite !Rabs_pos_eq; simpl; lra. Qed.
+Theorem (* clause 2 *) specular_lipschitz__step (p : nat) (x z q : R) : 0 <= x <= 1 -> 0 <= z <= 1 -> x ^ p - z ^ p = q * (x - z) -> 0 <= q <= INR p ->
+  x ^ S p - z ^ S p = (x * q + z ^ p) * (x - z) /\ 0 <= x * q + z ^ p <= INR (S p).
+Proof.
+  intros X Z E Q. assert (H : 0 <= z ^ p <= 1) by (split; [apply pow_le; lra | rewrite <- (pow1 p); apply pow_incr; lra]). rewrite S_INR. cbn [pow]. split; [|split; nra].
+  replace (x * x ^ p) with (x * (z ^ p + q * (x - z))) by (rewrite <- E; ring). ring.
+Qed.
+Theorem specular_lipschitz__step__point : exists (p : nat) (x z q : R), 0 <= x <= 1 /\ 0 <= z <= 1 /\ x ^ p - z ^ p = q * (x - z) /\ 0 <= q <= INR p.
+Proof. exists 0%nat, 1, 0, 0. simpl. lra. Qed.
+Theorem specular_lipschitz__step__false : ~ forall (p : nat) (x z q : R), 0 <= x <= 1 -> 0 <= z <= 1 -> x ^ p - z ^ p = q * (x - z) -> x ^ S p - z ^ S p = x * q * (x - z).
+Proof. intro H. generalize (H 0%nat 1 0 0 ltac:(lra) ltac:(lra)). simpl. lra. Qed.
 (* With p alone Phong's is not. *)
 Theorem specular_lipschitz__power__false : ~ forall (p : nat) (a b : R), 0 <= a <= 1 -> 0 <= b <= 1 -> Rabs (a ^ p - b ^ p) <= Rabs (a - b).
 Proof.
@@ -190,7 +208,7 @@ Definition share (model : vector -> R) (P L : vector) (i albedo kd ks : R) (p : 
   light_term.lit_red 0 i albedo kd ks (mu P L n) (model n ^ p).
 
 (* It moves by at most i (a k_d + k_s q) |N'_1 - N'_2| where base^p is Lipschitz with q. *)
-Theorem difference_bound__light (model : vector -> R) (P L n m : vector) (i albedo kd ks q : R) (p : nat) :
+Theorem (* clause 1 *) difference_bound__light (model : vector -> R) (P L n m : vector) (i albedo kd ks q : R) (p : nat) :
   0 <= i -> 0 <= albedo -> 0 <= kd -> 0 <= ks -> 0 < length (difference L P) ->
   Rabs (model n ^ p - model m ^ p) <= q * length (difference n m) ->
   Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd ks p m) <= i * (albedo * kd + ks * q) * length (difference n m).
@@ -205,13 +223,20 @@ Proof.
   assert (albedo * kd * Rabs (x - y) <= albedo * kd * length (difference n m)) by (apply Rmult_le_compat_l; [apply Rmult_le_pos; assumption | exact M]).
   assert (ks * Rabs (model n ^ p - model m ^ p) <= ks * (q * length (difference n m))) by (apply Rmult_le_compat_l; assumption). lra.
 Qed.
+(* The lines of green and blue are red's. *)
+Theorem (* clause 1 *) difference_bound__channels (colour i albedo kd ks mu specular : R) :
+  light_term.lit_green colour i albedo kd ks mu specular = light_term.lit_red colour i albedo kd ks mu specular /\
+  light_term.lit_blue colour i albedo kd ks mu specular = light_term.lit_red colour i albedo kd ks mu specular.
+Proof. unfold light_term.lit_green, light_term.lit_blue, light_term.lit_red. split; ring. Qed.
+Theorem difference_bound__channels__false : ~ forall c c' i a kd ks mu s, light_term.lit_green c i a kd ks mu s = light_term.lit_red c' i a kd ks mu s.
+Proof. intro H. generalize (H 0 1 0 0 0 0 0 0). unfold light_term.lit_green, light_term.lit_red. lra. Qed.
 (* The clip adds nothing. *)
-Theorem difference_bound__clip (a b : R) : Rabs (clip.clipped a - clip.clipped b) <= Rabs (a - b).
+Theorem (* clause 2 *) difference_bound__clip (a b : R) : Rabs (clip.clipped a - clip.clipped b) <= Rabs (a - b).
 Proof.
   unfold clip.clipped. eapply Rle_trans; [|apply clamp_is_lipschitz]. unfold Rmin, Rabs. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra.
 Qed.
 (* So |dI| <= sum over the lights of i (a k_d + k_s q), times min(|beta| |dg|, 2): any number of lights. *)
-Theorem difference_bound__all_lights (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R) :
+Theorem (* clause 3 *) difference_bound__all_lights (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R) :
   (forall f l, In (f, l) shares -> forall n m, length n = 1 -> length m = 1 -> Rabs (f n - f m) <= l * length (difference n m)) ->
   let colour n := clip.clipped (ambient + fold_right (fun s c => fst s n + c) 0 shares) in
   let total := fold_right (fun s c => snd s + c) 0 shares in
@@ -273,13 +298,66 @@ Theorem squared_highlight__is_blinn__false : ~ forall y z,
   blinn_squared.specular_base 0 0 0 0 0 1 0 y z 0 0 1 = blinn.specular_base 0 0 0 0 0 1 0 y z 0 0 1.
 Proof.
   assert (R : sqrt ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2) = 1) by (replace (_ + _) with 1 by ring; apply sqrt_1).
-  assert (W : blinn.halfway_length 0 0 0 0 0 1 0 0 1 = 2).
-  { unfold blinn.halfway_length, blinn.halfway_x, blinn.halfway_y, blinn.halfway_z, blinn.towards_x, blinn.towards_y, blinn.towards_z, blinn.light_scale,
-      blinn.light_distance, blinn.to_light_x, blinn.to_light_y, blinn.to_light_z. rewrite R, Rinv_1. match goal with |- sqrt ?t = _ => replace t with (2 ^ 2) by ring end. apply sqrt_pow2. lra. }
+  generalize halfway_above. intro W.
   intro H. generalize (H (3/5) (4/5)). rewrite (proj2 (squared_highlight__is_blinn 0 0 0 0 0 1 0 (3/5) (4/5) 0 0 1 ltac:(lra) ltac:(rewrite W; lra))).
   assert (E : blinn.specular_base 0 0 0 0 0 1 0 (3/5) (4/5) 0 0 1 = 4/5).
   { unfold blinn.specular_base. rewrite W. destruct (Rlt_dec 0 2) as [_|X]; [|lra]. unfold blinn.halfway_x, blinn.halfway_y, blinn.halfway_z, blinn.towards_x,
       blinn.towards_y, blinn.towards_z, blinn.light_scale, blinn.light_distance, blinn.to_light_x, blinn.to_light_y, blinn.to_light_z.
     rewrite R, Rinv_1. rewrite Rmax_left; field_simplify; lra. }
   rewrite E. lra.
+Qed.
+(* False variants: each with half its bound, or without what it rests on. *)
+Lemma above_is : omega (0, 0, 0) (0, 0, 1) = (0, 0, 1).
+Proof.
+  unfold omega. replace (difference (0, 0, 1) (0, 0, 0)) with ((0, 0, 1) : vector) by (unfold difference, sum, scaled; f_equal; [f_equal|]; ring).
+  rewrite (length_of_unit (0, 0, 1)), Rinv_1 by (unfold dot; ring). unfold scaled. f_equal; [f_equal|]; ring.
+Qed.
+Lemma above_apart : length (difference (0, 0, 1) (0, 0, 0)) = 1.
+Proof. apply length_of_unit. unfold dot, difference, sum, scaled. ring. Qed.
+Theorem specular_lipschitz__along_a_direction__false : ~ forall P L n m : vector, 0 < length (difference L P) -> Rabs (mu P L n - mu P L m) <= length (difference n m) / 2.
+Proof.
+  intro H. generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 0) ltac:(rewrite above_apart; lra)). rewrite !mu_is_a_product, above_is, above_apart. unfold dot. rewrite Rabs_pos_eq; lra.
+Qed.
+Theorem specular_lipschitz__blinn__false : ~ forall P L v n m : vector, Rabs (blinn_base P L v n - blinn_base P L v m) <= length (difference n m) / 2.
+Proof.
+  intro H. generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 1) (0, 0, 0)). rewrite !blinn_base_is, above_is, above_apart.
+  replace (sum (0, 0, 1) (0, 0, 1)) with (scaled 2 (0, 0, 1)) by (unfold sum, scaled; f_equal; [f_equal|]; ring).
+  rewrite length_scaled, (length_of_unit (0, 0, 1)), (Rabs_pos_eq 2) by (try (unfold dot; ring); lra). destruct (Rlt_dec _ _) as [_|X]; [|lra]. unfold dot, scaled.
+  rewrite !Rmax_right by lra. rewrite Rabs_pos_eq; lra.
+Qed.
+Theorem specular_lipschitz__mirror__false : ~ forall n m w v : vector, length n = 1 -> length m = 1 -> length w = 1 -> length v = 1 ->
+  Rabs ((2 * dot n w * dot n v - dot w v) - (2 * dot m w * dot m v - dot w v)) <= length (difference n m).
+Proof.
+  assert (A : length (0, 0, 1) = 1) by (apply length_of_unit; unfold dot; ring). assert (B : length (0, 1, 0) = 1) by (apply length_of_unit; unfold dot; ring).
+  intro H. generalize (H (0, 0, 1) (0, 1, 0) (0, 0, 1) (0, 0, 1) A B A A) (length_squared (difference (0, 0, 1) (0, 1, 0))) (length_nonneg (difference (0, 0, 1) (0, 1, 0))).
+  set (d := length (difference (0, 0, 1) (0, 1, 0))). unfold dot, difference, sum, scaled. rewrite Rabs_pos_eq by lra. nra.
+Qed.
+Theorem specular_lipschitz__phong__false : ~ forall P L v n m : vector, 0 < length (difference L P) -> length n = 1 -> length m = 1 -> length v = 1 ->
+  Rabs (phong_base P L v n - phong_base P L v m) <= length (difference n m).
+Proof.
+  assert (A : length (0, 0, 1) = 1) by (apply length_of_unit; unfold dot; ring). assert (B : length (0, 4/5, 3/5) = 1) by (apply length_of_unit; unfold dot; field).
+  intro H. generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 1) (0, 4/5, 3/5) ltac:(rewrite above_apart; lra) A B A) (length_squared (difference (0, 0, 1) (0, 4/5, 3/5)))
+    (length_nonneg (difference (0, 0, 1) (0, 4/5, 3/5))). rewrite !phong_base_is. fold (omega (0, 0, 0) (0, 0, 1)). rewrite above_is.
+  set (d := length (difference (0, 0, 1) (0, 4/5, 3/5))). unfold dot, difference, sum, scaled. rewrite (Rmax_right 0 (2 * _ * _ - _)), (Rmax_left 0 (2 * _ * _ - _)) by lra.
+  rewrite Rabs_pos_eq by lra. nra.
+Qed.
+Theorem difference_bound__light__false : ~ forall (model : vector -> R) (P L n m : vector) (i albedo kd ks q : R) (p : nat),
+  0 <= i -> 0 <= albedo -> 0 <= kd -> 0 <= ks -> 0 < length (difference L P) -> Rabs (model n ^ p - model m ^ p) <= q * length (difference n m) ->
+  Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd ks p m) <= i * (albedo * kd) * length (difference n m).
+Proof.
+  intro H. generalize (H snd (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 0) 1 0 0 1 1 1%nat ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(rewrite above_apart; lra)). rewrite above_apart.
+  cbn [snd pow]. unfold share, light_term.lit_red, light_term.diffuse, light_term.shine. cbn [snd pow]. intro K. specialize (K ltac:(rewrite Rabs_pos_eq; lra)). rewrite Rabs_pos_eq in K; lra.
+Qed.
+Theorem difference_bound__all_lights__false : ~ forall (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R),
+  let colour n := clip.clipped (ambient + fold_right (fun s c => fst s n + c) 0 shares) in let total := fold_right (fun s c => snd s + c) 0 shares in
+  (forall f l, In (f, l) shares -> 0 <= l) ->
+  Rabs (colour (N' theta phi a_u a_v beta) - colour (N' theta phi b_u b_v beta)) <=
+  total * Rmin (Rabs beta * length (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
+Proof.
+  intro H. assert (K : forall f l, In (f, l) [(dot (N 0 0), 0)] -> 0 <= l) by (intros f l [E|[]]; injection E; lra).
+  generalize (H [(dot (N 0 0), 0)] 0 0 0 0 0 1 0 1 K). cbn [fold_right fst snd]. rewrite (normal_limits__zero 0 0 0 0 1), normal_is_unit.
+  - generalize (normal_dot_bumped 0 0 1 0 1) (length_squared (M 0 0 1 0 1)) (m_length_at_least_1 0 0 1 0 1). rewrite m_squared. intros -> L B.
+    assert (I : / length (M 0 0 1 0 1) * length (M 0 0 1 0 1) = 1) by (apply Rinv_l; lra). set (m := length (M 0 0 1 0 1)) in *. set (i := / m) in *.
+    assert (J : 0 < i < 1) by (split; nra). unfold clip.clipped. rewrite !Rmax_right, !Rmin_right by lra. rewrite Rabs_pos_eq; lra.
+  - right. unfold_vectors. f_equal; [f_equal|]; ring.
 Qed.

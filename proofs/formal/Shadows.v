@@ -439,7 +439,7 @@ Qed.
 
 (* The segment from the light L to a point Q of the ball (centre C, radius s) passes at share t of the way within t s of
    L + t (C - L). *)
-Theorem shadow_out_of_reach__within (t lx ly lz bx by_ bz s qx qy qz : R) : 0 <= t ->
+Theorem (* clause 1 *) shadow_out_of_reach__within (t lx ly lz bx by_ bz s qx qy qz : R) : 0 <= t ->
   len (qx - bx) (qy - by_) (qz - bz) <= s ->
   len (lx + t * (qx - lx) - (lx + t * (bx - lx))) (ly + t * (qy - ly) - (ly + t * (by_ - ly)))
     (lz + t * (qz - lz) - (lz + t * (bz - lz))) <= t * s.
@@ -465,7 +465,7 @@ Proof.
 Qed.
 
 (* If |L - c + t (C - L)| > r + t s for all t in [0, 1], no such segment meets the ball of radius r about c. *)
-Theorem shadow_out_of_reach__cone (lx ly lz cx cy cz r bx by_ bz s : R) :
+Theorem (* clause 2 *) shadow_out_of_reach__cone (lx ly lz cx cy cz r bx by_ bz s : R) :
   (forall t, 0 <= t <= 1 -> r + t * s < len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz -
     lz))) ->
   forall t qx qy qz, 0 <= t <= 1 -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
@@ -502,7 +502,7 @@ Proof.
 Qed.
 
 (* The squares' difference is a quadratic in t with the program's coefficients. *)
-Theorem shadow_out_of_reach__quadratic (t lx ly lz cx cy cz r bx by_ bz s : R) :
+Theorem (* clause 3 *) shadow_out_of_reach__quadratic (t lx ly lz cx cy cz r bx by_ bz s : R) :
   len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz)) ^ 2 - (r + t * s) ^ 2 =
   shadow_clearance.at_light lx ly lz cx cy cz r + t * (2 * shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s
     + t * shadow_clearance.curvature lx ly lz bx by_ bz s).
@@ -524,7 +524,7 @@ Proof.
 Qed.
 
 (* On [0, 1] the program's shortest is the least value of that quadratic: at an end or where it turns. *)
-Theorem shadow_out_of_reach__least (lx ly lz cx cy cz r bx by_ bz s : R) :
+Theorem (* clause 3 *) shadow_out_of_reach__least (lx ly lz cx cy cz r bx by_ bz s : R) :
   let f t := shadow_clearance.at_light lx ly lz cx cy cz r
     + t * (2 * shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s
            + t * shadow_clearance.curvature lx ly lz bx by_ bz s) in
@@ -574,7 +574,7 @@ Proof.
 Qed.
 
 (* So where the program's clearance is positive, no segment from the light to a point of the ball meets the body. *)
-Theorem shadow_out_of_reach__program (lx ly lz cx cy cz r bx by_ bz s : R) : 0 < r -> 0 < s ->
+Theorem (* clauses 2, 3 *) shadow_out_of_reach__program (lx ly lz cx cy cz r bx by_ bz s : R) : 0 < r -> 0 < s ->
   r < len (lx - cx) (ly - cy) (lz - cz) -> 0 < shadow_clearance.clearance lx ly lz cx cy cz r bx by_ bz s ->
   forall t qx qy qz, 0 <= t <= 1 -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
   r < len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz).
