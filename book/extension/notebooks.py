@@ -1,4 +1,4 @@
-"""The laboratory's notebooks: written into the site, with a link beside each cell.
+"""The laboratory's notebooks: held by the link beside each cell, and written into the site for Colab.
 
 :::{notebook} cell1
 :::
@@ -7,24 +7,22 @@ A link to Colab stands beside it where `repository.url` of `_config.yml` names a
 notebook from a branch, so that it has to be the one that the site is published on, `repository.branch`.
 """
 
-import json
+import base64
 import re
 from pathlib import Path
 
-import nbformat
 import yaml
 from docutils import nodes
-from jupyter_cache import get_cache
 from sphinx.application import Sphinx
 
 from book.build import stamps
 from book.extension.elements import BookDirective, filled
-from book.extension.streams import joined
 from book.notebooks import WHOLE
 
 FOLDER = "_downloads/notebooks"
 GITHUB = re.compile(r"https://github\.com/(?P<repository>[\w.-]+/[\w.-]+?)(?:\.git)?/?")
 SITE_BRANCH = "gh-pages"
+SUMMARY = "<summary># The scene of §2, line for line as in Cell 1</summary>"
 
 
 def colab_address(settings: dict, name: str) -> str | None:
@@ -44,6 +42,7 @@ class Notebook(BookDirective):
 
     def content_nodes(self) -> list[nodes.Node]:
         from book.notebooks.laboratory import cells  # which imports this package
+        from book.notebooks.notebook import notebooks, text_of
 
         name = self.arguments[0]
         titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all eight cells"}
@@ -53,44 +52,42 @@ class Notebook(BookDirective):
         self.env.note_dependency(str(config))
         words = "notebook of all eight cells" if name == WHOLE else "notebook"
         colab = colab_address(yaml.safe_load(config.read_text(encoding="utf-8")), name)
-        address = f"{FOLDER}/{name}.ipynb"
-        return [filled("notebook_links", address=address, words=words, title=titles[name], colab=colab)]
-
-
-def printed(executed: Path, cache: str | None) -> dict[str, list[dict]]:
-    """What the cells of an executed page printed, by their source.
-
-    Where the cells did not run, since the cache had them, myst-nb writes the page's notebook without their outputs.
-    """
-    page = nbformat.read(executed, 4)
-    if cache:
-        _, page = get_cache(cache).merge_match_into_notebook(page)
-    ran = [cell for cell in page.cells if cell.cell_type == "code"]
-    return {cell.source: [_without_metadata(output) for output in joined(cell.outputs)] for cell in ran}
-
-
-def _without_metadata(output: dict) -> dict:
-    return output | {"metadata": {}} if "metadata" in output else output
+        text = base64.b64encode(text_of(notebooks()[name]).encode()).decode()
+        address = f"data:application/x-ipynb+json;base64,{text}"  # it is saved from a disk too, where a file is shown
+        link = {"address": address, "file": f"{name}.ipynb", "words": words, "title": titles[name], "colab": colab}
+        return [filled("notebook_links", **link)]
 
 
 def offer_notebooks(
     app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None
 ) -> None:
-    """Write the notebooks with what the page printed; the theme lists that of all cells in the download menu."""
+    """Write the notebooks, which Colab opens from the site; the theme lists that of all cells in its download menu."""
     from book.notebooks.notebook import notebooks, text_of
 
-    executed = Path(app.outdir).parent / "jupyter_execute" / f"{pagename}.ipynb"
-    if doctree is None or not executed.is_file() or not _has_cells(doctree):
+    if doctree is None or not _has_cells(doctree):
         return
     out = Path(app.outdir)
-    for name, notebook in notebooks(printed(executed, app.config.nb_execution_cache_path)).items():
-        text, file = text_of(notebook), f"{name}.ipynb"
-        stamps.write_whole(out / FOLDER / file, text.encode())
-        script = f"saveNotebook({json.dumps(file)}, {json.dumps(text, ensure_ascii=False)});\n"
-        stamps.write_whole(out / FOLDER / f"{file}.js", script.encode())  # for static/notebooks.js
-    whole = (out / FOLDER / f"{WHOLE}.ipynb").read_bytes()
-    stamps.write_whole(out / "_sources" / f"{pagename}.ipynb", whole)
+    for name, notebook in notebooks().items():
+        stamps.write_whole(out / FOLDER / f"{name}.ipynb", text_of(notebook).encode())
+    stamps.write_whole(out / "_sources" / f"{pagename}.ipynb", (out / FOLDER / f"{WHOLE}.ipynb").read_bytes())
     context["ipynb_source"] = f"{pagename}.ipynb"
+
+
+def fold_scenes(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
+    """Fold the lines that a cell shares with the first one: the scene, which is the same."""
+    from book.notebooks.laboratory import PAGE
+    from book.notebooks.printed import SCENE
+
+    if doctree is None or not _has_cells(doctree) or PAGE.stem != pagename.rpartition("/")[2]:
+        return
+    length = SCENE.findall(PAGE.read_text(encoding="utf-8"))[0].rstrip().count("\n")
+    scene = re.compile(rf'<span class="c1"># The scene of §2(?:[^\n]*\n){{{length}}}[^\n]*\n')
+    shown = iter([True])
+
+    def folded(match: re.Match) -> str:
+        return match[0] if next(shown, False) else f"<details>{SUMMARY}{match[0]}</details>"
+
+    context["body"] = scene.sub(folded, context["body"])
 
 
 def _has_cells(doctree) -> bool:
@@ -101,3 +98,4 @@ def setup(app: Sphinx) -> None:
     """Register the directive; write the notebooks before a page's buttons are made."""
     app.add_directive("notebook", Notebook)
     app.connect("html-page-context", offer_notebooks, priority=400)
+    app.connect("html-page-context", fold_scenes)

@@ -1,4 +1,4 @@
-"""The laboratory's cells as notebooks that stand alone: each carries the sources that it uses."""
+"""The laboratory's cells: what is printed in them from `proofs/`, and the notebooks to take home."""
 
 WHOLE = "laboratory"
 """What the notebook of all cells is called; the others are cell1, cell2, …"""

@@ -1,8 +1,4 @@
-"""The laboratory's page as data: eight cells, each of prose and code, and its prose as plain Markdown.
-
-On the page, code tagged `expect` (with `remove-cell` and `skip-execution`) is for the notebooks alone: it calls
-`expect(what, found, whether it is as expected)`, and finds the numbers that its cell's prose cites in `cited`.
-"""
+"""The laboratory's page as data: eight cells, each of prose and code, and its prose as plain Markdown."""
 
 import re
 from dataclasses import dataclass
@@ -18,18 +14,16 @@ from book.extension.results import load_result, look_up
 BOOK = stamps.ROOT / "book"
 PAGE = BOOK / "chapter" / "s5.md"
 HEADING = re.compile(r"^### Cell (?P<number>\d+)\. (?P<title>.+)$", re.MULTILINE)
-SKIPPED, EXPECTED = "skip-execution", "expect"
 ROLE = re.compile(r"\{(?P<role>[\w-]+)\}`(?P<text>[^`]*)`")
 DIRECTIVE = re.compile(r"^:::\{(?P<name>[\w-]+)\} *(?P<argument>\S*)\n(?:.*\n)*?:::$", re.MULTILINE)
 
 
 @dataclass(frozen=True)
 class Part:
-    """A piece of a cell: `text` is Markdown of the book, or code with its tags."""
+    """A piece of a cell: `text` is Markdown of the book, or code."""
 
     text: str
     is_code: bool = False
-    tags: tuple = ()
 
 
 @dataclass(frozen=True)
@@ -47,13 +41,8 @@ class Cell:
 
     @property
     def code(self):
-        """What it runs, expectations included."""
+        """What it runs."""
         return "\n".join(part.text for part in self.parts if part.is_code)
-
-    @property
-    def run_on_the_page(self):
-        """What of it ran when the page was built."""
-        return "\n".join(part.text for part in self.parts if part.is_code and SKIPPED not in part.tags)
 
 
 @cache
@@ -62,7 +51,7 @@ def cells():
     found = []
     for piece in read_myst_markdown_notebook(PAGE.read_text(encoding="utf-8")).cells:
         if piece.cell_type == "code":
-            found[-1][2].append(Part(piece.source, True, tuple(piece.metadata.get("tags", ()))))
+            found[-1][2].append(Part(piece.source, True))
             continue
         end = None
         for heading in [*HEADING.finditer(piece.source), None]:
@@ -81,11 +70,6 @@ def number(text):
     """Return the text of the role {number}, as a format of Python's prints it."""
     id, key, spec = parse(text)
     return formatted(look_up(BOOK, id, key), spec)
-
-
-def cited(text):
-    """Return {what a role {number} says: the number as text} of some prose."""
-    return {match["text"]: number(match["text"]) for match in ROLE.finditer(text) if match["role"] == "number"}
 
 
 def _citation(keys):

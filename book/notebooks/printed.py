@@ -1,0 +1,181 @@
+"""A program of `proofs/` as a NumPy function that a reader can follow: vectors whole, sines as sines.
+
+    def bumped_normal(cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta):
+        ...
+        m = beta*g + normal
+
+A vector is an array whose first axis is x, y, z; `dot` is its scalar product. Names in GIVEN are the cell's own.
+"""
+
+import re
+from textwrap import wrap
+
+from sympy import Add, Expr, Function, Symbol
+from sympy.printing.str import StrPrinter
+
+from proofs.engine.program import Program, chain
+from proofs.formulas import bump, displacement, image_derivative, shading
+from proofs.formulas.chart import chart, chart_inverse
+from proofs.formulas.finite_difference import central
+from proofs.formulas.half_turns import ordinary
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient, height
+from proofs.formulas.symbols import u, v
+from proofs.formulas.tangent_frame import seed_frame, tangent_frame
+
+WIDTH = 78  # characters of a line that a column of the page shows
+GIVEN = ("k_u", "k_v")
+AXES = ("_x", "_y", "_z")
+DOT = Function("dot")
+
+
+class ReadablePrinter(StrPrinter):
+    """Prints for NumPy's names: `sin`, `sqrt`, `where`, `maximum`."""
+
+    def _print_Symbol(self, expr):
+        stem, axis = expr.name[:-2], expr.name[-2:]
+        return f"{stem}[{AXES.index(axis)}]" if axis in AXES else expr.name
+
+    def _print_Add(self, expr, order=None):
+        terms = [self._print(term) for term in self._as_ordered_terms(expr)]
+        terms.sort(key=lambda term: term.startswith("-"))  # a sum begins with what is added
+        return terms[0] + "".join(f" - {t[1:]}" if t.startswith("-") else f" + {t}" for t in terms[1:])
+
+    def _call(self, name, expr):
+        return f"{name}({', '.join(self._print(a) for a in expr.args)})"
+
+    def _print_Abs(self, expr):
+        return self._call("abs", expr)
+
+    def _print_Max(self, expr):
+        return self._call("maximum", expr)
+
+    def _print_Min(self, expr):
+        return self._call("minimum", expr)
+
+    def _print_atan2(self, expr):
+        return self._call("arctan2", expr)
+
+    def _print_Piecewise(self, expr):
+        (text,) = (self._print(value) for value, condition in expr.args if condition == True)  # noqa: E712
+        for value, condition in reversed(expr.args[:-1]):
+            text = f"where({self._print(condition)}, {self._print(value)}, {text})"
+        return text
+
+    def _print_And(self, expr):
+        return " & ".join(f"({self._print(part)})" for part in sorted(expr.args, key=str))
+
+
+def _along(expression: Expr, axis: str) -> Expr:
+    """Return an expression with the components along x replaced by those along another axis."""
+    return expression.xreplace(
+        {s: Symbol(s.name[:-2] + axis, real=True) for s in expression.free_symbols if s.name.endswith("_x")}
+    )
+
+
+def _whole(expression: Expr) -> Expr:
+    """Return an expression with the components along x replaced by their vectors."""
+    return _along(expression, "")
+
+
+def _with_dots(expression: Expr) -> Expr:
+    """Return an expression in which a_x b_x + a_y b_y + a_z b_z is dot(a, b)."""
+
+    def named(*terms):
+        for term in terms:
+            rest = {_along(term, axis) for axis in AXES[1:]}
+            if len(rest) == 2 and rest < set(terms) and term.is_commutative:
+                factors = sorted((s.name[:-2] for s in term.free_symbols), key=str)
+                left, right = (factors * 2)[:2]
+                coefficient, _ = term.as_coeff_Mul()
+                product = DOT(*(Symbol(n, real=True) for n in (left, right)))
+                return Add(coefficient * product, *(t for t in terms if t != term and t not in rest))
+        return Add(*terms)
+
+    return expression.replace(Add, named)
+
+
+def _lines(program: Program) -> list[str]:
+    """Return the definitions of a program, a line each; the three of a vector are one."""
+    needed = program.reaches(*program.outputs)
+    printer, found = ReadablePrinter({"order": "lex"}), []
+    waiting = [line for line in program.definitions if line[0] in needed]
+    while waiting:
+        symbol, expression = waiting.pop(0)
+        name, vector = symbol.name, symbol.name.endswith("_x")
+        parts = [expression, *(waiting.pop(0)[1] for _ in AXES[1:])] if vector else [expression]
+        parts = [_with_dots(ordinary(part)) for part in parts]
+        if not vector:
+            text = printer.doprint(parts[0])
+        elif all(_along(parts[0], axis) == part for axis, part in zip(AXES, parts, strict=True)):
+            text = printer.doprint(_whole(parts[0]))
+        else:
+            zero = f"0*{printer.doprint(max(parts[0].free_symbols, key=str))}"  # of the other components' shape
+            text = f"np.array([{', '.join(printer.doprint(part) if part else zero for part in parts)}])"
+        found.append(f"{name[:-2] if vector else name} = {text}")
+    return found
+
+
+def _names(symbols) -> list[str]:
+    """Return the names of some symbols, each vector once."""
+    found = [s.name.removesuffix("_x") for s in symbols if not s.name.endswith(AXES[1:])]
+    return [name for name in found if name not in GIVEN]
+
+
+def function(name: str, program: Program) -> str:
+    """Return a program as the text of a Python function."""
+    lines, outputs = _lines(program), _names(program.outputs)
+    at_once = f"return {', '.join(line.split(' = ', 1)[1] for line in lines)}"
+    if [line.split(" = ")[0] for line in lines] == outputs and len(at_once) < WIDTH - 4:
+        lines = [at_once]  # nothing is named on the way
+    else:
+        lines.append(f"return {', '.join(outputs)}")
+    text = [f"def {name}({', '.join(_names(program.inputs))}):", *(f"    {line}" for line in lines)]
+    return "\n".join("\n".join(wrap(line, WIDTH, subsequent_indent=" " * 8)) for line in text)
+
+
+_any = HeightField("any", Function("height")(u, v))
+_lit = chain(
+    "red_and_its_derivative",
+    bump.normal_by_beta,
+    shading.blinn,
+    shading.highlight,
+    shading.light_term.keep(shading.lit[0]),
+    image_derivative.mu_derivative,
+    image_derivative.base_derivatives["blinn"],
+    image_derivative.term_derivative,
+    outputs=(shading.lit[0], image_derivative.term_by_beta),
+)
+
+FUNCTIONS = {
+    **{f"height_fields.py, {name}": ("height", height(field)) for name, field in HEIGHT_FIELDS.items()},
+    **{f"height_fields.py, gradient of {name}": ("exact", gradient(field)) for name, field in HEIGHT_FIELDS.items()},
+    "finite_difference.py": ("central", central(_any)),
+    "chart.py": ("chart", chart),
+    "chart.py, inverse": ("angles", chart_inverse),
+    "tangent_frame.py": ("tangent_frame", tangent_frame),
+    "tangent_frame.py, the seed's": ("seed_frame", seed_frame),
+    "bump.py": ("bumped_normal", bump.bumped_normal),
+    "bump.py, derivative": ("normal_by_beta", bump.normal_by_beta),
+    "bump.py, tilt": ("tilt", bump.perturbed),
+    "image_derivative.py": ("red_by_beta", _lit),
+    "displacement.py": ("displaced_normal", displacement.displaced_normal),
+}
+"""{what stands after `# Printed from proofs/formulas/` in a cell: (the function's name, its program)}"""
+
+PRINTED = re.compile(r"^# Printed from proofs/formulas/(?P<key>.+)\ndef (?:.*\n)(?:[ ].*\n)+", re.MULTILINE)
+SCENE = re.compile(r"^# The scene of §2.*\n(?:.*\n)*?def draw\(.*\n(?:(?: .*)?\n)*?(?=^\S)", re.MULTILINE)
+
+
+def refreshed(page: str) -> str:
+    """Return the page's text with what its cells have from `proofs/` printed anew, and Cell 1's scene in the others.
+
+    Raises ValueError on a function that is not known.
+    """
+
+    def printed(match):
+        if match["key"] not in FUNCTIONS:
+            raise ValueError(f"{match['key']!r} is not allowed: one of {', '.join(FUNCTIONS)}")
+        return match[0].split("\n")[0] + "\n" + function(*FUNCTIONS[match["key"]]) + "\n"
+
+    first = SCENE.search(page)
+    return PRINTED.sub(printed, SCENE.sub(lambda match: first[0], page) if first else page)
