@@ -126,7 +126,7 @@ def vectors(symbols):
 def test_printed_function_computes_what_its_program_does(key):
     name, program = FUNCTIONS[key]
     random = np.random.default_rng(9)
-    values = {s.name: random.uniform(0.1, 0.9, 50) for s in program.inputs} 
+    values = {s.name: random.uniform(0.1, 0.9, 50) for s in program.inputs}
     values |= {"k_u": 8.0, "k_v": 4.0, "shininess": random.uniform(2, 3, 50)}
     scope = {**vars(np), "np": np, "dot": lambda a, b: (a * b).sum(axis=0), "k_u": 8, "k_v": 4}
     exec(function(name, program), scope)

@@ -104,7 +104,9 @@ def test_every_link_leads_somewhere(elements):
     inside = [unquote(link[1:]) for link in links if link.startswith("#")]
     assert len(inside) > 500
     assert [link for link in inside if link not in ids] == []
-    assert [link for link in links if not re.match(r"#|data:application/(?:gzip|x-ipynb)|https?://|mailto:", link)] == []
+    assert [
+        link for link in links if not re.match(r"#|data:application/(?:gzip|x-ipynb)|https?://|mailto:", link)
+    ] == []
 
 
 def test_nothing_is_named_that_would_be_loaded(elements):

@@ -35,20 +35,20 @@ class Cell:
     parts: tuple
 
     @property
-    def name(self):
+    def name(self) -> str:
         """What its notebook is called."""
         return f"cell{self.number}"
 
     @property
-    def code(self):
+    def code(self) -> str:
         """What it runs."""
         return "\n".join(part.text for part in self.parts if part.is_code)
 
 
 @cache
-def cells():
+def cells() -> tuple[Cell, ...]:
     """Return the laboratory's Cells. Raises ValueError unless they are numbered from 1."""
-    found = []
+    found: list[tuple[int, str, list[Part]]] = []
     for piece in read_myst_markdown_notebook(PAGE.read_text(encoding="utf-8")).cells:
         if piece.cell_type == "code":
             found[-1][2].append(Part(piece.source, True))
@@ -66,32 +66,32 @@ def cells():
     return tuple(Cell(number, title, tuple(parts)) for number, title, parts in found)
 
 
-def number(text):
+def number(text: str) -> str:
     """Return the text of the role {number}, as a format of Python's prints it."""
     id, key, spec = parse(text)
     return formatted(look_up(BOOK, id, key), spec)
 
 
-def _citation(keys):
+def _citation(keys: str) -> str:
     bibliography = parse_file(BOOK / "references.bib").entries
     entries = [bibliography[key.strip()] for key in keys.split(",")]
     names = [" and ".join(str(p.last_names[0]) for p in entry.persons["author"]) for entry in entries]
     return "(" + "; ".join(f"{n} {entry.fields['year']}" for n, entry in zip(names, entries, strict=True)) + ")"
 
 
-def _typeset(text):
+def _typeset(text: str) -> str:
     match = E_NOTATION.fullmatch(number(text))
     return rf"${match['mantissa']} \times 10^{{{int(match['exponent'])}}}$" if match else number(text)
 
 
-def _said(match):
+def _said(match: re.Match) -> str:
     says = {"number": _typeset, "cite": _citation}
     if match["role"] not in says:
         raise ValueError(f"the role {match['role']!r} of {PAGE.name} is not allowed: {' or '.join(says)}")
     return says[match["role"]](match["text"])
 
 
-def _directive(match):
+def _directive(match: re.Match) -> str:
     if match["name"] == "notebook":
         return ""
     if match["name"] != "benchmark-label":
@@ -100,7 +100,7 @@ def _directive(match):
     return f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}."
 
 
-def plain(text):
+def plain(text: str) -> str:
     """Return prose of the page as plain Markdown: no targets, no roles, links as their words.
 
     Raises ValueError on a role or directive that a notebook cannot say.

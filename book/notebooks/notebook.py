@@ -14,15 +14,15 @@ ABOUT = (
 )
 
 
-def _markdown(source):
+def _markdown(source: str) -> dict:
     return {"cell_type": "markdown", "metadata": {}, "source": source}
 
 
-def _code(source):
+def _code(source: str) -> dict:
     return {"cell_type": "code", "metadata": {}, "source": source, "execution_count": None, "outputs": []}
 
 
-def _notebook(title, body):
+def _notebook(title: str, body: list[dict]) -> dict:
     """Return the notebook of some cells under a title."""
     project = tomllib.loads((stamps.ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     top = _markdown(f"# {title}\n\n{ABOUT.format(version=project['version'])}")
@@ -30,9 +30,10 @@ def _notebook(title, body):
     return {"cells": every, "metadata": {"kernelspec": KERNEL}, "nbformat": 4, "nbformat_minor": 5}
 
 
-def notebooks():
+def notebooks() -> dict[str, dict]:
     """Return {name: notebook}, nine of them."""
-    found, everything = {}, []
+    found: dict[str, dict] = {}
+    everything: list[dict] = []
     for cell in cells():
         title = f"Cell {cell.number}. {cell.title}"
         body = [_code(part.text) if part.is_code else _markdown(plain(part.text)) for part in cell.parts]
@@ -42,6 +43,6 @@ def notebooks():
     return found | {WHOLE: _notebook("The laboratory", everything)}
 
 
-def text_of(notebook):
+def text_of(notebook: dict) -> str:
     """Return a notebook as the text of its file: the same in every build."""
     return json.dumps(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n"

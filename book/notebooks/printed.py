@@ -8,6 +8,7 @@ A vector is an array whose first axis is x, y, z; `dot` is its scalar product. N
 """
 
 import re
+from collections.abc import Iterable
 from textwrap import wrap
 
 from sympy import Add, Expr, Function, Symbol
@@ -115,7 +116,7 @@ def _lines(program: Program) -> list[str]:
     return found
 
 
-def _names(symbols) -> list[str]:
+def _names(symbols: Iterable[Symbol]) -> list[str]:
     """Return the names of some symbols, each vector once."""
     found = [s.name.removesuffix("_x") for s in symbols if not s.name.endswith(AXES[1:])]
     return [name for name in found if name not in GIVEN]
@@ -172,7 +173,7 @@ def refreshed(page: str) -> str:
     Raises ValueError on a function that is not known.
     """
 
-    def printed(match):
+    def printed(match: re.Match) -> str:
         if match["key"] not in FUNCTIONS:
             raise ValueError(f"{match['key']!r} is not allowed: one of {', '.join(FUNCTIONS)}")
         return match[0].split("\n")[0] + "\n" + function(*FUNCTIONS[match["key"]]) + "\n"

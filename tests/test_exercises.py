@@ -1,0 +1,49 @@
+"""The exercises' answers run alone, with NumPy and SymPy, and print what stands below them."""
+
+import contextlib
+import io
+import re
+
+import pytest
+
+from book.build import stamps
+
+FOLDER = stamps.ROOT / "book" / "chapter" / "exercises"
+SECTIONS = ("s1", "s2", "s3", "s4", "s6", "s7")
+ANSWER = re.compile(r"^```python\n(?P<code>.*?)^```\n\n```text\n(?P<printed>.*?)^```$", re.MULTILINE | re.DOTALL)
+ALLOWED = ("math", "numpy", "sympy")
+
+
+def answers(section: str) -> list[tuple[str, str]]:
+    """Return [(code, what the page says that it prints)] of a section's exercises."""
+    text = (FOLDER / f"{section}.md").read_text(encoding="utf-8")
+    return [(match["code"], match["printed"]) for match in ANSWER.finditer(text)]
+
+
+def printed(code: str) -> str:
+    """Return what some code prints, run in a namespace of its own."""
+    text = io.StringIO()
+    with contextlib.redirect_stdout(text):
+        exec(code, {})
+    return text.getvalue()
+
+
+def test_six_sections_have_three_exercises_each():
+    assert sorted(path.stem for path in FOLDER.glob("*.md")) == list(SECTIONS)
+    for section in SECTIONS:
+        page = (FOLDER.parent / f"{section}.md").read_text(encoding="utf-8")
+        assert page.count(f"```{{include}} exercises/{section}.md\n```") == 1
+        text = (FOLDER / f"{section}.md").read_text(encoding="utf-8")
+        assert len(answers(section)) == text.count(":::{dropdown} Answer") == 3
+
+
+@pytest.mark.parametrize(("section", "number"), [(section, number) for section in SECTIONS for number in range(3)])
+def test_answer_prints_what_stands_below_it(section, number):
+    code, expected = answers(section)[number]
+    assert set(re.findall(r"^(?:from|import) (\w+)", code, re.MULTILINE)) <= set(ALLOWED)
+    assert printed(code) == expected
+
+
+def test_answer_with_a_wrong_formula_is_found():
+    code, expected = answers("s3")[2]
+    assert printed(code.replace("cos(8 * pi * eps) * sin", "sin")) != expected
