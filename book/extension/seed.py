@@ -16,6 +16,7 @@ from book.ledger.seed import parts
 
 HEADING = re.compile(r"^(§\d · .+|🐍 .+)$", re.M)
 PROGRAM = re.compile(r"\n· · paste into colab.new → Run\n(.*)", re.S)
+DISPLAYED = re.compile(r" *\$\$(.+?)\$\$ *")
 LINES = re.compile(r"(?<=\S)\n(?=\S)")  # lines of one block, as on the front and in the table of §6
 
 
@@ -44,8 +45,9 @@ class Seed(BookDirective):
         """A piece of the text, its mathematics typeset; a program stays folded."""
         program = PROGRAM.search(text)
         words = PROGRAM.sub("\n", text) if program else text
+        words = DISPLAYED.sub(r"\n\n$$\n\1\n$$\n\n", LINES.sub("\\\\\n", words))
         quote = nodes.block_quote()
-        self.state.nested_parse(StringList(LINES.sub("\\\\\n", words).splitlines()), self.content_offset, quote)
+        self.state.nested_parse(StringList(words.splitlines()), self.content_offset, quote)
         if program:
             code = nodes.literal_block(program[1], program[1].rstrip(), language="none")
             quote += [raw("<details><summary>The program, as printed</summary>"), code, raw("</details>")]
