@@ -221,7 +221,7 @@ def test_fourth_cell_counts_and_times(ran):
 def test_fifth_cell_differentiates(ran):
     text, _ = ran(cells()[4].code)
     assert line_of(text, "complex step:")[0] < 1e-13
-    assert line_of(text, "one-sided difference:")[0] > 1e-7
+    assert line_of(text, "one-sided difference:")[0] == 1.65e-5  # as on every page: the seed's own random numbers
     errors = [line_of(text, f"Δβ = 1e-0{decade}")[-1] for decade in range(1, 5)]
     assert [a / b for a, b in pairwise(errors[1:])] == pytest.approx([100, 100], rel=0.02)
 
