@@ -43,6 +43,7 @@ bench: environment ## measure times on this machine and write them with its name
 	@$(RUN) -m verify.benchmark
 	@$(RUN) -m verify.benchmark.work_precision
 	@$(RUN) -m verify.benchmark.texture
+	@$(RUN) -m verify.benchmark.machines
 
 clean: ## remove what was built; the environment stays
 	@rm -rf book/_build book/_generated .stamps .jupyter_cache .pytest_cache .ruff_cache .benchmarks .hypothesis

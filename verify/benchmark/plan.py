@@ -6,10 +6,11 @@ all of them. A case's time is the median over all its calls.
 
 import statistics
 import time
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
+import numpy as np
 from tqdm import tqdm
 
 ROUNDS = 9
@@ -61,3 +62,14 @@ def timings(cases: Collection[Case], title: str) -> dict[str, list[float]]:
 def medians(seconds: Mapping[str, Collection[float]]) -> dict[str, float]:
     """Return {name: median seconds of a call}."""
     return {name: statistics.median(calls) for name, calls in seconds.items()}
+
+
+def least_of_rounds(calls: Sequence[float], repeats: int) -> np.ndarray:
+    """Return the least of each round's calls: what else the machine does can only lengthen one."""
+    return np.reshape(calls, (-1, repeats)).min(axis=1)
+
+
+def with_quartiles(name: str, values: np.ndarray) -> dict[str, float]:
+    """Return the median of the rounds' values by name, and their quartiles by NAME_low and NAME_high."""
+    keys = (f"{name}_low", name, f"{name}_high")
+    return dict(zip(keys, np.quantile(values, (0.25, 0.5, 0.75)).tolist(), strict=True))

@@ -30,7 +30,7 @@ from verify.benchmark.frames import warmed
 from verify.benchmark.label import label, write
 from verify.benchmark.methods.compiled import compiled_loop, loop_of
 from verify.benchmark.methods.programs import algebraic_gradient
-from verify.benchmark.plan import Case, timings
+from verify.benchmark.plan import Case, least_of_rounds, timings, with_quartiles
 
 Points = tuple[np.ndarray, ...]
 FIELD, SIDE, EPS = "sine", 512, 1e-3
@@ -164,21 +164,9 @@ def ways() -> dict[str, tuple[Callable, Points]]:
     }
 
 
-def of_rounds(calls: Sequence[float]) -> np.ndarray:
-    """Return the least of each round's calls: what else the machine does can only lengthen one."""
-    return np.reshape(calls, (-1, CALLS)).min(axis=1)
-
-
-def with_quartiles(name: str, values: np.ndarray) -> dict[str, float]:
-    """Return the median of the rounds' values by name, and their quartiles by NAME_low and NAME_high."""
-    return dict(
-        zip((f"{name}_low", name, f"{name}_high"), np.quantile(values, (0.25, 0.5, 0.75)).tolist(), strict=True)
-    )
-
-
 def numbers_of(seconds: Mapping[str, Sequence[float]], count: int) -> dict[str, float]:
     """Return what the book cites of {way: seconds of every call}: ns a point, and each ratio, with quartiles."""
-    rounds = {name: of_rounds(calls) for name, calls in seconds.items()}
+    rounds = {name: least_of_rounds(calls, CALLS) for name, calls in seconds.items()}
     numbers: dict[str, float] = {}
     for name, least in rounds.items():
         numbers |= with_quartiles(f"{name}_ns", 1e9 / count * least)
