@@ -6,14 +6,18 @@ the pages as WebAssembly, compiled beside the simulator's (`book.simulator_modul
 
 from collections.abc import Callable
 
-from sympy import Symbol
+from sympy import Integer
 
 from proofs.engine.program import Program
 from proofs.formulas import bump
-from renderer import kernels
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.pixel import pixel
+from proofs.formulas.symbols import column, half, height, row, shininess, width, x, y
+from renderer import Scene, kernels
 from renderer.generate.kernels import function_of
 from renderer.kernels import cospi, sinpi
 from renderer.operations import Number
+from verify.reference import scene_values
 
 DEGREES = 180.0  # in half a turn
 
@@ -46,13 +50,42 @@ def bump_at(
     return kernels.height_ridges(u, v, k_u, k_v), *gradient, tilt(*gradient, beta), kernels.maximum(0.0, mu)
 
 
-def with_every_line(name: str, program: Program) -> tuple[Callable, tuple[Symbol, ...]]:
-    """Return a program as a function that returns all of its lines, and their symbols."""
+def two_slopes(u: Number, v: Number, k_u: Number, k_v: Number, epsilon: Number) -> tuple[Number, ...]:
+    """Return h of ridges at u − ε, u and u + ε, h_u by the central difference and exact, and 1 where it straddles."""
+    heights = tuple(kernels.height_ridges(at, v, k_u, k_v) for at in (u - epsilon, u, u + epsilon))
+    numeric, _ = kernels.central(kernels.height_ridges, u, v, k_u, k_v, epsilon)
+    exact, _ = kernels.gradient_ridges(u, v, k_u, k_v)
+    return *heights, numeric, exact, kernels.straddling_ridges(u, v, k_u, k_v, epsilon)
+
+
+def every_line(name: str, program: Program) -> tuple[Callable, dict[str, list[str]]]:
+    """Return a program as a function that returns all of its lines, and its LINES."""
     symbols = tuple(symbol for symbol, _ in program.definitions)
-    return function_of(Program(name, program.inputs, program.definitions, symbols)), symbols
+    whole = Program(name, program.inputs, program.definitions, symbols)
+    return function_of(whole), {"inputs": [s.name for s in program.inputs], "lines": [s.name for s in symbols]}
 
 
-bump_lines, BUMP_LINES = with_every_line("bump_lines", bump.bumped_normal)
+def seen_along_a_ray() -> Program:
+    """Return the program of a whole pixel of ridges from its image point on: the highlight's power as a product."""
+    whole, shine = pixel(HEIGHT_FIELDS["ridges"]), {shininess: Integer(Scene().shininess)}
+    given = (x, y)
+    inputs = (*given, *(s for s in whole.inputs if s not in (*PLACE, shininess)))
+    lines = tuple((s, e.xreplace(shine)) for s, e in whole.definitions if s not in (*given, half))
+    return Program("pixel_lines", inputs, lines, whole.outputs)
 
-IDEAS = (angles_at, bump_at, bump_lines)
+
+PLACE = (column, row, width, height)
+PIXEL = seen_along_a_ray()
+bump_lines, BUMP_LINES = every_line("bump_lines", bump.bumped_normal)
+pixel_lines, PIXEL_LINES = every_line("pixel_lines", PIXEL)
+LINES = {"bump_lines": BUMP_LINES, "pixel_lines": PIXEL_LINES}
+"""{kernel: the names of its inputs, and of the lines that it returns}."""
+
+IDEAS = (angles_at, bump_at, two_slopes, kernels.chart, kernels.shadow, bump_lines, pixel_lines)
 """What `book.simulator_module` compiles for them."""
+
+
+def given(scene: Scene) -> dict[str, float]:
+    """Return {name: value} of what PIXEL takes of a scene."""
+    values = scene_values(scene, column=0, row=0, width=1, height=1, epsilon=0)
+    return {s.name: float(values[s.name]) for s in PIXEL.inputs if s.name in values}

@@ -12,7 +12,7 @@ from itertools import product
 import numpy as np
 from matplotlib import colormaps
 
-from book.idea_kernels import IDEAS
+from book.idea_kernels import IDEAS, LINES, given
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Light, Scene, exact, kernels
 from renderer.generate.creases import crease_point, crease_rates
@@ -125,6 +125,8 @@ def data(outputs: dict[str, int]) -> dict:
         "counts": len(WORK),
         "lanes": LANES,
         "kernels": {k.__name__: [len(inputs_of(k)), outputs[k.__name__]] for k in OVER_POINTS},
+        "lines": LINES,
+        "given": given(SCENE),
         "painting": PAINTING,
         "numbers": NUMBERS,
         "tables": _tables(),

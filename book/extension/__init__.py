@@ -2,6 +2,7 @@
 
 `{chapter-figure} ID`      a figure, its caption and its provenance (figures.py)
 `{idea} ID`                a figure that a hand can move (ideas.py)
+`{worked-pixel} ID`        one of them, with every line of a pixel under it (worked.py)
 `{number}` roles           a number from a figure or a benchmark, printed with a format (numbers.py)
 `{benchmark-label} NAME`   where and when a benchmark was measured (numbers.py)
 `{theorem} ID`             a theorem's card; {theorem-ref}`ID` refers to it (cards.py)
@@ -25,6 +26,7 @@ from sphinx.application import Sphinx
 PARTS = (
     "accessibility", "assets", "cards", "checker", "claims", "dependencies", "elements", "figures",
     "ideas", "interface", "kept", "ledger", "listings", "notebooks", "numbers", "pages", "seed", "streams",
+    "worked",
 )  # fmt: skip
 
 

@@ -5,14 +5,16 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Circle, Polygon, Wedge
 from numpy.typing import ArrayLike
 
-from book.drawing.palette import CSS_PIXELS_PER_INCH
+from book.drawing.palette import CSS_PIXELS_PER_INCH, readable
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import palette
-from book.figures.chapter_scene import SCENE
-from book.idea_kernels import bump_at
-from renderer import Scene, exact, render
+from book.drawing.style import label_line_end, palette, plot
+from book.extension.worked import COLUMN, ROW
+from book.figures.chapter_scene import SCENE, symbolic
+from book.idea_kernels import BUMP_LINES, PIXEL_LINES, angles_at, bump_at, bump_lines, given, pixel_lines, two_slopes
+from renderer import Scene, exact, kernels, render
 from renderer.frame import Frame
 from renderer.generate.creases import crease_point
 from renderer.views import image_view, to_bytes
@@ -109,3 +111,164 @@ def slope_is_texture() -> Drawing:
         numbers=numbers,
         data={"u": u, "height": h, "between": between, "light": strips[SCENE.beta], "circle_x": x, "circle_y": y},
     )
+
+
+def vectors_at(u: float, v: float, beta: float) -> dict[str, np.ndarray]:
+    """Return {name: vector} of the lines that tilt the normal at a point of ridges."""
+    gradient = bump_at(u, v, SCENE.ku, SCENE.kv, beta, SCENE.radius, *LIGHT.position)[1:3]
+    lines = dict(zip(BUMP_LINES["lines"], bump_lines(*angles_at(u, v), *gradient, beta), strict=True))
+    return {name: np.array([lines[f"{name}_{axis}"] for axis in "xyz"], float) for name in FRAME}
+
+
+FRAME = ("normal", "e_theta", "e_phi", "g", "m", "bumped")
+
+
+@figure("tilted_frame")
+def tilted_frame() -> Drawing:
+    """N, the tangent vector βg, M = N + βg and N' at a point of the sphere."""
+    u, v, beta, turn, tip = 0.53, 0.2, 0.07, 0.95, 0.42
+    c, fig, found = palette(), canvas(640, 400), vectors_at(0.53, 0.2, 0.07)
+    right = np.array([-np.sin(turn), np.cos(turn), 0])
+    up = np.array([-np.sin(tip) * np.cos(turn), -np.sin(tip) * np.sin(turn), np.cos(tip)])
+    toward, at = np.cross(right, up), found["normal"]
+    ax = pixel_axes(fig, 0, 0, 640, 400, xlim=(-320, 320), ylim=(-164, 236))
+    place = lambda p: 150 * np.array([p @ right, p @ up])  # noqa: E731
+    ax.add_patch(Circle((0, 0), 150, facecolor=c["surface"], edgecolor=c["muted"]))
+    steps, data = np.linspace(0, 1, 97), {}
+    nets = [(np.full(97, m / SCENE.ku), steps) for m in range(int(SCENE.ku))]
+    nets += [(steps, np.full(97, m / SCENE.kv)) for m in range(1, int(SCENE.kv))]
+    for number, (along, down) in enumerate(nets):
+        points = np.stack(kernels.point_on_a(*angles_at(along, down), 1.0), axis=1)
+        x, y = np.where((points @ toward)[:, None] > 0, np.apply_along_axis(place, 1, points), np.nan).T
+        ax.plot(x, y, color=c["rule"], linewidth=1)
+        data |= {f"net_{number}_x": x, f"net_{number}_y": y}
+    corners = [at + 0.34 * (a * found["e_theta"] + b * found["e_phi"]) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    ax.add_patch(Polygon([place(p) for p in corners], facecolor=c["symbolic"], alpha=0.14))
+    ends = {
+        "N": at,
+        "βg": beta * found["g"],
+        "M": found["m"],
+        "N′": found["bumped"],
+        "e_θ": 0.34 * found["e_theta"],
+        "e_φ": 0.34 * found["e_phi"],
+    }
+    looks = {
+        "N": ("ink", 1.2),
+        "βg": ("symbolic", 2.2),
+        "M": ("muted", 0.9),
+        "N′": ("ink", 3),
+        "e_θ": ("muted", 0.9),
+        "e_φ": ("muted", 0.9),
+    }
+    ax.plot(
+        *np.transpose([place(at + ends[name]) for name in ("N", "M", "βg")]),
+        color=c["muted"],
+        linewidth=0.9,
+        linestyle=(0, (2, 3)),
+    )
+    for name, end in ends.items():
+        (colour, width), tip_at = looks[name], place(at + end)
+        ax.annotate(
+            "",
+            tip_at,
+            place(at),
+            arrowprops={"arrowstyle": "-|>", "color": c[colour], "linewidth": width, "shrinkA": 0, "shrinkB": 0},
+        )
+        ax.annotate(
+            f"${name}$".replace("β", r"\beta ").replace("θ", r"\theta").replace("φ", r"\varphi").replace("′", "'"),
+            tip_at,
+            xytext=(-14 if name in ("N", "N′", "e_φ") else 6, 3),
+            textcoords="offset points",
+            color=readable(c[colour]),
+        )
+    ax.plot(*place(at), "o", color=c["symbolic"], markersize=8, markeredgecolor="white")
+    return Drawing(fig, numbers={"u": u, "v": v, "beta": beta}, data=data | found)
+
+
+def seen_at(x: float, y: float) -> dict[str, Any]:
+    """Return {line: value} of the chapter's scene at an image point."""
+    known = given(SCENE) | {"x": x, "y": y}
+    with np.errstate(all="ignore"):
+        return dict(
+            zip(PIXEL_LINES["lines"], pixel_lines(*(known[name] for name in PIXEL_LINES["inputs"])), strict=True)
+        )
+
+
+@figure("scene_from_the_side")
+def scene_from_the_side() -> Drawing:
+    """The eye, a ray, the spheres, the floor and the lights, in the upright plane through the eye and B's centre."""
+    c, fig, s = palette(), canvas(640, 430), 0.52
+    way = np.array(SCENE.ball_center[:2]) / np.hypot(*SCENE.ball_center[:2])
+    found = seen_at(*(s * way))
+    flat = lambda p: np.array([np.dot(p[:2], way), p[2]])  # noqa: E731
+    hit = flat([float(found[f"point_{axis}"]) for axis in "xyz"])
+    ax = pixel_axes(fig, 0, 0, 640, 430, xlim=(-3.3, 3.3), ylim=(-0.14, 4.3))
+    ax.axhline(0, color=c["ink"], linewidth=1.2)
+    ax.add_patch(Wedge((0, 0), SCENE.radius, 0, 180, facecolor=c["surface"], edgecolor=c["ink"], linewidth=1.2))
+    ax.add_patch(
+        Circle(flat(SCENE.ball_center), SCENE.ball_radius, facecolor=c["surface"], edgecolor=c["ink"], linewidth=1.2)
+    )
+    ax.plot([0, hit[0]], [SCENE.eye, hit[1]], color=c["symbolic"], linewidth=2.2)
+    ax.plot([hit[0], s], [hit[1], 0], color=c["muted"], linewidth=0.9, linestyle=(0, (2, 3)))
+    for number, (light, words) in enumerate(zip(SCENE.lights, ("first light", "second light"), strict=True)):
+        towards = flat(light.position) - hit
+        near, hidden = hit + 1.25 * towards / np.linalg.norm(towards), found[f"occluded_{number}"] > 0
+        style = {
+            "arrowstyle": "-|>",
+            "color": c["muted" if hidden else "ink"],
+            "linestyle": (0, (3, 3)) if hidden else "-",
+        }
+        ax.annotate("", near, hit, arrowprops=style | {"shrinkA": 0, "shrinkB": 0})
+        ax.annotate(
+            f"{words}{' (hidden)' if hidden else ''}",
+            near,
+            xytext=(-70 if number else 4, 2),
+            textcoords="offset points",
+            color=c["muted"],
+        )
+    ax.plot([0, hit[0]], [SCENE.eye, hit[1]], "o", color=c["ink"], markersize=6)
+    for at, words in (
+        ((0.1, SCENE.eye), "the eye, $t = 0$"),
+        ((-3.2, 0.06), "the floor, $t = 1$"),
+        ((-0.04, 0.4), "$A$"),
+        (flat(SCENE.ball_center) - 0.04, "$B$"),
+        (hit + (-0.2, 0.08), "$P$"),
+    ):
+        ax.text(*at, words, color=c["ink"])
+    return Drawing(fig, numbers={"t_a": float(found["t_a"])}, data={"hit": hit, "ray": [s, 0.0]})
+
+
+@figure("two_slopes")
+def two_slope_lines() -> Drawing:
+    """Ridges across a crease: the tangent at a point, and the secant of a step that reaches over the crease."""
+    (low, high), at, v, eps, c = (0.06, 0.25), 0.139, PARALLEL, 0.03, palette()
+    fig, ax = plot(height=2.9)
+    u = np.linspace(low, high, 381)
+    curve = two_slopes(u, v, SCENE.ku, SCENE.kv, eps)[1]
+    left, middle, right, numeric, slope, _ = map(float, two_slopes(np.float64(at), v, SCENE.ku, SCENE.kv, eps))
+    ax.plot(u, curve, color=c["ink"], linewidth=1.3)
+    for colour, steepness, through, words in (
+        ("symbolic", slope, middle, "the slope"),
+        ("numeric", numeric, (left + right) / 2, "the difference"),
+    ):
+        reach = min(0.04, 0.5 / abs(steepness))
+        line = at + np.array([-reach, reach]), through + steepness * np.array([-reach, reach])
+        ax.plot(*line, color=c[colour], linewidth=2)
+        label_line_end(ax, line[0][1], line[1][1], words, c[colour])
+    ax.plot([at - eps, at + eps], [left, right], "o", color=c["numeric"], markersize=6)
+    ax.plot(at, middle, "o", color=c["symbolic"], markersize=7)
+    ax.set(xlabel="$u$", ylabel="$h$", ylim=(-0.12, 1.25))
+    numbers = {"u": at, "eps": eps, "numeric": numeric, "slope": slope}
+    return Drawing(fig, numbers=numbers, data={"u": u, "height": curve})
+
+
+@figure("pixel_worked")
+def pixel_worked() -> Drawing:
+    """The chapter's scene, and a white frame around the pixel that is worked through."""
+    picture = image_view(symbolic()).copy()
+    for reach, shade in ((5, 0), (4, 255)):
+        inside = np.zeros(picture.shape[:2], bool)
+        inside[ROW - reach : ROW + reach + 1, COLUMN - reach : COLUMN + reach + 1] = True
+        inside[ROW - reach + 1 : ROW + reach, COLUMN - reach + 1 : COLUMN + reach] = False
+        picture[inside] = shade
+    return Drawing(picture, numbers={"column": COLUMN, "row": ROW})

@@ -26,6 +26,13 @@ Ideas.arrow = ([x, y], [dx, dy], look = "", size = 6) => {
 
 Ideas.text = (x, y, words, look = "") => `<text class="${look}" x="${x.toFixed(1)}" y="${y.toFixed(1)}">${words}</text>`;
 
+// Every line of a program by its name, from inputs by their names; and three of them as a vector.
+Ideas.lines = function (module, { lines }, kernel, inputs) {
+  const values = module.kernel(kernel, ...lines[kernel].inputs.map((name) => inputs[name]));
+  return Object.fromEntries(lines[kernel].lines.map((name, n) => [name, values[n]]));
+};
+Ideas.vector = (lines, name, of = "") => ["x", "y", "z"].map((axis) => lines[`${name}_${axis}${of}`]);
+
 const STEPS = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 // Tell `moved` of every place of a pressed pointer, and `stepped` of arrow keys: (right, up), ten times as far with shift.
@@ -78,6 +85,17 @@ Ideas.stage = function (figure, draw) {
         own.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
         own.setAttribute("aria-valuenow", now);
         own.setAttribute("aria-valuetext", words);
+      };
+    };
+    // The ground behind the handles, to be dragged too.
+    self.backdrop = (label, moved, stepped) => {
+      const ground = document.createElementNS("http://www.w3.org/2000/svg", "rect");
+      for (const [key, value] of Object.entries({ class: "idea-ground", width: "100%", height, tabindex: 0, role: "slider", "aria-label": label })) ground.setAttribute(key, value);
+      svg.prepend(ground);
+      Ideas.listen(ground, svg, moved, stepped);
+      return (now, words) => {
+        ground.setAttribute("aria-valuenow", now);
+        ground.setAttribute("aria-valuetext", words);
       };
     };
     return self;

@@ -1,0 +1,123 @@
+"""The directive `{worked-pixel}`: an {idea} with every line of one pixel, from its place to its colour.
+
+The formulas are the program's own (`book.idea_kernels`), the values those of one pixel; the page's script puts in
+their place those of the pixel that the reader picks.
+"""
+
+import math
+
+import numpy as np
+from docutils import nodes
+from sympy import Piecewise, Symbol, latex
+
+from book.extension.elements import filled
+from book.extension.ideas import Idea
+from book.idea_kernels import PIXEL, PIXEL_LINES, given, pixel_lines
+from proofs.formulas.symbols import TEX_NAMES
+from renderer import Scene, kernels
+
+SIZE, COLUMN, ROW = 256, 104, 92  # the picture, and the pixel whose values stand on paper
+A = "_on_a"
+EVERY = ("_x", "_y", "_z")
+LINES = (
+    ("the distance from the axis", "rho_raw", ()),
+    ("negative if A is missed", "discriminant_a", ()),
+    ("where the ray meets A", "t_a", ()),
+    ("where it meets B", "t_b", ()),
+    ("seen: 1 A, 2 B, 3 floor", "surface", None),
+    ("the angles of the point", "cos_theta", ("rho_inverse",)),
+    ("", "sin_phi", ("hit_scale",)),
+    ("the chart, in half-turns", "u_closed", ()),
+    ("", "v", ()),
+    ("the slopes", "h_u", ()),
+    ("", "h_v", ()),
+    ("tangent vector: x, y, z", "g*_on_a", ()),
+    ("the normal, tilted", "m*_on_a", ()),
+    ("its length", "m_length_on_a", ()),
+    ("the light's normal", "bumped*_on_a", ("m_scale_on_a",)),
+    ("towards the first light", "towards*_0", ("to_light_x_0", "light_scale_0")),
+    ("cosine that scatters", "mu_0", ()),
+    ("cosine of the highlight", "specular_base_0", ()),
+    ("1 if it is hidden", "occluded_0", None),
+    ("red, with the first light", "lit_red_0", ("diffuse_0", "shine_0", "specular_0")),
+    ("the second light's cosine", "mu_1", ()),
+    ("1 if it is hidden", "occluded_1", None),
+    ("red, green, blue, clipped", "rgb_*", None),
+)
+"""What is said of a line, its name (* for three of them), what is written out in its formula (None: it has none)."""
+TEX = {s.name: tex for s, tex in TEX_NAMES.items()} | {
+    "rho_raw": r"\rho", "discriminant_a": "d_A", "discriminant_b": "d_B", "root_a": r"\sqrt{d_A}",
+    "root_b": r"\sqrt{d_B}",
+    "t_a": "t_A", "t_b": "t_B", "tangent_squared": r"(e^2 - R^2)", "toward_b": "b", "distance": "(e - C_z)",
+    "u_closed": "u",
+    "m_length": "|M|", "specular_base": "b", "specular": "b^p", "halfway_length": "|k|",
+    "light_distance": r"|L - P|", "red_before": r"\text{ambient}", "lit_red": r"\text{red}",
+    "cos_u": "c_1", "sin_u": "s_1", "cos_v": "c_2", "sin_v": "s_2", "kd": "k_d", "ks": "k_s",
+    "light_red": "I", "albedo_red": "a", "beta": r"\beta",
+    **{f"{name}_{axis}": f"{tex} {axis}}}" for axis in "xyz" for name, tex in
+       (("g", "g_{"), ("m", "M_{"), ("e_theta", r"e_{\theta"), ("e_phi", r"e_{\varphi"), ("halfway", "k_{"))},
+}  # fmt: skip
+
+
+def tex_of(symbol: Symbol) -> str:
+    """A symbol of the program as TeX, without the surface or the light to which it belongs."""
+    name = symbol.name.removesuffix(A).removesuffix("_0").removesuffix("_1").replace("light_0_", "light_")
+    return TEX.get(name) or latex(Symbol(name))
+
+
+def formula(name: str, written_out: tuple[str, ...]) -> str:
+    """A line of the program as TeX: of cases, the first."""
+    lines = {symbol.name: symbol for symbol, _ in PIXEL.definitions}
+    found = PIXEL.expand(lines[name], until={s for n, s in lines.items() if n not in (*written_out, name)})
+    found = found.replace(lambda part: isinstance(part, Piecewise), lambda part: part.args[0].expr)
+    names = {symbol: tex_of(symbol) for symbol in found.free_symbols | {lines[name]}}
+    return f"{names[lines[name]]} = {latex(found, symbol_names=names)}"
+
+
+def said(number: float) -> str:
+    """A number as the page's script says it."""
+    if not math.isfinite(number):
+        return "—"
+    text = f"{number:.4f}" if number % 1 else f"{number:.0f}"
+    return (text.removeprefix("-") if float(text) == 0 else text).replace("-", "−")
+
+
+def values(scene: Scene) -> dict[str, float]:
+    """Every line of the pixel that stands on paper."""
+    half = kernels.image_extent(scene.eye, scene.radius)
+    place = {"x": kernels.image_x(COLUMN, SIZE, SIZE, half), "y": kernels.image_y(ROW, SIZE, half)}
+    with np.errstate(all="ignore"):
+        found = pixel_lines(*((given(scene) | place)[name] for name in PIXEL_LINES["inputs"]))
+    return place | {name: float(value) for name, value in zip(PIXEL_LINES["lines"], found, strict=True)}
+
+
+def worked_lines() -> list[dict]:
+    """What the template prints of each line."""
+    known, rows = values(Scene()), [{"words": "the point of the picture", "formula": [], "names": ["x", "y"]}]
+    for words, name, written_out in LINES:
+        names = [name.replace("*", part) for part in (("_red", "_green", "_blue") if name == "rgb_*" else EVERY)]
+        names = [n.replace("__", "_") for n in names] if "*" in name else [name]
+        shown = [] if written_out is None else [nodes.math("", formula(names[0], written_out))]
+        rows.append({"words": words, "formula": shown, "names": names})
+    for row in rows:
+        row["on_a"] = row["names"][0].endswith(A) or row["names"][0] in ON_A
+        row["outputs"] = [(name, said(known[name])) for name in row["names"]]
+    return rows
+
+
+ON_A = ("cos_theta", "sin_phi", "u_closed", "v", "h_u", "h_v")
+
+
+class WorkedPixel(Idea):
+    """An {idea} with the lines of a pixel under its picture."""
+
+    def content_nodes(self):
+        (figure,) = super().content_nodes()
+        figure["classes"].append("idea-worked")
+        figure.insert(1, filled("worked", lines=worked_lines()))
+        return [figure]
+
+
+def setup(app) -> None:
+    """Register the directive."""
+    app.add_directive("worked-pixel", WorkedPixel)
