@@ -1,9 +1,11 @@
 """What the small interactives of §1 to §3 ask at a point, put together from the renderer's kernels and programs.
 
 Functions of float64 numbers, NumPy's arrays or traced values, as the kernels are: the still pictures call them here,
-the pages as WebAssembly, compiled beside the simulator's (`book.simulator_module`).
+the pages as WebAssembly, beside the simulator's (`book.simulator_module`).
 """
 
+import json
+from base64 import b64encode
 from collections.abc import Callable
 
 from sympy import Integer
@@ -16,6 +18,8 @@ from proofs.formulas.symbols import column, half, height, row, shininess, width,
 from renderer import Scene, kernels
 from renderer.generate.kernels import function_of
 from renderer.kernels import cospi, sinpi
+from renderer.machines.points_code import inputs_of
+from renderer.machines.webassembly import compiled_module
 from renderer.operations import Number
 from verify.reference import scene_values
 
@@ -82,10 +86,22 @@ LINES = {"bump_lines": BUMP_LINES, "pixel_lines": PIXEL_LINES}
 """{kernel: the names of its inputs, and of the lines that it returns}."""
 
 IDEAS = (angles_at, bump_at, two_slopes, kernels.chart, kernels.shadow, bump_lines, pixel_lines)
-"""What `book.simulator_module` compiles for them."""
+"""What is compiled for them."""
 
 
 def given(scene: Scene) -> dict[str, float]:
     """Return {name: value} of what PIXEL takes of a scene."""
     values = scene_values(scene, column=0, row=0, width=1, height=1, epsilon=0)
     return {s.name: float(values[s.name]) for s in PIXEL.inputs if s.name in values}
+
+
+def source() -> str:
+    """Return the text of the script that their pages load."""
+    module, outputs = compiled_module({}, {kernel.__name__: kernel for kernel in IDEAS}, {})
+    kernels_of = {kernel.__name__: [len(inputs_of(kernel)), outputs[kernel.__name__]] for kernel in IDEAS}
+    data = {"kernels": kernels_of, "lines": LINES, "given": given(Scene())}
+    return (
+        "// Printed from proofs/ by `python -m book`: what the small interactives ask of the renderer's kernels.\n"
+        f'"use strict";\nvar Ideas = Ideas || {{}};\nIdeas.data = {json.dumps(data, separators=(",", ":"))};\n'
+        f'Ideas.program = "{b64encode(module).decode()}";\n'
+    )

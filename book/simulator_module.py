@@ -12,7 +12,6 @@ from itertools import product
 import numpy as np
 from matplotlib import colormaps
 
-from book.idea_kernels import IDEAS, LINES, given
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Light, Scene, exact, kernels
 from renderer.generate.creases import crease_point, crease_rates
@@ -48,7 +47,6 @@ OVER_POINTS = (
     *(crease_rates(field) for field in HEIGHT_FIELDS.values() if field.creases),
     *(FIELDS[name][role] for name in FIELDS for role in ("height", "kink", "straddling")),
     *(field["wave_numbers"] for field in FIELDS.values() if field["wave_numbers"]),
-    *IDEAS,
 )
 SMALLEST = -16  # the logarithmic scale of differences runs from 10^SMALLEST to 1
 TERM_COLOURS = ("#000000", "#56b4e9", "#e69f00", "#f0e442", "#cc79a7")  # none, then TERMS: as in the book's figure
@@ -125,8 +123,6 @@ def data(outputs: dict[str, int]) -> dict:
         "counts": len(WORK),
         "lanes": LANES,
         "kernels": {k.__name__: [len(inputs_of(k)), outputs[k.__name__]] for k in OVER_POINTS},
-        "lines": LINES,
-        "given": given(SCENE),
         "painting": PAINTING,
         "numbers": NUMBERS,
         "tables": _tables(),

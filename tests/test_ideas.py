@@ -1,5 +1,6 @@
 """The small interactives: their numbers are the renderer's, hand and keys move them, the still pictures stay."""
 
+import gzip
 import math
 import random
 import re
@@ -8,14 +9,20 @@ import numpy as np
 import pytest
 
 from book import idea_kernels
-from renderer import Scene, exact, gradient_at, height_at
+from renderer import Scene, central, exact, gradient_at, height_at, pixel, render
 from renderer.machines.points_code import inputs_of
 from tests.simulator_page import visited
 
 pytestmark = pytest.mark.browser
 
 SCENE = Scene()
-PAGES = {"slope_is_texture": "s1"}
+PAGES = {
+    "slope_is_texture": "s1",
+    "scene_from_the_side": "s2",
+    "tilted_frame": "s3",
+    "two_slopes": "s3",
+    "pixel_worked": "s3",
+}
 NUMBER = re.compile(r"[−-]?\d+(?:\.\d+)?")
 STARTED = "document.querySelector('figure.idea') && !document.querySelector('figure.idea:not(.idea-live)')"
 
@@ -106,6 +113,12 @@ def test_a_phone_has_it_whole_with_large_targets(browser, server, name):
         assert tab.evaluate("document.documentElement.scrollWidth") == 400
 
 
+def test_their_code_is_light(site):
+    """What they load beside the simulator's module, compressed as a server would: at most 25 kB."""
+    parts = [path.read_bytes() for path in sorted((site / "_static" / "ideas").iterdir())]
+    assert len(parts) == 8 and len(gzip.compress(b"".join(parts))) <= 25_000
+
+
 def test_slope_is_texture_starts_near_the_top_of_the_chapter(visit):
     tab, figure = visit("slope_is_texture")
     assert tab.evaluate("e => e.getBoundingClientRect().top + scrollY", figure.element_handle()) < 2500
@@ -152,3 +165,93 @@ def test_slope_is_texture_follows_the_pointer(visit):
     next_frame(tab)
     assert start != now(point) == now(sphere) == 0.5
     assert abs(float(height_at(SCENE, 0.5, 0.125))) < 1e-12 and said(figure)[0] == 0.0
+
+
+def test_tilted_frame_says_what_the_renderer_says(visit):
+    tab, figure = visit("tilted_frame")
+    view, point, tip = figure.locator("[role=slider]").all()
+    for keys in (["ArrowRight", "Shift+ArrowDown"], ["ArrowLeft", "Shift+ArrowUp"], ["Shift+ArrowRight"] * 3):
+        press(tab, point, *keys)
+        press(tab, tip, keys[0])
+        cells = figure.locator("dd").all_inner_texts()
+        (u, v), (h_u, h_v), n, g, m, (length,), bumped, (tilt,) = map(numbers, cells)
+        u, beta = now(point), now(tip)
+        theta, phi = 2 * math.pi * u - math.pi, math.pi * v
+        gradient = [float(slope) for slope in gradient_at(SCENE, u, v, exact())]
+        normal = np.array([math.sin(phi) * math.cos(theta), math.sin(phi) * math.sin(theta), math.cos(phi)])
+        e_theta = np.array([-math.sin(theta), math.cos(theta), 0])
+        e_phi = np.array([math.cos(phi) * math.cos(theta), math.cos(phi) * math.sin(theta), -math.sin(phi)])
+        tangent = gradient[0] * e_theta + gradient[1] * e_phi
+        # v is read with three digits, and the slopes change by up to 400 per unit of v.
+        np.testing.assert_allclose((h_u, h_v, *g), (*gradient, *tangent), atol=0.3)
+        np.testing.assert_allclose(n, normal, atol=0.003)
+        np.testing.assert_allclose(m, np.array(n) + beta * np.array(g), atol=0.002)
+        np.testing.assert_allclose(bumped, unit(m), atol=0.002)
+        assert abs(length - np.linalg.norm(m)) < 0.002
+        assert abs(tilt - math.degrees(math.acos(np.array(n) @ bumped))) < 0.3
+        assert beta > 0
+    before = now(view)
+    press(tab, view, "ArrowRight")
+    assert now(view) != before and figure.locator("dd").all_inner_texts() == cells
+
+
+def test_two_slopes_says_what_the_renderer_says(visit):
+    tab, figure = visit("two_slopes")
+    point, step = figure.locator(".idea-handle").all()
+    slider, apart = figure.locator("input"), []
+    for exponent in (-2, -4, -12):
+        slider.evaluate("(s, to) => { s.value = to; s.dispatchEvent(new Event('input')) }", exponent)
+        press(tab, point, "ArrowRight")
+        _, numeric, exactly, *_ = said(figure)
+        eps, u = now(step), now(point)
+        ours = [float(gradient_at(SCENE, u, 0.125, method)[0]) for method in (central(eps), exact())]
+        digits = 0.0051 if abs(ours[0] - ours[1]) >= 0.01 else 5.1e-9
+        np.testing.assert_allclose((numeric, exactly), ours, rtol=0, atol=digits)
+        apart.append(abs(ours[0] - ours[1]))
+    assert apart[0] > apart[1] < apart[2]  # the U
+    press(tab, step, "ArrowUp")
+    assert now(step) > eps
+
+
+@pytest.mark.parametrize(
+    "keys, surface", [([], "A"), (["Shift+ArrowRight"] * 4, "B"), (["Shift+ArrowLeft"] * 18, "floor")]
+)
+def test_scene_from_the_side_meets_what_the_renderer_meets(visit, keys, surface):
+    tab, figure = visit("scene_from_the_side")
+    point = figure.locator(".idea-handle")
+    press(tab, point, *["Shift+ArrowLeft"] * 40, *["Shift+ArrowRight"] * 27, *keys)
+    at = now(point) / math.sqrt(2)  # B's centre is on the diagonal
+    frame = render(SCENE, 2001, 2001, exact(), crop=(0, 0, 1, 1))
+    half = float(-frame.raster.image_points(SCENE)[0][0]) * 2001 / 2000
+    column = round((at / half * 2001 + 2001 - 1) / 2)
+    row = round((2001 - 1 - (at / half + 3 / 20) * 2001) / 2)
+    record = pixel(SCENE, 2001, 2001, column, row)
+    text = figure.locator(".idea-says").inner_text()
+    assert record.surface == surface and f"shows {'the floor' if surface == 'floor' else f'sphere {surface}'}" in text
+    for light, name in zip(record.lights, ("first", "second"), strict=True):
+        assert f"{name} light {'is hidden' if light.occluded else 'reaches it'}" in text
+
+
+@pytest.mark.parametrize("column, row", [(104, 92), (90, 140), (170, 70), (250, 20), (30, 200)])
+def test_pixel_worked_is_the_renderers_pixel(visit, column, row):
+    tab, figure = visit("pixel_worked")
+    point = figure.locator(".idea-handle")
+    at = int(now(point))
+    for there, here, keys in (
+        (column, at % 256, ("ArrowRight", "ArrowLeft")),
+        (row, at // 256, ("ArrowDown", "ArrowUp")),
+    ):
+        tens, ones = divmod(abs(there - here), 10)
+        press(tab, point, *[f"Shift+{keys[there < here]}"] * tens, *[keys[there < here]] * ones)
+    assert int(now(point)) == row * 256 + column
+    shown = {e.get_attribute("data-line"): e.inner_text() for e in figure.locator("[data-line]").all()}
+    record = pixel(SCENE, 256, 256, column, row)
+    expected = dict(zip(("rgb_red", "rgb_green", "rgb_blue"), record.rgb, strict=True))
+    expected |= {f"occluded_{light.number}": float(light.occluded) for light in record.lights}
+    expected |= {f"mu_{light.number}": light.mu for light in record.lights if light.mu is not None}
+    if record.surface == "A":
+        expected |= {"u_closed": record.u, "v": record.v, "h_u": record.gradient[0], "h_v": record.gradient[1]}
+        expected |= {f"bumped_{axis}_on_a": n for axis, n in zip("xyz", record.normal, strict=True)}
+    else:
+        assert shown["h_u"] == shown["m_length_on_a"] == "—"
+    assert {name: numbers(shown[name])[0] for name in expected} == pytest.approx(expected, abs=5.1e-5)

@@ -8,7 +8,7 @@ from pathlib import Path
 from sphinx.application import Sphinx
 from sphinx.config import Config
 
-from book.simulator_module import source
+from book import idea_kernels, simulator_module
 
 NEEDED = ("tex-chtml-full.js", "output/chtml/fonts/woff-v2")
 
@@ -27,10 +27,11 @@ def copy_mathjax(app: Sphinx) -> None:
 
 
 def write_simulator(app: Sphinx) -> None:
-    """Compile what the simulator runs."""
-    place = Path(app.outdir) / "_static" / "simulator" / "compiled.js"
-    place.parent.mkdir(parents=True, exist_ok=True)
-    place.write_text(source(), encoding="utf-8")
+    """Compile what the simulator and the small interactives run."""
+    for folder, source in (("simulator", simulator_module.source), ("ideas", idea_kernels.source)):
+        place = Path(app.outdir) / "_static" / folder / "compiled.js"
+        place.parent.mkdir(parents=True, exist_ok=True)
+        place.write_text(source(), encoding="utf-8")
 
 
 def use_execution_cache(app: Sphinx, config: Config) -> None:

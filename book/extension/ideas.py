@@ -14,7 +14,7 @@ from sphinx.application import Sphinx
 
 from book.extension.figures import ChapterFigure
 
-SHARED = ("simulator/compiled.js", "simulator/module.js", "ideas/ideas.js")
+SHARED = ("simulator/compiled.js", "simulator/module.js", "ideas/compiled.js", "ideas/ideas.js")
 
 
 class Idea(ChapterFigure):

@@ -8,6 +8,7 @@ import math
 
 import numpy as np
 from docutils import nodes
+from sphinx.application import Sphinx
 from sympy import Piecewise, Symbol, latex
 
 from book.extension.elements import filled
@@ -111,13 +112,13 @@ ON_A = ("cos_theta", "sin_phi", "u_closed", "v", "h_u", "h_v")
 class WorkedPixel(Idea):
     """An {idea} with the lines of a pixel under its picture."""
 
-    def content_nodes(self):
+    def content_nodes(self) -> list[nodes.Node]:
         (figure,) = super().content_nodes()
         figure["classes"].append("idea-worked")
         figure.insert(1, filled("worked", lines=worked_lines()))
         return [figure]
 
 
-def setup(app) -> None:
+def setup(app: Sphinx) -> None:
     """Register the directive."""
     app.add_directive("worked-pixel", WorkedPixel)

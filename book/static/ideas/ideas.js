@@ -150,12 +150,18 @@ Ideas.state = ({ scene }, changes = {}) => {
   return { field, ku, kv, beta, model, ball, lights: lights.map(() => true), ...changes };
 };
 
+// The simulator's module, whose `kernel` knows the interactives' own kernels too.
+Ideas.compiled = async function () {
+  const [module, own] = await Promise.all([[Simulator.data, Simulator], [{ ...Simulator.data, ...Ideas.data }, Ideas]].map(async ([data, { program }]) => Simulator.module(data, await Simulator.compiled(program))));
+  return { ...module, kernel: (name, ...inputs) => (name in Ideas.data.kernels ? own : module).kernel(name, ...inputs) };
+};
+
 document.addEventListener("DOMContentLoaded", async () => {
   const figures = [...document.querySelectorAll("figure.idea")];
   if (!figures.length) return;
   try {
-    const module = (Ideas.module = await Simulator.module(Simulator.data, await Simulator.compiled(Simulator.program)));
-    for (const figure of figures) Ideas[figure.id.replace("fig-", "")](figure, module, Simulator.data);
+    const module = (Ideas.module = await Ideas.compiled());
+    for (const figure of figures) Ideas[figure.id.replace("fig-", "")](figure, module, { ...Simulator.data, ...Ideas.data });
   } catch (error) {
     if (!/WebAssembly/.test(error.message)) throw error; // without it, the still pictures stay
   }

@@ -51,11 +51,11 @@ Ideas.scene_from_the_side = function (figure, module, data) {
       const end = place(flat(position)), length = Math.hypot(end[0] - hit[0], end[1] - hit[1]), reach = 120 / length, near = [hit[0] + reach * (end[0] - hit[0]), hit[1] + reach * (end[1] - hit[1])];
       return arrow(hit, [near[0] - hit[0], near[1] - hit[1]], found.hidden[n] ? "blocked" : `shine light-${n}`, 8) + text(near[0] + (near[0] > hit[0] ? 6 : -76), near[1] - 4, LIGHTS[n]);
     });
-    panel.svg.setAttribute("height", ground + 44);
+    panel.svg.setAttribute("height", ground + 24);
     panel.show(
       `<path class="height" d="M0 ${ground}H${panel.width}"/><path class="body" d="${half}"/><circle class="body" cx="${ball[0]}" cy="${ball[1]}" r="${ball_radius * scale}"/>` + [0, 1].map((n) => shadows(n, place, scale)).join("") +
         `<path class="slope" d="${line([top, hit])}"/><path class="guide" d="${line([hit, foot])}"/>` + to_light.join("") + `<circle class="eye" cx="${top[0]}" cy="${top[1]}" r="5"/><circle class="met" cx="${hit[0]}" cy="${hit[1]}" r="4.5"/>` +
-        text(top[0] + 10, top[1] + 5, "the eye, <tspan class='i'>t</tspan> = 0") + text(middle - 4, ground - 0.45 * scale, "A", "i bold") + text(ball[0] - 4, ball[1] + 5, "B", "i bold") + text(hit[0] - 18, hit[1] - 8, "P", "i bold") + text(6, ground - 6, "the floor, <tspan class='i'>t</tspan> = 1") + text(6, ground + 34, "thick: out of reach of the first light (dark) and of the second (amber)"),
+        text(top[0] + 10, top[1] + 5, "the eye, <tspan class='i'>t</tspan> = 0") + text(middle - 4, ground - 0.45 * scale, "A", "i bold") + text(ball[0] - 4, ball[1] + 5, "B", "i bold") + text(hit[0] - 18, hit[1] - 8, "P", "i bold") + text(6, ground - 6, "the floor, <tspan class='i'>t</tspan> = 1"),
     );
     const t = { A: found.t_a, B: found.t_b, "the floor": found.t_floor }, met = Object.entries(t).filter(([, at]) => Number.isFinite(at)).map(([name, at]) => `${name} at <i>t</i> = ${say(at, 3)}`);
     const reached = found.hidden.map((is, n) => `the ${LIGHTS[n]} ${is ? "is hidden there" : "reaches it"}`);
