@@ -3,6 +3,7 @@
 from book.drawing.registry import Drawing, committed, figure
 
 SCENES, CERTIFICATES = "verify/results/accepted_scenes.json", "verify/results/tampered_certificates.json"
+FORMULAS = "verify/results/edited_formulas.json"
 
 
 def _run(path, *keys) -> Drawing:
@@ -20,3 +21,9 @@ def accepted_scenes() -> Drawing:
 def tampered_certificates() -> Drawing:
     """The committed run over false changes of every certificate: its counts and its label; numbers only."""
     return _run(CERTIFICATES, "date", "commit")
+
+
+@figure("edited_formulas", data=[FORMULAS])
+def edited_formulas() -> Drawing:
+    """The committed run over edits of the formulas: its counts and its label; numbers only."""
+    return _run(FORMULAS, "date", "commit")
