@@ -43,7 +43,7 @@ MACHINE_NUMBERS = ("Uint63.", "PrimInt63.", "PrimFloat.", "FloatAxioms.", "Float
 PARTLY = {
     "bump_moves_no_boundary": "that none of these depends on the bump: the lines printed for them have no such input",
     "crease_error_area": "how many tents there are, and that they do not overlap",
-    "elementary_functions": "how each operation is rounded, and the arctangent",
+    "elementary_functions": "the reduction of the argument, how many units in the last place, and the arctangent",
 }
 """{theorem: what of its words no statement says}"""
 

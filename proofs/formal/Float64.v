@@ -24,6 +24,16 @@ Definition product_error := rounded (rounded (a_low * b_low) + error_3).
 End program.
 End two_product_float64.
 
+Module half_turn_polynomials_float64.
+Section program.
+Variables remainder : R.
+Definition z := rounded (remainder * remainder).
+Definition sine_tail := rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded ((7510502657307481 / 9444732965739290427392) * z) - (1617067665348049 / 73786976294838206464))) + (8601768518847843 / 18446744073709551616))) - (8497528335533855 / 1152921504606846976))) + (2959617474655169 / 36028797018963968))) - (2698847510945475 / 4503599627370496))) + (2871229454931313 / 1125899906842624))) - (5818327337647699 / 1125899906842624))) + (4967757600021511 / 40564819207303340847894502572032)).
+Definition sine_near := rounded (remainder * rounded (sine_tail + (884279719003555 / 281474976710656))).
+Definition cosine_near := rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded ((5080167897815029 / 1180591620717411303424) * z) - (7720929367626383 / 73786976294838206464))) + (8898590864194755 / 4611686018427387904))) - (1859582503162531 / 72057594037927936))) + (8478679513545403 / 36028797018963968))) - (3006744454127613 / 2251799813685248))) + (1142425901258417 / 281474976710656))) - (2778046668940015 / 562949953421312))) + 1).
+End program.
+End half_turn_polynomials_float64.
+
 Module difference_float64.
 Section program.
 Variables h_u_plus h_u_minus epsilon : R.

@@ -242,7 +242,8 @@ def float64_module(program: Program) -> str:
 def float64_source() -> str:
     """Return the text of proofs/formal/Float64.v: the operations of kernels as they are carried out."""
     difference = Program("difference", (h_u_plus, h_u_minus, epsilon), ((h_u, ANY_CENTRAL[h_u]),), (h_u,))
-    return FLOAT64_HEADER + "".join(f"\n{float64_module(program)}" for program in (elementary.two_product, difference))
+    kernels = (elementary.two_product, half_turn_polynomials(), difference)
+    return FLOAT64_HEADER + "".join(f"\n{float64_module(program)}" for program in kernels)
 
 
 def formulas_source() -> str:
