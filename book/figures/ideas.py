@@ -12,7 +12,7 @@ from book.drawing.palette import CSS_PIXELS_PER_INCH, readable
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import label_line_end, palette, plot
 from book.extension.worked import COLUMN, ROW
-from book.figures.chapter_scene import SCENE, symbolic
+from book.figures.chapter_scene import SCENE, SIZE, symbolic
 from book.idea_kernels import BUMP_LINES, PIXEL_LINES, angles_at, bump_at, bump_lines, given, pixel_lines, two_slopes
 from renderer import Scene, exact, kernels, render
 from renderer.frame import Frame
@@ -95,7 +95,6 @@ def slope_is_texture() -> Drawing:
         (258, "and with it"),
     ):
         fig.text(6 / 928, 1 - y_at / 308, words, color=c["muted"], va="baseline")
-    fig.pictures = (image_view(frame),)
     numbers = {
         "u": POINT,
         "slope": slope,
@@ -265,10 +264,11 @@ def two_slope_lines() -> Drawing:
 @figure("pixel_worked")
 def pixel_worked() -> Drawing:
     """The chapter's scene, and a white frame around the pixel that is worked through."""
-    picture = image_view(symbolic()).copy()
-    for reach, shade in ((5, 0), (4, 255)):
+    picture = image_view(symbolic(size=SIZE // 2)).copy()  # of half the size: the file that is mailed stays small
+    row, column = ROW // 2, COLUMN // 2
+    for reach, shade in ((3, 0), (2, 255)):
         inside = np.zeros(picture.shape[:2], bool)
-        inside[ROW - reach : ROW + reach + 1, COLUMN - reach : COLUMN + reach + 1] = True
-        inside[ROW - reach + 1 : ROW + reach, COLUMN - reach + 1 : COLUMN + reach] = False
+        inside[row - reach : row + reach + 1, column - reach : column + reach + 1] = True
+        inside[row - reach + 1 : row + reach, column - reach + 1 : column + reach] = False
         picture[inside] = shade
     return Drawing(picture, numbers={"column": COLUMN, "row": ROW})
