@@ -64,7 +64,7 @@ def build_page(fresh_report, tmp_path):
     def built(text: str) -> tuple[str, str]:
         book = tmp_path / "book"
         book.mkdir(exist_ok=True)
-        (book / "claims.md").write_text("---\norphan: true\n---\n# Claims\n\n:::{all-claims}\n:::\n")
+        (book / "findings.md").write_text("---\norphan: true\n---\n# Findings\n\n:::{all-theorems}\n:::\n")
         (book / "index.md").write_text(f"# Page\n\n{text}\n")
         return one_page.build(book, tmp_path / "out")
 
@@ -114,7 +114,7 @@ def test_every_clause_without_a_claim_is_listed(build_page):
     assert warnings == ""
     in_coq = formal.record().keys() - formal.PARTLY.keys()  # where Coq says them, nothing is left to argue
     listed = {id: 0 if id in in_coq else len(theorem.argued) for id, theorem in THEOREMS.items()}
-    assert {id: page.count(f'claims.html#theorem-{id}"') for id in THEOREMS} == listed
+    assert {id: page.count(f'findings.html#theorem-{id}"') for id in THEOREMS} == listed
     assert page.count("(argued: ") == sum(listed.values()) > 0
 
 
@@ -199,7 +199,7 @@ def test_numbers_follow_the_pages_and_then_the_rest(tmp_path):
         "two": ("b", 1),
         "three": ("b", 2),
         "one": ("a", 3),
-        "zero": ("claims", 4),
+        "zero": ("findings", 4),
     }
 
 
@@ -252,14 +252,14 @@ def test_rows_put_everything_below_what_it_rests_on():
 
 
 def test_graph_has_a_mark_a_name_and_two_links_for_each_theorem(fresh_report, tmp_path):
-    (tmp_path / "claims.md").touch()
+    (tmp_path / "findings.md").touch()
     app = SimpleNamespace(srcdir=tmp_path, builder=SimpleNamespace(get_relative_uri=lambda here, page: f"{page}.html"))
     book = Here(SimpleNamespace(app=app, docname="dependencies"))
     svg = drawing(book).astext()
     assert svg == drawing(book).astext()
     for id, theorem in THEOREMS.items():
         assert f'id="node-{id}"' in svg
-        assert f'href="#node-{id}"' in svg and f'href="claims.html#theorem-{id}"' in svg
+        assert f'href="#node-{id}"' in svg and f'href="findings.html#theorem-{id}"' in svg
         assert theorem.title in html.unescape(svg)
     assert svg.count('class="edge') == sum(len(set(t.uses)) for t in THEOREMS.values())
 
@@ -277,12 +277,12 @@ def ids_of(page: Path) -> set[str]:
     return set(re.findall(r'\bid="([^"]+)"', page.read_text(encoding="utf-8")))
 
 
-def test_every_theorem_of_the_report_is_on_the_claims_page(site):
-    page = (site / "claims.html").read_text(encoding="utf-8")
+def test_every_theorem_of_the_report_is_on_the_page_of_findings(site):
+    page = (site / "findings.html").read_text(encoding="utf-8")
     for id, entry in book_theorems.load(ROOT / "book").entries.items():
         target = re.search(rf'href="(\w+\.html)?#theorem-{id}"', page)
         assert target, id
-        assert f"theorem-{id}" in ids_of(site / (target[1] or "claims.html"))
+        assert f"theorem-{id}" in ids_of(site / (target[1] or "findings.html"))
         assert html.escape(evidence_line(entry)) in html.unescape(page) or evidence_line(entry) in html.unescape(page)
 
 

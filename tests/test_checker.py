@@ -99,7 +99,7 @@ def test_a_card_checks_its_theorem_and_asks_for_nothing(browser, site, server, s
 
 
 def test_check_all_accepts_everything_and_says_so_on_every_line(page):
-    tab = page("claims")
+    tab = page("findings")
     place = tab.locator(".checker[data-all]")
     press(place, CHECK_ALL)
     said = verdict(place)
@@ -224,7 +224,7 @@ def test_a_false_certificate_is_rejected_by_the_card_and_by_check_all(page):
     press(card(tab, "unit_length"), CHECK_HERE)
     said = verdict(card(tab, "unit_length"))
     assert "Rejected" in said and "g is tangent" in said and "Left over" in said
-    tab = page("claims")
+    tab = page("findings")
     wrong = tampered_data(tab, ".checker[data-all]")
     tab.evaluate("data => Checker.all(document.querySelector('.checker[data-all]'), data, Checker.clerk())", wrong)
     press(tab.locator(".checker[data-all]"), CHECK_ALL)
@@ -240,11 +240,11 @@ def test_a_false_certificate_is_rejected_by_the_card_and_by_check_all(page):
         ("() => { Checker.kernel = function () { throw new Error('broken') } }", "the worker failed"),
     ],
 )
-@pytest.mark.parametrize(("name", "button"), [("lemmas", CHECK_HERE), ("claims", CHECK_ALL)])
+@pytest.mark.parametrize(("name", "button"), [("lemmas", CHECK_HERE), ("findings", CHECK_ALL)])
 def test_a_worker_that_does_not_start_says_so(page, breakage, words, name, button):
     tab = page(name)
     tab.evaluate(breakage)
-    place = tab.locator(".checker[data-all]") if name == "claims" else card(tab, "unit_length")
+    place = tab.locator(".checker[data-all]") if name == "findings" else card(tab, "unit_length")
     press(place, button)
     said = verdict(place)
     assert "No verdict" in said and words in said

@@ -357,7 +357,7 @@ def test_file_fits_a_phone_and_its_menu_leads_on(browser, single):
     context = browser.new_context(viewport=PHONE, is_mobile=True, has_touch=True)
     tab = context.new_page()
     tab.goto(single.as_uri())
-    for name in ("index", "s2", "s4", "claims", "source/proofs/engine/kernel.py"):
+    for name in ("index", "s2", "s4", "findings", "source/proofs/engine/kernel.py"):
         tab.evaluate("n => Chapter.show(Chapter.pages.find(p => p.dataset.page === n))", name)
         tab.evaluate("Chapter.ready()")
         assert tab.evaluate("document.documentElement.scrollWidth") <= PHONE["width"], name

@@ -13,7 +13,7 @@ from book.editions.store import Store, inlined_script, inlined_styles
 
 HERE = Path(__file__).parent
 ELSEWHERE = ("source/", "api-")  # how the names of pages begin that are not printed
-ACTIVE = "a.headerlink, script, noscript, link, button, input, select, textarea, canvas, dialog, fieldset.grade-filter"
+ACTIVE = "a.headerlink, script, noscript, link, button, input, select, textarea, canvas, dialog"
 FRAME = """<!DOCTYPE html>
 <html lang="en" data-theme="light"><head><meta charset="utf-8"/><title></title></head><body></body></html>
 """

@@ -6,7 +6,7 @@
 `{number}` roles           a number from a figure or a benchmark, printed with a format (numbers.py)
 `{benchmark-label} NAME`   where and when a benchmark was measured (numbers.py)
 `{theorem} ID`             a theorem's card; {theorem-ref}`ID` refers to it (cards.py)
-`{all-claims}`, `{grades}` every theorem by section and grade, and what the grades mean (claims.py)
+`{all-theorems}` …         every theorem by section, and what the grades mean (claims.py)
 `{check-all}`              what checks every certificate in the reader's browser (claims.py, checker.py)
 `{dependency-graph}`       what rests on what (dependencies.py)
 `{ledger-entries}` …       the ledger of claims: entries, tables, figures of merit (ledger.py)

@@ -7,14 +7,14 @@ from sphinx.application import Sphinx
 
 EMPTY_HEADING = re.compile(r'<th class="head[^"]*">(?:<p></p>)?</th>')
 
-# A formula breaks nowhere inside, but would break before the comma that follows it.
-PUNCTUATED = re.compile(r'(<span class="math notranslate nohighlight">[^<]*</span>)([.,;:?!)\]’”]+|[’-]\w+)')
+# A formula breaks nowhere inside, but would break between it and its punctuation.
+PUNCTUATED = re.compile(r'[“‘(\[]*<span class="math notranslate nohighlight">[^<]*</span>(?:[.,;:?!)\]’”]+|[’-]\w+)')
 
 
 def readable(body: str) -> str:
-    """A page's HTML: a bibliography's entries as items of its list, no empty heading cell, commas at their formulas."""
+    """A page's HTML: a bibliography as a list, no empty heading cell, punctuation that stays at its formula."""
     body = body.replace('role="doc-biblioentry"', 'role="listitem"')
-    body = PUNCTUATED.sub(r'<span class="unbroken">\1\2</span>', body)
+    body = PUNCTUATED.sub(r'<span class="unbroken">\g<0></span>', body)
     return EMPTY_HEADING.sub('<td class="head"></td>', body)
 
 

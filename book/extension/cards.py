@@ -23,9 +23,10 @@ from sphinx.environment import BuildEnvironment
 from book.build import stamps
 from book.extension import checker
 from book.extension.elements import TEMPLATES, BookDirective, BookRole, Filled, filled
+from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.points import point
-from book.extension.theorems import BadTheorem, certificate, module_and_line, proofs_of, script
+from book.extension.theorems import GRADES, BadTheorem, certificate, kind, module_and_line, proofs_of, script
 from verify import formal
 
 KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
@@ -135,4 +136,5 @@ def setup(app: Sphinx) -> None:
     app.add_role("theorem-ref", TheoremReference())
 
 
-TEMPLATES.globals.update(point=point, coq=coq, in_coq=in_coq, axioms=axioms)
+TEMPLATES.globals.update(GRADES=GRADES, axioms=axioms, coq=coq, count=count, evidence_line=evidence_line, in_coq=in_coq)
+TEMPLATES.globals.update(killed=killed, kind=kind, point=point)

@@ -1,8 +1,8 @@
-"""The page of all claims: counted, by section and grade, with a filter that needs no script.
+"""The theorems on the page of findings: by section, and what their grades mean.
 
-:::{all-claims}
+:::{all-theorems}
 :::
-:::{grades}           the legend of the badges
+:::{grades}           the legend of the badges, with the number of theorems that have each
 :::
 :::{argued-clauses}   the words that no claim says, each with its reason
 :::
@@ -19,8 +19,7 @@ from sphinx.application import Sphinx
 from book.build.contents import page_files, page_title
 from book.extension.cards import Here, card
 from book.extension.checker import check_all
-from book.extension.elements import BookDirective, Filled, filled, section
-from book.extension.evidence import count
+from book.extension.elements import BookDirective, filled, section
 from book.extension.theorems import CLAIMS_PAGE, GRADES, kind
 
 ORDER = list(GRADES)
@@ -30,8 +29,8 @@ class Grades(BookDirective):
     """The legend: all grades, "failed" only where it occurs."""
 
     def content_nodes(self) -> list[nodes.Node]:
-        occurring = {kind(entry["shown"]) for entry in Here(self.env).proofs.entries.values()}
-        return [filled("grades", grades=[grade for grade in ORDER if grade in occurring or grade != "failed"])]
+        counts = Counter(kind(entry["shown"]) for entry in Here(self.env).proofs.entries.values())
+        return [filled("grades", counts=counts, grades=[grade for grade in ORDER if counts[grade]])]
 
 
 class CheckAll(BookDirective):
@@ -51,7 +50,7 @@ class ArguedClauses(BookDirective):
         return [filled("argued_clauses", book=book, found=found)]
 
 
-class AllClaims(BookDirective):
+class AllTheorems(BookDirective):
     """Every theorem: a line each; and the cards of those that stand on no other page."""
 
     def content_nodes(self) -> list[nodes.Node]:
@@ -59,26 +58,19 @@ class AllClaims(BookDirective):
         grades = {id: kind(entry["shown"]) for id, entry in book.proofs.entries.items()}
         sections = {id: book.proofs.places[id].page for id in book.proofs.in_page_order()}
         pages = page_files(Path(self.env.srcdir))
-        parts = [grade_filter(Counter(grades.values()))]
+        parts = []
         for page in [page for page in pages if page in sections.values()]:
             ids = sorted((id for id in sections if sections[id] == page), key=lambda id: ORDER.index(grades[id]))
             lines = filled("claim_list", book=book, ids=ids)
-            parts.append(section(page_title(Path(self.env.srcdir), page), f"claims-{page}", lines, classes=["claims"]))
+            parts.append(section(page_title(Path(self.env.srcdir), page), f"theorems-{page}", lines))
         if unplaced := [id for id in sections if book.proofs.places[id].page == CLAIMS_PAGE]:
             parts.append(section("On no other page", "on-no-other-page", *(card(book, id) for id in unplaced)))
         return parts
 
 
-def grade_filter(counts: Counter) -> Filled:
-    """Radio buttons, one for each grade that occurs: the style sheet does the rest."""
-    options = [("all", f"all {counts.total()}")]
-    options += [(grade, f"{GRADES[grade][0]} {counts[grade]} {grade}") for grade in ORDER if counts[grade]]
-    return filled("choices", name="grade", legend=f"Show, of {count(counts.total(), 'claim')}:", options=options)
-
-
 def setup(app: Sphinx) -> None:
     """Register the directives."""
-    app.add_directive("all-claims", AllClaims)
+    app.add_directive("all-theorems", AllTheorems)
     app.add_directive("argued-clauses", ArguedClauses)
     app.add_directive("check-all", CheckAll)
     app.add_directive("grades", Grades)

@@ -1,4 +1,4 @@
-"""The graph of what rests on what: a drawing whose nodes are links, and the same as text.
+"""The graph of what rests on what: a drawing whose nodes are links. Each card says the same in words.
 
 :::{dependency-graph}
 :::
@@ -14,7 +14,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 
 from book.extension.cards import Here
-from book.extension.elements import BookDirective, Filled, filled, section
+from book.extension.elements import BookDirective, Filled, filled
 
 WIDTH, MARKS, ROW, LINE, TOP, ARC = 450, 112, 30, 17, 20, 100
 TEXT_COLUMNS = 38
@@ -80,11 +80,10 @@ def drawing(book: Here) -> Filled:
 
 
 class DependencyGraph(BookDirective):
-    """Draw the graph, and write it out."""
+    """Draw the graph."""
 
     def content_nodes(self) -> list[nodes.Node]:
-        book = Here(self.env)
-        return [drawing(book), section("The same in words", "in-words", filled("neighbours", book=book))]
+        return [drawing(Here(self.env))]
 
 
 def setup(app: Sphinx) -> None:

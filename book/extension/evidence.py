@@ -1,7 +1,6 @@
 """Evidence in words, made from a theorem's last run and never by its author."""
 
-from book.extension.elements import TEMPLATES
-from book.extension.theorems import GRADES, kind
+from book.extension.theorems import kind
 
 
 def count(number: int, word: str) -> str:
@@ -47,6 +46,3 @@ def evidence_line(entry: dict) -> str:
     if entry.get("shown") == "formal":
         line = f"formal: {count(len(entry['formal']['statements']), 'statement')} in Coq; {line}"
     return line[0].upper() + line[1:]
-
-
-TEMPLATES.globals.update(count=count, killed=killed, evidence_line=evidence_line, kind=kind, GRADES=GRADES)

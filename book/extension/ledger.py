@@ -1,6 +1,10 @@
 """The ledger of claims on pages; a ledger that does not stand fails the build (see book/ledger/__init__.py).
 
-:::{ledger-entries}            every claim, by verdict, with filters that need no script, and an index of F1 to F22
+:::{ledger-verdicts}           what the verdicts mean, with the number of claims that have each
+:::
+:::{ledger-findings}           the findings by name
+:::
+:::{ledger-entries}            every claim, by verdict: a line that opens
 :::
 :::{ledger-table} seed:s6      the claims that stand at these places (a place, or the beginning of one), as a table
 :::
@@ -12,6 +16,7 @@
 
 from collections import Counter
 from pathlib import Path
+from typing import NamedTuple
 
 from docutils import nodes
 from sphinx.application import Sphinx
@@ -27,9 +32,37 @@ from book.ledger.check import faults_in, refutes
 from book.ledger.entries import FINDINGS, VERDICTS, BadLedger, Evidence, Ledger, LedgerClaim
 
 PAGE = "findings"
-SLUGS = dict(zip(VERDICTS, ("false", "corrected", "conditional", "holds", "outside"), strict=True))
-SIGNS = {"false": "✕", "corrected": "↻", "conditional": "◐", "holds": "✓", "outside": "–"}
-GROUPS = ("False", "Corrected", "True with a condition", "True", "Outside this chapter")
+
+
+class Look(NamedTuple):
+    """How a verdict is shown: its class in the style sheet, sign and word; the title of its claims; what it means."""
+
+    slug: str
+    sign: str
+    word: str
+    title: str
+    meaning: str
+
+
+LOOKS = dict(
+    zip(
+        VERDICTS,
+        (
+            Look("false", "✕", "false", "False", "it is not so."),
+            Look("corrected", "↻", "corrected", "Corrected", "part of it is so, and the entry says which."),
+            Look(
+                "conditional",
+                "◐",
+                "true if",
+                "True with a condition",
+                "it is so under a condition, which the entry names.",
+            ),
+            Look("holds", "✓", "true", "True", "it is so."),
+            Look("outside", "–", "outside", "Outside this chapter", "it is about other chapters, and was not checked."),
+        ),
+        strict=True,
+    )
+)
 
 
 def ledger_of(app: Sphinx) -> Ledger:
@@ -78,23 +111,37 @@ class Entries(Here):
         """A number that is evidence."""
         return number_nodes(self, piece)
 
+    def first_with(self) -> dict[str, Claim]:
+        """Finding → the claim that has its anchor: the one whose verdict is the hardest."""
+        hardest = sorted(self.ledger.sorted_by_place(), key=lambda claim: VERDICTS.index(claim.verdict))
+        return {code: next(claim for claim in hardest if code in claim.findings) for code in FINDINGS}
+
+
+class LedgerVerdicts(BookDirective):
+    """The legend of the verdicts."""
+
+    def content_nodes(self) -> list[nodes.Node]:
+        counts = Counter(claim.verdict for claim in ledger_of(self.env.app).claims)
+        return [filled("verdicts", counts=counts)]
+
+
+class LedgerFindings(BookDirective):
+    """The findings by name."""
+
+    def content_nodes(self) -> list[nodes.Node]:
+        return [filled("finding_index")]
+
 
 class LedgerEntries(BookDirective):
     """Every claim, grouped by verdict."""
 
     def content_nodes(self) -> list[nodes.Node]:
         book = Entries(self)
-        claims = book.ledger.sorted_by_place()
-        by_verdict = sorted(claims, key=lambda claim: VERDICTS.index(claim.verdict))
-        first = {code: next(claim for claim in by_verdict if code in claim.findings) for code in FINDINGS}
-        counts = Counter(claim.verdict for claim in claims)
-        counts |= {"seed": sum(claim.of_seed for claim in claims), "code": sum(bool(c.findings) for c in claims)}
-        filters = filled("ledger_filters", counts=counts, number=len(claims))
-        parts = [filled("finding_index", book=book, first=first), filters]
-        for (verdict, slug), title in zip(SLUGS.items(), GROUPS, strict=True):
+        claims, first, parts = book.ledger.sorted_by_place(), book.first_with(), []
+        for verdict, look in LOOKS.items():
             group = [claim for claim in claims if claim.verdict == verdict]
             entries = filled("ledger_entries", book=book, claims=group, first=first)
-            parts.append(section(f"{title}: {len(group)}", f"verdict-{slug}", entries, classes=["ledger"]))
+            parts.append(section(f"{look.title}: {len(group)}", f"verdict-{look.slug}", entries))
         return parts
 
 
@@ -145,6 +192,8 @@ class ClaimLink(BookRole):
 def setup(app: Sphinx) -> None:
     """Register directives, roles, and the check."""
     app.add_directive("ledger-entries", LedgerEntries)
+    app.add_directive("ledger-findings", LedgerFindings)
+    app.add_directive("ledger-verdicts", LedgerVerdicts)
     app.add_directive("ledger-table", LedgerTable)
     app.add_directive("ledger-claims", LedgerClaims)
     app.add_role("merit", Merit())
@@ -152,4 +201,4 @@ def setup(app: Sphinx) -> None:
     app.connect("builder-inited", require_ledger)
 
 
-TEMPLATES.globals.update(SLUGS=SLUGS, SIGNS=SIGNS, refutes=refutes, test_address=test_address)
+TEMPLATES.globals.update(FINDINGS=FINDINGS, LOOKS=LOOKS, refutes=refutes, test_address=test_address)

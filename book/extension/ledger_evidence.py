@@ -15,7 +15,7 @@ from book.extension.listings import listing_address
 from book.extension.numbers import typeset
 from book.extension.results import BENCHMARK_PREFIX
 from book.ledger.check import refutes
-from book.ledger.entries import Evidence
+from book.ledger.entries import WORDS, Evidence
 from book.ledger.relations import relation
 
 PLACED_FIGURE = re.compile(r"\{chapter-figure\}\s+(\w+)")
@@ -44,7 +44,7 @@ def in_signs(text: str) -> list[nodes.Node]:
 def _place_of_number(book: Here, name: str) -> nodes.Node:
     """A link to the figure that a number belongs to, to the benchmark's page, or to the file of the numbers."""
     figure, _, key = name.partition(".")
-    text = re.sub("_+", " ", key)
+    text = WORDS.get(name) or re.sub("_+", " ", key)
     if figure.startswith(BENCHMARK_PREFIX):
         return link(text, book.page("benchmark"))
     if page := figure_pages(Path(book.env.srcdir)).get(figure):

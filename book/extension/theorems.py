@@ -15,8 +15,8 @@ from proofs.engine.theorem import Theorem, all_theorems
 from verify import formal
 
 PLACED = re.compile(r"^\s*(?::{3,}|`{3,})\{theorem\}\s+(\S+)\s*$", re.MULTILINE)
-CLAIMS_PAGE = "claims"
-GRADES = {  # shape, letter and meaning of each, in the order of the page of all claims
+CLAIMS_PAGE = "findings"
+GRADES = {  # shape, letter and meaning of each, in the order of the page of findings
     "formal": ("■", "F", "stated over the printed formulas clause for clause, accepted by Coq's kernel; also proved"),
     "proved": ("●", "P", "two checkers accepted a certificate, the samples agree, the false variants were refuted"),
     "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),
@@ -47,7 +47,7 @@ def kind(grade: str) -> str:
 
 
 def placements(book: Path, ids: list[str]) -> dict[str, Placement]:
-    """Where every theorem stands: in page order; those that no page places follow on the page of all claims."""
+    """Where every theorem stands: in page order; those that no page places follow on the page of findings."""
     found: dict[str, Placement] = {}
     for page, path in page_files(book).items():
         for id in PLACED.findall(path.read_text(encoding="utf-8")):

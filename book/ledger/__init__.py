@@ -6,7 +6,7 @@ A claim is one `[[claim]]` table in any file of `book/ledger/claims/`:
     id = "flips_are_zero"                      # a-z, 0-9 and _; no other claim has it
     words = "Flips are zero by construction."  # the claim, in MyST: $mathematics$ and roles work
     where = "seed:s1.3"                        # a place of the seed (places.toml), or a page of the book: "s3"
-    findings = ["F17"]                         # codes of the statements of the seed found wanting; may be left out
+    findings = ["F17"]                         # codes of findings.toml; may be left out
     verdict = "holds"                          # one of VERDICTS
     evidence = [
       { theorem = "bump_moves_no_boundary", grade = "proved" },    # the grade that the last run must have given it

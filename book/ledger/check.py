@@ -105,6 +105,7 @@ def _orphans(ledger: Ledger, run: Run) -> Iterator[str]:
     )
     codes = {code for claim in ledger.claims if claim.verdict != OUTSIDE for code in claim.findings}
     yield from (f"finding {code}: no claim has it" for code in FINDINGS if code not in codes)
+    yield from (f"finding {code}: findings.toml has no name for it" for code in sorted(codes - FINDINGS.keys()))
     used = {claim.where for claim in ledger.claims}
     idle = (place for place in ledger.places if f"seed:{place}" not in used)
     yield from (f"place {place}: no claim of the seed stands there" for place in idle)

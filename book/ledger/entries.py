@@ -17,7 +17,8 @@ SCHEMA = json.loads((FOLDER / "schema.json").read_text(encoding="utf-8"))
 VERDICTS = tuple(SCHEMA["$defs"]["claim"]["properties"]["verdict"]["enum"])  # as a reader meets them
 FORMATS = FormatChecker()
 FORMATS.checks("relation", ValueError)(relation)
-FINDINGS = tuple(f"F{number}" for number in range(1, 23))
+FINDINGS = tomllib.loads((FOLDER / "findings.toml").read_text(encoding="utf-8"))["findings"]  # code → name
+WORDS = tomllib.loads((FOLDER / "words.toml").read_text(encoding="utf-8"))["words"]  # a number → what it says
 KINDS = ("theorem", "number", "test", "source")
 NUMBER_ROLE = re.compile(r"\{number\}`([^`|\s]+)[^`]*`")
 

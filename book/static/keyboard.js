@@ -1,4 +1,5 @@
-// What is too wide for its column scrolls in itself: the Tab key then reaches it, and the arrow keys move it.
+// A claim that a link leads to opens. What is too wide for its column scrolls in itself: the Tab key then reaches it,
+// and the arrow keys move it.
 // The theme does so for code and tables; here are figures, formulas, theorems and graphs.
 "use strict";
 (() => {
@@ -23,10 +24,17 @@
 
   function watch() {
     const page = document.getElementById("main-content");
+    open_claim();
     const all = () => page.querySelectorAll(SCROLLS).forEach(put_into_reach);
     // Typesetting, a window's new width and an opened fold all change the page's size.
     if (page) new ResizeObserver(all).observe(page);
   }
 
+  function open_claim() {
+    const claim = document.getElementById(location.hash.slice(1))?.closest(".ledger-list > li")?.querySelector("details");
+    if (claim) claim.open = true;
+  }
+
+  addEventListener("hashchange", open_claim);
   if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", watch); else watch();
 })();
