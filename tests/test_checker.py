@@ -124,7 +124,7 @@ def test_every_theorem_has_its_button_or_says_why_not(page):
 
 def test_the_data_in_the_page_are_the_stored_ones(page):
     tab = page("lemmas")
-    data = json.loads(tab.locator("#theorem-unit_length script[type='application/json']").inner_text())
+    data = json.loads(tab.locator("#theorem-unit_length script[type='application/json']").text_content())
     pairs = [(pair["statement"], pair["certificate"]) for claim in data["claims"] for pair in claim["statements"]]
     assert pairs == [pair for name, pair in stored().items() if name.startswith("unit_length/")]
 
@@ -207,7 +207,7 @@ def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(page, page_of):
 
 def tampered_data(tab, selector):
     """Return the data of a place, with one sign turned in what the first claim of unit_length shows."""
-    data = json.loads(tab.locator(f"{selector} script[type='application/json']").inner_text())
+    data = json.loads(tab.locator(f"{selector} script[type='application/json']").text_content())
     theorem = data if isinstance(data, dict) else next(each for each in data if each["theorem"] == "unit_length")
     of = theorem["claims"][0]["statements"][0]["statement"]["steps"][-1]["of"]
     assert of["h_u^2"] == "-1"
@@ -283,7 +283,8 @@ def test_without_scripts_the_card_says_what_there_is(browser, server):
 
 def test_the_editor_fits_a_phone_and_a_finger(browser, server):
     context = browser.new_context(viewport=PHONE, is_mobile=True, has_touch=True)
-    tab, complaints, _ = opened(context, f"{server}/lemmas.html")
+    tab, complaints, _ = opened(context, f"{server}/s3.html")
+    tab.evaluate("document.querySelectorAll('.theorem > details').forEach(fold => fold.open = true)")
     tab.evaluate(OPEN_EVERYTHING)
     tab.wait_for_function("[...document.querySelectorAll('.check-body > .check-verdict')].every(e => e.innerText)")
     tab.evaluate("document.querySelectorAll('.checker details').forEach(fold => fold.open = true)")

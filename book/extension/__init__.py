@@ -18,6 +18,7 @@ docstrings                 autodoc reads them as plain text (interface.py)
 a cell's output            joined before it is merged (streams.py)
 an edited page             builds no other (kept.py)
 screen readers             lists and tables that they understand (accessibility.py)
+a sentence found          shown by the search, with its section (search.py)
 MathJax, the simulator     copied into the site from the installed package; compiled into it (assets.py)
 """
 
@@ -25,8 +26,8 @@ from sphinx.application import Sphinx
 
 PARTS = (
     "accessibility", "assets", "cards", "checker", "claims", "dependencies", "elements", "figures",
-    "ideas", "interface", "kept", "ledger", "listings", "notebooks", "numbers", "pages", "seed", "streams",
-    "worked",
+    "ideas", "interface", "kept", "ledger", "listings", "notebooks", "numbers", "pages", "search", "seed",
+    "streams", "worked",
 )  # fmt: skip
 
 

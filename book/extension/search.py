@@ -1,0 +1,59 @@
+"""The sentences that a search has found: every paragraph of the book in a script, which needs no server to be read."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+from docutils import nodes
+from sphinx.application import Sphinx
+
+from book.extension.elements import Filled
+
+SCRIPTS = ("search-text.js", "search.js")
+
+
+def paragraphs(document: nodes.document) -> Iterator[tuple[str, str]]:
+    """A page's texts in order: the id of the section, and the text with its mathematics between \\( and \\)."""
+    for node in document.findall(lambda node: isinstance(node, nodes.paragraph | Filled | nodes.caption)):
+        if text := " ".join("".join(_words(node)).split()):
+            yield _section(node), text
+
+
+def _words(node: nodes.Node) -> Iterator[str]:
+    if isinstance(node, nodes.math):
+        yield f"\\({node.astext()}\\)"
+    elif isinstance(node, nodes.raw):
+        yield " "
+    elif isinstance(node, nodes.Text):
+        yield node.astext()
+    else:
+        for child in node.children:
+            yield from _words(child)
+
+
+def _section(node: nodes.Node) -> str:
+    while node and not (isinstance(node, nodes.section) and node["ids"]):
+        node = node.parent
+    return node["ids"][0] if node else ""
+
+
+def write_texts(app: Sphinx, error: Exception | None) -> None:
+    """Write the paragraphs of all pages."""
+    if error is None and app.builder.format == "html":
+        pages = {name: list(paragraphs(app.env.get_doctree(name))) for name in sorted(app.env.found_docs)}
+        text = json.dumps(pages, ensure_ascii=False, separators=(",", ":"))
+        place = Path(app.outdir) / "_static" / SCRIPTS[0]
+        place.write_text(f"var SearchText = {text};\n", encoding="utf-8")
+
+
+def add_scripts(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
+    """Load the texts, and what shows them, on the page of the search alone; its formulas are typeset."""
+    if pagename == "search":
+        for name in (app.config.mathjax_path, *SCRIPTS):
+            app.add_js_file(name, loading_method="defer")
+
+
+def setup(app: Sphinx) -> None:
+    """Connect to Sphinx."""
+    app.connect("html-page-context", add_scripts)
+    app.connect("build-finished", write_texts)
