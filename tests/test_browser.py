@@ -1,5 +1,6 @@
 """The site in a real browser: nothing leaves the page, nothing complains, nothing overflows."""
 
+from itertools import pairwise
 from pathlib import Path
 from urllib.parse import urlparse
 
@@ -140,3 +141,19 @@ def test_mathematics_is_typeset(tab, site, server, scheme):
 def test_page_without_network_access_can_be_searched(tab, server):
     settled(tab, f"{server}/search.html?q=sphere")
     tab.wait_for_selector("#search-results li")
+
+
+def test_on_a_phone_panels_stand_below_each_other_and_what_goes_on_fades(browser, site, server):
+    context = browser.new_context(viewport=PHONE, is_mobile=True, has_touch=True)
+    tab = context.new_page()
+    settled(tab, address(site, server, "http", "s1"))
+    panels = tab.locator("#fig-three_pictures .panel")
+    boxes = [panels.nth(number).bounding_box() for number in range(panels.count())]
+    assert len(boxes) == 3 and all(box["x"] >= 0 and box["x"] + box["width"] <= PHONE["width"] for box in boxes)
+    assert all(above["y"] + above["height"] <= below["y"] for above, below in pairwise(boxes))
+    settled(tab, address(site, server, "http", "s2"))
+    wide = tab.locator("#fig-chambers .pixels")
+    assert "more" in wide.get_attribute("class")
+    wide.evaluate("element => { element.scrollLeft = element.scrollWidth; }")
+    tab.wait_for_function("!document.querySelector('#fig-chambers .pixels').classList.contains('more')")
+    context.close()

@@ -54,6 +54,14 @@ def test_words_are_found(visit, words):
     assert FOUND[words] in {link.partition("#")[0] for link in search(visit("index"), words)}
 
 
+def test_each_page_found_shows_its_sentence_and_leads_to_the_section(visit):
+    tab = visit("index")
+    search(tab, "Lagrange")
+    item = tab.locator("#search-results li:has(a[href^='lemmas.html#lemmas-'])")
+    shown = item.locator(".search-sentence")
+    assert "lagrange" in shown.locator("mark").first.inner_text().lower() and shown.inner_text().count(". ") <= 1
+
+
 def test_nothing_is_found_where_there_is_nothing(visit):
     tab = visit("s9")
     assert search(tab, "xylophone") == []

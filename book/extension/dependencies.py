@@ -16,7 +16,7 @@ from sphinx.application import Sphinx
 from book.extension.cards import Here
 from book.extension.elements import BookDirective, Filled, filled
 
-WIDTH, MARKS, ROW, LINE, TOP, ARC = 450, 112, 30, 17, 20, 100
+WIDTH, MARKS, ROW, LINE, TOP, ARC = 500, 112, 30, 17, 20, 100
 TEXT_COLUMNS = 38
 
 

@@ -9,6 +9,7 @@ The caption, in MyST: first what to see, then how it was made. Roles work: {numb
 :::
 
 Refer to it with {numref}`fig-eps_sweep`. Without a caption it has no number and no label.
+`:panels: 312 312 300` are the widths of a picture's parts, which then stand one below the other on a phone.
 `:class:` adds CSS classes; `:plain:` leaves out the provenance line.
 """
 
@@ -41,7 +42,8 @@ def visit_pixel_image(translator: HTML5Translator, node: PixelImage) -> None:
     source = f"{builder.imgpath}/{quote(builder.images[node['uri']])}"
     alt, classes = html.escape(node["alt"], quote=True), " ".join(node["classes"])
     size = f'width="{node["css_width"]}" height="{node["css_height"]}"'
-    translator.body.append(f'<img src="{source}" alt="{alt}" class="{classes}" {size} />\n')
+    parts = f' data-panels="{" ".join(map(str, node["panels"]))}"' if node["panels"] else ""
+    translator.body.append(f'<img src="{source}" alt="{alt}" class="{classes}" {size}{parts} />\n')
     raise nodes.SkipNode
 
 
@@ -54,6 +56,7 @@ class ChapterFigure(BookDirective):
         "alt": directives.unchanged,
         "width": _width,
         "zoom": directives.positive_int,
+        "panels": directives.positive_int_list,
         "class": directives.class_option,
         "plain": directives.flag,
     }
@@ -83,6 +86,9 @@ class ChapterFigure(BookDirective):
     def _images(self, id: str, description: dict) -> list[nodes.image]:
         width, height = (size * self.options.get("zoom", 1) for size in description["size"])
         common = {"alt": " ".join(self.options["alt"].split()), "css_width": width, "css_height": height}
+        common["panels"] = panels = self.options.get("panels", [])
+        if panels and sum(panels) != width:
+            raise ValueError(f"{id!r}: the panels are {sum(panels)} pixels wide, the picture {width}")
         if description["kind"] == "png":  # a render is the same on the dark page, and no filter may touch it
             return [PixelImage("", uri=f"/_generated/{id}.png", classes=["render", "dark-light"], **common)]
         kind = ["plot", "exact"] if description.get("exact") else ["plot"]

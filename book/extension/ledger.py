@@ -111,7 +111,7 @@ class Entries(Here):
         """A number that is evidence."""
         return number_nodes(self, piece)
 
-    def first_with(self) -> dict[str, Claim]:
+    def first_with(self) -> dict[str, LedgerClaim]:
         """Finding → the claim that has its anchor: the one whose verdict is the hardest."""
         hardest = sorted(self.ledger.sorted_by_place(), key=lambda claim: VERDICTS.index(claim.verdict))
         return {code: next(claim for claim in hardest if code in claim.findings) for code in FINDINGS}

@@ -1,6 +1,7 @@
 """The sentences that a search has found: every paragraph of the book in a script, which needs no server to be read."""
 
 import json
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -9,21 +10,23 @@ from sphinx.application import Sphinx
 
 from book.extension.elements import Filled
 
+BREAK, BLOCK = "\0", re.compile(r"\s*</?(?:div|li|p|section|summary)\b")
 SCRIPTS = ("search-text.js", "search.js")
 
 
 def paragraphs(document: nodes.document) -> Iterator[tuple[str, str]]:
-    """A page's texts in order: the id of the section, and the text with its mathematics between \\( and \\)."""
+    """A page's texts in order: the id of the section, and some words with their mathematics between \\( and \\)."""
     for node in document.findall(lambda node: isinstance(node, nodes.paragraph | Filled | nodes.caption)):
-        if text := " ".join("".join(_words(node)).split()):
-            yield _section(node), text
+        for text in "".join(_words(node)).split(BREAK):
+            if " " in (text := " ".join(text.split())):
+                yield _section(node), text
 
 
 def _words(node: nodes.Node) -> Iterator[str]:
     if isinstance(node, nodes.math):
         yield f"\\({node.astext()}\\)"
     elif isinstance(node, nodes.raw):
-        yield " "
+        yield BREAK if BLOCK.match(node.astext()) else " "
     elif isinstance(node, nodes.Text):
         yield node.astext()
     else:

@@ -1,9 +1,10 @@
-// A claim that a link leads to opens. What is too wide for its column scrolls in itself: the Tab key then reaches it,
-// and the arrow keys move it.
+// A claim that a link leads to opens. What is too wide for its column scrolls in itself, and its edge fades while there
+// is more: the Tab key then reaches it, and the arrow keys move it. On a phone a picture's panels stand one below the other.
 // The theme does so for code and tables; here are figures, formulas, theorems and graphs.
 "use strict";
 (() => {
   const SCROLLS = "figure .pixels, mjx-container[display], div.math, .admonition, .graph, .theorem > p, .theorem details";
+  const PHONE = matchMedia("(max-width: 600px)");
   const FOCUSABLE = "a[href], button, input, select, textarea, summary, [tabindex='0']";
 
   // What a screen reader says on arriving: the figure's number, or what kind of thing it is.
@@ -22,10 +23,36 @@
     }
   }
 
+  function fade(element) {
+    element.classList.toggle("more", element.scrollLeft + element.clientWidth < element.scrollWidth - 2);
+  }
+
+  // Each panel is the whole picture in a window as wide as the panel.
+  function stack(image) {
+    let left = 0;
+    for (const width of image.dataset.panels.split(" ").map(Number)) {
+      const panel = document.createElement("div"), copy = image.cloneNode();
+      panel.className = ["panel", ...image.classList].filter((name) => /^panel$|^only-/.test(name)).join(" ");
+      panel.style.cssText = `aspect-ratio: ${width} / ${image.getAttribute("height")}; max-width: ${width}px`;
+      copy.style.cssText = `margin-left: ${(-100 * left) / width}%; width: ${(100 * image.getAttribute("width")) / width}%`;
+      copy.removeAttribute("data-panels");
+      copy.alt = left ? "" : image.alt;
+      panel.append(copy);
+      image.parentElement.append(panel);
+      left += width;
+    }
+    image.removeAttribute("data-panels");
+  }
+
   function watch() {
     const page = document.getElementById("main-content");
     open_claim();
-    const all = () => page.querySelectorAll(SCROLLS).forEach(put_into_reach);
+    const all = () => {
+      if (PHONE.matches) page.querySelectorAll("img[data-panels][src]").forEach(stack);
+      page.querySelectorAll(SCROLLS).forEach(put_into_reach);
+      page.querySelectorAll(`${SCROLLS}, .pst-scrollable-table-container, pre`).forEach(fade);
+    };
+    page?.addEventListener("scroll", ({ target }) => fade(target), { capture: true, passive: true });
     // Typesetting, a window's new width and an opened fold all change the page's size.
     if (page) new ResizeObserver(all).observe(page);
   }
