@@ -11,6 +11,7 @@ from sphinx.application import Sphinx
 from book.extension.elements import Filled
 
 BREAK, BLOCK = "\0", re.compile(r"\s*</?(?:div|li|p|section|summary)\b")
+RAISED = str.maketrans("0123456789−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 SCRIPTS = ("search-text.js", "search.js")
 
 
@@ -27,6 +28,8 @@ def _words(node: nodes.Node) -> Iterator[str]:
         yield f"\\({node.astext()}\\)"
     elif isinstance(node, nodes.raw):
         yield BREAK if BLOCK.match(node.astext()) else " "
+    elif isinstance(node, nodes.superscript):
+        yield node.astext().translate(RAISED)
     elif isinstance(node, nodes.Text):
         yield node.astext()
     else:

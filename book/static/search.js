@@ -29,13 +29,15 @@ addEventListener("DOMContentLoaded", () => {
     return paragraph;
   }
 
-  new MutationObserver((changes) => {
-    for (const item of changes.flatMap(({ addedNodes }) => [...addedNodes])) {
-      const link = item.localName === "li" && item.querySelector("a"), found = link && sentence(link.pathname.split("/").pop().replace(/\.html$/, ""));
-      if (!found) continue;
-      if (!link.hash && found.id) link.setAttribute("href", `${link.getAttribute("href")}#${found.id}`);
-      const shown = item.appendChild(marked(found.text));
-      window.MathJax?.typesetPromise?.([shown]);
-    }
-  }).observe(results, { childList: true, subtree: true });
+  function show(item) {
+    const link = item.querySelector("a"), found = sentence(link.pathname.split("/").pop().replace(/\.html$/, ""));
+    if (!found || item.querySelector(".search-sentence")) return;
+    if (!link.hash && found.id) link.setAttribute("href", `${link.getAttribute("href")}#${found.id}`);
+    const shown = item.appendChild(marked(found.text));
+    window.MathJax?.typesetPromise?.([shown]);
+  }
+
+  const show_all = () => results.querySelectorAll("ul.search > li").forEach(show);
+  new MutationObserver(show_all).observe(results, { childList: true, subtree: true });
+  show_all();
 });
