@@ -111,7 +111,9 @@ def test_a_survey_that_is_cut_short_or_says_more_than_axioms_is_refused(printed,
         formal._read(found, printed)
 
 
-PRINT = "from renderer.generate.coq import formulas_source; print(formulas_source(), end='')"
+PRINT = """import json
+from renderer.generate.coq import float64_source, formulas_source
+print(json.dumps({"Formulas.v": formulas_source(), "Float64.v": float64_source()}))"""
 MODULE = re.compile(r"^Module (\w+)\.\n(.*?)^End \1\.", re.MULTILINE | re.DOTALL)
 
 
@@ -123,20 +125,22 @@ def test_no_broken_formula_is_accepted(tmp_path, monkeypatch):
         shutil.copytree(ROOT / name, tmp_path / name)
     folder = tmp_path / "proofs" / "formal"
     monkeypatch.setattr(formal, "FOLDER", folder)
-    accepted, before = [], (folder / "Formulas.v").read_text(encoding="utf-8")
-    texts = {file.stem: file.read_text(encoding="utf-8") for file in formal.files() if file.stem != "Formulas"}
+    accepted, texts = [], {file.name: file.read_text(encoding="utf-8") for file in formal.files()}
+    before = {name: texts.pop(name) for name in ("Formulas.v", "Float64.v")}
     for path, index in draw(seed=20, number=20):
         original = (tmp_path / path).read_text(encoding="utf-8")
         changed, line, what = edited(original, index)
         (tmp_path / path).write_text(changed, encoding="utf-8")
         done = subprocess.run([sys.executable, "-c", PRINT], cwd=tmp_path, capture_output=True, text=True)
         (tmp_path / path).write_text(original, encoding="utf-8")
-        modules = {name for name, _ in set(MODULE.findall(done.stdout)) ^ set(MODULE.findall(before))}
-        about = [file for file, text in texts.items() if any(re.search(rf"\b{name}\.", text) for name in modules)]
         verdict = "cannot be printed"
         if done.returncode == 0:
-            (folder / "Formulas.v").write_text(done.stdout, encoding="utf-8")
-            verdict = _verdict(about) if about else "no statement is about it"
+            after, modules = json.loads(done.stdout), set()
+            for file, text in after.items():
+                (folder / file).write_text(text, encoding="utf-8")
+                modules |= {name for name, _ in set(MODULE.findall(text)) ^ set(MODULE.findall(before[file]))}
+            about = [file for file, text in texts.items() if any(re.search(rf"\b{name}\.", text) for name in modules)]
+            verdict = _verdict([file.removesuffix(".v") for file in about]) if about else "no statement is about it"
         accepted += [f"{path}:{line}: {what}"] if verdict == "accepted" else []
         print(f"{path}:{line}: {what}: {verdict}", flush=True)
     assert accepted == []
