@@ -6,10 +6,6 @@
 :::
 :::{ledger-entries}            every claim, by verdict: a line that opens
 :::
-:::{ledger-table} seed:s6      the claims that stand at these places (a place, or the beginning of one), as a table
-:::
-:::{ledger-claims} pitfall_seam pitfall_crease      these claims, each with its verdict and a link to its entry
-:::
 
 {merit}`pitfall_crease`        a claim's figure of merit;   {claim}`pitfall_crease` a link to its entry
 """
@@ -145,31 +141,6 @@ class LedgerEntries(BookDirective):
         return parts
 
 
-class LedgerTable(BookDirective):
-    """The claims at some places of the seed as a table."""
-
-    required_arguments = 1
-
-    def content_nodes(self) -> list[nodes.Node]:
-        book = Entries(self)
-        claims = [claim for claim in book.ledger.sorted_by_place() if claim.where.startswith(self.arguments[0])]
-        if not claims:
-            raise BadLedger([f"no claim stands at {self.arguments[0]!r}"])
-        return [filled("ledger_table", book=book, claims=claims)]
-
-
-class LedgerClaims(BookDirective):
-    """Some claims, with their verdicts and a link to the rest."""
-
-    required_arguments = 1
-    final_argument_whitespace = True
-
-    def content_nodes(self) -> list[nodes.Node]:
-        book = Entries(self)
-        claims = [book.ledger.get(id) for id in self.arguments[0].split()]
-        return [filled("ledger_claims", book=book, claims=claims)]
-
-
 class Merit(BookRole):
     """A claim's figure of merit."""
 
@@ -194,8 +165,6 @@ def setup(app: Sphinx) -> None:
     app.add_directive("ledger-entries", LedgerEntries)
     app.add_directive("ledger-findings", LedgerFindings)
     app.add_directive("ledger-verdicts", LedgerVerdicts)
-    app.add_directive("ledger-table", LedgerTable)
-    app.add_directive("ledger-claims", LedgerClaims)
     app.add_role("merit", Merit())
     app.add_role("claim", ClaimLink())
     app.connect("builder-inited", require_ledger)
