@@ -7,6 +7,7 @@ import json
 from base64 import b64encode
 from dataclasses import asdict, replace
 from functools import cache
+from gzip import compress
 from itertools import product
 
 import numpy as np
@@ -20,6 +21,7 @@ from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEB
 from renderer.machines.drawing_code import ARGUMENTS
 from renderer.machines.painting_code import NUMBERS, PAINTING, SIZE_BITS, SRGB_CELLS
 from renderer.machines.points_code import inputs_of
+from renderer.machines.stills import vectors
 from renderer.machines.webassembly import LANES, compiled_module
 from renderer.numbers import LIGHT_FORM, SCENE_FORM, flat, numbers_of, scene_numbers, style_of
 from renderer.shader import ANGLES, CHART, SLOPES, WORK, Want
@@ -28,17 +30,22 @@ from renderer.views import to_bytes
 SCENE = Scene()
 MODELS = {name: replace(SCENE, model=name) for name in LIGHT_MODELS}
 FLAT = (SCENE.field, "flat")  # the same for every field
-WAYS = [*product(FIELDS, ("general", *HEIGHT_EVALUATIONS))]
+CENTRAL = tuple((name, "central") for name in FIELDS)
+WAYS = [*CENTRAL, *(way for way in product(FIELDS, ("general", *HEIGHT_EVALUATIONS)) if way not in CENTRAL)]
 WAYS += [(name, "algebraic") for name, field in FIELDS.items() if field["wave_numbers"]] + [FLAT]
 
 _off_a = Want((FLAT,), tuple(map(style_of, MODELS.values())), SCENE.shininess.is_integer())
+_on_a = _off_a._replace(ways=tuple(WAYS), given=True, surfaces="a", kept=SLOPES, charted=True)
 WANTS = {
     "draw_chambers": _off_a._replace(colors=False),
     "draw_elsewhere": _off_a._replace(given=True, surfaces="elsewhere"),
     "draw_chart": _off_a._replace(given=True, surfaces="a", colors=False, kept=(*ANGLES, *CHART)),
-    "draw_a": _off_a._replace(ways=tuple(WAYS), given=True, surfaces="a", kept=SLOPES, charted=True),
+    "draw_a": _on_a,
+    "draw_first": _on_a._replace(ways=CENTRAL, stills="stored"),
+    "draw_again": _on_a._replace(ways=CENTRAL, stills="loaded"),
 }
-"""The drawings; a picture is all of them, one after another. A's chart is kept for the next picture."""
+"""The drawings; a picture is all of them, one after another. A's chart is kept for the next picture, and what no step
+of a central difference changes, by `draw_first` for `draw_again`."""
 
 OVER_POINTS = (
     *(kernels.image_extent, kernels.image_x, kernels.image_y, crease_point),
@@ -122,6 +129,7 @@ def data(outputs: dict[str, int]) -> dict:
         "arguments": ARGUMENTS,
         "counts": len(WORK),
         "lanes": LANES,
+        "stills": [vectors(lights) for lights in range(len(SCENE.lights) + 1)],
         "kernels": {k.__name__: [len(inputs_of(k)), outputs[k.__name__]] for k in OVER_POINTS},
         "painting": PAINTING,
         "numbers": NUMBERS,
@@ -139,5 +147,5 @@ def source() -> str:
         "// Printed from proofs/ by `python -m book`: the renderer's shader and kernels, and the numbers beside them.\n"
         '"use strict";\nvar Simulator = Simulator || {};\n'
         f"Simulator.data = {json.dumps(data(outputs), separators=(',', ':'))};\n"
-        f'Simulator.program = "{b64encode(module).decode()}";\n'
+        f'Simulator.program = "{b64encode(compress(module, mtime=0)).decode()}";\n'
     )

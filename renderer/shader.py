@@ -41,7 +41,8 @@ class Want(NamedTuple):
     difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
     highlight), base, or squared. whole: whether the shininess is a whole number. given: whether the chambers are
     known. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these are wanted. kept: which of
-    ON_A are stored, or CHART beside them. charted: whether ANGLES and CHART are known.
+    ON_A are stored, or CHART beside them. charted: whether ANGLES and CHART are known. stills: stored or loaded,
+    where what no step changes is kept (`renderer.machines.stills`).
     """
 
     ways: tuple
@@ -52,6 +53,7 @@ class Want(NamedTuple):
     colors: bool = True
     kept: tuple = ()
     charted: bool = False
+    stills: str = ""
 
 
 class Group:

@@ -25,8 +25,14 @@ pytestmark = pytest.mark.browser
 METHODS = {"central": central, "forward": forward, "central4": central4}
 WHOLE = {"width": 256, "height": 256, "left": 0, "top": 0, "wide": 256, "high": 256}
 BASE = {"ku": 8, "kv": 4, "beta": 0.35, "ball": True, "lights": [True, True], "model": "blinn", "field": "ridges"}
-RENDER = """async ([state, method, raster]) => {
-    const drawn = Simulator.running.module.render(state, method, raster);
+# The last one of some pictures, all on one stage; `claimed`: as if the stage had kept what that one needs.
+RENDER = """async ([steps, raster, claimed]) => {
+    const { module } = Simulator.running;
+    let drawn = {};
+    for (const [state, method] of steps) {
+        if (claimed && drawn.stage) drawn.stage.kept = claimed;
+        drawn = module.render(state, method, raster, drawn.stage);
+    }
     const address = await new Promise(done => {
         const reader = new FileReader();
         reader.onload = () => done(reader.result);
@@ -62,9 +68,12 @@ def scene_of(state):
     return Scene(**{name: state[name] for name in names}, lights=lights)
 
 
-def drawn(tab, state, method, raster=WHOLE):
-    """Return (colours (3, high, wide) as bit patterns, chambers) as the page's pipeline draws them."""
-    data = base64.b64decode(tab.evaluate(RENDER, [state, method, raster]))
+def drawn(tab, state, method, raster=WHOLE, before=(), claimed=None):
+    """Return (colours (3, high, wide) as bit patterns, chambers) as the page's pipeline draws them.
+
+    before: the (state, method) pairs that the stage was drawn with.
+    """
+    data = base64.b64decode(tab.evaluate(RENDER, [[*before, (state, method)], raster, claimed]))
     shape = raster["high"], raster["wide"]
     bits = np.frombuffer(data, np.int64, 3 * shape[0] * shape[1]).reshape(3, *shape)
     return bits, np.frombuffer(data, np.uint8, offset=bits.nbytes).reshape(shape)
@@ -78,8 +87,8 @@ def rendered(state, method, raster=WHOLE):
     return np.ascontiguousarray(np.moveaxis(frame.rgb, -1, 0)).view(np.int64), frame.chambers
 
 
-def assert_same_bits(tab, *what):
-    for ours, theirs in zip(drawn(tab, *what), rendered(*what), strict=True):
+def assert_same_bits(tab, *what, **more):
+    for ours, theirs in zip(drawn(tab, *what, **more), rendered(*what), strict=True):
         np.testing.assert_array_equal(ours, theirs)
 
 
@@ -108,6 +117,32 @@ def test_two_hundred_random_states_are_the_renderers_to_the_last_bit(tab):
         assert_same_bits(tab, state, method, crop)
         surfaces |= set(np.unique(rendered(state, method, crop)[1] & 3))
     assert surfaces == {1, 2, 3}
+
+
+def step(state, eps, **changes):
+    return state | changes, {"name": state["method"], "eps": eps}
+
+
+def test_a_step_that_reads_what_was_kept_is_the_renderers_to_the_last_bit(tab):
+    """Steps of ε and β, one after another; then of what nothing may be kept for: field, model, waves, method."""
+    rng = random.Random("steps")
+    for _ in range(40):
+        state, crop = random_state(rng), random_crop(rng)
+        more = {
+            name: value
+            for name, value in random_state(rng).items()
+            if rng.random() < 0.3 and name not in ("lights", "ball")
+        }
+        steps = [step(state, 1e-2), step(state, 1e-5), step(state, 1e-13, beta=1.5), step(state | more, state["eps"])]
+        for number in range(1, len(steps)):
+            assert_same_bits(tab, *steps[number], crop, before=steps[:number])
+
+
+def test_what_was_kept_for_another_picture_would_be_seen(tab):
+    before, after = (step(BASE | {"method": "central", "ku": ku}, 1e-3) for ku in (7, 8))
+    assert_same_bits(tab, *after, WHOLE, before=[before])
+    false = drawn(tab, *after, WHOLE, before=[before], claimed="ridges,8,4,blinn")[0]
+    assert not np.array_equal(false, rendered(*after)[0])
 
 
 def test_the_comparison_sees_the_next_float(tab):

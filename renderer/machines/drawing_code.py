@@ -4,14 +4,17 @@ from collections.abc import Mapping
 
 import llvmlite.ir as ir
 
+from renderer.machines.stills import MOVING, Stills, vectors
 from renderer.machines.traced import BYTE, FLOAT, WHOLE, Tracer, Value
 from renderer.numbers import SCENE_FORM, of_form
 from renderer.operations import Number
 from renderer.shader import CHART, COLORS, ON_A, WORK, Group, Want
 
 PLANES = (*COLORS, "code", *ON_A, *CHART)
-ARGUMENTS = ("x", "y", "columns", "first_row", "last_row", "pitch", "scene", "lights", "light_count", "counts", *PLANES)
-"""What the code is given: addresses and whole numbers, one array of int64. `columns` is (rows, 2) int64."""
+ARGUMENTS = ("x", "y", "columns", "first_row", "last_row", "pitch", "scene", "lights", "light_count", "counts",
+             "stills", *PLANES)  # fmt: skip
+"""What the code is given: addresses and whole numbers, one array of int64. `columns` is (rows, 2) int64; stills: a
+row of vectors for each group of pixels."""
 
 
 class Pixels:
@@ -30,7 +33,8 @@ class Pixels:
         """Return a plane's numbers as a Value."""
         (address, _, size), builder = self._place(name), self._tracer.builder
         loaded = builder.load(address, align=size)
-        return Value(self._tracer, builder.uitofp(loaded, self._tracer.vector) if name == "code" else loaded)
+        number = builder.uitofp(loaded, self._tracer.vector) if name == "code" else loaded
+        return Value(self._tracer, number, still=None if name in COLORS else self._tracer.given(name))
 
     def store(self, name: str, value: Number) -> None:
         """Write a plane's numbers."""
@@ -39,10 +43,14 @@ class Pixels:
         builder.store(builder.fptoui(stored, vector) if name == "code" else stored, address, align=size)
 
 
-def emit(module: ir.Module, name: str, want: Want, lanes: int) -> None:
-    """Emit the function `name` that draws rows of what is wanted, its one parameter the address of ARGUMENTS."""
+def emit(module: ir.Module, name: str, want: Want, lanes: int, stills: Stills | None = None) -> None:
+    """Emit the function `name` that draws rows of what is wanted, its one parameter the address of ARGUMENTS.
+
+    stills: those of the functions that are wanted with `stills`.
+    """
     function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
-    tracer = Tracer(function, lanes, WORK)
+    tracer = Tracer(function, lanes, WORK, stills=stills if want.stills else None)
+    tracer.storing = want.stills == "stored"
     builder = tracer.builder
     given = {
         argument: builder.load(builder.gep(function.args[0], [WHOLE(number)]))
@@ -55,16 +63,25 @@ def emit(module: ir.Module, name: str, want: Want, lanes: int) -> None:
     x, y, columns = (address(argument, kind) for argument, kind in (("x", FLOAT), ("y", FLOAT), ("columns", WHOLE)))
     planes = {plane: address(plane, BYTE if plane == "code" else FLOAT) for plane in PLANES}
     scene = of_form(SCENE_FORM, tracer.numbers(address("scene", FLOAT), SCENE_FORM))
+    for moving in MOVING:
+        vars(scene)[moving].still = None
     tracer.light_numbers, tracer.light_count = address("lights", FLOAT), given["light_count"]
+    kept, group = address("stills", tracer.vector), tracer.reserve(WHOLE)
+    size = builder.add(WHOLE(vectors(0)), builder.mul(given["light_count"], WHOLE(vectors(1) - vectors(0))))
+    builder.store(WHOLE(0), group)
     with tracer.loop(given["first_row"], given["last_row"]) as row:
         ends = builder.mul(row, WHOLE(2))
         begin, end = (builder.load(builder.gep(columns, [builder.add(ends, WHOLE(n))])) for n in (0, 1))
-        y_of_row = tracer.everywhere(builder.load(builder.gep(y, [row])))
+        y_of_row = tracer.everywhere(builder.load(builder.gep(y, [row])), tracer.given("y"))
         row_begin = builder.mul(row, given["pitch"])
         with tracer.loop(builder.and_(begin, WHOLE(-lanes)), end, lanes) as column:
             x_of_group = builder.bitcast(builder.gep(x, [column]), tracer.vector.as_pointer())
             at = builder.add(row_begin, column)
-            pixels = Pixels(tracer, Value(tracer, builder.load(x_of_group, align=8)), y_of_row, planes, at)
+            number = builder.load(group)
+            tracer.kept_at = builder.gep(kept, [builder.mul(number, size)])
+            builder.store(builder.add(number, WHOLE(1)), group)
+            x_here = Value(tracer, builder.load(x_of_group, align=8), still=tracer.given("x"))
+            pixels = Pixels(tracer, x_here, y_of_row, planes, at)
             Group(tracer, scene, want, pixels).draw()
     for number, kind in enumerate(WORK):
         count = builder.gep(address("counts", WHOLE), [WHOLE(number)])

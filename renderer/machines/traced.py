@@ -4,14 +4,15 @@ Neither fast-math nor contraction is allowed, so that the bits are NumPy's. Only
 is left out: 0·x, x + 0, 1·x, x/1, of which the sign of a zero may differ, and nothing else for a finite x.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from functools import partialmethod
+from functools import partial, partialmethod
 from types import SimpleNamespace
 from typing import Any
 
 import llvmlite.ir as ir
 
+from renderer.machines.stills import DEAR, OF_LIGHT, SLOW, Still
 from renderer.numbers import LIGHT_FORM, flat, of_form
 from renderer.shader import Step
 
@@ -19,16 +20,16 @@ FLOAT, BIT, BYTE, WHOLE = ir.DoubleType(), ir.IntType(1), ir.IntType(8), ir.IntT
 
 
 class Value:
-    """A float64 of every pixel of a group; `literal` is its number where it is one."""
+    """A float64 of every pixel of a group; `literal` is its number where it is one; `still` is None if it moves."""
 
-    def __init__(self, machine: "Tracer", vector: ir.Value, literal: float | None = None):
-        self.machine, self.vector, self.literal = machine, vector, literal
+    def __init__(self, machine: "Tracer", vector: ir.Value, literal: float | None = None, still: Still | None = None):
+        self.machine, self.vector, self.literal, self.still = machine, vector, literal, still
 
     def _emit(self, instruction, other, swap=False):
         left, right = self, self.machine.value(other)
         if swap:
             left, right = right, left
-        return Value(self.machine, getattr(self.machine.builder, instruction)(left.vector, right.vector))
+        return self.machine.made(Value, instruction, getattr(self.machine.builder, instruction), left, right)
 
     def __add__(self, other):
         other = self.machine.value(other)
@@ -62,7 +63,7 @@ class Value:
         return self._emit("fdiv", other, swap=True)
 
     def __neg__(self):
-        return Value(self.machine, self.machine.builder.fneg(self.vector))
+        return self.machine.made(Value, "fneg", self.machine.builder.fneg, self)
 
     def __abs__(self):
         return self.machine.call("fabs", self)
@@ -71,7 +72,7 @@ class Value:
         def compare(self, other):
             machine = self.machine
             compare = machine.builder.fcmp_unordered if operator == "!=" else machine.builder.fcmp_ordered
-            return Mask(machine, compare(operator, self.vector, machine.value(other).vector))
+            return machine.made(Mask, operator, partial(compare, operator), self, machine.value(other))
 
         return compare
 
@@ -82,17 +83,22 @@ class Value:
 class Mask:
     """For which pixels of a group something holds."""
 
-    def __init__(self, machine: "Tracer", bits: ir.Value):
-        self.machine, self.bits = machine, bits
+    def __init__(self, machine: "Tracer", vector: ir.Value, still: Still | None = None):
+        self.machine, self.vector, self.still = machine, vector, still
 
     def __and__(self, other):
-        return Mask(self.machine, self.machine.builder.and_(self.bits, other.bits))
+        return self.machine.made(Mask, "and", self.machine.builder.and_, self, other)
 
     def __or__(self, other):
-        return Mask(self.machine, self.machine.builder.or_(self.bits, other.bits))
+        return self.machine.made(Mask, "or", self.machine.builder.or_, self, other)
 
     def __invert__(self):
-        return Mask(self.machine, self.machine.builder.not_(self.bits))
+        return self.machine.made(Mask, "not", self.machine.builder.not_, self)
+
+
+def is_dear(operand: Value | Mask) -> bool:
+    """Return whether what moves should find a still operand ready."""
+    return isinstance(operand, Value) and operand.still is not None and operand.still.cost >= DEAR
 
 
 class Variable:
@@ -112,14 +118,16 @@ class Variable:
         """Put a value in its place, where the mask holds."""
         machine, vector = self.machine, self.machine.value(value).vector
         if mask is not None:
-            vector = machine.builder.select(mask.bits, vector, machine.builder.load(self.place))
+            vector = machine.builder.select(mask.vector, vector, machine.builder.load(self.place))
         machine.builder.store(vector, self.place)
 
 
 class Tracer:
     """A machine whose values are traced: it emits into a function that `lanes` pixels at a time go through."""
 
-    def __init__(self, function: ir.Function, lanes: int, kinds: Iterable[str], number: ir.Type = FLOAT):
+    def __init__(
+        self, function: ir.Function, lanes: int, kinds: Iterable[str], number: ir.Type = FLOAT, *, stills: Any = None
+    ):
         self.lanes, self.module = lanes, function.module
         self.vector, self.mask = ir.VectorType(number, lanes), ir.VectorType(BIT, lanes)
         self.entry = function.append_basic_block()
@@ -127,7 +135,9 @@ class Tracer:
         self.counts = {kind: self.reserve(WHOLE) for kind in kinds}
         for place in self.counts.values():
             self.builder.store(WHOLE(0), place)
-        self.light_numbers = self.light_count = None
+        self.light_numbers = self.light_count = self.light = None
+        self.stills, self.storing = stills, False
+        self.kept_at = None  # where the group's still values are
 
     def reserve(self, kind: ir.Type) -> ir.Value:
         """Return memory for one value, reserved where the function begins."""
@@ -139,14 +149,42 @@ class Tracer:
         """Return a number as a Value, if it is not one."""
         if isinstance(number, Value):
             return number
-        return Value(self, ir.Constant(self.vector, [float(number)] * self.lanes), float(number))
+        number = float(number)
+        return Value(self, ir.Constant(self.vector, [number] * self.lanes), number, self.given(number))
 
-    def everywhere(self, scalar: ir.Value) -> Value:
+    def given(self, what: Hashable, of_light: bool = False) -> Still | None:
+        """Return the Still of what is given, by its name or number; None where nothing is kept."""
+        return self.stills and self.stills.given(what, of_light)
+
+    def made(self, kind: type, name: str, emit: Callable, *operands: Value | Mask) -> Any:
+        """Return what an instruction makes of operands: a Value or a Mask, still if all of them are."""
+        still = self.stills and self.stills.made(name, [operand.still for operand in operands])
+        if not still:
+            operands = tuple(self.kept(one) if is_dear(one) else one for one in operands)
+        made = kind(self, emit(*(operand.vector for operand in operands)), still=still)
+        return self.kept(made) if still and name in SLOW else made
+
+    def kept(self, value: Any) -> Value:
+        """Return a still Value: stored in its slot, or loaded from there; as it is, if it has none."""
+        still, builder, number = value.still, self.builder, self.stills.slot(value.still, new=self.storing)
+        if number is None:
+            return value
+        slot = WHOLE(number)
+        if still.of_light:
+            slot = builder.add(builder.mul(self.light, WHOLE(OF_LIGHT)), slot)
+        place, vector = builder.gep(self.kept_at, [slot]), value.vector
+        if self.storing:
+            builder.store(vector, place, align=8)
+        else:
+            vector = builder.load(place, align=8)
+        return Value(self, vector, still=still._replace(cost=0))
+
+    def everywhere(self, scalar: ir.Value, still: Still | None = None) -> Value:
         """Return the Value that is one scalar for every pixel."""
         undefined = ir.Constant(self.vector, ir.Undefined)
         first = self.builder.insert_element(undefined, scalar, WHOLE(0))
         lanes = ir.Constant(ir.VectorType(ir.IntType(32), self.lanes), [0] * self.lanes)
-        return Value(self, self.builder.shuffle_vector(first, undefined, lanes))
+        return Value(self, self.builder.shuffle_vector(first, undefined, lanes), still=still)
 
     def whole(self, value: Value) -> ir.Value:
         """Return the one whole number that is everywhere in a Value."""
@@ -154,11 +192,11 @@ class Tracer:
 
     def call(self, intrinsic: str, *arguments: Value | float) -> Value:
         """Return what one of LLVM's own functions makes of Values."""
-        vectors = [self.value(argument).vector for argument in arguments]
+        values = [self.value(argument) for argument in arguments]
         name = f"llvm.{intrinsic}.v{self.lanes}{self.vector.element.intrinsic_name}"
         known = self.module.globals.get(name)
-        function = known or ir.Function(self.module, ir.FunctionType(self.vector, [self.vector] * len(vectors)), name)
-        return Value(self, self.builder.call(function, vectors))
+        function = known or ir.Function(self.module, ir.FunctionType(self.vector, [self.vector] * len(values)), name)
+        return self.made(Value, intrinsic, lambda *vectors: self.builder.call(function, vectors), *values)
 
     sqrt = partialmethod(call, "sqrt")
     floor = partialmethod(call, "floor")
@@ -166,7 +204,7 @@ class Tracer:
     power = partialmethod(call, "pow")
 
     def where(self, mask: Mask, value: Value | float, otherwise: Value | float) -> Value:
-        return Value(self, self.builder.select(mask.bits, self.value(value).vector, self.value(otherwise).vector))
+        return self.made(Value, "select", self.builder.select, mask, self.value(value), self.value(otherwise))
 
     def variable(self, value: Value | float) -> Variable:
         """Return a Variable."""
@@ -180,7 +218,7 @@ class Tracer:
         self.builder.store(self.builder.add(self.builder.load(place), pixels), place)
 
     def _bits(self, mask):
-        return self.builder.bitcast(mask.bits, ir.IntType(self.lanes))
+        return self.builder.bitcast(mask.vector, ir.IntType(self.lanes))
 
     def when(self, mask: Mask, body: Step) -> None:
         """Run `body` unless the mask holds for no pixel of the group."""
@@ -194,10 +232,19 @@ class Tracer:
             return result_of(alternatives[0])
         index, results = self.whole(index), [self.variable(0.0) for _ in range(2)]
         for number, alternative in enumerate(alternatives):
-            with self.builder.if_then(self.builder.icmp_signed("==", index, WHOLE(number))):
+            with self.tracing(alternative), self.builder.if_then(self.builder.icmp_signed("==", index, WHOLE(number))):
                 for variable, value in zip(results, result_of(alternative), strict=True):
                     variable.set(value)
         return [variable.value for variable in results]
+
+    @contextmanager
+    def tracing(self, alternative: Hashable) -> Iterator[None]:
+        """In the block, an alternative is traced: it has its own still values."""
+        if self.stills:
+            self.stills.alternative = alternative
+        yield
+        if self.stills:
+            self.stills.alternative = None
 
     @contextmanager
     def loop(self, start: ir.Value, stop: ir.Value, step: int = 1) -> Iterator[ir.Value]:
@@ -238,6 +285,7 @@ class Tracer:
     def each_light(self, body: Callable[[SimpleNamespace], None]) -> None:
         """Run `body` on the numbers of one light after another."""
         with self.loop(WHOLE(0), self.light_count) as number:
+            self.light = number
             body(of_form(LIGHT_FORM, self.numbers(self.light_numbers, LIGHT_FORM, number)))
 
     def numbers(self, pointer: ir.Value, form: SimpleNamespace, number: ir.Value | None = None) -> Iterator[Value]:
@@ -247,4 +295,5 @@ class Tracer:
             index = WHOLE(column)
             if number is not None:
                 index = self.builder.add(self.builder.mul(number, WHOLE(count)), index)
-            yield self.everywhere(self.builder.load(self.builder.gep(pointer, [index])))
+            scalar = self.builder.load(self.builder.gep(pointer, [index]))
+            yield self.everywhere(scalar, self.given(("light" if number else "scene", column), bool(number)))

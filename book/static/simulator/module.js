@@ -1,11 +1,11 @@
 // The compiled shader and kernels: their memory, and calls of them. What they compute is written in renderer/shader.py
 // and in proofs/; the numbers beside them, Simulator.data, in book/simulator_module.py.
 "use strict";
-var Simulator = Simulator || {};
 
 // Compile the program of compiled.js; throw where the browser cannot.
 Simulator.compiled = async function (program) {
-  const bytes = Uint8Array.from(atob(program), (letter) => letter.charCodeAt(0));
+  const packed = new Blob([Uint8Array.from(atob(program), (letter) => letter.charCodeAt(0))]);
+  const bytes = await new Response(packed.stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
   if (typeof WebAssembly !== "object" || !WebAssembly.validate(bytes)) throw new Error("this browser has no WebAssembly with vectors, SIMD");
   return WebAssembly.compile(bytes);
 };
@@ -107,7 +107,7 @@ Simulator.module = async function (data, compiled) {
     const { scene, lights } = numbers_of(state, method), { high } = stage.raster;
     floats(scene_at, scene.length).set(scene);
     floats(lights_at, data.light_size * lights.length).set(lights.flat());
-    const columns = ["draw_a", "draw_chart"].includes(what) ? stage.columns_of_a : stage.everywhere;
+    const columns = ["draw_chambers", "draw_elsewhere"].includes(what) ? stage.everywhere : stage.columns_of_a;
     const given = { ...stage, ...target, columns, first_row: 0, last_row: high, scene: scene_at, lights: lights_at, light_count: lights.length, counts: counts_at };
     call(what, data.arguments.map((name) => given[name] ?? 0));
   }
@@ -125,9 +125,8 @@ Simulator.module = async function (data, compiled) {
     return rows(new Uint8Array(memory.buffer, code, stage.pitch * stage.raster.high), stage);
   }
 
-  // A state's chambers on a raster, which pixels are A's, and where these are on the chart: what no bump changes
-  // (theorem bump_moves_no_boundary). It takes the memory over:
-  // an earlier stage is gone. Where `wide` is a whole number of groups, `at` holds for planes and pictures alike.
+  // A state's chambers on a raster, which pixels are A's, and where these are on the chart: what no bump changes (theorem
+  // bump_moves_no_boundary). An earlier stage is gone. Where `wide` is a whole number of groups, `at` holds for pictures too.
   function make_stage(state, raster) {
     top = beginning;
     const { wide, high } = raster, pitch = data.lanes * Math.ceil(wide / data.lanes), [x, y] = image_points(raster);
@@ -141,11 +140,12 @@ Simulator.module = async function (data, compiled) {
     for (let row = 0; row < high; row++) {
       const on_row = codes.subarray(row * wide, (row + 1) * wide), before = at.length;
       on_row.forEach((code, column) => (code & SURFACE) === A && at.push(row * pitch + column));
-      if (at.length > before) [at[before], at[at.length - 1] + 1].forEach((end, n) => (ends[2 * row + n] = BigInt(end - row * pitch)));
+      if (at.length > before) ends.set([at[before], at[at.length - 1] + 1].map((end) => BigInt(end - row * pitch)), 2 * row);
     }
     draw("draw_chart", state, { name: "exact" }, stage);
+    const lanes = BigInt(data.lanes), groups = Number(ends.reduce((sum, end, n) => (n % 2 ? sum + (end + lanes - 1n) / lanes : sum - end / lanes), 0n));
     const rows = at.length ? [Math.floor(at[0] / pitch), Math.floor(at[at.length - 1] / pitch) + 1] : [0, 0];
-    return { ...stage, codes, count: at.length, at: Int32Array.from(at), rows };
+    return { ...stage, codes, count: at.length, at: Int32Array.from(at), rows, stills: 8 * data.lanes * groups * data.stills[state.lights.filter(Boolean).length] };
   }
 
   // The address of a stage's plane of a name.
@@ -170,16 +170,21 @@ Simulator.module = async function (data, compiled) {
   }
 
   // A view of the painted bytes of some rows.
-  function bytes(stage, name, [first, last]) {
-    return new Uint8ClampedArray(memory.buffer, place(stage, name, "pixels") + 4 * stage.pitch * first, 4 * stage.pitch * (last - first));
+  const bytes = (stage, name, [first, last]) =>
+    new Uint8ClampedArray(memory.buffer, place(stage, name, "pixels") + 4 * stage.pitch * first, 4 * stage.pitch * (last - first));
+
+  // Draw A. What no step of ε or β changes is kept from one central difference to the next, but for what is timed.
+  function draw_a(state, method, stage, name) {
+    const keeps = name !== "spare" && method.name === "central" && state.beta !== 0, key = [state.field, state.ku, state.kv, state.model].join();
+    const what = !keeps ? "draw_a" : stage.kept === key ? "draw_again" : "draw_first";
+    if (keeps) stage.kept = key;
+    draw(what, state, method, stage, { ...target(stage, name), stills: (stage.targets.stills ??= reserve(stage.stills)) });
   }
 
-  const draw_a = (state, method, stage, name) => draw("draw_a", state, method, stage, target(stage, name));
   const draw_elsewhere = (state, stage, name) => draw("draw_elsewhere", state, { name: "exact" }, stage, target(stage, name));
 
-  // A whole picture, three planes, as the renderer's frame.rgb.
-  function render(state, method, raster) {
-    const stage = make_stage(state, raster);
+  // A whole picture, three planes, as the renderer's frame.rgb; on the stage of another one, a step from it.
+  function render(state, method, raster, stage = make_stage(state, raster)) {
     draw_elsewhere(state, stage, "picture");
     draw_a(state, method, stage, "picture");
     const planes = COLORS.map((color) => rows(floats(place(stage, "picture", color), stage.pitch * raster.high), stage));
