@@ -1,6 +1,5 @@
 // The controls: what they show is the state, and what they are given is checked before it becomes the state.
 "use strict";
-var Simulator = Simulator || {};
 
 Simulator.controls = function (root, states, act) {
   const holders = [...root.querySelectorAll("[data-parameter]")];

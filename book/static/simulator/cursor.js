@@ -1,15 +1,12 @@
 // What is known of the pixel under the cursor, by both pipelines, and how many floats apart they are.
 "use strict";
-var Simulator = Simulator || {};
 
 Simulator.cursor = function (root, states, data, module) {
   const body = root.querySelector(".sim-pixel tbody"), facts = root.querySelector(".sim-facts"), line = root.querySelector(".sim-python code");
-  const view = new DataView(new ArrayBuffer(8));
 
   // Where a float stands among all floats, counted from 0.
   function place(number) {
-    view.setFloat64(0, number);
-    const bits = view.getBigInt64(0);
+    const [bits] = new BigInt64Array(Float64Array.of(number).buffer);
     return bits < 0n ? -(bits & 0x7fffffffffffffffn) : bits;
   }
 

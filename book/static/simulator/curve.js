@@ -1,7 +1,6 @@
 // The U-curve: error against ε, of the gradient at the cursor and of the picture, with what the theorems allow behind.
 // It is a control too: a click, a drag or an arrow key sets ε, and pointing at it reads it.
 "use strict";
-var Simulator = Simulator || {};
 
 Simulator.curve = function (root, data, module, act) {
   const box = root.querySelector(".sim-curve"), svg = box.querySelector("svg"), reading = root.querySelector("[data-reading]");

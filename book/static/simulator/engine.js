@@ -2,7 +2,6 @@
 // come meanwhile only the last is drawn. When nothing moves, the workers are given the idle work. A small picture is
 // drawn by the page itself: that takes less time than to hand it over, and it is there in the slider's own frame.
 "use strict";
-var Simulator = Simulator || {};
 
 Simulator.engine = function (data, compiled, states, module, heard) {
   const IDLE_AFTER = 150, SMALL = 256, AT_ONCE = 12; // milliseconds; pixels; milliseconds
@@ -59,12 +58,10 @@ Simulator.engine = function (data, compiled, states, module, heard) {
     if (!waiting && workers.length) send();
   }
 
-  const same_raster = (a, b) => ["size", "zoom", "left", "top"].every((name) => a[name] === b[name]);
-
   // Who draws a state, and each one's band of rows. A drawer keeps what it has as long as its band is the same.
   function send() {
     const { state, asked } = next, drawers = state.size <= SMALL && usual < AT_ONCE ? page : workers;
-    const anew = bands.drawers !== drawers || !same_raster(bands.of, state);
+    const anew = bands.drawers !== drawers || ["size", "zoom", "left", "top"].some((name) => bands.of[name] !== state[name]);
     next = null;
     if (anew) bands = Object.assign(cut(state, drawers.length), { of: state, drawers });
     if (resting && drawers === page) for (const { worker } of workers) worker.postMessage({ kind: "stop" });
@@ -102,6 +99,7 @@ Simulator.engine = function (data, compiled, states, module, heard) {
 
   function rest(state) {
     if (document.hidden || waiting) return;
+    usual /= 2; // lest a busy moment keep the page from drawing
     const steps = heard.resting(state), parts = bands.drawers === workers ? bands : cut(state, workers.length);
     resting = parts.length;
     pieces = {};

@@ -1,6 +1,5 @@
 // The three pictures: pixels from the workers, over them the exact loci of the creases and the pixel cursor; zoom.
 "use strict";
-var Simulator = Simulator || {};
 
 Simulator.pictures = function (root, states, data, module, act) {
   const NAMES = ["numeric", "symbolic", "difference"], SURFACE = 3, A = 1, GAP = 8, POINTS = 257;
@@ -98,47 +97,31 @@ Simulator.pictures = function (root, states, data, module, act) {
     act.cursor(shown.left + across, shown.top + down);
   };
 
-  const touches = new Map();
-  let spread = 0, dragged = null;
+  let dragged = null; // where the button went down, as long as it is
 
   function wire(box) {
     box.addEventListener("pointerdown", (event) => {
-      touches.set(event.pointerId, event);
-      if (touches.size === 2) spread = distance();
       dragged = { x: event.clientX, y: event.clientY, left: shown.left, top: shown.top, moved: false };
     });
     box.addEventListener("pointermove", (event) => {
-      if (touches.has(event.pointerId)) touches.set(event.pointerId, event);
-      if (touches.size === 2) pinch(box);
-      else if (touches.size === 1 && event.pointerType === "mouse" && shown.zoom > 0) drag(event, box);
-      else if (!pinned && event.pointerType === "mouse") point(event, box);
+      if (event.pointerType !== "mouse") return;
+      if (dragged && shown.zoom > 0) drag(event, box);
+      else if (!pinned) point(event, box);
     });
     box.addEventListener("pointerup", (event) => {
-      if (touches.size === 1 && !dragged?.moved) {
+      if (dragged && !dragged.moved) {
         pinned = event.pointerType === "mouse" ? !pinned : true;
         point(event, box);
       }
+      dragged = null;
     });
-    for (const end of ["pointerup", "pointercancel", "pointerleave"]) box.addEventListener(end, (event) => touches.delete(event.pointerId));
+    for (const end of ["pointercancel", "pointerleave"]) box.addEventListener(end, () => (dragged = null));
     box.addEventListener("wheel", (event) => {
       if (!event.ctrlKey && document.activeElement !== box) return; // else the page scrolls
       event.preventDefault();
       act.zoom(event.deltaY < 0 ? 1 : -1, ...share(event, box));
     }, { passive: false });
     box.addEventListener("keydown", keys);
-  }
-
-  const distance = () => {
-    const [a, b] = [...touches.values()];
-    return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
-  };
-
-  function pinch(box) {
-    const now = distance(), steps = Math.trunc(2 * Math.log2(now / spread));
-    if (!steps) return;
-    spread = now;
-    const [a, b] = [...touches.values()];
-    act.zoom(steps, ...share({ clientX: (a.clientX + b.clientX) / 2, clientY: (a.clientY + b.clientY) / 2 }, box));
   }
 
   function drag(event, box) {
@@ -162,6 +145,5 @@ Simulator.pictures = function (root, states, data, module, act) {
 
   boxes.forEach(wire);
   new ResizeObserver(() => shown && layout()).observe(root);
-  const release = () => (pinned = false);
-  return { paint, decorate, frame, release, canvas: (name) => bases[NAMES.indexOf(name)] };
+  return { paint, decorate, frame, release: () => (pinned = false), canvas: (name) => bases[NAMES.indexOf(name)] };
 };

@@ -1,6 +1,5 @@
 // The four experiments of the page: a state to begin with, and one quantity that then moves.
 "use strict";
-var Simulator = Simulator || {};
 
 Simulator.presets = function (states, act) {
   const still = window.matchMedia("(prefers-reduced-motion: reduce)");
@@ -25,9 +24,8 @@ Simulator.presets = function (states, act) {
   function run(name) {
     stop();
     const { begin, seconds, from, to, at, still: rest } = experiments[name];
-    const { size, column, row } = act.state();
-    const ready = states.zoomed({ ...act.state(), zoom: act.state().zoom }, { zoom: 0, size });
-    act.replace(states.within({ ...states.start(), size, column: ready.column, row: ready.row, ...begin }));
+    const { size, column, row } = states.zoomed(act.state(), { zoom: 0 });
+    act.replace({ ...states.start(), size, column, row, ...begin });
     if (still.matches) return act.change(at(rest));
     let first = 0;
     const tick = (now) => {

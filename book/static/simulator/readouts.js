@@ -1,6 +1,5 @@
 // The numbers and words beside the pictures: how far apart they are, flips, times, captions, the scale's bar.
 "use strict";
-var Simulator = Simulator || {};
 
 Simulator.readouts = function (root, data) {
   const $ = (selector) => root.querySelector(selector), put = (name, text) => ($(`[data-readout=${name}]`).textContent = text);
@@ -22,13 +21,11 @@ Simulator.readouts = function (root, data) {
     put("rms", count ? number(Math.sqrt(squares / 3 / count)) : "—");
   }
 
-  function counted({ count, flips, attached }) {
-    put("flips", String(flips));
-    put("attached", attached.map((n) => `${n.toLocaleString("en")} (${count ? Math.round((100 * n) / count) : 0} %)`).join(", ") || "no light is on");
-  }
-
-  function uncounted() {
-    for (const name of ["flips", "attached"]) put(name, "…");
+  // null: not yet.
+  function counted(found) {
+    const share = (n) => `${n.toLocaleString("en")} (${found.count ? Math.round((100 * n) / found.count) : 0} %)`;
+    put("flips", found ? String(found.flips) : "…");
+    put("attached", found ? found.attached.map(share).join(", ") || "no light is on" : "…");
   }
 
   function forget_times() {
@@ -73,5 +70,5 @@ Simulator.readouts = function (root, data) {
   }
 
   $(".sim-legend").innerHTML = data.terms.map((term, n) => `<span><i style="background:${data.term_colours[n + 1]}"></i> ${term}</span>`).join(" ");
-  return { apart, counted, uncounted, timed, forget_times, captions };
+  return { apart, counted, timed, forget_times, captions };
 };

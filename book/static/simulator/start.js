@@ -1,6 +1,5 @@
 // Joins the parts: one state, shown everywhere, changed through `set`.
 "use strict";
-var Simulator = Simulator || {};
 
 Simulator.start = function (root, compiled, module) {
   const data = Simulator.data, states = Simulator.state(data), $ = (selector) => root.querySelector(selector);
@@ -19,7 +18,6 @@ Simulator.start = function (root, compiled, module) {
   }
 
   function message(text) {
-    if ($(".sim-message").textContent === text) return;
     $(".sim-message").textContent = text;
     $(".sim-message").hidden = !text;
   }
@@ -100,7 +98,7 @@ Simulator.start = function (root, compiled, module) {
     pictures.decorate(state);
     const ready = performance.now() - asked;
     readouts.apart({ count: total(replies, "count"), largest: Math.max(...replies.map((r) => r.largest)), squares: total(replies, "squares") });
-    if (counted_of !== chambers_key(of)) readouts.uncounted();
+    if (counted_of !== chambers_key(of)) readouts.counted(null);
     if (timed_of !== times_key(of)) readouts.forget_times();
     timed_of = times_key(of);
     requestAnimationFrame((at) => frames.push({ ready, at, painted: performance.now() - asked }));
@@ -138,13 +136,7 @@ Simulator.start = function (root, compiled, module) {
     Simulator.fail(root, text);
   }
 
-  function download(name, blob) {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(blob);
-    link.download = name;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-  }
+  const download = (name, href) => Object.assign(document.createElement("a"), { href, download: name }).click();
 
   async function copy(text, element) {
     try {
@@ -163,10 +155,10 @@ Simulator.start = function (root, compiled, module) {
       presets.run(preset);
       $(".sim-says").textContent = presets.says(preset);
     });
-    on("[data-save]", ({ save }) => pictures.canvas(save).toBlob((blob) => download(`${save}.png`, blob)));
+    on("[data-save]", ({ save }) => download(`${save}.png`, pictures.canvas(save).toDataURL()));
     on("[data-zoom]", ({ zoom }) => act.zoom(Number(zoom)));
     on("[data-reset]", () => (presets.stop(), pictures.release(), act.replace(states.start())));
-    on("[data-csv]", () => download("u-curve.csv", new Blob([curve.csv(pixel_curve, picture)], { type: "text/csv" })));
+    on("[data-csv]", () => download("u-curve.csv", `data:text/csv,${encodeURIComponent(curve.csv(pixel_curve, picture))}`));
     on("[data-copy]", () => copy(states.python(state), $(".sim-python code")));
     on("[data-link]", (_, button) => {
       history.replaceState(null, "", states.fragment(state));
@@ -195,8 +187,6 @@ Simulator.start = function (root, compiled, module) {
   window.addEventListener("hashchange", from_address);
   window.addEventListener("resize", () => panels_soon());
   document.addEventListener("visibilitychange", () => (document.hidden ? (presets.stop(), engine.stop()) : (engine.start(), panels())));
-  window.addEventListener("pagehide", () => engine.stop());
-  window.addEventListener("pageshow", (event) => event.persisted && engine.start());
   return { act, states, module, cursor, curve, frames, presets, shown: () => shown && states.fragment(shown) };
 };
 

@@ -1,6 +1,5 @@
 // What the reader can set, said once: names, ranges, defaults; the URL's fragment and the line of Python made from it.
 "use strict";
-var Simulator = Simulator || {};
 
 Simulator.state = function ({ fields, models, scene }) {
   const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d{1,3})?$/i;
@@ -52,9 +51,7 @@ Simulator.state = function ({ fields, models, scene }) {
   // The side of the whole raster, of which size x size pixels are shown.
   const side = ({ size, zoom }) => Math.round(size * 2 ** (zoom / 2));
 
-  function start() {
-    return Object.fromEntries(Object.entries(parameters).map(([name, p]) => [name, p.start]));
-  }
+  const start = () => Object.fromEntries(Object.entries(parameters).map(([name, p]) => [name, p.start]));
 
   const refused = (name, value, allowed = parameters[name].allowed) => new Error(`${name} = ${value} is not allowed: ${allowed}`);
 

@@ -1,7 +1,6 @@
 // What a worker does, or the page itself: draw and paint a band of rows for a state; when nothing is asked, time both pipelines, count
 // flips, and follow the U-curve of the band. Only what a change touches is computed anew.
 "use strict";
-var Simulator = Simulator || {};
 
 Simulator.worker = function (port) {
   const ROUNDS = 12, exact = { name: "exact" };
