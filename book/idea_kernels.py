@@ -5,11 +5,11 @@ the pages as WebAssembly, beside the simulator's (`book.simulator_module`).
 """
 
 import json
-from base64 import b64encode
 from collections.abc import Callable
 
 from sympy import Integer
 
+from book.simulator_module import packed
 from proofs.engine.program import Program
 from proofs.formulas import bump
 from proofs.formulas.height_fields import HEIGHT_FIELDS
@@ -103,5 +103,5 @@ def source() -> str:
     return (
         "// Printed from proofs/ by `python -m book`: what the small interactives ask of the renderer's kernels.\n"
         f'"use strict";\nvar Ideas = Ideas || {{}};\nIdeas.data = {json.dumps(data, separators=(",", ":"))};\n'
-        f'Ideas.program = "{b64encode(module).decode()}";\n'
+        f'Ideas.program = "{packed(module)}";\n'
     )

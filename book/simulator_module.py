@@ -139,6 +139,11 @@ def data(outputs: dict[str, int]) -> dict:
     }
 
 
+def packed(module: bytes) -> str:
+    """Return a module as the pages carry it: compressed, as text."""
+    return b64encode(compress(module, mtime=0)).decode()
+
+
 @cache
 def source() -> str:
     """Return the text of the script that the page loads."""
@@ -147,5 +152,5 @@ def source() -> str:
         "// Printed from proofs/ by `python -m book`: the renderer's shader and kernels, and the numbers beside them.\n"
         '"use strict";\nvar Simulator = Simulator || {};\n'
         f"Simulator.data = {json.dumps(data(outputs), separators=(',', ':'))};\n"
-        f'Simulator.program = "{b64encode(compress(module, mtime=0)).decode()}";\n'
+        f'Simulator.program = "{packed(module)}";\n'
     )

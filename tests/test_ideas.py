@@ -21,7 +21,7 @@ PAGES = {
     "scene_from_the_side": "s2",
     "tilted_frame": "s3",
     "two_slopes": "s3",
-    "pixel_worked": "s3",
+    "pixel_worked": "s2",
 }
 NUMBER = re.compile(r"[−-]?\d+(?:\.\d+)?")
 STARTED = "document.querySelector('figure.idea') && !document.querySelector('figure.idea:not(.idea-live)')"
