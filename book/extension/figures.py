@@ -112,15 +112,16 @@ class ChapterFigure(BookDirective):
 
 
 def provenance(id: str, description: dict) -> nodes.paragraph:
-    """The small line under a caption: source · data · numbers · reproduce: the command. The numbers name the hash it was drawn from."""
+    """The small line under a caption: source · data · numbers · the command that draws it · the hash it was drawn from."""
     source = "/" + description["source"].removeprefix("book/")
     links = [("source", source, f"{description['source']}, {description['function']}()")]
     links += [("data", f"/_generated/{description['data']}", f"{description['data']}, what the picture shows")]
-    links += [("numbers", f"/_generated/{id}.json", f"{id}.json, what the text cites; drawn from {description['key']}")]
+    links += [("numbers", f"/_generated/{id}.json", f"{id}.json, what the text cites")]
     line = nodes.paragraph("", classes=["provenance"])
     for link in links:
         line += [_download(*link), nodes.Text(" · ")]
-    line += [nodes.Text("reproduce: "), nodes.literal("", f"python -m book figures {id}")]
+    line += [nodes.literal("", f"python -m book figures {id}")]
+    line += [nodes.Text(" · drawn from "), nodes.literal("", description["key"])]
     return line
 
 
