@@ -46,7 +46,7 @@ def test_cell_carries_its_own_id(pages, number):
 def test_every_figure_that_pages_place_is_shown(pages):
     placed = Counter()
     for page in PAGES:
-        placed.update(re.findall(r"\{chapter-figure\}\s+(\w+)", source_of(page)))
+        placed.update(re.findall(r"\{(?:chapter-figure|idea|worked-pixel)\}\s+(\w+)", source_of(page)))
     shown = Counter()
     for elements in pages.values():
         for tag, attributes in elements.all:
@@ -58,7 +58,7 @@ def test_every_figure_that_pages_place_is_shown(pages):
 
 
 def test_every_figure_with_a_picture_is_placed_and_registered():
-    placed = {id for page in PAGES for id in re.findall(r"\{chapter-figure\}\s+(\w+)", source_of(page))}
+    placed = {id for page in PAGES for id in re.findall(r"\{(?:chapter-figure|idea|worked-pixel)\}\s+(\w+)", source_of(page))}
     drawn = {path.name.split(".")[0] for path in (ROOT / "book" / "_generated").glob("*.[sp][vn]g")}
     assert drawn == placed
     assert placed <= all_figures().keys()
