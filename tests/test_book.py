@@ -58,7 +58,8 @@ def test_every_figure_that_pages_place_is_shown(pages):
 
 
 def test_every_figure_with_a_picture_is_placed_and_registered():
-    placed = {id for page in PAGES for id in re.findall(r"\{(?:chapter-figure|idea|worked-pixel)\}\s+(\w+)", source_of(page))}
+    directive = r"\{(?:chapter-figure|idea|worked-pixel)\}\s+(\w+)"
+    placed = {id for page in PAGES for id in re.findall(directive, source_of(page))}
     drawn = {path.name.split(".")[0] for path in (ROOT / "book" / "_generated").glob("*.[sp][vn]g")}
     assert drawn == placed
     assert placed <= all_figures().keys()

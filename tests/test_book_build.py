@@ -35,24 +35,24 @@ def test_check_runs_again_only_when_something_changed(stamped, monkeypatch, runs
     commands, _ = runs
     source = stamps.ROOT / "pyproject.toml"
     monkeypatch.setattr(check, "sources", lambda: [source])
-    check.check()
-    check.check()
+    check.run()
+    check.run()
     assert len(commands) == 1
     assert commands[0][1:4] == ["-m", "pytest", "verify"]
     monkeypatch.setattr(check, "sources", lambda: [source, stamps.LOCK_FILE])
-    check.check()
+    check.run()
     assert len(commands) == 2
 
 
 def test_check_that_fails_is_not_remembered_as_passed(stamped, monkeypatch, runs):
     commands, status = runs
     monkeypatch.setattr(check, "sources", lambda: [stamps.LOCK_FILE])
-    check.check()
+    check.run()
     monkeypatch.setattr(check, "sources", lambda: [])
     status[0] = 1
     for _ in range(2):
         with pytest.raises(subprocess.CalledProcessError):
-            check.check()
+            check.run()
     assert len(commands) == 3
 
 

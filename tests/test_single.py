@@ -314,6 +314,7 @@ def test_certificates_are_checked(opened):
     if not tab.evaluate("document.querySelectorAll('.checker[data-all]').length"):
         pytest.skip("the site has no checker")
     go(tab, "theorem-unit_length")
+    tab.evaluate("document.querySelector('#theorem-unit_length details').open = true")
     tab.locator("#theorem-unit_length .checker button").first.click()
     wait(tab, "document.querySelector('#theorem-unit_length .check-verdict').textContent.startsWith('Accepted')")
     go(tab, tab.evaluate("document.querySelector('.checker[data-all]').closest('section[id]').id"))
@@ -325,6 +326,7 @@ def test_certificates_are_checked(opened):
 def test_kept_file_comes_out_under_its_own_name(opened, site):
     tab, _, _ = opened
     go(tab, "theorem-unit_length")
+    tab.evaluate("document.querySelector('#theorem-unit_length details').open = true")
     with tab.expect_download() as kept:
         tab.locator("a[data-packed='unit_length.json']").first.click()
     assert kept.value.suggested_filename == "unit_length.json"

@@ -79,6 +79,13 @@ def contents(pages: list[Page]) -> Tag:
     return parsed(f'<nav class="paper-contents"><h2>Contents</h2><ol>{"".join(lines)}</ol></nav>').nav
 
 
+def name_headings(article: Tag) -> None:
+    """Give sections' names to their headings: a heading may stand on the page after the one that its section ends."""
+    for section in article.find_all("section", id=True):
+        if title := section.find(["h1", "h2", "h3"], recursive=False):
+            title["id"] = section.attrs.pop("id")
+
+
 def read(site: Path, shell: BeautifulSoup, store: Store) -> list[Page]:
     """The pages to be printed, ready for paper."""
     pages = read_pages(site, shell, on_paper)
@@ -102,7 +109,10 @@ def document(site: Path) -> str:
     whole = parsed(FRAME)
     whole.title.string = heading(pages[0].article)
     front, *rest = [page.article for page in pages]
-    whole.body.extend([front, contents(pages[1:]), *rest])
+    listed = contents(pages[1:])
+    for page in pages:
+        name_headings(page.article)
+    whole.body.extend([front, listed, *rest])
     for place, name, text in (
         (whole.head, "style", "\n".join([*styles, (HERE / "print.css").read_text(encoding="utf-8")])),
         (whole.head, "script", setting),
