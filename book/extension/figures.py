@@ -112,7 +112,7 @@ class ChapterFigure(BookDirective):
 
 
 def provenance(id: str, description: dict) -> nodes.paragraph:
-    """The small line under a caption: source · data · numbers · the command that draws it · the hash it was drawn from."""
+    """The small line under a caption: source · data · numbers · its command · the hash it was drawn from."""
     source = "/" + description["source"].removeprefix("book/")
     links = [("source", source, f"{description['source']}, {description['function']}()")]
     links += [("data", f"/_generated/{description['data']}", f"{description['data']}, what the picture shows")]
