@@ -21,6 +21,7 @@ FLAGS = [
     "--disable-sync",
 ]
 PAGE = {"width": 658, "height": 979}  # what A4 has inside its margins, in CSS pixels
+PRINTINGS = 5  # at most; the second has the same pages as the first, or the third as the second
 PATIENCE = 900_000  # milliseconds: a busy machine typesets thousands of formulas slowly
 FOOTER = (
     '<div style="color: #66625a; display: flex; font: 8pt Georgia, serif; justify-content: space-between; '
@@ -79,16 +80,19 @@ def dated(pdf: bytes) -> bytes:
 
 
 def numbered(tab: "Page") -> bytes:
-    """The open document as PDF, with the numbers of its pages in its contents."""
-    numbers = page_numbers(printed(tab))
-    tab.evaluate(
-        "numbers => document.querySelectorAll('.page-number').forEach(p => p.textContent = numbers[p.dataset.for])",
-        numbers,
-    )
-    pdf = printed(tab)
-    if page_numbers(pdf) != numbers:
-        raise RuntimeError("the contents moved the pages that they list")
-    return dated(pdf)
+    """The open document as PDF, with the numbers of its pages in its contents: printed until they stay as they are."""
+    numbers: dict[str, int] = {}
+    for _ in range(PRINTINGS):
+        pdf = printed(tab)
+        found = page_numbers(pdf)
+        if found == numbers:
+            return dated(pdf)
+        numbers = found
+        tab.evaluate(
+            "numbers => document.querySelectorAll('.page-number').forEach(p => p.textContent = numbers[p.dataset.for])",
+            numbers,
+        )
+    raise RuntimeError("the contents moved the pages that they list")
 
 
 def print_document(text: str) -> bytes:
