@@ -51,8 +51,10 @@ def texts(pdf) -> list[str]:
 
 
 def words(text: str) -> str:
-    """A text without its blanks: where letters are kerned, a reader of PDF may see one that is not there."""
-    return "".join(text.replace("\ufffe", "-").split())
+    """A text without its blanks, which a reader of PDF may see where letters are kerned, and without pictographs."""
+    return "".join(
+        c for c in "".join(text.replace("\ufffe", "-").split()) if not "\ud800" <= c <= "\udfff" and c < "\U00010000"
+    )
 
 
 @pytest.mark.browser
