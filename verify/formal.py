@@ -39,6 +39,8 @@ SEPARATOR = "I\n     : True\n"
 CLOSED = "Closed under the global context\n"
 AXIOM = re.compile(r"[\w.]+( : .*)?$|  ")  # its name, and its type there or indented below it
 MACHINE_NUMBERS = ("Uint63.", "PrimInt63.", "PrimFloat.", "FloatAxioms.", "FloatOps.", "Int63.", "Sint63.")
+COQS_OWN = {name.partition(".")[0] for name in (*AXIOMS, *MACHINE_NUMBERS)}
+MODULE = re.compile(r"\bModule\b[^.]*")
 
 PARTLY = {
     "bump_moves_no_boundary": "that none of these depends on the bump: the lines printed for them have no such input",
@@ -55,9 +57,14 @@ class NotAccepted(ValueError):
 def layers(*wanted: str) -> list[list[str]]:
     """Return the names of the files that Coq reads, each in a later layer than those that it requires.
 
-    All, or those that are wanted and theirs. Raises NotAccepted where one requires what is not there, or itself.
+    All, or those that are wanted and theirs. Raises NotAccepted where one requires what is not there, or itself, and
+    where a module has a name of Coq's own: an axiom in it would be printed as one of those that are allowed.
     """
-    required = {path.stem: REQUIRED.search(path.read_text(encoding="utf-8")) for path in FOLDER.glob("*.v")}
+    texts = {path.stem: path.read_text(encoding="utf-8") for path in FOLDER.glob("*.v")}
+    named = set(re.findall(r"\w+", " ".join([*texts, *MODULE.findall("\n".join(texts.values()))])))
+    if taken := sorted(named & COQS_OWN):
+        raise NotAccepted(f"{', '.join(taken)}: a module of Coq's own has this name")
+    required = {name: REQUIRED.search(text) for name, text in texts.items()}
     needs = {name: set(found[1].split()) if found else set() for name, found in required.items()}
     if missing := set().union(*needs.values(), wanted) - needs.keys():
         raise NotAccepted(f"there is no {', '.join(sorted(missing))} in {FOLDER.name}/")

@@ -56,6 +56,9 @@ UNPOSITIVE = """Unset Positivity Checking. Inductive no : Type := yes : (no -> F
 Lemma false (n : no) : False. Proof. destruct n as [f] eqn:E. exact (f n). Qed.
 Theorem unit_length__length : 1 + 1 = 3. Proof. destruct (false (yes false)). Qed."""
 
+PRETENDED = """Module PrimFloat. Axiom three : 1 + 1 = 3. End PrimFloat.
+Theorem unit_length__length : 1 + 1 = 3. Proof. exact PrimFloat.three. Qed."""
+
 
 @needs_coq
 @pytest.mark.parametrize(
@@ -66,6 +69,7 @@ Theorem unit_length__length : 1 + 1 = 3. Proof. destruct (false (yes false)). Qe
         (ASSUMED, "rests on"),
         (UNGUARDED, "never is assumed to be guarded"),
         (UNPOSITIVE, "no is assumed to be positive"),
+        (PRETENDED, "PrimFloat: a module of Coq's own"),
     ],
 )
 def test_what_is_not_proved_is_not_accepted(text, why, tmp_path, monkeypatch):
@@ -75,13 +79,16 @@ def test_what_is_not_proved_is_not_accepted(text, why, tmp_path, monkeypatch):
         formal.compile_files()
 
 
-def test_files_that_require_what_is_not_there_or_each_other_are_refused(tmp_path, monkeypatch):
+def test_files_that_cannot_be_ordered_or_are_named_as_coqs_own_are_refused(tmp_path, monkeypatch):
     monkeypatch.setattr(formal, "FOLDER", tmp_path)
     (tmp_path / "One.v").write_text("From Formal Require Import Two.\n")
     with pytest.raises(formal.NotAccepted, match="there is no Two"):
         formal.files()
     (tmp_path / "Two.v").write_text("From Formal Require Import One.\n")
     with pytest.raises(formal.NotAccepted, match="require each other"):
+        formal.files()
+    (tmp_path / "Uint63.v").write_text("Axiom three : 1 + 1 = 3.\n")
+    with pytest.raises(formal.NotAccepted, match="Uint63: a module of Coq's own"):
         formal.files()
 
 
