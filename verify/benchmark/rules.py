@@ -46,8 +46,8 @@ def _from_one(self, exponent, first, square, multiply):
         square()
 
 
-def _forget_the_literal(self, machine, vector, literal=None):
-    self.machine, self.vector, self.literal = machine, vector, None
+def _forget_the_literal(self, machine, vector, literal=None, still=None):
+    self.machine, self.vector, self.literal, self.still = machine, vector, None, still
 
 
 RULES = {

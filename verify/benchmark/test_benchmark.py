@@ -9,8 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from renderer import Scene, exact
 from verify.benchmark import __main__ as benchmark
-from verify.benchmark import plan
+from verify.benchmark import plan, rules
 from verify.benchmark.frames import FITTED, frame_cases, step_cases
 from verify.benchmark.plan import Case, in_turns
 from verify.benchmark.targets import TARGETS, Target, frame_numbers, spreads, table
@@ -31,6 +32,13 @@ def test_cases_take_turns_forwards_and_backwards():
     visits = in_turns([a_case("a", 3), a_case("b", 2), a_case("c", 1)])
     assert [f"{case.name}{number}" for case, number in visits] == ["a0", "b0", "c0", "b1", "a1", "a2"]
     assert in_turns([]) == []
+
+
+@pytest.mark.parametrize("rule", rules.RULES)
+def test_a_picture_is_drawn_without_each_rule(rule, monkeypatch):
+    """What takes a rule away replaces a function of the renderer: it must still take what that function is given."""
+    monkeypatch.setattr(rules, "SIDE", 8)
+    rules.prepare(Scene(beta=0.2), exact(), rules.RULES[rule])()
 
 
 def test_a_time_is_the_median_of_all_calls(monkeypatch):
