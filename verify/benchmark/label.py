@@ -23,12 +23,13 @@ def processor() -> str:
 
 
 def commit() -> str:
-    """Return the short id of the commit that was measured, with + if the tree differs from it."""
+    """Return the short id of the commit that was measured, with + if the tree differs from it, results aside."""
     git = ["git", "-C", str(ROOT)]
     head = subprocess.run([*git, "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
     if head.returncode:
         return "unknown"
-    dirty = subprocess.run([*git, "status", "--porcelain", "-uno"], capture_output=True, text=True, check=False)
+    status = [*git, "status", "--porcelain", "-uno", "--", ":/", ":(exclude,glob)verify/**/results/*"]
+    dirty = subprocess.run(status, capture_output=True, text=True, check=False)
     return head.stdout.strip() + ("+" if dirty.stdout.strip() else "")
 
 
