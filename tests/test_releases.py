@@ -234,7 +234,8 @@ def test_changelog_section_ends_where_the_next_begins(tmp_path):
 @pytest.mark.parametrize(
     ("text", "named"),
     [("`u_curve.least` fell", True), ("u_curve.least.", True), ("u_curve.least_at", False), ("u_curve", False),
-     ("bench:u_curve.least", False), ("u_curve.least-2", False), ("u_curve.least.x", False)],
+     ("bench:u_curve.least", False), ("u_curve.least-2", False), ("u_curve.least.x", False),
+     ("`u_curve.*`", True), ("`u_curve.l*st`", True), ("u_curve.*", False), ("`pole.*`", False), ("`*`", False)],
 )  # fmt: skip
 def test_an_id_is_named_as_a_whole(text, named):
     assert release_notes.names("u_curve.least", text) is named

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from fnmatch import fnmatchcase
 from pathlib import Path
 
 from book.build import stamps
@@ -28,7 +29,9 @@ def section(version: str, path: Path = CHANGELOG) -> str:
 
 
 def names(id: str, text: str) -> bool:
-    """Whether a text names an id as a whole: u_curve.least is not named by u_curve.least_at or by u_curve."""
+    """Whether a text names an id as a whole, or by a family in backticks, `u_curve.*`; not by u_curve or u_curve.least_at."""
+    if any(fnmatchcase(id, family) for family in re.findall(r"`([\w:]+\.[\w.]*\*[\w.*]*)`", text)):
+        return True
     return re.search(rf"(?<![\w:-]){re.escape(id)}(?![\w-]|\.\w)", text) is not None
 
 
