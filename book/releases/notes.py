@@ -29,7 +29,7 @@ def section(version: str, path: Path = CHANGELOG) -> str:
 
 
 def names(id: str, text: str) -> bool:
-    """Whether a text names an id as a whole, or by a family in backticks, `u_curve.*`; not by u_curve or u_curve.least_at."""
+    """Whether a text names an id as a whole (u_curve.least_at does not), or its family in backticks: `u_curve.*`."""
     if any(fnmatchcase(id, family) for family in re.findall(r"`([\w:]+\.[\w.]*\*[\w.*]*)`", text)):
         return True
     return re.search(rf"(?<![\w:-]){re.escape(id)}(?![\w-]|\.\w)", text) is not None
