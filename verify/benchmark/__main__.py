@@ -6,8 +6,6 @@ The gradient alone is measured by `python -m verify.benchmark.work_precision`.
 """
 
 import argparse
-import os
-import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -16,50 +14,40 @@ import numpy as np
 from tqdm import tqdm
 
 from renderer import exact
-from verify.benchmark import start
-from verify.benchmark.frames import IMAGE_GRADIENT, SCENE, frame_cases, image_gradient_points, step_cases
-from verify.benchmark.label import label, write
-from verify.benchmark.plan import ROUNDS, medians, timings
-from verify.benchmark.rules import rule_cases, rule_numbers
-from verify.benchmark.targets import frame_numbers, spreads, table
+from verify.benchmark.frames import IMAGE_GRADIENT, SCENE, START_CASES, frame_cases, image_gradient_points, step_cases
+from verify.benchmark.label import RESULTS, label, load, write
+from verify.benchmark.plan import ROUNDS, timings, with_quartiles
+from verify.benchmark.rules import rule_cases
+from verify.benchmark.targets import derived, table
 from verify.strict import differing_pixels, image_error, random_raster, random_scene
 
-RESULTS = Path(__file__).parent / "results"
 SCENES, SEED = 10**4, 9
 QUICK_SIDE, QUICK_SCENES = 1024, 100
-BUSY = 0.5  # a load of more than this spoils a measurement
-
-
-def load() -> float:
-    """Return how many processes wanted a core during the last minute, and say so if the machine is busy."""
-    busy = os.getloadavg()[0] if hasattr(os, "getloadavg") else 0.0
-    if busy > BUSY:
-        print(f"this machine is busy (load {busy:.1f}): its times will be too long", file=sys.stderr)
-    return busy
 
 
 def counted(scenes: int) -> dict[str, float]:
-    """Return what the run also counts: whether the fast renderer draws what the strict one draws, and its imports."""
+    """Return what the run also counts: whether the fast renderer draws what the strict one draws."""
     random = np.random.default_rng(SEED)
     drawn = ((random_scene(random), random_raster(random)) for _ in tqdm(range(scenes), desc="chambers", unit="scene"))
     differing = sum(differing_pixels(scene, *raster) for scene, raster in drawn)
     error = max(image_error(SCENE, 256, exact(form)) for form in ("algebraic", "general"))
-    imported = int(start.imports_sympy())
-    return {"scenes": scenes, "chambers_differing": differing, "image_error": error, "sympy_imported": imported}
+    return {"scenes": scenes, "chambers_differing": differing, "image_error": error}
 
 
 def measure_frames(only: str, rounds: int, quick: bool) -> dict[str, Any] | None:
     """Return the numbers of whole frames; None if no case has that name."""
     whole = frame_cases(QUICK_SIDE if quick else 2**24)
-    cases = [*whole, *step_cases(), *rule_cases(), IMAGE_GRADIENT, *start.CASES]
+    cases = [*whole, *step_cases(), *rule_cases(), IMAGE_GRADIENT, *START_CASES]
     cases = [replace(case, visits=min(rounds, case.visits)) for case in cases if only in case.name]
     if not cases:
         return None
-    seconds = timings(cases, "frames")
-    times = medians(seconds)
-    numbers = frame_numbers(times) | spreads(seconds) | rule_numbers(times)
-    if IMAGE_GRADIENT.name in times:
-        numbers["image_gradient_ns"] = 1e9 * times[IMAGE_GRADIENT.name] / image_gradient_points()
+    numbers: dict[str, Any] = {}
+    for name, seconds in timings(cases, "frames").items():
+        unit, factor = ("s", 1.0) if name.startswith("start") else ("ms", 1e3)
+        if name == IMAGE_GRADIENT.name:
+            unit, factor = "ns", 1e9 / image_gradient_points()
+        numbers |= with_quartiles(f"{name}_{unit}", factor * np.array(seconds))
+    numbers |= derived(numbers)
     if not only:
         numbers |= counted(QUICK_SCENES if quick else SCENES)
     return numbers

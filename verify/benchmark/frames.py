@@ -4,6 +4,9 @@ A case's name is renderer_side_threads. No frame is kept: two of 8192² at once 
 """
 
 import itertools
+import subprocess
+import sys
+import tempfile
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
@@ -13,7 +16,8 @@ from renderer.methods import GradientMethod
 from renderer.shader import ON_A
 from verify.benchmark.baselines.numpy_tiles import numpy_tiles
 from verify.benchmark.baselines.seed_loops import seed_loops
-from verify.benchmark.plan import Case
+from verify.benchmark.plan import Case, given
+from verify.sources import ROOT
 
 SCENE = Scene()
 A_ALONE = Scene(ball=False, floor=False)
@@ -34,31 +38,14 @@ def calls(side: int) -> int:
     return max(2, min(40, PIXELS_A_VISIT // side**2))
 
 
-def warmed(work: Callable) -> Callable[[], Callable]:
-    """Return a case's `prepare`: the call, made once before it is timed, so that whatever is to be compiled is."""
-
-    def prepare():
-        work()
-        return work
-
-    return prepare
-
-
 def frame_case(name: str, side: int, threads: int) -> Case:
     """Return the case of one whole frame, from nothing, by a renderer of SIDES."""
-    label, given = f"{name}_{side}_{threads}", (SCENE, side, side)
+    label, frame = f"{name}_{side}_{threads}", (SCENE, side, side)
     if name.startswith("seed"):
-        work = partial(seed_loops, *given, None if name == "seed_exact" else EPS)
-        return Case(label, lambda: work, 1, SLOW[name])
+        return Case(label, given(partial(seed_loops, *frame, None if name == "seed_exact" else EPS)), 1, SLOW[name])
     if name == "numpy":
-        work = partial(numpy_tiles, *given, threads)
-        return Case(label, lambda: work, max(1, calls(side) // 8), SLOW[name])
-
-    def prepare():
-        render(SCENE, 64, 64, METHODS[name], threads=threads)  # compiles
-        return partial(render, *given, METHODS[name], threads=threads)
-
-    return Case(label, prepare, calls(side))
+        return Case(label, given(partial(numpy_tiles, *frame, threads)), max(1, calls(side) // 8), SLOW[name])
+    return Case(label, given(partial(render, *frame, METHODS[name], threads=threads)), calls(side))
 
 
 def stepping(scene: Scene, frames: Iterable[tuple[Scene, GradientMethod]], threads: int) -> Callable[[], Callable]:
@@ -111,8 +98,33 @@ def _image_gradient():
     stage = stage_of(A_ALONE, IN_CACHE, IN_CACHE)
     planes = {name: stage.new_plane() for name in ON_A}
     options = {"given": True, "surfaces": "a", "colors": False, "kept": ON_A}
-    return warmed(partial(stage.draw, A_ALONE, exact("algebraic"), 1, planes, **options))()
+    return partial(stage.draw, A_ALONE, exact("algebraic"), 1, planes, **options)
 
 
 IMAGE_GRADIENT = Case("image_gradient", _image_gradient, calls(IN_CACHE))
 """The exact gradient alone, from (x, y) to (h_u, h_v), in algebraic form on one thread: it draws nothing."""
+
+
+START = {
+    "start_two_pictures": """
+from renderer import Scene, central, exact, render
+numeric = render(Scene(), 256, 256, gradient=central(eps=1e-3))
+symbolic = render(Scene(), 256, 256, gradient=exact())
+difference = numeric.rgb - symbolic.rgb
+""",  # README's
+    "start_one_picture": "from renderer import Scene, render; render(Scene(), 256, 256)",
+    "start_image_2048": """
+import sys
+from renderer.command_line import main
+main(["image", "--size", "2048", "--out", f"{sys.argv[1]}/a.png"])
+""",
+}
+"""{case: what a fresh interpreter runs, its imports and LLVM's compiling included; it is given a folder}"""
+
+
+def _from_nothing(program):
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([sys.executable, "-c", program, folder], cwd=ROOT, capture_output=True, check=True)
+
+
+START_CASES = [Case(name, given(partial(_from_nothing, program)), 1, 3) for name, program in START.items()]

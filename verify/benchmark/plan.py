@@ -4,7 +4,6 @@ Cases take turns: round after round, every second one backwards, so that a machi
 all of them. A case's time is the median over all its calls.
 """
 
-import statistics
 import time
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -29,17 +28,15 @@ class Case:
 
     @cached_property
     def work(self) -> Callable:
-        """The prepared function."""
-        return self.prepare()
+        """The prepared function, which has been called once, so that whatever is to be compiled is."""
+        work = self.prepare()
+        work()
+        return work
 
 
-def in_turns(cases: Collection[Case]) -> list[tuple[Case, int]]:
-    """Return the visits [(case, round)]: each round goes once through the cases that are still due."""
-    visits = []
-    for number in range(max((case.visits for case in cases), default=0)):
-        due = [(case, number) for case in cases if number < case.visits]
-        visits += due if number % 2 == 0 else due[::-1]
-    return visits
+def given(work: Callable) -> Callable[[], Callable]:
+    """Return the `prepare` of a function that needs no preparation."""
+    return lambda: work
 
 
 def timings(cases: Collection[Case], title: str) -> dict[str, list[float]]:
@@ -48,7 +45,11 @@ def timings(cases: Collection[Case], title: str) -> dict[str, list[float]]:
     A visit begins with a call that is not timed, which warms the caches, unless a call is so long that it is made once.
     """
     seconds: dict[str, list[float]] = {case.name: [] for case in cases}
-    for case, _ in tqdm(in_turns(cases), desc=title, unit="visit"):
+    visits = []
+    for number in range(max(case.visits for case in cases)):
+        due = [case for case in cases if number < case.visits]
+        visits += due if number % 2 == 0 else due[::-1]
+    for case in tqdm(visits, desc=title, unit="visit"):
         work = case.work
         if case.repeats > 1:
             work()
@@ -59,17 +60,24 @@ def timings(cases: Collection[Case], title: str) -> dict[str, list[float]]:
     return seconds
 
 
-def medians(seconds: Mapping[str, Collection[float]]) -> dict[str, float]:
-    """Return {name: median seconds of a call}."""
-    return {name: statistics.median(calls) for name, calls in seconds.items()}
-
-
-def least_of_rounds(calls: Sequence[float], repeats: int) -> np.ndarray:
-    """Return the least of each round's calls: what else the machine does can only lengthen one."""
-    return np.reshape(calls, (-1, repeats)).min(axis=1)
-
-
-def with_quartiles(name: str, values: np.ndarray) -> dict[str, float]:
-    """Return the median of the rounds' values by name, and their quartiles by NAME_low and NAME_high."""
+def with_quartiles(name: str, values: Sequence[float] | np.ndarray) -> dict[str, float]:
+    """Return the median of values by name, and their quartiles by NAME_low and NAME_high."""
     keys = (f"{name}_low", name, f"{name}_high")
     return dict(zip(keys, np.quantile(values, (0.25, 0.5, 0.75)).tolist(), strict=True))
+
+
+def numbers_of(
+    seconds: Mapping[str, Sequence[float]], repeats: int, unit: str, factor: float, ratios: Mapping[str, tuple]
+) -> dict[str, float]:
+    """Return {NAME_UNIT: seconds times factor} and {ratio: of the cases (slow, fast)} over the rounds, with quartiles.
+
+    A round counts by the least of its `repeats` calls: what else the machine does can only lengthen one. A ratio is
+    taken round by round.
+    """
+    rounds = {name: np.reshape(calls, (-1, repeats)).min(axis=1) for name, calls in seconds.items()}
+    numbers: dict[str, float] = {}
+    for name, least in rounds.items():
+        numbers |= with_quartiles(f"{name}_{unit}", factor * least)
+    for name, (slow, fast) in ratios.items():
+        numbers |= with_quartiles(name, rounds[slow] / rounds[fast])
+    return numbers

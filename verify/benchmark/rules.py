@@ -3,7 +3,7 @@
 A rule is taken away from what the shader is given, or from the machine that traces it; the shader knows of none.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import nullcontext
 from unittest import mock
 
@@ -85,7 +85,6 @@ def prepare(scene: Scene, method: GradientMethod, without: Callable = nullcontex
         draw(range(SIDE))
 
     work.keeps = engine  # type: ignore[attr-defined]
-    work()
     return work
 
 
@@ -97,14 +96,3 @@ def rule_cases() -> list[Case]:
             label = f"without_{rule}_{name}" if rule else f"with_all_{name}"
             cases.append(Case(label, lambda given=(scene, method, without): prepare(*given), 5))
     return cases
-
-
-def rule_numbers(times: Mapping[str, float]) -> dict[str, float]:
-    """Return {rule_saves_SCENE: the share of the time without a rule that it saves, in percent}."""
-    saved = {}
-    for rule in RULES:
-        for name in SCENES:
-            whole, less = times.get(f"with_all_{name}"), times.get(f"without_{rule}_{name}")
-            if whole and less:
-                saved[f"{rule}_saves_{name}"] = 100.0 * (1.0 - whole / less)
-    return saved

@@ -1,13 +1,13 @@
-"""From medians to the numbers that the book cites; what they have to reach, and the table that says whether they do."""
+"""From the times of frames to what the book cites of them; what they have to reach, and the table that says whether
+they do."""
 
-import math
-import statistics
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+import operator
+from collections.abc import Mapping
 
 import numpy as np
 
 from verify.benchmark.frames import FITTED
+from verify.benchmark.rules import RULES, SCENES
 
 RATIOS = {
     **{f"{slow}_to_algebraic_{side}": (f"{case}_{side}_{threads}", f"algebraic_{side}_2")
@@ -20,90 +20,52 @@ RATIOS = {
 }  # fmt: skip
 """{number: (the case that takes so many times as long, as this case)}"""
 
-
-def exponent(times: Mapping[str, float], threads: int) -> float | None:
-    """Return p of the fit time ∝ pixels^p through the fitted sizes, or None unless all were timed."""
-    names = [f"algebraic_{side}_{threads}" for side in FITTED]
-    if not times.keys() >= set(names):
-        return None
-    pixels = np.array(FITTED, float) ** 2
-    return float(np.polyfit(np.log(pixels), np.log([times[name] for name in names]), 1)[0])
+SAVED = {f"{rule}_saves_{name}": (f"with_all_{name}", f"without_{rule}_{name}") for rule in RULES for name in SCENES}
+"""{number: (the case, the same without a rule)}: the share of the time without the rule that it saves, in percent."""
 
 
-def frame_numbers(times: Mapping[str, float]) -> dict[str, float]:
-    """Return the milliseconds of frames, the seconds of starts, and what follows from them, of what was timed."""
-    numbers: dict[str, float] = {}
-    for name, seconds in times.items():
-        numbers |= {f"{name}_s": seconds} if name.startswith("start") else {f"{name}_ms": 1e3 * seconds}
-    numbers |= {
-        n: times[above] / times[below] for n, (above, below) in RATIOS.items() if {above, below} <= times.keys()
-    }
-    fits = {f"exponent_{threads}": exponent(times, threads) for threads in (1, 2)}
-    return numbers | {name: fit for name, fit in fits.items() if fit is not None}
+def derived(numbers: Mapping[str, float]) -> dict[str, float]:
+    """Return what follows from {CASE_ms: milliseconds} of the cases that were timed."""
+
+    def timed(*cases):
+        return [numbers[f"{case}_ms"] for case in cases] if numbers.keys() >= {f"{c}_ms" for c in cases} else None
+
+    found = {name: times[0] / times[1] for name, cases in RATIOS.items() if (times := timed(*cases))}
+    found |= {n: 100.0 * (1.0 - times[0] / times[1]) for n, cases in SAVED.items() if (times := timed(*cases))}
+    for threads in (1, 2):
+        if times := timed(*(f"algebraic_{side}_{threads}" for side in FITTED)):  # time ∝ pixels^p
+            found[f"exponent_{threads}"] = float(np.polyfit(2 * np.log(FITTED), np.log(times), 1)[0])
+    return found
 
 
-def spreads(seconds: Mapping[str, Sequence[float]]) -> dict[str, float]:
-    """Return the quartiles of each case that was called more than once: {NAME_ms_low: …, NAME_ms_high: …}."""
-    numbers: dict[str, float] = {}
-    for name, calls in seconds.items():
-        if len(calls) > 1:
-            unit, factor = ("s", 1.0) if name.startswith("start") else ("ms", 1e3)
-            low, _, high = statistics.quantiles(calls, n=4, method="inclusive")
-            numbers |= {f"{name}_{unit}_low": factor * low, f"{name}_{unit}_high": factor * high}
-    return numbers
-
-
-@dataclass(frozen=True)
-class Target:
-    """A number of a run and the interval that it has to lie in: [low, high]; `form` is a format with the unit."""
-
-    key: str
-    what: str
-    high: float = math.inf
-    low: float = -math.inf
-    form: str = "{:.3g}"
-
-    @property
-    def text(self) -> str:
-        """The interval in words."""
-        low, high = (self.form.format(bound) for bound in (self.low, self.high))
-        if self.low == self.high:
-            return high
-        if math.isinf(self.low):
-            return f"≤ {high}"
-        return f"≥ {low}" if math.isinf(self.high) else f"{low} to {high}"
-
-    def verdict(self, numbers: Mapping[str, float]) -> tuple[str, str]:
-        """Return (measured, verdict), both text; a number that is not there or not a number is not met."""
-        if self.key not in numbers:
-            return "–", "not measured"
-        value = numbers[self.key]
-        return self.form.format(value), "met" if self.low <= value <= self.high else "not met"
-
-
-MS, NS, SECONDS, TIMES = "{:.3g} ms", "{:.3g} ns", "{:.3g} s", "{:,.3g} ×"
-TARGETS = (
-    Target("algebraic_1024_2_ms", "default frame, exact, 1024², two threads", 9, form=MS),
-    Target("numpy_to_algebraic_1024", "… NumPy row tiles take, in its times", low=12, form=TIMES),
-    Target("algebraic_256_2_ms", "default frame, exact, 256², two threads", 0.8, form=MS),
-    Target("seed_to_algebraic_256", "… the mended seed loops take, in its times", low=5000, form="{:,.0f} ×"),
-    Target("central_1024_2_ms", "default frame, central differences, 1024², two threads", 30, form=MS),
-    Target("eps_step_exact_1024_2_ms", "ε-step with the cache, exact, 1024²", 5, form=MS),
-    Target("eps_step_central_1024_2_ms", "ε-step with the cache, central, 1024²", 15, form=MS),
-    Target("image_gradient_ns", "exact gradient from the image point, algebraic, one thread, a point", 8, form=NS),
-    Target("a_alone_central_to_algebraic", "sphere A alone: central takes, in times of exact", low=2, form=TIMES),
-    Target("exponent_2", "time ∝ pixels to the power, 256² to 8192²", 1.05, 0.95, "{:.3f}"),
-    Target("chambers_differing", "pixels whose chamber differs from the per-pixel reference", 0, 0, "{:,}"),
-    Target("image_error", "image against the strict scalar reference, largest difference", 1e-13, form="{:.2g}"),
-    Target("start_one_picture_s", "a fresh interpreter, one picture of 256², imports included", 1.0, form=SECONDS),
-    Target("start_two_pictures_s", "… README's two", 1.5, form=SECONDS),
-    Target("start_image_2048_s", "python -m renderer image --size 2048, from nothing", 2.0, form=SECONDS),
-    Target("sympy_imported", "times that python -m renderer image imports SymPy", 0, 0, "{:g}"),
-)
+TARGETS = {
+    "algebraic_1024_2_ms": ("default frame, exact, 1024², two threads", "≤", 9, "ms"),
+    "numpy_to_algebraic_1024": ("… NumPy row tiles take, in its times", "≥", 12, "×"),
+    "algebraic_256_2_ms": ("default frame, exact, 256², two threads", "≤", 0.8, "ms"),
+    "seed_to_algebraic_256": ("… the mended seed loops take, in its times", "≥", 5000, "×"),
+    "central_1024_2_ms": ("default frame, central differences, 1024², two threads", "≤", 30, "ms"),
+    "eps_step_exact_1024_2_ms": ("ε-step with the cache, exact, 1024²", "≤", 5, "ms"),
+    "eps_step_central_1024_2_ms": ("ε-step with the cache, central, 1024²", "≤", 15, "ms"),
+    "image_gradient_ns": ("exact gradient from the image point, algebraic, one thread, a point", "≤", 8, "ns"),
+    "a_alone_central_to_algebraic": ("sphere A alone: central takes, in times of exact", "≥", 2, "×"),
+    "exponent_2": ("time ∝ pixels to the power, 256² to 8192²", "≤", 1.05, ""),
+    "chambers_differing": ("pixels whose chamber differs from the per-pixel reference", "≤", 0, ""),
+    "image_error": ("image against the strict scalar reference, largest difference", "≤", 1e-13, ""),
+    "start_one_picture_s": ("a fresh interpreter, one picture of 256², imports included", "≤", 1.0, "s"),
+    "start_two_pictures_s": ("… README's two", "≤", 1.5, "s"),
+    "start_image_2048_s": ("python -m renderer image --size 2048, from nothing", "≤", 2.0, "s"),
+}
+"""{number of a run: (what it is, the relation that is to hold, to which value, unit)}"""
 
 
 def table(numbers: Mapping[str, float]) -> str:
     """Return the table as text: what, target, measured, verdict."""
-    rows = [("what", "target", "measured", "")] + [(t.what, t.text, *t.verdict(numbers)) for t in TARGETS]
+    rows = [("what", "target", "measured", "")]
+    for key, (what, relation, bound, unit) in TARGETS.items():
+        found, verdict = "–", "not measured"
+        if key in numbers:
+            met = {"≤": operator.le, "≥": operator.ge}[relation](numbers[key], bound)
+            found, verdict = f"{numbers[key]:,.4g} {unit}", "met" if met else "not met"
+        rows.append((what, f"{relation} {bound:,g} {unit}", found, verdict))
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return "\n".join("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)

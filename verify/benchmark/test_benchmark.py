@@ -5,33 +5,35 @@ import math
 import subprocess
 import sys
 from functools import partial
-from pathlib import Path
+from unittest import mock
 
+import numpy as np
 import pytest
 
 from renderer import Scene, exact
 from verify.benchmark import __main__ as benchmark
-from verify.benchmark import plan, rules
-from verify.benchmark.frames import FITTED, frame_cases, step_cases
-from verify.benchmark.plan import Case, in_turns
-from verify.benchmark.targets import TARGETS, Target, frame_numbers, spreads, table
+from verify.benchmark import machines, plan, rules, texture
+from verify.benchmark.frames import FITTED, START_CASES, frame_cases, step_cases
+from verify.benchmark.label import RESULTS
+from verify.benchmark.plan import Case, given
+from verify.benchmark.targets import TARGETS, derived, table
+from verify.sources import ROOT
 
-RESULTS = Path(benchmark.RESULTS)
-
-
-def good_numbers():
-    """Return numbers that meet every target, each on its bound."""
-    return {t.key: t.high if math.isfinite(t.high) else t.low for t in TARGETS}
-
-
-def a_case(name, visits):
-    return Case(name, lambda: None, visits=visits)
+ROUNDS = {"texture": (texture, {f"{way}_ns" for way in texture.ways()} | {*texture.RATIOS}),
+          "machines": (machines, {f"{m}_{how}_ms" for m in machines.MACHINES for how in machines.METHODS}
+                       | {*machines.RATIOS})}  # fmt: skip
+"""{run that takes the least of each round: (its module, the numbers that carry quartiles)}"""
 
 
-def test_cases_take_turns_forwards_and_backwards():
-    visits = in_turns([a_case("a", 3), a_case("b", 2), a_case("c", 1)])
-    assert [f"{case.name}{number}" for case, number in visits] == ["a0", "b0", "c0", "b1", "a1", "a2"]
-    assert in_turns([]) == []
+def numbers_in(folder, name):
+    """Return the numbers of a run, which has a label and quartiles in their order."""
+    result = json.loads((folder / f"{name}.json").read_text(encoding="utf-8"))
+    numbers = result["numbers"]
+    assert {"machine", "date", "commit"} <= result["label"].keys() and numbers["load"] >= 0
+    ends = [key.removesuffix("_low") for key in numbers if key.endswith("_low")]
+    assert all(0 < numbers[f"{key}_low"] <= numbers[key] <= numbers[f"{key}_high"] for key in ends)
+    assert not any(key.endswith(("_target", "_verdict")) for key in numbers)  # what was asked for is no measurement
+    return numbers, ends
 
 
 @pytest.mark.parametrize("rule", rules.RULES)
@@ -41,99 +43,99 @@ def test_a_picture_is_drawn_without_each_rule(rule, monkeypatch):
     rules.prepare(Scene(beta=0.2), exact(), rules.RULES[rule])()
 
 
-def test_a_time_is_the_median_of_all_calls(monkeypatch):
-    """Calls of 1, 9 and 2 s, in three visits; a visit of several calls begins with one that is not timed."""
-    clock, seen = iter([0, 1, 1, 10, 10, 12]), []
+def test_cases_take_turns_forwards_and_backwards():
+    """Each is called once when it is prepared, and a visit of several calls begins with one that is not timed."""
+    made, seen = [], []
+
+    def case(name, repeats, visits):
+        return Case(name, lambda: made.append(name) or partial(seen.append, name), repeats, visits)
+
+    seconds = plan.timings([case("a", 1, 3), case("b", 2, 2), case("c", 1, 1)], "test")
+    assert "".join(seen) == "aabbbbcc" + "bbba" + "a" and made == ["a", "b", "c"]
+    assert {name: len(calls) for name, calls in seconds.items()} == {"a": 3, "b": 4, "c": 1}
+
+
+def test_a_time_is_that_of_the_call(monkeypatch):
+    clock = iter([0, 1, 1, 10, 10, 12])
     monkeypatch.setattr(plan.time, "perf_counter", lambda: next(clock))
-    seconds = plan.timings([Case("a", lambda: partial(seen.append, "a"), visits=3)], "test")
-    assert plan.medians(seconds) == {"a": 2} and seconds == {"a": [1, 9, 2]}
-    assert seen == ["a"] * 3
-    monkeypatch.undo()
-    made = []
-    plan.timings([Case("b", lambda: made.append(1) or partial(seen.append, "b"), 2, 2)], "test")
-    assert seen == ["a"] * 3 + ["b"] * 6 and made == [1]  # prepared once
+    assert plan.timings([Case("a", given(lambda: None), visits=3)], "test") == {"a": [1, 9, 2]}
+    assert plan.with_quartiles("a", [0.5, 0.1, 0.2, 0.3, 0.4]) == pytest.approx({"a_low": 0.2, "a": 0.3, "a_high": 0.4})
 
 
-@pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.key)
-def test_a_false_number_is_not_met(target):
-    good = good_numbers()
-    assert target.verdict(good)[1] == "met"
-    for false in (target.high + 1, target.low - 1, math.nan):
-        if not math.isinf(false):
-            assert target.verdict(good | {target.key: false})[1] == "not met"
-    assert target.verdict({})[1] == "not measured"
+def test_a_ratio_is_taken_round_by_round():
+    """A round in which the machine is ten times slower, or a call that is interrupted, leaves the ratio as it was."""
+    fast = np.repeat([1.0, 1.0, 10.0, 1.0, 1.0], 4)
+    slow = 2 * fast
+    slow[1] = 50.0
+    for factor, quartiles in ((1, [2, 2, 2]), (np.repeat([1, 2, 3, 4, 5], 4), [4, 6, 8])):
+        numbers = plan.numbers_of({"slow": slow * factor, "fast": fast}, 4, "ms", 1e3, {"ratio": ("slow", "fast")})
+        assert [numbers[f"ratio{end}"] for end in ("_low", "", "_high")] == pytest.approx(quartiles)
+    assert numbers["fast_ms"] == pytest.approx(1e3)
 
 
-def test_the_table_says_what_is_not_met():
-    good, target = good_numbers(), TARGETS[0]
-    assert "not met" not in table(good)
-    lines = table(good | {target.key: 2 * target.high}).splitlines()
-    assert [line.endswith("not met") for line in lines] == [False, True] + [False] * (len(TARGETS) - 1)
-    assert all(text in lines[1] for text in (target.what, "≤ 9 ms", "18 ms"))
+def test_the_table_says_what_is_met():
+    good = {key: bound for key, (_, _, bound, _) in TARGETS.items()}
+    assert [line.endswith("  met") for line in table(good).splitlines()] == [False] + [True] * len(TARGETS)
+    for number, (key, (what, relation, bound, _)) in enumerate(TARGETS.items(), start=1):
+        for false in (bound + 1 if relation == "≤" else bound - 1, math.nan):
+            lines = table(good | {key: false}).splitlines()
+            assert [line.endswith("not met") for line in lines].index(True) == number
+            assert what in lines[number] and f"{relation} {bound:,g}" in lines[number]
     assert table({}).count("not measured") == len(TARGETS)
 
 
-@pytest.mark.parametrize(
-    ("target", "text"),
-    [
-        (Target("k", "w", high=2, form="{} ms"), "≤ 2 ms"),
-        (Target("k", "w", low=3), "≥ 3"),
-        (Target("k", "w", 1.05, 0.95, "{:.2f}"), "0.95 to 1.05"),
-        (Target("k", "w", 0, 0), "0"),
-    ],
-)
-def test_a_target_in_words(target, text):
-    assert target.text == text
-
-
 def test_numbers_follow_from_medians():
-    times = {f"algebraic_{side}_2": 1e-8 * side**2 for side in FITTED}
-    times |= {"numpy_1024_2": 0.2, "seed_exact_256_1": 4.0, "start_one_picture": 0.5}
-    numbers = frame_numbers(times)
-    assert numbers["exponent_2"] == pytest.approx(1)
-    assert numbers["algebraic_1024_2_ms"] == pytest.approx(10.48576)
-    assert numbers["numpy_to_algebraic_1024"] == pytest.approx(0.2 / 0.01048576)
-    assert numbers["seed_to_algebraic_256"] == pytest.approx(4 / 0.00065536)
-    assert numbers["start_one_picture_s"] == 0.5
-    assert "exponent_1" not in numbers
-
-
-def test_a_time_carries_its_quartiles():
-    seconds = {"a": [0.5, 0.1, 0.2, 0.3, 0.4], "start_b": [1.0, 2.0, 3.0], "once": [1.0]}
-    assert spreads(seconds) == pytest.approx(
-        {"a_ms_low": 200, "a_ms_high": 400, "start_b_s_low": 1.5, "start_b_s_high": 2.5}
+    times = {f"algebraic_{side}_2_ms": 1e-5 * side**2 for side in FITTED}
+    times |= {"numpy_1024_2_ms": 200.0, "with_all_plain_ms": 3.0, "without_flat_plain_ms": 4.0}
+    assert derived(times) == pytest.approx(
+        {"exponent_2": 1, "numpy_to_algebraic_1024": 200 / 10.48576, "flat_saves_plain": 25}
     )
 
 
 def test_every_target_is_measured_by_a_case():
-    times = dict.fromkeys((case.name for case in (*frame_cases(8192), *step_cases(), *benchmark.start.CASES)), 1.0)
-    counted = {"image_gradient_ns", "chambers_differing", "image_error", "sympy_imported"}
-    assert {target.key for target in TARGETS} <= frame_numbers(times).keys() | counted
+    times = dict.fromkeys((f"{case.name}_ms" for case in (*frame_cases(8192), *step_cases())), 1.0)
+    counted = {"image_gradient_ns", "chambers_differing", "image_error", *(f"{case.name}_s" for case in START_CASES)}
+    assert TARGETS.keys() <= derived(times).keys() | times.keys() | counted
 
 
 def test_the_kept_frames_follow_from_their_medians():
-    result = json.loads((RESULTS / "frames.json").read_text(encoding="utf-8"))
-    numbers = result["numbers"]
-    assert all(result["label"][name] for name in ("machine", "date", "commit"))
-    assert all(isinstance(value, int | float | str) for value in numbers.values())
+    numbers, _ = numbers_in(RESULTS, "frames")
     assert all(value > 0 for key, value in numbers.items() if key.endswith(("_ms", "_ns", "_s")))
     assert "not measured" not in table(numbers)
-    assert not any(key.endswith(("_target", "_verdict")) for key in numbers)  # what was asked for is no measurement
-    ends = [key.removesuffix("_low") for key in numbers if key.endswith("_low")]
-    assert all(numbers[f"{key}_low"] <= numbers[key] <= numbers[f"{key}_high"] for key in ends)
-    timed = {key.removesuffix("_ms"): value / 1e3 for key, value in numbers.items() if key.endswith("_ms")}
-    derived = frame_numbers(timed)
-    assert {key: numbers[key] for key in derived} == pytest.approx(derived)
+    assert {key: numbers[key] for key in derived(numbers)} == pytest.approx(derived(numbers))
 
 
-def test_a_small_run_writes_what_it_measured(tmp_path):
+def test_a_small_run_of_frames_writes_what_it_measured(tmp_path):
     command = [sys.executable, "-m", "verify.benchmark", "--quick", "--only", "algebraic_64", "--output", str(tmp_path)]
-    root = RESULTS.parents[2]
-    done = subprocess.run(command, cwd=root, capture_output=True, text=True)
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    numbers = json.loads((tmp_path / "frames.json").read_text(encoding="utf-8"))["numbers"]
-    assert {"algebraic_64_1_ms", "algebraic_64_2_ms", "load"} <= numbers.keys()
+    assert {"algebraic_64_1_ms", "algebraic_64_2_ms"} <= numbers_in(tmp_path, "frames")[0].keys()
     assert "not measured" in done.stdout
+
+
+@pytest.mark.parametrize("name", ROUNDS)
+def test_a_run_in_rounds_writes_what_it_measured_as_the_kept_one(name, tmp_path):
+    module, keys = ROUNDS[name]
+    module.main(["--rounds", "2", "--output", str(tmp_path)])
+    for folder in (tmp_path, RESULTS):
+        numbers, ends = numbers_in(folder, name)
+        assert keys == {*ends} and numbers.get("differing", 0) == 0
+    assert numbers_in(tmp_path, name)[0]["rounds"] == 2
+
+
+def test_a_machine_that_draws_other_bits_is_seen(monkeypatch):
+    def drawer(want, job):
+        draw = machines.native.drawer(want, job)
+
+        def wrong(rows):
+            counted = draw(rows)
+            job.planes["red"][:] *= 1 + 2**-50
+            return counted
+
+        return wrong
+
+    monkeypatch.setitem(machines.MACHINES, "numpy", mock.Mock(drawer=drawer, NAME="other"))
+    assert machines.differing_bytes("exact") > 0
 
 
 def test_an_unknown_case_is_refused(capsys):

@@ -1,9 +1,4 @@
-"""Every way to the normal finds it, the compiled fetch is NumPy's, and the kept numbers say what they were made of.
-
-No time is asserted.
-"""
-
-import json
+"""Every way to the normal finds it, and the compiled fetch is NumPy's."""
 
 import numpy as np
 import pytest
@@ -37,30 +32,3 @@ def test_the_compiled_fetch_is_that_of_numpy():
     map_ = normal_map.baked(texture.SCENE, texture.SMALL, exact())
     found = np.array(texture.ways()["map_small"][0](*chart))
     assert normal_map.apart(found, normal_map.fetched(map_, *chart)).max() < 2.0**-23  # texels are float32
-
-
-def test_a_ratio_is_taken_round_by_round():
-    """A round in which the machine is ten times slower, or a call that is interrupted, leaves the ratio as it was."""
-    fast = np.repeat([1.0, 1.0, 10.0, 1.0, 1.0], texture.CALLS)
-    slow = 2 * fast
-    slow[1] = 50.0
-    seconds = dict.fromkeys(texture.ways(), fast) | {"central": slow}
-    numbers = texture.numbers_of(seconds, 1)
-    assert [numbers[f"central_to_exact{end}"] for end in ("_low", "", "_high")] == pytest.approx([2, 2, 2])
-    numbers = texture.numbers_of(seconds | {"central": slow * np.repeat([1, 2, 3, 4, 5], texture.CALLS)}, 1)
-    assert [numbers[f"central_to_exact{end}"] for end in ("_low", "", "_high")] == pytest.approx([4, 6, 8])
-
-
-def test_the_kept_ratios_lie_between_their_quartiles():
-    result = json.loads((texture.RESULTS / "texture.json").read_text(encoding="utf-8"))
-    numbers = result["numbers"]
-    assert {"machine", "date", "commit"} <= result["label"].keys() and numbers["load"] >= 0
-    assert {f"{name}_ns" for name in texture.ways()} <= numbers.keys()
-    for name in (*texture.RATIOS, *(f"{way}_ns" for way in texture.ways())):
-        assert 0 < numbers[f"{name}_low"] <= numbers[name] <= numbers[f"{name}_high"]
-
-
-def test_a_small_run_writes_what_it_measured(tmp_path):
-    texture.main(["--rounds", "2", "--output", str(tmp_path)])
-    numbers = json.loads((tmp_path / "texture.json").read_text(encoding="utf-8"))["numbers"]
-    assert numbers["rounds"] == 2 and numbers["points"] == len(texture.points()[0][0])

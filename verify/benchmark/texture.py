@@ -8,29 +8,25 @@ by the interpolation's own derivative or by a central difference of it. A round 
 ratios are taken round by round; all carry their quartiles. Writes verify/benchmark/results/texture.json: commit it.
 """
 
-import argparse
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from functools import cache, partial
 from itertools import product
-from pathlib import Path
 
 import llvmlite.ir as ir
 import numpy as np
-from sympy import sqrt
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.finite_difference import central
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from proofs.formulas.symbols import beta, epsilon, h_u, h_v, k_u, k_v, real, vector
+from proofs.formulas.symbols import beta, epsilon, k_u, k_v
 from renderer import Scene, exact, height_at, render
+from renderer.generate.kernels import function_of
 from renderer.machines.traced import WHOLE, Value
-from verify.accuracy.frontiers.normal_map import baked
-from verify.benchmark.__main__ import RESULTS, load
-from verify.benchmark.frames import warmed
-from verify.benchmark.label import label, write
+from verify.accuracy.frontiers.normal_map import baked, bumped_in_frame, unit_length
+from verify.benchmark.label import command
 from verify.benchmark.methods.compiled import compiled_loop, loop_of
 from verify.benchmark.methods.programs import algebraic_gradient
-from verify.benchmark.plan import Case, least_of_rounds, timings, with_quartiles
+from verify.benchmark.plan import Case, given, numbers_of, timings
 
 Points = tuple[np.ndarray, ...]
 FIELD, SIDE, EPS = "sine", 512, 1e-3
@@ -42,22 +38,10 @@ RATIOS = {"central_to_exact": ("central", "exact"), "central_to_algebraic": ("ce
           **{f"{slow}_to_map": (slow, "map_small") for slow in ("central", "exact", "algebraic")},
           "large_to_small": ("map_large", "map_small")}  # fmt: skip
 
-_tangent, _inverse = vector("tangent"), real("inverse")
-_to_normal = Program(
-    "to_normal",
-    (h_u, h_v, beta),
-    (
-        (_inverse, 1 / sqrt((beta * h_u) ** 2 + (beta * h_v) ** 2 + 1)),
-        *zip(_tangent, (beta * h_u * _inverse, beta * h_v * _inverse, _inverse), strict=True),
-    ),
-    _tangent,
-)
-"""N' in the tangent frame, (βh_u, βh_v, 1) over its length."""
-
 
 def _from_formula(program):
     """Return the compiled loop from the points to N', by a program of the gradient."""
-    whole = chain(f"normal_{program.name}", program, _to_normal)
+    whole = chain(f"normal_{program.name}", program, bumped_in_frame)
     scalars = {k_u: SCENE.ku, k_v: SCENE.kv, epsilon: EPS, beta: SCENE.beta}
     used = [s for s in scalars if s in whole.inputs]
     points = tuple(s for s in whole.inputs if s not in scalars)
@@ -96,9 +80,7 @@ def _bilinear(table, u, v):
     return [a + (b - a) * t for a, b in zip(*sides, strict=True)]
 
 
-def _unit(x, y, z):
-    inverse = 1.0 / x.machine.sqrt(x * x + y * y + z * z)
-    return x * inverse, y * inverse, z * inverse
+_unit = function_of(unit_length)
 
 
 def _from_map(normals, u, v):
@@ -124,10 +106,10 @@ def _loop(kernel, table):
     """Return a compiled loop over (u, v) that reads a table, float32 (rows, columns, channels), and keeps it alive."""
     table = np.ascontiguousarray(table, np.float32)
 
-    def given(u, v):
+    def reading(u, v):
         return kernel(table, u, v)
 
-    run = loop_of(given, 3)
+    run = loop_of(reading, 3)
     return lambda *points: (table, run(*points))[1]
 
 
@@ -164,30 +146,17 @@ def ways() -> dict[str, tuple[Callable, Points]]:
     }
 
 
-def numbers_of(seconds: Mapping[str, Sequence[float]], count: int) -> dict[str, float]:
-    """Return what the book cites of {way: seconds of every call}: ns a point, and each ratio, with quartiles."""
-    rounds = {name: least_of_rounds(calls, CALLS) for name, calls in seconds.items()}
-    numbers: dict[str, float] = {}
-    for name, least in rounds.items():
-        numbers |= with_quartiles(f"{name}_ns", 1e9 / count * least)
-    for name, (slow, fast) in RATIOS.items():
-        numbers |= with_quartiles(name, rounds[slow] / rounds[fast])
-    return numbers
+def measure(rounds: int) -> dict[str, float]:
+    """Return the nanoseconds a point of every way, and their ratios."""
+    count = len(points()[0][0])
+    cases = [Case(name, given(partial(function, *at)), CALLS, rounds) for name, (function, at) in ways().items()]
+    numbers = numbers_of(timings(cases, "normals"), CALLS, "ns", 1e9 / count, RATIOS)
+    return numbers | {"points": count, "small": SMALL, "large": LARGE, "eps": EPS}
 
 
 def main(arguments: list[str] | None = None) -> None:
     """Measure, print, write."""
-    parser = argparse.ArgumentParser("python -m verify.benchmark.texture", description=__doc__.splitlines()[0])
-    parser.add_argument("--rounds", type=int, default=ROUNDS, help="timed rounds (default: %(default)s)")
-    parser.add_argument("--output", type=Path, default=RESULTS, metavar="FOLDER", help="where the result is written")
-    options = parser.parse_args(arguments)
-    before, count = load(), len(points()[0][0])
-    cases = [Case(n, warmed(partial(f, *at)), CALLS, options.rounds) for n, (f, at) in ways().items()]
-    numbers = numbers_of(timings(cases, "normals"), count)
-    for name, value in numbers.items():
-        print(f"  {name:32} {value:8.3g}")
-    numbers |= {"points": count, "small": SMALL, "large": LARGE, "rounds": options.rounds, "eps": EPS, "load": before}
-    write(options.output / "texture.json", {"label": label("numpy", "llvmlite"), "numbers": numbers})
+    command("texture", __doc__, measure, ROUNDS, arguments)
 
 
 if __name__ == "__main__":

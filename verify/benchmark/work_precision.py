@@ -12,6 +12,7 @@ import os
 from collections.abc import Mapping, Sequence
 from functools import lru_cache, partial
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 import numpy as np
@@ -22,10 +23,9 @@ from proofs.formulas.height_fields import gradient
 from renderer import Scene, central, central4, exact, forward, render, stage_of
 from renderer.files import write_csv
 from renderer.frame import Frame
-from verify.benchmark.frames import warmed
 from verify.benchmark.label import label, write
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
-from verify.benchmark.plan import Case, medians, timings
+from verify.benchmark.plan import Case, given, timings
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import ball_of
 from verify.reference import reference_pixel
@@ -75,10 +75,10 @@ def gradient_rows(rounds: int) -> list[Row]:
             if key not in cases:
                 kind = getattr(function, "kind", np.float64)
                 many = [np.ascontiguousarray(a, kind) for a in points_for(method, method.points)]
-                cases[key] = Case(key, warmed(partial(function, *many)), visits=rounds)
+                cases[key] = Case(key, given(partial(function, *many)), visits=rounds)
             rows[-1] |= {"key": key, "ns": 1e9 / method.points}
-    seconds = medians(timings(cases.values(), "gradients"))
-    return [row | {"ns": row["ns"] * seconds[row.pop("key")]} for row in rows]
+    seconds = timings(cases.values(), "gradients")
+    return [row | {"ns": row["ns"] * median(seconds[row.pop("key")])} for row in rows]
 
 
 def gradient_numbers(rows: Sequence[Row]) -> dict[str, float]:
@@ -131,11 +131,11 @@ def frame_rows(rounds: int, count: int) -> list[Row]:
             key = f"{field}, {name}"
             if key not in cases:
                 call = partial(render, scene, SIDE, SIDE, method, threads=1, stage=stage)
-                cases[key] = Case(key, warmed(call), visits=rounds)
+                cases[key] = Case(key, given(call), visits=rounds)
             rows.append({"field": field, "method": name, "value": eps, "ours": name.startswith("exact"),
                          "largest": largest, "rms": rms})  # fmt: skip
-    seconds = medians(timings(cases.values(), "frames"))
-    return [row | {"ms": 1e3 * seconds[f"{row['field']}, {row['method']}"]} for row in rows]
+    seconds = timings(cases.values(), "frames")
+    return [row | {"ms": 1e3 * median(seconds[f"{row['field']}, {row['method']}"])} for row in rows]
 
 
 def unbeaten_by_ours(rows: Sequence[Row]) -> list[Row]:

@@ -7,10 +7,24 @@ lengths and angles there are those in space. The gradient that is stored may be 
 from collections.abc import Sequence
 
 import numpy as np
+from sympy import S
 
+from proofs.engine.program import Program
+from proofs.formulas.bump import bumped, g, m, perturbed
+from proofs.formulas.pixel import instance
+from proofs.formulas.symbols import h_u, h_v, normal
 from renderer import Scene, central, exact, gradient_at
 from renderer.methods import GradientMethod
+from renderer.sweep import rms
 from verify.accuracy.frontiers.wall import linear_weights, sample
+from verify.evaluate.arrays import in_float64
+
+in_frame = dict(zip((*normal, *g), (S.Zero, S.Zero, S.One, h_u, h_v, S.Zero), strict=True))
+bumped_in_frame = instance(perturbed, "in_frame", given=in_frame)
+"""(h_u, h_v, β) → N' in the tangent frame: there N = (0, 0, 1) and g = (h_u, h_v, 0)."""
+
+unit_length = Program("unit_length", m, perturbed.definitions[len(m) :], bumped)
+"""M → M/|M|: the last lines of N'."""
 
 TEXELS = (33, 65, 129, 257, 513, 1025)
 EPS = 1e-3
@@ -19,12 +33,7 @@ EPS = 1e-3
 def tangent_normal(scene: Scene, u: np.ndarray, v: np.ndarray, method: GradientMethod) -> np.ndarray:
     """Return the bumped normal in the tangent frame, (3, …), at points of the chart."""
     h_u, h_v = gradient_at(scene, u, v, method)
-    return unit(np.array([scene.beta * h_u, scene.beta * h_v, np.ones_like(h_u)]))
-
-
-def unit(vectors: np.ndarray) -> np.ndarray:
-    """Return vectors (3, …) over their lengths."""
-    return vectors / np.sqrt((vectors**2).sum(axis=0))
+    return np.array(list(in_float64(bumped_in_frame, {"h_u": h_u, "h_v": h_v, "beta": scene.beta}).values()))
 
 
 def baked(scene: Scene, texels: int, method: GradientMethod) -> np.ndarray:
@@ -55,17 +64,12 @@ def fetched(normals: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
     for i, along in enumerate(weights[0]):
         for j, down in enumerate(weights[1]):
             found += normals[:, (at[0] + i) % texels, (at[1] + j) % texels] * along * down
-    return unit(found)
+    return found / np.linalg.norm(found, axis=0)
 
 
 def apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Return |a − b| of vectors (3, n)."""
-    return np.sqrt(((a - b) ** 2).sum(axis=0))
-
-
-def rms(lengths: np.ndarray) -> float:
-    """Return the root of the mean square."""
-    return float(np.sqrt(np.mean(lengths**2)))
+    return np.linalg.norm(a - b, axis=0)
 
 
 def errors(field: str, texels: Sequence[int] = TEXELS, eps: float = EPS) -> dict[str, np.ndarray]:
