@@ -11,7 +11,8 @@ from verify.checkers.grades import NOT_RECHECKED, graded, summary
 from verify.optional import lacking
 
 REPORT = Path(__file__).resolve().parent.parent / "book" / "_generated" / "proofs.json"
-KEY = pytest.StashKey[list]()
+EVIDENCE: list[tuple[dict, str]] = []
+"""[(the evidence that a test's report carries, how long it took)], in the process that controls the workers"""
 
 
 def pytest_addoption(parser):
@@ -23,13 +24,9 @@ def pytest_addoption(parser):
     group.addoption(
         "--stored", action="store_true", help="check the stored certificates alone: no samples, no mutants, no report"
     )
-    group.addoption("--fresh", action="store_true", help="measure everything anew, whatever evidence was kept")
+    group.addoption("--fresh", action="store_true", help="measure anew what theorems measure")
     if not any("--long" in option.names() for option in parser._anonymous.options):
         group.addoption("--long", action="store_true", help="also what takes minutes")
-
-
-def pytest_configure(config):
-    config.stash[KEY] = []
 
 
 def pytest_ignore_collect(collection_path, config):
@@ -99,58 +96,40 @@ def record_evidence(record_property):
     return record
 
 
-class _Collector:
-    """Collects the evidence that the tests' reports carry, in the controller."""
-
-    def __init__(self, config):
-        self.config = config
-
-    def pytest_runtest_logreport(self, report):
-        if report.when == "call":
-            properties = dict(report.user_properties)
-            if "evidence" in properties:
-                self.config.stash[KEY].append((json.loads(properties["evidence"]), properties["took"]))
+def pytest_runtest_logreport(report):
+    properties = dict(report.user_properties)
+    if report.when == "call" and "evidence" in properties:
+        EVIDENCE.append((json.loads(properties["evidence"]), properties["took"]))
 
 
-def pytest_sessionstart(session):
-    if not hasattr(session.config, "workerinput"):
-        session.config.pluginmanager.register(_Collector(session.config), "proofs-collector")
-
-
-def _results(config):
+def _results():
     """Return [(entry of the report, how long it took)] in order of the ids."""
-    took = {entry["id"]: time for entry, time in config.stash[KEY]}
-    return [(entry, took[entry["id"]]) for entry in graded([entry for entry, _ in config.stash[KEY]])]
+    took = {entry["id"]: time for entry, time in EVIDENCE}
+    return [(entry, took[entry["id"]]) for entry in graded([entry for entry, _ in EVIDENCE])]
 
 
 def pytest_sessionfinish(session, exitstatus):
     """Fail a run in which a theorem misses its expected grade; write the report when every theorem was run."""
     config = session.config
-    if hasattr(config, "workerinput") or not config.stash[KEY]:
+    if hasattr(config, "workerinput") or not EVIDENCE:
         return
-    entries = [entry for entry, _ in _results(config) if entry["grade"] != NOT_RECHECKED]
+    entries = [entry for entry, _ in _results() if entry["grade"] != NOT_RECHECKED]
     partial = config.getoption("keyword") or config.getoption("theorem")
     if any(e["grade"] != e["expected"] for e in entries) and not partial and session.exitstatus == 0:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
     from proofs.engine.theorem import all_theorems
 
     if {entry["id"] for entry in entries} == all_theorems().keys():
-        _write_report(entries)
+        report = {"version": 1, "summary": summary(entries), "theorems": entries}
+        write_whole(REPORT, (json.dumps(report, indent=1, ensure_ascii=False, sort_keys=True) + "\n").encode())
 
 
-def _write_report(entries):
-    """Write the report, without times, whole or not at all."""
-    report = {"version": 1, "summary": summary(entries), "theorems": entries}
-    text = json.dumps(report, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
-    write_whole(REPORT, text.encode())
-
-
-def pytest_terminal_summary(terminalreporter, config):
+def pytest_terminal_summary(terminalreporter):
     _tell_what_was_left_out(terminalreporter)
-    if not config.stash[KEY]:
+    if not EVIDENCE:
         return
     terminalreporter.section("theorems")
-    results = _results(config)
+    results = _results()
     for entry, took in results:
         good = entry["grade"] in (entry["expected"], NOT_RECHECKED)
         mark = "" if good else f"   expected {entry['expected']}  {entry.get('reason', '')}"
@@ -164,7 +143,7 @@ def _tell_what_was_left_out(terminalreporter):
     """List which evidence was not re-checked for want of a library: files of tests, theorems, the second checker."""
     skipped = [(report.nodeid, str(report.longrepr[2])) for report in terminalreporter.stats.get("skipped", ())]
     lines = sorted({f"{where}: {why.removeprefix('Skipped: ')}" for where, why in skipped if "needs " in why})
-    if any("second_checker" in entry for entry, _ in terminalreporter.config.stash[KEY]):
+    if any("second_checker" in entry for entry, _ in EVIDENCE):
         lines.insert(0, "certificates: the second checker was not run; it needs python-flint")
     if lines:
         terminalreporter.section("not re-checked here")

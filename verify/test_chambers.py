@@ -82,32 +82,16 @@ def test_degenerate_scenes(case, size):
     assert differing_pixels(Scene(**TOUCHING[case]), *size) == 0
 
 
-@pytest.fixture
-def forget():
-    """Return a function that forgets every scene's boxes; they are forgotten when the test has ended, too."""
-
-    def clear():
-        numbers.places_of.cache_clear()
-        numbers.numbers_of.cache_clear()
-
-    yield clear
-    clear()
-
-
-def test_a_shadow_left_out_is_noticed(monkeypatch, forget):
-    """As if A cleared every cone of light: it shades B here."""
-    scene = Scene(lights=(Light((-3.0, -3.0, -1.0)),))
-    assert differing_pixels(scene, 64, 64) == 0
-    forget()
-    monkeypatch.setattr(bounds, "_casts", lambda *where: False)
-    assert differing_pixels(scene, 64, 64) > 0
-
-
-def test_a_box_too_small_is_noticed(monkeypatch, forget):
-    assert differing_pixels(Scene(), 64, 64) == 0
-    forget()
-    monkeypatch.setattr(bounds, "GUARD", -0.05)
-    assert differing_pixels(Scene(), 64, 64) > 0
+@pytest.mark.parametrize(("name", "value", "light"), [
+    ("_casts", lambda *where: False, (-3.0, -3.0, -1.0)),  # as if A cleared every cone of light: it shades B here
+    ("GUARD", -0.05, (5.0, 5.0, 10.0)),
+])  # fmt: skip
+def test_boxes_that_leave_pixels_out_are_noticed(name, value, light, monkeypatch):
+    """By scenes that nobody else draws: what is known of one is kept."""
+    right, wrong = (Scene(eye=eye, lights=(Light(light),)) for eye in (4.01, 4.02))
+    assert differing_pixels(right, 64, 64) == 0
+    monkeypatch.setattr(bounds, name, value)
+    assert differing_pixels(wrong, 64, 64) > 0
 
 
 DISCRIMINANT = function_of(hit_of_a.keep(discriminant_a))

@@ -9,21 +9,11 @@ import math
 import random
 from fractions import Fraction
 
-import mpmath
 import numpy as np
 import pytest
-from flint import arb, ctx
+from flint import arb
 
-from verify.accuracy.certified_ulps import CERTIFIED, EXACT, KERNELS, error_in_ulps, errors_in_ulps, pieces_of
-from verify.evaluate.balls import ball_of
-
-BY_MPMATH = {
-    "sinpi": mpmath.sinpi,
-    "cospi": mpmath.cospi,
-    "sinpi_of_product": lambda a, b: mpmath.sinpi(a * b),
-    "cospi_of_product": lambda a, b: mpmath.cospi(a * b),
-    "atan2pi": lambda y, x: mpmath.atan2(y, x) / mpmath.pi,
-}
+from verify.accuracy.certified_ulps import CERTIFIED, KERNELS, error_in_ulps, errors_in_ulps, pieces_of
 
 
 def beside(value, count):
@@ -70,15 +60,6 @@ def test_error_in_ulps(name):
     cases = cases_of(name)
     errors = errors_in_ulps(name, *np.array(cases).T)
     assert errors.max() <= CERTIFIED[name], f"{name}{cases[errors.argmax()]} is off by {errors.max()} ulp"
-
-
-@pytest.mark.parametrize("name", CERTIFIED)
-def test_mpmath_says_what_the_balls_say(name):
-    """Every 50th argument, to 48 digits."""
-    for case in cases_of(name)[::50]:
-        with ctx.workprec(200), mpmath.workdps(60):
-            exact = ball_of(mpmath.mpf(BY_MPMATH[name](*map(mpmath.mpf, case))))
-            assert abs(EXACT[name](*map(arb, case)) - exact) <= arb(10) ** -48 * abs(exact)
 
 
 @pytest.mark.parametrize("name", ["sinpi", "cospi", "atan2pi"])

@@ -1,4 +1,7 @@
-"""Every edge of the accepted domain is drawn without NaN; just past it there is a ValueError that names the field."""
+"""Where bodies and lights almost touch is drawn without NaN; just past that is a ValueError that names the field.
+
+The ends of single numbers are drawn by tests/accepted_scenes.py.
+"""
 
 import math
 from dataclasses import replace
@@ -10,29 +13,7 @@ from renderer import Light, Scene, central, exact, render
 
 LIGHTS = (Light((5.0, 5.0, 10.0)),)
 BARE = Scene(ball=False, lights=LIGHTS)
-NUMBERS = {"ka": (0.0, 1e6), "kd": (0.0, 1e6), "ks": (0.0, 1e6), "shininess": (1e-3, 1e6), "floor_tint": (0.0, 1.0),
-           "ku": (-(2.0**20), 2.0**20), "kv": (-(2.0**20), 2.0**20), "beta": (-1e100, 1e100),
-           "radius": (1e-60, 1e60)}  # fmt: skip
-TRIPLES = {"ambient": (0.0, 1e6), "albedo_a": (0.0, 1.0), "albedo_b": (0.0, 1.0)}
 NEAR_B = {"ball": True, "ball_center": (0.5, 0.5, 1.3), "ball_radius": 0.32}
-
-
-def ends(ranges):
-    """Yield (name, each end of its range, the next number past it)."""
-    pairs = [
-        (name, end, to) for name, (low, high) in ranges.items() for end, to in ((low, -math.inf), (high, math.inf))
-    ]
-    return [(name, end, math.nextafter(end, to)) for name, end, to in pairs]
-
-
-def with_number(name, value):
-    """Return the fields of a scene in which one number has that value, all else allowed."""
-    return {"lights": (), name: value} | ({"eye": 4.0 * value} if name == "radius" else {})
-
-
-def with_channel(name, channel, value):
-    """Return the fields of a scene in which one channel of a colour has that value."""
-    return {name: tuple(value if c == channel else 0.5 for c in range(3))}
 
 
 def lit(*position):
@@ -46,10 +27,6 @@ def with_b(center, radius):
 
 
 EDGES = [  # fields at the edge, fields just past it, what the message names
-    *((with_number(name, end), with_number(name, past), {"radius": "radius|eye"}.get(name, name))
-      for name, end, past in ends(NUMBERS)),
-    *((with_channel(name, c, end), with_channel(name, c, past), name)
-      for name, end, past in ends(TRIPLES) for c in range(3)),
     ({"eye": 0.999999e6} | lit(0.5, 0.0, 1.2), {"eye": 1.000001e6}, "eye"),
     ({"eye": 1 / (1 - 1.001e-9)} | lit(0.5, 0.0, 1.2), {"eye": 1 + 0.99e-9}, "eye"),
     (lit(0.0, 0.0, 1.0 + 2e-9), lit(0.0, 0.0, 1.0 + 0.5e-9), "outside sphere A"),

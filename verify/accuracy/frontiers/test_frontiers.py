@@ -26,32 +26,6 @@ def test_a_creased_field_does_not(kind):
     assert wall.order(rms, SIZES, last=3) == pytest.approx(0.5, abs=0.15)
 
 
-def test_the_spline_goes_through_the_table():
-    table = wall.table_of("ridges", 16)
-    coefficients = wall.spline_coefficients(table)
-    for axis in (0, 1):
-        coefficients = (np.roll(coefficients, 1, axis) + 4 * coefficients + np.roll(coefficients, -1, axis)) / 6
-    np.testing.assert_allclose(coefficients, table, atol=1e-14)
-
-
-def test_weights_are_a_partition_and_their_derivatives_are_theirs():
-    share, step = np.linspace(0.1, 0.9, 9), 1e-6
-    for weights in (wall.linear_weights, wall.cubic_weights):
-        values, slopes = weights(share)
-        np.testing.assert_allclose(sum(values), 1)
-        np.testing.assert_allclose(sum(slopes), 0, atol=1e-15)
-        for value, slope, beside in zip(values, slopes, weights(share + step)[0], strict=True):
-            np.testing.assert_allclose((beside - value) / step, slope, atol=3e-6)
-
-
-def test_scipy_finds_the_same_spline():
-    """The filter of scipy.ndimage, where SciPy is installed."""
-    ndimage = pytest.importorskip("scipy.ndimage")
-    table = wall.table_of("ridges", 16)
-    theirs = ndimage.spline_filter(table, order=3, mode="grid-wrap")
-    np.testing.assert_allclose(wall.spline_coefficients(table), theirs, atol=1e-12)
-
-
 def test_mending_the_normal_brings_it_nearer_step_by_step():
     medians = [np.nanmedian(angles) for angles in fiction.angle_maps(render(Scene(), 64, 64)).values()]
     assert medians == sorted(medians, reverse=True)

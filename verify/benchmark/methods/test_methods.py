@@ -2,13 +2,12 @@
 
 import numpy as np
 import pytest
-from sympy import Rational
 
 from proofs.formulas.camera import angles_on_a
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, exact, render
 from verify.benchmark.methods import table
-from verify.benchmark.methods.programs import algebraic_gradient, extrapolated
+from verify.benchmark.methods.programs import algebraic_gradient
 from verify.benchmark.work_precision import largest_error, points_for
 from verify.evaluate.arrays import in_float64
 
@@ -37,11 +36,6 @@ def test_differences_have_their_order(name):
     low = high / 1.5
     fitted = np.log(error(method, high) / error(method, low)) / np.log(high / low)
     assert fitted == pytest.approx(ORDERS[name], abs=0.15)
-
-
-def test_weights_leave_the_even_powers_out():
-    weights = extrapolated([Rational(1), Rational(2), Rational(3)])
-    assert [sum(w * c**n for c, w in weights.items()) for n in (0, 2, 4)] == [1, 0, 0]
 
 
 @pytest.mark.parametrize(("field", "ku", "kv"), [("sine", 8, 4), ("ridges", -6, 5), ("rings", 3, -7), ("sine", 0, 64)])
