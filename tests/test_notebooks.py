@@ -400,8 +400,7 @@ def test_notebook_runs_alone_and_prints_what_the_page_does(name, site, clean_pyt
 def test_colab_is_offered_where_a_repository_is_configured(url, links, tmp_path):
     (tmp_path / "_config.yml").write_text(f"repository: {{url: '{url}', branch: pages}}\n")
     (tmp_path / "index.md").write_text("# A\n\n:::{notebook} cell3\n:::\n")
-    parts = [f"book.extension.{name}" for name in ("elements", "notebooks")]
-    html, _ = one_page.build(tmp_path, tmp_path / "out", extensions=["myst_parser", *parts])
+    html, _ = one_page.build(tmp_path, tmp_path / "out")
     found = re.findall(r'<p class="notebook-links">.*?</p>', html, re.S)
     assert len(found) == 1
     assert found[0].count("<a ") == links

@@ -5,6 +5,8 @@ import re
 from docutils import nodes
 from sphinx.application import Sphinx
 
+from book.extension.elements import on
+
 EMPTY_HEADING = re.compile(r'<th class="head[^"]*">(?:<p></p>)?</th>')
 
 # A formula breaks nowhere inside, but would break between it and its punctuation.
@@ -18,12 +20,8 @@ def readable(body: str) -> str:
     return EMPTY_HEADING.sub('<td class="head"></td>', body)
 
 
+@on("html-page-context")
 def mend(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
     """Put the mended body in the page's place."""
     if "body" in context:
         context["body"] = readable(context["body"])
-
-
-def setup(app: Sphinx) -> None:
-    """Connect to Sphinx."""
-    app.connect("html-page-context", mend)

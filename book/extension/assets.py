@@ -9,10 +9,12 @@ from sphinx.application import Sphinx
 from sphinx.config import Config
 
 from book import idea_kernels, simulator_module
+from book.extension.elements import on
 
 NEEDED = ("tex-chtml-full.js", "output/chtml/fonts/woff-v2")
 
 
+@on("builder-inited")
 def copy_mathjax(app: Sphinx) -> None:
     """Copy what typesetting needs into the site, so that no page asks a network for it."""
     target = Path(app.outdir) / "_static" / "mathjax"
@@ -26,6 +28,7 @@ def copy_mathjax(app: Sphinx) -> None:
                 shutil.copyfile(source / name, place)
 
 
+@on("builder-inited")
 def write_simulator(app: Sphinx) -> None:
     """Compile what the simulator and the small interactives run."""
     for folder, source in (("simulator", simulator_module.source), ("ideas", idea_kernels.source)):
@@ -34,14 +37,8 @@ def write_simulator(app: Sphinx) -> None:
         place.write_text(source(), encoding="utf-8")
 
 
+@on("config-inited", priority=100)
 def use_execution_cache(app: Sphinx, config: Config) -> None:
     """The build names a cache that changes with the packages; Jupyter's own looks at the cells alone."""
     if cache := os.environ.get("BOOK_EXECUTION_CACHE"):
         config.nb_execution_cache_path = cache
-
-
-def setup(app: Sphinx) -> None:
-    """Connect to Sphinx."""
-    app.connect("config-inited", use_execution_cache, priority=100)
-    app.connect("builder-inited", copy_mathjax)
-    app.connect("builder-inited", write_simulator)

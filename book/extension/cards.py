@@ -12,17 +12,16 @@ Words that stand for the statement, which is then folded away with its proof. Wi
 import re
 from collections.abc import Iterable, Sequence
 from textwrap import indent
-from typing import ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import directives
 from markupsafe import Markup, escape
-from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
+from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book.build import stamps
 from book.extension import checker
-from book.extension.elements import TEMPLATES, BookDirective, BookRole, Filled, filled
+from book.extension.elements import TEMPLATES, Filled, directive, filled, role
 from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.points import point
@@ -56,20 +55,15 @@ class Here:
         return sorted(ids, key=lambda id: self.proofs.places[id].number)
 
 
-class TheoremCard(BookDirective):
+@directive("theorem", arguments=1, content=True, expect=directives.unchanged)
+def theorem_card(here: SphinxDirective) -> list[nodes.Node]:
     """Place the card of a theorem."""
-
-    required_arguments = 1
-    has_content = True
-    option_spec: ClassVar = {"expect": directives.unchanged}
-
-    def content_nodes(self) -> list[nodes.Node]:
-        book, id = Here(self.env), self.arguments[0]
-        book.proofs.reached(id, self.options.get("expect"))
-        if (page := book.proofs.places[id].page) != self.env.docname:
-            raise BadTheorem(f"{id!r} is placed on {page}, not here")
-        brief, messages = self.state.inline_text(" ".join(self.content), self.lineno)
-        return [card(book, id, brief), *messages]
+    book, id = Here(here.env), here.arguments[0]
+    book.proofs.reached(id, here.options.get("expect"))
+    if (page := book.proofs.places[id].page) != here.env.docname:
+        raise BadTheorem(f"{id!r} is placed on {page}, not here")
+    brief, messages = here.state.inline_text(" ".join(here.content), here.lineno)
+    return [card(book, id, brief), *messages]
 
 
 def card(book: Here, id: str, brief: Sequence[nodes.Node] = ()) -> Filled:
@@ -120,20 +114,13 @@ def link(text: str, target: str) -> nodes.reference:
     return nodes.reference("", "", nodes.Text(text), refuri=target, internal=True)
 
 
-class TheoremReference(BookRole):
+@role("theorem-ref")
+def theorem_reference(here: SphinxRole) -> list[nodes.Node]:
     """A link to a theorem's card."""
-
-    def content_nodes(self) -> list[nodes.Node]:
-        id, _, style = self.text.partition("|")
-        book = Here(self.env)
-        book.proofs.reached(id)
-        return [link(book.label(id) if style == "short" else book.name(id), book.card(id))]
-
-
-def setup(app: Sphinx) -> None:
-    """Register the directive and the role."""
-    app.add_directive("theorem", TheoremCard)
-    app.add_role("theorem-ref", TheoremReference())
+    id, _, style = here.text.partition("|")
+    book = Here(here.env)
+    book.proofs.reached(id)
+    return [link(book.label(id) if style == "short" else book.name(id), book.card(id))]
 
 
 TEMPLATES.globals.update(GRADES=GRADES, axioms=axioms, coq=coq, count=count, evidence_line=evidence_line, in_coq=in_coq)

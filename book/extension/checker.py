@@ -10,7 +10,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sympy import Symbol, latex
 
-from book.extension.elements import Filled, filled, raw
+from book.extension.elements import Filled, filled, on, raw
 from book.extension.points import TEX
 from book.extension.theorems import Proofs, certificate, kind
 
@@ -129,14 +129,10 @@ def merged(parts: list[list[str]]) -> list[list[str]]:
     return whole
 
 
+@on("html-page-context")
 def add_scripts(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
     """Load the checker's scripts and style where a page has a place for it."""
     if 'class="checker"' in context.get("body", ""):
         app.add_css_file("checker/checker.css")
         for name in SCRIPTS:
             app.add_js_file(f"checker/{name}.js", loading_method="defer")
-
-
-def setup(app: Sphinx) -> None:
-    """Connect to Sphinx."""
-    app.connect("html-page-context", add_scripts)

@@ -11,10 +11,10 @@ import textwrap
 from collections.abc import Iterable, Mapping
 
 from docutils import nodes
-from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
 
 from book.extension.cards import Here
-from book.extension.elements import BookDirective, Filled, filled
+from book.extension.elements import Filled, directive, filled
 
 WIDTH, MARKS, ROW, LINE, TOP, ARC = 500, 112, 30, 17, 20, 100
 TEXT_COLUMNS = 38
@@ -79,13 +79,7 @@ def drawing(book: Here) -> Filled:
     return filled("graph", book=book, rows=table, arcs=arcs, width=WIDTH, height=y, x=MARKS, line_height=LINE)
 
 
-class DependencyGraph(BookDirective):
+@directive("dependency-graph")
+def dependency_graph(here: SphinxDirective) -> list[nodes.Node]:
     """Draw the graph."""
-
-    def content_nodes(self) -> list[nodes.Node]:
-        return [drawing(Here(self.env))]
-
-
-def setup(app: Sphinx) -> None:
-    """Register the directive."""
-    app.add_directive("dependency-graph", DependencyGraph)
+    return [drawing(Here(here.env))]

@@ -1,10 +1,12 @@
-"""HTML from templates with nodes in it, theorems' texts as nodes, and what the book's directives and roles share.
+"""HTML from templates with nodes in it, theorems' texts as nodes, and how the extension's parts are registered.
 
 filled("card", theorem=theorem)        # templates/card.html
+@directive("grades")                   # the function gives a directive's nodes; so does @role for a role
+@on("builder-inited")                  # the function hears an event of Sphinx's
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from itertools import chain, count
 from pathlib import Path
 from typing import Any
@@ -12,13 +14,15 @@ from typing import Any
 from docutils import nodes
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
-from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 SUBSCRIPT = re.compile(r"(?<![\w])([A-Za-zα-ωΑ-Ω])_([A-Za-z0-9α-ω])(?![\w])")
 PLACE = re.compile("(\0\\d+\0)")
 _waiting: dict[str, list[nodes.Node]] = {}
 _numbers = count()
+DIRECTIVES: dict[str, type[SphinxDirective]] = {}
+ROLES: dict[str, SphinxRole] = {}
+EVENTS: list[tuple[str, Callable, int]] = []
 
 
 class Filled(nodes.General, nodes.TextElement):
@@ -92,34 +96,48 @@ def literal(text: str) -> nodes.literal:
     return nodes.literal("", text)
 
 
-class BookDirective(SphinxDirective):
-    """A directive that prints `content_nodes()`; the ValueError of what is not there fails the build."""
+def directive(name: str, arguments: int = 0, content: bool = False, **options: Callable) -> Callable:
+    """Make a function of the directive its nodes; the ValueError of what is not there fails the build."""
 
-    def run(self) -> list[nodes.Node]:
-        try:
-            return self.content_nodes()
-        except ValueError as error:
-            raise self.error(f"{self.name}: {error}") from error
+    def register(nodes_of: Callable[[SphinxDirective], list[nodes.Node]]) -> Callable:
+        def run(self):
+            try:
+                return nodes_of(self)
+            except ValueError as error:
+                raise self.error(f"{name}: {error}") from error
 
+        said = {"required_arguments": arguments, "has_content": content, "option_spec": options, "run": run}
+        DIRECTIVES[name] = type(name, (SphinxDirective,), said)
+        return nodes_of
 
-class BookRole(SphinxRole):
-    """A role that prints `content_nodes()`; the ValueError of what is not there fails the build."""
-
-    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
-        try:
-            return self.content_nodes(), []
-        except ValueError as error:
-            message = self.inliner.reporter.error(f"{self.name}: {error}", line=self.lineno)
-            return [nodes.problematic(self.rawtext, self.rawtext)], [message]
+    return register
 
 
-def _nothing(translator, node) -> None:
-    """A filled template has no tag of its own."""
+def role(name: str) -> Callable:
+    """Make a function of the role its nodes; the ValueError of what is not there fails the build."""
+
+    def register(nodes_of: Callable[[SphinxRole], list[nodes.Node]]) -> Callable:
+        def run(self):
+            try:
+                return nodes_of(self), []
+            except ValueError as error:
+                message = self.inliner.reporter.error(f"{name}: {error}", line=self.lineno)
+                return [nodes.problematic(self.rawtext, self.rawtext)], [message]
+
+        ROLES[name] = type(name, (SphinxRole,), {"run": run})()
+        return nodes_of
+
+    return register
 
 
-def setup(app: Sphinx) -> None:
-    """Register the node."""
-    app.add_node(Filled, html=(_nothing, _nothing))
+def on(event: str, priority: int = 500) -> Callable:
+    """Make a function hear an event of Sphinx's."""
+
+    def register(handler: Callable) -> Callable:
+        EVENTS.append((event, handler, priority))
+        return handler
+
+    return register
 
 
 TEMPLATES.globals.update(typeset=typeset, raw=raw, prose=prose, literal=literal)

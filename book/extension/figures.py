@@ -15,21 +15,16 @@ Refer to it with {numref}`fig-eps_sweep`. Without a caption it has no number and
 
 import html
 from pathlib import Path
-from typing import ClassVar
 from urllib.parse import quote
 
 from docutils import nodes
 from docutils.parsers.rst import directives
 from sphinx import addnodes
-from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
-from book.extension.elements import BookDirective
+from book.extension.elements import directive
 from book.extension.results import load_result, result_file
-
-
-def _width(argument: str) -> str:
-    return directives.choice(argument, ("text", "page"))
 
 
 class PixelImage(nodes.image):
@@ -47,68 +42,64 @@ def visit_pixel_image(translator: HTML5Translator, node: PixelImage) -> None:
     raise nodes.SkipNode
 
 
-class ChapterFigure(BookDirective):
-    """Place a drawn figure with its caption, its label and where it comes from."""
+OPTIONS = {
+    "alt": directives.unchanged,
+    "width": lambda argument: directives.choice(argument, ("text", "page")),
+    "zoom": directives.positive_int,
+    "panels": directives.positive_int_list,
+    "class": directives.class_option,
+    "plain": directives.flag,
+}
 
-    required_arguments = 1
-    has_content = True
-    option_spec: ClassVar = {
-        "alt": directives.unchanged,
-        "width": _width,
-        "zoom": directives.positive_int,
-        "panels": directives.positive_int_list,
-        "class": directives.class_option,
-        "plain": directives.flag,
-    }
 
-    def content_nodes(self) -> list[nodes.Node]:
-        id, book = self.arguments[0], Path(self.env.srcdir)
-        if not self.options.get("alt", "").strip():
-            raise ValueError(f"{id!r}: the option alt is required: say what the picture shows")
-        self.env.note_dependency(str(result_file(book, id)))
-        description = load_result(book, id)
-        if description["kind"] == "numbers":
-            raise ValueError(f"{id!r} has numbers but no picture")
-        return [self._figure(id, description)]
+@directive("chapter-figure", arguments=1, content=True, **OPTIONS)
+def chapter_figure(here: SphinxDirective) -> list[nodes.Node]:
+    """A drawn figure with its caption, its label and where it comes from."""
+    id, book = here.arguments[0], Path(here.env.srcdir)
+    if not here.options.get("alt", "").strip():
+        raise ValueError(f"{id!r}: the option alt is required: say what the picture shows")
+    here.env.note_dependency(str(result_file(book, id)))
+    description = load_result(book, id)
+    if description["kind"] == "numbers":
+        raise ValueError(f"{id!r} has numbers but no picture")
+    width = here.options.get("width", "text")
+    figure = nodes.figure("", classes=[f"{width}-width", f"kind-{description['kind']}", *here.options.get("class", [])])
+    here.set_source_info(figure)
+    figure += nodes.container("", *_images(here.options, id, description), classes=["pixels"])
+    if here.content:
+        _add_caption(here, figure, id)
+    if "plain" not in here.options:
+        figure += nodes.legend("", provenance(id, description))
+    return [figure]
 
-    def _figure(self, id: str, description: dict) -> nodes.figure:
-        width = self.options.get("width", "text")
-        classes = [f"{width}-width", f"kind-{description['kind']}", *self.options.get("class", [])]
-        figure = nodes.figure("", classes=classes)
-        self.set_source_info(figure)
-        figure += nodes.container("", *self._images(id, description), classes=["pixels"])
-        if self.content:
-            self._add_caption(figure, id)
-        if "plain" not in self.options:
-            figure += nodes.legend("", provenance(id, description))
-        return figure
 
-    def _images(self, id: str, description: dict) -> list[nodes.image]:
-        width, height = (size * self.options.get("zoom", 1) for size in description["size"])
-        common = {"alt": " ".join(self.options["alt"].split()), "css_width": width, "css_height": height}
-        common["panels"] = panels = self.options.get("panels", [])
-        if panels and sum(panels) != width:
-            raise ValueError(f"{id!r}: the panels are {sum(panels)} pixels wide, the picture {width}")
-        if description["kind"] == "png":  # a render is the same on the dark page, and no filter may touch it
-            return [PixelImage("", uri=f"/_generated/{id}.png", classes=["render", "dark-light"], **common)]
-        kind = ["plot", "exact"] if description.get("exact") else ["plot"]
-        return [
-            PixelImage("", uri=f"/_generated/{id}.svg", classes=[*kind, "only-light"], **common),
-            PixelImage("", uri=f"/_generated/{id}.dark.svg", classes=[*kind, "only-dark"], **common),
-        ]
+def _images(options: dict, id: str, description: dict) -> list[nodes.image]:
+    width, height = (size * options.get("zoom", 1) for size in description["size"])
+    panels = options.get("panels", [])
+    if panels and sum(panels) != width:
+        raise ValueError(f"{id!r}: the panels are {sum(panels)} pixels wide, the picture {width}")
+    common = {"alt": " ".join(options["alt"].split()), "css_width": width, "css_height": height, "panels": panels}
+    if description["kind"] == "png":  # a render is the same on the dark page, and no filter may touch it
+        return [PixelImage("", uri=f"/_generated/{id}.png", classes=["render", "dark-light"], **common)]
+    kind = ["plot", "exact"] if description.get("exact") else ["plot"]
+    return [
+        PixelImage("", uri=f"/_generated/{id}.svg", classes=[*kind, "only-light"], **common),
+        PixelImage("", uri=f"/_generated/{id}.dark.svg", classes=[*kind, "only-dark"], **common),
+    ]
 
-    def _add_caption(self, figure: nodes.figure, id: str) -> None:
-        parsed = nodes.Element()
-        self.state.nested_parse(self.content, self.content_offset, parsed)
-        first, *rest = parsed.children
-        if not isinstance(first, nodes.paragraph):
-            raise ValueError(f"{id!r}: a caption begins with a paragraph")
-        figure += nodes.caption(first.rawsource, "", *first.children)
-        if rest:
-            figure += nodes.legend("", *rest)
-        label = f"fig-{id}"
-        figure["names"], figure["ids"] = [label], [label]
-        self.state.document.note_explicit_target(figure, figure)
+
+def _add_caption(here: SphinxDirective, figure: nodes.figure, id: str) -> None:
+    parsed = nodes.Element()
+    here.state.nested_parse(here.content, here.content_offset, parsed)
+    first, *rest = parsed.children
+    if not isinstance(first, nodes.paragraph):
+        raise ValueError(f"{id!r}: a caption begins with a paragraph")
+    figure += nodes.caption(first.rawsource, "", *first.children)
+    if rest:
+        figure += nodes.legend("", *rest)
+    label = f"fig-{id}"
+    figure["names"], figure["ids"] = [label], [label]
+    here.state.document.note_explicit_target(figure, figure)
 
 
 def provenance(id: str, description: dict) -> nodes.paragraph:
@@ -119,19 +110,14 @@ def provenance(id: str, description: dict) -> nodes.paragraph:
     links += [("numbers", f"/_generated/{id}.json", f"{id}.json, what the text cites")]
     line = nodes.paragraph("", classes=["provenance"])
     for link in links:
-        line += [_download(*link), nodes.Text(" · ")]
+        line += [file_link(*link), nodes.Text(" · ")]
     line += [nodes.literal("", f"python -m book figures {id}")]
     line += [nodes.Text(" · drawn from "), nodes.literal("", description["key"])]
     return line
 
 
-def _download(text: str, target: str, title: str) -> addnodes.download_reference:
+def file_link(text: str, target: str, title: str) -> addnodes.download_reference:
+    """A link to a file of the book, which the site then has."""
     link = addnodes.download_reference("", "", reftarget=target, refdoc="", refwarn=True, reftitle=title)
     link += nodes.inline("", text)
     return link
-
-
-def setup(app: Sphinx) -> None:
-    """Register the directive and its image."""
-    app.add_node(PixelImage, html=(visit_pixel_image, None))
-    app.add_directive("chapter-figure", ChapterFigure)

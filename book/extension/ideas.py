@@ -11,22 +11,24 @@ script runs and on paper. `static/ideas/slope_is_texture.js` draws in its place 
 
 from docutils import nodes
 from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
 
-from book.extension.figures import ChapterFigure
+from book.extension.elements import directive, on
+from book.extension.figures import OPTIONS, chapter_figure
 
 SHARED = ("simulator/compiled.js", "simulator/module.js", "ideas/compiled.js", "ideas/ideas.js")
 
 
-class Idea(ChapterFigure):
-    """Place a figure with a script that replaces its picture."""
+@directive("idea", arguments=1, content=True, **OPTIONS)
+def idea(here: SphinxDirective) -> list[nodes.Node]:
+    """A figure with a script that replaces its picture."""
+    (figure,) = chapter_figure(here)
+    figure["classes"].append("idea")
+    figure["idea"] = here.arguments[0]
+    return [figure]
 
-    def content_nodes(self) -> list[nodes.Node]:
-        (figure,) = super().content_nodes()
-        figure["classes"].append("idea")
-        figure["idea"] = self.arguments[0]
-        return [figure]
 
-
+@on("html-page-context")
 def load_scripts(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
     """Let a page with interactives load what they need, each file once."""
     found = [node["idea"] for node in doctree.findall(nodes.figure) if "idea" in node] if doctree else []
@@ -34,9 +36,3 @@ def load_scripts(app: Sphinx, pagename: str, templatename: str, context: dict, d
         app.add_js_file(name, loading_method="defer")
     if found:
         app.add_css_file("ideas/ideas.css")
-
-
-def setup(app: Sphinx) -> None:
-    """Register the directive, and what its pages load."""
-    app.add_directive("idea", Idea)
-    app.connect("html-page-context", load_scripts)

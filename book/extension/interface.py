@@ -9,6 +9,8 @@ from typing import Any
 
 from sphinx.application import Sphinx
 
+from book.extension.elements import on
+
 MARKUP = re.compile(r"([\\*_|<>])")
 INDENT = "    "
 
@@ -50,12 +52,7 @@ def names_of(thing: Any) -> set[str]:
     return names | set(getattr(thing, "__annotations__", ())) | set(vars(thing) if inspect.isclass(thing) else ())
 
 
+@on("autodoc-process-docstring")
 def read_docstring(app: Sphinx, what: str, name: str, thing: object, options: object, lines: list[str]) -> None:
     """Let autodoc read plain text."""
     lines[:] = restructured(lines, names_of(thing))
-
-
-def setup(app: Sphinx) -> None:
-    """Connect to autodoc."""
-    app.setup_extension("sphinx.ext.autodoc")
-    app.connect("autodoc-process-docstring", read_docstring)

@@ -7,7 +7,10 @@ from pathlib import Path
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 
+from book.extension.elements import on
 
+
+@on("env-get-outdated")
 def edited_pages(
     app: Sphinx, environment: BuildEnvironment, added: set[str], changed: set[str], removed: set[str]
 ) -> list[str]:
@@ -18,6 +21,7 @@ def edited_pages(
     return [name for name in now if name not in added and now[name] != before.get(name)]
 
 
+@on("builder-inited")
 def complete_search(app: Sphinx) -> None:
     """Before the search's index is written, give it what Sphinx forgets of the pages that it has not written."""
     written = getattr(app.builder, "dump_search_index", None)  # the HTML builders' alone
@@ -34,9 +38,3 @@ def complete_search(app: Sphinx) -> None:
 
     if written:
         app.builder.dump_search_index = complete
-
-
-def setup(app: Sphinx) -> None:
-    """Connect to Sphinx."""
-    app.connect("env-get-outdated", edited_pages)
-    app.connect("builder-inited", complete_search)

@@ -17,12 +17,13 @@ from typing import NamedTuple
 from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
+from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book import ledger
 from book.build import stamps
 from book.build.contents import page_title
 from book.extension.cards import Here, link
-from book.extension.elements import TEMPLATES, BookDirective, BookRole, filled, section
+from book.extension.elements import TEMPLATES, directive, filled, on, role, section
 from book.extension.ledger_evidence import number_nodes, test_address
 from book.ledger.check import faults_in, refutes
 from book.ledger.entries import FINDINGS, VERDICTS, BadLedger, Evidence, Ledger, LedgerClaim
@@ -73,6 +74,7 @@ def ledger_of(app: Sphinx) -> Ledger:
     return app.chapter_ledger
 
 
+@on("builder-inited")
 def require_ledger(app: Sphinx) -> None:
     """Stop a build of this book whose ledger does not stand."""
     if (Path(app.srcdir) / "ledger").is_dir():
@@ -85,7 +87,7 @@ def require_ledger(app: Sphinx) -> None:
 class Entries(Here):
     """The claims as they are printed and found from the page that is being read."""
 
-    def __init__(self, directive: BookDirective):
+    def __init__(self, directive: SphinxDirective):
         super().__init__(directive.env)
         self.ledger = ledger_of(self.env.app)
         self.run, self._directive = self.env.app.chapter_run, directive
@@ -113,61 +115,46 @@ class Entries(Here):
         return {code: next(claim for claim in hardest if code in claim.findings) for code in FINDINGS}
 
 
-class LedgerVerdicts(BookDirective):
+@directive("ledger-verdicts")
+def verdicts(here: SphinxDirective) -> list[nodes.Node]:
     """The legend of the verdicts."""
-
-    def content_nodes(self) -> list[nodes.Node]:
-        counts = Counter(claim.verdict for claim in ledger_of(self.env.app).claims)
-        return [filled("verdicts", counts=counts)]
+    counts = Counter(claim.verdict for claim in ledger_of(here.env.app).claims)
+    return [filled("verdicts", counts=counts)]
 
 
-class LedgerFindings(BookDirective):
+@directive("ledger-findings")
+def finding_index(here: SphinxDirective) -> list[nodes.Node]:
     """The findings by name."""
-
-    def content_nodes(self) -> list[nodes.Node]:
-        return [filled("finding_index")]
+    return [filled("finding_index")]
 
 
-class LedgerEntries(BookDirective):
+@directive("ledger-entries")
+def ledger_entries(here: SphinxDirective) -> list[nodes.Node]:
     """Every claim, grouped by verdict."""
-
-    def content_nodes(self) -> list[nodes.Node]:
-        book = Entries(self)
-        claims, first, parts = book.ledger.sorted_by_place(), book.first_with(), []
-        for verdict, look in LOOKS.items():
-            group = [claim for claim in claims if claim.verdict == verdict]
-            entries = filled("ledger_entries", book=book, claims=group, first=first)
-            parts.append(section(f"{look.title}: {len(group)}", f"verdict-{look.slug}", entries))
-        return parts
+    book = Entries(here)
+    claims, first, parts = book.ledger.sorted_by_place(), book.first_with(), []
+    for verdict, look in LOOKS.items():
+        group = [claim for claim in claims if claim.verdict == verdict]
+        entries = filled("ledger_entries", book=book, claims=group, first=first)
+        parts.append(section(f"{look.title}: {len(group)}", f"verdict-{look.slug}", entries))
+    return parts
 
 
-class Merit(BookRole):
+@role("merit")
+def merit(here: SphinxRole) -> list[nodes.Node]:
     """A claim's figure of merit."""
-
-    def content_nodes(self) -> list[nodes.Node]:
-        claim = ledger_of(self.env.app).get(self.text)
-        if not claim.merit:
-            raise BadLedger([f"{claim.id}: merit: missing, and a page asks for it"])
-        found, messages = self.inliner.parse(claim.merit, self.lineno, None, nodes.Element())
-        return [nodes.inline("", "", *found, classes=["merit"]), *messages]
+    claim = ledger_of(here.env.app).get(here.text)
+    if not claim.merit:
+        raise BadLedger([f"{claim.id}: merit: missing, and a page asks for it"])
+    found, messages = here.inliner.parse(claim.merit, here.lineno, None, nodes.Element())
+    return [nodes.inline("", "", *found, classes=["merit"]), *messages]
 
 
-class ClaimLink(BookRole):
+@role("claim")
+def claim_link(here: SphinxRole) -> list[nodes.Node]:
     """A link to a claim's entry."""
-
-    def content_nodes(self) -> list[nodes.Node]:
-        claim = ledger_of(self.env.app).get(self.text)
-        return [link(claim.verdict, f"{Here(self.env).page(PAGE)}#claim-{claim.id}")]
-
-
-def setup(app: Sphinx) -> None:
-    """Register directives, roles, and the check."""
-    app.add_directive("ledger-entries", LedgerEntries)
-    app.add_directive("ledger-findings", LedgerFindings)
-    app.add_directive("ledger-verdicts", LedgerVerdicts)
-    app.add_role("merit", Merit())
-    app.add_role("claim", ClaimLink())
-    app.connect("builder-inited", require_ledger)
+    claim = ledger_of(here.env.app).get(here.text)
+    return [link(claim.verdict, f"{Here(here.env).page(PAGE)}#claim-{claim.id}")]
 
 
 TEMPLATES.globals.update(FINDINGS=FINDINGS, LOOKS=LOOKS, refutes=refutes, test_address=test_address)

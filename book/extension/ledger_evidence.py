@@ -6,11 +6,11 @@ from functools import cache
 from pathlib import Path, PurePosixPath
 
 from docutils import nodes
-from sphinx import addnodes
 
 from book.build import stamps
 from book.build.contents import page_files
 from book.extension.cards import Here, link
+from book.extension.figures import file_link
 from book.extension.listings import listing_address
 from book.extension.numbers import typeset
 from book.extension.results import BENCHMARK_PREFIX
@@ -50,9 +50,7 @@ def _place_of_number(book: Here, name: str) -> nodes.Node:
     if page := figure_pages(Path(book.env.srcdir)).get(figure):
         return link(text, f"{book.page(page)}#fig-{figure}")
     target = f"/_generated/{figure}.json"
-    file = addnodes.download_reference("", "", reftarget=target, refdoc="", refwarn=True, reftitle=f"{figure}.json")
-    file += nodes.inline("", text)
-    return file
+    return file_link(text, target, f"{figure}.json")
 
 
 @cache

@@ -15,10 +15,11 @@ from pathlib import Path, PurePosixPath
 from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
+from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.parallel import ParallelTasks, SerialTasks
 
 from book.build import report, stamps
-from book.extension.elements import BookDirective, BookRole
+from book.extension.elements import directive, on, role
 from book.extension.theorems import certificate, proofs_of, script
 
 DOWNLOADS = "_downloads/theorems"
@@ -44,6 +45,7 @@ def numbered(app: Sphinx, path: Path) -> str:
     return f'<h1>{name}</h1>\n<div class="highlight-python listing">{listing}</div>'
 
 
+@on("html-collect-pages")
 def write_pages(app: Sphinx) -> tuple:
     """Write the pages of the listed sources and of the tests that claims cite, and the downloads; nothing is left.
 
@@ -97,36 +99,23 @@ def source_file(env: BuildEnvironment, name: str) -> Path:
     return path
 
 
-class SourceLines(BookRole):
+@role("source-lines")
+def source_lines(here: SphinxRole) -> list[nodes.Node]:
     """How many lines a file has."""
-
-    def content_nodes(self) -> list[nodes.Node]:
-        lines = source_file(self.env, self.text).read_text(encoding="utf-8").splitlines()
-        return [nodes.inline("", str(len(lines)), classes=["number"])]
+    lines = source_file(here.env, here.text).read_text(encoding="utf-8").splitlines()
+    return [nodes.inline("", str(len(lines)), classes=["number"])]
 
 
-class SourceLink(BookRole):
+@role("source-link")
+def source_link(here: SphinxRole) -> list[nodes.Node]:
     """A link to a file's page."""
-
-    def content_nodes(self) -> list[nodes.Node]:
-        source_file(self.env, self.text)
-        target = listing_address(PurePosixPath(self.text))
-        return [nodes.reference("", "", nodes.literal("", self.text), refuri=target, internal=True)]
+    source_file(here.env, here.text)
+    target = listing_address(PurePosixPath(here.text))
+    return [nodes.reference("", "", nodes.literal("", here.text), refuri=target, internal=True)]
 
 
-class Docstring(BookDirective):
+@directive("docstring", arguments=1)
+def docstring(here: SphinxDirective) -> list[nodes.Node]:
     """The docstring of a module, as it stands."""
-
-    required_arguments = 1
-
-    def content_nodes(self) -> list[nodes.Node]:
-        text = ast.get_docstring(ast.parse(source_file(self.env, self.arguments[0]).read_text(encoding="utf-8")))
-        return [nodes.literal_block(text, text, language="none", classes=["docstring"])]
-
-
-def setup(app: Sphinx) -> None:
-    """Register roles and directive, and the pages."""
-    app.add_role("source-lines", SourceLines())
-    app.add_role("source-link", SourceLink())
-    app.add_directive("docstring", Docstring)
-    app.connect("html-collect-pages", write_pages)
+    text = ast.get_docstring(ast.parse(source_file(here.env, here.arguments[0]).read_text(encoding="utf-8")))
+    return [nodes.literal_block(text, text, language="none", classes=["docstring"])]

@@ -14,9 +14,10 @@ from pathlib import Path
 import yaml
 from docutils import nodes
 from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
 
 from book.build import stamps
-from book.extension.elements import BookDirective, filled
+from book.extension.elements import directive, filled, on
 from book.notebooks import WHOLE
 
 FOLDER = "_downloads/notebooks"
@@ -35,29 +36,27 @@ def colab_address(settings: dict, name: str) -> str | None:
     return f"https://colab.research.google.com/github/{match['repository']}/blob/{branch}/{FOLDER}/{name}.ipynb"
 
 
-class Notebook(BookDirective):
+@directive("notebook", arguments=1)
+def notebook_links(here: SphinxDirective) -> list[nodes.Node]:
     """The links of one notebook."""
+    from book.notebooks.laboratory import cells  # which imports this package
+    from book.notebooks.notebook import notebooks, text_of
 
-    required_arguments = 1
-
-    def content_nodes(self) -> list[nodes.Node]:
-        from book.notebooks.laboratory import cells  # which imports this package
-        from book.notebooks.notebook import notebooks, text_of
-
-        name = self.arguments[0]
-        titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all eight cells"}
-        if name not in titles:
-            raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
-        config = Path(self.env.srcdir) / "_config.yml"
-        self.env.note_dependency(str(config))
-        words = "notebook of all eight cells" if name == WHOLE else "notebook"
-        colab = colab_address(yaml.safe_load(config.read_text(encoding="utf-8")), name)
-        text = base64.b64encode(text_of(notebooks()[name]).encode()).decode()
-        address = f"data:application/x-ipynb+json;base64,{text}"  # it is saved from a disk too, where a file is shown
-        link = {"address": address, "file": f"{name}.ipynb", "words": words, "title": titles[name], "colab": colab}
-        return [filled("notebook_links", **link)]
+    name = here.arguments[0]
+    titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all eight cells"}
+    if name not in titles:
+        raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
+    config = Path(here.env.srcdir) / "_config.yml"
+    here.env.note_dependency(str(config))
+    words = "notebook of all eight cells" if name == WHOLE else "notebook"
+    colab = colab_address(yaml.safe_load(config.read_text(encoding="utf-8")), name)
+    text = base64.b64encode(text_of(notebooks()[name]).encode()).decode()
+    address = f"data:application/x-ipynb+json;base64,{text}"  # it is saved from a disk too, where a file is shown
+    link = {"address": address, "file": f"{name}.ipynb", "words": words, "title": titles[name], "colab": colab}
+    return [filled("notebook_links", **link)]
 
 
+@on("html-page-context", priority=400)
 def offer_notebooks(
     app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None
 ) -> None:
@@ -73,6 +72,7 @@ def offer_notebooks(
     context["ipynb_source"] = f"{pagename}.ipynb"
 
 
+@on("html-page-context")
 def fold_scenes(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
     """Fold the lines that a cell shares with the first one: the scene, which is the same."""
     from book.notebooks.laboratory import PAGE
@@ -92,10 +92,3 @@ def fold_scenes(app: Sphinx, pagename: str, templatename: str, context: dict, do
 
 def _has_cells(doctree) -> bool:
     return any(node.get("nb_element") == "cell_code" for node in doctree.findall(nodes.container))
-
-
-def setup(app: Sphinx) -> None:
-    """Register the directive; write the notebooks before a page's buttons are made."""
-    app.add_directive("notebook", Notebook)
-    app.connect("html-page-context", offer_notebooks, priority=400)
-    app.connect("html-page-context", fold_scenes)

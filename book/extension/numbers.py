@@ -14,9 +14,9 @@ import re
 from pathlib import Path
 
 from docutils import nodes
-from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-from book.extension.elements import TEMPLATES, BookDirective, BookRole
+from book.extension.elements import TEMPLATES, directive, role
 from book.extension.results import BENCHMARK_PREFIX, UnknownResult, load_result, look_up, result_file
 
 SYNTAX = re.compile(r"(?P<id>(?:bench:)?\w+)\.(?P<key>[^\s|]+)(?:\s*[|\s]\s*(?P<format>\S+))?")
@@ -56,52 +56,41 @@ def typeset(value: int | float | str | bool, spec: str | None = None) -> list[no
     return [nodes.Text(front), nodes.superscript("", exponent)]
 
 
-class NumberRole(BookRole):
-    """Print one number of a result, on one line, or one of its words."""
-
-    def content_nodes(self) -> list[nodes.Node]:
-        book = Path(self.env.srcdir)
-        id, key, spec = parse(self.text)
-        self.env.note_dependency(str(result_file(book, id)))
-        value = look_up(book, id, key)
-        kept_together = [] if isinstance(value, str) else ["number"]
-        return [nodes.inline(self.rawtext, "", *typeset(value, spec), classes=kept_together)]
+def measured(book: Path, name: str) -> str:
+    """Where, when and at which commit a benchmark was measured, as a sentence."""
+    label = load_result(book, f"{BENCHMARK_PREFIX}{name}")["label"]
+    return f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}."
 
 
-class SpreadRole(BookRole):
-    """Print the quartiles of a measured number."""
-
-    def content_nodes(self) -> list[nodes.Node]:
-        book = Path(self.env.srcdir)
-        id, key, spec = parse(self.text)
-        self.env.note_dependency(str(result_file(book, id)))
-        look_up(book, id, key)
-        kept = load_result(book, id)["numbers"]
-        if f"{key}_low" not in kept:
-            return []
-        low, high = (typeset(kept[f"{key}_{end}"], spec) for end in ("low", "high"))
-        return [nodes.Text(" ("), *low, nodes.Text(" to "), *high, nodes.Text(")")]
+@role("number")
+def number(here: SphinxRole) -> list[nodes.Node]:
+    """One number of a result, on one line, or one of its words."""
+    book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
+    here.env.note_dependency(str(result_file(book, id)))
+    value = look_up(book, id, key)
+    kept_together = [] if isinstance(value, str) else ["number"]
+    return [nodes.inline(here.rawtext, "", *typeset(value, spec), classes=kept_together)]
 
 
-class BenchmarkLabel(BookDirective):
+@role("spread")
+def spread(here: SphinxRole) -> list[nodes.Node]:
+    """The quartiles of a measured number."""
+    book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
+    here.env.note_dependency(str(result_file(book, id)))
+    look_up(book, id, key)
+    kept = load_result(book, id)["numbers"]
+    if f"{key}_low" not in kept:
+        return []
+    low, high = (typeset(kept[f"{key}_{end}"], spec) for end in ("low", "high"))
+    return [nodes.Text(" ("), *low, nodes.Text(" to "), *high, nodes.Text(")")]
+
+
+@directive("benchmark-label", arguments=1)
+def benchmark_label(here: SphinxDirective) -> list[nodes.Node]:
     """One small sentence: where, when and at which commit a benchmark was measured."""
-
-    required_arguments = 1
-
-    def content_nodes(self) -> list[nodes.Node]:
-        id = BENCHMARK_PREFIX + self.arguments[0].removeprefix(BENCHMARK_PREFIX)
-        book = Path(self.env.srcdir)
-        label = load_result(book, id)["label"]
-        self.env.note_dependency(str(result_file(book, id)))
-        sentence = f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}."
-        return [nodes.paragraph("", sentence, classes=["benchmark-label"])]
-
-
-def setup(app: Sphinx) -> None:
-    """Register the role and the directive."""
-    app.add_role("number", NumberRole())
-    app.add_role("spread", SpreadRole())
-    app.add_directive("benchmark-label", BenchmarkLabel)
+    book, name = Path(here.env.srcdir), here.arguments[0]
+    here.env.note_dependency(str(result_file(book, f"{BENCHMARK_PREFIX}{name}")))
+    return [nodes.paragraph("", measured(book, name), classes=["benchmark-label"])]
 
 
 TEMPLATES.globals.update(number=typeset)

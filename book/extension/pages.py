@@ -11,6 +11,8 @@ from sphinx.environment import BuildEnvironment
 from sphinx.project import Project
 from sphinx_external_toc.parsing import parse_toc_data
 
+from book.extension.elements import on
+
 
 class ByName(Project):
     """Pages are called by their files' names alone: chapter/s1.md is s1, at s1.html, as it always was."""
@@ -21,11 +23,13 @@ class ByName(Project):
         return name and PurePosixPath(name).name
 
 
+@on("builder-inited", priority=100)
 def call_pages_by_name(app: Sphinx) -> None:
     """Put the rule in the project's place, before any page is looked for."""
     app.project.__class__ = ByName
 
 
+@on("config-inited", priority=950)
 def name_contents(app: Sphinx, config: Config) -> None:
     """Give the contents, which name folders too, the pages' names."""
     contents = Path(app.srcdir) / "_toc.yml"
@@ -37,6 +41,7 @@ def name_contents(app: Sphinx, config: Config) -> None:
         config.external_site_map = parse_toc_data(table)
 
 
+@on("doctree-read", priority=100)
 def put_explicit_ids_first(app: Sphinx, document: nodes.document) -> None:
     """`(s1)=` before a heading gives `<section id="s1">`; Sphinx alone gives the section its title's id."""
     explicit = {document.nameids.get(name) for name, is_explicit in document.nametypes.items() if is_explicit}
@@ -46,15 +51,8 @@ def put_explicit_ids_first(app: Sphinx, document: nodes.document) -> None:
             section["ids"] = [f"proof-content-{number}"]
 
 
+@on("env-updated")
 def write_on_two_cores(app: Sphinx, environment: BuildEnvironment) -> None:
     """Pages are read in one process, where the laboratory's cells run, and written in two."""
     if "BOOK_EXECUTION_CACHE" in os.environ:  # set by book/build/website.py, and by no test
         app.parallel = 2
-
-
-def setup(app: Sphinx) -> None:
-    """Connect to Sphinx: names after the contents are read, ids before they are collected."""
-    app.connect("config-inited", name_contents, priority=950)
-    app.connect("builder-inited", call_pages_by_name, priority=100)
-    app.connect("env-updated", write_on_two_cores)
-    app.connect("doctree-read", put_explicit_ids_first, priority=100)

@@ -8,7 +8,7 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.application import Sphinx
 
-from book.extension.elements import Filled
+from book.extension.elements import Filled, on
 
 BREAK, BLOCK = "\0", re.compile(r"\s*</?(?:div|li|p|section|summary)\b")
 RAISED = str.maketrans("0123456789−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
@@ -43,6 +43,7 @@ def _section(node: nodes.Node) -> str:
     return node["ids"][0] if node else ""
 
 
+@on("build-finished")
 def write_texts(app: Sphinx, error: Exception | None) -> None:
     """Write the paragraphs of all pages."""
     if error is None and app.builder.format == "html":
@@ -52,14 +53,9 @@ def write_texts(app: Sphinx, error: Exception | None) -> None:
         place.write_text(f"var SearchText = {text};\n", encoding="utf-8")
 
 
+@on("html-page-context")
 def add_scripts(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
     """Load the texts, and what shows them, on the page of the search alone; its formulas are typeset."""
     if pagename == "search":
         for name in (app.config.mathjax_path, *SCRIPTS):
             app.add_js_file(name, loading_method="defer")
-
-
-def setup(app: Sphinx) -> None:
-    """Connect to Sphinx."""
-    app.connect("html-page-context", add_scripts)
-    app.connect("build-finished", write_texts)

@@ -8,9 +8,9 @@ import re
 
 from docutils import nodes
 from docutils.statemachine import StringList
-from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
 
-from book.extension.elements import BookDirective, filled, raw, section
+from book.extension.elements import directive, filled, raw, section
 from book.extension.ledger import Entries
 from book.ledger.seed import parts
 
@@ -20,40 +20,32 @@ DISPLAYED = re.compile(r" *\$\$(.+?)\$\$ *")
 LINES = re.compile(r"(?<=\S)\n(?=\S)")  # lines of one block, as on the front and in the table of §6
 
 
-class Seed(BookDirective):
+@directive("seed")
+def seed(here: SphinxDirective) -> list[nodes.Node]:
     """The whole of it, in sections."""
-
-    def content_nodes(self) -> list[nodes.Node]:
-        book = Entries(self)
-        claims = [claim for claim in book.ledger.sorted_by_place() if claim.of_seed]
-        front = nodes.container(classes=["seed"])
-        found = [front]
-        for place, text in parts().items():
-            here = [claim for claim in claims if claim.where == f"seed:{place}"]
-            verdicts = (
-                [filled("seed_claims", book=book, claims=here, id="seed-" + place.replace(".", "-"))] if place else []
-            )
-            for piece in filter(str.strip, HEADING.split(text)):
-                if HEADING.match(piece):
-                    found.append(section(piece, f"seed-part-{len(found)}", classes=["seed"]))
-                else:
-                    found[-1] += [*self.quoted(piece), *verdicts]
-                    verdicts = []  # they stand under the first of its pieces
-        return found
-
-    def quoted(self, text: str) -> list[nodes.Node]:
-        """A piece of the text, its mathematics typeset; a program stays folded."""
-        program = PROGRAM.search(text)
-        words = PROGRAM.sub("\n", text) if program else text
-        words = DISPLAYED.sub(r"\n\n$$\n\1\n$$\n\n", LINES.sub("\\\\\n", words))
-        quote = nodes.block_quote()
-        self.state.nested_parse(StringList(words.splitlines()), self.content_offset, quote)
-        if program:
-            code = nodes.literal_block(program[1], program[1].rstrip(), language="none")
-            quote += [raw("<details><summary>The program, as printed</summary>"), code, raw("</details>")]
-        return [quote]
+    book = Entries(here)
+    claims = [claim for claim in book.ledger.sorted_by_place() if claim.of_seed]
+    found = [nodes.container(classes=["seed"])]
+    for place, text in parts().items():
+        stand, name = [claim for claim in claims if claim.where == f"seed:{place}"], f"seed-{place.replace('.', '-')}"
+        verdicts = [filled("seed_claims", book=book, claims=stand, id=name)] if place else []
+        for piece in filter(str.strip, HEADING.split(text)):
+            if HEADING.match(piece):
+                found.append(section(piece, f"seed-part-{len(found)}", classes=["seed"]))
+            else:
+                found[-1] += [_quoted(here, piece), *verdicts]
+                verdicts = []  # they stand under the first of its pieces
+    return found
 
 
-def setup(app: Sphinx) -> None:
-    """Register the directive."""
-    app.add_directive("seed", Seed)
+def _quoted(here: SphinxDirective, text: str) -> nodes.block_quote:
+    """A piece of the text, its mathematics typeset; a program stays folded."""
+    program = PROGRAM.search(text)
+    words = PROGRAM.sub("\n", text)
+    words = DISPLAYED.sub(r"\n\n$$\n\1\n$$\n\n", LINES.sub("\\\\\n", words))
+    quote = nodes.block_quote()
+    here.state.nested_parse(StringList(words.splitlines()), here.content_offset, quote)
+    if program:
+        code = nodes.literal_block(program[1], program[1].rstrip(), language="none")
+        quote += [raw("<details><summary>The program, as printed</summary>"), code, raw("</details>")]
+    return quote

@@ -9,6 +9,8 @@ from copy import deepcopy
 from myst_nb.core import render
 from sphinx.application import Sphinx
 
+from book.extension.elements import on
+
 _merge = render.coalesce_streams
 
 
@@ -25,6 +27,7 @@ def joined(outputs: list) -> list:
     return found
 
 
-def setup(app: Sphinx) -> None:
+@on("builder-inited")
+def join_first(app: Sphinx) -> None:
     """Join before MyST-NB merges."""
     render.coalesce_streams = lambda outputs: _merge(joined(outputs))

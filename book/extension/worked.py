@@ -8,11 +8,12 @@ import math
 
 import numpy as np
 from docutils import nodes
-from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
 from sympy import Piecewise, Symbol, latex
 
-from book.extension.elements import filled
-from book.extension.ideas import Idea
+from book.extension.elements import directive, filled
+from book.extension.figures import OPTIONS
+from book.extension.ideas import idea
 from book.idea_kernels import PIXEL, PIXEL_LINES, given, pixel_lines
 from proofs.formulas.symbols import TEX_NAMES
 from renderer import Scene, kernels
@@ -109,16 +110,10 @@ def worked_lines() -> list[dict]:
 ON_A = ("cos_theta", "sin_phi", "u_closed", "v", "h_u", "h_v")
 
 
-class WorkedPixel(Idea):
+@directive("worked-pixel", arguments=1, content=True, **OPTIONS)
+def worked_pixel(here: SphinxDirective) -> list[nodes.Node]:
     """An {idea} with the lines of a pixel under its picture."""
-
-    def content_nodes(self) -> list[nodes.Node]:
-        (figure,) = super().content_nodes()
-        figure["classes"].append("idea-worked")
-        figure.insert(1, filled("worked", lines=worked_lines()))
-        return [figure]
-
-
-def setup(app: Sphinx) -> None:
-    """Register the directive."""
-    app.add_directive("worked-pixel", WorkedPixel)
+    (figure,) = idea(here)
+    figure["classes"].append("idea-worked")
+    figure.insert(1, filled("worked", lines=worked_lines()))
+    return [figure]

@@ -8,8 +8,8 @@ from myst_nb.core.read import read_myst_markdown_notebook
 from pybtex.database import parse_file
 
 from book.build import stamps
-from book.extension.numbers import E_NOTATION, formatted, parse
-from book.extension.results import load_result, look_up
+from book.extension.numbers import E_NOTATION, formatted, measured, parse
+from book.extension.results import look_up
 
 BOOK = stamps.ROOT / "book"
 PAGE = BOOK / "chapter" / "s5.md"
@@ -96,8 +96,7 @@ def _directive(match: re.Match) -> str:
         return ""
     if match["name"] != "benchmark-label":
         raise ValueError(f"the directive {match['name']!r} of {PAGE.name} is not allowed: notebook or benchmark-label")
-    label = load_result(BOOK, f"bench:{match['argument']}")["label"]
-    return f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}."
+    return measured(BOOK, match["argument"])
 
 
 def plain(text: str) -> str:
