@@ -48,35 +48,36 @@ def test_coq_accepts_what_the_record_says():
     assert formal.record(), "proofs/formal changed since its record was made: run python -m verify.formal"
 
 
-FALSE = "Theorem unit_length__length : 1 + 1 = 3. Proof. lra. Qed."
-ADMITTED = "Theorem unit_length__length : 1 + 1 = 3. Proof. Admitted."
-ASSUMED = "Axiom three : 1 + 1 = 3.\nTheorem unit_length__length : 1 + 1 = 3. Proof. exact three. Qed."
-UNGUARDED = """Unset Guard Checking. Fixpoint never (n : nat) : False := never n. Set Guard Checking.
-Theorem unit_length__length : 1 + 1 = 3. Proof. destruct (never 0). Qed."""
-UNPOSITIVE = """Unset Positivity Checking. Inductive no : Type := yes : (no -> False) -> no. Set Positivity Checking.
+WRONG = """From Coq Require Import Reals Lra.
+Open Scope R_scope.
+Theorem left_out__proof : 1 + 1 = 3. Proof. Admitted.
+Axiom three : 1 + 1 = 3.
+Theorem assumed__three : 1 + 1 = 3. Proof. exact three. Qed.
+Unset Guard Checking. Fixpoint never (n : nat) : False := never n. Set Guard Checking.
+Theorem unguarded__three : 1 + 1 = 3. Proof. destruct (never 0). Qed.
+Unset Positivity Checking. Inductive no : Type := yes : (no -> False) -> no. Set Positivity Checking.
 Lemma false (n : no) : False. Proof. destruct n as [f] eqn:E. exact (f n). Qed.
-Theorem unit_length__length : 1 + 1 = 3. Proof. destruct (false (yes false)). Qed."""
-
-PRETENDED = """Module PrimFloat. Axiom three : 1 + 1 = 3. End PrimFloat.
-Theorem unit_length__length : 1 + 1 = 3. Proof. exact PrimFloat.three. Qed."""
+Theorem unpositive__three : 1 + 1 = 3. Proof. destruct (false (yes false)). Qed.
+"""
+WHY = {"left_out": "rests on left_out__proof", "assumed": "rests on three",
+       "unguarded": "never is assumed to be guarded", "unpositive": "no is assumed to be positive"}  # fmt: skip
 
 
 @needs_coq
-@pytest.mark.parametrize(
-    "text, why",
-    [
-        (FALSE, "does not accept"),
-        (ADMITTED, "rests on"),
-        (ASSUMED, "rests on"),
-        (UNGUARDED, "never is assumed to be guarded"),
-        (UNPOSITIVE, "no is assumed to be positive"),
-        (PRETENDED, "PrimFloat: a module of Coq's own"),
-    ],
-)
-def test_what_is_not_proved_is_not_accepted(text, why, tmp_path, monkeypatch):
+def test_what_is_not_proved_is_not_accepted(tmp_path, monkeypatch):
+    """Coq is asked once, and of each theorem what it printed of it."""
     monkeypatch.setattr(formal, "FOLDER", tmp_path)
-    (tmp_path / "Wrong.v").write_text(f"From Coq Require Import Reals Lra.\nOpen Scope R_scope.\n{text}\n")
-    with pytest.raises(formal.NotAccepted, match=why):
+    (tmp_path / "Wrong.v").write_text(WRONG, encoding="utf-8")
+    with monkeypatch.context() as patch:
+        patch.setattr(formal, "_read", lambda *survey: survey)
+        found, printed = formal.compile_files()
+    parts = printed.split(formal.SEPARATOR)
+    for number, (theorem, why) in enumerate(WHY.items()):
+        own = "".join(f"{part}{formal.SEPARATOR}" for part in parts[2 * number : 2 * number + 2])
+        with pytest.raises(formal.NotAccepted, match=why):
+            formal._read({theorem: found[theorem]}, own)
+    (tmp_path / "Wrong.v").write_text(WRONG.replace("Admitted", "lra. Qed"), encoding="utf-8")
+    with pytest.raises(formal.NotAccepted, match="does not accept Wrong"):
         formal.compile_files()
 
 
@@ -88,13 +89,19 @@ def test_files_that_cannot_be_ordered_or_are_named_as_coqs_own_are_refused(tmp_p
     (tmp_path / "Two.v").write_text("From Formal Require Import One.\n")
     with pytest.raises(formal.NotAccepted, match="require each other"):
         formal.files()
-    (tmp_path / "Uint63.v").write_text("Axiom three : 1 + 1 = 3.\n")
-    with pytest.raises(formal.NotAccepted, match="Uint63: a module of Coq's own"):
-        formal.files()
+    axiom = "Axiom three : 1 + 1 = 3."
+    for file, text, name in (
+        ("Three", f"Module PrimFloat. {axiom} End PrimFloat.", "PrimFloat"),
+        ("Uint63", axiom, "Uint63"),
+    ):
+        (tmp_path / f"{file}.v").write_text(text)
+        with pytest.raises(formal.NotAccepted, match=f"{name}: a module of Coq's own"):
+            formal.files()
+        (tmp_path / f"{file}.v").unlink()
 
 
-TRUE = "I\n     : True\n"
-SAID, CLOSED = f"unit_length__length\n     : 1 = 1\n{TRUE}", f"Closed under the global context\n{TRUE}"
+TRUE = formal.SEPARATOR
+SAID, CLOSED = f"unit_length__length\n     : 1 = 1\n{TRUE}", f"{formal.CLOSED}{TRUE}"
 
 
 @pytest.mark.parametrize(

@@ -53,14 +53,6 @@ def test_the_pole_itself_has_no_bump(form, x, y):
     assert [abs(float(values[n])) for n in VECTOR] == [0.0] * len(g)
 
 
-@pytest.mark.parametrize("field", ["", "_ridges", "_rings"])
-def test_the_gradient_does_not_feel_the_wave_number(field):
-    """|error| ≤ 8 · 2⁻⁵³ π max(1, |k|) up to 2²⁰; with a rounded product it is a million times that."""
-    ours = sweep("wave_numbers" + field)
-    assert ours.worst().max() <= UNIT
-    assert np.nanmax(ours.worst("libm, rounded argument")) > 1e5 * UNIT
-
-
 def test_the_silhouette_costs_a_square_root():
     """|ΔN| √s is bounded by a few roundings: half of the digits at s = 2⁻⁵³, none in the middle."""
     ours = sweep("silhouette")

@@ -16,7 +16,7 @@ from proofs.formulas.symbols import h_u, h_v, normal
 from renderer import Scene, central, exact, gradient_at
 from renderer.methods import GradientMethod
 from renderer.sweep import rms
-from verify.accuracy.frontiers.wall import linear_weights, sample
+from verify.accuracy.frontiers.wall import interpolated, linear_weights, sample
 from verify.evaluate.arrays import in_float64
 
 in_frame = dict(zip((*normal, *g), (S.Zero, S.Zero, S.One, h_u, h_v, S.Zero), strict=True))
@@ -57,13 +57,7 @@ def from_bytes(stored: np.ndarray) -> np.ndarray:
 
 def fetched(normals: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Return the normal that a map gives at points, (3, n): bilinear between four texels, and normalised."""
-    texels = normals.shape[1]
-    at = [np.floor(c * texels).astype(int) for c in (u, v)]
-    weights = [linear_weights(c * texels - n)[0] for c, n in zip((u, v), at, strict=True)]
-    found = np.zeros((3, *np.shape(u)))
-    for i, along in enumerate(weights[0]):
-        for j, down in enumerate(weights[1]):
-            found += normals[:, (at[0] + i) % texels, (at[1] + j) % texels] * along * down
+    found, *_ = interpolated(normals, linear_weights, 0, u, v)
     return found / np.linalg.norm(found, axis=0)
 
 

@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient, height
+from renderer.sweep import rms
 from verify.evaluate.arrays import in_float64
 
 KU, KV = 8.0, 4.0
@@ -47,28 +48,32 @@ def spline_coefficients(table: np.ndarray) -> np.ndarray:
     return np.fft.irfft2(spectrum, table.shape)
 
 
-def interpolated_gradient(
+def interpolated(
     table: np.ndarray, weights: Callable[[np.ndarray], Weights], first: int, u: np.ndarray, v: np.ndarray
-) -> Pair:
-    """Return (h_u, h_v) of a tensor-product interpolation; `first`: offset of its first coefficient."""
-    texels = table.shape[0]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return (value, by u, by v) of a periodic tensor-product interpolation.
+
+    table: (…, texels, columns), `texels` of them to a unit; first: offset of a point's first coefficient.
+    """
+    texels, columns = table.shape[-2:]
     at = [np.floor(c * texels).astype(int) for c in (u, v)]
     (wu, du), (wv, dv) = (weights(c * texels - n) for c, n in zip((u, v), at, strict=True))
-    h_u, h_v = np.zeros_like(u), np.zeros_like(v)
+    value, by_u, by_v = np.zeros((3, *table.shape[:-2], *u.shape))
     for i in range(len(wu)):
         for j in range(len(wv)):
-            coefficient = table[(at[0] + i + first) % texels, (at[1] + j + first) % (2 * texels)]
-            h_u += coefficient * du[i] * wv[j]
-            h_v += coefficient * wu[i] * dv[j]
-    return h_u * texels, h_v * texels
+            coefficient = table[..., (at[0] + i + first) % texels, (at[1] + j + first) % columns]
+            value += coefficient * wu[i] * wv[j]
+            by_u += coefficient * du[i] * wv[j]
+            by_v += coefficient * wu[i] * dv[j]
+    return value, by_u * texels, by_v * texels
 
 
-def reconstructed(field: str, texels: int, kind: str, u: np.ndarray, v: np.ndarray) -> Pair:
-    """Return (h_u, h_v) of the "bilinear" or "cubic" interpolation of a field's table."""
+def slope(field: str, texels: int, kind: str, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Return h_u of the "bilinear" or "cubic" interpolation of a field's table."""
     table = table_of(field, texels)
     if kind == "bilinear":
-        return interpolated_gradient(table, linear_weights, 0, u, v)
-    return interpolated_gradient(spline_coefficients(table), cubic_weights, -1, u, v)
+        return interpolated(table, linear_weights, 0, u, v)[1]
+    return interpolated(spline_coefficients(table), cubic_weights, -1, u, v)[1]
 
 
 def sample() -> Pair:
@@ -80,8 +85,8 @@ def errors(field: str, kind: str, texels: Sequence[int] = TEXELS) -> Pair:
     """Return (largest, RMS) error of h_u for each number of texels across, over the sample."""
     u, v = sample()
     right = in_float64(gradient(HEIGHT_FIELDS[field]), {"u": u, "v": v, "k_u": KU, "k_v": KV})["h_u"]
-    off = [np.abs(reconstructed(field, n, kind, u, v)[0] - right) for n in texels]
-    return np.array([e.max() for e in off]), np.array([np.sqrt(np.mean(e**2)) for e in off])
+    off = [np.abs(slope(field, n, kind, u, v) - right) for n in texels]
+    return np.array([e.max() for e in off]), np.array([rms(e) for e in off])
 
 
 def order(values: np.ndarray, texels: Sequence[int] = TEXELS, last: int = 4) -> float:

@@ -1,6 +1,5 @@
 """How accurate the picture, the exact gradient and the central difference are, against balls. See verify/accuracy."""
 
-from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -8,16 +7,10 @@ import numpy as np
 from verify.accuracy import clamped_order, ridge_law
 from verify.accuracy.difference_bounds import Bounds, bounds, escapes
 from verify.accuracy.differences import CASES, STEPS, parts
-from verify.accuracy.gradient_errors import (
-    ALGEBRAIC,
-    GENERAL,
-    by_rounded_products,
-    by_the_renderer,
-    worst_at_chart_points,
-    worst_at_image_points,
-)
+from verify.accuracy.gradient_errors import UNIT, worst_at_image_points
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, TOLERANCE, checked_pixels, problems
 from verify.checkers.measurement import Measurement, measures
+from verify.stability.rows import SWEEPS, sweep
 
 FIELDS = ("sine", "ridges", "rings")
 
@@ -49,23 +42,23 @@ def pixels(tolerance: float = TOLERANCE, share: float = 1.0) -> Measurement:
     )
 
 
-@measures("gradient_accuracy", false={"with libm's sine of a rounded πku": {"form": by_rounded_products}})
-def general_gradient(bound: float = GENERAL, form: Callable = by_the_renderer) -> Measurement:
+@measures("gradient_accuracy", false={"with libm's sine of a rounded πku": {"form": "libm, rounded argument"}})
+def general_gradient(form: str | None = None) -> Measurement:
     """The general form, |k| to 2^20, at random and beside the creases."""
-    found = {field: worst_at_chart_points(field, form=form) for field in FIELDS}
+    found = {name: sweep(name) for name in SWEEPS if name.startswith("wave_numbers")}
     return Measurement(
-        samples=sum(points for _, points in found.values()),
-        seed=11,
-        worst=max(units for units, _ in found.values()),
-        bound=bound,
-        holds=True,
+        samples=sum(seen.points for seen in found.values()),
+        seed=4,
+        worst=max(np.nanmax(seen.worst(form)) for seen in found.values()) / UNIT,
+        bound=8.0,
+        holds=not any(seen.escaped for seen in found.values()),
         what="the general form: the largest error over π max(1, |k|) 2^-53",
-        numbers={field: units for field, (units, _) in found.items()},
+        numbers={name: np.nanmax(seen.worst(form)) / UNIT for name, seen in found.items()},
     )
 
 
 @measures("gradient_accuracy", false={"within 2 (1 + k)": {"bound": 2.0}})
-def algebraic_gradient(bound: float = ALGEBRAIC) -> Measurement:
+def algebraic_gradient(bound: float = 8.0) -> Measurement:
     """The algebraic form from the image point, R/e from 1e-6 to 1 − 1e-9, sin φ to 1e-150."""
     found = {field: worst_at_image_points(field) for field in FIELDS}
     return Measurement(
