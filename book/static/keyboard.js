@@ -1,5 +1,6 @@
 // A claim that a link leads to opens. What is too wide for its column scrolls in itself, and its edge fades while there
-// is more: the Tab key then reaches it, and the arrow keys move it. On a phone a picture's panels stand one below the other.
+// is more: the Tab key then reaches it, and the arrow keys move it. On a phone a picture's panels stand one below the other,
+// and a table that is too wide becomes a list.
 // The theme does so for code and tables; here are figures, formulas, theorems and graphs.
 "use strict";
 (() => {
@@ -44,11 +45,22 @@
     image.removeAttribute("data-panels");
   }
 
+  // Each row is an entry; a cell says what its column is called.
+  function list(table) {
+    if (table.offsetWidth <= table.parentElement.clientWidth) return;
+    const names = Array.from(table.tHead?.rows[0].cells ?? [], (head) => head.textContent.trim());
+    for (const cell of table.querySelectorAll("tbody :is(td, th):not(:first-child)")) cell.dataset.column = names[cell.cellIndex] ?? "";
+    table.classList.add("as-list");
+  }
+
   function watch() {
     const page = document.getElementById("main-content");
     open_claim();
     const all = () => {
-      if (PHONE.matches) page.querySelectorAll("img[data-panels][src]").forEach(stack);
+      if (PHONE.matches) {
+        page.querySelectorAll("img[data-panels][src]").forEach(stack);
+        page.querySelectorAll("table.table:not(.as-list)").forEach(list);
+      }
       page.querySelectorAll(SCROLLS).forEach(put_into_reach);
       page.querySelectorAll(`${SCROLLS}, .pst-scrollable-table-container, pre`).forEach(fade);
     };
