@@ -1,48 +1,54 @@
-"""The U-curve: the error of a central difference against its step, measured at 50 digits."""
+"""The U-curve: the error of a central difference against its step, measured by mpmath at 50 digits."""
+
+from functools import partial
 
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import bound_style, decades, label_line_end, palette, plot, slope_triangle
+from renderer import Scene
 from renderer.facts import SMOOTH_POINT
-from verify.accuracy.differences import Case, parts
+from verify.accuracy import u_curve as by_mpmath
 
+SCENE = Scene(field="sine")
 UNIT_ROUNDOFF = 2.0**-53
-PLACE = Case("smooth", "sine", 8.0, 4.0, *SMOOTH_POINT)
+
+
+errors = partial(by_mpmath.errors, *SMOOTH_POINT)
+truncation = partial(by_mpmath.truncation, *SMOOTH_POINT)
 
 
 @figure("u_curve")
 def u_curve() -> Drawing:
     """The error of the central difference of sine at a smooth point, from ε = 0.1 to 1e-12."""
     steps = np.logspace(-1, -12, 221)
-    found = parts(PLACE, steps)
-    measured, truncation = np.abs(found.total), np.abs(found.truncation)
+    measured = errors(steps)
     fig, ax = plot(height=3.9)
     colour = palette()["numeric"]
     ax.plot(steps, measured, color=colour, linewidth=0, marker="o", markersize=2.6)
-    ax.plot(steps, truncation, **bound_style())
+    ax.plot(steps, truncation(steps), **bound_style())
     decades(ax, 2, 2, ylim=(1e-13, 1e2), xlabel="step ε", ylabel="error of $h_u$")
     label_line_end(ax, steps[0], measured[0], "central\ndifference", colour)
     middle, ink = 1e-7, palette()["bound"]
-    at_middle = np.abs(parts(PLACE, [middle]).truncation[0])
+    at_middle = truncation(np.array([middle]))[0]
     label_line_end(ax, middle, at_middle, "truncation, in\nexact arithmetic", ink, side="left")
     slope_triangle(ax, 3e-4, 1e-7, 2, "2")
     branch = (steps < 3e-2) & (steps > 1e-4)
     slope = np.polyfit(np.log(steps[branch]), np.log(measured[branch]), 1)[0]
     best = measured.argmin()
     cited = (1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
-    at = {f"error_{eps:.0e}": error for eps, error in zip(cited, np.abs(parts(PLACE, cited).total), strict=True)}
-    third = (np.pi * PLACE.k_u) ** 3
+    at = {f"error_{eps:.0e}": error for eps, error in zip(cited, errors(cited), strict=True)}
+    third = (np.pi * SCENE.ku) ** 3
     numbers = {
         "u": SMOOTH_POINT[0],
         "v": SMOOTH_POINT[1],
         "least": measured[best],
         "best_eps": steps[best],
         "slope": slope,
-        "exact": found.slope,
+        "exact": float(by_mpmath.exact_slope(*SMOOTH_POINT)),
         "third_derivative": third,
-        "third_derivative_half": (np.pi * PLACE.k_u / 2) ** 3,
+        "third_derivative_half": (np.pi * SCENE.ku / 2) ** 3,
         "predicted_eps": (3 * UNIT_ROUNDOFF / third) ** (1 / 3),
     }
-    data = {"step": steps, "error": measured, "truncation": truncation}
+    data = {"step": steps, "error": measured, "truncation": truncation(steps)}
     return Drawing(fig, numbers=numbers | at, data=data)

@@ -5,12 +5,16 @@ That every point lies below its bound is the theorem `difference_bounds`, run wi
 
 import numpy as np
 import pytest
+from flint import arb, ctx
 
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import central, exact, gradient_at
-from verify.accuracy import best_step
+from verify.accuracy import best_step, u_curve
 from verify.accuracy.difference_bounds import Bounds, bounds, escapes
 from verify.accuracy.differences import CASES, STEPS, by_the_kernel, parts, taken_apart
 from verify.accuracy.ridge_law import SCENE, predicted, quadrature
+from verify.evaluate.arrays import in_balls
+from verify.evaluate.balls import ball_of
 
 STEEP = CASES[0]
 SOME = STEPS[::20]
@@ -23,6 +27,18 @@ def test_the_differences_are_the_renderers(case):
     assert by_the_kernel(case.field, at)[case.component].tolist() == [
         float(found[case.component == "h_v"]) for found in one_by_one
     ]
+
+
+def test_mpmath_and_the_balls_measure_the_same():
+    """The slope to 48 digits; errors and truncation to the last places of float64; a wrong reference is seen."""
+    at = {"u": STEEP.u, "v": STEEP.v}
+    ball, slope = in_balls(gradient(HEIGHT_FIELDS["sine"]), STEEP.inputs)["h_u"].item(), u_curve.exact_slope(**at)
+    with ctx.workprec(300):
+        assert ball.rad() < 1e-60 and abs(ball - ball_of(slope)) < arb(10) ** -48
+    found = parts(STEEP, SOME)
+    np.testing.assert_allclose(u_curve.errors(**at, steps=SOME), np.abs(found.total), rtol=1e-14)
+    np.testing.assert_allclose(u_curve.truncation(**at, steps=SOME), np.abs(found.truncation), rtol=1e-14)
+    assert np.abs(u_curve.truncation(0.6100001, STEEP.v, SOME) - np.abs(found.truncation)).max() > 1e-7
 
 
 @pytest.mark.parametrize("eps", [3e-2, 1e-5, 1e-8, 1e-12])
