@@ -1,7 +1,9 @@
 """Check every stored certificate with the kernel, in bare Python:  python -m proofs.check [ID …]
 
 Imports the standard library alone: no SymPy, so it takes seconds. It decides whether each certificate proves the
-statement stored with it. That the statements are those of today's formulas is for `pytest verify` to say.
+statement stored with it, and that hypotheses can hold: "they contradict each other" is a statement, too, which an exact
+point refutes. Of a case of a claim that cannot occur, the statement that it cannot is proved instead. That the
+statements are those of today's formulas is for `pytest verify` to say.
 """
 
 import argparse
@@ -9,25 +11,60 @@ import hashlib
 import json
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable
 from pathlib import Path
 
-from proofs.engine.hypotheses import reasons
-from proofs.engine.kernel import fits
+from proofs.engine import kernel
 
 FOLDER = Path(__file__).parent / "certificates"
 
-
-def files(ids: Sequence[str]) -> list[Path]:
-    """Return the certificate files of the given theorems (all, if none is given); ValueError on an unknown id."""
-    known = {path.stem: path for path in sorted(FOLDER.glob("*.json"))}
-    if unknown := [id for id in ids if id not in known]:
-        raise ValueError(f"no certificates of {', '.join(unknown)}; there are: {', '.join(known)}")
-    return [known[id] for id in ids] if ids else list(known.values())
-
-
+ABSURD = {"step": "show", "is": "=", "of": {"": "1"}}
+PI = {"step": "define", "new": "pi", "of": {"": "355/113"}}  # of π a statement knows 3 < π < 22/7, and no more
 PAIR = dict.fromkeys(("sha256", "statement", "certificate", "point"), lambda data: True)  # looked at below
 CLAIM = {"claim": lambda name: isinstance(name, str), "statements": [PAIR]}
+
+
+def contradiction(statement: dict) -> dict:
+    """Return the derivation of 1 = 0 from what a derivation or an induction assumes, and what that is made of."""
+    steps = statement["steps"] if "steps" in statement else [{"step": "assume"} | s for s in statement["assume"]]
+    kept, used = [ABSURD], set()
+    for step in reversed(steps):
+        if step["step"] == "assume" or step.get("new") in used:
+            kept.insert(0, step)
+            used |= {factor.partition("^")[0] for monomial in step["of"] for factor in monomial.split()}
+    variables = [name for name in statement["variables"] if name in used]
+    return {"version": statement["version"], "kind": "derivation", "variables": variables, "steps": kept}
+
+
+def consistency(statement: dict) -> dict:
+    """Return the "refutation" of its contradiction: at the point that is its certificate, the hypotheses hold."""
+    said = contradiction(statement)
+    if "pi" in said["variables"]:
+        variables = [name for name in said["variables"] if name != "pi"]
+        said |= {"variables": variables, "steps": [PI, *said["steps"]]}
+    return said | {"kind": "refutation"}
+
+
+def is_empty(statement: dict) -> bool:
+    """Return whether a statement says that a case of its claim cannot occur."""
+    return statement["kind"] == "derivation" and statement == contradiction(statement)
+
+
+def why_void(statement: dict, point: dict | None, check: Callable) -> Exception | str | None:
+    """Return None if the point shows that the hypotheses can hold, or where none is needed; else why it does not.
+
+    None is needed by a separation and a refutation; nor by a derivation of 1 = 0, which says that there is none.
+    """
+    if statement["kind"] in ("derivation", "induction") and not is_empty(statement):
+        return check(consistency(statement), {"point": point})
+    return None if point is None else "a point where none is needed"
+
+
+def reasons(cases: list, check: Callable = kernel.check) -> list[Exception | str | None]:
+    """Return None, or why `check` does not accept it, of each case of a claim: (statement, certificate, point)."""
+    found = [check(said, certificate) or why_void(said, point, check) for said, certificate, point in cases]
+    contradictory = not any(found) and all(is_empty(statement) for statement, *_ in cases)
+    return ["its hypotheses contradict each other"] * len(cases) if contradictory else found
 
 
 def canonical(data: object) -> str:
@@ -46,7 +83,7 @@ def verdicts(text: str, theorem: str) -> list[tuple[str, object]]:
     found: list[tuple[str, object]] = []
     if text != canonical(data):
         return [("the file", "it is not its own canonical form")]
-    if not fits(data, {"version": 1, "theorem": theorem, "claims": [CLAIM]}):
+    if not kernel.fits(data, {"version": 1, "theorem": theorem, "claims": [CLAIM]}):
         return [("the file", "it has another form")]
     for claim in data["claims"]:
         cases = [(entry["statement"], entry["certificate"], entry["point"]) for entry in claim["statements"]]
@@ -61,17 +98,18 @@ def main(arguments: list[str] | None = None) -> int:
     """Print a line a theorem; return 0 if the kernel accepts all, 1 if not, 2 on an unknown id."""
     parser = argparse.ArgumentParser(prog="python -m proofs.check", description=__doc__)
     parser.add_argument("ids", nargs="*", metavar="ID", help="theorems (default: all)")
-    try:
-        chosen = files(parser.parse_args(arguments).ids)
-    except ValueError as error:
-        print(f"python -m proofs.check: error: {error}", file=sys.stderr)
+    known = {path.stem: path for path in sorted(FOLDER.glob("*.json"))}
+    ids = parser.parse_args(arguments).ids or list(known)
+    if unknown := [id for id in ids if id not in known]:
+        there = f"no certificates of {', '.join(unknown)}; there are: {', '.join(known)}"
+        print(f"python -m proofs.check: error: {there}", file=sys.stderr)
         return 2
     start, total, rejected = time.perf_counter(), 0, 0
-    for path in chosen:
-        found = verdicts(path.read_text(encoding="utf-8"), path.stem)
+    for id in ids:
+        found = verdicts(known[id].read_text(encoding="utf-8"), id)
         wrong = [(claim, why) for claim, why in found if why is not None]
         total, rejected = total + len(found), rejected + len(wrong)
-        print(f"{path.stem:32} {len(found) - len(wrong)} of {len(found)} accepted")
+        print(f"{id:32} {len(found) - len(wrong)} of {len(found)} accepted")
         for claim, why in wrong:
             print(f"    {claim}: {why}")
     print(f"{total - rejected} of {total} certificates accepted in {time.perf_counter() - start:.1f} s")

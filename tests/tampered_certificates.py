@@ -17,8 +17,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from proofs.check import FOLDER
-from proofs.engine.hypotheses import consistency
+from proofs.check import FOLDER, consistency
 from verify.benchmark.label import label, write
 from verify.checkers.kernels import accepted
 from verify.checkers.tampering import draws

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from tests.tampered_certificates import RESULT, different, trial
-from verify.checkers.acceptance import CHECKERS
+from verify.checkers.kernels import CHECKERS
 
 
 def test_nothing_is_tried_twice():

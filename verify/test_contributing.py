@@ -33,10 +33,10 @@ LIGHT = section("A light model in one sitting")
 MODEL, ENTRY, CLAIM = blocks(LIGHT)
 EXAMINE = """
 import json
-from proofs.engine.theorem import all_theorems
+from proofs.engine.certificate import all_theorems, prove
 from verify.checkers.proof_checker import examine
 theorems = all_theorems()
-found = examine(theorems["{id}"], theorems)
+found = examine(theorems["{id}"], theorems, prove)
 print(json.dumps([found.grade, found.mutants, found.mutants_killed, found.problems]))
 """
 

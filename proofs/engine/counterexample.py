@@ -3,71 +3,70 @@
 import re
 from collections.abc import Mapping
 from fractions import Fraction
+from math import isqrt
 
 from sympy import Expr, Symbol, cos, sin, sympify
 
 from proofs.engine import kernel
-from proofs.engine.points import NotRational, rational_root
 
 CIRCLE = re.compile(r"(cos|sin)\((.*)\)")
 
 
-def complete(statement: dict, point: Mapping[Symbol, Expr | Fraction | int]) -> dict[str, Fraction]:
-    """Return the values {name: Fraction} of every name of a derivation at a point {symbol: exact value}.
-
-    A cosine and a sine are those of their angle there, as SymPy has them in closed form: nobody chooses them.
-    Raises NotRational where a value is irrational or a denominator is zero, KeyError where a name has no value.
-    """
-    if not all(symbol.is_Symbol for symbol in point):
-        raise NotRational("only a symbol is a coordinate: π, say, is one number")
-    at = {
-        symbol.name: sympify(str(value)) if isinstance(value, Fraction) else sympify(value)
-        for symbol, value in point.items()
-    }
-    values = {name: _rational(_coordinate(name, at)) for name in statement["variables"]}
-    for step in (step for step in statement["steps"] if "new" in step):
-        numbers = {name: kernel.multiply(value) for name, value in values.items()}
-        value = Fraction(kernel.read(step["of"], numbers).get((), 0))
-        if step["step"] == "inverse" and not value:
-            raise NotRational(f"{step['new']} is the inverse of zero")
-        values[step["new"]] = {"root": rational_root, "inverse": lambda p: 1 / p}.get(step["step"], Fraction)(value)
-    return values
+class NotRational(ValueError):
+    """A point gives no rational value to something, or fails what has to hold."""
 
 
-def _coordinate(name: str, at: dict[str, Expr]) -> Expr:
-    circle = CIRCLE.fullmatch(name)
-    if circle is None:
-        return at[name]
-    angle = sympify(
-        circle[2], locals={s: Symbol(s, real=True) for s in re.findall(r"[A-Za-z_]\w*", circle[2]) if s != "pi"}
-    )
-    return {"cos": cos, "sin": sin}[circle[1]](angle.subs({s: at[s.name] for s in angle.free_symbols}))
+def rational_root(value: Fraction) -> Fraction:
+    """Return √value of a Fraction, or raise NotRational."""
+    if value >= 0:
+        root = Fraction(isqrt(value.numerator), isqrt(value.denominator))
+        if root * root == value:
+            return root
+    raise NotRational(f"√({value}) is not rational")
 
 
-def _rational(value: Expr) -> Fraction:
-    if not value.is_Rational:
-        raise NotRational(f"{value} is not rational")
-    return Fraction(value.p, value.q)
-
-
-def refutation(statements: list[dict], point: dict) -> tuple[dict, dict] | None:
+def refutation(statements: list[dict], point: Mapping[Symbol, Expr | Fraction | int]) -> tuple[dict, dict] | None:
     """Return (statement, certificate) of kind "refutation" that the kernel accepts, or None.
 
-    statements: a claim's derivations. point: {symbol: exact value} of the inputs, angles too.
-    The statement ends with the first conclusion that fails.
+    statements: a claim's derivations. point: {symbol: exact value} of the inputs, angles too. The statement ends with
+    the first conclusion that fails. Only a symbol is a coordinate: π, say, is one number.
     """
+    if not all(symbol.is_Symbol for symbol in point):
+        return None
+    at = {symbol.name: sympify(str(value)) for symbol, value in point.items()}
     for statement in statements:
         try:
-            values = complete(statement, point)
-        except (NotRational, KeyError):
+            values = _complete(statement, at)
+        except (NotRational, KeyError, ZeroDivisionError):
             continue
         for end, step in enumerate(statement["steps"], 1):
             if step["step"] != "show":
                 continue
             refuted = statement | {"kind": "refutation", "steps": statement["steps"][:end]}
-            defined = {s["new"] for s in refuted["steps"] if s["step"] == "define"}
-            declared = {s["new"] for s in refuted["steps"] if "new" in s} | set(statement["variables"])
-            kept = {n: str(v) for n, v in sorted(values.items()) if n in declared - defined}
+            new = {s["new"] for s in refuted["steps"] if s["step"] in ("root", "inverse")}
+            kept = {n: str(v) for n, v in sorted(values.items()) if n in new.union(statement["variables"])}
             if kernel.check(refuted, {"point": kept}) is None:
                 return refuted, {"point": kept}
     return None
+
+
+def _complete(statement, at):
+    """Return the values {name: Fraction} of every name of a derivation; KeyError where a name has none."""
+    values = {name: _coordinate(name, at) for name in statement["variables"]}
+    for step in (step for step in statement["steps"] if "new" in step):
+        numbers = {name: kernel.multiply(value) for name, value in values.items()}
+        value = Fraction(kernel.read(step["of"], numbers).get((), 0))
+        values[step["new"]] = {"root": rational_root, "inverse": lambda p: 1 / p}.get(step["step"], Fraction)(value)
+    return values
+
+
+def _coordinate(name, at):
+    """Return a name's value; a cosine and a sine are those of their angle there: nobody chooses them."""
+    value = at.get(name)
+    if circle := CIRCLE.fullmatch(name):
+        symbols = {s: Symbol(s, real=True) for s in re.findall(r"[A-Za-z_]\w*", circle[2]) if s != "pi"}
+        angle = sympify(circle[2], locals=symbols)
+        value = {"cos": cos, "sin": sin}[circle[1]](angle.subs({s: at[s.name] for s in angle.free_symbols}))
+    if value is None or not value.is_Rational:
+        raise NotRational(f"{name} is {value}")
+    return Fraction(value.p, value.q)

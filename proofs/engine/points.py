@@ -7,10 +7,10 @@ import random
 import re
 from bisect import bisect_left
 from fractions import Fraction
-from math import isqrt
 
+from proofs.check import consistency
 from proofs.engine import kernel
-from proofs.engine.hypotheses import consistency
+from proofs.engine.counterexample import NotRational, rational_root
 
 WHOLE, PARTS = (0, 1, 2, 3, 10, 1000), ((3, 5), (4, 5), (5, 13), (12, 13), (3, 4), (4, 3), (5, 12), (24, 7))
 SIMPLE = [*map(Fraction, WHOLE), *(Fraction(*pair) for pair in (*PARTS, (1, 2), (1, 3), (2, 3), (1, 4), (1, 10)))]
@@ -53,10 +53,6 @@ def is_circle(step: dict) -> bool:
 def _indices(proof):
     sums = [i for _, _, factors in proof.get("sum", ()) for i in factors]
     return [*proof.get("positive", ()), *(i for i, _ in proof["cofactors"]), *sums]
-
-
-class NotRational(ValueError):
-    """A point gives no rational value to something, or fails what has to hold."""
 
 
 def find_point(statement: dict, example: dict[str, Fraction], tries: int = TRIES) -> dict[str, str] | None:
@@ -128,12 +124,3 @@ def _solved(p, rng, pool):
         ratio, radius = rational_root(a / b), rational_root(-c / b)
         return {y: radius * (1 - t * t) / (1 + t * t), x: radius * 2 * t / (1 + t * t) / ratio}
     return None
-
-
-def rational_root(value: Fraction) -> Fraction:
-    """Return √value of a Fraction, or raise NotRational."""
-    if value >= 0:
-        root = Fraction(isqrt(value.numerator), isqrt(value.denominator))
-        if root * root == value:
-            return root
-    raise NotRational(f"√({value}) is not rational")

@@ -3,22 +3,13 @@
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import combinations_with_replacement
-from typing import Any
 
 from proofs.engine import kernel
 from proofs.engine.feasible import feasible
 from proofs.engine.ideal import Ideal
 from proofs.engine.kernel import Fact, Values
 from proofs.engine.statement import polynomial_data
-
-
-class NotFound(Exception):
-    """No certificate was found; `goal` is the polynomial data and relation that could not be shown."""
-
-    def __init__(self, goal: Any, remainder: Any = None):
-        super().__init__(f"no certificate found for {goal}")
-        self.goal, self.remainder = goal, remainder
-
+from proofs.engine.stored import NotFound, show_polynomial
 
 EFFORTS = ((1, False), (2, False), (2, True), (3, True))  # factors of a product; squares of names and sums
 MAX_EFFORT = len(EFFORTS)
@@ -65,7 +56,9 @@ def find(goal: Fact, facts: list[Fact], values: Values, squares: Sequence[dict] 
 
 def _not_found(ideal, goal):
     p = ideal.element(goal[0])
-    return NotFound((ideal.data(p), goal[1]), ideal.data(ideal.divide(p)[0]))
+    remainder = ideal.data(ideal.divide(p)[0])
+    left = f"; what is left of it: {show_polynomial(remainder)}" if remainder else ""
+    return NotFound(f"no certificate found for {show_polynomial(ideal.data(p))} {goal[1]} 0{left}")
 
 
 def _stored(ideal, cofactors):
@@ -167,7 +160,7 @@ def _separation(statement, squares, effort):
             reached.add(name)
             pending += uses.get(name, [])
     if bad := sorted(reached & set(statement["avoid"])):
-        raise NotFound((f"{', '.join(statement['outputs'])} without {', '.join(bad)}", "separation"))
+        raise NotFound(f"no certificate found: {', '.join(statement['outputs'])} without {', '.join(bad)}")
     return {"reached": sorted(reached)}
 
 

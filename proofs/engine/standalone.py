@@ -10,8 +10,8 @@ import sys
 import textwrap
 
 from proofs import check
-from proofs.engine import hypotheses, kernel
-from proofs.engine.certificate import path_of
+from proofs.engine import kernel
+from proofs.engine.stored import path_of
 from proofs.engine.theorem import all_theorems
 
 SCRIPT = '''#!/usr/bin/env python3
@@ -21,8 +21,7 @@ SCRIPT = '''#!/usr/bin/env python3
 
 {kernel}
 
-# 2. That hypotheses can hold, and what a file of certificates looks like: from proofs/engine/hypotheses.py and
-# proofs/check.py, as they stand.
+# 2. That hypotheses can hold, and what a file of certificates looks like: from proofs/check.py, as it stands.
 
 import hashlib
 import json
@@ -31,7 +30,7 @@ import sys
 {checks}
 
 # 3. The statement, as polynomials, its certificate, as the search found it, and a point where its hypotheses hold;
-# proofs/engine/statement_data.py and certificate.py have the format.
+# proofs/engine/certificate.py has the format.
 
 DATA = r"""{data}"""
 
@@ -79,12 +78,10 @@ def standalone_script(theorem_id: str) -> str:
 
 
 def _checks():
-    """Return what a script needs of `hypotheses` and `proofs.check`: their code without what they import."""
-    code = inspect.getsource(hypotheses)
-    parts = [code[code.index("ABSURD") :].replace("kernel.check", "check").replace("Callable", "object")]
-    source = inspect.getsource(check)
-    parts += [source[source.index("PAIR =") : source.index("def main")]]
-    return "\n\n".join(part.strip() for part in parts)
+    """Return what a script needs of `proofs.check`: its code without what it imports, and without the command."""
+    code = inspect.getsource(check)
+    code = code[code.index("ABSURD =") : code.index("def main")].strip()
+    return code.replace("kernel.", "").replace("Callable", "object")
 
 
 def _header(theorem):

@@ -1,33 +1,77 @@
 """From SymPy to data: the translation of a claim into statements that the kernel checks. This file is trusted.
 
-The rules (`proofs.engine.statement_data` has the format). Symbols are plain real ones: a sign, a range, being whole is
-a hypothesis. Both sides of a relation are translated as they stand, the factors of a product that is shown as names
+The rules (`proofs.engine.certificate` has the format). Symbols are plain real ones: a sign, a range, being whole is a
+hypothesis. Both sides of a relation are translated as they stand, the factors of a product that is shown as names
 (sum_1, …) of their own, so that the kernel multiplies. A quotient becomes an inverse, a radical a root, with their
-obligations. sin and cos of a sum of whole multiples are expanded by the addition formulas (`proofs.engine.angles`);
-an atom gives two variables with c² + s² = 1. |a| is √(a²), or ±a where the sign is given. Max, Min, sign and
-Piecewise take the branch that is given, and its condition is shown; where none is, the claim is split into two
-statements, one with the condition assumed and one with its negation. Of π only 3 < π < 22/7 is used.
-Derivatives are SymPy's `diff`. Anything else is an error, never a guess.
+obligations. Angles are sums of whole multiples of atoms, each divided by the denominators that occur with it: sin and
+cos of a sum are expanded by the addition formulas; an atom gives two variables with c² + s² = 1. |a| is √(a²), or ±a
+where the sign is given. Max, Min, sign and Piecewise take the branch that is given, and its condition is shown; where
+none is, the claim is split into two statements, one with the condition assumed and one with its negation. In an
+induction cos nα and sin nα are states. Of π only 3 < π < 22/7 is used. Derivatives are SymPy's `diff`. Anything else is
+an error, never a guess.
 """
 
 import json
 import re
 from collections.abc import Iterable, Sequence
 from functools import cache
+from math import lcm
 from typing import Any
 
-from sympy import Abs, And, Basic, Expr, Max, Min, Piecewise, Rational, S, Symbol, cos, expand, pi, sign, sin
-from sympy.core.relational import Relational
+from sympy import (
+    Abs,
+    And,
+    Basic,
+    Expr,
+    Max,
+    Min,
+    Piecewise,
+    Poly,
+    Rational,
+    S,
+    Symbol,
+    cos,
+    expand,
+    expand_mul,
+    pi,
+    sign,
+    sin,
+    sympify,
+)  # fmt: skip
+from sympy.core.relational import Eq, Relational
 
-from proofs.engine.angles import Angles, Untranslatable
-from proofs.engine.claim import Claim
-from proofs.engine.statement_data import RELATIONS, TRUE_FOR, VERSION, polynomial_data
+from proofs.engine.claim import Claim, Induction
 from proofs.formulas.half_turns import ordinary
 
-__all__ = ["VERSION", "derivations", "polynomial_data"]
-
-
+VERSION = 1
 NAME = re.compile(r"(?!(?:pi|(?:root|inverse|sum)_\d+)$)[A-Za-z][A-Za-z0-9_]*", re.ASCII)  # the others are taken
+TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {-1, 0}}  # signs of left − right
+RELATIONS = {frozenset(s): (f, r) for f, r, s in (
+    (1, "=", {0}), (1, "!=", {-1, 1}), (1, ">", {1}), (1, ">=", {0, 1}), (-1, ">", {-1}), (-1, ">=", {-1, 0})
+)}  # fmt: skip
+ANY = {-1, 0, 1}
+
+
+class Untranslatable(ValueError):
+    """The claim has a part that no rule translates."""
+
+
+class _Undecided(Exception):
+    """A condition is neither given nor chosen yet."""
+
+
+@cache
+def polynomial_data(expression: Expr) -> dict[str, str]:
+    """Return a polynomial expression in symbols as {"x^2 y": "-3/2"}, sorted."""
+    expression = expand(expression)
+    symbols = sorted(expression.free_symbols, key=lambda s: s.name)
+    if not symbols:
+        return {} if expression == 0 else {"": str(Rational(expression))}
+    data = {}
+    for monomial, coefficient in Poly(expression, *symbols, domain="QQ").terms():
+        factors = (s.name if e == 1 else f"{s.name}^{e}" for s, e in zip(symbols, monomial, strict=True) if e)
+        data[" ".join(factors)] = str(coefficient)
+    return dict(sorted(data.items()))
 
 
 def plain(symbols: Iterable[Symbol]) -> None:
@@ -48,54 +92,39 @@ def plain(symbols: Iterable[Symbol]) -> None:
         seen.add(symbol.name)
 
 
-class _Undecided(Exception):
-    """A condition is neither given nor chosen yet."""
+def _symbols(expressions):
+    return set().union(*(e.free_symbols for e in expressions))
 
 
-class Derivation:
-    """One derivation of a claim under construction; `choices` decide the conditions that are not given."""
+class Translation:
+    """The steps that some expressions become; `choices` decide the conditions that are not given."""
 
-    def __init__(self, claim: Claim, choices: Sequence[bool] = ()):
+    def __init__(self, expressions: Iterable[Basic], choices: Sequence[bool] = (), n: Symbol | None = None):
+        """n: what an induction is over."""
         self.choices, self.showing = list(choices), False
+        self.n: Any = n
         self.steps: list[dict] = []
         self.variables: list[str] = []
         self.generators: dict[tuple, Any] = {}
+        self.turning: dict[Expr, tuple[Symbol, Symbol]] = {}  # {multiple of n: its cosine and sine}
         self.signs: dict[str, set[int]] = {}
         self.abbreviated: dict[Symbol, Expr] = {}
-        _, lines = claim.names()
-        definitions = lines.definitions if lines else ()
-        lemmas = [(lemma.relation, lemma.given) for lemma in claim.cited]
-        cited = (r for relation, conditions in lemmas for r in (relation, *conditions))
-        expressions = (*claim.given, *claim.shows, *cited, *(e for line in definitions for e in line))
-        plain(set().union(*(e.free_symbols for e in expressions)))
-        self.angles = Angles(sides(expressions))
-        undefined, pending = {s for s, _ in definitions}, [*((given, ()) for given in claim.given), *lemmas]
-        for symbol, expression in ((None, None), *definitions):
-            if symbol is not None:
-                value = self.polynomial(ordinary(expression))
-                self.step("define", value, new=symbol.name)
-                self.abbreviated[symbol] = self.written_out(value)
-                undefined.discard(symbol)
-            ready = [p for p in pending if not any(r.free_symbols & undefined for r in (p[0], *p[1]))]
-            pending = [p for p in pending if p not in ready]
-            for relation, conditions in ready:
-                for condition in conditions:
-                    self.show(*self.relation(condition))
-                for part in relation.args if isinstance(relation, And) else [relation]:
-                    self.assume(*self.relation(part))
-        self.showing = True
-        for relation in claim.shows:
-            self.show(*self.relation(relation))
+        self.denominators: dict[Expr, int] = {}
+        for side in _sides(expressions):
+            for e in ordinary(side).atoms(sin, cos):
+                for term in expand_mul(e.args[0]).as_ordered_terms():
+                    multiple, atom = term.as_coeff_Mul()
+                    self.denominators[atom] = lcm(self.denominators.get(atom, 1), int(multiple.q))
 
-    def statement(self) -> dict:
-        """Return the statement."""
-        return {"version": VERSION, "kind": "derivation", "variables": self.variables, "steps": self.steps}
-
-    def step(self, kind: str, polynomial: Expr, new: str | None = None, is_: str | None = None) -> None:
-        named = ({"new": new} if new else {}) | ({"is": is_} if is_ else {})
+    def step(self, kind: str, polynomial: Expr, **named: str) -> None:
         self.steps.append({"step": kind, **named, "of": polynomial_data(polynomial)})
 
-    def written_out(self, polynomial: Expr) -> Expr:
+    def define(self, symbol: Symbol, value: Expr) -> None:
+        """Let a symbol abbreviate a polynomial."""
+        self.step("define", value, new=symbol.name)
+        self.abbreviated[symbol] = self._written_out(value)
+
+    def _written_out(self, polynomial):
         """Return the polynomial with its abbreviations written out: equal ones then look the same."""
         return expand(polynomial.xreplace(self.abbreviated))
 
@@ -108,25 +137,26 @@ class Derivation:
         left, right = (self.polynomial(ordinary(side)) for side in (relation.lhs, relation.rhs))
         return left - right, TRUE_FOR[relation.rel_op]
 
-    def _normal(self, difference):
-        data = polynomial_data(self.written_out(difference))
+    def _known(self, difference):
+        """Return a key of a polynomial and of its multiples, the key's sign in it, and the signs that it may have."""
+        data = polynomial_data(self._written_out(difference))
         leading = Rational(next(iter(data.values()))) if data else S.One
-        key = json.dumps({k: str(Rational(c) / abs(leading) * (1 if leading > 0 else -1)) for k, c in data.items()})
-        return data, key, 1 if leading > 0 else -1
+        orientation = 1 if leading > 0 else -1
+        key = json.dumps({k: str(Rational(c) / abs(leading) * orientation) for k, c in data.items()})
+        return key, orientation, {orientation * s for s in self.signs.get(key, ANY)}
 
     def assume(self, difference: Expr, signs: set[int]) -> None:
         """Add a given: the sign of `difference` is one of `signs`."""
-        _, key, orientation = self._normal(difference)
-        self.signs[key] = self.signs.get(key, {-1, 0, 1}) & {orientation * s for s in signs}
+        key, orientation, possible = self._known(difference)
+        self.signs[key] = {orientation * s for s in possible & signs}
         factor, is_ = RELATIONS[frozenset(signs)]
-        self.step("assume", factor * difference, is_=is_)
+        self.step("assume", factor * difference, **{"is": is_})
 
     def show(self, difference: Expr, signs: set[int]) -> None:
         """Add what is to be proved: the sign of `difference` is one of `signs`. The branches taken are shown, too."""
         factor, is_ = RELATIONS[frozenset(signs)]
-        shown = polynomial_data(factor * difference)
-        if {"step": "show", "is": is_, "of": shown} not in self.steps:
-            self.step("show", factor * difference, is_=is_)
+        if {"step": "show", "is": is_, "of": polynomial_data(factor * difference)} not in self.steps:
+            self.step("show", factor * difference, **{"is": is_})
 
     def decide(self, condition: Basic) -> bool:
         """Return whether a condition holds: as given, or else as chosen."""
@@ -137,13 +167,12 @@ class Derivation:
         return self._decided(*self.relation(condition))
 
     def _decided(self, difference, wanted):
-        data, key, orientation = self._normal(difference)
-        if set(data) <= {""}:
-            value = Rational(data.get("", 0))
-            return bool({int(bool(value > 0)) - int(bool(value < 0))} & wanted)
-        possible = {orientation * s for s in self.signs.get(key, {-1, 0, 1})}
+        whole = self._written_out(difference)
+        if whole.is_Rational:
+            return int(sign(whole)) in wanted
+        _, _, possible = self._known(difference)
         if possible <= wanted or not possible & wanted:
-            self.show(difference, wanted if possible <= wanted else {-1, 0, 1} - wanted)
+            self.show(difference, wanted if possible <= wanted else ANY - wanted)
             return possible <= wanted
         if not self.choices:
             raise _Undecided
@@ -154,8 +183,7 @@ class Derivation:
     def _exceeds(self, left, right):
         """Return whether left ≥ right, or False if it is known to be ≤ (where they are equal both answers do)."""
         difference = self.polynomial(left) - self.polynomial(right)
-        _, key, orientation = self._normal(difference)
-        return orientation in self.signs.get(key, {-1, 0, 1}) and self._decided(difference, {0, 1})
+        return 1 in self._known(difference)[2] and self._decided(difference, {0, 1})
 
     # Expressions
 
@@ -194,40 +222,36 @@ class Derivation:
         if name not in self.variables and not any(s.get("new") == name for s in self.steps):
             self.variables.append(name)
             if symbol is pi:
-                self.step("assume", Symbol(name) - 3, is_=">")
-                self.step("assume", Rational(22, 7) - Symbol(name), is_=">")
+                self.step("assume", Symbol(name) - 3, **{"is": ">"})
+                self.step("assume", Rational(22, 7) - Symbol(name), **{"is": ">"})
         return Symbol(name) if symbol is pi else symbol
 
     def _named(self, polynomial):
         """Return a name for a sum that is multiplied in what is shown: the kernel multiplies it, not SymPy."""
         polynomial = expand(polynomial)
-        if not (self.showing and polynomial.is_Add):
-            return polynomial
-        key = "sum", json.dumps(polynomial_data(polynomial))
-        if key not in self.generators:
-            new = Symbol(f"sum_{1 + sum(kind == 'sum' for kind, _ in self.generators)}", real=True)
-            self.step("define", polynomial, new=new.name)
-            self.generators[key], self.abbreviated[new] = new, self.written_out(polynomial)
-        return self.generators[key]
+        return self._generator("sum", polynomial) if self.showing and polynomial.is_Add else polynomial
 
     def _generator(self, kind, of):
-        whole = self.written_out(of)
+        """Return the name of a sum, a root or an inverse: the same one for the same polynomial."""
+        whole = self._written_out(of)
         if kind == "inverse" and whole.is_Rational and whole != 0:
             return 1 / whole
-        key = kind, json.dumps(polynomial_data(whole))
+        key = kind, json.dumps(polynomial_data(of if kind == "sum" else whole))
         if key not in self.generators:
             new = Symbol(f"{kind}_{1 + sum(k == kind for k, _ in self.generators)}", real=True)
-            self.step(kind, of, new=new.name)
             self.generators[key] = new
+            if kind == "sum":
+                self.define(new, of)
+            else:
+                self.step(kind, of, new=new.name)
             if kind == "root":
-                self.signs[self._normal(new)[1]] = {0, 1}
+                self.signs[self._known(new)[0]] = {0, 1}
         return self.generators[key]
 
     def _absolute(self, argument):
         of = self.polynomial(argument)
-        _, key, orientation = self._normal(of)
-        signs = {orientation * s for s in self.signs.get(key, {-1, 0, 1})}
-        if signs == {-1, 0, 1} or signs == {-1, 1}:
+        _, _, signs = self._known(of)
+        if {-1, 1} <= signs:
             return self._generator("root", of**2)
         factor = -1 if -1 in signs else 1
         self.show(factor * of, {0, 1})
@@ -236,8 +260,16 @@ class Derivation:
     def _turn(self, angle):
         """Return (cos, sin) of an angle, by the addition formulas."""
         c, s = S.One, S.Zero
-        for number, atom, whole in self.angles.parts(angle):
-            d, t = [self.polynomial(f) for f in number] if atom is None else self._circle(atom)
+        for term in sorted(expand_mul(angle).as_ordered_terms(), key=str):
+            multiple, atom = term.as_coeff_Mul()
+            if atom is pi or term == 0:
+                whole, (d, t) = 1, (cos(term), sin(term))
+                if d.has(cos) or t.has(sin):
+                    raise Untranslatable(f"no closed form of cos({term})")
+                d, t = self.polynomial(d), self.polynomial(t)
+            else:
+                whole = int(multiple * self.denominators[atom])
+                d, t = self._circle(atom / self.denominators[atom])
             t = -t if whole < 0 else t
             for _ in range(abs(whole)):
                 c, s = self._named(c * d - s * t), self._named(s * d + c * t)
@@ -249,12 +281,26 @@ class Derivation:
         names = tuple(f"{f}({atom})".replace(" ", "") for f in ("cos", "sin"))
         if ("circle", names) not in self.generators:
             c, s = self.generators["circle", names] = tuple(Symbol(name, real=True) for name in names)
-            self.variables += names
-            self.assume(c**2 + s**2 - 1, {0})
+            if self.n is not None and atom.has(self.n):
+                self.turning[atom] = c, s
+            else:
+                self.variables += names
+                self.assume(c**2 + s**2 - 1, {0})
         return self.generators["circle", names]
 
+    def turns(self) -> dict[str, Sequence[Expr]]:
+        """Return {name: (start, next)} of the cosines and sines of the multiples of n, by the addition formulas."""
+        state: dict[str, Sequence[Expr]] = {}
+        for atom, (c, s) in list(self.turning.items()):
+            step, start = expand(atom.subs(self.n, self.n + 1) - atom), atom.subs(self.n, 0)
+            if step.has(self.n) or start != 0:
+                raise Untranslatable(f"{atom} is not a multiple of {self.n}")
+            d, t = self._turn(step)
+            state |= {c.name: (S.One, expand(c * d - s * t)), s.name: (S.Zero, expand(s * d + c * t))}
+        return state
 
-def sides(expressions: Iterable[Basic]) -> list[Basic]:
+
+def _sides(expressions):
     """Return the expressions, and the sides of those that are relations (a relation itself may evaluate to true)."""
     parts = [part for e in expressions for part in (e.args if isinstance(e, And) else [e])]
     return [side for part in parts for side in (part.args if isinstance(part, Relational) else [part])]
@@ -268,7 +314,67 @@ def derivations(claim: Claim) -> list[dict]:
     while pending:
         choices = pending.pop()
         try:
-            statements.append(Derivation(claim, choices).statement())
+            statements.append(_derivation(claim, choices))
         except _Undecided:
             pending += [(*choices, False), (*choices, True)]
     return statements
+
+
+def _derivation(claim, choices):
+    """Return the statement of one case of a claim. What is given comes as soon as its names are defined."""
+    _, lines = claim.names()
+    definitions = lines.definitions if lines else ()
+    lemmas = [(lemma.relation, lemma.given) for lemma in claim.cited]
+    cited = (r for relation, conditions in lemmas for r in (relation, *conditions))
+    expressions = (*claim.given, *claim.shows, *cited, *(e for line in definitions for e in line))
+    plain(_symbols(expressions))
+    t = Translation(expressions, choices)
+    undefined, pending = {s for s, _ in definitions}, [*((given, ()) for given in claim.given), *lemmas]
+    for symbol, expression in ((None, None), *definitions):
+        if symbol is not None:
+            t.define(symbol, t.polynomial(ordinary(expression)))
+            undefined.discard(symbol)
+        ready = [p for p in pending if not any(r.free_symbols & undefined for r in (p[0], *p[1]))]
+        pending = [p for p in pending if p not in ready]
+        for relation, conditions in ready:
+            for condition in conditions:
+                t.show(*t.relation(condition))
+            for part in relation.args if isinstance(relation, And) else [relation]:
+                t.assume(*t.relation(part))
+    t.showing = True
+    for relation in claim.shows:
+        t.show(*t.relation(relation))
+    return {"version": VERSION, "kind": "derivation", "variables": t.variables, "steps": t.steps}
+
+
+def induction(claim: Induction) -> dict:
+    """Return the statement of an Induction. Raises Untranslatable where a quotient or a radical occurs."""
+    relations = (*claim.given, *claim.shows)
+    expressions = (*relations, *(sympify(e) for state in claim.states for e in state))
+    if claim.n not in (Symbol(claim.n.name, integer=True), Symbol(claim.n.name, real=True)):
+        raise Untranslatable(f"{claim.name}: of n it is known that it is whole, and nothing else")
+    plain(_symbols(expressions) - {claim.n})
+    if not all(isinstance(r, Eq) for r in claim.shows):
+        raise Untranslatable(f"{claim.name}: an induction shows equations")
+    if len({s for s, *_ in claim.states}) < len(claim.states):
+        raise Untranslatable(f"{claim.name}: a state is given twice")
+    t = Translation(expressions, n=claim.n)
+    state: dict[str, Sequence[Expr]]
+    state = {s.name: [t.polynomial(ordinary(sympify(e))) for e in two] for s, *two in claim.states}
+    shows = [polynomial_data(t.relation(r)[0]) for r in claim.shows]
+    for r in claim.given:
+        t.assume(*t.relation(r))
+    state |= t.turns()
+    if any(step["step"] != "assume" for step in t.steps) or claim.n.name in t.variables:
+        raise Untranslatable(f"{claim.name}: a radical, a quotient, or n itself, in an induction")
+    start, following = ({name: polynomial_data(state[name][i]) for name in sorted(state)} for i in (0, 1))
+    return {
+        "version": VERSION,
+        "kind": "induction",
+        "variables": [v for v in t.variables if v not in state],
+        "state": sorted(state),
+        "assume": [{"of": step["of"], "is": step["is"]} for step in t.steps],
+        "start": start,
+        "next": following,
+        "show": shows,
+    }

@@ -1,6 +1,9 @@
-"""Expressions and relations as 50-digit code: what the second witness evaluates."""
+"""Expressions and relations as code, over numbers of 50 digits or over balls: what the second witness evaluates."""
 
+import operator
 from collections.abc import Iterable, Mapping, Sequence
+from functools import reduce
+from typing import Any
 
 import mpmath
 from sympy import And, Basic, Expr, Symbol, sympify
@@ -10,49 +13,96 @@ Lines = Sequence[tuple[Symbol, Expr]]
 DIGITS = 50
 WORKING_DIGITS = DIGITS + 15
 TOLERANCE = mpmath.mpf(10) ** -40
-_NAMES = {name: getattr(mpmath, name) for name in dir(mpmath) if not name.startswith("_")} | {
-    "mpf": mpmath.mpf,
+OPERATORS = {"<": (operator.lt, operator.ge), ">": (operator.gt, operator.le), "==": (operator.eq, operator.ne)}
+OPERATORS |= {"<=": (operator.le, operator.gt), ">=": (operator.ge, operator.lt), "!=": (operator.ne, operator.eq)}
+
+
+class Undefined(ArithmeticError):
+    """A division by zero, the root of a negative number, an infinity; or balls that leave a comparison open."""
+
+
+def compare(left: Any, relation: str, right: Any) -> bool:
+    """Return whether a relation holds; raise Undefined where balls leave that open."""
+    holds, fails = OPERATORS[relation]
+    if not holds(left, right) and not fails(left, right):
+        raise Undefined(f"{left} {relation} {right} is open")
+    return holds(left, right)
+
+
+def _real(number):
+    number = +mpmath.mpmathify(number)
+    if not isinstance(number, mpmath.mpf) or not mpmath.isfinite(number):
+        raise Undefined("complex or infinite")
+    return number
+
+
+NUMBERS = {name: getattr(mpmath, name) for name in dir(mpmath) if not name.startswith("_")} | {
+    "real": _real,
+    "compare": compare,
     "rint": mpmath.nint,
     "atan2pi": lambda y, x: mpmath.atan2(y, x) / mpmath.pi if (x, y) != (0, 0) else mpmath.mpf(0),
     "max": max,
     "min": min,
     "abs": abs,
 }
+"""What the code calls, over numbers at mpmath's working precision."""
 
 
-class Undefined(ArithmeticError):
-    """A division by zero, the root of a negative number, or an infinity."""
+def balls() -> dict[str, Any]:
+    """Return what the code calls over balls, at flint's working precision. Of a ball that reaches below 0 no root."""
+    from flint import arb
+
+    def real(ball):
+        if not arb(ball).is_finite():
+            raise Undefined("infinite, or of a ball where it has no value")
+        return arb(ball)
+
+    functions = {name: getattr(arb, name) for name in ("sqrt", "sin", "cos", "exp", "log", "floor")}
+    return functions | {
+        "real": real,
+        "compare": compare,
+        "mpf": arb,
+        "pi": arb.pi(),
+        "inf": arb.pos_inf(),
+        "sinpi": arb.sin_pi,
+        "cospi": arb.cos_pi,
+        "atan2pi": lambda y, x: arb(0) if y.is_zero() and x.is_zero() else arb.atan2(y, x) / arb.pi(),
+        "max": lambda *values: reduce(arb.max, map(arb, values)),
+        "min": lambda *values: reduce(arb.min, map(arb, values)),
+    }
 
 
 class _Printer(MpmathPrinter):
     def _print_Symbol(self, expr):
         return f"v_{expr.name}"
 
+    def _print_Relational(self, expr):
+        return f"compare({self._print(expr.lhs)}, {expr.rel_op!r}, {self._print(expr.rhs)})"
+
 
 _printer = _Printer({"fully_qualified_modules": False, "allow_unknown_functions": True})
 
 
 class Code:
-    """Definitions and expressions over some inputs, printed as one Python function of 50-digit numbers."""
+    """Definitions and expressions over some inputs, printed as one Python function of numbers, or of balls."""
 
-    def __init__(self, inputs: Iterable[Symbol], expressions: Sequence[Basic], definitions: Lines = ()):
-        self.inputs, self.expressions = list(inputs), expressions
+    def __init__(
+        self, inputs: Iterable[Symbol], expressions: Sequence[Basic], definitions: Lines = (), names: Mapping = NUMBERS
+    ):
+        self.inputs, self.expressions, self.real = list(inputs), expressions, names["real"]
         body = [f"v_{s.name} = {_printer.doprint(e)}" for s, e in definitions]
         body.append(f"return [{', '.join(_printer.doprint(sympify(e)) for e in expressions)}]")
         arguments = ", ".join(f"v_{s.name}" for s in self.inputs)
-        scope = dict(_NAMES)
+        scope = dict(names)
         exec(f"def code({arguments}):\n    " + "\n    ".join(body), scope)
         self.code = scope["code"]
 
-    def __call__(self, values: Mapping) -> list[mpmath.mpf]:
+    def __call__(self, values: Mapping) -> list:
         """Return the expressions' real values, or raise Undefined."""
         try:
-            results = [+mpmath.mpmathify(r) for r in self.code(*(values[s] for s in self.inputs))]
+            return [self.real(r) for r in self.code(*(values[s] for s in self.inputs))]
         except (ZeroDivisionError, ValueError, TypeError) as error:
             raise Undefined(str(error)) from None
-        if not all(isinstance(r, mpmath.mpf) and mpmath.isfinite(r) for r in results):
-            raise Undefined("complex or infinite")
-        return results
 
 
 def parts_of(relations: Iterable[Basic]) -> list[Basic]:
@@ -71,25 +121,18 @@ class Relations:
         self, inputs: Iterable[Symbol], relations: Iterable[Basic], definitions: Lines = (), exactly: bool = False
     ):
         self.slack = 0 if exactly else TOLERANCE
-        self.parts = parts_of(relations)
-        sides = [side for r in self.parts for side in ((0, 1) if r == False else (r.lhs, r.rhs))]  # noqa: E712
-        self.code = Code(inputs, sides, definitions)
-        self.operators = ["==" if r == False else r.rel_op for r in self.parts]  # noqa: E712
+        pairs = [(r.lhs, r.rel_op, r.rhs) if r != False else (0, "==", 1) for r in parts_of(relations)]  # noqa: E712
+        self.code = Code(inputs, [side for left, _, right in pairs for side in (left, right)], definitions)
+        self.operators = [relation for _, relation, _ in pairs]
 
     def __call__(self, values: Mapping) -> bool:
         sides = self.code(values)
-        return all(
-            _holds(op, a, b, self.slack) for op, a, b in zip(self.operators, sides[::2], sides[1::2], strict=True)
-        )
+        return all(map(self._holds, self.operators, sides[::2], sides[1::2]))
 
-
-def _holds(operator, left, right, tolerance):
-    gap, size = left - right, 1 + abs(left) + abs(right)
-    return {
-        "==": abs(gap) <= TOLERANCE * size,
-        "!=": abs(gap) > TOLERANCE * size,
-        ">": gap > 0,
-        ">=": gap >= -tolerance * size,
-        "<": gap < 0,
-        "<=": gap <= tolerance * size,
-    }[operator]
+    def _holds(self, relation, left, right):
+        size = 1 + abs(left) + abs(right)
+        if relation in ("==", "!="):
+            return (abs(left - right) <= TOLERANCE * size) == (relation == "==")
+        if relation in ("<=", ">="):
+            right += (self.slack if relation == "<=" else -self.slack) * size
+        return compare(left, relation, right)

@@ -1,20 +1,16 @@
 """What a run found about one theorem, the grade on that alone, and the grade in the run: what it rests on counts."""
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 
+from proofs.engine.theorem import Theorem
+
+BIBLIOGRAPHY = Path(__file__).resolve().parents[2] / "book" / "references.bib"
 NOT_RECHECKED = "not re-checked"  # here: a library is not installed
-STANDING = (
-    "proved",
-    "refuted",
-    "by definition",
-    "argued",
-    "certified",
-    "measured",
-    "cited",
-)  # from the strongest, without "failed"
 EXACT = ("proved", "by definition", "argued")  # every claim has a certificate; what is argued is words
-GIVES = {"proved": EXACT, "by definition": EXACT, "argued": EXACT, "refuted": EXACT}  # what such a theorem may use
+STANDING = ("proved", "refuted", *EXACT[1:], "certified", "measured", "cited")  # from the strongest, without "failed"
 
 
 @dataclass
@@ -33,6 +29,9 @@ class Examination:
     argued: list = field(default_factory=list)  # clauses that no claim says
     reached: str = ""  # by measurement or citation; else the checkers' verdict stands
 
+    def __post_init__(self):
+        self.record = self.record or {"id": self.id, "expected": self.expected, "uses": sorted(self.uses)}
+
     @property
     def grade(self) -> str:
         """The grade on this theorem's own evidence; `final_grades` adds what it rests on."""
@@ -42,7 +41,20 @@ class Examination:
             return "argued"
         if self.by_definition and len(self.by_definition) == self.claims:
             return "by definition"
-        return self.reached or ("refuted" if self.expected == "refuted" else "proved")
+        if self.reached or not self.claims:  # without a claim nothing is proved
+            return self.reached or "failed"
+        return "refuted" if self.expected == "refuted" else "proved"
+
+    def check_sources(self, theorem: Theorem) -> None:
+        """Keep the cited source and lemmas; each key has to be in the bibliography."""
+        lemmas = [lemma for claim in theorem.claims for lemma in getattr(claim, "cited", ())]
+        if theorem.source:
+            self.record["source"] = theorem.source
+        if lemmas:
+            self.record["cited_lemmas"] = [{"relation": lemma.text, "source": lemma.source} for lemma in lemmas]
+        keys = {lemma.source for lemma in lemmas} | ({theorem.source} if theorem.source else set())
+        known = set(re.findall(r"^@\w+\{([^,\s]+)", BIBLIOGRAPHY.read_text(encoding="utf-8"), re.MULTILINE))
+        self.problems += [f"the bibliography has no {key}" for key in sorted(keys - known)]
 
 
 def final_grades(evidences: Iterable[dict]) -> dict[str, tuple[str, str]]:
@@ -55,7 +67,7 @@ def final_grades(evidences: Iterable[dict]) -> dict[str, tuple[str, str]]:
             record = by_id.get(id)
             if record is None:
                 return "missing", f"{id} was not run"
-            enough = GIVES.get(record["grade"], STANDING)
+            enough = EXACT if record["grade"] in (*EXACT, "refuted") else STANDING
             weak = [use for use in record["uses"] if grade(use)[0] not in enough]
             if record["grade"] != "failed" and NOT_RECHECKED in (record["grade"], *(grade(use)[0] for use in weak)):
                 grades[id] = NOT_RECHECKED, record.get("reason", "what it uses was not re-checked")

@@ -13,7 +13,7 @@ from proofs.engine.theorem import Theorem
 from renderer.files import write_whole
 from verify import sources
 from verify.checkers.grades import Examination
-from verify.checkers.registry import sources_of
+from verify.checkers.measured import sources_of
 from verify.optional import LIBRARIES
 
 FOLDER = sources.ROOT / ".stamps" / "theorems"
@@ -21,17 +21,11 @@ CHECKERS = Path(__file__).parent
 ALSO = ("book/references.bib", "requirements.lock")
 
 
-def may_be_kept(theorem: Theorem) -> bool:
-    """Return whether a theorem's evidence is kept: measurements alone, in a project's folder."""
-    measured = theorem.expected in ("measured", "certified") and not theorem.claims
-    return measured and (sources.ROOT / "pyproject.toml").exists()
-
-
-def key_of(theorem: Theorem, points: int) -> str:
-    """Return the key of a theorem's evidence, `points` samples a claim."""
+def key_of(theorem: Theorem) -> str:
+    """Return the key of a theorem's evidence."""
     reached = set().union(*(sources.reachable(path) for path in sources_of(theorem.id)))
     reached |= {*CHECKERS.glob("*.py"), *(sources.ROOT / name for name in ALSO)}
-    table = sources.hashes(reached) | {"theorem": repr(theorem), "points": points}
+    table = sources.hashes(reached) | {"theorem": repr(theorem)}
     return sources.key(table | {name: _version(name) for name in ("sympy", "numpy", "mpmath", *LIBRARIES.values())})
 
 
@@ -44,7 +38,7 @@ def _version(distribution):
 
 def keep(evidence: Examination, key: str) -> None:
     """Write what a run found about a theorem, if nothing is missing."""
-    if evidence.problems:
+    if evidence.problems or not (sources.ROOT / "pyproject.toml").exists():  # an installed package keeps nothing
         return
     found = asdict(evidence)
     text = json.dumps({"key": key, "evidence": found, "hash": sources.key({key: found})}, indent=1)

@@ -1,4 +1,7 @@
-"""The three kernels side by side: Python's, FLINT's, and the page's JavaScript, run by node where that is installed."""
+"""The three kernels side by side: Python's, FLINT's, and the page's JavaScript, run by node where that is installed.
+
+FLINT's needs python-flint: a run without it says so in every grade that rests on a certificate.
+"""
 
 import json
 import shutil
@@ -6,8 +9,17 @@ import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
-from verify.checkers.acceptance import CHECKERS
+from proofs.engine import kernel
+from proofs.engine.stored import show_polynomial
 
+CHECKERS = {"the kernel": kernel.check}
+"""{name: a function of a statement and a certificate that returns None, or why the one does not prove the other}"""
+try:
+    from verify.checkers.second_checker import why_refused
+except ImportError:  # no python-flint
+    pass
+else:
+    CHECKERS["the second checker"] = why_refused
 JAVASCRIPT = Path(__file__).resolve().parents[2] / "book" / "static" / "checker" / "kernel.js"
 ASK = """
 const { check } = Checker.kernel();
@@ -23,10 +35,26 @@ console.log(JSON.stringify(answers));
 """
 
 
+def why_rejected(statement: dict, certificate: dict) -> str | None:
+    """Return None if every one of the CHECKERS accepts, else the reason, with the residual polynomial."""
+    for name, checker in CHECKERS.items():
+        why = checker(statement, certificate)
+        if why is not None:
+            reason, *residual = why.args or (repr(why),)
+            shown = f"; residual {show_polynomial(residual[0])}" if residual and residual[0] else ""
+            return f"{name} rejects: {reason}{shown}"
+    return None
+
+
+def compact(pair: Sequence) -> str:
+    """Return a statement and its certificate as the text "[statement,certificate]" that the kernels are given."""
+    return json.dumps(pair, separators=(",", ":"), ensure_ascii=False)
+
+
 def canonical(text: str) -> bool:
     """Return whether a compact JSON text is its own canonical form."""
     try:
-        return json.dumps(json.loads(text), separators=(",", ":"), ensure_ascii=False) == text
+        return compact(json.loads(text)) == text
     except ValueError:
         return False
 

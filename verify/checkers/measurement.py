@@ -19,9 +19,8 @@ from typing import Any
 from verify.optional import arb
 
 DIGITS = 6
-REGISTERED: dict[
-    str, list[tuple[Callable, dict]]
-] = {}  # {theorem's id: [(function, {text: keyword arguments of a false variant})]}
+REGISTERED: dict[str, list[tuple[Callable, dict]]] = {}
+"""{theorem's id: [(function, {text: keyword arguments of a false variant})]}, once `measured` has asked for all"""
 
 
 @dataclass(frozen=True)

@@ -1,110 +1,77 @@
-"""The proof checker: everything that a run knows about a theorem, and the grade that follows from it.
+"""The proof checker: everything that a run knows about a theorem with claims, and the grade that follows from it.
 
 proved     both checkers accept a certificate of every claim, no sample at 50 digits contradicts one, every side
            condition behaves as stated at its edge, every mutant is refuted, every theorem it uses is proved
 refuted    both checkers accept an exact counterexample, and 50 digits agree
 argued     the same, but a clause of its words is said by no claim
 by definition  the same, where every claim reads 0 = 0 once it is translated: nothing was left to prove
-certified  every measurement holds in ball arithmetic, and rejects its false variants
-measured   every measurement holds on its samples, and rejects its false variants
-cited      the source is in the bibliography
 failed     anything else. Nothing raises a grade by hand.
+
+What is certified, measured or cited has no claims: `verify.checkers.measured`.
 """
 
-import re
-from pathlib import Path
+from collections.abc import Callable, Sequence
 
-from proofs.engine.certificate import Stale, evidence, stored
-from proofs.engine.claim import Claim, Separation
-from proofs.engine.search import MAX_EFFORT, NotFound
+from proofs.check import is_empty, reasons
+from proofs.engine.claim import AnyClaim, Claim, Separation
+from proofs.engine.stored import NotFound, Proved, Stale, evidence, stored
 from proofs.engine.theorem import Theorem, Theorems, incomplete
 from verify.checkers import witness
-from verify.checkers.acceptance import CHECKERS, accept, by_definition, not_found, why_rejected
 from verify.checkers.counterexamples import FAILURES, counterexample
 from verify.checkers.grades import Examination
-from verify.checkers.registry import measurements
+from verify.checkers.kernels import CHECKERS, why_rejected
 from verify.checkers.splices import says_the_same, splices
 
 POINTS, LONG_POINTS = 32, 2000
-BIBLIOGRAPHY = Path(__file__).resolve().parents[2] / "book" / "references.bib"
 
 
-def examine(theorem: Theorem, theorems: Theorems, anew: bool = False, points: int = POINTS) -> Examination:
-    """Return the Examination of a theorem. anew: search for every certificate, whatever is stored."""
+def examine(
+    theorem: Theorem, theorems: Theorems, prove: Callable, anew: bool = False, points: int = POINTS
+) -> Examination:
+    """Return the Examination of a theorem.
+
+    prove: `proofs.engine.certificate.prove`, or another search, which nobody has to trust: it is asked whether it
+    proves a mutant, what a formula that changed left over, and, with anew, for every certificate, whatever is stored.
+    """
     found = Examination(theorem.id, theorem.expected, theorem.uses)
-    found.record = {"id": theorem.id, "expected": theorem.expected, "uses": sorted(theorem.uses)}
     found.problems += incomplete(theorem, theorems)
-    _check_certificates(found, theorem, theorems, anew)
-    _check_sources(found, theorem)
-    found.record["measurements"] = [_measured(found, *entry) for entry in measurements(theorem.id)]
+    _check_certificates(found, theorem, theorems, prove, anew)
+    found.check_sources(theorem)
     found.record["witness"] = [_sampled(found, theorem, claim, points) for claim in theorem.claims]
     found.record["side_conditions"] = [_edges(found, theorem, condition) for condition in theorem.side_conditions]
     found.mutants += len(theorem.mutants)
     refute = _refute_variant if theorem.expected == "refuted" else _refute_mutant
-    found.record["mutants"] = [refute(found, theorem, mutant, theorems, anew) for mutant in theorem.mutants]
-    _settle(found, theorem)
+    found.record["mutants"] = [refute(found, theorem, mutant, theorems, prove, anew) for mutant in theorem.mutants]
     found.record["grade"] = found.grade
     return found
 
 
-def _settle(found, theorem):
-    """Find what a theorem reaches for which the checkers have no verdict: by measurement, or else by citation."""
-    if theorem.expected in ("certified", "measured"):
-        seen = found.record["measurements"]
-        found.reached = "certified" if seen and all(m["certified"] for m in seen) else "measured"
-        if not seen:
-            found.problems.append("no measurement is registered for it in verify/checkers/measurements")
-    elif theorem.expected == "cited":
-        found.reached = "cited"
-    elif found.record["measurements"] and not theorem.claims:
-        found.problems.append("measurements alone prove nothing")
-
-
-def _measured(found, function, false):
-    """Run a measurement, and its false variants, which it has to reject."""
-    seen, rejected = function(), []
-    if not seen.accepted:
-        found.problems.append(f"{seen.what}: worst {seen.worst}, bound {seen.bound}, holds: {seen.holds}")
-    for text, changes in false.items():
-        rejected.append({"variant": text, "rejected": not function(**changes).accepted})
-        found.mutants, found.mutants_killed = found.mutants + 1, found.mutants_killed + rejected[-1]["rejected"]
-        if not rejected[-1]["rejected"]:
-            found.problems.append(f"{seen.what}: does not reject the false variant “{text}”")
-    return seen.record() | {"false_variants": rejected}
-
-
-def _check_sources(found, theorem):
-    """Keep the cited source and lemmas; each key has to be in the bibliography."""
-    lemmas = [lemma for claim in theorem.claims for lemma in getattr(claim, "cited", ())]
-    if theorem.source:
-        found.record["source"] = theorem.source
-    if lemmas:
-        found.record["cited_lemmas"] = [{"relation": lemma.text, "source": lemma.source} for lemma in lemmas]
-    keys = {lemma.source for lemma in lemmas} | ({theorem.source} if theorem.source else set())
-    known = set(re.findall(r"^@\w+\{([^,\s]+)", BIBLIOGRAPHY.read_text(encoding="utf-8"), re.MULTILINE))
-    found.problems += [f"the bibliography has no {key}" for key in sorted(keys - known)]
-
-
-def certificate_problems(theorem: Theorem, theorems: Theorems) -> list[str]:
+def certificate_problems(theorem: Theorem, theorems: Theorems, prove: Callable) -> list[str]:
     """Return what both checkers, and the formulas as they stand, have against the stored certificates alone."""
     found = Examination(theorem.id, theorem.expected, theorem.uses)
-    _check_certificates(found, theorem, theorems, anew=False)
+    _check_certificates(found, theorem, theorems, prove, anew=False)
     return found.problems
 
 
-def _check_certificates(found, theorem, theorems, anew):
-    if not theorem.claims:
-        return
+def _check_certificates(found, theorem, theorems, prove, anew):
     found.claims, found.argued = len(theorem.claims), [clause.text for clause in theorem.argued]
     try:
-        claims = evidence(theorem, theorems) if anew else stored(theorem, theorems)
-    except (Stale, NotFound) as error:
-        found.problems.append(not_found(error) if isinstance(error, NotFound) else _stale(theorem, theorems, error))
+        claims = evidence(theorem, theorems, prove) if anew else stored(theorem, theorems)
+    except Stale as error:
+        try:
+            evidence(theorem, theorems, prove)
+            why = "a certificate exists"
+        except NotFound as failed:
+            why = str(failed)
+        found.problems.append(f"{error}\n  searched anew: {why}")
+        return
+    except NotFound as error:
+        found.problems.append(str(error))
         return
     for claim, cases in claims:
         if by_definition(claim, cases):
             found.by_definition.append(claim.name)
-        found.problems += [f"{claim.name}: {why}" for why in accept(claim, theorems, cases)]
+        found.problems += [f"{claim.name}: {why}" for why in reasons(cases, why_rejected) if why]
     said = [statement for _, cases in claims for statement, *_ in cases]
     given = sum(step["step"] == "assume" for statement in said for step in statement.get("steps", ()))
     found.record |= {"statements": len(said), "by_definition": found.by_definition, "argued": found.argued}
@@ -113,13 +80,26 @@ def _check_certificates(found, theorem, theorems, anew):
         found.record["second_checker"] = "not run"
 
 
-def _stale(theorem, theorems, error):
-    """Return what is wrong where the formulas changed: whether the theorem still holds, and if not, the residual."""
+def by_definition(claim: AnyClaim, cases: Sequence[Proved]) -> bool:
+    """Return whether nothing was left for the kernel to decide: all that is shown is 0 = 0, or is given.
+
+    The conditions of branches, which a statement shows besides the claim's own relations, count as something.
+    """
+    if not isinstance(claim, Claim):
+        return False
+    steps = [step for statement, *_ in cases if not is_empty(statement) for step in statement.get("steps", ())]
+    shown = [step for step in steps if step["step"] == "show"]
+    given = [(step["is"], step["of"]) for step in steps if step["step"] == "assume"] * (len(shown) <= len(claim.shows))
+    return bool(shown) and all(not step["of"] or (step["is"], step["of"]) in given for step in shown)
+
+
+def why_unproved(claim: AnyClaim, theorems: Theorems, prove: Callable, **effort: int) -> str | None:
+    """Return None if a search finds what all checkers accept as proof of a claim, else why it is not proved."""
     try:
-        evidence(theorem, theorems)
-    except NotFound as failed:
-        return f"{error}\n  searched anew: {not_found(failed)}"
-    return f"{error}\n  searched anew: a certificate exists"
+        cases = prove(claim, theorems, **effort)
+    except NotFound as error:
+        return str(error)
+    return next((str(why) for why in reasons(cases, why_rejected) if why), None)
 
 
 def _sampled(found, theorem, claim, points):
@@ -155,31 +135,32 @@ def _edges(found, theorem, condition):
     return {"condition": condition.text, "claim": condition.claim, "edges": edges}
 
 
-def _refute_mutant(found, theorem, mutant, theorems, anew):
+def _refute_mutant(found, theorem, mutant, theorems, prove, anew):
     """Check that a mutant is refused, and find its counterexample."""
-    reasons = accept(mutant.claim, theorems, effort=MAX_EFFORT if anew else 2)
+    effort = {} if anew else {"effort": 2}
+    refused = why_unproved(mutant.claim, theorems, prove, **effort) is not None
     tried, wrong = splices(theorem, mutant.claim, theorems), []
     if any(not any(why_rejected(*pair) for pair in pairs) for pairs in tried):
         wrong.append(f"a certificate of the theorem proves the mutant: {mutant.text}")
     if alike := says_the_same(theorem, mutant, theorems):
-        wrong.append(f"mutant {mutant.text} says what {alike} says")
-    found.problems += wrong
+        wrong.append(f"these say the same: {alike}")
+    if not refused:
+        wrong.append(f"mutant accepted: {mutant.text}")
     point = counterexample(mutant, f"{theorem.id}/{mutant.text}", theorems, why_rejected)
-    if not reasons:
-        found.problems.append(f"mutant accepted: {mutant.text}")
     if point is None:
-        found.problems.append(f"mutant without a counterexample: {mutant.text}")
-    found.mutants_killed += bool(reasons) and point is not None and not wrong
-    return {"mutant": mutant.text, "refused": bool(reasons), "spliced": len(tried), "counterexample": point}
+        wrong.append(f"mutant without a counterexample: {mutant.text}")
+    found.problems += wrong
+    found.mutants_killed += not wrong
+    return {"mutant": mutant.text, "refused": refused, "spliced": len(tried), "counterexample": point}
 
 
-def _refute_variant(found, theorem, mutant, theorems, anew):
+def _refute_variant(found, theorem, mutant, theorems, prove, anew):
     """Check that a true variant of a refuted statement is accepted, and that the counterexample spares it."""
-    reasons = accept(mutant.claim, theorems)
+    why = why_unproved(mutant.claim, theorems, prove)
     spared = not theorem.refuted_at or witness.fails_at(mutant.claim, theorem.refuted_at, attempts=1) is None
-    if reasons:
-        found.problems.append(f"true variant not accepted: {mutant.text}: {reasons[0]}")
+    if why:
+        found.problems.append(f"true variant not accepted: {mutant.text}: {why}")
     if not spared:
         found.problems.append(f"the counterexample also refutes the true variant: {mutant.text}")
-    found.mutants_killed += not reasons and spared
-    return {"variant": mutant.text, "accepted": not reasons, "spared": spared}
+    found.mutants_killed += not why and spared
+    return {"variant": mutant.text, "accepted": not why, "spared": spared}

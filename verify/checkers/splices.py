@@ -1,9 +1,8 @@
 """Mutants before the kernel: what a false variant says, with the certificates of its theorem."""
 
-from proofs.check import digest
-from proofs.engine.angles import Untranslatable
-from proofs.engine.certificate import Stale, statements, stored
 from proofs.engine.claim import AnyClaim
+from proofs.engine.statement import Untranslatable
+from proofs.engine.stored import Stale, statements, stored
 from proofs.engine.theorem import Mutant, Theorem, Theorems
 
 
@@ -33,25 +32,16 @@ def _fitted(said, before, kept):
 
 
 def says_the_same(theorem: Theorem, mutant: Mutant, theorems: Theorems) -> str | None:
-    """Return the claim, or the earlier mutant, whose statements are those of a mutant, as text; or None."""
+    """Return the claims and mutants whose statements are those of a mutant, as text; or None but for itself."""
+    others = [(f"the claim {claim.name}", claim) for claim in theorem.claims]
+    others += [(f"the mutant {other.text}", other.claim) for other in theorem.mutants]
     said = _said(mutant.claim, theorems)
-    if said is None:
-        return None
-    for claim in theorem.claims:
-        if _said(claim, theorems) == said:
-            return f"the claim {claim.name}"
-    for other in theorem.mutants:
-        if other is mutant:
-            break
-        if _said(other.claim, theorems) == said:
-            return f"mutant {other.text}"
-    if sum(other is mutant for other in theorem.mutants) > 1:
-        return "itself, given twice"
-    return None
+    alike = [name for name, claim in others if said is not None and _said(claim, theorems) == said]
+    return ", ".join(alike) if len(alike) > 1 else None
 
 
 def _said(claim, theorems):
     try:
-        return [digest(s) for s in statements(claim, theorems)]
+        return statements(claim, theorems)
     except Untranslatable:
         return None

@@ -5,20 +5,19 @@ import json
 import pytest
 from sympy import Abs, Dummy, Max, Min, Rational, Symbol, cos, evaluate, pi, sin, sqrt, symbols
 
-from proofs.check import FOLDER, canonical, verdicts
+from proofs.check import FOLDER, canonical, reasons, verdicts
 from proofs.engine import kernel
-from proofs.engine.angles import Untranslatable
-from proofs.engine.certificate import prove, statements
+from proofs.engine.certificate import prove
 from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, at_least, equation, greater
-from proofs.engine.hypotheses import reasons
 from proofs.engine.points import without_unused
 from proofs.engine.program import Program
-from proofs.engine.search import NotFound
+from proofs.engine.statement import Untranslatable
+from proofs.engine.stored import NotFound, statements
 from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems
 from proofs.theorems.cited import sine_below
 from verify.checkers import witness
 from verify.checkers.breakages import campaign
-from verify.checkers.kernels import accepted
+from verify.checkers.kernels import accepted, compact
 from verify.checkers.proof_checker import examine
 from verify.checkers.splices import splices
 from verify.checkers.test_checkers import EMPTY, NOTHING, derivation, show
@@ -30,7 +29,7 @@ FALSE = (Mutant("x > 1", Claim("a", (greater(x, 1),))), Mutant("x > 2", Claim("b
 def graded(*claims, mutants=FALSE, **changes):
     """Return the grade of a theorem of these claims, everything found anew."""
     theorem = Theorem("attack", "", "", claims, mutants, **changes)
-    return examine(theorem, {"attack": theorem}, anew=True).grade
+    return examine(theorem, {"attack": theorem}, prove, anew=True).grade
 
 
 def defined(symbol, expression):
@@ -192,10 +191,6 @@ def test_a_branch_is_taken_where_the_kernel_can_show_it():
 # The kernels
 
 
-def texts(*pairs):
-    return [json.dumps(pair, separators=(",", ":"), ensure_ascii=False) for pair in pairs]
-
-
 SQUARE = show({"x^2": "1"}, ">=")
 SQUARES = {"rule": "contradiction", "positive": [0], "sum": [["1", {"x": "1"}, []]], "cofactors": []}
 GOOD = [derivation(SQUARE), {"proofs": [SQUARES]}]
@@ -257,22 +252,22 @@ BROKEN = {
 
 
 def test_the_kernels_accept_what_is_well_formed():
-    assert all(accepted(texts(GOOD))[0].values())
+    assert all(accepted([compact(GOOD)])[0].values())
 
 
 def test_the_kernels_refuse_what_is_broken():
-    for name, verdicts_of in zip(BROKEN, accepted(texts(*BROKEN.values())), strict=True):
+    for name, verdicts_of in zip(BROKEN, accepted(list(map(compact, BROKEN.values()))), strict=True):
         assert not any(verdicts_of.values()), (name, verdicts_of)
 
 
 def test_a_number_that_a_double_rounds_proves_nothing():
     """2⁵³ + 1 as a literal, of which JavaScript makes 2⁵³; a key twice; a whole number as 1.0."""
-    (text,) = texts(GOOD)
-    literal = texts([derivation(show({"": 2**53 + 1}, "=")), {"proofs": [NOTHING]}])
+    text = compact(GOOD)
+    literal = compact([derivation(show({"": 2**53 + 1}, "=")), {"proofs": [NOTHING]}])
     twice = text.replace('"x^2":"1"', '"x^2":"-1","x^2":"1"')
     float_ = text.replace('"version":1', '"version":1.0')
     escaped = text.replace('"x^2"', '"\\u0078^2"')
-    assert not any(any(each.values()) for each in accepted([*literal, twice, float_, escaped]))
+    assert not any(any(each.values()) for each in accepted([literal, twice, float_, escaped]))
 
 
 def test_a_file_is_its_own_canonical_form():
@@ -298,7 +293,7 @@ def test_no_mutant_is_proved_by_the_certificates_of_its_theorem():
     for theorem in theorems.values():
         if theorem.claims and theorem.expected != "refuted":
             tried += [pairs for mutant in theorem.mutants for pairs in splices(theorem, mutant.claim, theorems)]
-    answers = iter(accepted(texts(*(list(pair) for pairs in tried for pair in pairs))))
+    answers = iter(accepted([compact(pair) for pairs in tried for pair in pairs]))
     verdicts_of = [[next(answers) for _ in pairs] for pairs in tried]
     assert len(tried) > 400
     for answered in verdicts_of:
@@ -314,14 +309,14 @@ def test_a_claim_borrows_from_no_claim_of_its_own():
         Theorem(a, "", "", (Claim("c", (greater(x, 10),), borrowed=((b, "c"),)),), FALSE, uses=(b,))
         for a, b in (("one", "two"), ("two", "one"))
     )
-    assert examine(one, {"one": one, "two": two}, anew=True).grade == "failed"
+    assert examine(one, {"one": one, "two": two}, prove, anew=True).grade == "failed"
     p = Symbol("p", real=True)
     near = Program("near", (x,), ((p, x + 3 - Rational(1, 10**6)),), (p,))
     lemma = Theorem("lemma", "", "", (Claim("c", (greater(p + 1, 0),), (greater(p, 0),)),), FALSE)
     borrowing = Claim("c", (greater(p + 1, 0),), (), near, borrowed=(("lemma", "c"),))
     borrower = Theorem("attack", "", "", (borrowing,), FALSE, uses=("lemma",))
     with pytest.raises(ValueError, match="not all given"):
-        examine(borrower, {"lemma": lemma, "attack": borrower}, anew=True)
+        examine(borrower, {"lemma": lemma, "attack": borrower}, prove, anew=True)
 
 
 @pytest.mark.parametrize("angle", [1 / x, sqrt(x), Abs(x), cos(x)])
@@ -346,7 +341,7 @@ def test_a_clause_without_a_claim_is_argued():
     true = Claim("said", (greater(x**2 + 1, 0),))
     words = (Clause("A square is not negative,", (true,)), Clause("nor is a fourth power.", argued="not written down"))
     theorem = Theorem("attack", "", words, mutants=FALSE, expected="argued")
-    assert examine(theorem, {"attack": theorem}, anew=True).grade == "argued"
+    assert examine(theorem, {"attack": theorem}, prove, anew=True).grade == "argued"
     for wrong in ((words[0], Clause("More.")), (words[1],)):
         with pytest.raises(ValueError, match=r"clause|claims"):
             Theorem("attack", "", wrong, mutants=FALSE)

@@ -2,9 +2,9 @@
 
 import pytest
 
-from verify.checkers import acceptance
+from verify.checkers import kernels
 
-CHECKERS = pytest.mark.parametrize("check", acceptance.CHECKERS.values(), ids=acceptance.CHECKERS)
+CHECKERS = pytest.mark.parametrize("check", kernels.CHECKERS.values(), ids=kernels.CHECKERS)
 
 
 def derivation(*steps, variables=("x", "y")):

@@ -10,8 +10,8 @@ import pytest
 
 from proofs.engine.theorem import all_theorems
 from verify import sources, test_theorems
-from verify.checkers import kept
-from verify.checkers.proof_checker import examine
+from verify.checkers import kept, measured
+from verify.checkers.measured import examine
 
 THEOREMS = all_theorems()
 QUICK = THEOREMS["crease_products"]
@@ -27,7 +27,7 @@ def folder(monkeypatch, tmp_path):
 @pytest.fixture
 def written(folder):
     """The key and the evidence that were kept of a theorem."""
-    key, found = kept.key_of(QUICK, 32), examine(QUICK, THEOREMS)
+    key, found = kept.key_of(QUICK), examine(QUICK, THEOREMS)
     kept.keep(found, key)
     return key, found
 
@@ -35,7 +35,7 @@ def written(folder):
 def test_what_is_kept_is_what_was_found(written):
     key, found = written
     assert asdict(kept.read(QUICK, key)) == asdict(found)
-    assert kept.key_of(QUICK, 32) == key
+    assert kept.key_of(QUICK) == key
 
 
 def test_what_was_changed_is_not_read(written, folder):
@@ -53,24 +53,18 @@ def test_what_was_changed_is_not_read(written, folder):
 def test_what_failed_is_not_kept(folder):
     failed = examine(QUICK, THEOREMS)
     failed.problems.append("it does not hold")
-    kept.keep(failed, kept.key_of(QUICK, 32))
+    kept.keep(failed, kept.key_of(QUICK))
     assert not folder.exists()
 
 
-def test_the_key_knows_the_theorem_and_the_number_of_points():
-    keys = {kept.key_of(QUICK, 32), kept.key_of(QUICK, 2000), kept.key_of(replace(QUICK, title="Another"), 32)}
-    assert len(keys) == 3
-
-
-def test_what_has_a_proof_is_not_kept():
-    assert not any(kept.may_be_kept(t) for t in THEOREMS.values() if t.expected in ("proved", "refuted"))
-    assert kept.may_be_kept(QUICK)
+def test_the_key_knows_the_theorem():
+    assert kept.key_of(QUICK) != kept.key_of(replace(QUICK, title="Another"))
 
 
 def test_the_run_says_kept_unless_it_is_to_be_fresh(folder, pytestconfig, monkeypatch):
     """The test of a theorem, as the run calls it, three times; the summary prints what it is told."""
     took, examined = [], []
-    monkeypatch.setattr(test_theorems, "examine", lambda *a, **k: examined.append(1) or examine(*a, **k))
+    monkeypatch.setattr(measured, "examine", lambda *a: examined.append(1) or examine(*a))
     for fresh in (True, False, True):
         monkeypatch.setattr(pytestconfig.option, "fresh", fresh)
         test_theorems.test_theorem(QUICK.id, lambda entry, how: took.append(how), pytestconfig)
@@ -81,12 +75,12 @@ def test_the_run_says_kept_unless_it_is_to_be_fresh(folder, pytestconfig, monkey
 EDIT = """
 from pathlib import Path
 from proofs.engine.theorem import all_theorems
-from verify.checkers import kept
+from verify.checkers import kept, measured
 theorems = [all_theorems()[id] for id in ("crease_products", "pole_accuracy")]
-before = [kept.key_of(theorem, 32) for theorem in theorems]
+before = [kept.key_of(theorem) for theorem in theorems]
 with open("proofs/formulas/tangent_frame.py", "a") as formula:
     formula.write("# edited")
-print(*(kept.key_of(theorem, 32) == key for theorem, key in zip(theorems, before)))
+print(*(kept.key_of(theorem) == key for theorem, key in zip(theorems, before)))
 """
 
 

@@ -6,16 +6,16 @@ import pytest
 from sympy import Eq, Max, Piecewise, Symbol, cos, oo, sin, sqrt, symbols
 
 from proofs.check import digest
-from proofs.engine.angles import Untranslatable
-from proofs.engine.certificate import prove, statements
+from proofs.engine.certificate import prove
 from proofs.engine.claim import Claim, Induction, Separation, equation
 from proofs.engine.feasible import feasible
 from proofs.engine.program import Program
-from proofs.engine.search import NotFound, search
-from proofs.engine.statement import derivations
+from proofs.engine.search import search
+from proofs.engine.statement import Untranslatable, derivations
+from proofs.engine.stored import NotFound, statements
 from verify.checkers import witness
-from verify.checkers.acceptance import why_rejected
 from verify.checkers.counterexamples import path_to_avoided
+from verify.checkers.kernels import why_rejected
 
 x, y, z = symbols("x y z", real=True)
 

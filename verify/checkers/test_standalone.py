@@ -7,8 +7,7 @@ import sys
 
 import pytest
 
-from proofs.check import canonical
-from proofs.engine.certificate import FOLDER
+from proofs.check import FOLDER, canonical
 from proofs.engine.standalone import main, standalone_script
 from proofs.engine.theorem import Theorem, all_theorems
 

@@ -7,9 +7,8 @@ from itertools import islice
 import pytest
 
 from proofs.check import FOLDER
-from verify.checkers.acceptance import CHECKERS
 from verify.checkers.by_values import holds
-from verify.checkers.kernels import accepted
+from verify.checkers.kernels import CHECKERS, accepted, compact
 from verify.checkers.tampering import change, draws
 
 COUNT = 5  # of each certificate; `python -m tests.tampered_certificates` draws 1,000
@@ -30,7 +29,7 @@ PROOF = {"rule": "contradiction", "positive": [], "sum": [["1", {"x": "1"}, []]]
 def test_a_tampered_certificate_is_rejected_where_its_sides_differ_at_a_point(theorem):
     pairs = [(pair["statement"], pair["certificate"]) for claim in STORED[theorem] for pair in claim["statements"]]
     drawn = [draw for pair in pairs for draw in ((*pair, True), *islice(draws(*pair, seed=1), COUNT))]
-    texts = [json.dumps(pair, separators=(",", ":"), ensure_ascii=False) for *pair, _ in drawn]
+    texts = [compact(pair) for *pair, _ in drawn]
     assert all(holds(*pair) for pair in pairs)
     for text, (*_, still), verdicts in zip(texts, drawn, accepted(texts), strict=True):
         assert set(verdicts.values()) == {still}, (verdicts, text)

@@ -13,10 +13,8 @@ from sympy import Symbol, sympify
 
 from proofs.engine.claim import Claim, Induction
 from proofs.engine.theorem import Point
-from verify.checkers.digits import DIGITS, TOLERANCE, WORKING_DIGITS, Code, Relations, Undefined
+from verify.checkers.digits import DIGITS, WORKING_DIGITS, Code, Relations, Undefined
 from verify.checkers.sampler import Sampler
-
-__all__ = ["DIGITS", "TOLERANCE", "WORKING_DIGITS", "Witness", "fails_at", "outcome", "printed", "sample"]
 
 
 @dataclass
@@ -31,10 +29,11 @@ class Witness:
     @property
     def smallest(self) -> Any:
         """The failing point that is shortest to write down, {symbol: value}, or None."""
-        return min(self.failures, key=_length, default=None)
+        return min(self.failures, key=length, default=None)
 
 
-def _length(point):
+def length(point: Mapping[Symbol, mpmath.mpf]) -> tuple[int, str]:
+    """Return how long a point is to write down, as a key to sort by."""
     return sum(len(mpmath.nstr(value, 20)) for value in point.values()), str(point)
 
 

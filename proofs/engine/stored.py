@@ -1,0 +1,99 @@
+"""What a theorem says now, and its stored certificates, if they still say so. This file is trusted."""
+
+import json
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+from proofs.check import FOLDER, contradiction, digest
+from proofs.engine.claim import AnyClaim, Induction, Separation
+from proofs.engine.counterexample import refutation
+from proofs.engine.statement import VERSION, Untranslatable, derivations, induction
+from proofs.engine.theorem import Theorem, Theorems, borrowed
+
+Proved = tuple[dict, dict, dict | None]  # a statement, its certificate, a point where its hypotheses hold
+Found = list[tuple[AnyClaim, list[Proved]]]
+
+
+class Stale(ValueError):
+    """A stored certificate is missing, or belongs to an older statement."""
+
+
+class NotFound(ValueError):
+    """No certificate and no counterexample was found: for what, and what is left of it."""
+
+
+def show_polynomial(p: dict, limit: int = 12) -> str:
+    """Return a polynomial, the kernel's or polynomial data, as text of at most `limit` terms."""
+    terms = p if all(isinstance(k, str) for k in p) else {" ".join(m): str(c) for m, c in p.items()}
+    text = " + ".join(f"{c}·{m.replace(' ', '·')}" if m else str(c) for m, c in list(terms.items())[:limit]) or "0"
+    return text + (f" + … ({len(terms)} terms)" if len(terms) > limit else "")
+
+
+def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
+    """Return the statements of a claim, as the formulas stand now."""
+    if isinstance(claim, Separation):
+        known = {*claim.lines.inputs, *(symbol for symbol, _ in claim.lines.definitions)}
+        if unknown := set(claim.outputs) - known:
+            raise Untranslatable(f"{claim.name}: the program has no {', '.join(sorted(map(str, unknown)))}")
+        lines = [[s.name, sorted(t.name for t in e.free_symbols)] for s, e in claim.lines.definitions]
+        outputs, avoid = (sorted(s.name for s in names) for names in (claim.outputs, claim.avoid))
+        return [{"version": VERSION, "kind": "separation", "lines": lines, "outputs": outputs, "avoid": avoid}]
+    if isinstance(claim, Induction):
+        return [induction(claim)]
+    return derivations(borrowed(claim, theorems))
+
+
+def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[Proved]:
+    """Return what refutes a claim at the point ((symbol, value), …); raises NotFound."""
+    found = refutation(statements(claim, theorems), dict(point))
+    if found is None:
+        raise NotFound(f"no certificate found: {claim.name}")
+    return [(*found, None)]
+
+
+def evidence(theorem: Theorem, theorems: Theorems, prove: Callable) -> Found:
+    """Return what `prove` finds for each claim of a theorem, or what refutes it; raises NotFound."""
+    point = theorem.refuted_at
+    return [(c, prove(c, theorems) if point is None else refute(c, point, theorems)) for c in theorem.claims]
+
+
+def path_of(theorem: Theorem) -> Path:
+    """Return the path of the theorem's stored certificates."""
+    return FOLDER / f"{theorem.id}.json"
+
+
+def stored(theorem: Theorem, theorems: Theorems) -> Found:
+    """Return [(claim, what proves or refutes it)] from the file, or raise Stale.
+
+    The statements are translated afresh from the formulas; the file's must be the same, or assume less.
+    """
+    path = path_of(theorem)
+    if not path.exists():
+        raise Stale(f"{theorem.id} has no stored certificate: run python -m proofs.engine.certificate {theorem.id}")
+    entries = {entry["claim"]: entry["statements"] for entry in json.loads(path.read_text("utf-8"))["claims"]}
+    result = []
+    for claim in theorem.claims:
+        kept = entries.pop(claim.name, [])
+        if theorem.expected == "refuted":
+            now = [s for s, *_ in refute(claim, theorem.refuted_at or (), theorems)]
+        else:
+            now = statements(claim, theorems)
+        if len(now) != len(kept) or not all(map(_still_said, now, kept)):
+            raise Stale(
+                f"{theorem.id}/{claim.name}: the formulas no longer say what the stored certificate proves; "
+                f"if the theorem still holds, python -m proofs.engine.certificate {theorem.id} finds a new one"
+            )
+        result.append((claim, [(entry["statement"], entry["certificate"], entry["point"]) for entry in kept]))
+    if entries:
+        raise Stale(f"{theorem.id}: the stored certificates have other claims: {', '.join(sorted(entries))}")
+    return result
+
+
+def _still_said(now, entry):
+    kept = entry["statement"]
+    if digest(kept) != entry["sha256"] or "point" not in entry:
+        return False
+    less = now
+    if now["kind"] == kept["kind"] == "derivation":  # what follows from fewer assumptions follows from all of them
+        less = now | {"steps": [step for step in now["steps"] if step["step"] != "assume" or step in kept["steps"]]}
+    return kept == less or (kept["kind"] == "derivation" and kept == contradiction(less))

@@ -1,0 +1,80 @@
+"""Theorems without claims: their measurements, in every module of verify/checkers/measurements, and their grade.
+
+certified  every measurement holds in ball arithmetic, and rejects its false variants
+measured   every measurement holds on its samples, and rejects its false variants
+cited      the source is in the bibliography
+"""
+
+import importlib
+import inspect
+import pkgutil
+import re
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+
+from proofs.engine.theorem import Theorem, Theorems, incomplete
+from verify.checkers.grades import Examination
+from verify.checkers.measurement import REGISTERED
+from verify.optional import lacking
+
+FOLDER = Path(__file__).parent / "measurements"
+
+
+@cache
+def _left_out():
+    """Import every module of measurements; return {id: the library it needs} of those that cannot be imported."""
+    needs = {}
+    for module in sorted(m.name for m in pkgutil.iter_modules([str(FOLDER)])):
+        try:
+            importlib.import_module(f"verify.checkers.measurements.{module}")
+        except ImportError as error:
+            if not (library := lacking(error)):
+                raise
+            text = (FOLDER / f"{module}.py").read_text(encoding="utf-8")
+            needs |= dict.fromkeys(re.findall(r'@measures\(\s*"(\w+)"', text), library)
+    return needs
+
+
+def measurements() -> dict[str, list[tuple[Callable, dict]]]:
+    """Return what is registered, of every module of measurements that can be imported here."""
+    _left_out()
+    return REGISTERED
+
+
+def library_for(theorem_id: str) -> str | None:
+    """Return the library without which a theorem cannot be measured here, or None if it can."""
+    return _left_out().get(theorem_id)
+
+
+def sources_of(theorem_id: str) -> set[Path]:
+    """Return the files in which a theorem's measurements are written."""
+    return {Path(inspect.getfile(function)).resolve() for function, _ in measurements().get(theorem_id, ())}
+
+
+def examine(theorem: Theorem, theorems: Theorems) -> Examination:
+    """Return the Examination of a theorem without claims: measured, or else cited."""
+    found = Examination(theorem.id, theorem.expected, theorem.uses)
+    found.problems += incomplete(theorem, theorems)
+    found.check_sources(theorem)
+    found.record["measurements"] = seen = [_measured(found, *entry) for entry in measurements().get(theorem.id, ())]
+    found.reached = "cited"
+    if theorem.expected != "cited":
+        found.reached = "certified" if seen and all(m["certified"] for m in seen) else "measured"
+        if not seen:
+            found.problems.append("no measurement is registered for it in verify/checkers/measurements")
+    found.record["grade"] = found.grade
+    return found
+
+
+def _measured(found, function, false):
+    """Run a measurement, and its false variants, which it has to reject."""
+    seen, rejected = function(), []
+    if not seen.accepted:
+        found.problems.append(f"{seen.what}: worst {seen.worst}, bound {seen.bound}, holds: {seen.holds}")
+    for text, changes in false.items():
+        rejected.append({"variant": text, "rejected": not function(**changes).accepted})
+        found.mutants, found.mutants_killed = found.mutants + 1, found.mutants_killed + rejected[-1]["rejected"]
+        if not rejected[-1]["rejected"]:
+            found.problems.append(f"{seen.what}: does not reject the false variant “{text}”")
+    return seen.record() | {"false_variants": rejected}
