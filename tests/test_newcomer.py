@@ -15,7 +15,6 @@ from PIL import Image
 from tests import one_page
 
 ROOT = Path(__file__).resolve().parent.parent
-SECTION = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").partition("\n## The way in\n")[2].partition("\n## ")[0]
 FENCE = re.compile(r"```(\w+)\n(.*?)```", re.DOTALL)
 FILE = re.compile(r"`([\w/]+\.\w+)`")
 LAST_FIELD = '        HeightField("rings"'
@@ -35,6 +34,14 @@ run = Run({id: grade}, frozenset(page_files(book)), frozenset(), number, lambda 
 print(load().get(id).words)
 print([fault for fault in faults_in(load(), run) if fault.startswith(id)])
 """
+
+
+def section(title):
+    """Return a section of CONTRIBUTING.md."""
+    return (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").partition(f"\n## {title}\n")[2].partition("\n## ")[0]
+
+
+SECTION = section("The way in")
 
 
 def blocks():

@@ -11,6 +11,7 @@ import shutil
 import subprocess
 import sys
 import time
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -37,7 +38,7 @@ def sites(tree):
     return [(node, operator) for node, operator in found if type(operator) in OTHER]
 
 
-def edited(source, index):
+def edit(source, index):
     """Return (the source with its index-th site edited, its line, what was done)."""
     tree = ast.parse(source)
     node, operator = sites(tree)[index]
@@ -46,7 +47,19 @@ def edited(source, index):
         node.ops[0] = other
     else:
         node.op = other
-    return ast.unparse(tree), node.lineno, f"{type(operator).__name__} → {type(other).__name__}"
+    return ast.unparse(tree), f"{node.lineno}: {type(operator).__name__} → {type(other).__name__}"
+
+
+@contextmanager
+def edited(folder, path, index):
+    """Edit a site in a copy of the tree, for as long as the context; give the words for it."""
+    original = (folder / path).read_text(encoding="utf-8")
+    changed, what = edit(original, index)
+    (folder / path).write_text(changed, encoding="utf-8")
+    try:
+        yield f"{path}:{what}"
+    finally:
+        (folder / path).write_text(original, encoding="utf-8")
 
 
 def draw(seed=SEED, number=EDITS):
@@ -81,7 +94,7 @@ def copy(tmp_path_factory):
     for name in ("proofs", "renderer", "verify", "book/static", "tests/data"):
         if (ROOT / name).exists():
             shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "_build"))
-    for name in ("pyproject.toml", "book/references.bib", "CONTRIBUTING.md"):
+    for name in ("pyproject.toml", "book/references.bib"):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
     return folder
@@ -90,13 +103,9 @@ def copy(tmp_path_factory):
 def test_there_is_something_to_edit():
     """Edits are what they say: one place, and another program."""
     source = "a = x + y\nb = -x if x < y else x * y\n"
-    assert [edited(source, i)[1:] for i in range(len(sites(ast.parse(source))))] == [
-        (1, "Add → Sub"),
-        (2, "Lt → Gt"),
-        (2, "USub → UAdd"),
-        (2, "Mult → Div"),
-    ]
-    assert edited(source, 0)[0].splitlines()[0] == "a = x - y"
+    edits = [edit(source, i) for i in range(len(sites(ast.parse(source))))]
+    assert [what for _, what in edits] == ["1: Add → Sub", "2: Lt → Gt", "2: USub → UAdd", "2: Mult → Div"]
+    assert edits[0][0].splitlines()[0] == "a = x - y"
     assert len(draw()) == EDITS
     found = {"edits": 30, "caught": 29, "left": 1, "stages": 2, "of_stages": 3, "minutes": 2, "seed": SEED}
     assert numbers([("file.py", 1)], stages=2, seconds=90) == found
@@ -104,12 +113,9 @@ def test_there_is_something_to_edit():
 
 def survives(folder, path, index, stage):
     """Return whether a stage passes in the copy with a site edited; what was there is put back."""
-    original = (folder / path).read_text(encoding="utf-8")
-    changed, line, what = edited(original, index)
-    (folder / path).write_text(changed, encoding="utf-8")
-    passed = passes(folder, stage)
-    (folder / path).write_text(original, encoding="utf-8")
-    print(f"{path}:{line}: {what}: {'passes ' + stage[0] if passed else 'caught'}", flush=True)
+    with edited(folder, path, index) as what:
+        passed = passes(folder, stage)
+    print(f"{what}: {'passes ' + stage[0] if passed else 'caught'}", flush=True)
     return passed
 
 

@@ -1,11 +1,6 @@
 """The worked theorem and the light model of CONTRIBUTING.md, followed to the letter in a copy of the tree."""
 
-import json
 import re
-import shutil
-import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,13 +8,7 @@ from PIL import Image
 
 from renderer import Scene, render
 from renderer.views import to_bytes
-
-ROOT = Path(__file__).resolve().parent.parent
-
-
-def section(title):
-    """Return a section of CONTRIBUTING.md."""
-    return (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").partition(f"\n## {title}\n")[2].partition("\n## ")[0]
+from tests.test_newcomer import copied, run, section
 
 
 def blocks(text, language="python"):
@@ -31,16 +20,6 @@ SECTION = section("A theorem")
 (EXAMPLE,) = blocks(SECTION)
 LIGHT = section("A light model in one sitting")
 MODEL, ENTRY, CLAIM = blocks(LIGHT)
-EXAMINE = """
-import json
-from proofs.engine.certificate import all_theorems, prove
-from verify.checkers.proof_checker import examine
-theorems = all_theorems()
-found = examine(theorems["{id}"], theorems, prove)
-print(json.dumps([found.grade, found.mutants, found.mutants_killed, found.problems]))
-"""
-
-
 # Draws with the new model; "numpy" hides LLVM.
 DRAW = """
 import sys
@@ -86,33 +65,17 @@ print(len(errors), roughened, np.abs(errors).max())
 """
 
 
-def run(folder, *arguments):
-    """Run Python in the folder; return what it prints."""
-    command = [sys.executable, *arguments]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, encoding="utf-8", check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
-
-
-def copied(folder):
-    """Copy what the proofs and the renderer need of the project."""
-    for name in ("proofs", "renderer", "verify"):
-        shutil.copytree(ROOT / name, folder / name)  # with what is compiled, which has the same times
-    (folder / "book").mkdir()
-    shutil.copy(ROOT / "book" / "references.bib", folder / "book")
-    shutil.copy(ROOT / "pyproject.toml", folder)
-
-
 def test_the_example_is_proved(tmp_path):
     copied(tmp_path)
     (tmp_path / "proofs" / "theorems" / "worked_example.py").write_text(EXAMPLE, encoding="utf-8")
     id = re.search(r'id="(\w+)"', EXAMPLE)[1]
-    assert run(tmp_path, "-m", "proofs.engine.certificate", id).startswith(f"{id}: ")
-    grade, mutants, killed, problems = json.loads(run(tmp_path, "-c", EXAMINE.format(id=id)))
-    assert (grade, mutants, killed, problems) == ("proved", 2, 2, [])
-    script = run(tmp_path, "-m", "proofs.engine.standalone", id)
+    assert run(tmp_path, "python", "-m", "proofs.engine.certificate", id).startswith(f"{id}: ")
+    examined = run(tmp_path, "pytest", "verify", "--theorem", id, "-q")
+    assert re.search(rf"{id} +proved .* mutants 2/2", examined)
+    script = run(tmp_path, "python", "-m", "proofs.engine.standalone", id)
     (tmp_path / "theorem.py").write_text(script, encoding="utf-8")
-    assert f"{id}: PROVED, given unit_length/length." in run(tmp_path, "-I", "-S", "-X", "utf8", "theorem.py")
+    proved = run(tmp_path, "python", "-I", "-S", "-X", "utf8", "theorem.py")
+    assert f"{id}: PROVED, given unit_length/length." in proved
 
 
 def test_the_example_is_short():
@@ -133,9 +96,8 @@ def lit(tmp_path_factory):
     shading.write_text(text, encoding="utf-8")
     (folder / "proofs" / "theorems" / "oren_nayar.py").write_text(CLAIM, encoding="utf-8")
     (listed,) = blocks(LIGHT, "bash")
-    commands = [re.sub("^(python )?", "", line).split() for line in listed.splitlines()]
-    words = [command if command[0] == "-m" else ["-m", *command] for command in commands]
-    return folder, {each[1]: run(folder, *each) for each in words}
+    commands = [line.split() for line in listed.splitlines()]
+    return folder, {words[2] if words[0] == "python" else words[0]: run(folder, *words) for words in commands}
 
 
 def test_the_light_model_is_short():
@@ -151,7 +113,7 @@ def test_the_claim_about_the_light_model_is_proved(lit):
 
 def test_the_light_model_draws_the_same_bits_by_both_machines(lit):
     folder, _ = lit
-    assert [run(folder, "-c", DRAW, name).strip() for name in ("llvm", "numpy")] == ["llvm", "numpy"]
+    assert [run(folder, "python", "-c", DRAW, name).strip() for name in ("llvm", "numpy")] == ["llvm", "numpy"]
     by_llvm, by_numpy = (np.load(folder / f"{name}.npy") for name in ("llvm", "numpy"))
     assert np.array_equal(by_llvm.view(np.int64), by_numpy.view(np.int64))
     assert np.array_equal(np.asarray(Image.open(folder / "rough.png")), to_bytes(by_llvm))
@@ -160,7 +122,7 @@ def test_the_light_model_draws_the_same_bits_by_both_machines(lit):
 
 def test_the_light_model_is_oren_and_nayars(lit):
     folder, _ = lit
-    numbers, roughened, error = run(folder, "-c", COMPARE.format(sigma=0.5)).split()
+    numbers, roughened, error = run(folder, "python", "-c", COMPARE.format(sigma=0.5)).split()
     assert int(numbers) > 500 and int(roughened) > 50
     assert float(error) < 1e-12
-    assert float(run(folder, "-c", COMPARE.format(sigma=0.4)).split()[2]) > 0.01
+    assert float(run(folder, "python", "-c", COMPARE.format(sigma=0.4)).split()[2]) > 0.01
