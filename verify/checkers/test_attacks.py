@@ -251,8 +251,18 @@ BROKEN = {
 }
 
 
-def test_the_kernels_accept_what_is_well_formed():
-    assert all(accepted([compact(GOOD)])[0].values())
+@pytest.mark.parametrize("name", ["x", "constructor", "toString", "hasOwnProperty", "cos(constructor)"])
+def test_the_kernels_accept_what_is_well_formed(name):
+    """A name may be one that every object of JavaScript has, wherever names stand."""
+    of = {name: "2", "": "-1"}
+    proved = derivation(("assume", of, {"is": "="}), show(of, "="), variables=[name])
+    proof = {"rule": "ideal", "cofactors": [[0, {"": "1"}]]}
+    point = dict.fromkeys([name, name.replace("cos", "sin")], "0") | {name: "1"}
+    induction = EMPTY_INDUCTION | {"state": [name], "start": {name: {}}, "next": {name: {}}, "show": [{name: "1"}]}
+    lines = {"version": 1, "kind": "separation", "lines": [[name, []]], "outputs": [name], "avoid": ["y"]}
+    pairs = [GOOD, [proved, {"proofs": [proof]}], refutation(of | {"": "-3"}, point), [lines, {"reached": [name]}]]
+    for verdicts_of in accepted(list(map(compact, [*pairs, [induction, {"base": [NOTHING], "step": [NOTHING]}]]))):
+        assert all(verdicts_of.values()), verdicts_of
 
 
 def test_the_kernels_refuse_what_is_broken():

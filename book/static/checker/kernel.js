@@ -50,24 +50,26 @@ Checker.kernel = function () {
   }
 
   function keys(data, what) {
-    insist(data?.constructor === Object && Object.keys(data).length <= MOST, `${what} is missing`);
+    const simple = data !== null && typeof data === "object" && Object.getPrototypeOf(data) === Object.prototype;
+    insist(simple && Object.keys(data).length <= MOST, `${what} is missing`);
     return Object.keys(data);
   }
 
-  const NAME = /^(?:[A-Za-z][A-Za-z0-9_]{0,99}|(?:cos|sin)\([A-Za-z0-9_*\/()+-]{1,99}\))$/;
-  const name = (text) => insist(typeof text === "string" && NAME.test(text), `"${text}" is not a name`);
+  const NAME = "(?:[A-Za-z][A-Za-z0-9_]{0,99}|(?:cos|sin)\\([A-Za-z0-9_*/()+-]{1,99}\\))", POWER = `${NAME}(?:\\^(?:[2-9]|[1-9][0-9]{1,2}))?`;
+  const [ONE_NAME, MONOMIAL] = [NAME, `(?:${POWER}(?: ${POWER})*)?`].map((form) => new RegExp(`^${form}$`));
+  const name = (text) => insist(typeof text === "string" && ONE_NAME.test(text), `"${text}" is not a name`);
   const index = (value) => insist(Number.isInteger(value) && value >= 0 && value <= MOST, `there is no fact ${value}`);
-  const relation = (text) => insist(["=", "!=", ">", ">="].includes(text), `there is no relation "${text}"`);
+  const HOLDS = { "=": (sign) => sign === 0n, "!=": (sign) => sign !== 0n, ">": (sign) => sign > 0n, ">=": (sign) => sign >= 0n };
+  const relation = (text) => insist(Object.keys(HOLDS).includes(text), `there is no relation "${text}"`);
   const by_name = (form) => (data) => keys(data, "an object").forEach((key) => (name(key), form(data[key])));
+
+  // [[name, exponent as text], …] of "x^2 y".
+  const powers = (monomial) => monomial.split(" ").filter(Boolean).map((factor) => [...factor.split("^"), "1"].slice(0, 2));
 
   function polynomial(data) {
     for (const monomial of keys(data, "a polynomial")) {
-      const factors = monomial === "" ? [] : monomial.split(" ").map((factor) => factor.split("^"));
-      for (const [text, power = "2", ...more] of factors) {
-        insist(/^(?:[2-9]|[1-9][0-9]{1,2})$/.test(power) && more.length === 0, `in "${monomial}", an exponent is not from 2 to 999`);
-        name(text);
-      }
-      insist(new Set(factors.map(([text]) => text)).size === factors.length, `"${monomial}" has a name twice`);
+      insist(MONOMIAL.test(monomial), `"${monomial}" is no product of powers of names, each exponent from 2 to 999`);
+      insist(new Map(powers(monomial)).size === powers(monomial).length, `"${monomial}" has a name twice`);
       insist(fraction(data[monomial])[0] !== 0n, `"${monomial}" has the coefficient 0`);
     }
   }
@@ -82,49 +84,46 @@ Checker.kernel = function () {
   const said = { is: relation, of: polynomial }, made = { new: name, of: polynomial };
   const steps = [kinds("step", { assume: said, show: said, define: made, root: made, inverse: made })];
   const version = (value) => insist(value === 1, "only version 1 of the format is known");
-  const values = by_name(polynomial), all = { version, variables: [name] };
-  const statement_form = kinds("kind", {
-    derivation: { ...all, steps },
-    refutation: { ...all, steps },
-    induction: { ...all, state: [name], assume: [said], start: values, next: values, show: [polynomial] },
-    separation: { version, lines: [[name, [name]]], outputs: [name], avoid: [name] },
-  });
+  const values = by_name(polynomial), all = { kind: any, version, variables: [name] };
+  const RULES = {
+    derivation: [derivation, { ...all, steps }, { proofs }],
+    refutation: [refutation, { ...all, steps }, { point: by_name(fraction) }],
+    induction: [induction, { ...all, state: [name], assume: [said], start: values, next: values, show: [polynomial] }, { base: proofs, step: proofs }],
+    separation: [separation, { kind: any, version, lines: [[name, [name]]], outputs: [name], avoid: [name] }, { reached: [name] }],
+  };
 
   // A polynomial is a Map from words to coefficients other than 0. The word of x²y is "x x y": names in a fixed order.
   const constant = (value) => new Map(value[0] ? [["", value]] : []);
   const variable = (name) => new Map([[name, ONE]]);
   const join = (a, b) => (a && b ? `${a} ${b}`.split(" ").sort().join(" ") : a || b);
 
-  function put(polynomial, word, coefficient) {
-    const known = polynomial.get(word), total = known ? plus(known, coefficient) : coefficient;
-    if (total[0]) polynomial.set(word, total);
-    else polynomial.delete(word);
+  // Adds factor · word · q to p, and returns it: a number, and names that are multiplied.
+  function add(p, q, factor = ONE, word = "") {
+    for (const [other, c] of q) {
+      const product = join(word, other), value = times(factor, c), total = p.has(product) ? plus(p.get(product), value) : value;
+      if (total[0]) p.set(product, total);
+      else p.delete(product);
+    }
+    return p;
   }
+
+  const less = (p, q) => add(new Map(p), q, MINUS);
 
   function product(p, q) {
-    const found = new Map();
-    for (const [a, c] of p) for (const [b, d] of q) put(found, join(a, b), times(c, d));
     work.products += p.size * q.size;
-    return found;
-  }
-
-  // p + factor · q, for a number as the factor.
-  function combined(p, q, factor = ONE) {
-    const found = new Map(p);
-    for (const [word, c] of q) put(found, word, times(factor, c));
-    return found;
+    return [...p].reduce((found, [word, c]) => add(found, q, c, word), new Map());
   }
 
   // The polynomial {"x^2 y": "-3/2", "": "1"}; `scope` has what each name stands for.
   function read(data, scope) {
-    let total = new Map();
+    const total = new Map();
     for (const [monomial, coefficient] of Object.entries(data)) {
       let term = constant(fraction(coefficient));
-      for (const [name, power = "1"] of monomial.split(" ").filter(Boolean).map((factor) => factor.split("^"))) {
+      for (const [name, power] of powers(monomial)) {
         insist(scope.has(name), `${name} stands for nothing here`);
         for (let i = 0; i < Number(power); i++) term = product(term, scope.get(name));
       }
-      total = combined(total, term);
+      add(total, term);
     }
     return total;
   }
@@ -143,16 +142,16 @@ Checker.kernel = function () {
     else {
       // Π of facts that are > 0 (or of squares, where ≠ 0 is known), + Σ c s² Π of facts that are ≥ 0: it is positive.
       const [sign, opposite] = NEGATION[is];
-      facts = [...facts, { p: combined(new Map(), p, sign), is: opposite }];
+      facts = [...facts, { p: add(new Map(), p, sign), is: opposite }];
       const strict = positive.map((index) => known(index, ">", "!="));
       left = strict.flatMap(({ p, is }) => (is === ">" ? [p] : [p, p])).reduce(product, constant(ONE));
       for (const [weight, root, indices] of sum) {
         const c = fraction(weight), s = read(root, scope);
         insist(c[0] >= 0n, "a square has a negative weight");
-        left = combined(left, [s, s, ...indices.map((index) => known(index, ">", ">=").p)].reduce(product, constant(c)));
+        left = add(left, [s, s, ...indices.map((index) => known(index, ">", ">=").p)].reduce(product, constant(c)));
       }
     }
-    for (const [index, cofactor] of cofactors) left = combined(left, product(read(cofactor, scope), known(index, "=").p), MINUS);
+    for (const [index, cofactor] of cofactors) left = less(left, product(read(cofactor, scope), known(index, "=").p));
     work.identities++;
     insist(left.size === 0, "the two sides differ", left);
   }
@@ -176,14 +175,13 @@ Checker.kernel = function () {
       if (is) facts.push(goal);
       else introduce(scope, [name], kind === "define" ? () => p : stands);
       const y = scope.get(name);
-      if (kind === "root") facts.push({ p: combined(product(y, y), p, MINUS), is: "=" }, { p: y, is: ">=" });
-      if (kind === "inverse") facts.push({ p: combined(product(y, p), constant(ONE), MINUS), is: "=" });
+      if (kind === "root") facts.push({ p: less(product(y, y), p), is: "=" }, { p: y, is: ">=" });
+      if (kind === "inverse") facts.push({ p: less(product(y, p), constant(ONE)), is: "=" });
     }
   }
 
-  function derivation(statement, certificate) {
-    has_form(certificate, { proofs });
-    const waiting = [...certificate.proofs];
+  function derivation(statement, { proofs }) {
+    const waiting = [...proofs];
     for (const { goal, facts, scope } of goals(statement, [], variable)) {
       insist(waiting.length > 0, "a proof is missing");
       prove(goal, facts, waiting.shift(), scope);
@@ -193,33 +191,29 @@ Checker.kernel = function () {
   }
 
   // A point at which everything holds but the last goal: names stand for numbers. π is none of them, a cosine has its sine.
-  function refutation(statement, certificate) {
-    has_form(certificate, { point: by_name(fraction) });
-    const { point } = certificate, asked = new Set(), facts = [];
-    const at = (name) => {
-      insist(name !== "pi", "π is one number, and no coordinate");
-      insist(Object.hasOwn(point, name), `the point has no ${name}`);
-      asked.add(name);
-      return constant(fraction(point[name]));
-    };
+  function refutation(statement, { point }) {
+    const made = statement.steps.filter(({ step }) => step === "root" || step === "inverse"), facts = [];
+    const asked = [...statement.variables, ...made.map(({ new: name }) => name)];
+    has_form(point, Object.fromEntries(asked.map((name) => [name, any])));
+    insist(!asked.includes("pi"), "π is one number, and no coordinate");
+    const at = (name) => constant(fraction(point[name]));
     const holds = ({ p, is }) => {
-      const sign = p.get("")?.[0] ?? 0n;
       work.identities++;
-      return { "=": sign === 0n, "!=": sign !== 0n, ">": sign > 0n, ">=": sign >= 0n }[is];
+      return HOLDS[is](p.get("")?.[0] ?? 0n);
     };
     const obligations = [...goals(statement, facts, at)].map(({ goal }) => goal).slice(0, -1), claim = facts.pop();
     insist(statement.steps.at(-1)?.step === "show", "nothing is claimed at the end");
-    insist(Object.keys(point).every((name) => asked.has(name)), "the point has a name too many");
-    for (const name of [...asked].filter((name) => name.endsWith(")"))) {
-      const squares = ["cos", "sin"].map((word) => at(word + name.slice(3))).map((p) => product(p, p));
-      insist(combined(combined(...squares), constant(ONE), MINUS).size === 0, `${name} is off the circle`);
+    for (const name of asked.filter((name) => name.endsWith(")"))) {
+      const pair = ["cos", "sin"].map((word) => word + name.slice(3));
+      insist(pair.every((each) => asked.includes(each)), `${name} stands alone`);
+      const [c, s] = pair.map(at), off = less(add(product(c, c), product(s, s)), constant(ONE));
+      insist(off.size === 0, `${name} is off the circle`);
     }
     for (const each of [...facts, ...obligations]) insist(holds(each), "a hypothesis fails at the point", each.p);
     insist(!holds(claim), "the claim holds at the point", claim.p);
   }
 
   function induction({ variables, state, assume, start, next, show }, certificate) {
-    has_form(certificate, { base: proofs, step: proofs });
     const fixed = introduce(new Map(), variables), now = introduce(new Map(fixed), state);
     const given = assume.map(({ of, is }) => ({ p: read(of, fixed), is }));
     const equations = (scope) => show.map((claim) => ({ p: read(claim, scope), is: "=" }));
@@ -236,7 +230,6 @@ Checker.kernel = function () {
   }
 
   function separation({ lines, outputs, avoid }, certificate) {
-    has_form(certificate, { reached: [name] });
     const reached = new Set(certificate.reached), needed = lines.filter(([name]) => reached.has(name));
     insist(outputs.length > 0 && avoid.length > 0, "nothing is claimed");
     work.identities += needed.length;
@@ -247,17 +240,20 @@ Checker.kernel = function () {
 
   // A residual in the format's own form, {"x^2 y": "-3/2"}.
   function written(polynomial) {
-    const powers = (word) =>
+    const shorter = (word) =>
       word.replace(/(?<!\S)(\S+)((?: \1)+)(?!\S)/g, (_, name, more) => `${name}^${1 + more.length / (name.length + 1)}`);
-    return Object.fromEntries([...polynomial].map(([word, value]) => [powers(word), printed(value)]));
+    return Object.fromEntries([...polynomial].map(([word, value]) => [shorter(word), printed(value)]));
   }
 
   // Returns {accepted, reason, residual, work: {identities, products, step}}. What is malformed proves nothing either.
   function check(statement, certificate) {
     work = { identities: 0, products: 0, step: 0 };
     try {
-      statement_form(statement);
-      ({ derivation, refutation, induction, separation })[statement.kind](statement, certificate);
+      insist(Object.keys(RULES).includes(statement.kind), `there is no kind "${statement.kind}"`);
+      const [rule, said, shown] = RULES[statement.kind];
+      has_form(statement, said);
+      has_form(certificate, shown);
+      rule(statement, certificate);
       return { accepted: true, work };
     } catch (why) {
       return { accepted: false, reason: why.message, residual: why.residual && written(why.residual), work };
