@@ -40,3 +40,11 @@ Variables h_u_plus h_u_minus epsilon : R.
 Definition h_u := rounded (rounded ((1 / 2) * rounded (h_u_plus - h_u_minus)) / epsilon).
 End program.
 End difference_float64.
+
+Module gradient_from_factors_sine_float64.
+Section program.
+Variables sin_u cos_u sin_v cos_v k_u k_v : R.
+Definition h_u := rounded (rounded (rounded (rounded PI * cos_u) * k_u) * sin_v).
+Definition h_v := rounded (rounded (rounded (rounded PI * cos_v) * k_v) * sin_u).
+End program.
+End gradient_from_factors_sine_float64.

@@ -213,7 +213,7 @@ OPERATIONS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 
 
 def rounded(text: str) -> str:
-    """Return a line of a kernel in Coq, each of its operations rounded to float64, in its order."""
+    """Return a line of a kernel in Coq, each of its operations and π rounded to float64, in its order."""
 
     def term(node: ast.expr) -> str:
         match node:
@@ -224,6 +224,8 @@ def rounded(text: str) -> str:
             case ast.Constant(float(value)):
                 above, below = value.as_integer_ratio()
                 return str(above) if below == 1 else f"({above} / {below})"
+            case ast.Name("pi"):
+                return "rounded PI"
             case ast.Name(name):
                 return name
         raise ValueError(f"no rounded form of {ast.unparse(node)}")
@@ -242,7 +244,8 @@ def float64_module(program: Program) -> str:
 def float64_source() -> str:
     """Return the text of proofs/formal/Float64.v: the operations of kernels as they are carried out."""
     difference = Program("difference", (h_u_plus, h_u_minus, epsilon), ((h_u, ANY_CENTRAL[h_u]),), (h_u,))
-    kernels = (elementary.two_product, half_turn_polynomials(), difference)
+    gradient = height_fields.gradient_from_factors(height_fields.HEIGHT_FIELDS["sine"])
+    kernels = (elementary.two_product, half_turn_polynomials(), difference, gradient)
     return FLOAT64_HEADER + "".join(f"\n{float64_module(program)}" for program in kernels)
 
 

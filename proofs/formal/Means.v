@@ -1,0 +1,37 @@
+(* A mean of bounded samples. *)
+
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+Open Scope R_scope.
+
+(* One more sample, with the share w, keeps the mean within what bounds each, *)
+Theorem mean_keeps_the_bound__one_more (b m x w : R) : 0 <= w <= 1 -> Rabs m <= b -> Rabs x <= b ->
+  Rabs (m + w * (x - m)) <= b.
+Proof. intros W M X. apply Rabs_le_between in M. apply Rabs_le_between in X. apply Rabs_le. split; nra. Qed.
+(* so it does for the mean of any number of them: each comes with the share 1 / (n + 1). *)
+Theorem mean_keeps_the_bound__any_number (b : R) (x : nat -> R) (n : nat) : (forall i, Rabs (x i) <= b) ->
+  Rabs (sum_f_R0 x n / INR (S n)) <= b.
+Proof.
+  intro B. induction n as [|n I]; [simpl; rewrite Rdiv_1; apply B|].
+  assert (P : 0 < INR (S n)) by apply lt_0_INR, Nat.lt_0_succ. rewrite tech5, (S_INR (S n)). set (k := INR (S n)) in *.
+  replace (_ / _) with (sum_f_R0 x n / k + / (k + 1) * (x (S n) - sum_f_R0 x n / k)) by (field; lra).
+  apply mean_keeps_the_bound__one_more; [split|exact I|apply B].
+  - left. apply Rinv_0_lt_compat. lra.
+  - rewrite <- Rinv_1. apply Rinv_le_contravar; lra.
+Qed.
+Theorem mean_keeps_the_bound__one_more__point : exists b m x w : R, 0 <= w <= 1 /\ Rabs m <= b /\ Rabs x <= b.
+Proof. exists 1, 1, 1, 1. rewrite Rabs_R1. lra. Qed.
+Theorem mean_keeps_the_bound__any_number__point : exists (b : R) (x : nat -> R), forall i, Rabs (x i) <= b.
+Proof. exists 1, (fun _ => 1). intros _. rewrite Rabs_R1. lra. Qed.
+(* With a share beyond 1 it does not, nor within half of it. *)
+Theorem mean_keeps_the_bound__one_more__false : ~ forall b m x w : R, 0 <= w -> Rabs m <= b -> Rabs x <= b ->
+  Rabs (m + w * (x - m)) <= b.
+Proof.
+  intro H. generalize (H 1 1 (-1) 3 ltac:(lra)). rewrite (Rabs_left (-1)), (Rabs_left (1 + _)), Rabs_R1 by lra.
+  intro K. generalize (K ltac:(lra) ltac:(lra)). lra.
+Qed.
+Theorem mean_keeps_the_bound__any_number__false : ~ forall (b : R) (x : nat -> R) (n : nat),
+  (forall i, Rabs (x i) <= b) -> Rabs (sum_f_R0 x n / INR (S n)) <= b / 2.
+Proof.
+  intro H. assert (K := H 1 (fun _ => 1) O (fun _ => Req_le _ _ Rabs_R1)). simpl in K. rewrite Rabs_pos_eq in K; lra.
+Qed.
