@@ -81,13 +81,13 @@ class Theorem:
 
     id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader. The
     statement may be Clauses, each with the claims that say it; where one is argued, so is the theorem.
-    claims: what is checked; of Clauses, theirs. uses: ids of the theorems that claims borrow from or steps use. steps:
-    the argument. side_conditions: each with its edge tests. mutants: at least two. refuted_at: of a false statement,
-    the exact point ((symbol, value), …) where its one claim fails; such a theorem is `refuted`, and its mutants are the
-    true variants, which that point must not refute. expected: the grade that a run has to reach. Without claims it is
-    `measured` or `certified`, by a function in verify/checkers/measurements, or `cited`; source: the bibliography's key
-    of what is cited, or of the analysis that a proved theorem takes among its hypotheses (then it is proved, given
-    that source).
+    claims: what is checked; of Clauses, theirs. steps: the argument. uses: ids of the theorems that it rests on: those
+    that claims borrow from or steps use are added. side_conditions: each with its edge tests. mutants: at least two.
+    refuted_at: of a false statement, the exact point ((symbol, value), …) where its one claim fails; such a theorem is
+    `refuted`, and its mutants are the true variants, which that point must not refute. expected: the grade that a run
+    has to reach, where the rest does not say it. Without claims it is `measured` or `certified`, by a function in
+    verify/checkers/measurements, or `cited`; source: the bibliography's key of what is cited, or of the analysis that a
+    proved theorem takes among its hypotheses (then it is proved, given that source).
     """
 
     id: str
@@ -100,13 +100,16 @@ class Theorem:
     side_conditions: tuple[SideCondition, ...] = ()
     uses: tuple[str, ...] = ()
     refuted_at: Point | None = None
-    expected: str = "proved"
+    expected: str = ""
     source: str = ""
 
     def __post_init__(self):
         if not isinstance(self.statement, str):
             said = dict.fromkeys(claim for clause in self.statement for claim in clause.claims)
             object.__setattr__(self, "claims", tuple(said))
+        object.__setattr__(self, "uses", tuple(dict.fromkeys((*self.named, *self.uses))))
+        shown = "refuted" if self.refuted_at is not None else "argued" if self.argued else "proved"
+        object.__setattr__(self, "expected", self.expected or shown)
         if self.expected not in GRADES:
             raise ValueError(f"{self.id}: expected = {self.expected!r} is not one of {', '.join(GRADES)}")
         checked = bool(self.claims) or self.expected not in WITHOUT_CLAIMS
@@ -135,6 +138,12 @@ class Theorem:
     def words(self) -> str:
         """The statement as one text."""
         return " ".join(clause.text for clause in self.clauses)
+
+    @property
+    def named(self) -> list[str]:
+        """The theorems that a claim borrows from or a step uses."""
+        lent = [id for claim in self.claims for id, _ in getattr(claim, "borrowed", ())]
+        return lent + [id for step in self.steps for id in step.uses]
 
     @property
     def argued(self) -> tuple[Clause, ...]:
@@ -203,20 +212,15 @@ def _supplies(other, claim, given):
 def incomplete(theorem: Theorem, theorems: Theorems) -> list[str]:
     """Return what is wrong with `uses`, or could be borrowed and is assumed instead.
 
-    `uses` lists exactly the theorems that a claim borrows from, that a step uses, or that conclude what a claim is
-    given, about the same names.
+    `uses` may add theorems that conclude what a claim is given, about the same names, and no others.
     """
-    needed = {id for claim in theorem.claims for id, _ in getattr(claim, "borrowed", ())}
-    needed |= {id for step in theorem.steps for id in step.uses}
-    concluding = [c for id in theorem.uses if id in theorems for c in _concluding(theorem, theorems[id])]
-    lacks = sorted(needed - set(theorem.uses))
-    idle = sorted(set(theorem.uses) - needed - {id for id, *_ in concluding})
-    circular = sorted(id for id in needed | set(theorem.uses) if id in theorems and _rests_on(id, theorem.id, theorems))
+    circular = [id for id in theorem.uses if id in theorems and _rests_on(id, theorem.id, theorems)]
     if circular:
         return [f"{theorem.id}: rests on itself, through {', '.join(circular)}"]
-    problems = [f"{theorem.id}: uses lacks {', '.join(lacks)}, which a claim borrows from or a step uses"] * bool(lacks)
-    for id in idle:
-        problems.append(f"{theorem.id}: uses {id}, but no claim borrows from it; name it in the step that does: uses=")
+    problems = []
+    for id in set(theorem.uses).difference(theorem.named):
+        if id not in theorems or not _concluding(theorem, theorems[id]):
+            problems.append(f"{theorem.id}: uses {id}, but no claim borrows from it; name it in the step that does")
     for id, other in theorems.items():
         if other.expected != "refuted" and not _rests_on(id, theorem.id, theorems):
             for _, claim, conclusion, relations in _concluding(theorem, other):

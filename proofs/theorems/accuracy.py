@@ -43,7 +43,6 @@ differences = Theorem(
         "forty steps a decade; smooth points, $k$ from 1 to 512; beside a crease, at the pole, beside the seam for "
         "even, odd and fractional $k_u$",
     ),
-    uses=(*_truncation, *_rounding),
     steps=(
         Step(
             "truncation: the exact quotient less the slope",
@@ -69,7 +68,6 @@ slopes = Theorem(
     r"$v = \varepsilon/2$ it still does for the chapter's fields, and like $\varepsilon$ for $\cos\pi k_v v$; the RMS "
     r"error of ridges over the chart falls like $\sqrt\varepsilon$, with the theorem's constant within 2 %.",
     hypotheses=("the RMS by Gauss–Legendre quadrature between the creases and the ends of their bands",),
-    uses=_orders,
     steps=(Step("2; at the pole 1, where odd 2; ½", "as proved", uses=_orders),),
     expected="measured",
 )

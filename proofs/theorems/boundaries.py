@@ -79,5 +79,4 @@ attached_shadow = Theorem(
         variant("true where β g·ω ≥ 0", _in_light, given=(*_in_light.given, beta * dot(g, towards) >= 0)),
     ),
     uses=("unit_length",),
-    expected="refuted",
 )

@@ -144,7 +144,6 @@ second_order = Theorem(
         r"\tfrac12(s^2/4 - v^2)b$, $|b| \le \sup|h_{vvv}|$",
     ),
     claims=(_are_odd, _first_ridge, _second, _attained),
-    uses=("clamped_difference",),
     steps=(
         Step(r"$h(0) = 0$ and $h_{vv}(0) = 0$", "$h$ is odd"),
         Step("the clamped difference divides by $v+\\varepsilon$", "its lines", uses=("clamped_difference",)),

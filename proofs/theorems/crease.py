@@ -108,5 +108,4 @@ supremum = Theorem(
         variant("it is ω, whatever ε", _descends, equation(_gap, omega)),
         variant("true where (ωε)² ≥ 6", _descends, given=(*_steps, omega**2 * epsilon**2 >= 6)),
     ),
-    expected="refuted",
 )

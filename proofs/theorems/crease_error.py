@@ -94,13 +94,11 @@ theorem = Theorem(
             argued="that a primitive gives an area, that the tents are disjoint and how many there are",
         ),
     ),
-    expected="argued",
     hypotheses=(
         r"$k_u, k_v \ge 1$ whole, $0 < \varepsilon \le 1/2k$: ridges, $k_u$ creases in $u$, $k_v - 1$ inside in $v$",
         r"bounds of sine and cosine by their Taylor polynomials (cited)",
         r"Minkowski's inequality joins the two: the RMS of a sum differs from one part's by at most the other's",
     ),
-    uses=("straddling", "truncation_bound", "clamped_difference_of_odd"),
     steps=(
         Step(
             r"$\cos x\,\sin y/x - \cos y$, $x = \pi k\varepsilon$, $y = \pi k\delta$",

@@ -59,7 +59,6 @@ displaced_theorem = Theorem(
     r"= -\beta^2 h\, N\times G$: the same direction to first order in $\beta$.",
     hypotheses=(r"$\sin\varphi > 0$", r"$1+\beta h > 0$", r"$h$ is differentiable"),
     claims=(_product, _chart_scale, _outward, _first_order),
-    uses=("tangent_frame",),
     steps=(
         Step(
             r"$\partial_\theta = \beta h_\theta N + (1+\beta h)\sin\varphi\,e_\theta$, $\partial_\varphi$ likewise",

@@ -134,7 +134,6 @@ theorem = Theorem(
             argued="an induction over inequalities, which the kernel has no rule for",
         ),
     ),
-    expected="argued",
     hypotheses=(
         r"$p$ whole, $x, z \in [0, 1]$; by symmetry $x \ge z$",
         "unit vectors",
@@ -185,5 +184,4 @@ below_one = Theorem(
             ),
         ),
     ),
-    expected="refuted",
 )

@@ -187,5 +187,4 @@ seed_quadratic = Theorem(
             Claim("agree", (equation(_seed_c, _c),), (equation(eye, 2 * ball_center[2]),)),
         ),
     ),
-    expected="refuted",
 )

@@ -119,7 +119,6 @@ theorem = Theorem(
         Clause("the clip keeps it where the channel is inside $(0, 1)$ and makes it 0 outside $[0, 1]$.", _clip),
     ),
     hypotheses=(r"$N' = M/|M|$ with $M \ne 0$; $|H| > 0$; $p \ge 1$ whole", "the rules of differentiation"),
-    uses=("normal_by_beta",),
     steps=(
         Step(r"$\partial_\beta N'$", "in closed form", uses=("normal_by_beta",)),
         Step("each line, along $N' + s\\,\\partial_\\beta N'$ at $s = 0$", "the chain rule"),

@@ -99,7 +99,7 @@ theorem = Theorem(
         ),
     ),
     hypotheses=("$e > R > 0$", r"$\sin\varphi \ge 0$", r"$m$ whole: $\sin\pi m = 0$"),
-    uses=("stable_frame", "ridges_on_creases"),
+    uses=("stable_frame",),
     steps=(
         Step(r"$t = 1 - (R/e)\cos\varphi > 0$", "the third coordinate of the ray; $e > R$ and $\\cos\\varphi \\le 1$"),
         Step(r"$(x, y) = \rho(\cos\theta, \sin\theta)$", "the other two, divided by $t$"),

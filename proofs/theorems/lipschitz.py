@@ -70,7 +70,6 @@ theorem = Theorem(
         ),
     ),
     hypotheses=(r"$|a|, |b| \ge 1$",),
-    uses=("unit_length",),
     steps=(
         Step(r"$|a/|a|-b/|b||^2 = 2 - 2\,a\cdot b/(|a||b|)$", "expansion"),
         Step(

@@ -73,7 +73,6 @@ derivative = Theorem(
     statement=r"$\partial N'/\partial\beta = (I - N'N'^{\mathsf T})\,g/|M|$, tangent to the sphere of directions.",
     hypotheses=(r"$M \ne 0$",),
     claims=(_derivative, _on_the_sphere),
-    uses=("unit_length",),
     steps=(
         Step(
             r"$\partial M/\partial\beta = g$, $\partial|M|/\partial\beta = M\cdot g/|M|$",

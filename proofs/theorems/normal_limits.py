@@ -35,7 +35,6 @@ angle = Theorem(
     r"$|N\times N'|^2 = \beta^2|g|^2\,(N\cdot N')^2$.",
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
     claims=(_angle,),
-    uses=("unit_length",),
     steps=(
         Step(r"$N\cdot M = 1$, so $N\cdot N' = 1/|M|$", r"$|N| = 1$, $N\cdot g = 0$"),
         Step(
@@ -120,7 +119,6 @@ limits = Theorem(
         Clause(r"$N' = N$ at $\beta = 0$, and where $g = 0$.", (_still, _flat)),
     ),
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
-    uses=("unit_length",),
     steps=(
         Step(r"$|N'-N|^2 = 2-2/|M|$", "$N\\cdot N' = 1/|M|$"),
         Step(r"$2-2/|M| \le |M|^2-1 = \beta^2|g|^2$", r"$|M| \ge 1$"),
@@ -171,7 +169,6 @@ shadow_line = Theorem(
     r"where $|N\cdot\omega| \le |\beta||g|$, and not at all at $\beta = 0$.",
     hypotheses=(r"$|N| = |\omega| = 1$", r"$N\cdot g = 0$"),
     claims=(_within,),
-    uses=("unit_length",),
     steps=(
         Step(r"$(g\cdot\omega)^2 \le |g|^2$", "Lagrange's identity"),
         Step(r"$M\cdot\omega = N\cdot\omega + \beta g\cdot\omega \ge N\cdot\omega - |\beta||g| > 0$", "expansion"),

@@ -106,7 +106,6 @@ theorem = Theorem(
     r"$(0, 1)$ exactly if $d = |a|^2r^2-|a\times w|^2 \ge 0$ and $0 < a\cdot w < |a|^2$, where $a = L-P$, $w = C-P$.",
     hypotheses=("$|C-P| > r$ and $|C-L| > r$",),
     claims=(_quadratic, _program, _if, _only_if),
-    uses=("lagrange_identity",),
     steps=(
         Step(
             r"$|P+sa-C|^2-r^2 = |a|^2s^2 - 2(a\cdot w)s + |w|^2-r^2$",

@@ -54,7 +54,6 @@ theorem = Theorem(
         r"a parallel is seen, where no other body hides it, exactly if $\cos\varphi \ge R/e$ (on the rim if equal)",
         r"$\sin\pi x > 0$ for $0 < x < 1$ (cited)",
     ),
-    uses=("kink_loci", "visible_iff"),
     steps=(
         Step(r"the parallel $\varphi = \pi m/k_v$ is a circle", r"$v = \varphi/\pi$", ("kink_loci",)),
         Step(r"it is seen where $\cos\varphi \ge R/e$", "the near hit", ("visible_iff",)),

@@ -157,5 +157,4 @@ smooth_everywhere = Theorem(
         variant("true for k_v = 0", _same, given=(equation(k_v, 0),)),
         Mutant("true of the surface gradient, k_u = 2", Claim("surface", _limit.shows[3:5])),
     ),
-    expected="refuted",
 )

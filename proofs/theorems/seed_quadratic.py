@@ -45,7 +45,6 @@ hidden = Theorem(
     r"= \frac34$. So B covers the view and A is never drawn.",
     hypotheses=(r"the view has $|x| \le 5/\sqrt{15}$, $|y| \le 23/4\sqrt{15}$, both less than 2",),
     claims=(_covers, _before, _behind),
-    uses=("hit_of_b",),
     steps=(
         Step(r"$b = 10.8+(x+y)/2 > 35/4$", "the vertex, as for the true quadratic", ("hit_of_b",)),
         Step(r"$b^2 > 76 > 24 \cdot 2.0876 \ge |D|^2c$", r"$|D|^2 = x^2+y^2+16 \le 24$"),

@@ -93,7 +93,6 @@ difference_bound = Theorem(
         r"$|\Delta\,\text{base}^p| \le q|\Delta N'|$: the highlight is Lipschitz with $q$, for a whole $p \ge 1$ with "
         "$q = p$ (Blinn) or $2p$ (Phong), as is argued",
     ),
-    uses=("normalising_is_lipschitz", "specular_lipschitz"),
     steps=(
         Step(
             r"$|\Delta\max(0,\mu)| \le |\Delta N'|$, $|\Delta\,\text{base}^p| \le q|\Delta N'|$",

@@ -114,7 +114,6 @@ shadow_of_b = Theorem(
     r"($a = L-P$, $w' = C-P$): all of it if $L_z \ge C_z+r$, none if $L_z \le C_z-r$, and one branch of the hyperbola.",
     hypotheses=("$|L-C| > r$", "$L_z > 0$"),
     claims=(_conic, *_types, _away, *_cast),
-    uses=("lagrange_identity", "silhouette_of_b", "occlusion_by_signs"),
     steps=(
         Step(r"$d = (a\cdot w')^2-|a|^2(|w'|^2-r^2)$, the same seen from $L$", "expansion", ("lagrange_identity",)),
         Step(r"its quadratic part has the determinant $c\,(w_z^2-r^2)$", "expansion; $c > 0$"),
@@ -137,7 +136,6 @@ shadow_of_a = Theorem(
     r"an ellipse if $L_z > R$. The shadow is its part with $0 < a\cdot w' < |a|^2$, beyond A: $P\cdot L < |P|^2$.",
     hypotheses=("$|L| > R$, $|P| > R$",),
     claims=(_of_a, _behind_a),
-    uses=("shadow_of_b_on_floor", "occlusion_by_signs"),
     steps=(
         Step("put $C = 0$", "substitution", ("shadow_of_b_on_floor",)),
         Step(r"$a\cdot w' = |P|^2-P\cdot L$", "the vertex comes after P", ("occlusion_by_signs",)),
@@ -160,7 +158,6 @@ row = Theorem(
     r"with leading coefficient 1, and $|a|^2-a\cdot w'$ is linear. So a row is cut by the roots of two quadratics and "
     "one linear polynomial.",
     claims=(_row, _leading, _away),
-    uses=("occlusion_by_signs",),
     steps=(
         Step(r"$(L-P)\times(C-P) = L\times C-(L-C)\times P$", r"$P\times P = 0$: linear in $P$, not quadratic"),
         Step(r"$|a|^2-a\cdot w' = (P-L)\cdot(C-L)$", "the conditions of the shadow test", ("occlusion_by_signs",)),

@@ -106,7 +106,6 @@ theorem = Theorem(
     "branch $b < 0$ is spurious.",
     hypotheses=("$c > 0$: the eye is outside B",),
     claims=(_conic, *_types, _branch, _all_seen, _none_seen),
-    uses=("hit_of_b", "lagrange_identity"),
     steps=(
         Step(
             r"$d = b^2-c\,(x^2+y^2+e^2)$, written as a quadratic form in $(x, y, 1)$",

@@ -86,7 +86,6 @@ silhouette = Theorem(
     r"$\cos\varphi = R/e$.",
     hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$"),
     claims=(_quadratic, _inside, _only_inside, _in_front, _tangent),
-    uses=("hit_of_a",),
     steps=(
         Step(r"$d = e^4-(\rho^2+e^2)(e^2-R^2) = (e^2-R^2)(\rho_s^2-\rho^2)$", "expansion"),
         Step(r"its sign is that of $\rho_s-\rho$", "the other factors are positive"),
@@ -117,7 +116,6 @@ visible = Theorem(
     r"$\cos\varphi < R/e$.",
     hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$", "$|P(t)| = R$", "no other body stands before A"),
     claims=(_visible, _hidden),
-    uses=("hit_of_a", "silhouette_of_a"),
     steps=(
         Step(r"$t\,((\rho^2+e^2)t-e^2) = R^2-eR\cos\varphi$", r"$R\cos\varphi = e(1-t)$ and $|P(t)| = R$"),
         Step(
