@@ -10,20 +10,34 @@ from dataclasses import dataclass
 from sympy import Expr, Symbol
 
 
+def _each(part):
+    """Return the components of a vector, or the one part that is none."""
+    return part if isinstance(part, tuple) else (part,)
+
+
+def _all(parts):
+    return tuple(component for part in parts for component in _each(part))
+
+
 @dataclass(frozen=True)
 class Program:
     """Definitions `(symbol, expression)` in order, from `inputs` to `outputs` (tuples of symbols).
 
-    Raises ValueError where a line uses a name that is neither an input nor defined above it, where a name is
+    A vector may be an input, or defined at once: `(symbols, expressions)`. Without `outputs` they are what the last line
+    defines. Raises ValueError where a line uses a name that is neither an input nor defined above it, where a name is
     defined twice, or where an output is not defined.
     """
 
     name: str
     inputs: tuple[Symbol, ...]
     definitions: tuple[tuple[Symbol, Expr], ...]
-    outputs: tuple[Symbol, ...]
+    outputs: tuple[Symbol, ...] = None  # type: ignore[assignment]  # a tuple from here on
 
     def __post_init__(self):
+        lines = [line for names, values in self.definitions for line in zip(_each(names), _each(values), strict=True)]
+        outputs = self.definitions[-1][:1] if self.outputs is None else self.outputs
+        for field, content in (("inputs", _all(self.inputs)), ("definitions", lines), ("outputs", _all(outputs))):
+            object.__setattr__(self, field, tuple(content))
         known = set(self.inputs)
         for symbol, expression in self.definitions:
             unknown = expression.free_symbols - known

@@ -19,14 +19,12 @@ base_of_v = (cos_phi, sin_phi)
 real_part, imaginary_part, other_real, other_imaginary = real("real_part imaginary_part other_real other_imaginary")
 product_real, product_imaginary = real("product_real product_imaginary")
 
+_product = (product_real, product_imaginary)
+
 complex_square = Program(
     "complex_square",
     (real_part, imaginary_part),
-    (
-        (product_real, (real_part - imaginary_part) * (real_part + imaginary_part)),
-        (product_imaginary, 2 * real_part * imaginary_part),
-    ),
-    (product_real, product_imaginary),
+    ((_product, ((real_part - imaginary_part) * (real_part + imaginary_part), 2 * real_part * imaginary_part)),),
 )
 """(a + ib)² = (a − b)(a + b) + 2iab."""
 
@@ -37,18 +35,13 @@ complex_product = Program(
         (product_real, real_part * other_real - imaginary_part * other_imaginary),
         (product_imaginary, real_part * other_imaginary + imaginary_part * other_real),
     ),
-    (product_real, product_imaginary),
+    _product,
 )
 """(a + ib)(c + id)."""
-
-base_u_real, base_u_imaginary, base_v_real, base_v_imaginary = real(
-    "base_u_real base_u_imaginary base_v_real base_v_imaginary"
-)
 
 algebraic_bases = Program(
     "algebraic_bases",
     (cos_theta, sin_theta, cos_phi, sin_phi),
-    tuple(zip((base_u_real, base_u_imaginary, base_v_real, base_v_imaginary), (*base_of_u, *base_of_v), strict=True)),
-    (base_u_real, base_u_imaginary, base_v_real, base_v_imaginary),
+    ((real("base_u_real base_u_imaginary base_v_real base_v_imaginary"), (*base_of_u, *base_of_v)),),
 )
 """The numbers that are raised to the powers a/2 and b."""

@@ -8,6 +8,7 @@ from sympy import And, Max, Piecewise, Rational, oo, sqrt, symbols
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.symbols import (
+    Vector,
     ball_center,
     ball_on,
     ball_radius,
@@ -45,11 +46,11 @@ discriminant_a, root_a, rho_raw = real("discriminant_a root_a rho_raw")
 toward_b, discriminant_b, root_b = real("toward_b discriminant_b root_b")
 distance, view_scale, rho_inverse, hit_scale = real("distance view_scale rho_inverse hit_scale")
 
-ray_direction = (x, y, -eye)
+ray_direction = Vector((x, y, -eye))
 _tangent = (tangent_squared, (eye - radius) * (eye + radius))  # squared length of the tangents from E to A
 
 image_extent = Program(
-    "image_extent", (eye, radius), (_tangent, (half, Rational(5, 4) * eye * radius / sqrt(tangent_squared))), (half,)
+    "image_extent", (eye, radius), (_tangent, (half, Rational(5, 4) * eye * radius / sqrt(tangent_squared)))
 )
 """half = 5/4 · e R/√(e² − R²): the image plane's vertical half-extent, 1.25 silhouette radii. Source: seed, Cell 1."""
 
@@ -66,15 +67,11 @@ image_radius = Program(
     "image_radius",
     (x, y, eye),
     ((rho_raw, sqrt(x**2 + y**2)), (rho, Piecewise((rho_raw, rho_raw >= POLE * eye), (0, True)))),
-    (rho,),
 )
 """ρ = √(x² + y²), and 0 at the pole (ρ below 10⁻¹⁵⁰ of the eye's height)."""
 
 silhouette_of_a = Program(
-    "silhouette_of_a",
-    (eye, radius),
-    (_tangent, (rho_silhouette, eye * radius / sqrt(tangent_squared))),
-    (rho_silhouette,),
+    "silhouette_of_a", (eye, radius), (_tangent, (rho_silhouette, eye * radius / sqrt(tangent_squared)))
 )
 """ρ_s = e R/√(e² − R²): the image radius of sphere A's silhouette."""
 
@@ -90,7 +87,6 @@ hit_of_a = chain(
             (root_a, sqrt(Max(0, discriminant_a))),
             (t_a, Piecewise((tangent_squared / (eye**2 + root_a), discriminant_a >= 0), (oo, True))),
         ),
-        (t_a,),
     ),
 )
 """The near hit with sphere A: t = (e² − R²)/(e² + √d), d = (e² − R²)(ρ_s² − ρ²), and ∞ where d < 0.
@@ -100,9 +96,9 @@ cancels nothing. Domain: e > R > 0. Theorem: hit_of_a."""
 
 hit_of_b = Program(
     "hit_of_b",
-    (x, y, eye, *ball_center, ball_radius, ball_on),
+    (x, y, eye, ball_center, ball_radius, ball_on),
     (
-        (distance, (eye - ball_center[2])),
+        (distance, eye - ball_center[2]),
         (toward_b, x * ball_center[0] + y * ball_center[1] + eye * distance),
         (
             discriminant_b,
@@ -122,7 +118,6 @@ hit_of_b = Program(
             ),
         ),
     ),
-    (t_b,),
 )
 """The near hit with sphere B: t = c/(b + √d), where b = −D·(E − C), c = |E − C|² − R₂², D = (x, y, −e) and
 d = b² − |D|² c = |D|² R₂² − |D × (E − C)|² (Lagrange's identity); ∞ where d < 0 or b ≤ 0 (behind the eye), or
@@ -143,7 +138,6 @@ _nearest = Program(
             ),
         ),
     ),
-    (surface,),
 )
 
 visible_surface = chain("visible_surface", hit_of_a, hit_of_b, _nearest)
@@ -175,20 +169,12 @@ share its reciprocal. Theorem: stable_frame."""
 point_on_a = Program(
     "point_on_a",
     (cos_theta, sin_theta, cos_phi, sin_phi, radius),
-    ((point[0], radius * sin_phi * cos_theta), (point[1], radius * sin_phi * sin_theta), (point[2], radius * cos_phi)),
-    point,
+    ((point, radius * Vector((sin_phi * cos_theta, sin_phi * sin_theta, cos_phi))),),
 )
 """P = R N, N = (sin φ cos θ, sin φ sin θ, cos φ)."""
 
 point_on_b = chain(
-    "point_on_b",
-    hit_of_b,
-    Program(
-        "along_the_ray",
-        (x, y, eye, t_b),
-        ((point[0], t_b * x), (point[1], t_b * y), (point[2], eye * (1 - t_b))),
-        point,
-    ),
+    "point_on_b", hit_of_b, Program("along_the_ray", (x, y, eye, t_b), ((point, (t_b * x, t_b * y, eye * (1 - t_b))),))
 )
 """P = P(t_B)."""
 
@@ -199,45 +185,36 @@ normal_of_b = chain(
     point_on_b,
     Program(
         "outward",
-        (*point, *ball_center),
+        (point, ball_center),
         (
-            *((d, p - c) for d, p, c in zip(radius_vector, point, ball_center, strict=True)),
+            (radius_vector, point - ball_center),
             (radius_length, sqrt(dot(radius_vector, radius_vector))),
-            *((n, d / radius_length) for n, d in zip(normal, radius_vector, strict=True)),
+            (normal, radius_vector / radius_length),
         ),
-        normal,
     ),
     outputs=(*point, *normal),
 )
 """N = (P − C)/|P − C|: the length is R₂ but for rounding, and it is the rounded one that makes N a unit vector."""
 
-point_on_floor = Program("point_on_floor", (x, y), ((point[0], x), (point[1], y), (point[2], 0 * x)), point)
+point_on_floor = Program("point_on_floor", (x, y), ((point, (x, y, 0 * x)),))
 """P = (x, y, 0): the image plane is the floor."""
 
 normal_of_floor = chain(
     "normal_of_floor",
     point_on_floor,
-    Program("upright", (x,), tuple(zip(bumped, (0 * x, 0 * x, 0 * x + 1), strict=True)), bumped),
+    Program("upright", (x,), ((bumped, (0 * x, 0 * x, 0 * x + 1)),)),
     outputs=(*point, *bumped),
 )
 """N' = N = (0, 0, 1)."""
 
-view_length = Program("view_length", (x, y, eye), ((view_scale, 1 / sqrt(x**2 + y**2 + eye**2)),), (view_scale,))
+view_length = Program("view_length", (x, y, eye), ((view_scale, 1 / sqrt(x**2 + y**2 + eye**2)),))
 """1/|E − (x, y, 0)|."""
 
-view_direction = Program(
-    "view_direction",
-    (x, y, eye, view_scale),
-    tuple((d, c * view_scale) for d, c in zip(view, (-x, -y, eye), strict=True)),
-    view,
-)
+view_direction = Program("view_direction", (x, y, eye, view_scale), ((view, Vector((-x, -y, eye)) * view_scale),))
 """v̂ = (E − P)/|E − P| = (−x, −y, e)/√(x² + y² + e²): the same for every point of a ray. Domain: t > 0."""
 
 parallel_radius = Program(
-    "parallel_radius",
-    (sin_phi, cos_phi, eye, radius),
-    ((rho, eye * radius * sin_phi / (eye - radius * cos_phi)),),
-    (rho,),
+    "parallel_radius", (sin_phi, cos_phi, eye, radius), ((rho, eye * radius * sin_phi / (eye - radius * cos_phi)),)
 )
 """ρ = e R sin φ/(e − R cos φ): the image radius of the parallel φ of sphere A. It is visible where cos φ > R/e.
 Theorems: kink_loci, visible_iff."""

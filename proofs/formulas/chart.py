@@ -23,8 +23,7 @@ chart = Program(
 chart_inverse = Program(
     "chart_inverse",
     (u, v),
-    ((cos_theta, -cospi(2 * u)), (sin_theta, -sinpi(2 * u)), (cos_phi, cospi(v)), (sin_phi, sinpi(v))),
-    (cos_theta, sin_theta, cos_phi, sin_phi),
+    (((cos_theta, sin_theta, cos_phi, sin_phi), (-cospi(2 * u), -sinpi(2 * u), cospi(v), sinpi(v))),),
 )
 """The angles from the chart: θ = 2πu − π, φ = πv, so cos θ = −cos 2πu, sin θ = −sin 2πu. Domain: 0 ≤ v ≤ 1, any u.
 Theorem: chart_inverse."""

@@ -20,10 +20,7 @@ def kink_flag(field: HeightField) -> Program:
     at_pole = sin_phi <= 0
     close = [Abs(factor) < KINK_BAND for factor in field.creases]
     return Program(
-        f"kink_{field.name}",
-        (sin_phi, u, v, k_u, k_v),
-        ((kink, Piecewise((1, Or(at_pole, *close)), (0, True))),),
-        (kink,),
+        f"kink_{field.name}", (sin_phi, u, v, k_u, k_v), ((kink, Piecewise((1, Or(at_pole, *close)), (0, True))),)
     )
 
 
@@ -41,4 +38,4 @@ def straddling(field: HeightField) -> Program:
         lines.append((distance, Abs((Abs(argument) if ends_at_pole else argument) - nearest)))
         conditions += [distance < Abs(rate) * epsilon for c in (u, v) if (rate := diff(argument, c)) != 0]
     flag = Piecewise((1, Or(*conditions)), (0, True)) if conditions else 0 * epsilon
-    return Program(f"straddling_{field.name}", (u, v, k_u, k_v, epsilon), (*lines, (straddles, flag)), (straddles,))
+    return Program(f"straddling_{field.name}", (u, v, k_u, k_v, epsilon), (*lines, (straddles, flag)))

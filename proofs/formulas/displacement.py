@@ -19,14 +19,8 @@ _angular_slopes = Program(
 
 
 def _normal(name, height_of_n, inputs):
-    lines = (
-        (lift, height_of_n),
-        *(
-            (d, lift * n - beta * (h_theta / sin_phi * t + h_phi * p))
-            for d, n, t, p in zip(displaced, normal, e_theta, e_phi, strict=True)
-        ),
-    )
-    tail = Program(name, (*normal, *e_theta, *e_phi, h_theta, h_phi, sin_phi, beta, *inputs), lines, displaced)
+    lines = ((lift, height_of_n), (displaced, lift * normal - beta * (h_theta / sin_phi * e_theta + h_phi * e_phi)))
+    tail = Program(name, (normal, e_theta, e_phi, h_theta, h_phi, sin_phi, beta, *inputs), lines)
     return chain(name, unit_normal, tangent_frame, _angular_slopes, tail)
 
 

@@ -95,7 +95,6 @@ sine_of_half_turns = Program(
     "sine_of_half_turns",
     (product, product_error),
     (*reduction, (sine, _by_quadrant(sine_near, cosine_near, -sine_near, -cosine_near))),
-    (sine,),
 )
 """sin π(product + product_error). The argument is reduced, exactly, to a quarter of a half-turn: zeros are exact."""
 
@@ -103,7 +102,6 @@ cosine_of_half_turns = Program(
     "cosine_of_half_turns",
     (product, product_error),
     (*reduction, (cosine, _by_quadrant(cosine_near, -sine_near, -cosine_near, sine_near))),
-    (cosine,),
 )
 """cos π(product + product_error), reduced in the same way."""
 
@@ -144,7 +142,6 @@ angle_in_half_turns = Program(
         (half_plane, Piecewise((1 - first_quadrant, abscissa < 0), (first_quadrant, True))),
         (angle, Piecewise((-half_plane, ordinate < 0), (half_plane, True))),
     ),
-    (angle,),
 )
 """atan2(ordinate, abscissa)/π, and 0 at the origin: three nodes 0, 1/2 and 1, from which
 the ratio's numerator is exact or nearly so; `ratio` stays below 5/16."""

@@ -14,23 +14,19 @@ mu_by_beta, base_by_beta, diffuse_by_beta, shine_by_beta, term_by_beta = real(
     "mu_by_beta base_by_beta diffuse_by_beta shine_by_beta term_by_beta"
 )
 
-mu_derivative = Program(
-    "mu_derivative", (*towards, *bumped_by_beta), ((mu_by_beta, dot(bumped_by_beta, towards)),), (mu_by_beta,)
-)
+mu_derivative = Program("mu_derivative", (towards, bumped_by_beta), ((mu_by_beta, dot(bumped_by_beta, towards)),))
 """∂μ/∂β = ∂N'/∂β · ω."""
 
 base_derivatives = {
     "blinn": Program(
         "blinn_base_derivative",
-        (*halfway, halfway_length, *bumped_by_beta),
+        (halfway, halfway_length, bumped_by_beta),
         ((base_by_beta, dot(bumped_by_beta, halfway) / halfway_length),),
-        (base_by_beta,),
     ),
     "phong": Program(
         "phong_base_derivative",
-        (*view, *bumped, *bumped_by_beta, mu, mu_by_beta),
+        (view, bumped, bumped_by_beta, mu, mu_by_beta),
         ((base_by_beta, 2 * (mu_by_beta * dot(bumped, view) + mu * dot(bumped_by_beta, view))),),
-        (base_by_beta,),
     ),
 }
 """The base's derivative where it is positive: ∂N'/∂β · H/|H|; 2 (∂μ/∂β N'·v̂ + μ ∂N'/∂β · v̂)."""
@@ -48,7 +44,6 @@ term_derivative = Program(
         ),
         (term_by_beta, light_colors[0] * (albedos[0] * diffuse_by_beta + shine_by_beta)),
     ),
-    (term_by_beta,),
 )
 """A light's share of a channel: colour · (albedo · k_d ∂μ/∂β [μ > 0] + k_s p base^(p−1) ∂base/∂β [base > 0])."""
 
@@ -56,6 +51,5 @@ clip_derivative = Program(
     "clip_derivative",
     (color, term_by_beta),
     ((clipped, Piecewise((term_by_beta, (color > 0) & (color < 1)), (0, True))),),
-    (clipped,),
 )
 """The clip keeps the derivative where 0 < channel < 1, and makes it 0 outside."""

@@ -28,27 +28,20 @@ distance_squared, along_light = real("distance_squared along_light")
 
 light_direction = Program(
     "light_direction",
-    (*point, *light, *bumped),
+    (point, light, bumped),
     (
-        *((d, p - q) for d, p, q in zip(to_light, light, point, strict=True)),
+        (to_light, light - point),
         (light_distance, sqrt(dot(to_light, to_light))),
         (light_scale, 1 / light_distance),
-        *((w, d * light_scale) for w, d in zip(towards, to_light, strict=True)),
+        (towards, to_light * light_scale),
         (mu, dot(bumped, towards)),
     ),
-    (*towards, mu),
+    (towards, mu),
 )
 """ω = (L − P)/|L − P|, μ = N'·ω. Domain: L ≠ P."""
 
 halfway_vector = chain(
-    "halfway_vector",
-    light_direction,
-    Program(
-        "halfway_sum",
-        (*towards, *view),
-        tuple((k, a + b) for k, a, b in zip(halfway, towards, view, strict=True)),
-        halfway,
-    ),
+    "halfway_vector", light_direction, Program("halfway_sum", (towards, view), ((halfway, towards + view),))
 )
 """ω + v̂, not normalised."""
 
@@ -57,12 +50,11 @@ blinn = chain(
     halfway_vector,
     Program(
         "blinn_base",
-        (*halfway, *bumped),
+        (halfway, bumped),
         (
             (halfway_length, sqrt(dot(halfway, halfway))),
             (specular_base, Piecewise((Max(0, dot(bumped, halfway) / halfway_length), halfway_length > 0), (0, True))),
         ),
-        (specular_base,),
     ),
     outputs=(mu, specular_base),
 )
@@ -70,12 +62,12 @@ blinn = chain(
 
 blinn_squared = Program(
     "blinn_squared",
-    (*point, *light, *bumped, *view),
+    (point, light, bumped, view),
     (
-        *light_direction.definitions[:3],
+        (to_light, light - point),
         (distance_squared, dot(to_light, to_light)),
         (light_distance, sqrt(distance_squared)),
-        *((k, d + light_distance * w) for k, d, w in zip(halfway, to_light, view, strict=True)),
+        (halfway, to_light + light_distance * view),
         (halfway_squared, dot(halfway, halfway)),
         (along_light, dot(bumped, to_light)),
         (along_halfway, Max(0, dot(bumped, halfway))),
@@ -94,9 +86,8 @@ phong = chain(
     light_direction,
     Program(
         "phong_base",
-        (*towards, *view, *bumped, mu),
+        (towards, view, bumped, mu),
         ((specular_base, Max(0, 2 * mu * dot(bumped, view) - dot(towards, view))),),
-        (specular_base,),
     ),
     outputs=(mu, specular_base),
 )
@@ -123,7 +114,7 @@ LIGHT_MODELS = {model.name: model for model in (
 """The models of light. A model is data: add an entry, and its kernels, the scene's, the command line's and the
 simulator's choices follow from it."""
 
-highlight = Program("highlight", (specular_base, shininess), ((specular, Pow(specular_base, shininess)),), (specular,))
+highlight = Program("highlight", (specular_base, shininess), ((specular, Pow(specular_base, shininess)),))
 """The highlight is base^p, p > 0: not gated by the sign of μ, as in the seed."""
 
 color, ka, kd, ks, ambient = real("color ka kd ks ambient")
@@ -131,7 +122,7 @@ colors, lit = real("red green blue"), real("lit_red lit_green lit_blue")
 albedos, light_colors = real("albedo_red albedo_green albedo_blue"), real("light_red light_green light_blue")
 diffuse, shine, clipped = real("diffuse shine clipped")
 
-ambient_term = Program("ambient_term", (ka, ambient), ((color, ka * ambient),), (color,))
+ambient_term = Program("ambient_term", (ka, ambient), ((color, ka * ambient),))
 """k_a · ambient, per channel."""
 
 light_term = Program(
@@ -152,7 +143,7 @@ def clipped_value(channel: Expr) -> Expr:
     return Min(1, Max(0, channel))
 
 
-clip = Program("clip", (color,), ((clipped, clipped_value(color)),), (clipped,))
+clip = Program("clip", (color,), ((clipped, clipped_value(color)),))
 """A channel is clipped to [0, 1]."""
 
 floor_dark, floor_tint, floor_base, floor_red, floor_blue = real(

@@ -14,10 +14,10 @@ square, dark = real("square dark")
 
 shadow = Program(
     "shadow",
-    (*point, *light, *center, body_radius),
+    (point, light, center, body_radius),
     (
-        *((s, p - q) for s, p, q in zip(segment, light, point, strict=True)),
-        *((o, p - q) for o, p, q in zip(offset, center, point, strict=True)),
+        (segment, light - point),
+        (offset, center - point),
         (segment_squared, dot(segment, segment)),
         (toward_center, dot(segment, offset)),
         (shadow_discriminant, segment_squared * body_radius**2 - sum(c**2 for c in cross(segment, offset))),
@@ -28,7 +28,6 @@ shadow = Program(
             ),
         ),
     ),
-    (occluded,),
 )
 """Whether a sphere stands between a point P and a light L: |P + s (L − P) − C| = r for some s in (0, 1).
 
@@ -54,6 +53,5 @@ checker = Program(
             ),
         ),
     ),
-    (dark,),
 )
 """Whether the floor square is dark: sin πx · sin πy < 0, by the parity of ⌊x⌋ + ⌊y⌋. A grid line is light."""

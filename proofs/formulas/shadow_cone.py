@@ -13,10 +13,10 @@ clearance, shortest = real("clearance shortest")
 
 shadow_clearance = Program(
     "shadow_clearance",
-    (*light, *center, body_radius, *ball_center, ball_radius),
+    (light, center, body_radius, ball_center, ball_radius),
     (
-        *((w, p - q) for w, p, q in zip(from_body, light, center, strict=True)),
-        *((d, p - q) for d, p, q in zip(along, ball_center, light, strict=True)),
+        (from_body, light - center),
+        (along, ball_center - light),
         (at_light, dot(from_body, from_body) - body_radius**2),
         (half_slope, dot(from_body, along) - body_radius * ball_radius),
         (curvature, dot(along, along) - ball_radius**2),
@@ -27,7 +27,6 @@ shadow_clearance = Program(
         (shortest, Piecewise((at_turning, at_turning < at_an_end), (at_an_end, True))),
         (clearance, shortest / (dot(from_body, from_body) + dot(along, along))),
     ),
-    (clearance,),
 )
 """Positive only if no segment from the light to a point of the ball meets the body: the least value, over the share t
 of the way, of |from_body + t · along|² − (body_radius + t · ball_radius)², over a scale of its terms, so that a guard

@@ -13,10 +13,7 @@ unit, evaluation, argument = real("unit evaluation argument")
 truncation, rounding, apart = real("truncation rounding apart")
 
 truncation_bound = Program(
-    "truncation_bound",
-    (epsilon, frequency),
-    ((truncation, Rational(1, 6) * epsilon**2 * (pi * frequency) ** 3),),
-    (truncation,),
+    "truncation_bound", (epsilon, frequency), ((truncation, Rational(1, 6) * epsilon**2 * (pi * frequency) ** 3),)
 )
 """ε²/6 · (πk)³, where no crease, seam or pole lies within ε. Theorem: truncation_bound."""
 
@@ -24,7 +21,6 @@ clamped_bound = Program(
     "clamped_bound",
     (epsilon, v, frequency),
     ((truncation, Rational(1, 6) * (epsilon**2 + 2 * epsilon * v - 2 * v**2) * (pi * frequency) ** 3),),
-    (truncation,),
 )
 """(ε² + 2εv − 2v²)/6 · (πk)³ for the difference clamped at the pole, 0 ≤ v < ε, of a field that is odd about v = 0 up
 to v + ε. Theorem: clamped_difference_of_odd."""
@@ -33,15 +29,14 @@ rounding_bound = Program(
     "rounding_bound",
     (epsilon, steepest, unit, evaluation, argument),
     ((rounding, (evaluation + steepest * argument) * (1 + unit) ** 2 / epsilon + steepest * (2 * unit + unit**2)),),
-    (rounding,),
 )
 """(η + Lα)(1 + μ)²/ε + L(2μ + μ²), L = sup|h'|. Theorem: roundoff_bound."""
 
-crease_bound = Program("crease_bound", (frequency,), ((apart, 2 * pi * frequency),), (apart,))
+crease_bound = Program("crease_bound", (frequency,), ((apart, 2 * pi * frequency),))
 """2πk: a difference quotient and a slope are each at most L = πk in size (the mean value theorem), so they are at most
 2L apart, whatever lies within ε."""
 
-slope_bound = Program("slope_bound", (frequency,), ((steepest, pi * frequency),), (steepest,))
+slope_bound = Program("slope_bound", (frequency,), ((steepest, pi * frequency),))
 """L = πk."""
 
 BOUNDS = (truncation_bound, clamped_bound, rounding_bound, crease_bound, slope_bound)

@@ -1,11 +1,35 @@
 """The names of the chapter's quantities. All are real; lengths are in units of the world, angles in radians."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sympy import Expr, Symbol, symbols
 
-Vector = tuple[Symbol, Symbol, Symbol]
+
+class Vector(tuple):
+    """Three expressions, added and scaled as vectors are."""
+
+    __slots__ = ()
+
+    def __add__(self, other):
+        return Vector(a + b for a, b in zip(self, other, strict=True))
+
+    def __sub__(self, other):
+        return Vector(a - b for a, b in zip(self, other, strict=True))
+
+    def __neg__(self):
+        return Vector(-a for a in self)
+
+    def __mul__(self, scale):
+        return Vector(a * scale for a in self)
+
+    def __truediv__(self, scale):
+        return Vector(a / scale for a in self)
+
+    def xreplace(self, rule: Mapping[Symbol, Expr]) -> "Vector":
+        return Vector(a.xreplace(rule) for a in self)
+
+    __rmul__ = __mul__
 
 
 def real(names: str) -> Any:
@@ -15,7 +39,7 @@ def real(names: str) -> Any:
 
 def vector(name: str) -> Vector:
     """Return the three real symbols (name_x, name_y, name_z)."""
-    return tuple(Symbol(f"{name}_{axis}", real=True) for axis in "xyz")
+    return Vector(Symbol(f"{name}_{axis}", real=True) for axis in "xyz")
 
 
 def dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
@@ -23,9 +47,9 @@ def dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
     return sum(p * q for p, q in zip(a, b, strict=True))
 
 
-def cross(a: Sequence[Expr], b: Sequence[Expr]) -> tuple[Expr, Expr, Expr]:
+def cross(a: Sequence[Expr], b: Sequence[Expr]) -> Vector:
     """Return the vector product of two 3-tuples of expressions."""
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    return Vector((a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]))
 
 
 # Raster: the pixel in `column` (from the left) and `row` (from the top) of `width` × `height` pixels.

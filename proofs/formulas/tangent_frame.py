@@ -11,22 +11,16 @@ from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, s
 e_theta, e_phi = vector("e_theta"), vector("e_phi")
 seed_sin_phi = real("seed_sin_phi")
 
-unit_normal = Program(
-    "unit_normal",
-    (cos_theta, sin_theta, cos_phi, sin_phi),
-    tuple(zip(normal, (sin_phi * cos_theta, sin_phi * sin_theta, cos_phi), strict=True)),
-    normal,
-)
+_angles = (cos_theta, sin_theta, cos_phi, sin_phi)
+
+unit_normal = Program("unit_normal", _angles, ((normal, (sin_phi * cos_theta, sin_phi * sin_theta, cos_phi)),))
 """N = (sin φ cos θ, sin φ sin θ, cos φ)."""
 
 tangent_frame = Program(
     "tangent_frame",
-    (cos_theta, sin_theta, cos_phi, sin_phi),
-    (
-        *zip(e_theta, (-sin_theta, cos_theta, 0 * cos_theta), strict=True),
-        *zip(e_phi, (cos_phi * cos_theta, cos_phi * sin_theta, -sin_phi), strict=True),
-    ),
-    (*e_theta, *e_phi),
+    _angles,
+    ((e_theta, (-sin_theta, cos_theta, 0 * cos_theta)), (e_phi, (cos_phi * cos_theta, cos_phi * sin_theta, -sin_phi))),
+    (e_theta, e_phi),
 )
 """The stable form: e_θ = (−sin θ, cos θ, 0) = (∂N/∂θ)/sin φ, e_φ = (cos φ cos θ, cos φ sin θ, −sin φ) = ∂N/∂φ.
 Theorem: tangent_frame."""
@@ -36,13 +30,9 @@ seed_frame = Program(
     normal,
     (
         (seed_sin_phi, sqrt(1 - normal[2] ** 2)),
-        *zip(e_theta, (-normal[1] / seed_sin_phi, normal[0] / seed_sin_phi, 0 * normal[0]), strict=True),
-        *zip(
-            e_phi,
-            (normal[2] * normal[0] / seed_sin_phi, normal[2] * normal[1] / seed_sin_phi, -seed_sin_phi),
-            strict=True,
-        ),
+        (e_theta, (-normal[1] / seed_sin_phi, normal[0] / seed_sin_phi, 0 * normal[0])),
+        (e_phi, (normal[2] * normal[0] / seed_sin_phi, normal[2] * normal[1] / seed_sin_phi, -seed_sin_phi)),
     ),
-    (*e_theta, *e_phi),
+    (e_theta, e_phi),
 )
 """The seed's form, from N: sin φ = √(1 − N_z²) cancels near the pole (F20). Domain: sin φ > 0."""
