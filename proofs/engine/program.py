@@ -23,8 +23,8 @@ def _all(parts):
 class Program:
     """Definitions `(symbol, expression)` in order, from `inputs` to `outputs` (tuples of symbols).
 
-    A vector may be an input, or defined at once: `(symbols, expressions)`. Without `outputs` they are what the last line
-    defines. Raises ValueError where a line uses a name that is neither an input nor defined above it, where a name is
+    A vector may be an input, or defined at once: `(symbols, expressions)`. Without `outputs`, the last line's are.
+    Raises ValueError where a line uses a name that is neither an input nor defined above it, where a name is
     defined twice, or where an output is not defined.
     """
 
