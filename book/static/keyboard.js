@@ -49,7 +49,7 @@
   function list(table) {
     if (table.offsetWidth <= table.parentElement.clientWidth) return;
     const names = Array.from(table.tHead?.rows[0].cells ?? [], (head) => head.textContent.trim());
-    for (const cell of table.querySelectorAll("tbody :is(td, th):not(:first-child)")) cell.dataset.column = names[cell.cellIndex] ?? "";
+    for (const cell of table.querySelectorAll("tbody td:not(:first-child)")) cell.dataset.column = cell.textContent.trim() && names[cell.cellIndex];
     table.classList.add("as-list");
   }
 
