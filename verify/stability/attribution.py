@@ -18,18 +18,6 @@ from verify.evaluate.arrays import in_float64
 TERMS = ("truncation", "argument rounding", "roundoff", "straddling", "one-sided")
 
 
-def terms(scene: Scene, u: np.ndarray, v: np.ndarray, eps: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return (values, kinds): for each point of the chart the six signed terms, (6, n), and their kinds, (6, n).
-
-    Rows: h_u's three terms, then h_v's. Kinds index TERMS.
-    """
-    inputs = {"u": u, "v": v, "k_u": scene.ku, "k_v": scene.kv}
-    found = taken_apart(scene.field, inputs, eps)
-    firsts = _first_kinds(HEIGHT_FIELDS[scene.field], inputs | {"epsilon": eps})
-    kinds = [row for first in firsts for row in (first, np.full(len(u), 1), np.full(len(u), 2))]
-    return np.concatenate([found[name][:3] for name in ("h_u", "h_v")]), np.array(kinds)
-
-
 def _first_kinds(field, inputs):
     """Return the kind of the first term, in u and in v."""
     flags = straddling(field)
@@ -42,11 +30,15 @@ def _first_kinds(field, inputs):
 
 
 def dominant(scene: Scene, u: np.ndarray, v: np.ndarray, eps: float) -> np.ndarray:
-    """Return which term is the largest at each point: an index into TERMS, −1 where all are zero."""
-    values, kinds = terms(scene, u, v, eps)
-    largest = np.abs(values).argmax(axis=0)
-    at = (largest, np.arange(values.shape[1]))
-    return np.where(values[at] == 0, -1, kinds[at])
+    """Return which term is the largest at each point of the chart: an index into TERMS, −1 where all are zero."""
+    inputs = {"u": u, "v": v, "k_u": scene.ku, "k_v": scene.kv}
+    found, values, kinds = taken_apart(scene.field, inputs, eps), [], []
+    firsts = _first_kinds(HEIGHT_FIELDS[scene.field], inputs | {"epsilon": eps})
+    for name, first in zip(("h_u", "h_v"), firsts, strict=True):
+        values += [*found[name][:3]]
+        kinds += [first, np.full(len(u), 1), np.full(len(u), 2)]
+    at = (np.abs(values).argmax(axis=0), np.arange(len(u)))
+    return np.where(np.array(values)[at] == 0, -1, np.array(kinds)[at])
 
 
 def shares(kinds: np.ndarray) -> dict[str, float]:

@@ -10,6 +10,7 @@ from verify.stability.pipelines import our_normal, seed_normal, seed_tangent_vec
 from verify.stability.sweep import Sweep, measured
 
 EYE, RADIUS = 4.0, 1.0
+SINES = np.logspace(np.log10(0.84), -149, 76)
 VECTOR, NORMAL = [s.name for s in g], [s.name for s in normal]
 
 
@@ -23,20 +24,17 @@ def _of_normal(parameter, inputs):
     return measured(parameter, our_normal, inputs, NORMAL, seed=in_float64(seed_normal, inputs))
 
 
-def toward_the_pole(
-    field: str = "ridges", form: str = "algebraic", samples: int = 12, values: int = 76, seed: int = 1
-) -> Sweep:
-    """g against sin φ from 0.84 to 10⁻¹⁴⁹, where the pole begins, as a function of the float64 image point.
+def toward_the_pole(form: str = "algebraic", sines: np.ndarray = SINES, samples: int = 12, seed: int = 1) -> Sweep:
+    """g of ridges against sin φ, by default down to where the pole begins, as a function of the float64 image point.
 
     Reason of the bound: no line of the chain cancels, so that every one adds a few roundings of its own size.
     """
-    sines = np.logspace(np.log10(0.84), -149, values)
     cosines = np.sqrt((1 - sines) * (1 + sines))
     (rho,) = in_float64(parallel_radius, {"sin_phi": sines, "cos_phi": cosines, "eye": EYE, "radius": RADIUS}).values()
     x, y = image_points(rho, samples, seed)
     inputs = {"x": x, "y": y, "eye": EYE, "radius": RADIUS, "k_u": 8.0, "k_v": 4.0}
-    others = {name: seed_tangent_vector(field, inputs, name != "seed") for name in ("seed", "seed with fallback")}
-    program, reference = tangent_vector(field, form), tangent_vector(field, "general")
+    others = {name: seed_tangent_vector("ridges", inputs, name != "seed") for name in ("seed", "seed with fallback")}
+    program, reference = tangent_vector("ridges", form), tangent_vector("ridges", "general")
     return measured(sines, program, inputs, VECTOR, reference, **others)
 
 
