@@ -28,7 +28,6 @@ def render(
     threads: int | None = None,
     stage: Stage | None = None,
     into: Frame | None = None,
-    count: bool = False,
 ) -> Frame:
     """Draw `scene` on a raster of width × height pixels and return the Frame.
 
@@ -36,9 +35,7 @@ def render(
     height), the part of the raster to draw. threads: default, all cores. stage: the Stage of a scene that differs at
     most in field, ku, kv, beta and shading, on the same raster: A alone is drawn, the rest is copied from the stage.
     into: an earlier Frame of that stage, of the same shading: A is drawn over its colours, and nothing is copied; the
-    earlier frame has no colours any more.
-    count: add up the frame's `work` now; else that waits until it is asked for. Raises ValueError that names what is
-    not allowed.
+    earlier frame has no colours any more. Raises ValueError that names what is not allowed.
     """
     method = gradient if gradient is not None else exact()
     if not isinstance(scene, Scene):
@@ -58,10 +55,7 @@ def render(
     else:
         planes = stage.new_plane(channels=3) if into is None else into.hand_over()
         counts = _draw_on(stage, scene, method, threads, planes, into is None)
-    frame = Frame(scene, raster, method, stage, planes, counts)
-    if count:
-        _ = frame.work
-    return frame
+    return Frame(scene, raster, method, stage, planes, counts)
 
 
 def _draw_on(stage, scene, method, threads, planes, copies):

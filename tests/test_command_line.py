@@ -17,8 +17,6 @@ from renderer.scene import DEFAULT_LIGHTS
 from renderer.sweep import sweep
 
 ROOT = Path(__file__).resolve().parent.parent
-FIELD_NAMES = ", ".join(map(repr, FIELDS))
-SIX_LIGHTS = ["--light", "5,5,10"] * 6
 
 
 def run(*arguments):
@@ -27,11 +25,6 @@ def run(*arguments):
         return main([str(argument) for argument in arguments])
     except SystemExit as end:  # argparse's way out
         return end.code
-
-
-def shell(*arguments):
-    command = [sys.executable, "-m", "renderer", *map(str, arguments)]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
 
 
 def picture(path):
@@ -173,32 +166,22 @@ def test_what_needs_an_extra_that_is_not_installed_names_it(module, extra, argum
     assert capsys.readouterr().err.endswith(f"error: {told}\n")
 
 
-IMAGE = ["image", "--size", "8"]
-STEPS = "a finite number from 1e-40 to 0.5"
-SIDES = "a whole number from 1 to 16777216"
 REFUSED = {
     "image": [
         (["--out", "a.jpg"], "out = 'a.jpg' is not allowed: a file name that ends in .png or .npz or .npy or .tif or"),
-        (["--out", "no/a.png"], "out = 'no/a.png' is not allowed: a file in a folder that exists"),
-        (["--field", "foo"], f"field = 'foo' is not allowed: one of {FIELD_NAMES}"),
+        (["--field", "foo"], f"field = 'foo' is not allowed: one of {', '.join(map(repr, FIELDS))}"),
         (["--gradient", "foo"], "gradient = 'foo' is not allowed: one of 'exact', 'forward', 'central', 'central4'"),
-        (["--radius", "5"], "eye = 4.0 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 5"),
-        (["--eps", "-1e-3"], f"eps = -0.001 is not allowed: {STEPS}"),
-        (["--eps", "nan"], f"eps = nan is not allowed: {STEPS}"),
+        (["--eps", "-1e-3"], "eps = -0.001 is not allowed: a finite number from 1e-40 to 0.5"),
         (["--beta", "-inf"], "beta = -inf is not allowed: a finite number from -1e+100 to 1e+100"),
-        (["--size", "0"], f"width = 0 is not allowed: {SIDES}"),
-        (["--height", "-3"], f"height = -3 is not allowed: {SIDES}"),
-        (["--width", "99999999"], f"width = 99999999 is not allowed: {SIDES}"),
-        (["--size", "1000000"], "width * height = 1000000000000 is not allowed: at most 268435456 drawn pixels"),
+        (["--height", "-3"], "height = -3 is not allowed: a whole number from 1 to 16777216"),
+        (["--width", "99999999"], "width = 99999999 is not allowed: a whole number from 1 to 16777216"),
         (["--crop", "0,0,9,9"], "crop = (0, 0, 9, 9) is not allowed: (left, top, width, height), whole numbers"),
         (["--threads", "0"], "threads = 0 is not allowed: a whole number from 1 to 256"),
-        (SIX_LIGHTS, "lights = 6 lights is not allowed: a sequence of at most 5 Light"),
+        (["--light", "5,5,10"] * 6, "lights = 6 lights is not allowed: a sequence of at most 5 Light"),
         (["--light", "0,nan,9"], "light.position[1] = nan is not allowed: a finite number"),
         (["--light", "1,2"], "argument --light: '1,2' is not allowed: X,Y,Z or X,Y,Z,R,G,B"),
-        (["--light", "x"], "argument --light: 'x' is not allowed: X,Y,Z or X,Y,Z,R,G,B"),
         (["--crop", "1,2"], "argument --crop: '1,2' is not allowed: LEFT,TOP,WIDTH,HEIGHT"),
         (["--ku", "abc"], "argument --ku: 'abc' is not allowed: a number"),
-        (["--size", "1.5"], "argument --size: '1.5' is not allowed: a whole number"),
         (["--size", ""], "argument --size: '' is not allowed: a whole number"),
         (["--beta"], "argument --beta: expected one argument"),
         (["--nonsense", "1"], "unrecognized arguments: --nonsense 1"),
@@ -206,27 +189,20 @@ REFUSED = {
     "views": [
         (["--gradient", "exact"], "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'"),
         (["--gain", "-1"], "gain = -1.0 is not allowed: a finite number from 0 to 1e+300"),
-        (["--gain", "much"], "argument --gain: 'much' is not allowed: a number"),
-        (["--eps", "0"], f"eps = 0.0 is not allowed: {STEPS}"),
-        (["--size", "0"], f"width = 0 is not allowed: {SIDES}"),
-        (["--threads", "999"], "threads = 999 is not allowed: a whole number from 1 to 256"),
-        (["--field", "foo"], "field = 'foo' is not allowed: one of"),
+        (["--size", "0"], "width = 0 is not allowed: a whole number from 1 to 16777216"),
+        (["--out", "file"], "out = 'file' is not allowed: File exists"),
     ],
     "sweep": [
-        (["--gradient", "exact"], "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'"),
-        (["--eps", "1e-3", "-1"], f"eps = -1.0 is not allowed: {STEPS}"),
+        (["--eps", "1e-3", "-1"], "eps = -1.0 is not allowed: a finite number from 1e-40 to 0.5"),
         (["--eps", "1e-3", "x"], "argument --eps: 'x' is not allowed: a number"),
-        (["--csv", "no/a.csv"], "csv = 'no/a.csv' is not allowed: a file in a folder that exists"),
         (["--csv", "a.txt"], "csv = 'a.txt' is not allowed: a file name that ends in .csv"),
-        ([*SIX_LIGHTS], "lights = 6 lights is not allowed: a sequence of at most 5 Light"),
-        (["--field", "sine,foo"], f"field = 'foo' is not allowed: one of {FIELD_NAMES}"),
+        (["--field", "sine,foo"], "field = 'foo' is not allowed: one of "),
         (["--beta", "1,x"], "argument --beta: 'x' is not allowed: a number"),
-        (["--size", "8,0"], f"width = 0 is not allowed: {SIDES}"),
+        (["--size", "8,0"], "width = 0 is not allowed: a whole number from 1 to 16777216"),
         (["--gradient", "central,foo"], "gradient = 'foo' is not allowed: one of 'forward', 'central', 'central4'"),
         (["--checkpoint", "a.txt"], "checkpoint = 'a.txt' is not allowed: a file name that ends in .jsonl"),
         (["--workers", "0"], "workers = 0 is not allowed: a whole number from 1 to 256"),
-        (["--executor", "foo"], "argument --executor: invalid choice: 'foo'"),
-        (["--dask", "foo", "--workers", "2"], "dask = 'foo' is not allowed: no --executor and no --workers beside it"),
+        (["--dask", "foo", "--workers", "2"], "dask = 'foo' is not allowed: no --workers beside it"),
         (["--dask", "foo"], "dask = 'foo' is not allowed: the address of a scheduler that answers (missing port"),
     ],
 }
@@ -236,71 +212,63 @@ TARGETS = {"image": ["--out", "a.png"], "views": ["--out", "views"], "sweep": []
 @pytest.mark.parametrize(("verb", "options", "message"), [(verb, *row) for verb in REFUSED for row in REFUSED[verb]])
 def test_what_is_refused_is_said_in_one_line(verb, options, message, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
+    (tmp_path / "file").write_text("old")
     assert run(verb, "--size", "8", *TARGETS[verb], *options) == 2
     out, err = capsys.readouterr()
     assert (out, err.count("\n"), err[-1]) == ("", 1, "\n")
     assert err.startswith((f"python -m renderer {verb}: error: {message}", f"python -m renderer: error: {message}"))
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_views_refuse_a_folder_that_is_a_file(tmp_path, capsys):
-    (tmp_path / "file").write_text("old")
-    assert run("views", "--size", "8", "--out", tmp_path / "file") == 2
-    assert capsys.readouterr().err.startswith(f"python -m renderer views: error: out = {str(tmp_path / 'file')!r} is")
-    assert (tmp_path / "file").read_text() == "old"
+    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("file", "old")]
 
 
 def test_too_little_memory_is_one_line(tmp_path, monkeypatch, capsys):
     def no_memory(*arguments, **options):
         raise MemoryError("Unable to allocate 6.00 GiB")
 
-    monkeypatch.setattr("renderer.command_line.image.render", no_memory)
-    assert run(*IMAGE, "--out", tmp_path / "a.png") == 2
+    monkeypatch.setattr("renderer.command_line.render", no_memory)
+    assert run("image", "--out", tmp_path / "a.png") == 2
     assert capsys.readouterr().err == "python -m renderer image: error: Unable to allocate 6.00 GiB\n"
 
 
 @pytest.mark.parametrize("arguments", [(), ("draw",), ("image",), ("views",)])
 def test_a_missing_or_unknown_verb_or_target(arguments, capsys):
     assert run(*arguments) == 2
-    out, err = capsys.readouterr()
-    assert (out, err.count("\n")) == ("", 1)
+    assert capsys.readouterr().err.count("\n") == 1
 
 
-@pytest.mark.parametrize("verb", [None, "image", "views", "sweep"])
+@pytest.mark.parametrize("verb", [(), ("image",), ("views",), ("sweep",)])
 def test_help(verb, capsys):
-    assert run(*([verb] if verb else []), "--help") == 0
-    out, err = capsys.readouterr()
-    assert out.startswith("usage: python -m renderer")
-    assert err == ""
+    assert run(*verb, "--help") == 0
     wanted = ("--field", "--ku", "--light", "--size", "--eps") if verb else ("image", "views", "sweep")
+    out = capsys.readouterr().out
     assert all(word in out for word in wanted)
 
 
 @pytest.mark.parametrize("lights", [(), DEFAULT_LIGHTS])
 def test_the_defaults_are_the_chapters_and_its_lights_can_be_given(lights, tmp_path):
     options = [text for light in lights for text in ("--light", ",".join(map(str, light.position + light.color)))]
-    assert run(*IMAGE, *options, "--out", tmp_path / "a.npz") == 0
+    assert run("image", "--size", "8", *options, "--out", tmp_path / "a.npz") == 0
     np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["rgb"], render(Scene(), 8, 8).rgb)
 
 
-def test_the_shells_exit_status(tmp_path):
-    good = shell("image", "--size", 16, "--out", tmp_path / "a.png")
-    assert (good.returncode, good.stderr) == (0, "")
-    assert picture(tmp_path / "a.png").shape == (16, 16, 3)
-    bad = shell("image", "--field", "foo", "--out", tmp_path / "b.png")
-    assert bad.returncode == 2
-    message = f"python -m renderer image: error: field = 'foo' is not allowed: one of {FIELD_NAMES}\n"
-    assert (bad.stdout, bad.stderr) == ("", message)
-    assert [path.name for path in tmp_path.iterdir()] == ["a.png"]
+def test_the_shells_exit_status():
+    done = subprocess.run([sys.executable, "-m", "renderer", "image"], cwd=ROOT, capture_output=True, text=True)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "python -m renderer image: error: the following arguments are required: --out\n"
 
 
-def test_numpy_draws_without_llvmlite_and_says_so(tmp_path):
-    code = "import sys; sys.modules['llvmlite'] = None; from renderer.command_line import main; sys.exit(main())"
-    command = [sys.executable, "-W", "error", "-c", code, "image", "--size", "20", "--out"]
+WITHOUT = ["sys.modules['llvmlite'] = None", "import llvmlite.binding; del llvmlite.binding.create_pass_builder"]
+
+
+@pytest.mark.parametrize("without", WITHOUT)
+def test_numpy_draws_the_same_where_llvmlite_is_missing_or_old_and_says_so(without, tmp_path):
+    code = f"import sys; {without}; from renderer.command_line import main; sys.exit(main())"
+    command = [sys.executable, "-W", "error", "-c", code, "image", "--size", "33", "--out"]
     done = subprocess.run([*command, str(tmp_path / "a.npz")], cwd=ROOT, capture_output=True, text=True)
     told = "NumPy draws, the same but slowly, since llvmlite is not installed (or too old)"
     assert (done.returncode, done.stderr) == (0, f"python -m renderer image: {told}\n")
-    np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["h_u"], render(Scene(), 20, 20).surface_data["h_u"])
+    frame = render(Scene(), 33, 33)
+    assert frame.work["machine"] == "llvm"
+    np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["rgb"], frame.rgb)
 
 
 OF_NUMBERS = [field for field in dataclasses.fields(Scene) if field.type in (float, tuple) and field.name != "lights"]
@@ -310,7 +278,7 @@ OF_NUMBERS = [field for field in dataclasses.fields(Scene) if field.type in (flo
 def test_every_number_and_colour_of_the_scene_is_an_option(field, tmp_path):
     value = 0.9 * np.array(field.default)
     text = ",".join(map(str, np.ravel(value)))
-    assert run(*IMAGE, "--" + field.name.replace("_", "-"), text, "--out", tmp_path / "a.npz") == 0
+    assert run("image", "--size", "8", "--" + field.name.replace("_", "-"), text, "--out", tmp_path / "a.npz") == 0
     scene = Scene(**{field.name: field.type(value)})
     np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["rgb"], render(scene, 8, 8).rgb)
 
@@ -319,14 +287,10 @@ def test_drawing_needs_neither_sympy_nor_the_proofs(tmp_path):
     code = f"""
 import sys
 from renderer.command_line import main
-from renderer.kernels import FIELDS
-assert main(["image", "--size", "8", "--out", {str(tmp_path / "a.npz")!r}]) == 0
 assert main(["views", "--size", "8", "--out", {str(tmp_path)!r}]) == 0
 assert main(["sweep", "--size", "8"]) == 0
 loaded = {{name.split(".")[0] for name in sys.modules}}
 assert not loaded & {{"sympy", "proofs", "verify", "book"}}, loaded
-print("numpy" in loaded)
 """
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    assert done.stdout.endswith("True\n")

@@ -1,10 +1,7 @@
-"""NumPy draws what LLVM draws, in groups of any size, to the last bit; and which of the two a process is given."""
+"""NumPy draws what LLVM draws, in groups of any size, to the last bit."""
 
-import subprocess
-import sys
 from contextlib import contextmanager
 from functools import partial
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -16,7 +13,6 @@ from renderer import Light, Scene, central, central4, exact, forward, kernels, r
 from renderer.machines import native, numpy_rows
 from tests.strategies import methods, rasters, scenes
 
-ROOT = Path(__file__).resolve().parent.parent
 LANES = [2, 4, 8, 16]
 SIZE = (49, 32)
 SCENES = {
@@ -170,29 +166,3 @@ def test_a_wrong_kernel_is_noticed(place, name, wrong, noticed, by_numpy, monkey
     monkeypatch.setattr(place, name, wrong)
     with drawn_by(numpy_rows.drawer):
         assert noticed in differing(held(render(scene, *SIZE, method)), right)
-
-
-MACHINE = """\
-import sys
-{without}
-import numpy as np
-from renderer import *
-from renderer.machines import machine
-np.save(sys.argv[1], render(Scene(), 33, 16).rgb)
-print(machine().NAME)
-"""
-
-
-@pytest.mark.parametrize(
-    ("without", "name"),
-    [
-        ("", "llvm"),
-        ("sys.modules['llvmlite'] = None", "numpy"),
-        ("import llvmlite.binding; del llvmlite.binding.create_pass_builder  # as before 0.44", "numpy"),
-    ],
-)
-def test_numpy_draws_the_same_where_llvmlite_is_missing_or_old(without, name, tmp_path):
-    command = [sys.executable, "-W", "error", "-c", MACHINE.format(without=without), str(tmp_path / "rgb.npy")]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
-    assert (done.stdout, done.stderr) == (f"{name}\n", "")
-    np.testing.assert_array_equal(np.load(tmp_path / "rgb.npy"), render(Scene(), 33, 16).rgb)

@@ -14,7 +14,7 @@ METHODS = [(exact(), 0, 0), (forward(1e-3), 3, 2), (central(1e-3), 4, 2), (centr
 
 
 def work_of(scene=DEFAULT, method=None, **options):
-    return render(scene, *SIZE, method, count=True, **options).work
+    return render(scene, *SIZE, method, **options).work
 
 
 @pytest.mark.parametrize(("method", "heights", "of_rings"), METHODS)
@@ -34,7 +34,7 @@ def test_no_bump_no_gradient(method):
 
 
 def test_pixels_of_every_chamber():
-    frame = render(DEFAULT, *SIZE, count=True)
+    frame = render(DEFAULT, *SIZE)
     codes, counts = np.unique(frame.chambers, return_counts=True)
     assert frame.work["pixels"] == dict(zip(codes.tolist(), counts.tolist(), strict=True))
     counted = [int((frame.chambers & 3 == surface).sum()) for surface in (1, 2, 3)]
@@ -87,7 +87,7 @@ def test_a_body_that_clears_the_cone_of_light():
 
 
 def test_an_occluded_light_is_not_computed():
-    frame = render(DEFAULT, *SIZE, count=True)
+    frame = render(DEFAULT, *SIZE)
     lit = sum(int(((frame.chambers & bit == 0) & (frame.chambers & 3 > 0)).sum()) for bit in (4, 8))
     assert frame.work["light_terms"] == frame.work["specular_powers"] == lit
 
