@@ -44,29 +44,10 @@ def box(apex: Sequence[float], center: Sequence[float], radius: float, levels: S
     return spans[0] + spans[1]
 
 
-def _out_of_reach(height, radius, lowest, highest):
-    """Return whether a sphere stands wholly above or below every segment between two heights."""
-    room = GUARD * (abs(height) + radius + abs(lowest) + abs(highest))
-    return height + radius < lowest - room or height - radius > highest + room
-
-
 def _casts(light, body, ball):
     """Return whether a body, (center, radius), can stand between the light and some point of a ball."""
     with np.errstate(all="ignore"):
         return not shadow_clearance(*light, *body[0], body[1], *ball[0], np.float64(ball[1])) > GUARD
-
-
-def lowest_on_a(g: "Geometry", light: Sequence[float]) -> float:
-    """Return a height below which B's shadow on A is not seen: that of A's horizon, or where the shadow's hull ends."""
-    lowest = g.radius * (g.radius / g.eye) * (1 - GUARD)  # theorem visible_iff: cos φ > R/e
-    for _ in range(2):
-        levels, far = (lowest, g.radius), 0.0
-        for axis, center in enumerate(g.ball[:2]):
-            ends = _interval(light[axis], light[2], center, *g.ball[2:], levels)
-            far += max(abs(end) for end in ends) ** 2
-        if far < g.radius**2:
-            lowest = max(lowest, math.sqrt(g.radius**2 - far) * (1 - GUARD))
-    return lowest
 
 
 def shadow_boxes(g: "Geometry", light: Sequence[float]) -> tuple[Box, ...]:
@@ -75,22 +56,23 @@ def shadow_boxes(g: "Geometry", light: Sequence[float]) -> tuple[Box, ...]:
     A box is empty where there is no B, no floor, or where no segment from the light to the surface meets the body.
     """
     a, b = ((0.0, 0.0, 0.0), g.radius), (g.ball[:3], g.ball[3])
-    cases = ((a, "floor", g.floor_on), (b, "floor", g.floor_on and g.ball_on), (b, "a", g.ball_on), (a, "b", g.ball_on))
-    return tuple(_shadow_box(g, light, body, surface) if needed else EMPTY for body, surface, needed in cases)
+    floor, lowest = (None, 0.0, 0.0), g.radius * (g.radius / g.eye) * (1 - GUARD)  # theorem visible_iff: cos φ > R/e
+    on_a, on_b = (a, lowest, g.radius), (b, b[0][2] - b[1], b[0][2] + b[1])
+    cases = ((a, floor, g.floor_on), (b, floor, g.floor_on and g.ball_on), (b, on_a, g.ball_on), (a, on_b, g.ball_on))
+    return tuple(_shadow_box(g.eye, light, body, *surface) if needed else EMPTY for body, surface, needed in cases)
 
 
-def _shadow_box(g, light, body, surface):
-    """Return the box of a body's shadow on a surface."""
-    a, b = ((0.0, 0.0, 0.0), g.radius), (g.ball[:3], g.ball[3])
-    ball = {"floor": None, "a": a, "b": b}[surface]
-    low, high = {"floor": (0.0, 0.0), "a": (0.0, g.radius), "b": (b[0][2] - b[1], b[0][2] + b[1])}[surface]
-    if _out_of_reach(body[0][2], body[1], min(low, light[2]), max(high, light[2])):
+def _shadow_box(eye, light, body, ball, low, high):
+    """Return the box of a body's shadow between two heights of a surface: of a ball, or, where that is None, the floor.
+
+    Empty where the body stands wholly above or below every segment from there to the light.
+    """
+    (*_, height), radius = body
+    room = GUARD * (abs(height) + radius + abs(low) + abs(high) + abs(light[2]))
+    above, below = height - radius > max(high, light[2]) + room, height + radius < min(low, light[2]) - room
+    if above or below or (ball and not _casts(light, body, ball)):
         return EMPTY
-    if ball and not _casts(light, body, ball):
-        return EMPTY
-    if surface == "b" or light[2] <= high or high >= g.eye:
-        return EVERYWHERE * 2
-    return box(light, *body, (lowest_on_a(g, light) if surface == "a" else low, high), g.eye)
+    return box(light, *body, (low, high), eye)
 
 
 def ball_box(g: "Geometry") -> Box:

@@ -1,6 +1,5 @@
 """The facts about a scene that stand under the ε-table: each is computed when it is asked for."""
 
-from collections.abc import Iterable
 from dataclasses import replace
 from itertools import product
 
@@ -8,7 +7,7 @@ import numpy as np
 
 from renderer.drawing import render
 from renderer.frame import Frame
-from renderer.gradients import gradient_at, height_at
+from renderer.gradients import gradient_at
 from renderer.kernels import FIELDS
 from renderer.methods import central, exact
 from renderer.scene import MODELS, Scene
@@ -16,12 +15,6 @@ from renderer.sweep import difference_on_a
 
 SMOOTH_POINT = (0.31, 0.47)
 SMALL_SINE = 1e-4
-
-
-def point_errors(scene: Scene, steps: Iterable[float]) -> list[float]:
-    """Return [|central h_u − exact h_u|] of the scene's field at SMOOTH_POINT, for each ε."""
-    right = gradient_at(scene, *SMOOTH_POINT, exact())[0]
-    return [float(abs(gradient_at(scene, *SMOOTH_POINT, central(eps))[0] - right)) for eps in steps]
 
 
 def flips_everywhere(scene: Scene, width: int, height: int) -> tuple[int, int]:
@@ -39,12 +32,6 @@ def flat_difference(scene: Scene, width: int, height: int) -> float:
     return float(np.abs(render(flat, width, height, central(1e-3)).rgb - render(flat, width, height).rgb).max())
 
 
-def crease_gradient(scene: Scene) -> tuple[float, ...]:
-    """Return (h, h_u, h_v) by the exact gradient of the ridges field on its crease u = 1/8."""
-    ridges, at = replace(scene, field="ridges"), (0.125, SMOOTH_POINT[1])
-    return tuple(map(float, (height_at(ridges, *at), *gradient_at(ridges, *at, exact()))))
-
-
 def pixels_near_the_pole(scene: Scene, width: int, height: int) -> tuple[int, float]:
     """Return (how many pixels of A have sin φ below SMALL_SINE, the least sin φ on A)."""
     v = render(scene, width, height).surface_data["v"]
@@ -54,14 +41,16 @@ def pixels_near_the_pole(scene: Scene, width: int, height: int) -> tuple[int, fl
 
 def facts(scene: Scene | None = None, width: int = 256, height: int = 256) -> list[tuple[str, str]]:
     """Return [(what, value)], both text: the facts of the chapter's table that the ε-table does not show."""
-    scene, steps = scene or Scene(), (1e-3, 1e-4, 1e-6)
-    errors = point_errors(replace(scene, field="sine"), steps)
+    scene = scene or Scene()
+    sine, ridges = replace(scene, field="sine"), replace(scene, field="ridges")
+    right = gradient_at(sine, *SMOOTH_POINT, exact())[0]
+    errors = {eps: abs(gradient_at(sine, *SMOOTH_POINT, central(eps))[0] - right) for eps in (1e-3, 1e-4, 1e-6)}
     frames, flips = flips_everywhere(scene, width, height)
-    _, h_u, h_v = (number + 0.0 for number in crease_gradient(scene))  # −0 prints as 0
+    h_u, h_v = (part + 0.0 for part in gradient_at(ridges, 0.125, SMOOTH_POINT[1], exact()))  # −0 prints as 0
     near, least = pixels_near_the_pole(scene, width, height)
     at = f"({SMOOTH_POINT[0]:g}, {SMOOTH_POINT[1]:g})"
     return [
-        *((f"sine at {at}: error of h_u, eps = {e:g}", f"{error:.4g}") for e, error in zip(steps, errors, strict=True)),
+        *((f"sine at {at}: error of h_u, eps = {eps:g}", f"{error:.4g}") for eps, error in errors.items()),
         (f"flips over {frames} frames (fields, beta, eps, models)", str(flips)),
         ("beta = 0: largest |numeric - exact|", f"{flat_difference(scene, width, height):g}"),
         ("ridges on the crease u = 1/8: exact (h_u, h_v)", f"({h_u:g}, {h_v:g})"),

@@ -1,7 +1,7 @@
 """The raster: its size, the part of it that is drawn, and the image point of every pixel."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,20 +13,18 @@ if TYPE_CHECKING:
     from renderer.scene import Scene
 
 MAX_SIDE = 2**24
-MAX_DRAWN = 2**28
 
 
 @dataclass(frozen=True)
 class Raster:
     """A raster of width × height pixels, of which the crop (left, top, width, height) is drawn; None is all of it.
 
-    Raises ValueError on a side outside 1 … 2**24, a crop not inside the raster, more than 2**28 drawn pixels.
+    Raises ValueError on a side outside 1 … 2**24, a crop not inside the raster.
     """
 
     width: int
     height: int
     crop: tuple | None = None
-    most_drawn: ClassVar[int] = MAX_DRAWN
 
     def __post_init__(self):
         width = check_whole("width", self.width, MAX_SIDE)
@@ -34,9 +32,6 @@ class Raster:
         object.__setattr__(self, "width", width)
         object.__setattr__(self, "height", height)
         object.__setattr__(self, "crop", self._checked_crop(width, height))
-        drawn = self.crop[2] * self.crop[3]
-        if drawn > self.most_drawn:
-            raise not_allowed("width * height", drawn, f"at most {self.most_drawn} drawn pixels")
 
     def _checked_crop(self, width, height):
         if self.crop is None:

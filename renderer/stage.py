@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from renderer.checks import not_allowed
 from renderer.machines import Job, machine
 from renderer.methods import GradientMethod
 from renderer.numbers import geometry_of, numbers_of, places_of, want_of
@@ -20,6 +21,7 @@ from renderer.threads import run_bands
 
 SURFACE_BITS = 3
 PITCH = 16  # rows of planes are as long as whole groups of pixels, whatever the machine's lanes
+MAX_DRAWN = 2**28
 MOST_BANDS = 16
 SMALLEST_BAND = 2**13  # pixels: below that, starting on a band costs more than drawing it
 
@@ -52,7 +54,10 @@ class Stage:
     """
 
     def __init__(self, scene: Scene, raster: Raster):
-        """Prepare the planes; they are filled by drawing."""
+        """Prepare the planes; they are filled by drawing. Raises ValueError on more than 2**28 drawn pixels."""
+        drawn = raster.shape[0] * raster.shape[1]
+        if drawn > MAX_DRAWN:
+            raise not_allowed("width * height", drawn, f"at most {MAX_DRAWN} drawn pixels")
         self.geometry, self.raster = geometry_of(scene), raster
         self._x, self.y, self._everywhere, self._columns_of_a = _prepared(self.geometry, raster)
         self.x = self._x[: raster.shape[1]]

@@ -10,18 +10,12 @@ from renderer import files, views
 from renderer.checks import extra
 from renderer.drawing import render
 from renderer.methods import GradientMethod
-from renderer.raster import MAX_SIDE, Raster
+from renderer.raster import Raster
 from renderer.scene import Scene
 
 STREAM_SUFFIXES = (".npy", ".tif", ".tiff")
 BLOCK_PIXELS = 2**20  # a block's planes and their copy for the file: about 60 MB
 TILE = 256
-
-
-class StreamedRaster(Raster):
-    """A raster that is drawn block by block, so that only its sides are limited."""
-
-    most_drawn = MAX_SIDE**2
 
 
 def blocks(crop: tuple[int, int, int, int], rows: int) -> list[tuple[int, int, int, int]]:
@@ -58,7 +52,7 @@ def stream(
     written, ModuleNotFoundError where a TIFF is wanted without the extra `tiff`. Returns the picture's (rows, columns).
     """
     path = files.checked_target(path, STREAM_SUFFIXES)
-    raster = StreamedRaster(width, height, crop)
+    raster = Raster(width, height, crop)
 
     def frames(rows):
         for block in progress(blocks(raster.crop, rows)):

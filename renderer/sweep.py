@@ -1,6 +1,6 @@
 """The ε-table: how far a difference's picture is from the exact one, step by step."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import asdict, dataclass
 from itertools import groupby
 from pathlib import Path
@@ -92,11 +92,9 @@ def sweep(
     steps: Iterable[float] = DECADES,
     method: str = "central",
     threads: int | None = None,
-    progress: Callable[[list[Task]], Iterable[Task]] = iter,
 ) -> list[SweepRow]:
-    """Return a SweepRow for every ε in `steps`: `method` against the exact gradient. `progress` wraps the Tasks."""
-    tasks = [Task(scene, difference(method, eps), width, height) for eps in steps]
-    return list(compared(progress(tasks), threads))
+    """Return a SweepRow for every ε in `steps`: `method` against the exact gradient."""
+    return list(compared([Task(scene, difference(method, eps), width, height) for eps in steps], threads))
 
 
 def records(results: Results) -> list[dict[str, Any]]:

@@ -41,6 +41,8 @@ def check(scene, size, method):
         on_a = frame.stage.on_a
         for name, plane in frame.surface_data.items():
             assert (np.isfinite(plane) == on_a).all(), name
+        u, v = (frame.surface_data[name][on_a] for name in "uv")
+        assert ((u >= 0) & (u < 1) & (v >= 0) & (v < 0.5)).all()
         check_behind_the_clip(scene, size, method, np.argwhere(frame.chambers & 3))
 
 
@@ -50,10 +52,11 @@ def check_behind_the_clip(scene, size, method, seen):
         return
     row, column = seen[len(seen) // 2].tolist()
     record = pixel(scene, *size, column, row, method)
-    numbers = [*record.point, *record.normal, *record.rgb]
+    assert all(map(math.isfinite, (*record.point, *record.rgb))), record
+    assert abs(math.hypot(*record.normal) - 1) <= (1e-6 if record.surface == "B" else 1e-14), record
     for light in record.lights:
-        numbers += [light.mu, light.specular, *light.adds]
-    assert all(map(math.isfinite, numbers)), record
+        assert abs(light.mu) <= 1 + 1e-6, record
+        assert all(0 <= number < math.inf for number in (light.specular, *light.adds)), record
 
 
 def check_rejected(scene, name, value):

@@ -48,9 +48,10 @@ def test_image_npz_with_every_option_of_the_scene(tmp_path):
     lights = (Light((-6, 2, 8)), Light((5, 5, 10), (1, 0.5, 0)))
     scene = Scene(field="rings", model="phong", ku=-3.0, beta=-0.1, ball=False, floor=False, lights=lights)
     frame = render(scene, 20, 10, crop=(5, 2, 10, 6))
-    stored = np.load(target)
-    np.testing.assert_array_equal(stored["rgb"], frame.rgb)
-    np.testing.assert_array_equal(stored["h_v"], frame.surface_data["h_v"])
+    stored, held = np.load(target), {"rgb": frame.rgb, "chambers": frame.chambers, **frame.surface_data}
+    assert set(stored.files) == held.keys() == {"rgb", "chambers", "u", "v", "h", "h_u", "h_v", "slope", "kink"}
+    for name, plane in held.items():
+        np.testing.assert_array_equal(stored[name], plane)
 
 
 def test_image_streamed(tmp_path, capsys):

@@ -7,9 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
-from PIL import Image
 
 from renderer import Scene, central, files, render, views
 
@@ -21,38 +19,27 @@ class Interruption(BaseException):
     """What happens in the middle of a file: an error, or Ctrl-C."""
 
 
-def half(*arguments, **options):
-    """Write half of the file that the last argument names."""
-    Path(arguments[-1]).write_bytes(b"half")
-    raise Interruption
-
-
-def stop(*arguments):
-    raise Interruption
-
-
 @pytest.mark.parametrize("old", [[], [b"old"]])
-@pytest.mark.parametrize(
-    ("place", "function", "broken", "name"),
-    [(Image.Image, "save", half, "a.png"), (np, "savez_compressed", half, "a.npz"), (os, "replace", stop, "a.png")],
-)
-def test_a_failure_in_the_middle_leaves_nothing_or_the_old_file(
-    place, function, broken, name, old, tmp_path, monkeypatch
-):
-    for content in old:
-        (tmp_path / name).write_bytes(content)
-    monkeypatch.setattr(place, function, broken)
+@pytest.mark.parametrize(("name", "content"), [("png", PICTURE), ("npz", FRAME)])
+def test_a_failure_leaves_nothing_or_the_old_file(name, content, old, tmp_path, monkeypatch):
+    """In the renaming, which is last: the content has been written elsewhere."""
+
+    def stop(*arguments):
+        raise Interruption
+
+    monkeypatch.setattr("os.replace", stop)
+    for text in old:
+        (tmp_path / f"a.{name}").write_bytes(text)
     with pytest.raises(Interruption):
-        files.write_png(tmp_path / name, PICTURE) if name == "a.png" else files.write_npz(tmp_path / name, FRAME)
-    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(name, content) for content in old]
+        getattr(files, f"write_{name}")(tmp_path / f"a.{name}", content)
+    assert [path.read_bytes() for path in tmp_path.iterdir()] == old
 
 
 def test_the_target_is_untouched_until_the_end(tmp_path):
     target = tmp_path / "a.csv"
     target.write_text("old")
     with files.whole_file(target) as name:
-        with open(name, "w") as file:
-            file.write("new")
+        Path(name).write_text("new")
         assert target.read_text() == "old"
     assert target.read_text() == "new"
     assert list(tmp_path.iterdir()) == [target]
@@ -140,28 +127,11 @@ def test_a_file_has_the_permissions_of_any_other(tmp_path):
     assert stat.S_IMODE((tmp_path / "a.png").stat().st_mode) == stat.S_IMODE((tmp_path / "b").stat().st_mode)
 
 
-def test_png_keeps_every_byte(tmp_path):
-    files.write_png(tmp_path / "a.png", PICTURE)
-    np.testing.assert_array_equal(np.asarray(Image.open(tmp_path / "a.png")), PICTURE)
-
-
-def test_npz_keeps_every_buffer(tmp_path):
-    files.write_npz(tmp_path / "a.npz", FRAME)
-    stored = np.load(tmp_path / "a.npz")
-    assert set(stored.files) == {"rgb", "chambers", "u", "v", "h", "h_u", "h_v", "slope", "kink", "straddling"}
-    np.testing.assert_array_equal(stored["rgb"], FRAME.rgb)
-    np.testing.assert_array_equal(stored["chambers"], FRAME.chambers)
-    for name, plane in FRAME.surface_data.items():
-        np.testing.assert_array_equal(stored[name], plane)
-
-
 @pytest.mark.parametrize(
     ("name", "allowed"),
     [
         ("a.jpg", "a file name that ends in .png or .npz"),
-        ("a", "a file name that ends in .png or .npz"),
         (".png", "a file name that ends in .png or .npz"),
-        ("no/a.png", "a file in a folder that exists"),
         ("folder.png", "a file in a folder that exists"),
         ("file/a.png", "a file in a folder that exists"),
         ("a" * 300 + ".png", "a file that can be written (File name too long)"),

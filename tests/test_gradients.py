@@ -9,7 +9,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from renderer import Scene, central, central4, exact, forward, gradient_at, height_at, pixel, render
-from renderer.facts import crease_gradient, pixels_near_the_pole, point_errors
 from renderer.kernels import FIELDS
 from tests.strategies import scenes, steps, wave_numbers
 
@@ -22,7 +21,7 @@ whole = st.integers(-64, 64).map(float)
 chart_points = st.tuples(st.floats(0, 1, exclude_max=True), st.floats(0, 1))
 
 
-@given(scenes(field=st.sampled_from(["sine", "ridges"]), ku=even, kv=whole, ball=False))
+@given(scenes(field=st.sampled_from(["sine", "ridges"]), ku=even, kv=whole, ball=False, model="blinn", shininess=32.0))
 def test_the_algebraic_and_the_general_form_agree_off_the_creases(scene):
     one, other = (render(scene, 16, 16, exact(form)).surface_data for form in ("algebraic", "general"))
     # u is off by about an ulp of 1, which the general form turns into π k ulp of a factor.
@@ -32,36 +31,17 @@ def test_the_algebraic_and_the_general_form_agree_off_the_creases(scene):
         np.testing.assert_allclose(one[name][smooth], other[name][smooth], rtol=0, atol=allowed)
 
 
-@pytest.mark.parametrize("m", range(8))
-@pytest.mark.parametrize("v", [0.1, 0.25, 0.47, 0.5, 0.9])
-def test_the_gradient_on_a_crease_in_u_is_exactly_zero(m, v):
-    assert gradient_at(RIDGES, m / 8, v, exact()) == (0.0, 0.0)
-
-
-@pytest.mark.parametrize("m", range(5))
-@pytest.mark.parametrize("u", [0.1, 0.31, 0.99])
-def test_the_gradient_on_a_crease_in_v_is_exactly_zero(m, u):
-    assert gradient_at(RIDGES, u, m / 4, exact()) == (0.0, 0.0)
-
-
-def test_the_fact_about_the_crease_at_one_eighth():
-    assert crease_gradient(Scene()) == (0.0, 0.0, 0.0)
-
-
-@pytest.mark.parametrize("towards", [0.0, 1.0])
-def test_the_floats_beside_a_crease_are_not_on_it(towards):
-    beside = float(np.nextafter(0.125, towards))
-    expected = np.pi * 8 * abs(np.sin(np.pi * 4 * 0.47)) * (1 if towards else -1)
-    assert gradient_at(RIDGES, beside, 0.47, exact())[0] == pytest.approx(expected, rel=1e-14)
+def test_the_gradient_on_a_crease_in_u_is_exactly_zero():
+    """And in v."""
+    others, wheres = np.array([0.1, 0.25, 0.47, 0.9]), np.arange(8)[:, None] / 8
+    for point in ((wheres, others), (others, wheres[::2])):
+        assert not np.any(gradient_at(RIDGES, *point, exact()))
 
 
 def test_every_float_beside_every_crease_is_off_it():
     """The product k u rounds to m at many of them."""
-    k = np.arange(1, 65.0)
-    for wave_number in k:
+    for wave_number in np.arange(1, 65.0):
         creases = np.arange(1, wave_number) / wave_number
-        exactly = creases * 2.0**60 % 1 == 0  # all: a double in [2^-6, 1) is a multiple of 2^-60
-        assert exactly.all()
         for towards in (0.0, 1.0):
             u = np.nextafter(creases, towards)
             assert (gradient_at(replace(RIDGES, ku=wave_number), u, 0.31, exact())[0] != 0).all()
@@ -69,11 +49,6 @@ def test_every_float_beside_every_crease_is_off_it():
 
 def kink_at(scene, u, v):
     return FIELDS[scene.field]["kink"](np.sin(np.pi * v), np.float64(u), np.float64(v), scene.ku, scene.kv)
-
-
-def test_the_crease_is_flagged():
-    assert kink_at(RIDGES, 0.125, 0.47) == kink_at(RIDGES, 0.31, 0.25) == 1
-    assert kink_at(RIDGES, *SMOOTH) == kink_at(SINE, 0.125, 0.47) == kink_at(RINGS, 0.125, 0.25) == 0
 
 
 @pytest.mark.parametrize(("factor", "flag"), [(0.0299, 1), (0.0301, 0), (-0.0299, 1), (-0.0301, 0)])
@@ -96,12 +71,6 @@ def test_the_pole(field, method, beta):
     assert (record.surface, record.v, record.kink) == ("A", 0.0, True)
     assert record.point == (0.0, 0.0, 1.0)
     assert record.normal == (0.0, 0.0, 1.0)
-
-
-def test_no_pixel_of_the_default_raster_is_near_the_pole():
-    near, least = pixels_near_the_pole(Scene(), 256, 256)
-    assert near == 0
-    assert least == pytest.approx(4.4e-3, rel=0.02)
 
 
 @pytest.mark.parametrize(
@@ -151,11 +120,6 @@ def test_the_order_of_a_difference(make, order, coordinate, scene):
     errors = [abs(gradient_at(scene, *SMOOTH, make(eps))[coordinate] - right) for eps in steps]
     fitted, _ = np.polyfit(np.log(steps), np.log(errors), 1)
     assert fitted == pytest.approx(order, abs=0.03)
-
-
-def test_the_error_of_the_central_difference_at_the_chapters_point():
-    assert point_errors(SINE, (1e-3, 1e-4)) == pytest.approx([6.116e-5, 6.116e-7], rel=1e-3)
-    assert 7e-12 < point_errors(SINE, (1e-6,))[0] < 7e-10
 
 
 @pytest.mark.parametrize("eps", [1e-2, 1e-3])

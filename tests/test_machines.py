@@ -63,23 +63,25 @@ def differing(one, other):
     return [name for name in one if not np.array_equal(one[name], other[name], equal_nan=name in ("rgb", "on_a"))]
 
 
-def pictures():
-    """Return the arrays of every one of SCENES."""
-    frames = {name: held(render(scene, *SIZE, method)) for name, (scene, method) in SCENES.items()}
-    return {f"{name}.{kind}": array for name, arrays in frames.items() for kind, array in arrays.items()}
+def picture(name):
+    """Return the arrays of one of SCENES."""
+    scene, method = SCENES[name]
+    return held(render(scene, *SIZE, method))
 
 
 @pytest.fixture(scope="module")
 def by_numpy():
     """What NumPy draws of SCENES."""
     with drawn_by(numpy_rows.drawer):
-        return pictures()
+        return {name: picture(name) for name in SCENES}
 
 
 @pytest.mark.parametrize("lanes", LANES)
 def test_pictures_by_llvm_are_numpys_to_the_last_bit(lanes, by_numpy):
+    """All by 8 lanes, every third by others: what lanes change is the same code in all of them."""
     with drawn_by(partial(native.drawer, lanes=lanes)):
-        assert differing(pictures(), by_numpy) == []
+        for name in list(SCENES)[:: 1 if lanes == 8 else 3]:
+            assert differing(picture(name), by_numpy[name]) == [], name
 
 
 @settings(max_examples=40)
@@ -161,8 +163,6 @@ def count_one_more(machine, kind, mask):
 )
 def test_a_wrong_kernel_is_noticed(place, name, wrong, noticed, by_numpy, monkeypatch):
     """NumPy draws by it; LLVM's code is of the right ones."""
-    scene, method = SCENES["ridges"]
-    right = {kind: by_numpy[f"ridges.{kind}"] for kind in ("rgb", "chambers", "on_a", *stage.WORK)}
     monkeypatch.setattr(place, name, wrong)
     with drawn_by(numpy_rows.drawer):
-        assert noticed in differing(held(render(scene, *SIZE, method)), right)
+        assert noticed in differing(picture("ridges"), by_numpy["ridges"])

@@ -24,10 +24,6 @@ def test_a_side_that_is_rejected(side):
     assert rejection(8, side) == f"height = {side!r} {allowed}"
 
 
-def test_a_raster_that_is_huge():
-    assert rejection(2**20, 2**20) == f"width * height = {2**40} is not allowed: at most {2**28} drawn pixels"
-
-
 def test_a_small_crop_of_a_huge_raster():
     assert Raster(MAX_SIDE, MAX_SIDE, (MAX_SIDE - 2, MAX_SIDE - 1, 2, 1)).shape == (1, 2)
 
@@ -39,8 +35,6 @@ def test_a_small_crop_of_a_huge_raster():
         (0, 0, 8, 7),
         (-1, 0, 1, 1),
         (0, -1, 1, 1),
-        (8, 0, 1, 1),
-        (0, 6, 1, 1),
         (0, 0, 0, 1),
         (0, 0, 1, 0),
         (0, 0, 1),

@@ -1,40 +1,32 @@
 """The interface of `render`: shapes, types, crops, threads, stages, lights that are off, the count of the work."""
 
 from dataclasses import replace
-from itertools import product
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from renderer import Light, Scene, central, central4, exact, forward, render, stage_of
+from renderer import Light, Scene, central, exact, render, stage_of
 from renderer.kernels import FIELDS
 from renderer.stage import band_rows
 from tests.strategies import looks, methods, rasters
 
 DEFAULT = Scene()
-MANY_BANDS = (300, 200)
+PLANES = ("rgb", "chambers", "kink", "slope", "straddling")
 
 
 def same(one, other):
     """Whether two frames are the same, bit for bit."""
-    planes = ("rgb", "chambers", "kink", "slope", "straddling")
-    return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in planes)
+    return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in PLANES)
 
 
-@pytest.mark.parametrize(
-    ("name", "shape", "dtype"),
-    [
-        ("rgb", (20, 30, 3), "float64"),
-        ("chambers", (20, 30), "uint8"),
-        ("kink", (20, 30), "bool"),
-        ("slope", (20, 30), "float64"),
-    ],
-)
-def test_shapes_and_types(name, shape, dtype):
-    plane = getattr(render(DEFAULT, 30, 20), name)
-    assert (plane.shape, plane.dtype) == (shape, dtype)
+def test_shapes_and_types():
+    frame = render(DEFAULT, 30, 20)
+    assert (frame.rgb.shape, frame.rgb.dtype) == ((20, 30, 3), "float64")
+    for name, dtype in (("chambers", "uint8"), ("kink", "bool"), ("slope", "float64")):
+        plane = getattr(frame, name)
+        assert (plane.shape, plane.dtype) == ((20, 30), dtype)
 
 
 def test_row_0_is_at_the_top_and_column_0_at_the_left():
@@ -43,7 +35,8 @@ def test_row_0_is_at_the_top_and_column_0_at_the_left():
     assert rows.mean() < 32 < columns.mean()
 
 
-@pytest.mark.parametrize(("ball", "floor"), list(product((True, False), repeat=2)))
+@pytest.mark.parametrize("ball", [True, False])
+@pytest.mark.parametrize("floor", [True, False])
 def test_all_surfaces_are_there(ball, floor):
     seen = np.unique(render(replace(DEFAULT, ball=ball, floor=floor), 64, 64).chambers & 3)
     assert set(seen) == {1, 3 if floor else 0} | ({2} if ball else set())
@@ -68,10 +61,6 @@ def test_without_lights_there_is_ambient_light_alone():
     np.testing.assert_array_equal(frame.rgb, np.broadcast_to([0.1 * 0.15, 0.1 * 0.15, 0.1 * 0.16], (32, 32, 3)))
 
 
-def test_the_exact_gradient_is_the_default():
-    assert same(render(DEFAULT, 40, 40), render(DEFAULT, 40, 40, exact()))
-
-
 @pytest.mark.parametrize("field", FIELDS)
 def test_kink_and_slope_are_off_outside_a(field):
     frame = render(replace(DEFAULT, field=field), 64, 64)
@@ -87,27 +76,18 @@ def test_a_crop_equals_the_part_of_the_whole(scene, size, method, data):
     width, height = data.draw(st.integers(1, size[0] - left)), data.draw(st.integers(1, size[1] - top))
     part = render(scene, *size, method, crop=(left, top, width, height))
     whole = render(scene, *size, method)
-    window = np.s_[top : top + height, left : left + width]
-    np.testing.assert_array_equal(part.rgb, whole.rgb[window])
-    np.testing.assert_array_equal(part.chambers, whole.chambers[window])
-    np.testing.assert_array_equal(part.slope, whole.slope[window])
-    np.testing.assert_array_equal(part.kink, whole.kink[window])
+    for name in PLANES:
+        expected = getattr(whole, name)[top : top + height, left : left + width]
+        np.testing.assert_array_equal(getattr(part, name), expected)
 
 
-@pytest.mark.parametrize("field", FIELDS)
-@pytest.mark.parametrize("method", [exact(), exact("general"), central(1e-3), forward(1e-3), central4(1e-3)])
-def test_one_thread_and_two_give_the_same_bits(field, method):
-    scene = replace(DEFAULT, field=field)
-    assert 2 * band_rows(MANY_BANDS[1], MANY_BANDS[0]) < MANY_BANDS[1]
-    assert same(render(scene, *MANY_BANDS, method, threads=1), render(scene, *MANY_BANDS, method, threads=2))
+@pytest.mark.parametrize("method", [exact(), central(1e-3)])
+def test_one_thread_and_two_give_the_same_bits(method):
+    assert 2 * band_rows(200, 300) < 200
+    assert same(render(DEFAULT, 300, 200, method, threads=1), render(DEFAULT, 300, 200, method, threads=2))
 
 
-def test_rows_longer_than_a_run_and_a_band():
-    wide = render(DEFAULT, 20_000, 3, threads=2)
-    part = render(DEFAULT, 20_000, 3, crop=(9_000, 1, 3_000, 1))
-    np.testing.assert_array_equal(wide.rgb[1:2, 9_000:12_000], part.rgb)
-
-
+@settings(max_examples=40)
 @given(looks, rasters(), st.data())
 def test_a_stage_used_again_gives_the_same_bits(scene, size, data):
     stage = stage_of(scene, *size)
@@ -149,6 +129,7 @@ def test_a_stage_of_another_raster_or_crop_is_rejected(size, crop):
             render(DEFAULT, 16, 16, crop=own, stage=stage)
 
 
+@settings(max_examples=40)
 @given(looks, rasters(), st.data())
 def test_drawing_into_an_earlier_frame_gives_the_same_bits(scene, size, data):
     stage = stage_of(scene, *size)
@@ -214,21 +195,13 @@ def test_which_scenes_have_an_algebraic_gradient(fields, algebraic):
     assert work["algebraic_gradients"] == (work["pixels_a"] if algebraic else 0)
 
 
-@pytest.mark.parametrize("threads", [0, -1, 257, 1.5, "2", True])
-def test_threads_that_are_rejected(threads):
-    with pytest.raises(ValueError) as error:
-        render(DEFAULT, 8, 8, threads=threads)
-    assert str(error.value) == f"threads = {threads!r} is not allowed: a whole number from 1 to 256"
-
-
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
+        ((DEFAULT, 2**20, 2**20), f"height = {2**40} is not allowed: at most {2**28} drawn pixels"),
         (("ridges", 8, 8), "scene = 'ridges' is not allowed: a Scene"),
-        (
-            (DEFAULT, 8, 8, "central"),
-            r"gradient = 'central' is not allowed: exact\(\), central\(eps\), forward\(eps\) or",
-        ),
+        ((DEFAULT, 8, 8, "central"), r"gradient = 'central' is not allowed: exact\(\), central\(eps\), forward"),
+        ((DEFAULT, 8, 8, None, None, 257), "threads = 257 is not allowed: a whole number from 1 to 256"),
         (
             (replace(DEFAULT, ku=7), 8, 8, exact("algebraic")),
             "form = 'algebraic' is not allowed for field 'ridges' with ku = 7, kv = 4",

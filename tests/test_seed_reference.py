@@ -28,21 +28,10 @@ def test_rgb(field, model, method):
 
 
 @pytest.mark.parametrize("field", FIELDS)
-def test_surface(field):
-    np.testing.assert_array_equal(drawn(field, "blinn", "exact").chambers & 3, DATA[f"{field}.blinn.exact.surface"])
-
-
-@pytest.mark.parametrize("field", FIELDS)
-def test_kink(field):
-    np.testing.assert_array_equal(drawn(field, "blinn", "exact").kink, DATA[f"{field}.blinn.exact.kink"])
-
-
-def test_the_stored_kinks_are_on_ridges_alone():
-    assert [bool(DATA[f"{field}.blinn.exact.kink"].any()) for field in FIELDS] == [f == "ridges" for f in FIELDS]
-
-
-@pytest.mark.parametrize("field", FIELDS)
-def test_slope(field):
-    data = drawn(field, "blinn", "exact").surface_data
-    slope_l1 = np.nan_to_num(np.abs(data["h_u"]) + np.abs(data["h_v"]))
+def test_surface_kink_and_slope(field):
+    frame, data = drawn(field, "blinn", "exact"), DATA[f"{field}.blinn.exact.kink"]
+    np.testing.assert_array_equal(frame.chambers & 3, DATA[f"{field}.blinn.exact.surface"])
+    np.testing.assert_array_equal(frame.kink, data)
+    assert data.any() == (field == "ridges")
+    slope_l1 = np.nan_to_num(np.abs(frame.surface_data["h_u"]) + np.abs(frame.surface_data["h_v"]))
     np.testing.assert_allclose(slope_l1, DATA[f"{field}.blinn.exact.slope_l1"], rtol=0, atol=AGREEMENT)

@@ -39,10 +39,6 @@ def test_every_picture_is_bytes_at_the_rasters_own_pixels(picture):
     assert picture.any()
 
 
-def test_the_image_is_the_frame_encoded():
-    np.testing.assert_array_equal(views.image_view(FRAME), views.to_bytes(FRAME.rgb))
-
-
 def test_slope_is_black_off_a_and_white_at_its_largest():
     picture = views.slope_view(FRAME)
     assert (picture[OFF_A] == 0).all()

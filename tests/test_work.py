@@ -1,7 +1,6 @@
 """What a scene does not need is not computed: the counts hold it, not the clock."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -46,12 +45,6 @@ def test_shadows_are_tested_where_they_can_fall():
     everywhere = 2 * (work["pixels_a"] + work["pixels_b"] + 2 * work["pixels_floor"])
     occluded = sum(pixels for code, pixels in work["pixels"].items() for bit in (4, 8) if code & bit)
     assert occluded < work["shadow_tests"] < everywhere / 2
-
-
-@pytest.mark.parametrize("name", ["llvm", "numpy"])
-def test_the_machine_is_named(name, monkeypatch):
-    monkeypatch.setattr("renderer.frame.machine", lambda: SimpleNamespace(NAME=name))
-    assert work_of()["machine"] == name
 
 
 def test_no_ball_no_floor():
@@ -124,8 +117,3 @@ def test_a_stage_leaves_sphere_a_alone_to_be_drawn():
     assert into["light_terms"] == work["light_terms"]
     darker = work_of(replace(DEFAULT, ka=0.2), stage=stage)
     assert darker["light_terms"] == first["light_terms"]  # another shading off A
-
-
-@pytest.mark.parametrize("threads", [1, 2])
-def test_counts_do_not_depend_on_threads(threads):
-    assert work_of(threads=threads) == work_of()
