@@ -14,7 +14,6 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from renderer import files, grid, views
-from renderer.checkpoint import Checkpoint
 from renderer.checks import extra, not_allowed
 from renderer.drawing import render
 from renderer.facts import facts
@@ -227,7 +226,7 @@ def print_sweep(options: Namespace) -> None:
 
 def _of_grid(tasks, options):
     """Return the {Task: SweepRow} of a grid of frames, by workers."""
-    checkpoint = Checkpoint(options.checkpoint) if options.checkpoint else None
+    checkpoint = grid.Checkpoint(options.checkpoint) if options.checkpoint else None
 
     def kept():
         if checkpoint is None:

@@ -5,8 +5,7 @@ import json
 import pytest
 
 from renderer import Scene
-from renderer.checkpoint import Checkpoint, key_of
-from renderer.grid import grid
+from renderer.grid import Checkpoint, grid, key_of
 from renderer.sweep import SweepRow
 
 TASKS = grid(Scene(), [(8, 8)], ["central"], (1e-2, 1e-3, 1e-4))

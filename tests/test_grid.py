@@ -15,9 +15,9 @@ import numpy as np
 import pytest
 from distributed import Client, LocalCluster
 
-from renderer import Light, Scene, checkpoint, grid, render, stage_of
-from renderer.checkpoint import Checkpoint, key_of
+from renderer import Light, Scene, grid, render, stage_of
 from renderer.command_line import main
+from renderer.grid import Checkpoint, key_of
 from renderer.machines import numpy_rows
 from renderer.methods import GradientMethod, central
 from renderer.raster import Raster
@@ -89,15 +89,15 @@ def test_a_key_is_of_the_content():
 @pytest.mark.parametrize("edited", ["kernels.py", "machines/traced.py"])
 def test_a_key_is_of_the_sources_and_the_machine_too(edited, tmp_path, monkeypatch):
     shutil.copytree(ROOT / "renderer", tmp_path / "renderer", ignore=shutil.ignore_patterns("__pycache__"))
-    own, key = checkpoint.version(), key_of(Task(Scene(), central(1e-3), 8, 8))
-    monkeypatch.setattr(checkpoint, "__file__", str(tmp_path / "renderer" / "checkpoint.py"))
-    assert checkpoint.version.__wrapped__() == own
+    own, key = grid.version(), key_of(Task(Scene(), central(1e-3), 8, 8))
+    monkeypatch.setattr(grid, "__file__", str(tmp_path / "renderer" / "grid.py"))
+    assert grid.version.__wrapped__() == own
     with open(tmp_path / "renderer" / edited, "a") as file:
         file.write("\n")
-    changed = checkpoint.version.__wrapped__()
-    monkeypatch.setattr(checkpoint, "machine", lambda: numpy_rows)
-    assert len({own, changed, checkpoint.version.__wrapped__()}) == 3
-    monkeypatch.setattr(checkpoint, "version", lambda: changed)
+    changed = grid.version.__wrapped__()
+    monkeypatch.setattr(grid, "machine", lambda: numpy_rows)
+    assert len({own, changed, grid.version.__wrapped__()}) == 3
+    monkeypatch.setattr(grid, "version", lambda: changed)
     assert key_of(Task(Scene(), central(1e-3), 8, 8)) != key
 
 
@@ -131,7 +131,7 @@ def test_a_batch_draws_the_exact_frame_once_a_scene(monkeypatch):
     seen = lambda *a, **o: drawn.append((a[3].name, o.get("stage") is None)) or render(*a, **o)  # noqa: E731
     monkeypatch.setattr("renderer.sweep.render", seen)
     tasks = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3, 1e-4), beta=[0.1, 0.2])
-    grid.compare_batch(tasks, checkpoint.version())
+    grid.compare_batch(tasks, grid.version())
     of_scene = [("central", True)] * 3  # whole: flips are counted
     assert drawn == [("exact", True), *of_scene, ("exact", False), *of_scene]
 
@@ -148,7 +148,7 @@ def test_flips_are_counted(monkeypatch):
 
     monkeypatch.setattr("renderer.sweep.render", flipping)
     tasks = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3), beta=[0.1, 0.2])
-    assert [row.flips for row in grid.compare_batch(tasks, checkpoint.version()).values()] == [1, 2, 3, 4]
+    assert [row.flips for row in grid.compare_batch(tasks, grid.version()).values()] == [1, 2, 3, 4]
 
 
 def test_a_worker_of_another_version_is_refused():

@@ -10,7 +10,6 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import tifffile
-from hypothesis import given
 from hypothesis import strategies as st
 
 from renderer import Scene, central, render, stream, views
@@ -25,17 +24,6 @@ WIDTHS = st.integers(1, 3000)
 def small_blocks(monkeypatch):
     """Blocks so small that a little picture has many, and that a row of it is cut."""
     monkeypatch.setattr(stream, "BLOCK_PIXELS", 300)
-
-
-@given(st.tuples(st.integers(0, 9), st.integers(0, 9), WIDTHS, st.integers(1, 600)), st.sampled_from([1, 7, 256]))
-def test_blocks_cover_the_crop_once_in_order(crop, rows):
-    left, top, width, height = crop
-    seen = np.zeros((height, width), int)
-    blocks = stream.blocks(crop, rows)
-    for x, y, wide, high in blocks:
-        seen[y - top : y - top + high, x - left : x - left + wide] += 1
-    assert (seen == 1).all()
-    assert blocks == sorted(blocks, key=lambda block: (block[1], block[0]))
 
 
 @pytest.mark.parametrize(
