@@ -1,7 +1,7 @@
 """What a theorem claims, before translation: SymPy relations over the lines of a straight-line program."""
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Self
 
 from sympy import Basic, Symbol, sympify
 from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
@@ -43,7 +43,16 @@ class CitedLemma:
 
 
 @dataclass(frozen=True)
-class Claim:
+class Changeable:
+    """What every sort of claim can do."""
+
+    def but(self, **changes: Any) -> Self:
+        """Return the claim with some fields changed: how a mutant is made."""
+        return replace(self, **changes)
+
+
+@dataclass(frozen=True)
+class Claim(Changeable):
     """For all real values of the inputs: if `given` holds, every relation of `shows` holds.
 
     shows: relations, in order; one that is proved may be used for the next. given: relations over the names of
@@ -68,10 +77,6 @@ class Claim:
         object.__setattr__(self, "shows", tuple(map(sympify, self.shows)))
         object.__setattr__(self, "given", tuple(map(sympify, self.given)))
 
-    def but(self, **changes: Any) -> "Claim":
-        """Return the claim with some fields changed: how a mutant is made."""
-        return replace(self, **changes)
-
     def names(self) -> tuple[set[Symbol], Program | None]:
         """Return the defined names that the claim needs, and the program kept to them (None without one)."""
         cited = (relation for lemma in self.cited for relation in (lemma.relation, *lemma.given))
@@ -83,7 +88,7 @@ class Claim:
 
 
 @dataclass(frozen=True)
-class Separation:
+class Separation(Changeable):
     """In the program `lines`, none of `outputs` depends on any of `avoid`."""
 
     name: str
@@ -91,13 +96,9 @@ class Separation:
     outputs: tuple[Symbol, ...]
     avoid: tuple[Symbol, ...]
 
-    def but(self, **changes: Any) -> "Separation":
-        """Return the claim with some fields changed: how a mutant is made."""
-        return replace(self, **changes)
-
 
 @dataclass(frozen=True)
-class Induction:
+class Induction(Changeable):
     """For every whole n ≥ 0: `shows`, equations over n, the parameters and the states of recurrences.
 
     states: (symbol, value at n = 0, value at n + 1 in terms of the values at n). cos and sin of n·α are states too, by
@@ -110,10 +111,6 @@ class Induction:
     states: tuple[tuple[Symbol, Basic, Basic], ...] = ()
     given: tuple[Basic, ...] = ()
     ranges: tuple[tuple[Symbol, tuple], ...] = ()
-
-    def but(self, **changes: Any) -> "Induction":
-        """Return the claim with some fields changed: how a mutant is made."""
-        return replace(self, **changes)
 
 
 AnyClaim = Claim | Separation | Induction

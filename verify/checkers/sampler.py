@@ -3,7 +3,7 @@
 import random
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from graphlib import TopologicalSorter
+from graphlib import CycleError, TopologicalSorter
 
 import mpmath
 from sympy import Eq, Max, Min, Piecewise, Poly, PolynomialError, Rational, Symbol
@@ -51,12 +51,10 @@ class Sampler:
         low, high = (Fraction(str(Rational(end))) for end in (low, high))
         simple = [mpmath.mpf(q.numerator) / q.denominator for q in SIMPLE if low <= q <= high]
         ends = [mpmath.mpf(q.numerator) / q.denominator for q in (low, high)]
-        return simple, ends, (int(low), int(high)) if symbol.is_integer else None
+        return simple, ends
 
     def _draw(self, symbol):
-        simple, (low, high), whole = self.pools[symbol]
-        if whole:
-            return mpmath.mpf(self.random.randint(*whole))
+        simple, (low, high) = self.pools[symbol]
         if simple and self.random.random() < 0.5:
             return self.random.choice(simple)
         return low + (high - low) * mpmath.ldexp(self.random.getrandbits(200), -200)
@@ -106,27 +104,16 @@ def _solvable(relations):
             continue
         for symbol in sorted(relation.free_symbols - solved.keys(), key=lambda s: s.name, reverse=True):
             others = relation.free_symbols - {symbol}
-            if symbol in _reached(others, needs):
-                continue
             try:
+                TopologicalSorter(needs | {symbol: others}).prepare()
                 coefficients = Poly(relation.lhs - relation.rhs, symbol).all_coeffs()
-            except PolynomialError:
+            except (CycleError, PolynomialError):
                 continue
             origin[symbol] = relation
             solved[symbol], needs[symbol] = Code(sorted(others, key=lambda s: s.name), coefficients), others
             break
     order = TopologicalSorter({s: {n for n in needs[s] if n in solved} for s in solved}).static_order()
     return [(symbol, solved[symbol], origin[symbol]) for symbol in order]
-
-
-def _reached(symbols, needs):
-    found, pending = set(), list(symbols)
-    while pending:
-        symbol = pending.pop()
-        if symbol not in found:
-            found.add(symbol)
-            pending += needs.get(symbol, ())
-    return found
 
 
 def _real_roots(coefficients):

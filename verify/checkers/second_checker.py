@@ -5,7 +5,8 @@ It shares no code with the kernel, neither its arithmetic (fmpq_mpoly) nor its r
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -18,12 +19,34 @@ WORD = r"(?:[A-Za-z][A-Za-z0-9_]{0,99}|(?:cos|sin)\([-A-Za-z0-9_*/()+]{1,99}\))"
 MONOMIAL = re.compile(rf"(?:{WORD}(?:\^(?:[2-9]|[1-9][0-9][0-9]?))?(?: (?!$)|$))*")
 RATIONAL = re.compile(r"(-?[0-9]{1,500})(?:/([0-9]{1,500}))?")
 MOST = 10**5
-RELATIONS = ("=", "!=", ">", ">=")
 
 
 def _need(condition, what):
     if not condition:
         raise Refused(what)
+
+
+# The form
+
+
+def _form(data: Any, shape: Any) -> None:
+    """Refuse what has not a shape: a test, {key: shape}, [the shape of each item], (the shapes of the items, …)."""
+    match shape:
+        case dict():
+            _need(type(data) is dict and sorted(data) == sorted(shape), f"other keys than {', '.join(shape)}")
+            for key, of in shape.items():
+                _form(data[key], of)
+        case list() | tuple():
+            lengths = range(MOST + 1) if isinstance(shape, list) else (len(shape),)
+            _need(type(data) is list and len(data) in lengths, "not a list of that length")
+            for i, item in enumerate(data):
+                _form(item, shape[0] if isinstance(shape, list) else shape[i])
+        case test:
+            test(data)
+
+
+def _one_of(*texts):
+    return lambda data: _need(type(data) is str and data in texts, f"{data!r} is not one of {', '.join(texts)}")
 
 
 def _rational(text):
@@ -34,31 +57,15 @@ def _rational(text):
     return value
 
 
-def _keys(data, *keys):
-    _need(type(data) is dict and sorted(data) == sorted(keys), f"other keys than {', '.join(keys)}")
-
-
-def _list(data, length=None):
-    _need(type(data) is list and len(data) <= MOST and length in (None, len(data)), "not a list of that length")
-    return data
-
-
 def _name(text):
     _need(type(text) is str and re.fullmatch(WORD, text), f"{text!r} is no name")
-    return text
 
 
-def _names(data):
-    return [_name(text) for text in _list(data)]
+def _index(i):
+    _need(type(i) is int and 0 <= i <= MOST, f"{i!r} is no index")
 
 
-def _fact(facts, i):
-    _need(type(i) is int and 0 <= i < len(facts), f"there is no fact {i}")
-    return facts[i]
-
-
-def _well_formed(p):
-    """Refuse what is no polynomial, whatever its names stand for."""
+def _polynomial(p):
     _need(type(p) is dict and len(p) <= MOST, "not a polynomial")
     for monomial, coefficient in p.items():
         _need(type(monomial) is str and MONOMIAL.fullmatch(monomial), f"{monomial!r} is no product of powers")
@@ -67,102 +74,95 @@ def _well_formed(p):
         _need(_rational(coefficient) != 0, "a term without a coefficient")
 
 
-def _proof_form(proof):
-    rule = proof["rule"]
-    _need(rule in ("ideal", "contradiction"), f"unknown rule {rule}")
-    _keys(proof, "rule", "cofactors", *(("positive", "sum") if rule == "contradiction" else ()))
-    for entry in _list(proof["cofactors"]):
-        _well_formed(_list(entry, 2)[1])
-    for entry in _list(proof.get("sum", [])):
-        _rational(_list(entry, 3)[0])
-        _well_formed(entry[1])
-        _list(entry[2])
-    _list(proof.get("positive", []))
-    indices = [*proof.get("positive", []), *(i for i, _ in proof["cofactors"])]
-    for i in [*indices, *(i for _, _, factors in proof.get("sum", []) for i in factors)]:
-        _need(type(i) is int and 0 <= i <= MOST, f"{i!r} is no index")
+def _by_name(test):
+    def each(data):
+        _need(type(data) is dict and len(data) <= MOST, "not an object")
+        for name, value in data.items():
+            _name(name)
+            test(value)
+
+    return each
+
+
+def _proof(data):
+    rule, shape = data["rule"], {"rule": _one_of("ideal", "contradiction"), "cofactors": [(_index, _polynomial)]}
+    if rule == "contradiction":
+        shape |= {"positive": [_index], "sum": [(_rational, _polynomial, [_index])]}
+    _form(data, shape)
+
+
+def _step(data):
+    kind = data["step"]
+    rest = {"is": _relation} if kind in ("assume", "show") else {"new": _name}
+    _form(data, {"step": _one_of("assume", "show", "define", "root", "inverse"), "of": _polynomial} | rest)
+
+
+_relation = _one_of("=", "!=", ">", ">=")
+STEPS = {"variables": [_name], "steps": [_step]}
+STATE = {"state": [_name], "start": _by_name(_polynomial), "next": _by_name(_polynomial)}
+FACTS = {"variables": [_name], "assume": [{"of": _polynomial, "is": _relation}], "show": [_polynomial]}
+LINES = {"lines": [(_name, [_name])], "outputs": [_name], "avoid": [_name]}
+
+# The meaning
 
 
 class Names:
-    """All names of a statement as the variables of one FLINT ring, and which of them may be used yet."""
+    """All names of a statement as the variables of one FLINT ring, and the values of those that may be used yet."""
 
     def __init__(self, free: Iterable[str], new: Iterable[str]):
         self.all = [*free, *new]
-        if len(set(self.all)) != len(self.all):
-            raise Refused(f"a name is introduced twice among {self.all}")
+        _need(len(set(self.all)) == len(self.all), f"a name is introduced twice among {self.all}")
         self.ring = fmpq_mpoly_ctx.get([f"v{i}" for i in range(len(self.all))] or ["v0"], Ordering.degrevlex)
-        self.value = {n: self.ring.gen(i) for i, n in enumerate(self.all)}
-        self.open = set(free)
+        self.variable = {n: self.ring.gen(i) for i, n in enumerate(self.all)}
+        self.value = {n: self.variable[n] for n in free}
 
     def constant(self, text: str) -> fmpq_mpoly:
         return self.ring.constant(_rational(text))
 
     def __call__(self, data: dict[str, str]) -> fmpq_mpoly:
-        total = self.ring.constant(0)
-        _well_formed(data)
+        total = self.constant("0")
         for monomial, coefficient in data.items():
             term = self.constant(coefficient)
             for factor in monomial.split():
                 name, _, power = factor.partition("^")
-                _need(name in self.open, f"{name} is used before it is introduced")
+                _need(name in self.value, f"{name} is used before it is introduced")
                 term *= self.value[name] ** int(power or 1)
             total += term
         return total
 
 
-def _zero(p, what):
-    if p != 0:
-        raise Refused(f"{what}: the difference is {p}")
-
-
 def _prove(names, facts, goal, proof):
     """facts: [(relation, polynomial)]; goal: (relation, polynomial)."""
-    relation, p = goal
-    match proof["rule"]:
-        case "ideal":
-            if relation != "=":
-                raise Refused("an ideal proves equations only")
-            _zero(p - _combination(names, facts, proof["cofactors"]), "ideal")
-        case "contradiction":
-            negated = {"=": ("!=", p), "!=": ("=", p), ">": (">=", -p), ">=": (">", -p)}[relation]
-            facts = [*facts, negated]
-            left = names.constant("1")
-            for i in proof["positive"]:
-                kind, q = _fact(facts, i)
-                if kind not in (">", "!="):
-                    raise Refused(f"fact {i} need not be positive")
-                left *= q * q if kind == "!=" else q
-            for coefficient, root, factors in proof["sum"]:
-                if _rational(coefficient) < 0:
-                    raise Refused("a negative weight")
-                term = names.constant(coefficient) * names(root) ** 2
-                for i in factors:
-                    if _fact(facts, i)[0] not in (">", ">="):
-                        raise Refused(f"fact {i} may be negative")
-                    term *= facts[i][1]
-                left += term
-            _zero(left - _combination(names, facts, proof["cofactors"]), "contradiction")
-
-
-def _combination(names, facts, cofactors):
-    total = names.constant("0")
-    for i, q in cofactors:
-        if _fact(facts, i)[0] != "=":
-            raise Refused(f"fact {i} is no equation")
-        total += names(q) * facts[i][1]
-    return total
+    relation, left = goal
+    if proof["rule"] == "ideal":
+        _need(relation == "=", "an ideal proves equations only")
+    else:
+        negated = {"=": ("!=", left), "!=": ("=", left), ">": (">=", -left), ">=": (">", -left)}[relation]
+        facts = [*facts, negated]
+        left = names.constant("1")
+        for i in proof["positive"]:
+            kind, q = facts[i]
+            _need(kind in (">", "!="), f"fact {i} need not be positive")
+            left *= q * q if kind == "!=" else q
+        for coefficient, root, factors in proof["sum"]:
+            _need(_rational(coefficient) >= 0, "a negative weight")
+            term = names.constant(coefficient) * names(root) ** 2
+            for i in factors:
+                _need(facts[i][0] in (">", ">="), f"fact {i} may be negative")
+                term *= facts[i][1]
+            left += term
+    for i, q in proof["cofactors"]:
+        _need(facts[i][0] == "=", f"fact {i} is no equation")
+        left -= names(q) * facts[i][1]
+    _need(left == 0, f"{proof['rule']}: the difference is {left}")
 
 
 def _steps(statement, prove):
     """Go through a derivation; prove(names, facts, goal) is called for each obligation. Return names and facts."""
-    _keys(statement, "version", "kind", "variables", "steps")
-    steps = _list(statement["steps"])
-    names = Names(_names(statement["variables"]), [_name(s["new"]) for s in steps if "new" in s])
-    facts = []
+    steps = statement["steps"]
+    names, facts = Names(statement["variables"], [s["new"] for s in steps if "new" in s]), []
     for s in steps:
-        _keys(s, "step", "of", "is" if s["step"] in ("assume", "show") else "new")
-        _need(s.get("is", "=") in RELATIONS, "unknown relation")
-        of = names(s["of"])
+        of, new = names(s["of"]), s.get("new")
         match s["step"]:
             case "assume":
                 facts.append((s["is"], of))
@@ -170,108 +170,92 @@ def _steps(statement, prove):
                 prove(names, facts, (s["is"], of))
                 facts.append((s["is"], of))
             case "define":
-                names.value[s["new"]] = of
-                names.open.add(s["new"])
+                names.value[new] = of
             case "root":
                 prove(names, facts, (">=", of))
-                names.open.add(s["new"])
-                w = names.value[s["new"]]
+                names.value[new] = w = names.variable[new]
                 facts += [("=", w**2 - of), (">=", w)]
             case "inverse":
                 prove(names, facts, ("!=", of))
-                names.open.add(s["new"])
-                facts.append(("=", names.value[s["new"]] * of - 1))
-            case other:
-                raise Refused(f"unknown step {other}")
+                names.value[new] = names.variable[new]
+                facts.append(("=", names.value[new] * of - 1))
     return names, facts
 
 
 def _derivation(statement, certificate):
-    _keys(certificate, "proofs")
-    waiting = list(_list(certificate["proofs"]))
-    for proof in waiting:
-        _proof_form(proof)
+    waiting = list(certificate["proofs"])
     _steps(statement, lambda names, facts, goal: _prove(names, facts, goal, waiting.pop(0)))
     _need(not waiting, "a proof is left over")
     _need("show" in [s["step"] for s in statement["steps"]], "nothing is claimed")
 
 
 def _refutation(statement, certificate):
-    if statement["steps"][-1]["step"] != "show":
-        raise Refused("nothing is claimed at the end")
     goals = []
     names, facts = _steps(statement, lambda _names, _facts, goal: goals.append(goal))
-    _keys(certificate, "point")
-    at = {_name(n): _rational(v) for n, v in certificate["point"].items()}
-    _keys(at, *statement["variables"], *(s["new"] for s in statement["steps"] if s["step"] in ("root", "inverse")))
+    _need(statement["steps"][-1]["step"] == "show", "nothing is claimed at the end")
+    at = {n: _rational(v) for n, v in certificate["point"].items()}
+    new = [s["new"] for s in statement["steps"] if s["step"] in ("root", "inverse")]
+    _need(sorted(at) == sorted([*statement["variables"], *new]), "a point of other names")
     _need("pi" not in at, "π is one number, and no coordinate")
     for n in at:
         if n.endswith(")"):
             c, s = at[f"cos{n[3:]}"], at[f"sin{n[3:]}"]
             _need(c * c + s * s == 1, f"{n} is not on the circle")
-    point = {names.all.index(n): v for n, v in at.items()}
+    point = [at.get(n, fmpq(0)) for n in names.all] or [fmpq(0)]
 
     def true_at_point(relation, p):
-        value = p(*[point.get(i, fmpq(0)) for i in range(len(names.all) or 1)])
+        value = p(*point)
         return {"=": value == 0, "!=": value != 0, ">": value > 0, ">=": value >= 0}[relation]
 
-    if not all(true_at_point(*fact) for fact in [*facts[:-1], *goals[:-1]]):
-        raise Refused("a hypothesis fails at the point")
-    if true_at_point(*facts[-1]):
-        raise Refused("the conclusion holds at the point")
+    for fact in [*facts[:-1], *goals[:-1]]:
+        _need(true_at_point(*fact), "a hypothesis fails at the point")
+    _need(not true_at_point(*facts[-1]), "the conclusion holds at the point")
 
 
 def _induction(statement, certificate):
-    _keys(statement, "version", "kind", "variables", "state", "assume", "start", "next", "show")
-    _keys(certificate, "base", "step")
-    for proof in [*_list(certificate["base"]), *_list(certificate["step"])]:
-        _proof_form(proof)
-    state = _names(statement["state"])
-    names = Names([*_names(statement["variables"]), *state], [])
-    facts = []
-    for a in _list(statement["assume"]):
-        _keys(a, "of", "is")
-        _need(a["is"] in RELATIONS, "unknown relation")
-        facts.append((a["is"], names(a["of"])))
-    parameters = Names(statement["variables"], [])
-    _keys(statement["start"], *state)
-    _keys(statement["next"], *state)
+    state = statement["state"]
+    parameters, names = Names(statement["variables"], []), Names([*statement["variables"], *state], [])
+    facts = [(a["is"], names(a["of"])) for a in statement["assume"]]
     for of in [*(a["of"] for a in statement["assume"]), *statement["start"].values()]:
         parameters(of)  # refuses an assumption about the state, or a start that depends on it
-    claims = [names(p) for p in _list(statement["show"])]
+    claims = [names(p) for p in statement["show"]]
     _need(claims, "nothing is claimed")
+    _need(len(claims) == len(certificate["base"]) == len(certificate["step"]), "a base or a step is missing")
 
-    def moved(p, key):
-        return p.compose(*[names(statement[key][n]) if n in statement["state"] else names.value[n] for n in names.all])
+    def moved(p, values):
+        _need(sorted(values) == sorted(state), "a state is not given")
+        return p.compose(*[names(values[n]) if n in state else names.value[n] for n in names.all])
 
-    if not len(claims) == len(certificate["base"]) == len(certificate["step"]):
-        raise Refused("a base or a step is missing")
     for p, base, step in zip(claims, certificate["base"], certificate["step"], strict=True):
-        _prove(names, facts, ("=", moved(p, "start")), base)
-        _prove(names, [*facts, *(("=", q) for q in claims)], ("=", moved(p, "next")), step)
+        _prove(names, facts, ("=", moved(p, statement["start"])), base)
+        _prove(names, [*facts, *(("=", q) for q in claims)], ("=", moved(p, statement["next"])), step)
 
 
 def _separation(statement, certificate):
-    _keys(statement, "version", "kind", "lines", "outputs", "avoid")
-    _keys(certificate, "reached")
-    closed = set(_names(certificate["reached"]))
-    for line in _list(statement["lines"]):
-        name, used = _list(line, 2)
-        _name(name), _names(used)
-    _need(_names(statement["outputs"]) and _names(statement["avoid"]), "nothing is claimed")
+    closed = set(certificate["reached"])
+    _need(statement["outputs"] and statement["avoid"], "nothing is claimed")
     for name, used in statement["lines"]:
-        if name in closed and not closed.issuperset(used):
-            raise Refused(f"{name} uses {sorted(set(used) - closed)}")
-    if not closed.issuperset(statement["outputs"]) or closed.intersection(statement["avoid"]):
-        raise Refused("an output is missing, or a name to avoid is there")
+        _need(name not in closed or closed.issuperset(used), f"{name} uses what is not listed")
+    _need(closed.issuperset(statement["outputs"]), "an output is missing")
+    _need(not closed.intersection(statement["avoid"]), "a name to avoid is there")
+
+
+KINDS: dict[str, tuple[Callable, dict, dict]] = {
+    "derivation": (_derivation, STEPS, {"proofs": [_proof]}),
+    "refutation": (_refutation, STEPS, {"point": _by_name(_rational)}),
+    "induction": (_induction, FACTS | STATE, {"base": [_proof], "step": [_proof]}),
+    "separation": (_separation, LINES, {"reached": [_name]}),
+}
 
 
 def why_refused(statement: dict, certificate: dict) -> Exception | None:
     """Return None if the certificate proves the statement, else the exception that says why it does not."""
-    kinds = {"derivation": _derivation, "refutation": _refutation, "induction": _induction, "separation": _separation}
     try:
         _need(type(statement["version"]) is int and statement["version"] == 1, "only version 1 is known")
-        kinds[statement["kind"]](statement, certificate)
+        rule, said, shown = KINDS[statement["kind"]]
+        _form(statement, {"version": id, "kind": id} | said)
+        _form(certificate, shown)
+        rule(statement, certificate)
     except Exception as why:  # malformed data proves nothing either
         return why
     return None

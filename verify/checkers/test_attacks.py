@@ -209,8 +209,24 @@ def refutation(of, point, variables=None):
     return [derivation(show(of, ">"), variables=variables or point) | {"kind": "refutation"}, {"point": point}]
 
 
+ABOVE = derivation(("assume", {"x": "1"}, {"is": ">"}), show({"x": "1", "": "-1"}, ">="), variables=["x"])
+ABOVE |= {"kind": "refutation"}
+ZERO = [
+    derivation(("define", {}, {"new": "y"}), show({"y": "1"}, r), variables=()) | {"kind": "refutation"}
+    for r in (">", ">=")
+]
+LINES = {"version": 1, "kind": "separation", "lines": [["b", ["a"]], ["c", ["b"]]], "outputs": ["c"], "avoid": ["a"]}
 EMPTY_INDUCTION = {key: [] for key in ("variables", "state", "assume", "show")} | {"start": {}, "next": {}}
 EMPTY_INDUCTION |= {"version": 1, "kind": "induction"}
+COUNT = EMPTY_INDUCTION | {"state": ["x"], "start": {"x": {}}, "next": {"x": {"x": "1", "": "1"}}, "show": [{"x": "1"}]}
+BY_ITSELF = {"base": [NOTHING], "step": [{"rule": "ideal", "cofactors": [[0, {"": "1"}]]}]}
+WELL_FORMED = [
+    GOOD,
+    [COUNT | {"next": {"x": {"x": "1"}}}, BY_ITSELF],
+    [LINES | {"avoid": ["d"]}, {"reached": ["a", "b", "c"]}],
+    [ABOVE, {"point": {"x": "1/2"}}],
+    [ZERO[0], {"point": {}}],  # what is claimed is the polynomial 0, which leaves no name open
+]
 STATEMENT, CERTIFICATE = GOOD
 STEP = STATEMENT["steps"][0]
 BROKEN = {
@@ -247,6 +263,13 @@ BROKEN = {
     "pi as a coordinate": refutation({"pi": "1", "": "-4"}, {"pi": "31/10"}),
     "off the circle": refutation({"cos(x)": "1", "": "-1"}, {"cos(x)": "0", "sin(x)": "0"}),
     "a cosine alone": refutation({"cos(x)": "1", "": "-1"}, {"cos(x)": "0"}),
+    "x = n by induction": [COUNT, BY_ITSELF],
+    "its claim assumed": [COUNT | {"assume": [{"of": {"x": "1"}, "is": "="}]}, BY_ITSELF],
+    "a set that is not closed": [LINES, {"reached": ["b", "c"]}],
+    "a name to avoid": [LINES, {"reached": ["a", "b", "c"]}],
+    **{f"no counterexample at x = {x}": [ABOVE, {"point": {"x": x}}] for x in ("-1", "1")},
+    "no point": [ABOVE, {"point": {}}],
+    "0 ≥ 0 refuted": [ZERO[1], {"point": {}}],
     "a name too many": refutation({"x": "1"}, {"x": "0", "y": "0"}, variables=("x",)),
 }
 
@@ -260,7 +283,12 @@ def test_the_kernels_accept_what_is_well_formed(name):
     point = dict.fromkeys([name, name.replace("cos", "sin")], "0") | {name: "1"}
     induction = EMPTY_INDUCTION | {"state": [name], "start": {name: {}}, "next": {name: {}}, "show": [{name: "1"}]}
     lines = {"version": 1, "kind": "separation", "lines": [[name, []]], "outputs": [name], "avoid": ["y"]}
-    pairs = [GOOD, [proved, {"proofs": [proof]}], refutation(of | {"": "-3"}, point), [lines, {"reached": [name]}]]
+    pairs = [
+        *WELL_FORMED,
+        [proved, {"proofs": [proof]}],
+        refutation(of | {"": "-3"}, point),
+        [lines, {"reached": [name]}],
+    ]
     for verdicts_of in accepted(list(map(compact, [*pairs, [induction, {"base": [NOTHING], "step": [NOTHING]}]]))):
         assert all(verdicts_of.values()), verdicts_of
 

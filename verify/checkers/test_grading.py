@@ -9,7 +9,7 @@ from proofs.engine.certificate import prove
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import Program
 from proofs.engine.stored import Stale, stored
-from proofs.engine.theorem import Mutant, Step, Theorem, all_theorems, borrowed, in_order, incomplete
+from proofs.engine.theorem import Mutant, Step, Theorem, all_theorems, in_order, incomplete
 from verify.checkers.grades import final_grades
 from verify.checkers.proof_checker import examine
 
@@ -96,9 +96,3 @@ def test_uses_is_complete():
     elsewhere = assumed.but(lines=Program("q", (x,), ((y, x**3),), (y,)))
     assert problems(claims=(elsewhere,)) == []  # another y
     assert problems(uses=("first",), claims=(elsewhere,)) == []
-
-
-def test_what_is_borrowed_has_to_be_given():
-    other = theorem("other")
-    with pytest.raises(ValueError, match="the hypotheses of other/quotient are not all given here"):
-        borrowed(FALSE.but(borrowed=(("other", "quotient"),)), {"other": other})

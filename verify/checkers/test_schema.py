@@ -24,6 +24,14 @@ OF_MEANING = {
     "off the circle",
     "a cosine alone",
     "a name too many",
+    "x = n by induction",
+    "its claim assumed",
+    "a set that is not closed",
+    "a name to avoid",
+    "no counterexample at x = -1",
+    "no counterexample at x = 1",
+    "no point",
+    "0 ≥ 0 refuted",
     "version 1.0",
 }
 
