@@ -14,8 +14,6 @@ LONGEST = (
     "test_pdf.py",
     "test_releases.py",
     "test_provenance.py",
-    "test_accepted_scenes.py",
-    "test_grid.py",
 )
 
 

@@ -89,19 +89,6 @@ def test_points_are_broadcast():
     assert (h_u == gradient_at(SINE, *SMOOTH, exact())[0]).all()
 
 
-@given(chart_points, wave_numbers, wave_numbers)
-def test_heights_are_the_fields(point, ku, kv):
-    u, v = point
-    factor_u, factor_v = np.sin(np.pi * (ku * u % 2)), np.sin(np.pi * (kv * v % 2))
-    # The product k u is rounded here, not there.
-    rounding = 1e-15 * (2 + abs(ku) + abs(kv))
-    for field, h in (("sine", factor_u * factor_v), ("ridges", abs(factor_u * factor_v))):
-        assert height_at(Scene(field=field, ku=ku, kv=kv), u, v) == pytest.approx(h, abs=rounding)
-    assert height_at(Scene(field="rings", ku=ku, kv=kv), u, v) == pytest.approx(
-        np.sin(np.pi * (2 * kv * v % 2)), abs=2 * rounding
-    )
-
-
 def test_the_exact_gradient_is_the_fields():
     (u, v), pi = SMOOTH, np.pi
     expected = (8 * pi * np.cos(8 * pi * u) * np.sin(4 * pi * v), 4 * pi * np.sin(8 * pi * u) * np.cos(4 * pi * v))
@@ -109,17 +96,6 @@ def test_the_exact_gradient_is_the_fields():
     sign = np.sign(np.sin(8 * pi * u) * np.sin(4 * pi * v))
     assert gradient_at(RIDGES, u, v, exact()) == pytest.approx([sign * d for d in expected], rel=1e-13)
     assert gradient_at(RINGS, u, v, exact()) == pytest.approx((0.0, 8 * pi * np.cos(8 * pi * v)), rel=1e-13)
-
-
-@pytest.mark.parametrize(("make", "order"), [(forward, 1), (central, 2), (central4, 4)])
-@pytest.mark.parametrize("coordinate", [0, 1])
-@pytest.mark.parametrize("scene", [SINE, RIDGES])
-def test_the_order_of_a_difference(make, order, coordinate, scene):
-    steps = 2.0 ** -np.arange(8.0, 13.0)
-    right = gradient_at(scene, *SMOOTH, exact())[coordinate]
-    errors = [abs(gradient_at(scene, *SMOOTH, make(eps))[coordinate] - right) for eps in steps]
-    fitted, _ = np.polyfit(np.log(steps), np.log(errors), 1)
-    assert fitted == pytest.approx(order, abs=0.03)
 
 
 @pytest.mark.parametrize("eps", [1e-2, 1e-3])
