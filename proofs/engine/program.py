@@ -6,6 +6,7 @@ they need.
 
 from collections.abc import Collection
 from dataclasses import dataclass
+from typing import Any
 
 from sympy import Expr, Symbol
 
@@ -72,8 +73,10 @@ class Program:
             outputs,
         )
 
-    def expand(self, symbol: Symbol, until: Collection[Symbol] = ()) -> Expr:
-        """Return `symbol` as one expression in the inputs and the names in `until`."""
+    def expand(self, symbol: Any, until: Collection[Symbol] = ()) -> Any:
+        """Return a symbol, or each of a vector's, as one expression in the inputs and the names in `until`."""
+        if isinstance(symbol, tuple):
+            return type(symbol)(self.expand(s, until) for s in symbol)
         expression = symbol
         for name, definition in reversed(self.definitions):
             if name not in until:

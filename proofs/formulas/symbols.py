@@ -7,7 +7,7 @@ from sympy import Expr, Symbol, symbols
 
 
 class Vector(tuple):
-    """Three expressions, added and scaled as vectors are."""
+    """Expressions, added and scaled as vectors are."""
 
     __slots__ = ()
 

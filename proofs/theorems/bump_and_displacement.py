@@ -31,10 +31,7 @@ _only_where_flat = Claim(
     _both,
 )
 _where_flat = Claim(
-    "where_flat",
-    equations(displaced, [lift * m_i for m_i in m]),
-    (sin_phi > 0, equation(beta * h_u, 0), equation(beta * h_v, 0)),
-    _both,
+    "where_flat", equations(displaced, lift * m), (sin_phi > 0, equation(beta * h_u, 0), equation(beta * h_v, 0)), _both
 )
 _angle = Claim(
     "angle",
@@ -84,7 +81,7 @@ difference_theorem = Theorem(
     ),
 )
 
-_sides = [[_both.expand(n) for n in names] for names in (normal, m, displaced)]
+_sides = [_both.expand(names) for names in (normal, m, displaced)]
 _parallel = Claim(
     "parallel", (equation(expand(pi * dot(_sides[0], cross(*_sides[1:]))), 0),), (*on_circles, sin_phi > 0)
 )

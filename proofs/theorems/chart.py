@@ -47,7 +47,7 @@ _recovered = Claim(
     (on_circles[0], sin_phi > 0),
     unit_normal,
 )
-_from_chart = [unit_normal.expand(n).xreplace(dict(chart_inverse.definitions)) for n in normal]
+_from_chart = unit_normal.expand(normal).xreplace(dict(chart_inverse.definitions))
 _unit = Claim("unit", (equation(dot(_from_chart, _from_chart), 1),))
 _formula = Claim(
     "formula",

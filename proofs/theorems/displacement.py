@@ -16,15 +16,15 @@ _values = {diff(_field, theta): h_theta, diff(_field, phi): h_phi, _field: h}
 
 def _along(angle):
     """Return ∂(P + βhN)/∂angle on the unit sphere, for any field h(θ, φ)."""
-    surface = [(1 + beta * _field) * frame[n].xreplace(angles) for n in normal]
+    surface = (1 + beta * _field) * frame.expand(normal).xreplace(angles)
     return [diff(s, angle).subs(_values) for s in surface]
 
 
 def _in_angles(program, names):
-    return [program.expand(n, until=(h_theta, h_phi)).xreplace(angles) for n in names]
+    return program.expand(names, until=(h_theta, h_phi)).xreplace(angles)
 
 
-_scaled = [(1 + beta * h) * sin(phi) * d for d in _in_angles(displaced_normal, displaced)]
+_scaled = (1 + beta * h) * sin(phi) * _in_angles(displaced_normal, displaced)
 _product = Claim("product", equations(cross(_along(phi), _along(theta)), _scaled), (sin(phi) > 0,))
 _u, _v = (theta + pi) / (2 * pi), phi / pi
 _chart_scale = Claim(
@@ -37,14 +37,14 @@ raised = (*on_circles, sin_phi > 0, 1 + beta * h > 0)
 _outward = Claim(
     "outward", (equation(dot(displaced, normal), lift), dot(displaced, normal) > 0), raised, displaced_normal
 )
-_slopes = tuple(h_theta / sin_phi * t + h_phi * p for t, p in zip(e_theta, e_phi, strict=True))
-_blinn = tuple(blinn_normal.expand(d, until=(*normal, *e_theta, *e_phi, h_theta, h_phi)) for d in displaced)
+_slopes = h_theta / sin_phi * e_theta + h_phi * e_phi
+_blinn = blinn_normal.expand(displaced, until=(*normal, *e_theta, *e_phi, h_theta, h_phi))
 _first_order = Claim(
     "first_order",
     (
-        *(equation(lift * b - d, -(beta**2) * h * s) for b, d, s in zip(_blinn, displaced, _slopes, strict=True)),
+        *equations(lift * _blinn - displaced, -(beta**2) * h * _slopes),
         equation(dot(_slopes, _slopes), (h_theta / sin_phi) ** 2 + h_phi**2),
-        *equations(cross(displaced, _blinn), [-(beta**2) * h * c for c in cross(normal, _slopes)]),
+        *equations(cross(displaced, _blinn), -(beta**2) * h * cross(normal, _slopes)),
     ),
     (*on_circles, sin_phi > 0),
     displaced_normal,
@@ -77,7 +77,7 @@ displaced_theorem = Theorem(
         variant(
             "without the metric factor sin φ",
             _product,
-            *equations(cross(_along(phi), _along(theta)), [s / sin(phi) for s in _scaled]),
+            *equations(cross(_along(phi), _along(theta)), _scaled / sin(phi)),
         ),
         variant("Blinn's is the displaced normal", _first_order, *equations(cross(displaced, _blinn), (0, 0, 0))),
         variant("h_φ = h_v/2π", _chart_scale, equation(2 * pi * h_phi, h_v)),

@@ -36,13 +36,9 @@ def at_angle(c: Expr | int, s: Expr | int) -> Point:
     return ((cos_theta, 1), (sin_theta, 0), (cos_phi, c), (sin_phi, s))
 
 
-def _in_angles(names):
-    return [frame[name].xreplace(angles) for name in names]
-
-
-_n, _theta, _phi = (_in_angles(names) for names in (normal, e_theta, e_phi))
+_n, _theta, _phi = (frame.expand(names).xreplace(angles) for names in (normal, e_theta, e_phi))
 _along_phi = Claim("e_phi", equations(_phi, [diff(n, phi) for n in _n]))
-_along_theta = Claim("e_theta", equations([sin(phi) * e for e in _theta], [diff(n, theta) for n in _n]))
+_along_theta = Claim("e_theta", equations(sin(phi) * _theta, [diff(n, theta) for n in _n]))
 _along = _along_phi.but(name="derivatives", shows=(*_along_phi.shows, *_along_theta.shows))
 _unit = Claim(
     "orthonormal",
@@ -84,7 +80,7 @@ seed_orientation = Theorem(
     steps=(Step(r"at one point $e_\theta \times e_\varphi = -N$", "arithmetic"),),
     mutants=(
         Mutant("e_φ × e_θ = N", _right_handed),
-        variant("e_θ × e_φ = −N", _right_handed, *equations(cross(e_theta, e_phi), [-n for n in normal])),
+        variant("e_θ × e_φ = −N", _right_handed, *equations(cross(e_theta, e_phi), -normal)),
     ),
 )
 
@@ -93,7 +89,7 @@ _seed = Claim(
     "seed_frame",
     (
         equation(seed_frame[seed_sin_phi], sin_phi),
-        *equations([seed_frame.expand(e) for e in (*e_theta, *e_phi)], (*e_theta, *e_phi)),
+        *equations(seed_frame.expand((*e_theta, *e_phi)), (*e_theta, *e_phi)),
     ),
     (on_circles[1], *_north),
     frame,

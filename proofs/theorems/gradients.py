@@ -9,7 +9,7 @@ from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
 from proofs.theorems.relations import equations
 
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
-slopes = {field.name: [gradient(field).expand(s) for s in (h_u, h_v)] for field in (sine, ridges, rings)}
+slopes = {field.name: gradient(field).expand((h_u, h_v)) for field in (sine, ridges, rings)}
 
 
 def _difference(field, coordinate, slope, frequency):

@@ -9,20 +9,20 @@ from proofs.engine.program import Program
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.shading import blinn, clip, clipped, color, halfway, halfway_length, phong, specular_base
 from proofs.formulas.symbols import bumped, cross, dot, mu, real, towards, vector, view
-from proofs.theorems.relations import both_ways, minus, point
+from proofs.theorems.relations import both_ways, point
 
 apart, turned = real("apart turned")
 
 n, m, omega = vector("n"), vector("m"), vector("omega")
-_gap = (equation(apart**2, dot(minus(n, m), minus(n, m))),)
+_gap = (equation(apart**2, dot(n - m, n - m)),)
 x, z = real("x"), real("z")
 
 
 _scalar = Claim(
     "along_a_direction",
-    (at_least(apart**2 - dot(minus(n, m), omega) ** 2, 0), *both_ways(apart, dot(n, omega) - dot(m, omega))),
+    (at_least(apart**2 - dot(n - m, omega) ** 2, 0), *both_ways(apart, dot(n, omega) - dot(m, omega))),
     (apart >= 0, *_gap, equation(dot(omega, omega), 1)),
-    squares=cross(minus(n, m), omega),
+    squares=cross(n - m, omega),
 )
 _upper = clip[clipped].xreplace({Max(0, color): color})
 _clamps = Claim(
@@ -53,14 +53,15 @@ def gram(a: Expr, b: Expr, c: Expr) -> Expr:
     return 1 + 2 * a * b * c - a**2 - b**2 - c**2
 
 
-_reflected = [tuple(2 * dot(p, omega) * p_i - w for p_i, w in zip(p, omega, strict=True)) for p in (n, m)]
+_reflected = [2 * dot(p, omega) * p - omega for p in (n, m)]
+_swung = _reflected[0] - _reflected[1]
 _a, _b, _c = real("a b c")
 _gram = Claim("gram", (equation(dot(n, cross(m, omega)) ** 2, gram(*_cosines)),), _units)
 _swing = Claim(
     "mirror",
     (
-        equation(dot(minus(*_reflected), minus(*_reflected)), 4 * _gram_part),
-        equation(dot(minus(n, m), minus(n, m)), 2 - 2 * _cosines[2]),
+        equation(dot(_swung, _swung), 4 * _gram_part),
+        equation(dot(n - m, n - m), 2 - 2 * _cosines[2]),
         *(equation(seen_from(p, phong), dot(r, view)) for p, r in zip((n, m), _reflected, strict=True)),
     ),
     _units[:2],

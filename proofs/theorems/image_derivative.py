@@ -34,7 +34,6 @@ from proofs.theorems.relations import equations
 
 s, n, power, x, slope, of_x, by_s = real("s n power x slope of_x by_s")
 raised, raised_by_beta = real("raised raised_by_beta")
-_moved = tuple(b + s * d for b, d in zip(bumped, bumped_by_beta, strict=True))
 
 
 def at_zero(expression: Expr) -> Expr:
@@ -55,7 +54,7 @@ def _closed(model):
     )
 
 
-_along = dict(zip(bumped, _moved, strict=True))
+_along = dict(zip(bumped, bumped + s * bumped_by_beta, strict=True))
 _mu = Claim("mu", (equation(at_zero(light_direction[mu].xreplace(_along)), mu_derivative[mu_by_beta]),))
 _blinn, _phong = (
     Claim(model, (equation(at_zero(_inner(program).xreplace(_along)), _closed(model)),), given)

@@ -6,15 +6,15 @@ from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import g, m, perturbed
 from proofs.formulas.symbols import beta, cross, dot, normal, real, vector
-from proofs.theorems.relations import equations, minus
+from proofs.theorems.relations import equations
 
 a, b = vector("a"), vector("b")
 length_a, length_b, apart, turned, product = real("length_a length_b apart turned product")
-_change = minus([p / length_a for p in a], [q / length_b for q in b])
+_change = a / length_a - b / length_b
 _outside = (
     *(equation(size**2, dot(p, p)) for size, p in ((length_a, a), (length_b, b))),
     equation(product, dot(a, b)),
-    equation(apart**2, dot(minus(a, b), minus(a, b))),
+    equation(apart**2, dot(a - b, a - b)),
     equation(turned**2, dot(_change, _change)),
 )
 _normalise = Claim(
@@ -39,8 +39,8 @@ _normalise = Claim(
 _other_m, _other_g = vector("other_m"), vector("other_g")
 _moved = Claim(
     "moved",
-    (equation(dot(minus(m, _other_m), minus(m, _other_m)), beta**2 * dot(minus(g, _other_g), minus(g, _other_g))),),
-    equations(_other_m, [n_i + beta * g_i for n_i, g_i in zip(normal, _other_g, strict=True)]),
+    (equation(dot(m - _other_m, m - _other_m), beta**2 * dot(g - _other_g, g - _other_g)),),
+    equations(_other_m, normal + beta * _other_g),
     perturbed,
 )
 

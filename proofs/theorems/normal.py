@@ -63,7 +63,7 @@ unit_length = Theorem(
 )
 
 _lines = chain("both", perturbed, normal_by_beta)
-_slopes = [diff(perturbed.expand(b), beta) for b in bumped]
+_slopes = [diff(b, beta) for b in perturbed.expand(bumped)]
 _derivative = Claim("derivative", equations(_slopes, bumped_by_beta), (dot(m, m) > 0,), _lines)
 _on_the_sphere = Claim("tangent_to_directions", (equation(dot(bumped, bumped_by_beta), 0),), (dot(m, m) > 0,), _lines)
 
@@ -82,9 +82,9 @@ derivative = Theorem(
         Step(r"$M \ne 0$ for every $\beta$ where $g \perp N$", r"$|M| \ge 1$ there", uses=("unit_length",)),
     ),
     mutants=(
-        variant("without the projection", _derivative, *equations(_slopes, [g_i / m_length for g_i in g])),
-        variant("without 1/|M|", _derivative, *equations(_slopes, [d * m_length for d in bumped_by_beta])),
-        variant("the sign turned", _derivative, *equations(_slopes, [-d for d in bumped_by_beta])),
+        variant("without the projection", _derivative, *equations(_slopes, g / m_length)),
+        variant("without 1/|M|", _derivative, *equations(_slopes, bumped_by_beta * m_length)),
+        variant("the sign turned", _derivative, *equations(_slopes, -bumped_by_beta)),
     ),
     side_conditions=(SideCondition(r"$M \ne 0$", "derivative", undefined=[at((0, 0, 1), (0, 0, 1), -1)]),),
 )

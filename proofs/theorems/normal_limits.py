@@ -7,7 +7,7 @@ from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped, g, m_length, perturbed
 from proofs.formulas.symbols import beta, cross, dot, normal, real, towards
 from proofs.theorems.normal import at, tangent
-from proofs.theorems.relations import equations, minus
+from proofs.theorems.relations import equations
 
 _length = (("unit_length", "length"),)
 _g_squared, cosine = dot(g, g), dot(normal, bumped)
@@ -60,7 +60,7 @@ angle = Theorem(
 
 w = real("w")
 _w = equation(w, Abs(beta) * sqrt(_g_squared))
-_moved = minus(bumped, normal)
+_moved = bumped - normal
 _small = Claim(
     "small_beta",
     (
@@ -81,8 +81,8 @@ _flat = Claim("zero_height", equations(bumped, normal), (*tangent, *equations(g,
 
 def _large(name, side):
     """Return the claim for β of the given sign, ±1."""
-    direction = tuple(side * g_i / sqrt(_g_squared) for g_i in g)
-    gap = minus(bumped, direction)
+    direction = side * g / sqrt(_g_squared)
+    gap = bumped - direction
     return Claim(
         name,
         (

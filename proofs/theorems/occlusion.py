@@ -20,7 +20,7 @@ from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, light, p
 from proofs.theorems.hits import distance_squared
 
 s = real("s")
-_between = tuple(p + s * d for p, d in zip(point, segment, strict=True))
+_between = point + s * segment
 _excess = dot(offset, offset) - body_radius**2
 _quadratic = Claim(
     "quadratic",

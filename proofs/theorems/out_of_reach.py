@@ -10,7 +10,7 @@ from proofs.formulas.symbols import ball_radius, cross, dot, real, vector
 
 axis, aside = vector("axis"), vector("aside")
 distance, wander, reach, product, share = real("distance wander reach product share")
-_met = tuple(p + q for p, q in zip(axis, aside, strict=True))
+_met = axis + aside
 _cone = Claim(
     "cone",
     (
@@ -41,7 +41,7 @@ _within = Claim(
     (at_least(ball_radius**2, dot(_to_ball, _to_ball)),),
     squares=(share,),
 )
-_on_axis = tuple(w + share * d for w, d in zip(from_body, along, strict=True))
+_on_axis = from_body + share * along
 _value = at_light + share * (2 * half_slope + share * curvature)
 _quadratic = Claim(
     "quadratic",

@@ -7,6 +7,7 @@ from proofs.engine.theorem import Clause, Mutant, Step, Theorem, variant
 from proofs.formulas.bump import bumped_normal, g
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
 from proofs.formulas.symbols import (
+    Vector,
     cos_phi,
     cos_theta,
     dot,
@@ -37,11 +38,11 @@ def at_pole(field: HeightField) -> tuple[Expr, ...]:
 
 _turned = k_u * (theta + pi) / 2
 _sine, _rings = at_pole(sine), at_pole(rings)
-_meridian_direction = (cos(theta), sin(theta), 0)
+_meridian_direction = Vector((cos(theta), sin(theta), 0))
 _length = Claim(
     "sine",
     (
-        *equations(_sine, [k_v * sin(_turned) * c for c in _meridian_direction]),
+        *equations(_sine, k_v * sin(_turned) * _meridian_direction),
         equation(dot(_sine, _sine), k_v**2 * sin(_turned) ** 2),
         *(equation(g_i.subs(at), 0) for at in ({theta: -pi}, {k_u: 0}, {k_v: 0}) for g_i in _sine),
     ),
@@ -51,7 +52,7 @@ _round = [g_i - g_i.subs(theta, theta + pi) for g_i in _rings]
 _opposite = Claim(
     "rings",
     (
-        *equations(_rings, [2 * k_v * c for c in _meridian_direction]),
+        *equations(_rings, 2 * k_v * _meridian_direction),
         equation(dot(_rings, _rings), 4 * k_v**2),
         equation(dot(_round, _round), 16 * k_v**2),
     ),
@@ -69,10 +70,9 @@ _smooth = Induction(
     ),
     ((chebyshev, 0, following), (following, 1, 2 * cos(phi) * following - chebyshev)),
 )
-_surface = tuple(  # the surface gradient over k_v, at φ → 0: h_θ/sin φ e_θ + h_φ e_φ with sin(k_v φ)/sin φ → k_v
-    k_u / 2 * cos(_turned) * t + sin(_turned) * p
-    for t, p in zip((-sin(theta), cos(theta)), (cos(theta), sin(theta)), strict=True)
-)
+# The surface gradient over k_v, at φ → 0: h_θ/sin φ e_θ + h_φ e_φ with sin(k_v φ)/sin φ → k_v.
+_along = Vector((-sin(theta), cos(theta))), Vector((cos(theta), sin(theta)))
+_surface = k_u / 2 * cos(_turned) * _along[0] + sin(_turned) * _along[1]
 _limit = Claim(
     "surface_gradient",
     (

@@ -26,7 +26,7 @@ m, n = real("m n")
 FALLBACK = Rational(1, 10**4)  # the seed's: below this sin φ it takes another basis
 
 _default = {eye: 4, radius: 1, width: 256, height: 256, column: m, row: n}
-_pixel = [chain("pixel", image_extent, image_point).expand(c).xreplace(_default) for c in (x, y)]
+_pixel = [c.xreplace(_default) for c in chain("pixel", image_extent, image_point).expand((x, y))]
 _nearest = Rational(34, 15) / 256**2  # ρ² of the pixels beside the axis
 _whole = ((m - 127) * (m - 128) >= 0, (n - 108) * (n - 109) >= 0)
 _radius_squared = sum(c**2 for c in _pixel)

@@ -17,11 +17,6 @@ def both_ways(bound: Expr, quantity: Expr) -> tuple[Basic, Basic]:
     return at_least(bound - quantity, 0), at_least(bound + quantity, 0)
 
 
-def minus(a: Sequence[Expr], b: Sequence[Expr]) -> tuple[Expr, ...]:
-    """Return the difference of two vectors."""
-    return tuple(p - q for p, q in zip(a, b, strict=True))
-
-
 def named(function: Expr) -> Symbol:
     """Return the name that the translation gives to a cosine or a sine, for hints about squares."""
     return Symbol(str(function).replace(" ", ""), real=True)

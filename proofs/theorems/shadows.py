@@ -8,18 +8,17 @@ from proofs.engine.program import chain
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import distance, point_on_floor
 from proofs.formulas.shadow import body_radius, center, segment_squared, shadow, shadow_discriminant, toward_center
-from proofs.formulas.symbols import ball_center, ball_radius, cross, dot, eye, light, x, y
+from proofs.formulas.symbols import Vector, ball_center, ball_radius, cross, dot, eye, light, x, y
 from proofs.theorems.hits import distance_squared
-from proofs.theorems.relations import minus
 from proofs.theorems.silhouettes import conic_types
 from proofs.theorems.silhouettes import theorem as silhouette_of_b
 
 _on_floor = chain("on_floor", point_on_floor, shadow)
-_w = minus(light, center)
+_w = light - center
 _c = dot(_w, _w) - body_radius**2
 _apart = distance_squared(light, center) > body_radius**2
 _xx, _xy, _yy = _w[0] ** 2 - _c, _w[0] * _w[1], _w[1] ** 2 - _c
-_to_light = minus((x, y, 0), light)  # P − L
+_to_light = Vector((x, y, 0)) - light  # P − L
 _across = dot(_to_light, _w)
 _conic = Claim(
     "conic",
@@ -37,7 +36,7 @@ _conic = Claim(
 )
 _determinant = _xx * _yy - _xy**2
 _types = conic_types(_c, _determinant, _w[2], body_radius, _apart)
-_along_row = minus(cross(light, center), cross(_w, (0, y, 0)))
+_along_row = cross(light, center) - cross(_w, (0, y, 0))
 _turn = cross((1, 0, 0), _w)
 _row = Claim(
     "row",

@@ -13,15 +13,14 @@ from proofs.formulas.shading import (
     light_distance,
     light_scale,
 )
-from proofs.formulas.symbols import mu, real, specular_base
+from proofs.formulas.symbols import Vector, mu, real, specular_base
 from proofs.theorems.relations import equations
 
 _plain = instance(blinn, "plain")
 _both = chain("both", blinn_squared, _plain)
 _mu, _base, _length = real("mu_plain specular_base_plain halfway_length_plain")
-_plain_halfway = tuple(real(f"{s.name}_plain") for s in halfway)
-_scaled = equations(halfway, [light_distance * w for w in _plain_halfway])
-_k = Claim("halfway", _scaled, (light_distance > 0,), _both)
+_plain_halfway = Vector(real(f"{s.name}_plain") for s in halfway)
+_k = Claim("halfway", equations(halfway, light_distance * _plain_halfway), (light_distance > 0,), _both)
 _cosine = Claim("cosine", (equation(mu, _mu),), (halfway_squared > 0,), _both)
 _base_squared = Claim(
     "base",
