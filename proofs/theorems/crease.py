@@ -1,14 +1,15 @@
-"""The central difference that straddles a crease of |sin πku|: what it is instead of a derivative."""
+"""The central difference beside a crease of |sin πku|: what it is instead of a derivative, and its mean square."""
 
-from sympy import Abs, Rational, cos, pi, sin
+from sympy import Abs, Rational, Symbol, cos, diff, pi, sin, sqrt
 
-from proofs.engine.claim import Claim, at_least, equation
-from proofs.engine.theorem import SideCondition, Step, Theorem, variant
+from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import inside
 from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import epsilon, h_u, k_u, k_v, real, u, v
-from proofs.theorems.cited import sine_of_half_turn
+from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
+from proofs.theorems.relations import named
 
 ridges = HEIGHT_FIELDS["ridges"]
 delta, m = real("delta m")
@@ -107,5 +108,135 @@ supremum = Theorem(
     mutants=(
         variant("it is ω, whatever ε", _descends, equation(_gap, omega)),
         variant("true where (ωε)² ≥ 6", _descends, given=(*_steps, omega**2 * epsilon**2 >= 6)),
+    ),
+)
+
+
+x, y = rate * epsilon, rate * delta
+_tent, _two_thirds = delta / epsilon - 1, Rational(2, 3)
+_after = (epsilon > 0, k_u > 0, delta > 0, epsilon - delta >= 0, reach[0])
+_sin_y, _cos_y, _cos_x = sin(y), cos(y), cos(x)
+_rest = straddled / rate - _cos_y - _tent
+_names = tuple(map(named, (_cos_y, _cos_x, _sin_y, sin(x))))
+_near_tent = Claim(
+    "tent",
+    (
+        at_least(1 - _cos_y, 0),
+        at_least(1 - _cos_x, 0),
+        greater(rate, 0),
+        greater(x, 0),
+        equation(x * _rest, x * (1 - _cos_y) - (y - _cos_x * _sin_y)),
+        at_least(x - y, 0),
+        at_least(x**2 - y**2, 0),
+        at_least(x**3 / 6 - (y - _sin_y), 0),
+        at_least(x**2 / 2 - (1 - _cos_y), 0),
+        at_least(_sin_y * (1 - _cos_x), 0),
+        at_least(x**3 / 2 - _sin_y * (1 - _cos_x), 0),
+        at_least(_two_thirds * x**3 - x * _rest, 0),
+        at_least(_two_thirds * x**3 + x * _rest, 0),
+        at_least(_two_thirds * x**2 - _rest, 0),
+        at_least(_two_thirds * x**2 + _rest, 0),
+    ),
+    _after,
+    squares=(_names[0] - 1, _names[1] - 1, _names[2], _names[3]),
+    cited=(sine_below(y), sine_above(y), cosine_above(y), cosine_above(x), sine_of_half_turn(k_u * delta)),
+    ranges=ranges,
+    example=((epsilon, Rational(13, 30)), (delta, Rational(13, 30)), (k_u, 1), (_sin_y, Rational(24, 25))),
+)
+_primitive = (delta - epsilon) ** 3 / (3 * epsilon**2)
+_square = v / 2 - sin(2 * pi * k_v * v) / (4 * pi * k_v)
+_area = _primitive.subs(delta, epsilon) - _primitive.subs(delta, 0)
+_mean = _square.subs(v, 1) - _square.subs(v, 0)
+_tents = Claim("tents", (equation(diff(_primitive, delta), _tent**2), equation(_area, epsilon / 3)), (epsilon > 0,))
+_means = Claim(
+    "mean_of_a_square",
+    (equation(diff(_square, v), sin(pi * k_v * v) ** 2), equation(_mean, Rational(1, 2))),
+    (k_v > 0, equation(sin(pi * k_v), 0)),
+    ranges=((k_v, (1, 9)),),
+)
+
+
+def _mean_square(name, k, creases, constant):
+    """Return the claim that the tents at `creases` creases have the mean square constant²."""
+    total = creases * (pi * k) ** 2 * 2 * _area * Rational(1, 2)
+    shows = (
+        greater(pi * k, 0),
+        at_least(creases * epsilon, 0),
+        at_least(total, 0),
+        at_least(constant, 0),
+        equation(total, constant**2),
+        at_least(sqrt(total), constant),
+        at_least(constant, sqrt(total)),
+        equation(sqrt(total), constant),
+    )
+    return Claim(name, shows, (k >= 1, epsilon > 0), squares=(Symbol("pi", real=True) * k,))
+
+
+_in_u = _mean_square("in_u", k_u, k_u, pi * k_u * sqrt(k_u * epsilon / 3))
+_in_v = _mean_square("in_v", k_v, k_v - 1, pi * k_v * sqrt((k_v - 1) * epsilon / 3))
+
+rms = Theorem(
+    id="crease_error_area",
+    title="The error beside the creases falls like √ε",
+    statement=(
+        Clause(
+            r"Within $\varepsilon$ of a crease the error of the central difference of $|\sin\pi k u|$ is "
+            r"$\pi k(|\delta|/\varepsilon - 1)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$.",
+            (_near_tent,),
+        ),
+        Clause(
+            r"$(\delta-\varepsilon)^3/3\varepsilon^2$ has the derivative $(\delta/\varepsilon-1)^2$ and grows by "
+            r"$\varepsilon/3$; a primitive of $\sin^2\pi k v$ grows by $\tfrac12$ over the chart; tents of these areas "
+            r"at $k_u$ and $k_v - 1$ creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi "
+            r"k_v\sqrt{(k_v-1)\varepsilon/3}$.",
+            (_tents, _means, _in_u, _in_v),
+        ),
+        Clause(
+            r"So these are the RMS errors in $h_u$ and $h_v$, each up to $\tfrac23\pi k(\pi k\varepsilon)^2$, which "
+            "also bounds the error elsewhere.",
+            argued="that a primitive gives an area, that the tents are disjoint and how many there are",
+        ),
+    ),
+    hypotheses=(
+        r"$k_u, k_v \ge 1$ whole, $0 < \varepsilon \le 1/2k$: ridges, $k_u$ creases in $u$, $k_v - 1$ inside in $v$",
+        r"bounds of sine and cosine by their Taylor polynomials (cited)",
+        r"Minkowski's inequality joins the two: the RMS of a sum differs from one part's by at most the other's",
+    ),
+    steps=(
+        Step(
+            r"$\cos x\,\sin y/x - \cos y$, $x = \pi k\varepsilon$, $y = \pi k\delta$",
+            "value and slope, over $\\pi k$",
+            uses=("straddling",),
+        ),
+        Step(
+            r"it is $y/x - 1 + r$, $x r = x(1-\cos y) - (y - \cos x\sin y)$, so $|r| \le \tfrac23x^2$",
+            r"$0 \le x(1-\cos y) \le \tfrac12x^3$ and $0 \le y - \cos x\sin y \le \tfrac23x^3$",
+        ),
+        Step(r"away from the creases the error is below $\pi k\,x^2/6$", "smooth there", uses=("truncation_bound",)),
+        Step(r"at the poles below $\pi k\,x^2/4$", "odd there", uses=("clamped_difference_of_odd",)),
+        Step(r"$\int_0^\varepsilon(\delta/\varepsilon-1)^2\,d\delta = \varepsilon/3$", "differentiate the primitive"),
+        Step(r"the mean of $\sin^2\pi k v$ is $\tfrac12$", r"differentiate the primitive; $\sin\pi k = 0$"),
+    ),
+    mutants=(
+        Mutant("√(k_v ε/3) in h_v", _mean_square("in_v", k_v, k_v - 1, pi * k_v * sqrt(k_v * epsilon / 3))),
+        Mutant("∝ ε, not √ε", _mean_square("in_u", k_u, k_u, pi * k_u * epsilon * sqrt(k_u / 3))),
+        variant("the mean of sin² is ½ for any k", _means, given=(k_v > 0,)),
+        variant(
+            "no tent: the error is below (πk)³ε²/6",
+            _near_tent,
+            at_least(x**2 / 6, _cos_y - straddled / rate),
+            squares=(),
+        ),
+    ),
+    side_conditions=(
+        SideCondition(
+            "$k_v$ whole", "mean_of_a_square", holds=[((v, 0), (k_v, 3))], fails=[((v, 0), (k_v, Rational(5, 4)))]
+        ),
+        SideCondition(
+            r"$k_v \ge 1$",
+            "in_v",
+            holds=[((k_v, 1), (epsilon, Rational(1, 8)))],
+            undefined=[((k_v, Rational(1, 2)), (epsilon, Rational(1, 8)))],
+        ),
     ),
 )

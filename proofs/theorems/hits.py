@@ -1,10 +1,10 @@
-"""The rays' hits with both spheres: they solve the quadratic, and they are its near roots."""
+"""The rays' hits with both spheres: the near roots of their quadratics, and what the seed's for B draws (F1)."""
 
 from collections.abc import Sequence
 
-from sympy import Expr, Rational
+from sympy import Expr, Rational, sqrt
 
-from proofs.engine.claim import Claim, equation, greater
+from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas import symbols
 from proofs.formulas.camera import (
@@ -168,23 +168,72 @@ theorem_b = Theorem(
         ),
     ),
 )
+_default = {
+    eye: 4,
+    **dict(zip(ball_center, (_half, _half, Rational(13, 10)), strict=True)),
+    ball_radius: Rational(8, 25),
+}
 
 seed_quadratic = Theorem(
     id="seed_quadratic_of_b",
     title="The seed's quadratic for sphere B",
     statement=r"The constant term of sphere B's quadratic is $|C|^2-R_2^2$.",
     claims=(Claim("constant", (equation(_seed_c, _c),)),),
-    refuted_at=(
-        (eye, 4),
-        *zip(ball_center, (_half, _half, Rational(13, 10)), strict=True),
-        (ball_radius, Rational(8, 25)),
-    ),
+    refuted_at=tuple(_default.items()),
     steps=(Step(r"in the default scene $|C|^2-R_2^2 = 2.0876$ and $|E-C|^2-R_2^2 = 7.6876$", "arithmetic"),),
     mutants=(
         Mutant("the constant is |E − C|² − R₂²", _quadratic),
         Mutant(
             "the two agree where e = 2 C_z",
             Claim("agree", (equation(_seed_c, _c),), (equation(eye, 2 * ball_center[2]),)),
+        ),
+    ),
+)
+
+_b = hit_of_b.expand(toward_b).xreplace(_default)
+_false_c, _true_c, _squared = (part.xreplace(_default) for part in (_seed_c, _c, _length))
+b, d = real("b d")
+_covers = Claim(
+    "covers",
+    (greater(_b, Rational(35, 4)), greater(_b**2, Rational(1225, 16)), greater(_b**2 - _squared * _false_c, 0)),
+    (x >= -2, x <= 2, y >= -2, y <= 2),
+)
+_root = _false_c / (b + sqrt(d))
+_before = Claim(
+    "before",
+    (greater(b + sqrt(d), Rational(35, 4)), greater(_root, 0), greater(Rational(1, 4), _root)),
+    (b > Rational(35, 4), d > 0),
+    ranges=((b, (9, 12)), (d, (0, 100))),
+)
+_behind = Claim(
+    "behind",
+    (at_least(radius, eye * (1 - t)), at_least(eye * t, eye - radius)),
+    (radius > 0, equation(dot(along(t), along(t)), radius**2)),
+    squares=(x * t, y * t),
+)
+
+hidden = Theorem(
+    id="seed_covers_the_view",
+    title="With the seed's quadratic B is everywhere",
+    statement="In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every ray with "
+    r"$|x|, |y| \le 2$ has $b^2-|D|^2c > 0$ and a root $c/(b+\sqrt d)$ in $(0, \frac14)$; A's points have $t \ge 1-R/e "
+    r"= \frac34$. So B covers the view and A is never drawn.",
+    hypotheses=(r"the view has $|x| \le 5/\sqrt{15}$, $|y| \le 23/4\sqrt{15}$, both less than 2",),
+    claims=(_covers, _before, _behind),
+    steps=(
+        Step(r"$b = 10.8+(x+y)/2 > 35/4$", "the vertex, as for the true quadratic", ("hit_of_b",)),
+        Step(r"$b^2 > 76 > 24 \cdot 2.0876 \ge |D|^2c$", r"$|D|^2 = x^2+y^2+16 \le 24$"),
+        Step(r"$c/(b+\sqrt d) < c/b < 1/4$", "$d > 0$"),
+        Step(r"$e(1-t) \le R$ on A", "no point of A is higher than $R$"),
+    ),
+    mutants=(
+        variant("with the true c too", _covers, greater(_b**2 - _squared * _true_c, 0)),
+        variant("the root is beyond 1/4", _before, greater(_root, Rational(1, 4))),
+        variant("A's points have t ≥ 1", _behind, at_least(t, 1), squares=()),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$|x|, |y| \le 2$", "covers", holds=[((x, -2), (y, Rational(-19, 10)))], fails=[((x, -3), (y, -3))]
         ),
     ),
 )

@@ -1,12 +1,13 @@
-"""How far a gradient's error can move a colour: one light's share of a channel, and its Lipschitz constant."""
+"""How far a gradient's error can move a colour: one light's share of a channel, normalising, and means of samples."""
 
-from sympy import Max
+from sympy import Max, Rational, sqrt
 
-from proofs.engine.claim import Claim, at_least
+from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
+from proofs.formulas.bump import g, m, perturbed
 from proofs.formulas.shading import albedos, clipped_value, colors, kd, ks, light_colors, light_term, lit
-from proofs.formulas.symbols import mu, real, specular
-from proofs.theorems.relations import both_ways
+from proofs.formulas.symbols import beta, cross, dot, mu, normal, real, specular, vector
+from proofs.theorems.relations import both_ways, equations, point
 
 _other_mu, _other_specular, q, step, so_far, _before = real("other_mu other_specular q step so_far before")
 
@@ -118,4 +119,119 @@ difference_bound = Theorem(
         Mutant("without the diffuse part", _at_unit_weights(_weights[1] * q)),
     ),
     side_conditions=(SideCondition("$k_s \\ge 0$", "light_0", holds=[_lamp(1), _lamp(0)], fails=[_lamp(-1)]),),
+)
+
+
+mean, sample, share, bound = real("mean sample share bound")
+_next = mean + share * (sample - mean)
+_step = Claim(
+    "one_more", both_ways(bound, _next), (share >= 0, share <= 1, *both_ways(bound, mean), *both_ways(bound, sample))
+)
+
+one_more = Theorem(
+    id="mean_keeps_the_bound",
+    title="A mean keeps the bound of its samples",
+    statement=r"If $|m| \le b$ and $|x| \le b$, then $|m + w(x - m)| \le b$ for $0 \le w \le 1$: a mean to which one "
+    r"more sample is added, with the share $w$, stays within what bounds each.",
+    hypotheses=(r"$0 \le w \le 1$",),
+    claims=(_step,),
+    steps=(Step(r"$b \mp (m + w(x-m)) = (1-w)(b \mp m) + w(b \mp x) \ge 0$", "products of non-negative terms"),),
+    mutants=(
+        variant("the mean gains on its samples", _step, at_least(bound, 2 * _next)),
+        variant("a share beyond 1", _step, given=(share >= 0, share <= 2, *_step.given[2:])),
+        variant("the last sample is not bounded", _step, given=_step.given[:4]),
+    ),
+    side_conditions=(
+        SideCondition(
+            r"$0 \le w \le 1$",
+            "one_more",
+            holds=[point({mean: 1, sample: -1, share: 1, bound: 1}), point({mean: 1, sample: -1, share: 0, bound: 1})],
+            fails=[point({mean: 1, sample: -1, share: -1, bound: 1}), point({mean: 1, sample: -1, share: 3, bound: 1})],
+        ),
+    ),
+)
+
+
+a, b = vector("a"), vector("b")
+length_a, length_b, apart, turned, product = real("length_a length_b apart turned product")
+_change = a / length_a - b / length_b
+_outside = (
+    *(equation(size**2, dot(p, p)) for size, p in ((length_a, a), (length_b, b))),
+    equation(product, dot(a, b)),
+    equation(apart**2, dot(a - b, a - b)),
+    equation(turned**2, dot(_change, _change)),
+)
+_normalise = Claim(
+    "normalise",
+    (
+        equation(length_a**2 * length_b**2 - product**2, dot(cross(a, b), cross(a, b))),
+        at_least(length_a**2 * length_b**2 - product**2, 0),
+        at_least(length_a * length_b - 1, 0),
+        at_least(length_a * length_b - product, 0),
+        at_least(length_a * length_b + product, 0),
+        equation(length_a * length_b * turned**2, 2 * (length_a * length_b - product)),
+        equation(apart**2, length_a**2 + length_b**2 - 2 * product),
+        at_least(length_a * length_b * (apart**2 - turned**2), 0),
+        at_least(apart**2, turned**2),
+        at_least(apart, turned),
+        at_least(4, turned**2),
+        at_least(2, turned),
+    ),
+    (length_a >= 1, length_b >= 1, apart >= 0, *_outside),
+    squares=(*cross(a, b), length_a - length_b),
+)
+_other_m, _other_g = vector("other_m"), vector("other_g")
+_moved = Claim(
+    "moved",
+    (equation(dot(m - _other_m, m - _other_m), beta**2 * dot(g - _other_g, g - _other_g)),),
+    equations(_other_m, normal + beta * _other_g),
+    perturbed,
+)
+
+
+def _pair(length):
+    """Return two orthogonal vectors of equal length, with what is derived from them."""
+    vectors = zip((*a, *b), (length, 0, 0, 0, length, 0), strict=True)
+    return (
+        *vectors,
+        (length_a, length),
+        (length_b, length),
+        (product, 0),
+        (apart, length * sqrt(2)),
+        (turned, sqrt(2)),
+    )
+
+
+normalising = Theorem(
+    id="normalising_is_lipschitz",
+    title="Normalising is 1-Lipschitz outside the unit ball",
+    statement=(
+        Clause(r"For $|a|, |b| \ge 1$: $\bigl|a/|a| - b/|b|\bigr| \le \min(|a-b|, 2)$.", (_normalise,)),
+        Clause(
+            r"With $M = N + \beta g$, $|M| \ge 1$: $|\Delta M| = |\beta||\Delta g|$, so "
+            r"$|\Delta N'| \le \min(|\beta||\Delta g|, 2)$.",
+            (_moved,),
+        ),
+    ),
+    hypotheses=(r"$|a|, |b| \ge 1$",),
+    steps=(
+        Step(r"$|a/|a|-b/|b||^2 = 2 - 2\,a\cdot b/(|a||b|)$", "expansion"),
+        Step(
+            r"$|a-b|^2 - |a/|a|-b/|b||^2 = (|a|-|b|)^2 + 2(|a||b|-1)(|a||b|-a\cdot b)/(|a||b|) \ge 0$",
+            r"$|a||b| \ge 1$, $|a||b| \ge a\cdot b$",
+        ),
+        Step(r"$|M| \ge 1$, $M_1-M_2 = \beta(g_1-g_2)$", "the same $N$ and $\\beta$", uses=("unit_length",)),
+    ),
+    mutants=(
+        variant("with the constant ½", _normalise, at_least(apart, 2 * turned)),
+        variant(
+            "inside the unit ball too",
+            _normalise,
+            at_least(apart, turned),
+            given=(length_a > 0, length_b > 0, apart >= 0, turned >= 0, *_outside),
+            at=_pair(Rational(1, 2)),
+        ),
+        variant("at most 1", _normalise, at_least(1, turned)),
+    ),
+    side_conditions=(SideCondition(r"$|a|, |b| \ge 1$", "normalise", holds=[_pair(1)], fails=[_pair(Rational(1, 2))]),),
 )
