@@ -48,14 +48,10 @@ def emit(module: ir.Module, name: str, want: Want, lanes: int, stills: Stills | 
 
     stills: those of the functions that are wanted with `stills`.
     """
-    function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
-    tracer = Tracer(function, lanes, WORK, stills=stills if want.stills else None)
-    tracer.storing = want.stills == "stored"
+    tracer = Tracer(module, name, lanes, WORK)
+    tracer.stills, tracer.storing = stills if want.stills else None, want.stills == "stored"
     builder = tracer.builder
-    given = {
-        argument: builder.load(builder.gep(function.args[0], [WHOLE(number)]))
-        for number, argument in enumerate(ARGUMENTS)
-    }
+    given = {argument: tracer.argument(number) for number, argument in enumerate(ARGUMENTS)}
 
     def address(argument, kind):
         return builder.inttoptr(given[argument], kind.as_pointer())
@@ -69,9 +65,7 @@ def emit(module: ir.Module, name: str, want: Want, lanes: int, stills: Stills | 
     kept, group = address("stills", tracer.vector), tracer.reserve(WHOLE)
     size = builder.add(WHOLE(vectors(0)), builder.mul(given["light_count"], WHOLE(vectors(1) - vectors(0))))
     builder.store(WHOLE(0), group)
-    with tracer.loop(given["first_row"], given["last_row"]) as row:
-        ends = builder.mul(row, WHOLE(2))
-        begin, end = (builder.load(builder.gep(columns, [builder.add(ends, WHOLE(n))])) for n in (0, 1))
+    with tracer.rows(given, columns) as (row, begin, end):
         y_of_row = tracer.everywhere(builder.load(builder.gep(y, [row])), tracer.given("y"))
         row_begin = builder.mul(row, given["pitch"])
         with tracer.loop(builder.and_(begin, WHOLE(-lanes)), end, lanes) as column:

@@ -143,17 +143,10 @@ PAINTERS = {
 
 def emit_painter(module: ir.Module, name: str, painter: Callable[[Pixel], ir.Value]) -> None:
     """Emit the function `name` that paints some columns of some rows, its one parameter the address of PAINTING."""
-    function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
-    tracer = Tracer(function, 1, ())
+    tracer = Tracer(module, name, 1)
     builder = tracer.builder
-    given = {
-        argument: builder.load(builder.gep(function.args[0], [WHOLE(number)]))
-        for number, argument in enumerate(PAINTING)
-    }
-    columns = builder.inttoptr(given["columns"], WHOLE.as_pointer())
-    with tracer.loop(given["first_row"], given["last_row"]) as row:
-        ends = builder.mul(row, WHOLE(2))
-        begin, end = (builder.load(builder.gep(columns, [builder.add(ends, WHOLE(n))])) for n in (0, 1))
+    given = {argument: tracer.argument(number) for number, argument in enumerate(PAINTING)}
+    with tracer.rows(given, builder.inttoptr(given["columns"], WHOLE.as_pointer())) as (row, begin, end):
         row_begin = builder.mul(row, given["pitch"])
         with tracer.loop(begin, end) as column:
             pixel = Pixel(tracer, given, builder.add(row_begin, column))

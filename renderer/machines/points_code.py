@@ -19,19 +19,15 @@ def emit_points(module: ir.Module, name: str, kernel: Callable, lanes: int, numb
     The addresses are of arrays of float64 (or another `number`): the kernel's inputs, then its outputs. The arrays are
     whole groups long. Returns how many outputs there are.
     """
-    function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
-    tracer = Tracer(function, lanes, (), number)
+    tracer = Tracer(module, name, lanes, number=number)
     builder = tracer.builder
 
-    def argument(number):
-        return builder.load(builder.gep(function.args[0], [WHOLE(number)]))
-
     def place(array, at):
-        pointer = builder.gep(builder.inttoptr(argument(1 + array), number.as_pointer()), [at])
+        pointer = builder.gep(builder.inttoptr(tracer.argument(1 + array), number.as_pointer()), [at])
         return builder.bitcast(pointer, tracer.vector.as_pointer())
 
     inputs = range(len(inputs_of(kernel)))
-    with tracer.loop(WHOLE(0), argument(0), lanes) as at:
+    with tracer.loop(WHOLE(0), tracer.argument(0), lanes) as at:
         found = kernel(*(Value(tracer, builder.load(place(array, at), align=8)) for array in inputs))
         outputs = found if isinstance(found, tuple) else (found,)
         for array, output in enumerate(outputs, start=len(inputs)):

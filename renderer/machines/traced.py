@@ -4,7 +4,7 @@ Neither fast-math nor contraction is allowed, so that the bits are NumPy's. Only
 is left out: 0·x, x + 0, 1·x, x/1, of which the sign of a zero may differ, and nothing else for a finite x.
 """
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import partial, partialmethod
 from types import SimpleNamespace
@@ -123,12 +123,14 @@ class Variable:
 
 
 class Tracer:
-    """A machine whose values are traced: it emits into a function that `lanes` pixels at a time go through."""
+    """A machine whose values are traced: it emits a function that `lanes` pixels at a time go through.
 
-    def __init__(
-        self, function: ir.Function, lanes: int, kinds: Iterable[str], number: ir.Type = FLOAT, *, stills: Any = None
-    ):
-        self.lanes, self.module = lanes, function.module
+    The function's one parameter is the address of an array of int64: its arguments.
+    """
+
+    def __init__(self, module: ir.Module, name: str, lanes: int, kinds: Iterable[str] = (), number: ir.Type = FLOAT):
+        function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
+        (self._arguments,), self.lanes, self.module = function.args, lanes, module
         self.vector, self.mask = ir.VectorType(number, lanes), ir.VectorType(BIT, lanes)
         self.entry = function.append_basic_block()
         self.builder = ir.IRBuilder(self.entry)
@@ -136,8 +138,12 @@ class Tracer:
         for place in self.counts.values():
             self.builder.store(WHOLE(0), place)
         self.light_numbers = self.light_count = self.light = None
-        self.stills, self.storing = stills, False
-        self.kept_at = None  # where the group's still values are
+        self.stills: Any = None
+        self.storing, self.kept_at = False, None  # where the group's still values are
+
+    def argument(self, number: int) -> ir.Value:
+        """Return one of the function's arguments."""
+        return self.builder.load(self.builder.gep(self._arguments, [WHOLE(number)]))
 
     def reserve(self, kind: ir.Type) -> ir.Value:
         """Return memory for one value, reserved where the function begins."""
@@ -262,6 +268,15 @@ class Tracer:
         number.add_incoming(builder.add(number, WHOLE(step)), builder.block)
         builder.branch(head)
         builder.position_at_end(after)
+
+    @contextmanager
+    def rows(self, given: Mapping[str, ir.Value], columns: ir.Value) -> Iterator[tuple[ir.Value, ir.Value, ir.Value]]:
+        """Emit a loop over rows; the block is its body and is given the row, and where its columns begin and end."""
+        builder = self.builder
+        with self.loop(given["first_row"], given["last_row"]) as row:
+            ends = builder.mul(row, WHOLE(2))
+            begin, end = (builder.load(builder.gep(columns, [builder.add(ends, WHOLE(n))])) for n in (0, 1))
+            yield row, begin, end
 
     def by_squaring(self, exponent: Value, first: Step, square: Step, multiply: Step) -> None:
         """Run what raises something to a whole power that is everywhere the same: nothing for 0.
