@@ -2,7 +2,7 @@
 
 import importlib
 import pkgutil
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
 from typing import Any
@@ -15,6 +15,13 @@ GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition",
 WITHOUT_CLAIMS = ("cited", "measured", "certified")
 
 Point = tuple[tuple[Symbol, object], ...]
+
+
+def point(values: Any) -> Point:
+    """Return ((symbol, value), …) of {symbol or vector of symbols: value or values}, or of what is one already."""
+    pairs = values.items() if isinstance(values, Mapping) else values
+    lines = (zip(s, v, strict=True) if isinstance(s, tuple) else ((s, v),) for s, v in pairs)
+    return tuple(pair for line in lines for pair in line)
 
 
 @dataclass(frozen=True)
@@ -43,34 +50,43 @@ class SideCondition:
     """A condition without which the claim named `claim` is not claimed, and points on, or just past, its edge.
 
     holds, fails, undefined (a division by zero, the root of a negative number, a comparison with infinity): the points
-    ((symbol, value), …) for every input with what becomes of the claim there, as tested in every run.
+    {symbol or vector: value or values} for every input with what becomes of the claim there, as tested in every run.
     """
 
     text: str
     claim: str
-    holds: Sequence[Point] = ()
-    fails: Sequence[Point] = ()
-    undefined: Sequence[Point] = ()
+    holds: Sequence = ()
+    fails: Sequence = ()
+    undefined: Sequence = ()
+
+    def __post_init__(self):
+        for outcome in ("holds", "fails", "undefined"):
+            object.__setattr__(self, outcome, tuple(map(point, getattr(self, outcome))))
 
     @property
     def edges(self) -> list[tuple[Point, str]]:
         """The points, each with its outcome."""
-        return [(at, outcome) for outcome in ("holds", "fails", "undefined") for at in getattr(self, outcome)]
+        return [
+            (at, outcome) for outcome in ("holds", "fails", "undefined") for at in map(point, getattr(self, outcome))
+        ]
 
 
 @dataclass(frozen=True)
 class Mutant:
     """A false variant of a claim: the checker has to refuse it, and a counterexample has to be found.
 
-    at: a point where it fails, ((symbol, value), …), for those that sampling is unlikely to hit.
+    at: a point where it fails, as a side condition's, for those that sampling is unlikely to hit.
     """
 
     text: str
     claim: AnyClaim
-    at: Point = ()
+    at: Any = ()
+
+    def __post_init__(self):
+        object.__setattr__(self, "at", point(self.at))
 
 
-def variant(text: str, claim: AnyClaim, *shows: Basic, at: Point = (), **changes: Any) -> Mutant:
+def variant(text: str, claim: AnyClaim, *shows: Basic, at: Any = (), **changes: Any) -> Mutant:
     """Return the mutant of a claim with other conclusions, if any are given, and other changes."""
     return Mutant(text, claim.but(**(changes | ({"shows": shows} if shows else {}))), at)
 
@@ -83,9 +99,9 @@ class Theorem:
     statement may be Clauses, each with the claims that say it; where one is argued, so is the theorem.
     claims: what is checked; of Clauses, theirs. steps: the argument. uses: ids of the theorems that it rests on: those
     that claims borrow from or steps use are added. side_conditions: each with its edge tests. mutants: at least two.
-    refuted_at: of a false statement, the exact point ((symbol, value), …) where its one claim fails; such a theorem is
-    `refuted`, and its mutants are the true variants, which that point must not refute. expected: the grade that a run
-    has to reach, where the rest does not say it. Without claims it is `measured` or `certified`, by a function in
+    refuted_at: of a false statement, the exact point, as a side condition's, where its one claim fails; such a theorem
+    is `refuted`, and its mutants are the true variants, which that point must not refute. expected: the grade that a
+    run has to reach, where the rest does not say it. Without claims it is `measured` or `certified`, by a function in
     verify/checkers/measurements, or `cited`; source: the bibliography's key of what is cited, or of the analysis that a
     proved theorem takes among its hypotheses (then it is proved, given that source).
     """
@@ -99,7 +115,7 @@ class Theorem:
     hypotheses: tuple[str, ...] = ()
     side_conditions: tuple[SideCondition, ...] = ()
     uses: tuple[str, ...] = ()
-    refuted_at: Point | None = None
+    refuted_at: Any = None
     expected: str = ""
     source: str = ""
 
@@ -107,6 +123,8 @@ class Theorem:
         if not isinstance(self.statement, str):
             said = dict.fromkeys(claim for clause in self.statement for claim in clause.claims)
             object.__setattr__(self, "claims", tuple(said))
+        if self.refuted_at is not None:
+            object.__setattr__(self, "refuted_at", point(self.refuted_at))
         object.__setattr__(self, "uses", tuple(dict.fromkeys((*self.named, *self.uses))))
         shown = "refuted" if self.refuted_at is not None else "argued" if self.argued else "proved"
         object.__setattr__(self, "expected", self.expected or shown)

@@ -122,8 +122,8 @@ theorem = Theorem(
         SideCondition(
             "the conjugate is the reciprocal on the unit circle, and not off it",
             "reciprocal",
-            holds=[((real_part, Rational(3, 5)), (imaginary_part, Rational(4, 5)))],
-            fails=[((real_part, Rational(3, 5)), (imaginary_part, 1)), ((real_part, 0), (imaginary_part, 0))],
+            holds=[{real_part: Rational(3, 5), imaginary_part: Rational(4, 5)}],
+            fails=[{real_part: Rational(3, 5), imaginary_part: 1}, {real_part: 0, imaginary_part: 0}],
         ),
     ),
 )

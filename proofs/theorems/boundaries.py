@@ -69,10 +69,7 @@ attached_shadow = Theorem(
     title="The bump moves no shadow",
     statement=r"Where $N\cdot\omega > 0$, also $N'\cdot\omega > 0$.",
     claims=(_in_light,),
-    refuted_at=(
-        *at((0, 0, 1), (1, 0, 0), Rational(3, 4)),
-        *zip(towards, (Rational(-12, 13), 0, Rational(5, 13)), strict=True),
-    ),
+    refuted_at={**at((0, 0, 1), (1, 0, 0), Rational(3, 4)), towards: (Rational(-12, 13), 0, Rational(5, 13))},
     steps=(Step(r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$", r"$\beta g = (3/4, 0, 0)$"),),
     mutants=(
         variant("true at β = 0", _in_light, given=(*_in_light.given, equation(beta, 0))),

@@ -82,7 +82,7 @@ forward = Theorem(
     ),
     side_conditions=(
         SideCondition(
-            r"$\theta < \pi$", "inside", holds=[((turn, Rational(12, 13)), (polar, 0))], fails=[((turn, 1), (polar, 0))]
+            r"$\theta < \pi$", "inside", holds=[{turn: Rational(12, 13), polar: 0}], fails=[{turn: 1, polar: 0}]
         ),
     ),
 )

@@ -85,10 +85,10 @@ first_order = Theorem(
         SideCondition(
             r"$v < \varepsilon$",
             "clamp",
-            holds=[((v, Rational(1, 8)), (epsilon, Rational(1, 8)))],
-            fails=[((v, Rational(1, 4)), (epsilon, Rational(1, 8)))],
+            holds=[{v: Rational(1, 8), epsilon: Rational(1, 8)}],
+            fails=[{v: Rational(1, 4), epsilon: Rational(1, 8)}],
         ),
-        SideCondition(r"$v + \varepsilon \le 1$", "clamp", fails=[((v, Rational(1, 2)), (epsilon, Rational(3, 4)))]),
+        SideCondition(r"$v + \varepsilon \le 1$", "clamp", fails=[{v: Rational(1, 2), epsilon: Rational(3, 4)}]),
     ),
 )
 
@@ -163,8 +163,8 @@ second_order = Theorem(
         SideCondition(
             "ridges up to its first crease, $k_v v \\le 1$",
             "first_ridge",
-            holds=[((u, Rational(1, 3)), (k_u, 1), (k_v, 4), (v, Rational(1, 4)))],
-            fails=[((u, Rational(1, 3)), (k_u, 1), (k_v, 4), (v, Rational(3, 8)))],
+            holds=[{u: Rational(1, 3), k_u: 1, k_v: 4, v: Rational(1, 4)}],
+            fails=[{u: Rational(1, 3), k_u: 1, k_v: 4, v: Rational(3, 8)}],
         ),
     ),
 )
@@ -186,7 +186,7 @@ always_first_order = Theorem(
     r"$h = v - v^3$ errs by $\varepsilon$ at least.",
     hypotheses=(r"$0 < \varepsilon \le 1$",),
     claims=(_costs,),
-    refuted_at=((epsilon, Rational(1, 2)),),
+    refuted_at={epsilon: Rational(1, 2)},
     steps=(Step(r"the error is $-\varepsilon^2$: $1/4$ at $\varepsilon = 1/2$", "$h$ is odd"),),
     mutants=(
         Mutant("of v − v³ it is −ε²", Claim("odd", (equation(_at_zero_of(v - v**3), -(epsilon**2)),), _steps)),

@@ -66,7 +66,7 @@ theorem = Theorem(
             _value,
             given=(*straddles, *(r.func(r.lhs + 1, 0) for r in reach)),
             cited=(),
-            at=((k_u, 1), (epsilon, Rational(5, 4)), (delta, Rational(1, 4))),
+            at={k_u: 1, epsilon: Rational(5, 4), delta: Rational(1, 4)},
         ),
         variant("one slope on both sides", _slopes[1], equation(slope, slope_after)),
         variant("|sin(πm + x)| for any m", _period, given=(m > 0,)),
@@ -75,14 +75,14 @@ theorem = Theorem(
         SideCondition(
             r"$|\delta| < \varepsilon$: the crease lies strictly between the samples",
             "value",
-            holds=[((k_u, 1), (epsilon, Rational(1, 8)), (delta, Rational(1, 8)))],
-            fails=[((k_u, 1), (epsilon, Rational(1, 8)), (delta, Rational(1, 4)))],
+            holds=[{k_u: 1, epsilon: Rational(1, 8), delta: Rational(1, 8)}],
+            fails=[{k_u: 1, epsilon: Rational(1, 8), delta: Rational(1, 4)}],
         ),
         SideCondition(
             r"$\varepsilon + |\delta| \le 1/k$: only one crease does",
             "value",
-            holds=[((k_u, 1), (epsilon, Rational(3, 4)), (delta, Rational(1, 4)))],
-            fails=[((k_u, 1), (epsilon, Rational(7, 8)), (delta, Rational(1, 4)))],
+            holds=[{k_u: 1, epsilon: Rational(3, 4), delta: Rational(1, 4)}],
+            fails=[{k_u: 1, epsilon: Rational(7, 8), delta: Rational(1, 4)}],
         ),
     ),
 )
@@ -100,7 +100,7 @@ supremum = Theorem(
     r"$\omega = \pi k$, as for a sine: its supremum falls with $\varepsilon$.",
     hypotheses=(r"$\omega > 0$, $\varepsilon > 0$; beside a crease, against the slope after it",),
     claims=(_descends,),
-    refuted_at=((omega, 1), (epsilon, Rational(1, 2))),
+    refuted_at={omega: 1, epsilon: Rational(1, 2)},
     steps=(
         Step(r"at the crease $D_\varepsilon h = 0$, the slope after it is $\omega$", "equal heights on either side"),
         Step(r"the error is $\omega = 1$, the bound $1/24$ at $\varepsilon = 1/2$", "arithmetic"),
@@ -229,14 +229,12 @@ rms = Theorem(
         ),
     ),
     side_conditions=(
-        SideCondition(
-            "$k_v$ whole", "mean_of_a_square", holds=[((v, 0), (k_v, 3))], fails=[((v, 0), (k_v, Rational(5, 4)))]
-        ),
+        SideCondition("$k_v$ whole", "mean_of_a_square", holds=[{v: 0, k_v: 3}], fails=[{v: 0, k_v: Rational(5, 4)}]),
         SideCondition(
             r"$k_v \ge 1$",
             "in_v",
-            holds=[((k_v, 1), (epsilon, Rational(1, 8)))],
-            undefined=[((k_v, Rational(1, 2)), (epsilon, Rational(1, 8)))],
+            holds=[{k_v: 1, epsilon: Rational(1, 8)}],
+            undefined=[{k_v: Rational(1, 2), epsilon: Rational(1, 8)}],
         ),
     ),
 )

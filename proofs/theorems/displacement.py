@@ -86,9 +86,9 @@ displaced_theorem = Theorem(
     ),
     side_conditions=(
         SideCondition(
-            r"$\sin\varphi > 0$", "first_order", undefined=[(*at_angle(1, 0), (h, 1), (h_u, 1), (h_v, 1), (beta, 1))]
+            r"$\sin\varphi > 0$", "first_order", undefined=[{**at_angle(1, 0), h: 1, h_u: 1, h_v: 1, beta: 1}]
         ),
-        SideCondition(r"$1+\beta h > 0$", "outward", fails=[(*at_angle(0, 1), (h, -1), (h_u, 1), (h_v, 1), (beta, 1))]),
+        SideCondition(r"$1+\beta h > 0$", "outward", fails=[{**at_angle(0, 1), h: -1, h_u: 1, h_v: 1, beta: 1}]),
     ),
 )
 
@@ -151,7 +151,7 @@ difference_theorem = Theorem(
             "parallel only if h_u = h_v = 0, whatever β",
             _only_where_flat,
             equation(h_u, 0),
-            at=(*at_angle(0, 1), (beta, 0), (h, 0), (h_u, 1), (h_v, 1)),
+            at={**at_angle(0, 1), beta: 0, h: 0, h_u: 1, h_v: 1},
         ),
         Mutant("the opposite sign, as Blinn's", _like_blinn),
         variant(
@@ -172,7 +172,7 @@ seed_theorem = Theorem(
     title="The bumped normal as the displaced surface's",
     statement=r"$N'$ is the normal of the displaced surface; in particular $\pi N\cdot(M\times D) = 0$.",
     claims=(_parallel,),
-    refuted_at=(*at_angle(Rational(3, 5), Rational(4, 5)), (beta, 1), (h, 0), (h_u, 1), (h_v, 1)),
+    refuted_at={**at_angle(Rational(3, 5), Rational(4, 5)), beta: 1, h: 0, h_u: 1, h_v: 1},
     steps=(
         Step(
             r"$\pi N\cdot(M\times D) = \pm\beta^2h_uh_v(1-1/2\sin\varphi) \ne 0$",

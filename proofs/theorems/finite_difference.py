@@ -79,9 +79,9 @@ theorem = Theorem(
         SideCondition(
             r"$\varepsilon \le v \le 1-\varepsilon$",
             "no_clamp",
-            holds=[((v, Rational(1, 8)), (epsilon, Rational(1, 8)))],
-            fails=[((v, Rational(1, 8)), (epsilon, Rational(1, 7)))],
+            holds=[{v: Rational(1, 8), epsilon: Rational(1, 8)}],
+            fails=[{v: Rational(1, 8), epsilon: Rational(1, 7)}],
         ),
-        SideCondition(r"$\varepsilon > 0$", "cosine", undefined=[((u, Rational(1, 3)), (epsilon, 0), (k_u, 8))]),
+        SideCondition(r"$\varepsilon > 0$", "cosine", undefined=[{u: Rational(1, 3), epsilon: 0, k_u: 8}]),
     ),
 )

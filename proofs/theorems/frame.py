@@ -4,7 +4,7 @@ from sympy import Expr, Rational, cos, diff, sin
 
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import chain
-from proofs.engine.theorem import Mutant, Point, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import POLE, angles_on_a, t_a
 from proofs.formulas.symbols import (
     cos_phi,
@@ -31,9 +31,9 @@ on_circles = (equation(cos_theta**2 + sin_theta**2, 1), equation(cos_phi**2 + si
 angles = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: cos(phi), sin_phi: sin(phi)}
 
 
-def at_angle(c: Expr | int, s: Expr | int) -> Point:
+def at_angle(c: Expr | int, s: Expr | int) -> dict:
     """Return the inputs θ = 0, (cos φ, sin φ) = (c, s)."""
-    return ((cos_theta, 1), (sin_theta, 0), (cos_phi, c), (sin_phi, s))
+    return {cos_theta: 1, sin_theta: 0, cos_phi: c, sin_phi: s}
 
 
 _n, _theta, _phi = (frame.expand(names).xreplace(angles) for names in (normal, e_theta, e_phi))
@@ -142,8 +142,8 @@ stable = Theorem(
         SideCondition(
             r"$\rho \ge 10^{-150}e$",
             "angles",
-            holds=[((x, 2 * POLE), (y, 0), (eye, 2), (radius, 1))],
-            fails=[((x, POLE), (y, 0), (eye, 2), (radius, 1))],
+            holds=[{x: 2 * POLE, y: 0, eye: 2, radius: 1}],
+            fails=[{x: POLE, y: 0, eye: 2, radius: 1}],
         ),
     ),
 )

@@ -79,8 +79,8 @@ theorem = Theorem(
         SideCondition(
             r"$|d| \le |p|$: no crease is crossed",
             "same_sign",
-            holds=[((p, 1), (d, -1))],
-            fails=[((p, 1), (d, -2)), ((p, 0), (d, 1))],
+            holds=[{p: 1, d: -1}],
+            fails=[{p: 1, d: -2}, {p: 0, d: 1}],
         ),
     ),
 )

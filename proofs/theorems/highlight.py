@@ -23,7 +23,7 @@ from proofs.formulas.shading import (
     phong,
 )
 from proofs.formulas.symbols import Vector, bumped, cross, dot, mu, real, specular_base, towards, vector, view
-from proofs.theorems.relations import both_ways, equations, point
+from proofs.theorems.relations import both_ways, equations
 
 apart, turned = real("apart turned")
 
@@ -171,8 +171,8 @@ theorem = Theorem(
         SideCondition(
             r"$\omega$ has length 1",
             "along_a_direction",
-            holds=[point(_parallel | {omega: (1, 0, 0)})],
-            fails=[point(_parallel | {omega: (2, 0, 0)})],
+            holds=[_parallel | {omega: (1, 0, 0)}],
+            fails=[_parallel | {omega: (2, 0, 0)}],
         ),
     ),
 )
@@ -186,7 +186,7 @@ below_one = Theorem(
     statement=r"For every $p > 0$ the power $x^p$ is Lipschitz on $[0, 1]$ (at $p = 1/2$: $\sqrt x \le L x$).",
     hypotheses=("$L \\ge 1$",),
     claims=(_root,),
-    refuted_at=((x, Rational(1, 4096)), (bound, 32)),
+    refuted_at={x: Rational(1, 4096), bound: 32},
     steps=(Step(r"$L = 32$: $\sqrt x = 1/64 > 32/4096 = 1/128$", "and $x = 1/4L^2$ for any other $L$"),),
     mutants=(
         variant("true where x ≥ 1/L²", _root, given=(*_root.given, bound * sqrt(x) >= 1)),

@@ -86,15 +86,15 @@ theorem_a = Theorem(
         SideCondition(
             r"$\rho \le \rho_s$",
             "solves",
-            holds=[((x, Rational(3, 4)), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 4)))],
-            undefined=[((x, Rational(15, 16)), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 5)))],
+            holds=[{x: Rational(3, 4), y: 0, eye: Rational(5, 4), radius: Rational(3, 4)}],
+            undefined=[{x: Rational(15, 16), y: 0, eye: Rational(5, 4), radius: Rational(3, 5)}],
         ),
         SideCondition(
             "$e > R$",
             "solves",
             undefined=[
-                ((x, 0), (y, Rational(1, 2)), (eye, 1), (radius, 1)),
-                ((x, 0), (y, Rational(1, 2)), (eye, Rational(1, 2)), (radius, 1)),
+                {x: 0, y: Rational(1, 2), eye: 1, radius: 1},
+                {x: 0, y: Rational(1, 2), eye: Rational(1, 2), radius: 1},
             ],
         ),
     ),
@@ -106,8 +106,8 @@ _half = Rational(1, 2)
 
 def _on_the_axis(eye, z, ball_radius):
     """Return the inputs of a ray along the axis, with B's centre at height z on it."""
-    names = {symbols.x: 0, symbols.y: 0, symbols.eye: eye, symbols.ball_radius: ball_radius, ball_on: 1}
-    return (*names.items(), *zip(ball_center, (0, 0, z), strict=True))
+    lengths = {symbols.eye: eye, symbols.ball_radius: ball_radius}
+    return {x: 0, y: 0, **lengths, ball_on: 1, ball_center: (0, 0, z)}
 
 
 _outside = distance_squared(_eye, ball_center) > ball_radius**2
@@ -179,7 +179,7 @@ seed_quadratic = Theorem(
     title="The seed's quadratic for sphere B",
     statement=r"The constant term of sphere B's quadratic is $|C|^2-R_2^2$.",
     claims=(Claim("constant", (equation(_seed_c, _c),)),),
-    refuted_at=tuple(_default.items()),
+    refuted_at=_default,
     steps=(Step(r"in the default scene $|C|^2-R_2^2 = 2.0876$ and $|E-C|^2-R_2^2 = 7.6876$", "arithmetic"),),
     mutants=(
         Mutant("the constant is |E − C|² − R₂²", _quadratic),
@@ -232,8 +232,6 @@ hidden = Theorem(
         variant("A's points have t ≥ 1", _behind, at_least(t, 1), squares=()),
     ),
     side_conditions=(
-        SideCondition(
-            r"$|x|, |y| \le 2$", "covers", holds=[((x, -2), (y, Rational(-19, 10)))], fails=[((x, -3), (y, -3))]
-        ),
+        SideCondition(r"$|x|, |y| \le 2$", "covers", holds=[{x: -2, y: Rational(-19, 10)}], fails=[{x: -3, y: -3}]),
     ),
 )

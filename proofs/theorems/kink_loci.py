@@ -25,7 +25,7 @@ from proofs.formulas.symbols import (
     y,
 )
 from proofs.theorems.cited import sine_inside_half_turn
-from proofs.theorems.frame import on_circles
+from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.hits import along
 from proofs.theorems.relations import equations
 
@@ -67,7 +67,7 @@ _creases = tuple(
     )
     for factor, c, k in zip(_ridges.creases, (u, v), (k_u, k_v), strict=True)
 )
-_on_the_axis = ((cos_theta, 1), (sin_theta, 0), (cos_phi, 1), (sin_phi, 0), (eye, 1), (x, 0), (y, 0))
+_on_the_axis = {**at_angle(1, 0), eye: 1, x: 0, y: 0}
 _other_sign = equation((eye + radius * cos_phi) * x, eye * radius * sin_phi * cos_theta)
 _p = HEIGHT_FIELDS["sine"]
 _elsewhere = tuple(
@@ -118,8 +118,8 @@ theorem = Theorem(
         SideCondition(
             "$e > R$",
             "projection",
-            fails=[(*_on_the_axis, (radius, 2), (t, -1))],
-            undefined=[(*_on_the_axis, (radius, 1), (t, 0))],
+            fails=[{**_on_the_axis, radius: 2, t: -1}],
+            undefined=[{**_on_the_axis, radius: 1, t: 0}],
         ),
     ),
 )

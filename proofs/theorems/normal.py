@@ -6,16 +6,16 @@ from sympy import Abs, Expr, Rational, diff
 
 from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.program import chain
-from proofs.engine.theorem import Mutant, Point, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
 from proofs.formulas.symbols import beta, dot, h_u, h_v, normal
 from proofs.theorems.frame import on_circles
-from proofs.theorems.relations import equations, point
+from proofs.theorems.relations import equations
 
 
-def at(normal_at: Sequence, g_at: Sequence, beta_at: Expr | int) -> Point:
+def at(normal_at: Sequence, g_at: Sequence, beta_at: Expr | int) -> dict:
     """Return the inputs of `perturbed`."""
-    return point({normal: normal_at, g: g_at, beta: beta_at})
+    return {normal: normal_at, g: g_at, beta: beta_at}
 
 
 tangent = (equation(dot(normal, normal), 1), equation(dot(normal, g), 0))
@@ -52,7 +52,7 @@ unit_length = Theorem(
     mutants=(
         variant("|M|² = 1 − β²|g|²", _length, equation(dot(m, m), 1 - beta**2 * dot(g, g))),
         variant("|M|² = 1 + β|g|²", _length, equation(dot(m, m), 1 + beta * dot(g, g))),
-        variant("|M| > 1", _length, m_length > 1, at=((beta, 0),)),
+        variant("|M| > 1", _length, m_length > 1, at={beta: 0}),
         variant("N·g not zero", _length, given=tangent[:1]),
     ),
     side_conditions=(

@@ -135,9 +135,9 @@ limits = Theorem(
         SideCondition(
             r"$\beta \ne 0$, $g \ne 0$",
             "large_beta",
-            holds=[(*at((0, 0, 1), (1, 0, 0), Rational(3, 4)), (w, Rational(3, 4)))],
-            fails=[(*at((0, 0, 1), (1, 0, 0), 0), (w, 0))],
-            undefined=[(*at((0, 0, 1), (0, 0, 0), 1), (w, 0))],
+            holds=[{**at((0, 0, 1), (1, 0, 0), Rational(3, 4)), w: Rational(3, 4)}],
+            fails=[{**at((0, 0, 1), (1, 0, 0), 0), w: 0}],
+            undefined=[{**at((0, 0, 1), (0, 0, 0), 1), w: 0}],
         ),
     ),
 )
@@ -160,7 +160,7 @@ _within = Claim(
     borrowed=_length,
     ranges=_clear,
 )
-_light = tuple(zip(towards, (Rational(-3, 5), 0, Rational(4, 5)), strict=True))
+_light = {towards: (Rational(-3, 5), 0, Rational(4, 5))}
 
 shadow_line = Theorem(
     id="shadow_line_moves_within",
@@ -180,7 +180,7 @@ shadow_line = Theorem(
             _within,
             *_within.shows[-1:],
             given=(*_within.given[:-1], dot(normal, towards) > w / 2),
-            at=(*at((0, 0, 1), (1, 0, 0), 1), *zip(towards, (Rational(-4, 5), 0, Rational(3, 5)), strict=True), (w, 1)),
+            at={**at((0, 0, 1), (1, 0, 0), 1), towards: (Rational(-4, 5), 0, Rational(3, 5)), w: 1},
         ),
         variant("N'·ω ≥ N·ω", _within, at_least(dot(bumped, towards), dot(normal, towards))),
     ),
@@ -188,10 +188,10 @@ shadow_line = Theorem(
         SideCondition(
             r"$N\cdot\omega > |\beta||g|$",
             "shadow_line",
-            holds=[(*at((0, 0, 1), (1, 0, 0), 1), *_light, (w, 1)), (*at((0, 0, 1), (1, 0, 0), 0), *_light, (w, 0))],
+            holds=[{**at((0, 0, 1), (1, 0, 0), 1), **_light, w: 1}, {**at((0, 0, 1), (1, 0, 0), 0), **_light, w: 0}],
             fails=[
-                (*at((0, 0, 1), (1, 0, 0), Rational(4, 3)), *_light, (w, Rational(4, 3))),
-                (*at((0, 0, 1), (1, 0, 0), 0), *zip(towards, (1, 0, 0), strict=True), (w, 0)),
+                {**at((0, 0, 1), (1, 0, 0), Rational(4, 3)), **_light, w: Rational(4, 3)},
+                {**at((0, 0, 1), (1, 0, 0), 0), towards: (1, 0, 0), w: 0},
             ],
         ),
     ),

@@ -125,15 +125,15 @@ theorem = Theorem(
     mutants=(
         variant("without the vertex before L", _if, greater(1, _first), given=_if.given[:-1]),
         variant("without the vertex after P", _if, greater(_first, 0), given=(*_if.given[:-2], _a > 0, _b < _a)),
-        variant("d > 0 for every root", _only_if, greater(_d, 0), at=((_a, 4), (_b, 2), (_c, 1), (s, Rational(1, 2)))),
+        variant("d > 0 for every root", _only_if, greater(_d, 0), at={_a: 4, _b: 2, _c: 1, s: Rational(1, 2)}),
     ),
     side_conditions=(
-        SideCondition("$|C-P| > r$", "if", fails=[((_a, 4), (_b, 2), (_c, 0), (_d, 4))]),
+        SideCondition("$|C-P| > r$", "if", fails=[{_a: 4, _b: 2, _c: 0, _d: 4}]),
         SideCondition(
             "$|C-L| > r$",
             "only_if",
-            holds=[((_a, 4), (_b, 3), (_c, 2), (_d, 1), (s, Rational(1, 2)))],
-            fails=[((_a, 4), (_b, 4), (_c, 3), (_d, 4), (s, Rational(1, 2)))],
+            holds=[{_a: 4, _b: 3, _c: 2, _d: 1, s: Rational(1, 2)}],
+            fails=[{_a: 4, _b: 4, _c: 3, _d: 4, s: Rational(1, 2)}],
         ),
     ),
 )
@@ -199,8 +199,8 @@ _chord = Claim(
 
 def _points(apart):
     """Return a body of radius 1 at the origin, and a point `apart` along x that strays back by 1."""
-    vectors = zip((*axis, *aside), (apart, 0, 0, -1, 0, 0), strict=True)
-    return (*vectors, (distance, apart), (wander, 1), (reach, 1), (product, -apart), (body_radius, 1))
+    vectors = {axis: (apart, 0, 0), aside: (-1, 0, 0)}
+    return {**vectors, distance: apart, wander: 1, reach: 1, product: -apart, body_radius: 1}
 
 
 cone = Theorem(

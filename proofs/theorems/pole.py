@@ -149,7 +149,7 @@ smooth_everywhere = Theorem(
     title="Sine is smooth everywhere",
     statement=r"For sine, $g$ tends to the same vector along every meridian as $v \to 0$.",
     claims=(_same,),
-    refuted_at=((k_u, 2), (k_v, 1), (theta, pi / 2)),
+    refuted_at={k_u: 2, k_v: 1, theta: pi / 2},
     steps=(
         Step(r"$k_u = 2$, $k_v = 1$: $(0, -\pi, 0)$ on $\theta = \pi/2$, and $0$ on $\theta = -\pi$", "arithmetic"),
     ),

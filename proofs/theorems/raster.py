@@ -82,23 +82,21 @@ theorem = Theorem(
         Step(r"$\tfrac34\sqrt{34/15}/256 > 0.0044$", "squared"),
     ),
     mutants=(
-        variant(
-            "ρ ≥ 2/256", _on_the_raster[0], at_least(_radius_squared, Rational(4, 256**2)), at=((m, 127), (n, 108))
-        ),
+        variant("ρ ≥ 2/256", _on_the_raster[0], at_least(_radius_squared, Rational(4, 256**2)), at={m: 127, n: 108}),
         variant("sin φ ≥ ρ/R", _linear, at_least(radius * sin_phi, rho)),
         variant(
             "sin φ > 0.0045",
             _far,
             greater(sin_phi, Rational(45, 10000)),
-            at=((sin_phi, Rational(4412, 10**6)), (rho, Rational(5882, 10**6))),
+            at={sin_phi: Rational(4412, 10**6), rho: Rational(5882, 10**6)},
         ),
     ),
     side_conditions=(
         SideCondition(
             "column and row are whole numbers",
             "raster_above",
-            holds=[((m, 127), (n, 108))],
-            fails=[((m, Rational(255, 2)), (n, 108)), ((m, 127), (n, Rational(217, 2)))],
+            holds=[{m: 127, n: 108}],
+            fails=[{m: Rational(255, 2), n: 108}, {m: 127, n: Rational(217, 2)}],
         ),
     ),
 )
@@ -110,7 +108,7 @@ seed_theorem = Theorem(
     r"$\rho < \tfrac43 10^{-4}$.",
     hypotheses=("$e = 4$, $R = 1$",),
     claims=(_beside,),
-    refuted_at=((m, 127), (n, 108)),
+    refuted_at={m: 127, n: 108},
     steps=(
         Step(r"at the pixel nearest the axis $\rho = \sqrt{34/15}/256 > 0.0058$", "arithmetic; $m = 127$, $n = 108$"),
     ),

@@ -1,6 +1,6 @@
 """Relations, names and points that several theorems speak of."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from sympy import Basic, Expr, Symbol
 
@@ -20,9 +20,3 @@ def both_ways(bound: Expr, quantity: Expr) -> tuple[Basic, Basic]:
 def named(function: Expr) -> Symbol:
     """Return the name that the translation gives to a cosine or a sine, for hints about squares."""
     return Symbol(str(function).replace(" ", ""), real=True)
-
-
-def point(values: Mapping) -> tuple[tuple[Symbol, object], ...]:
-    """Return ((symbol, value), …) of {symbol or vector of symbols: value or values}."""
-    pairs = ((s, v) if isinstance(s, tuple) else ((s,), (v,)) for s, v in values.items())
-    return tuple(pair for symbols, at in pairs for pair in zip(symbols, at, strict=True))

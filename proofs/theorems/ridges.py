@@ -77,13 +77,13 @@ _differ = Claim(
     (at_least(6 * _right, 5 * _slope), greater(_right - _left, _slope)),
     (_slope > 0, _angle**2 <= 1, at_least(6 * _right, _slope * (6 - _angle**2)), equation(_left, -_right)),
 )
-_level = ((_right, 0), (_left, 0), (_slope, 0), (_angle, 1))
+_level = {_right: 0, _left: 0, _slope: 0, _angle: 1}
 _beyond = [ridges.expression.subs(u, m / k_u + side * to_u) for side in (1, -1)]
 
 
 def _at(whole_u, whole_v):
     """Return a point at half a wave from u = whole_u, v = whole_v."""
-    return ((k_u, 1), (k_v, 1), (m, whole_u), (n, whole_v), (to_u, Rational(1, 2)), (to_v, Rational(1, 2)))
+    return {k_u: 1, k_v: 1, m: whole_u, n: whole_v, to_u: Rational(1, 2), to_v: Rational(1, 2)}
 
 
 crossings = Theorem(
@@ -142,9 +142,7 @@ on_creases = Theorem(
         variant("differ at a crossing too", _differ, given=(_slope >= 0, *_differ.given[1:]), at=_level),
     ),
     side_conditions=(
-        SideCondition(
-            r"$A \ne 0$", "differ", holds=[((_right, 1), (_left, -1), (_slope, 1), (_angle, 0))], fails=[_level]
-        ),
+        SideCondition(r"$A \ne 0$", "differ", holds=[{_right: 1, _left: -1, _slope: 1, _angle: 0}], fails=[_level]),
     ),
 )
 
@@ -157,7 +155,7 @@ differentiable = Theorem(
     statement=r"On a crease $k_u u = m$ the slopes of ridges to the right and to the left, $+|p_u|$ and $-|p_u|$ with "
     r"$p = \sin\pi k_u u\,\sin\pi k_v v$, are the same.",
     claims=(_one_slope,),
-    refuted_at=((u, Rational(1, 4)), (v, Rational(1, 8)), (k_u, 8), (k_v, 4)),
+    refuted_at={u: Rational(1, 4), v: Rational(1, 8), k_u: 8, k_v: 4},
     steps=(Step(r"$k_u = 8$, $k_v = 4$, $(u, v) = (1/4, 1/8)$: $+8\pi$ and $-8\pi$", "arithmetic"),),
     mutants=(
         variant("true at a crossing", _one_slope, given=(*_one_slope.given, equation(sin(pi * k_v * v), 0))),

@@ -70,7 +70,7 @@ def _at(error):
     """Return a constant height whose two samples are off by 1, up and down, because of `error` alone."""
     none = dict.fromkeys((evaluation, argument, here, mean, excess), 0)
     ones = {growth: 1, epsilon: 1, error: 1, off_plus: 1, off_minus: -1, steepest: int(error is argument)}
-    return tuple((none | ones).items())
+    return none | ones
 
 
 theorem = Theorem(
@@ -122,24 +122,20 @@ theorem = Theorem(
             "one rounding for two",
             _two,
             at_least(unit, growth - 1),
-            at=(*((d, Rational(1, 4)) for d in (unit, first, second)), (growth, Rational(25, 16))),
+            at={(unit, first, second): [Rational(1, 4)] * 3, growth: Rational(25, 16)},
         ),
         variant(
             "the span's rounding costs nothing",
             _three,
             at_least(2 * unit + unit**2, growth - 1),
-            at=(
-                *((d, Rational(1, 4)) for d in (unit, first, second)),
-                (third, Rational(-1, 4)),
-                (growth, Rational(25, 12)),
-            ),
+            at={(unit, first, second): [Rational(1, 4)] * 3, third: Rational(-1, 4), growth: Rational(25, 12)},
         ),
     ),
     side_conditions=(
         SideCondition(
             r"$\varepsilon > 0$",
             "in_u",
-            undefined=[tuple((s, 0) for s in sorted({here, *_in_u.names()[0]} - {h_u}, key=str))],
+            undefined=[dict.fromkeys(sorted({here, *_in_u.names()[0]} - {h_u}, key=str), 0)],
         ),
     ),
 )
@@ -184,8 +180,6 @@ best_step = Theorem(
         ),
     ),
     side_conditions=(
-        SideCondition(
-            r"$\varepsilon > 0$", "least", undefined=[((truncation, 1), (best, 1), (rounding, 2), (epsilon, 0))]
-        ),
+        SideCondition(r"$\varepsilon > 0$", "least", undefined=[{truncation: 1, best: 1, rounding: 2, epsilon: 0}]),
     ),
 )

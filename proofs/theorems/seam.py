@@ -111,10 +111,10 @@ theorem = Theorem(
         SideCondition(
             "$k_u$ is even",
             "even",
-            holds=[((k_u, 2), (k_v, 1), (u, Rational(1, 3)), (v, Rational(1, 2)))],
+            holds=[{k_u: 2, k_v: 1, u: Rational(1, 3), v: Rational(1, 2)}],
             fails=[
-                ((k_u, 1), (k_v, 1), (u, Rational(1, 3)), (v, Rational(1, 2))),
-                ((k_u, Rational(3, 2)), (k_v, 1), (u, Rational(1, 3)), (v, Rational(1, 2))),
+                {k_u: 1, k_v: 1, u: Rational(1, 3), v: Rational(1, 2)},
+                {k_u: Rational(3, 2), k_v: 1, u: Rational(1, 3), v: Rational(1, 2)},
             ],
         ),
     ),
@@ -128,7 +128,7 @@ seam_saved = Theorem(
     statement=r"For whole $k_u$ sine is differentiable across $u = 0$: its slope is the same on both sides.",
     hypotheses=("$k_u$ is whole",),
     claims=(_periodic,),
-    refuted_at=((k_u, 1), (k_v, 1), (v, Rational(1, 2))),
+    refuted_at={k_u: 1, k_v: 1, v: Rational(1, 2)},
     steps=(Step(r"$k_u = 1$, $v = 1/2$, $k_v = 1$: the slope is $\pi$ at $u = 0$, $-\pi$ at $u = 1$", "arithmetic"),),
     mutants=(
         variant("true for even k_u", _periodic, given=(equation(cos(pi * k_u), 1),)),

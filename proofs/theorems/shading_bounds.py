@@ -7,7 +7,7 @@ from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, 
 from proofs.formulas.bump import g, m, perturbed
 from proofs.formulas.shading import albedos, clipped_value, colors, kd, ks, light_colors, light_term, lit
 from proofs.formulas.symbols import beta, cross, dot, mu, normal, real, specular, vector
-from proofs.theorems.relations import both_ways, equations, point
+from proofs.theorems.relations import both_ways, equations
 
 _other_mu, _other_specular, q, step, so_far, _before = real("other_mu other_specular q step so_far before")
 
@@ -70,7 +70,7 @@ def _at_unit_weights(factor):
 def _lamp(shine):
     """Return the light's inputs with k_s = shine, and a highlight that changes by 1."""
     known = {light_colors[0]: 1, albedos[0]: 1, kd: 1, ks: shine, mu: 0, _other_mu: 0, specular: 1, _other_specular: 0}
-    return (*known.items(), (q, 1), (step, 1), (so_far, 0), (colors[0], 0), (_before, 0))
+    return {**known, q: 1, step: 1, so_far: 0, colors[0]: 0, _before: 0}
 
 
 difference_bound = Theorem(
@@ -111,9 +111,7 @@ difference_bound = Theorem(
             "without the last light",
             _all_lights,
             at_least(sum(_factors[:4]) * step, _changes[-1]),
-            at=tuple(
-                zip((*_factors, *_changes, step, _slope_error), (0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1), strict=True)
-            ),
+            at={(*_factors, *_changes, step, _slope_error): (0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1)},
         ),
         Mutant("without the highlight", _at_unit_weights(_weights[0])),
         Mutant("without the diffuse part", _at_unit_weights(_weights[1] * q)),
@@ -145,8 +143,8 @@ one_more = Theorem(
         SideCondition(
             r"$0 \le w \le 1$",
             "one_more",
-            holds=[point({mean: 1, sample: -1, share: 1, bound: 1}), point({mean: 1, sample: -1, share: 0, bound: 1})],
-            fails=[point({mean: 1, sample: -1, share: -1, bound: 1}), point({mean: 1, sample: -1, share: 3, bound: 1})],
+            holds=[{mean: 1, sample: -1, share: 1, bound: 1}, {mean: 1, sample: -1, share: 0, bound: 1}],
+            fails=[{mean: 1, sample: -1, share: -1, bound: 1}, {mean: 1, sample: -1, share: 3, bound: 1}],
         ),
     ),
 )
@@ -191,15 +189,8 @@ _moved = Claim(
 
 def _pair(length):
     """Return two orthogonal vectors of equal length, with what is derived from them."""
-    vectors = zip((*a, *b), (length, 0, 0, 0, length, 0), strict=True)
-    return (
-        *vectors,
-        (length_a, length),
-        (length_b, length),
-        (product, 0),
-        (apart, length * sqrt(2)),
-        (turned, sqrt(2)),
-    )
+    vectors = {a: (length, 0, 0), b: (0, length, 0)}
+    return {**vectors, length_a: length, length_b: length, product: 0, apart: length * sqrt(2), turned: sqrt(2)}
 
 
 normalising = Theorem(

@@ -101,7 +101,7 @@ _leading = Claim(
     "leading",
     (equation(diff(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _w[1] ** 2 - _w[2] ** 2)),),
 )
-_given_scene = (*zip(light, (0, 0, 3), strict=True), *zip(center, (2, 0, 2), strict=True), (body_radius, 1))
+_given_scene = {light: (0, 0, 3), center: (2, 0, 2), body_radius: 1}
 
 shadow_of_b = Theorem(
     id="shadow_of_b_on_floor",

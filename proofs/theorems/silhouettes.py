@@ -91,9 +91,9 @@ _branch = Claim(
 )
 
 
-def _scene(eye_height, x_at, center=(2, 0, 3), ball_radius_is=1):
+def _scene(eye_height, x_at, center=(2, 0, 3)):
     """Return the inputs of the conic's type for an eye above a centre on the axis."""
-    return ((eye, eye_height), (x, x_at), (y, 0), *zip(ball_center, center, strict=True), (ball_radius, ball_radius_is))
+    return {eye: eye_height, x: x_at, y: 0, ball_center: center, ball_radius: 1}
 
 
 theorem = Theorem(
@@ -127,7 +127,7 @@ theorem = Theorem(
         SideCondition(
             "$H \\ge R_2$",
             "all_seen",
-            fails=[(*_scene(1, -9, (2, 0, 0)), (distance, 0)), (*_scene(1, -9, (2, 0, 0)), (distance, 1))],
+            fails=[{**_scene(1, -9, (2, 0, 0)), distance: 0}, {**_scene(1, -9, (2, 0, 0)), distance: 1}],
         ),
     ),
 )

@@ -103,17 +103,17 @@ theorem = Theorem(
             "rings with k_v for 2k_v",
             _rings,
             at_least(_rings_by_k_v, 0),
-            at=((k_v, 2), (v, Rational(1, 4)), (epsilon, Rational(1, 16))),
+            at={k_v: 2, v: Rational(1, 4), epsilon: Rational(1, 16)},
         ),
         Mutant(
             "a seventh for the sixth",
             _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(_in_u) * sin(_in_v), (), Rational(1, 7)),
-            at=((k_u, 1), (u, Rational(1, 16)), (k_v, 1), (v, Rational(1, 2)), (epsilon, Rational(1, 100))),
+            at={k_u: 1, u: Rational(1, 16), k_v: 1, v: Rational(1, 2), epsilon: Rational(1, 100)},
         ),
     ),
     side_conditions=(
-        SideCondition(r"$\varepsilon > 0$", "rings", undefined=[((v, Rational(1, 2)), (epsilon, 0), (k_v, 2))]),
-        SideCondition("$k > 0$", "rings", fails=[((v, Rational(1, 2)), (epsilon, Rational(1, 8)), (k_v, -2))]),
+        SideCondition(r"$\varepsilon > 0$", "rings", undefined=[{v: Rational(1, 2), epsilon: 0, k_v: 2}]),
+        SideCondition("$k > 0$", "rings", fails=[{v: Rational(1, 2), epsilon: Rational(1, 8), k_v: -2}]),
     ),
 )
 

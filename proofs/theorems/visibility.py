@@ -75,7 +75,7 @@ _hidden = Claim(
 
 def _rim(t):
     """Return the inputs of a ray that touches A at t = 16/25, with a value of t."""
-    return ((x, Rational(15, 16)), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 4)), (real("t"), t))
+    return {x: Rational(15, 16), y: 0, eye: Rational(5, 4), radius: Rational(3, 4), real("t"): t}
 
 
 silhouette = Theorem(
@@ -101,10 +101,10 @@ silhouette = Theorem(
         SideCondition(
             r"$\rho \le \rho_s$",
             "inside",
-            holds=[((x, Rational(15, 16)), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 4)))],
-            fails=[((x, 1), (y, 0), (eye, Rational(5, 4)), (radius, Rational(3, 4)))],
+            holds=[{x: Rational(15, 16), y: 0, eye: Rational(5, 4), radius: Rational(3, 4)}],
+            fails=[{x: 1, y: 0, eye: Rational(5, 4), radius: Rational(3, 4)}],
         ),
-        SideCondition("$e > R$", "in_front", undefined=[((x, 0), (y, 0), (eye, 1), (radius, 1))]),
+        SideCondition("$e > R$", "in_front", undefined=[{x: 0, y: 0, eye: 1, radius: 1}]),
     ),
 )
 
