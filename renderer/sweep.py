@@ -60,15 +60,6 @@ def rms(values: np.ndarray) -> float:
     return float(np.sqrt(np.mean(np.square(values)))) if values.size else 0.0
 
 
-def compare(frame: Frame, reference: Frame) -> SweepRow:
-    """Return the SweepRow of a difference's frame against the exact one, `reference`, of the same raster."""
-    delta = difference_on_a(frame, reference)
-    flips = int(np.count_nonzero(frame.chambers != reference.chambers))
-    largest = float(np.abs(delta).max(initial=0.0))
-    eps: Any = frame.method.eps  # None of the exact gradient, which has no table
-    return SweepRow(eps, largest, rms(delta), flips, int(frame.straddling.sum()))
-
-
 def compared(tasks: Iterable[Task], threads: int | None = None) -> Iterator[SweepRow]:
     """Yield the SweepRow of every Task, of which all share their chambers.
 
@@ -82,7 +73,11 @@ def compared(tasks: Iterable[Task], threads: int | None = None) -> Iterator[Swee
             raster = task.scene, task.width, task.height
             reference = reference or render(*raster, exact(), threads=threads, stage=stage)
             stage = reference.stage
-            yield compare(render(*raster, task.method, threads=threads), reference)
+            frame = render(*raster, task.method, threads=threads)
+            delta = difference_on_a(frame, reference)
+            flips = int(np.count_nonzero(frame.chambers != reference.chambers))
+            eps: Any = task.method.eps  # None of the exact gradient alone, which no Task has
+            yield SweepRow(eps, float(np.abs(delta).max(initial=0.0)), rms(delta), flips, int(frame.straddling.sum()))
 
 
 def sweep(

@@ -1,32 +1,27 @@
 """Many accepted scenes, drawn and looked at for NaN, infinity and warnings; many rejected ones, for anything but a
 ValueError:
 
-    python -m tests.accepted_scenes --scenes 100000 --seed 5
+    python -m tests.accepted_scenes --count 100000 --seed 5
 
 Scenes come from tests/strategies.py, the domain's edges included, on small rasters, by every gradient method; each one
 drawn is looked at in every field and both models. Writes verify/results/accepted_scenes.json, {"label": {machine,
 date, commit}, "numbers": {...}}: commit it.
 """
 
-import argparse
 import itertools
 import math
 import warnings
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 from hypothesis import HealthCheck, Phase, given, seed, settings
-from tqdm import tqdm
 
 from renderer import pixel, render
 from renderer.kernels import FIELDS
 from renderer.scene import MODELS
+from tests.long_run import command
 from tests.strategies import methods, rasters, rejected_fields, scenes
-from verify.benchmark.label import label, write
 
-RESULT = Path(__file__).resolve().parent.parent / "verify" / "results" / "accepted_scenes.json"
 VARIANTS = tuple(itertools.product(FIELDS, MODELS))
 CHUNK = 120  # scenes that are drawn at a time
 
@@ -69,9 +64,8 @@ def check_rejected(scene, name, value):
         raise AssertionError(f"{name} = {value!r} was accepted")
 
 
-def _chunk(arguments):
+def chunk(start, count=CHUNK):
     """Check `count` scenes drawn with a seed, each in every variant; return (drawn, pixels of one variant)."""
-    start, count = arguments
     done = [0, 0]
 
     @seed(start)
@@ -94,31 +88,14 @@ def _chunk(arguments):
     return done
 
 
-def campaign(count, first_seed, workers):
-    """Check at least `count` scenes on several processes; return what was done. Raises on the first failure."""
-    drawn = -(-count // len(VARIANTS))
-    chunks = [(first_seed * 10**6 + n, CHUNK) for n in range(-(-drawn // CHUNK))]
-    with ProcessPoolExecutor(workers) as pool:
-        done = list(tqdm(pool.map(_chunk, chunks), total=len(chunks), unit="chunk"))
-    drawn, pixels = (sum(column) for column in zip(*done, strict=True))
+def campaign(count, seed, sums):
+    """Check at least `count` scenes; return what was done."""
+    chunks = -(-count // (len(VARIANTS) * CHUNK))
+    drawn, pixels = sums(chunk, [seed * 10**6 + number for number in range(chunks)])
     variants = len(VARIANTS)
     found = {"not_finite": 0, "crashes": 0}  # else an exception would have ended the run
-    return {"scenes": drawn * variants, "pixels": pixels * variants, "rejected": drawn, **found, "seed": first_seed}
-
-
-def main():
-    """Parse the command line, run, write."""
-    formatter = argparse.RawDescriptionHelpFormatter
-    parser = argparse.ArgumentParser("python -m tests.accepted_scenes", description=__doc__, formatter_class=formatter)
-    parser.add_argument("--scenes", type=int, default=100_000, help="how many at least (default: %(default)s)")
-    parser.add_argument("--seed", type=int, default=5, help="of the draw (default: %(default)s)")
-    parser.add_argument("--workers", type=int, default=2, help="processes (default: %(default)s)")
-    parser.add_argument("--out", type=Path, default=RESULT, help="the JSON file")
-    options = parser.parse_args()
-    numbers = campaign(options.scenes, options.seed, options.workers)
-    write(options.out, {"label": label("numpy", "llvmlite", "hypothesis"), "numbers": numbers})
-    print(", ".join(f"{key.replace('_', ' ')}: {value:,}" for key, value in numbers.items()))
+    return {"scenes": drawn * variants, "pixels": pixels * variants, "rejected": drawn, **found, "seed": seed}
 
 
 if __name__ == "__main__":
-    main()
+    command("accepted_scenes", __doc__, campaign, 100_000, "numpy", "llvmlite", "hypothesis")

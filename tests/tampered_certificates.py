@@ -7,22 +7,16 @@ rejected by all three, and whatever a change leaves true accepted by all three; 
 Writes verify/results/tampered_certificates.json, {"label": …, "numbers": …}: commit it. Needs node.
 """
 
-import argparse
 import hashlib
 import json
 import zlib
-from concurrent.futures import ProcessPoolExecutor
 from functools import cache
-from pathlib import Path
-
-from tqdm import tqdm
 
 from proofs.check import FOLDER, consistency
-from verify.benchmark.label import label, write
+from tests.long_run import command
 from verify.checkers.kernels import accepted
 from verify.checkers.tampering import draws
 
-RESULT = Path(__file__).resolve().parent.parent / "verify" / "results" / "tampered_certificates.json"
 BATCH = 100
 
 
@@ -73,13 +67,11 @@ def trial(name, count, seed):
     return false, harmless - 1  # without the original
 
 
-def campaign(count, seed, workers):
-    """Try every stored certificate on several processes; return what was done. Raises on the first failure."""
+def campaign(count, seed, sums):
+    """Make `count` false changes of every stored certificate; return what was done."""
+    assert len(accepted(["[null,null]"])[0]) == 3, "python-flint and node have to be installed"
     names = list(stored())
-    with ProcessPoolExecutor(workers) as pool:
-        tried = pool.map(trial, names, [count] * len(names), [seed] * len(names))
-        done = list(tqdm(tried, total=len(names), unit="certificate"))
-    false, harmless = (sum(column) for column in zip(*done, strict=True))
+    false, harmless = sums(trial, names, [count] * len(names), [seed] * len(names))
     return {
         "certificates": len(names),
         "count": count,
@@ -92,23 +84,5 @@ def campaign(count, seed, workers):
     }
 
 
-def main():
-    """Parse the command line, run, write."""
-    formatter = argparse.RawDescriptionHelpFormatter
-    parser = argparse.ArgumentParser(
-        "python -m tests.tampered_certificates", description=__doc__, formatter_class=formatter
-    )
-    parser.add_argument("--count", type=int, default=1000, help="false changes of each (default: %(default)s)")
-    parser.add_argument("--seed", type=int, default=5, help="of the draw (default: %(default)s)")
-    parser.add_argument("--workers", type=int, default=2, help="processes (default: %(default)s)")
-    parser.add_argument("--out", type=Path, default=RESULT, help="the JSON file")
-    options = parser.parse_args()
-    if len(accepted(["[null,null]"])[0]) < 3:
-        parser.error("python-flint and node have to be installed")
-    numbers = campaign(options.count, options.seed, options.workers)
-    write(options.out, {"label": label("python-flint"), "numbers": numbers})
-    print(", ".join(f"{key.replace('_', ' ')}: {value:,}" for key, value in numbers.items()))
-
-
 if __name__ == "__main__":
-    main()
+    command("tampered_certificates", __doc__, campaign, 1000, "python-flint")

@@ -17,7 +17,7 @@ def test_accepted_scenes(scene, size, method):
 
 
 def test_a_chunk_counts_what_it_does():
-    drawn, pixels = accepted_scenes._chunk((1, 5))
+    drawn, pixels = accepted_scenes.chunk(1, 5)
     assert 1 <= drawn <= 5 < pixels
     assert len(VARIANTS) == 6
 

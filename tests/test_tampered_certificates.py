@@ -4,7 +4,8 @@ import json
 
 import pytest
 
-from tests.tampered_certificates import RESULT, different, trial
+from tests.long_run import RESULTS
+from tests.tampered_certificates import different, trial
 from verify.checkers.kernels import CHECKERS
 
 
@@ -22,7 +23,7 @@ def test_a_kernel_that_always_says_the_same_is_found_out(answer, monkeypatch):
 
 def test_the_committed_run_rejected_everything():
     """It names where and when it was run; `python -m tests.tampered_certificates` runs it again."""
-    result = json.loads(RESULT.read_text(encoding="utf-8"))
+    result = json.loads((RESULTS / "tampered_certificates.json").read_text(encoding="utf-8"))
     numbers = result["numbers"]
     assert numbers["count"] >= 1000
     assert numbers["certificates"] > 200
