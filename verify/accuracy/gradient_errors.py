@@ -15,7 +15,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from verify.benchmark.methods.programs import algebraic_gradient
 from verify.evaluate.arrays import distance, in_balls, in_float64
 
-UNIT = 2.0**-53
+UNIT, SEED, EACH = 2.0**-53, 12, 20
 WAVE_NUMBERS = ((2.0, 1.0), (8.0, 4.0), (-8.0, 3.0), (64.0, 64.0), (0.0, 5.0))
 RATIOS = (1e-6, 1e-3, 0.25, 0.5, 0.9, 1 - 1e-6, 1 - 1e-9)
 
@@ -33,18 +33,18 @@ def image_points(rng: np.random.Generator, eye: float, radius: float, count: int
     return rho * np.cos(angle), rho * np.sin(angle)
 
 
-def worst_at_image_points(field: str, seed: int = 12, each: int = 20) -> tuple[float, int]:
+def worst_at_image_points(field: str) -> tuple[float, int]:
     """Return (the largest error of the algebraic gradient, in units of (1 + k) π k 2^-53, points) over R/e and k."""
-    rng, found = np.random.default_rng(seed), []
+    rng, found = np.random.default_rng(SEED), []
     whole = chain("from_image", angles_on_a, chart, gradient(HEIGHT_FIELDS[field]))
     for ratio in RATIOS:
         for k_u, k_v in WAVE_NUMBERS:
             k_v = k_v / 2 if field == "rings" else k_v
             k = max(abs(k_u), abs(k_v)) if field != "rings" else 2 * abs(k_v)
-            x, y = image_points(rng, 1 / ratio, 1.0, each)
+            x, y = image_points(rng, 1 / ratio, 1.0, EACH)
             at = {"eye": 1 / ratio, "radius": 1.0, "x": x, "y": y, "k_u": k_u, "k_v": k_v}
             algebraic = chain("image_gradient", angles_on_a, algebraic_gradient(HEIGHT_FIELDS[field], k_u, k_v))
             computed, exact = in_float64(algebraic, at), in_balls(whole, at)
             off = max(distance(computed[name], exact[name]).max() for name in ("h_u", "h_v"))
             found.append(off / (math.pi * max(1.0, k) * UNIT) / (1 + k))
-    return float(np.max(found)), len(found) * each
+    return float(np.max(found)), len(found) * EACH

@@ -76,9 +76,9 @@ def _kinds(scene, frame):
     }
 
 
-def chosen(scene: Scene, frame: Frame, each: int = EACH, seed: int = SEED) -> list[tuple[str, int, int]]:
+def chosen(scene: Scene, frame: Frame, each: int = EACH) -> list[tuple[str, int, int]]:
     """Return [(kind, column, row)]: `each` pixels of every kind; among equals at random."""
-    rng, found = np.random.default_rng(seed), []
+    rng, found = np.random.default_rng(SEED), []
     for kind, plane in _kinds(scene, frame).items():
         order = np.lexsort((rng.random(plane.size), plane.ravel()))[:each]
         rows, columns = np.unravel_index(order[np.isfinite(plane.ravel()[order])], plane.shape)
@@ -123,12 +123,12 @@ def checked_pixel(name: str, scene: Scene, frame: Frame, kind: str, column: int,
         return Checked(name, kind, column, row, error, radius, _off_rim(scene, truth), undecided, same_chamber)
 
 
-def checked_pixels(scenes: Mapping[str, Scene], size: int = SIZE, each: int = EACH, seed: int = SEED) -> list[Checked]:
+def checked_pixels(scenes: Mapping[str, Scene], each: int = EACH) -> list[Checked]:
     """Return every chosen pixel of {name: Scene}, Checked."""
     found = []
     for name, scene in scenes.items():
-        frame = render(scene, size, size)
-        found += [checked_pixel(name, scene, frame, *place) for place in chosen(scene, frame, each, seed)]
+        frame = render(scene, SIZE, SIZE)
+        found += [checked_pixel(name, scene, frame, *place) for place in chosen(scene, frame, each)]
     return found
 
 

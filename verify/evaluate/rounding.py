@@ -122,9 +122,6 @@ class Rounded:
             return False
         raise Undecided("a comparison")
 
-    def __lt__(self, other):
-        return _rounded(other) > self
-
 
 def _rounded(value):
     return value if isinstance(value, Rounded) else Rounded(value)

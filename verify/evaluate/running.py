@@ -89,13 +89,6 @@ class Comparison(NamedTuple):
     holds: np.ndarray
     open: np.ndarray
 
-    def _joined(self, other, decisive):
-        decided = ((self.holds == decisive) & ~self.open) | ((other.holds == decisive) & ~other.open)
-        holds = self.holds | other.holds if decisive else self.holds & other.holds
-        return Comparison(holds, (self.open | other.open) & ~decided)
-
-    __and__, __or__ = partialmethod(_joined, decisive=False), partialmethod(_joined, decisive=True)  # type: ignore[misc]
-
 
 def _scales(a):
     """Return whether a factor is exactly a power of two, so that a product with it is not rounded."""
@@ -113,11 +106,9 @@ def running(value: Number) -> Running:
 pi = Running(np.pi, 2 * U)
 
 
-def where(condition: Comparison | ArrayLike, value: Number, otherwise: Number) -> Running:
+def where(condition: Comparison, value: Number, otherwise: Number) -> Running:
     """Return `value` where the condition holds, else `otherwise`; where it is open the bound covers both."""
     value, otherwise = running(value), running(otherwise)
-    if not isinstance(condition, Comparison):
-        condition = Comparison(np.asarray(condition), np.asarray(False))
     chosen = np.where(condition.holds, value.value, otherwise.value)
     bound = np.where(condition.holds, value.bound, otherwise.bound)
     gap = np.abs(value.value - otherwise.value) + value.bound + otherwise.bound
@@ -137,11 +128,6 @@ def maximum(a: Number, b: Number) -> Running:
     """The larger one: no further from the truth than the worse of the two."""
     a, b = running(a), running(b)
     return Running(np.maximum(a.value, b.value), np.maximum(a.bound, b.bound))
-
-
-def minimum(a: Number, b: Number) -> Running:
-    """The smaller one."""
-    return -maximum(-running(a), -running(b))
 
 
 def sign(a: Number) -> Running:

@@ -4,12 +4,13 @@ from functools import cache
 
 import numpy as np
 
-from verify.accuracy import clamped_order, ridge_law
+from verify.accuracy import clamped_order, gradient_errors, ridge_law
 from verify.accuracy.difference_bounds import Bounds, bounds, escapes
 from verify.accuracy.differences import CASES, STEPS, parts
 from verify.accuracy.gradient_errors import UNIT, worst_at_image_points
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, TOLERANCE, checked_pixels, problems
 from verify.checkers.measurement import Measurement, measures
+from verify.stability import wave_numbers
 from verify.stability.rows import SWEEPS, sweep
 
 FIELDS = ("sine", "ridges", "rings")
@@ -48,7 +49,7 @@ def general_gradient(form: str | None = None) -> Measurement:
     found = {name: sweep(name) for name in SWEEPS if name.startswith("wave_numbers")}
     return Measurement(
         samples=sum(seen.points for seen in found.values()),
-        seed=4,
+        seed=wave_numbers.SEED,
         worst=max(np.nanmax(seen.worst(form)) for seen in found.values()) / UNIT,
         bound=8.0,
         holds=not any(seen.escaped for seen in found.values()),
@@ -63,7 +64,7 @@ def algebraic_gradient(bound: float = 8.0) -> Measurement:
     found = {field: worst_at_image_points(field) for field in FIELDS}
     return Measurement(
         samples=sum(points for _, points in found.values()),
-        seed=12,
+        seed=gradient_errors.SEED,
         worst=max(units for units, _ in found.values()),
         bound=bound,
         holds=True,
