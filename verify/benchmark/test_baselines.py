@@ -36,15 +36,24 @@ def test_the_seed_loops_draw_our_picture(drawn):
     np.testing.assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)
 
 
-@pytest.mark.parametrize(("name", "wrong"), [
-    ("nearest_hit", lambda *given: (loops.SPHERE_B, 0.5)),  # B covers the picture, as by the seed's own quadratic
-    ("exact_gradient", loops.central_gradient),
-])  # fmt: skip
-def test_other_loops_draw_another_picture(name, wrong, monkeypatch):
-    frame = render(Scene(), 16, 16, exact())
-    assert largest(seed_loops(Scene(), 16, 16)[0], frame) < LOOPS_AGREE
-    monkeypatch.setattr(loops, name, lambda *given: wrong(*given[:3], given[3] or 1e-1))
-    assert largest(seed_loops(Scene(), 16, 16)[0], frame) > 1e-3
+def test_the_two_pipelines_of_the_seed_loops_differ_in_the_gradient_alone():
+    flat = Scene(beta=0.0)
+    np.testing.assert_array_equal(seed_loops(flat, 16, 16)[0], seed_loops(flat, 16, 16, 1e-3)[0])
+    assert np.abs(seed_loops(Scene(), 16, 16)[0] - seed_loops(Scene(), 16, 16, 1e-1)[0]).max() > 1e-3
+
+
+def test_the_seed_loops_with_the_seeds_own_quadratic_are_told_apart(monkeypatch):
+    """F1: with c = |C|² − R₂² B covers the picture."""
+
+    def as_printed(scene, center, x, y):
+        toward = center[0] * x + center[1] * y + (scene.eye - center[2]) * scene.eye
+        under = toward**2 - (x * x + y * y + scene.eye**2) * (center @ center - scene.ball_radius**2)
+        return (loops.SPHERE_B, 0.5) if under >= 0 else (loops.FLOOR, 1.0)
+
+    monkeypatch.setattr(loops, "nearest_hit", as_printed)
+    _, surfaces = seed_loops(Scene(), 8, 8)
+    assert (surfaces == loops.SPHERE_B).all()
+    assert (surfaces != render(Scene(), 8, 8).chambers & SURFACE_BITS).any()
 
 
 @pytest.mark.parametrize("threads", [1, 2])
