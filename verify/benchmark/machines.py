@@ -26,8 +26,8 @@ SCENE, SIDE, ROUNDS, CALLS = Scene(field="sine"), 256, 15, 3
 
 
 @cache
-def _stage() -> stage.Stage:
-    return render(SCENE, SIDE, SIDE).stage
+def _stage(side: int) -> stage.Stage:
+    return render(SCENE, side, side).stage
 
 
 def drawn_by(machine: ModuleType, method: str) -> Callable[[], Frame]:
@@ -35,7 +35,7 @@ def drawn_by(machine: ModuleType, method: str) -> Callable[[], Frame]:
 
     def draw():
         with mock.patch.object(stage, "machine", lambda: machine):
-            return render(SCENE, SIDE, SIDE, METHODS[method], threads=1, stage=_stage())
+            return render(SCENE, SIDE, SIDE, METHODS[method], threads=1, stage=_stage(SIDE))
 
     return draw
 

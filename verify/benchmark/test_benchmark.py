@@ -114,7 +114,8 @@ def test_a_small_run_of_frames_writes_what_it_measured(tmp_path):
 
 
 @pytest.mark.parametrize("name", ROUNDS)
-def test_a_run_in_rounds_writes_what_it_measured_as_the_kept_one(name, tmp_path):
+def test_a_run_in_rounds_writes_what_it_measured_as_the_kept_one(name, tmp_path, monkeypatch):
+    monkeypatch.setattr(machines, "SIDE", 32)
     module, keys = ROUNDS[name]
     module.main(["--rounds", "2", "--output", str(tmp_path)])
     for folder in (tmp_path, RESULTS):
@@ -134,6 +135,7 @@ def test_a_machine_that_draws_other_bits_is_seen(monkeypatch):
 
         return wrong
 
+    monkeypatch.setattr(machines, "SIDE", 32)
     monkeypatch.setitem(machines.MACHINES, "numpy", mock.Mock(drawer=drawer, NAME="other"))
     assert machines.differing_bytes("exact") > 0
 
