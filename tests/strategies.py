@@ -83,24 +83,13 @@ def _accepts(**fields):
 
 
 @st.composite
-def lenses(draw):
-    """Accepted scenes with no more than sphere A, the eye and the floor drawn anew."""
-    return Scene(**_lens(draw, radii, ratios), ball=False, lights=())
-
-
-def _lens(draw, radii, ratios):
-    radius = draw(radii)
-    eye = radius / draw(ratios)
-    while not 1e-6 <= radius / eye <= 1 - 1e-9:  # the rounding of the quotient at the domain's edges
-        eye = math.nextafter(eye, 4 * radius)
-    return {"radius": radius, "eye": eye}
-
-
-@st.composite
 def scenes(draw, **fixed):
     """Accepted scenes; `fixed` gives a field as a value or as a strategy, `radius` and `ratio` as strategies."""
-    place = _lens(draw, fixed.pop("radius", radii), fixed.pop("ratio", ratios))
-    radius = place["radius"]
+    radius = draw(fixed.pop("radius", radii))
+    eye = radius / draw(fixed.pop("ratio", ratios))
+    while not 1e-6 <= radius / eye <= 1 - 1e-9:  # the rounding of the quotient at the domain's edges
+        eye = math.nextafter(eye, 4 * radius)
+    place = {"radius": radius, "eye": eye}
     ball = {
         "ball_center": _scaled(draw(triples(rounded(-3, 3))), radius),
         "ball_radius": radius * draw(st.one_of(rounded(0.05, 1), st.sampled_from([0.01, 0.32, 2.0]))),

@@ -8,7 +8,7 @@ from hypothesis import given
 
 from renderer import Scene
 from renderer.raster import MAX_SIDE, Raster
-from tests.strategies import lenses, rasters
+from tests.strategies import rasters, scenes
 
 
 def rejection(*arguments):
@@ -55,7 +55,7 @@ def test_a_size_of_numpys_is_accepted():
     assert Raster(np.int32(8), np.uint8(6)) == Raster(8, 6, (0, 0, 8, 6))
 
 
-@given(lenses(), rasters())
+@given(scenes(ball=False, lights=()), rasters())
 def test_pixels_are_square_columns_symmetric_and_row_0_at_the_top(scene, size):
     """So that an odd width puts a column on the axis."""
     x, y = Raster(*size).image_points(scene)
