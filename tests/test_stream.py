@@ -10,14 +10,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import tifffile
-from hypothesis import strategies as st
 
 from renderer import Scene, central, render, stream, views
 from renderer.machines import machine
 from renderer.raster import MAX_SIDE
 
 ROOT = Path(__file__).resolve().parent.parent
-WIDTHS = st.integers(1, 3000)
 
 
 @pytest.fixture
