@@ -24,6 +24,7 @@ def pytest_configure(config):
         os.environ.setdefault("SYMBOLIC_RENDERING_CODE", str(config.cache.mkdir("compiled")))
 
 
+@pytest.hookimpl(tryfirst=True)  # before xdist looks for the groups
 def pytest_collection_modifyitems(config, items):
     """Begin with LONGEST, in its order, lest one worker work alone at the end."""
     order = {name: place for place, name in enumerate(LONGEST)}

@@ -3,7 +3,6 @@
 import functools
 import http.server
 import os
-import shutil
 import subprocess
 import sys
 import threading
@@ -11,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from book.editions.chromium import FLAGS
+from book.editions.chromium import FLAGS, NoBrowser, installed
+from tests.tabs import visits
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -52,12 +52,12 @@ def server(site: Path):
 @pytest.fixture(scope="session")
 def browser():
     """The installed Chromium. Without one the tests are skipped, unless REQUIRE_BROWSER=1 forbids it."""
-    chromium = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-    if chromium is None:
-        reason = "no Chromium is installed"
+    try:
+        chromium = installed()
+    except NoBrowser as reason:
         if os.environ.get("REQUIRE_BROWSER") == "1":
             pytest.fail(f"{reason}, and REQUIRE_BROWSER=1")
-        pytest.skip(reason)
+        pytest.skip(str(reason))
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as playwright:
@@ -65,3 +65,7 @@ def browser():
         running = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
         yield running
         running.close()
+
+
+visit = pytest.fixture(visits)
+visit_once = pytest.fixture(visits, scope="module")  # its pages stay open for all tests of a file

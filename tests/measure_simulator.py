@@ -8,18 +8,18 @@ on; no test asserts them. Writes verify/benchmark/results/simulator.json. Needs 
 
 import argparse
 import os
-import shutil
-from pathlib import Path
 from statistics import median
 
 from playwright.sync_api import sync_playwright
 
-from book.editions.chromium import FLAGS
+from book.editions.chromium import FLAGS, installed
+from tests.tabs import RUNNING, opened
 from verify.benchmark.label import ROOT, label, write
 
 PAGE = ROOT / "book" / "_build" / "html" / "s4.html"
-RESULT = Path("verify/benchmark/results/simulator.json")
+RESULT = ROOT / "verify" / "benchmark" / "results" / "simulator.json"
 ROUNDS = 3
+VIEWPORT = {"width": 1280, "height": 1000}
 TARGETS = {256: 25, 512: 42, 1024: 100}  # milliseconds between pictures, of a drag
 # A slider moves, as by hand; two frames later the next step, so that each picture is seen.
 STEPS = """async (count) => {
@@ -50,25 +50,18 @@ DRAG = """async (seconds) => {
 }"""
 
 
-def opened(browser, page, size):
-    """Return a tab with the simulator at a raster, its idle work done."""
-    tab = browser.new_page(viewport={"width": 1280, "height": 1000})
-    tab.goto(f"{page}#sim?size={size}")
-    tab.wait_for_function("window.Simulator && Simulator.running && Simulator.running.frames.length > 0")
-    tab.wait_for_timeout(4000)
-    return tab
-
-
-def measured(browser, pages, size, steps, seconds):
+def measured(browser, pages, size):
     """Return the numbers of one raster. pages: {name: address}, of which "now" is dragged too."""
     taken, between = {name: [] for name in pages}, []
     for _ in range(ROUNDS):
         for name, page in pages.items():
-            tab = opened(browser, page, size)
-            taken[name] += tab.evaluate(STEPS, steps)
-            if name == "now":
-                between += tab.evaluate(DRAG, seconds)
-            tab.close()
+            with opened(
+                browser, f"{page}#sim?size={size}", until=RUNNING, viewport={"width": 1280, "height": 1000}
+            ) as tab:
+                tab.wait_for_timeout(4000)  # its idle work
+                taken[name] += tab.evaluate(STEPS, 40)
+                if name == "now":
+                    between += tab.evaluate(DRAG, 5)
     now = taken["now"]
     numbers = {f"step_{size}_ms": median(now), f"step_{size}_worst_ms": max(now)}
     numbers |= {f"drag_{size}_ms": median(between), f"drag_{size}_worst_ms": max(between)}
@@ -85,23 +78,19 @@ def main():
     """Open the page, move the slider, print what was found and write it with its label."""
     parser = argparse.ArgumentParser(prog="python -m tests.measure_simulator", description=__doc__)
     parser.add_argument("--size", type=int, nargs="*", choices=TARGETS, default=list(TARGETS), help="rasters")
-    parser.add_argument("--steps", type=int, default=40, help="steps of a round (default: 40)")
-    parser.add_argument("--seconds", type=float, default=5, help="how long a drag is (default: 5)")
-    parser.add_argument("--page", default=PAGE.as_uri(), help="address of the page (default: the built book's)")
     parser.add_argument("--against", help="address of an older build's page, to be compared with")
-    parser.add_argument("--out", type=Path, default=ROOT / RESULT, help=f"the JSON (default: {RESULT})")
     options = parser.parse_args()
-    pages = {"now": options.page} | ({"before": options.against} if options.against else {})
+    pages = {"now": PAGE.as_uri()} | ({"before": options.against} if options.against else {})
     numbers = {"load": os.getloadavg()[0], "cores": os.cpu_count()}
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        browser = playwright.chromium.launch(executable_path=installed(), args=FLAGS)
         for size in options.size:
-            found = measured(browser, pages, size, options.steps, options.seconds)
+            found = measured(browser, pages, size)
             print("\n".join(f"{name:24} {value:.3g}" for name, value in found.items()), flush=True)
             numbers |= found
         version = browser.version
         browser.close()
-    write(options.out, {"label": label("llvmlite") | {"browser": f"Chromium {version}"}, "numbers": numbers})
+    write(RESULT, {"label": label("llvmlite") | {"browser": f"Chromium {version}"}, "numbers": numbers})
 
 
 if __name__ == "__main__":

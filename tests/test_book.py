@@ -17,7 +17,9 @@ from tests.elements import Elements
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = page_files(ROOT / "book")
-SECTIONS = {f"s{n}": f"s{n}" for n in range(1, 10)} | {"sim": "s4", "lab": "s5"}
+ANCHORS = {f"s{n}": f"s{n}" for n in range(1, 10)} | {"sim": "s4", "lab": "s5"}
+ANCHORS |= {f"cell{n}": "s5" for n in range(1, 9)}
+PLACED = r"\{(?:chapter-figure|idea|worked-pixel)\}\s+(\w+)"
 LOADING = {("img", "src"), ("script", "src"), ("link", "href"), ("iframe", "src"), ("source", "src")}
 
 
@@ -31,22 +33,15 @@ def source_of(page: str) -> str:
     return PAGES[page].read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("id", SECTIONS)
-def test_section_carries_its_own_id(pages, id):
-    holders = [tag for tag, attributes in pages[SECTIONS[id]].all if attributes.get("id") == id]
-    assert holders == ["section"]
-
-
-@pytest.mark.parametrize("number", range(1, 9))
-def test_cell_carries_its_own_id(pages, number):
-    holders = [tag for tag, attributes in pages["s5"].all if attributes.get("id") == f"cell{number}"]
-    assert holders == ["section"]
+def test_sections_and_cells_carry_their_own_ids(pages):
+    for id, page in ANCHORS.items():
+        assert [tag for tag, attributes in pages[page].all if attributes.get("id") == id] == ["section"], id
 
 
 def test_every_figure_that_pages_place_is_shown(pages):
     placed = Counter()
     for page in PAGES:
-        placed.update(re.findall(r"\{(?:chapter-figure|idea|worked-pixel)\}\s+(\w+)", source_of(page)))
+        placed.update(re.findall(PLACED, source_of(page)))
     shown = Counter()
     for elements in pages.values():
         for tag, attributes in elements.all:
@@ -58,8 +53,7 @@ def test_every_figure_that_pages_place_is_shown(pages):
 
 
 def test_every_figure_with_a_picture_is_placed_and_registered():
-    directive = r"\{(?:chapter-figure|idea|worked-pixel)\}\s+(\w+)"
-    placed = {id for page in PAGES for id in re.findall(directive, source_of(page))}
+    placed = {id for page in PAGES for id in re.findall(PLACED, source_of(page))}
     drawn = {path.name.split(".")[0] for path in (ROOT / "book" / "_generated").glob("*.[sp][vn]g")}
     assert drawn == placed
     assert placed <= all_figures().keys()
@@ -96,12 +90,6 @@ def test_page_with_cells_offers_its_notebook(site, pages):
     assert "_sources/s5.ipynb" in links
     links = [attributes.get("href") or "" for tag, attributes in pages["s1"].all if tag == "a"]
     assert not any(link.endswith(".ipynb") for link in links)
-
-
-def test_mathematics_needs_no_network(site):
-    mathjax = site / "_static" / "mathjax"
-    assert (mathjax / "tex-chtml-full.js").stat().st_size > 1_000_000
-    assert len(list((mathjax / "output/chtml/fonts/woff-v2").glob("*.woff"))) >= 20
 
 
 def test_stylesheet_has_the_colours_of_the_plots():

@@ -55,11 +55,6 @@ def test_role_text_that_says_nothing(text):
         parse(text)
 
 
-def test_numbers_are_looked_up(book):
-    assert look_up(book, "sweep", "rms_1e-3") == 0.01214
-    assert look_up(book, "bench:frame", "time_ms") == 16.25
-
-
 @pytest.mark.parametrize(
     ("id", "key", "known"),
     [("sweep", "rms", "rms_1e-3"), ("swep", "rms", "sweep"), ("bench:fram", "x", "frame"), ("../x", "a", "sweep")],

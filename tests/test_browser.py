@@ -1,159 +1,163 @@
-"""The site in a real browser: nothing leaves the page, nothing complains, nothing overflows."""
+"""Every page in a real browser: nothing leaves it, nothing complains or overflows, axe-core finds no serious violation.
+
+axe-core is an npm package and used here alone: `npm ci --prefix tests/axe` installs it. Without it the rest is asked.
+"""
 
 from itertools import pairwise
 from pathlib import Path
-from urllib.parse import urlparse
 
 import pytest
 
 from book.build.contents import page_files
+from tests.tabs import PHONE, next_frame
 
 ROOT = Path(__file__).resolve().parent.parent
+AXE = ROOT / "tests" / "axe" / "node_modules" / "axe-core" / "axe.min.js"
 
 pytestmark = pytest.mark.browser
+with_axe = pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm ci --prefix tests/axe")
 PAGES = list(page_files(ROOT / "book"))
-PHONE = {"width": 400, "height": 850}
-DESKTOP = {"width": 1280, "height": 900}
+# Sphinx's own pages, and the listing of a source: all listings are made alike.
+OTHERS = ["genindex", "search", "source/proofs/formulas/bump.py"]
+COLOUR = ["color-contrast", "link-in-text-block"]
+# How a page is opened, and what axe-core looks for: dark is the same document in other colours, a phone has the light
+# ones in another shape.
+MODES = {
+    "light": ({"color_scheme": "light"}, {}),
+    "dark": ({"color_scheme": "dark", "scheme": "file"}, {"runOnly": COLOUR}),
+    "phone": (PHONE | {"device_scale_factor": 2}, {"rules": {rule: {"enabled": False} for rule in COLOUR}}),
+}
+RUN = """async ([place, options]) => (await axe.run(place, { resultTypes: ['violations'], ...options })).violations
+    .filter(v => ['serious', 'critical'].includes(v.impact))
+    .map(v => `${v.id}: ${v.nodes.map(n => n.target.join(' ')).slice(0, 5).join(', ')}`)"""
+SEEN = """async () => {
+    await document.fonts.ready;
+    const all = selector => [...document.querySelectorAll(selector)];
+    const scrolls = e => ['auto', 'scroll'].includes(getComputedStyle(e).overflowX);
+    const held = e => { for (let p = e; p; p = p.parentElement) if (scrolls(p)) return true; };
+    const formulas = all('.bd-article .math').length;
+    return {
+        plots: all('img.plot').filter(i => i.offsetWidth).map(i => i.src),
+        renders: all('img.render, img.exact').filter(i => i.offsetWidth).map(i => [i.src,
+            i.getBoundingClientRect().width / i.naturalWidth, getComputedStyle(i).imageRendering,
+            getComputedStyle(i).filter]),
+        unloaded: all('img').filter(i => !(i.complete && i.naturalWidth)).map(i => i.currentSrc),
+        untypeset: Math.max(0, formulas - all('.bd-article .math mjx-container').length),
+        wrong: all('mjx-merror, [data-mjx-error]').length,
+        fonts: !formulas || [...document.fonts].some(f => f.family.includes('MJX') && f.status === 'loaded'),
+        wide: document.documentElement.scrollWidth,
+        cut: all('.bd-article *').filter(e => e.getBoundingClientRect().right > innerWidth + 1
+            && e.getBoundingClientRect().width > 1 && !held(e)
+            && !e.closest('mjx-assistive-mml'))  // for screen readers alone: clipped to nothing
+            .map(e => e.outerHTML.slice(0, 120)),
+    };
+}"""
 
 
-def address(site, server, scheme: str, page: str) -> str:
-    return f"{server}/{page}.html" if scheme == "http" else (site / f"{page}.html").as_uri()
+def violations(tab, mode="light", place="html"):
+    """What axe-core finds where all that is folded is open."""
+    tab.evaluate("document.querySelectorAll('details').forEach(fold => fold.open = true)")
+    next_frame(tab)
+    tab.add_script_tag(path=AXE)
+    return tab.evaluate(RUN, [place, MODES[mode][1]])
 
 
-def settled(tab, url: str) -> None:
-    """Go there and wait until scripts have run and every formula is typeset."""
-    tab.goto(url, wait_until="load")
-    tab.wait_for_function("() => !window.MathJax || !MathJax.startup || !!MathJax.startup.promise")
-    tab.evaluate("() => window.MathJax && MathJax.startup && MathJax.startup.promise")
-
-
-def is_local(url: str, server: str) -> bool:
-    parts = urlparse(url)
-    return parts.scheme in ("data", "blob", "file") or url.startswith(server)
-
-
-@pytest.fixture
-def tab(browser):
-    """A page in a fresh context, desktop size."""
-    context = browser.new_context(viewport=DESKTOP, color_scheme="light")
-    yield context.new_page()
-    context.close()
-
-
-@pytest.mark.parametrize("scheme", ["http", "file"])
-@pytest.mark.parametrize("page", PAGES)
-def test_page_asks_for_nothing_else_and_reports_no_error(tab, site, server, page, scheme):
-    requests, complaints = [], []
-    tab.on("request", lambda request: requests.append(request.url))
-    tab.on("requestfailed", lambda request: complaints.append(f"failed: {request.url}"))
-    tab.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
-    tab.on("pageerror", lambda error: complaints.append(str(error)))
-    settled(tab, address(site, server, scheme, page))
-    assert requests
-    assert [url for url in requests if not is_local(url, server)] == []
-    assert complaints == []
-    loaded = tab.evaluate("[...document.images].map(i => [i.currentSrc, i.complete && i.naturalWidth > 0])")
-    assert [source for source, fine in loaded if not fine] == []
-
-
-@pytest.mark.parametrize("page", PAGES)
-def test_page_fits_a_phone(browser, site, server, page):
-    context = browser.new_context(viewport=PHONE, device_scale_factor=2, is_mobile=True, has_touch=True)
-    tab = context.new_page()
-    settled(tab, address(site, server, "http", page))
-    assert tab.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
-    # Nothing that a reader needs may be cut off: what is too wide stands in something that scrolls.
-    cut = tab.evaluate(
-        """() => {
-            const scrolls = e => ['auto', 'scroll'].includes(getComputedStyle(e).overflowX);
-            const held = e => { for (let p = e; p; p = p.parentElement) if (scrolls(p)) return true; };
-            return [...document.querySelectorAll('.bd-article *')]
-                .filter(e => e.getBoundingClientRect().right > innerWidth + 1
-                    && e.getBoundingClientRect().width > 1 && !held(e)
-                    && !e.closest('mjx-assistive-mml'))  // for screen readers alone: clipped to nothing
-                .map(e => e.outerHTML.slice(0, 120));
-        }"""
-    )
-    context.close()
-    assert cut == []
-
-
-@pytest.mark.parametrize("scheme", ["http", "file"])
-def test_phone_menu_opens_and_leads_on(browser, site, server, scheme):
-    context = browser.new_context(viewport=PHONE, is_mobile=True, has_touch=True)
-    tab = context.new_page()
-    settled(tab, address(site, server, scheme, "index"))
-    link = tab.locator("nav.bd-docs-nav a[href^='s1.html']:visible")
-    assert link.count() == 0
-    tab.locator("button.primary-toggle").click()
-    link.first.click()
-    tab.wait_for_url("**/s1.html*")
-    context.close()
-
-
-def test_dark_mode_follows_the_system_and_the_button(browser, site, server):
-    context = browser.new_context(viewport=DESKTOP, color_scheme="dark")
-    tab = context.new_page()
-    settled(tab, f"{server}/s1.html")
-    paper = "getComputedStyle(document.body).backgroundColor"
-    dark = tab.evaluate(paper)
-    assert tab.evaluate("document.documentElement.dataset.theme") == "dark"
-    seen = {dark}
-    for _ in range(3):  # the button goes round: light, dark, as the system says
-        tab.locator(".theme-switch-button:visible").first.click()
-        seen.add(tab.evaluate(paper))
-    context.close()
-    assert len(seen) == 2
-
-
-@pytest.mark.parametrize("mode", ["light", "dark"])
-def test_plots_have_the_colours_of_the_page_and_renders_their_own_pixels(browser, site, server, mode):
-    context = browser.new_context(viewport=DESKTOP, color_scheme=mode)
-    tab = context.new_page()
-    plots, renders = [], []
-    for page in PAGES:
-        settled(tab, address(site, server, "http", page))
-        plots += tab.evaluate("[...document.querySelectorAll('img.plot')].filter(i => i.offsetWidth).map(i => i.src)")
-        renders += tab.evaluate(
-            """[...document.querySelectorAll('img.render, img.exact')].filter(i => i.offsetWidth)
-                .map(i => [i.src, i.getBoundingClientRect().width / i.naturalWidth,
-                getComputedStyle(i).imageRendering, getComputedStyle(i).filter])"""
-        )
-    context.close()
-    assert plots and renders, "no page shows a plot and a render"
-    assert all(source.endswith(".dark.svg") == (mode == "dark") for source in plots)
-    for source, enlarged, rendering, filtered in renders:
-        assert enlarged == round(enlarged) >= 1, source
+@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("page", [*PAGES, *OTHERS])
+def test_page_is_whole_and_has_the_colours_and_the_width_of_its_reader(visit, page, mode):
+    """And `visit` sees that it asks for nothing elsewhere and reports no error."""
+    tab = visit(page, **MODES[mode][0])
+    seen = tab.evaluate(SEEN)
+    assert seen["unloaded"] == [] and seen["untypeset"] == seen["wrong"] == 0 and seen["fonts"]
+    assert all(source.endswith(".dark.svg") == (mode == "dark") for source in seen["plots"])
+    for source, enlarged, rendering, filtered in seen["renders"]:
+        assert mode == "phone" or enlarged == round(enlarged) >= 1, source
         assert filtered == "none", source
         assert rendering == "pixelated" or source.endswith(".svg"), source
+    if mode == "phone":  # what is too wide stands in something that scrolls
+        assert seen["wide"] <= PHONE["viewport"]["width"] and seen["cut"] == []
+    if AXE.is_file():
+        assert violations(tab, mode) == []
 
 
-@pytest.mark.parametrize("scheme", ["http", "file"])
-def test_mathematics_is_typeset(tab, site, server, scheme):
-    settled(tab, address(site, server, scheme, "s3"))
-    formulas = tab.evaluate("document.querySelectorAll('.bd-article .math').length")
-    assert formulas > 0
-    assert tab.evaluate("document.querySelectorAll('.bd-article .math mjx-container').length") >= formulas
-    assert tab.evaluate("document.querySelectorAll('mjx-merror, [data-mjx-error]').length") == 0
-    tab.evaluate("document.fonts.ready")
-    assert tab.evaluate("[...document.fonts].some(f => f.family.includes('MJX') && f.status == 'loaded')")
+@with_axe
+@pytest.mark.parametrize("mode", MODES)
+def test_simulator_has_no_violation_when_it_runs_and_when_it_complains(visit, mode):
+    tab = visit("s4", **MODES[mode][0])
+    tab.wait_for_function("window.Simulator && Simulator.running && Simulator.running.frames.length > 0")
+    box = tab.locator("[data-parameter=eps] input[type=text]")
+    box.fill("nonsense")
+    box.press("Tab")
+    assert violations(tab, mode, "#simulator") == []
 
 
-def test_page_without_network_access_can_be_searched(tab, server):
-    settled(tab, f"{server}/search.html?q=sphere")
-    tab.wait_for_selector("#search-results li")
+@with_axe
+def test_search_field_and_phone_menu_have_no_violation_when_they_are_open(visit):
+    tab = visit("s1")
+    tab.locator(".search-button-field:visible").first.click()
+    tab.locator("#pst-search-dialog[open]").wait_for()
+    assert violations(tab) == []
+    tab = visit("s1", **PHONE)
+    tab.locator("button.primary-toggle").click()
+    tab.locator("#pst-primary-sidebar-modal[open]").wait_for()
+    assert violations(tab, "phone") == []
 
 
-def test_on_a_phone_panels_stand_below_each_other_and_what_goes_on_fades(browser, site, server):
-    context = browser.new_context(viewport=PHONE, is_mobile=True, has_touch=True)
-    tab = context.new_page()
-    settled(tab, address(site, server, "http", "s1"))
-    panels = tab.locator("#fig-three_pictures .panel:visible")
-    boxes = [panels.nth(number).bounding_box() for number in range(panels.count())]
-    assert len(boxes) == 3 and all(box["x"] >= 0 and box["x"] + box["width"] <= PHONE["width"] for box in boxes)
-    assert all(above["y"] + above["height"] <= below["y"] for above, below in pairwise(boxes))
-    settled(tab, address(site, server, "http", "s2"))
+@with_axe
+@pytest.mark.parametrize(
+    ("mode", "spoil", "rule"),
+    [
+        ("light", "document.querySelector('.bd-article').append(document.createElement('button'))", "button-name"),
+        ("dark", "document.querySelector('.bd-article p').style.color = '#333'", "color-contrast"),
+        ("phone", "document.querySelector('[data-in-reach]').tabIndex = -1", "scrollable-region-focusable"),
+    ],
+)
+def test_a_violation_is_seen(visit, mode, spoil, rule):
+    tab = visit("s2", **MODES[mode][0])  # on a phone it has a figure that scrolls
+    tab.evaluate(spoil)
+    assert any(entry.startswith(rule) for entry in violations(tab, mode, ".bd-article"))
+
+
+def test_keyboard_moves_a_figure_that_is_too_wide_and_stops_at_no_other(visit):
+    scrolling = "figure .pixels[data-in-reach]"
+    tab = visit("s2", **PHONE)
+    figure = tab.locator(scrolling).first
+    assert figure.get_attribute("aria-label").startswith("Figure ")
+    figure.focus()
+    tab.keyboard.press("ArrowRight")
+    tab.wait_for_function("selector => document.querySelector(selector).scrollLeft > 0", arg=scrolling)
+    tab.set_viewport_size({"width": 2000, "height": 900})
+    tab.wait_for_function("!document.querySelector('[data-in-reach]')")
+
+
+def test_what_is_too_wide_fades_until_its_end_is_reached(visit):
+    tab = visit("s2", **PHONE)
     wide = tab.locator(".bd-article mjx-container.more").first
     wide.evaluate("element => { element.id = 'wide'; element.scrollLeft = element.scrollWidth; }")
     tab.wait_for_function("!document.getElementById('wide').classList.contains('more')")
-    context.close()
+
+
+@pytest.mark.parametrize("scheme", ["http", "file"])
+def test_on_a_phone_panels_stand_below_each_other_and_the_menu_leads_on(visit, scheme):
+    tab = visit("s1", scheme, **PHONE)
+    panels = tab.locator("#fig-three_pictures .panel:visible")
+    boxes = [panels.nth(number).bounding_box() for number in range(panels.count())]
+    assert len(boxes) == 3 and all(box["x"] >= 0 and box["x"] + box["width"] <= 400 for box in boxes)
+    assert all(above["y"] + above["height"] <= below["y"] for above, below in pairwise(boxes))
+    link = tab.locator("nav.bd-docs-nav a[href^='s2.html']:visible")
+    assert link.count() == 0
+    tab.locator("button.primary-toggle").click()
+    link.first.click()
+    tab.wait_for_url("**/s2.html*")
+
+
+def test_dark_mode_follows_the_system_and_a_button_with_a_name(visit):
+    tab, paper = visit("s1", color_scheme="dark"), "getComputedStyle(document.body).backgroundColor"
+    assert tab.evaluate("document.documentElement.dataset.theme") == "dark"
+    seen, modes = {tab.evaluate(paper)}, set()
+    tab.get_by_role("button", name="Light or dark").focus()
+    for _ in range(3):  # the button goes round: light, dark, as the system says
+        tab.keyboard.press("Enter")
+        seen.add(tab.evaluate(paper))
+        modes.add(tab.evaluate("document.documentElement.dataset.mode"))
+    assert len(seen) == 2 and len(modes) == 3

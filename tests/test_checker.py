@@ -1,14 +1,16 @@
 """The reader's own browser checks the certificates: the cards, the page of all claims, the changed statement."""
 
+import functools
 import json
 import re
 
 import pytest
+from bs4 import BeautifulSoup
 
 from proofs.engine.theorem import all_theorems
+from tests.tabs import PHONE
 from tests.tampered_certificates import stored
-from tests.test_accessibility import AXE
-from tests.test_browser import DESKTOP, PAGES, PHONE
+from tests.test_browser import PAGES, violations, with_axe
 
 pytestmark = pytest.mark.browser
 CHECK_HERE, CHANGE, CHECK_ALL = "Check it here", "Change the statement", "Check all"
@@ -26,29 +28,10 @@ COMPLAINTS = {
 CERTIFIED = {name.partition("/")[0] for name in stored()}
 
 
-def opened(context, address):
-    """Open a page; return (tab, complaints, requests)."""
-    tab, complaints, requests = context.new_page(), [], []
-    tab.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
-    tab.on("pageerror", lambda error: complaints.append(str(error)))
-    tab.goto(address, wait_until="load")
-    tab.on("request", lambda request: requests.append(request.url))
-    return tab, complaints, requests
-
-
 @pytest.fixture
-def page(browser, server):
-    """A function that opens a page of the book on a desktop; nothing may have complained at the end."""
-    context, seen = browser.new_context(viewport=DESKTOP), []
-
-    def go(name):
-        tab, complaints, _ = opened(context, f"{server}/{name}.html")
-        seen.append(complaints)
-        return tab
-
-    yield go
-    context.close()
-    assert [text for complaints in seen for text in complaints] == []
+def page(visit):
+    """A function that opens a page of the book, its formulas as they are written: to typeset them takes longest."""
+    return functools.partial(visit, until="window.Checker", given={"**/tex-chtml-full.js*": ""})
 
 
 @pytest.fixture
@@ -76,14 +59,11 @@ def verdict(place):
 
 
 @pytest.mark.parametrize("scheme", ["http", "file"])
-def test_a_card_checks_its_theorem_and_asks_for_nothing(browser, site, server, scheme):
-    context = browser.new_context(viewport=DESKTOP)
-    address = f"{server}/lemmas.html" if scheme == "http" else (site / "lemmas.html").as_uri()
-    tab, complaints, requests = opened(context, address)
-    tab.evaluate("() => MathJax.startup.promise")
-    icon = tab.evaluate("document.querySelector('link[rel~=icon]').href")  # a browser asks for it when it likes
-    requests.clear()  # of the formulas' fonts
+def test_a_card_checks_its_theorem_and_asks_for_nothing(page, scheme):
+    tab, requests = page("lemmas", scheme), []
     place = card(tab, "unit_length")
+    icon = tab.evaluate("document.querySelector('link[rel~=icon]').href")  # a browser asks for it when it likes
+    tab.on("request", lambda request: requests.append(request.url))
     press(place, CHECK_HERE)
     said = verdict(place)
     assert re.match(r"✓? ?Accepted, in (\d+|less than 1) ms, by this browser\. 2 statements under 4 hypotheses: ", said)
@@ -94,8 +74,6 @@ def test_a_card_checks_its_theorem_and_asks_for_nothing(browser, site, server, s
     place.get_by_text("What was checked").click()
     assert place.locator(".checker ol > li").count() == 2
     assert [url for url in requests if url != icon and not url.startswith("blob:")] == []
-    assert complaints == []
-    context.close()
 
 
 def test_check_all_accepts_everything_and_says_so_on_every_line(page):
@@ -112,21 +90,18 @@ def test_check_all_accepts_everything_and_says_so_on_every_line(page):
     assert tab.locator(".check-mark.check-rejected").count() == 0
 
 
-def test_every_theorem_has_its_button_or_says_why_not(page):
-    buttons, notes = [], []
+def test_every_theorem_has_its_button_and_its_stored_data_or_says_why_not(site):
+    data, notes = {}, []
     for name in PAGES:
-        tab = page(name)
-        buttons += tab.evaluate("[...document.querySelectorAll('.checker[data-theorem]')].map(e => e.dataset.theorem)")
-        notes += tab.evaluate("[...document.querySelectorAll('.theorem:has(.check-nothing)')].map(e => e.id)")
-    assert sorted(buttons) == sorted(CERTIFIED)
+        page = BeautifulSoup((site / f"{name}.html").read_bytes(), "html.parser")
+        for place in page.select(".checker[data-theorem]"):
+            data[place["data-theorem"]] = json.loads(place.find("script", type="application/json").string)
+        notes += [place["id"] for place in page.select(".theorem:has(.check-nothing)")]
+    assert data.keys() == CERTIFIED
     assert sorted(notes) == sorted(f"theorem-{id}" for id in all_theorems().keys() - CERTIFIED)
-
-
-def test_the_data_in_the_page_are_the_stored_ones(page):
-    tab = page("lemmas")
-    data = json.loads(tab.locator("#theorem-unit_length script[type='application/json']").text_content())
-    pairs = [(pair["statement"], pair["certificate"]) for claim in data["claims"] for pair in claim["statements"]]
-    assert pairs == [pair for name, pair in stored().items() if name.startswith("unit_length/")]
+    shown = [(pair["statement"], pair["certificate"]) for each in data.values() for claim in each["claims"]
+             for pair in claim["statements"]]  # fmt: skip
+    assert sorted(map(json.dumps, shown)) == sorted(map(json.dumps, stored().values()))
 
 
 def test_a_statement_that_is_changed_from_the_keyboard_is_rejected_and_can_be_put_back(page):
@@ -169,7 +144,7 @@ def test_what_is_typed_is_read_or_refused_in_words(page):
     place.get_by_text("as it was").wait_for()
 
 
-@pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm ci --prefix tests/axe")
+@with_axe
 def test_an_open_card_has_no_serious_violation(page):
     tab = page("lemmas")
     place = card(tab, "unit_length")
@@ -180,12 +155,7 @@ def test_an_open_card_has_no_serious_violation(page):
     place.locator(".check-chips button").first.click()
     place.locator(".check-editor .check-rejected").wait_for()
     place.locator(".check-panel input").fill("nonsense")
-    tab.add_script_tag(path=AXE)
-    options = {"include": ["#theorem-unit_length"]}
-    found = tab.evaluate(
-        "async (context) => (await axe.run(context)).violations.map((v) => `${v.impact} ${v.id}`)", options
-    )
-    assert [violation for violation in found if violation.startswith(("serious", "critical"))] == []
+    assert violations(tab, place="#theorem-unit_length") == []
 
 
 def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(page, page_of):
@@ -251,16 +221,13 @@ def test_a_worker_that_does_not_start_says_so(page, breakage, words, name, butto
     assert "Accepted" not in said
 
 
-def test_a_worker_that_never_answers_is_given_up(browser, server):
-    context = browser.new_context()
-    tab = context.new_page()
+def test_a_worker_that_never_answers_is_given_up(page):
+    tab = page("lemmas")
     tab.clock.install()
-    tab.goto(f"{server}/lemmas.html")
     tab.evaluate("() => { window.Worker = class { postMessage() {} terminate() {} } }")
     press(card(tab, "unit_length"), CHECK_HERE)
     tab.clock.run_for(21000)
     assert "no answer within 20 seconds" in verdict(card(tab, "unit_length"))
-    context.close()
 
 
 def test_a_refuted_claim_has_its_counterexample_put_in(page, page_of):
@@ -271,27 +238,21 @@ def test_a_refuted_claim_has_its_counterexample_put_in(page, page_of):
     assert "1 counterexample put in, in exact fractions: the claim is false there, and 7 other conditions hold" in said
 
 
-def test_without_scripts_the_card_says_what_there_is(browser, server):
-    context = browser.new_context(java_script_enabled=False)
-    tab = context.new_page()
-    tab.goto(f"{server}/lemmas.html")
-    assert card(tab, "unit_length").get_by_role("button").count() == 0
-    assert "takes JavaScript" in card(tab, "unit_length").inner_text()
-    assert "steps" not in card(tab, "unit_length").inner_text()  # the data are not text
-    context.close()
+def test_without_scripts_the_card_says_what_there_is(visit):
+    place = card(visit("lemmas", java_script_enabled=False), "unit_length")
+    assert place.get_by_role("button").count() == 0
+    assert "takes JavaScript" in place.inner_text()
+    assert "steps" not in place.inner_text()  # the data are not text
 
 
-def test_the_editor_fits_a_phone_and_a_finger(browser, server):
-    context = browser.new_context(viewport=PHONE, is_mobile=True, has_touch=True)
-    tab, complaints, _ = opened(context, f"{server}/s3.html")
+def test_the_editor_fits_a_phone_and_a_finger(visit):
+    tab = visit("s3", **PHONE)
     tab.evaluate("document.querySelectorAll('.theorem > details').forEach(fold => fold.open = true)")
     tab.evaluate(OPEN_EVERYTHING)
     tab.wait_for_function("[...document.querySelectorAll('.check-body > .check-verdict')].every(e => e.innerText)")
     tab.evaluate("document.querySelectorAll('.checker details').forEach(fold => fold.open = true)")
-    assert tab.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
+    assert tab.evaluate("document.documentElement.scrollWidth") <= PHONE["viewport"]["width"]
     small = tab.evaluate("""[...document.querySelectorAll('.checker :is(button, input, select, summary)')]
         .filter(e => e.offsetWidth).map(e => [e.outerHTML.slice(0, 80), e.getBoundingClientRect()])
         .filter(([_, box]) => box.height < 44 || box.width < 44).map(([html]) => html)""")
     assert small == []
-    assert complaints == []
-    context.close()

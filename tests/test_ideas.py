@@ -1,5 +1,6 @@
 """The small interactives: their numbers are the renderer's, hand and keys move them, the still pictures stay."""
 
+import functools
 import gzip
 import math
 import random
@@ -11,7 +12,7 @@ import pytest
 from book import idea_kernels
 from renderer import Scene, central, exact, gradient_at, height_at, pixel, render
 from renderer.machines.points_code import inputs_of
-from tests.simulator_page import visited
+from tests.tabs import PHONE, next_frame
 
 pytestmark = pytest.mark.browser
 
@@ -37,26 +38,15 @@ def unit(vector):
 
 
 @pytest.fixture(scope="module")
-def visit(browser, server):
+def idea(visit_once):
     """Return the function that opens an idea's page once, and gives the tab and the idea's figure."""
-    opened = {}
+    open_page = functools.cache(lambda page: visit_once(page, until=STARTED))
 
-    def open_page(name):
-        page = PAGES[name]
-        if page not in opened:
-            manager = visited(browser, f"{server}/{page}.html", started=False)
-            opened[page] = manager, manager.__enter__()
-            opened[page][1].wait_for_function(STARTED)
-        tab = opened[page][1]
+    def open_idea(name):
+        tab = open_page(PAGES[name])
         return tab, tab.locator(f"#fig-{name}")
 
-    yield open_page
-    for manager, _ in opened.values():
-        manager.__exit__(None, None, None)
-
-
-def next_frame(tab):
-    tab.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    return open_idea
 
 
 def press(tab, part, *keys):
@@ -74,8 +64,8 @@ def now(part):
 
 
 @pytest.mark.parametrize("kernel", idea_kernels.IDEAS, ids=lambda kernel: kernel.__name__)
-def test_the_compiled_kernels_are_python_s_to_the_last_bit(visit, kernel):
-    tab, _ = visit("slope_is_texture")
+def test_the_compiled_kernels_are_python_s_to_the_last_bit(idea, kernel):
+    tab, _ = idea("slope_is_texture")
     rng, count = random.Random(kernel.__name__), len(inputs_of(kernel))
     rows = [[rng.uniform(-1, 1) for _ in range(count)] for _ in range(50)]
     ask = "([name, rows]) => rows.map(row => [Ideas.module.kernel(name, ...row)].flat())"
@@ -85,32 +75,29 @@ def test_the_compiled_kernels_are_python_s_to_the_last_bit(visit, kernel):
     np.testing.assert_array_equal(np.array(found, float), np.array(expected))
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_the_still_picture_stands_where_no_script_runs_and_on_paper(browser, server, name):
-    for script, medium in ((False, "screen"), (True, "print"), (True, "screen")):
-        with visited(browser, f"{server}/{PAGES[name]}.html", started=False, java_script_enabled=script) as tab:
-            if script:
-                tab.wait_for_function(STARTED)
+@pytest.mark.parametrize("page", sorted({*PAGES.values()}))
+def test_the_still_picture_stands_where_no_script_runs_and_on_paper(visit, page):
+    for script in (False, True):
+        tab = visit(page, until=STARTED, java_script_enabled=script)
+        for medium in ("screen", "print"):
             tab.emulate_media(media=medium)
-            figure, live = tab.locator(f"#fig-{name}"), script and medium == "screen"
-            assert figure.locator(".pixels").is_visible() is not live
-            assert (
-                figure.locator(".idea-stage").count() == script and figure.locator(".idea-stage").is_visible() is live
-            )
+            live = script and medium == "screen"
+            for figure in (tab.locator(f"#fig-{name}") for name in PAGES if PAGES[name] == page):
+                assert figure.locator(".pixels").is_visible() is not live
+                stage = figure.locator(".idea-stage")
+                assert stage.count() == script and stage.is_visible() is live
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_a_phone_has_it_whole_with_large_targets(browser, server, name):
-    phone = {"viewport": {"width": 400, "height": 850}, "is_mobile": True, "has_touch": True}
-    with visited(browser, f"{server}/{PAGES[name]}.html", started=False, **phone) as tab:
-        tab.wait_for_function(STARTED)
+@pytest.mark.parametrize("page", sorted({*PAGES.values()}))
+def test_a_phone_has_it_whole_with_large_targets(visit, page):
+    tab = visit(page, until=STARTED, **PHONE)
+    for name in (name for name in PAGES if PAGES[name] == page):
         tab.locator(f"#fig-{name}").scroll_into_view_if_needed()
         next_frame(tab)
         script = """name => [...document.querySelectorAll(`#fig-${name} :is(.reach, input, button, select)`)]
             .map(e => e.getBoundingClientRect()).map(r => [r.width, r.height])"""
         sizes = tab.evaluate(script, name)
         assert sizes and all(min(size) >= 43.9 for size in sizes)
-        assert tab.evaluate("document.documentElement.scrollWidth") == 400
 
 
 def test_their_code_is_light(site):
@@ -119,8 +106,8 @@ def test_their_code_is_light(site):
     assert len(parts) == 8 and len(gzip.compress(b"".join(parts))) <= 25_000
 
 
-def test_slope_is_texture_starts_near_the_top_of_the_chapter(visit):
-    tab, figure = visit("slope_is_texture")
+def test_slope_is_texture_starts_near_the_top_of_the_chapter(idea):
+    tab, figure = idea("slope_is_texture")
     assert tab.evaluate("e => e.getBoundingClientRect().top + scrollY", figure.element_handle()) < 2500
 
 
@@ -135,8 +122,8 @@ def expected_on_circle(u, beta):
     return slope, slope * beta, tilt, max(0.0, normal @ light), max(0.0, bumped @ light)
 
 
-def test_slope_is_texture_says_what_the_renderer_says(visit):
-    tab, figure = visit("slope_is_texture")
+def test_slope_is_texture_says_what_the_renderer_says(idea):
+    tab, figure = idea("slope_is_texture")
     point, beta = figure.locator(".idea-handle").first, figure.locator("input")
     seen = set()
     for keys in (["ArrowRight"], ["Shift+ArrowLeft", "ArrowDown"], ["Shift+ArrowRight"] * 9, ["Shift+ArrowDown"] * 6):
@@ -152,8 +139,8 @@ def test_slope_is_texture_says_what_the_renderer_says(visit):
     assert abs(expected[2] - expected_on_circle(u + 1 / 256, amount)[2]) > 0.2  # a neighbour would be seen
 
 
-def test_slope_is_texture_follows_the_pointer(visit):
-    tab, figure = visit("slope_is_texture")
+def test_slope_is_texture_follows_the_pointer(idea):
+    tab, figure = idea("slope_is_texture")
     figure.scroll_into_view_if_needed()
     point, sphere = figure.locator(".idea-handle").all()
     box, frame = point.bounding_box(), figure.locator("svg").first.bounding_box()
@@ -167,8 +154,8 @@ def test_slope_is_texture_follows_the_pointer(visit):
     assert abs(float(height_at(SCENE, 0.5, 0.125))) < 1e-12 and said(figure)[0] == 0.0
 
 
-def test_tilted_frame_says_what_the_renderer_says(visit):
-    tab, figure = visit("tilted_frame")
+def test_tilted_frame_says_what_the_renderer_says(idea):
+    tab, figure = idea("tilted_frame")
     view, point, tip = figure.locator("[role=slider]").all()
     for keys in (["ArrowRight", "Shift+ArrowDown"], ["ArrowLeft", "Shift+ArrowUp"], ["Shift+ArrowRight"] * 3):
         press(tab, point, *keys)
@@ -195,8 +182,8 @@ def test_tilted_frame_says_what_the_renderer_says(visit):
     assert now(view) != before and figure.locator("dd").all_inner_texts() == cells
 
 
-def test_two_slopes_says_what_the_renderer_says(visit):
-    tab, figure = visit("two_slopes")
+def test_two_slopes_says_what_the_renderer_says(idea):
+    tab, figure = idea("two_slopes")
     point, step = figure.locator(".idea-handle").all()
     slider, apart = figure.locator("input"), []
     for exponent in (-2, -4, -12):
@@ -216,8 +203,8 @@ def test_two_slopes_says_what_the_renderer_says(visit):
 @pytest.mark.parametrize(
     "keys, surface", [([], "A"), (["Shift+ArrowRight"] * 4, "B"), (["Shift+ArrowLeft"] * 18, "floor")]
 )
-def test_scene_from_the_side_meets_what_the_renderer_meets(visit, keys, surface):
-    tab, figure = visit("scene_from_the_side")
+def test_scene_from_the_side_meets_what_the_renderer_meets(idea, keys, surface):
+    tab, figure = idea("scene_from_the_side")
     point = figure.locator(".idea-handle")
     press(tab, point, *["Shift+ArrowLeft"] * 40, *["Shift+ArrowRight"] * 27, *keys)
     at = now(point) / math.sqrt(2)  # B's centre is on the diagonal
@@ -233,8 +220,8 @@ def test_scene_from_the_side_meets_what_the_renderer_meets(visit, keys, surface)
 
 
 @pytest.mark.parametrize("column, row", [(104, 92), (90, 140), (170, 70), (250, 20), (30, 200)])
-def test_pixel_worked_is_the_renderers_pixel(visit, column, row):
-    tab, figure = visit("pixel_worked")
+def test_pixel_worked_is_the_renderers_pixel(idea, column, row):
+    tab, figure = idea("pixel_worked")
     point = figure.locator(".idea-handle")
     at = int(now(point))
     for there, here, keys in (

@@ -1,6 +1,7 @@
 """The laboratory's cells: printed from `proofs/`, equal to the renderer, and complete wherever they are pasted."""
 
 import contextlib
+import functools
 import io
 import json
 import os
@@ -10,18 +11,17 @@ import subprocess
 import sys
 from base64 import b64decode
 from html import unescape
-from importlib.metadata import PackageNotFoundError, requires
+from importlib.metadata import PackageNotFoundError, packages_distributions, requires
 from itertools import pairwise
 from pathlib import Path
 
+import matplotlib
 import nbformat
 import numpy as np
 import pytest
-from filelock import FileLock
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-from book.build import stamps
 from book.extension.notebooks import FOLDER, colab_address
 from book.extension.results import look_up
 from book.notebooks import WHOLE
@@ -39,20 +39,28 @@ NAMES = [*(f"cell{number}" for number in range(1, 9)), WHOLE]
 FOUR = ("numpy", "sympy", "mpmath", "matplotlib")
 RUNNERS = ("ipykernel", "nbclient")
 ALONE = "The book's renderer is not installed: nothing to compare with.\n"
-OFFLINE = '''\
-"""Refuse every connection that leaves this machine."""
+# Put where every Python of a run finds it: no connection leaves the machine, and no other package can be imported.
+ALONE_HERE = """\
 import socket
+import sys
+
+
+class Others:
+    def find_spec(name, path=None, target=None):
+        if name in {refused}:
+            raise ModuleNotFoundError(f"No module named {{name!r}}", name=name)
 
 
 class Offline(socket.socket):
     def connect(self, address):
         if self.family in (socket.AF_INET, socket.AF_INET6) and not str(address[0]).startswith("127."):
-            raise OSError(f"a notebook asked the network for {address}")
+            raise OSError(f"a notebook asked the network for {{address}}")
         return super().connect(address)
 
 
+sys.meta_path.insert(0, Others)
 socket.socket = Offline
-'''
+"""
 RUN = """\
 import sys, nbclient, nbformat
 notebook = nbformat.read(sys.argv[1], 4)
@@ -66,19 +74,19 @@ def code_of(notebook):
     return [cell["source"] for cell in notebook["cells"] if cell["cell_type"] == "code"]
 
 
-@pytest.fixture
-def ran(monkeypatch):
-    """Run a source, without windows, and return (what it printed, its names)."""
-    matplotlib = pytest.importorskip("matplotlib")
-    matplotlib.use("agg")
-    monkeypatch.setattr("matplotlib.pyplot.show", lambda: None)
+@pytest.fixture(scope="module")
+def ran():
+    """Run a source, once and without windows, and return (what it printed, its names)."""
 
+    @functools.cache
     def run(source):
         scope, text = {"__name__": "cell"}, io.StringIO()
-        with contextlib.redirect_stdout(text):
+        with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stdout(text):
+            patch.setattr("matplotlib.pyplot.show", lambda: None)
             exec(source, scope)
         return text.getvalue(), scope
 
+    matplotlib.use("agg")
     return run
 
 
@@ -157,11 +165,10 @@ def test_printed_difference_is_the_renderer_s():
 
 def test_cells_agree_with_the_renderer(ran):
     for cell in cells():
-        text, _ = ran(cell.code.split("\ndear, cheap")[0])
-        if cell.number in (2, 7):
-            continue
-        assert re.search(r"from the book's renderer (?:at most|by) (\S+)", text), cell.name
-        assert float(re.search(r"from the book's renderer (?:at most|by) (\S+)", text)[1]) < 1e-11, cell.name
+        text, _ = ran(cell.code)
+        if cell.number not in (2, 7):
+            found = re.search(r"from the book's renderer (?:at most|by) (\S+)", text)
+            assert float(found[1]) < 1e-11, cell.name
 
 
 def test_cell_with_a_wrong_sign_does_not_agree(ran):
@@ -314,55 +321,27 @@ def with_dependencies(names):
     return found
 
 
-def part_of_the_lock(names):
-    """Return the lock's lines of some packages, versions and hashes included."""
-    entries = re.split(r"\n(?=\S)", stamps.LOCK_FILE.read_text(encoding="utf-8").strip())
-    return "\n".join(e for e in entries if canonicalize_name(re.match(r"[\w.-]+", e)[0]) in names) + "\n"
-
-
-def give_up(reason):
-    """Skip, or fail where REQUIRE_NOTEBOOKS=1 forbids that."""
-    if os.environ.get("REQUIRE_NOTEBOOKS") == "1":
-        pytest.fail(f"{reason}, and REQUIRE_NOTEBOOKS=1")
-    pytest.skip(reason)
-
-
-@pytest.fixture(scope="session")
-def clean_python(tmp_path_factory, request):
-    """A Python with the four packages and what executes a notebook, at the lock's versions, and no network."""
-    base = tmp_path_factory.getbasetemp()
-    shared = base.parent if hasattr(request.config, "workerinput") else base
-    folder = shared / "clean_environment"
-    python = folder / "bin" / "python"
-    with FileLock(shared / "clean_environment.lock"):
-        if not (folder / "whole").exists():
-            shutil.rmtree(folder, ignore_errors=True)
-            subprocess.run([sys.executable, "-m", "venv", folder], check=True)
-            (folder / "lock.txt").write_text(part_of_the_lock(with_dependencies(FOUR + RUNNERS)), encoding="utf-8")
-            install = [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--require-hashes"]
-            done = subprocess.run([*install, "-r", folder / "lock.txt"], capture_output=True, text=True)
-            if done.returncode:
-                give_up(f"the four packages cannot be installed: {done.stderr.strip().splitlines()[-1]}")
-            (site_packages,) = folder.glob("lib/python*/site-packages")
-            (site_packages / "offline.py").write_text(OFFLINE, encoding="utf-8")
-            (site_packages / "offline.pth").write_text("import offline\n", encoding="utf-8")
-            (folder / "whole").touch()
-    return python
-
-
-def in_empty_folder(python, arguments, folder):
-    """Run the clean Python in a folder, with nothing of this environment's."""
-    home = {name: str(folder.parent / "home") for name in ("HOME", "IPYTHONDIR", "MPLCONFIGDIR", "JUPYTER_CONFIG_DIR")}
+@pytest.fixture(scope="module")
+def alone(tmp_path_factory):
+    """Run this Python in a folder with the four packages, what executes a notebook, and no network."""
+    place, allowed = tmp_path_factory.mktemp("alone"), with_dependencies(FOUR + RUNNERS)
+    refused = {"renderer", "proofs", "verify", "book"}
+    refused |= {n for n, of in packages_distributions().items() if not allowed & {canonicalize_name(o) for o in of}}
+    (place / "sitecustomize.py").write_text(ALONE_HERE.format(refused=refused), encoding="utf-8")
+    home = {name: str(place) for name in ("HOME", "IPYTHONDIR", "MPLCONFIGDIR", "JUPYTER_CONFIG_DIR", "PYTHONPATH")}
     settings = {"PATH": os.environ.get("PATH", os.defpath), "LANG": "C.UTF-8", **home}
-    return subprocess.run([python, *arguments], cwd=folder, env=settings, capture_output=True, text=True)
+
+    def run(arguments, folder):
+        return subprocess.run([sys.executable, *arguments], cwd=folder, env=settings, capture_output=True, text=True)
+
+    return run
 
 
-def test_clean_environment_has_neither_llvmlite_nor_a_network(clean_python, tmp_path):
-    for name in ("llvmlite", "renderer"):
-        done = in_empty_folder(clean_python, ["-c", f"import {name}"], tmp_path)
-        assert f"No module named '{name}'" in done.stderr
+def test_nothing_but_the_four_packages_is_there_and_no_network(alone, tmp_path):
+    for name in ("llvmlite", "flint", "renderer"):
+        assert f"No module named '{name}'" in alone(["-c", f"import {name}"], tmp_path).stderr
     ask = "import urllib.request; urllib.request.urlopen('http://192.0.2.1', timeout=5)"
-    assert "a notebook asked the network" in in_empty_folder(clean_python, ["-c", ask], tmp_path).stderr
+    assert "a notebook asked the network" in alone(["-c", ask], tmp_path).stderr
 
 
 def printed_on(page):
@@ -376,24 +355,25 @@ def compared(text):
     return "".join(line for line in text.splitlines(keepends=True) if "the book's renderer" not in line.lower())
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_notebook_runs_alone_and_prints_what_the_page_does(name, site, clean_python, tmp_path):
-    empty = tmp_path / "empty"
-    empty.mkdir()
-    shutil.copy(site / FOLDER / f"{name}.ipynb", empty)
-    done = in_empty_folder(clean_python, ["-c", RUN, f"{name}.ipynb", tmp_path / "done.ipynb"], empty)
-    assert done.returncode == 0, done.stderr
-    assert [path.name for path in empty.iterdir()] == [f"{name}.ipynb"]
-    here = json.loads((tmp_path / "done.ipynb").read_text(encoding="utf-8"))["cells"]
-    outputs = [output for cell in here for output in cell.get("outputs", ())]
-    assert not [o for o in outputs if o["output_type"] == "error" or o.get("name") == "stderr"]
-    text = "".join("".join(output["text"]) for output in outputs if output["output_type"] == "stream")
-    assert text.count(ALONE) == (8 if name == WHOLE else 1)
-    timed = re.compile(r"ns a point: .*\nthe difference takes .*\n")  # the page times nothing
-    assert len(timed.findall(text)) == (name in ("cell4", WHOLE))
-    own, page = compared(timed.sub("", text)), printed_on(site / "s5.html")
-    assert own and own in page
-    assert name != WHOLE or own == page
+def test_notebooks_run_alone_and_print_what_the_page_does(site, alone, tmp_path):
+    """The page's own build runs the ninth, which is all of them: the same code, as another test compares."""
+    printed = []
+    for name in NAMES[:-1]:
+        empty, done = tmp_path / name, tmp_path / f"{name}.done.ipynb"
+        empty.mkdir()
+        shutil.copy(site / FOLDER / f"{name}.ipynb", empty)
+        run = alone(["-c", RUN, f"{name}.ipynb", done], empty)
+        assert run.returncode == 0, run.stderr
+        assert [path.name for path in empty.iterdir()] == [f"{name}.ipynb"]
+        here = json.loads(done.read_text(encoding="utf-8"))["cells"]
+        outputs = [output for cell in here for output in cell.get("outputs", ())]
+        assert not [o for o in outputs if o["output_type"] == "error" or o.get("name") == "stderr"]
+        text = "".join("".join(output["text"]) for output in outputs if output["output_type"] == "stream")
+        assert text.count(ALONE) == 1
+        timed = re.compile(r"ns a point: .*\nthe difference takes .*\n")  # the page times nothing
+        assert len(timed.findall(text)) == (name == "cell4")
+        printed.append(compared(timed.sub("", text)))
+    assert all(printed) and "".join(printed) == printed_on(site / "s5.html")
 
 
 @pytest.mark.parametrize(("url", "links"), [("", 1), ("https://example.org/a/b", 1), ("https://github.com/a/b", 2)])
@@ -419,9 +399,8 @@ def test_colab_address_needs_a_repository_of_githubs():
 
 
 @pytest.mark.browser
-def test_links_save_notebooks_from_a_disk(site, browser):
-    page = browser.new_page(accept_downloads=True)
-    page.goto((site / "s5.html").as_uri())
+def test_links_save_notebooks_from_a_disk_and_addresses_of_cells_are_their_headings(site, visit):
+    page = visit("s5", "file")
     links = page.locator(".notebook-links a[download]")
     assert links.count() == len(NAMES)
     for number in range(links.count()):
@@ -430,13 +409,13 @@ def test_links_save_notebooks_from_a_disk(site, browser):
         name = links.nth(number).get_attribute("download")
         assert saved.value.suggested_filename == name
         assert Path(saved.value.path()).read_bytes() == (site / FOLDER / name).read_bytes()
-    page.close()
+    for number in (1, 8):
+        assert page.locator(f"#cell{number} > :is(h2, h3)").first.inner_text().startswith(f"Cell {number}.")
 
 
 @pytest.mark.browser
-def test_copied_cell_is_complete_though_its_scene_is_folded(site, browser):
-    page = browser.new_page()
-    page.goto((site / "s5.html").as_uri())
+def test_copied_cell_is_complete_though_its_scene_is_folded(visit):
+    page = visit("s5", "file")
     page.evaluate("document.body.prepend(Object.assign(document.createElement('textarea'), { id: 'pasted' }))")
     inputs, sources = page.locator("div.cell_input"), code_of(notebooks()[WHOLE])
     assert inputs.count() == page.locator("div.cell_input button.copybtn").count() == len(sources)
@@ -446,13 +425,3 @@ def test_copied_cell_is_complete_though_its_scene_is_folded(site, browser):
         page.locator("#pasted").fill("")
         page.keyboard.press("Control+V")
         assert page.locator("#pasted").input_value().strip() == source.strip()
-    page.close()
-
-
-@pytest.mark.browser
-def test_address_of_a_cell_is_its_heading(site, browser):
-    page = browser.new_page()
-    for number in (1, 8):
-        page.goto(f"{(site / 's5.html').as_uri()}#cell{number}")
-        assert page.locator(f"#cell{number} > :is(h2, h3)").first.inner_text().startswith(f"Cell {number}.")
-    page.close()

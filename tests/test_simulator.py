@@ -4,7 +4,6 @@ import base64
 import gzip
 import random
 import re
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -12,12 +11,11 @@ from pathlib import Path
 import pytest
 
 from renderer.kernels import FIELDS
-from tests.simulator_page import go, settled, slide, state, visited
+from tests.tabs import PHONE, RUNNING, go, settled, slide, state
+from tests.test_newcomer import copied
 
 pytestmark = pytest.mark.browser
 
-ROOT = Path(__file__).resolve().parent.parent
-PHONE = {"width": 400, "height": 850}
 CLIPBOARD = ["clipboard-read", "clipboard-write"]
 # k_u u + k_v v at the pixels of A over which a crease is drawn.
 WHITE = """() => {
@@ -32,9 +30,8 @@ EDITS = ["", *"&=%-e1ε. #", "9" * 9, "NaN", "\0", "%zz", "__proto__"]
 
 
 @pytest.fixture(scope="module")
-def shared(browser, server):
-    with visited(browser, f"{server}/s4.html", reduced_motion="reduce", permissions=CLIPBOARD) as page:
-        yield page
+def shared(visit_once):
+    return visit_once("s4", until=RUNNING, reduced_motion="reduce", permissions=CLIPBOARD)
 
 
 @pytest.fixture
@@ -56,14 +53,11 @@ def readout(tab, name):
     return float(tab.inner_text(f"[data-readout={name}]").replace("−", "-"))
 
 
-@pytest.mark.parametrize("scheme", ["http", "file"])
-def test_it_runs_and_asks_for_nothing_else(browser, site, server, scheme):
-    base, requests = (server if scheme == "http" else site.as_uri()), []
-    with visited(browser, f"{base}/s4.html", asked=requests) as tab:
-        for eps in (-2, -8, -14):
-            slide(tab, "eps", eps)
-        tab.wait_for_function("document.querySelector('[data-readout=flips]').textContent === '0'")
-    assert [url for url in requests if not url.startswith((base, "blob:", "data:"))] == []
+def test_it_runs_and_asks_for_nothing_else(visit):
+    tab = visit("s4", "file", until=RUNNING)
+    for eps in (-2, -8, -14):
+        slide(tab, "eps", eps)
+    tab.wait_for_function("document.querySelector('[data-readout=flips]').textContent === '0'")
 
 
 def test_sliders_boxes_and_menus_set_the_state(tab):
@@ -237,13 +231,13 @@ def test_fourth_experiment_makes_the_pictures_one(tab):
     assert readout(tab, "max") == 0 and readout(tab, "rms") == 0
 
 
-def test_an_experiment_moves_unless_motion_is_unwanted(browser, server):
-    with visited(browser, f"{server}/s4.html", reduced_motion="no-preference") as page:
-        page.click("[data-preset=sweep]")
-        page.wait_for_function("Simulator.running.act.state().eps < 0.05")
-        page.keyboard.press("Tab")
-        slide(page, "beta", 0.5)  # the reader's hand ends it
-        assert not page.evaluate("Simulator.running.presets.running()")
+def test_an_experiment_moves_unless_motion_is_unwanted(visit):
+    page = visit("s4", until=RUNNING, reduced_motion="no-preference")
+    page.click("[data-preset=sweep]")
+    page.wait_for_function("Simulator.running.act.state().eps < 0.05")
+    page.keyboard.press("Tab")
+    slide(page, "beta", 0.5)  # the reader's hand ends it
+    assert not page.evaluate("Simulator.running.presets.running()")
 
 
 def test_flips_are_counted_and_the_bound_holds(tab):
@@ -344,7 +338,7 @@ def test_the_scale_keeps_its_bar(tab):
 
 
 @pytest.mark.parametrize("width, height", [(1440, 900), (1024, 768), (390, 844)])
-def test_pictures_step_and_curve_are_seen_together(browser, server, width, height):
+def test_pictures_step_and_curve_are_seen_together(visit, width, height):
     """One view; on a phone the difference and the step. Whatever the resolution, the pictures keep their size."""
     seen = ["[data-picture=difference]", "#sim-eps"]
     if width > 1000:
@@ -356,11 +350,11 @@ def test_pictures_step_and_curve_are_seen_together(browser, server, width, heigh
         const [{ width, height }] = edges;
         return [Math.max(...edges.map(e => e.bottom)) - Math.min(...edges.map(e => e.top)), width, height];
     }"""
-    with visited(browser, f"{server}/s4.html", viewport={"width": width, "height": height}) as page:
-        high, across, down = page.evaluate(script, seen)
-        page.select_option("#sim-size", "512")
-        settled(page)
-        assert page.evaluate(script, seen)[1:] == [across, down]
+    page = visit("s4", until=RUNNING, viewport={"width": width, "height": height})
+    high, across, down = page.evaluate(script, seen)
+    page.select_option("#sim-size", "512")
+    settled(page)
+    assert page.evaluate(script, seen)[1:] == [across, down]
     assert across == down >= 240
     assert high <= height - 60  # the page's own bar
 
@@ -391,25 +385,23 @@ def test_every_size_shows_whole_pixels(tab):
         assert max(width, size) % min(width, size) == 0
 
 
-def test_phone_has_large_targets_and_no_sideways_scroll(browser, server):
-    options = {"viewport": PHONE, "device_scale_factor": 2, "is_mobile": True, "has_touch": True}
-    with visited(browser, f"{server}/s4.html", **options) as page:
-        assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
-        small = page.evaluate(
-            """[...document.querySelectorAll('#simulator :is(button, select, input:is([type=range], [type=text]))')]
-            .filter(e => e.offsetHeight < 44).map(e => e.outerHTML)"""
-        )
-        assert small == []
-        page.locator("[data-picture=numeric]").tap()
+def test_phone_has_large_targets(visit):
+    page = visit("s4", until=RUNNING, device_scale_factor=2, **PHONE)
+    small = page.evaluate(
+        """[...document.querySelectorAll('#simulator :is(button, select, input:is([type=range], [type=text]))')]
+        .filter(e => e.offsetHeight < 44).map(e => e.outerHTML)"""
+    )
+    assert small == []
+    page.locator("[data-picture=numeric]").tap()
 
 
 @pytest.mark.parametrize("medium, script", [("screen", False), ("print", True)])
-def test_paper_and_scriptless_readers_get_the_figures(browser, server, medium, script):
-    with visited(browser, f"{server}/s4.html", java_script_enabled=script, started=script) as page:
-        page.emulate_media(media=medium)
-        assert page.locator(".sim-absent").is_visible() is not script
-        assert not page.locator("#simulator").is_visible()
-        assert page.locator("img[src*=contact_sheet]").first.is_visible()
+def test_paper_and_scriptless_readers_get_the_figures(visit, medium, script):
+    page = visit("s4", until=RUNNING, java_script_enabled=script)
+    page.emulate_media(media=medium)
+    assert page.locator(".sim-absent").is_visible() is not script
+    assert not page.locator("#simulator").is_visible()
+    assert page.locator("img[src*=contact_sheet]").first.is_visible()
 
 
 @pytest.mark.parametrize(
@@ -419,11 +411,11 @@ def test_paper_and_scriptless_readers_get_the_figures(browser, server, medium, s
         ("WebAssembly.validate = () => false", "no WebAssembly with vectors"),
     ],
 )
-def test_a_browser_without_workers_or_vectors_is_told(browser, server, missing, words):
-    with visited(browser, f"{server}/s4.html", prepare=missing, started=False) as page:
-        page.wait_for_selector(".sim-message:visible")
-        assert words in page.inner_text(".sim-message")
-        assert not page.locator(".sim-pictures").is_visible()
+def test_a_browser_without_workers_or_vectors_is_told(visit, missing, words):
+    page = visit("s4", prepare=missing)
+    page.wait_for_selector(".sim-message:visible")
+    assert words in page.inner_text(".sim-message")
+    assert not page.locator(".sim-pictures").is_visible()
 
 
 def test_a_hidden_page_has_no_worker(tab):
@@ -447,9 +439,7 @@ def test_a_hidden_page_has_no_worker(tab):
 def with_two_fields(tmp_path_factory):
     """compiled.js of a project with two more HEIGHT_FIELDS: no theorem covers them, and one has slanted creases."""
     folder = tmp_path_factory.mktemp("fields")
-    for name in ("proofs", "renderer", "book"):
-        left_out = shutil.ignore_patterns("__pycache__", "_build", "_generated")
-        shutil.copytree(ROOT / name, folder / name, ignore=left_out)
+    copied(folder)
     entries = """
         HeightField("doubled", sinpi(2 * k_u * u)),
         HeightField("slanted", Abs(sinpi(k_u * u + k_v * v)), (sinpi(k_u * u + k_v * v),)),
@@ -465,20 +455,20 @@ def with_two_fields(tmp_path_factory):
 
 
 @pytest.mark.parametrize("field, creases", [("doubled", []), ("slanted", [{"a": 8, "b": 4, "c": 0}])])
-def test_an_added_field_has_no_false_bound_and_its_own_creases(browser, server, with_two_fields, field, creases):
+def test_an_added_field_has_no_false_bound_and_its_own_creases(visit, with_two_fields, field, creases):
     """No bound is printed, drawn or attributed; white lines lie where the crease factor is zero, and nowhere else."""
-    address = f"{server}/s4.html#sim?field={field}&view=loci&column=120&row=100"
-    with visited(browser, address, compiled=with_two_fields) as page:
-        settled(page)
-        page.wait_for_selector(".sim-curve path.numeric", state="attached")
-        offered = page.evaluate("[...document.querySelectorAll('[name=sim-field]')].map(button => button.value)")
-        assert sorted(offered) == sorted([*FIELDS, "doubled", "slanted"])
-        assert page.locator(f"[name=sim-field][value={field}]").is_checked()
-        assert page.locator(".sim-curve path.bound").count() == 0
-        assert "no theorem covers this" in page.inner_text(".sim-facts")
-        assert ("has no creases" in page.inner_text(".sim-remark")) is (not creases)
-        assert page.evaluate("Simulator.running.module.creases(Simulator.running.act.state())") == creases
-        white = page.evaluate(WHITE)
+    fragment = f"#sim?field={field}&view=loci&column=120&row=100"
+    page = visit("s4", fragment=fragment, until=RUNNING, given={"**/compiled.js": with_two_fields})
+    settled(page)
+    page.wait_for_selector(".sim-curve path.numeric", state="attached")
+    offered = page.evaluate("[...document.querySelectorAll('[name=sim-field]')].map(button => button.value)")
+    assert sorted(offered) == sorted([*FIELDS, "doubled", "slanted"])
+    assert page.locator(f"[name=sim-field][value={field}]").is_checked()
+    assert page.locator(".sim-curve path.bound").count() == 0
+    assert "no theorem covers this" in page.inner_text(".sim-facts")
+    assert ("has no creases" in page.inner_text(".sim-remark")) is (not creases)
+    assert page.evaluate("Simulator.running.module.creases(Simulator.running.act.state())") == creases
+    white = page.evaluate(WHITE)
     assert (len(white) > 500) is bool(creases)
     assert sum(abs(w - round(w)) < 0.1 for w in white) >= 0.95 * len(white)  # by the pole a pixel is wider than that
 

@@ -17,7 +17,7 @@ from renderer.kernels import FIELDS
 from renderer.pixel_record import LightRecord, PixelRecord
 from renderer.scene import DEFAULT_LIGHTS
 from renderer.views import difference_linear, difference_logarithmic, image_view, slope_view
-from tests.simulator_page import go, visited
+from tests.tabs import RUNNING, go
 from verify.reference import reference_pixel
 
 pytestmark = pytest.mark.browser
@@ -57,9 +57,8 @@ SHOWN = """wanted => wanted.map(state => {
 
 
 @pytest.fixture(scope="module")
-def tab(browser, server):
-    with visited(browser, f"{server}/s4.html") as page:
-        yield page
+def tab(visit_once):
+    return visit_once("s4", until=RUNNING)
 
 
 def scene_of(state):

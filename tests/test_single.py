@@ -3,9 +3,11 @@
 import gzip
 import json
 import re
+import shutil
 from base64 import b64decode
 from collections import Counter
 from io import BytesIO
+from pathlib import Path
 from urllib.parse import unquote
 
 import pytest
@@ -20,16 +22,14 @@ from book.editions.pages import BrokenSite, Page, parsed
 from book.editions.pictures import change, difference
 from book.editions.store import as_webp, inlined_script, packed_address, svg_address, svg_parts
 from tests.elements import Elements
-
-PHONE, DESKTOP = {"width": 400, "height": 850}, {"width": 1280, "height": 900}
+from tests.tabs import PHONE, RUNNING, opened
 
 
 @pytest.fixture(scope="module")
 def single(site, tmp_path_factory):
-    """The file, made anew of the built site, alone in a folder that holds nothing else."""
-    place = tmp_path_factory.mktemp("mailed") / "chapter.html"
-    place.write_bytes(edition.single_file(site))
-    return place
+    """The file, alone in a folder that holds nothing else."""
+    edition.make("single", edition.SINGLE, edition.single_file)
+    return Path(shutil.copy(edition.SINGLE, tmp_path_factory.mktemp("mailed")))
 
 
 @pytest.fixture(scope="module")
@@ -38,18 +38,13 @@ def elements(single):
 
 
 @pytest.fixture(scope="module")
-def opened(browser, single):
-    """The file in a browser without a network; what it asked for and complained of."""
-    context = browser.new_context(viewport=DESKTOP, color_scheme="light", accept_downloads=True, offline=True)
-    context.set_default_timeout(120_000)
-    tab, requests, complaints = context.new_page(), [], []
-    tab.on("request", lambda request: requests.append(request.url))
-    tab.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
-    tab.on("pageerror", lambda error: complaints.append(str(error)))
-    tab.goto(single.as_uri())
-    wait(tab, "window.Simulator && Simulator.running && Simulator.running.frames.length > 0")
-    yield tab, requests, complaints
-    context.close()
+def tab(browser, single):
+    """The file in a browser without a network, when its simulator runs; it asks for nothing but itself."""
+    address = single.as_uri()
+    with opened(browser, address, until=None, home=address, offline=True) as page:
+        page.set_default_timeout(120_000)
+        wait(page, RUNNING)
+        yield page
 
 
 def wait(tab, condition: str):
@@ -59,6 +54,12 @@ def wait(tab, condition: str):
             return
         tab.wait_for_timeout(100)
     pytest.fail(f"never came true: {condition}")
+
+
+def show(tab, name: str):
+    """Turn to a page, and wait for its formulas."""
+    tab.evaluate("n => Chapter.show(Chapter.pages.find(p => p.dataset.page === n))", name)
+    tab.evaluate("Chapter.ready()")
 
 
 def go(tab, id: str):
@@ -104,9 +105,8 @@ def test_every_link_leads_somewhere(elements):
     inside = [unquote(link[1:]) for link in links if link.startswith("#")]
     assert len(inside) > 500
     assert [link for link in inside if link not in ids] == []
-    assert [
-        link for link in links if not re.match(r"#|data:application/(?:gzip|x-ipynb)|https?://|mailto:", link)
-    ] == []
+    known = re.compile(r"#|data:application/(?:gzip|x-ipynb)|https?://|mailto:")
+    assert [link for link in links if not known.match(link)] == []
 
 
 def test_nothing_is_named_that_would_be_loaded(elements):
@@ -158,11 +158,11 @@ def test_link_to_what_is_not_there_is_refused():
 
 
 def test_id_of_several_pages_gets_the_page_s_name_and_references_follow():
-    links = '<a href="#x">1</a><a href="b.html#x">2</a><a href="b.html">3</a>'
-    styled = '<label for="x"></label><style>#x{} #own{}</style><i id="own"></i>'
+    links = '<a href="#x">1</a><a href="b.html#x">2</a><a href="b.html">3</a><input type="radio" name="grade"/>'
+    styled = '<label for="x"></label><style>#x{} #own{}</style><i id="own"></i><input type="radio" name="grade"/>'
     pages = [
         page("a", f'<section id="a"><b id="x"></b>{links}</section>'),
-        page("b", f'<section id="b"><b id="x"></b>{styled}</section>'),
+        page("b", f'<section id="b"><b id="x"></b>{styled}<input type="radio" name="b"/></section>'),
     ]
     names = Names(pages)
     for each in pages:
@@ -172,16 +172,8 @@ def test_id_of_several_pages_gets_the_page_s_name_and_references_follow():
     assert pages[0].article.b["id"] == "a:x" and pages[1].article.b["id"] == "b:x"
     assert pages[1].article.label["for"] == "b:x"
     assert pages[1].article.style.string == r"#b\:x{} #own{}"
-
-
-def test_radio_buttons_of_two_pages_stay_two_groups():
-    boxes = '<section id="{0}"><input type="radio" name="grade" id="{0}1"/><input type="radio" name="{0}"/></section>'
-    pages = [page("a", boxes.format("a")), page("b", boxes.format("b"))]
-    names = Names(pages)
-    for each in pages:
-        rename(each, names)
     found = [[box["name"] for box in each.article.find_all("input")] for each in pages]
-    assert found == [["a:grade", "a"], ["b:grade", "b"]]
+    assert found == [["a:grade"], ["b:grade", "b"]]  # radio buttons of two pages stay two groups
 
 
 def test_list_of_all_certificates_names_those_of_the_cards():
@@ -252,11 +244,9 @@ def test_drawing_stands_inside_double_quotes_with_two_decimals(tmp_path):
 
 
 @pytest.mark.browser
-def test_every_page_is_typeset_and_whole(opened):
-    tab, _, _ = opened
+def test_every_page_is_typeset_and_whole(tab):
     for name in tab.evaluate("Chapter.pages.map(p => p.dataset.page)"):
-        tab.evaluate("n => Chapter.show(Chapter.pages.find(p => p.dataset.page === n))", name)
-        tab.evaluate("Chapter.ready()")
+        show(tab, name)
         seen = tab.evaluate(
             """() => { const page = Chapter.shown(), shown = [...page.querySelectorAll('img')].filter(i => i.src);
                 return { pages: Chapter.pages.filter(p => p.hasAttribute('hidden')).length,
@@ -273,8 +263,7 @@ def test_every_page_is_typeset_and_whole(opened):
 
 
 @pytest.mark.browser
-def test_links_turn_pages_and_the_way_back_leads_back(opened):
-    tab, _, _ = opened
+def test_links_turn_pages_and_the_way_back_leads_back(tab):
     go(tab, "s1")
     tab.locator(".bd-docs-nav a:visible", has_text="§7").click()
     wait(tab, "Chapter.shown().dataset.page === 's7'")
@@ -292,8 +281,7 @@ def test_links_turn_pages_and_the_way_back_leads_back(opened):
 
 
 @pytest.mark.browser
-def test_simulator_draws_and_its_slider_works(opened):
-    tab, _, _ = opened
+def test_simulator_draws_and_its_slider_works(tab):
     go(tab, "sim")
     seen = "document.querySelector('[data-picture=difference] canvas').toDataURL()"
     rms = "document.querySelector('[data-readout=rms]').textContent"
@@ -309,10 +297,7 @@ def test_simulator_draws_and_its_slider_works(opened):
 
 
 @pytest.mark.browser
-def test_certificates_are_checked(opened):
-    tab, _, _ = opened
-    if not tab.evaluate("document.querySelectorAll('.checker[data-all]').length"):
-        pytest.skip("the site has no checker")
+def test_certificates_are_checked(tab):
     go(tab, "theorem-unit_length")
     tab.evaluate("document.querySelector('#theorem-unit_length details').open = true")
     tab.locator("#theorem-unit_length .checker button").first.click()
@@ -323,8 +308,7 @@ def test_certificates_are_checked(opened):
 
 
 @pytest.mark.browser
-def test_kept_file_comes_out_under_its_own_name(opened, site):
-    tab, _, _ = opened
+def test_kept_file_comes_out_under_its_own_name(tab, site):
     go(tab, "theorem-unit_length")
     tab.evaluate("document.querySelector('#theorem-unit_length details').open = true")
     with tab.expect_download() as kept:
@@ -336,8 +320,7 @@ def test_kept_file_comes_out_under_its_own_name(opened, site):
 
 
 @pytest.mark.browser
-def test_dark_mode_has_dark_pictures(opened):
-    tab, _, _ = opened
+def test_dark_mode_has_dark_pictures(tab):
     go(tab, "s1")
     paper = "getComputedStyle(document.body).backgroundColor"
     papers = set()
@@ -356,33 +339,17 @@ def test_dark_mode_has_dark_pictures(opened):
 
 @pytest.mark.browser
 def test_file_fits_a_phone_and_its_menu_leads_on(browser, single):
-    context = browser.new_context(viewport=PHONE, is_mobile=True, has_touch=True)
-    tab = context.new_page()
-    tab.goto(single.as_uri())
-    for name in ("index", "s2", "s4", "findings", "source/proofs/engine/kernel.py"):
-        tab.evaluate("n => Chapter.show(Chapter.pages.find(p => p.dataset.page === n))", name)
-        tab.evaluate("Chapter.ready()")
-        assert tab.evaluate("document.documentElement.scrollWidth") <= PHONE["width"], name
-    tab.locator("button.primary-toggle").click()
-    tab.locator(".bd-docs-nav a:visible", has_text="§1").click()
-    wait(tab, "Chapter.shown().dataset.page === 's1' && !document.querySelector('dialog[open]')")
-    context.close()
-
-
-@pytest.mark.browser
-def test_file_asked_for_nothing_and_complained_of_nothing(opened, single):
-    """The last of the tests of the open file: it sees what all the others did."""
-    _, requests, complaints = opened
-    assert single.as_uri() in requests[0]
-    assert [url for url in requests[1:] if not url.startswith(("data:", "blob:"))] == []
-    assert complaints == []
+    with opened(browser, single.as_uri(), until=None, **PHONE) as tab:
+        for name in ("index", "s2", "s4", "findings", "source/proofs/engine/kernel.py"):
+            show(tab, name)
+            assert tab.evaluate("document.documentElement.scrollWidth") <= PHONE["viewport"]["width"], name
+        tab.locator("button.primary-toggle").click()
+        tab.locator(".bd-docs-nav a:visible", has_text="§1").click()
+        wait(tab, "Chapter.shown().dataset.page === 's1' && !document.querySelector('dialog[open]')")
 
 
 @pytest.mark.browser
 def test_without_scripts_every_page_stands_there(browser, single):
-    context = browser.new_context(java_script_enabled=False, viewport=DESKTOP)
-    tab = context.new_page()
-    tab.goto(single.as_uri())
-    for id in ("s1", "s9", "theorem-kink_loci", "fig-three_pictures"):
-        assert tab.locator(f"[id='{id}']").is_visible()
-    context.close()
+    with opened(browser, single.as_uri(), java_script_enabled=False) as tab:
+        for id in ("s1", "s9", "theorem-kink_loci", "fig-three_pictures"):
+            assert tab.locator(f"[id='{id}']").is_visible()

@@ -1,0 +1,75 @@
+"""The book's pages in a browser: opened in one way, and all held to the same; and the simulator's controls."""
+
+from contextlib import ExitStack, contextmanager
+from urllib.parse import urljoin
+
+DESKTOP = {"viewport": {"width": 1280, "height": 900}}
+PHONE = {"viewport": {"width": 400, "height": 850}, "is_mobile": True, "has_touch": True}
+TYPESET = "!window.MathJax || !MathJax.startup || !!MathJax.startup.promise"
+RUNNING = "window.Simulator && Simulator.running && Simulator.running.frames.length > 0"
+
+
+@contextmanager
+def opened(browser, address, until=TYPESET, prepare="", given=(), home=None, **options):
+    """Give the page in a context of its own. When it is closed it may have asked for nothing elsewhere, and have logged
+    no error.
+
+    until: what to wait for. prepare: a script to run before the page's own. given: scripts to give for others, by their
+    addresses. home: what addresses begin with that it may ask for. options: as Playwright's new_context.
+    """
+    context, asked, complaints = browser.new_context(**DESKTOP | options), [], []
+    context.add_init_script(prepare)
+    for place, script in dict(given).items():
+        context.route(place, lambda route, script=script: route.fulfill(body=script, content_type="text/javascript"))
+    tab = context.new_page()
+    tab.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
+    tab.on("pageerror", lambda error: complaints.append(str(error)))
+    tab.on("request", lambda request: asked.append(request.url))
+    tab.goto(address)
+    if until and options.get("java_script_enabled", True):
+        tab.wait_for_function(until)
+        tab.evaluate("window.MathJax && MathJax.startup && MathJax.startup.promise")
+    yield tab
+    context.close()
+    home = home or urljoin(address, "/")
+    assert [url for url in asked if not url.startswith((home, "blob:", "data:"))] == []
+    assert asked and complaints == []
+
+
+def visits(browser, site, server):
+    """A function that opens a page of the site by its name, over http or from the disk."""
+    with ExitStack() as pages:
+
+        def visit(page, scheme="http", fragment="", **options):
+            base = server if scheme == "http" else site.as_uri()
+            return pages.enter_context(opened(browser, f"{base}/{page}.html{fragment}", **options))
+
+        yield visit
+
+
+def next_frame(tab):
+    """Wait until the page has been laid out, and what watches its size has been told."""
+    tab.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+
+def state(tab):
+    """Return the simulator's state."""
+    return tab.evaluate("Simulator.running.act.state()")
+
+
+def slide(tab, name, value):
+    """Move a slider, as a hand does."""
+    script = """([name, value]) => { const s = document.getElementById(`sim-${name}`); s.value = value;
+        s.dispatchEvent(new Event('input', { bubbles: true })) }"""
+    tab.evaluate(script, [name, value])
+
+
+def go(tab, address):
+    """Give the page a new fragment."""
+    tab.evaluate("address => { location.hash = address }", address)
+
+
+def settled(tab):
+    """Wait until the pictures are those of the state."""
+    tab.wait_for_function("""() => { const { states, act, shown } = Simulator.running, drawn = shown();
+        return drawn && drawn.replace(/&column.*/, '') === states.fragment(act.state()).replace(/&column.*/, '') }""")
