@@ -55,12 +55,6 @@ def test_figures_are_looked_at_again_when_code_or_a_drawing_changed(monkeypatch,
     assert not keys.nothing_changed()
 
 
-def test_numbers_become_plain():
-    plain = plain_numbers("f", {"a": np.float64(0.5), "b": np.int32(2), "c": np.bool_(False), "d": np.array(1)})
-    assert plain == {"a": 0.5, "b": 2, "c": False, "d": 1}
-    assert [type(value) for value in plain.values()] == [float, int, bool, int]
-
-
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf, None, [1], 1j, np.zeros(2)])
 def test_numbers_that_say_nothing_are_refused_by_name(value):
     with pytest.raises(ValueError, match="figure 'f': number 'rms'"):

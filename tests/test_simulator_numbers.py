@@ -1,4 +1,4 @@
-"""The simulator's numbers: every bit against the renderer, hovered pixels against 50 digits, the copied line run."""
+"""The simulator's numbers: every bit against the renderer, the hovered pixel against the line that is copied."""
 
 import base64
 import contextlib
@@ -18,21 +18,17 @@ from renderer.pixel_record import LightRecord, PixelRecord
 from renderer.scene import DEFAULT_LIGHTS
 from renderer.views import difference_linear, difference_logarithmic, image_view, slope_view
 from tests.tabs import RUNNING, go
-from verify.reference import reference_pixel
 
 pytestmark = pytest.mark.browser
 
 METHODS = {"central": central, "forward": forward, "central4": central4}
 WHOLE = {"width": 256, "height": 256, "left": 0, "top": 0, "wide": 256, "high": 256}
 BASE = {"ku": 8, "kv": 4, "beta": 0.35, "ball": True, "lights": [True, True], "model": "blinn", "field": "ridges"}
-# The last one of some pictures, all on one stage; `claimed`: as if the stage had kept what that one needs.
-RENDER = """async ([steps, raster, claimed]) => {
+# The last one of some pictures, all on one stage.
+RENDER = """async ([steps, raster]) => {
     const { module } = Simulator.running;
     let drawn = {};
-    for (const [state, method] of steps) {
-        if (claimed && drawn.stage) drawn.stage.kept = claimed;
-        drawn = module.render(state, method, raster, drawn.stage);
-    }
+    for (const [state, method] of steps) drawn = module.render(state, method, raster, drawn.stage);
     const address = await new Promise(done => {
         const reader = new FileReader();
         reader.onload = () => done(reader.result);
@@ -67,12 +63,12 @@ def scene_of(state):
     return Scene(**{name: state[name] for name in names}, lights=lights)
 
 
-def drawn(tab, state, method, raster=WHOLE, before=(), claimed=None):
+def drawn(tab, state, method, raster=WHOLE, before=()):
     """Return (colours (3, high, wide) as bit patterns, chambers) as the page's pipeline draws them.
 
     before: the (state, method) pairs that the stage was drawn with.
     """
-    data = base64.b64decode(tab.evaluate(RENDER, [[*before, (state, method)], raster, claimed]))
+    data = base64.b64decode(tab.evaluate(RENDER, [[*before, (state, method)], raster]))
     shape = raster["high"], raster["wide"]
     bits = np.frombuffer(data, np.int64, 3 * shape[0] * shape[1]).reshape(3, *shape)
     return bits, np.frombuffer(data, np.uint8, offset=bits.nbytes).reshape(shape)
@@ -135,13 +131,6 @@ def test_a_step_that_reads_what_was_kept_is_the_renderers_to_the_last_bit(tab):
         steps = [step(state, 1e-2), step(state, 1e-5), step(state, 1e-13, beta=1.5), step(state | more, state["eps"])]
         for number in range(1, len(steps)):
             assert_same_bits(tab, *steps[number], crop, before=steps[:number])
-
-
-def test_what_was_kept_for_another_picture_would_be_seen(tab):
-    before, after = (step(BASE | {"method": "central", "ku": ku}, 1e-3) for ku in (7, 8))
-    assert_same_bits(tab, *after, WHOLE, before=[before])
-    false = drawn(tab, *after, WHOLE, before=[before], claimed="ridges,8,4,blinn")[0]
-    assert not np.array_equal(false, rendered(*after)[0])
 
 
 def test_the_comparison_sees_the_next_float(tab):
@@ -276,22 +265,6 @@ def test_the_copied_line_prints_the_numbers_shown(tab):
             assert shown["facts"]["kink flag"] == ("yes" if numeric.kink else "no")
             assert shown["facts"]["straddles a crease"] == ("yes" if numeric.straddling else "no")
     assert on_a >= 10
-
-
-def test_hovered_pixels_agree_with_fifty_digits(tab):
-    """500 pixels of A, B and the floor, exact gradient: within 1e-13, off the rims of surfaces, shadows and squares."""
-    rng, states, worst = random.Random("digits"), [], 0.0
-    codes = render(Scene(), 256, 256).chambers
-    while len(states) < 500:
-        column, row = rng.randrange(1, 255), rng.randrange(1, 255)
-        if len(np.unique(codes[row - 1 : row + 2, column - 1 : column + 2])) == 1:
-            choices = {"field": rng.choice(list(FIELDS)), "model": rng.choice(["blinn", "phong"])}
-            states.append(BASE | choices | {"column": column, "row": row})
-    for state, shown in zip(states, tab.evaluate(SHOWN, states), strict=True):
-        truth = reference_pixel(scene_of(state), 256, 256, state["column"], state["row"])
-        for name in ("red", "green", "blue"):
-            worst = max(worst, abs(float(shown["table"][name][1]) - float(truth[f"rgb_{name}"])))
-    assert worst <= 1e-13
 
 
 def test_the_wrong_pixel_would_be_seen(tab):
