@@ -9,11 +9,15 @@ LONGEST = (
     "test_newcomer.py",
     "test_wheel.py",
     "test_contributing.py",
+    "test_simulator.py",
+    "test_simulator_numbers.py",
     "test_notebooks.py",
     "test_single.py",
     "test_pdf.py",
     "test_releases.py",
     "test_provenance.py",
+    "test_ideas.py",
+    "test_browser_kernel.py",
 )
 
 

@@ -1,11 +1,9 @@
 """What the tests of the book share: the built site, a server for it, and a browser."""
 
-import functools
-import http.server
 import os
+import re
 import subprocess
 import sys
-import threading
 from pathlib import Path
 
 import pytest
@@ -14,21 +12,6 @@ from book.editions.chromium import FLAGS, NoBrowser, installed
 from tests.tabs import visits
 
 ROOT = Path(__file__).resolve().parent.parent
-
-
-class QuietHandler(http.server.SimpleHTTPRequestHandler):
-    """Serve files and keep the terminal clean."""
-
-    def log_message(self, format, *arguments):
-        pass
-
-
-class QuietServer(http.server.ThreadingHTTPServer):
-    """A server that does not mind a browser that leaves before a file has ended."""
-
-    def handle_error(self, request, client_address):
-        if not isinstance(sys.exception(), ConnectionError):
-            super().handle_error(request, client_address)
 
 
 @pytest.fixture(scope="session")
@@ -42,11 +25,10 @@ def site() -> Path:
 @pytest.fixture(scope="session")
 def server(site: Path):
     """The site's address on this machine alone."""
-    handler = functools.partial(QuietHandler, directory=str(site))
-    with QuietServer(("127.0.0.1", 0), handler) as running:
-        threading.Thread(target=running.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{running.server_address[1]}"
-        running.shutdown()
+    command = [sys.executable, "-u", "-m", "http.server", "0", "--bind", "127.0.0.1", "--directory", site]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as running:
+        yield re.search(r"http://[\d.:]+", running.stdout.readline())[0]
+        running.terminate()
 
 
 @pytest.fixture(scope="session")

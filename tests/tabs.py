@@ -9,6 +9,11 @@ TYPESET = "!window.MathJax || !MathJax.startup || !!MathJax.startup.promise"
 RUNNING = "window.Simulator && Simulator.running && Simulator.running.frames.length > 0"
 
 
+def giving(script):
+    """What answers a request with a script."""
+    return lambda route: route.fulfill(body=script, content_type="text/javascript")
+
+
 @contextmanager
 def opened(browser, address, until=TYPESET, prepare="", given=(), home=None, **options):
     """Give the page in a context of its own. When it is closed it may have asked for nothing elsewhere, and have logged
@@ -20,7 +25,7 @@ def opened(browser, address, until=TYPESET, prepare="", given=(), home=None, **o
     context, asked, complaints = browser.new_context(**DESKTOP | options), [], []
     context.add_init_script(prepare)
     for place, script in dict(given).items():
-        context.route(place, lambda route, script=script: route.fulfill(body=script, content_type="text/javascript"))
+        context.route(place, giving(script))
     tab = context.new_page()
     tab.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
     tab.on("pageerror", lambda error: complaints.append(str(error)))

@@ -5,9 +5,8 @@ import re
 
 import pytest
 from docutils import nodes
-from docutils.utils import new_document
 
-from book.extension import pages, streams
+from book.extension import streams
 from book.extension.numbers import formatted, parse, typeset
 from book.extension.results import UnknownResult, look_up
 from tests import one_page
@@ -88,16 +87,6 @@ def test_typesetting(value, spec, expected):
     parts = typeset(value, spec)
     text = "".join(f"^{part.astext()}" if isinstance(part, nodes.superscript) else part.astext() for part in parts)
     assert text == expected
-
-
-def test_explicit_ids_come_first():
-    document = new_document("page")
-    section = nodes.section(ids=["what-changes", "s1"], names=["what changes", "s1"])
-    document += section
-    document.nameids = {"what changes": "what-changes", "s1": "s1"}
-    document.nametypes = {"what changes": False, "s1": True}
-    pages.put_explicit_ids_first(None, document)
-    assert section["ids"] == ["s1", "what-changes"]
 
 
 @pytest.fixture

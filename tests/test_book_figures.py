@@ -109,13 +109,6 @@ def test_panels_show_every_pixel_once_at_the_size_of_a_css_pixel():
     assert np.array_equal(shown[24 : 24 + 32, 60 : 60 + 48], image)
 
 
-def test_sources_reach_through_packages_and_imports():
-    reached = {path.relative_to(stamps.ROOT).as_posix() for path in stamps.reachable(keys.SAVING)}
-    # save.py imports style.py, which imports palette.py: neither may be missed.
-    assert {"book/__init__.py", "book/drawing/save.py", "book/drawing/style.py", "book/drawing/palette.py"} <= reached
-    assert "book/drawing/draw.py" not in reached
-
-
 def test_computed_import_reaches_the_whole_package():
     reached = stamps.reachable(stamps.ROOT / "book" / "drawing" / "draw.py")
     assert {path for path in stamps.files_in(stamps.ROOT / "book") if path.suffix == ".py"} <= reached

@@ -54,9 +54,11 @@ SEEN = """async () => {
 }"""
 
 
-def violations(tab, mode="light", place="html"):
-    """What axe-core finds where all that is folded is open."""
+def violations(tab, mode="light", place="html", formulas=True):
+    """What axe-core finds where all that is folded is open; it takes longest over the insides of formulas."""
     tab.evaluate("document.querySelectorAll('details').forEach(fold => fold.open = true)")
+    if not formulas:
+        tab.evaluate("document.querySelectorAll('mjx-container').forEach(e => e.replaceChildren('formula'))")
     next_frame(tab)
     tab.add_script_tag(path=AXE)
     return tab.evaluate(RUN, [place, MODES[mode][1]])
@@ -77,7 +79,7 @@ def test_page_is_whole_and_has_the_colours_and_the_width_of_its_reader(visit, pa
     if mode == "phone" and page in PAGES:  # what is too wide stands in something that scrolls
         assert seen["wide"] <= PHONE["viewport"]["width"] and seen["cut"] == []
     if AXE.is_file():
-        assert violations(tab, mode) == []
+        assert violations(tab, mode, formulas=page == "s3") == []  # MathJax makes all alike
 
 
 @with_axe

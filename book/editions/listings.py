@@ -3,6 +3,8 @@
 import re
 from collections.abc import Collection
 
+from bs4 import Tag
+
 from book.editions.pages import Page, parsed
 
 LINE = re.compile(r"L-\d+")
@@ -11,16 +13,16 @@ LINE = re.compile(r"L-\d+")
 def make_small(page: Page, links: Collection[str]) -> None:
     """Replace the listing's markup. Lines that one of the file's `#id` links leads to keep their ids."""
     pre = page.article.find("pre")
-    for anchor in pre.find_all("a", id=LINE):
-        if f"#{anchor['id']}" in links:
-            anchor.attrs = {"id": anchor["id"], "class": "line"}
-        else:
-            anchor.decompose()
-    for number in pre.select("span.linenos"):
-        number.decompose()
-    for span in pre.find_all("span"):
-        span.unwrap()
-    pre.smooth()
+    kept = [""]  # runs of text, and the places between them
+    for part in list(pre.descendants):
+        if isinstance(part, Tag):
+            if part.name == "a" and LINE.fullmatch(part.get("id", "")) and f"#{part['id']}" in links:
+                part.attrs = {"id": part["id"], "class": "line"}
+                kept += [part, ""]
+        elif "linenos" not in part.parent.get("class", ()):
+            kept[-1] += part
+    pre.clear()
+    pre.extend(part for part in kept if part)
     count = pre.get_text().rstrip("\n").count("\n") + 1
     numbers = "\n".join(str(n + 1) for n in range(count))
     pre.insert_before(parsed(f'<div class="numbers" aria-hidden="true">{numbers}</div>').div)
