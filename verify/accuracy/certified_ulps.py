@@ -12,6 +12,7 @@ smaller ones, down to where a product underflows.
 import math
 from collections.abc import Callable, Iterable
 from fractions import Fraction
+from functools import cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -131,6 +132,7 @@ def _arctangent_coefficient(n):
     return arb(0) if n % 2 == 0 else (-1 if n % 4 == 3 else 1) / (n * arb.pi())
 
 
+@cache
 def sine_pieces(cosine: bool = False, of_product: bool = False, program: Program = e.sine_of_half_turns) -> list[Piece]:
     """Return the Pieces of sinpi (or cospi) over the reduced argument, 0 ≤ r ≤ 1/4 (the rest by symmetry).
 
@@ -165,6 +167,7 @@ def _threshold(line):
     return relation.lts.coeff(e.larger)
 
 
+@cache
 def angle_pieces(program: Program = e.angle_in_half_turns) -> list[Piece]:
     """Return the Pieces of atan2pi over t = smaller/larger, 0 ≤ t ≤ 1: the worst of the eight octants."""
     with ctx.workprec(PRECISION):

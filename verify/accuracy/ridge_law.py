@@ -17,9 +17,9 @@ NODES = 20
 SCENE = Scene()  # ridges, k_u = 8, k_v = 4
 
 
-def predicted(component: str, steps: ArrayLike, scene: Scene = SCENE) -> tuple[np.ndarray, np.ndarray]:
+def predicted(component: str, steps: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Return (the theorem's RMS, how far it may be off) for each step."""
-    k = scene.ku if component == "h_u" else scene.kv
+    k = SCENE.ku if component == "h_u" else SCENE.kv
     creases = k if component == "h_u" else k - 1
     rate, steps = math.pi * k, np.asarray(steps)
     return rate * np.sqrt(creases * steps / 3), 2 / 3 * rate * (rate * steps) ** 2
@@ -35,14 +35,14 @@ def _panels(k, step):
     return (ends[:-1, None] + half * (1 + nodes)).ravel(), (half * weights).ravel()
 
 
-def quadrature(component: str, step: float, scene: Scene = SCENE) -> float:
+def quadrature(component: str, step: float) -> float:
     """Return the RMS over the chart of (central difference − exact) of ridges, whole k_u and k_v."""
-    index, k = (0, scene.ku) if component == "h_u" else (1, scene.kv)
+    index, k = (0, SCENE.ku) if component == "h_u" else (1, SCENE.kv)
     along, weights = _panels(int(k), step)
-    across, across_weights = _panels(int(scene.kv if index == 0 else scene.ku), 0.0)
+    across, across_weights = _panels(int(SCENE.kv if index == 0 else SCENE.ku), 0.0)
     grid = np.meshgrid(along, across, indexing="ij")
     u, v = grid if index == 0 else grid[::-1]
-    error = (gradient_at(scene, u, v, central(step))[index] - gradient_at(scene, u, v, exact())[index]) ** 2
+    error = (gradient_at(SCENE, u, v, central(step))[index] - gradient_at(SCENE, u, v, exact())[index]) ** 2
     return float(math.sqrt(weights @ error @ across_weights))
 
 

@@ -106,14 +106,14 @@ def edge(scene: Scene, light: np.ndarray, azimuths: np.ndarray, beta: float) -> 
     return (low + high) / 2
 
 
-def shadow_remainders(betas: np.ndarray, light: np.ndarray, scene: Scene = SCENE) -> tuple[np.ndarray, np.ndarray]:
+def shadow_remainders(betas: np.ndarray, light: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return (moved, left): the largest, over the azimuths, of how far the shadow's edge moves on the floor, and of
     what is left of it after the term of first order, h ds/dβ; each an array over `betas`.
     """
     azimuths = away_from(light)
     start, rate = smooth_edge(light, azimuths)
-    linear = rate * grazed_height(scene, light, azimuths)
-    moved = np.array([edge(scene, light, azimuths, beta) - start for beta in betas])
+    linear = rate * grazed_height(SCENE, light, azimuths)
+    moved = np.array([edge(SCENE, light, azimuths, beta) - start for beta in betas])
     left = moved - np.asarray(betas)[:, None] * linear
     return np.abs(moved).max(axis=1), np.abs(left).max(axis=1)
 
