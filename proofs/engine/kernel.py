@@ -16,7 +16,8 @@ Values = dict[str, Polynomial]
 
 HOLDS = {"=": lambda a: a == 0, "!=": lambda a: a != 0, ">": lambda a: a > 0, ">=": lambda a: a >= 0}
 NEGATION = {"=": (1, "!="), "!=": (1, "="), ">": (-1, ">="), ">=": (-1, ">")}  # not p > 0 is −p ≥ 0
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,99}|(?:cos|sin)\([A-Za-z0-9_*/()+-]{1,99}\)")
+NAME = r"(?:[A-Za-z][A-Za-z0-9_]{0,99}|(?:cos|sin)\([A-Za-z0-9_*/()+-]{1,99}\))"
+POWER = rf"{NAME}(?:\^(?:[2-9]|[1-9][0-9]{{1,2}}))?"  # "x", or "x^2" to "x^999"
 NUMBER = re.compile(r"-?[0-9]{1,500}(?:/[0-9]{1,500})?")  # and in lowest terms
 LONGEST = 100_000  # items of a list, terms of a polynomial
 
@@ -36,7 +37,7 @@ def require(condition: object, reason: str, residual: Polynomial | None = None) 
 
 def is_name(text: object) -> bool:
     """Return whether this is a name, or the cosine or sine of an angle, which is one, too."""
-    return isinstance(text, str) and NAME.fullmatch(text) is not None
+    return isinstance(text, str) and re.fullmatch(NAME, text) is not None
 
 
 @cache
@@ -45,17 +46,11 @@ def is_number(text: object) -> bool:
     return isinstance(text, str) and NUMBER.fullmatch(text) is not None and text == str(Fraction(text))
 
 
-def is_power(text: str) -> bool:
-    """Return whether this is "x", or "x^2" to "x^999"."""
-    base, sign, exponent = text.partition("^")
-    return is_name(base) and (not sign or re.fullmatch("[2-9]|[1-9][0-9]{1,2}", exponent) is not None)
-
-
 @cache
 def is_monomial(text: str) -> bool:
     """Return whether these are powers of different names, a blank between them; none: 1."""
-    factors = text.split(" ") if text else []
-    return all(map(is_power, factors)) and len({f.partition("^")[0] for f in factors}) == len(factors)
+    names = [factor.partition("^")[0] for factor in text.split()]
+    return re.fullmatch(f"(?:{POWER}(?: {POWER})*)?", text) is not None and len(set(names)) == len(names)
 
 
 def is_polynomial(data: object) -> bool:

@@ -3,12 +3,12 @@
 The rules (`proofs.engine.certificate` has the format). Symbols are plain real ones: a sign, a range, being whole is a
 hypothesis. Both sides of a relation are translated as they stand, the factors of a product that is shown as names
 (sum_1, …) of their own, so that the kernel multiplies. A quotient becomes an inverse, a radical a root, with their
-obligations. Angles are sums of whole multiples of atoms, each divided by the denominators that occur with it: sin and
-cos of a sum are expanded by the addition formulas; an atom gives two variables with c² + s² = 1. |a| is √(a²), or ±a
-where the sign is given. Max, Min, sign and Piecewise take the branch that is given, and its condition is shown; where
-none is, the claim is split into two statements, one with the condition assumed and one with its negation. In an
-induction cos nα and sin nα are states. Of π only 3 < π < 22/7 is used. Derivatives are SymPy's `diff`. Anything else is
-an error, never a guess.
+obligations, before anything cancels: in an angle, too. Angles are sums of whole multiples of atoms, each divided by the
+denominators that occur with it: sin and cos of a sum are expanded by the addition formulas; an atom gives two variables
+with c² + s² = 1. |a| is √(a²), or ±a where the sign is given. Max, Min, sign and Piecewise take the branch that is
+given, and its condition is shown; where none is, the claim is split into two statements, one with the condition assumed
+and one with its negation. In an induction cos nα and sin nα are states. Of π only 3 < π < 22/7 is used. Derivatives are
+SymPy's `diff`. Anything else is an error, never a guess.
 """
 
 import json
@@ -38,10 +38,10 @@ from sympy import (
     sin,
     sympify,
 )  # fmt: skip
-from sympy.core.relational import Eq, Relational
+from sympy.core.relational import Eq, Relational, StrictGreaterThan, StrictLessThan
 
 from proofs.engine.claim import Claim, Induction
-from proofs.formulas.half_turns import ordinary
+from proofs.formulas.half_turns import cospi, ordinary, sinpi
 
 VERSION = 1
 NAME = re.compile(r"(?!(?:pi|(?:root|inverse|sum)_\d+)$)[A-Za-z][A-Za-z0-9_]*", re.ASCII)  # the others are taken
@@ -92,6 +92,14 @@ def plain(symbols: Iterable[Symbol]) -> None:
         seen.add(symbol.name)
 
 
+def _as_text(expression):
+    return str(ordinary(expression))  # to sort by, and for nothing else: it simplifies
+
+
+def _angle(e):
+    return pi * e.args[0] if isinstance(e, sinpi | cospi) else e.args[0]
+
+
 def _symbols(expressions):
     return set().union(*(e.free_symbols for e in expressions))
 
@@ -111,8 +119,8 @@ class Translation:
         self.abbreviated: dict[Symbol, Expr] = {}
         self.denominators: dict[Expr, int] = {}
         for side in _sides(expressions):
-            for e in ordinary(side).atoms(sin, cos):
-                for term in expand_mul(e.args[0]).as_ordered_terms():
+            for e in side.atoms(sin, cos, sinpi, cospi):
+                for term in expand_mul(_angle(e)).as_ordered_terms():
                     multiple, atom = term.as_coeff_Mul()
                     self.denominators[atom] = lcm(self.denominators.get(atom, 1), int(multiple.q))
 
@@ -134,7 +142,7 @@ class Translation:
         """Return (left − right, the signs for which the relation holds)."""
         if not isinstance(relation, Relational):
             raise Untranslatable(f"{relation} is not a relation")
-        left, right = (self.polynomial(ordinary(side)) for side in (relation.lhs, relation.rhs))
+        left, right = (self.polynomial(side) for side in (relation.lhs, relation.rhs))
         return left - right, TRUE_FOR[relation.rel_op]
 
     def _known(self, difference):
@@ -194,22 +202,31 @@ class Translation:
         if e.is_Symbol or e is pi:
             return self._variable(e)
         if e.is_Add:
-            return e.func(*(self.polynomial(a) for a in sorted(e.args, key=str)))
+            return e.func(*(self.polynomial(a) for a in sorted(e.args, key=_as_text)))
         if e.is_Mul:
-            return e.func(*(self._named(self.polynomial(a)) for a in sorted(e.args, key=str)))
-        if e.is_Pow and (2 * e.exp).is_Integer:
+            return e.func(*(self._named(self.polynomial(a)) for a in sorted(e.args, key=_as_text)))
+        if e.is_Pow and e.exp.is_Rational and (2 * e.exp).is_Integer:
             base, power = self.polynomial(e.base), 2 * e.exp
             base, power = (base, power / 2) if power % 2 == 0 else (self._generator("root", base), power)
             base = self._named(base)
             return base**power if power > 0 else self._generator("inverse", base) ** -power
-        if isinstance(e, sin | cos):
-            return self._turn(e.args[0])[isinstance(e, sin)]
+        if isinstance(e, sin | cos | sinpi | cospi):
+            if not e.args[0].is_polynomial():
+                self.polynomial(e.args[0])  # for its obligations, before anything cancels
+            return self._turn(_angle(e))[isinstance(e, sin | sinpi)]
         if isinstance(e, Abs):
             return self._absolute(e.args[0])
         if isinstance(e, sign):
-            return S(1 if self.decide(e.args[0] > 0) else -1 if self.decide(e.args[0] < 0) else 0)
+            of = e.args[0]
+            return S(
+                1
+                if self.decide(StrictGreaterThan(of, 0, evaluate=False))
+                else -1
+                if self.decide(StrictLessThan(of, 0, evaluate=False))
+                else 0
+            )
         if isinstance(e, Max | Min):
-            best, *others = sorted(e.args, key=str)
+            best, *others = sorted(e.args, key=_as_text)
             for other in others:
                 best = other if self._exceeds(*((other, best) if isinstance(e, Max) else (best, other))) else best
             return self.polynomial(best)
@@ -332,7 +349,7 @@ def _derivation(claim, choices):
     undefined, pending = {s for s, _ in definitions}, [*((given, ()) for given in claim.given), *lemmas]
     for symbol, expression in ((None, None), *definitions):
         if symbol is not None:
-            t.define(symbol, t.polynomial(ordinary(expression)))
+            t.define(symbol, t.polynomial(expression))
             undefined.discard(symbol)
         ready = [p for p in pending if not any(r.free_symbols & undefined for r in (p[0], *p[1]))]
         pending = [p for p in pending if p not in ready]
@@ -360,7 +377,7 @@ def induction(claim: Induction) -> dict:
         raise Untranslatable(f"{claim.name}: a state is given twice")
     t = Translation(expressions, n=claim.n)
     state: dict[str, Sequence[Expr]]
-    state = {s.name: [t.polynomial(ordinary(sympify(e))) for e in two] for s, *two in claim.states}
+    state = {s.name: [t.polynomial(sympify(e)) for e in two] for s, *two in claim.states}
     shows = [polynomial_data(t.relation(r)[0]) for r in claim.shows]
     for r in claim.given:
         t.assume(*t.relation(r))

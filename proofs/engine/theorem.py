@@ -241,7 +241,7 @@ def incomplete(theorem: Theorem, theorems: Theorems) -> list[str]:
             problems.append(f"{theorem.id}: uses {id}, but no claim borrows from it; name it in the step that does")
     for id, other in theorems.items():
         if other.expected != "refuted" and not _rests_on(id, theorem.id, theorems):
-            for _, claim, conclusion, relations in _concluding(theorem, other):
+            for claim, conclusion, relations in _concluding(theorem, other):
                 others = set(claim.given) - relations
                 if _supplies(conclusion, claim, others) and (id, conclusion.name) not in claim.borrowed:
                     text = ", ".join(sorted(map(str, relations)))
@@ -250,11 +250,9 @@ def incomplete(theorem: Theorem, theorems: Theorems) -> list[str]:
 
 
 def _concluding(theorem, other):
-    """Return [(id, claim, conclusion, relations)]: what a claim of `theorem` is given and `other` concludes."""
-    if other.id == theorem.id:
-        return []
+    """Return [(claim, conclusion, relations)]: what a claim of `theorem` is given and `other` concludes."""
     return [
-        (other.id, claim, conclusion, relations)
+        (claim, conclusion, relations)
         for claim in theorem.claims
         for conclusion in other.claims
         if isinstance(claim, Claim) and isinstance(conclusion, Claim)

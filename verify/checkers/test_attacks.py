@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from sympy import Abs, Dummy, Max, Min, Rational, Symbol, cos, evaluate, pi, sin, sqrt, symbols
+from sympy import Abs, Dummy, Max, Min, Rational, Symbol, cos, evaluate, pi, sign, sin, sqrt, symbols
 
 from proofs.check import FOLDER, canonical, reasons, verdicts
 from proofs.engine import kernel
@@ -14,6 +14,7 @@ from proofs.engine.program import Program
 from proofs.engine.statement import Untranslatable
 from proofs.engine.stored import NotFound, statements
 from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems
+from proofs.formulas.half_turns import sinpi
 from proofs.theorems.cited import sine_below
 from verify.checkers import witness
 from verify.checkers.breakages import campaign
@@ -99,7 +100,13 @@ with evaluate(False):
         equation((x * y) / x, y),
         equation((x - y) / (x - y), 1),
         equation(1 / x - 1 / x, 0),
+        equation(cos(x * y / x), cos(y)),
+        equation(sinpi(x * y / x), sinpi(y)),
+        equation(x * sinpi(y) / x, sinpi(y)),
+        equation(sqrt(x) * sqrt(x) * sinpi(y), x * sinpi(y)),
+        equation(sign(1 + Abs(1 / x)), 1),
     ]
+    ONE = y / y
 
 
 @pytest.mark.parametrize("relation", CANCELLED, ids=str)
@@ -114,6 +121,12 @@ def test_obligations_come_before_anything_cancels(relation):
         prove(claim, {})
     assert graded(claim) == "failed"
     assert prove(claim.but(given=(greater(x, 0), greater(x, y))), {})
+
+
+def test_an_exponent_is_a_number_as_it_stands():
+    """x^(y/y) = x has no value where y = 0."""
+    with evaluate(False), pytest.raises(Untranslatable, match="no rule"):
+        statements(Claim("attack", (equation(x**ONE, x),)), {})
 
 
 def test_an_inequality_keeps_its_quotients():
