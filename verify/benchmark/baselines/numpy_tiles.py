@@ -73,7 +73,7 @@ def numpy_function(program: Program) -> tuple[Callable, list[str]]:
 
 
 @cache
-def tile_functions(field: str = "ridges", model: str = "blinn", lights: int = 2) -> tuple:
+def tile_functions(field: str, model: str, lights: int) -> tuple:
     """Return (extent, image point, visible surface, {surface: colour}), each from `numpy_function`."""
     whole = pixel(HEIGHT_FIELDS[field], model, lights)
     shades = {number: numpy_function(on_surface(whole, number)) for number in (1, 2, 3)}
