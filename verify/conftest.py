@@ -21,19 +21,15 @@ def pytest_addoption(parser):
     group.addoption(
         "--search", action="store_true", help="find every certificate anew instead of reading the stored ones"
     )
-    group.addoption(
-        "--stored", action="store_true", help="check the stored certificates alone: no samples, no mutants, no report"
-    )
     group.addoption("--fresh", action="store_true", help="measure anew what theorems measure")
     if not any("--long" in option.names() for option in parser._anonymous.options):
         group.addoption("--long", action="store_true", help="also what takes minutes")
 
 
 def pytest_ignore_collect(collection_path, config):
-    """With --theorem or --stored, do not even import the other tests."""
-    one = config.getoption("theorem") or config.getoption("stored")
+    """With --theorem, do not even import the other tests."""
     others = collection_path.name.startswith("test_") and collection_path.name != "test_theorems.py"
-    return True if one and others else None
+    return True if config.getoption("theorem") and others else None
 
 
 class _Module(pytest.Module):

@@ -46,13 +46,6 @@ def examine(
     return found
 
 
-def certificate_problems(theorem: Theorem, theorems: Theorems, prove: Callable) -> list[str]:
-    """Return what both checkers, and the formulas as they stand, have against the stored certificates alone."""
-    found = Examination(theorem.id, theorem.expected, theorem.uses)
-    _check_certificates(found, theorem, theorems, prove, anew=False)
-    return found.problems
-
-
 def _check_certificates(found, theorem, theorems, prove, anew):
     found.claims, found.argued = len(theorem.claims), [clause.text for clause in theorem.argued]
     try:
