@@ -1,7 +1,8 @@
 """The campaign: one operator or sign edited at random in the expressions of proofs/, and the checks must fail.
 
 Each edit is made in a copy of the tree. First it is asked whether the kernels still are what is generated; of what
-that lets pass, the rest is asked. After each stage the run writes verify/results/edited_formulas.json, {"label": …, "numbers": …}: commit it.
+that lets pass, the rest is asked. After each stage the run writes verify/results/edited_formulas.json, {"label": …,
+"numbers": …}: commit it.
 """
 
 import ast
