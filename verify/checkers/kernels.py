@@ -1,7 +1,4 @@
-"""The three kernels side by side: Python's, FLINT's, and the page's JavaScript, run by node where that is installed.
-
-FLINT's needs python-flint: a run without it says so in every grade that rests on a certificate.
-"""
+"""The three kernels side by side: Python's, FLINT's, and the page's JavaScript, run by node where that is installed."""
 
 import json
 import shutil
@@ -9,17 +6,8 @@ import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
-from proofs.engine import kernel
-from proofs.engine.stored import show_polynomial
+from verify.checkers.proof_checker import CHECKERS
 
-CHECKERS = {"the kernel": kernel.check}
-"""{name: a function of a statement and a certificate that returns None, or why the one does not prove the other}"""
-try:
-    from verify.checkers.second_checker import why_refused
-except ImportError:  # no python-flint
-    pass
-else:
-    CHECKERS["the second checker"] = why_refused
 JAVASCRIPT = Path(__file__).resolve().parents[2] / "book" / "static" / "checker" / "kernel.js"
 ASK = """
 const { check } = Checker.kernel();
@@ -33,17 +21,6 @@ const answers = lines.map((text) => {
 });
 console.log(JSON.stringify(answers));
 """
-
-
-def why_rejected(statement: dict, certificate: dict) -> str | None:
-    """Return None if every one of the CHECKERS accepts, else the reason, with the residual polynomial."""
-    for name, checker in CHECKERS.items():
-        why = checker(statement, certificate)
-        if why is not None:
-            reason, *residual = why.args or (repr(why),)
-            shown = f"; residual {show_polynomial(residual[0])}" if residual and residual[0] else ""
-            return f"{name} rejects: {reason}{shown}"
-    return None
 
 
 def compact(pair: Sequence) -> str:

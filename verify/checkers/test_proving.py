@@ -15,7 +15,7 @@ from proofs.engine.statement import Untranslatable, derivations
 from proofs.engine.stored import NotFound, statements
 from verify.checkers import witness
 from verify.checkers.counterexamples import path_to_avoided
-from verify.checkers.kernels import why_rejected
+from verify.checkers.proof_checker import why_rejected
 
 x, y, z = symbols("x y z", real=True)
 
