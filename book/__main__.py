@@ -13,9 +13,7 @@ from filelock import FileLock
 
 from book.build import check, report, stamps, website
 from book.drawing import keys
-from book.drawing.registry import UnknownFigure
 from book.editions import files
-from book.editions.chromium import NoBrowser
 
 BUILDING = ("all", "build", "single", "pdf")
 RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made first
@@ -63,19 +61,6 @@ def stage(name: str, work: Callable[[], None]) -> None:
     print(f"  {time.perf_counter() - start:.1f} s", flush=True)
 
 
-def releases(options: argparse.Namespace) -> int:
-    """Compare with the last release, write this one, or compare with a clean clone; the exit status."""
-    from book.releases import command, kept, notes, same_bytes
-
-    try:
-        if options.verb == "release-notes":
-            return command.release_notes(against=options.against)
-        return command.release() if options.verb == "release" else same_bytes.same_bytes()
-    except (kept.NoRelease, notes.NoHeading, same_bytes.NotClean) as error:
-        print(f"book: {error}", file=sys.stderr)
-        return 2
-
-
 def run(options: argparse.Namespace) -> int:
     """Do what the command line asked for; the exit status."""
     verb = options.verb or "all"
@@ -102,7 +87,11 @@ def run(options: argparse.Namespace) -> int:
         if verb == "pdf":
             stage("Printing the chapter", lambda: files.make("pdf", files.PDF, files.printed))
         if verb in RELEASES:
-            return releases(options)
+            from book.releases import command, same_bytes
+
+            if verb == "release-notes":
+                return command.release_notes(against=options.against)
+            return command.release() if verb == "release" else same_bytes.same_bytes()
     if verb in BUILDING:
         place = {"single": files.SINGLE, "pdf": files.PDF}.get(verb, website.INDEX)
         print(f"The book is at {place.relative_to(stamps.ROOT)}: open {place.as_uri()}")
@@ -120,12 +109,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except subprocess.CalledProcessError as error:
         print(f"book: failed with status {error.returncode}; what went wrong is above", file=sys.stderr)
         return 1
-    except UnknownFigure as error:
+    except stamps.Refused as error:
         print(f"book: {error}", file=sys.stderr)
-        return 2
-    except (files.TooLarge, NoBrowser) as error:
-        print(f"book: {error}", file=sys.stderr)
-        return 1
+        return error.status
 
 
 if __name__ == "__main__":

@@ -4,11 +4,11 @@ import hashlib
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 from book.build import stamps
 
 REPORT = stamps.ROOT / "book" / "_generated" / "proofs.json"
-FOLDERS = ("proofs", "renderer", "verify")  # whole folders: a proof may read what it does not import
 VERSION = 1
 REMEDY = "python -m book check makes it"
 
@@ -17,10 +17,14 @@ class NoReport(ValueError):
     """There is no report, or it was made from other sources."""
 
 
+def packages() -> list[Path]:
+    """Every file of the packages: a proof may read what it does not import."""
+    return [path for folder in ("proofs", "renderer", "verify") for path in stamps.files_in(stamps.ROOT / folder)]
+
+
 def sources() -> dict[str, str]:
     """The hashes of everything that the report can depend on."""
-    files = [path for folder in FOLDERS for path in stamps.files_in(stamps.ROOT / folder)]
-    return stamps.hashes([*files, stamps.LOCK_FILE, stamps.ROOT / "book" / "references.bib"])
+    return stamps.hashes([*packages(), stamps.LOCK_FILE, stamps.ROOT / "book" / "references.bib"])
 
 
 def digest() -> str:
@@ -33,6 +37,14 @@ def remember(before: dict[str, str]) -> None:
     stamps.write("report", {"sources": stamps.key(before), "report": digest()})
 
 
+def run(tests: str) -> None:
+    """Run tests of the checker, which write the report, and note from which sources it was made."""
+    before = sources()
+    stamps.remove("report")
+    subprocess.run([sys.executable, "-m", "pytest", tests, "-q", "-n", "2"], cwd=stamps.ROOT, check=True)
+    remember(before)
+
+
 def is_fresh() -> bool:
     """Whether the report is the one that a run over the sources as they are has written."""
     return REPORT.is_file() and stamps.read("report") == {"sources": stamps.key(sources()), "report": digest()}
@@ -42,12 +54,8 @@ def make() -> None:
     """Run the theorems, and nothing else of the checker, unless their report is fresh."""
     if is_fresh():
         print("  the report of the proofs is up to date")
-        return
-    before = sources()
-    stamps.remove("report")
-    command = [sys.executable, "-m", "pytest", "verify/test_theorems.py", "-q", "-n", "2"]
-    subprocess.run(command, cwd=stamps.ROOT, check=True)
-    remember(before)
+    else:
+        run("verify/test_theorems.py")
 
 
 def load() -> dict[str, dict]:

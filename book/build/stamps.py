@@ -12,6 +12,12 @@ STAMPS = ROOT / ".stamps"
 LOCK_FILE = ROOT / "requirements.lock"
 
 
+class Refused(ValueError):
+    """What cannot be done, said in one line; `status` is the command's exit status."""
+
+    status = 2
+
+
 def read(name: str) -> dict | None:
     """A stamp's content, or None where there is no readable stamp."""
     try:

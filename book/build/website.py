@@ -10,7 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from book.build import stamps
+from book.build import report, stamps
 from book.build.contents import page_files
 
 BOOK = stamps.ROOT / "book"
@@ -25,10 +25,9 @@ STRUCTURE = re.compile(r"^[ \t>]*(?:#|\(|:::|```|---|\w+:).*\n|\{cite[^`]*`[^`]*
 
 def sources() -> dict[str, str]:
     """The hashes of everything that the site is made from, drawn figures included."""
-    folders = [BOOK, BOOK / "_generated", *(stamps.ROOT / name for name in ("proofs", "renderer", "verify"))]
-    files = [path for folder in folders if folder.is_dir() for path in stamps.files_in(folder)]
+    files = [path for folder in (BOOK, BOOK / "_generated") for path in stamps.files_in(folder)]
     tests = (stamps.ROOT / "tests").glob("*.py")  # the ledger names them, and the site shows those
-    return stamps.hashes([*files, *tests, stamps.LOCK_FILE, stamps.ROOT / "pyproject.toml"])
+    return stamps.hashes([*report.packages(), *files, *tests, stamps.LOCK_FILE, stamps.ROOT / "pyproject.toml"])
 
 
 def execution_cache() -> Path:
@@ -36,9 +35,7 @@ def execution_cache() -> Path:
 
     Jupyter's own cache looks at the cells alone; this way prose edits run nothing, package edits everything.
     """
-    folders = [stamps.ROOT / name for name in ("proofs", "renderer", "verify")]
-    files = [path for folder in folders if folder.is_dir() for path in stamps.files_in(folder)]
-    files += [BOOK / "drawing" / "matplotlibrc", stamps.LOCK_FILE]
+    files = [*report.packages(), BOOK / "drawing" / "matplotlibrc", stamps.LOCK_FILE]
     return CACHES / stamps.key(stamps.hashes(files))
 
 

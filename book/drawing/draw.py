@@ -4,7 +4,7 @@ import importlib
 import pkgutil
 import sys
 import time
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from multiprocessing import get_context
@@ -28,6 +28,15 @@ def all_figures() -> dict[str, Registered]:
     return dict(sorted(FIGURES.items()))
 
 
+@dataclass(frozen=True)
+class Waiting:
+    """A figure to be drawn: the hashes of its sources, and the reason."""
+
+    entry: Registered
+    sources: dict[str, str]
+    reason: str
+
+
 def draw(ids: Sequence[str] = (), force: bool = False) -> int:
     """Draw the named figures (all, if none is named) where something changed; the number drawn.
 
@@ -38,52 +47,21 @@ def draw(ids: Sequence[str] = (), force: bool = False) -> int:
     if unknown:
         raise UnknownFigure(f"no figure is called {', '.join(unknown)}; there are: {', '.join(figures) or 'none'}")
     _remove_unclaimed(figures)
-    waiting = _waiting([figures[id] for id in ids or figures], force)
+    waiting = []
+    for entry in (figures[id] for id in ids or figures):
+        now = keys.sources(entry)
+        if reason := "asked for" if force else keys.why_redraw(entry, now):
+            waiting.append(Waiting(entry, now, reason))
+            stamps.remove(f"figures/{entry.id}")
     bar = tqdm(total=len(waiting), unit="figure", leave=False, disable=not (waiting and sys.stderr.isatty()))
-    for one, seconds in _drawn(waiting):
-        bar.update()
-        tqdm.write(f"  drew {one.entry.id} ({one.reason}), {seconds:.1f} s")
+    for family in _drawn(_families(waiting)):
+        for one, files, seconds in family:
+            stamps.write(f"figures/{one.entry.id}", {"files": files, "sources": one.sources})
+            bar.update()
+            tqdm.write(f"  drew {one.entry.id} ({one.reason}), {seconds:.1f} s")
     bar.close()
     print(f"  {len(waiting)} drawn, {len(ids or figures) - len(waiting)} up to date")
     return len(waiting)
-
-
-@dataclass(frozen=True)
-class Waiting:
-    """A figure to be drawn: the hashes of its sources, and the reason."""
-
-    entry: Registered
-    sources: dict[str, str]
-    reason: str
-
-
-def _waiting(entries: Iterable[Registered], force: bool) -> list[Waiting]:
-    """The figures to draw."""
-    found = [(entry, keys.sources(entry)) for entry in entries]
-    reasons = ("asked for" if force else keys.why_redraw(entry, now) for entry, now in found)
-    return [Waiting(*pair, reason) for pair, reason in zip(found, reasons, strict=True) if reason]
-
-
-def _drawn(waiting: list[Waiting]) -> Iterator[tuple[Waiting, float]]:
-    """Draw, keep each figure's key, and yield it with its seconds when it is done."""
-    families = _families(waiting)
-    for one in waiting:
-        stamps.remove(f"figures/{one.entry.id}")
-    for family in _in_processes(families) if PROCESSES > 1 < len(families) else map(_draw_family, families):
-        for one, files, seconds in family:
-            stamps.write(f"figures/{one.entry.id}", {"files": files, "sources": one.sources})
-            yield one, seconds
-
-
-def _in_processes(families: list[list[Waiting]]) -> Iterator[list[tuple[Waiting, list[str], float]]]:
-    """Draw each family in one of some processes; yield it when it is done."""
-    # Started afresh: a fork would take over locks and threads of the renderer in whatever state they are.
-    with ProcessPoolExecutor(PROCESSES, get_context("spawn")) as pool:
-        try:
-            for done in as_completed([pool.submit(_draw_family, family, keys.GENERATED) for family in families]):
-                yield done.result()
-        finally:
-            pool.shutdown(cancel_futures=True)
 
 
 def _families(waiting: list[Waiting]) -> list[list[Waiting]]:
@@ -93,6 +71,20 @@ def _families(waiting: list[Waiting]) -> list[list[Waiting]]:
         families.setdefault(keys.source_file(one.entry).stem, []).append(one)
     first = [name for name in LONGEST if name in families]
     return [families[name] for name in (*first, *sorted(families.keys() - {*first}))]
+
+
+def _drawn(families: list[list[Waiting]]) -> Iterator[list[tuple[Waiting, list[str], float]]]:
+    """Draw each family, in one of some processes where there are several; yield it when it is done."""
+    if PROCESSES == 1 or len(families) < 2:
+        yield from map(_draw_family, families)
+        return
+    # Started afresh: a fork would take over locks and threads of the renderer in whatever state they are.
+    with ProcessPoolExecutor(PROCESSES, get_context("spawn")) as pool:
+        try:
+            for done in as_completed([pool.submit(_draw_family, family, keys.GENERATED) for family in families]):
+                yield done.result()
+        finally:
+            pool.shutdown(cancel_futures=True)
 
 
 def _draw_family(family: list[Waiting], folder: Path | None = None) -> list[tuple[Waiting, list[str], float]]:

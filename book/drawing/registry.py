@@ -25,7 +25,7 @@ from book.build import stamps
 DATA_FOLDERS = ("proofs/", "renderer/", "verify/", "book/", "tests/data/")  # those that are hashed
 
 
-class UnknownFigure(ValueError):
+class UnknownFigure(stamps.Refused):
     """An id that no figure is registered under."""
 
 

@@ -7,6 +7,8 @@ from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from book.build.stamps import Refused
+
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
@@ -30,8 +32,10 @@ FOOTER = (
 DATE = b"D:20250101000000+00'00'"  # the date that the site is told too: two runs give the same bytes
 
 
-class NoBrowser(RuntimeError):
+class NoBrowser(Refused):
     """There is no Chromium to print with."""
+
+    status = 1
 
 
 def installed() -> str:

@@ -10,8 +10,10 @@ PDF = website.BOOK / "_build" / "pdf" / "bump-mapping.pdf"
 LARGEST = 12_000_000  # bytes of the file; what is larger, many mail servers refuse
 
 
-class TooLarge(ValueError):
+class TooLarge(stamps.Refused):
     """The file cannot be mailed."""
+
+    status = 1
 
 
 def single_file(site: Path = website.SITE) -> bytes:

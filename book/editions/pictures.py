@@ -1,5 +1,6 @@
 """Pictures in the file: as data: addresses, and of a pair for light and dark the dark one as what differs."""
 
+from os.path import commonprefix  # of any text, letter by letter
 from pathlib import Path
 from urllib.parse import unquote
 
@@ -31,15 +32,9 @@ def difference(light: list[str], dark: list[str]) -> list[str] | None:
 
 def change(old: str, new: str) -> str:
     """What makes the new part of the old one."""
-    start = shared(old, new)
-    end = shared(old[start:][::-1], new[start:][::-1])
+    start = len(commonprefix([old, new]))  # noqa: RUF071
+    end = len(commonprefix([old[start:][::-1], new[start:][::-1]]))  # noqa: RUF071
     return f"{start} {end} {new[start : len(new) - end]}"
-
-
-def shared(one: str, other: str) -> int:
-    """How many characters two texts have in common at their beginnings."""
-    pairs = enumerate(zip(one, other, strict=False))
-    return next((n for n, (a, b) in pairs if a != b), min(len(one), len(other)))
 
 
 def inline_pictures(site: Path, page: Page, store: Store) -> None:

@@ -3,6 +3,7 @@
 import json
 import re
 import unicodedata
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -120,13 +121,8 @@ def _greek(command: str) -> str | None:
 
 def merged(parts: list[list[str]]) -> list[list[str]]:
     """Neighbours of one kind as one."""
-    whole = []
-    for text, style in parts:
-        if whole and whole[-1][1] == style:
-            whole[-1] = [whole[-1][0] + text, style]
-        else:
-            whole.append([text, style])
-    return whole
+    groups = groupby(parts, key=lambda part: part[1])
+    return [["".join(text for text, _ in group), style] for style, group in groups]
 
 
 @on("html-page-context")

@@ -95,21 +95,10 @@ def slope_is_texture() -> Drawing:
         (258, "and with it"),
     ):
         fig.text(6 / 928, 1 - y_at / 308, words, color=c["muted"], va="baseline")
-    numbers = {
-        "u": POINT,
-        "slope": slope,
-        "tilt": tilt,
-        "light": lit,
-        "unlit": unlit,
-        "steepest": np.pi * SCENE.ku,
-        "worst": along_circle(1e-9)[3],
-        "beta": SCENE.beta,
-    }
-    return Drawing(
-        fig,
-        numbers=numbers,
-        data={"u": u, "height": h, "between": between, "light": strips[SCENE.beta], "circle_x": x, "circle_y": y},
-    )
+    numbers = {"u": POINT, "slope": slope, "tilt": tilt, "light": lit, "unlit": unlit}
+    numbers |= {"steepest": np.pi * SCENE.ku, "worst": along_circle(1e-9)[3], "beta": SCENE.beta}
+    data = {"u": u, "height": h, "between": between, "light": strips[SCENE.beta], "circle_x": x, "circle_y": y}
+    return Drawing(fig, numbers=numbers, data=data)
 
 
 def vectors_at(u: float, v: float, beta: float) -> dict[str, np.ndarray]:
@@ -143,43 +132,20 @@ def tilted_frame() -> Drawing:
         data |= {f"net_{number}_x": x, f"net_{number}_y": y}
     corners = [at + 0.34 * (a * found["e_theta"] + b * found["e_phi"]) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     ax.add_patch(Polygon([place(p) for p in corners], facecolor=c["symbolic"], alpha=0.14))
-    ends = {
-        "N": at,
-        "βg": beta * found["g"],
-        "M": found["m"],
-        "N′": found["bumped"],
-        "e_θ": 0.34 * found["e_theta"],
-        "e_φ": 0.34 * found["e_phi"],
-    }
-    looks = {
-        "N": ("ink", 1.2),
-        "βg": ("symbolic", 2.2),
-        "M": ("muted", 0.9),
-        "N′": ("ink", 3),
-        "e_θ": ("muted", 0.9),
-        "e_φ": ("muted", 0.9),
-    }
-    ax.plot(
-        *np.transpose([place(at + ends[name]) for name in ("N", "M", "βg")]),
-        color=c["muted"],
-        linewidth=0.9,
-        linestyle=(0, (2, 3)),
-    )
-    for name, end in ends.items():
-        (colour, width), tip_at = looks[name], place(at + end)
-        ax.annotate(
-            "",
-            tip_at,
-            place(at),
-            arrowprops={"arrowstyle": "-|>", "color": c[colour], "linewidth": width, "shrinkA": 0, "shrinkB": 0},
-        )
-        ax.annotate(
-            f"${name}$".replace("β", r"\beta ").replace("θ", r"\theta").replace("φ", r"\varphi").replace("′", "'"),
-            tip_at,
-            xytext=(-14 if name in ("N", "N′", "e_φ") else 6, 3),
-            textcoords="offset points",
-            color=readable(c[colour]),
-        )
+    tangent = beta * found["g"]
+    corner = np.transpose([place(at + end) for end in (at, found["m"], tangent)])
+    ax.plot(*corner, color=c["muted"], linewidth=0.9, linestyle=(0, (2, 3)))
+    for name, end, colour, width, aside in (  # where its name stands, in points
+        ("$N$", at, "ink", 1.2, -14),
+        (r"$\beta g$", tangent, "symbolic", 2.2, 6),
+        ("$M$", found["m"], "muted", 0.9, 6),
+        ("$N'$", found["bumped"], "ink", 3, -14),
+        (r"$e_\theta$", 0.34 * found["e_theta"], "muted", 0.9, 6),
+        (r"$e_\varphi$", 0.34 * found["e_phi"], "muted", 0.9, -14),
+    ):
+        arrow = {"arrowstyle": "-|>", "color": c[colour], "linewidth": width, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", place(at + end), place(at), arrowprops=arrow)
+        ax.annotate(name, place(at + end), xytext=(aside, 3), textcoords="offset points", color=readable(c[colour]))
     ax.plot(*place(at), "o", color=c["symbolic"], markersize=8, markeredgecolor="white")
     return Drawing(fig, numbers={"u": u, "v": v, "beta": beta}, data=data | found)
 
@@ -188,9 +154,8 @@ def seen_at(x: float, y: float) -> dict[str, Any]:
     """Return {line: value} of the chapter's scene at an image point."""
     known = given(SCENE) | {"x": x, "y": y}
     with np.errstate(all="ignore"):
-        return dict(
-            zip(PIXEL_LINES["lines"], pixel_lines(*(known[name] for name in PIXEL_LINES["inputs"])), strict=True)
-        )
+        found = pixel_lines(*(known[name] for name in PIXEL_LINES["inputs"]))
+    return dict(zip(PIXEL_LINES["lines"], found, strict=True))
 
 
 @figure("scene_from_the_side")
@@ -203,28 +168,19 @@ def scene_from_the_side() -> Drawing:
     hit = flat([float(found[f"point_{axis}"]) for axis in "xyz"])
     ax = pixel_axes(fig, 0, 0, 640, 430, xlim=(-3.3, 3.3), ylim=(-0.14, 4.3))
     ax.axhline(0, color=c["ink"], linewidth=1.2)
-    ax.add_patch(Wedge((0, 0), SCENE.radius, 0, 180, facecolor=c["surface"], edgecolor=c["ink"], linewidth=1.2))
-    ax.add_patch(
-        Circle(flat(SCENE.ball_center), SCENE.ball_radius, facecolor=c["surface"], edgecolor=c["ink"], linewidth=1.2)
-    )
+    body = {"facecolor": c["surface"], "edgecolor": c["ink"], "linewidth": 1.2}
+    ax.add_patch(Wedge((0, 0), SCENE.radius, 0, 180, **body))
+    ax.add_patch(Circle(flat(SCENE.ball_center), SCENE.ball_radius, **body))
     ax.plot([0, hit[0]], [SCENE.eye, hit[1]], color=c["symbolic"], linewidth=2.2)
     ax.plot([hit[0], s], [hit[1], 0], color=c["muted"], linewidth=0.9, linestyle=(0, (2, 3)))
     for number, (light, words) in enumerate(zip(SCENE.lights, ("first light", "second light"), strict=True)):
         towards = flat(light.position) - hit
         near, hidden = hit + 1.25 * towards / np.linalg.norm(towards), found[f"occluded_{number}"] > 0
-        style = {
-            "arrowstyle": "-|>",
-            "color": c["muted" if hidden else "ink"],
-            "linestyle": (0, (3, 3)) if hidden else "-",
-        }
-        ax.annotate("", near, hit, arrowprops=style | {"shrinkA": 0, "shrinkB": 0})
-        ax.annotate(
-            f"{words}{' (hidden)' if hidden else ''}",
-            near,
-            xytext=(-70 if number else 4, 2),
-            textcoords="offset points",
-            color=c["muted"],
-        )
+        colour, dashes, words = ("muted", (0, (3, 3)), f"{words} (hidden)") if hidden else ("ink", "-", words)
+        arrow = {"arrowstyle": "-|>", "color": c[colour], "linestyle": dashes, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", near, hit, arrowprops=arrow)
+        aside = (-70 if number else 4, 2)
+        ax.annotate(words, near, xytext=aside, textcoords="offset points", color=c["muted"])
     ax.plot([0, hit[0]], [SCENE.eye, hit[1]], "o", color=c["ink"], markersize=6)
     for at, words in (
         ((0.1, SCENE.eye), "the eye, $t = 0$"),

@@ -27,6 +27,7 @@ WIDTH = 78  # characters of a line that a column of the page shows
 GIVEN = ("k_u", "k_v")
 AXES = ("_x", "_y", "_z")
 DOT = Function("dot")
+NAMES = {"Abs": "abs", "Max": "maximum", "Min": "minimum", "atan2": "arctan2"}
 
 
 class ReadablePrinter(StrPrinter):
@@ -41,20 +42,11 @@ class ReadablePrinter(StrPrinter):
         terms.sort(key=lambda term: term.startswith("-"))  # a sum begins with what is added
         return terms[0] + "".join(f" - {t[1:]}" if t.startswith("-") else f" + {t}" for t in terms[1:])
 
-    def _call(self, name, expr):
-        return f"{name}({', '.join(self._print(a) for a in expr.args)})"
+    def _print_Function(self, expr):
+        name = type(expr).__name__
+        return f"{NAMES.get(name, name)}({', '.join(self._print(a) for a in expr.args)})"
 
-    def _print_Abs(self, expr):
-        return self._call("abs", expr)
-
-    def _print_Max(self, expr):
-        return self._call("maximum", expr)
-
-    def _print_Min(self, expr):
-        return self._call("minimum", expr)
-
-    def _print_atan2(self, expr):
-        return self._call("arctan2", expr)
+    _print_Abs = _print_Max = _print_Min = _print_Function
 
     def _print_Piecewise(self, expr):
         (text,) = (self._print(value) for value, condition in expr.args if condition == True)  # noqa: E712

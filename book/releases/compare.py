@@ -11,8 +11,6 @@ from book.releases.pictures import CANVAS, arrays_of
 from book.releases.tolerances import is_within
 from verify.checkers.grades import STANDING
 
-FAR = 2**20  # ulps: what moved further is given in per cent
-
 
 @dataclass(frozen=True)
 class Change:
@@ -67,37 +65,25 @@ def theorems(before: dict, after: dict) -> list[Change]:
 
 def numbers(before: dict, after: dict) -> list[Change]:
     """Numbers added, removed and moved; out of tolerance where they moved further than both records allow."""
-    found = _come_and_gone(before, after, lambda entry: _shown(entry["value"]))
+    found = _come_and_gone(before, after, lambda entry: str(entry["value"]))
     for id in before.keys() & after.keys():
         old, new = before[id]["value"], after[id]["value"]
         if old == new and type(old) is type(new):
             continue
         allowed = before[id]["tolerance"]  # as it was stated: nobody widens it afterwards
         good, stated = is_within(old, new, allowed), f"{allowed:g} relative" if isinstance(allowed, float) else allowed
-        words = f"{_shown(old)} → {_shown(new)}, {how_far(old, new)}; tolerance {stated or 'exact'}"
+        words = f"{old} → {new}, {how_far(old, new)}; tolerance {stated or 'exact'}"
         found.append(Change(id, "moved" if good else "out of tolerance", words, not good))
     return _in_order(found)
 
 
 def how_far(old: int | float | str | bool, new: int | float | str | bool) -> str:
-    """The way from one value to another, in ulps if it is short, else in per cent, or in words."""
+    """The way from one value to another, in per cent or in words."""
     if isinstance(old, str | bool) or isinstance(new, str | bool):
         return "another value"
     if type(old) is not type(new):
         return "another kind of number"
-    if isinstance(old, float) and old * new > 0 and ulps(old, new) <= FAR:
-        return f"{ulps(old, new)} ulp{'' if ulps(old, new) == 1 else 's'}"
     return f"{100 * (new - old) / abs(old):+.3g} %" if old else "from zero"
-
-
-def ulps(old: float, new: float) -> int:
-    """How many doubles apart two numbers of one sign are."""
-    one, other = (int(np.array(abs(value)).view(np.int64)) for value in (old, new))
-    return abs(one - other)
-
-
-def _shown(value: int | float | str | bool) -> str:
-    return repr(value) if isinstance(value, float) else str(value)
 
 
 def pictures(before: dict, after: dict, kept: Path, generated: Path) -> list[Change]:

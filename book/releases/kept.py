@@ -13,7 +13,7 @@ RELEASES = stamps.ROOT / "releases"
 PICTURES_KEPT = 2  # the release that is made, and the one that it is compared with
 
 
-class NoRelease(ValueError):
+class NoRelease(stamps.Refused):
     """There is no release to compare with, or it is not one that this program reads."""
 
 

@@ -15,7 +15,7 @@ PICTURES = ("changed", "drawn otherwise", "removed", "added")
 FOLD = 12  # added things beyond which their ids alone are listed
 
 
-class NoHeading(ValueError):
+class NoHeading(stamps.Refused):
     """The changelog does not speak of a version."""
 
 

@@ -27,16 +27,13 @@ def version() -> str:
 
 def make(generated: Path = GENERATED) -> dict:
     """The record of what is built now. NoReport if the theorems' report is missing or stale."""
-    figures = [json.loads(path.read_text(encoding="utf-8")) for path in _descriptions(generated)]
+    paths = [path for path in sorted(generated.glob("*.json")) if path.name != report.REPORT.name]
+    figures = [json.loads(path.read_text(encoding="utf-8")) for path in paths]
     return {
         "format": FORMAT,
         "version": version(),
         "theorems": theorems(),
-        "numbers": {
-            name: {"value": value, "tolerance": tolerance(name, value)}
-            for figure in figures
-            for name, value in _named(figure["id"], figure["numbers"])
-        },
+        "numbers": {k: v for figure in figures for k, v in _numbers(figure["id"], figure["numbers"]).items()},
         "measured": {path.stem: _measured(path) for path in sorted(BENCHMARKS.glob("*.json"))},
         "pictures": {f["id"]: _digests(generated, f) for f in figures if f["kind"] != "numbers"},
     }
@@ -53,22 +50,17 @@ def theorems() -> dict[str, dict]:
     }
 
 
-def _descriptions(generated: Path) -> list[Path]:
-    return sorted(path for path in generated.glob("*.json") if path.name != report.REPORT.name)
-
-
-def _named(source: str, numbers: dict) -> list[tuple[str, int | float | str | bool]]:
-    return [(f"{source}.{key}", value) for key, value in sorted(numbers.items())]
+def _numbers(source: str, numbers: dict) -> dict[str, dict]:
+    """The numbers of a figure or a benchmark with their tolerances."""
+    named = {f"{source}.{key}": value for key, value in sorted(numbers.items())}
+    return {name: {"value": value, "tolerance": tolerance(name, value)} for name, value in named.items()}
 
 
 def _measured(path: Path) -> dict:
     """A benchmark's label, and its numbers with their tolerances."""
     content = json.loads(path.read_text(encoding="utf-8"))
-    numbers = {
-        name: {"value": value, "tolerance": tolerance(name, value)}
-        for name, value in _named(f"bench:{path.stem}", content["numbers"])
-    }
-    return {"label": {key: content["label"][key] for key in LABELS if key in content["label"]}, "numbers": numbers}
+    label = {key: content["label"][key] for key in LABELS if key in content["label"]}
+    return {"label": label, "numbers": _numbers(f"bench:{path.stem}", content["numbers"])}
 
 
 def _digests(generated: Path, figure: dict) -> dict:

@@ -14,7 +14,7 @@ COMPARED = ("book/_build/html", "book/_generated")
 AROUND = 20  # bytes shown on each side of the first that differs
 
 
-class NotClean(ValueError):
+class NotClean(stamps.Refused):
     """What is here is not what is committed, so that a clone cannot give the same."""
 
 
