@@ -20,7 +20,6 @@ RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made 
 
 
 def figures(ids: Sequence[str] = (), force: bool = False) -> None:
-    """Draw the figures that changed."""
     if not ids and not force and keys.nothing_changed():
         print("  all up to date")
         return
@@ -33,7 +32,6 @@ def figures(ids: Sequence[str] = (), force: bool = False) -> None:
 
 
 def parser() -> argparse.ArgumentParser:
-    """The command line."""
     top = argparse.ArgumentParser(prog="python -m book", description=__doc__.splitlines()[0])
     top.add_argument("--all", action="store_true", help="build every page anew, not only those whose prose changed")
     verbs = top.add_subparsers(dest="verb", metavar="VERB")
@@ -62,7 +60,6 @@ def stage(name: str, work: Callable[[], None]) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Do what the command line asked for; the exit status."""
     verb = options.verb or "all"
     if verb == "figures" and options.list:
         from book.drawing.draw import all_figures

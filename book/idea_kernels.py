@@ -31,11 +31,6 @@ def angles_at(u: Number, v: Number) -> tuple[Number, ...]:
     return -cospi(2.0 * u), -sinpi(2.0 * u), cospi(v), sinpi(v)
 
 
-def tilt(h_u: Number, h_v: Number, beta: Number) -> Number:
-    """Return the angle between N and N' in degrees: its tangent is β|g|, by theorem angle_of_the_bump."""
-    return DEGREES * kernels.atan2pi(abs(beta) * kernels.slope(h_u, h_v), 0.0 * beta + 1.0)
-
-
 def bump_at(
     u: Number,
     v: Number,
@@ -51,7 +46,9 @@ def bump_at(
     angles, gradient = angles_at(u, v), kernels.gradient_ridges(u, v, k_u, k_v)
     bumped, point = kernels.bumped_normal(*angles, *gradient, beta), kernels.point_on_a(*angles, radius)
     mu, _ = kernels.phong(*point, light_x, light_y, light_z, *bumped, 0.0, 0.0, 1.0)
-    return kernels.height_ridges(u, v, k_u, k_v), *gradient, tilt(*gradient, beta), kernels.maximum(0.0, mu)
+    # The tangent of the angle between N and N' is β|g|, by theorem angle_of_the_bump.
+    tilt = DEGREES * kernels.atan2pi(abs(beta) * kernels.slope(*gradient), 0.0 * beta + 1.0)
+    return kernels.height_ridges(u, v, k_u, k_v), *gradient, tilt, kernels.maximum(0.0, mu)
 
 
 def two_slopes(u: Number, v: Number, k_u: Number, k_v: Number, epsilon: Number) -> tuple[Number, ...]:

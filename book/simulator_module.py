@@ -69,12 +69,6 @@ def _scenes():
     return found
 
 
-def _offsets():
-    """Return {name: where it begins among the scene's numbers}."""
-    sizes = {name: len(value) if isinstance(value, tuple) else 1 for name, value in vars(SCENE_FORM).items()}
-    return {name: sum(list(sizes.values())[:number]) for number, name in enumerate(sizes)}
-
-
 def _thresholds(level_of):
     """Return the least float64 in [0, 1] at each level from 1 to 255, where level_of(numbers) never falls."""
     low, high = np.zeros(255, np.int64), np.full(255, np.float64(1).view(np.int64))
@@ -108,19 +102,16 @@ def _tables():
     }
 
 
-def _way_indices(name):
-    """Return {way: its index} of a field."""
-    return {way: number for number, (field, way) in enumerate(WAYS) if field == name or way == "flat"}
-
-
 def data(outputs: dict[str, int]) -> dict:
     """Return what the page and its workers know beside the module. outputs: {kernel: how many}."""
+    sizes = [len(value) if isinstance(value, tuple) else 1 for value in vars(SCENE_FORM).values()]
+    ways = {f: {way: n for n, (field, way) in enumerate(WAYS) if field == f or way == "flat"} for f in HEIGHT_FIELDS}
     return {
         "scene": asdict(SCENE),
         "scenes": _scenes(),
-        "offsets": _offsets(),
+        "offsets": {name: sum(sizes[:number]) for number, name in enumerate(vars(SCENE_FORM))},
         "light_size": len(flat(LIGHT_FORM)),
-        "fields": {n: {"ways": _way_indices(n), "creases": len(f.creases)} for n, f in HEIGHT_FIELDS.items()},
+        "fields": {n: {"ways": ways[n], "creases": len(f.creases)} for n, f in HEIGHT_FIELDS.items()},
         "models": {
             n: {"index": number, "power": scene_numbers(scene, exact()).power}
             for number, (n, scene) in enumerate(MODELS.items())

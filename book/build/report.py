@@ -23,7 +23,6 @@ def packages() -> list[Path]:
 
 
 def sources() -> dict[str, str]:
-    """The hashes of everything that the report can depend on."""
     return stamps.hashes([*packages(), stamps.LOCK_FILE, stamps.ROOT / "book" / "references.bib"])
 
 
@@ -33,7 +32,6 @@ def digest() -> str:
 
 
 def remember(before: dict[str, str]) -> None:
-    """Note that the report was made from these sources, hashed before the run."""
     stamps.write("report", {"sources": stamps.key(before), "report": digest()})
 
 

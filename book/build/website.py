@@ -72,7 +72,9 @@ def build(whole: bool = False) -> None:
     stamps.remove("site")
     stamps.remove("pages")
     cache, found = execution_cache(), foundation(now)
-    _forget_other_caches(cache)
+    for other in CACHES.iterdir() if CACHES.is_dir() else ():
+        if other != cache:
+            shutil.rmtree(other, ignore_errors=True)
     edited = WORK.is_dir() and kept.get("foundation") == found and not whole
     # What Sphinx copies, it names by its bytes where it finds it before it writes a page: so a whole build does not.
     shutil.rmtree(WORK / "_build" / "html" / "_static" if edited else WORK, ignore_errors=True)
@@ -96,17 +98,8 @@ def build_into(folder: Path, cache: Path) -> None:
     print("  running Jupyter Book (half a minute when the laboratory's cells have to run)", flush=True)
     done = subprocess.run(command, cwd=stamps.ROOT, env=environment(cache), text=True, capture_output=True)
     if done.returncode:
-        print(_worth_reading(done.stdout + done.stderr), file=sys.stderr)
+        lines = filter(str.strip, (done.stdout + done.stderr).splitlines())
+        # Greetings, and the kernel's remark on encryption.
+        noise = ("Running Jupyter-Book", " Folder:", "Config Path:", "Output Path:", "[IPKernelApp]", "=====")
+        print("\n".join(line for line in lines if not any(n in line for n in noise)), file=sys.stderr)
         done.check_returncode()
-
-
-def _worth_reading(log: str) -> str:
-    """The log's warnings and errors, without greetings and the kernel's remark on encryption."""
-    noise = ("Running Jupyter-Book", " Folder:", "Config Path:", "Output Path:", "[IPKernelApp]", "=====")
-    return "\n".join(line for line in log.splitlines() if line.strip() and not any(n in line for n in noise))
-
-
-def _forget_other_caches(current: Path) -> None:
-    for other in CACHES.iterdir() if CACHES.is_dir() else ():
-        if other != current:
-            shutil.rmtree(other, ignore_errors=True)

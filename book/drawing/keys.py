@@ -38,7 +38,6 @@ def _drawn() -> dict[str, str]:
 
 
 def source_file(entry: Registered) -> Path:
-    """The file in which a figure's function stands."""
     return Path(inspect.getsourcefile(inspect.unwrap(entry.draw))).resolve()
 
 

@@ -57,7 +57,6 @@ def opened(browser: "Browser", place: Path) -> "Page":
 
 
 def printed(tab: "Page") -> bytes:
-    """The open document as PDF."""
     return tab.pdf(
         prefer_css_page_size=True,
         print_background=True,
@@ -100,7 +99,6 @@ def numbered(tab: "Page") -> bytes:
 
 
 def print_document(text: str) -> bytes:
-    """The document as PDF; raises NoBrowser."""
     from playwright.sync_api import sync_playwright
 
     path = installed()

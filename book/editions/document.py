@@ -62,7 +62,8 @@ class Chapter:
         content = file.read_bytes()
         address = packed_address(content)
         if file.suffix == ".npz" and len(address) > LARGEST_DATA:
-            leave_out(link, file)
+            link.name, link.attrs = "span", {"class": ["not-mailed"]}
+            link.string = f"data: {file.name}, by the command"
             return
         link["data-packed"] = file.name
         if content in self.packed:  # the first link to it holds it
@@ -94,14 +95,7 @@ class Chapter:
         return made
 
 
-def leave_out(link: Tag, file: Path) -> None:
-    """Say in place of a link to a figure's numbers where its command puts them."""
-    link.name, link.attrs = "span", {"class": ["not-mailed"]}
-    link.string = f"data: {file.name}, by the command"
-
-
 def strip_shell(shell: BeautifulSoup) -> None:
-    """Take what belongs to one page, to search and to loading out of the frame."""
     for rule in (
         "article, footer.prev-next-footer, #jb-print-docs-body, #searchbox, .dropdown-download-buttons li:has(a[href])",
         "#pst-page-toc-nav > ul, .search-button, .sidebar-primary-item:has(.search-button-field), #pst-search-dialog",
@@ -126,7 +120,6 @@ def wrapped(chapter: Chapter, page: Page) -> Tag:
 
 
 def put_pages(chapter: Chapter) -> None:
-    """Put the pages into the frame, and what belongs to each into its menus."""
     shell = chapter.shell
     inside, contents = shell.select_one(".bd-article-container"), shell.select_one("#pst-page-toc-nav")
     menu = shell.select_one(".dropdown-download-buttons ul")
@@ -141,7 +134,6 @@ def put_pages(chapter: Chapter) -> None:
 
 
 def put_head(chapter: Chapter) -> None:
-    """Title, icon, policy and styles."""
     shell, head = chapter.shell, chapter.shell.head
     shell.title.string = shell.select_one("nav.bd-docs-nav a").get_text().strip()
     icon = shell.select_one("link[rel=icon]")
@@ -163,7 +155,6 @@ def put_scripts(chapter: Chapter) -> None:
 
 
 def document(site: Path) -> str:
-    """The whole file, from the built site."""
     chapter = Chapter(site)
     chapter.prepare()
     sidebar = chapter.shell.select_one("#pst-primary-sidebar")

@@ -10,7 +10,6 @@ TALLEST = 240  # CSS pixels of a piece: what is left of a page is filled to with
 
 
 def row_of(node: Tag) -> float:
-    """The height at which a node stands."""
     return float(node.find("circle", class_="reach")["cy"])
 
 

@@ -12,13 +12,7 @@ REFERRING = ("for", "aria-labelledby", "aria-describedby", "aria-controls", "ari
 
 
 def ids_of(part: Tag) -> list[str]:
-    """The ids in a part of a page."""
     return [tag["id"] for tag in part.find_all(id=True)]
-
-
-def radios(page: Page) -> list[Tag]:
-    """The page's radio buttons: those of one name would become one group of the file."""
-    return page.article.select("input[type=radio][name]")
 
 
 class Names:
@@ -30,8 +24,6 @@ class Names:
         own = {name: ids_of(page.article) for name, page in self.pages.items()}
         count = Counter(id for ids in own.values() for id in set(ids)) + Counter(set(reserved))
         self.table = {n: {id: id if count[id] == 1 else f"{n}:{id}" for id in ids} for n, ids in own.items()}
-        groups = {name: {box["name"] for box in radios(page)} for name, page in self.pages.items()}
-        self.groups = Counter(group for names in groups.values() for group in names)
 
     def top(self, name: str) -> str:
         """The id of a page: that of its first section, or its address where it has none."""
@@ -54,9 +46,6 @@ class Names:
 def rename(page: Page, names: Names) -> None:
     """Give the page's elements their new ids, and change what refers to them by name."""
     table = names.table[page.name]
-    for box in radios(page):
-        if names.groups[box["name"]] > 1:
-            box["name"] = f"{page.name}:{box['name']}"
     for tag in page.article.find_all(True):
         if tag.get("id"):
             tag["id"] = table[tag["id"]]

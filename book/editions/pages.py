@@ -36,13 +36,11 @@ class Page:
 
     @property
     def title(self) -> str:
-        """The page's heading as text."""
         heading = self.article.find("h1")
         return heading.get_text().removesuffix("#").strip() if heading else self.name
 
 
 def parsed(text: str) -> BeautifulSoup:
-    """A document, or a part of one."""
     return BeautifulSoup(text, "html.parser")
 
 

@@ -59,7 +59,6 @@ def keep_together(title: Tag) -> None:
 
 
 def heading(section: Tag) -> str:
-    """The text of a section's title."""
     return section.find(["h1", "h2"]).get_text().strip()
 
 
@@ -99,7 +98,6 @@ def read(site: Path, shell: BeautifulSoup, store: Store) -> list[Page]:
 
 
 def document(site: Path) -> str:
-    """The whole document, from the built site. It loads nothing."""
     shell, store = parsed((site / f"{SHELL}.html").read_text(encoding="utf-8")), Store()
     pages = read(site, shell, store)
     loads = {path: tag.name for page in pages for path, tag in page.loads.items()}

@@ -11,7 +11,6 @@ from book.editions.store import Store, data_address, quoted, svg_address, svg_pa
 
 
 def picture_file(site: Path, page: str, image: Tag) -> Path:
-    """The file that an <img> shows."""
     aim = target(page, image["src"])
     if aim is None or not (site / aim[0]).is_file():
         raise BrokenSite(f"{page}.html shows {image['src']}, which the site does not have")
@@ -41,8 +40,6 @@ def inline_pictures(site: Path, page: Page, store: Store) -> None:
     """Put every picture of a page into the file. A dark one is made of its light neighbour when it is wanted."""
     light: list[str] = []
     for image in page.article.find_all("img", src=True):
-        if image["src"].startswith("data:"):
-            continue
         path = picture_file(site, page.name, image)
         if path.suffix != ".svg":
             image["src"] = store.keep(data_address(path))

@@ -36,12 +36,10 @@ class Store:
 
 
 def base64_address(kind: str, content: bytes) -> str:
-    """Bytes of a kind as a data: address."""
     return f"data:{kind};base64,{base64.b64encode(content).decode()}"
 
 
 def data_address(path: Path) -> str:
-    """A file as a data: address."""
     content, suffix = path.read_bytes(), path.suffix
     if suffix == ".png":
         return base64_address("image/webp", as_webp(content))
@@ -64,7 +62,6 @@ def base64_gzip(content: bytes) -> str:
 
 
 def packed_address(content: bytes) -> str:
-    """Bytes as a data: address, compressed."""
     return f"data:application/gzip;base64,{base64_gzip(content)}"
 
 
@@ -73,14 +70,11 @@ def svg_parts(path: Path) -> list[str]:
     text = re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
     text = re.sub(r"\s*\n\s*", " ", text).replace("> <", "><").strip()
     text = EMBEDDED.sub(lambda match: base64_address("image/webp", as_webp(base64.b64decode(match[1]))), text)
-    text = COORDINATES.sub(lambda match: FRACTION.sub(to_hundredths, match[0]), text)
+    # A hundredth of a point cannot be seen.
+    shorter = lambda match: f"{float(match[0]):.2f}".rstrip("0").rstrip(".")  # noqa: E731
+    text = COORDINATES.sub(lambda match: FRACTION.sub(shorter, match[0]), text)
     text = re.sub("[%#]", lambda match: f"%{ord(match[0]):02X}", text)
     return text.replace("'", "&apos;").replace('"', "'").split("<")
-
-
-def to_hundredths(match: re.Match) -> str:
-    """A number with two decimals at most: a hundredth of a point cannot be seen."""
-    return f"{float(match[0]):.2f}".rstrip("0").rstrip(".")
 
 
 def svg_address(parts: list[str]) -> str:

@@ -22,25 +22,10 @@ a sentence found          shown by the search, with its section (search.py)
 MathJax, the simulator     copied into the site from the installed package; compiled into it (assets.py)
 """
 
-import pkgutil
-from importlib import import_module
-
 from sphinx.application import Sphinx
 
 
 def setup(app: Sphinx) -> dict[str, str | bool]:
     """Register everything with Sphinx."""
-    for part in pkgutil.iter_modules(__path__, f"{__name__}."):
-        import_module(part.name)
-    from book.extension import elements, figures
-
-    app.setup_extension("sphinx.ext.autodoc")
-    app.add_node(elements.Filled, html=(lambda translator, node: None, lambda translator, node: None))
-    app.add_node(figures.PixelImage, html=(figures.visit_pixel_image, None))
-    for name, made in elements.DIRECTIVES.items():
-        app.add_directive(name, made)
-    for name, made in elements.ROLES.items():
-        app.add_role(name, made)
-    for event, handler, priority in elements.EVENTS:
-        app.connect(event, handler, priority)
+    app.setup_extension(f"{__name__}.parts")  # by its name: what imports a module of this package does not import all
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -13,15 +13,10 @@ EMPTY_HEADING = re.compile(r'<th class="head[^"]*">(?:<p></p>)?</th>')
 PUNCTUATED = re.compile(r'[“‘(\[]*<span class="math notranslate nohighlight">[^<]*</span>(?:[.,;:?!)\]’”]+|[’-]\w+)')
 
 
-def readable(body: str) -> str:
-    """A page's HTML: a bibliography as a list, no empty heading cell, punctuation that stays at its formula."""
-    body = body.replace('role="doc-biblioentry"', 'role="listitem"')
-    body = PUNCTUATED.sub(r'<span class="unbroken">\g<0></span>', body)
-    return EMPTY_HEADING.sub('<td class="head"></td>', body)
-
-
 @on("html-page-context")
 def mend(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
-    """Put the mended body in the page's place."""
+    """Make a bibliography a list, leave no heading cell empty, and keep punctuation at its formula."""
     if "body" in context:
-        context["body"] = readable(context["body"])
+        body = context["body"].replace('role="doc-biblioentry"', 'role="listitem"')
+        body = PUNCTUATED.sub(r'<span class="unbroken">\g<0></span>', body)
+        context["body"] = EMPTY_HEADING.sub('<td class="head"></td>', body)

@@ -11,7 +11,7 @@ from sphinx.config import Config
 from book import idea_kernels, simulator_module
 from book.extension.elements import on
 
-NEEDED = ("tex-chtml-full.js", "output/chtml/fonts/woff-v2")
+SCRIPT, FONTS = "tex-chtml-full.js", "output/chtml/fonts/woff-v2"
 
 
 @on("builder-inited")
@@ -19,13 +19,8 @@ def copy_mathjax(app: Sphinx) -> None:
     """Copy what typesetting needs into the site, so that no page asks a network for it."""
     target = Path(app.outdir) / "_static" / "mathjax"
     with as_file(files("mathjax") / "static" / "mathjax" / "es5") as source:
-        for name in NEEDED:
-            place = target / name
-            place.parent.mkdir(parents=True, exist_ok=True)
-            if (source / name).is_dir():
-                shutil.copytree(source / name, place, dirs_exist_ok=True)
-            else:
-                shutil.copyfile(source / name, place)
+        shutil.copytree(source / FONTS, target / FONTS, dirs_exist_ok=True)
+        shutil.copyfile(source / SCRIPT, target / SCRIPT)
 
 
 @on("builder-inited")

@@ -39,11 +39,9 @@ class Here:
         self.label, self.users = self.proofs.label, self.proofs.users
 
     def page(self, name: str) -> str:
-        """The address of a page."""
         return "" if name == self.env.docname else self.env.app.builder.get_relative_uri(self.env.docname, name)
 
     def card(self, id: str) -> str:
-        """The address of a theorem's card."""
         return f"{self.page(self.proofs.places[id].page)}#theorem-{id}"
 
     def name(self, id: str) -> str:
@@ -57,7 +55,6 @@ class Here:
 
 @directive("theorem", arguments=1, content=True, expect=directives.unchanged)
 def theorem_card(here: SphinxDirective) -> list[nodes.Node]:
-    """Place the card of a theorem."""
     book, id = Here(here.env), here.arguments[0]
     book.proofs.reached(id, here.options.get("expect"))
     if (page := book.proofs.places[id].page) != here.env.docname:
@@ -67,7 +64,6 @@ def theorem_card(here: SphinxDirective) -> list[nodes.Node]:
 
 
 def card(book: Here, id: str, brief: Sequence[nodes.Node] = ()) -> Filled:
-    """The card: its name with the statement, or words in brief for it; all else is folded away."""
     path, line = module_and_line(id)
     downloads = {"certificate": f"{DOWNLOADS}/{id}.json"} if certificate(id) else {}
     downloads |= {"stand-alone script": f"{DOWNLOADS}/{id}.py"} if script(id) else {}
@@ -110,13 +106,11 @@ def axioms(names: list[str]) -> str:
 
 
 def link(text: str, target: str) -> nodes.reference:
-    """A link inside the book."""
     return nodes.reference("", "", nodes.Text(text), refuri=target, internal=True)
 
 
 @role("theorem-ref")
 def theorem_reference(here: SphinxRole) -> list[nodes.Node]:
-    """A link to a theorem's card."""
     id, _, style = here.text.partition("|")
     book = Here(here.env)
     book.proofs.reached(id)

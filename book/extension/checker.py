@@ -101,14 +101,11 @@ def _word(name: str) -> list[list[str]]:
             letter = _greek(command)
             parts.append([letter, "i"] if letter else [f"{command}\N{THIN SPACE}", "r"])
         elif long or short:
-            parts.append([_subscript(long or short), "s"])
+            under = re.sub(r"\\([A-Za-z]+)", lambda name: _greek(name[1]) or name[1], long or short)
+            parts.append([under, "s"])
         else:
             parts.append([plain.replace("'", "′"), "i"])
     return parts
-
-
-def _subscript(tex: str) -> str:
-    return re.sub(r"\\([A-Za-z]+)", lambda command: _greek(command[1]) or command[1], tex)
 
 
 def _greek(command: str) -> str | None:

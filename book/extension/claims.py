@@ -27,20 +27,17 @@ ORDER = list(GRADES)
 
 @directive("grades")
 def grades_legend(here: SphinxDirective) -> list[nodes.Node]:
-    """The legend: all grades, "failed" only where it occurs."""
     counts = Counter(kind(entry["shown"]) for entry in Here(here.env).proofs.entries.values())
     return [filled("grades", counts=counts, grades=[grade for grade in ORDER if counts[grade]])]
 
 
 @directive("check-all")
 def check_all_here(here: SphinxDirective) -> list[nodes.Node]:
-    """The button that checks every certificate in the reader's browser."""
     return [check_all(Here(here.env).proofs)]
 
 
 @directive("argued-clauses")
 def argued_clauses(here: SphinxDirective) -> list[nodes.Node]:
-    """Every clause of a theorem that no claim says, with its reason."""
     book = Here(here.env)
     ids = [id for id in book.proofs.in_page_order() if kind(book.proofs.entries[id]["shown"]) != "formal"]
     found = [(id, clause) for id in ids for clause in book.proofs.theorems[id].argued]
@@ -49,7 +46,6 @@ def argued_clauses(here: SphinxDirective) -> list[nodes.Node]:
 
 @directive("all-theorems")
 def all_theorems(here: SphinxDirective) -> list[nodes.Node]:
-    """Every theorem: a line each; and the cards of those that stand on no other page."""
     book = Here(here.env)
     grades = {id: kind(entry["shown"]) for id, entry in book.proofs.entries.items()}
     sections = {id: book.proofs.places[id].page for id in book.proofs.in_page_order()}

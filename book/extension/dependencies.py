@@ -81,5 +81,4 @@ def drawing(book: Here) -> Filled:
 
 @directive("dependency-graph")
 def dependency_graph(here: SphinxDirective) -> list[nodes.Node]:
-    """Draw the graph."""
     return [drawing(Here(here.env))]

@@ -58,7 +58,6 @@ def filled(template: str, **values: Any) -> Filled:
 
 
 def raw(text: str) -> nodes.raw:
-    """HTML as it stands."""
     return nodes.raw("", str(text), format="html")
 
 
@@ -92,7 +91,6 @@ def prose(text: str) -> nodes.Text:
 
 
 def literal(text: str) -> nodes.literal:
-    """Code in a line."""
     return nodes.literal("", text)
 
 

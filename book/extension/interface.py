@@ -32,7 +32,6 @@ def _arguments_named(text: str, names: set[str]) -> str:
 
 
 def restructured(lines: list[str], names: set[str]) -> list[str]:
-    """A docstring's lines as reStructuredText."""
     found = []
     for paragraph in re.split(r"\n\s*\n", "\n".join(lines)):
         rows = [row for row in paragraph.splitlines() if row.strip()]
@@ -54,5 +53,4 @@ def names_of(thing: Any) -> set[str]:
 
 @on("autodoc-process-docstring")
 def read_docstring(app: Sphinx, what: str, name: str, thing: object, options: object, lines: list[str]) -> None:
-    """Let autodoc read plain text."""
     lines[:] = restructured(lines, names_of(thing))

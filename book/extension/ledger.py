@@ -41,25 +41,14 @@ class Look(NamedTuple):
     meaning: str
 
 
-LOOKS = dict(
-    zip(
-        VERDICTS,
-        (
-            Look("false", "✕", "false", "False", "it is not so."),
-            Look("corrected", "↻", "corrected", "Corrected", "part of it is so, and the entry says which."),
-            Look(
-                "conditional",
-                "◐",
-                "true if",
-                "True with a condition",
-                "it is so under a condition, which the entry names.",
-            ),
-            Look("holds", "✓", "true", "True", "it is so."),
-            Look("outside", "–", "outside", "Outside this chapter", "it is about other chapters, and was not checked."),
-        ),
-        strict=True,
-    )
+_LOOKS = (
+    Look("false", "✕", "false", "False", "it is not so."),
+    Look("corrected", "↻", "corrected", "Corrected", "part of it is so, and the entry says which."),
+    Look("conditional", "◐", "true if", "True with a condition", "it is so under a condition, which the entry names."),
+    Look("holds", "✓", "true", "True", "it is so."),
+    Look("outside", "–", "outside", "Outside this chapter", "it is about other chapters, and was not checked."),
 )
+LOOKS = dict(zip(VERDICTS, _LOOKS, strict=True))
 
 
 def ledger_of(app: Sphinx) -> Ledger:
@@ -102,11 +91,9 @@ class Entries(Here):
         return f"{self.page(PAGE)}#claim-{claim.id}"
 
     def title(self, page: str) -> str:
-        """The title of a page."""
         return page_title(stamps.ROOT / "book", page)
 
     def number(self, piece: Evidence) -> list[nodes.Node]:
-        """A number that is evidence."""
         return number_nodes(self, piece)
 
     def first_with(self) -> dict[str, LedgerClaim]:
@@ -117,20 +104,17 @@ class Entries(Here):
 
 @directive("ledger-verdicts")
 def verdicts(here: SphinxDirective) -> list[nodes.Node]:
-    """The legend of the verdicts."""
     counts = Counter(claim.verdict for claim in ledger_of(here.env.app).claims)
     return [filled("verdicts", counts=counts)]
 
 
 @directive("ledger-findings")
 def finding_index(here: SphinxDirective) -> list[nodes.Node]:
-    """The findings by name."""
     return [filled("finding_index")]
 
 
 @directive("ledger-entries")
 def ledger_entries(here: SphinxDirective) -> list[nodes.Node]:
-    """Every claim, grouped by verdict."""
     book = Entries(here)
     claims, first, parts = book.ledger.sorted_by_place(), book.first_with(), []
     for verdict, look in LOOKS.items():
@@ -142,7 +126,6 @@ def ledger_entries(here: SphinxDirective) -> list[nodes.Node]:
 
 @role("merit")
 def merit(here: SphinxRole) -> list[nodes.Node]:
-    """A claim's figure of merit."""
     claim = ledger_of(here.env.app).get(here.text)
     if not claim.merit:
         raise BadLedger([f"{claim.id}: merit: missing, and a page asks for it"])
@@ -152,7 +135,6 @@ def merit(here: SphinxRole) -> list[nodes.Node]:
 
 @role("claim")
 def claim_link(here: SphinxRole) -> list[nodes.Node]:
-    """A link to a claim's entry."""
     claim = ledger_of(here.env.app).get(here.text)
     return [link(claim.verdict, f"{Here(here.env).page(PAGE)}#claim-{claim.id}")]
 

@@ -33,7 +33,6 @@ def listing_address(path: PurePosixPath) -> str:
 
 
 def listed() -> list[Path]:
-    """Every source that has a page."""
     return [path for pattern in LISTED for path in sorted(stamps.ROOT.glob(pattern)) if path.read_bytes()]
 
 
@@ -64,7 +63,6 @@ def write_pages(app: Sphinx) -> tuple:
 
 
 def write_listings(app: Sphinx, paths: list[Path]) -> None:
-    """Write a page for each source."""
     for path in paths:
         name = path.relative_to(stamps.ROOT).as_posix()
         context = {"title": name, "body": numbered(app, path), "parents": [], "html_theme_option": {}}
@@ -101,14 +99,12 @@ def source_file(env: BuildEnvironment, name: str) -> Path:
 
 @role("source-lines")
 def source_lines(here: SphinxRole) -> list[nodes.Node]:
-    """How many lines a file has."""
     lines = source_file(here.env, here.text).read_text(encoding="utf-8").splitlines()
     return [nodes.inline("", str(len(lines)), classes=["number"])]
 
 
 @role("source-link")
 def source_link(here: SphinxRole) -> list[nodes.Node]:
-    """A link to a file's page."""
     source_file(here.env, here.text)
     target = listing_address(PurePosixPath(here.text))
     return [nodes.reference("", "", nodes.literal("", here.text), refuri=target, internal=True)]
@@ -116,6 +112,5 @@ def source_link(here: SphinxRole) -> list[nodes.Node]:
 
 @directive("docstring", arguments=1)
 def docstring(here: SphinxDirective) -> list[nodes.Node]:
-    """The docstring of a module, as it stands."""
     text = ast.get_docstring(ast.parse(source_file(here.env, here.arguments[0]).read_text(encoding="utf-8")))
     return [nodes.literal_block(text, text, language="none", classes=["docstring"])]

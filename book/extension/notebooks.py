@@ -38,7 +38,6 @@ def colab_address(settings: dict, name: str) -> str | None:
 
 @directive("notebook", arguments=1)
 def notebook_links(here: SphinxDirective) -> list[nodes.Node]:
-    """The links of one notebook."""
     from book.notebooks.laboratory import cells  # which imports this package
     from book.notebooks.notebook import notebooks, text_of
 

@@ -87,7 +87,6 @@ def spread(here: SphinxRole) -> list[nodes.Node]:
 
 @directive("benchmark-label", arguments=1)
 def benchmark_label(here: SphinxDirective) -> list[nodes.Node]:
-    """One small sentence: where, when and at which commit a benchmark was measured."""
     book, name = Path(here.env.srcdir), here.arguments[0]
     here.env.note_dependency(str(result_file(book, f"{BENCHMARK_PREFIX}{name}")))
     return [nodes.paragraph("", measured(book, name), classes=["benchmark-label"])]

@@ -15,7 +15,6 @@ LONG = 10**9  # numerators and denominators above are given to six digits
 
 
 def tex_name(name: str) -> str:
-    """The name of a variable as TeX."""
     return TEX.get(name) or (latex(Symbol(name)) if name.isidentifier() else rf"\texttt{{{name}}}".replace("_", r"\_"))
 
 

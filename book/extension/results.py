@@ -25,7 +25,6 @@ def result_file(book: Path, id: str) -> Path:
 
 
 def load_result(book: Path, id: str) -> dict:
-    """The content of the JSON file behind an id."""
     return json.loads(result_file(book, id).read_text(encoding="utf-8"))
 
 

@@ -45,7 +45,6 @@ def _section(node: nodes.Node) -> str:
 
 @on("build-finished")
 def write_texts(app: Sphinx, error: Exception | None) -> None:
-    """Write the paragraphs of all pages."""
     if error is None and app.builder.format == "html":
         pages = {name: list(paragraphs(app.env.get_doctree(name))) for name in sorted(app.env.found_docs)}
         text = json.dumps(pages, ensure_ascii=False, separators=(",", ":"))

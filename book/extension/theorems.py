@@ -68,7 +68,6 @@ class Proofs:
     places: dict[str, Placement]
 
     def get(self, id: str) -> Theorem:
-        """The theorem, or BadTheorem with the list of those that there are."""
         if id not in self.theorems:
             raise BadTheorem(f"unknown theorem {id!r}; there are: {', '.join(sorted(self.theorems))}")
         return self.theorems[id]
@@ -87,11 +86,9 @@ class Proofs:
         return f"{word} {self.places[id].number}"
 
     def users(self, id: str) -> list[str]:
-        """The theorems that rest on this one."""
         return [other for other, theorem in self.theorems.items() if id in theorem.uses]
 
     def in_page_order(self) -> list[str]:
-        """All ids, as they are numbered."""
         return sorted(self.theorems, key=lambda id: self.places[id].number)
 
 
@@ -131,7 +128,6 @@ def module_and_line(id: str) -> tuple[Path, int]:
 
 
 def certificate(id: str) -> Path | None:
-    """The file with the stored certificates, if there is one."""
     path = stamps.ROOT / "proofs" / "certificates" / f"{id}.json"
     return path if path.is_file() else None
 

@@ -94,7 +94,6 @@ def values(scene: Scene) -> dict[str, float]:
 
 
 def worked_lines() -> list[dict]:
-    """What the template prints of each line."""
     known, rows = values(Scene()), [{"words": "the point of the picture", "formula": [], "names": ["x", "y"]}]
     for words, name, written_out in LINES:
         names = [name.replace("*", part) for part in (("_red", "_green", "_blue") if name == "rgb_*" else EVERY)]

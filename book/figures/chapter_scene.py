@@ -31,6 +31,13 @@ def numeric(field: str = "ridges", size: int = SIZE, eps: float = TELLING_EPS) -
     return render(Scene(field=field), size, size, central(eps), stage=symbolic(field, size).stage)
 
 
+def on_picture(frame: Frame, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return image points as columns and rows of a frame, not rounded."""
+    columns, rows = frame.raster.image_points(SCENE)
+    step = columns[1] - columns[0]
+    return (x - columns[0]) / step, (rows[0] - y) / step
+
+
 def averaged(picture: np.ndarray, times: int = FINE) -> np.ndarray:
     """Return a picture of bytes, (high, wide, channels), at a `times`-th of its size: the mean of every square."""
     high, wide, channels = picture.shape

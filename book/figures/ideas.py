@@ -12,10 +12,9 @@ from book.drawing.palette import CSS_PIXELS_PER_INCH, readable
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import label_line_end, palette, plot
 from book.extension.worked import COLUMN, ROW
-from book.figures.chapter_scene import SCENE, SIZE, symbolic
+from book.figures.chapter_scene import SCENE, SIZE, on_picture, symbolic
 from book.idea_kernels import BUMP_LINES, PIXEL_LINES, angles_at, bump_at, bump_lines, given, pixel_lines, two_slopes
 from renderer import Scene, exact, kernels, render
-from renderer.frame import Frame
 from renderer.generate.creases import crease_point
 from renderer.views import image_view, to_bytes
 
@@ -42,18 +41,6 @@ def canvas(wide: float, high: float) -> Figure:
 def along_circle(u: ArrayLike, beta: float = SCENE.beta) -> tuple[np.ndarray, ...]:
     """Return h, h_u, h_v, the tilt in degrees and μ at points of the circle."""
     return bump_at(np.asarray(u, float), PARALLEL, SCENE.ku, SCENE.kv, beta, SCENE.radius, *LIGHT.position)
-
-
-def on_circle(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the image points of points of the circle."""
-    with np.errstate(divide="ignore", invalid="ignore"):  # a selection computes both of its sides
-        return crease_point(1.0, 0.0, u, PARALLEL, SCENE.eye, SCENE.radius)
-
-
-def on_picture(frame: Frame, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return image points as columns and rows of a frame, not rounded."""
-    columns, rows = frame.raster.image_points(SCENE)
-    return (x - columns[0]) / (columns[1] - columns[0]), (rows[0] - y) / (columns[1] - columns[0])
 
 
 @figure("slope_is_texture")
@@ -85,7 +72,9 @@ def slope_is_texture() -> Drawing:
     frame = render(Scene(ball=False, lights=(LIGHT,)), 360, 360, exact(), crop=(30, 4, 300, 300))
     right = pixel_axes(fig, 628, 8, 300, 300)
     right.imshow(image_view(frame), interpolation="none", aspect="auto")
-    x, y = on_picture(frame, *on_circle(np.append(u, POINT)))
+    with np.errstate(divide="ignore", invalid="ignore"):  # a selection computes both of its sides
+        on_circle = crease_point(1.0, 0.0, np.append(u, POINT), PARALLEL, SCENE.eye, SCENE.radius)
+    x, y = on_picture(frame, *on_circle)
     right.plot(x[:-1], y[:-1], color="white", linewidth=1, linestyle=(0, (3, 4)))
     right.plot(x[-1], y[-1], "o", color=c["symbolic"], markeredgecolor="white", markersize=8)
     for y_at, words in (

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from book.drawing.palette import CSS_PIXELS_PER_INCH, palette
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels, plot
-from book.figures.chapter_scene import FIELD_NAMES, FINE, MARKED, SCENE, SIZE, averaged, marked_by_light, symbolic
+from book.figures.chapter_scene import FIELD_NAMES, FINE, MARKED, SCENE, averaged, marked_by_light, on_picture, symbolic
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
 from proofs.formulas.shading import floor_albedo, floor_blue, floor_dark
 from proofs.formulas.symbols import cos_phi, eye, radius, rho, rho_silhouette, sin_phi
@@ -102,16 +102,9 @@ def _visible_parallels():
     return {m: float(parallel_radius.expand(rho).subs(at)) for m, at in values.items()}
 
 
-def _pixel(frame, x, y):
-    """Return the column and the row, not rounded, of points of the image plane."""
-    columns, rows = frame.raster.image_points(SCENE)
-    step = columns[1] - columns[0]
-    return (x - columns[0]) / step, (rows[0] - y) / step
-
-
 def _draw_on_a(ax, frame, x, y, **line):
     """Draw an image curve where sphere A is what the pixel shows; return its pixels, NaN where hidden, (2, n)."""
-    column, row = _pixel(frame, x, y)
+    column, row = on_picture(frame, x, y)
     high, wide = frame.raster.shape
     nearest = np.clip(np.rint(row), 0, high - 1).astype(int), np.clip(np.rint(column), 0, wide - 1).astype(int)
     shown = np.array([np.where(frame.stage.on_a[nearest], column, np.nan), row])
@@ -137,14 +130,14 @@ def kink_loci() -> Drawing:
         ray = along * np.cos(theta), along * np.sin(theta)
         data[f"ray_{m}"] = _draw_on_a(ax, frame, *ray, color="#F0E442", linewidth=1.4, linestyle=(0, (4, 3)))
     for text, at in (("$u = 0$", (-rim, 0)), (f"$v = 1/{int(SCENE.kv)}$", (0, -parallels[1]))):
-        ax.annotate(text, _pixel(frame, *at), xytext=(7, -15), textcoords="offset points", color="white")
+        ax.annotate(text, on_picture(frame, *at), xytext=(7, -15), textcoords="offset points", color="white")
     ax.axis(limits)
     numbers = {"rays": int(SCENE.ku), "circles": len(parallels), "circle_radius": parallels[1], "rim": rim}
     return Drawing(fig, numbers=numbers, data=data)
 
 
 @cache
-def turned(size: int = SIZE) -> list[np.ndarray]:
+def turned(size: int) -> list[np.ndarray]:
     """Return, for each light, the pixels of A that β turns to the light's other side, (height, width) bool."""
     bumped = symbolic("ridges", size)
     flat = render(replace(SCENE, beta=0.0), size, size, stage=bumped.stage)
@@ -157,7 +150,7 @@ def attached_shadow() -> Drawing:
     """The pixels of A that the bump turns away from a light, or towards it, for each light."""
     fig = marked_by_light([[(flags, (0xCC, 0x79, 0xA7))] for flags in turned(MARKED * FINE)])
     on_a = int(symbolic().stage.on_a.sum())
-    first, second = turned()
+    first, second = turned(len(symbolic().rgb))
     numbers = {
         "beta": SCENE.beta,
         "pixels_a": on_a,

@@ -24,18 +24,14 @@ REACH = (1e-16, 0.2)  # of the steps' axis
 ROUNDOFF = 1e-9  # below it rounding rules in every case
 
 
-class EscapedBound(ValueError):
-    """A measured error above its proved bound."""
-
-
 @cache
 def below(case: Case) -> tuple[Parts, Bounds]:
-    """Return (the Parts, the Bounds) of a case; EscapedBound if any point is above its bound."""
+    """Return (the Parts, the Bounds) of a case; ValueError if any point is above its bound."""
     found = parts(case)
     limits = bounds(case, found)
     out = {part: count for part, count in escapes(found, limits).items() if count}
     if out:
-        raise EscapedBound(f"{case.name}: above the proved bound: {out} of {len(found.steps)} points")
+        raise ValueError(f"{case.name}: above the proved bound: {out} of {len(found.steps)} points")
     return found, limits
 
 

@@ -55,7 +55,6 @@ def _claim(claim: LedgerClaim, ledger: Ledger, run: Run) -> Iterator[str]:
 
 
 def _odd(piece: Evidence, run: Run) -> str:
-    """What is wrong with one piece of evidence, or ""."""
     if piece.kind == "number":
         return _odd_number(piece.name, piece.wants, run)
     if piece.kind == "test":

@@ -80,7 +80,6 @@ class Ledger:
     places: dict[str, str]
 
     def get(self, id: str) -> LedgerClaim:
-        """The claim of that id; BadLedger if there is none."""
         for claim in self.claims:
             if claim.id == id:
                 return claim
@@ -147,7 +146,6 @@ def _faults(kind: str, table: dict, name: str) -> Iterator[str]:
 
 
 def _claim(table: dict) -> LedgerClaim:
-    """A table that has no faults as a claim."""
     texts = {field: " ".join(value.split()) for field, value in table.items() if isinstance(value, str)}
     return LedgerClaim(
         **texts, findings=tuple(table.get("findings", ())), evidence=tuple(map(_evidence, table.get("evidence", ())))
@@ -155,7 +153,6 @@ def _claim(table: dict) -> LedgerClaim:
 
 
 def _evidence(piece: dict) -> Evidence:
-    """One piece of evidence."""
     kind = next(kind for kind in KINDS if kind in piece)
     wants = piece.get("grade", piece.get("is", ""))
     return Evidence(kind, piece[kind], wants, piece.get("claimed", ""), piece.get("refutes"))

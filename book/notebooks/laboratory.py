@@ -36,7 +36,6 @@ class Cell:
 
     @property
     def name(self) -> str:
-        """What its notebook is called."""
         return f"cell{self.number}"
 
     @property
@@ -67,7 +66,6 @@ def cells() -> tuple[Cell, ...]:
 
 
 def number(text: str) -> str:
-    """Return the text of the role {number}, as a format of Python's prints it."""
     id, key, spec = parse(text)
     return formatted(look_up(BOOK, id, key), spec)
 

@@ -23,7 +23,6 @@ def _code(source: str) -> dict:
 
 
 def _notebook(title: str, body: list[dict]) -> dict:
-    """Return the notebook of some cells under a title."""
     project = tomllib.loads((stamps.ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     top = _markdown(f"# {title}\n\n{ABOUT.format(version=project['version'])}")
     every = [cell | {"id": f"cell-{number}"} for number, cell in enumerate([top, *body])]

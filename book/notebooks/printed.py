@@ -65,11 +65,6 @@ def _along(expression: Expr, axis: str) -> Expr:
     )
 
 
-def _whole(expression: Expr) -> Expr:
-    """Return an expression with the components along x replaced by their vectors."""
-    return _along(expression, "")
-
-
 def _with_dots(expression: Expr) -> Expr:
     """Return an expression in which a_x b_x + a_y b_y + a_z b_z is dot(a, b)."""
 
@@ -100,7 +95,7 @@ def _lines(program: Program) -> list[str]:
         if not vector:
             text = printer.doprint(parts[0])
         elif all(_along(parts[0], axis) == part for axis, part in zip(AXES, parts, strict=True)):
-            text = printer.doprint(_whole(parts[0]))
+            text = printer.doprint(_along(parts[0], ""))  # the vector itself
         else:
             zero = f"0*{printer.doprint(max(parts[0].free_symbols, key=str))}"  # of the other components' shape
             text = f"np.array([{', '.join(printer.doprint(part) if part else zero for part in parts)}])"

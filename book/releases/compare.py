@@ -131,5 +131,4 @@ def relative(old: np.ndarray, new: np.ndarray) -> np.ndarray:
 
 
 def rms(apart: np.ndarray) -> float:
-    """The root mean square of differences."""
     return math.sqrt(np.mean(np.square(apart, dtype=float)))

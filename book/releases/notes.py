@@ -45,16 +45,10 @@ def written(
 ) -> str:
     """The notes: the mathematics, the numbers, the pictures; at the end what the changelog has to name."""
     parts = [f"# {title}"]
-    for heading, changes, kinds in (
-        ("Theorems", mathematics, THEOREMS),
-        ("Numbers", numbers, NUMBERS),
-        ("Pictures", pictures, PICTURES),
-    ):
+    found = {"Theorems": (mathematics, THEOREMS), "Numbers": (numbers, NUMBERS), "Pictures": (pictures, PICTURES)}
+    for heading, (changes, kinds) in found.items():
         if changes:
-            parts += [
-                f"## {heading}",
-                *(_list(changes, kind) for kind in kinds if any(c.kind == kind for c in changes)),
-            ]
+            parts += [f"## {heading}", *(text for kind in kinds if (text := _list(changes, kind)))]
     if len(parts) == 1:
         parts.append("Nothing moved.")
     if missing:
@@ -65,6 +59,8 @@ def written(
 
 def _list(changes: Sequence[Change], kind: str) -> str:
     some = [change for change in changes if change.kind == kind]
+    if not some:
+        return ""
     head = f"{kind.capitalize()}: {len(some)}"
     if kind == "added" and len(some) > FOLD:
         return f"{head}\n\n{', '.join(f'`{change.id}`' for change in some)}"

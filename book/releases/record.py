@@ -20,7 +20,6 @@ LABELS = ("machine", "processor", "date", "commit")
 
 
 def version() -> str:
-    """The version that pyproject.toml states."""
     content = tomllib.loads((stamps.ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     return content["project"]["version"]
 
@@ -51,13 +50,11 @@ def theorems() -> dict[str, dict]:
 
 
 def _numbers(source: str, numbers: dict) -> dict[str, dict]:
-    """The numbers of a figure or a benchmark with their tolerances."""
     named = {f"{source}.{key}": value for key, value in sorted(numbers.items())}
     return {name: {"value": value, "tolerance": tolerance(name, value)} for name, value in named.items()}
 
 
 def _measured(path: Path) -> dict:
-    """A benchmark's label, and its numbers with their tolerances."""
     content = json.loads(path.read_text(encoding="utf-8"))
     label = {key: content["label"][key] for key in LABELS if key in content["label"]}
     return {"label": label, "numbers": _numbers(f"bench:{path.stem}", content["numbers"])}

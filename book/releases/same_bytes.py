@@ -19,7 +19,6 @@ class NotClean(stamps.Refused):
 
 
 def files_of(folder: Path) -> dict[str, Path]:
-    """Every file below a folder, by its path from there."""
     return {path.relative_to(folder).as_posix(): path for path in sorted(folder.rglob("*")) if path.is_file()}
 
 

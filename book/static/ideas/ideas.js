@@ -4,7 +4,7 @@
 var Ideas = Ideas || {};
 
 Ideas.make = function (parent, name, attributes = {}, text = "") {
-  const drawn = ["svg", "g", "circle"].includes(name), made = drawn ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
+  const drawn = ["svg", "g", "circle", "rect"].includes(name), made = drawn ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
   made.textContent = text;
   return parent.appendChild(made);
@@ -76,27 +76,29 @@ Ideas.stage = function (figure, draw) {
     const svg = Ideas.make(box, "svg", { role: "group", "aria-label": label, height }), lines = Ideas.make(svg, "g", { "aria-hidden": "true" });
     const self = { box, svg, height, get width() { return box.clientWidth; }, show: (markup) => (lines.innerHTML = markup) };
     // Something to drag: `moved` takes a place on the panel, `stepped` arrow keys.
-    self.handle = (label, moved, stepped, look = "") => {
-      const own = Ideas.make(svg, "g", { class: `idea-handle ${look}`, tabindex: 0, role: "slider", "aria-label": label });
-      Ideas.make(own, "circle", { class: "reach", r: 22 });
-      Ideas.make(own, "circle", { class: "dot", r: 7 });
-      Ideas.listen(own, svg, moved, stepped);
-      return ([x, y], now, words) => {
-        own.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
+    const dragged = (name, attributes, label, moved, stepped) => {
+      const own = Ideas.make(svg, name, { ...attributes, tabindex: 0, role: "slider", "aria-label": label });
+      const tell = (now, words) => {
         own.setAttribute("aria-valuenow", now);
         own.setAttribute("aria-valuetext", words);
       };
+      Ideas.listen(own, svg, moved, stepped);
+      return [own, tell];
+    };
+    self.handle = (label, moved, stepped, look = "") => {
+      const [own, tell] = dragged("g", { class: `idea-handle ${look}` }, label, moved, stepped);
+      Ideas.make(own, "circle", { class: "reach", r: 22 });
+      Ideas.make(own, "circle", { class: "dot", r: 7 });
+      return ([x, y], now, words) => {
+        own.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
+        tell(now, words);
+      };
     };
     // The ground behind the handles, to be dragged too.
-    self.backdrop = (label, moved, stepped) => {
-      const ground = document.createElementNS("http://www.w3.org/2000/svg", "rect");
-      for (const [key, value] of Object.entries({ class: "idea-ground", width: "100%", height, tabindex: 0, role: "slider", "aria-label": label })) ground.setAttribute(key, value);
+    self.backdrop = (...given) => {
+      const [ground, tell] = dragged("rect", { class: "idea-ground", width: "100%", height }, ...given);
       svg.prepend(ground);
-      Ideas.listen(ground, svg, moved, stepped);
-      return (now, words) => {
-        ground.setAttribute("aria-valuenow", now);
-        ground.setAttribute("aria-valuetext", words);
-      };
+      return tell;
     };
     return self;
   }

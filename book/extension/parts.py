@@ -1,0 +1,25 @@
+"""Every part of the extension, imported, and what they have registered given to Sphinx."""
+
+import pkgutil
+from importlib import import_module
+
+from sphinx.application import Sphinx
+
+import book.extension
+from book.extension import elements, figures
+
+
+def setup(app: Sphinx) -> dict[str, str | bool]:
+    """Register everything with Sphinx."""
+    for part in pkgutil.iter_modules(book.extension.__path__, "book.extension."):
+        import_module(part.name)
+    app.setup_extension("sphinx.ext.autodoc")
+    app.add_node(elements.Filled, html=(lambda translator, node: None, lambda translator, node: None))
+    app.add_node(figures.PixelImage, html=(figures.visit_pixel_image, None))
+    for name, made in elements.DIRECTIVES.items():
+        app.add_directive(name, made)
+    for name, made in elements.ROLES.items():
+        app.add_role(name, made)
+    for event, handler, priority in elements.EVENTS:
+        app.connect(event, handler, priority)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}
