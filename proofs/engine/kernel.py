@@ -1,6 +1,6 @@
 """The kernel decides whether a certificate proves a statement, by exact rational arithmetic and nothing else.
 
-Trust this file and the translation of formulas into statements (`proofs.engine.statement`; `statement_data` has the
+Trust this file and the translation of formulas into statements (`proofs.engine.statement`; `certificate` has the
 format). A polynomial is {monomial: coefficient}, a monomial the sorted tuple of its names: 2x²y is {("x", "x", "y"):
 2}. A fact or goal is (p, is_relation): p = 0, p ≥ 0, p > 0 or p ≠ 0.
 """
