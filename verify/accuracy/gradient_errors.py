@@ -1,7 +1,7 @@
-"""The exact gradient in float64, in algebraic form, against balls: as a function of the image point.
+"""The exact gradient in float64 against balls: that which draws, of the chart point; in algebraic form, of the image point.
 
 Errors are counted in units of π max(1, |k|) 2^-53: that is the rounding of one number as large as the gradient can be.
-As a function of the chart point: `verify.stability.wave_numbers`.
+The gradient's program, of the chart point, over many wave numbers: `verify.stability.wave_numbers`.
 """
 
 import math
@@ -12,12 +12,28 @@ from proofs.engine.program import chain
 from proofs.formulas.camera import angles_on_a
 from proofs.formulas.chart import chart
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from renderer import Scene, exact, gradient_at
 from verify.benchmark.methods.programs import algebraic_gradient
 from verify.evaluate.arrays import distance, in_balls, in_float64
+from verify.stability.wave_numbers import points_of_the_chart
 
 UNIT, SEED, EACH = 2.0**-53, 12, 20
+PAIRS = ((8.0, 4.0), (7.3, -3.1), (0.0, 5.0), (3.0, 0.0), (-64.0, 64.0), (2.0**20, -(2.0**20)), (0.25, 1e-5))
 WAVE_NUMBERS = ((2.0, 1.0), (8.0, 4.0), (-8.0, 3.0), (64.0, 64.0), (0.0, 5.0))
 RATIOS = (1e-6, 1e-3, 0.25, 0.5, 0.9, 1 - 1e-6, 1 - 1e-9)
+
+
+def worst_of_the_renderer(field: str, seed: int = 11, each: int = 64) -> tuple[float, int]:
+    """Return (the largest error of the general gradient that draws, in units, points) where k_u and k_v differ."""
+    rng, found = np.random.default_rng(seed), []
+    for wave_u, wave_v in PAIRS:
+        (u,), _ = points_of_the_chart(np.array([wave_u]), each, rng)
+        _, (v,) = points_of_the_chart(np.array([wave_v]), each, rng)
+        drawn = gradient_at(Scene(field=field, ku=wave_u, kv=wave_v), u, v, exact("general"))
+        true = in_balls(gradient(HEIGHT_FIELDS[field]), {"u": u, "v": v, "k_u": wave_u, "k_v": wave_v})
+        for name, slope, k in zip(("h_u", "h_v"), drawn, (wave_u, wave_v), strict=True):
+            found.append(distance(slope, true[name]).max() / (math.pi * max(1.0, abs(k)) * UNIT))
+    return float(np.max(found)), len(PAIRS) * each
 
 
 def image_points(rng: np.random.Generator, eye: float, radius: float, count: int) -> tuple[np.ndarray, np.ndarray]:

@@ -7,7 +7,7 @@ import numpy as np
 from verify.accuracy import clamped_order, gradient_errors, ridge_law
 from verify.accuracy.difference_bounds import Bounds, bounds, escapes
 from verify.accuracy.differences import CASES, STEPS, parts
-from verify.accuracy.gradient_errors import UNIT, worst_at_image_points
+from verify.accuracy.gradient_errors import UNIT, worst_at_image_points, worst_of_the_renderer
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, TOLERANCE, checked_pixels, problems
 from verify.checkers.measurement import Measurement, measures
 from verify.stability import wave_numbers
@@ -55,6 +55,21 @@ def general_gradient(form: str | None = None) -> Measurement:
         holds=not any(seen.escaped for seen in found.values()),
         what="the general form: the largest error over π max(1, |k|) 2^-53",
         numbers={name: np.nanmax(seen.worst(form)) / UNIT for name, seen in found.items()},
+    )
+
+
+@measures("gradient_accuracy", false={"within one unit": {"bound": 1.0}})
+def drawn_gradient(bound: float = 8.0) -> Measurement:
+    """The gradient that draws, where k_u and k_v differ, have other signs, or one is zero."""
+    found = {field: worst_of_the_renderer(field) for field in FIELDS}
+    return Measurement(
+        samples=sum(points for _, points in found.values()),
+        seed=11,
+        worst=max(units for units, _ in found.values()),
+        bound=bound,
+        holds=True,
+        what="the renderer's general form: the largest error over π max(1, |k|) 2^-53",
+        numbers={f"drawn_{field}": units for field, (units, _) in found.items()},
     )
 
 
