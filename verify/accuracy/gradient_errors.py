@@ -1,4 +1,4 @@
-"""The exact gradient in float64 against balls: that which draws, of the chart point; in algebraic form, of the image point.
+"""The exact gradient in float64 against balls: what draws, of the chart point; its algebraic form, of the image point.
 
 Errors are counted in units of π max(1, |k|) 2^-53: that is the rounding of one number as large as the gradient can be.
 The gradient's program, of the chart point, over many wave numbers: `verify.stability.wave_numbers`.
