@@ -7,7 +7,7 @@ from sympy import Expr, Symbol, symbols
 
 
 class Vector(tuple):
-    """Expressions, added and scaled as vectors are."""
+    """A tuple of expressions, added and scaled as vectors are."""
 
     __slots__ = ()
 
@@ -27,6 +27,7 @@ class Vector(tuple):
         return Vector(a / scale for a in self)
 
     def xreplace(self, rule: Mapping[Symbol, Expr]) -> "Vector":
+        """Return the vector with what the rule names replaced."""
         return Vector(a.xreplace(rule) for a in self)
 
     __rmul__ = __mul__
