@@ -7,7 +7,7 @@ from bs4 import Tag
 
 from book.editions.pages import Page, parsed
 
-LINE = re.compile(r"L-\d+")
+LINE = re.compile(r"L-\d+$")  # of a renamed id, its end
 
 
 def make_small(page: Page, links: Collection[str]) -> None:
@@ -16,7 +16,7 @@ def make_small(page: Page, links: Collection[str]) -> None:
     kept = [""]  # runs of text, and the places between them
     for part in list(pre.descendants):
         if isinstance(part, Tag):
-            if part.name == "a" and LINE.fullmatch(part.get("id", "")) and f"#{part['id']}" in links:
+            if part.name == "a" and LINE.search(part.get("id", "")) and f"#{part['id']}" in links:
                 part.attrs = {"id": part["id"], "class": "line"}
                 kept += [part, ""]
         elif "linenos" not in part.parent.get("class", ()):
