@@ -17,10 +17,10 @@ from renderer.views import to_bytes
 ROOT = Path(__file__).resolve().parent.parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 EXAMINE = """
-from proofs.engine.certificate import all_theorems, prove
+from proofs.engine.theorem import all_theorems
 from verify.checkers.proof_checker import examine
 theorems = all_theorems()
-print(len(theorems), examine(theorems["unit_length"], theorems, prove).grade)
+print(len(theorems), examine(theorems["unit_length"], theorems).grade)
 """
 
 

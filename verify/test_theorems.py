@@ -2,7 +2,6 @@
 
 import pytest
 
-from proofs.engine.certificate import prove
 from proofs.engine.theorem import all_theorems
 from verify.checkers import kept, measured, proof_checker
 from verify.checkers.grades import NOT_RECHECKED
@@ -20,7 +19,7 @@ def test_theorem(theorem_id, record_evidence, pytestconfig):
         pytest.skip(reason)
     if theorem.claims:
         points = proof_checker.LONG_POINTS if pytestconfig.getoption("--long") else proof_checker.POINTS
-        found = proof_checker.examine(theorem, THEOREMS, prove, pytestconfig.getoption("search"), points)
+        found = proof_checker.examine(theorem, THEOREMS, pytestconfig.getoption("search"), points)
     else:
         key = kept.key_of(theorem)
         found = None if pytestconfig.getoption("fresh") else kept.read(theorem, key)

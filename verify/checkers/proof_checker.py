@@ -7,16 +7,18 @@ argued     the same, but a clause of its words is said by no claim
 by definition  the same, where every claim reads 0 = 0 once it is translated: nothing was left to prove
 failed     anything else. Nothing raises a grade by hand.
 
-What is certified, measured or cited has no claims: `verify.checkers.measured`.
+What is certified, measured or cited has no claims: `verify.checkers.measured`. It and the search are imported where a
+theorem needs them: no grade of what is proved rests on either.
 """
 
+import importlib
 from collections.abc import Callable, Sequence
 
 from proofs.check import is_empty, reasons
 from proofs.engine import kernel
 from proofs.engine.claim import AnyClaim, Claim, Separation
 from proofs.engine.stored import NotFound, Proved, Stale, evidence, show_polynomial, stored
-from proofs.engine.theorem import Theorem, Theorems, incomplete
+from proofs.engine.theorem import WITHOUT_CLAIMS, Theorem, Theorems, incomplete
 from verify.checkers import witness
 from verify.checkers.counterexamples import FAILURES, counterexample
 from verify.checkers.grades import Examination
@@ -45,13 +47,16 @@ def why_rejected(statement: dict, certificate: dict) -> str | None:
 
 
 def examine(
-    theorem: Theorem, theorems: Theorems, prove: Callable, anew: bool = False, points: int = POINTS
+    theorem: Theorem, theorems: Theorems, anew: bool = False, points: int = POINTS, prove: Callable | None = None
 ) -> Examination:
     """Return the Examination of a theorem.
 
-    prove: `proofs.engine.certificate.prove`, or another search, which nobody has to trust: it is asked whether it
+    prove: a search, `proofs.engine.certificate.prove` if none is given. Nobody has to trust it: it is asked whether it
     proves a mutant, what a formula that changed left over, and, with anew, for every certificate, whatever is stored.
     """
+    if not theorem.claims and theorem.expected in WITHOUT_CLAIMS:
+        return importlib.import_module("verify.checkers.measured").examine(theorem, theorems)
+    prove = prove or importlib.import_module("proofs.engine.certificate").prove
     found = Examination(theorem.id, theorem.expected, theorem.uses)
     found.problems += incomplete(theorem, theorems)
     _check_certificates(found, theorem, theorems, prove, anew)

@@ -30,7 +30,7 @@ FALSE = (Mutant("x > 1", Claim("a", (greater(x, 1),))), Mutant("x > 2", Claim("b
 def graded(*claims, mutants=FALSE, **changes):
     """Return the grade of a theorem of these claims, everything found anew."""
     theorem = Theorem("attack", "", "", claims, mutants, **changes)
-    return examine(theorem, {"attack": theorem}, prove, anew=True).grade
+    return examine(theorem, {"attack": theorem}, anew=True).grade
 
 
 def defined(symbol, expression):
@@ -360,14 +360,14 @@ def test_a_claim_borrows_from_no_claim_of_its_own():
         Theorem(a, "", "", (Claim("c", (greater(x, 10),), borrowed=((b, "c"),)),), FALSE, uses=(b,))
         for a, b in (("one", "two"), ("two", "one"))
     )
-    assert examine(one, {"one": one, "two": two}, prove, anew=True).grade == "failed"
+    assert examine(one, {"one": one, "two": two}, anew=True).grade == "failed"
     p = Symbol("p", real=True)
     near = Program("near", (x,), ((p, x + 3 - Rational(1, 10**6)),), (p,))
     lemma = Theorem("lemma", "", "", (Claim("c", (greater(p + 1, 0),), (greater(p, 0),)),), FALSE)
     borrowing = Claim("c", (greater(p + 1, 0),), (), near, borrowed=(("lemma", "c"),))
     borrower = Theorem("attack", "", "", (borrowing,), FALSE, uses=("lemma",))
     with pytest.raises(ValueError, match="not all given"):
-        examine(borrower, {"lemma": lemma, "attack": borrower}, prove, anew=True)
+        examine(borrower, {"lemma": lemma, "attack": borrower}, anew=True)
 
 
 @pytest.mark.parametrize("angle", [1 / x, sqrt(x), Abs(x), cos(x)])
@@ -392,7 +392,7 @@ def test_a_clause_without_a_claim_is_argued():
     true = Claim("said", (greater(x**2 + 1, 0),))
     words = (Clause("A square is not negative,", (true,)), Clause("nor is a fourth power.", argued="not written down"))
     theorem = Theorem("attack", "", words, mutants=FALSE, expected="argued")
-    assert examine(theorem, {"attack": theorem}, prove, anew=True).grade == "argued"
+    assert examine(theorem, {"attack": theorem}, anew=True).grade == "argued"
     for wrong in ((words[0], Clause("More.")), (words[1],)):
         with pytest.raises(ValueError, match=r"clause|claims"):
             Theorem("attack", "", wrong, mutants=FALSE)

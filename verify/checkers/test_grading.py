@@ -5,7 +5,6 @@ from dataclasses import replace
 import pytest
 from sympy import symbols
 
-from proofs.engine.certificate import prove
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import Program
 from proofs.engine.stored import Stale, stored
@@ -33,7 +32,7 @@ def test_theorems_that_use_each_other_are_an_error():
 
 def test_a_false_theorem_fails_and_says_why():
     false = theorem("false", claim=FALSE.but(shows=(equation(x / y, y / x),), given=(x > 0, y > 0)))
-    found = examine(false, {"false": false}, prove, anew=True)
+    found = examine(false, {"false": false}, anew=True)
     assert found.grade == "failed"
     assert "no certificate found for" in found.problems[0]
     assert any("false at {'x'" in problem for problem in found.problems)
@@ -42,7 +41,7 @@ def test_a_false_theorem_fails_and_says_why():
 def test_a_mutant_that_holds_fails_the_theorem():
     true_mutant = Mutant("the same", TRUE)
     unproved = theorem("weak", mutants=(true_mutant, true_mutant))
-    found = examine(unproved, {"weak": unproved}, prove, anew=True)
+    found = examine(unproved, {"weak": unproved}, anew=True)
     assert "mutant accepted: the same" in found.problems
     assert found.grade == "failed"
 
@@ -70,7 +69,7 @@ def test_an_edited_line_is_caught(symbol):
     edited = replace(theorems["tangent_frame"], claims=(FRAME.but(lines=program),), side_conditions=())
     with pytest.raises(Stale, match="tangent_frame/orthonormal"):
         stored(edited, theorems)
-    found = examine(edited, theorems, prove)
+    found = examine(edited, theorems)
     assert found.grade == "failed"
     assert "searched anew: no certificate found for" in found.problems[0]
 

@@ -4,7 +4,6 @@ import pytest
 from flint import arb
 from sympy import cos, sin, symbols
 
-from proofs.engine.certificate import prove
 from proofs.engine.claim import CitedLemma, Claim, at_least, equation
 from proofs.engine.theorem import Mutant, Step, Theorem, all_theorems
 from verify.checkers import proof_checker
@@ -69,7 +68,7 @@ def test_a_measurement_that_does_not_hold_fails():
 
 def test_without_a_measurement_nothing_is_measured():
     assert examine(measured(), {}).grade == "failed"
-    assert proof_checker.examine(measured("cited", source="Blinn1978"), {}, prove, anew=True).grade == "failed"
+    assert proof_checker.examine(measured(), {}).grade == "failed"
     with pytest.raises(ValueError, match="false variant"):
         measures("measured_here", false={})
     with pytest.raises(ValueError, match="balls"):
@@ -114,7 +113,7 @@ def given_a_lemma(relation, source="Blinn1978"):
 
 def test_what_rests_on_a_cited_lemma_says_so():
     theorem = given_a_lemma(at_least(x, sin(x)))
-    found = proof_checker.examine(theorem, {"lemma": theorem}, prove, anew=True)
+    found = proof_checker.examine(theorem, {"lemma": theorem}, anew=True)
     assert found.problems == []
     (entry, user) = graded([found.record, {"id": "user", "uses": ["lemma"], "grade": "proved"}])
     assert entry["grade_line"] == "proved, given Blinn1978"
@@ -125,12 +124,10 @@ def test_what_rests_on_a_cited_lemma_says_so():
 
 def test_a_false_lemma_is_seen_by_the_samples():
     theorem = given_a_lemma(at_least(x, 2 * sin(x)))
-    found = proof_checker.examine(theorem, {"lemma": theorem}, prove, anew=True)
+    found = proof_checker.examine(theorem, {"lemma": theorem}, anew=True)
     assert found.grade == "failed"
     assert any("false at" in problem for problem in found.problems)
-    unknown = proof_checker.examine(
-        given_a_lemma(at_least(x, sin(x)), "Nobody1900"), {"lemma": theorem}, prove, anew=True
-    )
+    unknown = proof_checker.examine(given_a_lemma(at_least(x, sin(x)), "Nobody1900"), {"lemma": theorem}, anew=True)
     assert "the bibliography has no Nobody1900" in unknown.problems
 
 
@@ -144,9 +141,7 @@ def test_a_claim_that_is_proved_may_not_rest_on_a_citation():
 def test_equations_may_be_cited_too():
     claim = Claim("given", (equation(cos(x) * 2, 2),), cited=(CitedLemma(equation(cos(x), 1), "Blinn1978"),))
     theorem = Theorem("t", "t", "", (claim,), (Mutant("a", claim), Mutant("b", claim)))
-    assert (
-        proof_checker.examine(theorem, {}, prove, anew=True).grade == "failed"
-    )  # proved given a lemma that the samples contradict
+    assert proof_checker.examine(theorem, {}, anew=True).grade == "failed"  # a lemma that the samples contradict
 
 
 def test_analysis_among_the_hypotheses_is_told_in_the_grade():
