@@ -13,7 +13,7 @@ book: environment ## check the theorems, draw the figures, build the book, say w
 	@$(RUN) -m book
 
 test: environment ## run every test, the proofs' included  (pytest verify tests)
-	@$(RUN) -m pytest verify tests -q -n 2 --dist loadgroup --no-loadscope-reorder --durations=10
+	@$(RUN) -m pytest verify tests -q -n 2 --dist loadfile --no-loadscope-reorder --durations=10
 
 verify: environment ## run the proofs' checker alone  (pytest verify)
 	@$(RUN) -m pytest verify -q -n 2

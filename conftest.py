@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-# Files that take most of a minute, or prepare for as long what their tests share: begun first, each on one worker.
+# Files that take most of a minute, or prepare for as long what their tests share, begin. A file has one worker.
 LONGEST = (
     "test_newcomer.py",
     "test_wheel.py",
@@ -28,12 +28,7 @@ def pytest_configure(config):
         os.environ.setdefault("SYMBOLIC_RENDERING_CODE", str(config.cache.mkdir("compiled")))
 
 
-@pytest.hookimpl(tryfirst=True)  # before xdist looks for the groups
-def pytest_collection_modifyitems(config, items):
+def pytest_collection_modifyitems(items):
     """Begin with LONGEST, in its order, lest one worker work alone at the end."""
     order = {name: place for place, name in enumerate(LONGEST)}
     items.sort(key=lambda item: order.get(item.path.name, len(order)))
-    if config.pluginmanager.hasplugin("xdist"):
-        for item in items:
-            if item.path.name in order:
-                item.add_marker(pytest.mark.xdist_group(item.path.name))

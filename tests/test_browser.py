@@ -153,6 +153,18 @@ def test_on_a_phone_panels_stand_below_each_other_and_the_menu_leads_on(visit, s
     tab.wait_for_url("**/s2.html*")
 
 
+def test_on_a_phone_a_table_that_is_too_wide_is_a_list_with_its_columns_names(visit):
+    tab = visit("trusted", **PHONE)
+    row = tab.locator("table.as-list tbody tr").first
+    name, *cells = (row.locator("td").nth(number) for number in range(5))
+    boxes = [cell.bounding_box() for cell in (name, *cells)]
+    assert all(box["x"] >= 0 and box["x"] + box["width"] <= 400 for box in boxes)
+    assert all(above["y"] + above["height"] <= below["y"] for above, below in pairwise(boxes))
+    before = [cell.evaluate("cell => getComputedStyle(cell, '::before').content") for cell in cells]
+    assert before[1:] == ['"what it decides: "', '"if it were wrong: "', '"what would notice: "']
+    assert visit("trusted").locator("table.as-list").count() == 0
+
+
 def test_dark_mode_follows_the_system_and_a_button_with_a_name(visit):
     tab, paper = visit("s1", color_scheme="dark"), "getComputedStyle(document.body).backgroundColor"
     assert tab.evaluate("document.documentElement.dataset.theme") == "dark"

@@ -174,7 +174,7 @@ def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(page, page_of):
     assert line.inner_text() == f"−{circle}"
     assert "Accepted all the same" in verdict(place.locator(".check-editor"))
     box = place.locator(".check-panel input")
-    box.fill("2 cos(pi*k_u*u)^2 - cos(pi*k_u*u)^2 + sin(pi*k_u*u)^2 - 1")  # what it was
+    box.fill("2 cos(pi*k_v*v)^2 - cos(pi*k_v*v)^2 + sin(pi*k_v*v)^2 - 1")  # what it was
     place.get_by_text("as it was").wait_for()
 
 
