@@ -6,6 +6,8 @@ import mpmath
 import numpy as np
 import pytest
 
+from proofs.formulas.half_turns import cospi, ordinary, sinpi
+from proofs.formulas.symbols import u
 from renderer import Light, Scene, central, exact, render
 from verify.reference import reference_pixel
 
@@ -47,3 +49,9 @@ def test_the_renderer_agrees(name, gradient, method, eps):
             int(truth[f"occluded_{i}"]) for i in range(len(SCENES[name].lights))
         ]
         np.testing.assert_allclose(frame.rgb[row, column], [float(truth[c]) for c in COLORS], rtol=0, atol=tolerance)
+
+
+@pytest.mark.parametrize("function", [sinpi, cospi])
+def test_a_function_of_half_turns_has_the_derivative_of_what_it_is(function):
+    at = function(3 * u)
+    assert ordinary(at.diff(u)) == ordinary(at).diff(u)
