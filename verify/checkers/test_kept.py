@@ -86,6 +86,7 @@ print(*(kept.key_of(theorem) == key for theorem, key in zip(theorems, before)))
 
 def test_a_changed_formula_is_measured_anew(tmp_path):
     """An edit of the frame, which no rounded product reaches, and the error at the pole does."""
+    pytest.importorskip("flint", reason="needs python-flint")
     for name in ("proofs", "renderer", "verify"):
         shutil.copytree(sources.ROOT / name, tmp_path / name)
     done = subprocess.run([sys.executable, "-c", EDIT], cwd=tmp_path, capture_output=True, text=True, check=False)
