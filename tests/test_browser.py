@@ -19,15 +19,16 @@ with_axe = pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not install
 PAGES = list(page_files(ROOT / "book"))
 # Sphinx's own pages, and the listing of a source: all listings are made alike.
 OTHERS = ["genindex", "search", "source/proofs/formulas/bump.py"]
+every_page = pytest.mark.parametrize("page", [*PAGES, *OTHERS])
 COLOUR = ["color-contrast", "link-in-text-block"]
-# How a page is opened, and what axe-core looks for: dark is the same document in other colours, a phone has the light
-# ones in another shape.
-MODES = {
-    "light": ({"color_scheme": "light"}, {}),
-    "dark": ({"color_scheme": "dark", "scheme": "file"}, {"runOnly": COLOUR}),
-    "phone": (PHONE | {"device_scale_factor": 2}, {"rules": {rule: {"enabled": False} for rule in COLOUR}}),
+# What axe-core looks for: dark is the same document in other colours, a phone has the light ones in another shape.
+LOOKS_FOR = {
+    "light": {},
+    "dark": {"runOnly": COLOUR},
+    "phone": {"rules": {rule: {"enabled": False} for rule in COLOUR}},
 }
-RUN = """async ([place, options]) => (await axe.run(place, { resultTypes: ['violations'], ...options })).violations
+MODES = {"light": {}, "dark": {"color_scheme": "dark"}, "phone": PHONE | {"device_scale_factor": 2}}
+RUN = """async ([place, options]) => (await axe.run(place, options)).violations
     .filter(v => ['serious', 'critical'].includes(v.impact))
     .map(v => `${v.id}: ${v.nodes.map(n => n.target.join(' ')).slice(0, 5).join(', ')}`)"""
 SEEN = """async () => {
@@ -61,14 +62,11 @@ def violations(tab, mode="light", place="html", formulas=True):
         tab.evaluate("document.querySelectorAll('mjx-container').forEach(e => e.replaceChildren('formula'))")
     next_frame(tab)
     tab.add_script_tag(path=AXE)
-    return tab.evaluate(RUN, [place, MODES[mode][1]])
+    return tab.evaluate(RUN, [place, {"resultTypes": ["violations"], "preload": False} | LOOKS_FOR[mode]])
 
 
-@pytest.mark.parametrize("mode", MODES)
-@pytest.mark.parametrize("page", [*PAGES, *OTHERS])
-def test_page_is_whole_and_has_the_colours_and_the_width_of_its_reader(visit, page, mode):
-    """And `visit` sees that it asks for nothing elsewhere and reports no error."""
-    tab = visit(page, **MODES[mode][0])
+def look(tab, page, mode):
+    """Hold the page to what its reader has to see."""
     seen = tab.evaluate(SEEN)
     assert seen["unloaded"] == [] and seen["untypeset"] == seen["wrong"] == 0 and seen["fonts"]
     assert all(source.endswith(".dark.svg") == (mode == "dark") for source in seen["plots"])
@@ -78,14 +76,42 @@ def test_page_is_whole_and_has_the_colours_and_the_width_of_its_reader(visit, pa
         assert rendering == "pixelated" or source.endswith(".svg"), source
     if mode == "phone":  # what is too wide stands in something that scrolls
         assert seen["wide"] <= PHONE["viewport"]["width"] and (page in OTHERS or seen["cut"] == [])
-    if AXE.is_file():
-        assert violations(tab, mode, formulas=page == "s3") == []  # MathJax makes all alike
+
+
+def change_colours(tab, mode):
+    """Change what the system says, and wait until the page has followed."""
+    tab.emulate_media(color_scheme=mode)
+    tab.wait_for_function("mode => document.documentElement.dataset.theme === mode", arg=mode)
+    tab.evaluate("Promise.all(document.getAnimations().map(change => change.finished))")
+
+
+def no_violations(tab, page, mode):
+    assert not AXE.is_file() or violations(tab, mode, formulas=page == "s3") == []  # MathJax makes all alike
+
+
+@every_page
+def test_page_is_whole_in_the_dark_and_in_the_light(visit, page):
+    """From the disk; and `visit` sees that it asks for nothing elsewhere and reports no error."""
+    tab = visit(page, "file", **MODES["dark"])
+    look(tab, page, "dark")
+    change_colours(tab, "light")
+    look(tab, page, "light")
+    no_violations(tab, page, "light")
+    change_colours(tab, "dark")
+    no_violations(tab, page, "dark")
+
+
+@every_page
+def test_page_is_whole_on_a_phone(visit, page):
+    tab = visit(page, **MODES["phone"])
+    look(tab, page, "phone")
+    no_violations(tab, page, "phone")
 
 
 @with_axe
 @pytest.mark.parametrize("mode", MODES)
 def test_simulator_has_no_violation_when_it_runs_and_when_it_complains(visit, mode):
-    tab = visit("s4", **MODES[mode][0])
+    tab = visit("s4", **MODES[mode])
     tab.wait_for_function("window.Simulator && Simulator.running && Simulator.running.frames.length > 0")
     box = tab.locator("[data-parameter=eps] input[type=text]")
     box.fill("nonsense")
@@ -115,7 +141,7 @@ def test_search_field_and_phone_menu_have_no_violation_when_they_are_open(visit)
     ],
 )
 def test_a_violation_is_seen(visit, mode, spoil, rule):
-    tab = visit("s2", **MODES[mode][0])  # on a phone it has a figure that scrolls
+    tab = visit("s2", **MODES[mode])  # on a phone it has a figure that scrolls
     tab.evaluate(spoil)
     assert any(entry.startswith(rule) for entry in violations(tab, mode, ".bd-article"))
 
