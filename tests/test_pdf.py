@@ -165,10 +165,12 @@ def test_pages_are_numbered_and_white(paper, pdf, texts):
         assert page.render(scale=0.2).to_numpy()[2, 2].min() == 255
 
 
-def test_date_of_the_print_is_fixed_and_nothing_moves():
-    made = b"<< /CreationDate (D:20991231235959+00'00')\n/ModDate (D:20991231235959+00'00') >>"
-    assert len(chromium.dated(made)) == len(made)
-    assert b"2099" not in chromium.dated(made)
+def test_what_only_a_run_says_is_not_in_the_file_and_nothing_moves():
+    made = b"(D:20991231235959+00'00') /ID (node00000419) /ID (node00001421) /Headers [(node00000419)]"
+    later = made.replace(b"2099", b"2098").replace(b"node00000419", b"node00000420").replace(b"1421", b"1423")
+    assert chromium.reproducible(made) == chromium.reproducible(later)
+    assert len(chromium.reproducible(made)) == len(made)
+    assert chromium.reproducible(made) != chromium.reproducible(made.replace(b"[(node00000419)]", b"[(node00001421)]"))
 
 
 def test_without_a_browser_it_says_so(monkeypatch):
