@@ -239,6 +239,7 @@ WELL_FORMED = [
     [LINES | {"avoid": ["d"]}, {"reached": ["a", "b", "c"]}],
     [ABOVE, {"point": {"x": "1/2"}}],
     [ZERO[0], {"point": {}}],  # what is claimed is the polynomial 0, which leaves no name open
+    [EMPTY_INDUCTION | {"show": [{}]}, {"base": [NOTHING], "step": [NOTHING]}],
 ]
 STATEMENT, CERTIFICATE = GOOD
 STEP = STATEMENT["steps"][0]
@@ -318,7 +319,8 @@ def test_a_number_that_a_double_rounds_proves_nothing():
     twice = text.replace('"x^2":"1"', '"x^2":"-1","x^2":"1"')
     float_ = text.replace('"version":1', '"version":1.0')
     escaped = text.replace('"x^2"', '"\\u0078^2"')
-    assert not any(any(each.values()) for each in accepted([literal, twice, float_, escaped]))
+    deep = "[" * 10**5 + "]" * 10**5
+    assert not any(any(each.values()) for each in accepted([literal, twice, float_, escaped, deep]))
 
 
 def test_a_file_is_its_own_canonical_form():
