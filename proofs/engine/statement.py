@@ -206,7 +206,8 @@ class Translation:
     def _exceeds(self, left, right):
         """Return whether left ≥ right, or False if it is known to be ≤ (where they are equal both answers do)."""
         difference = self.polynomial(left) - self.polynomial(right)
-        return 1 in self._known(difference)[2] and self._decided(difference, {0, 1})
+        known_below = self._known(difference)[2] <= {-1, 0}
+        return not self._decided(difference, {-1, 0}) if known_below else self._decided(difference, {0, 1})
 
     # Expressions
 
