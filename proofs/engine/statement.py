@@ -399,6 +399,8 @@ def induction(claim: Induction) -> dict:
         raise Untranslatable(f"{claim.name}: a state is given twice")
     if _symbols(e for side in _sides(expressions) for e in side.atoms(sin, cos, sinpi, cospi)) & states:
         raise Untranslatable(f"{claim.name}: a state in an angle, which changes with it")
+    if _symbols([*claim.given, *(sympify(start) for _, start, _ in claim.states)]) & {*states, claim.n}:
+        raise Untranslatable(f"{claim.name}: a state, or n, in what is given or in what a state starts from")
     t = Translation(expressions, n=claim.n)
     state: dict[str, Sequence[Expr]]
     state = {s.name: [t.polynomial(sympify(e)) for e in two] for s, *two in claim.states}
