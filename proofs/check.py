@@ -18,6 +18,12 @@ from proofs.engine import kernel
 
 FOLDER = Path(__file__).parent / "certificates"
 
+
+def read(path: Path) -> str:
+    """Return a file's text as its bytes say it; a byte that is no UTF-8 as what `parsed` refuses."""
+    return path.read_bytes().decode("utf-8", "surrogateescape")
+
+
 ABSURD = {"step": "show", "is": "=", "of": {"": "1"}}
 PI = {"step": "define", "new": "pi", "of": {"": "355/113"}}  # of π a statement knows 3 < π < 22/7, and no more
 PAIR = dict.fromkeys(("sha256", "statement", "certificate", "point"), lambda data: True)  # looked at below
@@ -77,15 +83,32 @@ def digest(statement: dict) -> str:
     return hashlib.sha256(json.dumps(statement, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
 
 
+def parsed(text: str, theorem: str) -> list[dict]:
+    """Return the claims of a certificate file's text; raise ValueError where that has another form."""
+    try:
+        text.encode()
+        data = json.loads(text)
+        same = text == canonical(data)
+    except (ValueError, RecursionError) as why:
+        raise ValueError(f"it is no JSON: {why}") from None
+    if not same:
+        raise ValueError("it is not its own canonical form")
+    if not kernel.fits(data, {"version": 1, "theorem": theorem, "claims": [CLAIM]}):
+        raise ValueError("it has another form")
+    names = [claim["claim"] for claim in data["claims"] if claim["statements"]]
+    if not names or len(set(names)) < len(data["claims"]):
+        raise ValueError("it has no claim, or one without statements, or one twice")
+    return data["claims"]
+
+
 def verdicts(text: str, theorem: str) -> list[tuple[str, object]]:
     """Return [(claim, None or why it is rejected)] of a certificate file's text."""
-    data = json.loads(text)
+    try:
+        claims = parsed(text, theorem)
+    except ValueError as why:
+        return [("the file", why)]
     found: list[tuple[str, object]] = []
-    if text != canonical(data):
-        return [("the file", "it is not its own canonical form")]
-    if not kernel.fits(data, {"version": 1, "theorem": theorem, "claims": [CLAIM]}):
-        return [("the file", "it has another form")]
-    for claim in data["claims"]:
+    for claim in claims:
         cases = [(entry["statement"], entry["certificate"], entry["point"]) for entry in claim["statements"]]
         for entry, wrong in zip(claim["statements"], reasons(cases), strict=True):
             if wrong is None and digest(entry["statement"]) != entry["sha256"]:
@@ -106,7 +129,7 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     start, total, rejected = time.perf_counter(), 0, 0
     for id in ids:
-        found = verdicts(known[id].read_text(encoding="utf-8"), id)
+        found = verdicts(read(known[id]), id)
         wrong = [(claim, why) for claim, why in found if why is not None]
         total, rejected = total + len(found), rejected + len(wrong)
         print(f"{id:32} {len(found) - len(wrong)} of {len(found)} accepted")

@@ -40,7 +40,9 @@ CLOSED = "Closed under the global context\n"
 AXIOM = re.compile(r"[\w.]+( : .*)?$|  ")  # its name, and its type there or indented below it
 MACHINE_NUMBERS = ("Uint63.", "PrimInt63.", "PrimFloat.", "FloatAxioms.", "FloatOps.", "Int63.", "Sint63.")
 COQS_OWN = {name.partition(".")[0] for name in (*AXIOMS, *MACHINE_NUMBERS)}
-MODULE = re.compile(r"\bModule\b[^.]*")
+MODULE = re.compile(r"\bModule (\w+)\.")
+HIDING = re.compile(r"\b(?:Notation|Infix|Coercion|Declare|Load|Module(?! \w+\.))\b[^.\n]*")
+"""What could hide from the survey what a statement says or rests on, and modules that are not named at once."""
 
 PARTLY = {
     "bump_moves_no_boundary": "that none of these depends on the bump: the lines printed for them have no such input",
@@ -58,12 +60,14 @@ class NotAccepted(ValueError):
 def layers(*wanted: str) -> list[list[str]]:
     """Return the names of the files that Coq reads, each in a later layer than those that it requires.
 
-    All, or those that are wanted and theirs. Raises NotAccepted where one requires what is not there, or itself, and
-    where a module has a name of Coq's own: an axiom in it would be printed as one of those that are allowed.
+    All, or those that are wanted and theirs. Raises NotAccepted where one requires what is not there, or itself, where
+    something is HIDING, and where a module has a name of Coq's own: an axiom in it would be printed as one of those
+    that are allowed.
     """
     texts = {path.stem: path.read_text(encoding="utf-8") for path in FOLDER.glob("*.v")}
-    named = set(re.findall(r"\w+", " ".join([*texts, *MODULE.findall("\n".join(texts.values()))])))
-    if taken := sorted(named & COQS_OWN):
+    if hiding := HIDING.findall("\n".join(texts.values())):
+        raise NotAccepted(f"{'; '.join(hiding)}: that could hide what is said, or assumed")
+    if taken := sorted(COQS_OWN.intersection([*texts, *MODULE.findall("\n".join(texts.values()))])):
         raise NotAccepted(f"{', '.join(taken)}: a module of Coq's own has this name")
     required = {name: REQUIRED.search(text) for name, text in texts.items()}
     needs = {name: set(found[1].split()) if found else set() for name, found in required.items()}
@@ -115,6 +119,11 @@ def record() -> dict:
 def sources() -> dict[str, str]:
     """Return {file: hash} of everything that Coq reads; which Python asks it is no matter."""
     return {path: of for path, of in hashes(FOLDER.glob("*.v")).items() if path != "python"}
+
+
+def seen() -> str:
+    """Return the key of what Coq reads and of what the record says of it, to be KEPT where Coq said so, too."""
+    return key({"sources": sources(), "record": RECORD.read_text(encoding="utf-8")})
 
 
 def _coqc(folder: Path, name: str) -> str:
@@ -202,9 +211,9 @@ def main() -> None:
     else:
         table = compile_files(*asked.file)
         if not asked.file:
-            write_whole(KEPT, key(sources()).encode())
             text = json.dumps({"sources": sources(), "theorems": table}, indent=1, ensure_ascii=False)
             write_whole(RECORD, f"{text}\n".encode())
+            write_whole(KEPT, seen().encode())
     for theorem, entry in table.items():
         short = sorted({a.split(".")[0 if a.startswith(MACHINE_NUMBERS) else -1] for a in entry["axioms"]})
         rests = ", ".join(short) or "closed under the global context"

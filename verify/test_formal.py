@@ -11,7 +11,7 @@ import pytest
 from proofs.engine.theorem import all_theorems
 from renderer.files import write_whole
 from verify import formal
-from verify.sources import ROOT, key
+from verify.sources import ROOT
 from verify.test_campaign import draw, edited
 
 needs_coq = pytest.mark.skipif(
@@ -41,10 +41,9 @@ def test_every_clause_of_a_formal_theorem_has_a_statement_that_says_it():
 @needs_coq
 def test_coq_accepts_what_the_record_says():
     """Where these files were accepted here before, Coq is not asked again; python -m verify.formal --fresh asks."""
-    now = key(formal.sources())
-    if not formal.KEPT.is_file() or formal.KEPT.read_text() != now:
+    if not formal.KEPT.is_file() or formal.KEPT.read_text() != formal.seen():
         assert json.loads(formal.RECORD.read_text(encoding="utf-8"))["theorems"] == formal.compile_files()
-        write_whole(formal.KEPT, now.encode())
+        write_whole(formal.KEPT, formal.seen().encode())
     assert formal.record(), "proofs/formal changed since its record was made: run python -m verify.formal"
 
 
@@ -98,6 +97,30 @@ def test_files_that_cannot_be_ordered_or_are_named_as_coqs_own_are_refused(tmp_p
         with pytest.raises(formal.NotAccepted, match=f"{name}: a module of Coq's own"):
             formal.files()
         (tmp_path / f"{file}.v").unlink()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        'Notation "( x , y )" := ltac:(exact I) : core_scope.',  # of the survey's (statement, I), too
+        "Module (* . *) Uint63. Axiom three : 1 + 1 = 3. End Uint63.",
+        "Declare Module Uint63 : T.",
+        "Module Import Uint63.",
+    ],
+)
+def test_what_could_hide_an_axiom_is_refused(text, tmp_path, monkeypatch):
+    monkeypatch.setattr(formal, "FOLDER", tmp_path)
+    (tmp_path / "One.v").write_text(text)
+    with pytest.raises(formal.NotAccepted, match="could hide"):
+        formal.files()
+
+
+def test_what_coq_accepted_here_is_kept_with_what_the_record_says(tmp_path, monkeypatch):
+    monkeypatch.setattr(formal, "RECORD", tmp_path / "record.json")
+    formal.RECORD.write_text("{}")
+    before = formal.seen()
+    formal.RECORD.write_text('{"theorems": {}}')
+    assert formal.seen() != before
 
 
 TRUE = formal.SEPARATOR

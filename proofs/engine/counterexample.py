@@ -37,7 +37,7 @@ def refutation(statements: list[dict], point: Mapping[Symbol, Expr | Fraction | 
     for statement in statements:
         try:
             values = _complete(statement, at)
-        except (NotRational, KeyError, ZeroDivisionError):
+        except (ValueError, KeyError, ZeroDivisionError):
             continue
         for end, step in enumerate(statement["steps"], 1):
             if step["step"] != "show":
@@ -51,7 +51,12 @@ def refutation(statements: list[dict], point: Mapping[Symbol, Expr | Fraction | 
 
 
 def _complete(statement, at):
-    """Return the values {name: Fraction} of every name of a derivation; KeyError where a name has none."""
+    """Return the values {name: Fraction} of every name of a derivation; KeyError where a name has none.
+
+    What is defined has the value of its definition: none of `at` is it.
+    """
+    defined = {step.get("new") for step in statement["steps"]}
+    at = {name: value for name, value in at.items() if name not in defined}
     values = {name: _coordinate(name, at) for name in statement["variables"]}
     for step in (step for step in statement["steps"] if "new" in step):
         numbers = {name: kernel.multiply(value) for name, value in values.items()}

@@ -25,6 +25,12 @@ LONGEST = 100_000  # items of a list, terms of a polynomial
 class Rejected(Exception):
     """(reason, residual): why a certificate proves nothing; where two sides differ, the residual polynomial."""
 
+    def __str__(self) -> str:
+        try:
+            return super().__str__()
+        except ValueError:  # Python writes no number of more than 4300 digits
+            return str(self.args[0])
+
 
 def require(condition: object, reason: str, residual: Polynomial | None = None) -> None:
     """Raise Rejected with the reason unless the condition holds."""
@@ -93,7 +99,7 @@ def is_proof(data: dict) -> bool:
 
 def values_of(test: Callable) -> Callable:
     """Return the test of {name: what passes the given test}."""
-    return lambda data: type(data) is dict and all(is_name(key) and test(value) for key, value in data.items())
+    return lambda data: type(data) is dict and fits([*data], [is_name]) and all(map(test, data.values()))
 
 
 COFACTORS = [(is_index, is_polynomial)]

@@ -23,6 +23,7 @@ from sympy import (
     And,
     Basic,
     Expr,
+    Float,
     Max,
     Min,
     Piecewise,
@@ -39,6 +40,7 @@ from sympy import (
     sympify,
 )  # fmt: skip
 from sympy.core.relational import Eq, Relational, StrictGreaterThan, StrictLessThan
+from sympy.polys.polyerrors import BasePolynomialError
 
 from proofs.engine.claim import Claim, Induction
 from proofs.formulas.half_turns import cospi, ordinary, sinpi
@@ -56,7 +58,7 @@ class Untranslatable(ValueError):
     """The claim has a part that no rule translates."""
 
 
-class _Undecided(Exception):
+class _Undecided(Untranslatable):
     """A condition is neither given nor chosen yet."""
 
 
@@ -100,6 +102,20 @@ def _angle(e):
     return pi * e.args[0] if isinstance(e, sinpi | cospi) else e.args[0]
 
 
+def _terms(angle):
+    """Return [(rational, atom)] of an angle, which has to be a polynomial over the rationals in symbols and π."""
+    terms = [term.as_coeff_Mul() for term in sorted(expand_mul(angle).as_ordered_terms(), key=str)]
+    try:
+        for _, atom in terms:
+            Poly(atom, pi, *atom.free_symbols, domain="QQ")
+        rational = all(multiple.is_Rational and not atom.has(Float) for multiple, atom in terms)
+    except BasePolynomialError:
+        rational = False
+    if not rational:
+        raise Untranslatable(f"the angle {angle} is no polynomial over the rationals: it may have no value")
+    return terms
+
+
 def _symbols(expressions):
     return set().union(*(e.free_symbols for e in expressions))
 
@@ -120,8 +136,7 @@ class Translation:
         self.denominators: dict[Expr, int] = {}
         for side in _sides(expressions):
             for e in side.atoms(sin, cos, sinpi, cospi):
-                for term in expand_mul(_angle(e)).as_ordered_terms():
-                    multiple, atom = term.as_coeff_Mul()
+                for multiple, atom in _terms(_angle(e)):
                     self.denominators[atom] = lcm(self.denominators.get(atom, 1), int(multiple.q))
 
     def step(self, kind: str, polynomial: Expr, **named: str) -> None:
@@ -183,7 +198,7 @@ class Translation:
             self.show(difference, wanted if possible <= wanted else ANY - wanted)
             return possible <= wanted
         if not self.choices:
-            raise _Undecided
+            raise _Undecided(f"the sign of {difference} is neither given nor chosen")
         choice = self.choices.pop(0)
         self.assume(difference, possible & wanted if choice else possible - wanted)
         return choice
@@ -191,7 +206,8 @@ class Translation:
     def _exceeds(self, left, right):
         """Return whether left ≥ right, or False if it is known to be ≤ (where they are equal both answers do)."""
         difference = self.polynomial(left) - self.polynomial(right)
-        return 1 in self._known(difference)[2] and self._decided(difference, {0, 1})
+        known_below = self._known(difference)[2] <= {-1, 0}
+        return not self._decided(difference, {-1, 0}) if known_below else self._decided(difference, {0, 1})
 
     # Expressions
 
@@ -231,7 +247,10 @@ class Translation:
                 best = other if self._exceeds(*((other, best) if isinstance(e, Max) else (best, other))) else best
             return self.polynomial(best)
         if isinstance(e, Piecewise):
-            return self.polynomial(next(value for value, condition in e.args if self.decide(condition)))
+            value = next((value for value, condition in e.args if self.decide(condition)), None)
+            if value is None:
+                raise Untranslatable(f"{e} has no value where none of its conditions holds")
+            return self.polynomial(value)
         raise Untranslatable(f"no rule translates {e}")
 
     def _variable(self, symbol):
@@ -277,15 +296,17 @@ class Translation:
     def _turn(self, angle):
         """Return (cos, sin) of an angle, by the addition formulas."""
         c, s = S.One, S.Zero
-        for term in sorted(expand_mul(angle).as_ordered_terms(), key=str):
-            multiple, atom = term.as_coeff_Mul()
-            if atom is pi or term == 0:
-                whole, (d, t) = 1, (cos(term), sin(term))
+        for multiple, atom in _terms(angle):
+            whole = 1
+            if atom is pi or multiple == 0:
+                d, t = cos(multiple * atom), sin(multiple * atom)
                 if d.has(cos) or t.has(sin):
-                    raise Untranslatable(f"no closed form of cos({term})")
+                    raise Untranslatable(f"no closed form of cos({multiple * atom})")
                 d, t = self.polynomial(d), self.polynomial(t)
             else:
-                whole = int(multiple * self.denominators[atom])
+                whole = multiple * self.denominators.get(atom, 0)
+                if not whole.is_Integer or whole == 0:
+                    raise Untranslatable(f"{multiple * atom} is no whole multiple of an angle that occurs")
                 d, t = self._circle(atom / self.denominators[atom])
             t = -t if whole < 0 else t
             for _ in range(abs(whole)):
@@ -293,8 +314,6 @@ class Translation:
         return c, s
 
     def _circle(self, atom):
-        if not atom.is_polynomial():
-            raise Untranslatable(f"the angle {atom} is no polynomial: it may have no value")
         names = tuple(f"{f}({atom})".replace(" ", "") for f in ("cos", "sin"))
         if ("circle", names) not in self.generators:
             c, s = self.generators["circle", names] = tuple(Symbol(name, real=True) for name in names)
@@ -334,6 +353,8 @@ def derivations(claim: Claim) -> list[dict]:
             statements.append(_derivation(claim, choices))
         except _Undecided:
             pending += [(*choices, False), (*choices, True)]
+        except TypeError as why:  # SymPy compares what has no order, such as 1/0
+            raise Untranslatable(f"{claim.name}: {why}") from why
     return statements
 
 
@@ -370,11 +391,16 @@ def induction(claim: Induction) -> dict:
     expressions = (*relations, *(sympify(e) for state in claim.states for e in state))
     if claim.n not in (Symbol(claim.n.name, integer=True), Symbol(claim.n.name, real=True)):
         raise Untranslatable(f"{claim.name}: of n it is known that it is whole, and nothing else")
-    plain(_symbols(expressions) - {claim.n})
+    plain([*(_symbols(expressions) - {claim.n}), Symbol(claim.n.name, real=True)])
     if not all(isinstance(r, Eq) for r in claim.shows):
         raise Untranslatable(f"{claim.name}: an induction shows equations")
-    if len({s for s, *_ in claim.states}) < len(claim.states):
+    states = {s for s, *_ in claim.states}
+    if len(states) < len(claim.states):
         raise Untranslatable(f"{claim.name}: a state is given twice")
+    if _symbols(e for side in _sides(expressions) for e in side.atoms(sin, cos, sinpi, cospi)) & states:
+        raise Untranslatable(f"{claim.name}: a state in an angle, which changes with it")
+    if _symbols([*claim.given, *(sympify(start) for _, start, _ in claim.states)]) & {*states, claim.n}:
+        raise Untranslatable(f"{claim.name}: a state, or n, in what is given or in what a state starts from")
     t = Translation(expressions, n=claim.n)
     state: dict[str, Sequence[Expr]]
     state = {s.name: [t.polynomial(sympify(e)) for e in two] for s, *two in claim.states}

@@ -1,11 +1,10 @@
 """What a theorem says now, and its stored certificates, if they still say so. This file is trusted."""
 
-import json
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from proofs.check import FOLDER, contradiction, digest
-from proofs.engine.claim import AnyClaim, Induction, Separation
+from proofs.check import FOLDER, contradiction, digest, parsed, read
+from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
 from proofs.engine.counterexample import refutation
 from proofs.engine.statement import VERSION, Untranslatable, derivations, induction
 from proofs.engine.theorem import Theorem, Theorems, borrowed
@@ -24,7 +23,10 @@ class NotFound(ValueError):
 
 def show_polynomial(p: dict, limit: int = 12) -> str:
     """Return a polynomial, the kernel's or polynomial data, as text of at most `limit` terms."""
-    terms = p if all(isinstance(k, str) for k in p) else {" ".join(m): str(c) for m, c in p.items()}
+    try:
+        terms = p if all(isinstance(k, str) for k in p) else {" ".join(m): str(c) for m, c in p.items()}
+    except ValueError:  # Python writes no number of more than 4300 digits
+        return f"{len(p)} terms, one of them with thousands of digits"
     text = " + ".join(f"{c}·{m.replace(' ', '·')}" if m else str(c) for m, c in list(terms.items())[:limit]) or "0"
     return text + (f" + … ({len(terms)} terms)" if len(terms) > limit else "")
 
@@ -44,7 +46,11 @@ def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
 
 
 def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[Proved]:
-    """Return what refutes a claim at the point ((symbol, value), …); raises NotFound."""
+    """Return what refutes a claim at the point ((symbol, value), …); raises NotFound.
+
+    A lemma that the claim cites is left out: where its conditions fail, the claim need not.
+    """
+    claim = claim.but(cited=()) if isinstance(claim, Claim) else claim
     found = refutation(statements(claim, theorems), dict(point))
     if found is None:
         raise NotFound(f"no certificate found: {claim.name}")
@@ -70,7 +76,10 @@ def stored(theorem: Theorem, theorems: Theorems) -> Found:
     path = path_of(theorem)
     if not path.exists():
         raise Stale(f"{theorem.id} has no stored certificate: run python -m proofs.engine.certificate {theorem.id}")
-    entries = {entry["claim"]: entry["statements"] for entry in json.loads(path.read_text("utf-8"))["claims"]}
+    try:
+        entries = {entry["claim"]: entry["statements"] for entry in parsed(read(path), theorem.id)}
+    except ValueError as error:
+        raise Stale(f"{theorem.id}: of its stored certificates: {error}") from None
     result = []
     for claim in theorem.claims:
         kept = entries.pop(claim.name, [])
@@ -78,7 +87,7 @@ def stored(theorem: Theorem, theorems: Theorems) -> Found:
             now = [s for s, *_ in refute(claim, theorem.refuted_at or (), theorems)]
         else:
             now = statements(claim, theorems)
-        if len(now) != len(kept) or not all(map(_still_said, now, kept)):
+        if len(now) != len(kept) or not all(_still_said(claim, *pair) for pair in zip(now, kept, strict=True)):
             raise Stale(
                 f"{theorem.id}/{claim.name}: the formulas no longer say what the stored certificate proves; "
                 f"if the theorem still holds, python -m proofs.engine.certificate {theorem.id} finds a new one"
@@ -89,11 +98,11 @@ def stored(theorem: Theorem, theorems: Theorems) -> Found:
     return result
 
 
-def _still_said(now, entry):
-    kept = entry["statement"]
-    if digest(kept) != entry["sha256"] or "point" not in entry:
-        return False
-    less = now
-    if now["kind"] == kept["kind"] == "derivation":  # what follows from fewer assumptions follows from all of them
-        less = now | {"steps": [step for step in now["steps"] if step["step"] != "assume" or step in kept["steps"]]}
-    return kept == less or (kept["kind"] == "derivation" and kept == contradiction(less))
+def _still_said(claim, now, entry):
+    kept, less = entry["statement"], now
+    steps = kept["steps"] if isinstance(kept, dict) and isinstance(kept.get("steps"), list) else []
+    if now["kind"] == "derivation":  # what follows from fewer assumptions follows from all of them
+        less = now | {"steps": [step for step in now["steps"] if step["step"] != "assume" or step in steps]}
+    # that a case cannot occur is not said of what a lemma adds: its conditions are shown, and not assumed
+    empty = [contradiction(less)] if now["kind"] == "derivation" and not getattr(claim, "cited", ()) else []
+    return digest(kept) == entry["sha256"] and kept in [less, *empty]

@@ -213,9 +213,9 @@ def borrowed(claim: Claim, theorems: Theorems) -> Claim:
     added: tuple = ()
     for id, name in getattr(claim, "borrowed", ()):
         other = theorems[id].claim(name)
-        if not _supplies(other, claim, set(claim.given)):
+        if not isinstance(other, Claim) or not _supplies(other, claim, set(claim.given)):
             raise ValueError(f"{claim.name}: the hypotheses of {id}/{name} are not all given here")
-        added += other.shows  # type: ignore[union-attr]  # a separation has no conclusions to borrow
+        added += other.shows
     return claim.but(given=claim.given + added) if added else claim
 
 

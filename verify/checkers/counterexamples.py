@@ -53,7 +53,7 @@ def exact_counterexample(
     claim: Claim, failures: Iterable[dict], theorems: Theorems, refused: Callable
 ) -> dict[str, str] | None:
     """Return a rational point, {name: text}, near one of the failures, that both checkers accept, or None."""
-    statements = derivations(borrowed(claim, theorems))
+    statements = derivations(borrowed(claim, theorems).but(cited=()))
     for point in failures:
         rational = {s: _rational(v) for s, v in point.items()}
         if all(q is not None for q in rational.values()):

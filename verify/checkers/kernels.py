@@ -32,7 +32,7 @@ def canonical(text: str) -> bool:
     """Return whether a compact JSON text is its own canonical form."""
     try:
         return compact(json.loads(text)) == text
-    except ValueError:
+    except (ValueError, RecursionError):
         return False
 
 

@@ -16,7 +16,7 @@ from collections.abc import Callable, Sequence
 
 from proofs.check import is_empty, reasons
 from proofs.engine import kernel
-from proofs.engine.claim import AnyClaim, Claim, Separation
+from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
 from proofs.engine.stored import NotFound, Proved, Stale, evidence, show_polynomial, stored
 from proofs.engine.theorem import WITHOUT_CLAIMS, Theorem, Theorems, incomplete
 from verify.checkers import witness
@@ -102,6 +102,10 @@ def by_definition(claim: AnyClaim, cases: Sequence[Proved]) -> bool:
 
     The conditions of branches, which a statement shows besides the claim's own relations, count as something.
     """
+    if isinstance(claim, Induction):
+        ((said, *_),) = cases
+        given = [step["of"] for step in said.get("assume", ()) if step["is"] == "="]
+        return not is_empty(said) and all(not p or p in given for p in said["show"])
     if not isinstance(claim, Claim):
         return False
     steps = [step for statement, *_ in cases if not is_empty(statement) for step in statement.get("steps", ())]

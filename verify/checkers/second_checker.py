@@ -224,7 +224,7 @@ def _induction(statement, certificate):
 
     def moved(p, values):
         _need(sorted(values) == sorted(state), "a state is not given")
-        return p.compose(*[names(values[n]) if n in state else names.value[n] for n in names.all])
+        return p.compose(*[names(values[n]) if n in state else names.value[n] for n in names.all] or [p])
 
     for p, base, step in zip(claims, certificate["base"], certificate["step"], strict=True):
         _prove(names, facts, ("=", moved(p, statement["start"])), base)

@@ -3,23 +3,45 @@
 import json
 
 import pytest
-from sympy import Abs, Dummy, Max, Min, Rational, Symbol, cos, evaluate, pi, sign, sin, sqrt, symbols
+from sympy import (
+    Abs,
+    Dummy,
+    E,
+    I,
+    Max,
+    Min,
+    Ne,
+    Piecewise,
+    Rational,
+    S,
+    Symbol,
+    cos,
+    evaluate,
+    pi,
+    sign,
+    sin,
+    sqrt,
+    symbols,
+)  # fmt: skip
 
+from proofs import check
 from proofs.check import FOLDER, canonical, reasons, verdicts
-from proofs.engine import kernel
+from proofs.engine import certificate, kernel
+from proofs.engine import stored as stored_file
 from proofs.engine.certificate import prove
 from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, at_least, equation, greater
 from proofs.engine.points import without_unused
 from proofs.engine.program import Program
+from proofs.engine.search import search
 from proofs.engine.statement import Untranslatable
-from proofs.engine.stored import NotFound, statements
+from proofs.engine.stored import NotFound, Stale, statements, stored
 from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems
 from proofs.formulas.half_turns import sinpi
 from proofs.theorems.cited import sine_below
 from verify.checkers import witness
 from verify.checkers.breakages import campaign
 from verify.checkers.kernels import accepted, compact
-from verify.checkers.proof_checker import examine
+from verify.checkers.proof_checker import examine, why_rejected
 from verify.checkers.splices import splices
 from verify.checkers.test_checkers import EMPTY, NOTHING, derivation, show
 
@@ -195,7 +217,10 @@ def test_a_theorem_needs_claims_and_mutants_of_its_own():
 
 
 def test_a_branch_is_taken_where_the_kernel_can_show_it():
-    prove(Claim("max", (equation(Max(x, y), x),), (greater(x, y),)), {})
+    """And shown, whichever argument is the larger one."""
+    for larger in (x, y):
+        maximum = Claim("max", (equation(Max(x, y), larger),), (at_least(larger, x + y - larger),))
+        assert graded(maximum) == "proved"
     for relation in (equation(Max(x, y), x), equation(Abs(x), x)):
         with pytest.raises(NotFound):
             prove(Claim("attack", (relation,)), {})
@@ -239,6 +264,7 @@ WELL_FORMED = [
     [LINES | {"avoid": ["d"]}, {"reached": ["a", "b", "c"]}],
     [ABOVE, {"point": {"x": "1/2"}}],
     [ZERO[0], {"point": {}}],  # what is claimed is the polynomial 0, which leaves no name open
+    [EMPTY_INDUCTION | {"show": [{}]}, {"base": [NOTHING], "step": [NOTHING]}],
 ]
 STATEMENT, CERTIFICATE = GOOD
 STEP = STATEMENT["steps"][0]
@@ -318,7 +344,8 @@ def test_a_number_that_a_double_rounds_proves_nothing():
     twice = text.replace('"x^2":"1"', '"x^2":"-1","x^2":"1"')
     float_ = text.replace('"version":1', '"version":1.0')
     escaped = text.replace('"x^2"', '"\\u0078^2"')
-    assert not any(any(each.values()) for each in accepted([literal, twice, float_, escaped]))
+    deep = "[" * 10**5 + "]" * 10**5
+    assert not any(any(each.values()) for each in accepted([literal, twice, float_, escaped, deep]))
 
 
 def test_a_file_is_its_own_canonical_form():
@@ -333,6 +360,47 @@ def test_a_file_is_its_own_canonical_form():
     ):
         assert verdicts(text, "attack")[0][0] == "the file"
     assert verdicts(canonical(data), "attack") == [("c", "its sha256 is another statement's")]
+    long = derivation(("define", {"x": "1", "": "9" * 500}, {"new": "a"}), show({"a^20": "1"}, "="))
+    assert "the two sides differ" in f"{kernel.check(long, {'proofs': [NOTHING]})}"
+    assert "thousands of digits" in why_rejected(long, {"proofs": [NOTHING]})
+    claim = data["claims"][0]
+    for claims in ([], [claim, claim | {"claim": "d", "statements": []}], [claim, claim]):
+        assert verdicts(canonical(data | {"claims": claims}), "attack")[0][0] == "the file"
+    for text in ("", "[" * 10**5, "9" * 5000, "\udcff", canonical(data).replace('"c"', '"\udcff"')):
+        assert verdicts(text, "attack")[0][0] == "the file"
+
+
+def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, monkeypatch, capsys):
+    """For the grade as for `proofs.check`: line ends, a byte order mark, what is no UTF-8, an unknown key."""
+    theorems = all_theorems()
+    good = (FOLDER / "unit_length.json").read_bytes()
+    monkeypatch.setattr(check, "FOLDER", tmp_path)
+    monkeypatch.setattr(stored_file, "FOLDER", tmp_path)
+    (tmp_path / "unit_length.json").write_bytes(good)
+    assert check.main([]) == 0 and stored(theorems["unit_length"], theorems)
+    key = good.replace(b'"theorem"', b'"trust": "me",\n "theorem"', 1)
+    for bad in (good.replace(b"\n", b"\r\n"), b"\xef\xbb\xbf" + good, good + b"\xff", good[:-9], key, b""):
+        (tmp_path / "unit_length.json").write_bytes(bad)
+        assert check.main([]) == 1
+        with pytest.raises(Stale, match="of its stored certificates"):
+            stored(theorems["unit_length"], theorems)
+
+
+def test_no_case_is_left_out_for_what_a_lemma_says_outside_its_conditions(tmp_path, monkeypatch):
+    """max(0, x) = x, and "if x ≥ 0, then x + p² ≥ 0": the case x < 0 contradicts the conclusion, not the lemma."""
+    monkeypatch.setattr(stored_file, "FOLDER", tmp_path)
+    lemma = CitedLemma(at_least(x + P**2, 0), "Dekker1971", (at_least(x, 0),))
+    claim = Claim("c", (equation(P, x),), (), defined(P, Max(0, x)), cited=(lemma,))
+    theorem, cases = Theorem("attack", "", "", (claim,), FALSE), []
+    for said in statements(claim, {}):
+        try:
+            cases += [(said, search(said), {"x": "1"})]
+        except NotFound:
+            cases += [(check.contradiction(said), search(check.contradiction(said)), None)]
+    assert reasons(cases) == [None, None]
+    (tmp_path / "attack.json").write_text(certificate.text(theorem, [(claim, cases)]), encoding="utf-8")
+    with pytest.raises(Stale, match="no longer say"):
+        stored(theorem, {"attack": theorem})
 
 
 def test_the_kernels_agree_on_what_is_broken_at_random():
@@ -370,16 +438,78 @@ def test_a_claim_borrows_from_no_claim_of_its_own():
         examine(borrower, {"lemma": lemma, "attack": borrower}, anew=True)
 
 
-@pytest.mark.parametrize("angle", [1 / x, sqrt(x), Abs(x), cos(x)])
+with evaluate(False):
+    INFINITE = x * (1 / S.Zero)
+    UNORDERED = cos(Max(x, 1 / S.Zero))
+
+
+@pytest.mark.parametrize("angle", [1 / x, sqrt(x), Abs(x), cos(x), I * x, E * x, 0.5 * x, (x + 0.5) ** 2, INFINITE])
 def test_an_angle_has_a_value(angle):
+    """And no letter of its own: of e·x and the product of x and a symbol E the cosine would have one name."""
     with pytest.raises(Untranslatable, match="polynomial"):
-        statements(Claim("attack", (equation(cos(angle) ** 2 + sin(angle) ** 2, 1),)), {})
+        statements(Claim("attack", (equation(cos(angle, evaluate=False) ** 2 + sin(x) ** 2, 1),)), {})
 
 
 def test_a_separation_is_about_names_of_its_program():
     program = Program("p", (x,), ((y, x + 1),), (y,))
     with pytest.raises(Untranslatable, match="has no z"):
         statements(Separation("attack", program, (Symbol("z", real=True),), (x,)), {})
+
+
+TINY = Rational(1, 10**41)
+a, s = symbols("a s", real=True)
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        Induction("a half of what turns", n, (equation(cos(TINY * n * x) * cos(x), cos(x)),)),
+        Induction(
+            "a state in an angle",
+            n,
+            (equation((1 - cos(s)) * y, 1 - a),),
+            ((a, 1, a * cos(s)), (y, 0, y + a), (s, 0, s + TINY)),
+        ),
+        Induction("pi", Symbol("pi", integer=True), (equation(cos(x * Symbol("pi", integer=True)), cos(pi * x)),)),
+        Induction("two n", Symbol("n", integer=True), (equation(cos(x * Symbol("n", integer=True)), cos(n * x)),)),
+        Induction("a start", n, (equation(x, y),), ((x, y, x), (y, 1, y))),
+        Induction("given", n, (equation(x, 0),), ((x, y, x),), (equation(x, 0),)),
+        Induction("given n", n, (equation(x, 0),), ((x, 0, x),), (greater(cos(n * y), 0),)),
+        Induction("undecided", n, (equation(Max(x, y), x),)),
+        Induction("no turn", n, (equation(cos(n * x), 1),)),
+        Claim("no branch", (equation(Piecewise((x, x > 0)), x),)),
+        Claim("no line", (equation(y, x),), (), defined(y, Piecewise((x, x > 0)))),
+        Claim("no order", (equation(UNORDERED, y),)),
+    ],
+    ids=lambda claim: claim.name,
+)
+def test_what_the_translation_has_no_rule_for_is_refused(claim):
+    """False for n > 0, undefined, or undecided: the first two so little that 50 digits do not see it."""
+    with pytest.raises(Untranslatable):
+        statements(claim, {})
+
+
+def test_an_induction_to_nothing_is_by_definition():
+    assert graded(Induction("attack", n, (equation(x, x), equation(0, 0)))) == "by definition"
+
+
+P = Symbol("p", real=True)
+LATE = CitedLemma(greater(x + 1, x), "Dekker1971", (x >= 1,))
+TRUE = (Mutant("x² ≥ 0", Claim("a", (greater(x**2 + 1, 0),))), Mutant("x + 1 > x", Claim("b", (greater(x + 1, x),))))
+
+
+@pytest.mark.parametrize(
+    ("claim", "point"),
+    [
+        (Claim("lemma", (Ne(x**2 + TINY, 0, evaluate=False),), cited=(LATE,)), ((x, 0),)),
+        (Claim("line", (Ne(cos(P), 1),), (x >= 0, x < 1), defined(P, x + TINY)), ((x, 0), (P, 0))),
+    ],
+    ids=lambda part: part.name if isinstance(part, Claim) else "",
+)
+def test_a_true_claim_is_not_refuted_by_what_is_not_its_own(claim, point):
+    """A lemma's condition, or a value of a name that a line defines: 50 digits do not tell x² + 10⁻⁴¹ from 0."""
+    assert witness.fails_at(claim, point) is not None
+    assert graded(claim, mutants=TRUE, expected="refuted", refuted_at=point) == "failed"
 
 
 def test_a_state_has_one_recurrence():
