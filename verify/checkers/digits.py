@@ -2,7 +2,6 @@
 
 import operator
 from collections.abc import Iterable, Mapping, Sequence
-from functools import reduce
 from typing import Any
 
 import mpmath
@@ -46,30 +45,6 @@ NUMBERS = {name: getattr(mpmath, name) for name in dir(mpmath) if not name.start
     "abs": abs,
 }
 """What the code calls, over numbers at mpmath's working precision."""
-
-
-def balls() -> dict[str, Any]:
-    """Return what the code calls over balls, at flint's working precision. Of a ball that reaches below 0 no root."""
-    from flint import arb
-
-    def real(ball):
-        if not arb(ball).is_finite():
-            raise Undefined("infinite, or of a ball where it has no value")
-        return arb(ball)
-
-    functions = {name: getattr(arb, name) for name in ("sqrt", "sin", "cos", "exp", "log", "floor")}
-    return functions | {
-        "real": real,
-        "compare": compare,
-        "mpf": arb,
-        "pi": arb.pi(),
-        "inf": arb.pos_inf(),
-        "sinpi": arb.sin_pi,
-        "cospi": arb.cos_pi,
-        "atan2pi": lambda y, x: arb(0) if y.is_zero() and x.is_zero() else arb.atan2(y, x) / arb.pi(),
-        "max": lambda *values: reduce(arb.max, map(arb, values)),
-        "min": lambda *values: reduce(arb.min, map(arb, values)),
-    }
 
 
 class _Printer(MpmathPrinter):
