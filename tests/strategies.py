@@ -35,7 +35,7 @@ wave_numbers = st.one_of(
     st.sampled_from([0.0, -0.0, 0.5, -0.5, 1.0, 2.5, 64.0, -64.0, 66.0, 1e-300, 5e-324, 2.0**20, -(2.0**20)]),
 )
 betas = st.one_of(rounded(-2, 2), st.sampled_from([0.0, -0.0, 0.35, 5e-324, -5e-324, 1e-300, 1e20, 1e100, -1e100]))
-shares = st.integers(0, 64).map(lambda n: n / 64)
+shares = st.sampled_from([n / 64 for n in range(65)])
 weights = st.one_of(shares, st.sampled_from([0.0, 0.1, 5.0, 1e6]))
 shininesses = st.one_of(
     st.integers(1, 200).map(float), rounded(0.001, 200), st.sampled_from([1e-3, 0.5, 1.0, 32.0, 1e6, 999999.5])
@@ -64,14 +64,29 @@ def _scaled(position, radius):
     return tuple(c * radius for c in position)
 
 
-@st.composite
-def _positions(draw):
-    """Positions of lights in radii of A: above, far, grazing the floor, below it; outside A always."""
-    side = rounded(-20, 20)
-    high = draw(st.one_of(rounded(1.01, 20), rounded(-20, -1.01), st.sampled_from([1.01, 5.0, 9e8])))
-    if draw(st.integers(0, 3)) == 0:
-        return (draw(rounded(1.5, 20) | rounded(-20, -1.5)), draw(side), draw(st.sampled_from([1e-6, 0.01])))
-    return (draw(side), draw(side), high)
+_sides = rounded(-20, 20)
+_heights = rounded(1.01, 20), rounded(-20, -1.01), st.sampled_from([1.01, 5.0, 9e8])
+_grazing = st.tuples(rounded(1.5, 20) | rounded(-20, -1.5), _sides, st.sampled_from([1e-6, 0.01]))
+_positions = st.one_of(_grazing, *(st.tuples(_sides, _sides, height) for height in _heights))
+"""Positions of lights in radii of A: above, far, grazing the floor, below it; outside A always."""
+_lights = st.lists(st.tuples(_positions, colors), max_size=5)
+_centers = triples(rounded(-3, 3))
+_ball_radii = st.one_of(rounded(0.05, 1), st.sampled_from([0.01, 0.32, 2.0]))
+_rest = {
+    "ambient": triples(weights),
+    "albedo_a": triples(shares),
+    "albedo_b": triples(shares),
+    "ka": weights,
+    "kd": weights,
+    "ks": weights,
+    "shininess": shininesses,
+    "model": st.sampled_from(MODELS),
+    "floor_tint": shares,
+    "field": st.sampled_from(sorted(FIELDS)),
+    "ku": wave_numbers,
+    "kv": wave_numbers,
+    "beta": betas,
+}
 
 
 def _accepts(**fields):
@@ -90,36 +105,17 @@ def scenes(draw, **fixed):
     while not 1e-6 <= radius / eye <= 1 - 1e-9:  # the rounding of the quotient at the domain's edges
         eye = math.nextafter(eye, 4 * radius)
     place = {"radius": radius, "eye": eye}
-    ball = {
-        "ball_center": _scaled(draw(triples(rounded(-3, 3))), radius),
-        "ball_radius": radius * draw(st.one_of(rounded(0.05, 1), st.sampled_from([0.01, 0.32, 2.0]))),
-    }
+    ball = {"ball_center": _scaled(draw(_centers), radius), "ball_radius": radius * draw(_ball_radii)}
     place |= ball if _accepts(**place, **ball, lights=()) else {"ball": False}
     place["ball"] = place.get("ball", True) and draw(st.booleans() | st.just(True))
     place["floor"] = draw(st.booleans())
     lights = []
-    for position in draw(st.lists(_positions(), max_size=5)):
-        light = Light(_scaled(position, radius), draw(colors))
+    for position, color in draw(_lights):
+        light = Light(_scaled(position, radius), color)
         if _accepts(**place, lights=(light,)):
             lights.append(light)
-    chosen = {
-        **place,
-        "lights": tuple(lights),
-        "ambient": draw(triples(weights)),
-        "albedo_a": draw(triples(shares)),
-        "albedo_b": draw(triples(shares)),
-        "ka": draw(weights),
-        "kd": draw(weights),
-        "ks": draw(weights),
-        "shininess": draw(shininesses),
-        "model": draw(st.sampled_from(MODELS)),
-        "floor_tint": draw(shares),
-        "field": draw(st.sampled_from(sorted(FIELDS))),
-        "ku": draw(wave_numbers),
-        "kv": draw(wave_numbers),
-        "beta": draw(betas),
-    }
-    for name, value in fixed.items():
+    chosen = {**place, "lights": tuple(lights)}
+    for name, value in {**_rest, **fixed}.items():
         chosen[name] = draw(value) if isinstance(value, st.SearchStrategy) else value
     return Scene(**chosen)
 

@@ -6,7 +6,7 @@ is left out: 0·x, x + 0, 1·x, x/1, of which the sign of a zero may differ, and
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from functools import partial, partialmethod
+from functools import cache, partial, partialmethod
 from types import SimpleNamespace
 from typing import Any
 
@@ -17,6 +17,12 @@ from renderer.numbers import LIGHT_FORM, flat, of_form
 from renderer.shader import Step
 
 FLOAT, BIT, BYTE, WHOLE = ir.DoubleType(), ir.IntType(1), ir.IntType(8), ir.IntType(64)
+
+
+@cache
+def constant(vector: ir.VectorType, digits: str) -> ir.Constant:
+    """Return the vector of one float64 everywhere, given by its hexadecimal digits: −0 is not 0."""
+    return ir.Constant(vector, float.fromhex(digits))
 
 
 class Value:
@@ -156,7 +162,7 @@ class Tracer:
         if isinstance(number, Value):
             return number
         number = float(number)
-        return Value(self, ir.Constant(self.vector, [number] * self.lanes), number, self.given(number))
+        return Value(self, constant(self.vector, number.hex()), number, self.given(number))
 
     def given(self, what: Hashable, of_light: bool = False) -> Still | None:
         """Return the Still of what is given, by its name or number; None where nothing is kept."""
@@ -189,7 +195,7 @@ class Tracer:
         """Return the Value that is one scalar for every pixel."""
         undefined = ir.Constant(self.vector, ir.Undefined)
         first = self.builder.insert_element(undefined, scalar, WHOLE(0))
-        lanes = ir.Constant(ir.VectorType(ir.IntType(32), self.lanes), [0] * self.lanes)
+        lanes = ir.Constant(ir.VectorType(ir.IntType(32), self.lanes), 0)
         return Value(self, self.builder.shuffle_vector(first, undefined, lanes), still=still)
 
     def whole(self, value: Value) -> ir.Value:
