@@ -5,8 +5,10 @@ import re
 
 import pytest
 from docutils import nodes
+from jupyter_cache.executors import utils
+from nbformat.v4 import new_code_cell, new_notebook
 
-from book.extension import streams
+from book.extension import assets
 from book.extension.numbers import formatted, parse, typeset
 from book.extension.results import UnknownResult, look_up
 from tests import one_page
@@ -140,24 +142,9 @@ def test_benchmark_says_where_it_was_measured(build_page):
     assert '<span class="number">16.2</span> ms (16 to 19), no.' in html
 
 
-def test_a_stream_cut_in_pieces_is_one():
-    pieces = [
-        {"output_type": "stream", "name": "stdout", "text": "a\n"},
-        {"output_type": "stream", "name": "stdout", "text": "b\n"},
-        {"output_type": "display_data", "data": {}},
-        {"output_type": "stream", "name": "stdout", "text": "c\n"},
-    ]
-    assert [output.get("text") for output in streams.joined(pieces)] == ["a\nb\nc\n", None]
-
-
-def test_printed_lines_are_the_same_wherever_the_kernel_cut_them():
-    def printed(*texts):
-        return [message(text) for text in texts]
-
-    def message(text):
-        return {"output_type": "stream", "name": "stdout", "text": text}
-
-    whole, cut = printed("a:\n\n  b\n"), printed("a:", "\n\n  b\n")
-    assert streams._merge(streams.joined(cut)) == streams._merge(streams.joined(whole)) == whole
-    assert streams._merge(printed("a:", "\n\n  b\n")) != whole  # what MyST-NB makes of it alone
-    assert len(cut) == 2 and cut[0]["text"] == "a:"
+def test_a_stream_that_the_kernel_cuts_in_two_is_one(tmp_path):
+    parts = "for part in ('a:', '\\n\\n  b\\n'):\n    print(part, end='', flush=True)\n    time.sleep(0.5)"
+    notebook = new_notebook(cells=[new_code_cell(f"import time\n{parts}")])
+    assets.join_streams(None)
+    utils.single_nb_execution(notebook, tmp_path, timeout=60, allow_errors=False)
+    assert [output.text for output in notebook.cells[0].outputs] == ["a:\n\n  b\n"]
