@@ -18,7 +18,7 @@ from book.ledger import BadLedger, load
 from book.ledger.check import Run, faults_in
 from book.ledger.entries import FINDINGS, FOLDER, WORDS
 from book.ledger.relations import relation
-from book.ledger.run import last_run, node_exists, split
+from book.ledger.run import last_run, node_exists
 
 ROOT = Path(__file__).resolve().parent.parent
 NUMBERS = {"sweep.flips": 0, "sweep.slope": 0.55, "scene.field": "ridges"}
@@ -195,13 +195,6 @@ def test_relations(text, yes, no):
 def test_what_is_no_relation(text):
     with pytest.raises(ValueError, match="is not a relation; allowed is"):
         relation(text)
-
-
-def test_numbers_are_named_by_figure_and_key():
-    assert split("bench:frames.image_error") == ("bench:frames", "image_error")
-    assert split("eps_table.rms_1e-3") == ("eps_table", "rms_1e-3")
-    with pytest.raises(ValueError, match=r"figure\.key"):
-        split("eps_table")
 
 
 def test_node_ids_are_looked_up():

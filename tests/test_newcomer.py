@@ -27,9 +27,9 @@ from book.extension.results import look_up
 from book.build.contents import page_files
 from book.ledger import load
 from book.ledger.check import Run, faults_in
-from book.ledger.run import split
+from book.extension.numbers import parse
 id, grade, book = sys.argv[1], sys.argv[2], stamps.ROOT / "book"
-number = lambda name: look_up(book, *split(name))
+number = lambda name: look_up(book, *parse(name)[:2])
 run = Run({id: grade}, frozenset(page_files(book)), frozenset(), number, lambda node: True)
 print(load().get(id).words)
 print([fault for fault in faults_in(load(), run) if fault.startswith(id)])

@@ -97,13 +97,8 @@ class Ledger:
     def sorted_by_place(self) -> list[LedgerClaim]:
         """The seed's claims in the order of its places, then the book's by page."""
         order = {f"seed:{place}": number for number, place in enumerate(self.places)}
-        return sorted(self.claims, key=lambda claim: (order.get(claim.where, len(order)), page_order(claim.where)))
-
-
-def page_order(where: str) -> tuple:
-    """s2 before s10, and numbered pages before named ones."""
-    match = re.fullmatch(r"s(\d+)", where)
-    return (0, int(match[1]), "") if match else (1, 0, where)
+        sections = {f"s{number}" for number in range(1, 10)}  # before the other pages
+        return sorted(self.claims, key=lambda c: (order.get(c.where, len(order)), c.where not in sections, c.where))
 
 
 def load(folder: Path = FOLDER) -> Ledger:
