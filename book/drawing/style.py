@@ -71,8 +71,6 @@ def plot(width: str = "text", height: float = 3.9, **subplots: Any) -> tuple[Fig
 
     `height` is in inches; other arguments go to `Figure.subplots` (nrows, ncols, sharey, width_ratios …).
     """
-    if width not in WIDTHS:
-        raise ValueError(f'width={width!r}: a plot is as wide as the "text" or the "page"')
     fig = Figure(figsize=(WIDTHS[width], height), layout="constrained")
     return fig, fig.subplots(**subplots)
 
