@@ -119,7 +119,6 @@ def test_every_clause_without_a_claim_is_listed(build_page):
     ("text", "message"),
     [
         (":::{theorem} kink_locus\n:::", r"index\.md:3.*unknown theorem 'kink_locus'; there are: .*kink_loci"),
-        (":::{theorem} kink_loci\n:expect: refuted\n:::", r"'kink_loci' is expected to be refuted.*made it proved"),
         ("{theorem-ref}`kink_locus`", r"index\.md:3.*unknown theorem 'kink_locus'"),
         (":::{theorem} kink_loci\n:::\n\n:::{theorem} kink_loci\n:::", r"'kink_loci' is placed twice"),
     ],
