@@ -23,10 +23,6 @@ import numpy as np
 from book.build import stamps
 
 
-class UnknownFigure(stamps.Refused):
-    """An id that no figure is registered under."""
-
-
 @dataclass(frozen=True)
 class Drawing:
     """A picture, the numbers that its caption and the prose cite, and the arrays that it shows."""

@@ -22,7 +22,7 @@ from book.extension.elements import TEMPLATES, Filled, directive, filled, role
 from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.points import point
-from book.extension.theorems import GRADES, BadTheorem, certificate, kind, module_and_line, proofs_of, script
+from book.extension.theorems import GRADES, certificate, kind, module_and_line, proofs_of, script
 from verify import formal
 
 KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
@@ -55,7 +55,7 @@ def theorem_card(here: SphinxDirective) -> list[nodes.Node]:
     book, id = Here(here.env), here.arguments[0]
     book.proofs.reached(id)
     if (page := book.proofs.places[id].page) != here.env.docname:
-        raise BadTheorem(f"{id!r} is placed on {page}, not here")
+        raise ValueError(f"{id!r} is placed on {page}, not here")
     brief, messages = here.state.inline_text(" ".join(here.content), here.lineno)
     return [card(book, id, brief), *messages]
 

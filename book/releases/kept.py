@@ -13,32 +13,28 @@ RELEASES = stamps.ROOT / "releases"
 PICTURES_KEPT = 2  # the release that is made, and the one that it is compared with
 
 
-class NoRelease(stamps.Refused):
-    """There is no release to compare with, or it is not one that this program reads."""
-
-
 def versions() -> list[str]:
     """The versions that have a record, the oldest first."""
     return sorted((path.stem for path in RELEASES.glob("*.json")), key=Version)
 
 
 def before(version: str) -> str:
-    """The release to compare with: the newest older one, or the version's own first record. NoRelease if none is."""
+    """The release to compare with: the newest older one, or the version's own first record. Refused if none is."""
     known = versions()
     older = [other for other in known if Version(other) < Version(version)]
     if not older and version not in known:
-        raise NoRelease(f"releases/ has no release up to {version}: make release writes the first")
+        raise stamps.Refused(f"releases/ has no release up to {version}: make release writes the first")
     return older[-1] if older else version
 
 
 def read(version: str) -> dict:
-    """A release's record. NoRelease if it is missing or of another format."""
+    """A release's record. Refused if it is missing or of another format."""
     path = RELEASES / f"{version}.json"
     if not path.is_file():
-        raise NoRelease(f"there is no release {version}; there are: {', '.join(versions()) or 'none'}")
+        raise stamps.Refused(f"there is no release {version}; there are: {', '.join(versions()) or 'none'}")
     content = json.loads(path.read_text(encoding="utf-8"))
     if content["format"] != record.FORMAT:
-        raise NoRelease(f"{path.name} has format {content['format']}, and this program reads format {record.FORMAT}")
+        raise stamps.Refused(f"{path.name} has format {content['format']}, this program reads {record.FORMAT}")
     return content
 
 
