@@ -55,9 +55,7 @@ def measured(browser, pages, size):
     taken, between = {name: [] for name in pages}, []
     for _ in range(ROUNDS):
         for name, page in pages.items():
-            with opened(
-                browser, f"{page}#sim?size={size}", until=RUNNING, viewport={"width": 1280, "height": 1000}
-            ) as tab:
+            with opened(browser, f"{page}#sim?size={size}", until=RUNNING, viewport=VIEWPORT) as tab:
                 tab.wait_for_timeout(4000)  # its idle work
                 taken[name] += tab.evaluate(STEPS, 40)
                 if name == "now":

@@ -103,16 +103,6 @@ def test_stylesheet_is_short_and_has_no_colour_of_its_own():
     assert own == []
 
 
-def test_text_in_a_role_colour_can_be_read():
-    for mode in palette.MODES:
-        with palette.drawing_for(mode):
-            colours = palette.palette()
-            for role in palette.ROLE:
-                text = palette.readable(colours[role])
-                assert palette.contrast(text, colours["paper"]) >= 4.5
-            assert palette.contrast(colours["muted"], colours["paper"]) >= 4.5
-
-
 def test_second_build_does_nothing(site):
     index = website.INDEX.stat().st_mtime_ns
     website.build()

@@ -5,9 +5,11 @@ import re
 
 import pytest
 from docutils import nodes
+from jupyter_cache.executors import utils
+from nbformat.v4 import new_code_cell, new_notebook
 
-from book.extension import streams
-from book.extension.numbers import formatted, parse, typeset
+from book.extension import assets
+from book.extension.numbers import parse, typeset
 from book.extension.results import UnknownResult, look_up
 from tests import one_page
 
@@ -35,19 +37,6 @@ def book(tmp_path):
     return tmp_path / "book"
 
 
-@pytest.mark.parametrize(
-    ("text", "expected"),
-    [
-        ("sweep.rms_1e-3", ("sweep", "rms_1e-3", None)),
-        ("sweep.rms_1e-3|.3g", ("sweep", "rms_1e-3", ".3g")),
-        ("sweep.rms_1e-3 .3g", ("sweep", "rms_1e-3", ".3g")),
-        ("bench:frame.time_ms|.1f", ("bench:frame", "time_ms", ".1f")),
-    ],
-)
-def test_role_text(text, expected):
-    assert parse(text) == expected
-
-
 @pytest.mark.parametrize("text", ["", "sweep", "sweep.", "sweep.a|", "sweep.a b c"])
 def test_role_text_that_says_nothing(text):
     with pytest.raises(UnknownResult, match=r"id\.key"):
@@ -65,15 +54,6 @@ def test_unknown_numbers_are_refused_with_a_list_of_known_ones(book, id, key, kn
 
 @pytest.mark.parametrize(
     ("value", "spec", "expected"),
-    [(0.0121437, None, "0.01214"), (12, None, "12"), ("sine", None, "sine"), (True, None, "yes"),
-     (1824, ",", "1,824"), (0.5, ".0%", "50%")],
-)  # fmt: skip
-def test_formats(value, spec, expected):
-    assert formatted(value, spec) == expected
-
-
-@pytest.mark.parametrize(
-    ("value", "spec", "expected"),
     [
         (6.116e-5, ".1e", "6.1\u00a0×\u00a010^−5"),
         (-6.116e-5, ".1e", "−6.1\u00a0×\u00a010^−5"),
@@ -81,6 +61,11 @@ def test_formats(value, spec, expected):
         (2.5e20, None, "2.5\u00a0×\u00a010^20"),
         (-1.5, None, "−1.5"),
         ("one-sided", None, "one-sided"),
+        (0.0121437, None, "0.01214"),
+        (12, None, "12"),
+        (True, None, "yes"),
+        (1824, ",", "1,824"),
+        (0.5, ".0%", "50%"),
     ],
 )
 def test_typesetting(value, spec, expected):
@@ -133,31 +118,16 @@ def test_what_is_unknown_fails_the_build(build_page, text, message):
 
 
 def test_benchmark_says_where_it_was_measured(build_page):
-    times = "{number}`bench:frame.time_ms|.1f` ms{spread}`bench:frame.time_ms|.0f`, no{spread}`bench:frame.quick_ms`."
+    times = "{number}`bench:frame.time_ms .1f` ms{spread}`bench:frame.time_ms|.0f`, no{spread}`bench:frame.quick_ms`."
     html, warnings = build_page(f"```{{benchmark-label}} frame\n```\n\n{times}")
     assert warnings == ""
     assert "Measured on two cores, 2025-01-01, at commit abc1234." in html
     assert '<span class="number">16.2</span> ms (16 to 19), no.' in html
 
 
-def test_a_stream_cut_in_pieces_is_one():
-    pieces = [
-        {"output_type": "stream", "name": "stdout", "text": "a\n"},
-        {"output_type": "stream", "name": "stdout", "text": "b\n"},
-        {"output_type": "display_data", "data": {}},
-        {"output_type": "stream", "name": "stdout", "text": "c\n"},
-    ]
-    assert [output.get("text") for output in streams.joined(pieces)] == ["a\nb\nc\n", None]
-
-
-def test_printed_lines_are_the_same_wherever_the_kernel_cut_them():
-    def printed(*texts):
-        return [message(text) for text in texts]
-
-    def message(text):
-        return {"output_type": "stream", "name": "stdout", "text": text}
-
-    whole, cut = printed("a:\n\n  b\n"), printed("a:", "\n\n  b\n")
-    assert streams._merge(streams.joined(cut)) == streams._merge(streams.joined(whole)) == whole
-    assert streams._merge(printed("a:", "\n\n  b\n")) != whole  # what MyST-NB makes of it alone
-    assert len(cut) == 2 and cut[0]["text"] == "a:"
+def test_a_stream_that_the_kernel_cuts_in_two_is_one(tmp_path):
+    parts = "for part in ('a:', '\\n\\n  b\\n'):\n    print(part, end='', flush=True)\n    time.sleep(0.5)"
+    notebook = new_notebook(cells=[new_code_cell(f"import time\n{parts}")])
+    assets.join_streams(None)
+    utils.single_nb_execution(notebook, tmp_path, timeout=60, allow_errors=False)
+    assert [output.text for output in notebook.cells[0].outputs] == ["a:\n\n  b\n"]

@@ -31,20 +31,14 @@ def test_everything_public_has_an_entry(site):
     assert set(places.values()) == PLACES
 
 
-def test_markup_of_a_docstring_is_plain_text():
-    assert restructured(["|k_u| ≤ 2²⁰, a * b and `a * b`."], set()) == ["\\|k\\_u\\| ≤ 2²⁰, a \\* b and ``a * b``.", ""]
-
-
-def test_indented_lines_are_a_listing():
-    assert restructured(["Run it:", "", "    python -m x"], set()) == ["Run it:", "", "::", "", "    python -m x", ""]
-
-
-def test_arguments_are_named_and_nothing_else_is():
+def test_a_docstring_is_plain_text_with_listings_and_named_arguments():
     def drawn(size, step_u):
         pass
 
-    text = "Draw. size, step_u: pixels. Note: none. size: again."
-    assert restructured([text], names_of(drawn)) == [
+    text = "|k_u| ≤ 2²⁰, a * b and `a * b`.\n\n    python -m x\n\nDraw. size, step_u: pixels. Note: none. size: again."
+    assert restructured(text.splitlines(), names_of(drawn)) == [
+        "\\|k\\_u\\| ≤ 2²⁰, a \\* b and ``a * b``.",
+        *("", "::", "", "    python -m x", ""),
         "Draw. **size, step\\_u**: pixels. Note: none. **size**: again.",
         "",
     ]

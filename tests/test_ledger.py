@@ -18,7 +18,7 @@ from book.ledger import BadLedger, load
 from book.ledger.check import Run, faults_in
 from book.ledger.entries import FINDINGS, FOLDER, WORDS
 from book.ledger.relations import relation
-from book.ledger.run import last_run, node_exists, split
+from book.ledger.run import last_run, node_exists
 
 ROOT = Path(__file__).resolve().parent.parent
 NUMBERS = {"sweep.flips": 0, "sweep.slope": 0.55, "scene.field": "ridges"}
@@ -48,7 +48,6 @@ evidence = [
 merit = "slope {number}`sweep.slope|.2f`"
 so = "It falls like the root."
 """.replace("FINDINGS", ", ".join(f'"{code}"' for code in FINDINGS)).replace("EVIDENCE", EVIDENCE)
-BACKGROUND = '[[background]]\ntheorem = "lemma"\nreason = "what others rest on"\n'
 
 
 def number(name):
@@ -59,7 +58,7 @@ def number(name):
 
 
 RUN = Run(
-    grades={"no_flips": "proved", "descent": "refuted", "lemma": "proved"},
+    grades={"no_flips": "proved", "descent": "refuted"},
     pages=frozenset({"s3"}),
     sources=frozenset({"Blinn1978"}),
     number=number,
@@ -71,11 +70,10 @@ RUN = Run(
 def faults(tmp_path):
     """A function: the faults of a small ledger, its text changed as asked."""
 
-    def found(old="", new="", background=BACKGROUND):
+    def found(old="", new=""):
         assert old in TRUE
         (tmp_path / "claims").mkdir(exist_ok=True)
         (tmp_path / "claims" / "some.toml").write_text(TRUE.replace(old, new, 1))
-        (tmp_path / "background.toml").write_text(background)
         (tmp_path / "places.toml").write_text('[places]\ncell3 = "Cell 3"\n')
         try:
             return faults_in(load(tmp_path), RUN)
@@ -152,24 +150,9 @@ def test_what_is_refused(faults, old, new, fault):
     assert any(found.startswith(fault) for found in faults(old, new)), faults(old, new)
 
 
-@pytest.mark.parametrize(
-    ("background", "fault"),
-    [
-        ("", "theorem lemma: no claim rests on it"),
-        (BACKGROUND + BACKGROUND.replace("lemma", "no_flips"), "background no_flips: theorem: flips rests"),
-        (BACKGROUND + BACKGROUND.replace("lemma", "gone"), "background gone: theorem: no theorem has this id"),
-        ('[[background]]\ntheorem = "lemma"\n', "background.toml background 0: 'reason' is a required"),
-    ],
-)
-def test_what_is_refused_of_the_background(faults, background, fault):
-    assert any(found.startswith(fault) for found in faults(background=background)), faults(background=background)
-
-
 def test_a_number_refutes_only_where_the_claims_own_relation_fails(faults):
-    without = faults(
-        '  { theorem = "descent", grade = "refuted" },\n', "", BACKGROUND + BACKGROUND.replace("lemma", "descent")
-    )
-    assert without == []  # the number alone refutes it
+    without = faults('  { theorem = "descent", grade = "refuted" },\n', "")
+    assert without == ["theorem descent: no claim rests on it"]  # the number alone refutes it
     kept = faults('claimed = "in [1.9, 2.1]"', 'claimed = "in [0.5, 0.6]"')
     assert kept == []  # the theorem still does
 
@@ -195,13 +178,6 @@ def test_relations(text, yes, no):
 def test_what_is_no_relation(text):
     with pytest.raises(ValueError, match="is not a relation; allowed is"):
         relation(text)
-
-
-def test_numbers_are_named_by_figure_and_key():
-    assert split("bench:frames.image_error") == ("bench:frames", "image_error")
-    assert split("eps_table.rms_1e-3") == ("eps_table", "rms_1e-3")
-    with pytest.raises(ValueError, match=r"figure\.key"):
-        split("eps_table")
 
 
 def test_node_ids_are_looked_up():
@@ -248,7 +224,7 @@ def test_a_build_stops_where_the_ledger_does_not_stand(site, monkeypatch):
 
 def test_a_new_theorem_needs_a_claim(site):
     more = Run(**vars(last_run()) | {"grades": last_run().grades | {"one_more": "proved"}})
-    assert faults_in(load(), more) == ["theorem one_more: no claim rests on it, and background.toml does not list it"]
+    assert faults_in(load(), more) == ["theorem one_more: no claim rests on it"]
 
 
 def test_the_page_has_every_claim_and_every_code_once(site):

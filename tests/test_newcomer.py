@@ -12,6 +12,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from book.build.contents import page_files
+from book.extension.numbers import parse
+from book.extension.results import look_up
+from book.ledger import load
+from book.ledger.check import Run, faults_in
 from tests import one_page
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -19,21 +24,6 @@ FENCE = re.compile(r"```(\w+)\n(.*?)```", re.DOTALL)
 FILE = re.compile(r"`([\w/]+\.\w+)`")
 LAST_FIELD = '        HeightField("rings"'
 CLAIM = "waves_climb_one_way"
-# The ledger against a run in which this theorem has a grade, and every figure that was drawn its numbers.
-HELD = """
-import sys
-from book.build import stamps
-from book.extension.results import look_up
-from book.build.contents import page_files
-from book.ledger import load
-from book.ledger.check import Run, faults_in
-from book.ledger.run import split
-id, grade, book = sys.argv[1], sys.argv[2], stamps.ROOT / "book"
-number = lambda name: look_up(book, *split(name))
-run = Run({id: grade}, frozenset(page_files(book)), frozenset(), number, lambda node: True)
-print(load().get(id).words)
-print([fault for fault in faults_in(load(), run) if fault.startswith(id)])
-"""
 
 
 def section(title):
@@ -178,9 +168,10 @@ def test_the_figure_is_drawn_and_stands_on_the_page(walked):
 
 
 def test_the_claim_stands_and_falls_with_the_run(walked):
-    folder, _ = walked
-    assert run(folder, "python", "-c", HELD, CLAIM, "proved").splitlines() == [
-        "Waves climb in one direction alone.",
-        "[]",
-    ]
-    assert "proved is expected, the run made it failed" in run(folder, "python", "-c", HELD, CLAIM, "failed")
+    book = walked[0] / "book"
+    ledger = load(book / "ledger")
+    assert ledger.get(CLAIM).words == "Waves climb in one direction alone."
+    for grade, wrong in (("proved", []), ("failed", ["grade: proved is expected, the run made it failed"])):
+        run = Run({CLAIM: grade}, {*page_files(book)}, set(), lambda name: look_up(book, *parse(name)[:2]), bool)
+        found = [fault for fault in faults_in(ledger, run) if fault.startswith(CLAIM)]
+        assert found == [f"{CLAIM}: evidence {CLAIM}: {fault}" for fault in wrong]

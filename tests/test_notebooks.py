@@ -22,7 +22,7 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-from book.extension.notebooks import FOLDER, colab_address
+from book.extension.notebooks import FOLDER
 from book.extension.results import look_up
 from book.notebooks import WHOLE
 from book.notebooks.laboratory import BOOK, PAGE, cells, plain
@@ -368,7 +368,10 @@ def test_notebooks_run_alone_and_print_what_the_page_does(site, alone, tmp_path)
     assert all(printed) and "".join(printed) == printed_on(site / "s5.html")
 
 
-@pytest.mark.parametrize(("url", "links"), [("", 1), ("https://example.org/a/b", 1), ("https://github.com/a/b", 2)])
+@pytest.mark.parametrize(
+    ("url", "links"),
+    [("", 1), ("https://example.org/a/b", 1), ("https://github.com/a", 1), ("https://github.com/a/b.git", 2)],
+)
 def test_colab_is_offered_where_a_repository_is_configured(url, links, tmp_path):
     (tmp_path / "_config.yml").write_text(f"repository: {{url: '{url}', branch: pages}}\n")
     (tmp_path / "index.md").write_text("# A\n\n:::{notebook} cell3\n:::\n")
@@ -380,14 +383,6 @@ def test_colab_is_offered_where_a_repository_is_configured(url, links, tmp_path)
     assert b64decode(saved).decode() == text_of(notebooks()["cell3"])
     colab = f"https://colab.research.google.com/github/a/b/blob/pages/{FOLDER}/cell3.ipynb"
     assert (f'href="{colab}"' in found[0]) == (links == 2)
-
-
-def test_colab_address_needs_a_repository_of_githubs():
-    assert colab_address({}, "cell1") is None
-    assert colab_address({"repository": {"url": "https://github.com/only-owner"}}, "cell1") is None
-    assert colab_address({"repository": {"url": "https://github.com/o/n.git"}}, "cell1").startswith(
-        "https://colab.research.google.com/github/o/n/blob/gh-pages/"
-    )
 
 
 @pytest.mark.browser

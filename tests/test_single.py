@@ -14,13 +14,13 @@ import pytest
 from PIL import Image
 
 from book.editions import files as edition
-from book.editions.certificates import share_certificates
 from book.editions.document import LARGEST_DATA, document
 from book.editions.listings import make_small
 from book.editions.names import Names, relink, relink_data, rename
 from book.editions.pages import BrokenSite, Page, parsed
 from book.editions.pictures import change, difference
 from book.editions.store import as_webp, inlined_script, packed_address, svg_address, svg_parts
+from proofs.check import FOLDER
 from tests.elements import Elements
 from tests.tabs import PHONE, RUNNING, opened
 
@@ -174,19 +174,6 @@ def test_id_of_several_pages_gets_the_page_s_name_and_references_follow():
     assert pages[1].article.style.string == r"#b\:x{} #own{}"
 
 
-def test_list_of_all_certificates_names_those_of_the_cards():
-    data = {"one": ["p"], "two": ["q"]}
-    held = '<div class="checker" data-theorem="{0}"><script type="application/json">{1}</script></div>'
-    entries = [{"theorem": id, "claims": claims} for id, claims in data.items()]
-    changed = held.format("two", json.dumps({"theorem": "two", "claims": ["other"]}))
-    card = page("a", held.format("one", json.dumps(entries[0])) + changed)
-    whole = json.dumps(entries)
-    every = page("b", f'<div class="checker" data-all><script type="application/json">{whole}</script></div>')
-    share_certificates([card.article, every.article])
-    script = every.article.find("script")
-    assert json.loads(script.string) == ["one", entries[1]] and script.has_attr("data-shared")
-
-
 def test_links_in_data_follow():
     one = page(
         "a", '<section id="a"><script type="application/json">["b.html#x", "b.html", "c.txt"]</script></section>'
@@ -303,6 +290,8 @@ def test_certificates_are_checked(tab):
     go(tab, tab.evaluate("document.querySelector('.checker[data-all]').closest('section[id]').id"))
     tab.locator(".checker[data-all] button").click()
     wait(tab, "document.querySelector('.checker[data-all] .check-verdict').textContent.startsWith('Accepted')")
+    count = len(list(FOLDER.glob("*.json")))
+    assert f"{count} of {count} theorems" in tab.locator(".checker[data-all] .check-verdict").inner_text()
 
 
 @pytest.mark.browser

@@ -35,7 +35,8 @@ def execution_cache() -> Path:
 
     Jupyter's own cache looks at the cells alone; this way prose edits run nothing, package edits everything.
     """
-    files = [*report.packages(), BOOK / "drawing" / "matplotlibrc", stamps.LOCK_FILE]
+    how = [BOOK / "drawing" / "matplotlibrc", BOOK / "extension" / "assets.py"]  # how cells draw, and how they run
+    files = [*report.packages(), *how, stamps.LOCK_FILE]
     return CACHES / stamps.key(stamps.hashes(files))
 
 

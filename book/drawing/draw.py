@@ -14,7 +14,7 @@ from tqdm import tqdm
 
 from book.build import report, stamps
 from book.drawing import keys, save
-from book.drawing.registry import FIGURES, Registered, UnknownFigure
+from book.drawing.registry import FIGURES, Registered
 
 PROCESSES = 2
 # Those that take longest begin first, so that no process waits long for the other at the end.
@@ -45,7 +45,7 @@ def draw(ids: Sequence[str] = (), force: bool = False) -> int:
     figures = all_figures()
     unknown = sorted(set(ids) - figures.keys())
     if unknown:
-        raise UnknownFigure(f"no figure is called {', '.join(unknown)}; there are: {', '.join(figures) or 'none'}")
+        raise stamps.Refused(f"no figure is called {', '.join(unknown)}; there are: {', '.join(figures) or 'none'}")
     _remove_unclaimed(figures)
     waiting = []
     for entry in (figures[id] for id in ids or figures):
@@ -97,9 +97,8 @@ def _draw_family(family: list[Waiting], folder: Path | None = None) -> list[tupl
         start, entry = time.perf_counter(), one.entry
         source = keys.source_file(entry).relative_to(stamps.ROOT).as_posix()
         try:
-            with keys.files_read() as seen:
+            with keys.watched(entry, one.sources):
                 files = save.save(entry, folder or keys.GENERATED, source, stamps.key(one.sources))
-            keys.require(entry, seen, one.sources)
         except Exception as error:
             error.add_note(f"while the figure {entry.id!r} was drawn")
             raise

@@ -5,36 +5,17 @@ Python's audit hook sees what a figure reads while it is drawn: a check on that 
 
 import inspect
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib.util import source_from_cache
 from pathlib import Path
 
-from book.build import check, stamps
+from book.build import stamps
 from book.drawing.registry import Registered
 
 GENERATED = stamps.ROOT / "book" / "_generated"
 SAVING = Path(__file__).with_name("save.py")  # how a drawing becomes files is a source of every figure
 _watching: set[Path] | None = None
-
-
-def all_sources() -> dict[str, str]:
-    """The hashes of all code and data in the repository that a figure could reach, found without importing one."""
-    return stamps.hashes(check.sources())
-
-
-def nothing_changed() -> bool:
-    """True when everything is as it was when the figures were last seen to be up to date."""
-    return stamps.read("figures") == {"sources": all_sources(), "drawn": _drawn()}
-
-
-def remember(before: dict[str, str]) -> None:
-    """Note that the figures agree with these sources, hashed before any figure was drawn."""
-    stamps.write("figures", {"sources": before, "drawn": _drawn()})
-
-
-def _drawn() -> dict[str, str]:
-    return stamps.hashes(GENERATED.iterdir() if GENERATED.is_dir() else ())
 
 
 def source_file(entry: Registered) -> Path:
@@ -67,25 +48,21 @@ def why_redraw(entry: Registered, now: dict[str, str]) -> str | None:
     return f"{changed[0]} changed{more}"
 
 
-def require(entry: Registered, read: Iterable[Path], now: dict[str, str]) -> None:
-    """Raise ValueError if a figure read a file of the repository whose hash is not among its sources."""
-    unknown = sorted({path.relative_to(stamps.ROOT).as_posix() for path in read} - now.keys())
-    if unknown:
-        raise ValueError(f"figure {entry.id!r} read {unknown[0]}, which is not in its key: name it in data=[…]")
-
-
 @contextmanager
-def files_read() -> Iterator[set[Path]]:
-    """Yield a set that fills with the repository's files that are opened within the block, modules included.
+def watched(entry: Registered, now: dict[str, str]) -> Iterator[None]:
+    """Raise ValueError if within the block a file of the repository is opened whose hash is not among the sources.
 
     Modules that are imported already are not opened again, and other processes are not seen.
     """
     global _watching
     _watching = seen = set()
     try:
-        yield seen
+        yield
     finally:
         _watching = None
+    unknown = sorted({path.relative_to(stamps.ROOT).as_posix() for path in seen} - now.keys())
+    if unknown:
+        raise ValueError(f"figure {entry.id!r} read {unknown[0]}, which is not in its key: name it in data=[…]")
 
 
 def _see(event: str, arguments: tuple) -> None:

@@ -71,8 +71,6 @@ def plot(width: str = "text", height: float = 3.9, **subplots: Any) -> tuple[Fig
 
     `height` is in inches; other arguments go to `Figure.subplots` (nrows, ncols, sharey, width_ratios …).
     """
-    if width not in WIDTHS:
-        raise ValueError(f'width={width!r}: a plot is as wide as the "text" or the "page"')
     fig = Figure(figsize=(WIDTHS[width], height), layout="constrained")
     return fig, fig.subplots(**subplots)
 
@@ -82,7 +80,7 @@ def bound_style() -> dict[str, object]:
     return {"color": palette()["bound"], "linestyle": (0, (5, 3)), "linewidth": 1.3}
 
 
-def label_line_end(ax: Axes, x: float, y: float, text: str, color: str, side: str = "right", **more: Any) -> None:
+def label_line_end(ax: Axes, x: float, y: float, text: str, color: str, side: str = "right") -> None:
     """Write a line's name beside its end, in its colour: a label in place of a legend.
 
     `side` is "right", "left", "above" or "below" of the point. Room for it is kept by the layout.
@@ -95,7 +93,7 @@ def label_line_end(ax: Axes, x: float, y: float, text: str, color: str, side: st
     }[side]
     # A label may leave the axes, never the figure: the layout makes room for it.
     ax.annotate(text, (x, y), xytext=offset, textcoords="offset points", ha=horizontal, va=vertical,
-                color=readable(color), annotation_clip=False, **more)  # fmt: skip
+                color=readable(color), annotation_clip=False)  # fmt: skip
 
 
 def label_curve(

@@ -5,7 +5,6 @@ from pathlib import Path
 
 from bs4 import BeautifulSoup, Tag
 
-from book.editions.certificates import share_certificates
 from book.editions.listings import make_small
 from book.editions.names import Names, ids_of, relink, relink_data, rename
 from book.editions.pages import SHELL, BrokenSite, Page, parsed, read_pages, target
@@ -48,7 +47,8 @@ class Chapter:
                 self.used.update(link["href"] for link in part.find_all("a", href=True) if link["href"][0] == "#")
             relink_data(page.article, page.name, self.names)
             inline_pictures(self.site, page, self.store)
-        share_certificates([page.article for page in self.pages])
+            for listed in page.article.select(".checker[data-all] > script"):
+                listed.string = "[]"  # the cards are in the file, with their certificates
         for page in self.pages:
             if page.listing:
                 make_small(page, self.used)

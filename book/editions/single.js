@@ -7,13 +7,6 @@
   const typeset = new Map();
   let current = null, back = null;
 
-  // The list of all certificates names those that stand in a card.
-  for (const list of document.querySelectorAll("script[data-shared]")) {
-    const card = (id) => JSON.parse(document.querySelector(`.checker[data-theorem="${id}"] script[type="application/json"]`).textContent);
-    const whole = (entry) => (typeof entry === "string" ? { theorem: entry, claims: card(entry).claims } : entry);
-    list.textContent = JSON.stringify(JSON.parse(list.textContent).map(whole));
-  }
-
   const plain = (text) => {
     try {
       return decodeURIComponent(text);

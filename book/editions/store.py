@@ -3,7 +3,6 @@
 import base64
 import gzip
 import io
-import mimetypes
 import re
 from functools import cache
 from pathlib import Path
@@ -43,9 +42,7 @@ def data_address(path: Path) -> str:
     content, suffix = path.read_bytes(), path.suffix
     if suffix == ".png":
         return base64_address("image/webp", as_webp(content))
-    return base64_address(
-        TYPES.get(suffix) or mimetypes.guess_type(path.name)[0] or "application/octet-stream", content
-    )
+    return base64_address(TYPES[suffix], content)
 
 
 @cache

@@ -1,10 +1,13 @@
-"""MathJax from the installed package, the simulator's compiled code, and where executed cells are kept."""
+"""MathJax from the installed package, the simulator's compiled code, and how cells are executed and kept."""
 
 import os
 import shutil
+from functools import partial
 from importlib.resources import as_file, files
 from pathlib import Path
 
+import nbclient
+from jupyter_cache.executors import utils
 from sphinx.application import Sphinx
 from sphinx.config import Config
 
@@ -37,3 +40,9 @@ def use_execution_cache(app: Sphinx, config: Config) -> None:
     """The build names a cache that changes with the packages; Jupyter's own looks at the cells alone."""
     if cache := os.environ.get("BOOK_EXECUTION_CACHE"):
         config.nb_execution_cache_path = cache
+
+
+@on("builder-inited")
+def join_streams(app: Sphinx) -> None:
+    """A cell's printed text is one message; of several, MyST-NB would end each with a line end, wherever it was cut."""
+    utils.executenb = partial(nbclient.execute, coalesce_streams=True)

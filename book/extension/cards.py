@@ -1,8 +1,6 @@
 """The directive that prints a theorem from its checked object, and the role that refers to one.
 
 :::{theorem} kink_loci
-:expect: proved               (by default what the theorem itself expects; anything else fails the build)
-
 Words that stand for the statement, which is then folded away with its proof. Without them the statement stands.
 :::
 
@@ -14,7 +12,6 @@ from collections.abc import Iterable, Sequence
 from textwrap import indent
 
 from docutils import nodes
-from docutils.parsers.rst import directives
 from markupsafe import Markup, escape
 from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import SphinxDirective, SphinxRole
@@ -25,7 +22,7 @@ from book.extension.elements import TEMPLATES, Filled, directive, filled, role
 from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.points import point
-from book.extension.theorems import GRADES, BadTheorem, certificate, kind, module_and_line, proofs_of, script
+from book.extension.theorems import GRADES, certificate, kind, module_and_line, proofs_of, script
 from verify import formal
 
 KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
@@ -53,12 +50,12 @@ class Here:
         return sorted(ids, key=lambda id: self.proofs.places[id].number)
 
 
-@directive("theorem", arguments=1, content=True, expect=directives.unchanged)
+@directive("theorem", arguments=1, content=True)
 def theorem_card(here: SphinxDirective) -> list[nodes.Node]:
     book, id = Here(here.env), here.arguments[0]
-    book.proofs.reached(id, here.options.get("expect"))
+    book.proofs.reached(id)
     if (page := book.proofs.places[id].page) != here.env.docname:
-        raise BadTheorem(f"{id!r} is placed on {page}, not here")
+        raise ValueError(f"{id!r} is placed on {page}, not here")
     brief, messages = here.state.inline_text(" ".join(here.content), here.lineno)
     return [card(book, id, brief), *messages]
 

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping
 
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
+from sympy.utilities.iterables import connected_components
 
 from book.extension.cards import Here
 from book.extension.elements import Filled, directive, filled
@@ -20,31 +21,15 @@ WIDTH, MARKS, ROW, LINE, TOP, ARC = 500, 112, 30, 17, 20, 100
 TEXT_COLUMNS = 38
 
 
-def components(uses: Mapping[str, Iterable[str]]) -> list[list[str]]:
-    """Groups that are joined by uses, the largest first, each in the given order."""
-    order, group = list(uses), {id: {id} for id in uses}
-    for id, used in uses.items():
-        for other in used:
-            if group[other] is not group[id]:
-                joined = group[other] | group[id]
-                for member in joined:
-                    group[member] = joined
-    seen, found = set(), []
-    for id in order:
-        if id not in seen:
-            seen |= group[id]
-            found.append([other for other in order if other in group[id]])
-    return sorted(found, key=lambda members: -len(members))
-
-
 def rows(uses: Mapping[str, Iterable[str]]) -> list[str]:
     """The order of the rows: everything below what it rests on, and as near to it as may be.
 
     uses: in an order in which each comes after those that it uses.
     """
-    ordered = []
-    for members in components(uses):
-        waiting = list(members)
+    ordered, order = [], list(uses)
+    joined = connected_components((order, [(id, other) for id in uses for other in uses[id]]))
+    for members in sorted(joined, key=len, reverse=True):
+        waiting = sorted(members, key=order.index)
         while waiting:
             ready = [id for id in waiting if not set(uses[id]) & set(waiting)]
             # The one whose latest support was placed last: chains stay together.

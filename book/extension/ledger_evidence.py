@@ -1,6 +1,5 @@
 """The parts of a claim's evidence that a template cannot print: numbers with links, and where a test begins."""
 
-import ast
 import re
 from functools import cache
 from pathlib import Path, PurePosixPath
@@ -17,6 +16,7 @@ from book.extension.results import BENCHMARK_PREFIX
 from book.ledger.check import refutes
 from book.ledger.entries import WORDS, Evidence
 from book.ledger.relations import relation
+from book.ledger.run import tests_in
 
 PLACED_FIGURE = re.compile(r"\{chapter-figure\}\s+(\w+)")
 
@@ -63,10 +63,7 @@ def figure_pages(book: Path) -> dict[str, str]:
     return pages
 
 
-def test_address(name: str) -> str:
+def test_address(node: str) -> str:
     """The address of a test, "file.py::name", on the page of its file."""
-    file, _, name = name.partition("::")
-    tree = ast.parse((stamps.ROOT / file).read_text(encoding="utf-8"))
-    wanted = name.partition("[")[0].rpartition("::")[2]
-    found = (node.lineno for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) and node.name == wanted)
-    return f"{listing_address(PurePosixPath(file))}#L-{next(found)}"
+    file, _, name = node.partition("::")
+    return f"{listing_address(PurePosixPath(file))}#L-{tests_in(stamps.ROOT / file)[name.partition('[')[0]]}"

@@ -22,18 +22,15 @@ from book.notebooks import WHOLE
 
 FOLDER = "_downloads/notebooks"
 GITHUB = re.compile(r"https://github\.com/(?P<repository>[\w.-]+/[\w.-]+?)(?:\.git)?/?")
-SITE_BRANCH = "gh-pages"
 SUMMARY = "<summary># The scene of §2, line for line as in Cell 1</summary>"
 
 
 def colab_address(settings: dict, name: str) -> str | None:
     """The address that opens a notebook in Colab, or None where `_config.yml` names no repository of GitHub's."""
-    repository = settings.get("repository") or {}
-    match = GITHUB.fullmatch(repository.get("url") or "")
-    if match is None:
-        return None
-    branch = repository.get("branch") or SITE_BRANCH
-    return f"https://colab.research.google.com/github/{match['repository']}/blob/{branch}/{FOLDER}/{name}.ipynb"
+    url, branch = settings["repository"]["url"], settings["repository"]["branch"]
+    if match := GITHUB.fullmatch(url):
+        return f"https://colab.research.google.com/github/{match['repository']}/blob/{branch}/{FOLDER}/{name}.ipynb"
+    return None
 
 
 @directive("notebook", arguments=1)

@@ -29,10 +29,6 @@ GRADES = {  # shape, letter and meaning of each, in the order of the page of fin
 }
 
 
-class BadTheorem(ValueError):
-    """A page asks for a theorem that is unknown, placed twice, or has not reached its grade."""
-
-
 @dataclass(frozen=True)
 class Placement:
     """The page that has a theorem's card, and its number in the order of the pages."""
@@ -52,7 +48,7 @@ def placements(book: Path, ids: list[str]) -> dict[str, Placement]:
     for page, path in page_files(book).items():
         for id in PLACED.findall(path.read_text(encoding="utf-8")):
             if id in found:
-                raise BadTheorem(f"{id!r} is placed twice, on {found[id].page} and on {page}")
+                raise ValueError(f"{id!r} is placed twice, on {found[id].page} and on {page}")
             found[id] = Placement(page, len(found) + 1)
     for id in ids:
         found.setdefault(id, Placement(CLAIMS_PAGE, len(found) + 1))
@@ -67,18 +63,13 @@ class Proofs:
     entries: dict[str, dict]
     places: dict[str, Placement]
 
-    def get(self, id: str) -> Theorem:
+    def reached(self, id: str) -> None:
+        """ValueError unless the theorem is known, and its last run gave the grade that it expects."""
         if id not in self.theorems:
-            raise BadTheorem(f"unknown theorem {id!r}; there are: {', '.join(sorted(self.theorems))}")
-        return self.theorems[id]
-
-    def reached(self, id: str, expected: str | None = None) -> str:
-        """The grade of the last run; BadTheorem unless it is the expected one."""
-        wanted = self.get(id).expected
-        expected, grade = expected or wanted, self.entries[id]["grade"]
+            raise ValueError(f"unknown theorem {id!r}; there are: {', '.join(sorted(self.theorems))}")
+        expected, grade = self.theorems[id].expected, self.entries[id]["grade"]
         if grade != expected:
-            raise BadTheorem(f"{id!r} is expected to be {expected}; its last run made it {grade}")
-        return grade
+            raise ValueError(f"{id!r} is expected to be {expected}; its last run made it {grade}")
 
     def label(self, id: str) -> str:
         """The name by which pages call it: "Theorem 3", or "Claim 4" if it is not proved."""
@@ -93,7 +84,7 @@ class Proofs:
 
 
 def load(book: Path) -> Proofs:
-    """Everything about the theorems; raises NoReport or BadTheorem."""
+    """Everything about the theorems; raises NoReport or ValueError."""
     theorems, entries = all_theorems(), report.load()
     if theorems.keys() != entries.keys():
         odd = ", ".join(sorted(theorems.keys() ^ entries.keys()))
@@ -124,7 +115,7 @@ def module_and_line(id: str) -> tuple[Path, int]:
         held = vars(import_module(f"proofs.theorems.{path.stem}")).values() if path.stem != "__init__" else ()
         if any(isinstance(value, Theorem) and value.id == id for value in held):
             return path, 1
-    raise BadTheorem(f"no file of proofs/theorems declares {id!r}")
+    raise ValueError(f"no file of proofs/theorems declares {id!r}")
 
 
 def certificate(id: str) -> Path | None:

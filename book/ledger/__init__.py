@@ -26,12 +26,11 @@ if its grade is `refuted` (`refutes = false`: it is the claim's opposite that wa
 `refutes = true`; a test and a source if the entry says so. A claim that is `false` or `corrected` needs evidence that
 refutes it, one that `holds` may have none.
 
-A theorem that no claim needs is listed in background.toml with a reason. `python -m book.ledger` checks all of this
-against the last run (the site's build does so too), prints what is wrong by entry and field, and counts verdicts.
+Every theorem needs a claim that rests on it. `python -m book.ledger` checks all of this against the last run (the
+site's build does so too), prints what is wrong by entry and field, and counts verdicts.
 
     from book.ledger import load
     load().claims                 # (LedgerClaim, …), in the order of the files
-    load().resting_on()           # {"bump_moves_no_boundary": [LedgerClaim, …], …}: theorem → claims that rest on it
 """
 
 from book.ledger.entries import VERDICTS, BadLedger, Evidence, Ledger, LedgerClaim, load

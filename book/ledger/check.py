@@ -92,16 +92,9 @@ def _verdict(claim: LedgerClaim, run: Run) -> Iterator[str]:
 
 
 def _orphans(ledger: Ledger, run: Run) -> Iterator[str]:
-    """Theorems, findings and places of the seed that no claim accounts for; background that is none."""
-    needed = ledger.resting_on()
-    for id in run.grades:
-        if id not in needed and id not in ledger.background:
-            yield f"theorem {id}: no claim rests on it, and background.toml does not list it"
-        if id in needed and id in ledger.background:
-            yield f"background {id}: theorem: {needed[id][0].id} rests on it, so it is no background"
-    yield from (
-        f"background {id}: theorem: no theorem has this id" for id in sorted(ledger.background.keys() - run.grades)
-    )
+    """Theorems, findings and places of the seed that no claim accounts for."""
+    needed = {piece.name for claim in ledger.claims for piece in claim.evidence if piece.kind == "theorem"}
+    yield from (f"theorem {id}: no claim rests on it" for id in run.grades if id not in needed)
     codes = {code for claim in ledger.claims if claim.verdict != OUTSIDE for code in claim.findings}
     yield from (f"finding {code}: no claim has it" for code in FINDINGS if code not in codes)
     yield from (f"finding {code}: findings.toml has no name for it" for code in sorted(codes - FINDINGS.keys()))

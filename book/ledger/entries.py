@@ -73,10 +73,9 @@ class LedgerClaim:
 
 @dataclass(frozen=True)
 class Ledger:
-    """All claims; the theorems that need none, with the reason; and the places of the seed, with their names."""
+    """All claims, and the places of the seed, with their names."""
 
     claims: tuple[LedgerClaim, ...]
-    background: dict[str, str]
     places: dict[str, str]
 
     def get(self, id: str) -> LedgerClaim:
@@ -85,29 +84,15 @@ class Ledger:
                 return claim
         raise BadLedger([f"{id!r}: no claim has this id"])
 
-    def resting_on(self) -> dict[str, list[LedgerClaim]]:
-        """Theorem → the claims that rest on it; their codes are the findings that it is about."""
-        found: dict[str, list[LedgerClaim]] = {}
-        for claim in self.claims:
-            for piece in claim.evidence:
-                if piece.kind == "theorem":
-                    found.setdefault(piece.name, []).append(claim)
-        return found
-
     def sorted_by_place(self) -> list[LedgerClaim]:
         """The seed's claims in the order of its places, then the book's by page."""
         order = {f"seed:{place}": number for number, place in enumerate(self.places)}
-        return sorted(self.claims, key=lambda claim: (order.get(claim.where, len(order)), page_order(claim.where)))
-
-
-def page_order(where: str) -> tuple:
-    """s2 before s10, and numbered pages before named ones."""
-    match = re.fullmatch(r"s(\d+)", where)
-    return (0, int(match[1]), "") if match else (1, 0, where)
+        sections = {f"s{number}" for number in range(1, 10)}  # before the other pages
+        return sorted(self.claims, key=lambda c: (order.get(c.where, len(order)), c.where not in sections, c.where))
 
 
 def load(folder: Path = FOLDER) -> Ledger:
-    """Read claims/*.toml, background.toml and places.toml; BadLedger with every fault that shows without a run."""
+    """Read claims/*.toml and places.toml; BadLedger with every fault that shows without a run."""
     faults: list[str] = []
     tables = []
     for path in sorted((folder / "claims").glob("*.toml")):
@@ -116,18 +101,14 @@ def load(folder: Path = FOLDER) -> Ledger:
         tables += found
     ids = [table.get("id") for table in tables]
     faults += [f"{id}: id: two claims have it" for id in sorted({id for id in ids if id and ids.count(id) > 1})]
-    background = _read(folder / "background.toml", "background", faults).get("background", ())
     places = _read(folder / "places.toml", "places", faults).get("places", {})
     if faults:
         raise BadLedger(faults)
-    reasons = {entry["theorem"]: entry["reason"] for entry in background}
-    return Ledger(tuple(map(_claim, tables)), reasons, places)
+    return Ledger(tuple(map(_claim, tables)), places)
 
 
 def _read(path: Path, kind: str, faults: list[str]) -> dict:
     """A file's content; what is wrong with it is added to the faults."""
-    if not path.is_file():
-        return {}
     try:
         content = tomllib.loads(path.read_text(encoding="utf-8"))
     except tomllib.TOMLDecodeError as error:

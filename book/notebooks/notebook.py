@@ -3,6 +3,8 @@
 import json
 import tomllib
 
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
+
 from book.build import stamps
 from book.notebooks import WHOLE
 from book.notebooks.laboratory import cells, plain
@@ -14,19 +16,11 @@ ABOUT = (
 )
 
 
-def _markdown(source: str) -> dict:
-    return {"cell_type": "markdown", "metadata": {}, "source": source}
-
-
-def _code(source: str) -> dict:
-    return {"cell_type": "code", "metadata": {}, "source": source, "execution_count": None, "outputs": []}
-
-
 def _notebook(title: str, body: list[dict]) -> dict:
     project = tomllib.loads((stamps.ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    top = _markdown(f"# {title}\n\n{ABOUT.format(version=project['version'])}")
+    top = new_markdown_cell(f"# {title}\n\n{ABOUT.format(version=project['version'])}")
     every = [cell | {"id": f"cell-{number}"} for number, cell in enumerate([top, *body])]
-    return {"cells": every, "metadata": {"kernelspec": KERNEL}, "nbformat": 4, "nbformat_minor": 5}
+    return new_notebook(cells=every, metadata={"kernelspec": KERNEL})
 
 
 def notebooks() -> dict[str, dict]:
@@ -35,10 +29,10 @@ def notebooks() -> dict[str, dict]:
     everything: list[dict] = []
     for cell in cells():
         title = f"Cell {cell.number}. {cell.title}"
-        body = [_code(part.text) if part.is_code else _markdown(plain(part.text)) for part in cell.parts]
+        body = [new_code_cell(p.text) if p.is_code else new_markdown_cell(plain(p.text)) for p in cell.parts]
         body = [part for part in body if part["source"]]
         found[cell.name] = _notebook(title, body)
-        everything += [_markdown(f"## {title}"), *body]
+        everything += [new_markdown_cell(f"## {title}"), *body]
     return found | {WHOLE: _notebook("The laboratory", everything)}
 
 

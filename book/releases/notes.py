@@ -3,7 +3,6 @@
 import re
 from collections.abc import Sequence
 from fnmatch import fnmatchcase
-from pathlib import Path
 
 from book.build import stamps
 from book.releases.compare import Change
@@ -15,16 +14,12 @@ PICTURES = ("changed", "drawn otherwise", "removed", "added")
 FOLD = 12  # added things beyond which their ids alone are listed
 
 
-class NoHeading(stamps.Refused):
-    """The changelog does not speak of a version."""
-
-
-def section(version: str, path: Path = CHANGELOG) -> str:
-    """The text under "## VERSION", to the next heading of that level; NoHeading if there is no such heading."""
-    text = path.read_text(encoding="utf-8")
+def section(version: str) -> str:
+    """The text under "## VERSION", to the next heading of that level; Refused if there is no such heading."""
+    text = CHANGELOG.read_text(encoding="utf-8")
     match = re.search(rf"^## {re.escape(version)}(?![\w.]).*?$(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
     if match is None:
-        raise NoHeading(f"{path.name} has no heading ## {version}")
+        raise stamps.Refused(f"{CHANGELOG.name} has no heading ## {version}")
     return match[1]
 
 

@@ -24,9 +24,9 @@ def version() -> str:
     return content["project"]["version"]
 
 
-def make(generated: Path = GENERATED) -> dict:
+def make() -> dict:
     """The record of what is built now. NoReport if the theorems' report is missing or stale."""
-    paths = [path for path in sorted(generated.glob("*.json")) if path.name != report.REPORT.name]
+    paths = [path for path in sorted(GENERATED.glob("*.json")) if path.name != report.REPORT.name]
     figures = [json.loads(path.read_text(encoding="utf-8")) for path in paths]
     return {
         "format": FORMAT,
@@ -34,7 +34,7 @@ def make(generated: Path = GENERATED) -> dict:
         "theorems": theorems(),
         "numbers": {k: v for figure in figures for k, v in _numbers(figure["id"], figure["numbers"]).items()},
         "measured": {path.stem: _measured(path) for path in sorted(BENCHMARKS.glob("*.json"))},
-        "pictures": {f["id"]: _digests(generated, f) for f in figures if f["kind"] != "numbers"},
+        "pictures": {f["id"]: _digests(f) for f in figures if f["kind"] != "numbers"},
     }
 
 
@@ -60,12 +60,12 @@ def _measured(path: Path) -> dict:
     return {"label": label, "numbers": _numbers(f"bench:{path.stem}", content["numbers"])}
 
 
-def _digests(generated: Path, figure: dict) -> dict:
+def _digests(figure: dict) -> dict:
     """The digests of a picture: of its files, and of the pixels or plotted numbers that a release keeps of it."""
     id = figure["id"]
-    drawn = [f"{id}{suffix}" for suffix in (".svg", ".dark.svg", ".png") if (generated / f"{id}{suffix}").is_file()]
-    kept, content = kept_file(generated / figure["data"])
-    files = {name: _sha256((generated / name).read_bytes()) for name in (*drawn, figure["data"])}
+    drawn = [f"{id}{suffix}" for suffix in (".svg", ".dark.svg", ".png") if (GENERATED / f"{id}{suffix}").is_file()]
+    kept, content = kept_file(GENERATED / figure["data"])
+    files = {name: _sha256((GENERATED / name).read_bytes()) for name in (*drawn, figure["data"])}
     return {"files": files, "kept": kept, "content": content}
 
 

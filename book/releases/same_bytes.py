@@ -14,10 +14,6 @@ COMPARED = ("book/_build/html", "book/_generated")
 AROUND = 20  # bytes shown on each side of the first that differs
 
 
-class NotClean(stamps.Refused):
-    """What is here is not what is committed, so that a clone cannot give the same."""
-
-
 def files_of(folder: Path) -> dict[str, Path]:
     return {path.relative_to(folder).as_posix(): path for path in sorted(folder.rglob("*")) if path.is_file()}
 
@@ -51,7 +47,7 @@ def knows_git(root: Path) -> bool:
 
 
 def clone(root: Path, target: Path) -> None:
-    """Clone what is committed; without git, copy the sources alone. NotClean if what is here is not committed."""
+    """Clone what is committed; without git, copy the sources alone. Refused if what is here is not committed."""
     if not knows_git(root):
         print("No git here: the sources are copied")
         products = shutil.ignore_patterns(*stamps.PRODUCTS, "node_modules", ".*")
@@ -61,7 +57,7 @@ def clone(root: Path, target: Path) -> None:
     changed = subprocess.run(command, cwd=root, check=True, capture_output=True, text=True).stdout.splitlines()
     if changed:
         more = f" and {len(changed) - 1} more" if len(changed) > 1 else ""
-        raise NotClean(f"not committed: {changed[0][3:]}{more}; a clone would be built from something else")
+        raise stamps.Refused(f"not committed: {changed[0][3:]}{more}; a clone would be built from something else")
     subprocess.run(["git", "clone", "--quiet", str(root), str(target)], check=True)
 
 

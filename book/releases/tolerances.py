@@ -21,14 +21,14 @@ def rules(path: Path = RULES) -> dict:
     return content
 
 
-def tolerance(name: str, value: int | float | str | bool, path: Path = RULES) -> float | str:
+def tolerance(name: str, value: int | float | str | bool) -> float | str:
     """The tolerance of a number: relative, 0 for exact, "any" for a label."""
-    for rule in rules(path)["rule"]:
+    for rule in rules()["rule"]:
         if any(fnmatchcase(name, pattern) for pattern in rule["numbers"]):
             if rule["within"] == float("inf"):
                 return ANY
             return 0 if isinstance(value, str | bool) else rule["within"]
-    return rules(path)["floats"] if isinstance(value, float) else 0
+    return rules()["floats"] if isinstance(value, float) else 0
 
 
 def is_within(before: int | float | str | bool, after: int | float | str | bool, allowed: float | str) -> bool:

@@ -51,8 +51,12 @@ Checker.all = function (place, theorems, clerk) {
 
 Checker.start = function () {
   const clerk = Checker.clerk(), data = (element) => Checker.parsed(element.querySelector("script[type='application/json']").textContent.replaceAll("\\u003c", "<"));
-  for (const place of document.querySelectorAll(".checker[data-theorem]")) Checker.card(place, data(place), clerk);
-  for (const place of document.querySelectorAll(".checker[data-all]")) Checker.all(place, data(place), clerk);
+  const cards = [...document.querySelectorAll(".checker[data-theorem]")].map((place) => [place, data(place)]);
+  for (const [place, own] of cards) Checker.card(place, own, clerk);
+  for (const place of document.querySelectorAll(".checker[data-all]")) {
+    const listed = data(place); // nothing where all cards stand in this document: the file that is mailed
+    Checker.all(place, listed.length ? listed : cards.map(([, own]) => own), clerk);
+  }
 };
 
 if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", Checker.start);
