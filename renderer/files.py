@@ -5,12 +5,10 @@ was left by a writer that was killed, and whoever writes into that folder next r
 """
 
 import csv
-import hashlib
 import os
 import tempfile
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,16 +25,6 @@ except ImportError:  # Windows, which removes no file that is open: as good as a
     fcntl = None  # type: ignore[assignment]
 
 PICTURE_SUFFIXES = (".png", ".npz")
-FOLDER = Path(__file__).parent
-
-
-@cache
-def sources() -> str:
-    """Return a hash of the renderer's sources: of all that draws."""
-    digest = hashlib.sha256()
-    for path in sorted([*FOLDER.glob("*.py"), *FOLDER.glob("machines/*.py")]):
-        digest.update(path.name.encode() + path.read_bytes())
-    return digest.hexdigest()
 
 
 def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out") -> Path:

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from renderer.checks import not_allowed
-from renderer.files import checked_target, sources
+from renderer.files import checked_target
 from renderer.machines import machine
 from renderer.methods import difference
 from renderer.numbers import geometry_of
@@ -32,9 +32,12 @@ _START = b'{"key": '
 @cache
 def version() -> str:
     """Return a hash of what computes a result: the renderer's sources, the machine that draws, NumPy, llvmlite."""
-    drawing = machine().NAME  # llvmlite is loaded then, if it draws
+    drawing, folder = machine().NAME, Path(__file__).parent  # llvmlite is loaded then, if it draws
     llvmlite = getattr(sys.modules.get("llvmlite"), "__version__", None)
-    return hashlib.sha256(f"{drawing} {np.__version__} {llvmlite} {sources()}".encode()).hexdigest()
+    digest = hashlib.sha256(f"{drawing} {np.__version__} {llvmlite}".encode())
+    for path in sorted([*folder.glob("*.py"), *folder.glob("machines/*.py")]):
+        digest.update(path.name.encode() + path.read_bytes())
+    return digest.hexdigest()
 
 
 def key_of(task: Task) -> str:

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from distributed import Client, LocalCluster
 
-from renderer import Light, Scene, files, grid, render, stage_of
+from renderer import Light, Scene, grid, render, stage_of
 from renderer.command_line import main
 from renderer.grid import Checkpoint, key_of
 from renderer.machines import numpy_rows
@@ -90,8 +90,7 @@ def test_a_key_is_of_the_content():
 def test_a_key_is_of_the_sources_and_the_machine_too(edited, tmp_path, monkeypatch):
     shutil.copytree(ROOT / "renderer", tmp_path / "renderer", ignore=shutil.ignore_patterns("__pycache__"))
     own, key = grid.version(), key_of(Task(Scene(), central(1e-3), 8, 8))
-    monkeypatch.setattr(files, "FOLDER", tmp_path / "renderer")
-    monkeypatch.setattr(grid, "sources", files.sources.__wrapped__)
+    monkeypatch.setattr(grid, "__file__", str(tmp_path / "renderer" / "grid.py"))
     assert grid.version.__wrapped__() == own
     with open(tmp_path / "renderer" / edited, "a") as file:
         file.write("\n")

@@ -17,7 +17,7 @@ import llvmlite.binding as llvm
 import llvmlite.ir as ir
 from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options  # since 0.44
 
-from renderer.files import sources, write_whole
+from renderer.files import whole_file
 from renderer.kernels import HEIGHT_EVALUATIONS
 from renderer.machines import Job
 from renderer.machines.drawing_code import ARGUMENTS, emit
@@ -67,35 +67,28 @@ def _processor():
     return llvm.get_host_cpu_name() + llvm.get_host_cpu_features().flatten()
 
 
-def _kept(key, make):
-    """Return the bytes that make() returns, or what it returned for that key in an earlier process of this kind."""
+def _object_code(text, target):
+    """Return the object code (bytes) of a module's text: compiled, or as an earlier process of this kind left it."""
     folder = os.environ.get("SYMBOLIC_RENDERING_CODE")
     if not folder:
-        return make()
+        return target.emit_object(optimized(text, target))
     how = Path(__file__).read_text(encoding="utf-8")
-    name = hashlib.sha256("\n".join([llvmlite.__version__, _processor(), how, key]).encode()).hexdigest()
-    path = Path(folder, f"{name}.o")
+    key = hashlib.sha256("\n".join([llvmlite.__version__, _processor(), how, text]).encode()).hexdigest()
+    path = Path(folder, f"{key}.o")
     if not path.is_file():
-        write_whole(path, make())
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with whole_file(path) as unfinished:
+            Path(unfinished).write_bytes(target.emit_object(optimized(text, target)))
     return path.read_bytes()
 
 
-def machine_code(emit_into: Callable, *what: Any, key: str = "") -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
-    """Return (the function of one address that emit_into(module, name, *what) emits; what it lives as long as).
-
-    key: what says all that its code depends on. What is kept for it is not even traced; else the text is the key.
-    """
-    target, name = _target(), "code"
-
-    def object_code():
-        module = ir.Module()
-        module.triple = llvm.get_process_triple()
-        emit_into(module, name, *what)
-        text = str(module)
-        return _kept(text, lambda: target.emit_object(optimized(text, target)))
-
+def machine_code(emit_into: Callable, *what: Any) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
+    """Return (the function of one address that emit_into(module, name, *what) emits; what it lives as long as)."""
+    module, target, name = ir.Module(), _target(), "code"
+    module.triple = llvm.get_process_triple()
+    emit_into(module, name, *what)
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target)
-    engine.add_object_file(llvm.ObjectFileRef.from_data(_kept(key, object_code) if key else object_code()))
+    engine.add_object_file(llvm.ObjectFileRef.from_data(_object_code(str(module), target)))
     engine.finalize_object()
     return ctypes.CFUNCTYPE(None, ctypes.c_void_p)(engine.get_function_address(name)), engine
 
@@ -103,7 +96,7 @@ def machine_code(emit_into: Callable, *what: Any, key: str = "") -> tuple[Callab
 @cache
 def compiled(want: Want, lanes: int) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
     """Return (the function that draws what is wanted, given the address of ARGUMENTS; what it lives as long as)."""
-    return machine_code(emit, want, lanes, key=f"{sources()} {want} {lanes}")
+    return machine_code(emit, want, lanes)
 
 
 def drawer(

@@ -12,7 +12,6 @@ import numpy as np
 from renderer import Light, Scene, central, exact, numbers
 from renderer.bounds import EVERYWHERE
 from renderer.machines import Job, native, traced
-from renderer.machines.drawing_code import emit
 from renderer.methods import GradientMethod
 from renderer.raster import Raster
 from renderer.shader import COLORS
@@ -79,7 +78,7 @@ def prepare(scene: Scene, method: GradientMethod, without: Callable = nullcontex
     with without():
         want, given = numbers.want_of(scene, method), numbers.numbers_of.__wrapped__(scene, method)
         lanes = native.host_lanes(want)
-        code, engine = native.machine_code(emit, want, lanes)
+        code, engine = native.compiled.__wrapped__(want, lanes)
     draw = native.drawer(want, Job(*given, *stage.raster_of(), planes), lanes, code)
 
     def work():
