@@ -56,7 +56,9 @@ def pytest_collection_modifyitems(config, items):
         theorems = all_theorems()
         if unknown := set(ids) - theorems.keys():
             raise pytest.UsageError(f"--theorem: there is no {', '.join(sorted(unknown))}")
-        wanted = _with_uses(ids, theorems)
+        wanted = set(ids)
+        for theorem in reversed(theorems.values()):  # each stands after those that it uses
+            wanted |= {*theorem.uses} if theorem.id in wanted else set()
         kept = [i for i in items if getattr(i, "callspec", None) and i.callspec.params.get("theorem_id") in wanted]
         config.hook.pytest_deselected(items=[i for i in items if i not in kept])
         items[:] = kept
@@ -65,16 +67,6 @@ def pytest_collection_modifyitems(config, items):
         for item in items:
             if item.get_closest_marker("long"):
                 item.add_marker(pytest.mark.skip(reason="takes minutes; run with --long"))
-
-
-def _with_uses(ids, theorems):
-    wanted, pending = set(), list(ids)
-    while pending:
-        id = pending.pop()
-        if id not in wanted:
-            wanted.add(id)
-            pending += theorems[id].uses
-    return wanted
 
 
 @pytest.fixture

@@ -31,8 +31,8 @@ def reachable(source: Path) -> set[Path]:
     found = followed({source, *_module_files(".".join(around))})
     code_only = {ROOT / "book", ROOT / "book" / "figures"}  # what lies beside these is prose
     folders = {path.parent for path in found} - code_only
-    data = {other for folder in folders for other in folder.iterdir() if other.is_file() and _is_data(other)}
-    return found | data
+    beside = [path for folder in folders for path in folder.iterdir() if path.is_file()]
+    return found | {path for path in beside if path.suffix not in {".py", ".pyc"} and not path.name.startswith(".")}
 
 
 def modules_for(code: str) -> set[Path]:
@@ -64,10 +64,6 @@ def hashes(paths: Iterable[Path]) -> dict[str, str]:
 def key(table: dict) -> str:
     """One hash for a table of hashes."""
     return hashlib.sha256(json.dumps(table, sort_keys=True).encode()).hexdigest()[:16]
-
-
-def _is_data(path: Path) -> bool:
-    return path.suffix not in {".py", ".pyc"} and not path.name.startswith(".")
 
 
 @cache

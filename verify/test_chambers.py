@@ -26,13 +26,6 @@ def test_random_scenes(block):
     assert {0, 1, 2, 3, 5, 6, 7, 131, 135} <= codes
 
 
-def test_a_light_that_is_off_casts_no_shadow():
-    scene = Scene(lights=(Light((5, 5, 10), None), Light((-6, 2, 8))))
-    strict = strict_chambers(scene, 64, 64)
-    np.testing.assert_array_equal(render(scene, 64, 64).chambers, strict)
-    assert not (strict & 4).any() and (strict & 8).any()
-
-
 @pytest.mark.parametrize("form", ["algebraic", "general"])
 @pytest.mark.parametrize(("field", "model"), [("sine", "phong"), ("ridges", "blinn"), ("rings", "blinn")])
 def test_the_image_agrees(field, model, form):

@@ -46,8 +46,6 @@ From Formal Require Import Float.
 Open Scope R_scope.
 """
 
-ANY_CENTRAL = finite_difference.central(ANY_FIELD)
-
 MODULES = (
     camera,
     chart,
@@ -243,7 +241,8 @@ def float64_module(program: Program) -> str:
 
 def float64_source() -> str:
     """Return the text of proofs/formal/Float64.v: the operations of kernels as they are carried out."""
-    difference = Program("difference", (h_u_plus, h_u_minus, epsilon), ((h_u, ANY_CENTRAL[h_u]),), (h_u,))
+    quotient = finite_difference.central(ANY_FIELD)[h_u]
+    difference = Program("difference", (h_u_plus, h_u_minus, epsilon), ((h_u, quotient),), (h_u,))
     gradient = height_fields.gradient_from_factors(height_fields.HEIGHT_FIELDS["sine"])
     kernels = (elementary.two_product, half_turn_polynomials(), difference, gradient)
     return FLOAT64_HEADER + "".join(f"\n{float64_module(program)}" for program in kernels)

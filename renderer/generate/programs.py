@@ -1,7 +1,5 @@
 """Which programs of `proofs/` become kernels."""
 
-from collections.abc import Iterable
-
 from sympy import Function
 
 from proofs.engine.program import Program
@@ -30,7 +28,8 @@ ELEMENTARY = {
 }
 """Our own elementary functions. sinpi and cospi take a product and its error, which is 0 unless it is given."""
 
-ONCE_A_SCENE = (
+KERNELS = (
+    # once a scene
     camera.image_extent,
     camera.image_point.keep(x, name="image_x"),
     camera.image_point.keep(y, name="image_y"),
@@ -39,9 +38,7 @@ ONCE_A_SCENE = (
     shadow_cone.shadow_clearance,
     shading.ambient_term,
     shading.floor_albedo,
-)
-
-PLACES = (
+    # places
     camera.visible_surface,
     camera.angles_on_a,
     camera.point_on_a,
@@ -51,18 +48,14 @@ PLACES = (
     camera.view_direction,
     shadow.shadow,
     shadow.checker.keep(shadow.dark),
-)
-
-GRADIENT = (
+    # the gradient and the normal
     chart,
     algebraic_form.algebraic_bases,
     algebraic_form.complex_square,
     algebraic_form.complex_product,
     height_fields.slope,
     bump.bumped_normal,
-)
-
-LIGHT = (
+    # light
     *(part for model in shading.LIGHT_MODELS.values() for part in (model.program, model.squared) if part),
     shading.highlight,
     shading.light_term,
@@ -110,6 +103,5 @@ def field_programs(field: HeightField) -> dict[str, Program]:
 
 def named() -> dict[str, Program]:
     """Return {name in renderer/kernels.py: program} of every kernel but the differences, in the order of the file."""
-    parts: list[Iterable[Program]] = [ONCE_A_SCENE, PLACES, GRADIENT, LIGHT]
-    parts += [field_programs(field).values() for field in height_fields.HEIGHT_FIELDS.values()]
-    return ELEMENTARY | {program.name: program for part in parts for program in part}
+    of_fields = [p for field in height_fields.HEIGHT_FIELDS.values() for p in field_programs(field).values()]
+    return ELEMENTARY | {program.name: program for program in (*KERNELS, *of_fields)}

@@ -161,17 +161,12 @@ def _sine_piece(code, series, near, low, high, cosine, of_product):
     return Piece(low, high, run(code, {"remainder": Rounded(r)}, known)[near].ulps())
 
 
-def _threshold(line):
-    """Return c of the line 1 where smaller > c · larger, else 0."""
-    relation = line.args[0][1]
-    return relation.lts.coeff(e.larger)
-
-
 @cache
 def angle_pieces(program: Program = e.angle_in_half_turns) -> list[Piece]:
     """Return the Pieces of atan2pi over t = smaller/larger, 0 ≤ t ≤ 1: the worst of the eight octants."""
     with ctx.workprec(PRECISION):
-        first, second = (_ball(_threshold(program[s])) for s in (e.middle, e.steep))
+        compared = [program[s].args[0][1] for s in (e.middle, e.steep)]  # smaller > c · larger
+        first, second = (_ball(relation.lts.coeff(e.larger)) for relation in compared)
         slack = arb((1, -52))  # the comparison's product is rounded
         cuts = [(arb.pi() / 2**n).tan() for n in range(3, 3 - SMALLEST)]
         arcs = [
@@ -208,7 +203,8 @@ class _Angle:
     def piece(self, low, high, middle, steep):
         smallest = high <= arb((1, SMALLEST))
         choice = {"middle": Rounded(middle), "steep": Rounded(steep)}
-        node, value, correction = self._node(choice)
+        selected = run(self.to_node, dict(choice))
+        node, value, correction = (selected[name].exact for name in ("node", "node_value", "node_correction"))
         ends = [(end - node) / (1 + node * end) for end in (low, high)]
         ratio = Rounded(between(*ends), self._ratio_error(low, high, choice, ends), ends=ends)
         true = [end.atan() / arb.pi() for end in (low, high)]
@@ -227,11 +223,6 @@ class _Angle:
             start = Rounded(between(low, octant.largest), octant.error, ends=(low, octant.largest))
             ends = [run(code, {"first_octant": Rounded(end)})["half_plane"].exact for end in (low, octant.largest)]
             yield run(code, {"first_octant": start}, {"half_plane": ends})["half_plane"].ulps()
-
-    def _node(self, choice):
-        """Return node, node_value and node_correction as the program selects them."""
-        scope = run(self.to_node, dict(choice))
-        return [scope[name].exact for name in ("node", "node_value", "node_correction")]
 
     def _ratio_error(self, low, high, choice, ends):
         """Return how far the rounded ratio can be off, whatever the mantissa of `larger`."""

@@ -59,12 +59,6 @@ def argument_error(case: Case, steps: np.ndarray) -> np.ndarray:
     return np.spacing(at + steps) / 2 + np.where(wraps, UNIT / 2, 0)
 
 
-def _span(case, steps):
-    """Return the difference's span."""
-    clamped = (case.component == "h_v") & (steps > case.v)
-    return np.where(clamped, case.v + steps, 2 * steps)
-
-
 def truncation_bound(case: Case, steps: np.ndarray) -> np.ndarray:
     """Return a bound of |D − h'| in exact arithmetic."""
     rate = np.pi * case.frequency
@@ -90,7 +84,8 @@ def truncation_bound(case: Case, steps: np.ndarray) -> np.ndarray:
 
 def bounds(case: Case, found: Parts) -> Bounds:
     """Return the Bounds of a case's Parts."""
-    steps, span = found.steps, _span(case, found.steps)
+    steps = found.steps
+    span = np.where((case.component == "h_v") & (steps > case.v), case.v + steps, 2 * steps)
     largest, (alone, shared) = steepest(case, found), height_errors(case, found)
     if case.place == "seam" and case.frequency % 1:
         largest = largest + (steps >= case.distance) / span  # the jump, at most 1, divided

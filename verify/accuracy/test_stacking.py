@@ -1,7 +1,5 @@
 """A mean over a lamp or a pixel: within the mean of the bounds, of the same chambers, as systematic as one sample."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
@@ -46,8 +44,3 @@ def test_a_lamp_is_spread_about_its_light():
     np.testing.assert_allclose(points.mean(axis=0), light.position)
     np.testing.assert_allclose(np.ptp(points, axis=0), (1.5 * stacking.HALF, 1.5 * stacking.HALF, 0))
     assert stacking.lamp_points(light, 1) == [light]
-
-
-def test_a_light_that_is_dimmed_dims_the_bound():
-    dim = replace(SINE, lights=tuple(replace(light, color=(0.5, 0.5, 0.5)) for light in SINE.lights))
-    assert (stacking.steepest(dim) < stacking.steepest(SINE)).all()

@@ -4,15 +4,12 @@ from itertools import product
 
 import numpy as np
 import pytest
-from sympy import symbols
 
-from proofs.engine.program import Program
-from proofs.formulas.symbols import x
 from renderer import Scene, central, exact, render
 from renderer.scene import MODELS
 from renderer.stage import SURFACE_BITS
 from verify.benchmark.baselines import seed_loops as loops
-from verify.benchmark.baselines.numpy_tiles import numpy_function, numpy_tiles, without_repeats
+from verify.benchmark.baselines.numpy_tiles import numpy_tiles
 from verify.benchmark.baselines.seed_loops import seed_loops
 
 SIDE = 48  # with such sides no pixel lies on a crease, where there is no gradient to agree on
@@ -63,11 +60,3 @@ def test_the_numpy_tiles_draw_our_picture(side, threads):
     frame = render(Scene(), side, side, exact("general"))
     assert largest(rgb, frame) < TILES_AGREE
     np.testing.assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)
-
-
-def test_repeated_lines_are_computed_once():
-    a, b, c = symbols("a b c", real=True)
-    program = Program("p", (x,), ((a, x + 1), (b, x + 1), (c, a * b)), (c, b))
-    slim = without_repeats(program)
-    assert [s for s, _ in slim.definitions] == [a, c]
-    assert numpy_function(slim)[0](2.0) == (9.0, 3.0)

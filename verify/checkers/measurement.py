@@ -3,7 +3,7 @@
     @measures("theorem_id", false={"half the bound": {"bound": 5}})
     def bound_holds(bound=10):
         ...
-        return Measurement(samples=1000, seed=7, worst=worst, bound=bound, holds=worst <= bound, what="…")
+        return Measurement(samples=1000, seed=7, worst=worst, bound=bound, what="…")
 
 The function takes its claim as parameters, with the true one as their defaults; `false` names variants of the claim
 that the same function has to reject, at least one. A run calls both. With certified=True, `worst` and `bound` are
@@ -27,16 +27,16 @@ REGISTERED: dict[str, list[tuple[Callable, dict]]] = {}
 class Measurement:
     """One measurement: of `samples` cases drawn with `seed` (None: nothing is random), the worst and its bound.
 
-    holds: whether the claim does; with a bound, worst ≤ bound as well. certified: every number is a ball that encloses
-    the true value, for all cases and not for samples. numbers: {name: number or text} that a page may print.
+    holds: whether what else is claimed does, beside worst ≤ bound. certified: every number is a ball that encloses the
+    true value, for all cases and not for samples. numbers: {name: number or text} that a page may print.
     """
 
     samples: int
-    seed: int | None
     worst: Any
     bound: Any
-    holds: bool
     what: str
+    seed: int | None = None
+    holds: bool = True
     numbers: dict = field(default_factory=dict)
     certified: bool = False
 
@@ -53,8 +53,7 @@ class Measurement:
             worst, bound = (arb(n.numerator) / n.denominator if isinstance(n, Fraction) else arb(n)
                             for n in (self.worst, self.bound))  # fmt: skip
             return bool(self.holds) and bool(worst <= bound)
-        within = self.bound is None or self.worst <= self.bound
-        return bool(self.holds) and bool(within) and math.isfinite(self.worst)
+        return bool(self.holds) and bool(self.worst <= self.bound) and math.isfinite(self.worst)
 
     def record(self) -> dict[str, Any]:
         """Return what the report keeps, with numbers rounded so that they do not depend on the machine's last bits."""
@@ -63,15 +62,15 @@ class Measurement:
         return seen | {"worst": rounded(self.worst), "bound": rounded(self.bound), "numbers": numbers}
 
 
-def rounded(value: Any, digits: int = DIGITS) -> Any:
-    """Return a number to `digits` significant digits, as an int or float; texts, booleans and None as they are.
+def rounded(value: Any) -> Any:
+    """Return a number to DIGITS significant digits, as an int or float; texts and booleans as they are.
 
     A ball is rounded from its upper end.
     """
-    if value is None or isinstance(value, str | bool | int):
+    if isinstance(value, str | bool | int):
         return value
     value = value.upper() if isinstance(value, arb) else value
-    return float(f"{float(value):.{digits}g}")
+    return float(f"{float(value):.{DIGITS}g}")
 
 
 def measures(theorem_id: str, false: dict[str, dict[str, Any]]) -> Callable[[Callable], Callable]:

@@ -32,17 +32,14 @@ def _places(statement, certificate):
     parts = [(0, key, name) for key in ("start", "next") for name in statement.get(key, ())]
     parts += [(0, "show", n) for n in range(len(statement.get("show", ())))]
     parts += [(0, "assume", n, "of") for n in range(len(statement.get("assume", ())))]
-    places = {"statement": steps + parts, "cofactor": [], "square": [], "point": []}
+    places = {"statement": steps + parts, "cofactor": [], "square": []}
     for key in ("proofs", "base", "step"):
         for number, proof in enumerate(certificate.get(key, ())):
-            _places_of_proof(proof, (1, key, number), places)
+            path = (1, key, number)
+            places["cofactor"] += [(*path, "cofactors", n, 1) for n, (_, q) in enumerate(proof["cofactors"]) if q]
+            places["square"] += [(*path, "sum", n, 1) for n in range(len(proof.get("sum", ())))]
     places["point"] = [(1, "point", name) for name in certificate.get("point", ())]
     return {what: paths for what, paths in places.items() if paths}
-
-
-def _places_of_proof(proof, path, places):
-    places["cofactor"] += [(*path, "cofactors", n, 1) for n, (_, q) in enumerate(proof["cofactors"]) if q]
-    places["square"] += [(*path, "sum", n, 1) for n in range(len(proof.get("sum", ())))]
 
 
 def _polynomial(pair, rng):

@@ -1,7 +1,6 @@
 """The kernels and the judge of tampered certificates, against each other; the judge and the draw, on their own."""
 
 import json
-import random
 from itertools import islice
 
 import pytest
@@ -9,7 +8,7 @@ import pytest
 from proofs.check import FOLDER
 from verify.checkers.by_values import holds
 from verify.checkers.kernels import CHECKERS, accepted, compact
-from verify.checkers.tampering import change, draws
+from verify.checkers.tampering import draws
 
 COUNT = 5  # of each certificate; `python -m tests.tampered_certificates` draws 1,000
 STORED = {path.stem: json.loads(path.read_text("utf-8"))["claims"] for path in sorted(FOLDER.glob("*.json"))}
@@ -53,11 +52,6 @@ def test_the_judge_of_a_square(of, root, still):
     assert {check(statement, certificate) is None for check in CHECKERS.values()} == {still}
 
 
-def test_a_hypothesis_that_no_proof_uses_may_change():
-    steps = [SQUARE["steps"][0] | {"of": {"y": "-7"}}, SQUARE["steps"][1]]
-    assert holds(SQUARE | {"steps": steps}, {"proofs": [PROOF]})
-
-
 def test_draws_are_seeded_different_and_of_every_sort():
     drawn = list(islice(draws(SQUARE, {"proofs": [PROOF]}, seed=3), 300))
     assert drawn == list(islice(draws(SQUARE, {"proofs": [PROOF]}, seed=3), 300))
@@ -70,12 +64,3 @@ def test_draws_are_seeded_different_and_of_every_sort():
     assert any(set(goal) - {"", "x^2"} and goal.get("x^2") == "1" for goal in goals)  # a coefficient that was 0
     assert any(proof["cofactors"] != PROOF["cofactors"] for proof in proofs)
     assert any(proof["sum"] != PROOF["sum"] for proof in proofs)
-
-
-def test_a_change_is_of_one_term_and_stays_in_the_format():
-    rng = random.Random(0)
-    for _ in range(500):
-        changed = change({"": "1/2", "x^2 y": "-3"}, ["x", "y"], rng)
-        assert changed != {"": "1/2", "x^2 y": "-3"}
-        assert len(set(changed.items()) & {("", "1/2"), ("x^2 y", "-3")}) >= 1
-        assert all("^0" not in monomial and "-" not in monomial and value != "0" for monomial, value in changed.items())

@@ -2,7 +2,6 @@
 
 import random
 
-import mpmath
 import pytest
 from flint import arb, ctx
 from sympy import And, Max, Or, Piecewise, Pow, sign, sqrt
@@ -73,8 +72,3 @@ def test_a_pixel_that_is_off_is_found():
     assert problems([bad[0]._replace(undecided=frozenset({"h_u"}))]) == []
     frame.rgb[row, column] += 1e-12
     assert problems([checked_pixel("ridges, blinn", scene, frame, kind, column, row)])
-
-
-def test_the_reference_needs_no_ball():
-    with mpmath.workdps(30):
-        assert ball_of(mpmath.mpf("-0.75")) == arb(-0.75)

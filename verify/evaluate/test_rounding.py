@@ -56,8 +56,3 @@ def test_what_is_not_decided_is_not_guessed():
         _ = x > 0.5
     with pytest.raises(Undecided):
         _ = Rounded(1) / x
-
-
-def test_the_unit_is_that_of_float64():
-    assert unit_in_the_last_place(arb(0.75)) == arb(2) ** -53
-    assert unit_in_the_last_place(arb(1)) == arb(2) ** -52

@@ -39,12 +39,6 @@ def any_amplitude(values: int = 109, samples: int = 24, seed: int = 5) -> Sweep:
     return measured(sizes, perturbed, inputs, [s.name for s in bumped])
 
 
-def _lit_point():
-    """Return the program from a point's angles and a light's distance above it to μ = N·ω."""
-    onto = Program("onto", normal, tuple(zip(bumped, normal, strict=True)), bumped)
-    return chain("lit_point", unit_normal, point_on_a, onto, light_direction).keep(mu)
-
-
 def near_and_far_lights(values: int = 73, samples: int = 24, seed: int = 6) -> Sweep:
     """μ against the light's distance from the surface, from 2·10⁻⁹ to 10⁹ radii.
 
@@ -61,7 +55,9 @@ def near_and_far_lights(values: int = 73, samples: int = 24, seed: int = 6) -> S
     tilt = random.uniform(0, 1.4, (values, samples))
     light = n + distances[:, None] * (np.cos(tilt) * n + np.sin(tilt) * aside)
     inputs = at | {"radius": 1.0} | {f"light_{axis}": c for axis, c in zip("xyz", light, strict=True)}
-    return measured(distances, _lit_point(), inputs, [mu.name])
+    onto = Program("onto", normal, tuple(zip(bumped, normal, strict=True)), bumped)
+    lit_point = chain("lit_point", unit_normal, point_on_a, onto, light_direction).keep(mu)
+    return measured(distances, lit_point, inputs, [mu.name])
 
 
 def opposite_light(model: str = "blinn", values: int = 65, samples: int = 24, seed: int = 7) -> Sweep:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from renderer import Scene, render
+from renderer import Scene
 from verify.evaluate.arrays import in_balls
 from verify.stability import attribution, maps
 
@@ -43,9 +43,3 @@ def test_at_the_pole_the_step_is_one_sided():
     """v < ε: the crease in reach is the end of the chart, and no sample lies beyond it."""
     kinds = attribution.dominant(SCENE, np.full(5, 0.07), np.linspace(1e-3, 9e-3, 5), 1e-2)
     assert (kinds == attribution.TERMS.index("one-sided")).all()
-
-
-def test_off_a_there_is_no_term():
-    frame = render(SCENE, 16, 16)
-    kinds = attribution.over_the_image(frame, 1e-5)
-    np.testing.assert_array_equal(kinds > -2, frame.stage.on_a)

@@ -41,14 +41,12 @@ def above(scene: Scene, beta: float, points: np.ndarray) -> np.ndarray:
     return np.sqrt((points**2).sum(axis=0)) - 1 - beta * height_towards(scene, *points)
 
 
-def least_along(
-    function: Callable[[np.ndarray], np.ndarray], low: float, high: float, samples: int = ALONG
-) -> np.ndarray:
+def least_along(function: Callable[[np.ndarray], np.ndarray], low: float, high: float) -> np.ndarray:
     """Return the least value of a function of shares t in [low, high]: a grid, then golden sections about its best.
 
     function: arrays (…, n) → the same; one result for each of its leading indices.
     """
-    grid = np.linspace(low, high, samples)
+    grid = np.linspace(low, high, ALONG)
     best, step = grid[function(grid).argmin(axis=-1)][..., None], grid[1] - grid[0]
     left, right = best - step, best + step
     for _ in range(38):

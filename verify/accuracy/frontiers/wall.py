@@ -19,13 +19,6 @@ Pair = tuple[np.ndarray, np.ndarray]
 Weights = tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]
 
 
-def table_of(field: str, texels: int) -> np.ndarray:
-    """Return h at (i/texels, j/texels), (texels, 2 texels)."""
-    i, j = np.mgrid[0:texels, 0 : 2 * texels] / texels
-    program = height(HEIGHT_FIELDS[field])
-    return in_float64(program, {"u": i, "v": j, "k_u": KU, "k_v": KV})["h"]
-
-
 def linear_weights(share: np.ndarray) -> Weights:
     """Return the weights of the two texels around a point, and their derivatives by the share."""
     return (1 - share, share), (-np.ones_like(share), np.ones_like(share))
@@ -70,7 +63,8 @@ def interpolated(
 
 def slope(field: str, texels: int, kind: str, u: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Return h_u of the "bilinear" or "cubic" interpolation of a field's table."""
-    table = table_of(field, texels)
+    i, j = np.mgrid[0:texels, 0 : 2 * texels] / texels
+    table = in_float64(height(HEIGHT_FIELDS[field]), {"u": i, "v": j, "k_u": KU, "k_v": KV})["h"]
     if kind == "bilinear":
         return interpolated(table, linear_weights, 0, u, v)[1]
     return interpolated(spline_coefficients(table), cubic_weights, -1, u, v)[1]

@@ -56,9 +56,3 @@ def test_the_written_out_powers_are_the_renderers(field, ku, kv):
 def test_without_an_algebraic_form(ku, kv):
     with pytest.raises(ValueError, match="no algebraic form"):
         algebraic_gradient(HEIGHT_FIELDS["sine"], ku, kv)
-
-
-def test_what_is_not_installed_is_left_out():
-    absent = table.Method("nobody's", lambda value: None, module="no_such_library_here")
-    assert not absent.available
-    assert all(method.available for method in table.METHODS if method.module is None)

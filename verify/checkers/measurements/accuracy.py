@@ -67,7 +67,6 @@ def drawn_gradient(bound: float = 8.0) -> Measurement:
         seed=11,
         worst=max(units for units, _ in found.values()),
         bound=bound,
-        holds=True,
         what="the renderer's general form: the largest error over π max(1, |k|) 2^-53",
         numbers={f"drawn_{field}": units for field, (units, _) in found.items()},
     )
@@ -82,7 +81,6 @@ def algebraic_gradient(bound: float = 8.0) -> Measurement:
         seed=gradient_errors.SEED,
         worst=max(units for units, _ in found.values()),
         bound=bound,
-        holds=True,
         what="the algebraic form: the largest error over π k (1 + k) 2^-53",
         numbers={field: units for field, (units, _) in found.items()},
     )
@@ -104,7 +102,6 @@ def under_the_bounds(share: float = 1.0) -> Measurement:
         ratios.append(limits.total[rounding] / np.abs(seen.total[rounding]))
     return Measurement(
         samples=len(CASES) * len(STEPS),
-        seed=None,
         worst=out,
         bound=0,
         holds=float(np.median(np.concatenate(ratios))) <= 30,
@@ -132,10 +129,8 @@ def ridges_fall_like_a_root(slope: float = 0.5, creases: int = 0) -> Measurement
         worst[f"{component}_constant"] = float(np.abs(rms / law - 1).max())
     return Measurement(
         samples=2 * 11,
-        seed=None,
         worst=max(worst.values()),
         bound=0.02,
-        holds=True,
         what="how far the fitted slope is from ½, and the constant from the theorem's, relatively",
         numbers=worst,
     )
@@ -147,10 +142,8 @@ def clamped_orders(odd: float = 2.0, other: float = 1.0) -> Measurement:
     found = {field: clamped_order.order(field) for field in clamped_order.FIELDS}
     return Measurement(
         samples=len(found) * len(clamped_order.STEPS),
-        seed=None,
         worst=max(abs(order - (other if field == "cosine" else odd)) for field, order in found.items()),
         bound=0.02,
-        holds=True,
         what="how far the fitted orders are from 2 for the chapter's fields and from 1 for cos πk_v v",
         numbers=found,
     )
@@ -164,10 +157,8 @@ def truncation_slope(slope: float = 2.0) -> Measurement:
     order = clamped_order.fitted_slope(seen.steps[branch], np.abs(seen.truncation[branch]))
     return Measurement(
         samples=int(branch.sum()),
-        seed=None,
         worst=abs(order - slope),
         bound=0.02,
-        holds=True,
         what="how far the truncation error's fitted slope is from 2",
         numbers={"slope": order},
     )

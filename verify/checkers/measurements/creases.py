@@ -24,7 +24,6 @@ def rounded_products_hit_the_crease(beside: int = 1824, count: int = 1756, zeros
     kernel = sum(float(height_at(Scene(ku=float(k)), u, 0.125)) == 0 for k, u in floats)
     return Measurement(
         samples=len(floats),
-        seed=None,
         worst=max(abs(rounded - count), abs(kernel - zeros)),
         bound=0,
         holds=len(floats) == beside,
@@ -48,7 +47,6 @@ def contrast(orders: float = 4) -> Measurement:
     on, off = crease_contrast(_difference(1e-3), _exact())
     return Measurement(
         samples=int(_exact().stage.on_a.sum()),
-        seed=None,
         worst=abs(float(np.log10(on / off)) - orders),
         bound=0.5,
         holds=on > off,
@@ -63,10 +61,8 @@ def dark(steps: Sequence[float] = (1e-8, 1e-9, 1e-10)) -> Measurement:
     largest = {step: 100 * float(np.abs(difference_on_a(_difference(step), _exact())).max()) for step in steps}
     return Measurement(
         samples=3 * int(_exact().stage.on_a.sum()) * len(steps),
-        seed=None,
         worst=max(largest.values()),
         bound=FIRST_LEVEL,
-        holds=True,
         what="the largest |ΔI| × 100 on A, 256², linear light",
         numbers={f"at_{step:g}": value for step, value in largest.items()},
     )

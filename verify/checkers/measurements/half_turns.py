@@ -11,10 +11,8 @@ def _certified(name, pieces, bound):
     largest = worst(pieces)
     return Measurement(
         samples=len(pieces),
-        seed=None,
         worst=largest,
         bound=bound,
-        holds=True,
         what=f"{name}: the error in ulps over every piece of the reduced range",
         numbers={f"{name}_ulps": largest, f"{name}_pieces": len(pieces)},
         certified=True,
