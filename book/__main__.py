@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 
 from filelock import FileLock
 
-from book.build import report, stamps, website
+from book.build import check, report, stamps, website
 from book.editions import files
 
 BUILDING = ("all", "build", "single", "pdf")
@@ -29,7 +29,7 @@ def parser() -> argparse.ArgumentParser:
     top.add_argument("--all", action="store_true", help="build every page anew, not only those whose prose changed")
     verbs = top.add_subparsers(dest="verb", metavar="VERB")
     verbs.add_parser("all", help="theorems, figures and the site, then say where the book is (the default)")
-    verbs.add_parser("check", help="run the whole checker, pytest verify, and keep its report")
+    verbs.add_parser("check", help="run the whole checker, pytest verify, if anything that it reaches changed")
     drawing = verbs.add_parser("figures", help="draw the figures that changed")
     drawing.add_argument("ids", nargs="*", metavar="ID", help="only these figures")
     drawing.add_argument("--force", action="store_true", help="draw them even if nothing changed")
@@ -64,7 +64,7 @@ def run(options: argparse.Namespace) -> int:
     # Two builds at once would write the same files: the second waits, and then finds its work done.
     with FileLock(stamps.STAMPS / "lock"):
         if verb == "check":
-            stage("Checking everything", lambda: report.run("verify"))
+            stage("Checking everything", check.run)
         if verb == "figures":
             stage("Drawing figures", lambda: figures(options.ids, options.force))
         if verb in (*BUILDING, *RELEASES):

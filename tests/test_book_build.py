@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from book.build import stamps, website
+from book.build import check, stamps, website
 from book.releases.same_bytes import files_of
 
 
@@ -15,6 +15,35 @@ def stamped(monkeypatch, tmp_path):
     """Stamps in a folder of their own."""
     monkeypatch.setattr(stamps, "STAMPS", tmp_path / "stamps")
     return tmp_path
+
+
+def test_check_runs_again_when_something_changed_and_until_it_passes(stamped, monkeypatch):
+    commands, status = [], [0]
+
+    def run(command, **options):
+        commands.append(command)
+        if status[0]:
+            raise subprocess.CalledProcessError(status[0], command)
+
+    monkeypatch.setattr(subprocess, "run", run)
+    monkeypatch.setattr(check, "sources", lambda: [stamps.LOCK_FILE])
+    for _ in range(2):
+        check.run()
+    assert len(commands) == 1
+    assert commands[0][1:4] == ["-m", "pytest", "verify"]
+    monkeypatch.setattr(check, "sources", lambda: [])
+    status[0] = 1
+    for _ in range(2):
+        with pytest.raises(subprocess.CalledProcessError):
+            check.run()
+    assert len(commands) == 3
+
+
+def test_check_reaches_code_and_data_but_no_prose():
+    names = {path.relative_to(stamps.ROOT).as_posix() for path in check.sources()}
+    assert {"requirements.lock", "pyproject.toml", "book/build/stamps.py", "tests/data/seed_64.npz"} <= names
+    assert any(name.startswith("proofs/") for name in names)
+    assert not any(name.endswith(".md") for name in names if name.startswith("book/"))
 
 
 @pytest.fixture

@@ -12,6 +12,7 @@ from book.build import stamps
 from book.drawing import keys, registry, save
 from book.drawing.registry import Drawing, Registered, plain_numbers
 from book.drawing.style import decades, label_line_end, palette, panels, plot, slope_triangle, styled
+from book.figures.chapter_scene import averaged
 
 
 @pytest.fixture
@@ -112,3 +113,11 @@ def test_reason_to_draw_again(monkeypatch, tmp_path):
     (tmp_path / "curve.svg").touch()
     assert keys.why_redraw(entry, before) is None
     assert keys.why_redraw(entry, before | {"book/new.py": "1", "python": "3.12"}) == "book/new.py changed and 1 more"
+
+
+def test_an_averaged_picture_has_smooth_edges_and_the_same_light():
+    picture = np.zeros((6, 6, 3), np.uint8)
+    picture[:, 4:] = 240
+    small = averaged(picture, 3)
+    assert small.shape == (2, 2, 3) and (small[:, 0] == 0).all() and (small[:, 1] == 160).all()
+    assert small.mean() == picture.mean()

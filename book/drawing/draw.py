@@ -97,8 +97,9 @@ def _draw_family(family: list[Waiting], folder: Path | None = None) -> list[tupl
         start, entry = time.perf_counter(), one.entry
         source = keys.source_file(entry).relative_to(stamps.ROOT).as_posix()
         try:
-            with keys.watched(entry, one.sources):
+            with keys.files_read() as seen:
                 files = save.save(entry, folder or keys.GENERATED, source, stamps.key(one.sources))
+            keys.require(entry, seen, one.sources)
         except Exception as error:
             error.add_note(f"while the figure {entry.id!r} was drawn")
             raise

@@ -5,7 +5,7 @@ Python's audit hook sees what a figure reads while it is drawn: a check on that 
 
 import inspect
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from importlib.util import source_from_cache
 from pathlib import Path
@@ -48,21 +48,25 @@ def why_redraw(entry: Registered, now: dict[str, str]) -> str | None:
     return f"{changed[0]} changed{more}"
 
 
+def require(entry: Registered, read: Iterable[Path], now: dict[str, str]) -> None:
+    """Raise ValueError if a figure read a file of the repository whose hash is not among its sources."""
+    unknown = sorted({path.relative_to(stamps.ROOT).as_posix() for path in read} - now.keys())
+    if unknown:
+        raise ValueError(f"figure {entry.id!r} read {unknown[0]}, which is not in its key: name it in data=[…]")
+
+
 @contextmanager
-def watched(entry: Registered, now: dict[str, str]) -> Iterator[None]:
-    """Raise ValueError if within the block a file of the repository is opened whose hash is not among the sources.
+def files_read() -> Iterator[set[Path]]:
+    """Yield a set that fills with the repository's files that are opened within the block, modules included.
 
     Modules that are imported already are not opened again, and other processes are not seen.
     """
     global _watching
     _watching = seen = set()
     try:
-        yield
+        yield seen
     finally:
         _watching = None
-    unknown = sorted({path.relative_to(stamps.ROOT).as_posix() for path in seen} - now.keys())
-    if unknown:
-        raise ValueError(f"figure {entry.id!r} read {unknown[0]}, which is not in its key: name it in data=[…]")
 
 
 def _see(event: str, arguments: tuple) -> None:

@@ -38,10 +38,10 @@ def on_picture(frame: Frame, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, 
     return (x - columns[0]) / step, (rows[0] - y) / step
 
 
-def averaged(picture: np.ndarray) -> np.ndarray:
-    """Return a picture of bytes, (high, wide, channels), at a FINE-th of its size: the mean of every square."""
+def averaged(picture: np.ndarray, times: int = FINE) -> np.ndarray:
+    """Return a picture of bytes, (high, wide, channels), at a `times`-th of its size: the mean of every square."""
     high, wide, channels = picture.shape
-    squares = picture.reshape(high // FINE, FINE, wide // FINE, FINE, channels)
+    squares = picture.reshape(high // times, times, wide // times, times, channels)
     return np.rint(squares.mean(axis=(1, 3))).astype(np.uint8)
 
 
