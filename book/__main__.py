@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from filelock import FileLock
 
 from book.build import check, report, stamps, website
+from book.drawing import keys
 from book.editions import files
 
 BUILDING = ("all", "build", "single", "pdf")
@@ -19,9 +20,15 @@ RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made 
 
 
 def figures(ids: Sequence[str] = (), force: bool = False) -> None:
+    if not ids and not force and keys.nothing_changed():
+        print("  all up to date")
+        return
     from book.drawing.draw import draw
 
+    before = keys.all_sources()
     draw(ids, force)
+    if not ids:
+        keys.remember(before)
 
 
 def parser() -> argparse.ArgumentParser:

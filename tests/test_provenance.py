@@ -65,9 +65,12 @@ def test_keys_have_every_module_that_python_imports(imported):
         assert python <= keys.sources(entry).keys(), entry.id
 
 
-def test_keys_have_data_style_and_lock():
+def test_keys_have_data_style_and_lock_and_nothing_that_the_quick_look_misses():
+    seen = keys.all_sources().keys()
     for entry in all_figures().values():
-        assert {"requirements.lock", "book/drawing/matplotlibrc", "python", *entry.data} <= keys.sources(entry).keys()
+        now = keys.sources(entry).keys()
+        assert {"requirements.lock", "book/drawing/matplotlibrc", "python", *entry.data} <= now
+        assert now <= seen, f"{entry.id}: `make figures` would not look"
 
 
 def edited(monkeypatch, name):

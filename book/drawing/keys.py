@@ -10,12 +10,31 @@ from contextlib import contextmanager
 from importlib.util import source_from_cache
 from pathlib import Path
 
-from book.build import stamps
+from book.build import check, stamps
 from book.drawing.registry import Registered
 
 GENERATED = stamps.ROOT / "book" / "_generated"
 SAVING = Path(__file__).with_name("save.py")  # how a drawing becomes files is a source of every figure
 _watching: set[Path] | None = None
+
+
+def all_sources() -> dict[str, str]:
+    """The hashes of all code and data in the repository that a figure could reach, found without importing one."""
+    return stamps.hashes(check.sources())
+
+
+def nothing_changed() -> bool:
+    """True when everything is as it was when the figures were last seen to be up to date."""
+    return stamps.read("figures") == {"sources": all_sources(), "drawn": _drawn()}
+
+
+def remember(before: dict[str, str]) -> None:
+    """Note that the figures agree with these sources, hashed before any figure was drawn."""
+    stamps.write("figures", {"sources": before, "drawn": _drawn()})
+
+
+def _drawn() -> dict[str, str]:
+    return stamps.hashes(GENERATED.iterdir() if GENERATED.is_dir() else ())
 
 
 def source_file(entry: Registered) -> Path:

@@ -22,6 +22,8 @@ import numpy as np
 
 from book.build import stamps
 
+DATA_FOLDERS = ("proofs/", "renderer/", "verify/", "book/", "tests/data/")  # those that are hashed
+
 
 @dataclass(frozen=True)
 class Drawing:
@@ -48,6 +50,8 @@ def figure(id: str, data: tuple[str, ...] | list[str] = ()) -> Callable:
     """Register the decorated function under an id; `data`: files that it reads, by path from the root."""
     if not re.fullmatch(r"[a-z0-9_]+", id):
         raise ValueError(f"figure id {id!r}: an id is made of a-z, 0-9 and _")
+    if any(not name.startswith(DATA_FOLDERS) for name in data):
+        raise ValueError(f"figure {id!r}: its data must lie in one of {', '.join(DATA_FOLDERS)}")
 
     def register(draw: Callable[[], Drawing]) -> Callable[[], Drawing]:
         if id in FIGURES:
