@@ -28,10 +28,11 @@ print(len(theorems), examine(theorems["unit_length"], theorems).grade)
 def installed(tmp_path_factory):
     """The folder of the commands of an environment that has the wheel and what it needs, and nothing else."""
     folder = tmp_path_factory.mktemp("wheel")
-    subprocess.run([sys.executable, "-m", "venv", folder / "environment"], check=True)
+    subprocess.run([sys.executable, "-m", "venv", "--without-pip", folder / "environment"], check=True)
     commands = folder / "environment" / "bin"
-    pip = [commands / "python", "-m", "pip", "--quiet", "--disable-pip-version-check"]
-    for arguments in (["wheel", "--no-deps", ROOT, "-w", folder], ["install", "symbolic-rendering", "-f", folder]):
+    pip = [sys.executable, "-m", "pip", "--quiet", "--disable-pip-version-check", "--python", commands / "python"]
+    install = ["install", "--no-compile", "symbolic-rendering", "-f", folder]  # Python compiles what is imported
+    for arguments in (["wheel", "--no-deps", ROOT, "-w", folder], install):
         done = subprocess.run([*pip, *arguments], cwd=folder, capture_output=True, text=True)
         if done.returncode:
             reason = f"the wheel cannot be installed: {done.stderr.strip().splitlines()[-1]}"
