@@ -10,6 +10,7 @@ from urllib.parse import unquote, urlsplit
 from bs4 import BeautifulSoup, Tag
 
 ARTICLE = re.compile(r'<article class="bd-article">(.*)</article>', re.DOTALL)
+COLORED = re.compile(r'<span class="\w{1,3}">([^<]*)</span>')  # in a listing
 SHELL = "s1"  # the page whose frame is taken: one with contents beside it
 LEFT_OUT = {"search.html", "genindex.html"}  # a file has no search, and its index is empty
 
@@ -54,13 +55,13 @@ def target(page: str, address: str) -> tuple[str, str] | None:
 
 
 def read_page(site: Path, name: str) -> Page:
-    """Read one page. A listing is large, and nothing but its article is wanted."""
+    """Read one page. A listing is large, and nothing but its article is wanted, without colours."""
     text = (site / f"{name}.html").read_text(encoding="utf-8")
     found = ARTICLE.search(text)
     if not found:
         raise BrokenSite(f"{name}.html has no article: is it a page of this book?")
     if name.startswith("source/"):
-        return Page(name, parsed(found[0]).article, None, None, [], {})
+        return Page(name, parsed(COLORED.sub(r"\1", found[0])).article, None, None, [], {})
     soup = parsed(text)
     article = soup.find("article", class_="bd-article")
     contents = soup.select_one("#pst-page-toc-nav > ul")
