@@ -133,45 +133,64 @@ def _coqc(folder: Path, name: str) -> str:
     return done.stdout
 
 
-def compile_files(*wanted: str) -> dict:
-    """Compile files in a folder of their own and return what `record` returns; raises NotAccepted."""
+def compile_files(*wanted: str, said: dict | None = None) -> dict:
+    """Compile files in a folder of their own and return what `record` returns; raises NotAccepted.
+
+    said: what a record says. Coq takes long to list axioms, so it is then asked once for all theorems that are said to
+    rest on the same: each rests on no more than these.
+    """
     found, order = statements(*wanted), files(*wanted)
+    groups = _groups(found, said or {})
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for path in order:
             shutil.copy(path, folder)
-        (folder / "Survey.v").write_text(_survey(found, order), encoding="utf-8")
+        (folder / "Survey.v").write_text(_survey(found, groups, order), encoding="utf-8")
         with tqdm(total=len(order) + 1, unit="file", disable=None) as bar, ThreadPoolExecutor(2) as pool:
             for layer in [*layers(*wanted), ["Survey"]]:
                 printed = list(pool.map(lambda name: _coqc(folder, f"{name}.v"), layer))
                 bar.update(len(layer))
-    return _read(found, printed[-1])
+    return _read(found, groups, printed[-1])
 
 
-def _survey(found: Statements, order: list[Path]) -> str:
-    """Return the text of a file that prints every statement, and each theorem's axioms."""
+def _groups(found: Statements, said: dict) -> list[list[str]]:
+    """Return lists of theorems: together those that are said to rest on the same axioms, else each alone."""
+    groups: dict[object, list[str]] = {}
+    for theorem in found:
+        groups.setdefault(tuple(said[theorem]["axioms"]) if theorem in said else theorem, []).append(theorem)
+    return list(groups.values())
+
+
+def _survey(found: Statements, groups: list[list[str]], order: list[Path]) -> str:
+    """Return the text of a file that prints each theorem's statements, then each group's axioms."""
     lines = ["From Coq Require Import Reals.", "From Coquelicot Require Import Coquelicot.", "Open Scope R_scope."]
     lines += [f"From Formal Require Import {' '.join(path.stem for path in order)}.", "Set Printing Width 72."]
-    for theorem, names in found.items():
-        lines += [f"Check {name}." for name in names]
-        lines += [f"Definition all_of_{theorem} := ({', '.join(names)}, I).", "Check I."]
-        lines += [f"Print Assumptions all_of_{theorem}.", "Check I."]
+    for names in found.values():
+        lines += [*(f"Check {name}." for name in names), "Check I."]
+    for group in groups:
+        names = [name for theorem in group for name in found[theorem]]
+        lines += [f"Definition all_of_{group[0]} := ({', '.join(names)}, I)."]
+        lines += [f"Print Assumptions all_of_{group[0]}.", "Check I."]
     return "\n".join([*lines, ""])
 
 
-def _read(found: Statements, printed: str) -> dict:
-    """Return the record out of what the survey printed: each theorem's statements, then what it rests on."""
+def _read(found: Statements, groups: list[list[str]], printed: str) -> dict:
+    """Return the record out of what the survey printed."""
     *parts, rest = printed.split(SEPARATOR)
-    if len(parts) != 2 * len(found) or rest.strip():
-        raise NotAccepted(f"Coq printed {len(parts)} parts, not the {2 * len(found)} of {len(found)} theorems")
+    if len(parts) != (asked := len(found) + len(groups)) or rest.strip():
+        raise NotAccepted(f"Coq printed {len(parts)} parts, not the {asked} of {len(found)} theorems")
     table = {}
-    for theorem, said, rests in zip(found, parts[0::2], parts[1::2], strict=True):
-        pieces = re.split(rf"^({'|'.join(found[theorem])})\s*:", said, flags=re.M)
+    for theorem, part in zip(found, parts, strict=False):
+        pieces = re.split(rf"^({'|'.join(found[theorem])})\s*:", part, flags=re.M)
         if pieces[1::2] != list(found[theorem]):
             raise NotAccepted(f"a statement of {theorem} was not printed")
         texts = {name: _dedented(text) for name, text in zip(pieces[1::2], pieces[2::2], strict=True)}
         clauses = {name: said for name, said in found[theorem].items() if said}
-        table[theorem] = {"statements": texts, "clauses": clauses, "axioms": _axioms(theorem, rests)}
+        table[theorem] = {"statements": texts, "clauses": clauses}
+    for group, listed in zip(groups, parts[len(found) :], strict=True):
+        axioms = _axioms(", ".join(group), listed)
+        for theorem in group:
+            table[theorem]["axioms"] = axioms
     return table
 
 

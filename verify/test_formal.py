@@ -42,7 +42,8 @@ def test_every_clause_of_a_formal_theorem_has_a_statement_that_says_it():
 def test_coq_accepts_what_the_record_says():
     """Where these files were accepted here before, Coq is not asked again; python -m verify.formal --fresh asks."""
     if not formal.KEPT.is_file() or formal.KEPT.read_text() != formal.seen():
-        assert json.loads(formal.RECORD.read_text(encoding="utf-8"))["theorems"] == formal.compile_files()
+        said = json.loads(formal.RECORD.read_text(encoding="utf-8"))["theorems"]
+        assert said == formal.compile_files(said=said)
         write_whole(formal.KEPT, formal.seen().encode())
     assert formal.record(), "proofs/formal changed since its record was made: run python -m verify.formal"
 
@@ -69,12 +70,12 @@ def test_what_is_not_proved_is_not_accepted(tmp_path, monkeypatch):
     (tmp_path / "Wrong.v").write_text(WRONG, encoding="utf-8")
     with monkeypatch.context() as patch:
         patch.setattr(formal, "_read", lambda *survey: survey)
-        found, printed = formal.compile_files()
-    parts = printed.split(formal.SEPARATOR)
-    for number, (theorem, why) in enumerate(WHY.items()):
-        own = "".join(f"{part}{formal.SEPARATOR}" for part in parts[2 * number : 2 * number + 2])
-        with pytest.raises(formal.NotAccepted, match=why):
-            formal._read({theorem: found[theorem]}, own)
+        found, groups, printed = formal.compile_files()
+    *parts, _ = printed.split(formal.SEPARATOR)
+    for group, said, rests in zip(groups, parts[:4], parts[4:], strict=True):
+        own = {theorem: found[theorem] for theorem in group}
+        with pytest.raises(formal.NotAccepted, match=WHY[group[0]]):
+            formal._read(own, [group], f"{said}{formal.SEPARATOR}{rests}{formal.SEPARATOR}")
     (tmp_path / "Wrong.v").write_text(WRONG.replace("Admitted", "lra. Qed"), encoding="utf-8")
     with pytest.raises(formal.NotAccepted, match="does not accept Wrong"):
         formal.compile_files()
@@ -142,11 +143,23 @@ SAID, CLOSED = f"unit_length__length\n     : 1 = 1\n{TRUE}", f"{formal.CLOSED}{T
 )
 def test_a_survey_that_is_cut_short_or_says_more_than_axioms_is_refused(printed, why):
     found = {"unit_length": {"unit_length__length": []}}
-    assert formal._read(found, SAID + CLOSED)["unit_length"]["axioms"] == []
+    groups = formal._groups(found, {})
+    assert formal._read(found, groups, SAID + CLOSED)["unit_length"]["axioms"] == []
     axioms = "Axioms:\nClassical_Prop.classic : forall P : Prop, P \\/ ~ P\n" + TRUE
-    assert formal._read(found, SAID + axioms)["unit_length"]["axioms"] == ["Classical_Prop.classic"]
+    assert formal._read(found, groups, SAID + axioms)["unit_length"]["axioms"] == ["Classical_Prop.classic"]
     with pytest.raises(formal.NotAccepted, match=why):
-        formal._read(found, printed)
+        formal._read(found, groups, printed)
+
+
+def test_theorems_said_to_rest_on_the_same_axioms_have_all_that_coq_lists_for_them():
+    found = {"one": {"one__said": []}, "two": {"two__said": []}, "three": {"three__said": []}}
+    said = {"one": {"axioms": []}, "two": {"axioms": []}, "three": {"axioms": ["Classical_Prop.classic"]}}
+    groups = formal._groups(found, said)
+    assert groups == [["one", "two"], ["three"]]
+    statements = "".join(f"{name}__said\n     : 1 = 1\n{TRUE}" for name in found)
+    rests = "Axioms:\nClassical_Prop.classic : forall P : Prop, P \\/ ~ P\n" + TRUE
+    table = formal._read(found, groups, statements + rests + rests)
+    assert [entry["axioms"] for entry in table.values()] == [["Classical_Prop.classic"]] * 3
 
 
 PRINT = """import json
