@@ -165,8 +165,8 @@ def _survey(found: Statements, groups: list[list[str]], order: list[Path]) -> st
     """Return the text of a file that prints each theorem's statements, then each group's axioms."""
     lines = ["From Coq Require Import Reals.", "From Coquelicot Require Import Coquelicot.", "Open Scope R_scope."]
     lines += [f"From Formal Require Import {' '.join(path.stem for path in order)}.", "Set Printing Width 72."]
-    for names in found.values():
-        lines += [*(f"Check {name}." for name in names), "Check I."]
+    for said in found.values():
+        lines += [*(f"Check {name}." for name in said), "Check I."]
     for group in groups:
         names = [name for theorem in group for name in found[theorem]]
         lines += [f"Definition all_of_{group[0]} := ({', '.join(names)}, I)."]
@@ -188,9 +188,8 @@ def _read(found: Statements, groups: list[list[str]], printed: str) -> dict:
         clauses = {name: said for name, said in found[theorem].items() if said}
         table[theorem] = {"statements": texts, "clauses": clauses}
     for group, listed in zip(groups, parts[len(found) :], strict=True):
-        axioms = _axioms(", ".join(group), listed)
         for theorem in group:
-            table[theorem]["axioms"] = axioms
+            table[theorem]["axioms"] = _axioms(", ".join(group), listed)
     return table
 
 

@@ -40,7 +40,7 @@ class NoBrowser(Refused):
 
 
 def installed() -> str:
-    """The path of the installed Chromium; NoBrowser if there is none. Debian's shell has no window and starts faster."""
+    """The path of the installed Chromium, if it can be the one without a window; NoBrowser if there is none."""
     for name in ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"):
         if found := shutil.which(name):
             return found
