@@ -60,7 +60,7 @@ def build_page(fresh_report, tmp_path):
     def built(text: str) -> tuple[str, str]:
         book = tmp_path / "book"
         book.mkdir(exist_ok=True)
-        (book / "findings.md").write_text("---\norphan: true\n---\n# Findings\n\n:::{all-theorems}\n:::\n")
+        (book / "findings.md").write_text("---\norphan: true\n---\n# Findings\n")
         (book / "index.md").write_text(f"# Page\n\n{text}\n")
         return one_page.build(book, tmp_path / "out")
 

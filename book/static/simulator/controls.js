@@ -63,11 +63,11 @@ Simulator.controls = function (root, states, act) {
   }
 
   // A new state from elsewhere takes the place of what could not be read.
-  function forgive() {
+  function clear() {
     for (const holder of holders) say(holder, "");
     shown = {};
   }
 
   holders.forEach(wire);
-  return { show, forgive };
+  return { show, clear };
 };

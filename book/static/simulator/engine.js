@@ -3,7 +3,7 @@
 // drawn by the page itself: that takes less time than to hand it over, and it is there in the slider's own frame.
 "use strict";
 
-Simulator.engine = function (data, compiled, states, module, heard) {
+Simulator.engine = function (data, compiled, states, module, handlers) {
   const IDLE_AFTER = 150, SMALL = 256, AT_ONCE = 12; // milliseconds; pixels; milliseconds
   const parts = ["module", "worker"].map((name) => `Simulator.${name} = ${Simulator[name]};`);
   const source = ['"use strict"; const Simulator = {};', ...parts, "Simulator.worker(self);"].join("\n");
@@ -26,7 +26,7 @@ Simulator.engine = function (data, compiled, states, module, heard) {
       const worker = new Worker(address), own = { worker, buffers: {} };
       worker.onmessage = ({ data }) => receive(data, number);
       worker.postMessage({ kind: "begin", data, compiled });
-      worker.onerror = (event) => heard.failed(event.message || "the worker did not start");
+      worker.onerror = (event) => handlers.failed(event.message || "the worker did not start");
       return own;
     });
     waiting = null;
@@ -82,7 +82,7 @@ Simulator.engine = function (data, compiled, states, module, heard) {
     const { state, asked, drawers, anew, sent, replies } = waiting;
     waiting = null;
     if (drawers === page && !anew) usual += 0.2 * (performance.now() - sent - usual);
-    heard.drawn(state, replies, asked);
+    handlers.drawn(state, replies, asked);
     replies.forEach(({ images }, n) => {
       drawers[n].buffers = Object.fromEntries(Object.entries(images).map(([name, { bytes }]) => [name, bytes.buffer]));
     });
@@ -94,13 +94,13 @@ Simulator.engine = function (data, compiled, states, module, heard) {
   function found(reply) {
     if (reply.id !== id || !resting) return;
     const all = (pieces[`${reply.kind} ${reply.index}`] ??= []);
-    if (all.push(reply) === resting) heard[reply.kind](all);
+    if (all.push(reply) === resting) handlers[reply.kind](all);
   }
 
   function rest(state) {
     if (document.hidden || waiting) return;
     usual /= 2; // lest a busy moment keep the page from drawing
-    const steps = heard.resting(state), parts = bands.drawers === workers ? bands : cut(state, workers.length);
+    const steps = handlers.resting(state), parts = bands.drawers === workers ? bands : cut(state, workers.length);
     resting = parts.length;
     pieces = {};
     parts.forEach((band, n) => workers[n].worker.postMessage({ kind: "idle", id, state, band, steps }));

@@ -53,7 +53,7 @@ Simulator.start = function (root, compiled, module) {
     },
     change: (changes) => take(states.changed(state, changes)),
     replace(next) {
-      controls.forgive();
+      controls.clear();
       message("");
       take(states.changed(next, {}));
     },
