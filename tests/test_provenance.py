@@ -54,21 +54,27 @@ def imported() -> dict[str, set[str]]:
     return {name: ours(files) for name, files in json.loads(done.stdout).items()}
 
 
+@pytest.fixture(scope="module")
+def sources() -> dict[str, dict[str, str]]:
+    """Figure → its sources, while no file looks edited."""
+    return {id: keys.sources(entry) for id, entry in all_figures().items()}
+
+
 def module_of(entry) -> str:
     return keys.source_file(entry).stem
 
 
-def test_keys_have_every_module_that_python_imports(imported):
+def test_keys_have_every_module_that_python_imports(imported, sources):
     for entry in all_figures().values():
         python = imported[module_of(entry)]
         assert f"book/figures/{module_of(entry)}.py" in python and len(python) > 3
-        assert python <= keys.sources(entry).keys(), entry.id
+        assert python <= sources[entry.id].keys(), entry.id
 
 
-def test_keys_have_data_style_and_lock_and_nothing_that_the_quick_look_misses():
+def test_keys_have_data_style_and_lock_and_nothing_that_the_quick_look_misses(sources):
     seen = keys.all_sources().keys()
     for entry in all_figures().values():
-        now = keys.sources(entry).keys()
+        now = sources[entry.id].keys()
         assert {"requirements.lock", "book/drawing/matplotlibrc", "python", *entry.data} <= now
         assert now <= seen, f"{entry.id}: `make figures` would not look"
 
@@ -82,15 +88,15 @@ def edited(monkeypatch, name):
 
 
 @pytest.fixture
-def drawn(monkeypatch, tmp_path):
+def drawn(sources, monkeypatch, tmp_path):
     """Every figure, as if it had just been drawn; what is drawn now."""
     monkeypatch.setattr(stamps, "STAMPS", tmp_path)
     monkeypatch.setattr(keys, "GENERATED", tmp_path / "generated")
     monkeypatch.setattr(draw, "PROCESSES", 1)
     drawings = []
     monkeypatch.setattr(save, "save", lambda entry, *rest: drawings.append(entry.id) or [])
-    for entry in all_figures().values():
-        stamps.write(f"figures/{entry.id}", {"files": [], "sources": keys.sources(entry)})
+    for id, now in sources.items():
+        stamps.write(f"figures/{id}", {"files": [], "sources": now})
     return drawings
 
 
@@ -100,19 +106,18 @@ def drawn(monkeypatch, tmp_path):
      "book/drawing/data.py", "proofs/formulas/symbols.py", "verify/results/work_precision.json", "requirements.lock",
      "book/drawing/matplotlibrc"],
 )  # fmt: skip
-def test_editing_one_file_draws_all_that_reach_it_and_says_why(name, drawn, monkeypatch, capsys):
+def test_editing_one_file_draws_all_that_reach_it_and_says_why(name, sources, drawn, monkeypatch, capsys):
     assert draw.draw() == 0 and drawn == []
-    figures = all_figures()
-    reach = {id for id, entry in figures.items() if name in keys.sources(entry)}
+    reach = {id for id, now in sources.items() if name in now}
     edited(monkeypatch, name)
     capsys.readouterr()
     assert draw.draw() == len(reach)
     assert set(drawn) == reach and len(drawn) == len(reach)
     assert reach
-    assert len(reach) < len(figures) or name not in NARROW, f"figures import too widely: {name}"
+    assert len(reach) < len(sources) or name not in NARROW, f"figures import too widely: {name}"
     said = capsys.readouterr().out
     assert said.count(f"({name} changed") == len(reach)
-    assert f"  {len(reach)} drawn, {len(figures) - len(reach)} up to date" in said
+    assert f"  {len(reach)} drawn, {len(sources) - len(reach)} up to date" in said
     drawn.clear()
     assert draw.draw() == 0 and drawn == []  # and once is enough
 
