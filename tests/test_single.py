@@ -230,18 +230,22 @@ def test_drawing_stands_inside_double_quotes_with_two_decimals(tmp_path):
 
 @pytest.mark.browser
 def test_every_page_is_typeset_and_whole(tab):
-    for name in tab.evaluate("Chapter.pages.map(p => p.dataset.page)"):
-        show(tab, name)
-        seen = tab.evaluate(
-            """() => { const page = Chapter.shown(), shown = [...page.querySelectorAll('img')].filter(i => i.src);
-                return { pages: Chapter.pages.filter(p => p.hasAttribute('hidden')).length,
-                    math: page.querySelectorAll('.math').length,
-                    set: page.querySelectorAll('.math mjx-container').length,
-                    wrong: page.querySelectorAll('mjx-merror, [data-mjx-error]').length,
-                    images: shown.filter(i => !(i.complete && i.naturalWidth)).length } }"""
-        )
-        assert seen["pages"] == tab.evaluate("Chapter.pages.length") - 1
-        assert seen["set"] >= seen["math"] and seen["wrong"] == seen["images"] == 0, (name, seen)
+    seen = tab.evaluate("""async () => { const seen = {};
+        for (const page of Chapter.pages) {
+            Chapter.show(page);
+            await Chapter.ready();
+            const count = selector => page.querySelectorAll(selector).length;
+            const images = [...page.querySelectorAll('img')].filter(i => i.src);
+            await Promise.allSettled(images.map(i => i.decode()));
+            seen[page.dataset.page] = { alone: Chapter.pages.every(p => p.hasAttribute('hidden') === (p !== page)),
+                untypeset: Math.max(0, count('.math') - count('.math mjx-container')),
+                wrong: count('mjx-merror, [data-mjx-error]'),
+                unloaded: images.filter(i => !(i.complete && i.naturalWidth)).length };
+        }
+        return seen; }""")
+    assert len(seen) > 20
+    whole = {"alone": True, "untypeset": 0, "wrong": 0, "unloaded": 0}
+    assert {name: page for name, page in seen.items() if page != whole} == {}
     loaded = "[...document.fonts].filter(f => /MJX|Awesome/.test(f.family) && f.status == 'error').length"
     assert tab.evaluate(loaded) == 0
     assert tab.evaluate("[...document.fonts].some(f => f.family.includes('MJX') && f.status == 'loaded')")
