@@ -14,6 +14,7 @@ from docutils import nodes
 
 from book.build import check, report, stamps
 from book.extension import theorems as book_theorems
+from book.extension.cards import coq
 from book.extension.dependencies import rows
 from book.extension.elements import typeset
 from book.extension.evidence import evidence_line, findings
@@ -112,6 +113,12 @@ def test_every_clause_without_a_claim_is_listed(build_page):
     listed = {id: 0 if id in in_coq else len(theorem.argued) for id, theorem in THEOREMS.items()}
     assert {id: page.count(f'findings.html#theorem-{id}"') for id in THEOREMS} == listed
     assert page.count("(argued: ") == sum(listed.values()) > 0
+
+
+def test_a_statement_of_coq_has_coloured_keywords_and_no_tag_of_its_own():
+    assert coq("a__b", "forall x : R, x < 2") == (
+        '<span class="k">Theorem</span> a__b :\n  <span class="k">forall</span> x : R, x &lt; 2.'
+    )
 
 
 @pytest.mark.parametrize(
