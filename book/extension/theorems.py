@@ -20,7 +20,7 @@ GRADES = {  # shape, letter and meaning of each, in the order of the page of fin
     "formal": ("■", "F", "stated over the printed formulas clause for clause, accepted by Coq's kernel; also proved"),
     "proved": ("●", "P", "two checkers accepted a certificate, the samples agree, the false variants were refuted"),
     "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),
-    "argued": ("◐", "A", "as proved, but for the words in grey, which no claim says"),
+    "argued": ("◐", "A", "as proved, but for the words in green, which no claim says"),
     "certified": ("◆", "C", "enclosed in balls of exact width"),
     "measured": ("▲", "M", "sampled, with the worst case given"),
     "refuted": ("✕", "R", "false: an exact counterexample, accepted by two checkers"),

@@ -45,8 +45,10 @@ def _errors(sines):
             fallback = _tangent_gradient((1.0, 0.0, 0.0, 0.0, 1.0, 0.0), float_slopes)
             guarded = plain if sines[place] > SEED_FALLBACK else fallback
             for index, value in enumerate((plain, guarded, _tangent_gradient(ours(*rounded), float_slopes))):
-                error = max(abs(mpf(float(v)) - r) for v, r in zip(value, right, strict=True) if np.isfinite(v))
-                worst[index, place] = max(worst[index, place], float(error))
+                error = np.nan  # where a frame divides by zero
+                if np.isfinite(value).all():
+                    error = float(max(abs(mpf(float(v)) - r) for v, r in zip(value, right, strict=True)))
+                worst[index, place] = np.maximum(worst[index, place], error)
     return worst
 
 
@@ -68,7 +70,7 @@ def pole() -> Drawing:
     numbers = {
         "seed_at_1e-4": plain[index],
         "fallback_worst": guarded.max(),
-        "seed_worst": plain.max(),
+        "seed_worst": np.nanmax(plain),
         "stable_worst": stable.max(),
     }
     data = {"sin_phi": sines, "seed": plain, "seed_with_fallback": guarded, "stable": stable}

@@ -4,14 +4,14 @@
 // The theme does so for code and tables; here are figures, formulas, theorems and graphs.
 "use strict";
 (() => {
-  const SCROLLS = "figure .pixels, mjx-container[display], div.math, .admonition, .graph, .theorem > p, .theorem details";
+  const SCROLLS = "figure .pixels, mjx-container[display], .math, .admonition, .graph, .theorem > p, .theorem details";
   const PHONE = matchMedia("(max-width: 600px)");
   const FOCUSABLE = "a[href], button, input, select, textarea, summary, [tabindex='0']";
 
   // What a screen reader says on arriving: the figure's number, or what kind of thing it is.
   function name_of(element) {
     const number = element.closest("figure")?.querySelector(".caption-number")?.textContent.trim();
-    return number || (element.matches(".graph") ? "Graph" : element.matches("mjx-container, div.math") ? "Formula" : "Text");
+    return number || (element.matches(".graph") ? "Graph" : element.matches("mjx-container, .math") ? "Formula" : "Text");
   }
 
   function put_into_reach(element) {

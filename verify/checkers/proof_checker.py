@@ -1,11 +1,16 @@
 """The proof checker: everything that a run knows about a theorem with claims, and the grade that follows from it.
 
-proved     both checkers accept a certificate of every claim, no sample at 50 digits contradicts one, every side
-           condition behaves as stated at its edge, every mutant is refuted, every theorem it uses is proved
-refuted    both checkers accept an exact counterexample, and 50 digits agree
-argued     the same, but a clause of its words is said by no claim
-by definition  the same, where every claim reads 0 = 0 once it is translated: nothing was left to prove
-failed     anything else. Nothing raises a grade by hand.
+    proved         both checkers accept a certificate of every claim,
+                   no sample at 50 digits contradicts one,
+                   every side condition behaves as stated at its edge,
+                   every mutant is refuted, and
+                   every theorem that it uses is proved
+    argued         as proved, but a clause of its words is said by no claim
+    by definition  as proved, but every claim reads 0 = 0 once translated
+    refuted        both checkers accept an exact counterexample, and 50 digits agree
+    failed         anything else
+
+Nothing raises a grade by hand.
 
 What is certified, measured or cited has no claims: `verify.checkers.measured`. It and the search are imported where a
 theorem needs them: no grade of what is proved rests on either.
