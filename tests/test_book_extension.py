@@ -2,6 +2,7 @@
 
 import json
 import re
+from functools import partial
 
 import pytest
 from docutils import nodes
@@ -75,14 +76,9 @@ def test_typesetting(value, spec, expected):
 
 
 @pytest.fixture
-def build_page(book, tmp_path):
+def build_page(book):
     """Build one page with the extension; the page's HTML and the warnings."""
-
-    def built(text: str) -> tuple[str, str]:
-        (book / "index.md").write_text(f"# Page\n\n{text}\n")
-        return one_page.build(book, tmp_path / "out")
-
-    return built
+    return partial(one_page.build, book)
 
 
 FIGURE = ":::{chapter-figure} %s\n%s\n\nThe RMS is {number}`sweep.rms_1e-3`.\n:::\n\nSee {numref}`fig-sweep`."
