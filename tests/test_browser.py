@@ -14,7 +14,6 @@ from tests.tabs import PHONE, next_frame
 ROOT = Path(__file__).resolve().parent.parent
 AXE = ROOT / "tests" / "axe" / "node_modules" / "axe-core" / "axe.min.js"
 
-pytestmark = pytest.mark.browser
 with_axe = pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm ci --prefix tests/axe")
 PAGES = list(page_files(ROOT / "book"))
 # Sphinx's own pages, and the listing of a source: all listings are made alike.

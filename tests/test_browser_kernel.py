@@ -11,7 +11,6 @@ from verify.checkers.kernels import JAVASCRIPT
 from verify.checkers.tampering import draws
 from verify.checkers.test_checkers import NOTHING, UNSOUND, derivation, show
 
-pytestmark = pytest.mark.browser
 ASK = "(text) => { const { check } = Checker.kernel(); return JSON.parse(text).map((pair) => check(...pair)) }"
 
 

@@ -12,7 +12,6 @@ from tests.tabs import PHONE
 from tests.tampered_certificates import stored
 from tests.test_browser import PAGES, violations, with_axe
 
-pytestmark = pytest.mark.browser
 CHECK_HERE, CHANGE, CHECK_ALL = "Check it here", "Change the statement", "Check all"
 OPEN_EVERYTHING = """() => { for (const place of document.querySelectorAll('.checker[data-theorem]')) {
     for (const button of place.querySelectorAll('.check-buttons button')) button.click();

@@ -385,7 +385,6 @@ def test_colab_is_offered_where_a_repository_is_configured(url, links, tmp_path)
     assert (f'href="{colab}"' in found[0]) == (links == 2)
 
 
-@pytest.mark.browser
 def test_links_save_notebooks_from_a_disk_and_addresses_of_cells_are_their_headings(site, visit):
     page = visit("s5", "file")
     links = page.locator(".notebook-links a[download]")
@@ -400,7 +399,6 @@ def test_links_save_notebooks_from_a_disk_and_addresses_of_cells_are_their_headi
         assert page.locator(f"#cell{number} > :is(h2, h3)").first.inner_text().startswith(f"Cell {number}.")
 
 
-@pytest.mark.browser
 def test_copied_cell_is_complete_though_its_scene_is_folded(visit):
     page = visit("s5", "file")
     page.evaluate("document.body.prepend(Object.assign(document.createElement('textarea'), { id: 'pasted' }))")

@@ -14,8 +14,6 @@ from renderer.kernels import FIELDS
 from tests.tabs import PHONE, RUNNING, go, settled, slide, state
 from tests.test_newcomer import copied
 
-pytestmark = pytest.mark.browser
-
 CLIPBOARD = ["clipboard-read", "clipboard-write"]
 # k_u u + k_v v at the pixels of A over which a crease is drawn.
 WHITE = """() => {

@@ -19,8 +19,6 @@ from renderer.scene import DEFAULT_LIGHTS
 from renderer.views import difference_linear, difference_logarithmic, image_view, slope_view
 from tests.tabs import RUNNING, go
 
-pytestmark = pytest.mark.browser
-
 METHODS = {"central": central, "forward": forward, "central4": central4}
 WHOLE = {"width": 256, "height": 256, "left": 0, "top": 0, "wide": 256, "high": 256}
 BASE = {"ku": 8, "kv": 4, "beta": 0.35, "ball": True, "lights": [True, True], "model": "blinn", "field": "ridges"}

@@ -228,7 +228,6 @@ def test_drawing_stands_inside_double_quotes_with_two_decimals(tmp_path):
     assert "M 12.35 -0 L 3 4.5" in address and "x='1' y='7'" in address and "scale(0.015625)" in address
 
 
-@pytest.mark.browser
 def test_every_page_is_typeset_and_whole(tab):
     seen = tab.evaluate("""async () => { const seen = {};
         for (const page of Chapter.pages) {
@@ -251,7 +250,6 @@ def test_every_page_is_typeset_and_whole(tab):
     assert tab.evaluate("[...document.fonts].some(f => f.family.includes('MJX') && f.status == 'loaded')")
 
 
-@pytest.mark.browser
 def test_links_turn_pages_and_the_way_back_leads_back(tab):
     go(tab, "s1")
     tab.locator(".bd-docs-nav a:visible", has_text="§7").click()
@@ -269,7 +267,6 @@ def test_links_turn_pages_and_the_way_back_leads_back(tab):
     wait(tab, "Chapter.shown().dataset.page === 's7' && Math.abs(scrollY - 600) < 2")
 
 
-@pytest.mark.browser
 def test_simulator_draws_and_its_slider_works(tab):
     go(tab, "sim")
     seen = "document.querySelector('[data-picture=difference] canvas').toDataURL()"
@@ -285,7 +282,6 @@ def test_simulator_draws_and_its_slider_works(tab):
     assert tab.evaluate("Chapter.shown().dataset.page") == "s4"
 
 
-@pytest.mark.browser
 def test_certificates_are_checked(tab):
     go(tab, "theorem-unit_length")
     tab.evaluate("document.querySelector('#theorem-unit_length details').open = true")
@@ -298,7 +294,6 @@ def test_certificates_are_checked(tab):
     assert f"{count} of {count} theorems" in tab.locator(".checker[data-all] .check-verdict").inner_text()
 
 
-@pytest.mark.browser
 def test_kept_file_comes_out_under_its_own_name(tab, site):
     go(tab, "theorem-unit_length")
     tab.evaluate("document.querySelector('#theorem-unit_length details').open = true")
@@ -310,7 +305,6 @@ def test_kept_file_comes_out_under_its_own_name(tab, site):
     )
 
 
-@pytest.mark.browser
 def test_dark_mode_has_dark_pictures(tab):
     go(tab, "s1")
     paper = "getComputedStyle(document.body).backgroundColor"
@@ -328,7 +322,6 @@ def test_dark_mode_has_dark_pictures(tab):
     assert len(papers) == 2
 
 
-@pytest.mark.browser
 def test_file_fits_a_phone_and_its_menu_leads_on(browser, single):
     with opened(browser, single.as_uri(), until=None, **PHONE) as tab:
         for name in ("index", "s2", "s4", "findings", "source/proofs/engine/kernel.py"):
@@ -339,7 +332,6 @@ def test_file_fits_a_phone_and_its_menu_leads_on(browser, single):
         wait(tab, "Chapter.shown().dataset.page === 's1' && !document.querySelector('dialog[open]')")
 
 
-@pytest.mark.browser
 def test_without_scripts_every_page_stands_there(browser, single):
     with opened(browser, single.as_uri(), java_script_enabled=False) as tab:
         for id in ("s1", "s9", "theorem-kink_loci", "fig-three_pictures"):
