@@ -9,16 +9,15 @@ from pathlib import Path
 import pytest
 
 from book.editions.chromium import FLAGS, NoBrowser, installed
+from tests.processes import python
 from tests.tabs import visits
-
-ROOT = Path(__file__).resolve().parent.parent
+from verify.sources import ROOT
 
 
 @pytest.fixture(scope="session")
 def site() -> Path:
     """The folder of the built site. The build takes a lock, so several workers may ask for it at once."""
-    done = subprocess.run([sys.executable, "-m", "book", "build"], cwd=ROOT, capture_output=True, text=True)
-    assert done.returncode == 0, f"the book does not build:\n{done.stdout}\n{done.stderr}"
+    python("-m", "book", "build")
     return ROOT / "book" / "_build" / "html"
 
 
@@ -48,12 +47,12 @@ def browser():
         yield running
         running.close()
 
+
 def pytest_collection_modifyitems(items):
     """Mark what drives the browser."""
     for item in items:
         if "browser" in getattr(item, "fixturenames", ()):
             item.add_marker("browser")
-
 
 
 visit = pytest.fixture(visits)

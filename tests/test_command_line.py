@@ -1,10 +1,8 @@
 """The command line: what it writes and prints, and how it refuses."""
 
 import dataclasses
-import subprocess
 import sys
 from concurrent.futures import BrokenExecutor
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,8 +13,7 @@ from renderer.command_line import main
 from renderer.kernels import FIELDS
 from renderer.scene import DEFAULT_LIGHTS
 from renderer.sweep import sweep
-
-ROOT = Path(__file__).resolve().parent.parent
+from tests.processes import python
 
 
 def run(*arguments):
@@ -252,9 +249,8 @@ def test_the_defaults_are_the_chapters_and_its_lights_can_be_given(lights, tmp_p
 
 
 def test_the_shells_exit_status():
-    done = subprocess.run([sys.executable, "-m", "renderer", "image"], cwd=ROOT, capture_output=True, text=True)
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == "python -m renderer image: error: the following arguments are required: --out\n"
+    told = "python -m renderer image: error: the following arguments are required: --out\n"
+    assert python("-m", "renderer", "image", status=2) == ("", told)
 
 
 WITHOUT = ["sys.modules['llvmlite'] = None", "import llvmlite.binding; del llvmlite.binding.create_pass_builder"]
@@ -263,10 +259,9 @@ WITHOUT = ["sys.modules['llvmlite'] = None", "import llvmlite.binding; del llvml
 @pytest.mark.parametrize("without", WITHOUT)
 def test_numpy_draws_the_same_where_llvmlite_is_missing_or_old_and_says_so(without, tmp_path):
     code = f"import sys; {without}; from renderer.command_line import main; sys.exit(main())"
-    command = [sys.executable, "-W", "error", "-c", code, "image", "--size", "33", "--out"]
-    done = subprocess.run([*command, str(tmp_path / "a.npz")], cwd=ROOT, capture_output=True, text=True)
-    told = "NumPy draws, the same but slowly, since llvmlite is not installed (or too old)"
-    assert (done.returncode, done.stderr) == (0, f"python -m renderer image: {told}\n")
+    _, told = python("-W", "error", "-c", code, "image", "--size", "33", "--out", tmp_path / "a.npz")
+    expected = "NumPy draws, the same but slowly, since llvmlite is not installed (or too old)"
+    assert told == f"python -m renderer image: {expected}\n"
     frame = render(Scene(), 33, 33)
     assert frame.work["machine"] == "llvm"
     np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["rgb"], frame.rgb)
@@ -293,5 +288,4 @@ assert main(["sweep", "--size", "8"]) == 0
 loaded = {{name.split(".")[0] for name in sys.modules}}
 assert not loaded & {{"sympy", "proofs", "verify", "book"}}, loaded
 """
-    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
+    python("-c", code)

@@ -1,9 +1,6 @@
 """Where a figure comes from: the numbers beside it, the key that it is kept by, what is drawn again and why."""
 
 import json
-import os
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -14,6 +11,7 @@ from book.drawing import draw, keys, save
 from book.drawing.data import MOST_BYTES, data_file, read_data
 from book.drawing.draw import all_figures
 from book.drawing.registry import Drawing, Registered
+from tests.processes import python
 
 FIGURES = stamps.ROOT / "book" / "figures"
 NARROW = ("verify/stability/maps.py", "renderer/facts.py")  # what only some figures may reach
@@ -47,11 +45,8 @@ def ours(files) -> set[str]:
 @pytest.fixture(scope="module")
 def imported() -> dict[str, set[str]]:
     """Module of figures → the repository's files that Python itself imports with it."""
-    command = [sys.executable, "-c", TRACE, str(stamps.ROOT), *MODULES]
-    environment = os.environ | {"PYTHONPATH": str(stamps.ROOT)}
-    done = subprocess.run(command, cwd=stamps.ROOT, env=environment, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    return {name: ours(files) for name, files in json.loads(done.stdout).items()}
+    printed, _ = python("-c", TRACE, stamps.ROOT, *MODULES)
+    return {name: ours(files) for name, files in json.loads(printed).items()}
 
 
 @pytest.fixture(scope="module")

@@ -4,13 +4,12 @@ import base64
 import gzip
 import random
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from renderer.kernels import FIELDS
+from tests.processes import python
 from tests.tabs import PHONE, RUNNING, go, settled, slide, state
 from tests.test_newcomer import copied
 
@@ -448,8 +447,8 @@ def with_two_fields(tmp_path_factory):
     place.write_text(place.read_text(encoding="utf-8").replace("\n    )\n}\n", entries, 1), encoding="utf-8")
     printing = "from book.simulator_module import source; print(source())"
     for command in (["-m", "renderer.generate"], ["-c", printing]):
-        done = subprocess.run([sys.executable, *command], cwd=folder, capture_output=True, text=True, check=True)
-    return done.stdout
+        printed, _ = python(*command, cwd=folder)
+    return printed
 
 
 @pytest.mark.parametrize("field, creases", [("doubled", []), ("slanted", [{"a": 8, "b": 4, "c": 0}])])
