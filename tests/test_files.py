@@ -35,16 +35,6 @@ def test_a_failure_leaves_nothing_or_the_old_file(name, content, old, tmp_path, 
     assert [path.read_bytes() for path in tmp_path.iterdir()] == old
 
 
-def test_the_target_is_untouched_until_the_end(tmp_path):
-    target = tmp_path / "a.csv"
-    target.write_text("old")
-    with files.whole_file(target) as name:
-        Path(name).write_text("new")
-        assert target.read_text() == "old"
-    assert target.read_text() == "new"
-    assert list(tmp_path.iterdir()) == [target]
-
-
 WRITE_FOR_EVER = """
 import sys, time
 from renderer.files import whole_file

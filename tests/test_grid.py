@@ -259,10 +259,6 @@ def full(tmp_path):
     return checkpoint.path
 
 
-def test_results_come_back_to_the_last_bit(full):
-    assert Checkpoint(full).rows == KEPT
-
-
 def test_a_line_says_what_it_is_the_result_of(full):
     record = json.loads(full.read_text().splitlines()[1])
     assert record["task"]["scene"]["field"] == "ridges"
