@@ -9,19 +9,10 @@ from hypothesis import given
 
 from renderer import Light, Scene
 from renderer.kernels import FIELDS
+from tests.refusals import rejection
 from tests.strategies import rejected_fields, scenes
 
 INSIDE_B = (0.5, 0.5, 1.3)
-
-
-def rejection(make, *arguments, **fields):
-    """The one line of the exception; it has the shape NAME = VALUE is not allowed: WHAT IS."""
-    with pytest.raises(ValueError) as error:
-        make(*arguments, **fields)
-    text = str(error.value)
-    assert "\n" not in text
-    assert " is not allowed: " in text
-    return text
 
 
 @given(rejected_fields)
