@@ -19,10 +19,6 @@ def test_a_side_that_is_rejected(side):
     assert rejection(Raster, 8, side) == f"height = {side!r} {allowed}"
 
 
-def test_a_small_crop_of_a_huge_raster():
-    assert Raster(MAX_SIDE, MAX_SIDE, (MAX_SIDE - 2, MAX_SIDE - 1, 2, 1)).shape == (1, 2)
-
-
 @pytest.mark.parametrize(
     "crop",
     [
