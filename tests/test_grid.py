@@ -39,10 +39,7 @@ class Inline(Executor):
     def submit(self, work, batch, *arguments):
         self.tasks += batch
         future = Future()
-        try:
-            future.set_result(work(batch, *arguments))
-        except Exception as error:
-            future.set_exception(error)
+        future.set_result(work(batch, *arguments))
         return future
 
 
