@@ -39,8 +39,9 @@ def browser():
         if os.environ.get("REQUIRE_BROWSER") == "1":
             pytest.fail(f"{reason}, and REQUIRE_BROWSER=1")
         pytest.skip(str(reason))
-    from playwright.sync_api import sync_playwright
+    from playwright.sync_api import expect, sync_playwright
 
+    expect.set_options(timeout=30_000)  # as long as Playwright waits elsewhere
     with sync_playwright() as playwright:
         # Playwright starts it with a fresh profile folder every time.
         running = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
