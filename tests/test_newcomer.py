@@ -42,9 +42,9 @@ def blocks():
     return found
 
 
-def commands():
-    """Return the commands of the section, each as a list of words, the remarks after # left out."""
-    listed = next(fence[2] for fence in FENCE.finditer(SECTION) if fence[1] == "bash")
+def commands(text=SECTION):
+    """Return the commands of a section, each as a list of words, the remarks after # left out."""
+    listed = next(fence[2] for fence in FENCE.finditer(text) if fence[1] == "bash")
     return [line.partition("#")[0].split() for line in listed.splitlines()]
 
 
