@@ -36,8 +36,7 @@ from renderer.scene import Scene
 from tests import one_page
 
 NAMES = [*(f"cell{number}" for number in range(1, 9)), WHOLE]
-FOUR = ("numpy", "sympy", "mpmath", "matplotlib")
-RUNNERS = ("ipykernel", "nbclient")
+FOUR_AND_RUNNERS = ("numpy", "sympy", "mpmath", "matplotlib", "ipykernel", "nbclient")
 ALONE = "The book's renderer is not installed: nothing to compare with.\n"
 # Put where every Python of a run finds it: no connection leaves the machine, and no other package can be imported.
 ALONE_HERE = """\
@@ -316,7 +315,7 @@ def with_dependencies(names):
 @pytest.fixture(scope="module")
 def alone(tmp_path_factory):
     """Run this Python in a folder with the four packages, what executes a notebook, and no network."""
-    place, allowed = tmp_path_factory.mktemp("alone"), with_dependencies(FOUR + RUNNERS)
+    place, allowed = tmp_path_factory.mktemp("alone"), with_dependencies(FOUR_AND_RUNNERS)
     refused = {"renderer", "proofs", "verify", "book"}
     refused |= {n for n, of in packages_distributions().items() if not allowed & {canonicalize_name(o) for o in of}}
     (place / "sitecustomize.py").write_text(ALONE_HERE.format(refused=refused), encoding="utf-8")
@@ -336,14 +335,8 @@ def test_nothing_but_the_four_packages_is_there_and_no_network(alone, tmp_path):
     assert "a notebook asked the network" in alone(["-c", ask], tmp_path).stderr
 
 
-def printed_on(page):
-    """Return what the cells of a built page printed, but for the comparison with the renderer."""
-    blocks = parsed(page.read_text(encoding="utf-8")).select("div.cell_output pre")
-    return "".join(compared(block.get_text()) for block in blocks)
-
-
 def compared(text):
-    """Return what a cell printed of its own."""
+    """Return what a cell printed of its own, the comparison with the renderer left out."""
     return "".join(line for line in text.splitlines(keepends=True) if "the book's renderer" not in line.lower())
 
 
@@ -365,7 +358,8 @@ def test_notebooks_run_alone_and_print_what_the_page_does(site, alone, tmp_path)
         timed = re.compile(r"ns a point: .*\nthe difference takes .*\n")  # the page times nothing
         assert len(timed.findall(text)) == (name == "cell4")
         printed.append(compared(timed.sub("", text)))
-    assert all(printed) and "".join(printed) == printed_on(site / "s5.html")
+    blocks = parsed((site / "s5.html").read_text(encoding="utf-8")).select("div.cell_output pre")
+    assert all(printed) and "".join(printed) == "".join(compared(block.get_text()) for block in blocks)
 
 
 @pytest.mark.parametrize(
