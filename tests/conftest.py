@@ -9,16 +9,15 @@ from pathlib import Path
 import pytest
 
 from book.editions.chromium import FLAGS, NoBrowser, installed
+from tests.processes import python
 from tests.tabs import visits
-
-ROOT = Path(__file__).resolve().parent.parent
+from verify.sources import ROOT
 
 
 @pytest.fixture(scope="session")
 def site() -> Path:
     """The folder of the built site. The build takes a lock, so several workers may ask for it at once."""
-    done = subprocess.run([sys.executable, "-m", "book", "build"], cwd=ROOT, capture_output=True, text=True)
-    assert done.returncode == 0, f"the book does not build:\n{done.stdout}\n{done.stderr}"
+    python("-m", "book", "build")
     return ROOT / "book" / "_build" / "html"
 
 
@@ -40,13 +39,21 @@ def browser():
         if os.environ.get("REQUIRE_BROWSER") == "1":
             pytest.fail(f"{reason}, and REQUIRE_BROWSER=1")
         pytest.skip(str(reason))
-    from playwright.sync_api import sync_playwright
+    from playwright.sync_api import expect, sync_playwright
 
+    expect.set_options(timeout=30_000)  # as long as Playwright waits elsewhere
     with sync_playwright() as playwright:
         # Playwright starts it with a fresh profile folder every time.
         running = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
         yield running
         running.close()
+
+
+def pytest_collection_modifyitems(items):
+    """Mark what drives the browser."""
+    for item in items:
+        if "browser" in getattr(item, "fixturenames", ()):
+            item.add_marker("browser")
 
 
 visit = pytest.fixture(visits)

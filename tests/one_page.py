@@ -10,13 +10,14 @@ SETTINGS = {
     "extensions": ["myst_parser", "sphinx.ext.mathjax", "book.extension"],
     "myst_enable_extensions": ["colon_fence"],
     "numfig": True,
-    "exclude_patterns": ["_generated", "figures"],
+    "exclude_patterns": ["_build", "_generated", "figures"],
 }
 
 
-def build(folder: Path, out: Path, **settings) -> tuple[str, str]:
-    """Build `folder` into `out`, and leave nothing registered behind; its index as HTML, and the warnings."""
-    warnings = StringIO()
+def build(folder: Path, text: str) -> tuple[str, str]:
+    """Build a page of this text in `folder`, and leave nothing registered behind; its HTML, and the warnings."""
+    (folder / "index.md").write_text(f"# Page\n\n{text}\n", encoding="utf-8")
+    out, warnings = folder / "_build", StringIO()
     with docutils_namespace():
-        Sphinx(folder, None, out, out / "doctrees", "html", SETTINGS | settings, None, warnings, freshenv=True).build()
+        Sphinx(folder, None, out, out / "doctrees", "html", SETTINGS, None, warnings, freshenv=True).build()
     return (out / "index.html").read_text(encoding="utf-8"), warnings.getvalue()

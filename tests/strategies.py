@@ -49,9 +49,8 @@ steps = st.one_of(
 )
 """ε of a difference."""
 
-exact_methods = st.sampled_from([exact(), exact("general")])
 differences = st.one_of(st.builds(make, steps) for make in (central, forward, central4))
-methods = st.one_of(exact_methods, differences)
+methods = st.one_of(st.sampled_from([exact(), exact("general")]), differences)
 
 
 def rasters(largest=24):
@@ -60,8 +59,9 @@ def rasters(largest=24):
     return st.one_of(st.tuples(sizes, sizes), st.tuples(sizes, one), st.tuples(one, sizes), st.just((21, 20)))
 
 
-def _scaled(position, radius):
-    return tuple(c * radius for c in position)
+def scaled_triple(triple, factor):
+    """A triple of lengths in another unit."""
+    return tuple(factor * c for c in triple)
 
 
 _sides = rounded(-20, 20)
@@ -105,13 +105,13 @@ def scenes(draw, **fixed):
     while not 1e-6 <= radius / eye <= 1 - 1e-9:  # the rounding of the quotient at the domain's edges
         eye = math.nextafter(eye, 4 * radius)
     place = {"radius": radius, "eye": eye}
-    ball = {"ball_center": _scaled(draw(_centers), radius), "ball_radius": radius * draw(_ball_radii)}
+    ball = {"ball_center": scaled_triple(draw(_centers), radius), "ball_radius": radius * draw(_ball_radii)}
     place |= ball if _accepts(**place, **ball, lights=()) else {"ball": False}
     place["ball"] = place.get("ball", True) and draw(st.booleans() | st.just(True))
     place["floor"] = draw(st.booleans())
     lights = []
     for position, color in draw(_lights):
-        light = Light(_scaled(position, radius), color)
+        light = Light(scaled_triple(position, radius), color)
         if _accepts(**place, lights=(light,)):
             lights.append(light)
     chosen = {**place, "lights": tuple(lights)}

@@ -8,72 +8,64 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
+from bs4 import BeautifulSoup
 
 from book.build import stamps, website
 from book.build.contents import page_files
 from book.drawing import palette
 from book.drawing.draw import all_figures
-from tests.elements import Elements
+from book.editions.pages import parsed
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = page_files(ROOT / "book")
 ANCHORS = {f"s{n}": f"s{n}" for n in range(1, 10)} | {"sim": "s4", "lab": "s5"}
 ANCHORS |= {f"cell{n}": "s5" for n in range(1, 9)}
 PLACED = r"\{(?:chapter-figure|idea|worked-pixel)\}\s+(\w+)"
-LOADING = {("img", "src"), ("script", "src"), ("link", "href"), ("iframe", "src"), ("source", "src")}
+LOADING = ":is(img, script, iframe, source)[src], link[href]"
 
 
 @pytest.fixture(scope="session")
-def pages(site) -> dict[str, Elements]:
-    """The elements of every page of the table of contents."""
-    return {page: Elements((site / f"{page}.html").read_text(encoding="utf-8")) for page in PAGES}
+def pages(site) -> dict[str, BeautifulSoup]:
+    """Every page of the table of contents."""
+    return {page: parsed((site / f"{page}.html").read_text(encoding="utf-8")) for page in PAGES}
 
 
-def source_of(page: str) -> str:
-    return PAGES[page].read_text(encoding="utf-8")
+def placed() -> Counter:
+    """How often pages place each figure."""
+    return Counter(id for page in PAGES.values() for id in re.findall(PLACED, page.read_text(encoding="utf-8")))
 
 
 def test_sections_and_cells_carry_their_own_ids(pages):
     for id, page in ANCHORS.items():
-        assert [tag for tag, attributes in pages[page].all if attributes.get("id") == id] == ["section"], id
+        assert [element.name for element in pages[page].find_all(id=id)] == ["section"], id
 
 
 def test_every_figure_that_pages_place_is_shown(pages):
-    placed = Counter()
-    for page in PAGES:
-        placed.update(re.findall(PLACED, source_of(page)))
-    shown = Counter()
-    for elements in pages.values():
-        for tag, attributes in elements.all:
-            source = attributes.get("src", "")
-            if tag == "img" and source.startswith("_images/") and not source.endswith(".dark.svg"):
-                shown[Path(source).stem] += 1
-    assert placed
-    assert {id: shown[id] for id in placed} == dict(placed)
+    light = "img[src^='_images/']:not([src$='.dark.svg'])"
+    shown = Counter(Path(image["src"]).stem for page in pages.values() for image in page.select(light))
+    assert placed()
+    assert {id: shown[id] for id in placed()} == placed()
 
 
 def test_every_figure_with_a_picture_is_placed_and_registered():
-    placed = {id for page in PAGES for id in re.findall(PLACED, source_of(page))}
     drawn = {path.name.split(".")[0] for path in (ROOT / "book" / "_generated").glob("*.[sp][vn]g")}
-    assert drawn == placed
-    assert placed <= all_figures().keys()
+    assert drawn == placed().keys()
+    assert drawn <= all_figures().keys()
 
 
 def test_every_image_says_what_it_shows(pages):
-    for page, elements in pages.items():
-        for tag, attributes in elements.all:
-            if tag == "img" and "logo__image" not in (attributes.get("class") or ""):
-                alternative = (attributes.get("alt") or "").strip()
-                assert alternative, f"{page}: {attributes.get('src')} has no alternative text"
-                assert not re.search(r"_images|\.(svg|png)$", alternative), f"{page}: {alternative} is a file"
+    for name, page in pages.items():
+        for image in page.select("img:not(.logo__image)"):
+            alternative = image.get("alt", "").strip()
+            assert alternative, f"{name}: {image.get('src')} has no alternative text"
+            assert not re.search(r"_images|\.(svg|png)$", alternative), f"{name}: {alternative} is a file"
 
 
 def test_nothing_is_loaded_from_elsewhere(site):
     for page in site.glob("*.html"):
-        for tag, attributes in Elements(page.read_text(encoding="utf-8")).all:
-            for name in ("src", "href"):
-                if (tag, name) in LOADING:
-                    assert not re.match(r"(https?:)?//", attributes.get(name) or ""), f"{page.name}: {attributes}"
+        for element in parsed(page.read_text(encoding="utf-8")).select(LOADING):
+            address = element.get("href" if element.name == "link" else "src")
+            assert not re.match(r"(https?:)?//", address), f"{page.name}: {element}"
 
 
 def test_site_names_no_folder_of_the_machine_that_built_it(site):
@@ -86,10 +78,7 @@ def test_page_with_cells_offers_its_notebook(site, pages):
     notebook = json.loads((site / "_sources" / "s5.ipynb").read_text(encoding="utf-8"))
     assert [cell["id"] for cell in notebook["cells"]] == [f"cell-{n}" for n in range(len(notebook["cells"]))]
     assert sum(cell["cell_type"] == "code" for cell in notebook["cells"]) >= 8
-    links = [attributes.get("href") for tag, attributes in pages["s5"].all if tag == "a"]
-    assert "_sources/s5.ipynb" in links
-    links = [attributes.get("href") or "" for tag, attributes in pages["s1"].all if tag == "a"]
-    assert not any(link.endswith(".ipynb") for link in links)
+    assert pages["s5"].select("a[href='_sources/s5.ipynb']") and not pages["s1"].select("a[href$='.ipynb']")
 
 
 def test_stylesheet_has_the_colours_of_the_plots():
@@ -138,6 +127,6 @@ def test_make_says_which_python_is_too_old(tmp_path):
 
 
 def test_no_page_uses_an_id_twice(pages):
-    for page, elements in pages.items():
-        ids = Counter(attributes["id"] for _, attributes in elements.all if "id" in attributes)
-        assert [id for id, count in ids.items() if count > 1] == [], page
+    for name, page in pages.items():
+        ids = Counter(element["id"] for element in page.find_all(id=True))
+        assert [id for id, count in ids.items() if count > 1] == [], name

@@ -2,12 +2,12 @@
 
 import shutil
 import subprocess
-import sys
 
 import pytest
 
 from book.build import check, stamps, website
 from book.releases.same_bytes import files_of
+from tests.processes import python
 
 
 @pytest.fixture
@@ -125,7 +125,5 @@ def test_unreadable_stamp_counts_as_none(stamped):
 
 
 def test_unknown_figure_is_a_usage_error():
-    command = [sys.executable, "-m", "book", "figures", "no_such_figure"]
-    done = subprocess.run(command, cwd=stamps.ROOT, capture_output=True, text=True)
-    assert done.returncode == 2
-    assert "no figure is called no_such_figure; there are: " in done.stderr
+    _, said = python("-m", "book", "figures", "no_such_figure", status=2)
+    assert "no figure is called no_such_figure; there are: " in said

@@ -2,6 +2,7 @@
 
 import json
 import re
+from functools import partial
 
 import pytest
 from docutils import nodes
@@ -12,8 +13,6 @@ from book.extension import assets
 from book.extension.numbers import parse, typeset
 from book.extension.results import UnknownResult, look_up
 from tests import one_page
-
-QUARTILES = {"time_ms_low": 15.5, "time_ms_high": 18.75}
 
 
 @pytest.fixture
@@ -31,9 +30,8 @@ def book(tmp_path):
     (generated / "sweep.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
     (generated / "sweep.dark.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
     label = {"machine": "two cores", "date": "2025-01-01", "commit": "abc1234"}
-    (results / "frame.json").write_text(
-        json.dumps({"label": label, "numbers": {"time_ms": 16.25, "quick_ms": 1.5} | QUARTILES})
-    )
+    numbers = {"time_ms": 16.25, "time_ms_low": 15.5, "time_ms_high": 18.75, "quick_ms": 1.5}
+    (results / "frame.json").write_text(json.dumps({"label": label, "numbers": numbers}))
     return tmp_path / "book"
 
 
@@ -75,14 +73,9 @@ def test_typesetting(value, spec, expected):
 
 
 @pytest.fixture
-def build_page(book, tmp_path):
+def build_page(book):
     """Build one page with the extension; the page's HTML and the warnings."""
-
-    def built(text: str) -> tuple[str, str]:
-        (book / "index.md").write_text(f"# Page\n\n{text}\n")
-        return one_page.build(book, tmp_path / "out")
-
-    return built
+    return partial(one_page.build, book)
 
 
 FIGURE = ":::{chapter-figure} %s\n%s\n\nThe RMS is {number}`sweep.rms_1e-3`.\n:::\n\nSee {numref}`fig-sweep`."

@@ -15,12 +15,6 @@ from book.drawing.style import decades, label_line_end, palette, panels, plot, s
 from book.figures.chapter_scene import averaged
 
 
-@pytest.fixture
-def no_figures(monkeypatch):
-    """An empty registry."""
-    monkeypatch.setattr(registry, "FIGURES", {})
-
-
 def curve() -> Drawing:
     """A falling curve."""
     fig, ax = plot(height=2)
@@ -33,7 +27,8 @@ def curve() -> Drawing:
     return Drawing(fig, numbers=numbers, data={"step": steps, "error": steps**2})
 
 
-def test_figures_have_plain_and_unique_ids_seen_data_and_a_docstring(no_figures):
+def test_figures_have_plain_and_unique_ids_seen_data_and_a_docstring(monkeypatch):
+    monkeypatch.setattr(registry, "FIGURES", {})
     registry.figure("curve")(curve)
     with pytest.raises(ValueError, match="taken"):
         registry.figure("curve")(curve)

@@ -4,17 +4,15 @@ axe-core is an npm package and used here alone: `npm ci --prefix tests/axe` inst
 """
 
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
 
 from book.build.contents import page_files
-from tests.tabs import PHONE, next_frame
+from tests.tabs import PHONE, RUNNING, next_frame
+from verify.sources import ROOT
 
-ROOT = Path(__file__).resolve().parent.parent
 AXE = ROOT / "tests" / "axe" / "node_modules" / "axe-core" / "axe.min.js"
 
-pytestmark = pytest.mark.browser
 with_axe = pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm ci --prefix tests/axe")
 PAGES = list(page_files(ROOT / "book"))
 # Sphinx's own pages, and the listing of a source: all listings are made alike.
@@ -112,8 +110,7 @@ def test_page_is_whole_on_a_phone(visit, page):
 @with_axe
 @pytest.mark.parametrize("mode", MODES)
 def test_simulator_has_no_violation_when_it_runs_and_when_it_complains(visit, mode):
-    tab = visit("s4", **MODES[mode])
-    tab.wait_for_function("window.Simulator && Simulator.running && Simulator.running.frames.length > 0")
+    tab = visit("s4", until=RUNNING, **MODES[mode])
     box = tab.locator("[data-parameter=eps] input[type=text]")
     box.fill("nonsense")
     box.press("Tab")

@@ -11,18 +11,15 @@ from verify.checkers.kernels import JAVASCRIPT
 from verify.checkers.tampering import draws
 from verify.checkers.test_checkers import NOTHING, UNSOUND, derivation, show
 
-pytestmark = pytest.mark.browser
 ASK = "(text) => { const { check } = Checker.kernel(); return JSON.parse(text).map((pair) => check(...pair)) }"
 
 
 @pytest.fixture(scope="module")
 def javascript(browser):
     """The kernel in an empty tab, as a function: pairs → what it says of each."""
-    context = browser.new_context()
-    tab = context.new_page()
-    tab.add_script_tag(path=JAVASCRIPT)
-    yield lambda pairs: tab.evaluate(ASK, json.dumps(pairs))
-    context.close()
+    with browser.new_page() as tab:
+        tab.add_script_tag(path=JAVASCRIPT)
+        yield lambda pairs: tab.evaluate(ASK, json.dumps(pairs))
 
 
 def test_the_kernel_is_short():

@@ -7,12 +7,13 @@ import re
 import pytest
 from bs4 import BeautifulSoup
 
+from book.extension.theorems import placements
 from proofs.engine.theorem import all_theorems
 from tests.tabs import PHONE
 from tests.tampered_certificates import stored
 from tests.test_browser import PAGES, violations, with_axe
+from verify.sources import ROOT
 
-pytestmark = pytest.mark.browser
 CHECK_HERE, CHANGE, CHECK_ALL = "Check it here", "Change the statement", "Check all"
 OPEN_EVERYTHING = """() => { for (const place of document.querySelectorAll('.checker[data-theorem]')) {
     for (const button of place.querySelectorAll('.check-buttons button')) button.click();
@@ -26,19 +27,13 @@ COMPLAINTS = {
     "(1 - 1)": "cannot be read",
 }
 CERTIFIED = {name.partition("/")[0] for name in stored()}
+PLACES = placements(ROOT / "book", list(all_theorems()))
 
 
 @pytest.fixture
 def page(visit):
     """A function that opens a page of the book, its formulas as they are written: to typeset them takes longest."""
     return functools.partial(visit, until="window.Checker", given={"**/tex-chtml-full.js*": ""})
-
-
-@pytest.fixture
-def page_of(site):
-    """A function from a theorem to the page that has its card."""
-    texts = {name: (site / f"{name}.html").read_text(encoding="utf-8") for name in PAGES}
-    return lambda theorem: next(name for name, text in texts.items() if f'id="theorem-{theorem}"' in text)
 
 
 def card(tab, theorem):
@@ -161,10 +156,10 @@ def test_an_open_card_has_no_serious_violation(page):
     assert violations(tab, place="#theorem-unit_length") == []
 
 
-def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(page, page_of):
+def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(page):
     """That sin² + cos² = 1 is what the oddness of a sine does not need."""
     name = "clamped_difference_of_odd"
-    place = card(page(page_of(name)), name)
+    place = card(page(PLACES[name].page), name)
     press(place, CHANGE)
     line = place.locator(".check-line").first
     circle = line.inner_text()
@@ -232,9 +227,9 @@ def test_a_worker_that_never_answers_is_given_up(page):
     assert "no answer within 20 seconds" in verdict(card(tab, "unit_length"))
 
 
-def test_a_refuted_claim_has_its_counterexample_put_in(page, page_of):
+def test_a_refuted_claim_has_its_counterexample_put_in(page):
     assert all_theorems()["seed_clamp"].expected == "refuted"
-    seed_clamp = card(page(page_of("seed_clamp")), "seed_clamp")
+    seed_clamp = card(page(PLACES["seed_clamp"].page), "seed_clamp")
     press(seed_clamp, CHECK_HERE)
     said = verdict(seed_clamp)
     assert "1 counterexample put in, in exact fractions: the claim is false there, and 7 other conditions hold" in said

@@ -1,10 +1,8 @@
 """The command line: what it writes and prints, and how it refuses."""
 
 import dataclasses
-import subprocess
 import sys
 from concurrent.futures import BrokenExecutor
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,8 +13,7 @@ from renderer.command_line import main
 from renderer.kernels import FIELDS
 from renderer.scene import DEFAULT_LIGHTS
 from renderer.sweep import sweep
-
-ROOT = Path(__file__).resolve().parent.parent
+from tests.processes import python
 
 
 def run(*arguments):
@@ -170,12 +167,10 @@ def test_what_needs_an_extra_that_is_not_installed_names_it(module, extra, argum
 REFUSED = {
     "image": [
         (["--out", "a.jpg"], "out = 'a.jpg' is not allowed: a file name that ends in .png or .npz or .npy or .tif or"),
-        (["--field", "foo"], f"field = 'foo' is not allowed: one of {', '.join(map(repr, FIELDS))}"),
         (["--gradient", "foo"], "gradient = 'foo' is not allowed: one of 'exact', 'forward', 'central', 'central4'"),
         (["--eps", "-1e-3"], "eps = -0.001 is not allowed: a finite number from 1e-40 to 0.5"),
         (["--beta", "-inf"], "beta = -inf is not allowed: a finite number from -1e+100 to 1e+100"),
         (["--height", "-3"], "height = -3 is not allowed: a whole number from 1 to 16777216"),
-        (["--width", "99999999"], "width = 99999999 is not allowed: a whole number from 1 to 16777216"),
         (["--crop", "0,0,9,9"], "crop = (0, 0, 9, 9) is not allowed: (left, top, width, height), whole numbers"),
         (["--threads", "0"], "threads = 0 is not allowed: a whole number from 1 to 256"),
         (["--light", "5,5,10"] * 6, "lights = 6 lights is not allowed: a sequence of at most 5 Light"),
@@ -197,7 +192,7 @@ REFUSED = {
         (["--eps", "1e-3", "-1"], "eps = -1.0 is not allowed: a finite number from 1e-40 to 0.5"),
         (["--eps", "1e-3", "x"], "argument --eps: 'x' is not allowed: a number"),
         (["--csv", "a.txt"], "csv = 'a.txt' is not allowed: a file name that ends in .csv"),
-        (["--field", "sine,foo"], "field = 'foo' is not allowed: one of "),
+        (["--field", "sine,foo"], f"field = 'foo' is not allowed: one of {', '.join(map(repr, FIELDS))}"),
         (["--beta", "1,x"], "argument --beta: 'x' is not allowed: a number"),
         (["--size", "8,0"], "width = 0 is not allowed: a whole number from 1 to 16777216"),
         (["--gradient", "central,foo"], "gradient = 'foo' is not allowed: one of 'forward', 'central', 'central4'"),
@@ -252,9 +247,8 @@ def test_the_defaults_are_the_chapters_and_its_lights_can_be_given(lights, tmp_p
 
 
 def test_the_shells_exit_status():
-    done = subprocess.run([sys.executable, "-m", "renderer", "image"], cwd=ROOT, capture_output=True, text=True)
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == "python -m renderer image: error: the following arguments are required: --out\n"
+    told = "python -m renderer image: error: the following arguments are required: --out\n"
+    assert python("-m", "renderer", "image", status=2) == ("", told)
 
 
 WITHOUT = ["sys.modules['llvmlite'] = None", "import llvmlite.binding; del llvmlite.binding.create_pass_builder"]
@@ -263,10 +257,9 @@ WITHOUT = ["sys.modules['llvmlite'] = None", "import llvmlite.binding; del llvml
 @pytest.mark.parametrize("without", WITHOUT)
 def test_numpy_draws_the_same_where_llvmlite_is_missing_or_old_and_says_so(without, tmp_path):
     code = f"import sys; {without}; from renderer.command_line import main; sys.exit(main())"
-    command = [sys.executable, "-W", "error", "-c", code, "image", "--size", "33", "--out"]
-    done = subprocess.run([*command, str(tmp_path / "a.npz")], cwd=ROOT, capture_output=True, text=True)
-    told = "NumPy draws, the same but slowly, since llvmlite is not installed (or too old)"
-    assert (done.returncode, done.stderr) == (0, f"python -m renderer image: {told}\n")
+    _, told = python("-W", "error", "-c", code, "image", "--size", "33", "--out", tmp_path / "a.npz")
+    expected = "NumPy draws, the same but slowly, since llvmlite is not installed (or too old)"
+    assert told == f"python -m renderer image: {expected}\n"
     frame = render(Scene(), 33, 33)
     assert frame.work["machine"] == "llvm"
     np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["rgb"], frame.rgb)
@@ -293,5 +286,4 @@ assert main(["sweep", "--size", "8"]) == 0
 loaded = {{name.split(".")[0] for name in sys.modules}}
 assert not loaded & {{"sympy", "proofs", "verify", "book"}}, loaded
 """
-    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
+    python("-c", code)

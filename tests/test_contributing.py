@@ -8,12 +8,12 @@ from PIL import Image
 
 from renderer import Scene, render
 from renderer.views import to_bytes
-from tests.test_newcomer import copied, run, section
+from tests.test_newcomer import FENCE, commands, copied, run, section
 
 
-def blocks(text, language="python"):
-    """Return the blocks of code in a section."""
-    return re.findall(rf"```{language}\n(.*?)```", text, re.DOTALL)
+def blocks(text):
+    """Return the blocks of Python in a section."""
+    return [fence[2] for fence in FENCE.finditer(text) if fence[1] == "python"]
 
 
 SECTION = section("A theorem")
@@ -95,9 +95,7 @@ def lit(tmp_path_factory):
         text = text.replace(mark, block + mark)
     shading.write_text(text, encoding="utf-8")
     (folder / "proofs" / "theorems" / "oren_nayar.py").write_text(CLAIM, encoding="utf-8")
-    (listed,) = blocks(LIGHT, "bash")
-    commands = [line.split() for line in listed.splitlines()]
-    return folder, {words[2] if words[0] == "python" else words[0]: run(folder, *words) for words in commands}
+    return folder, {words[2] if words[0] == "python" else words[0]: run(folder, *words) for words in commands(LIGHT)}
 
 
 def test_the_light_model_is_short():

@@ -14,8 +14,6 @@ from renderer import Scene, central, exact, gradient_at, height_at, pixel, rende
 from renderer.machines.points_code import inputs_of
 from tests.tabs import PHONE, next_frame
 
-pytestmark = pytest.mark.browser
-
 SCENE = Scene()
 PAGES = {
     "slope_is_texture": "s1",

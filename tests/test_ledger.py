@@ -2,11 +2,8 @@
 
 import re
 import shutil
-import subprocess
-import sys
 import textwrap
 from dataclasses import replace
-from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -19,8 +16,8 @@ from book.ledger.check import Run, faults_in
 from book.ledger.entries import FINDINGS, FOLDER, WORDS
 from book.ledger.relations import relation
 from book.ledger.run import last_run, node_exists
+from tests.processes import ROOT, python
 
-ROOT = Path(__file__).resolve().parent.parent
 NUMBERS = {"sweep.flips": 0, "sweep.slope": 0.55, "scene.field": "ridges"}
 EVIDENCE = 'evidence = [{ theorem = "no_flips", grade = "proved" }, { number = "sweep.flips", is = "== 0" }]'
 TRUE = """
@@ -199,9 +196,8 @@ def test_all_findings_and_all_places_of_the_seed_are_there():
 def test_the_ledger_stands(site):
     """Against the run that built the site."""
     assert faults_in(load(), last_run()) == []
-    done = subprocess.run([sys.executable, "-m", "book.ledger"], cwd=ROOT, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    assert f"{len(load().claims)} claims" in done.stdout
+    said, _ = python("-m", "book.ledger")
+    assert f"{len(load().claims)} claims" in said
 
 
 def test_one_more_entry_is_one_more_claim(site, tmp_path):
@@ -252,15 +248,11 @@ def test_every_number_that_is_evidence_has_words():
     assert used == WORDS.keys()
 
 
-@pytest.mark.browser
-def test_a_claim_opens_where_a_link_leads_to_it_and_needs_no_script_to_open(browser, server):
+def test_a_claim_opens_where_a_link_leads_to_it_and_needs_no_script_to_open(visit):
     for script in (True, False):
-        context = browser.new_context(java_script_enabled=script)
-        page = context.new_page()
-        page.goto(f"{server}/findings.html#F3")
+        page = visit("findings", fragment="#F3", java_script_enabled=script)
         claim = page.locator("#claim-frame_aligned_with_n")
         assert page.locator("#F3").is_visible() and claim.locator(".claim-so").is_visible() == script
         if not script:
             claim.locator("summary").click()
             assert claim.locator(".claim-so").is_visible()
-        context.close()

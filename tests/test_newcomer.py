@@ -4,9 +4,6 @@ import json
 import os
 import re
 import shutil
-import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,8 +15,8 @@ from book.extension.results import look_up
 from book.ledger import load
 from book.ledger.check import Run, faults_in
 from tests import one_page
+from tests.processes import ROOT, python
 
-ROOT = Path(__file__).resolve().parent.parent
 FENCE = re.compile(r"```(\w+)\n(.*?)```", re.DOTALL)
 FILE = re.compile(r"`([\w/]+\.\w+)`")
 LAST_FIELD = '        HeightField("rings"'
@@ -45,26 +42,17 @@ def blocks():
     return found
 
 
-def commands():
-    """Return the commands of the section, each as a list of words, the remarks after # left out."""
-    listed = next(fence[2] for fence in FENCE.finditer(SECTION) if fence[1] == "bash")
+def commands(text=SECTION):
+    """Return the commands of a section, each as a list of words, the remarks after # left out."""
+    listed = next(fence[2] for fence in FENCE.finditer(text) if fence[1] == "bash")
     return [line.partition("#")[0].split() for line in listed.splitlines()]
 
 
-def run(folder, *command, succeeds=True):
+def run(folder, program, *arguments, status=0):
     """Run a command of the section in the folder; return what it prints."""
-    python = {"python": [sys.executable], "pytest": [sys.executable, "-m", "pytest"]}
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
-    done = subprocess.run(
-        [*python[command[0]], *command[1:]],
-        cwd=folder,
-        env=environment,
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-    )
-    assert (done.returncode == 0) == succeeds, done.stdout + done.stderr
-    return done.stdout + done.stderr
+    module = {"python": (), "pytest": ("-m", "pytest")}[program]
+    return "".join(python(*module, *arguments, status=status, cwd=folder, env=environment))
 
 
 def copied(folder):
@@ -131,9 +119,7 @@ def test_the_field_draws_and_is_a_choice_everywhere(walked):
     assert (picture != np.asarray(Image.open(folder / "rings.png"))).any(axis=2).mean() > 0.1
     script = run(folder, "python", "-c", "from book.simulator_module import source; print(source())")
     assert '"waves":{"ways":' in script
-    assert "'waves'" in run(
-        folder, "python", "-m", "renderer", "image", "--field", "foo", "--out", "x.png", succeeds=False
-    )
+    assert "'waves'" in run(folder, "python", "-m", "renderer", "image", "--field", "foo", "--out", "x.png", status=2)
 
 
 def test_the_theorem_is_proved_and_its_mutants_are_refused(walked):
@@ -147,7 +133,7 @@ def test_the_theorem_is_proved_and_its_mutants_are_refused(walked):
     assert false != true
     path.write_text(false, encoding="utf-8")
     try:
-        run(folder, "python", "-m", "proofs.engine.certificate", CLAIM, succeeds=False)
+        run(folder, "python", "-m", "proofs.engine.certificate", CLAIM, status=1)
     finally:
         path.write_text(true, encoding="utf-8")
 
@@ -161,8 +147,7 @@ def test_the_figure_is_drawn_and_stands_on_the_page(walked):
     small = folder / "small" / "book"  # the whole book would want every theorem and figure
     shutil.copytree(folder / "book" / "_generated", small / "_generated")
     shutil.copytree(folder / "book" / "figures", small / "figures", ignore=shutil.ignore_patterns("__pycache__"))
-    (small / "index.md").write_text(f"# Page\n\n{placed}", encoding="utf-8")
-    html, warnings = one_page.build(small, folder / "out")
+    html, warnings = one_page.build(small, placed)
     assert warnings == ""
     assert 'id="fig-waves"' in html
 

@@ -57,7 +57,6 @@ def words(text: str) -> str:
     )
 
 
-@pytest.mark.browser
 def test_every_section_stands_on_the_page_that_the_contents_name(paper, texts):
     entries = paper.evaluate(
         """[...document.querySelectorAll('.paper-contents li')].map(e => [e.querySelector('a').textContent,
@@ -71,7 +70,6 @@ def test_every_section_stands_on_the_page_that_the_contents_name(paper, texts):
     assert [heading for heading in headings if not any(words(heading) in text for text in texts)] == []
 
 
-@pytest.mark.browser
 def test_every_figure_of_the_site_is_drawn_on_a_page(paper, pdf, site):
     numbers = set()
     for path in site.glob("*.html"):
@@ -100,7 +98,6 @@ def ink(page, left: float, bottom: float, right: float, top: float) -> float:
     return float((cropped < 250).mean())
 
 
-@pytest.mark.browser
 def test_no_page_has_ink_in_its_margins(pdf):
     pages = pypdfium2.PdfDocument(pdf)
     assert len(pages) > 50
@@ -114,7 +111,6 @@ def test_no_page_has_ink_in_its_margins(pdf):
     assert ink(pages[0], SIDE, FOOT, A4[0] - SIDE, A4[1] - TOP) > 0.05  # it sees ink where there is some
 
 
-@pytest.mark.browser
 def test_nothing_is_wider_than_the_page_or_cut_off_and_it_would_be_seen(paper):
     assert paper.evaluate(BESIDE_THE_PAGE) == []
     assert paper.evaluate(CLIPPED) == []
@@ -128,7 +124,6 @@ def test_nothing_is_wider_than_the_page_or_cut_off_and_it_would_be_seen(paper):
     paper.evaluate("document.querySelectorAll('#wide, #clipped').forEach(e => e.remove())")
 
 
-@pytest.mark.browser
 def test_every_link_leads_to_a_page_or_to_the_web(pdf):
     reader = PdfReader(BytesIO(pdf))
     places, inside = reader.named_destinations, 0
@@ -146,7 +141,6 @@ def test_every_link_leads_to_a_page_or_to_the_web(pdf):
     assert len(reader.outline) > 10
 
 
-@pytest.mark.browser
 def test_steps_are_unfolded_and_the_simulator_stands_still(paper, texts):
     text = "".join(texts)
     assert paper.evaluate("document.querySelectorAll('details:not([open])').length") == 0
@@ -157,7 +151,6 @@ def test_steps_are_unfolded_and_the_simulator_stands_still(paper, texts):
     assert paper.evaluate("document.querySelectorAll('button, input, canvas, .simulator, .only-dark').length") == 0
 
 
-@pytest.mark.browser
 def test_pages_are_numbered_and_white(paper, pdf, texts):
     title = words(paper.title())
     assert [number for number, text in enumerate(texts, 1) if not text.endswith(f"{title}{number}")] == []

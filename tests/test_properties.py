@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from renderer import Light, exact, pixel, render
 from renderer.kernels import FIELDS
 from renderer.raster import Raster
-from tests.strategies import differences, methods, rasters, scenes, wave_numbers
+from tests.strategies import differences, methods, rasters, scaled_triple, scenes, wave_numbers
 
 FLOOR = 3
 DARK = 128
@@ -33,17 +33,13 @@ def mirrored(scene):
 
 def scaled(scene, factor):
     """The scene with every length times `factor`."""
-
-    def times(triple):
-        return tuple(factor * c for c in triple)
-
     return replace(
         scene,
         radius=factor * scene.radius,
         eye=factor * scene.eye,
-        ball_center=times(scene.ball_center),
+        ball_center=scaled_triple(scene.ball_center, factor),
         ball_radius=factor * scene.ball_radius,
-        lights=tuple(Light(times(light.position), light.color) for light in scene.lights),
+        lights=tuple(Light(scaled_triple(light.position, factor), light.color) for light in scene.lights),
     )
 
 

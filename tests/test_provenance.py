@@ -1,9 +1,6 @@
 """Where a figure comes from: the numbers beside it, the key that it is kept by, what is drawn again and why."""
 
 import json
-import os
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -14,27 +11,23 @@ from book.drawing import draw, keys, save
 from book.drawing.data import MOST_BYTES, data_file, read_data
 from book.drawing.draw import all_figures
 from book.drawing.registry import Drawing, Registered
+from tests.processes import python
 
-FIGURES = stamps.ROOT / "book" / "figures"
 NARROW = ("verify/stability/maps.py", "renderer/facts.py")  # what only some figures may reach
-MODULES = sorted(path.stem for path in FIGURES.glob("*.py") if path.stem != "__init__")
+MODULES = sorted(path.stem for path in (stamps.ROOT / "book" / "figures").glob("*.py") if path.stem != "__init__")
 # In a process that has none of the repository's modules, and for each figure module a child of it that has not either.
 TRACE = """
 import json, os, sys
 import flint, llvmlite, matplotlib.figure, mpmath, numpy, PIL.Image, sympy, tqdm
-root, names, found = sys.argv[1], sys.argv[2:], {}
+root, *names = sys.argv[1:]
 assert not any(str(getattr(m, "__file__", "")).startswith(root + "/book") for m in sys.modules.values())
 for name in names:
-    read, write = os.pipe()
     if os.fork() == 0:
         __import__(f"book.figures.{name}")
         files = {getattr(m, "__file__", None) or "" for m in list(sys.modules.values())}
-        os.write(write, json.dumps(sorted(f for f in files if f.startswith(root + "/"))).encode())
+        print(json.dumps([name, sorted(f for f in files if f.startswith(root + "/"))]), flush=True)
         os._exit(0)
-    os.close(write)
-    with os.fdopen(read) as pipe:
-        found[name] = json.loads(pipe.read())
-print(json.dumps(found))
+    assert os.wait()[1] == 0
 """
 
 
@@ -47,11 +40,8 @@ def ours(files) -> set[str]:
 @pytest.fixture(scope="module")
 def imported() -> dict[str, set[str]]:
     """Module of figures → the repository's files that Python itself imports with it."""
-    command = [sys.executable, "-c", TRACE, str(stamps.ROOT), *MODULES]
-    environment = os.environ | {"PYTHONPATH": str(stamps.ROOT)}
-    done = subprocess.run(command, cwd=stamps.ROOT, env=environment, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    return {name: ours(files) for name, files in json.loads(done.stdout).items()}
+    printed, _ = python("-c", TRACE, stamps.ROOT, *MODULES)
+    return {name: ours(files) for name, files in map(json.loads, printed.splitlines())}
 
 
 @pytest.fixture(scope="module")

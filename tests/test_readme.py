@@ -1,13 +1,10 @@
 """The README's picture is what the renderer draws today."""
 
-from pathlib import Path
-
 import numpy as np
 from PIL import Image
 
 from book.figures.three_pictures import hero
-
-ROOT = Path(__file__).parents[1]
+from verify.sources import ROOT
 
 
 def test_picture_is_the_renderers():

@@ -288,13 +288,14 @@ def test_a_file_that_differs_or_is_missing_is_reported_by_name(tmp_path):
         same_bytes.differences(one, other)
 
 
-def repository(folder: Path) -> Path:
-    """A project whose build writes what it is told to: a stand-in for this one."""
+def repository(folder: Path, content: str) -> Path:
+    """A project whose build writes what an expression gives: a stand-in for this one."""
     (folder / "book").mkdir(parents=True)
     program = "import os, pathlib\nfor part in ('html', '../_generated'):\n"
     program += "    out = pathlib.Path('book/_build') / part\n    out.mkdir(parents=True)\n"
     program += "    (out / 'index.html').write_text(eval(open('content.txt').read()))\n"
     (folder / "book" / "__main__.py").write_text(program)
+    (folder / "content.txt").write_text(content)
     (folder / "requirements.lock").touch()
     (folder / "pyproject.toml").touch()
     for package in stamps.PACKAGES:
@@ -315,16 +316,14 @@ def build_twice(root: Path, monkeypatch) -> int:
     "place", ["os.getcwd()", "os.environ.get('TZ', '')", "str(hash('word'))", "os.environ['HOME']"]
 )
 def test_a_build_that_depends_on_its_place_is_found_out(tmp_path, monkeypatch, capfd, place):
-    root = repository(tmp_path / "here")
-    (root / "content.txt").write_text(place)
+    root = repository(tmp_path / "here", place)
     assert build_twice(root, monkeypatch) == 1
     said = capfd.readouterr().out
     assert "book/_build/html/index.html: differs" in said and "agree" not in said
 
 
 def test_a_build_that_does_not_agrees_without_git(tmp_path, monkeypatch, capfd):
-    root = repository(tmp_path / "here")
-    (root / "content.txt").write_text("'the same'")
+    root = repository(tmp_path / "here", "'the same'")
     (root / ".stamps").mkdir()
     assert build_twice(root, monkeypatch) == 0
     assert "2 files, built in two folders, agree in every byte" in capfd.readouterr().out
@@ -332,8 +331,7 @@ def test_a_build_that_does_not_agrees_without_git(tmp_path, monkeypatch, capfd):
 
 @pytest.mark.skipif(shutil.which("git") is None, reason="there is no git")
 def test_a_clone_is_of_what_is_committed(tmp_path, monkeypatch, capfd):
-    root = repository(tmp_path / "here")
-    (root / "content.txt").write_text("'the same'")
+    root = repository(tmp_path / "here", "'the same'")
     git = ["git", "-c", "user.name=a", "-c", "user.email=a@b"]
     for arguments in (["init", "-q"], ["add", "."], ["commit", "-qm", "x"]):
         subprocess.run([*git, *arguments], cwd=root, check=True)

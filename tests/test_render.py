@@ -29,11 +29,6 @@ def test_shapes_and_types():
         assert (plane.shape, plane.dtype) == ((20, 30), dtype)
 
 
-def test_nothing_is_black():
-    frame = render(replace(DEFAULT, floor=False), 64, 64)
-    assert (frame.rgb[frame.chambers & 3 == 0] == 0).all()
-
-
 def test_without_lights_there_is_ambient_light_alone():
     frame = render(replace(DEFAULT, lights=()), 32, 32)
     np.testing.assert_array_equal(frame.rgb, np.broadcast_to([0.1 * 0.15, 0.1 * 0.15, 0.1 * 0.16], (32, 32, 3)))

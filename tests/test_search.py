@@ -4,7 +4,6 @@ from urllib.parse import quote_plus
 
 import pytest
 
-pytestmark = pytest.mark.browser
 # Two words, one of the prose, of a caption, a Greek letter, one of a theorem's card; and where each has to be found.
 FOUND = {
     "perturbed normal": "s3.html",

@@ -4,17 +4,15 @@ import base64
 import gzip
 import random
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import expect
 
 from renderer.kernels import FIELDS
+from tests.processes import python
 from tests.tabs import PHONE, RUNNING, go, settled, slide, state
 from tests.test_newcomer import copied
-
-pytestmark = pytest.mark.browser
 
 CLIPBOARD = ["clipboard-read", "clipboard-write"]
 # k_u u + k_v v at the pixels of A over which a crease is drawn.
@@ -242,8 +240,7 @@ def test_an_experiment_moves_unless_motion_is_unwanted(visit):
 
 def test_flips_are_counted_and_the_bound_holds(tab):
     settled(tab)  # until then the read-outs are the last state's
-    tab.wait_for_function("document.querySelector('[data-readout=flips]').textContent !== '…'")
-    assert tab.inner_text("[data-readout=flips]") == "0"
+    expect(tab.locator("[data-readout=flips]")).to_have_text("0")
     assert re.match(r"10,954 \(37 %\), 11,092 \(37 %\)", tab.inner_text("[data-readout=attached]"))
 
 
@@ -310,12 +307,11 @@ def test_a_field_or_a_method_without_a_theorem_has_no_bound(tab):
 
 def test_the_leading_term_is_named_and_shown(tab):
     """A large step is led by truncation, a small one by a rounded argument; on a crease by the crease."""
-    leading = """() => [...document.querySelectorAll('.sim-facts div')].find(
-        fact => fact.children[0].textContent === 'error led by').children[1].textContent"""
+    leading = tab.locator(".sim-facts div", has_text="error led by").locator("dd")
     tab.select_option("#sim-view", "terms")
     for exponent, term in ((-3, "truncation"), (-9, "rounded argument"), (-1, "crease, seam or pole")):
         slide(tab, "eps", exponent)
-        tab.wait_for_function(f"({leading})() === {term!r}")
+        expect(leading).to_have_text(term)
     assert tab.locator(".sim-legend").is_visible()
 
 
@@ -323,11 +319,8 @@ def test_far_numbers_are_not_counted_in_floats(tab):
     slide(tab, "eps", -14)
     tab.wait_for_function("document.querySelector('.sim-pixel tbody').textContent.includes('—')")
     assert tab.locator(".sim-far").is_visible()
-    tab.fill("[data-parameter=beta] input[type=text]", "0")
-    tab.press("[data-parameter=beta] input[type=text]", "Tab")
-    tab.wait_for_function(
-        "[...document.querySelectorAll('.sim-pixel tbody tr:last-child td')].at(-1).textContent === '0 ulp'"
-    )
+    type_into(tab, "beta", "0")
+    expect(tab.locator(".sim-pixel tbody tr:last-child td").last).to_have_text("0 ulp")
 
 
 def test_the_scale_keeps_its_bar(tab):
@@ -450,8 +443,8 @@ def with_two_fields(tmp_path_factory):
     place.write_text(place.read_text(encoding="utf-8").replace("\n    )\n}\n", entries, 1), encoding="utf-8")
     printing = "from book.simulator_module import source; print(source())"
     for command in (["-m", "renderer.generate"], ["-c", printing]):
-        done = subprocess.run([sys.executable, *command], cwd=folder, capture_output=True, text=True, check=True)
-    return done.stdout
+        printed, _ = python(*command, cwd=folder)
+    return printed
 
 
 @pytest.mark.parametrize("field, creases", [("doubled", []), ("slanted", [{"a": 8, "b": 4, "c": 0}])])

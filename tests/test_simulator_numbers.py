@@ -1,7 +1,6 @@
 """The simulator's numbers: every bit against the renderer, the hovered pixel against the line that is copied."""
 
 import base64
-import contextlib
 import io
 import math
 import random
@@ -18,8 +17,6 @@ from renderer.pixel_record import LightRecord, PixelRecord
 from renderer.scene import DEFAULT_LIGHTS
 from renderer.views import difference_linear, difference_logarithmic, image_view, slope_view
 from tests.tabs import RUNNING, go
-
-pytestmark = pytest.mark.browser
 
 METHODS = {"central": central, "forward": forward, "central4": central4}
 WHOLE = {"width": 256, "height": 256, "left": 0, "top": 0, "wide": 256, "high": 256}
@@ -57,12 +54,6 @@ def tab(visit_once):
     return visit_once("s4", until=RUNNING)
 
 
-def scene_of(state):
-    lights = tuple(a if on else Light(a.position, None) for a, on in zip(DEFAULT_LIGHTS, state["lights"], strict=True))
-    names = ("field", "ku", "kv", "beta", "model", "ball")
-    return Scene(**{name: state[name] for name in names}, lights=lights)
-
-
 def drawn(tab, state, method, raster=WHOLE, before=()):
     """Return (colours (3, high, wide) as bit patterns, chambers) as the page's pipeline draws them.
 
@@ -78,7 +69,9 @@ def rendered(state, method, raster=WHOLE):
     """Return the same of the renderer."""
     gradient = METHODS[method["name"]](method["eps"]) if "eps" in method else exact()
     crop = tuple(raster[name] for name in ("left", "top", "wide", "high"))
-    frame = render(scene_of(state), raster["width"], raster["height"], gradient, crop=crop)
+    lights = tuple(a if on else Light(a.position, None) for a, on in zip(DEFAULT_LIGHTS, state["lights"], strict=True))
+    scene = Scene(**{name: state[name] for name in ("field", "ku", "kv", "beta", "model", "ball")}, lights=lights)
+    frame = render(scene, raster["width"], raster["height"], gradient, crop=crop)
     return np.ascontiguousarray(np.moveaxis(frame.rgb, -1, 0)).view(np.int64), frame.chambers
 
 
@@ -228,15 +221,6 @@ def random_state(rng):
     }
 
 
-def records_of(line):
-    """Run a copied line and return the records that it prints."""
-    printed = io.StringIO()
-    with contextlib.redirect_stdout(printed):
-        exec(line, {})
-    names = {"PixelRecord": PixelRecord, "LightRecord": LightRecord}
-    return [eval(text, names) for text in printed.getvalue().splitlines()]
-
-
 def expected_texts(numeric, symbolic):
     """Return ({fact: number}, {row: (numeric, symbolic)}) that the panel has to show for two records."""
     facts = dict(zip(("Px", "Py", "Pz"), numeric.point or (), strict=False))
@@ -250,10 +234,12 @@ def expected_texts(numeric, symbolic):
     return facts, table
 
 
-def test_the_copied_line_prints_the_numbers_shown(tab):
+def test_the_copied_line_prints_the_numbers_shown(tab, capsys):
     rng, on_a = random.Random("lines"), 0
+    names = {"PixelRecord": PixelRecord, "LightRecord": LightRecord}
     for shown in tab.evaluate(SHOWN, [random_state(rng) for _ in range(50)]):
-        numeric, symbolic = records_of(shown["line"])
+        exec(shown["line"], {})
+        numeric, symbolic = (eval(text, names) for text in capsys.readouterr().out.splitlines())
         facts, table = expected_texts(numeric, symbolic)
         assert shown["facts"]["pixel"] == f"{numeric.column}, {numeric.row}"
         assert shown["facts"]["surface"] == numeric.surface

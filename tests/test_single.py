@@ -21,7 +21,6 @@ from book.editions.pages import BrokenSite, Page, parsed
 from book.editions.pictures import change, difference
 from book.editions.store import as_webp, inlined_script, packed_address, svg_address, svg_parts
 from proofs.check import FOLDER
-from tests.elements import Elements
 from tests.tabs import PHONE, RUNNING, opened
 
 
@@ -33,8 +32,8 @@ def single(site, tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def elements(single):
-    return Elements(single.read_text(encoding="utf-8")).all
+def mailed(single):
+    return parsed(single.read_text(encoding="utf-8"))
 
 
 @pytest.fixture(scope="module")
@@ -93,15 +92,15 @@ def test_edition_is_made_when_the_site_changed(tmp_path, monkeypatch, capsys):
     assert len(made) == 3 and "skipped" in capsys.readouterr().out
 
 
-def test_every_id_occurs_once(elements):
-    ids = Counter(attributes["id"] for _, attributes in elements if "id" in attributes)
+def test_every_id_occurs_once(mailed):
+    ids = Counter(element["id"] for element in mailed.find_all(id=True))
     assert len(ids) > 500
     assert [id for id, count in ids.items() if count > 1] == []
 
 
-def test_every_link_leads_somewhere(elements):
-    ids = {attributes.get("id") for _, attributes in elements}
-    links = [attributes["href"] for tag, attributes in elements if tag == "a" and "href" in attributes]
+def test_every_link_leads_somewhere(mailed):
+    ids = {element["id"] for element in mailed.find_all(id=True)}
+    links = [link["href"] for link in mailed.select("a[href]")]
     inside = [unquote(link[1:]) for link in links if link.startswith("#")]
     assert len(inside) > 500
     assert [link for link in inside if link not in ids] == []
@@ -109,32 +108,26 @@ def test_every_link_leads_somewhere(elements):
     assert [link for link in links if not known.match(link)] == []
 
 
-def test_nothing_is_named_that_would_be_loaded(elements):
-    for tag, attributes in elements:
-        for name in ("src", "srcset", "poster", "data"):
-            assert (attributes.get(name) or "data:").startswith("data:"), (tag, attributes)
-        assert tag != "link" or attributes["href"].startswith("data:"), attributes
+def test_nothing_is_named_that_would_be_loaded(mailed):
+    for name in ("src", "srcset", "poster", "data"):
+        assert mailed.select(f"[{name}]:not([{name}^='data:'], [{name}=''])") == []
+    assert mailed.select("link:not([href^='data:'])") == []
 
 
-def test_every_id_of_the_site_is_there(single, elements, site):
-    here = {attributes.get("id") for _, attributes in elements}
-    for name in re.findall(r'data-page="([^"]+)"', single.read_text(encoding="utf-8")):
-        if name.startswith("source/"):
-            continue
-        article = re.search(r"<article.*</article>", (site / f"{name}.html").read_text(encoding="utf-8"), re.DOTALL)[0]
-        for _, attributes in Elements(article).all:
-            if id := attributes.get("id"):
-                assert id in here or f"{name}:{id}" in here, (name, id)
+def test_every_id_of_the_site_is_there(mailed, site):
+    here = {element["id"] for element in mailed.find_all(id=True)}
+    for name in (part["data-page"] for part in mailed.select("[data-page]:not([data-page^='source/'])")):
+        page = parsed((site / f"{name}.html").read_text(encoding="utf-8"))
+        for element in page.select("article [id], article[id]"):
+            assert element["id"] in here or f"{name}:{element['id']}" in here, (name, element["id"])
 
 
-def test_files_to_keep_are_the_site_s(elements, site):
-    packed = [attributes for tag, attributes in elements if "data-packed" in attributes]
+def test_files_to_keep_are_the_site_s(mailed, site):
+    packed = mailed.select("[data-packed]")
     assert len(packed) > 100
-    names = {attributes["data-packed"] for attributes in packed}
-    assert {"unit_length.json", "unit_length.py", "s5.ipynb", "s5.md"} <= names
-    kept = {
-        a["data-packed"]: gzip.decompress(b64decode(a["href"].split(",")[1])) for a in packed if a["href"][0] != "#"
-    }
+    assert {"unit_length.json", "unit_length.py", "s5.ipynb", "s5.md"} <= {link["data-packed"] for link in packed}
+    here = [link for link in packed if not link["href"].startswith("#")]
+    kept = {link["data-packed"]: gzip.decompress(b64decode(link["href"].split(",")[1])) for link in here}
     assert kept["unit_length.json"] == (site / "_downloads" / "theorems" / "unit_length.json").read_bytes()
 
 
@@ -228,7 +221,6 @@ def test_drawing_stands_inside_double_quotes_with_two_decimals(tmp_path):
     assert "M 12.35 -0 L 3 4.5" in address and "x='1' y='7'" in address and "scale(0.015625)" in address
 
 
-@pytest.mark.browser
 def test_every_page_is_typeset_and_whole(tab):
     seen = tab.evaluate("""async () => { const seen = {};
         for (const page of Chapter.pages) {
@@ -251,7 +243,6 @@ def test_every_page_is_typeset_and_whole(tab):
     assert tab.evaluate("[...document.fonts].some(f => f.family.includes('MJX') && f.status == 'loaded')")
 
 
-@pytest.mark.browser
 def test_links_turn_pages_and_the_way_back_leads_back(tab):
     go(tab, "s1")
     tab.locator(".bd-docs-nav a:visible", has_text="§7").click()
@@ -269,7 +260,6 @@ def test_links_turn_pages_and_the_way_back_leads_back(tab):
     wait(tab, "Chapter.shown().dataset.page === 's7' && Math.abs(scrollY - 600) < 2")
 
 
-@pytest.mark.browser
 def test_simulator_draws_and_its_slider_works(tab):
     go(tab, "sim")
     seen = "document.querySelector('[data-picture=difference] canvas').toDataURL()"
@@ -285,7 +275,6 @@ def test_simulator_draws_and_its_slider_works(tab):
     assert tab.evaluate("Chapter.shown().dataset.page") == "s4"
 
 
-@pytest.mark.browser
 def test_certificates_are_checked(tab):
     go(tab, "theorem-unit_length")
     tab.evaluate("document.querySelector('#theorem-unit_length details').open = true")
@@ -298,7 +287,6 @@ def test_certificates_are_checked(tab):
     assert f"{count} of {count} theorems" in tab.locator(".checker[data-all] .check-verdict").inner_text()
 
 
-@pytest.mark.browser
 def test_kept_file_comes_out_under_its_own_name(tab, site):
     go(tab, "theorem-unit_length")
     tab.evaluate("document.querySelector('#theorem-unit_length details').open = true")
@@ -310,7 +298,6 @@ def test_kept_file_comes_out_under_its_own_name(tab, site):
     )
 
 
-@pytest.mark.browser
 def test_dark_mode_has_dark_pictures(tab):
     go(tab, "s1")
     paper = "getComputedStyle(document.body).backgroundColor"
@@ -328,7 +315,6 @@ def test_dark_mode_has_dark_pictures(tab):
     assert len(papers) == 2
 
 
-@pytest.mark.browser
 def test_file_fits_a_phone_and_its_menu_leads_on(browser, single):
     with opened(browser, single.as_uri(), until=None, **PHONE) as tab:
         for name in ("index", "s2", "s4", "findings", "source/proofs/engine/kernel.py"):
@@ -339,7 +325,6 @@ def test_file_fits_a_phone_and_its_menu_leads_on(browser, single):
         wait(tab, "Chapter.shown().dataset.page === 's1' && !document.querySelector('dialog[open]')")
 
 
-@pytest.mark.browser
 def test_without_scripts_every_page_stands_there(browser, single):
     with opened(browser, single.as_uri(), java_script_enabled=False) as tab:
         for id in ("s1", "s9", "theorem-kink_loci", "fig-three_pictures"):

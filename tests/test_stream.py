@@ -14,8 +14,7 @@ import tifffile
 from renderer import Scene, central, render, stream, views
 from renderer.machines import machine
 from renderer.raster import MAX_SIDE
-
-ROOT = Path(__file__).resolve().parent.parent
+from tests.processes import ROOT, python
 
 
 @pytest.fixture
@@ -150,9 +149,7 @@ print(peak() - before)
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the peak of the resident memory is read from /proc")
 def test_memory_does_not_grow_with_the_picture(tmp_path):
     """The peak of a child's resident memory, mapped pages included: the picture's planes alone are 96 MiB."""
-
-    command = [sys.executable, "-c", MEMORY, str(tmp_path / "a.npy"), str(tmp_path / "a.tif")]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
-    streamed, whole = map(float, done.stdout.split())
+    printed, _ = python("-c", MEMORY, tmp_path / "a.npy", tmp_path / "a.tif")
+    streamed, whole = map(float, printed.split())
     assert streamed < 32
     assert whole > 64  # what it has given back may be used again

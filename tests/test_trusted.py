@@ -2,13 +2,11 @@
 
 import json
 import re
-import subprocess
-import sys
 from pathlib import Path
 
+from tests.processes import ROOT, python
 from verify import test_campaign
 
-ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "book" / "checked" / "trusted.md"
 LOADED = """
 import sys
@@ -18,19 +16,15 @@ for module in list(sys.modules.values()):
 """
 
 
-def passed_through():
-    """Return the paths of the engine's and the checkers' modules that the proof checker loads, packages left out."""
-    ran = subprocess.run([sys.executable, "-c", LOADED], cwd=ROOT, capture_output=True, text=True, check=True)
-    paths = [Path(line) for line in ran.stdout.splitlines() if line]
+def test_the_page_names_every_module_that_a_grade_passes_through():
+    """The engine's and the checkers' modules that the proof checker loads, packages left out."""
+    paths = [Path(line) for line in python("-c", LOADED)[0].splitlines() if line]
     inside = [path.relative_to(ROOT).as_posix() for path in paths if path.is_relative_to(ROOT)]
     folders = ("proofs/engine/", "proofs/check.py", "proofs/formulas/half_turns.py", "verify/")
-    return {path for path in inside if path.startswith(folders) and not path.endswith("__init__.py")}
-
-
-def test_the_page_names_every_module_that_a_grade_passes_through():
+    loaded = {path for path in inside if path.startswith(folders) and not path.endswith("__init__.py")}
     rows = re.findall(r"^\| \{source-link\}`([^`]+)` \|", PAGE.read_text(encoding="utf-8"), re.MULTILINE)
     assert len(rows) == len(set(rows))
-    assert set(rows) == passed_through()
+    assert set(rows) == loaded
 
 
 def test_the_page_says_when_each_long_run_last_ran():

@@ -4,7 +4,6 @@ import os
 import subprocess
 import sys
 import tomllib
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,8 +12,8 @@ from PIL import Image
 from proofs.engine.theorem import all_theorems
 from renderer import Scene, render
 from renderer.views import to_bytes
+from verify.sources import ROOT
 
-ROOT = Path(__file__).resolve().parent.parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 EXAMINE = """
 from proofs.engine.theorem import all_theorems
