@@ -135,7 +135,7 @@ def test_search_field_and_phone_menu_have_no_violation_when_they_are_open(visit)
     [
         ("light", "document.querySelector('.bd-article').append(document.createElement('button'))", "button-name"),
         ("dark", "document.querySelector('.bd-article p').style.color = '#333'", "color-contrast"),
-        ("phone", "document.querySelector('[data-in-reach]').tabIndex = -1", "scrollable-region-focusable"),
+        ("phone", "document.querySelector('.pixels[data-in-reach]').tabIndex = -1", "scrollable-region-focusable"),
     ],
 )
 def test_a_violation_is_seen(visit, mode, spoil, rule):

@@ -47,7 +47,7 @@ def drawing(book: Here) -> Filled:
     for id in rows(uses):
         lines = textwrap.wrap(f"{proofs.label(id)} {proofs.theorems[id].title}", TEXT_COLUMNS, break_on_hyphens=False)
         near = sorted({id, *uses[id], *proofs.users(id)})
-        table[id] = {"y": y, "lines": lines, "near": near, "grade": proofs.entries[id]["grade"]}
+        table[id] = {"y": y, "lines": lines, "near": near, "grade": proofs.entries[id]["shown"]}
         y += ROW + LINE * (len(lines) - 1)
     order = list(table)
     arcs = [

@@ -14,9 +14,12 @@
     return number || (element.matches(".graph") ? "Graph" : element.matches("mjx-container, .math") ? "Formula" : "Text");
   }
 
+  // Letters that lean out of a formula are not more of it.
+  const hidden = (element) => element.scrollWidth - element.clientWidth - 2;
+
   function put_into_reach(element) {
     const overflow = getComputedStyle(element).overflowX, scrolls = overflow === "auto" || overflow === "scroll";
-    const needed = scrolls && element.scrollWidth > element.clientWidth && !element.querySelector(FOCUSABLE);
+    const needed = scrolls && hidden(element) > 0 && !element.querySelector(FOCUSABLE);
     if (needed === element.hasAttribute("data-in-reach")) return;
     const attributes = { tabindex: "0", role: "group", "aria-label": `${name_of(element)}, scrolls sideways`, "data-in-reach": "" };
     for (const [name, value] of Object.entries(attributes)) {
@@ -25,7 +28,7 @@
   }
 
   function fade(element) {
-    element.classList.toggle("more", element.scrollLeft + element.clientWidth < element.scrollWidth - 2);
+    element.classList.toggle("more", element.scrollLeft < hidden(element));
   }
 
   // Each panel is the whole picture in a window as wide as the panel.
