@@ -21,8 +21,9 @@ from book.extension.points import tex_point, tex_value
 from book.extension.theorems import Proofs, placements
 from proofs.engine.theorem import all_theorems
 from tests import one_page
-from tests.processes import ROOT, python
+from tests.processes import python
 from verify import formal
+from verify.sources import ROOT
 
 THEOREMS = all_theorems()
 ENTRY = {

@@ -167,10 +167,12 @@ def test_what_needs_an_extra_that_is_not_installed_names_it(module, extra, argum
 REFUSED = {
     "image": [
         (["--out", "a.jpg"], "out = 'a.jpg' is not allowed: a file name that ends in .png or .npz or .npy or .tif or"),
+        (["--field", "foo"], f"field = 'foo' is not allowed: one of {', '.join(map(repr, FIELDS))}"),
         (["--gradient", "foo"], "gradient = 'foo' is not allowed: one of 'exact', 'forward', 'central', 'central4'"),
         (["--eps", "-1e-3"], "eps = -0.001 is not allowed: a finite number from 1e-40 to 0.5"),
         (["--beta", "-inf"], "beta = -inf is not allowed: a finite number from -1e+100 to 1e+100"),
         (["--height", "-3"], "height = -3 is not allowed: a whole number from 1 to 16777216"),
+        (["--width", "99999999"], "width = 99999999 is not allowed: a whole number from 1 to 16777216"),
         (["--crop", "0,0,9,9"], "crop = (0, 0, 9, 9) is not allowed: (left, top, width, height), whole numbers"),
         (["--threads", "0"], "threads = 0 is not allowed: a whole number from 1 to 256"),
         (["--light", "5,5,10"] * 6, "lights = 6 lights is not allowed: a sequence of at most 5 Light"),

@@ -16,7 +16,8 @@ from book.ledger.check import Run, faults_in
 from book.ledger.entries import FINDINGS, FOLDER, WORDS
 from book.ledger.relations import relation
 from book.ledger.run import last_run, node_exists
-from tests.processes import ROOT, python
+from tests.processes import python
+from verify.sources import ROOT
 
 NUMBERS = {"sweep.flips": 0, "sweep.slope": 0.55, "scene.field": "ridges"}
 EVIDENCE = 'evidence = [{ theorem = "no_flips", grade = "proved" }, { number = "sweep.flips", is = "== 0" }]'

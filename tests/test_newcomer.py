@@ -15,7 +15,8 @@ from book.extension.results import look_up
 from book.ledger import load
 from book.ledger.check import Run, faults_in
 from tests import one_page
-from tests.processes import ROOT, python
+from tests.processes import python
+from verify.sources import ROOT
 
 FENCE = re.compile(r"```(\w+)\n(.*?)```", re.DOTALL)
 FILE = re.compile(r"`([\w/]+\.\w+)`")

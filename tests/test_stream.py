@@ -14,7 +14,8 @@ import tifffile
 from renderer import Scene, central, render, stream, views
 from renderer.machines import machine
 from renderer.raster import MAX_SIDE
-from tests.processes import ROOT, python
+from tests.processes import python
+from verify.sources import ROOT
 
 
 @pytest.fixture

@@ -4,8 +4,9 @@ import json
 import re
 from pathlib import Path
 
-from tests.processes import ROOT, python
+from tests.processes import python
 from verify import test_campaign
+from verify.sources import ROOT
 
 PAGE = ROOT / "book" / "checked" / "trusted.md"
 LOADED = """
