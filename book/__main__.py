@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 
 from filelock import FileLock
 
-from book.build import check, report, stamps, website
+from book.assembly import check, report, stamps, website
 from book.drawing import keys
 from book.editions import files
 

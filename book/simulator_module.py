@@ -23,9 +23,9 @@ from renderer.machines.painting_code import NUMBERS, PAINTING, SIZE_BITS, SRGB_C
 from renderer.machines.points_code import inputs_of
 from renderer.machines.stills import vectors
 from renderer.machines.webassembly import LANES, compiled_module
-from renderer.numbers import LIGHT_FORM, SCENE_FORM, flat, numbers_of, scene_numbers, style_of
-from renderer.shader import ANGLES, CHART, SLOPES, WORK, Want
-from renderer.views import to_bytes
+from renderer.picture.views import to_bytes
+from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, flat, numbers_of, scene_numbers, style_of
+from renderer.shader.shader import ANGLES, CHART, SLOPES, WORK, Want
 
 SCENE = Scene()
 MODELS = {name: replace(SCENE, model=name) for name in LIGHT_MODELS}

@@ -6,18 +6,18 @@ A name is imported when it is first asked for, so that `renderer.generate` runs 
 from importlib import import_module
 
 _HOMES = {
-    "Frame": "frame",
-    "Light": "scene",
-    "Scene": "scene",
-    "central": "methods",
-    "central4": "methods",
-    "exact": "methods",
-    "forward": "methods",
-    "gradient_at": "gradients",
-    "height_at": "gradients",
-    "pixel": "pixel_record",
-    "render": "drawing",
-    "stage_of": "drawing",
+    "Frame": "picture.frame",
+    "Light": "scene.scene",
+    "Scene": "scene.scene",
+    "central": "scene.methods",
+    "central4": "scene.methods",
+    "exact": "scene.methods",
+    "forward": "scene.methods",
+    "gradient_at": "shader.gradients",
+    "height_at": "shader.gradients",
+    "pixel": "picture.pixel_record",
+    "render": "picture.drawing",
+    "stage_of": "picture.drawing",
 }
 __all__ = list(_HOMES)
 

@@ -2,7 +2,7 @@
 
 import sys
 
-from renderer.command_line import main
+from renderer.command_line.verbs import main
 
 if __name__ == "__main__":  # a worker process imports this file too
     sys.exit(main())

@@ -18,7 +18,7 @@ from hypothesis import HealthCheck, Phase, given, seed, settings
 
 from renderer import pixel, render
 from renderer.kernels import FIELDS
-from renderer.scene import MODELS
+from renderer.scene.scene import MODELS
 from tests.long_run import command
 from tests.strategies import methods, rasters, rejected_fields, scenes
 

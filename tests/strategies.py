@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from renderer import Light, Scene, central, central4, exact, forward
 from renderer.kernels import FIELDS
-from renderer.scene import MODELS
+from renderer.scene.scene import MODELS
 
 _common = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow, HealthCheck.filter_too_much]}
 settings.register_profile("quick", max_examples=100, derandomize=True, **_common)

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from bs4 import BeautifulSoup
 
-from book.build import stamps, website
-from book.build.contents import page_files
+from book.assembly import stamps, website
+from book.assembly.contents import page_files
 from book.drawing import palette
 from book.drawing.draw import all_figures
 from book.editions.pages import parsed

@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 
-from book.build import check, stamps, website
+from book.assembly import check, stamps, website
 from book.releases.same_bytes import files_of
 from tests.processes import python
 
@@ -41,7 +41,7 @@ def test_check_runs_again_when_something_changed_and_until_it_passes(stamped, mo
 
 def test_check_reaches_code_and_data_but_no_prose():
     names = {path.relative_to(stamps.ROOT).as_posix() for path in check.sources()}
-    assert {"requirements.lock", "pyproject.toml", "book/build/stamps.py", "tests/data/seed_64.npz"} <= names
+    assert {"requirements.lock", "pyproject.toml", "book/assembly/stamps.py", "tests/data/seed_64.npz"} <= names
     assert any(name.startswith("proofs/") for name in names)
     assert not any(name.endswith(".md") for name in names if name.startswith("book/"))
 
@@ -59,7 +59,7 @@ def small_book(stamped, monkeypatch):
     )
     (folder / "index.md").write_text("# Page\n\nSee [](s1.md).\n\n```{bibliography}\n```\n")
     (folder / "s1.md").write_text("(s1)=\n# Bumps\n\nAn aardvark, by {cite}`Blinn1978`.\n")
-    (folder / "api.md").write_text("# API\n\n```{eval-rst}\n.. autofunction:: renderer.methods.exact\n```\n")
+    (folder / "api.md").write_text("# API\n\n```{eval-rst}\n.. autofunction:: renderer.scene.methods.exact\n```\n")
     build, site = folder / "_build", folder / "_build" / "html"
     places = {"BOOK": folder, "SITE": site, "INDEX": site / "index.html", "WORK": build / "work"}
     for name, value in (places | {"CACHES": stamped / "caches"}).items():

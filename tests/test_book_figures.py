@@ -8,7 +8,7 @@ import pytest
 from matplotlib.figure import Figure
 from PIL import Image
 
-from book.build import stamps
+from book.assembly import stamps
 from book.drawing import keys, registry, save
 from book.drawing.registry import Drawing, Registered, plain_numbers
 from book.drawing.style import decades, label_line_end, palette, panels, plot, slope_triangle, styled

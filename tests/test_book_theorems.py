@@ -11,7 +11,7 @@ import pytest
 from bs4 import BeautifulSoup
 from docutils import nodes
 
-from book.build import check, report, stamps
+from book.assembly import check, report, stamps
 from book.extension import theorems as book_theorems
 from book.extension.cards import coq
 from book.extension.dependencies import rows

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pytest
 
-from book.build.contents import page_files
+from book.assembly.contents import page_files
 from tests.tabs import PHONE, RUNNING, next_frame
 from verify.sources import ROOT
 

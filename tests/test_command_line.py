@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from renderer import Light, Scene, central, forward, grid, render, views
-from renderer.command_line import main
+from renderer import Light, Scene, central, forward, render
+from renderer.command_line import grid
+from renderer.command_line.verbs import main
 from renderer.kernels import FIELDS
-from renderer.scene import DEFAULT_LIGHTS
-from renderer.sweep import sweep
+from renderer.picture import views
+from renderer.picture.sweep import sweep
+from renderer.scene.scene import DEFAULT_LIGHTS
 from tests.processes import python
 
 
@@ -222,7 +224,7 @@ def test_too_little_memory_is_one_line(tmp_path, monkeypatch, capsys):
     def no_memory(*arguments, **options):
         raise MemoryError("Unable to allocate 6.00 GiB")
 
-    monkeypatch.setattr("renderer.command_line.render", no_memory)
+    monkeypatch.setattr("renderer.command_line.verbs.render", no_memory)
     assert run("image", "--out", tmp_path / "a.png") == 2
     assert capsys.readouterr().err == "python -m renderer image: error: Unable to allocate 6.00 GiB\n"
 
@@ -258,7 +260,7 @@ WITHOUT = ["sys.modules['llvmlite'] = None", "import llvmlite.binding; del llvml
 
 @pytest.mark.parametrize("without", WITHOUT)
 def test_numpy_draws_the_same_where_llvmlite_is_missing_or_old_and_says_so(without, tmp_path):
-    code = f"import sys; {without}; from renderer.command_line import main; sys.exit(main())"
+    code = f"import sys; {without}; from renderer.command_line.verbs import main; sys.exit(main())"
     _, told = python("-W", "error", "-c", code, "image", "--size", "33", "--out", tmp_path / "a.npz")
     expected = "NumPy draws, the same but slowly, since llvmlite is not installed (or too old)"
     assert told == f"python -m renderer image: {expected}\n"
@@ -282,7 +284,7 @@ def test_every_number_and_colour_of_the_scene_is_an_option(field, tmp_path):
 def test_drawing_needs_neither_sympy_nor_the_proofs(tmp_path):
     code = f"""
 import sys
-from renderer.command_line import main
+from renderer.command_line.verbs import main
 assert main(["views", "--size", "8", "--out", {str(tmp_path)!r}]) == 0
 assert main(["sweep", "--size", "8"]) == 0
 loaded = {{name.split(".")[0] for name in sys.modules}}

@@ -7,7 +7,7 @@ import pytest
 from PIL import Image
 
 from renderer import Scene, render
-from renderer.views import to_bytes
+from renderer.picture.views import to_bytes
 from tests.test_newcomer import FENCE, commands, copied, run, section
 
 

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from book.build import stamps
+from book.assembly import stamps
 
 FOLDER = stamps.ROOT / "book" / "chapter" / "exercises"
 SECTIONS = ("s1", "s2", "s3", "s4", "s6", "s7")

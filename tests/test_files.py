@@ -9,7 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from renderer import Scene, central, files, render, views
+from renderer import Scene, central, render, whole_files
+from renderer.files import pictures as files
+from renderer.picture import views
+from renderer.whole_files import checked_target, whole_file
 from tests.refusals import rejection
 
 FRAME = render(Scene(), 24, 16, central(1e-3))
@@ -38,7 +41,8 @@ def test_a_failure_leaves_nothing_or_the_old_file(name, content, old, tmp_path, 
 
 WRITE_FOR_EVER = """
 import sys, time
-from renderer.files import whole_file
+from renderer import whole_files
+from renderer.whole_files import checked_target, whole_file
 with whole_file(sys.argv[1]) as name:
     with open(name, "w") as file:
         file.write("half")
@@ -72,7 +76,7 @@ def test_what_a_killed_writer_left_is_removed_by_the_next_one(writer, tmp_path):
 
 
 def test_files_of_the_same_process_are_left_alone(tmp_path):
-    with files.whole_file(tmp_path / "a.csv") as one, files.whole_file(tmp_path / "a.csv") as other:
+    with whole_file(tmp_path / "a.csv") as one, whole_file(tmp_path / "a.csv") as other:
         assert one != other
         Path(one).write_text("one")
         Path(other).write_text("other")
@@ -80,7 +84,7 @@ def test_files_of_the_same_process_are_left_alone(tmp_path):
 
 
 def test_a_file_that_is_removed_before_it_is_locked_is_made_again(tmp_path, monkeypatch):
-    lock, seen = files.fcntl.flock, []
+    lock, seen = whole_files.fcntl.flock, []
 
     def slow(file, kind):
         if not seen:
@@ -88,8 +92,8 @@ def test_a_file_that_is_removed_before_it_is_locked_is_made_again(tmp_path, monk
         seen.append(file.name)
         lock(file, kind)
 
-    monkeypatch.setattr(files.fcntl, "flock", slow)
-    with files.whole_file(tmp_path / "a.csv") as name:
+    monkeypatch.setattr(whole_files.fcntl, "flock", slow)
+    with whole_file(tmp_path / "a.csv") as name:
         assert Path(name).exists()
     assert len(set(seen)) == 2
     assert [path.name for path in tmp_path.iterdir()] == ["a.csv"]
@@ -101,12 +105,12 @@ def test_without_locks_a_file_is_written_all_the_same(locks, tmp_path, monkeypat
         raise OSError("no locks available")
 
     if locks == "missing":
-        monkeypatch.setattr(files, "fcntl", None)
+        monkeypatch.setattr(whole_files, "fcntl", None)
     else:
-        monkeypatch.setattr(files.fcntl, "flock", refuse)
+        monkeypatch.setattr(whole_files.fcntl, "flock", refuse)
     left = tmp_path / ".b-12345678-unfinished.csv"
     left.write_text("half")
-    with files.whole_file(tmp_path / "a.csv") as name:
+    with whole_file(tmp_path / "a.csv") as name:
         Path(name).write_text("whole")
     assert (tmp_path / "a.csv").read_text() == "whole"
     assert left.exists() is (locks == "refused")  # where there are locks, one that cannot be had may be somebody's
@@ -132,19 +136,19 @@ def test_a_file_has_the_permissions_of_any_other(tmp_path):
 def test_a_target_that_is_rejected(name, allowed, tmp_path):
     (tmp_path / "folder.png").mkdir()
     (tmp_path / "file").write_text("")
-    said = rejection(files.checked_target, tmp_path / name, files.PICTURE_SUFFIXES)
+    said = rejection(checked_target, tmp_path / name, files.PICTURE_SUFFIXES)
     assert said == f"out = {str(tmp_path / name)!r} is not allowed: {allowed}"
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
 def test_a_folder_that_is_read_only(tmp_path):
     tmp_path.chmod(0o500)
-    said = rejection(files.checked_target, tmp_path / "a.png", files.PICTURE_SUFFIXES)
+    said = rejection(checked_target, tmp_path / "a.png", files.PICTURE_SUFFIXES)
     assert said.endswith("is not allowed: a file that can be written (Permission denied)")
 
 
 def test_checking_a_target_leaves_nothing_and_the_old_file(tmp_path):
     (tmp_path / "a.png").write_bytes(b"old")
-    assert files.checked_target(tmp_path / "a.png", files.PICTURE_SUFFIXES) == tmp_path / "a.png"
-    assert files.checked_target(str(tmp_path / "b.npz"), files.PICTURE_SUFFIXES) == tmp_path / "b.npz"
+    assert checked_target(tmp_path / "a.png", files.PICTURE_SUFFIXES) == tmp_path / "a.png"
+    assert checked_target(str(tmp_path / "b.npz"), files.PICTURE_SUFFIXES) == tmp_path / "b.npz"
     assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [("a.png", b"old")]

@@ -14,13 +14,14 @@ import numpy as np
 import pytest
 from distributed import Client, LocalCluster
 
-from renderer import Light, Scene, grid, render, stage_of
-from renderer.command_line import main
-from renderer.grid import Checkpoint, key_of
+from renderer import Light, Scene, render, stage_of
+from renderer.command_line import grid
+from renderer.command_line.grid import Checkpoint, key_of
+from renderer.command_line.verbs import main
 from renderer.machines import numpy_rows
-from renderer.methods import GradientMethod, central
-from renderer.raster import Raster
-from renderer.sweep import SweepRow, Task, sweep, table
+from renderer.picture.sweep import SweepRow, Task, sweep, table
+from renderer.scene.methods import GradientMethod, central
+from renderer.scene.raster import Raster
 from tests.refusals import rejection
 from verify.sources import ROOT
 
@@ -81,7 +82,7 @@ def test_a_key_is_of_the_content():
 def test_a_key_is_of_the_sources_and_the_machine_too(edited, tmp_path, monkeypatch):
     shutil.copytree(ROOT / "renderer", tmp_path / "renderer", ignore=shutil.ignore_patterns("__pycache__"))
     own, key = grid.version(), key_of(Task(Scene(), central(1e-3), 8, 8))
-    monkeypatch.setattr(grid, "__file__", str(tmp_path / "renderer" / "grid.py"))
+    monkeypatch.setattr(grid, "__file__", str(tmp_path / "renderer" / "command_line" / "grid.py"))
     assert grid.version.__wrapped__() == own
     with open(tmp_path / "renderer" / edited, "a") as file:
         file.write("\n")
@@ -121,7 +122,7 @@ def test_the_rows_are_those_of_a_sweep():
 def test_a_batch_draws_the_exact_frame_once_a_scene(monkeypatch):
     drawn = []
     seen = lambda *a, **o: drawn.append((a[3].name, o.get("stage") is None)) or render(*a, **o)  # noqa: E731
-    monkeypatch.setattr("renderer.sweep.render", seen)
+    monkeypatch.setattr("renderer.picture.sweep.render", seen)
     tasks = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3, 1e-4), beta=[0.1, 0.2])
     grid.compare_batch(tasks, grid.version())
     of_scene = [("central", True)] * 3  # whole: flips are counted
@@ -138,7 +139,7 @@ def test_flips_are_counted(monkeypatch):
             frame.chambers[0, : len(made)] ^= 128
         return frame
 
-    monkeypatch.setattr("renderer.sweep.render", flipping)
+    monkeypatch.setattr("renderer.picture.sweep.render", flipping)
     tasks = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3), beta=[0.1, 0.2])
     assert [row.flips for row in grid.compare_batch(tasks, grid.version()).values()] == [1, 2, 3, 4]
 

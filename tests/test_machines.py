@@ -9,8 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from renderer import Light, Scene, central, central4, exact, forward, kernels, render, stage, stage_of
+from renderer import Light, Scene, central, central4, exact, forward, kernels, render, stage_of
 from renderer.machines import native, numpy_rows
+from renderer.picture import stage
 from tests.strategies import methods, rasters, scenes
 
 LANES = [2, 4, 8, 16]

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from renderer import central, central4, exact, forward
-from renderer.methods import METHODS, GradientMethod
+from renderer.scene.methods import METHODS, GradientMethod
 from tests.refusals import rejection
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from book.build.contents import page_files
+from book.assembly.contents import page_files
 from book.extension.numbers import parse
 from book.extension.results import look_up
 from book.ledger import load

@@ -30,9 +30,9 @@ from book.notebooks.notebook import notebooks, text_of
 from book.notebooks.printed import FUNCTIONS, SCENE, function, refreshed
 from renderer import kernels
 from renderer.generate.kernels import function_of
-from renderer.gradients import gradient_at
-from renderer.methods import central
-from renderer.scene import Scene
+from renderer.scene.methods import central
+from renderer.scene.scene import Scene
+from renderer.shader.gradients import gradient_at
 from tests import one_page
 
 NAMES = [*(f"cell{number}" for number in range(1, 9)), WHOLE]

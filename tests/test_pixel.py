@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from renderer import Scene, pixel, render
-from renderer.pixel_record import PixelRecord
-from renderer.raster import Raster
+from renderer.picture.pixel_record import PixelRecord
+from renderer.scene.raster import Raster
 from tests.strategies import methods, rasters, scenes
 
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from renderer import Light, exact, pixel, render
 from renderer.kernels import FIELDS
-from renderer.raster import Raster
+from renderer.scene.raster import Raster
 from tests.strategies import differences, methods, rasters, scaled_triple, scenes, wave_numbers
 
 FLOOR = 3

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from book.build import stamps
+from book.assembly import stamps
 from book.drawing import draw, keys, save
 from book.drawing.data import MOST_BYTES, data_file, read_data
 from book.drawing.draw import all_figures
 from book.drawing.registry import Drawing, Registered
 from tests.processes import python
 
-NARROW = ("verify/stability/maps.py", "renderer/facts.py")  # what only some figures may reach
+NARROW = ("verify/stability/maps.py", "renderer/picture/facts.py")  # what only some figures may reach
 MODULES = sorted(path.stem for path in (stamps.ROOT / "book" / "figures").glob("*.py") if path.stem != "__init__")
 # In a process that has none of the repository's modules, and for each figure module a child of it that has not either.
 TRACE = """
@@ -92,7 +92,7 @@ def drawn(sources, monkeypatch, tmp_path):
 
 @pytest.mark.parametrize(
     "name",
-    ["verify/stability/maps.py", "renderer/facts.py", "renderer/machines/traced.py", "book/drawing/style.py",
+    ["verify/stability/maps.py", "renderer/picture/facts.py", "renderer/machines/traced.py", "book/drawing/style.py",
      "book/drawing/data.py", "proofs/formulas/symbols.py", "verify/results/work_precision.json", "requirements.lock",
      "book/drawing/matplotlibrc"],
 )  # fmt: skip

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 
 from renderer import Scene
-from renderer.raster import MAX_SIDE, Raster
+from renderer.scene.raster import MAX_SIDE, Raster
 from tests.refusals import rejection
 from tests.strategies import rasters, scenes
 

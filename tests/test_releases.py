@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 import book.__main__ as command_line
-from book.build import report, stamps
+from book.assembly import report, stamps
 from book.drawing import save
 from book.drawing.registry import Drawing, Registered
 from book.releases import command, compare, kept, record, same_bytes, tolerances

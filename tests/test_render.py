@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from renderer import Light, Scene, central, exact, render, stage_of
 from renderer.kernels import FIELDS
-from renderer.stage import band_rows
+from renderer.picture.stage import band_rows
 from tests.strategies import looks, methods, rasters
 
 DEFAULT = Scene()

@@ -9,7 +9,7 @@ import pytest
 
 from renderer import Scene, central, exact, render
 from renderer.kernels import FIELDS
-from renderer.scene import MODELS
+from renderer.scene.scene import MODELS
 
 DATA = np.load(Path(__file__).parent / "data" / "seed_64.npz")
 METHODS = {"exact": exact(), "general": exact("general"), "central": central(1e-3)}

@@ -13,9 +13,9 @@ from book.simulator_module import TERM_COLOURS
 from renderer import Light, Scene, central, central4, exact, forward, pixel, render
 from renderer.generate.step_terms import BOUNDS
 from renderer.kernels import FIELDS
-from renderer.pixel_record import LightRecord, PixelRecord
-from renderer.scene import DEFAULT_LIGHTS
-from renderer.views import difference_linear, difference_logarithmic, image_view, slope_view
+from renderer.picture.pixel_record import LightRecord, PixelRecord
+from renderer.picture.views import difference_linear, difference_logarithmic, image_view, slope_view
+from renderer.scene.scene import DEFAULT_LIGHTS
 from tests.tabs import RUNNING, go
 
 METHODS = {"central": central, "forward": forward, "central4": central4}

@@ -11,9 +11,11 @@ import numpy as np
 import pytest
 import tifffile
 
-from renderer import Scene, central, render, stream, views
+from renderer import Scene, central, render
+from renderer.files import stream
 from renderer.machines import machine
-from renderer.raster import MAX_SIDE
+from renderer.picture import views
+from renderer.scene.raster import MAX_SIDE
 from tests.processes import python
 from verify.sources import ROOT
 
@@ -97,7 +99,7 @@ def test_an_error_of_a_band_reaches_the_caller_and_leaves_the_old_file(name, thr
 
         return failing
 
-    monkeypatch.setattr("renderer.stage.machine", lambda: SimpleNamespace(drawer=drawer))
+    monkeypatch.setattr("renderer.picture.stage.machine", lambda: SimpleNamespace(drawer=drawer))
     monkeypatch.setattr(stream, "BLOCK_PIXELS", 300 * 200)
     (tmp_path / name).write_bytes(b"old")
     with pytest.raises(ArithmeticError, match="a band"):
@@ -130,7 +132,8 @@ def test_ctrl_c_in_the_middle_of_a_big_picture(tmp_path):
 MEMORY = """
 import sys
 from pathlib import Path
-from renderer import Scene, render, stream
+from renderer import Scene, render
+from renderer.files import stream
 def peak():
     lines = Path("/proc/self/status").read_text().splitlines()
     return next(int(line.split()[1]) for line in lines if line.startswith("VmHWM")) / 1024

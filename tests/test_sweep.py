@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from renderer import Scene, central, render
-from renderer.facts import facts
-from renderer.sweep import difference_on_a, sweep, write_csv
+from renderer.picture.facts import facts
+from renderer.picture.sweep import difference_on_a, sweep, write_csv
 
 CHAPTER = {
     1e-1: (0.1959, 0.98),

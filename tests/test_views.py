@@ -4,7 +4,8 @@ import matplotlib
 import numpy as np
 import pytest
 
-from renderer import Scene, central, render, views
+from renderer import Scene, central, render
+from renderer.picture import views
 
 FRAME = render(Scene(), 48, 40)
 OFF_A = FRAME.chambers & 3 != 1

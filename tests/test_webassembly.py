@@ -8,8 +8,8 @@ import pytest
 from book import simulator_module
 from renderer import Scene, exact, kernels
 from renderer.machines.webassembly import compiled_module
-from renderer.numbers import want_of
-from renderer.views import difference_logarithmic, to_bytes
+from renderer.picture.views import difference_logarithmic, to_bytes
+from renderer.shader.numbers import want_of
 
 KERNELS = {"slope": kernels.slope, "view_length": kernels.view_length}
 

@@ -11,7 +11,7 @@ from PIL import Image
 
 from proofs.engine.theorem import all_theorems
 from renderer import Scene, render
-from renderer.views import to_bytes
+from renderer.picture.views import to_bytes
 from verify.sources import ROOT
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from renderer.files import write_whole
+from renderer.whole_files import write_whole
 from verify.checkers.grades import NOT_RECHECKED, graded, summary
 from verify.optional import lacking
 

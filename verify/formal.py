@@ -19,7 +19,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from renderer.files import write_whole
+from renderer.whole_files import write_whole
 from verify.sources import ROOT, hashes, key
 
 FOLDER = ROOT / "proofs" / "formal"

@@ -13,7 +13,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from renderer import Light, Scene, render, stage_of
 from renderer.generate.kernels import function_of
-from renderer.methods import GradientMethod
+from renderer.scene.methods import GradientMethod
 from verify.reference import lights_on, scene_values
 
 
@@ -39,7 +39,7 @@ def strict_rgb(scene: Scene, width: int, height: int) -> np.ndarray:
 
 
 def strict_chambers(scene: Scene, width: int, height: int) -> np.ndarray:
-    """Return the chamber codes, (height, width) uint8, as `renderer.stage.Stage` defines them."""
+    """Return the chamber codes, (height, width) uint8, as `renderer.picture.stage.Stage` defines them."""
     on = [number for number, light in enumerate(scene.lights) if light.color is not None]
     occlusions = (occlusion(number) for number in range(len(on)))
     seen, dark, *occluded = _run(scene, width, height, surface, dark_square, *occlusions)

@@ -9,7 +9,7 @@ from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import kernels
 from renderer.generate import programs
-from renderer.shader import difference
+from renderer.shader.shader import difference
 from verify.benchmark.methods.compiled import loop_of
 from verify.evaluate import Reference
 

@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from proofs.formulas.camera import discriminant_a, hit_of_a
-from renderer import Light, Scene, bounds, central, exact, forward, numbers, render, stage_of
+from renderer import Light, Scene, central, exact, forward, render, stage_of
 from renderer.generate.kernels import function_of
 from renderer.kernels import FIELDS
+from renderer.scene import bounds
+from renderer.shader import numbers
 from verify.strict import differing_pixels, image_error, random_raster, random_scene, strict_chambers, strict_rgb
 
 SCENES = 10_000 if os.environ.get("HYPOTHESIS_PROFILE") == "long" else 400

@@ -9,7 +9,7 @@ import sys
 import pytest
 
 from proofs.engine.theorem import all_theorems
-from renderer.files import write_whole
+from renderer.whole_files import write_whole
 from verify import formal
 from verify.sources import ROOT
 from verify.test_campaign import draw, edited

@@ -16,7 +16,7 @@ from renderer.generate.creases import crease_point, crease_rates
 from renderer.generate.kernels import function_of
 from renderer.generate.step_terms import ARGUMENT_ERROR, BOUNDS, HEIGHT_ERROR, TERMS, UNIT, bounds_of, is_covered
 from renderer.kernels import FIELDS, angles_on_a, chart
-from renderer.shader import difference
+from renderer.shader.shader import difference
 from verify.evaluate.arrays import distance, in_balls, in_float64
 
 SINE, RIDGES = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["ridges"]

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from book.build import report, stamps
+from book.assembly import report, stamps
 from book.drawing import keys, save
 from book.drawing.registry import FIGURES, Registered
 

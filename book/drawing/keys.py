@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from importlib.util import source_from_cache
 from pathlib import Path
 
-from book.build import check, stamps
+from book.assembly import check, stamps
 from book.drawing.registry import Registered
 
 GENERATED = stamps.ROOT / "book" / "_generated"

@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from book.build import stamps
+from book.assembly import stamps
 
 DATA_FOLDERS = ("proofs/", "renderer/", "verify/", "book/", "tests/data/")  # those that are hashed
 

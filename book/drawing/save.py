@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from PIL import Image
 
-from book.build.stamps import write_whole
+from book.assembly.stamps import write_whole
 from book.drawing.data import SUFFIXES, data_file
 from book.drawing.palette import CSS_PIXELS_PER_INCH
 from book.drawing.registry import Drawing, Registered, plain_numbers

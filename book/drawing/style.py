@@ -24,7 +24,7 @@ from matplotlib.mathtext import MathTextParser
 from matplotlib.ticker import LogLocator, NullLocator
 
 from book.drawing.palette import CSS_PIXELS_PER_INCH, PAGE_WIDTH, ROLE, TEXT_WIDTH, drawing_for, palette, readable
-from renderer.views import add_colour_bar
+from renderer.picture.views import add_colour_bar
 
 __all__ = [
     "bound_style", "decades", "label_curve", "label_line_end", "palette", "panels", "plot", "slope_triangle", "styled",

@@ -7,7 +7,7 @@ from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from book.build.stamps import Refused
+from book.assembly.stamps import Refused
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page

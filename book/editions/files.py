@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from book.build import stamps, website
+from book.assembly import stamps, website
 
 SINGLE = website.BOOK / "_build" / "single" / "bump-mapping.html"
 PDF = website.BOOK / "_build" / "pdf" / "bump-mapping.pdf"

@@ -16,7 +16,7 @@ from markupsafe import Markup, escape
 from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-from book.build import stamps
+from book.assembly import stamps
 from book.extension import checker
 from book.extension.elements import TEMPLATES, Filled, directive, filled, role
 from book.extension.evidence import count, evidence_line, killed

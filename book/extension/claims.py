@@ -16,7 +16,7 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
-from book.build.contents import page_files, page_title
+from book.assembly.contents import page_files, page_title
 from book.extension.cards import Here, card
 from book.extension.checker import check_all
 from book.extension.elements import directive, filled, section

@@ -20,8 +20,8 @@ from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book import ledger
-from book.build import stamps
-from book.build.contents import page_title
+from book.assembly import stamps
+from book.assembly.contents import page_title
 from book.extension.cards import Here, link
 from book.extension.elements import TEMPLATES, directive, filled, on, role, section
 from book.extension.ledger_evidence import number_nodes, test_address

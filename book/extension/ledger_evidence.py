@@ -6,8 +6,8 @@ from pathlib import Path, PurePosixPath
 
 from docutils import nodes
 
-from book.build import stamps
-from book.build.contents import page_files
+from book.assembly import stamps
+from book.assembly.contents import page_files
 from book.extension.cards import Here, link
 from book.extension.figures import file_link
 from book.extension.listings import listing_address

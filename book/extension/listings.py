@@ -18,13 +18,13 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.parallel import ParallelTasks, SerialTasks
 
-from book.build import report, stamps
+from book.assembly import report, stamps
 from book.extension.elements import directive, on, role
 from book.extension.theorems import certificate, proofs_of, script
 
 DOWNLOADS = "_downloads/theorems"
 FOLDERS = ("proofs/*.py", "proofs/*/*.py", "verify/*.py", "verify/*/*.py", "verify/*/*/*.py")
-LISTED = (*FOLDERS, "renderer/shader.py", "renderer/machines/*.py", "tests/test_work.py")
+LISTED = (*FOLDERS, "renderer/shader/shader.py", "renderer/machines/*.py", "tests/test_work.py")
 
 
 def listing_address(path: PurePosixPath) -> str:

@@ -16,7 +16,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
-from book.build import stamps
+from book.assembly import stamps
 from book.extension.elements import directive, filled, on
 from book.notebooks import WHOLE
 

@@ -52,5 +52,5 @@ def put_explicit_ids_first(app: Sphinx, document: nodes.document) -> None:
 @on("env-updated")
 def write_on_two_cores(app: Sphinx, environment: BuildEnvironment) -> None:
     """Pages are read in one process, where the laboratory's cells run, and written in two."""
-    if "BOOK_EXECUTION_CACHE" in os.environ:  # set by book/build/website.py, and by no test
+    if "BOOK_EXECUTION_CACHE" in os.environ:  # set by book/assembly/website.py, and by no test
         app.parallel = 2

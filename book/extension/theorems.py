@@ -8,8 +8,8 @@ from pathlib import Path
 
 from sphinx.application import Sphinx
 
-from book.build import report, stamps
-from book.build.contents import page_files
+from book.assembly import report, stamps
+from book.assembly.contents import page_files
 from proofs.engine.standalone import standalone_script
 from proofs.engine.theorem import Theorem, all_theorems
 from verify import formal

@@ -6,7 +6,7 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels
-from renderer.views import difference_logarithmic
+from renderer.picture.views import difference_logarithmic
 from verify.stability import maps
 
 LOW, HIGH = 0, 8

@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 
 from book.drawing.style import panels
 from renderer import Scene, central, exact, render
-from renderer.frame import Frame
-from renderer.views import image_view
+from renderer.picture.frame import Frame
+from renderer.picture.views import image_view
 
 SCENE = Scene()
 SIZE = 256  # the raster of every number on the default scene

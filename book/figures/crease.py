@@ -6,7 +6,7 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import label_line_end, palette, plot
 from book.figures.chapter_scene import SCENE, numeric, symbolic
 from renderer import central, exact, gradient_at
-from renderer.facts import crease_contrast
+from renderer.picture.facts import crease_contrast
 
 CREASE, ROW = 0.125, 0.47
 

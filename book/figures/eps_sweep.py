@@ -8,8 +8,8 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import decades, label_curve, label_line_end, palette, plot, slope_triangle
 from book.figures.chapter_scene import FIELD_NAMES, SIZE, symbolic
 from renderer import Scene, central, render
-from renderer.facts import flat_difference, flips_everywhere, pixels_near_the_pole
-from renderer.sweep import DECADES, difference_on_a, rms, sweep
+from renderer.picture.facts import flat_difference, flips_everywhere, pixels_near_the_pole
+from renderer.picture.sweep import DECADES, difference_on_a, rms, sweep
 
 DASHES = {"sine": (0, (5, 2)), "ridges": (0, ()), "rings": (0, (1.5, 1.5))}
 STEPS = np.logspace(-1, -15, 57)

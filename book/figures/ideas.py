@@ -16,7 +16,7 @@ from book.figures.chapter_scene import SCENE, SIZE, on_picture, symbolic
 from book.idea_kernels import BUMP_LINES, PIXEL_LINES, angles_at, bump_at, bump_lines, given, pixel_lines, two_slopes
 from renderer import Scene, exact, kernels, render
 from renderer.generate.creases import crease_point
-from renderer.views import image_view, to_bytes
+from renderer.picture.views import image_view, to_bytes
 
 PARALLEL, POINT = 0.125, 0.453  # v of the circle, u of the point on it
 LIGHT = SCENE.lights[0]

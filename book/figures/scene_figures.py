@@ -14,7 +14,7 @@ from proofs.formulas.camera import parallel_radius, silhouette_of_a
 from proofs.formulas.shading import floor_albedo, floor_blue, floor_dark
 from proofs.formulas.symbols import cos_phi, eye, radius, rho, rho_silhouette, sin_phi
 from renderer import Scene, height_at, render
-from renderer.views import image_view
+from renderer.picture.views import image_view
 
 BODIES = {  # surface and bit 7, the dark floor square: (name, colour where both lights arrive)
     1: ("sphere A", (0xD9, 0x6A, 0x4F)),

@@ -13,10 +13,10 @@ from proofs.formulas.bump import normal_by_beta, perturbed
 from proofs.formulas.chart import seed_chart
 from proofs.formulas.symbols import normal
 from renderer import Scene, central, exact, gradient_at, pixel, render
-from renderer.facts import SMOOTH_POINT
 from renderer.generate.kernels import function_of
-from renderer.sweep import difference_on_a, rms
-from renderer.views import to_bytes
+from renderer.picture.facts import SMOOTH_POINT
+from renderer.picture.sweep import difference_on_a, rms
+from renderer.picture.views import to_bytes
 from verify.benchmark.baselines import seed_loops
 
 FRAMES = "verify/benchmark/results/frames.json"

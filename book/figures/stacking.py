@@ -6,7 +6,7 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels
 from book.figures.three_pictures import HIGH, LOW
 from renderer import Scene
-from renderer.views import difference_logarithmic, to_bytes
+from renderer.picture.views import difference_logarithmic, to_bytes
 from verify.accuracy import stacking
 
 SHOWN, LAMP, PIXEL = 208, 4, 4

@@ -7,7 +7,7 @@ import numpy as np
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import bound_style, decades, label_line_end, palette, plot, slope_triangle
 from renderer import Scene
-from renderer.facts import SMOOTH_POINT
+from renderer.picture.facts import SMOOTH_POINT
 from verify.accuracy import u_curve as by_mpmath
 
 SCENE = Scene(field="sine")

@@ -8,7 +8,7 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 
-from book.build.report import NoReport
+from book.assembly.report import NoReport
 from book.ledger.check import faults_in
 from book.ledger.entries import VERDICTS, BadLedger, load
 

@@ -5,8 +5,8 @@ import re
 from functools import cache
 from pathlib import Path
 
-from book.build import report, stamps
-from book.build.contents import page_files
+from book.assembly import report, stamps
+from book.assembly.contents import page_files
 from book.extension.numbers import parse
 from book.extension.results import look_up
 from book.extension.theorems import kind

@@ -7,7 +7,7 @@ from functools import cache
 from myst_nb.core.read import read_myst_markdown_notebook
 from pybtex.database import parse_file
 
-from book.build import stamps
+from book.assembly import stamps
 from book.extension.numbers import E_NOTATION, formatted, measured, parse
 from book.extension.results import look_up
 

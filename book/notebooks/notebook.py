@@ -5,7 +5,7 @@ import tomllib
 
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
-from book.build import stamps
+from book.assembly import stamps
 from book.notebooks import WHOLE
 from book.notebooks.laboratory import cells, plain
 

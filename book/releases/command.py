@@ -4,7 +4,7 @@ import shutil
 
 from PIL import Image
 
-from book.build import stamps
+from book.assembly import stamps
 from book.releases import compare, kept, notes, record
 
 OUT = stamps.ROOT / "book" / "_build" / "release"

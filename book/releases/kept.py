@@ -6,7 +6,7 @@ from pathlib import Path
 
 from packaging.version import Version
 
-from book.build import stamps
+from book.assembly import stamps
 from book.releases import pictures, record
 
 RELEASES = stamps.ROOT / "releases"

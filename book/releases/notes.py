@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from fnmatch import fnmatchcase
 
-from book.build import stamps
+from book.assembly import stamps
 from book.releases.compare import Change
 
 CHANGELOG = stamps.ROOT / "CHANGELOG.md"

@@ -9,7 +9,7 @@ import json
 import tomllib
 from pathlib import Path
 
-from book.build import report, stamps
+from book.assembly import report, stamps
 from book.releases.pictures import kept_file
 from book.releases.tolerances import tolerance
 

@@ -8,7 +8,7 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
-from book.build import stamps
+from book.assembly import stamps
 
 COMPARED = ("book/_build/html", "book/_generated")
 AROUND = 20  # bytes shown on each side of the first that differs

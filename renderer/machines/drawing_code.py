@@ -6,9 +6,9 @@ import llvmlite.ir as ir
 
 from renderer.machines.stills import MOVING, Stills, vectors
 from renderer.machines.traced import BYTE, FLOAT, WHOLE, Tracer, Value
-from renderer.numbers import SCENE_FORM, of_form
 from renderer.operations import Number
-from renderer.shader import CHART, COLORS, ON_A, WORK, Group, Want
+from renderer.shader.numbers import SCENE_FORM, of_form
+from renderer.shader.shader import CHART, COLORS, ON_A, WORK, Group, Want
 
 PLANES = (*COLORS, "code", *ON_A, *CHART)
 ARGUMENTS = ("x", "y", "columns", "first_row", "last_row", "pitch", "scene", "lights", "light_count", "counts",

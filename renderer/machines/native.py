@@ -17,11 +17,11 @@ import llvmlite.binding as llvm
 import llvmlite.ir as ir
 from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options  # since 0.44
 
-from renderer.files import whole_file
 from renderer.kernels import HEIGHT_EVALUATIONS
 from renderer.machines import Job
 from renderer.machines.drawing_code import ARGUMENTS, emit
-from renderer.shader import WORK, Want
+from renderer.shader.shader import WORK, Want
+from renderer.whole_files import whole_file
 
 NAME = "llvm"
 _compiling = Lock()

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from renderer.machines import Job
-from renderer.numbers import LIGHT_FORM, SCENE_FORM, of_form
 from renderer.operations import Mask, Number
-from renderer.shader import WORK, Group, Step, Want
+from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, of_form
+from renderer.shader.shader import WORK, Group, Step, Want
 
 NAME = "numpy"
 

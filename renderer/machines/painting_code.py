@@ -1,4 +1,4 @@
-"""The code that paints planes as a canvas's bytes, for any of LLVM's targets: what `renderer.views` does, by table.
+"""The code that paints planes as a canvas's bytes, for any of LLVM's targets: what `picture.views` does, by table.
 
 A level, of sRGB or of a scale of colours, begins at a threshold. A table says which level holds where a cell of numbers
 begins; cells are so small that at most one threshold lies inside. One pixel is painted after another, as an int32:
@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 import llvmlite.ir as ir
 
 from renderer.machines.traced import BYTE, FLOAT, WHOLE, Tracer, Value
-from renderer.shader import COLORS
+from renderer.shader.shader import COLORS
 
 OTHERS = tuple(f"other_{color}" for color in COLORS)
 PAINTING = ("columns", "first_row", "last_row", "pitch", "pixels", "level_at", "threshold", "palette", "numbers",

@@ -13,8 +13,8 @@ from typing import Any
 import llvmlite.ir as ir
 
 from renderer.machines.stills import DEAR, OF_LIGHT, SLOW, Still
-from renderer.numbers import LIGHT_FORM, flat, of_form
-from renderer.shader import Step
+from renderer.shader.numbers import LIGHT_FORM, flat, of_form
+from renderer.shader.shader import Step
 
 FLOAT, BIT, BYTE, WHOLE = ir.DoubleType(), ir.IntType(1), ir.IntType(8), ir.IntType(64)
 

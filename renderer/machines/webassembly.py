@@ -14,7 +14,7 @@ from renderer.machines.native import optimized
 from renderer.machines.painting_code import PAINTERS, emit_painter
 from renderer.machines.points_code import emit_points
 from renderer.machines.stills import Stills
-from renderer.shader import Want
+from renderer.shader.shader import Want
 
 LANES = 2
 TRIPLE = "wasm32-unknown-unknown"

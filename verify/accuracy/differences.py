@@ -16,7 +16,7 @@ from proofs.formulas.finite_difference import central, span_v, u_minus, u_plus, 
 from proofs.formulas.height_fields import HEIGHT_FIELDS, factors, gradient
 from renderer import Scene
 from renderer.kernels import FIELDS
-from renderer.shader import difference
+from renderer.shader.shader import difference
 from verify.evaluate.arrays import Inputs, in_balls, in_float64, signed_distance
 
 PER_DECADE = 40

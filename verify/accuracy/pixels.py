@@ -16,7 +16,7 @@ from flint import arb, ctx
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import CHANNELS, pixel
 from renderer import Scene, render
-from renderer.frame import Frame
+from renderer.picture.frame import Frame
 from verify.evaluate.balls import Balls
 from verify.reference import lights_on, scene_values
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from renderer import Scene, central, exact, gradient_at
-from renderer.frame import Frame
+from renderer.picture.frame import Frame
 
 NODES = 20
 SCENE = Scene()  # ridges, k_u = 8, k_v = 4

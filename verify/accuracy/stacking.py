@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from renderer import Light, Scene, central, exact, render
-from renderer.sweep import rms
+from renderer.picture.sweep import rms
 
 SIDE, EPS = 256, 1e-2
 HALF = 1.5  # of the lamp's side, in radii of A

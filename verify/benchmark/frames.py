@@ -12,8 +12,8 @@ from dataclasses import replace
 from functools import partial
 
 from renderer import Scene, central, exact, render, stage_of
-from renderer.methods import GradientMethod
-from renderer.shader import ON_A
+from renderer.scene.methods import GradientMethod
+from renderer.shader.shader import ON_A
 from verify.benchmark.baselines.numpy_tiles import numpy_tiles
 from verify.benchmark.baselines.seed_loops import seed_loops
 from verify.benchmark.plan import Case, given
@@ -115,7 +115,7 @@ difference = numeric.rgb - symbolic.rgb
     "start_one_picture": "from renderer import Scene, render; render(Scene(), 256, 256)",
     "start_image_2048": """
 import sys
-from renderer.command_line import main
+from renderer.command_line.verbs import main
 main(["image", "--size", "2048", "--out", f"{sys.argv[1]}/a.png"])
 """,
 }

@@ -11,8 +11,8 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from renderer.files import write_whole
-from renderer.threads import available_cores
+from renderer.picture.threads import available_cores
+from renderer.whole_files import write_whole
 from verify.sources import ROOT
 
 RESULTS = Path(__file__).parent / "results"

@@ -13,9 +13,10 @@ from unittest import mock
 
 import numpy as np
 
-from renderer import Scene, central, exact, render, stage
-from renderer.frame import Frame
+from renderer import Scene, central, exact, render
 from renderer.machines import native, numpy_rows
+from renderer.picture import stage
+from renderer.picture.frame import Frame
 from verify.benchmark.label import command
 from verify.benchmark.plan import Case, given, numbers_of, timings
 

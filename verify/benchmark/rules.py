@@ -9,13 +9,14 @@ from unittest import mock
 
 import numpy as np
 
-from renderer import Light, Scene, central, exact, numbers
-from renderer.bounds import EVERYWHERE
+from renderer import Light, Scene, central, exact
 from renderer.machines import Job, native, traced
-from renderer.methods import GradientMethod
-from renderer.raster import Raster
-from renderer.shader import COLORS
-from renderer.stage import Stage
+from renderer.picture.stage import Stage
+from renderer.scene.bounds import EVERYWHERE
+from renderer.scene.methods import GradientMethod
+from renderer.scene.raster import Raster
+from renderer.shader import numbers
+from renderer.shader.shader import COLORS
 from verify.benchmark.plan import Case
 
 SIDE = 512

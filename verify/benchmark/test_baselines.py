@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from renderer import Scene, central, exact, render
-from renderer.scene import MODELS
-from renderer.stage import SURFACE_BITS
+from renderer.picture.stage import SURFACE_BITS
+from renderer.scene.scene import MODELS
 from verify.benchmark.baselines import seed_loops as loops
 from verify.benchmark.baselines.numpy_tiles import numpy_tiles
 from verify.benchmark.baselines.seed_loops import seed_loops

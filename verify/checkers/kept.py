@@ -10,7 +10,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from proofs.engine.theorem import Theorem
-from renderer.files import write_whole
+from renderer.whole_files import write_whole
 from verify import sources
 from verify.checkers.grades import Examination
 from verify.checkers.measured import sources_of

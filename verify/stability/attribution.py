@@ -11,7 +11,7 @@ import numpy as np
 from proofs.formulas.creases import straddling
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene
-from renderer.frame import Frame
+from renderer.picture.frame import Frame
 from verify.accuracy.differences import taken_apart
 from verify.evaluate.arrays import in_float64
 

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from renderer import Light, Scene, render
-from renderer.frame import Frame
+from renderer.picture.frame import Frame
 
 ON_A_CREASE = 1e-12  # a crease factor that rounding can turn to either side
 SIZE = 120  # a multiple of 20, and even

@@ -1,4 +1,4 @@
-// The compiled shader and kernels: their memory, and calls of them. What they compute is written in renderer/shader.py
+// The compiled shader and kernels: their memory, and calls of them. What they compute is written in renderer/shader/shader.py
 // and in proofs/; the numbers beside them, Simulator.data, in book/simulator_module.py.
 "use strict";
 
@@ -84,13 +84,13 @@ Simulator.module = async function (data, compiled) {
   // The numbers by which h depends on u and on v, or null.
   const wave_numbers = ({ field, ku, kv }) => (`wave_numbers_${field}` in data.kernels ? kernel(`wave_numbers_${field}`, ku, kv) : null);
 
-  // As renderer.gradients.algebraic_powers.
+  // As renderer.shader.gradients.algebraic_powers.
   function algebraic_powers(state) {
     const [a, b] = wave_numbers(state) || [1, 1];
     return a % 2 || b % 1 || Math.max(Math.abs(a), Math.abs(b)) > data.max_algebraic ? null : [Math.trunc(a) / 2, Math.trunc(b)];
   }
 
-  // As renderer.numbers: what a state changes of the scene's numbers, and the numbers of the lights that are on.
+  // As renderer.shader.numbers: what a state changes of the scene's numbers, and the numbers of the lights that are on.
   function numbers_of(state, { name, eps }) {
     const powers = name === "exact" ? algebraic_powers(state) : null, [power_u, power_v] = powers || [0, 0];
     const way = state.beta === 0 ? "flat" : name !== "exact" ? name : powers ? "algebraic" : "general";

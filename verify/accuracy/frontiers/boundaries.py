@@ -15,7 +15,7 @@ from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer import Scene
-from renderer.raster import Raster
+from renderer.scene.raster import Raster
 from verify.evaluate.arrays import in_float64
 from verify.reference import scene_values
 

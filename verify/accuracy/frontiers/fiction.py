@@ -18,7 +18,7 @@ from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import beta, cos_phi, eye, k_u, k_v, phi, radius, rho, sin_phi, u, v
 from renderer import Scene, render
-from renderer.frame import Frame
+from renderer.picture.frame import Frame
 from verify.evaluate.arrays import in_float64
 
 STEPS = ("the chapter's", "sign turned", "and the chart's scale", "and the metric: Blinn's")

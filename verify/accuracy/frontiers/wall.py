@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient, height
-from renderer.sweep import rms
+from renderer.picture.sweep import rms
 from verify.evaluate.arrays import in_float64
 
 KU, KV = 8.0, 4.0

@@ -7,9 +7,9 @@ from functools import lru_cache
 import numpy as np
 
 from renderer import Scene, central, render
-from renderer.facts import crease_contrast
-from renderer.gradients import height_at
-from renderer.sweep import difference_on_a
+from renderer.picture.facts import crease_contrast
+from renderer.picture.sweep import difference_on_a
+from renderer.shader.gradients import height_at
 from verify.checkers.measurement import Measurement, measures
 
 SIZE, MOST = 256, 64

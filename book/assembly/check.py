@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from book.build import report, stamps
+from book.assembly import report, stamps
 
 # Whole folders, code and data: a proof may read what it does not import.
 FOLDERS = ("proofs", "renderer", "verify", "book", "tests/data")

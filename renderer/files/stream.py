@@ -6,12 +6,13 @@ from pathlib import Path
 
 import numpy as np
 
-from renderer import files, views
 from renderer.checks import extra
-from renderer.drawing import render
-from renderer.methods import GradientMethod
-from renderer.raster import Raster
-from renderer.scene import Scene
+from renderer.picture import views
+from renderer.picture.drawing import render
+from renderer.scene.methods import GradientMethod
+from renderer.scene.raster import Raster
+from renderer.scene.scene import Scene
+from renderer.whole_files import checked_target, whole_file
 
 STREAM_SUFFIXES = (".npy", ".tif", ".tiff")
 BLOCK_PIXELS = 2**20  # a block's planes and their copy for the file: about 60 MB
@@ -51,14 +52,14 @@ def stream(
     The file appears whole or not at all. Raises ValueError on what is not allowed, OSError if the file cannot be
     written, ModuleNotFoundError where a TIFF is wanted without the extra `tiff`. Returns the picture's (rows, columns).
     """
-    path = files.checked_target(path, STREAM_SUFFIXES)
+    path = checked_target(path, STREAM_SUFFIXES)
     raster = Raster(width, height, crop)
 
     def frames(rows):
         for block in progress(blocks(raster.crop, rows)):
             yield render(scene, width, height, gradient, block, threads)
 
-    with files.whole_file(path) as name:
+    with whole_file(path) as name:
         (_write_npy if Path(path).suffix == ".npy" else _write_tiff)(name, raster.shape, frames)
     return raster.shape
 

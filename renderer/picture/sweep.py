@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from renderer import files
 from renderer.checks import check_choice
-from renderer.drawing import render
-from renderer.frame import Frame
-from renderer.methods import DIFFERENCES, GradientMethod, difference, exact
-from renderer.raster import Raster
-from renderer.scene import Scene
+from renderer.files import pictures as files
+from renderer.picture.drawing import render
+from renderer.picture.frame import Frame
+from renderer.scene.methods import DIFFERENCES, GradientMethod, difference, exact
+from renderer.scene.raster import Raster
+from renderer.scene.scene import Scene
 
 DECADES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
@@ -93,7 +93,7 @@ def sweep(
 
 
 def records(results: Results) -> list[dict[str, Any]]:
-    """Return the rows of `sweep`, or the {Task: row} of `renderer.grid.run`, as dicts."""
+    """Return the rows of `sweep`, or the {Task: row} of `renderer.command_line.grid.run`, as dicts."""
     if not isinstance(results, dict):
         return [asdict(row) for row in results]
     return [

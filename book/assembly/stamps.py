@@ -5,7 +5,7 @@ A result is up to date when its stamp equals what `verify.sources` finds now.
 
 import json
 
-from renderer.files import write_whole
+from renderer.whole_files import write_whole
 from verify.sources import PACKAGES, PRODUCTS, ROOT, files_in, hashes, key, modules_for, reachable  # noqa: F401
 
 STAMPS = ROOT / ".stamps"

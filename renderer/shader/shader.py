@@ -60,7 +60,7 @@ class Group:
     """The pixels of a group while they are drawn.
 
     pixels: their image points x, y (x is NaN beyond a row's end), and `load` and `store` of the frame's planes by name.
-    scene: `renderer.numbers.scene_numbers`.
+    scene: `renderer.shader.numbers.scene_numbers`.
     """
 
     def __init__(self, machine: Machine, scene: SimpleNamespace, want: Want, pixels: Any):

@@ -4,9 +4,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from renderer.kernels import FIELDS, MAX_ALGEBRAIC
-from renderer.methods import GradientMethod
-from renderer.scene import Scene
-from renderer.shader import difference
+from renderer.scene.methods import GradientMethod
+from renderer.scene.scene import Scene
+from renderer.shader.shader import difference
 
 
 def algebraic_powers(scene: Scene) -> tuple[int, int] | None:

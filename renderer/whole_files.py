@@ -4,27 +4,18 @@ The other name is `.STEM-????????-unfinished.SUFFIX`, of a file that its writer 
 was left by a writer that was killed, and whoever writes into that folder next removes it.
 """
 
-import csv
 import os
 import tempfile
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from renderer.checks import not_allowed
-
-if TYPE_CHECKING:
-    from renderer.frame import Frame
 
 try:
     import fcntl
 except ImportError:  # Windows, which removes no file that is open: as good as a lock
     fcntl = None  # type: ignore[assignment]
-
-PICTURE_SUFFIXES = (".png", ".npz")
 
 
 def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out") -> Path:
@@ -94,25 +85,3 @@ def write_whole(path: Path, content: bytes) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path) as name:
         Path(name).write_bytes(content)
-
-
-def write_png(path: str | Path, image: np.ndarray) -> None:
-    """Write a uint8 picture, (height, width, 3 or 4), pixel for pixel."""
-    from PIL import Image
-
-    with whole_file(path) as name:
-        Image.fromarray(image).save(name)
-
-
-def write_npz(path: str | Path, frame: "Frame") -> None:
-    """Write every buffer of a frame: rgb, chambers, and A's surface data (NaN off A)."""
-    with whole_file(path) as name:
-        np.savez_compressed(name, rgb=frame.rgb, chambers=frame.chambers, **frame.surface_data)  # type: ignore[arg-type]
-
-
-def write_csv(path: str | Path, records: Sequence[Mapping[str, Any]]) -> None:
-    """Write dicts of the same keys as a table with its column names."""
-    with whole_file(path) as name, open(name, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, [name for record in records[:1] for name in record])
-        writer.writeheader()
-        writer.writerows(records)

@@ -9,12 +9,12 @@ import numpy as np
 from renderer.checks import not_allowed
 from renderer.kernels import FIELDS, bumped_normal, chart, phong, point_on_a, slope
 from renderer.machines import machine
-from renderer.methods import GradientMethod
-from renderer.numbers import way_of
-from renderer.raster import Raster
-from renderer.scene import Scene
-from renderer.shader import ON_A
-from renderer.stage import SURFACE_BITS, Stage
+from renderer.picture.stage import SURFACE_BITS, Stage
+from renderer.scene.methods import GradientMethod
+from renderer.scene.raster import Raster
+from renderer.scene.scene import Scene
+from renderer.shader.numbers import way_of
+from renderer.shader.shader import ON_A
 
 SURFACES = {"pixels_a": 1, "pixels_b": 2, "pixels_floor": 3}
 
@@ -23,7 +23,7 @@ class Frame:
     """A picture of a scene.
 
     rgb: (height, width, 3) float64, linear light in [0, 1], row 0 at the top (a view of three planes).
-    planes: the same, (3, height, width). chambers: (height, width) uint8, see `renderer.stage.Stage`.
+    planes: the same, (3, height, width). chambers: (height, width) uint8, see `renderer.picture.stage.Stage`.
     scene, raster, method, stage: what made it.
     """
 

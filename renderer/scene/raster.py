@@ -1,16 +1,13 @@
 """The raster: its size, the part of it that is drawn, and the image point of every pixel."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from renderer.checks import check_whole, not_allowed
 from renderer.kernels import image_extent, image_x, image_y
-
-if TYPE_CHECKING:
-    from renderer.numbers import Geometry
-    from renderer.scene import Scene
+from renderer.scene.geometry import Geometry
+from renderer.scene.scene import Scene
 
 MAX_SIDE = 2**24
 
@@ -52,7 +49,7 @@ class Raster:
         """(rows, columns) that are drawn."""
         return (self.crop[3], self.crop[2])  # type: ignore[index]  # checked above
 
-    def image_points(self, scene: "Scene | Geometry") -> tuple[np.ndarray, np.ndarray]:
+    def image_points(self, scene: Scene | Geometry) -> tuple[np.ndarray, np.ndarray]:
         """Return (x of each drawn column, y of each drawn row): image points of the centres."""
         left, top, wide, high = self.crop  # type: ignore[misc]  # checked above
         half = image_extent(scene.eye, scene.radius)

@@ -10,8 +10,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from book.build import report, stamps
-from book.build.contents import page_files
+from book.assembly import report, stamps
+from book.assembly.contents import page_files
 
 BOOK = stamps.ROOT / "book"
 SITE = BOOK / "_build" / "html"

@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from book.build import stamps
+from book.assembly import stamps
 
 REPORT = stamps.ROOT / "book" / "_generated" / "proofs.json"
 REMEDY = "python -m book check makes it"

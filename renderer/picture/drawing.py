@@ -1,13 +1,13 @@
 """Draw a scene, band by band: everything from nothing, or sphere A alone on a stage."""
 
 from renderer.checks import not_allowed
-from renderer.frame import Frame
-from renderer.methods import GradientMethod, exact
-from renderer.raster import Raster
-from renderer.scene import Scene
-from renderer.shader import COLORS, WORK
-from renderer.stage import Stage, shading_of
-from renderer.threads import checked_threads
+from renderer.picture.frame import Frame
+from renderer.picture.stage import Stage, shading_of
+from renderer.picture.threads import checked_threads
+from renderer.scene.methods import GradientMethod, exact
+from renderer.scene.raster import Raster
+from renderer.scene.scene import Scene
+from renderer.shader.shader import COLORS, WORK
 
 
 def stage_of(

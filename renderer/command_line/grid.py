@@ -18,12 +18,12 @@ from typing import Any
 import numpy as np
 
 from renderer.checks import not_allowed
-from renderer.files import checked_target
 from renderer.machines import machine
-from renderer.methods import difference
-from renderer.numbers import geometry_of
-from renderer.scene import Scene
-from renderer.sweep import SweepRow, Task, compared
+from renderer.picture.sweep import SweepRow, Task, compared
+from renderer.scene.geometry import geometry_of
+from renderer.scene.methods import difference
+from renderer.scene.scene import Scene
+from renderer.whole_files import checked_target
 
 BATCH_TASKS, BATCH_PIXELS = (4, 16), 2**23  # what a worker is given at once, and what is lost if it is killed
 _START = b'{"key": '
@@ -32,11 +32,11 @@ _START = b'{"key": '
 @cache
 def version() -> str:
     """Return a hash of what computes a result: the renderer's sources, the machine that draws, NumPy, llvmlite."""
-    drawing, folder = machine().NAME, Path(__file__).parent  # llvmlite is loaded then, if it draws
+    drawing, folder = machine().NAME, Path(__file__).parents[1]  # llvmlite is loaded then, if it draws
     llvmlite = getattr(sys.modules.get("llvmlite"), "__version__", None)
     digest = hashlib.sha256(f"{drawing} {np.__version__} {llvmlite}".encode())
-    for path in sorted([*folder.glob("*.py"), *folder.glob("machines/*.py")]):
-        digest.update(path.name.encode() + path.read_bytes())
+    for path in sorted(folder.rglob("*.py")):
+        digest.update(path.relative_to(folder).as_posix().encode() + path.read_bytes())
     return digest.hexdigest()
 
 

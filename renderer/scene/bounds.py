@@ -6,14 +6,11 @@ leave a pixel out; where a bound does not exist the box is the whole plane.
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from renderer.kernels import shadow_clearance, tangent_interval
-
-if TYPE_CHECKING:
-    from renderer.numbers import Geometry
+from renderer.scene.geometry import Geometry
 
 Box = tuple[float, float, float, float]
 GUARD = 1e-6
@@ -50,7 +47,7 @@ def _casts(light, body, ball):
         return not shadow_clearance(*light, *body[0], body[1], *ball[0], np.float64(ball[1])) > GUARD
 
 
-def shadow_boxes(g: "Geometry", light: Sequence[float]) -> tuple[Box, ...]:
+def shadow_boxes(g: Geometry, light: Sequence[float]) -> tuple[Box, ...]:
     """Return where A's shadow on the floor, B's on the floor, B's on A and A's on B can be, of a light at a point.
 
     A box is empty where there is no B, no floor, or where no segment from the light to the surface meets the body.
@@ -75,6 +72,6 @@ def _shadow_box(eye, light, body, ball, low, high):
     return box(light, *body, (low, high), eye)
 
 
-def ball_box(g: "Geometry") -> Box:
+def ball_box(g: Geometry) -> Box:
     """Return where B can be seen: empty without one."""
     return box((0.0, 0.0, g.eye), g.ball[:3], g.ball[3], (0.0,), g.eye) if g.ball_on else EMPTY

@@ -5,13 +5,13 @@ from itertools import product
 
 import numpy as np
 
-from renderer.drawing import render
-from renderer.frame import Frame
-from renderer.gradients import gradient_at
 from renderer.kernels import FIELDS
-from renderer.methods import central, exact
-from renderer.scene import MODELS, Scene
-from renderer.sweep import difference_on_a
+from renderer.picture.drawing import render
+from renderer.picture.frame import Frame
+from renderer.picture.sweep import difference_on_a
+from renderer.scene.methods import central, exact
+from renderer.scene.scene import MODELS, Scene
+from renderer.shader.gradients import gradient_at
 
 SMOOTH_POINT = (0.31, 0.47)
 SMALL_SINE = 1e-4

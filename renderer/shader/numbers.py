@@ -4,31 +4,21 @@ import math
 from collections.abc import Iterable
 from functools import lru_cache
 from types import SimpleNamespace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from renderer.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
-from renderer.gradients import algebraic_powers, uses_algebraic_form
 from renderer.kernels import FIELDS, LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
-from renderer.methods import GradientMethod, exact
-from renderer.scene import Light, Scene
-from renderer.shader import FLOOR, NOTHING, Want
+from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
+from renderer.scene.geometry import Geometry, geometry_of
+from renderer.scene.methods import GradientMethod, exact
+from renderer.scene.scene import Light, Scene
+from renderer.shader.gradients import algebraic_powers, uses_algebraic_form
+from renderer.shader.shader import FLOOR, NOTHING, Want
 
 FIRST_LIGHT_BIT = 2
 AS_GIVEN = ("eye", "radius", "ku", "kv", "beta", "kd", "ks", "shininess", "albedo_a", "albedo_b")
 SHADOWS = ("a_on_floor", "b_on_floor", "b_on_a", "a_on_b")  # of which body on which surface, as `shadow_boxes` has them
-
-
-class Geometry(NamedTuple):
-    """What the chambers depend on, beside the raster: lengths, and the lights' positions, None for one that is off."""
-
-    eye: float
-    radius: float
-    ball: tuple[float, float, float, float]
-    ball_on: float
-    floor_on: float
-    lights: tuple
 
 
 def flat(numbers: SimpleNamespace) -> list:
@@ -42,13 +32,6 @@ def of_form(form: SimpleNamespace, values: Iterable) -> SimpleNamespace:
     return SimpleNamespace(
         **{n: tuple(next(values) for _ in old) if isinstance(old, tuple) else next(values) for n, old in names}
     )
-
-
-def geometry_of(scene: Scene) -> Geometry:
-    """Return the Geometry of a scene. An absent B is a unit ball that no kernel asks about."""
-    ball = (*scene.ball_center, scene.ball_radius) if scene.ball else (0.0, 0.0, 0.0, 1.0)
-    lights = tuple(None if light.color is None else light.position for light in scene.lights)
-    return Geometry(scene.eye, scene.radius, ball, float(scene.ball), float(scene.floor), lights)
 
 
 def reach_of_a(eye: float, radius: float) -> float:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from renderer.checks import check_number, extra
-from renderer.frame import Frame
+from renderer.picture.frame import Frame
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -13,16 +13,19 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn
 
-from renderer import files, grid, views
 from renderer.checks import extra, not_allowed
-from renderer.drawing import render
-from renderer.facts import facts
+from renderer.command_line import grid
+from renderer.files import pictures as files
+from renderer.files.stream import STREAM_SUFFIXES, stream
 from renderer.machines import machine
-from renderer.methods import DIFFERENCES, METHODS, GradientMethod, exact
-from renderer.scene import Light, Scene
-from renderer.stream import STREAM_SUFFIXES, stream
-from renderer.sweep import DECADES, MOVE_NO_BOUNDARY, Task, compared, table, write_csv
-from renderer.threads import checked_threads
+from renderer.picture import views
+from renderer.picture.drawing import render
+from renderer.picture.facts import facts
+from renderer.picture.sweep import DECADES, MOVE_NO_BOUNDARY, Task, compared, table, write_csv
+from renderer.picture.threads import checked_threads
+from renderer.scene.methods import DIFFERENCES, METHODS, GradientMethod, exact
+from renderer.scene.scene import Light, Scene
+from renderer.whole_files import checked_target
 
 Option = dict[str, Any]  # what argparse is told of one
 
@@ -155,7 +158,7 @@ def progress_bar(**options: Any) -> Callable:
 
 def draw_image(options: Namespace) -> None:
     """Draw one picture, whole in memory or streamed to a file."""
-    target = files.checked_target(options.out, (*files.PICTURE_SUFFIXES, *STREAM_SUFFIXES))
+    target = checked_target(options.out, (*files.PICTURE_SUFFIXES, *STREAM_SUFFIXES))
     picture = scene_of(options), *size_of(options, options.size)
     more = {"gradient": method_of(options), "crop": options.crop, "threads": options.threads}
     if target.suffix in STREAM_SUFFIXES:
@@ -192,7 +195,7 @@ def draw_views(options: Namespace) -> None:
         "difference_logarithmic": views.with_colour_bar(views.difference_logarithmic(delta)),
     }
     for name, picture in pictures.items():
-        files.write_png(files.checked_target(folder / f"{name}.png", (".png",)), picture)
+        files.write_png(checked_target(folder / f"{name}.png", (".png",)), picture)
     print(f"wrote {folder}: {', '.join(f'{name}.png' for name in pictures)}")
 
 
@@ -202,7 +205,7 @@ def print_sweep(options: Namespace) -> None:
     Lists of values, such as --field sine,ridges --beta 0.1,0.35 --size 256,1024, make a grid of frames, a line each,
     computed by several workers.
     """
-    target = files.checked_target(options.csv, (".csv",), "csv") if options.csv else None
+    target = checked_target(options.csv, (".csv",), "csv") if options.csv else None
     lists = {name: vars(options).pop(name) for name in MOVE_NO_BOUNDARY if name in options}
     sizes = [size_of(options, size) for size in options.size]
     steps = [step for steps in options.eps for step in steps]

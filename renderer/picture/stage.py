@@ -12,12 +12,13 @@ import numpy as np
 
 from renderer.checks import not_allowed
 from renderer.machines import Job, machine
-from renderer.methods import GradientMethod
-from renderer.numbers import geometry_of, numbers_of, places_of, want_of
-from renderer.raster import Raster
-from renderer.scene import Scene
-from renderer.shader import COLORS, WORK
-from renderer.threads import run_bands
+from renderer.picture.threads import run_bands
+from renderer.scene.geometry import geometry_of
+from renderer.scene.methods import GradientMethod
+from renderer.scene.raster import Raster
+from renderer.scene.scene import Scene
+from renderer.shader.numbers import numbers_of, places_of, want_of
+from renderer.shader.shader import COLORS, WORK
 
 SURFACE_BITS = 3
 PITCH = 16  # rows of planes are as long as whole groups of pixels, whatever the machine's lanes
@@ -83,7 +84,7 @@ class Stage:
         before: Callable[[slice], None] | None = None,
         **want: Any,
     ) -> dict[str, int]:
-        """Draw what is wanted (`renderer.shader.Want`) into planes, by bands; return what was counted, by WORK.
+        """Draw what is wanted (`renderer.shader.shader.Want`) into planes, by bands; return what was counted, by WORK.
 
         before: what is called with the rows of a band (a slice) before that is drawn.
         """

@@ -7,14 +7,14 @@ from typing import Any
 import numpy as np
 
 from renderer import kernels
-from renderer.drawing import render
 from renderer.machines import Job
 from renderer.machines.numpy_rows import Row, Rows
-from renderer.methods import GradientMethod
-from renderer.numbers import FIRST_LIGHT_BIT, SCENE_FORM, numbers_of, of_form, want_of
-from renderer.scene import Scene
-from renderer.shader import COLORS, Group
-from renderer.stage import SURFACE_BITS
+from renderer.picture.drawing import render
+from renderer.picture.stage import SURFACE_BITS
+from renderer.scene.methods import GradientMethod
+from renderer.scene.scene import Scene
+from renderer.shader.numbers import FIRST_LIGHT_BIT, SCENE_FORM, numbers_of, of_form, want_of
+from renderer.shader.shader import COLORS, Group
 
 SURFACES = ("none", "A", "B", "floor")
 

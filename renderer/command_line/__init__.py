@@ -1,0 +1,1 @@
+"""The commands of `python -m renderer`: image, sweep, views."""

@@ -1,0 +1,1 @@
+"""What is drawn, in files: pictures and tables, and pictures larger than memory."""
