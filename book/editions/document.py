@@ -83,7 +83,8 @@ class Chapter:
         """Every script as an element, with its data: those that wait for the document, or those that do not."""
         for path, tag in self.loads("script"):
             if tag.has_attr("defer") == deferred:
-                text, data = inlined_script(path), {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
+                data = {"class": "of-site"} | {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
+                text = inlined_script(path)
                 if path.parent.name == "mathjax":  # the file's own script unpacks it
                     text, data = base64_gzip(text.encode()), {"type": "application/gzip", "id": "packed-mathjax"}
                 yield self.element("script", text, data)
