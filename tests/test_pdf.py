@@ -24,17 +24,16 @@ CAPTIONS = """() => [...document.querySelectorAll('figcaption .caption-number')]
 CLIPPED = """() => [...document.querySelectorAll('pre, table, mjx-container, p, li, details, figure, div')].filter(e =>
     e.scrollWidth > e.clientWidth + 1 && e.clientWidth && getComputedStyle(e).overflowX !== 'visible')
     .map(e => e.outerHTML.slice(0, 120))"""
-OUTSIDE = """() => [...document.querySelectorAll('.graph svg')].filter(svg => svg.getBoundingClientRect().height > innerHeight / 3
-    || [...svg.querySelectorAll('.reach')].some(circle => {
+OUTSIDE = """() => [...document.querySelectorAll('.graph svg')].filter(svg =>
+    svg.getBoundingClientRect().height > innerHeight / 3 || [...svg.querySelectorAll('.reach')].some(circle => {
         const { y, height } = svg.viewBox.baseVal, row = circle.cy.baseVal.value;
         return row - 10 < y || row + 10 > y + height; })).length"""
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="module", params=[PAGES, pytest.param((), marks=pytest.mark.long)], ids=["some", "all"])
 def paper(browser, single, request):
     """The document as the browser is about to print it."""
-    pages = () if request.config.getoption("long") else PAGES
-    tab = chromium.on_paper(browser, single.read_text(encoding="utf-8"), pages)
+    tab = chromium.on_paper(browser, single.read_text(encoding="utf-8"), request.param)
     yield tab
     tab.close()
 
@@ -111,7 +110,10 @@ def test_no_page_has_ink_in_its_margins(pdf):
 def test_nothing_is_wider_than_the_page_or_cut_off_and_it_would_be_seen(paper):
     assert paper.evaluate(BESIDE_THE_PAGE) == []
     assert paper.evaluate(CLIPPED) == []
-    assert paper.evaluate("document.querySelectorAll('mjx-merror, [data-mjx-error], .math:not(:has(mjx-math))').length") == 0
+    assert (
+        paper.evaluate("document.querySelectorAll('mjx-merror, [data-mjx-error], .math:not(:has(mjx-math))').length")
+        == 0
+    )
     paper.evaluate(
         """() => { document.body.insertAdjacentHTML('beforeend', `<div id=wide style=width:700px>wide</div>
             <pre id=clipped style='overflow: hidden !important; white-space: pre'>${'x'.repeat(400)}</pre>`) }"""
@@ -141,8 +143,8 @@ def test_every_link_leads_to_a_page_or_to_the_web(paper, content):
 
 def test_steps_are_unfolded_under_their_titles_and_the_simulator_stands_still(paper, texts):
     assert paper.evaluate("document.querySelectorAll('details:not([open])').length") == 0
-    titles = texts_of(paper, ".theorem .part")
-    assert "".join(texts).count("Falsevariants,refusedbythesamepath") == titles.count("Falsevariants,refusedbythesamepath")
+    titles, refused = texts_of(paper, ".theorem .part"), "Falsevariants,refusedbythesamepath"
+    assert "".join(texts).count(refused) == titles.count(refused)
     footers = [f"{words(paper.title())}{number}" for number in range(1, len(texts) + 1)]
     ends = [text.removesuffix(footer) for text, footer in zip(texts, footers, strict=True)]
     assert titles and [end[-50:] for end in ends if end.endswith(tuple(titles))] == []
