@@ -15,11 +15,11 @@ from PIL import Image
 
 from book.editions import files as edition
 from book.editions.document import LARGEST_DATA, document
+from book.editions.inlined import as_webp, inlined_script, packed_address, svg_address, svg_parts
 from book.editions.listings import make_small
 from book.editions.names import Names, relink, relink_data, rename
 from book.editions.pages import BrokenSite, Page, parsed
 from book.editions.pictures import change, difference
-from book.editions.inlined import as_webp, inlined_script, packed_address, svg_address, svg_parts
 from proofs.check import FOLDER
 from tests.tabs import PHONE, RUNNING, opened
 

@@ -7,11 +7,11 @@ from bs4 import BeautifulSoup, Tag
 from bs4.dammit import EntitySubstitution
 from bs4.formatter import HTMLFormatter
 
+from book.editions.inlined import base64_gzip, data_address, inlined_script, inlined_styles, packed_address
 from book.editions.listings import make_small
 from book.editions.names import Names, ids_of, relink, relink_data, rename
 from book.editions.pages import SHELL, BrokenSite, Page, parsed, read_pages, target
 from book.editions.pictures import inline_pictures
-from book.editions.inlined import base64_gzip, data_address, inlined_script, inlined_styles, packed_address
 
 HERE = Path(__file__).parent
 # Icons come from the theme's font; a file that is read from a disk has nothing to search with.

@@ -6,8 +6,8 @@ from urllib.parse import unquote
 
 from bs4 import Tag
 
-from book.editions.pages import BrokenSite, Page, target
 from book.editions.inlined import data_address, svg_address, svg_parts
+from book.editions.pages import BrokenSite, Page, target
 
 
 def picture_file(site: Path, page: str, image: Tag) -> Path:

@@ -17,10 +17,10 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
 from book.assembly.contents import page_files, page_title
-from book.extension.cards import Here, card
+from book.extension.cards import card
 from book.extension.checker import check_all
 from book.extension.elements import directive, filled, section
-from book.extension.theorems import CLAIMS_PAGE, GRADES, kind
+from book.extension.theorems import CLAIMS_PAGE, GRADES, Here, kind
 
 ORDER = list(GRADES)
 

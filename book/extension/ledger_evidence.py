@@ -8,11 +8,12 @@ from docutils import nodes
 
 from book.assembly import stamps
 from book.assembly.contents import page_files
-from book.extension.cards import Here, link
+from book.extension.cards import link
 from book.extension.figures import file_link
 from book.extension.listings import listing_address
 from book.extension.numbers import typeset
 from book.extension.results import BENCHMARK_PREFIX
+from book.extension.theorems import Here
 from book.ledger.check import refutes
 from book.ledger.entries import WORDS, Evidence
 from book.ledger.relations import relation

@@ -1,12 +1,14 @@
 """What the book knows of the theorems: the checked objects, their last run, and which page places which."""
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
 from pathlib import Path
 
 from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 
 from book.assembly import report, stamps
 from book.assembly.contents import page_files
@@ -16,6 +18,7 @@ from verify import formal
 
 PLACED = re.compile(r"^\s*(?::{3,}|`{3,})\{theorem\}\s+(\S+)\s*$", re.MULTILINE)
 CLAIMS_PAGE = "findings"
+THEOREMS = stamps.ROOT / "proofs" / "theorems"
 GRADES = {  # shape, letter and meaning of each, in the order of the page of findings
     "formal": ("■", "F", "stated over the printed formulas clause for clause, accepted by Coq's kernel; also proved"),
     "proved": ("●", "P", "two checkers accepted a certificate, the samples agree, the false variants were refuted"),
@@ -104,18 +107,37 @@ def proofs_of(app: Sphinx) -> Proofs:
     return app.chapter_proofs
 
 
+class Here:
+    """The theorems as they are named and found from the page that is being read."""
+
+    def __init__(self, env: BuildEnvironment):
+        self.env, self.proofs = env, proofs_of(env.app)
+        self.label, self.users = self.proofs.label, self.proofs.users
+
+    def page(self, name: str) -> str:
+        return "" if name == self.env.docname else self.env.app.builder.get_relative_uri(self.env.docname, name)
+
+    def card(self, id: str) -> str:
+        return f"{self.page(self.proofs.places[id].page)}#theorem-{id}"
+
+    def name(self, id: str) -> str:
+        """What a link to a theorem says."""
+        return f"{self.label(id)} ({self.proofs.theorems[id].title})"
+
+    def ordered(self, ids: Iterable[str]) -> list[str]:
+        """Theorems in the order of their numbers."""
+        return sorted(ids, key=lambda id: self.proofs.places[id].number)
+
+
 def module_and_line(id: str) -> tuple[Path, int]:
-    """The file that declares a theorem, and the line that names it."""
-    paths = sorted((stamps.ROOT / "proofs" / "theorems").glob("*.py"))
-    for path in paths:
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+    """The file that declares a theorem, and the line before the one that names it."""
+    modules = {path: import_module(f"proofs.theorems.{path.stem}") for path in sorted(THEOREMS.glob("[!_]*.py"))}
+    for path in modules:
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines()):
             if re.search(rf"\bid=[\"']{id}[\"']", line):
-                return path, max(1, number - 1)
-    for path in paths:  # its id is computed: the first module that holds it
-        held = vars(import_module(f"proofs.theorems.{path.stem}")).values() if path.stem != "__init__" else ()
-        if any(isinstance(value, Theorem) and value.id == id for value in held):
-            return path, 1
-    raise ValueError(f"no file of proofs/theorems declares {id!r}")
+                return path, max(1, number)
+    held = [path for path in modules if id in [getattr(value, "id", "") for value in vars(modules[path]).values()]]
+    return held[0], 1  # its id is computed
 
 
 def certificate(id: str) -> Path | None:
