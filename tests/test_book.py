@@ -10,17 +10,15 @@ from pathlib import Path
 import pytest
 from bs4 import BeautifulSoup
 
-from book.assembly import stamps, website
-from book.assembly.contents import page_files
+from book.assembly import contents, stamps, website
 from book.drawing import palette
 from book.drawing.draw import all_figures
 from book.editions.pages import parsed
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGES = page_files(ROOT / "book")
+PAGES = contents.page_files(ROOT / "book")
 ANCHORS = {f"s{n}": f"s{n}" for n in range(1, 10)} | {"sim": "s4", "lab": "s5"}
 ANCHORS |= {f"cell{n}": "s5" for n in range(1, 9)}
-PLACED = r"\{(?:chapter-figure|idea|worked-pixel)\}\s+(\w+)"
 
 
 @pytest.fixture(scope="session")
@@ -31,7 +29,7 @@ def pages(site) -> dict[str, BeautifulSoup]:
 
 def placed() -> Counter:
     """How often pages place each figure."""
-    return Counter(id for page in PAGES.values() for id in re.findall(PLACED, page.read_text(encoding="utf-8")))
+    return Counter(id for id, _ in contents.placed(ROOT / "book", "chapter-figure|idea|worked-pixel"))
 
 
 def test_sections_and_cells_carry_their_own_ids(pages):

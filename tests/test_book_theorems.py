@@ -4,7 +4,6 @@ import html
 import json
 import re
 import subprocess
-from dataclasses import replace
 from functools import partial
 
 import pytest
@@ -170,19 +169,6 @@ def test_a_missing_report_triggers_the_check(fresh_report, monkeypatch):
     assert [command[3] for command in commands[1:]] == ["verify", "verify/test_theorems.py"]
 
 
-def unpaired(text):
-    """Whether a text has a formula that does not end, or an empty one."""
-    return "$$" in text or text.count("$") % 2 == 1
-
-
-def test_every_formula_of_a_theorem_ends():
-    assert unpaired("$x$: $$y$ is") and unpaired("$x") and not unpaired("$x$, $y$")
-    for id, theorem in THEOREMS.items():
-        steps = [text for step in theorem.steps for text in (step.what, step.why)]
-        texts = [theorem.title, theorem.words, *theorem.hypotheses, *steps]
-        assert not [text for text in texts if unpaired(text)], id
-
-
 # Numbers, words, points
 
 
@@ -192,12 +178,7 @@ def test_numbers_follow_the_pages_and_then_the_rest(tmp_path):
     (tmp_path / "a.md").write_text(":::{theorem} one\n:::\n")
     (tmp_path / "b.md").write_text("1. point\n\n   ::::{theorem} two\n   ::::\n\n```{theorem} three\n```\n")
     found = placements(tmp_path, ["zero", "one", "two", "three"])
-    assert {id: (place.page, place.number) for id, place in found.items()} == {
-        "two": ("b", 1),
-        "three": ("b", 2),
-        "one": ("a", 3),
-        "zero": ("findings", 4),
-    }
+    assert list(found.items()) == [("two", "b"), ("three", "b"), ("one", "a"), ("zero", "findings")]
 
 
 def test_evidence_in_words():
@@ -222,6 +203,9 @@ def test_points_are_set_as_mathematics():
 def test_text_is_set_with_its_mathematics():
     parts = typeset("so $a_b$ and k_u, not cos_phi")
     assert [type(part) for part in parts] == [nodes.Text, nodes.math, nodes.Text, nodes.subscript, nodes.Text]
+    for text in ("$x", "$x$: $$y$ is"):
+        with pytest.raises(ValueError, match="a formula does not end"):
+            typeset(text)
 
 
 # The graph
@@ -233,9 +217,7 @@ def test_rows_put_everything_below_what_it_rests_on():
 
 
 def test_a_refuted_claim_is_not_called_a_theorem():
-    theorem = replace(THEOREMS["seed_orientation"])
-    places = {theorem.id: book_theorems.Placement("s3", 7)}
-    assert Proofs({theorem.id: theorem}, {theorem.id: {"grade": "refuted"}}, places).label(theorem.id) == "Claim 7"
+    assert Proofs({}, {"a": {"grade": "refuted"}}, {"b": "s3", "a": "s3"}).label("a") == "Claim 2"
 
 
 # The site

@@ -31,7 +31,7 @@ KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
 def theorem_card(here: SphinxDirective) -> list[nodes.Node]:
     book, id = Here(here.env), here.arguments[0]
     book.proofs.reached(id)
-    if (page := book.proofs.places[id].page) != here.env.docname:
+    if (page := book.proofs.places[id]) != here.env.docname:
         raise ValueError(f"{id!r} is placed on {page}, not here")
     brief, messages = here.state.inline_text(" ".join(here.content), here.lineno)
     return [card(book, id, brief), *messages]

@@ -85,14 +85,15 @@ def section(title: str, id: str, *children: nodes.Node, classes: Iterable[str] =
 
 
 def typeset(text: str) -> list[nodes.Node]:
-    """A theorem's text: what is between dollars as mathematics, k_u outside them with a subscript."""
-    parts = []
-    for number, part in enumerate(re.split(r"(?<!\\)\$", text)):
-        if number % 2:
-            parts.append(nodes.math(part, part))
-        else:
-            parts += _plain(part)
-    return parts
+    """A theorem's text: what is between dollars as mathematics, k_u outside them with a subscript.
+
+    Raises ValueError for a formula that does not end, or is empty.
+    """
+    pieces = re.split(r"(?<!\\)\$", text)
+    if len(pieces) % 2 == 0 or "" in pieces[1::2]:
+        raise ValueError(f"a formula does not end: {text}")
+    found = [[nodes.math(piece, piece)] if odd % 2 else _plain(piece) for odd, piece in enumerate(pieces)]
+    return [*chain.from_iterable(found)]
 
 
 def _plain(text: str) -> list[nodes.Node]:

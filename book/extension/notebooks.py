@@ -41,10 +41,9 @@ def notebook_links(here: SphinxDirective) -> list[nodes.Node]:
     titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all eight cells"}
     if name not in titles:
         raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
-    config = Path(here.env.srcdir) / "_config.yml"
-    here.env.note_dependency(str(config))
+    config = Path(here.env.srcdir, "_config.yml").read_text(encoding="utf-8")
     words = "notebook of all eight cells" if name == WHOLE else "notebook"
-    colab = colab_address(yaml.safe_load(config.read_text(encoding="utf-8")), name)
+    colab = colab_address(yaml.safe_load(config), name)
     text = base64.b64encode(text_of(notebooks()[name]).encode()).decode()
     address = f"data:application/x-ipynb+json;base64,{text}"  # it is saved from a disk too, where a file is shown
     link = {"address": address, "file": f"{name}.ipynb", "words": words, "title": titles[name], "colab": colab}

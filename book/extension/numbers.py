@@ -17,7 +17,7 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book.extension.elements import TEMPLATES, directive, role
-from book.extension.results import BENCHMARK_PREFIX, UnknownResult, load_result, look_up, result_file
+from book.extension.results import BENCHMARK_PREFIX, UnknownResult, load_result, look_up
 
 SYNTAX = re.compile(r"(?P<id>(?:bench:)?\w+)\.(?P<key>[^\s|]+)(?:\s*[|\s]\s*(?P<format>\S+))?")
 E_NOTATION = re.compile(r"(?P<mantissa>[+-]?\d+(?:\.\d+)?)e(?P<exponent>[+-]\d+)")
@@ -66,7 +66,6 @@ def measured(book: Path, name: str) -> str:
 def number(here: SphinxRole) -> list[nodes.Node]:
     """One number of a result, on one line, or one of its words."""
     book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
-    here.env.note_dependency(str(result_file(book, id)))
     value = look_up(book, id, key)
     kept_together = [] if isinstance(value, str) else ["number"]
     return [nodes.inline(here.rawtext, "", *typeset(value, spec), classes=kept_together)]
@@ -76,7 +75,6 @@ def number(here: SphinxRole) -> list[nodes.Node]:
 def spread(here: SphinxRole) -> list[nodes.Node]:
     """The quartiles of a measured number."""
     book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
-    here.env.note_dependency(str(result_file(book, id)))
     look_up(book, id, key)
     kept = load_result(book, id)["numbers"]
     if f"{key}_low" not in kept:
@@ -87,9 +85,7 @@ def spread(here: SphinxRole) -> list[nodes.Node]:
 
 @directive("benchmark-label", arguments=1)
 def benchmark_label(here: SphinxDirective) -> list[nodes.Node]:
-    book, name = Path(here.env.srcdir), here.arguments[0]
-    here.env.note_dependency(str(result_file(book, f"{BENCHMARK_PREFIX}{name}")))
-    return [nodes.paragraph("", measured(book, name), classes=["benchmark-label"])]
+    return [nodes.paragraph("", measured(Path(here.env.srcdir), here.arguments[0]), classes=["benchmark-label"])]
 
 
 TEMPLATES.globals.update(number=typeset)

@@ -1,7 +1,7 @@
 """What the book knows of the theorems: the checked objects, their last run, and which page places which."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
@@ -11,12 +11,11 @@ from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 
 from book.assembly import report, stamps
-from book.assembly.contents import page_files
+from book.assembly.contents import placed
 from proofs.engine.standalone import standalone_script
 from proofs.engine.theorem import Theorem, all_theorems
 from verify import formal
 
-PLACED = re.compile(r"^\s*(?::{3,}|`{3,})\{theorem\}\s+(\S+)\s*$", re.MULTILINE)
 CLAIMS_PAGE = "findings"
 THEOREMS = stamps.ROOT / "proofs" / "theorems"
 GRADES = {  # shape, letter and meaning of each, in the order of the page of findings
@@ -32,39 +31,28 @@ GRADES = {  # shape, letter and meaning of each, in the order of the page of fin
 }
 
 
-@dataclass(frozen=True)
-class Placement:
-    """The page that has a theorem's card, and its number in the order of the pages."""
-
-    page: str
-    number: int
-
-
 def kind(grade: str) -> str:
     """The grade without its conditions, as one word: "proved given cited" is a kind of proved."""
     return grade.removeprefix("by ").split()[0]
 
 
-def placements(book: Path, ids: list[str]) -> dict[str, Placement]:
-    """Where every theorem stands: in page order; those that no page places follow on the page of findings."""
-    found: dict[str, Placement] = {}
-    for page, path in page_files(book).items():
-        for id in PLACED.findall(path.read_text(encoding="utf-8")):
-            if id in found:
-                raise ValueError(f"{id!r} is placed twice, on {found[id].page} and on {page}")
-            found[id] = Placement(page, len(found) + 1)
-    for id in ids:
-        found.setdefault(id, Placement(CLAIMS_PAGE, len(found) + 1))
-    return found
+def placements(book: Path, ids: Iterable[str]) -> dict[str, str]:
+    """The page of every theorem, in page order; those that no page places follow on the page of findings."""
+    found: dict[str, str] = {}
+    for id, page in placed(book, "theorem"):
+        if id in found:
+            raise ValueError(f"{id!r} is placed twice, on {found[id]} and on {page}")
+        found[id] = page
+    return found | {id: CLAIMS_PAGE for id in ids if id not in found}
 
 
 @dataclass(frozen=True)
 class Proofs:
-    """The theorems with their reports and places; by id."""
+    """The theorems, their reports, and their pages in the order of their numbers; by id."""
 
     theorems: dict[str, Theorem]
     entries: dict[str, dict]
-    places: dict[str, Placement]
+    places: dict[str, str]
 
     def reached(self, id: str) -> None:
         """ValueError unless the theorem is known, and its last run gave the grade that it expects."""
@@ -77,13 +65,10 @@ class Proofs:
     def label(self, id: str) -> str:
         """The name by which pages call it: "Theorem 3", or "Claim 4" if it is not proved."""
         word = "Theorem" if kind(self.entries[id]["grade"]) in ("proved", "argued") else "Claim"
-        return f"{word} {self.places[id].number}"
+        return f"{word} {list(self.places).index(id) + 1}"
 
     def users(self, id: str) -> list[str]:
         return [other for other, theorem in self.theorems.items() if id in theorem.uses]
-
-    def in_page_order(self) -> list[str]:
-        return sorted(self.theorems, key=lambda id: self.places[id].number)
 
 
 def load(book: Path) -> Proofs:
@@ -97,7 +82,7 @@ def load(book: Path) -> Proofs:
         entry["formal"] = accepted.get(id)
         whole = entry["formal"] and id not in formal.PARTLY and entry["grade"] in ("proved", "argued")
         entry["shown"] = "formal" if whole else entry["grade"]
-    return Proofs(theorems, entries, placements(book, list(theorems)))
+    return Proofs(theorems, entries, placements(book, theorems))
 
 
 def proofs_of(app: Sphinx) -> Proofs:
@@ -118,15 +103,15 @@ class Here:
         return "" if name == self.env.docname else self.env.app.builder.get_relative_uri(self.env.docname, name)
 
     def card(self, id: str) -> str:
-        return f"{self.page(self.proofs.places[id].page)}#theorem-{id}"
+        return f"{self.page(self.proofs.places[id])}#theorem-{id}"
 
     def name(self, id: str) -> str:
         """What a link to a theorem says."""
         return f"{self.label(id)} ({self.proofs.theorems[id].title})"
 
-    def ordered(self, ids: Iterable[str]) -> list[str]:
+    def ordered(self, ids: Collection[str]) -> list[str]:
         """Theorems in the order of their numbers."""
-        return sorted(ids, key=lambda id: self.proofs.places[id].number)
+        return [id for id in self.proofs.places if id in ids]
 
 
 def module_and_line(id: str) -> tuple[Path, int]:
