@@ -1,6 +1,6 @@
 """Toward the pole: the seed's tangent frame against ours, and the clamped difference."""
 
-from functools import cache
+from functools import cache, partial
 from itertools import product
 
 import numpy as np
@@ -12,7 +12,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.tangent_frame import seed_frame, tangent_frame
 from renderer import Scene, central, exact, gradient_at
 from renderer.generate.kernels import function_of
-from verify.evaluate import NAMES, ExactPrinter
+from verify.evaluate import Reference
 
 AZIMUTHS = np.linspace(-3.0, 3.0, 25)
 SEED_FALLBACK = 1e-4
@@ -24,12 +24,18 @@ def _tangent_gradient(frame, slopes):
     return np.array([slopes[0] * frame[i] + slopes[1] * frame[i + 3] for i in range(3)])
 
 
+def _by_reference(program, reference, *inputs):
+    """Return the outputs of a program at its inputs, in order, to 50 digits."""
+    lines = reference(dict(zip(reference.inputs, inputs, strict=True)))
+    return [lines[symbol.name] for symbol in program.outputs]
+
+
 @cache
 def _errors(sines):
     """Return the largest errors of g over the azimuths at each sin φ: seed's frame, with its fallback, ours."""
     seed, ours = function_of(seed_frame), function_of(tangent_frame)
     programs = (tangent_frame, gradient(HEIGHT_FIELDS["sine"]))
-    exact_frame, slope = (function_of(program, ExactPrinter(), NAMES) for program in programs)
+    exact_frame, slope = (partial(_by_reference, program, Reference(program)) for program in programs)
     worst = np.zeros((3, len(sines)))
     for place, azimuth in product(range(len(sines)), AZIMUTHS):
         with mp.workdps(50):

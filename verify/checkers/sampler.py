@@ -25,11 +25,11 @@ class Sampler:
         defined = {s for s, _ in definitions}
         self.inputs = sorted((used | set(lines.inputs if lines else ())) - defined, key=lambda s: s.name)
         early = [r for r in claim.given if not r.free_symbols & defined]
-        self.early = Relations(self.inputs, early, exactly=True)
+        self.early = Relations(early, exactly=True)
         self.given, self.claimed, self.definitions = parts_of(claim.given), claim.shows, definitions
         equations = {_written_out(r, definitions): r for r in claim.given if isinstance(r, Eq)}
-        self.late = Relations(self.inputs, [r for r in claim.given if r.free_symbols & defined], definitions, True)
-        self.shows = Relations(self.inputs, claim.shows, definitions)
+        self.late = Relations([r for r in claim.given if r.free_symbols & defined], definitions, exactly=True)
+        self.shows = Relations(claim.shows, definitions)
         solvable = _solvable([r for r in equations if not r.free_symbols & defined])
         self.solved = [(symbol, coefficients) for symbol, coefficients, _ in solvable]
         self.solved_relations = {equations[r] for *_, r in solvable}
@@ -110,7 +110,7 @@ def _solvable(relations):
             except (CycleError, PolynomialError):
                 continue
             origin[symbol] = relation
-            solved[symbol], needs[symbol] = Code(sorted(others, key=lambda s: s.name), coefficients), others
+            solved[symbol], needs[symbol] = Code(coefficients), others
             break
     order = TopologicalSorter({s: {n for n in needs[s] if n in solved} for s in solved}).static_order()
     return [(symbol, solved[symbol], origin[symbol]) for symbol in order]

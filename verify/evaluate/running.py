@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from renderer import kernels
+from verify.evaluate import ANY_NUMBERS
 
 U = 2.0**-53
 TINY = 2.0**-1074
 SLACK = 1 + 1e-12  # the bounds are rounded too
-inf = np.inf
 ULPS = {"sinpi": 2.0, "cospi": 2.0, "atan2pi": 2.5, "power": 1.0}
 
 
@@ -103,7 +103,10 @@ def running(value: Number) -> Running:
     return value if isinstance(value, Running) else Running(value)
 
 
-pi = Running(np.pi, 2 * U)
+def rational(p: int, q: int) -> Running:
+    """Return p/q: exact where float64 holds it, else a quotient that rounds."""
+    exact = (p / q).as_integer_ratio() == (p, q)
+    return Running(p / q) if exact else Running(p) / Running(q)
 
 
 def where(condition: Comparison, value: Number, otherwise: Number) -> Running:
@@ -146,11 +149,6 @@ def power(a: Number, p: Number) -> Running:
     return a._rounded(value, np.where(a.bound == 0, 0.0, np.maximum(above, below)), ULPS["power"])
 
 
-def two_product(a: Number, b: Number) -> tuple[Number, Number]:
-    """The two factors: sinpi and cospi take both, and their product with its error."""
-    return a, b
-
-
 def _of_half_turns(function, ulps):
     def of_half_turns(a, b=1.0):
         a, b = running(a), running(b)
@@ -176,3 +174,15 @@ def atan2pi(y: Number, x: Number) -> Running:
     across = (x.value < 0) & (np.abs(y.value) <= y.bound) & (y.bound > 0)
     turned = np.where(moved == 0, 0.0, np.where(across, 2.0, turned))
     return y._rounded(kernels.atan2pi(y.value, x.value), turned, ULPS["atan2pi"])
+
+
+RUNNING = ANY_NUMBERS | {
+    **{f.__name__: f for f in (rational, sqrt, maximum, sign, power, atan2pi)},
+    "pi": Running(np.pi, 2 * U),
+    "inf": np.inf,
+    "sinpi": sinpi,
+    "cospi": cospi,
+    "where": lambda condition, value, otherwise: where(condition, value(), otherwise()),
+    "two_product": lambda a, b: (a, b),  # sinpi and cospi take both factors, and their product with its error
+}
+"""What the text of `verify.evaluate` calls."""
