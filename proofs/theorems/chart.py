@@ -10,7 +10,7 @@ from proofs.formulas.half_turns import atan2pi, cospi, sinpi
 from proofs.formulas.symbols import cos_phi, cos_theta, dot, normal, real, sin_phi, sin_theta, u, v
 from proofs.formulas.tangent_frame import unit_normal
 from proofs.theorems.frame import at_angle, on_circles
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import HALF, equations
 
 turn, polar = real("turn polar")  # θ/π in (−1, 1] and φ/π in [0, 1]: what atan2pi is
 _of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): polar}
@@ -72,7 +72,7 @@ forward = Theorem(
         Step(r"at $u = 0$: $(\cos\theta, \sin\theta) = (-1, 0)$", r"as at $\theta = \pi$"),
     ),
     mutants=(
-        variant("u ≤ 1/2", _range, at_least(Rational(1, 2), u)),
+        variant("u ≤ 1/2", _range, at_least(HALF, u)),
         variant("u is (θ + π)/2π on the seam as well", _seam, equation(u, u_closed)),
         variant(
             "back with cos 2πu, without the minus",

@@ -2,7 +2,7 @@
 
 from sympy import Function, Rational, diff, expand, pi, sin
 
-from proofs.engine.claim import Claim, equation, greater
+from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped_normal, m
@@ -10,7 +10,7 @@ from proofs.formulas.displacement import blinn_normal, displaced, displaced_norm
 from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, sin_phi, theta
 from proofs.formulas.tangent_frame import e_phi, e_theta
 from proofs.theorems.frame import angles, at_angle, frame, on_circles
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import equations, positive
 
 _field = Function("field")(theta, phi)
 _values = {diff(_field, theta): h_theta, diff(_field, phi): h_phi, _field: h}
@@ -98,11 +98,7 @@ _metric = h_u**2 / (2 * pi * sin_phi) + h_v**2 / pi
 _only_where_flat = Claim(
     "only_where_flat",
     (
-        greater(1 / sin_phi, 0),
-        greater(1 / pi, 0),
-        greater(1 / pi / sin_phi, 0),
-        greater(lift + 1 / (2 * pi * sin_phi), 0),
-        greater(lift + 1 / pi, 0),
+        *positive(1 / sin_phi, 1 / pi, 1 / pi / sin_phi, lift + 1 / (2 * pi * sin_phi), lift + 1 / pi),
         equation(beta * h_u * (lift + 1 / (2 * pi * sin_phi)), 0),
         equation(beta * h_v * (lift + 1 / pi), 0),
         equation(beta * h_u, 0),

@@ -1,6 +1,6 @@
 """Where the creases of a field are seen: meridians are rays, parallels are circles; and how many parallels are seen."""
 
-from sympy import Basic, Expr, Rational, cos, pi, sin, sqrt
+from sympy import Basic, Expr, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
@@ -27,7 +27,7 @@ from proofs.formulas.symbols import (
 from proofs.theorems.cited import sine_inside_half_turn
 from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.hits import along
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import QUARTER, equations
 
 t, m = real("t m")
 
@@ -140,8 +140,8 @@ _default = Claim(
     tuple(
         greater(one, other)
         for one, other in (
-            (cos(pi / 4), Rational(1, 4)),
-            (Rational(1, 4), cos(pi / 2)),
+            (cos(pi / 4), QUARTER),
+            (QUARTER, cos(pi / 2)),
             (cos(pi / 2), cos(3 * pi / 4)),
             (cos(3 * pi / 4), cos(pi)),
         )
@@ -178,7 +178,7 @@ parallels = Theorem(
         Step(r"$\frac{\sqrt2}2 > \frac14 > 0 > -\frac{\sqrt2}2 > -1$", "the exact values"),
     ),
     mutants=(
-        variant("two circles", _default, greater(cos(pi / 2), Rational(1, 4))),
+        variant("two circles", _default, greater(cos(pi / 2), QUARTER)),
         variant("the cosine rises", _falling, greater(_far, _near)),
         variant("the pole has a circle", _poles, greater(rho, 0)),
     ),

@@ -2,7 +2,7 @@
 
 from sympy import Expr, cos, pi, sin
 
-from proofs.engine.claim import Claim, Induction, equation, greater
+from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.theorem import Clause, Mutant, Step, Theorem, variant
 from proofs.formulas.bump import bumped_normal, g
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
@@ -23,7 +23,7 @@ from proofs.formulas.symbols import (
     u,
     v,
 )
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import equations, positive
 
 sine, rings = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["rings"]
 _meridian = u, (theta + pi) / (2 * pi)
@@ -47,7 +47,7 @@ _length = Claim(
         *(equation(g_i.subs(at), 0) for at in ({theta: -pi}, {k_u: 0}, {k_v: 0}) for g_i in _sine),
     ),
 )
-_differs = Claim("sine_differs", (greater(dot(_sine, _sine), 0),), (k_v**2 > 0, sin(_turned) ** 2 > 0))
+_differs = Claim("sine_differs", positive(dot(_sine, _sine)), (k_v**2 > 0, sin(_turned) ** 2 > 0))
 _round = [g_i - g_i.subs(theta, theta + pi) for g_i in _rings]
 _opposite = Claim(
     "rings",
