@@ -9,7 +9,7 @@ from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import epsilon, h_u, k_u, k_v, real, u, v
 from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, nonnegative, positive
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, nonnegative, positive, zero
 
 ridges = HEIGHT_FIELDS["ridges"]
 delta, m = real("delta m")
@@ -31,7 +31,7 @@ _centre = Claim(
     (equation(across.subs(delta, 0), 0), equation((straddled - slope_after).subs(delta, 0), -rate)),
     (epsilon > 0,),
 )
-_period = Claim("every_crease", (equation(Abs(sin(pi * m + delta)), Abs(sin(delta))),), (equation(sin(pi * m), 0),))
+_period = Claim("every_crease", (equation(Abs(sin(pi * m + delta)), Abs(sin(delta))),), zero(sin(pi * m)))
 _slopes = tuple(
     Claim(f"slope_{name}", (equation(slope, side * slope_after),), (side * sin(rate * delta) > 0,), ranges=ranges)
     for name, side in (("after", 1), ("before", -1))

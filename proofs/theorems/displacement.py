@@ -10,7 +10,7 @@ from proofs.formulas.displacement import blinn_normal, displaced, displaced_norm
 from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, sin_phi, theta
 from proofs.formulas.tangent_frame import e_phi, e_theta
 from proofs.theorems.frame import angles, at_angle, frame, on_circles
-from proofs.theorems.relations import equations, positive
+from proofs.theorems.relations import equations, positive, zero
 
 _field = Function("field")(theta, phi)
 _values = {diff(_field, theta): h_theta, diff(_field, phi): h_phi, _field: h}
@@ -99,17 +99,12 @@ _only_where_flat = Claim(
     "only_where_flat",
     (
         *positive(1 / sin_phi, 1 / pi, 1 / pi / sin_phi, lift + 1 / (2 * pi * sin_phi), lift + 1 / pi),
-        equation(beta * h_u * (lift + 1 / (2 * pi * sin_phi)), 0),
-        equation(beta * h_v * (lift + 1 / pi), 0),
-        equation(beta * h_u, 0),
-        equation(beta * h_v, 0),
+        *zero(beta * h_u * (lift + 1 / (2 * pi * sin_phi)), beta * h_v * (lift + 1 / pi), beta * h_u, beta * h_v),
     ),
     (*raised, *equations(cross(m, displaced), (0, 0, 0))),
     _both,
 )
-_where_flat = Claim(
-    "where_flat", equations(displaced, lift * m), (sin_phi > 0, equation(beta * h_u, 0), equation(beta * h_v, 0)), _both
-)
+_where_flat = Claim("where_flat", equations(displaced, lift * m), (sin_phi > 0, *zero(beta * h_u, beta * h_v)), _both)
 _angle = Claim(
     "angle",
     (
@@ -159,9 +154,7 @@ difference_theorem = Theorem(
 )
 
 _sides = [_both.expand(names) for names in (normal, m, displaced)]
-_parallel = Claim(
-    "parallel", (equation(expand(pi * dot(_sides[0], cross(*_sides[1:]))), 0),), (*on_circles, sin_phi > 0)
-)
+_parallel = Claim("parallel", zero(expand(pi * dot(_sides[0], cross(*_sides[1:])))), (*on_circles, sin_phi > 0))
 
 seed_theorem = Theorem(
     id="seed_bump_as_displacement",

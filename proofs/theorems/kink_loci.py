@@ -27,7 +27,7 @@ from proofs.formulas.symbols import (
 from proofs.theorems.cited import sine_inside_half_turn
 from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.hits import along
-from proofs.theorems.relations import QUARTER, equations
+from proofs.theorems.relations import QUARTER, equations, zero
 
 t, m = real("t m")
 
@@ -60,11 +60,7 @@ _projection = Claim(
 )
 _ridges = HEIGHT_FIELDS["ridges"]
 _creases = tuple(
-    Claim(
-        f"crease_{c}",
-        (equation(factor.subs(c, m / k), 0), equation(_ridges.expression.subs(c, m / k), 0)),
-        (k > 0, whole(m)),
-    )
+    Claim(f"crease_{c}", zero(factor.subs(c, m / k), _ridges.expression.subs(c, m / k)), (k > 0, whole(m)))
     for factor, c, k in zip(_ridges.creases, (u, v), (k_u, k_v), strict=True)
 )
 _on_the_axis = {**at_angle(1, 0), eye: 1, x: 0, y: 0}
@@ -147,7 +143,7 @@ _default = Claim(
         )
     ),
 )
-_poles = Claim("pole", (equation(rho, 0),), (equation(sin_phi, 0), equation(cos_phi, 1), eye > radius), parallel_radius)
+_poles = Claim("pole", zero(rho), (equation(sin_phi, 0), equation(cos_phi, 1), eye > radius), parallel_radius)
 
 parallels = Theorem(
     id="visible_parallels",

@@ -10,7 +10,7 @@ from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
 from proofs.formulas.symbols import beta, dot, h_u, h_v, normal
 from proofs.theorems.frame import on_circles
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import equations, zero
 
 
 def at(beta_at: Expr | int, g_at: Sequence = (1, 0, 0)) -> dict:
@@ -61,7 +61,7 @@ unit_length = Theorem(
 _lines = chain("both", perturbed, normal_by_beta)
 _slopes = [diff(b, beta) for b in perturbed.expand(bumped)]
 _derivative = Claim("derivative", equations(_slopes, bumped_by_beta), (dot(m, m) > 0,), _lines)
-_on_the_sphere = Claim("tangent_to_directions", (equation(dot(bumped, bumped_by_beta), 0),), (dot(m, m) > 0,), _lines)
+_on_the_sphere = Claim("tangent_to_directions", zero(dot(bumped, bumped_by_beta)), (dot(m, m) > 0,), _lines)
 
 derivative = Theorem(
     id="normal_by_beta",

@@ -23,7 +23,7 @@ from proofs.formulas.symbols import (
     u,
     v,
 )
-from proofs.theorems.relations import equations, positive
+from proofs.theorems.relations import equations, positive, zero
 
 sine, rings = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["rings"]
 _meridian = u, (theta + pi) / (2 * pi)
@@ -154,7 +154,7 @@ smooth_everywhere = Theorem(
         Step(r"$k_u = 2$, $k_v = 1$: $(0, -\pi, 0)$ on $\theta = \pi/2$, and $0$ on $\theta = -\pi$", "arithmetic"),
     ),
     mutants=(
-        variant("true for k_v = 0", _same, given=(equation(k_v, 0),)),
+        variant("true for k_v = 0", _same, given=zero(k_v)),
         Mutant("true of the surface gradient, k_u = 2", Claim("surface", _limit.shows[3:5])),
     ),
 )

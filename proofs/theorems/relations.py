@@ -24,6 +24,11 @@ def nonnegative(*expressions: Expr) -> tuple[Basic, ...]:
     return tuple(at_least(e, 0) for e in expressions)
 
 
+def zero(*expressions: Expr) -> tuple[Basic, ...]:
+    """Return that each is 0."""
+    return tuple(equation(e, 0) for e in expressions)
+
+
 def both_ways(bound: Expr, quantity: Expr) -> tuple[Basic, ...]:
     """Return −bound ≤ quantity ≤ bound."""
     return nonnegative(bound - quantity, bound + quantity)

@@ -7,13 +7,13 @@ from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, zero
 
 ridges, sine = HEIGHT_FIELDS["ridges"], HEIGHT_FIELDS["sine"]
 to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u, v = n/k_v
 _crossing = ridges.expression.subs({u: m / k_u + to_u, v: n / k_v + to_v})
 _sines = sin(pi * k_u * to_u), sin(pi * k_v * to_v)
-_whole = (equation(sin(pi * m), 0), equation(sin(pi * n), 0))
+_whole = zero(sin(pi * m), sin(pi * n))
 _small = tuple(
     CitedLemma(at_least((pi * k * d) ** 2, s**2), "DLMF")
     for k, d, s in zip((k_u, k_v), (to_u, to_v), _sines, strict=True)
@@ -147,7 +147,7 @@ on_creases = Theorem(
 )
 
 _u_slope = sine.gradient()[0] / pi  # in half-turns
-_one_slope = Claim("one_slope", (equation(Abs(_u_slope), -Abs(_u_slope)),), (equation(sin(pi * k_u * u), 0),))
+_one_slope = Claim("one_slope", (equation(Abs(_u_slope), -Abs(_u_slope)),), zero(sin(pi * k_u * u)))
 
 differentiable = Theorem(
     id="ridges_differentiable",

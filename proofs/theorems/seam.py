@@ -7,7 +7,7 @@ from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, 
 from proofs.formulas.half_turns import sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import k_u, k_v, real, u, v
-from proofs.theorems.relations import EIGHTH, HALF, named, positive
+from proofs.theorems.relations import EIGHTH, HALF, named, positive, zero
 
 n, alternating = real("n alternating")
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
@@ -45,9 +45,7 @@ _odd = Claim(
     (equation(jump(sine.expression), 0), equation(jump(_slope), 2 * pi * k_u * _in_v)),
     (equation(cos(pi * k_u), -1),),
 )
-_ridges = Claim(
-    "ridges", (equation(ridges.expression.subs(u, 0), 0), equation(ridges.expression.subs(u, 1), 0)), (_whole,)
-)
+_ridges = Claim("ridges", zero(ridges.expression.subs(u, 0), ridges.expression.subs(u, 1)), (_whole,))
 _step = real("step")
 _beside = tuple(ridges.expression.subs(u, at) for at in (_step, 1 - _step))
 _crease = Claim(
@@ -117,7 +115,7 @@ theorem = Theorem(
     ),
 )
 
-_periodic = Claim("slope", (equation(expand(jump(_slope) / pi), 0),), (_whole,))
+_periodic = Claim("slope", zero(expand(jump(_slope) / pi)), (_whole,))
 
 seam_saved = Theorem(
     id="periodic_u_saves_the_seam",
@@ -129,6 +127,6 @@ seam_saved = Theorem(
     steps=(Step(r"$k_u = 1$, $v = 1/2$, $k_v = 1$: the slope is $\pi$ at $u = 0$, $-\pi$ at $u = 1$", "arithmetic"),),
     mutants=(
         variant("true for even k_u", _periodic, given=(equation(cos(pi * k_u), 1),)),
-        Mutant("true for the height", Claim("height", (equation(jump(sine.expression), 0),), (_whole,))),
+        Mutant("true for the height", Claim("height", zero(jump(sine.expression)), (_whole,))),
     ),
 )
