@@ -205,6 +205,8 @@ def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, mon
     good = (FOLDER / "unit_length.json").read_bytes()
     monkeypatch.setattr(check, "FOLDER", tmp_path)
     monkeypatch.setattr(stored_file, "FOLDER", tmp_path)
+    (tmp_path / "unit_length.json").write_bytes(good.replace(b'"-1"', b'"1"', 1))
+    assert check.main([]) == 1 and "the two sides differ" in capsys.readouterr().out
     (tmp_path / "unit_length.json").write_bytes(good)
     assert check.main([]) == 0 and stored(theorems["unit_length"], theorems)
     key = good.replace(b'"theorem"', b'"trust": "me",\n "theorem"', 1)
