@@ -7,6 +7,7 @@ the table's. For float64 there is `renderer.generate.kernels.function_of`.
 
 import operator
 from collections.abc import Iterable, Mapping
+from functools import partial
 from types import CodeType
 from typing import Any
 
@@ -65,16 +66,16 @@ def joined(decisive: bool, *conditions: bool | None) -> bool | None:
 
 ANY_NUMBERS = {
     "compare": lambda left, relation, right: OPERATORS[relation][0](left, right),
-    "every": lambda *conditions: joined(False, *conditions),
-    "some": lambda *conditions: joined(True, *conditions),
+    "every": partial(joined, False),
+    "some": partial(joined, True),
     "where": lambda condition, value, otherwise: value() if condition else otherwise(),
     "two_product": lambda a, b: (a * b,),  # exact, or rounded as the rest is: no error beside it
 }
 """What the text calls, where comparisons are decided and a product needs no error beside it."""
 
+MPMATHS_OWN = ("sqrt", "floor", "sign", "power", "inf", "pi", "sin", "cos", "sinpi", "cospi", "exp", "log")
 MPMATH = ANY_NUMBERS | {
-    **{name: getattr(mpmath, name) for name in ("sqrt", "floor", "sign", "power", "inf", "pi", "sinpi", "cospi")},
-    **{name: getattr(mpmath, name) for name in ("sin", "cos", "exp", "log")},
+    **{name: getattr(mpmath, name) for name in MPMATHS_OWN},
     "rational": lambda p, q: mpmath.mpf(p) / q,
     "rint": mpmath.nint,
     "maximum": max,
