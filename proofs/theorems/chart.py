@@ -35,14 +35,14 @@ _angles = [f(a) for a in (turn, polar) for f in (cospi, sinpi)]
 _round_trip = Claim("round_trip", equations(_back({u: _by_turns.expand(u_closed), v: _by_turns.expand(v)}), _angles))
 _on_the_seam = Claim("on_the_seam", equations(_back({u: u * 0})[:2], [a.subs(turn, 1) for a in _angles[:2]]))
 
+_across = sqrt(normal[0] ** 2 + normal[1] ** 2)
 _recovered = Claim(
     "recovered",
     (
-        equation(normal[0] ** 2 + normal[1] ** 2, sin_phi**2),
-        equation(sqrt(normal[0] ** 2 + normal[1] ** 2), sin_phi),
+        equation(_across**2, sin_phi**2),
+        equation(_across, sin_phi),
         equation(normal[2], cos_phi),
-        equation(normal[0] / sqrt(normal[0] ** 2 + normal[1] ** 2), cos_theta),
-        equation(normal[1] / sqrt(normal[0] ** 2 + normal[1] ** 2), sin_theta),
+        *equations((normal[0] / _across, normal[1] / _across), (cos_theta, sin_theta)),
     ),
     (on_circles[0], sin_phi > 0),
     unit_normal,

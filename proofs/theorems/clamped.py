@@ -6,12 +6,11 @@ from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import at_pole, of_heights, pole_clamps
 from proofs.formulas.finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
+from proofs.formulas.height_fields import HeightField
 from proofs.formulas.symbols import epsilon, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, both_ways, named
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, both_ways, named, ridges, rings, sine
 
-sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
 slope, here, largest, bend_plus, bend_minus = real("slope here largest bend_plus bend_minus")
 ranges = ((v, (0, HALF)), (epsilon, (0, HALF)), (largest, (0, 3)))
 

@@ -6,12 +6,10 @@ from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import inside
 from proofs.formulas.half_turns import ordinary
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import epsilon, h_u, k_u, k_v, real, u, v
 from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, nonnegative, positive, zero
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, nonnegative, positive, ridges, zero
 
-ridges = HEIGHT_FIELDS["ridges"]
 delta, m = real("delta m")
 rate = pi * k_u
 half = ((v, 1), (k_v, HALF))  # sin πk_v v = 1

@@ -35,7 +35,8 @@ _chart_scale = Claim(
     (),
     displaced_normal,
 )
-raised = (*on_circles, sin_phi > 0, 1 + beta * h > 0)
+_off_the_poles = (*on_circles, sin_phi > 0)
+raised = (*_off_the_poles, 1 + beta * h > 0)
 _outward = Claim(
     "outward", (equation(dot(displaced, normal), lift), dot(displaced, normal) > 0), raised, displaced_normal
 )
@@ -48,7 +49,7 @@ _first_order = Claim(
         equation(dot(_slopes, _slopes), (h_theta / sin_phi) ** 2 + h_phi**2),
         *equations(cross(displaced, _blinn), -(beta**2) * h * cross(normal, _slopes)),
     ),
-    (*on_circles, sin_phi > 0),
+    _off_the_poles,
     displaced_normal,
 )
 
@@ -112,12 +113,10 @@ _angle = Claim(
         equation(dot(m, m), 1 + beta**2 * (h_u**2 + h_v**2)),
         equation(dot(displaced, displaced), lift**2 + beta**2 * ((h_u / (2 * pi * sin_phi)) ** 2 + (h_v / pi) ** 2)),
     ),
-    (*on_circles, sin_phi > 0),
+    _off_the_poles,
     _both,
 )
-_like_blinn = Claim(
-    "like_blinn", (equation(dot(m, displaced), 1 + beta**2 * _metric),), (*on_circles, sin_phi > 0), _both
-)
+_like_blinn = Claim("like_blinn", (equation(dot(m, displaced), 1 + beta**2 * _metric),), _off_the_poles, _both)
 
 difference_theorem = Theorem(
     id="bump_is_not_displacement",
@@ -154,7 +153,7 @@ difference_theorem = Theorem(
 )
 
 _sides = [_both.expand(names) for names in (normal, m, displaced)]
-_parallel = Claim("parallel", zero(expand(pi * dot(_sides[0], cross(*_sides[1:])))), (*on_circles, sin_phi > 0))
+_parallel = Claim("parallel", zero(expand(pi * dot(_sides[0], cross(*_sides[1:])))), _off_the_poles)
 
 seed_theorem = Theorem(
     id="seed_bump_as_displacement",

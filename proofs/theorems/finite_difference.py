@@ -6,11 +6,10 @@ from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, inside, nothing_clamps, nothing_wraps
 from proofs.formulas.finite_difference import central, span_v, v_minus, v_plus
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
+from proofs.formulas.height_fields import HeightField
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
-from proofs.theorems.relations import EIGHTH, HALF
+from proofs.theorems.relations import EIGHTH, HALF, rings, sine
 
-sine, rings = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["rings"]
 name = "central_difference_of_sine"
 
 

@@ -137,15 +137,15 @@ limits = Theorem(
     ),
 )
 
+_swing = beta * dot(g, towards)
+_cosine = dot(normal, towards) + _swing
 _within = Claim(
     "shadow_line",
     (
         equation(w**2, beta**2 * _g_squared),
-        *nonnegative(
-            w, _g_squared - dot(g, towards) ** 2, w**2 - (beta * dot(g, towards)) ** 2, w + beta * dot(g, towards)
-        ),
-        greater(dot(normal, towards) + beta * dot(g, towards), 0),
-        equation(m_length * dot(bumped, towards), dot(normal, towards) + beta * dot(g, towards)),
+        *nonnegative(w, _g_squared - dot(g, towards) ** 2, w**2 - (_swing) ** 2, w + _swing),
+        greater(_cosine, 0),
+        equation(m_length * dot(bumped, towards), _cosine),
         greater(dot(bumped, towards), 0),
     ),
     (*tangent, _w, equation(dot(towards, towards), 1), dot(normal, towards) > w),

@@ -5,7 +5,7 @@ from sympy import Expr, cos, pi, sin
 from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.theorem import Clause, Mutant, Step, Theorem, variant
 from proofs.formulas.bump import bumped_normal, g
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
+from proofs.formulas.height_fields import HeightField, gradient
 from proofs.formulas.symbols import (
     Vector,
     cos_phi,
@@ -23,9 +23,8 @@ from proofs.formulas.symbols import (
     u,
     v,
 )
-from proofs.theorems.relations import equations, positive, zero
+from proofs.theorems.relations import equations, positive, rings, sine, zero
 
-sine, rings = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["rings"]
 _meridian = u, (theta + pi) / (2 * pi)
 
 

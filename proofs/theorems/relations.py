@@ -1,11 +1,13 @@
-"""Relations, names and points that several theorems speak of."""
+"""Relations, fields, names and numbers that several theorems speak of."""
 
 from collections.abc import Sequence
 
 from sympy import Basic, Expr, Rational, Symbol
 
 from proofs.engine.claim import at_least, equation, greater
+from proofs.formulas.height_fields import HEIGHT_FIELDS
 
+sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
 HALF, QUARTER, EIGHTH = (Rational(1, n) for n in (2, 4, 8))
 
 

@@ -4,12 +4,10 @@ from sympy import Abs, pi, sin
 
 from proofs.engine.claim import CitedLemma, Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, zero
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, ridges, sine, zero
 
-ridges, sine = HEIGHT_FIELDS["ridges"], HEIGHT_FIELDS["sine"]
 to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u, v = n/k_v
 _crossing = ridges.expression.subs({u: m / k_u + to_u, v: n / k_v + to_v})
 _sines = sin(pi * k_u * to_u), sin(pi * k_v * to_v)

@@ -17,20 +17,21 @@ truncation, rounding, best = real("truncation rounding best")
 _each = evaluation + steepest * argument
 _factors = tuple(part for d in (first, second, third) for part in both_ways(unit, d))
 _unit = (unit > 0, unit < 1)
+_both = (1 + first) * (1 + second)
 _two = Claim(
     "two_roundings",
     both_ways(2 * unit + unit**2, growth - 1),
-    (*_unit, *_factors[:4], equation(growth, (1 + first) * (1 + second))),
+    (*_unit, *_factors[:4], equation(growth, _both)),
     ranges=((unit, (0, QUARTER)), (first, (-QUARTER, QUARTER))),
 )
 _three = Claim(
     "three_roundings",
     (
-        *nonnegative((1 + unit) ** 2 - (1 + first) * (1 + second), (1 + first) * (1 + second) - (1 - unit) ** 2),
+        *nonnegative((1 + unit) ** 2 - _both, _both - (1 - unit) ** 2),
         *both_ways(3 * unit + unit**2, (1 - unit) * (growth - 1)),
         *both_ways((3 * unit + unit**2) / (1 - unit), growth - 1),
     ),
-    (*_unit, *_factors, equation(growth * (1 + third), (1 + first) * (1 + second))),
+    (*_unit, *_factors, equation(growth * (1 + third), _both)),
     ranges=tuple((d, (-EIGHTH, EIGHTH)) for d in (unit, first, second, third)),
 )
 

@@ -5,12 +5,10 @@ from sympy import Expr, Rational, cos, expand, pi, sin
 from proofs.engine.claim import Claim, Induction, at_least, equation
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.half_turns import sinpi
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import k_u, k_v, real, u, v
-from proofs.theorems.relations import EIGHTH, HALF, named, positive, zero
+from proofs.theorems.relations import EIGHTH, HALF, named, positive, ridges, rings, sine, zero
 
 n, alternating = real("n alternating")
-sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
 _whole, _in_v = equation(sin(pi * k_u), 0), sinpi(k_v * v)
 _turned = sine.expression.subs(u, u + 1)
 

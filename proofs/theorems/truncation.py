@@ -5,14 +5,23 @@ from sympy import Rational, cos, diff, pi, sin
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, nothing_clamps, nothing_wraps
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
 from proofs.theorems.cited import sine_above, sine_below
-from proofs.theorems.finite_difference import difference, rings, sine
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, equations, named, nonnegative, positive
+from proofs.theorems.finite_difference import difference
+from proofs.theorems.relations import (
+    EIGHTH,
+    HALF,
+    QUARTER,
+    equations,
+    named,
+    nonnegative,
+    positive,
+    ridges,
+    rings,
+    sine,
+)
 
 _in_u, _in_v = pi * k_u * u, pi * k_v * v
-ridges = HEIGHT_FIELDS["ridges"]
 _sixth = Rational(1, 6)
 
 
