@@ -42,7 +42,7 @@ from verify.checkers import witness
 from verify.checkers.kernels import accepted, compact
 from verify.checkers.proof_checker import examine
 from verify.checkers.splices import splices
-from verify.checkers.test_checkers import CERTIFICATE, STATEMENT, derivation, show
+from verify.checkers.test_checkers import CERTIFICATE, STATEMENT, assume, derivation, show
 
 x, y, n, p, w, m = symbols("x y n p w m", real=True)
 a, s = symbols("a s", real=True)
@@ -315,7 +315,7 @@ def test_a_point_shows_that_hypotheses_can_hold():
 
 def test_a_case_that_cannot_occur_is_no_claim():
     """Of |x| < 0 no case can occur: each is proved impossible, and the claim is refused."""
-    absurd = derivation(("assume", {"x": "1"}, {"is": ">"}), ("assume", {"x": "-1"}, {"is": ">"}), show({"": "1"}, "="))
+    absurd = derivation(assume({"x": "1"}, ">"), assume({"x": "-1"}, ">"), show({"": "1"}, "="))
     proof = {"rule": "contradiction", "positive": [0], "sum": [["1", {"": "1"}, [1]]], "cofactors": []}
     case = absurd | {"variables": ["x"]}, {"proofs": [proof]}, None
     assert kernel.check(*case[:2]) is None

@@ -21,51 +21,56 @@ def derivation(*steps, variables=("x", "y")):
     return {"version": 1, "kind": "derivation", "variables": list(variables), "steps": listed}
 
 
-def show(of, relation):
-    return ("show", of, {"is": relation})
+def show(of, relation, step="show"):
+    return (step, of, {"is": relation})
 
 
+def assume(of, relation):
+    return show(of, relation, "assume")
+
+
+ONE, X = {"": "1"}, {"x": "1"}
+BY_FIRST_FACT = {"rule": "ideal", "cofactors": [[0, ONE]]}
 NOTHING = {"rule": "ideal", "cofactors": []}
-NEGATIVE = {"rule": "contradiction", "positive": [0], "sum": [["-1", {"x": "1"}, []]], "cofactors": []}
+NEGATIVE = {"rule": "contradiction", "positive": [0], "sum": [["-1", X, []]], "cofactors": []}
 EMPTY = {"rule": "contradiction", "positive": [], "sum": [], "cofactors": []}
-BY_CASES = {"rule": "cases", "on": {"x": "1"}, "branches": {">": NOTHING}}
-INEQUALITY = {"rule": "ideal", "cofactors": [[0, {"": "1"}]]}
+BY_CASES = {"rule": "cases", "on": X, "branches": {">": NOTHING}}
 UNSOUND = [
-    ([show({"x": "1"}, "=")], NOTHING, "the two sides differ"),
+    ([show(X, "=")], NOTHING, "the two sides differ"),
     ([show({}, ">")], NOTHING, "equations only"),
     ([show({"x^2": "-1"}, ">=")], NEGATIVE, "negative weight"),
-    ([show({"x": "1"}, ">=")], EMPTY, "the two sides differ"),
-    ([show({"x": "1"}, ">=")], BY_CASES, "no rule"),
-    ([show({"x": "1"}, "=")], {"rule": "trust me"}, "no rule"),
-    ([("inverse", {"x": "1"}, {"new": "r"}), show({"r x": "1", "": "-1"}, "=")], NOTHING, "equations only"),
-    ([("root", {"x": "1"}, {"new": "w"})], NOTHING, "equations only"),
-    ([("define", {"": "1"}, {"new": "x"}), show({"x": "1", "": "-1"}, "=")], NOTHING, "twice"),
+    ([show(X, ">=")], EMPTY, "the two sides differ"),
+    ([show(X, ">=")], BY_CASES, "no rule"),
+    ([show(X, "=")], {"rule": "trust me"}, "no rule"),
+    ([("inverse", X, {"new": "r"}), show({"r x": "1", "": "-1"}, "=")], NOTHING, "equations only"),
+    ([("root", X, {"new": "w"})], NOTHING, "equations only"),
+    ([("define", ONE, {"new": "x"}), show({"x": "1", "": "-1"}, "=")], NOTHING, "twice"),
     ([show({"z": "1"}, "=")], NOTHING, "z stands for nothing"),
     ([show({"x": "1.5"}, "=")], NOTHING, "not a fraction"),
     ([show({"x": "1/0"}, "=")], NOTHING, "not a fraction"),
     ([show({"x^-1": "0"}, "=")], NOTHING, "exponent"),
     ([show({"x^0": "0"}, "=")], NOTHING, "exponent"),
     ([show([], "=")], NOTHING, "a polynomial is missing"),
-    ([("assume", {"x": "1"}, {"is": "<>"}), show({}, "=")], NOTHING, "no relation"),
-    ([("assume", {"x": "1"}, {"is": "toString"}), show({}, "=")], NOTHING, "no relation"),
-    ([("assume", {"x": "1"}, {"is": ">"}), show({"x": "1"}, "=")], INEQUALITY, "not ="),
-    ([show({"x": "1"}, "=")], {"rule": "ideal", "cofactors": [[-1, {"": "1"}]]}, "no fact -1"),
-    ([show({"x": "1"}, "=")], {"rule": "ideal", "cofactors": [[0, {"": "1"}]]}, "no fact 0"),
+    ([assume(X, "<>"), show({}, "=")], NOTHING, "no relation"),
+    ([assume(X, "toString"), show({}, "=")], NOTHING, "no relation"),
+    ([assume(X, ">"), show(X, "=")], BY_FIRST_FACT, "not ="),
+    ([show(X, "=")], {"rule": "ideal", "cofactors": [[-1, ONE]]}, "no fact -1"),
+    ([show(X, "=")], BY_FIRST_FACT, "no fact 0"),
     ([("conjure", {}, {"new": "w"})], NOTHING, "no step"),
 ]  # fmt: skip
 """[(steps, the proof of each, what the page's kernel says of it)]"""
 
 
 SQUARE = show({"x^2": "1"}, ">=")
-SQUARES = {"rule": "contradiction", "positive": [0], "sum": [["1", {"x": "1"}, []]], "cofactors": []}
+SQUARES = {"rule": "contradiction", "positive": [0], "sum": [["1", X, []]], "cofactors": []}
 GOOD = [derivation(SQUARE), {"proofs": [SQUARES]}]
-ONE_IS_ZERO = show({"": "1"}, "=")
+ONE_IS_ZERO = show(ONE, "=")
 
 
 def inverse(new):
     """Return the attack that took "" for a name of its own: an inverse of 1 called `new`, then 1 = 0."""
     named = {} if new is None else {"new": new}
-    proofs = [EMPTY, {"rule": "ideal", "cofactors": [[0, {"": "1"}]]}]
+    proofs = [EMPTY, BY_FIRST_FACT]
     return [derivation(("inverse", {"": "2"}, named), ONE_IS_ZERO), {"proofs": proofs}]
 
 
@@ -74,7 +79,7 @@ def refutation(of, point, variables=None):
     return [derivation(show(of, ">"), variables=variables or point) | {"kind": "refutation"}, {"point": point}]
 
 
-ABOVE = derivation(("assume", {"x": "1"}, {"is": ">"}), show({"x": "1", "": "-1"}, ">="), variables=["x"])
+ABOVE = derivation(assume(X, ">"), show({"x": "1", "": "-1"}, ">="), variables=["x"])
 ABOVE |= {"kind": "refutation"}
 ZERO = [
     derivation(("define", {}, {"new": "y"}), show({"y": "1"}, r), variables=()) | {"kind": "refutation"}
@@ -83,11 +88,11 @@ ZERO = [
 LINES = {"version": 1, "kind": "separation", "lines": [["b", ["a"]], ["c", ["b"]]], "outputs": ["c"], "avoid": ["a"]}
 EMPTY_INDUCTION = {key: [] for key in ("variables", "state", "assume", "show")} | {"start": {}, "next": {}}
 EMPTY_INDUCTION |= {"version": 1, "kind": "induction"}
-COUNT = EMPTY_INDUCTION | {"state": ["x"], "start": {"x": {}}, "next": {"x": {"x": "1", "": "1"}}, "show": [{"x": "1"}]}
-BY_ITSELF = {"base": [NOTHING], "step": [{"rule": "ideal", "cofactors": [[0, {"": "1"}]]}]}
+COUNT = EMPTY_INDUCTION | {"state": ["x"], "start": {"x": {}}, "next": {"x": {"x": "1", "": "1"}}, "show": [X]}
+BY_ITSELF = {"base": [NOTHING], "step": [BY_FIRST_FACT]}
 WELL_FORMED = [
     GOOD,
-    [COUNT | {"next": {"x": {"x": "1"}}}, BY_ITSELF],
+    [COUNT | {"next": {"x": X}}, BY_ITSELF],
     [LINES | {"avoid": ["d"]}, {"reached": ["a", "b", "c"]}],
     [ABOVE, {"point": {"x": "1/2"}}],
     [ZERO[0], {"point": {}}],  # what is claimed is the polynomial 0, which leaves no name open
@@ -97,7 +102,7 @@ STATEMENT, CERTIFICATE = GOOD
 STEP = STATEMENT["steps"][0]
 BROKEN = {
     **{f"inverse {new!r}": inverse(new) for new in ("", None, "x y", "x", 1, "__proto__", "pi^2")},
-    "no show": [derivation(("assume", {"x": "1"}, {"is": ">"})), {"proofs": []}],
+    "no show": [derivation(assume(X, ">")), {"proofs": []}],
     "no steps": [derivation(), {"proofs": []}],
     "a proof left over": [STATEMENT, {"proofs": [SQUARES, NOTHING]}],
     "a proof too few": [STATEMENT, {"proofs": []}],
@@ -130,13 +135,13 @@ BROKEN = {
     "off the circle": refutation({"cos(x)": "1", "": "-1"}, {"cos(x)": "0", "sin(x)": "0"}),
     "a cosine alone": refutation({"cos(x)": "1", "": "-1"}, {"cos(x)": "0"}),
     "x = n by induction": [COUNT, BY_ITSELF],
-    "its claim assumed": [COUNT | {"assume": [{"of": {"x": "1"}, "is": "="}]}, BY_ITSELF],
+    "its claim assumed": [COUNT | {"assume": [{"of": X, "is": "="}]}, BY_ITSELF],
     "a set that is not closed": [LINES, {"reached": ["b", "c"]}],
     "a name to avoid": [LINES, {"reached": ["a", "b", "c"]}],
     **{f"no counterexample at x = {x}": [ABOVE, {"point": {"x": x}}] for x in ("-1", "1")},
     "no point": [ABOVE, {"point": {}}],
     "0 ≥ 0 refuted": [ZERO[1], {"point": {}}],
-    "a name too many": refutation({"x": "1"}, {"x": "0", "y": "0"}, variables=("x",)),
+    "a name too many": refutation(X, {"x": "0", "y": "0"}, variables=("x",)),
 }
 
 
@@ -144,8 +149,8 @@ BROKEN = {
 def test_the_kernels_accept_what_is_well_formed(name):
     """A name may be one that every object of JavaScript has, wherever names stand."""
     of = {name: "2", "": "-1"}
-    proved = derivation(("assume", of, {"is": "="}), show(of, "="), variables=[name])
-    proof = {"rule": "ideal", "cofactors": [[0, {"": "1"}]]}
+    proved = derivation(assume(of, "="), show(of, "="), variables=[name])
+    proof = BY_FIRST_FACT
     point = dict.fromkeys([name, name.replace("cos", "sin")], "0") | {name: "1"}
     induction = EMPTY_INDUCTION | {"state": [name], "start": {name: {}}, "next": {name: {}}, "show": [{name: "1"}]}
     lines = {"version": 1, "kind": "separation", "lines": [[name, []]], "outputs": [name], "avoid": ["y"]}
