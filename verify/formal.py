@@ -73,17 +73,18 @@ def layers(*wanted: str) -> list[list[str]]:
     needs = {name: set(match[1].split()) if match else set() for name, match in required.items()}
     if missing := set().union(*needs.values(), wanted) - needs.keys():
         raise NotAccepted(f"there is no {', '.join(sorted(missing))} in {FOLDER.name}/")
+    sorter, batches = TopologicalSorter(needs), []
     try:
-        order = [*TopologicalSorter(needs).static_order()]
+        sorter.prepare()
     except CycleError as error:
         raise NotAccepted(f"files that require each other: {', '.join(error.args[1])}") from error
-    depth: dict[str, int] = {}
-    for name in order:
-        depth[name] = 1 + max((depth[needed] for needed in needs[name]), default=0)
+    while ready := sorter.get_ready():
+        sorter.done(*ready)
+        batches.append(ready)
     reached = set(wanted or needs)
-    for name in reversed(order):
+    for name in (name for batch in reversed(batches) for name in batch):
         reached |= needs[name] if name in reached else set()
-    return [sorted(name for name in reached if depth[name] == level) for level in sorted({*depth.values()})]
+    return [sorted(reached.intersection(batch)) for batch in batches]
 
 
 def files(*wanted: str) -> list[Path]:

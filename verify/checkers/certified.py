@@ -7,7 +7,7 @@ from typing import Any
 from sympy import Eq, Symbol
 
 from verify.checkers.digits import Code, Undefined, decided, parts_of
-from verify.checkers.sampler import Sampler
+from verify.checkers.sampler import Sampler, real_roots
 
 try:
     import flint
@@ -28,8 +28,8 @@ def certified(sampler: Sampler, point: Mapping[Symbol, Any]) -> bool:
     if flint is None:
         return False
     with flint.ctx.workprec(BITS):
-        roots = {"sqrt": flint.arb.sqrt, "power": operator.pow}  # none of a ball that reaches below 0
-        names = BALLS | roots | {"compare": decided, "real": _real, "pi": flint.arb.pi()}
+        names = BALLS | {"compare": decided, "real": _real, "pi": flint.arb.pi()}
+        names |= {"sqrt": flint.arb.sqrt, "power": operator.pow}  # undefined where a ball reaches below 0
         values = {s: flint.arb(v) for s, v in point.items() if s not in dict(sampler.solved)}
 
         def holds(relation):
@@ -42,22 +42,18 @@ def certified(sampler: Sampler, point: Mapping[Symbol, Any]) -> bool:
             except (Undefined, NameError):
                 return None
 
+        def solved(symbol, coefficients):
+            """Return a ball with the root that is near the point's coordinate."""
+            near = flint.arb(point[symbol])
+            return min(real_roots(coefficients(values, names)), key=lambda root: float(abs(root - near).mid()))
+
         try:
             for symbol, coefficients in sampler.solved:
-                values[symbol] = _root(coefficients(values, names), flint.arb(point[symbol]))
-        except (Undefined, NameError, ValueError):
+                values[symbol] = solved(symbol, coefficients)
+        except (Undefined, NameError, ValueError, TypeError):  # no root, or none by a formula
             return False
         unsolved = [r for r in sampler.given if not (isinstance(r, Eq) and r in sampler.solved_relations)]
         return all(map(holds, unsolved)) and any(holds(r) is False for r in parts_of(sampler.claimed))
-
-
-def _root(coefficients, near):
-    """Return a ball with a root of a linear or quadratic polynomial, the one near a number."""
-    if len(coefficients) == 2:
-        return -coefficients[1] / coefficients[0]
-    a, b, c = coefficients
-    root = (b * b - 4 * a * c).sqrt()
-    return min(((-b + s * root) / (2 * a) for s in (1, -1)), key=lambda ball: float(abs(ball - near).mid()))
 
 
 def _real(ball):

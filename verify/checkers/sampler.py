@@ -69,7 +69,7 @@ class Sampler:
         try:
             for symbol, coefficients in self.solved:
                 if symbol not in values:
-                    roots = _real_roots(coefficients(values))
+                    roots = real_roots(coefficients(values))
                     if not roots:
                         return None
                     values[symbol] = self.random.choice(roots)
@@ -116,7 +116,8 @@ def _solvable(relations):
     return [(symbol, solved[symbol], origin[symbol]) for symbol in order]
 
 
-def _real_roots(coefficients):
+def real_roots(coefficients: list) -> list:
+    """Return the real roots of a polynomial of mpf coefficients, or of balls if it is linear or quadratic."""
     while coefficients and coefficients[0] == 0:
         coefficients = coefficients[1:]
     if len(coefficients) == 2:
@@ -124,7 +125,7 @@ def _real_roots(coefficients):
     if len(coefficients) == 3:
         a, b, c = coefficients
         d = b * b - 4 * a * c
-        return [] if d < 0 else [(-b + s * mpmath.sqrt(d)) / (2 * a) for s in (1, -1)]
+        return [] if d < 0 else [(-b + s * d**0.5) / (2 * a) for s in (1, -1)]
     if len(coefficients) < 2:
         return []
     return [r.real for r in mpmath.polyroots(coefficients, maxsteps=200, extraprec=300) if abs(r.imag) < TOLERANCE]
