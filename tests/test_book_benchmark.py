@@ -2,10 +2,11 @@
 
 from book.figures import benchmark as figures
 from verify.benchmark.frames import SIDES
+from verify.records import read
 
 
 def test_every_renderer_is_drawn():
-    numbers = figures.committed(figures.FRAMES)["numbers"]
+    numbers = read("frames")["numbers"]
     assert figures.RENDERERS.keys() == SIDES.keys() - {"seed_central"}
     for renderer, (*_, threads) in figures.RENDERERS.items():
         pixels, times = figures.curve(numbers, renderer, threads)
@@ -14,5 +15,5 @@ def test_every_renderer_is_drawn():
 
 
 def test_every_method_has_its_place():
-    rows = figures.committed(figures.GRADIENTS)["gradients"]
+    rows = read("work_precision")["gradients"]
     assert figures.METHODS.keys() <= {row["method"] for row in rows}

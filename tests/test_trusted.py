@@ -1,11 +1,11 @@
 """The page of what is trusted names every module that a grade passes through, and no other."""
 
-import json
 import re
 from pathlib import Path
 
 from tests.processes import python
 from verify import test_campaign
+from verify.records import read
 from verify.sources import ROOT
 
 PAGE = ROOT / "book" / "checked" / "trusted.md"
@@ -31,13 +31,9 @@ def test_the_page_names_every_module_that_a_grade_passes_through():
 def test_the_page_says_when_each_long_run_last_ran():
     """A record is of a whole run, at a commit; the page prints its date, its commit and all that it counts."""
     page = PAGE.read_text(encoding="utf-8")
-    for name, found in (
-        ("edited_formulas", "caught"),
-        ("tampered_certificates", "tampered"),
-        ("accepted_scenes", "crashes"),
-    ):
+    for name, found in (("edited_formulas", "caught"), ("accepted_scenes", "crashes")):
         for key in ("date", "commit", found):
             assert f"{{number}}`{name}.{key}" in page
-    record = json.loads((ROOT / "verify" / "results" / "edited_formulas.json").read_text(encoding="utf-8"))
+    record = read("edited_formulas")
     assert record["numbers"]["edits"] == test_campaign.EDITS and record["numbers"]["seed"] == test_campaign.SEED
     assert record["label"]["commit"] not in ("", "unknown")

@@ -1,19 +1,19 @@
 """Time against error: of the gradient alone by every method, and of whole frames. Times come from the committed run."""
 
 from collections.abc import Iterable, Sequence
-from functools import partial
 
 import numpy as np
 from matplotlib.axes import Axes
 
 from book.drawing.palette import readable
-from book.drawing.registry import Drawing, committed, figure
+from book.drawing.registry import Drawing, figure
 from book.drawing.style import decades, label_line_end, palette, plot
 from verify.benchmark import work_precision
 from verify.benchmark.methods.table import CLEAR
 from verify.benchmark.work_precision import Row
+from verify.records import RECORDS, read
 
-RESULT = "verify/results/work_precision.json"
+RECORD = RECORDS["work_precision"].path
 SMALLEST = 1e-18  # of the drawing: mpmath's further digits stand as a number in the caption
 
 # Where a method's name stands: beside its point, (side, what to write); or along its curve, the error at its middle.
@@ -31,9 +31,6 @@ ALONG = {"forward": 1e-2, "central": 1e-2, "central, 4th order": 1e-6, "central,
 SOLID = (0, ())
 DASHES = {"forward": (0, (1.5, 1.5)), "central": (0, ()), "central, 4th order": (0, (5, 2)),
           "central, 6th order": (0, (8, 2)), "Richardson, 8th order": (0, (5, 2, 1.5, 2))}  # fmt: skip
-
-
-result = partial(committed, RESULT)  # its label, gradients, frames
 
 
 def by_method(rows: Sequence[Row]) -> dict[str, list[Row]]:
@@ -72,15 +69,15 @@ def label_along(ax: Axes, x: float, y: float, text: str, colour: str, side: str 
 
 def label_numbers() -> dict[str, str | int]:
     """Return where, when and at which commit it was measured, as numbers of a figure."""
-    label = result()["label"]
+    label = read("work_precision")["label"]
     cited = {name: label[name] for name in ("machine", "processor", "python", "date", "commit", "rounds")}
     return cited | {"absent": len(label["absent"])}
 
 
-@figure("work_precision", data=[RESULT])
+@figure("work_precision", data=[RECORD])
 def work_precision_figure() -> Drawing:
     """Nanoseconds a gradient against the largest error at 50 digits: every method, a curve over its parameter."""
-    rows = result()["gradients"]
+    rows = read("work_precision")["gradients"]
     fig, ax = plot("page", height=5.6)
     blue, orange, ink = palette()["symbolic"], palette()["numeric"], palette()["ink"]
     for name, own in by_method(rows).items():
@@ -124,10 +121,10 @@ def _label_cluster(ax, rows):
 FRAME_ALONG = {"forward": 1e-3, "central": 1e-6, "4th": 1e-9}
 
 
-@figure("work_precision_frames", data=[RESULT])
+@figure("work_precision_frames", data=[RECORD])
 def work_precision_frames() -> Drawing:
     """Milliseconds a frame against the image's error at 50 digits: sine by its largest error, ridges by its RMS."""
-    rows = result()["frames"]
+    rows = read("work_precision")["frames"]
     fig, axes = plot(height=4.2, ncols=2, sharey=True)
     blue, orange, numbers = palette()["symbolic"], palette()["numeric"], {}
     shown = (("sine", "largest", "sine: largest"), ("ridges", "rms", "ridges: RMS, creases and all"))
@@ -152,5 +149,5 @@ def work_precision_frames() -> Drawing:
         limits = {"xlim": (0, 1.25 * max(r["ms"] for r in chosen)), "ylim": (1e-17, 1e2)}
         decades(ax, None, 2, **limits, title=title, xlabel="time, ms a frame")
     axes[0].set_ylabel("error of the image on A")
-    numbers |= label_numbers() | {"side": result()["label"]["side"]}
+    numbers |= label_numbers() | {"side": read("work_precision")["label"]["side"]}
     return Drawing(fig, numbers=numbers, data=columns(rows, ("field", "method", "value", "ms", "largest", "rms")))

@@ -1,17 +1,15 @@
-"""Measure time against error of every way to take the gradient, and of frames; write it with a label:
+"""Measure time against error of every way to take the gradient, and of frames:
 
     python -m verify.benchmark.work_precision            (some minutes, on a machine that does nothing else)
 
 One core. Errors are the largest over the checked points (pixels) against 50 digits; times are medians of interleaved
 rounds. Libraries that are not installed (JAX, SciPy, numdifftools) are left out with a word. Writes
-verify/results/work_precision.json and work_precision.csv: commit them.
+verify/results/work_precision.json: commit it.
 """
 
-import argparse
 import os
 from collections.abc import Mapping, Sequence
 from functools import lru_cache, partial
-from pathlib import Path
 from statistics import median
 from typing import Any
 
@@ -21,16 +19,14 @@ from tqdm import tqdm
 from proofs.formulas.chart import chart_inverse
 from proofs.formulas.height_fields import gradient
 from renderer import Scene, central, central4, exact, forward, render, stage_of
-from renderer.files.pictures import write_csv
 from renderer.picture.frame import Frame
-from verify.benchmark.label import label, write
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
-from verify.benchmark.plan import Case, given, timings
+from verify.benchmark.timing import Case, timings
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import ball_of
+from verify.records import command
 from verify.reference import reference_pixel
 
-RESULTS = Path(__file__).parents[1] / "results"
 CHECKED, ROUNDS, SEED = 4096, 15, 3
 SIDE, PIXELS = 256, 600
 FRAMES = {"forward": forward, "central": central, "central, 4th order": central4}
@@ -75,7 +71,7 @@ def gradient_rows(rounds: int) -> list[Row]:
             if key not in cases:
                 kind = getattr(function, "kind", np.float64)
                 many = [np.ascontiguousarray(a, kind) for a in points_for(method, method.points)]
-                cases[key] = Case(key, given(partial(function, *many)), visits=rounds)
+                cases[key] = Case(key, partial(function, *many), visits=rounds)
             rows[-1] |= {"key": key, "ns": 1e9 / method.points}
     seconds = timings(cases.values(), "gradients")
     return [row | {"ns": row["ns"] * median(seconds[row.pop("key")])} for row in rows]
@@ -131,7 +127,7 @@ def frame_rows(rounds: int, count: int) -> list[Row]:
             key = f"{field}, {name}"
             if key not in cases:
                 call = partial(render, scene, SIDE, SIDE, method, threads=1, stage=stage)
-                cases[key] = Case(key, given(call), visits=rounds)
+                cases[key] = Case(key, call, visits=rounds)
             rows.append({"field": field, "method": name, "value": eps, "ours": name.startswith("exact"),
                          "largest": largest, "rms": rms})  # fmt: skip
     seconds = timings(cases.values(), "frames")
@@ -151,27 +147,21 @@ def peers_that_beat(rows: Sequence[Row], cost: str = "ns", error: str = "error")
     return [r for r in rows if not r["ours"] and any(r[cost] < o[cost] and r[error] < o[error] for o in ours)]
 
 
-def main() -> None:
-    """Parse the command line, measure, write."""
-    formatter = argparse.RawDescriptionHelpFormatter
-    parser = argparse.ArgumentParser(
-        "python -m verify.benchmark.work_precision", description=__doc__, formatter_class=formatter
-    )
-    parser.add_argument("--rounds", type=int, default=ROUNDS, help="timed rounds (default: %(default)s)")
-    parser.add_argument("--pixels", type=int, default=PIXELS, help="checked pixels a field (default: %(default)s)")
-    parser.add_argument("--out", type=Path, default=RESULTS, help="folder of the results")
-    options = parser.parse_args()
-    packages = ["numpy", "llvmlite", "mpmath", *(m.module for m in METHODS if m.module and m.available)]
-    where: Row = label(*packages)
+def measure(rounds: int, pixels: int) -> dict[str, Any]:
+    """Return the rows of both diagrams, and what the label says more: pixels is how many are checked of each field."""
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     absent = sorted(m.name for m in METHODS if not m.available)
     print(f"left out, not installed: {', '.join(absent)}" if absent else "every library is installed")
-    gradients, frames = gradient_rows(options.rounds), frame_rows(options.rounds, options.pixels)
-    where |= {"absent": absent, "seed": SEED, "rounds": options.rounds, "side": SIDE}
-    write(options.out / "work_precision.json", {"label": where, "gradients": gradients, "frames": frames})
-    write_csv(options.out / "work_precision.csv", gradients)
+    more = {"absent": absent, "seed": SEED, "rounds": rounds, "side": SIDE}
+    gradients, frames = gradient_rows(rounds), frame_rows(rounds, pixels)
     print(f"others that beat ours in both: {[r['method'] for r in peers_that_beat(gradients)] or 'none'}")
+    return {"label": more, "gradients": gradients, "frames": frames}
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Measure, print, write."""
+    command("work_precision", __doc__, measure, arguments, rounds=ROUNDS, pixels=PIXELS)
 
 
 if __name__ == "__main__":
