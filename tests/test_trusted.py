@@ -5,8 +5,8 @@ from pathlib import Path
 
 from tests.processes import python
 from verify import test_campaign
-from verify.records import read
-from verify.sources import ROOT
+from verify.records import BENCHMARKS, RECORDS, RESULTS, code_of, read
+from verify.sources import ROOT, is_test
 
 PAGE = ROOT / "book" / "checked" / "trusted.md"
 LOADED = """
@@ -37,3 +37,17 @@ def test_the_page_says_when_each_long_run_last_ran():
     record = read("edited_formulas")
     assert record["numbers"]["edits"] == test_campaign.EDITS and record["numbers"]["seed"] == test_campaign.SEED
     assert record["label"]["commit"] not in ("", "unknown")
+
+
+def test_every_committed_record_is_known_and_reaches_what_it_measures():
+    committed = {path for folder in (RESULTS, BENCHMARKS) for path in (ROOT / folder).iterdir()}
+    assert committed == {ROOT / record.path for record in RECORDS.values()}
+    for name, record in RECORDS.items():
+        assert {"machine", "date", "commit"} <= read(name)["label"].keys()
+        code, tests = code_of(name).keys(), {"verify/test_theorems.py", "verify/test_campaign.py"}
+        assert {*record.begins} - code <= {"proofs", "renderer", "verify", "book/static/simulator"}
+        assert {"renderer/kernels.py", "renderer/shader/shader.py"} <= code
+        assert not any(path.startswith((RESULTS, BENCHMARKS)) or path.endswith(".md") for path in code)
+        assert tests <= code if name == "edited_formulas" else not any(is_test(ROOT / path) for path in code)
+    assert {"book/static/simulator/module.js", "book/simulator_module.py"} <= code_of("simulator").keys()
+    assert "renderer/command_line/verbs.py" in code_of("frames")

@@ -82,15 +82,11 @@ def without_prose(path: Path) -> str:
         if token.type == tokenize.COMMENT:
             row, column = token.start
             lines[row - 1] = lines[row - 1][:column]
-    constants = [node.value for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Expr)]
-    for node in constants:
-        first, last = node.lineno - 1, node.end_lineno
-        if (
-            isinstance(node, ast.Constant)
-            and isinstance(node.value, str)
-            and not lines[first][: node.col_offset].strip()
-        ):
-            lines[first:last] = [""] * (last - first)
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str):
+            first, last = node.lineno - 1, node.end_lineno or node.lineno
+            if not lines[first][: node.col_offset].strip():
+                lines[first:last] = [""] * (last - first)
     return "\n".join(line.rstrip() for line in lines if line.strip())
 
 

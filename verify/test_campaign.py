@@ -85,7 +85,7 @@ def copy(tmp_path_factory):
     for name in ("proofs", "renderer", "verify", "book/static", "tests/data"):
         if (ROOT / name).exists():
             shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "_build"))
-    for name in ("pyproject.toml", "book/references.bib"):
+    for name in ("pyproject.toml", "requirements.lock", "book/references.bib"):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
     return folder
