@@ -122,7 +122,7 @@ def test_benchmark_says_where_it_was_measured(build_page):
 
 
 def test_what_was_measured_before_the_code_changed_says_so(book, build_page, monkeypatch):
-    """Numbers and label of the record, numbers and picture of a figure that reads another; and nothing of one that is not old."""
+    """A record's numbers and label, numbers and picture of a figure that reads another; nothing of one that is fresh."""
     then = {name: f"measured at commit {name}; the code has changed since" for name in ("frames", "texture")}
     monkeypatch.setattr(records, "remark", then.get)
     for name in ("frames", "machines"):
@@ -131,8 +131,10 @@ def test_what_was_measured_before_the_code_changed_says_so(book, build_page, mon
         )
     drawn = json.loads((book / "_generated" / "sweep.json").read_text())
     (book / "_generated" / "sweep.json").write_text(json.dumps(drawn | {"reads": [records.RECORDS["texture"].path]}))
-    page = "{number}`bench:frames.time_ms .1f`, {number}`bench:machines.time_ms .1f`.\n\n```{benchmark-label} frames\n```\n\n"
-    html, warnings = build_page(page + FIGURE % ("sweep", ":alt: a falling curve"))
+    page = (
+        "{number}`bench:frames.time_ms .1f`, {number}`bench:machines.time_ms .1f`.\n\n```{benchmark-label} frames\n```"
+    )
+    html, warnings = build_page(f"{page}\n\n{FIGURE % ('sweep', ':alt: a falling curve')}")
     assert warnings == ""
     mark = '<abbr class="stale" title="{}">{}</abbr>'
     assert (

@@ -76,7 +76,7 @@ def mark(book: Path, id: str) -> list[nodes.Node]:
 def explain_marks(app: Sphinx, document: nodes.document) -> None:
     """At the end of a page, say what its marks mean: one †, two or more, for each commit that was measured."""
     marks = [node for node in document.findall(nodes.abbreviation) if "stale" in node["classes"]]
-    for number, said in enumerate(sorted({node["explanation"] for node in marks}), start=1):
+    for number, said in enumerate(dict.fromkeys(node["explanation"] for node in marks), start=1):
         for node in marks:
             if node["explanation"] == said:
                 node[:] = [nodes.Text("†" * number)]
