@@ -122,7 +122,7 @@ def test_benchmark_says_where_it_was_measured(build_page):
 
 
 def test_what_was_measured_before_the_code_changed_says_so(book, build_page, monkeypatch):
-    """A record's numbers and label, numbers and picture of a figure that reads another; nothing of one that is fresh."""
+    """A record's numbers and label, numbers and picture of a figure that reads another; and a fresh one."""
     then = {name: f"measured at commit {name}; the code has changed since" for name in ("frames", "texture")}
     monkeypatch.setattr(records, "remark", then.get)
     for name in ("frames", "machines"):

@@ -8,8 +8,10 @@ verify/results/work_precision.json: commit it.
 """
 
 import os
+import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache, partial
+from itertools import groupby
 from statistics import median
 from typing import Any
 
@@ -83,17 +85,21 @@ def gradient_numbers(rows: Sequence[Row]) -> dict[str, float]:
     numbers |= {"beaten_by": len(peers_that_beat(rows)), "unbeaten": len(unbeaten_by_ours(rows))}
     numbers |= {"methods": len({r["method"] for r in rows}), "others": sum(not r["ours"] for r in rows)}
     for best in best_rows(rows):
-        key = "".join(c if c.isalnum() else "_" for c in best["method"].lower())
+        key = key_of(best["method"])
         numbers |= {f"{key}_ns": best["ns"], f"{key}_error": best["error"]}
         if best["value"] is not None:
             numbers[f"{key}_at"] = best["value"]
     return numbers | {"central_to_exact": numbers["central_ns"] / numbers["exact__reduced_argument_ns"]}
 
 
-def best_rows(rows: Sequence[Row]) -> list[Row]:
+def best_rows(rows: Sequence[Row], error: str = "error") -> list[Row]:
     """Return each method's row of the least error, in order."""
-    names = dict.fromkeys(row["method"] for row in rows)
-    return [min((r for r in rows if r["method"] == name), key=lambda row: row["error"]) for name in names]
+    return [min(own, key=lambda row: row[error]) for _, own in groupby(rows, lambda row: row["method"])]
+
+
+def key_of(method: str) -> str:
+    """Return how a method is called in the numbers that pages cite."""
+    return re.sub(r"\W", "_", method.lower())
 
 
 def image_error(frame: Frame, pixels: Mapping[tuple[int, int], np.ndarray]) -> tuple[float, float]:
