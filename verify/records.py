@@ -105,14 +105,12 @@ def commit() -> str:
 
 
 def label(packages: Iterable[str]) -> dict[str, Any]:
-    """Return where, with what and when, as text: machine (all of it), processor, python, versions, date, commit."""
-    versions = ", ".join(f"{name} {version(name)}" for name in packages)
-    python = f"Python {platform.python_version()}"
+    """Return where, with what and when, as text: machine (all of it), processor, python, date, commit."""
+    python, versions = f"Python {platform.python_version()}", [f"{name} {version(name)}" for name in packages]
     return {
-        "machine": f"{processor()}, {available_cores()} cores, {python}, {versions}",
+        "machine": ", ".join([processor(), f"{available_cores()} cores", python, *versions]),
         "processor": processor(),
         "python": python,
-        "versions": versions,
         "date": datetime.date.today().isoformat(),
         "commit": commit(),
     }

@@ -17,7 +17,7 @@ from tqdm import tqdm
 from renderer import exact
 from verify.benchmark.frames import SCENE, frame_cases, image_gradient_case, start_cases, step_cases
 from verify.benchmark.targets import derived, table
-from verify.benchmark.timing import ROUNDS, load, timings, with_quartiles
+from verify.benchmark.timing import ROUNDS, load, numbers_by_calls
 from verify.records import command
 from verify.strict import differing_pixels, image_error, random_raster, random_scene
 
@@ -36,18 +36,12 @@ def counted(scenes: int) -> dict[str, float]:
 
 def measure(rounds: int, quick: bool, only: str) -> dict[str, Any]:
     """Return the numbers of whole frames; only: of the cases whose name contains it, and of nothing that is counted."""
-    before, (gradient, points) = load(), image_gradient_case()
-    rounds = 1 if quick else rounds
-    cases = [*frame_cases(QUICK_SIDE if quick else 2**24), *step_cases(), gradient, *start_cases()]
+    before, rounds = load(), 1 if quick else rounds
+    cases = [*frame_cases(QUICK_SIDE if quick else 2**24), *step_cases(), image_gradient_case(), *start_cases()]
     cases = [replace(case, visits=min(rounds, case.visits)) for case in cases if only in case.name]
     if not cases:
         raise SystemExit(f"--only {only}: no case has that in its name")
-    numbers: dict[str, Any] = {}
-    for name, seconds in timings(cases, "frames").items():
-        unit, factor = ("s", 1.0) if name.startswith("start") else ("ms", 1e3)
-        if name == gradient.name:
-            unit, factor = "ns", 1e9 / points
-        numbers |= with_quartiles(f"{name}_{unit}", factor * np.array(seconds))
+    numbers = numbers_by_calls(cases, "frames")
     numbers |= derived(numbers) | {"load": before}
     return {"numbers": numbers if only else numbers | counted(QUICK_SCENES if quick else SCENES)}
 

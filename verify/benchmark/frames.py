@@ -85,16 +85,13 @@ def step_cases() -> list[Case]:
     return [Case(n, stepping(f[0][0], f, int(n[-1])), calls(STEP)) for n, f in sequences.items()]
 
 
-def image_gradient_case() -> tuple[Case, int]:
-    """Return (the case of the exact gradient alone, at how many points): algebraic, one thread, and nothing is drawn.
-
-    It goes from (x, y) to (h_u, h_v) at the pixels of A.
-    """
+def image_gradient_case() -> Case:
+    """Return the case of the exact gradient alone, from (x, y) to (h_u, h_v) at the pixels of A: nothing is drawn."""
     stage = stage_of(A_ALONE, IN_CACHE, IN_CACHE)
     planes = {name: stage.new_plane() for name in ON_A}
     options = {"given": True, "surfaces": "a", "colors": False, "kept": ON_A}
     work = partial(stage.draw, A_ALONE, exact("algebraic"), 1, planes, **options)
-    return Case("image_gradient", work, calls(IN_CACHE)), int(stage.on_a.sum())
+    return Case("image_gradient", work, calls(IN_CACHE), unit="ns", points=int(stage.on_a.sum()))
 
 
 START = {
@@ -121,4 +118,4 @@ def _from_nothing(program):
 
 def start_cases() -> list[Case]:
     """Return the cases of a fresh interpreter."""
-    return [Case(name, partial(_from_nothing, program), 1, 3) for name, program in START.items()]
+    return [Case(name, partial(_from_nothing, program), 1, 3, "s") for name, program in START.items()]

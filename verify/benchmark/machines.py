@@ -47,7 +47,7 @@ def measure(rounds: int) -> dict[str, Any]:
     """Return the milliseconds of a frame by each machine and method, and their ratios."""
     cases = [Case(f"{name}_{method}", partial(drawn_by, machine, method), CALLS, rounds)
              for name, machine in MACHINES.items() for method in METHODS]  # fmt: skip
-    numbers = numbers_by_rounds(cases, "machines", "ms", 1e3, RATIOS)
+    numbers = numbers_by_rounds(cases, "machines", RATIOS)
     return {"numbers": numbers | {"side": SIDE, "differing": sum(map(differing_bytes, METHODS))}}
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from verify.benchmark import __main__ as frames
 from verify.benchmark import machines, texture, timing
-from verify.benchmark.frames import FITTED, frame_cases, start_cases, step_cases
+from verify.benchmark.frames import FITTED, frame_cases, image_gradient_case, start_cases, step_cases
 from verify.benchmark.targets import TARGETS, derived, table
 from verify.benchmark.timing import Case
 from verify.records import read
@@ -62,7 +62,7 @@ def test_a_ratio_is_taken_round_by_round(monkeypatch, factor, quartiles):
     slow[1] = 50.0
     monkeypatch.setattr(timing, "timings", lambda *_: {"slow": slow * factor, "fast": fast})
     cases = [Case(name, print, repeats=4, visits=5) for name in ("slow", "fast")]
-    numbers = timing.numbers_by_rounds(cases, "test", "ms", 1e3, {"ratio": ("slow", "fast")})
+    numbers = timing.numbers_by_rounds(cases, "test", {"ratio": ("slow", "fast")})
     assert [numbers[f"ratio{end}"] for end in ("_low", "", "_high")] == pytest.approx(quartiles)
     assert numbers["fast_ms"] == pytest.approx(1e3) and numbers["rounds"] == 5
 
@@ -87,9 +87,9 @@ def test_numbers_follow_from_medians():
 
 
 def test_every_target_is_measured_by_a_case():
-    times = dict.fromkeys((f"{case.name}_ms" for case in (*frame_cases(8192), *step_cases())), 1.0)
-    counted = {"image_gradient_ns", "chambers_differing", "image_error", *(f"{case.name}_s" for case in start_cases())}
-    assert TARGETS.keys() <= derived(times).keys() | times.keys() | counted
+    cases = [*frame_cases(8192), *step_cases(), image_gradient_case(), *start_cases()]
+    times = dict.fromkeys((f"{case.name}_{case.unit}" for case in cases), 1.0)
+    assert TARGETS.keys() <= derived(times).keys() | times.keys() | {"chambers_differing", "image_error"}
 
 
 @pytest.mark.parametrize("name", MEASURED)

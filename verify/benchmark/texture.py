@@ -141,8 +141,8 @@ def ways() -> dict[str, tuple[Callable, Points]]:
 def measure(rounds: int) -> dict[str, Any]:
     """Return the nanoseconds a point of every way, and their ratios."""
     count = len(points()[0][0])
-    cases = [Case(name, partial(function, *at), CALLS, rounds) for name, (function, at) in ways().items()]
-    numbers = numbers_by_rounds(cases, "normals", "ns", 1e9 / count, RATIOS)
+    cases = [Case(name, partial(function, *at), CALLS, rounds, "ns", count) for name, (function, at) in ways().items()]
+    numbers = numbers_by_rounds(cases, "normals", RATIOS)
     return {"numbers": numbers | {"points": count, "small": SMALL, "large": LARGE, "eps": EPS}}
 
 

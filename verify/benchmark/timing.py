@@ -8,23 +8,32 @@ import sys
 import time
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from tqdm import tqdm
 
 ROUNDS = 9
+UNITS = {"s": 1.0, "ms": 1e3, "ns": 1e9}
 BUSY = 0.5  # a load of more than this spoils a measurement
 
 
 @dataclass(frozen=True)
 class Case:
-    """One thing that is timed: `repeats` calls of `work` in each visit; `visits`: in how many rounds it takes part."""
+    """One thing that is timed: `repeats` calls of `work` in each visit; `visits`: in how many rounds it takes part.
+
+    Its time is kept as NAME_UNIT, and is that of one of the `points` that a call takes.
+    """
 
     name: str
     work: Callable
     repeats: int = 1
     visits: int = ROUNDS
+    unit: str = "ms"
+    points: int = 1
+
+    def in_units(self, seconds: Sequence[float] | np.ndarray) -> np.ndarray:
+        """Return the seconds of calls in its unit."""
+        return np.array(seconds) * (UNITS[self.unit] / self.points)
 
 
 def load() -> float:
@@ -64,19 +73,26 @@ def with_quartiles(name: str, values: Sequence[float] | np.ndarray) -> dict[str,
     return dict(zip(keys, np.quantile(values, (0.25, 0.5, 0.75)).tolist(), strict=True))
 
 
-def numbers_by_rounds(
-    cases: Collection[Case], title: str, unit: str, factor: float, ratios: Mapping[str, tuple[str, str]]
-) -> dict[str, Any]:
-    """Time cases that take part in all rounds; return {NAME_UNIT: seconds times factor}, with quartiles.
+def numbers_by_calls(cases: Collection[Case], title: str) -> dict[str, float]:
+    """Time the cases; return {NAME_UNIT: the median of all calls}, with quartiles."""
+    seconds = timings(cases, title)
+    numbers: dict[str, float] = {}
+    for case in cases:
+        numbers |= with_quartiles(f"{case.name}_{case.unit}", case.in_units(seconds[case.name]))
+    return numbers
+
+
+def numbers_by_rounds(cases: Collection[Case], title: str, ratios: Mapping[str, tuple[str, str]]) -> dict[str, float]:
+    """Time cases that take part in all rounds; return {NAME_UNIT: the median round}, with quartiles.
 
     ratios: {its name: the cases (slow, fast)}. A round counts by the least of its calls: what else the machine does can
     only lengthen one. A ratio is taken round by round, and has quartiles too.
     """
     before, seconds = load(), timings(cases, title)
+    numbers = {"load": before, "rounds": max(case.visits for case in cases)}
     least = {case.name: np.reshape(seconds[case.name], (-1, case.repeats)).min(axis=1) for case in cases}
-    numbers: dict[str, Any] = {"load": before, "rounds": max(case.visits for case in cases)}
-    for name, times in least.items():
-        numbers |= with_quartiles(f"{name}_{unit}", factor * times)
+    for case in cases:
+        numbers |= with_quartiles(f"{case.name}_{case.unit}", case.in_units(least[case.name]))
     for name, (slow, fast) in ratios.items():
         numbers |= with_quartiles(name, least[slow] / least[fast])
     return numbers

@@ -9,10 +9,9 @@ verify/results/work_precision.json: commit it.
 
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import lru_cache, partial
 from itertools import groupby
-from statistics import median
 from typing import Any
 
 import numpy as np
@@ -23,7 +22,7 @@ from proofs.formulas.height_fields import gradient
 from renderer import Scene, central, central4, exact, forward, render, stage_of
 from renderer.picture.frame import Frame
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
-from verify.benchmark.timing import Case, timings
+from verify.benchmark.timing import Case, numbers_by_calls
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import ball_of
 from verify.records import command
@@ -67,16 +66,16 @@ def gradient_rows(rounds: int) -> list[Row]:
         inputs = points_for(method, checked)
         for value in method.values:
             function = method.make(value)
+            case = method.name if method.timed_once else f"{method.name}, {value}"
+            error = largest_error(function(*inputs), checked)
             rows.append({"method": method.name, "parameter": method.parameter, "value": value, "ours": method.ours,
-                         "error": largest_error(function(*inputs), checked), "points": checked})  # fmt: skip
-            key = method.name if method.timed_once else f"{method.name}, {value}"
-            if key not in cases:
+                         "error": error, "points": checked, "ns": case})  # fmt: skip
+            if case not in cases:
                 kind = getattr(function, "kind", np.float64)
                 many = [np.ascontiguousarray(a, kind) for a in points_for(method, method.points)]
-                cases[key] = Case(key, partial(function, *many), visits=rounds)
-            rows[-1] |= {"key": key, "ns": 1e9 / method.points}
-    seconds = timings(cases.values(), "gradients")
-    return [row | {"ns": row["ns"] * median(seconds[row.pop("key")])} for row in rows]
+                cases[case] = Case(case, partial(function, *many), 1, rounds, "ns", method.points)
+    numbers = numbers_by_calls(cases.values(), "gradients")
+    return [row | {"ns": numbers[f"{row['ns']}_ns"]} for row in rows]
 
 
 def gradient_numbers(rows: Sequence[Row]) -> dict[str, float]:
@@ -102,42 +101,39 @@ def key_of(method: str) -> str:
     return re.sub(r"\W", "_", method.lower())
 
 
-def image_error(frame: Frame, pixels: Mapping[tuple[int, int], np.ndarray]) -> tuple[float, float]:
-    """Return (largest, RMS) |ΔI| of a frame over the given pixels of A, whose 50-digit colours are `pixels`."""
-    off = np.array([np.abs(frame.rgb[place] - colour) for place, colour in pixels.items()])
+def image_error(frame: Frame, places: np.ndarray, colours: np.ndarray) -> tuple[float, float]:
+    """Return (largest, RMS) |ΔI| of a frame at pixels (n, 2), (row, column), whose colours are `colours` (n, 3)."""
+    off = np.abs(frame.rgb[tuple(places.T)] - colours)
     return float(off.max()), float(np.sqrt(np.mean(off**2)))
 
 
-def reference_colours(scene: Scene, count: int) -> dict[tuple[int, int], np.ndarray]:
-    """Return {(row, column): rgb} of random pixels of A, from 50 digits, rounded to float64."""
+def reference_pixels(scene: Scene, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return random pixels of A (n, 2), (row, column), and their colours (n, 3) from 50 digits, rounded to float64."""
     on_a = np.argwhere(stage_of(scene, SIDE, SIDE).on_a)
-    chosen = np.random.default_rng(SEED).choice(len(on_a), count, replace=False)
-    colours = {}
-    for row, column in tqdm(on_a[chosen].tolist(), desc=f"50 digits, {scene.field}", unit="pixel"):
-        line = reference_pixel(scene, SIDE, SIDE, column, row)
-        colours[row, column] = np.array([float(line[f"rgb_{c}"]) for c in CHANNELS])
-    return colours
+    places = on_a[np.random.default_rng(SEED).choice(len(on_a), count, replace=False)]
+    found = [reference_pixel(scene, SIDE, SIDE, column, row)
+             for row, column in tqdm(places.tolist(), desc=f"50 digits, {scene.field}", unit="pixel")]  # fmt: skip
+    return places, np.array([[float(pixel[f"rgb_{c}"]) for c in CHANNELS] for pixel in found])
 
 
 def frame_rows(rounds: int, count: int) -> list[Row]:
     """Return the rows of the frames' diagram: field, method, its parameter, ms a frame, largest and RMS error."""
-    cases, rows = {}, []
+    cases: dict[str, Case] = {}
+    rows = []
+    methods = [(name, eps, make(eps)) for name, make in FRAMES.items() for eps in STEPS]
+    methods += [(f"exact, {form}", None, exact(form)) for form in ("general", "algebraic")]
     for field in ("sine", "ridges"):
         scene = Scene(field=field)
-        stage, pixels = stage_of(scene, SIDE, SIDE), reference_colours(scene, count)
-        methods = [(name, eps, make(eps)) for name, make in FRAMES.items() for eps in STEPS]
-        methods += [("exact, general", None, exact("general")), ("exact, algebraic", None, exact("algebraic"))]
+        stage, reference = stage_of(scene, SIDE, SIDE), reference_pixels(scene, count)
         for name, eps, method in methods:
-            frame = render(scene, SIDE, SIDE, method, threads=1, stage=stage)
-            largest, rms = image_error(frame, pixels)
-            key = f"{field}, {name}"
-            if key not in cases:
-                call = partial(render, scene, SIDE, SIDE, method, threads=1, stage=stage)
-                cases[key] = Case(key, call, visits=rounds)
+            draw = partial(render, scene, SIDE, SIDE, method, threads=1, stage=stage)
+            largest, rms = image_error(draw(), *reference)
+            case = f"{field}, {name}"
+            cases.setdefault(case, Case(case, draw, visits=rounds))
             rows.append({"field": field, "method": name, "value": eps, "ours": name.startswith("exact"),
                          "largest": largest, "rms": rms})  # fmt: skip
-    seconds = timings(cases.values(), "frames")
-    return [row | {"ms": 1e3 * median(seconds[f"{row['field']}, {row['method']}"])} for row in rows]
+    numbers = numbers_by_calls(cases.values(), "frames")
+    return [row | {"ms": numbers[f"{row['field']}, {row['method']}_ms"]} for row in rows]
 
 
 def unbeaten_by_ours(rows: Sequence[Row]) -> list[Row]:
