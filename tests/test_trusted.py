@@ -4,7 +4,6 @@ import re
 from pathlib import Path
 
 from tests.processes import python
-from verify import test_campaign
 from verify.records import BENCHMARKS, RECORDS, RESULTS, code_of, read
 from verify.sources import ROOT, is_test
 
@@ -29,21 +28,19 @@ def test_the_page_names_every_module_that_a_grade_passes_through():
 
 
 def test_the_page_says_when_each_long_run_last_ran():
-    """A record is of a whole run, at a commit; the page prints its date, its commit and all that it counts."""
+    """The page prints a record's date, its commit and what it counts."""
     page = PAGE.read_text(encoding="utf-8")
     for name, found in (("edited_formulas", "caught"), ("accepted_scenes", "crashes")):
         for key in ("date", "commit", found):
             assert f"{{number}}`{name}.{key}" in page
-    record = read("edited_formulas")
-    assert record["numbers"]["edits"] == test_campaign.EDITS and record["numbers"]["seed"] == test_campaign.SEED
-    assert record["label"]["commit"] not in ("", "unknown")
 
 
 def test_every_committed_record_is_known_and_reaches_what_it_measures():
     committed = {path for folder in (RESULTS, BENCHMARKS) for path in (ROOT / folder).iterdir()}
     assert committed == {ROOT / record.path for record in RECORDS.values()}
     for name, record in RECORDS.items():
-        assert {"machine", "date", "commit"} <= read(name)["label"].keys()
+        label = read(name)["label"]
+        assert label["machine"] and label["date"] and label["commit"] not in ("", "unknown")
         code, tests = code_of(name).keys(), {"verify/test_theorems.py", "verify/test_campaign.py"}
         assert {*record.begins} - code <= {"proofs", "renderer", "verify", "book/static/simulator"}
         assert {"renderer/kernels.py", "renderer/shader/shader.py"} <= code
