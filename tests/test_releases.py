@@ -255,8 +255,14 @@ def test_the_command_line_gives_the_status_on(monkeypatch, places, grades, capsy
     assert command_line.main(["release-notes", "--against", "9.9"]) == 2
     assert "there is no release 9.9; there are: 0.1.0" in capsys.readouterr().err
     places.changelog.write_text("## 0.0.1\n")
+    old = {}
+    monkeypatch.setattr(command_line.evidence, "stale", lambda: old)
     assert command_line.main(["release"]) == 2
     assert "changelog has no heading ## 0.1.0" in capsys.readouterr().err
+    old["frames"] = "renderer/kernels.py changed"
+    assert command_line.main(["release"]) == 2
+    said = capsys.readouterr().err
+    assert "make evidence" in said and "frames: renderer/kernels.py changed: python -m verify.benchmark\n" in said
 
 
 def test_the_committed_release_is_whole_and_small():

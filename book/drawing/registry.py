@@ -11,7 +11,6 @@ A picture is a Matplotlib figure (drawn twice, for the light page and the dark o
 `data` is what the picture shows, by name: every curve that is drawn has to be in it (`book/drawing/data.py`).
 """
 
-import json
 import math
 import re
 from collections.abc import Callable, Mapping
@@ -19,8 +18,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-
-from book.assembly import stamps
 
 DATA_FOLDERS = ("proofs/", "renderer/", "verify/", "book/", "tests/data/")  # those that are hashed
 
@@ -76,8 +73,3 @@ def plain_numbers(id: str, numbers: Mapping[str, Any]) -> dict[str, int | float 
             raise ValueError(f"figure {id!r}: number {key!r} is {value!r}; give a finite number, a str or a bool")
         plain[key] = value
     return plain
-
-
-def committed(path: str) -> dict:
-    """What a committed JSON file of results holds, by its path from the root; name it in the figure's `data`."""
-    return json.loads((stamps.ROOT / path).read_text(encoding="utf-8"))

@@ -49,7 +49,7 @@ def save(entry: Registered, folder: Path, source: str, key: str) -> list[str]:
         write_whole(folder / f"{entry.id}{suffix}", content)
     for suffix in {".svg", ".dark.svg", ".png", *SUFFIXES} - files.keys():
         (folder / f"{entry.id}{suffix}").unlink(missing_ok=True)
-    description |= {"source": source, "function": entry.draw.__name__, "key": key}
+    description |= {"source": source, "function": entry.draw.__name__, "key": key, "reads": list(entry.data)}
     text = json.dumps(description, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     write_whole(folder / f"{entry.id}.json", text.encode())
     return [f"{entry.id}{suffix}" for suffix in (*files, ".json")]
