@@ -1,6 +1,6 @@
 """What a kernel may call: on NumPy's arrays and numbers at once, on a traced value (`renderer.machines`) instructions.
 
-`abs` and the operators are Python's own. Nothing is from libm but `power`, for a shininess that is not whole.
+`abs` and the operators are Python's own. Nothing is from libm.
 """
 
 import math
@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-pi, inf = math.pi, math.inf
+pi, inf, nan = math.pi, math.inf, math.nan
 Number = Any  # a float64, an array of them, or a traced value
 Mask = Any  # for which of them something holds
 
@@ -26,16 +26,28 @@ def _operation(name, on_arrays):
     return operation
 
 
-def _power(base, exponent):
-    """By the C library's pow, an element at a time: NumPy's own may differ in the last bit."""
-    return np.frompyfunc(math.pow, 2, 1)(base, exponent).astype(np.float64)
+BIASED = 2.0**52 + 1023  # n + BIASED ends, as a float64, in the bits that stand for the exponent of 2ⁿ
+EXPONENT_AT = 52  # the bit at which the exponent begins; 11 bits
+
+
+def _bits(number):
+    return np.asarray(number, np.float64).view(np.int64)
+
+
+def _binary_exponent(number):
+    return (_bits(number) >> EXPONENT_AT & 2047) - 1023.0
+
+
+def _power_of_two(whole):
+    return (_bits(whole + BIASED) << EXPONENT_AT).view(np.float64)
 
 
 sqrt = _operation("sqrt", np.sqrt)
 floor = _operation("floor", np.floor)
 rint = _operation("rint", np.rint)
 where = _operation("where", np.where)
-power = _operation("power", _power)
+binary_exponent = _operation("binary_exponent", _binary_exponent)
+power_of_two = _operation("power_of_two", _power_of_two)
 
 
 def maximum(a: Number, b: Number) -> Number:

@@ -7,6 +7,7 @@ from typing import Any
 from proofs.engine.program import Program
 from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.elementary import product_error
+from proofs.formulas.exponential import argument_error
 from proofs.formulas.finite_difference import HEIGHT_EVALUATIONS, METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
@@ -19,14 +20,30 @@ Each function is one program of the chapter, a line for each line of its derivat
 NumPy's arrays and float64 numbers (under `numpy.errstate`: a selection computes both of its sides), traced values.
 """
 
-from renderer.operations import floor, inf, maximum, minimum, pi, power, rint, sign, sqrt, where
+from renderer.operations import (
+    binary_exponent,
+    floor,
+    inf,
+    maximum,
+    minimum,
+    nan,
+    pi,
+    power_of_two,
+    rint,
+    sign,
+    sqrt,
+    where,
+)
 '''
+
+ERRORS = (product_error, argument_error)
+"""Inputs that are 0 unless they are given."""
 
 
 def print_function(name: str, program: Program, printer: KernelPrinter, before: str = "") -> str:
     """Return the text of a function of a program's inputs that returns its outputs, a line for each definition.
 
-    before: further parameters, as text. The error of a product is 0 unless it is given.
+    before: further parameters, as text. ERRORS are 0 unless they are given.
     """
     needed = program.reaches(*program.outputs)
     printed = {s.name: printer.doprint(e) for s, e in program.definitions if s in needed}
@@ -40,7 +57,7 @@ def print_function(name: str, program: Program, printer: KernelPrinter, before: 
         lines = [at_once]
     else:
         lines = [*(f"{name} = {text}" for name, text in printed.items()), f"return {', '.join(results)}"]
-    parameters = ", ".join("product_error=0.0" if s == product_error else s.name for s in program.inputs)
+    parameters = ", ".join(f"{s.name}=0.0" if s in ERRORS else s.name for s in program.inputs)
     return "\n".join([f"def {name}({before}{parameters}):", *(f"    {line}" for line in lines), ""])
 
 

@@ -72,6 +72,8 @@ NAMES = {
     "joined": joined,
     "sqrt": root,
     "power": power,
+    "exp": arb.exp,
+    "log": arb.log,
     "floor": arb.floor,
     "rint": lambda x: (x + 0.5).floor(),
     "maximum": lambda *values: reduce(arb.max, values),

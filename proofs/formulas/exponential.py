@@ -1,0 +1,216 @@
+"""Our own exp, log and power for float64: from + − × ÷, selections and two operations on the bits.
+
+As in `elementary`, every constant is an exact rational that float64 holds, and a line that must round in a given order
+is a line of its own. What is short has so few bits that its products are exact. Theorem: elementary_functions.
+"""
+
+from collections.abc import Sequence
+
+from sympy import And, Eq, Expr, Function, Integer, Piecewise, Pow, Rational, factorial, log, nan, oo, sqrt
+
+from proofs.engine.program import Program, chain
+from proofs.formulas.elementary import SPLITTER, b, b_high, b_low, float64, polynomial, two_product
+from proofs.formulas.half_turns import rint
+from proofs.formulas.symbols import real
+
+
+class binary_exponent(Function):
+    """⌊log₂|x|⌋ of a normal float64; of 0 and what is below the normal range −1023, of inf and NaN 1024."""
+
+    nargs = 1
+    is_integer = True
+
+
+class power_of_two(Function):
+    """2ⁿ for a whole n from −1022 to 1023; of other n float64 makes another number, or none."""
+
+    nargs = 1
+    is_positive = True
+
+    @classmethod
+    def eval(cls, argument: Expr) -> Expr | None:
+        return Pow(2, argument) if argument.is_Integer else None
+
+
+OVERFLOW, UNDERFLOW = 709, -708
+LARGEST = Integer(2) ** 1024 - 2**971
+EXPONENTIAL_TERMS = 14  # the first left out, (ln 2 / 2)^14/14!, is below 2^-57
+LOGARITHM_TERMS = 7  # the first left out, 2 q^15/15 with q < 0.06, is below 2^-59 of 2q
+NODES = Rational(203, 256), Integer(1), Rational(323, 256)
+NODE_1_FROM, NODE_1_BELOW = Rational(57, 64), Rational(9, 8)
+SCALING = 200  # 2^200 times the least denormal is of the normal range
+LIFT = 2**27  # a number below it that is added to it is rounded to a multiple of 2^-25
+
+
+def _in_two(exact: Expr, places: int) -> tuple[Rational, Rational]:
+    """Return (a real number rounded to so many binary places, the float64 nearest to the rest)."""
+    high = Rational(round(exact.evalf(60) * 2**places), 2**places)
+    return high, float64(exact - high) if exact != high else high - exact
+
+
+argument, argument_error, whole, away_high, away_low = real("argument argument_error whole away_high away_low")
+away, away_gained, away_error, away_squared = real("away away_gained away_error away_squared")
+exponential_tail, departure_low, departure = real("exponential_tail departure_low departure")
+exponential_near, exponential = real("exponential_near exponential")
+
+LN2_HIGH, LN2_LOW = _in_two(log(2), 42)
+exponential_series = [float64(1 / factorial(n)) for n in range(2, EXPONENTIAL_TERMS)]
+exponential_reduction = (
+    (whole, rint(float64(1 / log(2)) * argument)),
+    (away_high, argument - LN2_HIGH * whole),
+    (away_low, LN2_LOW * whole - argument_error),
+    (away, away_high - away_low),
+    (away_gained, away_high - away),
+    (away_error, away_gained - away_low),
+)
+_even, _odd = (polynomial(away_squared, exponential_series[first::2]) for first in (0, 1))
+
+exponential_of_sum = Program(
+    "exponential_of_sum",
+    (argument, argument_error),
+    (
+        *exponential_reduction,
+        (away_squared, away**2),
+        (exponential_tail, _even + away * _odd),
+        (departure_low, away_error + away_squared * exponential_tail),
+        (departure, away + departure_low),
+        (exponential_near, 1 + departure),
+        (
+            exponential,
+            Piecewise(
+                (oo, argument > OVERFLOW),
+                (0, argument < UNDERFLOW),
+                (exponential_near * power_of_two(whole), True),
+            ),
+        ),
+    ),
+)
+"""exp(argument + argument_error), |argument_error| < 2^-42: 2ⁿ exp(r) with |r| ≤ ln 2 / 2, by a Taylor polynomial of r.
+
+r = away + away_error is known to some 2^-85: n times LN2_HIGH is exact, and so is the difference from the argument.
+Above 709 it is inf, which exp reaches at 709.8; below −708, where exp is 3 · 10^-308, it is 0; of NaN it is NaN."""
+
+number, scaling, scaled_by, scaled, binary, mantissa, doublings = real(
+    "number scaling scaled_by scaled binary mantissa doublings"
+)
+node, node_short, node_rest, above_node = real("node node_short node_rest above_node")
+lifted, mantissa_short, mantissa_rest, sum_short, inverse = real("lifted mantissa_short mantissa_rest sum_short inverse")
+quotient_near, quotient_split, quotient_excess, quotient_short = real(
+    "quotient_near quotient_split quotient_excess quotient_short"
+)
+undivided_near, undivided, quotient_rest, quotient, quotient_squared = real(
+    "undivided_near undivided quotient_rest quotient quotient_squared"
+)
+log_tail, log_whole, log_whole_rest, log_quotient, log_rest = real(
+    "log_tail log_whole log_whole_rest log_quotient log_rest"
+)
+
+LN2_SHORT, LN2_REST = _in_two(log(2), 16)
+logarithm_series = [float64(Rational(2, 2 * n + 1)) for n in range(1, LOGARITHM_TERMS)]
+nodes_short, nodes_rest = zip(*(_in_two(log(one), 16) for one in NODES), strict=True)
+
+
+def _by_node(values: Sequence[Expr]) -> Expr:
+    return Piecewise((values[0], mantissa < NODE_1_FROM), (values[1], mantissa < NODE_1_BELOW), (values[2], True))
+
+
+logarithm_reduction = (
+    (scaling, Piecewise((Integer(2) ** SCALING, number < 1), (Pow(2, -SCALING), True))),
+    (scaled_by, Piecewise((SCALING, number < 1), (-SCALING, True))),
+    (scaled, number * scaling),
+    (binary, binary_exponent(float64(sqrt(2)) * scaled)),
+    (mantissa, scaled * power_of_two(-binary)),
+    (doublings, binary - scaled_by),
+    (node, _by_node(NODES)),
+    (node_short, _by_node(nodes_short)),
+    (node_rest, _by_node(nodes_rest)),
+    (above_node, mantissa - node),
+    (lifted, mantissa + LIFT),
+    (mantissa_short, lifted - LIFT),
+    (mantissa_rest, mantissa - mantissa_short),
+    (sum_short, mantissa_short + node),
+    (inverse, 1 / (mantissa + node)),
+    (quotient_near, above_node * inverse),
+    (quotient_split, SPLITTER * quotient_near),
+    (quotient_excess, quotient_split - quotient_near),
+    (quotient_short, quotient_split - quotient_excess),
+    (undivided_near, above_node - quotient_short * sum_short),
+    (undivided, undivided_near - quotient_short * mantissa_rest),
+    (quotient_rest, undivided * inverse),
+)
+logarithm_in_three = Program(
+    "logarithm_in_three",
+    (number,),
+    (
+        *logarithm_reduction,
+        (quotient, quotient_short + quotient_rest),
+        (quotient_squared, quotient**2),
+        (log_tail, quotient * quotient_squared * polynomial(quotient_squared, logarithm_series)),
+        (log_whole, LN2_SHORT * doublings + node_short),
+        (log_whole_rest, LN2_REST * doublings + node_rest),
+        (log_quotient, 2 * quotient_short),
+        (log_rest, log_tail + 2 * quotient_rest + log_whole_rest),
+    ),
+    (log_whole, log_quotient, log_rest),
+)
+"""ln(number) = log_whole + log_quotient + log_rest for a number above 0, the first two exact and of 26 bits each.
+
+number = 2ⁿ m with √½ ≤ m < √2, n = doublings, and ln(m/node) = 2 artanh(q), q = (m − node)/(m + node), for the nearest
+of three nodes; |q| < 0.06. q is the sum of quotient_short and the quotient of what that leaves undivided."""
+
+log_sum, log_lost, log_sum_rest, log_low, logarithm = real("log_sum log_lost log_sum_rest log_low logarithm")
+logarithm_end = (
+    (log_sum, log_whole + log_quotient),
+    (log_lost, log_whole - log_sum),
+    (log_sum_rest, log_lost + log_quotient),
+    (log_low, log_sum_rest + log_rest),
+)
+natural_logarithm = chain(
+    "natural_logarithm",
+    logarithm_in_three,
+    Program(
+        "sum_of_three",
+        (number, *logarithm_in_three.outputs),
+        (
+            *logarithm_end,
+            (
+                logarithm,
+                Piecewise(
+                    (log_sum + log_low, And(number > 0, number <= LARGEST)),
+                    (oo, number > LARGEST),
+                    (-oo, Eq(number, 0)),
+                    (nan, True),
+                ),
+            ),
+        ),
+    ),
+)
+"""ln(number): −inf at 0, inf at inf, NaN below 0 and of NaN."""
+
+exponent, of_whole, of_quotient, product_near, product_lost = real(
+    "exponent of_whole of_quotient product_near product_lost"
+)
+product_near_rest, product_rest, argument_gained, power = real("product_near_rest product_rest argument_gained power")
+exponent_in_two = Program("exponent_in_two", (exponent,), ((b, exponent), *two_product.keep(b_high, b_low).definitions))
+exponent_times_logarithm = (
+    (of_whole, b_high * log_whole),
+    (of_quotient, b_high * log_quotient),
+    (product_near, of_whole + of_quotient),
+    (product_lost, of_whole - product_near),
+    (product_near_rest, product_lost + of_quotient),
+    (product_rest, product_near_rest + b_low * log_whole + b_low * log_quotient + exponent * log_rest),
+    (argument, product_near + product_rest),
+    (argument_gained, argument - product_near),
+    (argument_error, product_rest - argument_gained),
+)
+raised = chain(
+    "raised",
+    logarithm_in_three,
+    exponent_in_two,
+    Program("product", (exponent, b_high, b_low, *logarithm_in_three.outputs), exponent_times_logarithm),
+    exponential_of_sum,
+    Program("raised_or_zero", (number, exponential), ((power, Piecewise((0, number <= 0), (exponential, True))),)),
+)
+"""number^exponent = exp(exponent · ln(number)), the product to some 60 bits, for an exponent from 10^-3 to 10^6.
+
+0 at 0 and below it, 1 at 1; what is below e^-708 is 0, what is above e^709 inf."""
