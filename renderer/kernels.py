@@ -133,7 +133,8 @@ def log(number):
     log_lost = log_whole - log_sum
     log_sum_rest = log_lost + log_quotient
     log_low = log_rest + log_sum_rest
-    logarithm = where((number <= 1.7976931348623157e+308) & (number > 0.0), log_low + log_sum, where(number > 1.7976931348623157e+308, inf, where(number == 0.0, -inf, nan)))
+    log_near = log_low + log_sum
+    logarithm = where((number <= 1.7976931348623157e+308) & (number > 0.0), log_near, where(number > 1.7976931348623157e+308, inf, where(number == 0.0, -inf, nan)))
     return logarithm
 
 

@@ -78,9 +78,7 @@ exponential_of_sum = Program(
         (
             exponential,
             Piecewise(
-                (oo, argument > OVERFLOW),
-                (0, argument < UNDERFLOW),
-                (exponential_near * power_of_two(whole), True),
+                (oo, argument > OVERFLOW), (0, argument < UNDERFLOW), (exponential_near * power_of_two(whole), True)
             ),
         ),
     ),
@@ -94,7 +92,8 @@ number, scaling, scaled_by, scaled, binary, mantissa, doublings = real(
     "number scaling scaled_by scaled binary mantissa doublings"
 )
 node, node_short, node_rest, above_node = real("node node_short node_rest above_node")
-lifted, mantissa_short, mantissa_rest, sum_short, inverse = real("lifted mantissa_short mantissa_rest sum_short inverse")
+lifted, mantissa_short, mantissa_rest = real("lifted mantissa_short mantissa_rest")
+sum_short, inverse = real("sum_short inverse")
 quotient_near, quotient_split, quotient_excess, quotient_short = real(
     "quotient_near quotient_split quotient_excess quotient_short"
 )
@@ -158,13 +157,8 @@ logarithm_in_three = Program(
 number = 2ⁿ m with √½ ≤ m < √2, n = doublings, and ln(m/node) = 2 artanh(q), q = (m − node)/(m + node), for the nearest
 of three nodes; |q| < 0.06. q is the sum of quotient_short and the quotient of what that leaves undivided."""
 
-log_sum, log_lost, log_sum_rest, log_low, logarithm = real("log_sum log_lost log_sum_rest log_low logarithm")
-logarithm_end = (
-    (log_sum, log_whole + log_quotient),
-    (log_lost, log_whole - log_sum),
-    (log_sum_rest, log_lost + log_quotient),
-    (log_low, log_sum_rest + log_rest),
-)
+log_sum, log_lost, log_sum_rest, log_low, log_near = real("log_sum log_lost log_sum_rest log_low log_near")
+logarithm = real("logarithm")
 natural_logarithm = chain(
     "natural_logarithm",
     logarithm_in_three,
@@ -172,11 +166,15 @@ natural_logarithm = chain(
         "sum_of_three",
         (number, *logarithm_in_three.outputs),
         (
-            *logarithm_end,
+            (log_sum, log_whole + log_quotient),
+            (log_lost, log_whole - log_sum),
+            (log_sum_rest, log_lost + log_quotient),
+            (log_low, log_sum_rest + log_rest),
+            (log_near, log_sum + log_low),
             (
                 logarithm,
                 Piecewise(
-                    (log_sum + log_low, And(number > 0, number <= LARGEST)),
+                    (log_near, And(number > 0, number <= LARGEST)),
                     (oo, number > LARGEST),
                     (-oo, Eq(number, 0)),
                     (nan, True),

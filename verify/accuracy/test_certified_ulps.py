@@ -1,4 +1,4 @@
-"""Our own sinpi, cospi and atan2pi for float64, against balls: no error is above the certified one.
+"""Our own elementary functions for float64, against balls: no error is above the certified one.
 
 The certificate itself is run with the theorems: `elementary_functions`. Dense random arguments, and adversarial ones:
 on and beside the zeros, the quadrants' and the nodes' edges, tiny, large.
@@ -7,13 +7,15 @@ A product k·u costs one more rounding, of the reduced argument; the arctangent,
 
 import math
 import random
+import sys
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 import pytest
 from flint import arb
 
-from verify.accuracy.certified_ulps import CERTIFIED, KERNELS, error_in_ulps, errors_in_ulps, pieces_of
+from verify.accuracy.certified_ulps import CERTIFIED, KERNELS, PIECES, SMALL, at, error_in_ulps, errors_in_ulps
 
 
 def beside(value, count):
@@ -50,26 +52,56 @@ def directions():
     return found + [(s * 10.0**-k, c) for k in range(1, 280, 9) for s in (1, -1) for c in (1.0, -1.0)]
 
 
-def cases_of(name):
-    """Return the arguments of a function, tuples."""
-    return directions() if name == "atan2pi" else products() if name.endswith("product") else arguments()
+def exponents():
+    rng = random.Random("exponents")
+    found = [rng.uniform(-708, 709) for _ in range(3000)] + [x for n in range(-9, 10) for x in beside(n / 16, 3)]
+    found += [x for n in range(-1021, 1023, 7) for x in beside((n + 0.5) * math.log(2), 1)]
+    return [(x,) for x in [*found, -708.0, 709.0, 5e-324]]
+
+
+def positive_numbers():
+    rng = random.Random("positive numbers")
+    found = [rng.uniform(0.5, 2) for _ in range(2000)] + [2 ** rng.uniform(-1074, 1024) for _ in range(2000)]
+    found += [s * x for x in (1, 9 / 8, 57 / 64, 203 / 256, 323 / 256, 2**0.5) for x in beside(x, 3) for s in (0.5, 1)]
+    return [
+        (x,) for x in [*found, *(1 + s * 2.0**-n for n in range(1, 53) for s in (1, -1)), 5e-324, sys.float_info.max]
+    ]
+
+
+def bases_and_exponents(smallest):
+    rng, found = random.Random("powers"), []
+    while len(found) < 4000:
+        base = rng.choice((rng.random(), 1 - 2.0 ** rng.uniform(-40, 0), 2.0 ** rng.uniform(-1074, 0)))
+        exponent = rng.uniform(0, smallest) / -math.log(base) if base else 0
+        found += [(base, exponent)] if 1e-3 <= exponent <= 1e6 else []
+    return found
+
+
+CASES = dict.fromkeys(CERTIFIED, arguments) | {
+    "sinpi_of_product": products,
+    "cospi_of_product": products,
+    "atan2pi": directions,
+    "exp": exponents,
+    "log": positive_numbers,
+    "power": partial(bases_and_exponents, SMALL),
+    "small_power": partial(bases_and_exponents, 707),
+}
 
 
 @pytest.mark.parametrize("name", CERTIFIED)
 def test_error_in_ulps(name):
-    cases = cases_of(name)
+    cases = CASES[name]()
     errors = errors_in_ulps(name, *np.array(cases).T)
     assert errors.max() <= CERTIFIED[name], f"{name}{cases[errors.argmax()]} is off by {errors.max()} ulp"
 
 
-@pytest.mark.parametrize("name", ["sinpi", "cospi", "atan2pi"])
+@pytest.mark.parametrize("name", ["sinpi", "cospi", "atan2pi", "exp", "log"])
 def test_no_piece_is_certified_too_low(name):
     """On each piece of the range the kernel's error stays below that piece's own bound, and on some comes near it."""
-    rng, pieces = np.random.default_rng(3), pieces_of(name)
+    rng, pieces = np.random.default_rng(3), PIECES[name]()
     low, high, ulps = (np.array([float(getattr(p, end)) for p in pieces]) for end in ("low", "high", "ulps"))
-    x = np.clip(rng.uniform(low, high, (2, len(pieces))), np.nextafter(low, 1), np.nextafter(high, 0))
-    larger = rng.uniform(1, 2, x.shape)
-    shares = errors_in_ulps(name, *((x * larger, larger) if name == "atan2pi" else (x,))) / ulps
+    x = np.clip(rng.uniform(low, high, (2, len(pieces))), np.nextafter(low, np.inf), np.nextafter(high, -np.inf))
+    shares = errors_in_ulps(name, *at(name, x, rng.uniform(1, 2, x.shape))) / ulps
     assert 0.5 < shares.max() <= 1
 
 

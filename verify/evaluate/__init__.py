@@ -1,6 +1,6 @@
 """A straight-line program in other numbers than float64: printed for them, line by line, and run.
 
-What runs it shares the expressions with the kernels and nothing else: arithmetic, sinpi, cospi and atan2pi are
+What runs it shares the expressions with the kernels and nothing else: arithmetic and the elementary functions are
 mpmath's, or those of `verify.evaluate.balls`. For float64 there is `renderer.generate.kernels.function_of`.
 """
 

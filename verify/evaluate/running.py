@@ -18,7 +18,9 @@ U = 2.0**-53
 TINY = 2.0**-1074
 SLACK = 1 + 1e-12  # the bounds are rounded too
 inf = np.inf
-ULPS = {"sinpi": 2.0, "cospi": 2.0, "atan2pi": 2.5, "power": 1.0}
+ULPS = {"sinpi": 2.0, "cospi": 2.0, "atan2pi": 2.5, "exp": 1.0, "log": 1.0, "power": 1.0}
+POWER_ULPS = 0.014  # more, for each unit of the power's logarithm
+SMALLEST = 1e-307  # below it exp and power may be 0
 
 
 class Running:
@@ -136,14 +138,34 @@ def sign(a: Number) -> Running:
     return Running(np.sign(a.value), np.where((np.abs(a.value) <= a.bound) & (a.bound > 0), 2.0, 0.0))
 
 
+def exp(a: Number) -> Running:
+    """e^a: what is inherited is at most e^a (e^δ − 1)."""
+    a = running(a)
+    with np.errstate(all="ignore"):
+        value = kernels.exp(a.value)
+        inherited = np.where(a.bound == 0, 0.0, value * np.expm1(a.bound))
+        return a._rounded(value, inherited + np.where(value < SMALLEST, SMALLEST, 0.0), ULPS["exp"])
+
+
+def log(a: Number) -> Running:
+    """ln a: what is inherited is at most −ln(1 − δ/a); nothing bounds it where the bound reaches 0."""
+    a = running(a)
+    with np.errstate(all="ignore"):
+        inherited = np.where(a.bound < a.value, -np.log1p(-a.bound / a.value) * SLACK, np.inf)
+        return a._rounded(kernels.log(a.value), inherited, ULPS["log"])
+
+
 def power(a: Number, p: Number) -> Running:
-    """a^p, a ≥ 0, p exact and positive: monotone, so its ends bound it; ours or libm's rounding beside that."""
+    """a^p, a ≥ 0, p exact and positive: monotone, so its ends bound it; our rounding beside that."""
     a, p = running(a), running(p)
     with np.errstate(all="ignore"):
-        value = np.power(a.value, p.value)
-        above = np.power(a.value + a.bound, p.value) * (1 + 4 * U) - value
-        below = value - np.power(np.maximum(0, a.value - a.bound), p.value) * (1 - 4 * U)
-    return a._rounded(value, np.where(a.bound == 0, 0.0, np.maximum(above, below)), ULPS["power"])
+        value = kernels.power(a.value, p.value)
+        ulps = ULPS["power"] + POWER_ULPS * np.abs(np.log(np.maximum(value, SMALLEST)))
+        slack = 4 * U * ulps
+        above = kernels.power(a.value + a.bound, p.value) * (1 + slack) - value
+        below = value - kernels.power(np.maximum(0, a.value - a.bound), p.value) * (1 - slack)
+    underflow = np.where((value < SMALLEST) & (a.value > 0), SMALLEST, 0.0)
+    return a._rounded(value, np.where(a.bound == 0, 0.0, np.maximum(above, below)) + underflow, ulps)
 
 
 def two_product(a: Number, b: Number) -> tuple[Number, Number]:

@@ -1,9 +1,12 @@
-"""The certificates of our sinpi, cospi and atan2pi. See verify/accuracy/certified_ulps.py."""
+"""The certificates of our elementary functions. See verify/accuracy/certified_ulps.py."""
 
 from fractions import Fraction
 
 from proofs.formulas import elementary as e
-from verify.accuracy.certified_ulps import CERTIFIED, angle_pieces, off_by, sine_pieces, worst
+from proofs.formulas import exponential
+from verify.accuracy.certified_ulps import CERTIFIED, SMALL, angle_pieces, sine_pieces
+from verify.accuracy.exponential_ulps import exponential_pieces, logarithm_pieces, power_pieces
+from verify.accuracy.pieces import off_by, worst
 from verify.checkers.measurement import Measurement, measures
 
 
@@ -54,3 +57,37 @@ def atan2pi(bound: Fraction = CERTIFIED["atan2pi"], off: int = 0) -> Measurement
     """The angle, over the eight octants."""
     program = off_by(e.angle_in_half_turns, e.arctangent_tail, e.arctangent_series[1], off)
     return _certified("atan2pi", angle_pieces(program), bound)
+
+
+@measures("elementary_functions", false={"within 0.99 ulp": {"bound": Fraction(99, 100)}, "1/2 is off": {"off": 1}})
+def exp(bound: Fraction = CERTIFIED["exp"], off: int = 0) -> Measurement:
+    """The exponential."""
+    changed = exponential.exponential_tail, exponential.exponential_series[0]
+    return _certified("exp", exponential_pieces(off_by(exponential.exponential_of_sum, *changed, off)), bound)
+
+
+def _logarithm(off):
+    changed = exponential.log_tail, exponential.logarithm_series[0]
+    return off_by(exponential.natural_logarithm, *changed, off)
+
+
+@measures(
+    "elementary_functions",
+    false={"within 0.51 ulp": {"bound": Fraction(51, 100)}, "2/3 is off by 64 ulps": {"off": 64}},
+)
+def log(bound: Fraction = CERTIFIED["log"], off: int = 0) -> Measurement:
+    """The natural logarithm, under every exponent."""
+    return _certified("log", logarithm_pieces(_logarithm(off)), bound)
+
+
+@measures("elementary_functions", false={"no worse than exp": {"bound": CERTIFIED["exp"]}, "2/3 is off": {"off": 4}})
+def power(bound: Fraction = CERTIFIED["power"], off: int = 0) -> Measurement:
+    """A power from exp(−50) to 1."""
+    pieces = [piece for piece in power_pieces(_logarithm(off)) if piece.high <= SMALL]
+    return _certified("power", pieces, bound)
+
+
+@measures("elementary_functions", false={"no worse than a larger power": {"bound": CERTIFIED["power"]}})
+def small_power(bound: Fraction = CERTIFIED["small_power"]) -> Measurement:
+    """A power down to exp(−708)."""
+    return _certified("small_power", power_pieces(), bound)
