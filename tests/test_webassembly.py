@@ -1,6 +1,6 @@
 """The module for browsers: nothing to link, the same bytes every time. What it computes is compared in a browser."""
 
-from dataclasses import replace
+import base64
 
 import numpy as np
 import pytest
@@ -23,10 +23,43 @@ def test_two_kernels_are_a_small_module_and_always_the_same():
 
 
 def test_what_would_need_a_linker_is_refused():
-    """A shininess that is not whole needs pow, which a browser's module would have to import."""
-    scene = replace(Scene(), shininess=2.5)
-    with pytest.raises(ValueError, match=r"needs a linker.*pow"):
-        compiled_module({"draw": want_of(scene, exact())}, {}, {})
+    """A browser's module would have to import libm's sine; no scene needs anything of the kind."""
+    with pytest.raises(ValueError, match=r"needs a linker.*sin"):
+        compiled_module({}, {"sine": lambda x: x.machine.call("sin", x)}, {})
+    assert compiled_module({"draw": want_of(Scene(shininess=2.5), exact())}, {}, {})
+
+
+# Runs each kernel of a module over points, (kernel, inputs, points) of float64: its one output, as a list of bytes.
+RUN = """async ([module, arrays, points]) => {
+    const bytes = Uint8Array.from(atob(module), c => c.charCodeAt(0)), memory = new WebAssembly.Memory({ initial: 16 });
+    const { instance } = await WebAssembly.instantiate(bytes, { env: { __linear_memory: memory } });
+    const whole = new BigInt64Array(memory.buffer), size = 8 * points, first = 1024;
+    return Object.entries(arrays).map(([name, inputs]) => {
+        const given = Uint8Array.from(atob(inputs), c => c.charCodeAt(0)), count = given.length / size;
+        new Uint8Array(memory.buffer).set(given, first);
+        whole[0] = BigInt(points);
+        for (let i = 0; i <= count; i++) whole[1 + i] = BigInt(first + i * size);
+        instance.exports[name](0);
+        return [...new Uint8Array(memory.buffer, first + count * size, size)];
+    });
+}"""
+
+
+def test_a_browser_computes_the_same_bits(browser):
+    rng, points = np.random.default_rng(6), 1000
+    spread = np.concatenate([rng.uniform(-720, 720, 492), [0.0, 5e-324, 1e-310, 1.0, np.inf, -np.inf, np.nan, -1.0]])
+    inputs = {
+        "exp": [np.resize(spread, points), rng.uniform(-1e-17, 1e-17, points)],
+        "log": [np.resize(np.concatenate([2.0 ** rng.uniform(-1074, 1024, 500), spread]), points)],
+        "power": [rng.random(points), 10 ** rng.uniform(-3, 6, points)],
+    }
+    module, _ = compiled_module({}, {name: getattr(kernels, name) for name in inputs}, {})
+    coded = {name: base64.b64encode(np.stack(arrays).tobytes()).decode() for name, arrays in inputs.items()}
+    with browser.new_page() as tab:
+        found = tab.evaluate(RUN, [base64.b64encode(module).decode(), coded, points])
+    with np.errstate(all="ignore"):
+        for output, (name, arrays) in zip(found, inputs.items(), strict=True):
+            np.testing.assert_array_equal(np.array(output, np.uint8).view(float), getattr(kernels, name)(*arrays), name)
 
 
 def test_the_thresholds_are_where_the_renderers_bytes_change():

@@ -72,6 +72,17 @@ def test_llvm_agrees_bit_for_bit(name):
     np.testing.assert_array_equal(compiled, found)
 
 
+@pytest.mark.parametrize("name", ["exp", "log", "power"])
+def test_llvm_agrees_outside_the_range_too(name):
+    numbers = np.array(
+        [0.0, -0.0, 5e-324, 1e-310, 1.0, -1.0, -707.9, -708.1, 708.9, 709.1, 1e308, np.inf, -np.inf, np.nan]
+    )
+    others = {"power": [np.full_like(numbers, 2.5)], "exp": [np.zeros_like(numbers)], "log": []}[name]
+    with np.errstate(all="ignore"):
+        found = getattr(kernels, name)(numbers, *others)
+    np.testing.assert_array_equal(loop_of(getattr(kernels, name), 1)(numbers, *others)[0], found)
+
+
 @pytest.mark.parametrize("name", PRINTED)
 def test_mpmath_agrees(name):
     """float64 against 50 digits at eight points: 1e-11, or what a difference of step ε ≥ 0.01 amplifies it to."""

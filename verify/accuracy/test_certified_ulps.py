@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from flint import arb
 
+from renderer import kernels
 from verify.accuracy.certified_ulps import CERTIFIED, KERNELS, PIECES, SMALL, at, error_in_ulps, errors_in_ulps
 
 
@@ -119,3 +120,26 @@ def test_zeros_are_exact():
             for u in beside(m / k, 1)[: 3 if m else 1]:
                 exactly_on_crease = (k * Fraction(u)).denominator == 1
                 assert (product(float(k), np.float64(u)) == 0) == exactly_on_crease
+
+
+def test_what_exp_and_log_are_outside_their_range():
+    nan, inf = math.nan, math.inf
+    numbers = np.array([nan, inf, -inf, 709.0, 709.1, -708.0, -708.1, 0.0, -0.0, -1e-300])
+    with np.errstate(all="ignore"):
+        exponentials, logarithms = kernels.exp(numbers), kernels.log(numbers)
+    np.testing.assert_array_equal(exponentials[[0, 1, 2, 4, 6, 7, 8]], [nan, inf, 0, inf, 0, 1, 1])
+    assert 8.2e307 < exponentials[3] < inf and 3e-308 < exponentials[5] < 4e-308
+    np.testing.assert_array_equal(logarithms[[0, 1, 2, 7, 8, 9]], [nan, inf, nan, -inf, -inf, nan])
+
+
+@pytest.mark.parametrize("exponent", [1e-3, 0.1, 0.5, 1.0, 7.3, 999.5, 1e6])
+def test_a_power_rises_from_0_to_1(exponent):
+    """From one base to the next above it; for an exponent of 0.1 and less it may fall, by a unit in the last place."""
+    rng, edges = np.random.default_rng(5), [0, 5e-324, 203 / 256, 57 / 64, 0.5**0.5, 0.5, 1]
+    bases = np.concatenate([rng.random(5000), 1 - 2.0 ** rng.uniform(-53, 0, 5000), 2.0 ** rng.uniform(-1074, 0, 5000)])
+    bases = np.unique([*bases, *np.nextafter(bases, 1), *(x for edge in edges for x in beside(edge, 9) if 0 <= x <= 1)])
+    with np.errstate(all="ignore"):
+        powers = kernels.power(bases, exponent)
+    assert (powers[0], powers[-1]) == (0, 1) and powers.min() == 0 and powers.max() == 1
+    assert (np.diff(powers) >= (-np.spacing(powers[:-1]) if exponent <= 0.1 else 0)).all()
+    assert np.isnan(kernels.power(math.nan, exponent))
