@@ -85,8 +85,8 @@ def atan2pi(ordinate, abscissa):
 
 def exp(argument, argument_error=0.0):
     whole = rint(1.4426950408889634 * argument)
-    away_high = argument - 0.6931471805598903 * whole
-    away_low = 5.497923018708371e-14 * whole - argument_error
+    away_high = argument - 0.693145751953125 * whole
+    away_low = 1.4286068203094173e-06 * whole - argument_error
     away = away_high - away_low
     away_gained = away_high - away
     away_error = away_gained - away_low
@@ -100,9 +100,8 @@ def exp(argument, argument_error=0.0):
 
 
 def log(number):
-    scaling = where(number < 1.0, 1.6069380442589903e+60, 6.223015277861142e-61)
     scaled_by = where(number < 1.0, 200.0, -200.0)
-    scaled = number * scaling
+    scaled = number * power_of_two(scaled_by)
     binary = binary_exponent(1.4142135623730951 * scaled)
     mantissa = scaled * power_of_two(-binary)
     doublings = binary - scaled_by
@@ -115,19 +114,19 @@ def log(number):
     mantissa_rest = mantissa - mantissa_short
     sum_short = mantissa_short + node
     inverse = 1.0 / (mantissa + node)
-    quotient_near = above_node * inverse
-    quotient_split = 134217729.0 * quotient_near
-    quotient_excess = quotient_split - quotient_near
-    quotient_short = quotient_split - quotient_excess
-    undivided_near = above_node - quotient_short * sum_short
-    undivided = undivided_near - mantissa_rest * quotient_short
+    a = above_node * inverse
+    a_split = 134217729.0 * a
+    a_excess = a_split - a
+    a_high = a_split - a_excess
+    undivided_near = above_node - a_high * sum_short
+    undivided = undivided_near - a_high * mantissa_rest
     quotient_rest = inverse * undivided
-    quotient = quotient_rest + quotient_short
+    quotient = a_high + quotient_rest
     quotient_squared = quotient * quotient
     log_tail = quotient * quotient_squared * (quotient_squared * (quotient_squared * (quotient_squared * (quotient_squared * (0.15384615384615385 * quotient_squared + 0.18181818181818182) + 0.2222222222222222) + 0.2857142857142857) + 0.4) + 0.6666666666666666)
     log_whole = 0.693145751953125 * doublings + node_short
     log_whole_rest = 1.4286068203094173e-06 * doublings + node_rest
-    log_quotient = 2.0 * quotient_short
+    log_quotient = 2.0 * a_high
     log_rest = log_tail + log_whole_rest + 2.0 * quotient_rest
     log_sum = log_quotient + log_whole
     log_lost = log_whole - log_sum
@@ -139,9 +138,8 @@ def log(number):
 
 
 def power(number, exponent):
-    scaling = where(number < 1.0, 1.6069380442589903e+60, 6.223015277861142e-61)
     scaled_by = where(number < 1.0, 200.0, -200.0)
-    scaled = number * scaling
+    scaled = number * power_of_two(scaled_by)
     binary = binary_exponent(1.4142135623730951 * scaled)
     mantissa = scaled * power_of_two(-binary)
     doublings = binary - scaled_by
@@ -154,19 +152,19 @@ def power(number, exponent):
     mantissa_rest = mantissa - mantissa_short
     sum_short = mantissa_short + node
     inverse = 1.0 / (mantissa + node)
-    quotient_near = above_node * inverse
-    quotient_split = 134217729.0 * quotient_near
-    quotient_excess = quotient_split - quotient_near
-    quotient_short = quotient_split - quotient_excess
-    undivided_near = above_node - quotient_short * sum_short
-    undivided = undivided_near - mantissa_rest * quotient_short
+    a = above_node * inverse
+    a_split = 134217729.0 * a
+    a_excess = a_split - a
+    a_high = a_split - a_excess
+    undivided_near = above_node - a_high * sum_short
+    undivided = undivided_near - a_high * mantissa_rest
     quotient_rest = inverse * undivided
-    quotient = quotient_rest + quotient_short
+    quotient = a_high + quotient_rest
     quotient_squared = quotient * quotient
     log_tail = quotient * quotient_squared * (quotient_squared * (quotient_squared * (quotient_squared * (quotient_squared * (0.15384615384615385 * quotient_squared + 0.18181818181818182) + 0.2222222222222222) + 0.2857142857142857) + 0.4) + 0.6666666666666666)
     log_whole = 0.693145751953125 * doublings + node_short
     log_whole_rest = 1.4286068203094173e-06 * doublings + node_rest
-    log_quotient = 2.0 * quotient_short
+    log_quotient = 2.0 * a_high
     log_rest = log_tail + log_whole_rest + 2.0 * quotient_rest
     b = exponent
     b_split = 134217729.0 * b
@@ -183,8 +181,8 @@ def power(number, exponent):
     argument_gained = argument - product_near
     argument_error = product_rest - argument_gained
     whole = rint(1.4426950408889634 * argument)
-    away_high = argument - 0.6931471805598903 * whole
-    away_low = 5.497923018708371e-14 * whole - argument_error
+    away_high = argument - 0.693145751953125 * whole
+    away_low = 1.4286068203094173e-06 * whole - argument_error
     away = away_high - away_low
     away_gained = away_high - away
     away_error = away_gained - away_low

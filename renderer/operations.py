@@ -26,28 +26,29 @@ def _operation(name, on_arrays):
     return operation
 
 
+def _bits(number, operation, other):
+    whole = np.asarray(number, np.float64).view(np.uint64)
+    return BIT_OPERATIONS[operation](whole, np.uint64(other)).view(np.float64)
+
+
+BIT_OPERATIONS = {"shl": np.left_shift, "lshr": np.right_shift, "and_": np.bitwise_and, "or_": np.bitwise_or}
 BIASED = 2.0**52 + 1023  # n + BIASED ends, as a float64, in the bits that stand for the exponent of 2ⁿ
-EXPONENT_AT = 52  # the bit at which the exponent begins; 11 bits
-
-
-def _bits(number):
-    return np.asarray(number, np.float64).view(np.int64)
-
-
-def _binary_exponent(number):
-    return (_bits(number) >> EXPONENT_AT & 2047) - 1023.0
-
-
-def _power_of_two(whole):
-    return (_bits(whole + BIASED) << EXPONENT_AT).view(np.float64)
-
 
 sqrt = _operation("sqrt", np.sqrt)
 floor = _operation("floor", np.floor)
 rint = _operation("rint", np.rint)
 where = _operation("where", np.where)
-binary_exponent = _operation("binary_exponent", _binary_exponent)
-power_of_two = _operation("power_of_two", _power_of_two)
+bits = _operation("bits", _bits)  # of a float64, as LLVM names the operation, with a whole number
+
+
+def power_of_two(whole: Number) -> Number:
+    """Return 2ⁿ for a whole n from −1022 to 1023."""
+    return bits(whole + BIASED, "shl", 52)
+
+
+def binary_exponent(number: Number) -> Number:
+    """Return ⌊log₂|x|⌋ of a number of the normal range: its exponent's 11 bits become the last ones of 2^52."""
+    return bits(bits(bits(number, "lshr", 52), "and_", 2047), "or_", 0x433 << 52) - BIASED
 
 
 def maximum(a: Number, b: Number) -> Number:

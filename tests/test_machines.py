@@ -8,18 +8,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sympy import Piecewise, Rational, exp, log
 
-from proofs.formulas import height_fields
-from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer import Light, Scene, central, central4, exact, forward, kernels, render, stage_of
-from renderer.generate.kernels import function_of
-from renderer.generate.programs import field_programs
 from renderer.machines import native, numpy_rows
 from renderer.picture import stage
-from renderer.shader.shader import COLORS
 from tests.strategies import methods, rasters, scenes
-from verify import reference
 
 LANES = [2, 4, 8, 16]
 SIZE = (49, 32)
@@ -174,47 +167,3 @@ def test_a_wrong_kernel_is_noticed(place, name, wrong, noticed, by_numpy, monkey
     monkeypatch.setattr(place, name, wrong)
     with drawn_by(numpy_rows.drawer):
         assert noticed in differing(picture("ridges"), by_numpy["ridges"])
-
-
-_away = (k_u * (u - Rational(1, 2))) ** 2 + (k_v * (v - Rational(1, 4))) ** 2
-OTHER_FIELDS = {
-    "bump": Piecewise(((1 - _away) ** 3, _away < 1), (0, True)),
-    "gaussian": exp(-_away),
-    "crater": (_away - 1) * exp(-_away) + log(1 + _away) / 8,
-}
-
-
-@pytest.fixture
-def stands_for_rings(monkeypatch):
-    """A function that puts a height in the place of rings."""
-    cached = native.compiled, reference._pixel_reference
-
-    def put(expression):
-        field = height_fields.HeightField("rings", expression)
-        entry = {role: function_of(program) for role, program in field_programs(field).items()} | {"wave_numbers": None}
-        entry |= {"central": kernels.central, "height_evaluations": {"central": 4}}
-        monkeypatch.setitem(kernels.FIELDS, "rings", entry)
-        monkeypatch.setitem(height_fields.HEIGHT_FIELDS, "rings", field)
-
-    for known in cached:
-        known.cache_clear()
-    yield put
-    for known in cached:
-        known.cache_clear()
-
-
-@pytest.mark.parametrize("name", OTHER_FIELDS)
-def test_a_field_of_polynomials_exp_and_log_is_drawn(name, stands_for_rings):
-    """With the same bits by NumPy and LLVM, exactly and by a difference, and as 50 digits have it."""
-    stands_for_rings(OTHER_FIELDS[name])
-    scene = Scene(field="rings", ku=5.0, kv=4.5, beta=0.6, shininess=7.3)
-    drawn = []
-    for drawer in (numpy_rows.drawer, partial(native.drawer, lanes=8)):
-        with drawn_by(drawer):
-            drawn.append([render(scene, *SIZE, method) for method in (exact(), central(1e-2))])
-    assert [differing(held(one), held(other)) for one, other in zip(*drawn, strict=True)] == [[], []]
-    for frame, how in zip(drawn[0], (("exact", None), ("central", 1e-2)), strict=True):
-        sloping = np.argwhere((frame.chambers & 3 == 1) & (np.abs(frame.surface_data["h_v"]) > 0.1))
-        for row, column in sloping[:: len(sloping) // 3].tolist():
-            truth = reference.reference_pixel(scene, *SIZE, column, row, *how)
-            np.testing.assert_allclose(frame.rgb[row, column], [float(truth[f"rgb_{c}"]) for c in COLORS], atol=1e-12)

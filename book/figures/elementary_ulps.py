@@ -15,7 +15,7 @@ PANELS = {
     "cospi": (r"$\cos\,\pi r$", "r", LEAST, 1),
     "atan2pi": (r"atan2$(t, 1)/\pi$", "t", LEAST, 1),
     "exp": (r"$e^r$", "r", -1, 1),
-    "log": (r"$\ln\,m$", "m", 0.7072, 1.4143),
+    "log": (r"$\ln\,m$", "m", 1 + LEAST, 1.4143),
     "power": (r"$b^p$", r"$-p\,\ln\,b$", 0, 50),
 }
 """{name: (title, what is along the axis, from where on, up to where)}"""

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 
 from sympy import And, Eq, Expr, Function, Integer, Piecewise, Pow, Rational, factorial, log, nan, oo, sqrt
 
-from proofs.engine.program import Program, chain
-from proofs.formulas.elementary import SPLITTER, b, b_high, b_low, float64, polynomial, two_product
+from proofs.engine.program import Program
+from proofs.formulas.elementary import a, a_high, b, b_high, b_low, float64, polynomial, two_product
 from proofs.formulas.half_turns import rint
 from proofs.formulas.symbols import real
 
@@ -42,10 +42,13 @@ SCALING = 200  # 2^200 times the least denormal is of the normal range
 LIFT = 2**27  # a number below it that is added to it is rounded to a multiple of 2^-25
 
 
-def _in_two(exact: Expr, places: int) -> tuple[Rational, Rational]:
-    """Return (a real number rounded to so many binary places, the float64 nearest to the rest)."""
-    high = Rational(round(exact.evalf(60) * 2**places), 2**places)
-    return high, float64(exact - high) if exact != high else high - exact
+def _in_two(exact: Expr) -> tuple[Rational, Rational]:
+    """Return (a real number rounded to 16 binary places, the float64 nearest to the rest)."""
+    short = Rational(round(exact.evalf(60) * 2**16), 2**16)
+    return short, float64(exact - short) if exact != short else short - exact
+
+
+LN2_SHORT, LN2_REST = _in_two(log(2))
 
 
 argument, argument_error, whole, away_high, away_low = real("argument argument_error whole away_high away_low")
@@ -53,12 +56,11 @@ away, away_gained, away_error, away_squared = real("away away_gained away_error 
 exponential_tail, departure_low, departure = real("exponential_tail departure_low departure")
 exponential_near, exponential = real("exponential_near exponential")
 
-LN2_HIGH, LN2_LOW = _in_two(log(2), 42)
 exponential_series = [float64(1 / factorial(n)) for n in range(2, EXPONENTIAL_TERMS)]
 exponential_reduction = (
     (whole, rint(float64(1 / log(2)) * argument)),
-    (away_high, argument - LN2_HIGH * whole),
-    (away_low, LN2_LOW * whole - argument_error),
+    (away_high, argument - LN2_SHORT * whole),
+    (away_low, LN2_REST * whole - argument_error),
     (away, away_high - away_low),
     (away_gained, away_high - away),
     (away_error, away_gained - away_low),
@@ -85,18 +87,13 @@ exponential_of_sum = Program(
 )
 """exp(argument + argument_error), |argument_error| < 2^-42: 2ⁿ exp(r) with |r| ≤ ln 2 / 2, by a Taylor polynomial of r.
 
-r = away + away_error is known to some 2^-85: n times LN2_HIGH is exact, and so is the difference from the argument.
+r = away + away_error is known to some 2^-61: n times LN2_SHORT is exact, and so is the difference from the argument.
 Above 709 it is inf, which exp reaches at 709.8; below −708, where exp is 3 · 10^-308, it is 0; of NaN it is NaN."""
 
-number, scaling, scaled_by, scaled, binary, mantissa, doublings = real(
-    "number scaling scaled_by scaled binary mantissa doublings"
-)
+number, scaled_by, scaled, binary, mantissa, doublings = real("number scaled_by scaled binary mantissa doublings")
 node, node_short, node_rest, above_node = real("node node_short node_rest above_node")
 lifted, mantissa_short, mantissa_rest = real("lifted mantissa_short mantissa_rest")
 sum_short, inverse = real("sum_short inverse")
-quotient_near, quotient_split, quotient_excess, quotient_short = real(
-    "quotient_near quotient_split quotient_excess quotient_short"
-)
 undivided_near, undivided, quotient_rest, quotient, quotient_squared = real(
     "undivided_near undivided quotient_rest quotient quotient_squared"
 )
@@ -104,9 +101,8 @@ log_tail, log_whole, log_whole_rest, log_quotient, log_rest = real(
     "log_tail log_whole log_whole_rest log_quotient log_rest"
 )
 
-LN2_SHORT, LN2_REST = _in_two(log(2), 16)
 logarithm_series = [float64(Rational(2, 2 * n + 1)) for n in range(1, LOGARITHM_TERMS)]
-nodes_short, nodes_rest = zip(*(_in_two(log(one), 16) for one in NODES), strict=True)
+nodes_short, nodes_rest = zip(*(_in_two(log(one)) for one in NODES), strict=True)
 
 
 def _by_node(values: Sequence[Expr]) -> Expr:
@@ -114,9 +110,8 @@ def _by_node(values: Sequence[Expr]) -> Expr:
 
 
 logarithm_reduction = (
-    (scaling, Piecewise((Integer(2) ** SCALING, number < 1), (Pow(2, -SCALING), True))),
     (scaled_by, Piecewise((SCALING, number < 1), (-SCALING, True))),
-    (scaled, number * scaling),
+    (scaled, number * power_of_two(scaled_by)),
     (binary, binary_exponent(float64(sqrt(2)) * scaled)),
     (mantissa, scaled * power_of_two(-binary)),
     (doublings, binary - scaled_by),
@@ -129,56 +124,46 @@ logarithm_reduction = (
     (mantissa_rest, mantissa - mantissa_short),
     (sum_short, mantissa_short + node),
     (inverse, 1 / (mantissa + node)),
-    (quotient_near, above_node * inverse),
-    (quotient_split, SPLITTER * quotient_near),
-    (quotient_excess, quotient_split - quotient_near),
-    (quotient_short, quotient_split - quotient_excess),
-    (undivided_near, above_node - quotient_short * sum_short),
-    (undivided, undivided_near - quotient_short * mantissa_rest),
+    (a, above_node * inverse),
+    *two_product.keep(a_high).definitions,
+    (undivided_near, above_node - a_high * sum_short),
+    (undivided, undivided_near - a_high * mantissa_rest),
     (quotient_rest, undivided * inverse),
 )
-logarithm_in_three = Program(
-    "logarithm_in_three",
-    (number,),
-    (
-        *logarithm_reduction,
-        (quotient, quotient_short + quotient_rest),
-        (quotient_squared, quotient**2),
-        (log_tail, quotient * quotient_squared * polynomial(quotient_squared, logarithm_series)),
-        (log_whole, LN2_SHORT * doublings + node_short),
-        (log_whole_rest, LN2_REST * doublings + node_rest),
-        (log_quotient, 2 * quotient_short),
-        (log_rest, log_tail + 2 * quotient_rest + log_whole_rest),
-    ),
-    (log_whole, log_quotient, log_rest),
+logarithm_in_three = (
+    *logarithm_reduction,
+    (quotient, a_high + quotient_rest),
+    (quotient_squared, quotient**2),
+    (log_tail, quotient * quotient_squared * polynomial(quotient_squared, logarithm_series)),
+    (log_whole, LN2_SHORT * doublings + node_short),
+    (log_whole_rest, LN2_REST * doublings + node_rest),
+    (log_quotient, 2 * a_high),
+    (log_rest, log_tail + 2 * quotient_rest + log_whole_rest),
 )
 """ln(number) = log_whole + log_quotient + log_rest for a number above 0, the first two exact and of 26 bits each.
 
 number = 2ⁿ m with √½ ≤ m < √2, n = doublings, and ln(m/node) = 2 artanh(q), q = (m − node)/(m + node), for the nearest
-of three nodes; |q| < 0.06. q is the sum of quotient_short and the quotient of what that leaves undivided."""
+of three nodes; |q| < 0.06. q is the sum of a_high, of 26 bits, and the quotient of what that leaves undivided."""
 
 log_sum, log_lost, log_sum_rest, log_low, log_near = real("log_sum log_lost log_sum_rest log_low log_near")
 logarithm = real("logarithm")
-natural_logarithm = chain(
+natural_logarithm = Program(
     "natural_logarithm",
-    logarithm_in_three,
-    Program(
-        "sum_of_three",
-        (number, *logarithm_in_three.outputs),
+    (number,),
+    (
+        *logarithm_in_three,
+        (log_sum, log_whole + log_quotient),
+        (log_lost, log_whole - log_sum),
+        (log_sum_rest, log_lost + log_quotient),
+        (log_low, log_sum_rest + log_rest),
+        (log_near, log_sum + log_low),
         (
-            (log_sum, log_whole + log_quotient),
-            (log_lost, log_whole - log_sum),
-            (log_sum_rest, log_lost + log_quotient),
-            (log_low, log_sum_rest + log_rest),
-            (log_near, log_sum + log_low),
-            (
-                logarithm,
-                Piecewise(
-                    (log_near, And(number > 0, number <= LARGEST)),
-                    (oo, number > LARGEST),
-                    (-oo, Eq(number, 0)),
-                    (nan, True),
-                ),
+            logarithm,
+            Piecewise(
+                (log_near, And(number > 0, number <= LARGEST)),
+                (oo, number > LARGEST),
+                (-oo, Eq(number, 0)),
+                (nan, True),
             ),
         ),
     ),
@@ -189,25 +174,25 @@ exponent, of_whole, of_quotient, product_near, product_lost = real(
     "exponent of_whole of_quotient product_near product_lost"
 )
 product_near_rest, product_rest, argument_gained, power = real("product_near_rest product_rest argument_gained power")
-exponent_in_two = Program("exponent_in_two", (exponent,), ((b, exponent), *two_product.keep(b_high, b_low).definitions))
-exponent_times_logarithm = (
-    (of_whole, b_high * log_whole),
-    (of_quotient, b_high * log_quotient),
-    (product_near, of_whole + of_quotient),
-    (product_lost, of_whole - product_near),
-    (product_near_rest, product_lost + of_quotient),
-    (product_rest, product_near_rest + b_low * log_whole + b_low * log_quotient + exponent * log_rest),
-    (argument, product_near + product_rest),
-    (argument_gained, argument - product_near),
-    (argument_error, product_rest - argument_gained),
-)
-raised = chain(
+raised = Program(
     "raised",
-    logarithm_in_three,
-    exponent_in_two,
-    Program("product", (exponent, b_high, b_low, *logarithm_in_three.outputs), exponent_times_logarithm),
-    exponential_of_sum,
-    Program("raised_or_zero", (number, exponential), ((power, Piecewise((0, number <= 0), (exponential, True))),)),
+    (number, exponent),
+    (
+        *logarithm_in_three,
+        (b, exponent),
+        *two_product.keep(b_high, b_low).definitions,
+        (of_whole, b_high * log_whole),
+        (of_quotient, b_high * log_quotient),
+        (product_near, of_whole + of_quotient),
+        (product_lost, of_whole - product_near),
+        (product_near_rest, product_lost + of_quotient),
+        (product_rest, product_near_rest + b_low * log_whole + b_low * log_quotient + exponent * log_rest),
+        (argument, product_near + product_rest),
+        (argument_gained, argument - product_near),
+        (argument_error, product_rest - argument_gained),
+        *exponential_of_sum.definitions,
+        (power, Piecewise((0, number <= 0), (exponential, True))),
+    ),
 )
 """number^exponent = exp(exponent · ln(number)), the product to some 60 bits, for an exponent from 10^-3 to 10^6.
 

@@ -13,7 +13,6 @@ from typing import Any
 import llvmlite.ir as ir
 
 from renderer.machines.stills import DEAR, OF_LIGHT, SLOW, Still
-from renderer.operations import BIASED, EXPONENT_AT
 from renderer.shader.numbers import LIGHT_FORM, flat, of_form
 from renderer.shader.shader import Step
 
@@ -215,31 +214,15 @@ class Tracer:
     floor = partialmethod(call, "floor")
     rint = partialmethod(call, "rint")
 
-    def binary_exponent(self, number: Value) -> Value:
-        """As `renderer.operations.binary_exponent`: the field's bits are those of a float64 from 2^52 on."""
+    def bits(self, number: Value, operation: str, other: int) -> Value:
+        """As `renderer.operations.bits`."""
+        builder, whole = self.builder, ir.VectorType(WHOLE, self.lanes)
 
         def emit(vector):
-            builder, lifted = self.builder, self._bits_of(constant(self.vector, (2.0**EXPONENT_AT).hex()))
-            field = builder.and_(builder.lshr(self._bits_of(vector), self._each(EXPONENT_AT)), self._each(2047))
-            found = builder.bitcast(builder.or_(field, lifted), self.vector)
-            return builder.fsub(found, constant(self.vector, BIASED.hex()))
+            changed = getattr(builder, operation)(builder.bitcast(vector, whole), whole([other] * self.lanes))
+            return builder.bitcast(changed, self.vector)
 
-        return self.made(Value, "binary_exponent", emit, number)
-
-    def power_of_two(self, whole: Value) -> Value:
-        """As `renderer.operations.power_of_two`."""
-
-        def emit(vector):
-            bits = self._bits_of(self.builder.fadd(vector, constant(self.vector, BIASED.hex())))
-            return self.builder.bitcast(self.builder.shl(bits, self._each(EXPONENT_AT)), self.vector)
-
-        return self.made(Value, "power_of_two", emit, whole)
-
-    def _bits_of(self, vector):
-        return self.builder.bitcast(vector, ir.VectorType(WHOLE, self.lanes))
-
-    def _each(self, number):
-        return ir.Constant(ir.VectorType(WHOLE, self.lanes), [number] * self.lanes)
+        return self.made(Value, f"{operation} {other}", emit, number)
 
     def where(self, mask: Mask, value: Value | float, otherwise: Value | float) -> Value:
         return self.made(Value, "select", self.builder.select, mask, self.value(value), self.value(otherwise))

@@ -27,7 +27,7 @@ def ball(rational: Expr) -> arb:
     return arb(fmpq(int(rational.p), int(rational.q)))
 
 
-def lines(program: Program, after: Collection[Symbol], until: Collection[Symbol]) -> Program:
+def lines(program: Program, after: Collection[Symbol], until: tuple[Symbol, ...]) -> Program:
     """Return the program's lines that do not stand in `after`, up to those that `until` need."""
     definitions = tuple((s, x) for s, x in program.definitions if s not in after)
     inputs = tuple({t: None for _, x in definitions for t in sorted(x.free_symbols, key=str)})

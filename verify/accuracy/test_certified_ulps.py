@@ -7,7 +7,6 @@ A product k·u costs one more rounding, of the reduced argument; the arctangent,
 
 import math
 import random
-import sys
 from fractions import Fraction
 from functools import partial
 
@@ -53,39 +52,19 @@ def directions():
     return found + [(s * 10.0**-k, c) for k in range(1, 280, 9) for s in (1, -1) for c in (1.0, -1.0)]
 
 
-def exponents():
-    rng = random.Random("exponents")
-    found = [rng.uniform(-708, 709) for _ in range(3000)] + [x for n in range(-9, 10) for x in beside(n / 16, 3)]
-    found += [x for n in range(-1021, 1023, 7) for x in beside((n + 0.5) * math.log(2), 1)]
-    return [(x,) for x in [*found, -708.0, 709.0, 5e-324]]
-
-
-def positive_numbers():
-    rng = random.Random("positive numbers")
-    found = [rng.uniform(0.5, 2) for _ in range(2000)] + [2 ** rng.uniform(-1074, 1024) for _ in range(2000)]
-    found += [s * x for x in (1, 9 / 8, 57 / 64, 203 / 256, 323 / 256, 2**0.5) for x in beside(x, 3) for s in (0.5, 1)]
-    return [
-        (x,) for x in [*found, *(1 + s * 2.0**-n for n in range(1, 53) for s in (1, -1)), 5e-324, sys.float_info.max]
-    ]
-
-
-def bases_and_exponents(smallest):
-    rng, found = random.Random("powers"), []
-    while len(found) < 4000:
-        base = rng.choice((rng.random(), 1 - 2.0 ** rng.uniform(-40, 0), 2.0 ** rng.uniform(-1074, 0)))
-        exponent = rng.uniform(0, smallest) / -math.log(base) if base else 0
-        found += [(base, exponent)] if 1e-3 <= exponent <= 1e6 else []
-    return found
+def powers(smallest):
+    """Return bases and exponents, of which the power's logarithm is not below −smallest."""
+    return [(u, abs(k)) for k, u in products() if 0 < u <= 1 and k and -abs(k) * math.log(u) < smallest]
 
 
 CASES = dict.fromkeys(CERTIFIED, arguments) | {
     "sinpi_of_product": products,
     "cospi_of_product": products,
     "atan2pi": directions,
-    "exp": exponents,
-    "log": positive_numbers,
-    "power": partial(bases_and_exponents, SMALL),
-    "small_power": partial(bases_and_exponents, 707),
+    "exp": lambda: [(350 * x,) for (x,) in arguments() if abs(x) <= 2],
+    "log": lambda: [(abs(x) ** n,) for (x,) in arguments() if abs(x) > 1e-100 for n in (1, -3)],
+    "power": partial(powers, SMALL),
+    "small_power": partial(powers, 708),
 }
 
 
@@ -123,23 +102,19 @@ def test_zeros_are_exact():
 
 
 def test_what_exp_and_log_are_outside_their_range():
-    nan, inf = math.nan, math.inf
-    numbers = np.array([nan, inf, -inf, 709.0, 709.1, -708.0, -708.1, 0.0, -0.0, -1e-300])
+    numbers = np.array([np.nan, np.inf, -np.inf, 709.1, -708.1, -0.0, -1e-300])
     with np.errstate(all="ignore"):
-        exponentials, logarithms = kernels.exp(numbers), kernels.log(numbers)
-    np.testing.assert_array_equal(exponentials[[0, 1, 2, 4, 6, 7, 8]], [nan, inf, 0, inf, 0, 1, 1])
-    assert 8.2e307 < exponentials[3] < inf and 3e-308 < exponentials[5] < 4e-308
-    np.testing.assert_array_equal(logarithms[[0, 1, 2, 7, 8, 9]], [nan, inf, nan, -inf, -inf, nan])
+        np.testing.assert_array_equal(kernels.exp(numbers), [np.nan, np.inf, 0, np.inf, 0, 1, 1])
+        np.testing.assert_array_equal(kernels.log(numbers)[[0, 1, 2, 5, 6]], [np.nan, np.inf, np.nan, -np.inf, np.nan])
 
 
-@pytest.mark.parametrize("exponent", [1e-3, 0.1, 0.5, 1.0, 7.3, 999.5, 1e6])
+@pytest.mark.parametrize("exponent", [1e-3, 0.1, 0.5, 1.0, 7.3, 1e6])
 def test_a_power_rises_from_0_to_1(exponent):
     """From one base to the next above it; for an exponent of 0.1 and less it may fall, by a unit in the last place."""
-    rng, edges = np.random.default_rng(5), [0, 5e-324, 203 / 256, 57 / 64, 0.5**0.5, 0.5, 1]
-    bases = np.concatenate([rng.random(5000), 1 - 2.0 ** rng.uniform(-53, 0, 5000), 2.0 ** rng.uniform(-1074, 0, 5000)])
-    bases = np.unique([*bases, *np.nextafter(bases, 1), *(x for edge in edges for x in beside(edge, 9) if 0 <= x <= 1)])
+    rng = np.random.default_rng(5)
+    bases = np.concatenate([rng.random(9999), 1 - 2.0 ** rng.uniform(-53, 0, 9999), [0, 203 / 256, 57 / 64, 0.5**0.5]])
     with np.errstate(all="ignore"):
-        powers = kernels.power(bases, exponent)
-    assert (powers[0], powers[-1]) == (0, 1) and powers.min() == 0 and powers.max() == 1
+        powers = kernels.power(np.unique([*bases, *np.nextafter(bases, 1), 1]), exponent)
+        assert np.isnan(kernels.power(math.nan, exponent))
+    assert (powers[0], powers[-1], powers.min(), powers.max()) == (0, 1, 0, 1)
     assert (np.diff(powers) >= (-np.spacing(powers[:-1]) if exponent <= 0.1 else 0)).all()
-    assert np.isnan(kernels.power(math.nan, exponent))

@@ -18,9 +18,8 @@ U = 2.0**-53
 TINY = 2.0**-1074
 SLACK = 1 + 1e-12  # the bounds are rounded too
 inf = np.inf
-ULPS = {"sinpi": 2.0, "cospi": 2.0, "atan2pi": 2.5, "exp": 1.0, "log": 1.0, "power": 1.0}
-POWER_ULPS = 0.014  # more, for each unit of the power's logarithm
-SMALLEST = 1e-307  # below it exp and power may be 0
+ULPS = {"sinpi": 2.0, "cospi": 2.0, "atan2pi": 2.5, "exp": 1.0, "log": 0.52, "power": 1.5, "small power": 11.03}
+SMALLEST = 4e-308  # below it exp and power may be 0
 
 
 class Running:
@@ -138,34 +137,25 @@ def sign(a: Number) -> Running:
     return Running(np.sign(a.value), np.where((np.abs(a.value) <= a.bound) & (a.bound > 0), 2.0, 0.0))
 
 
-def exp(a: Number) -> Running:
-    """e^a: what is inherited is at most e^a (e^δ − 1)."""
-    a = running(a)
-    with np.errstate(all="ignore"):
-        value = kernels.exp(a.value)
-        inherited = np.where(a.bound == 0, 0.0, value * np.expm1(a.bound))
-        return a._rounded(value, inherited + np.where(value < SMALLEST, SMALLEST, 0.0), ULPS["exp"])
+def _rising(function, ulps, least=-inf):
+    """Return a function that rises: its ends bound what is inherited; 2 ulp more, for they are rounded as well."""
+
+    def rising(a, *others):
+        a, others = running(a), [running(other).value for other in others]
+        with np.errstate(all="ignore"):
+            low, value, high = (
+                function(np.maximum(least, end), *others) for end in (a.value - a.bound, a.value, a.value + a.bound)
+            )
+            ends = np.maximum(high - value, value - low) + 4 * ulps(value) * U * np.maximum(np.abs(high), np.abs(low))
+        return a._rounded(value, np.where(a.bound == 0, 0.0, ends) + SMALLEST * (value == 0), ulps(value))
+
+    return rising
 
 
-def log(a: Number) -> Running:
-    """ln a: what is inherited is at most −ln(1 − δ/a); nothing bounds it where the bound reaches 0."""
-    a = running(a)
-    with np.errstate(all="ignore"):
-        inherited = np.where(a.bound < a.value, -np.log1p(-a.bound / a.value) * SLACK, np.inf)
-        return a._rounded(kernels.log(a.value), inherited, ULPS["log"])
-
-
-def power(a: Number, p: Number) -> Running:
-    """a^p, a ≥ 0, p exact and positive: monotone, so its ends bound it; our rounding beside that."""
-    a, p = running(a), running(p)
-    with np.errstate(all="ignore"):
-        value = kernels.power(a.value, p.value)
-        ulps = ULPS["power"] + POWER_ULPS * np.abs(np.log(np.maximum(value, SMALLEST)))
-        slack = 4 * U * ulps
-        above = kernels.power(a.value + a.bound, p.value) * (1 + slack) - value
-        below = value - kernels.power(np.maximum(0, a.value - a.bound), p.value) * (1 - slack)
-    underflow = np.where((value < SMALLEST) & (a.value > 0), SMALLEST, 0.0)
-    return a._rounded(value, np.where(a.bound == 0, 0.0, np.maximum(above, below)) + underflow, ulps)
+exp = _rising(kernels.exp, lambda value: ULPS["exp"])
+log = _rising(kernels.log, lambda value: ULPS["log"], least=0)
+power = _rising(kernels.power, lambda value: np.where(value < np.exp(-50), ULPS["small power"], ULPS["power"]), least=0)
+"""a^p for a ≥ 0 and an exact p > 0."""
 
 
 def two_product(a: Number, b: Number) -> tuple[Number, Number]:
