@@ -83,10 +83,10 @@ def atan2pi(ordinate, abscissa):
     return angle
 
 
-def exp(argument, argument_error=0.0):
-    whole = rint(1.4426950408889634 * argument)
-    away_high = argument - 0.693145751953125 * whole
-    away_low = 1.4286068203094173e-06 * whole - argument_error
+def exp(product, product_error=0.0):
+    whole = rint(1.4426950408889634 * product)
+    away_high = product - 0.693145751953125 * whole
+    away_low = 1.4286068203094173e-06 * whole - product_error
     away = away_high - away_low
     away_gained = away_high - away
     away_error = away_gained - away_low
@@ -95,7 +95,7 @@ def exp(argument, argument_error=0.0):
     departure_low = away_error + away_squared * exponential_tail
     departure = away + departure_low
     exponential_near = departure + 1.0
-    exponential = where(argument > 709.0, inf, where(argument < -708.0, 0.0, exponential_near * power_of_two(whole)))
+    exponential = where(product > 709.0, inf, where(product < -708.0, 0.0, exponential_near * power_of_two(whole)))
     return exponential
 
 
@@ -177,12 +177,12 @@ def power(number, exponent):
     product_lost = of_whole - product_near
     product_near_rest = of_quotient + product_lost
     product_rest = b_low * log_quotient + b_low * log_whole + exponent * log_rest + product_near_rest
-    argument = product_near + product_rest
-    argument_gained = argument - product_near
-    argument_error = product_rest - argument_gained
-    whole = rint(1.4426950408889634 * argument)
-    away_high = argument - 0.693145751953125 * whole
-    away_low = 1.4286068203094173e-06 * whole - argument_error
+    product = product_near + product_rest
+    product_gained = product - product_near
+    product_error = product_rest - product_gained
+    whole = rint(1.4426950408889634 * product)
+    away_high = product - 0.693145751953125 * whole
+    away_low = 1.4286068203094173e-06 * whole - product_error
     away = away_high - away_low
     away_gained = away_high - away
     away_error = away_gained - away_low
@@ -191,7 +191,7 @@ def power(number, exponent):
     departure_low = away_error + away_squared * exponential_tail
     departure = away + departure_low
     exponential_near = departure + 1.0
-    exponential = where(argument > 709.0, inf, where(argument < -708.0, 0.0, exponential_near * power_of_two(whole)))
+    exponential = where(product > 709.0, inf, where(product < -708.0, 0.0, exponential_near * power_of_two(whole)))
     power = where(number <= 0.0, 0.0, exponential)
     return power
 

@@ -6,31 +6,27 @@ is a line of its own. What is short has so few bits that its products are exact.
 
 from collections.abc import Sequence
 
-from sympy import And, Eq, Expr, Function, Integer, Piecewise, Pow, Rational, factorial, log, nan, oo, sqrt
+from sympy import And, Eq, Expr, Function, Integer, Piecewise, Rational, factorial, log, nan, oo, sqrt
 
 from proofs.engine.program import Program
-from proofs.formulas.elementary import a, a_high, b, b_high, b_low, float64, polynomial, two_product
+from proofs.formulas.elementary import (
+    a,
+    a_high,
+    b,
+    b_high,
+    b_low,
+    float64,
+    polynomial,
+    product,
+    product_error,
+    two_product,
+)
 from proofs.formulas.half_turns import rint
 from proofs.formulas.symbols import real
 
-
-class binary_exponent(Function):
-    """⌊log₂|x|⌋ of a normal float64; of 0 and what is below the normal range −1023, of inf and NaN 1024."""
-
-    nargs = 1
-    is_integer = True
-
-
-class power_of_two(Function):
-    """2ⁿ for a whole n from −1022 to 1023; of other n float64 makes another number, or none."""
-
-    nargs = 1
-    is_positive = True
-
-    @classmethod
-    def eval(cls, argument: Expr) -> Expr | None:
-        return Pow(2, argument) if argument.is_Integer else None
-
+binary_exponent, power_of_two = (Function(name, real=True) for name in ("binary_exponent", "power_of_two"))
+"""⌊log₂|x|⌋ of a normal float64 (of 0 and what is below the normal range −1023, of inf and NaN 1024); and 2ⁿ for a whole
+n from −1022 to 1023 (of other n float64 makes another number, or none)."""
 
 OVERFLOW, UNDERFLOW = 709, -708
 LARGEST = Integer(2) ** 1024 - 2**971
@@ -51,16 +47,15 @@ def _in_two(exact: Expr) -> tuple[Rational, Rational]:
 LN2_SHORT, LN2_REST = _in_two(log(2))
 
 
-argument, argument_error, whole, away_high, away_low = real("argument argument_error whole away_high away_low")
-away, away_gained, away_error, away_squared = real("away away_gained away_error away_squared")
-exponential_tail, departure_low, departure = real("exponential_tail departure_low departure")
-exponential_near, exponential = real("exponential_near exponential")
+whole, away_high, away_low, away = real("whole away_high away_low away")
+away_gained, away_error, away_squared, exponential_tail = real("away_gained away_error away_squared exponential_tail")
+departure_low, departure, exponential_near, exponential = real("departure_low departure exponential_near exponential")
 
 exponential_series = [float64(1 / factorial(n)) for n in range(2, EXPONENTIAL_TERMS)]
 exponential_reduction = (
-    (whole, rint(float64(1 / log(2)) * argument)),
-    (away_high, argument - LN2_SHORT * whole),
-    (away_low, LN2_REST * whole - argument_error),
+    (whole, rint(float64(1 / log(2)) * product)),
+    (away_high, product - LN2_SHORT * whole),
+    (away_low, LN2_REST * whole - product_error),
     (away, away_high - away_low),
     (away_gained, away_high - away),
     (away_error, away_gained - away_low),
@@ -69,7 +64,7 @@ _even, _odd = (polynomial(away_squared, exponential_series[first::2]) for first 
 
 exponential_of_sum = Program(
     "exponential_of_sum",
-    (argument, argument_error),
+    (product, product_error),
     (
         *exponential_reduction,
         (away_squared, away**2),
@@ -80,14 +75,14 @@ exponential_of_sum = Program(
         (
             exponential,
             Piecewise(
-                (oo, argument > OVERFLOW), (0, argument < UNDERFLOW), (exponential_near * power_of_two(whole), True)
+                (oo, product > OVERFLOW), (0, product < UNDERFLOW), (exponential_near * power_of_two(whole), True)
             ),
         ),
     ),
 )
-"""exp(argument + argument_error), |argument_error| < 2^-42: 2ⁿ exp(r) with |r| ≤ ln 2 / 2, by a Taylor polynomial of r.
+"""exp(product + product_error), |product_error| < 2^-42: 2ⁿ exp(r) with |r| ≤ ln 2 / 2, by a Taylor polynomial of r.
 
-r = away + away_error is known to some 2^-61: n times LN2_SHORT is exact, and so is the difference from the argument.
+r = away + away_error is known to some 2^-61: n times LN2_SHORT is exact, and so is the difference from the product.
 Above 709 it is inf, which exp reaches at 709.8; below −708, where exp is 3 · 10^-308, it is 0; of NaN it is NaN."""
 
 number, scaled_by, scaled, binary, mantissa, doublings = real("number scaled_by scaled binary mantissa doublings")
@@ -173,7 +168,7 @@ natural_logarithm = Program(
 exponent, of_whole, of_quotient, product_near, product_lost = real(
     "exponent of_whole of_quotient product_near product_lost"
 )
-product_near_rest, product_rest, argument_gained, power = real("product_near_rest product_rest argument_gained power")
+product_near_rest, product_rest, product_gained, power = real("product_near_rest product_rest product_gained power")
 raised = Program(
     "raised",
     (number, exponent),
@@ -187,9 +182,9 @@ raised = Program(
         (product_lost, of_whole - product_near),
         (product_near_rest, product_lost + of_quotient),
         (product_rest, product_near_rest + b_low * log_whole + b_low * log_quotient + exponent * log_rest),
-        (argument, product_near + product_rest),
-        (argument_gained, argument - product_near),
-        (argument_error, product_rest - argument_gained),
+        (product, product_near + product_rest),
+        (product_gained, product - product_near),
+        (product_error, product_rest - product_gained),
         *exponential_of_sum.definitions,
         (power, Piecewise((0, number <= 0), (exponential, True))),
     ),

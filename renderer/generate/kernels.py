@@ -7,7 +7,6 @@ from typing import Any
 from proofs.engine.program import Program
 from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.elementary import product_error
-from proofs.formulas.exponential import argument_error
 from proofs.formulas.finite_difference import HEIGHT_EVALUATIONS, METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
@@ -36,14 +35,11 @@ from renderer.operations import (
 )
 '''
 
-ERRORS = (product_error, argument_error)
-"""Inputs that are 0 unless they are given."""
-
 
 def print_function(name: str, program: Program, printer: KernelPrinter, before: str = "") -> str:
     """Return the text of a function of a program's inputs that returns its outputs, a line for each definition.
 
-    before: further parameters, as text. ERRORS are 0 unless they are given.
+    before: further parameters, as text. The error of a product is 0 unless it is given.
     """
     needed = program.reaches(*program.outputs)
     printed = {s.name: printer.doprint(e) for s, e in program.definitions if s in needed}
@@ -57,7 +53,7 @@ def print_function(name: str, program: Program, printer: KernelPrinter, before: 
         lines = [at_once]
     else:
         lines = [*(f"{name} = {text}" for name, text in printed.items()), f"return {', '.join(results)}"]
-    parameters = ", ".join(f"{s.name}=0.0" if s in ERRORS else s.name for s in program.inputs)
+    parameters = ", ".join("product_error=0.0" if s == product_error else s.name for s in program.inputs)
     return "\n".join([f"def {name}({before}{parameters}):", *(f"    {line}" for line in lines), ""])
 
 

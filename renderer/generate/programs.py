@@ -30,7 +30,7 @@ ELEMENTARY = {
     "log": exponential.natural_logarithm,
     "power": exponential.raised,
 }
-"""Our own elementary functions. sinpi, cospi and exp take an argument and its error, which is 0 unless it is given."""
+"""Our own elementary functions. sinpi, cospi and exp take a product and its error, which is 0 unless it is given."""
 
 KERNELS = (
     # once a scene

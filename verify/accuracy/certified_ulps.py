@@ -192,7 +192,7 @@ class _Angle:
         return worst
 
 
-PIECES: dict[str, Callable[[], list[Piece]]] = {
+PIECES: dict[str, Callable[..., list[Piece]]] = {
     "sinpi": sine_pieces,
     "cospi": partial(sine_pieces, cosine=True),
     "sinpi_of_product": partial(sine_pieces, of_product=True),

@@ -42,9 +42,9 @@ def _exponential_piece(code, series, moved, low, high):
     r = between(low, high)
     least = half_a_unit(r.abs_upper(), ZERO)  # away_error is no larger, and is added where it would be multiplied
     neglected = abs(r.exp() - 1) * least + r.exp() * (least**2 + REDUCED + moved)
-    known = {e.exponential_near.name: (low.exp(), high.exp(), series.error(r) + neglected.abs_upper())}
-    scope = run(code, {e.away.name: Rounded(r), e.away_error.name: Rounded(arb(0, least))}, known)
-    return Piece(low, high, scope[e.exponential_near.name].ulps())
+    known = {"exponential_near": (low.exp(), high.exp(), series.error(r) + neglected.abs_upper())}
+    scope = run(code, {"away": Rounded(r), "away_error": Rounded(arb(0, least))}, known)
+    return Piece(low, high, scope["exponential_near"].ulps())
 
 
 @cache
@@ -69,18 +69,18 @@ def logarithm_pieces(program: Program = e.natural_logarithm) -> list[Piece]:
 def _logarithm_piece(code, series, number, doublings, low, high):
     node, ln2, largest = ball(e.NODES[number]), arb.const_log2(), max(abs(low), abs(high))
     tail, known = [2 * (end.atanh() - end) for end in (low, high)], {}
-    known[e.log_tail.name] = (*tail, series.error(between(low, high)))
+    known["log_tail"] = (*tail, series.error(between(low, high)))
     if largest <= arb((1, SMALLEST)):
-        known[e.quotient_squared.name] = (ZERO, largest**2)
+        known["quotient_squared"] = (ZERO, largest**2)
     rest = largest * (arb((1, -26)) + 4 * UNIT)  # what a_high leaves of q
     rest_error = rest * UNIT * 5  # the sum and the division of `inverse`, `undivided` and quotient_rest
     scope = {
-        e.quotient.name: Rounded(between(low, high), rest_error, rounds=True, ends=(low, high)),
-        e.quotient_rest.name: Rounded(arb(0, rest), rest_error),
-        e.doublings.name: Rounded(doublings),
-        e.node_rest.name: Rounded(ball(e.nodes_rest[number])),
+        "quotient": Rounded(between(low, high), rest_error, rounds=True, ends=(low, high)),
+        "quotient_rest": Rounded(arb(0, rest), rest_error),
+        "doublings": Rounded(doublings),
+        "node_rest": Rounded(ball(e.nodes_rest[number])),
     }
-    parts = run(code, scope, known)[e.log_rest.name]
+    parts = run(code, scope, known)["log_rest"]
     off = abs(doublings * (ball(e.LN2_SHORT) + ball(e.LN2_REST) - ln2))
     off += abs(ball(e.nodes_short[number]) + ball(e.nodes_rest[number]) - node.log())
     least = min(abs(doublings * ln2 + node.log() + 2 * end.atanh()) for end in (low, high))
