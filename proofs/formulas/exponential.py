@@ -25,8 +25,8 @@ from proofs.formulas.half_turns import rint
 from proofs.formulas.symbols import real
 
 binary_exponent, power_of_two = (Function(name, real=True) for name in ("binary_exponent", "power_of_two"))
-"""⌊log₂|x|⌋ of a normal float64 (of 0 and what is below the normal range −1023, of inf and NaN 1024); and 2ⁿ for a whole
-n from −1022 to 1023 (of other n float64 makes another number, or none)."""
+"""⌊log₂|x|⌋ of a normal float64 (of 0 and what is below the normal range −1023, of inf and NaN 1024), and 2ⁿ for a
+whole n from −1022 to 1023 (of other n float64 makes another number, or none)."""
 
 OVERFLOW, UNDERFLOW = 709, -708
 LARGEST = Integer(2) ** 1024 - 2**971

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from fractions import Fraction
+from typing import Any
 
 from proofs.formulas import elementary as e
 from proofs.formulas import exponential as x
@@ -17,7 +18,7 @@ CONSTANTS = {
     "log": (x.natural_logarithm, x.log_tail, x.logarithm_series[0]),
 }
 """{name: (program, one of its lines, a constant there that a false variant changes)}"""
-FALSE = {
+FALSE: dict[str, dict[str, Any]] = {
     "sinpi": {"within 4/3 ulp": {"bound": Fraction(133, 100)}, "π³/6 is off by 4 ulps": {"off": 4}},
     "cospi": {"within 3/2 ulp": {"bound": Fraction(3, 2)}, "π²/2 is off by 1 ulp": {"off": 1}},
     "sinpi_of_product": {"no worse than without a product": {"bound": CERTIFIED["sinpi"]}},
