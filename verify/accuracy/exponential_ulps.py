@@ -49,7 +49,7 @@ def _exponential_piece(code, series, moved, low, high):
 
 @cache
 def logarithm_pieces(program: Program = e.natural_logarithm) -> list[Piece]:
-    """Return the Pieces of log: mantissas at each node, under DOUBLINGS; close to 1 those above, for −q changes signs."""
+    """Return the Pieces of log: mantissas at each node, under DOUBLINGS; close to 1 those above: of −q it is −log."""
     with ctx.workprec(PRECISION):
         given = [*dict(e.logarithm_reduction), e.quotient, e.log_whole, e.log_quotient]
         code = code_of(lines(program, given, (e.log_rest,)))
