@@ -3,6 +3,7 @@
 import io
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -18,23 +19,20 @@ from book.drawing.style import styled
 def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
     """Draw a figure: its files by suffix, and what its JSON says about them."""
     with styled():
-        drawing = _called(entry)
-        numbers = plain_numbers(entry.id, drawing.numbers)
-        picture = drawing.picture
+        picture, numbers, data = _called(entry)
         if isinstance(picture, Figure):
-            size = [round(float(inches) * CSS_PIXELS_PER_INCH) for inches in picture.get_size_inches()]
+            size = [round(inches) for inches in picture.get_size_inches() * CSS_PIXELS_PER_INCH]
             files, kind = {".svg": _svg(picture)}, "svg"
         elif picture is None:
             files, size, kind = {}, None, "numbers"
         else:
             files, size, kind = {".png": _png(entry.id, picture)}, [picture.shape[1], picture.shape[0]], "png"
-        data = data_file(entry.id, drawing)
     if kind == "svg":
         with styled("dark"):
-            again = _called(entry)
-            if plain_numbers(entry.id, again.numbers) != numbers or data_file(entry.id, again) != data:
+            dark, *again = _called(entry)
+            if again != [numbers, data]:
                 raise ValueError(f"figure {entry.id!r} gives other numbers when it is drawn again")
-            files[".dark.svg"] = _svg(again.picture)
+            files[".dark.svg"] = _svg(dark)
     exact = kind == "png" or getattr(picture, "pixel_exact", False)
     about = " ".join((entry.draw.__doc__ or "").split("\n\n")[0].split())
     beside = next((f"{entry.id}{suffix}" for suffix in data), None)
@@ -55,11 +53,12 @@ def save(entry: Registered, folder: Path, source: str, key: str) -> list[str]:
     return [f"{entry.id}{suffix}" for suffix in (*files, ".json")]
 
 
-def _called(entry: Registered) -> Drawing:
+def _called(entry: Registered) -> tuple[Any, dict, dict[str, bytes]]:
+    """Call a figure's function: its picture, its numbers, and its file of data by suffix."""
     drawing = entry.draw()
     if not isinstance(drawing, Drawing):
         raise TypeError(f"figure {entry.id!r} returned a {type(drawing).__name__}, not a Drawing")
-    return drawing
+    return drawing.picture, plain_numbers(entry.id, drawing.numbers), data_file(entry.id, drawing)
 
 
 def _svg(fig: Figure) -> bytes:

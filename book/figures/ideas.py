@@ -11,7 +11,7 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import canvas, curve, label, palette, pixel_axes, pixel_text, plot
 from book.extension.worked import COLUMN, ROW
 from book.figures.chapter_scene import SCENE, SIZE, on_picture, symbolic
-from book.idea_kernels import BUMP_LINES, PIXEL_LINES, angles_at, bump_at, bump_lines, given, pixel_lines, two_slopes
+from book.idea_kernels import BUMP_LINES, angles_at, bump_at, bump_lines, lines_at, two_slopes
 from renderer import Scene, exact, kernels, render
 from renderer.generate.creases import crease_point
 from renderer.picture.views import image_view, to_bytes
@@ -127,20 +127,12 @@ def _arrow(ax, start, end, **look):
     ax.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0} | look)
 
 
-def seen_at(x: float, y: float) -> dict[str, Any]:
-    """Return {line: value} of the chapter's scene at an image point."""
-    inputs = given(SCENE) | {"x": x, "y": y}
-    with np.errstate(all="ignore"):
-        values = pixel_lines(*(inputs[name] for name in PIXEL_LINES["inputs"]))
-    return dict(zip(PIXEL_LINES["lines"], values, strict=True))
-
-
 @figure("scene_from_the_side")
 def scene_from_the_side() -> Drawing:
     """The eye, a ray, the spheres, the floor and the lights, in the upright plane through the eye and B's centre."""
     c, fig, s = palette(), canvas(640, 430), 0.52
     way = np.array(SCENE.ball_center[:2]) / np.hypot(*SCENE.ball_center[:2])
-    lines = seen_at(*(s * way))
+    lines = lines_at(SCENE, *(s * way))
 
     def flat(point):
         return np.array([np.dot(point[:2], way), point[2]])
