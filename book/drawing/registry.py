@@ -1,6 +1,6 @@
 """What a figure is: a registered function that returns a `Drawing`.
 
-    @figure("eps_sweep")
+    @figure
     def eps_sweep() -> Drawing:
         \"\"\"RMS of the difference on A against the step.\"\"\"
         ...
@@ -47,8 +47,13 @@ class Registered:
 FIGURES: dict[str, Registered] = {}
 
 
-def figure(id: str, data: tuple[str, ...] | list[str] = ()) -> Callable:
-    """Register the decorated function under an id; `data`: files that it reads, by path from the root."""
+def figure(id: str | Callable[[], Drawing], data: tuple[str, ...] | list[str] = ()) -> Callable:
+    """Register the decorated function under its own name or, as @figure("id"), under an id.
+
+    `data`: files that it reads, by path from the root.
+    """
+    if callable(id):
+        return figure(id.__name__)(id)
     if not re.fullmatch(r"[a-z0-9_]+", id):
         raise ValueError(f"figure id {id!r}: an id is made of a-z, 0-9 and _")
     if any(not name.startswith(DATA_FOLDERS) for name in data):

@@ -31,19 +31,19 @@ def _drawing(errors, **numbers) -> Drawing:
     return Drawing(fig, summaries | numbers, {name: errors[name] for name in TITLES})
 
 
-@figure("accuracy_chart")
+@figure
 def accuracy_chart() -> Drawing:
     """The error of h_u over the chart, relative to h_u itself, in units of 2^-53: the seed's form and ours."""
     return _drawing(_chart(side=SIDE), side=SIDE)
 
 
-@figure("accuracy_image")
+@figure
 def accuracy_image() -> Drawing:
     """The error of g over sphere A, in units of 2^-53 π k: the seed's form and ours."""
     return _drawing(_image(size=SIDE, reach=1.0))
 
 
-@figure("accuracy_pole")
+@figure
 def accuracy_pole() -> Drawing:
     """The same about the pole, enlarged a thousand times."""
     return _drawing(_image(size=SIDE, reach=REACH), reach=REACH)

@@ -72,7 +72,7 @@ def _shares():
     return attribution.shares_by_step(_frame(), SWEEP)
 
 
-@figure("attribution_shares")
+@figure
 def attribution_shares() -> Drawing:
     """Over random pixels of A, the share of each dominant term against the step."""
     shares = _shares()

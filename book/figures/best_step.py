@@ -17,7 +17,7 @@ def _steps_and_floors(representable):
     return tuple(np.array([best(k, representable) for k in WAVE_NUMBERS]) for best in (predicted, measured))
 
 
-@figure("best_step")
+@figure
 def best_step() -> Drawing:
     """The best step of the central difference of sine and the floor it leaves, for k from 1 to 512."""
     fig, axes = plot("page", 3.7, ncols=2)

@@ -59,7 +59,7 @@ def _draw_map(ax):
     ax.set(aspect="equal", xlim=(-1.6, 1.7), ylim=(-1.55, 1.3), xticks=[], yticks=[], title=title)
 
 
-@figure("frontier_boundaries")
+@figure
 def frontier_boundaries() -> Drawing:
     """The outline and the cast shadows of the displaced surface beside the smooth one's, and their shift against β."""
     fig, (left, right) = plot("page", height=4.2, ncols=2, width_ratios=(1, 1.15))

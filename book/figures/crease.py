@@ -11,7 +11,7 @@ from renderer.picture.facts import crease_contrast
 CREASE, ROW = 0.125, 0.47
 
 
-@figure("crease")
+@figure
 def crease() -> Drawing:
     """h_u of ridges across the crease u = 1/8: exact, and by central differences of three steps."""
     offsets = np.linspace(-0.03, 0.03, 601)

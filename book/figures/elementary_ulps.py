@@ -30,7 +30,7 @@ def _samples(name):
     return {"ends": ends, "certified": certified, "at": np.ravel(points), "error": np.ravel(errors)}
 
 
-@figure("elementary_ulps")
+@figure
 def elementary_ulps() -> Drawing:
     """The certified error of sinpi, cospi and atan2pi over the reduced range, in ulps, and measured errors below it."""
     fig, axes = plot("page", 3.2, ncols=3, sharey=True)

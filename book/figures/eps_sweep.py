@@ -25,7 +25,7 @@ def _curves(field):
     return np.array([np.abs(d).max() for d in deltas]), np.array([rms(d) for d in deltas])
 
 
-@figure("eps_sweep")
+@figure
 def eps_sweep() -> Drawing:
     """RMS difference on A against ε for the three fields, 256 × 256."""
     steps, curves = STEPS[:SHOWN], {field: _curves(field)[1][:SHOWN] for field in FIELD_NAMES}
@@ -41,7 +41,7 @@ def eps_sweep() -> Drawing:
     return Drawing(fig, numbers, {"step": steps, **curves})
 
 
-@figure("image_error")
+@figure
 def image_error() -> Drawing:
     """The largest and the RMS difference of the pictures on A against ε, 256 × 256, for sine, ridges and rings."""
     fig, axes = plot("page", 3.4, ncols=3, sharey=True)
@@ -62,7 +62,7 @@ def image_error() -> Drawing:
     return Drawing(fig, numbers, {"step": STEPS} | data)
 
 
-@figure("eps_table")
+@figure
 def eps_table() -> Drawing:
     """The ε-table of the default scene, 256 × 256, and the facts beside it; numbers only."""
     scene, rows = Scene(), records(sweep(Scene(), SIZE, SIZE))

@@ -25,7 +25,7 @@ from verify.accuracy.frontiers import fiction, wall
 _errors, _silhouette, _leaks = cache(wall.errors), cache(fiction.silhouette_remainders), cache(fiction.leaks)
 
 
-@figure("frontier_wall")
+@figure
 def frontier_wall() -> Drawing:
     """The error of h_u of an interpolated table against the number of texels: two fields, two interpolations."""
     texels = np.array(wall.TEXELS)
@@ -78,7 +78,7 @@ def _degree_bar(tall):
     return bar
 
 
-@figure("frontier_angles")
+@figure
 def frontier_angles() -> Drawing:
     """The angle between N' and the displaced surface's normal: the chapter's, and three mends, one at a time."""
     side = 200
@@ -91,7 +91,7 @@ def frontier_angles() -> Drawing:
     return Drawing(fig, {"beta": SCENE.beta, "most": MOST} | angles, _angles(side))
 
 
-@figure("frontier_silhouette")
+@figure
 def frontier_silhouette() -> Drawing:
     """How far displacement moves the silhouette against β, and what the first two orders leave over."""
     betas = np.logspace(-3, -1.5, 13)
@@ -115,7 +115,7 @@ def _leak_maps(size):
     return {name: {"leaks": leak, "missed": miss} for name, (leak, miss) in names}
 
 
-@figure("frontier_leaks")
+@figure
 def frontier_leaks() -> Drawing:
     """Where a light reaches what faces away from it, and where it misses what faces it, for each light."""
     yellow, blue = (0xF0, 0xE4, 0x42), (0x56, 0xB4, 0xE9)
@@ -124,7 +124,7 @@ def frontier_leaks() -> Drawing:
     return Drawing(fig, {"pixels_a": symbolic("ridges", 256).stage.on_a.sum()} | counts, _leak_maps(MARKED))
 
 
-@figure("blinn_angles")
+@figure
 def blinn_angles() -> Drawing:
     """The median angle between the chapter's N', as it is and with its sign turned, and Blinn's, in degrees."""
     surface = {name: plane[symbolic().stage.on_a] for name, plane in symbolic().surface_data.items()}

@@ -33,7 +33,7 @@ def _draw_normals(ax: Axes, u: ArrayLike, size: float, **look: Any) -> None:
               units="dots", **look)  # fmt: skip
 
 
-@figure("slope_is_texture")
+@figure
 def slope_is_texture() -> Drawing:
     """The height along a circle of the sphere, the normals that its slope tilts, the light that they catch."""
     fig, blue = canvas(928, 308), palette()["symbolic"]
@@ -81,7 +81,7 @@ def vectors_at(u: float, v: float, beta: float) -> dict[str, np.ndarray]:
 FRAME = ("normal", "e_theta", "e_phi", "g", "m", "bumped")
 
 
-@figure("tilted_frame")
+@figure
 def tilted_frame() -> Drawing:
     """N, the tangent vector βg, M = N + βg and N' at a point of the sphere."""
     u, v, beta, turn, tip = 0.53, 0.2, 0.07, 0.95, 0.42
@@ -127,7 +127,7 @@ def _arrow(ax, start, end, **look):
     ax.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0} | look)
 
 
-@figure("scene_from_the_side")
+@figure
 def scene_from_the_side() -> Drawing:
     """The eye, a ray, the spheres, the floor and the lights, in the upright plane through the eye and B's centre."""
     c, fig, s = palette(), canvas(640, 430), 0.52
@@ -184,7 +184,7 @@ def two_slope_lines() -> Drawing:
     return Drawing(fig, {"u": at, "eps": eps, "numeric": numeric, "slope": slope}, {"u": u, "height": heights})
 
 
-@figure("pixel_worked")
+@figure
 def pixel_worked() -> Drawing:
     """The chapter's scene, and a white frame around the pixel that is worked through."""
     picture = image_view(symbolic(size=SIZE // 2)).copy()  # of half the size: the file that is mailed stays small

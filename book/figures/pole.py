@@ -53,7 +53,7 @@ def _errors(sines):
     return worst
 
 
-@figure("pole")
+@figure
 def pole() -> Drawing:
     """The largest error of g near the pole: the seed's frame, with and without its fallback, and the stable one."""
     sines = np.logspace(0, -8, 49)[1:]

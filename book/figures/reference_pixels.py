@@ -19,7 +19,7 @@ def _pixels():
     return pixels
 
 
-@figure("reference_pixels")
+@figure
 def reference_pixels() -> Drawing:
     """The largest channel error of pixels of each kind against 256-bit balls, and the radii of 53-bit balls."""
     pixels = _pixels()

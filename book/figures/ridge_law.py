@@ -21,7 +21,7 @@ def _curves():
     return law, np.array([on_the_raster("h_u", float(step), frame) for step in STEPS])
 
 
-@figure("ridge_law")
+@figure
 def ridge_law() -> Drawing:
     """RMS error of the central difference of ridges against ε: over the chart, the theorem's law, and on the raster."""
     law, raster = _curves()

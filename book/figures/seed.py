@@ -124,7 +124,7 @@ def clamp_taken(eps: float) -> float:
     return np.mean((v + eps) - (v - eps) < 2 * eps)
 
 
-@figure("seed_pictures")
+@figure
 def seed_pictures() -> Drawing:
     """The seed's words on its pictures against the pictures: limits, what an eye sees, where the creases part."""
     on_a = symbolic().stage.on_a

@@ -40,7 +40,7 @@ def _numbers(*names):
     return numbers
 
 
-@figure("stability_pole")
+@figure
 def stability_pole() -> Drawing:
     """The error of the tangent vector g against sin φ, from 0.84 to 1e-149: the seed's forms, ours, and our bound."""
     fig, ax = plot(height=4.2)
@@ -55,7 +55,7 @@ def stability_pole() -> Drawing:
     return Drawing(fig, _numbers("pole", "pole_general"), _data("pole"))
 
 
-@figure("stability_silhouette")
+@figure
 def stability_silhouette() -> Drawing:
     """The error of the normal against the distance from the silhouette: ours, the seed's, and our bound."""
     fig, ax = plot(height=3.6)
@@ -68,7 +68,7 @@ def stability_silhouette() -> Drawing:
     return Drawing(fig, _numbers("silhouette") | {"in_roundings": scaled.max()}, _data("silhouette"))
 
 
-@figure("stability_near_far")
+@figure
 def stability_near_far() -> Drawing:
     """The error of the normal from the nearest eye to the furthest: ours, the seed's, and our bound."""
     fig, ax = plot(height=3.6)
@@ -78,7 +78,7 @@ def stability_near_far() -> Drawing:
     return Drawing(fig, _numbers("near_to_far"), _data("near_to_far"))
 
 
-@figure("stability_wave_numbers")
+@figure
 def stability_wave_numbers() -> Drawing:
     """The error of the gradient over π max(1, |k|) against |k| up to 2^20, with two other ways to take the argument."""
     naive, rounded = sweep("wave_numbers").others
@@ -100,7 +100,7 @@ _SHADING = {  # sweep: (x label, y label, every how many decades, limits of y)
 }
 
 
-@figure("stability_shading")
+@figure
 def stability_shading() -> Drawing:
     """Four errors of the shading with their bounds: against β, the light's distance, |ω + v|, the shininess."""
     fig, axes = plot(height=5.4, nrows=2, ncols=2)
@@ -111,7 +111,7 @@ def stability_shading() -> Drawing:
     return Drawing(fig, _numbers(*_SHADING, "opposite_light_phong"), {name: _data(name) for name in _SHADING})
 
 
-@figure("stability_symmetry")
+@figure
 def stability_symmetry() -> Drawing:
     """How far mirrored and turned scenes, and permuted lights, change the picture; numbers only."""
     moved = [symmetry.difference(scene, move) for scene in symmetry.SCENES.values() for move in symmetry.MOVES]
@@ -121,7 +121,7 @@ def stability_symmetry() -> Drawing:
     return Drawing(numbers=numbers | {"permuted": symmetry.permuted_lights(symmetry.FIVE_LIGHTS)})
 
 
-@figure("stability_totals")
+@figure
 def stability_totals() -> Drawing:
     """All sweeps together: points, escapes, undecided; numbers only."""
     swept = [sweep(name) for name in SWEEPS]

@@ -35,7 +35,7 @@ def _sizes(field):
     return {"largest": np.abs(delta).max(), "rms": rms(delta)}
 
 
-@figure("three_pictures")
+@figure
 def three_pictures() -> Drawing:
     """Ridges by central differences, exactly, and the difference on a logarithmic scale."""
     fig = panels(_three("ridges", SIDE), TITLES, (LOW, HIGH))
@@ -44,7 +44,7 @@ def three_pictures() -> Drawing:
     return Drawing(fig, numbers, {"largest_of_a_channel": np.abs(whole).max(axis=2)})
 
 
-@figure("contact_sheet")
+@figure
 def contact_sheet() -> Drawing:
     """Sine, ridges and rings, from the top: numeric, symbolic, difference."""
     rows = [_three(field, SIDE) for field in FIELD_NAMES]
@@ -52,7 +52,7 @@ def contact_sheet() -> Drawing:
     return Drawing(fig, {"eps": TELLING_EPS} | {field: _sizes(field) for field in FIELD_NAMES})
 
 
-@figure("views")
+@figure
 def views() -> Drawing:
     """The symbolic picture of ridges, its slope, its kink flags, and the pixels whose difference straddles."""
     fine, fine_step = symbolic("ridges", VIEW_SIDE * FINE), numeric("ridges", VIEW_SIDE * FINE)
@@ -66,7 +66,7 @@ def views() -> Drawing:
     return Drawing(fig, {"eps": TELLING_EPS, "steepest": frame.slope.max()} | shares, data)
 
 
-@figure("hero")
+@figure
 def hero() -> Drawing:
     """The default scene, by central differences on the left of the middle and exactly on the right."""
     left, right = (to_bytes(render(SCENE, WIDTH, HEIGHT, method).rgb) for method in (central(HERO_EPS), exact()))

@@ -19,7 +19,7 @@ errors = partial(by_mpmath.errors, *SMOOTH_POINT)
 truncation = partial(by_mpmath.truncation, *SMOOTH_POINT)
 
 
-@figure("u_curve")
+@figure
 def u_curve() -> Drawing:
     """The error of the central difference of sine at a smooth point, from ε = 0.1 to 1e-12."""
     steps = np.logspace(-1, -12, 221)

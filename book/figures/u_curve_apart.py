@@ -41,7 +41,7 @@ def _every_other(ax, steps, values, role, size, marker="o"):
     dots(ax, steps[values > 0], values[values > 0], role, size, marker)
 
 
-@figure("u_curve_parts")
+@figure
 def u_curve_parts() -> Drawing:
     """The three parts of the error of h_u of sine at a steep point, against the step, and their proved bounds."""
     measured, limits = below(STEEP)
@@ -75,7 +75,7 @@ def u_curve_parts() -> Drawing:
     return Drawing(fig, numbers, data)
 
 
-@figure("u_curve_places")
+@figure
 def u_curve_places() -> Drawing:
     """The error of the difference at six places, smooth and not, below its proved bound."""
     fig, axes = plot("page", 5.4, nrows=2, ncols=3, sharex=True, sharey=True)
@@ -94,7 +94,7 @@ def u_curve_places() -> Drawing:
     return Drawing(fig, data=data)
 
 
-@figure("u_curve_margins")
+@figure
 def u_curve_margins() -> Drawing:
     """The measured error over its proved bound, at every step: the largest and the median of all places."""
     shares = np.array([np.abs(measured.total) / limits.total for measured, limits in map(below, CASES)])

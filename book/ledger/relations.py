@@ -2,10 +2,11 @@
 
 import operator
 import re
+from collections.abc import Callable
 from typing import NamedTuple
 
 ALLOWED = "one of ==, !=, <, <=, >, >= and a number, or in [a, b]"
-HOLDS = {
+HOLDS: dict[str, Callable[..., bool]] = {
     "==": operator.eq,
     "!=": operator.ne,
     "<=": operator.le,
