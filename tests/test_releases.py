@@ -351,7 +351,7 @@ def lint(program: str, *arguments) -> None:
 
 @pytest.mark.parametrize(
     ("name", "commands"),
-    [("publish", (".ci/run", "make release-notes", "book/_build/html")), ("weekly", ("make environment", "--long"))],
+    [("publish", (".ci/run", "make release-notes", "book/_build/html")), ("weekly", (".ci/run", ".ci/long"))],
 )
 def test_the_workflows_are_valid_pinned_and_without_secrets(name, commands):
     path = stamps.ROOT / ".github" / "workflows" / f"{name}.yml"
