@@ -3,7 +3,6 @@
 import io
 import json
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -19,7 +18,8 @@ from book.drawing.style import styled
 def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
     """Draw a figure: its files by suffix, and what its JSON says about them."""
     with styled():
-        picture, numbers, data = _called(entry)
+        drawing = _called(entry)
+        picture = drawing.picture
         if isinstance(picture, Figure):
             size = [round(inches) for inches in picture.get_size_inches() * CSS_PIXELS_PER_INCH]
             files, kind = {".svg": _svg(picture)}, "svg"
@@ -27,12 +27,13 @@ def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
             files, size, kind = {}, None, "numbers"
         else:
             files, size, kind = {".png": _png(entry.id, picture)}, [picture.shape[1], picture.shape[0]], "png"
+        numbers, data = _content(entry.id, drawing)
     if kind == "svg":
         with styled("dark"):
-            dark, *again = _called(entry)
-            if again != [numbers, data]:
+            again = _called(entry)
+            if _content(entry.id, again) != (numbers, data):
                 raise ValueError(f"figure {entry.id!r} gives other numbers when it is drawn again")
-            files[".dark.svg"] = _svg(dark)
+            files[".dark.svg"] = _svg(again.picture)
     exact = kind == "png" or getattr(picture, "pixel_exact", False)
     about = " ".join((entry.draw.__doc__ or "").split("\n\n")[0].split())
     beside = next((f"{entry.id}{suffix}" for suffix in data), None)
@@ -53,12 +54,16 @@ def save(entry: Registered, folder: Path, source: str, key: str) -> list[str]:
     return [f"{entry.id}{suffix}" for suffix in (*files, ".json")]
 
 
-def _called(entry: Registered) -> tuple[Any, dict, dict[str, bytes]]:
-    """Call a figure's function: its picture, its numbers, and its file of data by suffix."""
+def _called(entry: Registered) -> Drawing:
     drawing = entry.draw()
     if not isinstance(drawing, Drawing):
         raise TypeError(f"figure {entry.id!r} returned a {type(drawing).__name__}, not a Drawing")
-    return drawing.picture, plain_numbers(entry.id, drawing.numbers), data_file(entry.id, drawing)
+    return drawing
+
+
+def _content(id: str, drawing: Drawing) -> tuple[dict, dict[str, bytes]]:
+    """A drawing's numbers, and its file of data by suffix."""
+    return plain_numbers(id, drawing.numbers), data_file(id, drawing)
 
 
 def _svg(fig: Figure) -> bytes:
