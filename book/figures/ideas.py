@@ -71,13 +71,6 @@ def slope_is_texture() -> Drawing:
     return Drawing(fig, numbers, data)
 
 
-def vectors_at(u: float, v: float, beta: float) -> dict[str, np.ndarray]:
-    """Return {name: vector} of the lines that tilt the normal at a point of ridges."""
-    gradient = bump_at(u, v, SCENE.ku, SCENE.kv, beta, SCENE.radius, *LIGHT.position)[1:3]
-    lines = dict(zip(BUMP_LINES["lines"], bump_lines(*angles_at(u, v), *gradient, beta), strict=True))
-    return {name: np.array([lines[f"{name}_{axis}"] for axis in "xyz"], float) for name in FRAME}
-
-
 FRAME = ("normal", "e_theta", "e_phi", "g", "m", "bumped")
 
 
@@ -85,7 +78,9 @@ FRAME = ("normal", "e_theta", "e_phi", "g", "m", "bumped")
 def tilted_frame() -> Drawing:
     """N, the tangent vector βg, M = N + βg and N' at a point of the sphere."""
     u, v, beta, turn, tip = 0.53, 0.2, 0.07, 0.95, 0.42
-    c, fig, vectors = palette(), canvas(640, 400), vectors_at(u, v, beta)
+    c, fig, gradient = palette(), canvas(640, 400), kernels.gradient_ridges(u, v, SCENE.ku, SCENE.kv)
+    lines = dict(zip(BUMP_LINES["lines"], bump_lines(*angles_at(u, v), *gradient, beta), strict=True))
+    vectors = {name: np.array([lines[f"{name}_{axis}"] for axis in "xyz"], float) for name in FRAME}
     right = np.array([-np.sin(turn), np.cos(turn), 0])
     up = np.array([-np.sin(tip) * np.cos(turn), -np.sin(tip) * np.sin(turn), np.cos(tip)])
     ax = pixel_axes(fig, 0, 0, 640, 400, xlim=(-320, 320), ylim=(-164, 236))

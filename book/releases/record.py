@@ -62,7 +62,7 @@ def _measured(path: Path) -> dict:
 
 def _digests(figure: dict) -> dict:
     """The digests of a picture: of its files, and of the pixels or plotted numbers that a release keeps of it."""
-    kept, content = archive_file(GENERATED / figure["data"])
+    name, content = archive_file(GENERATED / figure["data"])
     paths = (path for path in GENERATED.glob(f"{figure['id']}.*") if path.suffix != ".json")
     files = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in paths}
-    return {"files": files, "kept": kept, "content": content}
+    return {"files": files, "kept": name, "content": content}

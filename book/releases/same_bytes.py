@@ -61,8 +61,8 @@ def elsewhere(folder: Path) -> Mapping[str, str]:
     home = folder / "another home"
     home.mkdir()
     unwanted = ("XDG_", "MPLCONFIGDIR", "PYTHONPATH", "IPYTHONDIR", "JUPYTER_")
-    kept = {name: value for name, value in os.environ.items() if not name.startswith(unwanted)}
-    return kept | {"HOME": str(home), "TZ": "Asia/Kathmandu", "PYTHONHASHSEED": "12345", "LC_ALL": "C.UTF-8"}
+    environment = {name: value for name, value in os.environ.items() if not name.startswith(unwanted)}
+    return environment | {"HOME": str(home), "TZ": "Asia/Kathmandu", "PYTHONHASHSEED": "12345", "LC_ALL": "C.UTF-8"}
 
 
 def same_bytes() -> int:
