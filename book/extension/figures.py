@@ -58,7 +58,8 @@ def chapter_figure(here: SphinxDirective) -> list[nodes.Node]:
     id = here.arguments[0]
     if not here.options.get("alt", "").strip():
         raise ValueError(f"{id!r}: the option alt is required: say what the picture shows")
-    description = load_result(Path(here.env.srcdir), id)
+    book = Path(here.env.srcdir)
+    description = load_result(book, id)
     if description["kind"] == "numbers":
         raise ValueError(f"{id!r} has numbers but no picture")
     width = here.options.get("width", "text")
