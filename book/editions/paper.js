@@ -21,34 +21,27 @@ async function putOnPaper(names) {
     title.id = title.parentElement.id;
     title.parentElement.id = "";
   }
-  document.querySelector(".bd-article").insertAdjacentHTML("afterend", contents());
+  // The table of contents: pages, and their sections. The front's title is the whole chapter's.
+  const titles = all("article:not(:first-child) > section > h1, article:not(:first-child) > section > section > h2");
+  const entries = titles.map((title) => `<li class="${title.tagName}"><a href="#${title.id}">${title.innerHTML}</a></li>`);
+  const list = `<nav class="paper-contents"><h2>Contents</h2><ol>${entries.join("")}</ol></nav>`;
+  document.querySelector(".bd-article").insertAdjacentHTML("afterend", list);
   for (const graph of all(".graph > svg")) cut(graph);
   for (const link of all("a, .not-mailed")) if (!leadsOn(link)) drop(link);
   await MathJax.typesetPromise();
   await fit();
 }
 
-// The table of contents: pages, and their sections, one below the title.
-function contents() {
-  const listed = (entries) => (entries.length ? `<ol>${entries.join("")}</ol>` : "");
-  const entry = (title, inside) => `<li><a href="#${title.id}">${title.innerHTML}</a>${inside}</li>`;
-  const below = (title) => [...title.parentElement.querySelectorAll(":scope > section > h2")].map((part) => entry(part, ""));
-  const [, ...titles] = all("h1"); // the front's is the whole chapter's
-  return `<nav class="paper-contents"><h2>Contents</h2>${listed(titles.map((title) => entry(title, listed(below(title)))))}</nav>`;
-}
-
 // The graph of what rests on what is taller than a page: it is cut between its rows. A row keeps its id.
 function cut(graph) {
-  const { width, height } = graph.viewBox.baseVal;
-  const middles = [...graph.querySelectorAll(".node .reach")].map((circle) => circle.cy.baseVal.value);
-  for (let first = 0; first < middles.length; first += ROWS) {
-    const edge = (row) => (middles[row - 1] + middles[row]) / 2;
-    const top = first ? edge(first) : 0, bottom = first + ROWS < middles.length ? edge(first + ROWS) : height;
-    const piece = graph.cloneNode(true);
-    [...piece.querySelectorAll(".node")].filter((_, row) => row < first || row >= first + ROWS).forEach((node) => node.remove());
-    piece.setAttribute("viewBox", `0 ${top} ${width + ROOM} ${bottom - top}`);
-    piece.setAttribute("width", width + ROOM);
-    piece.setAttribute("height", bottom - top);
+  const rows = [...graph.querySelectorAll(".reach")].map((circle) => circle.cy.baseVal.value);
+  const edges = rows.map((row, number) => (number ? (rows[number - 1] + row) / 2 : 0)).filter((_, number) => number % ROWS === 0);
+  for (const [number, top] of edges.entries()) {
+    const piece = graph.cloneNode(true), box = piece.viewBox.baseVal;
+    const rest = [...piece.querySelectorAll(".node")].filter((_, row) => Math.floor(row / ROWS) !== number);
+    for (const node of rest) node.remove();
+    Object.assign(box, { y: top, width: box.width + ROOM, height: (edges[number + 1] ?? box.height) - top });
+    for (const side of ["width", "height"]) piece.setAttribute(side, box[side]);
     graph.before(piece);
   }
   graph.remove();
@@ -56,7 +49,7 @@ function cut(graph) {
 
 function leadsOn(link) {
   const address = link.getAttribute("href") || "";
-  return /^(https?:|mailto:)/.test(address) || (address[0] === "#" && document.getElementById(decodeURIComponent(address.slice(1))));
+  return address[0] === "#" ? document.getElementById(decodeURIComponent(address.slice(1))) : /^(http|mailto:)/.test(address);
 }
 
 // Of provenance a link goes with the dot after it, elsewhere its words stay.
