@@ -47,7 +47,8 @@ HIDING = re.compile(r"\b(?:Notation|Infix|Coercion|Declare|Load|Module(?! \w+\.)
 PARTLY = {
     "bump_moves_no_boundary": "that none of these depends on the bump: the lines printed for them have no such input",
     "crease_error_area": "how many tents there are, and that they do not overlap",
-    "elementary_functions": "the reduction of the argument, how many units in the last place, and the arctangent",
+    "elementary_functions": "the reduction of the argument, how many units in the last place, and all functions but "
+    "sine and cosine",
     "gradient_accuracy": "8 in place of 10, ridges and rings, the algebraic form, and the argument's reduction",
 }
 """{theorem: what of its words no statement says}"""

@@ -34,6 +34,12 @@ class KernelPrinter(StrPrinter):
     def _print_Infinity(self, expr):
         return "inf"
 
+    def _print_NegativeInfinity(self, expr):
+        return "-inf"
+
+    def _print_Exp1(self, expr):
+        return self._call("exp", [S.One])
+
     def _print_Mul(self, expr):
         coefficient, factors = expr.as_coeff_mul()
         product = expr if coefficient is S.One else expr.func(*factors)

@@ -4,9 +4,9 @@ It is kept with a key: a hash of every source that the measurements can reach, o
 and of the libraries' versions. What has another key, or was changed since it was written, is not read.
 """
 
-import importlib.metadata
 import json
 from dataclasses import asdict
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from proofs.engine.theorem import Theorem
@@ -31,8 +31,8 @@ def key_of(theorem: Theorem) -> str:
 
 def _version(distribution):
     try:
-        return importlib.metadata.version(distribution)
-    except importlib.metadata.PackageNotFoundError:
+        return version(distribution)
+    except PackageNotFoundError:
         return None
 
 

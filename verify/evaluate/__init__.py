@@ -1,8 +1,8 @@
 """Lines of formulas in other numbers than float64: printed once for every kind of number, and run one after another.
 
 What tells the kinds apart is their table of names: `MPMATH` here, `BALLS`, `RUNNING` and `ROUNDED` in the modules
-beside it. The text shares the expressions with the kernels and nothing else: arithmetic, sinpi, cospi and atan2pi are
-the table's. For float64 there is `renderer.generate.kernels.function_of`.
+beside it. The text shares the expressions with the kernels and nothing else: arithmetic and the elementary functions
+are the table's. For float64 there is `renderer.generate.kernels.function_of`.
 """
 
 import operator
@@ -78,6 +78,9 @@ MPMATH = ANY_NUMBERS | {
     **{name: getattr(mpmath, name) for name in MPMATHS_OWN},
     "rational": lambda p, q: mpmath.mpf(p) / q,
     "rint": mpmath.nint,
+    "nan": mpmath.nan,
+    "binary_exponent": lambda x: mpmath.mpf(mpmath.frexp(x)[1] - 1),
+    "power_of_two": lambda n: mpmath.mpf(2) ** n,
     "maximum": max,
     "minimum": min,
     "atan2pi": lambda y, x: mpmath.atan2(y, x) / mpmath.pi if x or y else mpmath.mpf(0),

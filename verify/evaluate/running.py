@@ -18,7 +18,8 @@ from verify.evaluate import ANY_NUMBERS
 U = 2.0**-53
 TINY = 2.0**-1074
 SLACK = 1 + 1e-12  # the bounds are rounded too
-ULPS = {"sinpi": 2.0, "cospi": 2.0, "atan2pi": 2.5, "power": 1.0}
+ULPS = {"sinpi": 2.0, "cospi": 2.0, "atan2pi": 2.5, "exp": 1.0, "log": 0.52, "power": 1.5, "small power": 11.03}
+SMALLEST = 4e-308  # below it exp and power may be 0
 
 
 class Running:
@@ -139,14 +140,25 @@ def sign(a: Number) -> Running:
     return Running(np.sign(a.value), np.where((np.abs(a.value) <= a.bound) & (a.bound > 0), 2.0, 0.0))
 
 
-def power(a: Number, p: Number) -> Running:
-    """a^p, a ≥ 0, p exact and positive: monotone, so its ends bound it; ours or libm's rounding beside that."""
-    a, p = running(a), running(p)
-    with np.errstate(all="ignore"):
-        value = np.power(a.value, p.value)
-        above = np.power(a.value + a.bound, p.value) * (1 + 4 * U) - value
-        below = value - np.power(np.maximum(0, a.value - a.bound), p.value) * (1 - 4 * U)
-    return a._rounded(value, np.where(a.bound == 0, 0.0, np.maximum(above, below)), ULPS["power"])
+def _rising(function, ulps, least=-np.inf):
+    """Return a function that rises: its ends bound what is inherited; 2 ulp more, for they are rounded as well."""
+
+    def rising(a, *others):
+        a, others = running(a), [running(other).value for other in others]
+        with np.errstate(all="ignore"):
+            low, value, high = (
+                function(np.maximum(least, end), *others) for end in (a.value - a.bound, a.value, a.value + a.bound)
+            )
+            ends = np.maximum(high - value, value - low) + 4 * ulps(value) * U * np.maximum(np.abs(high), np.abs(low))
+        return a._rounded(value, np.where(a.bound == 0, 0.0, ends) + SMALLEST * (value == 0), ulps(value))
+
+    return rising
+
+
+exp = _rising(kernels.exp, lambda value: ULPS["exp"])
+log = _rising(kernels.log, lambda value: ULPS["log"], least=0)
+power = _rising(kernels.power, lambda value: np.where(value < np.exp(-50), ULPS["small power"], ULPS["power"]), least=0)
+"""a^p for a ≥ 0 and an exact p > 0."""
 
 
 def _of_half_turns(function, ulps):
@@ -177,11 +189,10 @@ def atan2pi(y: Number, x: Number) -> Running:
 
 
 RUNNING = ANY_NUMBERS | {
-    **{f.__name__: f for f in (rational, sqrt, maximum, sign, power, atan2pi)},
+    **{f.__name__: f for f in (rational, sqrt, maximum, sign, atan2pi)},
     "pi": Running(np.pi, 2 * U),
     "inf": np.inf,
-    "sinpi": sinpi,
-    "cospi": cospi,
+    **{"sinpi": sinpi, "cospi": cospi, "exp": exp, "log": log, "power": power},
     "where": lambda condition, value, otherwise: where(condition, value(), otherwise()),
     "two_product": lambda a, b: (a, b),  # sinpi and cospi take both factors, and their product with its error
 }
