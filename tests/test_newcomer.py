@@ -158,6 +158,13 @@ def test_the_claim_stands_and_falls_with_the_run(walked):
     ledger = load(book / "ledger")
     assert ledger.get(CLAIM).words == "Waves climb in one direction alone."
     for grade, wrong in (("proved", []), ("failed", ["grade: proved is expected, the run made it failed"])):
-        run = Run({CLAIM: grade}, {*page_files(book)}, set(), lambda name: look_up(book, *parse(name)[:2]), bool)
+        run = Run(
+            {CLAIM: grade},
+            {CLAIM: "proved"},
+            {*page_files(book)},
+            set(),
+            lambda name: look_up(book, *parse(name)[:2]),
+            bool,
+        )
         found = [fault for fault in faults_in(ledger, run) if fault.startswith(CLAIM)]
         assert found == [f"{CLAIM}: evidence {CLAIM}: {fault}" for fault in wrong]

@@ -40,8 +40,8 @@ def keep(evidence: Examination, key: str) -> None:
     """Write what a run found about a theorem, if nothing is missing."""
     if evidence.problems or not (sources.ROOT / "pyproject.toml").exists():  # an installed package keeps nothing
         return
-    found = asdict(evidence)
-    text = json.dumps({"key": key, "evidence": found, "hash": sources.key({key: found})}, indent=1)
+    content = asdict(evidence)
+    text = json.dumps({"key": key, "evidence": content, "hash": sources.key({key: content})}, indent=1)
     write_whole(FOLDER / f"{evidence.id}.json", (text + "\n").encode())
 
 
@@ -51,8 +51,8 @@ def read(theorem: Theorem, key: str) -> Examination | None:
         kept = json.loads((FOLDER / f"{theorem.id}.json").read_text(encoding="utf-8"))
         if kept["key"] != key or kept["hash"] != sources.key({key: kept["evidence"]}):
             return None
-        found = Examination(**kept["evidence"])
+        examination = Examination(**kept["evidence"])
     except (OSError, ValueError, KeyError, TypeError):
         return None
-    found.uses = tuple(found.uses)
-    return found
+    examination.uses = tuple(examination.uses)
+    return examination
