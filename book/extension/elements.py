@@ -157,10 +157,10 @@ def on(event: str, priority: int = 500) -> Callable:
     return register
 
 
-def on_page(handler: Callable[[Page], None]) -> Callable:
-    """Make a function see every page before it is written, and before the theme does."""
+def on_page(handler: Callable[[Page], None], priority: int = 500) -> Callable:
+    """Make a function see every page before it is written; below 500, before the theme does."""
     hear = lambda app, name, template, context, doctree: handler(Page(app, name, context, doctree))  # noqa: E731
-    return on("html-page-context", priority=400)(hear)
+    return on("html-page-context", priority)(hear)
 
 
 TEMPLATES.globals.update(typeset=typeset, raw=raw, prose=prose, literal=literal)

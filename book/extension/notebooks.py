@@ -9,6 +9,7 @@ notebook from a branch, so that it has to be the one that the site is published 
 
 import base64
 import re
+from functools import partial
 from pathlib import Path
 
 import yaml
@@ -50,7 +51,7 @@ def notebook_links(here: SphinxDirective) -> list[nodes.Node]:
     return [filled("notebook_links", **link)]
 
 
-@on_page
+@partial(on_page, priority=400)
 def offer_notebooks(page: Page) -> None:
     """Write the notebooks, which Colab opens from the site; the theme lists that of all cells in its download menu."""
     from book.notebooks.notebook import notebooks, text_of
