@@ -11,7 +11,7 @@ from verify.checkers.kernels import JAVASCRIPT
 from verify.checkers.tampering import draws
 from verify.checkers.test_checkers import NOTHING, UNSOUND, derivation, show
 
-ASK = "(text) => { const { check } = Checker.kernel(); return JSON.parse(text).map((pair) => check(...pair)) }"
+ASK = "(text) => { const { check } = certificate_kernel(); return JSON.parse(text).map((pair) => check(...pair)) }"
 
 
 @pytest.fixture(scope="module")
