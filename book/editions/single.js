@@ -29,12 +29,6 @@
     return document.getElementById(id) ?? pages.find((page) => page.dataset.page === id);
   }
 
-  /** @param {string} base64 */
-  function unpacked(base64) {
-    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip")));
-  }
-
   // MathJax is more than a tenth of the file, and is carried compressed.
   const typesetter = (async () => {
     const packed = find_element(document, "#packed-mathjax").textContent;

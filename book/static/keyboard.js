@@ -97,6 +97,5 @@
   }
 
   addEventListener("hashchange", open_claim);
-  if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", watch);
-  else watch();
+  when_ready(watch);
 })();

@@ -29,6 +29,18 @@ function make_element(tag, attributes = {}, ...children) {
   return made;
 }
 
+/**
+ * Return a new button that has work done.
+ * @param {Node | string} label
+ * @param {() => void} work
+ * @param {Record<string, string | number>} [attributes]
+ */
+function make_button(label, work, attributes) {
+  const button = make_element("button", { type: "button", ...attributes }, label);
+  button.addEventListener("click", work);
+  return button;
+}
+
 /** @param {Element} element @param {Record<string, string | number>} attributes */
 function set_attributes(element, attributes) {
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
@@ -58,8 +70,40 @@ const scientific = (number, digits) => with_minus(number.toExponential(digits)).
 /** A whole number in raised digits. @param {number} number */
 const raised = (number) => String(number).replace(/./g, (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]);
 
+/** Where the pointer is in an element, and how large that is. @param {Element} element @param {MouseEvent} event */
+function pointer_in(element, { clientX, clientY }) {
+  const { left, top, width, height } = element.getBoundingClientRect();
+  return { x: clientX - left, y: clientY - top, width, height };
+}
+
 /** Whether a key is pressed together with one that makes it the browser's own. @param {KeyboardEvent} event */
 const is_shortcut = (event) => event.ctrlKey || event.altKey || event.metaKey;
+
+/**
+ * A worker that runs functions of the page: a file that is opened from a disk may load none by its address. The last
+ * one is given what posts a reply, and returns what takes a message.
+ * @param {...Function} functions
+ */
+function worker_of(...functions) {
+  const begin = `const take = ${functions[functions.length - 1].name}(postMessage);`;
+  const source = ['"use strict";', ...functions, begin, "onmessage = ({ data }) => take(data);"].join("\n");
+  const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+  const worker = new Worker(address);
+  URL.revokeObjectURL(address);
+  return worker;
+}
+
+/** The bytes that a text of the page carries, compressed. @param {string} base64 */
+function unpacked(base64) {
+  const packed = new Blob([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))]);
+  return new Response(packed.stream().pipeThrough(new DecompressionStream("gzip")));
+}
+
+/** Do some work when the page is there. @param {() => void} work */
+function when_ready(work) {
+  if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", work);
+  else work();
+}
 
 /** What is said of what was thrown. @param {unknown} error */
 const error_text = (error) => (error instanceof Error ? error.message : String(error));

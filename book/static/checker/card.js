@@ -20,13 +20,9 @@ function checker_card(place, data, clerk) {
     }),
   );
   const id = `doubt-${data.theorem}`;
-  const button = make_element("button", { type: "button" }, "Check it here");
-  const doubt = make_element(
-    "button",
-    { type: "button", "aria-expanded": "false", "aria-controls": id },
-    "Change the statement",
-  );
-  const verdict = make_element("div", { class: "check-verdict", role: "status" });
+  const verdict = verdict_box();
+  const button = make_button("Check it here", () => show_verdict(button, verdict, check));
+  const doubt = make_button("Change the statement", open_editor, { "aria-expanded": "false", "aria-controls": id });
   const details = make_element("div");
   const panel = make_element("div", { class: "check-editor", id, hidden: "" });
 
@@ -139,28 +135,21 @@ function checker_card(place, data, clerk) {
   }
 
   async function check() {
-    button.disabled = true;
-    try {
-      const answers = await Promise.all(cases.map(({ statement, certificate }) => clerk.check(statement, certificate)));
-      const time = took(total(answers, (answer) => answer.time));
-      const wrong = answers.findIndex((answer) => !answer.accepted);
-      if (wrong >= 0) verdict.replaceChildren(...rejected(answers[wrong], cases[wrong].statement, cases[wrong].name));
-      else
-        verdict.replaceChildren(verdict_line("Accepted", `, in ${time}, by this browser. ${done(answers)}`), limits());
-      const list = make_element("ol", {}, ...cases.map(what));
-      details.replaceChildren(make_element("details", {}, make_element("summary", {}, "What was checked"), list));
-    } catch (why) {
-      verdict.replaceChildren(verdict_line("No verdict", `: ${error_text(why)}.`));
-      details.replaceChildren();
-    }
-    button.disabled = false;
+    details.replaceChildren();
+    const answers = await Promise.all(cases.map(({ statement, certificate }) => clerk.check(statement, certificate)));
+    const time = took(total(answers, (answer) => answer.time));
+    const list = make_element("ol", {}, ...cases.map(what));
+    details.append(make_element("details", {}, make_element("summary", {}, "What was checked"), list));
+    const wrong = answers.findIndex((answer) => !answer.accepted);
+    if (wrong >= 0) return rejected(answers[wrong], cases[wrong].statement, cases[wrong].name);
+    return [verdict_line("Accepted", `, in ${time}, by this browser. ${done(answers)}`), limits()];
   }
 
-  button.addEventListener("click", check);
-  doubt.addEventListener("click", () => {
+  function open_editor() {
     if (!panel.hasChildNodes()) statement_editor(panel, cases, polynomials, clerk, told);
     panel.hidden = !panel.hidden;
     doubt.setAttribute("aria-expanded", String(!panel.hidden));
-  });
+  }
+
   put_checker(place, make_element("p", { class: "check-buttons" }, button, doubt), verdict, details, panel);
 }

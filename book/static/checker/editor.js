@@ -48,9 +48,12 @@ function statement_lines(statement, { spelled, zero }) {
 function statement_editor(root, cases, polynomials, clerk, told) {
   const { typeset, term, sorted, spelled, text, parse } = polynomials;
   const copies = cases.map(({ statement }) => structuredClone(statement));
-  const verdict = make_element("div", { class: "check-verdict", role: "status" });
+  const verdict = verdict_box();
   const list = make_element("ol", { class: "check-lines" });
-  const back = make_element("button", { type: "button" }, "Put everything back");
+  const back = make_button("Put everything back", () => {
+    copies[chosen] = structuredClone(cases[chosen].statement);
+    show();
+  });
   /** @type {{ item: Element, button: Element, panel: Element } | null} */
   let opened = null;
   let chosen = 0;
@@ -107,15 +110,13 @@ function statement_editor(root, cases, polynomials, clerk, told) {
     function show_chips() {
       if (line.names) return;
       const terms = sorted(value()).map(([monomial, coefficient], n) => {
-        const chip = make_element("button", { type: "button" }, term(monomial, coefficient, !n));
-        chip.addEventListener("click", () => {
+        return make_button(term(monomial, coefficient, !n), () => {
           const turned = coefficient.startsWith("-") ? coefficient.slice(1) : `-${coefficient}`;
           put({ ...value(), [monomial]: turned });
           box.value = text(value());
           show_chips();
           chips.querySelectorAll("button")[n].focus();
         });
-        return chip;
       });
       chips.replaceChildren(...terms);
       if (terms.length) chips.prepend(make_element("span", { id: `${id}-chips` }, "Turn a sign:"));
@@ -150,19 +151,16 @@ function statement_editor(root, cases, polynomials, clerk, told) {
     back.disabled = !statement_lines(statement, polynomials).some(differs);
     if (back.disabled)
       return verdict.replaceChildren(make_element("p", {}, "The statement is as it was. Press a line to change it."));
-    const said = await clerk.check(statement, cases[chosen].certificate).then(
-      (answer) => told(answer, statement),
-      (why) => [verdict_line("No verdict", `: ${error_text(why)}.`)],
-    );
+    const answer = clerk.check(statement, cases[chosen].certificate);
+    const said = await answer.then((found) => told(found, statement), no_verdict);
     if (now === asked) verdict.replaceChildren(...said);
   }
 
   function show() {
     opened = null;
     const items = statement_lines(copies[chosen], polynomials).map((line) => {
-      const button = make_element("button", { type: "button", "aria-expanded": "false", class: "check-line" });
+      const button = make_button("", () => open(line, item, button), { "aria-expanded": "false", class: "check-line" });
       const item = make_element("li", {}, make_element("span", { class: "check-label" }, line.label), button);
-      button.addEventListener("click", () => open(line, item, button));
       show_line(line, item, button);
       return item;
     });
@@ -170,10 +168,6 @@ function statement_editor(root, cases, polynomials, clerk, told) {
     try_it();
   }
 
-  back.addEventListener("click", () => {
-    copies[chosen] = structuredClone(cases[chosen].statement);
-    show();
-  });
   const options = cases.map(({ name }, n) => make_element("option", { value: n }, name));
   const choice = make_element("select", { id: `${root.id}-statement` }, ...options);
   choice.addEventListener("change", () => {

@@ -56,8 +56,7 @@ function certificate_kernel() {
 
   /** A fraction from its text, which has to be in lowest terms. @param {unknown} text */
   function fraction(text) {
-    const [, top, bottom = "1"] =
-      (typeof text === "string" && /^(-?[0-9]{1,500})(?:\/([0-9]{1,500}))?$/.exec(text)) || [];
+    const [, top, bottom = "1"] = /^(-?[0-9]{1,500})(?:\/([0-9]{1,500}))?$/.exec(`${text}`) ?? [];
     insist(top && !/^0+$/.test(bottom), `"${text}" is not a fraction`);
     const value = reduced(BigInt(top), BigInt(bottom));
     insist(printed(value) === text, `"${text}" is not a fraction in lowest terms`);
@@ -96,8 +95,8 @@ function certificate_kernel() {
     return Object.keys(data);
   }
 
-  const NAME = "(?:[A-Za-z][A-Za-z0-9_]{0,99}|(?:cos|sin)\\([A-Za-z0-9_*/()+-]{1,99}\\))",
-    POWER = `${NAME}(?:\\^(?:[2-9]|[1-9][0-9]{1,2}))?`;
+  const NAME = "(?:[A-Za-z][A-Za-z0-9_]{0,99}|(?:cos|sin)\\([A-Za-z0-9_*/()+-]{1,99}\\))";
+  const POWER = `${NAME}(?:\\^(?:[2-9]|[1-9][0-9]{1,2}))?`;
   const [ONE_NAME, MONOMIAL] = [NAME, `(?:${POWER}(?: ${POWER})*)?`].map((form) => new RegExp(`^${form}$`));
   /** @param {any} text */
   function name(text) {
@@ -412,7 +411,7 @@ function certificate_kernel() {
     }
   }
 
-  return { check };
+  return { check, powers, reduced, plus, printed };
 }
 
 /** Data from its text, which has to be its own canonical form: no key twice, no number that a double rounds. @param {string} text */

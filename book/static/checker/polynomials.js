@@ -17,14 +17,9 @@ function polynomial_texts(names) {
 
   /** @param {string} relation */
   const zero = (relation) => ` ${RELATIONS[relation] ?? relation} 0`;
+  const { powers, reduced, plus, printed } = certificate_kernel();
   /** @param {string} monomial */
-  const factors = (monomial) =>
-    monomial
-      .split(" ")
-      .filter(Boolean)
-      .map((text) => text.split("^"));
-  /** @param {string} monomial */
-  const degree = (monomial) => factors(monomial).reduce((sum, [, power = 1]) => sum + Number(power), 0);
+  const degree = (monomial) => powers(monomial).reduce((sum, [, power]) => sum + Number(power), 0);
   /** @param {PolynomialData} data */
   const sorted = (data) => Object.entries(data).sort(([a], [b]) => degree(b) - degree(a) || (a < b ? -1 : 1));
 
@@ -33,10 +28,10 @@ function polynomial_texts(names) {
 
   /** @param {string} monomial */
   function monomial_nodes(monomial) {
-    return factors(monomial).flatMap(([name, power], n) => {
+    return powers(monomial).flatMap(([name, power], n) => {
       const spelling = spelled(name);
       const space = n ? ["\u2009"] : [];
-      if (power === undefined) return [...space, ...spelling];
+      if (power === "1") return [...space, ...spelling];
       const bracketed = spelling.length > 1 && names[name].some(([, kind]) => kind === "r");
       return [...space, ...(bracketed ? ["(", ...spelling, ")"] : spelling), make_element("sup", {}, power)];
     });
@@ -85,15 +80,10 @@ function polynomial_texts(names) {
     return parts.join(" ") || "0";
   }
 
-  /** Fractions as text, added exactly, in lowest terms. @param {string} a @param {string} b */
-  function sum(a, b) {
-    const [[p, q = 1n], [r, s = 1n]] = [a, b].map((x) => x.split("/").map(BigInt));
-    const top = p * s + r * q;
-    let [divisor, rest] = [q * s, top];
-    while (rest) [divisor, rest] = [rest, divisor % rest];
-    if (divisor < 0n) divisor = -divisor;
-    const bottom = (q * s) / divisor;
-    return bottom === 1n ? `${top / divisor}` : `${top / divisor}/${bottom}`;
+  /** @param {string} text */
+  function fraction(text) {
+    const [top, bottom = 1n] = text.split("/").map(BigInt);
+    return reduced(top, bottom);
   }
 
   /**
@@ -114,8 +104,8 @@ function polynomial_texts(names) {
       if (!size && !powers.size) throw new Error("a term is missing");
       const names = [...powers].sort().map(([name, power]) => (power > 1 ? `${name}^${power}` : name));
       const monomial = names.join(" ");
-      data[monomial] = sum(data[monomial] ?? "0", sign + (size || "1"));
-      if (/^-?0(\/|$)/.test(data[monomial])) delete data[monomial];
+      data[monomial] = printed(plus(fraction(data[monomial] ?? "0"), fraction(sign + (size || "1"))));
+      if (data[monomial] === "0") delete data[monomial];
       [sign, size, powers] = ["", "", new Map()];
     }
     const end = typed.trimEnd().length;

@@ -13,6 +13,23 @@ function verdict_line(word, text) {
   return make_element("p", { class: `check-${kind}` }, make_element("strong", {}, word), text);
 }
 
+const verdict_box = () => make_element("div", { class: "check-verdict", role: "status" });
+
+/** @param {unknown} why */
+const no_verdict = (why) => [verdict_line("No verdict", `: ${error_text(why)}.`)];
+
+/**
+ * Show what comes of a check, its button out of use meanwhile.
+ * @param {HTMLButtonElement} button
+ * @param {Element} verdict
+ * @param {() => Promise<Element[]>} check
+ */
+async function show_verdict(button, verdict, check) {
+  button.disabled = true;
+  verdict.replaceChildren(...(await check().catch(no_verdict)));
+  button.disabled = false;
+}
+
 /**
  * Every certificate of the book, one after the other, with a bar and a summary.
  * @param {Element} place
@@ -20,14 +37,14 @@ function verdict_line(word, text) {
  * @param {Clerk} clerk
  */
 function check_all(place, theorems, clerk) {
-  const button = make_element("button", { type: "button" }, "Check all");
   const listed = theorems.map(({ theorem, claims }) => ({
     theorem,
     cases: claims.flatMap(({ statements }) => statements),
   }));
   const total = listed.reduce((sum, { cases }) => sum + cases.length, 0);
   const bar = make_element("progress", { max: total, value: 0, "aria-label": "Certificates checked" });
-  const verdict = make_element("div", { class: "check-verdict", role: "status" });
+  const verdict = verdict_box();
+  const button = make_button("Check all", () => show_verdict(button, verdict, check));
 
   /** @param {string} theorem @param {boolean} accepted */
   function mark(theorem, accepted) {
@@ -42,36 +59,29 @@ function check_all(place, theorems, clerk) {
     /** @type {string[]} */
     const rejected = [];
     let busy = 0;
-    button.disabled = true;
     bar.value = 0;
     verdict.replaceChildren();
-    try {
-      const asked = listed.map(async ({ theorem, cases }) => {
-        const answers = cases.map(async ({ statement, certificate }) => {
-          const { accepted, time } = await clerk.check(statement, certificate);
-          busy += time;
-          bar.value++;
-          return accepted;
-        });
-        const accepted = (await Promise.all(answers)).every(Boolean);
-        if (!accepted) rejected.push(theorem);
-        mark(theorem, accepted);
+    const asked = listed.map(async ({ theorem, cases }) => {
+      const answers = cases.map(async ({ statement, certificate }) => {
+        const { accepted, time } = await clerk.check(statement, certificate);
+        busy += time;
+        bar.value++;
+        return accepted;
       });
-      await Promise.all(asked);
-      /** @param {number} time */
-      const seconds = (time) => `${(time / 1000).toFixed(1)} s`;
-      const good = `${theorems.length - rejected.length} of ${theorems.length} theorems, ${total} in all`;
-      const spent = `${seconds(performance.now() - begin)}, ${seconds(busy)} of it in the kernel`;
-      const names = rejected.length ? ` Rejected: ${rejected.join(", ")}.` : "";
-      const words = `: the certificates of ${good}, in ${spent}, by this browser.${names}`;
-      verdict.replaceChildren(verdict_line(rejected.length ? "Rejected" : "Accepted", words));
-    } catch (why) {
-      verdict.replaceChildren(verdict_line("No verdict", `: ${error_text(why)}.`));
-    }
-    button.disabled = false;
+      const accepted = (await Promise.all(answers)).every(Boolean);
+      if (!accepted) rejected.push(theorem);
+      mark(theorem, accepted);
+    });
+    await Promise.all(asked);
+    /** @param {number} time */
+    const seconds = (time) => `${(time / 1000).toFixed(1)} s`;
+    const good = `${theorems.length - rejected.length} of ${theorems.length} theorems, ${total} in all`;
+    const spent = `${seconds(performance.now() - begin)}, ${seconds(busy)} of it in the kernel`;
+    const names = rejected.length ? ` Rejected: ${rejected.join(", ")}.` : "";
+    const words = `: the certificates of ${good}, in ${spent}, by this browser.${names}`;
+    return [verdict_line(rejected.length ? "Rejected" : "Accepted", words)];
   }
 
-  button.addEventListener("click", check);
   put_checker(place, make_element("p", { class: "check-buttons" }, button, bar), verdict);
 }
 
@@ -92,5 +102,4 @@ function start_checker() {
   }
 }
 
-if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", start_checker);
-else start_checker();
+when_ready(start_checker);

@@ -17,7 +17,7 @@ function checking_worker(post) {
   };
 }
 
-// One worker for the page, made when first asked, from a Blob: a file opened from a disk may not load it by address.
+// One worker for the page, made when first asked.
 function checking_clerk() {
   const PATIENCE = 20000; // milliseconds from one answer to the next; the slowest takes a fraction of a second
   /** @type {Worker | null} */
@@ -28,11 +28,7 @@ function checking_clerk() {
   const waiting = new Map();
 
   function start() {
-    const begin = "const answer = checking_worker(postMessage); onmessage = ({ data }) => answer(data);";
-    const source = ['"use strict";', certificate_kernel, checking_worker, begin].join("\n");
-    const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
-    const made = new Worker(address);
-    URL.revokeObjectURL(address);
+    const made = worker_of(certificate_kernel, checking_worker);
     made.onmessage = ({ data }) => {
       waiting.get(data.id)?.resolve(data);
       waiting.delete(data.id);

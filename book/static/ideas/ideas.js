@@ -50,6 +50,11 @@ function decimal(number, digits = 2) {
 /** @param {Point[]} points */
 const line_path = (points) => `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L")}`;
 
+/** @param {string} look @param {string} path */
+const path_markup = (look, path) => `<path class="${look}" d="${path}"/>`;
+/** @param {string} look @param {Point} middle @param {number} radius */
+const circle_markup = (look, [x, y], radius) => `<circle class="${look}" cx="${x}" cy="${y}" r="${radius}"/>`;
+
 /** An arrow: a line and its head, at most as long as half the arrow. @param {Point} from @param {Point} to */
 function arrow_path([x, y], [end_x, end_y], look = "", size = 6) {
   const [dx, dy] = [end_x - x, end_y - y];
@@ -65,7 +70,7 @@ function arrow_path([x, y], [end_x, end_y], look = "", size = 6) {
     [end_x, end_y],
     [end_x - a + b / 2, end_y - b - a / 2],
   ]);
-  return `<path class="${look}" d="${shaft}"/><path class="${look} head" d="${head}Z"/>`;
+  return path_markup(look, shaft) + path_markup(`${look} head`, `${head}Z`);
 }
 
 /** @param {number} x @param {number} y @param {string} words */
@@ -97,9 +102,9 @@ const vector_of = (lines, name) => ["x", "y", "z"].map((axis) => lines[`${name}_
  */
 function listen_to_hand(target, origin, moved, stepped) {
   /** @param {PointerEvent} event @param {boolean} begins */
-  function tell({ clientX, clientY }, begins) {
-    const { left, top } = origin.getBoundingClientRect();
-    moved(clientX - left, clientY - top, begins);
+  function tell(event, begins) {
+    const { x, y } = pointer_in(origin, event);
+    moved(x, y, begins);
   }
   target.addEventListener("pointerdown", (event) => {
     if (event.button) return;
@@ -191,7 +196,7 @@ function idea_stage(figure, draw) {
    * @param {(number: number) => void} changed
    * @param {(number: number) => string} say
    */
-  function slider(label, range, changed, say) {
+  function slider(label, range, changed, say = (number) => decimal(number, 3)) {
     const box = add_element(root, "label", { class: "idea-slider" });
     add_element(box, "span", {}, label);
     const input = add_element(box, "input", { type: "range", ...range });

@@ -54,7 +54,7 @@ IDEAS.scene_from_the_side = (figure, module, data) => {
         const [x, y] = place([along[n], heights[n]]);
         if (is_dark(n)) path += `${n && is_dark(n - 1) ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`;
       }
-      return `<path class="dark light-${light}" d="${path}"/>`;
+      return path_markup(`dark light-${light}`, path);
     }
 
     /** @type {{ center: Vector, size: number }[]} */
@@ -104,19 +104,18 @@ IDEAS.scene_from_the_side = (figure, module, data) => {
       const name = text_at(near[0] + (near[0] > hit[0] ? 6 : -76), near[1] - 4, LIGHTS[n]);
       return arrow_path(hit, near, is_hidden[n] ? "blocked" : `shine light-${n}`, 8) + name;
     });
-    const [wide, from, to] = [radius * scale, middle - radius * scale, middle + radius * scale];
-    /** @param {Point} at @param {number} r @param {string} look */
-    const disc = ([x, y], r, look) => `<circle class="${look}" cx="${x}" cy="${y}" r="${r}"/>`;
+    const wide = radius * scale;
     panel.svg.setAttribute("height", String(ground + 24));
     panel.show(
-      `<path class="height" d="M0 ${ground}H${panel.width()}"/>` +
-        `<path class="body" d="M${from} ${ground}A${wide} ${wide} 0 0 1 ${to} ${ground}"/>` +
-        disc(ball, ball_radius * scale, "body") +
+      path_markup("height", `M0 ${ground}H${panel.width()}`) +
+        path_markup("body", `M${middle - wide} ${ground}A${wide} ${wide} 0 0 1 ${middle + wide} ${ground}`) +
+        circle_markup("body", ball, ball_radius * scale) +
         LIGHTS.map((_, n) => shadows(n, place, (5 + 6 * n) / scale)).join("") +
-        `<path class="slope" d="${line_path([top, hit])}"/><path class="guide" d="${line_path([hit, foot])}"/>` +
+        path_markup("slope", line_path([top, hit])) +
+        path_markup("guide", line_path([hit, foot])) +
         arrows.join("") +
-        disc(top, 5, "eye") +
-        disc(hit, 4.5, "met") +
+        circle_markup("eye", top, 5) +
+        circle_markup("met", hit, 4.5) +
         text_at(top[0] + 10, top[1] + 5, "the eye, <tspan class='i'>t</tspan> = 0") +
         text_at(middle - 4, ground - 0.45 * scale, "A", "i bold") +
         text_at(ball[0] - 4, ball[1] + 5, "B", "i bold") +

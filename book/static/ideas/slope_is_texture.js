@@ -35,12 +35,7 @@ IDEAS.slope_is_texture = (figure, module, data) => {
   sphere.box.classList.add("idea-picture");
   const paint = stage.picture(sphere.box, SIZE, "the sphere with its bump under the first light");
   const range = { min: 0, max: 0.5, step: 0.005, value: beta };
-  const put_beta = stage.slider(
-    "bump β",
-    range,
-    (to) => set(u, to),
-    (number) => decimal(number, 3),
-  );
+  const put_beta = stage.slider("bump β", range, (to) => set(u, to));
   const says = stage.says();
   const on_profile = profile.handle("the point on the circle, u", (x) => set(u_at(x), beta), step);
   const on_sphere = sphere.handle("the point on the sphere, u", (x, y) => set(nearest(x, y), beta), step);
@@ -52,11 +47,11 @@ IDEAS.slope_is_texture = (figure, module, data) => {
   const at_point = (amount) => over(Float64Array.of(u), amount).map(([number]) => number);
 
   // Where a point of the circle is in the picture.
-  const [[x0, x1], [y0, y1]] = module.image_points({ ...raster, wide: 2, high: 2 });
-  /** @param {number} along @returns {Point} */
+  const place_in_picture = module.placing_in(raster);
+  /** @param {number} along */
   function place(along) {
     const [x, y] = module.kernel("crease_point", 1, 0, along, V, eye, radius);
-    return [(x - x0) / (x1 - x0) + 0.5, (y - y0) / (y1 - y0) + 0.5];
+    return place_in_picture(x, y);
   }
   const circle = Array.from(all, place);
 
@@ -106,10 +101,11 @@ IDEAS.slope_is_texture = (figure, module, data) => {
     const normals = Array.from(few, (along, n) => normal(at(along, 0)[0], slopes[n], tilts[n], 24, "few"));
     profile.show(
       text_at(EDGE, 16, "the height <tspan class='i'>h</tspan>, and its slope at the point") +
-        `<path class="height" d="${line_path(points)}"/><path class="slope" d="${line_path(tangent)}"/>` +
-        `<path class="guide" d="M${point[0]} ${point[1]}V${SIZE}"/>` +
+        path_markup("height", line_path(points)) +
+        path_markup("slope", line_path(tangent)) +
+        path_markup("guide", line_path([point, [point[0], SIZE]])) +
         text_at(EDGE, 134, "the surface stays flat; its normals lean") +
-        `<path class="height" d="M${EDGE} ${FLAT}h${width}"/>` +
+        path_markup("height", `M${EDGE} ${FLAT}h${width}`) +
         normals.join("") +
         normal(point[0], slope, tilt, 40, "slope") +
         text_at(EDGE, 220, "the light without the bump") +
@@ -117,7 +113,7 @@ IDEAS.slope_is_texture = (figure, module, data) => {
         text_at(EDGE, 262, "and with it") +
         strip(268, 32, cosines),
     );
-    sphere.show(`<path class="circle" d="${line_path(circle)}"/>`);
+    sphere.show(path_markup("circle", line_path(circle)));
     if (drawn !== beta) paint(module, scene_state(data, { beta, ball: false, lights: [true, false] }), raster);
     drawn = beta;
     const words = `slope ${decimal(slope)}, tilt ${decimal(tilt, 1)}°`;

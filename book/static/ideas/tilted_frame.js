@@ -39,12 +39,7 @@ IDEAS.tilted_frame = (figure, module, data) => {
   const sides = add_element(stage.root, "div", { class: "idea-sides" });
   const panel = stage.panel("The normal at a point, and what the slope makes of it", HIGH, sides);
   const list = add_element(sides, "dl", { class: "idea-values" });
-  const put_beta = stage.slider(
-    "bump β",
-    { min: 0, max: MOST, step: 0.005, value: beta },
-    (to) => set({ beta: to }),
-    (number) => decimal(number, 3),
-  );
+  const put_beta = stage.slider("bump β", { min: 0, max: MOST, step: 0.005, value: beta }, (to) => set({ beta: to }));
   panel.box.classList.add("idea-turned");
   /** @type {Moved} */
   function drag(x, y, begins) {
@@ -70,6 +65,7 @@ IDEAS.tilted_frame = (figure, module, data) => {
     const right = [-s, c, 0];
     const up = [-st * c, -st * s, ct];
     const size = Math.min(150, 0.3 * panel.width());
+    /** @type {Point} */
     const middle = [0.5 * panel.width(), HIGH - size - 14];
     /** @param {number[]} p @returns {Point} */
     const place = (p) => [middle[0] + size * dot(p, right), middle[1] - size * dot(p, up)];
@@ -135,18 +131,18 @@ IDEAS.tilted_frame = (figure, module, data) => {
     /** @param {number} a @param {number} b */
     const corner = (a, b) => to([0.34 * a, e_theta], [0.34 * b, e_phi]);
     /** @param {Point} end @param {string} words @param {string} look */
-    const name = (end, words, look) =>
-      text_at(end[0] + 8 * Math.sign(end[0] - at[0]) - (end[0] < at[0] ? 14 : 0), end[1] - 6, words, `i ${look}`);
+    const name = (end, words, look) => text_at(end[0] + (end[0] < at[0] ? -22 : 8), end[1] - 6, words, `i ${look}`);
     /** @param {Point} end @param {string} letter */
     const axis = (end, letter) =>
       arrow_path(at, end, "few", 5) + name(end, `e<tspan dy='3' font-size='9'>${letter}</tspan>`, "");
     const [n, tangent, end, unit] = [to([1, normal]), to([beta, g]), to([1, m]), to([1, bumped])];
     panel.show(
-      `<circle class="ball" cx="${middle[0]}" cy="${middle[1]}" r="${size}"/><path class="net" d="${net(eye)}"/>` +
-        `<path class="plane" d="${line_path([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)])}Z"/>` +
+      circle_markup("ball", middle, size) +
+        path_markup("net", net(eye)) +
+        path_markup("plane", `${line_path([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)])}Z`) +
         axis(corner(1, 0), "θ") +
         axis(corner(0, 1), "φ") +
-        `<path class="guide" d="${line_path([n, end, tangent])}"/>` +
+        path_markup("guide", line_path([n, end, tangent])) +
         arrow_path(at, end, "few", 7) +
         arrow_path(at, n, "", 9) +
         arrow_path(at, tangent, "slope", 9) +

@@ -68,7 +68,7 @@ IDEAS.two_slopes = (figure, module, data) => {
     const rise = -TALL * slope;
     const share = reach / Math.hypot(run, rise);
     const ends = [-share, share].map((part) => /** @type {Point} */ ([x + part * run, y + part * rise]));
-    return `<path class="${look}" d="${line_path(ends)}"/>`;
+    return path_markup(look, line_path(ends));
   }
 
   function draw() {
@@ -81,12 +81,12 @@ IDEAS.two_slopes = (figure, module, data) => {
     const points = Array.from(curve, (at, n) => place(at, heights[n]));
     const reach = Math.max(80, Math.hypot(end[0] - start[0], end[1] - start[1]) / 2);
     panel.show(
-      `<path class="guide" d="M${crease} ${TOP}V${BASE + 8}"/>` +
+      path_markup("guide", `M${crease} ${TOP}V${BASE + 8}`) +
         text_at(crease - 20, BASE + 24, "crease") +
-        `<path class="height" d="${line_path(points)}"/>` +
+        path_markup("height", line_path(points)) +
         through(place(u, (left + right) / 2), numeric, "secant", 24 + reach) +
         through(point, exact, "slope", 100) +
-        `<circle class="end" cx="${start[0]}" cy="${start[1]}" r="5"/>`,
+        circle_markup("end", start, 5),
     );
     const apart = Math.abs(numeric - exact);
     const digits = apart && apart < 0.01 ? 8 : 2;

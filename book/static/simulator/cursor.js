@@ -96,5 +96,5 @@ function simulator_cursor(root, states, data, module) {
     find_element(root, ".sim-python code").textContent = states.python(state);
   }
 
-  return { show, records, ulps };
+  return { show };
 }

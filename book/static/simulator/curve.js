@@ -15,8 +15,10 @@ function simulator_curve(root, module, act) {
   const svg = find_element(box, "svg");
   const reading = find_element(root, "[data-reading]");
   const [pointer, now, dot] = ["hover", "now", "dot"].map((name) => find_element(box, `.sim-${name}`));
-  const X = [-16, -1];
-  const Y = [-16, 2];
+  const LEFT = -16; // powers of ten: of ε,
+  const RIGHT = -1;
+  const LOWEST = -16; // and of the error
+  const HIGHEST = 2;
   const HEIGHT = 168;
   const TOP = 10;
   const BOTTOM = HEIGHT - 20;
@@ -48,9 +50,10 @@ function simulator_curve(root, module, act) {
   }
 
   /** @param {number} eps */
-  const x_of = (eps) => inset + ((Math.log10(eps) - X[0]) / (X[1] - X[0])) * (width - 2 * inset);
+  const x_of = (eps) => inset + ((Math.log10(eps) - LEFT) / (RIGHT - LEFT)) * (width - 2 * inset);
   /** @param {number} size */
-  const y_of = (size) => TOP + ((Y[1] - clamp(Y[0], Math.log10(size), Y[1])) / (Y[1] - Y[0])) * (BOTTOM - TOP);
+  const y_of = (size) =>
+    TOP + ((HIGHEST - clamp(LOWEST, Math.log10(size), HIGHEST)) / (HIGHEST - LOWEST)) * (BOTTOM - TOP);
 
   /** @param {LinePoint[]} points */
   function path(points) {
@@ -68,12 +71,12 @@ function simulator_curve(root, module, act) {
     const tick = (n, place) =>
       `<text class="tick" ${place}>10<tspan dy="-5" font-size="9">${with_minus(String(n))}</tspan></text>`;
     let text = "";
-    for (let n = Y[0]; n <= Y[1]; n += 4) {
+    for (let n = LOWEST; n <= HIGHEST; n += 4) {
       const y = y_of(10 ** n);
       text += `<line class="grid" x1="${inset}" x2="${width - inset}" y1="${y}" y2="${y}"/>`;
       text += tick(n, `text-anchor="end" x="${inset - 8}" y="${y + 4}"`);
     }
-    for (let n = X[0]; n <= X[1]; n += width < 500 ? 5 : 3) {
+    for (let n = LEFT; n <= RIGHT; n += width < 500 ? 5 : 3) {
       text += tick(n, `text-anchor="middle" x="${x_of(10 ** n)}" y="${HEIGHT - 4}"`);
     }
     return text;
@@ -83,16 +86,16 @@ function simulator_curve(root, module, act) {
   function names() {
     const ends = Object.entries(lines).filter(([, points]) => points.some(({ size }) => size > 0));
     const placed = ends.map(([name, points]) => {
-      const { size } = points.reduce((last, point) => (point.eps > last.eps ? point : last));
+      const { size } = points.reduce((end, point) => (point.eps > end.eps ? point : end));
       return { name, y: y_of(size || 1e-16) + 4 };
     });
     placed.sort((one, other) => one.y - other.y);
-    let lowest = -Infinity;
+    let last = -Infinity;
     for (const label of placed) {
-      label.y = Math.max(label.y, lowest + LINE);
-      lowest = label.y;
+      label.y = Math.max(label.y, last + LINE);
+      last = label.y;
     }
-    const over = Math.max(0, lowest - BOTTOM);
+    const over = Math.max(0, last - BOTTOM);
     const texts = placed.map(
       ({ name, y }) => `<text class="${name}-label" x="${width + 2}" y="${y - over}">${NAMES[name]}</text>`,
     );
@@ -109,7 +112,7 @@ function simulator_curve(root, module, act) {
     inset = 0.5 * parseFloat(getComputedStyle(root).getPropertyValue("--thumb")); // where the slider's thumb stops
     svg.setAttribute("viewBox", `0 0 ${width} ${HEIGHT}`);
     lines = {};
-    if (pixel && pixel[0].bound !== null) lines.bound = pixel.map(({ eps, bound }) => ({ eps, size: bound ?? 0 }));
+    if (pixel?.[0].bound) lines.bound = pixel.map(({ eps, bound }) => ({ eps, size: bound ?? 0 }));
     if (pixel) lines.numeric = pixel.map(({ eps, error }) => ({ eps, size: error }));
     if (known.length) lines.difference = known.map(({ eps, rms }) => ({ eps, size: rms }));
     const paths = Object.entries(lines).map(([name, points]) => `<path class="${name}" d="${path(points)}"/>`);
@@ -155,12 +158,12 @@ function simulator_curve(root, module, act) {
   }
 
   /** @param {number} exponent */
-  const step_at = (exponent) => power_of_ten(clamp(X[0], exponent, X[1]));
+  const step_at = (exponent) => power_of_ten(clamp(LEFT, exponent, RIGHT));
 
   /** The step under the pointer. @param {PointerEvent} event */
   function pointed(event) {
-    const share = (event.clientX - box.getBoundingClientRect().left - inset) / (width - 2 * inset);
-    return step_at(X[0] + share * (X[1] - X[0]));
+    const share = (pointer_in(box, event).x - inset) / (width - 2 * inset);
+    return step_at(LEFT + share * (RIGHT - LEFT));
   }
 
   /** @param {PointerEvent} event */
@@ -178,7 +181,7 @@ function simulator_curve(root, module, act) {
     const [less, more] = [at - 0.125, at + 0.125];
     const arrows = { ArrowRight: more, ArrowUp: more, ArrowLeft: less, ArrowDown: less };
     /** @type {Record<string, number>} */
-    const steps = { ...arrows, PageUp: at + 1, PageDown: at - 1, Home: X[0], End: X[1] };
+    const steps = { ...arrows, PageUp: at + 1, PageDown: at - 1, Home: LEFT, End: RIGHT };
     if (!(event.key in steps) || is_shortcut(event)) return;
     event.preventDefault();
     act.set({ eps: step_at(steps[event.key]) });

@@ -21,10 +21,6 @@ function simulator_engine(data, compiled, states, module, handlers) {
   const IDLE_AFTER = 150; // milliseconds
   const SMALL = 256; // pixels
   const AT_ONCE = 12; // milliseconds
-  const parts = [float64s, simulator_module, simulator_worker];
-  const begin = "const take = simulator_worker(postMessage); onmessage = ({ data }) => take(data);";
-  const source = ['"use strict";', ...parts, begin].join("\n");
-  const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
   /** @type {Drawer[]} */
   let workers = [];
   /** @type {{ bands: Raster[], drawers: Drawer[], of: State | null }} */
@@ -48,7 +44,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
   function start() {
     if (workers.length) return;
     workers = Array.from({ length: navigator.hardwareConcurrency || 1 }, (_, number) => {
-      const worker = new Worker(address);
+      const worker = worker_of(float64s, simulator_module, simulator_worker);
       worker.onmessage = ({ data }) => receive(data, number);
       worker.postMessage({ kind: "begin", data, compiled });
       worker.onerror = (event) => handlers.failed(event.message || "the worker did not start");

@@ -35,8 +35,7 @@
  * @param {string} program
  */
 async function compiled_program(program) {
-  const packed = new Blob([Uint8Array.from(atob(program), (letter) => letter.charCodeAt(0))]);
-  const bytes = await new Response(packed.stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+  const bytes = await unpacked(program).arrayBuffer();
   if (typeof WebAssembly !== "object" || !WebAssembly.validate(bytes))
     throw new Error("this browser has no WebAssembly with vectors, SIMD");
   return WebAssembly.compile(bytes);
@@ -162,11 +161,16 @@ async function simulator_module(data, compiled) {
   /** @param {Raster} raster */
   function image_points({ width, height, left, top, wide, high }) {
     const [half] = kernel("image_extent", eye, radius);
-    /** @param {number} start @param {number} count */
-    const range = (start, count) => float64s(count, (n) => start + n);
-    const [x] = kernel_over("image_x", range(left, wide), width, height, half);
-    const [y] = kernel_over("image_y", range(top, high), height, half);
-    return [x, y];
+    const columns = float64s(wide, (n) => left + n);
+    const rows = float64s(high, (n) => top + n);
+    return [kernel_over("image_x", columns, width, height, half)[0], kernel_over("image_y", rows, height, half)[0]];
+  }
+
+  /** Return what says where an image point is in a raster, in pixels from its corner. @param {Raster} raster */
+  function placing_in(raster) {
+    const [[x0, x1], [y0, y1]] = image_points({ ...raster, wide: 2, high: 2 });
+    /** @param {number} x @param {number} y @returns {[number, number]} */
+    return (x, y) => [(x - x0) / (x1 - x0) + 0.5, (y - y0) / (y1 - y0) + 0.5];
   }
 
   /** The numbers by which h depends on u and on v, or null. @param {SceneState} state */
@@ -242,12 +246,12 @@ async function simulator_module(data, compiled) {
 
   /**
    * The rows of a plane without what fills up their last group of pixels.
-   * @template {Uint8Array | Float64Array<ArrayBuffer>} Plane
+   * @template {Uint8Array | Float64Array} Plane
    * @param {Plane} plane
-   * @param {Plane} whole
    * @param {Ground} stage
    */
-  function rows(plane, whole, { pitch, raster: { wide, high } }) {
+  function rows(plane, { pitch, raster: { wide, high } }) {
+    const whole = /** @type {Plane} */ (plane.slice(0, wide * high));
     for (let row = 0; row < high; row++) whole.set(plane.subarray(row * pitch, row * pitch + wide), row * wide);
     return whole;
   }
@@ -259,9 +263,8 @@ async function simulator_module(data, compiled) {
    * @param {number} code
    */
   function chambers_of(state, stage, code) {
-    const { wide, high } = stage.raster;
     draw("draw_chambers", state, EXACT, stage, { code });
-    return rows(new Uint8Array(memory.buffer, code, stage.pitch * high), new Uint8Array(wide * high), stage);
+    return rows(new Uint8Array(memory.buffer, code, stage.pitch * stage.raster.high), stage);
   }
 
   /**
@@ -321,9 +324,9 @@ async function simulator_module(data, compiled) {
 
   /** The address of a stage's plane of a name. @param {Stage} stage @param {string} name @param {string} plane */
   function place(stage, name, plane) {
-    const bytes = (plane === "pixels" ? 4 : 8) * stage.pitch * stage.raster.high;
-    stage.targets[`${name} ${plane}`] ??= reserve(bytes);
-    return stage.targets[`${name} ${plane}`];
+    const key = `${name} ${plane}`;
+    stage.targets[key] ??= reserve((plane === "pixels" ? 4 : 8) * stage.pitch * stage.raster.high);
+    return stage.targets[key];
   }
 
   /** @param {Stage} stage @param {string} name @param {string[]} planes */
@@ -362,7 +365,7 @@ async function simulator_module(data, compiled) {
    * @param {Float64Array} values
    */
   function fill(stage, values) {
-    const plane = floats(place(stage, "view", "plane"), stage.pitch * stage.raster.high).fill(0);
+    const plane = plane_at(stage, place(stage, "view", "plane")).fill(0);
     for (let n = 0; n < stage.at.length; n++) plane[stage.at[n]] = values[n];
   }
 
@@ -406,16 +409,16 @@ async function simulator_module(data, compiled) {
   function render(state, method, raster, stage = make_stage(state, raster)) {
     draw_elsewhere(state, stage, "picture");
     draw_a(state, method, stage, "picture");
-    const planes = COLORS.map((color) => {
-      const plane = floats(place(stage, "picture", color), stage.pitch * raster.high);
-      return rows(plane, new Float64Array(raster.wide * raster.high), stage);
-    });
+    const planes = COLORS.map((color) => rows(plane_at(stage, place(stage, "picture", color)), stage));
     return { planes, codes: stage.codes, stage };
   }
 
+  /** @param {Ground} stage @param {number} address */
+  const plane_at = ({ pitch, raster }, address) => floats(address, pitch * raster.high);
+
   /** The numbers of a plane on A's pixels, one after another. @param {Stage} stage @param {number} address */
   function on_a(stage, address) {
-    const plane = floats(address, stage.pitch * stage.raster.high);
+    const plane = plane_at(stage, address);
     return Float64Array.from(stage.at, (i) => plane[i]);
   }
 
@@ -541,6 +544,7 @@ async function simulator_module(data, compiled) {
     kernel,
     kernel_over,
     image_points,
+    placing_in,
     radius_of_a,
     wave_numbers,
     make_stage,

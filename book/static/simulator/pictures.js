@@ -77,14 +77,6 @@ function simulator_pictures(root, states, data, module, act) {
     if (resized) layout();
   }
 
-  /** Where the image point (0, 0) is, in pixels of the raster from its corner, and how long a unit is. @param {State} state */
-  function frame(state) {
-    const side = states.side(state);
-    const [x, y] = module.image_points({ width: side, height: side, left: 0, top: 0, wide: 2, high: 2 });
-    const unit = 1 / (x[1] - x[0]);
-    return { across: 0.5 - x[0] * unit, down: 0.5 + y[0] * unit, unit };
-  }
-
   /**
    * Draw the creases as far as they are seen, over A alone.
    * @param {CanvasRenderingContext2D} context
@@ -92,7 +84,7 @@ function simulator_pictures(root, states, data, module, act) {
    * @param {number} scale
    */
   function draw_loci(context, state, scale) {
-    const { across, down, unit } = frame(state);
+    const place = module.placing_in(states.crop(state));
     const { eye, radius } = data.scene;
     context.beginPath();
     for (const { a, b, level } of module.crease_lines(state)) {
@@ -100,8 +92,7 @@ function simulator_pictures(root, states, data, module, act) {
       let drawing = false;
       for (let n = 0; n < POINTS; n++) {
         const is_seen = !Number.isNaN(x[n]);
-        const right = (across - state.left + x[n] * unit) * scale;
-        const below = (down - state.top - y[n] * unit) * scale;
+        const [right, below] = place(x[n], y[n]).map((at) => at * scale);
         if (is_seen && drawing) context.lineTo(right, below);
         else if (is_seen) context.moveTo(right, below);
         drawing = is_seen;
@@ -121,10 +112,9 @@ function simulator_pictures(root, states, data, module, act) {
     if (!shown || !state) return;
     const { size, zoom, left, top, view, field, ku, kv } = shown;
     const key = [size, zoom, left, top, view === "loci", field, ku, kv].join();
-    /** @param {number} at @param {number} begin */
-    const within = (at, begin) => `${(100 * (at - begin + 0.5)) / size}%`;
-    root.style.setProperty("--across", within(state.column, left));
-    root.style.setProperty("--down", within(state.row, top));
+    const [across, down] = states.share_of_cursor({ ...shown, column: state.column, row: state.row });
+    root.style.setProperty("--across", `${100 * across}%`);
+    root.style.setProperty("--down", `${100 * down}%`);
     if (key === decorated) return;
     decorated = key;
     for (const canvas of overlays) {
@@ -138,15 +128,15 @@ function simulator_pictures(root, states, data, module, act) {
   // Pointer and keys
   /** @param {MouseEvent} event @param {HTMLElement} box */
   function share(event, box) {
-    const edge = box.getBoundingClientRect();
-    return [(event.clientX - edge.left) / edge.width, (event.clientY - edge.top) / edge.height];
+    const { x, y, width, height } = pointer_in(box, event);
+    return [x / width, y / height];
   }
 
   /** @param {PointerEvent} event @param {HTMLElement} box */
   function point(event, box) {
     const { size, left, top } = act.state();
     const [across, down] = share(event, box).map((part) => clamp(0, Math.floor(part * size), size - 1));
-    act.cursor(left + across, top + down);
+    act.put({ column: left + across, row: top + down });
   }
 
   /** @param {PointerEvent} event @param {HTMLElement} box */
@@ -157,7 +147,7 @@ function simulator_pictures(root, states, data, module, act) {
     const dy = (event.clientY - dragged.y) * pixels;
     if (Math.abs(dx) + Math.abs(dy) < 3) return;
     dragged.moved = true;
-    act.pan(dragged.left - dx, dragged.top - dy);
+    act.put({ left: dragged.left - dx, top: dragged.top - dy });
   }
 
   /** @param {KeyboardEvent} event */
@@ -168,7 +158,7 @@ function simulator_pictures(root, states, data, module, act) {
     if (is_shortcut(event)) return;
     if (moves[event.key]) {
       pinned = true;
-      act.move(...moves[event.key]);
+      act.move(moves[event.key]);
     } else if (["+", "=", "-"].includes(event.key)) act.zoom(event.key === "-" ? -1 : 1);
     else return;
     event.preventDefault();
@@ -200,8 +190,7 @@ function simulator_pictures(root, states, data, module, act) {
     const wheel = (/** @type {WheelEvent} */ event) => {
       if (!event.ctrlKey && document.activeElement !== box) return; // else the page scrolls
       event.preventDefault();
-      const [across, down] = share(event, box);
-      act.zoom(event.deltaY < 0 ? 1 : -1, across, down);
+      act.zoom(event.deltaY < 0 ? 1 : -1, share(event, box));
     };
     box.addEventListener("wheel", wheel, { passive: false });
     box.addEventListener("keydown", press);
@@ -215,5 +204,5 @@ function simulator_pictures(root, states, data, module, act) {
 
   boxes.forEach(wire);
   new ResizeObserver(() => shown && layout()).observe(root);
-  return { paint, decorate, frame, release, canvas: canvas_of };
+  return { paint, decorate, release, canvas: canvas_of };
 }

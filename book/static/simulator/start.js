@@ -3,9 +3,8 @@
 
 /**
  * @typedef {{ state(): State, set(changes: Partial<State>): void, change(changes: Partial<State>): void,
- *   replace(next: State): void, cursor(column: number, row: number): void, move(dx: number, dy: number): void,
- *   zoom(steps: number, across?: number, down?: number): void, pan(left: number, top: number): void,
- *   to_pole(zoom: number): Partial<State> }} Act
+ *   replace(next: State): void, put(place: Partial<State>): void, move(by: number[]): void,
+ *   zoom(steps: number, at?: number[]): void, to_pole(zoom: number): Partial<State> }} Act
  */
 
 /** @param {HTMLElement} root @param {WebAssembly.Module} compiled @param {SimulatorModule} module */
@@ -27,14 +26,13 @@ function simulator_start(root, compiled, module) {
   const none = [];
   let picture_of = "";
   let pixel_of = "";
-  let counting = "";
   let counted_of = "";
   let timed_of = "";
   let wanted = 0;
   let saved = 0;
   let shown_panels = 0;
-  /** @type {{ ready: number, at: number, painted: number }[]} */
-  const frames = []; // milliseconds from a change to its pictures in the canvases, and to the end of the frame that shows them
+  /** @type {{ ready: number }[]} */
+  const frames = []; // milliseconds from a change to its pictures in the canvases
 
   // Every field and every model of light that the renderer knows; the page has the chapter's models already.
   function add_choices() {
@@ -102,26 +100,20 @@ function simulator_start(root, compiled, module) {
       message("");
       take(states.changed(next, {}));
     },
-    cursor: (column, row) => take(states.within({ ...state, column, row })),
-    move: (dx, dy) => take(states.moved(state, dx, dy)),
-    zoom(steps, across, down) {
+    // The shown part, or the cursor, as near to a place as may be.
+    put: (place) => take(states.within({ ...state, ...place })),
+    move: (by) => take(states.moved(state, by)),
+    zoom(steps, at = states.share_of_cursor(state)) {
       presets.stop();
-      const zoom = clamp(0, state.zoom + steps, states.FURTHEST);
-      const share_across = across ?? (state.column - state.left + 0.5) / state.size;
-      const share_down = down ?? (state.row - state.top + 0.5) / state.size;
-      take(states.zoomed(state, { zoom }, share_across, share_down));
+      take(states.zoomed(state, { zoom: clamp(0, state.zoom + steps, states.FURTHEST) }, at));
     },
-    pan: (left, top) => take(states.within({ ...state, left, top })),
     // The part of the raster around the pole, at a zoom.
     to_pole(zoom) {
       const next = { ...state, zoom };
-      const { across, down } = pictures.frame(next);
-      const half = state.size / 2;
-      const share = zoom / 10;
-      const place = { left: (across - half) * share, top: (down - half) * share };
-      const cursor = { column: Math.floor(across), row: Math.floor(down) };
-      const { left, top, column, row } = states.within({ ...next, ...place, ...cursor });
-      return { zoom, left, top, column, row };
+      const pole = module.placing_in({ ...states.crop(next), left: 0, top: 0 })(0, 0);
+      const [left, top] = pole.map((at) => ((at - state.size / 2) * zoom) / 10);
+      const [column, row] = pole.map(Math.floor);
+      return states.within({ ...next, left, top, column, row });
     },
   };
 
@@ -165,13 +157,13 @@ function simulator_start(root, compiled, module) {
     if (counted_of !== chambers_key(of)) readouts.counted(null);
     if (timed_of !== times_key(of)) readouts.forget_times();
     timed_of = times_key(of);
-    requestAnimationFrame((at) => frames.push({ ready, at, painted: performance.now() - asked }));
+    requestAnimationFrame(() => frames.push({ ready }));
     shown = of;
   }
 
   /** What the workers do while nothing moves. @param {State} of */
   function resting(of) {
-    counting = chambers_key(of);
+    counted_of = chambers_key(of);
     if (picture_of === curve_key(of) && picture.filter(Boolean).length === curve.COARSE.length) return null;
     picture = [];
     picture_of = curve_key(of);
@@ -180,7 +172,6 @@ function simulator_start(root, compiled, module) {
 
   /** @param {Counted[]} all */
   function counted(all) {
-    counted_of = counting;
     const attached = all[0].attached.map((_, n) => all.reduce((sum, { attached }) => sum + attached[n], 0));
     readouts.counted({ count: total(all, "count"), flips: total(all, "flips"), attached });
   }

@@ -54,6 +54,10 @@ function simulator_states(root, { fields, models, scene }) {
     allowed: `${count} digits, 1 for on and 0 for off`,
   });
 
+  const AXES = [
+    ["left", "column"],
+    ["top", "row"],
+  ]; // of the raster: where the shown part begins, and where the cursor is
   const FURTHEST = 16; // half-octaves of zoom: 256 times
   const MOST = 2 ** 24;
   /** @type {Record<string, Parameter>} */
@@ -101,14 +105,16 @@ function simulator_states(root, { fields, models, scene }) {
    */
   function changed(state, changes) {
     const next = { ...state, ...changes };
-    const { left, top, size } = next;
-    const last = side(next) - size;
     for (const [name, parameter] of Object.entries(parameters))
       if (!parameter.holds(next[name])) throw refused(name, next[name]);
-    /** @type {Record<string, [number, number]>} */
-    const ranges = { left: [0, last], top: [0, last], column: [left, left + size - 1], row: [top, top + size - 1] };
-    for (const [name, [low, high]] of Object.entries(ranges))
+    /** @param {string} name @param {number} low @param {number} high */
+    function check(name, low, high) {
       if (next[name] < low || next[name] > high) throw refused(name, next[name], `from ${low} to ${high} here`);
+    }
+    for (const [corner, cursor] of AXES) {
+      check(corner, 0, side(next) - next.size);
+      check(cursor, next[corner], next[corner] + next.size - 1);
+    }
     return next;
   }
 
@@ -124,36 +130,41 @@ function simulator_states(root, { fields, models, scene }) {
    * @param {State} state
    */
   function within(state) {
-    const last = side(state) - state.size;
-    const [left, top] = [state.left, state.top].map((at) => clamp(0, Math.round(at), last));
-    const column = clamp(left, Math.round(state.column), left + state.size - 1);
-    const row = clamp(top, Math.round(state.row), top + state.size - 1);
-    return { ...state, left, top, column, row };
+    const next = { ...state };
+    for (const [corner, cursor] of AXES) {
+      next[corner] = clamp(0, Math.round(state[corner]), side(state) - state.size);
+      next[cursor] = clamp(next[corner], Math.round(state[cursor]), next[corner] + state.size - 1);
+    }
+    return next;
   }
 
-  /** The cursor moved by so many pixels; the shown part follows it. @param {State} state @param {number} dx @param {number} dy */
-  function moved(state, dx, dy) {
-    const last = side(state) - 1;
-    const [column, row] = [state.column + dx, state.row + dy].map((at) => clamp(0, at, last));
-    /** @param {number} begin @param {number} at */
-    const seen = (begin, at) => clamp(at - state.size + 1, begin, at);
-    return within({ ...state, left: seen(state.left, column), top: seen(state.top, row), column, row });
+  /** The cursor moved by so many pixels, to the right and down; the shown part follows it. @param {State} state @param {number[]} by */
+  function moved(state, by) {
+    const next = { ...state };
+    for (const [n, [corner, cursor]] of AXES.entries()) {
+      next[cursor] = clamp(0, state[cursor] + by[n], side(state) - 1);
+      next[corner] = clamp(next[cursor] - state.size + 1, state[corner], next[cursor]);
+    }
+    return within(next);
   }
 
   /**
-   * Show the raster at another zoom or size; the image point at the share (across, down) of the picture stays there.
+   * Show the raster at another zoom or size; the image point at a share of the picture, across and down, stays there.
    * @param {State} state
    * @param {Partial<State>} changes
    */
-  function zoomed(state, changes, across = 0.5, down = 0.5) {
+  function zoomed(state, changes, share = [0.5, 0.5]) {
     const next = { ...state, ...changes };
     const ratio = side(next) / side(state);
-    next.left = (state.left + across * state.size) * ratio - across * next.size;
-    next.top = (state.top + down * state.size) * ratio - down * next.size;
-    next.column = Math.floor((state.column + 0.5) * ratio);
-    next.row = Math.floor((state.row + 0.5) * ratio);
+    for (const [n, [corner, cursor]] of AXES.entries()) {
+      next[corner] = (state[corner] + share[n] * state.size) * ratio - share[n] * next.size;
+      next[cursor] = Math.floor((state[cursor] + 0.5) * ratio);
+    }
     return within(next);
   }
+
+  /** Where the cursor is, as shares of the picture, across and down. @param {State} state */
+  const share_of_cursor = (state) => AXES.map(([corner, cursor]) => (state[cursor] - state[corner] + 0.5) / state.size);
 
   const MARK = "#sim?";
 
@@ -215,6 +226,7 @@ function simulator_states(root, { fields, models, scene }) {
     within,
     moved,
     zoomed,
+    share_of_cursor,
     side,
     crop,
     fragment,
