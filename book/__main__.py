@@ -14,6 +14,8 @@ from filelock import FileLock
 from book.assembly import check, report, stamps, website
 from book.drawing import keys
 from book.editions import files
+from verify import evidence
+from verify.records import RECORDS
 
 BUILDING = ("all", "build", "single", "pdf")
 RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made first
@@ -59,6 +61,14 @@ def stage(name: str, work: Callable[[], None]) -> None:
     print(f"  {time.perf_counter() - start:.1f} s", flush=True)
 
 
+def require_evidence() -> None:
+    """Refuse a release while the code has changed since a record was measured; say of each which command renews it."""
+    if old := evidence.stale():
+        renewed_by = [f"  {name}: {why}: python {RECORDS[name].command}" for name, why in old.items()]
+        told = "\n".join(["these records are stale (make evidence renews them all):", *renewed_by])
+        raise stamps.Refused(told)
+
+
 def run(options: argparse.Namespace) -> int:
     verb = options.verb or "all"
     if verb == "figures" and options.list:
@@ -67,6 +77,8 @@ def run(options: argparse.Namespace) -> int:
         for id, entry in all_figures().items():
             print(f"{id:24} {' '.join(entry.draw.__doc__.split())}")
         return 0
+    if verb == "release":
+        require_evidence()
     stamps.STAMPS.mkdir(exist_ok=True)
     # Two builds at once would write the same files: the second waits, and then finds its work done.
     with FileLock(stamps.STAMPS / "lock"):

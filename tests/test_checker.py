@@ -10,8 +10,8 @@ from bs4 import BeautifulSoup
 from book.extension.theorems import placements
 from proofs.engine.theorem import all_theorems
 from tests.tabs import PHONE
-from tests.tampered_certificates import stored
 from tests.test_browser import PAGES, violations, with_axe
+from verify.checkers.breakages import stored
 from verify.sources import ROOT
 
 CHECK_HERE, CHANGE, CHECK_ALL = "Check it here", "Change the statement", "Check all"
@@ -26,7 +26,8 @@ COMPLAINTS = {
     "cos_theta^99": "an exponent is a whole number",
     "(1 - 1)": "cannot be read",
 }
-CERTIFIED = {name.partition("/")[0] for name in stored()}
+STORED = {name: (entry["statement"], entry["certificate"]) for name, entry in stored().items()}
+CERTIFIED = {name.partition("/")[0] for name in STORED}
 PLACES = placements(ROOT / "book", list(all_theorems()))
 
 
@@ -76,8 +77,8 @@ def test_check_all_accepts_everything_and_says_so_on_every_line(page):
     place = tab.locator(".checker[data-all]")
     press(place, CHECK_ALL)
     said = verdict(place)
-    assert f"the certificates of {len(CERTIFIED)} of {len(CERTIFIED)} theorems, {len(stored())} in all" in said
-    assert place.locator("progress").evaluate("bar => [bar.value, bar.max]") == [len(stored())] * 2
+    assert f"the certificates of {len(CERTIFIED)} of {len(CERTIFIED)} theorems, {len(STORED)} in all" in said
+    assert place.locator("progress").evaluate("bar => [bar.value, bar.max]") == [len(STORED)] * 2
     marks = tab.evaluate(
         "[...document.querySelectorAll('[data-claim]:has(.check-accepted)')].map(e => e.dataset.claim)"
     )
@@ -99,7 +100,7 @@ def test_every_theorem_has_its_button_and_its_stored_data_or_says_why_not(site):
     assert sorted(notes) == sorted(f"theorem-{id}" for id in all_theorems().keys() - CERTIFIED)
     shown = [(pair["statement"], pair["certificate"]) for each in data.values() for claim in each["claims"]
              for pair in claim["statements"]]  # fmt: skip
-    assert sorted(map(json.dumps, shown)) == sorted(map(json.dumps, stored().values()))
+    assert sorted(map(json.dumps, shown)) == sorted(map(json.dumps, STORED.values()))
 
 
 def test_a_statement_that_is_changed_from_the_keyboard_is_rejected_and_can_be_put_back(page):

@@ -3,6 +3,7 @@
 import re
 import shutil
 import textwrap
+from collections import Counter
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -68,7 +69,7 @@ RUN = Run(
 def faults(tmp_path):
     """A function: the faults of a small ledger, its text changed as asked."""
 
-    def found(old="", new=""):
+    def of_changed(old="", new=""):
         assert old in TRUE
         (tmp_path / "claims").mkdir(exist_ok=True)
         (tmp_path / "claims" / "some.toml").write_text(TRUE.replace(old, new, 1))
@@ -78,7 +79,7 @@ def faults(tmp_path):
         except BadLedger as error:
             return error.faults
 
-    return found
+    return of_changed
 
 
 def test_a_true_ledger_has_no_faults(faults):
@@ -145,7 +146,7 @@ REFUSED = {
 
 @pytest.mark.parametrize(("old", "new", "fault"), [row for rows in REFUSED.values() for row in rows])
 def test_what_is_refused(faults, old, new, fault):
-    assert any(found.startswith(fault) for found in faults(old, new)), faults(old, new)
+    assert any(line.startswith(fault) for line in faults(old, new)), faults(old, new)
 
 
 def test_a_number_refutes_only_where_the_claims_own_relation_fails(faults):
@@ -181,8 +182,8 @@ def test_what_is_no_relation(text):
 def test_node_ids_are_looked_up():
     assert node_exists(ROOT, "tests/test_ledger.py::test_relations")
     assert node_exists(ROOT, "tests/test_ledger.py::test_relations[== 0-0-1e-300]")
-    for node in ("tests/test_ledger.py", "tests/test_ledger.py::number", "tests/test_gone.py::test_relations"):
-        assert not node_exists(ROOT, node)
+    nodes = "tests/test_ledger.py", "tests/test_ledger.py::number", "tests/test_gone.py::test_relations"
+    assert not any(node_exists(ROOT, node) for node in nodes)
 
 
 def test_all_findings_and_all_places_of_the_seed_are_there():
@@ -224,24 +225,15 @@ def test_a_new_theorem_needs_a_claim(site):
     assert faults_in(load(), more) == ["theorem one_more: no claim rests on it"]
 
 
-def test_the_page_has_every_claim_and_every_code_once(site):
-    page = (site / "findings.html").read_text(encoding="utf-8")
-    ids = re.findall(r'id="([^"]+)"', page)
+def test_the_pages_have_every_claim_and_every_code(site):
+    findings, ledger, pitfalls = ((site / f"{name}.html").read_text("utf-8") for name in ("findings", "s6", "s7"))
+    ids = Counter(re.findall(r'id="([^"]+)"', findings))
     for claim in load().claims:
-        assert ids.count(f"claim-{claim.id}") == 1
-    for code in FINDINGS:
-        assert ids.count(code) == 1
-        assert f'href="#{code}"' in page
-
-
-def test_the_ledger_is_on_the_pages_of_the_chapter(site):
-    ledger = (site / "s6.html").read_text(encoding="utf-8")
-    pitfalls = (site / "s7.html").read_text(encoding="utf-8")
-    for claim in load().claims:
-        if claim.where.startswith("seed:s6"):
-            assert f"findings.html#claim-{claim.id}" in ledger
-        if claim.id.startswith("pitfall_"):
-            assert f"findings.html#claim-{claim.id}" in pitfalls
+        link = f"findings.html#claim-{claim.id}"
+        assert ids[f"claim-{claim.id}"] == 1
+        assert link in ledger or not claim.where.startswith("seed:s6")
+        assert link in pitfalls or not claim.id.startswith("pitfall_")
+    assert all(ids[code] == 1 and f'href="#{code}"' in findings for code in FINDINGS)
 
 
 def test_every_number_that_is_evidence_has_words():

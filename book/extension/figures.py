@@ -24,7 +24,7 @@ from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
 from book.extension.elements import directive
-from book.extension.results import load_result, result_file
+from book.extension.results import load_result, remark, result_file
 
 
 class PixelImage(nodes.image):
@@ -70,6 +70,8 @@ def chapter_figure(here: SphinxDirective) -> list[nodes.Node]:
         _add_caption(here, figure, id)
     if "plain" not in here.options:
         figure += nodes.legend("", provenance(id, description))
+    if said := remark(book, id):
+        figure += nodes.legend("", nodes.paragraph("", f"{said[0].upper()}{said[1:]}.", classes=["stale"]))
     return [figure]
 
 

@@ -11,7 +11,7 @@ from book.assembly.contents import page_files
 from book.extension.cards import Here, link
 from book.extension.figures import file_link
 from book.extension.listings import listing_address
-from book.extension.numbers import typeset
+from book.extension.numbers import mark, typeset
 from book.extension.results import BENCHMARK_PREFIX
 from book.ledger.check import refutes
 from book.ledger.entries import WORDS, Evidence
@@ -26,7 +26,8 @@ def number_nodes(book: Here, piece: Evidence) -> list[nodes.Node]:
     value = book.run.number(piece.name)
     spec = (",.0f" if isinstance(value, float) else ",") if abs(value) >= 1000 else None
     told = [nodes.Text(", where the claim has "), *in_signs(piece.claimed)] if refutes(piece, book.run) else []
-    return [_place_of_number(book, piece.name), nodes.Text(" = "), *typeset(value, spec), *told]
+    marked = mark(Path(book.env.srcdir), piece.name.partition(".")[0])
+    return [_place_of_number(book, piece.name), nodes.Text(" = "), *typeset(value, spec), *marked, *told]
 
 
 def in_signs(text: str) -> list[nodes.Node]:

@@ -27,8 +27,8 @@ class Run:
 
 def faults_in(ledger: Ledger, run: Run) -> list[str]:
     """Every fault, one line each: the entry, the field, what is wrong."""
-    found = [f"{claim.id}: {fault}" for claim in ledger.claims for fault in _claim(claim, ledger, run)]
-    return [*found, *_orphans(ledger, run)]
+    of_claims = [f"{claim.id}: {fault}" for claim in ledger.claims for fault in _claim(claim, ledger, run)]
+    return [*of_claims, *_orphans(ledger, run)]
 
 
 def refutes(piece: Evidence, run: Run) -> bool:

@@ -51,10 +51,10 @@ def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[
     A lemma that the claim cites is left out: where its conditions fail, the claim need not.
     """
     claim = claim.but(cited=()) if isinstance(claim, Claim) else claim
-    found = refutation(statements(claim, theorems), dict(point))
-    if found is None:
+    pair = refutation(statements(claim, theorems), dict(point))
+    if pair is None:
         raise NotFound(f"no certificate found: {claim.name}")
-    return [(*found, None)]
+    return [(*pair, None)]
 
 
 def evidence(theorem: Theorem, theorems: Theorems, prove: Callable) -> Found:

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from proofs.check import FOLDER
-from verify.checkers.test_attacks import BROKEN, GOOD
+from verify.checkers.test_checkers import BROKEN, GOOD
 
 jsonschema = pytest.importorskip("jsonschema")
 SCHEMA = json.loads((FOLDER.parent / "certificates.schema.json").read_text(encoding="utf-8"))

@@ -10,10 +10,8 @@ from importlib.util import find_spec
 
 import numpy as np
 
-from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central, central4, forward
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from proofs.formulas.symbols import epsilon, k_u, k_v, u, v
 from verify.benchmark.methods import peers
 from verify.benchmark.methods.compiled import compiled_loop
 from verify.benchmark.methods.programs import algebraic_gradient, central6, naive_gradient, richardson
@@ -55,9 +53,7 @@ def _filled(count, value):
 
 def _difference(program):
     """Return eps → the difference: ε is read beside the points, so that all steps run the same code."""
-    whole = program(FIELD)
-    points = Program(whole.name, (u, v, epsilon, k_u, k_v), whole.definitions, whole.outputs)
-    return lambda eps: lambda at_u, at_v: compiled_loop(points, WAVES)(at_u, at_v, _filled(len(at_u), eps))
+    return lambda eps: lambda u, v: compiled_loop(program(FIELD), WAVES)(u, v, _filled(len(u), eps))
 
 
 def _compiled(program, kind=np.float64):
