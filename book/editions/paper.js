@@ -1,7 +1,8 @@
 // Make the one file ready for paper: every page that is printed, one after the other, with nothing folded away, cut off or
 // too wide, and no link that leads nowhere.
 "use strict";
-const STILL = "On paper the simulator stands still. It runs in the chapter's site, and in its single file; here are its figures.";
+const STILL =
+  "On paper the simulator stands still. It runs in the chapter's site, and in its single file; here are its figures.";
 const UNPRINTED = /^(source\/|api-)/; // how the names of pages begin that stay on the screen: listings, the reference
 const ACTIVE = "a.headerlink, script, noscript, link, button, input, select, textarea, canvas, dialog, img.only-dark";
 const ROOM = 150; // CSS pixels to the right of the graph, for a line of text in a wider font
@@ -11,7 +12,9 @@ const all = (selector) => [...document.querySelectorAll(selector)];
 async function putOnPaper(names) {
   await Chapter.ready(); // then MathJax is there
   document.documentElement.dataset.theme = "light";
-  const pages = Chapter.pages.filter((page) => names.length ? names.includes(page.dataset.page) : !UNPRINTED.test(page.dataset.page));
+  const pages = Chapter.pages.filter((page) =>
+    names.length ? names.includes(page.dataset.page) : !UNPRINTED.test(page.dataset.page),
+  );
   document.body.replaceChildren(...pages.map((page) => page.querySelector(".bd-article")));
   for (const simulator of all(".simulator")) simulator.outerHTML = `<p class="on-paper">${STILL}</p>`;
   for (const element of all(ACTIVE)) element.remove();
@@ -32,7 +35,8 @@ async function putOnPaper(names) {
 function contents() {
   const listed = (entries) => (entries.length ? `<ol>${entries.join("")}</ol>` : "");
   const entry = (title, inside) => `<li><a href="#${title.id}">${title.innerHTML}</a>${inside}</li>`;
-  const below = (title) => [...title.parentElement.querySelectorAll(":scope > section > h2")].map((part) => entry(part, ""));
+  const below = (title) =>
+    [...title.parentElement.querySelectorAll(":scope > section > h2")].map((part) => entry(part, ""));
   const [, ...titles] = all("h1"); // the front's is the whole chapter's
   return `<nav class="paper-contents"><h2>Contents</h2>${listed(titles.map((title) => entry(title, listed(below(title)))))}</nav>`;
 }
@@ -43,9 +47,11 @@ function cut(graph) {
   const middles = [...graph.querySelectorAll(".node .reach")].map((circle) => circle.cy.baseVal.value);
   for (let first = 0; first < middles.length; first += ROWS) {
     const edge = (row) => (middles[row - 1] + middles[row]) / 2;
-    const top = first ? edge(first) : 0, bottom = first + ROWS < middles.length ? edge(first + ROWS) : height;
+    const top = first ? edge(first) : 0,
+      bottom = first + ROWS < middles.length ? edge(first + ROWS) : height;
     const piece = graph.cloneNode(true);
-    [...piece.querySelectorAll(".node")].filter((_, row) => row < first || row >= first + ROWS).forEach((node) => node.remove());
+    for (const node of [...piece.querySelectorAll(".node")].filter((_, row) => row < first || row >= first + ROWS))
+      node.remove();
     piece.setAttribute("viewBox", `0 ${top} ${width + ROOM} ${bottom - top}`);
     piece.setAttribute("width", width + ROOM);
     piece.setAttribute("height", bottom - top);
@@ -56,7 +62,10 @@ function cut(graph) {
 
 function leadsOn(link) {
   const address = link.getAttribute("href") || "";
-  return /^(https?:|mailto:)/.test(address) || (address[0] === "#" && document.getElementById(decodeURIComponent(address.slice(1))));
+  return (
+    /^(https?:|mailto:)/.test(address) ||
+    (address[0] === "#" && document.getElementById(decodeURIComponent(address.slice(1))))
+  );
 }
 
 // Of provenance a link goes with the dot after it, elsewhere its words stay.
@@ -72,7 +81,8 @@ async function fit() {
   await document.fonts.ready;
   await Promise.all([...document.images].map((image) => image.decode()));
   const room = (element) => {
-    const block = element.closest("li, dd, td, th, p, figcaption, .theorem, div, section"), style = getComputedStyle(block);
+    const block = element.closest("li, dd, td, th, p, figcaption, .theorem, div, section"),
+      style = getComputedStyle(block);
     return block.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
   };
   const width = (element) => Math.max(element.getBoundingClientRect().width, element.scrollWidth);
