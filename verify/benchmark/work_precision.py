@@ -21,8 +21,8 @@ from tqdm import tqdm
 from proofs.formulas.chart import chart_inverse
 from proofs.formulas.height_fields import gradient
 from renderer import Scene, central, central4, exact, forward, render, stage_of
-from renderer.files.pictures import write_csv
 from renderer.picture.frame import Frame
+from renderer.whole_files import write_csv
 from verify.benchmark.label import label, write
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
 from verify.benchmark.plan import Case, given, timings
