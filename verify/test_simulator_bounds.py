@@ -50,7 +50,7 @@ def test_the_caps_are_the_steepest_slope_once_and_twice():
     assert step_bounds.crease_bound.expand(step_bounds.apart) == 2 * slope
 
 
-@pytest.mark.parametrize("field", ["sine", "ridges", "rings"])
+@pytest.mark.parametrize("field", BOUNDS)
 def test_heights_are_as_good_as_the_plot_assumes(field):
     u, v = np.random.default_rng(7).random((2, 2000))
     k_u, k_v = np.random.default_rng(8).uniform(-64, 64, (2, 2000))

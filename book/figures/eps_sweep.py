@@ -7,6 +7,7 @@ import numpy as np
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import decades, label_curve, label_line_end, palette, plot, slope_triangle
 from book.figures.chapter_scene import FIELD_NAMES, SIZE, symbolic
+from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, central, render
 from renderer.picture.facts import flat_difference, flips_everywhere, pixels_near_the_pole
 from renderer.picture.sweep import DECADES, difference_on_a, rms, sweep
@@ -33,7 +34,9 @@ def eps_sweep() -> Drawing:
     colour = palette()["difference"]
     for field, at in {"sine": 3e-4, "ridges": 1e-4, "rings": 1e-2}.items():
         ax.plot(steps, curves[field], color=colour, linestyle=DASHES[field], linewidth=1.6)
-        label_curve(ax, steps, curves[field], at, field, colour, side="above" if field == "ridges" else "left")
+        label_curve(
+            ax, steps, curves[field], at, field, colour, side="above" if HEIGHT_FIELDS[field].creases else "left"
+        )
     decades(ax, 2, 2, ylim=(1e-13, 1), xlabel="step ε", ylabel="RMS difference on A")
     slope_triangle(ax, 2e-4, 1e-8, 2, "2")
     slope_triangle(ax, 3e-5, 6e-4, 0.5, "½")
@@ -55,7 +58,7 @@ def image_error() -> Drawing:
         decades(ax, 4, 4, ylim=(1e-14, 10), title=field, xlabel="step ε")
         numbers |= {f"{field}_largest_least": largest.min(), f"{field}_rms_least": mean.min()}
         numbers |= {f"{field}_largest_eps": STEPS[largest.argmin()], f"{field}_rms_eps": STEPS[mean.argmin()]}
-        if field != "ridges":
+        if not HEIGHT_FIELDS[field].creases:
             slope_triangle(ax, 3e-4, 1e-8, 2, "2")
     axes[0].set_ylabel("error on A")
     largest, mean = _curves(FIELD_NAMES[0])

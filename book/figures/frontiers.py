@@ -31,7 +31,7 @@ def frontier_wall() -> Drawing:
             ax.plot(texels, rms, color=palette()["muted"], linestyle=dash, linewidth=1.2)
             numbers |= {f"{field}_{kind}_order": wall.order(largest), f"{field}_{kind}_rms_order": wall.order(rms)}
             numbers |= {f"{field}_{kind}_{n}": error for n, error in zip(wall.TEXELS, largest, strict=True)}
-            if field == "sine":
+            if ax is axes[0]:
                 label_line_end(ax, texels[0], largest[0], kind, colour, side="above")
         decades(ax, 1, 2, xlim=(20, 1000), title=field, xlabel="texels across")
     axes[0].set_ylabel("error of $h_u$")
