@@ -28,13 +28,14 @@ from sympy.core.relational import Relational
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import cospi, ordinary, sinpi
-from proofs.formulas.ranges import foreign_part, unbounded_near
+from proofs.formulas.ranges import enclosure
 from proofs.formulas.registry import by_name, check_name, not_allowed
 from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, real, u, v
 
 sin_u, cos_u, sin_v, cos_v = real("sin_u cos_u sin_v cos_v")
 CHART = dict.fromkeys((u, v), iv.mpf([0, 1])) | dict.fromkeys((k_u, k_v), iv.mpf([-64, 64]))
-"""Where an entry has to be finite, and its slopes: the chart, and wave numbers up to `MAX_WAVE_NUMBER`."""
+"""Where an entry and its slopes have to be finite: the chart, and wave numbers up to `MAX_WAVE_NUMBER`."""
+LARGEST = 2.0**1000  # a larger number may be no float64
 PERIODIC = [{v: Rational(at, 7), k_u: a, k_v: b} for at, a, b in product((1, 3, 6), (-2, 8), (3, 4))]
 """Where an entry has to be at u = 1 what it is at u = 0, unless it has a seam: k_u is even, k_v whole."""
 
@@ -57,12 +58,13 @@ class HeightField:
 
     def __post_init__(self):
         check_name(self.name)
-        formulas = (self.expression, *self.gradient())
-        for formula in formulas:
-            if foreign := foreign_part(formula, *CHART):
-                raise self._refused(f"it or a slope of it has {foreign}")
-        if near := unbounded_near(formulas, CHART):
-            raise self._refused(f"it or a slope of it is not shown to be finite near {near}")
+        for formula in (self.expression, *self.gradient()):
+            try:
+                size = abs(enclosure(formula, CHART)).b
+            except ValueError as error:
+                raise self._refused(f"{error}") from None
+            if not size < LARGEST:
+                raise self._refused(f"on the chart {formula} is not shown to be finite")
         for at in () if self.seam else PERIODIC:
             first, last = (float(self.expression.subs(at | {u: end})) for end in (0, 1))
             if not abs(first - last) < 1e-12:

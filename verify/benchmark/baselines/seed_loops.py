@@ -43,12 +43,11 @@ def _slopes_of_sine(scene, u, v, sign=lambda product: 1.0):
     return a * math.cos(a * u) * sin_v * side, b * sin_u * math.cos(b * v) * side
 
 
-def _slopes_of_rings(scene, u, v):
-    b = 2 * math.pi * scene.kv
-    return 0.0, b * math.cos(b * v)
-
-
-SLOPES = {"sine": _slopes_of_sine, "ridges": partial(_slopes_of_sine, sign=np.sign), "rings": _slopes_of_rings}
+SLOPES = {
+    "sine": _slopes_of_sine,
+    "ridges": partial(_slopes_of_sine, sign=np.sign),
+    "rings": lambda scene, u, v: (0.0, 2 * math.pi * scene.kv * math.cos(2 * math.pi * scene.kv * v)),
+}
 
 
 def exact_gradient(scene: Scene, u: float, v: float, eps: float | None = None) -> tuple[float, float]:
@@ -66,7 +65,7 @@ def bumped(scene: Scene, normal: np.ndarray, gradient: Callable, eps: float | No
     e_theta = np.array([-n_y / sin_phi, n_x / sin_phi, 0.0])
     e_phi = np.array([n_z * n_x / sin_phi, n_z * n_y / sin_phi, -sin_phi])
     m = normal + scene.beta * (h_u * e_theta + h_v * e_phi)
-    return m / np.linalg.norm(m)
+    return _unit(m)
 
 
 def nearest_hit(scene: Scene, center: np.ndarray, x: float, y: float) -> tuple[int, float]:
@@ -96,16 +95,15 @@ def is_shadowed(point: np.ndarray, light: np.ndarray, center: np.ndarray, radius
     return 0 < (-b - root) / a < 1 or 0 < (-b + root) / a < 1
 
 
-def _base_of_blinn(normal, towards, view):
-    halfway = towards + view
-    return float(normal @ (halfway / np.linalg.norm(halfway)))
+def _unit(vector):
+    return vector / np.linalg.norm(vector)
 
 
-def _base_of_phong(normal, towards, view):
-    return float((2.0 * float(normal @ towards) * normal - towards) @ view)
-
-
-BASES = {"blinn": _base_of_blinn, "phong": _base_of_phong}
+BASES = {
+    "blinn": lambda normal, towards, view: normal @ _unit(towards + view),
+    "phong": lambda normal, towards, view: (2.0 * float(normal @ towards) * normal - towards) @ view,
+}
+"""{model: (N', ω, v̂) → the base of the highlight}"""
 
 
 def shaded(
@@ -119,10 +117,9 @@ def shaded(
         position = np.array(light.position)
         if any(is_shadowed(point, position, center, radius) for center, radius in blockers):
             continue
-        towards = position - point
-        towards = towards / np.linalg.norm(towards)
+        towards = _unit(position - point)
         mu = float(normal @ towards)
-        specular = max(0.0, BASES[scene.model](normal, towards, view)) ** scene.shininess
+        specular = max(0.0, float(BASES[scene.model](normal, towards, view))) ** scene.shininess
         color += np.array(light.color) * (scene.kd * albedo * max(0.0, mu) + scene.ks * specular)
     return color
 
@@ -158,7 +155,7 @@ def seed_loops(scene: Scene, width: int, height: int, eps: float | None = None) 
                 continue
             point = np.array([t * x, t * y, scene.eye * (1 - t)])
             normal, albedo, blockers = surface_at(scene, surface, point, center, gradient, eps)
-            view = (eye - point) / np.linalg.norm(eye - point)
+            view = _unit(eye - point)
             rgb[row, column] = shaded(scene, point, normal, view, albedo, blockers)
             surfaces[row, column] = surface
     return np.clip(rgb, 0, 1), surfaces
