@@ -1,5 +1,6 @@
 """Every stress sweep by name: what the tests check and the figures draw."""
 
+from collections.abc import Callable
 from functools import lru_cache, partial
 
 from proofs.formulas.shading import LIGHT_MODELS
@@ -9,7 +10,7 @@ from verify.stability.sweep import Sweep
 
 _field, *_fields = BOUNDS  # what the theorems cover
 _model, *_models = LIGHT_MODELS
-SWEEPS = {
+SWEEPS: dict[str, Callable[[], Sweep]] = {
     "pole": geometry.toward_the_pole,
     "pole_general": lambda: geometry.toward_the_pole(form="general"),
     "silhouette": geometry.toward_the_silhouette,

@@ -53,7 +53,7 @@ Simulator.pictures = function (root, states, data, module, act) {
     for (const { a, b, c } of module.creases(state)) {
       const ends = [c, c + a, c + b, c + a + b], last = Math.floor(Math.max(...ends));
       for (let level = Math.ceil(Math.min(...ends)); level <= last && (a || b); level++) {
-        const [x, y] = module.kernel("crease_point", a, b, level, along, eye, radius);
+        const [x, y] = module.kernel("crease_point", a, b, level - c, along, eye, radius);
         for (let n = 0, drawing = false; n < POINTS; n++) {
           const at = [(across - state.left + x[n] * unit) * scale, (down - state.top - y[n] * unit) * scale];
           if (!isNaN(x[n])) drawing ? context.lineTo(...at) : context.moveTo(...at);

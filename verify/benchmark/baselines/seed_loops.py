@@ -14,7 +14,7 @@ from renderer import Scene
 
 Ball = tuple[np.ndarray, float]  # centre and radius
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0, 1, 2, 3
-HEIGHTS = {
+HEIGHTS: dict[str, Callable] = {
     "sine": lambda scene, u, v: math.sin(math.pi * scene.ku * u) * math.sin(math.pi * scene.kv * v),
     "ridges": lambda scene, u, v: abs(HEIGHTS["sine"](scene, u, v)),
     "rings": lambda scene, u, v: math.sin(2 * math.pi * scene.kv * v),
@@ -43,7 +43,7 @@ def _slopes_of_sine(scene, u, v, sign=lambda product: 1.0):
     return a * math.cos(a * u) * sin_v * side, b * sin_u * math.cos(b * v) * side
 
 
-SLOPES = {
+SLOPES: dict[str, Callable] = {
     "sine": _slopes_of_sine,
     "ridges": partial(_slopes_of_sine, sign=np.sign),
     "rings": lambda scene, u, v: (0.0, 2 * math.pi * scene.kv * math.cos(2 * math.pi * scene.kv * v)),
