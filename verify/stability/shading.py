@@ -60,7 +60,7 @@ def near_and_far_lights(values: int = 73, samples: int = 24, seed: int = 6) -> S
     return measured(distances, lit_point, inputs, [mu.name])
 
 
-def opposite_light(model: str, values: int = 65, samples: int = 24, seed: int = 7) -> Sweep:
+def opposite_light(model: str = "blinn", values: int = 65, samples: int = 24, seed: int = 7) -> Sweep:
     """The highlight's base against |ω + v̂|, from 1 to 10⁻¹⁶: the light behind the point, seen from the eye.
 
     Reason of the bound: ω and v̂ are each known to 2⁻⁵³, their sum to 2⁻⁵³/|ω + v̂| of its length; the base itself is

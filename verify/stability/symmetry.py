@@ -9,9 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Light, Scene, render
-from renderer.generate.creases import crease_rates
 from renderer.picture.frame import Frame
 
 ON_A_CREASE = 1e-12  # a crease factor that rounding can turn to either side
@@ -34,9 +32,8 @@ def about_the_axis(frame: Frame) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     rows = SIZE - _BELOW
     square = (slice(rows), slice((SIZE - rows) // 2, (SIZE + rows) // 2))
     data, scene = frame.surface_data, frame.scene
-    rates = np.reshape(crease_rates(HEIGHT_FIELDS[scene.field])(scene.ku, scene.kv) or (), (-1, 3))
-    on_crease = [np.abs(np.sin(np.pi * (a * data["u"] + b * data["v"] + c))) < ON_A_CREASE for a, b, c in rates]
-    creased = np.logical_or.reduce([np.zeros(data["u"].shape, bool), *on_crease])
+    factors = [np.abs(np.sin(np.pi * k * data[name])) for k, name in ((scene.ku, "u"), (scene.kv, "v"))]
+    creased = (np.minimum(*factors) < ON_A_CREASE) & (scene.field == "ridges")
     return frame.rgb[square], (frame.chambers & 3)[square], creased[square]
 
 
