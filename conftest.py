@@ -13,7 +13,6 @@ LONGEST = (
     "test_simulator_numbers.py",
     "test_notebooks.py",
     "test_single.py",
-    "test_pdf.py",
     "test_releases.py",
     "test_provenance.py",
     "test_ideas.py",

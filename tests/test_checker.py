@@ -10,8 +10,8 @@ from bs4 import BeautifulSoup
 from book.extension.theorems import placements
 from proofs.engine.theorem import all_theorems
 from tests.tabs import PHONE
-from tests.tampered_certificates import stored
 from tests.test_browser import PAGES, violations, with_axe
+from verify.checkers.breakages import stored
 from verify.sources import ROOT
 
 CHECK_HERE, CHANGE, CHECK_ALL = "Check it here", "Change the statement", "Check all"
@@ -26,8 +26,9 @@ COMPLAINTS = {
     "cos_theta^99": "an exponent is a whole number",
     "(1 - 1)": "cannot be read",
 }
-CERTIFIED = {name.partition("/")[0] for name in stored()}
-PLACES = placements(ROOT / "book", list(all_theorems()))
+STORED = {name: (entry["statement"], entry["certificate"]) for name, entry in stored().items()}
+CERTIFIED = {name.partition("/")[0] for name in STORED}
+PLACES = placements(ROOT / "book", all_theorems())
 
 
 @pytest.fixture
@@ -76,8 +77,8 @@ def test_check_all_accepts_everything_and_says_so_on_every_line(page):
     place = tab.locator(".checker[data-all]")
     press(place, CHECK_ALL)
     said = verdict(place)
-    assert f"the certificates of {len(CERTIFIED)} of {len(CERTIFIED)} theorems, {len(stored())} in all" in said
-    assert place.locator("progress").evaluate("bar => [bar.value, bar.max]") == [len(stored())] * 2
+    assert f"the certificates of {len(CERTIFIED)} of {len(CERTIFIED)} theorems, {len(STORED)} in all" in said
+    assert place.locator("progress").evaluate("bar => [bar.value, bar.max]") == [len(STORED)] * 2
     marks = tab.evaluate(
         "[...document.querySelectorAll('[data-claim]:has(.check-accepted)')].map(e => e.dataset.claim)"
     )
@@ -99,7 +100,7 @@ def test_every_theorem_has_its_button_and_its_stored_data_or_says_why_not(site):
     assert sorted(notes) == sorted(f"theorem-{id}" for id in all_theorems().keys() - CERTIFIED)
     shown = [(pair["statement"], pair["certificate"]) for each in data.values() for claim in each["claims"]
              for pair in claim["statements"]]  # fmt: skip
-    assert sorted(map(json.dumps, shown)) == sorted(map(json.dumps, stored().values()))
+    assert sorted(map(json.dumps, shown)) == sorted(map(json.dumps, STORED.values()))
 
 
 def test_a_statement_that_is_changed_from_the_keyboard_is_rejected_and_can_be_put_back(page):
@@ -159,7 +160,7 @@ def test_an_open_card_has_no_serious_violation(page):
 def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(page):
     """That sin² + cos² = 1 is what the oddness of a sine does not need."""
     name = "clamped_difference_of_odd"
-    place = card(page(PLACES[name].page), name)
+    place = card(page(PLACES[name]), name)
     press(place, CHANGE)
     line = place.locator(".check-line").first
     circle = line.inner_text()
@@ -229,7 +230,7 @@ def test_a_worker_that_never_answers_is_given_up(page):
 
 def test_a_refuted_claim_has_its_counterexample_put_in(page):
     assert all_theorems()["seed_clamp"].expected == "refuted"
-    seed_clamp = card(page(PLACES["seed_clamp"].page), "seed_clamp")
+    seed_clamp = card(page(PLACES["seed_clamp"]), "seed_clamp")
     press(seed_clamp, CHECK_HERE)
     said = verdict(seed_clamp)
     assert "1 counterexample put in, in exact fractions: the claim is false there, and 7 other conditions hold" in said

@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -164,11 +165,15 @@ def test_the_theorems_are_proved_and_a_false_one_is_not(waves, lit):
         path.write_text(true, encoding="utf-8")
 
 
+def number_in(book, name):
+    return look_up(book, *parse(name)[:2])
+
+
 def test_the_claim_stands_and_falls_with_the_run(waves):
     book = waves[0] / "book"
     ledger = load(book / "ledger")
     for grade, wrong in (("proved", []), ("failed", ["grade: proved is expected, the run made it failed"])):
-        seen = Run({CLAIM: grade}, {*page_files(book)}, set(), lambda name: look_up(book, *parse(name)[:2]), bool)
+        seen = Run({CLAIM: grade}, {CLAIM: "proved"}, {*page_files(book)}, set(), partial(number_in, book), bool)
         found = [fault for fault in faults_in(ledger, seen) if fault.startswith(CLAIM)]
         assert found == [f"{CLAIM}: evidence {CLAIM}: {fault}" for fault in wrong]
     assert 0 < json.loads((book / "_generated" / "waves.json").read_text(encoding="utf-8"))["numbers"]["turned"] < 1e-14

@@ -4,7 +4,7 @@ the scene's and the command line's choices and the book's tables follow from it.
 
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import combinations, product
+from itertools import combinations
 
 from mpmath import iv
 from sympy import (
@@ -27,7 +27,7 @@ from sympy import (
 from sympy.core.relational import Relational
 
 from proofs.engine.program import Program
-from proofs.formulas.half_turns import cospi, ordinary, sinpi
+from proofs.formulas.half_turns import cospi, sinpi
 from proofs.formulas.ranges import enclosure
 from proofs.formulas.registry import by_name, check_name, not_allowed
 from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, real, u, v
@@ -36,7 +36,7 @@ sin_u, cos_u, sin_v, cos_v = real("sin_u cos_u sin_v cos_v")
 CHART = dict.fromkeys((u, v), iv.mpf([0, 1])) | dict.fromkeys((k_u, k_v), iv.mpf([-64, 64]))
 """Where an entry and its slopes have to be finite: the chart, and wave numbers up to `MAX_WAVE_NUMBER`."""
 LARGEST = 2.0**1000  # a larger number may be no float64
-PERIODIC = [{v: Rational(at, 7), k_u: a, k_v: b} for at, a, b in product((1, 3, 6), (-2, 8), (3, 4))]
+PERIODIC = [{v: Rational(n, 7), k_u: 2 * n, k_v: n} for n in (1, 3, 6)]
 """Where an entry has to be at u = 1 what it is at u = 0, unless it has a seam: k_u is even, k_v whole."""
 
 
@@ -84,12 +84,6 @@ class HeightField:
     def depends_on_u(self) -> bool:
         """Whether h depends on u."""
         return self.expression.has(u)
-
-    @cached_property
-    def is_odd(self) -> bool:
-        """Whether h is odd about v = 0, up to the first crease beyond it."""
-        unfolded = ordinary(self.expression.replace(Abs, lambda inside: inside))
-        return unfolded.subs(v, -v) == -unfolded
 
     @cached_property
     def creases(self) -> tuple[Expr, ...]:

@@ -13,6 +13,7 @@ from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, towards
 from proofs.theorems.normal import at, tangent
+from proofs.theorems.relations import QUARTER
 
 _ridges = HEIGHT_FIELDS["ridges"]
 _any_gradient = Program("any_gradient", (h_u, h_v), (), (h_u, h_v))
@@ -70,7 +71,7 @@ attached_shadow = Theorem(
     title="The bump moves no shadow",
     statement=r"Where $N\cdot\omega > 0$, also $N'\cdot\omega > 0$.",
     claims=(_in_light,),
-    refuted_at={**at((0, 0, 1), (1, 0, 0), Rational(3, 4)), towards: (Rational(-12, 13), 0, Rational(5, 13))},
+    refuted_at={**at(3 * QUARTER), towards: (Rational(-12, 13), 0, Rational(5, 13))},
     steps=(Step(r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$", r"$\beta g = (3/4, 0, 0)$"),),
     mutants=(
         variant("true at β = 0", _in_light, given=(*_in_light.given, equation(beta, 0))),

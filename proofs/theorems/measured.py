@@ -116,14 +116,16 @@ slopes = Theorem(
 
 functions = Theorem(
     id="elementary_functions",
-    title="Sine, cosine and arctangent of the kernels",
+    title="The elementary functions of the kernels",
     statement=r"In float64 the kernels' $\sin\pi x$ is off by at most 1.34 units in the last place, $\cos\pi x$ by "
-    r"1.53, $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product by 2.52 and 2.09, and $\operatorname{atan2}(y, x)/\pi$ "
-    "by 2.50.",
+    r"1.53, $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product by 2.52 and 2.09, $\operatorname{atan2}(y, x)/\pi$ "
+    r"by 2.50, $e^x$ by 1, $\ln x$ by 0.52, and $x^p$ by 1.50 where it is at least $e^{-50}$, by 11.03 elsewhere.",
     hypotheses=(
         "round to nearest; nothing underflows or overflows; the unit is that of the float64 nearest to the exact value",
         r"the whole range: $|r| \le \frac14 + 2^{-30}$ after the reduction, which is exact but for the rounding of a "
         r"product's $r$; $0 \le t \le 1$ of the smaller over the larger side, in eight octants",
+        r"$-708 \le x \le 709$ for $e^x$; every $x > 0$ for $\ln x$; $0 < x \le 1$ and $10^{-3} \le p \le 10^6$ for "
+        r"$x^p \ge e^{-708}$, and what is smaller is 0",
     ),
     expected="certified",
 )

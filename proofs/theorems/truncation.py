@@ -5,14 +5,23 @@ from sympy import Rational, cos, diff, pi, sin
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, nothing_clamps, nothing_wraps
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
 from proofs.theorems.cited import sine_above, sine_below
-from proofs.theorems.finite_difference import difference, rings, sine
-from proofs.theorems.relations import equations, named
+from proofs.theorems.finite_difference import difference
+from proofs.theorems.relations import (
+    EIGHTH,
+    HALF,
+    QUARTER,
+    equations,
+    named,
+    nonnegative,
+    positive,
+    ridges,
+    rings,
+    sine,
+)
 
 _in_u, _in_v = pi * k_u * u, pi * k_v * v
-ridges = HEIGHT_FIELDS["ridges"]
 _sixth = Rational(1, 6)
 
 
@@ -29,13 +38,10 @@ def _bounded(name, field, output, frequency, given, factors, squares=(), constan
     rate, angle = pi * frequency, pi * frequency * epsilon
     error, bound = difference(field, output) - slope, constant * epsilon**2 * rate**3
     shows = (
-        at_least(1 - factors, 0),
-        at_least(1 + factors, 0),
-        greater(rate, 0),
-        greater(rate**3, 0),
+        *nonnegative(1 - factors, 1 + factors),
+        *positive(rate, rate**3),
         equation(third, -(rate**3) * factors),
-        at_least(rate**3 - third, 0),
-        at_least(rate**3 + third, 0),
+        *nonnegative(rate**3 - third, rate**3 + third),
         equation(epsilon * error, factors * (sin(angle) - angle)),
         *(at_least(epsilon * (bound + s * error), 0) for s in (1, -1)),
         *(at_least(bound + s * error, 0) for s in (1, -1)),
@@ -43,7 +49,7 @@ def _bounded(name, field, output, frequency, given, factors, squares=(), constan
     lemmas = (sine_below(angle), sine_above(angle))
     (k,) = frequency.free_symbols
     step, sine_of_step = (Rational(13, 30), Rational(24, 25)) if k == frequency else (Rational(13, 60), Rational(3, 5))
-    example = ((coordinate, Rational(1, 2)), (k, 1), (epsilon, step), (sin(pi * k * epsilon), sine_of_step))
+    example = ((coordinate, HALF), (k, 1), (epsilon, step), (sin(pi * k * epsilon), sine_of_step))
     return Claim(name, shows, (*given, k > 0), None, squares, cited=lemmas, ranges=INSIDE, example=example)
 
 
@@ -100,20 +106,17 @@ theorem = Theorem(
     ),
     mutants=(
         variant(
-            "rings with k_v for 2k_v",
-            _rings,
-            at_least(_rings_by_k_v, 0),
-            at={k_v: 2, v: Rational(1, 4), epsilon: Rational(1, 16)},
+            "rings with k_v for 2k_v", _rings, at_least(_rings_by_k_v, 0), at={k_v: 2, v: QUARTER, epsilon: EIGHTH / 2}
         ),
         Mutant(
             "a seventh for the sixth",
             _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(_in_u) * sin(_in_v), (), Rational(1, 7)),
-            at={k_u: 1, u: Rational(1, 16), k_v: 1, v: Rational(1, 2), epsilon: Rational(1, 100)},
+            at={k_u: 1, u: EIGHTH / 2, k_v: 1, v: HALF, epsilon: Rational(1, 100)},
         ),
     ),
     side_conditions=(
-        SideCondition(r"$\varepsilon > 0$", "rings", undefined=[{v: Rational(1, 2), epsilon: 0, k_v: 2}]),
-        SideCondition("$k > 0$", "rings", fails=[{v: Rational(1, 2), epsilon: Rational(1, 8), k_v: -2}]),
+        SideCondition(r"$\varepsilon > 0$", "rings", undefined=[{v: HALF, epsilon: 0, k_v: 2}]),
+        SideCondition("$k > 0$", "rings", fails=[{v: HALF, epsilon: EIGHTH, k_v: -2}]),
     ),
 )
 

@@ -79,7 +79,7 @@ class CoqPrinter(KernelPrinter):
     real part is taken.
     """
 
-    names: ClassVar = {"Abs": "Rabs", "Max": "Rmax", "Min": "Rmin"}
+    names: ClassVar = {"Abs": "Rabs", "Max": "Rmax", "Min": "Rmin", "log": "ln"}
 
     def literal(self, rational: Rational) -> str:
         return str(rational.p) if rational.q == 1 else f"({rational.p} / {rational.q})"

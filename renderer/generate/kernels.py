@@ -21,7 +21,20 @@ Each function is one program of the chapter, a line for each line of its derivat
 NumPy's arrays and float64 numbers (under `numpy.errstate`: a selection computes both of its sides), traced values.
 """
 
-from renderer.operations import floor, inf, maximum, minimum, pi, power, rint, sign, sqrt, where
+from renderer.operations import (
+    binary_exponent,
+    floor,
+    inf,
+    maximum,
+    minimum,
+    nan,
+    pi,
+    power_of_two,
+    rint,
+    sign,
+    sqrt,
+    where,
+)
 '''
 
 

@@ -10,6 +10,7 @@ from proofs.formulas import (
     camera,
     creases,
     elementary,
+    exponential,
     finite_difference,
     height_fields,
     shading,
@@ -26,8 +27,11 @@ ELEMENTARY = {
     "sinpi": elementary.sine_of_half_turns,
     "cospi": elementary.cosine_of_half_turns,
     "atan2pi": elementary.angle_in_half_turns,
+    "exp": exponential.exponential_of_sum,
+    "log": exponential.natural_logarithm,
+    "power": exponential.raised,
 }
-"""Our own elementary functions. sinpi and cospi take a product and its error, which is 0 unless it is given."""
+"""Our own elementary functions. sinpi, cospi and exp take a product and its error, which is 0 unless it is given."""
 
 KERNELS = (
     # once a scene

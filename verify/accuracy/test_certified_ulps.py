@@ -1,4 +1,4 @@
-"""Our own sinpi, cospi and atan2pi for float64, against balls: no error is above the certified one.
+"""Our own elementary functions for float64, against balls: no error is above the certified one.
 
 The certificate itself is run with the theorems: `elementary_functions`. Dense random arguments, and adversarial ones:
 on and beside the zeros, the quadrants' and the nodes' edges, tiny, large.
@@ -8,12 +8,14 @@ A product k·u costs one more rounding, of the reduced argument; the arctangent,
 import math
 import random
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 import pytest
 from flint import arb
 
-from verify.accuracy.certified_ulps import CERTIFIED, KERNELS, error_in_ulps, errors_in_ulps, pieces_of
+from renderer import kernels
+from verify.accuracy.certified_ulps import CERTIFIED, KERNELS, PIECES, SMALL, at, error_in_ulps, errors_in_ulps
 
 
 def beside(value, count):
@@ -50,26 +52,36 @@ def directions():
     return found + [(s * 10.0**-k, c) for k in range(1, 280, 9) for s in (1, -1) for c in (1.0, -1.0)]
 
 
-def cases_of(name):
-    """Return the arguments of a function, tuples."""
-    return directions() if name == "atan2pi" else products() if name.endswith("product") else arguments()
+def powers(smallest):
+    """Return bases and exponents, of which the power's logarithm is not below −smallest."""
+    return [(u, abs(k)) for k, u in products() if 0 < u <= 1 and k and -abs(k) * math.log(u) < smallest]
+
+
+CASES = dict.fromkeys(CERTIFIED, arguments) | {
+    "sinpi_of_product": products,
+    "cospi_of_product": products,
+    "atan2pi": directions,
+    "exp": lambda: [(350 * x,) for (x,) in arguments() if abs(x) <= 2],
+    "log": lambda: [(abs(x) ** n,) for (x,) in arguments() if abs(x) > 1e-100 for n in (1, -3)],
+    "power": partial(powers, SMALL),
+    "small_power": partial(powers, 708),
+}
 
 
 @pytest.mark.parametrize("name", CERTIFIED)
 def test_error_in_ulps(name):
-    cases = cases_of(name)
+    cases = CASES[name]()
     errors = errors_in_ulps(name, *np.array(cases).T)
     assert errors.max() <= CERTIFIED[name], f"{name}{cases[errors.argmax()]} is off by {errors.max()} ulp"
 
 
-@pytest.mark.parametrize("name", ["sinpi", "cospi", "atan2pi"])
+@pytest.mark.parametrize("name", ["sinpi", "cospi", "atan2pi", "exp", "log"])
 def test_no_piece_is_certified_too_low(name):
     """On each piece of the range the kernel's error stays below that piece's own bound, and on some comes near it."""
-    rng, pieces = np.random.default_rng(3), pieces_of(name)
+    rng, pieces = np.random.default_rng(3), PIECES[name]()
     low, high, ulps = (np.array([float(getattr(p, end)) for p in pieces]) for end in ("low", "high", "ulps"))
-    x = np.clip(rng.uniform(low, high, (2, len(pieces))), np.nextafter(low, 1), np.nextafter(high, 0))
-    larger = rng.uniform(1, 2, x.shape)
-    shares = errors_in_ulps(name, *((x * larger, larger) if name == "atan2pi" else (x,))) / ulps
+    x = np.clip(rng.uniform(low, high, (2, len(pieces))), np.nextafter(low, np.inf), np.nextafter(high, -np.inf))
+    shares = errors_in_ulps(name, *at(name, x, rng.uniform(1, 2, x.shape))) / ulps
     assert 0.5 < shares.max() <= 1
 
 
@@ -87,3 +99,22 @@ def test_zeros_are_exact():
             for u in beside(m / k, 1)[: 3 if m else 1]:
                 exactly_on_crease = (k * Fraction(u)).denominator == 1
                 assert (product(float(k), np.float64(u)) == 0) == exactly_on_crease
+
+
+def test_what_exp_and_log_are_outside_their_range():
+    numbers = np.array([np.nan, np.inf, -np.inf, 709.1, -708.1, -0.0, -1e-300])
+    with np.errstate(all="ignore"):
+        np.testing.assert_array_equal(kernels.exp(numbers), [np.nan, np.inf, 0, np.inf, 0, 1, 1])
+        np.testing.assert_array_equal(kernels.log(numbers)[[0, 1, 2, 5, 6]], [np.nan, np.inf, np.nan, -np.inf, np.nan])
+
+
+@pytest.mark.parametrize("exponent", [1e-3, 0.1, 0.5, 1.0, 7.3, 1e6])
+def test_a_power_rises_from_0_to_1(exponent):
+    """From one base to the next above it; for an exponent of 0.1 and less it may fall, by a unit in the last place."""
+    rng = np.random.default_rng(5)
+    bases = np.concatenate([rng.random(9999), 1 - 2.0 ** rng.uniform(-53, 0, 9999), [0, 203 / 256, 57 / 64, 0.5**0.5]])
+    with np.errstate(all="ignore"):
+        powers = kernels.power(np.unique([*bases, *np.nextafter(bases, 1), 1]), exponent)
+        assert np.isnan(kernels.power(math.nan, exponent))
+    assert (powers[0], powers[-1], powers.min(), powers.max()) == (0, 1, 0, 1)
+    assert (np.diff(powers) >= (-np.spacing(powers[:-1]) if exponent <= 0.1 else 0)).all()

@@ -7,7 +7,7 @@ from book.drawing.style import plot
 from renderer import Scene, exact, gradient_at, height_at
 
 
-@figure("waves")
+@figure
 def waves() -> Drawing:
     """The height of waves on the chart, k_u = 7 and k_v = 3."""
     scene = Scene(field="waves", ku=7, kv=3)

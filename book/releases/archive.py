@@ -45,8 +45,7 @@ def write(now: dict) -> Path:
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     for picture in now["pictures"].values():
-        data = next(name for name in picture["files"] if name.endswith((".csv", ".npz")))
-        pictures.keep(record.GENERATED / data, work)
+        pictures.archive(record.GENERATED / pictures.data_name(picture), work)
     shutil.rmtree(RELEASES / version, ignore_errors=True)
     work.rename(RELEASES / version)
     path = RELEASES / f"{version}.json"
