@@ -7,7 +7,6 @@ import pytest
 # Files that take most of a minute, or prepare for as long what their tests share, begin. A file has one worker.
 LONGEST = (
     "test_browser.py",
-    "test_newcomer.py",
     "test_wheel.py",
     "test_contributing.py",
     "test_simulator.py",

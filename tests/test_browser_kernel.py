@@ -13,7 +13,7 @@ from verify.checkers.test_checkers import NOTHING, UNSOUND, derivation, show
 
 STORED = stored()
 PAIRS = {name: (entry["statement"], entry["certificate"]) for name, entry in STORED.items()}
-ASK = "(text) => { const { check } = Checker.kernel(); return JSON.parse(text).map((pair) => check(...pair)) }"
+ASK = "(text) => { const { check } = certificate_kernel(); return JSON.parse(text).map((pair) => check(...pair)) }"
 
 
 @pytest.fixture(scope="module")

@@ -34,7 +34,7 @@ PLACES = placements(ROOT / "book", all_theorems())
 @pytest.fixture
 def page(visit):
     """A function that opens a page of the book, its formulas as they are written: to typeset them takes longest."""
-    return functools.partial(visit, until="window.Checker", given={"**/tex-chtml-full.js*": ""})
+    return functools.partial(visit, until="window.start_checker", given={"**/tex-chtml-full.js*": ""})
 
 
 def card(tab, theorem):
@@ -188,25 +188,28 @@ def test_a_false_certificate_is_rejected_by_the_card_and_by_check_all(page):
     tab = page("lemmas")
     wrong = tampered_data(tab, "#theorem-unit_length")
     tab.evaluate(
-        "data => Checker.card(document.querySelector('#theorem-unit_length .checker'), data, Checker.clerk())", wrong
+        "data => checker_card(document.querySelector('#theorem-unit_length .checker'), data, checking_clerk())", wrong
     )
     press(card(tab, "unit_length"), CHECK_HERE)
     said = verdict(card(tab, "unit_length"))
     assert "Rejected" in said and "g is tangent" in said and "Left over" in said
     tab = page("findings")
     wrong = tampered_data(tab, ".checker[data-all]")
-    tab.evaluate("data => Checker.all(document.querySelector('.checker[data-all]'), data, Checker.clerk())", wrong)
+    tab.evaluate("data => check_all(document.querySelector('.checker[data-all]'), data, checking_clerk())", wrong)
     press(tab.locator(".checker[data-all]"), CHECK_ALL)
     said = verdict(tab.locator(".checker[data-all]"))
     assert "Rejected" in said and said.endswith("Rejected: unit_length.")
     assert tab.locator("[data-claim=unit_length] .check-mark.check-rejected").count() == 1
 
 
+BROKEN_KERNEL = "certificate_kernel = function certificate_kernel() { throw new Error('broken') }"
+
+
 @pytest.mark.parametrize(
     ("name", "button", "breakage", "words"),
     [
         ("lemmas", CHECK_HERE, "window.Worker = class { constructor() { throw new Error('forbidden') } }", "forbidden"),
-        ("findings", CHECK_ALL, "Checker.kernel = function () { throw new Error('broken') }", "the worker failed"),
+        ("findings", CHECK_ALL, BROKEN_KERNEL, "the worker failed"),
     ],
 )
 def test_a_worker_that_does_not_start_says_so(page, name, button, breakage, words):

@@ -78,7 +78,7 @@ def test_the_compiled_kernels_are_python_s_to_the_last_bit(idea, kernel):
     tab, _ = idea("slope_is_texture")
     rng, count = random.Random(kernel.__name__), len(inputs_of(kernel))
     rows = [[rng.uniform(-1, 1) for _ in range(count)] for _ in range(50)]
-    ask = "([name, rows]) => rows.map(row => [Ideas.module.kernel(name, ...row)].flat())"
+    ask = "([name, rows]) => rows.map(row => [Ideas.module.own.kernel(name, ...row)].flat())"
     compiled = np.array(tab.evaluate(ask, [kernel.__name__, rows]), float)
     with np.errstate(all="ignore"):
         np.testing.assert_array_equal(compiled, [np.atleast_1d(kernel(*map(np.float64, row))) for row in rows])

@@ -15,6 +15,7 @@ from book.editions.pictures import inline_pictures
 
 HERE = Path(__file__).parent
 # Icons come from the theme's font; a file that is read from a disk has nothing to search with.
+SHARED = "shared.js"  # which the file's own script needs; all others are marked data-moves, and are not printed
 LEFT_OUT = {"fontawesome.js", "searchtools.js", "language_data.js", "searchindex.js"}
 POLICY = (
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; "
@@ -92,8 +93,9 @@ class Chapter:
         """Every script as an element, with its data: those that wait for the document, or those that do not."""
         for path, tag in self.loads("script"):
             if tag.has_attr("defer") == deferred:
-                data = {"class": "of-site"} | {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
-                text = inlined_script(path)
+                text, data = inlined_script(path), {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
+                if path.name != SHARED:
+                    data["data-moves"] = ""
                 if path.parent.name == "mathjax":  # the file's own script unpacks it
                     text, data = base64_gzip(text.encode()), {"type": "application/gzip", "id": "packed-mathjax"}
                 yield self.element("script", text, data)

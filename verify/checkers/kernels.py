@@ -10,11 +10,11 @@ from verify.checkers.proof_checker import CHECKERS
 
 JAVASCRIPT = Path(__file__).resolve().parents[2] / "book" / "static" / "checker" / "kernel.js"
 ASK = """
-const { check } = Checker.kernel();
+const { check } = certificate_kernel();
 const lines = require("fs").readFileSync(0, "utf8").split("\\n").filter(Boolean);
 const answers = lines.map((text) => {
   try {
-    return check(...Checker.parsed(text)).accepted;
+    return check(...parsed_canonical(text)).accepted;
   } catch {
     return false;
   }
