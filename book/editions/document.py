@@ -83,10 +83,14 @@ class Chapter:
         link["href"], link["download"] = address, f"{file.name}.gz"
 
     def loads(self, kind: str) -> Iterator[tuple[Path, Tag]]:
-        """What pages load as <link> or <script>, each once, in their order: its file and its element."""
-        found = {path: tag for page in reversed(self.pages) for path, tag in reversed(page.loads.items())}
-        for path, tag in reversed(found.items()):
-            if tag.name == kind and Path(path).name not in LEFT_OUT:
+        """What pages load as <link> or <script>, each once: its file and its element.
+
+        Scripts stand where they come first: what pages share precedes their own. Style sheets stand where they come last.
+        """
+        pairs = [(path, tag) for page in self.pages for path, tag in page.loads.items() if tag.name == kind]
+        found = dict(pairs) if kind == "script" else dict(reversed(dict(reversed(pairs)).items()))
+        for path, tag in found.items():
+            if Path(path).name not in LEFT_OUT:
                 yield self.site / path, tag
 
     def scripts(self, deferred: bool) -> Iterator[Tag]:
