@@ -1,11 +1,13 @@
 """The truncation error of the central difference of the smooth fields, with its constant."""
 
-from sympy import Rational, cos, diff, pi, sin
+from sympy import Expr, Rational, cos, diff, pi, sin
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, nothing_clamps, nothing_wraps
 from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.step_bounds import frequency as half_turns
+from proofs.formulas.step_bounds import slope_bound, steepest, truncation, truncation_bound
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
 from proofs.theorems.cited import sine_above, sine_below
 from proofs.theorems.finite_difference import difference, rings, sine
@@ -13,7 +15,11 @@ from proofs.theorems.relations import equations, named
 
 _in_u, _in_v = pi * k_u * u, pi * k_v * v
 ridges = HEIGHT_FIELDS["ridges"]
-_sixth = Rational(1, 6)
+
+
+def bound_at(frequency: Expr) -> Expr:
+    """Return the bound of the truncation error for a frequency."""
+    return truncation_bound.expand(truncation).xreplace({half_turns: frequency})
 
 
 def _hints(a, b):
@@ -22,12 +28,13 @@ def _hints(a, b):
     return c - s, c + s, named(sin(a)), named(cos(b))
 
 
-def _bounded(name, field, output, frequency, given, factors, squares=(), constant=_sixth):
-    """Return the claim |D − slope| ≤ constant · ε² (π frequency)³; slope = π frequency · factors."""
+def _bounded(name, field, output, frequency, given, factors, squares=(), share=1):
+    """Return the claim |D − slope| ≤ share · ε²/6 (π frequency)³; slope = π frequency · factors."""
     coordinate = {h_u: u, h_v: v}[output]
     slope, third = (diff(field.expression, coordinate, n) for n in (1, 3))
-    rate, angle = pi * frequency, pi * frequency * epsilon
-    error, bound = difference(field, output) - slope, constant * epsilon**2 * rate**3
+    rate = slope_bound[steepest].xreplace({half_turns: frequency})
+    angle = rate * epsilon
+    error, bound = difference(field, output) - slope, share * bound_at(frequency)
     shows = (
         at_least(1 - factors, 0),
         at_least(1 + factors, 0),
@@ -71,7 +78,7 @@ _ridges = tuple(
 )
 _at_eight = Claim("at_eight", (greater((8 * pi) ** 3, 24**3), greater(24**3, 6 * 2000)))
 _at_four = Claim("at_four", (greater((4 * pi) ** 3, 1728), greater(1987, (4 * pi) ** 3)))
-_rings_by_k_v = epsilon**2 / 6 * (pi * k_v) ** 3 - difference(rings, h_v) + rings.gradient()[1]
+_rings_by_k_v = bound_at(k_v) - difference(rings, h_v) + rings.gradient()[1]
 
 theorem = Theorem(
     id="truncation_bound",
@@ -107,7 +114,7 @@ theorem = Theorem(
         ),
         Mutant(
             "a seventh for the sixth",
-            _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(_in_u) * sin(_in_v), (), Rational(1, 7)),
+            _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(_in_u) * sin(_in_v), (), Rational(6, 7)),
             at={k_u: 1, u: Rational(1, 16), k_v: 1, v: Rational(1, 2), epsilon: Rational(1, 100)},
         ),
     ),

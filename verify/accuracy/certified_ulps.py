@@ -11,7 +11,6 @@ smaller ones, down to where a product underflows.
 
 import math
 from collections.abc import Callable, Iterable
-from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 from typing import NamedTuple
@@ -29,17 +28,6 @@ from verify.evaluate.rounding import ZERO, Rounded, between, run, unit_in_the_la
 PRECISION, TERMS = 160, 40
 SMALLEST = -12  # binary exponent below which the lines only scale
 PIECES = 40  # a binade
-
-
-CERTIFIED = {
-    "sinpi": Fraction(134, 100),
-    "cospi": Fraction(153, 100),
-    "sinpi_of_product": Fraction(252, 100),
-    "cospi_of_product": Fraction(209, 100),
-    "atan2pi": Fraction(250, 100),
-}
-"""The bounds that the book states, in units in the last place; theorem elementary_functions."""
-
 
 KERNELS = {name: getattr(kernels, name) for name in ("sinpi", "cospi", "atan2pi")} | {
     "sinpi_of_product": lambda a, b: kernels.sinpi(*kernels.two_product(a, b)),
@@ -235,7 +223,7 @@ class _Angle:
 
 
 def pieces_of(name: str) -> list[Piece]:
-    """Return the Pieces of an elementary function by its name, a key of CERTIFIED."""
+    """Return the Pieces of an elementary function by its name, a key of `proofs.formulas.certified.CERTIFIED`."""
     if name == "atan2pi":
         return angle_pieces()
     return sine_pieces(cosine=name.startswith("cos"), of_product=name.endswith("_of_product"))

@@ -224,7 +224,7 @@ Simulator.module = async function (data, compiled) {
     const angles = angles_of(stage), slopes = ["h_u", "h_v"].map((plane) => on_a(stage, place(stage, name, plane)));
     const point = kernel("point_on_a", ...angles, radius), normals = [state.beta, 0].map((beta) => kernel("bumped_normal", ...angles, ...slopes, beta));
     return data.scene.lights.filter((_, n) => state.lights[n]).map(({ position }) => {
-      const [bumped, plain] = normals.map((normal) => kernel("phong", ...point, ...position, ...normal, 0, 0, 1)[0]);
+      const [bumped, plain] = normals.map((normal) => kernel("light_cosine", ...point, ...position, ...normal));
       return bumped.reduce((count, mu, i) => count + (mu > 0 !== plain[i] > 0), 0);
     });
   }
@@ -243,10 +243,10 @@ Simulator.module = async function (data, compiled) {
 
   function facts_on_a(state, method, stage) {
     const [u, v, ...angles] = [...chart(stage), ...angles_of(stage)].map(([number]) => number);
-    const field = (name, ...inputs) => kernel(`${name}_${state.field}`, ...inputs), slopes = gradient(state, method, stage);
+    const [theta, phi] = kernel("chart_radians", u, v), field = (name, ...inputs) => kernel(`${name}_${state.field}`, ...inputs), slopes = gradient(state, method, stage);
     return {
       point: kernel("point_on_a", ...angles, radius), normal: kernel("bumped_normal", ...angles, ...slopes, state.beta), gradient: slopes,
-      theta: (2 * u - 1) * Math.PI, phi: v * Math.PI, u, v, h: field("height", u, v, state.ku, state.kv),
+      theta, phi, u, v, h: field("height", u, v, state.ku, state.kv),
       kink: field("kink", angles[3], u, v, state.ku, state.kv) === 1,
       straddling: method.eps ? field("straddling", u, v, state.ku, state.kv, method.eps) === 1 : false,
     };
