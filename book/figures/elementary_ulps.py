@@ -6,7 +6,8 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import bound_style, label_line_end, palette, plot
-from verify.accuracy.certified_ulps import CERTIFIED, errors_in_ulps, pieces_of, worst
+from proofs.formulas.certified import CERTIFIED
+from verify.accuracy.certified_ulps import errors_in_ulps, pieces_of, worst
 
 NAMES = {"sinpi": r"$\sin\,\pi r$", "cospi": r"$\cos\,\pi r$", "atan2pi": r"atan2$(t, 1)/\pi$"}
 SEED, EACH, LEAST = 8, 3, 0.01  # below LEAST the pieces only repeat themselves

@@ -8,8 +8,8 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import bound_style, decades, label_curve, label_line_end, palette, plot
 from verify.accuracy.best_step import predicted
 from verify.accuracy.clamped_order import fitted_slope
-from verify.accuracy.difference_bounds import Bounds, bounds, escapes
-from verify.accuracy.differences import CASES, PARTS, STEPS, Case, Parts, parts
+from verify.accuracy.difference_bounds import Curves, bounds, escapes
+from verify.accuracy.differences import CASES, PARTS, PER_DECADE, STEPS, Case, parts
 
 STEEP = next(case for case in CASES if case.name == "steep")
 SMALL = {
@@ -25,18 +25,17 @@ ROUNDOFF = 1e-9  # below it rounding rules in every case
 
 
 @cache
-def below(case: Case) -> tuple[Parts, Bounds]:
-    """Return (the Parts, the Bounds) of a case; ValueError if any point is above its bound."""
-    found = parts(case)
-    limits = bounds(case, found)
+def below(case: Case) -> tuple[Curves, Curves]:
+    """Return (the parts of a case's errors, their bounds); ValueError if any point is above its bound."""
+    found, limits = parts(case), bounds(case)
     out = {part: count for part, count in escapes(found, limits).items() if count}
     if out:
-        raise ValueError(f"{case.name}: above the proved bound: {out} of {len(found.steps)} points")
+        raise ValueError(f"{case.name}: above the proved bound: {out} of {len(STEPS)} points")
     return found, limits
 
 
-def _dots(ax, steps, values, colour, marker="o", size=1.8):
-    steps, values = steps[::2], np.abs(values[::2])  # half of those that are tested
+def _dots(ax, values, colour, marker="o", size=1.8):
+    steps, values = STEPS[::2], np.abs(values[::2])  # half of those that are tested
     ax.plot(steps[values > 0], values[values > 0], color=colour, linewidth=0, marker=marker, markersize=size)
 
 
@@ -45,28 +44,26 @@ def u_curve_parts() -> Drawing:
     """The three parts of the error of h_u of sine at a steep point, against the step, and their proved bounds."""
     found, limits = below(STEEP)
     fig, ax = plot(height=4.6)
-    data = {"step": found.steps}
+    data = {"step": STEPS}
     colours = dict(zip(PARTS, ("reference", "difference", "symbolic", "numeric"), strict=True))
     markers = dict(zip(PARTS, (".", "x", "+", "o"), strict=True))
-    for part in ("truncation", "argument", "roundoff"):
-        data |= {part: np.abs(getattr(found, part)), f"{part}_bound": getattr(limits, part)}
-        _dots(ax, found.steps, getattr(found, part), palette()[colours[part]], markers[part], 2.4)
-        ax.plot(found.steps, getattr(limits, part), **bound_style() | {"linewidth": 0.9})
+    for part in PARTS[:-1]:
+        data |= {part: np.abs(found[part]), f"{part}_bound": limits[part]}
+        _dots(ax, found[part], palette()[colours[part]], markers[part], 2.4)
+        ax.plot(STEPS, limits[part], **bound_style() | {"linewidth": 0.9})
     decades(ax, 2, 2, xlim=REACH, ylim=(1e-20, 1e3), xlabel="step ε", ylabel="error of $h_u$")
     best = predicted(STEEP.k_u)
     ax.plot(best.step, best.floor, color=palette()["ink"], marker="v", markersize=6)
     label_line_end(ax, best.step, 20 * best.floor, "floor, proved", palette()["ink"], side="above")
-    for part, at, times, text, side in (
-        ("truncation", 1e-10, 1, "truncation", "right"),
-        ("argument", 1e-12, 30, "rounded $u ± ε$", "right"),
-        ("roundoff", 1e-13, 1e-5, "rounded evaluation", "below"),
-    ):
-        label_curve(ax, found.steps, getattr(limits, part), at, text, palette()[colours[part]], side, times)
-    branch = (found.steps < 1e-3) & (found.steps > 1e-7)
+    labels = ((1e-10, 1, "truncation", "right"), (1e-12, 30, "rounded $u ± ε$", "right"),
+              (1e-13, 1e-5, "rounded evaluation", "below"))  # fmt: skip
+    for part, (at, times, text, side) in zip(PARTS[:-1], labels, strict=True):
+        label_curve(ax, STEPS, limits[part], at, text, palette()[colours[part]], side, times)
+    branch, total = (STEPS < 1e-3) & (STEPS > 1e-7), np.abs(found["total"])
     numbers = {
-        "slope": fitted_slope(found.steps[branch], np.abs(found.truncation[branch])),
-        "least": float(np.abs(found.total).min()),
-        "least_at": float(found.steps[np.abs(found.total).argmin()]),
+        "slope": fitted_slope(STEPS[branch], np.abs(found["truncation"][branch])),
+        "least": float(total.min()),
+        "least_at": float(STEPS[total.argmin()]),
         "floor": best.floor,
         "best_eps": best.step,
         "u": STEEP.u,
@@ -82,9 +79,10 @@ def u_curve_places() -> Drawing:
     data = {}
     for ax, (name, title) in zip(axes.ravel(), SMALL.items(), strict=True):
         found, limits = below(next(case for case in CASES if case.name == name))
-        data |= {f"step, {name}": found.steps, f"error, {name}": np.abs(found.total), f"bound, {name}": limits.total}
-        _dots(ax, found.steps, found.total, palette()["numeric"], size=1.4)
-        ax.plot(found.steps, limits.total, **bound_style())
+        error, bound = np.abs(found["total"]), limits["total"]
+        data |= {f"step, {name}": STEPS, f"error, {name}": error, f"bound, {name}": bound}
+        _dots(ax, error, palette()["numeric"], size=1.4)
+        ax.plot(STEPS, bound, **bound_style())
         decades(ax, 4, 4, title=title, xlim=REACH, ylim=(1e-13, 1e4))
     for ax in axes[1]:
         ax.set_xlabel("step ε")
@@ -96,7 +94,7 @@ def u_curve_places() -> Drawing:
 @figure("u_curve_margins")
 def u_curve_margins() -> Drawing:
     """The measured error over its proved bound, at every step: the largest and the median of all places."""
-    shares = np.array([np.abs(found.total) / limits.total for found, limits in map(below, CASES)])
+    shares = np.array([np.abs(found["total"]) / limits["total"] for found, limits in map(below, CASES)])
     fig, ax = plot(height=3.2)
     colour = palette()["difference"]
     largest, median = shares.max(axis=0), np.median(shares, axis=0)
@@ -113,6 +111,6 @@ def u_curve_margins() -> Drawing:
         "escaped": int((shares > 1).sum()),
         "largest": float(shares.max()),
         "median_ratio": float(np.median(1 / rounding[rounding > 0])),
-        "per_decade": 40,
+        "per_decade": PER_DECADE,
     }
     return Drawing(fig, numbers=numbers, data={"step": STEPS, "largest": largest, "median": median})

@@ -118,9 +118,9 @@ slopes = Theorem(
 functions = Theorem(
     id="elementary_functions",
     title="Sine, cosine and arctangent of the kernels",
-    statement=r"In float64 the kernels' $\sin\pi x$ is off by at most {sinpi:.2f} units in the last place, $\cos\pi x$ by "
-    r"{cospi:.2f}, $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product by {sinpi_of_product:.2f} and "
-    r"{cospi_of_product:.2f}, and $\operatorname{{atan2}}(y, x)/\pi$ by {atan2pi:.2f}.".format(
+    statement=r"In float64 the kernels' $\sin\pi x$ is off by at most {sinpi:.2f} units in the last place, "
+    r"$\cos\pi x$ by {cospi:.2f}, $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product by {sinpi_of_product:.2f} "
+    r"and {cospi_of_product:.2f}, and $\operatorname{{atan2}}(y, x)/\pi$ by {atan2pi:.2f}.".format(
         **{name: float(ulps) for name, ulps in CERTIFIED.items()}
     ),
     hypotheses=(

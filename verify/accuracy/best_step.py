@@ -1,8 +1,7 @@
 """The best step of a central difference and its floor: as the theorem predicts, and as measured; and a trick.
 
-Predicted: T ε² + E/ε is least at (E/2T)^(1/3), with T = (πk)³/6 and E = η + L α (theorem best_step). Measured: the
-largest error over smooth points is least at the best step. The trick takes for ε what u ± ε can represent,
-(u + ε) − u in float64, so that α = 0.
+Predicted: theorem best_step, of the bounds of truncation and rounding. Measured: the largest error over smooth points
+is least at the best step. The trick takes for ε what u ± ε can represent, (u + ε) − u in float64, so that α = 0.
 """
 
 import math
@@ -11,13 +10,16 @@ from typing import NamedTuple
 
 import numpy as np
 
+from proofs.formulas import step_bounds
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene, central, gradient_at
-from verify.accuracy.difference_bounds import SINE_ULPS, UNIT
+from renderer.generate.kernels import function_of
+from renderer.generate.step_terms import SINE_ULPS, UNIT, rounding_bound, slope_bound, truncation_bound
 from verify.evaluate.arrays import in_balls
 
 POINTS, SEED, PER_DECADE, WINDOW = 16, 3, 20, 5
 WAVE_NUMBERS = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512)
+_best_step = function_of(step_bounds.best_step)
 
 
 class Best(NamedTuple):
@@ -27,13 +29,18 @@ class Best(NamedTuple):
     floor: float
 
 
+def best_of(k: float, rounding: float) -> Best:
+    """Return the Best of the truncation bound for k and a rounding error of `rounding`/ε: theorem best_step."""
+    truncation = truncation_bound(1.0, k)
+    for_one, _ = _best_step(truncation, 1.0)  # the rounding whose best step is 1: it goes with the step's cube
+    step = (rounding / for_one) ** (1 / 3)
+    return Best(step, _best_step(truncation, step)[1])
+
+
 def predicted(k: float, representable: bool = False) -> Best:
     """Return the Best of the proved bound for sine in u, wherever the point is; representable: with the trick."""
-    rate = math.pi * k
-    heights = SINE_ULPS * UNIT + UNIT
-    rounding = heights + (0 if representable else rate * UNIT)
-    truncation = rate**3 / 6
-    return Best((rounding / 2 / truncation) ** (1 / 3), 3 * truncation ** (1 / 3) * (rounding / 2) ** (2 / 3))
+    heights, arguments = SINE_ULPS * UNIT + UNIT, 0.0 if representable else UNIT
+    return best_of(k, rounding_bound(2.0, slope_bound(k), 0.0, heights, arguments))
 
 
 def representable_step(at: np.ndarray, step: float) -> np.ndarray:

@@ -13,7 +13,8 @@ import numpy as np
 import pytest
 from flint import arb
 
-from verify.accuracy.certified_ulps import CERTIFIED, KERNELS, error_in_ulps, errors_in_ulps, pieces_of
+from proofs.formulas.certified import CERTIFIED
+from verify.accuracy.certified_ulps import KERNELS, error_in_ulps, errors_in_ulps, pieces_of
 
 
 def beside(value, count):

@@ -18,10 +18,12 @@ Simulator.cursor = function (root, states, data, module) {
     return count <= MOST ? `${count} ulp` : "—";
   }
 
-  // Which term of a difference's error may be the largest at this pixel, by the theorems.
-  function leading(state, { u, v }) {
+  // Which term of a difference's error may be the largest at this pixel, and how large both slopes' are at most, by the theorems.
+  function bounded(state, { u, v }) {
     const found = module.bounds(state, u, v, state.eps);
-    return found ? data.terms[found[1] - 1] : "no theorem covers this";
+    if (!found) return [["error led by", "no theorem covers this"]];
+    const [, leading, ...slopes] = found, most = slopes.map((bound, n) => [`|Δh<sub>${"uv"[n]}</sub>| ≤`, bound.toExponential(2)]);
+    return [["error led by", data.terms[leading - 1]], ...most];
   }
 
   // Both records of a pixel, as renderer.pixel gives them.
@@ -33,7 +35,7 @@ Simulator.cursor = function (root, states, data, module) {
   // What both pipelines share.
   function shared(one, state) {
     const yes = (flag) => (flag ? "yes" : "no"), found = [["pixel", `${one.column}, ${one.row}`], ["surface", one.surface]];
-    if (one.u !== undefined) found.push(["kink flag", yes(one.kink)], ["straddles a crease", yes(one.straddling)], ["error led by", leading(state, one)]);
+    if (one.u !== undefined) found.push(["kink flag", yes(one.kink)], ["straddles a crease", yes(one.straddling)], ...bounded(state, one));
     if (one.u !== undefined) for (const [name, key] of [["u", "u"], ["v", "v"], ["θ", "theta"], ["φ", "phi"], ["h", "h"]]) found.push([name, one[key]]);
     if (one.point) ["x", "y", "z"].forEach((axis, n) => found.push([`P<sub>${axis}</sub>`, one.point[n]]));
     return found;

@@ -209,7 +209,7 @@ Simulator.module = async function (data, compiled) {
   const gradient = (...what) => gradients(...what).map(([slope]) => slope); // of the one pixel of a stage
 
   // What bounds a central difference's error at points of A, by theorem: null where none covers the field or the method.
-  // Arrays: the bound, the number of its largest term, each term.
+  // Arrays: the bound, the number of its largest term, the bounds of h_u and of h_v, of which it is the larger.
   const bounds = ({ field, method, ku, kv }, u, v, eps) =>
     method === "central" && `bounds_${field}` in data.kernels ? kernel(`bounds_${field}`, u, v, ku, kv, eps) : null;
 

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 
 from verify.accuracy import clamped_order, gradient_errors, ridge_law
-from verify.accuracy.difference_bounds import Bounds, bounds, escapes
+from verify.accuracy.difference_bounds import bounds, escapes
 from verify.accuracy.differences import CASES, STEPS, parts
 from verify.accuracy.gradient_errors import UNIT, worst_at_image_points, worst_of_the_renderer
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, TOLERANCE, checked_pixels, problems
@@ -88,18 +88,17 @@ def algebraic_gradient(bound: float = 8.0) -> Measurement:
 
 @cache
 def _taken_apart():
-    found = {case: parts(case) for case in CASES}
-    return {case: (seen, bounds(case, seen)) for case, seen in found.items()}
+    return [(parts(case), bounds(case)) for case in CASES]
 
 
 @measures("difference_bounds", false={"a third of the bounds": {"share": 1 / 3}})
 def under_the_bounds(share: float = 1.0) -> Measurement:
     """Every part of the error of every difference, ε from 1e-1 to 1e-16, below its proved bound."""
     out, ratios = 0, []
-    for seen, limits in _taken_apart().values():
-        out += sum(escapes(seen, Bounds(*(share * limit for limit in limits))).values())
-        rounding = (seen.steps < 1e-9) & (seen.total != 0)
-        ratios.append(limits.total[rounding] / np.abs(seen.total[rounding]))
+    for seen, limits in _taken_apart():
+        out += sum(escapes(seen, {part: share * limit for part, limit in limits.items()}).values())
+        rounding = (STEPS < 1e-9) & (seen["total"] != 0)
+        ratios.append(limits["total"][rounding] / np.abs(seen["total"][rounding]))
     return Measurement(
         samples=len(CASES) * len(STEPS),
         worst=out,
@@ -153,8 +152,8 @@ def clamped_orders(odd: float = 2.0, other: float = 1.0) -> Measurement:
 def truncation_slope(slope: float = 2.0) -> Measurement:
     """The order of the truncation error at a smooth point."""
     seen = parts(CASES[0])
-    branch = (seen.steps < 1e-3) & (seen.steps > 1e-12)
-    order = clamped_order.fitted_slope(seen.steps[branch], np.abs(seen.truncation[branch]))
+    branch = (STEPS < 1e-3) & (STEPS > 1e-12)
+    order = clamped_order.fitted_slope(STEPS[branch], np.abs(seen["truncation"][branch]))
     return Measurement(
         samples=int(branch.sum()),
         worst=abs(order - slope),

@@ -3,7 +3,8 @@
 from fractions import Fraction
 
 from proofs.formulas import elementary as e
-from verify.accuracy.certified_ulps import CERTIFIED, angle_pieces, off_by, sine_pieces, worst
+from proofs.formulas.certified import CERTIFIED
+from verify.accuracy.certified_ulps import angle_pieces, off_by, sine_pieces, worst
 from verify.checkers.measurement import Measurement, measures
 
 
