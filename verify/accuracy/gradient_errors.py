@@ -13,8 +13,8 @@ from proofs.formulas.camera import angles_on_a
 from proofs.formulas.chart import chart
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene, exact, gradient_at
-from verify.benchmark.methods.programs import algebraic_gradient
 from verify.evaluate.arrays import distance, in_balls, in_float64
+from verify.evaluate.programs import algebraic_gradient
 from verify.stability.wave_numbers import points_of_the_chart
 
 UNIT, SEED, EACH = 2.0**-53, 12, 20

@@ -25,8 +25,8 @@ from renderer.machines.traced import WHOLE, Value
 from verify.accuracy.frontiers.normal_map import baked, bumped_in_frame, unit_length
 from verify.benchmark.label import command
 from verify.benchmark.methods.compiled import compiled_loop, loop_of
-from verify.benchmark.methods.programs import algebraic_gradient
 from verify.benchmark.plan import Case, given, numbers_of, timings
+from verify.evaluate.programs import algebraic_gradient
 
 Points = tuple[np.ndarray, ...]
 FIELD, SIDE, EPS = "sine", 512, 1e-3

@@ -12,8 +12,8 @@ from proofs.formulas.chart import chart, seed_chart
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import eye, h_u, h_v, normal, radius, real, x, y
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, unit_normal
-from verify.benchmark.methods.programs import algebraic_gradient, naive_gradient
 from verify.evaluate.arrays import Inputs, in_float64
+from verify.evaluate.programs import algebraic_gradient, naive_gradient
 
 SEED_FALLBACK = 1e-4
 seed_discriminant, seed_t = real("seed_discriminant seed_t")

@@ -6,8 +6,8 @@ from numpy.typing import ArrayLike
 from proofs.engine.program import Program
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
 from proofs.formulas.symbols import k_u, k_v, real, u, v
-from verify.benchmark.methods.programs import naive_gradient
 from verify.evaluate.arrays import distance, in_balls, in_float64, with_bounds
+from verify.evaluate.programs import naive_gradient
 from verify.stability.sweep import Sweep
 
 SEED, LARGEST = 4, 2.0**20
