@@ -4,7 +4,7 @@ import pytest
 
 from book.figures import elementary_ulps, reference_pixels, u_curve_apart
 from verify.accuracy.certified_ulps import pieces_of
-from verify.accuracy.difference_bounds import bounds
+from verify.accuracy.differences import bounds
 
 HALVED = [piece._replace(ulps=piece.ulps / 2) for piece in pieces_of("cospi")]
 CASES = (

@@ -15,8 +15,7 @@ from renderer.generate.creases import crease_point, crease_rates
 from renderer.generate.kernels import function_of
 from renderer.generate.step_terms import BOUNDS, ROOM, SLOPE_TERMS, factors_of, half_unit, slope_terms, truncation_bound
 from renderer.kernels import FIELDS, angles_on_a, chart
-from verify.accuracy.difference_bounds import bounds
-from verify.accuracy.differences import SLOPES, Case
+from verify.accuracy.differences import SLOPES, Case, bounds
 
 SINE, RIDGES = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["ridges"]
 SLANTED = HeightField("slanted", Abs(sinpi(k_u * u + k_v * v)), (sinpi(k_u * u + k_v * v),))

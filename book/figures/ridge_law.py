@@ -7,8 +7,8 @@ import numpy as np
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import bound_style, decades, label_line_end, palette, plot, slope_triangle
 from book.figures.chapter_scene import symbolic
-from verify.accuracy import clamped_order
-from verify.accuracy.ridge_law import on_the_raster, predicted, quadrature
+from verify.accuracy import orders
+from verify.accuracy.orders import fitted_slope, on_the_raster, predicted, quadrature
 
 STEPS = np.logspace(-2, -8, 25)
 FITTED = STEPS < 2e-3
@@ -42,14 +42,14 @@ def ridge_law() -> Drawing:
         if (np.abs(values - right) > room + 1e-9).any():
             raise ValueError(f"the RMS of {name} is further from the theorem's than the theorem allows")
         data |= {f"chart_{name}": values, f"law_{name}": right, f"law_{name}_room": room}
-        numbers[f"{name}_slope"] = clamped_order.fitted_slope(STEPS[FITTED], values[FITTED])
+        numbers[f"{name}_slope"] = fitted_slope(STEPS[FITTED], values[FITTED])
         numbers[f"{name}_constant"] = float((values / right)[FITTED].max())
     return Drawing(fig, numbers=numbers, data=data)
 
 
 @cache
 def _clamped():
-    return {field: clamped_order.errors(field) for field in clamped_order.FIELDS}
+    return {field: orders.clamped_errors(field) for field in orders.FIELDS}
 
 
 @figure("clamped_order")
@@ -61,11 +61,11 @@ def clamped_order_figure() -> Drawing:
     markers = {"sine": "o", "ridges": "x", "rings": "s", "cosine": "D"}
     for field, values in _clamped().items():
         colour = orange if field == "cosine" else blue
-        ax.plot(clamped_order.STEPS, values, color=colour, marker=markers[field], markersize=4, linewidth=0.9)
+        ax.plot(orders.STEPS, values, color=colour, marker=markers[field], markersize=4, linewidth=0.9)
         if field in names:
-            label_line_end(ax, clamped_order.STEPS[-1], values[-1], names[field], colour)
+            label_line_end(ax, orders.STEPS[-1], values[-1], names[field], colour)
     decades(ax, xlabel="step ε", ylabel="error of $h_v$")
     slope_triangle(ax, 3e-5, 3e-8, 2, "2")
     slope_triangle(ax, 3e-5, 8e-4, 1, "1")
-    orders = {f: clamped_order.fitted_slope(clamped_order.STEPS, values) for f, values in _clamped().items()}
-    return Drawing(fig, numbers=orders, data={"step": clamped_order.STEPS, **_clamped()})
+    fitted = {f: fitted_slope(orders.STEPS, values) for f, values in _clamped().items()}
+    return Drawing(fig, numbers=fitted, data={"step": orders.STEPS, **_clamped()})

@@ -7,9 +7,8 @@ import numpy as np
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import bound_style, decades, label_curve, label_line_end, palette, plot
 from verify.accuracy.best_step import predicted
-from verify.accuracy.clamped_order import fitted_slope
-from verify.accuracy.difference_bounds import Curves, bounds, escapes
-from verify.accuracy.differences import CASES, PARTS, PER_DECADE, STEPS, Case, parts
+from verify.accuracy.differences import CASES, PARTS, PER_DECADE, STEPS, Case, Curves, bounds, escapes, parts
+from verify.accuracy.orders import fitted_slope
 
 STEEP = next(case for case in CASES if case.name == "steep")
 SMALL = {

@@ -180,7 +180,10 @@ def slope_terms(field: HeightField) -> Callable | None:
         of_u = _terms(in_u, in_v, epsilon, 2.0 * epsilon, TWO_ROUNDINGS, moved, _exact_in_u(in_u, epsilon))
         inside = (v - epsilon >= 0.0) & (v + epsilon <= 1.0)
         span = where(inside, 2.0 * epsilon, minimum(1.0, v + epsilon) - maximum(0.0, v - epsilon))
-        excess, exact = where(inside, TWO_ROUNDINGS, THREE_ROUNDINGS), (*_exact_in_v(in_v, epsilon, inside), 0.0 * epsilon)
+        excess, exact = (
+            where(inside, TWO_ROUNDINGS, THREE_ROUNDINGS),
+            (*_exact_in_v(in_v, epsilon, inside), 0.0 * epsilon),
+        )
         return of_u, _terms(in_v, in_u, epsilon, span, excess, half_unit(v + epsilon), exact)
 
     return terms

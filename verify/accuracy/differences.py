@@ -2,7 +2,7 @@
 
 The difference in exact arithmetic, and the same of the arguments u ± ε as float64 has them, are balls of the
 program's own lines; the float64 difference is the kernel's. With D the exact difference and D̂ that of the rounded
-arguments: total = (D − h') + (D̂ − D) + (computed − D̂).
+arguments: total = (D − h') + (D̂ − D) + (computed − D̂). The bounds are those of `renderer.generate.step_terms`.
 """
 
 from functools import cache
@@ -15,17 +15,16 @@ from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central, span_v, u_minus, u_plus, v_minus, v_plus
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.step_bounds import TERMS
-from renderer import Scene
 from renderer.generate.step_terms import SLOPE_TERMS
-from renderer.kernels import FIELDS
-from renderer.shader.shader import difference
 from verify.evaluate.arrays import Inputs, in_balls, in_float64, signed_distance
 
 PER_DECADE = 40
 ARGUMENTS = (u_plus, u_minus, v_plus, v_minus, span_v)
 STEPS = np.array([10.0 ** (-n / PER_DECADE) for n in range(PER_DECADE, 16 * PER_DECADE + 1)])
-PARTS = (*TERMS[:3], "total")  # straddling and one-sided differences: all that is not rounding is truncation's part
+PARTS = (*TERMS[:3], "total")  # the first is the whole error in exact arithmetic, straddling and one-sided included
 SLOPES = ("h_u", "h_v")
+
+Curves = dict[str, np.ndarray]  # {part: one number for each step}
 
 
 class Case(NamedTuple):
@@ -38,11 +37,6 @@ class Case(NamedTuple):
     u: float
     v: float
     component: str = "h_u"
-
-    @property
-    def scene(self) -> Scene:
-        """The scene whose field it is."""
-        return Scene(field=self.field, ku=self.k_u, kv=self.k_v)
 
     @property
     def inputs(self) -> dict[str, float]:
@@ -58,39 +52,42 @@ def _split(field):
     return whole.keep(*ARGUMENTS), Program("given", (*whole.inputs, *ARGUMENTS), rest, whole.outputs)
 
 
-def by_the_kernel(field: str, at: Inputs) -> dict[str, np.ndarray]:
-    """Return {component: the renderer's difference}; at: arrays of u, v, k_u, k_v, epsilon by name."""
-    with np.errstate(all="ignore"):
-        found = difference(FIELDS[field], "central", *(at[name] for name in ("u", "v", "k_u", "k_v", "epsilon")))
-    return {name: np.broadcast_to(part, np.shape(at["u"])) for name, part in zip(SLOPES, found, strict=True)}
-
-
-def taken_apart(
-    field: str, inputs: Inputs, steps: ArrayLike, computed: dict[str, np.ndarray] | None = None
-) -> dict[str, np.ndarray]:
-    """Return {component: the signed errors of PARTS} over arrays of points or of steps.
-
-    inputs: u, v, k_u, k_v by name. computed: {component: differences} in place of the kernel's.
-    """
-    names = ("u", "v", "k_u", "k_v", "epsilon")
-    at = dict(zip(names, np.broadcast_arrays(*(inputs[name] for name in names[:-1]), steps), strict=True))
+def taken_apart(field: str, inputs: Inputs, steps: ArrayLike) -> dict[str, np.ndarray]:
+    """Return {component: the signed errors of PARTS} over arrays of points or of steps. inputs: u, v, k_u, k_v."""
+    at, whole = {**inputs, "epsilon": steps}, central(HEIGHT_FIELDS[field])
     where, given = _split(field)
-    slope, exact = in_balls(gradient(HEIGHT_FIELDS[field]), inputs), in_balls(central(HEIGHT_FIELDS[field]), at)
-    moved, found = in_balls(given, at | in_float64(where, at)), computed or by_the_kernel(field, at)
-    pairs = dict.fromkeys(found, ((exact, slope), (moved, exact), (found, moved), (found, slope)))
-    return {c: np.array([signed_distance(a[c], b[c]) for a, b in both]) for c, both in pairs.items()}
+    slope, exact, computed = (
+        in_balls(gradient(HEIGHT_FIELDS[field]), inputs),
+        in_balls(whole, at),
+        in_float64(whole, at),
+    )
+    moved = in_balls(given, at | in_float64(where, at))
+    pairs = ((exact, slope), (moved, exact), (computed, moved), (computed, slope))
+    return {c: np.array([signed_distance(a[c], b[c]) for a, b in pairs]) for c in SLOPES}
 
 
-def parts(case: Case, steps: ArrayLike = STEPS, computed: np.ndarray | None = None) -> dict[str, np.ndarray]:
-    """Return {part: signed errors} of a case over the steps; `computed` replaces the kernel's differences."""
-    replaced = None if computed is None else {case.component: computed}
-    found = taken_apart(case.field, case.inputs, np.asarray(steps, np.float64), replaced)
+def parts(case: Case, steps: ArrayLike = STEPS) -> Curves:
+    """Return {part: signed errors} of a case over the steps."""
+    found = taken_apart(case.field, case.inputs, np.asarray(steps, np.float64))
     return dict(zip(PARTS, found[case.component], strict=True))
+
+
+@np.errstate(all="ignore")
+def bounds(case: Case, steps: ArrayLike = STEPS) -> Curves:
+    """Return {part: upper bounds of its size} over the steps, for a field that the theorems cover."""
+    both = SLOPE_TERMS[case.field](case.u, case.v, case.k_u, case.k_v, np.asarray(steps, np.float64))
+    truncation, *rounding, straddling, one_sided = both[SLOPES.index(case.component)]
+    exact = truncation + straddling + one_sided
+    return dict(zip(PARTS, (exact, *rounding, exact + sum(rounding)), strict=True))
+
+
+def escapes(found: Curves, limits: Curves) -> dict[str, int]:
+    """Return {part: how many points are above their bound}; what is not a number is above."""
+    return {part: int(np.count_nonzero(~(np.abs(found[part]) <= limit))) for part, limit in limits.items()}
 
 
 SMOOTH = (0.31, 0.47)
 _K = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512)
-
 _CHOSEN = (
     Case("steep", "sine", 8.0, 4.0, 0.61, 0.125),
     *(Case(f"sine, k = {k}", "sine", k, 4.0, *SMOOTH) for k in _K),
@@ -101,18 +98,13 @@ _CHOSEN = (
 )
 
 
-def _poles(field):
-    """Return the Cases of a covered field at the pole v = 0, which is no place for one that is creased there."""
-    at = (0.0, 1e-5, 1e-2)[bool(field.creases) :]
-    return [Case(f"{field.name}, pole, v = {v:g}", field.name, 8.0, 4.0, 0.31, v, "h_v") for v in at]
+def _everywhere(name):
+    """Return the Cases that every covered field has: at the pole v = 0 unless it is creased there, and a smooth one."""
+    at = (0.0, 1e-5, 1e-2)[bool(HEIGHT_FIELDS[name].creases) :]
+    poles = [Case(f"{name}, pole, v = {v:g}", name, 8.0, 4.0, 0.31, v, "h_v") for v in at]
+    smooth = [Case(f"{name}, {slope}", name, 8.0, 4.0, *SMOOTH, slope) for slope in SLOPES]
+    return poles + smooth * (name not in {case.field for case in _CHOSEN})
 
 
-_COVERED = [HEIGHT_FIELDS[name] for name in SLOPE_TERMS]
-CASES = (
-    *_CHOSEN,
-    *(case for field in _COVERED for case in _poles(field)),
-    *(Case(f"{f.name}, {slope}", f.name, 8.0, 4.0, *SMOOTH, slope)
-      for f in _COVERED if f.name not in {case.field for case in _CHOSEN} for slope in SLOPES),
-)  # fmt: skip
-"""The places: smooth ones for k from 1 to 512, beside a crease, at the pole's border, beside the seam; and one smooth
-place of any other field that the theorems cover."""
+CASES = (*_CHOSEN, *(case for name in SLOPE_TERMS for case in _everywhere(name)))
+"""The places: smooth ones for k from 1 to 512, beside a crease, at the pole's border, beside the seam."""
