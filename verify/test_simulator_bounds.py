@@ -44,7 +44,7 @@ def test_the_page_and_the_simulator_show_one_number():
 
 
 def drawn(count):
-    """Return random u, v, k_u, k_v and ε: everywhere, by zeros, by the seam and by the poles; whole waves and others."""
+    """Return random u, v, k_u, k_v and ε: everywhere, beside zeros, the seam and poles; whole waves and others."""
     rng = np.random.default_rng(11)
     eps, waves = 10.0 ** rng.uniform(-15, np.log10(0.5), count), rng.integers(-16, 17, (2, count)).astype(float)
     waves += rng.choice([0.0, 0.5, 0.3], count)
