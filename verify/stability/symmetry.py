@@ -9,7 +9,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Light, Scene, render
+from renderer.generate.creases import crease_rates
 from renderer.picture.frame import Frame
 
 ON_A_CREASE = 1e-12  # a crease factor that rounding can turn to either side
@@ -31,9 +33,11 @@ def about_the_axis(frame: Frame) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the largest square part of a frame about the axis: (rgb, surface, whether the pixel is on a crease)."""
     rows = SIZE - _BELOW
     square = (slice(rows), slice((SIZE - rows) // 2, (SIZE + rows) // 2))
-    data, scene = frame.surface_data, frame.scene
-    factors = [np.abs(np.sin(np.pi * k * data[name])) for k, name in ((scene.ku, "u"), (scene.kv, "v"))]
-    creased = (np.minimum(*factors) < ON_A_CREASE) & (scene.field == "ridges")
+    (u, v), field = (frame.surface_data[name] for name in ("u", "v")), HEIGHT_FIELDS[frame.scene.field]
+    rates = crease_rates(field)(frame.scene.ku, frame.scene.kv) if field.creases else ()
+    creased = np.zeros(u.shape, bool)
+    for a, b, offset in np.reshape(rates, (-1, 3)):
+        creased |= np.abs(np.sin(np.pi * (a * u + b * v + offset))) < ON_A_CREASE
     return frame.rgb[square], (frame.chambers & 3)[square], creased[square]
 
 
