@@ -5,20 +5,21 @@ is least at the best step. The trick takes for ε what u ± ε can represent, (u
 """
 
 import math
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from proofs.formulas import step_bounds
+from proofs.formulas.finite_difference import central
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from renderer import Scene, central, gradient_at
 from renderer.generate.kernels import function_of
 from renderer.generate.step_terms import SINE_ULPS, UNIT, rounding_bound, slope_bound, truncation_bound
-from verify.evaluate.arrays import in_balls
+from verify.evaluate.arrays import in_balls, in_float64
+from verify.evaluate.programs import naive
 
 POINTS, SEED, PER_DECADE, WINDOW = 16, 3, 20, 5
 WAVE_NUMBERS = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512)
+SINE = HEIGHT_FIELDS["sine"]
 _best_step = function_of(step_bounds.best_step)
 
 
@@ -48,29 +49,17 @@ def representable_step(at: np.ndarray, step: float) -> np.ndarray:
     return (at + step) - at
 
 
-def _by_library(k: float, u: np.ndarray, v: float, step: float) -> np.ndarray:
-    """Return the central difference of sine with NumPy's sine, whose argument πku is rounded before it is reduced."""
-    ahead, behind = (np.sin(np.pi * k * at) for at in (u + step, u - step))
-    return (ahead - behind) * np.sin(np.pi * 4 * v) / (2 * step)
-
-
-def errors(
-    k: float, steps: Sequence[float] | np.ndarray, representable: bool = False, library: bool = False
-) -> np.ndarray:
-    """Return (steps, points) |computed − exact| of h_u, sine, v on a crest; library: with NumPy's sine.
+def errors(k: float, steps: np.ndarray, representable: bool = False, library: bool = False) -> np.ndarray:
+    """Return (steps, points) |computed − exact| of h_u, sine, v on a crest; library: with the C library's sine, whose
+    argument πku is rounded before it is reduced.
 
     At smooth u ∈ [1/2, 3/4], where float64 is coarsest: all of them are multiples of 2^-53.
     """
-    u, v = np.random.default_rng(SEED).uniform(0.5, 0.75, POINTS), 0.125
-    exact = in_balls(gradient(HEIGHT_FIELDS["sine"]), {"u": u, "v": v, "k_u": k, "k_v": 4})["h_u"].astype(float)
-    scene, found = Scene(field="sine", ku=float(k)), []
-    for step in steps:
-        used = float(step)
-        if representable:
-            (used,) = set(representable_step(u, used))  # one for all: u is on the grid of 2^-53
-        slope = _by_library(k, u, v, used) if library else gradient_at(scene, u, v, central(used))[0]
-        found.append(np.abs(slope - exact))
-    return np.array(found)
+    at = {"u": np.random.default_rng(SEED).uniform(0.5, 0.75, POINTS), "v": 0.125, "k_u": k, "k_v": 4}
+    true, used = in_balls(gradient(SINE), at)["h_u"].astype(float), steps[:, None]
+    used = representable_step(at["u"], used) if representable else used  # one for all: u is on the grid of 2^-53
+    computed = in_float64(naive(central(SINE)) if library else central(SINE), at | {"epsilon": used})["h_u"]
+    return np.abs(computed - true)
 
 
 def measured(k: float, representable: bool = False, library: bool = False) -> Best:

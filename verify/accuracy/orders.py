@@ -29,7 +29,7 @@ STEPS = np.logspace(-6, -3, 13)
 _crease_rms = function_of(step_bounds.crease_rms)
 
 
-def fitted_slope(steps: np.ndarray, values: np.ndarray) -> float:
+def fitted_slope(steps: ArrayLike, values: ArrayLike) -> float:
     """Return the slope of log values against log steps by least squares."""
     return float(np.polyfit(np.log(steps), np.log(values), 1)[0])
 

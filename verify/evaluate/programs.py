@@ -15,10 +15,14 @@ from proofs.formulas.pixel import instance
 from proofs.formulas.symbols import cos_phi, cos_theta, epsilon, h_u, h_v, k_u, k_v, real, sin_phi, sin_theta, u, v
 
 
-def naive_gradient(field: HeightField) -> Program:
-    """Return the exact gradient with the ordinary sine of a product πku, which is rounded before its sine is taken."""
-    program = gradient(field)
+def naive(program: Program) -> Program:
+    """Return the program with the ordinary sine of a product πku, which is rounded before its sine is taken."""
     return Program("naive", program.inputs, tuple((s, ordinary(e)) for s, e in program.definitions), program.outputs)
+
+
+def naive_gradient(field: HeightField) -> Program:
+    """Return the exact gradient so."""
+    return naive(gradient(field))
 
 
 def _power(base, exponent, name):

@@ -7,9 +7,10 @@ from numpy.typing import ArrayLike
 
 from proofs.formulas.bump import g
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
+from proofs.formulas.seed_hit import seed_normal
 from proofs.formulas.symbols import normal
 from verify.evaluate.arrays import in_float64
-from verify.stability.pipelines import our_normal, seed_normal, seed_tangent_vector, tangent_vector
+from verify.stability.pipelines import our_normal, seed_tangent_vector, tangent_vector
 from verify.stability.sweep import Sweep, measured
 
 EYE, RADIUS = 4.0, 1.0
