@@ -28,7 +28,7 @@ SPREAD = np.radians(75)  # to either side of straight away from the light
 
 @cache
 def _heights(field):
-    """Return the function (x, y, z, √(x² + y²), k_u, k_v) → h: the field over the chart, whose angles need no length."""
+    """Return the function (x, y, z, √(x² + y²), k_u, k_v) → h: the chart's angles do not depend on the length."""
     whole = chain("height_towards", chart, height(HEIGHT_FIELDS[field]))
     return lambdify((cos_theta, sin_theta, cos_phi, sin_phi, k_u, k_v), ordinary(whole.expand(h)), "numpy")
 
