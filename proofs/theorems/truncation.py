@@ -6,12 +6,12 @@ from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, nothing_clamps, nothing_wraps
 from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.step_bounds import apart, crease_bound, slope_bound, steepest, truncation, truncation_bound
 from proofs.formulas.step_bounds import frequency as half_turns
-from proofs.formulas.step_bounds import slope_bound, steepest, truncation, truncation_bound
-from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
+from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below
 from proofs.theorems.finite_difference import difference, rings, sine
-from proofs.theorems.relations import equations, named
+from proofs.theorems.relations import both_ways, equations, named
 
 _in_u, _in_v = pi * k_u * u, pi * k_v * v
 ridges = HEIGHT_FIELDS["ridges"]
@@ -76,6 +76,11 @@ _ridges = tuple(
     for output, coordinate, given in ((h_u, u, nothing_wraps), (h_v, v, nothing_clamps))
     for name, side in (("above", 1), ("below", -1))
 )
+_quotient, _slope = real("quotient slope")
+_steepest, _apart_by = (bound[symbol] for bound, symbol in ((slope_bound, steepest), (crease_bound, apart)))
+_apart = Claim(
+    "apart", both_ways(_apart_by, _quotient - _slope), (*both_ways(_steepest, _quotient), *both_ways(_steepest, _slope))
+)
 _at_eight = Claim("at_eight", (greater((8 * pi) ** 3, 24**3), greater(24**3, 6 * 2000)))
 _at_four = Claim("at_four", (greater((4 * pi) ** 3, 1728), greater(1987, (4 * pi) ** 3)))
 _rings_by_k_v = bound_at(k_v) - difference(rings, h_v) + rings.gradient()[1]
@@ -94,6 +99,11 @@ theorem = Theorem(
             r"sine's, or both their negatives: the same bound.",
             _ridges,
         ),
+        Clause(
+            r"Whatever lies within $\varepsilon$: where $|D_\varepsilon h|$ and $|h'|$ are at most $\pi k$, they are "
+            r"at most $2\pi k$ apart.",
+            (_apart,),
+        ),
     ),
     hypotheses=(
         r"$\varepsilon > 0$, $k > 0$",
@@ -104,6 +114,7 @@ theorem = Theorem(
         Step(r"$D_\varepsilon h - h' = h'(\operatorname{sinc}\pi k\varepsilon - 1)$", "the lines; addition formulas"),
         Step(r"$0 \le 1 - \operatorname{sinc} x \le x^2/6$", "cited"),
         Step(r"$|\cos\pi k_u u\,\sin\pi k_v v| \le 1$", r"$2(1 \mp ca) = (c \mp a)^2 + (1-c^2) + (1-a^2)$"),
+        Step(r"$|D_\varepsilon h - h'| \le |D_\varepsilon h| + |h'|$", "the triangle's inequality"),
     ),
     mutants=(
         variant(
@@ -116,6 +127,12 @@ theorem = Theorem(
             "a seventh for the sixth",
             _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(_in_u) * sin(_in_v), (), Rational(6, 7)),
             at={k_u: 1, u: Rational(1, 16), k_v: 1, v: Rational(1, 2), epsilon: Rational(1, 100)},
+        ),
+        variant(
+            "no further apart than the steepest slope",
+            _apart,
+            *both_ways(_steepest, _quotient - _slope),
+            at={half_turns: 1, _quotient: 3, _slope: -3},
         ),
     ),
     side_conditions=(

@@ -27,11 +27,9 @@ def image_points(rng: np.random.Generator, eye: float, radius: float, count: int
     """Return image points with 1 − (ρ/ρ_s)² ≥ 0.1: spread over the disc, and toward the pole down to sin φ = 1e-150."""
     rim = eye * radius / math.sqrt((eye - radius) * (eye + radius))
     rho = rim * math.sqrt(0.9) * np.sqrt(rng.random(count)) * (1 - 1e-12)
-    near = np.arange(count) % 2 == 0
     # Near the pole ρ = e R sin φ/(e − R cos φ), which is e R sin φ/(e − R) to first order.
-    sines = 10.0 ** rng.uniform(-149.9, -1, count)
-    toward_pole = np.minimum(eye * radius * sines / (eye - radius), rho)
-    rho = np.where(near & (toward_pole > 2e-150 * eye), toward_pole, rho)
+    toward_pole = np.minimum(eye * radius * 10.0 ** rng.uniform(-149.9, -1, count) / (eye - radius), rho)
+    rho = np.where((np.arange(count) % 2 == 0) & (toward_pole > 2e-150 * eye), toward_pole, rho)
     angle = rng.uniform(-math.pi, math.pi, count)
     return rho * np.cos(angle), rho * np.sin(angle)
 

@@ -25,6 +25,13 @@ def naive_gradient(field: HeightField) -> Program:
     return naive(gradient(field))
 
 
+def rounded_product_gradient(field: HeightField) -> Program:
+    """Return the gradient with the product k·u rounded first, and reduced in half-turns after that."""
+    program, products = gradient(field), dict(zip((k_u * u, k_v * v), real("argument_of_u argument_of_v"), strict=True))
+    lines = [(s, e.xreplace(products)) for s, e in program.definitions]
+    return Program("rounded", program.inputs, (*((s, e) for e, s in products.items()), *lines), program.outputs)
+
+
 def _power(base, exponent, name):
     """Return (programs, (real, imaginary)) of base^exponent by repeated squaring; negative powers conjugate."""
     if exponent < 0:

@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 
-from verify.evaluate.arrays import in_float64
+from proofs.formulas.seed_hit import seed_normal
+from verify.evaluate.arrays import distance, in_balls, in_float64
 from verify.evaluate.running import U
 from verify.stability import symmetry
-from verify.stability.pipelines import tangent_vector
+from verify.stability.geometry import image_points
+from verify.stability.pipelines import our_normal, tangent_vector
 from verify.stability.rows import SWEEPS, sweep
 from verify.stability.sweep import Sweep
 
@@ -25,6 +27,12 @@ def test_no_point_escapes_its_bound(name):
 def test_the_bounds_are_of_the_errors_size(name):
     """Rounding errors add up like a random walk, bounds like a sum: some tens lie between them, not thousands."""
     assert 1 < sweep(name).sharpness < 100
+
+
+def test_the_seeds_normal_is_the_same_in_exact_arithmetic():
+    at = image_points(np.linspace(0.1, 1, 9), 5, 1)
+    exact = [in_balls(program, at) for program in (seed_normal, our_normal)]
+    assert max(distance(*(balls[n.name] for balls in exact)).max() for n in seed_normal.outputs) < 1e-40
 
 
 @pytest.mark.parametrize("name", ["pole", "near_to_far", "wave_numbers"])

@@ -3,25 +3,15 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from proofs.engine.program import Program
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
-from proofs.formulas.symbols import k_u, k_v, real, u, v
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from verify.evaluate.arrays import distance, in_balls, in_float64, with_bounds
-from verify.evaluate.programs import naive_gradient
+from verify.evaluate.programs import naive_gradient, rounded_product_gradient
 from verify.stability.sweep import Sweep
 
 SEED, LARGEST = 4, 2.0**20
 LEAST = 1e-150  # the chart's smallest v off the pole; far below it the product of two sines underflows
 EDGES = (0.0, 5e-324, 1e-300, LARGEST, -LARGEST)
 PAIRS = ((8.0, 4.0), (7.3, -3.1), (0.0, 5.0), (3.0, 0.0), (-64.0, 64.0), (LARGEST, -LARGEST), (0.25, 1e-5))
-of_u, of_v = real("argument_of_u argument_of_v")
-
-
-def rounded_product_gradient(field: HeightField) -> Program:
-    """Return the gradient with the product k·u rounded first, and reduced in half-turns after that."""
-    program, products = gradient(field), {k_u * u: of_u, k_v * v: of_v}
-    lines = [(s, e.xreplace(products)) for s, e in program.definitions]
-    return Program("rounded", program.inputs, (*((s, e) for e, s in products.items()), *lines), program.outputs)
 
 
 def wave_numbers(values: int, random: np.random.Generator) -> np.ndarray:
