@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 RUN := $(BIN)/python
 
-.PHONY: help environment book test verify formal figures single pdf release-notes release same-bytes bench clean
+.PHONY: help environment book test verify formal figures single pdf release-notes release same-bytes bench evidence clean
 .DEFAULT_GOAL := help
 
 help: ## list these targets
@@ -44,6 +44,9 @@ bench: environment ## measure times on this machine and write them with its name
 	@$(RUN) -m verify.benchmark.work_precision
 	@$(RUN) -m verify.benchmark.texture
 	@$(RUN) -m verify.benchmark.machines
+
+evidence: book ## measure anew every record whose code has changed, hours if need be  (python -m verify.evidence)
+	@$(RUN) -m verify.evidence
 
 clean: ## remove what was built; the environment stays
 	@rm -rf book/_build book/_generated .stamps .jupyter_cache .pytest_cache .ruff_cache .benchmarks .hypothesis

@@ -14,8 +14,14 @@ from filelock import FileLock
 from book.assembly import check, report, stamps, website
 from book.drawing import keys
 from book.editions import files
+from verify import evidence
+from verify.records import RECORDS
 
-BUILDING = ("all", "build", "single", "pdf")
+EDITIONS = {
+    "single": ("Joining the pages in one file", files.SINGLE, files.single_file),
+    "pdf": ("Printing the chapter", files.PDF, files.printed),
+}
+BUILDING = ("all", "build", *EDITIONS)
 RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made first
 
 
@@ -59,6 +65,14 @@ def stage(name: str, work: Callable[[], None]) -> None:
     print(f"  {time.perf_counter() - start:.1f} s", flush=True)
 
 
+def require_evidence() -> None:
+    """Refuse a release while the code has changed since a record was measured; say of each which command renews it."""
+    if old := evidence.stale():
+        renewed_by = [f"  {name}: {why}: python {RECORDS[name].command}" for name, why in old.items()]
+        told = "\n".join(["these records are stale (make evidence renews them all):", *renewed_by])
+        raise stamps.Refused(told)
+
+
 def run(options: argparse.Namespace) -> int:
     verb = options.verb or "all"
     if verb == "figures" and options.list:
@@ -67,6 +81,8 @@ def run(options: argparse.Namespace) -> int:
         for id, entry in all_figures().items():
             print(f"{id:24} {' '.join(entry.draw.__doc__.split())}")
         return 0
+    if verb == "release":
+        require_evidence()
     stamps.STAMPS.mkdir(exist_ok=True)
     # Two builds at once would write the same files: the second waits, and then finds its work done.
     with FileLock(stamps.STAMPS / "lock"):
@@ -79,10 +95,9 @@ def run(options: argparse.Namespace) -> int:
             stage("Drawing figures", figures)
         if verb in (*BUILDING, "same-bytes"):
             stage("Building the site", lambda: website.build(options.all or verb == "same-bytes"))
-        if verb == "single":
-            stage("Joining the pages in one file", lambda: files.make("single", files.SINGLE, files.single_file))
-        if verb == "pdf":
-            stage("Printing the chapter", lambda: files.make("pdf", files.PDF, files.printed))
+        if verb in EDITIONS:
+            words, place, content = EDITIONS[verb]
+            stage(words, lambda: files.make(verb, place, content))
         if verb in RELEASES:
             from book.releases import command, same_bytes
 
@@ -90,7 +105,7 @@ def run(options: argparse.Namespace) -> int:
                 return command.release_notes(against=options.against)
             return command.release() if verb == "release" else same_bytes.same_bytes()
     if verb in BUILDING:
-        place = {"single": files.SINGLE, "pdf": files.PDF}.get(verb, website.INDEX)
+        place = EDITIONS[verb][1] if verb in EDITIONS else website.INDEX
         print(f"The book is at {place.relative_to(stamps.ROOT)}: open {place.as_uri()}")
     return 0
 

@@ -7,6 +7,7 @@ the pages as WebAssembly, beside the simulator's (`book.simulator_module`).
 import json
 from collections.abc import Callable
 
+import numpy as np
 from sympy import Integer
 
 from book.simulator_module import packed
@@ -67,9 +68,8 @@ def every_line(name: str, program: Program) -> tuple[Callable, dict[str, list[st
 def seen_along_a_ray() -> Program:
     """Return the program of a whole pixel of ridges from its image point on: the highlight's power as a product."""
     whole, shine = pixel(HEIGHT_FIELDS["ridges"]), {shininess: Integer(Scene().shininess)}
-    given = (x, y)
-    inputs = (*given, *(s for s in whole.inputs if s not in (*PLACE, shininess)))
-    lines = tuple((s, e.xreplace(shine)) for s, e in whole.definitions if s not in (*given, half))
+    inputs = (x, y, *(s for s in whole.inputs if s not in (*PLACE, shininess)))
+    lines = tuple((s, e.xreplace(shine)) for s, e in whole.definitions if s not in (x, y, half))
     return Program("pixel_lines", inputs, lines, whole.outputs)
 
 
@@ -84,17 +84,25 @@ IDEAS = (angles_at, bump_at, two_slopes, kernels.chart, kernels.shadow, bump_lin
 """What is compiled for them."""
 
 
-def given(scene: Scene) -> dict[str, float]:
-    """Return {name: value} of what PIXEL takes of a scene."""
+def scene_inputs(scene: Scene) -> dict[str, float]:
+    """Return {name: value} of the inputs of PIXEL that a scene gives: all but the image point."""
     values = scene_values(scene, column=0, row=0, width=1, height=1, epsilon=0)
     return {s.name: float(values[s.name]) for s in PIXEL.inputs if s.name in values}
+
+
+def lines_at(scene: Scene, x: float, y: float) -> dict[str, float]:
+    """Return {line: value} of PIXEL at an image point."""
+    inputs = scene_inputs(scene) | {"x": x, "y": y}
+    with np.errstate(all="ignore"):
+        values = pixel_lines(*(np.float64(inputs[name]) for name in PIXEL_LINES["inputs"]))
+    return {name: float(value) for name, value in zip(PIXEL_LINES["lines"], values, strict=True)}
 
 
 def source() -> str:
     """Return the text of the script that their pages load."""
     module, outputs = compiled_module({}, {kernel.__name__: kernel for kernel in IDEAS}, {})
     kernels_of = {kernel.__name__: [len(inputs_of(kernel)), outputs[kernel.__name__]] for kernel in IDEAS}
-    data = {"kernels": kernels_of, "lines": LINES, "given": given(Scene())}
+    data = {"kernels": kernels_of, "lines": LINES, "given": scene_inputs(Scene())}
     return (
         "// Printed from proofs/ by `python -m book`: what the small interactives ask of the renderer's kernels.\n"
         f'"use strict";\nvar Ideas = Ideas || {{}};\nIdeas.data = {json.dumps(data, separators=(",", ":"))};\n'

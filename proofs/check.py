@@ -19,7 +19,7 @@ from proofs.engine import kernel
 FOLDER = Path(__file__).parent / "certificates"
 
 
-def read(path: Path) -> str:
+def text_of(path: Path) -> str:
     """Return a file's text as its bytes say it; a byte that is no UTF-8 as what `parsed` refuses."""
     return path.read_bytes().decode("utf-8", "surrogateescape")
 
@@ -33,13 +33,13 @@ CLAIM = {"claim": lambda name: isinstance(name, str), "statements": [PAIR]}
 def contradiction(statement: dict) -> dict:
     """Return the derivation of 1 = 0 from what a derivation or an induction assumes, and what that is made of."""
     steps = statement["steps"] if "steps" in statement else [{"step": "assume"} | s for s in statement["assume"]]
-    kept, used = [ABSURD], set()
+    needed, used = [ABSURD], set()
     for step in reversed(steps):
         if step["step"] == "assume" or step.get("new") in used:
-            kept.insert(0, step)
+            needed.insert(0, step)
             used |= {factor.partition("^")[0] for monomial in step["of"] for factor in monomial.split()}
     variables = [name for name in statement["variables"] if name in used]
-    return {"version": statement["version"], "kind": "derivation", "variables": variables, "steps": kept}
+    return {"version": statement["version"], "kind": "derivation", "variables": variables, "steps": needed}
 
 
 def consistency(statement: dict) -> dict:
@@ -68,9 +68,9 @@ def why_void(statement: dict, point: dict | None, check: Callable) -> Exception 
 
 def reasons(cases: list, check: Callable = kernel.check) -> list[Exception | str | None]:
     """Return None, or why `check` does not accept it, of each case of a claim: (statement, certificate, point)."""
-    found = [check(said, certificate) or why_void(said, point, check) for said, certificate, point in cases]
-    contradictory = not any(found) and all(is_empty(statement) for statement, *_ in cases)
-    return ["its hypotheses contradict each other"] * len(cases) if contradictory else found
+    refusals = [check(said, certificate) or why_void(said, point, check) for said, certificate, point in cases]
+    contradictory = not any(refusals) and all(is_empty(statement) for statement, *_ in cases)
+    return ["its hypotheses contradict each other"] * len(cases) if contradictory else refusals
 
 
 def canonical(data: object) -> str:
@@ -107,14 +107,14 @@ def verdicts(text: str, theorem: str) -> list[tuple[str, object]]:
         claims = parsed(text, theorem)
     except ValueError as why:
         return [("the file", why)]
-    found: list[tuple[str, object]] = []
+    checked: list[tuple[str, object]] = []
     for claim in claims:
         cases = [(entry["statement"], entry["certificate"], entry["point"]) for entry in claim["statements"]]
         for entry, wrong in zip(claim["statements"], reasons(cases), strict=True):
             if wrong is None and digest(entry["statement"]) != entry["sha256"]:
                 wrong = "its sha256 is another statement's"
-            found.append((claim["claim"], wrong))
-    return found
+            checked.append((claim["claim"], wrong))
+    return checked
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -129,10 +129,10 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     start, total, rejected = time.perf_counter(), 0, 0
     for id in ids:
-        found = verdicts(read(known[id]), id)
-        wrong = [(claim, why) for claim, why in found if why is not None]
-        total, rejected = total + len(found), rejected + len(wrong)
-        print(f"{id:32} {len(found) - len(wrong)} of {len(found)} accepted")
+        checked = verdicts(text_of(known[id]), id)
+        wrong = [(claim, why) for claim, why in checked if why is not None]
+        total, rejected = total + len(checked), rejected + len(wrong)
+        print(f"{id:32} {len(checked) - len(wrong)} of {len(checked)} accepted")
         for claim, why in wrong:
             print(f"    {claim}: {why}")
     print(f"{total - rejected} of {total} certificates accepted in {time.perf_counter() - start:.1f} s")

@@ -4,7 +4,20 @@ Each function is one program of the chapter, a line for each line of its derivat
 NumPy's arrays and float64 numbers (under `numpy.errstate`: a selection computes both of its sides), traced values.
 """
 
-from renderer.operations import floor, inf, maximum, minimum, pi, power, rint, sign, sqrt, where
+from renderer.operations import (
+    binary_exponent,
+    floor,
+    inf,
+    maximum,
+    minimum,
+    nan,
+    pi,
+    power_of_two,
+    rint,
+    sign,
+    sqrt,
+    where,
+)
 
 
 def two_product(a, b):
@@ -68,6 +81,119 @@ def atan2pi(ordinate, abscissa):
     half_plane = where(abscissa < 0.0, 1.0 - first_quadrant, first_quadrant)
     angle = where(ordinate < 0.0, -half_plane, half_plane)
     return angle
+
+
+def exp(product, product_error=0.0):
+    whole = rint(1.4426950408889634 * product)
+    away_high = product - 0.693145751953125 * whole
+    away_low = 1.4286068203094173e-06 * whole - product_error
+    away = away_high - away_low
+    away_gained = away_high - away
+    away_error = away_gained - away_low
+    away_squared = away * away
+    exponential_tail = away * (away_squared * (away_squared * (away_squared * (away_squared * (1.6059043836821613e-10 * away_squared + 2.505210838544172e-08) + 2.7557319223985893e-06) + 0.0001984126984126984) + 0.008333333333333333) + 0.16666666666666666) + away_squared * (away_squared * (away_squared * (away_squared * (2.08767569878681e-09 * away_squared + 2.755731922398589e-07) + 2.48015873015873e-05) + 0.001388888888888889) + 0.041666666666666664) + 0.5
+    departure_low = away_error + away_squared * exponential_tail
+    departure = away + departure_low
+    exponential_near = departure + 1.0
+    exponential = where(product > 709.0, inf, where(product < -708.0, 0.0, exponential_near * power_of_two(whole)))
+    return exponential
+
+
+def log(number):
+    scaled_by = where(number < 1.0, 200.0, -200.0)
+    scaled = number * power_of_two(scaled_by)
+    binary = binary_exponent(1.4142135623730951 * scaled)
+    mantissa = scaled * power_of_two(-binary)
+    doublings = binary - scaled_by
+    node = where(mantissa < 0.890625, 0.79296875, where(mantissa < 1.125, 1.0, 1.26171875))
+    node_short = where(mantissa < 0.890625, -0.231964111328125, where(mantissa < 1.125, 0.0, 0.2324676513671875))
+    node_rest = where(mantissa < 0.890625, -7.354109650143049e-06, where(mantissa < 1.125, 0.0, 7.22737590656492e-06))
+    above_node = mantissa - node
+    lifted = mantissa + 134217728.0
+    mantissa_short = lifted - 134217728.0
+    mantissa_rest = mantissa - mantissa_short
+    sum_short = mantissa_short + node
+    inverse = 1.0 / (mantissa + node)
+    a = above_node * inverse
+    a_split = 134217729.0 * a
+    a_excess = a_split - a
+    a_high = a_split - a_excess
+    undivided_near = above_node - a_high * sum_short
+    undivided = undivided_near - a_high * mantissa_rest
+    quotient_rest = inverse * undivided
+    quotient = a_high + quotient_rest
+    quotient_squared = quotient * quotient
+    log_tail = quotient * quotient_squared * (quotient_squared * (quotient_squared * (quotient_squared * (quotient_squared * (0.15384615384615385 * quotient_squared + 0.18181818181818182) + 0.2222222222222222) + 0.2857142857142857) + 0.4) + 0.6666666666666666)
+    log_whole = 0.693145751953125 * doublings + node_short
+    log_whole_rest = 1.4286068203094173e-06 * doublings + node_rest
+    log_quotient = 2.0 * a_high
+    log_rest = log_tail + log_whole_rest + 2.0 * quotient_rest
+    log_sum = log_quotient + log_whole
+    log_lost = log_whole - log_sum
+    log_sum_rest = log_lost + log_quotient
+    log_low = log_rest + log_sum_rest
+    log_near = log_low + log_sum
+    logarithm = where((number <= 1.7976931348623157e+308) & (number > 0.0), log_near, where(number > 1.7976931348623157e+308, inf, where(number == 0.0, -inf, nan)))
+    return logarithm
+
+
+def power(number, exponent):
+    scaled_by = where(number < 1.0, 200.0, -200.0)
+    scaled = number * power_of_two(scaled_by)
+    binary = binary_exponent(1.4142135623730951 * scaled)
+    mantissa = scaled * power_of_two(-binary)
+    doublings = binary - scaled_by
+    node = where(mantissa < 0.890625, 0.79296875, where(mantissa < 1.125, 1.0, 1.26171875))
+    node_short = where(mantissa < 0.890625, -0.231964111328125, where(mantissa < 1.125, 0.0, 0.2324676513671875))
+    node_rest = where(mantissa < 0.890625, -7.354109650143049e-06, where(mantissa < 1.125, 0.0, 7.22737590656492e-06))
+    above_node = mantissa - node
+    lifted = mantissa + 134217728.0
+    mantissa_short = lifted - 134217728.0
+    mantissa_rest = mantissa - mantissa_short
+    sum_short = mantissa_short + node
+    inverse = 1.0 / (mantissa + node)
+    a = above_node * inverse
+    a_split = 134217729.0 * a
+    a_excess = a_split - a
+    a_high = a_split - a_excess
+    undivided_near = above_node - a_high * sum_short
+    undivided = undivided_near - a_high * mantissa_rest
+    quotient_rest = inverse * undivided
+    quotient = a_high + quotient_rest
+    quotient_squared = quotient * quotient
+    log_tail = quotient * quotient_squared * (quotient_squared * (quotient_squared * (quotient_squared * (quotient_squared * (0.15384615384615385 * quotient_squared + 0.18181818181818182) + 0.2222222222222222) + 0.2857142857142857) + 0.4) + 0.6666666666666666)
+    log_whole = 0.693145751953125 * doublings + node_short
+    log_whole_rest = 1.4286068203094173e-06 * doublings + node_rest
+    log_quotient = 2.0 * a_high
+    log_rest = log_tail + log_whole_rest + 2.0 * quotient_rest
+    b = exponent
+    b_split = 134217729.0 * b
+    b_excess = b_split - b
+    b_high = b_split - b_excess
+    b_low = b - b_high
+    of_whole = b_high * log_whole
+    of_quotient = b_high * log_quotient
+    product_near = of_quotient + of_whole
+    product_lost = of_whole - product_near
+    product_near_rest = of_quotient + product_lost
+    product_rest = b_low * log_quotient + b_low * log_whole + exponent * log_rest + product_near_rest
+    product = product_near + product_rest
+    product_gained = product - product_near
+    product_error = product_rest - product_gained
+    whole = rint(1.4426950408889634 * product)
+    away_high = product - 0.693145751953125 * whole
+    away_low = 1.4286068203094173e-06 * whole - product_error
+    away = away_high - away_low
+    away_gained = away_high - away
+    away_error = away_gained - away_low
+    away_squared = away * away
+    exponential_tail = away * (away_squared * (away_squared * (away_squared * (away_squared * (1.6059043836821613e-10 * away_squared + 2.505210838544172e-08) + 2.7557319223985893e-06) + 0.0001984126984126984) + 0.008333333333333333) + 0.16666666666666666) + away_squared * (away_squared * (away_squared * (away_squared * (2.08767569878681e-09 * away_squared + 2.755731922398589e-07) + 2.48015873015873e-05) + 0.001388888888888889) + 0.041666666666666664) + 0.5
+    departure_low = away_error + away_squared * exponential_tail
+    departure = away + departure_low
+    exponential_near = departure + 1.0
+    exponential = where(product > 709.0, inf, where(product < -708.0, 0.0, exponential_near * power_of_two(whole)))
+    power = where(number <= 0.0, 0.0, exponential)
+    return power
 
 
 def image_extent(eye, radius):

@@ -1,6 +1,6 @@
 """What a kernel may call: on NumPy's arrays and numbers at once, on a traced value (`renderer.machines`) instructions.
 
-`abs` and the operators are Python's own. Nothing is from libm but `power`, for a shininess that is not whole.
+`abs` and the operators are Python's own. Nothing is from libm.
 """
 
 import math
@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-pi, inf = math.pi, math.inf
+pi, inf, nan = math.pi, math.inf, math.nan
 Number = Any  # a float64, an array of them, or a traced value
 Mask = Any  # for which of them something holds
 
@@ -26,16 +26,29 @@ def _operation(name, on_arrays):
     return operation
 
 
-def _power(base, exponent):
-    """By the C library's pow, an element at a time: NumPy's own may differ in the last bit."""
-    return np.frompyfunc(math.pow, 2, 1)(base, exponent).astype(np.float64)
+def _bits(number, operation, other):
+    whole = np.asarray(number, np.float64).view(np.uint64)
+    return BIT_OPERATIONS[operation](whole, np.uint64(other)).view(np.float64)
 
+
+BIT_OPERATIONS = {"shl": np.left_shift, "lshr": np.right_shift, "and_": np.bitwise_and, "or_": np.bitwise_or}
+BIASED = 2.0**52 + 1023  # n + BIASED ends, as a float64, in the bits that stand for the exponent of 2ⁿ
 
 sqrt = _operation("sqrt", np.sqrt)
 floor = _operation("floor", np.floor)
 rint = _operation("rint", np.rint)
 where = _operation("where", np.where)
-power = _operation("power", _power)
+bits = _operation("bits", _bits)  # of a float64, as LLVM names the operation, with a whole number
+
+
+def power_of_two(whole: Number) -> Number:
+    """Return 2ⁿ for a whole n from −1022 to 1023."""
+    return bits(whole + BIASED, "shl", 52)
+
+
+def binary_exponent(number: Number) -> Number:
+    """Return ⌊log₂|x|⌋ of a number of the normal range: its exponent's 11 bits become the last ones of 2^52."""
+    return bits(bits(bits(number, "lshr", 52), "and_", 2047), "or_", 0x433 << 52) - BIASED
 
 
 def maximum(a: Number, b: Number) -> Number:

@@ -4,11 +4,13 @@ The other name is `.STEM-????????-unfinished.SUFFIX`, of a file that its writer 
 was left by a writer that was killed, and whoever writes into that folder next removes it.
 """
 
+import csv
 import os
 import tempfile
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import Any
 
 from renderer.checks import not_allowed
 
@@ -85,3 +87,11 @@ def write_whole(path: Path, content: bytes) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path) as name:
         Path(name).write_bytes(content)
+
+
+def write_csv(path: str | Path, records: Sequence[Mapping[str, Any]]) -> None:
+    """Write dicts of the same keys as a table with its column names."""
+    with whole_file(path) as name, open(name, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, [name for record in records[:1] for name in record])
+        writer.writeheader()
+        writer.writerows(records)

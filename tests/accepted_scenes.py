@@ -4,23 +4,25 @@ ValueError:
     python -m tests.accepted_scenes --count 100000 --seed 5
 
 Scenes come from tests/strategies.py, the domain's edges included, on small rasters, by every gradient method; each one
-drawn is looked at in every field and both models. Writes verify/results/accepted_scenes.json, {"label": {machine,
-date, commit}, "numbers": {...}}: commit it.
+drawn is looked at in every field and both models. Writes verify/results/accepted_scenes.json: commit it.
 """
 
 import itertools
 import math
 import warnings
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 
 import numpy as np
-from hypothesis import HealthCheck, Phase, given, seed, settings
+from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import seed as seeded
+from tqdm import tqdm
 
 from renderer import pixel, render
 from renderer.kernels import FIELDS
 from renderer.scene.scene import MODELS
-from tests.long_run import command
 from tests.strategies import methods, rasters, rejected_fields, scenes
+from verify.records import command
 
 VARIANTS = tuple(itertools.product(FIELDS, MODELS))
 CHUNK = 120  # scenes that are drawn at a time
@@ -68,7 +70,7 @@ def chunk(start, count=CHUNK):
     """Check `count` scenes drawn with a seed, each in every variant; return (drawn, pixels of one variant)."""
     done = [0, 0]
 
-    @seed(start)
+    @seeded(start)
     @settings(
         max_examples=count,
         database=None,
@@ -88,14 +90,18 @@ def chunk(start, count=CHUNK):
     return done
 
 
-def campaign(count, seed, sums):
-    """Check at least `count` scenes; return what was done."""
-    chunks = -(-count // (len(VARIANTS) * CHUNK))
-    drawn, pixels = sums(chunk, [seed * 10**6 + number for number in range(chunks)])
+def measure(count, seed, workers):
+    """Check at least `count` scenes on some processes; return what was done. The first failure ends the run."""
     variants = len(VARIANTS)
+    seeds = [seed * 10**6 + number for number in range(-(-count // (variants * CHUNK)))]
+    with ProcessPoolExecutor(workers) as pool:
+        done = list(tqdm(pool.map(chunk, seeds), total=len(seeds), desc="accepted scenes", unit="chunk"))
+    drawn, pixels = (sum(column) for column in zip(*done, strict=True))
     found = {"not_finite": 0, "crashes": 0}  # else an exception would have ended the run
-    return {"scenes": drawn * variants, "pixels": pixels * variants, "rejected": drawn, **found, "seed": seed}
+    return {
+        "numbers": {"scenes": drawn * variants, "pixels": pixels * variants, "rejected": drawn, **found, "seed": seed}
+    }
 
 
 if __name__ == "__main__":
-    command("accepted_scenes", __doc__, campaign, 100_000, "numpy", "llvmlite", "hypothesis")
+    command("accepted_scenes", __doc__, measure, count=100_000, seed=5, workers=2)

@@ -1,23 +1,35 @@
-"""Measure the simulator in headless Chromium:  python -m tests.measure_simulator [--size 256 512 1024] [--against PAGE]
+"""Measure the simulator in headless Chromium, beside the one that it once was:
+
+    python -m tests.measure_simulator                    (some minutes, on a machine that does nothing else)
+    python -m tests.measure_simulator --size 256 512     only these rasters
 
 A step of ε: milliseconds from the slider's event to the last of its pictures in a canvas. A drag: ε moves for five
-seconds, at every frame of the screen; what counts is the time between frames that show a new picture. With an older
-build's page the two take turns, and the ratio of their steps is kept. Times belong to the machine that they were taken
-on; no test asserts them. Writes verify/benchmark/results/simulator.json. Needs the built book.
+seconds, at every frame of the screen; what counts is the time between frames that show a new picture. The simulator of
+`--against`, a commit whose scripts are all committed, takes turns with today's, and the ratio of their steps is kept.
+Times belong to the machine that they were taken on; no test asserts them. Needs the built book, of the code that is to
+be measured. Writes verify/benchmark/results/simulator.json: commit it.
 """
 
-import argparse
+import io
 import os
+import subprocess
+import tarfile
+import tempfile
+from pathlib import Path
 from statistics import median
 
 from playwright.sync_api import sync_playwright
+from tqdm import tqdm
 
+from book.assembly import stamps
+from book.assembly.website import SITE
 from book.editions.chromium import FLAGS, installed
 from tests.tabs import RUNNING, opened
-from verify.benchmark.label import ROOT, label, write
+from verify.benchmark.timing import load
+from verify.records import code_of, command
+from verify.sources import ROOT
 
-PAGE = ROOT / "book" / "_build" / "html" / "s4.html"
-RESULT = ROOT / "verify" / "benchmark" / "results" / "simulator.json"
+PRINTED_IN_JAVASCRIPT = "2be60f7"  # a commit whose simulator was printed in JavaScript, and not compiled
 ROUNDS = 3
 VIEWPORT = {"width": 1280, "height": 1000}
 TARGETS = {256: 25, 512: 42, 1024: 100}  # milliseconds between pictures, of a drag
@@ -50,46 +62,59 @@ DRAG = """async (seconds) => {
 }"""
 
 
+def simulator_of(commit, folder):
+    """Write a page of a commit's simulator alone into a folder; return its address."""
+    archive = subprocess.run(
+        ["git", "archive", commit, "book/static"], cwd=ROOT, capture_output=True, check=True
+    ).stdout
+    with tarfile.open(fileobj=io.BytesIO(archive)) as files:
+        files.extractall(folder, filter="data")
+    static = Path(folder, "book", "static").rename(Path(folder, "_static"))
+    page, part = Path(folder, "page.html"), (static / "simulator" / "simulator.html").read_text(encoding="utf-8")
+    style = '<link rel="stylesheet" href="_static/palette.css"><link rel="stylesheet" href="_static/book.css">'
+    page.write_text(
+        f'<!doctype html><html data-theme="light"><meta charset="utf-8">{style}<body>{part}', encoding="utf-8"
+    )
+    return page.as_uri()
+
+
 def measured(browser, pages, size):
     """Return the numbers of one raster. pages: {name: address}, of which "now" is dragged too."""
     taken, between = {name: [] for name in pages}, []
-    for _ in range(ROUNDS):
-        for name, page in pages.items():
-            with opened(browser, f"{page}#sim?size={size}", until=RUNNING, viewport=VIEWPORT) as tab:
-                tab.wait_for_timeout(4000)  # its idle work
-                taken[name] += tab.evaluate(STEPS, 40)
-                if name == "now":
-                    between += tab.evaluate(DRAG, 5)
-    now = taken["now"]
-    numbers = {f"step_{size}_ms": median(now), f"step_{size}_worst_ms": max(now)}
-    numbers |= {f"drag_{size}_ms": median(between), f"drag_{size}_worst_ms": max(between)}
-    numbers[f"drag_{size}_within"] = sum(time <= TARGETS[size] for time in between) / len(between)
-    if "before" in taken:
-        numbers |= {
-            f"before_{size}_ms": median(taken["before"]),
-            f"ratio_{size}": median(taken["before"]) / median(now),
-        }
-    return numbers
+    for name in tqdm([*pages] * ROUNDS, desc=f"{size}²", unit="visit"):
+        with opened(browser, f"{pages[name]}#sim?size={size}", until=RUNNING, viewport=VIEWPORT) as tab:
+            tab.wait_for_timeout(4000)  # its idle work
+            taken[name] += tab.evaluate(STEPS, 40)
+            if name == "now":
+                between += tab.evaluate(DRAG, 5)
+    now, before = taken["now"], median(taken["before"])
+    return {
+        f"step_{size}_ms": median(now),
+        f"step_{size}_worst_ms": max(now),
+        f"drag_{size}_ms": median(between),
+        f"drag_{size}_worst_ms": max(between),
+        f"drag_{size}_within": sum(time <= TARGETS[size] for time in between) / len(between),
+        f"before_{size}_ms": before,
+        f"ratio_{size}": before / median(now),
+    }
 
 
-def main():
-    """Open the page, move the slider, print what was found and write it with its label."""
-    parser = argparse.ArgumentParser(prog="python -m tests.measure_simulator", description=__doc__)
-    parser.add_argument("--size", type=int, nargs="*", choices=TARGETS, default=list(TARGETS), help="rasters")
-    parser.add_argument("--against", help="address of an older build's page, to be compared with")
-    options = parser.parse_args()
-    pages = {"now": PAGE.as_uri()} | ({"before": options.against} if options.against else {})
-    numbers = {"load": os.getloadavg()[0], "cores": os.cpu_count()}
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=installed(), args=FLAGS)
-        for size in options.size:
-            found = measured(browser, pages, size)
-            print("\n".join(f"{name:24} {value:.3g}" for name, value in found.items()), flush=True)
-            numbers |= found
-        version = browser.version
+def measure(size, against):
+    """Return the numbers of all rasters; SystemExit unless the book was built from the code as it is."""
+    built = stamps.read("site") or {}
+    if other := [path for path, hashed in stamps.hashes(ROOT / path for path in code_of("simulator")).items()
+                 if built.get(path) != hashed]:  # fmt: skip
+        raise SystemExit(f"the built book is not of this code ({other[0]}): python -m book build")
+    numbers, chromium = {"load": load(), "cores": os.cpu_count()}, installed()
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        pages = {"now": (SITE / "s4.html").as_uri(), "before": simulator_of(against, folder)}
+        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+        for side in size:
+            numbers |= measured(browser, pages, side)
+        label = {"browser": f"Chromium {browser.version}", "before": against}
         browser.close()
-    write(RESULT, {"label": label("llvmlite") | {"browser": f"Chromium {version}"}, "numbers": numbers})
+    return {"label": label, "numbers": numbers}
 
 
 if __name__ == "__main__":
-    main()
+    command("simulator", __doc__, measure, size=list(TARGETS), against=PRINTED_IN_JAVASCRIPT)

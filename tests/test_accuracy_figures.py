@@ -3,14 +3,14 @@
 import pytest
 
 from book.figures import elementary_ulps, reference_pixels, u_curve_apart
-from verify.accuracy.certified_ulps import pieces_of
+from verify.accuracy.certified_ulps import PIECES
 from verify.accuracy.differences import bounds
 
-HALVED = [piece._replace(ulps=piece.ulps / 2) for piece in pieces_of("cospi")]
+HALVED = [piece._replace(ulps=piece.ulps / 2) for piece in PIECES["cospi"]()]
 CASES = (
     (u_curve_apart, {"bounds": lambda case: {part: limit / 4 for part, limit in bounds(case).items()}},
      u_curve_apart.below, (u_curve_apart.STEEP,), "steep"),
-    (elementary_ulps, {"_pieces": lambda name: HALVED}, elementary_ulps._samples, ("cospi",), "certified is"),
+    (elementary_ulps, {"PIECES": {"cospi": lambda: HALVED}}, elementary_ulps._samples, ("cospi",), "certified is"),
     (reference_pixels, {"EACH": 1, "problems": lambda pixels: pixels[:1]}, reference_pixels._pixels, (),
      "off by more than their bound"),
 )  # fmt: skip

@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 from functools import partial
 
 import pytest
@@ -13,10 +14,11 @@ from book.extension import assets
 from book.extension.numbers import parse, typeset
 from book.extension.results import UnknownResult, look_up
 from tests import one_page
+from verify import records
 
 
 @pytest.fixture
-def book(tmp_path):
+def book(tmp_path, monkeypatch):
     """A book folder with one drawn figure, beside one committed benchmark."""
     generated = tmp_path / "book" / "_generated"
     results = tmp_path / "verify" / "benchmark" / "results"
@@ -29,6 +31,7 @@ def book(tmp_path):
     (generated / "sweep.json").write_text(json.dumps(sweep))
     (generated / "sweep.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
     (generated / "sweep.dark.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
+    monkeypatch.setattr(records, "remark", {}.get)
     label = {"machine": "two cores", "date": "2025-01-01", "commit": "abc1234"}
     numbers = {"time_ms": 16.25, "time_ms_low": 15.5, "time_ms_high": 18.75, "quick_ms": 1.5}
     (results / "frame.json").write_text(json.dumps({"label": label, "numbers": numbers}))
@@ -116,6 +119,32 @@ def test_benchmark_says_where_it_was_measured(build_page):
     assert warnings == ""
     assert "Measured on two cores, 2025-01-01, at commit abc1234." in html
     assert '<span class="number">16.2</span> ms (16 to 19), no.' in html
+
+
+def test_what_was_measured_before_the_code_changed_says_so(book, build_page, monkeypatch):
+    """A record's numbers and label, numbers and picture of a figure that reads another; and a fresh one."""
+    then = {name: f"measured at commit {name}; the code has changed since" for name in ("frames", "texture")}
+    monkeypatch.setattr(records, "remark", then.get)
+    for name in ("frames", "machines"):
+        shutil.copy(
+            book.parent / "verify/benchmark/results/frame.json", book.parent / f"verify/benchmark/results/{name}.json"
+        )
+    drawn = json.loads((book / "_generated" / "sweep.json").read_text())
+    (book / "_generated" / "sweep.json").write_text(json.dumps(drawn | {"reads": [records.RECORDS["texture"].path]}))
+    page = (
+        "{number}`bench:frames.time_ms .1f`, {number}`bench:machines.time_ms .1f`.\n\n```{benchmark-label} frames\n```"
+    )
+    html, warnings = build_page(f"{page}\n\n{FIGURE % ('sweep', ':alt: a falling curve')}")
+    assert warnings == ""
+    mark = '<abbr class="stale" title="{}">{}</abbr>'
+    assert (
+        f'<span class="number">16.2{mark.format(then["frames"], "†")}</span>, <span class="number">16.2</span>.' in html
+    )
+    assert "at commit abc1234; the code has changed since.</p>" in html
+    assert f"0.01214{mark.format(then['texture'], '††')}" in html
+    said = {name: f"{text[0].upper()}{text[1:]}." for name, text in then.items()}
+    notes = re.findall(r'<p class="stale">(.*?)</p>', html)
+    assert notes == [said["texture"], f"† {said['frames']}", f"†† {said['texture']}"]
 
 
 def test_a_stream_that_the_kernel_cuts_in_two_is_one(tmp_path):

@@ -1,6 +1,6 @@
 """Every page in a real browser: nothing leaves it, nothing complains or overflows, axe-core finds no serious violation.
 
-axe-core is an npm package and used here alone: `npm ci --prefix tests/axe` installs it. Without it the rest is asked.
+axe-core is an npm package and used here alone: `npm ci --prefix tests/npm` installs it. Without it the rest is asked.
 """
 
 from itertools import pairwise
@@ -11,9 +11,9 @@ from book.assembly.contents import page_files
 from tests.tabs import PHONE, RUNNING, next_frame
 from verify.sources import ROOT
 
-AXE = ROOT / "tests" / "axe" / "node_modules" / "axe-core" / "axe.min.js"
+AXE = ROOT / "tests" / "npm" / "node_modules" / "axe-core" / "axe.min.js"
 
-with_axe = pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm ci --prefix tests/axe")
+with_axe = pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm ci --prefix tests/npm")
 PAGES = list(page_files(ROOT / "book"))
 # Sphinx's own pages, and the listing of a source: all listings are made alike.
 OTHERS = ["genindex", "search", "source/proofs/formulas/bump.py"]

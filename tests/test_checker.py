@@ -10,8 +10,8 @@ from bs4 import BeautifulSoup
 from book.extension.theorems import placements
 from proofs.engine.theorem import all_theorems
 from tests.tabs import PHONE
-from tests.tampered_certificates import stored
 from tests.test_browser import PAGES, violations, with_axe
+from verify.checkers.breakages import stored
 from verify.sources import ROOT
 
 CHECK_HERE, CHANGE, CHECK_ALL = "Check it here", "Change the statement", "Check all"
@@ -26,14 +26,15 @@ COMPLAINTS = {
     "cos_theta^99": "an exponent is a whole number",
     "(1 - 1)": "cannot be read",
 }
-CERTIFIED = {name.partition("/")[0] for name in stored()}
-PLACES = placements(ROOT / "book", list(all_theorems()))
+STORED = {name: (entry["statement"], entry["certificate"]) for name, entry in stored().items()}
+CERTIFIED = {name.partition("/")[0] for name in STORED}
+PLACES = placements(ROOT / "book", all_theorems())
 
 
 @pytest.fixture
 def page(visit):
     """A function that opens a page of the book, its formulas as they are written: to typeset them takes longest."""
-    return functools.partial(visit, until="window.Checker", given={"**/tex-chtml-full.js*": ""})
+    return functools.partial(visit, until="window.start_checker", given={"**/tex-chtml-full.js*": ""})
 
 
 def card(tab, theorem):
@@ -76,8 +77,8 @@ def test_check_all_accepts_everything_and_says_so_on_every_line(page):
     place = tab.locator(".checker[data-all]")
     press(place, CHECK_ALL)
     said = verdict(place)
-    assert f"the certificates of {len(CERTIFIED)} of {len(CERTIFIED)} theorems, {len(stored())} in all" in said
-    assert place.locator("progress").evaluate("bar => [bar.value, bar.max]") == [len(stored())] * 2
+    assert f"the certificates of {len(CERTIFIED)} of {len(CERTIFIED)} theorems, {len(STORED)} in all" in said
+    assert place.locator("progress").evaluate("bar => [bar.value, bar.max]") == [len(STORED)] * 2
     marks = tab.evaluate(
         "[...document.querySelectorAll('[data-claim]:has(.check-accepted)')].map(e => e.dataset.claim)"
     )
@@ -99,7 +100,7 @@ def test_every_theorem_has_its_button_and_its_stored_data_or_says_why_not(site):
     assert sorted(notes) == sorted(f"theorem-{id}" for id in all_theorems().keys() - CERTIFIED)
     shown = [(pair["statement"], pair["certificate"]) for each in data.values() for claim in each["claims"]
              for pair in claim["statements"]]  # fmt: skip
-    assert sorted(map(json.dumps, shown)) == sorted(map(json.dumps, stored().values()))
+    assert sorted(map(json.dumps, shown)) == sorted(map(json.dumps, STORED.values()))
 
 
 def test_a_statement_that_is_changed_from_the_keyboard_is_rejected_and_can_be_put_back(page):
@@ -159,7 +160,7 @@ def test_an_open_card_has_no_serious_violation(page):
 def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(page):
     """That sin² + cos² = 1 is what the oddness of a sine does not need."""
     name = "clamped_difference_of_odd"
-    place = card(page(PLACES[name].page), name)
+    place = card(page(PLACES[name]), name)
     press(place, CHANGE)
     line = place.locator(".check-line").first
     circle = line.inner_text()
@@ -187,25 +188,28 @@ def test_a_false_certificate_is_rejected_by_the_card_and_by_check_all(page):
     tab = page("lemmas")
     wrong = tampered_data(tab, "#theorem-unit_length")
     tab.evaluate(
-        "data => Checker.card(document.querySelector('#theorem-unit_length .checker'), data, Checker.clerk())", wrong
+        "data => checker_card(document.querySelector('#theorem-unit_length .checker'), data, checking_clerk())", wrong
     )
     press(card(tab, "unit_length"), CHECK_HERE)
     said = verdict(card(tab, "unit_length"))
     assert "Rejected" in said and "g is tangent" in said and "Left over" in said
     tab = page("findings")
     wrong = tampered_data(tab, ".checker[data-all]")
-    tab.evaluate("data => Checker.all(document.querySelector('.checker[data-all]'), data, Checker.clerk())", wrong)
+    tab.evaluate("data => check_all(document.querySelector('.checker[data-all]'), data, checking_clerk())", wrong)
     press(tab.locator(".checker[data-all]"), CHECK_ALL)
     said = verdict(tab.locator(".checker[data-all]"))
     assert "Rejected" in said and said.endswith("Rejected: unit_length.")
     assert tab.locator("[data-claim=unit_length] .check-mark.check-rejected").count() == 1
 
 
+BROKEN_KERNEL = "certificate_kernel = function certificate_kernel() { throw new Error('broken') }"
+
+
 @pytest.mark.parametrize(
     ("name", "button", "breakage", "words"),
     [
         ("lemmas", CHECK_HERE, "window.Worker = class { constructor() { throw new Error('forbidden') } }", "forbidden"),
-        ("findings", CHECK_ALL, "Checker.kernel = function () { throw new Error('broken') }", "the worker failed"),
+        ("findings", CHECK_ALL, BROKEN_KERNEL, "the worker failed"),
     ],
 )
 def test_a_worker_that_does_not_start_says_so(page, name, button, breakage, words):
@@ -229,7 +233,7 @@ def test_a_worker_that_never_answers_is_given_up(page):
 
 def test_a_refuted_claim_has_its_counterexample_put_in(page):
     assert all_theorems()["seed_clamp"].expected == "refuted"
-    seed_clamp = card(page(PLACES["seed_clamp"].page), "seed_clamp")
+    seed_clamp = card(page(PLACES["seed_clamp"]), "seed_clamp")
     press(seed_clamp, CHECK_HERE)
     said = verdict(seed_clamp)
     assert "1 counterexample put in, in exact fractions: the claim is false there, and 7 other conditions hold" in said

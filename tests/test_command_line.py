@@ -2,7 +2,7 @@
 
 import dataclasses
 import sys
-from concurrent.futures import BrokenExecutor
+from concurrent.futures import BrokenExecutor, ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ from renderer.command_line import grid
 from renderer.command_line.verbs import main
 from renderer.kernels import FIELDS
 from renderer.picture import views
-from renderer.picture.sweep import sweep
+from renderer.picture.sweep import sweep, table
 from renderer.scene.scene import DEFAULT_LIGHTS
 from tests.processes import python
 
@@ -105,20 +105,14 @@ def test_sweep_of_a_grid(tmp_path, capsys):
     lists += ["--eps", "1e-2,1e-3", ".1"]
     target = tmp_path / "a.csv"
     assert run("sweep", *lists, "--gradient", "forward,central", "--model", "phong", "--csv", target) == 0
-    out, err = capsys.readouterr()
     values = {"field": ["sine", "rings"], "kv": [3, 4], "beta": [-0.1, 0.35]}
     tasks = grid.grid(Scene(model="phong"), [(16, 16), (24, 24)], ["forward", "central"], (1e-2, 1e-3, 0.1), **values)
-    assert len(out.splitlines()) == 1 + len(tasks) + 1
-    for line, task in zip(out.splitlines()[1:], tasks[:13], strict=False):
-        (row,) = sweep(task.scene, task.width, task.height, (task.method.eps,), task.method.name)
-        assert line.split()[0] == task.scene.field
-        assert [float(text) for text in line.split()[7:]] == pytest.approx(
-            [row.eps, row.largest, row.rms, row.flips, row.straddling], rel=1e-3
-        )
+    with ThreadPoolExecutor(1) as executor:
+        expected = table(grid.run(tasks, executor))
+    assert capsys.readouterr() == (f"{expected}\nwrote {target}\n", "")
     names = "field,ku,kv,beta,gradient,width,height,eps,largest,rms,flips,straddling"
     assert target.read_text().splitlines()[0] == names
     assert len(target.read_text().splitlines()) == 1 + len(tasks)
-    assert err == ""
 
 
 def test_a_sweep_that_is_interrupted_says_what_is_kept(tmp_path, monkeypatch, capsys):
@@ -169,16 +163,12 @@ def test_what_needs_an_extra_that_is_not_installed_names_it(module, extra, argum
 REFUSED = {
     "image": [
         (["--out", "a.jpg"], "out = 'a.jpg' is not allowed: a file name that ends in .png or .npz or .npy or .tif or"),
-        (["--field", "foo"], f"field = 'foo' is not allowed: one of {', '.join(map(repr, FIELDS))}"),
         (["--gradient", "foo"], "gradient = 'foo' is not allowed: one of 'exact', 'forward', 'central', 'central4'"),
         (["--eps", "-1e-3"], "eps = -0.001 is not allowed: a finite number from 1e-40 to 0.5"),
         (["--beta", "-inf"], "beta = -inf is not allowed: a finite number from -1e+100 to 1e+100"),
-        (["--height", "-3"], "height = -3 is not allowed: a whole number from 1 to 16777216"),
-        (["--width", "99999999"], "width = 99999999 is not allowed: a whole number from 1 to 16777216"),
         (["--crop", "0,0,9,9"], "crop = (0, 0, 9, 9) is not allowed: (left, top, width, height), whole numbers"),
         (["--threads", "0"], "threads = 0 is not allowed: a whole number from 1 to 256"),
         (["--light", "5,5,10"] * 6, "lights = 6 lights is not allowed: a sequence of at most 5 Light"),
-        (["--light", "0,nan,9"], "light.position[1] = nan is not allowed: a finite number"),
         (["--light", "1,2"], "argument --light: '1,2' is not allowed: X,Y,Z or X,Y,Z,R,G,B"),
         (["--crop", "1,2"], "argument --crop: '1,2' is not allowed: LEFT,TOP,WIDTH,HEIGHT"),
         (["--ku", "abc"], "argument --ku: 'abc' is not allowed: a number"),
@@ -189,15 +179,12 @@ REFUSED = {
     "views": [
         (["--gradient", "exact"], "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'"),
         (["--gain", "-1"], "gain = -1.0 is not allowed: a finite number from 0 to 1e+300"),
-        (["--size", "0"], "width = 0 is not allowed: a whole number from 1 to 16777216"),
         (["--out", "file"], "out = 'file' is not allowed: File exists"),
     ],
     "sweep": [
         (["--eps", "1e-3", "-1"], "eps = -1.0 is not allowed: a finite number from 1e-40 to 0.5"),
-        (["--eps", "1e-3", "x"], "argument --eps: 'x' is not allowed: a number"),
         (["--csv", "a.txt"], "csv = 'a.txt' is not allowed: a file name that ends in .csv"),
         (["--field", "sine,foo"], f"field = 'foo' is not allowed: one of {', '.join(map(repr, FIELDS))}"),
-        (["--beta", "1,x"], "argument --beta: 'x' is not allowed: a number"),
         (["--size", "8,0"], "width = 0 is not allowed: a whole number from 1 to 16777216"),
         (["--gradient", "central,foo"], "gradient = 'foo' is not allowed: one of 'forward', 'central', 'central4'"),
         (["--checkpoint", "a.txt"], "checkpoint = 'a.txt' is not allowed: a file name that ends in .jsonl"),

@@ -41,8 +41,7 @@ def test_a_failure_leaves_nothing_or_the_old_file(name, content, old, tmp_path, 
 
 WRITE_FOR_EVER = """
 import sys, time
-from renderer import whole_files
-from renderer.whole_files import checked_target, whole_file
+from renderer.whole_files import whole_file
 with whole_file(sys.argv[1]) as name:
     with open(name, "w") as file:
         file.write("half")

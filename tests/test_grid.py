@@ -62,19 +62,17 @@ def test_a_grid_has_every_combination_once():
     assert tasks[-1] == Task(Scene(field="rings", ku=4, kv=3, beta=-0.1), GradientMethod("forward", 1e-3), 9, 7)
 
 
+OTHER = {"ball": False, "floor": False, "lights": (Light((5, 5, 10), None),), "model": "phong", "field": "rings"}
+
+
 def test_a_key_is_of_the_content():
-    other = {
-        "radius": 1.1, "eye": 4.5, "ball": False, "ball_center": (0.5, 0.5, 1.4), "ball_radius": 0.3, "floor": False,
-        "lights": (Light((5, 5, 10), None),), "ambient": (0.1, 0.1, 0.1), "albedo_a": (0, 0, 0), "albedo_b": (0, 0, 0),
-        "ka": 0.2, "kd": 0.6, "ks": 0.4, "shininess": 9, "model": "phong", "floor_tint": 0.5, "field": "rings",
-        "ku": 2, "kv": 2, "beta": 0.1,
-    }  # fmt: skip
-    assert set(other) == {field.name for field in fields(Scene)}
+    """Of every number, choice and light of the scene, and of the rest of the task."""
     task = Task(Scene(), central(1e-3), 8, 8)
-    tasks = [replace(task, scene=replace(Scene(), **{name: value})) for name, value in other.items()]
+    values = {field.name: 0.9 * np.array(field.default) for field in fields(Scene) if field.name not in OTHER} | OTHER
+    scenes = [Scene(**{name: value}) for name, value in values.items()]
+    tasks = [task, *(replace(task, scene=scene) for scene in scenes), replace(task, width=9), replace(task, height=9)]
     tasks += [replace(task, method=central(1e-4)), replace(task, method=GradientMethod("forward", 1e-3))]
-    tasks += [replace(task, width=9), replace(task, height=9), task]
-    assert len({key_of(each) for each in tasks}) == len(tasks)
+    assert len({key_of(each) for each in tasks}) == len(tasks) == len(fields(Scene)) + 5
     assert key_of(Task(Scene(beta=0.35, ku=8), central(0.001), 8, 8)) == key_of(task)
 
 
@@ -149,15 +147,12 @@ def test_a_worker_of_another_version_is_refused():
         grid.compare_batch(MANY[:1], "another")
 
 
-def test_threads(many):
-    with ThreadPoolExecutor(3) as executor:
-        assert grid.run(MANY, executor) == many
-
-
 def test_what_is_kept_is_not_computed_again(many, tmp_path):
     first, second, third = Inline(), Inline(), Inline()
     assert grid.run(MANY[20:40], first, Checkpoint(tmp_path / "a.jsonl")) == {task: many[task] for task in MANY[20:40]}
     assert grid.run(MANY, second, Checkpoint(tmp_path / "a.jsonl")) == many
+    with ThreadPoolExecutor(3) as executor:  # which finishes batches in any order
+        assert grid.run(MANY, executor) == many
     assert grid.run(MANY, third, Checkpoint(tmp_path / "a.jsonl")) == many
     assert (first.tasks, second.tasks, third.tasks) == (MANY[20:40], MANY[:20] + MANY[40:], [])
 

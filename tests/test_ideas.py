@@ -28,11 +28,23 @@ STARTED = "document.querySelector('figure.idea') && !document.querySelector('fig
 
 def numbers(text):
     """Return the numbers in a text, in their order."""
-    return [float(found.replace("−", "-")) for found in NUMBER.findall(text)]
+    return [float(number.replace("−", "-")) for number in NUMBER.findall(text)]
 
 
 def unit(vector):
     return np.asarray(vector) / np.linalg.norm(vector)
+
+
+def degrees_between(one, other):
+    return math.degrees(math.acos(min(1.0, np.dot(one, other))))
+
+
+def frame_at(u, v):
+    """Return N, e_θ and e_φ at a point of the chart, by formulas of this test's own."""
+    theta, phi = 2 * math.pi * u - math.pi, math.pi * v
+    around = np.array([math.cos(theta), math.sin(theta), 0])
+    normal = math.sin(phi) * around + [0, 0, math.cos(phi)]
+    return normal, np.array([-around[1], around[0], 0]), math.cos(phi) * around - [0, 0, math.sin(phi)]
 
 
 @pytest.fixture(scope="module")
@@ -66,11 +78,10 @@ def test_the_compiled_kernels_are_python_s_to_the_last_bit(idea, kernel):
     tab, _ = idea("slope_is_texture")
     rng, count = random.Random(kernel.__name__), len(inputs_of(kernel))
     rows = [[rng.uniform(-1, 1) for _ in range(count)] for _ in range(50)]
-    ask = "([name, rows]) => rows.map(row => [Ideas.module.kernel(name, ...row)].flat())"
-    found = tab.evaluate(ask, [kernel.__name__, rows])
+    ask = "([name, rows]) => rows.map(row => [Ideas.module.own.kernel(name, ...row)].flat())"
+    compiled = np.array(tab.evaluate(ask, [kernel.__name__, rows]), float)
     with np.errstate(all="ignore"):
-        expected = [[float(value) for value in np.atleast_1d(kernel(*map(np.float64, row)))] for row in rows]
-    np.testing.assert_array_equal(np.array(found, float), np.array(expected))
+        np.testing.assert_array_equal(compiled, [np.atleast_1d(kernel(*map(np.float64, row))) for row in rows])
 
 
 @pytest.mark.parametrize("page", sorted({*PAGES.values()}))
@@ -110,13 +121,11 @@ def test_slope_is_texture_starts_near_the_top_of_the_chapter(idea):
 
 
 def expected_on_circle(u, beta):
-    """Return slope, slope × β, tilt, and μ without the bump and with it, by formulas of this test's own."""
+    """Return slope, slope × β, tilt, and μ without the bump and with it."""
     slope, _ = gradient_at(SCENE, u, 0.125, exact())
-    theta, phi = 2 * math.pi * u - math.pi, math.pi / 8
-    normal = np.array([math.sin(phi) * math.cos(theta), math.sin(phi) * math.sin(theta), math.cos(phi)])
-    bumped = unit(normal + beta * slope * np.array([-math.sin(theta), math.cos(theta), 0]))
-    light = unit(np.array(SCENE.lights[0].position) - normal)
-    tilt = math.degrees(math.acos(min(1.0, bumped @ normal)))
+    normal, e_theta, _ = frame_at(u, 0.125)
+    bumped, light = unit(normal + beta * slope * e_theta), unit(SCENE.lights[0].position - normal)
+    tilt = degrees_between(bumped, normal)
     return slope, slope * beta, tilt, max(0.0, normal @ light), max(0.0, bumped @ light)
 
 
@@ -149,7 +158,7 @@ def test_slope_is_texture_follows_the_pointer(idea):
     tab.mouse.up()
     next_frame(tab)
     assert start != now(point) == now(sphere) == 0.5
-    assert abs(float(height_at(SCENE, 0.5, 0.125))) < 1e-12 and said(figure)[0] == 0.0
+    assert abs(height_at(SCENE, 0.5, 0.125)) < 1e-12 and said(figure)[0] == 0.0
 
 
 def test_tilted_frame_says_what_the_renderer_says(idea):
@@ -161,19 +170,15 @@ def test_tilted_frame_says_what_the_renderer_says(idea):
         cells = figure.locator("dd").all_inner_texts()
         (u, v), (h_u, h_v), n, g, m, (length,), bumped, (tilt,) = map(numbers, cells)
         u, beta = now(point), now(tip)
-        theta, phi = 2 * math.pi * u - math.pi, math.pi * v
-        gradient = [float(slope) for slope in gradient_at(SCENE, u, v, exact())]
-        normal = np.array([math.sin(phi) * math.cos(theta), math.sin(phi) * math.sin(theta), math.cos(phi)])
-        e_theta = np.array([-math.sin(theta), math.cos(theta), 0])
-        e_phi = np.array([math.cos(phi) * math.cos(theta), math.cos(phi) * math.sin(theta), -math.sin(phi)])
-        tangent = gradient[0] * e_theta + gradient[1] * e_phi
+        by_u, by_v = gradient_at(SCENE, u, v, exact())
+        normal, e_theta, e_phi = frame_at(u, v)
         # v is read with three digits, and the slopes change by up to 400 per unit of v.
-        np.testing.assert_allclose((h_u, h_v, *g), (*gradient, *tangent), atol=0.3)
+        np.testing.assert_allclose((h_u, h_v, *g), (by_u, by_v, *(by_u * e_theta + by_v * e_phi)), atol=0.3)
         np.testing.assert_allclose(n, normal, atol=0.003)
         np.testing.assert_allclose(m, np.array(n) + beta * np.array(g), atol=0.002)
         np.testing.assert_allclose(bumped, unit(m), atol=0.002)
         assert abs(length - np.linalg.norm(m)) < 0.002
-        assert abs(tilt - math.degrees(math.acos(np.array(n) @ bumped))) < 0.3
+        assert abs(tilt - degrees_between(n, bumped)) < 0.3
         assert beta > 0
     before = now(view)
     press(tab, view, "ArrowRight")
@@ -189,7 +194,7 @@ def test_two_slopes_says_what_the_renderer_says(idea):
         press(tab, point, "ArrowRight")
         _, numeric, exactly, *_ = said(figure)
         eps, u = now(step), now(point)
-        ours = [float(gradient_at(SCENE, u, 0.125, method)[0]) for method in (central(eps), exact())]
+        ours = [gradient_at(SCENE, u, 0.125, method)[0] for method in (central(eps), exact())]
         digits = 0.0051 if abs(ours[0] - ours[1]) >= 0.01 else 5.1e-9
         np.testing.assert_allclose((numeric, exactly), ours, rtol=0, atol=digits)
         apart.append(abs(ours[0] - ours[1]))

@@ -1,17 +1,18 @@
 """The record of one pixel: the same bits as the frame, and parts that add up to its colour."""
 
 import math
-from dataclasses import fields, replace
+from dataclasses import fields
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from renderer import Scene, pixel, render
+from renderer import Scene, height_at, pixel, render
 from renderer.picture.pixel_record import PixelRecord
-from renderer.scene.raster import Raster
+from renderer.scene.scene import MODELS
 from tests.strategies import methods, rasters, scenes
+from verify.reference import reference_pixel
 
 
 @given(scenes(), rasters(), methods, st.data())
@@ -57,51 +58,21 @@ def test_what_exists_on_a_alone_is_none_elsewhere(surface, name):
     assert {getattr(record, field) for field in ("theta", "phi", "u", "v", "h", "gradient", "kink")} == {None}
 
 
+@pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("surface", [1, 2, 3])
-def test_points_lie_on_their_surfaces_and_on_the_ray_through_the_pixel(surface):
-    record, scene = first_of(surface), Scene()
-    off = {1: math.hypot(*record.point) - 1, 2: math.dist(record.point, scene.ball_center) - 0.32, 3: record.point[2]}
-    assert abs(off[surface]) <= 1e-14
-    x, y = Raster(64, 64).image_points(scene)
-    eye, image_point = np.array([0, 0, 4.0]), np.array([x[record.column], y[record.row], 0.0])
-    share = 1 - record.point[2] / 4
-    assert 0 < share <= 1
-    np.testing.assert_allclose(record.point, eye + share * (image_point - eye), rtol=0, atol=1e-14)
-
-
-def test_the_chart_belongs_to_the_point():
-    record = first_of(1)
-    x, y, z = record.point
-    assert record.theta == pytest.approx(math.atan2(y, x), abs=1e-14)
-    assert record.phi == pytest.approx(math.acos(z), abs=1e-12)
-    assert (record.u, record.v) == pytest.approx(((record.theta + math.pi) / (2 * math.pi), record.phi / math.pi))
-
-
-def test_the_bumped_normal_is_the_frames():
-    record = first_of(1)
-    (h_u, h_v), theta, phi = record.gradient, record.theta, record.phi
-    n = np.array(record.point)
-    e_theta = np.array([-math.sin(theta), math.cos(theta), 0])
-    e_phi = np.array([math.cos(phi) * math.cos(theta), math.cos(phi) * math.sin(theta), -math.sin(phi)])
-    m = n + 0.35 * (h_u * e_theta + h_v * e_phi)
-    np.testing.assert_allclose(record.normal, m / np.linalg.norm(m), rtol=0, atol=1e-13)
-
-
-@pytest.mark.parametrize("model", ["blinn", "phong"])
-@pytest.mark.parametrize("surface", [1, 2, 3])
-def test_the_light_of_a_pixel_is_the_models(model, surface):
-    scene = replace(Scene(), model=model, shininess=7.5)
+def test_a_record_is_what_50_digits_say(surface, model):
+    scene = Scene(model=model, shininess=7.5)
     record = first_of(surface, scene)
-    n, p = np.array(record.normal), np.array(record.point)
-    view = np.array([0, 0, 4.0]) - p
-    view /= np.linalg.norm(view)
-    for light, source in zip(record.lights, scene.lights, strict=True):
-        omega = np.array(source.position) - p
-        omega /= np.linalg.norm(omega)
-        halfway = (omega + view) / np.linalg.norm(omega + view)
-        base = n @ halfway if model == "blinn" else (2 * (n @ omega) * n - omega) @ view
-        assert light.mu == pytest.approx(n @ omega, abs=1e-14)
-        assert light.specular == pytest.approx(max(0.0, base) ** 7.5, abs=1e-13)
+    truth = reference_pixel(scene, 64, 64, record.column, record.row)
+    told = {f"point_{axis}": c for axis, c in zip("xyz", record.point, strict=True)}
+    told |= {f"bumped_{axis}": c for axis, c in zip("xyz", record.normal, strict=True)}
+    told |= {f"mu_{light.number}": light.mu for light in record.lights}
+    told |= {f"specular_{light.number}": light.specular for light in record.lights}
+    if surface == 1:
+        told |= {"u": record.u, "v": record.v, "h_u": record.gradient[0], "h_v": record.gradient[1]}
+        assert (record.theta, record.phi) == pytest.approx(((2 * record.u - 1) * math.pi, record.v * math.pi))
+        assert record.h == height_at(scene, record.u, record.v)
+    assert told == pytest.approx({name: float(truth[name]) for name in told}, abs=1e-12)
 
 
 @pytest.mark.parametrize("place", [(-1, 0), (64, 0), (0, -1), (0, 64), (0.5, 0)])

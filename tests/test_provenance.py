@@ -101,9 +101,8 @@ def test_editing_one_file_draws_all_that_reach_it_and_says_why(name, sources, dr
     reach = {id for id, now in sources.items() if name in now}
     edited(monkeypatch, name)
     capsys.readouterr()
-    assert draw.draw() == len(reach)
-    assert set(drawn) == reach and len(drawn) == len(reach)
-    assert reach
+    assert draw.draw() == len(reach) > 0
+    assert sorted(drawn) == sorted(reach)
     assert len(reach) < len(sources) or name not in NARROW, f"figures import too widely: {name}"
     said = capsys.readouterr().out
     assert said.count(f"({name} changed") == len(reach)
@@ -155,12 +154,10 @@ def test_file_that_is_read_and_not_in_the_key_is_an_error():
 
 
 def test_trace_sees_lazy_imports_as_sources_and_nothing_outside(tmp_path):
-    assert (
-        keys.source_of(stamps.ROOT / "book/drawing/__pycache__/style.cpython-311.pyc")
-        == stamps.ROOT / "book/drawing/style.py"
-    )
-    assert keys.source_of(tmp_path / "a.py") is None
-    assert keys.source_of(stamps.ROOT / "book" / "_generated" / "hero.json") is None
+    folder = stamps.ROOT / "book" / "drawing"
+    assert keys.source_of(folder / "__pycache__" / "style.cpython-311.pyc") == folder / "style.py"
+    for path in (tmp_path / "a.py", stamps.ROOT / "book" / "_generated" / "hero.json"):
+        assert keys.source_of(path) is None
 
 
 def line(heights) -> Figure:

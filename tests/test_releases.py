@@ -4,6 +4,7 @@ import copy
 import shutil
 import subprocess
 import sys
+from hashlib import sha256
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -16,7 +17,7 @@ import book.__main__ as command_line
 from book.assembly import report, stamps
 from book.drawing import save
 from book.drawing.registry import Drawing, Registered
-from book.releases import command, compare, kept, record, same_bytes, tolerances
+from book.releases import archive, command, compare, record, same_bytes, tolerances
 from book.releases import notes as release_notes
 
 GRADES = {
@@ -55,50 +56,48 @@ def grades():
 @pytest.fixture
 def places(tmp_path, monkeypatch, grades):
     """A project with drawn figures, three theorems and its first release."""
-    found = SimpleNamespace()
-    for name, module, constant in (
-        ("releases", kept, "RELEASES"),
-        ("generated", record, "GENERATED"),
-        ("changelog", release_notes, "CHANGELOG"),
-        ("out", command, "OUT"),
-    ):
-        setattr(found, name, tmp_path / name)
-        monkeypatch.setattr(module, constant, tmp_path / name)
+    modules = {"releases": archive, "generated": record, "changelog": release_notes, "out": command}
+    paths = SimpleNamespace(**{name: tmp_path / name for name in modules})
+    for name, module in modules.items():
+        monkeypatch.setattr(module, name.upper(), tmp_path / name)
     other = "\n- unit_length, sweep.rms_1e-3\n\n"
-    found.changelog.write_text(f"## 0.1.0.1\n{other}## 0.1.0 (unreleased)\n\n- A line.\n\n## 0.0.1\n{other}")
+    paths.changelog.write_text(f"## 0.1.0.1\n{other}## 0.1.0 (unreleased)\n\n- A line.\n\n## 0.0.1\n{other}")
     monkeypatch.setattr(record, "theorems", lambda: copy.deepcopy(grades))
     monkeypatch.setattr(record, "version", lambda: "0.1.0")
-    draw_into(found.generated)
+    draw_into(paths.generated)
     assert command.release() == 0
-    return found
+    return paths
 
 
-def notes(places, capsys) -> tuple[int, str]:
-    capsys.readouterr()
-    status = command.release_notes()
-    said = capsys.readouterr().out
-    written = (places.out / "notes.md").read_text()
-    assert said.strip() == written.strip()
-    return status, written
+@pytest.fixture
+def notes(places, capsys):
+    """A function: the status and the text of the notes as they are now."""
+
+    def made():
+        capsys.readouterr()
+        status, written = command.release_notes(), (places.out / "notes.md").read_text()
+        assert capsys.readouterr().out.strip() == written.strip()
+        return status, written
+
+    return made
 
 
-def plant(places, grades) -> None:
-    """Weaken a theorem, move a number by 1e-3, change a picture."""
+@pytest.fixture
+def planted(places, grades):
+    """A theorem is weaker, a number moved by 1e-3, a picture changed."""
     grades["unit_length"] |= {"grade": "measured"}
     pixels = PIXELS.copy()
     pixels[2, 3, 1] += 40
     draw_into(places.generated, rms=0.0121 * (1 + 1e-3), pixels=pixels)
 
 
-def name_in_changelog(places, *ids) -> None:
+def name_in_changelog(places, id) -> None:
     text = places.changelog.read_text()
-    named = "".join(f"- `{id}` moved, for a reason.\n" for id in ids)
-    places.changelog.write_text(text.replace("- A line.\n", f"- A line.\n{named}"))
+    places.changelog.write_text(text.replace("- A line.\n", f"- A line.\n- `{id}` moved, for a reason.\n"))
 
 
-def test_planted_changes_are_all_named_and_fail(places, grades, capsys):
-    plant(places, grades)
-    status, said = notes(places, capsys)
+def test_planted_changes_are_all_named_and_fail(places, planted, notes):
+    status, said = notes()
     assert status == 1
     assert "Weakened: 1\n\n- `unit_length`: proved → measured" in said
     assert "Out of tolerance: 1\n\n- `sweep.rms_1e-3`: 0.0121 → 0.012112" in said and "+0.1 %" in said
@@ -108,44 +107,47 @@ def test_planted_changes_are_all_named_and_fail(places, grades, capsys):
     assert difference.shape == (8, 9) and difference[2, 3] == 255 and np.count_nonzero(difference) == 1
 
 
-def test_planted_changes_that_the_changelog_names_pass_and_are_released(places, grades, capsys):
-    before = (places.releases / "0.1.0.json").read_bytes()
-    plant(places, grades)
+def released(places) -> dict[str, bytes]:
+    return {name: path.read_bytes() for name, path in same_bytes.files_of(places.releases).items()}
+
+
+def test_planted_changes_that_the_changelog_names_pass_and_are_released(places, planted, notes):
+    before = released(places)
     name_in_changelog(places, "unit_length")
-    assert notes(places, capsys)[0] == 1 and command.release() == 1
-    assert (places.releases / "0.1.0.json").read_bytes() == before
+    assert notes()[0] == command.release() == 1
+    assert released(places) == before
     name_in_changelog(places, "sweep.rms_1e-3")
-    status, said = notes(places, capsys)
+    status, said = notes()
     assert status == 0
     assert all(id in said for id in ("`unit_length`", "`sweep.rms_1e-3`", "`hero`"))
     assert command.release() == 0
-    assert (places.releases / "0.1.0.json").read_bytes() != before
-    assert "Nothing moved." in notes(places, capsys)[1]
+    assert released(places) != before
+    assert "Nothing moved." in notes()[1]
 
 
-def test_the_same_state_gives_the_same_record_and_pictures(places, capsys):
-    before = {name: path.read_bytes() for name, path in same_bytes.files_of(places.releases).items()}
+def test_the_same_state_gives_the_same_record_and_pictures(places, notes):
+    before = released(places)
     draw_into(places.generated)
-    status, said = notes(places, capsys)
+    status, said = notes()
     assert status == 0 and "Nothing moved." in said
     assert command.release() == 0
-    assert {name: path.read_bytes() for name, path in same_bytes.files_of(places.releases).items()} == before
+    assert released(places) == before
 
 
-def test_curves_are_compared_by_their_numbers_and_looks_apart(places, capsys):
+def test_curves_are_compared_by_their_numbers_and_looks_apart(places, notes):
     heights = STEPS**2
     heights[1] *= 1.25
     draw_into(places.generated, heights=heights)
-    assert "`sweep`: largest difference 0.2 relative, RMS 0.0632, 1 of 10 plotted numbers" in notes(places, capsys)[1]
+    assert "`sweep`: largest difference 0.2 relative, RMS 0.0632, 1 of 10 plotted numbers" in notes()[1]
     draw_into(places.generated, width=3.5)
-    status, said = notes(places, capsys)
+    status, said = notes()
     assert status == 0 and "`sweep`: the same numbers, other bytes: sweep.dark.svg, sweep.svg" in said
-    path = places.releases / "0.1.0.json"
-    path.write_text(path.read_text().replace(record._sha256((places.generated / "hero.png").read_bytes()), "0"))
+    path, hero = places.releases / "0.1.0.json", (places.generated / "hero.png").read_bytes()
+    path.write_text(path.read_text().replace(sha256(hero).hexdigest(), "0"))
     draw_into(places.generated)
-    assert "`hero`: the same pixels, other bytes: hero.png" in notes(places, capsys)[1]
+    assert "`hero`: the same pixels, other bytes: hero.png" in notes()[1]
     draw_into(places.generated, pixels=PIXELS[:4])
-    assert "`hero`: other arrays: picture_0 8×9×4 → picture_0 4×9×4" in notes(places, capsys)[1]
+    assert "`hero`: other arrays: picture_0 8×9×4 u → picture_0 4×9×4 u" in notes()[1]
 
 
 def changes(before, after):
@@ -206,9 +208,8 @@ def test_every_rule_has_a_reason_and_a_tolerance(tmp_path, good, bad, message):
 
 
 def test_every_rule_speaks_of_a_number_that_the_last_release_or_the_next_has(site):
-    releases = (kept.read(kept.versions()[-1]), record.make())
-    names = [name for release in releases for name in release["numbers"]]
-    names += [name for release in releases for result in release["measured"].values() for name in result["numbers"]]
+    releases = (archive.read(archive.versions()[-1]), record.make())
+    names = [name for release in releases for name in command.all_numbers(release)]
     for rule in tolerances.rules()["rule"]:
         for pattern in rule["numbers"]:
             assert any(tolerances.fnmatchcase(name, pattern) for name in names), pattern
@@ -225,15 +226,15 @@ def test_an_id_is_named_as_a_whole(text, named):
 
 
 def test_versions_are_in_order_and_compared_with_the_one_before(tmp_path, monkeypatch):
-    monkeypatch.setattr(kept, "RELEASES", tmp_path)
+    monkeypatch.setattr(archive, "RELEASES", tmp_path)
     for version in ("0.2.0", "0.10.0", "0.9.1"):
         (tmp_path / f"{version}.json").write_text("{}")
-    assert kept.versions() == ["0.2.0", "0.9.1", "0.10.0"]
-    assert kept.before("0.10.0") == "0.9.1"
-    assert kept.before("0.9.2") == "0.9.1"
-    assert kept.before("0.2.0") == "0.2.0"
+    assert archive.versions() == ["0.2.0", "0.9.1", "0.10.0"]
+    assert archive.before("0.10.0") == "0.9.1"
+    assert archive.before("0.9.2") == "0.9.1"
+    assert archive.before("0.2.0") == "0.2.0"
     with pytest.raises(stamps.Refused, match=r"up to 0\.1\.0"):
-        kept.before("0.1.0")
+        archive.before("0.1.0")
 
 
 def test_only_the_two_newest_releases_keep_pictures(places, monkeypatch):
@@ -241,37 +242,41 @@ def test_only_the_two_newest_releases_keep_pictures(places, monkeypatch):
         monkeypatch.setattr(record, "version", lambda version=version: version)
         places.changelog.write_text(f"## {version}\n")
         assert command.release() == 0
-    assert kept.versions() == ["0.1.0", "0.2.0", "0.3.0"]
+    assert archive.versions() == ["0.1.0", "0.2.0", "0.3.0"]
     assert sorted(path.name for path in places.releases.iterdir() if path.is_dir()) == ["0.2.0", "0.3.0"]
 
 
-def test_the_command_line_gives_the_status_on(monkeypatch, places, grades, capsys):
+def test_the_command_line_gives_the_status_on(monkeypatch, places, planted, capsys):
     monkeypatch.setattr(report, "make", lambda: None)
     monkeypatch.setattr(command_line, "figures", lambda: None)
     monkeypatch.setattr(stamps, "STAMPS", places.releases.parent / "stamps")
-    assert command_line.main(["release-notes"]) == 0
-    plant(places, grades)
     assert command_line.main(["release-notes"]) == 1
     assert command_line.main(["release-notes", "--against", "9.9"]) == 2
     assert "there is no release 9.9; there are: 0.1.0" in capsys.readouterr().err
     places.changelog.write_text("## 0.0.1\n")
+    old = {}
+    monkeypatch.setattr(command_line.evidence, "stale", lambda: old)
     assert command_line.main(["release"]) == 2
     assert "changelog has no heading ## 0.1.0" in capsys.readouterr().err
+    old["frames"] = "renderer/kernels.py changed"
+    assert command_line.main(["release"]) == 2
+    said = capsys.readouterr().err
+    assert "make evidence" in said and "frames: renderer/kernels.py changed: python -m verify.benchmark\n" in said
 
 
 def test_the_committed_release_is_whole_and_small():
-    version = kept.versions()[-1]
-    then = kept.read(version)
+    version = archive.versions()[-1]
+    then = archive.read(version)
     assert then["version"] == version
     assert all(entry["grade"] != "failed" for entry in then["theorems"].values()) and len(then["theorems"]) > 60
     assert all(entry["tolerance"] == "any" or entry["tolerance"] >= 0 for entry in then["numbers"].values())
     assert all(result["label"]["machine"] for result in then["measured"].values())
-    folder = kept.RELEASES / version
+    folder = archive.RELEASES / version
     names = {picture["kept"] for picture in then["pictures"].values()}
     assert {path.name for path in folder.iterdir()} == names
     assert sum(path.stat().st_size for path in folder.iterdir()) < 5e6
     for picture in then["pictures"].values():
-        assert kept.pictures.digest(kept.pictures.arrays_of(folder / picture["kept"])) == picture["content"]
+        assert archive.pictures.digest(archive.pictures.arrays_of(folder / picture["kept"])) == picture["content"]
 
 
 def test_a_file_that_differs_or_is_missing_is_reported_by_name(tmp_path):
@@ -288,116 +293,82 @@ def test_a_file_that_differs_or_is_missing_is_reported_by_name(tmp_path):
         same_bytes.differences(one, other)
 
 
-def repository(folder: Path, content: str) -> Path:
-    """A project whose build writes what an expression gives: a stand-in for this one."""
-    (folder / "book").mkdir(parents=True)
-    program = "import os, pathlib\nfor part in ('html', '../_generated'):\n"
-    program += "    out = pathlib.Path('book/_build') / part\n    out.mkdir(parents=True)\n"
-    program += "    (out / 'index.html').write_text(eval(open('content.txt').read()))\n"
-    (folder / "book" / "__main__.py").write_text(program)
-    (folder / "content.txt").write_text(content)
-    (folder / "requirements.lock").touch()
-    (folder / "pyproject.toml").touch()
-    for package in stamps.PACKAGES:
-        (folder / package).mkdir(exist_ok=True)
-        (folder / package / "__init__.py").touch()
-    (folder / ".gitignore").write_text("_build\n_generated\n__pycache__\n")
-    return folder
+PROGRAM = """
+import os, pathlib
+for part in ('html', '../_generated'):
+    out = pathlib.Path('book/_build') / part
+    out.mkdir(parents=True)
+    (out / 'index.html').write_text({content})
+"""
 
 
-def build_twice(root: Path, monkeypatch) -> int:
-    """Build a stand-in, and compare with a build from a clone of it."""
-    subprocess.run([sys.executable, "-m", "book"], cwd=root, check=True)
-    monkeypatch.setattr(stamps, "ROOT", root)
-    return same_bytes.same_bytes()
+@pytest.fixture
+def repository(tmp_path, monkeypatch):
+    """A function: a project whose build writes what an expression gives, a stand-in for this one; it is built."""
+
+    def built(content):
+        root = tmp_path / "here"
+        for package in stamps.PACKAGES:
+            (root / package).mkdir(parents=True)
+            (root / package / "__init__.py").touch()
+        (root / "book" / "__main__.py").write_text(PROGRAM.format(content=content))
+        for name, text in {"requirements.lock": "", "pyproject.toml": "", ".gitignore": "_*\n!__*.py\n"}.items():
+            (root / name).write_text(text)
+        subprocess.run([sys.executable, "-m", "book"], cwd=root, check=True)
+        monkeypatch.setattr(stamps, "ROOT", root)
+        return root
+
+    return built
 
 
 @pytest.mark.parametrize(
     "place", ["os.getcwd()", "os.environ.get('TZ', '')", "str(hash('word'))", "os.environ['HOME']"]
 )
-def test_a_build_that_depends_on_its_place_is_found_out(tmp_path, monkeypatch, capfd, place):
-    root = repository(tmp_path / "here", place)
-    assert build_twice(root, monkeypatch) == 1
+def test_a_build_that_depends_on_its_place_is_found_out(repository, capfd, place):
+    repository(place)
+    assert same_bytes.same_bytes() == 1
     said = capfd.readouterr().out
     assert "book/_build/html/index.html: differs" in said and "agree" not in said
 
 
-def test_a_build_that_does_not_agrees_without_git(tmp_path, monkeypatch, capfd):
-    root = repository(tmp_path / "here", "'the same'")
-    (root / ".stamps").mkdir()
-    assert build_twice(root, monkeypatch) == 0
+def test_a_build_that_does_not_agrees_without_git(repository, capfd):
+    (repository("'the same'") / ".stamps").mkdir()
+    assert same_bytes.same_bytes() == 0
     assert "2 files, built in two folders, agree in every byte" in capfd.readouterr().out
 
 
 @pytest.mark.skipif(shutil.which("git") is None, reason="there is no git")
-def test_a_clone_is_of_what_is_committed(tmp_path, monkeypatch, capfd):
-    root = repository(tmp_path / "here", "'the same'")
+def test_a_clone_is_of_what_is_committed(repository, capfd):
+    root = repository("'the same'")
     git = ["git", "-c", "user.name=a", "-c", "user.email=a@b"]
     for arguments in (["init", "-q"], ["add", "."], ["commit", "-qm", "x"]):
         subprocess.run([*git, *arguments], cwd=root, check=True)
-    assert build_twice(root, monkeypatch) == 0
+    assert same_bytes.same_bytes() == 0
     (root / "book" / "new.py").touch()
     with pytest.raises(stamps.Refused, match=r"book/new\.py"):
         same_bytes.same_bytes()
 
 
-WORKFLOW = stamps.ROOT / ".github" / "workflows" / "publish.yml"
-CITATION = stamps.ROOT / "CITATION.cff"
-TOOLS = Path(sys.executable).parent
-
-
-def lint(*command) -> tuple[bool, str]:
-    """Whether a linter is content, and what it says."""
-    done = subprocess.run([TOOLS / command[0], *map(str, command[1:])], capture_output=True, text=True)
-    return done.returncode == 0, done.stdout + done.stderr
-
-
-def lint_workflow(path: Path) -> tuple[bool, str]:
-    """By the schema of workflows, and by zizmor, which looks for unpinned actions, wide permissions and injections."""
-    fits, why = lint("check-jsonschema", "--builtin-schema", "vendor.github-workflows", path)
-    safe, risks = lint("zizmor", "--offline", "--no-config", "--persona", "pedantic", path)
-    return fits and safe, why + risks
+def lint(program: str, *arguments) -> None:
+    """Fail with what a linter says if it is not content."""
+    done = subprocess.run([Path(sys.executable).with_name(program), *arguments], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
 
 
 @pytest.mark.parametrize(
     ("name", "commands"),
-    [("publish", (".ci/run", "make release-notes", "book/_build/html")), ("weekly", ("make environment", "--long"))],
+    [("publish", (".ci/run", "make release-notes", "book/_build/html")), ("weekly", (".ci/run", ".ci/long"))],
 )
 def test_the_workflows_are_valid_pinned_and_without_secrets(name, commands):
-    path = WORKFLOW.with_stem(name)
-    good, said = lint_workflow(path)
-    assert good, said
+    path = stamps.ROOT / ".github" / "workflows" / f"{name}.yml"
+    lint("check-jsonschema", "--builtin-schema", "vendor.github-workflows", path)
+    lint("zizmor", "--offline", "--no-config", "--persona", "pedantic", path)  # pinned, few permissions, no injections
     text = path.read_text()
     assert "secrets" not in text.replace("no secret", "") and "GITHUB_TOKEN" not in text
     assert all(command in text for command in commands)
 
 
-@pytest.mark.parametrize(
-    ("said", "instead", "complaint"),
-    [
-        ("runs-on: ubuntu-24.04", "run-on: ubuntu-24.04", "run-on"),
-        ("@11bd71901bbe5b1630ceea73d27597364c9af683", "@v4", "unpinned-uses"),
-        ("permissions: {}", "permissions: write-all", "excessive-permissions"),
-        ("persist-credentials: false", "fetch-depth: 1", "artipacked"),
-        ('grep -qxF "version', 'echo ${{ github.event.head_commit.message }} "version', "template-injection"),
-    ],
-)
-def test_a_workflow_that_is_wrong_is_refused(tmp_path, said, instead, complaint):
-    text = WORKFLOW.read_text()
-    assert said in text
-    wrong = tmp_path / ".github" / "workflows" / "publish.yml"
-    wrong.parent.mkdir(parents=True)
-    wrong.write_text(text.replace(said, instead))
-    good, why = lint_workflow(wrong)
-    assert not good and complaint in why
-
-
-def test_the_citation_is_valid_and_of_this_version(tmp_path):
-    command = "check-jsonschema", "--builtin-schema", "vendor.citation-file-format"
-    good, said = lint(*command, CITATION)
-    assert good, said
-    text = CITATION.read_text()
-    assert f"\nversion: {record.version()}\n" in text
-    wrong = tmp_path / "CITATION.cff"
-    wrong.write_text(text.replace("authors:", "author:"))
-    assert not lint(*command, wrong)[0]
+def test_the_citation_is_valid_and_of_this_version():
+    citation = stamps.ROOT / "CITATION.cff"
+    lint("check-jsonschema", "--builtin-schema", "vendor.citation-file-format", citation)
+    assert f"\nversion: {record.version()}\n" in citation.read_text()

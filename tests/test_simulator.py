@@ -13,7 +13,7 @@ from proofs.formulas.step_bounds import TERMS
 from renderer.kernels import FIELDS
 from tests.processes import python
 from tests.tabs import PHONE, RUNNING, go, settled, slide, state
-from tests.test_newcomer import copied
+from tests.test_contributing import copied
 
 CLIPBOARD = ["clipboard-read", "clipboard-write"]
 # k_u u + k_v v at the pixels of A over which a crease is drawn.
@@ -435,20 +435,19 @@ def with_two_fields(tmp_path_factory):
     folder = tmp_path_factory.mktemp("fields")
     copied(folder)
     entries = """
-        HeightField("doubled", sinpi(2 * k_u * u)),
-        HeightField("slanted", Abs(sinpi(k_u * u + k_v * v)), (sinpi(k_u * u + k_v * v),)),
-    )
-}
+    HeightField("doubled", 2 * sinpi(k_u * u)),
+    HeightField("slanted", Abs(sinpi(k_u * u + k_v * v))),
+))  # fmt: skip
 """
     place = folder / "proofs" / "formulas" / "height_fields.py"
-    place.write_text(place.read_text(encoding="utf-8").replace("\n    )\n}\n", entries, 1), encoding="utf-8")
+    place.write_text(place.read_text(encoding="utf-8").replace("\n))  # fmt: skip\n", entries, 1), encoding="utf-8")
     printing = "from book.simulator_module import source; print(source())"
     for command in (["-m", "renderer.generate"], ["-c", printing]):
         printed, _ = python(*command, cwd=folder)
     return printed
 
 
-@pytest.mark.parametrize("field, creases", [("doubled", []), ("slanted", [{"a": 8, "b": 4, "c": 0}])])
+@pytest.mark.parametrize("field, creases", [("doubled", []), ("slanted", [(8, 4, level) for level in range(13)])])
 def test_an_added_field_has_no_false_bound_and_its_own_creases(visit, with_two_fields, field, creases):
     """No bound is printed, drawn or attributed; white lines lie where the crease factor is zero, and nowhere else."""
     fragment = f"#sim?field={field}&view=loci&column=120&row=100"
@@ -461,7 +460,8 @@ def test_an_added_field_has_no_false_bound_and_its_own_creases(visit, with_two_f
     assert page.locator(".sim-curve path.bound").count() == 0
     assert "no theorem covers this" in page.inner_text(".sim-facts")
     assert ("has no creases" in page.inner_text(".sim-remark")) is (not creases)
-    assert page.evaluate("Simulator.running.module.creases(Simulator.running.act.state())") == creases
+    lines = page.evaluate("Simulator.running.module.crease_lines(Simulator.running.act.state())")
+    assert [(line["a"], line["b"], line["level"]) for line in lines] == creases
     white = page.evaluate(WHITE)
     assert (len(white) > 500) is bool(creases)
     assert sum(abs(w - round(w)) < 0.1 for w in white) >= 0.95 * len(white)  # by the pole a pixel is wider than that

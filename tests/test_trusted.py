@@ -1,12 +1,11 @@
 """The page of what is trusted names every module that a grade passes through, and no other."""
 
-import json
 import re
 from pathlib import Path
 
 from tests.processes import python
-from verify import test_campaign
-from verify.sources import ROOT
+from verify.records import BENCHMARKS, RECORDS, RESULTS, code_of, read
+from verify.sources import ROOT, is_test
 
 PAGE = ROOT / "book" / "checked" / "trusted.md"
 LOADED = """
@@ -29,15 +28,23 @@ def test_the_page_names_every_module_that_a_grade_passes_through():
 
 
 def test_the_page_says_when_each_long_run_last_ran():
-    """A record is of a whole run, at a commit; the page prints its date, its commit and all that it counts."""
+    """The page prints a record's date, its commit and what it counts."""
     page = PAGE.read_text(encoding="utf-8")
-    for name, found in (
-        ("edited_formulas", "caught"),
-        ("tampered_certificates", "tampered"),
-        ("accepted_scenes", "crashes"),
-    ):
+    for name, found in (("edited_formulas", "caught"), ("accepted_scenes", "crashes")):
         for key in ("date", "commit", found):
             assert f"{{number}}`{name}.{key}" in page
-    record = json.loads((ROOT / "verify" / "results" / "edited_formulas.json").read_text(encoding="utf-8"))
-    assert record["numbers"]["edits"] == test_campaign.EDITS and record["numbers"]["seed"] == test_campaign.SEED
-    assert record["label"]["commit"] not in ("", "unknown")
+
+
+def test_every_committed_record_is_known_and_reaches_what_it_measures():
+    committed = {path for folder in (RESULTS, BENCHMARKS) for path in (ROOT / folder).iterdir()}
+    assert committed == {ROOT / record.path for record in RECORDS.values()}
+    for name, record in RECORDS.items():
+        label = read(name)["label"]
+        assert label["machine"] and label["date"] and label["commit"] not in ("", "unknown")
+        code, tests = code_of(name).keys(), {"verify/test_theorems.py", "verify/test_campaign.py"}
+        assert {*record.begins} - code <= {"proofs", "renderer", "verify", "book/static/simulator"}
+        assert {"renderer/kernels.py", "renderer/shader/shader.py"} <= code
+        assert not any(path.startswith((RESULTS, BENCHMARKS)) or path.endswith(".md") for path in code)
+        assert tests <= code if name == "edited_formulas" else not any(is_test(ROOT / path) for path in code)
+    assert {"book/static/simulator/module.js", "book/simulator_module.py"} <= code_of("simulator").keys()
+    assert "renderer/command_line/verbs.py" in code_of("frames")

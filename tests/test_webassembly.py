@@ -1,6 +1,6 @@
 """The module for browsers: nothing to link, the same bytes every time. What it computes is compared in a browser."""
 
-from dataclasses import replace
+import base64
 
 import numpy as np
 import pytest
@@ -10,6 +10,7 @@ from renderer import Scene, exact, kernels
 from renderer.machines.webassembly import compiled_module
 from renderer.picture.views import difference_logarithmic, to_bytes
 from renderer.shader.numbers import want_of
+from verify.benchmark.methods.compiled import loop_of
 
 KERNELS = {"slope": kernels.slope, "view_length": kernels.view_length}
 
@@ -23,10 +24,42 @@ def test_two_kernels_are_a_small_module_and_always_the_same():
 
 
 def test_what_would_need_a_linker_is_refused():
-    """A shininess that is not whole needs pow, which a browser's module would have to import."""
-    scene = replace(Scene(), shininess=2.5)
-    with pytest.raises(ValueError, match=r"needs a linker.*pow"):
-        compiled_module({"draw": want_of(scene, exact())}, {}, {})
+    """A browser's module would have to import libm's sine; no scene needs anything of the kind."""
+    with pytest.raises(ValueError, match=r"needs a linker.*sin"):
+        compiled_module({}, {"sine": lambda x: x.machine.call("sin", x)}, {})
+    assert compiled_module({"draw": want_of(Scene(shininess=2.5), exact())}, {}, {})
+
+
+# Runs each kernel of a module over points, given their inputs as float64: its one output, as a list of bytes.
+RUN = """async ([module, arrays, points]) => {
+    const decoded = text => Uint8Array.from(atob(text), c => c.charCodeAt(0)), size = 8 * points, first = 1024;
+    const memory = new WebAssembly.Memory({ initial: 16 }), whole = new BigInt64Array(memory.buffer);
+    const { instance } = await WebAssembly.instantiate(decoded(module), { env: { __linear_memory: memory } });
+    return Object.entries(arrays).map(([name, inputs]) => {
+        const given = decoded(inputs), end = first + given.length;
+        new Uint8Array(memory.buffer).set(given, first);
+        for (let i = 0; first + i * size <= end; i++) whole[1 + i] = BigInt(first + i * size);
+        whole[0] = BigInt(points);
+        instance.exports[name](0);
+        return [...new Uint8Array(memory.buffer, end, size)];
+    });
+}"""
+
+
+def test_our_functions_have_the_same_bits_on_every_machine(browser):
+    """Outside their range, too."""
+    rng, edges = np.random.default_rng(6), [0.0, -0.0, 5e-324, 1e-310, -1.0, np.inf, -np.inf, np.nan, 1e308, 709.1]
+    numbers = np.concatenate([rng.uniform(-720, 720, 490), 2.0 ** rng.uniform(-1074, 1024, 500), edges])
+    inputs = {"exp": [numbers, rng.normal(0, 1e-17, 1000)], "log": [numbers], "power": [numbers, numbers[::-1]]}
+    with np.errstate(all="ignore"):
+        ours = {name: getattr(kernels, name)(*arrays) for name, arrays in inputs.items()}
+    module, _ = compiled_module({}, {name: getattr(kernels, name) for name in inputs}, {})
+    texts = {name: base64.b64encode(np.stack(arrays).tobytes()).decode() for name, arrays in inputs.items()}
+    with browser.new_page() as tab:
+        found = tab.evaluate(RUN, [base64.b64encode(module).decode(), texts, len(numbers)])
+    for output, (name, expected) in zip(found, ours.items(), strict=True):
+        np.testing.assert_array_equal(np.array(output, np.uint8).view(float), expected, name)
+        np.testing.assert_array_equal(loop_of(getattr(kernels, name), 1)(*inputs[name])[0], expected, name)
 
 
 def test_the_thresholds_are_where_the_renderers_bytes_change():

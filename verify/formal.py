@@ -47,7 +47,8 @@ HIDING = re.compile(r"\b(?:Notation|Infix|Coercion|Declare|Load|Module(?! \w+\.)
 PARTLY = {
     "bump_moves_no_boundary": "that none of these depends on the bump: the lines printed for them have no such input",
     "crease_error_area": "how many tents there are, and that they do not overlap",
-    "elementary_functions": "the reduction of the argument, how many units in the last place, and the arctangent",
+    "elementary_functions": "the reduction of the argument, how many units in the last place, and all functions but "
+    "sine and cosine",
     "gradient_accuracy": "8 in place of 10, ridges and rings, the algebraic form, and the argument's reduction",
 }
 """{theorem: what of its words no statement says}"""
@@ -70,21 +71,21 @@ def layers(*wanted: str) -> list[list[str]]:
     if taken := sorted(COQS_OWN.intersection([*texts, *MODULE.findall("\n".join(texts.values()))])):
         raise NotAccepted(f"{', '.join(taken)}: a module of Coq's own has this name")
     required = {name: REQUIRED.search(text) for name, text in texts.items()}
-    needs = {name: set(found[1].split()) if found else set() for name, found in required.items()}
+    needs = {name: set(match[1].split()) if match else set() for name, match in required.items()}
     if missing := set().union(*needs.values(), wanted) - needs.keys():
         raise NotAccepted(f"there is no {', '.join(sorted(missing))} in {FOLDER.name}/")
-    sorter, found = TopologicalSorter(needs), []
+    sorter, batches = TopologicalSorter(needs), []
     try:
         sorter.prepare()
     except CycleError as error:
         raise NotAccepted(f"files that require each other: {', '.join(error.args[1])}") from error
-    while ready := sorted(sorter.get_ready()):
+    while ready := sorter.get_ready():
         sorter.done(*ready)
-        found.append(ready)
+        batches.append(ready)
     reached = set(wanted or needs)
-    for name in (name for layer in reversed(found) for name in layer):
+    for name in (name for batch in reversed(batches) for name in batch):
         reached |= needs[name] if name in reached else set()
-    return [sorted(reached.intersection(layer)) for layer in found]
+    return [sorted(reached.intersection(batch)) for batch in batches]
 
 
 def files(*wanted: str) -> list[Path]:
@@ -98,11 +99,11 @@ Statements = dict[str, dict[str, list[int]]]
 
 def statements(*wanted: str) -> Statements:
     """Return the statements in the order of the files."""
-    found: Statements = {}
+    named: Statements = {}
     for path in files(*wanted):
         for clauses, name, theorem in STATEMENT.findall(path.read_text(encoding="utf-8")):
-            found.setdefault(theorem, {})[name] = [int(number) for number in clauses.split(",") if clauses]
-    return found
+            named.setdefault(theorem, {})[name] = [int(number) for number in clauses.split(",") if clauses]
+    return named
 
 
 def record() -> dict:
@@ -139,55 +140,55 @@ def compile_files(*wanted: str, said: dict | None = None) -> dict:
     said: what a record says. Coq takes long to list axioms, so it is then asked once for all theorems that are said to
     rest on the same: each rests on no more than these.
     """
-    found, order = statements(*wanted), files(*wanted)
-    groups = _groups(found, said or {})
+    named, order = statements(*wanted), files(*wanted)
+    groups = _groups(named, said or {})
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for path in order:
             shutil.copy(path, folder)
-        (folder / "Survey.v").write_text(_survey(found, groups, order), encoding="utf-8")
+        (folder / "Survey.v").write_text(_survey(named, groups, order), encoding="utf-8")
         with tqdm(total=len(order) + 1, unit="file", disable=None) as bar, ThreadPoolExecutor(2) as pool:
             for layer in [*layers(*wanted), ["Survey"]]:
                 printed = list(pool.map(lambda name: _coqc(folder, f"{name}.v"), layer))
                 bar.update(len(layer))
-    return _read(found, groups, printed[-1])
+    return _read(named, groups, printed[-1])
 
 
-def _groups(found: Statements, said: dict) -> list[list[str]]:
+def _groups(named: Statements, said: dict) -> list[list[str]]:
     """Return lists of theorems: together those that are said to rest on the same axioms, else each alone."""
     groups: dict[object, list[str]] = {}
-    for theorem in found:
+    for theorem in named:
         groups.setdefault(tuple(said[theorem]["axioms"]) if theorem in said else theorem, []).append(theorem)
     return list(groups.values())
 
 
-def _survey(found: Statements, groups: list[list[str]], order: list[Path]) -> str:
+def _survey(named: Statements, groups: list[list[str]], order: list[Path]) -> str:
     """Return the text of a file that prints each theorem's statements, then each group's axioms."""
     lines = ["From Coq Require Import Reals.", "From Coquelicot Require Import Coquelicot.", "Open Scope R_scope."]
     lines += [f"From Formal Require Import {' '.join(path.stem for path in order)}.", "Set Printing Width 72."]
-    for said in found.values():
+    for said in named.values():
         lines += [*(f"Check {name}." for name in said), "Check I."]
     for group in groups:
-        names = [name for theorem in group for name in found[theorem]]
+        names = [name for theorem in group for name in named[theorem]]
         lines += [f"Definition all_of_{group[0]} := ({', '.join(names)}, I)."]
         lines += [f"Print Assumptions all_of_{group[0]}.", "Check I."]
     return "\n".join([*lines, ""])
 
 
-def _read(found: Statements, groups: list[list[str]], printed: str) -> dict:
+def _read(named: Statements, groups: list[list[str]], printed: str) -> dict:
     """Return the record out of what the survey printed."""
     *parts, rest = printed.split(SEPARATOR)
-    if len(parts) != (asked := len(found) + len(groups)) or rest.strip():
-        raise NotAccepted(f"Coq printed {len(parts)} parts, not the {asked} of {len(found)} theorems")
+    if len(parts) != (asked := len(named) + len(groups)) or rest.strip():
+        raise NotAccepted(f"Coq printed {len(parts)} parts, not the {asked} of {len(named)} theorems")
     table = {}
-    for theorem, part in zip(found, parts, strict=False):
-        pieces = re.split(rf"^({'|'.join(found[theorem])})\s*:", part, flags=re.M)
-        if pieces[1::2] != list(found[theorem]):
+    for theorem, part in zip(named, parts, strict=False):
+        pieces = re.split(rf"^({'|'.join(named[theorem])})\s*:", part, flags=re.M)
+        if pieces[1::2] != list(named[theorem]):
             raise NotAccepted(f"a statement of {theorem} was not printed")
         texts = {name: _dedented(text) for name, text in zip(pieces[1::2], pieces[2::2], strict=True)}
-        clauses = {name: said for name, said in found[theorem].items() if said}
+        clauses = {name: said for name, said in named[theorem].items() if said}
         table[theorem] = {"statements": texts, "clauses": clauses}
-    for group, listed in zip(groups, parts[len(found) :], strict=True):
+    for group, listed in zip(groups, parts[len(named) :], strict=True):
         for theorem in group:
             table[theorem]["axioms"] = _axioms(", ".join(group), listed)
     return table

@@ -4,6 +4,7 @@ import ast
 import hashlib
 import json
 import sys
+import tokenize
 from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
@@ -11,8 +12,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("proofs", "renderer", "verify", "book", "tests")
 PRODUCTS = {"__pycache__", "_build", "_generated", ".ipynb_checkpoints"}
-# A module that imports by computed names can reach anything in its package.
+# A module that imports by computed names can reach anything in its package, but for the tests there.
 COMPUTED_IMPORTS = {"importlib", "pkgutil", "runpy", "__import__"}
+IMPORT_NOTHING = ("importlib.metadata", "importlib.util.find_spec")
 LAZY = "_HOMES"  # {name: the module that a package imports it from when it is first asked for}
 
 
@@ -22,6 +24,11 @@ def files_in(folder: Path) -> Iterator[Path]:
         product = PRODUCTS.intersection(path.relative_to(folder).parts)
         if path.is_file() and not product and not path.name.startswith("."):
             yield path
+
+
+def is_test(path: Path) -> bool:
+    """Whether a file is one that pytest collects or is configured by."""
+    return path.name.startswith("test_") or path.name == "conftest.py"
 
 
 def reachable(source: Path) -> set[Path]:
@@ -53,12 +60,41 @@ def followed(waiting: set[Path]) -> set[Path]:
 
 def hashes(paths: Iterable[Path]) -> dict[str, str]:
     """Path from the root → hash of the bytes, for files that exist; and the Python that runs them."""
-    table = {
-        path.relative_to(ROOT).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()[:16]
-        for path in sorted(set(paths))
-        if path.is_file()
-    }
-    return {"python": ".".join(map(str, sys.version_info[:3])), **table}
+    return {"python": ".".join(map(str, sys.version_info[:3])), **_table(paths, Path.read_bytes)}
+
+
+def code_hashes(paths: Iterable[Path]) -> dict[str, str]:
+    """Path from the root → hash of what it says, for files that exist: of Python without comments and docstrings."""
+    return _table(paths, lambda path: without_prose(path).encode() if path.suffix == ".py" else path.read_bytes())
+
+
+def _table(paths, content):
+    found = sorted(path for path in set(paths) if path.is_file())
+    return {path.relative_to(ROOT).as_posix(): hashlib.sha256(content(path)).hexdigest()[:16] for path in found}
+
+
+@cache
+def without_prose(path: Path) -> str:
+    """A Python source without its comments, its strings that are statements, and its blank lines."""
+    text = path.read_text(encoding="utf-8")
+    lines = text.splitlines()
+    for token in tokenize.generate_tokens(iter(text.splitlines(keepends=True)).__next__):
+        if token.type == tokenize.COMMENT:
+            row, column = token.start
+            lines[row - 1] = lines[row - 1][:column]
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str):
+            first, last = node.lineno - 1, node.end_lineno or node.lineno
+            if not lines[first][: node.col_offset].strip():
+                lines[first:last] = [""] * (last - first)
+    return "\n".join(line.rstrip() for line in lines if line.strip())
+
+
+def difference(before: dict[str, str], now: dict[str, str]) -> str | None:
+    """What differs between two tables of hashes, in a few words; None if nothing does."""
+    changed = [name for name in sorted(before.keys() | now.keys()) if before.get(name) != now.get(name)]
+    more = f" and {len(changed) - 1} more" if len(changed) > 1 else ""
+    return f"{changed[0]} changed{more}" if changed else None
 
 
 def key(table: dict) -> str:
@@ -74,7 +110,7 @@ def _direct_imports(path: Path) -> frozenset[Path]:
     names, computed = imported(path.read_text(encoding="utf-8"), package)
     found = {file for name in names for file in _module_files(name)}
     if computed:
-        found.update(file for file in files_in(ROOT / package[0]) if file.suffix == ".py")
+        found.update(file for file in files_in(ROOT / package[0]) if file.suffix == ".py" and not is_test(file))
     return frozenset(found)
 
 
@@ -85,17 +121,24 @@ def imported(code: str, package: tuple[str, ...] = ()) -> tuple[set[str], bool]:
     for node in ast.walk(ast.parse(code)):
         if isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
+            computed |= any(_computes(alias.name) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             base = package[: len(package) - node.level + 1] if node.level else ()
             module = ".".join([*base, *([node.module] if node.module else [])])
-            names.update([module, *(f"{module}.{alias.name}" for alias in node.names)])
+            taken = [f"{module}.{alias.name}" for alias in node.names]
+            names.update([module, *taken])
+            computed |= any(map(_computes, taken))
         elif isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == LAZY:
             homes = {".".join([*package, home]) for home in ast.literal_eval(node.value).values()}
         elif isinstance(node, ast.Name):
             computed |= node.id in COMPUTED_IMPORTS
     if homes is not None:
         return names | homes, False
-    return names, computed or any(name.split(".")[0] in COMPUTED_IMPORTS for name in names)
+    return names, computed
+
+
+def _computes(name):
+    return name.split(".")[0] in COMPUTED_IMPORTS and not name.startswith(IMPORT_NOTHING)
 
 
 @cache

@@ -1,8 +1,7 @@
 """The campaign: one operator or sign edited at random in the expressions of proofs/, and the checks must fail.
 
 Each edit is made in a copy of the tree. First it is asked whether the kernels still are what is generated; of what
-that lets pass, the rest is asked. After each stage the run writes verify/results/edited_formulas.json, {"label": …,
-"numbers": …}: commit it.
+that lets pass, the rest is asked. A run that comes to its end writes verify/results/edited_formulas.json: commit it.
 """
 
 import ast
@@ -15,10 +14,9 @@ from contextlib import contextmanager
 
 import pytest
 
-from verify.benchmark.label import label, write
+from verify.records import Run
 from verify.sources import ROOT
 
-RESULT = ROOT / "verify" / "results" / "edited_formulas.json"
 SEED, EDITS = 1978, 100
 OTHER = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult,
          ast.USub: ast.UAdd, ast.Lt: ast.Gt, ast.Gt: ast.Lt, ast.LtE: ast.Lt, ast.GtE: ast.Gt}  # fmt: skip
@@ -80,12 +78,6 @@ def passes(folder, arguments, seconds=900):
         return False
 
 
-def numbers(left, stages, seconds):
-    """Return what the book cites of a run after so many stages, whatever it found."""
-    found = {"edits": EDITS, "caught": EDITS - len(left), "left": len(left), "stages": stages, "of_stages": len(STAGES)}
-    return found | {"minutes": round(seconds / 60), "seed": SEED}
-
-
 @pytest.fixture(scope="module")
 def copy(tmp_path_factory):
     """A copy of what `pytest verify` reads."""
@@ -93,7 +85,7 @@ def copy(tmp_path_factory):
     for name in ("proofs", "renderer", "verify", "book/static", "tests/data"):
         if (ROOT / name).exists():
             shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "_build"))
-    for name in ("pyproject.toml", "book/references.bib"):
+    for name in ("pyproject.toml", "requirements.lock", "book/references.bib"):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
     return folder
@@ -106,25 +98,25 @@ def test_there_is_something_to_edit():
     assert [what for _, what in edits] == ["1: Add → Sub", "2: Lt → Gt", "2: USub → UAdd", "2: Mult → Div"]
     assert edits[0][0].splitlines()[0] == "a = x - y"
     assert len(draw()) == EDITS
-    found = {"edits": EDITS, "caught": EDITS - 1, "left": 1, "stages": 2, "of_stages": 3, "minutes": 2, "seed": SEED}
-    assert numbers([("file.py", 1)], stages=2, seconds=90) == found
 
 
 def survives(folder, path, index, stage):
     """Return whether a stage passes in the copy with a site edited; what was there is put back."""
     with edited(folder, path, index) as what:
         passed = passes(folder, stage)
-    print(f"{what}: {'passes ' + stage[0] if passed else 'caught'}", flush=True)
+    print(f"\n{what}: {'passes ' + stage[0] if passed else 'caught'}", flush=True)
     return passed
 
 
 @pytest.mark.long
 def test_no_edit_survives(copy):
     """A stage has to pass without an edit before it is asked about those that the stages before it left."""
-    left, start = draw(), time.monotonic()
-    for number, stage in enumerate(STAGES, 1):
+    from tqdm import tqdm  # which an environment for the short tests may lack
+
+    left, start, run = draw(), time.monotonic(), Run("edited_formulas")
+    for stage in STAGES:
         assert not left or passes(copy, stage), "the copy fails before any edit"
-        left = [place for place in left if survives(copy, *place, stage)]
-        found = numbers(left, number, time.monotonic() - start)
-        write(RESULT, {"label": label("sympy", "mpmath"), "numbers": found})  # a run that is cut short has found this
+        left = [place for place in tqdm(left, desc=stage[0], unit="edit") if survives(copy, *place, stage)]
+    numbers = {"edits": EDITS, "caught": EDITS - len(left), "left": len(left), "stages": len(STAGES)}
+    run.write({"numbers": numbers | {"minutes": round((time.monotonic() - start) / 60), "seed": SEED}})
     assert left == []

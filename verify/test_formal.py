@@ -82,38 +82,26 @@ def test_what_is_not_proved_is_not_accepted(tmp_path, monkeypatch):
         formal.compile_files()
 
 
-def test_files_that_cannot_be_ordered_or_are_named_as_coqs_own_are_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr(formal, "FOLDER", tmp_path)
-    (tmp_path / "One.v").write_text("From Formal Require Import Two.\n")
-    with pytest.raises(formal.NotAccepted, match="there is no Two"):
-        formal.files()
-    (tmp_path / "Two.v").write_text("From Formal Require Import One.\n")
-    with pytest.raises(formal.NotAccepted, match="require each other"):
-        formal.files()
-    axiom = "Axiom three : 1 + 1 = 3."
-    for file, text, name in (
-        ("Three", f"Module PrimFloat. {axiom} End PrimFloat.", "PrimFloat"),
-        ("Uint63", axiom, "Uint63"),
-    ):
-        (tmp_path / f"{file}.v").write_text(text)
-        with pytest.raises(formal.NotAccepted, match=f"{name}: a module of Coq's own"):
-            formal.files()
-        (tmp_path / f"{file}.v").unlink()
+AXIOM = "Axiom three : 1 + 1 = 3."
+ONE, TWO = (f"From Formal Require Import {other}.\n" for other in ("Two", "One"))
+REFUSED = [
+    ({"One": ONE}, "there is no Two"),
+    ({"One": ONE, "Two": TWO}, "require each other"),
+    ({"Three": f"Module PrimFloat. {AXIOM} End PrimFloat."}, "PrimFloat: a module of Coq's own"),
+    ({"Uint63": AXIOM}, "Uint63: a module of Coq's own"),
+    ({"Pair": 'Notation "( x , y )" := ltac:(exact I) : core_scope.'}, "could hide"),  # of the survey's (statement, I)
+    ({"Commented": f"Module (* . *) Uint63. {AXIOM} End Uint63."}, "could hide"),
+    ({"Declared": "Declare Module Uint63 : T."}, "could hide"),
+    ({"Imported": "Module Import Uint63."}, "could hide"),
+]
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        'Notation "( x , y )" := ltac:(exact I) : core_scope.',  # of the survey's (statement, I), too
-        "Module (* . *) Uint63. Axiom three : 1 + 1 = 3. End Uint63.",
-        "Declare Module Uint63 : T.",
-        "Module Import Uint63.",
-    ],
-)
-def test_what_could_hide_an_axiom_is_refused(text, tmp_path, monkeypatch):
+@pytest.mark.parametrize(("texts", "why"), REFUSED)
+def test_files_that_cannot_be_ordered_or_could_hide_an_axiom_are_refused(texts, why, tmp_path, monkeypatch):
     monkeypatch.setattr(formal, "FOLDER", tmp_path)
-    (tmp_path / "One.v").write_text(text)
-    with pytest.raises(formal.NotAccepted, match="could hide"):
+    for name, text in texts.items():
+        (tmp_path / f"{name}.v").write_text(text)
+    with pytest.raises(formal.NotAccepted, match=why):
         formal.files()
 
 

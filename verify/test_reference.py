@@ -1,8 +1,7 @@
-"""The 50-digit reference against itself with twice the digits, and the renderer's pixels against it."""
+"""The renderer's pixels against the 50-digit reference, which `verify/evaluate/test_balls.py` encloses."""
 
 import random
 
-import mpmath
 import numpy as np
 import pytest
 
@@ -21,17 +20,9 @@ SCENES = {
 COLORS = ("rgb_red", "rgb_green", "rgb_blue")
 
 
-def sampled_pixels(name, count=24):
+def sampled_pixels(name):
     rng = random.Random(name)
-    return [(rng.randrange(SIZE), rng.randrange(SIZE)) for _ in range(count)]
-
-
-@pytest.mark.parametrize("name", SCENES)
-def test_doubling_the_digits_changes_nothing(name):
-    for column, row in sampled_pixels(name, 5):
-        coarse, fine = (reference_pixel(SCENES[name], SIZE, SIZE, column, row, digits=d) for d in (50, 100))
-        for color in COLORS:
-            assert abs(coarse[color] - fine[color]) < mpmath.mpf(10) ** -48
+    return [(rng.randrange(SIZE), rng.randrange(SIZE)) for _ in range(24)]
 
 
 @pytest.mark.parametrize("name", SCENES)

@@ -18,9 +18,9 @@ from renderer.kernels import FIELDS, angles_on_a, chart
 from verify.accuracy.differences import SLOPES, Case, bounds
 
 SINE, RIDGES = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["ridges"]
-SLANTED = HeightField("slanted", Abs(sinpi(k_u * u + k_v * v)), (sinpi(k_u * u + k_v * v),))
-COSINES = replace(SINE, name="cosines", expression=cospi(k_u * u) * cospi(k_v * v))
-FOLDED = replace(COSINES, name="folded", expression=Abs(COSINES.expression), creases=(cospi(k_u * u), cospi(k_v * v)))
+SLANTED = HeightField("slanted", Abs(sinpi(k_u * u + k_v * v)))
+COSINES = HeightField("cosines", cospi(k_u * u) * cospi(k_v * v))
+FOLDED = HeightField("folded", Abs(COSINES.expression))
 COVERED = {field.name: field for field in (*(HEIGHT_FIELDS[name] for name in BOUNDS), COSINES, FOLDED)}
 
 

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 import numpy as np
 from matplotlib.figure import Figure
 
-from book.drawing.registry import Drawing
+from book.drawing.registry import Drawing, flat
 
 SUFFIXES = (".csv", ".npz")
 MOST_BYTES = 512 * 1024  # of a file of numbers; where floats would take more, the picture's 8 bits are its data
@@ -23,7 +23,7 @@ def data_file(id: str, drawing: Drawing) -> dict[str, bytes]:
 
     Raises ValueError naming the figure where an array is of another kind, missing, or too large.
     """
-    arrays = {name: _checked(id, name, values) for name, values in drawing.data.items()}
+    arrays = {name: _checked(id, name, values) for name, values in flat(drawing.data)}
     if isinstance(drawing.picture, Figure):
         _require_curves(id, drawing.picture, arrays)
         pictures = getattr(drawing.picture, "pictures", ())
@@ -53,7 +53,7 @@ def read_data(name: str, content: bytes) -> dict[str, np.ndarray]:
 
 def _checked(id: str, name: str, values) -> np.ndarray:
     array = np.asarray(values)
-    if not isinstance(name, str) or not name or not name.isprintable() or "/" in name or name.startswith("picture_"):
+    if not name or not name.isprintable() or "/" in name or name.startswith("picture_"):
         raise ValueError(f"figure {id!r}: data name {name!r}: a printable string without / that is not picture_N")
     if array.dtype.kind not in "biufU" or array.ndim == 0 or array.size == 0:
         raise ValueError(f"figure {id!r}: data {name!r} is {array.dtype} of shape {array.shape}; give an array of "

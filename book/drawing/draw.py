@@ -5,8 +5,9 @@ import pkgutil
 import sys
 import time
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from itertools import repeat
 from multiprocessing import get_context
 from pathlib import Path
 
@@ -76,35 +77,31 @@ def _families(waiting: list[Waiting]) -> list[list[Waiting]]:
 def _drawn(families: list[list[Waiting]]) -> Iterator[list[tuple[Waiting, list[str], float]]]:
     """Draw each family, in one of some processes where there are several; yield it when it is done."""
     if PROCESSES == 1 or len(families) < 2:
-        yield from map(_draw_family, families)
+        yield from map(_draw_family, families, repeat(keys.GENERATED))
         return
     # Started afresh: a fork would take over locks and threads of the renderer in whatever state they are.
     with ProcessPoolExecutor(PROCESSES, get_context("spawn")) as pool:
-        try:
-            for done in as_completed([pool.submit(_draw_family, family, keys.GENERATED) for family in families]):
-                yield done.result()
-        finally:
-            pool.shutdown(cancel_futures=True)
+        yield from pool.map(_draw_family, families, repeat(keys.GENERATED))
 
 
-def _draw_family(family: list[Waiting], folder: Path | None = None) -> list[tuple[Waiting, list[str], float]]:
+def _draw_family(family: list[Waiting], folder: Path) -> list[tuple[Waiting, list[str], float]]:
     """Draw some figures in this process: each with its files' names and its seconds.
 
     An error if one read a file of the repository that its key lacks.
     """
-    found = []
+    drawn = []
     for one in family:
         start, entry = time.perf_counter(), one.entry
         source = keys.source_file(entry).relative_to(stamps.ROOT).as_posix()
         try:
             with keys.files_read() as seen:
-                files = save.save(entry, folder or keys.GENERATED, source, stamps.key(one.sources))
+                files = save.save(entry, folder, source, stamps.key(one.sources))
             keys.require(entry, seen, one.sources)
         except Exception as error:
             error.add_note(f"while the figure {entry.id!r} was drawn")
             raise
-        found.append((one, files, time.perf_counter() - start))
-    return found
+        drawn.append((one, files, time.perf_counter() - start))
+    return drawn
 
 
 def _remove_unclaimed(figures) -> None:

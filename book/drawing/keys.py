@@ -12,6 +12,7 @@ from pathlib import Path
 
 from book.assembly import check, stamps
 from book.drawing.registry import Registered
+from verify.sources import difference
 
 GENERATED = stamps.ROOT / "book" / "_generated"
 SAVING = Path(__file__).with_name("save.py")  # how a drawing becomes files is a source of every figure
@@ -59,12 +60,7 @@ def why_redraw(entry: Registered, now: dict[str, str]) -> str | None:
     missing = [name for name in stamp["files"] if not (GENERATED / name).is_file()]
     if missing:
         return f"{missing[0]} is missing"
-    before = stamp["sources"]
-    changed = [name for name in sorted(before.keys() | now.keys()) if before.get(name) != now.get(name)]
-    if not changed:
-        return None
-    more = f" and {len(changed) - 1} more" if len(changed) > 1 else ""
-    return f"{changed[0]} changed{more}"
+    return difference(stamp["sources"], now)
 
 
 def require(entry: Registered, read: Iterable[Path], now: dict[str, str]) -> None:

@@ -8,6 +8,8 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
 
+from matplotlib.colors import to_hex, to_rgb
+
 CSS_FILE = Path(__file__).parent.parent / "static" / "palette.css"
 CSS_PIXELS_PER_INCH = 96
 TEXT_WIDTH = 640 / CSS_PIXELS_PER_INCH  # inches; the column of prose
@@ -50,22 +52,15 @@ def readable(colour: str, least: float = 4.5, against: str | None = None) -> str
     return next((c for c in mixed if contrast(c, against or colours["paper"]) >= least), colours["ink"])
 
 
-def _channels(colour: str) -> list[int]:
-    return [int(colour[i : i + 2], 16) for i in (1, 3, 5)]
-
-
 def _mix(colour: str, other: str, share: float) -> str:
-    pairs = zip(_channels(colour), _channels(other), strict=True)
-    return "#" + "".join(f"{round(a + (b - a) * share):02x}" for a, b in pairs)
+    """A colour on the straight way from one to another, in sRGB."""
+    return to_hex([a + (b - a) * share for a, b in zip(to_rgb(colour), to_rgb(other), strict=True)])
 
 
 def _luminance(colour: str) -> float:
     """Relative luminance as the Web Content Accessibility Guidelines define it."""
-    red, green, blue = (
-        c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4
-        for c in (value / 255 for value in _channels(colour))
-    )
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+    linear = [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in to_rgb(colour)]
+    return sum(weight * c for weight, c in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
 
 
 def contrast(one: str, other: str) -> float:

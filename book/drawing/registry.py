@@ -1,6 +1,6 @@
 """What a figure is: a registered function that returns a `Drawing`.
 
-    @figure("eps_sweep")
+    @figure
     def eps_sweep() -> Drawing:
         \"\"\"RMS of the difference on A against the step.\"\"\"
         ...
@@ -9,18 +9,16 @@
 A picture is a Matplotlib figure (drawn twice, for the light page and the dark one: take colours from
 `book.drawing.style.palette()`), or a uint8 array (height, width, 3 or 4), or None where only the numbers are wanted.
 `data` is what the picture shows, by name: every curve that is drawn has to be in it (`book/drawing/data.py`).
+Both may be nested: {"sine": {"rms": 0.1}} is the number sine_rms.
 """
 
-import json
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-
-from book.assembly import stamps
 
 DATA_FOLDERS = ("proofs/", "renderer/", "verify/", "book/", "tests/data/")  # those that are hashed
 
@@ -46,8 +44,13 @@ class Registered:
 FIGURES: dict[str, Registered] = {}
 
 
-def figure(id: str, data: tuple[str, ...] | list[str] = ()) -> Callable:
-    """Register the decorated function under an id; `data`: files that it reads, by path from the root."""
+def figure(id: str | Callable[[], Drawing], data: tuple[str, ...] | list[str] = ()) -> Callable:
+    """Register the decorated function under its own name or, as @figure("id"), under an id.
+
+    `data`: files that it reads, by path from the root.
+    """
+    if callable(id):
+        return figure(id.__name__)(id)
     if not re.fullmatch(r"[a-z0-9_]+", id):
         raise ValueError(f"figure id {id!r}: an id is made of a-z, 0-9 and _")
     if any(not name.startswith(DATA_FOLDERS) for name in data):
@@ -65,19 +68,23 @@ def figure(id: str, data: tuple[str, ...] | list[str] = ()) -> Callable:
     return register
 
 
+def flat(values: Mapping[str, Any], front: str = "") -> Iterator[tuple[str, Any]]:
+    """Yield (name, value) of a mapping, the names of nested ones joined by _."""
+    for name, value in values.items():
+        if isinstance(value, Mapping):
+            yield from flat(value, f"{front}{name}_")
+        else:
+            yield f"{front}{name}", value
+
+
 def plain_numbers(id: str, numbers: Mapping[str, Any]) -> dict[str, int | float | str | bool]:
     """The numbers as plain Python values; an error names the figure and the key."""
     plain = {}
-    for key, value in numbers.items():
-        if not isinstance(key, str) or not re.fullmatch(r"[^\s|`]+", key):
+    for key, value in flat(numbers):
+        if not re.fullmatch(r"[^\s|`]+", key):
             raise ValueError(f"figure {id!r}: number key {key!r} must be a string without blanks, | and `")
         value = value.item() if isinstance(value, np.generic | np.ndarray) and np.ndim(value) == 0 else value
         if not isinstance(value, bool | int | float | str) or (isinstance(value, float) and not math.isfinite(value)):
             raise ValueError(f"figure {id!r}: number {key!r} is {value!r}; give a finite number, a str or a bool")
         plain[key] = value
     return plain
-
-
-def committed(path: str) -> dict:
-    """What a committed JSON file of results holds, by its path from the root; name it in the figure's `data`."""
-    return json.loads((stamps.ROOT / path).read_text(encoding="utf-8"))

@@ -19,20 +19,19 @@ def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
     """Draw a figure: its files by suffix, and what its JSON says about them."""
     with styled():
         drawing = _called(entry)
-        numbers = plain_numbers(entry.id, drawing.numbers)
         picture = drawing.picture
         if isinstance(picture, Figure):
-            size = [round(float(inches) * CSS_PIXELS_PER_INCH) for inches in picture.get_size_inches()]
+            size = [round(inches) for inches in picture.get_size_inches() * CSS_PIXELS_PER_INCH]
             files, kind = {".svg": _svg(picture)}, "svg"
         elif picture is None:
             files, size, kind = {}, None, "numbers"
         else:
             files, size, kind = {".png": _png(entry.id, picture)}, [picture.shape[1], picture.shape[0]], "png"
-        data = data_file(entry.id, drawing)
+        numbers, data = _content(entry.id, drawing)
     if kind == "svg":
         with styled("dark"):
             again = _called(entry)
-            if plain_numbers(entry.id, again.numbers) != numbers or data_file(entry.id, again) != data:
+            if _content(entry.id, again) != (numbers, data):
                 raise ValueError(f"figure {entry.id!r} gives other numbers when it is drawn again")
             files[".dark.svg"] = _svg(again.picture)
     exact = kind == "png" or getattr(picture, "pixel_exact", False)
@@ -49,7 +48,7 @@ def save(entry: Registered, folder: Path, source: str, key: str) -> list[str]:
         write_whole(folder / f"{entry.id}{suffix}", content)
     for suffix in {".svg", ".dark.svg", ".png", *SUFFIXES} - files.keys():
         (folder / f"{entry.id}{suffix}").unlink(missing_ok=True)
-    description |= {"source": source, "function": entry.draw.__name__, "key": key}
+    description |= {"source": source, "function": entry.draw.__name__, "key": key, "reads": list(entry.data)}
     text = json.dumps(description, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     write_whole(folder / f"{entry.id}.json", text.encode())
     return [f"{entry.id}{suffix}" for suffix in (*files, ".json")]
@@ -60,6 +59,11 @@ def _called(entry: Registered) -> Drawing:
     if not isinstance(drawing, Drawing):
         raise TypeError(f"figure {entry.id!r} returned a {type(drawing).__name__}, not a Drawing")
     return drawing
+
+
+def _content(id: str, drawing: Drawing) -> tuple[dict, dict[str, bytes]]:
+    """A drawing's numbers, and its file of data by suffix."""
+    return plain_numbers(id, drawing.numbers), data_file(id, drawing)
 
 
 def _svg(fig: Figure) -> bytes:

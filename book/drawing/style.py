@@ -1,13 +1,13 @@
 """How a picture of the book looks: the two widths, the colours of the current mode, labels in place of legends.
 
-    from book.drawing.style import palette, plot, label_line_end, decades, slope_triangle
+    from book.drawing.style import curve, decades, plot, slope_triangle
     fig, ax = plot(width="text", height=3.6)
-    colour = palette()["numeric"]
-    ax.loglog(steps, errors, color=colour, marker="o")
-    label_line_end(ax, steps[-1], errors[-1], "central difference", colour)
+    curve(ax, steps, errors, "numeric", "central difference", marker="o")
+    decades(ax, 2, 2, xlabel="step ε", ylabel="error")
 
-A drawing is made once for the light page and once for the dark one, so take colours from `palette()`.
-`panels` shows the renderer's own pixels, never resampled, with their titles as type.
+A drawing is made once for the light page and once for the dark one. A `role` is a name of `palette()`, or a colour.
+`panels` shows the renderer's own pixels, never resampled, with their titles as type; `canvas` is a figure of so many
+CSS pixels, on which `pixel_axes` and `pixel_text` place by pixels from its upper left corner.
 """
 
 from collections.abc import Iterator, Sequence
@@ -26,43 +26,38 @@ from matplotlib.ticker import LogLocator, NullLocator
 from book.drawing.palette import CSS_PIXELS_PER_INCH, PAGE_WIDTH, ROLE, TEXT_WIDTH, drawing_for, palette, readable
 from renderer.picture.views import add_colour_bar
 
-__all__ = [
-    "bound_style", "decades", "label_curve", "label_line_end", "palette", "panels", "plot", "slope_triangle", "styled",
-]  # fmt: skip
-
 # Matplotlib keeps the last 50 formulas that it typeset. A plot's labels are more, and are laid out some ten times.
 MathTextParser._parse_cached = lru_cache(maxsize=None)(MathTextParser._parse_cached.__wrapped__)
 
 WIDTHS = {"text": TEXT_WIDTH, "page": PAGE_WIDTH}
+SOLID, DASHED, SHORT, DOTTED = (0, ()), (0, (5, 2)), (0, (2, 1.5)), (0, (1.5, 1.5))  # Matplotlib's linestyle=
 GAP = 12  # CSS pixels between two pictures
 TITLE = 24  # ... above them, for their titles
 BAR = 14  # the colour bar's breadth
 BAR_LABELS = 68  # the room for its numbers and its label
+COLOURED = {  # by the colour of the palette: Matplotlib's settings that have it
+    "ink": ("text.color", "axes.labelcolor", "axes.titlecolor"),
+    "rule": ("axes.edgecolor", "xtick.color", "ytick.color"),
+    "muted": ("xtick.labelcolor", "ytick.labelcolor"),
+    "grid": ("grid.color",),
+    "paper": ("figure.facecolor",),
+}
+SIDES = {  # where a label stands beside its point: its offset in points, its alignment
+    "right": ((7, 0), "left", "center"),
+    "left": ((-7, 0), "right", "center"),
+    "above": ((0, 7), "center", "bottom"),
+    "below": ((0, -7), "center", "top"),
+}
 
 
 @contextmanager
 def styled(mode: str = "light") -> Iterator[None]:
     """Matplotlib's settings for a mode, all from the book's own file and palette whatever the reader's own are."""
-    with drawing_for(mode), matplotlib.rc_context():
-        c = palette()
-        matplotlib.rcdefaults()
-        matplotlib.rcParams.update(matplotlib.rc_params_from_file(Path(__file__).with_name("matplotlibrc")))
-        matplotlib.rcParams.update(
-            {
-                "text.color": c["ink"],
-                "axes.labelcolor": c["ink"],
-                "axes.edgecolor": c["rule"],
-                "axes.titlecolor": c["ink"],
-                "xtick.color": c["rule"],
-                "ytick.color": c["rule"],
-                "xtick.labelcolor": c["muted"],
-                "ytick.labelcolor": c["muted"],
-                "grid.color": c["grid"],
-                "figure.facecolor": c["paper"],
-                "axes.facecolor": "none",
-                "axes.prop_cycle": matplotlib.cycler(color=[c[role] for role in ROLE]),
-            }
-        )
+    with drawing_for(mode), matplotlib.rc_context(fname=Path(__file__).with_name("matplotlibrc")):
+        colours = palette()
+        for role, names in COLOURED.items():
+            matplotlib.rcParams.update(dict.fromkeys(names, colours[role]))
+        matplotlib.rcParams["axes.prop_cycle"] = matplotlib.cycler(color=[colours[role] for role in ROLE])
         yield
 
 
@@ -75,46 +70,67 @@ def plot(width: str = "text", height: float = 3.9, **subplots: Any) -> tuple[Fig
     return fig, fig.subplots(**subplots)
 
 
+def colour_of(role: str) -> str:
+    """The palette's colour for a role in the current mode; any other colour is itself."""
+    return palette().get(role, role)
+
+
 def bound_style() -> dict[str, object]:
     """How a bound is drawn: dashed, black (light grey on the dark page)."""
     return {"color": palette()["bound"], "linestyle": (0, (5, 3)), "linewidth": 1.3}
 
 
-def label_line_end(ax: Axes, x: float, y: float, text: str, color: str, side: str = "right") -> None:
+def curve(ax: Axes, x: Any, y: Any, role: str, text: str = "", side: str = "right", at: float | None = None,
+          **look: Any) -> None:  # fmt: skip
+    """Draw y against x in a role's colour, a "bound" dashed; `look` goes to Line2D.
+
+    `text` stands to a side of its last point, or of the one where x is nearest to `at` by ratio.
+    """
+    ax.plot(x, y, **(bound_style() if role == "bound" else {"color": colour_of(role)}) | look)
+    if text:
+        label_curve(ax, x, y, x[-1] if at is None else at, text, role, side)
+
+
+def dots(ax: Axes, x: Any, y: Any, role: str, size: float, marker: str = "o") -> None:
+    """Draw points without a line between them."""
+    ax.plot(x, y, color=colour_of(role), linewidth=0, marker=marker, markersize=size)
+
+
+def label(ax: Axes, at: tuple[float, float], text: str, role: str, aside: tuple[float, float], **look: Any) -> None:
+    """Write text some points aside of a place, in a colour that can be read on the page; it may leave the axes."""
+    ax.annotate(text, at, xytext=aside, textcoords="offset points", color=readable(colour_of(role)),
+                annotation_clip=False, **look)  # fmt: skip
+
+
+def label_line_end(ax: Axes, x: float, y: float, text: str, role: str, side: str = "right") -> None:
     """Write a line's name beside its end, in its colour: a label in place of a legend.
 
     `side` is "right", "left", "above" or "below" of the point. Room for it is kept by the layout.
     """
-    offset, horizontal, vertical = {
-        "right": ((7, 0), "left", "center"),
-        "left": ((-7, 0), "right", "center"),
-        "above": ((0, 7), "center", "bottom"),
-        "below": ((0, -7), "center", "top"),
-    }[side]
-    # A label may leave the axes, never the figure: the layout makes room for it.
-    ax.annotate(text, (x, y), xytext=offset, textcoords="offset points", ha=horizontal, va=vertical,
-                color=readable(color), annotation_clip=False)  # fmt: skip
+    aside, horizontal, vertical = SIDES[side]
+    label(ax, (x, y), text, role, aside, ha=horizontal, va=vertical)
 
 
-def label_curve(
-    ax: Axes, x: np.ndarray, y: np.ndarray, at: float, text: str, color: str, side: str = "right", times: float = 1
-) -> None:
-    """Write a curve's name where its x is nearest to `at` by ratio, at `times` its height there."""
-    index = int(np.abs(np.log(np.asarray(x) / at)).argmin())
-    label_line_end(ax, x[index], y[index] * times, text, color, side)
+def label_curve(ax: Axes, x: Any, y: np.ndarray, at: float, text: str, role: str, side: str = "right") -> None:
+    """Write a curve's name where its x is nearest to `at` by ratio."""
+    index = np.abs(np.log(np.asarray(x) / at)).argmin()
+    label_line_end(ax, x[index], y[index], text, role, side)
 
 
-def slope_triangle(ax: Axes, x0: float, y0: float, slope: float, text: str, decades: float = 0.7) -> None:
+def slope_triangle(ax: Axes, x0: float, y0: float, slope: float, text: str = "", decades: float = 0.7) -> None:
     """A small triangle with its right angle below a line of the given slope, on log-log axes.
 
-    (x0, y0) is the triangle's left corner, `decades` its width; `text` (say "2") stands by the rise.
+    (x0, y0) is the triangle's left corner, `decades` its width; `text` stands by the rise: without one, |slope|.
     """
     x1, y1 = x0 * 10.0**decades, y0 * 10.0 ** (slope * decades)
     colour = palette()["muted"]
+    text = text or f"{abs(slope):g}".replace("0.5", "½")
     ax.plot([x0, x1, x1, x0], [y0, y0, y1, y0], color=colour, linewidth=0.8, solid_joinstyle="miter")
-    ax.annotate(text, (x1, (y0 * y1) ** 0.5), xytext=(4, 0), textcoords="offset points", va="center", color=colour)
-    ax.annotate("1", ((x0 * x1) ** 0.5, y0), xytext=(0, -3 if slope > 0 else 3), textcoords="offset points",
-                ha="center", va="top" if slope > 0 else "bottom", color=colour)  # fmt: skip
+    label(ax, (x1, (y0 * y1) ** 0.5), text, colour, (4, 0), va="center")
+    below = slope > 0
+    label(
+        ax, ((x0 * x1) ** 0.5, y0), "1", colour, (0, -3 if below else 3), ha="center", va="top" if below else "bottom"
+    )
 
 
 def decades(ax: Axes, x: int | None = 1, y: int | None = 1, **axes: Any) -> None:
@@ -131,31 +147,53 @@ def decades(ax: Axes, x: int | None = 1, y: int | None = 1, **axes: Any) -> None
     ax.set(**axes)
 
 
+def canvas(wide: float, high: float) -> Figure:
+    """A figure of so many CSS pixels, which the page shows at that size."""
+    fig = Figure(figsize=(wide / CSS_PIXELS_PER_INCH, high / CSS_PIXELS_PER_INCH), layout="none")
+    fig.pixel_exact = True
+    return fig
+
+
+def _box(fig, left, top, wide, high):
+    """A box, in CSS pixels from the figure's upper left corner, as Matplotlib takes it: from below, as shares."""
+    width, height = fig.get_size_inches() * CSS_PIXELS_PER_INCH
+    return left / width, (height - top - high) / height, wide / width, high / height
+
+
+def pixel_axes(fig: Figure, left: float, top: float, wide: float, high: float, **limits: Any) -> Axes:
+    """Axes that fill a box given in CSS pixels from the figure's upper left corner, without a frame."""
+    ax = fig.add_axes(_box(fig, left, top, wide, high))
+    ax.set_axis_off()
+    ax.set(**limits)
+    return ax
+
+
+def pixel_text(fig: Figure, left: float, top: float, text: str, role: str = "ink", va: str = "baseline") -> None:
+    """Write text whose baseline begins so many CSS pixels from the figure's upper left corner."""
+    x, y, *_ = _box(fig, left, top, 0, 0)
+    fig.text(x, y, text, va=va, color=colour_of(role))
+
+
 def panels(
     images: Sequence[np.ndarray], titles: Sequence[str] | None = None, bar: tuple[float, float] | None = None,
-    bar_label: str = "", foot: int = 0,
+    bar_label: str = "largest |ΔI| of a channel", foot: int = 0,
 ) -> Figure:  # fmt: skip
     """Pictures beside each other with their titles as type, pixel for pixel, and a log colour bar if asked.
 
     Sizes are CSS pixels, one for each pixel of a picture, so nothing is resampled; `foot` of them stay free below.
     """
-    sizes = [(image.shape[1], image.shape[0]) for image in images]
     top = TITLE if titles else 8 if bar else 0
-    tallest = max(h for _, h in sizes)
-    width = sum(w for w, _ in sizes) + GAP * (len(images) - 1) + (GAP + BAR + BAR_LABELS if bar else 0)
-    height = top + tallest + (8 if bar else 0) + foot
-    fig = Figure(figsize=(width / CSS_PIXELS_PER_INCH, height / CSS_PIXELS_PER_INCH), layout="none")
-    fig.pixel_exact = True  # the page may not scale it
+    tallest = max(len(image) for image in images)
+    width = sum(image.shape[1] + GAP for image in images) + (BAR + BAR_LABELS if bar else -GAP)
+    fig = canvas(width, top + tallest + (8 if bar else 0) + foot)
     fig.pictures = tuple(images)  # kept beside the figure, with its data
     left = 0
-    for index, (image, (w, h)) in enumerate(zip(images, sizes, strict=True)):
-        ax = fig.add_axes([left / width, (height - top - h) / height, w / width, h / height])
-        ax.imshow(image, interpolation="none", aspect="auto")
-        ax.set_axis_off()
+    for index, image in enumerate(images):
+        high, wide = image.shape[:2]
+        pixel_axes(fig, left, top, wide, high).imshow(image, interpolation="none", aspect="auto")
         if titles:
-            fig.text(left / width, 1 - 15 / height, titles[index], va="baseline", color=palette()["ink"])
-        left += w + GAP
+            pixel_text(fig, left, 15, titles[index])
+        left += wide + GAP
     if bar:
-        box = [left / width, (height - top - tallest) / height, BAR / width, tallest / height]
-        add_colour_bar(fig, box, bar, bar_label)
+        add_colour_bar(fig, _box(fig, left, top, BAR, tallest), bar, bar_label)
     return fig

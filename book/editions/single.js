@@ -2,68 +2,80 @@
 // made, when their page is first shown. Without this script all pages stand one below the other.
 "use strict";
 (() => {
-  const pages = [...document.querySelectorAll(".chapter-page")], root = document.documentElement, title = document.title;
+  /** @type {HTMLElement[]} */
+  const pages = [...document.querySelectorAll(/** @type {"div"} */ (".chapter-page"))];
+  const root = document.documentElement;
+  const title = document.title;
   const hiding = "onbeforematch" in root ? "until-found" : "";
+  /** @type {Map<Element, Promise<void>>} */
   const typeset = new Map();
-  let current = null, back = null;
+  let current = pages[0];
+  let is_shown = false;
+  /** @type {number | null} */
+  let back = null;
 
-  const plain = (text) => {
+  /** @param {string} text */
+  function plain(text) {
     try {
       return decodeURIComponent(text);
     } catch {
       return text;
     }
-  };
+  }
 
   // The element, or the page, that the address names. What follows a question mark is for the page's own scripts.
   function named() {
     const id = plain(location.hash.slice(1).split("?")[0]);
-    return document.getElementById(id) || pages.find((page) => page.dataset.page === id);
+    return document.getElementById(id) ?? pages.find((page) => page.dataset.page === id);
   }
-
-  const unpacked = (base64) => {
-    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip")));
-  };
 
   // MathJax is more than a tenth of the file, and is carried compressed.
   const typesetter = (async () => {
-    const script = document.createElement("script");
-    script.textContent = await unpacked(document.getElementById("packed-mathjax").textContent).text();
-    document.head.append(script);
+    const packed = find_element(document, "#packed-mathjax").textContent;
+    document.head.append(make_element("script", {}, await unpacked(packed).text()));
     await MathJax.startup.promise;
   })();
 
+  /** @param {Element} page */
   function mathematics(page) {
     const before = [...typeset.values()].pop();
-    if (!typeset.has(page)) typeset.set(page, Promise.all([typesetter, before]).then(() => MathJax.typesetPromise([page])));
-    return typeset.get(page);
+    const done = typeset.get(page) ?? Promise.all([typesetter, before]).then(() => MathJax.typesetPromise([page]));
+    typeset.set(page, done);
+    return done;
   }
 
-  // A dark drawing is its light neighbour with some parts replaced.
+  /** A dark drawing is its light neighbour with some parts replaced. @param {Element} page */
   function darken(page) {
     if (root.dataset.theme !== "dark") return;
-    for (const image of page.querySelectorAll("img[data-dark]")) {
-      const parts = image.previousElementSibling.getAttribute("src").split("<");
-      for (const change of image.dataset.dark.split("<").filter(Boolean)) {
-        const [, part, start, end, text] = change.match(/^(\d+) (\d+) (\d+) ([^]*)$/), old = parts[part];
-        parts[part] = old.slice(0, start) + text + old.slice(old.length - end);
+    /** @type {NodeListOf<HTMLImageElement>} */
+    const images = page.querySelectorAll("img[data-dark]");
+    for (const image of images) {
+      const parts = image.previousElementSibling?.getAttribute("src")?.split("<") ?? [];
+      for (const change of (image.dataset.dark ?? "").matchAll(/(\d+) (\d+) (\d+) ([^<]*)/g)) {
+        const [part, start, end] = change.slice(1, 4).map(Number);
+        const old = parts[part];
+        parts[part] = old.slice(0, start) + change[4] + old.slice(old.length - end);
       }
       image.src = parts.join("<");
       image.removeAttribute("data-dark");
     }
   }
 
+  /** @param {HTMLElement} page */
   function show(page) {
     current = page;
+    is_shown = true;
     for (const other of pages) {
       if (other === page) other.removeAttribute("hidden");
       else other.setAttribute("hidden", hiding);
     }
-    for (const part of document.querySelectorAll("[data-of]")) part.hidden = part.dataset.of !== page.dataset.page;
-    for (const link of document.querySelectorAll(".bd-docs-nav a")) {
+    for (const part of document.querySelectorAll("[data-of]"))
+      part.toggleAttribute("hidden", part.getAttribute("data-of") !== page.dataset.page);
+    /** @type {NodeListOf<HTMLAnchorElement>} */
+    const links = document.querySelectorAll(".bd-docs-nav a");
+    for (const link of links) {
       const here = page.contains(document.getElementById(plain(link.hash.slice(1))));
-      for (const name of ["current", "active"]) link.parentElement.classList.toggle(name, here);
+      for (const name of ["current", "active"]) link.parentElement?.classList.toggle(name, here);
       link.classList.toggle("current", here);
     }
     document.title = page === pages[0] ? title : `${page.dataset.title} — ${title}`;
@@ -72,13 +84,20 @@
     return mathematics(page);
   }
 
-  // Go where the address says: to `height` if the reader comes back, else to the element.
+  /** Go where the address says: to `height` if the reader comes back, else to the element. @param {number | null} height */
   async function go(height) {
-    const target = named(), page = (target ? target.closest(".chapter-page") || current : null) || pages[0];
+    const target = named();
+    /** @type {HTMLElement} */
+    const page = target?.closest(".chapter-page") ?? (target ? current : pages[0]);
     const top = !target || target.matches(".chapter-page, .bd-article > section");
-    const arrive = () => (height === null && !top ? target.scrollIntoView({ behavior: "instant" }) : scrollTo({ top: height || 0, behavior: "instant" }));
-    for (const dialog of document.querySelectorAll("dialog[open]")) dialog.close();
-    const fresh = !typeset.has(page), turned = page !== current, ready = turned ? show(page) : null;
+    function arrive() {
+      if (height === null && !top) target?.scrollIntoView({ behavior: "instant" });
+      else scrollTo({ top: height ?? 0, behavior: "instant" });
+    }
+    for (const dialog of document.querySelectorAll("dialog")) dialog.close();
+    const fresh = !typeset.has(page);
+    const turned = !is_shown || page !== current;
+    const ready = turned ? show(page) : null;
     if (turned || height !== null) arrive();
     const left = scrollY;
     if (!fresh) return;
@@ -86,32 +105,36 @@
     if (Math.abs(scrollY - left) < 2) arrive(); // formulas have moved the place, and the reader has not
   }
 
+  /** @param {HTMLAnchorElement} link */
   async function unpack(link) {
-    const holder = link.hash ? document.getElementById(link.hash.slice(1)) : link;
-    const saved = document.createElement("a");
-    saved.href = URL.createObjectURL(await unpacked(holder.href.split(",")[1]).blob());
-    saved.download = link.dataset.packed;
-    saved.click();
-    setTimeout(() => URL.revokeObjectURL(saved.href), 1000);
+    /** @type {HTMLAnchorElement} */
+    const holder = link.hash ? find_element(document, link.hash) : link;
+    const href = URL.createObjectURL(await unpacked(holder.href.split(",")[1]).blob());
+    make_element("a", { href, download: link.dataset.packed ?? "" }).click();
+    setTimeout(() => URL.revokeObjectURL(href), 1000);
   }
 
   document.addEventListener("click", (event) => {
-    const link = event.target.closest("a[href]");
-    if (link && link.dataset.packed && window.DecompressionStream) {
+    const link = event.target instanceof Element ? event.target.closest("a") : null;
+    const address = link?.getAttribute("href");
+    if (!link || !address) return;
+    if (link.dataset.packed && "DecompressionStream" in window) {
       event.preventDefault();
       unpack(link);
-    } else if (link && link.getAttribute("href").startsWith("#")) {
+    } else if (address.startsWith("#")) {
       history.replaceState({ height: scrollY }, ""); // for the way back
       if (link.hash === location.hash) go(null); // no change of the address will tell
     }
   });
-  window.addEventListener("popstate", (event) => (back = event.state ? event.state.height : null));
+  window.addEventListener("popstate", (event) => {
+    back = event.state ? event.state.height : null;
+  });
   window.addEventListener("hashchange", () => {
-    go(back ?? null);
+    go(back);
     back = null;
   });
   for (const page of pages) page.addEventListener("beforematch", () => page !== current && show(page));
-  new MutationObserver(() => current && darken(current)).observe(root, { attributeFilter: ["data-theme"] });
+  new MutationObserver(() => is_shown && darken(current)).observe(root, { attributeFilter: ["data-theme"] });
   // After every other script has seen the whole document.
   document.addEventListener("DOMContentLoaded", () => go(null));
   window.Chapter = { pages, shown: () => current, ready: () => mathematics(current), show };

@@ -7,18 +7,17 @@ from pathlib import Path, PurePosixPath
 from docutils import nodes
 
 from book.assembly import stamps
-from book.assembly.contents import page_files
-from book.extension.cards import Here, link
+from book.assembly.contents import placed
+from book.extension.cards import link
 from book.extension.figures import file_link
 from book.extension.listings import listing_address
-from book.extension.numbers import typeset
+from book.extension.numbers import mark, typeset
 from book.extension.results import BENCHMARK_PREFIX
+from book.extension.theorems import Here
 from book.ledger.check import refutes
 from book.ledger.entries import WORDS, Evidence
 from book.ledger.relations import relation
 from book.ledger.run import tests_in
-
-PLACED_FIGURE = re.compile(r"\{chapter-figure\}\s+(\w+)")
 
 
 def number_nodes(book: Here, piece: Evidence) -> list[nodes.Node]:
@@ -26,7 +25,8 @@ def number_nodes(book: Here, piece: Evidence) -> list[nodes.Node]:
     value = book.run.number(piece.name)
     spec = (",.0f" if isinstance(value, float) else ",") if abs(value) >= 1000 else None
     told = [nodes.Text(", where the claim has "), *in_signs(piece.claimed)] if refutes(piece, book.run) else []
-    return [_place_of_number(book, piece.name), nodes.Text(" = "), *typeset(value, spec), *told]
+    marked = mark(Path(book.env.srcdir), piece.name.partition(".")[0])
+    return [_place_of_number(book, piece.name), nodes.Text(" = "), *typeset(value, spec), *marked, *told]
 
 
 def in_signs(text: str) -> list[nodes.Node]:
@@ -56,11 +56,7 @@ def _place_of_number(book: Here, name: str) -> nodes.Node:
 @cache
 def figure_pages(book: Path) -> dict[str, str]:
     """The page on which each figure is placed."""
-    pages = {}
-    for page, path in page_files(book).items():
-        for figure in PLACED_FIGURE.findall(path.read_text(encoding="utf-8")):
-            pages[figure] = page
-    return pages
+    return dict(placed(book, "chapter-figure"))
 
 
 def test_address(node: str) -> str:

@@ -6,6 +6,8 @@
 {number}`bench:frame.time_ms|.1f`    from verify/benchmark/results/frame.json
 {spread}`bench:frame.time_ms|.1f`    its quartiles, " (1.2 to 1.4)", or nothing where the run kept none
 
+A number that was measured before the code changed has a mark, †, and the page says at its end at which commit it was.
+
 ```{benchmark-label} frame
 ```
 """
@@ -14,10 +16,11 @@ import re
 from pathlib import Path
 
 from docutils import nodes
+from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-from book.extension.elements import TEMPLATES, directive, role
-from book.extension.results import BENCHMARK_PREFIX, UnknownResult, load_result, look_up, result_file
+from book.extension.elements import TEMPLATES, directive, on, role
+from book.extension.results import BENCHMARK_PREFIX, UnknownResult, load_result, look_up, remark
 
 SYNTAX = re.compile(r"(?P<id>(?:bench:)?\w+)\.(?P<key>[^\s|]+)(?:\s*[|\s]\s*(?P<format>\S+))?")
 E_NOTATION = re.compile(r"(?P<mantissa>[+-]?\d+(?:\.\d+)?)e(?P<exponent>[+-]\d+)")
@@ -58,25 +61,43 @@ def typeset(value: int | float | str | bool, spec: str | None = None) -> list[no
 
 def measured(book: Path, name: str) -> str:
     """Where, when and at which commit a benchmark was measured, as a sentence."""
-    label = load_result(book, f"{BENCHMARK_PREFIX}{name}")["label"]
-    return f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}."
+    id = f"{BENCHMARK_PREFIX}{name}"
+    label, since = load_result(book, id)["label"], "; the code has changed since" if remark(book, id) else ""
+    return f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}{since}."
+
+
+def mark(book: Path, id: str) -> list[nodes.Node]:
+    """The mark behind a number that was measured before the code changed; nothing behind others."""
+    said = remark(book, id)
+    return [nodes.abbreviation("", "†", explanation=said, classes=["stale"])] if said else []
+
+
+@on("doctree-read")
+def explain_marks(app: Sphinx, document: nodes.document) -> None:
+    """At the end of a page, say what its marks mean: one †, two or more, for each commit that was measured."""
+    marks = [node for node in document.findall(nodes.abbreviation) if "stale" in node["classes"]]
+    for number, said in enumerate(dict.fromkeys(node["explanation"] for node in marks), start=1):
+        for node in marks:
+            if node["explanation"] == said:
+                node[:] = [nodes.Text("†" * number)]
+        text = f"{'†' * number} {said[0].upper()}{said[1:]}."
+        document.children[-1].append(nodes.paragraph("", text, classes=["stale"]))
 
 
 @role("number")
 def number(here: SphinxRole) -> list[nodes.Node]:
     """One number of a result, on one line, or one of its words."""
     book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
-    here.env.note_dependency(str(result_file(book, id)))
     value = look_up(book, id, key)
-    kept_together = [] if isinstance(value, str) else ["number"]
-    return [nodes.inline(here.rawtext, "", *typeset(value, spec), classes=kept_together)]
+    if isinstance(value, str):
+        return [nodes.inline(here.rawtext, "", *typeset(value, spec))]
+    return [nodes.inline(here.rawtext, "", *typeset(value, spec), *mark(book, id), classes=["number"])]
 
 
 @role("spread")
 def spread(here: SphinxRole) -> list[nodes.Node]:
     """The quartiles of a measured number."""
     book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
-    here.env.note_dependency(str(result_file(book, id)))
     look_up(book, id, key)
     kept = load_result(book, id)["numbers"]
     if f"{key}_low" not in kept:
@@ -87,9 +108,7 @@ def spread(here: SphinxRole) -> list[nodes.Node]:
 
 @directive("benchmark-label", arguments=1)
 def benchmark_label(here: SphinxDirective) -> list[nodes.Node]:
-    book, name = Path(here.env.srcdir), here.arguments[0]
-    here.env.note_dependency(str(result_file(book, f"{BENCHMARK_PREFIX}{name}")))
-    return [nodes.paragraph("", measured(book, name), classes=["benchmark-label"])]
+    return [nodes.paragraph("", measured(Path(here.env.srcdir), here.arguments[0]), classes=["benchmark-label"])]
 
 
 TEMPLATES.globals.update(number=typeset)

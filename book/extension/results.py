@@ -3,6 +3,8 @@
 import json
 from pathlib import Path
 
+from verify import records
+
 BENCHMARK_PREFIX = "bench:"
 
 
@@ -26,6 +28,13 @@ def result_file(book: Path, id: str) -> Path:
 
 def load_result(book: Path, id: str) -> dict:
     return json.loads(result_file(book, id).read_text(encoding="utf-8"))
+
+
+def remark(book: Path, id: str) -> str | None:
+    """What has to be said beside the numbers of an id where the code has changed since they were measured; or None."""
+    read = {result_file(book, id).relative_to(book.parent).as_posix(), *load_result(book, id).get("reads", ())}
+    said = [records.remark(name) for name, record in records.RECORDS.items() if record.path in read]
+    return "; ".join(filter(None, said)) or None
 
 
 def look_up(book: Path, id: str, key: str) -> int | float | str | bool:

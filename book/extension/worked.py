@@ -6,7 +6,6 @@ their place those of the pixel that the reader picks.
 
 import math
 
-import numpy as np
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 from sympy import Piecewise, Symbol, latex
@@ -14,7 +13,7 @@ from sympy import Piecewise, Symbol, latex
 from book.extension.elements import directive, filled
 from book.extension.figures import OPTIONS
 from book.extension.ideas import idea
-from book.idea_kernels import PIXEL, PIXEL_LINES, given, pixel_lines
+from book.idea_kernels import PIXEL, lines_at
 from proofs.formulas.symbols import TEX_NAMES
 from renderer import Scene, kernels
 
@@ -88,9 +87,7 @@ def values(scene: Scene) -> dict[str, float]:
     """Every line of the pixel that stands on paper."""
     half = kernels.image_extent(scene.eye, scene.radius)
     place = {"x": kernels.image_x(COLUMN, SIZE, SIZE, half), "y": kernels.image_y(ROW, SIZE, half)}
-    with np.errstate(all="ignore"):
-        found = pixel_lines(*((given(scene) | place)[name] for name in PIXEL_LINES["inputs"]))
-    return place | {name: float(value) for name, value in zip(PIXEL_LINES["lines"], found, strict=True)}
+    return place | lines_at(scene, **place)
 
 
 def worked_lines() -> list[dict]:

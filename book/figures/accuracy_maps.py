@@ -23,30 +23,27 @@ def _picture(units):
     return picture.repeat(ZOOM, axis=0).repeat(ZOOM, axis=1)
 
 
-def _drawing(found, **numbers) -> Drawing:
+def _drawing(errors, **numbers) -> Drawing:
     """Both maps beside each other, their medians and largest errors; the data are NaN where there is no error."""
-    errors = {name: found[name] for name in TITLES}
-    fig = panels([_picture(units) for units in errors.values()], list(TITLES.values()), bar=(LOW, HIGH),
-                 bar_label="error, in units of the rounding")  # fmt: skip
-    summaries = {}
-    for name, units in errors.items():
-        summaries[f"{name}_median"], summaries[f"{name}_most"] = maps.summary(units)
-    return Drawing(fig, numbers=summaries | numbers, data=errors)
+    pictures = [_picture(errors[name]) for name in TITLES]
+    fig = panels(pictures, list(TITLES.values()), (LOW, HIGH), "error, in units of the rounding")
+    summaries = {name: dict(zip(("median", "most"), maps.summary(errors[name]), strict=True)) for name in TITLES}
+    return Drawing(fig, summaries | numbers, {name: errors[name] for name in TITLES})
 
 
-@figure("accuracy_chart")
+@figure
 def accuracy_chart() -> Drawing:
     """The error of h_u over the chart, relative to h_u itself, in units of 2^-53: the seed's form and ours."""
     return _drawing(_chart(side=SIDE), side=SIDE)
 
 
-@figure("accuracy_image")
+@figure
 def accuracy_image() -> Drawing:
     """The error of g over sphere A, in units of 2^-53 π k: the seed's form and ours."""
     return _drawing(_image(size=SIDE, reach=1.0))
 
 
-@figure("accuracy_pole")
+@figure
 def accuracy_pole() -> Drawing:
     """The same about the pole, enlarged a thousand times."""
     return _drawing(_image(size=SIDE, reach=REACH), reach=REACH)

@@ -4,9 +4,8 @@ from functools import cache, partial
 
 import numpy as np
 
-from book.drawing.palette import CSS_PIXELS_PER_INCH, palette
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import GAP, TITLE, decades, panels, plot
+from book.drawing.style import GAP, TITLE, decades, palette, panels, pixel_axes, pixel_text, plot
 from proofs.formulas.step_bounds import TERMS
 from renderer import Scene, render
 from verify.stability import attribution
@@ -31,6 +30,7 @@ _frame = cache(partial(render, Scene(), SIDE, SIDE))
 
 @cache
 def _kinds():
+    """Return {step: the largest term's number at each pixel}."""
     return {f"{eps:.0e}": attribution.over_the_image(_frame(), eps) for eps in STEPS}
 
 
@@ -39,26 +39,27 @@ def attribution_pictures() -> Drawing:
     """The largest of the error's terms at each pixel of sphere A, at three steps, with a legend."""
     fig = panels([_picture(kinds) for kinds in _kinds().values()], [f"ε = {eps:g}" for eps in STEPS], foot=TITLE + GAP)
     _legend(fig)
-    numbers, data = {"side": SIDE}, {"kinds": list(COLOURS)}
+    numbers = {"side": SIDE}
     for eps, kinds in _kinds().items():
-        shares = attribution.shares(kinds[kinds > -2])
-        numbers |= {"pixels": int((kinds > -2).sum())}
-        numbers |= {f"{key}_{eps}": share for key, share in zip(KEYS, shares.values(), strict=True)}
-        data[f"kinds_{eps}"] = kinds
-    return Drawing(fig, numbers=numbers, data=data)
+        on_a = kinds[kinds > -2]
+        numbers["pixels"] = len(on_a)
+        numbers |= {f"{key}_{eps}": share for key, share in zip(KEYS, attribution.shares(on_a).values(), strict=True)}
+    data = {f"kinds_{eps}": kinds for eps, kinds in _kinds().items()}
+    return Drawing(fig, numbers, {"kinds": list(COLOURS)} | data)
 
 
 def _legend(fig):
     """Write the colours' names under the pictures, in the strip that is left free there."""
-    width, height = fig.get_size_inches() * CSS_PIXELS_PER_INCH
+    top, wide = TITLE + ZOOM * SIDE, len(STEPS) * (ZOOM * SIDE + GAP) - GAP
     for index, name in enumerate(COLOURS):
-        left = index * width / len(COLOURS)
-        mark = fig.add_axes([left / width, 6 / height, 14 / width, 14 / height])
-        mark.imshow(_picture(np.array([[index]])), aspect="auto")  # a facecolour would be saved transparent
+        left = index * wide / len(COLOURS)
+        mark = pixel_axes(fig, left, top + 16, 14, 14)
+        mark.set_axis_on()
         mark.set(xticks=[], yticks=[])
+        mark.imshow(_picture(np.array([[index]])), aspect="auto")  # a facecolour would be saved transparent
         for spine in mark.spines.values():
             spine.set(visible=True, color=palette()["rule"])
-        fig.text((left + 22) / width, 13 / height, name, va="center", color=palette()["ink"])
+        pixel_text(fig, left + 22, top + 23, name, va="center")
 
 
 @cache
@@ -66,18 +67,17 @@ def _shares():
     return attribution.shares_by_step(_frame(), SWEEP)
 
 
-@figure("attribution_shares")
+@figure
 def attribution_shares() -> Drawing:
     """Over random pixels of A, the share of each dominant term against the step."""
     shares = _shares()
     fig, ax = plot(height=3.6)
     parts = ax.stackplot(SWEEP, *shares.values(), colors=COLOURS.values(), linewidth=0.6, edgecolor=palette()["paper"])
-    limits = {"xlim": (SWEEP[0], SWEEP[-1]), "ylim": (0, 1)}
-    decades(ax, 2, None, **limits, xlabel="step ε", ylabel="share of A's pixels")
+    decades(ax, 2, None, xlim=(SWEEP[0], SWEEP[-1]), ylim=(0, 1), xlabel="step ε", ylabel="share of A's pixels")
     ax.set_yticks([0, 0.5, 1], ["0", "½", "1"])
     for part, hatch in zip(parts, ("", "", "////", "....", ""), strict=True):
         part.set_hatch(hatch)
     for name, (x, y) in zip(TERMS, ((3e-4, 0.5), (1e-9, 0.4), (3e-10, 0.93), (6e-2, 0.82)), strict=False):
         ax.text(x, y, name, ha="center", va="center", color="#1d1c1a", backgroundcolor=COLOURS[name])
     most = {f"{key}_most": values.max() for key, values in zip(KEYS, shares.values(), strict=True)}
-    return Drawing(fig, numbers=most | {"points": 400}, data={"step": SWEEP, **shares})
+    return Drawing(fig, most | {"points": 400}, {"step": SWEEP, **shares})

@@ -7,12 +7,11 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from book.drawing.palette import readable
-from book.drawing.registry import Drawing, committed, figure
+from book.drawing.registry import Drawing, figure
 from book.drawing.style import decades, label_line_end, palette, plot, slope_triangle
 from verify.benchmark.work_precision import best_rows
+from verify.records import RECORDS, read
 
-FRAMES = "verify/benchmark/results/frames.json"
-GRADIENTS = "verify/results/work_precision.json"
 # renderer: (label, role of its colour, dashes, threads of its thick line), the loops last
 RENDERERS = {
     "algebraic": ("exact, algebraic", "symbolic", (0, ()), 2),
@@ -56,10 +55,10 @@ def label_ends(ax: Axes, ends: Iterable[tuple[float, float, str, str]]) -> None:
         lowest = height
 
 
-@figure("time_against_pixels", data=[FRAMES])
+@figure("time_against_pixels", data=[RECORDS["frames"].path])
 def time_against_pixels() -> Drawing:
     """Time of the default frame against its pixels, every renderer, with the fitted slope of the algebraic one."""
-    numbers, colours = committed(FRAMES)["numbers"], palette()
+    numbers, colours = read("frames")["numbers"], palette()
     fig, ax = plot(height=4.6)
     ends, rows = [], []
     for renderer, (label, role, dashes, threads) in RENDERERS.items():
@@ -84,10 +83,10 @@ def around(values: Iterable[float]) -> tuple[float, float]:
     return 10.0 ** np.floor(logarithms.min() - 0.15), 10.0 ** np.ceil(logarithms.max() + 0.15)
 
 
-@figure("gradient_time_against_error", data=[GRADIENTS])
+@figure("gradient_time_against_error", data=[RECORDS["work_precision"].path])
 def gradient_time_against_error() -> Drawing:
     """Time a point against the largest error at 50 digits, each way to take the gradient of sine."""
-    rows, colours = committed(GRADIENTS)["gradients"], palette()
+    rows, colours = read("work_precision")["gradients"], palette()
     best = {row["method"]: (row["ns"], row["error"]) for row in best_rows(rows) if row["method"] in METHODS}
     fig, ax = plot(height=4.6)
     decades(ax, 1, 2, xlabel="nanoseconds a point, one thread", ylabel="largest error of $h_u$ or $h_v$")

@@ -4,12 +4,12 @@ from functools import cache
 
 import numpy as np
 
-from book.drawing.palette import readable
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import decades, label_line_end, palette, plot, slope_triangle
+from book.drawing.style import DASHED, curve, decades, label, label_line_end, plot, slope_triangle
 from verify.accuracy.frontiers import boundaries
+from verify.accuracy.orders import fitted_slope
 
-SHOWN, SIDE = 0.1, 256
+SHOWN, LARGEST, SIDE = 0.1, 0.35, 256  # two β, and the raster's side
 BETAS = np.logspace(-3, -1.5, 13)
 ORDERS = np.geomspace(0.01, 0.1, 5)
 SCENE = boundaries.SCENE
@@ -23,14 +23,14 @@ def _shadow(name):
 
 @cache
 def _edges():
-    """Return {curve: (x, y)} on the floor, which is the image plane: the outline and each shadow's edge, twice."""
+    """Return {"smooth" or "displaced": {curve: its x and y}} on the floor, the image plane: outline, shadows' edges."""
     around, curves = np.linspace(-np.pi, np.pi, 721), {}
     for kind, beta in (("smooth", 0.0), ("displaced", SHOWN)):
-        found = {"outline": (boundaries.outline(SCENE, around, beta), around)}
+        polar = {"outline": (boundaries.outline(SCENE, around, beta), around)}
         for name, light in LIGHTS.items():
             azimuths = boundaries.away_from(light, 181)
-            found[f"shadow_{name}"] = boundaries.edge(SCENE, light, azimuths, beta), azimuths
-        curves |= {f"{kind}_{name}": (s * np.cos(a), s * np.sin(a)) for name, (s, a) in found.items()}
+            polar[f"shadow_{name}"] = boundaries.edge(SCENE, light, azimuths, beta), azimuths
+        curves[kind] = {name: {"x": s * np.cos(a), "y": s * np.sin(a)} for name, (s, a) in polar.items()}
     return curves
 
 
@@ -38,49 +38,46 @@ def _edges():
 def _changed():
     """Return the pixels whose first surface is another than without β: of all for each of ORDERS, and of B at most."""
     plain = boundaries.first_surface(SCENE, 0.0, SIDE)
-    pictures = [boundaries.first_surface(SCENE, beta, SIDE) for beta in (*ORDERS, 0.35)]
+    pictures = [boundaries.first_surface(SCENE, beta, SIDE) for beta in (*ORDERS, LARGEST)]
     counts = [np.count_nonzero(picture != plain) for picture in pictures]
     return np.array(counts[:-1]), max(np.count_nonzero((p == 2) != (plain == 2)) for p in pictures)
 
 
 def _draw_map(ax):
-    """Draw the outline and the shadows' edges, smooth in grey and displaced in colour."""
-    colours, data = palette(), {}
-    ink = {"outline": colours["ink"], "shadow_first": colours["difference"], "shadow_second": colours["reference"]}
-    for name, (x, y) in _edges().items():
-        kind, what = name.split("_", 1)
-        grey = kind == "smooth"
-        ax.plot(x, y, color=colours["muted"] if grey else ink[what], linewidth=1 if grey else 1.7,
-                linestyle=(0, (4, 3)) if grey else (0, ()))  # fmt: skip
-        data |= {f"{name}_x": x, f"{name}_y": y}
+    """Draw the outline and the shadows' edges, smooth in grey and displaced in colour, with their names."""
+    for edge in _edges()["smooth"].values():
+        curve(ax, edge["x"], edge["y"], "muted", linewidth=1, linestyle=(0, (4, 3)))
+    for name, role, at, text in (
+        ("outline", "ink", (0.0, 0.2), "outline"),
+        ("shadow_first", "difference", (-0.95, -1.5), "shadow, first light"),
+        ("shadow_second", "reference", (1.2, -1.2), "second light"),
+    ):
+        edge = _edges()["displaced"][name]
+        curve(ax, edge["x"], edge["y"], role)
+        label(ax, at, text, role, (0, 0), ha="center")
     title = f"β = {SHOWN}; dashed, without"
     ax.set(aspect="equal", xlim=(-1.6, 1.7), ylim=(-1.55, 1.3), xticks=[], yticks=[], title=title)
-    labels = {"outline": (0.0, 0.2, "outline"), "shadow_first": (-0.95, -1.5, "shadow, first light"),
-              "shadow_second": (1.2, -1.2, "second light")}  # fmt: skip
-    for name, (x, y, text) in labels.items():
-        ax.annotate(text, (x, y), color=readable(ink[name]), ha="center")
-    return data
 
 
-@figure("frontier_boundaries")
+@figure
 def frontier_boundaries() -> Drawing:
     """The outline and the cast shadows of the displaced surface beside the smooth one's, and their shift against β."""
     fig, (left, right) = plot("page", height=4.2, ncols=2, width_ratios=(1, 1.15))
-    data, colours, numbers = _draw_map(left), palette(), {"shown": SHOWN, "beta": BETAS[-1], "side": SIDE}
+    _draw_map(left)
+    numbers, data = {"shown": SHOWN, "beta": BETAS[-1], "side": SIDE}, dict(_edges())
     for name, role in (("first", "difference"), ("second", "reference")):
         moved, rest = _shadow(name)
-        right.plot(BETAS, moved, color=colours[role])
-        right.plot(BETAS, rest, color=colours[role], linestyle=(0, (5, 2)))
-        data |= {f"{name}_moved": moved, f"{name}_left": rest}
-        for what, curve in (("order", moved), ("left_order", rest)):
-            numbers[f"{name}_{what}"] = np.polyfit(np.log(BETAS[:9]), np.log(curve[:9]), 1)[0]
-        numbers[f"{name}_moved"] = moved[-1]
-    label_line_end(right, BETAS[-1], _shadow("first")[0][-1], "displaced\n− smooth", colours["ink"])
-    label_line_end(right, BETAS[-1], _shadow("first")[1][-1], "less the\nfirst order", colours["ink"])
-    slope_triangle(right, 3e-3, 8e-4, 1, "1", decades=0.4)
-    slope_triangle(right, 6e-3, 5e-5, 2, "2", decades=0.4)
+        curve(right, BETAS, moved, role)
+        curve(right, BETAS, rest, role, linestyle=DASHED)
+        data[name] = {"moved": moved, "left": rest}
+        orders = {"order": fitted_slope(BETAS[:9], moved[:9]), "left_order": fitted_slope(BETAS[:9], rest[:9])}
+        numbers[name] = orders | {"moved": moved[-1]}
+    for heights, text in zip(_shadow("first"), ("displaced\n− smooth", "less the\nfirst order"), strict=True):
+        label_line_end(right, BETAS[-1], heights[-1], text, "ink")
+    slope_triangle(right, 3e-3, 8e-4, 1, decades=0.4)
+    slope_triangle(right, 6e-3, 5e-5, 2, decades=0.4)
     decades(right, 1, 1, xlabel="amplitude β", ylabel="shift of the shadow's edge, in $R$")
     changed, of_b = _changed()
-    numbers |= {"changed": int(changed[-1]), "changed_of_b": int(of_b), "largest_beta": 0.35}
-    numbers["order_of_order"] = np.polyfit(np.log(ORDERS), np.log(changed), 1)[0]
-    return Drawing(fig, numbers=numbers, data=data | {"beta": BETAS, "orders_beta": ORDERS, "orders_changed": changed})
+    numbers |= {"changed": changed[-1], "changed_of_b": of_b, "largest_beta": LARGEST}
+    numbers["order_of_order"] = fitted_slope(ORDERS, changed)
+    return Drawing(fig, numbers, data | {"beta": BETAS, "orders": {"beta": ORDERS, "changed": changed}})

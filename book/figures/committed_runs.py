@@ -1,29 +1,23 @@
-"""The committed long runs: their counts and their labels; numbers only."""
+"""The records of long runs over scenes and formulas: their counts and their labels; numbers only."""
 
-from book.drawing.registry import Drawing, committed, figure
+from book.drawing.registry import Drawing, figure
+from verify.records import RECORDS, read
 
-SCENES, CERTIFICATES = "verify/results/accepted_scenes.json", "verify/results/tampered_certificates.json"
-FORMULAS = "verify/results/edited_formulas.json"
-
-
-def _run(path, *keys) -> Drawing:
-    result = committed(path)
-    return Drawing(numbers=result["numbers"] | {key: result["label"][key] for key in keys})
+LABEL = ("processor", "python", "date", "commit")
 
 
-@figure("accepted_scenes", data=[SCENES])
+def _counts(name) -> Drawing:
+    record = read(name)
+    return Drawing(numbers=record["numbers"] | {key: record["label"][key] for key in LABEL})
+
+
+@figure("accepted_scenes", data=[RECORDS["accepted_scenes"].path])
 def accepted_scenes() -> Drawing:
     """The committed long run over random accepted scenes: its counts and its label; numbers only."""
-    return _run(SCENES, "processor", "python", "date", "commit")
+    return _counts("accepted_scenes")
 
 
-@figure("tampered_certificates", data=[CERTIFICATES])
-def tampered_certificates() -> Drawing:
-    """The committed run over false changes of every certificate: its counts and its label; numbers only."""
-    return _run(CERTIFICATES, "date", "commit")
-
-
-@figure("edited_formulas", data=[FORMULAS])
+@figure("edited_formulas", data=[RECORDS["edited_formulas"].path])
 def edited_formulas() -> Drawing:
     """The committed run over edits of the formulas: its counts and its label; numbers only."""
-    return _run(FORMULAS, "date", "commit")
+    return _counts("edited_formulas")

@@ -1,20 +1,30 @@
 """The scene: its chambers, its height fields, where the creases fall, and the shadow that the bump moves."""
 
-from dataclasses import replace
 from functools import cache
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from book.drawing.palette import CSS_PIXELS_PER_INCH, palette
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import panels, plot
-from book.figures.chapter_scene import FIELD_NAMES, FINE, MARKED, SCENE, averaged, marked_by_light, on_picture, symbolic
+from book.drawing.style import TITLE, panels, pixel_axes, pixel_text, plot
+from book.figures.chapter_scene import (
+    FIELD_NAMES,
+    FINE,
+    MARKED,
+    SCENE,
+    SIZE,
+    averaged,
+    marked_by_light,
+    on_picture,
+    symbolic,
+)
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
 from proofs.formulas.shading import floor_albedo, floor_blue, floor_dark
-from proofs.formulas.symbols import cos_phi, eye, radius, rho, rho_silhouette, sin_phi
+from proofs.formulas.symbols import eye, radius, rho_silhouette
 from renderer import Scene, height_at, render
+from renderer.generate.kernels import function_of
 from renderer.picture.views import image_view
+from verify.accuracy.frontiers import fiction
 
 BODIES = {  # surface and bit 7, the dark floor square: (name, colour where both lights arrive)
     1: ("sphere A", (0xD9, 0x6A, 0x4F)),
@@ -30,38 +40,36 @@ def _chamber_colour(body, hidden):
     return np.rint(np.array(BODIES[body][1]) * HIDDEN[hidden][1]).astype(np.uint8)
 
 
-def _chamber_legend(fig: Figure, codes: np.ndarray) -> None:
+def _chamber_legend(fig: Figure, codes: np.ndarray, top: float) -> None:
     """Write under the pictures what a colour says: a row for each body, a column for the lights that are hidden."""
-    width, height = fig.get_size_inches() * CSS_PIXELS_PER_INCH
     for column, (hidden, (name, _)) in enumerate(HIDDEN.items()):
-        left = 180 + 180 * column
-        fig.text(left / width, 112 / height, name, va="baseline", color=palette()["muted"])
+        pixel_text(fig, 180 + 180 * column, top, name, "muted")
         for row, (body, (surface, _)) in enumerate(BODIES.items()):
-            low = 82 - 25 * row
+            below = top + 14 + 25 * row
             if column == 0:
-                fig.text(4 / width, (low + 4) / height, surface, va="baseline", color=palette()["ink"])
+                pixel_text(fig, 4, below + 12, surface)
             if body | hidden in codes:
-                mark = fig.add_axes((left / width, low / height, 90 / width, 16 / height))
+                mark = pixel_axes(fig, 180 + 180 * column, below, 90, 16)
                 mark.imshow(_chamber_colour(body, hidden)[None, None], aspect="auto")
-                mark.set_axis_off()
 
 
-@figure("chambers")
+@figure
 def chambers() -> Drawing:
     """The default scene, and beside it its chambers, each in a colour of its own, with a legend."""
-    fine, codes = symbolic("ridges", 450 * FINE), np.unique(symbolic("ridges", 450).chambers)
-    colours = np.zeros((256, 3), np.uint8)
+    side = 450
+    fine, shown = symbolic("ridges", side * FINE), symbolic("ridges", side).chambers
+    codes, colours = np.unique(shown), np.zeros((256, 3), np.uint8)
     for code in codes:
         colours[code] = _chamber_colour(code & 131, code & 12)
     pictures = [averaged(image_view(fine)), averaged(colours[fine.chambers])]
     fig = panels(pictures, ("the picture", "its chambers"), foot=140)
-    _chamber_legend(fig, codes)
-    surfaces = np.bincount(symbolic().chambers.ravel() & 3, minlength=4)
-    numbers = {"count": len(codes), "pixels_a": surfaces[1], "pixels_b": surfaces[2], "pixels_floor": surfaces[3]}
-    return Drawing(fig, numbers=numbers, data={"chambers": symbolic("ridges", 450).chambers})
+    _chamber_legend(fig, codes, TITLE + side + 28)
+    _, on_a, on_b, on_floor = np.bincount(symbolic().chambers.ravel() & 3)
+    pixels = {"a": on_a, "b": on_b, "floor": on_floor}
+    return Drawing(fig, {"count": len(codes), "pixels": pixels}, {"chambers": shown})
 
 
-@figure("height_fields")
+@figure
 def height_fields() -> Drawing:
     """The three height fields on the chart, the default wave numbers."""
     fig, axes = plot(width="page", height=3.1, ncols=3, sharey=True)
@@ -73,14 +81,14 @@ def height_fields() -> Drawing:
     axes[0].set_ylabel("$v$")
     bar = fig.colorbar(image, ax=axes, label="$h$", ticks=[-1, 0, 1])
     bar.outline.set_visible(False)
-    return Drawing(fig, numbers={"ku": int(SCENE.ku), "kv": int(SCENE.kv)}, data={"u": u[0], "v": v[:, 0], **heights})
+    return Drawing(fig, {"ku": int(SCENE.ku), "kv": int(SCENE.kv)}, {"u": u[0], "v": v[:, 0], **heights})
 
 
 def _point(numbers):
     return "(" + ", ".join(f"{number:g}".replace("-", "−") for number in numbers) + ")"
 
 
-@figure("default_scene")
+@figure
 def default_scene() -> Drawing:
     """What the chapter's scene is made of, for the table in §2; numbers only."""
     names = ("radius", "eye", "ball_radius", "beta", "shininess", "ka", "kd", "ks", "floor_tint")
@@ -96,15 +104,14 @@ def default_scene() -> Drawing:
 
 def _visible_parallels():
     """Return {m: ρ} of the creases v = m/k_v that face the eye, the pole left out."""
-    angles = {m: np.pi * m / SCENE.kv for m in range(1, int(SCENE.kv))}
-    values = {m: {sin_phi: np.sin(phi), cos_phi: np.cos(phi), eye: SCENE.eye, radius: SCENE.radius}
-              for m, phi in angles.items() if np.cos(phi) > SCENE.radius / SCENE.eye}  # fmt: skip
-    return {m: float(parallel_radius.expand(rho).subs(at)) for m, at in values.items()}
+    image_radius, angles = function_of(parallel_radius), {m: np.pi * m / SCENE.kv for m in range(1, int(SCENE.kv))}
+    return {m: image_radius(np.sin(phi), np.cos(phi), SCENE.eye, SCENE.radius)
+            for m, phi in angles.items() if np.cos(phi) > SCENE.radius / SCENE.eye}  # fmt: skip
 
 
-def _draw_on_a(ax, frame, x, y, **line):
-    """Draw an image curve where sphere A is what the pixel shows; return its pixels, NaN where hidden, (2, n)."""
-    column, row = on_picture(frame, x, y)
+def _draw_on_a(ax, frame, distance, angle, **line):
+    """Draw a curve about the axis where the pixels show A; return its pixels, NaN where it is hidden, (2, n)."""
+    column, row = on_picture(frame, distance * np.cos(angle), distance * np.sin(angle))
     high, wide = frame.raster.shape
     nearest = np.clip(np.rint(row), 0, high - 1).astype(int), np.clip(np.rint(column), 0, wide - 1).astype(int)
     shown = np.array([np.where(frame.stage.on_a[nearest], column, np.nan), row])
@@ -112,7 +119,7 @@ def _draw_on_a(ax, frame, x, y, **line):
     return shown
 
 
-@figure("kink_loci")
+@figure
 def kink_loci() -> Drawing:
     """The creases of ridges over the picture: rays from the axis and a circle."""
     frame = render(SCENE, 640, 560)
@@ -121,43 +128,32 @@ def kink_loci() -> Drawing:
     limits = ax.axis()
     rim = float(silhouette_of_a.expand(rho_silhouette).subs({eye: SCENE.eye, radius: SCENE.radius}))
     angle, along = np.linspace(0, 2 * np.pi, 1441), np.linspace(0, rim, 400)
-    parallels, data = _visible_parallels(), {}
+    parallels, data = _visible_parallels(), {"circle": {}, "ray": {}}
     for m, size in parallels.items():
-        circle = size * np.cos(angle), size * np.sin(angle)
-        data[f"circle_{m}"] = _draw_on_a(ax, frame, *circle, color="#56B4E9", linewidth=1.6)
+        data["circle"][m] = _draw_on_a(ax, frame, size, angle, color="#56B4E9", linewidth=1.6)
     for m in range(int(SCENE.ku)):
         theta = 2 * np.pi * m / SCENE.ku - np.pi
-        ray = along * np.cos(theta), along * np.sin(theta)
-        data[f"ray_{m}"] = _draw_on_a(ax, frame, *ray, color="#F0E442", linewidth=1.4, linestyle=(0, (4, 3)))
+        data["ray"][m] = _draw_on_a(ax, frame, along, theta, color="#F0E442", linewidth=1.4, linestyle=(0, (4, 3)))
     for text, at in (("$u = 0$", (-rim, 0)), (f"$v = 1/{int(SCENE.kv)}$", (0, -parallels[1]))):
         ax.annotate(text, on_picture(frame, *at), xytext=(7, -15), textcoords="offset points", color="white")
     ax.axis(limits)
     numbers = {"rays": int(SCENE.ku), "circles": len(parallels), "circle_radius": parallels[1], "rim": rim}
-    return Drawing(fig, numbers=numbers, data=data)
+    return Drawing(fig, numbers, data)
 
 
 @cache
 def turned(size: int) -> list[np.ndarray]:
     """Return, for each light, the pixels of A that β turns to the light's other side, (height, width) bool."""
-    bumped = symbolic("ridges", size)
-    flat = render(replace(SCENE, beta=0.0), size, size, stage=bumped.stage)
-    sides = [(bumped.light_cosines(n) > 0, flat.light_cosines(n) > 0) for n in range(len(SCENE.lights))]
-    return [(one != other) & bumped.stage.on_a for one, other in sides]
+    return [leak | miss for leak, miss in fiction.leaks(SCENE, size)]
 
 
-@figure("attached_shadow")
+@figure
 def attached_shadow() -> Drawing:
     """The pixels of A that the bump turns away from a light, or towards it, for each light."""
     fig = marked_by_light([[(flags, (0xCC, 0x79, 0xA7))] for flags in turned(MARKED * FINE)])
-    on_a = int(symbolic().stage.on_a.sum())
-    first, second = turned(len(symbolic().rgb))
-    numbers = {
-        "beta": SCENE.beta,
-        "pixels_a": on_a,
-        "first": int(first.sum()),
-        "second": int(second.sum()),
-        "first_share": first.sum() / on_a,
-        "second_share": second.sum() / on_a,
-        "either_share": (first | second).sum() / on_a,
-    }
-    return Drawing(fig, numbers=numbers, data=dict(zip(("first", "second"), turned(MARKED), strict=True)))
+    on_a = symbolic().stage.on_a.sum()
+    first, second = turned(SIZE)
+    counts = {"first": first.sum(), "second": second.sum()}
+    shares = {f"{name}_share": count / on_a for name, count in counts.items()}
+    numbers = {"beta": SCENE.beta, "pixels_a": on_a, "either_share": (first | second).sum() / on_a}
+    return Drawing(fig, numbers | counts | shares, dict(zip(counts, turned(MARKED), strict=True)))

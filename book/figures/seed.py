@@ -3,11 +3,11 @@
 import math
 from collections.abc import Callable, Iterable
 from types import ModuleType
-from unittest.mock import patch
+from unittest.mock import Mock, patch
 
 import numpy as np
 
-from book.drawing.registry import Drawing, committed, figure
+from book.drawing.registry import Drawing, figure
 from book.figures.chapter_scene import SIZE, numeric, symbolic
 from proofs.formulas.bump import normal_by_beta, perturbed
 from proofs.formulas.chart import seed_chart
@@ -17,9 +17,10 @@ from renderer.generate.kernels import function_of
 from renderer.picture.facts import SMOOTH_POINT
 from renderer.picture.sweep import difference_on_a, rms
 from renderer.picture.views import to_bytes
+from verify.accuracy.orders import fitted_slope
 from verify.benchmark.baselines import seed_loops
+from verify.records import RECORDS, read
 
-FRAMES = "verify/benchmark/results/frames.json"
 BETA, STEP = 0.35, 1e-7  # the seed's own, in its Cell 5
 PIXEL = (90, 120)  # on sphere A, off every clamp
 FIRST_LEVEL = 0.5 / 255  # what rounds to the first of 255 levels
@@ -28,14 +29,10 @@ SMALL_STEPS = 10.0 ** -np.arange(8, 17)
 
 def calls(gradient: Callable, holder: ModuleType, names: Iterable[str], eps: float = 1e-3) -> int:
     """Return how often one of the seed's gradients, at a chart point, calls the functions of these names."""
-    made = []
-
-    def counted(function):
-        return lambda *arguments: made.append(function) or function(*arguments)
-
-    with patch.multiple(holder, **{name: counted(getattr(holder, name)) for name in names}):
+    counted = {name: Mock(wraps=getattr(holder, name)) for name in names}
+    with patch.multiple(holder, **counted):
         gradient(Scene(), 0.3, 0.4, eps)
-    return len(made)
+    return sum(function.call_count for function in counted.values())
 
 
 def chart_point(n_x: float, n_y: float) -> tuple[float, ...]:
@@ -60,37 +57,44 @@ def image_slope_ratio(steps: Iterable[float] = (1e-2, 1e-3)) -> float:
     """Return how many times the error of a central difference of red in β falls from one step to the next."""
 
     def difference(step):
-        ends = (pixel(Scene(beta=BETA + sign * step), 256, 256, *PIXEL).rgb[0] for sign in (1, -1))
-        return float(np.subtract(*ends)) / (2 * step)
+        high, low = (pixel(Scene(beta=BETA + sign * step), SIZE, SIZE, *PIXEL).rgb[0] for sign in (1, -1))
+        return (high - low) / (2 * step)
 
     finest = (4 * difference(5e-5) - difference(1e-4)) / 3  # Richardson: fourth order
     first, second = (abs(difference(step) - finest) for step in steps)
     return first / second
 
 
-@figure("seed_cells", data=[FRAMES])
+@figure("seed_times", data=[RECORDS["frames"].path])
+def seed_times() -> Drawing:
+    """How many times as long the seed's loops take by a central difference as exactly; numbers only."""
+    times = read("frames")["numbers"]
+    return Drawing(numbers={"ratio_128": times["seed_central_128_1_ms"] / times["seed_exact_128_1_ms"]})
+
+
+@figure("seed_cells")
 def seed_cells() -> Drawing:
     """The seed's cells, done again: counts, checks of derivatives, a chart point, a crease and the cliff."""
     one_sided, complex_step = normal_derivative_errors()
     u, v = chart_point(0.4, 0.35)
-    slope = float(gradient_at(Scene(), *SMOOTH_POINT, exact())[0])
-    times = committed(FRAMES)["numbers"]
+    slope = gradient_at(Scene(), *SMOOTH_POINT, exact())[0]
+    gradients = {"central": seed_loops.central_gradient, "exact": seed_loops.exact_gradient}
+    trigonometric = {name: calls(gradient, math, ["sin", "cos"]) for name, gradient in gradients.items()}
+    relative = {}
+    for eps in (1e-8, 1e-10, 1e-12, 1e-14):
+        error = abs(gradient_at(Scene(), *SMOOTH_POINT, central(eps))[0] - slope)
+        relative[f"{eps:.0e}"] = error / abs(slope)
     numbers = {
-        "heights_central": calls(seed_loops.central_gradient, seed_loops, ["height_of_field"]),
-        "heights_exact": calls(seed_loops.exact_gradient, seed_loops, ["height_of_field"]),
-        "trigonometric_ratio": calls(seed_loops.central_gradient, math, ["sin", "cos"])
-        / calls(seed_loops.exact_gradient, math, ["sin", "cos"]),
-        "time_ratio_128": times["seed_central_128_1_ms"] / times["seed_exact_128_1_ms"],
+        "heights": {name: calls(g, seed_loops, ["height_of_field"]) for name, g in gradients.items()},
+        "trigonometric_ratio": trigonometric["central"] / trigonometric["exact"],
         "one_sided": one_sided,
         "complex_step": complex_step,
         "u_of_the_normal": u,
         "v_of_the_normal": v,
         "slope_on_crease": abs(seed_loops.exact_gradient(Scene(), 0.125, SMOOTH_POINT[1])[0]),
         "image_slope_ratio": image_slope_ratio(),
+        "cliff": relative,
     }
-    for eps in (1e-8, 1e-10, 1e-12, 1e-14):
-        error = abs(float(gradient_at(Scene(), *SMOOTH_POINT, central(eps))[0]) - slope)
-        numbers[f"cliff_{eps:.0e}"] = error / abs(slope)
     return Drawing(numbers=numbers)
 
 
@@ -99,15 +103,13 @@ def flat_limits(size: int = 128) -> dict[str, float]:
     flat = render(Scene(beta=0.0), size, size).rgb
     no_height = render(Scene(field="sine", ku=0, beta=1.5), size, size).rgb
     high = render(Scene(field="sine", beta=1.5), size, size)
-    errors = {
-        eps: np.abs(render(high.scene, size, size, central(eps), stage=high.stage).rgb - high.rgb).max()
-        for eps in (1e-3, 1e-4)
-    }
+    frames = (render(high.scene, size, size, central(eps), stage=high.stage) for eps in (1e-3, 1e-4))
+    error, finer = (np.abs(frame.rgb - high.rgb).max() for frame in frames)
     return {
         "no_height": np.abs(no_height - flat).max(),
         "called_no_height": np.abs(high.rgb - flat).mean(),
-        "high_error": errors[1e-3],
-        "high_error_ratio": errors[1e-3] / errors[1e-4],
+        "high_error": error,
+        "high_error_ratio": error / finer,
     }
 
 
@@ -116,7 +118,7 @@ def first_visible_step() -> float:
     for eps in SMALL_STEPS:
         frame = render(Scene(field="sine"), SIZE, SIZE, central(eps), stage=symbolic("sine").stage)
         if 100 * np.abs(difference_on_a(frame, symbolic("sine"))).max() >= FIRST_LEVEL:
-            return float(eps)
+            return eps
     raise ValueError("no step of these reaches the first level")
 
 
@@ -124,10 +126,10 @@ def clamp_taken(eps: float) -> float:
     """Return the share of A's pixels whose v ± ε lies in the chart and whose rounded span is below 2ε all the same."""
     v = symbolic().surface_data["v"][symbolic().stage.on_a]
     v = v[(v - eps > 0) & (v + eps < 1)]
-    return float(np.mean((v + eps) - (v - eps) < 2 * eps))
+    return np.mean((v + eps) - (v - eps) < 2 * eps)
 
 
-@figure("seed_pictures")
+@figure
 def seed_pictures() -> Drawing:
     """The seed's words on its pictures against the pictures: limits, what an eye sees, where the creases part."""
     on_a = symbolic().stage.on_a
@@ -135,15 +137,15 @@ def seed_pictures() -> Drawing:
     levels = np.abs(to_bytes(small.rgb).astype(int) - to_bytes(symbolic().rgb))[on_a].max(axis=1)
     h_u, h_v = symbolic().surface_data["h_u"][on_a], symbolic().surface_data["h_v"][on_a]
     sum_of_slopes, length = np.abs(h_u) + np.abs(h_v), np.hypot(h_u, h_v)
-    steps = np.array([1e-2, 1e-3, 1e-4])
-    sine = [rms(difference_on_a(numeric("sine", eps=float(eps)), symbolic("sine"))) for eps in steps]
-    straddling, kink = large.straddling[on_a], symbolic().kink[on_a]
+    steps = (1e-2, 1e-3, 1e-4)
+    sine = [rms(difference_on_a(numeric("sine", eps=eps), symbolic("sine"))) for eps in steps]
+    straddling = large.straddling & on_a
     numbers = {
-        "off_a": float(np.abs(large.rgb - symbolic().rgb)[~on_a].max()),
-        "levels_changed": float(np.mean(levels > 0)),
-        "sum_over_length": float(np.max(sum_of_slopes[length > 0] / length[length > 0])),
-        "straddled_without_flag": float(np.mean(~kink[straddling])),
-        "sine_rms_slope": float(np.polyfit(np.log(steps), np.log(sine), 1)[0]),
+        "off_a": np.abs(large.rgb - symbolic().rgb)[~on_a].max(),
+        "levels_changed": np.mean(levels > 0),
+        "sum_over_length": np.max(sum_of_slopes[length > 0] / length[length > 0]),
+        "straddled_without_flag": np.mean(~symbolic().kink[straddling]),
+        "sine_rms_slope": fitted_slope(steps, sine),
         "first_visible": first_visible_step(),
         "clamp_1e-3": clamp_taken(1e-3),
         "clamp_1e-6": clamp_taken(1e-6),

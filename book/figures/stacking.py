@@ -20,13 +20,13 @@ def stacked_pictures() -> Drawing:
     plain, mean = stacking.stacked(Scene(), side=SHOWN), _stacked()
     pictures = [to_bytes(plain.picture), to_bytes(mean.picture), difference_logarithmic(mean.difference, LOW, HIGH)]
     titles = ("one point, one sample", "a lamp, many samples", "numeric − symbolic")
-    fig = panels(pictures, titles, bar=(LOW, HIGH), bar_label="largest |ΔI| of a channel")
+    fig = panels(pictures, titles, (LOW, HIGH))
     numbers = {"eps": stacking.EPS, "lamp_points": LAMP**2, "pixel_points": PIXEL**2, "half": stacking.HALF}
+    shares, flips = [], []
     for field in ("ridges", "sine"):
         for name, samples in WAYS.items():
-            found = stacking.stacked(Scene(field=field), **samples)
-            numbers |= {f"{field}_{name}_rms": found.rms, f"{field}_{name}_share": found.of_the_bound}
-            numbers |= {f"{field}_{name}_flips": found.flips}
-    numbers |= {"largest_share": max(value for name, value in numbers.items() if name.endswith("share"))}
-    numbers |= {"flips": sum(value for name, value in numbers.items() if name.endswith("flips"))}
-    return Drawing(fig, numbers=numbers)
+            both = stacking.stacked(Scene(field=field), **samples)
+            numbers[f"{field}_{name}"] = {"rms": both.rms, "share": both.of_the_bound, "flips": both.flips}
+            shares.append(both.of_the_bound)
+            flips.append(both.flips)
+    return Drawing(fig, numbers | {"largest_share": max(shares), "flips": sum(flips)})

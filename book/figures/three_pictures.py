@@ -3,9 +3,9 @@
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import panels
+from book.drawing.style import GAP, panels
 from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, TELLING_EPS, averaged, numeric, symbolic
-from renderer import central, exact, render, stage_of
+from renderer import central, exact, render
 from renderer.picture.sweep import difference_on_a, rms
 from renderer.picture.views import difference_logarithmic, image_view, kink_view, slope_view, to_bytes
 
@@ -13,7 +13,6 @@ LOW, HIGH = -8, 0
 SIDE, VIEW_SIDE = 264, 220
 WIDTH, HEIGHT, HERO_EPS = 928, 420, 2e-2
 SEAM = 2  # pixels of paper between the halves
-GAP = 12
 TITLES = ("numeric", "symbolic", "difference")
 
 
@@ -24,37 +23,36 @@ def _three(field, size):
 
 
 def _column(pictures):
-    """Return pictures one above another, with a gap that lets the page through: (…, width, 4)."""
-    width = pictures[0].shape[1]
-    opaque = [np.dstack([p, np.full(p.shape[:2], 255, np.uint8)]) for p in pictures]
-    gap = np.zeros((GAP, width, 4), np.uint8)
-    return np.concatenate([part for p in opaque for part in (p, gap)][:-1])
+    """Return pictures of one size one above another, with a gap that lets the page through: (…, width, 4)."""
+    column = np.zeros((len(pictures), len(pictures[0]) + GAP, pictures[0].shape[1], 4), np.uint8)
+    column[:, :-GAP] = np.insert(pictures, 3, 255, axis=3)
+    return np.concatenate(column)[:-GAP]
 
 
-@figure("three_pictures")
+def _sizes(field):
+    """Return the largest and the RMS difference of a field's pictures on A."""
+    delta = difference_on_a(numeric(field, SIDE), symbolic(field, SIDE))
+    return {"largest": np.abs(delta).max(), "rms": rms(delta)}
+
+
+@figure
 def three_pictures() -> Drawing:
     """Ridges by central differences, exactly, and the difference on a logarithmic scale."""
-    fig = panels(_three("ridges", SIDE), TITLES, bar=(LOW, HIGH), bar_label="largest |ΔI| of a channel")
-    delta = difference_on_a(numeric("ridges", SIDE), symbolic("ridges", SIDE))
-    numbers = {"eps": TELLING_EPS, "largest": np.abs(delta).max(), "rms": rms(delta), "side": SIDE}
+    fig = panels(_three("ridges", SIDE), TITLES, (LOW, HIGH))
     whole = numeric("ridges", SIDE).rgb - symbolic("ridges", SIDE).rgb
-    return Drawing(fig, numbers=numbers, data={"largest_of_a_channel": np.abs(whole).max(axis=2)})
+    numbers = {"eps": TELLING_EPS, "side": SIDE} | _sizes("ridges")
+    return Drawing(fig, numbers, {"largest_of_a_channel": np.abs(whole).max(axis=2)})
 
 
-@figure("contact_sheet")
+@figure
 def contact_sheet() -> Drawing:
     """Sine, ridges and rings, from the top: numeric, symbolic, difference."""
     rows = [_three(field, SIDE) for field in FIELD_NAMES]
-    columns = [_column([row[column] for row in rows]) for column in range(3)]
-    fig = panels(columns, TITLES, bar=(LOW, HIGH), bar_label="largest |ΔI| of a channel")
-    numbers = {"eps": TELLING_EPS}
-    for field in FIELD_NAMES:
-        delta = difference_on_a(numeric(field, SIDE), symbolic(field, SIDE))
-        numbers |= {f"{field}_rms": rms(delta), f"{field}_largest": np.abs(delta).max()}
-    return Drawing(fig, numbers=numbers)
+    fig = panels([_column(pictures) for pictures in zip(*rows, strict=True)], TITLES, (LOW, HIGH))
+    return Drawing(fig, {"eps": TELLING_EPS} | {field: _sizes(field) for field in FIELD_NAMES})
 
 
-@figure("views")
+@figure
 def views() -> Drawing:
     """The symbolic picture of ridges, its slope, its kink flags, and the pixels whose difference straddles."""
     fine, fine_step = symbolic("ridges", VIEW_SIDE * FINE), numeric("ridges", VIEW_SIDE * FINE)
@@ -63,23 +61,15 @@ def views() -> Drawing:
     pictures = [averaged(np.dstack([picture] * 3) if picture.ndim == 2 else picture) for picture in pictures]
     fig = panels(pictures, ("image", "slope |∇h|", "kink flag", "straddling"))
     frame, stepped = symbolic("ridges", VIEW_SIDE), numeric("ridges", VIEW_SIDE)
-    on_a = int(frame.stage.on_a.sum())
-    numbers = {
-        "eps": stepped.method.eps,
-        "steepest": frame.slope.max(),
-        "kink_share": frame.kink.sum() / on_a,
-        "straddling_share": stepped.straddling.sum() / on_a,
-    }
     data = {"slope": frame.slope, "kink": frame.kink, "straddling": stepped.straddling}
-    return Drawing(fig, numbers=numbers, data=data)
+    shares = {f"{name}_share": data[name].sum() / frame.stage.on_a.sum() for name in ("kink", "straddling")}
+    return Drawing(fig, {"eps": TELLING_EPS, "steepest": frame.slope.max()} | shares, data)
 
 
-@figure("hero")
+@figure
 def hero() -> Drawing:
     """The default scene, by central differences on the left of the middle and exactly on the right."""
-    stage = stage_of(SCENE, WIDTH, HEIGHT)
-    left = to_bytes(render(SCENE, WIDTH, HEIGHT, central(HERO_EPS), stage=stage).rgb)
-    right = to_bytes(render(SCENE, WIDTH, HEIGHT, exact(), stage=stage).rgb)
+    left, right = (to_bytes(render(SCENE, WIDTH, HEIGHT, method).rgb) for method in (central(HERO_EPS), exact()))
     picture = np.where(np.arange(WIDTH)[None, :, None] < WIDTH // 2, left, right)
     picture[:, WIDTH // 2 - SEAM // 2 : WIDTH // 2 + SEAM // 2] = 252
-    return Drawing(picture, numbers={"eps": HERO_EPS})
+    return Drawing(picture, {"eps": HERO_EPS})

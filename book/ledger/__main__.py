@@ -20,8 +20,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     try:
         ledger = load()
-        if found := faults_in(ledger, last_run()):
-            raise BadLedger(found)
+        if faults := faults_in(ledger, last_run()):
+            raise BadLedger(faults)
     except (BadLedger, NoReport) as error:
         print(f"ledger: {error}", file=sys.stderr)
         return 1

@@ -33,7 +33,7 @@ class BadLedger(ValueError):
 
 @dataclass(frozen=True)
 class Evidence:
-    """One piece: `kind` is theorem, number, test or source, `name` its id; `wants` the grade or the relation.
+    """One piece: `kind` is theorem, number, test or source, `name` its id; `wants` a number's relation.
 
     claimed: the relation that the claim's words give a number ("" for none). refutes: what the entry says, or None.
     """
@@ -79,6 +79,7 @@ class Ledger:
     places: dict[str, str]
 
     def get(self, id: str) -> LedgerClaim:
+        """The claim of an id; BadLedger if there is none."""
         for claim in self.claims:
             if claim.id == id:
                 return claim
@@ -96,9 +97,9 @@ def load(folder: Path = FOLDER) -> Ledger:
     faults: list[str] = []
     tables = []
     for path in sorted((folder / "claims").glob("*.toml")):
-        found = _read(path, "file", faults).get("claim", ())
-        faults += [fault for table in found for fault in _faults("claim", table, table.get("id", path.name))]
-        tables += found
+        in_file = _read(path, "file", faults).get("claim", ())
+        faults += [fault for table in in_file for fault in _faults("claim", table, table.get("id", path.name))]
+        tables += in_file
     ids = [table.get("id") for table in tables]
     faults += [f"{id}: id: two claims have it" for id in sorted({id for id in ids if id and ids.count(id) > 1})]
     places = _read(folder / "places.toml", "places", faults).get("places", {})
@@ -135,5 +136,4 @@ def _claim(table: dict) -> LedgerClaim:
 
 def _evidence(piece: dict) -> Evidence:
     kind = next(kind for kind in KINDS if kind in piece)
-    wants = piece.get("grade", piece.get("is", ""))
-    return Evidence(kind, piece[kind], wants, piece.get("claimed", ""), piece.get("refutes"))
+    return Evidence(kind, piece[kind], piece.get("is", ""), piece.get("claimed", ""), piece.get("refutes"))

@@ -2,46 +2,42 @@
 
 import operator
 import re
-from dataclasses import dataclass
+from collections.abc import Callable
+from typing import NamedTuple
 
 ALLOWED = "one of ==, !=, <, <=, >, >= and a number, or in [a, b]"
-COMPARISONS = {
+HOLDS: dict[str, Callable[..., bool]] = {
     "==": operator.eq,
     "!=": operator.ne,
     "<=": operator.le,
     ">=": operator.ge,
     "<": operator.lt,
     ">": operator.gt,
+    "in": lambda value, low, high: low <= value <= high,
 }
-_COMPARISON = re.compile(r"(==|!=|<=|>=|<|>)\s*(\S+)")
-_INTERVAL = re.compile(r"in\s*\[\s*([^\s,]+)\s*,\s*([^\s,\]]+)\s*\]")
+FORMS = (r"(==|!=|<=|>=|<|>)\s*(\S+)", r"(in)\s*\[\s*([^\s,]+)\s*,\s*([^\s,\]]+)\s*\]")
 
 
-@dataclass(frozen=True)
-class Relation:
-    """A comparison with a number, or an interval with its ends."""
+class Relation(NamedTuple):
+    """A comparison with a number, or "in" with the two ends of an interval."""
 
     sign: str
     numbers: tuple[float, ...]
 
     def holds(self, value: float) -> bool:
         """Whether a number satisfies it."""
-        if self.sign == "in":
-            low, high = self.numbers
-            return low <= value <= high
-        return COMPARISONS[self.sign](value, self.numbers[0])
+        return HOLDS[self.sign](value, *self.numbers)
 
 
 def relation(text: str) -> Relation:
     """Read a relation; ValueError says what is allowed."""
-    text = text.strip() if isinstance(text, str) else str(text)
-    try:
-        if match := _COMPARISON.fullmatch(text):
-            return Relation(match[1], (float(match[2]),))
-        if match := _INTERVAL.fullmatch(text):
-            low, high = float(match[1]), float(match[2])
-            if low <= high:
-                return Relation("in", (low, high))
-    except ValueError:
-        pass
+    for form in FORMS:
+        if match := re.fullmatch(form, str(text).strip()):
+            sign, *ends = match.groups()
+            try:
+                numbers = tuple(map(float, ends))
+            except ValueError:
+                break
+            if sorted(numbers) == list(numbers):
+                return Relation(sign, numbers)
     raise ValueError(f"{text!r} is not a relation; allowed is {ALLOWED}")

@@ -13,7 +13,7 @@ from book.extension.results import look_up
 
 BOOK = stamps.ROOT / "book"
 PAGE = BOOK / "chapter" / "s5.md"
-HEADING = re.compile(r"^### Cell (?P<number>\d+)\. (?P<title>.+)$", re.MULTILINE)
+HEADING = re.compile(r"^### Cell (\d+)\. (.+)$", re.MULTILINE)
 ROLE = re.compile(r"\{(?P<role>[\w-]+)\}`(?P<text>[^`]*)`")
 DIRECTIVE = re.compile(r"^:::\{(?P<name>[\w-]+)\} *(?P<argument>\S*)\n(?:.*\n)*?:::$", re.MULTILINE)
 
@@ -47,25 +47,24 @@ class Cell:
 @cache
 def cells() -> tuple[Cell, ...]:
     """Return the laboratory's Cells. Raises ValueError unless they are numbered from 1."""
-    found: list[tuple[int, str, list[Part]]] = []
+    started: list[tuple[int, str, list[Part]]] = []
     for piece in read_myst_markdown_notebook(PAGE.read_text(encoding="utf-8")).cells:
         if piece.cell_type == "code":
-            found[-1][2].append(Part(piece.source, True))
+            started[-1][2].append(Part(piece.source, True))
             continue
-        end = None
-        for heading in [*HEADING.finditer(piece.source), None]:
-            text = piece.source[end : heading.start() if heading else None].strip()
-            if text and found:
-                found[-1][2].append(Part(text))
-            if heading:
-                found.append((int(heading["number"]), heading["title"], []))
-                end = heading.end()
-    if [number for number, _, _ in found] != list(range(1, len(found) + 1)):
-        raise ValueError(f"cells {[number for number, _, _ in found]} of {PAGE.name} are not allowed: 1, 2, 3, …")
-    return tuple(Cell(number, title, tuple(parts)) for number, title, parts in found)
+        text, *headed = HEADING.split(piece.source)  # number, title and text of each heading
+        if started and text.strip():
+            started[-1][2].append(Part(text.strip()))
+        for number, title, text in zip(*[iter(headed)] * 3, strict=True):
+            started.append((int(number), title, [Part(text.strip())] if text.strip() else []))
+    numbers = [number for number, _, _ in started]
+    if numbers != list(range(1, len(started) + 1)):
+        raise ValueError(f"cells {numbers} of {PAGE.name} are not allowed: 1, 2, 3, …")
+    return tuple(Cell(number, title, tuple(parts)) for number, title, parts in started)
 
 
 def number(text: str) -> str:
+    """Return a figure's number in the format that a role's text asks for."""
     id, key, spec = parse(text)
     return formatted(look_up(BOOK, id, key), spec)
 

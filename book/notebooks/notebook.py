@@ -1,13 +1,12 @@
 """The notebooks: the laboratory's cells as they stand on the page, each alone and all eight together."""
 
 import json
-import tomllib
 
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
-from book.assembly import stamps
 from book.notebooks import WHOLE
 from book.notebooks.laboratory import cells, plain
+from book.releases.record import version
 
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 ABOUT = (
@@ -17,23 +16,22 @@ ABOUT = (
 
 
 def _notebook(title: str, body: list[dict]) -> dict:
-    project = tomllib.loads((stamps.ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    top = new_markdown_cell(f"# {title}\n\n{ABOUT.format(version=project['version'])}")
+    top = new_markdown_cell(f"# {title}\n\n{ABOUT.format(version=version())}")
     every = [cell | {"id": f"cell-{number}"} for number, cell in enumerate([top, *body])]
     return new_notebook(cells=every, metadata={"kernelspec": KERNEL})
 
 
 def notebooks() -> dict[str, dict]:
     """Return {name: notebook}, nine of them."""
-    found: dict[str, dict] = {}
+    alone: dict[str, dict] = {}
     everything: list[dict] = []
     for cell in cells():
         title = f"Cell {cell.number}. {cell.title}"
         body = [new_code_cell(p.text) if p.is_code else new_markdown_cell(plain(p.text)) for p in cell.parts]
         body = [part for part in body if part["source"]]
-        found[cell.name] = _notebook(title, body)
+        alone[cell.name] = _notebook(title, body)
         everything += [new_markdown_cell(f"## {title}"), *body]
-    return found | {WHOLE: _notebook("The laboratory", everything)}
+    return alone | {WHOLE: _notebook("The laboratory", everything)}
 
 
 def text_of(notebook: dict) -> str:

@@ -4,7 +4,7 @@
         ...
         m = beta*g + normal
 
-A vector is an array whose first axis is x, y, z; `dot` is its scalar product. Names in GIVEN are the cell's own.
+A vector is an array whose first axis is x, y, z; `dot` is its scalar product. The wave numbers are the cell's own.
 """
 
 import re
@@ -19,12 +19,12 @@ from proofs.formulas import bump, displacement, image_derivative, shading
 from proofs.formulas.chart import chart, chart_inverse
 from proofs.formulas.finite_difference import central
 from proofs.formulas.half_turns import ordinary
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient, height
+from proofs.formulas.height_fields import HEIGHT_FIELDS, AnyField, gradient, height
 from proofs.formulas.symbols import u, v
 from proofs.formulas.tangent_frame import seed_frame, tangent_frame
 
 WIDTH = 78  # characters of a line that a column of the page shows
-GIVEN = ("k_u", "k_v")
+WAVE_NUMBERS = ("k_u", "k_v")  # names that a cell has of its own
 AXES = ("_x", "_y", "_z")
 DOT = Function("dot")
 NAMES = {"Abs": "abs", "Max": "maximum", "Min": "minimum", "atan2": "arctan2"}
@@ -85,7 +85,7 @@ def _with_dots(expression: Expr) -> Expr:
 def _lines(program: Program) -> list[str]:
     """Return the definitions of a program, a line each; the three of a vector are one."""
     needed = program.reaches(*program.outputs)
-    printer, found = ReadablePrinter({"order": "lex"}), []
+    printer, lines = ReadablePrinter({"order": "lex"}), []
     waiting = [line for line in program.definitions if line[0] in needed]
     while waiting:
         symbol, expression = waiting.pop(0)
@@ -99,14 +99,14 @@ def _lines(program: Program) -> list[str]:
         else:
             zero = f"0*{printer.doprint(max(parts[0].free_symbols, key=str))}"  # of the other components' shape
             text = f"np.array([{', '.join(printer.doprint(part) if part else zero for part in parts)}])"
-        found.append(f"{name[:-2] if vector else name} = {text}")
-    return found
+        lines.append(f"{name[:-2] if vector else name} = {text}")
+    return lines
 
 
 def _names(symbols: Iterable[Symbol]) -> list[str]:
     """Return the names of some symbols, each vector once."""
-    found = [s.name.removesuffix("_x") for s in symbols if not s.name.endswith(AXES[1:])]
-    return [name for name in found if name not in GIVEN]
+    names = [s.name.removesuffix("_x") for s in symbols if not s.name.endswith(AXES[1:])]
+    return [name for name in names if name not in WAVE_NUMBERS]
 
 
 def function(name: str, program: Program) -> str:
@@ -121,7 +121,7 @@ def function(name: str, program: Program) -> str:
     return "\n".join("\n".join(wrap(line, WIDTH, subsequent_indent=" " * 8)) for line in text)
 
 
-_any = HeightField("any", Function("height")(u, v))
+_any = AnyField("any", Function("height")(u, v))
 _lit = chain(
     "red_and_its_derivative",
     bump.normal_by_beta,

@@ -5,7 +5,7 @@ import shutil
 from PIL import Image
 
 from book.assembly import stamps
-from book.releases import compare, kept, notes, record
+from book.releases import archive, compare, notes, record
 
 OUT = stamps.ROOT / "book" / "_build" / "release"
 
@@ -13,11 +13,11 @@ OUT = stamps.ROOT / "book" / "_build" / "release"
 def release_notes(now: dict | None = None, against: str | None = None) -> int:
     """Print and write what moved since the last release; 1 if the changelog has to name something that it does not."""
     now = now or record.make()
-    version = against or kept.before(now["version"])
-    then = kept.read(version)
+    version = against or archive.before(now["version"])
+    then = archive.read(version)
     mathematics = compare.theorems(then["theorems"], now["theorems"])
-    numbers = compare.numbers(_all_numbers(then), _all_numbers(now))
-    pictures = compare.pictures(then["pictures"], now["pictures"], kept.RELEASES / version, record.GENERATED)
+    numbers = compare.numbers(all_numbers(then), all_numbers(now))
+    pictures = compare.pictures(then["pictures"], now["pictures"], archive.RELEASES / version, record.GENERATED)
     missing = notes.unnamed([*mathematics, *numbers], notes.section(now["version"]))
     shutil.rmtree(OUT, ignore_errors=True)
     OUT.mkdir(parents=True)
@@ -34,15 +34,16 @@ def release_notes(now: dict | None = None, against: str | None = None) -> int:
 def release() -> int:
     """Write the record and the pictures of this version, unless something has to be named first; the exit status."""
     now = record.make()
-    if kept.versions() and release_notes(now):
+    if archive.versions() and release_notes(now):
         print(f"Not written: name these in CHANGELOG.md under {now['version']} and say why.")
         return 1
-    path = kept.write(now)
-    print(f"Wrote {path.parent.name}/{path.name}: {len(now['theorems'])} theorems, {len(_all_numbers(now))} numbers, "
+    path = archive.write(now)
+    print(f"Wrote {path.parent.name}/{path.name}: {len(now['theorems'])} theorems, {len(all_numbers(now))} numbers, "
           f"{len(now['pictures'])} pictures")  # fmt: skip
     return 0
 
 
-def _all_numbers(of: dict) -> dict[str, dict]:
+def all_numbers(of: dict) -> dict[str, dict]:
+    """The numbers of a record's figures and of its measurements, by their names."""
     measured = (numbers for result in of["measured"].values() for numbers in result["numbers"].items())
     return of["numbers"] | dict(measured)

@@ -1,14 +1,14 @@
 """What moved between two records: theorems, numbers, pictures. Nothing here judges; `notes` does."""
 
-import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
-from book.releases.pictures import CANVAS, arrays_of
+from book.releases.pictures import CANVAS, arrays_of, data_name
 from book.releases.tolerances import is_within
+from renderer.picture.sweep import rms
 from verify.checkers.grades import STANDING
 
 
@@ -26,14 +26,15 @@ class Change:
     difference: np.ndarray | None = field(default=None, compare=False)
 
 
-def _come_and_gone(before: dict, after: dict, words: Callable[[dict], str], named: bool = False) -> list[Change]:
-    """What is in one record alone; named: what is gone must be named."""
-    added = [Change(id, "added", words(after[id])) for id in after.keys() - before.keys()]
-    return added + [Change(id, "removed", words(before[id]), named) for id in before.keys() - after.keys()]
-
-
-def _in_order(found: list[Change]) -> list[Change]:
-    return sorted(found, key=lambda change: (change.kind, change.id))
+def _compared(
+    before: dict, after: dict, words: Callable[[dict], str], both: Callable[..., Iterator[Change]], named: bool = False
+) -> list[Change]:
+    """What is in one record alone, in `words`, and `both(id, old, new)` of the rest; named: what is gone must be."""
+    changes = [Change(id, "added", words(after[id])) for id in after.keys() - before.keys()]
+    changes += [Change(id, "removed", words(before[id]), named) for id in before.keys() - after.keys()]
+    for id in before.keys() & after.keys():
+        changes += both(id, before[id], after[id])
+    return sorted(changes, key=lambda change: (change.kind, change.id))
 
 
 def standing(theorem: dict) -> tuple[int, int]:
@@ -49,32 +50,33 @@ def grade_words(theorem: dict) -> str:
 
 def theorems(before: dict, after: dict) -> list[Change]:
     """Theorems added, removed, weakened, strengthened, and stated in other words."""
-    found = _come_and_gone(before, after, grade_words, named=True)
-    for id in before.keys() & after.keys():
-        old, new = before[id], after[id]
-        words = f"{grade_words(old)} → {grade_words(new)}"
-        if standing(new) != standing(old):
-            weaker = standing(new) > standing(old)
-            found.append(Change(id, "weakened" if weaker else "strengthened", words, weaker))
-        elif new["given"] != old["given"]:
-            found.append(Change(id, "restated", words))
-        if new["statement"] != old["statement"]:
-            found.append(Change(id, "restated", f"“{old['statement']}” → “{new['statement']}”"))
-    return _in_order(found)
+    return _compared(before, after, grade_words, _theorem, named=True)
+
+
+def _theorem(id: str, old: dict, new: dict) -> Iterator[Change]:
+    words = f"{grade_words(old)} → {grade_words(new)}"
+    if standing(new) != standing(old):
+        weaker = standing(new) > standing(old)
+        yield Change(id, "weakened" if weaker else "strengthened", words, weaker)
+    elif new["given"] != old["given"]:
+        yield Change(id, "restated", words)
+    if new["statement"] != old["statement"]:
+        yield Change(id, "restated", f"“{old['statement']}” → “{new['statement']}”")
 
 
 def numbers(before: dict, after: dict) -> list[Change]:
-    """Numbers added, removed and moved; out of tolerance where they moved further than both records allow."""
-    found = _come_and_gone(before, after, lambda entry: str(entry["value"]))
-    for id in before.keys() & after.keys():
-        old, new = before[id]["value"], after[id]["value"]
-        if old == new and type(old) is type(new):
-            continue
-        allowed = before[id]["tolerance"]  # as it was stated: nobody widens it afterwards
-        good, stated = is_within(old, new, allowed), f"{allowed:g} relative" if isinstance(allowed, float) else allowed
-        words = f"{old} → {new}, {how_far(old, new)}; tolerance {stated or 'exact'}"
-        found.append(Change(id, "moved" if good else "out of tolerance", words, not good))
-    return _in_order(found)
+    """Numbers added, removed and moved; out of tolerance where they moved further than the older record allows."""
+    return _compared(before, after, lambda entry: str(entry["value"]), _number)
+
+
+def _number(id: str, before: dict, after: dict) -> Iterator[Change]:
+    old, new = before["value"], after["value"]
+    if old == new and type(old) is type(new):
+        return
+    allowed = before["tolerance"]  # as it was stated: nobody widens it afterwards
+    good, stated = is_within(old, new, allowed), f"{allowed:g} relative" if isinstance(allowed, float) else allowed
+    words = f"{old} → {new}, {how_far(old, new)}; tolerance {stated or 'exact'}"
+    yield Change(id, "moved" if good else "out of tolerance", words, not good)
 
 
 def how_far(old: int | float | str | bool, new: int | float | str | bool) -> str:
@@ -86,29 +88,30 @@ def how_far(old: int | float | str | bool, new: int | float | str | bool) -> str
     return f"{100 * (new - old) / abs(old):+.3g} %" if old else "from zero"
 
 
-def pictures(before: dict, after: dict, kept: Path, generated: Path) -> list[Change]:
+def pictures(before: dict, after: dict, archived: Path, generated: Path) -> list[Change]:
     """Pictures added, removed, changed, and drawn otherwise from the same pixels or numbers.
 
-    `kept` is the folder of the release before, `generated` the one with the figures and data as drawn now.
+    `archived` is the folder of the release before, `generated` the one with the figures and data as drawn now.
     """
-    found = _come_and_gone(before, after, lambda picture: "")
-    for id in before.keys() & after.keys():
-        old, new = before[id], after[id]
+
+    def picture(id, old, new):
         if old["content"] != new["content"]:
-            data = next(name for name in new["files"] if name.endswith((".csv", ".npz")))
-            found.append(_changed(id, arrays_of(kept / old["kept"]), arrays_of(generated / data)))
+            yield _changed(id, arrays_of(archived / old["kept"]), arrays_of(generated / data_name(new)))
         elif old["files"] != new["files"]:
-            names = [n for n in sorted(old["files"] | new["files"]) if old["files"].get(n) != new["files"].get(n)]
+            names = sorted({name for name, _ in old["files"].items() ^ new["files"].items()})
             what = "pixels" if new["kept"].endswith(".png") else "numbers"
-            found.append(Change(id, "drawn otherwise", f"the same {what}, other bytes: {', '.join(names)}"))
-    return _in_order(found)
+            yield Change(id, "drawn otherwise", f"the same {what}, other bytes: {', '.join(names)}")
+
+    return _compared(before, after, lambda picture: "", picture)
 
 
 def _changed(id: str, old: dict[str, np.ndarray], new: dict[str, np.ndarray]) -> Change:
-    shapes = [{name: (array.shape, array.dtype.kind) for name, array in arrays.items()} for arrays in (old, new)]
-    if shapes[0] != shapes[1]:
-        sizes = [", ".join(f"{n} {'×'.join(map(str, a.shape))}" for n, a in arrays.items()) for arrays in (old, new)]
-        return Change(id, "changed", f"other arrays: {sizes[0]} → {sizes[1]}")
+    before, after = (
+        ", ".join(f"{name} {'×'.join(map(str, array.shape))} {array.dtype.kind}" for name, array in arrays.items())
+        for arrays in (old, new)
+    )
+    if before != after:
+        return Change(id, "changed", f"other arrays: {before} → {after}")
     if CANVAS in old:
         apart = np.abs(old[CANVAS].astype(int) - new[CANVAS]).max(axis=2)
         words = f"largest difference {apart.max()}/255, RMS {rms(apart):.3g}/255, {np.count_nonzero(apart):,} of "
@@ -128,7 +131,3 @@ def relative(old: np.ndarray, new: np.ndarray) -> np.ndarray:
     with np.errstate(invalid="ignore", divide="ignore"):
         apart = np.where(old == new, 0.0, np.abs(old - new) / scale)
     return np.where(np.isnan(old) & np.isnan(new), 0.0, np.nan_to_num(apart, nan=1.0, posinf=1.0))
-
-
-def rms(apart: np.ndarray) -> float:
-    return math.sqrt(np.mean(np.square(apart, dtype=float)))

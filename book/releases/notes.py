@@ -40,10 +40,10 @@ def written(
 ) -> str:
     """The notes: the mathematics, the numbers, the pictures; at the end what the changelog has to name."""
     parts = [f"# {title}"]
-    found = {"Theorems": (mathematics, THEOREMS), "Numbers": (numbers, NUMBERS), "Pictures": (pictures, PICTURES)}
-    for heading, (changes, kinds) in found.items():
+    changed = {"Theorems": (mathematics, THEOREMS), "Numbers": (numbers, NUMBERS), "Pictures": (pictures, PICTURES)}
+    for heading, (changes, kinds) in changed.items():
         if changes:
-            parts += [f"## {heading}", *(text for kind in kinds if (text := _list(changes, kind)))]
+            parts += [f"## {heading}", *filter(None, (_list(changes, kind) for kind in kinds))]
     if len(parts) == 1:
         parts.append("Nothing moved.")
     if missing:

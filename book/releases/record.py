@@ -10,7 +10,7 @@ import tomllib
 from pathlib import Path
 
 from book.assembly import report, stamps
-from book.releases.pictures import kept_file
+from book.releases.pictures import archive_file
 from book.releases.tolerances import tolerance
 
 GENERATED = stamps.ROOT / "book" / "_generated"
@@ -62,12 +62,7 @@ def _measured(path: Path) -> dict:
 
 def _digests(figure: dict) -> dict:
     """The digests of a picture: of its files, and of the pixels or plotted numbers that a release keeps of it."""
-    id = figure["id"]
-    drawn = [f"{id}{suffix}" for suffix in (".svg", ".dark.svg", ".png") if (GENERATED / f"{id}{suffix}").is_file()]
-    kept, content = kept_file(GENERATED / figure["data"])
-    files = {name: _sha256((GENERATED / name).read_bytes()) for name in (*drawn, figure["data"])}
-    return {"files": files, "kept": kept, "content": content}
-
-
-def _sha256(content: bytes) -> str:
-    return hashlib.sha256(content).hexdigest()
+    name, content = archive_file(GENERATED / figure["data"])
+    paths = (path for path in GENERATED.glob(f"{figure['id']}.*") if path.suffix != ".json")
+    files = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in paths}
+    return {"files": files, "kept": name, "content": content}

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping
+from itertools import zip_longest
 from pathlib import Path
 
 from book.assembly import stamps
@@ -23,20 +24,14 @@ def differences(one: Path, other: Path) -> list[str]:
     here, there = files_of(one), files_of(other)
     if not here or not there:
         raise ValueError(f"{one if not here else other} has no files: nothing was built there")
-    found = [f"{name}: only in {one}" for name in here.keys() - there.keys()]
-    found += [f"{name}: only in {other}" for name in there.keys() - here.keys()]
+    lines = [f"{name}: only in {one if name in here else other}" for name in here.keys() ^ there.keys()]
     for name in here.keys() & there.keys():
         first, second = here[name].read_bytes(), there[name].read_bytes()
         if first != second:
-            found.append(f"{name}: {_first_difference(first, second)}")
-    return sorted(found)
-
-
-def _first_difference(first: bytes, second: bytes) -> str:
-    length = min(len(first), len(second))
-    at = next((i for i in range(length) if first[i] != second[i]), length)
-    start = max(0, at - AROUND)
-    return f"differs from byte {at} on: {first[start : at + AROUND]!r} and {second[start : at + AROUND]!r}"
+            at = next(i for i, (a, b) in enumerate(zip_longest(first, second)) if a != b)
+            seen = slice(max(0, at - AROUND), at + AROUND)
+            lines.append(f"{name}: differs from byte {at} on: {first[seen]!r} and {second[seen]!r}")
+    return sorted(lines)
 
 
 def knows_git(root: Path) -> bool:
@@ -66,8 +61,8 @@ def elsewhere(folder: Path) -> Mapping[str, str]:
     home = folder / "another home"
     home.mkdir()
     unwanted = ("XDG_", "MPLCONFIGDIR", "PYTHONPATH", "IPYTHONDIR", "JUPYTER_")
-    kept = {name: value for name, value in os.environ.items() if not name.startswith(unwanted)}
-    return kept | {"HOME": str(home), "TZ": "Asia/Kathmandu", "PYTHONHASHSEED": "12345", "LC_ALL": "C.UTF-8"}
+    environment = {name: value for name, value in os.environ.items() if not name.startswith(unwanted)}
+    return environment | {"HOME": str(home), "TZ": "Asia/Kathmandu", "PYTHONHASHSEED": "12345", "LC_ALL": "C.UTF-8"}
 
 
 def same_bytes() -> int:
@@ -77,9 +72,7 @@ def same_bytes() -> int:
         target = folder / "the book, elsewhere"
         clone(stamps.ROOT, target)
         subprocess.run([sys.executable, "-m", "book"], cwd=target, env=elsewhere(folder), check=True)
-        found, files = [], 0
-        for part in COMPARED:
-            found += [f"{part}/{line}" for line in differences(stamps.ROOT / part, target / part)]
-            files += len(files_of(stamps.ROOT / part))
-    print("\n".join(found) or f"{files} files, built in two folders, agree in every byte")
-    return 1 if found else 0
+        lines = [f"{part}/{line}" for part in COMPARED for line in differences(stamps.ROOT / part, target / part)]
+        files = sum(len(files_of(stamps.ROOT / part)) for part in COMPARED)
+    print("\n".join(lines) or f"{files} files, built in two folders, agree in every byte")
+    return 1 if lines else 0

@@ -1,27 +1,34 @@
 // Under each page that the search has found: the first sentence with the most of its words, and a link to its section.
 "use strict";
 addEventListener("DOMContentLoaded", () => {
-  const results = document.getElementById("search-results"), query = new URLSearchParams(location.search).get("q") ?? "";
-  const stemmer = new Stemmer(), words = splitQuery(query.toLowerCase()).flatMap((word) => [word, stemmer.stemWord(word)]);
-  const count = (text) => words.filter((word) => text.toLowerCase().includes(word)).length;
-  const better = (best, found) => (found.count > best.count ? found : best);
+  const results = find_element(document, "#search-results");
+  const query = new URLSearchParams(location.search).get("q") ?? "";
+  const stemmer = new Stemmer();
+  const words = splitQuery(query.toLowerCase()).flatMap((word) => [word, stemmer.stemWord(word)]);
 
-  function sentence(page) {
-    const found = (SearchText[page] ?? []).map(([id, text]) => ({ id, text, count: count(text) })).reduce(better, { count: 0 });
-    if (!found.count) return null;
-    const sentences = found.text.split(/(?<=[.!?]) (?=[\p{Lu}\\“(])/u).map((text) => ({ text, count: count(text) }));
-    return { id: found.id, text: sentences.reduce(better).text };
+  /** @param {string} text */
+  const count = (text) => words.filter((word) => text.toLowerCase().includes(word)).length;
+
+  /** The first text with the most words, of some with what belongs to them. @param {[string, string][]} texts */
+  const best_of = (texts) => texts.reduce((best, found) => (count(found[1]) > count(best[1]) ? found : best), ["", ""]);
+
+  /** @param {string} page */
+  function best_sentence(page) {
+    const [id, paragraph] = best_of(SearchText[page] ?? []);
+    const sentences = paragraph.split(/(?<=[.!?]) (?=[\p{Lu}\\“(])/u);
+    const [, text] = best_of(sentences.map((sentence) => [id, sentence]));
+    return { id, text };
   }
 
+  /** @param {string} text */
   function marked(text) {
-    const paragraph = document.createElement("p");
-    paragraph.className = "search-sentence";
+    const paragraph = make_element("p", { class: "search-sentence" });
     const parts = new RegExp(`\\\\\\(.*?\\\\\\)|${words.map(_escapeRegExp).join("|")}`, "giu");
     let end = 0;
     for (const { 0: part, index } of text.matchAll(parts)) {
-      const element = document.createElement(part.startsWith("\\(") ? "span" : "mark");
-      if (element.localName === "span") element.className = "math";
-      element.textContent = part;
+      const element = part.startsWith("\\(")
+        ? make_element("span", { class: "math" }, part)
+        : make_element("mark", {}, part);
       paragraph.append(text.slice(end, index), element);
       end = index + part.length;
     }
@@ -29,11 +36,14 @@ addEventListener("DOMContentLoaded", () => {
     return paragraph;
   }
 
+  /** @param {Element} item */
   function show(item) {
-    const link = item.querySelector("a"), found = sentence(link.pathname.split("/").pop().replace(/\.html$/, ""));
-    if (!found || item.querySelector(".search-sentence")) return;
-    if (!link.hash && found.id) link.setAttribute("href", `${link.getAttribute("href")}#${found.id}`);
-    const shown = item.appendChild(marked(found.text));
+    /** @type {HTMLAnchorElement} */
+    const link = find_element(item, "a");
+    const { id, text } = best_sentence(link.pathname.replace(/^.*\/|\.html$/g, ""));
+    if (!text || item.querySelector(".search-sentence")) return;
+    if (!link.hash && id) link.setAttribute("href", `${link.getAttribute("href")}#${id}`);
+    const shown = item.appendChild(marked(text));
     window.MathJax?.typesetPromise?.([shown]);
   }
 

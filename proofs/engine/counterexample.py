@@ -44,9 +44,9 @@ def refutation(statements: list[dict], point: Mapping[Symbol, Expr | Fraction | 
                 continue
             refuted = statement | {"kind": "refutation", "steps": statement["steps"][:end]}
             new = {s["new"] for s in refuted["steps"] if s["step"] in ("root", "inverse")}
-            kept = {n: str(v) for n, v in sorted(values.items()) if n in new.union(statement["variables"])}
-            if kernel.check(refuted, {"point": kept}) is None:
-                return refuted, {"point": kept}
+            coordinates = {n: str(v) for n, v in sorted(values.items()) if n in new.union(statement["variables"])}
+            if kernel.check(refuted, {"point": coordinates}) is None:
+                return refuted, {"point": coordinates}
     return None
 
 

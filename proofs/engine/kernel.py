@@ -221,12 +221,17 @@ def derive(statement: dict, meet: Callable) -> list[Fact]:
     return facts
 
 
+def prove_each(goals: Callable, statement: dict, proofs: list) -> None:
+    """Reject unless each of the `goals` of a statement has its proof, in order; goals: `derive` or `carry`."""
+    waiting = iter(proofs)
+    goals(statement, lambda goal, facts, values: prove(goal, facts, next(waiting), values))
+    require(next(waiting, None) is None, "a proof is left over")
+
+
 def prove_all(statement: dict, certificate: dict) -> None:
-    """Reject unless each goal of a derivation has its proof, and there is none left over."""
-    proofs = iter(certificate["proofs"])
+    """Reject unless something is shown, and each goal of a derivation has its proof."""
     require(any(step["step"] == "show" for step in statement["steps"]), "nothing is claimed")
-    derive(statement, lambda goal, facts, values: prove(goal, facts, next(proofs), values))
-    require(next(proofs, None) is None, "a proof is left over")
+    prove_each(derive, statement, certificate["proofs"])
 
 
 def refute(statement: dict, certificate: dict) -> None:
@@ -244,18 +249,24 @@ def refute(statement: dict, certificate: dict) -> None:
         require(holds(substitute(p, point).get((), 0)), "the point is not a counterexample", p)
 
 
-def induct(statement: dict, certificate: dict) -> None:
-    """Reject unless every p of `show` is 0 at the start, and at the next state if all of them are 0 now."""
+def carry(statement: dict, meet: Callable) -> None:
+    """Call meet(goal, facts, values) for each p of an induction's `show`: at the start, then at the next state."""
     fixed, values = (named([*statement["variables"], *more]) for more in ((), statement["state"]))
     require(statement["start"].keys() == statement["next"].keys() == set(statement["state"]), "a state is not given")
     start = {name: read(p, fixed) for name, p in statement["start"].items()}
     following = {name: read(p, values) for name, p in statement["next"].items()}
     facts = [(read(step["of"], fixed), step["is"]) for step in statement["assume"]]
     claims = [read(p, values) for p in statement["show"]]
-    require(claims, "nothing is claimed")
-    for p, base, step in zip(claims, certificate["base"], certificate["step"], strict=True):
-        prove((substitute(p, values | start), "="), facts, base, values)
-        prove((substitute(p, values | following), "="), facts + [(q, "=") for q in claims], step, values)
+    for p in claims:
+        meet((substitute(p, values | start), "="), facts, values)
+        meet((substitute(p, values | following), "="), facts + [(q, "=") for q in claims], values)
+
+
+def induct(statement: dict, certificate: dict) -> None:
+    """Reject unless every p of `show` is 0 at the start, and at the next state if all of them are 0 now."""
+    require(statement["show"], "nothing is claimed")
+    pairs = zip(certificate["base"], certificate["step"], strict=True)
+    prove_each(carry, statement, [proof for pair in pairs for proof in pair])
 
 
 def separate(statement: dict, certificate: dict) -> None:

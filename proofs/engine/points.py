@@ -6,6 +6,7 @@ Nothing here is trusted: the kernels check the shorter certificate, and the poin
 import random
 import re
 from bisect import bisect_left
+from contextlib import suppress
 from fractions import Fraction
 
 from proofs.check import consistency
@@ -19,29 +20,28 @@ TRIES = 4000
 
 def without_unused(statement: dict, certificate: dict) -> tuple[dict, dict]:
     """Return a derivation and its certificate without the assumptions that no proof uses; circles stay."""
-    assumed, used, number, proofs = {}, [], 0, iter(certificate["proofs"])
+    assumed, used, number, proofs = {}, set(), 0, iter(certificate["proofs"])
     for step in statement["steps"]:
         if step["step"] in ("show", "root", "inverse"):
-            used += [i for i in _indices(next(proofs)) if i < number]  # the next one is the goal's negation
+            used |= {i for i in _indices(next(proofs)) if i < number}  # the next one is the goal's negation
         elif step["step"] == "assume":
             assumed[number] = step
         number += {"define": 0, "root": 2}.get(step["step"], 1)
-    needed = [assumed[i] for i in used if i in assumed]
-    needed += [step for step in assumed.values() if is_circle(step)]
-    idle = sorted(i for i, step in assumed.items() if step not in needed)
+    needed = [step for i, step in assumed.items() if i in used or is_circle(step)]
+    idle = [i for i, step in assumed.items() if step not in needed]
 
     def left(i):
         return i - bisect_left(idle, i)
 
-    shorter = [
-        proof
-        | {"cofactors": [[left(i), q] for i, q in proof["cofactors"]]}
-        | {key: [left(i) for i in proof[key]] for key in ("positive",) if key in proof}
-        | {key: [[c, s, [left(i) for i in h]] for c, s, h in proof[key]] for key in ("sum",) if key in proof}
-        for proof in certificate["proofs"]
-    ]
+    def shorter(proof):
+        changed = {"cofactors": [[left(i), q] for i, q in proof["cofactors"]]}
+        if proof["rule"] == "contradiction":
+            changed["positive"] = [left(i) for i in proof["positive"]]
+            changed["sum"] = [[c, s, [left(i) for i in h]] for c, s, h in proof["sum"]]
+        return proof | changed
+
     steps = [step for step in statement["steps"] if step["step"] != "assume" or step in needed]
-    return statement | {"steps": steps}, {"proofs": shorter}
+    return statement | {"steps": steps}, {"proofs": [shorter(proof) for proof in certificate["proofs"]]}
 
 
 def is_circle(step: dict) -> bool:
@@ -66,28 +66,28 @@ def find_point(statement: dict, example: dict[str, Fraction], tries: int = TRIES
     names = [*said["variables"], *new]
     fixed = {name: value for name, value in example.items() if name in names}
     for _ in range(tries):
-        try:
+        with suppress(NotRational):
             values = _attempt(names, facts, fixed, rng, rng.sample(SIMPLE, rng.randint(1, len(SIMPLE))))
-        except NotRational:
-            continue
-        found = {name: str(value) for name, value in sorted(values.items())}
-        if kernel.check(said, {"point": found}) is None:
-            return found
+            point = {name: str(value) for name, value in sorted(values.items())}
+            if kernel.check(said, {"point": point}) is None:
+                return point
     return None
 
 
 def _attempt(names, facts, fixed, rng, pool):
+    """Return values of all names: some as fixed, or solved for where an equation allows it, the others at random."""
     values = dict(fixed)
     while True:
-        facts = [(_put_in(p, values), relation) for p, relation in facts]
+        known = {name: kernel.multiply(values[name]) if name in values else kernel.variable(name) for name in names}
+        facts = [(kernel.substitute(p, known), relation) for p, relation in facts]
         if not all(kernel.HOLDS[r](p.get((), 0)) for p, r in facts if not any(p)):
             raise NotRational
         facts = [(p, r) for p, r in facts if any(p)]
-        open_ = [name for name in names if name not in values]
-        if not open_:
+        unknown = [name for name in names if name not in values]
+        if not unknown:
             return values
         equations = sorted((p for p, r in facts if r == "="), key=lambda p: len(_names(p)))
-        values |= (equations and _solved(equations[0], rng, pool)) or {rng.choice(open_): _simple(rng, pool)}
+        values |= (equations and _solved(equations[0], rng, pool)) or {rng.choice(unknown): _simple(rng, pool)}
 
 
 def _simple(rng, pool):
@@ -96,16 +96,6 @@ def _simple(rng, pool):
 
 def _names(p):
     return sorted({name for monomial in p for name in monomial})
-
-
-def _put_in(p, values):
-    total = {}
-    for monomial, coefficient in p.items():
-        for name in monomial:
-            coefficient *= values.get(name, 1)
-        rest = tuple(name for name in monomial if name not in values)
-        total[rest] = total.get(rest, 0) + coefficient
-    return {monomial: coefficient for monomial, coefficient in total.items() if coefficient}
 
 
 def _solved(p, rng, pool):

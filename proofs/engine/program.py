@@ -57,11 +57,11 @@ class Program:
 
     def reaches(self, *symbols: Symbol) -> set[Symbol]:
         """Return every name, inputs included, that the given symbols depend on (themselves included)."""
-        found = set(symbols)
+        reached = set(symbols)
         for symbol, expression in reversed(self.definitions):
-            if symbol in found:
-                found |= expression.free_symbols
-        return found
+            if symbol in reached:
+                reached |= expression.free_symbols
+        return reached
 
     def keep(self, *outputs: Symbol, name: str | None = None) -> "Program":
         """Return the program for `outputs` alone, without the lines and inputs that they do not need."""

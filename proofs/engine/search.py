@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import combinations_with_replacement
+from itertools import combinations, combinations_with_replacement
 
 from proofs.engine import kernel
 from proofs.engine.feasible import feasible
@@ -21,18 +21,20 @@ def search(statement: dict, squares: Iterable = (), effort: int = MAX_EFFORT) ->
     squares: SymPy polynomials in the statement's names whose squares may be used in inequalities. effort: how many of
     EFFORTS to try for an inequality.
     """
-    finders = {"derivation": _derivation, "separation": _separation, "induction": _induction}
-    return finders[statement["kind"]](statement, [polynomial_data(s) for s in squares], effort)
+    match statement["kind"]:
+        case "separation":
+            return _separation(statement)
+        case "induction":
+            proofs = _proofs(kernel.carry, statement)
+            return {"base": proofs[::2], "step": proofs[1::2]}
+    return {"proofs": _proofs(kernel.derive, statement, [polynomial_data(s) for s in squares], effort)}
 
 
-def _derivation(statement, squares, effort):
+def _proofs(goals, statement, *how):
+    """Return a proof of each of the kernel's goals."""
     proofs = []
-
-    def meet(goal, facts, values):
-        proofs.append(find(goal, facts, values, squares, effort))
-
-    kernel.derive(statement, meet)
-    return {"proofs": proofs}
+    goals(statement, lambda goal, facts, values: proofs.append(find(goal, facts, values, *how)))
+    return proofs
 
 
 def find(goal: Fact, facts: list[Fact], values: Values, squares: Sequence[dict] = (), effort: int = 2) -> dict:
@@ -40,25 +42,17 @@ def find(goal: Fact, facts: list[Fact], values: Values, squares: Sequence[dict] 
     names = [name for name, value in values.items() if value == kernel.variable(name)]
     equations = {i: p for i, (p, relation) in enumerate(facts) if relation == "="}
     ideal = Ideal(names, equations)
-    p, relation = goal
-    if relation == "=":
-        remainder, cofactors = ideal.divide(ideal.element(p))
-        if not remainder:
-            return {"rule": "ideal", "cofactors": _stored(ideal, cofactors)}
-        if len(p) > 8:  # the square of a long polynomial is too long to guess with
-            raise _not_found(ideal, goal)
-    hints = [q for q in squares if all(n.partition("^")[0] in values for text in q for n in text.split())]
-    proof = _contradiction(goal, facts, values, names, ideal, hints, effort)
-    if proof is None:
-        raise _not_found(ideal, goal)
-    return proof
-
-
-def _not_found(ideal, goal):
-    p = ideal.element(goal[0])
-    remainder = ideal.data(ideal.divide(p)[0])
-    left = f"; what is left of it: {show_polynomial(remainder)}" if remainder else ""
-    return NotFound(f"no certificate found for {show_polynomial(ideal.data(p))} {goal[1]} 0{left}")
+    p, relation = ideal.element(goal[0]), goal[1]
+    remainder, cofactors = ideal.divide(p)
+    if relation == "=" and not remainder:
+        return {"rule": "ideal", "cofactors": _stored(ideal, cofactors)}
+    if relation != "=" or len(p) <= 8:  # the square of a long polynomial is too long to guess with
+        hints = [q for q in squares if all(n.partition("^")[0] in values for text in q for n in text.split())]
+        proof = _contradiction(goal, facts, values, names, ideal, hints, effort)
+        if proof is not None:
+            return proof
+    left = f"; what is left of it: {show_polynomial(ideal.data(remainder))}" if remainder else ""
+    raise NotFound(f"no certificate found for {show_polynomial(ideal.data(p))} {relation} 0{left}")
 
 
 def _stored(ideal, cofactors):
@@ -67,17 +61,18 @@ def _stored(ideal, cofactors):
 
 def _contradiction(goal, facts, values, names, ideal, squares, effort):
     scale, opposite = kernel.NEGATION[goal[1]]
-    negated = (kernel.multiply(scale, goal[0]), opposite)
-    facts = [*facts, negated]
+    negated = kernel.multiply(scale, goal[0])
+    facts = [*facts, (negated, opposite)]
     if opposite == "=":
         ideal = Ideal(names, {i: p for i, (p, relation) in enumerate(facts) if relation == "="})
-    hints = [({"": "1"}, kernel.multiply(1))] + [(q, kernel.read(q, values)) for q in squares]
-    abbreviations = [({n: "1"}, q) for n, q in values.items() if n not in names and 1 < len(q) <= 8]
-    abbreviations = [(data, q) for data, q in abbreviations if not next(iter(data)).startswith("sum_")][-16:]
+    hints = [({"": "1"}, kernel.multiply(1)), *((q, kernel.read(q, values)) for q in squares)]
+    abbreviations = [({n: "1"}, q) for n, q in values.items()
+                     if n not in names and 1 < len(q) <= 8 and not n.startswith("sum_")][-16:]  # fmt: skip
     if opposite == "!=":
-        hints.append((ideal.data(ideal.element(negated[0])), negated[0]))
-    for degree, wide in EFFORTS[: min(effort, 2) if opposite == "!=" else effort]:
-        roots = hints + (_monomials(negated[0], facts) if wide else [])
+        hints.append((ideal.data(ideal.element(negated)), negated))
+        effort = min(effort, 2)
+    for degree, wide in EFFORTS[:effort]:
+        roots = hints + (_monomials(negated, facts) if wide else [])
         proof = _combine(facts, opposite, ideal, roots, abbreviations, degree)
         if proof is not None:
             return proof
@@ -90,8 +85,7 @@ def _monomials(p, facts):
     single = [({n: "1"}, kernel.variable(n)) for n in names]
     pairs = [
         ({a: "1", b: str(s)}, kernel.add(kernel.variable(a), kernel.multiply(s, kernel.variable(b))))
-        for i, a in enumerate(names)
-        for b in names[i + 1 :]
+        for a, b in combinations(names, 2)
         for s in (1, -1)
     ]
     return single + (pairs if len(facts) < 16 else [])
@@ -100,36 +94,32 @@ def _monomials(p, facts):
 def _combine(facts, opposite, ideal, roots, plain_roots, degree):
     """Return the proof Σ σ S + Σ λ s² Π h = Σ q g with Σ σ = 1, by linear programming, or None."""
     last = len(facts) - 1
-    ordered = [i for i, (_, relation) in enumerate(facts) if relation in (">", ">=")]
     strict = [i for i, (_, relation) in enumerate(facts) if relation == ">"]
-    roots_of_unequal = ideal.data(ideal.element(facts[last][0]))
-    p = facts[last][0]
+    ordered = [i for i, (_, relation) in enumerate(facts) if relation in (">", ">=")]
+    negated, unequal = facts[last][0], [last] if opposite == "!=" else []
     candidates = []  # (polynomial, positive indices or None, root of the square, factor indices)
-    if opposite == "!=" and len(p) <= 4:
-        square = kernel.multiply(1, p, p)
+    if unequal and len(negated) <= 4:
+        square = kernel.multiply(1, negated, negated)
         candidates.append((kernel.multiply(1, square, square), (last, last), ideal.data(ideal.element(square)), ()))
+    own_root = ideal.data(ideal.element(negated)) if unequal else {"": "1"}
     for size in range(degree + 1):
         for indices in combinations_with_replacement(strict, size):
-            unequal = [last] if opposite == "!=" else []
-            q = kernel.multiply(1, *(facts[i][0] for i in (*indices, *unequal, *unequal)))
-            candidates.append((q, (*indices, *unequal), roots_of_unequal if unequal else {"": "1"}, indices))
+            product = kernel.multiply(1, *(facts[i][0] for i in (*indices, *unequal, *unequal)))
+            candidates.append((product, (*indices, *unequal), own_root, indices))
+        few = [roots + plain_roots, roots, roots[:1] + roots[-1:] * len(unequal)][min(size, 2)]
         for indices in combinations_with_replacement(ordered, size):
-            q = kernel.multiply(1, *(facts[i][0] for i in indices))
-            few = roots + plain_roots * (size == 0)
-            for data, root in few if size < 2 else roots[:1] + roots[-1:] * (opposite == "!="):
-                candidates.append((kernel.multiply(1, q, root, root), None, data, indices))
+            product = kernel.multiply(1, *(facts[i][0] for i in indices))
+            candidates += [(kernel.multiply(1, product, root, root), None, data, indices) for data, root in few]
     if len(candidates) > 1000:
         return None
-    columns, elements = [], []
-    for p, positive, _, _ in candidates:
-        remainder, _ = ideal.divide(ideal.element(p))
+    elements = [ideal.element(p) for p, *_ in candidates]
+    columns = []
+    for element, (_, positive, *_) in zip(elements, candidates, strict=True):
+        remainder, _ = ideal.divide(element)
         column = {m: Fraction(int(c.numerator), int(c.denominator)) for m, c in remainder.items()}
-        elements.append(ideal.element(p))
         columns.append(column | ({"total": Fraction(1)} if positive is not None else {}))
     solution = feasible(columns, {"total": Fraction(1)})
-    if solution is None:
-        return None
-    return _contradiction_proof(candidates, elements, solution, ideal)
+    return None if solution is None else _contradiction_proof(candidates, elements, solution, ideal)
 
 
 def _contradiction_proof(candidates, elements, solution, ideal):
@@ -141,17 +131,11 @@ def _contradiction_proof(candidates, elements, solution, ideal):
             terms.append([str(scaled), candidates[j][2], list(candidates[j][3])])
             total += elements[j] * ideal.ring.domain(scaled.numerator, scaled.denominator)
     remainder, cofactors = ideal.divide(total)
-    if remainder:
-        return None
-    return {
-        "rule": "contradiction",
-        "positive": list(candidates[chosen][1]),
-        "sum": terms,
-        "cofactors": _stored(ideal, cofactors),
-    }
+    positive = {"rule": "contradiction", "positive": list(candidates[chosen][1]), "sum": terms}
+    return None if remainder else positive | {"cofactors": _stored(ideal, cofactors)}
 
 
-def _separation(statement, squares, effort):
+def _separation(statement):
     uses = dict(statement["lines"])
     reached, pending = set(), list(statement["outputs"])
     while pending:
@@ -162,17 +146,3 @@ def _separation(statement, squares, effort):
     if bad := sorted(reached & set(statement["avoid"])):
         raise NotFound(f"no certificate found: {', '.join(statement['outputs'])} without {', '.join(bad)}")
     return {"reached": sorted(reached)}
-
-
-def _induction(statement, squares, effort):
-    certificate = {"base": [], "step": []}
-    names = (*statement["variables"], *statement["state"])
-    values = {name: kernel.variable(name) for name in names}
-    start, following = ({n: kernel.read(p, values) for n, p in statement[k].items()} for k in ("start", "next"))
-    facts = [(kernel.read(step["of"], values), step["is"]) for step in statement["assume"]]
-    claims = [kernel.read(p, values) for p in statement["show"]]
-    for p in claims:
-        certificate["base"].append(find((kernel.substitute(p, values | start), "="), facts, values))
-        step_facts = facts + [(q, "=") for q in claims]
-        certificate["step"].append(find((kernel.substitute(p, values | following), "="), step_facts, values))
-    return certificate

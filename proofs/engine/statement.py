@@ -116,6 +116,12 @@ def _terms(angle):
     return terms
 
 
+def _fact(kind, difference, signs):
+    """Return the step that assumes or shows the sign of a difference to be one of `signs`."""
+    factor, relation = RELATIONS[frozenset(signs)]
+    return {"step": kind, "is": relation, "of": polynomial_data(factor * difference)}
+
+
 def _symbols(expressions):
     return set().union(*(e.free_symbols for e in expressions))
 
@@ -139,12 +145,13 @@ class Translation:
                 for multiple, atom in _terms(_angle(e)):
                     self.denominators[atom] = lcm(self.denominators.get(atom, 1), int(multiple.q))
 
-    def step(self, kind: str, polynomial: Expr, **named: str) -> None:
-        self.steps.append({"step": kind, **named, "of": polynomial_data(polynomial)})
+    def introduce(self, kind: str, symbol: Symbol, of: Expr) -> None:
+        """Add the step that makes a new symbol of a polynomial: "define", "root" or "inverse"."""
+        self.steps.append({"step": kind, "new": symbol.name, "of": polynomial_data(of)})
 
     def define(self, symbol: Symbol, value: Expr) -> None:
         """Let a symbol abbreviate a polynomial."""
-        self.step("define", value, new=symbol.name)
+        self.introduce("define", symbol, value)
         self.abbreviated[symbol] = self._written_out(value)
 
     def _written_out(self, polynomial):
@@ -172,14 +179,12 @@ class Translation:
         """Add a given: the sign of `difference` is one of `signs`."""
         key, orientation, possible = self._known(difference)
         self.signs[key] = {orientation * s for s in possible & signs}
-        factor, is_ = RELATIONS[frozenset(signs)]
-        self.step("assume", factor * difference, **{"is": is_})
+        self.steps.append(_fact("assume", difference, signs))
 
     def show(self, difference: Expr, signs: set[int]) -> None:
         """Add what is to be proved: the sign of `difference` is one of `signs`. The branches taken are shown, too."""
-        factor, is_ = RELATIONS[frozenset(signs)]
-        if {"step": "show", "is": is_, "of": polynomial_data(factor * difference)} not in self.steps:
-            self.step("show", factor * difference, **{"is": is_})
+        fact = _fact("show", difference, signs)
+        self.steps += [fact] * (fact not in self.steps)
 
     def decide(self, condition: Basic) -> bool:
         """Return whether a condition holds: as given, or else as chosen."""
@@ -258,8 +263,7 @@ class Translation:
         if name not in self.variables and not any(s.get("new") == name for s in self.steps):
             self.variables.append(name)
             if symbol is pi:
-                self.step("assume", Symbol(name) - 3, **{"is": ">"})
-                self.step("assume", Rational(22, 7) - Symbol(name), **{"is": ">"})
+                self.steps += [_fact("assume", of, {1}) for of in (Symbol(name) - 3, Rational(22, 7) - Symbol(name))]
         return Symbol(name) if symbol is pi else symbol
 
     def _named(self, polynomial):
@@ -279,7 +283,7 @@ class Translation:
             if kind == "sum":
                 self.define(new, of)
             else:
-                self.step(kind, of, new=new.name)
+                self.introduce(kind, new, of)
             if kind == "root":
                 self.signs[self._known(new)[0]] = {0, 1}
         return self.generators[key]

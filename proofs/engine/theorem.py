@@ -66,9 +66,7 @@ class SideCondition:
     @property
     def edges(self) -> list[tuple[Point, str]]:
         """The points, each with its outcome."""
-        return [
-            (at, outcome) for outcome in ("holds", "fails", "undefined") for at in map(point, getattr(self, outcome))
-        ]
+        return [(at, outcome) for outcome in ("holds", "fails", "undefined") for at in getattr(self, outcome)]
 
 
 @dataclass(frozen=True)
@@ -198,11 +196,11 @@ def in_order(theorems: Sequence[Theorem]) -> Theorems:
 def all_theorems() -> Theorems:
     """Return {id: Theorem} of every Theorem in the modules of `proofs.theorems`, each after those that it uses."""
     package = importlib.import_module("proofs.theorems")
-    found = []
+    listed = []
     for module in sorted(m.name for m in pkgutil.iter_modules(package.__path__)):
         namespace = vars(importlib.import_module(f"proofs.theorems.{module}"))
-        found += [value for value in namespace.values() if isinstance(value, Theorem)]
-    return in_order(list({id(t): t for t in found}.values()))
+        listed += [value for value in namespace.values() if isinstance(value, Theorem)]
+    return in_order(list({id(t): t for t in listed}.values()))
 
 
 def borrowed(claim: Claim, theorems: Theorems) -> Claim:

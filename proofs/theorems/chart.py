@@ -10,7 +10,7 @@ from proofs.formulas.half_turns import atan2pi, cospi, sinpi
 from proofs.formulas.symbols import cos_phi, cos_theta, dot, normal, real, sin_phi, sin_theta, u, v
 from proofs.formulas.tangent_frame import unit_normal
 from proofs.theorems.frame import at_angle, on_circles
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import HALF, equations
 
 turn, polar = real("turn polar")  # θ/π in (−1, 1] and φ/π in [0, 1]: what atan2pi is
 _of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): polar}
@@ -35,14 +35,14 @@ _angles = [f(a) for a in (turn, polar) for f in (cospi, sinpi)]
 _round_trip = Claim("round_trip", equations(_back({u: _by_turns.expand(u_closed), v: _by_turns.expand(v)}), _angles))
 _on_the_seam = Claim("on_the_seam", equations(_back({u: u * 0})[:2], [a.subs(turn, 1) for a in _angles[:2]]))
 
+_across = sqrt(normal[0] ** 2 + normal[1] ** 2)
 _recovered = Claim(
     "recovered",
     (
-        equation(normal[0] ** 2 + normal[1] ** 2, sin_phi**2),
-        equation(sqrt(normal[0] ** 2 + normal[1] ** 2), sin_phi),
+        equation(_across**2, sin_phi**2),
+        equation(_across, sin_phi),
         equation(normal[2], cos_phi),
-        equation(normal[0] / sqrt(normal[0] ** 2 + normal[1] ** 2), cos_theta),
-        equation(normal[1] / sqrt(normal[0] ** 2 + normal[1] ** 2), sin_theta),
+        *equations((normal[0] / _across, normal[1] / _across), (cos_theta, sin_theta)),
     ),
     (on_circles[0], sin_phi > 0),
     unit_normal,
@@ -72,7 +72,7 @@ forward = Theorem(
         Step(r"at $u = 0$: $(\cos\theta, \sin\theta) = (-1, 0)$", r"as at $\theta = \pi$"),
     ),
     mutants=(
-        variant("u ≤ 1/2", _range, at_least(Rational(1, 2), u)),
+        variant("u ≤ 1/2", _range, at_least(HALF, u)),
         variant("u is (θ + π)/2π on the seam as well", _seam, equation(u, u_closed)),
         variant(
             "back with cos 2πu, without the minus",

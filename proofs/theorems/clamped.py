@@ -6,15 +6,14 @@ from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import at_pole, of_heights, pole_clamps
 from proofs.formulas.finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
+from proofs.formulas.height_fields import HeightField
 from proofs.formulas.step_bounds import clamped_bound, third_derivative, truncation
 from proofs.formulas.symbols import epsilon, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_of_half_turn
-from proofs.theorems.relations import both_ways, named
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, both_ways, named, ridges, rings, sine
 
-sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
 slope, here, largest, bend_plus, bend_minus = real("slope here largest bend_plus bend_minus")
-ranges = ((v, (0, Rational(1, 2))), (epsilon, (0, Rational(1, 2))), (largest, (0, 3)))
+ranges = ((v, (0, HALF)), (epsilon, (0, HALF)), (largest, (0, 3)))
 
 
 _clamp = Claim(
@@ -84,12 +83,9 @@ first_order = Theorem(
     ),
     side_conditions=(
         SideCondition(
-            r"$v < \varepsilon$",
-            "clamp",
-            holds=[{v: Rational(1, 8), epsilon: Rational(1, 8)}],
-            fails=[{v: Rational(1, 4), epsilon: Rational(1, 8)}],
+            r"$v < \varepsilon$", "clamp", holds=[{v: EIGHTH, epsilon: EIGHTH}], fails=[{v: QUARTER, epsilon: EIGHTH}]
         ),
-        SideCondition(r"$v + \varepsilon \le 1$", "clamp", fails=[{v: Rational(1, 2), epsilon: Rational(3, 4)}]),
+        SideCondition(r"$v + \varepsilon \le 1$", "clamp", fails=[{v: HALF, epsilon: 3 * QUARTER}]),
     ),
 )
 
@@ -164,8 +160,8 @@ second_order = Theorem(
         SideCondition(
             "ridges up to its first crease, $k_v v \\le 1$",
             "first_ridge",
-            holds=[{u: Rational(1, 3), k_u: 1, k_v: 4, v: Rational(1, 4)}],
-            fails=[{u: Rational(1, 3), k_u: 1, k_v: 4, v: Rational(3, 8)}],
+            holds=[{u: Rational(1, 3), k_u: 1, k_v: 4, v: QUARTER}],
+            fails=[{u: Rational(1, 3), k_u: 1, k_v: 4, v: 3 * EIGHTH}],
         ),
     ),
 )
@@ -187,7 +183,7 @@ always_first_order = Theorem(
     r"$h = v - v^3$ errs by $\varepsilon$ at least.",
     hypotheses=(r"$0 < \varepsilon \le 1$",),
     claims=(_costs,),
-    refuted_at={epsilon: Rational(1, 2)},
+    refuted_at={epsilon: HALF},
     steps=(Step(r"the error is $-\varepsilon^2$: $1/4$ at $\varepsilon = 1/2$", "$h$ is odd"),),
     mutants=(
         Mutant("of v − v³ it is −ε²", Claim("odd", (equation(_at_zero_of(v - v**3), -(epsilon**2)),), _steps)),

@@ -6,7 +6,6 @@ from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import inside
 from proofs.formulas.half_turns import ordinary
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import (
     crease_rms,
     creases,
@@ -24,13 +23,12 @@ from proofs.formulas.step_bounds import (
 )
 from proofs.formulas.symbols import epsilon, h_u, k_u, k_v, real, u, v
 from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import named
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, nonnegative, positive, ridges, zero
 
-ridges = HEIGHT_FIELDS["ridges"]
 delta, m = real("delta m")
 rate = slope_bound[steepest].xreplace({frequency: k_u})
-half = ((v, 1), (k_v, Rational(1, 2)))  # sin πk_v v = 1
-ranges = ((delta, (Rational(-1, 4), Rational(1, 4))), (epsilon, (0, Rational(1, 4))), (k_u, (0, 4)))
+half = ((v, 1), (k_v, HALF))  # sin πk_v v = 1
+ranges = ((delta, (-QUARTER, QUARTER)), (epsilon, (0, QUARTER)), (k_u, (0, 4)))
 straddles = (epsilon > 0, k_u > 0, epsilon - delta > 0, epsilon + delta > 0)
 reach = (1 - k_u * (epsilon + delta) >= 0, 1 - k_u * (epsilon - delta) >= 0)
 signs = tuple(sine_of_half_turn(k_u * w) for w in (epsilon + delta, epsilon - delta))
@@ -46,7 +44,7 @@ _centre = Claim(
     (equation(across.subs(delta, 0), 0), equation((straddled - slope_after).subs(delta, 0), -rate)),
     (epsilon > 0,),
 )
-_period = Claim("every_crease", (equation(Abs(sin(pi * m + delta)), Abs(sin(delta))),), (equation(sin(pi * m), 0),))
+_period = Claim("every_crease", (equation(Abs(sin(pi * m + delta)), Abs(sin(delta))),), zero(sin(pi * m)))
 _slopes = tuple(
     Claim(f"slope_{name}", (equation(slope, side * slope_after),), (side * sin(rate * delta) > 0,), ranges=ranges)
     for name, side in (("after", 1), ("before", -1))
@@ -81,7 +79,7 @@ theorem = Theorem(
             _value,
             given=(*straddles, *(r.func(r.lhs + 1, 0) for r in reach)),
             cited=(),
-            at={k_u: 1, epsilon: Rational(5, 4), delta: Rational(1, 4)},
+            at={k_u: 1, epsilon: 5 * QUARTER, delta: QUARTER},
         ),
         variant("one slope on both sides", _slopes[1], equation(slope, slope_after)),
         variant("|sin(πm + x)| for any m", _period, given=(m > 0,)),
@@ -90,14 +88,14 @@ theorem = Theorem(
         SideCondition(
             r"$|\delta| < \varepsilon$: the crease lies strictly between the samples",
             "value",
-            holds=[{k_u: 1, epsilon: Rational(1, 8), delta: Rational(1, 8)}],
-            fails=[{k_u: 1, epsilon: Rational(1, 8), delta: Rational(1, 4)}],
+            holds=[{k_u: 1, epsilon: EIGHTH, delta: EIGHTH}],
+            fails=[{k_u: 1, epsilon: EIGHTH, delta: QUARTER}],
         ),
         SideCondition(
             r"$\varepsilon + |\delta| \le 1/k$: only one crease does",
             "value",
-            holds=[{k_u: 1, epsilon: Rational(3, 4), delta: Rational(1, 4)}],
-            fails=[{k_u: 1, epsilon: Rational(7, 8), delta: Rational(1, 4)}],
+            holds=[{k_u: 1, epsilon: 3 * QUARTER, delta: QUARTER}],
+            fails=[{k_u: 1, epsilon: 7 * EIGHTH, delta: QUARTER}],
         ),
     ),
 )
@@ -117,7 +115,7 @@ supremum = Theorem(
     r"$\omega = \pi k$, as for a sine: its supremum falls with $\varepsilon$.",
     hypotheses=(r"$\omega > 0$, $\varepsilon > 0$; beside a crease, against the slope after it",),
     claims=(_descends,),
-    refuted_at={omega: 1, epsilon: Rational(1, 2)},
+    refuted_at={omega: 1, epsilon: HALF},
     steps=(
         Step(r"at the crease $D_\varepsilon h = 0$, the slope after it is $\omega$", "equal heights on either side"),
         Step(r"the error is $\omega = 1$, the bound $1/24$ at $\varepsilon = 1/2$", "arithmetic"),
@@ -139,21 +137,21 @@ _names = tuple(map(named, (_cos_y, _cos_x, _sin_y, sin(x))))
 _near_tent = Claim(
     "tent",
     (
-        at_least(1 - _cos_y, 0),
-        at_least(1 - _cos_x, 0),
-        greater(rate, 0),
-        greater(x, 0),
+        *nonnegative(1 - _cos_y, 1 - _cos_x),
+        *positive(rate, x),
         equation(x * _rest, x * (1 - _cos_y) - (y - _cos_x * _sin_y)),
-        at_least(x - y, 0),
-        at_least(x**2 - y**2, 0),
-        at_least(x**3 / 6 - (y - _sin_y), 0),
-        at_least(x**2 / 2 - (1 - _cos_y), 0),
-        at_least(_sin_y * (1 - _cos_x), 0),
-        at_least(x**3 / 2 - _sin_y * (1 - _cos_x), 0),
-        at_least(_room * x - x * _rest, 0),
-        at_least(_room * x + x * _rest, 0),
-        at_least(_room - _rest, 0),
-        at_least(_room + _rest, 0),
+        *nonnegative(
+            x - y,
+            x**2 - y**2,
+            x**3 / 6 - (y - _sin_y),
+            x**2 / 2 - (1 - _cos_y),
+            _sin_y * (1 - _cos_x),
+            x**3 / 2 - _sin_y * (1 - _cos_x),
+            _room * x - x * _rest,
+            _room * x + x * _rest,
+            _room - _rest,
+            _room + _rest,
+        ),
     ),
     _after,
     squares=(_names[0] - 1, _names[1] - 1, _names[2], _names[3]),
@@ -168,7 +166,7 @@ _mean = _square.subs(v, 1) - _square.subs(v, 0)
 _tents = Claim("tents", (equation(diff(_primitive, delta), _tent**2), equation(_area, epsilon / 3)), (epsilon > 0,))
 _means = Claim(
     "mean_of_a_square",
-    (equation(diff(_square, v), sin(pi * k_v * v) ** 2), equation(_mean, Rational(1, 2))),
+    (equation(diff(_square, v), sin(pi * k_v * v) ** 2), equation(_mean, HALF)),
     (k_v > 0, equation(sin(pi * k_v), 0)),
     ranges=((k_v, (1, 9)),),
 )
@@ -176,13 +174,11 @@ _means = Claim(
 
 def _mean_square(name, k, number, constant=None):
     """Return the claim that the tents at so many creases have the mean square constant²."""
-    total = number * (pi * k) ** 2 * 2 * _area * Rational(1, 2)
     constant = constant or crease_rms[root_mean_square].xreplace({frequency: k, creases: number})
+    total = number * (pi * k) ** 2 * 2 * _area * Rational(1, 2)
     shows = (
         greater(pi * k, 0),
-        at_least(number * epsilon, 0),
-        at_least(total, 0),
-        at_least(constant, 0),
+        *nonnegative(number * epsilon, total, constant),
         equation(total, constant**2),
         at_least(sqrt(total), constant),
         at_least(constant, sqrt(total)),
@@ -248,12 +244,9 @@ rms = Theorem(
         ),
     ),
     side_conditions=(
-        SideCondition("$k_v$ whole", "mean_of_a_square", holds=[{v: 0, k_v: 3}], fails=[{v: 0, k_v: Rational(5, 4)}]),
+        SideCondition("$k_v$ whole", "mean_of_a_square", holds=[{v: 0, k_v: 3}], fails=[{v: 0, k_v: 5 * QUARTER}]),
         SideCondition(
-            r"$k_v \ge 1$",
-            "in_v",
-            holds=[{k_v: 1, epsilon: Rational(1, 8)}],
-            undefined=[{k_v: Rational(1, 2), epsilon: Rational(1, 8)}],
+            r"$k_v \ge 1$", "in_v", holds=[{k_v: 1, epsilon: EIGHTH}], undefined=[{k_v: HALF, epsilon: EIGHTH}]
         ),
     ),
 )

@@ -2,7 +2,7 @@
 
 from sympy import Function, Rational, diff, expand, pi, sin
 
-from proofs.engine.claim import Claim, equation, greater
+from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped_normal, m
@@ -10,7 +10,7 @@ from proofs.formulas.displacement import blinn_normal, displaced, displaced_norm
 from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, sin_phi, theta
 from proofs.formulas.tangent_frame import e_phi, e_theta
 from proofs.theorems.frame import angles, at_angle, frame, on_circles
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import equations, positive, zero
 
 _field = Function("field")(theta, phi)
 _values = {diff(_field, theta): h_theta, diff(_field, phi): h_phi, _field: h}
@@ -35,7 +35,8 @@ _chart_scale = Claim(
     (),
     displaced_normal,
 )
-raised = (*on_circles, sin_phi > 0, 1 + beta * h > 0)
+_off_the_poles = (*on_circles, sin_phi > 0)
+raised = (*_off_the_poles, 1 + beta * h > 0)
 _outward = Claim(
     "outward", (equation(dot(displaced, normal), lift), dot(displaced, normal) > 0), raised, displaced_normal
 )
@@ -48,7 +49,7 @@ _first_order = Claim(
         equation(dot(_slopes, _slopes), (h_theta / sin_phi) ** 2 + h_phi**2),
         *equations(cross(displaced, _blinn), -(beta**2) * h * cross(normal, _slopes)),
     ),
-    (*on_circles, sin_phi > 0),
+    _off_the_poles,
     displaced_normal,
 )
 
@@ -98,22 +99,13 @@ _metric = h_u**2 / (2 * pi * sin_phi) + h_v**2 / pi
 _only_where_flat = Claim(
     "only_where_flat",
     (
-        greater(1 / sin_phi, 0),
-        greater(1 / pi, 0),
-        greater(1 / pi / sin_phi, 0),
-        greater(lift + 1 / (2 * pi * sin_phi), 0),
-        greater(lift + 1 / pi, 0),
-        equation(beta * h_u * (lift + 1 / (2 * pi * sin_phi)), 0),
-        equation(beta * h_v * (lift + 1 / pi), 0),
-        equation(beta * h_u, 0),
-        equation(beta * h_v, 0),
+        *positive(1 / sin_phi, 1 / pi, 1 / pi / sin_phi, lift + 1 / (2 * pi * sin_phi), lift + 1 / pi),
+        *zero(beta * h_u * (lift + 1 / (2 * pi * sin_phi)), beta * h_v * (lift + 1 / pi), beta * h_u, beta * h_v),
     ),
     (*raised, *equations(cross(m, displaced), (0, 0, 0))),
     _both,
 )
-_where_flat = Claim(
-    "where_flat", equations(displaced, lift * m), (sin_phi > 0, equation(beta * h_u, 0), equation(beta * h_v, 0)), _both
-)
+_where_flat = Claim("where_flat", equations(displaced, lift * m), (sin_phi > 0, *zero(beta * h_u, beta * h_v)), _both)
 _angle = Claim(
     "angle",
     (
@@ -121,12 +113,10 @@ _angle = Claim(
         equation(dot(m, m), 1 + beta**2 * (h_u**2 + h_v**2)),
         equation(dot(displaced, displaced), lift**2 + beta**2 * ((h_u / (2 * pi * sin_phi)) ** 2 + (h_v / pi) ** 2)),
     ),
-    (*on_circles, sin_phi > 0),
+    _off_the_poles,
     _both,
 )
-_like_blinn = Claim(
-    "like_blinn", (equation(dot(m, displaced), 1 + beta**2 * _metric),), (*on_circles, sin_phi > 0), _both
-)
+_like_blinn = Claim("like_blinn", (equation(dot(m, displaced), 1 + beta**2 * _metric),), _off_the_poles, _both)
 
 difference_theorem = Theorem(
     id="bump_is_not_displacement",
@@ -163,9 +153,7 @@ difference_theorem = Theorem(
 )
 
 _sides = [_both.expand(names) for names in (normal, m, displaced)]
-_parallel = Claim(
-    "parallel", (equation(expand(pi * dot(_sides[0], cross(*_sides[1:]))), 0),), (*on_circles, sin_phi > 0)
-)
+_parallel = Claim("parallel", zero(expand(pi * dot(_sides[0], cross(*_sides[1:])))), _off_the_poles)
 
 seed_theorem = Theorem(
     id="seed_bump_as_displacement",

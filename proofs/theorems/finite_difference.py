@@ -6,10 +6,10 @@ from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, inside, nothing_clamps, nothing_wraps
 from proofs.formulas.finite_difference import central, span_v, v_minus, v_plus
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
+from proofs.formulas.height_fields import HeightField
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
+from proofs.theorems.relations import EIGHTH, HALF, rings, sine
 
-sine, rings = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["rings"]
 name = "central_difference_of_sine"
 
 
@@ -73,14 +73,14 @@ theorem = Theorem(
         Mutant("rings' frequency k_v", _times_sinc("rings_in_v", rings, h_v, k_v, nothing_clamps)),
         variant("the step 2ε in sinc", _u, equation(difference(sine, h_u), sine.gradient()[0] * sinc(2 * _angle))),
         variant("the derivative itself", _u, equation(difference(sine, h_u), sine.gradient()[0])),
-        variant("v clamped: span 2ε", _clamp, given=(epsilon > 0, epsilon < Rational(1, 2), v >= 0, v <= 1)),
+        variant("v clamped: span 2ε", _clamp, given=(epsilon > 0, epsilon < HALF, v >= 0, v <= 1)),
     ),
     side_conditions=(
         SideCondition(
             r"$\varepsilon \le v \le 1-\varepsilon$",
             "no_clamp",
-            holds=[{v: Rational(1, 8), epsilon: Rational(1, 8)}],
-            fails=[{v: Rational(1, 8), epsilon: Rational(1, 7)}],
+            holds=[{v: EIGHTH, epsilon: EIGHTH}],
+            fails=[{v: EIGHTH, epsilon: Rational(1, 7)}],
         ),
         SideCondition(r"$\varepsilon > 0$", "cosine", undefined=[{u: Rational(1, 3), epsilon: 0, k_u: 8}]),
     ),

@@ -24,7 +24,7 @@ from proofs.formulas.symbols import (
 )
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, tangent_frame, unit_normal
 from proofs.theorems.hits import ray_meets_a
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import equations, positive
 
 frame = chain("frame", unit_normal, tangent_frame)
 on_circles = (equation(cos_theta**2 + sin_theta**2, 1), equation(cos_phi**2 + sin_phi**2, 1))
@@ -97,8 +97,7 @@ _seed = Claim(
 _angles = Claim(
     "angles",
     (
-        greater(rho, 0),
-        greater(t_a, 0),
+        *positive(rho, t_a),
         equation(radius * sin_phi, t_a * rho),
         equation(radius * cos_phi, eye * (1 - t_a)),
         equation(radius * sin_phi * cos_theta, t_a * x),

@@ -4,12 +4,11 @@ from sympy import Abs, Symbol, cos, pi, sign, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
-from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.height_fields import gradient
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import equations, ridges, rings, sine
 
-sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
-slopes = {field.name: gradient(field).expand((h_u, h_v)) for field in (sine, ridges, rings)}
+of_sine, of_ridges, of_rings = (gradient(field).expand((h_u, h_v)) for field in (sine, ridges, rings))
 
 
 def _difference(field, coordinate, slope, frequency):
@@ -22,26 +21,26 @@ def _difference(field, coordinate, slope, frequency):
 _sine = Claim(
     "sine",
     (
-        equation(slopes["sine"][0], pi * k_u * cos(pi * k_u * u) * sin(pi * k_v * v)),
-        equation(slopes["sine"][1], pi * k_v * sin(pi * k_u * u) * cos(pi * k_v * v)),
-        _difference(sine, u, slopes["sine"][0], pi * k_u),
-        _difference(sine, v, slopes["sine"][1], pi * k_v),
+        equation(of_sine[0], pi * k_u * cos(pi * k_u * u) * sin(pi * k_v * v)),
+        equation(of_sine[1], pi * k_v * sin(pi * k_u * u) * cos(pi * k_v * v)),
+        _difference(sine, u, of_sine[0], pi * k_u),
+        _difference(sine, v, of_sine[1], pi * k_v),
     ),
 )
 _rings = Claim(
     "rings",
     (
-        equation(slopes["rings"][0], 0),
-        equation(slopes["rings"][1], 2 * pi * k_v * cos(2 * pi * k_v * v)),
-        _difference(rings, v, slopes["rings"][1], 2 * pi * k_v),
+        equation(of_rings[0], 0),
+        equation(of_rings[1], 2 * pi * k_v * cos(2 * pi * k_v * v)),
+        _difference(rings, v, of_rings[1], 2 * pi * k_v),
     ),
 )
 _p = sine.expression
 _ridges = Claim(
     "ridges",
     (
-        *equations(slopes["ridges"], [sign(_p) * s for s in slopes["sine"]]),
-        *equations([ridges.expression * r for r in slopes["ridges"]], [_p * s for s in slopes["sine"]]),
+        *equations(of_ridges, [sign(_p) * s for s in of_sine]),
+        *equations([ridges.expression * r for r in of_ridges], [_p * s for s in of_sine]),
     ),
     squares=(Symbol("sin(pi*k_u*u)", real=True) * Symbol("sin(pi*k_v*v)", real=True),),
 )
@@ -70,10 +69,10 @@ theorem = Theorem(
         Step(r"$h h_u = p p_u$, also on the creases", "both sides are 0 there"),
     ),
     mutants=(
-        variant("sine with its factors swapped", _sine, equation(slopes["sine"][0], slopes["sine"][1])),
-        variant("the other sign", _sine, _difference(sine, u, -slopes["sine"][0], pi * k_u)),
-        variant("rings with πk_v", _rings, _difference(rings, v, slopes["rings"][1], pi * k_v)),
-        variant("ridges without the sign", _ridges, equation(slopes["ridges"][0], slopes["sine"][0])),
+        variant("sine with its factors swapped", _sine, equation(of_sine[0], of_sine[1])),
+        variant("the other sign", _sine, _difference(sine, u, -of_sine[0], pi * k_u)),
+        variant("rings with πk_v", _rings, _difference(rings, v, of_rings[1], pi * k_v)),
+        variant("ridges without the sign", _ridges, equation(of_ridges[0], of_sine[0])),
     ),
     side_conditions=(
         SideCondition(

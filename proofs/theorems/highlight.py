@@ -23,7 +23,7 @@ from proofs.formulas.shading import (
     phong,
 )
 from proofs.formulas.symbols import Vector, bumped, cross, dot, mu, real, specular_base, towards, vector, view
-from proofs.theorems.relations import both_ways, equations
+from proofs.theorems.relations import both_ways, equations, positive
 
 apart, turned = real("apart turned")
 
@@ -194,7 +194,7 @@ below_one = Theorem(
             "false for every L, at x = 1/4L²",
             Claim(
                 "any_bound",
-                (greater(bound, 0), greater(z, 0), greater(sqrt(z**2), bound * z**2)),
+                (*positive(bound, z), greater(sqrt(z**2), bound * z**2)),
                 (bound >= 1, z >= 0, equation(2 * bound * z, 1)),
             ),
         ),

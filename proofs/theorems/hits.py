@@ -23,6 +23,7 @@ from proofs.formulas.camera import (
     toward_b,
 )
 from proofs.formulas.symbols import ball_center, ball_on, ball_radius, dot, eye, lengths_of_a, radius, real, rho, x, y
+from proofs.theorems.relations import HALF, QUARTER
 
 t = real("t")
 
@@ -80,22 +81,17 @@ theorem_a = Theorem(
             "d without e² − R²", _solves_a, equation(distance_squared(along(t_a / tangent_squared), _origin), radius**2)
         ),
         variant("the far root", _near_a, t <= t_a),
-        variant("t < 1", _solves_a, t_a < Rational(1, 2)),
+        variant("t < 1", _solves_a, t_a < HALF),
     ),
     side_conditions=(
         SideCondition(
             r"$\rho \le \rho_s$",
             "solves",
-            holds=[{x: Rational(3, 4), y: 0, eye: Rational(5, 4), radius: Rational(3, 4)}],
-            undefined=[{x: Rational(15, 16), y: 0, eye: Rational(5, 4), radius: Rational(3, 5)}],
+            holds=[{x: 3 * QUARTER, y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}],
+            undefined=[{x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: Rational(3, 5)}],
         ),
         SideCondition(
-            "$e > R$",
-            "solves",
-            undefined=[
-                {x: 0, y: Rational(1, 2), eye: 1, radius: 1},
-                {x: 0, y: Rational(1, 2), eye: Rational(1, 2), radius: 1},
-            ],
+            "$e > R$", "solves", undefined=[{x: 0, y: HALF, eye: 1, radius: 1}, {x: 0, y: HALF, eye: HALF, radius: 1}]
         ),
     ),
 )
@@ -195,14 +191,14 @@ _false_c, _true_c, _squared = (part.xreplace(_default) for part in (_seed_c, _c,
 b, d = real("b d")
 _covers = Claim(
     "covers",
-    (greater(_b, Rational(35, 4)), greater(_b**2, Rational(1225, 16)), greater(_b**2 - _squared * _false_c, 0)),
+    (greater(_b, 35 * QUARTER), greater(_b**2, Rational(1225, 16)), greater(_b**2 - _squared * _false_c, 0)),
     (x >= -2, x <= 2, y >= -2, y <= 2),
 )
 _root = _false_c / (b + sqrt(d))
 _before = Claim(
     "before",
-    (greater(b + sqrt(d), Rational(35, 4)), greater(_root, 0), greater(Rational(1, 4), _root)),
-    (b > Rational(35, 4), d > 0),
+    (greater(b + sqrt(d), 35 * QUARTER), greater(_root, 0), greater(QUARTER, _root)),
+    (b > 35 * QUARTER, d > 0),
     ranges=((b, (9, 12)), (d, (0, 100))),
 )
 _behind = Claim(
@@ -228,7 +224,7 @@ hidden = Theorem(
     ),
     mutants=(
         variant("with the true c too", _covers, greater(_b**2 - _squared * _true_c, 0)),
-        variant("the root is beyond 1/4", _before, greater(_root, Rational(1, 4))),
+        variant("the root is beyond 1/4", _before, greater(_root, QUARTER)),
         variant("A's points have t ≥ 1", _behind, at_least(t, 1), squares=()),
     ),
     side_conditions=(

@@ -30,7 +30,7 @@ from proofs.formulas.shading import (
     phong,
 )
 from proofs.formulas.symbols import bumped, mu, real, shininess, specular, specular_base
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import equations, zero
 
 s, n, power, x, slope, of_x, by_s = real("s n power x slope of_x by_s")
 raised, raised_by_beta = real("raised raised_by_beta")
@@ -87,7 +87,7 @@ _kept = clip_derivative[clipped]
 _clip = (
     Claim("inside", (equation(clip[clipped], color), equation(_kept, term_by_beta)), (color > 0, color < 1)),
     Claim("above", (equation(clip[clipped], 1), equation(_kept, 0)), (color > 1,)),
-    Claim("below", (equation(Max(0, color), 0), equation(_kept, 0)), (color < 0,)),
+    Claim("below", zero(Max(0, color), _kept), (color < 0,)),
 )
 
 

@@ -1,11 +1,10 @@
 """Where the creases of a field are seen: meridians are rays, parallels are circles; and how many parallels are seen."""
 
-from sympy import Basic, Expr, Rational, cos, pi, sin, sqrt
+from sympy import Basic, Expr, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import parallel_radius, point_on_a
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import (
     cos_phi,
     cos_theta,
@@ -27,7 +26,7 @@ from proofs.formulas.symbols import (
 from proofs.theorems.cited import sine_inside_half_turn
 from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.hits import along
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import QUARTER, equations, ridges, sine, zero
 
 t, m = real("t m")
 
@@ -58,27 +57,21 @@ _projection = Claim(
     point_on_a,
     squares=(1 - cos_phi, sin_phi),
 )
-_ridges = HEIGHT_FIELDS["ridges"]
 _creases = tuple(
-    Claim(
-        f"crease_{c}",
-        (equation(factor.subs(c, m / k), 0), equation(_ridges.expression.subs(c, m / k), 0)),
-        (k > 0, whole(m)),
-    )
-    for factor, c, k in zip(_ridges.creases, (u, v), (k_u, k_v), strict=True)
+    Claim(f"crease_{c}", zero(factor.subs(c, m / k), ridges.expression.subs(c, m / k)), (k > 0, whole(m)))
+    for factor, c, k in zip(ridges.creases, (u, v), (k_u, k_v), strict=True)
 )
 _on_the_axis = {**at_angle(1, 0), eye: 1, x: 0, y: 0}
 _other_sign = equation((eye + radius * cos_phi) * x, eye * radius * sin_phi * cos_theta)
-_p = HEIGHT_FIELDS["sine"]
 _elsewhere = tuple(
     Claim(
         f"elsewhere_{name}",
         (
-            equation(_ridges.expression, side * _p.expression),
-            greater(_ridges.expression, 0),
-            *equations(_ridges.gradient(), [side * p for p in _p.gradient()]),
+            equation(ridges.expression, side * sine.expression),
+            greater(ridges.expression, 0),
+            *equations(ridges.gradient(), [side * p for p in sine.gradient()]),
         ),
-        (side * _p.expression > 0,),
+        (side * sine.expression > 0,),
     )
     for name, side in (("above", 1), ("below", -1))
 )
@@ -140,14 +133,14 @@ _default = Claim(
     tuple(
         greater(one, other)
         for one, other in (
-            (cos(pi / 4), Rational(1, 4)),
-            (Rational(1, 4), cos(pi / 2)),
+            (cos(pi / 4), QUARTER),
+            (QUARTER, cos(pi / 2)),
             (cos(pi / 2), cos(3 * pi / 4)),
             (cos(3 * pi / 4), cos(pi)),
         )
     ),
 )
-_poles = Claim("pole", (equation(rho, 0),), (equation(sin_phi, 0), equation(cos_phi, 1), eye > radius), parallel_radius)
+_poles = Claim("pole", zero(rho), (equation(sin_phi, 0), equation(cos_phi, 1), eye > radius), parallel_radius)
 
 parallels = Theorem(
     id="visible_parallels",
@@ -178,7 +171,7 @@ parallels = Theorem(
         Step(r"$\frac{\sqrt2}2 > \frac14 > 0 > -\frac{\sqrt2}2 > -1$", "the exact values"),
     ),
     mutants=(
-        variant("two circles", _default, greater(cos(pi / 2), Rational(1, 4))),
+        variant("two circles", _default, greater(cos(pi / 2), QUARTER)),
         variant("the cosine rises", _falling, greater(_far, _near)),
         variant("the pole has a circle", _poles, greater(rho, 0)),
     ),

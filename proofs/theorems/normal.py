@@ -10,12 +10,12 @@ from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
 from proofs.formulas.symbols import beta, dot, h_u, h_v, normal
 from proofs.theorems.frame import on_circles
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import equations, zero
 
 
-def at(normal_at: Sequence, g_at: Sequence, beta_at: Expr | int) -> dict:
-    """Return the inputs of `perturbed`."""
-    return {normal: normal_at, g: g_at, beta: beta_at}
+def at(beta_at: Expr | int, g_at: Sequence = (1, 0, 0)) -> dict:
+    """Return the inputs of `perturbed` where N points upward."""
+    return {normal: (0, 0, 1), g: g_at, beta: beta_at}
 
 
 tangent = (equation(dot(normal, normal), 1), equation(dot(normal, g), 0))
@@ -55,17 +55,13 @@ unit_length = Theorem(
         variant("|M| > 1", _length, m_length > 1, at={beta: 0}),
         variant("N·g not zero", _length, given=tangent[:1]),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$g \perp N$", "length", holds=[at((0, 0, 1), (1, 0, 0), 1)], undefined=[at((0, 0, 1), (0, 0, 1), -1)]
-        ),
-    ),
+    side_conditions=(SideCondition(r"$g \perp N$", "length", holds=[at(1)], undefined=[at(-1, (0, 0, 1))]),),
 )
 
 _lines = chain("both", perturbed, normal_by_beta)
 _slopes = [diff(b, beta) for b in perturbed.expand(bumped)]
 _derivative = Claim("derivative", equations(_slopes, bumped_by_beta), (dot(m, m) > 0,), _lines)
-_on_the_sphere = Claim("tangent_to_directions", (equation(dot(bumped, bumped_by_beta), 0),), (dot(m, m) > 0,), _lines)
+_on_the_sphere = Claim("tangent_to_directions", zero(dot(bumped, bumped_by_beta)), (dot(m, m) > 0,), _lines)
 
 derivative = Theorem(
     id="normal_by_beta",
@@ -86,7 +82,7 @@ derivative = Theorem(
         variant("without 1/|M|", _derivative, *equations(_slopes, bumped_by_beta * m_length)),
         variant("the sign turned", _derivative, *equations(_slopes, -bumped_by_beta)),
     ),
-    side_conditions=(SideCondition(r"$M \ne 0$", "derivative", undefined=[at((0, 0, 1), (0, 0, 1), -1)]),),
+    side_conditions=(SideCondition(r"$M \ne 0$", "derivative", undefined=[at(-1, (0, 0, 1))]),),
 )
 
 
@@ -102,7 +98,7 @@ _linear = Claim("linear", (equation((_m.subs(beta, beta + STEP) - _m) / STEP, g[
 # |M| = (t + 1/t)/2 is rational where β g_x = (t − 1/t)/2: t = 2 at β, and 2 + 4·10⁻⁶ at β + 10⁻⁷.
 _before, _after = ((t - 1 / t) / 2 for t in (Rational(2), 2 + Rational(4, 10**6)))
 _g_x = (_after - _before) / STEP
-_point = at((0, 0, 1), (_g_x, 0, 0), _before / _g_x)
+_point = at(_before / _g_x, (_g_x, 0, 0))
 
 theorem = Theorem(
     id="seed_step_in_beta",

@@ -7,7 +7,7 @@ from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped, g, m_length, perturbed
 from proofs.formulas.symbols import beta, cross, dot, normal, real, towards
 from proofs.theorems.normal import at, tangent
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import QUARTER, equations, nonnegative, positive
 
 _length = (("unit_length", "length"),)
 _g_squared, cosine = dot(g, g), dot(normal, bumped)
@@ -49,11 +49,7 @@ angle = Theorem(
     ),
     side_conditions=(
         SideCondition(
-            r"$N\cdot g = 0$",
-            "angle",
-            holds=[at((0, 0, 1), (1, 0, 0), 7)],
-            fails=[at((0, 0, 1), (0, 0, 1), 1)],
-            undefined=[at((0, 0, 1), (0, 0, 1), -1)],
+            r"$N\cdot g = 0$", "angle", holds=[at(7)], fails=[at(1, (0, 0, 1))], undefined=[at(-1, (0, 0, 1))]
         ),
     ),
 )
@@ -86,8 +82,7 @@ def _large(name, side):
     return Claim(
         name,
         (
-            greater(sqrt(_g_squared), 0),
-            greater(w, 0),
+            *positive(sqrt(_g_squared), w),
             equation(w**2, beta**2 * _g_squared),
             equation(m_length**2, 1 + w**2),
             at_least(m_length, w),
@@ -135,23 +130,22 @@ limits = Theorem(
         SideCondition(
             r"$\beta \ne 0$, $g \ne 0$",
             "large_beta",
-            holds=[{**at((0, 0, 1), (1, 0, 0), Rational(3, 4)), w: Rational(3, 4)}],
-            fails=[{**at((0, 0, 1), (1, 0, 0), 0), w: 0}],
-            undefined=[{**at((0, 0, 1), (0, 0, 0), 1), w: 0}],
+            holds=[{**at(3 * QUARTER), w: 3 * QUARTER}],
+            fails=[{**at(0), w: 0}],
+            undefined=[{**at(1, (0, 0, 0)), w: 0}],
         ),
     ),
 )
 
+_swing = beta * dot(g, towards)
+_cosine = dot(normal, towards) + _swing
 _within = Claim(
     "shadow_line",
     (
         equation(w**2, beta**2 * _g_squared),
-        at_least(w, 0),
-        at_least(_g_squared - dot(g, towards) ** 2, 0),
-        at_least(w**2 - (beta * dot(g, towards)) ** 2, 0),
-        at_least(w + beta * dot(g, towards), 0),
-        greater(dot(normal, towards) + beta * dot(g, towards), 0),
-        equation(m_length * dot(bumped, towards), dot(normal, towards) + beta * dot(g, towards)),
+        *nonnegative(w, _g_squared - dot(g, towards) ** 2, w**2 - (_swing) ** 2, w + _swing),
+        greater(_cosine, 0),
+        equation(m_length * dot(bumped, towards), _cosine),
         greater(dot(bumped, towards), 0),
     ),
     (*tangent, _w, equation(dot(towards, towards), 1), dot(normal, towards) > w),
@@ -180,7 +174,7 @@ shadow_line = Theorem(
             _within,
             *_within.shows[-1:],
             given=(*_within.given[:-1], dot(normal, towards) > w / 2),
-            at={**at((0, 0, 1), (1, 0, 0), 1), towards: (Rational(-4, 5), 0, Rational(3, 5)), w: 1},
+            at={**at(1), towards: (Rational(-4, 5), 0, Rational(3, 5)), w: 1},
         ),
         variant("N'·ω ≥ N·ω", _within, at_least(dot(bumped, towards), dot(normal, towards))),
     ),
@@ -188,11 +182,8 @@ shadow_line = Theorem(
         SideCondition(
             r"$N\cdot\omega > |\beta||g|$",
             "shadow_line",
-            holds=[{**at((0, 0, 1), (1, 0, 0), 1), **_light, w: 1}, {**at((0, 0, 1), (1, 0, 0), 0), **_light, w: 0}],
-            fails=[
-                {**at((0, 0, 1), (1, 0, 0), Rational(4, 3)), **_light, w: Rational(4, 3)},
-                {**at((0, 0, 1), (1, 0, 0), 0), towards: (1, 0, 0), w: 0},
-            ],
+            holds=[{**at(1), **_light, w: 1}, {**at(0), **_light, w: 0}],
+            fails=[{**at(Rational(4, 3)), **_light, w: Rational(4, 3)}, {**at(0), towards: (1, 0, 0), w: 0}],
         ),
     ),
 )

@@ -19,6 +19,7 @@ from proofs.formulas.shadow import (
 from proofs.formulas.shadow_cone import along, at_light, curvature, from_body, half_slope, shadow_clearance
 from proofs.formulas.symbols import ball_center, ball_radius, cross, dot, eye, light, point, real, vector
 from proofs.theorems.hits import distance_squared
+from proofs.theorems.relations import HALF, nonnegative, positive
 
 s = real("s")
 _between = point + s * segment
@@ -46,15 +47,11 @@ _first = (_b - sqrt(_d)) / _a
 _if = Claim(
     "if",
     (
-        greater(_a, 0),
-        greater(_a - _b, 0),
+        *positive(_a, _a - _b),
         equation((_b - sqrt(_d)) * (_b + sqrt(_d)), _a * _c),
-        greater(_b + sqrt(_d), 0),
-        greater(_b - sqrt(_d), 0),
+        *positive(_b + sqrt(_d), _b - sqrt(_d)),
         equation((_a - _b - sqrt(_d)) * (_a - _b + sqrt(_d)), _a * (_a - 2 * _b + _c)),
-        greater(_a - _b + sqrt(_d), 0),
-        greater(1 / _a, 0),
-        greater(_first, 0),
+        *positive(_a - _b + sqrt(_d), 1 / _a, _first),
         greater(1, _first),
         equation(_a * _first**2 - 2 * _b * _first + _c, 0),
     ),
@@ -62,7 +59,7 @@ _if = Claim(
 )
 _only_if = Claim(
     "only_if",
-    (greater(_b, 0), greater(_a - _b, 0), equation((_a * s - _b) ** 2, _d), at_least(_d, 0)),
+    (*positive(_b, _a - _b), equation((_a * s - _b) ** 2, _d), at_least(_d, 0)),
     (*_positive_at_p, _a - 2 * _b + _c > 0, s > 0, s < 1, equation(_a * s**2 - 2 * _b * s + _c, 0)),
     squares=(_a * s - _b,),
 )
@@ -125,15 +122,15 @@ theorem = Theorem(
     mutants=(
         variant("without the vertex before L", _if, greater(1, _first), given=_if.given[:-1]),
         variant("without the vertex after P", _if, greater(_first, 0), given=(*_if.given[:-2], _a > 0, _b < _a)),
-        variant("d > 0 for every root", _only_if, greater(_d, 0), at={_a: 4, _b: 2, _c: 1, s: Rational(1, 2)}),
+        variant("d > 0 for every root", _only_if, greater(_d, 0), at={_a: 4, _b: 2, _c: 1, s: HALF}),
     ),
     side_conditions=(
         SideCondition("$|C-P| > r$", "if", fails=[{_a: 4, _b: 2, _c: 0, _d: 4}]),
         SideCondition(
             "$|C-L| > r$",
             "only_if",
-            holds=[{_a: 4, _b: 3, _c: 2, _d: 1, s: Rational(1, 2)}],
-            fails=[{_a: 4, _b: 4, _c: 3, _d: 4, s: Rational(1, 2)}],
+            holds=[{_a: 4, _b: 3, _c: 2, _d: 1, s: HALF}],
+            fails=[{_a: 4, _b: 4, _c: 3, _d: 4, s: HALF}],
         ),
     ),
 )
@@ -146,9 +143,7 @@ _cone = Claim(
     "cone",
     (
         equation(distance**2 * wander**2 - product**2, dot(cross(axis, aside), cross(axis, aside))),
-        at_least(distance**2 * wander**2 - product**2, 0),
-        at_least(distance * wander, 0),
-        at_least(distance * wander + product, 0),
+        *nonnegative(distance**2 * wander**2 - product**2, distance * wander, distance * wander + product),
         equation(dot(_met, _met), (distance - wander) ** 2 + 2 * (distance * wander + product)),
         greater(distance - wander, body_radius),
         greater((distance - wander) ** 2, body_radius**2),
@@ -245,7 +240,7 @@ cone = Theorem(
                 equation(wander**2, dot(aside, aside)),
                 equation(product, dot(axis, aside)),
             ),
-            at=_points(Rational(3, 2)),
+            at=_points(3 * HALF),
         ),
         variant("the ends are enough", _least[1], at_least(_parabola, _low)),
         variant(

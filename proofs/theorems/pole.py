@@ -2,10 +2,10 @@
 
 from sympy import Expr, cos, pi, sin
 
-from proofs.engine.claim import Claim, Induction, equation, greater
+from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.theorem import Clause, Mutant, Step, Theorem, variant
 from proofs.formulas.bump import bumped_normal, g
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
+from proofs.formulas.height_fields import HeightField, gradient
 from proofs.formulas.symbols import (
     Vector,
     cos_phi,
@@ -23,9 +23,8 @@ from proofs.formulas.symbols import (
     u,
     v,
 )
-from proofs.theorems.relations import equations
+from proofs.theorems.relations import equations, positive, rings, sine, zero
 
-sine, rings = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["rings"]
 _meridian = u, (theta + pi) / (2 * pi)
 
 
@@ -47,7 +46,7 @@ _length = Claim(
         *(equation(g_i.subs(at), 0) for at in ({theta: -pi}, {k_u: 0}, {k_v: 0}) for g_i in _sine),
     ),
 )
-_differs = Claim("sine_differs", (greater(dot(_sine, _sine), 0),), (k_v**2 > 0, sin(_turned) ** 2 > 0))
+_differs = Claim("sine_differs", positive(dot(_sine, _sine)), (k_v**2 > 0, sin(_turned) ** 2 > 0))
 _round = [g_i - g_i.subs(theta, theta + pi) for g_i in _rings]
 _opposite = Claim(
     "rings",
@@ -154,7 +153,7 @@ smooth_everywhere = Theorem(
         Step(r"$k_u = 2$, $k_v = 1$: $(0, -\pi, 0)$ on $\theta = \pi/2$, and $0$ on $\theta = -\pi$", "arithmetic"),
     ),
     mutants=(
-        variant("true for k_v = 0", _same, given=(equation(k_v, 0),)),
+        variant("true for k_v = 0", _same, given=zero(k_v)),
         Mutant("true of the surface gradient, k_u = 2", Claim("surface", _limit.shows[3:5])),
     ),
 )

@@ -1,10 +1,14 @@
-"""Relations, names and points that several theorems speak of."""
+"""Relations, fields, names and numbers that several theorems speak of."""
 
 from collections.abc import Sequence
 
-from sympy import Basic, Expr, Symbol
+from sympy import Basic, Expr, Rational, Symbol
 
-from proofs.engine.claim import at_least, equation
+from proofs.engine.claim import at_least, equation, greater
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+
+sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
+HALF, QUARTER, EIGHTH = (Rational(1, n) for n in (2, 4, 8))
 
 
 def equations(left: Sequence[Expr], right: Sequence[Expr]) -> tuple[Basic, ...]:
@@ -12,9 +16,24 @@ def equations(left: Sequence[Expr], right: Sequence[Expr]) -> tuple[Basic, ...]:
     return tuple(equation(a, b) for a, b in zip(left, right, strict=True))
 
 
-def both_ways(bound: Expr, quantity: Expr) -> tuple[Basic, Basic]:
+def positive(*expressions: Expr) -> tuple[Basic, ...]:
+    """Return that each is > 0."""
+    return tuple(greater(e, 0) for e in expressions)
+
+
+def nonnegative(*expressions: Expr) -> tuple[Basic, ...]:
+    """Return that each is ≥ 0."""
+    return tuple(at_least(e, 0) for e in expressions)
+
+
+def zero(*expressions: Expr) -> tuple[Basic, ...]:
+    """Return that each is 0."""
+    return tuple(equation(e, 0) for e in expressions)
+
+
+def both_ways(bound: Expr, quantity: Expr) -> tuple[Basic, ...]:
     """Return −bound ≤ quantity ≤ bound."""
-    return at_least(bound - quantity, 0), at_least(bound + quantity, 0)
+    return nonnegative(bound - quantity, bound + quantity)
 
 
 def named(function: Expr) -> Symbol:

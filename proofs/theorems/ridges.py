@@ -1,19 +1,17 @@
 """Where ridges is differentiable on its creases: at their crossings, and nowhere else on them."""
 
-from sympy import Abs, Rational, pi, sin
+from sympy import Abs, pi, sin
 
 from proofs.engine.claim import CitedLemma, Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import named
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, ridges, sine, zero
 
-ridges, sine = HEIGHT_FIELDS["ridges"], HEIGHT_FIELDS["sine"]
 to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u, v = n/k_v
 _crossing = ridges.expression.subs({u: m / k_u + to_u, v: n / k_v + to_v})
 _sines = sin(pi * k_u * to_u), sin(pi * k_v * to_v)
-_whole = (equation(sin(pi * m), 0), equation(sin(pi * n), 0))
+_whole = zero(sin(pi * m), sin(pi * n))
 _small = tuple(
     CitedLemma(at_least((pi * k * d) ** 2, s**2), "DLMF")
     for k, d, s in zip((k_u, k_v), (to_u, to_v), _sines, strict=True)
@@ -65,7 +63,7 @@ def _either_side(name, along, k, step, across):
         (k > 0, step > 0, k * step <= 1, equation(sin(pi * m), 0)),
         squares=(named(across), named(across) * named(sin(angle))),
         cited=(sine_of_half_turn(k * step), sine_below(angle), sine_above(angle)),
-        ranges=((step, (0, Rational(1, 4))), (k, (Rational(1, 4), 3))),
+        ranges=((step, (0, QUARTER)), (k, (QUARTER, 3))),
     )
 
 
@@ -83,7 +81,7 @@ _beyond = [ridges.expression.subs(u, m / k_u + side * to_u) for side in (1, -1)]
 
 def _at(whole_u, whole_v):
     """Return a point at half a wave from u = whole_u, v = whole_v."""
-    return {k_u: 1, k_v: 1, m: whole_u, n: whole_v, to_u: Rational(1, 2), to_v: Rational(1, 2)}
+    return {k_u: 1, k_v: 1, m: whole_u, n: whole_v, to_u: HALF, to_v: HALF}
 
 
 crossings = Theorem(
@@ -111,7 +109,7 @@ crossings = Theorem(
         variant("on one crease only", _crossed, *_crossed.shows[:1], given=(k_u > 0, k_v > 0, _whole[0])),
         variant("the sum for the product", _crossed, equation(_crossing**2, (_sines[0] + _sines[1]) ** 2)),
     ),
-    side_conditions=(SideCondition("$m$, $n$ whole", "crossing", holds=[_at(1, 1)], fails=[_at(1, Rational(1, 2))]),),
+    side_conditions=(SideCondition("$m$, $n$ whole", "crossing", holds=[_at(1, 1)], fails=[_at(1, HALF)]),),
 )
 
 on_creases = Theorem(
@@ -147,7 +145,7 @@ on_creases = Theorem(
 )
 
 _u_slope = sine.gradient()[0] / pi  # in half-turns
-_one_slope = Claim("one_slope", (equation(Abs(_u_slope), -Abs(_u_slope)),), (equation(sin(pi * k_u * u), 0),))
+_one_slope = Claim("one_slope", (equation(Abs(_u_slope), -Abs(_u_slope)),), zero(sin(pi * k_u * u)))
 
 differentiable = Theorem(
     id="ridges_differentiable",
@@ -155,7 +153,7 @@ differentiable = Theorem(
     statement=r"On a crease $k_u u = m$ the slopes of ridges to the right and to the left, $+|p_u|$ and $-|p_u|$ with "
     r"$p = \sin\pi k_u u\,\sin\pi k_v v$, are the same.",
     claims=(_one_slope,),
-    refuted_at={u: Rational(1, 4), v: Rational(1, 8), k_u: 8, k_v: 4},
+    refuted_at={u: QUARTER, v: EIGHTH, k_u: 8, k_v: 4},
     steps=(Step(r"$k_u = 8$, $k_v = 4$, $(u, v) = (1/4, 1/8)$: $+8\pi$ and $-8\pi$", "arithmetic"),),
     mutants=(
         variant("true at a crossing", _one_slope, given=(*_one_slope.given, equation(sin(pi * k_v * v), 0))),

@@ -2,7 +2,7 @@
 
 from sympy import Rational
 
-from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import nothing_clamps, of_heights, pole_clamps
 from proofs.formulas.finite_difference import h_u_minus, h_u_plus, h_v_minus, h_v_plus
@@ -23,7 +23,7 @@ from proofs.formulas.step_bounds import (
     unit,
 )
 from proofs.formulas.symbols import epsilon, h_u, h_v, real, v
-from proofs.theorems.relations import both_ways
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, both_ways, nonnegative, positive
 
 here, mean, off_plus, off_minus, growth = real("here mean off_plus off_minus growth")
 first, second, third = real("first second third")
@@ -31,22 +31,22 @@ first, second, third = real("first second third")
 _each = evaluation + steepest * argument
 _factors = tuple(part for d in (first, second, third) for part in both_ways(unit, d))
 _unit = (unit > 0, unit < 1)
+_both = (1 + first) * (1 + second)
 _two = Claim(
     "two_roundings",
     both_ways(two_roundings[excess], growth - 1),
-    (*_unit, *_factors[:4], equation(growth, (1 + first) * (1 + second))),
-    ranges=((unit, (0, Rational(1, 4))), (first, (Rational(-1, 4), Rational(1, 4)))),
+    (*_unit, *_factors[:4], equation(growth, _both)),
+    ranges=((unit, (0, QUARTER)), (first, (-QUARTER, QUARTER))),
 )
 _three = Claim(
     "three_roundings",
     (
-        at_least((1 + unit) ** 2 - (1 + first) * (1 + second), 0),
-        at_least((1 + first) * (1 + second) - (1 - unit) ** 2, 0),
+        *nonnegative((1 + unit) ** 2 - _both, _both - (1 - unit) ** 2),
         *both_ways((1 - unit) * three_roundings[excess], (1 - unit) * (growth - 1)),
         *both_ways(three_roundings[excess], growth - 1),
     ),
-    (*_unit, *_factors, equation(growth * (1 + third), (1 + first) * (1 + second))),
-    ranges=tuple((d, (Rational(-1, 8), Rational(1, 8))) for d in (unit, first, second, third)),
+    (*_unit, *_factors, equation(growth * (1 + third), _both)),
+    ranges=tuple((d, (-EIGHTH, EIGHTH)) for d in (unit, first, second, third)),
 )
 
 
@@ -68,9 +68,9 @@ def _rounded(name, output, samples, over, given):
         (*given, *(relation for most, quantity in magnitudes for relation in both_ways(most, quantity))),
         of_heights({plus: here + over * mean + off_plus, minus: here + off_minus}),
         ranges=(
-            *((d, (Rational(-1, 4), Rational(1, 4))) for d in (off_plus, off_minus, mean)),
+            *((d, (-QUARTER, QUARTER)) for d in (off_plus, off_minus, mean)),
             *((e, (0, 3)) for e in (evaluation, argument, excess, steepest)),
-            *((e, (0, Rational(1, 2))) for e in (epsilon, v)),
+            *((e, (0, HALF)) for e in (epsilon, v)),
         ),
     )
 
@@ -136,13 +136,13 @@ theorem = Theorem(
             "one rounding for two",
             _two,
             at_least(unit, growth - 1),
-            at={(unit, first, second): [Rational(1, 4)] * 3, growth: Rational(25, 16)},
+            at={(unit, first, second): [QUARTER] * 3, growth: Rational(25, 16)},
         ),
         variant(
             "the span's rounding costs nothing",
             _three,
             at_least(2 * unit + unit**2, growth - 1),
-            at={(unit, first, second): [Rational(1, 4)] * 3, third: Rational(-1, 4), growth: Rational(25, 12)},
+            at={(unit, first, second): [QUARTER] * 3, third: -QUARTER, growth: Rational(25, 12)},
         ),
     ),
     side_conditions=(
@@ -159,11 +159,10 @@ _positive = (truncation > 0, best > 0, epsilon > 0, equation(rounding, best_step
 _least = Claim(
     "least",
     (
-        greater(truncation * best, 0),
-        greater(best**2, 0),
-        greater(rounding, 0),
-        at_least(truncation * (epsilon + 2 * best), 0),
-        at_least(epsilon * (truncation * epsilon**2 - 3 * truncation * best**2) + rounding, 0),
+        *positive(truncation * best, best**2, rounding),
+        *nonnegative(
+            truncation * (epsilon + 2 * best), epsilon * (truncation * epsilon**2 - 3 * truncation * best**2) + rounding
+        ),
         at_least(truncation * epsilon**2 + rounding / epsilon, _least_value),
         equation(truncation * best**2 + rounding / best, _least_value),
         equation(_least_value**3, Rational(27, 4) * truncation * rounding**2),

@@ -2,15 +2,13 @@
 
 from sympy import Expr, Rational, cos, expand, pi, sin
 
-from proofs.engine.claim import Claim, Induction, at_least, equation, greater
+from proofs.engine.claim import Claim, Induction, at_least, equation
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.half_turns import sinpi
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import k_u, k_v, real, u, v
-from proofs.theorems.relations import named
+from proofs.theorems.relations import EIGHTH, HALF, named, positive, ridges, rings, sine, zero
 
 n, alternating = real("n alternating")
-sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
 _whole, _in_v = equation(sin(pi * k_u), 0), sinpi(k_v * v)
 _turned = sine.expression.subs(u, u + 1)
 
@@ -45,9 +43,7 @@ _odd = Claim(
     (equation(jump(sine.expression), 0), equation(jump(_slope), 2 * pi * k_u * _in_v)),
     (equation(cos(pi * k_u), -1),),
 )
-_ridges = Claim(
-    "ridges", (equation(ridges.expression.subs(u, 0), 0), equation(ridges.expression.subs(u, 1), 0)), (_whole,)
-)
+_ridges = Claim("ridges", zero(ridges.expression.subs(u, 0), ridges.expression.subs(u, 1)), (_whole,))
 _step = real("step")
 _beside = tuple(ridges.expression.subs(u, at) for at in (_step, 1 - _step))
 _crease = Claim(
@@ -63,9 +59,9 @@ _crease = Claim(
 )
 _broken = Claim(
     "ridges_jump",
-    (greater(-jump(ridges.expression), 0),),
+    positive(-jump(ridges.expression)),
     (sin(pi * k_u) ** 2 > 0, _in_v**2 > 0),
-    ranges=tuple((s, (Rational(1, 8), Rational(7, 8))) for s in (k_u, k_v, v)),  # samples keep off the zeros
+    ranges=tuple((s, (EIGHTH, 7 * EIGHTH)) for s in (k_u, k_v, v)),  # samples keep off the zeros
 )
 _smooth = Claim(
     "rings", (equation(rings.expression.subs(u, u + 1), rings.expression), equation(rings.gradient()[0], 0))
@@ -111,16 +107,13 @@ theorem = Theorem(
         SideCondition(
             "$k_u$ is even",
             "even",
-            holds=[{k_u: 2, k_v: 1, u: Rational(1, 3), v: Rational(1, 2)}],
-            fails=[
-                {k_u: 1, k_v: 1, u: Rational(1, 3), v: Rational(1, 2)},
-                {k_u: Rational(3, 2), k_v: 1, u: Rational(1, 3), v: Rational(1, 2)},
-            ],
+            holds=[{k_u: 2, k_v: 1, u: Rational(1, 3), v: HALF}],
+            fails=[{k_u: 1, k_v: 1, u: Rational(1, 3), v: HALF}, {k_u: 3 * HALF, k_v: 1, u: Rational(1, 3), v: HALF}],
         ),
     ),
 )
 
-_periodic = Claim("slope", (equation(expand(jump(_slope) / pi), 0),), (_whole,))
+_periodic = Claim("slope", zero(expand(jump(_slope) / pi)), (_whole,))
 
 seam_saved = Theorem(
     id="periodic_u_saves_the_seam",
@@ -128,10 +121,10 @@ seam_saved = Theorem(
     statement=r"For whole $k_u$ sine is differentiable across $u = 0$: its slope is the same on both sides.",
     hypotheses=("$k_u$ is whole",),
     claims=(_periodic,),
-    refuted_at={k_u: 1, k_v: 1, v: Rational(1, 2)},
+    refuted_at={k_u: 1, k_v: 1, v: HALF},
     steps=(Step(r"$k_u = 1$, $v = 1/2$, $k_v = 1$: the slope is $\pi$ at $u = 0$, $-\pi$ at $u = 1$", "arithmetic"),),
     mutants=(
         variant("true for even k_u", _periodic, given=(equation(cos(pi * k_u), 1),)),
-        Mutant("true for the height", Claim("height", (equation(jump(sine.expression), 0),), (_whole,))),
+        Mutant("true for the height", Claim("height", zero(jump(sine.expression)), (_whole,))),
     ),
 )

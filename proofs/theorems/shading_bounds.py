@@ -1,6 +1,6 @@
 """How far a gradient's error can move a colour: one light's share of a channel, normalising, and means of samples."""
 
-from sympy import Max, Rational, sqrt
+from sympy import Max, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
@@ -8,7 +8,7 @@ from proofs.formulas.bump import g, m, perturbed
 from proofs.formulas.colour_bounds import diffuse_share, light_bound, most, q, specular_share
 from proofs.formulas.shading import albedos, clipped_value, colors, kd, ks, light_colors, light_term, lit
 from proofs.formulas.symbols import beta, cross, dot, mu, normal, real, specular, vector
-from proofs.theorems.relations import both_ways, equations
+from proofs.theorems.relations import HALF, both_ways, equations, nonnegative
 
 _other_mu, _other_specular, step, so_far, _before = real("other_mu other_specular step so_far before")
 
@@ -24,8 +24,7 @@ def _light(channel, factor=None):
     return Claim(
         f"light_{channel}",
         (
-            at_least(albedo * kd, 0),
-            *(at_least(weight, 0) for weight in weights),
+            *nonnegative(albedo * kd, *weights),
             *(r for weight, change, largest in parts for r in both_ways(weight * largest, weight * change)),
             *both_ways(so_far + (factor or bound.expand(most)) * step, after - other),
         ),
@@ -57,7 +56,7 @@ _all_lights = Claim(
             at_least(so_far_ + factor * step, to)
             for so_far_, factor, to in zip((0, *_changes[:-1]), _factors, _changes, strict=True)
         ),
-        *(at_least(factor, 0) for factor in _factors),
+        *nonnegative(*_factors),
         at_least(_slope_error, step),
     ),
 )
@@ -165,10 +164,12 @@ _normalise = Claim(
     "normalise",
     (
         equation(length_a**2 * length_b**2 - product**2, dot(cross(a, b), cross(a, b))),
-        at_least(length_a**2 * length_b**2 - product**2, 0),
-        at_least(length_a * length_b - 1, 0),
-        at_least(length_a * length_b - product, 0),
-        at_least(length_a * length_b + product, 0),
+        *nonnegative(
+            length_a**2 * length_b**2 - product**2,
+            length_a * length_b - 1,
+            length_a * length_b - product,
+            length_a * length_b + product,
+        ),
         equation(length_a * length_b * turned**2, 2 * (length_a * length_b - product)),
         equation(apart**2, length_a**2 + length_b**2 - 2 * product),
         at_least(length_a * length_b * (apart**2 - turned**2), 0),
@@ -222,9 +223,9 @@ normalising = Theorem(
             _normalise,
             at_least(apart, turned),
             given=(length_a > 0, length_b > 0, apart >= 0, turned >= 0, *_outside),
-            at=_pair(Rational(1, 2)),
+            at=_pair(HALF),
         ),
         variant("at most 1", _normalise, at_least(1, turned)),
     ),
-    side_conditions=(SideCondition(r"$|a|, |b| \ge 1$", "normalise", holds=[_pair(1)], fails=[_pair(Rational(1, 2))]),),
+    side_conditions=(SideCondition(r"$|a|, |b| \ge 1$", "normalise", holds=[_pair(1)], fails=[_pair(HALF)]),),
 )

@@ -8,6 +8,7 @@ from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import discriminant_b, distance, hit_of_b, ray_direction, toward_b
 from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, lengths_of_b, x, y
 from proofs.theorems.hits import distance_squared
+from proofs.theorems.relations import nonnegative, positive
 
 _cx, _cy, _cz = ball_center
 _above = eye - _cz  # H: how far the eye is above B's centre
@@ -47,12 +48,9 @@ _h = distance  # H = e − C_z
 _ch = _s + _h**2 - ball_radius**2
 _bh = _q + eye * _h
 _apart = (
-    at_least((_h - ball_radius) * (_h + ball_radius), 0),
-    at_least(_image, 0),
-    at_least((_ch - _s) * _image, 0),
+    *nonnegative((_h - ball_radius) * (_h + ball_radius), _image, (_ch - _s) * _image),
     at_least(_s * _image, _q**2),
-    greater(eye**2, 0),
-    greater(_ch * eye**2, 0),
+    *positive(eye**2, _ch * eye**2),
     greater(_ch * (_image + eye**2), _q**2),
     greater(_bh**2 - _q**2, 0),
     equation(_bh**2 - _q**2, eye * _h * (2 * _bh - eye * _h)),
@@ -61,15 +59,14 @@ _inside = (_ch > 0, _bh**2 >= _ch * (_image + eye**2))
 _hints = (x * _cy - y * _cx, x, y)
 _all_seen = Claim(
     "all_seen",
-    (greater(_h, 0), greater(eye * _h, 0), *_apart, greater(2 * _bh - eye * _h, 0), greater(_bh, 0)),
+    (*positive(_h, eye * _h), *_apart, *positive(2 * _bh - eye * _h, _bh)),
     (*lengths_of_b, _h >= ball_radius, *_inside),
     squares=_hints,
 )
 _none_seen = Claim(
     "none_seen",
     (
-        greater(-_h, 0),
-        greater(-eye * _h, 0),
+        *positive(-_h, -eye * _h),
         at_least((-_h - ball_radius) * (-_h + ball_radius), 0),
         *_apart[1:],
         greater(-2 * _bh + eye * _h, 0),
@@ -82,8 +79,7 @@ _branch = Claim(
     "branch",
     (
         equation(toward_b**2, _c * dot(ray_direction, ray_direction)),
-        greater(dot(ray_direction, ray_direction), 0),
-        greater(toward_b**2, 0),
+        *positive(dot(ray_direction, ray_direction), toward_b**2),
     ),
     (eye > 0, _outside, equation(discriminant_b, 0)),
     hit_of_b,

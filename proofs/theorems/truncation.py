@@ -5,16 +5,26 @@ from sympy import Expr, Rational, cos, diff, pi, sin
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, nothing_clamps, nothing_wraps
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import apart, crease_bound, slope_bound, steepest, truncation, truncation_bound
 from proofs.formulas.step_bounds import frequency as half_turns
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below
-from proofs.theorems.finite_difference import difference, rings, sine
-from proofs.theorems.relations import both_ways, equations, named
+from proofs.theorems.finite_difference import difference
+from proofs.theorems.relations import (
+    EIGHTH,
+    HALF,
+    QUARTER,
+    both_ways,
+    equations,
+    named,
+    nonnegative,
+    positive,
+    ridges,
+    rings,
+    sine,
+)
 
 _in_u, _in_v = pi * k_u * u, pi * k_v * v
-ridges = HEIGHT_FIELDS["ridges"]
 
 
 def bound_at(frequency: Expr) -> Expr:
@@ -36,13 +46,10 @@ def _bounded(name, field, output, frequency, given, factors, squares=(), share=1
     angle = rate * epsilon
     error, bound = difference(field, output) - slope, share * bound_at(frequency)
     shows = (
-        at_least(1 - factors, 0),
-        at_least(1 + factors, 0),
-        greater(rate, 0),
-        greater(rate**3, 0),
+        *nonnegative(1 - factors, 1 + factors),
+        *positive(rate, rate**3),
         equation(third, -(rate**3) * factors),
-        at_least(rate**3 - third, 0),
-        at_least(rate**3 + third, 0),
+        *nonnegative(rate**3 - third, rate**3 + third),
         equation(epsilon * error, factors * (sin(angle) - angle)),
         *(at_least(epsilon * (bound + s * error), 0) for s in (1, -1)),
         *(at_least(bound + s * error, 0) for s in (1, -1)),
@@ -50,7 +57,7 @@ def _bounded(name, field, output, frequency, given, factors, squares=(), share=1
     lemmas = (sine_below(angle), sine_above(angle))
     (k,) = frequency.free_symbols
     step, sine_of_step = (Rational(13, 30), Rational(24, 25)) if k == frequency else (Rational(13, 60), Rational(3, 5))
-    example = ((coordinate, Rational(1, 2)), (k, 1), (epsilon, step), (sin(pi * k * epsilon), sine_of_step))
+    example = ((coordinate, HALF), (k, 1), (epsilon, step), (sin(pi * k * epsilon), sine_of_step))
     return Claim(name, shows, (*given, k > 0), None, squares, cited=lemmas, ranges=INSIDE, example=example)
 
 
@@ -77,9 +84,11 @@ _ridges = tuple(
     for name, side in (("above", 1), ("below", -1))
 )
 _quotient, _slope = real("quotient slope")
-_steepest, _apart_by = (bound[symbol] for bound, symbol in ((slope_bound, steepest), (crease_bound, apart)))
+_steepest = slope_bound[steepest]
 _apart = Claim(
-    "apart", both_ways(_apart_by, _quotient - _slope), (*both_ways(_steepest, _quotient), *both_ways(_steepest, _slope))
+    "apart",
+    both_ways(crease_bound[apart], _quotient - _slope),
+    (*both_ways(_steepest, _quotient), *both_ways(_steepest, _slope)),
 )
 _at_eight = Claim("at_eight", (greater((8 * pi) ** 3, 24**3), greater(24**3, 6 * 2000)))
 _at_four = Claim("at_four", (greater((4 * pi) ** 3, 1728), greater(1987, (4 * pi) ** 3)))
@@ -118,15 +127,12 @@ theorem = Theorem(
     ),
     mutants=(
         variant(
-            "rings with k_v for 2k_v",
-            _rings,
-            at_least(_rings_by_k_v, 0),
-            at={k_v: 2, v: Rational(1, 4), epsilon: Rational(1, 16)},
+            "rings with k_v for 2k_v", _rings, at_least(_rings_by_k_v, 0), at={k_v: 2, v: QUARTER, epsilon: EIGHTH / 2}
         ),
         Mutant(
             "a seventh for the sixth",
             _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(_in_u) * sin(_in_v), (), Rational(6, 7)),
-            at={k_u: 1, u: Rational(1, 16), k_v: 1, v: Rational(1, 2), epsilon: Rational(1, 100)},
+            at={k_u: 1, u: EIGHTH / 2, k_v: 1, v: HALF, epsilon: Rational(1, 100)},
         ),
         variant(
             "no further apart than the steepest slope",
@@ -136,8 +142,8 @@ theorem = Theorem(
         ),
     ),
     side_conditions=(
-        SideCondition(r"$\varepsilon > 0$", "rings", undefined=[{v: Rational(1, 2), epsilon: 0, k_v: 2}]),
-        SideCondition("$k > 0$", "rings", fails=[{v: Rational(1, 2), epsilon: Rational(1, 8), k_v: -2}]),
+        SideCondition(r"$\varepsilon > 0$", "rings", undefined=[{v: HALF, epsilon: 0, k_v: 2}]),
+        SideCondition("$k > 0$", "rings", fails=[{v: HALF, epsilon: EIGHTH, k_v: -2}]),
     ),
 )
 

@@ -7,14 +7,14 @@ from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import discriminant_a, hit_of_a, ray_direction, root_a, t_a, tangent_squared
 from proofs.formulas.symbols import dot, eye, radius, real, rho, rho_silhouette, x, y
 from proofs.theorems.hits import along, eye_outside_a, ray_meets_a
+from proofs.theorems.relations import HALF, QUARTER, positive
 
 t = real("t")
 _square = rho**2 + eye**2
 _inside = Claim(
     "inside",
     (
-        greater(tangent_squared, 0),
-        greater(rho_silhouette + rho, 0),
+        *positive(tangent_squared, rho_silhouette + rho),
         at_least(tangent_squared * (rho_silhouette - rho), 0),
         discriminant_a >= 0,
     ),
@@ -46,8 +46,7 @@ _place = (
     equation(t * _from_center, radius * (radius - eye * _cos_phi)),
     equation(_from_center**2, discriminant_a),
     equation(2 * eye**2 * t, _square * t**2 + eye**2 - radius**2),
-    greater(eye**2 * t, 0),
-    greater(t, 0),
+    *positive(eye**2 * t, t),
 )
 _visible = Claim(
     "visible",
@@ -62,7 +61,7 @@ _visible = Claim(
     (*_on_a, eye * _cos_phi >= radius),
     hit_of_a,
     squares=(rho * t, eye * t),
-    example=((eye, 5), (radius, 3), (x, Rational(9, 4)), (y, 0)),
+    example=((eye, 5), (radius, 3), (x, 9 * QUARTER), (y, 0)),
 )
 _hidden = Claim(
     "hidden",
@@ -75,7 +74,7 @@ _hidden = Claim(
 
 def _rim(t):
     """Return the inputs of a ray that touches A at t = 16/25, with a value of t."""
-    return {x: Rational(15, 16), y: 0, eye: Rational(5, 4), radius: Rational(3, 4), real("t"): t}
+    return {x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER, real("t"): t}
 
 
 silhouette = Theorem(
@@ -94,15 +93,15 @@ silhouette = Theorem(
     ),
     mutants=(
         variant("ρ_s = R e/√(e² + R²)", _only_inside, at_least(eye**2 * radius**2, rho**2 * (eye**2 + radius**2))),
-        variant("t < 1/2", _in_front, greater(Rational(1, 2), t_a)),
+        variant("t < 1/2", _in_front, greater(HALF, t_a)),
         variant("cos φ = 0 on the silhouette", _tangent, equation(_touching[2], 0)),
     ),
     side_conditions=(
         SideCondition(
             r"$\rho \le \rho_s$",
             "inside",
-            holds=[{x: Rational(15, 16), y: 0, eye: Rational(5, 4), radius: Rational(3, 4)}],
-            fails=[{x: 1, y: 0, eye: Rational(5, 4), radius: Rational(3, 4)}],
+            holds=[{x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}],
+            fails=[{x: 1, y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}],
         ),
         SideCondition("$e > R$", "in_front", undefined=[{x: 0, y: 0, eye: 1, radius: 1}]),
     ),

@@ -12,7 +12,7 @@ from sympy.printing.str import StrPrinter
 
 
 class KernelPrinter(StrPrinter):
-    """Prints for `renderer.operations`; a subclass may name other functions."""
+    """Prints for `renderer.operations`; `verify.evaluate` prints the same lines for any other kind of number."""
 
     names: ClassVar = {"Abs": "abs", "Max": "maximum", "Min": "minimum"}
 
@@ -33,6 +33,12 @@ class KernelPrinter(StrPrinter):
 
     def _print_Infinity(self, expr):
         return "inf"
+
+    def _print_NegativeInfinity(self, expr):
+        return "-inf"
+
+    def _print_Exp1(self, expr):
+        return self._call("exp", [S.One])
 
     def _print_Mul(self, expr):
         coefficient, factors = expr.as_coeff_mul()
@@ -111,12 +117,12 @@ class KernelPrinter(StrPrinter):
             raise ValueError(f"a selection without a last resort: {expr}")
         text = self._print(last)
         for value, condition in reversed(expr.args[:-1]):
-            text = self.select(self._print(condition)[1:-1], self._print(value), text)  # without its parentheses
+            text = self.select(self._print(condition), self._print(value), text)
         return text
 
     def select(self, condition: str, value: str, otherwise: str) -> str:
-        """Return the text of a selection."""
-        return f"where({condition}, {value}, {otherwise})"
+        """Return the text of a selection; the condition stands in parentheses, which it does not need here."""
+        return f"where({condition[1:-1]}, {value}, {otherwise})"
 
     def _print_And(self, expr, connective=" & "):
         return f"({connective.join(self._print(part) for part in sorted(expr.args, key=str))})"

@@ -74,7 +74,8 @@ def factors_of(field: HeightField) -> tuple[Expr | None, Expr | None] | None:
     """Return the factors of u and of v that a field, or what it is the absolute value of, is the product of.
 
     None for one that is missing, and in place of both for a field whose differences no theorem bounds. The theorems do
-    where the factors are sines or cosines of πau and πbv, a and b the wave numbers, and creases their zeros or none.
+    where the factors are one sine or cosine of πau and one of πbv, a and b the wave numbers; an absolute value is
+    creased where one of them is 0.
     """
     if field.wave_numbers is None:
         return None
@@ -82,8 +83,7 @@ def factors_of(field: HeightField) -> tuple[Expr | None, Expr | None] | None:
     factors = Mul.make_args(field.expression.args[0] if folded else field.expression)
     waves = [w * c for w, c in zip(field.wave_numbers, (along_u, along_v), strict=True)]
     of_u, of_v = (next((f for f in factors if w != 0 and f in (sinpi(w), cospi(w))), None) for w in waves)
-    covered = {of_u, of_v} - {None} == {*factors} and {*field.creases} == ({*factors} if folded else set())
-    return (of_u, of_v) if covered else None
+    return (of_u, of_v) if {of_u, of_v} - {None} == {*factors} else None
 
 
 def half_unit(number: Number) -> Number:

@@ -213,7 +213,16 @@ class Tracer:
     sqrt = partialmethod(call, "sqrt")
     floor = partialmethod(call, "floor")
     rint = partialmethod(call, "rint")
-    power = partialmethod(call, "pow")
+
+    def bits(self, number: Value, operation: str, other: int) -> Value:
+        """As `renderer.operations.bits`."""
+        builder, whole = self.builder, ir.VectorType(WHOLE, self.lanes)
+
+        def emit(vector):
+            changed = getattr(builder, operation)(builder.bitcast(vector, whole), whole([other] * self.lanes))
+            return builder.bitcast(changed, self.vector)
+
+        return self.made(Value, f"{operation} {other}", emit, number)
 
     def where(self, mask: Mask, value: Value | float, otherwise: Value | float) -> Value:
         return self.made(Value, "select", self.builder.select, mask, self.value(value), self.value(otherwise))

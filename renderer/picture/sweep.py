@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from renderer import whole_files
 from renderer.checks import check_choice
-from renderer.files import pictures as files
 from renderer.picture.drawing import render
 from renderer.picture.frame import Frame
 from renderer.scene.methods import DIFFERENCES, GradientMethod, difference, exact
@@ -115,4 +115,4 @@ def table(results: Results) -> str:
 
 def write_csv(path: str | Path, results: Results) -> None:
     """Write the results, as `records` takes them, with their column names."""
-    files.write_csv(path, records(results))
+    whole_files.write_csv(path, records(results))

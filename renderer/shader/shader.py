@@ -266,10 +266,16 @@ class Group:
                 return mu, 0.0
             self.machine.count("specular_powers", lit)
             if not self.want.whole:
-                return mu, k.highlight(specular, s.shininess)
+                return mu, self.highlight(specular, lit)
             return mu, *self.power((specular,), s.power, lambda a: (a * a,), lambda a, b: (a * b,))
 
         return self.machine.choose(self.want.lights, s.model, by)
+
+    def highlight(self, base: Number, lit: Mask) -> Number:
+        """Return base^p for a shininess p that is not whole: for no group that is unlit, or without a highlight."""
+        highlight = self.machine.variable(0.0)
+        self.machine.when(lit & (base > 0.0), lambda: highlight.set(k.highlight(base, self.scene.shininess)))
+        return highlight.value
 
 
 def difference(field: dict[str, Callable], method: str, *arguments: Number) -> Numbers:

@@ -1,4 +1,4 @@
-"""Certified errors of our sinpi, cospi and atan2pi, in units in the last place, over their whole reduced range.
+"""Certified errors of our elementary functions, in units in the last place, over their whole reduced range.
 
 The range is cut into pieces. On each the error is at most that of the polynomial, as it stands with its float64
 coefficients, plus that of the rounded lines. The polynomial is compared with the function's series term by term, so
@@ -6,32 +6,32 @@ that nothing cancels; the lines go through `verify.evaluate.rounding`. Every num
 
 The reduction before it is exact (Sterbenz), but for one rounding where product_error is added. Below 2^-12 the lines
 scale with their argument, but for its square, which is enclosed down to 0: the piece that ends there stands for all
-smaller ones, down to where a product underflows.
+smaller ones, down to where a product underflows. exp, log and power are in `verify.accuracy.exponential_ulps`.
 """
 
 import math
-from collections.abc import Callable, Iterable
-from functools import cache
+from collections.abc import Callable
+from functools import cache, partial
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
-from flint import arb, ctx, fmpq
-from sympy import Expr, Poly, Rational, Symbol
+from flint import arb, ctx
 
 from proofs.engine.program import Program
 from proofs.formulas import elementary as e
 from renderer import kernels
+from verify.accuracy.exponential_ulps import exponential_pieces, logarithm_pieces, power_pieces
+from verify.accuracy.pieces import PRECISION, SMALLEST, Piece, Series, ball, lines, piece_ends
 from verify.evaluate import code_of
-from verify.evaluate.rounding import ZERO, Rounded, between, run, unit_in_the_last_place
+from verify.evaluate.rounding import ZERO, Rounded, between, run
 
-PRECISION, TERMS = 160, 40
-SMALLEST = -12  # binary exponent below which the lines only scale
-PIECES = 40  # a binade
+SMALL = 50  # a power below exp(−50) is a small one
 
-KERNELS = {name: getattr(kernels, name) for name in ("sinpi", "cospi", "atan2pi")} | {
+
+KERNELS = {name: getattr(kernels, name) for name in ("sinpi", "cospi", "atan2pi", "exp", "log", "power")} | {
     "sinpi_of_product": lambda a, b: kernels.sinpi(*kernels.two_product(a, b)),
     "cospi_of_product": lambda a, b: kernels.cospi(*kernels.two_product(a, b)),
+    "small_power": kernels.power,
 }
 """What the renderer computes, of float64 numbers or arrays."""
 
@@ -42,6 +42,10 @@ EXACT: dict[str, Callable[..., arb]] = {
     "sinpi_of_product": lambda a, b: (a * b).sin_pi(),
     "cospi_of_product": lambda a, b: (a * b).cos_pi(),
     "atan2pi": lambda y, x: arb.atan2(y, x) / arb.pi(),
+    "exp": arb.exp,
+    "log": arb.log,
+    "power": arb.__pow__,
+    "small_power": arb.__pow__,
 }
 """The same of balls."""
 
@@ -58,53 +62,6 @@ def errors_in_ulps(name: str, *arguments: np.ndarray) -> np.ndarray:
     with ctx.workprec(200):
         exact = np.frompyfunc(lambda *case: EXACT[name](*map(arb, case)), len(arguments), 1)(*arguments)
         return np.frompyfunc(error_in_ulps, 2, 1)(KERNELS[name](*arguments), exact).astype(float)
-
-
-class Piece(NamedTuple):
-    """On `low` ≤ argument ≤ `high` the result is off by at most `ulps` (arb) units in its last place."""
-
-    low: arb
-    high: arb
-    ulps: arb
-
-
-def _ball(rational):
-    return arb(fmpq(int(rational.p), int(rational.q)))
-
-
-def _lines(program, after=(), until=()):
-    """Return the program's lines that do not stand in `after`, up to those that `until` need."""
-    definitions = tuple((s, x) for s, x in program.definitions if s not in after)
-    inputs = tuple({t: None for _, x in definitions for t in sorted(x.free_symbols, key=str)})
-    inputs = tuple(s for s in inputs if s not in {d for d, _ in definitions})
-    return Program(program.name, inputs, definitions, until).keep(*until)
-
-
-def piece_ends(first: arb, last: arb, cuts: Iterable[arb] = ()) -> list[arb]:
-    """Return the ends of pieces from `first` to `last`: PIECES to each binade, evenly, and at the cuts between."""
-    ends, low = list(cuts), arb((1, SMALLEST - 1))
-    while low < last:
-        ends += [low * (PIECES + i) / PIECES for i in range(PIECES)]
-        low *= 2
-    return [arb(first), *sorted(end for end in ends if first < end < last), arb(last)]
-
-
-class Series:
-    """A polynomial of one variable against the Taylor series of what it stands for."""
-
-    def __init__(self, expression: Expr, variable: Symbol, coefficient: Callable[[int], arb]):
-        polynomial = Poly(expression, variable)
-        own = {power: _ball(c) for (power,), c in polynomial.terms()}
-        self.differences = [own.get(n, arb(0)) - coefficient(n) for n in range(TERMS)]
-        self.left_out = [abs(coefficient(n)) for n in (TERMS, TERMS + 1)]  # the signs alternate, the terms fall
-
-    def error(self, argument: arb) -> arb:
-        """Return an upper bound of |polynomial − function| over a ball."""
-        total = arb(0)
-        for difference in reversed(self.differences):
-            total = total * argument + difference
-        tail = max(c * argument.abs_upper() ** (TERMS + n) for n, c in enumerate(self.left_out))
-        return total.abs_upper() + tail
 
 
 def _sine_coefficient(shift):
@@ -128,7 +85,7 @@ def sine_pieces(cosine: bool = False, of_product: bool = False, program: Program
     """
     near = e.cosine_near if cosine else e.sine_near
     with ctx.workprec(PRECISION):
-        code = code_of(_lines(program, after=[s for s, _ in e.reduction[:4]], until=(near,)))
+        code = code_of(lines(program, after=[s for s, _ in e.reduction[:4]], until=(near,)))
         series = Series(program.expand(near, until=(e.remainder,)), e.remainder, _sine_coefficient(shift=cosine))
         end = arb((1, -2)) + arb((1, -30))  # |product − quarters/2| ≤ 1/4, and |product_error| < 2^-30
         cuts = () if cosine else [arb((1, -n)).asin() / arb.pi() for n in range(1, 2 - SMALLEST)]
@@ -154,7 +111,7 @@ def angle_pieces(program: Program = e.angle_in_half_turns) -> list[Piece]:
     """Return the Pieces of atan2pi over t = smaller/larger, 0 ≤ t ≤ 1: the worst of the eight octants."""
     with ctx.workprec(PRECISION):
         compared = [program[s].args[0][1] for s in (e.middle, e.steep)]  # smaller > c · larger
-        first, second = (_ball(relation.lts.coeff(e.larger)) for relation in compared)
+        first, second = (ball(relation.lts.coeff(e.larger)) for relation in compared)
         slack = arb((1, -52))  # the comparison's product is rounded
         cuts = [(arb.pi() / 2**n).tan() for n in range(3, 3 - SMALLEST)]
         arcs = [
@@ -175,9 +132,9 @@ class _Angle:
 
     def __init__(self, program):
         given = (e.larger, e.smaller, e.middle, e.steep)
-        self.to_node = code_of(_lines(program, given, (e.node, e.node_value, e.node_correction)))
-        self.to_ratio = code_of(_lines(program, given, (e.ratio,)))
-        self.to_octant = code_of(_lines(program, (*given, e.node, e.ratio), (e.first_octant,)))
+        self.to_node = code_of(lines(program, given, (e.node, e.node_value, e.node_correction)))
+        self.to_ratio = code_of(lines(program, given, (e.ratio,)))
+        self.to_octant = code_of(lines(program, (*given, e.node, e.ratio), (e.first_octant,)))
         self.octants = [code_of(self._decided(program, *choice)) for choice in ((0, 0), (0, 1), (1, 0), (1, 1))]
         arctangent = program.expand(e.small_part, until=(e.ratio, e.node_correction)) - e.node_correction
         self.series = Series(arctangent, e.ratio, _arctangent_coefficient)
@@ -222,23 +179,22 @@ class _Angle:
         return worst
 
 
-def pieces_of(name: str) -> list[Piece]:
-    """Return the Pieces of an elementary function by its name, a key of `proofs.formulas.certified.CERTIFIED`."""
+PIECES: dict[str, Callable[..., list[Piece]]] = {
+    "sinpi": sine_pieces,
+    "cospi": partial(sine_pieces, cosine=True),
+    "sinpi_of_product": partial(sine_pieces, of_product=True),
+    "cospi_of_product": partial(sine_pieces, cosine=True, of_product=True),
+    "atan2pi": angle_pieces,
+    "exp": exponential_pieces,
+    "log": logarithm_pieces,
+    "power": lambda: [piece for piece in power_pieces() if piece.high <= SMALL],
+    "small_power": power_pieces,
+}
+"""{name: what returns the pieces of its range}"""
+
+
+def at(name: str, points: np.ndarray, other: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Return arguments of a kernel at points of its pieces; other: positive numbers, for what a point leaves open."""
     if name == "atan2pi":
-        return angle_pieces()
-    return sine_pieces(cosine=name.startswith("cos"), of_product=name.endswith("_of_product"))
-
-
-def worst(pieces: Iterable[Piece]) -> arb:
-    """Return the largest certified error of the pieces, in ulps (arb)."""
-    return max(piece.ulps for piece in pieces)
-
-
-def off_by(program: Program, line: Symbol, coefficient: Expr, ulps: int) -> Program:
-    """Return the program with a constant of a line off by so many units in its last place: a false variant."""
-    unit = unit_in_the_last_place(_ball(abs(coefficient)))
-    off = coefficient + ulps * Rational(int(unit.man_exp()[0])) * Rational(2) ** int(unit.man_exp()[1])
-    changed = tuple((s, x.xreplace({coefficient: off}) if s == line else x) for s, x in program.definitions)
-    if ulps and changed == program.definitions:
-        raise ValueError(f"{program.name}: {line} has no constant {coefficient}")
-    return Program(program.name, program.inputs, changed, program.outputs)
+        return points * other, other
+    return (np.exp(-other), points / other) if name.endswith("power") else (points,)

@@ -1,4 +1,4 @@
-"""Our own sinpi, cospi and atan2pi for float64, against balls: no error is above the certified one.
+"""Our own elementary functions for float64, against balls: no error is above the certified one.
 
 The certificate itself is run with the theorems: `elementary_functions`. Dense random arguments, and adversarial ones:
 on and beside the zeros, the quadrants' and the nodes' edges, tiny, large.
@@ -6,13 +6,16 @@ A product k·u costs one more rounding, of the reduced argument; the arctangent,
 """
 
 import math
+from functools import partial
 
 import numpy as np
 import pytest
 from flint import arb
 
 from proofs.formulas.certified import CERTIFIED
-from verify.accuracy.certified_ulps import error_in_ulps, errors_in_ulps, pieces_of, worst
+from renderer import kernels
+from verify.accuracy.certified_ulps import PIECES, SMALL, at, error_in_ulps, errors_in_ulps
+from verify.accuracy.pieces import worst
 
 
 def beside(values, count):
@@ -24,46 +27,75 @@ def beside(values, count):
     return np.concatenate(found)
 
 
-def cases_of(name):
-    """Return the arguments of a function, an array each."""
-    rng = np.random.default_rng(5)
-    if name == "atan2pi":
-        angles, lengths = np.pi * rng.uniform(0, 0.5, 2000), 10.0 ** rng.uniform(-5, 5, 2000)
-        small = np.concatenate([beside(np.array([5 / 16, 0.5, 0.75, 1.0]), 4), 10.0 ** -np.arange(1.0, 280, 9)])
-        y = np.concatenate([lengths * np.sin(angles), small, np.ones_like(small)])
-        x = np.concatenate([lengths * np.cos(angles), np.ones_like(small), small])
-        return np.concatenate([y, y, -y, -y]), np.concatenate([x, -x, x, -x])
-    if name.endswith("product"):
-        k, m = (grid.ravel() for grid in np.meshgrid(np.arange(1.0, 65, 3), np.arange(65)))
-        creases, large = beside(m[m <= k] / k[m <= k], 1), rng.uniform(0, 2.0**20, 500)
-        waves = np.concatenate([rng.uniform(-64, 64, 3000), large, np.tile(k[m <= k], 3)])
-        return waves, np.concatenate([rng.random(3500), creases])
-    spread = (rng.uniform(-2, 2, 3000), rng.uniform(-(2**20), 2**20, 1000), 10.0 ** -np.arange(1.0, 100))
+RANDOM = np.random.default_rng(5)
+
+
+def arguments():
+    spread = RANDOM.uniform(-2, 2, 3000), RANDOM.uniform(-(2**20), 2**20, 1000), 10.0 ** -np.arange(1.0, 100)
     return (np.concatenate([*spread, beside(np.arange(-16, 17) / 8, 3)]),)
+
+
+def products():
+    k, m = (grid.ravel() for grid in np.meshgrid(np.arange(1.0, 65, 3), np.arange(65)))
+    creases, large = beside(m[m <= k] / k[m <= k], 1), RANDOM.uniform(0, 2.0**20, 500)
+    waves = np.concatenate([RANDOM.uniform(-64, 64, 3000), large, np.tile(k[m <= k], 3)])
+    return waves, np.concatenate([RANDOM.random(3500), creases])
+
+
+def directions():
+    angles, lengths = RANDOM.uniform(0, np.pi / 2, 2000), 10.0 ** RANDOM.uniform(-5, 5, 2000)
+    small = np.concatenate([beside(np.array([5 / 16, 0.5, 0.75, 1.0]), 4), 10.0 ** -np.arange(1.0, 280, 9)])
+    y = np.concatenate([lengths * np.sin(angles), small, np.ones_like(small)])
+    x = np.concatenate([lengths * np.cos(angles), np.ones_like(small), small])
+    return np.concatenate([y, y, -y, -y]), np.concatenate([x, -x, x, -x])
+
+
+def logarithms():
+    (numbers,) = np.abs(arguments())
+    numbers = numbers[numbers > 1e-100]
+    return (np.concatenate([numbers, numbers**-3]),)
+
+
+def powers(smallest):
+    """Return bases and exponents, of which the power's logarithm is not below −smallest."""
+    exponents, bases = np.abs(products())
+    with np.errstate(all="ignore"):
+        within = (bases > 0) & (bases <= 1) & (exponents > 0) & (-exponents * np.log(bases) < smallest)
+    return bases[within], exponents[within]
+
+
+CASES = dict.fromkeys(CERTIFIED, arguments) | {
+    "sinpi_of_product": products,
+    "cospi_of_product": products,
+    "atan2pi": directions,
+    "exp": lambda: tuple(350 * x[np.abs(x) <= 2] for x in arguments()),
+    "log": logarithms,
+    "power": partial(powers, SMALL),
+    "small_power": partial(powers, 708),
+}
 
 
 @pytest.mark.parametrize("name", CERTIFIED)
 def test_error_in_ulps(name):
-    cases = cases_of(name)
+    cases = CASES[name]()
     errors = errors_in_ulps(name, *cases)
-    at = [argument[errors.argmax()] for argument in cases]
-    assert errors.max() <= CERTIFIED[name], f"{name}{at} is off by {errors.max()} ulp"
+    where = [argument[errors.argmax()] for argument in cases]
+    assert errors.max() <= CERTIFIED[name], f"{name}{where} is off by {errors.max()} ulp"
 
 
 @pytest.mark.parametrize("name", CERTIFIED)
 def test_what_is_stated_is_what_is_certified_to_a_hundredth(name):
-    certified = float(worst(pieces_of(name)))
+    certified = float(worst(PIECES[name]()))
     assert certified <= CERTIFIED[name] < certified + 0.01
 
 
-@pytest.mark.parametrize("name", ["sinpi", "cospi", "atan2pi"])
+@pytest.mark.parametrize("name", ["sinpi", "cospi", "atan2pi", "exp", "log"])
 def test_no_piece_is_certified_too_low(name):
     """On each piece of the range the kernel's error stays below that piece's own bound, and on some comes near it."""
-    rng, pieces = np.random.default_rng(3), pieces_of(name)
+    rng, pieces = np.random.default_rng(3), PIECES[name]()
     low, high, ulps = (np.array([float(getattr(p, end)) for p in pieces]) for end in ("low", "high", "ulps"))
-    x = np.clip(rng.uniform(low, high, (2, len(pieces))), np.nextafter(low, 1), np.nextafter(high, 0))
-    larger = rng.uniform(1, 2, x.shape)
-    shares = errors_in_ulps(name, *((x * larger, larger) if name == "atan2pi" else (x,))) / ulps
+    x = np.clip(rng.uniform(low, high, (2, len(pieces))), np.nextafter(low, np.inf), np.nextafter(high, -np.inf))
+    shares = errors_in_ulps(name, *at(name, x, rng.uniform(1, 2, x.shape))) / ulps
     assert 0.5 < shares.max() <= 1
 
 
@@ -71,3 +103,22 @@ def test_the_measure_sees_an_error():
     """One ulp added is one ulp measured, and a missed zero is infinite."""
     assert error_in_ulps(math.nextafter(0.75, 1), arb(0.75)) == 1
     assert error_in_ulps(1e-300, arb(0)) == math.inf
+
+
+def test_what_exp_and_log_are_outside_their_range():
+    numbers = np.array([np.nan, np.inf, -np.inf, 709.1, -708.1, -0.0, -1e-300])
+    with np.errstate(all="ignore"):
+        np.testing.assert_array_equal(kernels.exp(numbers), [np.nan, np.inf, 0, np.inf, 0, 1, 1])
+        np.testing.assert_array_equal(kernels.log(numbers)[[0, 1, 2, 5, 6]], [np.nan, np.inf, np.nan, -np.inf, np.nan])
+
+
+@pytest.mark.parametrize("exponent", [1e-3, 0.1, 0.5, 1.0, 7.3, 1e6])
+def test_a_power_rises_from_0_to_1(exponent):
+    """From one base to the next above it; for an exponent of 0.1 and less it may fall, by a unit in the last place."""
+    rng = np.random.default_rng(5)
+    bases = np.concatenate([rng.random(9999), 1 - 2.0 ** rng.uniform(-53, 0, 9999), [0, 203 / 256, 57 / 64, 0.5**0.5]])
+    with np.errstate(all="ignore"):
+        powers = kernels.power(np.unique([*bases, *np.nextafter(bases, 1), 1]), exponent)
+        assert np.isnan(kernels.power(math.nan, exponent))
+    assert (powers[0], powers[-1], powers.min(), powers.max()) == (0, 1, 0, 1)
+    assert (np.diff(powers) >= (-np.spacing(powers[:-1]) if exponent <= 0.1 else 0)).all()

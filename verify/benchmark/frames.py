@@ -7,7 +7,7 @@ import itertools
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -16,7 +16,7 @@ from renderer.scene.methods import GradientMethod
 from renderer.shader.shader import ON_A
 from verify.benchmark.baselines.numpy_tiles import numpy_tiles
 from verify.benchmark.baselines.seed_loops import seed_loops
-from verify.benchmark.plan import Case, given
+from verify.benchmark.timing import Case
 from verify.sources import ROOT
 
 SCENE = Scene()
@@ -27,7 +27,6 @@ METHODS = {"algebraic": exact("algebraic"), "general": exact("general"), "centra
 FITTED = (256, 512, 1024, 2048, 4096, 8192)
 SIDES = {"seed_exact": (64, 128, 256), "seed_central": (64, 128, 256), "numpy": (64, 256, 1024, 4096),
          "algebraic": (64, *FITTED), "general": (64, 256, 1024, 4096), "central": (64, 256, 1024, 4096)}  # fmt: skip
-SLOW = {"seed_exact": 3, "seed_central": 3, "numpy": 5}  # fewer visits, one call each
 PIXELS_A_VISIT = 2**23
 STEP = 1024
 IN_CACHE = 256  # six planes of that side stay in a cache: it is the gradient that is timed, not the memory
@@ -39,43 +38,13 @@ def calls(side: int) -> int:
 
 
 def frame_case(name: str, side: int, threads: int) -> Case:
-    """Return the case of one whole frame, from nothing, by a renderer of SIDES."""
+    """Return the case of one whole frame, from nothing, by a renderer of SIDES; the slow ones get fewer visits."""
     label, frame = f"{name}_{side}_{threads}", (SCENE, side, side)
     if name.startswith("seed"):
-        return Case(label, given(partial(seed_loops, *frame, None if name == "seed_exact" else EPS)), 1, SLOW[name])
+        return Case(label, partial(seed_loops, *frame, None if name == "seed_exact" else EPS), 1, 3)
     if name == "numpy":
-        return Case(label, given(partial(numpy_tiles, *frame, threads)), max(1, calls(side) // 8), SLOW[name])
-    return Case(label, given(partial(render, *frame, METHODS[name], threads=threads)), calls(side))
-
-
-def stepping(scene: Scene, frames: Iterable[tuple[Scene, GradientMethod]], threads: int) -> Callable[[], Callable]:
-    """Return a `prepare` whose function draws the next of `frames`, (scene, method), with the chambers given."""
-
-    def prepare():
-        stage, following = stage_of(scene, STEP, STEP, threads=threads), itertools.cycle(frames)
-        frame = render(scene, STEP, STEP, threads=threads, stage=stage)
-
-        def work():
-            nonlocal frame
-            changed, method = next(following)
-            frame = render(changed, STEP, STEP, method, threads=threads, stage=stage, into=frame)
-
-        for _ in frames:  # whatever is to be compiled, is
-            work()
-        return work
-
-    return prepare
-
-
-def step_cases() -> list[Case]:
-    """Return the cases with given chambers: steps of ε and β, and sphere A alone on one thread."""
-    sequences = {
-        f"eps_step_exact_{STEP}_2": [(SCENE, exact())],
-        f"eps_step_central_{STEP}_2": [(SCENE, central(10.0**-n)) for n in range(2, 7)],
-        f"beta_step_{STEP}_2": [(replace(SCENE, beta=beta), exact()) for beta in (0.1, 0.2, 0.35, 0.5)],
-        **{f"a_alone_{name}_{STEP}_1": [(A_ALONE, method)] for name, method in METHODS.items()},
-    }
-    return [Case(n, stepping(f[0][0], f, int(n[-1])), calls(STEP)) for n, f in sequences.items()]
+        return Case(label, partial(numpy_tiles, *frame, threads), max(1, calls(side) // 8), 5)
+    return Case(label, partial(render, *frame, METHODS[name], threads=threads), calls(side))
 
 
 def frame_cases(largest: int) -> list[Case]:
@@ -89,20 +58,40 @@ def frame_cases(largest: int) -> list[Case]:
     ]
 
 
-def image_gradient_points() -> int:
-    """Return how many points a call of IMAGE_GRADIENT takes: the pixels of A."""
-    return int(stage_of(A_ALONE, IN_CACHE, IN_CACHE).on_a.sum())
+def stepping(scene: Scene, frames: Sequence[tuple[Scene, GradientMethod]], threads: int) -> Callable[[], None]:
+    """Return a function that draws the next of `frames`, (scene, method), over the one before, its chambers given."""
+    stage = stage_of(scene, STEP, STEP, threads=threads)
+    frame = render(scene, STEP, STEP, threads=threads, stage=stage)
+    following = itertools.cycle(frames)
+
+    def step():
+        nonlocal frame
+        changed, method = next(following)
+        frame = render(changed, STEP, STEP, method, threads=threads, stage=stage, into=frame)
+
+    for _ in frames:  # whatever is to be compiled, is
+        step()
+    return step
 
 
-def _image_gradient():
+def step_cases() -> list[Case]:
+    """Return the cases with given chambers: steps of ε and β, and sphere A alone on one thread."""
+    sequences = {
+        f"eps_step_exact_{STEP}_2": [(SCENE, exact())],
+        f"eps_step_central_{STEP}_2": [(SCENE, central(10.0**-n)) for n in range(2, 7)],
+        f"beta_step_{STEP}_2": [(replace(SCENE, beta=beta), exact()) for beta in (0.1, 0.2, 0.35, 0.5)],
+        **{f"a_alone_{name}_{STEP}_1": [(A_ALONE, method)] for name, method in METHODS.items()},
+    }
+    return [Case(n, stepping(f[0][0], f, int(n[-1])), calls(STEP)) for n, f in sequences.items()]
+
+
+def image_gradient_case() -> Case:
+    """Return the case of the exact gradient alone, from (x, y) to (h_u, h_v) at the pixels of A: nothing is drawn."""
     stage = stage_of(A_ALONE, IN_CACHE, IN_CACHE)
     planes = {name: stage.new_plane() for name in ON_A}
     options = {"given": True, "surfaces": "a", "colors": False, "kept": ON_A}
-    return partial(stage.draw, A_ALONE, exact("algebraic"), 1, planes, **options)
-
-
-IMAGE_GRADIENT = Case("image_gradient", _image_gradient, calls(IN_CACHE))
-"""The exact gradient alone, from (x, y) to (h_u, h_v), in algebraic form on one thread: it draws nothing."""
+    work = partial(stage.draw, A_ALONE, exact("algebraic"), 1, planes, **options)
+    return Case("image_gradient", work, calls(IN_CACHE), unit="ns", points=int(stage.on_a.sum()))
 
 
 START = {
@@ -127,4 +116,6 @@ def _from_nothing(program):
         subprocess.run([sys.executable, "-c", program, folder], cwd=ROOT, capture_output=True, check=True)
 
 
-START_CASES = [Case(name, given(partial(_from_nothing, program)), 1, 3) for name, program in START.items()]
+def start_cases() -> list[Case]:
+    """Return the cases of a fresh interpreter."""
+    return [Case(name, partial(_from_nothing, program), 1, 3, "s") for name, program in START.items()]

@@ -1,4 +1,4 @@
-"""Measure the same frame on each machine that draws in Python, and write it with a label:
+"""Measure the same frame on each machine that draws in Python:
 
     python -m verify.benchmark.machines                  (seconds, on a machine that does nothing else)
 
@@ -6,9 +6,9 @@ LLVM's vectors and NumPy's rows, one thread, chambers given. The bits are the sa
 both; the run counts the bytes that differ. Writes verify/benchmark/results/machines.json: commit it.
 """
 
-from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from types import ModuleType
+from typing import Any
 from unittest import mock
 
 import numpy as np
@@ -17,8 +17,8 @@ from renderer import Scene, central, exact, render
 from renderer.machines import native, numpy_rows
 from renderer.picture import stage
 from renderer.picture.frame import Frame
-from verify.benchmark.label import command
-from verify.benchmark.plan import Case, given, numbers_of, timings
+from verify.benchmark.timing import Case, numbers_by_rounds
+from verify.records import command
 
 MACHINES = {"llvm": native, "numpy": numpy_rows}
 METHODS = {"exact": exact(), "central": central(1e-3)}
@@ -31,33 +31,29 @@ def _stage(side: int) -> stage.Stage:
     return render(SCENE, side, side).stage
 
 
-def drawn_by(machine: ModuleType, method: str) -> Callable[[], Frame]:
-    """Return the function that draws the frame on a machine by a method of METHODS."""
-
-    def draw():
-        with mock.patch.object(stage, "machine", lambda: machine):
-            return render(SCENE, SIDE, SIDE, METHODS[method], threads=1, stage=_stage(SIDE))
-
-    return draw
+def drawn_by(machine: ModuleType, method: str) -> Frame:
+    """Return the frame, drawn on a machine by a method of METHODS."""
+    with mock.patch.object(stage, "machine", lambda: machine):
+        return render(SCENE, SIDE, SIDE, METHODS[method], threads=1, stage=_stage(SIDE))
 
 
 def differing_bytes(method: str) -> int:
     """Return how many bytes of a frame differ between the machines."""
-    one, other = (np.ascontiguousarray(drawn_by(machine, method)().rgb).view(np.uint8) for machine in MACHINES.values())
+    one, other = (np.ascontiguousarray(drawn_by(machine, method).rgb).view(np.uint8) for machine in MACHINES.values())
     return int(np.count_nonzero(one != other))
 
 
-def measure(rounds: int) -> dict[str, float]:
+def measure(rounds: int) -> dict[str, Any]:
     """Return the milliseconds of a frame by each machine and method, and their ratios."""
-    cases = [Case(f"{name}_{method}", given(drawn_by(machine, method)), CALLS, rounds)
+    cases = [Case(f"{name}_{method}", partial(drawn_by, machine, method), CALLS, rounds)
              for name, machine in MACHINES.items() for method in METHODS]  # fmt: skip
-    numbers = numbers_of(timings(cases, "machines"), CALLS, "ms", 1e3, RATIOS)
-    return numbers | {"side": SIDE, "differing": sum(map(differing_bytes, METHODS))}
+    numbers = numbers_by_rounds(cases, "machines", RATIOS)
+    return {"numbers": numbers | {"side": SIDE, "differing": sum(map(differing_bytes, METHODS))}}
 
 
 def main(arguments: list[str] | None = None) -> None:
     """Measure, print, write."""
-    command("machines", __doc__, measure, ROUNDS, arguments)
+    command("machines", __doc__, measure, arguments, rounds=ROUNDS)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,4 @@
-"""From the times of frames to what the book cites of them; what they have to reach, and the table that says whether
-they do."""
+"""What follows from the times of frames, such as ratios; and which times were asked for, with a table of those met."""
 
 import operator
 from collections.abc import Mapping
@@ -7,7 +6,6 @@ from collections.abc import Mapping
 import numpy as np
 
 from verify.benchmark.frames import FITTED
-from verify.benchmark.rules import RULES, SCENES
 
 RATIOS = {
     **{f"{slow}_to_algebraic_{side}": (f"{case}_{side}_{threads}", f"algebraic_{side}_2")
@@ -20,9 +18,6 @@ RATIOS = {
 }  # fmt: skip
 """{number: (the case that takes so many times as long, as this case)}"""
 
-SAVED = {f"{rule}_saves_{name}": (f"with_all_{name}", f"without_{rule}_{name}") for rule in RULES for name in SCENES}
-"""{number: (the case, the same without a rule)}: the share of the time without the rule that it saves, in percent."""
-
 
 def derived(numbers: Mapping[str, float]) -> dict[str, float]:
     """Return what follows from {CASE_ms: milliseconds} of the cases that were timed."""
@@ -31,7 +26,6 @@ def derived(numbers: Mapping[str, float]) -> dict[str, float]:
         return [numbers[f"{case}_ms"] for case in cases] if numbers.keys() >= {f"{c}_ms" for c in cases} else None
 
     found = {name: times[0] / times[1] for name, cases in RATIOS.items() if (times := timed(*cases))}
-    found |= {n: 100.0 * (1.0 - times[0] / times[1]) for n, cases in SAVED.items() if (times := timed(*cases))}
     for threads in (1, 2):
         if times := timed(*(f"algebraic_{side}_{threads}" for side in FITTED)):  # time ∝ pixels^p
             found[f"exponent_{threads}"] = float(np.polyfit(2 * np.log(FITTED), np.log(times), 1)[0])

@@ -1,4 +1,4 @@
-"""Measure what a bumped normal costs, computed from the formula or fetched from a table, and write it with a label:
+"""Measure what a bumped normal costs, computed from the formula or fetched from a table:
 
     python -m verify.benchmark.texture                   (seconds, on a machine that does nothing else)
 
@@ -11,28 +11,29 @@ ratios are taken round by round; all carry their quartiles. Writes verify/benchm
 from collections.abc import Callable
 from functools import cache, partial
 from itertools import product
+from typing import Any
 
 import llvmlite.ir as ir
 import numpy as np
 
-from proofs.engine.program import Program, chain
+from proofs.engine.program import chain
 from proofs.formulas.finite_difference import central
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from proofs.formulas.symbols import beta, epsilon, k_u, k_v
 from renderer import Scene, exact, height_at, render
 from renderer.generate.kernels import function_of
 from renderer.machines.traced import WHOLE, Value
 from verify.accuracy.frontiers.normal_map import baked, bumped_in_frame, unit_length
-from verify.benchmark.label import command
 from verify.benchmark.methods.compiled import compiled_loop, loop_of
-from verify.benchmark.plan import Case, given, numbers_of, timings
+from verify.benchmark.timing import Case, numbers_by_rounds
 from verify.evaluate.programs import algebraic_gradient
+from verify.records import command
 
 Points = tuple[np.ndarray, ...]
 FIELD, SIDE, EPS = "sine", 512, 1e-3
 SMALL, LARGE = 257, 2049  # a map that the processor's own memory holds, and one that it does not
 ROUNDS, CALLS = 25, 4
 SCENE = Scene(field=FIELD)
+SCALARS = {"k_u": SCENE.ku, "k_v": SCENE.kv, "epsilon": EPS, "beta": SCENE.beta}
 RATIOS = {"central_to_exact": ("central", "exact"), "central_to_algebraic": ("central", "algebraic"),
           "difference_to_derivative": ("height_difference", "height_derivative"),
           **{f"{slow}_to_map": (slow, "map_small") for slow in ("central", "exact", "algebraic")},
@@ -41,12 +42,7 @@ RATIOS = {"central_to_exact": ("central", "exact"), "central_to_algebraic": ("ce
 
 def _from_formula(program):
     """Return the compiled loop from the points to N', by a program of the gradient."""
-    whole = chain(f"normal_{program.name}", program, bumped_in_frame)
-    scalars = {k_u: SCENE.ku, k_v: SCENE.kv, epsilon: EPS, beta: SCENE.beta}
-    used = [s for s in scalars if s in whole.inputs]
-    points = tuple(s for s in whole.inputs if s not in scalars)
-    ordered = Program(whole.name, (*points, *used), whole.definitions, whole.outputs)
-    return compiled_loop(ordered, {s.name: scalars[s] for s in used})
+    return compiled_loop(chain(f"normal_{program.name}", program, bumped_in_frame), SCALARS)
 
 
 def _texel(table, row, column):
@@ -105,11 +101,7 @@ def _by_difference(heights, u, v):
 def _loop(kernel, table):
     """Return a compiled loop over (u, v) that reads a table, float32 (rows, columns, channels), and keeps it alive."""
     table = np.ascontiguousarray(table, np.float32)
-
-    def reading(u, v):
-        return kernel(table, u, v)
-
-    run = loop_of(reading, 3)
+    run = loop_of(partial(kernel, table), 3)
     return lambda *points: (table, run(*points))[1]
 
 
@@ -146,17 +138,17 @@ def ways() -> dict[str, tuple[Callable, Points]]:
     }
 
 
-def measure(rounds: int) -> dict[str, float]:
+def measure(rounds: int) -> dict[str, Any]:
     """Return the nanoseconds a point of every way, and their ratios."""
     count = len(points()[0][0])
-    cases = [Case(name, given(partial(function, *at)), CALLS, rounds) for name, (function, at) in ways().items()]
-    numbers = numbers_of(timings(cases, "normals"), CALLS, "ns", 1e9 / count, RATIOS)
-    return numbers | {"points": count, "small": SMALL, "large": LARGE, "eps": EPS}
+    cases = [Case(name, partial(function, *at), CALLS, rounds, "ns", count) for name, (function, at) in ways().items()]
+    numbers = numbers_by_rounds(cases, "normals", RATIOS)
+    return {"numbers": numbers | {"points": count, "small": SMALL, "large": LARGE, "eps": EPS}}
 
 
 def main(arguments: list[str] | None = None) -> None:
     """Measure, print, write."""
-    command("texture", __doc__, measure, ROUNDS, arguments)
+    command("texture", __doc__, measure, arguments, rounds=ROUNDS)
 
 
 if __name__ == "__main__":

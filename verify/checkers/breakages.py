@@ -79,12 +79,19 @@ def broken(pair: list, rng: random.Random) -> str:
     return text if raw is None else text.replace('"RAW"', raw)
 
 
+def stored() -> dict[str, dict]:
+    """Return {theorem/claim/number: its stored statement, certificate and point} of everything that is stored."""
+    return {
+        f"{path.stem}/{claim['claim']}/{number}": entry
+        for path in sorted(FOLDER.glob("*.json"))
+        for claim in json.loads(path.read_text("utf-8"))["claims"]
+        for number, entry in enumerate(claim["statements"])
+    }
+
+
 def short_pairs() -> list[list]:
     """Return the stored [statement, certificate] pairs of at most LARGEST characters."""
-    claims = [
-        claim for path in sorted(FOLDER.glob("*.json")) for claim in json.loads(path.read_text("utf-8"))["claims"]
-    ]
-    pairs = [[entry["statement"], entry["certificate"]] for claim in claims for entry in claim["statements"]]
+    pairs = [[entry["statement"], entry["certificate"]] for entry in stored().values()]
     return [pair for pair in pairs if len(json.dumps(pair)) <= LARGEST]
 
 

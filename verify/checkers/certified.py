@@ -1,16 +1,18 @@
 """Whether a counterexample of 50 digits is one beyond doubt: its claim over balls, with every rounding in them."""
 
+import operator
 from collections.abc import Mapping
-from functools import reduce
 from typing import Any
 
 from sympy import Eq, Symbol
 
-from verify.checkers.digits import Code, Undefined, compare, parts_of
-from verify.checkers.sampler import Sampler
+from verify.checkers.digits import Code, Undefined, decided, parts_of
+from verify.checkers.sampler import Sampler, real_roots
 
 try:
     import flint
+
+    from verify.evaluate.balls import BALLS
 except ImportError:  # then no counterexample is certified
     flint = None  # type: ignore[assignment]
 
@@ -26,56 +28,35 @@ def certified(sampler: Sampler, point: Mapping[Symbol, Any]) -> bool:
     if flint is None:
         return False
     with flint.ctx.workprec(BITS):
-        names, solved = balls(), dict(sampler.solved)
-        values = {s: flint.arb(v) for s, v in point.items() if s not in solved}
+        names = BALLS | {"compare": decided, "real": _real, "pi": flint.arb.pi()}
+        names |= {"sqrt": flint.arb.sqrt, "power": operator.pow}  # undefined where a ball reaches below 0
+        values = {s: flint.arb(v) for s, v in point.items() if s not in dict(sampler.solved)}
 
-        def decided(relation):
+        def holds(relation):
             """Return whether a relation holds, or None where that is open."""
-            sides = () if relation == False else (relation.lhs, relation.rhs)  # noqa: E712  (SymPy's false)
+            if relation == False:  # noqa: E712  (SymPy's false is not Python's)
+                return False
             try:
-                left, right = Code(values, sides, sampler.definitions, names)(values) if sides else (0, 1)
-                return compare(left, relation.rel_op if sides else "==", right)
+                left, right = Code((relation.lhs, relation.rhs), sampler.definitions)(values, names)
+                return decided(left, relation.rel_op, right)
             except (Undefined, NameError):
                 return None
 
+        def solved(symbol, coefficients):
+            """Return a ball with the root that is near the point's coordinate."""
+            near = flint.arb(point[symbol])
+            return min(real_roots(coefficients(values, names)), key=lambda root: float(abs(root - near).mid()))
+
         try:
             for symbol, coefficients in sampler.solved:
-                code = Code(coefficients.inputs, coefficients.expressions, names=names)
-                values[symbol] = _root(code(values), flint.arb(point[symbol]))
-        except (Undefined, NameError, ValueError):
+                values[symbol] = solved(symbol, coefficients)
+        except (Undefined, NameError, ValueError, TypeError):  # no root, or none by a formula
             return False
-        open_ = [r for r in sampler.given if not (isinstance(r, Eq) and r in sampler.solved_relations)]
-        return all(map(decided, open_)) and any(decided(r) is False for r in parts_of(sampler.claimed))
+        unsolved = [r for r in sampler.given if not (isinstance(r, Eq) and r in sampler.solved_relations)]
+        return all(map(holds, unsolved)) and any(holds(r) is False for r in parts_of(sampler.claimed))
 
 
-def _root(coefficients, near):
-    """Return a ball with a root of a linear or quadratic polynomial, the one near a number."""
-    if len(coefficients) == 2:
-        return -coefficients[1] / coefficients[0]
-    a, b, c = coefficients
-    root = (b * b - 4 * a * c).sqrt()
-    return min(((-b + s * root) / (2 * a) for s in (1, -1)), key=lambda ball: float(abs(ball - near).mid()))
-
-
-def balls() -> dict[str, Any]:
-    """Return what the code calls over balls, at flint's working precision. Of a ball that reaches below 0 no root."""
-    arb = flint.arb
-
-    def real(ball):
-        if not arb(ball).is_finite():
-            raise Undefined("infinite, or of a ball where it has no value")
-        return arb(ball)
-
-    functions = {name: getattr(arb, name) for name in ("sqrt", "sin", "cos", "exp", "log", "floor")}
-    return functions | {
-        "real": real,
-        "compare": compare,
-        "mpf": arb,
-        "pi": arb.pi(),
-        "inf": arb.pos_inf(),
-        "sinpi": arb.sin_pi,
-        "cospi": arb.cos_pi,
-        "atan2pi": lambda y, x: arb(0) if y.is_zero() and x.is_zero() else arb.atan2(y, x) / arb.pi(),
-        "max": lambda *values: reduce(arb.max, map(arb, values)),
-        "min": lambda *values: reduce(arb.min, map(arb, values)),
-    }
+def _real(ball):
+    if not ball.is_finite():
+        raise Undefined("infinite, or of a ball where it has no value")
+    return ball

@@ -1,8 +1,10 @@
 """What a run found about one theorem, the grade on that alone, and the grade in the run: what it rests on counts."""
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 
 from proofs.engine.theorem import Theorem
@@ -59,44 +61,38 @@ class Examination:
 
 def final_grades(evidences: Iterable[dict]) -> dict[str, tuple[str, str]]:
     """Return {id: (grade, reason)}: a theorem is proved only if all that it uses, in the same run, is proved."""
-    grades = {}
     by_id = {e["id"]: e for e in evidences}
 
+    @cache
     def grade(id):
-        if id not in grades:
-            record = by_id.get(id)
-            if record is None:
-                return "missing", f"{id} was not run"
-            enough = EXACT if record["grade"] in (*EXACT, "refuted") else STANDING
-            weak = [use for use in record["uses"] if grade(use)[0] not in enough]
-            if record["grade"] != "failed" and NOT_RECHECKED in (record["grade"], *(grade(use)[0] for use in weak)):
-                grades[id] = NOT_RECHECKED, record.get("reason", "what it uses was not re-checked")
-            elif record["grade"] != "failed" and weak:
-                wanted = "not proved" if enough == EXACT else "without evidence"
-                grades[id] = "failed", f"it uses {', '.join(weak)}, {wanted} in this run"
-            else:
-                grades[id] = record["grade"], ""
-        return grades[id]
+        if id not in by_id:
+            return "missing", f"{id} was not run"
+        own, uses = by_id[id]["grade"], by_id[id]["uses"]
+        enough = EXACT if own in (*EXACT, "refuted") else STANDING
+        weak = [use for use in uses if grade(use)[0] not in enough]
+        if own != "failed" and NOT_RECHECKED in (own, *(grade(use)[0] for use in weak)):
+            return NOT_RECHECKED, by_id[id].get("reason", "what it uses was not re-checked")
+        if own != "failed" and weak:
+            wanted = "not proved" if enough == EXACT else "without evidence"
+            return "failed", f"it uses {', '.join(weak)}, {wanted} in this run"
+        return own, ""
 
-    for id in by_id:
-        grade(id)
-    return grades
+    return {id: grade(id) for id in by_id}
 
 
 def given_cited(evidences: Iterable[dict]) -> dict[str, list[str]]:
     """Return {id: the sources whose lemmas or hypotheses it rests on, directly or through what it uses}."""
-    by_id, sources = {e["id"]: e for e in evidences}, {}
+    by_id = {e["id"]: e for e in evidences}
 
-    def of(id):
-        if id not in sources:
-            record = by_id.get(id, {"uses": ()})
-            own = {lemma["source"] for lemma in record.get("cited_lemmas", ())}
-            if record.get("source") and record.get("grade") != "cited":
-                own.add(record["source"])
-            sources[id] = own.union(*(of(use) for use in record["uses"]))
-        return sources[id]
+    @cache
+    def sources(id):
+        record = by_id.get(id, {"uses": ()})
+        own = {lemma["source"] for lemma in record.get("cited_lemmas", ())}
+        if record.get("source") and record.get("grade") != "cited":
+            own.add(record["source"])
+        return own.union(*map(sources, record["uses"]))
 
-    return {id: sorted(of(id)) for id in by_id}
+    return {id: sorted(sources(id)) for id in by_id}
 
 
 def grade_line(grade: str, sources: Sequence[str], bibliography_key: str = "") -> str:
@@ -121,8 +117,7 @@ def graded(evidences: Sequence[dict]) -> list[dict]:
 
 def summary(entries: Iterable[dict]) -> dict[str, int]:
     """Return how many theorems have each grade; those proved given a cited lemma are counted apart."""
-    counts: dict[str, int] = {}
-    for entry in entries:
-        key = entry["grade"] + ("_given_cited" if entry["given_cited"] and entry["grade"] != "failed" else "")
-        counts[key] = counts.get(key, 0) + 1
+    counts = Counter(
+        e["grade"] + ("_given_cited" if e["given_cited"] and e["grade"] != "failed" else "") for e in entries
+    )
     return dict(sorted(counts.items()))

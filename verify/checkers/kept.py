@@ -4,9 +4,9 @@ It is kept with a key: a hash of every source that the measurements can reach, o
 and of the libraries' versions. What has another key, or was changed since it was written, is not read.
 """
 
-import importlib.metadata
 import json
 from dataclasses import asdict
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from proofs.engine.theorem import Theorem
@@ -31,8 +31,8 @@ def key_of(theorem: Theorem) -> str:
 
 def _version(distribution):
     try:
-        return importlib.metadata.version(distribution)
-    except importlib.metadata.PackageNotFoundError:
+        return version(distribution)
+    except PackageNotFoundError:
         return None
 
 
@@ -40,8 +40,8 @@ def keep(evidence: Examination, key: str) -> None:
     """Write what a run found about a theorem, if nothing is missing."""
     if evidence.problems or not (sources.ROOT / "pyproject.toml").exists():  # an installed package keeps nothing
         return
-    found = asdict(evidence)
-    text = json.dumps({"key": key, "evidence": found, "hash": sources.key({key: found})}, indent=1)
+    content = asdict(evidence)
+    text = json.dumps({"key": key, "evidence": content, "hash": sources.key({key: content})}, indent=1)
     write_whole(FOLDER / f"{evidence.id}.json", (text + "\n").encode())
 
 
@@ -51,8 +51,8 @@ def read(theorem: Theorem, key: str) -> Examination | None:
         kept = json.loads((FOLDER / f"{theorem.id}.json").read_text(encoding="utf-8"))
         if kept["key"] != key or kept["hash"] != sources.key({key: kept["evidence"]}):
             return None
-        found = Examination(**kept["evidence"])
+        examination = Examination(**kept["evidence"])
     except (OSError, ValueError, KeyError, TypeError):
         return None
-    found.uses = tuple(found.uses)
-    return found
+    examination.uses = tuple(examination.uses)
+    return examination

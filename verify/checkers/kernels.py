@@ -10,11 +10,11 @@ from verify.checkers.proof_checker import CHECKERS
 
 JAVASCRIPT = Path(__file__).resolve().parents[2] / "book" / "static" / "checker" / "kernel.js"
 ASK = """
-const { check } = Checker.kernel();
+const { check } = certificate_kernel();
 const lines = require("fs").readFileSync(0, "utf8").split("\\n").filter(Boolean);
 const answers = lines.map((text) => {
   try {
-    return check(...Checker.parsed(text)).accepted;
+    return check(...parsed_canonical(text)).accepted;
   } catch {
     return false;
   }
@@ -38,13 +38,13 @@ def canonical(text: str) -> bool:
 
 def accepted(texts: Sequence[str]) -> list[dict[str, bool]]:
     """Return [{kernel: whether it accepts}] of texts "[statement,certificate]"; JavaScript needs node."""
-    found = [
+    verdicts_of_each = [
         {name: canonical(text) and check(*json.loads(text)) is None for name, check in CHECKERS.items()}
         for text in texts
     ]
     if shutil.which("node"):
         code = JAVASCRIPT.read_text(encoding="utf-8") + ASK
         ran = subprocess.run(["node", "-e", code], input="\n".join(texts), capture_output=True, text=True, check=True)
-        for verdicts, answer in zip(found, json.loads(ran.stdout), strict=True):
+        for verdicts, answer in zip(verdicts_of_each, json.loads(ran.stdout), strict=True):
             verdicts["JavaScript"] = answer
-    return found
+    return verdicts_of_each

@@ -54,27 +54,30 @@ def sources_of(theorem_id: str) -> set[Path]:
 
 def examine(theorem: Theorem, theorems: Theorems) -> Examination:
     """Return the Examination of a theorem without claims: measured, or else cited."""
-    found = Examination(theorem.id, theorem.expected, theorem.uses)
-    found.problems += incomplete(theorem, theorems)
-    found.check_sources(theorem)
-    found.record["measurements"] = seen = [_measured(found, *entry) for entry in measurements().get(theorem.id, ())]
-    found.reached = "cited"
+    examination = Examination(theorem.id, theorem.expected, theorem.uses)
+    examination.problems += incomplete(theorem, theorems)
+    examination.check_sources(theorem)
+    examination.record["measurements"] = seen = [
+        _measured(examination, *entry) for entry in measurements().get(theorem.id, ())
+    ]
+    examination.reached = "cited"
     if theorem.expected != "cited":
-        found.reached = "certified" if seen and all(m["certified"] for m in seen) else "measured"
+        examination.reached = "certified" if seen and all(m["certified"] for m in seen) else "measured"
         if not seen:
-            found.problems.append("no measurement is registered for it in verify/checkers/measurements")
-    found.record["grade"] = found.grade
-    return found
+            examination.problems.append("no measurement is registered for it in verify/checkers/measurements")
+    examination.record["grade"] = examination.grade
+    return examination
 
 
-def _measured(found, function, false):
+def _measured(examination, function, false):
     """Run a measurement, and its false variants, which it has to reject."""
     seen, rejected = function(), []
     if not seen.accepted:
-        found.problems.append(f"{seen.what}: worst {seen.worst}, bound {seen.bound}, holds: {seen.holds}")
+        examination.problems.append(f"{seen.what}: worst {seen.worst}, bound {seen.bound}, holds: {seen.holds}")
     for text, changes in false.items():
         rejected.append({"variant": text, "rejected": not function(**changes).accepted})
-        found.mutants, found.mutants_killed = found.mutants + 1, found.mutants_killed + rejected[-1]["rejected"]
+        examination.mutants += 1
+        examination.mutants_killed += rejected[-1]["rejected"]
         if not rejected[-1]["rejected"]:
-            found.problems.append(f"{seen.what}: does not reject the false variant “{text}”")
+            examination.problems.append(f"{seen.what}: does not reject the false variant “{text}”")
     return seen.record() | {"false_variants": rejected}

@@ -62,21 +62,25 @@ def examine(
     if not theorem.claims and theorem.expected in WITHOUT_CLAIMS:
         return importlib.import_module("verify.checkers.measured").examine(theorem, theorems)
     prove = prove or importlib.import_module("proofs.engine.certificate").prove
-    found = Examination(theorem.id, theorem.expected, theorem.uses)
-    found.problems += incomplete(theorem, theorems)
-    _check_certificates(found, theorem, theorems, prove, anew)
-    found.check_sources(theorem)
-    found.record["witness"] = [_sampled(found, theorem, claim, points) for claim in theorem.claims]
-    found.record["side_conditions"] = [_edges(found, theorem, condition) for condition in theorem.side_conditions]
-    found.mutants += len(theorem.mutants)
+    examination = Examination(theorem.id, theorem.expected, theorem.uses)
+    examination.problems += incomplete(theorem, theorems)
+    _check_certificates(examination, theorem, theorems, prove, anew)
+    examination.check_sources(theorem)
+    examination.record["witness"] = [_sampled(examination, theorem, claim, points) for claim in theorem.claims]
+    examination.record["side_conditions"] = [
+        _edges(examination, theorem, condition) for condition in theorem.side_conditions
+    ]
+    examination.mutants += len(theorem.mutants)
     refute = _refute_variant if theorem.expected == "refuted" else _refute_mutant
-    found.record["mutants"] = [refute(found, theorem, mutant, theorems, prove, anew) for mutant in theorem.mutants]
-    found.record["grade"] = found.grade
-    return found
+    examination.record["mutants"] = [
+        refute(examination, theorem, mutant, theorems, prove, anew) for mutant in theorem.mutants
+    ]
+    examination.record["grade"] = examination.grade
+    return examination
 
 
-def _check_certificates(found, theorem, theorems, prove, anew):
-    found.claims, found.argued = len(theorem.claims), [clause.text for clause in theorem.argued]
+def _check_certificates(examination, theorem, theorems, prove, anew):
+    examination.claims, examination.argued = len(theorem.claims), [clause.text for clause in theorem.argued]
     try:
         claims = evidence(theorem, theorems, prove) if anew else stored(theorem, theorems)
     except Stale as error:
@@ -85,21 +89,25 @@ def _check_certificates(found, theorem, theorems, prove, anew):
             why = "a certificate exists"
         except NotFound as failed:
             why = str(failed)
-        found.problems.append(f"{error}\n  searched anew: {why}")
+        examination.problems.append(f"{error}\n  searched anew: {why}")
         return
     except NotFound as error:
-        found.problems.append(str(error))
+        examination.problems.append(str(error))
         return
     for claim, cases in claims:
         if by_definition(claim, cases):
-            found.by_definition.append(claim.name)
-        found.problems += [f"{claim.name}: {why}" for why in reasons(cases, why_rejected) if why]
+            examination.by_definition.append(claim.name)
+        examination.problems += [f"{claim.name}: {why}" for why in reasons(cases, why_rejected) if why]
     said = [statement for _, cases in claims for statement, *_ in cases]
     given = sum(step["step"] == "assume" for statement in said for step in statement.get("steps", ()))
-    found.record |= {"statements": len(said), "by_definition": found.by_definition, "argued": found.argued}
-    found.record |= {"hypotheses": given}
+    examination.record |= {
+        "statements": len(said),
+        "by_definition": examination.by_definition,
+        "argued": examination.argued,
+    }
+    examination.record |= {"hypotheses": given}
     if len(CHECKERS) < 2:
-        found.record["second_checker"] = "not run"
+        examination.record["second_checker"] = "not run"
 
 
 def by_definition(claim: AnyClaim, cases: Sequence[Proved]) -> bool:
@@ -128,40 +136,40 @@ def why_unproved(claim: AnyClaim, theorems: Theorems, prove: Callable, **effort:
     return next((str(why) for why in reasons(cases, why_rejected) if why), None)
 
 
-def _sampled(found, theorem, claim, points):
+def _sampled(examination, theorem, claim, points):
     """Sample a claim at 50 digits; a refuted claim is evaluated at its exact point instead."""
     if isinstance(claim, Separation):
         return {"claim": claim.name, "points": 0}
     if theorem.expected == "refuted":
         if witness.fails_at(claim, theorem.refuted_at) is None:
-            found.problems.append(f"{claim.name}: at 50 digits the point is not a counterexample")
+            examination.problems.append(f"{claim.name}: at 50 digits the point is not a counterexample")
         return {"claim": claim.name, "points": 1}
     seed = f"{theorem.id}/{claim.name}"
     for lemma in getattr(claim, "cited", ()):  # under the source's conditions alone
         alone = Claim("cited", (lemma.relation,), lemma.given, ranges=claim.ranges)
         if failing := witness.sample(alone, seed, points, failures=FAILURES).smallest:
-            found.problems.append(f"{lemma.text}, from {lemma.source}: false at {witness.printed(failing, 20)}")
+            examination.problems.append(f"{lemma.text}, from {lemma.source}: false at {witness.printed(failing, 20)}")
     seen = witness.sample(claim, seed, points, failures=FAILURES)
     if seen.failures:
-        found.problems.append(f"{claim.name}: false at {witness.printed(seen.smallest, 20)}")
+        examination.problems.append(f"{claim.name}: false at {witness.printed(seen.smallest, 20)}")
     if seen.undefined:
-        found.problems.append(f"{claim.name}: undefined at {witness.printed(seen.undefined[0], 20)}")
+        examination.problems.append(f"{claim.name}: undefined at {witness.printed(seen.undefined[0], 20)}")
     if not seen.points:
-        found.problems.append(f"{claim.name}: no sample satisfies the hypotheses")
+        examination.problems.append(f"{claim.name}: no sample satisfies the hypotheses")
     return {"claim": claim.name, "points": seen.points, "digits": witness.DIGITS, "seed": seed}
 
 
-def _edges(found, theorem, condition):
+def _edges(examination, theorem, condition):
     claim, edges = theorem.claim(condition.claim), []
     for at, expected in condition.edges:
         outcome = witness.outcome(claim, at)
         if outcome != expected:
-            found.problems.append(f"side condition {condition.text}: {outcome} at {dict(at)}, not {expected}")
+            examination.problems.append(f"side condition {condition.text}: {outcome} at {dict(at)}, not {expected}")
         edges.append({"at": {str(s): str(v) for s, v in at}, "outcome": outcome})
     return {"condition": condition.text, "claim": condition.claim, "edges": edges}
 
 
-def _refute_mutant(found, theorem, mutant, theorems, prove, anew):
+def _refute_mutant(examination, theorem, mutant, theorems, prove, anew):
     """Check that a mutant is refused, and find its counterexample."""
     effort = {} if anew else {"effort": 2}
     refused = why_unproved(mutant.claim, theorems, prove, **effort) is not None
@@ -175,18 +183,18 @@ def _refute_mutant(found, theorem, mutant, theorems, prove, anew):
     point = counterexample(mutant, f"{theorem.id}/{mutant.text}", theorems, why_rejected)
     if point is None:
         wrong.append(f"mutant without a counterexample: {mutant.text}")
-    found.problems += wrong
-    found.mutants_killed += not wrong
+    examination.problems += wrong
+    examination.mutants_killed += not wrong
     return {"mutant": mutant.text, "refused": refused, "spliced": len(tried), "counterexample": point}
 
 
-def _refute_variant(found, theorem, mutant, theorems, prove, anew):
+def _refute_variant(examination, theorem, mutant, theorems, prove, anew):
     """Check that a true variant of a refuted statement is accepted, and that the counterexample spares it."""
     why = why_unproved(mutant.claim, theorems, prove)
     spared = not theorem.refuted_at or witness.fails_at(mutant.claim, theorem.refuted_at, attempts=1) is None
     if why:
-        found.problems.append(f"true variant not accepted: {mutant.text}: {why}")
+        examination.problems.append(f"true variant not accepted: {mutant.text}: {why}")
     if not spared:
-        found.problems.append(f"the counterexample also refutes the true variant: {mutant.text}")
-    found.mutants_killed += not why and spared
+        examination.problems.append(f"the counterexample also refutes the true variant: {mutant.text}")
+    examination.mutants_killed += not why and spared
     return {"variant": mutant.text, "accepted": not why, "spared": spared}

@@ -25,11 +25,11 @@ class Sampler:
         defined = {s for s, _ in definitions}
         self.inputs = sorted((used | set(lines.inputs if lines else ())) - defined, key=lambda s: s.name)
         early = [r for r in claim.given if not r.free_symbols & defined]
-        self.early = Relations(self.inputs, early, exactly=True)
+        self.early = Relations(early, exactly=True)
         self.given, self.claimed, self.definitions = parts_of(claim.given), claim.shows, definitions
         equations = {_written_out(r, definitions): r for r in claim.given if isinstance(r, Eq)}
-        self.late = Relations(self.inputs, [r for r in claim.given if r.free_symbols & defined], definitions, True)
-        self.shows = Relations(self.inputs, claim.shows, definitions)
+        self.late = Relations([r for r in claim.given if r.free_symbols & defined], definitions, exactly=True)
+        self.shows = Relations(claim.shows, definitions)
         solvable = _solvable([r for r in equations if not r.free_symbols & defined])
         self.solved = [(symbol, coefficients) for symbol, coefficients, _ in solvable]
         self.solved_relations = {equations[r] for *_, r in solvable}
@@ -69,7 +69,7 @@ class Sampler:
         try:
             for symbol, coefficients in self.solved:
                 if symbol not in values:
-                    roots = _real_roots(coefficients(values))
+                    roots = real_roots(coefficients(values))
                     if not roots:
                         return None
                     values[symbol] = self.random.choice(roots)
@@ -110,13 +110,14 @@ def _solvable(relations):
             except (CycleError, PolynomialError):
                 continue
             origin[symbol] = relation
-            solved[symbol], needs[symbol] = Code(sorted(others, key=lambda s: s.name), coefficients), others
+            solved[symbol], needs[symbol] = Code(coefficients), others
             break
     order = TopologicalSorter({s: {n for n in needs[s] if n in solved} for s in solved}).static_order()
     return [(symbol, solved[symbol], origin[symbol]) for symbol in order]
 
 
-def _real_roots(coefficients):
+def real_roots(coefficients: list) -> list:
+    """Return the real roots of a polynomial of mpf coefficients, or of balls if it is linear or quadratic."""
     while coefficients and coefficients[0] == 0:
         coefficients = coefficients[1:]
     if len(coefficients) == 2:
@@ -124,7 +125,7 @@ def _real_roots(coefficients):
     if len(coefficients) == 3:
         a, b, c = coefficients
         d = b * b - 4 * a * c
-        return [] if d < 0 else [(-b + s * mpmath.sqrt(d)) / (2 * a) for s in (1, -1)]
+        return [] if d < 0 else [(-b + s * d**0.5) / (2 * a) for s in (1, -1)]
     if len(coefficients) < 2:
         return []
     return [r.real for r in mpmath.polyroots(coefficients, maxsteps=200, extraprec=300) if abs(r.imag) < TOLERANCE]

@@ -12,22 +12,22 @@ def splices(theorem: Theorem, claim: AnyClaim, theorems: Theorems) -> list[list[
     A mutant is proved by a splice if all of its pairs are accepted. One that no rule translates has no statement.
     """
     try:
-        said, kept = statements(claim, theorems), stored(theorem, theorems)
+        said, proved = statements(claim, theorems), stored(theorem, theorems)
     except (Untranslatable, Stale):
         return []
     tried = []
-    for original, cases in kept:
+    for original, cases in proved:
         before = statements(original, theorems)
         places = [(s, min(i, len(cases) - 1)) for i, s in enumerate(said)]
         tried.append([(_fitted(s, before[place], cases[place][0]), cases[place][1]) for s, place in places])
     return tried
 
 
-def _fitted(said, before, kept):
-    """Return what a mutant says without the assumptions that the stored statement `kept` leaves out of `before`."""
-    if not said.keys() == before.keys() == kept.keys() or "steps" not in said:
+def _fitted(said, before, stored_statement):
+    """Return what a mutant says without the assumptions that the stored statement leaves out of `before`."""
+    if not said.keys() == before.keys() == stored_statement.keys() or "steps" not in said:
         return said
-    gone = [step for step in before["steps"] if step not in kept["steps"]]
+    gone = [step for step in before["steps"] if step not in stored_statement["steps"]]
     return said | {"steps": [step for step in said["steps"] if step["step"] != "assume" or step not in gone]}
 
 

@@ -9,7 +9,7 @@ from proofs.engine.claim import Claim, equation
 from proofs.engine.program import Program
 from proofs.engine.stored import Stale, stored
 from proofs.engine.theorem import Mutant, Step, Theorem, all_theorems, in_order, incomplete
-from verify.checkers.grades import final_grades
+from verify.checkers.grades import NOT_RECHECKED, graded
 from verify.checkers.proof_checker import examine
 
 x, y = symbols("x y", real=True)
@@ -46,14 +46,21 @@ def test_a_mutant_that_holds_fails_the_theorem():
     assert found.grade == "failed"
 
 
-def test_what_rests_on_an_unproved_theorem_is_not_proved():
-    def entry(id, grade, uses=()):
-        return {"id": id, "grade": grade, "uses": list(uses)}
-
-    grades = final_grades([entry("a", "failed"), entry("b", "proved", ["a"]), entry("c", "proved", ["b"])])
-    assert [grades[id][0] for id in "abc"] == ["failed", "failed", "failed"]
-    assert "a" in grades["b"][1]
-    assert final_grades([entry("c", "proved", ["b"])])["c"][0] == "failed"
+@pytest.mark.parametrize(
+    ("own", "in_the_run"),
+    [
+        ({"a": ["failed"], "b": ["proved", "a"], "c": ["proved", "b"]}, ["failed"] * 3),
+        ({"c": ["proved", "not run"]}, ["failed"]),
+        ({"a": ["cited"], "b": ["proved", "a"]}, ["cited", "failed"]),
+        ({"a": ["cited"], "b": ["measured", "a"]}, ["cited", "measured"]),
+        ({"a": [NOT_RECHECKED], "b": ["measured", "a"], "c": ["failed", "a"]}, [NOT_RECHECKED] * 2 + ["failed"]),
+    ],
+)
+def test_a_grade_counts_what_the_theorem_rests_on(own, in_the_run):
+    """own: {id: [its grade, what it uses]}."""
+    entries = graded([{"id": id, "grade": grade, "uses": uses} for id, (grade, *uses) in own.items()])
+    assert [entry["grade"] for entry in entries] == in_the_run
+    assert all(e["uses"][0] in e["reason"] for e in entries if e["grade"] == "failed" != own[e["id"]][0])
 
 
 FRAME = all_theorems()["tangent_frame"].claim("orthonormal")

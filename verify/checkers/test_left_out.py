@@ -4,7 +4,6 @@ import subprocess
 import sys
 
 from verify import sources
-from verify.checkers.grades import NOT_RECHECKED, graded
 from verify.optional import lacking
 
 
@@ -26,12 +25,3 @@ def test_only_a_library_that_may_be_absent_is_forgiven():
     assert lacking(ModuleNotFoundError("No module named 'flint'")) == "python-flint"
     assert lacking(ModuleNotFoundError("No module named 'proofs.formulas.gone'")) is None
     assert lacking(ImportError("cannot import name 'Reference' from 'verify.evaluate'")) is None
-
-
-def test_what_rests_on_what_was_not_rechecked_is_not_either():
-    entries = [
-        {"id": "a", "uses": [], "grade": NOT_RECHECKED, "reason": "needs python-flint"},
-        {"id": "b", "uses": ["a"], "grade": "measured"},
-        {"id": "c", "uses": ["a"], "grade": "failed"},
-    ]
-    assert [entry["grade"] for entry in graded(entries)] == [NOT_RECHECKED, NOT_RECHECKED, "failed"]

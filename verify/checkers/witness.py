@@ -65,7 +65,7 @@ def sample(
 
 def _exact(point):
     """Return {symbol: 50-digit value} of ((symbol, exact value), …)."""
-    return {s: Code((), (v,))({})[0] for s, v in point}
+    return {s: Code((v,))({})[0] for s, v in point}
 
 
 def outcome(claim: Claim, at: Point) -> str:
@@ -74,7 +74,7 @@ def outcome(claim: Claim, at: Point) -> str:
         values = _exact(at)
         _, lines = claim.names()
         try:
-            return "holds" if Relations(values, claim.shows, lines.definitions if lines else ())(values) else "fails"
+            return "holds" if Relations(claim.shows, lines.definitions if lines else ())(values) else "fails"
         except Undefined:
             return "undefined"
 
@@ -92,13 +92,10 @@ def fails_at(claim: Claim, at: Point, attempts: int = 500) -> dict | None:
 
 def _sample_induction(claim, seed, points, attempts):
     rng, witness = random.Random(seed), Witness()
-    starts, nexts = ([sympify(e) for e in column] for column in list(zip(*claim.states, strict=True))[1:] or ((), ()))
-    states = [s for s, _, _ in claim.states]
-    used = set().union(*(e.free_symbols for e in (*claim.shows, *claim.given, *starts, *nexts)))
+    states, starts, nexts = zip(*claim.states, strict=True) if claim.states else ((), (), ())
+    used = set().union(*(sympify(e).free_symbols for e in (*claim.shows, *claim.given, *starts, *nexts)))
     inputs = sorted(used - set(states) - {claim.n}, key=lambda s: s.name)
-    everything = [*inputs, *states, claim.n]
-    given, shows = Relations(inputs, claim.given), Relations(everything, claim.shows)
-    start, following = Code(inputs, starts), Code(everything, nexts)
+    given, shows, start, following = Relations(claim.given), Relations(claim.shows), Code(starts), Code(nexts)
     for _ in range(points * attempts):
         if witness.points >= points:
             break

@@ -1,79 +1,115 @@
-"""A straight-line program in other numbers than float64: printed for them, line by line, and run.
+"""Lines of formulas in other numbers than float64: printed once for every kind of number, and run one after another.
 
-What runs it shares the expressions with the kernels and nothing else: arithmetic, sinpi, cospi and atan2pi are
-mpmath's, or those of `verify.evaluate.balls`. For float64 there is `renderer.generate.kernels.function_of`.
+What tells the kinds apart is their table of names: `MPMATH` here, `BALLS`, `RUNNING` and `ROUNDED` in the modules
+beside it. The text shares the expressions with the kernels and nothing else: arithmetic and the elementary functions
+are the table's. For float64 there is `renderer.generate.kernels.function_of`.
 """
 
-from collections.abc import Callable, Mapping
+import operator
+from collections.abc import Iterable, Mapping
+from functools import partial
 from types import CodeType
 from typing import Any
 
 import mpmath
-from sympy import Rational
+from sympy import Basic, Rational, S, Symbol, sympify
 
 from proofs.engine.program import Program
 from renderer.generate.printer import KernelPrinter
 
 DIGITS = 50
 NOTHING = mpmath.nan  # the value of a line that has none, such as the normal of a sphere that is not hit
+OPERATORS = {"<": (operator.lt, operator.ge), ">": (operator.gt, operator.le), "==": (operator.eq, operator.ne)}
+OPERATORS |= {"<=": (operator.le, operator.gt), ">=": (operator.ge, operator.lt), "!=": (operator.ne, operator.eq)}
+"""{relation: (the operator, that of its negation)}"""
 
 
-class LazyPrinter(KernelPrinter):
-    """One number at a time: a selection computes the side that it takes, and no other."""
+class NumberPrinter(KernelPrinter):
+    """Prints for any kind of number: literals, comparisons and choices are calls, a symbol is looked up by its name.
 
-    def select(self, condition: str, value: str, otherwise: str) -> str:
-        return f"({value} if {condition} else {otherwise})"
-
-
-class ExactPrinter(LazyPrinter):
-    """Numbers of any precision: rationals are quotients, and a product needs no error beside it."""
+    Of a choice the side that is not taken is not computed.
+    """
 
     def literal(self, rational: Rational) -> str:
         return f"rational({rational.p}, {rational.q})"
 
-    def _half_turn(self, name, argument):
-        return f"{name}({self._print(argument)})"
+    def _print_Symbol(self, expr):
+        return f"value[{expr.name!r}]"
+
+    def _print_Relational(self, expr):
+        return f"compare({self._print(expr.lhs)}, {expr.rel_op!r}, {self._print(expr.rhs)})"
+
+    def _print_And(self, expr, connective="every"):
+        return self._call(connective, sorted(expr.args, key=str))
+
+    def _print_Or(self, expr):
+        return self._print_And(expr, "some")
+
+    def _print_Pow(self, expr):
+        neither = expr.exp.is_Rational and expr.exp > 0 and expr.exp.q > 1 and expr.exp != S.Half  # product nor root
+        return self._call("power", expr.args) if neither else super()._print_Pow(expr)
+
+    def select(self, condition: str, value: str, otherwise: str) -> str:
+        return f"where({condition}, lambda: {value}, lambda: {otherwise})"
 
 
-def code_of(program: Program, printer: KernelPrinter | None = None) -> list[tuple[str, CodeType]]:
-    """Return [(name, code of its line)] of a program; by default with the kernels' operations."""
-    printer = printer or LazyPrinter()
-    return [(s.name, compile(printer.doprint(e), s.name, "eval")) for s, e in program.definitions]
+def compare(left: Any, relation: str, right: Any) -> bool | None:
+    """Return whether a relation holds; None where balls, or what is no number, leave it open."""
+    holds, fails = OPERATORS[relation]
+    return True if holds(left, right) else False if fails(left, right) else None
 
 
-NAMES = {
+def joined(decisive: bool, *conditions: bool | None) -> bool | None:
+    """Return the conjunction of True, False and None, which one False decides, or the disjunction: one True."""
+    return decisive if decisive in conditions else (None if None in conditions else not decisive)
+
+
+ANY_NUMBERS = {
+    "compare": lambda left, relation, right: OPERATORS[relation][0](left, right),
+    "every": partial(joined, False),
+    "some": partial(joined, True),
+    "where": lambda condition, value, otherwise: value() if condition else otherwise(),
+    "two_product": lambda a, b: (a * b,),  # exact, or rounded as the rest is: no error beside it
+}
+"""What the text calls, where comparisons are decided and a product needs no error beside it."""
+
+MPMATHS_OWN = ("sqrt", "floor", "sign", "power", "inf", "pi", "sin", "cos", "sinpi", "cospi", "exp", "log")
+MPMATH = ANY_NUMBERS | {
+    **{name: getattr(mpmath, name) for name in MPMATHS_OWN},
     "rational": lambda p, q: mpmath.mpf(p) / q,
-    "sqrt": mpmath.sqrt,
-    "floor": mpmath.floor,
     "rint": mpmath.nint,
-    "sign": mpmath.sign,
+    "nan": mpmath.nan,
+    "binary_exponent": lambda x: mpmath.mpf(mpmath.frexp(x)[1] - 1),
+    "power_of_two": lambda n: mpmath.mpf(2) ** n,
     "maximum": max,
     "minimum": min,
-    "power": mpmath.power,
-    "inf": mpmath.inf,
-    "pi": mpmath.pi,
-    "sinpi": mpmath.sinpi,
-    "cospi": mpmath.cospi,
     "atan2pi": lambda y, x: mpmath.atan2(y, x) / mpmath.pi if x or y else mpmath.mpf(0),
 }
-"""What ExactPrinter's text calls, at mpmath's working precision."""
+"""What the text calls over numbers at mpmath's working precision."""
+
+_printer = NumberPrinter()
+
+
+def code_of(lines: Program | Iterable[tuple[Symbol | int, Basic]]) -> list[tuple[str, CodeType]]:
+    """Return [(name, code of its line)] of a program, or of (name, expression) pairs."""
+    pairs = lines.definitions if isinstance(lines, Program) else lines
+    return [(str(name), compile(_printer.doprint(sympify(e)), str(name), "eval")) for name, e in pairs]
 
 
 class Evaluator:
-    """A straight-line program in the numbers of a subclass."""
-
-    printer = ExactPrinter()
+    """The lines of a program, one after another, in one kind of number."""
 
     def __init__(self, program: Program):
-        self.program, self.lines = program, code_of(program, self.printer)
+        self.inputs, self.code = [s.name for s in program.inputs], code_of(program)
 
-    def run(self, names: dict[str, Any], values: Mapping[str, Any], number: Callable) -> dict[str, Any]:
-        """Return {name: value} of every line; names: what the text calls; values: of every input, by name."""
-        scope = names | {s.name: number(values[s.name]) for s in self.program.inputs}
-        for name, code in self.lines:
+    def run(self, values: Mapping[str, Any], names: Mapping[str, Any]) -> dict[str, Any]:
+        """Return {name: value} of the inputs, as they are given, and of every line; names: the table of their kind."""
+        computed = dict(values)
+        scope = {**names, "value": computed}
+        for name, code in self.code:
             self.line = name
-            scope[name] = self.compute(code, scope)
-        return {name: scope[name] for name, _ in self.lines}
+            computed[name] = self.compute(code, scope)
+        return computed
 
     def compute(self, code: CodeType, scope: dict[str, Any]) -> Any:
         """Return the value of a line."""
@@ -84,10 +120,10 @@ class Reference(Evaluator):
     """A straight-line program at any precision, by mpmath."""
 
     def __call__(self, values: Mapping[str, Any], digits: int = DIGITS) -> dict[str, mpmath.mpf]:
-        """Return {name: value} of every line; `values` has a float or an mpf for every input's name."""
+        """Return {name: value} of every input and line; `values` has a float or an mpf for every input's name."""
         # A product k·u of float64 numbers has 106 bits; the guard digits keep it exact, and cancellation away.
         with mpmath.workdps(digits + 20):
-            return self.run(NAMES, values, mpmath.mpf)
+            return self.run({name: mpmath.mpf(values[name]) for name in self.inputs}, MPMATH)
 
     def compute(self, code: CodeType, scope: dict[str, Any]) -> mpmath.mpf:
         """Return the value of a line, NOTHING where it divides by zero."""

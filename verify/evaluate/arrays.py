@@ -6,13 +6,11 @@ from typing import Any
 
 import flint
 import numpy as np
-from sympy import Rational
 
 from proofs.engine.program import Program
 from renderer import kernels
 from renderer.generate.kernels import function_of
-from renderer.generate.printer import KernelPrinter
-from verify.evaluate import running
+from verify.evaluate import Evaluator, running
 from verify.evaluate.balls import Balls
 
 Inputs = Mapping[str, Any]  # numbers or arrays
@@ -22,23 +20,14 @@ LIBM = {"sin": np.sin, "cos": np.cos, "acos": np.arccos, "atan2": np.arctan2}
 """The ordinary functions, which the seed's formulas call."""
 
 
-class _RunningPrinter(KernelPrinter):
-    """The kernels' operations, on `Running` numbers: a quotient that float64 does not hold rounds as well."""
-
-    def literal(self, rational):
-        if Rational(float(rational)) == rational:
-            return super().literal(rational)
-        return f"(running({float(rational.p)!r}) / {float(rational.q)!r})"
-
-
 @lru_cache(maxsize=64)
 def _float64_function(program):
     return function_of(program, names=vars(kernels) | LIBM)
 
 
 @lru_cache(maxsize=64)
-def _running_function(program):
-    return function_of(program, _RunningPrinter(), vars(running))
+def _lines(program):
+    return Evaluator(program.keep(*program.outputs))
 
 
 @lru_cache(maxsize=64)
@@ -51,26 +40,23 @@ def _arguments(program, inputs):
     return np.broadcast_arrays(*(np.asarray(inputs[s.name], np.float64) for s in program.inputs))
 
 
-def _outputs(function, arguments, program):
-    """Return (name, result) of a program's outputs by a function that returns one or several."""
-    with np.errstate(all="ignore"):
-        results = function(*arguments)
-    results = results if isinstance(results, tuple) else (results,)
-    return zip((s.name for s in program.outputs), results, strict=True)
-
-
 def in_float64(program: Program, inputs: Inputs) -> dict[str, np.ndarray]:
     """Return {output: array}: the program in float64, sinpi and its kin by our functions, sin and its kin by libm's."""
     arguments = _arguments(program, inputs)
-    named = _outputs(_float64_function(program), arguments, program)
-    return {name: np.broadcast_to(np.asarray(r, np.float64), arguments[0].shape) for name, r in named}
+    with np.errstate(all="ignore"):
+        results = _float64_function(program)(*arguments)
+    results = results if isinstance(results, tuple) else (results,)
+    shaped = [np.broadcast_to(np.asarray(r, np.float64), arguments[0].shape) for r in results]
+    return {s.name: result for s, result in zip(program.outputs, shaped, strict=True)}
 
 
 def with_bounds(program: Program, inputs: Inputs) -> dict[str, running.Running]:
     """Return {output: Running}: the same numbers as `in_float64`, and their running error bounds."""
     arguments = _arguments(program, inputs)
-    named = _outputs(_running_function(program), map(running.Running, arguments), program)
-    return {name: running.running(r).spread(arguments[0].shape) for name, r in named}
+    exact = {s.name: running.Running(a) for s, a in zip(program.inputs, arguments, strict=True)}
+    with np.errstate(all="ignore"):
+        lines = _lines(program).run(exact, running.RUNNING)
+    return {s.name: running.running(lines[s.name]).spread(arguments[0].shape) for s in program.outputs}
 
 
 def in_balls(program: Program, inputs: Inputs) -> dict[str, np.ndarray]:

@@ -10,40 +10,7 @@ from functools import reduce
 import mpmath
 from flint import arb, ctx, fmpq
 
-from verify.evaluate import Evaluator, ExactPrinter
-
-
-class _BallPrinter(ExactPrinter):
-    """Comparisons of balls may be undecided; a condition stands in parentheses, as a kernel's does."""
-
-    def select(self, condition, value, otherwise):
-        return f"select({condition}, lambda: {value}, lambda: {otherwise})"
-
-    def _print_And(self, expr, decisive=False):
-        return f"(joined({decisive}, {', '.join(self._print(part) for part in sorted(expr.args, key=str))}))"
-
-    def _print_Or(self, expr):
-        return self._print_And(expr, decisive=True)
-
-    def _print_Relational(self, expr):
-        return f"(compare({self._print(expr.lhs)}, {expr.rel_op!r}, {self._print(expr.rhs)}))"
-
-
-_OPERATORS = {"<": ("__lt__", "__ge__"), "<=": ("__le__", "__gt__"), ">": ("__gt__", "__le__"),
-              ">=": ("__ge__", "__lt__"), "==": ("__eq__", "__ne__"), "!=": ("__ne__", "__eq__")}  # fmt: skip
-
-
-def compare(left: arb, operator: str, right: arb) -> bool | None:
-    """Return True, False, or None where the balls leave it open."""
-    holds, fails = _OPERATORS[operator]
-    if getattr(left, holds)(right):
-        return True
-    return False if getattr(left, fails)(right) else None
-
-
-def joined(decisive: bool, *conditions: bool | None) -> bool | None:
-    """Return the conjunction of True, False and None, which one False decides, or the disjunction: one True."""
-    return decisive if decisive in conditions else (None if None in conditions else not decisive)
+from verify.evaluate import ANY_NUMBERS, Evaluator, compare
 
 
 def ball_of(number: mpmath.mpf) -> arb:
@@ -66,38 +33,33 @@ def root(value: arb) -> arb:
     return arb(0).union(high.sqrt()) if high > 0 and not value > 0 else value.sqrt()
 
 
-NAMES = {
+BALLS = ANY_NUMBERS | {
+    **{name: getattr(arb, name) for name in ("floor", "sin", "cos", "exp", "log")},
     "rational": lambda p, q: arb(fmpq(p, q)),
     "compare": compare,
-    "joined": joined,
     "sqrt": root,
     "power": power,
-    "floor": arb.floor,
     "rint": lambda x: (x + 0.5).floor(),
     "maximum": lambda *values: reduce(arb.max, values),
     "minimum": lambda *values: reduce(arb.min, values),
     "inf": arb.pos_inf(),
-    "sin": arb.sin,
-    "cos": arb.cos,
     "sinpi": arb.sin_pi,
     "cospi": arb.cos_pi,
     "atan2pi": lambda y, x: arb(0) if y.is_zero() and x.is_zero() else arb.atan2(y, x) / arb.pi(),
 }
-"""What the text calls, at flint's working precision; `select`, `sign` and `pi` are an evaluation's own."""
+"""What the text calls, at flint's working precision; `where`, `sign` and `pi` are an evaluation's own."""
 
 
 class Balls(Evaluator):
-    """A program in balls: called with {name: float}, it returns ({name: ball} of every line, names left undecided)."""
-
-    printer, names = _BallPrinter(), NAMES
+    """A program in balls: called with {name: float}, it returns ({name: ball} of all, names left undecided)."""
 
     def __call__(self, values: Mapping[str, float], bits: int = 53) -> tuple[dict[str, arb], frozenset[str]]:
         self.undecided: set[str] = set()
         with ctx.workprec(bits):
-            names = self.names | {"pi": arb.pi(), "select": self._select, "sign": self._sign}
-            return self.run(names, values, arb), frozenset(self.undecided)
+            names = BALLS | {"pi": arb.pi(), "where": self._where, "sign": self._sign}
+            return self.run({name: arb(values[name]) for name in self.inputs}, names), frozenset(self.undecided)
 
-    def _select(self, condition, value, otherwise):
+    def _where(self, condition, value, otherwise):
         if condition is None:
             self.undecided.add(self.line)
             return value().union(otherwise())

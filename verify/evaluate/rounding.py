@@ -9,6 +9,8 @@ from types import CodeType
 
 from flint import arb
 
+from verify.evaluate import ANY_NUMBERS
+
 ZERO, TINY = arb(0), arb((1, -100))
 
 
@@ -135,9 +137,13 @@ def _cancels(a, b):
     return first > 0 and second > 0 and first <= 2 * second and second <= 2 * first
 
 
-def run(code: Iterable[tuple[str, CodeType]], scope: dict, known: Mapping[str, tuple] | None = None) -> dict:
-    """Run the lines in `scope`, {name: Rounded}, and return it; `known` has what `known_as` is told, by name."""
+ROUNDED = ANY_NUMBERS | {"rational": lambda p, q: p / q}
+"""What the text calls: constants that float64 holds, and nothing but arithmetic."""
+
+
+def run(code: Iterable[tuple[str, CodeType]], values: dict, known: Mapping[str, tuple] | None = None) -> dict:
+    """Run the lines on {name: Rounded}, and return it with theirs; `known` has what `known_as` is told, by name."""
     for name, line in code:
-        value = _rounded(eval(line, {}, scope))
-        scope[name] = value.known_as(*known[name]) if known and name in known else value
-    return scope
+        value = _rounded(eval(line, {**ROUNDED, "value": values}))
+        values[name] = value.known_as(*known[name]) if known and name in known else value
+    return values

@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from renderer import kernels
+from verify.evaluate import ANY_NUMBERS
 
 U = 2.0**-53
 TINY = 2.0**-1074
 SLACK = 1 + 1e-12  # the bounds are rounded too
-inf = np.inf
-ULPS = {"sinpi": 2.0, "cospi": 2.0, "atan2pi": 2.5, "power": 1.0}
+ULPS = {"sinpi": 2.0, "cospi": 2.0, "atan2pi": 2.5, "exp": 1.0, "log": 0.52, "power": 1.5, "small power": 11.03}
+SMALLEST = 4e-308  # below it exp and power may be 0
 
 
 class Running:
@@ -103,7 +104,10 @@ def running(value: Number) -> Running:
     return value if isinstance(value, Running) else Running(value)
 
 
-pi = Running(np.pi, 2 * U)
+def rational(p: int, q: int) -> Running:
+    """Return p/q: exact where float64 holds it, else a quotient that rounds."""
+    exact = (p / q).as_integer_ratio() == (p, q)
+    return Running(p / q) if exact else Running(p) / Running(q)
 
 
 def where(condition: Comparison, value: Number, otherwise: Number) -> Running:
@@ -136,19 +140,25 @@ def sign(a: Number) -> Running:
     return Running(np.sign(a.value), np.where((np.abs(a.value) <= a.bound) & (a.bound > 0), 2.0, 0.0))
 
 
-def power(a: Number, p: Number) -> Running:
-    """a^p, a ≥ 0, p exact and positive: monotone, so its ends bound it; ours or libm's rounding beside that."""
-    a, p = running(a), running(p)
-    with np.errstate(all="ignore"):
-        value = np.power(a.value, p.value)
-        above = np.power(a.value + a.bound, p.value) * (1 + 4 * U) - value
-        below = value - np.power(np.maximum(0, a.value - a.bound), p.value) * (1 - 4 * U)
-    return a._rounded(value, np.where(a.bound == 0, 0.0, np.maximum(above, below)), ULPS["power"])
+def _rising(function, ulps, least=-np.inf):
+    """Return a function that rises: its ends bound what is inherited; 2 ulp more, for they are rounded as well."""
+
+    def rising(a, *others):
+        a, others = running(a), [running(other).value for other in others]
+        with np.errstate(all="ignore"):
+            low, value, high = (
+                function(np.maximum(least, end), *others) for end in (a.value - a.bound, a.value, a.value + a.bound)
+            )
+            ends = np.maximum(high - value, value - low) + 4 * ulps(value) * U * np.maximum(np.abs(high), np.abs(low))
+        return a._rounded(value, np.where(a.bound == 0, 0.0, ends) + SMALLEST * (value == 0), ulps(value))
+
+    return rising
 
 
-def two_product(a: Number, b: Number) -> tuple[Number, Number]:
-    """The two factors: sinpi and cospi take both, and their product with its error."""
-    return a, b
+exp = _rising(kernels.exp, lambda value: ULPS["exp"])
+log = _rising(kernels.log, lambda value: ULPS["log"], least=0)
+power = _rising(kernels.power, lambda value: np.where(value < np.exp(-50), ULPS["small power"], ULPS["power"]), least=0)
+"""a^p for a ≥ 0 and an exact p > 0."""
 
 
 def _of_half_turns(function, ulps):
@@ -176,3 +186,14 @@ def atan2pi(y: Number, x: Number) -> Running:
     across = (x.value < 0) & (np.abs(y.value) <= y.bound) & (y.bound > 0)
     turned = np.where(moved == 0, 0.0, np.where(across, 2.0, turned))
     return y._rounded(kernels.atan2pi(y.value, x.value), turned, ULPS["atan2pi"])
+
+
+RUNNING = ANY_NUMBERS | {
+    **{f.__name__: f for f in (rational, sqrt, maximum, sign, atan2pi)},
+    "pi": Running(np.pi, 2 * U),
+    "inf": np.inf,
+    **{"sinpi": sinpi, "cospi": cospi, "exp": exp, "log": log, "power": power},
+    "where": lambda condition, value, otherwise: where(condition, value(), otherwise()),
+    "two_product": lambda a, b: (a, b),  # sinpi and cospi take both factors, and their product with its error
+}
+"""What the text of `verify.evaluate` calls."""

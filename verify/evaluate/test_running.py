@@ -3,7 +3,7 @@
 import flint
 import numpy as np
 import pytest
-from sympy import sqrt
+from sympy import exp, log, sqrt
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.camera import angles_on_a
@@ -35,7 +35,19 @@ def test_it_computes_what_the_kernels_compute():
 
 
 @pytest.mark.parametrize(
-    "expression", [a + b, a * b - c, a / b, sqrt(c) / 3, (a - b) * (a + b) - a * a + b * b, sinpi(a * b), abs(a) * c**3]
+    "expression",
+    [
+        a + b,
+        a * b - c,
+        a / b,
+        sqrt(c) / 3,
+        (a - b) * (a + b) - a * a + b * b,
+        sinpi(a * b),
+        abs(a) * c**3,
+        exp(a * b),
+        log(c * c),
+        (c / 3) ** (3 + a),
+    ],
 )
 def test_no_error_is_above_its_bound(expression):
     line = program(expression)

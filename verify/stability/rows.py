@@ -16,7 +16,7 @@ def _of_each(name: str, function: Callable, registry: Iterable[str]) -> dict[str
     return {name: partial(function, first)} | {f"{name}_{entry}": partial(function, entry) for entry in others}
 
 
-SWEEPS = {
+SWEEPS: dict[str, Callable[..., Sweep]] = {
     "pole": geometry.toward_the_pole,
     "pole_general": partial(geometry.toward_the_pole, form="general"),
     "silhouette": geometry.toward_the_silhouette,

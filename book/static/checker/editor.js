@@ -1,95 +1,140 @@
 // The statement, line by line, for the reader to change: press a term to turn its sign, or type. The kernel then tries
 // the old certificate on the new statement.
 "use strict";
-var Checker = Checker || {};
 
-// The lines of a statement that can be changed: {label, path, before, after, names}. The value at `path` is a
-// polynomial, or with `names` a list of names.
-Checker.lines = function (statement, { spelled }) {
-  const RELATIONS = { "=": " = 0", "!=": " ≠ 0", ">": " > 0", ">=": " ≥ 0" };
-  if (statement.kind === "separation") {
-    const uses = statement.lines.map(([name], n) => ({ label: "line", path: ["lines", n, 1], before: [...spelled(name), " uses "] }));
-    const ends = ["outputs", "avoid"].map((key) => ({ label: key, path: [key], before: [] }));
-    return [...uses, ...ends].map((line) => ({ ...line, after: "", names: true }));
-  }
-  const given = (key) => ({ of, is, step, new: name }, n) => {
-    const path = [key, n, "of"], label = { assume: "given", define: "where", show: "to show" }[step ?? "assume"] ?? "where";
-    const before = name ? [...spelled(name), { root: " = √( ", inverse: " = 1 / ( ", define: " = " }[step]] : [];
-    return { label, path, before, after: is ? RELATIONS[is] : step === "define" ? "" : " )" };
+/**
+ * @typedef {(string | number)[]} Path where a value stands in a statement
+ * @typedef {{ label: string, path: Path, before: (Node | string)[], after: string, names?: boolean }} Line
+ *   of a statement, that can be changed: the value at `path` is a polynomial, or with `names` a list of names
+ */
+
+/** @param {Statement} statement @param {PolynomialTexts} polynomials @returns {Line[]} */
+function statement_lines(statement, { spelled, zero }) {
+  /** @param {string} label @param {Path} path @param {(Node | string)[]} before */
+  const list = (label, path, before = []) => ({ label, path, before, after: "", names: true });
+  /** @param {string} key @param {string} when @returns {Line[]} */
+  const states = (key, when) =>
+    Object.keys(statement[key]).map((name) => {
+      return { label: key, path: [key, name], before: [...spelled(name), when, " = "], after: "" };
+    });
+  /** @param {string} key @returns {(step: Step, n: number) => Line} */
+  const relation = (key) => (step, n) => {
+    const { is, new: name = "" } = step;
+    const path = [key, n, "of"];
+    if (is) return { label: step.step === "show" ? "to show" : "given", path, before: [], after: zero(is) };
+    const sign = { root: " = √( ", inverse: " = 1 / ( " }[step.step ?? ""];
+    return { label: "where", path, before: [...spelled(name), sign ?? " = "], after: sign ? " )" : "" };
   };
-  if (statement.kind !== "induction") return statement.steps.map(given("steps"));
-  const states = (key, when) => (name) => ({ label: key, path: [key, name], before: [...spelled(name), when, " = "], after: "" });
-  const shown = statement.show.map((_, n) => ({ label: "to show", path: ["show", n], before: [], after: " = 0 for every n" }));
-  return [...statement.assume.map(given("assume")), ...Object.keys(statement.start).map(states("start", " at first")),
-    ...Object.keys(statement.next).map(states("next", " next")), ...shown];
-};
+  if (statement.kind === "separation")
+    return [
+      ...(statement.lines ?? []).map(([name], n) => list("line", ["lines", n, 1], [...spelled(name), " uses "])),
+      ...["outputs", "avoid"].map((key) => list(key, [key])),
+    ];
+  if (statement.kind !== "induction") return (statement.steps ?? []).map(relation("steps"));
+  const shown = (statement.show ?? []).map((_, n) => {
+    return { label: "to show", path: ["show", n], before: [], after: " = 0 for every n" };
+  });
+  const given = (statement.assume ?? []).map(relation("assume"));
+  return [...given, ...states("start", " at first"), ...states("next", " next"), ...shown];
+}
 
-Checker.editor = function (root, statements, polynomials, clerk, told) {
-  const make = Checker.make, { typeset, term, sorted, spelled, text, parse } = polynomials;
-  const at = (tree, path) => path.reduce((branch, key) => branch[key], tree);
-  const copies = statements.map(({ statement }) => structuredClone(statement));
-  const verdict = make("div", { class: "check-verdict", role: "status" }), list = make("ol", { class: "check-lines" });
-  const back = make("button", { type: "button" }, "Put everything back");
-  let chosen = 0, opened = null, asked = 0;
+/**
+ * @param {HTMLElement} root
+ * @param {NamedCase[]} cases
+ * @param {PolynomialTexts} polynomials
+ * @param {Clerk} clerk
+ * @param {(answer: Answer, statement: Statement) => HTMLElement[]} told what is said of an answer
+ */
+function statement_editor(root, cases, polynomials, clerk, told) {
+  const { typeset, term, sorted, spelled, text, parse } = polynomials;
+  const copies = cases.map(({ statement }) => structuredClone(statement));
+  const verdict = verdict_box();
+  const list = make_element("ol", { class: "check-lines" });
+  const back = make_button("Put everything back", () => {
+    copies[chosen] = structuredClone(cases[chosen].statement);
+    show();
+  });
+  /** @type {{ item: Element, button: Element, panel: Element } | null} */
+  let opened = null;
+  let chosen = 0;
+  let asked = 0;
 
-  const lists = (names) => make("span", {}, ...names.flatMap((name, n) => [n ? ", " : "", ...spelled(name)]));
-  // Whether a line says something else than at first; the order of terms says nothing.
+  /** @param {Statement} statement @param {Path} path @returns {any} */
+  const at = (statement, path) => path.reduce((branch, key) => branch[key], /** @type {any} */ (statement));
+  /** @param {string[]} names */
+  const listed = (names) => make_element("span", {}, ...names.flatMap((name, n) => [n ? ", " : "", ...spelled(name)]));
+  /** The order of terms says nothing. @param {any} value */
   const form = (value) => JSON.stringify(Array.isArray(value) ? value : sorted(value));
-  const differs = ({ path }) => form(at(copies[chosen], path)) !== form(at(statements[chosen].statement, path));
-  const known = (statement) => new Set([...(statement.variables ?? []), ...(statement.state ?? []),
-    ...(statement.steps ?? []).flatMap((step) => step.new ?? [])]);
+  /** Whether a line says something else than at first. @param {Line} line */
+  const differs = ({ path }) => form(at(copies[chosen], path)) !== form(at(cases[chosen].statement, path));
 
-  function show_line(line, button) {
-    const { before, after, names, path } = line, value = at(copies[chosen], path);
-    button.replaceChildren(...before.map((node) => (node.cloneNode ? node.cloneNode(true) : node)), names ? lists(value) : typeset(value), after);
-    button.parentElement.classList.toggle("check-changed", differs(line));
+  /** @param {Statement} statement */
+  function known({ variables = [], state = [], steps = [] }) {
+    return new Set([...variables, ...state, ...steps.flatMap((step) => step.new ?? [])]);
   }
 
-  // The chips and the box of the line that is open.
+  /** @param {Line} line @param {Element} item @param {Element} button */
+  function show_line(line, item, button) {
+    const value = at(copies[chosen], line.path);
+    const before = line.before.map((node) => (node instanceof Node ? node.cloneNode(true) : node));
+    button.replaceChildren(...before, line.names ? listed(value) : typeset(value), line.after);
+    item.classList.toggle("check-changed", differs(line));
+  }
+
+  /** Open the chips and the box of a line, or close what is open. @param {Line} line @param {Element} item @param {Element} button */
   function open(line, item, button) {
-    const close = opened?.item === item;
-    if (opened) {
-      opened.panel.remove();
-      opened.button.setAttribute("aria-expanded", "false");
-    }
+    const is_open = opened?.item === item;
+    opened?.panel.remove();
+    opened?.button.setAttribute("aria-expanded", "false");
     opened = null;
-    if (close) return;
-    const id = `${root.id}-box`, chips = make("div", { class: "check-chips", role: "group", "aria-labelledby": `${id}-chips` }), error = make("p", { class: "check-error", id: `${id}-error` });
-    const box = make("input", { type: "text", id, "aria-describedby": error.id, autocomplete: "off", autocapitalize: "off", spellcheck: "false" });
-    const label = make("label", { for: id }, line.names ? "Names, with blanks between them" : "Or type: 3/2 x^2 y − 1");
-    const panel = make("div", { class: "check-panel" }, chips, label, box, error);
+    if (is_open) return;
+    const id = `${root.id}-box`;
+    const error = make_element("p", { class: "check-error", id: `${id}-error` });
+    const chips = make_element("div", { class: "check-chips", role: "group", "aria-labelledby": `${id}-chips` });
+    const plain = { autocomplete: "off", autocapitalize: "off", spellcheck: "false" };
+    const box = make_element("input", { type: "text", id, "aria-describedby": error.id, ...plain });
+    const words = line.names ? "Names, with blanks between them" : "Or type: 3/2 x^2 y − 1";
+    const label = make_element("label", { for: id }, words);
+    const panel = make_element("div", { class: "check-panel" }, chips, label, box, error);
     const value = () => at(copies[chosen], line.path);
 
+    /** @param {PolynomialData | string[]} next */
     function put(next) {
-      at(copies[chosen], line.path.slice(0, -1))[line.path.at(-1)] = next;
+      at(copies[chosen], line.path.slice(0, -1))[line.path[line.path.length - 1]] = next;
       error.textContent = "";
       box.removeAttribute("aria-invalid");
-      show_line(line, button);
+      show_line(line, item, button);
       try_it();
     }
 
-    function show_chips(focused) {
+    function show_chips() {
       if (line.names) return;
       const terms = sorted(value()).map(([monomial, coefficient], n) => {
-        const chip = make("button", { type: "button" }, term(monomial, coefficient, n === 0));
-        chip.addEventListener("click", () => {
+        return make_button(term(monomial, coefficient, !n), () => {
           const turned = coefficient.startsWith("-") ? coefficient.slice(1) : `-${coefficient}`;
           put({ ...value(), [monomial]: turned });
           box.value = text(value());
-          show_chips(n);
+          show_chips();
+          chips.querySelectorAll("button")[n].focus();
         });
-        return chip;
       });
-      chips.replaceChildren(...(terms.length ? [make("span", { id: `${id}-chips` }, "Turn a sign:"), ...terms] : []));
-      if (focused !== undefined) chips.querySelectorAll("button")[focused].focus();
+      chips.replaceChildren(...terms);
+      if (terms.length) chips.prepend(make_element("span", { id: `${id}-chips` }, "Turn a sign:"));
     }
 
     box.addEventListener("input", () => {
       try {
-        put(line.names ? box.value.trim().split(/[\s,]+/).filter(Boolean) : parse(box.value, known(copies[chosen])));
+        put(
+          line.names
+            ? box.value
+                .trim()
+                .split(/[\s,]+/)
+                .filter(Boolean)
+            : parse(box.value, known(copies[chosen])),
+        );
         show_chips();
       } catch (why) {
-        error.textContent = `Not yet a ${line.names ? "list" : "polynomial"}: ${why.message}.`;
+        error.textContent = `Not yet a ${line.names ? "list" : "polynomial"}: ${error_text(why)}.`;
         box.setAttribute("aria-invalid", "true");
       }
     });
@@ -101,36 +146,36 @@ Checker.editor = function (root, statements, polynomials, clerk, told) {
   }
 
   async function try_it() {
-    const now = ++asked, statement = copies[chosen], changed = Checker.lines(statement, polynomials).some(differs);
-    back.disabled = !changed;
-    if (!changed) return verdict.replaceChildren(make("p", {}, "The statement is as it was. Press a line to change it."));
-    const answer = await clerk.check(statement, statements[chosen].certificate).catch((why) => ({ failed: why.message }));
-    if (now === asked) verdict.replaceChildren(...told(answer, statement));
+    const now = ++asked;
+    const statement = copies[chosen];
+    back.disabled = !statement_lines(statement, polynomials).some(differs);
+    if (back.disabled)
+      return verdict.replaceChildren(make_element("p", {}, "The statement is as it was. Press a line to change it."));
+    const answer = clerk.check(statement, cases[chosen].certificate);
+    const said = await answer.then((found) => told(found, statement), no_verdict);
+    if (now === asked) verdict.replaceChildren(...said);
   }
 
   function show() {
     opened = null;
-    const lines = Checker.lines(copies[chosen], polynomials);
-    list.replaceChildren(...lines.map((line) => {
-      const button = make("button", { type: "button", "aria-expanded": "false", class: "check-line" });
-      const item = make("li", {}, make("span", { class: "check-label" }, line.label), button);
-      button.addEventListener("click", () => open(line, item, button));
-      show_line(line, button);
+    const items = statement_lines(copies[chosen], polynomials).map((line) => {
+      const button = make_button("", () => open(line, item, button), { "aria-expanded": "false", class: "check-line" });
+      const item = make_element("li", {}, make_element("span", { class: "check-label" }, line.label), button);
+      show_line(line, item, button);
       return item;
-    }));
+    });
+    list.replaceChildren(...items);
     try_it();
   }
 
-  back.addEventListener("click", () => {
-    copies[chosen] = structuredClone(statements[chosen].statement);
-    show();
-  });
-  const choice = make("select", { id: `${root.id}-statement` }, ...statements.map(({ name }, n) => make("option", { value: n }, name)));
+  const options = cases.map(({ name }, n) => make_element("option", { value: n }, name));
+  const choice = make_element("select", { id: `${root.id}-statement` }, ...options);
   choice.addEventListener("change", () => {
     chosen = Number(choice.value);
     show();
   });
-  const which = make("p", { class: "check-which" }, make("label", { for: choice.id }, "Statement "), choice);
-  root.append(...(statements.length > 1 ? [which] : []), list, verdict, make("p", {}, back));
+  const label = make_element("label", { for: choice.id }, "Statement ");
+  if (cases.length > 1) root.append(make_element("p", { class: "check-which" }, label, choice));
+  root.append(list, verdict, make_element("p", {}, back));
   show();
-};
+}

@@ -1,63 +1,105 @@
 // Puts the buttons where the page has places for them. The data stands in the page: nothing is asked for.
 "use strict";
-var Checker = Checker || {};
 
-// Every certificate of the book, one after the other, with a bar and a summary.
-Checker.all = function (place, theorems, clerk) {
-  const make = Checker.make, button = make("button", { type: "button" }, "Check all");
-  const total = theorems.reduce((sum, { claims }) => sum + claims.reduce((n, { statements }) => n + statements.length, 0), 0);
-  const bar = make("progress", { max: total, value: 0, "aria-label": "Certificates checked" }), verdict = make("div", { class: "check-verdict", role: "status" });
+/** @param {Element} place @param {...Element} parts */
+function put_checker(place, ...parts) {
+  place.querySelector(".check-body")?.remove(); // of a page that was saved with its buttons
+  place.append(make_element("div", { class: "check-body" }, ...parts));
+}
 
+/** A verdict: its word, and what is said of it. @param {"Accepted" | "Accepted all the same" | "Rejected" | "No verdict"} word @param {string} text */
+function verdict_line(word, text) {
+  const kind = word.startsWith("Accepted") ? "accepted" : "rejected";
+  return make_element("p", { class: `check-${kind}` }, make_element("strong", {}, word), text);
+}
+
+const verdict_box = () => make_element("div", { class: "check-verdict", role: "status" });
+
+/** @param {unknown} why */
+const no_verdict = (why) => [verdict_line("No verdict", `: ${error_text(why)}.`)];
+
+/**
+ * Show what comes of a check, its button out of use meanwhile.
+ * @param {HTMLButtonElement} button
+ * @param {Element} verdict
+ * @param {() => Promise<Element[]>} check
+ */
+async function show_verdict(button, verdict, check) {
+  button.disabled = true;
+  verdict.replaceChildren(...(await check().catch(no_verdict)));
+  button.disabled = false;
+}
+
+/**
+ * Every certificate of the book, one after the other, with a bar and a summary.
+ * @param {Element} place
+ * @param {TheoremData[]} theorems
+ * @param {Clerk} clerk
+ */
+function check_all(place, theorems, clerk) {
+  const listed = theorems.map(({ theorem, claims }) => ({
+    theorem,
+    cases: claims.flatMap(({ statements }) => statements),
+  }));
+  const total = listed.reduce((sum, { cases }) => sum + cases.length, 0);
+  const bar = make_element("progress", { max: total, value: 0, "aria-label": "Certificates checked" });
+  const verdict = verdict_box();
+  const button = make_button("Check all", () => show_verdict(button, verdict, check));
+
+  /** @param {string} theorem @param {boolean} accepted */
   function mark(theorem, accepted) {
     const line = document.querySelector(`[data-claim="${theorem}"]`);
+    const kind = accepted ? "accepted" : "rejected";
     line?.querySelector(".check-mark")?.remove();
-    line?.append(make("span", { class: `check-mark check-${accepted ? "accepted" : "rejected"}` }, accepted ? " ✓ accepted here" : " ✗ rejected here"));
+    line?.append(make_element("span", { class: `check-mark check-${kind}` }, ` ${accepted ? "✓" : "✗"} ${kind} here`));
   }
 
   async function check() {
-    button.disabled = true;
+    const begin = performance.now();
+    /** @type {string[]} */
+    const rejected = [];
+    let busy = 0;
     bar.value = 0;
     verdict.replaceChildren();
-    const rejected = [], begin = performance.now();
-    let busy = 0;
-    try {
-      const answered = (answer) => {
-        busy += answer.time;
-        bar.value += 1;
-        return answer.accepted;
-      };
-      const check = ({ statement, certificate }) => clerk.check(statement, certificate).then(answered);
-      const asked = theorems.map(async ({ theorem, claims }) => {
-        const accepted = await Promise.all(claims.flatMap(({ statements }) => statements.map(check)));
-        if (accepted.includes(false)) rejected.push(theorem);
-        mark(theorem, !accepted.includes(false));
+    const asked = listed.map(async ({ theorem, cases }) => {
+      const answers = cases.map(async ({ statement, certificate }) => {
+        const { accepted, time } = await clerk.check(statement, certificate);
+        busy += time;
+        bar.value++;
+        return accepted;
       });
-      await Promise.all(asked);
-      const seconds = (time) => `${(time / 1000).toFixed(1)} s`, spent = `${seconds(performance.now() - begin)}, ${seconds(busy)} of it in the kernel`;
-      const good = `${theorems.length - rejected.length} of ${theorems.length} theorems`;
-      const names = rejected.length ? ` Rejected: ${rejected.join(", ")}.` : "";
-      const word = rejected.length ? "Rejected" : "Accepted";
-      verdict.replaceChildren(make("p", { class: `check-${word.toLowerCase()}` }, make("strong", {}, word), `: the certificates of ${good}, ${total} in all, in ${spent}, by this browser.${names}`));
-    } catch (why) {
-      verdict.replaceChildren(make("p", { class: "check-rejected" }, make("strong", {}, "No verdict"), `: ${why.message}.`));
-    }
-    button.disabled = false;
+      const accepted = (await Promise.all(answers)).every(Boolean);
+      if (!accepted) rejected.push(theorem);
+      mark(theorem, accepted);
+    });
+    await Promise.all(asked);
+    /** @param {number} time */
+    const seconds = (time) => `${(time / 1000).toFixed(1)} s`;
+    const good = `${theorems.length - rejected.length} of ${theorems.length} theorems, ${total} in all`;
+    const spent = `${seconds(performance.now() - begin)}, ${seconds(busy)} of it in the kernel`;
+    const names = rejected.length ? ` Rejected: ${rejected.join(", ")}.` : "";
+    const words = `: the certificates of ${good}, in ${spent}, by this browser.${names}`;
+    return [verdict_line(rejected.length ? "Rejected" : "Accepted", words)];
   }
 
-  button.addEventListener("click", check);
-  place.querySelector(".check-body")?.remove(); // of a page that was saved with its buttons
-  place.append(make("div", { class: "check-body" }, make("p", { class: "check-buttons" }, button, bar), verdict));
-};
+  put_checker(place, make_element("p", { class: "check-buttons" }, button, bar), verdict);
+}
 
-Checker.start = function () {
-  const clerk = Checker.clerk(), data = (element) => Checker.parsed(element.querySelector("script[type='application/json']").textContent.replaceAll("\\u003c", "<"));
-  const cards = [...document.querySelectorAll(".checker[data-theorem]")].map((place) => [place, data(place)]);
-  for (const [place, own] of cards) Checker.card(place, own, clerk);
+function start_checker() {
+  const clerk = checking_clerk();
+  /** @param {Element} place */
+  function data_of(place) {
+    const script = find_element(place, "script[type='application/json']");
+    return parsed_canonical(script.textContent.replaceAll("\\u003c", "<"));
+  }
+  const places = [...document.querySelectorAll(".checker[data-theorem]")];
+  /** @type {CardData[]} */
+  const cards = places.map(data_of);
+  for (const [n, place] of places.entries()) checker_card(place, cards[n], clerk);
   for (const place of document.querySelectorAll(".checker[data-all]")) {
-    const listed = data(place); // nothing where all cards stand in this document: the file that is mailed
-    Checker.all(place, listed.length ? listed : cards.map(([, own]) => own), clerk);
+    const listed = data_of(place); // nothing where all cards stand in this document: the file that is mailed
+    check_all(place, listed.length ? listed : cards, clerk);
   }
-};
+}
 
-if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", Checker.start);
-else Checker.start();
+when_ready(start_checker);

@@ -1,37 +1,44 @@
 // The kernel in a worker, so that the page never waits for it; and the page's end of the line.
 "use strict";
-var Checker = Checker || {};
 
-// What the worker does: {id, statement, certificate} → the kernel's answer, with the milliseconds that it took.
-Checker.worker = function (port) {
-  const { check } = Checker.kernel();
-  port.onmessage = ({ data: { id, statement, certificate } }) => {
-    const begin = performance.now(), answer = check(statement, certificate);
-    port.postMessage({ id, ...answer, time: performance.now() - begin });
+/**
+ * @typedef {{ id: number, statement: Statement, certificate: Certificate }} Question
+ * @typedef {Verdict & { id: number, time: number }} Answer with the milliseconds that it took
+ * @typedef {ReturnType<typeof checking_clerk>} Clerk
+ */
+
+/** What the worker does with a question. @param {(answer: Answer) => void} post @returns {(question: Question) => void} */
+function checking_worker(post) {
+  const { check } = certificate_kernel();
+  return ({ id, statement, certificate }) => {
+    const begin = performance.now();
+    const answer = check(statement, certificate);
+    post({ id, ...answer, time: performance.now() - begin });
   };
-};
+}
 
-// One worker for the page, made when first asked, from a Blob: a file opened from a disk may not load it by address.
-Checker.clerk = function () {
+// One worker for the page, made when first asked.
+function checking_clerk() {
   const PATIENCE = 20000; // milliseconds from one answer to the next; the slowest takes a fraction of a second
-  let worker = null, timer = 0, count = 0;
+  /** @type {Worker | null} */
+  let worker = null;
+  let timer = 0;
+  let count = 0;
+  /** @type {Map<number, { resolve(answer: Answer): void, reject(why: Error): void }>} */
   const waiting = new Map();
 
   function start() {
-    const parts = ["kernel", "worker"].map((name) => `Checker.${name} = ${Checker[name]};`);
-    const source = ['"use strict"; const Checker = {};', ...parts, "Checker.worker(self);"].join("\n");
-    const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
-    worker = new Worker(address);
-    URL.revokeObjectURL(address);
-    worker.onmessage = ({ data }) => {
+    const made = worker_of(certificate_kernel, checking_worker);
+    made.onmessage = ({ data }) => {
       waiting.get(data.id)?.resolve(data);
       waiting.delete(data.id);
       watch();
     };
-    worker.onerror = (event) => {
+    made.onerror = (event) => {
       event.preventDefault();
       stop(`the worker failed${event.message ? ` (${event.message})` : ""}`);
     };
+    return made;
   }
 
   function watch() {
@@ -39,7 +46,7 @@ Checker.clerk = function () {
     if (waiting.size) timer = setTimeout(() => stop(`there was no answer within ${PATIENCE / 1000} seconds`), PATIENCE);
   }
 
-  // Give up on everything that was asked; the next question starts a new worker.
+  /** Give up on everything that was asked; the next question starts a new worker. @param {string} why */
   function stop(why) {
     worker?.terminate();
     worker = null;
@@ -48,10 +55,15 @@ Checker.clerk = function () {
     watch();
   }
 
-  // A promise of the kernel's answer; it fails, and says why, where the worker gives none.
+  /**
+   * A promise of the kernel's answer; it fails, and says why, where the worker gives none.
+   * @param {Statement} statement
+   * @param {Certificate} certificate
+   * @returns {Promise<Answer>}
+   */
   function check(statement, certificate) {
     return new Promise((resolve, reject) => {
-      if (!worker) start(); // what this throws becomes the promise's failure
+      worker ??= start(); // what this throws becomes the promise's failure
       waiting.set(++count, { resolve, reject });
       worker.postMessage({ id: count, statement, certificate });
       if (waiting.size === 1) watch();
@@ -59,4 +71,4 @@ Checker.clerk = function () {
   }
 
   return { check };
-};
+}

@@ -1,140 +1,240 @@
 // What the small interactives share: a stage in the place of the still picture, panels to draw on, handles and sliders.
 // What they show is computed by the simulator's module (book/simulator_module.py); here things are only drawn.
 "use strict";
-var Ideas = Ideas || {};
 
-Ideas.make = function (parent, name, attributes = {}, text = "") {
-  const drawn = ["svg", "g", "circle", "rect"].includes(name), made = drawn ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  made.textContent = text;
+/**
+ * @typedef {[number, number]} Point
+ * @typedef {{ kernels: Record<string, [number, number]>, given: Record<string, number>,
+ *   lines: Record<string, { inputs: string[], lines: string[] }> }} IdeasData
+ * @typedef {SimulatorModule & { own: SimulatorModule }} IdeasModule with the interactives' own kernels
+ * @typedef {SimulatorData & IdeasData} AllData
+ * @typedef {(figure: HTMLElement, module: IdeasModule, data: AllData) => void} Idea
+ * @typedef {(x: number, y: number, begins: boolean) => void} Moved is told of a place on a panel
+ * @typedef {(right: number, up: number) => void} Stepped is told of arrow keys, ten times as far with shift
+ */
+
+/** @type {Record<string, Idea>} */
+const IDEAS = {};
+const SURFACES = ["nothing", "sphere A", "sphere B", "the floor"];
+/** @type {Record<string, Point>} */
+const ARROWS = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/**
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Element} parent
+ * @param {Tag} tag
+ * @param {Record<string, string | number>} [attributes]
+ */
+function add_element(parent, tag, attributes, text = "") {
+  return parent.appendChild(make_element(tag, attributes, text));
+}
+
+/**
+ * @template {keyof SVGElementTagNameMap} Tag
+ * @param {Element} parent
+ * @param {Tag} tag
+ * @param {Record<string, string | number>} attributes
+ */
+function add_shape(parent, tag, attributes) {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  set_attributes(made, attributes);
   return parent.appendChild(made);
-};
+}
 
-// A number with so many digits after the point, and a minus sign as print has it; no minus before a zero.
-Ideas.say = (number, digits = 2) => {
+/** A number with so many digits after the point, as print has it; no minus before a zero. @param {number} number */
+function decimal(number, digits = 2) {
   const text = number.toFixed(digits);
-  return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
-};
-Ideas.line = (points) => "M" + points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L");
+  return Number(text) === 0 ? text.replace("-", "") : with_minus(text);
+}
 
-// An arrow from a point along (dx, dy): a line and its head, at most as long as half the arrow.
-Ideas.arrow = ([x, y], [dx, dy], look = "", size = 6) => {
-  const length = Math.hypot(dx, dy), head = Math.min(size, length / 2), [a, b] = length ? [(head * dx) / length, (head * dy) / length] : [0, 0], tip = [x + dx, y + dy];
-  const wings = [[tip[0] - a - b / 2, tip[1] - b + a / 2], tip, [tip[0] - a + b / 2, tip[1] - b - a / 2]];
-  return `<path class="${look}" d="${Ideas.line([[x, y], [tip[0] - a / 2, tip[1] - b / 2]])}"/><path class="${look} head" d="${Ideas.line(wings)}Z"/>`;
-};
+/** @param {Point[]} points */
+const line_path = (points) => `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L")}`;
 
-Ideas.text = (x, y, words, look = "") => `<text class="${look}" x="${x.toFixed(1)}" y="${y.toFixed(1)}">${words}</text>`;
+/** @param {string} look @param {string} path */
+const path_markup = (look, path) => `<path class="${look}" d="${path}"/>`;
+/** @param {string} look @param {Point} middle @param {number} radius */
+const circle_markup = (look, [x, y], radius) => `<circle class="${look}" cx="${x}" cy="${y}" r="${radius}"/>`;
 
-// Every line of a program by its name, from inputs by their names; and three of them as a vector.
-Ideas.lines = function (module, { lines }, kernel, inputs) {
-  const values = module.kernel(kernel, ...lines[kernel].inputs.map((name) => inputs[name]));
-  return Object.fromEntries(lines[kernel].lines.map((name, n) => [name, values[n]]));
-};
-Ideas.vector = (lines, name, of = "") => ["x", "y", "z"].map((axis) => lines[`${name}_${axis}${of}`]);
+/** An arrow: a line and its head, at most as long as half the arrow. @param {Point} from @param {Point} to */
+function arrow_path([x, y], [end_x, end_y], look = "", size = 6) {
+  const [dx, dy] = [end_x - x, end_y - y];
+  const length = Math.hypot(dx, dy);
+  const share = length && Math.min(size, length / 2) / length;
+  const [a, b] = [share * dx, share * dy];
+  const shaft = line_path([
+    [x, y],
+    [end_x - a / 2, end_y - b / 2],
+  ]);
+  const head = line_path([
+    [end_x - a - b / 2, end_y - b + a / 2],
+    [end_x, end_y],
+    [end_x - a + b / 2, end_y - b - a / 2],
+  ]);
+  return path_markup(look, shaft) + path_markup(`${look} head`, `${head}Z`);
+}
 
-const STEPS = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+/** @param {number} x @param {number} y @param {string} words */
+const text_at = (x, y, words, look = "") =>
+  `<text class="${look}" x="${x.toFixed(1)}" y="${y.toFixed(1)}">${words}</text>`;
 
-// Tell `moved` of every place of a pressed pointer, and `stepped` of arrow keys: (right, up), ten times as far with shift.
-Ideas.listen = function (target, origin, moved, stepped) {
-  const at = (event) => {
-    const box = origin.getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
-  };
+/**
+ * Every line of a program by its name, from inputs by their names.
+ * @param {IdeasModule} module
+ * @param {IdeasData} data
+ * @param {string} name
+ * @param {Record<string, number>} inputs
+ */
+function program_lines(module, data, name, inputs) {
+  const program = data.lines[name];
+  const values = module.own.kernel(name, ...program.inputs.map((input) => inputs[input]));
+  return Object.fromEntries(program.lines.map((line, n) => [line, values[n]]));
+}
+
+/** @param {Record<string, number>} lines @param {string} name */
+const vector_of = (lines, name) => ["x", "y", "z"].map((axis) => lines[`${name}_${axis}`]);
+
+/**
+ * Tell `moved` of every place of a pressed pointer, and `stepped` of arrow keys.
+ * @param {SVGElement} target
+ * @param {Element} origin
+ * @param {Moved} moved
+ * @param {Stepped} stepped
+ */
+function listen_to_hand(target, origin, moved, stepped) {
+  /** @param {PointerEvent} event @param {boolean} begins */
+  function tell(event, begins) {
+    const { x, y } = pointer_in(origin, event);
+    moved(x, y, begins);
+  }
   target.addEventListener("pointerdown", (event) => {
     if (event.button) return;
     event.stopPropagation();
     target.setPointerCapture(event.pointerId);
     target.focus({ preventScroll: true });
-    moved(...at(event), true);
+    tell(event, true);
   });
-  target.addEventListener("pointermove", (event) => target.hasPointerCapture(event.pointerId) && moved(...at(event), false));
+  target.addEventListener("pointermove", (event) => {
+    if (target.hasPointerCapture(event.pointerId)) tell(event, false);
+  });
   target.addEventListener("keydown", (event) => {
-    if (!(event.key in STEPS) || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (!(event.key in ARROWS) || is_shortcut(event)) return;
     event.preventDefault();
     event.stopPropagation();
-    stepped(...STEPS[event.key].map((step) => step * (event.shiftKey ? 10 : 1)));
+    const [right, up] = ARROWS[event.key].map((step) => step * (event.shiftKey ? 10 : 1));
+    stepped(right, up);
   });
-};
+}
 
-// The stage of a figure: it replaces the still picture as soon as it has been drawn.
-Ideas.stage = function (figure, draw) {
-  const root = document.createElement("div");
-  root.className = "idea-stage";
-  let width = 0, asked = 0;
+/**
+ * The stage of a figure: it replaces the still picture as soon as it has been drawn.
+ * @param {HTMLElement} figure
+ * @param {() => void} draw
+ */
+function idea_stage(figure, draw) {
+  const root = make_element("div", { class: "idea-stage" });
+  let width = 0;
+  let asked = 0;
 
   function redraw() {
-    asked = asked || requestAnimationFrame(() => {
+    asked ||= requestAnimationFrame(() => {
       asked = 0;
       if (root.clientWidth) draw();
     });
   }
 
-  // A drawing of a height; `label` says what its group of handles is.
+  /** A drawing of a height; `label` says what its group of handles is. @param {string} label @param {number} height */
   function panel(label, height, parent = root) {
-    const box = Ideas.make(parent, "div", { class: "idea-panel" });
-    const svg = Ideas.make(box, "svg", { role: "group", "aria-label": label, height }), lines = Ideas.make(svg, "g", { "aria-hidden": "true" });
-    const self = { box, svg, height, get width() { return box.clientWidth; }, show: (markup) => (lines.innerHTML = markup) };
-    // Something to drag: `moved` takes a place on the panel, `stepped` arrow keys.
-    const dragged = (name, attributes, label, moved, stepped) => {
-      const own = Ideas.make(svg, name, { ...attributes, tabindex: 0, role: "slider", "aria-label": label });
-      const tell = (now, words) => {
-        own.setAttribute("aria-valuenow", now);
-        own.setAttribute("aria-valuetext", words);
-      };
-      Ideas.listen(own, svg, moved, stepped);
-      return [own, tell];
-    };
-    self.handle = (label, moved, stepped, look = "") => {
-      const [own, tell] = dragged("g", { class: `idea-handle ${look}` }, label, moved, stepped);
-      Ideas.make(own, "circle", { class: "reach", r: 22 });
-      Ideas.make(own, "circle", { class: "dot", r: 7 });
-      return ([x, y], now, words) => {
-        own.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
+    const box = add_element(parent, "div", { class: "idea-panel" });
+    const svg = add_shape(box, "svg", { role: "group", "aria-label": label, height });
+    const drawing = add_shape(svg, "g", { "aria-hidden": "true" });
+
+    /**
+     * Something to drag; return what says where it is.
+     * @param {"g" | "rect"} tag
+     * @param {Record<string, string | number>} attributes
+     * @param {string} label
+     * @param {Moved} moved
+     * @param {Stepped} stepped
+     */
+    function slider_of(tag, attributes, label, moved, stepped) {
+      const own = add_shape(svg, tag, { ...attributes, tabindex: 0, role: "slider", "aria-label": label });
+      listen_to_hand(own, svg, moved, stepped);
+      /** @param {number} now @param {string} words */
+      const tell = (now, words) => set_attributes(own, { "aria-valuenow": now, "aria-valuetext": words });
+      return { own, tell };
+    }
+
+    /** @param {string} label @param {Moved} moved @param {Stepped} stepped */
+    function handle(label, moved, stepped, look = "") {
+      const { own, tell } = slider_of("g", { class: `idea-handle ${look}` }, label, moved, stepped);
+      add_shape(own, "circle", { class: "reach", r: 22 });
+      add_shape(own, "circle", { class: "dot", r: 7 });
+      return (/** @type {Point} */ [x, y], /** @type {number} */ now, /** @type {string} */ words) => {
+        set_attributes(own, { transform: `translate(${x.toFixed(2)} ${y.toFixed(2)})` });
         tell(now, words);
       };
-    };
-    // The ground behind the handles, to be dragged too.
-    self.backdrop = (...given) => {
-      const [ground, tell] = dragged("rect", { class: "idea-ground", width: "100%", height }, ...given);
-      svg.prepend(ground);
+    }
+
+    /** The ground behind the handles, to be dragged too. @param {string} label @param {Moved} moved @param {Stepped} stepped */
+    function backdrop(label, moved, stepped) {
+      const { own, tell } = slider_of("rect", { class: "idea-ground", width: "100%", height }, label, moved, stepped);
+      svg.prepend(own);
       return tell;
-    };
-    return self;
+    }
+
+    /** @param {string} markup */
+    function show(markup) {
+      drawing.innerHTML = markup;
+    }
+    return { box, svg, handle, backdrop, show, width: () => box.clientWidth };
   }
 
-  // A labelled slider; give(number) sets it.
-  function slider(label, { min, max, step, value }, changed, say) {
-    const box = Ideas.make(root, "label", { class: "idea-slider" });
-    Ideas.make(box, "span", {}, label);
-    const input = Ideas.make(box, "input", { type: "range", min, max, step, value }), shown = Ideas.make(box, "output");
-    const give = (number) => {
-      input.value = number;
+  /**
+   * A labelled slider; return what sets it.
+   * @param {string} label
+   * @param {{ min: number, max: number, step: number, value: number }} range
+   * @param {(number: number) => void} changed
+   * @param {(number: number) => string} say
+   */
+  function slider(label, range, changed, say = (number) => decimal(number, 3)) {
+    const box = add_element(root, "label", { class: "idea-slider" });
+    add_element(box, "span", {}, label);
+    const input = add_element(box, "input", { type: "range", ...range });
+    const shown = add_element(box, "output");
+    /** @param {number} number */
+    function put(number) {
+      input.value = String(number);
       shown.textContent = say(number);
       input.setAttribute("aria-valuetext", say(number));
-    };
+    }
     input.addEventListener("input", () => {
-      give(Number(input.value));
+      put(Number(input.value));
       changed(Number(input.value));
     });
-    give(value);
-    return give;
+    put(range.value);
+    return put;
   }
 
-  // The renderer's picture of a state in a canvas of so many pixels a side.
+  /**
+   * Return what draws the renderer's picture of a state into a canvas of so many pixels a side.
+   * @param {Element} parent
+   * @param {number} size
+   * @param {string} label
+   */
   function picture(parent, size, label) {
-    const canvas = Ideas.make(parent, "canvas", { width: size, height: size, role: "img", "aria-label": label }), context = canvas.getContext("2d");
+    const canvas = add_element(parent, "canvas", { width: size, height: size, role: "img", "aria-label": label });
+    /** @param {SimulatorModule} module @param {SceneState} state @param {Raster} raster */
     return (module, state, raster) => {
-      const { stage } = module.render(state, { name: "exact" }, raster), whole = [0, raster.high];
+      const { stage } = module.render(state, { name: "exact" }, raster);
       module.paint("paint_colors", stage, "picture", { whole: true });
-      const bytes = module.bytes(stage, "picture", whole), image = new ImageData(stage.pitch, raster.high);
-      image.data.set(bytes);
-      context.putImageData(image, 0, 0);
+      const image = new ImageData(stage.pitch, raster.high);
+      image.data.set(module.bytes(stage, "picture", [0, raster.high]));
+      canvas.getContext("2d")?.putImageData(image, 0, 0);
     };
   }
 
   function begin() {
-    figure.querySelector(".pixels").after(root);
+    find_element(figure, ".pixels").after(root);
     figure.classList.add("idea-live");
     new ResizeObserver(() => {
       if (root.clientWidth !== width) redraw();
@@ -142,29 +242,30 @@ Ideas.stage = function (figure, draw) {
     }).observe(root);
   }
 
-  const says = () => Ideas.make(root, "p", { class: "idea-says" });
-  return { root, panel, slider, picture, says, redraw, begin };
-};
+  return { root, panel, slider, picture, says: () => add_element(root, "p", { class: "idea-says" }), redraw, begin };
+}
 
-// A state of the simulator with the scene's defaults: field, wave numbers, amplitude, model, sphere B, lights.
-Ideas.state = ({ scene }, changes = {}) => {
-  const { field, ku, kv, beta, model, ball, lights } = scene;
-  return { field, ku, kv, beta, model, ball, lights: lights.map(() => true), ...changes };
-};
+/** The scene as a state of the simulator, with changes. @param {SimulatorData} data @param {Partial<SceneState>} [changes] */
+function scene_state({ scene }, changes) {
+  return { ...scene, lights: scene.lights.map(() => true), ...changes };
+}
 
-// The simulator's module, whose `kernel` knows the interactives' own kernels too.
-Ideas.compiled = async function () {
-  const [module, own] = await Promise.all([[Simulator.data, Simulator], [{ ...Simulator.data, ...Ideas.data }, Ideas]].map(async ([data, { program }]) => Simulator.module(data, await Simulator.compiled(program))));
-  return { ...module, kernel: (name, ...inputs) => (name in Ideas.data.kernels ? own : module).kernel(name, ...inputs) };
-};
+/** The simulator's module, with another one for the interactives' own kernels. @param {AllData} data */
+async function ideas_module(data) {
+  const [programs, own] = await Promise.all([Simulator.program, Ideas.program].map(compiled_program));
+  return { ...(await simulator_module(Simulator.data, programs)), own: await simulator_module(data, own) };
+}
 
 document.addEventListener("DOMContentLoaded", async () => {
-  const figures = [...document.querySelectorAll("figure.idea")];
+  /** @type {NodeListOf<HTMLElement>} */
+  const figures = document.querySelectorAll("figure.idea");
   if (!figures.length) return;
+  const data = { ...Simulator.data, ...Ideas.data };
   try {
-    const module = (Ideas.module = await Ideas.compiled());
-    for (const figure of figures) Ideas[figure.id.replace("fig-", "")](figure, module, { ...Simulator.data, ...Ideas.data });
+    const module = await ideas_module(data);
+    Ideas.module = module;
+    for (const figure of figures) IDEAS[figure.id.replace("fig-", "")](figure, module, data);
   } catch (error) {
-    if (!/WebAssembly/.test(error.message)) throw error; // without it, the still pictures stay
+    if (!error_text(error).includes("WebAssembly")) throw error; // without it, the still pictures stay
   }
 });

@@ -1,28 +1,45 @@
 // One pixel that the reader picks, worked through: the values of the program's lines, beside their formulas.
 "use strict";
-var Ideas = Ideas || {};
 
-Ideas.pixel_worked = function (figure, module, data) {
-  const SIZE = 256, RASTER = { width: SIZE, height: SIZE, left: 0, top: 0, wide: SIZE, high: SIZE }, [xs, ys] = module.image_points(RASTER), NAMES = ["nothing", "sphere A", "sphere B", "the floor"];
-  const outputs = [...figure.querySelectorAll("[data-line]")], says = (number) => (Number.isFinite(number) ? Ideas.say(number, Number.isInteger(number) ? 0 : 4) : "—");
-  let column = 104, row = 92;
+IDEAS.pixel_worked = (figure, module, data) => {
+  const SIZE = 256;
+  const raster = { width: SIZE, height: SIZE, left: 0, top: 0, wide: SIZE, high: SIZE };
+  const [xs, ys] = module.image_points(raster);
+  /** @type {NodeListOf<HTMLElement>} */
+  const outputs = figure.querySelectorAll("[data-line]");
+  let column = 104;
+  let row = 92;
 
-  const stage = Ideas.stage(figure, draw), panel = stage.panel("The scene, and the pixel that is worked through", SIZE), paint = stage.picture(panel.box, SIZE, "the chapter's scene");
-  panel.box.classList.add("idea-picture", "small");
-  const on_pixel = panel.handle("the pixel, column and row", (x, y) => set(x, y), (right, up) => set(column + right, row - up)), swatch = Ideas.make(stage.root, "div", { class: "idea-swatch" }), told = stage.says();
-  paint(module, Ideas.state(data), RASTER);
+  /** @param {number} number */
+  const say = (number) => (Number.isFinite(number) ? decimal(number, Number.isInteger(number) ? 0 : 4) : "—");
 
+  /** @param {number} x @param {number} y */
   function set(x, y) {
-    [column, row] = [x, y].map((at) => Math.max(0, Math.min(SIZE - 1, Math.floor(at))));
+    [column, row] = [x, y].map((at) => clamp(0, Math.floor(at), SIZE - 1));
     stage.redraw();
   }
 
+  const stage = idea_stage(figure, draw);
+  const panel = stage.panel("The scene, and the pixel that is worked through", SIZE);
+  const paint = stage.picture(panel.box, SIZE, "the chapter's scene");
+  panel.box.classList.add("idea-picture", "small");
+  const put_pixel = panel.handle("the pixel, column and row", set, (right, up) => set(column + right, row - up));
+  const swatch = add_element(stage.root, "div", { class: "idea-swatch" });
+  const told = stage.says();
+  paint(module, scene_state(data), raster);
+
   function draw() {
-    const place = { x: xs[column], y: ys[row] }, lines = { ...place, ...Ideas.lines(module, data, "pixel_lines", { ...data.given, ...place }) }, rgb = ["red", "green", "blue"].map((name) => lines[`rgb_${name}`]);
-    for (const output of outputs) output.textContent = lines.surface !== 1 && output.closest("[data-on-a]") ? "—" : says(lines[output.dataset.line]);
-    swatch.style.background = `color(srgb-linear ${rgb.join(" ")})`;
-    told.innerHTML = `Pixel (${column}, ${row}) shows <b>${NAMES[lines.surface]}</b>.`;
-    on_pixel([column + 0.5, row + 0.5], row * SIZE + column, `column ${column}, row ${row}: ${NAMES[lines.surface]}`);
+    const place = { x: xs[column], y: ys[row] };
+    /** @type {Record<string, number>} */
+    const lines = { ...place, ...program_lines(module, data, "pixel_lines", { ...data.given, ...place }) };
+    const surface = SURFACES[lines.surface];
+    for (const output of outputs) {
+      const is_off_a = lines.surface !== 1 && output.closest("[data-on-a]");
+      output.textContent = is_off_a ? "—" : say(lines[output.dataset.line ?? ""]);
+    }
+    swatch.style.background = `color(srgb-linear ${lines.rgb_red} ${lines.rgb_green} ${lines.rgb_blue})`;
+    told.innerHTML = `Pixel (${column}, ${row}) shows <b>${surface}</b>.`;
+    put_pixel([column + 0.5, row + 0.5], row * SIZE + column, `column ${column}, row ${row}: ${surface}`);
   }
 
   stage.begin();

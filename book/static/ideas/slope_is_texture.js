@@ -1,72 +1,128 @@
 // A height field along a circle of the sphere, the normals that its slope tilts, and the light that they catch.
 "use strict";
-var Ideas = Ideas || {};
 
-Ideas.slope_is_texture = function (figure, module, data) {
-  const { scene } = data, V = 1 / 8, SIZE = 300, RASTER = { width: 360, height: 360, left: 30, top: 4, wide: SIZE, high: SIZE };
-  const { say, line, arrow, text } = Ideas, COUNT = 513, light = scene.lights[0].position;
-  const spread = (count, from, over) => Float64Array.from({ length: count }, (_, n) => (n + from) / over);
-  const all = spread(COUNT, 0, COUNT - 1), between = spread(COUNT - 1, 0.5, COUNT - 1), few = spread(4 * scene.ku, 0.5, 4 * scene.ku);
-  let u = 0.453, beta = scene.beta, drawn = null;
+IDEAS.slope_is_texture = (figure, module, data) => {
+  const { ku, kv, radius, eye, beta: first_beta, lights } = data.scene;
+  const V = 1 / 8;
+  const SIZE = 300;
+  const EDGE = 8;
+  const HEIGHTS = { top: 34, high: 72 };
+  const FLAT = 186;
+  const raster = { width: 360, height: 360, left: 30, top: 4, wide: SIZE, high: SIZE };
+  const all = float64s(513, (n) => n / 512);
+  const between = float64s(512, (n) => (n + 0.5) / 512);
+  const few = float64s(4 * ku, (n) => (n + 0.5) / (4 * ku));
+  let u = 0.453;
+  let beta = first_beta;
+  let drawn = NaN;
 
-  const stage = Ideas.stage(figure, draw), sides = Ideas.make(stage.root, "div", { class: "idea-sides" });
-  const profile = stage.panel("The height along the circle, and its slope", SIZE, sides), sphere = stage.panel("The sphere", SIZE, sides);
-  sphere.box.classList.add("idea-picture");
-  const paint = stage.picture(sphere.box, SIZE, "the sphere with its bump under the first light");
-  const give_beta = stage.slider("bump β", { min: 0, max: 0.5, step: 0.005, value: beta }, (to) => set(u, to), (b) => say(b, 3)), says = stage.says();
-  const on_profile = profile.handle("the point on the circle, u", (x) => set(Math.round((1024 * (x - EDGE)) / (profile.width - 2 * EDGE)) / 1024, beta), step);
-  const on_sphere = sphere.handle("the point on the sphere, u", (x, y) => set(nearest(x, y), beta), step);
-  const EDGE = 8, H = { top: 34, high: 72 }, FLAT = 186, STRIPS = [[226, 18], [268, 32]];
-
+  /** @param {number} to_u @param {number} to_beta */
   function set(to_u, to_beta) {
-    [u, beta] = [Math.max(0, Math.min(1 - 1 / 4096, to_u)), Math.max(0, Math.min(0.5, to_beta))];
-    give_beta(beta);
+    u = clamp(0, to_u, 1 - 1 / 4096);
+    beta = clamp(0, to_beta, 0.5);
+    put_beta(beta);
     stage.redraw();
   }
-  function step(right, up) {
-    set(u + right / 256, beta + up / 200);
-  }
+  /** @type {Stepped} */
+  const step = (right, up) => set(u + right / 256, beta + up / 200);
+  /** @param {number} x */
+  const u_at = (x) => Math.round((1024 * (x - EDGE)) / (profile.width() - 2 * EDGE)) / 1024;
 
-  const at = (along, amount) => module.kernel("bump_at", along, V, scene.ku, scene.kv, amount, scene.radius, ...light);
+  const stage = idea_stage(figure, draw);
+  const sides = add_element(stage.root, "div", { class: "idea-sides" });
+  const profile = stage.panel("The height along the circle, and its slope", SIZE, sides);
+  const sphere = stage.panel("The sphere", SIZE, sides);
+  sphere.box.classList.add("idea-picture");
+  const paint = stage.picture(sphere.box, SIZE, "the sphere with its bump under the first light");
+  const range = { min: 0, max: 0.5, step: 0.005, value: beta };
+  const put_beta = stage.slider("bump β", range, (to) => set(u, to));
+  const says = stage.says();
+  const on_profile = profile.handle("the point on the circle, u", (x) => set(u_at(x), beta), step);
+  const on_sphere = sphere.handle("the point on the sphere, u", (x, y) => set(nearest(x, y), beta), step);
+
+  /** @param {Float64Array} along @param {number} amount */
+  const over = (along, amount) =>
+    module.own.kernel_over("bump_at", along, V, ku, kv, amount, radius, ...lights[0].position);
+  /** @param {number} amount */
+  const at_point = (amount) => over(Float64Array.of(u), amount).map(([number]) => number);
+
   // Where a point of the circle is in the picture.
-  const [[x0, x1], [y0, y1]] = module.image_points({ ...RASTER, wide: 2, high: 2 });
+  const place_in_picture = module.placing_in(raster);
+  /** @param {number} along */
   function place(along) {
-    const [x, y] = module.kernel("crease_point", 1, 0, along, V, scene.eye, scene.radius);
-    return [(x - x0) / (x1 - x0) + 0.5, (y - y0) / (y1 - y0) + 0.5];
+    const [x, y] = module.kernel("crease_point", 1, 0, along, V, eye, radius);
+    return place_in_picture(x, y);
   }
-  const circle = Array.from(all, place), near = ([a, b], x, y) => Math.hypot(a - x, b - y);
-  const nearest = (x, y) => all[circle.reduce((best, point, n) => (near(point, x, y) < near(circle[best], x, y) ? n : best), 0)];
+  const circle = Array.from(all, place);
 
-  const grey = (mu) => `color(srgb-linear ${mu} ${mu} ${mu})`;
-  function strip([top, high], lights, width) {
-    const wide = width / lights.length;
-    return Array.from(lights, (mu, n) => `<rect x="${(EDGE + n * wide).toFixed(2)}" y="${top}" width="${(wide + 0.6).toFixed(2)}" height="${high}" fill="${grey(mu)}"/>`).join("");
+  /** @param {number} x @param {number} y */
+  function nearest(x, y) {
+    const distances = circle.map(([a, b]) => Math.hypot(a - x, b - y));
+    return all[distances.indexOf(Math.min(...distances))];
   }
 
-  // The normal of the flat surface, tilted: its foot, how long it is, and how far it leans to the right.
+  /** @param {number} top @param {number} high @param {Float64Array} cosines */
+  function strip(top, high, cosines) {
+    const wide = (profile.width() - 2 * EDGE) / cosines.length;
+    const cells = Array.from(cosines, (mu, n) => {
+      const place = `x="${(EDGE + n * wide).toFixed(2)}" y="${top}" width="${(wide + 0.6).toFixed(2)}" height="${high}"`;
+      return `<rect ${place} fill="color(srgb-linear ${mu} ${mu} ${mu})"/>`;
+    });
+    return cells.join("");
+  }
+
+  /**
+   * The normal of the flat surface, tilted: its foot, how long it is, and how far it leans to the right.
+   * @param {number} x
+   * @param {number} slope
+   * @param {number} tilt
+   * @param {number} length
+   * @param {string} look
+   */
   function normal(x, slope, tilt, length, look) {
     const turn = (Math.sign(slope * beta) * tilt * Math.PI) / 180;
-    return arrow([x, FLAT], [length * Math.sin(turn), -length * Math.cos(turn)], look, length / 5);
+    return arrow_path([x, FLAT], [x + length * Math.sin(turn), FLAT - length * Math.cos(turn)], look, length / 5);
   }
 
   function draw() {
-    const wide = profile.width, width = wide - 2 * EDGE, x_of = (along) => EDGE + along * width, y_of = (h) => H.top + (1 - h) * H.high;
-    const [heights] = at(all, beta), [, , , , lights] = at(between, beta), [, , , , plain] = at(between, 0), [h, slope, , tilt, mu] = at(u, beta), [, , , , before] = at(u, 0);
-    const [, slopes, , tilts] = at(few, beta);
-    const reach = 26 / Math.hypot(width, slope * H.high), tangent = [-1, 1].map((side) => [x_of(u + side * reach), y_of(h + side * reach * slope)]);
+    const width = profile.width() - 2 * EDGE;
+    /** @param {number} along @param {number} h @returns {Point} */
+    const at = (along, h) => [EDGE + along * width, HEIGHTS.top + (1 - h) * HEIGHTS.high];
+    const [heights] = over(all, beta);
+    const [, slopes, , tilts] = over(few, beta);
+    const [, , , , cosines] = over(between, beta);
+    const [, , , , plain] = over(between, 0);
+    const [h, slope, , tilt, mu] = at_point(beta);
+    const [, , , , before] = at_point(0);
+    const point = at(u, h);
+    const points = Array.from(all, (along, n) => at(along, heights[n]));
+    const reach = 26 / Math.hypot(width, slope * HEIGHTS.high);
+    const tangent = [at(u - reach, h - reach * slope), at(u + reach, h + reach * slope)];
+    const normals = Array.from(few, (along, n) => normal(at(along, 0)[0], slopes[n], tilts[n], 24, "few"));
     profile.show(
-      text(EDGE, 16, "the height <tspan class='i'>h</tspan>, and its slope at the point") + `<path class="height" d="${line(Array.from(all, (a, n) => [x_of(a), y_of(heights[n])]))}"/><path class="slope" d="${line(tangent)}"/>` +
-        `<path class="guide" d="M${x_of(u)} ${y_of(h)}V${SIZE}"/>` + text(EDGE, 134, "the surface stays flat; its normals lean") +
-        `<path class="height" d="M${EDGE} ${FLAT}h${width}"/>` + Array.from(few, (a, n) => normal(x_of(a), slopes[n], tilts[n], 24, "few")).join("") + normal(x_of(u), slope, tilt, 40, "slope") +
-        text(EDGE, 220, "the light without the bump") + strip(STRIPS[0], plain, width) + text(EDGE, 262, "and with it") + strip(STRIPS[1], lights, width),
+      text_at(EDGE, 16, "the height <tspan class='i'>h</tspan>, and its slope at the point") +
+        path_markup("height", line_path(points)) +
+        path_markup("slope", line_path(tangent)) +
+        path_markup("guide", line_path([point, [point[0], SIZE]])) +
+        text_at(EDGE, 134, "the surface stays flat; its normals lean") +
+        path_markup("height", `M${EDGE} ${FLAT}h${width}`) +
+        normals.join("") +
+        normal(point[0], slope, tilt, 40, "slope") +
+        text_at(EDGE, 220, "the light without the bump") +
+        strip(226, 18, plain) +
+        text_at(EDGE, 262, "and with it") +
+        strip(268, 32, cosines),
     );
-    sphere.show(`<path class="circle" d="${line(circle)}"/>`);
-    if (drawn !== beta) paint(module, Ideas.state(data, { beta, ball: false, lights: [true, false] }), RASTER);
+    sphere.show(path_markup("circle", line_path(circle)));
+    if (drawn !== beta) paint(module, scene_state(data, { beta, ball: false, lights: [true, false] }), raster);
     drawn = beta;
-    const words = `slope ${say(slope)}, tilt ${say(tilt, 1)}°`;
-    on_profile([x_of(u), y_of(h)], u, words);
+    const words = `slope ${decimal(slope)}, tilt ${decimal(tilt, 1)}°`;
+    on_profile(point, u, words);
     on_sphere(place(u), u, words);
-    says.innerHTML = `slope <b class="symbolic">${say(slope)}</b> × β ${say(beta, 3)} = ${say(slope * beta)}: the normal leans by <b class="symbolic">${say(tilt, 1)}°</b>, and the light there goes from ${say(before)} to <b>${say(mu)}</b>.`;
+    says.innerHTML =
+      `slope <b class="symbolic">${decimal(slope)}</b> × β ${decimal(beta, 3)} = ${decimal(slope * beta)}: ` +
+      `the normal leans by <b class="symbolic">${decimal(tilt, 1)}°</b>, ` +
+      `and the light there goes from ${decimal(before)} to <b>${decimal(mu)}</b>.`;
   }
 
   stage.begin();

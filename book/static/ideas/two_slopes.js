@@ -1,42 +1,102 @@
 // One height, two slopes: the secant over a step and the tangent, at a smooth point and beside a crease.
 "use strict";
-var Ideas = Ideas || {};
 
-Ideas.two_slopes = function (figure, module, data) {
-  const { scene } = data, { say, line, text } = Ideas, [FROM, TO, V, HIGH, TOP, BASE, TALL] = [0.06, 0.25, 1 / 8, 260, 12, 226, 190], EXPONENTS = [-15, -1.3];
-  const curve = Float64Array.from({ length: 381 }, (_, n) => FROM + (n * (TO - FROM)) / 380);
-  let u = 0.139, eps = 0.03;
+IDEAS.two_slopes = (figure, module, data) => {
+  const { ku, kv } = data.scene;
+  const FROM = 0.06;
+  const TO = 0.25;
+  const V = 1 / 8;
+  const HIGH = 260;
+  const TOP = 12;
+  const BASE = 226;
+  const TALL = 190;
+  const LEAST = -15;
+  const MOST = -1.3;
+  const curve = float64s(381, (n) => FROM + (n * (TO - FROM)) / 380);
+  let u = 0.139;
+  let eps = 0.03;
 
-  const power = (number) => Number(number).toExponential(1).replace("-", "−").replace("e", " · 10^").replace(/\^(.*)/, (_, n) => n.replace(/./g, (digit) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["−0123456789".indexOf(digit)]));
-  const stage = Ideas.stage(figure, draw), panel = stage.panel("The height across a crease, a tangent and a secant", HIGH);
-  const give_eps = stage.slider("step ε", { min: EXPONENTS[0], max: EXPONENTS[1], step: 0.01, value: Math.log10(eps) }, (to) => set(u, 10 ** to), (exponent) => power(10 ** exponent)), says = stage.says();
-  const x_of = (at) => ((at - FROM) / (TO - FROM)) * panel.width, at_x = (x) => FROM + (x / panel.width) * (TO - FROM), y_of = (h) => BASE - TALL * h;
-  const on_point = panel.handle("the point, u", (x) => set(Math.round(2000 * at_x(x)) / 2000, eps), (right) => set(u + right / 2000, eps));
-  const on_step = panel.handle("the step, ε", (x) => set(u, at_x(x) - u), (right, up) => set(u, eps * 1.1 ** (right + up)), "step");
+  /** @param {number} number */
+  function in_powers(number) {
+    const [digits, power] = number.toExponential(1).split("e");
+    return `${digits} · 10${raised(Number(power))}`;
+  }
 
+  /** @param {number} to_u @param {number} to_eps */
   function set(to_u, to_eps) {
-    [u, eps] = [Math.max(FROM + 0.02, Math.min(TO - 0.02, to_u)), Math.max(10 ** EXPONENTS[0], Math.min(10 ** EXPONENTS[1], to_eps))];
-    give_eps(Math.log10(eps));
+    u = clamp(FROM + 0.02, to_u, TO - 0.02);
+    eps = clamp(10 ** LEAST, to_eps, 10 ** MOST);
+    put_eps(Math.log10(eps));
     stage.redraw();
   }
-  const at = (along) => module.kernel("two_slopes", along, V, scene.ku, scene.kv, eps);
 
-  // A line through a point of the drawing, so long to either side, whatever its slope.
-  function through(along, height, slope, look, reach) {
-    const rise = [x_of(FROM + 1) - x_of(FROM), -TALL * slope], share = reach / Math.hypot(...rise), [x, y] = [x_of(along), y_of(height)];
-    return `<path class="${look}" d="${line([[x - share * rise[0], y - share * rise[1]], [x + share * rise[0], y + share * rise[1]]])}"/>`;
+  const stage = idea_stage(figure, draw);
+  const panel = stage.panel("The height across a crease, a tangent and a secant", HIGH);
+  const range = { min: LEAST, max: MOST, step: 0.01, value: Math.log10(eps) };
+  const put_eps = stage.slider(
+    "step ε",
+    range,
+    (to) => set(u, 10 ** to),
+    (exponent) => in_powers(10 ** exponent),
+  );
+  const says = stage.says();
+  /** @param {number} at @param {number} height @returns {Point} */
+  const place = (at, height) => [((at - FROM) / (TO - FROM)) * panel.width(), BASE - TALL * height];
+  /** @param {number} x */
+  const at_x = (x) => FROM + (x / panel.width()) * (TO - FROM);
+  const put_point = panel.handle(
+    "the point, u",
+    (x) => set(Math.round(2000 * at_x(x)) / 2000, eps),
+    (right) => set(u + right / 2000, eps),
+  );
+  const put_step = panel.handle(
+    "the step, ε",
+    (x) => set(u, at_x(x) - u),
+    (right, up) => set(u, eps * 1.1 ** (right + up)),
+    "step",
+  );
+
+  /**
+   * A line through a point of the drawing, so long to either side, whatever its slope.
+   * @param {Point} point
+   * @param {number} slope
+   * @param {string} look
+   * @param {number} reach
+   */
+  function through([x, y], slope, look, reach) {
+    const run = panel.width() / (TO - FROM);
+    const rise = -TALL * slope;
+    const share = reach / Math.hypot(run, rise);
+    const ends = [-share, share].map((part) => /** @type {Point} */ ([x + part * run, y + part * rise]));
+    return path_markup(look, line_path(ends));
   }
 
   function draw() {
-    const [, heights] = at(curve), [left, h, right, numeric, exact, straddles] = at(u), ends = [[x_of(u - eps), y_of(left)], [x_of(u + eps), y_of(right)]], crease = x_of(1 / scene.ku);
+    const [, heights] = module.own.kernel_over("two_slopes", curve, V, ku, kv, eps);
+    const [left, h, right, numeric, exact, straddles] = module.own.kernel("two_slopes", u, V, ku, kv, eps);
+    const point = place(u, h);
+    const start = place(u - eps, left);
+    const end = place(u + eps, right);
+    const [crease] = place(1 / ku, 0);
+    const points = Array.from(curve, (at, n) => place(at, heights[n]));
+    const reach = Math.max(80, Math.hypot(end[0] - start[0], end[1] - start[1]) / 2);
     panel.show(
-      `<path class="guide" d="M${crease} ${TOP}V${BASE + 8}"/>` + text(crease - 20, BASE + 24, "crease") + `<path class="height" d="${line(Array.from(curve, (a, n) => [x_of(a), y_of(heights[n])]))}"/>` +
-        through(u, (left + right) / 2, numeric, "secant", 24 + Math.max(80, Math.hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]) / 2)) + through(u, h, exact, "slope", 100) + `<circle class="end" cx="${ends[0][0]}" cy="${ends[0][1]}" r="5"/>`,
+      path_markup("guide", `M${crease} ${TOP}V${BASE + 8}`) +
+        text_at(crease - 20, BASE + 24, "crease") +
+        path_markup("height", line_path(points)) +
+        through(place(u, (left + right) / 2), numeric, "secant", 24 + reach) +
+        through(point, exact, "slope", 100) +
+        circle_markup("end", start, 5),
     );
-    const apart = Math.abs(numeric - exact), digits = apart && apart < 0.01 ? 8 : 2;
-    says.innerHTML = `The difference over 2ε is <b class="numeric">${say(numeric, digits)}</b>, the slope is <b class="symbolic">${say(exact, digits)}</b>: they are <b class="difference">${apart < 0.01 ? power(apart) : say(apart)}</b> apart${straddles ? ", since the step reaches across the crease" : ""}.`;
-    on_point([x_of(u), y_of(h)], u, `u ${say(u, 4)}, slope ${say(exact)}`);
-    on_step(ends[1], eps, `ε ${power(eps)}, difference ${say(numeric)}`);
+    const apart = Math.abs(numeric - exact);
+    const digits = apart && apart < 0.01 ? 8 : 2;
+    says.innerHTML =
+      `The difference over 2ε is <b class="numeric">${decimal(numeric, digits)}</b>, ` +
+      `the slope is <b class="symbolic">${decimal(exact, digits)}</b>: they are ` +
+      `<b class="difference">${apart < 0.01 ? in_powers(apart) : decimal(apart)}</b> apart` +
+      `${straddles ? ", since the step reaches across the crease" : ""}.`;
+    put_point(point, u, `u ${decimal(u, 4)}, slope ${decimal(exact)}`);
+    put_step(end, eps, `ε ${in_powers(eps)}, difference ${decimal(numeric)}`);
   }
 
   stage.begin();

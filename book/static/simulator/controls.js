@@ -1,64 +1,71 @@
 // The controls: what they show is the state, and what they are given is checked before it becomes the state.
 "use strict";
 
-Simulator.controls = function (root, states, act) {
-  const holders = [...root.querySelectorAll("[data-parameter]")];
+/** @param {HTMLElement} root @param {States} states @param {Act} act */
+function simulator_controls(root, states, act) {
+  const holders = Array.from(root.querySelectorAll("[data-parameter]"), (holder) => {
+    /** @type {NodeListOf<HTMLInputElement>} */
+    const inputs = holder.querySelectorAll("input, select");
+    return { name: holder.getAttribute("data-parameter") ?? "", complaint: holder.querySelector(".sim-error"), inputs };
+  });
+  /** @typedef {typeof holders[number]} Holder */
+  /** @type {Partial<State>} */
+  let shown = {};
 
   // epsilon's slider is logarithmic.
+  /** @param {string} name @param {number} value */
   const to_slider = (name, value) => (name === "eps" ? Math.log10(value) : value);
-  const from_slider = (name, position) => (name === "eps" ? Number((10 ** position).toPrecision(3)) : position);
+  /** @param {string} name @param {number} position */
+  const from_slider = (name, position) => (name === "eps" ? power_of_ten(position) : position);
 
-  function say(holder, text) {
-    const place = holder.querySelector(".sim-error"), input = holder.querySelector("input[type=text]");
-    if (place) place.textContent = text;
-    if (input) input.setAttribute("aria-invalid", text ? "true" : "false");
+  /** @param {Holder} holder @param {string} text */
+  function say({ complaint, inputs }, text) {
+    if (complaint) complaint.textContent = text;
+    for (const input of inputs) if (input.type === "text") input.setAttribute("aria-invalid", String(text !== ""));
   }
 
-  function attempt(holder, make) {
+  /** What an input's place or text means for the state. @param {Holder} holder @param {HTMLInputElement} input */
+  function value_of({ name }, input) {
+    if (input.type === "range") return from_slider(name, Number(input.value));
+    if (input.type !== "checkbox") return states.read(name, input.value);
+    if (name !== "lights") return input.checked;
+    return act.state().lights.map((on, n) => (n === Number(input.dataset.index) ? input.checked : on));
+  }
+
+  /** @param {Holder} holder @param {HTMLInputElement} input */
+  function attempt(holder, input) {
     try {
-      act.set(make());
+      act.set({ [holder.name]: value_of(holder, input) });
       say(holder, "");
       put_all(holder, act.state());
     } catch (error) {
-      say(holder, error.message);
+      say(holder, error_text(error));
     }
   }
 
-  function wire(holder) {
-    const name = holder.dataset.parameter;
-    for (const input of holder.querySelectorAll("input, select")) {
-      if (input.type === "range") {
-        input.addEventListener("input", () => attempt(holder, () => ({ [name]: from_slider(name, Number(input.value)) })));
-      } else if (input.type === "checkbox") {
-        const index = Number(input.dataset.index);
-        const value = () => (name === "lights" ? act.state().lights.map((on, n) => (n === index ? input.checked : on)) : input.checked);
-        input.addEventListener("change", () => attempt(holder, () => ({ [name]: value() })));
-      } else input.addEventListener("change", () => attempt(holder, () => ({ [name]: states.read(name, input.value) })));
-    }
-  }
-
+  /** @param {HTMLInputElement} input @param {string} name @param {State} state */
   function put(input, name, state) {
     const value = state[name];
+    const in_powers = name === "eps" && (input.type === "range" || value < 1e-3);
+    const text = in_powers ? value.toExponential() : String(value);
     if (input.type === "range") {
-      const position = String(to_slider(name, value));
-      if (input !== document.activeElement || from_slider(name, Number(input.value)) !== value) input.value = position;
-      input.setAttribute("aria-valuetext", name === "eps" ? value.toExponential() : String(value));
-    } else if (input.type === "checkbox") input.checked = name === "lights" ? value[Number(input.dataset.index)] : value;
-    else if (input.type === "radio") input.checked = input.value === String(value);
-    else if (input.type === "text") {
-      if (input.getAttribute("aria-invalid") !== "true") input.value = name === "eps" && value < 1e-3 ? value.toExponential() : String(value);
-    } else input.value = String(value);
+      const is_held = input === document.activeElement && from_slider(name, Number(input.value)) === value;
+      if (!is_held) input.value = String(to_slider(name, value));
+      input.setAttribute("aria-valuetext", text);
+    } else if (input.type === "checkbox")
+      input.checked = name === "lights" ? value[Number(input.dataset.index)] : value;
+    else if (input.type === "radio") input.checked = input.value === text;
+    else if (input.getAttribute("aria-invalid") !== "true") input.value = text;
   }
 
-  let shown = {};
-
-  function put_all(holder, state) {
-    for (const input of holder.querySelectorAll("input, select")) put(input, holder.dataset.parameter, state);
+  /** @param {Holder} holder @param {State} state */
+  function put_all({ inputs, name }, state) {
+    for (const input of inputs) put(input, name, state);
   }
 
-  // Show what has changed.
+  /** Show what has changed. @param {State} state */
   function show(state) {
-    for (const holder of holders) if (shown[holder.dataset.parameter] !== state[holder.dataset.parameter]) put_all(holder, state);
+    for (const holder of holders) if (shown[holder.name] !== state[holder.name]) put_all(holder, state);
     shown = state;
   }
 
@@ -68,6 +75,9 @@ Simulator.controls = function (root, states, act) {
     shown = {};
   }
 
-  holders.forEach(wire);
+  for (const holder of holders) {
+    for (const input of holder.inputs)
+      input.addEventListener(input.type === "range" ? "input" : "change", () => attempt(holder, input));
+  }
   return { show, clear };
-};
+}

@@ -1,70 +1,105 @@
 // What is known of the pixel under the cursor, by both pipelines, and how many floats apart they are.
 "use strict";
 
-Simulator.cursor = function (root, states, data, module) {
-  const body = root.querySelector(".sim-pixel tbody"), facts = root.querySelector(".sim-facts"), line = root.querySelector(".sim-python code");
+/** @param {HTMLElement} root @param {States} states @param {SimulatorData} data @param {SimulatorModule} module */
+function simulator_cursor(root, states, data, module) {
+  const body = find_element(root, ".sim-pixel tbody");
+  const facts = find_element(root, ".sim-facts");
+  const MOST = 10000n; // floats: past that many, their count says less than the numbers themselves
+  const AXES = ["x", "y", "z"];
+  /** @type {Map<Element, string[]>} */
+  const filled = new Map();
 
-  // Where a float stands among all floats, counted from 0.
+  /** Where a float stands among all floats, counted from 0. @param {number} number */
   function place(number) {
     const [bits] = new BigInt64Array(Float64Array.of(number).buffer);
     return bits < 0n ? -(bits & 0x7fffffffffffffffn) : bits;
   }
 
-  // Past that many, a count of floats says less than the numbers themselves.
-  const MOST = 10000n;
-
+  /** @param {number} a @param {number} b */
   function ulps(a, b) {
-    const apart = place(a) - place(b), count = apart < 0n ? -apart : apart;
+    const apart = place(a) - place(b);
+    const count = apart < 0n ? -apart : apart;
     return count <= MOST ? `${count} ulp` : "—";
   }
 
-  // Which term of a difference's error may be the largest at this pixel, and how large both slopes' are at most, by the theorems.
-  function bounded(state, { u, v }) {
-    const found = module.bounds(state, u, v, state.eps);
-    if (!found) return [["error led by", "no theorem covers this"]];
-    const [, leading, ...slopes] = found, most = slopes.map((bound, n) => [`|Δh<sub>${"uv"[n]}</sub>| ≤`, bound.toExponential(2)]);
-    return [["error led by", data.terms[leading - 1]], ...most];
+  /**
+   * Which term of a difference's error may be the largest at a pixel, and how large each slope's is at most, by theorem.
+   * @param {State} state @param {number} u @param {number} v
+   * @returns {Record<string, string>}
+   */
+  function bounded(state, u, v) {
+    const bounds = module.bounds_of(state);
+    if (!bounds) return { "error led by": "no theorem covers this" };
+    const [, leading, of_u, of_v] = module.kernel(bounds, u, v, state.ku, state.kv, state.eps);
+    const most = [of_u, of_v].map((bound) => bound.toExponential(2));
+    return { "error led by": data.terms[leading - 1], "|Δh<sub>u</sub>| ≤": most[0], "|Δh<sub>v</sub>| ≤": most[1] };
   }
 
-  // Both records of a pixel, as renderer.pixel gives them.
+  /** Both records of a pixel, as renderer.pixel gives them. @param {State} state */
   function records(state) {
-    const raster = states.crop(state), method = { name: state.method, eps: state.eps };
-    return [method, { name: "exact" }].map((m) => module.pixel(state, m, raster, state.column, state.row));
+    const raster = states.crop(state);
+    const methods = [{ name: state.method, eps: state.eps }, { name: "exact" }];
+    return methods.map((method) => module.pixel(state, method, raster, state.column, state.row));
   }
 
-  // What both pipelines share.
+  /** What both pipelines share. @param {PixelRecord} one @param {State} state */
   function shared(one, state) {
-    const yes = (flag) => (flag ? "yes" : "no"), found = [["pixel", `${one.column}, ${one.row}`], ["surface", one.surface]];
-    if (one.u !== undefined) found.push(["kink flag", yes(one.kink)], ["straddles a crease", yes(one.straddling)], ...bounded(state, one));
-    if (one.u !== undefined) for (const [name, key] of [["u", "u"], ["v", "v"], ["θ", "theta"], ["φ", "phi"], ["h", "h"]]) found.push([name, one[key]]);
-    if (one.point) ["x", "y", "z"].forEach((axis, n) => found.push([`P<sub>${axis}</sub>`, one.point[n]]));
-    return found;
+    const { column, row, surface, u, v, theta, phi, h, point } = one;
+    /** @param {boolean | undefined} flag */
+    const yes = (flag) => (flag ? "yes" : "no");
+    /** @type {Record<string, string | number | undefined>} */
+    const found = { pixel: `${column}, ${row}`, surface };
+    if (u !== undefined && v !== undefined) {
+      Object.assign(found, { "kink flag": yes(one.kink), "straddles a crease": yes(one.straddling) });
+      Object.assign(found, bounded(state, u, v));
+      Object.assign(found, { u, v, θ: theta, φ: phi, h });
+    }
+    for (const [n, number] of (point ?? []).entries()) found[`P<sub>${AXES[n]}</sub>`] = number;
+    return Object.entries(found);
   }
 
-  // What they compute, each in its own way.
+  /** What they compute, each in its own way: rows of a name and two numbers. @param {PixelRecord} one @param {PixelRecord} other */
   function compared(one, other) {
-    const found = [], both = (name, key) => found.push([name, key(one), key(other)]);
-    if (one.u !== undefined) ["u", "v"].forEach((axis, n) => both(`h<sub>${axis}</sub>`, (r) => r.gradient[n]));
-    if (one.normal) ["x", "y", "z"].forEach((axis, n) => both(`N′<sub>${axis}</sub>`, (r) => r.normal[n]));
-    ["red", "green", "blue"].forEach((name, n) => both(name, (r) => r.rgb[n]));
-    return found;
+    /** @param {string[]} names @param {number[]} [ours] @param {number[]} [theirs] */
+    const rows = (names, ours = [], theirs = []) =>
+      ours.map((number, n) => ({ name: names[n], numbers: [number, theirs[n]] }));
+    return [
+      ...rows(["h<sub>u</sub>", "h<sub>v</sub>"], one.gradient, other.gradient),
+      ...rows(
+        AXES.map((axis) => `N′<sub>${axis}</sub>`),
+        one.normal,
+        other.normal,
+      ),
+      ...rows(["red", "green", "blue"], one.rgb, other.rgb),
+    ];
   }
 
-  // Put rows where they differ from what is there.
+  /** Put rows where they differ from what is there. @param {Element} list @param {string[]} rows */
   function fill(list, rows) {
-    if (list.children.length !== rows.length) list.innerHTML = rows.join("");
-    else rows.forEach((row, n) => row !== list.texts[n] && (list.children[n].outerHTML = row));
-    list.texts = rows;
+    const texts = filled.get(list);
+    if (!texts || texts.length !== rows.length) list.innerHTML = rows.join("");
+    else for (const [n, row] of rows.entries()) if (row !== texts[n]) list.children[n].outerHTML = row;
+    filled.set(list, rows);
   }
 
+  /** @param {State} state */
   function show(state) {
     const [one, other] = records(state);
-    fill(facts, shared(one, state).map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`));
-    fill(body, compared(one, other).map(([name, a, b]) =>
-      `<tr><th scope="row">${name}</th><td>${a}</td><td>${b}</td><td>${ulps(a, b)}</td></tr>`));
-    root.querySelector(".sim-far").hidden = !body.textContent.includes("—");
-    line.textContent = states.python(state);
+    fill(
+      facts,
+      shared(one, state).map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`),
+    );
+    fill(
+      body,
+      compared(one, other).map(({ name, numbers: [a, b] }) => {
+        const cells = [a, b, ulps(a, b)].map((text) => `<td>${text}</td>`);
+        return `<tr><th scope="row">${name}</th>${cells.join("")}</tr>`;
+      }),
+    );
+    find_element(root, ".sim-far").hidden = !body.textContent.includes("—");
+    find_element(root, ".sim-python code").textContent = states.python(state);
   }
 
-  return { show, records, ulps };
-};
+  return { show };
+}

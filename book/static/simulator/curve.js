@@ -2,32 +2,63 @@
 // It is a control too: a click, a drag or an arrow key sets ε, and pointing at it reads it.
 "use strict";
 
-Simulator.curve = function (root, data, module, act) {
-  const box = root.querySelector(".sim-curve"), svg = box.querySelector("svg"), reading = root.querySelector("[data-reading]");
-  const [pointer, now, dot] = ["hover", "now", "dot"].map((name) => box.querySelector(`.sim-${name}`));
-  const X = [-16, -1], Y = [-16, 2], HEIGHT = 168, EDGE = { top: 10, bottom: 20 }, LINE = 15;
-  const FINE = Array.from({ length: 121 }, (_, n) => Number((10 ** (-16 + n / 8)).toPrecision(3)));
-  const COARSE = Array.from({ length: 31 }, (_, n) => Number((10 ** (-1 - n / 2)).toPrecision(3)));
-  const NAMES = { numeric: "gradient here", bound: "proved bound", difference: "picture, RMS" };
-  let width = 0, inset = 0, lines = {}, drawn = []; // name -> [{eps, size}]
+/**
+ * @typedef {{ eps: number, error: number, bound: number | null }} CurvePoint a bound is null where nothing is proved
+ * @typedef {{ eps: number, rms: number, max: number }} PicturePoint
+ * @typedef {{ eps: number, size: number }} LinePoint
+ */
 
-  // [{eps, error, bound}] of the gradient at a pixel of A; null elsewhere. A bound is null where nothing is proved.
+/** @param {HTMLElement} root @param {SimulatorModule} module @param {Act} act */
+function simulator_curve(root, module, act) {
+  const box = find_element(root, ".sim-curve");
+  /** @type {SVGSVGElement} */
+  const svg = find_element(box, "svg");
+  const reading = find_element(root, "[data-reading]");
+  const [pointer, now, dot] = ["hover", "now", "dot"].map((name) => find_element(box, `.sim-${name}`));
+  const LEFT = -16; // powers of ten: of ε,
+  const RIGHT = -1;
+  const LOWEST = -16; // and of the error
+  const HIGHEST = 2;
+  const HEIGHT = 168;
+  const TOP = 10;
+  const BOTTOM = HEIGHT - 20;
+  const LINE = 15;
+  const FINE = Array.from({ length: 121 }, (_, n) => power_of_ten(-16 + n / 8));
+  const COARSE = Array.from({ length: 31 }, (_, n) => power_of_ten(-1 - n / 2));
+  /** @type {Record<string, string>} */
+  const NAMES = { numeric: "gradient here", bound: "proved bound", difference: "picture, RMS" };
+  let width = 0;
+  let inset = 0;
+  /** @type {Record<string, LinePoint[]>} */
+  let lines = {};
+  /** @type {any[]} */
+  let drawn = [];
+
+  /** The errors of the gradient at a pixel of A; null elsewhere. @param {State} state @param {Raster} raster */
   function at_pixel(state, raster) {
     const stage = module.make_stage(state, { ...raster, left: state.column, top: state.row, wide: 1, high: 1 });
     if (!stage.count) return null;
-    const [[u], [v]] = module.chart(stage), exact = module.gradient(state, { name: "exact" }, stage);
-    const bounds = module.bounds(state, u, v, Float64Array.from(FINE))?.[0];
+    const [u, v] = module.chart(stage);
+    const exact = module.gradients(state, { name: "exact" }, stage);
+    const name = module.bounds_of(state);
+    const bounds = name && module.kernel_over(name, u[0], v[0], state.ku, state.kv, Float64Array.from(FINE))[0];
     return FINE.map((eps, n) => {
-      const [h_u, h_v] = module.gradient(state, { name: state.method, eps }, stage);
-      return { eps, error: Math.max(Math.abs(h_u - exact[0]), Math.abs(h_v - exact[1])), bound: bounds ? bounds[n] : null };
+      const numeric = module.gradients(state, { name: state.method, eps }, stage);
+      const errors = numeric.map(([slope], axis) => Math.abs(slope - exact[axis][0]));
+      return { eps, error: Math.max(...errors), bound: bounds ? bounds[n] : null };
     });
   }
 
-  const x_of = (eps) => inset + ((Math.log10(eps) - X[0]) / (X[1] - X[0])) * (width - 2 * inset);
-  const y_of = (size) => EDGE.top + ((Y[1] - Math.max(Y[0], Math.min(Y[1], Math.log10(size)))) / (Y[1] - Y[0])) * (HEIGHT - EDGE.top - EDGE.bottom);
+  /** @param {number} eps */
+  const x_of = (eps) => inset + ((Math.log10(eps) - LEFT) / (RIGHT - LEFT)) * (width - 2 * inset);
+  /** @param {number} size */
+  const y_of = (size) =>
+    TOP + ((HIGHEST - clamp(LOWEST, Math.log10(size), HIGHEST)) / (HIGHEST - LOWEST)) * (BOTTOM - TOP);
 
+  /** @param {LinePoint[]} points */
   function path(points) {
-    let text = "", drawing = false;
+    let text = "";
+    let drawing = false;
     for (const { eps, size } of points) {
       if (size > 0) text += `${drawing ? "L" : "M"}${x_of(eps).toFixed(1)} ${y_of(size).toFixed(1)}`;
       drawing = size > 0;
@@ -35,17 +66,18 @@ Simulator.curve = function (root, data, module, act) {
     return text;
   }
 
-  const power = (n) => `10<tspan dy="-5" font-size="9">${String(n).replace("-", "−")}</tspan>`;
-
   function axes() {
+    /** @param {number} n @param {string} place */
+    const tick = (n, place) =>
+      `<text class="tick" ${place}>10<tspan dy="-5" font-size="9">${with_minus(String(n))}</tspan></text>`;
     let text = "";
-    for (let n = Y[0]; n <= Y[1]; n += 4) {
+    for (let n = LOWEST; n <= HIGHEST; n += 4) {
       const y = y_of(10 ** n);
       text += `<line class="grid" x1="${inset}" x2="${width - inset}" y1="${y}" y2="${y}"/>`;
-      text += `<text class="tick" text-anchor="end" x="${inset - 8}" y="${y + 4}">${power(n)}</text>`;
+      text += tick(n, `text-anchor="end" x="${inset - 8}" y="${y + 4}"`);
     }
-    for (let n = X[0]; n <= X[1]; n += width < 500 ? 5 : 3) {
-      text += `<text class="tick" text-anchor="middle" x="${x_of(10 ** n)}" y="${HEIGHT - 4}">${power(n)}</text>`;
+    for (let n = LEFT; n <= RIGHT; n += width < 500 ? 5 : 3) {
+      text += tick(n, `text-anchor="middle" x="${x_of(10 ** n)}" y="${HEIGHT - 4}"`);
     }
     return text;
   }
@@ -53,34 +85,47 @@ Simulator.curve = function (root, data, module, act) {
   // Each line's name stands at its end, to the right of the plot, where no curve is; a line apart from the next name.
   function names() {
     const ends = Object.entries(lines).filter(([, points]) => points.some(({ size }) => size > 0));
-    const placed = ends.map(([name, points]) => ({ name, y: y_of(points.reduce((last, p) => (p.eps > last.eps ? p : last)).size || 1e-16) + 4 }));
+    const placed = ends.map(([name, points]) => {
+      const { size } = points.reduce((end, point) => (point.eps > end.eps ? point : end));
+      return { name, y: y_of(size || 1e-16) + 4 };
+    });
     placed.sort((one, other) => one.y - other.y);
-    placed.forEach((label, n) => (label.y = n ? Math.max(label.y, placed[n - 1].y + LINE) : label.y));
-    const over = placed.length ? Math.max(0, placed[placed.length - 1].y - (HEIGHT - EDGE.bottom)) : 0;
-    return placed.map(({ name, y }) => `<text class="${name}-label" x="${width + 2}" y="${y - over}">${NAMES[name]}</text>`).join("");
+    let last = -Infinity;
+    for (const label of placed) {
+      label.y = Math.max(label.y, last + LINE);
+      last = label.y;
+    }
+    const over = Math.max(0, last - BOTTOM);
+    const texts = placed.map(
+      ({ name, y }) => `<text class="${name}-label" x="${width + 2}" y="${y - over}">${NAMES[name]}</text>`,
+    );
+    return texts.join("");
   }
 
-  // state; pixel: what at_pixel gave; picture: [{eps, rms}], as far as it is known.
+  /** Draw what is known, where that is new. @param {State} state @param {CurvePoint[] | null} pixel @param {PicturePoint[]} picture */
   function show(state, pixel, picture) {
-    const known = picture.filter(Boolean), what = [pixel, picture, known.length, box.clientWidth];
+    const known = picture.filter(Boolean);
+    const what = [pixel, picture, known.length, box.clientWidth];
     if (what.every((part, n) => part === drawn[n])) return;
     drawn = what;
     width = box.clientWidth;
     inset = 0.5 * parseFloat(getComputedStyle(root).getPropertyValue("--thumb")); // where the slider's thumb stops
     svg.setAttribute("viewBox", `0 0 ${width} ${HEIGHT}`);
     lines = {};
-    if (pixel && pixel[0].bound !== null) lines.bound = pixel.map(({ eps, bound }) => ({ eps, size: bound }));
+    if (pixel?.[0].bound) lines.bound = pixel.map(({ eps, bound }) => ({ eps, size: bound ?? 0 }));
     if (pixel) lines.numeric = pixel.map(({ eps, error }) => ({ eps, size: error }));
     if (known.length) lines.difference = known.map(({ eps, rms }) => ({ eps, size: rms }));
     const paths = Object.entries(lines).map(([name, points]) => `<path class="${name}" d="${path(points)}"/>`);
-    const dots = known.filter((p) => p.rms > 0).map((p) => `<circle class="difference" cx="${x_of(p.eps)}" cy="${y_of(p.rms)}" r="2"/>`);
+    const dots = known
+      .filter(({ rms }) => rms > 0)
+      .map(({ eps, rms }) => `<circle class="difference" cx="${x_of(eps)}" cy="${y_of(rms)}" r="2"/>`);
     svg.innerHTML = axes() + paths.join("") + dots.join("") + names();
     mark(state.eps);
   }
 
-  // Move the mark of the present step, and nothing else: the plot is not drawn anew.
+  /** Move the mark of the present step, and nothing else: the plot is not drawn anew. @param {number} eps */
   function mark(eps) {
-    const error = lines.numeric ? near(lines.numeric, eps).size : 0;
+    const error = lines.numeric ? size_at(lines.numeric, eps) : 0;
     now.style.transform = `translateX(${x_of(eps)}px)`;
     dot.style.transform = `translate(${x_of(eps)}px, ${y_of(error || 1)}px)`;
     dot.hidden = !error;
@@ -88,23 +133,40 @@ Simulator.curve = function (root, data, module, act) {
     box.setAttribute("aria-valuetext", read(eps));
   }
 
-  const near = (points, eps) => points.reduce((best, p) => (Math.abs(Math.log(p.eps / eps)) < Math.abs(Math.log(best.eps / eps)) ? p : best));
-  const say = (size) => Number(size).toExponential(1).replace("e-", "e−").replace("e+", "e");
-  const read = (eps) => [`ε = ${say(eps)}`, ...Object.entries(lines).map(([name, points]) => `${NAMES[name]} ${say(near(points, eps).size)}`)].join(" · ");
+  /** The size at the step of a line that is nearest to a step. @param {LinePoint[]} points @param {number} eps */
+  function size_at(points, eps) {
+    /** @param {LinePoint} point */
+    const away = (point) => Math.abs(Math.log(point.eps / eps));
+    return points.reduce((best, point) => (away(point) < away(best) ? point : best)).size;
+  }
 
+  /** @param {number} eps */
+  function read(eps) {
+    const sizes = Object.entries(lines).map(
+      ([name, points]) => `${NAMES[name]} ${scientific(size_at(points, eps), 1)}`,
+    );
+    return [`ε = ${scientific(eps, 1)}`, ...sizes].join(" · ");
+  }
+
+  /** @param {CurvePoint[] | null} pixel @param {PicturePoint[]} picture */
   function csv(pixel, picture) {
-    const rms = new Map(picture.filter(Boolean).map((p) => [p.eps, p]));
-    const rows = FINE.map((eps, n) => [eps, pixel?.[n].error, pixel?.[n].bound, rms.get(eps)?.rms, rms.get(eps)?.max].join());
-    return ["step,gradient_error_at_cursor,bound,rms_on_a,max_on_a", ...rows].join("\n") + "\n";
+    const rows = FINE.map((eps, n) => {
+      const at = picture.find((point) => point?.eps === eps);
+      return [eps, pixel?.[n].error, pixel?.[n].bound, at?.rms, at?.max].join();
+    });
+    return `${["step,gradient_error_at_cursor,bound,rms_on_a,max_on_a", ...rows].join("\n")}\n`;
   }
 
-  // The step under the pointer, or at an exponent.
-  const step_at = (exponent) => Number((10 ** Math.max(X[0], Math.min(X[1], exponent))).toPrecision(3));
+  /** @param {number} exponent */
+  const step_at = (exponent) => power_of_ten(clamp(LEFT, exponent, RIGHT));
+
+  /** The step under the pointer. @param {PointerEvent} event */
   function pointed(event) {
-    const share = (event.clientX - box.getBoundingClientRect().left - inset) / (width - 2 * inset);
-    return step_at(X[0] + share * (X[1] - X[0]));
+    const share = (pointer_in(box, event).x - inset) / (width - 2 * inset);
+    return step_at(LEFT + share * (RIGHT - LEFT));
   }
 
+  /** @param {PointerEvent} event */
   function hover(event) {
     const eps = pointed(event);
     pointer.style.transform = `translateX(${x_of(eps)}px)`;
@@ -113,10 +175,14 @@ Simulator.curve = function (root, data, module, act) {
     if (event.buttons === 1) act.set({ eps });
   }
 
-  function key(event) {
-    const now = Math.log10(act.state().eps);
-    const steps = { ArrowRight: now + 0.125, ArrowUp: now + 0.125, ArrowLeft: now - 0.125, ArrowDown: now - 0.125, PageUp: now + 1, PageDown: now - 1, Home: X[0], End: X[1] };
-    if (!(event.key in steps) || event.ctrlKey || event.altKey || event.metaKey) return;
+  /** @param {KeyboardEvent} event */
+  function press(event) {
+    const at = Math.log10(act.state().eps);
+    const [less, more] = [at - 0.125, at + 0.125];
+    const arrows = { ArrowRight: more, ArrowUp: more, ArrowLeft: less, ArrowDown: less };
+    /** @type {Record<string, number>} */
+    const steps = { ...arrows, PageUp: at + 1, PageDown: at - 1, Home: LEFT, End: RIGHT };
+    if (!(event.key in steps) || is_shortcut(event)) return;
     event.preventDefault();
     act.set({ eps: step_at(steps[event.key]) });
   }
@@ -131,6 +197,6 @@ Simulator.curve = function (root, data, module, act) {
     pointer.hidden = true;
     reading.textContent = "";
   });
-  box.addEventListener("keydown", key);
+  box.addEventListener("keydown", press);
   return { COARSE, FINE, at_pixel, show, mark, csv };
-};
+}

@@ -1,35 +1,73 @@
 // Joins the parts: one state, shown everywhere, changed through `set`.
 "use strict";
 
-Simulator.start = function (root, compiled, module) {
-  const data = Simulator.data, states = Simulator.state(data), $ = (selector) => root.querySelector(selector);
+/**
+ * @typedef {{ state(): State, set(changes: Partial<State>): void, change(changes: Partial<State>): void,
+ *   replace(next: State): void, put(place: Partial<State>): void, move(by: number[]): void,
+ *   zoom(steps: number, at?: number[]): void, to_pole(zoom: number): Partial<State> }} Act
+ */
+
+/** @param {HTMLElement} root @param {WebAssembly.Module} compiled @param {SimulatorModule} module */
+function simulator_start(root, compiled, module) {
+  const data = Simulator.data;
+  /** @param {string} selector */
+  const $ = (selector) => find_element(root, selector);
   const PANELS_EVERY = 100; // milliseconds
   add_choices();
-  let state = states.start(), shown = null, wanted = 0, saved = 0, picture = [], picture_of = "", pixel_curve = null, pixel_of = "", shown_panels = 0;
+  const states = simulator_states(root, data);
+  let state = states.start();
+  /** @type {State | null} */
+  let shown = null;
+  /** @type {CurvePoint[] | null} */
+  let pixel_curve = null;
+  /** @type {PicturePoint[]} */
+  let picture = [];
+  /** @type {PicturePoint[]} */
   const none = [];
-  let counting = "", counted_of = "", timed_of = "";
-  const frames = []; // milliseconds from a change to its pictures in the canvases, and to the end of the frame that shows them
+  let picture_of = "";
+  let pixel_of = "";
+  let counted_of = "";
+  let timed_of = "";
+  let wanted = 0;
+  let saved = 0;
+  let shown_panels = 0;
+  /** @type {{ ready: number }[]} */
+  const frames = []; // milliseconds from a change to its pictures in the canvases
 
   // Every field and every model of light that the renderer knows; the page has the chapter's models already.
   function add_choices() {
-    const models = $("#sim-model"), labels = Object.keys(data.fields).map((name) => `<label><input type="radio" name="sim-field" value="${name}"> ${name}</label>`);
-    $("[data-parameter=field]").insertAdjacentHTML("beforeend", labels.join("\n"));
-    for (const name of Object.keys(data.models)) if (!models.querySelector(`[value="${name}"]`)) models.add(new Option(name, name));
+    for (const name of Object.keys(data.fields)) {
+      const button = make_element("input", { type: "radio", name: "sim-field", value: name });
+      $("[data-parameter=field]").append(make_element("label", {}, button, ` ${name}`), "\n");
+    }
+    for (const name of Object.keys(data.models)) {
+      if (!root.querySelector(`#sim-model [value="${name}"]`)) $("#sim-model").append(new Option(name, name));
+    }
   }
 
+  /** @param {string} text */
   function message(text) {
     $(".sim-message").textContent = text;
     $(".sim-message").hidden = !text;
   }
 
-  const names = Object.keys(states.parameters);
-  const key_without = (...left_out) => (of) => names.filter((name) => !left_out.includes(name)).map((name) => of[name]).join();
-  const drawn_key = key_without("column", "row"), pixel_key = key_without("eps", "view", "scale", "model", "lights", "ball", "beta");
-  const curve_key = key_without("eps", "view", "scale", "column", "row");
-  const chambers_key = key_without("eps", "view", "scale", "column", "row", "model", "method"), times_key = key_without("eps", "view", "scale", "column", "row", "beta");
-  const panels_soon = (after = 0) => (wanted = wanted || setTimeout(panels, Math.max(after, shown_panels + PANELS_EVERY - performance.now())));
+  /** @param {string} left_out */
+  function key_without(left_out) {
+    const names = Object.keys(states.parameters).filter((name) => !left_out.split(" ").includes(name));
+    /** @param {State} of */
+    return (of) => names.map((name) => of[name]).join();
+  }
+  const drawn_key = key_without("column row");
+  const pixel_key = key_without("eps view scale model lights ball beta");
+  const curve_key = key_without("eps view scale column row");
+  const chambers_key = key_without("eps view scale column row model method");
+  const times_key = key_without("eps view scale column row beta");
 
-  // Take a checked state, and show it: the pictures as soon as the workers can, the panels at a slower pace.
+  function panels_soon() {
+    wanted ||= setTimeout(panels, Math.max(0, shown_panels + PANELS_EVERY - performance.now()));
+  }
+
+  /** Take a checked state, and show it: the pictures as soon as the workers can, the panels at a slower pace. @param {State} next */
   function take(next) {
     const redraw = drawn_key(next) !== drawn_key(state);
     state = next;
@@ -39,9 +77,14 @@ Simulator.start = function (root, compiled, module) {
     if (shown_panels) curve.mark(state.eps);
     panels_soon();
     clearTimeout(saved);
-    saved = setTimeout(() => history.replaceState(null, "", states.fragment(state)), 300);
+    saved = setTimeout(put_into_address, 300);
   }
 
+  function put_into_address() {
+    history.replaceState(null, "", states.fragment(state));
+  }
+
+  /** @type {Act} */
   const act = {
     state: () => state,
     // What the reader's hand does; it ends an experiment.
@@ -57,28 +100,30 @@ Simulator.start = function (root, compiled, module) {
       message("");
       take(states.changed(next, {}));
     },
-    cursor: (column, row) => take(states.within({ ...state, column, row })),
-    move: (dx, dy) => take(states.moved(state, dx, dy)),
-    zoom(steps, across, down) {
+    // The shown part, or the cursor, as near to a place as may be.
+    put: (place) => take(states.within({ ...state, ...place })),
+    move: (by) => take(states.moved(state, by)),
+    zoom(steps, at = states.share_of_cursor(state)) {
       presets.stop();
-      const zoom = Math.max(0, Math.min(states.FURTHEST, state.zoom + steps));
-      const at = [(state.column - state.left + 0.5) / state.size, (state.row - state.top + 0.5) / state.size];
-      take(states.zoomed(state, { zoom }, across ?? at[0], down ?? at[1]));
+      take(states.zoomed(state, { zoom: clamp(0, state.zoom + steps, states.FURTHEST) }, at));
     },
-    pan: (left, top) => take(states.within({ ...state, left, top })),
     // The part of the raster around the pole, at a zoom.
     to_pole(zoom) {
-      const next = { ...state, zoom }, { across, down } = pictures.frame(next), half = state.size / 2, share = zoom / 10;
-      const place = { left: (across - half) * share, top: (down - half) * share, column: across, row: down };
-      const { left, top, column, row } = states.within({ ...next, ...place, column: Math.floor(across), row: Math.floor(down) });
-      return { zoom, left, top, column, row };
+      const next = { ...state, zoom };
+      const pole = module.placing_in({ ...states.crop(next), left: 0, top: 0 })(0, 0);
+      const [left, top] = pole.map((at) => ((at - state.size / 2) * zoom) / 10);
+      const [column, row] = pole.map(Math.floor);
+      return states.within({ ...next, left, top, column, row });
     },
   };
 
-  const controls = Simulator.controls(root, states, act), presets = Simulator.presets(states, act), readouts = Simulator.readouts(root, data);
-  const pictures = Simulator.pictures(root, states, data, module, act);
-  const curve = Simulator.curve(root, data, module, act), cursor = Simulator.cursor(root, states, data, module);
-  const engine = Simulator.engine(data, compiled, states, module, { drawn, resting, counted, followed, timed, failed });
+  const controls = simulator_controls(root, states, act);
+  const presets = simulator_presets(states, act);
+  const readouts = simulator_readouts(root, data, module);
+  const pictures = simulator_pictures(root, states, data, module, act);
+  const curve = simulator_curve(root, module, act);
+  const cursor = simulator_cursor(root, states, data, module);
+  const engine = simulator_engine(data, compiled, states, module, { drawn, resting, counted, followed, timed, failed });
 
   function panels() {
     wanted = 0;
@@ -91,77 +136,103 @@ Simulator.start = function (root, compiled, module) {
     shown_panels = performance.now();
   }
 
+  /** @template {string} Name @param {Record<Name, number>[]} replies @param {Name} name */
   const total = (replies, name) => replies.reduce((sum, reply) => sum + reply[name], 0);
+  /** @template {string} Name @param {Record<Name, number>[]} replies @param {Name} name */
+  const largest = (replies, name) => Math.max(...replies.map((reply) => reply[name]));
 
+  /** What the workers found of their bands, of all of them. @param {(Drawn | Followed)[]} replies */
+  function apart(replies) {
+    const count = total(replies, "count");
+    const rms = count ? Math.sqrt(total(replies, "squares") / 3 / count) : 0;
+    return { count, max: largest(replies, "largest"), rms };
+  }
+
+  /** @param {State} of @param {Drawn[]} replies @param {number} asked */
   function drawn(of, replies, asked) {
     pictures.paint(of, replies);
     pictures.decorate(state);
     const ready = performance.now() - asked;
-    readouts.apart({ count: total(replies, "count"), largest: Math.max(...replies.map((r) => r.largest)), squares: total(replies, "squares") });
+    readouts.apart(apart(replies));
     if (counted_of !== chambers_key(of)) readouts.counted(null);
     if (timed_of !== times_key(of)) readouts.forget_times();
     timed_of = times_key(of);
-    requestAnimationFrame((at) => frames.push({ ready, at, painted: performance.now() - asked }));
+    requestAnimationFrame(() => frames.push({ ready }));
     shown = of;
   }
 
-  // What the workers do while nothing moves.
+  /** What the workers do while nothing moves. @param {State} of */
   function resting(of) {
-    counting = chambers_key(of);
+    counted_of = chambers_key(of);
     if (picture_of === curve_key(of) && picture.filter(Boolean).length === curve.COARSE.length) return null;
     picture = [];
     picture_of = curve_key(of);
     return curve.COARSE;
   }
 
-  // What the workers found, each of its band.
+  /** @param {Counted[]} all */
   function counted(all) {
-    counted_of = counting;
     const attached = all[0].attached.map((_, n) => all.reduce((sum, { attached }) => sum + attached[n], 0));
     readouts.counted({ count: total(all, "count"), flips: total(all, "flips"), attached });
   }
 
+  /** @param {Followed[]} all */
   function followed(all) {
-    const [{ index }] = all, count = total(all, "count");
-    picture[index] = { eps: curve.COARSE[index], rms: count ? Math.sqrt(total(all, "squares") / 3 / count) : 0, max: Math.max(...all.map((r) => r.largest)) };
+    const [{ index }] = all;
+    picture[index] = { eps: curve.COARSE[index], ...apart(all) };
     panels_soon();
   }
 
+  /** @param {Timed[]} all */
   function timed(all) {
-    readouts.timed(...["numeric", "symbolic"].map((name) => Math.max(...all.map((r) => r[name]))));
+    readouts.timed(largest(all, "numeric"), largest(all, "symbolic"));
   }
 
+  /** @param {string} text */
   function failed(text) {
     engine.stop();
-    Simulator.fail(root, text);
+    say_failure(root, text);
   }
 
-  const download = (name, href) => Object.assign(document.createElement("a"), { href, download: name }).click();
+  /** @param {string} name @param {string} href */
+  const download = (name, href) => make_element("a", { href, download: name }).click();
 
+  /** @param {string} text @param {Element} element */
   async function copy(text, element) {
+    const told = $(".sim-copied");
     try {
       await navigator.clipboard.writeText(text);
-      $(".sim-copied").textContent = "copied";
+      told.textContent = "copied";
     } catch {
-      getSelection().selectAllChildren(element);
-      $(".sim-copied").textContent = "selected: copy it with the keyboard";
+      getSelection()?.selectAllChildren(element);
+      told.textContent = "selected: copy it with the keyboard";
     }
   }
 
-  const on = (selector, work) => root.querySelectorAll(selector).forEach((button) => button.addEventListener("click", () => work(button.dataset, button)));
+  /** Let each button of a name do its work, which is told the button's value. @param {string} name @param {(value: string, button: HTMLElement) => void} work */
+  function on(name, work) {
+    for (const button of root.querySelectorAll(`[data-${name}]`)) {
+      if (button instanceof HTMLButtonElement)
+        button.addEventListener("click", () => work(button.dataset[name] ?? "", button));
+    }
+  }
 
-  function buttons() {
-    on("[data-preset]", ({ preset }) => {
-      presets.run(preset);
-      $(".sim-says").textContent = presets.says(preset);
+  function wire_buttons() {
+    on("preset", (name) => {
+      presets.run(name);
+      $(".sim-says").textContent = presets.says(name);
     });
-    on("[data-save]", ({ save }) => download(`${save}.png`, pictures.canvas(save).toDataURL()));
-    on("[data-zoom]", ({ zoom }) => act.zoom(Number(zoom)));
-    on("[data-reset]", () => (presets.stop(), pictures.release(), act.replace(states.start())));
-    on("[data-csv]", () => download("u-curve.csv", `data:text/csv,${encodeURIComponent(curve.csv(pixel_curve, picture))}`));
-    on("[data-copy]", () => copy(states.python(state), $(".sim-python code")));
-    on("[data-link]", (_, button) => {
-      history.replaceState(null, "", states.fragment(state));
+    on("save", (name) => download(`${name}.png`, pictures.canvas(name).toDataURL()));
+    on("zoom", (steps) => act.zoom(Number(steps)));
+    on("reset", () => {
+      presets.stop();
+      pictures.release();
+      act.replace(states.start());
+    });
+    on("csv", () => download("u-curve.csv", `data:text/csv,${encodeURIComponent(curve.csv(pixel_curve, picture))}`));
+    on("copy", () => copy(states.python(state), $(".sim-python code")));
+    on("link", (_, button) => {
+      put_into_address();
       copy(location.href, button);
     });
   }
@@ -173,37 +244,49 @@ Simulator.start = function (root, compiled, module) {
       if (next) act.replace(next);
       return next !== null;
     } catch (error) {
-      message(`${error.message}. Nothing was changed.`);
+      message(`${error_text(error)}. Nothing was changed.`);
       return true;
     }
   }
 
-  buttons();
+  function show_or_hide() {
+    if (document.hidden) {
+      presets.stop();
+      engine.stop();
+    } else {
+      engine.start();
+      panels();
+    }
+  }
+
+  wire_buttons();
   engine.start();
   controls.show(state);
   engine.ask(state);
   panels();
   if (from_address()) root.scrollIntoView();
   window.addEventListener("hashchange", from_address);
-  window.addEventListener("resize", () => panels_soon());
-  document.addEventListener("visibilitychange", () => (document.hidden ? (presets.stop(), engine.stop()) : (engine.start(), panels())));
+  window.addEventListener("resize", panels_soon);
+  document.addEventListener("visibilitychange", show_or_hide);
   return { act, states, module, cursor, curve, frames, presets, shown: () => shown && states.fragment(shown) };
-};
+}
 
-Simulator.fail = function (root, text) {
+/** @param {HTMLElement} root @param {string} text */
+function say_failure(root, text) {
+  const message = find_element(root, ".sim-message");
   root.classList.add("sim-failed");
-  root.querySelector(".sim-message").textContent = `The simulator could not start (${text}). The figure below shows the three fields.`;
-  root.querySelector(".sim-message").hidden = false;
-};
+  message.textContent = `The simulator could not start (${text}). The figure below shows the three fields.`;
+  message.hidden = false;
+}
 
 document.addEventListener("DOMContentLoaded", async () => {
   const root = document.getElementById("simulator");
   if (!root) return;
   root.hidden = false;
   try {
-    const compiled = await Simulator.compiled(Simulator.program);
-    Simulator.running = Simulator.start(root, compiled, await Simulator.module(Simulator.data, compiled));
+    const compiled = await compiled_program(Simulator.program);
+    Simulator.running = simulator_start(root, compiled, await simulator_module(Simulator.data, compiled));
   } catch (error) {
-    Simulator.fail(root, error.message);
+    say_failure(root, error_text(error));
   }
 });

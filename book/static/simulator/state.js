@@ -1,32 +1,66 @@
 // What the reader can set, said once: names, ranges, defaults; the URL's fragment and the line of Python made from it.
 "use strict";
 
-Simulator.state = function ({ fields, models, scene }) {
+/**
+ * @typedef {SceneState & { eps: number, method: string, view: string, scale: string, size: number, zoom: number,
+ *   left: number, top: number, column: number, row: number, [name: string]: any }} State
+ * @typedef {{ start: any, read(text: string): any, write(value: any): string, holds(value: any): boolean,
+ *   allowed: string }} Parameter
+ * @typedef {ReturnType<typeof simulator_states>} States
+ */
+
+/** @param {HTMLElement} root @param {SimulatorData} data */
+function simulator_states(root, { fields, models, scene }) {
   const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d{1,3})?$/i;
 
-  function number(low, high, start) {
-    const allowed = `a number from ${low} to ${high}`;
-    const read = (text) => (decimal.test(text.trim()) ? Number(text) + 0 : NaN);
-    return { start, read, allowed, holds: (x) => typeof x === "number" && x >= low && x <= high, write: String };
+  /** @param {number} low @param {number} high @param {number} start @returns {Parameter} */
+  const number = (low, high, start) => ({
+    start,
+    read: (text) => (decimal.test(text.trim()) ? Number(text) + 0 : NaN),
+    write: String,
+    holds: (x) => typeof x === "number" && x >= low && x <= high,
+    allowed: `a number from ${low} to ${high}`,
+  });
+
+  /** @param {number} low @param {number} high @param {number} start @returns {Parameter} */
+  const whole = (low, high, start) => ({
+    ...number(low, high, start),
+    holds: (x) => Number.isInteger(x) && x >= low && x <= high,
+    allowed: `a whole number from ${low} to ${high}`,
+  });
+
+  /** @param {(string | number)[]} values @param {string | number} start @returns {Parameter} */
+  const choice = (values, start) => ({
+    start,
+    read: (text) => values.find((value) => String(value) === text),
+    write: String,
+    holds: (x) => values.includes(x),
+    allowed: `one of ${values.join(", ")}`,
+  });
+
+  /** What a menu of the page offers. @param {string} name */
+  function offered(name) {
+    /** @type {HTMLSelectElement} */
+    const menu = find_element(root, `#sim-${name}`);
+    return Array.from(menu.options, (option) => option.value);
   }
 
-  const whole = (low, high, start) => ({ ...number(low, high, start), allowed: `a whole number from ${low} to ${high}`,
-    holds: (x) => Number.isInteger(x) && x >= low && x <= high });
-
-  function choice(values, start) {
-    const read = (text) => values.find((value) => String(value) === text);
-    return { start, read, write: String, holds: (x) => values.includes(x), allowed: `one of ${values.join(", ")}` };
-  }
-
+  /** @param {number} count @returns {Parameter} */
   const switches = (count) => ({
     start: Array(count).fill(true),
     read: (text) => (/^[01]+$/.test(text) ? [...text].map((digit) => digit === "1") : null),
-    write: (lights) => lights.map((on) => (on ? 1 : 0)).join(""),
+    write: (lights) => lights.map(Number).join(""),
     holds: (x) => Array.isArray(x) && x.length === count && x.every((on) => typeof on === "boolean"),
     allowed: `${count} digits, 1 for on and 0 for off`,
   });
 
+  const AXES = [
+    ["left", "column"],
+    ["top", "row"],
+  ]; // of the raster: where the shown part begins, and where the cursor is
   const FURTHEST = 16; // half-octaves of zoom: 256 times
+  const MOST = 2 ** 24;
+  /** @type {Record<string, Parameter>} */
   const parameters = {
     field: choice(Object.keys(fields), scene.field),
     eps: number(1e-16, 0.1, 1e-3),
@@ -34,80 +68,121 @@ Simulator.state = function ({ fields, models, scene }) {
     ku: number(-64, 64, scene.ku),
     kv: number(-64, 64, scene.kv),
     model: choice(Object.keys(models), scene.model),
-    method: choice(["central", "forward", "central4"], "central"),
-    view: choice(["image", "slope", "kink", "loci", "straddle", "terms"], "image"),
-    scale: choice(["log", "1e0", "1e2", "1e4", "1e6", "1e8", "1e10", "1e12"], "log"),
+    method: choice(offered("method"), "central"),
+    view: choice(offered("view"), "image"),
+    scale: choice(offered("scale"), "log"),
     lights: switches(scene.lights.length),
-    ball: { ...choice([true, false], true), read: (text) => ({ 1: true, 0: false })[text], write: (on) => (on ? "1" : "0"),
-      allowed: "1 or 0" },
-    size: choice([128, 256, 512, 1024], 256),
+    ball: {
+      start: true,
+      read: (text) => (/^[01]$/.test(text) ? text === "1" : null),
+      write: (on) => String(Number(on)),
+      holds: (x) => typeof x === "boolean",
+      allowed: "1 or 0",
+    },
+    size: choice(offered("size").map(Number), 256),
     zoom: whole(0, FURTHEST, 0),
-    left: whole(0, 2 ** 24, 0),
-    top: whole(0, 2 ** 24, 0),
-    column: whole(0, 2 ** 24, 104),
-    row: whole(0, 2 ** 24, 72),
+    left: whole(0, MOST, 0),
+    top: whole(0, MOST, 0),
+    column: whole(0, MOST, 104),
+    row: whole(0, MOST, 72),
   };
 
-  // The side of the whole raster, of which size x size pixels are shown.
+  /** The side of the whole raster, of which size x size pixels are shown. @param {State} state */
   const side = ({ size, zoom }) => Math.round(size * 2 ** (zoom / 2));
 
-  const start = () => Object.fromEntries(Object.entries(parameters).map(([name, p]) => [name, p.start]));
+  /** @returns {State} */
+  const start = () =>
+    /** @type {any} */ (Object.fromEntries(Object.entries(parameters).map(([name, p]) => [name, p.start])));
 
-  const refused = (name, value, allowed = parameters[name].allowed) => new Error(`${name} = ${value} is not allowed: ${allowed}`);
+  /** @param {string} name @param {any} value */
+  const refused = (name, value, allowed = parameters[name].allowed) =>
+    new Error(`${name} = ${value} is not allowed: ${allowed}`);
 
-  // Return the state with changes, checked; throw an Error that names the value and what is allowed.
+  /**
+   * Return the state with changes, checked; throw an Error that names the value and what is allowed.
+   * @param {State} state
+   * @param {Partial<State>} changes
+   */
   function changed(state, changes) {
-    const next = { ...state, ...changes }, { left, top, size } = next, last = side(next) - size;
-    for (const [name, parameter] of Object.entries(parameters)) if (!parameter.holds(next[name])) throw refused(name, next[name]);
-    for (const [name, low, high] of [["left", 0, last], ["top", 0, last], ["column", left, left + size - 1], ["row", top, top + size - 1]]) {
+    const next = { ...state, ...changes };
+    for (const [name, parameter] of Object.entries(parameters))
+      if (!parameter.holds(next[name])) throw refused(name, next[name]);
+    /** @param {string} name @param {number} low @param {number} high */
+    function check(name, low, high) {
       if (next[name] < low || next[name] > high) throw refused(name, next[name], `from ${low} to ${high} here`);
+    }
+    for (const [corner, cursor] of AXES) {
+      check(corner, 0, side(next) - next.size);
+      check(cursor, next[corner], next[corner] + next.size - 1);
     }
     return next;
   }
 
-  // Read one parameter from a text, or throw.
+  /** Read one parameter from a text, or throw. @param {string} name @param {string} text */
   function read(name, text) {
     const value = parameters[name].read(text);
     if (!parameters[name].holds(value)) throw refused(name, text.slice(0, 40));
     return value;
   }
 
-  // The shown part moved or resized so that it stays inside the raster, and the cursor inside the shown part.
+  /**
+   * The shown part moved or resized so that it stays inside the raster, and the cursor inside the shown part.
+   * @param {State} state
+   */
   function within(state) {
-    const last = side(state) - state.size, clamp = (x, low, high) => Math.max(low, Math.min(high, Math.round(x)));
-    const left = clamp(state.left, 0, last), top = clamp(state.top, 0, last);
-    const column = clamp(state.column, left, left + state.size - 1), row = clamp(state.row, top, top + state.size - 1);
-    return { ...state, left, top, column, row };
+    const next = { ...state };
+    for (const [corner, cursor] of AXES) {
+      next[corner] = clamp(0, Math.round(state[corner]), side(state) - state.size);
+      next[cursor] = clamp(next[corner], Math.round(state[cursor]), next[corner] + state.size - 1);
+    }
+    return next;
   }
 
-  // The cursor moved by so many pixels; the shown part follows it.
-  function moved(state, dx, dy) {
-    const last = side(state) - 1, column = Math.max(0, Math.min(last, state.column + dx)), row = Math.max(0, Math.min(last, state.row + dy));
-    const seen = (begin, at) => Math.max(Math.min(begin, at), at - state.size + 1);
-    return within({ ...state, left: seen(state.left, column), top: seen(state.top, row), column, row });
-  }
-
-  // Show the raster at another zoom or size; the image point at the share (across, down) of the picture stays there.
-  function zoomed(state, changes, across = 0.5, down = 0.5) {
-    const next = { ...state, ...changes }, ratio = side(next) / side(state);
-    next.left = (state.left + across * state.size) * ratio - across * next.size;
-    next.top = (state.top + down * state.size) * ratio - down * next.size;
-    next.column = Math.floor((state.column + 0.5) * ratio);
-    next.row = Math.floor((state.row + 0.5) * ratio);
+  /** The cursor moved by so many pixels, to the right and down; the shown part follows it. @param {State} state @param {number[]} by */
+  function moved(state, by) {
+    const next = { ...state };
+    for (const [n, [corner, cursor]] of AXES.entries()) {
+      next[cursor] = clamp(0, state[cursor] + by[n], side(state) - 1);
+      next[corner] = clamp(next[cursor] - state.size + 1, state[corner], next[cursor]);
+    }
     return within(next);
   }
 
+  /**
+   * Show the raster at another zoom or size; the image point at a share of the picture, across and down, stays there.
+   * @param {State} state
+   * @param {Partial<State>} changes
+   */
+  function zoomed(state, changes, share = [0.5, 0.5]) {
+    const next = { ...state, ...changes };
+    const ratio = side(next) / side(state);
+    for (const [n, [corner, cursor]] of AXES.entries()) {
+      next[corner] = (state[corner] + share[n] * state.size) * ratio - share[n] * next.size;
+      next[cursor] = Math.floor((state[cursor] + 0.5) * ratio);
+    }
+    return within(next);
+  }
+
+  /** Where the cursor is, as shares of the picture, across and down. @param {State} state */
+  const share_of_cursor = (state) => AXES.map(([corner, cursor]) => (state[cursor] - state[corner] + 0.5) / state.size);
+
   const MARK = "#sim?";
 
+  /** @param {State} state */
   const fragment = (state) =>
-    MARK + Object.entries(parameters).map(([name, p]) => `${name}=${p.write(state[name])}`).join("&");
+    MARK +
+    Object.entries(parameters)
+      .map(([name, p]) => `${name}=${p.write(state[name])}`)
+      .join("&");
 
-  // Return the state of a fragment, null if it is none of ours; throw if it is malformed.
+  /** Return the state of a fragment, null if it is none of ours; throw if it is malformed. @param {string} text */
   function from_fragment(text) {
     if (!text.startsWith(MARK)) return null;
+    /** @type {Partial<State>} */
     const found = {};
     for (const [name, value] of new URLSearchParams(text.slice(MARK.length))) {
-      if (!Object.hasOwn(parameters, name)) throw new Error(`the address sets ${name.slice(0, 40)}, which is not a setting`);
+      if (!Object.hasOwn(parameters, name))
+        throw new Error(`the address sets ${name.slice(0, 40)}, which is not a setting`);
       if (name in found) throw new Error(`the address sets ${name} twice`);
       found[name] = read(name, value);
     }
@@ -117,19 +192,46 @@ Simulator.state = function ({ fields, models, scene }) {
     return changed(state, { column, row });
   }
 
-  const crop = (state) => ({ width: side(state), height: side(state), left: state.left, top: state.top, wide: state.size, high: state.size });
-
-  // One line that prints the renderer's own record of the pixel under the cursor, by the difference and exactly.
-  function python(state) {
-    const light = ({ position, color }, on) => `Light((${position.join(", ")}), ${on ? `(${color.join(", ")})` : "None"})`;
-    const all = state.lights.every(Boolean);
-    const given = [`field="${state.field}"`, `ku=${state.ku}`, `kv=${state.kv}`, `beta=${state.beta}`, `model="${state.model}"`];
-    if (!state.ball) given.push("ball=False");
-    if (!all) given.push(`lights=(${scene.lights.map((l, n) => light(l, state.lights[n])).join(", ")})`);
-    const at = `s, ${side(state)}, ${side(state)}, ${state.column}, ${state.row}`;
-    return `from renderer import ${all ? "" : "Light, "}Scene, ${state.method}, pixel; s = Scene(${given.join(", ")}); ` +
-      `print(pixel(${at}, ${state.method}(${state.eps})), pixel(${at}), sep="\\n")`;
+  /** @param {State} state @returns {Raster} */
+  function crop(state) {
+    const { left, top, size } = state;
+    return { width: side(state), height: side(state), left, top, wide: size, high: size };
   }
 
-  return { parameters, start, changed, read, within, moved, zoomed, side, crop, fragment, from_fragment, python, FURTHEST };
-};
+  /**
+   * One line that prints the renderer's own record of the pixel under the cursor, by the difference and exactly.
+   * @param {State} state
+   */
+  function python(state) {
+    /** @param {LightData} light @param {number} n */
+    const light = ({ position, color }, n) =>
+      `Light((${position.join(", ")}), ${state.lights[n] ? `(${color.join(", ")})` : "None"})`;
+    const all = state.lights.every(Boolean);
+    const { field, ku, kv, beta, model, method } = state;
+    const given = [`field="${field}"`, `ku=${ku}`, `kv=${kv}`, `beta=${beta}`, `model="${model}"`];
+    if (!state.ball) given.push("ball=False");
+    if (!all) given.push(`lights=(${scene.lights.map(light).join(", ")})`);
+    const at = `s, ${side(state)}, ${side(state)}, ${state.column}, ${state.row}`;
+    return (
+      `from renderer import ${all ? "" : "Light, "}Scene, ${method}, pixel; s = Scene(${given.join(", ")}); ` +
+      `print(pixel(${at}, ${method}(${state.eps})), pixel(${at}), sep="\\n")`
+    );
+  }
+
+  return {
+    parameters,
+    start,
+    changed,
+    read,
+    within,
+    moved,
+    zoomed,
+    share_of_cursor,
+    side,
+    crop,
+    fragment,
+    from_fragment,
+    python,
+    FURTHEST,
+  };
+}

@@ -74,9 +74,9 @@ KINDS = {"bilinear": (lambda table: table, linear_slope, linear), "cubic": (spli
 
 def slope(field: str, texels: int, kind: str, points: Pair) -> np.ndarray:
     """Return h_u of an interpolation of a field's table, of one of the KINDS."""
-    (i, j), (coefficients, *weights) = np.mgrid[0:texels, 0 : 2 * texels] / texels, KINDS[kind]
+    (i, j), (coefficients, of_u, of_v) = np.mgrid[0:texels, 0 : 2 * texels] / texels, KINDS[kind]
     table = in_float64(height(HEIGHT_FIELDS[field]), {"u": i, "v": j, "k_u": KU, "k_v": KV})["h"]
-    return texels * interpolated(coefficients(table), *weights, points)
+    return texels * interpolated(coefficients(table), of_u, of_v, points)
 
 
 def sample() -> Pair:

@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 
 import numpy as np
-from sympy import Expr, Symbol
+from sympy import Expr, Function, Symbol
 
 from proofs.engine.program import Program
 from proofs.formulas.camera import image_extent, image_point, surface, visible_surface
@@ -18,15 +18,14 @@ from proofs.formulas.pixel import pixel, rgb
 from proofs.formulas.symbols import ball_on, floor_on, x, y
 from renderer import Scene
 from renderer.generate.kernels import function_of
-from renderer.generate.printer import KernelPrinter
-from verify.evaluate import ExactPrinter
 from verify.reference import scene_values
 
 TILE_PIXELS = 2**14
 
 
 NUMPY = vars(np) | {
-    "np": np,
+    "square_of": np.square,
+    "two_product": lambda a, b: (a * b,),
     "sinpi": lambda x: np.sin(np.pi * x),
     "cospi": lambda x: np.cos(np.pi * x),
     "atan2pi": lambda y, x: np.arctan2(y, x) / np.pi,
@@ -34,13 +33,7 @@ NUMPY = vars(np) | {
 """NumPy's own functions, its trigonometric ones in place of sinpi and its kin."""
 
 
-class TrigonometricPrinter(KernelPrinter):
-    """NumPy as one writes it."""
-
-    _half_turn = ExactPrinter._half_turn
-
-    def _print_Pow(self, expr):
-        return f"np.square({self._print(expr.base)})" if expr.exp == 2 else super()._print_Pow(expr)
+SQUARE_OF = Function("square_of")
 
 
 def without_repeats(program: Program) -> Program:
@@ -68,8 +61,13 @@ def on_surface(program: Program, number: int) -> Program:
 
 
 def numpy_function(program: Program) -> tuple[Callable, list[str]]:
-    """Return (the program as a function of its inputs, the inputs' names)."""
-    return function_of(program, TrigonometricPrinter(), NUMPY), [s.name for s in program.inputs]
+    """Return (the program as a function of its inputs, a square by `np.square`, the inputs' names)."""
+    squared = tuple(
+        (s, e.replace(lambda power: power.is_Pow and power.exp == 2, lambda power: SQUARE_OF(power.base)))
+        for s, e in program.definitions
+    )
+    by_numpy = Program(program.name, program.inputs, squared, program.outputs)
+    return function_of(by_numpy, names=NUMPY), [s.name for s in program.inputs]
 
 
 @cache

@@ -10,7 +10,7 @@ from proofs.engine.program import Program
 from renderer import kernels
 from renderer.generate.kernels import function_of
 from renderer.machines.native import machine_code
-from renderer.machines.points_code import emit_points, inputs_of
+from renderer.machines.points_code import emit_points
 from renderer.machines.traced import FLOAT
 
 LANES: dict[type, int] = {np.float64: 16, np.float32: 32}
@@ -44,17 +44,17 @@ def loop_of(kernel: Callable, outputs: int, kind: type = np.float64) -> Callable
 
 @lru_cache
 def _compiled(program, scalars, kind):
-    kernel = partial(function_of(program, names=NAMES), **dict(scalars))
-    points = [s.name for s in program.inputs if s.name not in dict(scalars)]
-    if list(inputs_of(kernel)) != points:
-        raise ValueError(f"{program.name}: the scalars have to be its last inputs, after {', '.join(points)}")
-    return loop_of(kernel, len(program.outputs), kind)
+    points = [s for s in program.inputs if s.name not in dict(scalars)]
+    last = [s for s in program.inputs if s.name in dict(scalars)]
+    ordered = Program(program.name, (*points, *last), program.definitions, program.outputs)
+    return loop_of(partial(function_of(ordered, names=NAMES), **dict(scalars)), len(program.outputs), kind)
 
 
 def compiled_loop(program: Program, scalars: Mapping[str, float], kind: type = np.float64) -> Callable:
     """Return a function of arrays (the program's inputs, in order, without the scalars) → array (outputs, n).
 
-    scalars: {input's name: value}, of the last inputs; they are constants of the code. kind: float32 for a program that
-    calls no function.
+    scalars: {input's name: value}, constants of the code; of those that are no inputs nothing is asked. kind: float32
+    for a program that calls no function.
     """
-    return _compiled(program, tuple(scalars.items()), kind)
+    asked = {s.name for s in program.inputs}
+    return _compiled(program, tuple((name, value) for name, value in scalars.items() if name in asked), kind)

@@ -1,57 +1,54 @@
-"""The certificates of our sinpi, cospi and atan2pi. See verify/accuracy/certified_ulps.py."""
+"""The certificates of our elementary functions. See verify/accuracy/certified_ulps.py."""
 
+from collections.abc import Callable
 from fractions import Fraction
+from typing import Any
 
 from proofs.formulas import elementary as e
+from proofs.formulas import exponential as x
 from proofs.formulas.certified import CERTIFIED
-from verify.accuracy.certified_ulps import angle_pieces, off_by, sine_pieces, worst
+from verify.accuracy.certified_ulps import PIECES
+from verify.accuracy.pieces import off_by, worst
 from verify.checkers.measurement import Measurement, measures
 
-
-def _certified(name, pieces, bound):
-    largest = worst(pieces)
-    return Measurement(
-        samples=len(pieces),
-        worst=largest,
-        bound=bound,
-        what=f"{name}: the error in ulps over every piece of the reduced range",
-        numbers={f"{name}_ulps": largest, f"{name}_pieces": len(pieces)},
-        certified=True,
-    )
-
-
-@measures(
-    "elementary_functions", false={"within 4/3 ulp": {"bound": Fraction(133, 100)}, "π³/6 is off by 4 ulps": {"off": 4}}
-)
-def sinpi(bound: Fraction = CERTIFIED["sinpi"], off: int = 0) -> Measurement:
-    """The sine of an argument that is not rounded."""
-    program = off_by(e.sine_of_half_turns, e.sine_tail, e.sine_series[0], off)
-    return _certified("sinpi", sine_pieces(program=program), bound)
-
-
-@measures(
-    "elementary_functions", false={"within 3/2 ulp": {"bound": Fraction(3, 2)}, "π²/2 is off by 1 ulp": {"off": 1}}
-)
-def cospi(bound: Fraction = CERTIFIED["cospi"], off: int = 0) -> Measurement:
-    """The cosine of an argument that is not rounded."""
-    program = off_by(e.sine_of_half_turns, e.cosine_near, e.cosine_series[0], off)
-    return _certified("cospi", sine_pieces(cosine=True, program=program), bound)
+CONSTANTS = {
+    "sinpi": (e.sine_of_half_turns, e.sine_tail, e.sine_series[0]),
+    "cospi": (e.sine_of_half_turns, e.cosine_near, e.cosine_series[0]),
+    "atan2pi": (e.angle_in_half_turns, e.arctangent_tail, e.arctangent_series[1]),
+    "exp": (x.exponential_of_sum, x.exponential_tail, x.exponential_series[0]),
+    "log": (x.natural_logarithm, x.log_tail, x.logarithm_series[0]),
+}
+"""{name: (program, one of its lines, a constant there that a false variant changes)}"""
+FALSE: dict[str, dict[str, Any]] = {
+    "sinpi": {"within 4/3 ulp": {"bound": Fraction(133, 100)}, "π³/6 is off by 4 ulps": {"off": 4}},
+    "cospi": {"within 3/2 ulp": {"bound": Fraction(3, 2)}, "π²/2 is off by 1 ulp": {"off": 1}},
+    "sinpi_of_product": {"no worse than without a product": {"bound": CERTIFIED["sinpi"]}},
+    "cospi_of_product": {"no worse than without a product": {"bound": CERTIFIED["cospi"]}},
+    "atan2pi": {"within 2 ulps": {"bound": Fraction(2)}, "1/3π is off by 4 ulps": {"off": 4}},
+    "exp": {"within 0.99 ulp": {"bound": Fraction(99, 100)}, "1/2 is off by 1 ulp": {"off": 1}},
+    "log": {"within 0.51 ulp": {"bound": Fraction(51, 100)}, "2/3 is off by 8 ulps": {"off": 8}},
+    "power": {"no worse than exp": {"bound": CERTIFIED["exp"]}},
+    "small_power": {"no worse than a larger power": {"bound": CERTIFIED["power"]}},
+}
 
 
-@measures("elementary_functions", false={"no worse than without a product": {"bound": CERTIFIED["sinpi"]}})
-def sinpi_of_product(bound: Fraction = CERTIFIED["sinpi_of_product"]) -> Measurement:
-    """The sine of a product, whose reduced argument is rounded once."""
-    return _certified("sinpi_of_product", sine_pieces(of_product=True), bound)
+def certificate(name: str) -> Callable[..., Measurement]:
+    """Return what measures a function's error over every piece of its range."""
+
+    def certified(bound=CERTIFIED[name], off=0):
+        pieces = PIECES[name](program=off_by(*CONSTANTS[name], off)) if off else PIECES[name]()
+        largest = worst(pieces)
+        return Measurement(
+            samples=len(pieces),
+            worst=largest,
+            bound=bound,
+            what=f"{name}: the error in ulps over every piece of the reduced range",
+            numbers={f"{name}_ulps": largest, f"{name}_pieces": len(pieces)},
+            certified=True,
+        )
+
+    return certified
 
 
-@measures("elementary_functions", false={"no worse than without a product": {"bound": CERTIFIED["cospi"]}})
-def cospi_of_product(bound: Fraction = CERTIFIED["cospi_of_product"]) -> Measurement:
-    """The cosine of a product, whose reduced argument is rounded once."""
-    return _certified("cospi_of_product", sine_pieces(cosine=True, of_product=True), bound)
-
-
-@measures("elementary_functions", false={"within 2 ulps": {"bound": Fraction(2)}, "1/3π is off by 4 ulps": {"off": 4}})
-def atan2pi(bound: Fraction = CERTIFIED["atan2pi"], off: int = 0) -> Measurement:
-    """The angle, over the eight octants."""
-    program = off_by(e.angle_in_half_turns, e.arctangent_tail, e.arctangent_series[1], off)
-    return _certified("atan2pi", angle_pieces(program), bound)
+for name, false in FALSE.items():
+    measures("elementary_functions", false=false)(certificate(name))

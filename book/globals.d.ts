@@ -1,0 +1,14 @@
+// What other scripts of the pages declare: those that the build prints, Sphinx's and MathJax.
+declare const Simulator: { data: SimulatorData; program: string; running?: ReturnType<typeof simulator_start> };
+declare const Ideas: { data: IdeasData; program: string; module?: IdeasModule };
+declare const SearchText: Record<string, [string, string][]>;
+declare const MathJax: { startup: { promise: Promise<void> }; typesetPromise(parts: Element[]): Promise<void> };
+declare class Stemmer {
+  stemWord(word: string): string;
+}
+declare function splitQuery(query: string): string[];
+declare function _escapeRegExp(text: string): string;
+interface Window {
+  MathJax?: typeof MathJax;
+  Chapter: object;
+}

@@ -1,0 +1,56 @@
+"""The releases that are kept in releases/: VERSION.json, and beside the two newest their pictures in VERSION/."""
+
+import json
+import shutil
+from pathlib import Path
+
+from packaging.version import Version
+
+from book.assembly import stamps
+from book.releases import pictures, record
+
+RELEASES = stamps.ROOT / "releases"
+PICTURES_KEPT = 2  # the release that is made, and the one that it is compared with
+
+
+def versions() -> list[str]:
+    """The versions that have a record, the oldest first."""
+    return sorted((path.stem for path in RELEASES.glob("*.json")), key=Version)
+
+
+def before(version: str) -> str:
+    """The release to compare with: the newest older one, or the version's own first record. Refused if none is."""
+    known = versions()
+    older = [other for other in known if Version(other) < Version(version)]
+    if not older and version not in known:
+        raise stamps.Refused(f"releases/ has no release up to {version}: make release writes the first")
+    return older[-1] if older else version
+
+
+def read(version: str) -> dict:
+    """A release's record. Refused if it is missing or of another format."""
+    path = RELEASES / f"{version}.json"
+    if not path.is_file():
+        raise stamps.Refused(f"there is no release {version}; there are: {', '.join(versions()) or 'none'}")
+    content = json.loads(path.read_text(encoding="utf-8"))
+    if content["format"] != record.FORMAT:
+        raise stamps.Refused(f"{path.name} has format {content['format']}, this program reads {record.FORMAT}")
+    return content
+
+
+def write(now: dict) -> Path:
+    """Write a release's pictures, then its record; remove the pictures of releases that nothing is compared with."""
+    version = now["version"]
+    work = RELEASES / f".{version}"
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    for picture in now["pictures"].values():
+        pictures.archive(record.GENERATED / pictures.data_name(picture), work)
+    shutil.rmtree(RELEASES / version, ignore_errors=True)
+    work.rename(RELEASES / version)
+    path = RELEASES / f"{version}.json"
+    text = json.dumps(now, indent=1, sort_keys=True, ensure_ascii=False, allow_nan=False) + "\n"
+    stamps.write_whole(path, text.encode())
+    for old in versions()[:-PICTURES_KEPT]:
+        shutil.rmtree(RELEASES / old, ignore_errors=True)
+    return path

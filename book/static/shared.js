@@ -1,0 +1,109 @@
+// What the book's scripts share: elements, numbers as print has them, and a little arithmetic.
+"use strict";
+
+/**
+ * Return the first element of a selector, which the page has; throw where it has none.
+ * @template {Element} [E=HTMLElement]
+ * @param {ParentNode} root
+ * @param {string} selector
+ * @returns {E}
+ */
+function find_element(root, selector) {
+  const found = root.querySelector(selector);
+  if (!found) throw new Error(`the page has no ${selector}`);
+  return /** @type {E} */ (found);
+}
+
+/**
+ * Return a new element: make_element("p", { class: "x" }, child, "text", …).
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {Record<string, string | number>} [attributes]
+ * @param {...(Node | string)} children
+ * @returns {HTMLElementTagNameMap[Tag]}
+ */
+function make_element(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  set_attributes(made, attributes);
+  made.append(...children);
+  return made;
+}
+
+/**
+ * Return a new button that has work done.
+ * @param {Node | string} label
+ * @param {() => void} work
+ * @param {Record<string, string | number>} [attributes]
+ */
+function make_button(label, work, attributes) {
+  const button = make_element("button", { type: "button", ...attributes }, label);
+  button.addEventListener("click", work);
+  return button;
+}
+
+/** @param {Element} element @param {Record<string, string | number>} attributes */
+function set_attributes(element, attributes) {
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+}
+
+/** @param {number} low @param {number} number @param {number} high */
+const clamp = (low, number, high) => Math.max(low, Math.min(high, number));
+
+/**
+ * Return so many float64 numbers, each made from its index.
+ * @param {number} count
+ * @param {(index: number) => number} make
+ */
+function float64s(count, make) {
+  return Float64Array.from({ length: count }, (_, index) => make(index));
+}
+
+/** A power of ten with three digits, as the steps are that a slider gives. @param {number} exponent */
+const power_of_ten = (exponent) => Number((10 ** exponent).toPrecision(3));
+
+/** A text with a minus sign as print has it. @param {string} text */
+const with_minus = (text) => text.replace("-", "−");
+
+/** A number with one digit before the point, as print has it. @param {number} number @param {number} digits */
+const scientific = (number, digits) => with_minus(number.toExponential(digits)).replace("+", "");
+
+/** A whole number in raised digits. @param {number} number */
+const raised = (number) => String(number).replace(/./g, (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]);
+
+/** Where the pointer is in an element, and how large that is. @param {Element} element @param {MouseEvent} event */
+function pointer_in(element, { clientX, clientY }) {
+  const { left, top, width, height } = element.getBoundingClientRect();
+  return { x: clientX - left, y: clientY - top, width, height };
+}
+
+/** Whether a key is pressed together with one that makes it the browser's own. @param {KeyboardEvent} event */
+const is_shortcut = (event) => event.ctrlKey || event.altKey || event.metaKey;
+
+/**
+ * A worker that runs functions of the page: a file that is opened from a disk may load none by its address. The last
+ * one is given what posts a reply, and returns what takes a message.
+ * @param {...Function} functions
+ */
+function worker_of(...functions) {
+  const begin = `const take = ${functions[functions.length - 1].name}(postMessage);`;
+  const source = ['"use strict";', ...functions, begin, "onmessage = ({ data }) => take(data);"].join("\n");
+  const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+  const worker = new Worker(address);
+  URL.revokeObjectURL(address);
+  return worker;
+}
+
+/** The bytes that a text of the page carries, compressed. @param {string} base64 */
+function unpacked(base64) {
+  const packed = new Blob([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))]);
+  return new Response(packed.stream().pipeThrough(new DecompressionStream("gzip")));
+}
+
+/** Do some work when the page is there. @param {() => void} work */
+function when_ready(work) {
+  if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", work);
+  else work();
+}
+
+/** What is said of what was thrown. @param {unknown} error */
+const error_text = (error) => (error instanceof Error ? error.message : String(error));

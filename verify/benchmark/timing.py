@@ -1,0 +1,98 @@
+"""How things are timed: round after round in turns, every second round backwards.
+
+A machine that slows down for a while then slows all of them.
+"""
+
+import os
+import sys
+import time
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from tqdm import tqdm
+
+ROUNDS = 9
+UNITS = {"s": 1.0, "ms": 1e3, "ns": 1e9}
+BUSY = 0.5  # a load of more than this spoils a measurement
+
+
+@dataclass(frozen=True)
+class Case:
+    """One thing that is timed: `repeats` calls of `work` in each visit; `visits`: in how many rounds it takes part.
+
+    Its time is kept as NAME_UNIT, and is that of one of the `points` that a call takes.
+    """
+
+    name: str
+    work: Callable
+    repeats: int = 1
+    visits: int = ROUNDS
+    unit: str = "ms"
+    points: int = 1
+
+    def in_units(self, seconds: Sequence[float] | np.ndarray) -> np.ndarray:
+        """Return the seconds of calls in its unit."""
+        return np.array(seconds) * (UNITS[self.unit] / self.points)
+
+
+def load() -> float:
+    """Return how many processes wanted a core during the last minute, and say so if the machine is busy."""
+    busy = os.getloadavg()[0] if hasattr(os, "getloadavg") else 0.0
+    if busy > BUSY:
+        print(f"this machine is busy (load {busy:.1f}): its times will be too long", file=sys.stderr)
+    return busy
+
+
+def timings(cases: Collection[Case], title: str) -> dict[str, list[float]]:
+    """Time the cases in turns; return {name: seconds of every call}, the rounds one after another.
+
+    Each is called once before all, so that whatever is to be compiled is. A visit begins with a call that is not timed,
+    which warms the caches, unless a call is so long that it is made once.
+    """
+    for case in tqdm(cases, desc=f"{title}, first calls", unit="case"):
+        case.work()
+    seconds: dict[str, list[float]] = {case.name: [] for case in cases}
+    visits = []
+    for number in range(max(case.visits for case in cases)):
+        due = [case for case in cases if number < case.visits]
+        visits += due if number % 2 == 0 else due[::-1]
+    for case in tqdm(visits, desc=title, unit="visit"):
+        if case.repeats > 1:
+            case.work()
+        for _ in range(case.repeats):
+            start = time.perf_counter()
+            case.work()
+            seconds[case.name].append(time.perf_counter() - start)
+    return seconds
+
+
+def with_quartiles(name: str, values: Sequence[float] | np.ndarray) -> dict[str, float]:
+    """Return the median of values by name, and their quartiles by NAME_low and NAME_high."""
+    keys = (f"{name}_low", name, f"{name}_high")
+    return dict(zip(keys, np.quantile(values, (0.25, 0.5, 0.75)).tolist(), strict=True))
+
+
+def numbers_by_calls(cases: Collection[Case], title: str) -> dict[str, float]:
+    """Time the cases; return {NAME_UNIT: the median of all calls}, with quartiles."""
+    seconds = timings(cases, title)
+    numbers: dict[str, float] = {}
+    for case in cases:
+        numbers |= with_quartiles(f"{case.name}_{case.unit}", case.in_units(seconds[case.name]))
+    return numbers
+
+
+def numbers_by_rounds(cases: Collection[Case], title: str, ratios: Mapping[str, tuple[str, str]]) -> dict[str, float]:
+    """Time cases that take part in all rounds; return {NAME_UNIT: the median round}, with quartiles.
+
+    ratios: {its name: the cases (slow, fast)}. A round counts by the least of its calls: what else the machine does can
+    only lengthen one. A ratio is taken round by round, and has quartiles too.
+    """
+    before, seconds = load(), timings(cases, title)
+    numbers = {"load": before, "rounds": max(case.visits for case in cases)}
+    least = {case.name: np.reshape(seconds[case.name], (-1, case.repeats)).min(axis=1) for case in cases}
+    for case in cases:
+        numbers |= with_quartiles(f"{case.name}_{case.unit}", case.in_units(least[case.name]))
+    for name, (slow, fast) in ratios.items():
+        numbers |= with_quartiles(name, least[slow] / least[fast])
+    return numbers

@@ -1,0 +1,214 @@
+"""Records: what long runs measured, in committed JSON that a build only reads; and whether the code has changed since.
+
+A record holds a `label` (where, with what, when and at which commit it was measured), what was measured, the hashes of
+all `code` that the run could reach when it began, and a `seal`, the hash of all this. Only a `Run` writes one, with
+what it measured. The seal shows that a record was edited or merged by hand. It keeps nobody from forging one: who wants
+to can compute it.
+"""
+
+import argparse
+import datetime
+import json
+import platform
+import re
+import subprocess
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cache
+from importlib.metadata import version
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from renderer.picture.threads import available_cores
+from renderer.whole_files import write_whole
+from verify import sources
+from verify.sources import ROOT
+
+RESULTS, BENCHMARKS = "verify/results", "verify/benchmark/results"
+PROSE = {".md", ".bib"}
+
+
+@dataclass(frozen=True)
+class Record:
+    """A record: NAME.json in `folder`, and the run that writes it.
+
+    command: what Python is given to measure it. begins: the files whose imports are the run's code, and folders of
+    which it may reach everything. packages: the libraries that it names. needs: those without which it would leave
+    something out.
+    """
+
+    name: str
+    folder: str
+    command: str
+    begins: tuple[str, ...]
+    packages: tuple[str, ...] = ("numpy", "llvmlite")
+    needs: tuple[str, ...] = ()
+
+    @property
+    def path(self) -> str:
+        """Where it lies, from the root."""
+        return f"{self.folder}/{self.name}.json"
+
+
+_CAMPAIGN = "-m pytest -q -s -p no:cacheprovider --long verify/test_campaign.py::test_no_edit_survives"
+RECORDS = {
+    record.name: record
+    for record in (
+        Record(
+            "simulator",
+            BENCHMARKS,
+            "-m tests.measure_simulator",
+            ("tests/measure_simulator.py", "book/simulator_module.py", "book/static/simulator"),
+        ),
+        Record("frames", BENCHMARKS, "-m verify.benchmark", ("verify/benchmark/__main__.py", "renderer")),
+        Record("machines", BENCHMARKS, "-m verify.benchmark.machines", ("verify/benchmark/machines.py",)),
+        Record("texture", BENCHMARKS, "-m verify.benchmark.texture", ("verify/benchmark/texture.py",)),
+        Record(
+            "work_precision",
+            RESULTS,
+            "-m verify.benchmark.work_precision",
+            ("verify/benchmark/work_precision.py",),
+            ("numpy", "llvmlite", "mpmath"),
+            ("autograd", "jax", "scipy", "numdifftools"),
+        ),
+        Record(
+            "accepted_scenes",
+            RESULTS,
+            "-m tests.accepted_scenes",
+            ("tests/accepted_scenes.py",),
+            ("numpy", "llvmlite", "hypothesis"),
+        ),
+        Record("edited_formulas", RESULTS, _CAMPAIGN, ("proofs", "renderer", "verify"), ("sympy", "mpmath")),
+    )
+}
+
+
+def processor() -> str:
+    """Return the processor's name, or the architecture where the system does not tell."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+        return next(line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
+    except (OSError, StopIteration):
+        return platform.processor() or platform.machine()
+
+
+def commit() -> str:
+    """Return the short id of the commit that is measured, with + if the tree differs from it, records aside."""
+    git = ["git", "-C", str(ROOT)]
+    head = subprocess.run([*git, "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
+    if head.returncode:
+        return "unknown"
+    status = [*git, "status", "--porcelain", "-uno", "--", ":/", ":(exclude,glob)verify/**/results/*"]
+    dirty = subprocess.run(status, capture_output=True, text=True, check=False)
+    return head.stdout.strip() + ("+" if dirty.stdout.strip() else "")
+
+
+def label(packages: Iterable[str]) -> dict[str, Any]:
+    """Return where, with what and when, as text: machine (all of it), processor, python, date, commit."""
+    python, versions = f"Python {platform.python_version()}", [f"{name} {version(name)}" for name in packages]
+    return {
+        "machine": ", ".join([processor(), f"{available_cores()} cores", python, *versions]),
+        "processor": processor(),
+        "python": python,
+        "date": datetime.date.today().isoformat(),
+        "commit": commit(),
+    }
+
+
+@cache
+def code_of(name: str) -> dict[str, str]:
+    """Return {file: its hash} of all code that a record's run can reach, and {library: version} of what the lock pins.
+
+    Data beside the code are of it, and tests where the run is about them; prose, comments and records never are.
+    """
+    reached: set[Path] = set()
+    for begin in (ROOT / begin for begin in RECORDS[name].begins):
+        reached |= {*sources.files_in(begin)} if begin.is_dir() else sources.reachable(begin)
+    records = {ROOT / folder for folder in (RESULTS, BENCHMARKS)}
+    code = sources.code_hashes(path for path in reached if path.suffix not in PROSE and path.parent not in records)
+    lock = (ROOT / "requirements.lock").read_text(encoding="utf-8")
+    pins = dict(re.findall(r"^([\w.-]+)==([^\s;\\]+)", lock, re.MULTILINE))
+    return code | {package: pins[package] for package in RECORDS[name].packages if package in pins}
+
+
+def _seal(content):
+    return sources.key({key: value for key, value in content.items() if key != "seal"})
+
+
+class Run:
+    """A run that measures a record: make it before anything is measured, and write what was found at the end."""
+
+    def __init__(self, name: str):
+        self.record, self.code = RECORDS[name], code_of(name)
+        self.label = label([*self.record.packages, *filter(find_spec, self.record.needs)])
+
+    def write(self, measured: dict[str, Any], folder: Path | None = None) -> Path:
+        """Write {"label": …} and what was measured, whole or not at all; return the path.
+
+        measured: {"numbers": …} or what else a record holds; its "label" is added to the run's.
+        """
+        content = {"label": None} | measured | {"label": self.label | measured.get("label", {}), "code": self.code}
+        path = (folder or ROOT / self.record.folder) / f"{self.record.name}.json"
+        write_whole(path, (json.dumps(content | {"seal": _seal(content)}, indent=1) + "\n").encode())
+        return path
+
+
+def read(name: str) -> dict[str, Any]:
+    """Return what a record holds."""
+    return json.loads((ROOT / RECORDS[name].path).read_text(encoding="utf-8"))
+
+
+def why_stale(name: str) -> str | None:
+    """Return why a record's numbers are not those of the code as it is, in a few words; None if they are."""
+    content = read(name)
+    if not {"code", "seal"} <= content.keys():
+        return "it does not say which code was measured"
+    if content["seal"] != _seal(content):
+        return "it was changed after it was written"
+    return sources.difference(content["code"], code_of(name))
+
+
+@cache
+def remark(name: str) -> str | None:
+    """Return what has to be said beside numbers of a stale record; None beside others. It is asked once a process."""
+    if not why_stale(name):
+        return None
+    return f"measured at commit {read(name)['label']['commit']}; the code has changed since"
+
+
+def command(
+    name: str, doc: str, measure: Callable[..., dict[str, Any]], arguments: list[str] | None = None, **options: Any
+) -> dict[str, Any]:
+    """Run a record's command line and return what measure(**options) found; print its numbers, and write the record.
+
+    options: {name: default}, a whole number above 0, a text, a list, or False for a flag. Unless a folder is given,
+    only what was measured with the defaults is kept.
+    """
+    formatter = argparse.RawDescriptionHelpFormatter
+    parser = argparse.ArgumentParser(f"python {RECORDS[name].command}", description=doc, formatter_class=formatter)
+    for option, default in options.items():
+        if default is False:
+            parser.add_argument(f"--{option}", action="store_true")
+        else:
+            several = isinstance(default, list)
+            kind, many = type(default[0] if several else default), "*" if several else None
+            parser.add_argument(f"--{option}", default=default, nargs=many, type=_above_0 if kind is int else kind,
+                                help="default: %(default)s")  # fmt: skip
+    parser.add_argument("--output", type=Path, metavar="FOLDER", help="write the record there, whatever was measured")
+    chosen = vars(parser.parse_args(arguments))
+    folder, run = chosen.pop("output"), Run(name)
+    measured = measure(**chosen)
+    for key, value in measured.get("numbers", {}).items():
+        print(f"  {key:36} {value:12.4g}" if isinstance(value, float) else f"  {key:36} {value!s:>12}")
+    if folder or chosen == options:
+        print(f"wrote {run.write(measured, folder).name}")
+    else:
+        print("not kept: --output FOLDER keeps what was not measured with the defaults")
+    return measured
+
+
+def _above_0(text):
+    if int(text) < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not allowed: at least 1")
+    return int(text)
