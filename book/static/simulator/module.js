@@ -443,7 +443,8 @@ async function simulator_module(data, compiled) {
 
   /**
    * The kernel that bounds the error of a method's slopes by theorem: (u, v, ku, kv, ε) → the bound, the number of its
-   * largest term, each term. Null where no theorem covers the field or the method.
+   * largest term, the bounds of h_u and of h_v, of which it is the larger. Null where no theorem covers the field or the
+   * method.
    * @param {{ field: string, method: string }} state
    */
   const bounds_of = ({ field, method }) =>
@@ -480,7 +481,7 @@ async function simulator_module(data, compiled) {
     const on = data.scene.lights.filter((_, n) => state.lights[n]);
     return on.map(({ position }) => {
       const [bumped, plain] = normals.map(
-        (normal) => kernel_over("phong", ...point, ...position, ...normal, 0, 0, 1)[0],
+        (normal) => kernel_over("light_cosine", ...point, ...position, ...normal)[0],
       );
       return bumped.reduce((count, mu, i) => count + Number(mu > 0 !== plain[i] > 0), 0);
     });
@@ -525,6 +526,7 @@ async function simulator_module(data, compiled) {
     const [u, v] = chart(stage).map(first_of);
     const angles = angles_of(stage).map(first_of);
     const gradient = gradients(state, method, stage).map(first_of);
+    const [theta, phi] = kernel("chart_radians", u, v);
     const [h] = kernel(`height_${field}`, u, v, ku, kv);
     const [kink] = kernel(`kink_${field}`, angles[3], u, v, ku, kv);
     const [straddling] = method.eps ? kernel(`straddling_${field}`, u, v, ku, kv, method.eps) : [0];
@@ -532,8 +534,7 @@ async function simulator_module(data, compiled) {
       point: kernel("point_on_a", ...angles, radius),
       normal: kernel("bumped_normal", ...angles, ...gradient, beta),
       ...{ gradient, u, v, h },
-      theta: (2 * u - 1) * Math.PI,
-      phi: v * Math.PI,
+      ...{ theta, phi },
       kink: kink === 1,
       straddling: straddling === 1,
     };
