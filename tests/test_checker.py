@@ -206,7 +206,12 @@ def test_a_false_certificate_is_rejected_by_the_card_and_by_check_all(page):
     ("name", "button", "breakage", "words"),
     [
         ("lemmas", CHECK_HERE, "window.Worker = class { constructor() { throw new Error('forbidden') } }", "forbidden"),
-        ("findings", CHECK_ALL, "certificate_kernel = function certificate_kernel() { throw new Error('broken') }", "the worker failed"),
+        (
+            "findings",
+            CHECK_ALL,
+            "certificate_kernel = function certificate_kernel() { throw new Error('broken') }",
+            "the worker failed",
+        ),
     ],
 )
 def test_a_worker_that_does_not_start_says_so(page, name, button, breakage, words):

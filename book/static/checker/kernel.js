@@ -46,11 +46,9 @@ function certificate_kernel() {
   /** @type {Fraction} */
   const MINUS = [-1n, 1n];
   /** @param {Fraction} a @param {Fraction} b */
-  const whole = (a, b) => a[1] === 1n && b[1] === 1n;
-  /** @param {Fraction} a @param {Fraction} b @returns {Fraction} */
-  const plus = (a, b) => (whole(a, b) ? [a[0] + b[0], 1n] : reduced(a[0] * b[1] + b[0] * a[1], a[1] * b[1]));
-  /** @param {Fraction} a @param {Fraction} b @returns {Fraction} */
-  const times = (a, b) => (whole(a, b) ? [a[0] * b[0], 1n] : reduced(a[0] * b[0], a[1] * b[1]));
+  const plus = (a, b) => reduced(a[0] * b[1] + b[0] * a[1], a[1] * b[1]);
+  /** @param {Fraction} a @param {Fraction} b */
+  const times = (a, b) => reduced(a[0] * b[0], a[1] * b[1]);
   /** @param {Fraction} fraction */
   const printed = ([top, bottom]) => (bottom === 1n ? `${top}` : `${top}/${bottom}`);
 

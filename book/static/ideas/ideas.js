@@ -3,12 +3,11 @@
 "use strict";
 
 /**
- * @typedef {[number, number]} Point
  * @typedef {{ kernels: Record<string, [number, number]>, given: Record<string, number>,
  *   lines: Record<string, { inputs: string[], lines: string[] }> }} IdeasData
  * @typedef {SimulatorModule & { own: SimulatorModule }} IdeasModule with the interactives' own kernels
  * @typedef {SimulatorData & IdeasData} AllData
- * @typedef {(figure: HTMLElement, module: IdeasModule, data: AllData) => void} Idea
+ * @typedef {(stage: ReturnType<typeof idea_stage>, module: IdeasModule, data: AllData) => () => void} Idea sets a stage; returns what draws on it
  * @typedef {(x: number, y: number, begins: boolean) => void} Moved is told of a place on a panel
  * @typedef {(right: number, up: number) => void} Stepped is told of arrow keys, ten times as far with shift
  */
@@ -47,14 +46,6 @@ function decimal(number, digits = 2) {
   return Number(text) === 0 ? text.replace("-", "") : with_minus(text);
 }
 
-/** @param {Point[]} points */
-const line_path = (points) => `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L")}`;
-
-/** @param {string} look @param {string} path */
-const path_markup = (look, path) => `<path class="${look}" d="${path}"/>`;
-/** @param {string} look @param {Point} middle @param {number} radius */
-const circle_markup = (look, [x, y], radius) => `<circle class="${look}" cx="${x}" cy="${y}" r="${radius}"/>`;
-
 /** An arrow: a line and its head, at most as long as half the arrow. @param {Point} from @param {Point} to */
 function arrow_path([x, y], [end_x, end_y], look = "", size = 6) {
   const [dx, dy] = [end_x - x, end_y - y];
@@ -72,10 +63,6 @@ function arrow_path([x, y], [end_x, end_y], look = "", size = 6) {
   ]);
   return path_markup(look, shaft) + path_markup(`${look} head`, `${head}Z`);
 }
-
-/** @param {number} x @param {number} y @param {string} words */
-const text_at = (x, y, words, look = "") =>
-  `<text class="${look}" x="${x.toFixed(1)}" y="${y.toFixed(1)}">${words}</text>`;
 
 /**
  * Every line of a program by its name, from inputs by their names.
@@ -125,13 +112,10 @@ function listen_to_hand(target, origin, moved, stepped) {
   });
 }
 
-/**
- * The stage of a figure: it replaces the still picture as soon as it has been drawn.
- * @param {HTMLElement} figure
- * @param {() => void} draw
- */
-function idea_stage(figure, draw) {
+/** The stage of a figure: it replaces the still picture as soon as it has been drawn. @param {HTMLElement} figure */
+function idea_stage(figure) {
   const root = make_element("div", { class: "idea-stage" });
+  let draw = () => {};
   let width = 0;
   let asked = 0;
 
@@ -233,7 +217,9 @@ function idea_stage(figure, draw) {
     };
   }
 
-  function begin() {
+  /** @param {() => void} drawing */
+  function begin(drawing) {
+    draw = drawing;
     find_element(figure, ".pixels").after(root);
     figure.classList.add("idea-live");
     new ResizeObserver(() => {
@@ -242,7 +228,16 @@ function idea_stage(figure, draw) {
     }).observe(root);
   }
 
-  return { root, panel, slider, picture, says: () => add_element(root, "p", { class: "idea-says" }), redraw, begin };
+  return {
+    figure,
+    root,
+    panel,
+    slider,
+    picture,
+    says: () => add_element(root, "p", { class: "idea-says" }),
+    redraw,
+    begin,
+  };
 }
 
 /** The scene as a state of the simulator, with changes. @param {SimulatorData} data @param {Partial<SceneState>} [changes] */
@@ -264,7 +259,10 @@ document.addEventListener("DOMContentLoaded", async () => {
   try {
     const module = await ideas_module(data);
     Ideas.module = module;
-    for (const figure of figures) IDEAS[figure.id.replace("fig-", "")](figure, module, data);
+    for (const figure of figures) {
+      const stage = idea_stage(figure);
+      stage.begin(IDEAS[figure.id.replace("fig-", "")](stage, module, data));
+    }
   } catch (error) {
     if (!error_text(error).includes("WebAssembly")) throw error; // without it, the still pictures stay
   }

@@ -1,12 +1,12 @@
 // One pixel that the reader picks, worked through: the values of the program's lines, beside their formulas.
 "use strict";
 
-IDEAS.pixel_worked = (figure, module, data) => {
+IDEAS.pixel_worked = (stage, module, data) => {
   const SIZE = 256;
   const raster = { width: SIZE, height: SIZE, left: 0, top: 0, wide: SIZE, high: SIZE };
   const [xs, ys] = module.image_points(raster);
   /** @type {NodeListOf<HTMLElement>} */
-  const outputs = figure.querySelectorAll("[data-line]");
+  const outputs = stage.figure.querySelectorAll("[data-line]");
   let column = 104;
   let row = 92;
 
@@ -19,7 +19,6 @@ IDEAS.pixel_worked = (figure, module, data) => {
     stage.redraw();
   }
 
-  const stage = idea_stage(figure, draw);
   const panel = stage.panel("The scene, and the pixel that is worked through", SIZE);
   const paint = stage.picture(panel.box, SIZE, "the chapter's scene");
   panel.box.classList.add("idea-picture", "small");
@@ -42,5 +41,5 @@ IDEAS.pixel_worked = (figure, module, data) => {
     put_pixel([column + 0.5, row + 0.5], row * SIZE + column, `column ${column}, row ${row}: ${surface}`);
   }
 
-  stage.begin();
+  return draw;
 };

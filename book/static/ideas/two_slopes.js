@@ -1,7 +1,7 @@
 // One height, two slopes: the secant over a step and the tangent, at a smooth point and beside a crease.
 "use strict";
 
-IDEAS.two_slopes = (figure, module, data) => {
+IDEAS.two_slopes = (stage, module, data) => {
   const { ku, kv } = data.scene;
   const FROM = 0.06;
   const TO = 0.25;
@@ -30,7 +30,6 @@ IDEAS.two_slopes = (figure, module, data) => {
     stage.redraw();
   }
 
-  const stage = idea_stage(figure, draw);
   const panel = stage.panel("The height across a crease, a tangent and a secant", HIGH);
   const range = { min: LEAST, max: MOST, step: 0.01, value: Math.log10(eps) };
   const put_eps = stage.slider(
@@ -68,7 +67,7 @@ IDEAS.two_slopes = (figure, module, data) => {
     const rise = -TALL * slope;
     const share = reach / Math.hypot(run, rise);
     const ends = [-share, share].map((part) => /** @type {Point} */ ([x + part * run, y + part * rise]));
-    return path_markup(look, line_path(ends));
+    return line_markup(look, ends);
   }
 
   function draw() {
@@ -83,7 +82,7 @@ IDEAS.two_slopes = (figure, module, data) => {
     panel.show(
       path_markup("guide", `M${crease} ${TOP}V${BASE + 8}`) +
         text_at(crease - 20, BASE + 24, "crease") +
-        path_markup("height", line_path(points)) +
+        line_markup("height", points) +
         through(place(u, (left + right) / 2), numeric, "secant", 24 + reach) +
         through(point, exact, "slope", 100) +
         circle_markup("end", start, 5),
@@ -99,5 +98,5 @@ IDEAS.two_slopes = (figure, module, data) => {
     put_step(end, eps, `ε ${in_powers(eps)}, difference ${decimal(numeric)}`);
   }
 
-  stage.begin();
+  return draw;
 };

@@ -83,7 +83,7 @@ function simulator_cursor(root, states, data, module) {
     const [one, other] = records(state);
     fill(
       facts,
-      shared(one, state).map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`),
+      shared(one, state).map(([name, value]) => entry_markup(name, value)),
     );
     fill(
       body,

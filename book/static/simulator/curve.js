@@ -3,9 +3,9 @@
 "use strict";
 
 /**
- * @typedef {{ eps: number, error: number, bound: number | null }} CurvePoint a bound is null where nothing is proved
- * @typedef {{ eps: number, rms: number, max: number }} PicturePoint
  * @typedef {{ eps: number, size: number }} LinePoint
+ * @typedef {LinePoint & { max: number }} PicturePoint the root mean square of a picture's difference, and the largest
+ * @typedef {Record<string, LinePoint[]>} Lines
  */
 
 /** @param {HTMLElement} root @param {SimulatorModule} module @param {Act} act */
@@ -29,24 +29,30 @@ function simulator_curve(root, module, act) {
   const NAMES = { numeric: "gradient here", bound: "proved bound", difference: "picture, RMS" };
   let width = 0;
   let inset = 0;
-  /** @type {Record<string, LinePoint[]>} */
+  /** @type {Lines} */
   let lines = {};
   /** @type {any[]} */
   let drawn = [];
 
-  /** The errors of the gradient at a pixel of A; null elsewhere. @param {State} state @param {Raster} raster */
+  /**
+   * The errors of the gradient at a pixel of A, and what is proved of them; no line elsewhere.
+   * @param {State} state
+   * @param {Raster} raster
+   * @returns {Lines}
+   */
   function at_pixel(state, raster) {
     const stage = module.make_stage(state, { ...raster, left: state.column, top: state.row, wide: 1, high: 1 });
-    if (!stage.count) return null;
+    if (!stage.count) return {};
     const [u, v] = module.chart(stage);
     const exact = module.gradients(state, { name: "exact" }, stage);
-    const name = module.bounds_of(state);
-    const bounds = name && module.kernel_over(name, u[0], v[0], state.ku, state.kv, Float64Array.from(FINE))[0];
-    return FINE.map((eps, n) => {
-      const numeric = module.gradients(state, { name: state.method, eps }, stage);
-      const errors = numeric.map(([slope], axis) => Math.abs(slope - exact[axis][0]));
-      return { eps, error: Math.max(...errors), bound: bounds ? bounds[n] : null };
+    const numeric = FINE.map((eps) => {
+      const slopes = module.gradients(state, { name: state.method, eps }, stage);
+      return { eps, size: Math.max(...slopes.map(([slope], axis) => Math.abs(slope - exact[axis][0]))) };
     });
+    const name = module.bounds_of(state);
+    if (!name) return { numeric };
+    const [bounds] = module.kernel_over(name, u[0], v[0], state.ku, state.kv, Float64Array.from(FINE));
+    return { bound: FINE.map((eps, n) => ({ eps, size: bounds[n] })), numeric };
   }
 
   /** @param {number} eps */
@@ -67,17 +73,17 @@ function simulator_curve(root, module, act) {
   }
 
   function axes() {
-    /** @param {number} n @param {string} place */
-    const tick = (n, place) =>
-      `<text class="tick" ${place}>10<tspan dy="-5" font-size="9">${with_minus(String(n))}</tspan></text>`;
+    /** @param {number} n @param {number} x @param {number} y @param {string} side */
+    const tick = (n, x, y, side) =>
+      text_at(x, y, `10<tspan dy="-5" font-size="9">${with_minus(String(n))}</tspan>`, `tick ${side}`);
     let text = "";
     for (let n = LOWEST; n <= HIGHEST; n += 4) {
       const y = y_of(10 ** n);
       text += `<line class="grid" x1="${inset}" x2="${width - inset}" y1="${y}" y2="${y}"/>`;
-      text += tick(n, `text-anchor="end" x="${inset - 8}" y="${y + 4}"`);
+      text += tick(n, inset - 8, y + 4, "beside");
     }
     for (let n = LEFT; n <= RIGHT; n += width < 500 ? 5 : 3) {
-      text += tick(n, `text-anchor="middle" x="${x_of(10 ** n)}" y="${HEIGHT - 4}"`);
+      text += tick(n, x_of(10 ** n), HEIGHT - 4, "below");
     }
     return text;
   }
@@ -96,29 +102,24 @@ function simulator_curve(root, module, act) {
       last = label.y;
     }
     const over = Math.max(0, last - BOTTOM);
-    const texts = placed.map(
-      ({ name, y }) => `<text class="${name}-label" x="${width + 2}" y="${y - over}">${NAMES[name]}</text>`,
-    );
+    const texts = placed.map(({ name, y }) => text_at(width + 2, y - over, NAMES[name], `${name}-label`));
     return texts.join("");
   }
 
-  /** Draw what is known, where that is new. @param {State} state @param {CurvePoint[] | null} pixel @param {PicturePoint[]} picture */
+  /** Draw what is known, where that is new. @param {State} state @param {Lines} pixel @param {PicturePoint[]} picture */
   function show(state, pixel, picture) {
-    const known = picture.filter(Boolean);
-    const what = [pixel, picture, known.length, box.clientWidth];
+    const difference = picture.filter(Boolean);
+    const what = [pixel, picture, difference.length, box.clientWidth];
     if (what.every((part, n) => part === drawn[n])) return;
     drawn = what;
     width = box.clientWidth;
     inset = 0.5 * parseFloat(getComputedStyle(root).getPropertyValue("--thumb")); // where the slider's thumb stops
     svg.setAttribute("viewBox", `0 0 ${width} ${HEIGHT}`);
-    lines = {};
-    if (pixel?.[0].bound) lines.bound = pixel.map(({ eps, bound }) => ({ eps, size: bound ?? 0 }));
-    if (pixel) lines.numeric = pixel.map(({ eps, error }) => ({ eps, size: error }));
-    if (known.length) lines.difference = known.map(({ eps, rms }) => ({ eps, size: rms }));
-    const paths = Object.entries(lines).map(([name, points]) => `<path class="${name}" d="${path(points)}"/>`);
-    const dots = known
-      .filter(({ rms }) => rms > 0)
-      .map(({ eps, rms }) => `<circle class="difference" cx="${x_of(eps)}" cy="${y_of(rms)}" r="2"/>`);
+    lines = difference.length ? { ...pixel, difference } : pixel;
+    const paths = Object.entries(lines).map(([name, points]) => path_markup(name, path(points)));
+    const dots = difference
+      .filter(({ size }) => size > 0)
+      .map(({ eps, size }) => circle_markup("difference", [x_of(eps), y_of(size)], 2));
     svg.innerHTML = axes() + paths.join("") + dots.join("") + names();
     mark(state.eps);
   }
@@ -148,11 +149,11 @@ function simulator_curve(root, module, act) {
     return [`ε = ${scientific(eps, 1)}`, ...sizes].join(" · ");
   }
 
-  /** @param {CurvePoint[] | null} pixel @param {PicturePoint[]} picture */
-  function csv(pixel, picture) {
+  /** @param {Lines} pixel @param {PicturePoint[]} picture */
+  function csv({ numeric, bound }, picture) {
     const rows = FINE.map((eps, n) => {
       const at = picture.find((point) => point?.eps === eps);
-      return [eps, pixel?.[n].error, pixel?.[n].bound, at?.rms, at?.max].join();
+      return [eps, numeric?.[n].size, bound?.[n].size, at?.size, at?.max].join();
     });
     return `${["step,gradient_error_at_cursor,bound,rms_on_a,max_on_a", ...rows].join("\n")}\n`;
   }

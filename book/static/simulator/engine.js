@@ -135,7 +135,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
   /** Idle work is reported when all have done that piece of it. @param {Counted | Followed | Timed} reply */
   function found(reply) {
     if (reply.id !== id || !resting) return;
-    const piece = JSON.stringify([reply.kind, "index" in reply && reply.index]);
+    const piece = `${reply.kind} ${reply.index}`;
     pieces[piece] ??= [];
     if (pieces[piece].push(reply) === resting) handlers[reply.kind](pieces[piece]);
   }

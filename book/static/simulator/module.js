@@ -24,7 +24,7 @@
  * @typedef {Ground & { codes: Uint8Array, count: number, at: Int32Array, rows: [number, number], stills: number,
  *   kept?: string, targets: Record<string, number> }} Stage
  * @typedef {{ whole?: boolean, of?: string, other?: string, table?: string, palette?: string, gain?: number }} Painting
- * @typedef {{ column: number, row: number, code: number, surface: string, rgb: number[], point?: number[],
+ * @typedef {{ column: number, row: number, surface: string, rgb: number[], point?: number[],
  *   normal?: number[], gradient?: number[], theta?: number, phi?: number, u?: number, v?: number, h?: number,
  *   kink?: boolean, straddling?: boolean }} PixelRecord
  * @typedef {Awaited<ReturnType<typeof simulator_module>>} SimulatorModule
@@ -202,8 +202,8 @@ async function simulator_module(data, compiled) {
       ...{ power, ku, kv, beta, eps },
       power_u: Math.abs(power_u),
       power_v: Math.abs(power_v),
-      turn_u: power_u < 0 ? -1 : 1,
-      turn_v: power_v < 0 ? -1 : 1,
+      turn_u: Math.sign(power_u) || 1,
+      turn_v: Math.sign(power_v) || 1,
     };
     const { scene, lights } = data.scenes[[state.ball, ...state.lights].map(Number).join("")];
     const numbers = Float64Array.from(scene);
@@ -329,8 +329,8 @@ async function simulator_module(data, compiled) {
     return stage.targets[key];
   }
 
-  /** @param {Stage} stage @param {string} name @param {string[]} planes */
-  const target = (stage, name, planes, before = "") =>
+  /** @param {Stage} stage @param {string} name */
+  const target = (stage, name, planes = PLANES, before = "") =>
     Object.fromEntries(planes.map((plane) => [before + plane, place(stage, name, plane)]));
 
   /**
@@ -390,15 +390,11 @@ async function simulator_module(data, compiled) {
     const what = !keeps ? "draw_a" : stage.kept === key ? "draw_again" : "draw_first";
     if (keeps) stage.kept = key;
     stage.targets.stills ??= reserve(stage.stills);
-    draw(what, state, method, stage, {
-      ...target(stage, name, PLANES),
-      stills: stage.targets.stills,
-    });
+    draw(what, state, method, stage, { ...target(stage, name), stills: stage.targets.stills });
   }
 
   /** @param {SceneState} state @param {Stage} stage @param {string} name */
-  const draw_elsewhere = (state, stage, name) =>
-    draw("draw_elsewhere", state, EXACT, stage, target(stage, name, PLANES));
+  const draw_elsewhere = (state, stage, name) => draw("draw_elsewhere", state, EXACT, stage, target(stage, name));
 
   /**
    * A whole picture, three planes, as the renderer's frame.rgb; on the stage of another one, a step from it.
@@ -498,19 +494,13 @@ async function simulator_module(data, compiled) {
   function pixel(state, method, { width, height }, column, row) {
     const raster = { width, height, left: column, top: row, wide: 1, high: 1 };
     const { planes, codes, stage } = render(state, method, raster);
-    const [code] = codes;
-    const record = {
-      column,
-      row,
-      code,
-      surface: ["none", "A", "B", "floor"][code & SURFACE],
-      rgb: planes.map(first_of),
-    };
-    if (record.surface === "none") return record;
-    if (record.surface === "A") return { ...record, ...record_on_a(state, method, stage) };
+    const surface = ["none", "A", "B", "floor"][codes[0] & SURFACE];
+    const record = { column, row, surface, rgb: planes.map(first_of) };
+    if (surface === "none") return record;
+    if (surface === "A") return { ...record, ...record_on_a(state, method, stage) };
     const [x, y] = image_points(raster).map(first_of);
     const ball = [...data.scene.ball_center, data.scene.ball_radius, 1];
-    const six = record.surface === "B" ? kernel("normal_of_b", x, y, eye, ...ball) : kernel("normal_of_floor", x, y);
+    const six = surface === "B" ? kernel("normal_of_b", x, y, eye, ...ball) : kernel("normal_of_floor", x, y);
     return { ...record, point: six.slice(0, 3), normal: six.slice(3) };
   }
 

@@ -28,10 +28,10 @@ function simulator_readouts(root, data, module) {
     return digits === 1 ? `10${raised(power)}` : `${Number(digits.toPrecision(3))} · 10${raised(power)}`;
   }
 
-  /** @param {{ count: number, max: number, rms: number }} differences */
-  function apart({ count, max, rms }) {
+  /** The largest difference, and the root mean square. @param {{ count: number, max: number, size: number }} found */
+  function apart({ count, max, size }) {
     put("[data-readout=max]", count ? number(max) : "—");
-    put("[data-readout=rms]", count ? number(rms) : "—");
+    put("[data-readout=rms]", count ? number(size) : "—");
   }
 
   /** @param {{ count: number, flips: number, attached: number[] } | null} found null: not yet */

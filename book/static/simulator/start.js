@@ -18,8 +18,8 @@ function simulator_start(root, compiled, module) {
   let state = states.start();
   /** @type {State | null} */
   let shown = null;
-  /** @type {CurvePoint[] | null} */
-  let pixel_curve = null;
+  /** @type {Lines} */
+  let pixel_curve = {};
   /** @type {PicturePoint[]} */
   let picture = [];
   /** @type {PicturePoint[]} */
@@ -144,8 +144,8 @@ function simulator_start(root, compiled, module) {
   /** What the workers found of their bands, of all of them. @param {(Drawn | Followed)[]} replies */
   function apart(replies) {
     const count = total(replies, "count");
-    const rms = count ? Math.sqrt(total(replies, "squares") / 3 / count) : 0;
-    return { count, max: largest(replies, "largest"), rms };
+    const rms = count && Math.sqrt(total(replies, "squares") / 3 / count);
+    return { count, max: largest(replies, "largest"), size: rms };
   }
 
   /** @param {State} of @param {Drawn[]} replies @param {number} asked */
@@ -194,9 +194,6 @@ function simulator_start(root, compiled, module) {
     say_failure(root, text);
   }
 
-  /** @param {string} name @param {string} href */
-  const download = (name, href) => make_element("a", { href, download: name }).click();
-
   /** @param {string} text @param {Element} element */
   async function copy(text, element) {
     const told = $(".sim-copied");
@@ -211,10 +208,9 @@ function simulator_start(root, compiled, module) {
 
   /** Let each button of a name do its work, which is told the button's value. @param {string} name @param {(value: string, button: HTMLElement) => void} work */
   function on(name, work) {
-    for (const button of root.querySelectorAll(`[data-${name}]`)) {
-      if (button instanceof HTMLButtonElement)
-        button.addEventListener("click", () => work(button.dataset[name] ?? "", button));
-    }
+    /** @type {NodeListOf<HTMLElement>} */
+    const buttons = root.querySelectorAll(`button[data-${name}]`);
+    for (const button of buttons) button.addEventListener("click", () => work(button.dataset[name] ?? "", button));
   }
 
   function wire_buttons() {
