@@ -7,14 +7,12 @@ import pytest
 # Files that take most of a minute, or prepare for as long what their tests share, begin. A file has one worker.
 LONGEST = (
     "test_browser.py",
-    "test_newcomer.py",
     "test_wheel.py",
     "test_contributing.py",
     "test_simulator.py",
     "test_simulator_numbers.py",
     "test_notebooks.py",
     "test_single.py",
-    "test_pdf.py",
     "test_releases.py",
     "test_provenance.py",
     "test_ideas.py",

@@ -17,7 +17,11 @@ from book.editions import files
 from verify import evidence
 from verify.records import RECORDS
 
-BUILDING = ("all", "build", "single", "pdf")
+EDITIONS = {
+    "single": ("Joining the pages in one file", files.SINGLE, files.single_file),
+    "pdf": ("Printing the chapter", files.PDF, files.printed),
+}
+BUILDING = ("all", "build", *EDITIONS)
 RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made first
 
 
@@ -91,10 +95,9 @@ def run(options: argparse.Namespace) -> int:
             stage("Drawing figures", figures)
         if verb in (*BUILDING, "same-bytes"):
             stage("Building the site", lambda: website.build(options.all or verb == "same-bytes"))
-        if verb == "single":
-            stage("Joining the pages in one file", lambda: files.make("single", files.SINGLE, files.single_file))
-        if verb == "pdf":
-            stage("Printing the chapter", lambda: files.make("pdf", files.PDF, files.printed))
+        if verb in EDITIONS:
+            words, place, content = EDITIONS[verb]
+            stage(words, lambda: files.make(verb, place, content))
         if verb in RELEASES:
             from book.releases import command, same_bytes
 
@@ -102,7 +105,7 @@ def run(options: argparse.Namespace) -> int:
                 return command.release_notes(against=options.against)
             return command.release() if verb == "release" else same_bytes.same_bytes()
     if verb in BUILDING:
-        place = {"single": files.SINGLE, "pdf": files.PDF}.get(verb, website.INDEX)
+        place = EDITIONS[verb][1] if verb in EDITIONS else website.INDEX
         print(f"The book is at {place.relative_to(stamps.ROOT)}: open {place.as_uri()}")
     return 0
 

@@ -19,7 +19,7 @@ from proofs.engine import kernel
 FOLDER = Path(__file__).parent / "certificates"
 
 
-def read(path: Path) -> str:
+def text_of(path: Path) -> str:
     """Return a file's text as its bytes say it; a byte that is no UTF-8 as what `parsed` refuses."""
     return path.read_bytes().decode("utf-8", "surrogateescape")
 
@@ -129,7 +129,7 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     start, total, rejected = time.perf_counter(), 0, 0
     for id in ids:
-        checked = verdicts(read(known[id]), id)
+        checked = verdicts(text_of(known[id]), id)
         wrong = [(claim, why) for claim, why in checked if why is not None]
         total, rejected = total + len(checked), rejected + len(wrong)
         print(f"{id:32} {len(checked) - len(wrong)} of {len(checked)} accepted")

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from book.editions import files
 from book.editions.chromium import FLAGS, NoBrowser, installed
 from tests.processes import python
 from tests.tabs import visits
@@ -19,6 +20,13 @@ def site() -> Path:
     """The folder of the built site. The build takes a lock, so several workers may ask for it at once."""
     python("-m", "book", "build")
     return ROOT / "book" / "_build" / "html"
+
+
+@pytest.fixture(scope="session")
+def single(site: Path) -> Path:
+    """The one file."""
+    files.make("single", files.SINGLE, files.single_file)
+    return files.SINGLE
 
 
 @pytest.fixture(scope="session")

@@ -10,18 +10,15 @@ from pathlib import Path
 import pytest
 from bs4 import BeautifulSoup
 
-from book.assembly import stamps, website
-from book.assembly.contents import page_files
+from book.assembly import contents, stamps, website
 from book.drawing import palette
 from book.drawing.draw import all_figures
 from book.editions.pages import parsed
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGES = page_files(ROOT / "book")
+PAGES = contents.page_files(ROOT / "book")
 ANCHORS = {f"s{n}": f"s{n}" for n in range(1, 10)} | {"sim": "s4", "lab": "s5"}
 ANCHORS |= {f"cell{n}": "s5" for n in range(1, 9)}
-PLACED = r"\{(?:chapter-figure|idea|worked-pixel)\}\s+(\w+)"
-LOADING = ":is(img, script, iframe, source)[src], link[href]"
 
 
 @pytest.fixture(scope="session")
@@ -32,7 +29,7 @@ def pages(site) -> dict[str, BeautifulSoup]:
 
 def placed() -> Counter:
     """How often pages place each figure."""
-    return Counter(id for page in PAGES.values() for id in re.findall(PLACED, page.read_text(encoding="utf-8")))
+    return Counter(id for id, _ in contents.placed(ROOT / "book", "chapter-figure|idea|worked-pixel"))
 
 
 def test_sections_and_cells_carry_their_own_ids(pages):
@@ -59,13 +56,6 @@ def test_every_image_says_what_it_shows(pages):
             alternative = image.get("alt", "").strip()
             assert alternative, f"{name}: {image.get('src')} has no alternative text"
             assert not re.search(r"_images|\.(svg|png)$", alternative), f"{name}: {alternative} is a file"
-
-
-def test_nothing_is_loaded_from_elsewhere(site):
-    for page in site.glob("*.html"):
-        for element in parsed(page.read_text(encoding="utf-8")).select(LOADING):
-            address = element.get("href" if element.name == "link" else "src")
-            assert not re.match(r"(https?:)?//", address), f"{page.name}: {element}"
 
 
 def test_site_names_no_folder_of_the_machine_that_built_it(site):
@@ -124,9 +114,3 @@ def test_make_says_which_python_is_too_old(tmp_path):
     assert done.returncode != 0
     assert "needs Python 3.11" in done.stderr and "Python 3.9.2" in done.stderr
     assert not (tmp_path / ".venv").exists()
-
-
-def test_no_page_uses_an_id_twice(pages):
-    for name, page in pages.items():
-        ids = Counter(element["id"] for element in page.find_all(id=True))
-        assert [id for id, count in ids.items() if count > 1] == [], name

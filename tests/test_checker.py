@@ -28,7 +28,7 @@ COMPLAINTS = {
 }
 STORED = {name: (entry["statement"], entry["certificate"]) for name, entry in stored().items()}
 CERTIFIED = {name.partition("/")[0] for name in STORED}
-PLACES = placements(ROOT / "book", list(all_theorems()))
+PLACES = placements(ROOT / "book", all_theorems())
 
 
 @pytest.fixture
@@ -160,7 +160,7 @@ def test_an_open_card_has_no_serious_violation(page):
 def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(page):
     """That sin² + cos² = 1 is what the oddness of a sine does not need."""
     name = "clamped_difference_of_odd"
-    place = card(page(PLACES[name].page), name)
+    place = card(page(PLACES[name]), name)
     press(place, CHANGE)
     line = place.locator(".check-line").first
     circle = line.inner_text()
@@ -202,16 +202,14 @@ def test_a_false_certificate_is_rejected_by_the_card_and_by_check_all(page):
     assert tab.locator("[data-claim=unit_length] .check-mark.check-rejected").count() == 1
 
 
+BROKEN_KERNEL = "certificate_kernel = function certificate_kernel() { throw new Error('broken') }"
+
+
 @pytest.mark.parametrize(
     ("name", "button", "breakage", "words"),
     [
         ("lemmas", CHECK_HERE, "window.Worker = class { constructor() { throw new Error('forbidden') } }", "forbidden"),
-        (
-            "findings",
-            CHECK_ALL,
-            "certificate_kernel = function certificate_kernel() { throw new Error('broken') }",
-            "the worker failed",
-        ),
+        ("findings", CHECK_ALL, BROKEN_KERNEL, "the worker failed"),
     ],
 )
 def test_a_worker_that_does_not_start_says_so(page, name, button, breakage, words):
@@ -235,7 +233,7 @@ def test_a_worker_that_never_answers_is_given_up(page):
 
 def test_a_refuted_claim_has_its_counterexample_put_in(page):
     assert all_theorems()["seed_clamp"].expected == "refuted"
-    seed_clamp = card(page(PLACES["seed_clamp"].page), "seed_clamp")
+    seed_clamp = card(page(PLACES["seed_clamp"]), "seed_clamp")
     press(seed_clamp, CHECK_HERE)
     said = verdict(seed_clamp)
     assert "1 counterexample put in, in exact fractions: the claim is false there, and 7 other conditions hold" in said

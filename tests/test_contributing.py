@@ -1,25 +1,30 @@
-"""The worked theorem and the light model of CONTRIBUTING.md, followed to the letter in a copy of the tree."""
+"""CONTRIBUTING's two ways in, `tests/examples/*/way_in.sh`: each followed in a copy of the project, and to the end."""
 
+import json
+import os
 import re
+import shutil
+import subprocess
+import sys
+from functools import partial
+from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
+from book.assembly.contents import page_files
+from book.extension.numbers import parse
+from book.extension.results import look_up
+from book.ledger import load
+from book.ledger.check import Run, faults_in
 from renderer import Scene, render
 from renderer.picture.views import to_bytes
-from tests.test_newcomer import FENCE, commands, copied, run, section
+from verify.sources import ROOT
 
-
-def blocks(text):
-    """Return the blocks of Python in a section."""
-    return [fence[2] for fence in FENCE.finditer(text) if fence[1] == "python"]
-
-
-SECTION = section("A theorem")
-(EXAMPLE,) = blocks(SECTION)
-LIGHT = section("A light model in one sitting")
-MODEL, ENTRY, CLAIM = blocks(LIGHT)
+EXAMPLES = Path("tests", "examples")
+CLAIM = "waves_climb_one_way"
+CERTIFICATES = "python -m proofs.engine.certificate"
 # Draws with the new model; "numpy" hides LLVM.
 DRAW = """
 import sys
@@ -65,53 +70,118 @@ print(len(errors), roughened, np.abs(errors).max())
 """
 
 
-def test_the_example_is_proved(tmp_path):
-    copied(tmp_path)
-    (tmp_path / "proofs" / "theorems" / "worked_example.py").write_text(EXAMPLE, encoding="utf-8")
-    id = re.search(r'id="(\w+)"', EXAMPLE)[1]
-    assert run(tmp_path, "python", "-m", "proofs.engine.certificate", id).startswith(f"{id}: ")
-    examined = run(tmp_path, "pytest", "verify", "--theorem", id, "-q")
-    assert re.search(rf"{id} +proved .* mutants 2/2", examined)
-    script = run(tmp_path, "python", "-m", "proofs.engine.standalone", id)
-    (tmp_path / "theorem.py").write_text(script, encoding="utf-8")
-    proved = run(tmp_path, "python", "-I", "-S", "-X", "utf8", "theorem.py")
-    assert f"{id}: PROVED, given unit_length/length." in proved
+def run(folder, command, status=0):
+    """Run a line of a shell in the folder, by this Python; return what it prints."""
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
+    environment["PATH"] = f"{Path(sys.executable).parent}:{environment['PATH']}"
+    shell = {"cwd": folder, "env": environment, "capture_output": True, "encoding": "utf-8"}
+    done = subprocess.run(["bash", "-ec", command], **shell)
+    assert done.returncode == status, done.stdout + done.stderr
+    return done.stdout + done.stderr
 
 
-def test_the_example_is_short():
-    assert len(EXAMPLE.splitlines()) <= 25
-    assert all(id in EXAMPLE for id in re.findall(r"python -m proofs\.engine\.certificate (\w+)", SECTION))
+def copied(folder):
+    """Copy the project as it is, without what is built and installed."""
+    left_out = shutil.ignore_patterns(".*", "__pycache__", "_build", "_generated", "node_modules")
+    shutil.copytree(ROOT, folder, ignore=left_out, dirs_exist_ok=True)
+
+
+def walked(folder, example):
+    """Follow a way in up to the book; return what each of its lines printed."""
+    copied(folder)
+    lines = [line.partition("#")[0].strip() for line in (folder / EXAMPLES / example / "way_in.sh").open()]
+    *lines, book = filter(None, lines)
+    assert book == "python -m book"
+    return {line: run(folder, line) for line in lines if "verify.formal" not in line or shutil.which("coqc")}
+
+
+@pytest.fixture(scope="module")
+def waves(tmp_path_factory):
+    """The folder in which the field was added, and what each line printed."""
+    folder = tmp_path_factory.mktemp("field")
+    return folder, walked(folder, "height_field")
 
 
 @pytest.fixture(scope="module")
 def lit(tmp_path_factory):
-    """The folder in which the light model was added, and what each command of the section printed."""
+    """The folder in which the light model was added, and what each line printed."""
     folder = tmp_path_factory.mktemp("light")
-    copied(folder)
-    shading = folder / "proofs" / "formulas" / "shading.py"
-    text = shading.read_text(encoding="utf-8")
-    for mark, block in (("@dataclass(frozen=True)\nclass LightModel:", f"{MODEL}\n\n"), (")}  # fmt: skip\n", ENTRY)):
-        assert text.count(mark) == 1
-        text = text.replace(mark, block + mark)
-    shading.write_text(text, encoding="utf-8")
-    (folder / "proofs" / "theorems" / "oren_nayar.py").write_text(CLAIM, encoding="utf-8")
-    return folder, {words[2] if words[0] == "python" else words[0]: run(folder, *words) for words in commands(LIGHT)}
+    return folder, walked(folder, "light_model")
 
 
-def test_the_light_model_is_short():
-    assert len((MODEL + ENTRY).splitlines()) < 30
-    assert len(CLAIM.splitlines()) <= 25
+@pytest.mark.long
+@pytest.mark.skipif("not config.getoption('long', False)", reason="takes minutes; run with verify and --long")
+@pytest.mark.parametrize("example", ["height_field", "light_model"])
+def test_a_way_in_ends_with_a_book(tmp_path, example):
+    copied(tmp_path)
+    run(tmp_path, f"bash -e {EXAMPLES / example / 'way_in.sh'}")
+    page = (tmp_path / "book" / "_build" / "html" / "s3.html").read_text(encoding="utf-8")
+    assert ('id="fig-waves"' in page) is (example == "height_field")
 
 
-def test_the_claim_about_the_light_model_is_proved(lit):
-    _, printed = lit
-    assert printed["proofs.engine.certificate"].startswith("smooth_is_lambert: 1 statements")
-    assert re.search(r"smooth_is_lambert +proved .* mutants 2/2", printed["pytest"])
+def test_the_ways_in_are_short():
+    texts = {path: path.read_text(encoding="utf-8") for path in (ROOT / EXAMPLES).rglob("*.*")}
+    for example in (ROOT / EXAMPLES).iterdir():
+        written = [p for p in texts if example in p.parents and p.suffix in (".patch", ".py", ".toml")]
+        assert sum(len(texts[path].splitlines()) for path in written) < 80
+    assert all(len(text.splitlines()) < 15 for path, text in texts.items() if path.suffix == ".v")
+
+
+def test_stale_certificates_are_made_anew_and_no_others(waves, lit):
+    for (_, printed), own in ((waves, CLAIM), (lit, "smooth_is_lambert")):
+        made = {line.partition(":")[0] for line in printed[CERTIFICATES].splitlines()}
+        assert made == {"bump_moves_no_boundary", own}
+
+
+def test_coq_accepts_the_theorem(waves):
+    _, printed = waves
+    if not shutil.which("coqc"):
+        pytest.skip("Coq is not installed")
+    assert re.search(rf"{CLAIM} +2 statements", printed["python -m verify.formal Waves"])
+
+
+def test_the_field_draws_and_is_a_choice_everywhere(waves):
+    folder, _ = waves
+    picture = np.asarray(Image.open(folder / "waves.png"))
+    assert picture.shape == (128, 128, 3)
+    run(folder, "python -m renderer image --field rings --size 128 --out rings.png")
+    assert (picture != np.asarray(Image.open(folder / "rings.png"))).any(axis=2).mean() > 0.1
+    script = run(folder, "python -c 'from book.simulator_module import source; print(source())'")
+    assert '"waves":{"ways":' in script
+    assert "'waves'" in run(folder, "python -m renderer image --field foo --out x.png", status=2)
+
+
+def test_the_theorems_are_proved_and_a_false_one_is_not(waves, lit):
+    for (_, printed), own in ((waves, CLAIM), (lit, "smooth_is_lambert")):
+        assert re.search(rf"{own} +proved .* mutants 2/2", printed[f"python -m pytest verify -q --theorem {own}"])
+    path = waves[0] / "proofs" / "theorems" / "waves.py"
+    true = path.read_text(encoding="utf-8")
+    false = true.replace("equation(k_v * _h_u, k_u * _h_v)", "equation(k_u * _h_u, k_v * _h_v)", 1)
+    assert false != true
+    path.write_text(false, encoding="utf-8")
+    try:
+        run(waves[0], f"{CERTIFICATES} {CLAIM}", status=1)
+    finally:
+        path.write_text(true, encoding="utf-8")
+
+
+def number_in(book, name):
+    return look_up(book, *parse(name)[:2])
+
+
+def test_the_claim_stands_and_falls_with_the_run(waves):
+    book = waves[0] / "book"
+    ledger = load(book / "ledger")
+    for grade, wrong in (("proved", []), ("failed", ["grade: proved is expected, the run made it failed"])):
+        seen = Run({CLAIM: grade}, {CLAIM: "proved"}, {*page_files(book)}, set(), partial(number_in, book), bool)
+        found = [fault for fault in faults_in(ledger, seen) if fault.startswith(CLAIM)]
+        assert found == [f"{CLAIM}: evidence {CLAIM}: {fault}" for fault in wrong]
+    assert 0 < json.loads((book / "_generated" / "waves.json").read_text(encoding="utf-8"))["numbers"]["turned"] < 1e-14
 
 
 def test_the_light_model_draws_the_same_bits_by_both_machines(lit):
     folder, _ = lit
-    assert [run(folder, "python", "-c", DRAW, name).strip() for name in ("llvm", "numpy")] == ["llvm", "numpy"]
+    assert [run(folder, f"python -c '{DRAW}' {name}").strip() for name in ("llvm", "numpy")] == ["llvm", "numpy"]
     by_llvm, by_numpy = (np.load(folder / f"{name}.npy") for name in ("llvm", "numpy"))
     assert np.array_equal(by_llvm.view(np.int64), by_numpy.view(np.int64))
     assert np.array_equal(np.asarray(Image.open(folder / "rough.png")), to_bytes(by_llvm))
@@ -120,7 +190,7 @@ def test_the_light_model_draws_the_same_bits_by_both_machines(lit):
 
 def test_the_light_model_is_oren_and_nayars(lit):
     folder, _ = lit
-    numbers, roughened, error = run(folder, "python", "-c", COMPARE.format(sigma=0.5)).split()
+    numbers, roughened, error = run(folder, f"python -c '{COMPARE.format(sigma=0.5)}'").split()
     assert int(numbers) > 500 and int(roughened) > 50
     assert float(error) < 1e-12
-    assert float(run(folder, "python", "-c", COMPARE.format(sigma=0.4)).split()[2]) > 0.01
+    assert float(run(folder, f"python -c '{COMPARE.format(sigma=0.4)}'").split()[2]) > 0.01

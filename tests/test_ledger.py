@@ -21,7 +21,7 @@ from tests.processes import python
 from verify.sources import ROOT
 
 NUMBERS = {"sweep.flips": 0, "sweep.slope": 0.55, "scene.field": "ridges"}
-EVIDENCE = 'evidence = [{ theorem = "no_flips", grade = "proved" }, { number = "sweep.flips", is = "== 0" }]'
+EVIDENCE = 'evidence = [{ theorem = "no_flips" }, { number = "sweep.flips", is = "== 0" }]'
 TRUE = """
 [[claim]]
 id = "flips"
@@ -39,7 +39,7 @@ words = "The table descends the truncation slope."
 where = "seed:cell3"
 verdict = "false"
 evidence = [
-  { theorem = "descent", grade = "refuted" },
+  { theorem = "descent" },
   { number = "sweep.slope", is = "in [0.5, 0.6]", claimed = "in [1.9, 2.1]" },
   { test = "tests/test_ledger.py::test_relations" },
   { source = "Blinn1978" },
@@ -58,6 +58,7 @@ def number(name):
 
 RUN = Run(
     grades={"no_flips": "proved", "descent": "refuted"},
+    expected={"no_flips": "proved", "descent": "refuted"},
     pages=frozenset({"s3"}),
     sources=frozenset({"Blinn1978"}),
     number=number,
@@ -82,6 +83,11 @@ def faults(tmp_path):
     return of_changed
 
 
+def test_a_grade_that_fell_is_a_fault_of_every_claim_that_rests_on_it(faults, monkeypatch):
+    monkeypatch.setitem(RUN.grades, "no_flips", "failed")
+    assert faults() == ["flips: evidence no_flips: grade: proved is expected, the run made it failed"]
+
+
 def test_a_true_ledger_has_no_faults(faults):
     assert faults() == []
 
@@ -101,7 +107,6 @@ REFUSED = {
         ('where = "s3"', 'where = "s3"\ncondition = "c"', "flips condition: 'c' should not be"),
         ('merit = "{number}`sweep.flips` flips"', "", "flips: 'merit' is a required"),
         ('merit = "{number}`sweep.flips` flips"', 'merit = "0 flips"', "flips merit: '0 flips' does not match"),
-        (', grade = "proved"', "", "flips evidence 0: 'grade' is a required"),
         ('is = "== 0"', 'is = "about 0"', "flips evidence 1 is: 'about 0' is not a 'relation': allowed is one of =="),
         ('{ source = "Blinn1978" }', '{ hearsay = "x" }', "falls evidence 3: {'hearsay': 'x'} is not valid"),
         ('{ source = "Blinn1978" }', '{ source = "Blinn1978", page = 1 }', "falls evidence 3: Additional properties"),
@@ -111,8 +116,6 @@ REFUSED = {
         (EVIDENCE, "", "flips: 'evidence' is a required"),
     ],
     "evidence that the run does not bear out": [
-        ('"no_flips", grade = "proved"', '"no_flips", grade = "measured"',
-         "flips: evidence no_flips: grade: measured is expected, the run made it proved"),
         ('"no_flips"', '"no_flip"', "flips: evidence no_flip: theorem: no theorem has this id"),
         ('is = "== 0"', 'is = "> 0"', "flips: evidence sweep.flips: is: > 0 is expected, the run has 0"),
         ('number = "sweep.flips"', 'number = "sweep.flops"', "flips: evidence sweep.flops: number: sweep.flops"),
@@ -129,13 +132,13 @@ REFUSED = {
         ('verdict = "holds"', 'verdict = "false"', "flips: verdict: 'false', and none of its evidence refutes it"),
         ('verdict = "holds"', 'verdict = "corrected"', "flips: verdict: 'corrected', and none"),
         ('is = "== 0" }', 'is = "== 0", claimed = "> 0" }', "flips: verdict: 'holds', but sweep.flips refutes it"),
-        ('grade = "proved" }', 'grade = "proved", refutes = true }', "flips: verdict: 'holds', but no_flips"),
+        ('"no_flips" }', '"no_flips", refutes = true }', "flips: verdict: 'holds', but no_flips"),
         (f'verdict = "holds"\n{EVIDENCE}', 'verdict = "holds with a condition"\ncondition = "c"\n'
-         'evidence = [{ theorem = "descent", grade = "refuted" }]',
+         'evidence = [{ theorem = "descent" }]',
          "flips: verdict: 'holds with a condition', but all of its evidence refutes it"),
     ],
     "orphans": [
-        ('{ theorem = "descent", grade = "refuted" },', "", "theorem descent: no claim rests on it"),
+        ('{ theorem = "descent" },', "", "theorem descent: no claim rests on it"),
         ('"F7", ', "", "finding F7: no claim has it"),
         ('"F7", ', '"F7", "F99", ', "finding F99: findings.toml has no name for it"),
         ('where = "seed:cell3"', 'where = "s3"', "place cell3: no claim of the seed stands there"),
@@ -150,7 +153,7 @@ def test_what_is_refused(faults, old, new, fault):
 
 
 def test_a_number_refutes_only_where_the_claims_own_relation_fails(faults):
-    without = faults('  { theorem = "descent", grade = "refuted" },\n', "")
+    without = faults('  { theorem = "descent" },\n', "")
     assert without == ["theorem descent: no claim rests on it"]  # the number alone refutes it
     kept = faults('claimed = "in [1.9, 2.1]"', 'claimed = "in [0.5, 0.6]"')
     assert kept == []  # the theorem still does
@@ -221,7 +224,7 @@ def test_a_build_stops_where_the_ledger_does_not_stand(site, monkeypatch):
 
 
 def test_a_new_theorem_needs_a_claim(site):
-    more = Run(**vars(last_run()) | {"grades": last_run().grades | {"one_more": "proved"}})
+    more = replace(last_run(), grades=last_run().grades | {"one_more": "proved"})
     assert faults_in(load(), more) == ["theorem one_more: no claim rests on it"]
 
 

@@ -12,7 +12,7 @@ from playwright.sync_api import expect
 from renderer.kernels import FIELDS
 from tests.processes import python
 from tests.tabs import PHONE, RUNNING, go, settled, slide, state
-from tests.test_newcomer import copied
+from tests.test_contributing import copied
 
 CLIPBOARD = ["clipboard-read", "clipboard-write"]
 # k_u u + k_v v at the pixels of A over which a crease is drawn.
@@ -434,13 +434,12 @@ def with_two_fields(tmp_path_factory):
     folder = tmp_path_factory.mktemp("fields")
     copied(folder)
     entries = """
-        HeightField("doubled", sinpi(2 * k_u * u)),
-        HeightField("slanted", Abs(sinpi(k_u * u + k_v * v)), (sinpi(k_u * u + k_v * v),)),
-    )
-}
+    HeightField("doubled", 2 * sinpi(k_u * u)),
+    HeightField("slanted", Abs(sinpi(k_u * u + k_v * v))),
+))  # fmt: skip
 """
     place = folder / "proofs" / "formulas" / "height_fields.py"
-    place.write_text(place.read_text(encoding="utf-8").replace("\n    )\n}\n", entries, 1), encoding="utf-8")
+    place.write_text(place.read_text(encoding="utf-8").replace("\n))  # fmt: skip\n", entries, 1), encoding="utf-8")
     printing = "from book.simulator_module import source; print(source())"
     for command in (["-m", "renderer.generate"], ["-c", printing]):
         printed, _ = python(*command, cwd=folder)

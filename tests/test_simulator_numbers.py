@@ -12,7 +12,7 @@ from PIL import Image
 from book.simulator_module import TERM_COLOURS
 from renderer import Light, Scene, central, central4, exact, forward, pixel, render
 from renderer.generate.step_terms import BOUNDS
-from renderer.kernels import FIELDS
+from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.picture.pixel_record import LightRecord, PixelRecord
 from renderer.picture.views import difference_linear, difference_logarithmic, image_view, slope_view
 from renderer.scene.scene import DEFAULT_LIGHTS
@@ -80,7 +80,7 @@ def assert_same_bits(tab, *what, **more):
         np.testing.assert_array_equal(ours, theirs)
 
 
-@pytest.mark.parametrize("model", ["blinn", "phong"])
+@pytest.mark.parametrize("model", LIGHT_MODELS)
 @pytest.mark.parametrize("field", FIELDS)
 def test_pictures_are_the_renderers_to_the_last_bit(tab, field, model):
     state = BASE | {"field": field, "model": model}
@@ -208,7 +208,7 @@ def random_state(rng):
         "beta": rng.choice([0, 0.35, 1.7, 2]),
         "ku": rng.choice([8, 7, -4, 7.3]),
         "kv": rng.choice([4, 3, 0, -3.1]),
-        "model": rng.choice(["blinn", "phong"]),
+        "model": rng.choice(list(LIGHT_MODELS)),
         "method": rng.choice(list(METHODS)),
         "ball": rng.random() < 0.8,
         "lights": [rng.random() < 0.8, rng.random() < 0.8],

@@ -15,20 +15,13 @@ from PIL import Image
 
 from book.editions import files as edition
 from book.editions.document import LARGEST_DATA, document
-from book.editions.listings import make_small
-from book.editions.names import Names, relink, relink_data, rename
+from book.editions.inlined import as_webp, packed_address, svg_parts
+from book.editions.names import REFERRING, Names
 from book.editions.pages import BrokenSite, Page, parsed
 from book.editions.pictures import change, difference
-from book.editions.store import as_webp, inlined_script, packed_address, svg_address, svg_parts
 from proofs.check import FOLDER
 from tests.tabs import PHONE, RUNNING, opened
-
-
-@pytest.fixture(scope="module")
-def single(site, tmp_path_factory):
-    """The file, alone in a folder that holds nothing else."""
-    edition.make("single", edition.SINGLE, edition.single_file)
-    return Path(shutil.copy(edition.SINGLE, tmp_path_factory.mktemp("mailed")))
+from verify.sources import ROOT
 
 
 @pytest.fixture(scope="module")
@@ -37,10 +30,15 @@ def mailed(single):
 
 
 @pytest.fixture(scope="module")
-def tab(browser, single):
+def alone(single, tmp_path_factory):
+    """The file's address in a folder that holds nothing else."""
+    return Path(shutil.copy(single, tmp_path_factory.mktemp("mailed"))).as_uri()
+
+
+@pytest.fixture(scope="module")
+def tab(browser, alone):
     """The file in a browser without a network, when its simulator runs; it asks for nothing but itself."""
-    address = single.as_uri()
-    with opened(browser, address, until=None, home=address, offline=True) as page:
+    with opened(browser, alone, until=None, home=alone, offline=True) as page:
         page.set_default_timeout(120_000)
         wait(page, RUNNING)
         yield page
@@ -68,10 +66,6 @@ def go(tab, id: str):
     tab.evaluate("Chapter.ready()")
 
 
-def page(name: str, article: str) -> Page:
-    return Page(name, parsed(f'<article class="bd-article">{article}</article>').article, None, None, [], {})
-
-
 def test_file_can_be_mailed_and_a_larger_one_is_not_written(single, monkeypatch):
     assert 1_000_000 < single.stat().st_size < edition.LARGEST == 12_000_000
     monkeypatch.setattr(edition, "LARGEST", 1_000_000)
@@ -92,20 +86,26 @@ def test_edition_is_made_when_the_site_changed(tmp_path, monkeypatch, capsys):
     assert len(made) == 3 and "skipped" in capsys.readouterr().out
 
 
-def test_every_id_occurs_once(mailed):
+def test_every_id_occurs_once_and_is_what_refers_to_it(mailed):
     ids = Counter(element["id"] for element in mailed.find_all(id=True))
     assert len(ids) > 500
     assert [id for id, count in ids.items() if count > 1] == []
+    referred = [tag[name] for name in REFERRING for tag in mailed.select(f".chapter-page [{name}]")]
+    words = {word for value in referred for word in (value if isinstance(value, list) else value.split())}
+    assert words and words <= ids.keys()
 
 
 def test_every_link_leads_somewhere(mailed):
     ids = {element["id"] for element in mailed.find_all(id=True)}
     links = [link["href"] for link in mailed.select("a[href]")]
+    links += [f"#{id}" for script in mailed.select("script[type='application/json']")
+              for id in re.findall(r'"#([^"]*)"', script.string or "")]  # fmt: skip
     inside = [unquote(link[1:]) for link in links if link.startswith("#")]
     assert len(inside) > 500
     assert [link for link in inside if link not in ids] == []
     known = re.compile(r"#|data:application/(?:gzip|x-ipynb)|https?://|mailto:")
     assert [link for link in links if not known.match(link)] == []
+    assert not [script for script in mailed.select("script[type='application/json']") if '.html"' in script.string]
 
 
 def test_nothing_is_named_that_would_be_loaded(mailed):
@@ -122,19 +122,23 @@ def test_every_id_of_the_site_is_there(mailed, site):
             assert element["id"] in here or f"{name}:{element['id']}" in here, (name, element["id"])
 
 
-def test_files_to_keep_are_the_site_s(mailed, site):
+def test_a_listing_is_its_file_and_has_the_lines_that_links_lead_to(mailed):
+    name = "proofs/engine/kernel.py"
+    listing = mailed.find(attrs={"data-page": f"source/{name}"})
+    assert listing.pre.get_text() == (ROOT / name).read_text(encoding="utf-8")
+    assert listing.find(class_="numbers").get_text().split()[-1] == str(listing.pre.get_text().count("\n"))
+    wanted = {link["href"][1:] for link in mailed.select(f"a[href^='#source/{name}:L-']")}
+    assert wanted == {line["id"] for line in listing.select("a.line")}
+
+
+def test_files_to_keep_are_the_site_s_and_only_large_arrays_are_not_mailed(mailed, site):
     packed = mailed.select("[data-packed]")
     assert len(packed) > 100
     assert {"unit_length.json", "unit_length.py", "s5.ipynb", "s5.md"} <= {link["data-packed"] for link in packed}
     here = [link for link in packed if not link["href"].startswith("#")]
     kept = {link["data-packed"]: gzip.decompress(b64decode(link["href"].split(",")[1])) for link in here}
     assert kept["unit_length.json"] == (site / "_downloads" / "theorems" / "unit_length.json").read_bytes()
-
-
-def test_only_large_arrays_are_not_mailed(single, site):
-    left_out = set(
-        re.findall(r'class="not-mailed">data: (\w+\.npz), by the command<', single.read_text(encoding="utf-8"))
-    )
+    left_out = {re.search(r"\w+\.npz", words.string)[0] for words in mailed.select(".not-mailed")}
     sizes = {path.name: len(packed_address(path.read_bytes())) for path in (site / "_downloads").rglob("*.npz")}
     assert left_out == {name for name, size in sizes.items() if size > LARGEST_DATA}
     assert left_out and left_out < sizes.keys()
@@ -145,35 +149,10 @@ def test_same_site_gives_the_same_bytes(single, site):
 
 
 def test_link_to_what_is_not_there_is_refused():
-    names = Names([page("a", '<section id="a"><a href="#nowhere">x</a></section>')])
+    article = parsed('<article class="bd-article"><section id="a"></section></article>').article
+    names = Names([Page("a", article, None, None, [], {})], ())
     with pytest.raises(BrokenSite, match="nowhere"):
         names.fragment("a", "#nowhere")
-
-
-def test_id_of_several_pages_gets_the_page_s_name_and_references_follow():
-    links = '<a href="#x">1</a><a href="b.html#x">2</a><a href="b.html">3</a>'
-    styled = '<label for="x"></label><style>#x{} #own{}</style><i id="own"></i>'
-    pages = [
-        page("a", f'<section id="a"><b id="x"></b>{links}</section>'),
-        page("b", f'<section id="b"><b id="x"></b>{styled}</section>'),
-    ]
-    names = Names(pages)
-    for each in pages:
-        rename(each, names)
-        relink(each.article, each.name, names, lambda link, path: pytest.fail(path))
-    assert [link["href"] for link in pages[0].article.find_all("a")] == ["#a:x", "#b:x", "#b"]
-    assert pages[0].article.b["id"] == "a:x" and pages[1].article.b["id"] == "b:x"
-    assert pages[1].article.label["for"] == "b:x"
-    assert pages[1].article.style.string == r"#b\:x{} #own{}"
-
-
-def test_links_in_data_follow():
-    one = page(
-        "a", '<section id="a"><script type="application/json">["b.html#x", "b.html", "c.txt"]</script></section>'
-    )
-    names = Names([one, page("b", '<section id="b"><i id="x"></i></section>')])
-    relink_data(one.article, "a", names)
-    assert json.loads(one.article.script.string) == ["#x", "#b", "c.txt"]
 
 
 def test_picture_gets_smaller_and_stays_the_same(site):
@@ -182,17 +161,6 @@ def test_picture_gets_smaller_and_stays_the_same(site):
         assert len(after) <= len(before)
         pictures = [Image.open(BytesIO(data)).convert("RGBA").tobytes() for data in (before, after)]
         assert pictures[0] == pictures[1], path.name
-
-
-def test_small_listing_has_the_text_of_the_large_one():
-    numbered = '<a id="L-{0}" name="L-{0}"></a><span class="linenos">{0}</span>'
-    lines = [numbered.format(1), '<span class="kn">import</span>\n']
-    lines += [numbered.format(2), '<span class="n">x</span> <span class="o">=</span>']
-    listing = page("source/a", "<h1>a</h1><pre>" + "".join(lines) + "\n</pre>")
-    make_small(listing, {"#L-2"})
-    assert listing.article.pre.get_text() == "import\nx =\n"
-    assert [a["id"] for a in listing.article.find_all("a")] == ["L-2"]
-    assert listing.article.find(class_="numbers").get_text() == "1\n2"
 
 
 def test_dark_drawing_can_be_made_of_the_light_one(site):
@@ -206,19 +174,6 @@ def test_dark_drawing_can_be_made_of_the_light_one(site):
             old = light[int(part)]
             light[int(part)] = old[: int(start)] + text + old[len(old) - int(end) :]
         assert light == dark, path.name
-
-
-def test_script_cannot_end_its_element(tmp_path):
-    (tmp_path / "a.js").write_text('x = "</script>" + "<!--"')
-    assert "</script" not in inlined_script(tmp_path / "a.js") and "<!--" not in inlined_script(tmp_path / "a.js")
-
-
-def test_drawing_stands_inside_double_quotes_with_two_decimals(tmp_path):
-    path = '<path d="M 12.34567 -0.00123 L 3 4.5" transform="scale(0.015625)"/><use x="1.00049" y="7"/>'
-    (tmp_path / "a.svg").write_text(f"""<svg a="50%" b="it's">{path}<use href="#x"/></svg>""")
-    address = svg_address(svg_parts(tmp_path / "a.svg"))
-    assert '"' not in address and "#" not in address and "&amp;apos;" in address
-    assert "M 12.35 -0 L 3 4.5" in address and "x='1' y='7'" in address and "scale(0.015625)" in address
 
 
 def test_every_page_is_typeset_and_whole(tab):
@@ -315,8 +270,8 @@ def test_dark_mode_has_dark_pictures(tab):
     assert len(papers) == 2
 
 
-def test_file_fits_a_phone_and_its_menu_leads_on(browser, single):
-    with opened(browser, single.as_uri(), until=None, **PHONE) as tab:
+def test_file_fits_a_phone_and_its_menu_leads_on(browser, alone):
+    with opened(browser, alone, until=None, **PHONE) as tab:
         for name in ("index", "s2", "s4", "findings", "source/proofs/engine/kernel.py"):
             show(tab, name)
             assert tab.evaluate("document.documentElement.scrollWidth") <= PHONE["viewport"]["width"], name
@@ -325,7 +280,7 @@ def test_file_fits_a_phone_and_its_menu_leads_on(browser, single):
         wait(tab, "Chapter.shown().dataset.page === 's1' && !document.querySelector('dialog[open]')")
 
 
-def test_without_scripts_every_page_stands_there(browser, single):
-    with opened(browser, single.as_uri(), java_script_enabled=False) as tab:
+def test_without_scripts_every_page_stands_there(browser, alone):
+    with opened(browser, alone, java_script_enabled=False) as tab:
         for id in ("s1", "s9", "theorem-kink_loci", "fig-three_pictures"):
             assert tab.locator(f"[id='{id}']").is_visible()

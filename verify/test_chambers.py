@@ -8,7 +8,7 @@ import pytest
 from proofs.formulas.camera import discriminant_a, hit_of_a
 from renderer import Light, Scene, central, exact, forward, render, stage_of
 from renderer.generate.kernels import function_of
-from renderer.kernels import FIELDS
+from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.scene import bounds
 from renderer.shader import numbers
 from verify.strict import differing_pixels, image_error, random_raster, random_scene, strict_chambers, strict_rgb
@@ -39,7 +39,7 @@ def test_another_scene_is_told_apart():
 
 
 @pytest.mark.parametrize("field", FIELDS)
-@pytest.mark.parametrize("model", ["blinn", "phong"])
+@pytest.mark.parametrize("model", LIGHT_MODELS)
 def test_no_pixel_flips(field, model):
     """Theorem bump_moves_no_boundary, counted: no pixel changes its chamber, whatever the field, β, ε and model."""
     plain = strict_chambers(Scene(beta=0.0), 72, 72)

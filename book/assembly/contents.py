@@ -1,5 +1,6 @@
 """The book's pages: `_toc.yml` says in which folder each stands; its name, and its address, is the file's alone."""
 
+import re
 from pathlib import Path
 
 import yaml
@@ -14,6 +15,13 @@ def page_files(book: Path) -> dict[str, Path]:
     parts = table.get("parts", [table])
     places = [table["root"], *(chapter["file"] for part in parts for chapter in part["chapters"])]
     return {Path(place).name: book / f"{place}.md" for place in places}
+
+
+def placed(book: Path, directives: str) -> list[tuple[str, str]]:
+    """[(what, the page that places it)] in the order of the pages; directives: their names, with | between them."""
+    line = re.compile(rf"^\s*(?::{{3,}}|`{{3,}})\{{(?:{directives})\}}\s+(\S+)\s*$", re.MULTILINE)
+    texts = {page: path.read_text(encoding="utf-8") for page, path in page_files(book).items()}
+    return [(what, page) for page, text in texts.items() for what in line.findall(text)]
 
 
 def page_title(book: Path, name: str) -> str:

@@ -1,9 +1,8 @@
-"""Print a document with the installed Chromium, twice: the contents have page numbers when the pages are known."""
+"""Print the one file with the installed Chromium, with the outline and the tags that it writes itself."""
 
 import re
 import shutil
-import tempfile
-from io import BytesIO
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +11,7 @@ from book.assembly.stamps import Refused
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
+HERE = Path(__file__).parent
 # Headless, as root, and without a word to the network of its own.
 FLAGS = [
     "--no-sandbox",
@@ -23,7 +23,6 @@ FLAGS = [
     "--disable-sync",
 ]
 PAGE = {"width": 658, "height": 979}  # what A4 has inside its margins, in CSS pixels
-PRINTINGS = 4  # at most; the first has the pages that were counted, or the second those of the first
 PATIENCE = 900_000  # milliseconds: a busy machine typesets thousands of formulas slowly
 FOOTER = (
     '<div style="color: #66625a; display: flex; font: 8pt Georgia, serif; justify-content: space-between; '
@@ -31,6 +30,7 @@ FOOTER = (
 )
 DATE = b"D:20250101000000+00'00'"  # the date that the site is told too
 NODE = re.compile(rb"node\d{8}")  # by which a table's cells name their heads
+OF_SITE = re.compile(r'<script class="of-site".*?</script>', re.DOTALL)  # see document.py
 
 
 class NoBrowser(Refused):
@@ -47,36 +47,16 @@ def installed() -> str:
     raise NoBrowser("no Chromium is installed, and the chapter is printed by one (Debian: apt install chromium)")
 
 
-def opened(browser: "Browser", place: Path) -> "Page":
-    """A tab with the document as it will be printed, everything made to fit the page."""
+def on_paper(browser: "Browser", single: str, pages: Sequence[str] = ()) -> "Page":
+    """A tab with the one file made ready for paper: all of it, or some of its pages. Nothing moves in it."""
     tab = browser.new_page(viewport=PAGE, color_scheme="light", offline=True)
     tab.set_default_timeout(PATIENCE)
-    tab.emulate_media(media="print", color_scheme="light")
-    tab.goto(place.as_uri())
-    tab.evaluate("fitToPage()")
+    tab.emulate_media(media="print")
+    tab.set_content(OF_SITE.sub("", single))
+    tab.add_style_tag(path=HERE / "paper.css")
+    tab.add_script_tag(path=HERE / "paper.js")
+    tab.evaluate("pages => putOnPaper(pages)", pages)
     return tab
-
-
-def printed(tab: "Page", marked: bool = True) -> bytes:
-    """The document as PDF; marked: with its tags and outline."""
-    return tab.pdf(
-        prefer_css_page_size=True,
-        print_background=True,
-        display_header_footer=True,
-        header_template="<span></span>",
-        footer_template=FOOTER,
-        tagged=marked,
-        outline=marked,
-    )
-
-
-def page_numbers(pdf: bytes) -> dict[str, int]:
-    """The number of the page, from 1, on which every named place stands."""
-    from pypdf import PdfReader
-
-    reader = PdfReader(BytesIO(pdf))
-    places = reader.named_destinations
-    return {name.lstrip("/"): reader.get_destination_page_number(place) + 1 for name, place in places.items()}
 
 
 def reproducible(pdf: bytes) -> bytes:
@@ -85,35 +65,27 @@ def reproducible(pdf: bytes) -> bytes:
     return NODE.sub(lambda found: names[found[0]], re.sub(rb"D:\d{14}\+00'00'", DATE, pdf))
 
 
-def numbered(tab: "Page") -> bytes:
-    """The open document as PDF, with the numbers of its pages in its contents: printed until they stay as they are.
-
-    The first printing only counts pages, and nothing on them is seen: that takes a third of the time.
-    """
-    unseen = tab.add_style_tag(content="body * { visibility: hidden !important }")
-    numbers = page_numbers(printed(tab, marked=False))
-    unseen.evaluate("style => style.remove()")
-    for _ in range(PRINTINGS):
-        tab.evaluate(
-            "numbers => document.querySelectorAll('.page-number').forEach(p => p.textContent = numbers[p.dataset.for])",
-            numbers,
-        )
-        pdf = printed(tab)
-        found = page_numbers(pdf)
-        if found == numbers:
-            return reproducible(pdf)
-        numbers = found
-    raise RuntimeError("the contents moved the pages that they list")
+def printed(tab: "Page") -> bytes:
+    """What a tab shows as PDF; the same bytes each time."""
+    pdf = tab.pdf(
+        prefer_css_page_size=True,
+        print_background=True,
+        display_header_footer=True,
+        header_template="<span></span>",
+        footer_template=FOOTER,
+        tagged=True,
+        outline=True,
+    )
+    return reproducible(pdf)
 
 
-def print_document(text: str) -> bytes:
+def print_chapter(single: str) -> bytes:
+    """The one file's chapter as PDF; raises NoBrowser."""
+    path = installed()
     from playwright.sync_api import sync_playwright
 
-    path = installed()
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        place = Path(folder) / "chapter.html"
-        place.write_text(text, encoding="utf-8")
+    with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
-        pdf = numbered(opened(browser, place))
+        pdf = printed(on_paper(browser, single))
         browser.close()
     return pdf

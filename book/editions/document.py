@@ -4,12 +4,14 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from bs4 import BeautifulSoup, Tag
+from bs4.dammit import EntitySubstitution
+from bs4.formatter import HTMLFormatter
 
+from book.editions.inlined import base64_gzip, data_address, inlined_script, inlined_styles, packed_address
 from book.editions.listings import make_small
 from book.editions.names import Names, ids_of, relink, relink_data, rename
 from book.editions.pages import SHELL, BrokenSite, Page, parsed, read_pages, target
 from book.editions.pictures import inline_pictures
-from book.editions.store import Store, base64_gzip, data_address, inlined_script, inlined_styles, packed_address
 
 HERE = Path(__file__).parent
 # Icons come from the theme's font; a file that is read from a disk has nothing to search with.
@@ -25,6 +27,14 @@ LARGEST_DATA = 100_000
 """Bytes of a figure's packed numbers: larger ones are not mailed. The figure is, and the command beside makes them."""
 
 
+class Addresses(HTMLFormatter):
+    """What bs4 writes, but that a drawing's < and > stay what they are in its address: they would be four letters."""
+
+    def attribute_value(self, value: str) -> str:
+        """The value between its quotation marks."""
+        return value.replace("&", "&amp;")
+
+
 class Chapter:
     """The pages of the site with the names that they have in one file."""
 
@@ -34,7 +44,6 @@ class Chapter:
         self.pages = read_pages(site, self.shell)
         strip_shell(self.shell)
         self.names = Names(self.pages, ids_of(self.shell))
-        self.store = Store()
         self.used: set[str] = set()
         self.packed: dict[bytes, str] = {}
 
@@ -46,7 +55,7 @@ class Chapter:
                 relink(part, page.name, self.names, lambda link, path, page=page: self.pack(link, path, page.name))
                 self.used.update(link["href"] for link in part.find_all("a", href=True) if link["href"][0] == "#")
             relink_data(page.article, page.name, self.names)
-            inline_pictures(self.site, page, self.store)
+            inline_pictures(self.site, page)
             for listed in page.article.select(".checker[data-all] > script"):
                 listed.string = "[]"  # the cards are in the file, with their certificates
         for page in self.pages:
@@ -70,7 +79,7 @@ class Chapter:
             link["href"] = f"#{self.packed[content]}"
             return
         self.packed[content] = link["id"] = f"file-{len(self.packed) + 1}"
-        link["href"], link["download"] = self.store.keep(address), f"{file.name}.gz"
+        link["href"], link["download"] = address, f"{file.name}.gz"
 
     def loads(self, kind: str) -> Iterator[tuple[Path, Tag]]:
         """What pages load as <link> or <script>, each once, in their order: its file and its element."""
@@ -83,15 +92,15 @@ class Chapter:
         """Every script as an element, with its data: those that wait for the document, or those that do not."""
         for path, tag in self.loads("script"):
             if tag.has_attr("defer") == deferred:
-                text, data = inlined_script(path), {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
+                data = {"class": "of-site"} | {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
+                text = inlined_script(path)
                 if path.parent.name == "mathjax":  # the file's own script unpacks it
                     text, data = base64_gzip(text.encode()), {"type": "application/gzip", "id": "packed-mathjax"}
                 yield self.element("script", text, data)
 
     def element(self, name: str, text: str, attributes: dict[str, str] | None = None) -> Tag:
-        """A <style> or <script> with a text that is set in at the end."""
         made = self.shell.new_tag(name, attrs=attributes or {})
-        made.string = self.store.keep(text)
+        made.string = text
         return made
 
 
@@ -137,7 +146,7 @@ def put_head(chapter: Chapter) -> None:
     shell, head = chapter.shell, chapter.shell.head
     shell.title.string = shell.select_one("nav.bd-docs-nav a").get_text().strip()
     icon = shell.select_one("link[rel=icon]")
-    icon["href"] = chapter.store.keep(data_address(chapter.site / target(SHELL, icon["href"])[0]))
+    icon["href"] = data_address(chapter.site / target(SHELL, icon["href"])[0])
     policy = {"http-equiv": "Content-Security-Policy", "content": POLICY}
     head.find("meta", charset=True).insert_after(shell.new_tag("meta", attrs=policy))
     styles = "\n".join(inlined_styles(path) for path, _ in chapter.loads("link"))
@@ -162,4 +171,4 @@ def document(site: Path) -> str:
     put_pages(chapter)
     put_head(chapter)
     put_scripts(chapter)
-    return chapter.store.fill(str(chapter.shell)).strip() + "\n"
+    return chapter.shell.decode(formatter=Addresses(EntitySubstitution.substitute_xml)).strip() + "\n"

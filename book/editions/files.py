@@ -28,11 +28,10 @@ def single_file(site: Path = website.SITE) -> bytes:
 
 def printed(site: Path = website.SITE) -> bytes:
     """The chapter as PDF, from the built site; raises NoBrowser."""
-    from book.editions.chromium import print_document
-    from book.editions.paper import document
+    from book.editions.chromium import print_chapter
 
     print("  Chromium typesets every page (a minute)", flush=True)
-    return print_document(document(site))
+    return print_chapter(single_file(site).decode())
 
 
 def make(name: str, place: Path, content: Callable[[], bytes]) -> None:

@@ -18,7 +18,7 @@ def ids_of(part: Tag) -> list[str]:
 class Names:
     """What the ids of the pages are called in the one file."""
 
-    def __init__(self, pages: Iterable[Page], reserved: Iterable[str] = ()):
+    def __init__(self, pages: Iterable[Page], reserved: Iterable[str]):
         """pages: every page of the file; reserved: ids of what stands around them, which keep their names."""
         self.pages = {page.name: page for page in pages}
         own = {name: ids_of(page.article) for name, page in self.pages.items()}

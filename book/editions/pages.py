@@ -2,7 +2,7 @@
 
 import posixpath
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
@@ -79,16 +79,13 @@ def linked(page: Page) -> Iterator[str]:
             yield aim[0].removesuffix(".html")
 
 
-def read_pages(site: Path, shell: BeautifulSoup, wanted: Callable[[str], bool] = lambda name: True) -> list[Page]:
-    """Every page in the order of the sidebar, then those that these lead to, in the order in which they are met.
-
-    wanted: says of a name whether the page is read.
-    """
+def read_pages(site: Path, shell: BeautifulSoup) -> list[Page]:
+    """Every page in the order of the sidebar, then those that these lead to, in the order in which they are met."""
     links = [target(SHELL, link["href"]) for link in shell.select("nav.bd-docs-nav a[href]")]
     waiting = [aim[0].removesuffix(".html") for aim in links if aim]
     pages: dict[str, Page] = {}
     for name in waiting:  # it grows while it is read
-        if name not in pages and wanted(name):
+        if name not in pages:
             if not (site / f"{name}.html").is_file():
                 raise BrokenSite(f"a page links to {name}.html, which the site does not have")
             pages[name] = read_page(site, name)

@@ -6,8 +6,8 @@ from urllib.parse import unquote
 
 from bs4 import Tag
 
+from book.editions.inlined import data_address, svg_address, svg_parts
 from book.editions.pages import BrokenSite, Page, target
-from book.editions.store import Store, data_address, quoted, svg_address, svg_parts
 
 
 def picture_file(site: Path, page: str, image: Tag) -> Path:
@@ -36,19 +36,19 @@ def change(old: str, new: str) -> str:
     return f"{start} {end} {new[start : len(new) - end]}"
 
 
-def inline_pictures(site: Path, page: Page, store: Store) -> None:
+def inline_pictures(site: Path, page: Page) -> None:
     """Put every picture of a page into the file. A dark one is made of its light neighbour when it is wanted."""
     light: list[str] = []
     for image in page.article.find_all("img", src=True):
         path = picture_file(site, page.name, image)
         if path.suffix != ".svg":
-            image["src"] = store.keep(data_address(path))
+            image["src"] = data_address(path)
             continue
         parts, classes = svg_parts(path), image.get("class", [])
         changes = difference(light, parts) if "only-dark" in classes else None
         if changes is None:
-            image["src"] = store.keep(svg_address(parts))
+            image["src"] = svg_address(parts)
         else:
             del image["src"]
-            image["data-dark"] = store.keep(quoted("<".join(changes)))
+            image["data-dark"] = "<".join(changes)
         light = parts if "only-light" in classes else []

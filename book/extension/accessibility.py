@@ -2,10 +2,7 @@
 
 import re
 
-from docutils import nodes
-from sphinx.application import Sphinx
-
-from book.extension.elements import on
+from book.extension.elements import Page, on_page
 
 EMPTY_HEADING = re.compile(r'<th class="head[^"]*">(?:<p></p>)?</th>')
 
@@ -13,10 +10,10 @@ EMPTY_HEADING = re.compile(r'<th class="head[^"]*">(?:<p></p>)?</th>')
 PUNCTUATED = re.compile(r'[“‘(\[]*<span class="math notranslate nohighlight">[^<]*</span>(?:[.,;:?!)\]’”]+|[’-]\w+)')
 
 
-@on("html-page-context")
-def mend(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
+@on_page
+def mend(page: Page) -> None:
     """Make a bibliography a list, leave no heading cell empty, and keep punctuation at its formula."""
-    if "body" in context:
-        body = context["body"].replace('role="doc-biblioentry"', 'role="listitem"')
+    if body := page.context.get("body"):
+        body = body.replace('role="doc-biblioentry"', 'role="listitem"')
         body = PUNCTUATED.sub(r'<span class="unbroken">\g<0></span>', body)
-        context["body"] = EMPTY_HEADING.sub('<td class="head"></td>', body)
+        page.context["body"] = EMPTY_HEADING.sub('<td class="head"></td>', body)

@@ -8,12 +8,11 @@ Words that stand for the statement, which is then folded away with its proof. Wi
 """
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from textwrap import indent
 
 from docutils import nodes
 from markupsafe import Markup, escape
-from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book.assembly import stamps
@@ -22,39 +21,17 @@ from book.extension.elements import TEMPLATES, Filled, directive, filled, role
 from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.points import point
-from book.extension.theorems import GRADES, certificate, kind, module_and_line, proofs_of, script
+from book.extension.theorems import GRADES, Here, certificate, kind, module_and_line, script
 from verify import formal
 
 KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
-
-
-class Here:
-    """The theorems as they are named and found from the page that is being read."""
-
-    def __init__(self, env: BuildEnvironment):
-        self.env, self.proofs = env, proofs_of(env.app)
-        self.label, self.users = self.proofs.label, self.proofs.users
-
-    def page(self, name: str) -> str:
-        return "" if name == self.env.docname else self.env.app.builder.get_relative_uri(self.env.docname, name)
-
-    def card(self, id: str) -> str:
-        return f"{self.page(self.proofs.places[id].page)}#theorem-{id}"
-
-    def name(self, id: str) -> str:
-        """What a link to a theorem says."""
-        return f"{self.label(id)} ({self.proofs.theorems[id].title})"
-
-    def ordered(self, ids: Iterable[str]) -> list[str]:
-        """Theorems in the order of their numbers."""
-        return sorted(ids, key=lambda id: self.proofs.places[id].number)
 
 
 @directive("theorem", arguments=1, content=True)
 def theorem_card(here: SphinxDirective) -> list[nodes.Node]:
     book, id = Here(here.env), here.arguments[0]
     book.proofs.reached(id)
-    if (page := book.proofs.places[id].page) != here.env.docname:
+    if (page := book.proofs.places[id]) != here.env.docname:
         raise ValueError(f"{id!r} is placed on {page}, not here")
     brief, messages = here.state.inline_text(" ".join(here.content), here.lineno)
     return [card(book, id, brief), *messages]

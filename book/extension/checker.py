@@ -5,18 +5,12 @@ import re
 import unicodedata
 from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from docutils import nodes
-from sphinx.application import Sphinx
 from sympy import Symbol, latex
 
-from book.extension.elements import Filled, filled, on, raw
+from book.extension.elements import Filled, Page, filled, on_page, raw
 from book.extension.points import TEX
-from book.extension.theorems import Proofs, certificate, kind
-
-if TYPE_CHECKING:
-    from book.extension.cards import Here
+from book.extension.theorems import Here, Proofs, certificate, kind
 
 SCRIPTS = ("kernel", "worker", "polynomials", "editor", "card", "start")
 NO_SCRIPT = "To check it here takes JavaScript. The stand-alone script below takes Python, and nothing else."
@@ -29,7 +23,7 @@ WITHOUT = {
 TEX_PART = re.compile(r"\\hat\s*\{?(\w)\}?|\\([A-Za-z]+)\s?|_\{([^}]*)\}|_(\w|\\[A-Za-z]+)|([^\\_]+)")
 
 
-def check_here(book: "Here", id: str) -> Filled | str:
+def check_here(book: Here, id: str) -> Filled | str:
     """The place of a card's buttons, with the data; or why there is nothing to check."""
     path, grade = certificate(id), kind(book.proofs.entries[id]["grade"])
     if path is None:
@@ -42,7 +36,7 @@ def check_here(book: "Here", id: str) -> Filled | str:
 
 def check_all(proofs: Proofs) -> Filled:
     """The place of the button that checks everything, with all certificates."""
-    paths = [(id, certificate(id)) for id in proofs.in_page_order()]
+    paths = [(id, certificate(id)) for id in proofs.places]
     data = [{"theorem": id, "claims": stored(path)} for id, path in paths if path]
     return place(data, NO_SCRIPT_ALL)
 
@@ -122,10 +116,8 @@ def merged(parts: list[list[str]]) -> list[list[str]]:
     return [["".join(text for text, _ in group), style] for style, group in groups]
 
 
-@on("html-page-context")
-def add_scripts(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
+@on_page
+def add_scripts(page: Page) -> None:
     """Load the checker's scripts and style where a page has a place for it."""
-    if 'class="checker"' in context.get("body", ""):
-        app.add_css_file("checker/checker.css")
-        for name in SCRIPTS:
-            app.add_js_file(f"checker/{name}.js", loading_method="defer")
+    if 'class="checker"' in page.context.get("body", ""):
+        page.load(*(f"checker/{name}.js" for name in SCRIPTS), style="checker/checker.css")

@@ -17,10 +17,10 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
 from book.assembly.contents import page_files, page_title
-from book.extension.cards import Here, card
+from book.extension.cards import card
 from book.extension.checker import check_all
 from book.extension.elements import directive, filled, section
-from book.extension.theorems import CLAIMS_PAGE, GRADES, kind
+from book.extension.theorems import CLAIMS_PAGE, GRADES, Here, kind
 
 ORDER = list(GRADES)
 
@@ -39,7 +39,7 @@ def check_all_here(here: SphinxDirective) -> list[nodes.Node]:
 @directive("argued-clauses")
 def argued_clauses(here: SphinxDirective) -> list[nodes.Node]:
     book = Here(here.env)
-    ids = [id for id in book.proofs.in_page_order() if kind(book.proofs.entries[id]["shown"]) != "formal"]
+    ids = [id for id in book.proofs.places if kind(book.proofs.entries[id]["shown"]) != "formal"]
     found = [(id, clause) for id in ids for clause in book.proofs.theorems[id].argued]
     return [filled("argued_clauses", book=book, found=found)]
 
@@ -48,13 +48,13 @@ def argued_clauses(here: SphinxDirective) -> list[nodes.Node]:
 def all_theorems(here: SphinxDirective) -> list[nodes.Node]:
     book = Here(here.env)
     grades = {id: kind(entry["shown"]) for id, entry in book.proofs.entries.items()}
-    sections = {id: book.proofs.places[id].page for id in book.proofs.in_page_order()}
+    sections = book.proofs.places
     pages = page_files(Path(here.env.srcdir))
     parts = []
     for page in [page for page in pages if page in sections.values()]:
         ids = sorted((id for id in sections if sections[id] == page), key=lambda id: ORDER.index(grades[id]))
         lines = filled("claim_list", book=book, ids=ids)
         parts.append(section(page_title(Path(here.env.srcdir), page), f"theorems-{page}", lines))
-    if unplaced := [id for id in sections if book.proofs.places[id].page == CLAIMS_PAGE]:
+    if unplaced := [id for id in sections if sections[id] == CLAIMS_PAGE]:
         parts.append(section("On no other page", "on-no-other-page", *(card(book, id) for id in unplaced)))
     return parts

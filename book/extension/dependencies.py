@@ -14,8 +14,8 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 from sympy.utilities.iterables import connected_components
 
-from book.extension.cards import Here
 from book.extension.elements import Filled, directive, filled
+from book.extension.theorems import Here
 
 WIDTH, MARKS, ROW, LINE, TOP, ARC = 500, 112, 30, 17, 20, 100
 TEXT_COLUMNS = 38

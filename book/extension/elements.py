@@ -3,17 +3,19 @@
 filled("card", theorem=theorem)        # templates/card.html
 @directive("grades")                   # the function gives a directive's nodes; so does @role for a role
 @on("builder-inited")                  # the function hears an event of Sphinx's
+@on_page                               # the function is given each page before it is written
 """
 
 import re
 from collections.abc import Callable, Iterable
 from itertools import chain, count
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from docutils import nodes
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
+from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 SUBSCRIPT = re.compile(r"(?<![\w])([A-Za-zα-ωΑ-Ω])_([A-Za-z0-9α-ω])(?![\w])")
@@ -23,6 +25,22 @@ _numbers = count()
 DIRECTIVES: dict[str, type[SphinxDirective]] = {}
 ROLES: dict[str, SphinxRole] = {}
 EVENTS: list[tuple[str, Callable, int]] = []
+
+
+class Page(NamedTuple):
+    """A page that is about to be written; no document where it is made of none, such as the search's."""
+
+    app: Sphinx
+    name: str
+    context: dict[str, Any]
+    doctree: nodes.document | None
+
+    def load(self, *scripts: str, style: str | None = None) -> None:
+        """Let it load scripts, which wait for the document, and a style sheet."""
+        for script in scripts:
+            self.app.add_js_file(script, loading_method="defer")
+        if style:
+            self.app.add_css_file(style)
 
 
 class Filled(nodes.General, nodes.TextElement):
@@ -67,14 +85,15 @@ def section(title: str, id: str, *children: nodes.Node, classes: Iterable[str] =
 
 
 def typeset(text: str) -> list[nodes.Node]:
-    """A theorem's text: what is between dollars as mathematics, k_u outside them with a subscript."""
-    parts = []
-    for number, part in enumerate(re.split(r"(?<!\\)\$", text)):
-        if number % 2:
-            parts.append(nodes.math(part, part))
-        else:
-            parts += _plain(part)
-    return parts
+    """A theorem's text: what is between dollars as mathematics, k_u outside them with a subscript.
+
+    Raises ValueError for a formula that does not end, or is empty.
+    """
+    pieces = re.split(r"(?<!\\)\$", text)
+    if len(pieces) % 2 == 0 or "" in pieces[1::2]:
+        raise ValueError(f"a formula does not end: {text}")
+    found = [[nodes.math(piece, piece)] if odd % 2 else _plain(piece) for odd, piece in enumerate(pieces)]
+    return [*chain.from_iterable(found)]
 
 
 def _plain(text: str) -> list[nodes.Node]:
@@ -136,6 +155,12 @@ def on(event: str, priority: int = 500) -> Callable:
         return handler
 
     return register
+
+
+def on_page(handler: Callable[[Page], None], priority: int = 500) -> Callable:
+    """Make a function see every page before it is written; below 500, before the theme does."""
+    hear = lambda app, name, template, context, doctree: handler(Page(app, name, context, doctree))  # noqa: E731
+    return on("html-page-context", priority)(hear)
 
 
 TEMPLATES.globals.update(typeset=typeset, raw=raw, prose=prose, literal=literal)

@@ -24,7 +24,7 @@ from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
 from book.extension.elements import directive
-from book.extension.results import load_result, remark, result_file
+from book.extension.results import load_result, remark
 
 
 class PixelImage(nodes.image):
@@ -55,10 +55,10 @@ OPTIONS = {
 @directive("chapter-figure", arguments=1, content=True, **OPTIONS)
 def chapter_figure(here: SphinxDirective) -> list[nodes.Node]:
     """A drawn figure with its caption, its label and where it comes from."""
-    id, book = here.arguments[0], Path(here.env.srcdir)
+    id = here.arguments[0]
     if not here.options.get("alt", "").strip():
         raise ValueError(f"{id!r}: the option alt is required: say what the picture shows")
-    here.env.note_dependency(str(result_file(book, id)))
+    book = Path(here.env.srcdir)
     description = load_result(book, id)
     if description["kind"] == "numbers":
         raise ValueError(f"{id!r} has numbers but no picture")

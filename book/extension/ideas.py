@@ -10,10 +10,9 @@ script runs and on paper. `static/ideas/slope_is_texture.js` draws in its place 
 """
 
 from docutils import nodes
-from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
-from book.extension.elements import directive, on
+from book.extension.elements import Page, directive, on_page
 from book.extension.figures import OPTIONS, chapter_figure
 
 SHARED = ("simulator/compiled.js", "simulator/module.js", "ideas/compiled.js", "ideas/ideas.js")
@@ -28,11 +27,9 @@ def idea(here: SphinxDirective) -> list[nodes.Node]:
     return [figure]
 
 
-@on("html-page-context")
-def load_scripts(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
+@on_page
+def load_scripts(page: Page) -> None:
     """Let a page with interactives load what they need, each file once."""
-    found = [node["idea"] for node in doctree.findall(nodes.figure) if "idea" in node] if doctree else []
-    for name in [*SHARED, *(f"ideas/{id}.js" for id in found)] if found else ():
-        app.add_js_file(name, loading_method="defer")
-    if found:
-        app.add_css_file("ideas/ideas.css")
+    figures = page.doctree.findall(nodes.figure) if page.doctree else ()
+    if scripts := [f"ideas/{figure['idea']}.js" for figure in figures if "idea" in figure]:
+        page.load(*SHARED, *scripts, style="ideas/ideas.css")

@@ -22,9 +22,10 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from book import ledger
 from book.assembly import stamps
 from book.assembly.contents import page_title
-from book.extension.cards import Here, link
+from book.extension.cards import link
 from book.extension.elements import TEMPLATES, directive, filled, on, role, section
 from book.extension.ledger_evidence import number_nodes, test_address
+from book.extension.theorems import Here
 from book.ledger.check import faults_in, refutes
 from book.ledger.entries import FINDINGS, VERDICTS, BadLedger, Evidence, Ledger, LedgerClaim
 

@@ -7,18 +7,17 @@ from pathlib import Path, PurePosixPath
 from docutils import nodes
 
 from book.assembly import stamps
-from book.assembly.contents import page_files
-from book.extension.cards import Here, link
+from book.assembly.contents import placed
+from book.extension.cards import link
 from book.extension.figures import file_link
 from book.extension.listings import listing_address
 from book.extension.numbers import mark, typeset
 from book.extension.results import BENCHMARK_PREFIX
+from book.extension.theorems import Here
 from book.ledger.check import refutes
 from book.ledger.entries import WORDS, Evidence
 from book.ledger.relations import relation
 from book.ledger.run import tests_in
-
-PLACED_FIGURE = re.compile(r"\{chapter-figure\}\s+(\w+)")
 
 
 def number_nodes(book: Here, piece: Evidence) -> list[nodes.Node]:
@@ -57,11 +56,7 @@ def _place_of_number(book: Here, name: str) -> nodes.Node:
 @cache
 def figure_pages(book: Path) -> dict[str, str]:
     """The page on which each figure is placed."""
-    pages = {}
-    for page, path in page_files(book).items():
-        for figure in PLACED_FIGURE.findall(path.read_text(encoding="utf-8")):
-            pages[figure] = page
-    return pages
+    return dict(placed(book, "chapter-figure"))
 
 
 def test_address(node: str) -> str:

@@ -14,7 +14,6 @@ from pathlib import Path, PurePosixPath
 
 from docutils import nodes
 from sphinx.application import Sphinx
-from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.parallel import ParallelTasks, SerialTasks
 
@@ -88,29 +87,28 @@ def write_downloads(app: Sphinx) -> None:
             (folder / f"{id}.py").write_text(text, encoding="utf-8")
 
 
-def source_file(env: BuildEnvironment, name: str) -> Path:
-    """A file of the repository, on which the page that is being read depends; ValueError if there is none."""
+def source_file(name: str) -> Path:
+    """A file of the repository; ValueError if there is none."""
     path = stamps.ROOT / name
     if not path.is_file():
         raise ValueError(f"there is no file {name}")
-    env.note_dependency(str(path))
     return path
 
 
 @role("source-lines")
 def source_lines(here: SphinxRole) -> list[nodes.Node]:
-    lines = source_file(here.env, here.text).read_text(encoding="utf-8").splitlines()
+    lines = source_file(here.text).read_text(encoding="utf-8").splitlines()
     return [nodes.inline("", str(len(lines)), classes=["number"])]
 
 
 @role("source-link")
 def source_link(here: SphinxRole) -> list[nodes.Node]:
-    source_file(here.env, here.text)
+    source_file(here.text)
     target = listing_address(PurePosixPath(here.text))
     return [nodes.reference("", "", nodes.literal("", here.text), refuri=target, internal=True)]
 
 
 @directive("docstring", arguments=1)
 def docstring(here: SphinxDirective) -> list[nodes.Node]:
-    text = ast.get_docstring(ast.parse(source_file(here.env, here.arguments[0]).read_text(encoding="utf-8")))
+    text = ast.get_docstring(ast.parse(source_file(here.arguments[0]).read_text(encoding="utf-8")))
     return [nodes.literal_block(text, text, language="none", classes=["docstring"])]

@@ -9,15 +9,15 @@ notebook from a branch, so that it has to be the one that the site is published 
 
 import base64
 import re
+from functools import partial
 from pathlib import Path
 
 import yaml
 from docutils import nodes
-from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from book.assembly import stamps
-from book.extension.elements import directive, filled, on
+from book.extension.elements import Page, directive, filled, on_page
 from book.notebooks import WHOLE
 
 FOLDER = "_downloads/notebooks"
@@ -42,49 +42,44 @@ def notebook_links(here: SphinxDirective) -> list[nodes.Node]:
     titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all eight cells"}
     if name not in titles:
         raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
-    config = Path(here.env.srcdir) / "_config.yml"
-    here.env.note_dependency(str(config))
+    config = Path(here.env.srcdir, "_config.yml").read_text(encoding="utf-8")
     words = "notebook of all eight cells" if name == WHOLE else "notebook"
-    colab = colab_address(yaml.safe_load(config.read_text(encoding="utf-8")), name)
+    colab = colab_address(yaml.safe_load(config), name)
     text = base64.b64encode(text_of(notebooks()[name]).encode()).decode()
     address = f"data:application/x-ipynb+json;base64,{text}"  # it is saved from a disk too, where a file is shown
     link = {"address": address, "file": f"{name}.ipynb", "words": words, "title": titles[name], "colab": colab}
     return [filled("notebook_links", **link)]
 
 
-@on("html-page-context", priority=400)
-def offer_notebooks(
-    app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None
-) -> None:
+@partial(on_page, priority=400)
+def offer_notebooks(page: Page) -> None:
     """Write the notebooks, which Colab opens from the site; the theme lists that of all cells in its download menu."""
     from book.notebooks.notebook import notebooks, text_of
 
-    if doctree is None or not _has_cells(doctree):
+    if not _has_cells(page):
         return
-    out = Path(app.outdir)
+    out = Path(page.app.outdir)
     for name, notebook in notebooks().items():
         stamps.write_whole(out / FOLDER / f"{name}.ipynb", text_of(notebook).encode())
-    stamps.write_whole(out / "_sources" / f"{pagename}.ipynb", (out / FOLDER / f"{WHOLE}.ipynb").read_bytes())
-    context["ipynb_source"] = f"{pagename}.ipynb"
+    stamps.write_whole(out / "_sources" / f"{page.name}.ipynb", (out / FOLDER / f"{WHOLE}.ipynb").read_bytes())
+    page.context["ipynb_source"] = f"{page.name}.ipynb"
 
 
-@on("html-page-context")
-def fold_scenes(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
+@on_page
+def fold_scenes(page: Page) -> None:
     """Fold the lines that a cell shares with the first one: the scene, which is the same."""
     from book.notebooks.laboratory import PAGE
     from book.notebooks.printed import SCENE
 
-    if doctree is None or not _has_cells(doctree) or PAGE.stem != pagename.rpartition("/")[2]:
-        return
-    length = SCENE.findall(PAGE.read_text(encoding="utf-8"))[0].rstrip().count("\n")
-    scene = re.compile(rf'<span class="c1"># The scene of §2(?:[^\n]*\n){{{length}}}[^\n]*\n')
-    shown = iter([True])
-
-    def folded(match: re.Match) -> str:
-        return match[0] if next(shown, False) else f"<details>{SUMMARY}{match[0]}</details>"
-
-    context["body"] = scene.sub(folded, context["body"])
+    if page.name == PAGE.stem and _has_cells(page):
+        length = SCENE.findall(PAGE.read_text(encoding="utf-8"))[0].rstrip().count("\n")
+        scene = re.compile(rf'<span class="c1"># The scene of §2(?:[^\n]*\n){{{length}}}[^\n]*\n')
+        body = page.context["body"]
+        first = scene.search(body).end()
+        folded = scene.sub(rf"<details>{SUMMARY}\g<0></details>", body[first:])
+        page.context["body"] = body[:first] + folded
 
 
-def _has_cells(doctree) -> bool:
-    return any(node.get("nb_element") == "cell_code" for node in doctree.findall(nodes.container))
+def _has_cells(page: Page) -> bool:
+    containers = page.doctree.findall(nodes.container) if page.doctree else ()
+    return any(node.get("nb_element") == "cell_code" for node in containers)

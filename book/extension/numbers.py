@@ -20,7 +20,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book.extension.elements import TEMPLATES, directive, on, role
-from book.extension.results import BENCHMARK_PREFIX, UnknownResult, load_result, look_up, remark, result_file
+from book.extension.results import BENCHMARK_PREFIX, UnknownResult, load_result, look_up, remark
 
 SYNTAX = re.compile(r"(?P<id>(?:bench:)?\w+)\.(?P<key>[^\s|]+)(?:\s*[|\s]\s*(?P<format>\S+))?")
 E_NOTATION = re.compile(r"(?P<mantissa>[+-]?\d+(?:\.\d+)?)e(?P<exponent>[+-]\d+)")
@@ -88,7 +88,6 @@ def explain_marks(app: Sphinx, document: nodes.document) -> None:
 def number(here: SphinxRole) -> list[nodes.Node]:
     """One number of a result, on one line, or one of its words."""
     book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
-    here.env.note_dependency(str(result_file(book, id)))
     value = look_up(book, id, key)
     if isinstance(value, str):
         return [nodes.inline(here.rawtext, "", *typeset(value, spec))]
@@ -99,7 +98,6 @@ def number(here: SphinxRole) -> list[nodes.Node]:
 def spread(here: SphinxRole) -> list[nodes.Node]:
     """The quartiles of a measured number."""
     book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
-    here.env.note_dependency(str(result_file(book, id)))
     look_up(book, id, key)
     kept = load_result(book, id)["numbers"]
     if f"{key}_low" not in kept:
@@ -110,9 +108,7 @@ def spread(here: SphinxRole) -> list[nodes.Node]:
 
 @directive("benchmark-label", arguments=1)
 def benchmark_label(here: SphinxDirective) -> list[nodes.Node]:
-    book, name = Path(here.env.srcdir), here.arguments[0]
-    here.env.note_dependency(str(result_file(book, f"{BENCHMARK_PREFIX}{name}")))
-    return [nodes.paragraph("", measured(book, name), classes=["benchmark-label"])]
+    return [nodes.paragraph("", measured(Path(here.env.srcdir), here.arguments[0]), classes=["benchmark-label"])]
 
 
 TEMPLATES.globals.update(number=typeset)

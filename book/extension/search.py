@@ -8,7 +8,7 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.application import Sphinx
 
-from book.extension.elements import Filled, on
+from book.extension.elements import Filled, Page, on, on_page
 
 BREAK, BLOCK = "\0", re.compile(r"\s*</?(?:div|li|p|section|summary)\b")
 RAISED = str.maketrans("0123456789−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
@@ -52,9 +52,8 @@ def write_texts(app: Sphinx, error: Exception | None) -> None:
         place.write_text(f"var SearchText = {text};\n", encoding="utf-8")
 
 
-@on("html-page-context")
-def add_scripts(app: Sphinx, pagename: str, templatename: str, context: dict, doctree: nodes.document | None) -> None:
+@on_page
+def add_scripts(page: Page) -> None:
     """Load the texts, and what shows them, on the page of the search alone; its formulas are typeset."""
-    if pagename == "search":
-        for name in (app.config.mathjax_path, *SCRIPTS):
-            app.add_js_file(name, loading_method="defer")
+    if page.name == "search":
+        page.load(page.app.config.mathjax_path, *SCRIPTS)

@@ -1,21 +1,23 @@
 """What the book knows of the theorems: the checked objects, their last run, and which page places which."""
 
 import re
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
 from pathlib import Path
 
 from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 
 from book.assembly import report, stamps
-from book.assembly.contents import page_files
+from book.assembly.contents import placed
 from proofs.engine.standalone import standalone_script
 from proofs.engine.theorem import Theorem, all_theorems
 from verify import formal
 
-PLACED = re.compile(r"^\s*(?::{3,}|`{3,})\{theorem\}\s+(\S+)\s*$", re.MULTILINE)
 CLAIMS_PAGE = "findings"
+THEOREMS = stamps.ROOT / "proofs" / "theorems"
 GRADES = {  # shape, letter and meaning of each, in the order of the page of findings
     "formal": ("■", "F", "stated over the printed formulas clause for clause, accepted by Coq's kernel; also proved"),
     "proved": ("●", "P", "two checkers accepted a certificate, the samples agree, the false variants were refuted"),
@@ -29,39 +31,28 @@ GRADES = {  # shape, letter and meaning of each, in the order of the page of fin
 }
 
 
-@dataclass(frozen=True)
-class Placement:
-    """The page that has a theorem's card, and its number in the order of the pages."""
-
-    page: str
-    number: int
-
-
 def kind(grade: str) -> str:
     """The grade without its conditions, as one word: "proved given cited" is a kind of proved."""
     return grade.removeprefix("by ").split()[0]
 
 
-def placements(book: Path, ids: list[str]) -> dict[str, Placement]:
-    """Where every theorem stands: in page order; those that no page places follow on the page of findings."""
-    found: dict[str, Placement] = {}
-    for page, path in page_files(book).items():
-        for id in PLACED.findall(path.read_text(encoding="utf-8")):
-            if id in found:
-                raise ValueError(f"{id!r} is placed twice, on {found[id].page} and on {page}")
-            found[id] = Placement(page, len(found) + 1)
-    for id in ids:
-        found.setdefault(id, Placement(CLAIMS_PAGE, len(found) + 1))
-    return found
+def placements(book: Path, ids: Iterable[str]) -> dict[str, str]:
+    """The page of every theorem, in page order; those that no page places follow on the page of findings."""
+    found: dict[str, str] = {}
+    for id, page in placed(book, "theorem"):
+        if id in found:
+            raise ValueError(f"{id!r} is placed twice, on {found[id]} and on {page}")
+        found[id] = page
+    return found | {id: CLAIMS_PAGE for id in ids if id not in found}
 
 
 @dataclass(frozen=True)
 class Proofs:
-    """The theorems with their reports and places; by id."""
+    """The theorems, their reports, and their pages in the order of their numbers; by id."""
 
     theorems: dict[str, Theorem]
     entries: dict[str, dict]
-    places: dict[str, Placement]
+    places: dict[str, str]
 
     def reached(self, id: str) -> None:
         """ValueError unless the theorem is known, and its last run gave the grade that it expects."""
@@ -74,13 +65,10 @@ class Proofs:
     def label(self, id: str) -> str:
         """The name by which pages call it: "Theorem 3", or "Claim 4" if it is not proved."""
         word = "Theorem" if kind(self.entries[id]["grade"]) in ("proved", "argued") else "Claim"
-        return f"{word} {self.places[id].number}"
+        return f"{word} {list(self.places).index(id) + 1}"
 
     def users(self, id: str) -> list[str]:
         return [other for other, theorem in self.theorems.items() if id in theorem.uses]
-
-    def in_page_order(self) -> list[str]:
-        return sorted(self.theorems, key=lambda id: self.places[id].number)
 
 
 def load(book: Path) -> Proofs:
@@ -94,7 +82,7 @@ def load(book: Path) -> Proofs:
         entry["formal"] = accepted.get(id)
         whole = entry["formal"] and id not in formal.PARTLY and entry["grade"] in ("proved", "argued")
         entry["shown"] = "formal" if whole else entry["grade"]
-    return Proofs(theorems, entries, placements(book, list(theorems)))
+    return Proofs(theorems, entries, placements(book, theorems))
 
 
 def proofs_of(app: Sphinx) -> Proofs:
@@ -104,18 +92,37 @@ def proofs_of(app: Sphinx) -> Proofs:
     return app.chapter_proofs
 
 
+class Here:
+    """The theorems as they are named and found from the page that is being read."""
+
+    def __init__(self, env: BuildEnvironment):
+        self.env, self.proofs = env, proofs_of(env.app)
+        self.label, self.users = self.proofs.label, self.proofs.users
+
+    def page(self, name: str) -> str:
+        return "" if name == self.env.docname else self.env.app.builder.get_relative_uri(self.env.docname, name)
+
+    def card(self, id: str) -> str:
+        return f"{self.page(self.proofs.places[id])}#theorem-{id}"
+
+    def name(self, id: str) -> str:
+        """What a link to a theorem says."""
+        return f"{self.label(id)} ({self.proofs.theorems[id].title})"
+
+    def ordered(self, ids: Collection[str]) -> list[str]:
+        """Theorems in the order of their numbers."""
+        return [id for id in self.proofs.places if id in ids]
+
+
 def module_and_line(id: str) -> tuple[Path, int]:
-    """The file that declares a theorem, and the line that names it."""
-    paths = sorted((stamps.ROOT / "proofs" / "theorems").glob("*.py"))
-    for path in paths:
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+    """The file that declares a theorem, and the line before the one that names it."""
+    modules = {path: import_module(f"proofs.theorems.{path.stem}") for path in sorted(THEOREMS.glob("[!_]*.py"))}
+    for path in modules:
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines()):
             if re.search(rf"\bid=[\"']{id}[\"']", line):
-                return path, max(1, number - 1)
-    for path in paths:  # its id is computed: the first module that holds it
-        held = vars(import_module(f"proofs.theorems.{path.stem}")).values() if path.stem != "__init__" else ()
-        if any(isinstance(value, Theorem) and value.id == id for value in held):
-            return path, 1
-    raise ValueError(f"no file of proofs/theorems declares {id!r}")
+                return path, max(1, number)
+    held = [path for path in modules if id in [getattr(value, "id", "") for value in vars(modules[path]).values()]]
+    return held[0], 1  # its id is computed
 
 
 def certificate(id: str) -> Path | None:

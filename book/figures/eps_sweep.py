@@ -7,6 +7,7 @@ import numpy as np
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import DASHED, DOTTED, SHORT, SOLID, curve, decades, label_line_end, plot, slope_triangle
 from book.figures.chapter_scene import FIELD_NAMES, SIZE, numeric, symbolic
+from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, central, render
 from renderer.picture.facts import flat_difference, flips_everywhere, pixels_near_the_pole
 from renderer.picture.sweep import DECADES, difference_on_a, records, rms, sweep
@@ -50,7 +51,7 @@ def image_error() -> Drawing:
         curve(ax, STEPS, errors["largest"], "difference", linewidth=1.5)
         curve(ax, STEPS, errors["rms"], "difference", linewidth=1.2, linestyle=SHORT)
         decades(ax, 4, 4, ylim=(1e-14, 10), title=field, xlabel="step ε")
-        if field != "ridges":
+        if not HEIGHT_FIELDS[field].creases:
             slope_triangle(ax, 3e-4, 1e-8, 2)
     axes[0].set_ylabel("error on A")
     label_line_end(axes[0], STEPS[40], data["sine"]["largest"][40] * 3, "largest", "difference", "above")

@@ -40,7 +40,7 @@ def frontier_wall() -> Drawing:
             data[field][kind] = {"largest": largest, "rms": rms}
             orders = {"order": wall.order(largest), "rms_order": wall.order(rms)}
             numbers[field][kind] = orders | dict(zip(wall.TEXELS, largest, strict=True))
-            if field == "sine":
+            if ax is axes[0]:
                 label_line_end(ax, texels[0], largest[0], kind, "difference", "above")
         decades(ax, 1, 2, xlim=(20, 1000), title=field, xlabel="texels across")
     axes[0].set_ylabel("error of $h_u$")

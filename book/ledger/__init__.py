@@ -9,10 +9,10 @@ A claim is one `[[claim]]` table in any file of `book/ledger/claims/`:
     findings = ["F17"]                         # codes of findings.toml; may be left out
     verdict = "holds"                          # one of VERDICTS
     evidence = [
-      { theorem = "bump_moves_no_boundary", grade = "proved" },    # the grade that the last run must have given it
-      { number = "eps_table.flips", is = "== 0" },                 # a figure's number, or "bench:NAME.key"
-      { test = "verify/test_chambers.py::test_no_pixel_flips" }, # must exist
-      { source = "Blinn1978" },                                    # a key of references.bib
+      { theorem = "bump_moves_no_boundary" },    # the last run must have given it the grade that it expects
+      { number = "eps_table.flips", is = "== 0" },    # a figure's number, or "bench:NAME.key"
+      { test = "verify/test_chambers.py::test_no_pixel_flips" },    # must exist
+      { source = "Blinn1978" },    # a key of references.bib
     ]
     so = "No pixel changed chamber in {number}`eps_table.frames` frames."     # one sentence: what is so, in MyST
     merit = "{number}`eps_table.flips` flips"  # the figure of merit; needed if a number is evidence

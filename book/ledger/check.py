@@ -13,12 +13,13 @@ THEOREM_ROLE = re.compile(r"\{theorem-ref\}`([^`|]+)")
 
 @dataclass(frozen=True)
 class Run:
-    """What a run has found: grades of theorems by id, pages, bibliography keys; and two questions.
+    """What a run has found: grades of theorems by id, and those expected; pages, bibliography keys; and two questions.
 
     number: the value of "figure.key", or ValueError. test: whether a node id "file.py::name" exists.
     """
 
     grades: dict[str, str]
+    expected: dict[str, str]
     pages: frozenset[str]
     sources: frozenset[str]
     number: Callable[[str], Any]
@@ -36,7 +37,7 @@ def refutes(piece: Evidence, run: Run) -> bool:
     if piece.kind == "number":
         return bool(piece.claimed) and not relation(piece.claimed).holds(run.number(piece.name))
     if piece.refutes is None:
-        return piece.kind == "theorem" and piece.wants == "refuted"
+        return piece.kind == "theorem" and run.grades[piece.name] == "refuted"
     return piece.refutes
 
 
@@ -63,8 +64,8 @@ def _odd(piece: Evidence, run: Run) -> str:
         return "" if piece.name in run.sources else "source: the bibliography has no such key"
     if piece.name not in run.grades:
         return "theorem: no theorem has this id"
-    grade = run.grades[piece.name]
-    return "" if grade == piece.wants else f"grade: {piece.wants} is expected, the run made it {grade}"
+    grade, expected = run.grades[piece.name], run.expected[piece.name]
+    return "" if grade == expected else f"grade: {expected} is expected, the run made it {grade}"
 
 
 def _odd_number(name: str, wants: str | None, run: Run) -> str:

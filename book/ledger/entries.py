@@ -33,7 +33,7 @@ class BadLedger(ValueError):
 
 @dataclass(frozen=True)
 class Evidence:
-    """One piece: `kind` is theorem, number, test or source, `name` its id; `wants` the grade or the relation.
+    """One piece: `kind` is theorem, number, test or source, `name` its id; `wants` a number's relation.
 
     claimed: the relation that the claim's words give a number ("" for none). refutes: what the entry says, or None.
     """
@@ -136,5 +136,4 @@ def _claim(table: dict) -> LedgerClaim:
 
 def _evidence(piece: dict) -> Evidence:
     kind = next(kind for kind in KINDS if kind in piece)
-    wants = piece.get("grade", piece.get("is", ""))
-    return Evidence(kind, piece[kind], wants, piece.get("claimed", ""), piece.get("refutes"))
+    return Evidence(kind, piece[kind], piece.get("is", ""), piece.get("claimed", ""), piece.get("refutes"))

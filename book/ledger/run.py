@@ -9,7 +9,6 @@ from book.assembly import report, stamps
 from book.assembly.contents import page_files
 from book.extension.numbers import parse
 from book.extension.results import look_up
-from book.extension.theorems import kind
 from book.ledger.check import Run
 
 KEY = re.compile(r"^@\w+\{\s*([^,\s]+)\s*,", re.MULTILINE)
@@ -17,9 +16,10 @@ KEY = re.compile(r"^@\w+\{\s*([^,\s]+)\s*,", re.MULTILINE)
 
 def last_run(root: Path = stamps.ROOT) -> Run:
     """The last run over the sources as they are; raises report.NoReport where there is none."""
-    book = root / "book"
+    book, entries = root / "book", report.load()
     return Run(
-        grades={id: kind(entry["grade"]) for id, entry in report.load().items()},
+        grades={id: entry["grade"] for id, entry in entries.items()},
+        expected={id: entry["expected"] for id, entry in entries.items()},
         pages=frozenset(page_files(book)),
         sources=frozenset(KEY.findall((book / "references.bib").read_text(encoding="utf-8"))),
         number=lambda name: look_up(book, *parse(name)[:2]),

@@ -19,7 +19,7 @@ from proofs.formulas import bump, displacement, image_derivative, shading
 from proofs.formulas.chart import chart, chart_inverse
 from proofs.formulas.finite_difference import central
 from proofs.formulas.half_turns import ordinary
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient, height
+from proofs.formulas.height_fields import HEIGHT_FIELDS, AnyField, gradient, height
 from proofs.formulas.symbols import u, v
 from proofs.formulas.tangent_frame import seed_frame, tangent_frame
 
@@ -121,7 +121,7 @@ def function(name: str, program: Program) -> str:
     return "\n".join("\n".join(wrap(line, WIDTH, subsequent_indent=" " * 8)) for line in text)
 
 
-_any = HeightField("any", Function("height")(u, v))
+_any = AnyField("any", Function("height")(u, v))
 _lit = chain(
     "red_and_its_derivative",
     bump.normal_by_beta,

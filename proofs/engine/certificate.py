@@ -1,7 +1,7 @@
 """Certificates: made by the search, stored as JSON beside the theorems, compared with what the formulas say now.
 
-`python -m proofs.engine.certificate [ID …]` finds the certificates of the named theorems (default: of those whose
-stored ones are missing or stale; --all: of all) and writes them. Nothing here is trusted.
+`python -m proofs.engine.certificate [ID …]` finds anew what is missing or stale, of the named theorems or of all, and
+leaves the rest alone; with --all it finds every certificate anew. Nothing here is trusted.
 
 Format, version 1 (JSON). A polynomial is {"x^2 y": "-3/2", "": "1"}: names (no blank, no ^), powers, exact rationals.
 A statement has a `kind`. A "derivation" has `variables` (all real numbers, unless a step says more) and `steps`, each
@@ -46,7 +46,6 @@ writes it: proofs/certificates.schema.json has the grammar.
 """
 
 import sys
-from contextlib import suppress
 from fractions import Fraction
 
 from sympy import sympify
@@ -95,26 +94,39 @@ def wrong_with(found: Found) -> list[str]:
     return [f"{claim.name}: {why}" for claim, cases in found for why in reasons(cases) if why]
 
 
+def _is_stale(theorem, theorems):
+    try:
+        return bool(wrong_with(stored(theorem, theorems)))
+    except (Stale, NotFound):
+        return True
+
+
 def main(arguments: list[str]) -> int:
     """Find and write certificates; return 0 if all were found and the kernel accepts them."""
+    from tqdm import tqdm  # not above: who calls `prove` may have no more than four packages
+
     theorems, failed = all_theorems(), False
-    named = [a for a in arguments if a != "--all"]
-    for id in named or [id for id, theorem in theorems.items() if theorem.claims]:
+    named = [a for a in arguments if a != "--all"] or [id for id, theorem in theorems.items() if theorem.claims]
+    if unknown := {*named} - {*theorems}:
+        print(f"there is no theorem {', '.join(sorted(unknown))}")
+        return 2
+    for id in tqdm(named, unit="theorem", leave=False, disable=None):
         theorem = theorems[id]
-        with suppress(Stale, NotFound):
-            if "--all" not in arguments and not wrong_with(stored(theorem, theorems)):
-                continue
+        if "--all" not in arguments and not _is_stale(theorem, theorems):
+            continue
         try:
             found = evidence(theorem, theorems, prove)
             wrong = wrong_with(found)
         except NotFound as error:
             wrong = [str(error)]
         if wrong:
-            print(f"{id}: {'; '.join(wrong)}")
+            tqdm.write(f"{id}: {'; '.join(wrong)}")
             failed = True
             continue
-        path_of(theorem).write_text(text(theorem, found), encoding="utf-8")
-        print(f"{id}: {sum(len(cases) for _, cases in found)} statements")
+        unfinished = path_of(theorem).with_suffix(".unfinished")
+        unfinished.write_text(text(theorem, found), encoding="utf-8")
+        unfinished.replace(path_of(theorem))
+        tqdm.write(f"{id}: {sum(len(cases) for _, cases in found)} statements")
     return int(failed)
 
 

@@ -4,12 +4,14 @@
 library alone. It prints what was checked, and exits with 1 where the kernel rejects something.
 """
 
+import argparse
 import inspect
 import json
 import sys
 import textwrap
 
 from proofs import check
+from proofs.check import verdicts
 from proofs.engine import kernel
 from proofs.engine.stored import path_of
 from proofs.engine.theorem import all_theorems
@@ -21,13 +23,19 @@ SCRIPT = '''#!/usr/bin/env python3
 
 {kernel}
 
-# 2. That hypotheses can hold, and what a file of certificates looks like: from proofs/check.py, as it stands.
+# 2. That hypotheses can hold, and what a file of certificates looks like: proofs/check.py, as it stands. The lines
+# before it let it import the kernel above, and keep its own command from running.
 
-import hashlib
-import json
 import sys
+import types
 
-{checks}
+sys.modules["proofs.engine"] = types.ModuleType("proofs.engine")
+sys.modules["proofs.engine"].kernel = sys.modules[__name__]
+this_script, __name__ = __name__, "proofs.check"
+
+{check}
+
+__name__ = this_script
 
 # 3. The statement, as polynomials, its certificate, as the search found it, and a point where its hypotheses hold;
 # proofs/engine/certificate.py has the format.
@@ -45,7 +53,7 @@ if __name__ == "__main__":
 
 def run(text: str, theorem: str, given: str = "") -> int:
     """Check every statement of a certificate file's text; print what was checked; return 0, or 1 on a rejection."""
-    found, kinds = check.verdicts(text, theorem), set()
+    found = verdicts(text, theorem)
     for claim, why in found:
         print(f"{claim}: {'accepted' if why is None else f'REJECTED: {why}'}")
     if rejected := any(why is not None for _, why in found) or not found:
@@ -69,19 +77,12 @@ def standalone_script(theorem_id: str) -> str:
     return SCRIPT.format(
         header=_header(theorem),
         kernel=inspect.getsource(kernel).strip(),
-        checks=_checks(),
+        check=inspect.getsource(check).strip(),
         data=path_of(theorem).read_text(encoding="utf-8"),
         id=theorem_id,
         given=", ".join(dict.fromkeys([*borrowed, *cited])),
-        run=inspect.getsource(run).strip().replace("check.verdicts", "verdicts"),
+        run=inspect.getsource(run).strip(),
     )
-
-
-def _checks():
-    """Return what a script needs of `proofs.check`: its code without what it imports, and without the command."""
-    code = inspect.getsource(check)
-    code = code[code.index("ABSURD =") : code.index("def main")].strip()
-    return code.replace("kernel.", "").replace("Callable", "object")
 
 
 def _header(theorem):
@@ -102,16 +103,12 @@ def _header(theorem):
     return f'r"""{text}\n"""'
 
 
-def main(arguments: list[str]) -> int:
-    """Write the named theorem's script to standard output."""
-    if len(arguments) != 1 or arguments[0] not in all_theorems():
-        print(
-            f"usage: python -m proofs.engine.standalone ID, with one of: {', '.join(all_theorems())}", file=sys.stderr
-        )
-        return 2
-    sys.stdout.buffer.write(standalone_script(arguments[0]).encode())
-    return 0
+def main(arguments: list[str] | None = None) -> None:
+    """Write the named theorem's script to standard output; an unknown name is a usage error."""
+    parser = argparse.ArgumentParser(prog="python -m proofs.engine.standalone", description=__doc__)
+    parser.add_argument("id", metavar="ID", choices=all_theorems(), help="the theorem")
+    sys.stdout.buffer.write(standalone_script(parser.parse_args(arguments).id).encode())
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    main()

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from proofs.check import FOLDER, contradiction, digest, parsed, read
+from proofs.check import FOLDER, contradiction, digest, parsed, text_of
 from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
 from proofs.engine.counterexample import refutation
 from proofs.engine.statement import VERSION, Untranslatable, derivations, induction
@@ -77,7 +77,7 @@ def stored(theorem: Theorem, theorems: Theorems) -> Found:
     if not path.exists():
         raise Stale(f"{theorem.id} has no stored certificate: run python -m proofs.engine.certificate {theorem.id}")
     try:
-        entries = {entry["claim"]: entry["statements"] for entry in parsed(read(path), theorem.id)}
+        entries = {entry["claim"]: entry["statements"] for entry in parsed(text_of(path), theorem.id)}
     except ValueError as error:
         raise Stale(f"{theorem.id}: of its stored certificates: {error}") from None
     result = []

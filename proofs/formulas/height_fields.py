@@ -1,58 +1,147 @@
-"""The height fields h(u, v). A field is data: add an entry here, and its gradient, its kernels, the scene's and the
-command line's choices and the book's tables follow from it.
+"""The height fields h(u, v). A field is its expression: add an entry here, and its gradient, its creases, its kernels,
+the scene's and the command line's choices and the book's tables follow from it.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
 
-from sympy import Abs, Expr, diff, sqrt
+from mpmath import iv
+from sympy import (
+    Abs,
+    DiracDelta,
+    Dummy,
+    Expr,
+    Heaviside,
+    Mul,
+    Piecewise,
+    Rational,
+    S,
+    cancel,
+    denom,
+    diff,
+    ordered,
+    sign,
+    sqrt,
+)
+from sympy.core.relational import Relational
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import cospi, sinpi
+from proofs.formulas.ranges import enclosure
+from proofs.formulas.registry import by_name, check_name, not_allowed
 from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, real, u, v
 
 sin_u, cos_u, sin_v, cos_v = real("sin_u cos_u sin_v cos_v")
+CHART = dict.fromkeys((u, v), iv.mpf([0, 1])) | dict.fromkeys((k_u, k_v), iv.mpf([-64, 64]))
+"""Where an entry and its slopes have to be finite: the chart, and wave numbers up to `MAX_WAVE_NUMBER`."""
+LARGEST = 2.0**1000  # a larger number may be no float64
+PERIODIC = [{v: Rational(n, 7), k_u: 2 * n, k_v: n} for n in (1, 3, 6)]
+"""Where an entry has to be at u = 1 what it is at u = 0, unless it has a seam: k_u is even, k_v whole."""
+
+
+def _is_straight(factor):
+    return isinstance(factor, sinpi) and not any(diff(factor.args[0], c).has(u, v) for c in (u, v))
 
 
 @dataclass(frozen=True)
 class HeightField:
-    """One height field.
+    """One height field; what is said of it is derived from its expression.
 
-    name: identifier. expression: h in u, v, k_u, k_v. creases: the factors sinpi(w), w linear in u and v, whose
-    zeros are the field's creases. wave_numbers: (a, b) if h depends on u and v through the sine and cosine of
-    πa u and πb v alone (0 where it does not depend on that coordinate): the algebraic form; else None.
+    name: identifier. expression: h in u, v, k_u, k_v. seam: whether h may differ at u = 0 and u = 1 where k_u is even
+    and k_v whole. Raises ValueError where the name or the expression is not allowed, or the creases are not known.
     """
 
     name: str
     expression: Expr
-    creases: tuple[Expr, ...] = ()
-    wave_numbers: tuple[Expr, Expr] | None = None
+    seam: bool = False
+
+    def __post_init__(self):
+        check_name(self.name)
+        for formula in (self.expression, *self.gradient()):
+            try:
+                size = abs(enclosure(formula, CHART)).b
+            except ValueError as error:
+                raise self._refused(f"{error}") from None
+            if not size < LARGEST:
+                raise self._refused(f"on the chart {formula} is not shown to be finite")
+        for at in () if self.seam else PERIODIC:
+            first, last = (float(self.expression.subs(at | {u: end})) for end in (0, 1))
+            if not abs(first - last) < 1e-12:
+                raise self._refused(f"it is {first:.3g} at u = 0 and {last:.3g} at u = 1, {at}, without seam=True")
+        self.creases  # noqa: B018  (refused where they are not known)
+
+    def _refused(self, why):
+        return not_allowed("expression", self.expression, why)
 
     def gradient(self) -> tuple[Expr, Expr]:
         """Return (∂h/∂u, ∂h/∂v) by differentiation; valid off the creases, with sign 0 = 0 on them."""
-        return tuple(diff(self.expression, coordinate) for coordinate in (u, v))
+        slopes = (diff(self.expression, coordinate) for coordinate in (u, v))
+        without_jumps = (slope.replace(DiracDelta, lambda *_: S.Zero) for slope in slopes)
+        return tuple(s.replace(Heaviside, lambda x, _: (1 + sign(x)) / 2) for s in without_jumps)
+
+    @property
+    def depends_on_u(self) -> bool:
+        """Whether h depends on u."""
+        return self.expression.has(u)
+
+    @cached_property
+    def creases(self) -> tuple[Expr, ...]:
+        """The factors sinpi(w), w linear in u and v, at whose zeros a slope of h jumps, or h itself.
+
+        Raises ValueError where one may jump elsewhere.
+        """
+        whole = self.expression.replace(cospi, lambda w: sinpi(w + Rational(1, 2))).rewrite(Piecewise)
+        found = []
+        for choice in ordered(whole.atoms(Piecewise)):
+            zeros = {relation.lhs - relation.rhs for relation in choice.atoms(Relational)}
+            factors = {part.as_base_exp()[0] for zero in zeros for part in Mul.make_args(zero)}
+            for (one, _), (other, _) in combinations(choice.args, 2):
+                apart = whole.xreplace({choice: one}) - whole.xreplace({choice: other})
+                jumps = [f for f in ordered(factors) if denom(cancel(apart / f**2)).has(u, v)]  # elsewhere slopes agree
+                if jumps and (len(zeros) > 1 or apart.has(Piecewise) or not all(map(_is_straight, jumps))):
+                    known = "creases have to be where sinpi or cospi of a u + b v + c is 0, whatever else holds"
+                    raise self._refused(f"{known}; one may be where {jumps[0]} = 0")
+                found += jumps
+        return tuple(dict.fromkeys(found))
+
+    @cached_property
+    def wave_numbers(self) -> tuple[Expr, Expr] | None:
+        """(a, b) if h depends on u and v through the sine and cosine of πa u and πb v alone, else None.
+
+        0 where it does not depend on that coordinate. What has them has the algebraic form.
+        """
+        waves = self.expression.atoms(sinpi, cospi)
+        rates = [{wave.args[0] / c for wave in waves if wave.has(c)} for c in (u, v)]
+        if self.expression.xreplace({wave: Dummy() for wave in waves}).has(u, v) or max(map(len, rates)) > 1:
+            return None
+        found = tuple(rate.pop() if rate else S.Zero for rate in rates)
+        return None if any(rate.has(u, v) for rate in found) else found
+
+
+class AnyField(HeightField):
+    """A field of which nothing is known: its expression may call a function that stands for any."""
+
+    def __post_init__(self):
+        pass
 
 
 _product = sinpi(k_u * u) * sinpi(k_v * v)
 
-HEIGHT_FIELDS = {
-    field.name: field
-    for field in (
-        HeightField("sine", _product, wave_numbers=(k_u, k_v)),
-        HeightField("ridges", Abs(_product), (sinpi(k_u * u), sinpi(k_v * v)), (k_u, k_v)),
-        HeightField("rings", sinpi(2 * k_v * v), wave_numbers=(0 * k_u, 2 * k_v)),
-    )
-}
+HEIGHT_FIELDS: dict[str, HeightField] = by_name((
+    HeightField("sine", _product),
+    HeightField("ridges", Abs(_product)),
+    HeightField("rings", sinpi(2 * k_v * v)),
+))  # fmt: skip
 """sine: sin(πk_u u) sin(πk_v v). ridges: its absolute value, creased along u = m/k_u and v = m/k_v.
 rings: sin(2πk_v v). Domain: u ∈ [0, 1), v ∈ [0, 1], real k_u and k_v. Source: seed, §2."""
 
 
 def _named_factors(field):
     """Return {trigonometric factor: its name} for a field with an algebraic form."""
-    a, b = field.wave_numbers
-    names = {sinpi(b * v): sin_v, cospi(b * v): cos_v}
-    if a != 0:
-        names |= {sinpi(a * u): sin_u, cospi(a * u): cos_u}
-    return names
+    named = ((u, sin_u, cos_u), (v, sin_v, cos_v))
+    waves = [(rate * c, *names) for rate, (c, *names) in zip(field.wave_numbers, named, strict=True) if rate != 0]
+    return {f(w): name for w, *names in waves for f, name in zip((sinpi, cospi), names, strict=True)}
 
 
 def height(field: HeightField) -> Program:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from sympy import Expr, Max, Min, Piecewise, Pow, sqrt
 
 from proofs.engine.program import Program, chain
+from proofs.formulas.registry import by_name, check_name
 from proofs.formulas.symbols import (
     bumped,
     dot,
@@ -99,18 +100,22 @@ class LightModel:
     """One model of light: what a light at L does at P, seen from the direction v̂.
 
     name: identifier. program: (P, L, N', v̂) → μ, the cosine that scatters light (0 where it is negative), and the
-    base of the highlight. squared: the same for the square of the base, where that is cheaper, or None.
+    base of the highlight. squared: the same for the square of the base, where that is cheaper, or None. Raises
+    ValueError where the name is not allowed.
     """
 
     name: str
     program: Program
     squared: Program | None = None
 
+    def __post_init__(self):
+        check_name(self.name)
 
-LIGHT_MODELS = {model.name: model for model in (
+
+LIGHT_MODELS: dict[str, LightModel] = by_name((
     LightModel("blinn", blinn, blinn_squared),
     LightModel("phong", phong),
-)}  # fmt: skip
+))  # fmt: skip
 """The models of light. A model is data: add an entry, and its kernels, the scene's, the command line's and the
 simulator's choices follow from it."""
 

@@ -10,6 +10,7 @@ from proofs.formulas.camera import surface
 from proofs.formulas.finite_difference import central, central4, forward
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
+from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, towards
 from proofs.theorems.normal import at, tangent
 from proofs.theorems.relations import QUARTER
@@ -22,7 +23,7 @@ _unmoved = {
     model: Separation(
         model, pixel(_ridges, model, lights=LIGHTS, gradient_program=_any_gradient), _chamber, (h_u, h_v, beta, *bumped)
     )
-    for model in ("blinn", "phong")
+    for model in LIGHT_MODELS
 }
 _by_difference = {
     f"{method.__name__}_{name}": Separation(
@@ -42,7 +43,7 @@ theorem = Theorem(
     statement=r"Which surface a pixel shows, which lights another body hides from it, and its checker square depend on "
     r"none of $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$: $N'$ enters the shading alone.",
     hypotheses=(
-        "the pixel's whole program: both shading models, any gradient, five lights; every difference of every field",
+        "the pixel's whole program: every model of light, any gradient, five lights; every difference of every field",
     ),
     claims=(*_unmoved.values(), *_by_difference.values()),
     steps=(

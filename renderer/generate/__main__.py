@@ -1,9 +1,11 @@
 """Write what is printed from the formulas:  python -m renderer.generate"""
 
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from renderer.generate.coq import float64_source, formulas_source
 from renderer.generate.kernels import kernels_source
+from renderer.whole_files import write_whole
 
 ROOT = Path(__file__).resolve().parents[2]
 FORMAL = ROOT / "proofs" / "formal"
@@ -14,8 +16,14 @@ PRINTED = {
 }
 """{file: what returns its text}"""
 
-if __name__ == "__main__":
-    for path, source_of in PRINTED.items():
-        source = source_of()
-        path.write_text(source, encoding="utf-8")
+
+def write_all(printed: Mapping[Path, Callable[[], str]]) -> None:
+    """Write every text, each whole, once all of them are made. Raises ValueError where one cannot be."""
+    sources = {path: source_of() for path, source_of in printed.items()}
+    for path, source in sources.items():
+        write_whole(path, source.encode())
         print(f"wrote {path.name}: {source.count(chr(10))} lines")
+
+
+if __name__ == "__main__":
+    write_all(PRINTED)

@@ -25,6 +25,7 @@ from proofs.formulas import (
     tangent_frame,
 )
 from proofs.formulas.finite_difference import h_u_minus, h_u_plus
+from proofs.formulas.registry import by_name
 from proofs.formulas.symbols import epsilon, h_u
 from renderer.generate.printer import KernelPrinter
 from renderer.generate.programs import ANY_FIELD
@@ -204,7 +205,7 @@ def programs() -> dict[str, Program]:
     for field in height_fields.HEIGHT_FIELDS.values():
         found += [height_fields.height(field), height_fields.gradient(field)]
         found += [method(field) for method in finite_difference.METHODS.values()]
-    return {program.name: program for program in found}
+    return by_name(found)
 
 
 OPERATIONS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}

@@ -1,7 +1,9 @@
 """The text of `renderer/kernels.py`: every program that drawing needs, as a plain Python function."""
 
+import builtins
 import textwrap
 from collections.abc import Callable, Mapping
+from inspect import isfunction
 from typing import Any
 
 from proofs.engine.program import Program
@@ -84,7 +86,7 @@ def _field_entry(field):
 
 
 def kernels_source() -> str:
-    """Return the text of renderer/kernels.py."""
+    """Return the text of renderer/kernels.py. Raises ValueError where a kernel would call what there is none of."""
     printer, fields = KernelPrinter(), HEIGHT_FIELDS.values()
     parts = [print_function(name, program, printer) for name, program in programs.named().items()]
     parts += [print_function(name, program, printer, "height, ") for name, program in programs.differences().items()]
@@ -96,4 +98,10 @@ def kernels_source() -> str:
     parts.append(
         "\n".join(["LIGHT_MODELS = {", *models, "}", '"""{name: (its kernel, that of the squared base)}"""', ""])
     )
-    return HEADER + "".join(f"\n\n{part}" for part in parts)
+    source = HEADER + "".join(f"\n\n{part}" for part in parts)
+    known: dict[str, Any] = {}
+    exec(source, known)
+    for kernel in (f for f in known.values() if isfunction(f) and f.__globals__ is known):
+        if unknown := {*kernel.__code__.co_names} - known.keys() - {*dir(builtins)}:
+            raise ValueError(f"{kernel.__name__} is not allowed: it calls {', '.join(unknown)}, which no kernel has")
+    return source

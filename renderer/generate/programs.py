@@ -19,6 +19,7 @@ from proofs.formulas import (
 )
 from proofs.formulas.chart import chart
 from proofs.formulas.height_fields import HeightField
+from proofs.formulas.registry import by_name
 from proofs.formulas.symbols import h_v, k_u, k_v, real, u, v, x, y
 
 ELEMENTARY = {
@@ -66,7 +67,7 @@ KERNELS = (
     shading.clip,
 )
 
-ANY_FIELD = height_fields.HeightField("any", Function("height")(u, v, k_u, k_v))
+ANY_FIELD = height_fields.AnyField("any", Function("height")(u, v, k_u, k_v))
 
 
 def differences() -> dict[str, Program]:
@@ -80,7 +81,7 @@ def differences() -> dict[str, Program]:
 
 def difference_of(method: str, field: HeightField) -> str:
     """Return the name of a field's difference: where h does not depend on u, there is none in u."""
-    return method if field.expression.has(u) else f"{method}_in_v"
+    return method if field.depends_on_u else f"{method}_in_v"
 
 
 def height_evaluations(method: str, field: HeightField) -> int:
@@ -106,6 +107,9 @@ def field_programs(field: HeightField) -> dict[str, Program]:
 
 
 def named() -> dict[str, Program]:
-    """Return {name in renderer/kernels.py: program} of every kernel but the differences, in the order of the file."""
+    """Return {name in renderer/kernels.py: program} of every kernel but the differences, in the order of the file.
+
+    Raises ValueError where two programs have one name.
+    """
     of_fields = [p for field in height_fields.HEIGHT_FIELDS.values() for p in field_programs(field).values()]
-    return ELEMENTARY | {program.name: program for program in (*KERNELS, *of_fields)}
+    return ELEMENTARY | by_name((*KERNELS, *of_fields))

@@ -29,7 +29,7 @@ def uses_algebraic_form(scene: Scene, method: GradientMethod) -> bool:
     if method.form == "algebraic" and powers is None:
         raise ValueError(
             f"form = 'algebraic' is not allowed for field {scene.field!r} with ku = {scene.ku:g}, kv = {scene.kv:g}: "
-            f"it needs an even ku and a whole kv, at most {MAX_ALGEBRAIC} in magnitude (rings: a whole 2 kv)"
+            f"its wave number in u has to be even, that in v whole, at most {MAX_ALGEBRAIC} in magnitude"
         )
     return powers is not None and method.form != "general"
 

@@ -21,7 +21,7 @@ def largest(rgb, frame):
     return np.abs(rgb - frame.rgb).max()
 
 
-DRAWN = [(Scene(field=f, model=m), SIDE, SIDE, eps) for f, m, eps in product(loops.FIELDS, MODELS, (None, 1e-3))]
+DRAWN = [(Scene(field=f, model=m), SIDE, SIDE, eps) for f, m, eps in product(loops.HEIGHTS, MODELS, (None, 1e-3))]
 
 
 @pytest.mark.parametrize("drawn", [*DRAWN, (Scene(ball=False, floor=False, kv=3.5, beta=-0.8), 30, 22, None)])

@@ -135,6 +135,13 @@ BROKEN = {
     "off the circle": refutation({"cos(x)": "1", "": "-1"}, {"cos(x)": "0", "sin(x)": "0"}),
     "a cosine alone": refutation({"cos(x)": "1", "": "-1"}, {"cos(x)": "0"}),
     "x = n by induction": [COUNT, BY_ITSELF],
+    **{
+        f"an induction with {base} and {step} proofs of a claim": [
+            COUNT | {"next": {"x": X}},
+            {"base": [NOTHING] * base, "step": [BY_FIRST_FACT] * step},
+        ]
+        for base, step in ((0, 0), (1, 0), (0, 1), (2, 2))
+    },
     "its claim assumed": [COUNT | {"assume": [{"of": X, "is": "="}]}, BY_ITSELF],
     "a set that is not closed": [LINES, {"reached": ["b", "c"]}],
     "a name to avoid": [LINES, {"reached": ["a", "b", "c"]}],

@@ -25,6 +25,7 @@ OF_MEANING = {
     "a cosine alone",
     "a name too many",
     "x = n by induction",
+    *(f"an induction with {base} and {step} proofs of a claim" for base, step in ((0, 0), (1, 0), (0, 1), (2, 2))),
     "its claim assumed",
     "a set that is not closed",
     "a name to avoid",

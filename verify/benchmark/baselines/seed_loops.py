@@ -6,6 +6,7 @@ u = 1, which is u = 0. Its frame by √(1 − N_z²) and its v by acos stay: the
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -13,15 +14,17 @@ from renderer import Scene
 
 Ball = tuple[np.ndarray, float]  # centre and radius
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0, 1, 2, 3
-FIELDS = ("sine", "ridges", "rings")  # the seed's, and no others
+HEIGHTS: dict[str, Callable] = {
+    "sine": lambda scene, u, v: math.sin(math.pi * scene.ku * u) * math.sin(math.pi * scene.kv * v),
+    "ridges": lambda scene, u, v: abs(HEIGHTS["sine"](scene, u, v)),
+    "rings": lambda scene, u, v: math.sin(2 * math.pi * scene.kv * v),
+}
+"""{field: (scene, u, v) → h}: the seed's, and no others"""
 
 
 def height_of_field(scene: Scene, u: float, v: float) -> float:
     """Return h(u, v)."""
-    if scene.field == "rings":
-        return math.sin(2 * math.pi * scene.kv * v)
-    product = math.sin(math.pi * scene.ku * u) * math.sin(math.pi * scene.kv * v)
-    return abs(product) if scene.field == "ridges" else product
+    return HEIGHTS[scene.field](scene, u, v)
 
 
 def central_gradient(scene: Scene, u: float, v: float, eps: float) -> tuple[float, float]:
@@ -33,14 +36,23 @@ def central_gradient(scene: Scene, u: float, v: float, eps: float) -> tuple[floa
     return along_u / (2 * eps), along_v / span
 
 
+def _slopes_of_sine(scene, u, v, sign=lambda product: 1.0):
+    a, b = math.pi * scene.ku, math.pi * scene.kv
+    sin_u, sin_v = math.sin(a * u), math.sin(b * v)
+    side = float(sign(sin_u * sin_v))
+    return a * math.cos(a * u) * sin_v * side, b * sin_u * math.cos(b * v) * side
+
+
+SLOPES: dict[str, Callable] = {
+    "sine": _slopes_of_sine,
+    "ridges": partial(_slopes_of_sine, sign=np.sign),
+    "rings": lambda scene, u, v: (0.0, 2 * math.pi * scene.kv * math.cos(2 * math.pi * scene.kv * v)),
+}
+
+
 def exact_gradient(scene: Scene, u: float, v: float, eps: float | None = None) -> tuple[float, float]:
     """Return (h_u, h_v) by the derivative; on a crease the sign of zero is zero."""
-    a, b = math.pi * scene.ku, math.pi * scene.kv
-    if scene.field == "rings":
-        return 0.0, 2 * b * math.cos(2 * b * v)
-    sin_u, sin_v = math.sin(a * u), math.sin(b * v)
-    sign = float(np.sign(sin_u * sin_v)) if scene.field == "ridges" else 1.0
-    return a * math.cos(a * u) * sin_v * sign, b * sin_u * math.cos(b * v) * sign
+    return SLOPES[scene.field](scene, u, v)
 
 
 def bumped(scene: Scene, normal: np.ndarray, gradient: Callable, eps: float | None) -> np.ndarray:
@@ -53,7 +65,7 @@ def bumped(scene: Scene, normal: np.ndarray, gradient: Callable, eps: float | No
     e_theta = np.array([-n_y / sin_phi, n_x / sin_phi, 0.0])
     e_phi = np.array([n_z * n_x / sin_phi, n_z * n_y / sin_phi, -sin_phi])
     m = normal + scene.beta * (h_u * e_theta + h_v * e_phi)
-    return m / np.linalg.norm(m)
+    return _unit(m)
 
 
 def nearest_hit(scene: Scene, center: np.ndarray, x: float, y: float) -> tuple[int, float]:
@@ -83,6 +95,17 @@ def is_shadowed(point: np.ndarray, light: np.ndarray, center: np.ndarray, radius
     return 0 < (-b - root) / a < 1 or 0 < (-b + root) / a < 1
 
 
+def _unit(vector):
+    return vector / np.linalg.norm(vector)
+
+
+BASES = {
+    "blinn": lambda normal, towards, view: normal @ _unit(towards + view),
+    "phong": lambda normal, towards, view: (2.0 * float(normal @ towards) * normal - towards) @ view,
+}
+"""{model: (N', ω, v̂) → the base of the highlight}"""
+
+
 def shaded(
     scene: Scene, point: np.ndarray, normal: np.ndarray, view: np.ndarray, albedo: np.ndarray, blockers: Sequence[Ball]
 ) -> np.ndarray:
@@ -94,15 +117,9 @@ def shaded(
         position = np.array(light.position)
         if any(is_shadowed(point, position, center, radius) for center, radius in blockers):
             continue
-        towards = position - point
-        towards = towards / np.linalg.norm(towards)
+        towards = _unit(position - point)
         mu = float(normal @ towards)
-        if scene.model == "phong":
-            base = float((2.0 * mu * normal - towards) @ view)
-        else:
-            halfway = towards + view
-            base = float(normal @ (halfway / np.linalg.norm(halfway)))
-        specular = max(0.0, base) ** scene.shininess
+        specular = max(0.0, float(BASES[scene.model](normal, towards, view))) ** scene.shininess
         color += np.array(light.color) * (scene.kd * albedo * max(0.0, mu) + scene.ks * specular)
     return color
 
@@ -138,7 +155,7 @@ def seed_loops(scene: Scene, width: int, height: int, eps: float | None = None) 
                 continue
             point = np.array([t * x, t * y, scene.eye * (1 - t)])
             normal, albedo, blockers = surface_at(scene, surface, point, center, gradient, eps)
-            view = (eye - point) / np.linalg.norm(eye - point)
+            view = _unit(eye - point)
             rgb[row, column] = shaded(scene, point, normal, view, albedo, blockers)
             surfaces[row, column] = surface
     return np.clip(rgb, 0, 1), surfaces

@@ -6,11 +6,9 @@ from typing import Any
 import mpmath
 import numpy as np
 from numpy.typing import ArrayLike
-from sympy import lambdify
+from sympy import Expr, lambdify
 
-from proofs.formulas.half_turns import ordinary
-from proofs.formulas.height_fields import HeightField
-from proofs.formulas.symbols import k_u, k_v, u, v
+from proofs.formulas.symbols import u, v
 
 
 class Dual:
@@ -36,29 +34,25 @@ class Dual:
         return Dual(np.sin(self.value), slope * self.by_u, slope * self.by_v)
 
 
-def _with_waves(expression, ku, kv):
-    return ordinary(expression.subs({k_u: int(ku), k_v: int(kv)}))
-
-
-def lambdified(field: HeightField, ku: float, kv: float, modules: Any = "numpy") -> Callable:
+def lambdified(h: Expr, modules: Any = "numpy") -> Callable:
     """Return h as a function of u and v, printed for `modules` by SymPy."""
-    return lambdify((u, v), _with_waves(field.expression, ku, kv), modules)
+    return lambdify((u, v), h, modules)
 
 
-def sympy_numpy(field: HeightField, ku: float, kv: float, _: None) -> Callable:
+def sympy_numpy(h: Expr, _: None) -> Callable:
     """SymPy's derivative, printed for NumPy."""
-    return lambdify((u, v), tuple(_with_waves(d, ku, kv) for d in field.gradient()), "numpy", cse=True)
+    return lambdify((u, v), (h.diff(u), h.diff(v)), "numpy", cse=True)
 
 
-def complex_step(field: HeightField, ku: float, kv: float, step: float) -> Callable:
+def complex_step(h: Expr, step: float) -> Callable:
     """The imaginary part of h beside the real axis, over the step: no difference is taken (Squire and Trapp 1998)."""
-    height = lambdified(field, ku, kv)
+    height = lambdified(h)
     return lambda a, b: (height(a + step * 1j, b).imag / step, height(a, b + step * 1j).imag / step)
 
 
-def dual_numbers(field: HeightField, ku: float, kv: float, _: None) -> Callable:
+def dual_numbers(h: Expr, _: None) -> Callable:
     """Dual numbers over NumPy arrays."""
-    height = lambdified(field, ku, kv, [{"sin": Dual.sin, "pi": np.pi}])
+    height = lambdified(h, [{"sin": Dual.sin, "pi": np.pi}])
 
     def gradient(at_u, at_v):
         result = height(Dual(at_u, 1.0, 0.0), Dual(at_v, 0.0, 1.0))
@@ -67,9 +61,9 @@ def dual_numbers(field: HeightField, ku: float, kv: float, _: None) -> Callable:
     return gradient
 
 
-def in_mpmath(field: HeightField, ku: float, kv: float, digits: int) -> Callable:
+def in_mpmath(h: Expr, digits: int) -> Callable:
     """The exact expression in mpmath, point by point, at a number of digits; mpf results."""
-    slopes = lambdify((u, v), tuple(_with_waves(d, ku, kv) for d in field.gradient()), "mpmath")
+    slopes = lambdify((u, v), (h.diff(u), h.diff(v)), "mpmath")
 
     def gradient(at_u, at_v):
         with mpmath.workdps(digits):
@@ -79,41 +73,41 @@ def in_mpmath(field: HeightField, ku: float, kv: float, digits: int) -> Callable
     return gradient
 
 
-def autograd(field: HeightField, ku: float, kv: float, _: None) -> Callable:
+def autograd(h: Expr, _: None) -> Callable:
     """autograd: reverse mode on its own NumPy."""
     import autograd.numpy
     from autograd import elementwise_grad
 
-    height = lambdified(field, ku, kv, [autograd.numpy])
+    height = lambdified(h, [autograd.numpy])
     along_u, along_v = elementwise_grad(height, 0), elementwise_grad(height, 1)
     return lambda a, b: (along_u(a, b), along_v(a, b))
 
 
-def jax(field: HeightField, ku: float, kv: float, _: None) -> Callable:
+def jax(h: Expr, _: None) -> Callable:
     """JAX: grad, vmap, jit, float64."""
     import jax
 
     jax.config.update("jax_enable_x64", True)
-    compiled = jax.jit(jax.vmap(jax.grad(lambdified(field, ku, kv, "jax"), (0, 1))))
+    compiled = jax.jit(jax.vmap(jax.grad(lambdified(h, "jax"), (0, 1))))
     return lambda a, b: tuple(np.asarray(part) for part in compiled(a, b))
 
 
-def scipy_differentiate(field: HeightField, ku: float, kv: float, order: int) -> Callable:
+def scipy_differentiate(h: Expr, order: int) -> Callable:
     """scipy.differentiate.derivative: adaptive central differences of an order."""
     from scipy.differentiate import derivative
 
-    height = lambdified(field, ku, kv)
+    height = lambdified(h)
     return lambda a, b: (
         derivative(height, a, args=(b,), order=order).df,
         derivative(lambda second, first: height(first, second), b, args=(a,), order=order).df,
     )
 
 
-def numdifftools(field: HeightField, ku: float, kv: float, order: int) -> Callable:
+def numdifftools(h: Expr, order: int) -> Callable:
     """numdifftools.Derivative: extrapolated central differences of an order."""
     from numdifftools import Derivative
 
-    height = lambdified(field, ku, kv)
+    height = lambdified(h)
     return lambda a, b: (
         Derivative(lambda at: height(at, b), order=order)(a),
         Derivative(lambda at: height(a, at), order=order)(b),

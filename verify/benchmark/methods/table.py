@@ -11,13 +11,16 @@ from importlib.util import find_spec
 import numpy as np
 
 from proofs.formulas.finite_difference import central, central4, forward
+from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.symbols import k_u, k_v
 from verify.benchmark.methods import peers
 from verify.benchmark.methods.compiled import compiled_loop
 from verify.benchmark.methods.programs import algebraic_gradient, central6, naive_gradient, richardson
 
 FIELD, KU, KV = HEIGHT_FIELDS["sine"], 8.0, 4.0
 WAVES = {"k_u": KU, "k_v": KV}
+EXPRESSION = ordinary(FIELD.expression.subs({k_u: int(KU), k_v: int(KV)}))  # what the peers are given
 STEPS = tuple(10.0 ** (-n / 4) for n in range(4, 45))
 SINGLE, FULL = (None,), 2**16
 
@@ -57,27 +60,24 @@ def _difference(program):
 
 
 def _compiled(program, kind=np.float64):
-    return lambda _: compiled_loop(program(FIELD), WAVES, kind)
-
-
-def _algebraic(field):
-    return algebraic_gradient(field, KU, KV)
+    return lambda _: compiled_loop(program, WAVES, kind)
 
 
 def _peer(function):
-    return lambda value: function(FIELD, KU, KV, value)
+    return lambda value: function(EXPRESSION, value)
 
 
+ALGEBRAIC = algebraic_gradient(FIELD, KU, KV)
 METHODS = (
     Method("forward", _difference(forward), "ε", STEPS),
     Method("central", _difference(central), "ε", STEPS),
     Method("central, 4th order", _difference(central4), "ε", STEPS),
     Method("central, 6th order", _difference(central6), "ε", STEPS),
     Method("Richardson, 8th order", _difference(richardson), "ε", STEPS),
-    Method("exact, naive argument", _compiled(naive_gradient)),
-    Method("exact, reduced argument", _compiled(gradient), ours=True),
-    Method("exact, algebraic", _compiled(_algebraic), ours=True, angles=True),
-    Method("exact, algebraic, float32", _compiled(_algebraic, np.float32), ours=True, angles=True),
+    Method("exact, naive argument", _compiled(naive_gradient(FIELD))),
+    Method("exact, reduced argument", _compiled(gradient(FIELD)), ours=True),
+    Method("exact, algebraic", _compiled(ALGEBRAIC), ours=True, angles=True),
+    Method("exact, algebraic, float32", _compiled(ALGEBRAIC, np.float32), ours=True, angles=True),
     Method("SymPy, NumPy", _peer(peers.sympy_numpy)),
     Method("complex step", _peer(peers.complex_step), "step", tuple(10.0**-n for n in range(1, 21))),
     Method("dual numbers", _peer(peers.dual_numbers)),

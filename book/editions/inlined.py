@@ -1,4 +1,4 @@
-"""Large texts kept apart while the document is put together, and set in at the very end."""
+"""What pages load, as text that stands in the document: pictures, style sheets, scripts, files."""
 
 import base64
 import gzip
@@ -13,25 +13,8 @@ from PIL import Image
 EMBEDDED = re.compile(r"data:image/png;base64,([A-Za-z0-9+/=\s]+)")
 COORDINATES = re.compile(r'(?<= d=")[^"]+|(?<= [xy]=")[^"]+')
 FRACTION = re.compile(r"-?\d+\.\d{3,}")
-TOKEN = re.compile(r"%%kept-(\d+)%%")
 UNUSED = {"fa-brands-400.woff2", "fa-regular-400.woff2"}  # no page has a brand's mark or a hollow icon
 TYPES = {".woff2": "font/woff2", ".woff": "font/woff", ".svg": "image/svg+xml"}
-
-
-class Store:
-    """Texts by number: keep() gives the token that stands for one until fill()."""
-
-    def __init__(self):
-        self.texts: list[str] = []
-
-    def keep(self, text: str) -> str:
-        """A token for a text that is set in as it stands: it must fit where the token is put."""
-        self.texts.append(text)
-        return f"%%kept-{len(self.texts) - 1}%%"
-
-    def fill(self, document: str) -> str:
-        """The document with every token replaced, once."""
-        return TOKEN.sub(lambda match: self.texts[int(match[1])], document)
 
 
 def base64_address(kind: str, content: bytes) -> str:
@@ -75,13 +58,8 @@ def svg_parts(path: Path) -> list[str]:
 
 
 def svg_address(parts: list[str]) -> str:
-    """Those parts as an address inside double quotes."""
-    return "data:image/svg+xml;charset=utf-8," + quoted("<".join(parts))
-
-
-def quoted(text: str) -> str:
-    """A text without double quotes as the value of an attribute."""
-    return text.replace("&", "&amp;")
+    """Those parts as an address; it stands between double quotation marks."""
+    return "data:image/svg+xml;charset=utf-8," + "<".join(parts)
 
 
 def inlined_styles(path: Path) -> str:

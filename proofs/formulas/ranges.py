@@ -1,0 +1,50 @@
+"""What a height field is made of, and intervals that enclose it where its symbols lie in intervals."""
+
+import operator
+from collections.abc import Mapping
+from functools import reduce
+
+from mpmath import iv
+from sympy import Abs, Add, Basic, Max, Min, Mul, Piecewise, Pow, S, Symbol, exp, log, pi, sign
+from sympy.core.relational import Relational
+from sympy.functions.elementary.piecewise import ExprCondPair
+
+from proofs.formulas.half_turns import cospi, sinpi
+
+ENCLOSURES = {
+    Add: lambda *parts: sum(parts),
+    Mul: lambda *parts: reduce(operator.mul, parts),
+    Pow: operator.pow,
+    Abs: abs,
+    sign: lambda _: iv.mpf([-1, 1]),
+    Max: lambda *parts: iv.mpf([max(part.a for part in parts), max(part.b for part in parts)]),
+    Min: lambda *parts: iv.mpf([min(part.a for part in parts), min(part.b for part in parts)]),
+    Piecewise: lambda *values: iv.mpf([min(value.a for value in values), max(value.b for value in values)]),
+    sinpi: lambda turns: iv.sin(iv.pi * turns),
+    cospi: lambda turns: iv.cos(iv.pi * turns),
+    exp: iv.exp,
+    log: iv.log,
+}
+"""{what a height field is made of: the same of intervals}; of a selection, whichever value is selected"""
+
+
+def enclosure(expression: Basic, box: Mapping[Symbol, iv.mpf]) -> iv.mpf:
+    """Return an interval around every value of the expression in a box.
+
+    Raises ValueError where it has none, and where it is made of more than the symbols, rationals, π and `ENCLOSURES`.
+    Powers are whole, or square roots.
+    """
+    if expression in box:
+        return box[expression]
+    if expression == pi:
+        return iv.pi
+    if isinstance(expression, Basic) and expression.is_Rational:
+        return iv.mpf(expression.p) / expression.q
+    if isinstance(expression, ExprCondPair):
+        for relation in expression.cond.atoms(Relational):
+            enclosure(relation.lhs - relation.rhs, box)
+        return enclosure(expression.expr, box)
+    kind = getattr(expression, "func", type(expression))
+    if kind not in ENCLOSURES or (kind is Pow and not (expression.exp.is_Integer or abs(expression.exp) == S.Half)):
+        raise ValueError(f"no kernel has {kind.__name__} as in {expression}")
+    return ENCLOSURES[kind](*(enclosure(part, box) for part in expression.args))

@@ -1,0 +1,25 @@
+"""What an entry in a list of the chapter may be called."""
+
+from collections.abc import Iterable
+from keyword import iskeyword
+from typing import Any
+
+
+def not_allowed(name: str, value: object, allowed: str) -> ValueError:
+    """Return the ValueError that says so."""
+    return ValueError(f"{name} = {value!r} is not allowed: {allowed}")
+
+
+def check_name(name: str) -> None:
+    """Raise ValueError unless a function, in Python and in Coq, can be called so."""
+    if not (name.isascii() and name.isidentifier()) or iskeyword(name):
+        raise not_allowed("name", name, "an identifier of ASCII letters, digits and _, and no keyword of Python")
+
+
+def by_name(entries: Iterable[Any]) -> dict[str, Any]:
+    """Return {name: entry}. Raises ValueError where two have one name."""
+    found: dict[str, Any] = {}
+    for entry in entries:
+        if found.setdefault(entry.name, entry) is not entry:
+            raise not_allowed("name", entry.name, "a name that no other entry has")
+    return found
