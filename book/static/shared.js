@@ -79,6 +79,17 @@ function pointer_in(element, { clientX, clientY }) {
 /** Whether a key is pressed together with one that makes it the browser's own. @param {KeyboardEvent} event */
 const is_shortcut = (event) => event.ctrlKey || event.altKey || event.metaKey;
 
+/** How far an arrow key points to the right and up, further with shift; undefined for other keys. @param {KeyboardEvent} event */
+function arrow_of(event) {
+  const far = event.shiftKey ? 10 : 1;
+  /** @type {Record<string, Point>} */
+  const arrows = { ArrowRight: [far, 0], ArrowLeft: [-far, 0], ArrowUp: [0, far], ArrowDown: [0, -far] };
+  return is_shortcut(event) ? undefined : arrows[event.key];
+}
+
+/** Milliseconds as seconds. @param {number} time */
+const seconds = (time) => `${(time / 1000).toFixed(1)} s`;
+
 /**
  * A worker that runs functions of the page: a file that is opened from a disk may load none by its address. The last
  * one is given what posts a reply, and returns what takes a message.
@@ -110,8 +121,6 @@ function when_ready(work) {
 
 /** What is said of what was thrown. @param {unknown} error */
 const error_text = (error) => (error instanceof Error ? error.message : String(error));
-
-/** @typedef {[number, number]} Point */
 
 /** @param {Point[]} points */
 const line_path = (points) => `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L")}`;

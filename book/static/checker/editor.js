@@ -2,12 +2,6 @@
 // the old certificate on the new statement.
 "use strict";
 
-/**
- * @typedef {(string | number)[]} Path where a value stands in a statement
- * @typedef {{ label: string, path: Path, before: (Node | string)[], after: string, names: boolean }} Line
- *   of a statement, that can be changed: the value at `path` is a polynomial, or with `names` a list of names
- */
-
 /** @param {Statement} statement @param {PolynomialTexts} polynomials @returns {Line[]} */
 function statement_lines(statement, { spelled, zero }) {
   /** @param {string} label @param {Path} path @param {(Node | string)[]} [before] @returns {Line} */
@@ -27,14 +21,14 @@ function statement_lines(statement, { spelled, zero }) {
   if (kind === "separation")
     return [
       ...lines.map(([name], n) => line("line", ["lines", n, 1], [...spelled(name), " uses "], "", true)),
-      ...["outputs", "avoid"].map((key) => line(key, [key], [], "", true)),
+      ...["outputs", "avoid"].map((key) => line(key, [key], [], "", true))
     ];
   if (kind !== "induction") return steps.map(relation("steps"));
   return [
     ...assume.map(relation("assume")),
     ...states("start", " at first"),
     ...states("next", " next"),
-    ...show.map((_, n) => line("to show", ["show", n], [], " = 0 for every n")),
+    ...show.map((_, n) => line("to show", ["show", n], [], " = 0 for every n"))
   ];
 }
 
@@ -130,7 +124,7 @@ function statement_editor(root, cases, polynomials, clerk, told) {
                 .trim()
                 .split(/[\s,]+/)
                 .filter(Boolean)
-            : parse(box.value, known(copies[chosen])),
+            : parse(box.value, known(copies[chosen]))
         );
         show_chips();
       } catch (why) {

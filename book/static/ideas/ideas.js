@@ -2,21 +2,9 @@
 // What they show is computed by the simulator's module (book/simulator_module.py); here things are only drawn.
 "use strict";
 
-/**
- * @typedef {{ kernels: Record<string, [number, number]>, given: Record<string, number>,
- *   lines: Record<string, { inputs: string[], lines: string[] }> }} IdeasData
- * @typedef {SimulatorModule & { own: SimulatorModule }} IdeasModule with the interactives' own kernels
- * @typedef {SimulatorData & IdeasData} AllData
- * @typedef {(stage: ReturnType<typeof idea_stage>, module: IdeasModule, data: AllData) => () => void} Idea sets a stage; returns what draws on it
- * @typedef {(x: number, y: number, begins: boolean) => void} Moved is told of a place on a panel
- * @typedef {(right: number, up: number) => void} Stepped is told of arrow keys, ten times as far with shift
- */
-
 /** @type {Record<string, Idea>} */
 const IDEAS = {};
 const SURFACES = ["nothing", "sphere A", "sphere B", "the floor"];
-/** @type {Record<string, Point>} */
-const ARROWS = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /**
  * @template {keyof HTMLElementTagNameMap} Tag
@@ -54,12 +42,12 @@ function arrow_path([x, y], [end_x, end_y], look = "", size = 6) {
   const [a, b] = [share * dx, share * dy];
   const shaft = line_path([
     [x, y],
-    [end_x - a / 2, end_y - b / 2],
+    [end_x - a / 2, end_y - b / 2]
   ]);
   const head = line_path([
     [end_x - a - b / 2, end_y - b + a / 2],
     [end_x, end_y],
-    [end_x - a + b / 2, end_y - b - a / 2],
+    [end_x - a + b / 2, end_y - b - a / 2]
   ]);
   return path_markup(look, shaft) + path_markup(`${look} head`, `${head}Z`);
 }
@@ -104,11 +92,11 @@ function listen_to_hand(target, origin, moved, stepped) {
     if (target.hasPointerCapture(event.pointerId)) tell(event, false);
   });
   target.addEventListener("keydown", (event) => {
-    if (!(event.key in ARROWS) || is_shortcut(event)) return;
+    const arrow = arrow_of(event);
+    if (!arrow) return;
     event.preventDefault();
     event.stopPropagation();
-    const [right, up] = ARROWS[event.key].map((step) => step * (event.shiftKey ? 10 : 1));
-    stepped(right, up);
+    stepped(...arrow);
   });
 }
 
@@ -236,7 +224,7 @@ function idea_stage(figure) {
     picture,
     says: () => add_element(root, "p", { class: "idea-says" }),
     redraw,
-    begin,
+    begin
   };
 }
 

@@ -27,7 +27,7 @@ IDEAS.pixel_worked = (stage, module, data) => {
   const told = stage.says();
   paint(module, scene_state(data), raster);
 
-  function draw() {
+  return () => {
     const place = { x: xs[column], y: ys[row] };
     /** @type {Record<string, number>} */
     const lines = { ...place, ...program_lines(module, data, "pixel_lines", { ...data.given, ...place }) };
@@ -39,7 +39,5 @@ IDEAS.pixel_worked = (stage, module, data) => {
     swatch.style.background = `color(srgb-linear ${lines.rgb_red} ${lines.rgb_green} ${lines.rgb_blue})`;
     told.innerHTML = `Pixel (${column}, ${row}) shows <b>${surface}</b>.`;
     put_pixel([column + 0.5, row + 0.5], row * SIZE + column, `column ${column}, row ${row}: ${surface}`);
-  }
-
-  return draw;
+  };
 };

@@ -20,7 +20,7 @@ IDEAS.scene_from_the_side = (stage, module, data) => {
   const on_floor = panel.handle(
     "where the ray meets the picture's plane",
     (x) => set((x - panel.width() / 2) / scale_of()),
-    (right) => set(s + right / 100),
+    (right) => set(s + right / 100)
   );
   const scale_of = () => Math.min(96, panel.width() / 4.6);
   /** @param {number} to */
@@ -79,14 +79,14 @@ IDEAS.scene_from_the_side = (stage, module, data) => {
         (n, beside) => [(n / 200 - 1) * FURTHEST, -beside],
         ([along]) => Math.abs(along) >= radius,
         ORIGIN,
-        ball_center,
+        ball_center
       ) +
       dark(241, circle(ORIGIN, radius), is_up, ball_center) +
       dark(241, circle(ball_center, ball_radius), is_up, ORIGIN)
     );
   }
 
-  function draw() {
+  return () => {
     const scale = scale_of();
     const ground = 20 + scale * eye;
     const middle = panel.width() / 2;
@@ -122,7 +122,7 @@ IDEAS.scene_from_the_side = (stage, module, data) => {
         text_at(middle - 4, ground - 0.45 * scale, "A", "i bold") +
         text_at(ball[0] - 4, ball[1] + 5, "B", "i bold") +
         text_at(hit[0] - 18, hit[1] - 8, "P", "i bold") +
-        text_at(6, ground - 6, "the floor, <tspan class='i'>t</tspan> = 1"),
+        text_at(6, ground - 6, "the floor, <tspan class='i'>t</tspan> = 1")
     );
     const met = Object.entries({ A: found.t_a, B: found.t_b, "the floor": found.t_floor })
       .filter(([, at]) => Number.isFinite(at))
@@ -131,7 +131,5 @@ IDEAS.scene_from_the_side = (stage, module, data) => {
     const surface = SURFACES[found.surface];
     says.innerHTML = `The ray meets ${met.join(", ")}: it shows <b>${surface}</b>. T${reached.join(", t")}.`;
     on_floor(foot, s, `${decimal(s)}: ${surface}; t${reached.join(", t")}`);
-  }
-
-  return draw;
+  };
 };

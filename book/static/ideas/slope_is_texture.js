@@ -83,7 +83,7 @@ IDEAS.slope_is_texture = (stage, module, data) => {
     return arrow_path([x, FLAT], [x + length * Math.sin(turn), FLAT - length * Math.cos(turn)], look, length / 5);
   }
 
-  function draw() {
+  return () => {
     const width = profile.width() - 2 * EDGE;
     /** @param {number} along @param {number} h @returns {Point} */
     const at = (along, h) => [EDGE + along * width, HEIGHTS.top + (1 - h) * HEIGHTS.high];
@@ -110,7 +110,7 @@ IDEAS.slope_is_texture = (stage, module, data) => {
         text_at(EDGE, 220, "the light without the bump") +
         strip(226, 18, plain) +
         text_at(EDGE, 262, "and with it") +
-        strip(268, 32, cosines),
+        strip(268, 32, cosines)
     );
     sphere.show(line_markup("circle", circle));
     if (drawn !== beta) paint(module, scene_state(data, { beta, ball: false, lights: [true, false] }), raster);
@@ -122,7 +122,5 @@ IDEAS.slope_is_texture = (stage, module, data) => {
       `slope <b class="symbolic">${decimal(slope)}</b> × β ${decimal(beta, 3)} = ${decimal(slope * beta)}: ` +
       `the normal leans by <b class="symbolic">${decimal(tilt, 1)}°</b>, ` +
       `and the light there goes from ${decimal(before)} to <b>${decimal(mu)}</b>.`;
-  }
-
-  return draw;
+  };
 };

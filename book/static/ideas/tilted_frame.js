@@ -47,16 +47,16 @@ IDEAS.tilted_frame = (stage, module, data) => {
     from = [x, y];
   }
   const put_view = panel.backdrop("the view: drag, or press arrow keys, to turn it", drag, (right, up) =>
-    look(turn - right / 20, tip - up / 20),
+    look(turn - right / 20, tip - up / 20)
   );
   const put_point = panel.handle("the point of the sphere, u and v", pull, (right, up) =>
-    set({ u: u + right / 256, v: v - up / 256 }),
+    set({ u: u + right / 256, v: v - up / 256 })
   );
   const stretched = panel.handle(
     "the tip of M, that is β",
     stretch,
     (right, up) => set({ beta: beta + (right + up) / 200 }),
-    "second",
+    "second"
   );
 
   // The directions to the right of the drawing, up in it, and towards the eye; where a point is in it.
@@ -100,7 +100,7 @@ IDEAS.tilted_frame = (stage, module, data) => {
     const inputs = { cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta };
     const lines = program_lines(module, data, "bump_lines", inputs);
     const [normal, e_theta, e_phi, g, m, bumped] = ["normal", "e_theta", "e_phi", "g", "m", "bumped"].map((name) =>
-      vector_of(lines, name),
+      vector_of(lines, name)
     );
     return { h_u, h_v, tilt, length: lines.m_length, normal, e_theta, e_phi, g, m, bumped };
   }
@@ -121,7 +121,7 @@ IDEAS.tilted_frame = (stage, module, data) => {
     return lines.join("");
   }
 
-  function draw() {
+  return () => {
     const eye = view();
     const { place, size, middle } = eye;
     const { h_u, h_v, tilt, length, normal, e_theta, e_phi, g, m, bumped } = values();
@@ -150,7 +150,7 @@ IDEAS.tilted_frame = (stage, module, data) => {
         name(n, "N", "") +
         name(tangent, "βg", "blue") +
         name(end, "M", "") +
-        text_at(unit[0] - 30, unit[1] + 6, "N′", "i bold"),
+        text_at(unit[0] - 30, unit[1] + 6, "N′", "i bold")
     );
     /** @param {number[]} parts */
     const in_brackets = (parts) => `(${parts.map((part) => decimal(part, 3)).join(", ")})`;
@@ -162,7 +162,7 @@ IDEAS.tilted_frame = (stage, module, data) => {
       M: in_brackets(m),
       "|M|": decimal(length, 3),
       "N′": in_brackets(bumped),
-      tilt: `${decimal(tilt, 1)}°`,
+      tilt: `${decimal(tilt, 1)}°`
     };
     list.innerHTML = Object.entries(rows)
       .map(([name, value]) => entry_markup(name, value))
@@ -171,7 +171,5 @@ IDEAS.tilted_frame = (stage, module, data) => {
     stretched(end, beta, `β ${decimal(beta, 3)}, tilt ${decimal(tilt, 1)}°`);
     const [around, above] = [turn, tip].map((angle) => Math.round((angle * 180) / Math.PI));
     put_view(turn, `turned by ${around}°, from ${above}° above`);
-  }
-
-  return draw;
+  };
 };

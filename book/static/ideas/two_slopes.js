@@ -36,7 +36,7 @@ IDEAS.two_slopes = (stage, module, data) => {
     "step ε",
     range,
     (to) => set(u, 10 ** to),
-    (exponent) => in_powers(10 ** exponent),
+    (exponent) => in_powers(10 ** exponent)
   );
   const says = stage.says();
   /** @param {number} at @param {number} height @returns {Point} */
@@ -46,13 +46,13 @@ IDEAS.two_slopes = (stage, module, data) => {
   const put_point = panel.handle(
     "the point, u",
     (x) => set(Math.round(2000 * at_x(x)) / 2000, eps),
-    (right) => set(u + right / 2000, eps),
+    (right) => set(u + right / 2000, eps)
   );
   const put_step = panel.handle(
     "the step, ε",
     (x) => set(u, at_x(x) - u),
     (right, up) => set(u, eps * 1.1 ** (right + up)),
-    "step",
+    "step"
   );
 
   /**
@@ -70,7 +70,7 @@ IDEAS.two_slopes = (stage, module, data) => {
     return line_markup(look, ends);
   }
 
-  function draw() {
+  return () => {
     const [, heights] = module.own.kernel_over("two_slopes", curve, V, ku, kv, eps);
     const [left, h, right, numeric, exact, straddles] = module.own.kernel("two_slopes", u, V, ku, kv, eps);
     const point = place(u, h);
@@ -85,7 +85,7 @@ IDEAS.two_slopes = (stage, module, data) => {
         line_markup("height", points) +
         through(place(u, (left + right) / 2), numeric, "secant", 24 + reach) +
         through(point, exact, "slope", 100) +
-        circle_markup("end", start, 5),
+        circle_markup("end", start, 5)
     );
     const apart = Math.abs(numeric - exact);
     const digits = apart && apart < 0.01 ? 8 : 2;
@@ -96,7 +96,5 @@ IDEAS.two_slopes = (stage, module, data) => {
       `${straddles ? ", since the step reaches across the crease" : ""}.`;
     put_point(point, u, `u ${decimal(u, 4)}, slope ${decimal(exact)}`);
     put_step(end, eps, `ε ${in_powers(eps)}, difference ${decimal(numeric)}`);
-  }
-
-  return draw;
+  };
 };

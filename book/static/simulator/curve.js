@@ -2,12 +2,6 @@
 // It is a control too: a click, a drag or an arrow key sets ε, and pointing at it reads it.
 "use strict";
 
-/**
- * @typedef {{ eps: number, size: number }} LinePoint
- * @typedef {LinePoint & { max: number }} PicturePoint the root mean square of a picture's difference, and the largest
- * @typedef {Record<string, LinePoint[]>} Lines
- */
-
 /** @param {HTMLElement} root @param {SimulatorModule} module @param {Act} act */
 function simulator_curve(root, module, act) {
   const box = find_element(root, ".sim-curve");
@@ -106,9 +100,9 @@ function simulator_curve(root, module, act) {
     return texts.join("");
   }
 
-  /** Draw what is known, where that is new. @param {State} state @param {Lines} pixel @param {PicturePoint[]} picture */
+  /** Draw what is known, where that is new. @param {State} state @param {Lines} pixel @param {Map<number, PicturePoint>} picture */
   function show(state, pixel, picture) {
-    const difference = picture.filter(Boolean);
+    const difference = [...picture.values()];
     const what = [pixel, picture, difference.length, box.clientWidth];
     if (what.every((part, n) => part === drawn[n])) return;
     drawn = what;
@@ -130,8 +124,7 @@ function simulator_curve(root, module, act) {
     now.style.transform = `translateX(${x_of(eps)}px)`;
     dot.style.transform = `translate(${x_of(eps)}px, ${y_of(error || 1)}px)`;
     dot.hidden = !error;
-    box.setAttribute("aria-valuenow", Math.log10(eps).toFixed(2));
-    box.setAttribute("aria-valuetext", read(eps));
+    set_attributes(box, { "aria-valuenow": Math.log10(eps).toFixed(2), "aria-valuetext": read(eps) });
   }
 
   /** The size at the step of a line that is nearest to a step. @param {LinePoint[]} points @param {number} eps */
@@ -144,15 +137,15 @@ function simulator_curve(root, module, act) {
   /** @param {number} eps */
   function read(eps) {
     const sizes = Object.entries(lines).map(
-      ([name, points]) => `${NAMES[name]} ${scientific(size_at(points, eps), 1)}`,
+      ([name, points]) => `${NAMES[name]} ${scientific(size_at(points, eps), 1)}`
     );
     return [`ε = ${scientific(eps, 1)}`, ...sizes].join(" · ");
   }
 
-  /** @param {Lines} pixel @param {PicturePoint[]} picture */
+  /** @param {Lines} pixel @param {Map<number, PicturePoint>} picture */
   function csv({ numeric, bound }, picture) {
     const rows = FINE.map((eps, n) => {
-      const at = picture.find((point) => point?.eps === eps);
+      const at = picture.get(eps);
       return [eps, numeric?.[n].size, bound?.[n].size, at?.size, at?.max].join();
     });
     return `${["step,gradient_error_at_cursor,bound,rms_on_a,max_on_a", ...rows].join("\n")}\n`;
@@ -179,13 +172,13 @@ function simulator_curve(root, module, act) {
   /** @param {KeyboardEvent} event */
   function press(event) {
     const at = Math.log10(act.state().eps);
-    const [less, more] = [at - 0.125, at + 0.125];
-    const arrows = { ArrowRight: more, ArrowUp: more, ArrowLeft: less, ArrowDown: less };
-    /** @type {Record<string, number>} */
-    const steps = { ...arrows, PageUp: at + 1, PageDown: at - 1, Home: LEFT, End: RIGHT };
-    if (!(event.key in steps) || is_shortcut(event)) return;
+    const arrow = arrow_of(event);
+    const to = arrow
+      ? at + 0.125 * Math.sign(arrow[0] + arrow[1])
+      : { PageUp: at + 1, PageDown: at - 1, Home: LEFT, End: RIGHT }[event.key];
+    if (to === undefined || is_shortcut(event)) return;
     event.preventDefault();
-    act.set({ eps: step_at(steps[event.key]) });
+    act.set({ eps: step_at(to) });
   }
 
   box.addEventListener("pointerdown", (event) => {

@@ -4,13 +4,6 @@
 "use strict";
 
 /**
- * @typedef {{ post(task: Task, transfer?: ArrayBuffer[]): void, buffers: Record<string, ArrayBuffer>, stop(): void }} Drawer
- * @typedef {{ drawn(state: State, replies: Drawn[], asked: number): void, resting(state: State): number[] | null,
- *   counted(all: Counted[]): void, followed(all: Followed[]): void, timed(all: Timed[]): void,
- *   failed(text: string): void }} Handlers
- */
-
-/**
  * @param {SimulatorData} data
  * @param {WebAssembly.Module} compiled
  * @param {States} states
@@ -51,7 +44,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
       return {
         post: (task, transfer = []) => worker.postMessage(task, transfer),
         stop: () => worker.terminate(),
-        buffers: {},
+        buffers: {}
       };
     });
     waiting = null;

@@ -3,34 +3,6 @@
 "use strict";
 
 /**
- * @typedef {[number, number, number]} Vector
- * @typedef {{ width: number, height: number, left: number, top: number, wide: number, high: number }} Raster
- *   a part of a picture of width × height pixels
- * @typedef {{ name: string, eps?: number }} Method how the gradient is taken: exactly, or by a difference of step eps
- * @typedef {{ field: string, ku: number, kv: number, beta: number, model: string, ball: boolean, lights: boolean[] }}
- *   SceneState
- * @typedef {{ position: Vector, color: Vector }} LightData
- * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
- *   ball_radius: number }} SceneData
- * @typedef {{ srgb: { cells: number, thresholds: number[] }, sizes: { bits: number, thresholds: number[] },
- *   inferno: number[], grey: number[], terms: number[] }} Tables
- * @typedef {{ scene: SceneData, scenes: Record<string, { scene: number[], lights: number[][] }>,
- *   offsets: Record<string, number>, light_size: number, max_algebraic: number, counts: number, lanes: number,
- *   fields: Record<string, { ways: Record<string, number>, creases: number }>,
- *   models: Record<string, { index: number, power: number }>, stills: number[], arguments: string[],
- *   kernels: Record<string, [number, number]>, painting: string[], numbers: string[], tables: Tables,
- *   terms: string[], term_colours: string[] }} SimulatorData
- * @typedef {{ raster: Raster, pitch: number, addresses: Record<string, number> }} Ground planes in memory
- * @typedef {Ground & { codes: Uint8Array, count: number, at: Int32Array, rows: [number, number], stills: number,
- *   kept?: string, targets: Record<string, number> }} Stage
- * @typedef {{ whole?: boolean, of?: string, other?: string, table?: string, palette?: string, gain?: number }} Painting
- * @typedef {{ column: number, row: number, surface: string, rgb: number[], point?: number[],
- *   normal?: number[], gradient?: number[], theta?: number, phi?: number, u?: number, v?: number, h?: number,
- *   kink?: boolean, straddling?: boolean }} PixelRecord
- * @typedef {Awaited<ReturnType<typeof simulator_module>>} SimulatorModule
- */
-
-/**
  * Compile a program as the pages carry it; throw where the browser cannot.
  * @param {string} program
  */
@@ -87,12 +59,12 @@ async function simulator_module(data, compiled) {
   const tables = {
     srgb: table(
       srgb.thresholds,
-      float64s(srgb.cells + 1, (n) => n / srgb.cells),
+      float64s(srgb.cells + 1, (n) => n / srgb.cells)
     ),
-    sizes: table(sizes.thresholds, beginnings(sizes.bits)),
+    sizes: table(sizes.thresholds, beginnings(sizes.bits))
   };
   const palette_at = Object.fromEntries(
-    Object.entries(palettes).map(([name, colors]) => [name, put(Uint32Array.from(colors))]),
+    Object.entries(palettes).map(([name, colors]) => [name, put(Uint32Array.from(colors))])
   );
   const beginning = top;
 
@@ -203,7 +175,7 @@ async function simulator_module(data, compiled) {
       power_u: Math.abs(power_u),
       power_v: Math.abs(power_v),
       turn_u: Math.sign(power_u) || 1,
-      turn_v: Math.sign(power_v) || 1,
+      turn_v: Math.sign(power_v) || 1
     };
     const { scene, lights } = data.scenes[[state.ball, ...state.lights].map(Number).join("")];
     const numbers = Float64Array.from(scene);
@@ -231,7 +203,7 @@ async function simulator_module(data, compiled) {
       scene: scene_at,
       lights: lights_at,
       light_count: lights.length,
-      counts: counts_at,
+      counts: counts_at
     };
     call(what, in_order(data.arguments, given));
   }
@@ -241,7 +213,7 @@ async function simulator_module(data, compiled) {
     first_row: 0,
     last_row: raster.high,
     pitch,
-    columns: everywhere ? addresses.everywhere : addresses.columns_of_a,
+    columns: everywhere ? addresses.everywhere : addresses.columns_of_a
   });
 
   /**
@@ -289,7 +261,7 @@ async function simulator_module(data, compiled) {
       code_again: reserve(pitch * high),
       everywhere: reserve(16 * high),
       columns_of_a: reserve(16 * high),
-      ...Object.fromEntries(planes),
+      ...Object.fromEntries(planes)
     };
     const ground = { raster, pitch, addresses };
     floats(addresses.x, pitch).fill(NaN).set(x);
@@ -318,7 +290,7 @@ async function simulator_module(data, compiled) {
       at: Int32Array.from(at),
       rows: at.length ? [Math.floor(at[0] / pitch), Math.floor(at[at.length - 1] / pitch) + 1] : [0, 0],
       stills: 8 * data.lanes * groups * data.stills[state.lights.filter(Boolean).length],
-      targets: {},
+      targets: {}
     };
   }
 
@@ -350,7 +322,7 @@ async function simulator_module(data, compiled) {
       pixels: place(stage, name, "pixels"),
       plane: place(stage, "view", "plane"),
       palette: palette_at[palette],
-      numbers: numbers_at,
+      numbers: numbers_at
     };
     const numbers = floats(numbers_at, data.numbers.length).fill(0);
     const [gain_at, largest, squares] = ["gain", "largest", "squares"].map((key) => data.numbers.indexOf(key));
@@ -374,7 +346,7 @@ async function simulator_module(data, compiled) {
     new Uint8ClampedArray(
       memory.buffer,
       place(stage, name, "pixels") + 4 * stage.pitch * first,
-      4 * stage.pitch * (last - first),
+      4 * stage.pitch * (last - first)
     );
 
   /**
@@ -419,9 +391,9 @@ async function simulator_module(data, compiled) {
   }
 
   /** @param {Stage} stage */
-  const angles_of = (stage) => ANGLES.map((name) => on_a(stage, stage.addresses[name]));
+  const angles_of = (stage, names = ANGLES) => names.map((name) => on_a(stage, stage.addresses[name]));
   /** @param {Stage} stage */
-  const chart = (stage) => CHART.map((name) => on_a(stage, stage.addresses[name]));
+  const chart = (stage) => angles_of(stage, CHART);
 
   /**
    * h_u and h_v on A's pixels, whether they are drawn with a bump or not.
@@ -476,7 +448,7 @@ async function simulator_module(data, compiled) {
     const on = data.scene.lights.filter((_, n) => state.lights[n]);
     return on.map(({ position }) => {
       const [bumped, plain] = normals.map(
-        (normal) => kernel_over("phong", ...point, ...position, ...normal, 0, 0, 1)[0],
+        (normal) => kernel_over("phong", ...point, ...position, ...normal, 0, 0, 1)[0]
       );
       return bumped.reduce((count, mu, i) => count + Number(mu > 0 !== plain[i] > 0), 0);
     });
@@ -525,7 +497,7 @@ async function simulator_module(data, compiled) {
       theta: (2 * u - 1) * Math.PI,
       phi: v * Math.PI,
       kink: kink === 1,
-      straddling: straddling === 1,
+      straddling: straddling === 1
     };
   }
 
@@ -551,6 +523,6 @@ async function simulator_module(data, compiled) {
     bounds_of,
     crease_lines,
     turned,
-    pixel,
+    pixel
   };
 }

@@ -37,7 +37,7 @@ function simulator_readouts(root, data, module) {
   /** @param {{ count: number, flips: number, attached: number[] } | null} found null: not yet */
   function counted(found) {
     const shares = found?.attached.map(
-      (n) => `${n.toLocaleString("en")} (${found.count ? Math.round((100 * n) / found.count) : 0} %)`,
+      (n) => `${n.toLocaleString("en")} (${found.count ? Math.round((100 * n) / found.count) : 0} %)`
     );
     put("[data-readout=flips]", String(found?.flips ?? "…"));
     put("[data-readout=attached]", shares ? shares.join(", ") || "no light is on" : "…");
@@ -102,7 +102,7 @@ function simulator_readouts(root, data, module) {
   }
 
   const terms = data.terms.map(
-    (term, n) => `<span><i style="background:${data.term_colours[n + 1]}"></i> ${term}</span>`,
+    (term, n) => `<span><i style="background:${data.term_colours[n + 1]}"></i> ${term}</span>`
   );
   $(".sim-legend").innerHTML = terms.join(" ");
   return { apart, counted, timed, forget_times, captions };
