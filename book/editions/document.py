@@ -85,7 +85,7 @@ class Chapter:
     def loads(self, kind: str) -> Iterator[tuple[Path, Tag]]:
         """What pages load as <link> or <script>, each once: its file and its element.
 
-        Scripts stand where they come first: what pages share precedes their own. Style sheets stand where they come last.
+        Scripts stand where they come first: what pages share precedes their own. Style sheets, where they come last.
         """
         pairs = [(path, tag) for page in self.pages for path, tag in page.loads.items() if tag.name == kind]
         found = dict(pairs) if kind == "script" else dict(reversed(dict(reversed(pairs)).items()))

@@ -7,8 +7,6 @@ function simulator_cursor(root, states, data, module) {
   const facts = find_element(root, ".sim-facts");
   const MOST = 10000n; // floats: past that many, their count says less than the numbers themselves
   const AXES = ["x", "y", "z"];
-  /** @type {Map<Element, string[]>} */
-  const filled = new Map();
 
   /** Where a float stands among all floats, counted from 0. @param {number} number */
   function place(number) {
@@ -23,12 +21,17 @@ function simulator_cursor(root, states, data, module) {
     return count <= MOST ? `${count} ulp` : "—";
   }
 
-  /** Which term of a difference's error may be the largest at a pixel, by the theorems. @param {State} state @param {number} u @param {number} v */
-  function leading(state, u, v) {
+  /**
+   * Which term of a difference's error may be the largest at a pixel, and how large each slope's is at most, by theorem.
+   * @param {State} state @param {number} u @param {number} v
+   * @returns {Record<string, string>}
+   */
+  function bounded(state, u, v) {
     const bounds = module.bounds_of(state);
-    if (!bounds) return "no theorem covers this";
-    const [, number] = module.kernel(bounds, u, v, state.ku, state.kv, state.eps);
-    return data.terms[number - 1];
+    if (!bounds) return { "error led by": "no theorem covers this" };
+    const [, leading, of_u, of_v] = module.kernel(bounds, u, v, state.ku, state.kv, state.eps);
+    const most = [of_u, of_v].map((bound) => bound.toExponential(2));
+    return { "error led by": data.terms[leading - 1], "|Δh<sub>u</sub>| ≤": most[0], "|Δh<sub>v</sub>| ≤": most[1] };
   }
 
   /** Both records of a pixel, as renderer.pixel gives them. @param {State} state */
@@ -46,8 +49,8 @@ function simulator_cursor(root, states, data, module) {
     /** @type {Record<string, string | number | undefined>} */
     const found = { pixel: `${column}, ${row}`, surface };
     if (u !== undefined && v !== undefined) {
-      const led = { "error led by": leading(state, u, v) };
-      Object.assign(found, { "kink flag": yes(one.kink), "straddles a crease": yes(one.straddling) }, led);
+      Object.assign(found, { "kink flag": yes(one.kink), "straddles a crease": yes(one.straddling) });
+      Object.assign(found, bounded(state, u, v));
       Object.assign(found, { u, v, θ: theta, φ: phi, h });
     }
     for (const [n, number] of (point ?? []).entries()) found[`P<sub>${AXES[n]}</sub>`] = number;
@@ -64,34 +67,22 @@ function simulator_cursor(root, states, data, module) {
       ...rows(
         AXES.map((axis) => `N′<sub>${axis}</sub>`),
         one.normal,
-        other.normal,
+        other.normal
       ),
-      ...rows(["red", "green", "blue"], one.rgb, other.rgb),
+      ...rows(["red", "green", "blue"], one.rgb, other.rgb)
     ];
-  }
-
-  /** Put rows where they differ from what is there. @param {Element} list @param {string[]} rows */
-  function fill(list, rows) {
-    const texts = filled.get(list);
-    if (!texts || texts.length !== rows.length) list.innerHTML = rows.join("");
-    else for (const [n, row] of rows.entries()) if (row !== texts[n]) list.children[n].outerHTML = row;
-    filled.set(list, rows);
   }
 
   /** @param {State} state */
   function show(state) {
     const [one, other] = records(state);
-    fill(
-      facts,
-      shared(one, state).map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`),
-    );
-    fill(
-      body,
-      compared(one, other).map(({ name, numbers: [a, b] }) => {
-        const cells = [a, b, ulps(a, b)].map((text) => `<td>${text}</td>`);
-        return `<tr><th scope="row">${name}</th>${cells.join("")}</tr>`;
-      }),
-    );
+    const entries = shared(one, state).map(([name, value]) => entry_markup(name, value));
+    const rows = compared(one, other).map(({ name, numbers: [a, b] }) => {
+      const cells = [a, b, ulps(a, b)].map((text) => `<td>${text}</td>`);
+      return `<tr><th scope="row">${name}</th>${cells.join("")}</tr>`;
+    });
+    facts.innerHTML = entries.join("");
+    body.innerHTML = rows.join("");
     find_element(root, ".sim-far").hidden = !body.textContent.includes("—");
     find_element(root, ".sim-python code").textContent = states.python(state);
   }
