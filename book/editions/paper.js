@@ -10,7 +10,7 @@ async function put_on_paper(names) {
   await Chapter.ready(); // then MathJax is there
   document.documentElement.dataset.theme = "light";
   const pages = Chapter.pages.filter(({ dataset: { page = "" } }) =>
-    names.length ? names.includes(page) : !/^(source\/|api-)/.test(page),
+    names.length ? names.includes(page) : !/^(source\/|api-)/.test(page)
   );
   document.body.replaceChildren(...pages.map((page) => find_element(page, ".bd-article")));
   for (const simulator of select_all(".simulator"))
@@ -38,7 +38,7 @@ async function put_on_paper(names) {
   function list_contents() {
     const [front, ...others] = document.querySelectorAll("article");
     const titles = others.flatMap((page) => [
-      ...page.querySelectorAll(":scope > section > h1, :scope > section > section > h2"),
+      ...page.querySelectorAll(":scope > section > h1, :scope > section > section > h2")
     ]);
     const entries = titles.map((title) => {
       const link = make_element("a", { href: `#${title.id}` }, ...title.cloneNode(true).childNodes);
@@ -96,7 +96,7 @@ async function put_on_paper(names) {
     });
     const tables = select_all("table").map((table) => ({
       table,
-      share: (table.parentElement?.clientWidth ?? 0) / width_of(table),
+      share: (table.parentElement?.clientWidth ?? 0) / width_of(table)
     }));
     for (const { formula, share, size } of formulas) if (share < 1) formula.style.fontSize = `${0.99 * share * size}px`;
     for (const { table, share } of tables) if (share < 1) table.style.zoom = String(0.995 * share);
