@@ -1,14 +1,11 @@
-// What other scripts of the pages declare: those that the build prints, Sphinx's and MathJax.
+// What other scripts of the pages declare: those that the build prints, the mailed file's, Sphinx's and MathJax.
 declare const Simulator: { data: SimulatorData; program: string; running?: ReturnType<typeof simulator_start> };
 declare const Ideas: { data: IdeasData; program: string; module?: IdeasModule };
+declare var Chapter: { pages: HTMLElement[]; shown(): Element; ready(): Promise<void>; show(page: Element): Promise<void> };
 declare const SearchText: Record<string, [string, string][]>;
-declare const MathJax: { startup: { promise: Promise<void> }; typesetPromise(parts: Element[]): Promise<void> };
+declare var MathJax: { startup: { promise: Promise<void> }; typesetPromise(parts?: Element[]): Promise<void> };
 declare class Stemmer {
   stemWord(word: string): string;
 }
 declare function splitQuery(query: string): string[];
 declare function _escapeRegExp(text: string): string;
-interface Window {
-  MathJax?: typeof MathJax;
-  Chapter: object;
-}

@@ -10,9 +10,9 @@ from docutils import nodes
 from jupyter_cache.executors import utils
 from nbformat.v4 import new_code_cell, new_notebook
 
+from book.assembly.results import UnknownResult, look_up, parse
 from book.extension import assets
-from book.extension.numbers import parse, typeset
-from book.extension.results import UnknownResult, look_up
+from book.extension.numbers import typeset
 from tests import one_page
 from verify import records
 

@@ -14,8 +14,7 @@ import pytest
 from PIL import Image
 
 from book.assembly.contents import page_files
-from book.extension.numbers import parse
-from book.extension.results import look_up
+from book.assembly.results import look_up, parse
 from book.ledger import load
 from book.ledger.check import Run, faults_in
 from renderer import Scene, render

@@ -18,9 +18,9 @@ import nbformat
 import numpy as np
 import pytest
 
+from book.assembly.results import look_up
 from book.editions.pages import parsed
 from book.extension.notebooks import FOLDER
-from book.extension.results import look_up
 from book.notebooks import WHOLE
 from book.notebooks.laboratory import BOOK, PAGE, cells, plain
 from book.notebooks.notebook import notebooks, text_of

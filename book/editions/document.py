@@ -92,7 +92,9 @@ class Chapter:
         """Every script as an element, with its data: those that wait for the document, or those that do not."""
         for path, tag in self.loads("script"):
             if tag.has_attr("defer") == deferred:
-                data = {"class": "of-site"} | {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
+                data = {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
+                if path.name != "shared.js":  # which the file's own script calls
+                    data["class"] = "of-site"
                 text = inlined_script(path)
                 if path.parent.name == "mathjax":  # the file's own script unpacks it
                     text, data = base64_gzip(text.encode()), {"type": "application/gzip", "id": "packed-mathjax"}

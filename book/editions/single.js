@@ -110,7 +110,7 @@
     /** @type {HTMLAnchorElement} */
     const holder = link.hash ? find_element(document, link.hash) : link;
     const href = URL.createObjectURL(await unpacked(holder.href.split(",")[1]).blob());
-    make_element("a", { href, download: link.dataset.packed ?? "" }).click();
+    download(link.dataset.packed ?? "", href);
     setTimeout(() => URL.revokeObjectURL(href), 1000);
   }
 

@@ -23,8 +23,8 @@ from sphinx import addnodes
 from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
+from book.assembly.results import load_result, remark
 from book.extension.elements import directive
-from book.extension.results import load_result, remark
 
 
 class PixelImage(nodes.image):

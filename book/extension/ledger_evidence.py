@@ -8,11 +8,11 @@ from docutils import nodes
 
 from book.assembly import stamps
 from book.assembly.contents import placed
+from book.assembly.results import BENCHMARK_PREFIX
 from book.extension.cards import link
 from book.extension.figures import file_link
 from book.extension.listings import listing_address
 from book.extension.numbers import mark, typeset
-from book.extension.results import BENCHMARK_PREFIX
 from book.extension.theorems import Here
 from book.ledger.check import refutes
 from book.ledger.entries import WORDS, Evidence

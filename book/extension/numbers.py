@@ -12,37 +12,17 @@ A number that was measured before the code changed has a mark, †, and the page
 ```
 """
 
-import re
 from pathlib import Path
 
 from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
+from book.assembly.results import E_NOTATION, formatted, load_result, look_up, measured, parse, remark
 from book.extension.elements import TEMPLATES, directive, on, role
-from book.extension.results import BENCHMARK_PREFIX, UnknownResult, load_result, look_up, remark
 
-SYNTAX = re.compile(r"(?P<id>(?:bench:)?\w+)\.(?P<key>[^\s|]+)(?:\s*[|\s]\s*(?P<format>\S+))?")
-E_NOTATION = re.compile(r"(?P<mantissa>[+-]?\d+(?:\.\d+)?)e(?P<exponent>[+-]\d+)")
 MINUS = "\N{MINUS SIGN}"
 TIMES = "\N{NO-BREAK SPACE}×\N{NO-BREAK SPACE}"
-
-
-def parse(text: str) -> tuple[str, str, str | None]:
-    """The id, the key and the format (None if there is none) that a role's text asks for."""
-    match = SYNTAX.fullmatch(text.strip())
-    if match is None:
-        raise UnknownResult(f"{text!r} is not of the form id.key or id.key|format")
-    return match["id"], match["key"], match["format"]
-
-
-def formatted(value: int | float | str | bool, spec: str | None = None) -> str:
-    """The value as text, by default with four significant digits for a float."""
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if spec is None:
-        spec = ".4g" if isinstance(value, float) else ""
-    return format(value, spec)
 
 
 def typeset(value: int | float | str | bool, spec: str | None = None) -> list[nodes.Node]:
@@ -57,13 +37,6 @@ def typeset(value: int | float | str | bool, spec: str | None = None) -> list[no
     exponent = str(int(match["exponent"])).replace("-", MINUS)
     front = mantissa[:-1] + "10" if mantissa in ("1", f"{MINUS}1") else f"{mantissa}{TIMES}10"
     return [nodes.Text(front), nodes.superscript("", exponent)]
-
-
-def measured(book: Path, name: str) -> str:
-    """Where, when and at which commit a benchmark was measured, as a sentence."""
-    id = f"{BENCHMARK_PREFIX}{name}"
-    label, since = load_result(book, id)["label"], "; the code has changed since" if remark(book, id) else ""
-    return f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}{since}."
 
 
 def mark(book: Path, id: str) -> list[nodes.Node]:

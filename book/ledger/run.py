@@ -7,8 +7,7 @@ from pathlib import Path
 
 from book.assembly import report, stamps
 from book.assembly.contents import page_files
-from book.extension.numbers import parse
-from book.extension.results import look_up
+from book.assembly.results import look_up, parse
 from book.ledger.check import Run
 
 KEY = re.compile(r"^@\w+\{\s*([^,\s]+)\s*,", re.MULTILINE)

@@ -8,8 +8,7 @@ from myst_nb.core.read import read_myst_markdown_notebook
 from pybtex.database import parse_file
 
 from book.assembly import stamps
-from book.extension.numbers import E_NOTATION, formatted, measured, parse
-from book.extension.results import look_up
+from book.assembly.results import E_NOTATION, formatted, look_up, measured, parse
 
 BOOK = stamps.ROOT / "book"
 PAGE = BOOK / "chapter" / "s5.md"

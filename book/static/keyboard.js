@@ -28,7 +28,7 @@
       tabindex: "0",
       role: "group",
       "aria-label": `${name_of(element)}, scrolls sideways`,
-      "data-in-reach": "",
+      "data-in-reach": ""
     };
     if (needed) set_attributes(element, attributes);
     else for (const name of Object.keys(attributes)) element.removeAttribute(name);

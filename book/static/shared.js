@@ -79,6 +79,17 @@ function pointer_in(element, { clientX, clientY }) {
 /** Whether a key is pressed together with one that makes it the browser's own. @param {KeyboardEvent} event */
 const is_shortcut = (event) => event.ctrlKey || event.altKey || event.metaKey;
 
+/** How far an arrow key points to the right and up, further with shift; undefined for other keys. @param {KeyboardEvent} event */
+function arrow_of(event) {
+  const far = event.shiftKey ? 10 : 1;
+  /** @type {Record<string, Point>} */
+  const arrows = { ArrowRight: [far, 0], ArrowLeft: [-far, 0], ArrowUp: [0, far], ArrowDown: [0, -far] };
+  return is_shortcut(event) ? undefined : arrows[event.key];
+}
+
+/** Milliseconds as seconds. @param {number} time */
+const seconds = (time) => `${(time / 1000).toFixed(1)} s`;
+
 /**
  * A worker that runs functions of the page: a file that is opened from a disk may load none by its address. The last
  * one is given what posts a reply, and returns what takes a message.
@@ -99,6 +110,9 @@ function unpacked(base64) {
   return new Response(packed.stream().pipeThrough(new DecompressionStream("gzip")));
 }
 
+/** Save what stands at an address, under a name. @param {string} name @param {string} href */
+const download = (name, href) => make_element("a", { href, download: name }).click();
+
 /** Do some work when the page is there. @param {() => void} work */
 function when_ready(work) {
   if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", work);
@@ -107,3 +121,21 @@ function when_ready(work) {
 
 /** What is said of what was thrown. @param {unknown} error */
 const error_text = (error) => (error instanceof Error ? error.message : String(error));
+
+/** @param {Point[]} points */
+const line_path = (points) => `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L")}`;
+
+/** @param {string} look @param {string} path */
+const path_markup = (look, path) => `<path class="${look}" d="${path}"/>`;
+/** @param {string} look @param {Point} middle @param {number} radius */
+const circle_markup = (look, [x, y], radius) => `<circle class="${look}" cx="${x}" cy="${y}" r="${radius}"/>`;
+
+/** A line through points. @param {string} look @param {Point[]} points */
+const line_markup = (look, points) => path_markup(look, line_path(points));
+
+/** @param {number} x @param {number} y @param {string} words */
+const text_at = (x, y, words, look = "") =>
+  `<text class="${look}" x="${x.toFixed(1)}" y="${y.toFixed(1)}">${words}</text>`;
+
+/** An entry of a list of names and values. @param {string} name @param {string | number | undefined} value */
+const entry_markup = (name, value) => `<div><dt>${name}</dt><dd>${value}</dd></div>`;

@@ -128,8 +128,8 @@ functions = Theorem(
         "round to nearest; nothing underflows or overflows; the unit is that of the float64 nearest to the exact value",
         r"the whole range: $|r| \le \frac14 + 2^{-30}$ after the reduction, which is exact but for the rounding of a "
         r"product's $r$; $0 \le t \le 1$ of the smaller over the larger side, in eight octants",
-        r"$-708 \le x \le 709$ for $e^x$; every $x > 0$ for $\ln x$; $0 < x \le 1$ and $10^{-3} \le p \le 10^6$ for "
-        r"$x^p \ge e^{-708}$, and what is smaller is 0",
+        r"$-708 \le x \le 709$ for $e^x$; every $x > 0$ for $\ln x$; $0 < x \le 1$ and $5\cdot10^{-4} \le p \le 10^6$ "
+        r"for $x^p \ge e^{-708}$, and what is smaller is 0",
     ),
     expected="certified",
 )

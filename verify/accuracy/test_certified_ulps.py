@@ -112,7 +112,7 @@ def test_what_exp_and_log_are_outside_their_range():
         np.testing.assert_array_equal(kernels.log(numbers)[[0, 1, 2, 5, 6]], [np.nan, np.inf, np.nan, -np.inf, np.nan])
 
 
-@pytest.mark.parametrize("exponent", [1e-3, 0.1, 0.5, 1.0, 7.3, 1e6])
+@pytest.mark.parametrize("exponent", [5e-4, 0.1, 0.5, 1.0, 7.3, 1e6])
 def test_a_power_rises_from_0_to_1(exponent):
     """From one base to the next above it; for an exponent of 0.1 and less it may fall, by a unit in the last place."""
     rng = np.random.default_rng(5)

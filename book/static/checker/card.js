@@ -1,13 +1,6 @@
 // A theorem's card: the button that checks it, what was checked in words, and the button that lets the reader doubt it.
 "use strict";
 
-/**
- * @typedef {{ statement: Statement, certificate: Certificate }} Case
- * @typedef {{ theorem: string, claims: { claim: string, statements: Case[] }[] }} TheoremData
- * @typedef {TheoremData & { names: Parameters<typeof polynomial_texts>[0], given: string[], trusted: string }} CardData
- * @typedef {Case & { name: string }} NamedCase
- */
-
 /** @param {Element} place @param {CardData} data @param {Clerk} clerk */
 function checker_card(place, data, clerk) {
   const polynomials = polynomial_texts(data.names);
@@ -17,7 +10,7 @@ function checker_card(place, data, clerk) {
     statements.map((pair, n) => {
       const number = statements.length > 1 ? `, case ${n + 1}` : "";
       return { ...pair, name: claim.replaceAll("_", " ") + number };
-    }),
+    })
   );
   const id = `doubt-${data.theorem}`;
   const verdict = verdict_box();
@@ -29,8 +22,7 @@ function checker_card(place, data, clerk) {
   /** @param {number} n @param {string} word */
   const number = (n, word, plural = `${word}s`) => `${n.toLocaleString("en-GB")} ${n === 1 ? word : plural}`;
   /** @param {number} time */
-  const took = (time) =>
-    time < 1 ? "less than 1 ms" : time < 1000 ? `${Math.round(time)} ms` : `${(time / 1000).toFixed(1)} s`;
+  const took = (time) => (time < 1 ? "less than 1 ms" : time < 1000 ? `${Math.round(time)} ms` : seconds(time));
   /** @template Item @param {Item[]} items @param {(item: Item) => number} count */
   const total = (items, count) => items.reduce((sum, item) => sum + count(item), 0);
   /** @param {Statement} statement @param {...string} kinds */
@@ -53,7 +45,7 @@ function checker_card(place, data, clerk) {
       refutation: "the point refutes the statement as it now reads, too.",
       separation: "the outputs still use nothing that was to be avoided.",
       derivation: "",
-      induction: "",
+      induction: ""
     };
     const proved =
       "the certificate proves the statement as it now reads. No proof uses what was changed, or it makes no " +
@@ -78,20 +70,20 @@ function checker_card(place, data, clerk) {
           `${number(identities(proved), "polynomial identity", "polynomial identities")} multiplied out, ` +
           `${number(
             total(proved, ({ work }) => work.products),
-            "product",
-          )} of terms, and nothing is left over.`,
+            "product"
+          )} of terms, and nothing is left over.`
       );
     if (refuted.length) {
       const others = identities(refuted) - refuted.length;
       sentences.push(
         `${number(refuted.length, "counterexample")} put in, in exact fractions: the claim is false there, ` +
-          `and ${number(others, "other condition holds", "other conditions hold")}.`,
+          `and ${number(others, "other condition holds", "other conditions hold")}.`
       );
     }
     if (separated.length)
       sentences.push(
         `${number(separated.length, "program")} followed: ${number(identities(separated), "line")} ` +
-          "that the outputs need use nothing that was to be avoided.",
+          "that the outputs need use nothing that was to be avoided."
       );
     return sentences.join(" ");
   }
@@ -111,7 +103,7 @@ function checker_card(place, data, clerk) {
       "For every n": (statement.show ?? []).map((p) => related(p, "=")),
       [claimed]: relations(steps(statement, "show")),
       Outputs: (statement.outputs ?? []).map((key) => named(key)),
-      Avoided: (statement.avoid ?? []).map((key) => named(key)),
+      Avoided: (statement.avoid ?? []).map((key) => named(key))
     };
     const items = Object.entries(parts)
       .filter(([, list]) => list.length)
@@ -124,7 +116,7 @@ function checker_card(place, data, clerk) {
   function limits() {
     const link = make_element("a", { href: data.trusted }, "The translation is trusted");
     const nothing = cases.some(({ statement }) =>
-      steps(statement, "show").some(({ of }) => Object.keys(of).length === 0),
+      steps(statement, "show").some(({ of }) => Object.keys(of).length === 0)
     );
     const expanded = nothing
       ? " Where a line reads 0 = 0, the translation has multiplied out, and nothing is left to prove."

@@ -2,40 +2,34 @@
 // the old certificate on the new statement.
 "use strict";
 
-/**
- * @typedef {(string | number)[]} Path where a value stands in a statement
- * @typedef {{ label: string, path: Path, before: (Node | string)[], after: string, names?: boolean }} Line
- *   of a statement, that can be changed: the value at `path` is a polynomial, or with `names` a list of names
- */
-
 /** @param {Statement} statement @param {PolynomialTexts} polynomials @returns {Line[]} */
 function statement_lines(statement, { spelled, zero }) {
-  /** @param {string} label @param {Path} path @param {(Node | string)[]} before */
-  const list = (label, path, before = []) => ({ label, path, before, after: "", names: true });
-  /** @param {string} key @param {string} when @returns {Line[]} */
+  /** @param {string} label @param {Path} path @param {(Node | string)[]} [before] @returns {Line} */
+  const line = (label, path, before = [], after = "", names = false) => ({ label, path, before, after, names });
+  /** @param {string} key @param {string} when */
   const states = (key, when) =>
-    Object.keys(statement[key]).map((name) => {
-      return { label: key, path: [key, name], before: [...spelled(name), when, " = "], after: "" };
-    });
+    Object.keys(statement[key]).map((name) => line(key, [key, name], [...spelled(name), when, " = "]));
   /** @param {string} key @returns {(step: Step, n: number) => Line} */
   const relation = (key) => (step, n) => {
-    const { is, new: name = "" } = step;
+    const { step: kind = "assume", is, new: name = "" } = step;
     const path = [key, n, "of"];
-    if (is) return { label: step.step === "show" ? "to show" : "given", path, before: [], after: zero(is) };
-    const sign = { root: " = √( ", inverse: " = 1 / ( " }[step.step ?? ""];
-    return { label: "where", path, before: [...spelled(name), sign ?? " = "], after: sign ? " )" : "" };
+    if (is) return line(kind === "show" ? "to show" : "given", path, [], zero(is));
+    const [sign, after] = { root: [" = √( ", " )"], inverse: [" = 1 / ( ", " )"] }[kind] ?? [" = "];
+    return line("where", path, [...spelled(name), sign], after);
   };
-  if (statement.kind === "separation")
+  const { kind, steps = [], lines = [], assume = [], show = [] } = statement;
+  if (kind === "separation")
     return [
-      ...(statement.lines ?? []).map(([name], n) => list("line", ["lines", n, 1], [...spelled(name), " uses "])),
-      ...["outputs", "avoid"].map((key) => list(key, [key])),
+      ...lines.map(([name], n) => line("line", ["lines", n, 1], [...spelled(name), " uses "], "", true)),
+      ...["outputs", "avoid"].map((key) => line(key, [key], [], "", true))
     ];
-  if (statement.kind !== "induction") return (statement.steps ?? []).map(relation("steps"));
-  const shown = (statement.show ?? []).map((_, n) => {
-    return { label: "to show", path: ["show", n], before: [], after: " = 0 for every n" };
-  });
-  const given = (statement.assume ?? []).map(relation("assume"));
-  return [...given, ...states("start", " at first"), ...states("next", " next"), ...shown];
+  if (kind !== "induction") return steps.map(relation("steps"));
+  return [
+    ...assume.map(relation("assume")),
+    ...states("start", " at first"),
+    ...states("next", " next"),
+    ...show.map((_, n) => line("to show", ["show", n], [], " = 0 for every n"))
+  ];
 }
 
 /**
@@ -130,7 +124,7 @@ function statement_editor(root, cases, polynomials, clerk, told) {
                 .trim()
                 .split(/[\s,]+/)
                 .filter(Boolean)
-            : parse(box.value, known(copies[chosen])),
+            : parse(box.value, known(copies[chosen]))
         );
         show_chips();
       } catch (why) {

@@ -2,33 +2,10 @@
 // trusted"), not from another kernel. Whole numbers are BigInt, coefficients are fractions, nothing is rounded.
 "use strict";
 
-/**
- * @typedef {[bigint, bigint]} Fraction numerator and denominator, in lowest terms, the denominator positive
- * @typedef {Map<string, Fraction>} Polynomial from words to coefficients other than 0: the word of x²y is "x x y", its
- *   names in a fixed order
- * @typedef {{ p: Polynomial, is: string }} Fact or goal: the polynomial p is = 0, ≠ 0, > 0 or ≥ 0
- * @typedef {Map<string, Polynomial>} Scope what each name stands for
- * @typedef {{ step?: string, is?: string, new?: string, of: PolynomialData }} Step
- * @typedef {{ kind: "derivation" | "refutation" | "induction" | "separation", variables?: string[], steps?: Step[],
- *   state?: string[], assume?: Step[], show?: PolynomialData[], lines?: [string, string[]][], outputs?: string[],
- *   avoid?: string[], [key: string]: any }} Statement
- * @typedef {{ point?: Record<string, string>, [key: string]: any }} Certificate
- * @typedef {{ identities: number, products: number, step: number }} Work
- * @typedef {{ accepted: boolean, reason?: string, residual?: PolynomialData, work: Work }} Verdict
- */
-
 function certificate_kernel() {
-  class Rejected extends Error {
-    /** @param {string} reason @param {Polynomial} [residual] */
-    constructor(reason, residual) {
-      super(reason);
-      this.residual = residual;
-    }
-  }
-
   /** @param {unknown} condition @param {string} reason @param {Polynomial} [residual] @returns {asserts condition} */
   function insist(condition, reason, residual) {
-    if (!condition) throw new Rejected(reason, residual);
+    if (!condition) throw Object.assign(new Error(reason), { residual });
   }
 
   let work = { identities: 0, products: 0, step: 0 }; // counted for the reader, never asked by a rule
@@ -46,11 +23,9 @@ function certificate_kernel() {
   /** @type {Fraction} */
   const MINUS = [-1n, 1n];
   /** @param {Fraction} a @param {Fraction} b */
-  const whole = (a, b) => a[1] === 1n && b[1] === 1n;
-  /** @param {Fraction} a @param {Fraction} b @returns {Fraction} */
-  const plus = (a, b) => (whole(a, b) ? [a[0] + b[0], 1n] : reduced(a[0] * b[1] + b[0] * a[1], a[1] * b[1]));
-  /** @param {Fraction} a @param {Fraction} b @returns {Fraction} */
-  const times = (a, b) => (whole(a, b) ? [a[0] * b[0], 1n] : reduced(a[0] * b[0], a[1] * b[1]));
+  const plus = (a, b) => reduced(a[0] * b[1] + b[0] * a[1], a[1] * b[1]);
+  /** @param {Fraction} a @param {Fraction} b */
+  const times = (a, b) => reduced(a[0] * b[0], a[1] * b[1]);
   /** @param {Fraction} fraction */
   const printed = ([top, bottom]) => (bottom === 1n ? `${top}` : `${top}/${bottom}`);
 
@@ -74,7 +49,7 @@ function certificate_kernel() {
     else if (Array.isArray(form)) {
       insist(
         Array.isArray(data) && data.length <= MOST && [1, data.length].includes(form.length),
-        "a list is missing, or has another length",
+        "a list is missing, or has another length"
       );
       for (const [i, item] of data.entries()) has_form(item, form[i] ?? form[0]);
     } else {
@@ -82,7 +57,7 @@ function certificate_kernel() {
       const found = keys(data, `an object with ${wanted.join(", ")}`);
       insist(
         found.length === wanted.length && wanted.every((key) => found.includes(key)),
-        `${found.join(", ")} stand where ${wanted.join(", ")} should`,
+        `${found.join(", ")} stand where ${wanted.join(", ")} should`
       );
       for (const key of wanted) has_form(data[key], form[key]);
     }
@@ -111,7 +86,7 @@ function certificate_kernel() {
     "=": (sign) => sign === 0n,
     "!=": (sign) => sign !== 0n,
     ">": (sign) => sign > 0n,
-    ">=": (sign) => sign >= 0n,
+    ">=": (sign) => sign >= 0n
   };
   /** @param {any} text */
   function relation(text) {
@@ -168,13 +143,13 @@ function certificate_kernel() {
     induction: [
       induction,
       { ...all, state: [name], assume: [said], start: values, next: values, show: [polynomial] },
-      { base: proofs, step: proofs },
+      { base: proofs, step: proofs }
     ],
     separation: [
       separation,
       { kind: any, version, lines: [[name, [name]]], outputs: [name], avoid: [name] },
-      { reached: [name] },
-    ],
+      { reached: [name] }
+    ]
   };
 
   /** @param {Fraction} value @returns {Polynomial} */
@@ -232,7 +207,7 @@ function certificate_kernel() {
       insist(index < facts.length, `there is no fact ${index}`);
       insist(
         relations.includes(facts[index].is),
-        `fact ${index} is "${facts[index].is} 0", not ${relations.join(" or ")}`,
+        `fact ${index} is "${facts[index].is} 0", not ${relations.join(" or ")}`
       );
       return facts[index];
     };
@@ -303,7 +278,7 @@ function certificate_kernel() {
     insist(waiting.length === 0, "a proof is left over");
     insist(
       statement.steps.some((/** @type {Step} */ { step }) => step === "show"),
-      "nothing is claimed",
+      "nothing is claimed"
     );
   }
 
@@ -334,7 +309,7 @@ function certificate_kernel() {
       const pair = ["cos", "sin"].map((word) => word + name.slice(3));
       insist(
         pair.every((each) => asked.includes(each)),
-        `${name} stands alone`,
+        `${name} stands alone`
       );
       const [c, s] = pair.map(at);
       const off = less(add(product(c, c), product(s, s)), constant(ONE));
@@ -360,7 +335,7 @@ function certificate_kernel() {
     };
     const cases = [
       { proofs: certificate.base, scope: moved(start, fixed), facts: given },
-      { proofs: certificate.step, scope: moved(next, now), facts: [...given, ...equations(now)] },
+      { proofs: certificate.step, scope: moved(next, now), facts: [...given, ...equations(now)] }
     ];
     insist(show.length > 0, "nothing is claimed");
     for (const { proofs, scope, facts } of cases) {
@@ -390,7 +365,7 @@ function certificate_kernel() {
     const shorter = (word) =>
       word.replace(
         /(?<!\S)(\S+)((?: \1)+)(?!\S)/g,
-        (_, name, more) => `${name}^${1 + more.length / (name.length + 1)}`,
+        (_, name, more) => `${name}^${1 + more.length / (name.length + 1)}`
       );
     return Object.fromEntries(Array.from(polynomial, ([word, value]) => [shorter(word), printed(value)]));
   }
@@ -406,8 +381,8 @@ function certificate_kernel() {
       rule(statement, certificate);
       return { accepted: true, work };
     } catch (why) {
-      const residual = why instanceof Rejected && why.residual ? written(why.residual) : undefined;
-      return { accepted: false, reason: why instanceof Error ? why.message : String(why), residual, work };
+      const { message, residual } = /** @type {Error & { residual?: Polynomial }} */ (why);
+      return { accepted: false, reason: message, residual: residual && written(residual), work };
     }
   }
 

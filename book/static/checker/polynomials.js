@@ -2,11 +2,6 @@
 // i (italic), r (upright) and s (subscript).
 "use strict";
 
-/**
- * @typedef {Record<string, string>} PolynomialData {"x^2 y": "-3/2", "": "1"}: coefficients by their monomials
- * @typedef {ReturnType<typeof polynomial_texts>} PolynomialTexts
- */
-
 /** @param {Record<string, [string, "i" | "r" | "s"][]>} names */
 function polynomial_texts(names) {
   const MOST = 40; // terms that are typeset

@@ -39,7 +39,7 @@ async function show_verdict(button, verdict, check) {
 function check_all(place, theorems, clerk) {
   const listed = theorems.map(({ theorem, claims }) => ({
     theorem,
-    cases: claims.flatMap(({ statements }) => statements),
+    cases: claims.flatMap(({ statements }) => statements)
   }));
   const total = listed.reduce((sum, { cases }) => sum + cases.length, 0);
   const bar = make_element("progress", { max: total, value: 0, "aria-label": "Certificates checked" });
@@ -73,8 +73,6 @@ function check_all(place, theorems, clerk) {
       mark(theorem, accepted);
     });
     await Promise.all(asked);
-    /** @param {number} time */
-    const seconds = (time) => `${(time / 1000).toFixed(1)} s`;
     const good = `${theorems.length - rejected.length} of ${theorems.length} theorems, ${total} in all`;
     const spent = `${seconds(performance.now() - begin)}, ${seconds(busy)} of it in the kernel`;
     const names = rejected.length ? ` Rejected: ${rejected.join(", ")}.` : "";

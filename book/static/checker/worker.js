@@ -1,12 +1,6 @@
 // The kernel in a worker, so that the page never waits for it; and the page's end of the line.
 "use strict";
 
-/**
- * @typedef {{ id: number, statement: Statement, certificate: Certificate }} Question
- * @typedef {Verdict & { id: number, time: number }} Answer with the milliseconds that it took
- * @typedef {ReturnType<typeof checking_clerk>} Clerk
- */
-
 /** What the worker does with a question. @param {(answer: Answer) => void} post @returns {(question: Question) => void} */
 function checking_worker(post) {
   const { check } = certificate_kernel();

@@ -2,22 +2,9 @@
 // What they show is computed by the simulator's module (book/simulator_module.py); here things are only drawn.
 "use strict";
 
-/**
- * @typedef {[number, number]} Point
- * @typedef {{ kernels: Record<string, [number, number]>, given: Record<string, number>,
- *   lines: Record<string, { inputs: string[], lines: string[] }> }} IdeasData
- * @typedef {SimulatorModule & { own: SimulatorModule }} IdeasModule with the interactives' own kernels
- * @typedef {SimulatorData & IdeasData} AllData
- * @typedef {(figure: HTMLElement, module: IdeasModule, data: AllData) => void} Idea
- * @typedef {(x: number, y: number, begins: boolean) => void} Moved is told of a place on a panel
- * @typedef {(right: number, up: number) => void} Stepped is told of arrow keys, ten times as far with shift
- */
-
 /** @type {Record<string, Idea>} */
 const IDEAS = {};
 const SURFACES = ["nothing", "sphere A", "sphere B", "the floor"];
-/** @type {Record<string, Point>} */
-const ARROWS = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /**
  * @template {keyof HTMLElementTagNameMap} Tag
@@ -47,14 +34,6 @@ function decimal(number, digits = 2) {
   return Number(text) === 0 ? text.replace("-", "") : with_minus(text);
 }
 
-/** @param {Point[]} points */
-const line_path = (points) => `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L")}`;
-
-/** @param {string} look @param {string} path */
-const path_markup = (look, path) => `<path class="${look}" d="${path}"/>`;
-/** @param {string} look @param {Point} middle @param {number} radius */
-const circle_markup = (look, [x, y], radius) => `<circle class="${look}" cx="${x}" cy="${y}" r="${radius}"/>`;
-
 /** An arrow: a line and its head, at most as long as half the arrow. @param {Point} from @param {Point} to */
 function arrow_path([x, y], [end_x, end_y], look = "", size = 6) {
   const [dx, dy] = [end_x - x, end_y - y];
@@ -63,19 +42,15 @@ function arrow_path([x, y], [end_x, end_y], look = "", size = 6) {
   const [a, b] = [share * dx, share * dy];
   const shaft = line_path([
     [x, y],
-    [end_x - a / 2, end_y - b / 2],
+    [end_x - a / 2, end_y - b / 2]
   ]);
   const head = line_path([
     [end_x - a - b / 2, end_y - b + a / 2],
     [end_x, end_y],
-    [end_x - a + b / 2, end_y - b - a / 2],
+    [end_x - a + b / 2, end_y - b - a / 2]
   ]);
   return path_markup(look, shaft) + path_markup(`${look} head`, `${head}Z`);
 }
-
-/** @param {number} x @param {number} y @param {string} words */
-const text_at = (x, y, words, look = "") =>
-  `<text class="${look}" x="${x.toFixed(1)}" y="${y.toFixed(1)}">${words}</text>`;
 
 /**
  * Every line of a program by its name, from inputs by their names.
@@ -117,21 +92,18 @@ function listen_to_hand(target, origin, moved, stepped) {
     if (target.hasPointerCapture(event.pointerId)) tell(event, false);
   });
   target.addEventListener("keydown", (event) => {
-    if (!(event.key in ARROWS) || is_shortcut(event)) return;
+    const arrow = arrow_of(event);
+    if (!arrow) return;
     event.preventDefault();
     event.stopPropagation();
-    const [right, up] = ARROWS[event.key].map((step) => step * (event.shiftKey ? 10 : 1));
-    stepped(right, up);
+    stepped(...arrow);
   });
 }
 
-/**
- * The stage of a figure: it replaces the still picture as soon as it has been drawn.
- * @param {HTMLElement} figure
- * @param {() => void} draw
- */
-function idea_stage(figure, draw) {
+/** The stage of a figure: it replaces the still picture as soon as it has been drawn. @param {HTMLElement} figure */
+function idea_stage(figure) {
   const root = make_element("div", { class: "idea-stage" });
+  let draw = () => {};
   let width = 0;
   let asked = 0;
 
@@ -233,7 +205,9 @@ function idea_stage(figure, draw) {
     };
   }
 
-  function begin() {
+  /** @param {() => void} drawing */
+  function begin(drawing) {
+    draw = drawing;
     find_element(figure, ".pixels").after(root);
     figure.classList.add("idea-live");
     new ResizeObserver(() => {
@@ -242,7 +216,16 @@ function idea_stage(figure, draw) {
     }).observe(root);
   }
 
-  return { root, panel, slider, picture, says: () => add_element(root, "p", { class: "idea-says" }), redraw, begin };
+  return {
+    figure,
+    root,
+    panel,
+    slider,
+    picture,
+    says: () => add_element(root, "p", { class: "idea-says" }),
+    redraw,
+    begin
+  };
 }
 
 /** The scene as a state of the simulator, with changes. @param {SimulatorData} data @param {Partial<SceneState>} [changes] */
@@ -264,7 +247,10 @@ document.addEventListener("DOMContentLoaded", async () => {
   try {
     const module = await ideas_module(data);
     Ideas.module = module;
-    for (const figure of figures) IDEAS[figure.id.replace("fig-", "")](figure, module, data);
+    for (const figure of figures) {
+      const stage = idea_stage(figure);
+      stage.begin(IDEAS[figure.id.replace("fig-", "")](stage, module, data));
+    }
   } catch (error) {
     if (!error_text(error).includes("WebAssembly")) throw error; // without it, the still pictures stay
   }

@@ -1,12 +1,12 @@
 // One pixel that the reader picks, worked through: the values of the program's lines, beside their formulas.
 "use strict";
 
-IDEAS.pixel_worked = (figure, module, data) => {
+IDEAS.pixel_worked = (stage, module, data) => {
   const SIZE = 256;
   const raster = { width: SIZE, height: SIZE, left: 0, top: 0, wide: SIZE, high: SIZE };
   const [xs, ys] = module.image_points(raster);
   /** @type {NodeListOf<HTMLElement>} */
-  const outputs = figure.querySelectorAll("[data-line]");
+  const outputs = stage.figure.querySelectorAll("[data-line]");
   let column = 104;
   let row = 92;
 
@@ -19,7 +19,6 @@ IDEAS.pixel_worked = (figure, module, data) => {
     stage.redraw();
   }
 
-  const stage = idea_stage(figure, draw);
   const panel = stage.panel("The scene, and the pixel that is worked through", SIZE);
   const paint = stage.picture(panel.box, SIZE, "the chapter's scene");
   panel.box.classList.add("idea-picture", "small");
@@ -28,7 +27,7 @@ IDEAS.pixel_worked = (figure, module, data) => {
   const told = stage.says();
   paint(module, scene_state(data), raster);
 
-  function draw() {
+  return () => {
     const place = { x: xs[column], y: ys[row] };
     /** @type {Record<string, number>} */
     const lines = { ...place, ...program_lines(module, data, "pixel_lines", { ...data.given, ...place }) };
@@ -40,7 +39,5 @@ IDEAS.pixel_worked = (figure, module, data) => {
     swatch.style.background = `color(srgb-linear ${lines.rgb_red} ${lines.rgb_green} ${lines.rgb_blue})`;
     told.innerHTML = `Pixel (${column}, ${row}) shows <b>${surface}</b>.`;
     put_pixel([column + 0.5, row + 0.5], row * SIZE + column, `column ${column}, row ${row}: ${surface}`);
-  }
-
-  stage.begin();
+  };
 };

@@ -1,25 +1,26 @@
 // The scene in the upright plane through the eye and sphere B: a ray to be dragged, what it meets, what the lights reach.
 "use strict";
 
-IDEAS.scene_from_the_side = (figure, module, data) => {
+IDEAS.scene_from_the_side = (stage, module, data) => {
   const { eye, radius, ball_radius, ball_center, lights } = data.scene;
   const across = Math.hypot(ball_center[0], ball_center[1]);
   const way = [ball_center[0] / across, ball_center[1] / across];
   const FURTHEST = 2.2;
   const LIGHTS = ["first light", "second light"];
+  /** @type {Vector} */
+  const ORIGIN = [0, 0, 0];
   let s = 0.52;
 
   /** A point's place in the plane: along it, and how high. @param {number[]} point @returns {Point} */
   const flat = ([x, y, z]) => [x * way[0] + y * way[1], z];
 
-  const stage = idea_stage(figure, draw);
   const panel = stage.panel("The eye, a ray, the spheres, the floor and the lights, from the side", 430);
   const says = stage.says();
   panel.box.classList.add("idea-clipped");
   const on_floor = panel.handle(
     "where the ray meets the picture's plane",
     (x) => set((x - panel.width() / 2) / scale_of()),
-    (right) => set(s + right / 100),
+    (right) => set(s + right / 100)
   );
   const scale_of = () => Math.min(96, panel.width() / 4.6);
   /** @param {number} to */
@@ -29,62 +30,63 @@ IDEAS.scene_from_the_side = (figure, module, data) => {
   }
 
   /**
-   * Where points of the plane, arrays of their places along it and heights, are not reached by a light for a sphere.
-   * @param {Float64Array[]} points
-   * @param {number} light
-   * @param {Vector} center
-   * @param {number} size
-   */
-  function in_shadow([along, heights], light, center, size) {
-    const [x, y] = way.map((part) => along.map((a) => a * part));
-    return module.own.kernel_over("shadow", x, y, heights, ...lights[light].position, ...center, size)[0];
-  }
-
-  /**
-   * What neither of the other bodies lets a light reach: of the floor, of A, of B, each drawn a little beside it.
+   * Where neither of the other bodies lets a light reach the floor, A or B, each drawn a little beside it.
    * @param {number} light
    * @param {(point: Point) => Point} place
    * @param {number} beside
    */
   function shadows(light, place, beside) {
-    /** @param {Float64Array[]} points @param {(n: number) => boolean} is_dark */
-    function dark([along, heights], is_dark) {
+    /**
+     * What is dark of a curve in the plane.
+     * @param {number} count of its points
+     * @param {(n: number, beside: number) => Point} point where each is, and where it is drawn
+     * @param {(point: Point) => boolean} is_open whether it is outside of every body
+     * @param {...Vector} bodies the centres of those that may stand before it
+     */
+    function dark(count, point, is_open, ...bodies) {
+      const points = Array.from({ length: count }, (_, n) => point(n, 0));
+      const x = float64s(count, (n) => points[n][0] * way[0]);
+      const y = float64s(count, (n) => points[n][0] * way[1]);
+      const z = float64s(count, (n) => points[n][1]);
+      const hidden = bodies.map((center) => {
+        const size = center === ball_center ? ball_radius : radius;
+        return module.own.kernel_over("shadow", x, y, z, ...lights[light].position, ...center, size)[0];
+      });
       let path = "";
-      for (let n = 0; n < along.length; n++) {
-        const [x, y] = place([along[n], heights[n]]);
-        if (is_dark(n)) path += `${n && is_dark(n - 1) ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`;
+      let drawing = false;
+      for (const [n, at] of points.entries()) {
+        const is_dark = is_open(at) && hidden.some((flags) => flags[n]);
+        const [right, below] = place(point(n, beside));
+        if (is_dark) path += `${drawing ? "L" : "M"}${right.toFixed(1)} ${below.toFixed(1)}`;
+        drawing = is_dark;
       }
       return path_markup(`dark light-${light}`, path);
     }
 
-    /** @type {{ center: Vector, size: number }[]} */
-    const [a, b] = [
-      { center: [0, 0, 0], size: radius },
-      { center: ball_center, size: ball_radius },
-    ];
-    /** @param {{ center: Vector, size: number }} body @param {{ center: Vector, size: number }} other */
-    function of_body({ center, size }, other) {
+    /** @param {Vector} center @param {number} size @returns {(n: number, beside: number) => Point} */
+    function circle(center, size) {
       const [middle, height] = flat(center);
-      /** @param {number} reach */
-      const circle = (reach) => [
-        float64s(241, (n) => middle + reach * Math.cos((n * Math.PI) / 120)),
-        float64s(241, (n) => height + reach * Math.sin((n * Math.PI) / 120)),
-      ];
-      const edge = circle(size);
-      const hidden = in_shadow(edge, light, other.center, other.size);
-      return dark(circle(size - beside), (n) => hidden[n] !== 0 && edge[1][n] >= 0);
+      return (n, beside) => {
+        const angle = (n * Math.PI) / 120;
+        return [middle + (size - beside) * Math.cos(angle), height + (size - beside) * Math.sin(angle)];
+      };
     }
-
-    const floor = float64s(401, (n) => -FURTHEST + (n * FURTHEST) / 200);
-    const [by_a, by_b] = [a, b].map(({ center, size }) => in_shadow([floor, floor.map(() => 0)], light, center, size));
-    const on_floor = dark(
-      [floor, floor.map(() => -beside)],
-      (n) => Math.abs(floor[n]) >= radius && (by_a[n] !== 0 || by_b[n] !== 0),
+    /** @param {Point} point */
+    const is_up = ([, height]) => height >= 0;
+    return (
+      dark(
+        401,
+        (n, beside) => [(n / 200 - 1) * FURTHEST, -beside],
+        ([along]) => Math.abs(along) >= radius,
+        ORIGIN,
+        ball_center
+      ) +
+      dark(241, circle(ORIGIN, radius), is_up, ball_center) +
+      dark(241, circle(ball_center, ball_radius), is_up, ORIGIN)
     );
-    return on_floor + of_body(a, b) + of_body(b, a);
   }
 
-  function draw() {
+  return () => {
     const scale = scale_of();
     const ground = 20 + scale * eye;
     const middle = panel.width() / 2;
@@ -111,8 +113,8 @@ IDEAS.scene_from_the_side = (figure, module, data) => {
         path_markup("body", `M${middle - wide} ${ground}A${wide} ${wide} 0 0 1 ${middle + wide} ${ground}`) +
         circle_markup("body", ball, ball_radius * scale) +
         LIGHTS.map((_, n) => shadows(n, place, (5 + 6 * n) / scale)).join("") +
-        path_markup("slope", line_path([top, hit])) +
-        path_markup("guide", line_path([hit, foot])) +
+        line_markup("slope", [top, hit]) +
+        line_markup("guide", [hit, foot]) +
         arrows.join("") +
         circle_markup("eye", top, 5) +
         circle_markup("met", hit, 4.5) +
@@ -120,7 +122,7 @@ IDEAS.scene_from_the_side = (figure, module, data) => {
         text_at(middle - 4, ground - 0.45 * scale, "A", "i bold") +
         text_at(ball[0] - 4, ball[1] + 5, "B", "i bold") +
         text_at(hit[0] - 18, hit[1] - 8, "P", "i bold") +
-        text_at(6, ground - 6, "the floor, <tspan class='i'>t</tspan> = 1"),
+        text_at(6, ground - 6, "the floor, <tspan class='i'>t</tspan> = 1")
     );
     const met = Object.entries({ A: found.t_a, B: found.t_b, "the floor": found.t_floor })
       .filter(([, at]) => Number.isFinite(at))
@@ -129,7 +131,5 @@ IDEAS.scene_from_the_side = (figure, module, data) => {
     const surface = SURFACES[found.surface];
     says.innerHTML = `The ray meets ${met.join(", ")}: it shows <b>${surface}</b>. T${reached.join(", t")}.`;
     on_floor(foot, s, `${decimal(s)}: ${surface}; t${reached.join(", t")}`);
-  }
-
-  stage.begin();
+  };
 };

@@ -1,7 +1,7 @@
 // A height field along a circle of the sphere, the normals that its slope tilts, and the light that they catch.
 "use strict";
 
-IDEAS.slope_is_texture = (figure, module, data) => {
+IDEAS.slope_is_texture = (stage, module, data) => {
   const { ku, kv, radius, eye, beta: first_beta, lights } = data.scene;
   const V = 1 / 8;
   const SIZE = 300;
@@ -28,7 +28,6 @@ IDEAS.slope_is_texture = (figure, module, data) => {
   /** @param {number} x */
   const u_at = (x) => Math.round((1024 * (x - EDGE)) / (profile.width() - 2 * EDGE)) / 1024;
 
-  const stage = idea_stage(figure, draw);
   const sides = add_element(stage.root, "div", { class: "idea-sides" });
   const profile = stage.panel("The height along the circle, and its slope", SIZE, sides);
   const sphere = stage.panel("The sphere", SIZE, sides);
@@ -84,7 +83,7 @@ IDEAS.slope_is_texture = (figure, module, data) => {
     return arrow_path([x, FLAT], [x + length * Math.sin(turn), FLAT - length * Math.cos(turn)], look, length / 5);
   }
 
-  function draw() {
+  return () => {
     const width = profile.width() - 2 * EDGE;
     /** @param {number} along @param {number} h @returns {Point} */
     const at = (along, h) => [EDGE + along * width, HEIGHTS.top + (1 - h) * HEIGHTS.high];
@@ -101,9 +100,9 @@ IDEAS.slope_is_texture = (figure, module, data) => {
     const normals = Array.from(few, (along, n) => normal(at(along, 0)[0], slopes[n], tilts[n], 24, "few"));
     profile.show(
       text_at(EDGE, 16, "the height <tspan class='i'>h</tspan>, and its slope at the point") +
-        path_markup("height", line_path(points)) +
-        path_markup("slope", line_path(tangent)) +
-        path_markup("guide", line_path([point, [point[0], SIZE]])) +
+        line_markup("height", points) +
+        line_markup("slope", tangent) +
+        line_markup("guide", [point, [point[0], SIZE]]) +
         text_at(EDGE, 134, "the surface stays flat; its normals lean") +
         path_markup("height", `M${EDGE} ${FLAT}h${width}`) +
         normals.join("") +
@@ -111,9 +110,9 @@ IDEAS.slope_is_texture = (figure, module, data) => {
         text_at(EDGE, 220, "the light without the bump") +
         strip(226, 18, plain) +
         text_at(EDGE, 262, "and with it") +
-        strip(268, 32, cosines),
+        strip(268, 32, cosines)
     );
-    sphere.show(path_markup("circle", line_path(circle)));
+    sphere.show(line_markup("circle", circle));
     if (drawn !== beta) paint(module, scene_state(data, { beta, ball: false, lights: [true, false] }), raster);
     drawn = beta;
     const words = `slope ${decimal(slope)}, tilt ${decimal(tilt, 1)}°`;
@@ -123,7 +122,5 @@ IDEAS.slope_is_texture = (figure, module, data) => {
       `slope <b class="symbolic">${decimal(slope)}</b> × β ${decimal(beta, 3)} = ${decimal(slope * beta)}: ` +
       `the normal leans by <b class="symbolic">${decimal(tilt, 1)}°</b>, ` +
       `and the light there goes from ${decimal(before)} to <b>${decimal(mu)}</b>.`;
-  }
-
-  stage.begin();
+  };
 };

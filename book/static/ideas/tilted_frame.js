@@ -1,8 +1,9 @@
 // N, the tangent vector βg and M = N + βg at a point of the sphere, in a drawing that can be turned and pulled.
 "use strict";
 
-IDEAS.tilted_frame = (figure, module, data) => {
+IDEAS.tilted_frame = (stage, module, data) => {
   const { scene } = data;
+  const { own } = module;
   const HIGH = 400;
   const MOST = 0.5;
   const WHOLE = 2 * Math.PI;
@@ -35,7 +36,6 @@ IDEAS.tilted_frame = (figure, module, data) => {
     stage.redraw();
   }
 
-  const stage = idea_stage(figure, draw);
   const sides = add_element(stage.root, "div", { class: "idea-sides" });
   const panel = stage.panel("The normal at a point, and what the slope makes of it", HIGH, sides);
   const list = add_element(sides, "dl", { class: "idea-values" });
@@ -47,16 +47,16 @@ IDEAS.tilted_frame = (figure, module, data) => {
     from = [x, y];
   }
   const put_view = panel.backdrop("the view: drag, or press arrow keys, to turn it", drag, (right, up) =>
-    look(turn - right / 20, tip - up / 20),
+    look(turn - right / 20, tip - up / 20)
   );
   const put_point = panel.handle("the point of the sphere, u and v", pull, (right, up) =>
-    set({ u: u + right / 256, v: v - up / 256 }),
+    set({ u: u + right / 256, v: v - up / 256 })
   );
   const stretched = panel.handle(
     "the tip of M, that is β",
     stretch,
     (right, up) => set({ beta: beta + (right + up) / 200 }),
-    "second",
+    "second"
   );
 
   // The directions to the right of the drawing, up in it, and towards the eye; where a point is in it.
@@ -79,7 +79,7 @@ IDEAS.tilted_frame = (figure, module, data) => {
     const far = Math.hypot(a, b);
     const inside = far > 0.999 ? 0.999 / far : 1;
     const p = sum([a * inside, right], [b * inside, up], [Math.sqrt(1 - (far * inside) ** 2), toward]);
-    const [to_u, to_v] = module.own.kernel("chart", p[0], p[1], p[2], Math.hypot(p[0], p[1]));
+    const [to_u, to_v] = own.kernel("chart", p[0], p[1], p[2], Math.hypot(p[0], p[1]));
     set({ u: to_u, v: to_v });
   }
 
@@ -95,12 +95,12 @@ IDEAS.tilted_frame = (figure, module, data) => {
 
   function values() {
     const { ku, kv, radius, lights } = scene;
-    const [, h_u, h_v, tilt] = module.own.kernel("bump_at", u, v, ku, kv, beta, radius, ...lights[0].position);
-    const [cos_theta, sin_theta, cos_phi, sin_phi] = module.own.kernel("angles_at", u, v);
+    const [, h_u, h_v, tilt] = own.kernel("bump_at", u, v, ku, kv, beta, radius, ...lights[0].position);
+    const [cos_theta, sin_theta, cos_phi, sin_phi] = own.kernel("angles_at", u, v);
     const inputs = { cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta };
     const lines = program_lines(module, data, "bump_lines", inputs);
     const [normal, e_theta, e_phi, g, m, bumped] = ["normal", "e_theta", "e_phi", "g", "m", "bumped"].map((name) =>
-      vector_of(lines, name),
+      vector_of(lines, name)
     );
     return { h_u, h_v, tilt, length: lines.m_length, normal, e_theta, e_phi, g, m, bumped };
   }
@@ -110,7 +110,7 @@ IDEAS.tilted_frame = (figure, module, data) => {
     const steps = float64s(97, (n) => n / 96);
     const lines = module.crease_lines(scene_state(data)).map(({ a, b, level }) => {
       const [us, vs] = [steps.map((at) => (a ? (level - b * at) / a : at)), steps.map((at) => (a ? at : level / b))];
-      const xyz = module.kernel_over("point_on_a", ...module.own.kernel_over("angles_at", us, vs), 1);
+      const xyz = module.kernel_over("point_on_a", ...own.kernel_over("angles_at", us, vs), 1);
       const points = Array.from(us, (_, n) => xyz.map((part) => part[n]));
       const parts = points.slice(1).map((p, n) => {
         const is_seen = dot(p, toward) > 0 && dot(points[n], toward) > 0;
@@ -121,7 +121,7 @@ IDEAS.tilted_frame = (figure, module, data) => {
     return lines.join("");
   }
 
-  function draw() {
+  return () => {
     const eye = view();
     const { place, size, middle } = eye;
     const { h_u, h_v, tilt, length, normal, e_theta, e_phi, g, m, bumped } = values();
@@ -142,7 +142,7 @@ IDEAS.tilted_frame = (figure, module, data) => {
         path_markup("plane", `${line_path([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)])}Z`) +
         axis(corner(1, 0), "θ") +
         axis(corner(0, 1), "φ") +
-        path_markup("guide", line_path([n, end, tangent])) +
+        line_markup("guide", [n, end, tangent]) +
         arrow_path(at, end, "few", 7) +
         arrow_path(at, n, "", 9) +
         arrow_path(at, tangent, "slope", 9) +
@@ -150,7 +150,7 @@ IDEAS.tilted_frame = (figure, module, data) => {
         name(n, "N", "") +
         name(tangent, "βg", "blue") +
         name(end, "M", "") +
-        text_at(unit[0] - 30, unit[1] + 6, "N′", "i bold"),
+        text_at(unit[0] - 30, unit[1] + 6, "N′", "i bold")
     );
     /** @param {number[]} parts */
     const in_brackets = (parts) => `(${parts.map((part) => decimal(part, 3)).join(", ")})`;
@@ -162,15 +162,14 @@ IDEAS.tilted_frame = (figure, module, data) => {
       M: in_brackets(m),
       "|M|": decimal(length, 3),
       "N′": in_brackets(bumped),
-      tilt: `${decimal(tilt, 1)}°`,
+      tilt: `${decimal(tilt, 1)}°`
     };
-    const cells = Object.entries(rows).map(([key, value]) => `<div><dt>${key}</dt><dd>${value}</dd></div>`);
-    list.innerHTML = cells.join("");
+    list.innerHTML = Object.entries(rows)
+      .map(([name, value]) => entry_markup(name, value))
+      .join("");
     put_point(at, u, `u ${decimal(u, 3)}, v ${decimal(v, 3)}, slopes ${decimal(h_u)} and ${decimal(h_v)}`);
     stretched(end, beta, `β ${decimal(beta, 3)}, tilt ${decimal(tilt, 1)}°`);
     const [around, above] = [turn, tip].map((angle) => Math.round((angle * 180) / Math.PI));
     put_view(turn, `turned by ${around}°, from ${above}° above`);
-  }
-
-  stage.begin();
+  };
 };

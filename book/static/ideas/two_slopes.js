@@ -1,7 +1,7 @@
 // One height, two slopes: the secant over a step and the tangent, at a smooth point and beside a crease.
 "use strict";
 
-IDEAS.two_slopes = (figure, module, data) => {
+IDEAS.two_slopes = (stage, module, data) => {
   const { ku, kv } = data.scene;
   const FROM = 0.06;
   const TO = 0.25;
@@ -30,14 +30,13 @@ IDEAS.two_slopes = (figure, module, data) => {
     stage.redraw();
   }
 
-  const stage = idea_stage(figure, draw);
   const panel = stage.panel("The height across a crease, a tangent and a secant", HIGH);
   const range = { min: LEAST, max: MOST, step: 0.01, value: Math.log10(eps) };
   const put_eps = stage.slider(
     "step ε",
     range,
     (to) => set(u, 10 ** to),
-    (exponent) => in_powers(10 ** exponent),
+    (exponent) => in_powers(10 ** exponent)
   );
   const says = stage.says();
   /** @param {number} at @param {number} height @returns {Point} */
@@ -47,13 +46,13 @@ IDEAS.two_slopes = (figure, module, data) => {
   const put_point = panel.handle(
     "the point, u",
     (x) => set(Math.round(2000 * at_x(x)) / 2000, eps),
-    (right) => set(u + right / 2000, eps),
+    (right) => set(u + right / 2000, eps)
   );
   const put_step = panel.handle(
     "the step, ε",
     (x) => set(u, at_x(x) - u),
     (right, up) => set(u, eps * 1.1 ** (right + up)),
-    "step",
+    "step"
   );
 
   /**
@@ -68,10 +67,10 @@ IDEAS.two_slopes = (figure, module, data) => {
     const rise = -TALL * slope;
     const share = reach / Math.hypot(run, rise);
     const ends = [-share, share].map((part) => /** @type {Point} */ ([x + part * run, y + part * rise]));
-    return path_markup(look, line_path(ends));
+    return line_markup(look, ends);
   }
 
-  function draw() {
+  return () => {
     const [, heights] = module.own.kernel_over("two_slopes", curve, V, ku, kv, eps);
     const [left, h, right, numeric, exact, straddles] = module.own.kernel("two_slopes", u, V, ku, kv, eps);
     const point = place(u, h);
@@ -83,10 +82,10 @@ IDEAS.two_slopes = (figure, module, data) => {
     panel.show(
       path_markup("guide", `M${crease} ${TOP}V${BASE + 8}`) +
         text_at(crease - 20, BASE + 24, "crease") +
-        path_markup("height", line_path(points)) +
+        line_markup("height", points) +
         through(place(u, (left + right) / 2), numeric, "secant", 24 + reach) +
         through(point, exact, "slope", 100) +
-        circle_markup("end", start, 5),
+        circle_markup("end", start, 5)
     );
     const apart = Math.abs(numeric - exact);
     const digits = apart && apart < 0.01 ? 8 : 2;
@@ -97,7 +96,5 @@ IDEAS.two_slopes = (figure, module, data) => {
       `${straddles ? ", since the step reaches across the crease" : ""}.`;
     put_point(point, u, `u ${decimal(u, 4)}, slope ${decimal(exact)}`);
     put_step(end, eps, `ε ${in_powers(eps)}, difference ${decimal(numeric)}`);
-  }
-
-  stage.begin();
+  };
 };

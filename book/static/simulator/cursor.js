@@ -7,8 +7,6 @@ function simulator_cursor(root, states, data, module) {
   const facts = find_element(root, ".sim-facts");
   const MOST = 10000n; // floats: past that many, their count says less than the numbers themselves
   const AXES = ["x", "y", "z"];
-  /** @type {Map<Element, string[]>} */
-  const filled = new Map();
 
   /** Where a float stands among all floats, counted from 0. @param {number} number */
   function place(number) {
@@ -69,34 +67,22 @@ function simulator_cursor(root, states, data, module) {
       ...rows(
         AXES.map((axis) => `N′<sub>${axis}</sub>`),
         one.normal,
-        other.normal,
+        other.normal
       ),
-      ...rows(["red", "green", "blue"], one.rgb, other.rgb),
+      ...rows(["red", "green", "blue"], one.rgb, other.rgb)
     ];
-  }
-
-  /** Put rows where they differ from what is there. @param {Element} list @param {string[]} rows */
-  function fill(list, rows) {
-    const texts = filled.get(list);
-    if (!texts || texts.length !== rows.length) list.innerHTML = rows.join("");
-    else for (const [n, row] of rows.entries()) if (row !== texts[n]) list.children[n].outerHTML = row;
-    filled.set(list, rows);
   }
 
   /** @param {State} state */
   function show(state) {
     const [one, other] = records(state);
-    fill(
-      facts,
-      shared(one, state).map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`),
-    );
-    fill(
-      body,
-      compared(one, other).map(({ name, numbers: [a, b] }) => {
-        const cells = [a, b, ulps(a, b)].map((text) => `<td>${text}</td>`);
-        return `<tr><th scope="row">${name}</th>${cells.join("")}</tr>`;
-      }),
-    );
+    const entries = shared(one, state).map(([name, value]) => entry_markup(name, value));
+    const rows = compared(one, other).map(({ name, numbers: [a, b] }) => {
+      const cells = [a, b, ulps(a, b)].map((text) => `<td>${text}</td>`);
+      return `<tr><th scope="row">${name}</th>${cells.join("")}</tr>`;
+    });
+    facts.innerHTML = entries.join("");
+    body.innerHTML = rows.join("");
     find_element(root, ".sim-far").hidden = !body.textContent.includes("—");
     find_element(root, ".sim-python code").textContent = states.python(state);
   }

@@ -2,12 +2,6 @@
 // It is a control too: a click, a drag or an arrow key sets ε, and pointing at it reads it.
 "use strict";
 
-/**
- * @typedef {{ eps: number, error: number, bound: number | null }} CurvePoint a bound is null where nothing is proved
- * @typedef {{ eps: number, rms: number, max: number }} PicturePoint
- * @typedef {{ eps: number, size: number }} LinePoint
- */
-
 /** @param {HTMLElement} root @param {SimulatorModule} module @param {Act} act */
 function simulator_curve(root, module, act) {
   const box = find_element(root, ".sim-curve");
@@ -29,24 +23,30 @@ function simulator_curve(root, module, act) {
   const NAMES = { numeric: "gradient here", bound: "proved bound", difference: "picture, RMS" };
   let width = 0;
   let inset = 0;
-  /** @type {Record<string, LinePoint[]>} */
+  /** @type {Lines} */
   let lines = {};
   /** @type {any[]} */
   let drawn = [];
 
-  /** The errors of the gradient at a pixel of A; null elsewhere. @param {State} state @param {Raster} raster */
+  /**
+   * The errors of the gradient at a pixel of A, and what is proved of them; no line elsewhere.
+   * @param {State} state
+   * @param {Raster} raster
+   * @returns {Lines}
+   */
   function at_pixel(state, raster) {
     const stage = module.make_stage(state, { ...raster, left: state.column, top: state.row, wide: 1, high: 1 });
-    if (!stage.count) return null;
+    if (!stage.count) return {};
     const [u, v] = module.chart(stage);
     const exact = module.gradients(state, { name: "exact" }, stage);
-    const name = module.bounds_of(state);
-    const bounds = name && module.kernel_over(name, u[0], v[0], state.ku, state.kv, Float64Array.from(FINE))[0];
-    return FINE.map((eps, n) => {
-      const numeric = module.gradients(state, { name: state.method, eps }, stage);
-      const errors = numeric.map(([slope], axis) => Math.abs(slope - exact[axis][0]));
-      return { eps, error: Math.max(...errors), bound: bounds ? bounds[n] : null };
+    const numeric = FINE.map((eps) => {
+      const slopes = module.gradients(state, { name: state.method, eps }, stage);
+      return { eps, size: Math.max(...slopes.map(([slope], axis) => Math.abs(slope - exact[axis][0]))) };
     });
+    const name = module.bounds_of(state);
+    if (!name) return { numeric };
+    const [bounds] = module.kernel_over(name, u[0], v[0], state.ku, state.kv, Float64Array.from(FINE));
+    return { bound: FINE.map((eps, n) => ({ eps, size: bounds[n] })), numeric };
   }
 
   /** @param {number} eps */
@@ -67,17 +67,17 @@ function simulator_curve(root, module, act) {
   }
 
   function axes() {
-    /** @param {number} n @param {string} place */
-    const tick = (n, place) =>
-      `<text class="tick" ${place}>10<tspan dy="-5" font-size="9">${with_minus(String(n))}</tspan></text>`;
+    /** @param {number} n @param {number} x @param {number} y @param {string} side */
+    const tick = (n, x, y, side) =>
+      text_at(x, y, `10<tspan dy="-5" font-size="9">${with_minus(String(n))}</tspan>`, `tick ${side}`);
     let text = "";
     for (let n = LOWEST; n <= HIGHEST; n += 4) {
       const y = y_of(10 ** n);
       text += `<line class="grid" x1="${inset}" x2="${width - inset}" y1="${y}" y2="${y}"/>`;
-      text += tick(n, `text-anchor="end" x="${inset - 8}" y="${y + 4}"`);
+      text += tick(n, inset - 8, y + 4, "beside");
     }
     for (let n = LEFT; n <= RIGHT; n += width < 500 ? 5 : 3) {
-      text += tick(n, `text-anchor="middle" x="${x_of(10 ** n)}" y="${HEIGHT - 4}"`);
+      text += tick(n, x_of(10 ** n), HEIGHT - 4, "below");
     }
     return text;
   }
@@ -96,29 +96,24 @@ function simulator_curve(root, module, act) {
       last = label.y;
     }
     const over = Math.max(0, last - BOTTOM);
-    const texts = placed.map(
-      ({ name, y }) => `<text class="${name}-label" x="${width + 2}" y="${y - over}">${NAMES[name]}</text>`,
-    );
+    const texts = placed.map(({ name, y }) => text_at(width + 2, y - over, NAMES[name], `${name}-label`));
     return texts.join("");
   }
 
-  /** Draw what is known, where that is new. @param {State} state @param {CurvePoint[] | null} pixel @param {PicturePoint[]} picture */
+  /** Draw what is known, where that is new. @param {State} state @param {Lines} pixel @param {Map<number, PicturePoint>} picture */
   function show(state, pixel, picture) {
-    const known = picture.filter(Boolean);
-    const what = [pixel, picture, known.length, box.clientWidth];
+    const difference = [...picture.values()];
+    const what = [pixel, picture, difference.length, box.clientWidth];
     if (what.every((part, n) => part === drawn[n])) return;
     drawn = what;
     width = box.clientWidth;
     inset = 0.5 * parseFloat(getComputedStyle(root).getPropertyValue("--thumb")); // where the slider's thumb stops
     svg.setAttribute("viewBox", `0 0 ${width} ${HEIGHT}`);
-    lines = {};
-    if (pixel?.[0].bound) lines.bound = pixel.map(({ eps, bound }) => ({ eps, size: bound ?? 0 }));
-    if (pixel) lines.numeric = pixel.map(({ eps, error }) => ({ eps, size: error }));
-    if (known.length) lines.difference = known.map(({ eps, rms }) => ({ eps, size: rms }));
-    const paths = Object.entries(lines).map(([name, points]) => `<path class="${name}" d="${path(points)}"/>`);
-    const dots = known
-      .filter(({ rms }) => rms > 0)
-      .map(({ eps, rms }) => `<circle class="difference" cx="${x_of(eps)}" cy="${y_of(rms)}" r="2"/>`);
+    lines = difference.length ? { ...pixel, difference } : pixel;
+    const paths = Object.entries(lines).map(([name, points]) => path_markup(name, path(points)));
+    const dots = difference
+      .filter(({ size }) => size > 0)
+      .map(({ eps, size }) => circle_markup("difference", [x_of(eps), y_of(size)], 2));
     svg.innerHTML = axes() + paths.join("") + dots.join("") + names();
     mark(state.eps);
   }
@@ -129,8 +124,7 @@ function simulator_curve(root, module, act) {
     now.style.transform = `translateX(${x_of(eps)}px)`;
     dot.style.transform = `translate(${x_of(eps)}px, ${y_of(error || 1)}px)`;
     dot.hidden = !error;
-    box.setAttribute("aria-valuenow", Math.log10(eps).toFixed(2));
-    box.setAttribute("aria-valuetext", read(eps));
+    set_attributes(box, { "aria-valuenow": Math.log10(eps).toFixed(2), "aria-valuetext": read(eps) });
   }
 
   /** The size at the step of a line that is nearest to a step. @param {LinePoint[]} points @param {number} eps */
@@ -143,16 +137,16 @@ function simulator_curve(root, module, act) {
   /** @param {number} eps */
   function read(eps) {
     const sizes = Object.entries(lines).map(
-      ([name, points]) => `${NAMES[name]} ${scientific(size_at(points, eps), 1)}`,
+      ([name, points]) => `${NAMES[name]} ${scientific(size_at(points, eps), 1)}`
     );
     return [`ε = ${scientific(eps, 1)}`, ...sizes].join(" · ");
   }
 
-  /** @param {CurvePoint[] | null} pixel @param {PicturePoint[]} picture */
-  function csv(pixel, picture) {
+  /** @param {Lines} pixel @param {Map<number, PicturePoint>} picture */
+  function csv({ numeric, bound }, picture) {
     const rows = FINE.map((eps, n) => {
-      const at = picture.find((point) => point?.eps === eps);
-      return [eps, pixel?.[n].error, pixel?.[n].bound, at?.rms, at?.max].join();
+      const at = picture.get(eps);
+      return [eps, numeric?.[n].size, bound?.[n].size, at?.size, at?.max].join();
     });
     return `${["step,gradient_error_at_cursor,bound,rms_on_a,max_on_a", ...rows].join("\n")}\n`;
   }
@@ -178,13 +172,13 @@ function simulator_curve(root, module, act) {
   /** @param {KeyboardEvent} event */
   function press(event) {
     const at = Math.log10(act.state().eps);
-    const [less, more] = [at - 0.125, at + 0.125];
-    const arrows = { ArrowRight: more, ArrowUp: more, ArrowLeft: less, ArrowDown: less };
-    /** @type {Record<string, number>} */
-    const steps = { ...arrows, PageUp: at + 1, PageDown: at - 1, Home: LEFT, End: RIGHT };
-    if (!(event.key in steps) || is_shortcut(event)) return;
+    const arrow = arrow_of(event);
+    const to = arrow
+      ? at + 0.125 * Math.sign(arrow[0] + arrow[1])
+      : { PageUp: at + 1, PageDown: at - 1, Home: LEFT, End: RIGHT }[event.key];
+    if (to === undefined || is_shortcut(event)) return;
     event.preventDefault();
-    act.set({ eps: step_at(steps[event.key]) });
+    act.set({ eps: step_at(to) });
   }
 
   box.addEventListener("pointerdown", (event) => {

@@ -4,13 +4,6 @@
 "use strict";
 
 /**
- * @typedef {{ post(task: Task, transfer?: ArrayBuffer[]): void, buffers: Record<string, ArrayBuffer>, stop(): void }} Drawer
- * @typedef {{ drawn(state: State, replies: Drawn[], asked: number): void, resting(state: State): number[] | null,
- *   counted(all: Counted[]): void, followed(all: Followed[]): void, timed(all: Timed[]): void,
- *   failed(text: string): void }} Handlers
- */
-
-/**
  * @param {SimulatorData} data
  * @param {WebAssembly.Module} compiled
  * @param {States} states
@@ -51,7 +44,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
       return {
         post: (task, transfer = []) => worker.postMessage(task, transfer),
         stop: () => worker.terminate(),
-        buffers: {},
+        buffers: {}
       };
     });
     waiting = null;
@@ -135,7 +128,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
   /** Idle work is reported when all have done that piece of it. @param {Counted | Followed | Timed} reply */
   function found(reply) {
     if (reply.id !== id || !resting) return;
-    const piece = JSON.stringify([reply.kind, "index" in reply && reply.index]);
+    const piece = `${reply.kind} ${reply.index}`;
     pieces[piece] ??= [];
     if (pieces[piece].push(reply) === resting) handlers[reply.kind](pieces[piece]);
   }

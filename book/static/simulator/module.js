@@ -3,34 +3,6 @@
 "use strict";
 
 /**
- * @typedef {[number, number, number]} Vector
- * @typedef {{ width: number, height: number, left: number, top: number, wide: number, high: number }} Raster
- *   a part of a picture of width × height pixels
- * @typedef {{ name: string, eps?: number }} Method how the gradient is taken: exactly, or by a difference of step eps
- * @typedef {{ field: string, ku: number, kv: number, beta: number, model: string, ball: boolean, lights: boolean[] }}
- *   SceneState
- * @typedef {{ position: Vector, color: Vector }} LightData
- * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
- *   ball_radius: number }} SceneData
- * @typedef {{ srgb: { cells: number, thresholds: number[] }, sizes: { bits: number, thresholds: number[] },
- *   inferno: number[], grey: number[], terms: number[] }} Tables
- * @typedef {{ scene: SceneData, scenes: Record<string, { scene: number[], lights: number[][] }>,
- *   offsets: Record<string, number>, light_size: number, max_algebraic: number, counts: number, lanes: number,
- *   fields: Record<string, { ways: Record<string, number>, creases: number }>,
- *   models: Record<string, { index: number, power: number }>, stills: number[], arguments: string[],
- *   kernels: Record<string, [number, number]>, painting: string[], numbers: string[], tables: Tables,
- *   terms: string[], term_colours: string[] }} SimulatorData
- * @typedef {{ raster: Raster, pitch: number, addresses: Record<string, number> }} Ground planes in memory
- * @typedef {Ground & { codes: Uint8Array, count: number, at: Int32Array, rows: [number, number], stills: number,
- *   kept?: string, targets: Record<string, number> }} Stage
- * @typedef {{ whole?: boolean, of?: string, other?: string, table?: string, palette?: string, gain?: number }} Painting
- * @typedef {{ column: number, row: number, code: number, surface: string, rgb: number[], point?: number[],
- *   normal?: number[], gradient?: number[], theta?: number, phi?: number, u?: number, v?: number, h?: number,
- *   kink?: boolean, straddling?: boolean }} PixelRecord
- * @typedef {Awaited<ReturnType<typeof simulator_module>>} SimulatorModule
- */
-
-/**
  * Compile a program as the pages carry it; throw where the browser cannot.
  * @param {string} program
  */
@@ -87,12 +59,12 @@ async function simulator_module(data, compiled) {
   const tables = {
     srgb: table(
       srgb.thresholds,
-      float64s(srgb.cells + 1, (n) => n / srgb.cells),
+      float64s(srgb.cells + 1, (n) => n / srgb.cells)
     ),
-    sizes: table(sizes.thresholds, beginnings(sizes.bits)),
+    sizes: table(sizes.thresholds, beginnings(sizes.bits))
   };
   const palette_at = Object.fromEntries(
-    Object.entries(palettes).map(([name, colors]) => [name, put(Uint32Array.from(colors))]),
+    Object.entries(palettes).map(([name, colors]) => [name, put(Uint32Array.from(colors))])
   );
   const beginning = top;
 
@@ -202,8 +174,8 @@ async function simulator_module(data, compiled) {
       ...{ power, ku, kv, beta, eps },
       power_u: Math.abs(power_u),
       power_v: Math.abs(power_v),
-      turn_u: power_u < 0 ? -1 : 1,
-      turn_v: power_v < 0 ? -1 : 1,
+      turn_u: Math.sign(power_u) || 1,
+      turn_v: Math.sign(power_v) || 1
     };
     const { scene, lights } = data.scenes[[state.ball, ...state.lights].map(Number).join("")];
     const numbers = Float64Array.from(scene);
@@ -231,7 +203,7 @@ async function simulator_module(data, compiled) {
       scene: scene_at,
       lights: lights_at,
       light_count: lights.length,
-      counts: counts_at,
+      counts: counts_at
     };
     call(what, in_order(data.arguments, given));
   }
@@ -241,7 +213,7 @@ async function simulator_module(data, compiled) {
     first_row: 0,
     last_row: raster.high,
     pitch,
-    columns: everywhere ? addresses.everywhere : addresses.columns_of_a,
+    columns: everywhere ? addresses.everywhere : addresses.columns_of_a
   });
 
   /**
@@ -289,7 +261,7 @@ async function simulator_module(data, compiled) {
       code_again: reserve(pitch * high),
       everywhere: reserve(16 * high),
       columns_of_a: reserve(16 * high),
-      ...Object.fromEntries(planes),
+      ...Object.fromEntries(planes)
     };
     const ground = { raster, pitch, addresses };
     floats(addresses.x, pitch).fill(NaN).set(x);
@@ -318,7 +290,7 @@ async function simulator_module(data, compiled) {
       at: Int32Array.from(at),
       rows: at.length ? [Math.floor(at[0] / pitch), Math.floor(at[at.length - 1] / pitch) + 1] : [0, 0],
       stills: 8 * data.lanes * groups * data.stills[state.lights.filter(Boolean).length],
-      targets: {},
+      targets: {}
     };
   }
 
@@ -329,8 +301,8 @@ async function simulator_module(data, compiled) {
     return stage.targets[key];
   }
 
-  /** @param {Stage} stage @param {string} name @param {string[]} planes */
-  const target = (stage, name, planes, before = "") =>
+  /** @param {Stage} stage @param {string} name */
+  const target = (stage, name, planes = PLANES, before = "") =>
     Object.fromEntries(planes.map((plane) => [before + plane, place(stage, name, plane)]));
 
   /**
@@ -350,7 +322,7 @@ async function simulator_module(data, compiled) {
       pixels: place(stage, name, "pixels"),
       plane: place(stage, "view", "plane"),
       palette: palette_at[palette],
-      numbers: numbers_at,
+      numbers: numbers_at
     };
     const numbers = floats(numbers_at, data.numbers.length).fill(0);
     const [gain_at, largest, squares] = ["gain", "largest", "squares"].map((key) => data.numbers.indexOf(key));
@@ -374,7 +346,7 @@ async function simulator_module(data, compiled) {
     new Uint8ClampedArray(
       memory.buffer,
       place(stage, name, "pixels") + 4 * stage.pitch * first,
-      4 * stage.pitch * (last - first),
+      4 * stage.pitch * (last - first)
     );
 
   /**
@@ -390,15 +362,11 @@ async function simulator_module(data, compiled) {
     const what = !keeps ? "draw_a" : stage.kept === key ? "draw_again" : "draw_first";
     if (keeps) stage.kept = key;
     stage.targets.stills ??= reserve(stage.stills);
-    draw(what, state, method, stage, {
-      ...target(stage, name, PLANES),
-      stills: stage.targets.stills,
-    });
+    draw(what, state, method, stage, { ...target(stage, name), stills: stage.targets.stills });
   }
 
   /** @param {SceneState} state @param {Stage} stage @param {string} name */
-  const draw_elsewhere = (state, stage, name) =>
-    draw("draw_elsewhere", state, EXACT, stage, target(stage, name, PLANES));
+  const draw_elsewhere = (state, stage, name) => draw("draw_elsewhere", state, EXACT, stage, target(stage, name));
 
   /**
    * A whole picture, three planes, as the renderer's frame.rgb; on the stage of another one, a step from it.
@@ -423,9 +391,9 @@ async function simulator_module(data, compiled) {
   }
 
   /** @param {Stage} stage */
-  const angles_of = (stage) => ANGLES.map((name) => on_a(stage, stage.addresses[name]));
+  const angles_of = (stage, names = ANGLES) => names.map((name) => on_a(stage, stage.addresses[name]));
   /** @param {Stage} stage */
-  const chart = (stage) => CHART.map((name) => on_a(stage, stage.addresses[name]));
+  const chart = (stage) => angles_of(stage, CHART);
 
   /**
    * h_u and h_v on A's pixels, whether they are drawn with a bump or not.
@@ -480,9 +448,7 @@ async function simulator_module(data, compiled) {
     const normals = [state.beta, 0].map((beta) => kernel_over("bumped_normal", ...angles, ...slopes, beta));
     const on = data.scene.lights.filter((_, n) => state.lights[n]);
     return on.map(({ position }) => {
-      const [bumped, plain] = normals.map(
-        (normal) => kernel_over("light_cosine", ...point, ...position, ...normal)[0],
-      );
+      const [bumped, plain] = normals.map((normal) => kernel_over("light_cosine", ...point, ...position, ...normal)[0]);
       return bumped.reduce((count, mu, i) => count + Number(mu > 0 !== plain[i] > 0), 0);
     });
   }
@@ -499,19 +465,13 @@ async function simulator_module(data, compiled) {
   function pixel(state, method, { width, height }, column, row) {
     const raster = { width, height, left: column, top: row, wide: 1, high: 1 };
     const { planes, codes, stage } = render(state, method, raster);
-    const [code] = codes;
-    const record = {
-      column,
-      row,
-      code,
-      surface: ["none", "A", "B", "floor"][code & SURFACE],
-      rgb: planes.map(first_of),
-    };
-    if (record.surface === "none") return record;
-    if (record.surface === "A") return { ...record, ...record_on_a(state, method, stage) };
+    const surface = ["none", "A", "B", "floor"][codes[0] & SURFACE];
+    const record = { column, row, surface, rgb: planes.map(first_of) };
+    if (surface === "none") return record;
+    if (surface === "A") return { ...record, ...record_on_a(state, method, stage) };
     const [x, y] = image_points(raster).map(first_of);
     const ball = [...data.scene.ball_center, data.scene.ball_radius, 1];
-    const six = record.surface === "B" ? kernel("normal_of_b", x, y, eye, ...ball) : kernel("normal_of_floor", x, y);
+    const six = surface === "B" ? kernel("normal_of_b", x, y, eye, ...ball) : kernel("normal_of_floor", x, y);
     return { ...record, point: six.slice(0, 3), normal: six.slice(3) };
   }
 
@@ -536,7 +496,7 @@ async function simulator_module(data, compiled) {
       ...{ gradient, u, v, h },
       ...{ theta, phi },
       kink: kink === 1,
-      straddling: straddling === 1,
+      straddling: straddling === 1
     };
   }
 
@@ -562,6 +522,6 @@ async function simulator_module(data, compiled) {
     bounds_of,
     crease_lines,
     turned,
-    pixel,
+    pixel
   };
 }

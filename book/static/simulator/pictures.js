@@ -29,11 +29,8 @@ function simulator_pictures(root, states, data, module, act) {
   let decorated = "";
 
   /** @param {HTMLCanvasElement} canvas */
-  function context_of(canvas, alpha = true) {
-    const context = canvas.getContext("2d", { alpha });
-    if (!context) throw new Error("this browser draws in no canvas");
-    return context;
-  }
+  const context_of = (canvas, alpha = true) =>
+    /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d", { alpha }));
 
   // All three have one size, whatever their raster is: the largest power of two of the screen's pixels for which there
   // is room. So a pixel of the raster is a whole number of the screen's, or the other way round.
@@ -152,14 +149,11 @@ function simulator_pictures(root, states, data, module, act) {
 
   /** @param {KeyboardEvent} event */
   function press(event) {
-    const far = event.shiftKey ? 10 : 1;
-    /** @type {Record<string, [number, number]>} */
-    const moves = { ArrowLeft: [-far, 0], ArrowRight: [far, 0], ArrowUp: [0, -far], ArrowDown: [0, far] };
-    if (is_shortcut(event)) return;
-    if (moves[event.key]) {
+    const arrow = arrow_of(event);
+    if (arrow) {
       pinned = true;
-      act.move(moves[event.key]);
-    } else if (["+", "=", "-"].includes(event.key)) act.zoom(event.key === "-" ? -1 : 1);
+      act.move([arrow[0], -arrow[1]]);
+    } else if (["+", "=", "-"].includes(event.key) && !is_shortcut(event)) act.zoom(event.key === "-" ? -1 : 1);
     else return;
     event.preventDefault();
   }

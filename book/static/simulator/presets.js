@@ -1,12 +1,6 @@
 // The four experiments of the page: a state to begin with, and one quantity that then moves.
 "use strict";
 
-/**
- * @typedef {{ says: string, begin: Partial<State>, seconds: number, from: number, to: number,
- *   at(quantity: number): Partial<State>, still: number }} Experiment
- *   still: where the quantity is put at once, if the reader wants no motion
- */
-
 /** @param {States} states @param {Act} act */
 function simulator_presets(states, act) {
   const no_motion = window.matchMedia("(prefers-reduced-motion: reduce)");
@@ -21,7 +15,7 @@ function simulator_presets(states, act) {
       from: -1,
       to: -16,
       at: step,
-      still: -6,
+      still: -6
     },
     creases: {
       says: "Ridges, with their crease lines. As ε falls, the glow along them gets narrower, and hardly fainter.",
@@ -30,7 +24,7 @@ function simulator_presets(states, act) {
       from: -1,
       to: -3.5,
       at: step,
-      still: -2,
+      still: -2
     },
     pole: {
       says: "Rings, magnified at the pole. The pinch is in both pictures, so the difference has nothing to say about it.",
@@ -39,7 +33,7 @@ function simulator_presets(states, act) {
       from: 0,
       to: 10,
       at: (zoom) => act.to_pole(Math.round(zoom)),
-      still: 10,
+      still: 10
     },
     flat: {
       says: "β falls to 0. The two pictures become one plain sphere, and the difference is zero, not merely dark.",
@@ -48,8 +42,8 @@ function simulator_presets(states, act) {
       from: 0.35,
       to: 0,
       at: (beta) => ({ beta: Number(beta.toFixed(3)) }),
-      still: 0,
-    },
+      still: 0
+    }
   };
   let running = 0;
 

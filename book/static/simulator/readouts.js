@@ -28,16 +28,16 @@ function simulator_readouts(root, data, module) {
     return digits === 1 ? `10${raised(power)}` : `${Number(digits.toPrecision(3))} · 10${raised(power)}`;
   }
 
-  /** @param {{ count: number, max: number, rms: number }} differences */
-  function apart({ count, max, rms }) {
+  /** The largest difference, and the root mean square. @param {{ count: number, max: number, size: number }} found */
+  function apart({ count, max, size }) {
     put("[data-readout=max]", count ? number(max) : "—");
-    put("[data-readout=rms]", count ? number(rms) : "—");
+    put("[data-readout=rms]", count ? number(size) : "—");
   }
 
   /** @param {{ count: number, flips: number, attached: number[] } | null} found null: not yet */
   function counted(found) {
     const shares = found?.attached.map(
-      (n) => `${n.toLocaleString("en")} (${found.count ? Math.round((100 * n) / found.count) : 0} %)`,
+      (n) => `${n.toLocaleString("en")} (${found.count ? Math.round((100 * n) / found.count) : 0} %)`
     );
     put("[data-readout=flips]", String(found?.flips ?? "…"));
     put("[data-readout=attached]", shares ? shares.join(", ") || "no light is on" : "…");
@@ -102,7 +102,7 @@ function simulator_readouts(root, data, module) {
   }
 
   const terms = data.terms.map(
-    (term, n) => `<span><i style="background:${data.term_colours[n + 1]}"></i> ${term}</span>`,
+    (term, n) => `<span><i style="background:${data.term_colours[n + 1]}"></i> ${term}</span>`
   );
   $(".sim-legend").innerHTML = terms.join(" ");
   return { apart, counted, timed, forget_times, captions };

@@ -1,12 +1,6 @@
 // Joins the parts: one state, shown everywhere, changed through `set`.
 "use strict";
 
-/**
- * @typedef {{ state(): State, set(changes: Partial<State>): void, change(changes: Partial<State>): void,
- *   replace(next: State): void, put(place: Partial<State>): void, move(by: number[]): void,
- *   zoom(steps: number, at?: number[]): void, to_pole(zoom: number): Partial<State> }} Act
- */
-
 /** @param {HTMLElement} root @param {WebAssembly.Module} compiled @param {SimulatorModule} module */
 function simulator_start(root, compiled, module) {
   const data = Simulator.data;
@@ -18,12 +12,12 @@ function simulator_start(root, compiled, module) {
   let state = states.start();
   /** @type {State | null} */
   let shown = null;
-  /** @type {CurvePoint[] | null} */
-  let pixel_curve = null;
-  /** @type {PicturePoint[]} */
-  let picture = [];
-  /** @type {PicturePoint[]} */
-  const none = [];
+  /** @type {Lines} */
+  let pixel_curve = {};
+  /** @type {Map<number, PicturePoint>} */
+  let picture = new Map();
+  /** @type {typeof picture} */
+  const none = new Map();
   let picture_of = "";
   let pixel_of = "";
   let counted_of = "";
@@ -114,7 +108,7 @@ function simulator_start(root, compiled, module) {
       const [left, top] = pole.map((at) => ((at - state.size / 2) * zoom) / 10);
       const [column, row] = pole.map(Math.floor);
       return states.within({ ...next, left, top, column, row });
-    },
+    }
   };
 
   const controls = simulator_controls(root, states, act);
@@ -123,7 +117,6 @@ function simulator_start(root, compiled, module) {
   const pictures = simulator_pictures(root, states, data, module, act);
   const curve = simulator_curve(root, module, act);
   const cursor = simulator_cursor(root, states, data, module);
-  const engine = simulator_engine(data, compiled, states, module, { drawn, resting, counted, followed, timed, failed });
 
   function panels() {
     wanted = 0;
@@ -144,58 +137,47 @@ function simulator_start(root, compiled, module) {
   /** What the workers found of their bands, of all of them. @param {(Drawn | Followed)[]} replies */
   function apart(replies) {
     const count = total(replies, "count");
-    const rms = count ? Math.sqrt(total(replies, "squares") / 3 / count) : 0;
-    return { count, max: largest(replies, "largest"), rms };
+    const rms = count && Math.sqrt(total(replies, "squares") / 3 / count);
+    return { count, max: largest(replies, "largest"), size: rms };
   }
 
-  /** @param {State} of @param {Drawn[]} replies @param {number} asked */
-  function drawn(of, replies, asked) {
-    pictures.paint(of, replies);
-    pictures.decorate(state);
-    const ready = performance.now() - asked;
-    readouts.apart(apart(replies));
-    if (counted_of !== chambers_key(of)) readouts.counted(null);
-    if (timed_of !== times_key(of)) readouts.forget_times();
-    timed_of = times_key(of);
-    requestAnimationFrame(() => frames.push({ ready }));
-    shown = of;
-  }
-
-  /** What the workers do while nothing moves. @param {State} of */
-  function resting(of) {
-    counted_of = chambers_key(of);
-    if (picture_of === curve_key(of) && picture.filter(Boolean).length === curve.COARSE.length) return null;
-    picture = [];
-    picture_of = curve_key(of);
-    return curve.COARSE;
-  }
-
-  /** @param {Counted[]} all */
-  function counted(all) {
-    const attached = all[0].attached.map((_, n) => all.reduce((sum, { attached }) => sum + attached[n], 0));
-    readouts.counted({ count: total(all, "count"), flips: total(all, "flips"), attached });
-  }
-
-  /** @param {Followed[]} all */
-  function followed(all) {
-    const [{ index }] = all;
-    picture[index] = { eps: curve.COARSE[index], ...apart(all) };
-    panels_soon();
-  }
-
-  /** @param {Timed[]} all */
-  function timed(all) {
-    readouts.timed(largest(all, "numeric"), largest(all, "symbolic"));
-  }
-
-  /** @param {string} text */
-  function failed(text) {
-    engine.stop();
-    say_failure(root, text);
-  }
-
-  /** @param {string} name @param {string} href */
-  const download = (name, href) => make_element("a", { href, download: name }).click();
+  /** @type {Handlers} */
+  const handlers = {
+    drawn(of, replies, asked) {
+      pictures.paint(of, replies);
+      pictures.decorate(state);
+      const ready = performance.now() - asked;
+      readouts.apart(apart(replies));
+      if (counted_of !== chambers_key(of)) readouts.counted(null);
+      if (timed_of !== times_key(of)) readouts.forget_times();
+      timed_of = times_key(of);
+      requestAnimationFrame(() => frames.push({ ready }));
+      shown = of;
+    },
+    // What the workers do while nothing moves.
+    resting(of) {
+      counted_of = chambers_key(of);
+      if (picture_of === curve_key(of) && picture.size === curve.COARSE.length) return null;
+      picture = new Map();
+      picture_of = curve_key(of);
+      return curve.COARSE;
+    },
+    counted(all) {
+      const attached = all[0].attached.map((_, n) => all.reduce((sum, { attached }) => sum + attached[n], 0));
+      readouts.counted({ count: total(all, "count"), flips: total(all, "flips"), attached });
+    },
+    followed(all) {
+      const eps = curve.COARSE[all[0].index];
+      picture.set(eps, { eps, ...apart(all) });
+      panels_soon();
+    },
+    timed: (all) => readouts.timed(largest(all, "numeric"), largest(all, "symbolic")),
+    failed(text) {
+      engine.stop();
+      say_failure(root, text);
+    }
+  };
+  const engine = simulator_engine(data, compiled, states, module, handlers);
 
   /** @param {string} text @param {Element} element */
   async function copy(text, element) {
@@ -209,32 +191,32 @@ function simulator_start(root, compiled, module) {
     }
   }
 
-  /** Let each button of a name do its work, which is told the button's value. @param {string} name @param {(value: string, button: HTMLElement) => void} work */
-  function on(name, work) {
-    for (const button of root.querySelectorAll(`[data-${name}]`)) {
-      if (button instanceof HTMLButtonElement)
-        button.addEventListener("click", () => work(button.dataset[name] ?? "", button));
-    }
-  }
-
-  function wire_buttons() {
-    on("preset", (name) => {
+  /** What each button does, by its name: told the button's value. @type {Record<string, (value: string, button: Element) => void>} */
+  const buttons = {
+    preset(name) {
       presets.run(name);
       $(".sim-says").textContent = presets.says(name);
-    });
-    on("save", (name) => download(`${name}.png`, pictures.canvas(name).toDataURL()));
-    on("zoom", (steps) => act.zoom(Number(steps)));
-    on("reset", () => {
+    },
+    save: (name) => download(`${name}.png`, pictures.canvas(name).toDataURL()),
+    zoom: (steps) => act.zoom(Number(steps)),
+    reset() {
       presets.stop();
       pictures.release();
       act.replace(states.start());
-    });
-    on("csv", () => download("u-curve.csv", `data:text/csv,${encodeURIComponent(curve.csv(pixel_curve, picture))}`));
-    on("copy", () => copy(states.python(state), $(".sim-python code")));
-    on("link", (_, button) => {
+    },
+    csv: () => download("u-curve.csv", `data:text/csv,${encodeURIComponent(curve.csv(pixel_curve, picture))}`),
+    copy: () => copy(states.python(state), $(".sim-python code")),
+    link(_, button) {
       put_into_address();
       copy(location.href, button);
-    });
+    }
+  };
+
+  function wire_buttons() {
+    for (const [name, work] of Object.entries(buttons)) {
+      for (const button of root.querySelectorAll(`button[data-${name}]`))
+        button.addEventListener("click", () => work(button.getAttribute(`data-${name}`) ?? "", button));
+    }
   }
 
   // Take the state of the address, if it has one; say what is wrong with it, if anything is.

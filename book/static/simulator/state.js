@@ -1,14 +1,6 @@
 // What the reader can set, said once: names, ranges, defaults; the URL's fragment and the line of Python made from it.
 "use strict";
 
-/**
- * @typedef {SceneState & { eps: number, method: string, view: string, scale: string, size: number, zoom: number,
- *   left: number, top: number, column: number, row: number, [name: string]: any }} State
- * @typedef {{ start: any, read(text: string): any, write(value: any): string, holds(value: any): boolean,
- *   allowed: string }} Parameter
- * @typedef {ReturnType<typeof simulator_states>} States
- */
-
 /** @param {HTMLElement} root @param {SimulatorData} data */
 function simulator_states(root, { fields, models, scene }) {
   const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d{1,3})?$/i;
@@ -19,14 +11,14 @@ function simulator_states(root, { fields, models, scene }) {
     read: (text) => (decimal.test(text.trim()) ? Number(text) + 0 : NaN),
     write: String,
     holds: (x) => typeof x === "number" && x >= low && x <= high,
-    allowed: `a number from ${low} to ${high}`,
+    allowed: `a number from ${low} to ${high}`
   });
 
   /** @param {number} low @param {number} high @param {number} start @returns {Parameter} */
   const whole = (low, high, start) => ({
     ...number(low, high, start),
     holds: (x) => Number.isInteger(x) && x >= low && x <= high,
-    allowed: `a whole number from ${low} to ${high}`,
+    allowed: `a whole number from ${low} to ${high}`
   });
 
   /** @param {(string | number)[]} values @param {string | number} start @returns {Parameter} */
@@ -35,7 +27,7 @@ function simulator_states(root, { fields, models, scene }) {
     read: (text) => values.find((value) => String(value) === text),
     write: String,
     holds: (x) => values.includes(x),
-    allowed: `one of ${values.join(", ")}`,
+    allowed: `one of ${values.join(", ")}`
   });
 
   /** What a menu of the page offers. @param {string} name */
@@ -51,12 +43,12 @@ function simulator_states(root, { fields, models, scene }) {
     read: (text) => (/^[01]+$/.test(text) ? [...text].map((digit) => digit === "1") : null),
     write: (lights) => lights.map(Number).join(""),
     holds: (x) => Array.isArray(x) && x.length === count && x.every((on) => typeof on === "boolean"),
-    allowed: `${count} digits, 1 for on and 0 for off`,
+    allowed: `${count} digits, 1 for on and 0 for off`
   });
 
   const AXES = [
     ["left", "column"],
-    ["top", "row"],
+    ["top", "row"]
   ]; // of the raster: where the shown part begins, and where the cursor is
   const FURTHEST = 16; // half-octaves of zoom: 256 times
   const MOST = 2 ** 24;
@@ -77,14 +69,14 @@ function simulator_states(root, { fields, models, scene }) {
       read: (text) => (/^[01]$/.test(text) ? text === "1" : null),
       write: (on) => String(Number(on)),
       holds: (x) => typeof x === "boolean",
-      allowed: "1 or 0",
+      allowed: "1 or 0"
     },
     size: choice(offered("size").map(Number), 256),
     zoom: whole(0, FURTHEST, 0),
     left: whole(0, MOST, 0),
     top: whole(0, MOST, 0),
     column: whole(0, MOST, 104),
-    row: whole(0, MOST, 72),
+    row: whole(0, MOST, 72)
   };
 
   /** The side of the whole raster, of which size x size pixels are shown. @param {State} state */
@@ -232,6 +224,6 @@ function simulator_states(root, { fields, models, scene }) {
     fragment,
     from_fragment,
     python,
-    FURTHEST,
+    FURTHEST
   };
 }

@@ -3,21 +3,6 @@
 "use strict";
 
 /**
- * @typedef {{ kind: "begin", data: SimulatorData, compiled: WebAssembly.Module } | { kind: "stop" } | DrawTask | IdleTask}
- *   Task
- * @typedef {{ kind: "draw", id: number, state: State, band: Raster, buffers: Record<string, ArrayBuffer>, anew: boolean }}
- *   DrawTask
- * @typedef {{ kind: "idle", id: number, state: State, band: Raster, steps: number[] | null }} IdleTask
- * @typedef {{ kind: "drawn", id: number, band: Raster, images: Record<string, { top: number, bytes: ImageDataArray }>,
- *   count: number, codes: Uint8Array | null, largest: number, squares: number }} Drawn
- * @typedef {{ kind: "counted", id: number, flips: number, attached: number[], count: number }} Counted
- * @typedef {{ kind: "followed", id: number, index: number, largest: number, squares: number, count: number }} Followed
- * @typedef {{ kind: "timed", id: number, index: number, numeric: number, symbolic: number }} Timed
- * @typedef {Drawn | Counted | Followed | Timed} Reply
- * @typedef {(string | number | boolean)[]} Key
- */
-
-/**
  * Return what takes a task; its replies are posted.
  * @param {(reply: Reply, transfer: ArrayBufferLike[]) => void} post
  * @returns {(task: Task) => void}
@@ -198,7 +183,7 @@ function simulator_worker(post) {
     const stage = staged(state, band);
     const { count } = stage;
     draw_anew("symbolic", EXACT, state, stage);
-    yield { kind: "counted", id, ...count_flips(state, stage), count };
+    yield { kind: "counted", id, index: 0, ...count_flips(state, stage), count };
     for (const [index, eps] of (steps ?? []).entries()) {
       module.draw_a(state, { name: state.method, eps }, stage, "spare");
       yield { kind: "followed", id, index, ...paint_logarithmic(stage, "spare", { other: "symbolic" }), count };

@@ -1,11 +1,14 @@
-"""Find the numbers that pages cite: drawn figures' JSON, and committed benchmark JSON."""
+"""The numbers that pages cite, from figures' and committed benchmarks' JSON: how they are asked for and written."""
 
 import json
+import re
 from pathlib import Path
 
 from verify import records
 
 BENCHMARK_PREFIX = "bench:"
+SYNTAX = re.compile(r"(?P<id>(?:bench:)?\w+)\.(?P<key>[^\s|]+)(?:\s*[|\s]\s*(?P<format>\S+))?")
+E_NOTATION = re.compile(r"(?P<mantissa>[+-]?\d+(?:\.\d+)?)e(?P<exponent>[+-]\d+)")
 
 
 class UnknownResult(ValueError):
@@ -43,3 +46,27 @@ def look_up(book: Path, id: str, key: str) -> int | float | str | bool:
     if key not in numbers:
         raise UnknownResult(f"{id!r} has no number {key!r}; it has: {', '.join(sorted(numbers)) or 'none'}")
     return numbers[key]
+
+
+def parse(text: str) -> tuple[str, str, str | None]:
+    """The id, the key and the format (None if there is none) that a role's text asks for."""
+    match = SYNTAX.fullmatch(text.strip())
+    if match is None:
+        raise UnknownResult(f"{text!r} is not of the form id.key or id.key|format")
+    return match["id"], match["key"], match["format"]
+
+
+def formatted(value: int | float | str | bool, spec: str | None = None) -> str:
+    """The value as text, by default with four significant digits for a float."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if spec is None:
+        spec = ".4g" if isinstance(value, float) else ""
+    return format(value, spec)
+
+
+def measured(book: Path, name: str) -> str:
+    """Where, when and at which commit a benchmark was measured, as a sentence."""
+    id = f"{BENCHMARK_PREFIX}{name}"
+    label, since = load_result(book, id)["label"], "; the code has changed since" if remark(book, id) else ""
+    return f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}{since}."

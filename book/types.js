@@ -1,0 +1,142 @@
+// What the pages' scripts hand each other, by the files that make it. A comment alone: no page loads this.
+
+// simulator/module.js
+/**
+ * @typedef {[number, number, number]} Vector
+ * @typedef {{ width: number, height: number, left: number, top: number, wide: number, high: number }} Raster
+ *   a part of a picture of width × height pixels
+ * @typedef {{ name: string, eps?: number }} Method how the gradient is taken: exactly, or by a difference of step eps
+ * @typedef {{ field: string, ku: number, kv: number, beta: number, model: string, ball: boolean, lights: boolean[] }}
+ *   SceneState
+ * @typedef {{ position: Vector, color: Vector }} LightData
+ * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
+ *   ball_radius: number }} SceneData
+ * @typedef {{ srgb: { cells: number, thresholds: number[] }, sizes: { bits: number, thresholds: number[] },
+ *   inferno: number[], grey: number[], terms: number[] }} Tables
+ * @typedef {{ scene: SceneData, scenes: Record<string, { scene: number[], lights: number[][] }>,
+ *   offsets: Record<string, number>, light_size: number, max_algebraic: number, counts: number, lanes: number,
+ *   fields: Record<string, { ways: Record<string, number>, creases: number }>,
+ *   models: Record<string, { index: number, power: number }>, stills: number[], arguments: string[],
+ *   kernels: Record<string, [number, number]>, painting: string[], numbers: string[], tables: Tables,
+ *   terms: string[], term_colours: string[] }} SimulatorData
+ * @typedef {{ raster: Raster, pitch: number, addresses: Record<string, number> }} Ground planes in memory
+ * @typedef {Ground & { codes: Uint8Array, count: number, at: Int32Array, rows: [number, number], stills: number,
+ *   kept?: string, targets: Record<string, number> }} Stage
+ * @typedef {{ whole?: boolean, of?: string, other?: string, table?: string, palette?: string, gain?: number }} Painting
+ * @typedef {{ column: number, row: number, surface: string, rgb: number[], point?: number[],
+ *   normal?: number[], gradient?: number[], theta?: number, phi?: number, u?: number, v?: number, h?: number,
+ *   kink?: boolean, straddling?: boolean }} PixelRecord
+ * @typedef {Awaited<ReturnType<typeof simulator_module>>} SimulatorModule
+ */
+
+// simulator/state.js
+/**
+ * @typedef {SceneState & { eps: number, method: string, view: string, scale: string, size: number, zoom: number,
+ *   left: number, top: number, column: number, row: number, [name: string]: any }} State
+ * @typedef {{ start: any, read(text: string): any, write(value: any): string, holds(value: any): boolean,
+ *   allowed: string }} Parameter
+ * @typedef {ReturnType<typeof simulator_states>} States
+ */
+
+// simulator/worker.js
+/**
+ * @typedef {{ kind: "begin", data: SimulatorData, compiled: WebAssembly.Module } | { kind: "stop" } | DrawTask | IdleTask}
+ *   Task
+ * @typedef {{ kind: "draw", id: number, state: State, band: Raster, buffers: Record<string, ArrayBuffer>, anew: boolean }}
+ *   DrawTask
+ * @typedef {{ kind: "idle", id: number, state: State, band: Raster, steps: number[] | null }} IdleTask
+ * @typedef {{ kind: "drawn", id: number, band: Raster, images: Record<string, { top: number, bytes: ImageDataArray }>,
+ *   count: number, codes: Uint8Array | null, largest: number, squares: number }} Drawn
+ * @typedef {{ kind: "counted", id: number, index: number, flips: number, attached: number[], count: number }} Counted
+ * @typedef {{ kind: "followed", id: number, index: number, largest: number, squares: number, count: number }} Followed
+ * @typedef {{ kind: "timed", id: number, index: number, numeric: number, symbolic: number }} Timed
+ * @typedef {Drawn | Counted | Followed | Timed} Reply
+ * @typedef {(string | number | boolean)[]} Key
+ */
+
+// simulator/engine.js
+/**
+ * @typedef {{ post(task: Task, transfer?: ArrayBuffer[]): void, buffers: Record<string, ArrayBuffer>, stop(): void }} Drawer
+ * @typedef {{ drawn(state: State, replies: Drawn[], asked: number): void, resting(state: State): number[] | null,
+ *   counted(all: Counted[]): void, followed(all: Followed[]): void, timed(all: Timed[]): void,
+ *   failed(text: string): void }} Handlers
+ */
+
+// simulator/start.js
+/**
+ * @typedef {{ state(): State, set(changes: Partial<State>): void, change(changes: Partial<State>): void,
+ *   replace(next: State): void, put(place: Partial<State>): void, move(by: number[]): void,
+ *   zoom(steps: number, at?: number[]): void, to_pole(zoom: number): Partial<State> }} Act
+ */
+
+// simulator/presets.js
+/**
+ * @typedef {{ says: string, begin: Partial<State>, seconds: number, from: number, to: number,
+ *   at(quantity: number): Partial<State>, still: number }} Experiment
+ *   still: where the quantity is put at once, if the reader wants no motion
+ */
+
+// simulator/curve.js
+/**
+ * @typedef {{ eps: number, size: number }} LinePoint
+ * @typedef {LinePoint & { max: number }} PicturePoint the root mean square of a picture's difference, and the largest
+ * @typedef {Record<string, LinePoint[]>} Lines
+ */
+
+// ideas/ideas.js
+/**
+ * @typedef {{ kernels: Record<string, [number, number]>, given: Record<string, number>,
+ *   lines: Record<string, { inputs: string[], lines: string[] }> }} IdeasData
+ * @typedef {SimulatorModule & { own: SimulatorModule }} IdeasModule with the interactives' own kernels
+ * @typedef {SimulatorData & IdeasData} AllData
+ * @typedef {(stage: ReturnType<typeof idea_stage>, module: IdeasModule, data: AllData) => () => void} Idea sets a stage; returns what draws on it
+ * @typedef {(x: number, y: number, begins: boolean) => void} Moved is told of a place on a panel
+ * @typedef {(right: number, up: number) => void} Stepped is told of arrow keys, ten times as far with shift
+ */
+
+// checker/kernel.js
+/**
+ * @typedef {[bigint, bigint]} Fraction numerator and denominator, in lowest terms, the denominator positive
+ * @typedef {Map<string, Fraction>} Polynomial from words to coefficients other than 0: the word of x²y is "x x y", its
+ *   names in a fixed order
+ * @typedef {{ p: Polynomial, is: string }} Fact or goal: the polynomial p is = 0, ≠ 0, > 0 or ≥ 0
+ * @typedef {Map<string, Polynomial>} Scope what each name stands for
+ * @typedef {{ step?: string, is?: string, new?: string, of: PolynomialData }} Step
+ * @typedef {{ kind: "derivation" | "refutation" | "induction" | "separation", variables?: string[], steps?: Step[],
+ *   state?: string[], assume?: Step[], show?: PolynomialData[], lines?: [string, string[]][], outputs?: string[],
+ *   avoid?: string[], [key: string]: any }} Statement
+ * @typedef {{ point?: Record<string, string>, [key: string]: any }} Certificate
+ * @typedef {{ identities: number, products: number, step: number }} Work
+ * @typedef {{ accepted: boolean, reason?: string, residual?: PolynomialData, work: Work }} Verdict
+ */
+
+// checker/worker.js
+/**
+ * @typedef {{ id: number, statement: Statement, certificate: Certificate }} Question
+ * @typedef {Verdict & { id: number, time: number }} Answer with the milliseconds that it took
+ * @typedef {ReturnType<typeof checking_clerk>} Clerk
+ */
+
+// checker/polynomials.js
+/**
+ * @typedef {Record<string, string>} PolynomialData {"x^2 y": "-3/2", "": "1"}: coefficients by their monomials
+ * @typedef {ReturnType<typeof polynomial_texts>} PolynomialTexts
+ */
+
+// checker/card.js
+/**
+ * @typedef {{ statement: Statement, certificate: Certificate }} Case
+ * @typedef {{ theorem: string, claims: { claim: string, statements: Case[] }[] }} TheoremData
+ * @typedef {TheoremData & { names: Parameters<typeof polynomial_texts>[0], given: string[], trusted: string }} CardData
+ * @typedef {Case & { name: string }} NamedCase
+ */
+
+// checker/editor.js
+/**
+ * @typedef {(string | number)[]} Path where a value stands in a statement
+ * @typedef {{ label: string, path: Path, before: (Node | string)[], after: string, names: boolean }} Line
+ *   of a statement, that can be changed: the value at `path` is a polynomial, or with `names` a list of names
+ */
+
+// shared.js
+/** @typedef {[number, number]} Point */
