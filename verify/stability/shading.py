@@ -46,7 +46,7 @@ def near_and_far_lights(values: int = 73, samples: int = 24, seed: int = 6) -> S
     random = np.random.default_rng(seed)
     distances = np.geomspace(2e-9, 0.999e9, values)
     at = angles(random, (values, samples))
-    n = np.array([at["sin_phi"] * at["cos_theta"], at["sin_phi"] * at["sin_theta"], at["cos_phi"]])
+    n = np.array([*in_float64(unit_normal, at).values()])
     aside = _across(n, random.normal(size=n.shape))
     tilt = random.uniform(0, 1.4, (values, samples))
     light = n + distances[:, None] * (np.cos(tilt) * n + np.sin(tilt) * aside)

@@ -17,16 +17,11 @@ UNIT = 8 * U
 
 @pytest.mark.parametrize("name", SWEEPS)
 def test_no_point_escapes_its_bound(name):
+    """And the bounds say something: errors add up like a random walk, bounds like a sum, some tens lie between them."""
     seen = sweep(name)
     assert seen.escaped == 0
-    assert seen.undecided <= seen.points // 100
-    assert seen.points > 500
-
-
-@pytest.mark.parametrize("name", SWEEPS)
-def test_the_bounds_are_of_the_errors_size(name):
-    """Rounding errors add up like a random walk, bounds like a sum: some tens lie between them, not thousands."""
-    assert 1 < sweep(name).sharpness < 100
+    assert seen.undecided <= seen.points // 100 > 4
+    assert 1 < seen.sharpness < 100
 
 
 def test_the_seeds_normal_is_the_same_in_exact_arithmetic():
