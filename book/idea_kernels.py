@@ -13,12 +13,12 @@ from sympy import Integer
 from book.simulator_module import packed
 from proofs.engine.program import Program
 from proofs.formulas import bump
+from proofs.formulas.chart import chart_inverse
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import pixel
 from proofs.formulas.symbols import column, half, height, row, shininess, width, x, y
 from renderer import Scene, kernels
 from renderer.generate.kernels import function_of
-from renderer.kernels import cospi, sinpi
 from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import compiled_module
 from renderer.operations import Number
@@ -27,9 +27,7 @@ from verify.reference import scene_values
 DEGREES = 180.0  # in half a turn
 
 
-def angles_at(u: Number, v: Number) -> tuple[Number, ...]:
-    """Return cos θ, sin θ, cos φ, sin φ of a point of the chart: θ = 2πu − π, φ = πv."""
-    return -cospi(2.0 * u), -sinpi(2.0 * u), cospi(v), sinpi(v)
+angles_at = function_of(chart_inverse.keep(*chart_inverse.outputs, name="angles_at"))
 
 
 def bump_at(
@@ -46,7 +44,7 @@ def bump_at(
     """Return h of ridges, its gradient, the tilt in degrees, and μ = N'·ω for a light, not below 0."""
     angles, gradient = angles_at(u, v), kernels.gradient_ridges(u, v, k_u, k_v)
     bumped, point = kernels.bumped_normal(*angles, *gradient, beta), kernels.point_on_a(*angles, radius)
-    mu, _ = kernels.phong(*point, light_x, light_y, light_z, *bumped, 0.0, 0.0, 1.0)
+    mu = kernels.light_cosine(*point, light_x, light_y, light_z, *bumped)
     # The tangent of the angle between N and N' is β|g|, by theorem angle_of_the_bump.
     tilt = DEGREES * kernels.atan2pi(abs(beta) * kernels.slope(*gradient), 0.0 * beta + 1.0)
     return kernels.height_ridges(u, v, k_u, k_v), *gradient, tilt, kernels.maximum(0.0, mu)

@@ -14,9 +14,10 @@ import numpy as np
 from matplotlib import colormaps
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.step_bounds import TERMS
 from renderer import Light, Scene, exact, kernels
 from renderer.generate.creases import crease_point, crease_rates
-from renderer.generate.step_terms import BOUNDS, TERMS, slope_bound
+from renderer.generate.step_terms import BOUNDS, slope_bound
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEBRAIC
 from renderer.machines.drawing_code import ARGUMENTS
 from renderer.machines.painting_code import NUMBERS, PAINTING, SIZE_BITS, SRGB_CELLS
@@ -49,14 +50,14 @@ of a central difference changes, by `draw_first` for `draw_again`."""
 
 OVER_POINTS = (
     *(kernels.image_extent, kernels.image_x, kernels.image_y, crease_point),
-    *(kernels.point_on_a, kernels.bumped_normal, kernels.slope, kernels.phong),
+    *(kernels.point_on_a, kernels.bumped_normal, kernels.slope, kernels.light_cosine, kernels.chart_radians),
     *(kernels.normal_of_b, kernels.normal_of_floor, slope_bound, *BOUNDS.values()),
     *(crease_rates(field) for field in HEIGHT_FIELDS.values() if field.creases),
     *(FIELDS[name][role] for name in FIELDS for role in ("height", "kink", "straddling")),
     *(field["wave_numbers"] for field in FIELDS.values() if field["wave_numbers"]),
 )
 SMALLEST = -16  # the logarithmic scale of differences runs from 10^SMALLEST to 1
-TERM_COLOURS = ("#000000", "#56b4e9", "#e69f00", "#f0e442", "#cc79a7")  # none, then TERMS: as in the book's figure
+TERM_COLOURS = ("#000000", "#56b4e9", "#e69f00", "#f0e442", "#cc79a7", "#ffffff")  # none, then TERMS: as in the book
 
 
 def _scenes():

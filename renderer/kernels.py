@@ -353,6 +353,10 @@ def chart(cos_theta, sin_theta, cos_phi, sin_phi):
     return u, v
 
 
+def chart_radians(u, v):
+    return pi * (2.0 * u - 1.0), pi * v
+
+
 def algebraic_bases(cos_theta, sin_theta, cos_phi, sin_phi):
     return -cos_theta, -sin_theta, cos_phi, sin_phi
 
@@ -393,6 +397,19 @@ def bumped_normal(cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta):
     bumped_y = m_scale * m_y
     bumped_z = m_scale * m_z
     return bumped_x, bumped_y, bumped_z
+
+
+def light_cosine(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x, bumped_y, bumped_z):
+    to_light_x = light_x - point_x
+    to_light_y = light_y - point_y
+    to_light_z = light_z - point_z
+    light_distance = sqrt(to_light_x * to_light_x + to_light_y * to_light_y + to_light_z * to_light_z)
+    light_scale = 1.0 / light_distance
+    towards_x = light_scale * to_light_x
+    towards_y = light_scale * to_light_y
+    towards_z = light_scale * to_light_z
+    mu = bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z
+    return mu
 
 
 def blinn(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x, bumped_y, bumped_z, view_x, view_y, view_z):

@@ -4,11 +4,11 @@ import pytest
 
 from book.figures import elementary_ulps, reference_pixels, u_curve_apart
 from verify.accuracy.certified_ulps import PIECES
-from verify.accuracy.difference_bounds import Bounds, bounds
+from verify.accuracy.differences import bounds
 
 HALVED = [piece._replace(ulps=piece.ulps / 2) for piece in PIECES["cospi"]()]
 CASES = (
-    (u_curve_apart, {"bounds": lambda case, found: Bounds(*(limit / 4 for limit in bounds(case, found)))},
+    (u_curve_apart, {"bounds": lambda case: {part: limit / 4 for part, limit in bounds(case).items()}},
      u_curve_apart.below, (u_curve_apart.STEEP,), "steep"),
     (elementary_ulps, {"PIECES": {"cospi": lambda: HALVED}}, elementary_ulps._samples, ("cospi",), "certified is"),
     (reference_pixels, {"EACH": 1, "problems": lambda pixels: pixels[:1]}, reference_pixels._pixels, (),

@@ -31,7 +31,7 @@ from renderer.scene.methods import central
 from renderer.scene.scene import Scene
 from renderer.shader.gradients import gradient_at
 from tests import one_page
-from verify.accuracy.clamped_order import fitted_slope
+from verify.accuracy.orders import fitted_slope
 
 NAMES = [*(f"cell{number}" for number in range(1, 9)), WHOLE]
 ALONE = "The book's renderer is not installed: nothing to compare with.\n"

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
+from proofs.formulas.step_bounds import TERMS
 from renderer.kernels import FIELDS
 from tests.processes import python
 from tests.tabs import PHONE, RUNNING, go, settled, slide, state
@@ -308,7 +309,7 @@ def test_the_leading_term_is_named_and_shown(tab):
     """A large step is led by truncation, a small one by a rounded argument; on a crease by the crease."""
     leading = tab.locator(".sim-facts div", has_text="error led by").locator("dd")
     tab.select_option("#sim-view", "terms")
-    for exponent, term in ((-3, "truncation"), (-9, "rounded argument"), (-1, "crease, seam or pole")):
+    for exponent, term in ((-3, TERMS[0]), (-9, TERMS[1]), (-1, TERMS[3])):
         slide(tab, "eps", exponent)
         expect(leading).to_have_text(term)
     assert tab.locator(".sim-legend").is_visible()

@@ -178,14 +178,14 @@ def test_the_views_are_the_renderers(tab, view):
 
 
 def test_the_leading_terms_are_shown_in_their_colours(tab):
-    """Over A, at a large step: truncation, or the crease where one lies within ε; nothing else, and black off A."""
+    """Over A, at a large step: truncation, a crease within ε, or the pole; nothing else, and black off A."""
     paint(tab, "#sim?field=ridges&eps=0.01&scale=log&model=blinn&size=256&view=terms")
     frame, shown = render(Scene(), 256, 256, central(0.01)), painted(tab, "numeric")
     u, v = (frame.surface_data[name][frame.stage.on_a] for name in ("u", "v"))
     leading = BOUNDS["ridges"](u, v, 8.0, 4.0, 0.01)[1].astype(int)
     colours = np.array([[int(c[n : n + 2], 16) for n in (1, 3, 5)] for c in TERM_COLOURS], np.uint8)
     np.testing.assert_array_equal(shown[frame.stage.on_a], colours[leading])
-    assert not shown[~frame.stage.on_a].any() and set(leading) == {1, 4}
+    assert not shown[~frame.stage.on_a].any() and set(leading) == {1, 4, 5}
 
 
 def test_the_linear_scale_is_black_where_the_page_says():
@@ -234,10 +234,20 @@ def expected_texts(numeric, symbolic):
     return facts, table
 
 
+def bounded_texts(state, record):
+    """Return {fact: number} of the bounds that the panel has to show of a difference's two slopes."""
+    if state["method"] != "central":
+        return {}
+    with np.errstate(all="ignore"):
+        of_slopes = BOUNDS[state["field"]](record.u, record.v, *(np.float64(state[n]) for n in ("ku", "kv", "eps")))[2:]
+    return {f"|Δh{axis}| ≤": float(f"{bound:.2e}") for axis, bound in zip("uv", of_slopes, strict=True)}
+
+
 def test_the_copied_line_prints_the_numbers_shown(tab, capsys):
     rng, on_a = random.Random("lines"), 0
     names = {"PixelRecord": PixelRecord, "LightRecord": LightRecord}
-    for shown in tab.evaluate(SHOWN, [random_state(rng) for _ in range(50)]):
+    states = [random_state(rng) for _ in range(50)]
+    for state, shown in zip(states, tab.evaluate(SHOWN, states), strict=True):
         exec(shown["line"], {})
         numeric, symbolic = (eval(text, names) for text in capsys.readouterr().out.splitlines())
         facts, table = expected_texts(numeric, symbolic)
@@ -250,6 +260,7 @@ def test_the_copied_line_prints_the_numbers_shown(tab, capsys):
             on_a += 1
             assert shown["facts"]["kink flag"] == ("yes" if numeric.kink else "no")
             assert shown["facts"]["straddles a crease"] == ("yes" if numeric.straddling else "no")
+            assert {n: float(shown["facts"][n]) for n in bounded_texts(state, numeric)} == bounded_texts(state, numeric)
     assert on_a >= 10
 
 

@@ -1,4 +1,4 @@
-"""The renderer's pixels against the 50-digit reference, which `verify/evaluate/test_balls.py` encloses."""
+"""The renderer's pixels against the 50-digit reference, which `verify/test_balls.py` encloses."""
 
 import random
 

@@ -1,105 +1,96 @@
-"""What the simulator draws behind its U-curve: the theorems' own bounds, with parameters that hold; and its creases."""
+"""What bounds a central difference's error, on the pages and in the simulator: it holds everywhere, and is sharp."""
 
 from dataclasses import replace
-from fractions import Fraction
 
 import numpy as np
 import pytest
-from sympy import Abs, pi, simplify
+from sympy import Abs
 
-from proofs.formulas import step_bounds
+from proofs.formulas.finite_difference import central
 from proofs.formulas.half_turns import cospi, sinpi
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient, height
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
+from proofs.formulas.step_bounds import TERMS
 from proofs.formulas.symbols import k_u, k_v, u, v
-from proofs.theorems import clamped, roundoff, truncation
 from renderer.generate.creases import crease_point, crease_rates
 from renderer.generate.kernels import function_of
-from renderer.generate.step_terms import ARGUMENT_ERROR, BOUNDS, HEIGHT_ERROR, TERMS, UNIT, bounds_of, is_covered
+from renderer.generate.step_terms import BOUNDS, ROOM, SLOPE_TERMS, factors_of, half_unit, slope_terms, truncation_bound
 from renderer.kernels import FIELDS, angles_on_a, chart
-from renderer.shader.shader import difference
-from verify.evaluate.arrays import distance, in_balls, in_float64
+from verify.accuracy.differences import SLOPES, Case, bounds
 
 SINE, RIDGES = HEIGHT_FIELDS["sine"], HEIGHT_FIELDS["ridges"]
-EXACT = {name: function_of(gradient(field)) for name, field in HEIGHT_FIELDS.items()}
 SLANTED = HeightField("slanted", Abs(sinpi(k_u * u + k_v * v)))
-
-
-second_order = next(c for c in clamped.second_order.claims if c.name == "second_order")
-BOUNDED = {  # the claim, our bound, what the claim's symbols stand for, and a change of ours that is seen
-    "truncation": (truncation.theorem.claims[0], step_bounds.truncation_bound.expand(step_bounds.truncation),
-                   {k_u: step_bounds.frequency}, {step_bounds.frequency: 2 * step_bounds.frequency}),
-    "clamped": (second_order, step_bounds.clamped_bound.expand(step_bounds.truncation),
-                {clamped.largest: (pi * step_bounds.frequency) ** 3}, {v: 0}),
-    "rounding": (roundoff.theorem.claims[0], step_bounds.rounding_bound.expand(step_bounds.rounding),
-                 {roundoff.excess: 2 * step_bounds.unit + step_bounds.unit**2}, {step_bounds.unit: 0}),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("name", BOUNDED)
-def test_a_bound_is_the_theorems(name):
-    claim, ours, given, change = BOUNDED[name]
-    upper, lower = (relation.lhs.xreplace(given) for relation in claim.shows[-2:])
-    assert simplify((upper + lower) / 2 - ours) == 0
-    assert simplify((upper + lower) / 2 - ours.xreplace(change)) != 0
-
-
-def test_the_caps_are_the_steepest_slope_once_and_twice():
-    slope = step_bounds.slope_bound.expand(step_bounds.steepest)
-    assert slope == pi * step_bounds.frequency
-    assert step_bounds.crease_bound.expand(step_bounds.apart) == 2 * slope
-
-
-@pytest.mark.parametrize("field", BOUNDS)
-def test_heights_are_as_good_as_the_plot_assumes(field):
-    u, v = np.random.default_rng(7).random((2, 2000))
-    k_u, k_v = np.random.default_rng(8).uniform(-64, 64, (2, 2000))
-    at, of_field = {"u": u, "v": v, "k_u": k_u, "k_v": k_v}, height(HEIGHT_FIELDS[field])
-    off = distance(in_float64(of_field, at)["h"], in_balls(of_field, at)["h"])
-    assert 0 < off.max() <= HEIGHT_ERROR
-
-
-def test_a_moved_argument_is_off_by_no_more_than_the_plot_assumes():
-    rng = np.random.default_rng(7)
-    at_u, eps = rng.random(5000), 10.0 ** rng.uniform(-16, -1, 5000) * rng.choice([-1, 1], 5000)
-    exact = [Fraction(a) + Fraction(b) for a, b in zip(at_u, eps, strict=True)]
-    worst = max(abs(Fraction(moved) - there) for moved, there in zip(at_u + eps, exact, strict=True))
-    assert 0.4 * ARGUMENT_ERROR < worst <= ARGUMENT_ERROR
-    assert UNIT == 2.0**-53
+COSINES = HeightField("cosines", cospi(k_u * u) * cospi(k_v * v))
+FOLDED = HeightField("folded", Abs(COSINES.expression))
+COVERED = {field.name: field for field in (*(HEIGHT_FIELDS[name] for name in BOUNDS), COSINES, FOLDED)}
 
 
 def test_only_what_the_theorems_cover_has_a_bound():
-    """A slanted wave, a square, two of one frequency, twice a wave, creases where a cosine is zero: no bound."""
-    assert bounds_of(SLANTED) is None
-    waves = sinpi(k_u * u) ** 2, sinpi(k_u * u) * cospi(k_u * u), 2 * sinpi(k_u * u), Abs(cospi(k_u * u))
-    for expression in waves:
-        assert not is_covered(replace(SINE, expression=expression))
-    assert is_covered(replace(SINE, expression=sinpi(2 * k_u * u)))
-    assert is_covered(replace(SINE, expression=sinpi(k_u * u) * cospi(k_v * v)))
+    """A slanted wave, a square, another amplitude or frequency, a sine of a cosine's angle: none."""
+    assert {SINE.name, RIDGES.name} < BOUNDS.keys()
+    assert slope_terms(SLANTED) is None
+    sine = sinpi(k_u * u)
+    for expression in (sine**2, sinpi(3 * k_u * u / 2) * sine, sine * cospi(k_u * u), 2 * sine, sine + sinpi(k_v * v)):
+        assert factors_of(replace(SINE, expression=expression)) is None
+    assert factors_of(replace(SINE, expression=sine * cospi(k_v * v))) == (sine, cospi(k_v * v))
+
+
+def test_the_page_and_the_simulator_show_one_number():
+    """The point at which they once showed two, apart by a factor of 21.6."""
+    step = 1e-9
+    shown = BOUNDS["sine"](0.31, 0.47, 8.0, 4.0, step)
+    page = [bounds(Case("", "sine", 8.0, 4.0, 0.31, 0.47, slope), [step])["total"][0] for slope in SLOPES]
+    assert [*shown[2:]] == pytest.approx(page, rel=1e-15) and shown[0] == max(shown[2:])
+    assert page[0] == pytest.approx(1.6e-7, rel=1e-2)
 
 
 def drawn(count):
-    """Return random u, v, k_u, k_v and ε: everywhere, by creases, by the seam and by the pole."""
+    """Return random u, v, k_u, k_v and ε: everywhere, beside zeros, the seam and poles; whole waves and others."""
     rng = np.random.default_rng(11)
-    eps, waves = 10.0 ** rng.uniform(-15, -1, count), rng.integers(-16, 17, (2, count)).astype(float)
+    eps, waves = 10.0 ** rng.uniform(-15, np.log10(0.5), count), rng.integers(-16, 17, (2, count)).astype(float)
+    waves += rng.choice([0.0, 0.5, 0.3], count)
     near = 10.0 ** rng.uniform(-9, -1, (2, count)) * rng.choice([-1, 1], (2, count))
-    places = rng.random((2, count))
-    creased = (np.rint(places * waves) + near) / np.where(waves == 0, 1, waves)
-    places = np.where(rng.random((2, count)) < 0.5, places, creased)
-    return places[0] % 1.0, np.abs(places[1]) % 0.9, *waves, eps
+    places, halves = rng.random((2, count)), rng.choice([0.0, 0.5], (2, count))
+    zeros = (np.rint(places * waves) + halves + near) / np.where(waves == 0, 1, waves)
+    places = np.where(rng.random((2, count)) < 0.5, places, zeros)
+    return places[0] % 1.0, np.clip(np.abs(places[1]), 0, 1), *waves, eps
 
 
-@pytest.mark.parametrize("field", BOUNDS)
+@pytest.mark.parametrize("name", COVERED)
 @np.errstate(all="ignore")
-def test_no_difference_is_further_off_than_its_bound(field):
-    u, v, ku, kv, eps = drawn(4000)
-    ours, true = difference(FIELDS[field], "central", u, v, ku, kv, eps), EXACT[field](u, v, ku, kv)
-    error = np.maximum(*(abs(one - other) for one, other in zip(ours, true, strict=True)))
-    bound, leading, *terms = BOUNDS[field](u, v, ku, kv, eps)
-    terms = np.array(np.broadcast_arrays(*terms, u)[: len(TERMS)])
-    np.testing.assert_allclose(bound, terms.sum(axis=0))
-    np.testing.assert_array_equal(terms[leading.astype(int) - 1, np.arange(len(u))], terms.max(axis=0))
-    assert (error <= bound).all()
-    assert (error > bound - terms.max(axis=0)).any()  # without its largest term it is no bound
+def test_no_difference_is_further_off_than_its_bound(name):
+    field, at = COVERED[name], drawn(20_000)
+    ours, true = function_of(central(field))(*at), function_of(gradient(field))(*at[:-1])
+    errors = np.abs(np.broadcast_arrays(*ours, at[0])[:2] - np.array(np.broadcast_arrays(*true, at[0])[:2]))
+    terms = np.array([np.broadcast_arrays(*slope, at[0])[:-1] for slope in slope_terms(field)(*at)])
+    assert (errors <= terms.sum(axis=1)).all()
+    assert (errors > terms.sum(axis=1) - terms.max(axis=1)).any()  # without its largest term it is no bound
+    leading = {TERMS[number] for number in np.unique(terms.argmax(axis=1))}
+    assert leading == {*TERMS} - ({"straddling"} if factors_of(field)[0] is None else set())  # rings has no seam
+
+
+@np.errstate(all="ignore")
+def test_the_simulators_bound_is_the_larger_slopes():
+    at = drawn(1000)
+    bound, leading, *slopes = BOUNDS["ridges"](*at)
+    terms = np.array([np.broadcast_arrays(*slope, at[0])[:-1] for slope in SLOPE_TERMS["ridges"](*at)])
+    np.testing.assert_allclose(slopes, terms.sum(axis=1))
+    larger = terms[np.argmax(slopes, axis=0), :, np.arange(1000)]
+    np.testing.assert_array_equal(leading, larger.argmax(axis=1) + 1)
+    np.testing.assert_array_equal(bound, np.max(slopes, axis=0))
+
+
+def test_the_truncation_bound_is_attained():
+    """Where the slope is steepest, the error of a small step is the bound, up to the next term of its series."""
+    for k in (1.0, 8.0, 64.0):
+        step = 1e-2 / k
+        error = np.pi * k * (1 - np.sinc(k * step))
+        assert 0.999 < error / truncation_bound(step, k) < 1
+
+
+def test_half_a_unit_is_half_of_the_spacing():
+    numbers = 10.0 ** np.random.default_rng(7).uniform(-18, 0.3, 5000)
+    np.testing.assert_array_equal(half_unit(numbers), np.spacing(numbers) / 2)
+    assert 0 < ROOM - 1 < 1e-9
 
 
 @np.errstate(all="ignore")

@@ -30,7 +30,7 @@ FOOTER = (
 )
 DATE = b"D:20250101000000+00'00'"  # the date that the site is told too
 NODE = re.compile(rb"node\d{8}")  # by which a table's cells name their heads
-OF_SITE = re.compile(r'<script class="of-site".*?</script>', re.DOTALL)  # see document.py
+MOVES = re.compile(r"<script [^>]*data-moves=.*?</script>", re.DOTALL)
 
 
 class NoBrowser(Refused):
@@ -52,10 +52,10 @@ def on_paper(browser: "Browser", single: str, pages: Sequence[str] = ()) -> "Pag
     tab = browser.new_page(viewport=PAGE, color_scheme="light", offline=True)
     tab.set_default_timeout(PATIENCE)
     tab.emulate_media(media="print")
-    tab.set_content(OF_SITE.sub("", single))
+    tab.set_content(MOVES.sub("", single))
     tab.add_style_tag(path=HERE / "paper.css")
     tab.add_script_tag(path=HERE / "paper.js")
-    tab.evaluate("pages => putOnPaper(pages)", pages)
+    tab.evaluate("pages => put_on_paper(pages)", pages)
     return tab
 
 

@@ -15,6 +15,7 @@ from book.editions.pictures import inline_pictures
 
 HERE = Path(__file__).parent
 # Icons come from the theme's font; a file that is read from a disk has nothing to search with.
+SHARED = "shared.js"  # which the file's own script needs; all others are marked data-moves, and are not printed
 LEFT_OUT = {"fontawesome.js", "searchtools.js", "language_data.js", "searchindex.js"}
 POLICY = (
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; "
@@ -82,20 +83,23 @@ class Chapter:
         link["href"], link["download"] = address, f"{file.name}.gz"
 
     def loads(self, kind: str) -> Iterator[tuple[Path, Tag]]:
-        """What pages load as <link> or <script>, each once, in their order: its file and its element."""
-        found = {path: tag for page in reversed(self.pages) for path, tag in reversed(page.loads.items())}
-        for path, tag in reversed(found.items()):
-            if tag.name == kind and Path(path).name not in LEFT_OUT:
+        """What pages load as <link> or <script>, each once: its file and its element.
+
+        Scripts stand where they come first: what pages share precedes their own. Style sheets, where they come last.
+        """
+        pairs = [(path, tag) for page in self.pages for path, tag in page.loads.items() if tag.name == kind]
+        found = dict(pairs) if kind == "script" else dict(reversed(dict(reversed(pairs)).items()))
+        for path, tag in found.items():
+            if Path(path).name not in LEFT_OUT:
                 yield self.site / path, tag
 
     def scripts(self, deferred: bool) -> Iterator[Tag]:
         """Every script as an element, with its data: those that wait for the document, or those that do not."""
         for path, tag in self.loads("script"):
             if tag.has_attr("defer") == deferred:
-                data = {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
-                if path.name != "shared.js":  # which the file's own script calls
-                    data["class"] = "of-site"
-                text = inlined_script(path)
+                text, data = inlined_script(path), {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
+                if path.name != SHARED:
+                    data["data-moves"] = ""
                 if path.parent.name == "mathjax":  # the file's own script unpacks it
                     text, data = base64_gzip(text.encode()), {"type": "application/gzip", "id": "packed-mathjax"}
                 yield self.element("script", text, data)

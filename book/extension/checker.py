@@ -4,6 +4,7 @@ import json
 import re
 import unicodedata
 from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
 
 from sympy import Symbol, latex
@@ -20,7 +21,9 @@ WITHOUT = {
     "certified": "No certificate to check here: this was enclosed in balls, and the command below encloses it again.",
     "cited": "No certificate to check here: this is taken from the literature.",
 }
-TEX_PART = re.compile(r"\\hat\s*\{?(\w)\}?|\\([A-Za-z]+)\s?|_\{([^}]*)\}|_(\w|\\[A-Za-z]+)|([^\\_]+)")
+HAT = re.compile(r"\\hat\s*\{?(\w)\}?")
+COMMAND = re.compile(r"\\([A-Za-z]+)")
+TEX_PART = re.compile(r"(\\[A-Za-z]+)\s?|_\{([^}]*)\}|_(\w|\\[A-Za-z]+)|([^\\_]+)")
 
 
 def check_here(book: Here, id: str) -> Filled | str:
@@ -80,40 +83,23 @@ def spelling(name: str) -> list[list[str]]:
     """How a name is set: [[text, "i" italic, "r" upright or "s" subscript], …], from its TeX."""
     parts = []
     for text in re.findall(r"[A-Za-z_]\w*|.", name):  # of sin(pi*k_u*u) as of k_u
-        parts += _word(text) if text.isidentifier() else [["\N{THIN SPACE}" if text == "*" else text, "r"]]
-    return merged(parts)
-
-
-def _word(name: str) -> list[list[str]]:
-    if name in ("sin", "cos"):
-        return [[name, "r"]]
-    parts = []
-    for hat, command, long, short, plain in TEX_PART.findall(TEX.get(name) or latex(Symbol(name))):
-        if hat:
-            parts.append([f"{hat}\N{COMBINING CIRCUMFLEX ACCENT}", "i"])
-        elif command:
-            letter = _greek(command)
-            parts.append([letter, "i"] if letter else [f"{command}\N{THIN SPACE}", "r"])
-        elif long or short:
-            under = re.sub(r"\\([A-Za-z]+)", lambda name: _greek(name[1]) or name[1], long or short)
-            parts.append([under, "s"])
-        else:
-            parts.append([plain.replace("'", "′"), "i"])
-    return parts
-
-
-def _greek(command: str) -> str | None:
-    """The letter that a TeX command stands for, or None."""
-    try:
-        return unicodedata.lookup(f"GREEK SMALL LETTER {command.removeprefix('var').upper()}")
-    except KeyError:
-        return None
-
-
-def merged(parts: list[list[str]]) -> list[list[str]]:
-    """Neighbours of one kind as one."""
-    groups = groupby(parts, key=lambda part: part[1])
+        if text in ("sin", "cos") or not text.isidentifier():
+            parts.append(["\N{THIN SPACE}" if text == "*" else text, "r"])
+            continue
+        tex = HAT.sub("\\1\N{COMBINING CIRCUMFLEX ACCENT}", TEX.get(text) or latex(Symbol(text)))
+        for command, long, short, plain in TEX_PART.findall(tex):
+            letter = COMMAND.sub(_greek, command or long or short or plain).replace("'", "′")
+            parts.append([letter, "s" if long or short else "r" if letter.endswith("\N{THIN SPACE}") else "i"])
+    groups = groupby(parts, key=itemgetter(1))
     return [["".join(text for text, _ in group), style] for style, group in groups]
+
+
+def _greek(command: re.Match) -> str:
+    """The letter that a TeX command stands for; of another, such as cos, its name."""
+    try:
+        return unicodedata.lookup(f"GREEK SMALL LETTER {command[1].removeprefix('var').upper()}")
+    except KeyError:
+        return f"{command[1]}\N{THIN SPACE}"
 
 
 @on_page

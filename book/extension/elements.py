@@ -18,7 +18,7 @@ from markupsafe import Markup
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-SUBSCRIPT = re.compile(r"(?<![\w])([A-Za-zα-ωΑ-Ω])_([A-Za-z0-9α-ω])(?![\w])")
+SUBSCRIPT = re.compile(r"(?<=\b[A-Za-zα-ωΑ-Ω])_([A-Za-z0-9α-ω])(?!\w)")
 PLACE = re.compile("(\0\\d+\0)")
 _waiting: dict[str, list[nodes.Node]] = {}
 _numbers = count()
@@ -97,11 +97,9 @@ def typeset(text: str) -> list[nodes.Node]:
 
 
 def _plain(text: str) -> list[nodes.Node]:
-    found, end = [], 0
-    for match in SUBSCRIPT.finditer(text):
-        found += [nodes.Text(text[end : match.start()] + match[1]), nodes.subscript("", match[2])]
-        end = match.end()
-    return [*found, nodes.Text(text[end:])] if text[end:] else found
+    pieces = SUBSCRIPT.split(text)  # words, a letter's index, words, …
+    found = [nodes.subscript("", piece) if odd % 2 else nodes.Text(piece) for odd, piece in enumerate(pieces)]
+    return [node for node in found if node.astext()]
 
 
 def prose(text: str) -> nodes.Text:

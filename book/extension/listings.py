@@ -10,6 +10,7 @@
 import ast
 import html
 import shutil
+from functools import cache
 from pathlib import Path, PurePosixPath
 
 from docutils import nodes
@@ -23,7 +24,13 @@ from book.extension.theorems import certificate, proofs_of, script
 
 DOWNLOADS = "_downloads/theorems"
 FOLDERS = ("proofs/*.py", "proofs/*/*.py", "verify/*.py", "verify/*/*.py", "verify/*/*/*.py")
-LISTED = (*FOLDERS, "renderer/shader/shader.py", "renderer/machines/*.py", "tests/test_work.py")
+LISTED = (
+    *FOLDERS,
+    "renderer/shader/shader.py",
+    "renderer/machines/*.py",
+    "renderer/generate/*.py",
+    "tests/test_work.py",
+)
 
 
 def listing_address(path: PurePosixPath) -> str:
@@ -31,6 +38,7 @@ def listing_address(path: PurePosixPath) -> str:
     return f"source/{path.as_posix()}.html"
 
 
+@cache
 def listed() -> list[Path]:
     return [path for pattern in LISTED for path in sorted(stamps.ROOT.glob(pattern)) if path.read_bytes()]
 
@@ -103,7 +111,8 @@ def source_lines(here: SphinxRole) -> list[nodes.Node]:
 
 @role("source-link")
 def source_link(here: SphinxRole) -> list[nodes.Node]:
-    source_file(here.text)
+    if source_file(here.text) not in listed():
+        raise ValueError(f"the file {here.text} has no page")
     target = listing_address(PurePosixPath(here.text))
     return [nodes.reference("", "", nodes.literal("", here.text), refuri=target, internal=True)]
 

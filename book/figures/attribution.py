@@ -6,21 +6,16 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import GAP, TITLE, decades, palette, panels, pixel_axes, pixel_text, plot
+from proofs.formulas.step_bounds import TERMS
 from renderer import Scene, render
 from verify.stability import attribution
 
 # Okabe and Ito's, none of them one of the book's four roles but that of differences, for what a difference cannot do.
-COLOURS = {
-    "truncation": "#56B4E9",
-    "argument rounding": "#E69F00",
-    "roundoff": "#F0E442",
-    "straddling": "#CC79A7",
-    "one-sided": "#FFFFFF",
-}
+COLOURS = dict(zip(TERMS, ("#56B4E9", "#E69F00", "#F0E442", "#CC79A7", "#FFFFFF"), strict=True))
 STEPS = (3e-2, 1e-6, 1e-8)
 SIDE, ZOOM = 88, 3
 SWEEP = np.logspace(-0.5, -13, 26)
-KEYS = [name.replace(" ", "_").replace("-", "_") for name in attribution.TERMS]
+KEYS = [name.replace(" ", "_").replace("-", "_") for name in TERMS]
 
 
 def _picture(kinds):
@@ -82,12 +77,7 @@ def attribution_shares() -> Drawing:
     ax.set_yticks([0, 0.5, 1], ["0", "½", "1"])
     for part, hatch in zip(parts, ("", "", "////", "....", ""), strict=True):
         part.set_hatch(hatch)
-    for name, x, y in (
-        ("straddling", 6e-2, 0.82),
-        ("truncation", 3e-4, 0.5),
-        ("argument rounding", 1e-9, 0.4),
-        ("roundoff", 3e-10, 0.93),
-    ):
+    for name, (x, y) in zip(TERMS, ((3e-4, 0.5), (1e-9, 0.4), (3e-10, 0.93), (6e-2, 0.82)), strict=False):
         ax.text(x, y, name, ha="center", va="center", color="#1d1c1a", backgroundcolor=COLOURS[name])
     most = {f"{key}_most": values.max() for key, values in zip(KEYS, shares.values(), strict=True)}
     return Drawing(fig, most | {"points": 400}, {"step": SWEEP, **shares})

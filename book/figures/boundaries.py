@@ -6,8 +6,8 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import DASHED, curve, decades, label, label_line_end, plot, slope_triangle
-from verify.accuracy.clamped_order import fitted_slope
 from verify.accuracy.frontiers import boundaries
+from verify.accuracy.orders import fitted_slope
 
 SHOWN, LARGEST, SIDE = 0.1, 0.35, 256  # two β, and the raster's side
 BETAS = np.logspace(-3, -1.5, 13)

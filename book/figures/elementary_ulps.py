@@ -6,7 +6,8 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import bound_style, dots, label_line_end, palette, plot
-from verify.accuracy.certified_ulps import CERTIFIED, PIECES, at, errors_in_ulps
+from proofs.formulas.certified import CERTIFIED
+from verify.accuracy.certified_ulps import PIECES, at, errors_in_ulps
 from verify.accuracy.pieces import worst
 
 LEAST = 0.01  # below it the pieces of an angle only repeat themselves

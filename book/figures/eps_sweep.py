@@ -11,7 +11,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, central, render
 from renderer.picture.facts import flat_difference, flips_everywhere, pixels_near_the_pole
 from renderer.picture.sweep import DECADES, difference_on_a, records, rms, sweep
-from verify.accuracy.clamped_order import fitted_slope
+from verify.accuracy.orders import fitted_slope
 
 STEPS = np.logspace(-1, -15, 57)
 SHOWN = 49  # of them, down to 1e-13, in the picture of the RMS alone

@@ -19,8 +19,8 @@ from book.drawing.style import (
     slope_triangle,
 )
 from book.figures.chapter_scene import FINE, MARKED, SCENE, marked_by_light, symbolic
-from verify.accuracy.clamped_order import fitted_slope
 from verify.accuracy.frontiers import fiction, wall
+from verify.accuracy.orders import fitted_slope
 
 _errors, _silhouette, _leaks = cache(wall.errors), cache(fiction.silhouette_remainders), cache(fiction.leaks)
 

@@ -12,7 +12,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.tangent_frame import seed_frame, tangent_frame
 from renderer import Scene, central, exact, gradient_at
 from renderer.generate.kernels import function_of
-from verify.accuracy.clamped_order import fitted_slope
+from verify.accuracy.orders import fitted_slope
 from verify.evaluate import Reference
 
 AZIMUTHS = np.linspace(-3.0, 3.0, 25)

@@ -7,8 +7,8 @@ import numpy as np
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import curve, decades, dots, label_line_end, plot, slope_triangle
 from book.figures.chapter_scene import symbolic
-from verify.accuracy import clamped_order
-from verify.accuracy.ridge_law import on_the_raster, predicted, quadrature
+from verify.accuracy import orders
+from verify.accuracy.orders import SLOPES, fitted_slope, on_the_raster, predicted, quadrature
 
 STEPS = np.logspace(-2, -8, 25)
 FITTED = STEPS < 2e-3
@@ -17,7 +17,7 @@ FITTED = STEPS < 2e-3
 @cache
 def _curves():
     frame = symbolic()
-    law = {name: np.array([quadrature(name, float(step)) for step in STEPS]) for name in ("h_u", "h_v")}
+    law = {name: np.array([quadrature(name, float(step)) for step in STEPS]) for name in SLOPES}
     return law, np.array([on_the_raster("h_u", float(step), frame) for step in STEPS])
 
 
@@ -39,21 +39,21 @@ def ridge_law() -> Drawing:
         if (np.abs(values - right) > room + 1e-9).any():
             raise ValueError(f"the RMS of {name} is further from the theorem's than the theorem allows")
         data |= {f"chart_{name}": values, f"law_{name}": right, f"law_{name}_room": room}
-        numbers[f"{name}_slope"] = clamped_order.fitted_slope(STEPS[FITTED], values[FITTED])
+        numbers[f"{name}_slope"] = fitted_slope(STEPS[FITTED], values[FITTED])
         numbers[f"{name}_constant"] = (values / right)[FITTED].max()
     return Drawing(fig, numbers, data)
 
 
 @cache
 def _clamped():
-    return {field: clamped_order.errors(field) for field in clamped_order.FIELDS}
+    return {field: orders.clamped_errors(field) for field in orders.FIELDS}
 
 
 @figure("clamped_order")
 def clamped_order_figure() -> Drawing:
     """The error of the difference clamped at the pole, v = ε/2: the chapter's fields, and one that is not odd."""
     fig, ax = plot(height=3.4)
-    steps, errors = clamped_order.STEPS, _clamped()
+    steps, errors = orders.STEPS, _clamped()
     for field, text, marker, role in (
         ("sine", "sine, ridges", "o", "symbolic"),
         ("ridges", "", "x", "symbolic"),
@@ -64,5 +64,5 @@ def clamped_order_figure() -> Drawing:
     decades(ax, xlabel="step ε", ylabel="error of $h_v$")
     slope_triangle(ax, 3e-5, 3e-8, 2)
     slope_triangle(ax, 3e-5, 8e-4, 1)
-    orders = {field: clamped_order.fitted_slope(steps, values) for field, values in errors.items()}
-    return Drawing(fig, orders, {"step": steps, **errors})
+    fitted = {field: fitted_slope(steps, values) for field, values in errors.items()}
+    return Drawing(fig, fitted, {"step": steps, **errors})

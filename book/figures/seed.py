@@ -17,7 +17,7 @@ from renderer.generate.kernels import function_of
 from renderer.picture.facts import SMOOTH_POINT
 from renderer.picture.sweep import difference_on_a, rms
 from renderer.picture.views import to_bytes
-from verify.accuracy.clamped_order import fitted_slope
+from verify.accuracy.orders import fitted_slope
 from verify.benchmark.baselines import seed_loops
 from verify.records import RECORDS, read
 

@@ -7,9 +7,8 @@ import numpy as np
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import SHORT, bound_style, curve, decades, dots, label_curve, label_line_end, palette, plot
 from verify.accuracy.best_step import predicted
-from verify.accuracy.clamped_order import fitted_slope
-from verify.accuracy.difference_bounds import Bounds, bounds, escapes
-from verify.accuracy.differences import CASES, STEPS, Case, Parts, parts
+from verify.accuracy.differences import CASES, PARTS, PER_DECADE, STEPS, Case, Curves, bounds, escapes, parts
+from verify.accuracy.orders import fitted_slope
 
 STEEP = next(case for case in CASES if case.name == "steep")
 SMALL = {
@@ -25,19 +24,18 @@ ROUNDOFF = 1e-9  # below it rounding rules in every case
 
 
 @cache
-def below(case: Case) -> tuple[Parts, Bounds]:
-    """Return (the Parts, the Bounds) of a case; ValueError if any point is above its bound."""
-    measured = parts(case)
-    limits = bounds(case, measured)
+def below(case: Case) -> tuple[Curves, Curves]:
+    """Return (the parts of a case's errors, their bounds); ValueError if any point is above its bound."""
+    measured, limits = parts(case), bounds(case)
     out = {part: count for part, count in escapes(measured, limits).items() if count}
     if out:
-        raise ValueError(f"{case.name}: above the proved bound: {out} of {len(measured.steps)} points")
+        raise ValueError(f"{case.name}: above the proved bound: {out} of {len(STEPS)} points")
     return measured, limits
 
 
-def _every_other(ax, steps, values, role, size, marker="o"):
+def _every_other(ax, values, role, size, marker="o"):
     """Draw half of the points that are tested, but for zeros."""
-    steps, values = steps[::2], np.abs(values[::2])
+    steps, values = STEPS[::2], np.abs(values[::2])
     dots(ax, steps[values > 0], values[values > 0], role, size, marker)
 
 
@@ -45,28 +43,27 @@ def _every_other(ax, steps, values, role, size, marker="o"):
 def u_curve_parts() -> Drawing:
     """The three parts of the error of h_u of sine at a steep point, against the step, and their proved bounds."""
     measured, limits = below(STEEP)
-    steps = measured.steps
     fig, ax = plot(height=4.6)
-    data = {"step": steps}
-    for part, role, marker, text, side, at, times in (
-        ("truncation", "reference", ".", "truncation", "right", 1e-10, 1),
-        ("argument", "difference", "x", "rounded $u ± ε$", "right", 1e-12, 30),
-        ("roundoff", "symbolic", "+", "rounded evaluation", "below", 1e-13, 1e-5),
-    ):
-        error, bound = getattr(measured, part), getattr(limits, part)
+    data = {"step": STEPS}
+    for part, (role, marker, text, side, at, times) in zip(PARTS[:-1], (
+        ("reference", ".", "truncation", "right", 1e-10, 1),
+        ("difference", "x", "rounded $u ± ε$", "right", 1e-12, 30),
+        ("symbolic", "+", "rounded evaluation", "below", 1e-13, 1e-5),
+    ), strict=True):  # fmt: skip
+        error, bound = measured[part], limits[part]
         data |= {part: np.abs(error), f"{part}_bound": bound}
-        _every_other(ax, steps, error, role, 2.4, marker)
-        curve(ax, steps, bound, "bound", linewidth=0.9)
-        label_curve(ax, steps, times * bound, at, text, role, side)
+        _every_other(ax, error, role, 2.4, marker)
+        curve(ax, STEPS, bound, "bound", linewidth=0.9)
+        label_curve(ax, STEPS, times * bound, at, text, role, side)
     decades(ax, 2, 2, xlim=REACH, ylim=(1e-20, 1e3), xlabel="step ε", ylabel="error of $h_u$")
     best = predicted(STEEP.k_u)
     ax.plot(best.step, best.floor, color=palette()["ink"], marker="v", markersize=6)
     label_line_end(ax, best.step, 20 * best.floor, "floor, proved", "ink", "above")
-    branch, total = (steps < 1e-3) & (steps > 1e-7), np.abs(measured.total)
+    branch, total = (STEPS < 1e-3) & (STEPS > 1e-7), np.abs(measured["total"])
     numbers = {
-        "slope": fitted_slope(steps[branch], np.abs(measured.truncation[branch])),
+        "slope": fitted_slope(STEPS[branch], np.abs(measured[PARTS[0]][branch])),
         "least": total.min(),
-        "least_at": steps[total.argmin()],
+        "least_at": STEPS[total.argmin()],
         "floor": best.floor,
         "best_eps": best.step,
         "u": STEEP.u,
@@ -82,10 +79,10 @@ def u_curve_places() -> Drawing:
     data = {}
     for ax, (name, title) in zip(axes.ravel(), SMALL.items(), strict=True):
         measured, limits = below(next(case for case in CASES if case.name == name))
-        steps, error = measured.steps, measured.total
-        data |= {f"step, {name}": steps, f"error, {name}": np.abs(error), f"bound, {name}": limits.total}
-        _every_other(ax, steps, error, "numeric", 1.4)
-        curve(ax, steps, limits.total, "bound")
+        error, bound = measured["total"], limits["total"]
+        data |= {f"step, {name}": STEPS, f"error, {name}": np.abs(error), f"bound, {name}": bound}
+        _every_other(ax, error, "numeric", 1.4)
+        curve(ax, STEPS, bound, "bound")
         decades(ax, 4, 4, title=title, xlim=REACH, ylim=(1e-13, 1e4))
     for ax in axes[1]:
         ax.set_xlabel("step ε")
@@ -97,7 +94,7 @@ def u_curve_places() -> Drawing:
 @figure
 def u_curve_margins() -> Drawing:
     """The measured error over its proved bound, at every step: the largest and the median of all places."""
-    shares = np.array([np.abs(measured.total) / limits.total for measured, limits in map(below, CASES)])
+    shares = np.array([np.abs(measured["total"]) / limits["total"] for measured, limits in map(below, CASES)])
     fig, ax = plot(height=3.2)
     largest, median = shares.max(axis=0), np.median(shares, axis=0)
     curve(ax, STEPS, largest, "difference", linewidth=1.2)
@@ -113,6 +110,6 @@ def u_curve_margins() -> Drawing:
         "escaped": (shares > 1).sum(),
         "largest": shares.max(),
         "median_ratio": np.median(1 / rounding[rounding > 0]),
-        "per_decade": 40,
+        "per_decade": PER_DECADE,
     }
     return Drawing(fig, numbers, {"step": STEPS, "largest": largest, "median": median})

@@ -217,6 +217,14 @@ Definition sin_phi := sin (PI * v).
 End program.
 End chart_inverse.
 
+Module chart_radians.
+Section program.
+Variables u v : R.
+Definition theta := PI * (2 * u - 1).
+Definition phi := PI * v.
+End program.
+End chart_radians.
+
 Module seed_chart.
 Section program.
 Variables normal_x normal_y normal_z : R.

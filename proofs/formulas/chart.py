@@ -4,9 +4,9 @@ from sympy import Piecewise, Rational, acos, atan2, pi
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import atan2pi, cospi, sinpi
-from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, u, v
+from proofs.formulas.symbols import cos_phi, cos_theta, normal, phi, real, sin_phi, sin_theta, u, v
 
-u_closed = real("u_closed")
+u_closed, theta = real("u_closed theta")
 
 chart = Program(
     "chart",
@@ -25,8 +25,11 @@ chart_inverse = Program(
     (u, v),
     (((cos_theta, sin_theta, cos_phi, sin_phi), (-cospi(2 * u), -sinpi(2 * u), cospi(v), sinpi(v))),),
 )
-"""The angles from the chart: θ = 2πu − π, φ = πv, so cos θ = −cos 2πu, sin θ = −sin 2πu. Domain: 0 ≤ v ≤ 1, any u.
-Theorem: chart_inverse."""
+"""The angles from the chart: cos θ = −cos 2πu, sin θ = −sin 2πu, φ = πv. Domain: 0 ≤ v ≤ 1, any u. Theorem:
+chart_inverse."""
+
+chart_radians = Program("chart_radians", (u, v), ((theta, pi * (2 * u - 1)), (phi, pi * v)), (theta, phi))
+"""The angles themselves, θ = 2πu − π and φ = πv. Theorem: chart."""
 
 seed_chart = Program(
     "seed_chart", normal, ((u, (atan2(normal[1], normal[0]) + pi) / (2 * pi)), (v, acos(normal[2]) / pi)), (u, v)

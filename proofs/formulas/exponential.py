@@ -189,6 +189,6 @@ raised = Program(
         (power, Piecewise((0, number <= 0), (exponential, True))),
     ),
 )
-"""number^exponent = exp(exponent · ln(number)), the product to some 60 bits, for an exponent from 10^-3 to 10^6.
+"""number^exponent = exp(exponent · ln(number)), the product to some 60 bits, for an exponent from 5·10^-4 to 10^6.
 
 0 at 0 and below it, 1 at 1; what is below e^-708 is 0, what is above e^709 inf."""

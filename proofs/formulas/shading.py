@@ -78,7 +78,7 @@ blinn_squared = Program(
     ),
     (mu, specular_base),
 )
-"""Blinn–Phong's μ and the square of its base, from one root and one division: base^p = (base²)^(p/2) for an even p.
+"""Blinn–Phong's μ and the square of its base, from one root and one division: base^p = (base²)^(p/2), p not odd.
 
 The halfway vector is |L − P| (ω + v̂) = (L − P) + |L − P| v̂; where it vanishes ω = −v̂. Theorem: squared_highlight."""
 

@@ -1,43 +1,83 @@
-"""The proved bounds of the central difference's error, as programs: what is drawn behind a measured U-curve.
+"""The proved bounds of the central difference's error, as programs: theorems state them, pages and kernels use them.
 
-The same expressions as the theorems', for a field that swings at `frequency` half-turns per unit of u or v.
+They are of a field that swings at `frequency` half-turns per unit of u or v, πk its steepest slope.
 """
 
-from sympy import Rational, pi
+from sympy import Rational, pi, sqrt
 
 from proofs.engine.program import Program
 from proofs.formulas.symbols import epsilon, real, v
 
-frequency, steepest = real("frequency steepest")
-unit, evaluation, argument = real("unit evaluation argument")
-truncation, rounding, apart = real("truncation rounding apart")
+TERMS = ("truncation", "argument rounding", "roundoff", "straddling", "one-sided")
+"""What the error is made of. Truncation is that of the quotient in exact arithmetic; where a crease or the seam lies
+between the samples, or one of them is clamped at a pole, it is straddling or one-sided instead. Argument rounding is
+that of u ± ε and v ± ε, roundoff that of the heights and of the quotient."""
+
+frequency, steepest, third_derivative = real("frequency steepest third_derivative")
+span, excess, unit, evaluation, argument = real("span excess unit evaluation argument")
+truncation, rounding, apart, distance, tent, rest = real("truncation rounding apart distance tent rest")
+creases, root_mean_square, best, floor = real("creases root_mean_square best floor")
+
+_third = (third_derivative, (pi * frequency) ** 3)
+
+slope_bound = Program("slope_bound", (frequency,), ((steepest, pi * frequency),))
+"""L = πk."""
 
 truncation_bound = Program(
-    "truncation_bound", (epsilon, frequency), ((truncation, Rational(1, 6) * epsilon**2 * (pi * frequency) ** 3),)
+    "truncation_bound", (epsilon, frequency), (_third, (truncation, epsilon**2 / 6 * third_derivative))
 )
 """ε²/6 · (πk)³, where no crease, seam or pole lies within ε. Theorem: truncation_bound."""
 
 clamped_bound = Program(
     "clamped_bound",
     (epsilon, v, frequency),
-    ((truncation, Rational(1, 6) * (epsilon**2 + 2 * epsilon * v - 2 * v**2) * (pi * frequency) ** 3),),
+    (_third, (truncation, (epsilon**2 + 2 * epsilon * v - 2 * v**2) / 6 * third_derivative)),
 )
 """(ε² + 2εv − 2v²)/6 · (πk)³ for the difference clamped at the pole, 0 ≤ v < ε, of a field that is odd about v = 0 up
 to v + ε. Theorem: clamped_difference_of_odd."""
-
-rounding_bound = Program(
-    "rounding_bound",
-    (epsilon, steepest, unit, evaluation, argument),
-    ((rounding, (evaluation + steepest * argument) * (1 + unit) ** 2 / epsilon + steepest * (2 * unit + unit**2)),),
-)
-"""(η + Lα)(1 + μ)²/ε + L(2μ + μ²), L = sup|h'|. Theorem: roundoff_bound."""
 
 crease_bound = Program("crease_bound", (frequency,), ((apart, 2 * pi * frequency),))
 """2πk: a difference quotient and a slope are each at most L = πk in size (the mean value theorem), so they are at most
 2L apart, whatever lies within ε."""
 
-slope_bound = Program("slope_bound", (frequency,), ((steepest, pi * frequency),))
-"""L = πk."""
+tent_bound = Program(
+    "tent_bound",
+    (epsilon, distance, frequency),
+    (
+        (tent, pi * frequency * (1 - distance / epsilon)),
+        (rest, Rational(2, 3) * pi * frequency * (pi * frequency * epsilon) ** 2),
+        (truncation, tent + rest),
+    ),
+)
+"""πk(1 − δ/ε) + ⅔πk(πkε)² where one crease, at the distance δ < ε, lies between the samples. Theorem:
+crease_error_area."""
 
-BOUNDS = (truncation_bound, clamped_bound, rounding_bound, crease_bound, slope_bound)
-"""What is drawn behind a measured U-curve."""
+crease_rms = Program(
+    "crease_rms",
+    (epsilon, frequency, creases),
+    ((root_mean_square, pi * frequency * sqrt(creases * epsilon / 3)), (rest, tent_bound[rest])),
+    (root_mean_square, rest),
+)
+"""πk√(nε/3), the root mean square of the tents at n creases over the chart, and how far the error's may be from it.
+Theorem: crease_error_area."""
+
+rounding_bound = Program(
+    "rounding_bound",
+    (span, steepest, excess, evaluation, argument),
+    ((rounding, 2 * (evaluation + steepest * argument) * (1 + excess) / span + steepest * excess),),
+)
+"""2(η + Lα)(1 + κ)/S + Lκ, over the span S of the samples, L = sup|h'|. Theorem: roundoff_bound."""
+
+two_roundings = Program("two_roundings", (unit,), ((excess, 2 * unit + unit**2),))
+"""κ of a rounded difference and quotient, in units of roundoff μ. Theorem: roundoff_bound."""
+
+three_roundings = Program("three_roundings", (unit,), ((excess, (3 * unit + unit**2) / (1 - unit)),))
+"""κ where the span is rounded as well. Theorem: roundoff_bound."""
+
+best_step = Program(
+    "best_step",
+    (truncation, best),
+    ((rounding, 2 * truncation * best**3), (floor, 3 * truncation * best**2)),
+    (rounding, floor),
+)
+"""The E for which a step is the one at which Tε² + E/ε is least, and that least value. Theorem: best_step."""

@@ -5,7 +5,7 @@ from sympy import Rational, cos, pi, sin, sqrt
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.program import Program, chain
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
-from proofs.formulas.chart import chart, chart_inverse, u_closed
+from proofs.formulas.chart import chart, chart_inverse, chart_radians, theta, u_closed
 from proofs.formulas.half_turns import atan2pi, cospi, sinpi
 from proofs.formulas.symbols import cos_phi, cos_theta, dot, normal, real, sin_phi, sin_theta, u, v
 from proofs.formulas.tangent_frame import unit_normal
@@ -23,7 +23,7 @@ _range = Claim(
     _by_turns,
 )
 _seam = Claim("seam", (equation(u_closed, 1), equation(u, 0)), (equation(turn, 1),), _by_turns)
-_inside = Claim("inside", (equation(u, u_closed), equation(pi * (2 * u - 1), pi * turn)), (turn < 1,), _by_turns)
+_inside = Claim("inside", (equation(u, u_closed), equation(chart_radians[theta], pi * turn)), (turn < 1,), _by_turns)
 
 
 def _back(at):

@@ -7,6 +7,7 @@ from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import at_pole, of_heights, pole_clamps
 from proofs.formulas.finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HeightField
+from proofs.formulas.step_bounds import clamped_bound, third_derivative, truncation
 from proofs.formulas.symbols import epsilon, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_of_half_turn
 from proofs.theorems.relations import EIGHTH, HALF, QUARTER, both_ways, named, ridges, rings, sine
@@ -104,7 +105,7 @@ _first_ridge = Claim(
     ranges=((v, (0, 1)), (k_v, (0, 3))),
 )
 _end = v + epsilon
-_room = (epsilon**2 + 2 * epsilon * v - 2 * v**2) / 6
+_room = clamped_bound[truncation].xreplace({third_derivative: S.One})
 _rise = _end**2 / 8 - v**2 / 2
 _middle = slope + bend_minus * _rise
 _second = Claim(

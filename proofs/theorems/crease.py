@@ -6,12 +6,27 @@ from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import inside
 from proofs.formulas.half_turns import ordinary
+from proofs.formulas.step_bounds import (
+    crease_rms,
+    creases,
+    distance,
+    frequency,
+    rest,
+    root_mean_square,
+    slope_bound,
+    steepest,
+    tent,
+    tent_bound,
+    third_derivative,
+    truncation,
+    truncation_bound,
+)
 from proofs.formulas.symbols import epsilon, h_u, k_u, k_v, real, u, v
 from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
 from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, nonnegative, positive, ridges, zero
 
 delta, m = real("delta m")
-rate = pi * k_u
+rate = slope_bound[steepest].xreplace({frequency: k_u})
 half = ((v, 1), (k_v, HALF))  # sin πk_v v = 1
 ranges = ((delta, (-QUARTER, QUARTER)), (epsilon, (0, QUARTER)), (k_u, (0, 4)))
 straddles = (epsilon > 0, k_u > 0, epsilon - delta > 0, epsilon + delta > 0)
@@ -89,7 +104,9 @@ omega = real("omega")
 _at_crease = {k_u: omega / pi, delta: 0}
 _gap = Abs(ordinary(across.subs(_at_crease)) - slope_after.subs(_at_crease))
 _steps = (omega > 0, epsilon > 0)
-_descends = Claim("descends", (at_least(omega**3 * epsilon**2 / 6, _gap),), _steps)
+_descends = Claim(
+    "descends", (at_least(truncation_bound[truncation].xreplace({third_derivative: omega**3}), _gap),), _steps
+)
 
 supremum = Theorem(
     id="seed_truncation_slope",
@@ -111,7 +128,8 @@ supremum = Theorem(
 
 
 x, y = rate * epsilon, rate * delta
-_tent, _two_thirds = delta / epsilon - 1, Rational(2, 3)
+_at = {frequency: k_u, distance: delta}
+_tent, _room = -tent_bound[tent].xreplace(_at) / rate, tent_bound[rest].xreplace(_at) / rate
 _after = (epsilon > 0, k_u > 0, delta > 0, epsilon - delta >= 0, reach[0])
 _sin_y, _cos_y, _cos_x = sin(y), cos(y), cos(x)
 _rest = straddled / rate - _cos_y - _tent
@@ -129,10 +147,10 @@ _near_tent = Claim(
             x**2 / 2 - (1 - _cos_y),
             _sin_y * (1 - _cos_x),
             x**3 / 2 - _sin_y * (1 - _cos_x),
-            _two_thirds * x**3 - x * _rest,
-            _two_thirds * x**3 + x * _rest,
-            _two_thirds * x**2 - _rest,
-            _two_thirds * x**2 + _rest,
+            _room * x - x * _rest,
+            _room * x + x * _rest,
+            _room - _rest,
+            _room + _rest,
         ),
     ),
     _after,
@@ -154,12 +172,13 @@ _means = Claim(
 )
 
 
-def _mean_square(name, k, creases, constant):
-    """Return the claim that the tents at `creases` creases have the mean square constant²."""
-    total = creases * (pi * k) ** 2 * 2 * _area * Rational(1, 2)
+def _mean_square(name, k, number, constant=None):
+    """Return the claim that the tents at so many creases have the mean square constant²."""
+    constant = constant or crease_rms[root_mean_square].xreplace({frequency: k, creases: number})
+    total = number * (pi * k) ** 2 * 2 * _area * Rational(1, 2)
     shows = (
         greater(pi * k, 0),
-        *nonnegative(creases * epsilon, total, constant),
+        *nonnegative(number * epsilon, total, constant),
         equation(total, constant**2),
         at_least(sqrt(total), constant),
         at_least(constant, sqrt(total)),
@@ -168,8 +187,8 @@ def _mean_square(name, k, creases, constant):
     return Claim(name, shows, (k >= 1, epsilon > 0), squares=(Symbol("pi", real=True) * k,))
 
 
-_in_u = _mean_square("in_u", k_u, k_u, pi * k_u * sqrt(k_u * epsilon / 3))
-_in_v = _mean_square("in_v", k_v, k_v - 1, pi * k_v * sqrt((k_v - 1) * epsilon / 3))
+_in_u = _mean_square("in_u", k_u, k_u)
+_in_v = _mean_square("in_v", k_v, k_v - 1)
 
 rms = Theorem(
     id="crease_error_area",

@@ -3,6 +3,7 @@
 The measurements are in verify/checkers/measurements."""
 
 from proofs.engine.theorem import Step, Theorem
+from proofs.formulas.certified import CERTIFIED
 
 products = Theorem(
     id="crease_products",
@@ -117,15 +118,18 @@ slopes = Theorem(
 functions = Theorem(
     id="elementary_functions",
     title="The elementary functions of the kernels",
-    statement=r"In float64 the kernels' $\sin\pi x$ is off by at most 1.34 units in the last place, $\cos\pi x$ by "
-    r"1.53, $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product by 2.52 and 2.09, $\operatorname{atan2}(y, x)/\pi$ "
-    r"by 2.50, $e^x$ by 1, $\ln x$ by 0.52, and $x^p$ by 1.50 where it is at least $e^{-50}$, by 11.03 elsewhere.",
+    statement=r"In float64 the kernels' $\sin\pi x$ is off by at most {sinpi:.2f} units in the last place, "
+    r"$\cos\pi x$ by {cospi:.2f}, $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product by {sinpi_of_product:.2f} and "
+    r"{cospi_of_product:.2f}, $\operatorname{{atan2}}(y, x)/\pi$ by {atan2pi:.2f}, $e^x$ by {exp:g}, $\ln x$ by "
+    r"{log:.2f}, and $x^p$ by {power:.2f} where it is at least $e^{{-50}}$, by {small_power:.2f} elsewhere.".format(
+        **{name: float(ulps) for name, ulps in CERTIFIED.items()}
+    ),
     hypotheses=(
         "round to nearest; nothing underflows or overflows; the unit is that of the float64 nearest to the exact value",
         r"the whole range: $|r| \le \frac14 + 2^{-30}$ after the reduction, which is exact but for the rounding of a "
         r"product's $r$; $0 \le t \le 1$ of the smaller over the larger side, in eight octants",
-        r"$-708 \le x \le 709$ for $e^x$; every $x > 0$ for $\ln x$; $0 < x \le 1$ and $10^{-3} \le p \le 10^6$ for "
-        r"$x^p \ge e^{-708}$, and what is smaller is 0",
+        r"$-708 \le x \le 709$ for $e^x$; every $x > 0$ for $\ln x$; $0 < x \le 1$ and $5\cdot10^{-4} \le p \le 10^6$ "
+        r"for $x^p \ge e^{-708}$, and what is smaller is 0",
     ),
     expected="certified",
 )

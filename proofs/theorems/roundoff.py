@@ -6,13 +6,27 @@ from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import nothing_clamps, of_heights, pole_clamps
 from proofs.formulas.finite_difference import h_u_minus, h_u_plus, h_v_minus, h_v_plus
+from proofs.formulas.step_bounds import (
+    argument,
+    best,
+    best_step,
+    evaluation,
+    excess,
+    floor,
+    rounding,
+    rounding_bound,
+    span,
+    steepest,
+    three_roundings,
+    truncation,
+    two_roundings,
+    unit,
+)
 from proofs.formulas.symbols import epsilon, h_u, h_v, real, v
 from proofs.theorems.relations import EIGHTH, HALF, QUARTER, both_ways, nonnegative, positive
 
-unit, evaluation, argument, steepest = real("unit evaluation argument steepest")
-here, mean, off_plus, off_minus, growth, excess = real("here mean off_plus off_minus growth excess")
+here, mean, off_plus, off_minus, growth = real("here mean off_plus off_minus growth")
 first, second, third = real("first second third")
-truncation, rounding, best = real("truncation rounding best")
 
 _each = evaluation + steepest * argument
 _factors = tuple(part for d in (first, second, third) for part in both_ways(unit, d))
@@ -20,7 +34,7 @@ _unit = (unit > 0, unit < 1)
 _both = (1 + first) * (1 + second)
 _two = Claim(
     "two_roundings",
-    both_ways(2 * unit + unit**2, growth - 1),
+    both_ways(two_roundings[excess], growth - 1),
     (*_unit, *_factors[:4], equation(growth, _both)),
     ranges=((unit, (0, QUARTER)), (first, (-QUARTER, QUARTER))),
 )
@@ -28,18 +42,18 @@ _three = Claim(
     "three_roundings",
     (
         *nonnegative((1 + unit) ** 2 - _both, _both - (1 - unit) ** 2),
-        *both_ways(3 * unit + unit**2, (1 - unit) * (growth - 1)),
-        *both_ways((3 * unit + unit**2) / (1 - unit), growth - 1),
+        *both_ways((1 - unit) * three_roundings[excess], (1 - unit) * (growth - 1)),
+        *both_ways(three_roundings[excess], growth - 1),
     ),
     (*_unit, *_factors, equation(growth * (1 + third), _both)),
     ranges=tuple((d, (-EIGHTH, EIGHTH)) for d in (unit, first, second, third)),
 )
 
 
-def _rounded(name, output, samples, span, given):
-    """Return the claim about the difference `output` over the span of its two samples, times `growth`."""
+def _rounded(name, output, samples, over, given):
+    """Return the claim about the difference `output` over the span `over` of its two samples, times `growth`."""
     plus, minus = samples
-    off, bound = off_plus - off_minus, 2 * _each * (1 + excess) / span + steepest * excess
+    off, bound = off_plus - off_minus, rounding_bound[rounding].xreplace({span: over})
     magnitudes = ((excess, growth - 1), (_each, off_plus), (_each, off_minus), (steepest, mean))
     return Claim(
         name,
@@ -47,12 +61,12 @@ def _rounded(name, output, samples, span, given):
             *both_ways(2 * _each, off),
             *both_ways(2 * _each * (1 + excess), off * growth),
             *both_ways(steepest * excess, mean * (growth - 1)),
-            equation(span * (output * growth - mean), off * growth + span * mean * (growth - 1)),
-            *both_ways(span * bound, span * (output * growth - mean)),
+            equation(over * (output * growth - mean), off * growth + over * mean * (growth - 1)),
+            *both_ways(over * bound, over * (output * growth - mean)),
             *both_ways(bound, output * growth - mean),
         ),
         (*given, *(relation for most, quantity in magnitudes for relation in both_ways(most, quantity))),
-        of_heights({plus: here + span * mean + off_plus, minus: here + off_minus}),
+        of_heights({plus: here + over * mean + off_plus, minus: here + off_minus}),
         ranges=(
             *((d, (-QUARTER, QUARTER)) for d in (off_plus, off_minus, mean)),
             *((e, (0, 3)) for e in (evaluation, argument, excess, steepest)),
@@ -140,7 +154,8 @@ theorem = Theorem(
     ),
 )
 
-_positive = (truncation > 0, best > 0, epsilon > 0, equation(rounding, 2 * truncation * best**3))
+_least_value = best_step[floor]
+_positive = (truncation > 0, best > 0, epsilon > 0, equation(rounding, best_step[rounding]))
 _least = Claim(
     "least",
     (
@@ -148,16 +163,16 @@ _least = Claim(
         *nonnegative(
             truncation * (epsilon + 2 * best), epsilon * (truncation * epsilon**2 - 3 * truncation * best**2) + rounding
         ),
-        at_least(truncation * epsilon**2 + rounding / epsilon, 3 * truncation * best**2),
-        equation(truncation * best**2 + rounding / best, 3 * truncation * best**2),
-        equation((3 * truncation * best**2) ** 3, Rational(27, 4) * truncation * rounding**2),
+        at_least(truncation * epsilon**2 + rounding / epsilon, _least_value),
+        equation(truncation * best**2 + rounding / best, _least_value),
+        equation(_least_value**3, Rational(27, 4) * truncation * rounding**2),
     ),
     _positive,
     squares=(epsilon - best,),
     ranges=((best, (0, 3)), (epsilon, (0, 3)), (rounding, (0, 3))),
 )
 
-best_step = Theorem(
+best_step_theorem = Theorem(
     id="best_step",
     title="The best step, and the floor that it leaves",
     statement=r"For $T, E > 0$ the bound $T\varepsilon^2 + E/\varepsilon$ is least at "

@@ -5,11 +5,12 @@ from sympy import Max, sqrt
 from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import g, m, perturbed
+from proofs.formulas.colour_bounds import diffuse_share, light_bound, most, q, specular_share
 from proofs.formulas.shading import albedos, clipped_value, colors, kd, ks, light_colors, light_term, lit
 from proofs.formulas.symbols import beta, cross, dot, mu, normal, real, specular, vector
 from proofs.theorems.relations import HALF, both_ways, equations, nonnegative
 
-_other_mu, _other_specular, q, step, so_far, _before = real("other_mu other_specular q step so_far before")
+_other_mu, _other_specular, step, so_far, _before = real("other_mu other_specular step so_far before")
 
 
 def _light(channel, factor=None):
@@ -17,25 +18,26 @@ def _light(channel, factor=None):
     before, color, albedo = colors[channel], light_colors[channel], albedos[channel]
     after = light_term.expand(lit[channel])
     other = after.xreplace({mu: _other_mu, specular: _other_specular, before: _before})
-    weights = color * albedo * kd, color * ks
+    bound = light_bound(channel)
+    weights = bound[diffuse_share], bound[specular_share]
     parts = ((weights[0], Max(0, mu) - Max(0, _other_mu), step), (weights[1], specular - _other_specular, q * step))
     return Claim(
         f"light_{channel}",
         (
             *nonnegative(albedo * kd, *weights),
-            *(r for weight, change, most in parts for r in both_ways(weight * most, weight * change)),
-            *both_ways(so_far + (factor or weights[0] + weights[1] * q) * step, after - other),
+            *(r for weight, change, largest in parts for r in both_ways(weight * largest, weight * change)),
+            *both_ways(so_far + (factor or bound.expand(most)) * step, after - other),
         ),
         (
             *(c >= 0 for c in (albedo, color, kd, ks)),
             *both_ways(so_far, before - _before),
-            *(r for _, change, most in parts for r in both_ways(most, change)),
+            *(r for _, change, largest in parts for r in both_ways(largest, change)),
         ),
     )
 
 
 _lights = tuple(map(_light, range(3)))
-_weights = light_colors[0] * albedos[0] * kd, light_colors[0] * ks
+_weights = [light_bound(0)[share] for share in (diffuse_share, specular_share)]
 
 _first, _second, _bound_on, _slope_error = real("first second bound_on slope_error")
 _clip = Claim(

@@ -1,17 +1,20 @@
 """The truncation error of the central difference of the smooth fields, with its constant."""
 
-from sympy import Rational, cos, diff, pi, sin
+from sympy import Expr, Rational, cos, diff, pi, sin
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, nothing_clamps, nothing_wraps
-from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
+from proofs.formulas.step_bounds import apart, crease_bound, slope_bound, steepest, truncation, truncation_bound
+from proofs.formulas.step_bounds import frequency as half_turns
+from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below
 from proofs.theorems.finite_difference import difference
 from proofs.theorems.relations import (
     EIGHTH,
     HALF,
     QUARTER,
+    both_ways,
     equations,
     named,
     nonnegative,
@@ -22,7 +25,11 @@ from proofs.theorems.relations import (
 )
 
 _in_u, _in_v = pi * k_u * u, pi * k_v * v
-_sixth = Rational(1, 6)
+
+
+def bound_at(frequency: Expr) -> Expr:
+    """Return the bound of the truncation error for a frequency."""
+    return truncation_bound.expand(truncation).xreplace({half_turns: frequency})
 
 
 def _hints(a, b):
@@ -31,12 +38,13 @@ def _hints(a, b):
     return c - s, c + s, named(sin(a)), named(cos(b))
 
 
-def _bounded(name, field, output, frequency, given, factors, squares=(), constant=_sixth):
-    """Return the claim |D − slope| ≤ constant · ε² (π frequency)³; slope = π frequency · factors."""
+def _bounded(name, field, output, frequency, given, factors, squares=(), share=1):
+    """Return the claim |D − slope| ≤ share · ε²/6 (π frequency)³; slope = π frequency · factors."""
     coordinate = {h_u: u, h_v: v}[output]
     slope, third = (diff(field.expression, coordinate, n) for n in (1, 3))
-    rate, angle = pi * frequency, pi * frequency * epsilon
-    error, bound = difference(field, output) - slope, constant * epsilon**2 * rate**3
+    rate = slope_bound[steepest].xreplace({half_turns: frequency})
+    angle = rate * epsilon
+    error, bound = difference(field, output) - slope, share * bound_at(frequency)
     shows = (
         *nonnegative(1 - factors, 1 + factors),
         *positive(rate, rate**3),
@@ -75,9 +83,16 @@ _ridges = tuple(
     for output, coordinate, given in ((h_u, u, nothing_wraps), (h_v, v, nothing_clamps))
     for name, side in (("above", 1), ("below", -1))
 )
+_quotient, _slope = real("quotient slope")
+_steepest = slope_bound[steepest]
+_apart = Claim(
+    "apart",
+    both_ways(crease_bound[apart], _quotient - _slope),
+    (*both_ways(_steepest, _quotient), *both_ways(_steepest, _slope)),
+)
 _at_eight = Claim("at_eight", (greater((8 * pi) ** 3, 24**3), greater(24**3, 6 * 2000)))
 _at_four = Claim("at_four", (greater((4 * pi) ** 3, 1728), greater(1987, (4 * pi) ** 3)))
-_rings_by_k_v = epsilon**2 / 6 * (pi * k_v) ** 3 - difference(rings, h_v) + rings.gradient()[1]
+_rings_by_k_v = bound_at(k_v) - difference(rings, h_v) + rings.gradient()[1]
 
 theorem = Theorem(
     id="truncation_bound",
@@ -93,6 +108,11 @@ theorem = Theorem(
             r"sine's, or both their negatives: the same bound.",
             _ridges,
         ),
+        Clause(
+            r"Whatever lies within $\varepsilon$: where $|D_\varepsilon h|$ and $|h'|$ are at most $\pi k$, they are "
+            r"at most $2\pi k$ apart.",
+            (_apart,),
+        ),
     ),
     hypotheses=(
         r"$\varepsilon > 0$, $k > 0$",
@@ -103,6 +123,7 @@ theorem = Theorem(
         Step(r"$D_\varepsilon h - h' = h'(\operatorname{sinc}\pi k\varepsilon - 1)$", "the lines; addition formulas"),
         Step(r"$0 \le 1 - \operatorname{sinc} x \le x^2/6$", "cited"),
         Step(r"$|\cos\pi k_u u\,\sin\pi k_v v| \le 1$", r"$2(1 \mp ca) = (c \mp a)^2 + (1-c^2) + (1-a^2)$"),
+        Step(r"$|D_\varepsilon h - h'| \le |D_\varepsilon h| + |h'|$", "the triangle's inequality"),
     ),
     mutants=(
         variant(
@@ -110,8 +131,14 @@ theorem = Theorem(
         ),
         Mutant(
             "a seventh for the sixth",
-            _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(_in_u) * sin(_in_v), (), Rational(1, 7)),
+            _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(_in_u) * sin(_in_v), (), Rational(6, 7)),
             at={k_u: 1, u: EIGHTH / 2, k_v: 1, v: HALF, epsilon: Rational(1, 100)},
+        ),
+        variant(
+            "no further apart than the steepest slope",
+            _apart,
+            *both_ways(_steepest, _quotient - _slope),
+            at={half_turns: 1, _quotient: 3, _slope: -3},
         ),
     ),
     side_conditions=(

@@ -9,13 +9,13 @@ from sympy import diff, expand
 
 from proofs.engine.program import Program
 from proofs.formulas.camera import parallel_radius
+from proofs.formulas.chart import chart_inverse
 from proofs.formulas.height_fields import HeightField
 from proofs.formulas.symbols import k_u, k_v, real, u, v
 from renderer.generate.kernels import function_of
-from renderer.kernels import cospi, sinpi
 from renderer.operations import Number, where
 
-radius_of_parallel = function_of(parallel_radius)
+radius_of_parallel, angles_at = map(function_of, (parallel_radius, chart_inverse))
 
 
 def crease_rates(field: HeightField) -> Callable:
@@ -38,8 +38,8 @@ def crease_point(
     is_meridian = rate_v == 0.0
     at_u = where(is_meridian, level / rate_u, along)
     at_v = where(is_meridian, along, (level - rate_u * along) / rate_v)
-    cos_phi = cospi(at_v)
-    rho = radius_of_parallel(sinpi(at_v), cos_phi, eye, radius)
+    cos_theta, sin_theta, cos_phi, sin_phi = angles_at(at_u, at_v)
+    rho = radius_of_parallel(sin_phi, cos_phi, eye, radius)
     is_seen = (at_v >= 0.0) & (at_v <= 1.0) & (eye * cos_phi > radius)  # theorem visible_iff
     rho = where(is_seen, rho, float("nan"))
-    return -rho * cospi(2.0 * at_u), -rho * sinpi(2.0 * at_u)  # θ = 2πu − π
+    return rho * cos_theta, rho * sin_theta

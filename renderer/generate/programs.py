@@ -17,10 +17,10 @@ from proofs.formulas import (
     shadow,
     shadow_cone,
 )
-from proofs.formulas.chart import chart
+from proofs.formulas.chart import chart, chart_radians
 from proofs.formulas.height_fields import HeightField
 from proofs.formulas.registry import by_name
-from proofs.formulas.symbols import h_v, k_u, k_v, real, u, v, x, y
+from proofs.formulas.symbols import h_v, k_u, k_v, mu, real, u, v, x, y
 
 ELEMENTARY = {
     "two_product": elementary.two_product,
@@ -55,12 +55,14 @@ KERNELS = (
     shadow.checker.keep(shadow.dark),
     # the gradient and the normal
     chart,
+    chart_radians,
     algebraic_form.algebraic_bases,
     algebraic_form.complex_square,
     algebraic_form.complex_product,
     height_fields.slope,
     bump.bumped_normal,
     # light
+    shading.light_direction.keep(mu, name="light_cosine"),
     *(part for model in shading.LIGHT_MODELS.values() for part in (model.program, model.squared) if part),
     shading.highlight,
     shading.light_term,

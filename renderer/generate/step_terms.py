@@ -1,104 +1,215 @@
-"""What the error of a central difference is made of at a point, each term at most so large, by the theorems.
+"""How far a central difference can be off at a point, term by term, by the theorems: what pages and simulator show.
 
-Each is a function of float64 numbers, NumPy's arrays or traced values, as the kernels are.
+Functions of float64 numbers, NumPy's arrays or traced values, as the kernels are (under `numpy.errstate`: a selection
+computes both of its sides). Each number has ROOM for the rounding of the lines that compute it.
 """
 
 from collections.abc import Callable
+from typing import NamedTuple
 
-from sympy import Abs, Mul
+from sympy import Abs, Expr, Mul
 
 from proofs.formulas import step_bounds
+from proofs.formulas.certified import CERTIFIED
 from proofs.formulas.half_turns import cospi, sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
+from proofs.formulas.step_bounds import TERMS
 from proofs.formulas.symbols import u as along_u
 from proofs.formulas.symbols import v as along_v
+from renderer import kernels
 from renderer.generate.kernels import function_of
-from renderer.kernels import FIELDS
-from renderer.operations import floor, maximum, minimum, rint, where
+from renderer.generate.programs import field_programs
+from renderer.operations import Number, floor, inf, maximum, minimum, rint, where
 
 UNIT = 2.0**-53
-THREE_ROUNDINGS = 2 * UNIT
-"""Where the span is rounded as well: 2 · 2μ + (2μ)² is above (3μ + μ²)/(1 − μ), as the theorem has it for that case."""
-HEIGHT_ERROR = 3 * 2.0**-52
-"""What a height is off by: a sine of a product is good to 2 ulp, as verify/ measures; two of them and their product."""
-ARGUMENT_ERROR = 2.0**-53
-"""What rounding u + ε moves it by."""
-TERMS = ("truncation", "rounded argument", "rounded value", "crease, seam or pole")
+ROOM = 1 + 2.0**-40
+SINE_ULPS = float(max(CERTIFIED["sinpi_of_product"], CERTIFIED["cospi_of_product"]))
+SHARED = 2 * UNIT * SINE_ULPS  # how far the factor that does not move is off, relatively: the same in both heights
+TRUNCATION, STRADDLING, ONE_SIDED = (float(TERMS.index(term)) for term in ("truncation", "straddling", "one-sided"))
 
-truncation_bound, clamped_bound, rounding_bound, crease_bound, slope_bound = map(function_of, step_bounds.BOUNDS)
+slope_bound, truncation_bound, clamped_bound, crease_bound, tent_bound, rounding_bound = map(
+    function_of,
+    (
+        step_bounds.slope_bound,
+        step_bounds.truncation_bound,
+        step_bounds.clamped_bound,
+        step_bounds.crease_bound,
+        step_bounds.tent_bound,
+        step_bounds.rounding_bound,
+    ),
+)
+TWO_ROUNDINGS = function_of(step_bounds.two_roundings)(UNIT)
+THREE_ROUNDINGS = function_of(step_bounds.three_roundings)(UNIT)
 
 
-def is_covered(field: HeightField) -> bool:
-    """Return whether the theorems bound a field's differences.
+class Side(NamedTuple):
+    """One coordinate of a point, and the factor of h that depends on it: sin πkx, cos πkx, or None where h does not.
 
-    They do if h, or its absolute value, is a product of at most one sine or cosine of πau and one of πbv, a and b the
-    field's wave numbers, and if it is creased where a factor of the absolute value is zero and nowhere else.
+    rate: k ≥ 0, in half-turns per unit. folded: whether the field is the absolute value, creased where the factor is 0.
+    """
+
+    factor: Expr | None
+    folded: bool
+    rate: Number
+    at: Number
+
+    @property
+    def is_sine(self) -> bool:
+        """Whether the factor is a sine: odd about 0."""
+        return isinstance(self.factor, sinpi)
+
+    def height(self, at: Number) -> Number:
+        """Return the factor somewhere, or its absolute value if the field is one."""
+        if self.factor is None:
+            return 1.0
+        value = (kernels.sinpi if self.is_sine else kernels.cospi)(*kernels.two_product(self.rate, at))
+        return abs(value) if self.folded else value
+
+    def slope(self) -> Number:
+        """Return the size of the factor's derivative over πk at the point; on either side, if that is a crease."""
+        return abs((kernels.cospi if self.is_sine else kernels.sinpi)(*kernels.two_product(self.rate, self.at)))
+
+
+def factors_of(field: HeightField) -> tuple[Expr | None, Expr | None] | None:
+    """Return the factors of u and of v that a field, or what it is the absolute value of, is the product of.
+
+    None for one that is missing, and in place of both for a field whose differences no theorem bounds. The theorems do
+    where the factors are one sine or cosine of πau and one of πbv, a and b the wave numbers; an absolute value is
+    creased where one of them is 0.
     """
     if field.wave_numbers is None:
-        return False
+        return None
     folded = isinstance(field.expression, Abs)
     factors = Mul.make_args(field.expression.args[0] if folded else field.expression)
-    allowed = [{f(w * c) for f in (sinpi, cospi)} for w, c in zip(field.wave_numbers, (along_u, along_v), strict=True)]
-    known = all(any(factor in pair for pair in allowed) for factor in factors)
-    once = all(len(pair & {*factors}) <= 1 for pair in allowed) and len({*factors}) == len(factors)
-    return known and once and {*field.creases} == ({*factors} if folded else set())
+    waves = [w * c for w, c in zip(field.wave_numbers, (along_u, along_v), strict=True)]
+    of_u, of_v = (next((f for f in factors if w != 0 and f in (sinpi(w), cospi(w))), None) for w in waves)
+    return (of_u, of_v) if {of_u, of_v} - {None} == {*factors} else None
+
+
+def half_unit(number: Number) -> Number:
+    """Return half a unit in the last place of a float64, from its unit in the first place by three roundings.
+
+    Source: Rump, Ogita and Oishi, Accurate Floating-Point Summation Part I, 2008, algorithm 3.6.
+    """
+    large = (2.0**52 + 1) * number
+    return UNIT * abs(large - (1 - UNIT) * large)
+
+
+def _nearest_crease(side, epsilon, nearest, product, error):
+    """Return (half-turns to a zero of the factor, the tent bound: infinite where another zero may be in reach)."""
+    distance = abs((product - nearest) + error) / ROOM
+    tent = tent_bound(epsilon, minimum(epsilon, distance / side.rate), side.rate)
+    return distance, where((side.rate * epsilon + distance) * ROOM <= 1.0, tent, inf)
+
+
+def _exact_in_u(side, epsilon):
+    """Return (kind, bound, jump) of the error in u in exact arithmetic; jump: by how much h jumps between the samples.
+
+    Beside the seam a sine of odd k is, up to its sign, the absolute value: creased.
+    """
+    wraps = (side.at - epsilon < 0.0) | (side.at + epsilon >= 1.0)
+    jump = where(wraps, abs(side.height(0.0) - side.height(1.0)), 0.0)
+    product, error = kernels.two_product(side.rate, side.at)
+    shift = 0.0 if side.is_sine else 0.5
+    distance, tent = _nearest_crease(side, epsilon, rint(product - shift) + shift, product, error)
+    crossed = distance < side.rate * epsilon
+    if not side.folded:
+        crossed = crossed & wraps & (0.5 * side.rate != floor(0.5 * side.rate))
+    most = crease_bound(side.rate) + jump / (2.0 * epsilon)
+    smooth = truncation_bound(epsilon, side.rate)
+    bound = where(jump > 0.0, most, minimum(most, where(crossed, tent, smooth)))
+    return where(crossed | (jump > 0.0), STRADDLING, TRUNCATION), bound, jump
+
+
+def _exact_in_v(side, epsilon, inside):
+    """Return (kind, bound) of the error in v in exact arithmetic. Zeros at the poles are no creases.
+
+    Clamped at the pole v = 0, a sine keeps second order; whatever is clamped at the other has the crudest bound.
+    """
+    smooth, most = truncation_bound(epsilon, side.rate), crease_bound(side.rate)
+    clamped = where(side.at + epsilon <= 1.0, clamped_bound(epsilon, side.at, side.rate), inf) if side.is_sine else inf
+    bound, kind = where(inside, smooth, clamped), where(inside, TRUNCATION, ONE_SIDED)
+    if side.folded:
+        product, error = kernels.two_product(side.rate, side.at)
+        first = 1.0 if side.is_sine else 0.5
+        last = first - 1.0 - floor(first - side.rate)  # the largest zero below k
+        nearest = minimum(maximum(rint(product - first) + first, first), last)
+        distance, tent = _nearest_crease(side, epsilon, nearest, product, error)
+        crossed = (distance < side.rate * epsilon) & (last >= first)
+        bound = where(crossed, where(inside, tent, inf), bound)
+        kind = where(crossed, STRADDLING, kind)
+    return kind, minimum(most, bound)
+
+
+def _terms(side, still, epsilon, span, excess, moved, exact):
+    """Return a bound for each of TERMS of one slope.
+
+    still: the Side that the step does not move. excess: of the quotient's roundings. moved: by how much rounding moves
+    an argument at most. exact: (kind, bound, jump) of the error in exact arithmetic.
+    """
+    if side.factor is None:
+        return [0.0 * epsilon for _ in TERMS]
+    (kind, bound, jump), fixed = exact, abs(still.height(still.at))
+    reach = where(jump > 0.0, 1.0, slope_bound(side.rate) * (epsilon + moved))  # past a jump nothing near is known
+    steepest = slope_bound(side.rate) * fixed * minimum(1.0, side.slope() + reach)
+    largest = minimum(1.0, abs(side.height(side.at)) + reach)
+    height = SINE_ULPS * UNIT * minimum(1.0, 2.0 * largest) * fixed
+    if still.factor is not None:
+        height, excess = height + UNIT * largest * fixed, excess + SHARED + excess * SHARED
+    argument = rounding_bound(span, steepest, 0.0, 0.0, moved)
+    value = rounding_bound(span, steepest + jump / span, excess, height, 0.0)
+    found = [where(kind == float(number), bound, 0.0) for number in range(len(TERMS))]
+    found[1:3] = argument, value
+    return [where(side.rate > 0.0, ROOM * term, 0.0) for term in found]
+
+
+def slope_terms(field: HeightField) -> Callable | None:
+    """Return the function (u, v, k_u, k_v, ε) → (a bound for each of TERMS of h_u, the same of h_v), or None.
+
+    They bound the central difference's error. u in [0, 1), v in [0, 1], 0 < ε ≤ 1/2. None where no theorem covers it.
+    """
+    if (factors := factors_of(field)) is None:
+        return None
+    folded, wave_numbers = isinstance(field.expression, Abs), function_of(field_programs(field)["wave_numbers"])
+
+    def terms(u, v, k_u, k_v, epsilon):
+        rates = (abs(0.0 * epsilon + rate) for rate in wave_numbers(k_u, k_v))
+        in_u, in_v = (Side(f, folded, rate, at) for f, rate, at in zip(factors, rates, (u, v), strict=True))
+        wraps = (u - epsilon < 0.0) | (u + epsilon >= 1.0)  # and is rounded once more
+        moved = half_unit(u + epsilon) + where(wraps, UNIT / 2, 0.0)
+        of_u = _terms(in_u, in_v, epsilon, 2.0 * epsilon, TWO_ROUNDINGS, moved, _exact_in_u(in_u, epsilon))
+        inside = (v - epsilon >= 0.0) & (v + epsilon <= 1.0)
+        span = where(inside, 2.0 * epsilon, minimum(1.0, v + epsilon) - maximum(0.0, v - epsilon))
+        excess, exact = (
+            where(inside, TWO_ROUNDINGS, THREE_ROUNDINGS),
+            (*_exact_in_v(in_v, epsilon, inside), 0.0 * epsilon),
+        )
+        return of_u, _terms(in_v, in_u, epsilon, span, excess, half_unit(v + epsilon), exact)
+
+    return terms
 
 
 def bounds_of(field: HeightField) -> Callable | None:
-    """Return the function (u, v, k_u, k_v, ε) → (bound, leading, a bound for each of TERMS) of a field, or None.
+    """Return the function (u, v, k_u, k_v, ε) → (bound, leading, bound of h_u, bound of h_v) of a field, or None.
 
-    They are those of the slope, h_u or h_v, whose error may be larger, by the central difference. The bound is their
-    sum; `leading` is the number of the largest, counted from 1. Raises no error; None where nothing is proved.
+    Each bound is the sum of its terms. The first is the larger; `leading` its largest term's place in TERMS, from 1 on.
     """
-    if field.wave_numbers is None or not is_covered(field):
+    if (terms := slope_terms(field)) is None:
         return None
-    in_v = sinpi(field.wave_numbers[1] * along_v)
-    wave_numbers = FIELDS[field.name]["wave_numbers"]
-    is_odd = in_v in field.expression.atoms(sinpi)
-
-    def clear(rate, coordinate, epsilon):
-        """Return whether no crease lies within ε along a coordinate."""
-        met = rate * coordinate
-        return abs(met - rint(met)) >= rate * epsilon if field.creases else rate >= 0.0
-
-    def rounded(rate, half_span, unit):
-        steepest = slope_bound(rate)
-        value = rounding_bound(half_span, steepest, unit, HEIGHT_ERROR, 0.0)
-        return rounding_bound(half_span, steepest, unit, HEIGHT_ERROR, ARGUMENT_ERROR) - value, value
-
-    def terms(rate, half_span, unit, is_smooth, truncation):
-        """Return the terms of one slope: 2πk at most, whatever lies within ε; none where h does not depend on it."""
-        most, (argument, value) = crease_bound(rate), rounded(rate, half_span, unit)
-        found = where(is_smooth, minimum(most, truncation), 0.0), argument, value, where(is_smooth, 0.0, most)
-        return [where(rate > 0.0, term, 0.0) for term in found]
 
     def bounds(u, v, k_u, k_v, epsilon):
-        a, b = (abs(0.0 * u + rate) for rate in wave_numbers(k_u, k_v))
-        whole_periods = 0.5 * a == floor(0.5 * a)  # then the seam is none
-        seamless = ((u - epsilon >= 0.0) & (u + epsilon < 1.0)) | whole_periods
-        in_u = terms(a, epsilon, UNIT, clear(a, u, epsilon) & seamless, truncation_bound(epsilon, a))
-        inside = clear(b, v, epsilon) & (v - epsilon >= 0.0) & (v + epsilon <= 1.0)
-        clamped = ~inside & (v < epsilon) & (v + epsilon <= 1.0)  # at the pole, where h has to be odd
-        clamped = clamped & (b * (v + epsilon) <= 1.0) if field.creases else clamped
-        clamped = clamped & (b >= 0.0 if is_odd else b < 0.0)
-        truncation = where(inside, truncation_bound(epsilon, b), clamped_bound(epsilon, v, b))
-        half_span = 0.5 * (minimum(1.0, v + epsilon) - maximum(0.0, v - epsilon))
-        in_v = terms(b, half_span, THREE_ROUNDINGS, inside | clamped, truncation)
-        return _larger(in_u, in_v)
+        pairs = list(zip(*terms(u, v, k_u, k_v, epsilon), strict=True))
+        of_u, of_v = (sum(part[1:], part[0]) for part in zip(*pairs, strict=True))
+        leading, largest = 0.0, 0.0
+        for number, pair in enumerate(pairs, start=1):
+            term = where(of_u > of_v, *pair)
+            leading, largest = where(term > largest, float(number), leading), maximum(largest, term)
+        return maximum(of_u, of_v), leading, of_u, of_v
 
     bounds.__name__ = f"bounds_{field.name}"
     return bounds
 
 
-def _larger(one, other):
-    """Return (sum, number of the largest, terms) of the terms whose sum is larger."""
-    sums = [(terms[0] + terms[1]) + (terms[2] + terms[3]) for terms in (one, other)]
-    terms = [where(sums[0] > sums[1], *pair) for pair in zip(one, other, strict=True)]
-    leading, largest = 1.0, terms[0]
-    for number, term in enumerate(terms[1:], start=2):
-        leading, largest = where(term > largest, float(number), leading), where(term > largest, term, largest)
-    return where(sums[0] > sums[1], *sums), leading, *terms
-
-
+SLOPE_TERMS = {name: terms for name, field in HEIGHT_FIELDS.items() if (terms := slope_terms(field))}
 BOUNDS = {name: bounds for name, field in HEIGHT_FIELDS.items() if (bounds := bounds_of(field))}
-"""{field: its bounds}, of those that the theorems cover."""
+"""{field: what bounds its differences}, of the fields that the theorems cover."""

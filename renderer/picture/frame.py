@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from renderer.checks import not_allowed
-from renderer.kernels import FIELDS, bumped_normal, chart, phong, point_on_a, slope
+from renderer.kernels import FIELDS, bumped_normal, chart, light_cosine, point_on_a, slope
 from renderer.machines import machine
 from renderer.picture.stage import SURFACE_BITS, Stage
 from renderer.scene.methods import GradientMethod
@@ -117,8 +117,8 @@ class Frame:
         """
         angles, gradient = self.planes_on_a[:4], self.planes_on_a[4:]
         normal = bumped_normal(*angles, *gradient, self.scene.beta)
-        where = point_on_a(*angles, self.scene.radius), self.scene.lights[light].position, normal, (0.0, 0.0, 1.0)
-        return self._plane(phong(*(number for part in where for number in part))[0], np.nan)
+        point, position = point_on_a(*angles, self.scene.radius), self.scene.lights[light].position
+        return self._plane(light_cosine(*point, *position, *normal), np.nan)
 
     def _plane(self, values, off_a, kind=np.float64):
         plane = np.full(self.raster.shape, off_a, kind)

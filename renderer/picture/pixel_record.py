@@ -1,6 +1,5 @@
 """Everything about one pixel, as a record: the shader once more, on NumPy, with what it lights written down."""
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -112,8 +111,7 @@ def _lit(frame):
 def _on_a(frame):
     data = {name: plane[0, 0].item() for name, plane in frame.surface_data.items()}
     return {name: data[name] for name in ("u", "v", "h")} | {
-        "theta": (2.0 * data["u"] - 1.0) * math.pi,
-        "phi": data["v"] * math.pi,
+        **dict(zip(("theta", "phi"), kernels.chart_radians(data["u"], data["v"]), strict=True)),
         "gradient": (data["h_u"], data["h_v"]),
         "kink": data["kink"] == 1.0,
         "straddling": data.get("straddling") == 1.0,

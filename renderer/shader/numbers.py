@@ -63,8 +63,8 @@ def way_of(scene: Scene, method: GradientMethod) -> tuple[str, str]:
 
 
 def style_of(scene: Scene) -> tuple[str, str]:
-    """Return (model, style): how light is taken; from the squared base for an even shininess, where a model has it."""
-    squared = LIGHT_MODELS[scene.model][1] is not None and scene.shininess % 2.0 == 0.0
+    """Return (model, style): how light is taken; by the squared base, if there is one and the shininess is not odd."""
+    squared = LIGHT_MODELS[scene.model][1] is not None and scene.shininess % 2.0 != 1.0
     return scene.model, "diffuse" if scene.ks == 0.0 else "squared" if squared else "base"
 
 

@@ -274,7 +274,7 @@ class Group:
     def highlight(self, base: Number, lit: Mask) -> Number:
         """Return base^p for a shininess p that is not whole: for no group that is unlit, or without a highlight."""
         highlight = self.machine.variable(0.0)
-        self.machine.when(lit & (base > 0.0), lambda: highlight.set(k.highlight(base, self.scene.shininess)))
+        self.machine.when(lit & (base > 0.0), lambda: highlight.set(k.highlight(base, self.scene.power)))
         return highlight.value
 
 

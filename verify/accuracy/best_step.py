@@ -1,23 +1,27 @@
 """The best step of a central difference and its floor: as the theorem predicts, and as measured; and a trick.
 
-Predicted: T ε² + E/ε is least at (E/2T)^(1/3), with T = (πk)³/6 and E = η + L α (theorem best_step). Measured: the
-largest error over smooth points is least at the best step. The trick takes for ε what u ± ε can represent,
-(u + ε) − u in float64, so that α = 0.
+Predicted: theorem best_step, of the bounds of truncation and rounding. Measured: the largest error over smooth points
+is least at the best step. The trick takes for ε what u ± ε can represent, (u + ε) − u in float64, so that α = 0.
 """
 
 import math
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from proofs.formulas import step_bounds
+from proofs.formulas.finite_difference import central
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from renderer import Scene, central, gradient_at
-from verify.accuracy.difference_bounds import SINE_ULPS, UNIT
-from verify.evaluate.arrays import in_balls
+from renderer.generate.kernels import function_of
+from renderer.generate.step_terms import SINE_ULPS, UNIT, rounding_bound, slope_bound, truncation_bound
+from verify.evaluate.arrays import in_balls, in_float64
+from verify.evaluate.programs import naive
 
 POINTS, SEED, PER_DECADE, WINDOW = 16, 3, 20, 5
 WAVE_NUMBERS = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512)
+SINE = HEIGHT_FIELDS["sine"]
+_best_step = function_of(step_bounds.best_step)
 
 
 class Best(NamedTuple):
@@ -27,43 +31,37 @@ class Best(NamedTuple):
     floor: float
 
 
+def best_of(k: float, rounding: float) -> Best:
+    """Return the Best of the truncation bound for k and a rounding error of `rounding`/ε: theorem best_step."""
+    truncation = truncation_bound(1.0, k)
+    for_one, _ = _best_step(truncation, 1.0)  # the rounding whose best step is 1: it goes with the step's cube
+    step = (rounding / for_one) ** (1 / 3)
+    return Best(step, _best_step(truncation, step)[1])
+
+
 def predicted(k: float, representable: bool = False) -> Best:
     """Return the Best of the proved bound for sine in u, wherever the point is; representable: with the trick."""
-    rate = math.pi * k
-    heights = SINE_ULPS * UNIT + UNIT
-    rounding = heights + (0 if representable else rate * UNIT)
-    truncation = rate**3 / 6
-    return Best((rounding / 2 / truncation) ** (1 / 3), 3 * truncation ** (1 / 3) * (rounding / 2) ** (2 / 3))
+    heights, arguments = SINE_ULPS * UNIT + UNIT, 0.0 if representable else UNIT
+    return best_of(k, rounding_bound(2.0, slope_bound(k), 0.0, heights, arguments))
 
 
-def representable_step(at: np.ndarray, step: float) -> np.ndarray:
+def representable_step(at: ArrayLike, step: ArrayLike) -> np.ndarray:
     """Return (at + step) − at in float64: a step that takes `at` to numbers that float64 holds, on both sides."""
-    return (at + step) - at
+    return np.subtract(np.add(at, step), at)
 
 
-def _by_library(k: float, u: np.ndarray, v: float, step: float) -> np.ndarray:
-    """Return the central difference of sine with NumPy's sine, whose argument πku is rounded before it is reduced."""
-    ahead, behind = (np.sin(np.pi * k * at) for at in (u + step, u - step))
-    return (ahead - behind) * np.sin(np.pi * 4 * v) / (2 * step)
-
-
-def errors(
-    k: float, steps: Sequence[float] | np.ndarray, representable: bool = False, library: bool = False
-) -> np.ndarray:
-    """Return (steps, points) |computed − exact| of h_u, sine, v on a crest; library: with NumPy's sine.
+def errors(k: float, steps: np.ndarray, representable: bool = False, library: bool = False) -> np.ndarray:
+    """Return (steps, points) |computed − exact| of h_u, sine, v on a crest; library: with the C library's sine, whose
+    argument πku is rounded before it is reduced.
 
     At smooth u ∈ [1/2, 3/4], where float64 is coarsest: all of them are multiples of 2^-53.
     """
-    u, v = np.random.default_rng(SEED).uniform(0.5, 0.75, POINTS), 0.125
-    exact = in_balls(gradient(HEIGHT_FIELDS["sine"]), {"u": u, "v": v, "k_u": k, "k_v": 4})["h_u"].astype(float)
-    scene, found = Scene(field="sine", ku=float(k)), []
-    for step in steps:
-        used = float(step)
-        if representable:
-            (used,) = set(representable_step(u, used))  # one for all: u is on the grid of 2^-53
-        slope = _by_library(k, u, v, used) if library else gradient_at(scene, u, v, central(used))[0]
-        found.append(np.abs(slope - exact))
-    return np.array(found)
+    u = np.random.default_rng(SEED).uniform(0.5, 0.75, POINTS)
+    at = {"u": u, "v": 0.125, "k_u": k, "k_v": 4}
+    true, used = in_balls(gradient(SINE), at)["h_u"].astype(float), steps[:, None]
+    used = representable_step(u, used) if representable else used  # one for all: u is on the grid of 2^-53
+    computed = in_float64(naive(central(SINE)) if library else central(SINE), at | {"epsilon": used})["h_u"]
+    return np.abs(computed - true)
 
 
 def measured(k: float, representable: bool = False, library: bool = False) -> Best:

@@ -11,7 +11,6 @@ smaller ones, down to where a product underflows. exp, log and power are in `ver
 
 import math
 from collections.abc import Callable
-from fractions import Fraction
 from functools import cache, partial
 from itertools import pairwise
 
@@ -26,18 +25,6 @@ from verify.accuracy.pieces import PRECISION, SMALLEST, Piece, Series, ball, lin
 from verify.evaluate import code_of
 from verify.evaluate.rounding import ZERO, Rounded, between, run
 
-CERTIFIED = {
-    "sinpi": Fraction(134, 100),
-    "cospi": Fraction(153, 100),
-    "sinpi_of_product": Fraction(252, 100),
-    "cospi_of_product": Fraction(209, 100),
-    "atan2pi": Fraction(250, 100),
-    "exp": Fraction(100, 100),
-    "log": Fraction(52, 100),
-    "power": Fraction(150, 100),
-    "small_power": Fraction(1103, 100),
-}
-"""The bounds that the book states, in units in the last place; theorem elementary_functions."""
 SMALL = 50  # a power below exp(−50) is a small one
 
 

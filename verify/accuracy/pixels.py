@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from copy import copy
 from dataclasses import replace
 from functools import lru_cache
+from itertools import cycle, product
 from typing import NamedTuple
 
 import numpy as np
@@ -15,6 +16,7 @@ from flint import arb, ctx
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import CHANNELS, pixel
+from proofs.formulas.shading import LIGHT_MODELS
 from renderer import Scene, render
 from renderer.picture.frame import Frame
 from verify.evaluate.balls import Balls
@@ -23,11 +25,11 @@ from verify.reference import lights_on, scene_values
 SIZE, EACH, SEED, BITS = 255, 46, 5, 256  # an odd size: a column of pixels lies on x = 0, on a crease
 OFF_RIM, TOLERANCE = 0.01, 5e-14
 COLORS = tuple(f"rgb_{c}" for c in CHANNELS)
-SCENES = {
-    f"{field}, {model}": Scene(field=field, model=model) for field in HEIGHT_FIELDS for model in ("blinn", "phong")
+SCENES = {f"{field}, {model}": Scene(field=field, model=model) for field, model in product(HEIGHT_FIELDS, LIGHT_MODELS)}
+SHININESSES = {
+    f"shininess {p:g}": Scene(model=model, shininess=p)
+    for p, model in zip((0.5, 7.3, 1000.0, 1e6), cycle(LIGHT_MODELS), strict=False)
 }
-SHININESSES = {f"shininess {p:g}": Scene(model=model, shininess=p)
-               for p, model in ((0.5, "blinn"), (7.3, "phong"), (1000.0, "blinn"), (1e6, "phong"))}  # fmt: skip
 
 
 class Checked(NamedTuple):
@@ -51,10 +53,8 @@ class Checked(NamedTuple):
 
 def _edges(codes):
     """Return where a code differs from that of the pixel to the right, to the left, above or below."""
-    high, wide = codes.shape
-    around = np.pad(codes, 1, "edge")
-    shifted = (around[top : top + high, left : left + wide] for top, left in ((0, 1), (2, 1), (1, 0), (1, 2)))
-    return np.any([codes != other for other in shifted], axis=0)
+    around = np.lib.stride_tricks.sliding_window_view(np.pad(codes, 1, "edge"), (3, 3))
+    return (around[..., (0, 2, 1, 1), (1, 1, 0, 2)] != codes[..., None]).any(axis=-1)
 
 
 def _kinds(scene, frame):

@@ -9,11 +9,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from proofs.formulas.colour_bounds import light_bound
 from renderer import Light, Scene, central, exact, render
+from renderer.generate.kernels import function_of
 from renderer.picture.sweep import rms
 
 SIDE, EPS = 256, 1e-2
 HALF = 1.5  # of the lamp's side, in radii of A
+_bound = function_of(light_bound(0))
 
 
 class Stacked(NamedTuple):
@@ -42,8 +45,8 @@ class Stacked(NamedTuple):
 
 def steepest(scene: Scene) -> np.ndarray:
     """Return L of each channel, (3,): Σ over the lights of i (a k_d + k_s p), for Blinn's highlight of a whole p."""
-    colors = np.sum([light.color for light in scene.lights], axis=0)
-    return colors * (np.array(scene.albedo_a) * scene.kd + scene.ks * scene.shininess)
+    albedo, of_highlight = np.array(scene.albedo_a), scene.shininess
+    return sum(_bound(np.array(light.color), albedo, scene.kd, scene.ks, of_highlight) for light in scene.lights)
 
 
 def lamp_points(light: Light, count: int, half: float = HALF) -> list[Light]:

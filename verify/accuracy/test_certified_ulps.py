@@ -6,63 +6,70 @@ A product k·u costs one more rounding, of the reduced argument; the arctangent,
 """
 
 import math
-import random
-from fractions import Fraction
 from functools import partial
 
 import numpy as np
 import pytest
 from flint import arb
 
+from proofs.formulas.certified import CERTIFIED
 from renderer import kernels
-from verify.accuracy.certified_ulps import CERTIFIED, KERNELS, PIECES, SMALL, at, error_in_ulps, errors_in_ulps
+from verify.accuracy.certified_ulps import PIECES, SMALL, at, error_in_ulps, errors_in_ulps
+from verify.accuracy.pieces import worst
 
 
-def beside(value, count):
-    """Return `value` and its `count` neighbours on either side."""
-    found, above, below = [value], value, value
+def beside(values, count):
+    """Return float64 numbers and their `count` neighbours on either side."""
+    found, above, below = [values], values, values
     for _ in range(count):
-        above, below = math.nextafter(above, math.inf), math.nextafter(below, -math.inf)
+        above, below = np.nextafter(above, np.inf), np.nextafter(below, -np.inf)
         found += [above, below]
-    return found
+    return np.concatenate(found)
+
+
+RANDOM = np.random.default_rng(5)
 
 
 def arguments():
-    rng = random.Random("arguments")
-    found = [rng.uniform(-2, 2) for _ in range(3000)] + [rng.uniform(-(2**20), 2**20) for _ in range(1000)]
-    found += [x for m in range(-16, 17) for x in beside(m / 8, 3)]
-    return [(x,) for x in found + [10.0**-k for k in range(1, 100)]]
+    spread = RANDOM.uniform(-2, 2, 3000), RANDOM.uniform(-(2**20), 2**20, 1000), 10.0 ** -np.arange(1.0, 100)
+    return (np.concatenate([*spread, beside(np.arange(-16, 17) / 8, 3)]),)
 
 
 def products():
-    rng = random.Random("products")
-    found = [(rng.uniform(-64, 64), rng.random()) for _ in range(3000)]
-    found += [(2.0**20 * rng.random(), rng.random()) for _ in range(500)]
-    return found + [(float(k), u) for k in range(1, 65, 3) for m in range(k + 1) for u in beside(m / k, 1)]
+    k, m = (grid.ravel() for grid in np.meshgrid(np.arange(1.0, 65, 3), np.arange(65)))
+    creases, large = beside(m[m <= k] / k[m <= k], 1), RANDOM.uniform(0, 2.0**20, 500)
+    waves = np.concatenate([RANDOM.uniform(-64, 64, 3000), large, np.tile(k[m <= k], 3)])
+    return waves, np.concatenate([RANDOM.random(3500), creases])
 
 
 def directions():
-    rng = random.Random("directions")
-    found = []
-    for _ in range(3000):
-        angle, length = rng.uniform(-math.pi, math.pi), 10.0 ** rng.uniform(-5, 5)
-        found.append((length * math.sin(angle), length * math.cos(angle)))
-    for edge in (5 / 16, 0.5, 0.75, 1.0):
-        found += [p for y in beside(edge, 4) for p in ((y, 1.0), (1.0, y), (-y, 1.0), (y, -1.0), (-y, -1.0))]
-    return found + [(s * 10.0**-k, c) for k in range(1, 280, 9) for s in (1, -1) for c in (1.0, -1.0)]
+    angles, lengths = RANDOM.uniform(0, np.pi / 2, 2000), 10.0 ** RANDOM.uniform(-5, 5, 2000)
+    small = np.concatenate([beside(np.array([5 / 16, 0.5, 0.75, 1.0]), 4), 10.0 ** -np.arange(1.0, 280, 9)])
+    y = np.concatenate([lengths * np.sin(angles), small, np.ones_like(small)])
+    x = np.concatenate([lengths * np.cos(angles), np.ones_like(small), small])
+    return np.concatenate([y, y, -y, -y]), np.concatenate([x, -x, x, -x])
+
+
+def logarithms():
+    (numbers,) = np.abs(arguments())
+    numbers = numbers[numbers > 1e-100]
+    return (np.concatenate([numbers, numbers**-3]),)
 
 
 def powers(smallest):
     """Return bases and exponents, of which the power's logarithm is not below −smallest."""
-    return [(u, abs(k)) for k, u in products() if 0 < u <= 1 and k and -abs(k) * math.log(u) < smallest]
+    exponents, bases = np.abs(products())
+    with np.errstate(all="ignore"):
+        within = (bases > 0) & (bases <= 1) & (exponents > 0) & (-exponents * np.log(bases) < smallest)
+    return bases[within], exponents[within]
 
 
 CASES = dict.fromkeys(CERTIFIED, arguments) | {
     "sinpi_of_product": products,
     "cospi_of_product": products,
     "atan2pi": directions,
-    "exp": lambda: [(350 * x,) for (x,) in arguments() if abs(x) <= 2],
-    "log": lambda: [(abs(x) ** n,) for (x,) in arguments() if abs(x) > 1e-100 for n in (1, -3)],
+    "exp": lambda: tuple(350 * x[np.abs(x) <= 2] for x in arguments()),
+    "log": logarithms,
     "power": partial(powers, SMALL),
     "small_power": partial(powers, 708),
 }
@@ -71,8 +78,15 @@ CASES = dict.fromkeys(CERTIFIED, arguments) | {
 @pytest.mark.parametrize("name", CERTIFIED)
 def test_error_in_ulps(name):
     cases = CASES[name]()
-    errors = errors_in_ulps(name, *np.array(cases).T)
-    assert errors.max() <= CERTIFIED[name], f"{name}{cases[errors.argmax()]} is off by {errors.max()} ulp"
+    errors = errors_in_ulps(name, *cases)
+    where = [argument[errors.argmax()] for argument in cases]
+    assert errors.max() <= CERTIFIED[name], f"{name}{where} is off by {errors.max()} ulp"
+
+
+@pytest.mark.parametrize("name", CERTIFIED)
+def test_what_is_stated_is_what_is_certified_to_a_hundredth(name):
+    certified = float(worst(PIECES[name]()))
+    assert certified <= CERTIFIED[name] < certified + 0.01
 
 
 @pytest.mark.parametrize("name", ["sinpi", "cospi", "atan2pi", "exp", "log"])
@@ -91,16 +105,6 @@ def test_the_measure_sees_an_error():
     assert error_in_ulps(1e-300, arb(0)) == math.inf
 
 
-def test_zeros_are_exact():
-    """sin πku is zero on every crease that float64 holds, and on none of its neighbours (F9)."""
-    product = KERNELS["sinpi_of_product"]
-    for k in range(1, 65):
-        for m in range(k):
-            for u in beside(m / k, 1)[: 3 if m else 1]:
-                exactly_on_crease = (k * Fraction(u)).denominator == 1
-                assert (product(float(k), np.float64(u)) == 0) == exactly_on_crease
-
-
 def test_what_exp_and_log_are_outside_their_range():
     numbers = np.array([np.nan, np.inf, -np.inf, 709.1, -708.1, -0.0, -1e-300])
     with np.errstate(all="ignore"):
@@ -108,7 +112,7 @@ def test_what_exp_and_log_are_outside_their_range():
         np.testing.assert_array_equal(kernels.log(numbers)[[0, 1, 2, 5, 6]], [np.nan, np.inf, np.nan, -np.inf, np.nan])
 
 
-@pytest.mark.parametrize("exponent", [1e-3, 0.1, 0.5, 1.0, 7.3, 1e6])
+@pytest.mark.parametrize("exponent", [5e-4, 0.1, 0.5, 1.0, 7.3, 1e6])
 def test_a_power_rises_from_0_to_1(exponent):
     """From one base to the next above it; for an exponent of 0.1 and less it may fall, by a unit in the last place."""
     rng = np.random.default_rng(5)

@@ -7,9 +7,9 @@ from proofs.formulas.camera import angles_on_a
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, exact, render
 from verify.benchmark.methods import table
-from verify.benchmark.methods.programs import algebraic_gradient
 from verify.benchmark.work_precision import largest_error, points_for
 from verify.evaluate.arrays import in_float64
+from verify.evaluate.programs import algebraic_gradient
 
 POINTS = 200
 AVAILABLE = [method for method in table.METHODS if method.available]

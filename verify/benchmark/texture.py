@@ -24,8 +24,8 @@ from renderer.generate.kernels import function_of
 from renderer.machines.traced import WHOLE, Value
 from verify.accuracy.frontiers.normal_map import baked, bumped_in_frame, unit_length
 from verify.benchmark.methods.compiled import compiled_loop, loop_of
-from verify.benchmark.methods.programs import algebraic_gradient
 from verify.benchmark.timing import Case, numbers_by_rounds
+from verify.evaluate.programs import algebraic_gradient
 from verify.records import command
 
 Points = tuple[np.ndarray, ...]

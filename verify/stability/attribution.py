@@ -1,42 +1,32 @@
 """Where the error of a central difference comes from, pixel by pixel: which of its terms is the largest.
 
-The terms are those of `verify.accuracy.differences`: truncation, unless a crease lies within ε (straddling) or v ± ε
-leaves the chart (one-sided); what rounding u ± ε costs; the rounding of h.
+The terms are those of `proofs.formulas.step_bounds`, each measured by `verify.accuracy.differences`; which of them the
+exact difference's error is, truncation, straddling or one-sided, is that of its bound.
 """
 
 from collections.abc import Iterable
 
 import numpy as np
 
-from proofs.formulas.creases import straddling
-from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.step_bounds import TERMS
 from renderer import Scene
+from renderer.generate.step_terms import SLOPE_TERMS
 from renderer.picture.frame import Frame
-from verify.accuracy.differences import taken_apart
-from verify.evaluate.arrays import in_float64
+from verify.accuracy.differences import PARTS, SLOPES, taken_apart
 
-TERMS = ("truncation", "argument rounding", "roundoff", "straddling", "one-sided")
-
-
-def _first_kinds(field, inputs):
-    """Return the kind of the first term, in u and in v."""
-    flags = straddling(field)
-    in_u = in_float64(flags, inputs | {"k_v": 0.0})[flags.outputs[0].name] > 0
-    in_v = in_float64(flags, inputs | {"k_u": 0.0})[flags.outputs[0].name] > 0
-    v, eps, k = inputs["v"], inputs["epsilon"], inputs["k_v"]
-    outside = (v + eps > 1) | (v - eps < 0)
-    at_the_end = outside & np.isin(np.rint(k * v), (0.0, k))  # the crease in reach is the pole: no sample is beyond it
-    return np.where(in_u, 3, 0), np.where(in_v & ~at_the_end, 3, np.where(outside, 4, 0))
+ROUNDED = range(1, len(PARTS) - 1)  # the terms of rounding, among PARTS and among TERMS
 
 
+@np.errstate(all="ignore")
 def dominant(scene: Scene, u: np.ndarray, v: np.ndarray, eps: float) -> np.ndarray:
     """Return which term is the largest at each point of the chart: an index into TERMS, −1 where all are zero."""
-    inputs = {"u": u, "v": v, "k_u": scene.ku, "k_v": scene.kv}
-    found, values, kinds = taken_apart(scene.field, inputs, eps), [], []
-    firsts = _first_kinds(HEIGHT_FIELDS[scene.field], inputs | {"epsilon": eps})
-    for name, first in zip(("h_u", "h_v"), firsts, strict=True):
-        values += [*found[name][:3]]
-        kinds += [first, np.full(len(u), 1), np.full(len(u), 2)]
+    measured = taken_apart(scene.field, {"u": u, "v": v, "k_u": scene.ku, "k_v": scene.kv}, eps)
+    values, kinds = [], []
+    for slope, bounds in zip(SLOPES, SLOPE_TERMS[scene.field](u, v, scene.ku, scene.kv, eps), strict=True):
+        exact = np.array(np.broadcast_arrays(u, *bounds)[1:])
+        exact[ROUNDED] = -1.0
+        values += [*measured[slope][:-1]]
+        kinds += [exact.argmax(axis=0), *(np.full(len(u), term) for term in ROUNDED)]
     at = (np.abs(values).argmax(axis=0), np.arange(len(u)))
     return np.where(np.array(values)[at] == 0, -1, np.array(kinds)[at])
 

@@ -1,12 +1,16 @@
 """Toward the pole, toward the silhouette, from the nearest eye to the furthest: the normal and the tangent vector."""
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import ArrayLike
 
 from proofs.formulas.bump import g
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
+from proofs.formulas.seed_hit import seed_normal
 from proofs.formulas.symbols import normal
 from verify.evaluate.arrays import in_float64
-from verify.stability.pipelines import our_normal, seed_normal, seed_tangent_vector, tangent_vector
+from verify.stability.pipelines import our_normal, seed_tangent_vector, tangent_vector
 from verify.stability.sweep import Sweep, measured
 
 EYE, RADIUS = 4.0, 1.0
@@ -14,10 +18,10 @@ SINES = np.logspace(np.log10(0.84), -149, 76)
 VECTOR, NORMAL = [s.name for s in g], [s.name for s in normal]
 
 
-def image_points(rho: np.ndarray, samples: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return (x, y) at the given image radii, `samples` random azimuths each: (values, samples)."""
+def image_points(rho: np.ndarray, samples: int, seed: int, eye: ArrayLike = EYE) -> dict[str, Any]:
+    """Return the inputs of a program of the image point at given radii, `samples` random azimuths each."""
     azimuth = np.random.default_rng(seed).uniform(-np.pi, np.pi, (len(rho), samples))
-    return rho[:, None] * np.cos(azimuth), rho[:, None] * np.sin(azimuth)
+    return {"x": rho[:, None] * np.cos(azimuth), "y": rho[:, None] * np.sin(azimuth), "eye": eye, "radius": RADIUS}
 
 
 def _of_normal(parameter, inputs):
@@ -31,8 +35,7 @@ def toward_the_pole(form: str = "algebraic", sines: np.ndarray = SINES, samples:
     """
     cosines = np.sqrt((1 - sines) * (1 + sines))
     (rho,) = in_float64(parallel_radius, {"sin_phi": sines, "cos_phi": cosines, "eye": EYE, "radius": RADIUS}).values()
-    x, y = image_points(rho, samples, seed)
-    inputs = {"x": x, "y": y, "eye": EYE, "radius": RADIUS, "k_u": 8.0, "k_v": 4.0}
+    inputs = image_points(rho, samples, seed) | {"k_u": 8.0, "k_v": 4.0}
     others = {name: seed_tangent_vector("ridges", inputs, name != "seed") for name in ("seed", "seed with fallback")}
     program, reference = tangent_vector("ridges", form), tangent_vector("ridges", "general")
     return measured(sines, program, inputs, VECTOR, reference, **others)
@@ -46,8 +49,7 @@ def toward_the_silhouette(samples: int = 40, values: int = 57, seed: int = 2) ->
     """
     share = np.logspace(np.log10(0.99), -14, values)
     (edge,) = in_float64(silhouette_of_a, {"eye": EYE, "radius": RADIUS}).values()
-    x, y = image_points(edge * np.sqrt(1 - share), samples, seed)
-    return _of_normal(share, {"x": x, "y": y, "eye": EYE, "radius": RADIUS})
+    return _of_normal(share, image_points(edge * np.sqrt(1 - share), samples, seed))
 
 
 def from_near_to_far(samples: int = 60, values: int = 61, seed: int = 3) -> Sweep:
@@ -58,7 +60,8 @@ def from_near_to_far(samples: int = 60, values: int = 61, seed: int = 3) -> Swee
     above = np.logspace(-9 + 1e-6, 6 - 1e-6, values)
     eye = RADIUS + above
     edge = in_float64(silhouette_of_a, {"eye": eye, "radius": RADIUS})["rho_silhouette"]
-    random = np.random.default_rng(seed)
-    x, y = image_points(edge, samples, seed)
-    inside = np.sqrt(random.uniform(0, 0.9, x.shape))
-    return _of_normal(above, {"x": x * inside, "y": y * inside, "eye": eye[:, None], "radius": RADIUS})
+    inputs, inside = (
+        image_points(edge, samples, seed, eye[:, None]),
+        np.random.default_rng(seed).uniform(0, 0.9, (values, samples)),
+    )
+    return _of_normal(above, inputs | {axis: inputs[axis] * np.sqrt(inside) for axis in "xy"})

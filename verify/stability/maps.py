@@ -5,8 +5,8 @@ import numpy as np
 from proofs.formulas.camera import silhouette_of_a
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene
-from verify.benchmark.methods.programs import naive_gradient
 from verify.evaluate.arrays import distance, in_balls, in_float64, vector_distance
+from verify.evaluate.programs import naive_gradient
 from verify.evaluate.running import U
 from verify.stability.geometry import VECTOR
 from verify.stability.pipelines import seed_tangent_vector, tangent_vector
@@ -17,11 +17,9 @@ MISSED_ZERO = 1 / U  # all bits lost: a number where there is an exact zero
 
 def relative(values: np.ndarray, truth: np.ndarray) -> np.ndarray:
     """Return |value − exact| / (2⁻⁵³ |exact|): 0 for an exact zero that is met, MISSED_ZERO for one that is not."""
-    off = distance(values, truth)
-    size = np.array([abs(float(b.mid())) for b in np.ravel(truth)]).reshape(off.shape)
+    off, size = distance(values, truth), distance(np.zeros(np.shape(truth)), truth)
     with np.errstate(all="ignore"):
-        units = np.where(size > 0, off / (U * size), np.where(off > 0, MISSED_ZERO, 0.0))
-    return np.minimum(units, MISSED_ZERO)
+        return np.where(off > 0, np.minimum(off / (U * size), MISSED_ZERO), 0.0)
 
 
 def over_the_chart(side: int = 128) -> dict[str, np.ndarray]:
@@ -34,11 +32,11 @@ def over_the_chart(side: int = 128) -> dict[str, np.ndarray]:
     inside = random.uniform(0, 1, (2, side, side))
     inside[0][:, :: side // 32] = 0
     inputs = {"u": (columns + inside[0]) / side, "v": (rows + inside[1]) / side, "k_u": 8.0, "k_v": 4.0}
-    program = gradient(RIDGES)
-    truth = in_balls(program, inputs)["h_u"]
-    ours = in_float64(program, inputs)["h_u"]
-    seed_form = in_float64(naive_gradient(RIDGES), inputs)["h_u"]
-    return {"seed": relative(seed_form, truth), "ours": relative(ours, truth)}
+    programs, truth = (
+        {"seed": naive_gradient(RIDGES), "ours": gradient(RIDGES)},
+        in_balls(gradient(RIDGES), inputs)["h_u"],
+    )
+    return {name: relative(in_float64(program, inputs)["h_u"], truth) for name, program in programs.items()}
 
 
 def over_the_image(scene: Scene | None = None, size: int = 192, reach: float = 1.0) -> dict[str, np.ndarray]:
@@ -54,11 +52,10 @@ def over_the_image(scene: Scene | None = None, size: int = 192, reach: float = 1
     inputs = {"x": x[on_a], "y": y[on_a], "eye": scene.eye, "radius": scene.radius, "k_u": scene.ku, "k_v": scene.kv}
     truth = in_balls(tangent_vector(scene.field, "general"), inputs)
     ours = in_float64(tangent_vector(scene.field, "algebraic", scene.ku, scene.kv), inputs)
-    maps = {}
-    for name, vector in (("seed", seed_tangent_vector(scene.field, inputs)), ("ours", ours)):
-        maps[name] = np.full(x.shape, np.nan)
-        maps[name][on_a] = vector_distance(vector, truth, VECTOR) / (U * np.pi * max(scene.ku, scene.kv))
-    return maps
+    maps, unit = np.full((2, size, size), np.nan), U * np.pi * max(scene.ku, scene.kv)
+    for plane, vector in zip(maps, (seed_tangent_vector(scene.field, inputs), ours), strict=True):
+        plane[on_a] = vector_distance(vector, truth, VECTOR) / unit
+    return dict(zip(("seed", "ours"), maps, strict=True))
 
 
 def summary(units: np.ndarray) -> tuple[float, float]:

@@ -3,33 +3,19 @@
 from functools import lru_cache
 
 import numpy as np
-from sympy import sqrt
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.bump import bumped_normal, g
 from proofs.formulas.camera import angles_on_a
 from proofs.formulas.chart import chart, seed_chart
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from proofs.formulas.symbols import eye, h_u, h_v, normal, radius, real, x, y
+from proofs.formulas.seed_hit import seed_normal
+from proofs.formulas.symbols import h_u, h_v, normal
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, unit_normal
-from verify.benchmark.methods.programs import algebraic_gradient, naive_gradient
 from verify.evaluate.arrays import Inputs, in_float64
+from verify.evaluate.programs import algebraic_gradient, naive_gradient
 
 SEED_FALLBACK = 1e-4
-seed_discriminant, seed_t = real("seed_discriminant seed_t")
-
-seed_normal = Program(
-    "seed_normal",
-    (x, y, eye, radius),
-    (
-        (seed_discriminant, eye**2 * radius**2 - (eye**2 - radius**2) * (x**2 + y**2)),
-        (seed_t, (eye**2 - sqrt(seed_discriminant)) / (x**2 + y**2 + eye**2)),
-        *zip(normal, (seed_t * x / radius, seed_t * y / radius, eye * (1 - seed_t) / radius), strict=True),
-    ),
-    normal,
-)
-"""The seed's hit and normal: t = (e² − √d)/(ρ² + e²), d = e²R² − (e² − R²)ρ². Source: seed, Cell 1."""
-
 our_normal = chain("our_normal", angles_on_a, unit_normal).keep(*normal)
 """Ours: N from the angles."""
 

@@ -1,27 +1,33 @@
 """Every stress sweep by name: what the tests check and the figures draw."""
 
-from functools import lru_cache
+from collections.abc import Callable, Iterable
+from functools import lru_cache, partial
 
-from verify.stability import geometry, shading, wave_numbers
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.shading import LIGHT_MODELS
+from verify.stability import geometry, shading
 from verify.stability.sweep import Sweep
+from verify.stability.wave_numbers import EDGES, large_wave_numbers
 
-SWEEPS = {
+
+def _of_each(name: str, function: Callable, registry: Iterable[str]) -> dict[str, Callable]:
+    """Return {name: the function of the registry's first entry, name_ENTRY: that of another}."""
+    first, *others = registry
+    return {name: partial(function, first)} | {f"{name}_{entry}": partial(function, entry) for entry in others}
+
+
+SWEEPS: dict[str, Callable[..., Sweep]] = {
     "pole": geometry.toward_the_pole,
-    "pole_general": lambda: geometry.toward_the_pole(form="general"),
+    "pole_general": partial(geometry.toward_the_pole, form="general"),
     "silhouette": geometry.toward_the_silhouette,
     "near_to_far": geometry.from_near_to_far,
-    "wave_numbers": lambda: wave_numbers.large_wave_numbers("sine"),
-    "wave_numbers_edges": lambda: wave_numbers.large_wave_numbers(
-        "ridges", [0.0, 5e-324, 1e-300, 2.0**20, -(2.0**20)], samples=200
-    ),
-    "wave_numbers_ridges": lambda: wave_numbers.large_wave_numbers("ridges"),
-    "wave_numbers_rings": lambda: wave_numbers.large_wave_numbers("rings"),
+    "wave_numbers_edges": partial(large_wave_numbers, "ridges", [(k, k) for k in EDGES], samples=200),
     "amplitude": shading.any_amplitude,
     "light_distance": shading.near_and_far_lights,
-    "opposite_light": shading.opposite_light,
-    "opposite_light_phong": lambda: shading.opposite_light("phong"),
     "shininess": shading.any_shininess,
-    "shininess_fractional": lambda: shading.any_shininess(whole=False),
+    "shininess_fractional": partial(shading.any_shininess, whole=False),
+    **_of_each("wave_numbers", large_wave_numbers, HEIGHT_FIELDS),
+    **_of_each("opposite_light", shading.opposite_light, LIGHT_MODELS),
 }
 
 

@@ -31,10 +31,8 @@ def any_amplitude(values: int = 109, samples: int = 24, seed: int = 5) -> Sweep:
     tangents = chain("tangents", unit_normal, tangent_frame, outputs=(*normal, *tangent_frame.outputs))
     frame = in_float64(tangents, at)
     slopes = random.uniform(-1, 1, (2, values, samples)) * 10.0 ** random.uniform(0, 6.5, (values, samples))
-    inputs = {n.name: frame[n.name] for n in normal}
-    along, down = tangent_frame.outputs[:3], tangent_frame.outputs[3:]
-    for n, t, p in zip(g, along, down, strict=True):
-        inputs[n.name] = slopes[0] * frame[t.name] + slopes[1] * frame[p.name]
+    along, down = np.array([frame[t.name] for t in tangent_frame.outputs]).reshape(2, 3, values, samples)
+    inputs = frame | dict(zip((n.name for n in g), slopes[0] * along + slopes[1] * down, strict=True))
     inputs[beta.name] = sizes[:, None] * random.choice([-1.0, 1.0], (values, samples))
     return measured(sizes, perturbed, inputs, [s.name for s in bumped])
 
@@ -48,10 +46,8 @@ def near_and_far_lights(values: int = 73, samples: int = 24, seed: int = 6) -> S
     random = np.random.default_rng(seed)
     distances = np.geomspace(2e-9, 0.999e9, values)
     at = angles(random, (values, samples))
-    n = np.array([at["sin_phi"] * at["cos_theta"], at["sin_phi"] * at["sin_theta"], at["cos_phi"]])
-    aside = random.normal(size=n.shape)
-    aside -= (aside * n).sum(axis=0) * n
-    aside /= np.sqrt((aside**2).sum(axis=0))
+    n = np.array([*in_float64(unit_normal, at).values()])
+    aside = _across(n, random.normal(size=n.shape))
     tilt = random.uniform(0, 1.4, (values, samples))
     light = n + distances[:, None] * (np.cos(tilt) * n + np.sin(tilt) * aside)
     inputs = at | {"radius": 1.0} | {f"light_{axis}": c for axis, c in zip("xyz", light, strict=True)}
@@ -68,20 +64,19 @@ def opposite_light(model: str = "blinn", values: int = 65, samples: int = 24, se
     """
     random = np.random.default_rng(seed)
     gaps = np.geomspace(1, 1e-16, values)
-    view, aside, up = _frames(random, (values, samples))
-    towards = -view + gaps[:, None] * aside
+    view, aside, up = random.normal(size=(3, 3, values, samples))
+    view, up = (vector / np.sqrt((vector**2).sum(axis=0)) for vector in (view, up))
+    towards = -view + gaps[:, None] * _across(view, aside)
     vectors = {"light": towards, "view": view, "bumped": up, "point": np.zeros((3, 1, 1))}
     inputs = {f"{name}_{axis}": c for name, triple in vectors.items() for axis, c in zip("xyz", triple, strict=True)}
     found = measured(gaps, LIGHT_MODELS[model].program, inputs, [specular_base.name])
     return replace(found, bounds=np.minimum(found.bounds, 2.0))
 
 
-def _frames(random, shape):
-    """Return three random unit vectors, (3, *shape) each, the second at right angles to the first."""
-    view, aside, up = (random.normal(size=(3, *shape)) for _ in range(3))
-    view, up = (a / np.sqrt((a**2).sum(axis=0)) for a in (view, up))
-    aside -= (aside * view).sum(axis=0) * view
-    return view, aside / np.sqrt((aside**2).sum(axis=0)), up
+def _across(axis, vectors):
+    """Return the part of vectors (3, …) at right angles to unit vectors, normalised."""
+    vectors = vectors - (vectors * axis).sum(axis=0) * axis
+    return vectors / np.sqrt((vectors**2).sum(axis=0))
 
 
 def by_squaring(base: np.ndarray, whole: int) -> np.ndarray:

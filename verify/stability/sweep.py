@@ -24,7 +24,7 @@ class Sweep:
     @property
     def points(self) -> int:
         """How many points have a reference."""
-        return int(np.count_nonzero(~np.isnan(self.errors)))
+        return self.errors.size - self.undecided
 
     @property
     def undecided(self) -> int:
@@ -34,8 +34,9 @@ class Sweep:
     @property
     def escaped(self) -> int:
         """How many errors are above their bound, or their bound is not finite."""
-        known = ~np.isnan(self.errors)
-        return int(np.count_nonzero(known & ~(self.errors <= self.bounds)) + np.isinf(self.bounds[known]).sum())
+        return int(
+            np.count_nonzero(~np.isnan(self.errors) & ~((self.errors <= self.bounds) & np.isfinite(self.bounds)))
+        )
 
     @property
     def sharpness(self) -> float:

@@ -9,7 +9,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Light, Scene, render
+from renderer.generate.creases import crease_rates
 from renderer.picture.frame import Frame
 
 ON_A_CREASE = 1e-12  # a crease factor that rounding can turn to either side
@@ -31,9 +33,11 @@ def about_the_axis(frame: Frame) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the largest square part of a frame about the axis: (rgb, surface, whether the pixel is on a crease)."""
     rows = SIZE - _BELOW
     square = (slice(rows), slice((SIZE - rows) // 2, (SIZE + rows) // 2))
-    data, scene = frame.surface_data, frame.scene
-    factors = [np.abs(np.sin(np.pi * k * data[name])) for k, name in ((scene.ku, "u"), (scene.kv, "v"))]
-    creased = (np.minimum(*factors) < ON_A_CREASE) & (scene.field == "ridges")
+    (u, v), field = (frame.surface_data[name] for name in ("u", "v")), HEIGHT_FIELDS[frame.scene.field]
+    rates = crease_rates(field)(frame.scene.ku, frame.scene.kv) if field.creases else ()
+    creased = np.zeros(u.shape, bool)
+    for a, b, offset in np.reshape(rates, (-1, 3)):
+        creased |= np.abs(np.sin(np.pi * (a * u + b * v + offset))) < ON_A_CREASE
     return frame.rgb[square], (frame.chambers & 3)[square], creased[square]
 
 
@@ -68,13 +72,10 @@ def difference(scene: Scene, move: str) -> tuple[float, int, int]:
 
 
 def permuted_lights(scene: Scene) -> float:
-    """Return the largest |ΔI| over every order of the scene's lights."""
-    first, worst = render(scene, SIZE, SIZE).rgb, 0.0
-    for start in range(1, len(scene.lights)):
-        order = scene.lights[start:] + scene.lights[:start]
-        for lights in (order, order[::-1]):
-            worst = max(worst, float(np.abs(render(replace(scene, lights=lights), SIZE, SIZE).rgb - first).max()))
-    return worst
+    """Return the largest |ΔI| over the rotations of the scene's lights, forwards and backwards."""
+    orders = [scene.lights[start:] + scene.lights[:start] for start in range(len(scene.lights))]
+    pictures = [render(replace(scene, lights=order), SIZE, SIZE).rgb for order in (*orders, *(o[::-1] for o in orders))]
+    return float(np.abs(np.subtract(pictures, pictures[0])).max())
 
 
 FIVE_LIGHTS = Scene(

@@ -3,24 +3,15 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from proofs.engine.program import Program
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
-from proofs.formulas.symbols import k_u, k_v, real, u, v
-from verify.benchmark.methods.programs import naive_gradient
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from verify.evaluate.arrays import distance, in_balls, in_float64, with_bounds
+from verify.evaluate.programs import naive_gradient, rounded_product_gradient
 from verify.stability.sweep import Sweep
 
 SEED, LARGEST = 4, 2.0**20
 LEAST = 1e-150  # the chart's smallest v off the pole; far below it the product of two sines underflows
-of_u, of_v = real("argument_of_u argument_of_v")
-
-
-def rounded_product_gradient(field: HeightField) -> Program:
-    """Return the gradient with the product k·u rounded first, and reduced in half-turns after that."""
-    program = gradient(field)
-    swap = {k_u * u: of_u, k_v * v: of_v}
-    lines = [(s, e.xreplace(swap)) for s, e in program.definitions]
-    return Program("rounded", program.inputs, ((of_u, k_u * u), (of_v, k_v * v), *lines), program.outputs)
+EDGES = (0.0, 5e-324, 1e-300, LARGEST, -LARGEST)
+PAIRS = ((8.0, 4.0), (7.3, -3.1), (0.0, 5.0), (3.0, 0.0), (-64.0, 64.0), (LARGEST, -LARGEST), (0.25, 1e-5))
 
 
 def wave_numbers(values: int, random: np.random.Generator) -> np.ndarray:
@@ -31,36 +22,37 @@ def wave_numbers(values: int, random: np.random.Generator) -> np.ndarray:
     return np.where(random.random(values) < 0.5, -k, k)
 
 
-def points_of_the_chart(k: np.ndarray, samples: int, random: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-    """Return (u, v): half at random, half next to a crease m/k, where a rounded product is worst."""
-    u_at, v_at = random.uniform(0, 1, (2, len(k), samples))
-    half = samples // 2
-    for at in (u_at, v_at):
-        nearest = np.rint(at[:, :half] * k[:, None]) / np.where(k == 0, 1, k)[:, None]
-        at[:, :half] = np.clip(np.nextafter(nearest, at[:, :half]), LEAST, np.nextafter(1, 0))
-    return u_at, v_at
+def points_of_the_chart(waves: np.ndarray, samples: int, random: np.random.Generator) -> np.ndarray:
+    """Return (u, v) for pairs (k_u, k_v), (2, values) each: half at random, half next to a crease m/k, where a rounded
+    product is worst.
+    """
+    at, half = random.uniform(0, 1, (*waves.shape, samples)), samples // 2
+    k = waves[..., None]
+    nearest = np.rint(at[..., :half] * k) / np.where(k == 0, 1, k)
+    at[..., :half] = np.clip(np.nextafter(nearest, at[..., :half]), LEAST, np.nextafter(1, 0))
+    return at
 
 
-def large_wave_numbers(field: str, k: ArrayLike | None = None, samples: int = 24) -> Sweep:
-    """The error of (h_u, h_v) over π max(1, |k|) against |k|; by default for `wave_numbers`.
+def large_wave_numbers(field: str, pairs: ArrayLike | None = None, samples: int = 24) -> Sweep:
+    """The error of (h_u, h_v) over π max(1, |k|) against |k_u| for pairs (k_u, k_v); by default equal `wave_numbers`.
 
     Reason of the bound: the product k·u is exact as a pair, the reduction is exact, so what is left is the error of
     two factors and of two products, each a few roundings of a number below π|k|: independent of k.
     """
     random = np.random.default_rng(SEED)
-    k = wave_numbers(74, random) if k is None else np.array(k)
-    u_at, v_at = points_of_the_chart(k, samples, random)
-    inputs = {"u": u_at, "v": v_at, "k_u": k[:, None], "k_v": k[:, None]}
-    program = gradient(HEIGHT_FIELDS[field])
+    waves = np.broadcast_to(wave_numbers(74, random), (2, 74)) if pairs is None else np.array(pairs).T
+    inputs = dict(zip(("u", "v"), points_of_the_chart(waves, samples, random), strict=True))
+    inputs |= dict(zip(("k_u", "k_v"), waves[..., None], strict=True))
+    program, known = gradient(HEIGHT_FIELDS[field]), HEIGHT_FIELDS[field]
     truth, ours = in_balls(program, inputs), with_bounds(program, inputs)
-    scale = np.pi * np.maximum(1, np.abs(k))[:, None]
+    scales = dict(zip(("h_u", "h_v"), np.pi * np.maximum(1, np.abs(waves))[..., None], strict=True))
 
     def error(values):
-        return np.maximum(*(distance(values[n], truth[n]) for n in ("h_u", "h_v"))) / scale
+        return np.maximum(*(distance(values[n], truth[n]) / scale for n, scale in scales.items()))
 
     others = {
-        "libm, rounded argument": error(in_float64(naive_gradient(HEIGHT_FIELDS[field]), inputs)),
-        "reduced, rounded product": error(in_float64(rounded_product_gradient(HEIGHT_FIELDS[field]), inputs)),
+        "libm, rounded argument": error(in_float64(naive_gradient(known), inputs)),
+        "reduced, rounded product": error(in_float64(rounded_product_gradient(known), inputs)),
     }
-    bound = np.maximum(ours["h_u"].bound, ours["h_v"].bound) / scale
-    return Sweep(np.abs(k), error({n: ours[n].value for n in ours}), bound, others)
+    bound = np.maximum(*(ours[n].bound / scale for n, scale in scales.items()))
+    return Sweep(np.abs(waves[0]), error({n: ours[n].value for n in ours}), bound, others)

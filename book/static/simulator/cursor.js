@@ -21,12 +21,17 @@ function simulator_cursor(root, states, data, module) {
     return count <= MOST ? `${count} ulp` : "—";
   }
 
-  /** Which term of a difference's error may be the largest at a pixel, by the theorems. @param {State} state @param {number} u @param {number} v */
-  function leading(state, u, v) {
+  /**
+   * Which term of a difference's error may be the largest at a pixel, and how large each slope's is at most, by theorem.
+   * @param {State} state @param {number} u @param {number} v
+   * @returns {Record<string, string>}
+   */
+  function bounded(state, u, v) {
     const bounds = module.bounds_of(state);
-    if (!bounds) return "no theorem covers this";
-    const [, number] = module.kernel(bounds, u, v, state.ku, state.kv, state.eps);
-    return data.terms[number - 1];
+    if (!bounds) return { "error led by": "no theorem covers this" };
+    const [, leading, of_u, of_v] = module.kernel(bounds, u, v, state.ku, state.kv, state.eps);
+    const most = [of_u, of_v].map((bound) => bound.toExponential(2));
+    return { "error led by": data.terms[leading - 1], "|Δh<sub>u</sub>| ≤": most[0], "|Δh<sub>v</sub>| ≤": most[1] };
   }
 
   /** Both records of a pixel, as renderer.pixel gives them. @param {State} state */
@@ -44,8 +49,8 @@ function simulator_cursor(root, states, data, module) {
     /** @type {Record<string, string | number | undefined>} */
     const found = { pixel: `${column}, ${row}`, surface };
     if (u !== undefined && v !== undefined) {
-      const led = { "error led by": leading(state, u, v) };
-      Object.assign(found, { "kink flag": yes(one.kink), "straddles a crease": yes(one.straddling) }, led);
+      Object.assign(found, { "kink flag": yes(one.kink), "straddles a crease": yes(one.straddling) });
+      Object.assign(found, bounded(state, u, v));
       Object.assign(found, { u, v, θ: theta, φ: phi, h });
     }
     for (const [n, number] of (point ?? []).entries()) found[`P<sub>${AXES[n]}</sub>`] = number;

@@ -411,7 +411,8 @@ async function simulator_module(data, compiled) {
 
   /**
    * The kernel that bounds the error of a method's slopes by theorem: (u, v, ku, kv, ε) → the bound, the number of its
-   * largest term, each term. Null where no theorem covers the field or the method.
+   * largest term, the bounds of h_u and of h_v, of which it is the larger. Null where no theorem covers the field or the
+   * method.
    * @param {{ field: string, method: string }} state
    */
   const bounds_of = ({ field, method }) =>
@@ -447,9 +448,7 @@ async function simulator_module(data, compiled) {
     const normals = [state.beta, 0].map((beta) => kernel_over("bumped_normal", ...angles, ...slopes, beta));
     const on = data.scene.lights.filter((_, n) => state.lights[n]);
     return on.map(({ position }) => {
-      const [bumped, plain] = normals.map(
-        (normal) => kernel_over("phong", ...point, ...position, ...normal, 0, 0, 1)[0]
-      );
+      const [bumped, plain] = normals.map((normal) => kernel_over("light_cosine", ...point, ...position, ...normal)[0]);
       return bumped.reduce((count, mu, i) => count + Number(mu > 0 !== plain[i] > 0), 0);
     });
   }
@@ -487,6 +486,7 @@ async function simulator_module(data, compiled) {
     const [u, v] = chart(stage).map(first_of);
     const angles = angles_of(stage).map(first_of);
     const gradient = gradients(state, method, stage).map(first_of);
+    const [theta, phi] = kernel("chart_radians", u, v);
     const [h] = kernel(`height_${field}`, u, v, ku, kv);
     const [kink] = kernel(`kink_${field}`, angles[3], u, v, ku, kv);
     const [straddling] = method.eps ? kernel(`straddling_${field}`, u, v, ku, kv, method.eps) : [0];
@@ -494,8 +494,7 @@ async function simulator_module(data, compiled) {
       point: kernel("point_on_a", ...angles, radius),
       normal: kernel("bumped_normal", ...angles, ...gradient, beta),
       ...{ gradient, u, v, h },
-      theta: (2 * u - 1) * Math.PI,
-      phi: v * Math.PI,
+      ...{ theta, phi },
       kink: kink === 1,
       straddling: straddling === 1
     };

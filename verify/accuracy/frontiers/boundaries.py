@@ -10,30 +10,32 @@ from functools import cache
 import numpy as np
 from sympy import lambdify
 
+from proofs.engine.program import chain
 from proofs.formulas.camera import hit_of_b
+from proofs.formulas.chart import chart
 from proofs.formulas.half_turns import ordinary
-from proofs.formulas.height_fields import HEIGHT_FIELDS
-from proofs.formulas.symbols import k_u, k_v, u, v
+from proofs.formulas.height_fields import HEIGHT_FIELDS, height
+from proofs.formulas.symbols import cos_phi, cos_theta, h, k_u, k_v, sin_phi, sin_theta
 from renderer import Scene
 from renderer.scene.raster import Raster
 from verify.evaluate.arrays import in_float64
 from verify.reference import scene_values
 
 SCENE = Scene(field="sine")
-ALONG, AZIMUTHS, HALVINGS = 161, 61, 46
+ALONG, FINER, AZIMUTHS, HALVINGS = 161, 8, 61, 46
 SPREAD = np.radians(75)  # to either side of straight away from the light
-GOLDEN = (np.sqrt(5) - 1) / 2
 
 
 @cache
 def _heights(field):
-    return lambdify((u, v, k_u, k_v), ordinary(HEIGHT_FIELDS[field].expression), "numpy")
+    """Return the function (x, y, z, √(x² + y²), k_u, k_v) → h: the chart's angles do not depend on the length."""
+    whole = chain("height_towards", chart, height(HEIGHT_FIELDS[field]))
+    return lambdify((cos_theta, sin_theta, cos_phi, sin_phi, k_u, k_v), ordinary(whole.expand(h)), "numpy")
 
 
 def height_towards(scene: Scene, x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
     """Return h in the direction (x, y, z) from A's centre; of directions below the floor, too."""
-    theta, polar = np.arctan2(y, x), np.arctan2(np.hypot(x, y), z)
-    return _heights(scene.field)((theta + np.pi) / (2 * np.pi), polar / np.pi, scene.ku, scene.kv)
+    return _heights(scene.field)(x, y, z, np.hypot(x, y), scene.ku, scene.kv)
 
 
 def above(scene: Scene, beta: float, points: np.ndarray) -> np.ndarray:
@@ -42,18 +44,16 @@ def above(scene: Scene, beta: float, points: np.ndarray) -> np.ndarray:
 
 
 def least_along(function: Callable[[np.ndarray], np.ndarray], low: float, high: float) -> np.ndarray:
-    """Return the least value of a function of shares t in [low, high]: a grid, then golden sections about its best.
+    """Return the least value of a function of shares in [low, high]: of a grid, then of finer ones about its best.
 
     function: arrays (…, n) → the same; one result for each of its leading indices.
     """
-    grid = np.linspace(low, high, ALONG)
-    best, step = grid[function(grid).argmin(axis=-1)][..., None], grid[1] - grid[0]
-    left, right = best - step, best + step
-    for _ in range(38):
-        one, two = right - GOLDEN * (right - left), left + GOLDEN * (right - left)
-        lower = function(one) < function(two)
-        left, right = np.where(lower, left, one), np.where(lower, two, right)
-    return function((left + right) / 2)[..., 0]
+    shares, reach = np.linspace(low, high, ALONG), (high - low) / (ALONG - 1)
+    for _ in range(FINER):
+        best = function(shares).argmin(axis=-1)[..., None]
+        middle = np.take_along_axis(np.broadcast_to(shares, (*best.shape[:-1], shares.shape[-1])), best, -1)
+        shares, reach = middle + reach * np.linspace(-1, 1, 9), reach / 4
+    return function(shares).min(axis=-1)
 
 
 def smooth_edge(light: np.ndarray, azimuths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

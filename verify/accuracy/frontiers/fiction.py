@@ -13,6 +13,7 @@ from sympy import cos, diff, lambdify, sin
 
 from proofs.formulas.bump import bumped_normal
 from proofs.formulas.camera import parallel_radius
+from proofs.formulas.chart import chart_inverse
 from proofs.formulas.displacement import blinn_normal, displaced_normal
 from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS
@@ -29,20 +30,13 @@ def normals(scene: Scene, data: Mapping[str, np.ndarray]) -> dict[str, np.ndarra
 
     data: a frame's surface data at those points, each (n,).
     """
-    theta, polar = 2 * np.pi * data["u"] - np.pi, np.pi * data["v"]
-    inputs = {f"{name}_{angle}": getattr(np, name)(value)
-              for angle, value in (("theta", theta), ("phi", polar)) for name in ("cos", "sin")}  # fmt: skip
-    inputs |= {"h": data["h"], "h_u": data["h_u"], "h_v": data["h_v"], "beta": scene.beta}
+    inputs = {**data, **in_float64(chart_inverse, data), "beta": scene.beta}
     turned = inputs | {"beta": -scene.beta}
     scaled = turned | {"h_u": data["h_u"] / (2 * np.pi), "h_v": data["h_v"] / np.pi}
-    found = [(bumped_normal, inputs), (bumped_normal, turned), (bumped_normal, scaled), (blinn_normal, inputs)]
-    named = zip((*STEPS, "displaced"), [*found, (displaced_normal, inputs)], strict=True)
-    return {name: _unit(in_float64(program, values)) for name, (program, values) in named}
-
-
-def _unit(components):
-    vectors = np.array(list(components.values()))
-    return vectors / np.linalg.norm(vectors, axis=0)
+    programs = bumped_normal, bumped_normal, bumped_normal, blinn_normal, displaced_normal
+    given = inputs, turned, scaled, inputs, inputs
+    vectors = [np.array([*in_float64(*pair).values()]) for pair in zip(programs, given, strict=True)]
+    return dict(zip((*STEPS, "displaced"), (n / np.linalg.norm(n, axis=0) for n in vectors), strict=True))
 
 
 def degrees(a: np.ndarray, b: np.ndarray) -> np.ndarray:
@@ -54,11 +48,9 @@ def angle_maps(frame: Frame) -> dict[str, np.ndarray]:
     """Return {step: (height, width) map of the angle to the displaced normal in degrees, NaN off A}."""
     on_a = frame.stage.on_a
     data = {name: plane[on_a] for name, plane in frame.surface_data.items()}
-    found, maps = normals(frame.scene, data), {}
-    for name in STEPS:
-        maps[name] = np.full(on_a.shape, np.nan)
-        maps[name][on_a] = degrees(found[name], found["displaced"])
-    return maps
+    found, maps = normals(frame.scene, data), np.full((len(STEPS), *on_a.shape), np.nan)
+    maps[:, on_a] = [degrees(found[name], found["displaced"]) for name in STEPS]
+    return dict(zip(STEPS, maps, strict=True))
 
 
 @lru_cache
@@ -81,15 +73,16 @@ def silhouette_remainders(betas: Iterable[float], scene: Scene | None = None) ->
     scene, azimuths = scene or Scene(field="sine"), np.arange(96) / 96
     of, rest = _outline(scene.field), (azimuths, scene.ku, scene.kv, scene.eye)
     start = np.full(len(azimuths), np.arccos(1 / scene.eye))
-    smooth, linear = of["f"](start, 0.0, *rest), of["b"](start, 0.0, *rest)
-    square = (of["bb"](start, 0.0, *rest) - of["pb"](start, 0.0, *rest) ** 2 / of["pp"](start, 0.0, *rest)) / 2
+    at_rest = {name: derivative(start, 0.0, *rest) for name, derivative in of.items()}
+    square = (at_rest["bb"] - at_rest["pb"] ** 2 / at_rest["pp"]) / 2
     rows = []
     for amplitude in betas:
         polar = start
         for _ in range(20):
             polar = polar - of["p"](polar, amplitude, *rest) / of["pp"](polar, amplitude, *rest)
-        moved = of["f"](polar, amplitude, *rest) - smooth
-        rows.append([moved, moved - amplitude * linear, moved - amplitude * linear - amplitude**2 * square])
+        moved = of["f"](polar, amplitude, *rest) - at_rest["f"]
+        first = moved - amplitude * at_rest["b"]
+        rows.append([moved, first, first - amplitude**2 * square])
     return np.abs(np.array(rows)).max(axis=2).T
 
 
@@ -100,9 +93,5 @@ def leaks(scene: Scene, size: int) -> list[tuple[np.ndarray, np.ndarray]]:
     """
     bumped = render(scene, size, size)
     plain = render(replace(scene, beta=0.0), size, size, stage=bumped.stage)
-    pairs = []
-    for number in range(len(scene.lights)):
-        with np.errstate(invalid="ignore"):
-            bump, flat = bumped.light_cosines(number), plain.light_cosines(number)
-            pairs.append(((bump > 0) & (flat <= 0), (bump <= 0) & (flat > 0)))
-    return pairs
+    cosines = [(bumped.light_cosines(number), plain.light_cosines(number)) for number in range(len(scene.lights))]
+    return [((bump > 0) & (flat <= 0), (bump <= 0) & (flat > 0)) for bump, flat in cosines]

@@ -16,7 +16,7 @@ from proofs.formulas.symbols import h_u, h_v, normal
 from renderer import Scene, central, exact, gradient_at
 from renderer.picture.sweep import rms
 from renderer.scene.methods import GradientMethod
-from verify.accuracy.frontiers.wall import interpolated, linear_weights, sample
+from verify.accuracy.frontiers.wall import interpolated, linear, sample
 from verify.evaluate.arrays import in_float64
 
 in_frame = dict(zip((*normal, *g), (S.Zero, S.Zero, S.One, h_u, h_v, S.Zero), strict=True))
@@ -57,7 +57,7 @@ def from_bytes(stored: np.ndarray) -> np.ndarray:
 
 def fetched(normals: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Return the normal that a map gives at points, (3, n): bilinear between four texels, and normalised."""
-    found, *_ = interpolated(normals, linear_weights, 0, u, v)
+    found = interpolated(normals, linear, linear, (u, v))
     return found / np.linalg.norm(found, axis=0)
 
 
@@ -72,17 +72,16 @@ def errors(field: str, texels: Sequence[int] = TEXELS, eps: float = EPS) -> dict
     symbolic, numeric: RMS of the map of exact gradients, and of central differences. between: RMS of one from the
     other. largest: of the first. bytes: RMS of the first kept in 8 bits. same: the share of equal bytes of the two.
     """
-    scene, (u, v) = Scene(field=field), sample()
-    right, rows = tangent_normal(scene, u, v, exact()), []
+    scene, points, rows = Scene(field=field), sample(), []
+    right = tangent_normal(scene, *points, exact())
     for n in texels:
         maps = [baked(scene, n, method) for method in (exact(), central(eps))]
         stored = [in_bytes(normals) for normals in maps]
-        one, other = (fetched(normals, u, v) for normals in maps)
-        coarse = fetched(from_bytes(stored[0]), u, v)
-        rows.append({"symbolic": rms(apart(one, right)), "numeric": rms(apart(other, right)),
-                     "between": rms(apart(one, other)), "largest": apart(one, right).max(),
-                     "bytes": rms(apart(coarse, right)), "same": np.mean(stored[0] == stored[1])})  # fmt: skip
-    return {name: np.array([row[name] for row in rows]) for name in rows[0]}
+        one, other, coarse = (fetched(normals, *points) for normals in (*maps, from_bytes(stored[0])))
+        pairs = (one, right), (other, right), (one, other), (coarse, right)
+        rows.append([*(rms(apart(*pair)) for pair in pairs), apart(one, right).max(), np.mean(stored[0] == stored[1])])
+    names = "symbolic", "numeric", "between", "bytes", "largest", "same"
+    return dict(zip(names, np.transpose(rows), strict=True))
 
 
 def without_a_map(field: str, eps: float = EPS) -> float:

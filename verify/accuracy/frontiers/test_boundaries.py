@@ -8,6 +8,7 @@ import pytest
 from renderer import Scene, render
 from verify.accuracy.frontiers import boundaries
 from verify.accuracy.frontiers.fiction import silhouette_remainders
+from verify.accuracy.orders import fitted_slope
 
 SCENE = boundaries.SCENE
 LIGHTS = [np.array(light.position) for light in SCENE.lights]
@@ -17,15 +18,15 @@ BETAS = np.logspace(-3, -2, 4)
 @pytest.mark.parametrize("light", LIGHTS, ids=["first", "second"])
 def test_the_shadow_moves_in_first_order_and_the_height_says_how_far(light):
     moved, left = boundaries.shadow_remainders(BETAS, light)
-    assert np.polyfit(np.log(BETAS), np.log(moved), 1)[0] == pytest.approx(1, abs=0.05)
-    assert np.polyfit(np.log(BETAS), np.log(left), 1)[0] == pytest.approx(2, abs=0.1)
+    assert fitted_slope(BETAS, moved) == pytest.approx(1, abs=0.05)
+    assert fitted_slope(BETAS, left) == pytest.approx(2, abs=0.1)
 
 
 def test_the_height_of_another_place_does_not_say_it(monkeypatch):
     right = boundaries.grazed_height
     monkeypatch.setattr(boundaries, "grazed_height", lambda *given: -right(*given))
     _, left = boundaries.shadow_remainders(BETAS, LIGHTS[0])
-    assert np.polyfit(np.log(BETAS), np.log(left), 1)[0] == pytest.approx(1, abs=0.1)
+    assert fitted_slope(BETAS, left) == pytest.approx(1, abs=0.1)
 
 
 @pytest.mark.parametrize("beta", [0.0, 0.02, 0.1])
@@ -34,9 +35,8 @@ def test_an_edge_has_light_on_one_side_and_shadow_on_the_other(beta):
     light, azimuths = LIGHTS[0], boundaries.away_from(LIGHTS[0], 9)
     found = boundaries.edge(SCENE, light, azimuths, beta)
     for off, is_dark in ((-1e-3, True), (1e-3, False)):
-        distance = found + off
-        floor = np.array([distance * np.cos(azimuths), distance * np.sin(azimuths), 0 * azimuths])[..., None]
-        ray = floor + np.linspace(0, 1, 20_001) * (light[:, None, None] - floor)
+        floor = (found + off) * np.array([np.cos(azimuths), np.sin(azimuths), 0 * azimuths])
+        ray = floor[..., None] + np.linspace(0, 1, 20_001) * (light[:, None] - floor)[..., None]
         assert ((boundaries.above(SCENE, beta, ray) < 0).any(axis=-1) == is_dark).all()
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient, height
 from renderer.picture.sweep import rms
+from verify.accuracy.orders import fitted_slope
 from verify.evaluate.arrays import in_float64
 
 KU, KV = 8.0, 4.0
@@ -16,20 +17,30 @@ POINTS, SEED = 10_000, 8
 TEXELS = (33, 65, 129, 257, 513)  # odd, so that creases lie inside texels, as they do in a picture
 
 Pair = tuple[np.ndarray, np.ndarray]
-Weights = tuple[tuple[np.ndarray, ...], tuple[np.ndarray, ...]]
+Weights = Callable[[np.ndarray], tuple[np.ndarray, ...]]
+"""From a point's share of its texel to the weights of the texels around it."""
 
 
-def linear_weights(share: np.ndarray) -> Weights:
-    """Return the weights of the two texels around a point, and their derivatives by the share."""
-    return (1 - share, share), (-np.ones_like(share), np.ones_like(share))
+def linear(share: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Return the weights of the two texels around a point."""
+    return 1 - share, share
 
 
-def cubic_weights(share: np.ndarray) -> Weights:
-    """Return the weights of the four nearest coefficients of a cubic B-spline, and their derivatives."""
+def linear_slope(share: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Return their derivatives by the share."""
+    return -np.ones_like(share), np.ones_like(share)
+
+
+def cubic(share: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Return the weights of the four nearest coefficients of a cubic B-spline."""
     s, t = share, 1 - share
-    weights = (t**3 / 6, (4 - 6 * s**2 + 3 * s**3) / 6, (4 - 6 * t**2 + 3 * t**3) / 6, s**3 / 6)
-    slopes = (-(t**2) / 2, (3 * s**2 - 4 * s) / 2, (4 * t - 3 * t**2) / 2, s**2 / 2)
-    return weights, slopes
+    return t**3 / 6, (4 - 6 * s**2 + 3 * s**3) / 6, (4 - 6 * t**2 + 3 * t**3) / 6, s**3 / 6
+
+
+def cubic_slope(share: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Return their derivatives by the share."""
+    s, t = share, 1 - share
+    return -(t**2) / 2, (3 * s**2 - 4 * s) / 2, (4 * t - 3 * t**2) / 2, s**2 / 2
 
 
 def spline_coefficients(table: np.ndarray) -> np.ndarray:
@@ -41,33 +52,31 @@ def spline_coefficients(table: np.ndarray) -> np.ndarray:
     return np.fft.irfft2(spectrum, table.shape)
 
 
-def interpolated(
-    table: np.ndarray, weights: Callable[[np.ndarray], Weights], first: int, u: np.ndarray, v: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return (value, by u, by v) of a periodic tensor-product interpolation.
+def interpolated(table: np.ndarray, of_u: Weights, of_v: Weights, points: Pair) -> np.ndarray:
+    """Return a periodic tensor-product interpolation at points (u, v); by the derivatives of weights, in texels.
 
-    table: (…, texels, columns), `texels` of them to a unit; first: offset of a point's first coefficient.
+    table: (…, texels, columns), `texels` of them to a unit.
     """
-    texels, columns = table.shape[-2:]
-    at = [np.floor(c * texels).astype(int) for c in (u, v)]
-    (wu, du), (wv, dv) = (weights(c * texels - n) for c, n in zip((u, v), at, strict=True))
-    value, by_u, by_v = np.zeros((3, *table.shape[:-2], *u.shape))
-    for i in range(len(wu)):
-        for j in range(len(wv)):
-            coefficient = table[..., (at[0] + i + first) % texels, (at[1] + j + first) % columns]
-            value += coefficient * wu[i] * wv[j]
-            by_u += coefficient * du[i] * wv[j]
-            by_v += coefficient * wu[i] * dv[j]
-    return value, by_u * texels, by_v * texels
+    texels = table.shape[-2]
+    weights, places = [], []
+    for coordinate, weights_of, period in zip(points, (of_u, of_v), table.shape[-2:], strict=True):
+        first = np.floor(coordinate * texels)
+        weights.append(np.array(weights_of(coordinate * texels - first)))
+        around = np.arange(len(weights[-1]))[:, None] + 1 - len(weights[-1]) // 2
+        places.append((first.astype(int) + around) % period)
+    coefficients = table[..., places[0][:, None], places[1][None]]
+    return np.einsum("...ijn,in,jn->...n", coefficients, *weights)
 
 
-def slope(field: str, texels: int, kind: str, u: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Return h_u of the "bilinear" or "cubic" interpolation of a field's table."""
-    i, j = np.mgrid[0:texels, 0 : 2 * texels] / texels
+KINDS = {"bilinear": (lambda table: table, linear_slope, linear), "cubic": (spline_coefficients, cubic_slope, cubic)}
+"""{kind of interpolation: (a table's coefficients, the derivatives of their weights, the weights)}"""
+
+
+def slope(field: str, texels: int, kind: str, points: Pair) -> np.ndarray:
+    """Return h_u of an interpolation of a field's table, of one of the KINDS."""
+    (i, j), (coefficients, of_u, of_v) = np.mgrid[0:texels, 0 : 2 * texels] / texels, KINDS[kind]
     table = in_float64(height(HEIGHT_FIELDS[field]), {"u": i, "v": j, "k_u": KU, "k_v": KV})["h"]
-    if kind == "bilinear":
-        return interpolated(table, linear_weights, 0, u, v)[1]
-    return interpolated(spline_coefficients(table), cubic_weights, -1, u, v)[1]
+    return texels * interpolated(coefficients(table), of_u, of_v, points)
 
 
 def sample() -> Pair:
@@ -79,10 +88,10 @@ def errors(field: str, kind: str, texels: Sequence[int] = TEXELS) -> Pair:
     """Return (largest, RMS) error of h_u for each number of texels across, over the sample."""
     u, v = sample()
     right = in_float64(gradient(HEIGHT_FIELDS[field]), {"u": u, "v": v, "k_u": KU, "k_v": KV})["h_u"]
-    off = [np.abs(slope(field, n, kind, u, v) - right) for n in texels]
+    off = [np.abs(slope(field, n, kind, (u, v)) - right) for n in texels]
     return np.array([e.max() for e in off]), np.array([rms(e) for e in off])
 
 
 def order(values: np.ndarray, texels: Sequence[int] = TEXELS, last: int = 4) -> float:
     """Return the fitted order of convergence over the last few sizes."""
-    return float(-np.polyfit(np.log(texels[-last:]), np.log(values[-last:]), 1)[0])
+    return -fitted_slope(texels[-last:], values[-last:])

@@ -16,7 +16,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import k_u, k_v
 from verify.benchmark.methods import peers
 from verify.benchmark.methods.compiled import compiled_loop
-from verify.benchmark.methods.programs import algebraic_gradient, central6, naive_gradient, richardson
+from verify.evaluate.programs import algebraic_gradient, central6, naive_gradient, richardson
 
 FIELD, KU, KV = HEIGHT_FIELDS["sine"], 8.0, 4.0
 WAVES = {"k_u": KU, "k_v": KV}

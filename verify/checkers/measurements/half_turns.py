@@ -6,7 +6,8 @@ from typing import Any
 
 from proofs.formulas import elementary as e
 from proofs.formulas import exponential as x
-from verify.accuracy.certified_ulps import CERTIFIED, PIECES
+from proofs.formulas.certified import CERTIFIED
+from verify.accuracy.certified_ulps import PIECES
 from verify.accuracy.pieces import off_by, worst
 from verify.checkers.measurement import Measurement, measures
 

@@ -15,10 +15,21 @@ from proofs.formulas.pixel import instance
 from proofs.formulas.symbols import cos_phi, cos_theta, epsilon, h_u, h_v, k_u, k_v, real, sin_phi, sin_theta, u, v
 
 
-def naive_gradient(field: HeightField) -> Program:
-    """Return the exact gradient with the ordinary sine of a product πku, which is rounded before its sine is taken."""
-    program = gradient(field)
+def naive(program: Program) -> Program:
+    """Return the program with the ordinary sine of a product πku, which is rounded before its sine is taken."""
     return Program("naive", program.inputs, tuple((s, ordinary(e)) for s, e in program.definitions), program.outputs)
+
+
+def naive_gradient(field: HeightField) -> Program:
+    """Return the exact gradient so."""
+    return naive(gradient(field))
+
+
+def rounded_product_gradient(field: HeightField) -> Program:
+    """Return the gradient with the product k·u rounded first, and reduced in half-turns after that."""
+    program, products = gradient(field), dict(zip((k_u * u, k_v * v), real("argument_of_u argument_of_v"), strict=True))
+    lines = [(s, e.xreplace(products)) for s, e in program.definitions]
+    return Program("rounded", program.inputs, (*((s, e) for e, s in products.items()), *lines), program.outputs)
 
 
 def _power(base, exponent, name):

@@ -1,0 +1,16 @@
+"""The certified errors of our elementary functions: what theorem elementary_functions says, and bounds are made of."""
+
+from fractions import Fraction
+
+CERTIFIED = {
+    "sinpi": Fraction(134, 100),
+    "cospi": Fraction(153, 100),
+    "sinpi_of_product": Fraction(252, 100),
+    "cospi_of_product": Fraction(209, 100),
+    "atan2pi": Fraction(250, 100),
+    "exp": Fraction(100, 100),
+    "log": Fraction(52, 100),
+    "power": Fraction(150, 100),
+    "small_power": Fraction(1103, 100),
+}
+"""{function: how far its float64 value can be off, in units in the last place}"""

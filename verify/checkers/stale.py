@@ -1,0 +1,39 @@
+"""What is printed or stored of the formulas and no longer what they say:  python -m verify.checkers.stale
+
+It lists the files that `python -m renderer.generate` would change, and the theorems whose certificates have to be
+searched anew; nothing is searched, and no certificate is checked. It fails where there is any.
+"""
+
+import sys
+from collections.abc import Iterator
+
+from proofs.engine.statement import Untranslatable
+from proofs.engine.stored import NotFound, Stale, stored
+from proofs.engine.theorem import Theorem, Theorems, all_theorems
+from renderer.generate.__main__ import PRINTED
+
+
+def why_stale(theorem: Theorem, theorems: Theorems) -> str | None:
+    """Return why a theorem's claims are not those of its stored certificates, or None."""
+    try:
+        stored(theorem, theorems)
+    except (Stale, NotFound, Untranslatable) as error:
+        return str(error)
+    return None
+
+
+def problems() -> Iterator[str]:
+    """Yield what is not what the formulas say."""
+    for path, source_of in PRINTED.items():
+        if path.read_text(encoding="utf-8") != source_of():
+            yield f"{path.name}: not what is printed now"
+    theorems = all_theorems()
+    yield from filter(None, (why_stale(theorem, theorems) for theorem in theorems.values() if theorem.claims))
+
+
+if __name__ == "__main__":
+    stale = False
+    for problem in problems():
+        print(problem)
+        stale = True
+    sys.exit(stale)
