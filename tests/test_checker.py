@@ -34,7 +34,7 @@ PLACES = placements(ROOT / "book", all_theorems())
 @pytest.fixture
 def page(visit):
     """A function that opens a page of the book, its formulas as they are written: to typeset them takes longest."""
-    return functools.partial(visit, until="window.start_checker", given={"**/tex-chtml-full.js*": ""})
+    return functools.partial(visit, until="'start_checker' in window", given={"**/tex-chtml-full.js*": ""})
 
 
 def card(tab, theorem):
