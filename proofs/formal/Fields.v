@@ -300,6 +300,22 @@ Proof.
     central_sine.h_v, central_sine.h_v_plus, central_sine.h_v_minus, central_sine.span_v, central_sine.v_plus, central_sine.v_minus.
   rewrite Rmin_right, Rmax_left by lra. destruct (both _ _) as [_|H]; [|exfalso; destruct H; lra]. rewrite (Rplus_comm epsilon v). sizes S P2 P0.
 Qed.
+
+(* Whatever lies within the step: two numbers of at most pi k are at most 2 pi k apart. *)
+Theorem (* clause 3 *) truncation_bound__apart (k quotient slope : R) : Rabs quotient <= PI * k -> Rabs slope <= PI * k ->
+  Rabs (quotient - slope) <= 2 * (PI * k).
+Proof. intros Q S. unfold Rminus. eapply Rle_trans; [apply Rabs_triang |]. rewrite Rabs_Ropp. lra. Qed.
+
+Theorem truncation_bound__apart__point : exists k quotient slope : R, Rabs quotient <= PI * k /\ Rabs slope <= PI * k.
+Proof. exists 0, 0, 0. rewrite Rabs_R0. lra. Qed.
+
+(* Not within pi k of each other. *)
+Theorem truncation_bound__apart__false : ~ forall k quotient slope : R, Rabs quotient <= PI * k -> Rabs slope <= PI * k ->
+  Rabs (quotient - slope) <= PI * k.
+Proof.
+  intros F. pose proof PI_RGT_0. specialize (F 1 PI (- PI)). rewrite Rabs_Ropp, (Rabs_right PI) in F by lra.
+  assert (Rabs (PI - - PI) = 2 * PI) by (rewrite Rabs_right; lra). lra.
+Qed.
 (* Off the creases h and its gradient are those of p, or of -p: there is no other crease. *)
 Theorem (* clause 3 *) kink_loci__between (u v k_u k_v : R) : let p := height_sine.h u v k_u k_v in p <> 0 ->
   0 < height_ridges.h u v k_u k_v /\ exists s, (s = 1 \/ s = -1) /\ height_ridges.h u v k_u k_v = s * p /\
