@@ -25,9 +25,9 @@ def javascript(browser):
 
 
 def test_the_kernel_is_short():
-    """A quarter of it says what a file looks like; the types beside it, in comments, are not counted."""
-    lines = JAVASCRIPT.read_text(encoding="utf-8").splitlines()
-    assert sum(not line.strip().startswith(("/*", "*", "//")) for line in lines) < 330
+    """Lines of code, as the formatter breaks them; a quarter of them says what a file looks like."""
+    lines = [line.strip() for line in JAVASCRIPT.read_text(encoding="utf-8").splitlines()]
+    assert sum(bool(line) and not line.startswith(("/*", "*", "//")) for line in lines) < 330
 
 
 def test_every_stored_certificate_is_accepted(javascript):
