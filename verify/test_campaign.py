@@ -143,8 +143,7 @@ def survives(folder, place, stage):
 
 def survivors(folder, places, stages):
     """Return the places whose edits pass every stage. A stage has to pass without an edit before it is asked of any."""
-    from tqdm import tqdm  # which an environment for the short tests may lack
-
+    tqdm = pytest.importorskip("tqdm").tqdm  # which an environment for the short tests may lack
     for stage in stages:
         assert not places or passes_as_it_is(folder, stage), "the copy fails before any edit"
         places = [p for p in tqdm(places, desc=stage[0], unit="edit", disable=None) if survives(folder, p, stage)]

@@ -32,7 +32,7 @@ def _left_out():
             if not (library := lacking(error)):
                 raise
             text = (FOLDER / f"{module}.py").read_text(encoding="utf-8")
-            needs |= dict.fromkeys(re.findall(r'@measures\(\s*"(\w+)"', text), library)
+            needs |= dict.fromkeys(re.findall(r'\bmeasures\(\s*"(\w+)"', text), library)
     return needs
 
 
