@@ -6,6 +6,7 @@ NumPy's arrays and float64 numbers (under `numpy.errstate`: a selection computes
 
 from renderer.operations import (
     binary_exponent,
+    elementary,
     floor,
     inf,
     maximum,
@@ -13,6 +14,7 @@ from renderer.operations import (
     nan,
     pi,
     power_of_two,
+    ratio,
     rint,
     sign,
     sqrt,
@@ -20,6 +22,7 @@ from renderer.operations import (
 )
 
 
+@elementary
 def two_product(a, b):
     product = a * b
     a_split = 134217729.0 * a
@@ -37,6 +40,7 @@ def two_product(a, b):
     return product, product_error
 
 
+@elementary
 def sinpi(product, product_error=0.0):
     quarters = rint(2.0 * product)
     remainder_high = product - 0.5 * quarters
@@ -50,6 +54,7 @@ def sinpi(product, product_error=0.0):
     return sine
 
 
+@elementary
 def cospi(product, product_error=0.0):
     quarters = rint(2.0 * product)
     remainder_high = product - 0.5 * quarters
@@ -63,6 +68,7 @@ def cospi(product, product_error=0.0):
     return cosine
 
 
+@elementary
 def atan2pi(ordinate, abscissa):
     larger = maximum(abs(abscissa), abs(ordinate))
     smaller = minimum(abs(abscissa), abs(ordinate))
@@ -83,6 +89,7 @@ def atan2pi(ordinate, abscissa):
     return angle
 
 
+@elementary
 def exp(product, product_error=0.0):
     whole = rint(1.4426950408889634 * product)
     away_high = product - 0.693145751953125 * whole
@@ -99,6 +106,7 @@ def exp(product, product_error=0.0):
     return exponential
 
 
+@elementary
 def log(number):
     scaled_by = where(number < 1.0, 200.0, -200.0)
     scaled = number * power_of_two(scaled_by)
@@ -137,6 +145,7 @@ def log(number):
     return logarithm
 
 
+@elementary
 def power(number, exponent):
     scaled_by = where(number < 1.0, 200.0, -200.0)
     scaled = number * power_of_two(scaled_by)
@@ -207,7 +216,7 @@ def image_x(column, width, height, half):
 
 
 def image_y(row, height, half):
-    return half * ((-3.0 / 20.0) + (height - 2.0 * row - 1.0) / height)
+    return half * (ratio(-3.0, 20.0) + (height - 2.0 * row - 1.0) / height)
 
 
 def silhouette_of_a(eye, radius):
@@ -251,7 +260,7 @@ def ambient_term(ka, ambient):
 
 
 def floor_albedo(floor_dark, floor_tint):
-    floor_base = where(floor_dark > 0.0, (3.0 / 20.0), (17.0 / 20.0))
+    floor_base = where(floor_dark > 0.0, ratio(3.0, 20.0), ratio(17.0, 20.0))
     floor_red = floor_base * (1.0 - floor_tint)
     floor_blue = floor_base
     return floor_red, floor_blue
@@ -259,7 +268,7 @@ def floor_albedo(floor_dark, floor_tint):
 
 def visible_surface(x, y, eye, radius, ball_center_x, ball_center_y, ball_center_z, ball_radius, ball_on, floor_on):
     rho_raw = sqrt(x * x + y * y)
-    rho = where(rho_raw >= (1.0 / 1e+150) * eye, rho_raw, 0.0)
+    rho = where(rho_raw >= ratio(1.0, 1e+150) * eye, rho_raw, 0.0)
     tangent_squared = (eye - radius) * (eye + radius)
     rho_silhouette = eye * radius / sqrt(tangent_squared)
     discriminant_a = tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette)
@@ -277,7 +286,7 @@ def visible_surface(x, y, eye, radius, ball_center_x, ball_center_y, ball_center
 
 def angles_on_a(x, y, eye, radius):
     rho_raw = sqrt(x * x + y * y)
-    rho = where(rho_raw >= (1.0 / 1e+150) * eye, rho_raw, 0.0)
+    rho = where(rho_raw >= ratio(1.0, 1e+150) * eye, rho_raw, 0.0)
     tangent_squared = (eye - radius) * (eye + radius)
     rho_silhouette = eye * radius / sqrt(tangent_squared)
     discriminant_a = tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette)
@@ -295,22 +304,24 @@ def point_on_a(cos_theta, sin_theta, cos_phi, sin_phi, radius):
     return cos_theta * radius * sin_phi, radius * sin_phi * sin_theta, cos_phi * radius
 
 
-def normal_of_b(x, y, eye, ball_center_x, ball_center_y, ball_center_z, ball_radius, ball_on):
+def normal_of_b(x, y, eye, ball_center_x, ball_center_y, ball_center_z, ball_radius):
     distance = eye - ball_center_z
-    toward_b = ball_center_x * x + ball_center_y * y + distance * eye
     discriminant_b = ball_radius * ball_radius * (eye * eye + x * x + y * y) - (ball_center_x * eye - distance * x) * (ball_center_x * eye - distance * x) - (ball_center_x * y - ball_center_y * x) * (ball_center_x * y - ball_center_y * x) - (distance * y - ball_center_y * eye) * (distance * y - ball_center_y * eye)
     root_b = sqrt(maximum(0.0, discriminant_b))
-    t_b = where((ball_on > 0.0) & (discriminant_b >= 0.0) & (toward_b > 0.0), (ball_center_x * ball_center_x + ball_center_y * ball_center_y + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b), inf)
-    point_x = t_b * x
-    point_y = t_b * y
-    point_z = eye * (1.0 - t_b)
-    radius_vector_x = point_x - ball_center_x
-    radius_vector_y = point_y - ball_center_y
-    radius_vector_z = point_z - ball_center_z
+    moment_x = distance * y - ball_center_y * eye
+    moment_y = ball_center_x * eye - distance * x
+    moment_z = ball_center_x * y - ball_center_y * x
+    ray_length_squared = eye * eye + x * x + y * y
+    radius_vector_x = (-eye * moment_y - moment_z * y - root_b * x) / ray_length_squared
+    radius_vector_y = (eye * moment_x + moment_z * x - root_b * y) / ray_length_squared
+    radius_vector_z = (eye * root_b + moment_x * y - moment_y * x) / ray_length_squared
     radius_length = sqrt(radius_vector_x * radius_vector_x + radius_vector_y * radius_vector_y + radius_vector_z * radius_vector_z)
     normal_x = radius_vector_x / radius_length
     normal_y = radius_vector_y / radius_length
     normal_z = radius_vector_z / radius_length
+    point_x = ball_center_x + ball_radius * normal_x
+    point_y = ball_center_y + ball_radius * normal_y
+    point_z = ball_center_z + ball_radius * normal_z
     return point_x, point_y, point_z, normal_x, normal_y, normal_z
 
 
@@ -524,7 +535,7 @@ def gradient_ridges(u, v, k_u, k_v):
 
 
 def kink_ridges(sin_phi, u, v, k_u, k_v):
-    kink = where((abs(sinpi(*two_product(k_u, u))) < (3.0 / 100.0)) | (abs(sinpi(*two_product(k_v, v))) < (3.0 / 100.0)) | (sin_phi <= 0.0), 1.0, 0.0)
+    kink = where((abs(sinpi(*two_product(k_u, u))) < ratio(3.0, 100.0)) | (abs(sinpi(*two_product(k_v, v))) < ratio(3.0, 100.0)) | (sin_phi <= 0.0), 1.0, 0.0)
     return kink
 
 
@@ -635,9 +646,9 @@ def central4(height, u, v, k_u, k_v, epsilon):
     h_v_plus_2 = height(u, v_plus_2, k_u, k_v)
     h_v_minus_2 = height(u, v_minus_2, k_u, k_v)
     near_difference_u = h_u_plus - h_u_minus
-    h_u = (1.0 / 12.0) * (h_u_minus_2 - h_u_plus_2 + 8.0 * near_difference_u) / epsilon
+    h_u = ratio(1.0, 12.0) * (h_u_minus_2 - h_u_plus_2 + 8.0 * near_difference_u) / epsilon
     near_difference_v = h_v_plus - h_v_minus
-    h_v = where((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0), (1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon, near_difference_v / span_v)
+    h_v = where((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0), ratio(1.0, 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon, near_difference_v / span_v)
     return h_u, h_v
 
 
@@ -652,8 +663,12 @@ def central4_in_v(height, u, v, k_u, k_v, epsilon):
     h_v_plus_2 = height(u, v_plus_2, k_u, k_v)
     h_v_minus_2 = height(u, v_minus_2, k_u, k_v)
     near_difference_v = h_v_plus - h_v_minus
-    h_v = where((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0), (1.0 / 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon, near_difference_v / span_v)
+    h_v = where((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0), ratio(1.0, 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon, near_difference_v / span_v)
     return h_v
+
+
+ULPS = {"sinpi": 1.34, "cospi": 1.53, "sinpi_of_product": 2.52, "cospi_of_product": 2.09, "atan2pi": 2.5, "exp": 1.0, "log": 0.52, "power": 1.5, "small_power": 11.03}
+SMALL_POWER = 2.117582368135751e-22
 
 
 HEIGHT_EVALUATIONS = {"forward": 3, "central": 4, "central4": 8}

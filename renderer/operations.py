@@ -4,13 +4,46 @@
 """
 
 import math
+from collections.abc import Callable
+from functools import wraps
 from typing import Any
 
 import numpy as np
 
-pi, inf, nan = math.pi, math.inf, math.nan
+inf, nan = math.inf, math.nan
 Number = Any  # a float64, an array of them, or a traced value
 Mask = Any  # for which of them something holds
+
+
+class Constant(float):
+    """The float64 nearest to a constant of a formula, which float64 does not hold; `error` bounds how far it is off."""
+
+    error: float
+
+    def __new__(cls, value: float, error: float | None = None) -> "Constant":
+        constant = super().__new__(cls, value)
+        constant.error = math.ulp(value) / 2 if error is None else error
+        return constant
+
+    def __neg__(self):
+        return Constant(-float(self), self.error)
+
+    def __mul__(self, other):
+        """With a literal: its product; with anything else, what that makes of a float."""
+        if type(other) is not float:
+            return NotImplemented if hasattr(other, "machine") else float(self) * other
+        product = float(self) * other
+        return Constant(product, abs(other) * self.error * (1 + 2**-50) + math.ulp(product) / 2)
+
+    __rmul__ = __mul__
+
+
+pi = Constant(math.pi)
+
+
+def ratio(above: float, below: float) -> Constant:
+    """Return a rational number that float64 does not hold."""
+    return Constant(above / below)
 
 
 def _operation(name, on_arrays):
@@ -51,6 +84,21 @@ def binary_exponent(number: Number) -> Number:
     return bits(bits(bits(number, "lshr", 52), "and_", 2047), "or_", 0x433 << 52) - BIASED
 
 
+def elementary(kernel: Callable) -> Any:
+    """Return a kernel that a machine may have another way to compute: `kernel` is what others do."""
+
+    @wraps(kernel)
+    def asked(*arguments):
+        for argument in arguments:
+            own = getattr(getattr(argument, "machine", None), kernel.__name__, None)
+            if own:
+                return own(*arguments)
+        return kernel(*arguments)
+
+    asked.kernel = kernel  # type: ignore[attr-defined]
+    return asked
+
+
 def maximum(a: Number, b: Number) -> Number:
     """Return the larger of two numbers."""
     return where(b > a, b, a)
@@ -61,6 +109,7 @@ def minimum(a: Number, b: Number) -> Number:
     return where(b < a, b, a)
 
 
+@elementary
 def sign(a: Number) -> Number:
     """Return −1, 0 or 1."""
     return where(a > 0.0, 1.0, where(a < 0.0, -1.0, 0.0))

@@ -171,6 +171,8 @@ REFUSED = {
         (["--light", "5,5,10"] * 6, "lights = 6 lights is not allowed: a sequence of at most 5 Light"),
         (["--light", "1,2"], "argument --light: '1,2' is not allowed: X,Y,Z or X,Y,Z,R,G,B"),
         (["--crop", "1,2"], "argument --crop: '1,2' is not allowed: LEFT,TOP,WIDTH,HEIGHT"),
+        (["--bounds", "a.png"], "bounds = 'a.png' is not allowed: a file name that ends in .npz"),
+        (["--out", "a.npy", "--bounds", "a.npz"], "bounds = 'a.npz' is not allowed: no --out that is drawn in bands"),
         (["--ku", "abc"], "argument --ku: 'abc' is not allowed: a number"),
         (["--size", ""], "argument --size: '' is not allowed: a whole number"),
         (["--beta"], "argument --beta: expected one argument"),
@@ -205,6 +207,15 @@ def test_what_is_refused_is_said_in_one_line(verb, options, message, tmp_path, m
     assert (out, err.count("\n"), err[-1]) == ("", 1, "\n")
     assert err.startswith((f"python -m renderer {verb}: error: {message}", f"python -m renderer: error: {message}"))
     assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("file", "old")]
+
+
+def test_bounds_are_written(tmp_path, capsys):
+    assert run("image", "--size", "9", "--out", tmp_path / "a.png", "--bounds", tmp_path / "b.npz") == 0
+    frame, kept = render(Scene(), 9, 9, bounds=True), np.load(tmp_path / "b.npz")
+    np.testing.assert_array_equal(kept["bounds"], frame.bounds)
+    np.testing.assert_array_equal(kept["open"], frame.open)
+    told = f"no colour is more than {frame.bounds.max():.2g} off, {frame.open.sum()} pixels are open"
+    assert capsys.readouterr().out.splitlines()[1] == f"wrote {tmp_path / 'b.npz'}: {told}"
 
 
 def test_too_little_memory_is_one_line(tmp_path, monkeypatch, capsys):

@@ -137,6 +137,24 @@ def test_bands_threads_and_ragged_widths(width, threads, monkeypatch):
     assert [differing(*pair) for pair in zip(*found, strict=True)] == [[], [], []]
 
 
+@pytest.mark.parametrize("name", ["ridges", "central4", "fractional", "no_floor", "five_lights", "largest", "far"])
+def test_bounds_change_no_bit_and_are_the_same(name):
+    """By both machines; of a crop, of several threads, and with a stage and a frame to draw into."""
+    (scene, method), frames = SCENES[name], []
+    for drawer in (numpy_rows.drawer, native.drawer):
+        with drawn_by(drawer):
+            frames.append(render(scene, *SIZE, method, bounds=True))
+    assert differing(*(held(frame) | {"bounds": frame.bounds, "open": frame.open} for frame in frames)) == []
+    assert differing(picture(name), held(frames[0])) == []
+    own = stage_of(scene, *SIZE)
+    earlier = render(scene, *SIZE, method, stage=own)
+    for part, more in (((slice(5, 12), slice(3, 43)), {"crop": (3, 5, 40, 7)}), ((), {"stage": own, "into": earlier})):
+        frame = render(scene, *SIZE, method, threads=3, bounds=True, **more)
+        assert (frame.bounds == frames[0].bounds[part]).all()
+        assert (frame.open == frames[0].open[part]).all()
+        assert (frame.rgb == frames[0].rgb[part]).all()
+
+
 def one_ulp(name):
     """Return a kernel whose first result is off by one unit in the last place."""
     right = getattr(kernels, name)

@@ -54,7 +54,7 @@ def random_scene(random: np.random.Generator) -> Scene:
     while True:
         radius = 10.0 ** random.uniform(-2, 2)
         center = tuple(random.normal(size=3) * radius * 10.0 ** random.uniform(-1, 1, 3))
-        positions = random.normal(size=(random.integers(0, 4), 3)) * radius * 10.0 ** random.uniform(-0.5, 2, 3)
+        positions = random.normal(size=(random.integers(0, 6), 3)) * radius * 10.0 ** random.uniform(-0.5, 2, 3)
         try:
             return Scene(
                 radius=radius,

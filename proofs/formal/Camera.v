@@ -1272,14 +1272,40 @@ Proof.
   intros B. split; [apply Rmax_l |]. assert (0 <= hit_of_b.root_b x y e cx cy cz r) by apply sqrt_pos. lra.
 Qed.
 
-Lemma normal_of_b_divisors x y e cx cy cz r on : 0 < r -> 0 < on -> 0 < c_of_b e cx cy cz r ->
+(* What normal_of_b takes for P - C is t D + E - C at the near root t. *)
+Lemma radius_vector_value x y e cx cy cz r t :
+  t = c_of_b e cx cy cz r / (hit_of_b.toward_b x y e cx cy cz + sqrt (hit_of_b.discriminant_b x y e cx cy cz r)) ->
   0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz ->
-  normal_of_b.radius_length x y e cx cy cz r on = r.
+  0 < dot3 x y (- e) x y (- e) ->
+  normal_of_b.radius_vector_x x y e cx cy cz r = t * x - cx /\
+  normal_of_b.radius_vector_y x y e cx cy cz r = t * y - cy /\
+  normal_of_b.radius_vector_z x y e cx cy cz r = e * (1 - t) - cz.
 Proof.
-  intros R On C D B. destruct (hit_of_b__near x y e cx cy cz r on On C D B) as (t & T & _ & _ & M & _).
-  apply sqrt_is; [lra |]. unfold on_b, distance2 in M. rewrite <- M.
-  unfold normal_of_b.radius_vector_x, normal_of_b.radius_vector_y, normal_of_b.radius_vector_z, normal_of_b.point_x,
-    normal_of_b.point_y, normal_of_b.point_z. change normal_of_b.t_b with hit_of_b.t_b. rewrite T. reflexivity.
+  intros T D B A. destruct (hit_of_b__quadratic 0 x y e cx cy cz r) as (_ & _ & Q).
+  assert (R : normal_of_b.root_b x y e cx cy cz r
+    = hit_of_b.toward_b x y e cx cy cz - dot3 x y (- e) x y (- e) * t).
+  { change (normal_of_b.root_b x y e cx cy cz r) with (hit_of_b.root_b x y e cx cy cz r).
+    unfold hit_of_b.root_b. rewrite (Rmax_right _ _ D). pose proof (sqrt_pos (hit_of_b.discriminant_b x y e cx cy cz r)).
+    pose proof (sqrt_sqrt _ D) as S. rewrite Q in S at 3. subst t.
+    set (s := sqrt _) in *. set (b := hit_of_b.toward_b x y e cx cy cz) in *. set (c := c_of_b e cx cy cz r) in *.
+    apply (Rmult_eq_reg_r (b + s)); [| lra]. field_simplify; [| lra]. lra. }
+  unfold normal_of_b.radius_vector_x, normal_of_b.radius_vector_y, normal_of_b.radius_vector_z. rewrite R.
+  unfold dot3 in A |- *. unfold hit_of_b.toward_b, hit_of_b.distance, normal_of_b.ray_length_squared,
+    normal_of_b.moment_x, normal_of_b.moment_y, normal_of_b.moment_z, normal_of_b.distance.
+  repeat split; field; lra.
+Qed.
+
+Lemma normal_of_b_divisors x y e cx cy cz r : 0 < r -> 0 < c_of_b e cx cy cz r ->
+  0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz ->
+  normal_of_b.ray_length_squared x y e <> 0 /\ normal_of_b.radius_length x y e cx cy cz r = r.
+Proof.
+  intros R C D B. destruct (hit_of_b__near x y e cx cy cz r 1 Rlt_0_1 C D B) as (t & _ & T & _ & M & _).
+  assert (A : 0 < dot3 x y (- e) x y (- e)).
+  { destruct (Rle_lt_dec (dot3 x y (- e) x y (- e)) 0) as [N | P]; [exfalso | exact P]. unfold dot3 in N.
+    assert (x = 0 /\ y = 0 /\ e = 0) as (-> & -> & ->) by (repeat split; nra). unfold hit_of_b.toward_b in B. lra. }
+  split; [unfold normal_of_b.ray_length_squared; unfold dot3 in A; lra |].
+  apply sqrt_is; [lra |]. destruct (radius_vector_value x y e cx cy cz r t T D B A) as (X & Y & Z).
+  rewrite X, Y, Z. unfold on_b, distance2 in M. rewrite <- M. ring.
 Qed.
 
 Lemma image_divisors e r height : 0 < r < e -> 0 < height ->
@@ -1429,21 +1455,23 @@ Qed.
 Theorem hit_of_b__normal (x y e cx cy cz r on : R) : 0 < r -> 0 < on -> 0 < c_of_b e cx cy cz r ->
   0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz ->
   exists t, hit_of_b.t_b x y e cx cy cz r on = Finite t /\
-  (point_on_b.point_x x y e cx cy cz r on = t * x /\ point_on_b.point_y x y e cx cy cz r on = t * y /\
-   point_on_b.point_z x y e cx cy cz r on = e * (1 - t)) /\
-  (normal_of_b.normal_x x y e cx cy cz r on = (t * x - cx) / r /\
-   normal_of_b.normal_y x y e cx cy cz r on = (t * y - cy) / r /\
-   normal_of_b.normal_z x y e cx cy cz r on = (e * (1 - t) - cz) / r) /\
-  normal_of_b.normal_x x y e cx cy cz r on ^ 2 + normal_of_b.normal_y x y e cx cy cz r on ^ 2
-    + normal_of_b.normal_z x y e cx cy cz r on ^ 2 = 1.
+  (normal_of_b.point_x x y e cx cy cz r = t * x /\ normal_of_b.point_y x y e cx cy cz r = t * y /\
+   normal_of_b.point_z x y e cx cy cz r = e * (1 - t)) /\
+  (normal_of_b.normal_x x y e cx cy cz r = (t * x - cx) / r /\
+   normal_of_b.normal_y x y e cx cy cz r = (t * y - cy) / r /\
+   normal_of_b.normal_z x y e cx cy cz r = (e * (1 - t) - cz) / r) /\
+  normal_of_b.normal_x x y e cx cy cz r ^ 2 + normal_of_b.normal_y x y e cx cy cz r ^ 2
+    + normal_of_b.normal_z x y e cx cy cz r ^ 2 = 1.
 Proof.
-  intros R On C D B. destruct (hit_of_b__near x y e cx cy cz r on On C D B) as (t & T & _ & _ & M & _).
-  pose proof (normal_of_b_divisors x y e cx cy cz r on R On C D B) as L. exists t. split; [exact T |].
-  unfold point_on_b.point_x, point_on_b.point_y, point_on_b.point_z, normal_of_b.normal_x, normal_of_b.normal_y,
-    normal_of_b.normal_z. rewrite L. unfold normal_of_b.radius_vector_x, normal_of_b.radius_vector_y,
-    normal_of_b.radius_vector_z, normal_of_b.point_x, normal_of_b.point_y, normal_of_b.point_z.
-  change normal_of_b.t_b with hit_of_b.t_b. change point_on_b.t_b with hit_of_b.t_b. rewrite T. simpl real.
-  split; [repeat split |]. split; [repeat split |]. unfold on_b, distance2 in M.
+  intros R On C D B. destruct (hit_of_b__near x y e cx cy cz r on On C D B) as (t & T & V & _ & M & _).
+  destruct (normal_of_b_divisors x y e cx cy cz r R C D B) as [A L]. exists t. split; [exact T |].
+  assert (P : 0 < dot3 x y (- e) x y (- e)).
+  { unfold normal_of_b.ray_length_squared in A. unfold dot3. pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 y).
+    pose proof (pow2_ge_0 e). lra. }
+  destruct (radius_vector_value x y e cx cy cz r t V D B P) as (X & Y & Z).
+  unfold normal_of_b.point_x, normal_of_b.point_y, normal_of_b.point_z, normal_of_b.normal_x, normal_of_b.normal_y,
+    normal_of_b.normal_z. rewrite L, X, Y, Z. split; [repeat split; field; lra |]. split; [repeat split |].
+  unfold on_b, distance2 in M.
   replace (_ + _ + _) with (((t * x - cx) ^ 2 + (t * y - cy) ^ 2 + (e * (1 - t) - cz) ^ 2) / r ^ 2) by (field; lra).
   rewrite M. field. lra.
 Qed.
@@ -1456,7 +1484,7 @@ Proof. exists 0, 0, 4, 0, 0, 0, 1, 1. destruct point_b as (-> & -> & ->). lra. Q
 Theorem hit_of_b__normal__false : ~ forall x y e cx cy cz r on : R, 0 < r -> 0 < on -> 0 < c_of_b e cx cy cz r ->
   0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz ->
   exists t, hit_of_b.t_b x y e cx cy cz r on = Finite t /\
-  normal_of_b.normal_z x y e cx cy cz r on = (cz - e * (1 - t)) / r.
+  normal_of_b.normal_z x y e cx cy cz r = (cz - e * (1 - t)) / r.
 Proof.
   intros F. destruct point_b as (B & D & C). destruct (F 0 0 4 0 0 0 1 1) as (t & T & Z); try lra.
   destruct (hit_of_b__normal 0 0 4 0 0 0 1 1) as (s & S & _ & (X & Y & Q) & U); try lra.

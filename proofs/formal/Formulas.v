@@ -135,22 +135,24 @@ End point_on_b.
 
 Module normal_of_b.
 Section program.
-Variables x y eye ball_center_x ball_center_y ball_center_z ball_radius ball_on : R.
+Variables x y eye ball_center_x ball_center_y ball_center_z ball_radius : R.
 Definition distance := eye - ball_center_z.
-Definition toward_b := ball_center_x * x + ball_center_y * y + distance * eye.
 Definition discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2.
 Definition root_b := sqrt (Rmax 0 discriminant_b).
-Definition t_b := if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b)) else p_infty.
-Definition point_x := (real t_b) * x.
-Definition point_y := (real t_b) * y.
-Definition point_z := eye * (1 - (real t_b)).
-Definition radius_vector_x := point_x - ball_center_x.
-Definition radius_vector_y := point_y - ball_center_y.
-Definition radius_vector_z := point_z - ball_center_z.
+Definition moment_x := distance * y - ball_center_y * eye.
+Definition moment_y := ball_center_x * eye - distance * x.
+Definition moment_z := ball_center_x * y - ball_center_y * x.
+Definition ray_length_squared := eye ^ 2 + x ^ 2 + y ^ 2.
+Definition radius_vector_x := (-eye * moment_y - moment_z * y - root_b * x) / ray_length_squared.
+Definition radius_vector_y := (eye * moment_x + moment_z * x - root_b * y) / ray_length_squared.
+Definition radius_vector_z := (eye * root_b + moment_x * y - moment_y * x) / ray_length_squared.
 Definition radius_length := sqrt (radius_vector_x ^ 2 + radius_vector_y ^ 2 + radius_vector_z ^ 2).
 Definition normal_x := radius_vector_x / radius_length.
 Definition normal_y := radius_vector_y / radius_length.
 Definition normal_z := radius_vector_z / radius_length.
+Definition point_x := ball_center_x + ball_radius * normal_x.
+Definition point_y := ball_center_y + ball_radius * normal_y.
+Definition point_z := ball_center_z + ball_radius * normal_z.
 End program.
 End normal_of_b.
 

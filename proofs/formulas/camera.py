@@ -178,23 +178,29 @@ point_on_b = chain(
 )
 """P = P(t_B)."""
 
-radius_vector, radius_length = vector("radius_vector"), real("radius_length")
+moment, radius_vector = vector("moment"), vector("radius_vector")
+ray_length_squared, radius_length = real("ray_length_squared radius_length")
 
 normal_of_b = chain(
     "normal_of_b",
-    point_on_b,
+    hit_of_b,
     Program(
         "outward",
-        (point, ball_center),
+        (x, y, eye, ball_center, ball_radius, distance, root_b),
         (
-            (radius_vector, point - ball_center),
+            (moment, cross(ray_direction, (-ball_center[0], -ball_center[1], distance))),
+            (ray_length_squared, dot(ray_direction, ray_direction)),
+            (radius_vector, (cross(moment, ray_direction) - root_b * ray_direction) / ray_length_squared),
             (radius_length, sqrt(dot(radius_vector, radius_vector))),
             (normal, radius_vector / radius_length),
+            (point, ball_center + ball_radius * normal),
         ),
     ),
     outputs=(*point, *normal),
-)
-"""N = (P − C)/|P − C|: the length is R₂ but for rounding, and it is the rounded one that makes N a unit vector."""
+).keep(*point, *normal)
+"""P − C = ((D × (E − C)) × D − √d D)/|D|²: what of E − C is perpendicular to the ray, and from there along it to the
+near root. Nothing cancels, however small B is beside its distance from the eye; P(t) − C would. N = (P − C)/|P − C|,
+whose length is R₂ but for rounding: the rounded one makes N a unit vector. P = C + R₂ N. Theorem: hit_of_b."""
 
 point_on_floor = Program("point_on_floor", (x, y), ((point, (x, y, 0 * x)),))
 """P = (x, y, 0): the image plane is the floor."""

@@ -14,3 +14,6 @@ CERTIFIED = {
     "small_power": Fraction(1103, 100),
 }
 """{function: how far its float64 value can be off, in units in the last place}"""
+
+SMALL_POWER = Fraction(1, 2**72)
+"""A power of exp(−50) or more is a `power`; what is below this, a little above exp(−50), may be a `small_power`."""

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from sympy import Expr, Rational, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.program import chain
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas import symbols
 from proofs.formulas.camera import (
@@ -13,7 +14,11 @@ from proofs.formulas.camera import (
     discriminant_b,
     hit_of_a,
     hit_of_b,
+    normal_of_b,
+    radius_length,
+    radius_vector,
     ray_direction,
+    ray_length_squared,
     rho_raw,
     root_a,
     root_b,
@@ -22,7 +27,21 @@ from proofs.formulas.camera import (
     tangent_squared,
     toward_b,
 )
-from proofs.formulas.symbols import ball_center, ball_on, ball_radius, dot, eye, lengths_of_a, radius, real, rho, x, y
+from proofs.formulas.symbols import (
+    ball_center,
+    ball_on,
+    ball_radius,
+    dot,
+    eye,
+    lengths_of_a,
+    normal,
+    point,
+    radius,
+    real,
+    rho,
+    x,
+    y,
+)
 from proofs.theorems.relations import HALF, QUARTER
 
 t = real("t")
@@ -125,6 +144,20 @@ _behind_b = Claim(
     hit_of_b,
     squares=(x * t, y * t, eye * t),
 )
+_whole = chain("hit_and_normal_of_b", hit_of_b, normal_of_b)
+_from_the_center = [p - c for p, c in zip(along(t_b), ball_center, strict=True)]
+_outward_b = Claim(
+    "outward",
+    (
+        greater(ray_length_squared, 0),
+        *(equation(r, p) for r, p in zip(radius_vector, _from_the_center, strict=True)),
+        equation(radius_length, ball_radius),
+        *(equation(ball_radius * n, p) for n, p in zip(normal, _from_the_center, strict=True)),
+        *(equation(p, q) for p, q in zip(point, along(t_b), strict=True)),
+    ),
+    (*_sees_b, ball_radius > 0),
+    _whole,
+)
 _seed_c = sum(c**2 for c in ball_center) - ball_radius**2
 _c = distance_squared(_eye, ball_center) - ball_radius**2
 _quadratic = Claim(
@@ -142,18 +175,24 @@ theorem_b = Theorem(
     title="The near hit with sphere B",
     statement=r"With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, "
     r"$d \ge 0$ and $b > 0$, then $t = c/(b+\sqrt d) > 0$ is the least root of $|P(t)-C|^2 = R_2^2$; "
-    r"if $b \le 0$, every root is negative.",
+    r"if $b \le 0$, every root is negative. With $K = D\times(E-C)$, $R_2N = (K\times D-\sqrt d\,D)/|D|^2 = P(t)-C$.",
     hypotheses=("$c > 0$: the eye is outside B",),
-    claims=(_quadratic, _solves_b, _near_b, _behind_b),
+    claims=(_quadratic, _solves_b, _near_b, _behind_b, _outward_b),
     steps=(
         Step(r"$|P(t)-C|^2-R_2^2 = |D|^2t^2-2bt+c$", "expansion"),
         Step(r"$d = |D|^2R_2^2-|D\times(E-C)|^2$", "Lagrange's identity"),
         Step(r"$|D|^2\,t = b-\sqrt d$", "the conjugate"),
+        Step(r"$K\times D = |D|^2(E-C)+bD$", "a triple product"),
         Step(r"$b \le 0$, $t \ge 0$: then $|D|^2t^2-2bt+c > 0$", "a sum of a square and non-negative terms"),
     ),
     mutants=(
         variant("the seed's c", _quadratic, equation(discriminant_b, toward_b**2 - _length * _seed_c)),
         variant("the far root", _near_b, t <= t_b),
+        variant(
+            "the inward normal",
+            _outward_b,
+            *(equation(-ball_radius * n, p) for n, p in zip(normal, _from_the_center, strict=True)),
+        ),
         variant("b with its sign turned", _behind_b, given=(_outside, toward_b >= 0, *_behind_b.given[2:])),
     ),
     side_conditions=(

@@ -86,8 +86,9 @@ GRADIENT = {
     "--eps": NUMBER | {"default": 1e-3, "help": "step of a difference (default: 1e-3)"},
 }
 OUT = "a .png; a .npz with every buffer; of any size, drawn in bands: a .npy (float64) or a tiled .tif"
-OF_IMAGE = {
+OF_IMAGE: dict[str, Option] = {
     "--out": {"required": True, "metavar": "FILE", "help": OUT},
+    "--bounds": {"metavar": "FILE", "help": "write how far off each colour is at most, and what is open, to a .npz"},
     "--crop": numbers(int, (4,), "LEFT,TOP,WIDTH,HEIGHT", "L,T,W,H") | {"help": "draw this part of the raster alone"},
     **GRADIENT,
     **RASTER,
@@ -159,18 +160,25 @@ def progress_bar(**options: Any) -> Callable:
 def draw_image(options: Namespace) -> None:
     """Draw one picture, whole in memory or streamed to a file."""
     target = checked_target(options.out, (*files.PICTURE_SUFFIXES, *STREAM_SUFFIXES))
+    bounds = checked_target(options.bounds, (".npz",), "bounds") if options.bounds else None
     picture = scene_of(options), *size_of(options, options.size)
     more = {"gradient": method_of(options), "crop": options.crop, "threads": options.threads}
     if target.suffix in STREAM_SUFFIXES:
+        if bounds:
+            raise not_allowed("bounds", options.bounds, "no --out that is drawn in bands")
         height, width = stream(*picture, target, **more, progress=progress_bar(desc=target.name, unit="block"))
     else:
-        frame = render(*picture, **more)
+        frame = render(*picture, **more, bounds=bounds is not None)
         height, width = frame.raster.shape
         if target.suffix == ".npz":
             files.write_npz(target, frame)
         else:
             files.write_png(target, views.image_view(frame))
     print(f"wrote {target}: {width} x {height} pixels")
+    if bounds:
+        files.write_bounds(bounds, frame)
+        largest, opened = frame.bounds.max(), frame.open.sum()
+        print(f"wrote {bounds}: no colour is more than {largest:.2g} off, {opened} pixels are open")
 
 
 def draw_views(options: Namespace) -> None:

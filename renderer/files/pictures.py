@@ -18,6 +18,12 @@ def write_png(path: str | Path, image: np.ndarray) -> None:
         Image.fromarray(image).save(name)
 
 
+def write_bounds(path: str | Path, frame: Frame) -> None:
+    """Write what is certain of a frame that was drawn with bounds: `bounds` and `open`."""
+    with whole_file(path) as name:
+        np.savez_compressed(name, bounds=frame.bounds, open=frame.open)
+
+
 def write_npz(path: str | Path, frame: Frame) -> None:
     """Write every buffer of a frame: rgb, chambers, and A's surface data (NaN off A)."""
     with whole_file(path) as name:

@@ -8,6 +8,7 @@ from typing import Any
 
 from proofs.engine.program import Program
 from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
+from proofs.formulas.certified import CERTIFIED, SMALL_POWER
 from proofs.formulas.elementary import product_error
 from proofs.formulas.finite_difference import HEIGHT_EVALUATIONS, METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
@@ -23,6 +24,7 @@ NumPy's arrays and float64 numbers (under `numpy.errstate`: a selection computes
 
 from renderer.operations import (
     binary_exponent,
+    elementary,
     floor,
     inf,
     maximum,
@@ -30,6 +32,7 @@ from renderer.operations import (
     nan,
     pi,
     power_of_two,
+    ratio,
     rint,
     sign,
     sqrt,
@@ -88,8 +91,13 @@ def _field_entry(field):
 def kernels_source() -> str:
     """Return the text of renderer/kernels.py. Raises ValueError where a kernel would call what there is none of."""
     printer, fields = KernelPrinter(), HEIGHT_FIELDS.values()
-    parts = [print_function(name, program, printer) for name, program in programs.named().items()]
+    parts = [
+        "@elementary\n" * (name in programs.ELEMENTARY) + print_function(name, program, printer)
+        for name, program in programs.named().items()
+    ]
     parts += [print_function(name, program, printer, "height, ") for name, program in programs.differences().items()]
+    ulps = ", ".join(f'"{name}": {float(most)!r}' for name, most in CERTIFIED.items())
+    parts.append(f"ULPS = {{{ulps}}}\nSMALL_POWER = {float(SMALL_POWER)!r}\n")
     parts.append(f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\nMAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n".replace("'", '"'))
     parts.append("\n".join(["FIELDS = {", *map(_field_entry, fields), "}", ""]))
     models = [

@@ -20,7 +20,7 @@ class KernelPrinter(StrPrinter):
         """Return the text of an exact rational."""
         number = float(rational)
         if Rational(number) != rational:
-            return f"({float(rational.p)!r} / {float(rational.q)!r})"
+            return f"ratio({float(rational.p)!r}, {float(rational.q)!r})"
         return repr(number)
 
     def _print_Rational(self, expr):

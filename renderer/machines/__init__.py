@@ -12,6 +12,7 @@ class Job(NamedTuple):
 
     x: as long as a plane's row, NaN beyond the raster's last column. y: (rows,). columns: (rows, 2) int64, which
     columns of each row are looked at. planes: {name: (rows, columns of x)}, float64, the chamber code uint8.
+    bounds: of the errors of x, of y, and of the scene's numbers (as long as these), where they are wanted.
     """
 
     scene: np.ndarray
@@ -20,6 +21,7 @@ class Job(NamedTuple):
     y: np.ndarray
     columns: np.ndarray
     planes: dict
+    bounds: tuple[np.ndarray, np.ndarray, np.ndarray] | None = None
 
 
 @cache

@@ -19,7 +19,7 @@ from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options
 
 from renderer.kernels import HEIGHT_EVALUATIONS
 from renderer.machines import Job
-from renderer.machines.drawing_code import ARGUMENTS, emit
+from renderer.machines.drawing_code import ARGUMENTS, INPUT_BOUNDS, emit
 from renderer.shader.shader import WORK, Want
 from renderer.whole_files import whole_file
 
@@ -111,6 +111,7 @@ def drawer(
         with _compiling:
             code, _ = compiled(want, lanes or host_lanes(want))
     arrays = {name: getattr(job, name) for name in ("x", "y", "columns", "scene", "lights")} | job.planes
+    arrays |= dict(zip(INPUT_BOUNDS, job.bounds or (), strict=False))
     given = {name: array.ctypes.data for name, array in arrays.items()}
     given |= {"pitch": len(job.x), "light_count": len(job.lights)}
     shared = [given.get(name, 0) for name in ARGUMENTS]

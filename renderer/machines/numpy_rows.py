@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from renderer.machines import Job
+from renderer.machines.enclosing import enclosing_group
 from renderer.operations import Mask, Number
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, of_form
 from renderer.shader.shader import WORK, Group, Step, Want
@@ -84,6 +85,7 @@ class Row:
 def drawer(want: Want, job: Job) -> Callable[[range], list[int]]:
     """Return the function that draws rows (a range) of a Job and returns what was counted, in the order of WORK."""
     scene = of_form(SCENE_FORM, job.scene)
+    bounds = of_form(SCENE_FORM, job.bounds[2]) if job.bounds else None
 
     @np.errstate(all="ignore")  # a selection computes both of its sides
     def draw(rows):
@@ -91,7 +93,12 @@ def drawer(want: Want, job: Job) -> Callable[[range], list[int]]:
         for number in rows:
             columns = slice(*job.columns[number])
             if columns.start < columns.stop:
-                Group(machine, scene, want, Row(job, number, columns)).draw()
+                row = Row(job, number, columns)
+                if job.bounds:
+                    x_bound, y_bound, _ = job.bounds
+                    enclosing_group(machine, scene, bounds, want, row, x_bound[columns], y_bound[number]).draw()
+                else:
+                    Group(machine, scene, want, row).draw()
         return [machine.counts[kind] for kind in WORK]
 
     return draw

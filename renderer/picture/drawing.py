@@ -1,5 +1,7 @@
 """Draw a scene, band by band: everything from nothing, or sphere A alone on a stage."""
 
+import numpy as np
+
 from renderer.checks import not_allowed
 from renderer.picture.frame import Frame
 from renderer.picture.stage import Stage, shading_of
@@ -7,7 +9,7 @@ from renderer.picture.threads import checked_threads
 from renderer.scene.methods import GradientMethod, exact
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
-from renderer.shader.shader import COLORS, WORK
+from renderer.shader.shader import BOUNDS, COLORS, WORK
 
 
 def stage_of(
@@ -28,6 +30,7 @@ def render(
     threads: int | None = None,
     stage: Stage | None = None,
     into: Frame | None = None,
+    bounds: bool = False,
 ) -> Frame:
     """Draw `scene` on a raster of width × height pixels and return the Frame.
 
@@ -35,27 +38,34 @@ def render(
     height), the part of the raster to draw. threads: default, all cores. stage: the Stage of a scene that differs at
     most in field, ku, kv, beta and shading, on the same raster: A alone is drawn, the rest is copied from the stage.
     into: an earlier Frame of that stage, of the same shading: A is drawn over its colours, and nothing is copied; the
-    earlier frame has no colours any more. Raises ValueError that names what is not allowed.
+    earlier frame has no colours any more. bounds: whether `Frame.bounds` and `Frame.open` are wanted: the same picture,
+    drawn whole. Raises ValueError that names what is not allowed.
     """
     method = gradient if gradient is not None else exact()
     if not isinstance(scene, Scene):
         raise not_allowed("scene", scene, "a Scene")
     if not isinstance(method, GradientMethod):
         raise not_allowed("gradient", method, "exact(), central(eps), forward(eps) or central4(eps)")
+    if not isinstance(bounds, bool):
+        raise not_allowed("bounds", bounds, "True or False")
     raster, threads = Raster(width, height, crop), checked_threads(threads)
     if stage is not None and not stage.serves(scene, raster):
         raise not_allowed("stage", stage, "one made for the same lengths, lights and raster")
     fits = isinstance(into, Frame) and stage is into.stage and shading_of(scene) == shading_of(into.scene)
     if into is not None and not fits:
         raise not_allowed("into", into, "a frame of the stage that is given, shaded as this scene is")
-    if stage is None:
-        stage = Stage(scene, raster)
-        planes = stage.new_plane(channels=3)
-        counts = stage.draw(scene, method, threads, dict(zip(COLORS, planes, strict=True)))
+    whole = bounds or stage is None
+    stage = Stage(scene, raster) if stage is None else stage
+    planes = stage.new_plane(channels=3) if into is None else into.hand_over()
+    enclosure = (stage.new_plane(channels=3), stage.new_plane(np.uint8)) if bounds else None
+    if whole:
+        named = dict(zip(COLORS, planes, strict=True))
+        if enclosure:
+            named |= dict(zip(BOUNDS, enclosure[0], strict=True)) | {"open": enclosure[1]}
+        counts = stage.draw(scene, method, threads, named, bounds=bounds)
     else:
-        planes = stage.new_plane(channels=3) if into is None else into.hand_over()
         counts = _draw_on(stage, scene, method, threads, planes, into is None)
-    return Frame(scene, raster, method, stage, planes, counts)
+    return Frame(scene, raster, method, stage, planes, counts, enclosure)
 
 
 def _draw_on(stage, scene, method, threads, planes, copies):

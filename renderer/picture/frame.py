@@ -35,10 +35,11 @@ class Frame:
         stage: Stage,
         planes: np.ndarray,
         counts: dict[str, int],
+        enclosure: tuple[np.ndarray, np.ndarray] | None = None,
     ):
         self.scene, self.raster, self.method, self.stage = scene, raster, method, stage
         self._planes: np.ndarray | None = planes
-        self._counts = counts
+        self._counts, self._enclosure = counts, enclosure
 
     @cached_property
     def work(self) -> dict[str, Any]:
@@ -80,6 +81,29 @@ class Frame:
     def rgb(self) -> np.ndarray:
         """(height, width, 3) float64 in [0, 1]."""
         return np.moveaxis(self.planes, 0, -1)  # type: ignore[arg-type]  # an error if they are handed over
+
+    def _enclosed(self, name, part):
+        if self._enclosure is None:
+            raise not_allowed(name, None, "a frame drawn by render(..., bounds=True)")
+        return self._enclosure[part][..., : self.raster.shape[1]]
+
+    @property
+    def bounds(self) -> np.ndarray:
+        """(height, width, 3) float64: |rgb − exact| is at most this, of a frame drawn with `bounds=True`.
+
+        Exact is the same formula in real arithmetic, of the scene's float64 numbers and the raster's exact image
+        points, by the same gradient method: a difference's truncation is no error of the program. Raises ValueError
+        without bounds.
+        """
+        return np.moveaxis(self._enclosed("bounds", 0), 0, -1)
+
+    @property
+    def open(self) -> np.ndarray:
+        """(height, width) bool: a chamber or the side of a crease is undecided; the bounds cover each choice.
+
+        Raises ValueError without bounds.
+        """
+        return self._enclosed("open", 1) > 0
 
     @property
     def chambers(self) -> np.ndarray:

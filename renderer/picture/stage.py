@@ -12,6 +12,7 @@ import numpy as np
 
 from renderer.checks import not_allowed
 from renderer.machines import Job, machine
+from renderer.machines.rounded_inputs import input_bounds
 from renderer.picture.threads import run_bands
 from renderer.scene.geometry import geometry_of
 from renderer.scene.methods import GradientMethod
@@ -89,7 +90,9 @@ class Stage:
         before: what is called with the rows of a band (a slice) before that is drawn.
         """
         raster = self.raster_of(of_a=want.get("surfaces") == "a")
-        job = Job(*numbers_of(scene, method), *raster, {"code": self._codes} | planes)
+        numbers = numbers_of(scene, method)
+        bounds = input_bounds(scene, self.raster, numbers[0], len(raster[0])) if want.get("bounds") else None
+        job = Job(*numbers, *raster, {"code": self._codes} | planes, bounds)
         draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)
         starts = range(0, len(self.y), rows)
 

@@ -14,6 +14,7 @@ from renderer.operations import Mask, Number, floor, where
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0.0, 1.0, 2.0, 3.0
 DARK_BIT = 128.0
 COLORS = ("red", "green", "blue")
+BOUNDS = tuple(f"{color}_bound" for color in COLORS)
 ANGLES, CHART, SLOPES = ("cos_theta", "sin_theta", "cos_phi", "sin_phi"), ("u", "v"), ("h_u", "h_v")
 ON_A = (*ANGLES, *SLOPES)
 WORK = ("gradients", "shadow_tests", "specular_powers", "light_terms")
@@ -42,7 +43,8 @@ class Want(NamedTuple):
     highlight), base, or squared. whole: whether the shininess is a whole number. given: whether the chambers are
     known. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these are wanted. kept: which of
     ON_A are stored, or CHART beside them. charted: whether ANGLES and CHART are known. stills: stored or loaded,
-    where what no step changes is kept (`renderer.machines.stills`).
+    where what no step changes is kept (`renderer.machines.stills`). bounds: whether each colour's bound is stored, and
+    where a chamber is open (`renderer.machines.enclosing`).
     """
 
     ways: tuple
@@ -54,6 +56,7 @@ class Want(NamedTuple):
     kept: tuple = ()
     charted: bool = False
     stills: str = ""
+    bounds: bool = False
 
 
 class Group:
@@ -141,7 +144,7 @@ class Group:
     def draw_b(self, mask: Mask) -> None:
         """A plain sphere."""
         s = self.scene
-        point_and_normal = k.normal_of_b(self.x, self.y, s.eye, *s.ball, s.ball_on)
+        point_and_normal = k.normal_of_b(self.x, self.y, s.eye, *s.ball)
         a = (0.0, 0.0, 0.0, s.radius)
         self.light_up(mask, point_and_normal[:3], point_and_normal[3:], s.albedo_b, lambda light: [(a, light.a_on_b)])
 

@@ -470,7 +470,7 @@ async function simulator_module(data, compiled) {
     if (surface === "none") return record;
     if (surface === "A") return { ...record, ...record_on_a(state, method, stage) };
     const [x, y] = image_points(raster).map(first_of);
-    const ball = [...data.scene.ball_center, data.scene.ball_radius, 1];
+    const ball = [...data.scene.ball_center, data.scene.ball_radius];
     const six = surface === "B" ? kernel("normal_of_b", x, y, eye, ...ball) : kernel("normal_of_floor", x, y);
     return { ...record, point: six.slice(0, 3), normal: six.slice(3) };
   }

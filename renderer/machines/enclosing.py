@@ -1,0 +1,464 @@
+"""A machine around a machine: each of its numbers is one of the inner machine's and a bound on how far that is off.
+
+What is enclosed is the same formula in real arithmetic, of the exact numbers that are given. The inner machine's values
+are its own, to the last bit. A mask says where something holds, and where the bounds leave that open; a selection
+whose mask is open covers both of its sides. A bound that is the float 0.0 is of an exact number, and costs nothing.
+
+Bounds are rounded too: an operation's own has at most seven roundings, which the factor SLACK exceeds, and what they
+and the value's own lose below the normal range is less than LEAST. A bound that is NaN decides nothing.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from contextvars import ContextVar
+from itertools import product
+from types import SimpleNamespace
+from typing import Any
+
+from renderer import kernels, operations
+from renderer.operations import Constant, where
+from renderer.shader.shader import BOUNDS, Group, Want
+
+UNIT = 2.0**-53
+LEAST, LEAST_NORMAL = 2.0**-1060, 2.0**-1022
+VANISHING = 2.0**-1020  # more than exp(−708), below which exp and power may be 0
+SLACK = 1.0 + 2.0**-49
+
+
+def _is_zero(bound):
+    return type(bound) is float and bound == 0.0
+
+
+def _plus(*bounds):
+    """Return a sum of bounds, of which those that are 0 are left out."""
+    total = 0.0
+    for bound in bounds:
+        total = bound if _is_zero(total) else total if _is_zero(bound) else total + bound
+    return total
+
+
+def _times(size, bound):
+    return 0.0 if _is_zero(bound) else size * bound
+
+
+def _own(product, one, other):
+    """Return how far the rounding of a product takes it; a literal power of two moves none that is large enough."""
+    for literal, scaled in ((one, other), (other, one)):
+        if type(literal) is float and abs(math.frexp(literal)[0]) == 0.5:
+            lost = (abs(product) < LEAST_NORMAL) & (abs(scaled) > 0.0)
+            return 0.0 if abs(literal) >= 1.0 else where(lost, LEAST, 0.0)
+    return UNIT * abs(product) + _least(one, other)
+
+
+def _least(*factors):
+    """Return what is lost below the normal range: nothing where a factor is 0, as on the picture's middle line."""
+    least = LEAST
+    for factor in factors:
+        if type(factor) is not float:
+            least = where(factor == 0.0, 0.0, least)
+    return least
+
+
+class Mask:
+    """For which numbers something holds as computed (`holds`), and for which it is open; None: for none."""
+
+    def __init__(self, holds: Any, open_: Any = None):
+        self.holds, self.open = holds, open_
+
+    @property
+    def machine(self) -> type:
+        """What `renderer.operations` asks."""
+        return Operations
+
+    @property
+    def maybe(self) -> Any:
+        """For which it may hold."""
+        return self.holds if self.open is None else self.holds | self.open
+
+    @property
+    def _maybe_not(self):
+        return ~self.holds if self.open is None else ~self.holds | self.open
+
+    def __and__(self, other):
+        return Mask(self.holds & other.holds, _either(_both(self.open, other.maybe), _both(other.open, self.maybe)))
+
+    def __or__(self, other):
+        open_ = _either(_both(self.open, other._maybe_not), _both(other.open, self._maybe_not))
+        return Mask(self.holds | other.holds, open_)
+
+    def __invert__(self):
+        return Mask(~self.holds, self.open)
+
+
+def _both(open_, mask):
+    return None if open_ is None else open_ & mask
+
+
+def _either(one, other):
+    return other if one is None else one if other is None else one | other
+
+
+class Enclosed:
+    """A number of the inner machine, and a bound on its distance from the exact one."""
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __init__(self, value: Any, bound: Any = 0.0):
+        self.value, self.bound = value, bound
+
+    @property
+    def machine(self) -> type:
+        """What `renderer.operations` asks."""
+        return Operations
+
+    def __neg__(self):
+        return Enclosed(-self.value, self.bound)
+
+    def __abs__(self):
+        return Enclosed(abs(self.value), self.bound)
+
+    def __add__(self, other):
+        other = enclosed(other)
+        total = self.value + other.value
+        part = total - self.value  # the sum's own error is a number, which two more sums find (Knuth)
+        error = abs((self.value - (total - part)) + (other.value - part))
+        return Enclosed(total, _plus(self.bound, other.bound, error) * SLACK)
+
+    __radd__ = __add__
+
+    def __sub__(self, other):
+        return self + -enclosed(other)
+
+    def __rsub__(self, other):
+        return enclosed(other) - self
+
+    def __mul__(self, other):
+        other = enclosed(other)
+        product, bounds = self.value * other.value, (self.bound, other.bound)
+        moved = _times(abs(self.value), other.bound), _times(abs(other.value), self.bound)
+        both = 0.0 if any(map(_is_zero, bounds)) else self.bound * other.bound
+        return Enclosed(product, _plus(*moved, both, _own(product, self.value, other.value)) * SLACK)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other):
+        other = enclosed(other)
+        quotient, least = self.value / other.value, abs(other.value)
+        moved = _plus(self.bound, _times(abs(quotient), other.bound))
+        own = UNIT * abs(quotient) + _least(self.value)
+        if _is_zero(moved):
+            return Enclosed(quotient, own * SLACK)
+        if _is_zero(other.bound):
+            return Enclosed(quotient, (moved / least + own) * SLACK)
+        least = least - other.bound * SLACK
+        return Enclosed(quotient, where(least > 0.0, (moved / least + own) * SLACK, math.inf))
+
+    def __rtruediv__(self, other):
+        return enclosed(other) / self
+
+    def _compare(compare):
+        def compared(self, other):
+            if self is other:  # x = x, which asks for NaN
+                return Mask(compare(self.value, self.value))
+            other = enclosed(other)
+            bound = _plus(self.bound, other.bound)
+            holds = compare(self.value, other.value)
+            if _is_zero(bound):
+                return Mask(holds)
+            apart = abs(self.value - other.value) > bound * SLACK
+            return Mask(holds, ~apart & ~(bound == 0.0))
+
+        return compared
+
+    __lt__, __le__, __gt__, __ge__, __eq__, __ne__ = map(  # type: ignore[assignment]
+        _compare,  # type: ignore[arg-type]
+        (
+            lambda a, b: a < b,
+            lambda a, b: a <= b,
+            lambda a, b: a > b,
+            lambda a, b: a >= b,
+            lambda a, b: a == b,
+            lambda a, b: a != b,
+        ),
+    )
+
+
+def enclosed(number: Any) -> Enclosed:
+    """Return a number that is exact, but a constant that is none, as Enclosed, if it is not one."""
+    if isinstance(number, Enclosed):
+        return number
+    if isinstance(number, Constant):
+        return Enclosed(float(number), number.error)
+    return Enclosed(float(number) if isinstance(number, int) else number)
+
+
+def _ends(number):
+    """Return between what the exact number is: a number that is exact, or two of the inner machine's."""
+    if _is_zero(number.bound):
+        return (number.value,)
+    reach = (number.bound + 2.0 * UNIT * abs(number.value)) * SLACK
+    return number.value - reach, number.value + reach
+
+
+class Operations:
+    """What `renderer.operations` and the elementary kernels are on Enclosed numbers."""
+
+    @staticmethod
+    def where(mask: Mask, value: Any, otherwise: Any) -> Enclosed:
+        """Return the selected side; where the mask is open, within the bounds of both."""
+        if not isinstance(mask, Mask):
+            mask = Mask(mask)
+        value, otherwise = enclosed(value), enclosed(otherwise)
+        chosen = where(mask.holds, value.value, otherwise.value)
+        exact = _is_zero(value.bound) and _is_zero(otherwise.bound)
+        bound = 0.0 if exact else where(mask.holds, value.bound, otherwise.bound)
+        if mask.open is None:
+            return Enclosed(chosen, bound)
+        apart = _plus(abs(value.value - otherwise.value), value.bound, otherwise.bound) * SLACK
+        return Enclosed(chosen, where(mask.open, apart, bound))
+
+    @staticmethod
+    def sqrt(number: Enclosed) -> Enclosed:
+        """|√a − √b| is at most |a − b|/√a, and at most √|a − b|."""
+        root = operations.sqrt(number.value)
+        own = UNIT * root
+        if _is_zero(number.bound):
+            return Enclosed(root, own)
+        by_slope, by_size = number.bound / root, operations.sqrt(number.bound)
+        return Enclosed(root, (where(by_slope < by_size, by_slope, by_size) + own) * SLACK)
+
+    @staticmethod
+    def floor(number: Enclosed) -> Enclosed:
+        """A whole number within the bound of the number may be either one's."""
+        below, nearest = operations.floor(number.value), operations.rint(number.value)
+        if _is_zero(number.bound):
+            return Enclosed(below)
+        reaches = (abs(number.value - nearest) <= number.bound * SLACK) & (number.bound > 0.0)
+        return Enclosed(below, where(reaches, 1.0, 0.0) + operations.floor(number.bound))
+
+    @staticmethod
+    def rint(number: Enclosed) -> Enclosed:
+        """The same of halves."""
+        nearest = operations.rint(number.value)
+        if _is_zero(number.bound):
+            return Enclosed(nearest)
+        to_half = abs(abs(number.value - nearest) - 0.5)
+        reaches = to_half <= number.bound * SLACK
+        return Enclosed(nearest, where(reaches, 1.0, 0.0) + operations.floor(number.bound))
+
+    @staticmethod
+    def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
+        """Return the factors: sinpi and cospi, which alone take a product in two parts, take them so here."""
+        return enclosed(a), enclosed(b)
+
+    @staticmethod
+    def _of_half_turns(kernel, product, factor):
+        product, factor = enclosed(product), enclosed(factor)
+        moved = _times(abs(product.value), factor.bound), _times(abs(factor.value), product.bound)
+        both = 0.0 if _is_zero(product.bound) or _is_zero(factor.bound) else product.bound * factor.bound
+        moved = _plus(*moved, both)
+        found = kernel(*kernels.two_product.kernel(product.value, factor.value))
+        own = 2.0 * kernels.ULPS[f"{kernel.__name__}_of_product"] * UNIT * abs(found) + LEAST
+        if _is_zero(moved):
+            return Enclosed(found, own * SLACK)
+        turned = math.pi * SLACK * moved
+        return Enclosed(found, (where(turned < 2.0, turned, 2.0) + own) * SLACK)
+
+    @classmethod
+    def sinpi(cls, product: Any, factor: Any = 1.0) -> Enclosed:
+        """Return sin π ab: its slope is at most π, and it moves by 2 at most."""
+        return cls._of_half_turns(kernels.sinpi.kernel, product, factor)
+
+    @classmethod
+    def cospi(cls, product: Any, factor: Any = 1.0) -> Enclosed:
+        """Return cos π ab."""
+        return cls._of_half_turns(kernels.cospi.kernel, product, factor)
+
+    @staticmethod
+    def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
+        """The angle moves by arcsin s, s = (|x| Δy + |y| Δx)/r(r − Δx − Δy), below a quarter within 1.02 s.
+
+        Where the bounds reach over the cut, y = 0 and x < 0, or s is no such number, it is anywhere.
+        """
+        y, x = enclosed(ordinate), enclosed(abscissa)
+        found = kernels.atan2pi.kernel(y.value, x.value)
+        own = 2.0 * kernels.ULPS["atan2pi"] * UNIT * abs(found) + LEAST
+        moved = _plus(y.bound, x.bound)
+        if _is_zero(moved):
+            return Enclosed(found, own * SLACK)
+        radius = operations.sqrt(x.value * x.value + y.value * y.value)
+        across = _plus(_times(abs(x.value), y.bound), _times(abs(y.value), x.bound))
+        sine = across / (radius * (radius - moved))
+        near = (moved < 0.5 * radius) & (sine < 0.249)
+        bound = where(near, sine * (1.02 / math.pi) * SLACK, 2.0) + own
+        over_the_cut = (x.value < 0.0) & (abs(y.value) <= y.bound * SLACK)
+        return Enclosed(found, where(over_the_cut, 2.0, bound) * SLACK)
+
+    @staticmethod
+    def _monotone(kernel, ulps, found, arguments, vanishing=0.0):
+        """Return `found`, off by `ulps` of it: in each of its arguments the function rises or falls.
+
+        So at some of their ends it is furthest from there.
+        """
+
+        def own(result):
+            return 2.0 * ulps(result) * UNIT * abs(result) + vanishing
+
+        moved, furthest = _plus(*(argument.bound for argument in arguments)), 0.0
+        if _is_zero(moved):
+            return Enclosed(found, own(found) * SLACK)
+        for ends in product(*map(_ends, arguments)):
+            end = kernel(*ends)
+            away = abs(end - found) + own(end)
+            furthest = where(away > furthest, away, furthest)
+        return Enclosed(found, (where(moved < math.inf, furthest, math.inf) + own(found)) * SLACK)
+
+    @classmethod
+    def exp(cls, product: Any, factor: Any = 1.0) -> Enclosed:
+        """Return exp ab."""
+        a, b = enclosed(product), enclosed(factor)
+        found = kernels.exp.kernel(*kernels.two_product.kernel(a.value, b.value))
+        return cls._monotone(kernels.exp.kernel, lambda _: kernels.ULPS["exp"], found, [a * b], VANISHING)
+
+    @classmethod
+    def log(cls, number: Enclosed) -> Enclosed:
+        """Return log a: −∞ where a may be 0."""
+
+        def of_positive(end):
+            return kernels.log.kernel(operations.maximum(0.0, end))
+
+        return cls._monotone(of_positive, lambda _: kernels.ULPS["log"], kernels.log.kernel(number.value), [number])
+
+    @classmethod
+    def power(cls, number: Any, exponent: Any) -> Enclosed:
+        """Return a^p: 0 for a number that is certainly not positive."""
+        number, exponent = enclosed(number), enclosed(exponent)
+
+        def ulps(result):
+            return where(result < kernels.SMALL_POWER, kernels.ULPS["small_power"], kernels.ULPS["power"])
+
+        found = kernels.power.kernel(number.value, exponent.value)
+        vanishing = where(_ends(number)[-1] > 0.0, VANISHING, 0.0)
+        return cls._monotone(kernels.power.kernel, ulps, found, [number, exponent], vanishing)
+
+    @staticmethod
+    def sign(number: Any) -> Enclosed:
+        """Return −1, 0 or 1. A gradient asks for it at a crease: where its side is open, so is the pixel."""
+        _at_work.get().leave_open((number > 0.0).open)
+        return operations.sign.kernel(number)
+
+
+class Variable:
+    """A value that changes: two of the inner machine's."""
+
+    def __init__(self, machine: Any, number: Any):
+        number = enclosed(number)
+        self._value, self._bound = machine.variable(number.value), machine.variable(number.bound)
+
+    @property
+    def value(self) -> Enclosed:
+        """The present value."""
+        return Enclosed(self._value.value, self._bound.value)
+
+    def set(self, number: Any, mask: Mask | None = None) -> None:
+        """Put a value in its place, where the mask holds."""
+        number = enclosed(number) if mask is None else Operations.where(mask, number, self.value)
+        self._value.set(number.value)
+        self._bound.set(number.bound)
+
+
+class Enclosing:
+    """The machine around another one. It counts what the other one computes, not what that is needed for."""
+
+    def __init__(self, inner: Any):
+        self.inner, self._mask = inner, None
+        self.creases = inner.variable(0.0)  # 1 where a side of one is open
+        _at_work.set(self)
+
+    def leave_open(self, where_: Any) -> None:
+        """Note that the side of a crease is open, for pixels for which the present steps may count; None: for none."""
+        if where_ is not None:
+            self.creases.set(1.0, where_ & self._mask)
+
+    def variable(self, number: Any) -> Variable:
+        """Return a Variable."""
+        return Variable(self.inner, number)
+
+    def count(self, kind: str, mask: Mask) -> None:
+        """Add the number of pixels for which a mask holds to what is counted of a kind."""
+        self.inner.count(kind, mask.holds)
+
+    def when(self, mask: Mask, body: Callable[[], None]) -> None:
+        """Run `body` unless the mask can hold for no pixel of the group."""
+
+        def run():
+            outside, self._mask = self._mask, mask.maybe
+            body()
+            self._mask = outside
+
+        self.inner.when(mask.maybe, run)
+
+    def choose(self, alternatives: Sequence, index: Enclosed, result_of: Callable[[Any], Sequence]) -> Sequence:
+        """Return `result_of` the alternative of an index that is the same everywhere."""
+
+        def parts(alternative):
+            return [part for number in map(enclosed, result_of(alternative)) for part in (number.value, number.bound)]
+
+        flat = self.inner.choose(alternatives, index.value, parts)
+        return [Enclosed(*flat[at : at + 2]) for at in range(0, len(flat), 2)]
+
+    def by_squaring(self, exponent: Enclosed, first: Callable, square: Callable, multiply: Callable) -> None:
+        """As the inner machine."""
+        self.inner.by_squaring(exponent.value, first, square, multiply)
+
+    def each_light(self, body: Callable[[SimpleNamespace], None]) -> None:
+        """Run `body` on the numbers of one light after another, which are exact."""
+        self.inner.each_light(lambda light: body(enclosed_numbers(light)))
+
+
+_at_work: ContextVar[Enclosing] = ContextVar("at_work")  # whose steps an operation is one of
+
+ROUNDED = ("reach_of_a", "ambient", "floor_light", "floor_dark")  # of a scene's numbers; the others are exact
+
+
+def enclosed_numbers(numbers: SimpleNamespace, bounds: SimpleNamespace | None = None) -> SimpleNamespace:
+    """Return numbers of a form as Enclosed; of the scene's, those that are ROUNDED have `bounds`."""
+
+    def paired(name, number):
+        own = getattr(bounds, name) if bounds and name in ROUNDED else 0.0
+        if isinstance(number, tuple):
+            own = own if isinstance(own, tuple) else (own,) * len(number)
+            return tuple(Enclosed(*pair) for pair in zip(number, own, strict=True))
+        return Enclosed(number, own)
+
+    return SimpleNamespace(**{name: paired(name, number) for name, number in vars(numbers).items()})
+
+
+class Pixels:
+    """The pixels of a group, as the inner machine has them: the colours' bounds and what is open stored beside."""
+
+    def __init__(self, machine: Enclosing, pixels: Any, x_bound: Any, y_bound: Any):
+        self._machine = machine
+        self.x, self.y, self._pixels = Enclosed(pixels.x, x_bound), Enclosed(pixels.y, y_bound), pixels
+
+    def load(self, name: str) -> Enclosed:
+        """Return a plane's numbers, which are taken for exact."""
+        return Enclosed(self._pixels.load(name))
+
+    def store(self, name: str, number: Any) -> None:
+        """Write a plane's numbers, and what is known of them."""
+        number = enclosed(number)
+        self._pixels.store(name, number.value)
+        if name == "code":
+            decided = (number.bound == 0.0) & (self._machine.creases.value == 0.0)
+            self._pixels.store("open", where(decided, 0.0, 1.0))
+        elif f"{name}_bound" in BOUNDS:
+            self._pixels.store(f"{name}_bound", where(number.bound < 1.0, number.bound, 1.0))  # also where it is NaN
+
+
+def enclosing_group(
+    machine: Any, scene: SimpleNamespace, bounds: SimpleNamespace, want: Want, pixels: Any, x_bound: Any, y_bound: Any
+) -> Group:
+    """Return the Group of the machine around another one's: of its scene's numbers and its pixels, and their bounds."""
+    enclosing = Enclosing(machine)
+    return Group(enclosing, enclosed_numbers(scene, bounds), want, Pixels(enclosing, pixels, x_bound, y_bound))

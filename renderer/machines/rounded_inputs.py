@@ -1,0 +1,50 @@
+"""What is rounded before the shader begins, and how far off it is: image points, A's reach, some colours."""
+
+from itertools import repeat
+from types import SimpleNamespace
+
+import numpy as np
+
+from renderer.kernels import ambient_term, floor_albedo, image_extent, image_x, image_y, silhouette_of_a
+from renderer.machines.enclosing import SLACK, UNIT, Enclosed
+from renderer.scene.raster import Raster
+from renderer.scene.scene import Scene
+from renderer.shader.numbers import SCENE_FORM, flat, of_form
+
+
+def of_image_points(scene: Scene, raster: Raster) -> tuple[np.ndarray, np.ndarray]:
+    """Return bounds of the errors of `Raster.image_points`: (columns,) and (rows,) float64."""
+    left, top, wide, high = raster.crop  # type: ignore[misc]  # checked
+    half = image_extent(Enclosed(np.float64(scene.eye)), Enclosed(np.float64(scene.radius)))
+    columns, rows = (
+        Enclosed(np.arange(first, first + n, dtype=np.float64)) for first, n in ((left, wide), (top, high))
+    )
+    x = image_x(columns, float(raster.width), float(raster.height), half)
+    return x.bound, image_y(rows, float(raster.height), half).bound
+
+
+@np.errstate(all="ignore")
+def of_scene(scene: Scene, numbers: SimpleNamespace) -> SimpleNamespace:
+    """Return bounds of the errors of the scene's numbers (`scene_numbers`) by name: 0 of what is exact."""
+    silhouette = silhouette_of_a(Enclosed(np.float64(scene.eye)), Enclosed(np.float64(scene.radius)))
+    square = silhouette * silhouette
+    off = abs(numbers.reach_of_a - square.value)
+    floors = (floor_albedo(Enclosed(np.float64(dark)), Enclosed(np.float64(scene.floor_tint))) for dark in (0.0, 1.0))
+    light, dark = (tuple(float(part.bound) for part in floor) for floor in floors)
+    own = {
+        "reach_of_a": float((square.bound + off + UNIT * off) * SLACK),
+        "ambient": tuple(float(ambient_term(Enclosed(scene.ka), channel).bound) for channel in scene.ambient),
+        "floor_light": light,
+        "floor_dark": dark,
+    }
+    return SimpleNamespace(**vars(of_form(numbers, repeat(0.0))) | own)
+
+
+def input_bounds(
+    scene: Scene, raster: Raster, numbers: np.ndarray, wide: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return a Job's `bounds`: of x, (wide,) with 0 beyond the raster, of y, and of the scene's numbers."""
+    of_x, of_y = of_image_points(scene, raster)
+    padded = np.zeros(wide)
+    padded[: len(of_x)] = of_x
+    return padded, of_y, np.array(flat(of_scene(scene, of_form(SCENE_FORM, numbers))))

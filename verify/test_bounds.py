@@ -1,0 +1,309 @@
+"""What `render(..., bounds=True)` certifies is so: nowhere is a colour further from 256-bit balls than its bound."""
+
+from dataclasses import replace
+from functools import cache
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from flint import arb, ctx
+
+from proofs.engine.program import Program, chain
+from proofs.formulas.camera import point_on_b
+from proofs.formulas.finite_difference import METHODS
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.pixel import pixel
+from proofs.formulas.shading import LIGHT_MODELS
+from proofs.formulas.symbols import ball_center, ball_radius, eye, normal, point, x, y
+from renderer import Light, Scene, exact, kernels, operations, render
+from renderer.generate.kernels import function_of
+from renderer.machines import enclosing, numpy_rows
+from renderer.machines.enclosing import Enclosed, Mask
+from renderer.picture import stage
+from renderer.scene.methods import GradientMethod
+from renderer.scene.raster import Raster
+from verify.accuracy.pixels import BITS, COLORS
+from verify.evaluate.balls import BALLS, Balls
+from verify.reference import lights_on, scene_values
+from verify.strict import random_raster, random_scene
+
+
+@cache
+def balls_of(field, model, lights, method):
+    """Return the Balls of a pixel by a gradient method."""
+    by = [METHODS[method](HEIGHT_FIELDS[field])] if method != "exact" else []
+    return Balls(pixel(HEIGHT_FIELDS[field], model, lights, *by))
+
+
+class Picture:
+    """A frame with bounds, and the truth about its pixels."""
+
+    def __init__(self, scene, width, height, method, crop=None):
+        self.frame = render(scene, width, height, method, crop, bounds=True)
+        self.balls = balls_of(scene.field, scene.model, len(lights_on(scene)), method.name)
+        self.size = {"width": width, "height": height, "epsilon": method.eps or 0.0}
+
+    def truth(self, column, row, shaken=lambda number: number):
+        """Return the balls of every line of a pixel of the frame."""
+        left, top, _, _ = self.frame.raster.crop
+        values = scene_values(self.frame.scene, column=left + column, row=top + row, **self.size)
+        with ctx.workprec(BITS):
+            return self.balls({name: shaken(value) for name, value in values.items()}, BITS)[0]
+
+    def errors(self, column, row):
+        """Return what each channel is certainly off, and its bound; NaN where that is on an edge, at any digits."""
+        true, colors = self.truth(column, row), self.frame.rgb[row, column]
+        with ctx.workprec(BITS):
+            off = [float(abs(arb(float(c)) - true[name]).abs_lower()) for c, name in zip(colors, COLORS, strict=True)]
+        return np.array(off), self.frame.bounds[row, column]
+
+    def wrong(self, column, row):
+        """Return whether an error is above its bound, or another chamber than the true one is not open."""
+        off, bounds = self.errors(column, row)
+        other = self.code(column, row) != self.frame.chambers[row, column]
+        return (off > bounds).any() or (other and not self.frame.open[row, column])
+
+    def code(self, column, row):
+        """Return the true chamber code."""
+        true = {name: int(float(number.mid())) for name, number in self.truth(column, row).items() if is_flag(name)}
+        numbers = [n for n, light in enumerate(self.frame.scene.lights) if light.color is not None]
+        shadows = sum(true[f"occluded_{n}"] << (2 + number) for n, number in enumerate(numbers))
+        return true["surface"] | shadows | true["dark_square"] << 7
+
+
+def is_flag(name):
+    """Return whether a line of a pixel is a part of its chamber code."""
+    return name in ("surface", "dark_square") or name.startswith("occluded_")
+
+
+def random_picture(seed):
+    """Return a Picture of a random scene of any field, model, shininess and method, β from nothing to 1e100."""
+    random = np.random.default_rng((24, seed))
+    scene, (width, height, crop) = random_scene(random), random_raster(random)
+    waves = [(8, 4), random.integers(-64, 64, 2), random.uniform(-20, 20, 2), 2.0 ** random.uniform(6, 20, 2)]
+    ku, kv = (float(k) for k in waves[seed % 4])
+    lights = [Light(light.position, light.color and tuple(random.uniform(0, 1, 3))) for light in scene.lights]
+    method = [exact(), exact("general"), *(GradientMethod(m, 10.0 ** random.uniform(-8, -1)) for m in METHODS)]
+    return Picture(
+        replace(
+            scene,
+            lights=tuple(lights),
+            field=list(HEIGHT_FIELDS)[seed % len(HEIGHT_FIELDS)],
+            model=list(LIGHT_MODELS)[seed % len(LIGHT_MODELS)],
+            shininess=float(random.choice([32.0, 1.0, 7.3, 0.5, 1000.0, 12345.6])),
+            beta=float(random.choice([0.35, 0.0, -20.0, 10.0 ** random.uniform(-3, 100)])),
+            **{"ku": ku, "kv": kv},
+        ),
+        width,
+        height,
+        method[seed // 4 % len(method)],
+        crop,
+    )
+
+
+def places(picture, random, each):
+    """Return `each` pixels at random, and as many of the largest bounds, as (column, row)."""
+    flat = [
+        *random.integers(0, picture.frame.open.size, each),
+        *np.argsort(picture.frame.bounds.max(2).ravel())[-each:],
+    ]
+    rows, columns = np.unravel_index(flat, picture.frame.open.shape)
+    return list(zip(columns.tolist(), rows.tolist(), strict=True))
+
+
+def check_pictures(seeds, each=6):
+    """Check pixels of random pictures; return the shares bound/error of the random ones, and that of open pixels."""
+    shares, opened, pixels, decided = [], 0, 0, []
+    for seed in seeds:
+        picture, random = random_picture(seed), np.random.default_rng(seed)
+        for number, place in enumerate(places(picture, random, each)):
+            assert not picture.wrong(*place), (seed, place)
+            off, bounds = picture.errors(*place)
+            decided.append(np.isfinite(off).all())
+            shares += (bounds[off > 0] / off[off > 0]).tolist() if number < each else []
+        opened, pixels = opened + picture.frame.open.sum(), pixels + picture.frame.open.size
+    assert np.mean(decided) >= 0.95
+    return shares, opened / pixels
+
+
+@pytest.fixture
+def by_rows(monkeypatch):
+    """Let NumPy draw, so that nothing is compiled: its bounds are LLVM's to the last bit (tests/test_machines.py)."""
+    monkeypatch.setattr(stage, "machine", lambda: SimpleNamespace(drawer=numpy_rows.drawer))
+
+
+@pytest.mark.usefixtures("by_rows")
+def test_no_error_is_above_its_bound():
+    shares, opened = check_pictures(range(42))
+    assert np.median(shares) <= 1000
+    assert opened <= 1e-3
+
+
+@pytest.mark.long
+@pytest.mark.usefixtures("by_rows")
+def test_no_error_of_ten_thousand_is_above_its_bound():
+    check_pictures(range(1000, 1840))
+
+
+@pytest.mark.parametrize("field", HEIGHT_FIELDS)
+@pytest.mark.parametrize("model", LIGHT_MODELS)
+def test_the_default_scene(field, model):
+    """Nothing is open, at 256²; the bits are those of the plain picture; bounds are tight."""
+    scene = Scene(field=field, model=model)
+    plain, picture = render(scene, 256, 256), Picture(scene, 256, 256, exact())
+    frame, random = picture.frame, np.random.default_rng(24)
+    assert (frame.rgb.tobytes(), frame.chambers.tobytes()) == (plain.rgb.tobytes(), plain.chambers.tobytes())
+    assert not frame.open.any()
+    assert np.median(frame.bounds[(frame.chambers & 3) == 1]) <= 1e-12
+    found = [picture.errors(*place) for place in random.integers(0, 256, (200, 2)).tolist()]
+    share = np.median([share for off, bounds in found for share in bounds[off > 0] / off[off > 0]])
+    assert share <= (300 if scene == Scene() else 1000)
+
+
+def on_creases(numbers=range(1, 25)):
+    """Return Pictures of one pixel each, which lies within a rounding of a crease of ridges."""
+    scene = Scene(ball=False)
+    u = render(scene, 64, 64).surface_data["u"][20, 25]
+    crop = 25, 20, 1, 1
+    return [Picture(replace(scene, ku=float(n / u)), 64, 64, exact("general"), crop) for n in numbers]
+
+
+def test_the_side_of_a_crease_is_open():
+    pictures = on_creases()
+    assert all(picture.frame.open.all() and not picture.wrong(0, 0) for picture in pictures)
+    assert max(picture.errors(0, 0)[0].max() for picture in pictures) > 1e-3  # on the wrong side
+
+
+WIDE, RATIO = (-50.0, 50.0), (1e-6, 1.0)
+OPERATIONS = {
+    "sum": (lambda a, b: a + b, lambda a, b: a + b, WIDE, WIDE),
+    "product": (lambda a, b: a * b, lambda a, b: a * b, WIDE, WIDE),
+    "quotient": (lambda a, b: a / b, lambda a, b: a / b, WIDE, WIDE),
+    "selected": (lambda a, b: operations.where(a > b, 1.0, -1.0), lambda a, b: arb(1 if a > b else -1), WIDE, (3, 3)),
+    "both": (
+        lambda a, b: operations.where((a > b) & ~(a * a <= 9.0), 1.0, -1.0),
+        lambda a, b: arb(1 if a > b and a * a > 9 else -1),
+        WIDE,
+        (3, 3),
+    ),
+    "square root": (operations.sqrt, arb.sqrt, (1.0, 50.0)),
+    "floor": (operations.floor, arb.floor, WIDE),
+    "rint": (operations.rint, BALLS["rint"], WIDE),
+    "sinpi": (kernels.sinpi, arb.sin_pi, WIDE),
+    "cospi": (kernels.cospi, arb.cos_pi, WIDE),
+    "atan2pi": (kernels.atan2pi, BALLS["atan2pi"], WIDE, WIDE),
+    "exp": (kernels.exp, arb.exp, (-700.0, 700.0)),
+    "log": (kernels.log, arb.log, (1.0, 50.0)),
+    "power": (kernels.power, arb.__pow__, RATIO, (1e-3, 100.0)),
+}
+
+
+def escapes(name, count=2000):
+    """Return how many results of an operation are further from the truth than their bounds.
+
+    Half of them are of exact numbers, the others of numbers as far off as they may be; some are whole, or beside them.
+    """
+    ours, exactly, *ranges = OPERATIONS[name]
+    random, escaped = np.random.default_rng(len(name)), 0
+    for largest in (0.0, 2.0**0.1):
+        given, true = [], []
+        for low, high in ranges:
+            values = random.uniform(low, high, count)
+            values = np.where(random.random(count) < 0.3, np.maximum(low, np.rint(values)), values)
+            bounds = largest * np.abs(values) * 2.0 ** random.uniform(-55, 0, count)
+            bounds = np.minimum(bounds, 0.99 * values) if low > 0 else bounds
+            given.append(Enclosed(values, bounds if largest else 0.0))
+            with ctx.workprec(BITS):
+                signed = bounds * random.choice([-1, 1], count)
+                true.append([arb(float(v)) + arb(float(b)) for v, b in zip(values, signed, strict=True)])
+        with np.errstate(all="ignore"):
+            result = ours(*given)
+        with ctx.workprec(BITS):
+            found = zip(result.value, np.broadcast_to(result.bound, count), map(exactly, *true), strict=True)
+            escaped += sum(bool(abs(arb(float(v)) - t) > arb(float(b))) for v, b, t in found if np.isfinite(b))
+    return escaped
+
+
+@pytest.mark.parametrize("name", OPERATIONS)
+def test_an_operation_stays_in_its_bounds(name):
+    assert escapes(name) == 0
+
+
+def one_sided(mask, value, otherwise):
+    """Return a selection that covers the side alone that was computed."""
+    value, otherwise = map(enclosing.enclosed, (value, otherwise))
+    chosen, bound = ((mask.holds, *pair) for pair in ((value.value, otherwise.value), (value.bound, otherwise.bound)))
+    return Enclosed(operations.where(*chosen), operations.where(*bound))
+
+
+@pytest.mark.parametrize(("broken", "name", "value", "operation"), [
+    (enclosing, "_own", lambda *factors: 0.0, "product"),
+    (enclosing, "UNIT", 0.0, "quotient"),
+    (enclosing.Operations, "where", staticmethod(one_sided), "selected"),
+    (Mask, "__init__", lambda self, holds, open_=None: vars(self).update(holds=holds, open=None), "both"),
+    (kernels, "ULPS", {name: ulps / 2 for name, ulps in kernels.ULPS.items()}, "exp"),
+    (kernels, "ULPS", {name: ulps / 2 for name, ulps in kernels.ULPS.items()}, "log"),
+    (Enclosed, "__mul__", lambda a, b: Enclosed(a.value * b.value, abs(a.value) * b.bound + abs(b.value) * a.bound
+                                                + enclosing._own(a.value * b.value, a.value, b.value)), "product"),
+])  # fmt: skip
+def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
+    """A rounding left out, a selection of one side, a mask taken for decided, constants halved, no second order."""
+    monkeypatch.setattr(broken, name, value)
+    assert escapes(operation) > 0
+
+
+@pytest.mark.parametrize(("broken", "name", "value"), [
+    (enclosing.Operations, "where", staticmethod(one_sided)),
+    (Mask, "__init__", lambda self, holds, open_=None: vars(self).update(holds=holds, open=None)),
+])  # fmt: skip
+def test_a_picture_of_false_bounds_is_noticed(broken, name, value, monkeypatch, by_rows):
+    monkeypatch.setattr(broken, name, value)
+    assert any(picture.wrong(0, 0) for picture in on_creases())
+
+
+SMALL_B = [(ratio, size) for ratio in (0.25, 1e-2, 1e-4, 1e-6) for size in (0.32, 1e-4, 1e-8)]
+
+
+def worst_on_b():
+    """Return the largest error of a pixel on B in units of the response, over SMALL_B."""
+    return max(error_on_b(*lengths) for lengths in SMALL_B)
+
+
+def error_on_b(ratio, size):
+    """Return the error of a pixel on B by what 64 shakes of all inputs by 1e-16 move it, or its own rounding."""
+    random, scene = np.random.default_rng(3), Scene(eye=1 / ratio, ball=False)
+    (left,), (top,) = Raster(64, 64, (30, 20, 1, 1)).image_points(scene)
+    along = 1.3 * ratio  # how far from the image point to the eye
+    center = (1 - along) * left + 0.4 * size, (1 - along) * top + 0.3 * size, 1.3
+    scene = replace(scene, ball=True, ball_center=center, ball_radius=size)
+    picture = Picture(scene, 64, 64, exact(), (30, 20, 1, 1))
+    assert picture.frame.chambers[0, 0] & 3 == 2
+    off, bounds = picture.errors(0, 0)
+    assert (off <= bounds).all()
+    true, responses = picture.truth(0, 0), [2.0**-53 * picture.frame.rgb.max()]
+    for _ in range(64):
+        moved = picture.truth(0, 0, lambda number: arb(number) * (1 + arb(random.uniform(-1e-16, 1e-16))))
+        responses += [float(abs(moved[name] - true[name])) for name in COLORS]
+    return off.max() / max(responses)
+
+
+def test_b_is_as_accurate_as_its_condition():
+    assert worst_on_b() <= 30
+
+
+def test_a_normal_that_cancels_is_noticed(monkeypatch, by_rows):
+    """P − C of the hit, which is what was there."""
+    from_hit = tuple(p - c for p, c in zip(point, ball_center, strict=True))
+    cancelling = chain("normal_of_b", point_on_b, Program("outward", (point, ball_center, ball_radius),
+                       tuple((n, d / ball_radius) for n, d in zip(normal, from_hit, strict=True))),
+                       outputs=(*point, *normal))  # fmt: skip
+    function, names = function_of(cancelling), [s.name for s in cancelling.inputs]
+    wanted = [s.name for s in (x, y, eye, *ball_center, ball_radius)]
+    on = {"ball_on": enclosing.enclosed(1.0)}
+
+    def old(*arguments):
+        given = dict(zip(wanted, arguments, strict=True)) | on
+        return function(*(given[name] for name in names))
+
+    monkeypatch.setattr(kernels, "normal_of_b", old)
+    assert worst_on_b() > 30
