@@ -1,4 +1,4 @@
-"""One program, three evaluations over arrays of inputs: float64, balls of 50 digits, float64 with running bounds."""
+"""One program, three evaluations over arrays of inputs: float64, balls of 50 digits, float64 with bounds."""
 
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
@@ -8,9 +8,9 @@ import flint
 import numpy as np
 
 from proofs.engine.program import Program
-from renderer import kernels
+from renderer import kernels, operations
 from renderer.generate.kernels import function_of
-from verify.evaluate import Evaluator, running
+from renderer.machines.enclosing import Enclosed, enclosed
 from verify.evaluate.balls import Balls
 
 Inputs = Mapping[str, Any]  # numbers or arrays
@@ -21,13 +21,8 @@ LIBM = {"sin": np.sin, "cos": np.cos, "acos": np.arccos, "atan2": np.arctan2}
 
 
 @lru_cache(maxsize=64)
-def _float64_function(program):
-    return function_of(program, names=vars(kernels) | LIBM)
-
-
-@lru_cache(maxsize=64)
-def _lines(program):
-    return Evaluator(program.keep(*program.outputs))
+def _function(program):
+    return function_of(program, names=vars(kernels) | LIBM | {"sign": operations.sign.kernel})  # no pixel is left open
 
 
 @lru_cache(maxsize=64)
@@ -40,23 +35,24 @@ def _arguments(program, inputs):
     return np.broadcast_arrays(*(np.asarray(inputs[s.name], np.float64) for s in program.inputs))
 
 
-def in_float64(program: Program, inputs: Inputs) -> dict[str, np.ndarray]:
-    """Return {output: array}: the program in float64, sinpi and its kin by our functions, sin and its kin by libm's."""
+def _computed(program, inputs, number):
+    """Return {output: Enclosed arrays}; number: what an input's array is taken for."""
     arguments = _arguments(program, inputs)
     with np.errstate(all="ignore"):
-        results = _float64_function(program)(*arguments)
-    results = results if isinstance(results, tuple) else (results,)
-    shaped = [np.broadcast_to(np.asarray(r, np.float64), arguments[0].shape) for r in results]
+        results = _function(program)(*map(number, arguments))
+    results = map(enclosed, results if isinstance(results, tuple) else (results,))
+    shaped = [Enclosed(*(np.broadcast_to(part, arguments[0].shape) for part in (r.value, r.bound))) for r in results]
     return {s.name: result for s, result in zip(program.outputs, shaped, strict=True)}
 
 
-def with_bounds(program: Program, inputs: Inputs) -> dict[str, running.Running]:
-    """Return {output: Running}: the same numbers as `in_float64`, and their running error bounds."""
-    arguments = _arguments(program, inputs)
-    exact = {s.name: running.Running(a) for s, a in zip(program.inputs, arguments, strict=True)}
-    with np.errstate(all="ignore"):
-        lines = _lines(program).run(exact, running.RUNNING)
-    return {s.name: running.running(lines[s.name]).spread(arguments[0].shape) for s in program.outputs}
+def in_float64(program: Program, inputs: Inputs) -> dict[str, np.ndarray]:
+    """Return {output: array}: the program in float64, sinpi and its kin by our functions, sin and its kin by libm's."""
+    return {name: result.value for name, result in _computed(program, inputs, np.asarray).items()}
+
+
+def with_bounds(program: Program, inputs: Inputs) -> dict[str, Enclosed]:
+    """Return {output: Enclosed arrays}: the numbers of `in_float64`, and bounds on how far they are from exact ones."""
+    return _computed(program, inputs, Enclosed)
 
 
 def in_balls(program: Program, inputs: Inputs) -> dict[str, np.ndarray]:
@@ -105,6 +101,6 @@ def vector_distance(
     return np.where((largest > 0) & (largest < np.inf), scaled, largest)
 
 
-def vector_bound(bounds: Mapping[str, running.Running], names: Iterable[str]) -> np.ndarray:
+def vector_bound(bounds: Mapping[str, Enclosed], names: Iterable[str]) -> np.ndarray:
     """Return the bound on the same distance."""
     return np.sqrt(sum(bounds[n].bound ** 2 for n in names))

@@ -7,7 +7,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene
 from verify.evaluate.arrays import distance, in_balls, in_float64, vector_distance
 from verify.evaluate.programs import naive_gradient
-from verify.evaluate.running import U
+from renderer.machines.enclosing import UNIT as U
 from verify.stability.geometry import VECTOR
 from verify.stability.pipelines import seed_tangent_vector, tangent_vector
 

@@ -5,7 +5,7 @@ import pytest
 
 from proofs.formulas.seed_hit import seed_normal
 from verify.evaluate.arrays import distance, in_balls, in_float64
-from verify.evaluate.running import U
+from renderer.machines.enclosing import UNIT as U
 from verify.stability import symmetry
 from verify.stability.geometry import image_points
 from verify.stability.pipelines import our_normal, tangent_vector
