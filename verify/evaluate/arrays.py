@@ -1,6 +1,6 @@
 """One program, three evaluations over arrays of inputs: float64, balls of 50 digits, float64 with bounds."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from typing import Any
 
@@ -10,11 +10,12 @@ import numpy as np
 from proofs.engine.program import Program
 from renderer import kernels, operations
 from renderer.generate.kernels import function_of
-from renderer.machines.enclosing import Enclosed, enclosed
+from renderer.machines.enclosing import UNIT, Enclosed, enclosed
 from verify.evaluate.balls import Balls
 
 Inputs = Mapping[str, Any]  # numbers or arrays
-BITS = 300  # 50 digits, and 40 to lose
+Taken = Callable[[float], flint.arb]  # what an input is taken for
+BITS, SHAKES = 300, 64  # 50 digits, and 40 to lose
 WIDEST, NOTHING = 2.0**-110, 1e-60  # a ball wider than both, against its size and at all, is no reference
 LIBM = {"sin": np.sin, "cos": np.cos, "acos": np.arccos, "atan2": np.arctan2}
 """The ordinary functions, which the seed's formulas call."""
@@ -55,18 +56,35 @@ def with_bounds(program: Program, inputs: Inputs) -> dict[str, Enclosed]:
     return _computed(program, inputs, Enclosed)
 
 
-def in_balls(program: Program, inputs: Inputs) -> dict[str, np.ndarray]:
-    """Return {output: array of balls} for the exact values of the inputs.
+def in_balls(program: Program, inputs: Inputs, taken: Taken = flint.arb) -> dict[str, np.ndarray]:
+    """Return {output: array of balls}; taken: what an input is taken for, by default its exact value.
 
     A ball that is too wide to judge float64 (an undecided comparison, a division by zero) is None.
     """
     arguments, balls = _arguments(program, inputs), _balls(program)
     names, outputs = [s.name for s in program.inputs], [s.name for s in program.outputs]
     table = np.empty((arguments[0].size, len(outputs)), object)
-    for row, point in zip(table, zip(*(a.ravel().tolist() for a in arguments), strict=True), strict=True):
-        lines, _ = balls(dict(zip(names, point, strict=True)), BITS)
-        row[:] = [lines[name] if _narrow(lines[name]) else None for name in outputs]
+    with flint.ctx.workprec(BITS):
+        for row, point in zip(table, zip(*(a.ravel().tolist() for a in arguments), strict=True), strict=True):
+            lines = balls(dict(zip(names, map(taken, point), strict=True)), BITS)
+            row[:] = [lines[name] if _narrow(lines[name]) else None for name in outputs]
     return {name: column.reshape(arguments[0].shape) for name, column in zip(outputs, table.T, strict=True)}
+
+
+def response(size: Any, change: Callable[[Taken], Any]) -> Any:
+    """Return how far a result is expected to be off: by 2⁻⁵³ of its size, or by what rounded inputs do to it.
+
+    change: given what inputs are taken for, how far the result moves, a number or an array; of 64 shakes of all inputs
+    by up to 1e-16 of themselves it is the largest.
+    """
+    random, most = np.random.default_rng(3), UNIT * size
+
+    def shaken(number):
+        return flint.arb(number) * (1 + flint.arb(random.uniform(-1e-16, 1e-16)))
+
+    for _ in range(SHAKES):
+        most = np.maximum(most, change(shaken))
+    return most
 
 
 def _narrow(ball):
