@@ -101,7 +101,7 @@ def _sine_piece(code, series, near, low, high, cosine, of_product):
     r = between(*ends) * (1 + arb(0, arb((1, -52)) if of_product else 0))  # as it is after rounding
     true = [end.cos_pi() if cosine else end.sin_pi() for end in ends]
     steepest = arb.pi() * (high.sin_pi() if cosine else ends[0].cos_pi()).abs_upper()
-    moved = steepest * Rounded(r, rounds=of_product, ends=ends).error
+    moved = steepest * Rounded(r, rounds=of_product, ends=ends).bound
     known = {"z": (0 if smallest else r.lower() ** 2, r.upper() ** 2), near: (*true, series.error(r) + moved)}
     return Piece(low, high, run(code, {"remainder": Rounded(r)}, known)[near].ulps())
 
@@ -149,13 +149,13 @@ class _Angle:
         smallest = high <= arb((1, SMALLEST))
         choice = {"middle": Rounded(middle), "steep": Rounded(steep)}
         selected = run(self.to_node, dict(choice))
-        node, value, correction = (selected[name].exact for name in ("node", "node_value", "node_correction"))
+        node, value, correction = (selected[name].value for name in ("node", "node_value", "node_correction"))
         ends = [(end - node) / (1 + node * end) for end in (low, high)]
         ratio = Rounded(between(*ends), self._ratio_error(low, high, choice, ends), ends=ends)
         true = [end.atan() / arb.pi() for end in (low, high)]
         off = (correction - (node.atan() / arb.pi() - value)).abs_upper()
         small = [end - value for end in true]
-        known = {"small_part": (*small, self.series.error(ratio.exact) + off), "first_octant": true}
+        known = {"small_part": (*small, self.series.error(ratio.value) + off), "first_octant": true}
         if smallest:
             known["ratio_squared"] = (0, high**2)
         scope = run(self.to_octant, choice | {"ratio": ratio, "node": Rounded(node)}, known)
@@ -164,9 +164,9 @@ class _Angle:
     def _octants(self, octant, smallest):
         """Return the ulps of the angle in the four octants above the axis; the others are their mirror images."""
         for number, code in enumerate(self.octants):
-            low = ZERO if smallest and number < 3 else octant.least
-            start = Rounded(between(low, octant.largest), octant.error, ends=(low, octant.largest))
-            ends = [run(code, {"first_octant": Rounded(end)})["half_plane"].exact for end in (low, octant.largest)]
+            low = ZERO if smallest and number < 3 else octant.smallest
+            start = Rounded(between(low, octant.largest), octant.bound, ends=(low, octant.largest))
+            ends = [run(code, {"first_octant": Rounded(end)})["half_plane"].value for end in (low, octant.largest)]
             yield run(code, {"first_octant": start}, {"half_plane": ends})["half_plane"].ulps()
 
     def _ratio_error(self, low, high, choice, ends):
@@ -175,7 +175,7 @@ class _Angle:
         for i in range(self.MANTISSAS):
             larger = between(1 + arb(i) / self.MANTISSAS, 1 + arb(i + 1) / self.MANTISSAS)
             sides = choice | {"larger": Rounded(larger), "smaller": Rounded(t * larger)}
-            worst = max(worst, run(self.to_ratio, sides, {"ratio": ends})["ratio"].error)
+            worst = max(worst, run(self.to_ratio, sides, {"ratio": ends})["ratio"].bound)
         return worst
 
 

@@ -94,7 +94,8 @@ def balls_of(field: str, model: str, lights: int, method: str = "exact") -> Ball
 def truth_of(frame: Frame, column: int, row: int, taken: Callable[[float], arb] = arb) -> dict[str, arb]:
     """Return the balls of every line of a frame's pixel; taken: what an input is taken for, by default its value."""
     scene, raster, method = frame.scene, frame.raster, frame.method
-    place = {"column": raster.crop[0] + column, "row": raster.crop[1] + row}
+    left, top, *_ = raster.crop or (0, 0)
+    place = {"column": left + column, "row": top + row}
     size = {"width": raster.width, "height": raster.height, "epsilon": method.eps or 0.0}
     balls = balls_of(scene.field, scene.model, len(lights_on(scene)), method.name)
     with ctx.workprec(BITS):
