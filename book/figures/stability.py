@@ -29,12 +29,12 @@ def _data(name):
 
 
 def _numbers(*names):
-    """Return the numbers of sweeps: points, escapes, undecided, sharpness, the worst of ours and of the others."""
+    """Return the numbers of sweeps: points, escapes, undecided, sharpness, the largest error of ours and of others."""
     numbers = {}
     for name in names:
         swept = sweep(name)
         numbers[name] = {what: getattr(swept, what) for what in ("points", "escaped", "undecided", "sharpness")}
-        numbers[name]["worst"] = swept.worst().max()
+        numbers[name] |= {"worst": swept.worst().max(), "in_responses": swept.in_responses()}
         for other in swept.others:
             numbers[name][other.split(",")[0].replace(" ", "_")] = np.nanmax(swept.worst(other))
     return numbers
@@ -123,8 +123,10 @@ def stability_symmetry() -> Drawing:
 
 @figure
 def stability_totals() -> Drawing:
-    """All sweeps together: points, escapes, undecided; numbers only."""
+    """All sweeps together: points, escapes, undecided, the largest error in responses; numbers only."""
     swept = [sweep(name) for name in SWEEPS]
     totals = {what: sum(getattr(each, what) for each in swept) for what in ("points", "escaped", "undecided")}
     sharpness = np.median([each.sharpness for each in swept])
-    return Drawing(numbers={"all": totals, "sweeps": len(swept), "sharpness": sharpness})
+    values, largest = sum(len(each.parameter) for each in swept), max(each.in_responses() for each in swept)
+    numbers = {"all": totals, "sweeps": len(swept), "sharpness": sharpness, "values": values, "in_responses": largest}
+    return Drawing(numbers=numbers | _numbers("hit_of_b", "normal_of_b", "shadow"))

@@ -1,16 +1,20 @@
 """Every stress sweep stays under its bounds, and the bounds say something."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from proofs.formulas.seed_hit import seed_normal
+from proofs.formulas.symbols import normal
 from renderer.machines.enclosing import UNIT
 from verify.evaluate.arrays import distance, in_balls, in_float64
 from verify.stability import symmetry
+from verify.stability.bodies import smaller_and_smaller_b
 from verify.stability.geometry import image_points
 from verify.stability.pipelines import our_normal, tangent_vector
 from verify.stability.rows import SWEEPS, sweep
-from verify.stability.sweep import Sweep
+from verify.test_bounds import cancelling_normal_of_b
 
 ALLOWED = 8 * UNIT
 
@@ -24,6 +28,18 @@ def test_no_point_escapes_its_bound(name):
     assert 1 < seen.sharpness < 100
 
 
+@pytest.mark.parametrize("name", SWEEPS)
+def test_no_error_is_above_30_responses(name):
+    assert sweep(name).in_responses() <= 30
+
+
+def test_formulas_that_cancel_are_above_30_responses():
+    """The seed's, and P − C of the hit for the normal of B."""
+    assert sweep("pole").in_responses("seed") > 30
+    assert sweep("near_to_far").in_responses("seed") > 30
+    assert smaller_and_smaller_b(normal, cancelling_normal_of_b()).in_responses() > 30
+
+
 def test_the_seeds_normal_is_the_same_in_exact_arithmetic():
     at = image_points(np.linspace(0.1, 1, 9), 5, 1)
     exact = [in_balls(program, at) for program in (seed_normal, our_normal)]
@@ -35,7 +51,7 @@ def test_the_seeds_form_escapes(name):
     """The check can fail: other formulas for the same numbers do not pass it."""
     ours = sweep(name)
     for errors in ours.others.values():
-        assert Sweep(ours.parameter, errors, ours.bounds).escaped > 100
+        assert replace(ours, errors=errors).escaped > 100
 
 
 def test_toward_the_pole_nothing_is_lost():
