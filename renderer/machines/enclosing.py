@@ -189,23 +189,24 @@ class Operations:
         return Enclosed(root, (where(by_slope < by_size, by_slope, by_size) + own) * SLACK)
 
     @staticmethod
-    def floor(number: Enclosed) -> Enclosed:
-        """A whole number within the bound of the number may be either one's."""
-        below, nearest = operations.floor(number.value), operations.rint(number.value)
+    def _whole(number, found, away):
+        """Return a whole number that is found, which may be the next one where what changes it is in reach."""
         if is_zero(number.bound):
-            return Enclosed(below)
-        reaches = (abs(number.value - nearest) <= number.bound * SLACK) & (number.bound > 0.0)
-        return Enclosed(below, where(reaches, 1.0, 0.0) + operations.floor(number.bound))
+            return Enclosed(found)
+        reaches = (away <= number.bound * SLACK) & (number.bound > 0.0)
+        return Enclosed(found, where(reaches, 1.0, 0.0) + operations.floor(number.bound))
 
-    @staticmethod
-    def rint(number: Enclosed) -> Enclosed:
+    @classmethod
+    def floor(cls, number: Enclosed) -> Enclosed:
+        """A whole number within the bound of the number may be either one's."""
+        away = abs(number.value - operations.rint(number.value))
+        return cls._whole(number, operations.floor(number.value), away)
+
+    @classmethod
+    def rint(cls, number: Enclosed) -> Enclosed:
         """The same of halves."""
         nearest = operations.rint(number.value)
-        if is_zero(number.bound):
-            return Enclosed(nearest)
-        to_half = abs(abs(number.value - nearest) - 0.5)
-        reaches = to_half <= number.bound * SLACK
-        return Enclosed(nearest, where(reaches, 1.0, 0.0) + operations.floor(number.bound))
+        return cls._whole(number, nearest, abs(abs(number.value - nearest) - 0.5))
 
     @staticmethod
     def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:

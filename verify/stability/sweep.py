@@ -15,8 +15,7 @@ from verify.evaluate.arrays import Inputs, distance, in_balls, length, response
 class Sweep:
     """errors, bounds: (values, samples). others: {name: errors}, for comparison, without a bound.
 
-    responses: (values,), of the sample with the largest error at each value, how far it is expected to be off. A NaN
-    error is a point without a reference: 53 bits do not decide there on which side of a jump it lies.
+    responses: (values,), of the sample with the largest error at each value, how far it is expected to be off.
     """
 
     parameter: np.ndarray
@@ -27,20 +26,13 @@ class Sweep:
 
     @property
     def points(self) -> int:
-        """How many points have a reference."""
-        return self.errors.size - self.undecided
-
-    @property
-    def undecided(self) -> int:
-        """How many have none."""
-        return int(np.isnan(self.errors).sum())
+        """How many points were measured."""
+        return self.errors.size
 
     @property
     def escaped(self) -> int:
-        """How many errors are above their bound, or their bound is not finite."""
-        return int(
-            np.count_nonzero(~np.isnan(self.errors) & ~((self.errors <= self.bounds) & np.isfinite(self.bounds)))
-        )
+        """How many errors are above their bound, or have no reference, or no finite bound."""
+        return int(np.count_nonzero(~((self.errors <= self.bounds) & np.isfinite(self.bounds))))
 
     @property
     def sharpness(self) -> float:
@@ -58,10 +50,6 @@ class Sweep:
         errors = self.errors if name is None else self.others[name]
         finite = np.where(np.isfinite(errors), errors, -1.0).max(axis=1)
         return np.where(finite < 0, np.nan, finite)
-
-    def worst_bound(self) -> np.ndarray:
-        """Return the largest bound at each value."""
-        return np.where(np.isnan(self.errors), 0.0, self.bounds).max(axis=1)
 
 
 def _apart(values, others, scales, norm):
@@ -86,7 +74,7 @@ def measured(
     errors = {name: _apart(numbers, truth, scales, norm) for name, numbers in {"ours": values, **others}.items()}
     off = errors.pop("ours")
     bounds = norm([ours[name].bound / scale for name, scale in scales.items()])
-    worst = np.arange(len(off)), np.where(np.isnan(off), -1.0, off).argmax(axis=1)
+    worst = np.arange(len(off)), off.argmax(axis=1)
 
     def at_worst(arrays):
         return {name: np.broadcast_to(array, off.shape)[worst] for name, array in arrays.items()}
