@@ -25,9 +25,8 @@ def image_points(rho: np.ndarray, samples: int, seed: int, eye: ArrayLike = EYE)
 
 
 def _of_normal(parameter, inputs):
-    return measured(
-        parameter, with_bounds(our_normal, inputs), our_normal, inputs, NORMAL, seed=in_float64(seed_normal, inputs)
-    )
+    seed = {"seed": in_float64(seed_normal, inputs)}
+    return measured(parameter, with_bounds(our_normal, inputs), our_normal, inputs, NORMAL, seed)
 
 
 def toward_the_pole(form: str = "algebraic", sines: np.ndarray = SINES, samples: int = 12, seed: int = 1) -> Sweep:
@@ -40,7 +39,7 @@ def toward_the_pole(form: str = "algebraic", sines: np.ndarray = SINES, samples:
     inputs = image_points(rho, samples, seed) | {"k_u": 8.0, "k_v": 4.0}
     others = {name: seed_tangent_vector("ridges", inputs, name != "seed") for name in ("seed", "seed with fallback")}
     ours = with_bounds(tangent_vector("ridges", form), inputs)
-    return measured(sines, ours, tangent_vector("ridges", "general"), inputs, VECTOR, **others)
+    return measured(sines, ours, tangent_vector("ridges", "general"), inputs, VECTOR, others)
 
 
 def toward_the_silhouette(samples: int = 40, values: int = 57, seed: int = 2) -> Sweep:

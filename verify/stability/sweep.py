@@ -62,16 +62,18 @@ def measured(
     exact: Program,
     inputs: Inputs,
     scales: Mapping[str, Any],
+    others: Mapping[str, Mapping[str, np.ndarray]] | None = None,
     norm: Callable = length,
-    **others: Mapping[str, np.ndarray],
 ) -> Sweep:
     """Return the Sweep of our numbers, with bounds, against what a program computes without rounding.
 
-    scales: {output: by what its errors are divided}. norm: what is taken of the outputs' errors, given all of them.
-    others: {name: {output: array}} of other ways to compute the same.
+    scales: {output: by what its errors are divided}. others: {name: {output: array}} of other ways to compute the
+    same. norm: what is taken of the outputs' errors, given all of them.
     """
     truth, values = in_balls(exact, inputs), {name: ours[name].value for name in scales}
-    errors = {name: _apart(numbers, truth, scales, norm) for name, numbers in {"ours": values, **others}.items()}
+    errors = {
+        name: _apart(numbers, truth, scales, norm) for name, numbers in {"ours": values, **(others or {})}.items()
+    }
     off = errors.pop("ours")
     bounds = norm([ours[name].bound / scale for name, scale in scales.items()])
     worst = np.arange(len(off)), off.argmax(axis=1)

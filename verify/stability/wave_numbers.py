@@ -52,4 +52,4 @@ def large_wave_numbers(field: str, pairs: ArrayLike | None = None, samples: int 
         "reduced, rounded product": in_float64(rounded_product_gradient(known), inputs),
     }
     ours, larger = with_bounds(program, inputs), partial(np.max, axis=0)
-    return measured(np.abs(waves[0]), ours, program, inputs, scales, larger, **others)
+    return measured(np.abs(waves[0]), ours, program, inputs, scales, others, larger)
