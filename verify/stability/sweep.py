@@ -71,10 +71,8 @@ def measured(
     same. norm: what is taken of the outputs' errors, given all of them.
     """
     truth, values = in_balls(exact, inputs), {name: ours[name].value for name in scales}
-    errors = {
-        name: _apart(numbers, truth, scales, norm) for name, numbers in {"ours": values, **(others or {})}.items()
-    }
-    off = errors.pop("ours")
+    off = _apart(values, truth, scales, norm)
+    errors = {name: _apart(numbers, truth, scales, norm) for name, numbers in (others or {}).items()}
     bounds = norm([ours[name].bound / scale for name, scale in scales.items()])
     worst = np.arange(len(off)), off.argmax(axis=1)
 
