@@ -91,7 +91,7 @@ class Stage:
         """
         raster = self.raster_of(of_a=want.get("surfaces") == "a")
         numbers = numbers_of(scene, method)
-        bounds = input_bounds(scene, self.raster, numbers[0], len(raster[0])) if want.get("bounds") else None
+        bounds = input_bounds(scene, self.raster, len(raster[0])) if want.get("bounds") else None
         job = Job(*numbers, *raster, {"code": self._codes} | planes, bounds)
         draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)
         starts = range(0, len(self.y), rows)
