@@ -134,7 +134,7 @@ def test_bounds_have_the_same_bytes_on_every_machine(name, browser):
 
 def test_a_browser_that_bounds_otherwise_is_noticed(browser, monkeypatch):
     ours = bytes_of(numpy_rows.drawer, *ENCLOSED["sine"])
-    monkeypatch.setattr(enclosing, "UNIT", 2.0**-52)
+    monkeypatch.setattr(enclosing, "ROUNDING", 2.0**-52)
     with browser.new_page() as tab:
         found = bytes_of(drawer_in(tab), *ENCLOSED["sine"])
     assert [name for name in ours if ours[name] != found[name]] == ["bounds"]

@@ -4,8 +4,15 @@ What is enclosed is the same formula in real arithmetic, of the exact numbers th
 are its own, to the last bit. A mask says where something holds, and where the bounds leave that open; a selection
 whose mask is open covers both of its sides. A bound that is the float 0.0 is of an exact number, and costs nothing.
 
-Bounds are rounded too: an operation's own has at most seven roundings, which the factor SLACK exceeds, and what they
-and the value's own lose below the normal range is less than LEAST. A bound that is NaN decides nothing.
+A bound is kept as a number of roundings, of 2⁻⁵³ each: a result's own rounding is then at most its size. These counts
+are rounded too, and an operation's by at most eight factors 1 − 2⁻⁵³. What it adds up or multiplies by sizes are counts
+of its operands, which are as much too small as their own operations made them; so a count is too small by n·2⁻⁵⁰ of it
+where n operations lead to it one after another. A pixel has fewer than 2²⁹, so that ROUNDING, the unit by which a count
+becomes a bound, makes up for all of them: where a bound is asked for, compared, or multiplied by another bound. Of
+the elementary functions, which ask for bounds, each one makes up for its own by SLACK.
+
+What is lost below the normal range is less than LEAST, or as a count than LEAST_COUNT. A bound that is NaN decides
+nothing.
 """
 
 import math
@@ -23,6 +30,9 @@ UNIT = 2.0**-53
 LEAST, LEAST_NORMAL = 2.0**-1060, 2.0**-1022
 VANISHING = 2.0**-1020  # more than exp(−708), below which exp and power may be 0
 SLACK = 1.0 + 2.0**-49
+ROUNDING = UNIT * (1.0 + 2.0**-20)
+LEAST_COUNT = LEAST / UNIT
+ROOT_OF_ROUNDING = 2.0**26 * 1.4142136  # more than 1/√UNIT
 
 
 def _is_zero(bound):
@@ -41,21 +51,19 @@ def _times(size, bound):
     return 0.0 if _is_zero(bound) else size * bound
 
 
-def _own(product, one, other):
-    """Return how far the rounding of a product takes it; a literal power of two moves none that is large enough."""
-    for literal, scaled in ((one, other), (other, one)):
-        if type(literal) is float and abs(math.frexp(literal)[0]) == 0.5:
-            lost = (abs(product) < LEAST_NORMAL) & (abs(scaled) > 0.0)
-            return 0.0 if abs(literal) >= 1.0 else where(lost, LEAST, 0.0)
-    return UNIT * abs(product) + _least(one, other)
+def _scales(number):
+    """Return whether a number is a literal power of two, which moves no bit of what it multiplies."""
+    return type(number.value) is float and abs(math.frexp(number.value)[0]) == 0.5
 
 
 def _least(*factors):
-    """Return what is lost below the normal range: nothing where a factor is 0, as on the picture's middle line."""
-    least = LEAST
+    """Return what is lost below the normal range: nothing where a factor is an exact 0 that is to stay one."""
+    least = LEAST_COUNT
     for factor in factors:
-        if type(factor) is not float:
-            least = where(factor == 0.0, 0.0, least)
+        if type(factor.value) is float:
+            least = least if factor.value else 0.0
+        elif factor.stays_exact:
+            least = where(factor.is_zero, 0.0, least)
     return least
 
 
@@ -99,12 +107,38 @@ def _either(one, other):
 
 
 class Enclosed:
-    """A number of the inner machine, and a bound on its distance from the exact one."""
+    """A number of the inner machine, and a bound on its distance from the exact one.
+
+    stays_exact: whether it is looked for what is exact, at some cost: a product with an exact 0, as on the picture's
+    middle line, and a sum without rounding, as of whole numbers.
+    """
 
     __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, value: Any, bound: Any = 0.0):
-        self.value, self.bound = value, bound
+    def __init__(self, value: Any, bound: Any = 0.0, stays_exact: bool = False):
+        self.value, self.roundings, self.stays_exact = value, _times(1.0 / UNIT, bound), stays_exact
+
+    @classmethod
+    def counted(cls, value: Any, roundings: Any, stays_exact: bool = False) -> "Enclosed":
+        """Return an Enclosed whose bound is so many roundings."""
+        number = cls(value, stays_exact=stays_exact)
+        number.roundings = roundings
+        return number
+
+    @property
+    def bound(self) -> Any:
+        """The bound itself."""
+        return _times(ROUNDING, self.roundings)
+
+    @property
+    def size(self) -> Any:
+        """At least the exact number's."""
+        return _plus(abs(self.value), self.bound)
+
+    @property
+    def is_zero(self) -> Any:
+        """Where it is an exact 0."""
+        return _plus(abs(self.value), self.roundings) == 0.0
 
     @property
     def machine(self) -> type:
@@ -112,17 +146,19 @@ class Enclosed:
         return Operations
 
     def __neg__(self):
-        return Enclosed(-self.value, self.bound)
+        return Enclosed.counted(-self.value, self.roundings, self.stays_exact)
 
     def __abs__(self):
-        return Enclosed(abs(self.value), self.bound)
+        return Enclosed.counted(abs(self.value), self.roundings, self.stays_exact)
 
     def __add__(self, other):
         other = enclosed(other)
-        total = self.value + other.value
-        part = total - self.value  # the sum's own error is a number, which two more sums find (Knuth)
-        error = abs((self.value - (total - part)) + (other.value - part))
-        return Enclosed(total, _plus(self.bound, other.bound, error) * SLACK)
+        total, moved = self.value + other.value, _plus(self.roundings, other.roundings)
+        own, stays_exact = abs(total), self.stays_exact and other.stays_exact
+        if stays_exact or _is_zero(moved):  # the sum's own error is a number, which two more sums find (Knuth)
+            part = total - self.value
+            own = abs((self.value - (total - part)) + (other.value - part)) * (1.0 / UNIT)
+        return Enclosed.counted(total, _plus(moved, own), stays_exact)
 
     __radd__ = __add__
 
@@ -133,25 +169,35 @@ class Enclosed:
         return enclosed(other) - self
 
     def __mul__(self, other):
-        other = enclosed(other)
-        product, bounds = self.value * other.value, (self.bound, other.bound)
-        moved = _times(abs(self.value), other.bound), _times(abs(other.value), self.bound)
-        both = 0.0 if any(map(_is_zero, bounds)) else self.bound * other.bound
-        return Enclosed(product, _plus(*moved, both, _own(product, self.value, other.value)) * SLACK)
+        """|ab − a'b'| is at most |a| Δb + (|b| + Δb) Δa, and the product's own rounding that of |a| |b|."""
+        one, other = self, enclosed(other)
+        if _scales(other) or (_is_zero(other.roundings) and not _scales(one)):
+            one, other = other, one
+        product, stays_exact = one.value * other.value, one.stays_exact or other.stays_exact
+        if _scales(one):
+            lost = 0.0 if abs(one.value) >= 1.0 else _least(other)
+            if other.stays_exact and not _is_zero(lost):
+                lost = where(abs(product) < LEAST_NORMAL, lost, 0.0)
+            return Enclosed.counted(product, _plus(_times(abs(one.value), other.roundings), lost), stays_exact)
+        moved = abs(one.value) * _plus(other.roundings, abs(other.value)), _times(other.size, one.roundings)
+        return Enclosed.counted(product, _plus(*moved, _least(one, other)), stays_exact)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other):
         other = enclosed(other)
-        quotient, least = self.value / other.value, abs(other.value)
-        moved = _plus(self.bound, _times(abs(quotient), other.bound))
-        own = UNIT * abs(quotient) + _least(self.value)
-        if _is_zero(moved):
-            return Enclosed(quotient, own * SLACK)
-        if _is_zero(other.bound):
-            return Enclosed(quotient, (moved / least + own) * SLACK)
-        least = least - other.bound * SLACK
-        return Enclosed(quotient, where(least > 0.0, (moved / least + own) * SLACK, math.inf))
+        quotient = self.value / other.value
+        moved = _plus(self.roundings, _times(abs(quotient), other.roundings))
+        if not _is_zero(moved):
+            moved = moved * other._inverse()
+        return Enclosed.counted(quotient, _plus(moved, abs(quotient), _least(self)), self.stays_exact)
+
+    def _inverse(self):
+        """Return 1/|b| of the smallest b within the bound, infinite if that may be 0."""
+        if _is_zero(self.roundings):
+            return 1.0 / abs(self.value)
+        least = abs(self.value) - self.bound
+        return where(least > 0.0, 1.0 / least, math.inf)
 
     def __rtruediv__(self, other):
         return enclosed(other) / self
@@ -161,12 +207,12 @@ class Enclosed:
             if self is other:  # x = x, which asks for NaN
                 return Mask(compare(self.value, self.value))
             other = enclosed(other)
-            bound = _plus(self.bound, other.bound)
+            roundings = _plus(self.roundings, other.roundings)
             holds = compare(self.value, other.value)
-            if _is_zero(bound):
+            if _is_zero(roundings):
                 return Mask(holds)
-            apart = abs(self.value - other.value) > bound * SLACK
-            return Mask(holds, ~apart & ~(bound == 0.0))
+            apart = abs(self.value - other.value) > roundings * ROUNDING
+            return Mask(holds, ~apart & ~(roundings == 0.0))
 
         return compared
 
@@ -189,7 +235,8 @@ def enclosed(number: Any) -> Enclosed:
         return number
     if isinstance(number, Constant):
         return Enclosed(float(number), number.error)
-    return Enclosed(float(number) if isinstance(number, int) else number)
+    literal = isinstance(number, int | float)
+    return Enclosed(float(number) if literal else number, stays_exact=literal)
 
 
 def _ends(number):
@@ -210,41 +257,40 @@ class Operations:
             mask = Mask(mask)
         value, otherwise = enclosed(value), enclosed(otherwise)
         chosen = where(mask.holds, value.value, otherwise.value)
-        exact = _is_zero(value.bound) and _is_zero(otherwise.bound)
-        bound = 0.0 if exact else where(mask.holds, value.bound, otherwise.bound)
-        if mask.open is None:
-            return Enclosed(chosen, bound)
-        apart = _plus(abs(value.value - otherwise.value), value.bound, otherwise.bound) * SLACK
-        return Enclosed(chosen, where(mask.open, apart, bound))
+        exact = _is_zero(value.roundings) and _is_zero(otherwise.roundings)
+        roundings = 0.0 if exact else where(mask.holds, value.roundings, otherwise.roundings)
+        if mask.open is not None:
+            apart = abs(value.value - otherwise.value) * (1.0 / UNIT)
+            roundings = where(mask.open, _plus(apart, value.roundings, otherwise.roundings), roundings)
+        return Enclosed.counted(chosen, roundings, value.stays_exact and otherwise.stays_exact)
 
     @staticmethod
     def sqrt(number: Enclosed) -> Enclosed:
         """|√a − √b| is at most |a − b|/√a, and at most √|a − b|."""
-        root = operations.sqrt(number.value)
-        own = UNIT * root
-        if _is_zero(number.bound):
-            return Enclosed(root, own)
-        by_slope, by_size = number.bound / root, operations.sqrt(number.bound)
-        return Enclosed(root, (where(by_slope < by_size, by_slope, by_size) + own) * SLACK)
+        root, moved = operations.sqrt(number.value), 0.0
+        if not _is_zero(number.roundings):
+            by_slope, by_size = number.roundings / root, operations.sqrt(number.roundings) * ROOT_OF_ROUNDING
+            moved = where(by_slope < by_size, by_slope, by_size)
+        return Enclosed.counted(root, _plus(moved, root), number.stays_exact)
 
     @staticmethod
     def floor(number: Enclosed) -> Enclosed:
         """A whole number within the bound of the number may be either one's."""
         below, nearest = operations.floor(number.value), operations.rint(number.value)
         if _is_zero(number.bound):
-            return Enclosed(below)
+            return Enclosed(below, stays_exact=True)
         reaches = (abs(number.value - nearest) <= number.bound * SLACK) & (number.bound > 0.0)
-        return Enclosed(below, where(reaches, 1.0, 0.0) + operations.floor(number.bound))
+        return Enclosed(below, where(reaches, 1.0, 0.0) + operations.floor(number.bound), True)
 
     @staticmethod
     def rint(number: Enclosed) -> Enclosed:
         """The same of halves."""
         nearest = operations.rint(number.value)
         if _is_zero(number.bound):
-            return Enclosed(nearest)
+            return Enclosed(nearest, stays_exact=True)
         to_half = abs(abs(number.value - nearest) - 0.5)
         reaches = to_half <= number.bound * SLACK
-        return Enclosed(nearest, where(reaches, 1.0, 0.0) + operations.floor(number.bound))
+        return Enclosed(nearest, where(reaches, 1.0, 0.0) + operations.floor(number.bound), True)
 
     @staticmethod
     def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
@@ -353,18 +399,19 @@ class Variable:
 
     def __init__(self, machine: Any, number: Any):
         number = enclosed(number)
-        self._value, self._bound = machine.variable(number.value), machine.variable(number.bound)
+        self._stays_exact = number.stays_exact
+        self._value, self._roundings = machine.variable(number.value), machine.variable(number.roundings)
 
     @property
     def value(self) -> Enclosed:
         """The present value."""
-        return Enclosed(self._value.value, self._bound.value)
+        return Enclosed.counted(self._value.value, self._roundings.value, self._stays_exact)
 
     def set(self, number: Any, mask: Mask | None = None) -> None:
         """Put a value in its place, where the mask holds."""
         number = enclosed(number) if mask is None else Operations.where(mask, number, self.value)
         self._value.set(number.value)
-        self._bound.set(number.bound)
+        self._roundings.set(number.roundings)
 
 
 class Enclosing:
@@ -402,10 +449,12 @@ class Enclosing:
         """Return `result_of` the alternative of an index that is the same everywhere."""
 
         def parts(alternative):
-            return [part for number in map(enclosed, result_of(alternative)) for part in (number.value, number.bound)]
+            return [
+                part for number in map(enclosed, result_of(alternative)) for part in (number.value, number.roundings)
+            ]
 
         flat = self.inner.choose(alternatives, index.value, parts)
-        return [Enclosed(*flat[at : at + 2]) for at in range(0, len(flat), 2)]
+        return [Enclosed.counted(*flat[at : at + 2]) for at in range(0, len(flat), 2)]
 
     def by_squaring(self, exponent: Enclosed, first: Callable, square: Callable, multiply: Callable) -> None:
         """As the inner machine."""
@@ -439,7 +488,7 @@ class Pixels:
 
     def __init__(self, machine: Enclosing, pixels: Any, x_bound: Any, y_bound: Any):
         self._machine = machine
-        self.x, self.y, self._pixels = Enclosed(pixels.x, x_bound), Enclosed(pixels.y, y_bound), pixels
+        self.x, self.y, self._pixels = Enclosed(pixels.x, x_bound, True), Enclosed(pixels.y, y_bound, True), pixels
 
     def load(self, name: str) -> Enclosed:
         """Return a plane's numbers, which are taken for exact."""
@@ -450,10 +499,12 @@ class Pixels:
         number = enclosed(number)
         self._pixels.store(name, number.value)
         if name == "code":
-            decided = (number.bound == 0.0) & (self._machine.creases.value == 0.0)
+            # two codes differ by 1 at least
+            decided = (number.bound < 0.5) & (self._machine.creases.value == 0.0)
             self._pixels.store("open", where(decided, 0.0, 1.0))
         elif f"{name}_bound" in BOUNDS:
-            self._pixels.store(f"{name}_bound", where(number.bound < 1.0, number.bound, 1.0))  # also where it is NaN
+            bound = number.bound
+            self._pixels.store(f"{name}_bound", where(bound < 1.0, bound, 1.0))  # also where it is NaN
 
 
 def enclosing_group(
