@@ -204,15 +204,31 @@ def one_sided(mask, value, otherwise):
     return Enclosed(operations.where(*chosen), operations.where(*bound))
 
 
+def without_own_rounding(a, b):
+    """Return a product whose own rounding is left out."""
+    return Enclosed(a.value * b.value, abs(a.value) * b.bound + abs(b.value) * a.bound + a.bound * b.bound)
+
+
+def without_second_order(a, b):
+    """Return a product without the product of the bounds."""
+    own = enclosing.UNIT * abs(a.value * b.value)
+    return Enclosed(a.value * b.value, abs(a.value) * b.bound + abs(b.value) * a.bound + own)
+
+
+def uncounted(kind, value, roundings, keeps_zero=False):
+    """Return an Enclosed whose bound is halved."""
+    return kind(value, 0.5 * enclosing.UNIT * roundings, keeps_zero)
+
+
 @pytest.mark.parametrize(("broken", "name", "value", "operation"), [
-    (enclosing, "_own", lambda *factors: 0.0, "product"),
-    (enclosing, "UNIT", 0.0, "quotient"),
+    (Enclosed, "__mul__", without_own_rounding, "product"),
+    (Enclosed, "counted", classmethod(uncounted), "quotient"),
+    (Enclosed, "counted", classmethod(uncounted), "sum"),
     (enclosing.Operations, "where", staticmethod(one_sided), "selected"),
     (Mask, "__init__", lambda self, holds, open_=None: vars(self).update(holds=holds, open=None), "both"),
     (kernels, "ULPS", {name: ulps / 2 for name, ulps in kernels.ULPS.items()}, "exp"),
     (kernels, "ULPS", {name: ulps / 2 for name, ulps in kernels.ULPS.items()}, "log"),
-    (Enclosed, "__mul__", lambda a, b: Enclosed(a.value * b.value, abs(a.value) * b.bound + abs(b.value) * a.bound
-                                                + enclosing._own(a.value * b.value, a.value, b.value)), "product"),
+    (Enclosed, "__mul__", without_second_order, "product"),
 ])  # fmt: skip
 def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
     """A rounding left out, a selection of one side, a mask taken for decided, constants halved, no second order."""

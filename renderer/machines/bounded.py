@@ -1,6 +1,6 @@
 """How bounds propagate: how far a sum, a product or a quotient is off, where what it is made of is off.
 
-What rounding adds is for a kind of numbers to say. A bound that is the float 0.0 is of an exact number, and costs
+What rounding adds is for a kind of numbers to say. An error that is the float 0.0 is of an exact number, and costs
 nothing.
 """
 
@@ -26,25 +26,23 @@ def times(size: Any, bound: Any) -> Any:
 
 
 class Bounded:
-    """A value, and a bound on its distance from the exact one.
+    """A value, and as `error` a bound on its distance from the exact one, in the unit of its kind.
 
-    A kind of them has `of`, which makes one of any number; `least`, below which no exact number's size can be;
-    `rounded`, which is given a result's value, how far it is moved, and what `lost_in_sum`, `lost_in_product` or
-    `lost_in_quotient` says of its rounding.
+    A kind of them has `of`, which makes one of any number; `size`, which no exact number exceeds; `inverse`, which no
+    inverse of one exceeds; `size_of_quotient`, the same of a quotient as computed; and `rounded`, which is given a
+    result's value, how far it is moved, and what `lost_in_sum`, `lost_in_product` or `lost_in_quotient` says of its
+    rounding.
     """
 
     __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, value: Any, bound: Any = 0.0):
-        self.value, self.bound = value, bound
-
-    def __neg__(self):
-        return type(self)(-self.value, self.bound)
+    def __init__(self, value: Any, error: Any = 0.0):
+        self.value, self.error = value, error
 
     def __add__(self, other):
         other = self.of(other)
         total = self.value + other.value
-        return self.rounded(total, plus(self.bound, other.bound), self.lost_in_sum(other, total))
+        return self.rounded(total, plus(self.error, other.error), self.lost_in_sum(other, total))
 
     def __sub__(self, other):
         return self + -self.of(other)
@@ -53,9 +51,8 @@ class Bounded:
         return self.of(other) - self
 
     def product_moves(self, other: Any) -> Any:
-        """Return how far the product of two Bounded is moved, its second-order term included."""
-        both = 0.0 if is_zero(self.bound) else times(self.bound, other.bound)
-        return plus(times(abs(self.value), other.bound), times(abs(other.value), self.bound), both)
+        """Return how far the product of two Bounded is moved: |ab − a'b'| ≤ |a| |b − b'| + |b'| |a − a'|."""
+        return plus(times(abs(self.value), other.error), times(other.size, self.error))
 
     def __mul__(self, other):
         other = self.of(other)
@@ -63,11 +60,13 @@ class Bounded:
         return self.rounded(product, self.product_moves(other), self.lost_in_product(other, product))
 
     def __truediv__(self, other):
+        """|a/b − a'/b'| ≤ (|a − a'| + |a/b| |b − b'|)/|b'|."""
         other = self.of(other)
         quotient = self.value / other.value
-        moved = plus(self.bound, times(abs(quotient), other.bound))
-        moved = moved if is_zero(moved) else moved / other.least()
-        return self.rounded(quotient, moved, self.lost_in_quotient(quotient))
+        size = self.size_of_quotient(quotient)
+        moved = plus(self.error, times(size, other.error))
+        moved = moved if is_zero(moved) else moved * other.inverse()
+        return self.rounded(quotient, moved, self.lost_in_quotient(size))
 
     def __rtruediv__(self, other):
         return self.of(other) / self

@@ -1,5 +1,6 @@
 """What is rounded before the shader begins, and how far off it is: image points, A's reach, some colours."""
 
+from functools import lru_cache
 from itertools import repeat
 from types import SimpleNamespace
 
@@ -7,9 +8,10 @@ import numpy as np
 
 from renderer.kernels import ambient_term, floor_albedo, image_extent, image_x, image_y, silhouette_of_a
 from renderer.machines.enclosing import SLACK, UNIT, Enclosed
+from renderer.scene.methods import exact
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import SCENE_FORM, flat, of_form
+from renderer.shader.numbers import flat, of_form, scene_numbers
 
 
 def _lengths(scene):
@@ -44,11 +46,10 @@ def of_scene(scene: Scene, numbers: SimpleNamespace) -> SimpleNamespace:
     return SimpleNamespace(**vars(of_form(numbers, repeat(0.0))) | own)
 
 
-def input_bounds(
-    scene: Scene, raster: Raster, numbers: np.ndarray, wide: int
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+@lru_cache(maxsize=16)
+def input_bounds(scene: Scene, raster: Raster, wide: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return a Job's `bounds`: of x, (wide,) with 0 beyond the raster, of y, and of the scene's numbers."""
     of_x, of_y = of_image_points(scene, raster)
     padded = np.zeros(wide)
     padded[: len(of_x)] = of_x
-    return padded, of_y, np.array(flat(of_scene(scene, of_form(SCENE_FORM, numbers))))
+    return padded, of_y, np.array(flat(of_scene(scene, scene_numbers(scene, exact()))))

@@ -87,7 +87,7 @@ def _sine_piece(code, series, near, low, high, cosine, of_product):
     r = between(*ends) * (1 + arb(0, arb((1, -52)) if of_product else 0))  # as it is after rounding
     true = [end.cos_pi() if cosine else end.sin_pi() for end in ends]
     steepest = arb.pi() * (high.sin_pi() if cosine else ends[0].cos_pi()).abs_upper()
-    moved = steepest * Rounded(r, rounds=of_product, ends=ends).bound
+    moved = steepest * Rounded(r, rounds=of_product, ends=ends).error
     known = {"z": (0 if smallest else r.lower() ** 2, r.upper() ** 2), near: (*true, series.error(r) + moved)}
     return Piece(low, high, run(code, {"remainder": Rounded(r)}, known)[near].ulps())
 
@@ -151,7 +151,7 @@ class _Angle:
         """Return the ulps of the angle in the four octants above the axis; the others are their mirror images."""
         for number, code in enumerate(self.octants):
             low = ZERO if smallest and number < 3 else octant.smallest
-            start = Rounded(between(low, octant.largest), octant.bound, ends=(low, octant.largest))
+            start = Rounded(between(low, octant.largest), octant.error, ends=(low, octant.largest))
             ends = [run(code, {"first_octant": Rounded(end)})["half_plane"].value for end in (low, octant.largest)]
             yield run(code, {"first_octant": start}, {"half_plane": ends})["half_plane"].ulps()
 
@@ -161,7 +161,7 @@ class _Angle:
         for i in range(self.MANTISSAS):
             larger = between(1 + arb(i) / self.MANTISSAS, 1 + arb(i + 1) / self.MANTISSAS)
             sides = choice | {"larger": Rounded(larger), "smaller": Rounded(t * larger)}
-            worst = max(worst, run(self.to_ratio, sides, {"ratio": ends})["ratio"].bound)
+            worst = max(worst, run(self.to_ratio, sides, {"ratio": ends})["ratio"].error)
         return worst
 
 

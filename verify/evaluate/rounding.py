@@ -44,7 +44,7 @@ def half_a_unit(magnitude: arb, inherited: arb) -> arb:
 
 
 class Rounded(Bounded):
-    """`value`: a ball around what exact arithmetic gives; `bound`: an upper bound of |computed − exact|."""
+    """`value`: a ball around what exact arithmetic gives; `error`: an upper bound of |computed − exact|."""
 
     def __init__(
         self, value: arb | float, moved: arb = ZERO, rounds: bool = False, ends: tuple[arb, arb] | None = None
@@ -54,12 +54,12 @@ class Rounded(Bounded):
         A ball's radius has 30 bits, so that its ends may lie beyond the power of two at which a range ends.
         """
         super().__init__(arb(value), arb(moved).upper())
-        self.moved, self.rounds = self.bound, rounds
+        self.moved, self.rounds = self.error, rounds
         low, high = map(arb, ends or (value, value))
         self.largest = max(low.abs_upper(), high.abs_upper())
         self.smallest = ZERO if self.value.contains(0) else min(low.abs_lower(), high.abs_lower())
         if rounds and not self.largest.is_zero():
-            self.bound = (self.moved + half_a_unit(self.largest, self.moved)).upper()
+            self.error = (self.moved + half_a_unit(self.largest, self.moved)).upper()
 
     def known_as(self, low: arb, high: arb, apart: arb = ZERO) -> "Rounded":
         """Return the number as an approximation of one in [low, high], from which exact arithmetic is `apart`."""
@@ -68,11 +68,11 @@ class Rounded(Bounded):
     def ulps(self) -> arb:
         """Return the error in ulps of the float64 nearest to the exact number: below 2^e and next to it, of 2^e."""
         nearest = self.smallest * (1 + arb((1, -54)) * (1 - arb((1, -30))))
-        return (self.bound / unit_in_the_last_place(nearest.lower())).upper()
+        return (self.error / unit_in_the_last_place(nearest.lower())).upper()
 
     def computed(self) -> arb:
         """Return a ball around the float64 number."""
-        return self.value + arb(0, self.bound)
+        return self.value + arb(0, self.error)
 
     @staticmethod
     def of(number: "Rounded | arb | float") -> "Rounded":
@@ -91,16 +91,29 @@ class Rounded(Bounded):
         """Return whether a product does: not by 0, nor by a power of two."""
         return not any(n.computed().is_exact() and abs(int(n.value.man_exp()[0])) <= 1 for n in (self, other))
 
+    @staticmethod
+    def size_of_quotient(quotient: arb) -> arb:
+        """Return the size of a quotient."""
+        return abs(quotient)
+
     def lost_in_quotient(self, _: arb) -> bool:
         """Return whether a quotient does."""
         return True
 
-    def least(self) -> arb:
-        """Return how small the float64 number can be. Raises Undecided where it may be 0."""
+    @property
+    def size(self) -> arb:
+        """Return how large the float64 number can be."""
+        return abs(self.value) + self.error
+
+    def inverse(self) -> arb:
+        """Return how large the inverse of the float64 number can be. Raises Undecided where that may be 0."""
         least = self.computed().abs_lower()
         if not least > 0:
             raise Undecided("a division by what may be zero")
-        return least
+        return 1 / least
+
+    def __neg__(self):
+        return Rounded(-self.value, self.error)
 
     def __gt__(self, other):
         mine, others = self.computed(), self.of(other).computed()

@@ -67,7 +67,8 @@ def test_a_comparison_that_rounding_can_turn_covers_both_branches():
     near = Enclosed(np.array([1.0, 1.0]), np.array([1e-3, 0.0]))
     chosen = operations.where(near >= 1.0005, 5.0, 2.0)
     assert chosen.value.tolist() == [2.0, 2.0]
-    np.testing.assert_allclose(chosen.bound, [3.0, 0.0], rtol=1e-14)
+    assert (chosen.bound >= [3.0, 0.0]).all()  # and no more than what makes up for rounded bounds
+    np.testing.assert_allclose(chosen.bound, [3.0, 0.0], rtol=1e-6)
 
 
 def test_a_divisor_that_may_be_zero_has_no_bound():

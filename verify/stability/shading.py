@@ -106,5 +106,5 @@ def any_shininess(whole: bool = True, values: int = 91, samples: int = 24, seed:
     ours = with_bounds(highlight, inputs)
     for row in np.flatnonzero(powers == np.rint(powers)):
         raised = by_squaring(Enclosed(base[row]), int(powers[row]))
-        ours[specular.name].value[row], ours[specular.name].bound[row] = raised.value, raised.bound
+        ours[specular.name].value[row], ours[specular.name].error[row] = raised.value, raised.error
     return measured(powers, ours, highlight, inputs, {specular.name: 1.0})
