@@ -6,7 +6,7 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import GAP, panels
 from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, TELLING_EPS, averaged, numeric, symbolic
 from renderer import central, exact, render
-from renderer.picture.sweep import difference_on_a, rms
+from renderer.picture.differences import difference_on_a, rms
 from renderer.picture.views import difference_logarithmic, image_view, kink_view, slope_view, to_bytes
 
 LOW, HIGH = -8, 0
