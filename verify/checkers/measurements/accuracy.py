@@ -20,23 +20,23 @@ def _pixels():
     return checked_pixels(SCENES), checked_pixels(SHININESSES, each=10)
 
 
-@measures("pixel_accuracy", false={"within 5e-16 off the rim": {"tolerance": 5e-16}, "60-bit balls": {"share": 2**-7}})
+@measures("pixel_accuracy", false={"within 5e-16 off the rim": {"tolerance": 5e-16}, "60-bit bounds": {"share": 2**-7}})
 def pixels(tolerance: float = TOLERANCE, share: float = 1.0) -> Measurement:
     """Random and adversarial pixels of every field and model, and of other exponents of shininess."""
     default, other = _pixels()
     decided = [p for p in (*default, *other) if not p.undecided]
     off_rim = [p for p in default if p.off_rim and not p.undecided]
-    rest = [p.error / p.radius for p in decided if p.radius > 0]
+    rest = [p.error / p.bound for p in decided if p.bound > 0]
     return Measurement(
         samples=len(decided),
         seed=SEED,
         worst=max(p.error for p in off_rim),
         bound=tolerance,
         holds=not problems((*default, *other), share) and len(off_rim) >= 1500 and len(decided) >= 2000,
-        what="the largest error of a channel off the rim, default shininess; elsewhere below the radius of the balls",
+        what="the largest error of a channel off the rim, default shininess; everywhere below the pixel's bound",
         numbers={
             "undecided": len(default) + len(other) - len(decided),
-            "largest_share_of_the_radius": max(rest),
+            "largest_share_of_the_bound": max(rest),
             "rim_largest": max(p.error for p in default if not p.off_rim and not p.undecided),
         },
     )
