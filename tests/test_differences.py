@@ -8,32 +8,22 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
-from proofs.formulas.finite_difference import METHODS
-from proofs.formulas.height_fields import HEIGHT_FIELDS
-from proofs.formulas.pixel import CHANNELS, pixel
 from renderer import Scene, central, exact, render
 from renderer.picture import differences
 from renderer.picture.differences import certain_digits, distance_on_a, rms, rounded_up
 from renderer.picture.frame import Frame
-from verify.evaluate.balls import Balls
-from verify.reference import lights_on, scene_values
+from verify.accuracy.pixels import BITS, COLORS, truth_of
 
-BITS, SIDE = 256, 12
+SIDE = 12
 SCENE = Scene(field="sine")
 
 
 def colours_of(frame, exactly):
     """Return a frame's colours on A as numbers of 256 bits: its own float64 ones, or the true ones of its formula."""
-    scene, method = frame.scene, frame.method
-    by = [METHODS[method.name](HEIGHT_FIELDS[scene.field])] if method.eps else []
-    balls = Balls(pixel(HEIGHT_FIELDS[scene.field], scene.model, len(lights_on(scene)), *by))
     for row, column in np.argwhere(frame.stage.on_a).tolist():
-        if not exactly:
-            yield from (arb(float(part)) for part in frame.rgb[row, column])
-            continue
-        size = {"width": SIDE, "height": SIDE, "epsilon": method.eps or 0.0}
-        true = balls(scene_values(scene, column=column, row=row, **size), BITS)[0]
-        yield from (true[f"rgb_{channel}"] for channel in CHANNELS)
+        truth = truth_of(frame, column, row)
+        own = (arb(float(part)) for part in frame.rgb[row, column])
+        yield from (truth[name] for name in COLORS) if exactly else own
 
 
 def missed(method, bounds):

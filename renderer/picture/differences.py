@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from decimal import ROUND_CEILING, Context, Decimal
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 
 import numpy as np
 
@@ -21,6 +21,31 @@ class Interval:
     lower: float
     upper: float
 
+    def __format__(self, form: str) -> str:
+        """Return what both ends are in a format, or without one the digits that are certain.
+
+        Raises ValueError where the format asks for more than is certain, or no digit is.
+        """
+        ends = {format(end, form) for end in (self.lower, self.upper)} if form else {self.certain}
+        if len(ends) > 1 or ends == {""}:
+            raise ValueError(f"{form or 'a digit'!r} of a number from {self.lower!r} to {self.upper!r} is not certain")
+        return ends.pop()
+
+    @property
+    def certain(self) -> str:
+        """The digits that are certain, at most DIGITS."""
+        return certain_digits(self.lower, self.upper)
+
+    def outward(self, digits: int = 2) -> tuple[float, float]:
+        """Return numbers of so many digits that it certainly lies between."""
+        down = Context(prec=digits, rounding=ROUND_FLOOR).create_decimal(Decimal(self.lower))
+        return float(down), float(rounded_up(self.upper, digits))
+
+    def times(self, factor: float) -> "Interval":
+        """Return the interval of so many times the number; factor: 100, say, which is exact."""
+        down, up = 1 - 2 * UNIT, 1 + 4 * UNIT
+        return Interval(self.value * factor, self.lower * factor * down, self.upper * factor * up)
+
 
 def certain_digits(lower: float, upper: float, digits: int = DIGITS) -> str:
     """Return the number that both ends are when they are rounded to a count of significant digits.
@@ -35,9 +60,9 @@ def certain_digits(lower: float, upper: float, digits: int = DIGITS) -> str:
     return ""
 
 
-def rounded_up(upper: float) -> str:
-    """Return a number of one digit that is not below `upper`, as text: what is certain where no digit is."""
-    return f"{float(Context(prec=1, rounding=ROUND_CEILING).create_decimal(Decimal(upper))):.1g}"
+def rounded_up(upper: float, digits: int = 1) -> str:
+    """Return a number of so many digits that is not below `upper`, as text: what is certain where no digit is."""
+    return f"{float(Context(prec=digits, rounding=ROUND_CEILING).create_decimal(Decimal(upper))):.{digits}g}"
 
 
 def difference_on_a(frame: Frame, reference: Frame) -> np.ndarray:
