@@ -261,12 +261,16 @@ def test_b_is_as_accurate_as_its_condition():
     assert worst_on_b() <= 30
 
 
-def test_a_normal_that_cancels_is_noticed(monkeypatch, by_rows):
-    """P − C of the hit, which is what was there."""
+def cancelling_normal_of_b():
+    """Return the program of P and N of B by P − C of the hit, which is what was there."""
     from_hit = tuple(p - c for p, c in zip(point, ball_center, strict=True))
-    cancelling = chain("normal_of_b", point_on_b, Program("outward", (point, ball_center, ball_radius),
-                       tuple((n, d / ball_radius) for n, d in zip(normal, from_hit, strict=True))),
-                       outputs=(*point, *normal))  # fmt: skip
+    outward = tuple((n, d / ball_radius) for n, d in zip(normal, from_hit, strict=True))
+    lines = Program("outward", (point, ball_center, ball_radius), outward, normal)
+    return chain("normal_of_b", point_on_b, lines, outputs=(*point, *normal))
+
+
+def test_a_normal_that_cancels_is_noticed(monkeypatch, by_rows):
+    cancelling = cancelling_normal_of_b()
     function, names = function_of(cancelling), [s.name for s in cancelling.inputs]
     wanted = [s.name for s in (x, y, eye, *ball_center, ball_radius)]
     on = {"ball_on": enclosing.enclosed(1.0)}

@@ -24,7 +24,7 @@ from verify.evaluate.balls import Balls
 from verify.reference import lights_on, scene_values
 
 SIZE, EACH, SEED, BITS = 255, 46, 5, 256  # an odd size: a column of pixels lies on x = 0, on a crease
-OFF_RIM, TOLERANCE, WIDEST = 0.01, 5e-14, 1e-40
+WIDEST = 1e-40
 COLORS = tuple(f"rgb_{c}" for c in CHANNELS)
 SCENES = {f"{field}, {model}": Scene(field=field, model=model) for field, model in product(HEIGHT_FIELDS, LIGHT_MODELS)}
 SHININESSES = {
@@ -34,9 +34,7 @@ SHININESSES = {
 
 
 class Checked(NamedTuple):
-    """One pixel. error, bound: the largest of its channels; off_rim: 1 − (ρ/ρ_s)² ≥ 0.01; undecided: by the frame's
-    bounds, or by the balls, as on a crease.
-    """
+    """One pixel. error, bound: the largest of its channels; undecided: by the frame's bounds, or by the balls."""
 
     scene: str
     kind: str
@@ -44,7 +42,6 @@ class Checked(NamedTuple):
     row: int
     error: float
     bound: float
-    off_rim: bool
     undecided: bool
     same_chamber: bool
 
@@ -94,7 +91,8 @@ def balls_of(field: str, model: str, lights: int, method: str = "exact") -> Ball
 def truth_of(frame: Frame, column: int, row: int, taken: Callable[[float], arb] = arb) -> dict[str, arb]:
     """Return the balls of every line of a frame's pixel; taken: what an input is taken for, by default its value."""
     scene, raster, method = frame.scene, frame.raster, frame.method
-    place = {"column": raster.crop[0] + column, "row": raster.crop[1] + row}
+    left, top, *_ = raster.crop or (0, 0)
+    place = {"column": left + column, "row": top + row}
     size = {"width": raster.width, "height": raster.height, "epsilon": method.eps or 0.0}
     balls = balls_of(scene.field, scene.model, len(lights_on(scene)), method.name)
     with ctx.workprec(BITS):
@@ -105,17 +103,6 @@ def errors_of(frame: Frame, column: int, row: int, truth: Mapping[str, arb]) -> 
     """Return how far each channel of a pixel is from the truth."""
     with ctx.workprec(BITS):
         return [abs(arb(float(c)) - truth[name]) for c, name in zip(frame.rgb[row, column], COLORS, strict=True)]
-
-
-def _off_rim(scene, lines):
-    """Return whether the ray's distance from the centre of the sphere that it hits is below √0.99 radii."""
-    seen = int(lines["surface"].unique_fmpz() or 0)
-    if seen == 1:
-        return bool(1 - (lines["rho"] / lines["rho_silhouette"]) ** 2 >= OFF_RIM)
-    if seen == 2:
-        squared = lines["x"] ** 2 + lines["y"] ** 2 + arb(scene.eye) ** 2
-        return bool(lines["discriminant_b"] / (squared * arb(scene.ball_radius) ** 2) >= OFF_RIM)
-    return seen == 3
 
 
 def code_of(scene: Scene, truth: Mapping[str, arb]) -> int:
@@ -133,11 +120,9 @@ def checked_pixel(name: str, frame: Frame, kind: str, column: int, row: int) -> 
     """Return a pixel of a frame with bounds, Checked."""
     truth, bounds = truth_of(frame, column, row), frame.bounds[row, column]
     errors = [float(error.upper()) for error in errors_of(frame, column, row, truth)]
-    with ctx.workprec(BITS):
-        off_rim = _off_rim(frame.scene, truth)
     undecided = bool(frame.open[row, column]) or any(float(truth[name].rad()) > WIDEST for name in COLORS)
     same_chamber = code_of(frame.scene, truth) == int(frame.chambers[row, column])
-    return Checked(name, kind, column, row, max(errors), bounds.max(), off_rim, undecided, same_chamber)
+    return Checked(name, kind, column, row, max(errors), bounds.max(), undecided, same_chamber)
 
 
 def checked_pixels(scenes: Mapping[str, Scene], each: int = EACH) -> list[Checked]:

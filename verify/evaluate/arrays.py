@@ -1,6 +1,6 @@
 """One program, three evaluations over arrays of inputs: float64, balls of 50 digits, float64 with bounds."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -42,7 +42,7 @@ def _computed(program, inputs, number):
     with np.errstate(all="ignore"):
         results = _function(program)(*map(number, arguments))
     results = map(enclosed, results if isinstance(results, tuple) else (results,))
-    shaped = [Enclosed(*(np.broadcast_to(part, arguments[0].shape) for part in (r.value, r.bound))) for r in results]
+    shaped = [Enclosed(*(np.full(arguments[0].shape, part) for part in (r.value, r.bound))) for r in results]
     return {s.name: result for s, result in zip(program.outputs, shaped, strict=True)}
 
 
@@ -83,7 +83,7 @@ def response(size: Any, change: Callable[[Taken], Any]) -> Any:
         return flint.arb(number) * (1 + flint.arb(random.uniform(-1e-16, 1e-16)))
 
     for _ in range(SHAKES):
-        most = np.maximum(most, change(shaken))
+        most = np.fmax(most, change(shaken))
     return most
 
 
@@ -108,17 +108,9 @@ def distance(values: np.ndarray, balls: np.ndarray) -> np.ndarray:
     return np.abs(signed_distance(values, balls))
 
 
-def vector_distance(
-    values: Mapping[str, np.ndarray], balls: Mapping[str, np.ndarray], names: Iterable[str]
-) -> np.ndarray:
-    """Return |value − ball| of the vector with the given components, √ of the sum of squares."""
-    parts = np.array([distance(values[n], balls[n]) for n in names])
-    largest = parts.max(axis=0)
+def length(parts: Sequence[np.ndarray]) -> np.ndarray:
+    """Return the length of a vector of components, none of which is negative: √ of the sum of squares."""
+    largest = np.max(parts, axis=0)
     with np.errstate(all="ignore"):
         scaled = np.sqrt(((parts / largest) ** 2).sum(axis=0)) * largest
     return np.where((largest > 0) & (largest < np.inf), scaled, largest)
-
-
-def vector_bound(bounds: Mapping[str, Enclosed], names: Iterable[str]) -> np.ndarray:
-    """Return the bound on the same distance."""
-    return np.sqrt(sum(bounds[n].bound ** 2 for n in names))

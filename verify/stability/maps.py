@@ -6,7 +6,7 @@ from proofs.formulas.camera import silhouette_of_a
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene
 from renderer.machines.enclosing import UNIT
-from verify.evaluate.arrays import distance, in_balls, in_float64, vector_distance
+from verify.evaluate.arrays import distance, in_balls, in_float64, length
 from verify.evaluate.programs import naive_gradient
 from verify.stability.geometry import VECTOR
 from verify.stability.pipelines import seed_tangent_vector, tangent_vector
@@ -54,7 +54,7 @@ def over_the_image(scene: Scene | None = None, size: int = 192, reach: float = 1
     ours = in_float64(tangent_vector(scene.field, "algebraic", scene.ku, scene.kv), inputs)
     maps, unit = np.full((2, size, size), np.nan), UNIT * np.pi * max(scene.ku, scene.kv)
     for plane, vector in zip(maps, (seed_tangent_vector(scene.field, inputs), ours), strict=True):
-        plane[on_a] = vector_distance(vector, truth, VECTOR) / unit
+        plane[on_a] = length([distance(vector[name], truth[name]) for name in VECTOR]) / unit
     return dict(zip(("seed", "ours"), maps, strict=True))
 
 
