@@ -49,7 +49,7 @@ def test_figures_are_looked_at_again_when_code_or_a_drawing_changed(monkeypatch,
     assert not keys.nothing_changed()
     keys.remember(keys.all_sources())
     assert keys.nothing_changed()
-    monkeypatch.setattr(keys.check, "sources", lambda: [stamps.LOCK_FILE])
+    monkeypatch.setattr(keys.check, "checked_files", lambda: [stamps.LOCK_FILE])
     assert not keys.nothing_changed()
 
 
