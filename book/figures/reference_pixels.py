@@ -31,10 +31,10 @@ def reference_pixels() -> Drawing:
             values = [getattr(p, what) for p in decided if p.kind == kind and getattr(p, what) > 0]
             dots(ax, values, np.full(len(values), row + shift), role, 4, marker)
     ax.set_yticks(range(len(kinds)), kinds)
-    limits = {"xlim": (1e-20, 1e-9), "ylim": (-0.6, len(kinds) - 0.1)}
+    limits = {"xlim": (1e-20, 1e-8), "ylim": (-0.6, len(kinds) - 0.1)}
     decades(ax, 2, None, **limits, xlabel="error of a channel, and its bound")
     label_line_end(ax, 7e-19, len(kinds) - 0.88, "error", "difference", "left")
-    label_line_end(ax, 4e-12, len(kinds) - 1.2, "bound", "reference")
+    label_line_end(ax, 1e-10, len(kinds) - 1.2, "bound", "reference")
     numbers = {"pixels": len(pixels), "decided": len(decided), "largest": max(p.error for p in decided)}
     numbers["largest_share"] = max(p.error / p.bound for p in decided if p.bound > 0)
     data = {name: [getattr(p, name) for p in pixels] for name in ("kind", "error", "bound")}

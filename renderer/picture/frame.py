@@ -82,6 +82,11 @@ class Frame:
         """(height, width, 3) float64 in [0, 1]."""
         return np.moveaxis(self.planes, 0, -1)  # type: ignore[arg-type]  # an error if they are handed over
 
+    @property
+    def bounded(self) -> bool:
+        """Whether it was drawn with `bounds=True`."""
+        return self._enclosure is not None
+
     def _enclosed(self, name, part):
         if self._enclosure is None:
             raise not_allowed(name, None, "a frame drawn by render(..., bounds=True)")
