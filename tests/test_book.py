@@ -94,7 +94,7 @@ def test_second_build_does_nothing(site):
     index = website.INDEX.stat().st_mtime_ns
     website.build()
     assert website.INDEX.stat().st_mtime_ns == index
-    assert stamps.read("site") == website.sources()
+    assert stamps.read("site") == website.site_hashes()
 
 
 def test_make_help_lists_every_target():

@@ -45,7 +45,7 @@ def test_checks_run_again_when_something_changed_and_until_they_pass(stamped, mo
 
 
 def test_check_reaches_code_and_data_but_no_prose():
-    names = {path.relative_to(stamps.ROOT).as_posix() for path in check.sources()}
+    names = {path.relative_to(stamps.ROOT).as_posix() for path in check.checked_files()}
     assert {"requirements.lock", "pyproject.toml", "book/assembly/stamps.py", "tests/data/seed_64.npz"} <= names
     assert any(name.startswith("proofs/") for name in names)
     assert not any(name.endswith(".md") for name in names if name.startswith("book/"))
@@ -93,9 +93,9 @@ def test_an_edited_page_is_built_alone_and_the_site_has_the_bytes_of_a_whole_bui
     [("An aardvark", "Two", True), ("# Bumps", "# Hills", False), ("s1)=", "s2)=", False), ("Blinn", "Peer", False)],
 )
 def test_what_other_pages_see_of_a_page_builds_them_all(small_book, old, new, same):
-    before, page = website.foundation(website.sources()), small_book / "s1.md"
+    before, page = website.foundation(website.site_hashes()), small_book / "s1.md"
     page.write_text(page.read_text().replace(old, new))
-    assert (website.foundation(website.sources()) == before) == same
+    assert (website.foundation(website.site_hashes()) == before) == same
 
 
 def test_failed_build_leaves_the_old_site_and_no_stamp(small_book, monkeypatch):

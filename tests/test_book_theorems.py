@@ -48,7 +48,7 @@ def fresh_report(tmp_path, monkeypatch):
     monkeypatch.setattr(report, "REPORT", path)
     monkeypatch.setattr(report, "sources", lambda: {"proofs/x.py": "1"})
     monkeypatch.setattr(stamps, "STAMPS", tmp_path / "stamps")
-    report.remember(report.sources())
+    report.remember(report.reported_hashes())
     return path
 
 
@@ -141,7 +141,7 @@ def test_a_report_that_is_stale_edited_by_hand_or_missing_is_refused(fresh_repor
 
 
 def test_report_depends_on_proofs_and_checkers():
-    names = report.sources().keys()
+    names = report.reported_hashes().keys()
     assert {"proofs/engine/kernel.py", "proofs/certificates/kink_loci.json", "verify/checkers/witness.py"} <= names
 
 

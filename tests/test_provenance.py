@@ -45,26 +45,26 @@ def imported() -> dict[str, set[str]]:
 
 
 @pytest.fixture(scope="module")
-def sources() -> dict[str, dict[str, str]]:
-    """Figure → its sources, while no file looks edited."""
-    return {id: keys.sources(entry) for id, entry in all_figures().items()}
+def hashes_of_figures() -> dict[str, dict[str, str]]:
+    """Figure → the hashes of its files, while no file looks edited."""
+    return {id: keys.figure_hashes(entry) for id, entry in all_figures().items()}
 
 
 def module_of(entry) -> str:
     return keys.source_file(entry).stem
 
 
-def test_keys_have_every_module_that_python_imports(imported, sources):
+def test_keys_have_every_module_that_python_imports(imported, hashes_of_figures):
     for entry in all_figures().values():
         python = imported[module_of(entry)]
         assert f"book/figures/{module_of(entry)}.py" in python and len(python) > 3
-        assert python <= sources[entry.id].keys(), entry.id
+        assert python <= hashes_of_figures[entry.id].keys(), entry.id
 
 
-def test_keys_have_data_style_and_lock_and_nothing_that_the_quick_look_misses(sources):
+def test_keys_have_data_style_and_lock_and_nothing_that_the_quick_look_misses(hashes_of_figures):
     seen = keys.all_sources().keys()
     for entry in all_figures().values():
-        now = sources[entry.id].keys()
+        now = hashes_of_figures[entry.id].keys()
         assert {"requirements.lock", "book/drawing/matplotlibrc", "python", *entry.data} <= now
         assert now <= seen, f"{entry.id}: `make figures` would not look"
 
@@ -78,14 +78,14 @@ def edited(monkeypatch, name):
 
 
 @pytest.fixture
-def drawn(sources, monkeypatch, tmp_path):
+def drawn(hashes_of_figures, monkeypatch, tmp_path):
     """Every figure, as if it had just been drawn; what is drawn now."""
     monkeypatch.setattr(stamps, "STAMPS", tmp_path)
     monkeypatch.setattr(keys, "GENERATED", tmp_path / "generated")
     monkeypatch.setattr(draw, "PROCESSES", 1)
     drawings = []
     monkeypatch.setattr(save, "save", lambda entry, *rest: drawings.append(entry.id) or [])
-    for id, now in sources.items():
+    for id, now in hashes_of_figures.items():
         stamps.write(f"figures/{id}", {"files": [], "sources": now})
     return drawings
 
@@ -96,17 +96,17 @@ def drawn(sources, monkeypatch, tmp_path):
      "book/drawing/data.py", "proofs/formulas/symbols.py", "verify/results/work_precision.json", "requirements.lock",
      "book/drawing/matplotlibrc"],
 )  # fmt: skip
-def test_editing_one_file_draws_all_that_reach_it_and_says_why(name, sources, drawn, monkeypatch, capsys):
+def test_editing_one_file_draws_all_that_reach_it_and_says_why(name, hashes_of_figures, drawn, monkeypatch, capsys):
     assert draw.draw() == 0 and drawn == []
-    reach = {id for id, now in sources.items() if name in now}
+    reach = {id for id, now in hashes_of_figures.items() if name in now}
     edited(monkeypatch, name)
     capsys.readouterr()
     assert draw.draw() == len(reach) > 0
     assert sorted(drawn) == sorted(reach)
-    assert len(reach) < len(sources) or name not in NARROW, f"figures import too widely: {name}"
+    assert len(reach) < len(hashes_of_figures) or name not in NARROW, f"figures import too widely: {name}"
     said = capsys.readouterr().out
     assert said.count(f"({name} changed") == len(reach)
-    assert f"  {len(reach)} drawn, {len(sources) - len(reach)} up to date" in said
+    assert f"  {len(reach)} drawn, {len(hashes_of_figures) - len(reach)} up to date" in said
     drawn.clear()
     assert draw.draw() == 0 and drawn == []  # and once is enough
 
@@ -149,8 +149,8 @@ def test_file_that_is_read_and_not_in_the_key_is_an_error():
     with keys.files_read() as seen:
         save.draw_files(entry)
     with pytest.raises(ValueError, match=r"'careless' read verify/results/work_precision.json.*data="):
-        keys.require(entry, seen, keys.sources(Registered("declares_nothing", all_figures()["hero"].draw)))
-    keys.require(entry, seen, keys.sources(all_figures()["work_precision"]))
+        keys.require(entry, seen, keys.figure_hashes(Registered("declares_nothing", all_figures()["hero"].draw)))
+    keys.require(entry, seen, keys.figure_hashes(all_figures()["work_precision"]))
 
 
 def test_trace_sees_lazy_imports_as_sources_and_nothing_outside(tmp_path):
@@ -196,7 +196,7 @@ def test_every_drawn_figure_says_where_it_comes_from(site):
     for id, entry in all_figures().items():
         description = json.loads((keys.GENERATED / f"{id}.json").read_text())
         assert (description["id"], description["function"]) == (id, entry.draw.__name__)
-        assert description["key"] == stamps.key(keys.sources(entry)), f"{id} was drawn from other sources"
+        assert description["key"] == stamps.key(keys.figure_hashes(entry)), f"{id} was drawn from other sources"
         if description["kind"] != "numbers":
             assert description["data"] in {f"{id}.csv", f"{id}.npz"}
             assert read_data(description["data"], (keys.GENERATED / description["data"]).read_bytes())

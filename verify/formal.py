@@ -115,17 +115,17 @@ def record() -> dict:
     if not RECORD.is_file():
         return {}
     content = json.loads(RECORD.read_text(encoding="utf-8"))
-    return content["theorems"] if content["sources"] == sources() else {}
+    return content["theorems"] if content["sources"] == coq_hashes() else {}
 
 
-def sources() -> dict[str, str]:
+def coq_hashes() -> dict[str, str]:
     """Return {file: hash} of everything that Coq reads; which Python asks it is no matter."""
     return {path: of for path, of in hashes(FOLDER.glob("*.v")).items() if path != "python"}
 
 
 def seen() -> str:
     """Return the key of what Coq reads and of what the record says of it, to be KEPT where Coq said so, too."""
-    return key({"sources": sources(), "record": RECORD.read_text(encoding="utf-8")})
+    return key({"sources": coq_hashes(), "record": RECORD.read_text(encoding="utf-8")})
 
 
 def _coqc(folder: Path, name: str) -> str:
@@ -231,7 +231,7 @@ def main() -> None:
     else:
         table = compile_files(*asked.file)
         if not asked.file:
-            text = json.dumps({"sources": sources(), "theorems": table}, indent=1, ensure_ascii=False)
+            text = json.dumps({"sources": coq_hashes(), "theorems": table}, indent=1, ensure_ascii=False)
             write_whole(RECORD, f"{text}\n".encode())
             write_whole(KEPT, seen().encode())
     for theorem, entry in table.items():

@@ -3,7 +3,7 @@
 import pytest
 
 from proofs.engine.theorem import all_theorems
-from verify.checkers import kept, measured, proof_checker
+from verify.checkers import measured, measurement_cache, proof_checker
 from verify.checkers.grades import NOT_RECHECKED
 
 THEOREMS = all_theorems()
@@ -21,11 +21,11 @@ def test_theorem(theorem_id, record_evidence, pytestconfig):
         points = proof_checker.LONG_POINTS if pytestconfig.getoption("--long") else proof_checker.POINTS
         found = proof_checker.examine(theorem, THEOREMS, pytestconfig.getoption("search"), points)
     else:
-        key = kept.key_of(theorem)
-        found = None if pytestconfig.getoption("fresh") else kept.read(theorem, key)
+        key = measurement_cache.key_of(theorem)
+        found = None if pytestconfig.getoption("fresh") else measurement_cache.read(theorem, key)
         took = "kept" if found else None
         if found is None:
             found = measured.examine(theorem, THEOREMS)
-            kept.keep(found, key)
+            measurement_cache.keep(found, key)
     record_evidence(found.record | {"killed": f"{found.mutants_killed}/{found.mutants}"}, took)
     assert found.grade == theorem.expected, "\n".join([f"{theorem.id}: {theorem.title}", *found.problems])

@@ -11,7 +11,7 @@ FILES = ("requirements.lock", "pyproject.toml", "conftest.py")
 PROSE = {".md", ".bib", ".css", ".yml", ".toml"}
 
 
-def sources() -> Iterator[Path]:
+def checked_files() -> Iterator[Path]:
     """Every file that the proofs can depend on: all but the book's prose and looks."""
     for folder in FOLDERS:
         for path in stamps.files_in(stamps.ROOT / folder):
@@ -22,7 +22,7 @@ def sources() -> Iterator[Path]:
 
 def run() -> None:
     """Run `pytest verify`, which writes the report that the book reads, or say why there is no need to."""
-    now = stamps.hashes(sources())
+    now = stamps.hashes(checked_files())
     if stamps.read("check") == now | {"report": report.digest()}:
         print("  skipped: they passed, and nothing that they can reach has changed since")
         return

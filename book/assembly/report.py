@@ -21,7 +21,7 @@ def packages() -> list[Path]:
     return [path for folder in ("proofs", "renderer", "verify") for path in stamps.files_in(stamps.ROOT / folder)]
 
 
-def sources() -> dict[str, str]:
+def reported_hashes() -> dict[str, str]:
     return stamps.hashes([*packages(), stamps.LOCK_FILE, stamps.ROOT / "book" / "references.bib"])
 
 
@@ -36,7 +36,7 @@ def remember(before: dict[str, str]) -> None:
 
 def run(tests: str) -> None:
     """Run tests of the checker, which write the report, and note from which sources it was made."""
-    before = sources()
+    before = reported_hashes()
     stamps.remove("report")
     subprocess.run([sys.executable, "-m", "pytest", tests, "-q", "-n", "2"], cwd=stamps.ROOT, check=True)
     remember(before)
@@ -44,7 +44,7 @@ def run(tests: str) -> None:
 
 def is_fresh() -> bool:
     """Whether the report is the one that a run over the sources as they are has written."""
-    return REPORT.is_file() and stamps.read("report") == {"sources": stamps.key(sources()), "report": digest()}
+    return REPORT.is_file() and stamps.read("report") == {"sources": stamps.key(reported_hashes()), "report": digest()}
 
 
 def make() -> None:

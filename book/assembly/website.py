@@ -23,7 +23,7 @@ EPOCH = "1735689600"  # the date that Sphinx is told: 2025-01-01, so that two bu
 STRUCTURE = re.compile(r"^[ \t>]*(?:#|\(|:::|```|---|\w+:).*\n|\{cite[^`]*`[^`]*`", re.MULTILINE)
 
 
-def sources() -> dict[str, str]:
+def site_hashes() -> dict[str, str]:
     """The hashes of everything that the site is made from, drawn figures included."""
     files = [path for folder in (BOOK, BOOK / "_generated") for path in stamps.files_in(folder)]
     tests = (stamps.ROOT / "tests").glob("*.py")  # the ledger names them, and the site shows those
@@ -66,7 +66,7 @@ def build(whole: bool = False) -> None:
 
     whole: build all, unless that is how the site was made last.
     """
-    now, kept = sources(), stamps.read("pages") or {}
+    now, kept = site_hashes(), stamps.read("pages") or {}
     if stamps.read("site") == now and INDEX.is_file() and not (whole and kept.get("edited")):
         print("  skipped: nothing that it is made from has changed")
         return

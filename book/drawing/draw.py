@@ -50,7 +50,7 @@ def draw(ids: Sequence[str] = (), force: bool = False) -> int:
     _remove_unclaimed(figures)
     waiting = []
     for entry in (figures[id] for id in ids or figures):
-        now = keys.sources(entry)
+        now = keys.figure_hashes(entry)
         if reason := "asked for" if force else keys.why_redraw(entry, now):
             waiting.append(Waiting(entry, now, reason))
             stamps.remove(f"figures/{entry.id}")

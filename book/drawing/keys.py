@@ -21,7 +21,7 @@ _watching: set[Path] | None = None
 
 def all_sources() -> dict[str, str]:
     """The hashes of all code and data in the repository that a figure could reach, found without importing one."""
-    return stamps.hashes(check.sources())
+    return stamps.hashes(check.checked_files())
 
 
 def nothing_changed() -> bool:
@@ -42,7 +42,7 @@ def source_file(entry: Registered) -> Path:
     return Path(inspect.getsourcefile(inspect.unwrap(entry.draw))).resolve()
 
 
-def sources(entry: Registered) -> dict[str, str]:
+def figure_hashes(entry: Registered) -> dict[str, str]:
     """The hashes of everything that a figure's pixels and numbers can depend on."""
     data = [stamps.ROOT / name for name in entry.data]
     for path in data:

@@ -37,7 +37,7 @@ class Pixels:
         (address, _, size), builder = self._place(name), self._tracer.builder
         loaded = builder.load(address, align=size)
         number = builder.uitofp(loaded, self._tracer.vector) if name in BYTES else loaded
-        return Value(self._tracer, number, still=None if name in COLORS else self._tracer.given(name))
+        return Value(self._tracer, number, still=None if name in COLORS else self._tracer.still_input(name))
 
     def store(self, name: str, value: Number) -> None:
         """Write a plane's numbers."""
@@ -74,7 +74,7 @@ def emit(module: ir.Module, name: str, want: Want, lanes: int, stills: Stills | 
     size = builder.add(WHOLE(vectors(0)), builder.mul(given["light_count"], WHOLE(vectors(1) - vectors(0))))
     builder.store(WHOLE(0), group)
     with tracer.rows(given, columns) as (row, begin, end):
-        y_of_row = tracer.everywhere(builder.load(builder.gep(y, [row])), tracer.given("y"))
+        y_of_row = tracer.everywhere(builder.load(builder.gep(y, [row])), tracer.still_input("y"))
         row_begin = builder.mul(row, given["pitch"])
         with tracer.loop(builder.and_(begin, WHOLE(-lanes)), end, lanes) as column:
             x_of_group = vector_at("x", column)
@@ -82,7 +82,7 @@ def emit(module: ir.Module, name: str, want: Want, lanes: int, stills: Stills | 
             number = builder.load(group)
             tracer.kept_at = builder.gep(kept, [builder.mul(number, size)])
             builder.store(builder.add(number, WHOLE(1)), group)
-            x_here = Value(tracer, builder.load(x_of_group, align=8), still=tracer.given("x"))
+            x_here = Value(tracer, builder.load(x_of_group, align=8), still=tracer.still_input("x"))
             pixels = Pixels(tracer, x_here, y_of_row, planes, at)
             if want.bounds:
                 loaded = builder.load(vector_at("x_bound", column), align=8)

@@ -32,8 +32,8 @@ class Stills:
         self._keys: dict[Hashable, int] = {}
         self._slots: dict[Hashable, dict[int, int]] = {}
 
-    def given(self, what: Hashable, of_light: bool = False) -> Still:
-        """Return the Still of what a function is given, by its name or number."""
+    def input(self, what: Hashable, of_light: bool = False) -> Still:
+        """Return the Still of an input of the function or of a constant, by its name or number."""
         return Still(self._keys.setdefault(what, len(self._keys)), of_light=of_light)
 
     def made(self, instruction: str, operands: Sequence[Still | None]) -> Still | None:
@@ -41,13 +41,14 @@ class Stills:
         stills = [one for one in operands if one]
         if len(stills) < len(operands):
             return None
-        made = self.given((instruction, *(one.key for one in stills)), any(one.of_light for one in stills))
+        made = self.input((instruction, *(one.key for one in stills)), any(one.of_light for one in stills))
         return made._replace(cost=1 + sum(one.cost for one in stills))
 
     def slot(self, still: Still, new: bool) -> int | None:
-        """Return which of its group's vectors a Still is kept in; a light's, as if it were the first light's.
+        """Return the number of the vector that holds a Still, counted from its group's first vector.
 
-        None if there is no room, or if it has none yet and may not be `new`: then it is made again.
+        For a Still of a light it is the number under the first light; each further light has OF_LIGHT vectors more.
+        None if all vectors are taken, or if it has none yet and may not be `new`: then it is computed again.
         """
         slots = self._slots.setdefault((self.alternative, still.of_light), {})
         first, room = (0, OF_PICTURE) if self.alternative is None else (OF_PICTURE, OF_WAY)

@@ -103,7 +103,7 @@ class Mask:
 
 
 def is_dear(operand: Value | Mask) -> bool:
-    """Return whether what moves should find a still operand ready."""
+    """Return whether an operand is still and takes longer to compute again than to load from its slot."""
     return isinstance(operand, Value) and operand.still is not None and operand.still.cost >= DEAR
 
 
@@ -162,11 +162,11 @@ class Tracer:
         if isinstance(number, Value):
             return number
         number = float(number)
-        return Value(self, constant(self.vector, number.hex()), number, self.given(number))
+        return Value(self, constant(self.vector, number.hex()), number, self.still_input(number))
 
-    def given(self, what: Hashable, of_light: bool = False) -> Still | None:
-        """Return the Still of what is given, by its name or number; None where nothing is kept."""
-        return self.stills and self.stills.given(what, of_light)
+    def still_input(self, what: Hashable, of_light: bool = False) -> Still | None:
+        """Return the Still of an input or a constant, by its name or number; None where no still value is kept."""
+        return self.stills and self.stills.input(what, of_light)
 
     def made(self, kind: type, name: str, emit: Callable, *operands: Value | Mask) -> Any:
         """Return what an instruction makes of operands: a Value or a Mask, still if all of them are."""
@@ -326,4 +326,4 @@ class Tracer:
             if number is not None:
                 index = self.builder.add(self.builder.mul(number, WHOLE(count)), index)
             scalar = self.builder.load(self.builder.gep(pointer, [index]))
-            yield self.everywhere(scalar, self.given(("light" if number else "scene", column), bool(number)))
+            yield self.everywhere(scalar, self.still_input(("light" if number else "scene", column), bool(number)))

@@ -77,5 +77,7 @@ def _draw_on(stage, scene, method, threads, planes, copies):
         def copy(rows):
             planes[:, rows] = rest[:, rows]
 
-    of_a = stage.draw(scene, method, threads, dict(zip(COLORS, planes, strict=True)), copy, given=True, surfaces="a")
+    of_a = stage.draw(
+        scene, method, threads, dict(zip(COLORS, planes, strict=True)), copy, chambers_known=True, surfaces="a"
+    )
     return {kind: counts[kind] + of_a[kind] for kind in WORK}

@@ -118,7 +118,7 @@ class Frame:
         A picture without a bump is drawn without a gradient; the field has one all the same.
         """
         planes = {name: self.stage.new_plane() for name in ON_A}
-        want: dict[str, Any] = {"given": True, "surfaces": "a", "colors": False, "kept": ON_A}
+        want: dict[str, Any] = {"chambers_known": True, "surfaces": "a", "colors": False, "stored": ON_A}
         self.stage.draw(replace(self.scene, beta=1.0), self.method, 1, planes, **want)
         return np.stack([planes[name][:, : self.raster.shape[1]][self.stage.on_a] for name in ON_A])
 

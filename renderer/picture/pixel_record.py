@@ -82,7 +82,7 @@ class _WrittenDown(Group):
         s, lights = self.scene, []
         view = kernels.view_direction(self.x, self.y, s.eye, kernels.view_length(self.x, self.y, s.eye))
         for light in self.machine.lights:
-            occluded = bool(self.given_shadow(light)[0])
+            occluded = bool(self.loaded_shadow(light)[0])
             mu, specular = self.model(point, light, normal, view, mask)
             adds = kernels.light_term(0.0, 0.0, 0.0, *light.color, *albedo, s.kd, s.ks, mu, specular)
             number = int(light.bit).bit_length() - 1 - FIRST_LIGHT_BIT
@@ -101,7 +101,7 @@ def _lit(frame):
     (scene, lights), stage = numbers_of(frame.scene, frame.method), frame.stage
     planes = {"code": frame.chambers} | dict(zip(COLORS, np.empty((3, 1, 1)), strict=True))
     row = Row(Job(scene, lights, stage.x, stage.y, None, planes), 0, slice(None))
-    want = want_of(frame.scene, frame.method, given=True)
+    want = want_of(frame.scene, frame.method, chambers_known=True)
     want = want._replace(lights=tuple((model, style.replace("diffuse", "base")) for model, style in want.lights))
     group = _WrittenDown(Rows(lights), of_form(SCENE_FORM, scene), want, row)
     group.draw()

@@ -111,7 +111,7 @@ class Stage:
             return self._elsewhere[1], dict.fromkeys(WORK, 0)
         rgb = self.new_plane(channels=3)
         planes = dict(zip(COLORS, rgb, strict=True))
-        counts = self.draw(scene, method, threads, planes, given=True, surfaces="elsewhere")
+        counts = self.draw(scene, method, threads, planes, chambers_known=True, surfaces="elsewhere")
         self._elsewhere = (key, rgb)
         return rgb, counts
 

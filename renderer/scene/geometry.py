@@ -17,7 +17,7 @@ class Geometry(NamedTuple):
 
 
 def geometry_of(scene: Scene) -> Geometry:
-    """Return the Geometry of a scene. An absent B is a unit ball that no kernel asks about."""
+    """Return the Geometry of a scene. Without sphere B, `ball_on` is 0 and `ball` a unit sphere that is never drawn."""
     ball = (*scene.ball_center, scene.ball_radius) if scene.ball else (0.0, 0.0, 0.0, 1.0)
     lights = tuple(None if light.color is None else light.position for light in scene.lights)
     return Geometry(scene.eye, scene.radius, ball, float(scene.ball), float(scene.floor), lights)

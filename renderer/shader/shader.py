@@ -40,20 +40,20 @@ class Want(NamedTuple):
 
     ways: (field, way to its gradient) pairs, of which `scene.way` is the index of one; a way is algebraic, general, a
     difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
-    highlight), base, or squared. whole: whether the shininess is a whole number. given: whether the chambers are
-    known. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these are wanted. kept: which of
-    ON_A are stored, or CHART beside them. charted: whether ANGLES and CHART are known. stills: stored or loaded,
-    where what no step changes is kept (`renderer.machines.stills`). bounds: whether each colour's bound is stored, and
-    where a chamber is open (`renderer.machines.enclosing`).
+    highlight), base, or squared. whole: whether the shininess is a whole number. chambers_known: whether
+    the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
+    are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. stills: stored or
+    loaded, where what no step changes is kept (`renderer.machines.stills`). bounds: whether each colour's bound is
+    stored, and where a chamber is open (`renderer.machines.enclosing`).
     """
 
     ways: tuple
     lights: tuple
     whole: bool = True
-    given: bool = False
+    chambers_known: bool = False
     surfaces: str = "all"
     colors: bool = True
-    kept: tuple = ()
+    stored: tuple = ()
     charted: bool = False
     stills: str = ""
     bounds: bool = False
@@ -73,7 +73,7 @@ class Group:
     def draw(self) -> None:
         """Find or load the chamber of every pixel, light it, and store what is wanted."""
         want, x = self.want, self.x
-        surface, self.code = self.given_surface() if want.given else self.visible_surface()
+        surface, self.code = self.loaded_surface() if want.chambers_known else self.visible_surface()
         on_a, on_b, on_floor = ((surface == number) & (x == x) for number in (SPHERE_A, SPHERE_B, FLOOR))
         self.color = []
         if want.surfaces == "a":
@@ -85,7 +85,7 @@ class Group:
             self.machine.when(on_a, lambda: self.draw_a(on_a))
         self.machine.when(on_b, lambda: self.draw_b(on_b))
         self.machine.when(on_floor, lambda: self.draw_floor(on_floor))
-        if not want.given:
+        if not want.chambers_known:
             self.pixels.store("code", self.code.value)
         self.store_color()
 
@@ -109,7 +109,7 @@ class Group:
         self.machine.when(near_b, look)
         return code.value, code
 
-    def given_surface(self) -> tuple[Number, Any]:
+    def loaded_surface(self) -> tuple[Number, Any]:
         """Return the surface that each pixel's chamber code says, and the code, a variable."""
         code = self.pixels.load("code")
         return code - 4.0 * floor(0.25 * code), self.machine.variable(code)
@@ -125,10 +125,10 @@ class Group:
         """§2 and §3: angles, gradient, bumped normal."""
         s, want = self.scene, self.want
         angles = self.loaded(ANGLES) if want.charted else k.angles_on_a(self.x, self.y, s.eye, s.radius)
-        gradient = self.gradient(angles, mask) if want.colors or want.kept else (0.0, 0.0)
-        chart = self.chart(angles) if CHART[0] in want.kept else ()
+        gradient = self.gradient(angles, mask) if want.colors or want.stored else (0.0, 0.0)
+        chart = self.chart(angles) if CHART[0] in want.stored else ()
         for name, value in zip((*ON_A, *CHART), (*angles, *gradient, *chart), strict=False):
-            if name in want.kept:
+            if name in want.stored:
                 self.pixels.store(name, value)
         point, normal = k.point_on_a(*angles, s.radius), k.bumped_normal(*angles, *gradient, s.beta)
         self.light_up(mask, point, normal, s.albedo_a, lambda light: [(s.ball, light.b_on_a)])
@@ -152,7 +152,7 @@ class Group:
         """The floor and its squares."""
         s = self.scene
         point_and_normal = k.normal_of_floor(self.x, self.y)
-        if self.want.given:
+        if self.want.chambers_known:
             dark = self.code.value >= DARK_BIT
         else:
             dark = k.checker(self.x, self.y) > 0.0
@@ -213,7 +213,7 @@ class Group:
         bodies: light → [(a body that may stand in its way, where on the image its shadow can be)].
         """
         s, want, machine = self.scene, self.want, self.machine
-        if want.given and not want.colors:
+        if want.chambers_known and not want.colors:
             return
         color = [machine.variable(channel) for channel in s.ambient]
         if want.colors:
@@ -227,7 +227,9 @@ class Group:
                 channel.set(value, lit)
 
         def reach(light):
-            lit = mask & ~(self.given_shadow(light) if want.given else self.shadow(light, mask, point, bodies(light)))
+            lit = mask & ~(
+                self.loaded_shadow(light) if want.chambers_known else self.shadow(light, mask, point, bodies(light))
+            )
             if want.colors:
                 lit = lit & (light.glows > 0.0)
                 machine.when(lit, lambda: shine(light, lit))
@@ -236,7 +238,7 @@ class Group:
         for target, channel in zip(self.color, color, strict=False):
             target.set(k.clip(channel.value), mask)
 
-    def given_shadow(self, light: SimpleNamespace) -> Mask:
+    def loaded_shadow(self, light: SimpleNamespace) -> Mask:
         """Return where the chamber code has the light's bit."""
         shifted = floor(self.code.value * light.inverse_bit)
         return shifted > 2.0 * floor(0.5 * shifted)

@@ -89,7 +89,7 @@ def image_gradient_case() -> Case:
     """Return the case of the exact gradient alone, from (x, y) to (h_u, h_v) at the pixels of A: nothing is drawn."""
     stage = stage_of(A_ALONE, IN_CACHE, IN_CACHE)
     planes = {name: stage.new_plane() for name in ON_A}
-    options = {"given": True, "surfaces": "a", "colors": False, "kept": ON_A}
+    options = {"chambers_known": True, "surfaces": "a", "colors": False, "stored": ON_A}
     work = partial(stage.draw, A_ALONE, exact("algebraic"), 1, planes, **options)
     return Case("image_gradient", work, calls(IN_CACHE), unit="ns", points=int(stage.on_a.sum()))
 

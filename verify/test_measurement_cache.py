@@ -10,7 +10,7 @@ import pytest
 
 from proofs.engine.theorem import all_theorems
 from verify import sources, test_theorems
-from verify.checkers import kept, measured
+from verify.checkers import measured, measurement_cache
 from verify.checkers.measured import examine
 
 THEOREMS = all_theorems()
@@ -20,22 +20,22 @@ QUICK = THEOREMS["crease_products"]
 @pytest.fixture
 def folder(monkeypatch, tmp_path):
     """An empty folder of kept evidence."""
-    monkeypatch.setattr(kept, "FOLDER", tmp_path / "theorems")
+    monkeypatch.setattr(measurement_cache, "FOLDER", tmp_path / "theorems")
     return tmp_path / "theorems"
 
 
 @pytest.fixture
 def written(folder):
     """The key and the evidence that were kept of a theorem."""
-    key, found = kept.key_of(QUICK), examine(QUICK, THEOREMS)
-    kept.keep(found, key)
+    key, found = measurement_cache.key_of(QUICK), examine(QUICK, THEOREMS)
+    measurement_cache.keep(found, key)
     return key, found
 
 
 def test_what_is_kept_is_what_was_found(written):
     key, found = written
-    assert asdict(kept.read(QUICK, key)) == asdict(found)
-    assert kept.key_of(QUICK) == key
+    assert asdict(measurement_cache.read(QUICK, key)) == asdict(found)
+    assert measurement_cache.key_of(QUICK) == key
 
 
 def test_what_was_changed_is_not_read(written, folder):
@@ -46,19 +46,19 @@ def test_what_was_changed_is_not_read(written, folder):
     tampered["evidence"]["record"]["measurements"][0]["worst"] = 0.5
     for content in (json.dumps(tampered), json.dumps(good | {"hash": ""}), "{}", "[]", ""):
         path.write_text(content, encoding="utf-8")
-        assert kept.read(QUICK, key) is None
-    assert kept.read(QUICK, "another key") is None
+        assert measurement_cache.read(QUICK, key) is None
+    assert measurement_cache.read(QUICK, "another key") is None
 
 
 def test_what_failed_is_not_kept(folder):
     failed = examine(QUICK, THEOREMS)
     failed.problems.append("it does not hold")
-    kept.keep(failed, kept.key_of(QUICK))
+    measurement_cache.keep(failed, measurement_cache.key_of(QUICK))
     assert not folder.exists()
 
 
 def test_the_key_knows_the_theorem():
-    assert kept.key_of(QUICK) != kept.key_of(replace(QUICK, title="Another"))
+    assert measurement_cache.key_of(QUICK) != measurement_cache.key_of(replace(QUICK, title="Another"))
 
 
 def test_the_run_says_kept_unless_it_is_to_be_fresh(folder, pytestconfig, monkeypatch):
@@ -75,12 +75,12 @@ def test_the_run_says_kept_unless_it_is_to_be_fresh(folder, pytestconfig, monkey
 EDIT = """
 from pathlib import Path
 from proofs.engine.theorem import all_theorems
-from verify.checkers import kept, measured
+from verify.checkers import measured, measurement_cache
 theorems = [all_theorems()[id] for id in ("crease_products", "pole_accuracy")]
-before = [kept.key_of(theorem) for theorem in theorems]
+before = [measurement_cache.key_of(theorem) for theorem in theorems]
 with open("proofs/formulas/tangent_frame.py", "a") as formula:
     formula.write("# edited")
-print(*(kept.key_of(theorem) == key for theorem, key in zip(theorems, before)))
+print(*(measurement_cache.key_of(theorem) == key for theorem, key in zip(theorems, before)))
 """
 
 
