@@ -138,6 +138,8 @@ second_order = Theorem(
         r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
         r"$s = v+\varepsilon$; the midpoint rule for $h(s) = \int_0^s h_v$: $h(s) = s h_v(s/2) + \tfrac1{24}s^3 a$, "
         r"$|a| \le \sup|h_{vvv}|$",
+        r"$h_v$ at $v = 0$ is the slope upwards; the rule of creases has 0 for ridges there, which is off by up to "
+        r"$\pi k_v$",
         r"the mean value theorem: $|h_{vv}(w)| \le w\sup|h_{vvv}|$, so that $h_v(s/2) = h_v(v) + "
         r"\tfrac12(s^2/4 - v^2)b$, $|b| \le \sup|h_{vvv}|$",
     ),
