@@ -15,7 +15,7 @@ OF_AN_EXTREME = re.compile(r"\{number\}`[\w:.-]*(worst|largest|_most)[|`]")
 ROLE = re.compile(r"\{[\w-]+\}`[^`]*`")
 ITS_CASES = re.compile(
     r"\bcertified\b|\bproved\b|\{theorem-ref\}|\bevery (pixel|point)\b"
-    r"|\{number\}`[^`]+`²? (random |sampled |chart )*(points|pixels|scenes|pictures|steps)\b"
+    r"|\{number\}`[^`]+`²? (random |sampled |chart )*(points|places|errors|pixels|scenes|pictures|steps)\b"
 )
 A_THEOREMS_CASES = re.compile(r"256\^2|255\^2|\b\d+ (points|pixels)\b|\bsteps a decade\b|\bexhaustive")
 

@@ -77,7 +77,7 @@ def reference_pixel(
     """
     values = scene_values(scene, column=column, row=row, width=width, height=height, epsilon=eps)
     reference, balls = _pixel_references(scene.field, scene.model, len(lights_on(scene)), method)
-    enclosed, _ = balls(values, round((digits + 20) / math.log10(2)))
+    enclosed = balls(values, round((digits + 20) / math.log10(2)))
     if wide := [name for name in ("surface", *COLORS) if not enclosed[name].rad() < arb(10) ** (10 - digits)]:
         raise Undecided(f"column = {column}, row = {row}: {', '.join(wide)} undecided at {digits} digits")
     return reference(values, digits)

@@ -47,13 +47,13 @@ pole = Theorem(
 pixels = Theorem(
     id="pixel_accuracy",
     title="A pixel against the reference",
-    statement=r"Where $1-(\rho/\rho_s)^2 \ge 0.01$, and as far from the outline of B, every channel of the default "
-    r"scene is within $5\cdot10^{-14}$ of its exact value, for every field and both models; elsewhere, and for other "
-    "exponents, within the radius of the same program in 53-bit balls.",
+    statement="Every channel of a pixel is within the bound that its picture carries of its exact value, for every "
+    "field, both models and other exponents.",
     hypotheses=(
-        "$255^2$; 46 pixels of each kind: at random, at silhouettes and shadows' edges, nearest to the pole, the "
-        "seam, the creases, the terminator and grazing light",
-        "pixels whose side of a crease 53-bit balls leave open, those of the column $x = 0$, are counted apart",
+        "$255^2$; 46 pixels of each kind, of other exponents 10: at random, at silhouettes and shadows' edges, nearest "
+        "to the pole, the seam, the creases, the terminator and grazing light",
+        "pixels that are open, and those whose side of a crease balls leave open, as those of the column $x = 0$, are "
+        "counted apart",
     ),
     expected="measured",
 )

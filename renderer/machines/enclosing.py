@@ -9,6 +9,7 @@ and the value's own lose below the normal range is less than LEAST. A bound that
 """
 
 import math
+import operator
 from collections.abc import Callable, Sequence
 from contextvars import ContextVar
 from itertools import product
@@ -16,6 +17,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from renderer import kernels, operations
+from renderer.machines.bounded import Bounded, is_zero, plus, times
 from renderer.operations import Constant, where
 from renderer.shader.shader import BOUNDS, Group, Want
 
@@ -23,22 +25,6 @@ UNIT = 2.0**-53
 LEAST, LEAST_NORMAL = 2.0**-1060, 2.0**-1022
 VANISHING = 2.0**-1020  # more than exp(−708), below which exp and power may be 0
 SLACK = 1.0 + 2.0**-49
-
-
-def _is_zero(bound):
-    return type(bound) is float and bound == 0.0
-
-
-def _plus(*bounds):
-    """Return a sum of bounds, of which those that are 0 are left out."""
-    total = 0.0
-    for bound in bounds:
-        total = bound if _is_zero(total) else total if _is_zero(bound) else total + bound
-    return total
-
-
-def _times(size, bound):
-    return 0.0 if _is_zero(bound) else size * bound
 
 
 def _own(product, one, other):
@@ -98,72 +84,54 @@ def _either(one, other):
     return other if one is None else one if other is None else one | other
 
 
-class Enclosed:
+class Enclosed(Bounded):
     """A number of the inner machine, and a bound on its distance from the exact one."""
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __init__(self, value: Any, bound: Any = 0.0):
-        self.value, self.bound = value, bound
 
     @property
     def machine(self) -> type:
         """What `renderer.operations` asks."""
         return Operations
 
-    def __neg__(self):
-        return Enclosed(-self.value, self.bound)
+    @staticmethod
+    def of(number: Any) -> "Enclosed":
+        """Return a number as Enclosed."""
+        return enclosed(number)
+
+    def rounded(self, value: Any, moved: Any, own: Any) -> "Enclosed":
+        """Return a result that is moved so far, and by its own rounding."""
+        return Enclosed(value, plus(moved, own) * SLACK)
+
+    def lost_in_sum(self, other: "Enclosed", total: Any) -> Any:
+        """Return what rounding takes from a sum: a number, which two more sums find (Knuth)."""
+        part = total - self.value
+        return abs((self.value - (total - part)) + (other.value - part))
+
+    def lost_in_product(self, other: "Enclosed", product: Any) -> Any:
+        """Return the same of a product."""
+        return _own(product, self.value, other.value)
+
+    def lost_in_quotient(self, quotient: Any) -> Any:
+        """Return the same of a quotient of the number."""
+        return UNIT * abs(quotient) + _least(self.value)
+
+    def least(self) -> Any:
+        """Return how small the exact number can be: 0 where its sign is open."""
+        if is_zero(self.bound):
+            return abs(self.value)
+        least = abs(self.value) - self.bound * SLACK
+        return where(least > 0.0, least, 0.0)
 
     def __abs__(self):
         return Enclosed(abs(self.value), self.bound)
-
-    def __add__(self, other):
-        other = enclosed(other)
-        total = self.value + other.value
-        part = total - self.value  # the sum's own error is a number, which two more sums find (Knuth)
-        error = abs((self.value - (total - part)) + (other.value - part))
-        return Enclosed(total, _plus(self.bound, other.bound, error) * SLACK)
-
-    __radd__ = __add__
-
-    def __sub__(self, other):
-        return self + -enclosed(other)
-
-    def __rsub__(self, other):
-        return enclosed(other) - self
-
-    def __mul__(self, other):
-        other = enclosed(other)
-        product, bounds = self.value * other.value, (self.bound, other.bound)
-        moved = _times(abs(self.value), other.bound), _times(abs(other.value), self.bound)
-        both = 0.0 if any(map(_is_zero, bounds)) else self.bound * other.bound
-        return Enclosed(product, _plus(*moved, both, _own(product, self.value, other.value)) * SLACK)
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other):
-        other = enclosed(other)
-        quotient, least = self.value / other.value, abs(other.value)
-        moved = _plus(self.bound, _times(abs(quotient), other.bound))
-        own = UNIT * abs(quotient) + _least(self.value)
-        if _is_zero(moved):
-            return Enclosed(quotient, own * SLACK)
-        if _is_zero(other.bound):
-            return Enclosed(quotient, (moved / least + own) * SLACK)
-        least = least - other.bound * SLACK
-        return Enclosed(quotient, where(least > 0.0, (moved / least + own) * SLACK, math.inf))
-
-    def __rtruediv__(self, other):
-        return enclosed(other) / self
 
     def _compare(compare):
         def compared(self, other):
             if self is other:  # x = x, which asks for NaN
                 return Mask(compare(self.value, self.value))
             other = enclosed(other)
-            bound = _plus(self.bound, other.bound)
+            bound = plus(self.bound, other.bound)
             holds = compare(self.value, other.value)
-            if _is_zero(bound):
+            if is_zero(bound):
                 return Mask(holds)
             apart = abs(self.value - other.value) > bound * SLACK
             return Mask(holds, ~apart & ~(bound == 0.0))
@@ -172,14 +140,7 @@ class Enclosed:
 
     __lt__, __le__, __gt__, __ge__, __eq__, __ne__ = map(  # type: ignore[assignment]
         _compare,  # type: ignore[arg-type]
-        (
-            lambda a, b: a < b,
-            lambda a, b: a <= b,
-            lambda a, b: a > b,
-            lambda a, b: a >= b,
-            lambda a, b: a == b,
-            lambda a, b: a != b,
-        ),
+        (operator.lt, operator.le, operator.gt, operator.ge, operator.eq, operator.ne),
     )
 
 
@@ -194,7 +155,7 @@ def enclosed(number: Any) -> Enclosed:
 
 def _ends(number):
     """Return between what the exact number is: a number that is exact, or two of the inner machine's."""
-    if _is_zero(number.bound):
+    if is_zero(number.bound):
         return (number.value,)
     reach = (number.bound + 2.0 * UNIT * abs(number.value)) * SLACK
     return number.value - reach, number.value + reach
@@ -210,11 +171,11 @@ class Operations:
             mask = Mask(mask)
         value, otherwise = enclosed(value), enclosed(otherwise)
         chosen = where(mask.holds, value.value, otherwise.value)
-        exact = _is_zero(value.bound) and _is_zero(otherwise.bound)
+        exact = is_zero(value.bound) and is_zero(otherwise.bound)
         bound = 0.0 if exact else where(mask.holds, value.bound, otherwise.bound)
         if mask.open is None:
             return Enclosed(chosen, bound)
-        apart = _plus(abs(value.value - otherwise.value), value.bound, otherwise.bound) * SLACK
+        apart = plus(abs(value.value - otherwise.value), value.bound, otherwise.bound) * SLACK
         return Enclosed(chosen, where(mask.open, apart, bound))
 
     @staticmethod
@@ -222,29 +183,30 @@ class Operations:
         """|√a − √b| is at most |a − b|/√a, and at most √|a − b|."""
         root = operations.sqrt(number.value)
         own = UNIT * root
-        if _is_zero(number.bound):
+        if is_zero(number.bound):
             return Enclosed(root, own)
         by_slope, by_size = number.bound / root, operations.sqrt(number.bound)
         return Enclosed(root, (where(by_slope < by_size, by_slope, by_size) + own) * SLACK)
 
     @staticmethod
-    def floor(number: Enclosed) -> Enclosed:
-        """A whole number within the bound of the number may be either one's."""
-        below, nearest = operations.floor(number.value), operations.rint(number.value)
-        if _is_zero(number.bound):
-            return Enclosed(below)
-        reaches = (abs(number.value - nearest) <= number.bound * SLACK) & (number.bound > 0.0)
-        return Enclosed(below, where(reaches, 1.0, 0.0) + operations.floor(number.bound))
+    def _whole(number, found, away):
+        """Return a whole number that is found, which may be the next one where what changes it is in reach."""
+        if is_zero(number.bound):
+            return Enclosed(found)
+        reaches = (away <= number.bound * SLACK) & (number.bound > 0.0)
+        return Enclosed(found, where(reaches, 1.0, 0.0) + operations.floor(number.bound))
 
-    @staticmethod
-    def rint(number: Enclosed) -> Enclosed:
+    @classmethod
+    def floor(cls, number: Enclosed) -> Enclosed:
+        """A whole number within the bound of the number may be either one's."""
+        away = abs(number.value - operations.rint(number.value))
+        return cls._whole(number, operations.floor(number.value), away)
+
+    @classmethod
+    def rint(cls, number: Enclosed) -> Enclosed:
         """The same of halves."""
         nearest = operations.rint(number.value)
-        if _is_zero(number.bound):
-            return Enclosed(nearest)
-        to_half = abs(abs(number.value - nearest) - 0.5)
-        reaches = to_half <= number.bound * SLACK
-        return Enclosed(nearest, where(reaches, 1.0, 0.0) + operations.floor(number.bound))
+        return cls._whole(number, nearest, abs(abs(number.value - nearest) - 0.5))
 
     @staticmethod
     def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
@@ -254,12 +216,10 @@ class Operations:
     @staticmethod
     def _of_half_turns(kernel, product, factor):
         product, factor = enclosed(product), enclosed(factor)
-        moved = _times(abs(product.value), factor.bound), _times(abs(factor.value), product.bound)
-        both = 0.0 if _is_zero(product.bound) or _is_zero(factor.bound) else product.bound * factor.bound
-        moved = _plus(*moved, both)
+        moved = product.product_moves(factor)
         found = kernel(*kernels.two_product.kernel(product.value, factor.value))
         own = 2.0 * kernels.ULPS[f"{kernel.__name__}_of_product"] * UNIT * abs(found) + LEAST
-        if _is_zero(moved):
+        if is_zero(moved):
             return Enclosed(found, own * SLACK)
         turned = math.pi * SLACK * moved
         return Enclosed(found, (where(turned < 2.0, turned, 2.0) + own) * SLACK)
@@ -283,11 +243,11 @@ class Operations:
         y, x = enclosed(ordinate), enclosed(abscissa)
         found = kernels.atan2pi.kernel(y.value, x.value)
         own = 2.0 * kernels.ULPS["atan2pi"] * UNIT * abs(found) + LEAST
-        moved = _plus(y.bound, x.bound)
-        if _is_zero(moved):
+        moved = plus(y.bound, x.bound)
+        if is_zero(moved):
             return Enclosed(found, own * SLACK)
         radius = operations.sqrt(x.value * x.value + y.value * y.value)
-        across = _plus(_times(abs(x.value), y.bound), _times(abs(y.value), x.bound))
+        across = plus(times(abs(x.value), y.bound), times(abs(y.value), x.bound))
         sine = across / (radius * (radius - moved))
         near = (moved < 0.5 * radius) & (sine < 0.249)
         bound = where(near, sine * (1.02 / math.pi) * SLACK, 2.0) + own
@@ -304,8 +264,8 @@ class Operations:
         def own(result):
             return 2.0 * ulps(result) * UNIT * abs(result) + vanishing
 
-        moved, furthest = _plus(*(argument.bound for argument in arguments)), 0.0
-        if _is_zero(moved):
+        moved, furthest = plus(*(argument.bound for argument in arguments)), 0.0
+        if is_zero(moved):
             return Enclosed(found, own(found) * SLACK)
         for ends in product(*map(_ends, arguments)):
             end = kernel(*ends)

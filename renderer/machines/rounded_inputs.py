@@ -12,10 +12,14 @@ from renderer.scene.scene import Scene
 from renderer.shader.numbers import SCENE_FORM, flat, of_form
 
 
+def _lengths(scene):
+    return Enclosed(np.float64(scene.eye)), Enclosed(np.float64(scene.radius))
+
+
 def of_image_points(scene: Scene, raster: Raster) -> tuple[np.ndarray, np.ndarray]:
     """Return bounds of the errors of `Raster.image_points`: (columns,) and (rows,) float64."""
     left, top, wide, high = raster.crop  # type: ignore[misc]  # checked
-    half = image_extent(Enclosed(np.float64(scene.eye)), Enclosed(np.float64(scene.radius)))
+    half = image_extent(*_lengths(scene))
     columns, rows = (
         Enclosed(np.arange(first, first + n, dtype=np.float64)) for first, n in ((left, wide), (top, high))
     )
@@ -26,7 +30,7 @@ def of_image_points(scene: Scene, raster: Raster) -> tuple[np.ndarray, np.ndarra
 @np.errstate(all="ignore")
 def of_scene(scene: Scene, numbers: SimpleNamespace) -> SimpleNamespace:
     """Return bounds of the errors of the scene's numbers (`scene_numbers`) by name: 0 of what is exact."""
-    silhouette = silhouette_of_a(Enclosed(np.float64(scene.eye)), Enclosed(np.float64(scene.radius)))
+    silhouette = silhouette_of_a(*_lengths(scene))
     square = silhouette * silhouette
     off = abs(numbers.reach_of_a - square.value)
     floors = (floor_albedo(Enclosed(np.float64(dark)), Enclosed(np.float64(scene.floor_tint))) for dark in (0.0, 1.0))

@@ -4,11 +4,11 @@ Each of A's lines is run on intervals: of the exact values over a box, and of ho
 relatively. That has no unit of length: e = 1. All numbers are positive; x and y are, without loss.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 from itertools import product
-from types import CodeType
 from typing import Any
 
 import numpy as np
@@ -86,10 +86,14 @@ class Lines(Evaluator):
         super().__init__(angles_on_a)
         self.rho = rho
 
-    def compute(self, code: CodeType, scope: dict[str, Any]) -> Off:
-        """Return the value of a line: of √(x² + y²) the error that its operations have, and the box's values."""
-        value = super().compute(code, scope)
-        return replace(value, low=self.rho[0], high=self.rho[1]) if self.line == "rho_raw" else value
+    def run(self, values: Mapping[str, Any], names: Mapping[str, Any]) -> dict[str, Any]:
+        """Return {name: Off}; √(x² + y²) has the error of its operations, and the box's values."""
+        computed = dict(values)
+        for name, code in self.code:
+            computed[name] = self.compute(code, {**names, "value": computed})
+            if name == "rho_raw":
+                computed[name] = replace(computed[name], low=self.rho[0], high=self.rho[1])
+        return computed
 
 
 def base_errors(least: float = LEAST_SQUARE) -> tuple[float, float]:

@@ -84,7 +84,7 @@ def _logarithm_piece(code, series, number, doublings, low, high):
     off = abs(doublings * (ball(e.LN2_SHORT) + ball(e.LN2_REST) - ln2))
     off += abs(ball(e.nodes_short[number]) + ball(e.nodes_rest[number]) - node.log())
     least = min(abs(doublings * ln2 + node.log() + 2 * end.atanh()) for end in (low, high))
-    relative = (parts.error + off + 3 * UNIT * parts.largest) / least + UNIT * SLACK
+    relative = (parts.bound + off + 3 * UNIT * parts.largest) / least + UNIT * SLACK
     ends = (node * (1 + end) / (1 - end) * arb((1, doublings)) for end in (low, high))
     return Piece(*ends, HALF + (relative / UNIT).upper())
 

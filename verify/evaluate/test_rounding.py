@@ -18,7 +18,7 @@ def worst_share(expression, samples=3000):
     a, b, c = (Rounded(rounding.between(0.5, 2)) for _ in "abc")
     code = compile(expression, expression, "eval")
     try:
-        mantissa, exponent = eval(code, {"a": a, "b": b, "c": c}).error.man_exp()
+        mantissa, exponent = eval(code, {"a": a, "b": b, "c": c}).bound.man_exp()
     except Undecided:
         return None
     with mpmath.workprec(1000):  # sums and products of a few float64 numbers are exact
@@ -43,11 +43,11 @@ def test_a_bound_that_forgets_half_the_unit_is_seen(monkeypatch):
 
 def test_what_is_exact_costs_nothing():
     x = Rounded(rounding.between(1, 1.5))
-    assert (2.0 * x).error == 0
-    assert (x - Rounded(rounding.between(0.8, 1.4))).error == 0  # Sterbenz
-    assert (x - Rounded(rounding.between(0.1, 0.4))).error > 0
-    assert (0.0 + x).error == 0
-    assert arb(2) ** -53 < (x * x).error < arb(2) ** -52 * 1.001
+    assert (2.0 * x).bound == 0
+    assert (x - Rounded(rounding.between(0.8, 1.4))).bound == 0  # Sterbenz
+    assert (x - Rounded(rounding.between(0.1, 0.4))).bound > 0
+    assert (0.0 + x).bound == 0
+    assert arb(2) ** -53 < (x * x).bound < arb(2) ** -52 * 1.001
 
 
 def test_what_is_not_decided_is_not_guessed():

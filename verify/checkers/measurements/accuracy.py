@@ -9,7 +9,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from verify.accuracy import base_errors, orders
 from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, escapes, parts
 from verify.accuracy.gradient_errors import UNIT
-from verify.accuracy.pixels import SCENES, SEED, SHININESSES, TOLERANCE, checked_pixels, problems
+from verify.accuracy.pixels import SCENES, SEED, SHININESSES, checked_pixels, problems
 from verify.checkers.measurement import Measurement, measures
 from verify.stability.rows import SWEEPS, sweep
 from verify.stability.wave_numbers import PAIRS, large_wave_numbers
@@ -18,28 +18,21 @@ from verify.stability.wave_numbers import SEED as SWEEP_SEED
 
 @cache
 def _pixels():
-    return checked_pixels(SCENES), checked_pixels(SHININESSES, each=10)
+    return [*checked_pixels(SCENES), *checked_pixels(SHININESSES, each=10)]
 
 
-@measures("pixel_accuracy", false={"within 5e-16 off the rim": {"tolerance": 5e-16}, "60-bit balls": {"share": 2**-7}})
-def pixels(tolerance: float = TOLERANCE, share: float = 1.0) -> Measurement:
+@measures("pixel_accuracy", false={"bounds of 60 bits": {"share": 2**-7}})
+def pixels(share: float = 1.0) -> Measurement:
     """Random and adversarial pixels of every field and model, and of other exponents of shininess."""
-    default, other = _pixels()
-    decided = [p for p in (*default, *other) if not p.undecided]
-    off_rim = [p for p in default if p.off_rim and not p.undecided]
-    rest = [p.error / p.radius for p in decided if p.radius > 0]
+    decided = [p for p in _pixels() if not p.undecided]
     return Measurement(
         samples=len(decided),
         seed=SEED,
-        worst=max(p.error for p in off_rim),
-        bound=tolerance,
-        holds=not problems((*default, *other), share) and len(off_rim) >= 1500 and len(decided) >= 2000,
-        what="the largest error of a channel off the rim, default shininess; elsewhere below the radius of the balls",
-        numbers={
-            "undecided": len(default) + len(other) - len(decided),
-            "largest_share_of_the_radius": max(rest),
-            "rim_largest": max(p.error for p in default if not p.off_rim and not p.undecided),
-        },
+        worst=max(p.error / p.bound for p in decided if p.bound > 0),
+        bound=share,
+        holds=not problems(decided, share) and len(decided) >= 2000,
+        what="the largest error of a channel over its pixel's bound",
+        numbers={"undecided": len(_pixels()) - len(decided), "largest": max(p.error for p in decided)},
     )
 
 
