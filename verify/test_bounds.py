@@ -142,6 +142,16 @@ def test_the_side_of_a_crease_is_open():
     assert max(picture.errors(0, 0)[0].max() for picture in pictures) > 1e-3  # on the wrong side
 
 
+@pytest.mark.parametrize(("radius", "share"), [(1.0, 0.0), (2.0**53, 1.0), (1e40, 1.0)])
+def test_a_floor_without_squares_is_open(radius, share, by_rows):
+    scene = Scene(eye=4 * radius, radius=radius, ball=False, lights=(Light((3 * radius, -4 * radius, 6 * radius)),))
+    frame = render(scene, 16, 16, bounds=True)
+    floor = (frame.chambers & 3) == 3
+    lit = floor & (frame.chambers & 4 == 0)
+    assert frame.open[floor].mean() == share
+    assert (frame.bounds[lit].max(axis=1) > 1e-3).all() == bool(share)
+
+
 WIDE, RATIO = (-50.0, 50.0), (1e-6, 1.0)
 OPERATIONS = {
     "sum": (lambda a, b: a + b, lambda a, b: a + b, WIDE, WIDE),

@@ -66,7 +66,7 @@ def slope_is_texture() -> Drawing:
     pixel_text(fig, 6, 214, "the light without the bump", "muted")
     pixel_text(fig, 6, 258, "and with it", "muted")
     numbers = {"u": POINT, "slope": slope, "tilt": tilt, "light": lit, "unlit": unlit}
-    numbers |= {"steepest": np.pi * SCENE.ku, "worst": along_circle(1e-9)[3], "beta": SCENE.beta}
+    numbers |= {"steepest": np.pi * SCENE.ku, "steepest_angle": along_circle(1e-9)[3], "beta": SCENE.beta}
     data = {"u": u, "height": h, "between": between, "light": light, "circle_x": x, "circle_y": y}
     return Drawing(fig, numbers, data, (frame,))
 

@@ -89,7 +89,7 @@ def stability_wave_numbers() -> Drawing:
     below = 0.1 * swept.worst(rounded)
     label_curve(ax, swept.parameter, below, 3e4, "reduced, but the\nproduct rounded", "numeric", "below")
     names = [name for name in SWEEPS if name.startswith("wave_numbers")]
-    return Drawing(fig, _numbers(*names) | {"allowed": 8 * 2.0**-53}, _data("wave_numbers"))
+    return Drawing(fig, _numbers(*names) | {"allowed": 10 * 2.0**-53}, _data("wave_numbers"))
 
 
 _SHADING = {  # sweep: (x label, y label, every how many decades, limits of y)

@@ -106,6 +106,7 @@ class Frame:
     def open(self) -> np.ndarray:
         """(height, width) bool: a chamber or the side of a crease is undecided; the bounds cover each choice.
 
+        Every pixel of a floor whose coordinates reach 2⁵³ is: float64 numbers are whole there, and have no square.
         Raises ValueError without bounds.
         """
         return self._enclosed("open", 1) > 0
