@@ -4,7 +4,7 @@ from collections import deque
 
 import numpy as np
 
-LARGEST_KEPT = 2**28  # bytes
+LARGEST_KEPT = 2**27  # bytes: the colours of 2048²
 _spare: deque[np.ndarray] = deque(maxlen=2)  # a picture's colours, and their bounds
 
 
