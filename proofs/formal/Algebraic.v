@@ -98,7 +98,7 @@ Proof.
         -- destruct (Rtotal_order t (- PI / 2)) as [L|[->|L]]; [exfalso|reflexivity|exfalso].
            ++ assert (cos (- t) < 0) by (apply cos_lt_0; lra). rewrite cos_neg in *. lra.
            ++ destruct (Rlt_dec t (PI / 2)) as [Q|Q]; [generalize (cos_gt_0 t ltac:(lra) Q); lra|]. generalize (sin_ge_0 t ltac:(lra) ltac:(lra)). lra.
-        -- exfalso. generalize (sin2 t). rewrite Z. assert (E : sin t = 0) by lra. rewrite E. lra.
+        -- exfalso. generalize (sin_squared t). rewrite Z. assert (E : sin t = 0) by lra. rewrite E. lra.
 Qed.
 
 (* For theta in (-pi, pi] and phi in [0, pi]: u is in [0, 1) and v in [0, 1]; u = (theta + pi)/2pi where theta < pi, and 0 where theta = pi. *)
@@ -139,18 +139,18 @@ Definition N_of_chart (u v : R) : vector :=
   (unit_normal.normal_x (chart_inverse.cos_theta u) (chart_inverse.sin_phi v), unit_normal.normal_y (chart_inverse.sin_theta u) (chart_inverse.sin_phi v),
    unit_normal.normal_z (chart_inverse.cos_phi v)).
 Theorem chart_inverse__unit (u v : R) :
-  N_of_chart u v = (- sin (PI * v) * cos (PI * (2 * u)), - sin (PI * v) * sin (PI * (2 * u)), cos (PI * v)) /\ length (N_of_chart u v) = 1.
+  N_of_chart u v = (- sin (PI * v) * cos (PI * (2 * u)), - sin (PI * v) * sin (PI * (2 * u)), cos (PI * v)) /\ magnitude (N_of_chart u v) = 1.
 Proof.
-  unfold N_of_chart, length, dot, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z, chart_inverse.cos_theta, chart_inverse.sin_theta,
+  unfold N_of_chart, magnitude, dot, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z, chart_inverse.cos_theta, chart_inverse.sin_theta,
     chart_inverse.cos_phi, chart_inverse.sin_phi. split; [apply f_equal2; [apply f_equal2; ring | reflexivity]|].
-  rewrite <- sqrt_1. f_equal. ring [(sin2 (PI * v)) (sin2 (PI * (2 * u)))].
+  rewrite <- sqrt_1. f_equal. ring [(sin_squared (PI * v)) (sin_squared (PI * (2 * u)))].
 Qed.
 (* Where sin phi > 0, N gives back the sines and cosines. *)
-Theorem chart_inverse__recovered (theta phi : R) : 0 < sin phi -> let '(x, y, z) := N theta phi in
+Theorem chart_inverse__recovered (theta phi : R) : 0 < sin phi -> let '(x, y, z) := normal_at theta phi in
   sin phi = sqrt (x ^ 2 + y ^ 2) /\ cos phi = z /\ cos theta = x / sin phi /\ sin theta = y / sin phi.
 Proof.
-  intro S. unfold N, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z. split; [|split; [reflexivity | split; field; lra]].
-  replace ((cos theta * sin phi) ^ 2 + (sin phi * sin theta) ^ 2) with (Rsqr (sin phi)) by (unfold Rsqr; ring [(sin2 theta)]). symmetry. apply sqrt_Rsqr. lra.
+  intro S. unfold normal_at, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z. split; [|split; [reflexivity | split; field; lra]].
+  replace ((cos theta * sin phi) ^ 2 + (sin phi * sin theta) ^ 2) with (Rsqr (sin phi)) by (unfold Rsqr; ring [(sin_squared theta)]). symmetry. apply sqrt_Rsqr. lra.
 Qed.
 Theorem chart_inverse__recovered__point : exists phi, 0 < sin phi.
 Proof. exists (PI / 2). rewrite sin_PI2. lra. Qed.

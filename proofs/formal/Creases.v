@@ -142,16 +142,16 @@ Qed.
 
 (* If h is odd about v = 0: |D_eps h - h'| <= (eps^2 + 2 eps v - 2 v^2)/6 sup |h'''|. *)
 Section odd.
-Variables f f1 f2 f3 : R -> R.
-Hypotheses (D1 : forall w, is_derive f w (f1 w)) (D2 : forall w, is_derive f1 w (f2 w)) (D3 : forall w, is_derive f2 w (f3 w)).
+Variables f0 f1 f2 f3 : R -> R.
+Hypotheses (D1 : forall w, is_derive f0 w (f1 w)) (D2 : forall w, is_derive f1 w (f2 w)) (D3 : forall w, is_derive f2 w (f3 w)).
 
 Lemma shifted (g g1 : R -> R) (c m s : R) : (forall w, is_derive g w (g1 w)) -> is_derive (fun t => g (m + c * t)) s (c * g1 (m + c * s)).
 Proof.
   intro D. auto_derive; [exists (g1 (m + c * s)); apply D|]. replace (Derive _ _) with (g1 (m + c * s)) by (symmetry; apply is_derive_unique, D). ring.
 Qed.
 
-(* A function with f(0) = f''(0) = 0 whose third derivative is not negative up to a has a f'(v) <= f(a) for v <= a/2. *)
-Lemma middle_slope (a v : R) : 0 <= v <= a / 2 -> f 0 = 0 -> f2 0 = 0 -> (forall w, 0 <= w <= a -> 0 <= f3 w) -> a * f1 v <= f a.
+(* A function with f0(0) = f''(0) = 0 whose third derivative is not negative up to a has a f'(v) <= f0(a) for v <= a/2. *)
+Lemma middle_slope (a v : R) : 0 <= v <= a / 2 -> f0 0 = 0 -> f2 0 = 0 -> (forall w, 0 <= w <= a -> 0 <= f3 w) -> a * f1 v <= f0 a.
 Proof.
   intros V Z Z2 P.
   assert (P2 : forall w s, 0 <= w -> 0 <= s -> w + s <= a -> f2 w <= f2 (w + s)).
@@ -174,10 +174,10 @@ Proof.
     - rewrite !Rmult_0_r, !Rplus_0_r. lra.
     - intros s S. assert (f2 (m + -1 * s) <= f2 (m + -1 * s + 2 * s)) by (apply P2; unfold m in *; lra).
       replace (m + -1 * s + 2 * s) with (m + 1 * s) in * by ring. lra. }
-  assert (Q : 0 <= f (m + 1 * m) - f (m + -1 * m) - 2 * f1 m * m).
-  { apply (nonnegative_growth (fun t => f (m + 1 * t) - f (m + -1 * t) - 2 * f1 m * t) (fun t => 1 * f1 (m + 1 * t) - -1 * f1 (m + -1 * t) - 2 * f1 m)); try lra.
-    - intro s. apply (is_derive_minus (fun t => f (m + 1 * t) - f (m + -1 * t)) (fun t => 2 * f1 m * t)); [|auto_derive; trivial; ring].
-      apply (is_derive_minus (fun t => f (m + 1 * t)) (fun t => f (m + -1 * t))); apply shifted, D1.
+  assert (Q : 0 <= f0 (m + 1 * m) - f0 (m + -1 * m) - 2 * f1 m * m).
+  { apply (nonnegative_growth (fun t => f0 (m + 1 * t) - f0 (m + -1 * t) - 2 * f1 m * t) (fun t => 1 * f1 (m + 1 * t) - -1 * f1 (m + -1 * t) - 2 * f1 m)); try lra.
+    - intro s. apply (is_derive_minus (fun t => f0 (m + 1 * t) - f0 (m + -1 * t)) (fun t => 2 * f1 m * t)); [|auto_derive; trivial; ring].
+      apply (is_derive_minus (fun t => f0 (m + 1 * t)) (fun t => f0 (m + -1 * t))); apply shifted, D1.
     - rewrite !Rmult_0_r, !Rplus_0_r. lra.
     - intros t T. generalize (Q1 t T). lra. }
   replace (m + 1 * m) with a in Q by (unfold m; field). replace (m + -1 * m) with 0 in Q by ring. rewrite Z in Q.

@@ -79,7 +79,7 @@ Qed.
 Section lines.
 Variables nx ny nz : R -> R.
 Variables beta dx dy dz : R.
-Hypotheses (X : is_derive nx beta dx) (Y : is_derive ny beta dy) (Z : is_derive nz beta dz).
+Hypotheses (X : is_derive nx beta dx) (Y : is_derive ny beta dy) (W : is_derive nz beta dz).
 Lemma product_derive (a b c : R) : is_derive (fun t => nx t * a + ny t * b + nz t * c) beta (dx * a + dy * b + dz * c).
 Proof.
   apply (is_derive_plus (fun t => nx t * a + ny t * b) (fun t => nz t * c)); [apply (is_derive_plus (fun t => nx t * a) (fun t => ny t * b))|]; apply times_derive; assumption.
@@ -168,9 +168,9 @@ Proof.
   apply is_derive_ext. intro t. match goal with |- ?a = ?b => change (a = b :> R) end. ring.
 Qed.
 Section above.
-Let zero (t : R) : R := 0.
+Let nought (t : R) : R := 0.
 Let same (t : R) : R := t.
-Let Z0 (x : R) : is_derive zero x 0 := is_derive_const 0 x.
+Let nought_derives (x : R) : is_derive nought x 0 := is_derive_const 0 x.
 Let S1 (x : R) : is_derive same x 1 := is_derive_id x.
 Lemma not_its_negative (f : R -> R) (x l : R) : is_derive f x l -> l <> 0 -> ~ is_derive f x (- l).
 Proof. intros A N B. apply N. generalize (eq_trans (eq_sym (is_derive_unique _ _ _ A)) (is_derive_unique _ _ _ B)). lra. Qed.
@@ -178,7 +178,7 @@ Theorem image_derivative__mu__false : ~ forall (nz : R -> R) (beta dz : R), is_d
   is_derive (fun b => light_direction.mu px py pz lx ly lz 0 0 (nz b)) beta
     (- mu_derivative.mu_by_beta (light_direction.towards_x px py pz lx ly lz) (light_direction.towards_y px py pz lx ly lz) (light_direction.towards_z px py pz lx ly lz) 0 0 dz).
 Proof.
-  intro H. generalize (H same 0 1 (S1 0) 0 0 0 0 0 1). apply not_its_negative; [exact (image_derivative__mu zero zero same 0 0 0 1 (Z0 0) (Z0 0) (S1 0) 0 0 0 0 0 1)|].
+  intro H. generalize (H same 0 1 (S1 0) 0 0 0 0 0 1). apply not_its_negative; [exact (image_derivative__mu nought nought same 0 0 0 1 (nought_derives 0) (nought_derives 0) (S1 0) 0 0 0 0 0 1)|].
   unfold mu_derivative.mu_by_beta. destruct above as (-> & -> & ->). lra.
 Qed.
 Theorem image_derivative__blinn__false : ~ forall (nz : R -> R) (beta dz : R), is_derive nz beta dz -> forall hx hy hz r, 0 < r ->
@@ -194,8 +194,8 @@ Theorem image_derivative__phong__false : ~ forall (nz : R -> R) (beta dz : R), i
     light_direction.towards_z px py pz lx ly lz * vz) beta (- phong_base_derivative.base_by_beta vx vy vz 0 0 (nz beta) 0 0 dz (m beta) m').
 Proof.
   intro H. generalize (H same 1 1 (S1 1) 0 0 0 0 0 1 0 0 1). cbv zeta.
-  apply not_its_negative; [exact (proj1 (image_derivative__phong zero zero same 1 0 0 1 (Z0 1) (Z0 1) (S1 1) 0 0 0 0 0 1 0 0 1))|].
-  unfold phong_base_derivative.base_by_beta, mu_derivative.mu_by_beta, light_direction.mu. destruct above as (X & Y & Z). rewrite ?X, ?Y, ?Z. unfold same.
-  unfold light_direction.towards_x, light_direction.towards_y, light_direction.towards_z in X, Y, Z. rewrite ?X, ?Y, ?Z. lra.
+  apply not_its_negative; [exact (proj1 (image_derivative__phong nought nought same 1 0 0 1 (nought_derives 1) (nought_derives 1) (S1 1) 0 0 0 0 0 1 0 0 1))|].
+  unfold phong_base_derivative.base_by_beta, mu_derivative.mu_by_beta, light_direction.mu. destruct above as (X & Y & W). rewrite ?X, ?Y, ?W. unfold same.
+  unfold light_direction.towards_x, light_direction.towards_y, light_direction.towards_z in X, Y, W. rewrite ?X, ?Y, ?W. lra.
 Qed.
 End above.

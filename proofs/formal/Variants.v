@@ -90,7 +90,7 @@ Proof.
   intro H. generalize (H 0 (1/2)). rewrite (proj1 (chart_inverse__unit 0 (1/2))). cbn [fst]. replace (PI * (1/2)) with (PI / 2) by field.
   rewrite !Rmult_0_r, sin_PI2, cos_0. lra.
 Qed.
-Theorem tangent_frame__by_phi__false : ~ forall theta phi, is_derive (fun p => snd (N theta p)) phi (sin phi).
+Theorem tangent_frame__by_phi__false : ~ forall theta phi, is_derive (fun p => snd (normal_at theta p)) phi (sin phi).
 Proof.
   intro H. generalize (is_derive_unique _ _ _ (H 0 (PI / 2))). generalize (tangent_frame__by_phi 0 (PI / 2)). unfold_vectors. intros (_ & _ & D).
   rewrite (is_derive_unique _ _ _ D), sin_PI2. lra.
@@ -98,7 +98,7 @@ Qed.
 Theorem unit_length__g_is_tangent__false : ~ forall theta phi h_u h_v beta, dot (M theta phi h_u h_v beta) (g theta phi h_u h_v) = 0.
 Proof. intro H. generalize (H 0 0 1 0 1). rewrite m_is_sum, dot_sum, dot_scaled, g_is_tangent, g_squared. lra. Qed.
 Theorem angle_of_the_bump__arctangent__false : ~ forall theta phi h_u h_v beta,
-  acos (dot (N theta phi) (N' theta phi h_u h_v beta)) = Rabs beta * length (g theta phi h_u h_v).
+  acos (dot (normal_at theta phi) (N' theta phi h_u h_v beta)) = Rabs beta * magnitude (g theta phi h_u h_v).
 Proof.
   intro H. generalize (H 0 0 1 0 1). rewrite angle_of_the_bump__arctangent, (length_of_unit (g 0 0 1 0)) by (rewrite g_squared; ring).
   rewrite Rabs_R1, Rmult_1_r, atan_1. apply Rlt_not_eq. interval.
