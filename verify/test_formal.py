@@ -35,6 +35,8 @@ def test_a_theorem_that_coq_says_is_said_whole_or_by_name_in_part():
         clauses = {number for numbers in accepted["clauses"].values() for number in numbers}
         assert clauses <= set(range(1, len(theorem.clauses) + 1)), id
         assert formal.whole(theorem, accepted) != (id in formal.PARTLY), id
+        by_claims = formal.whole(theorem, accepted | {"statements": {}, "clauses": {}})
+        assert by_claims != (id in formal.BY_ADDITIONS or id in formal.PARTLY), id
 
 
 def test_a_theorem_is_whole_by_all_of_its_claims_or_by_what_says_every_clause():
@@ -49,6 +51,9 @@ def test_a_theorem_is_whole_by_all_of_its_claims_or_by_what_says_every_clause():
     beside = {f"{name}__point": said for name, said in additions.items()}
     assert not formal.whole(theorem, none | {"statements": beside, "clauses": beside})
     assert not formal.whole(theorem, None)
+    carried_over = all_theorems()["hit_of_a"]
+    assert len(carried_over.clauses) == 1 and carried_over.id not in formal.BY_ADDITIONS
+    assert not formal.whole(carried_over, none | {"statements": {"hit_of_a__any": "True"}})
 
 
 @needs_coq

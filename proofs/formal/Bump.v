@@ -36,15 +36,11 @@ Theorem tangent_frame__by_theta (theta phi : R) :
 Proof. unfold_vectors. split; [|split]; auto_derive; trivial; ring. Qed.
 
 (* (e_phi, e_theta, N) is orthonormal. *)
-Theorem tangent_frame__orthonormal (theta phi : R) :
+Lemma tangent_frame_orthonormal (theta phi : R) :
   dot (e_theta theta) (e_theta theta) = 1 /\ dot (e_phi theta phi) (e_phi theta phi) = 1 /\
   dot (normal_at theta phi) (normal_at theta phi) = 1 /\ dot (e_theta theta) (e_phi theta phi) = 0 /\
   dot (e_theta theta) (normal_at theta phi) = 0 /\ dot (e_phi theta phi) (normal_at theta phi) = 0.
 Proof. repeat split; ring_of_angles theta phi. Qed.
-
-(* e_phi x e_theta = N. *)
-Theorem tangent_frame__right_handed (theta phi : R) : cross (e_phi theta phi) (e_theta theta) = normal_at theta phi.
-Proof. unfold_vectors. f_equal; [f_equal|]; ring [(sin_squared theta) (sin_squared phi)]. Qed.
 
 (* The other order gives -N, which is not N. *)
 Theorem tangent_frame__right_handed__false : ~ forall theta phi, cross (e_theta theta) (e_phi theta phi) = normal_at theta phi.
@@ -52,7 +48,7 @@ Proof.
   intro H. generalize (H 0 0). unfold_vectors. rewrite sin_0, cos_0. intro E. apply (f_equal snd) in E. cbn in E. lra.
 Qed.
 Theorem tangent_frame__orthonormal__false : ~ forall theta phi, dot (e_theta theta) (e_phi theta phi) = 1.
-Proof. intro H. generalize (H 0 0). rewrite (proj1 (proj2 (proj2 (proj2 (tangent_frame__orthonormal 0 0))))). lra. Qed.
+Proof. intro H. generalize (H 0 0). rewrite (proj1 (proj2 (proj2 (proj2 (tangent_frame_orthonormal 0 0))))). lra. Qed.
 
 (* Normalising *)
 
@@ -107,14 +103,10 @@ Proof. apply sqrt_pos. Qed.
 Lemma m_is_sum (theta phi h_u h_v beta : R) : M theta phi h_u h_v beta = vector_sum (normal_at theta phi) (scaled beta (g theta phi h_u h_v)).
 Proof. unfold_vectors. f_equal; [f_equal|]; ring. Qed.
 Lemma normal_is_unit (theta phi : R) : dot (normal_at theta phi) (normal_at theta phi) = 1.
-Proof. apply tangent_frame__orthonormal. Qed.
-
-(* N . g = 0. *)
-Theorem unit_length__g_is_tangent (theta phi h_u h_v : R) : dot (normal_at theta phi) (g theta phi h_u h_v) = 0.
-Proof. apply g_is_tangent. Qed.
+Proof. apply tangent_frame_orthonormal. Qed.
 
 (* |M|^2 = 1 + beta^2 |g|^2 >= 1 and |N'| = 1, for every beta. *)
-Theorem unit_length__length (theta phi h_u h_v beta : R) :
+Lemma unit_length_length (theta phi h_u h_v beta : R) :
   let m := M theta phi h_u h_v beta in
   dot m m = 1 + beta ^ 2 * dot (g theta phi h_u h_v) (g theta phi h_u h_v) /\ 1 <= dot m m /\
   magnitude (N' theta phi h_u h_v beta) = 1.
@@ -212,7 +204,7 @@ Lemma lagrange (a b : vector) : dot (cross a b) (cross a b) = dot a a * dot b b 
 Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. unfold dot, cross. ring. Qed.
 
 Lemma bumped_is_unit (theta phi h_u h_v beta : R) : dot (N' theta phi h_u h_v beta) (N' theta phi h_u h_v beta) = 1.
-Proof. rewrite <- length_squared, (proj2 (proj2 (unit_length__length _ _ _ _ _))). ring. Qed.
+Proof. rewrite <- length_squared, (proj2 (proj2 (unit_length_length _ _ _ _ _))). ring. Qed.
 
 (* |N x N'|^2 = beta^2 |g|^2 (N.N')^2. *)
 Theorem angle_of_the_bump__angle (theta phi h_u h_v beta : R) :

@@ -114,7 +114,7 @@ Proof. intro S. generalize PI_RGT_0. intro. unfold_displaced. unfold_vectors. f_
 
 Lemma slopes_are_tangent (theta phi h_u h_v : R) : dot (normal_at theta phi) (G theta phi h_u h_v) = 0.
 Proof. unfold G. rewrite dot_comm, dot_sum, !dot_scaled, !(dot_comm _ (normal_at _ _)).
-  destruct (tangent_frame__orthonormal theta phi) as (_ & _ & _ & _ & E & F).
+  destruct (tangent_frame_orthonormal theta phi) as (_ & _ & _ & _ & E & F).
   rewrite (dot_comm (normal_at _ _)), E, (dot_comm (normal_at _ _)), F. ring.
 Qed.
 
@@ -202,7 +202,7 @@ Lemma bump_along_slopes (theta phi h_u h_v : R) : 0 < sin phi ->
   dot (g theta phi h_u h_v) (G theta phi h_u h_v) = h_u ^ 2 / (2 * PI * sin phi) + h_v ^ 2 / PI /\
   dot (G theta phi h_u h_v) (G theta phi h_u h_v) = h_u ^ 2 / (4 * PI ^ 2 * sin phi ^ 2) + h_v ^ 2 / PI ^ 2.
 Proof.
-  intro S. generalize PI_RGT_0. intro P. destruct (tangent_frame__orthonormal theta phi) as (E & F & _ & H & _ & _).
+  intro S. generalize PI_RGT_0. intro P. destruct (tangent_frame_orthonormal theta phi) as (E & F & _ & H & _ & _).
   assert (I : g theta phi h_u h_v = vector_sum (scaled h_u (e_theta theta)) (scaled h_v (e_phi theta phi))) by (unfold_vectors; f_equal; [f_equal|]; ring).
   rewrite I. unfold G. rewrite !dot_sum, !dot_scaled, !(dot_comm _ (vector_sum _ _)), !dot_sum, !dot_scaled, E, F, (dot_comm (e_phi _ _)), H.
   split; field; lra.

@@ -231,12 +231,12 @@ Proof. unfold light_term.lit_green, light_term.lit_blue, light_term.lit_red. spl
 Theorem difference_bound__channels__false : ~ forall c c' i a kd ks mu s, light_term.lit_green c i a kd ks mu s = light_term.lit_red c' i a kd ks mu s.
 Proof. intro H. generalize (H 0 1 0 0 0 0 0 0). unfold light_term.lit_green, light_term.lit_red. lra. Qed.
 (* The clip adds nothing. *)
-Theorem (* clause 2 *) difference_bound__clip (a b : R) : Rabs (clip.clipped a - clip.clipped b) <= Rabs (a - b).
+Lemma difference_bound_clip (a b : R) : Rabs (clip.clipped a - clip.clipped b) <= Rabs (a - b).
 Proof.
   unfold clip.clipped. eapply Rle_trans; [|apply clamp_is_lipschitz]. unfold Rmin, Rabs. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra.
 Qed.
 (* So |dI| <= sum over the lights of i (a k_d + k_s q), times min(|beta| |dg|, 2): any number of lights. *)
-Theorem (* clause 3 *) difference_bound__all_lights (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R) :
+Theorem (* clause 3 *) difference_bound__any_lights (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R) :
   (forall f l, In (f, l) shares -> forall n m, magnitude n = 1 -> magnitude m = 1 -> Rabs (f n - f m) <= l * magnitude (difference n m)) ->
   let colour n := clip.clipped (ambient + fold_right (fun s c => fst s n + c) 0 shares) in
   let total := fold_right (fun s c => snd s + c) 0 shares in
@@ -245,8 +245,8 @@ Theorem (* clause 3 *) difference_bound__all_lights (shares : list ((vector -> R
   total * Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
 Proof.
   intros Hs. cbv beta zeta. intro Hl. set (n := N' theta phi a_u a_v beta). set (m := N' theta phi b_u b_v beta).
-  assert (Un : magnitude n = 1) by apply unit_length__length. assert (Um : magnitude m = 1) by apply unit_length__length.
-  eapply Rle_trans; [apply difference_bound__clip|].
+  assert (Un : magnitude n = 1) by apply unit_length_length. assert (Um : magnitude m = 1) by apply unit_length_length.
+  eapply Rle_trans; [apply difference_bound_clip|].
   apply Rle_trans with (fold_right (fun s c => snd s + c) 0 shares * magnitude (difference n m)).
   - replace (_ - _) with (fold_right (fun s c => fst s n + c) 0 shares - fold_right (fun s c => fst s m + c) 0 shares) by ring. clear Hl.
     induction shares as [|[f l] rest IH]; [simpl; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; lra|]. cbn [fold_right fst snd].
@@ -348,7 +348,7 @@ Proof.
   intro H. generalize (H snd (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 0) 1 0 0 1 1 1%nat ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(rewrite above_apart; lra)). rewrite above_apart.
   cbn [snd pow]. unfold share, light_term.lit_red, light_term.diffuse, light_term.shine. cbn [snd pow]. intro K. specialize (K ltac:(rewrite Rabs_pos_eq; lra)). rewrite Rabs_pos_eq in K; lra.
 Qed.
-Theorem difference_bound__all_lights__false : ~ forall (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R),
+Theorem difference_bound__any_lights__false : ~ forall (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R),
   let colour n := clip.clipped (ambient + fold_right (fun s c => fst s n + c) 0 shares) in let total := fold_right (fun s c => snd s + c) 0 shares in
   (forall f l, In (f, l) shares -> 0 <= l) ->
   Rabs (colour (N' theta phi a_u a_v beta) - colour (N' theta phi b_u b_v beta)) <=
