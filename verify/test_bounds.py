@@ -1,7 +1,6 @@
 """What `render(..., bounds=True)` certifies is so: nowhere is a colour further from 256-bit balls than its bound."""
 
 from dataclasses import replace
-from functools import cache
 from types import SimpleNamespace
 
 import numpy as np
@@ -10,9 +9,7 @@ from flint import arb, ctx
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.camera import point_on_b
-from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
-from proofs.formulas.pixel import pixel
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.symbols import ball_center, ball_radius, eye, normal, point, x, y
 from renderer import Light, Scene, exact, kernels, operations, render
@@ -20,110 +17,14 @@ from renderer.generate.kernels import function_of
 from renderer.machines import enclosing, numpy_rows
 from renderer.machines.enclosing import Enclosed, Mask
 from renderer.picture import stage
-from renderer.scene.methods import GradientMethod
+from renderer.picture.frame import Frame
 from renderer.scene.raster import Raster
-from verify.accuracy.pixels import BITS, COLORS
-from verify.evaluate.balls import BALLS, Balls
-from verify.reference import lights_on, scene_values
-from verify.strict import random_raster, random_scene
+from verify.accuracy.pixels import BITS, COLORS, truth_of
+from verify.enclosed_pixels import KINDS, Picture, measure
+from verify.evaluate.arrays import response
+from verify.evaluate.balls import BALLS
 
-
-@cache
-def balls_of(field, model, lights, method):
-    """Return the Balls of a pixel by a gradient method."""
-    by = [METHODS[method](HEIGHT_FIELDS[field])] if method != "exact" else []
-    return Balls(pixel(HEIGHT_FIELDS[field], model, lights, *by))
-
-
-class Picture:
-    """A frame with bounds, and the truth about its pixels."""
-
-    def __init__(self, scene, width, height, method, crop=None):
-        self.frame = render(scene, width, height, method, crop, bounds=True)
-        self.balls = balls_of(scene.field, scene.model, len(lights_on(scene)), method.name)
-        self.size = {"width": width, "height": height, "epsilon": method.eps or 0.0}
-
-    def truth(self, column, row, shaken=lambda number: number):
-        """Return the balls of every line of a pixel of the frame."""
-        left, top, _, _ = self.frame.raster.crop
-        values = scene_values(self.frame.scene, column=left + column, row=top + row, **self.size)
-        with ctx.workprec(BITS):
-            return self.balls({name: shaken(value) for name, value in values.items()}, BITS)[0]
-
-    def errors(self, column, row):
-        """Return what each channel is certainly off, and its bound; NaN where that is on an edge, at any digits."""
-        true, colors = self.truth(column, row), self.frame.rgb[row, column]
-        with ctx.workprec(BITS):
-            off = [float(abs(arb(float(c)) - true[name]).abs_lower()) for c, name in zip(colors, COLORS, strict=True)]
-        return np.array(off), self.frame.bounds[row, column]
-
-    def wrong(self, column, row):
-        """Return whether an error is above its bound, or another chamber than the true one is not open."""
-        off, bounds = self.errors(column, row)
-        other = self.code(column, row) != self.frame.chambers[row, column]
-        return (off > bounds).any() or (other and not self.frame.open[row, column])
-
-    def code(self, column, row):
-        """Return the true chamber code."""
-        true = {name: int(float(number.mid())) for name, number in self.truth(column, row).items() if is_flag(name)}
-        numbers = [n for n, light in enumerate(self.frame.scene.lights) if light.color is not None]
-        shadows = sum(true[f"occluded_{n}"] << (2 + number) for n, number in enumerate(numbers))
-        return true["surface"] | shadows | true["dark_square"] << 7
-
-
-def is_flag(name):
-    """Return whether a line of a pixel is a part of its chamber code."""
-    return name in ("surface", "dark_square") or name.startswith("occluded_")
-
-
-def random_picture(seed):
-    """Return a Picture of a random scene of any field, model, shininess and method, β from nothing to 1e100."""
-    random = np.random.default_rng((24, seed))
-    scene, (width, height, crop) = random_scene(random), random_raster(random)
-    waves = [(8, 4), random.integers(-64, 64, 2), random.uniform(-20, 20, 2), 2.0 ** random.uniform(6, 20, 2)]
-    ku, kv = (float(k) for k in waves[seed % 4])
-    lights = [Light(light.position, light.color and tuple(random.uniform(0, 1, 3))) for light in scene.lights]
-    method = [exact(), exact("general"), *(GradientMethod(m, 10.0 ** random.uniform(-8, -1)) for m in METHODS)]
-    return Picture(
-        replace(
-            scene,
-            lights=tuple(lights),
-            field=list(HEIGHT_FIELDS)[seed % len(HEIGHT_FIELDS)],
-            model=list(LIGHT_MODELS)[seed % len(LIGHT_MODELS)],
-            shininess=float(random.choice([32.0, 1.0, 7.3, 0.5, 1000.0, 12345.6])),
-            beta=float(random.choice([0.35, 0.0, -20.0, 10.0 ** random.uniform(-3, 100)])),
-            **{"ku": ku, "kv": kv},
-        ),
-        width,
-        height,
-        method[seed // 4 % len(method)],
-        crop,
-    )
-
-
-def places(picture, random, each):
-    """Return `each` pixels at random, and as many of the largest bounds, as (column, row)."""
-    flat = [
-        *random.integers(0, picture.frame.open.size, each),
-        *np.argsort(picture.frame.bounds.max(2).ravel())[-each:],
-    ]
-    rows, columns = np.unravel_index(flat, picture.frame.open.shape)
-    return list(zip(columns.tolist(), rows.tolist(), strict=True))
-
-
-def check_pictures(seeds, each=6):
-    """Check pixels of random pictures; return the shares bound/error of the random ones, and that of open pixels."""
-    shares, opened, pixels, decided = [], 0, 0, []
-    for seed in seeds:
-        picture, random = random_picture(seed), np.random.default_rng(seed)
-        for number, place in enumerate(places(picture, random, each)):
-            assert not picture.wrong(*place), (seed, place)
-            off, bounds = picture.errors(*place)
-            decided.append(np.isfinite(off).all())
-            shares += (bounds[off > 0] / off[off > 0]).tolist() if number < each else []
-        opened, pixels = opened + picture.frame.open.sum(), pixels + picture.frame.open.size
-    assert np.mean(decided) >= 0.95
-    return shares, opened / pixels
+enclosed_bounds = Frame.bounds.fget
 
 
 @pytest.fixture
@@ -132,17 +33,29 @@ def by_rows(monkeypatch):
     monkeypatch.setattr(stage, "machine", lambda: SimpleNamespace(drawer=numpy_rows.drawer))
 
 
+def check(found):
+    """Check what `measure` found: no error above its bound, and bounds that say something of every kind of picture."""
+    assert (found["above_bound"], found["chambers_missed"]) == (0, 0)
+    assert found["decided"] >= 0.95 * found["pixels"]
+    assert all(found[f"median_ratio_{kind}"] <= 1000 for kind in KINDS)
+    assert found["open_share"] <= 1e-3
+
+
 @pytest.mark.usefixtures("by_rows")
 def test_no_error_is_above_its_bound():
-    shares, opened = check_pictures(range(42))
-    assert np.median(shares) <= 1000
-    assert opened <= 1e-3
+    check(measure(42, first=0)["numbers"])
 
 
 @pytest.mark.long
 @pytest.mark.usefixtures("by_rows")
 def test_no_error_of_ten_thousand_is_above_its_bound():
-    check_pictures(range(1000, 1840))
+    check(measure(840)["numbers"])
+
+
+@pytest.mark.usefixtures("by_rows")
+def test_a_bound_that_is_too_small_is_counted(monkeypatch):
+    monkeypatch.setattr(Frame, "bounds", property(lambda frame: 1e-3 * enclosed_bounds(frame)))
+    assert measure(3, first=0)["numbers"]["above_bound"] > 0
 
 
 @pytest.mark.parametrize("field", HEIGHT_FIELDS)
@@ -172,6 +85,16 @@ def test_the_side_of_a_crease_is_open():
     pictures = on_creases()
     assert all(picture.frame.open.all() and not picture.wrong(0, 0) for picture in pictures)
     assert max(picture.errors(0, 0)[0].max() for picture in pictures) > 1e-3  # on the wrong side
+
+
+@pytest.mark.parametrize(("radius", "share"), [(1.0, 0.0), (2.0**53, 1.0), (1e40, 1.0)])
+def test_a_floor_without_squares_is_open(radius, share, by_rows):
+    scene = Scene(eye=4 * radius, radius=radius, ball=False, lights=(Light((3 * radius, -4 * radius, 6 * radius)),))
+    frame = render(scene, 16, 16, bounds=True)
+    floor = (frame.chambers & 3) == 3
+    lit = floor & (frame.chambers & 4 == 0)
+    assert frame.open[floor].mean() == share
+    assert (frame.bounds[lit].max(axis=1) > 1e-3).all() == bool(share)
 
 
 WIDE, RATIO = (-50.0, 50.0), (1e-6, 1.0)
@@ -236,15 +159,31 @@ def one_sided(mask, value, otherwise):
     return Enclosed(operations.where(*chosen), operations.where(*bound))
 
 
+def without_own_rounding(a, b):
+    """Return a product whose own rounding is left out."""
+    return Enclosed(a.value * b.value, abs(a.value) * b.bound + abs(b.value) * a.bound + a.bound * b.bound)
+
+
+def without_second_order(a, b):
+    """Return a product without the product of the bounds."""
+    own = enclosing.UNIT * abs(a.value * b.value)
+    return Enclosed(a.value * b.value, abs(a.value) * b.bound + abs(b.value) * a.bound + own)
+
+
+def uncounted(kind, value, roundings, keeps_zero=False):
+    """Return an Enclosed whose bound is halved."""
+    return kind(value, 0.5 * enclosing.UNIT * roundings, keeps_zero)
+
+
 @pytest.mark.parametrize(("broken", "name", "value", "operation"), [
-    (enclosing, "_own", lambda *factors: 0.0, "product"),
-    (enclosing, "UNIT", 0.0, "quotient"),
+    (Enclosed, "__mul__", without_own_rounding, "product"),
+    (Enclosed, "counted", classmethod(uncounted), "quotient"),
+    (Enclosed, "counted", classmethod(uncounted), "sum"),
     (enclosing.Operations, "where", staticmethod(one_sided), "selected"),
     (Mask, "__init__", lambda self, holds, open_=None: vars(self).update(holds=holds, open=None), "both"),
     (kernels, "ULPS", {name: ulps / 2 for name, ulps in kernels.ULPS.items()}, "exp"),
     (kernels, "ULPS", {name: ulps / 2 for name, ulps in kernels.ULPS.items()}, "log"),
-    (Enclosed, "__mul__", lambda a, b: Enclosed(a.value * b.value, abs(a.value) * b.bound + abs(b.value) * a.bound
-                                                + enclosing._own(a.value * b.value, a.value, b.value)), "product"),
+    (Enclosed, "__mul__", without_second_order, "product"),
 ])  # fmt: skip
 def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
     """A rounding left out, a selection of one side, a mask taken for decided, constants halved, no second order."""
@@ -271,7 +210,7 @@ def worst_on_b():
 
 def error_on_b(ratio, size):
     """Return the error of a pixel on B by what 64 shakes of all inputs by 1e-16 move it, or its own rounding."""
-    random, scene = np.random.default_rng(3), Scene(eye=1 / ratio, ball=False)
+    scene = Scene(eye=1 / ratio, ball=False)
     (left,), (top,) = Raster(64, 64, (30, 20, 1, 1)).image_points(scene)
     along = 1.3 * ratio  # how far from the image point to the eye
     center = (1 - along) * left + 0.4 * size, (1 - along) * top + 0.3 * size, 1.3
@@ -280,23 +219,29 @@ def error_on_b(ratio, size):
     assert picture.frame.chambers[0, 0] & 3 == 2
     off, bounds = picture.errors(0, 0)
     assert (off <= bounds).all()
-    true, responses = picture.truth(0, 0), [2.0**-53 * picture.frame.rgb.max()]
-    for _ in range(64):
-        moved = picture.truth(0, 0, lambda number: arb(number) * (1 + arb(random.uniform(-1e-16, 1e-16))))
-        responses += [float(abs(moved[name] - true[name])) for name in COLORS]
-    return off.max() / max(responses)
+    true = truth_of(picture.frame, 0, 0)
+
+    def change(shaken):
+        moved = truth_of(picture.frame, 0, 0, shaken)
+        return max(float(abs(moved[name] - true[name])) for name in COLORS)
+
+    return off.max() / response(picture.frame.rgb.max(), change)
 
 
 def test_b_is_as_accurate_as_its_condition():
     assert worst_on_b() <= 30
 
 
-def test_a_normal_that_cancels_is_noticed(monkeypatch, by_rows):
-    """P − C of the hit, which is what was there."""
+def cancelling_normal_of_b():
+    """Return the program of P and N of B by P − C of the hit, which is what was there."""
     from_hit = tuple(p - c for p, c in zip(point, ball_center, strict=True))
-    cancelling = chain("normal_of_b", point_on_b, Program("outward", (point, ball_center, ball_radius),
-                       tuple((n, d / ball_radius) for n, d in zip(normal, from_hit, strict=True))),
-                       outputs=(*point, *normal))  # fmt: skip
+    outward = tuple((n, d / ball_radius) for n, d in zip(normal, from_hit, strict=True))
+    lines = Program("outward", (point, ball_center, ball_radius), outward, normal)
+    return chain("normal_of_b", point_on_b, lines, outputs=(*point, *normal))
+
+
+def test_a_normal_that_cancels_is_noticed(monkeypatch, by_rows):
+    cancelling = cancelling_normal_of_b()
     function, names = function_of(cancelling), [s.name for s in cancelling.inputs]
     wanted = [s.name for s in (x, y, eye, *ball_center, ball_radius)]
     on = {"ball_on": enclosing.enclosed(1.0)}

@@ -140,7 +140,9 @@ HIDING = [
     "Global Instance precision : Prec_gt_0 53.",
     "#[global] Hint Resolve sin_0.",
     "Set Implicit Arguments.",
-    "Inductive no : Type := yes.",
+    "Inductive no : Type := yes {f : R}.",
+    "CoInductive no : Type := yes.",
+    "Record pair := { first :> R }.",
     "Fixpoint f (n : nat) := 0 with sin (n : nat) := 0.",
     "From Elsewhere Require Import Sines.",
     "Proof. abstract trivial using PI. Qed.",
@@ -176,6 +178,7 @@ NOT_PROVED = [
     (f"Definition sin (x : R) := 0.\n{FALSE} intro x. unfold sin. reflexivity. Qed.", "does not accept One"),
     ("Definition sin (x : R) : R := 0.", "does not accept Names"),
     ("Lemma PI : R.\nProof. exact 3. Qed.", "does not accept Names"),
+    ("Inductive odd : Prop := | PI : odd.", "does not accept Names"),
     ("Section s.\nVariable R : Set.\nEnd s.", "does not accept Names"),
 ]
 

@@ -9,13 +9,13 @@ from collections.abc import Iterable, Mapping
 
 LIBRARIES = {"Coq", "Coquelicot", "Flocq", "Interval", "Formal"}
 FIRST_WORDS = re.compile(
-    r"(?:Theorem|Lemma|Definition|Fixpoint|Let|Ltac|Section|End|Variables?|Hypothes[ie]s|Proof|Qed)\b"
+    r"(?:Theorem|Lemma|Definition|Fixpoint|Inductive|Let|Ltac|Section|End|Variables?|Hypothes[ie]s|Proof|Qed)\b"
     rf"|From (?:{'|'.join(sorted(LIBRARIES))}) Require\b|Open Scope R_scope$|Import ListNotations$"
 )
-GLOBAL = re.compile(r"(?:Theorem|Lemma|Definition|Fixpoint|Ltac) +([\w']+)")
+GLOBAL = re.compile(r"(?:Theorem|Lemma|Definition|Fixpoint|Inductive|Ltac) +([\w']+)")
 LOCAL = re.compile(r"(?:Let|Section) +([\w']+)")
 BINDING = re.compile(r"(?:Variables?|Hypothes[ie]s) ")
-SAID = re.compile(r"(?:Theorem|Lemma|Definition|Fixpoint|Let|Variables?|Hypothes[ie]s)\b")
+SAID = re.compile(r"(?:Theorem|Lemma|Definition|Fixpoint|Inductive|Let|Variables?|Hypothes[ie]s)\b")
 HIDDEN = re.compile(r":>|\{\s*[\w' ]+[:}]")  # a coercion, and an argument that is not shown
 NAMELESS = re.compile(r"\b(?:transparent_)?abstract\b")  # a tactic that gives a name
 
@@ -55,7 +55,8 @@ def check(text: str) -> None:
             raise Unreadable(sentence)
         if SAID.match(sentence):
             several = len(re.findall(r"\bwith\b", sentence)) > len(re.findall(r"\bmatch\b", sentence))
-            if several or HIDDEN.search(sentence.partition(":=")[0]):
+            said = sentence if sentence.startswith("Inductive") else sentence.partition(":=")[0]
+            if several or HIDDEN.search(said):
                 raise Unreadable(sentence)
 
 
@@ -64,12 +65,20 @@ def named(text: str) -> list[str]:
     found = []
     for sentence in sentences(text):
         if match := GLOBAL.match(sentence) or LOCAL.match(sentence):
-            found.append(match[1])
+            found += [match[1], *_of_inductive(sentence, match[1])]
         elif match := BINDING.match(sentence):
             bound = sentence[match.end() :]
             groups = re.findall(r"\(([\w' ]+):", bound) if bound.startswith("(") else [bound.partition(":")[0]]
             found += [name for group in groups for name in group.split()]
     return found
+
+
+def _of_inductive(sentence, name):
+    """Return the names of an inductive predicate's rules, and those that Coq gives for it."""
+    if not sentence.startswith("Inductive "):
+        return []
+    rules = re.findall(r"(?:\||:=)\s*([A-Za-z_][\w']*)", sentence)
+    return [*rules, *(f"{name}_{end}" for end in ("ind", "rec", "rect", "sind"))]
 
 
 def given_twice(texts: Mapping[str, str]) -> list[str]:

@@ -926,6 +926,98 @@ Definition ridges_on_creases__differ : Prop :=
   6 * right >= 5 * slope /\
   right - left > slope.
 
+Definition rounded_powers__three_roundings_of_one : Prop :=
+  forall first growth second third unit : R,
+  unit >= 0 ->
+  unit <= (1 / 4) ->
+  unit - first >= 0 ->
+  first + unit >= 0 ->
+  unit - second >= 0 ->
+  second + unit >= 0 ->
+  unit - third >= 0 ->
+  third + unit >= 0 ->
+  growth = (first + 1) * (second + 1) * (third + 1) ->
+  (unit + 1) ^ 2 - (first + 1) * (second + 1) >= 0 /\
+  (first + 1) * (second + 1) - (1 - unit) ^ 2 >= 0 /\
+  (unit + 1) ^ 3 - growth >= 0 /\
+  growth + (unit + 1) ^ 3 - 2 >= 0.
+
+Definition rounded_powers__square : Prop :=
+  forall excess first imaginary_part off_first off_second real_part second : R,
+  off_first = first * (real_part - imaginary_part) * (imaginary_part + real_part) ->
+  off_second = 2 * imaginary_part * real_part * second ->
+  excess - first >= 0 ->
+  excess + first >= 0 ->
+  excess - second >= 0 ->
+  excess + second >= 0 ->
+  4 * imaginary_part ^ 2 * real_part ^ 2 + (real_part - imaginary_part) ^ 2 * (imaginary_part + real_part) ^ 2 = (imaginary_part ^ 2 + real_part ^ 2) ^ 2 /\
+  excess ^ 2 - first ^ 2 >= 0 /\
+  excess ^ 2 - second ^ 2 >= 0 /\
+  excess ^ 2 * (imaginary_part ^ 2 + real_part ^ 2) ^ 2 >= off_first ^ 2 + off_second ^ 2.
+
+Definition rounded_powers__product : Prop :=
+  forall excess first fourth imaginary_part off_first off_second other_imaginary other_real real_part second third unit : R,
+  unit >= 0 ->
+  excess = (unit + 1) ^ 3 - 1 ->
+  off_first = first * other_real * real_part - imaginary_part * other_imaginary * second ->
+  off_second = fourth * imaginary_part * other_real + other_imaginary * real_part * third ->
+  unit ^ 2 - first + 2 * unit >= 0 ->
+  first + unit ^ 2 + 2 * unit >= 0 ->
+  unit ^ 2 - second + 2 * unit >= 0 ->
+  second + unit ^ 2 + 2 * unit >= 0 ->
+  unit ^ 2 - third + 2 * unit >= 0 ->
+  third + unit ^ 2 + 2 * unit >= 0 ->
+  unit ^ 2 - fourth + 2 * unit >= 0 ->
+  fourth + unit ^ 2 + 2 * unit >= 0 ->
+  (other_real * real_part - imaginary_part * other_imaginary) ^ 2 + (imaginary_part * other_real + other_imaginary * real_part) ^ 2 = (imaginary_part ^ 2 + real_part ^ 2) * (other_imaginary ^ 2 + other_real ^ 2) /\
+  (unit ^ 2 + 2 * unit) ^ 2 - first ^ 2 >= 0 /\
+  (unit ^ 2 + 2 * unit) ^ 2 - second ^ 2 >= 0 /\
+  (unit ^ 2 + 2 * unit) ^ 2 - third ^ 2 >= 0 /\
+  (unit ^ 2 + 2 * unit) ^ 2 - fourth ^ 2 >= 0 /\
+  2 * (unit ^ 2 + 2 * unit) ^ 2 * (imaginary_part ^ 2 * other_imaginary ^ 2 + other_real ^ 2 * real_part ^ 2) >= off_first ^ 2 /\
+  2 * (unit ^ 2 + 2 * unit) ^ 2 * (imaginary_part ^ 2 * other_real ^ 2 + other_imaginary ^ 2 * real_part ^ 2) >= off_second ^ 2 /\
+  excess ^ 2 >= 2 * (unit ^ 2 + 2 * unit) ^ 2 /\
+  excess ^ 2 * (imaginary_part ^ 2 + real_part ^ 2) * (other_imaginary ^ 2 + other_real ^ 2) >= off_first ^ 2 + off_second ^ 2.
+
+Definition rounded_powers__power : Prop :=
+  forall excess most most_other off off_first off_second other_size own size : R,
+  excess >= 0 ->
+  size >= 0 ->
+  other_size >= 0 ->
+  off_first >= 0 ->
+  off_second >= 0 ->
+  most - 1 >= off_first ->
+  most_other - 1 >= off_second ->
+  off_first + 1 >= size ->
+  off_second + 1 >= other_size ->
+  excess * other_size * size >= own ->
+  off_first * other_size + off_second + own >= off ->
+  most >= size /\
+  most_other >= other_size /\
+  most * most_other >= other_size * size /\
+  excess * most * most_other >= own /\
+  most_other * (most - 1) >= off_first * other_size /\
+  most * most_other * (excess + 1) - 1 >= off.
+
+Definition rounded_powers__factors : Prop :=
+  forall exact most most_other other_exact other_value value : R,
+  1 - exact >= 0 ->
+  exact + 1 >= 0 ->
+  1 - other_exact >= 0 ->
+  other_exact + 1 >= 0 ->
+  exact + most - value - 1 >= 0 ->
+  most - exact + value - 1 >= 0 ->
+  most_other + other_exact - other_value - 1 >= 0 ->
+  most_other - other_exact + other_value - 1 >= 0 ->
+  most_other - other_value >= 0 /\
+  most_other + other_value >= 0 /\
+  most_other * (most - 1) - other_value * (value - exact) >= 0 /\
+  most_other * (most - 1) + other_value * (value - exact) >= 0 /\
+  most_other - exact * (other_value - other_exact) - 1 >= 0 /\
+  exact * (other_value - other_exact) + most_other - 1 >= 0 /\
+  exact * other_exact + most * most_other - other_value * value - 1 >= 0 /\
+  most * most_other - exact * other_exact + other_value * value - 1 >= 0.
+
 Definition roundoff_bound__in_u : Prop :=
   forall argument epsilon evaluation excess growth here mean off_minus off_plus steepest : R,
   let h_u_plus := 2 * epsilon * mean + here + off_plus in
