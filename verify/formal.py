@@ -1,48 +1,49 @@
 """The formal proofs:  python -m verify.formal compiles `proofs/formal/` with Coq and records what it accepted.
 
-The statement ID__NAME is of the book's theorem ID; where that has several clauses, a comment says which ones it says:
-Theorem (* clauses 2, 3 *) ID__NAME. ID__NAME__point gives values at which its hypotheses hold, and ID__NAME__false
-refutes a false variant. A refuted theorem's statements are negations.
+What counts is `Theorem x : Statements.x.`, for a claim x that is printed into Statements.v: Coq is asked in a process
+of its own, which loads compiled files only, whether x is that, and for its axioms. A theorem is formal where all of its
+claims are proved so. Other theorems, ID__NAME, are additions of the book's theorem ID. Where not all of its claims are
+proved as they are printed, additions may say its clauses; a comment says which of several: Theorem (* clauses 2, 3 *)
+ID__NAME. ID__NAME__point gives values at which its hypotheses hold, and ID__NAME__false refutes a false variant.
 """
 
 import argparse
+import hashlib
 import json
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
-import textwrap
 from concurrent.futures import ThreadPoolExecutor
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 from tqdm import tqdm
 
+from proofs.engine.claim import Separation
+from proofs.engine.theorem import Theorem
 from renderer.whole_files import write_whole
+from verify import survey, vernacular
 from verify.sources import ROOT, hashes, key
+from verify.survey import COQS_OWN, MACHINE_NUMBERS, NotAccepted, Said, Statements
 
 FOLDER = ROOT / "proofs" / "formal"
 RECORD = FOLDER / "record.json"
 KEPT = ROOT / ".stamps" / "formal"  # what Coq was last asked about here
 STATEMENT = re.compile(r"^Theorem (?:\(\* clauses? ([\d, ]+) \*\) )?((\w+?)__\w+)", re.MULTILINE)
-REQUIRED = re.compile(r"From Formal Require Import ([\w\s]+)\.")
+PROVED = re.compile(r"(?:Theorem|Lemma) (\w+) : Statements\.(\w+)")
+REQUIRED = re.compile(r"^From Formal Require (?:Import )?([\w\s]+)\.", re.MULTILINE)
+LIBRARY = re.compile(r"^From (?!Formal\b)\w+ Require Import [\w\s]+\.", re.MULTILINE)
+BESIDE = ("__point", "__false")
+"""The ends of the names of additions that say nothing of a theorem."""
 COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
-AXIOMS = {
-    "ClassicalDedekindReals.sig_forall_dec": "the real numbers",
-    "ClassicalDedekindReals.sig_not_dec": "the real numbers",
-    "FunctionalExtensionality.functional_extensionality_dep": "functions",
-    "Classical_Prop.classic": "the excluded middle",
+PRINTED = ("Formulas", "Float64", "Statements")
+TRUSTED = {
+    "Preliminaries": "7af9c259025f9b9ad64c897bb9037981fdd9663ac83a65f6b5e68736d406ef93",
+    "Float": "b455e3be8bfb6a38292241144bfc0d4c23c56e4256e344741e4d6e690604f001",
 }
-"""{axiom: what it is about}. Where `interval` computes, the specifications of Coq's machine numbers come to these."""
-SEPARATOR = "I\n     : True\n"
-CLOSED = "Closed under the global context\n"
-AXIOM = re.compile(r"[\w.]+( : .*)?$|  ")  # its name, and its type there or indented below it
-MACHINE_NUMBERS = ("Uint63.", "PrimInt63.", "PrimFloat.", "FloatAxioms.", "FloatOps.", "Int63.", "Sint63.")
-COQS_OWN = {name.partition(".")[0] for name in (*AXIOMS, *MACHINE_NUMBERS)}
-MODULE = re.compile(r"\bModule (\w+)\.")
-HIDING = re.compile(r"\b(?:Notation|Infix|Coercion|Declare|Load|Module(?! \w+\.))\b[^.\n]*")
-"""What could hide from the survey what a statement says or rests on, and modules that are not named at once."""
+"""{what printed files need and no library has: its hash}. The book prints both; who changes one changes this, too."""
 
 PARTLY = {
     "bump_moves_no_boundary": "that none of these depends on the bump: the lines printed for them have no such input",
@@ -54,25 +55,34 @@ PARTLY = {
 }
 """{theorem: what of its words no statement says}"""
 
-
-class NotAccepted(ValueError):
-    """Coq did not accept a file, or a statement rests on an axiom that is not among those that are named."""
+LEFT = """algebraic_gradient angle_of_the_bump attached_shadow best_step bump_is_not_displacement
+    central_difference_of_sine clamped_difference clamped_difference_of_odd displaced_normal gradients
+    highlight_below_one hit_of_b normal_by_beta normal_limits normalising_is_lipschitz periodic_u_saves_the_seam
+    pole ridges_at_crossings ridges_differentiable ridges_on_creases roundoff_bound seed_bump_as_displacement
+    seed_clamp seed_covers_the_view seed_orientation seed_pole_rows seed_quadratic_of_b seed_step_in_beta
+    seed_truncation_slope shadow_line_moves_within shadow_of_b_on_floor shadow_out_of_reach silhouette_of_b
+    sine_is_smooth_everywhere specular_lipschitz squared_highlight straddling third_derivative_at_eight
+    truncation_bound"""
+BY_ADDITIONS = frozenset(LEFT.split())
+"""The theorems whose clauses additions say, while not all of their claims are proved as printed. No other may come."""
 
 
 def layers(*wanted: str) -> list[list[str]]:
     """Return the names of the files that Coq reads, each in a later layer than those that it requires.
 
     All, or those that are wanted and theirs. Raises NotAccepted where one requires what is not there, or itself, where
-    something is HIDING, and where a module has a name of Coq's own: an axiom in it would be printed as one of those
-    that are allowed.
+    one written by hand could change how a statement is read, where a printed or trusted one requires one written by
+    hand, or another text stands in it, and where a file has a name of Coq's own: an axiom in it would be printed as one
+    of those that are allowed.
     """
     texts = {path.stem: path.read_text(encoding="utf-8") for path in FOLDER.glob("*.v")}
-    if hiding := HIDING.findall("\n".join(texts.values())):
-        raise NotAccepted(f"{'; '.join(hiding)}: that could hide what is said, or assumed")
-    if taken := sorted(COQS_OWN.intersection([*texts, *MODULE.findall("\n".join(texts.values()))])):
+    if taken := sorted(COQS_OWN.intersection(texts)):
         raise NotAccepted(f"{', '.join(taken)}: a module of Coq's own has this name")
-    required = {name: REQUIRED.search(text) for name, text in texts.items()}
-    needs = {name: set(match[1].split()) if match else set() for name, match in required.items()}
+    needs = {name: set(" ".join(REQUIRED.findall(text)).split()) for name, text in texts.items()}
+    for name, text in texts.items():
+        _readable(name, text, needs[name])
+    if twice := vernacular.given_twice(_by_hand(texts)):
+        raise NotAccepted(f"names that are given twice: {', '.join(twice)}")
     if missing := set().union(*needs.values(), wanted) - needs.keys():
         raise NotAccepted(f"there is no {', '.join(sorted(missing))} in {FOLDER.name}/")
     sorter, batches = TopologicalSorter(needs), []
@@ -89,28 +99,80 @@ def layers(*wanted: str) -> list[list[str]]:
     return [sorted(reached.intersection(batch)) for batch in batches]
 
 
+CLAIM = re.compile(r"^Definition (\w+) : Prop", re.MULTILINE)
+
+
+def printed_claims(order: list[Path]) -> set[str]:
+    """Return the names of the claims that are printed."""
+    return {name for path in order if path.stem == "Statements" for name in CLAIM.findall(path.read_text("utf-8"))}
+
+
+def _by_hand(texts):
+    return {name: text for name, text in texts.items() if name not in (*PRINTED, *TRUSTED)}
+
+
+def _readable(name, text, needs):
+    if (name in PRINTED or name in TRUSTED) and (by_hand := needs.difference(PRINTED, TRUSTED)):
+        raise NotAccepted(f"{name} requires {', '.join(sorted(by_hand))}, which is written by hand")
+    if name in TRUSTED and hashlib.sha256(text.encode()).hexdigest() != TRUSTED[name]:
+        raise NotAccepted(f"{name} is not the text that is trusted")
+    if name not in PRINTED and name not in TRUSTED:
+        try:
+            vernacular.check(text)
+        except vernacular.Unreadable as error:
+            raise NotAccepted(f"{name}: {error}: that could hide what is said, or assumed") from error
+
+
 def files(*wanted: str) -> list[Path]:
     """Return the files that Coq reads, each after those that it requires: all, or those that are wanted and theirs."""
     return [FOLDER / f"{name}.v" for layer in layers(*wanted) for name in layer]
 
 
-Statements = dict[str, dict[str, list[int]]]
-"""{theorem's id: {a statement's name: the clauses, counted from 1, that it is said to say}}"""
-
-
 def statements(*wanted: str) -> Statements:
-    """Return the statements in the order of the files."""
+    """Return what is said of each theorem, in the order of the files."""
     named: Statements = {}
     for path in files(*wanted):
-        for clauses, name, theorem in STATEMENT.findall(path.read_text(encoding="utf-8")):
-            named.setdefault(theorem, {})[name] = [int(number) for number in clauses.split(",") if clauses]
+        text = path.read_text(encoding="utf-8")
+        matches = filter(None, map(PROVED.fullmatch, vernacular.sentences(text) if path.stem not in PRINTED else ()))
+        proved = {match[1]: match[2] for match in matches}
+        for name, claim in proved.items():
+            if name != claim:
+                raise NotAccepted(f"{name} proves {claim}, and has to have its name")
+            named.setdefault(name.partition("__")[0], Said()).claims[name] = path.stem
+        for clauses, name, theorem in STATEMENT.findall(text):
+            if name not in proved:
+                numbers = [int(number) for number in clauses.split(",") if clauses]
+                named.setdefault(theorem, Said()).additions[name] = numbers
     return named
+
+
+def whole(theorem: Theorem, accepted: dict | None) -> bool:
+    """Whether Coq accepted a theorem: each of its claims as it is printed.
+
+    accepted: its entry of the record. A Separation is the kernel's alone. Of those that stand in BY_ADDITIONS, each
+    clause may be said by an addition instead; where there are several, by one with its number.
+    """
+    if not accepted:
+        return False
+
+    def proved(claims):
+        names = {f"{theorem.id}__{claim.name}" for claim in claims if not isinstance(claim, Separation)}
+        return bool(names) and names <= set(accepted["claims"])
+
+    if proved(theorem.claims) or theorem.id not in BY_ADDITIONS:
+        return proved(theorem.claims)
+    additions = [name for name in accepted["statements"] if not name.endswith(BESIDE)]
+    if len(theorem.clauses) == 1:
+        return bool(additions)
+    by_addition = set().union(*(accepted["clauses"].get(name, ()) for name in additions))
+    return all(proved(clause.claims) or n in by_addition for n, clause in enumerate(theorem.clauses, start=1))
 
 
 def record() -> dict:
     """Return what Coq accepted, {} if that is stale.
 
-    {theorem: {"statements": {name: text}, "clauses": {name: those it says, of several}, "axioms": [name, …]}}.
+    {theorem: {"claims": [those that are proved as they are printed], "statements": {addition: text}, "clauses":
+    {addition: those it says, of several}, "axioms": [name, …]}}.
     """
     if not RECORD.is_file():
         return {}
@@ -142,77 +204,28 @@ def compile_files(*wanted: str, said: dict | None = None) -> dict:
     rest on the same: each rests on no more than these.
     """
     named, order = statements(*wanted), files(*wanted)
-    groups = _groups(named, said or {})
+    asked = survey.groups(named, said or {})
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for path in order:
             shutil.copy(path, folder)
-        (folder / "Survey.v").write_text(_survey(named, groups, order), encoding="utf-8")
-        with tqdm(total=len(order) + 1, unit="file", disable=None) as bar, ThreadPoolExecutor(2) as pool:
-            for layer in [*layers(*wanted), ["Survey"]]:
+        by_hand = _by_hand({path.stem: path.read_text(encoding="utf-8") for path in order})
+        names = {name for text in by_hand.values() for name in vernacular.named(text)} - printed_claims(order)
+        required = [line for text in by_hand.values() for line in LIBRARY.findall(text)]
+        required += [
+            f"From Formal Require Import {path.stem}." for path in order if path.stem in (*TRUSTED, "Formulas")
+        ]
+        asks = {
+            "Names": survey.names_asked(names, required),
+            "Survey": survey.survey(named, asked, [path.stem for path in order]),
+        }
+        for file, text in asks.items():
+            (folder / f"{file}.v").write_text(text, encoding="utf-8")
+        with tqdm(total=len(order) + 2, unit="file", disable=None) as bar, ThreadPoolExecutor(2) as pool:
+            for layer in [*layers(*wanted), list(asks)]:
                 printed = list(pool.map(lambda name: _coqc(folder, f"{name}.v"), layer))
                 bar.update(len(layer))
-    return _read(named, groups, printed[-1])
-
-
-def _groups(named: Statements, said: dict) -> list[list[str]]:
-    """Return lists of theorems: together those that are said to rest on the same axioms, else each alone."""
-    groups: dict[object, list[str]] = {}
-    for theorem in named:
-        groups.setdefault(tuple(said[theorem]["axioms"]) if theorem in said else theorem, []).append(theorem)
-    return list(groups.values())
-
-
-def _survey(named: Statements, groups: list[list[str]], order: list[Path]) -> str:
-    """Return the text of a file that prints each theorem's statements, then each group's axioms."""
-    lines = ["From Coq Require Import Reals.", "From Coquelicot Require Import Coquelicot.", "Open Scope R_scope."]
-    lines += [f"From Formal Require Import {' '.join(path.stem for path in order)}.", "Set Printing Width 72."]
-    for said in named.values():
-        lines += [*(f"Check {name}." for name in said), "Check I."]
-    for group in groups:
-        names = [name for theorem in group for name in named[theorem]]
-        lines += [f"Definition all_of_{group[0]} := ({', '.join(names)}, I)."]
-        lines += [f"Print Assumptions all_of_{group[0]}.", "Check I."]
-    return "\n".join([*lines, ""])
-
-
-def _read(named: Statements, groups: list[list[str]], printed: str) -> dict:
-    """Return the record out of what the survey printed."""
-    *parts, rest = printed.split(SEPARATOR)
-    if len(parts) != (asked := len(named) + len(groups)) or rest.strip():
-        raise NotAccepted(f"Coq printed {len(parts)} parts, not the {asked} of {len(named)} theorems")
-    table = {}
-    for theorem, part in zip(named, parts, strict=False):
-        pieces = re.split(rf"^({'|'.join(named[theorem])})\s*:", part, flags=re.M)
-        if pieces[1::2] != list(named[theorem]):
-            raise NotAccepted(f"a statement of {theorem} was not printed")
-        texts = {name: _dedented(text) for name, text in zip(pieces[1::2], pieces[2::2], strict=True)}
-        clauses = {name: said for name, said in named[theorem].items() if said}
-        table[theorem] = {"statements": texts, "clauses": clauses}
-    for group, listed in zip(groups, parts[len(named) :], strict=True):
-        for theorem in group:
-            table[theorem]["axioms"] = _axioms(", ".join(group), listed)
-    return table
-
-
-def _axioms(theorem: str, printed: str) -> list[str]:
-    """Return the axioms out of what Coq printed; raises NotAccepted for others, and for whatever is not an axiom."""
-    if printed == CLOSED:
-        return []
-    heading, _, listed = printed.partition("\n")
-    lines = listed.splitlines()
-    names = [line.partition(" ")[0] for line in lines if not line.startswith(" ")]
-    odd = [line for line in lines if not AXIOM.match(line)]
-    odd += [name for name in names if name not in AXIOMS and not name.startswith(MACHINE_NUMBERS)]
-    if heading != "Axioms:" or odd or not names:
-        raise NotAccepted(f"{theorem} rests on {'; '.join(odd) or printed}")
-    return sorted(names)
-
-
-def _dedented(text: str) -> str:
-    """Return a printed statement without the indentation that its name's line gave it."""
-    first, *others = text.rstrip().split("\n")
-    return textwrap.dedent("\n".join([f"       {first.strip()}", *others])).strip()
+    return survey.read(named, asked, printed[-1])
 
 
 def main() -> None:
@@ -237,7 +250,7 @@ def main() -> None:
     for theorem, entry in table.items():
         short = sorted({a.split(".")[0 if a.startswith(MACHINE_NUMBERS) else -1] for a in entry["axioms"]})
         rests = ", ".join(short) or "closed under the global context"
-        print(f"{theorem:32} {len(entry['statements']):2} statements   {rests}")
+        print(f"{theorem:32} {len(entry['statements']):2} statements {len(entry['claims']):2} claims   {rests}")
 
 
 if __name__ == "__main__":

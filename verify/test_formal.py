@@ -10,7 +10,7 @@ import pytest
 
 from proofs.engine.theorem import all_theorems
 from renderer.whole_files import write_whole
-from verify import formal
+from verify import formal, survey, vernacular
 from verify.sources import ROOT
 from verify.test_campaign import draw, edited
 
@@ -23,19 +23,37 @@ def test_statements_are_of_theorems_of_the_book():
     named = formal.statements()
     assert named.keys() <= all_theorems().keys()
     assert formal.PARTLY.keys() <= named.keys()
-    for id, names in named.items():
-        said = {name for name in names if not name.endswith(("__point", "__false"))}
-        assert all_theorems()[id].expected == "refuted" or {f"{name}__false" for name in said} <= names.keys(), id
+    for id, found in named.items():
+        said = {name for name in found.additions if not name.endswith(formal.BESIDE)}
+        refuted = all_theorems()[id].expected == "refuted"
+        assert refuted or {f"{name}__false" for name in said} <= found.additions.keys(), id
 
 
-def test_every_clause_of_a_formal_theorem_has_a_statement_that_says_it():
-    for id, names in formal.statements().items():
+def test_a_theorem_that_coq_says_is_said_whole_or_by_name_in_part():
+    for id, accepted in formal.record().items():
         theorem = all_theorems()[id]
-        named = [clauses for name, clauses in names.items() if not name.endswith(("__point", "__false"))]
-        every = set(range(1, len(theorem.clauses) + 1)) if len(theorem.clauses) > 1 else set()
-        said = set().union(*named)
-        assert said <= every and all(clauses for clauses in named) == bool(every), id
-        assert said == every or id in formal.PARTLY, id
+        clauses = {number for numbers in accepted["clauses"].values() for number in numbers}
+        assert clauses <= set(range(1, len(theorem.clauses) + 1)), id
+        assert formal.whole(theorem, accepted) != (id in formal.PARTLY), id
+        by_claims = formal.whole(theorem, accepted | {"statements": {}, "clauses": {}})
+        assert by_claims != (id in formal.BY_ADDITIONS or id in formal.PARTLY), id
+
+
+def test_a_theorem_is_whole_by_all_of_its_claims_or_by_what_says_every_clause():
+    theorem, none = all_theorems()["normal_limits"], {"claims": [], "statements": {}, "clauses": {}}
+    claims = [f"normal_limits__{claim.name}" for claim in theorem.claims]
+    numbers = range(1, len(theorem.clauses) + 1)
+    additions = {f"normal_limits__{n}": [n] for n in numbers}
+    assert formal.whole(theorem, none | {"claims": claims})
+    assert formal.whole(theorem, none | {"statements": additions, "clauses": additions})
+    assert not formal.whole(theorem, none | {"claims": claims[1:]})
+    assert not formal.whole(theorem, none | {"statements": additions, "clauses": {}})
+    beside = {f"{name}__point": said for name, said in additions.items()}
+    assert not formal.whole(theorem, none | {"statements": beside, "clauses": beside})
+    assert not formal.whole(theorem, None)
+    carried_over = all_theorems()["hit_of_a"]
+    assert len(carried_over.clauses) == 1 and carried_over.id not in formal.BY_ADDITIONS
+    assert not formal.whole(carried_over, none | {"statements": {"hit_of_a__any": "True"}})
 
 
 @needs_coq
@@ -57,8 +75,8 @@ Theorem assumed__three : 1 + 1 = 3. Proof. exact three. Qed.
 Unset Guard Checking. Fixpoint never (n : nat) : False := never n. Set Guard Checking.
 Theorem unguarded__three : 1 + 1 = 3. Proof. destruct (never 0). Qed.
 Unset Positivity Checking. Inductive no : Type := yes : (no -> False) -> no. Set Positivity Checking.
-Lemma false (n : no) : False. Proof. destruct n as [f] eqn:E. exact (f n). Qed.
-Theorem unpositive__three : 1 + 1 = 3. Proof. destruct (false (yes false)). Qed.
+Lemma nonsense (n : no) : False. Proof. destruct n as [f] eqn:E. exact (f n). Qed.
+Theorem unpositive__three : 1 + 1 = 3. Proof. destruct (nonsense (yes nonsense)). Qed.
 """
 WHY = {"left_out": "rests on left_out__proof", "assumed": "rests on three",
        "unguarded": "never is assumed to be guarded", "unpositive": "no is assumed to be positive"}  # fmt: skip
@@ -68,15 +86,16 @@ WHY = {"left_out": "rests on left_out__proof", "assumed": "rests on three",
 def test_what_is_not_proved_is_not_accepted(tmp_path, monkeypatch):
     """Coq is asked once, and of each theorem what it printed of it."""
     monkeypatch.setattr(formal, "FOLDER", tmp_path)
+    monkeypatch.setattr(vernacular, "check", lambda text: None)  # which would refuse all of it before Coq reads it
     (tmp_path / "Wrong.v").write_text(WRONG, encoding="utf-8")
     with monkeypatch.context() as patch:
-        patch.setattr(formal, "_read", lambda *survey: survey)
+        patch.setattr(survey, "read", lambda *printed: printed)
         found, groups, printed = formal.compile_files()
-    *parts, _ = printed.split(formal.SEPARATOR)
+    *parts, _ = printed.split(survey.SEPARATOR)
     for group, said, rests in zip(groups, parts[:4], parts[4:], strict=True):
         own = {theorem: found[theorem] for theorem in group}
         with pytest.raises(formal.NotAccepted, match=WHY[group[0]]):
-            formal._read(own, [group], f"{said}{formal.SEPARATOR}{rests}{formal.SEPARATOR}")
+            survey.read(own, [group], f"{said}{survey.SEPARATOR}{rests}{survey.SEPARATOR}")
     (tmp_path / "Wrong.v").write_text(WRONG.replace("Admitted", "lra. Qed"), encoding="utf-8")
     with pytest.raises(formal.NotAccepted, match="does not accept Wrong"):
         formal.compile_files()
@@ -87,12 +106,11 @@ ONE, TWO = (f"From Formal Require Import {other}.\n" for other in ("Two", "One")
 REFUSED = [
     ({"One": ONE}, "there is no Two"),
     ({"One": ONE, "Two": TWO}, "require each other"),
-    ({"Three": f"Module PrimFloat. {AXIOM} End PrimFloat."}, "PrimFloat: a module of Coq's own"),
     ({"Uint63": AXIOM}, "Uint63: a module of Coq's own"),
-    ({"Pair": 'Notation "( x , y )" := ltac:(exact I) : core_scope.'}, "could hide"),  # of the survey's (statement, I)
-    ({"Commented": f"Module (* . *) Uint63. {AXIOM} End Uint63."}, "could hide"),
-    ({"Declared": "Declare Module Uint63 : T."}, "could hide"),
-    ({"Imported": "Module Import Uint63."}, "could hide"),
+    ({"Statements": TWO, "One": ""}, "Statements requires One, which is written by hand"),
+    ({"Preliminaries": "Definition power (base exponent : R) : R := 0."}, "is not the text that is trusted"),
+    ({"One": "Definition one := 1.", "Two": "Lemma one : 1 = 1."}, "given twice: one"),
+    ({"One": "Theorem unit_length__x : Statements.unit_length__y.\nProof."}, "has to have its name"),
 ]
 
 
@@ -102,7 +120,88 @@ def test_files_that_cannot_be_ordered_or_could_hide_an_axiom_are_refused(texts, 
     for name, text in texts.items():
         (tmp_path / f"{name}.v").write_text(text)
     with pytest.raises(formal.NotAccepted, match=why):
-        formal.files()
+        formal.statements()
+
+
+HIDING = [
+    f"Module PrimFloat. {AXIOM} End PrimFloat.",
+    f"Module (* . *) Uint63. {AXIOM} End Uint63.",
+    "Declare Module Uint63 : T.",
+    "Module Import Uint63.",
+    "Module hit_of_a. Definition t_a := 0. End hit_of_a.",
+    'Notation "( x , y )" := ltac:(exact I) : core_scope.',  # of the survey's (statement, I)
+    'Infix "+" := Rmult.',
+    "Coercion f : A >-> B.",
+    "Variable c :> R -> R.",
+    "Arguments f {x}.",
+    "Definition f {x : R} : R := x.",
+    "Theorem f { x y : R} : x = y.",
+    "Canonical Structure c := d.",
+    "Global Instance precision : Prec_gt_0 53.",
+    "#[global] Hint Resolve sin_0.",
+    "Set Implicit Arguments.",
+    "Inductive no : Type := yes {f : R}.",
+    "CoInductive no : Type := yes.",
+    "Record pair := { first :> R }.",
+    "Fixpoint f (n : nat) := 0 with sin (n : nat) := 0.",
+    "From Elsewhere Require Import Sines.",
+    "Proof. abstract trivial using PI. Qed.",
+    f"Proof. {{ {AXIOM} }} Qed.",
+    f"(* (* *) *) - {AXIOM}",
+    f'(* " *) {AXIOM} (* " *)',
+    "(* Lemma a : True.",
+]
+
+
+@pytest.mark.parametrize("text", HIDING)
+def test_what_could_change_how_a_statement_is_read_is_refused(text):
+    plain = "(* A {comment}. *) Lemma a (x y : R) : {x = y} + {x <> y}.\nProof. { exact (Req_EM_T x y). }\nQed.\n"
+    vernacular.check(plain)
+    with pytest.raises(vernacular.Unreadable):
+        vernacular.check(plain + text)
+
+
+CLAIMS = """From Coq Require Import Reals.
+Open Scope R_scope.
+Definition unit_length__true : Prop := forall x : R, sin x = sin x + 0.
+Definition unit_length__false : Prop := forall x : R, sin x = 0.
+"""
+BY_HAND = """From Coq Require Import Reals Lra.
+From Formal Require Statements.
+Open Scope R_scope.
+Theorem unit_length__true : Statements.unit_length__true.
+Proof. intro x. lra. Qed.
+"""
+FALSE = "Theorem unit_length__false : Statements.unit_length__false.\nProof."
+NOT_PROVED = [
+    (f"{FALSE} intro x. reflexivity. Qed.", "does not accept One"),
+    (f"Definition sin (x : R) := 0.\n{FALSE} intro x. unfold sin. reflexivity. Qed.", "does not accept One"),
+    ("Definition sin (x : R) : R := 0.", "does not accept Names"),
+    ("Lemma PI : R.\nProof. exact 3. Qed.", "does not accept Names"),
+    ("Inductive odd : Prop := | PI : odd.", "does not accept Names"),
+    ("Section s.\nVariable R : Set.\nEnd s.", "does not accept Names"),
+]
+
+
+@needs_coq
+@pytest.mark.parametrize(("text", "why"), NOT_PROVED)
+def test_what_is_proved_is_what_is_printed(text, why, tmp_path, monkeypatch):
+    monkeypatch.setattr(formal, "FOLDER", tmp_path)
+    (tmp_path / "Statements.v").write_text(CLAIMS)
+    (tmp_path / "One.v").write_text(BY_HAND + text)
+    with pytest.raises(formal.NotAccepted, match=why):
+        formal.compile_files()
+
+
+@needs_coq
+def test_a_claim_counts_where_its_printed_form_is_proved_and_no_words_count(tmp_path, monkeypatch):
+    monkeypatch.setattr(formal, "FOLDER", tmp_path)
+    (tmp_path / "Statements.v").write_text(CLAIMS)
+    said = "Theorem (* clauses 1, 2 *) unit_length__false : True.\nProof. trivial. Qed.\n"
+    (tmp_path / "One.v").write_text(BY_HAND + said)
+    accepted = formal.compile_files()["unit_length"]
+    assert accepted["claims"] == ["unit_length__true"]
+    assert accepted["statements"] == {"unit_length__false": "True"}
 
 
 def test_what_coq_accepted_here_is_kept_with_what_the_record_says(tmp_path, monkeypatch):
@@ -113,8 +212,8 @@ def test_what_coq_accepted_here_is_kept_with_what_the_record_says(tmp_path, monk
     assert formal.seen() != before
 
 
-TRUE = formal.SEPARATOR
-SAID, CLOSED = f"unit_length__length\n     : 1 = 1\n{TRUE}", f"{formal.CLOSED}{TRUE}"
+TRUE = survey.SEPARATOR
+SAID, CLOSED = f"unit_length__length\n     : 1 = 1\n{TRUE}", f"{survey.CLOSED}{TRUE}"
 
 
 @pytest.mark.parametrize(
@@ -131,23 +230,23 @@ SAID, CLOSED = f"unit_length__length\n     : 1 = 1\n{TRUE}", f"{formal.CLOSED}{T
     ],
 )
 def test_a_survey_that_is_cut_short_or_says_more_than_axioms_is_refused(printed, why):
-    found = {"unit_length": {"unit_length__length": []}}
-    groups = formal._groups(found, {})
-    assert formal._read(found, groups, SAID + CLOSED)["unit_length"]["axioms"] == []
+    found = {"unit_length": survey.Said({}, {"unit_length__length": []})}
+    groups = survey.groups(found, {})
+    assert survey.read(found, groups, SAID + CLOSED)["unit_length"]["axioms"] == []
     axioms = "Axioms:\nClassical_Prop.classic : forall P : Prop, P \\/ ~ P\n" + TRUE
-    assert formal._read(found, groups, SAID + axioms)["unit_length"]["axioms"] == ["Classical_Prop.classic"]
+    assert survey.read(found, groups, SAID + axioms)["unit_length"]["axioms"] == ["Classical_Prop.classic"]
     with pytest.raises(formal.NotAccepted, match=why):
-        formal._read(found, groups, printed)
+        survey.read(found, groups, printed)
 
 
 def test_theorems_said_to_rest_on_the_same_axioms_have_all_that_coq_lists_for_them():
-    found = {"one": {"one__said": []}, "two": {"two__said": []}, "three": {"three__said": []}}
+    found = {name: survey.Said({}, {f"{name}__said": []}) for name in ("one", "two", "three")}
     said = {"one": {"axioms": []}, "two": {"axioms": []}, "three": {"axioms": ["Classical_Prop.classic"]}}
-    groups = formal._groups(found, said)
+    groups = survey.groups(found, said)
     assert groups == [["one", "two"], ["three"]]
     statements = "".join(f"{name}__said\n     : 1 = 1\n{TRUE}" for name in found)
     rests = "Axioms:\nClassical_Prop.classic : forall P : Prop, P \\/ ~ P\n" + TRUE
-    table = formal._read(found, groups, statements + rests + rests)
+    table = survey.read(found, groups, statements + rests + rests)
     assert [entry["axioms"] for entry in table.values()] == [["Classical_Prop.classic"]] * 3
 
 

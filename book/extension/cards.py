@@ -22,7 +22,9 @@ from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.points import point
 from book.extension.theorems import GRADES, Here, certificate, kind, module_and_line, script
+from proofs.engine.theorem import Theorem
 from verify import formal
+from verify.survey import AXIOMS
 
 KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
 
@@ -61,20 +63,27 @@ def coq(name: str, statement: str) -> Markup:
     return Markup(KEYWORDS.sub(r'<span class="k">\1</span>', words))
 
 
-def in_coq(entry: dict) -> tuple[dict[tuple, dict[str, str]], int, int]:
-    """A theorem's statements by the clauses that they say, () of the one, and how many points and false variants."""
+def in_coq(theorem: Theorem, entry: dict) -> tuple[dict[tuple, dict[str, str]], int, int]:
+    """A theorem's statements by the clauses that they say, () of the one, and how many points and false variants.
+
+    A claim that is proved as it is printed stands with the clauses that it says.
+    """
     record, said = entry["formal"], {}
     points, false = (sum(name.endswith(end) for name in record["statements"]) for end in ("__point", "__false"))
-    clauses = {name: tuple(record["clauses"].get(name, ())) for name in record["statements"]}
-    for name in sorted(record["statements"], key=clauses.get):
+    numbered = list(enumerate(theorem.clauses, start=1)) if len(theorem.clauses) > 1 else []
+    claims = {f"{theorem.id}__{claim.name}": claim for claim in theorem.claims}
+    clauses = {name: tuple(n for n, clause in numbered if claims[name] in clause.claims) for name in record["printed"]}
+    clauses |= {name: tuple(record["clauses"].get(name, ())) for name in record["statements"]}
+    texts = record["printed"] | record["statements"]
+    for name in sorted(texts, key=lambda name: clauses[name]):
         if not name.endswith(("__point", "__false")):
-            said.setdefault(clauses[name], {})[name] = record["statements"][name]
+            said.setdefault(clauses[name], {})[name] = texts[name]
     return said, points, false
 
 
 def axioms(names: list[str]) -> str:
     """What a formal proof takes from Coq's library without proof."""
-    about = [formal.AXIOMS[name] for name in names if name in formal.AXIOMS]
+    about = [AXIOMS[name] for name in names if name in AXIOMS]
     about += ["Coq's machine numbers"] if len(about) < len(names) else []
     return f"Coq's axioms of {', '.join(dict.fromkeys(about))}" if about else "no axiom"
 

@@ -44,5 +44,6 @@ def evidence_line(entry: dict) -> str:
     grade = entry.get("grade_line", entry["grade"])
     line = f"{grade}: {'; '.join(findings(entry))}" if findings(entry) else grade
     if entry.get("shown") == "formal":
-        line = f"formal: {count(len(entry['formal']['statements']), 'statement')} in Coq; {line}"
+        said = len(set(entry["formal"]["printed"].values())) + len(entry["formal"]["statements"])
+        line = f"formal: {count(said, 'statement')} in Coq; {line}"
     return line[0].upper() + line[1:]

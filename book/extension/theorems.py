@@ -14,6 +14,7 @@ from book.assembly import report, stamps
 from book.assembly.contents import placed
 from proofs.engine.standalone import standalone_script
 from proofs.engine.theorem import Theorem, all_theorems
+from renderer.generate.statements import statements
 from verify import formal
 
 CLAIMS_PAGE = "findings"
@@ -80,7 +81,10 @@ def load(book: Path) -> Proofs:
     accepted = formal.record()
     for id, entry in entries.items():
         entry["formal"] = accepted.get(id)
-        whole = entry["formal"] and id not in formal.PARTLY and entry["grade"] in ("proved", "argued")
+        if entry["formal"]:
+            printed = statements(theorems[id])
+            entry["formal"] |= {"printed": {name: printed[name] for name in entry["formal"]["claims"]}}
+        whole = formal.whole(theorems[id], entry["formal"]) and entry["grade"] in ("proved", "argued")
         entry["shown"] = "formal" if whole else entry["grade"]
     return Proofs(theorems, entries, placements(book, theorems))
 

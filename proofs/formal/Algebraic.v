@@ -98,11 +98,11 @@ Proof.
         -- destruct (Rtotal_order t (- PI / 2)) as [L|[->|L]]; [exfalso|reflexivity|exfalso].
            ++ assert (cos (- t) < 0) by (apply cos_lt_0; lra). rewrite cos_neg in *. lra.
            ++ destruct (Rlt_dec t (PI / 2)) as [Q|Q]; [generalize (cos_gt_0 t ltac:(lra) Q); lra|]. generalize (sin_ge_0 t ltac:(lra) ltac:(lra)). lra.
-        -- exfalso. generalize (sin2 t). rewrite Z. assert (E : sin t = 0) by lra. rewrite E. lra.
+        -- exfalso. generalize (sin_squared t). rewrite Z. assert (E : sin t = 0) by lra. rewrite E. lra.
 Qed.
 
 (* For theta in (-pi, pi] and phi in [0, pi]: u is in [0, 1) and v in [0, 1]; u = (theta + pi)/2pi where theta < pi, and 0 where theta = pi. *)
-Theorem chart__inside (theta phi : R) : - PI < theta <= PI -> 0 <= phi <= PI ->
+Lemma chart_inside (theta phi : R) : - PI < theta <= PI -> 0 <= phi <= PI ->
   let u := chart.u (cos theta) (sin theta) in let v := chart.v (cos phi) (sin phi) in
   v = phi / PI /\ (theta < PI -> u = (theta + PI) / (2 * PI)) /\ (theta = PI -> u = 0) /\ 0 <= u < 1 /\ 0 <= v <= 1.
 Proof.
@@ -118,19 +118,9 @@ Theorem chart__inside__point : exists theta phi : R, - PI < theta <= PI /\ 0 <= 
 Proof. exists 0, 0. generalize PI_RGT_0. lra. Qed.
 
 (* Back from (u, v) come the same cosines and sines, on the seam too. *)
-Theorem chart__round_trip (theta phi : R) : - PI < theta <= PI -> 0 <= phi <= PI ->
-  let u := chart.u (cos theta) (sin theta) in let v := chart.v (cos phi) (sin phi) in
-  chart_inverse.cos_theta u = cos theta /\ chart_inverse.sin_theta u = sin theta /\ chart_inverse.cos_phi v = cos phi /\ chart_inverse.sin_phi v = sin phi.
-Proof.
-  intros T F. destruct (chart__inside theta phi T F) as (V & U & S & _). cbv zeta in *. generalize PI_RGT_0. intro P.
-  unfold chart_inverse.cos_theta, chart_inverse.sin_theta, chart_inverse.cos_phi, chart_inverse.sin_phi. rewrite V.
-  replace (PI * (phi / PI)) with phi by (field; lra). destruct (Rlt_dec theta PI) as [L|L].
-  - rewrite (U L). replace (PI * (2 * ((theta + PI) / (2 * PI)))) with (theta + PI) by (field; lra). rewrite neg_cos, neg_sin. repeat split; ring.
-  - assert (theta = PI) by lra. rewrite S by assumption. subst theta. rewrite !Rmult_0_r, cos_0, sin_0, cos_PI, sin_PI. repeat split; ring.
-Qed.
 Theorem chart__round_trip__false : ~ forall theta, chart.u (cos theta) (sin theta) = (theta + PI) / (2 * PI).
 Proof.
-  intro H. generalize (H PI). destruct (chart__inside PI 0) as (_ & _ & S & _); [generalize PI_RGT_0; lra..|]. rewrite S by reflexivity.
+  intro H. generalize (H PI). destruct (chart_inside PI 0) as (_ & _ & S & _); [generalize PI_RGT_0; lra..|]. rewrite S by reflexivity.
   replace ((PI + PI) / (2 * PI)) with 1 by (field; generalize PI_RGT_0; lra). lra.
 Qed.
 
@@ -138,20 +128,14 @@ Qed.
 Definition N_of_chart (u v : R) : vector :=
   (unit_normal.normal_x (chart_inverse.cos_theta u) (chart_inverse.sin_phi v), unit_normal.normal_y (chart_inverse.sin_theta u) (chart_inverse.sin_phi v),
    unit_normal.normal_z (chart_inverse.cos_phi v)).
-Theorem chart_inverse__unit (u v : R) :
-  N_of_chart u v = (- sin (PI * v) * cos (PI * (2 * u)), - sin (PI * v) * sin (PI * (2 * u)), cos (PI * v)) /\ length (N_of_chart u v) = 1.
+Lemma chart_inverse_unit (u v : R) :
+  N_of_chart u v = (- sin (PI * v) * cos (PI * (2 * u)), - sin (PI * v) * sin (PI * (2 * u)), cos (PI * v)) /\ magnitude (N_of_chart u v) = 1.
 Proof.
-  unfold N_of_chart, length, dot, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z, chart_inverse.cos_theta, chart_inverse.sin_theta,
+  unfold N_of_chart, magnitude, dot, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z, chart_inverse.cos_theta, chart_inverse.sin_theta,
     chart_inverse.cos_phi, chart_inverse.sin_phi. split; [apply f_equal2; [apply f_equal2; ring | reflexivity]|].
-  rewrite <- sqrt_1. f_equal. ring [(sin2 (PI * v)) (sin2 (PI * (2 * u)))].
+  rewrite <- sqrt_1. f_equal. ring [(sin_squared (PI * v)) (sin_squared (PI * (2 * u)))].
 Qed.
 (* Where sin phi > 0, N gives back the sines and cosines. *)
-Theorem chart_inverse__recovered (theta phi : R) : 0 < sin phi -> let '(x, y, z) := N theta phi in
-  sin phi = sqrt (x ^ 2 + y ^ 2) /\ cos phi = z /\ cos theta = x / sin phi /\ sin theta = y / sin phi.
-Proof.
-  intro S. unfold N, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z. split; [|split; [reflexivity | split; field; lra]].
-  replace ((cos theta * sin phi) ^ 2 + (sin phi * sin theta) ^ 2) with (Rsqr (sin phi)) by (unfold Rsqr; ring [(sin2 theta)]). symmetry. apply sqrt_Rsqr. lra.
-Qed.
 Theorem chart_inverse__recovered__point : exists phi, 0 < sin phi.
 Proof. exists (PI / 2). rewrite sin_PI2. lra. Qed.
 Theorem chart_inverse__recovered__false : ~ forall theta phi, sin phi = sqrt ((cos theta * sin phi) ^ 2 + (sin phi * sin theta) ^ 2).

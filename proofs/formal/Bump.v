@@ -6,7 +6,7 @@ From Formal Require Import Preliminaries Formulas Vectors.
 Open Scope R_scope.
 
 Ltac unfold_vectors :=
-  unfold length, difference, sum, scaled, cross, dot, N, e_theta, e_phi, g, M, N' in *; cbv [fst snd] in *;
+  unfold magnitude, difference, vector_sum, scaled, cross, dot, normal_at, e_theta, e_phi, g, M, N' in *; cbv [fst snd] in *;
   unfold unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z,
     tangent_frame.e_theta_x, tangent_frame.e_theta_y, tangent_frame.e_theta_z,
     tangent_frame.e_phi_x, tangent_frame.e_phi_y, tangent_frame.e_phi_z,
@@ -17,52 +17,48 @@ Ltac unfold_vectors :=
     bumped_normal.normal_x, bumped_normal.normal_y, bumped_normal.normal_z,
     bumped_normal.e_theta_x, bumped_normal.e_theta_y, bumped_normal.e_theta_z,
     bumped_normal.e_phi_x, bumped_normal.e_phi_y, bumped_normal.e_phi_z in *.
-Ltac ring_of_angles theta phi := unfold_vectors; ring [(sin2 theta) (sin2 phi)].
+Ltac ring_of_angles theta phi := unfold_vectors; ring [(sin_squared theta) (sin_squared phi)].
 
 (* The tangent frame *)
 
 (* e_phi is the derivative of N by phi. *)
 Theorem tangent_frame__by_phi (theta phi : R) :
   let '(x, y, z) := e_phi theta phi in
-  is_derive (fun p => fst (fst (N theta p))) phi x /\ is_derive (fun p => snd (fst (N theta p))) phi y /\
-  is_derive (fun p => snd (N theta p)) phi z.
+  is_derive (fun p => fst (fst (normal_at theta p))) phi x /\ is_derive (fun p => snd (fst (normal_at theta p))) phi y /\
+  is_derive (fun p => snd (normal_at theta p)) phi z.
 Proof. unfold_vectors. split; [|split]; auto_derive; trivial; ring. Qed.
 
 (* sin phi e_theta is the derivative of N by theta. *)
 Theorem tangent_frame__by_theta (theta phi : R) :
   let '(x, y, z) := scaled (sin phi) (e_theta theta) in
-  is_derive (fun t => fst (fst (N t phi))) theta x /\ is_derive (fun t => snd (fst (N t phi))) theta y /\
-  is_derive (fun t => snd (N t phi)) theta z.
+  is_derive (fun t => fst (fst (normal_at t phi))) theta x /\ is_derive (fun t => snd (fst (normal_at t phi))) theta y /\
+  is_derive (fun t => snd (normal_at t phi)) theta z.
 Proof. unfold_vectors. split; [|split]; auto_derive; trivial; ring. Qed.
 
 (* (e_phi, e_theta, N) is orthonormal. *)
-Theorem tangent_frame__orthonormal (theta phi : R) :
+Lemma tangent_frame_orthonormal (theta phi : R) :
   dot (e_theta theta) (e_theta theta) = 1 /\ dot (e_phi theta phi) (e_phi theta phi) = 1 /\
-  dot (N theta phi) (N theta phi) = 1 /\ dot (e_theta theta) (e_phi theta phi) = 0 /\
-  dot (e_theta theta) (N theta phi) = 0 /\ dot (e_phi theta phi) (N theta phi) = 0.
+  dot (normal_at theta phi) (normal_at theta phi) = 1 /\ dot (e_theta theta) (e_phi theta phi) = 0 /\
+  dot (e_theta theta) (normal_at theta phi) = 0 /\ dot (e_phi theta phi) (normal_at theta phi) = 0.
 Proof. repeat split; ring_of_angles theta phi. Qed.
 
-(* e_phi x e_theta = N. *)
-Theorem tangent_frame__right_handed (theta phi : R) : cross (e_phi theta phi) (e_theta theta) = N theta phi.
-Proof. unfold_vectors. f_equal; [f_equal|]; ring [(sin2 theta) (sin2 phi)]. Qed.
-
 (* The other order gives -N, which is not N. *)
-Theorem tangent_frame__right_handed__false : ~ forall theta phi, cross (e_theta theta) (e_phi theta phi) = N theta phi.
+Theorem tangent_frame__right_handed__false : ~ forall theta phi, cross (e_theta theta) (e_phi theta phi) = normal_at theta phi.
 Proof.
   intro H. generalize (H 0 0). unfold_vectors. rewrite sin_0, cos_0. intro E. apply (f_equal snd) in E. cbn in E. lra.
 Qed.
 Theorem tangent_frame__orthonormal__false : ~ forall theta phi, dot (e_theta theta) (e_phi theta phi) = 1.
-Proof. intro H. generalize (H 0 0). rewrite (proj1 (proj2 (proj2 (proj2 (tangent_frame__orthonormal 0 0))))). lra. Qed.
+Proof. intro H. generalize (H 0 0). rewrite (proj1 (proj2 (proj2 (proj2 (tangent_frame_orthonormal 0 0))))). lra. Qed.
 
 (* Normalising *)
 
 Lemma le_of_squares (x y : R) : 0 <= y -> x ^ 2 <= y ^ 2 -> x <= y.
 Proof. intros. nra. Qed.
 
-Lemma length_of_unit (a : vector) : dot a a = 1 -> length a = 1.
-Proof. intro E. unfold length. rewrite E. apply sqrt_1. Qed.
+Lemma length_of_unit (a : vector) : dot a a = 1 -> magnitude a = 1.
+Proof. intro E. unfold magnitude. rewrite E. apply sqrt_1. Qed.
 
-Lemma g_is_tangent (theta phi h_u h_v : R) : dot (N theta phi) (g theta phi h_u h_v) = 0.
+Lemma g_is_tangent (theta phi h_u h_v : R) : dot (normal_at theta phi) (g theta phi h_u h_v) = 0.
 Proof. ring_of_angles theta phi. Qed.
 
 Lemma g_squared (theta phi h_u h_v : R) : dot (g theta phi h_u h_v) (g theta phi h_u h_v) = h_u ^ 2 + h_v ^ 2.
@@ -75,21 +71,21 @@ Proof. ring_of_angles theta phi. Qed.
 Lemma m_squared_at_least_1 (theta phi h_u h_v beta : R) : 1 <= dot (M theta phi h_u h_v beta) (M theta phi h_u h_v beta).
 Proof. rewrite m_squared. generalize (pow2_ge_0 (beta * h_u)) (pow2_ge_0 (beta * h_v)). nra. Qed.
 
-Lemma m_length_at_least_1 (theta phi h_u h_v beta : R) : 1 <= length (M theta phi h_u h_v beta).
-Proof. unfold length. rewrite <- sqrt_1. apply sqrt_le_1_alt, m_squared_at_least_1. Qed.
+Lemma m_length_at_least_1 (theta phi h_u h_v beta : R) : 1 <= magnitude (M theta phi h_u h_v beta).
+Proof. unfold magnitude. rewrite <- sqrt_1. apply sqrt_le_1_alt, m_squared_at_least_1. Qed.
 
-Lemma length_squared (a : vector) : length a ^ 2 = dot a a.
+Lemma length_squared (a : vector) : magnitude a ^ 2 = dot a a.
 Proof.
-  destruct a as [[x y] z]. unfold length, dot. rewrite <- Rsqr_pow2. apply Rsqr_sqrt.
+  destruct a as [[x y] z]. unfold magnitude, dot. rewrite <- Rsqr_pow2. apply Rsqr_sqrt.
   generalize (Rle_0_sqr x) (Rle_0_sqr y) (Rle_0_sqr z). unfold Rsqr. lra.
 Qed.
 
 Lemma bumped_is_scaled (theta phi h_u h_v beta : R) :
-  N' theta phi h_u h_v beta = scaled (/ length (M theta phi h_u h_v beta)) (M theta phi h_u h_v beta).
+  N' theta phi h_u h_v beta = scaled (/ magnitude (M theta phi h_u h_v beta)) (M theta phi h_u h_v beta).
 Proof.
   assert (E : bumped_normal.m_length (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta =
-    length (M theta phi h_u h_v beta)).
-  { unfold length, bumped_normal.m_length, dot, M. f_equal. ring. }
+    magnitude (M theta phi h_u h_v beta)).
+  { unfold magnitude, bumped_normal.m_length, dot, M. f_equal. ring. }
   unfold N', scaled, M. unfold bumped_normal.bumped_x, bumped_normal.bumped_y, bumped_normal.bumped_z, bumped_normal.m_scale.
   rewrite E. reflexivity.
 Qed.
@@ -98,89 +94,85 @@ Lemma dot_scaled (s : R) (a b : vector) : dot (scaled s a) b = s * dot a b.
 Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. unfold dot, scaled. ring. Qed.
 Lemma dot_comm (a b : vector) : dot a b = dot b a.
 Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. unfold dot. ring. Qed.
-Lemma dot_sum (a b c : vector) : dot (sum a b) c = dot a c + dot b c.
-Proof. destruct a as [[? ?] ?], b as [[? ?] ?], c as [[? ?] ?]. unfold dot, sum. ring. Qed.
+Lemma dot_sum (a b c : vector) : dot (vector_sum a b) c = dot a c + dot b c.
+Proof. destruct a as [[? ?] ?], b as [[? ?] ?], c as [[? ?] ?]. unfold dot, vector_sum. ring. Qed.
 Lemma dot_nonneg (a : vector) : 0 <= dot a a.
 Proof. rewrite <- length_squared. apply pow2_ge_0. Qed.
-Lemma length_nonneg (a : vector) : 0 <= length a.
+Lemma length_nonneg (a : vector) : 0 <= magnitude a.
 Proof. apply sqrt_pos. Qed.
-Lemma m_is_sum (theta phi h_u h_v beta : R) : M theta phi h_u h_v beta = sum (N theta phi) (scaled beta (g theta phi h_u h_v)).
+Lemma m_is_sum (theta phi h_u h_v beta : R) : M theta phi h_u h_v beta = vector_sum (normal_at theta phi) (scaled beta (g theta phi h_u h_v)).
 Proof. unfold_vectors. f_equal; [f_equal|]; ring. Qed.
-Lemma normal_is_unit (theta phi : R) : dot (N theta phi) (N theta phi) = 1.
-Proof. apply tangent_frame__orthonormal. Qed.
-
-(* N . g = 0. *)
-Theorem unit_length__g_is_tangent (theta phi h_u h_v : R) : dot (N theta phi) (g theta phi h_u h_v) = 0.
-Proof. apply g_is_tangent. Qed.
+Lemma normal_is_unit (theta phi : R) : dot (normal_at theta phi) (normal_at theta phi) = 1.
+Proof. apply tangent_frame_orthonormal. Qed.
 
 (* |M|^2 = 1 + beta^2 |g|^2 >= 1 and |N'| = 1, for every beta. *)
-Theorem unit_length__length (theta phi h_u h_v beta : R) :
+Lemma unit_length_length (theta phi h_u h_v beta : R) :
   let m := M theta phi h_u h_v beta in
   dot m m = 1 + beta ^ 2 * dot (g theta phi h_u h_v) (g theta phi h_u h_v) /\ 1 <= dot m m /\
-  length (N' theta phi h_u h_v beta) = 1.
+  magnitude (N' theta phi h_u h_v beta) = 1.
 Proof.
   cbv zeta. rewrite g_squared. split; [apply m_squared|]. split; [apply m_squared_at_least_1|].
-  unfold length at 1. rewrite bumped_is_scaled, dot_scaled, dot_comm, dot_scaled, <- length_squared.
+  unfold magnitude at 1. rewrite bumped_is_scaled, dot_scaled, dot_comm, dot_scaled, <- length_squared.
   generalize (m_length_at_least_1 theta phi h_u h_v beta). intro. rewrite <- sqrt_1. f_equal. field. lra.
 Qed.
-Theorem unit_length__length__false : ~ forall theta phi h_u h_v beta, length (M theta phi h_u h_v beta) = 1.
+Theorem unit_length__length__false : ~ forall theta phi h_u h_v beta, magnitude (M theta phi h_u h_v beta) = 1.
 Proof.
   intro H. generalize (length_squared (M 0 0 1 0 1)). rewrite H, m_squared. lra.
 Qed.
 
 (* For |a|, |b| >= 1: |a/|a| - b/|b|| <= min(|a - b|, 2). *)
-Lemma cauchy_schwarz (a b : vector) : dot a b <= length a * length b /\ - (length a * length b) <= dot a b.
+Lemma cauchy_schwarz (a b : vector) : dot a b <= magnitude a * magnitude b /\ - (magnitude a * magnitude b) <= dot a b.
 Proof.
-  assert (L : dot a b ^ 2 <= (length a * length b) ^ 2).
+  assert (L : dot a b ^ 2 <= (magnitude a * magnitude b) ^ 2).
   { rewrite Rpow_mult_distr, !length_squared. destruct a as [[ax ay] az], b as [[bx by_] bz]. unfold dot.
     generalize (pow2_ge_0 (ax * by_ - ay * bx)) (pow2_ge_0 (ay * bz - az * by_)) (pow2_ge_0 (az * bx - ax * bz)). nra. }
-  assert (P : 0 <= length a * length b) by (apply Rmult_le_pos; apply length_nonneg).
+  assert (P : 0 <= magnitude a * magnitude b) by (apply Rmult_le_pos; apply length_nonneg).
   split; nra.
 Qed.
 
-Theorem (* clause 1 *) normalising_is_lipschitz__normalise (a b : vector) : 1 <= length a -> 1 <= length b ->
-  length (difference (scaled (/ length a) a) (scaled (/ length b) b)) <= Rmin (length (difference a b)) 2.
+Theorem (* clause 1 *) normalising_is_lipschitz__normalise (a b : vector) : 1 <= magnitude a -> 1 <= magnitude b ->
+  magnitude (difference (scaled (/ magnitude a) a) (scaled (/ magnitude b) b)) <= Rmin (magnitude (difference a b)) 2.
 Proof.
   intros Ha Hb. destruct (cauchy_schwarz a b) as [C D].
-  assert (E : length (difference (scaled (/ length a) a) (scaled (/ length b) b)) ^ 2 = 2 - 2 * (dot a b / (length a * length b))).
-  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (sum _ _)), !dot_sum, !dot_scaled, !(dot_comm _ (scaled _ _)),
+  assert (E : magnitude (difference (scaled (/ magnitude a) a) (scaled (/ magnitude b) b)) ^ 2 = 2 - 2 * (dot a b / (magnitude a * magnitude b))).
+  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (vector_sum _ _)), !dot_sum, !dot_scaled, !(dot_comm _ (scaled _ _)),
       !dot_scaled, (dot_comm b a), <- !length_squared. field. lra. }
-  assert (F : length (difference a b) ^ 2 = length a ^ 2 + length b ^ 2 - 2 * dot a b).
-  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (sum _ _)), !dot_sum, !(dot_comm _ (scaled _ _)), !dot_scaled,
+  assert (F : magnitude (difference a b) ^ 2 = magnitude a ^ 2 + magnitude b ^ 2 - 2 * dot a b).
+  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (vector_sum _ _)), !dot_sum, !(dot_comm _ (scaled _ _)), !dot_scaled,
       !(dot_comm _ (scaled _ _)), !dot_scaled, (dot_comm b a), <- !length_squared. ring. }
-  set (q := dot a b / (length a * length b)) in *.
-  assert (P : 1 <= length a * length b) by nra.
-  assert (Q : dot a b = q * (length a * length b)) by (unfold q; field; lra).
+  set (q := dot a b / (magnitude a * magnitude b)) in *.
+  assert (P : 1 <= magnitude a * magnitude b) by nra.
+  assert (Q : dot a b = q * (magnitude a * magnitude b)) by (unfold q; field; lra).
   assert (Q1 : -1 <= q <= 1).
   { rewrite Q in C, D. split; nra. }
   apply Rmin_glb; (apply le_of_squares; [try apply length_nonneg; lra|]).
-  - rewrite E, F, Q. assert (0 <= (1 - q) * (length a * length b - 1)) by (apply Rmult_le_pos; lra).
-    generalize (pow2_ge_0 (length a - length b)). nra.
+  - rewrite E, F, Q. assert (0 <= (1 - q) * (magnitude a * magnitude b - 1)) by (apply Rmult_le_pos; lra).
+    generalize (pow2_ge_0 (magnitude a - magnitude b)). nra.
   - rewrite E. lra.
 Qed.
-Theorem normalising_is_lipschitz__normalise__point : exists a b, 1 <= length a /\ 1 <= length b.
-Proof. exists (1, 0, 0), (0, 1, 0). unfold length, dot. split; (replace 1 with (sqrt 1) at 1 by apply sqrt_1); apply sqrt_le_1_alt; lra. Qed.
+Theorem normalising_is_lipschitz__normalise__point : exists a b, 1 <= magnitude a /\ 1 <= magnitude b.
+Proof. exists (1, 0, 0), (0, 1, 0). unfold magnitude, dot. split; (replace 1 with (sqrt 1) at 1 by apply sqrt_1); apply sqrt_le_1_alt; lra. Qed.
 (* Inside the unit ball it is not so. *)
-Theorem normalising_is_lipschitz__normalise__false : ~ forall a b : vector, 0 < length a -> 0 < length b ->
-  length (difference (scaled (/ length a) a) (scaled (/ length b) b)) <= Rmin (length (difference a b)) 2.
+Theorem normalising_is_lipschitz__normalise__false : ~ forall a b : vector, 0 < magnitude a -> 0 < magnitude b ->
+  magnitude (difference (scaled (/ magnitude a) a) (scaled (/ magnitude b) b)) <= Rmin (magnitude (difference a b)) 2.
 Proof.
-  intro H. assert (L : forall x, 0 <= x -> length (x, 0, 0) = x /\ length (0, x, 0) = x).
-  { intros x Hx. unfold length, dot. split; apply Rsqr_inj; try apply sqrt_pos; trivial; rewrite Rsqr_sqrt; unfold Rsqr; nra. }
+  intro H. assert (L : forall x, 0 <= x -> magnitude (x, 0, 0) = x /\ magnitude (0, x, 0) = x).
+  { intros x Hx. unfold magnitude, dot. split; apply Rsqr_inj; try apply sqrt_pos; trivial; rewrite Rsqr_sqrt; unfold Rsqr; nra. }
   generalize (H (1/2, 0, 0) (0, 1/2, 0)). destruct (L (1/2)) as [E F]; [lra|]. rewrite E, F. intro K.
   assert (P : 0 < 1/2) by lra. generalize (K P P). clear. intro K.
-  generalize (Rle_trans _ _ _ K (Rmin_l _ _)). clear K. intro K. apply sqrt_le_0 in K; unfold dot, difference, sum, scaled in *; lra.
+  generalize (Rle_trans _ _ _ K (Rmin_l _ _)). clear K. intro K. apply sqrt_le_0 in K; unfold dot, difference, vector_sum, scaled in *; lra.
 Qed.
 
 (* The change of N' with that of g: |N'_1 - N'_2| <= min(|beta| |g_1 - g_2|, 2). *)
-Lemma length_scaled (s : R) (a : vector) : length (scaled s a) = Rabs s * length a.
+Lemma length_scaled (s : R) (a : vector) : magnitude (scaled s a) = Rabs s * magnitude a.
 Proof.
-  unfold length. rewrite dot_scaled, dot_comm, dot_scaled, <- Rmult_assoc.
+  unfold magnitude. rewrite dot_scaled, dot_comm, dot_scaled, <- Rmult_assoc.
   rewrite sqrt_mult_alt by (generalize (pow2_ge_0 s); nra). f_equal. apply sqrt_Rsqr_abs.
 Qed.
 Theorem (* clause 2 *) normalising_is_lipschitz__bump (theta phi a_u a_v b_u b_v beta : R) :
-  length (difference (M theta phi a_u a_v beta) (M theta phi b_u b_v beta)) = Rabs beta * length (difference (g theta phi a_u a_v) (g theta phi b_u b_v)) /\
-  length (difference (N' theta phi a_u a_v beta) (N' theta phi b_u b_v beta)) <=
-  Rmin (Rabs beta * length (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
+  magnitude (difference (M theta phi a_u a_v beta) (M theta phi b_u b_v beta)) = Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v)) /\
+  magnitude (difference (N' theta phi a_u a_v beta) (N' theta phi b_u b_v beta)) <=
+  Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
 Proof.
   rewrite !bumped_is_scaled, <- length_scaled.
   replace (scaled beta (difference (g theta phi a_u a_v) (g theta phi b_u b_v)))
@@ -189,10 +181,10 @@ Proof.
 Qed.
 (* It is no equality: |dN'| is at most 2. *)
 Theorem normalising_is_lipschitz__bump__false : ~ forall theta phi a_u a_v b_u b_v beta,
-  length (difference (N' theta phi a_u a_v beta) (N' theta phi b_u b_v beta)) = Rabs beta * length (difference (g theta phi a_u a_v) (g theta phi b_u b_v)).
+  magnitude (difference (N' theta phi a_u a_v beta) (N' theta phi b_u b_v beta)) = Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v)).
 Proof.
   intro H. destruct (normalising_is_lipschitz__bump 0 0 3 0 0 0 1) as [_ B]. rewrite H in B.
-  replace (length (difference (g 0 0 3 0) (g 0 0 0 0))) with 3 in B.
+  replace (magnitude (difference (g 0 0 3 0) (g 0 0 0 0))) with 3 in B.
   - rewrite Rabs_R1 in B. generalize (Rmin_r (1 * 3) 2). lra.
   - symmetry. replace (difference (g 0 0 3 0) (g 0 0 0 0)) with (scaled 3 (g 0 0 1 0)) by (unfold_vectors; f_equal; [f_equal|]; ring).
     rewrite length_scaled, (length_of_unit (g 0 0 1 0)), Rabs_pos_eq by (try rewrite g_squared; lra). ring.
@@ -202,7 +194,7 @@ Qed.
 
 (* N.N' = 1/|M| > 0. *)
 Lemma normal_dot_bumped (theta phi h_u h_v beta : R) :
-  dot (N theta phi) (N' theta phi h_u h_v beta) = / length (M theta phi h_u h_v beta).
+  dot (normal_at theta phi) (N' theta phi h_u h_v beta) = / magnitude (M theta phi h_u h_v beta).
 Proof.
   rewrite bumped_is_scaled, dot_comm, dot_scaled, dot_comm, m_is_sum, dot_comm, dot_sum, dot_scaled, (dot_comm (g _ _ _ _)), g_is_tangent,
     normal_is_unit. ring.
@@ -212,12 +204,12 @@ Lemma lagrange (a b : vector) : dot (cross a b) (cross a b) = dot a a * dot b b 
 Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. unfold dot, cross. ring. Qed.
 
 Lemma bumped_is_unit (theta phi h_u h_v beta : R) : dot (N' theta phi h_u h_v beta) (N' theta phi h_u h_v beta) = 1.
-Proof. rewrite <- length_squared, (proj2 (proj2 (unit_length__length _ _ _ _ _))). ring. Qed.
+Proof. rewrite <- length_squared, (proj2 (proj2 (unit_length_length _ _ _ _ _))). ring. Qed.
 
 (* |N x N'|^2 = beta^2 |g|^2 (N.N')^2. *)
 Theorem angle_of_the_bump__angle (theta phi h_u h_v beta : R) :
-  let n := N theta phi in let n' := N' theta phi h_u h_v beta in let tangent := g theta phi h_u h_v in
-  dot n n' = / length (M theta phi h_u h_v beta) /\ 0 < dot n n' /\
+  let n := normal_at theta phi in let n' := N' theta phi h_u h_v beta in let tangent := g theta phi h_u h_v in
+  dot n n' = / magnitude (M theta phi h_u h_v beta) /\ 0 < dot n n' /\
   dot (cross n n') (cross n n') = beta ^ 2 * dot tangent tangent * dot n n' ^ 2.
 Proof.
   cbv zeta. rewrite normal_dot_bumped. generalize (m_length_at_least_1 theta phi h_u h_v beta). intro L.
@@ -229,121 +221,121 @@ Qed.
 
 (* The angle is arctan(|beta| |g|): its cosine is N.N'. *)
 Theorem angle_of_the_bump__arctangent (theta phi h_u h_v beta : R) :
-  acos (dot (N theta phi) (N' theta phi h_u h_v beta)) = atan (Rabs beta * length (g theta phi h_u h_v)).
+  acos (dot (normal_at theta phi) (N' theta phi h_u h_v beta)) = atan (Rabs beta * magnitude (g theta phi h_u h_v)).
 Proof.
-  set (t := Rabs beta * length (g theta phi h_u h_v)).
+  set (t := Rabs beta * magnitude (g theta phi h_u h_v)).
   assert (T : t ^ 2 = beta ^ 2 * (h_u ^ 2 + h_v ^ 2)).
   { unfold t. rewrite Rpow_mult_distr, length_squared, g_squared, <- (pow2_abs beta). reflexivity. }
   assert (T0 : 0 <= t) by (unfold t; apply Rmult_le_pos; [apply Rabs_pos | apply length_nonneg]).
-  rewrite normal_dot_bumped. replace (/ length (M theta phi h_u h_v beta)) with (cos (atan t)).
+  rewrite normal_dot_bumped. replace (/ magnitude (M theta phi h_u h_v beta)) with (cos (atan t)).
   - apply acos_cos. generalize (atan_bound t). split; [|generalize PI_RGT_0; lra].
     destruct T0 as [P|P]; [left; rewrite <- atan_0; apply atan_increasing; exact P | rewrite <- P, atan_0; lra].
-  - rewrite cos_atan. unfold length. rewrite m_squared. unfold Rdiv. rewrite Rmult_1_l. do 2 f_equal. unfold Rsqr. lra.
+  - rewrite cos_atan. unfold magnitude. rewrite m_squared. unfold Rdiv. rewrite Rmult_1_l. do 2 f_equal. unfold Rsqr. lra.
 Qed.
-Theorem angle_of_the_bump__angle__false : ~ forall theta phi h_u h_v beta, dot (N theta phi) (N' theta phi h_u h_v beta) = 1.
+Theorem angle_of_the_bump__angle__false : ~ forall theta phi h_u h_v beta, dot (normal_at theta phi) (N' theta phi h_u h_v beta) = 1.
 Proof.
   intro H. generalize (H 0 0 1 0 1). rewrite normal_dot_bumped. intro E.
-  generalize (length_squared (M 0 0 1 0 1)). rewrite m_squared. rewrite <- (Rinv_inv (length _)), E. lra.
+  generalize (length_squared (M 0 0 1 0 1)). rewrite m_squared. rewrite <- (Rinv_inv (magnitude _)), E. lra.
 Qed.
 
 (* How far the bump can move an attached shadow *)
 
 Lemma dot_bumped (theta phi h_u h_v beta : R) (w : vector) :
-  dot (N' theta phi h_u h_v beta) w = / length (M theta phi h_u h_v beta) * (dot (N theta phi) w + beta * dot (g theta phi h_u h_v) w).
+  dot (N' theta phi h_u h_v beta) w = / magnitude (M theta phi h_u h_v beta) * (dot (normal_at theta phi) w + beta * dot (g theta phi h_u h_v) w).
 Proof. rewrite bumped_is_scaled, dot_scaled, m_is_sum, dot_sum, dot_scaled. ring. Qed.
 
 (* Where N.w > |beta| |g|, also N'.w > 0, and where N.w < - |beta| |g|, also N'.w < 0: the line moves only between; at beta = 0 not at all. *)
-Theorem shadow_line_moves_within__shadow_line (theta phi h_u h_v beta : R) (w : vector) : length w = 1 ->
-  (dot (N theta phi) w > Rabs beta * length (g theta phi h_u h_v) -> dot (N' theta phi h_u h_v beta) w > 0) /\
-  (dot (N theta phi) w < - (Rabs beta * length (g theta phi h_u h_v)) -> dot (N' theta phi h_u h_v beta) w < 0) /\
-  (beta = 0 -> dot (N' theta phi h_u h_v beta) w = dot (N theta phi) w).
+Theorem shadow_line_moves_within__shadow_line (theta phi h_u h_v beta : R) (w : vector) : magnitude w = 1 ->
+  (dot (normal_at theta phi) w > Rabs beta * magnitude (g theta phi h_u h_v) -> dot (N' theta phi h_u h_v beta) w > 0) /\
+  (dot (normal_at theta phi) w < - (Rabs beta * magnitude (g theta phi h_u h_v)) -> dot (N' theta phi h_u h_v beta) w < 0) /\
+  (beta = 0 -> dot (N' theta phi h_u h_v beta) w = dot (normal_at theta phi) w).
 Proof.
   intros W. rewrite dot_bumped. generalize (m_length_at_least_1 theta phi h_u h_v beta). intro L.
   destruct (cauchy_schwarz (g theta phi h_u h_v) w) as [C D]. rewrite W in C, D.
-  assert (I : 0 < / length (M theta phi h_u h_v beta)) by (apply Rinv_0_lt_compat; lra).
-  assert (B : Rabs (beta * dot (g theta phi h_u h_v) w) <= Rabs beta * length (g theta phi h_u h_v)).
+  assert (I : 0 < / magnitude (M theta phi h_u h_v beta)) by (apply Rinv_0_lt_compat; lra).
+  assert (B : Rabs (beta * dot (g theta phi h_u h_v) w) <= Rabs beta * magnitude (g theta phi h_u h_v)).
   { rewrite Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos | apply Rabs_le; lra]. }
   apply Rabs_le_between in B. split; [|split].
   - intro H. apply Rmult_lt_0_compat; [exact I | lra].
-  - intro H. set (i := / _) in *. set (q := dot (N theta phi) w + _) in *. assert (q < 0) by (unfold q; lra). nra.
+  - intro H. set (i := / _) in *. set (q := dot (normal_at theta phi) w + _) in *. assert (q < 0) by (unfold q; lra). nra.
   - intros ->. rewrite (length_of_unit (M theta phi h_u h_v 0)) by (rewrite m_squared; ring). rewrite Rinv_1. ring.
 Qed.
 Theorem shadow_line_moves_within__shadow_line__point : exists theta phi h_u h_v beta w,
-  length w = 1 /\ dot (N theta phi) w > Rabs beta * length (g theta phi h_u h_v).
+  magnitude w = 1 /\ dot (normal_at theta phi) w > Rabs beta * magnitude (g theta phi h_u h_v).
 Proof.
   exists 0, 0, 1, 0, 0, (0, 0, 1). rewrite Rabs_R0. split; [apply length_of_unit; unfold dot; ring|].
   unfold_vectors. rewrite cos_0. lra.
 Qed.
 (* Where N.w > 0 alone it is not so. *)
-Theorem shadow_line_moves_within__shadow_line__false : ~ forall theta phi h_u h_v beta (w : vector), length w = 1 ->
-  dot (N theta phi) w > 0 -> dot (N' theta phi h_u h_v beta) w > 0.
+Theorem shadow_line_moves_within__shadow_line__false : ~ forall theta phi h_u h_v beta (w : vector), magnitude w = 1 ->
+  dot (normal_at theta phi) w > 0 -> dot (N' theta phi h_u h_v beta) w > 0.
 Proof.
-  intro H. assert (W : length (0, -4/5, 3/5) = 1).
+  intro H. assert (W : magnitude (0, -4/5, 3/5) = 1).
   { apply length_of_unit. unfold dot. field. }
   generalize (m_length_at_least_1 0 0 1 0 1) (H 0 0 1 0 1 (0, -4/5, 3/5) W). rewrite dot_bumped. intros L K.
-  assert (P : 0 < / length (M 0 0 1 0 1)) by (apply Rinv_0_lt_compat; lra).
-  set (s := / length (M 0 0 1 0 1)) in *. clearbody s. unfold_vectors. rewrite sin_0, cos_0 in *. nra.
+  assert (P : 0 < / magnitude (M 0 0 1 0 1)) by (apply Rinv_0_lt_compat; lra).
+  set (s := / magnitude (M 0 0 1 0 1)) in *. clearbody s. unfold_vectors. rewrite sin_0, cos_0 in *. nra.
 Qed.
 
 (* Small and large beta *)
 
 (* |N' - N| <= |beta| |g|. *)
 Theorem (* clause 1 *) normal_limits__small_beta (theta phi h_u h_v beta : R) :
-  length (difference (N' theta phi h_u h_v beta) (N theta phi)) <= Rabs beta * length (g theta phi h_u h_v).
+  magnitude (difference (N' theta phi h_u h_v beta) (normal_at theta phi)) <= Rabs beta * magnitude (g theta phi h_u h_v).
 Proof.
-  replace (N theta phi) with (N' theta phi 0 0 beta) at 1.
+  replace (normal_at theta phi) with (N' theta phi 0 0 beta) at 1.
   - eapply Rle_trans; [apply normalising_is_lipschitz__bump|]. eapply Rle_trans; [apply Rmin_l|]. right. f_equal. f_equal.
     unfold_vectors. f_equal; [f_equal|]; ring.
-  - rewrite bumped_is_scaled. replace (length (M theta phi 0 0 beta)) with 1.
+  - rewrite bumped_is_scaled. replace (magnitude (M theta phi 0 0 beta)) with 1.
     + rewrite Rinv_1. unfold_vectors. f_equal; [f_equal|]; ring.
     + symmetry. apply length_of_unit. rewrite m_squared. ring.
 Qed.
 
 (* With equality at beta = 0, and where g = 0: N' = N. *)
-Theorem (* clause 3 *) normal_limits__zero (theta phi h_u h_v beta : R) : beta = 0 \/ g theta phi h_u h_v = (0, 0, 0) -> N' theta phi h_u h_v beta = N theta phi.
+Theorem (* clause 3 *) normal_limits__zero (theta phi h_u h_v beta : R) : beta = 0 \/ g theta phi h_u h_v = (0, 0, 0) -> N' theta phi h_u h_v beta = normal_at theta phi.
 Proof.
-  intro H. assert (E : M theta phi h_u h_v beta = N theta phi).
-  { rewrite m_is_sum. destruct H as [-> | ->]; destruct (N theta phi) as [[x y] z]; [destruct (g theta phi h_u h_v) as [[a b] c]|]; unfold sum, scaled; f_equal; [f_equal| |f_equal|]; ring. }
-  rewrite bumped_is_scaled, E, (length_of_unit (N theta phi)), Rinv_1 by apply normal_is_unit. destruct (N theta phi) as [[x y] z]. unfold scaled. f_equal; [f_equal|]; ring.
+  intro H. assert (E : M theta phi h_u h_v beta = normal_at theta phi).
+  { rewrite m_is_sum. destruct H as [-> | ->]; destruct (normal_at theta phi) as [[x y] z]; [destruct (g theta phi h_u h_v) as [[a b] c]|]; unfold vector_sum, scaled; f_equal; [f_equal| |f_equal|]; ring. }
+  rewrite bumped_is_scaled, E, (length_of_unit (normal_at theta phi)), Rinv_1 by apply normal_is_unit. destruct (normal_at theta phi) as [[x y] z]. unfold scaled. f_equal; [f_equal|]; ring.
 Qed.
 Theorem normal_limits__zero__point : exists theta phi h_u h_v beta : R, beta = 0 \/ g theta phi h_u h_v = (0, 0, 0).
 Proof. exists 0, 0, 1, 1, 0. left. reflexivity. Qed.
 (* Elsewhere it is not. *)
-Lemma another_normal : N' 0 0 1 0 1 <> N 0 0.
+Lemma another_normal : N' 0 0 1 0 1 <> normal_at 0 0.
 Proof.
   intro E. generalize (normal_dot_bumped 0 0 1 0 1) (length_squared (M 0 0 1 0 1)). rewrite E, normal_is_unit, m_squared. intros I L.
-  rewrite <- (Rinv_inv (length _)), <- I, Rinv_1 in L. lra.
+  rewrite <- (Rinv_inv (magnitude _)), <- I, Rinv_1 in L. lra.
 Qed.
-Theorem normal_limits__zero__false : ~ forall theta phi h_u h_v beta, N' theta phi h_u h_v beta = N theta phi.
+Theorem normal_limits__zero__false : ~ forall theta phi h_u h_v beta, N' theta phi h_u h_v beta = normal_at theta phi.
 Proof. intro H. exact (another_normal (H 0 0 1 0 1)). Qed.
 Theorem (* clause 3 *) normal_limits__zero_height (theta phi beta : R) (h : R -> R -> R) : (forall u v, h u v = 0) -> forall u v,
-  N' theta phi (Derive (fun u => h u v) u) (Derive (fun v => h u v) v) beta = N theta phi.
+  N' theta phi (Derive (fun u => h u v) u) (Derive (fun v => h u v) v) beta = normal_at theta phi.
 Proof.
   intros H u v. rewrite (Derive_ext _ (fun _ => 0)) by (intro; apply H). rewrite (Derive_ext (fun v => h u v) (fun _ => 0)) by (intro; apply H).
-  rewrite !Derive_const, bumped_is_scaled. replace (length (M theta phi 0 0 beta)) with 1.
+  rewrite !Derive_const, bumped_is_scaled. replace (magnitude (M theta phi 0 0 beta)) with 1.
   - rewrite Rinv_1. unfold_vectors. f_equal; [f_equal|]; ring.
   - symmetry. apply length_of_unit. rewrite m_squared. ring.
 Qed.
 
-Theorem normal_limits__zero_height__false : ~ forall theta phi beta (h : R -> R -> R) u v, N' theta phi (Derive (fun u => h u v) u) (Derive (fun v => h u v) v) beta = N theta phi.
+Theorem normal_limits__zero_height__false : ~ forall theta phi beta (h : R -> R -> R) u v, N' theta phi (Derive (fun u => h u v) u) (Derive (fun v => h u v) v) beta = normal_at theta phi.
 Proof.
   intro H. generalize (H 0 0 1 (fun u _ => u) 0 0). rewrite Derive_id, Derive_const. exact another_normal.
 Qed.
 
 (* For beta and g not zero: |N' - sign(beta) g/|g|| <= 1/(|beta| |g|). *)
 Theorem (* clause 2 *) normal_limits__large_beta (theta phi h_u h_v beta : R) : let tangent := g theta phi h_u h_v in
-  beta <> 0 -> 0 < length tangent ->
-  length (difference (N' theta phi h_u h_v beta) (scaled (sign beta / length tangent) tangent)) <= / (Rabs beta * length tangent).
+  beta <> 0 -> 0 < magnitude tangent ->
+  magnitude (difference (N' theta phi h_u h_v beta) (scaled (sign beta / magnitude tangent) tangent)) <= / (Rabs beta * magnitude tangent).
 Proof.
-  cbv zeta. intros B G. set (G0 := length (g theta phi h_u h_v)) in *.
+  cbv zeta. intros B G. set (G0 := magnitude (g theta phi h_u h_v)) in *.
   generalize (m_length_at_least_1 theta phi h_u h_v beta) (length_squared (M theta phi h_u h_v beta)).
-  rewrite m_squared, <- (g_squared theta phi), <- length_squared. fold G0. set (m := length (M theta phi h_u h_v beta)). intros L E.
+  rewrite m_squared, <- (g_squared theta phi), <- length_squared. fold G0. set (m := magnitude (M theta phi h_u h_v beta)). intros L E.
   assert (B0 : 0 < Rabs beta) by (apply Rabs_pos_lt; exact B).
   assert (A : sign beta * beta = Rabs beta /\ sign beta ^ 2 = 1).
   { unfold Rabs. destruct (Rcase_abs beta) as [n|n]; [rewrite sign_eq_m1 | rewrite sign_eq_1]; try lra. }
   destruct A as [A A2]. set (b := Rabs beta) in *. assert (B2 : beta ^ 2 = b ^ 2) by (unfold b; rewrite <- pow2_abs; reflexivity).
-  assert (D : length (difference (N' theta phi h_u h_v beta) (scaled (sign beta / G0) (g theta phi h_u h_v))) ^ 2 = 2 - 2 * (b * G0 / m)).
-  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (sum _ _)), !dot_sum, bumped_is_unit, !dot_scaled, !(dot_comm _ (scaled _ _)), !dot_scaled,
+  assert (D : magnitude (difference (N' theta phi h_u h_v beta) (scaled (sign beta / G0) (g theta phi h_u h_v))) ^ 2 = 2 - 2 * (b * G0 / m)).
+  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (vector_sum _ _)), !dot_sum, bumped_is_unit, !dot_scaled, !(dot_comm _ (scaled _ _)), !dot_scaled,
       !(dot_comm (g _ _ _ _) (N' _ _ _ _ _)), dot_bumped, g_is_tangent, <- length_squared. fold G0 m.
     transitivity (1 + sign beta ^ 2 - 2 * (sign beta * beta) * G0 / m); [field; lra|]. rewrite A, A2. field. lra. }
   apply le_of_squares; [left; apply Rinv_0_lt_compat, Rmult_lt_0_compat; assumption|]. rewrite D. set (t := b * G0) in *.
@@ -351,39 +343,39 @@ Proof.
   apply Rmult_le_reg_r with (t ^ 2 * m); [apply Rmult_lt_0_compat; nra|]. field_simplify; try lra.
   assert (t <= m) by nra. nra.
 Qed.
-Theorem normal_limits__large_beta__point : exists theta phi h_u h_v beta : R, beta <> 0 /\ 0 < length (g theta phi h_u h_v).
+Theorem normal_limits__large_beta__point : exists theta phi h_u h_v beta : R, beta <> 0 /\ 0 < magnitude (g theta phi h_u h_v).
 Proof.
-  exists 0, 0, 1, 0, 1. split; [lra|]. replace (length (g 0 0 1 0)) with 1; [lra|]. symmetry. apply length_of_unit. rewrite g_squared. ring.
+  exists 0, 0, 1, 0, 1. split; [lra|]. replace (magnitude (g 0 0 1 0)) with 1; [lra|]. symmetry. apply length_of_unit. rewrite g_squared. ring.
 Qed.
 (* Half the bound is too little. *)
 Theorem normal_limits__small_beta__false : ~ forall theta phi h_u h_v beta,
-  length (difference (N' theta phi h_u h_v beta) (N theta phi)) <= Rabs beta * length (g theta phi h_u h_v) / 2.
+  magnitude (difference (N' theta phi h_u h_v beta) (normal_at theta phi)) <= Rabs beta * magnitude (g theta phi h_u h_v) / 2.
 Proof.
   intro H. generalize (H 0 0 1 0 1). rewrite Rabs_R1, (length_of_unit (g 0 0 1 0)) by (rewrite g_squared; ring). intro K.
-  assert (L : length (M 0 0 1 0 1) ^ 2 = 2) by (rewrite length_squared, m_squared; ring).
-  generalize (m_length_at_least_1 0 0 1 0 1). set (m := length (M 0 0 1 0 1)) in *. intro L1.
-  assert (E : length (difference (N' 0 0 1 0 1) (N 0 0)) ^ 2 = 2 - 2 * / m).
-  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (sum _ _)), !dot_sum, !dot_scaled, !(dot_comm _ (scaled _ _)), !dot_scaled,
-      ?(dot_comm (N' _ _ _ _ _) (N _ _)), normal_is_unit, bumped_is_unit, normal_dot_bumped. fold m. ring. }
-  generalize (length_nonneg (difference (N' 0 0 1 0 1) (N 0 0))). intro P.
-  assert (S : length (difference (N' 0 0 1 0 1) (N 0 0)) ^ 2 <= 1 / 4) by nra. rewrite E in S.
+  assert (L : magnitude (M 0 0 1 0 1) ^ 2 = 2) by (rewrite length_squared, m_squared; ring).
+  generalize (m_length_at_least_1 0 0 1 0 1). set (m := magnitude (M 0 0 1 0 1)) in *. intro L1.
+  assert (E : magnitude (difference (N' 0 0 1 0 1) (normal_at 0 0)) ^ 2 = 2 - 2 * / m).
+  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (vector_sum _ _)), !dot_sum, !dot_scaled, !(dot_comm _ (scaled _ _)), !dot_scaled,
+      ?(dot_comm (N' _ _ _ _ _) (normal_at _ _)), normal_is_unit, bumped_is_unit, normal_dot_bumped. fold m. ring. }
+  generalize (length_nonneg (difference (N' 0 0 1 0 1) (normal_at 0 0))). intro P.
+  assert (S : magnitude (difference (N' 0 0 1 0 1) (normal_at 0 0)) ^ 2 <= 1 / 4) by nra. rewrite E in S.
   assert (I : / m * m = 1) by (apply Rinv_l; lra). assert (m > 1.4) by nra. nra.
 Qed.
 (* False variants: N's derivative by theta has the factor sin phi, and the limit for large beta its sign. *)
-Theorem tangent_frame__by_theta__false : ~ forall theta phi, is_derive (fun t => snd (fst (N t phi))) theta (snd (fst (e_theta theta))).
+Theorem tangent_frame__by_theta__false : ~ forall theta phi, is_derive (fun t => snd (fst (normal_at t phi))) theta (snd (fst (e_theta theta))).
 Proof.
-  intro H. assert (B : Derive (fun t => snd (fst (N t 0))) 0 = 0) by (apply is_derive_unique; unfold_vectors; auto_derive; trivial; rewrite sin_0; ring).
+  intro H. assert (B : Derive (fun t => snd (fst (normal_at t 0))) 0 = 0) by (apply is_derive_unique; unfold_vectors; auto_derive; trivial; rewrite sin_0; ring).
   generalize (eq_trans (eq_sym B) (is_derive_unique _ _ _ (H 0 0))). unfold_vectors. rewrite cos_0. lra.
 Qed.
-Theorem normal_limits__large_beta__false : ~ forall theta phi h_u h_v beta, beta <> 0 -> 0 < length (g theta phi h_u h_v) ->
-  length (difference (N' theta phi h_u h_v beta) (scaled (/ length (g theta phi h_u h_v)) (g theta phi h_u h_v))) <= / (Rabs beta * length (g theta phi h_u h_v)).
+Theorem normal_limits__large_beta__false : ~ forall theta phi h_u h_v beta, beta <> 0 -> 0 < magnitude (g theta phi h_u h_v) ->
+  magnitude (difference (N' theta phi h_u h_v beta) (scaled (/ magnitude (g theta phi h_u h_v)) (g theta phi h_u h_v))) <= / (Rabs beta * magnitude (g theta phi h_u h_v)).
 Proof.
-  assert (U : length (g 0 0 1 0) = 1) by (apply length_of_unit; rewrite g_squared; ring).
+  assert (U : magnitude (g 0 0 1 0) = 1) by (apply length_of_unit; rewrite g_squared; ring).
   intro H. generalize (H 0 0 1 0 (-3) ltac:(lra) ltac:(rewrite U; lra)). rewrite U, Rinv_1, Rabs_left by lra.
-  assert (E : length (difference (N' 0 0 1 0 (-3)) (scaled 1 (g 0 0 1 0))) ^ 2 = 2 + 6 * / length (M 0 0 1 0 (-3))).
-  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (sum _ _)), !dot_sum, bumped_is_unit, !dot_scaled, !(dot_comm _ (scaled _ _)), !dot_scaled,
+  assert (E : magnitude (difference (N' 0 0 1 0 (-3)) (scaled 1 (g 0 0 1 0))) ^ 2 = 2 + 6 * / magnitude (M 0 0 1 0 (-3))).
+  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (vector_sum _ _)), !dot_sum, bumped_is_unit, !dot_scaled, !(dot_comm _ (scaled _ _)), !dot_scaled,
       ?(dot_comm (g _ _ _ _) (N' _ _ _ _ _)), dot_bumped, g_is_tangent, g_squared. ring. }
-  assert (I : 0 < / length (M 0 0 1 0 (-3))) by (apply Rinv_0_lt_compat; generalize (m_length_at_least_1 0 0 1 0 (-3)); lra).
-  replace (/ (- -3 * 1)) with (1 / 3) by field. set (l := length (difference (N' 0 0 1 0 (-3)) (scaled 1 (g 0 0 1 0)))) in *.
+  assert (I : 0 < / magnitude (M 0 0 1 0 (-3))) by (apply Rinv_0_lt_compat; generalize (m_length_at_least_1 0 0 1 0 (-3)); lra).
+  replace (/ (- -3 * 1)) with (1 / 3) by field. set (l := magnitude (difference (N' 0 0 1 0 (-3)) (scaled 1 (g 0 0 1 0)))) in *.
   intro X. assert (l ^ 2 <= (1 / 3) ^ 2) by (apply pow_incr; split; [apply length_nonneg | exact X]). lra.
 Qed.

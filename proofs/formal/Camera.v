@@ -135,7 +135,7 @@ Proof.
 Qed.
 
 (* If e > R and d >= 0, then t = (e^2 - R^2) / (e^2 + sqrt d) is the least root of |P(t)|^2 = R^2, and t > 0. *)
-Theorem hit_of_a__near (x y e r : R) : 0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
+Theorem hit_of_a__first_hit (x y e r : R) : 0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
   exists t, hit_of_a.t_a x y e r = Finite t /\
   t = (e ^ 2 - r ^ 2) / (e ^ 2 + sqrt (hit_of_a.discriminant_a x y e r)) /\
   0 < t /\ on_a t x y e r /\ forall s, on_a s x y e r -> t <= s.
@@ -144,12 +144,12 @@ Proof.
   exists t. rewrite T. rewrite t_a_value in T by assumption. injection T as T. repeat split; auto.
 Qed.
 
-Theorem hit_of_a__near__point :
+Theorem hit_of_a__first_hit__point :
   exists x y e r, 0 < r < e /\ off_axis x y e /\ 0 <= hit_of_a.discriminant_a x y e r.
 Proof. exists (1 / 2), 0, 4, 1. destruct point_a as (H & O & D). repeat split; try lra; exact O. Qed.
 
 (* It is not the far root. *)
-Theorem hit_of_a__near__false : ~ forall x y e r : R,
+Theorem hit_of_a__first_hit__false : ~ forall x y e r : R,
   0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
   exists t, hit_of_a.t_a x y e r = Finite t /\ forall s, on_a s x y e r -> s <= t.
 Proof.
@@ -161,7 +161,7 @@ Proof.
 Qed.
 
 (* If d < 0 there is no hit. *)
-Theorem hit_of_a__misses (x y e r : R) : 0 < r < e -> off_axis x y e -> hit_of_a.discriminant_a x y e r < 0 ->
+Theorem hit_of_a__no_hit (x y e r : R) : 0 < r < e -> off_axis x y e -> hit_of_a.discriminant_a x y e r < 0 ->
   hit_of_a.t_a x y e r = p_infty /\ forall t, ~ on_a t x y e r.
 Proof.
   intros H O D. split.
@@ -170,7 +170,7 @@ Proof.
     pose proof (pow2_ge_0 ((x ^ 2 + y ^ 2 + e ^ 2) * t - e ^ 2)). nra.
 Qed.
 
-Theorem hit_of_a__misses__point :
+Theorem hit_of_a__no_hit__point :
   exists x y e r, 0 < r < e /\ off_axis x y e /\ hit_of_a.discriminant_a x y e r < 0.
 Proof.
   assert (O : off_axis 2 0 4) by (apply off_axis_far; lra).
@@ -184,41 +184,18 @@ Proof.
 Qed.
 
 (* At d = 0 there is one. *)
-Theorem hit_of_a__misses__false : ~ forall x y e r : R,
+Theorem hit_of_a__no_hit__false : ~ forall x y e r : R,
   0 < r < e -> off_axis x y e -> hit_of_a.discriminant_a x y e r <= 0 -> forall t, ~ on_a t x y e r.
 Proof.
   intros F. destruct rim as [O D]. apply (F (15 / 16) 0 (5 / 4) (3 / 4)) with (16 / 25); try lra; try exact O.
   unfold on_a, distance2. lra.
 Qed.
 
-(* Lagrange's identity for sphere B: with a = (x, y, -e), w = C - E, the program's discriminant is both
-   |a|^2 r^2 - |a x w|^2 and (a.w)^2 - |a|^2 (|w|^2 - r^2). *)
-Theorem lagrange_identity__of_b (x y e cx cy cz r : R) :
-  hit_of_b.discriminant_b x y e cx cy cz r =
-    dot3 x y (- e) x y (- e) * r ^ 2 - cross2 x y (- e) cx cy (cz - e) /\
-  hit_of_b.discriminant_b x y e cx cy cz r =
-    dot3 x y (- e) cx cy (cz - e) ^ 2
-    - dot3 x y (- e) x y (- e) * (dot3 cx cy (cz - e) cx cy (cz - e) - r ^ 2).
-Proof. unfold hit_of_b.discriminant_b, hit_of_b.distance, dot3, cross2. split; ring. Qed.
-
 (* Not with w = C in place of C - E. *)
 Theorem lagrange_identity__of_b__false : ~ forall x y e cx cy cz r : R,
   hit_of_b.discriminant_b x y e cx cy cz r =
     dot3 x y (- e) cx cy (cz - e) ^ 2 - dot3 x y (- e) x y (- e) * (dot3 cx cy cz cx cy cz - r ^ 2).
 Proof. intros F. specialize (F 0 0 1 0 0 0 1). unfold hit_of_b.discriminant_b, hit_of_b.distance, dot3 in F. lra. Qed.
-
-(* The same for a shadow, with a = L - P, w = C - P. *)
-Theorem lagrange_identity__of_shadow (px py pz lx ly lz cx cy cz r : R) :
-  let ax := lx - px in let ay := ly - py in let az := lz - pz in
-  let wx := cx - px in let wy := cy - py in let wz := cz - pz in
-  let d := shadow.shadow_discriminant px py pz lx ly lz cx cy cz r in
-  d = dot3 ax ay az ax ay az * r ^ 2 - cross2 ax ay az wx wy wz /\
-  d = dot3 ax ay az wx wy wz ^ 2 - dot3 ax ay az ax ay az * (dot3 wx wy wz wx wy wz - r ^ 2).
-Proof.
-  intros. unfold d, shadow.shadow_discriminant, shadow.segment_squared, shadow.segment_x, shadow.segment_y,
-    shadow.segment_z, shadow.offset_x, shadow.offset_y, shadow.offset_z, dot3, cross2, ax, ay, az, wx, wy, wz.
-  split; ring.
-Qed.
 
 (* Not with + |a x w|^2. *)
 Theorem lagrange_identity__of_shadow__false : ~ forall px py pz lx ly lz cx cy cz r : R,
@@ -239,9 +216,9 @@ Proof.
   pose proof (tangent_pos e r H) as T. pose proof (sqrt_pos (x ^ 2 + y ^ 2)) as Q.
   set (rho := sqrt (x ^ 2 + y ^ 2)) in *. set (edge := silhouette_of_a.rho_silhouette e r) in *. split.
   - intros [t M]. destruct (Rle_lt_dec rho edge) as [L | L]; [exact L | exfalso].
-    assert (edge ^ 2 < rho ^ 2) by nra. apply (proj2 (hit_of_a__misses x y e r H O ltac:(rewrite D; nra)) t M).
+    assert (edge ^ 2 < rho ^ 2) by nra. apply (proj2 (hit_of_a__no_hit x y e r H O ltac:(rewrite D; nra)) t M).
   - intros L. assert (rho ^ 2 <= edge ^ 2) by nra.
-    destruct (hit_of_a__near x y e r H O) as (t & _ & _ & _ & M & _); [rewrite D; nra | exists t; exact M].
+    destruct (hit_of_a__first_hit x y e r H O) as (t & _ & _ & _ & M & _); [rewrite D; nra | exists t; exact M].
 Qed.
 
 Theorem silhouette_of_a__meets__point : exists x y e r, 0 < r < e /\ off_axis x y e.
@@ -276,21 +253,12 @@ Proof.
 Qed.
 
 (* The near hit then has 0 < t < 1: it is in front of the floor. *)
-Theorem silhouette_of_a__in_front (x y e r : R) : 0 < r < e -> off_axis x y e ->
-  sqrt (x ^ 2 + y ^ 2) <= silhouette_of_a.rho_silhouette e r ->
-  exists t, hit_of_a.t_a x y e r = Finite t /\ on_a t x y e r /\ 0 < t < 1.
-Proof.
-  intros H O L. destruct (rho_silhouette_squared e r H) as [P S]. pose proof (hit_of_a__discriminant x y e r H O) as D.
-  pose proof (tangent_pos e r H). assert (Q := pow_incr _ _ 2 (conj (sqrt_pos (x ^ 2 + y ^ 2)) L)).
-  destruct (t_a_near x y e r H O) as (t & T & A & B & M & _); [rewrite D; nra |]. exists t. auto.
-Qed.
-
 Theorem silhouette_of_a__in_front__point : exists x y e r,
   0 < r < e /\ off_axis x y e /\ sqrt (x ^ 2 + y ^ 2) <= silhouette_of_a.rho_silhouette e r.
 Proof.
   destruct point_a as (H & O & D). exists (1 / 2), 0, 4, 1. repeat split; try lra; try exact O.
   apply silhouette_of_a__meets; try lra; try exact O.
-  destruct (hit_of_a__near (1 / 2) 0 4 1) as (t & _ & _ & _ & M & _);
+  destruct (hit_of_a__first_hit (1 / 2) 0 4 1) as (t & _ & _ & _ & M & _);
     [lra | exact O | lra | exists t; exact M].
 Qed.
 
@@ -302,14 +270,14 @@ Proof.
   intros F. destruct point_a as (H & O & D).
   destruct (F (1 / 2) 0 4 1) as (t & T & L); [lra | exact O | |].
   - apply silhouette_of_a__meets; try lra; try exact O.
-    destruct (hit_of_a__near (1 / 2) 0 4 1) as (t & _ & _ & _ & M & _);
+    destruct (hit_of_a__first_hit (1 / 2) 0 4 1) as (t & _ & _ & _ & M & _);
       [lra | exact O | lra | exists t; exact M].
-  - destruct (hit_of_a__near (1 / 2) 0 4 1) as (s & U & _ & _ & M & _); [lra | exact O | lra |].
+  - destruct (hit_of_a__first_hit (1 / 2) 0 4 1) as (s & U & _ & _ & M & _); [lra | exact O | lra |].
     rewrite T in U. injection U as <-. unfold on_a, distance2 in M. nra.
 Qed.
 
 (* At rho = rho_s the ray touches A in one point, P.D = 0, at height R^2 / e, that is cos phi = R / e. *)
-Theorem silhouette_of_a__tangent (x y e r : R) : 0 < r < e -> off_axis x y e ->
+Theorem silhouette_of_a__touches (x y e r : R) : 0 < r < e -> off_axis x y e ->
   sqrt (x ^ 2 + y ^ 2) = silhouette_of_a.rho_silhouette e r ->
   exists t, hit_of_a.t_a x y e r = Finite t /\ on_a t x y e r /\ (forall s, on_a s x y e r -> s = t) /\
   dot3 (t * x) (t * y) (e * (1 - t)) x y (- e) = 0 /\ e * (1 - t) = r ^ 2 / e /\
@@ -339,14 +307,14 @@ Proof.
   replace ((5 / 4 - 3 / 4) * (5 / 4 + 3 / 4)) with (1 ^ 2) by field. rewrite sqrt_pow2 by lra. field.
 Qed.
 
-Theorem silhouette_of_a__tangent__point : exists x y e r,
+Theorem silhouette_of_a__touches__point : exists x y e r,
   0 < r < e /\ off_axis x y e /\ sqrt (x ^ 2 + y ^ 2) = silhouette_of_a.rho_silhouette e r.
 Proof.
   exists (15 / 16), 0, (5 / 4), (3 / 4). destruct rim as [O _]. repeat split; try lra; [exact O | apply on_rim].
 Qed.
 
 (* Not at height 0. *)
-Theorem silhouette_of_a__tangent__false : ~ forall x y e r : R, 0 < r < e -> off_axis x y e ->
+Theorem silhouette_of_a__touches__false : ~ forall x y e r : R, 0 < r < e -> off_axis x y e ->
   sqrt (x ^ 2 + y ^ 2) = silhouette_of_a.rho_silhouette e r ->
   exists t, on_a t x y e r /\ e * (1 - t) = 0.
 Proof.
@@ -356,13 +324,13 @@ Qed.
 
 (* The point P(t) of A at polar angle phi is the near hit where cos phi >= R / e; on the rim, cos phi = R / e,
    the two hits are one. *)
-Theorem visible_iff__visible (t x y e r phi : R) : 0 < r < e -> off_axis x y e -> on_a t x y e r ->
+Theorem visible_iff__seen (t x y e r phi : R) : 0 < r < e -> off_axis x y e -> on_a t x y e r ->
   e * (1 - t) = r * cos phi -> r / e <= cos phi ->
   hit_of_a.t_a x y e r = Finite t /\ (cos phi = r / e -> forall s, on_a s x y e r -> s = t).
 Proof.
   intros H O M C L. assert (D : 0 <= hit_of_a.discriminant_a x y e r).
   { destruct (Rle_lt_dec 0 (hit_of_a.discriminant_a x y e r)) as [D | D]; [exact D |].
-    destruct (proj2 (hit_of_a__misses x y e r H O D) t M). }
+    destruct (proj2 (hit_of_a__no_hit x y e r H O D) t M). }
   destruct (t_a_near x y e r H O D) as (s & T & P & _ & S & N & F). pose proof (N t M) as G.
   assert (K : r <= e * cos phi) by (apply (Rmult_le_compat_l e) in L; [field_simplify in L |]; lra).
   pose proof M as Q. apply quadratic_a in Q.
@@ -379,7 +347,7 @@ Lemma point_visible : off_axis (15 / 16) 0 (5 / 4) /\ on_a (16 / 25) (15 / 16) 0
   cos (acos (3 / 5)) = 3 / 5.
 Proof. destruct rim as [O _]. repeat split; [exact O | unfold on_a, distance2; lra | apply cos_acos; lra]. Qed.
 
-Theorem visible_iff__visible__point : exists t x y e r phi, 0 < r < e /\ off_axis x y e /\ on_a t x y e r /\
+Theorem visible_iff__seen__point : exists t x y e r phi, 0 < r < e /\ off_axis x y e /\ on_a t x y e r /\
   e * (1 - t) = r * cos phi /\ r / e <= cos phi.
 Proof.
   exists (16 / 25), (15 / 16), 0, (5 / 4), (3 / 4), (acos (3 / 5)). destruct point_visible as (O & M & C).
@@ -390,23 +358,23 @@ Lemma point_hidden : off_axis 1 0 4 /\ on_a 1 1 0 4 1 /\ on_a (15 / 17) 1 0 4 1.
 Proof. repeat split; [apply off_axis_far | unfold on_a, distance2 | unfold on_a, distance2]; lra. Qed.
 
 (* Not where cos phi >= 0. *)
-Theorem visible_iff__visible__false : ~ forall t x y e r phi : R, 0 < r < e -> off_axis x y e -> on_a t x y e r ->
+Theorem visible_iff__seen__false : ~ forall t x y e r phi : R, 0 < r < e -> off_axis x y e -> on_a t x y e r ->
   e * (1 - t) = r * cos phi -> 0 <= cos phi -> hit_of_a.t_a x y e r = Finite t.
 Proof.
   intros F. destruct point_hidden as (O & M & N). pose proof cos_PI2 as C.
   specialize (F 1 1 0 4 1 (PI / 2) ltac:(lra) O M ltac:(lra) ltac:(lra)).
-  destruct (hit_of_a__near 1 0 4 1 ltac:(lra) O) as (t & T & _ & _ & _ & L).
+  destruct (hit_of_a__first_hit 1 0 4 1 ltac:(lra) O) as (t & T & _ & _ & _ & L).
   { rewrite discriminant_a_value by (lra || exact O). lra. }
   rewrite F in T. injection T as <-. specialize (L _ N). lra.
 Qed.
 
 (* The point P(t) of A lies behind the near hit, t > t_A, where cos phi < R / e. *)
-Theorem visible_iff__hidden (t x y e r phi : R) : 0 < r < e -> off_axis x y e -> on_a t x y e r ->
+Theorem visible_iff__not_seen (t x y e r phi : R) : 0 < r < e -> off_axis x y e -> on_a t x y e r ->
   e * (1 - t) = r * cos phi -> cos phi < r / e -> Rbar_lt (hit_of_a.t_a x y e r) t.
 Proof.
   intros H O M C L. assert (D : 0 <= hit_of_a.discriminant_a x y e r).
   { destruct (Rle_lt_dec 0 (hit_of_a.discriminant_a x y e r)) as [D | D]; [exact D |].
-    destruct (proj2 (hit_of_a__misses x y e r H O D) t M). }
+    destruct (proj2 (hit_of_a__no_hit x y e r H O D) t M). }
   destruct (t_a_near x y e r H O D) as (s & T & P & _ & S & N & _). rewrite T. simpl.
   destruct (Rle_lt_or_eq_dec _ _ (N t M)) as [G | <-]; [exact G | exfalso].
   assert (K : e * cos phi < r) by (apply (Rmult_lt_compat_l e) in L; [field_simplify in L |]; lra).
@@ -416,7 +384,7 @@ Proof.
   rewrite T in A. pose proof (sqrt_pos (hit_of_a.discriminant_a x y e r)). apply quadratic_a in M. nra.
 Qed.
 
-Theorem visible_iff__hidden__point : exists t x y e r phi, 0 < r < e /\ off_axis x y e /\ on_a t x y e r /\
+Theorem visible_iff__not_seen__point : exists t x y e r phi, 0 < r < e /\ off_axis x y e /\ on_a t x y e r /\
   e * (1 - t) = r * cos phi /\ cos phi < r / e.
 Proof.
   exists 1, 1, 0, 4, 1, (PI / 2). destruct point_hidden as (O & M & _). rewrite cos_PI2.
@@ -424,13 +392,13 @@ Proof.
 Qed.
 
 (* Not on the rim. *)
-Theorem visible_iff__hidden__false : ~ forall t x y e r phi : R, 0 < r < e -> off_axis x y e -> on_a t x y e r ->
+Theorem visible_iff__not_seen__false : ~ forall t x y e r phi : R, 0 < r < e -> off_axis x y e -> on_a t x y e r ->
   e * (1 - t) = r * cos phi -> cos phi <= r / e -> Rbar_lt (hit_of_a.t_a x y e r) t.
 Proof.
   intros F. destruct point_visible as (O & M & C).
   specialize (F (16 / 25) (15 / 16) 0 (5 / 4) (3 / 4) (acos (3 / 5)) ltac:(lra) O M). rewrite C in F.
   specialize (F ltac:(lra) ltac:(lra)).
-  destruct (visible_iff__visible (16 / 25) (15 / 16) 0 (5 / 4) (3 / 4) (acos (3 / 5)) ltac:(lra) O M) as [T _];
+  destruct (visible_iff__seen (16 / 25) (15 / 16) 0 (5 / 4) (3 / 4) (acos (3 / 5)) ltac:(lra) O M) as [T _];
     try (rewrite C; lra).
   rewrite T in F. simpl in F. lra.
 Qed.
@@ -802,7 +770,7 @@ Qed.
 (* Off the pole the point hit is R (sin phi cos theta, sin phi sin theta, cos phi) for two angles, whose cosines and
    sines are those of the program: cos theta = x / rho, sin theta = y / rho, sin phi = t rho / R > 0,
    cos phi = e (1 - t) / R. *)
-Theorem stable_frame__angles (x y e r : R) : 0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
+Theorem stable_frame__true_angles (x y e r : R) : 0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
   let rho := sqrt (x ^ 2 + y ^ 2) in
   exists t theta phi, hit_of_a.t_a x y e r = Finite t /\ on_a t x y e r /\ - PI < theta <= PI /\ 0 < phi < PI /\
   (cos theta = angles_on_a.cos_theta x y e /\ sin theta = angles_on_a.sin_theta x y e /\
@@ -842,24 +810,24 @@ Proof.
   split; [apply R2, N |]. repeat split; try exact N; try (field; lra).
 Qed.
 
-Theorem stable_frame__angles__point : exists x y e r,
+Theorem stable_frame__true_angles__point : exists x y e r,
   0 < r < e /\ off_axis x y e /\ 0 <= hit_of_a.discriminant_a x y e r.
-Proof. exact hit_of_a__near__point. Qed.
+Proof. exact hit_of_a__first_hit__point. Qed.
 
 (* Not cos phi = e t / R. *)
-Theorem stable_frame__angles__false : ~ forall x y e r : R,
+Theorem stable_frame__true_angles__false : ~ forall x y e r : R,
   0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
   exists t, hit_of_a.t_a x y e r = Finite t /\ angles_on_a.cos_phi x y e r = e * t / r.
 Proof.
   intros F. destruct rim as [O D]. destruct (F (15 / 16) 0 (5 / 4) (3 / 4)) as (t & T & C); [lra | exact O | lra |].
-  destruct (stable_frame__angles (15 / 16) 0 (5 / 4) (3 / 4)) as (s & a & b & U & M & _ & _ & (_ & _ & V & _) & _ & _
+  destruct (stable_frame__true_angles (15 / 16) 0 (5 / 4) (3 / 4)) as (s & a & b & U & M & _ & _ & (_ & _ & V & _) & _ & _
     & _ & _ & _ & _ & W);
     [lra | exact O | lra |]. rewrite T in U. apply Rbar_finite_eq in U. subst s. rewrite <- V, W in C.
   assert (t = 1 / 2) by lra. subst t. unfold on_a, distance2 in M. lra.
 Qed.
 
 (* Where sin phi > 0 the seed's frame, from N alone, is the same. *)
-Theorem stable_frame__seed_frame (theta phi : R) : 0 < sin phi ->
+Lemma stable_frame_seed_frame (theta phi : R) : 0 < sin phi ->
   let nx := unit_normal.normal_x (cos theta) (sin phi) in let ny := unit_normal.normal_y (sin theta) (sin phi) in
   let nz := unit_normal.normal_z (cos phi) in
   seed_frame.seed_sin_phi nz = sin phi /\
@@ -893,7 +861,7 @@ Qed.
 
 (* Seen from E, the point of A at (theta, phi) is at the image point rho (cos theta, sin theta) with
    rho = e R sin phi / (e - R cos phi): a meridian (theta fixed) is a ray, a parallel (phi fixed) a circle. *)
-Theorem (* clause 1 *) kink_loci__projection (t x y e r theta phi : R) : 0 < r < e -> 0 <= sin phi ->
+Theorem (* clause 1 *) kink_loci__image (t x y e r theta phi : R) : 0 < r < e -> 0 <= sin phi ->
   t * x = point_on_a.point_x (cos theta) (sin phi) r -> t * y = point_on_a.point_y (sin theta) (sin phi) r ->
   e * (1 - t) = point_on_a.point_z (cos phi) r ->
   let rho := parallel_radius.rho (sin phi) (cos phi) e r in
@@ -913,7 +881,7 @@ Proof.
   replace (_ + _) with (rho ^ 2) by nra. apply sqrt_pow2, V.
 Qed.
 
-Theorem kink_loci__projection__point : exists t x y e r theta phi, 0 < r < e /\ 0 <= sin phi /\
+Theorem kink_loci__image__point : exists t x y e r theta phi, 0 < r < e /\ 0 <= sin phi /\
   t * x = point_on_a.point_x (cos theta) (sin phi) r /\ t * y = point_on_a.point_y (sin theta) (sin phi) r /\
   e * (1 - t) = point_on_a.point_z (cos phi) r.
 Proof.
@@ -922,7 +890,7 @@ Proof.
 Qed.
 
 (* Not with e + R cos phi. *)
-Theorem kink_loci__projection__false : ~ forall t x e r phi : R, 0 < r < e -> 0 <= sin phi ->
+Theorem kink_loci__image__false : ~ forall t x e r phi : R, 0 < r < e -> 0 <= sin phi ->
   t * x = point_on_a.point_x 1 (sin phi) r -> e * (1 - t) = point_on_a.point_z (cos phi) r ->
   x = e * r * sin phi / (e + r * cos phi).
 Proof.
@@ -967,18 +935,18 @@ Proof.
 Qed.
 
 (* Ridges is creased in u exactly on the rays k_u u = m with m whole, off the circles where it is 0 all along. *)
-Theorem (* clauses 2, 3 *) kink_loci__crease_u (u v ku kv : R) : ku <> 0 -> sin (PI * (kv * v)) <> 0 ->
+Theorem (* clauses 2, 3 *) kink_loci__creased_in_u (u v ku kv : R) : ku <> 0 -> sin (PI * (kv * v)) <> 0 ->
   (exists m : Z, ku * u = IZR m) <-> ~ ex_derive (fun u => height_ridges.h u v ku kv) u.
 Proof. apply creased. Qed.
 
 Lemma half_sine : sin (PI * (1 * (1 / 2))) = 1.
 Proof. replace (PI * (1 * (1 / 2))) with (PI / 2) by field. apply sin_PI2. Qed.
 
-Theorem kink_loci__crease_u__point : exists v ku kv, ku <> 0 /\ sin (PI * (kv * v)) <> 0.
+Theorem kink_loci__creased_in_u__point : exists v ku kv, ku <> 0 /\ sin (PI * (kv * v)) <> 0.
 Proof. exists (1 / 2), 1, 1. rewrite half_sine. lra. Qed.
 
 (* Not where sin (pi k_v v) = 0. *)
-Theorem kink_loci__crease_u__false : ~ forall u v ku kv : R, ku <> 0 ->
+Theorem kink_loci__creased_in_u__false : ~ forall u v ku kv : R, ku <> 0 ->
   (exists m : Z, ku * u = IZR m) -> ~ ex_derive (fun u => height_ridges.h u v ku kv) u.
 Proof.
   intros F. apply (F 0 0 1 1); [lra | exists 0%Z; lra |]. apply (ex_derive_ext (fun _ => 0)); [| apply ex_derive_const].
@@ -986,7 +954,7 @@ Proof.
 Qed.
 
 (* Ridges is creased in v exactly on the circles k_v v = m with m whole, off the rays where it is 0 all along. *)
-Theorem (* clauses 2, 3 *) kink_loci__crease_v (u v ku kv : R) : kv <> 0 -> sin (PI * (ku * u)) <> 0 ->
+Theorem (* clauses 2, 3 *) kink_loci__creased_in_v (u v ku kv : R) : kv <> 0 -> sin (PI * (ku * u)) <> 0 ->
   (exists m : Z, kv * v = IZR m) <-> ~ ex_derive (fun v => height_ridges.h u v ku kv) v.
 Proof.
   intros K S. rewrite (creased kv v (sin (PI * (ku * u))) K S).
@@ -994,11 +962,11 @@ Proof.
     intros t; unfold height_ridges.h; rewrite Rmult_comm; reflexivity.
 Qed.
 
-Theorem kink_loci__crease_v__point : exists u ku kv, kv <> 0 /\ sin (PI * (ku * u)) <> 0.
+Theorem kink_loci__creased_in_v__point : exists u ku kv, kv <> 0 /\ sin (PI * (ku * u)) <> 0.
 Proof. exists (1 / 2), 1, 1. rewrite half_sine. lra. Qed.
 
 (* Not where sin (pi k_u u) = 0. *)
-Theorem kink_loci__crease_v__false : ~ forall u v ku kv : R, kv <> 0 ->
+Theorem kink_loci__creased_in_v__false : ~ forall u v ku kv : R, kv <> 0 ->
   (exists m : Z, kv * v = IZR m) -> ~ ex_derive (fun v => height_ridges.h u v ku kv) v.
 Proof.
   intros F. apply (F 0 0 1 1); [lra | exists 0%Z; lra |]. apply (ex_derive_ext (fun _ => 0)); [| apply ex_derive_const].
@@ -1035,8 +1003,8 @@ Proof.
     (sin theta * sin theta + cos theta * cos theta) + cos phi * cos phi)) by ring. rewrite Q, Rmult_1_r, P. ring. }
   split.
   - intros T. destruct (Rle_lt_dec (r / e) (cos phi)) as [L | L]; [exact L | exfalso].
-    pose proof (visible_iff__hidden t x y e r phi H O M ltac:(lra) L) as N. rewrite T in N. simpl in N. lra.
-  - intros L. apply (visible_iff__visible t x y e r phi); try assumption. lra.
+    pose proof (visible_iff__not_seen t x y e r phi H O M ltac:(lra) L) as N. rewrite T in N. simpl in N. lra.
+  - intros L. apply (visible_iff__seen t x y e r phi); try assumption. lra.
 Qed.
 
 Theorem visible_parallels__seen__point : exists (t x y e r theta : R) (m k : Z),
@@ -1061,12 +1029,12 @@ Proof.
   unfold point_on_a.point_x, point_on_a.point_z in F. rewrite sin_PI2, cos_PI2 in F.
   destruct point_hidden as (O & M & _). specialize (F ltac:(lra) O ltac:(lia) ltac:(lia) ltac:(lra) ltac:(lra)
     ltac:(lra)).
-  pose proof (visible_iff__hidden 1 1 0 4 1 (PI / 2) ltac:(lra) O M) as N. rewrite cos_PI2, F in N.
+  pose proof (visible_iff__not_seen 1 1 0 4 1 (PI / 2) ltac:(lra) O M) as N. rewrite cos_PI2, F in N.
   specialize (N ltac:(lra) ltac:(lra)). simpl in N. lra.
 Qed.
 
 (* From pole to pole the cosine falls: where a parallel is seen, so is each nearer the pole. *)
-Theorem (* clauses 1, 2 *) visible_parallels__falling (a b e r : R) : 0 <= a -> a < b -> b <= 1 ->
+Lemma visible_parallels_falling (a b e r : R) : 0 <= a -> a < b -> b <= 1 ->
   cos (PI * b) < cos (PI * a) /\ (r / e <= cos (PI * b) -> r / e <= cos (PI * a)).
 Proof. intros A L B. pose proof PI_RGT_0. enough (cos (PI * b) < cos (PI * a)) by lra. apply cos_decreasing_1; nra. Qed.
 
@@ -1077,16 +1045,10 @@ Proof. exists 0, (1 / 4). lra. Qed.
 Theorem visible_parallels__falling__false : ~ forall a b : R, 0 <= a -> a < b -> b <= 1 -> cos (PI * a) < cos (PI * b).
 Proof.
   intros F. specialize (F 0 (1 / 2) ltac:(lra) ltac:(lra) ltac:(lra)).
-  destruct (visible_parallels__falling 0 (1 / 2) 0 0 ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+  destruct (visible_parallels_falling 0 (1 / 2) 0 0 ltac:(lra) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
 (* m = 0 is the pole, a point. *)
-Theorem (* clause 3 *) visible_parallels__pole (k e r : R) : 0 < r < e ->
-  parallel_radius.rho (sin (PI * (0 / k))) (cos (PI * (0 / k))) e r = 0.
-Proof.
-  intros H. unfold Rdiv. rewrite Rmult_0_l, Rmult_0_r, sin_0, cos_0. unfold parallel_radius.rho. field. lra.
-Qed.
-
 Theorem visible_parallels__pole__point : exists e r, 0 < r < e.
 Proof. exists 4, 1. lra. Qed.
 
@@ -1099,13 +1061,13 @@ Proof.
 Qed.
 
 (* In the default scene, k_v = 4 and R / e = 1/4, it is one circle. *)
-Theorem (* clause 4 *) visible_parallels__count (m : Z) : (0 < m <= 4)%Z -> 1 / 4 <= cos (PI * (IZR m / 4)) <-> m = 1%Z.
+Lemma visible_parallels_count (m : Z) : (0 < m <= 4)%Z -> 1 / 4 <= cos (PI * (IZR m / 4)) <-> m = 1%Z.
 Proof.
   intros H. rewrite <- (count_above m H). split; [| lra]. intros [L | E]; [exact L | exfalso].
   assert (m = 1 \/ m = 2 \/ m = 3 \/ m = 4)%Z as [-> | [-> | [-> | ->]]] by lia.
   - pose proof (proj2 (count_above 1 ltac:(lia)) eq_refl). lra.
   - replace (PI * (2 / 4)) with (PI / 2) in E by field. rewrite cos_PI2 in E. lra.
-  - destruct (visible_parallels__falling (2 / 4) (3 / 4) 0 0) as [L _]; try lra.
+  - destruct (visible_parallels_falling (2 / 4) (3 / 4) 0 0) as [L _]; try lra.
     replace (PI * (2 / 4)) with (PI / 2) in L by field. rewrite cos_PI2 in L. lra.
   - replace (PI * (4 / 4)) with PI in E by field. rewrite cos_PI in E. lra.
 Qed.
@@ -1118,7 +1080,7 @@ Theorem visible_parallels__count__false : ~ forall m : Z, (0 < m <= 4)%Z -> 1 / 
   (m <= 2)%Z.
 Proof.
   intros F. assert (1 / 4 <= cos (PI * (2 / 4))) as C by (apply (F 2%Z); lia).
-  apply (visible_parallels__count 2 ltac:(lia)) in C. discriminate.
+  apply (visible_parallels_count 2 ltac:(lia)) in C. discriminate.
 Qed.
 
 (* The pixel's centre in the default view: e = 4, R = 1, 256^2 pixels. *)
@@ -1178,11 +1140,11 @@ Proof.
 Qed.
 
 (* A visible point of A has sin phi >= rho (e - R) / (e R). *)
-Theorem pixels_off_the_pole__linear (x y e r : R) : 0 < r < e -> off_axis x y e ->
+Lemma pixels_off_the_pole_linear (x y e r : R) : 0 < r < e -> off_axis x y e ->
   0 <= hit_of_a.discriminant_a x y e r ->
   sqrt (x ^ 2 + y ^ 2) * (e - r) / (e * r) <= angles_on_a.sin_phi x y e r.
 Proof.
-  intros H O D. destruct (stable_frame__angles x y e r H O D) as
+  intros H O D. destruct (stable_frame__true_angles x y e r H O D) as
     (t & a & b & _ & _ & _ & _ & (_ & _ & _ & <-) & _ & _ & _ & _ & -> & _ & C).
   pose proof (COS_bound b). pose proof (sqrt_pos (x ^ 2 + y ^ 2)). set (rho := sqrt (x ^ 2 + y ^ 2)) in *.
   assert (e * (1 - t) <= r).
@@ -1194,14 +1156,14 @@ Qed.
 
 Theorem pixels_off_the_pole__linear__point : exists x y e r,
   0 < r < e /\ off_axis x y e /\ 0 <= hit_of_a.discriminant_a x y e r.
-Proof. exact hit_of_a__near__point. Qed.
+Proof. exact hit_of_a__first_hit__point. Qed.
 
 (* Not sin phi >= rho / R. *)
 Theorem pixels_off_the_pole__linear__false : ~ forall x y e r : R, 0 < r < e -> off_axis x y e ->
   0 <= hit_of_a.discriminant_a x y e r -> sqrt (x ^ 2 + y ^ 2) / r <= angles_on_a.sin_phi x y e r.
 Proof.
   intros F. destruct rim as [O D]. specialize (F (15 / 16) 0 (5 / 4) (3 / 4) ltac:(lra) O ltac:(lra)).
-  destruct (stable_frame__angles (15 / 16) 0 (5 / 4) (3 / 4)) as
+  destruct (stable_frame__true_angles (15 / 16) 0 (5 / 4) (3 / 4)) as
     (t & a & b & _ & _ & _ & _ & (_ & _ & _ & S) & _); [lra | exact O | lra |].
   rewrite <- S in F. replace ((15 / 16) ^ 2 + 0 ^ 2) with ((15 / 16) ^ 2) in F by ring. rewrite sqrt_pow2 in F by lra.
   pose proof (SIN_bound b). lra.
@@ -1211,11 +1173,11 @@ Lemma pixel_off_axis m n : off_axis (pixel_x m) (pixel_y n) 4.
 Proof. apply off_axis_far; [| pose proof (pixel_far m n)]; lra. Qed.
 
 (* So sin phi > 0.0044 at every pixel that shows A: the seed's fallback below 10^-4 is never taken. *)
-Theorem pixels_off_the_pole__far (m n : Z) : 0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
+Lemma pixels_off_the_pole_far (m n : Z) : 0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
   44 / 10000 < angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1 /\
   ~ angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1 < 1 / 10000.
 Proof.
-  intros D. pose proof (pixels_off_the_pole__linear _ _ 4 1 ltac:(lra) (pixel_off_axis m n) D) as L.
+  intros D. pose proof (pixels_off_the_pole_linear _ _ 4 1 ltac:(lra) (pixel_off_axis m n) D) as L.
   pose proof (pixels_off_the_pole__raster m n) as P. pose proof (sqrt_pos (34 / 15)).
   pose proof (sqrt_sqrt (34 / 15) ltac:(lra)).
   assert (1503 / 1000 < sqrt (34 / 15)) by nra. split; lra.
@@ -1235,7 +1197,7 @@ Proof.
     256 - 15 * (16 + 5 / 3 * ((1 / 256) ^ 2 + (3 / 1280) ^ 2))).
   { rewrite discriminant_a_value by (lra || apply pixel_off_axis). rewrite pixel_value. lra. }
   specialize (F 127%Z 108%Z ltac:(lra)).
-  destruct (stable_frame__angles (pixel_x 127) (pixel_y 108) 4 1) as
+  destruct (stable_frame__true_angles (pixel_x 127) (pixel_y 108) 4 1) as
     (t & a & b & T & _ & _ & _ & (_ & _ & _ & S) & _ & _ & _ & _ & V & _); [lra | apply pixel_off_axis | lra |].
   rewrite <- S, V in F. rewrite (t_a_value _ _ 4 1) in T by (lra || apply pixel_off_axis). apply Rbar_finite_eq in T.
   pose proof (sqrt_sqrt (hit_of_a.discriminant_a (pixel_x 127) (pixel_y 108) 4 1) ltac:(lra)) as Q.
@@ -1326,7 +1288,7 @@ Proof. intros H. pose proof (COS_bound phi). nra. Qed.
 Lemma seed_frame_divisors phi : 0 < sin phi -> 0 <= 1 - unit_normal.normal_z (cos phi) ^ 2 /\
   seed_frame.seed_sin_phi (unit_normal.normal_z (cos phi)) <> 0.
 Proof.
-  intros S. destruct (stable_frame__seed_frame 0 phi S) as (-> & _). pose proof (COS_bound phi).
+  intros S. destruct (stable_frame_seed_frame 0 phi S) as (-> & _). pose proof (COS_bound phi).
   unfold unit_normal.normal_z. split; nra.
 Qed.
 

@@ -142,16 +142,16 @@ Qed.
 
 (* If h is odd about v = 0: |D_eps h - h'| <= (eps^2 + 2 eps v - 2 v^2)/6 sup |h'''|. *)
 Section odd.
-Variables f f1 f2 f3 : R -> R.
-Hypotheses (D1 : forall w, is_derive f w (f1 w)) (D2 : forall w, is_derive f1 w (f2 w)) (D3 : forall w, is_derive f2 w (f3 w)).
+Variables f0 f1 f2 f3 : R -> R.
+Hypotheses (D1 : forall w, is_derive f0 w (f1 w)) (D2 : forall w, is_derive f1 w (f2 w)) (D3 : forall w, is_derive f2 w (f3 w)).
 
 Lemma shifted (g g1 : R -> R) (c m s : R) : (forall w, is_derive g w (g1 w)) -> is_derive (fun t => g (m + c * t)) s (c * g1 (m + c * s)).
 Proof.
   intro D. auto_derive; [exists (g1 (m + c * s)); apply D|]. replace (Derive _ _) with (g1 (m + c * s)) by (symmetry; apply is_derive_unique, D). ring.
 Qed.
 
-(* A function with f(0) = f''(0) = 0 whose third derivative is not negative up to a has a f'(v) <= f(a) for v <= a/2. *)
-Lemma middle_slope (a v : R) : 0 <= v <= a / 2 -> f 0 = 0 -> f2 0 = 0 -> (forall w, 0 <= w <= a -> 0 <= f3 w) -> a * f1 v <= f a.
+(* A function with f0(0) = f''(0) = 0 whose third derivative is not negative up to a has a f'(v) <= f0(a) for v <= a/2. *)
+Lemma middle_slope (a v : R) : 0 <= v <= a / 2 -> f0 0 = 0 -> f2 0 = 0 -> (forall w, 0 <= w <= a -> 0 <= f3 w) -> a * f1 v <= f0 a.
 Proof.
   intros V Z Z2 P.
   assert (P2 : forall w s, 0 <= w -> 0 <= s -> w + s <= a -> f2 w <= f2 (w + s)).
@@ -174,10 +174,10 @@ Proof.
     - rewrite !Rmult_0_r, !Rplus_0_r. lra.
     - intros s S. assert (f2 (m + -1 * s) <= f2 (m + -1 * s + 2 * s)) by (apply P2; unfold m in *; lra).
       replace (m + -1 * s + 2 * s) with (m + 1 * s) in * by ring. lra. }
-  assert (Q : 0 <= f (m + 1 * m) - f (m + -1 * m) - 2 * f1 m * m).
-  { apply (nonnegative_growth (fun t => f (m + 1 * t) - f (m + -1 * t) - 2 * f1 m * t) (fun t => 1 * f1 (m + 1 * t) - -1 * f1 (m + -1 * t) - 2 * f1 m)); try lra.
-    - intro s. apply (is_derive_minus (fun t => f (m + 1 * t) - f (m + -1 * t)) (fun t => 2 * f1 m * t)); [|auto_derive; trivial; ring].
-      apply (is_derive_minus (fun t => f (m + 1 * t)) (fun t => f (m + -1 * t))); apply shifted, D1.
+  assert (Q : 0 <= f0 (m + 1 * m) - f0 (m + -1 * m) - 2 * f1 m * m).
+  { apply (nonnegative_growth (fun t => f0 (m + 1 * t) - f0 (m + -1 * t) - 2 * f1 m * t) (fun t => 1 * f1 (m + 1 * t) - -1 * f1 (m + -1 * t) - 2 * f1 m)); try lra.
+    - intro s. apply (is_derive_minus (fun t => f0 (m + 1 * t) - f0 (m + -1 * t)) (fun t => 2 * f1 m * t)); [|auto_derive; trivial; ring].
+      apply (is_derive_minus (fun t => f0 (m + 1 * t)) (fun t => f0 (m + -1 * t))); apply shifted, D1.
     - rewrite !Rmult_0_r, !Rplus_0_r. lra.
     - intros t T. generalize (Q1 t T). lra. }
   replace (m + 1 * m) with a in Q by (unfold m; field). replace (m + -1 * m) with 0 in Q by ring. rewrite Z in Q.
@@ -450,7 +450,7 @@ Qed.
 (* The seam *)
 
 (* sin(pi k (u + 1)) = (-1)^k sin(pi k u) for whole k. *)
-Theorem (* clause 3 *) seam__parity (k : nat) (u : R) : sin (PI * (INR k * (u + 1))) = (-1) ^ k * sin (PI * (INR k * u)).
+Lemma seam_parity (k : nat) (u : R) : sin (PI * (INR k * (u + 1))) = (-1) ^ k * sin (PI * (INR k * u)).
 Proof.
   assert (H : forall n x, sin (PI * INR n + x) = (-1) ^ n * sin x).
   { induction n as [|n IH]; intro x; [simpl; rewrite Rmult_1_l; f_equal; ring|]. rewrite S_INR.
@@ -459,16 +459,16 @@ Proof.
 Qed.
 Theorem seam__parity__false : ~ forall k u, sin (PI * (INR k * (u + 1))) = sin (PI * (INR k * u)).
 Proof.
-  intro H. generalize (H 1%nat (1/2)). rewrite seam__parity. simpl INR. replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2. simpl. lra.
+  intro H. generalize (H 1%nat (1/2)). rewrite seam_parity. simpl INR. replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2. simpl. lra.
 Qed.
 (* Across u = 0 sine's height jumps by -sin(pi k_u) sin(pi k_v v), and its slope by pi k_u (1 - cos(pi k_u)) sin(pi k_v v). *)
-Theorem (* clause 2 *) seam__sine (v k_u k_v : R) :
+Theorem (* clause 2 *) seam__sine_jump (v k_u k_v : R) :
   height_sine.h 0 v k_u k_v - height_sine.h 1 v k_u k_v = - sin (PI * k_u) * sin (PI * (k_v * v)) /\
   gradient_sine.h_u 0 v k_u k_v - gradient_sine.h_u 1 v k_u k_v = PI * k_u * (1 - cos (PI * k_u)) * sin (PI * (k_v * v)).
 Proof. unfold_fields. rewrite !Rmult_0_r, !Rmult_1_r, sin_0, cos_0. split; ring. Qed.
-Theorem seam__sine__false : ~ forall v k_u k_v, gradient_sine.h_u 0 v k_u k_v = gradient_sine.h_u 1 v k_u k_v.
+Theorem seam__sine_jump__false : ~ forall v k_u k_v, gradient_sine.h_u 0 v k_u k_v = gradient_sine.h_u 1 v k_u k_v.
 Proof.
-  intro H. generalize (H (1/2) 1 1) (proj2 (seam__sine (1/2) 1 1)). intros -> E. replace (PI * (1 * (1/2))) with (PI / 2) in E by field.
+  intro H. generalize (H (1/2) 1 1) (proj2 (seam__sine_jump (1/2) 1 1)). intros -> E. replace (PI * (1 * (1/2))) with (PI / 2) in E by field.
   rewrite Rmult_1_r, sin_PI2, cos_PI in E. generalize PI_RGT_0. lra.
 Qed.
 (* cos(pi n) = (-1)^n and sin(pi n) = 0 for whole n. *)
@@ -485,16 +485,16 @@ Proof. rewrite mult_IZR. replace (PI * (2 * IZR n)) with (2 * (PI * IZR n)) by r
 Lemma cosine_of_odd (n : Z) : cos (PI * IZR (2 * n + 1)) = -1.
 Proof. rewrite plus_IZR, Rmult_plus_distr_l, Rmult_1_r, neg_cos, cosine_of_even. reflexivity. Qed.
 (* For even k_u, of either sign, nothing jumps; for odd k_u the slope in u alone does, by 2 pi k_u sin(pi k_v v). *)
-Theorem (* clause 3 *) seam__even (v k_v : R) (n : Z) : let k_u := IZR (2 * n) in
+Theorem (* clause 3 *) seam__even_slopes (v k_v : R) (n : Z) : let k_u := IZR (2 * n) in
   height_sine.h 0 v k_u k_v = height_sine.h 1 v k_u k_v /\ gradient_sine.h_u 0 v k_u k_v = gradient_sine.h_u 1 v k_u k_v /\
   gradient_sine.h_v 0 v k_u k_v = gradient_sine.h_v 1 v k_u k_v.
 Proof. cbv zeta. unfold_fields. rewrite !Rmult_0_r, !Rmult_1_r, sine_of_whole, cosine_of_even, sin_0, cos_0. repeat split; ring. Qed.
-Theorem (* clause 4 *) seam__odd (v k_v : R) (n : Z) : let k_u := IZR (2 * n + 1) in
+Theorem (* clause 4 *) seam__odd_slopes (v k_v : R) (n : Z) : let k_u := IZR (2 * n + 1) in
   height_sine.h 0 v k_u k_v = height_sine.h 1 v k_u k_v /\ gradient_sine.h_v 0 v k_u k_v = gradient_sine.h_v 1 v k_u k_v /\
   gradient_sine.h_u 0 v k_u k_v - gradient_sine.h_u 1 v k_u k_v = 2 * PI * k_u * sin (PI * (k_v * v)).
 Proof. cbv zeta. unfold_fields. rewrite !Rmult_0_r, !Rmult_1_r, sine_of_whole, cosine_of_odd, sin_0, cos_0. repeat split; ring. Qed.
 (* Ridges is 0 on the seam for whole k_u, and even about it, as on a crease. *)
-Theorem (* clause 5 *) seam__ridges (s v k_v : R) (k : Z) :
+Theorem (* clause 5 *) seam__ridges_even (s v k_v : R) (k : Z) :
   height_ridges.h 0 v (IZR k) k_v = 0 /\ height_ridges.h 1 v (IZR k) k_v = 0 /\ height_ridges.h (1 - s) v (IZR k) k_v = height_ridges.h s v (IZR k) k_v /\
   height_ridges.h s v (IZR k) k_v ^ 2 = sin (PI * (IZR k * s)) ^ 2 * sin (PI * (k_v * v)) ^ 2.
 Proof.
@@ -503,10 +503,10 @@ Proof.
   unfold_fields. rewrite pow2_abs, !Rabs_mult, (H s), <- (H 1). replace (1 - 1) with 0 by ring. rewrite !Rmult_0_r, sin_0, Rabs_R0. repeat split; ring.
 Qed.
 (* Rings does not depend on u: u is in no line of its height, and its slope in u and its central difference are 0. *)
-Theorem (* clause 7 *) seam__rings (v k_v epsilon : R) : height_rings.h v k_v = sin (PI * (2 * k_v * v)) /\ gradient_rings.h_u = 0 /\ central_rings.h_u v k_v epsilon = 0.
+Theorem (* clause 7 *) seam__rings_whole (v k_v epsilon : R) : height_rings.h v k_v = sin (PI * (2 * k_v * v)) /\ gradient_rings.h_u = 0 /\ central_rings.h_u v k_v epsilon = 0.
 Proof. unfold central_rings.h_u, central_rings.h_u_plus, central_rings.h_u_minus, Rdiv. repeat split; ring. Qed.
 (* Sine does. *)
-Theorem seam__rings__false : ~ forall u v k_u k_v, gradient_sine.h_u u v k_u k_v = 0.
+Theorem seam__rings_whole__false : ~ forall u v k_u k_v, gradient_sine.h_u u v k_u k_v = 0.
 Proof. intro H. apply gradients__on_creases__false. intros u v k_u k_v _. apply H. Qed.
 Theorem ridges_at_crossings__crossing__false : ~ forall k_u k_v a b, height_ridges.h a b k_u k_v = PI ^ 2 * (k_u ^ 2 * a ^ 2 + k_v ^ 2 * b ^ 2) / 2.
 Proof.
@@ -517,7 +517,7 @@ Qed.
 Theorem (* clause 3 *) seam__even_period (u v k_v : R) (n : Z) : height_sine.h (u + 1) v (IZR (2 * n)) k_v = height_sine.h u v (IZR (2 * n)) k_v.
 Proof. unfold_fields. rewrite Rmult_plus_distr_l, Rmult_1_r, Rmult_plus_distr_l, sin_plus, sine_of_whole, cosine_of_even. ring. Qed.
 (* Ridges jumps where neither sin(pi k_u) nor sin(pi k_v v) is 0. *)
-Theorem (* clause 6 *) seam__ridges_jump (v k_u k_v : R) : sin (PI * k_u) <> 0 -> sin (PI * (k_v * v)) <> 0 -> height_ridges.h 0 v k_u k_v = 0 /\ 0 < height_ridges.h 1 v k_u k_v.
+Theorem (* clause 6 *) seam__ridges_jumps (v k_u k_v : R) : sin (PI * k_u) <> 0 -> sin (PI * (k_v * v)) <> 0 -> height_ridges.h 0 v k_u k_v = 0 /\ 0 < height_ridges.h 1 v k_u k_v.
 Proof.
   intros A B. unfold_fields. rewrite !Rmult_0_r, sin_0, Rmult_0_l, Rabs_R0, Rmult_1_r. split; [reflexivity|].
   apply Rabs_pos_lt. intro E. apply Rmult_integral in E. destruct E; contradiction.

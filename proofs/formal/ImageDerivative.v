@@ -79,7 +79,7 @@ Qed.
 Section lines.
 Variables nx ny nz : R -> R.
 Variables beta dx dy dz : R.
-Hypotheses (X : is_derive nx beta dx) (Y : is_derive ny beta dy) (Z : is_derive nz beta dz).
+Hypotheses (X : is_derive nx beta dx) (Y : is_derive ny beta dy) (W : is_derive nz beta dz).
 Lemma product_derive (a b c : R) : is_derive (fun t => nx t * a + ny t * b + nz t * c) beta (dx * a + dy * b + dz * c).
 Proof.
   apply (is_derive_plus (fun t => nx t * a + ny t * b) (fun t => nz t * c)); [apply (is_derive_plus (fun t => nx t * a) (fun t => ny t * b))|]; apply times_derive; assumption.
@@ -90,12 +90,12 @@ Let ty := light_direction.towards_y px py pz lx ly lz.
 Let tz := light_direction.towards_z px py pz lx ly lz.
 
 (* mu' = N'_beta . omega. *)
-Theorem (* clause 1 *) image_derivative__mu :
+Theorem (* clause 1 *) image_derivative__mu_derives :
   is_derive (fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b)) beta (mu_derivative.mu_by_beta tx ty tz dx dy dz).
 Proof. apply product_derive. Qed.
 
 (* Blinn: base' = N'_beta . H/|H|, before the clamp. *)
-Theorem (* clause 1 *) image_derivative__blinn : let hx := tx + vx in let hy := ty + vy in let hz := tz + vz in let r := blinn.halfway_length px py pz lx ly lz vx vy vz in
+Theorem (* clause 1 *) image_derivative__blinn_derives : let hx := tx + vx in let hy := ty + vy in let hz := tz + vz in let r := blinn.halfway_length px py pz lx ly lz vx vy vz in
   is_derive (fun b => (nx b * hx + ny b * hy + nz b * hz) / r) beta (blinn_base_derivative.base_by_beta hx hy hz r dx dy dz) /\
   (0 < r -> forall b, blinn.specular_base px py pz lx ly lz (nx b) (ny b) (nz b) vx vy vz = Rmax 0 ((nx b * hx + ny b * hy + nz b * hz) / r)).
 Proof.
@@ -105,13 +105,13 @@ Proof.
 Qed.
 
 (* Phong: base' = 2 (mu' N'.v + mu N'_beta.v), before the clamp. *)
-Theorem (* clause 1 *) image_derivative__phong : let m := fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b) in
+Theorem (* clause 1 *) image_derivative__phong_derives : let m := fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b) in
   let m' := mu_derivative.mu_by_beta tx ty tz dx dy dz in
   is_derive (fun b => 2 * m b * (nx b * vx + ny b * vy + nz b * vz) - tx * vx - ty * vy - tz * vz) beta
     (phong_base_derivative.base_by_beta vx vy vz (nx beta) (ny beta) (nz beta) dx dy dz (m beta) m') /\
   (forall b, phong.specular_base px py pz lx ly lz (nx b) (ny b) (nz b) vx vy vz = Rmax 0 (2 * m b * (nx b * vx + ny b * vy + nz b * vz) - tx * vx - ty * vy - tz * vz)).
 Proof.
-  cbv zeta. split; [|reflexivity]. generalize image_derivative__mu (product_derive vx vy vz). intros A B.
+  cbv zeta. split; [|reflexivity]. generalize image_derivative__mu_derives (product_derive vx vy vz). intros A B.
   set (m := fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b)) in *. set (q := fun b => nx b * vx + ny b * vy + nz b * vz) in *.
   apply (is_derive_ext (fun b => 2 * (m b * q b) - (tx * vx + ty * vy + tz * vz))); [intro t; unfold q, m; cbv beta; match goal with |- ?a = ?b => change (a = b :> R) end; ring|].
   eapply is_derive_is.
@@ -168,34 +168,34 @@ Proof.
   apply is_derive_ext. intro t. match goal with |- ?a = ?b => change (a = b :> R) end. ring.
 Qed.
 Section above.
-Let zero (t : R) : R := 0.
+Let nought (t : R) : R := 0.
 Let same (t : R) : R := t.
-Let Z0 (x : R) : is_derive zero x 0 := is_derive_const 0 x.
+Let nought_derives (x : R) : is_derive nought x 0 := is_derive_const 0 x.
 Let S1 (x : R) : is_derive same x 1 := is_derive_id x.
 Lemma not_its_negative (f : R -> R) (x l : R) : is_derive f x l -> l <> 0 -> ~ is_derive f x (- l).
 Proof. intros A N B. apply N. generalize (eq_trans (eq_sym (is_derive_unique _ _ _ A)) (is_derive_unique _ _ _ B)). lra. Qed.
-Theorem image_derivative__mu__false : ~ forall (nz : R -> R) (beta dz : R), is_derive nz beta dz -> forall px py pz lx ly lz,
+Theorem image_derivative__mu_derives__false : ~ forall (nz : R -> R) (beta dz : R), is_derive nz beta dz -> forall px py pz lx ly lz,
   is_derive (fun b => light_direction.mu px py pz lx ly lz 0 0 (nz b)) beta
     (- mu_derivative.mu_by_beta (light_direction.towards_x px py pz lx ly lz) (light_direction.towards_y px py pz lx ly lz) (light_direction.towards_z px py pz lx ly lz) 0 0 dz).
 Proof.
-  intro H. generalize (H same 0 1 (S1 0) 0 0 0 0 0 1). apply not_its_negative; [exact (image_derivative__mu zero zero same 0 0 0 1 (Z0 0) (Z0 0) (S1 0) 0 0 0 0 0 1)|].
+  intro H. generalize (H same 0 1 (S1 0) 0 0 0 0 0 1). apply not_its_negative; [exact (image_derivative__mu_derives nought nought same 0 0 0 1 (nought_derives 0) (nought_derives 0) (S1 0) 0 0 0 0 0 1)|].
   unfold mu_derivative.mu_by_beta. destruct above as (-> & -> & ->). lra.
 Qed.
-Theorem image_derivative__blinn__false : ~ forall (nz : R -> R) (beta dz : R), is_derive nz beta dz -> forall hx hy hz r, 0 < r ->
+Theorem image_derivative__blinn_derives__false : ~ forall (nz : R -> R) (beta dz : R), is_derive nz beta dz -> forall hx hy hz r, 0 < r ->
   is_derive (fun b => (0 * hx + 0 * hy + nz b * hz) / r) beta (- blinn_base_derivative.base_by_beta hx hy hz r 0 0 dz).
 Proof.
   intro H. generalize (H same 0 1 (S1 0) 0 0 2 2 ltac:(lra)). apply not_its_negative; unfold blinn_base_derivative.base_by_beta; [|lra].
   unfold same. auto_derive; trivial. field.
 Qed.
-Theorem image_derivative__phong__false : ~ forall (nz : R -> R) (beta dz : R), is_derive nz beta dz -> forall px py pz lx ly lz vx vy vz,
+Theorem image_derivative__phong_derives__false : ~ forall (nz : R -> R) (beta dz : R), is_derive nz beta dz -> forall px py pz lx ly lz vx vy vz,
   let m := fun b => light_direction.mu px py pz lx ly lz 0 0 (nz b) in
   let m' := mu_derivative.mu_by_beta (light_direction.towards_x px py pz lx ly lz) (light_direction.towards_y px py pz lx ly lz) (light_direction.towards_z px py pz lx ly lz) 0 0 dz in
   is_derive (fun b => 2 * m b * (0 * vx + 0 * vy + nz b * vz) - light_direction.towards_x px py pz lx ly lz * vx - light_direction.towards_y px py pz lx ly lz * vy -
     light_direction.towards_z px py pz lx ly lz * vz) beta (- phong_base_derivative.base_by_beta vx vy vz 0 0 (nz beta) 0 0 dz (m beta) m').
 Proof.
   intro H. generalize (H same 1 1 (S1 1) 0 0 0 0 0 1 0 0 1). cbv zeta.
-  apply not_its_negative; [exact (proj1 (image_derivative__phong zero zero same 1 0 0 1 (Z0 1) (Z0 1) (S1 1) 0 0 0 0 0 1 0 0 1))|].
-  unfold phong_base_derivative.base_by_beta, mu_derivative.mu_by_beta, light_direction.mu. destruct above as (X & Y & Z). rewrite ?X, ?Y, ?Z. unfold same.
-  unfold light_direction.towards_x, light_direction.towards_y, light_direction.towards_z in X, Y, Z. rewrite ?X, ?Y, ?Z. lra.
+  apply not_its_negative; [exact (proj1 (image_derivative__phong_derives nought nought same 1 0 0 1 (nought_derives 1) (nought_derives 1) (S1 1) 0 0 0 0 0 1 0 0 1))|].
+  unfold phong_base_derivative.base_by_beta, mu_derivative.mu_by_beta, light_direction.mu. destruct above as (X & Y & W). rewrite ?X, ?Y, ?W. unfold same.
+  unfold light_direction.towards_x, light_direction.towards_y, light_direction.towards_z in X, Y, W. rewrite ?X, ?Y, ?W. lra.
 Qed.
 End above.

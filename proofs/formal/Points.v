@@ -6,10 +6,10 @@ From Flocq Require Import Core.
 From Formal Require Import Preliminaries Formulas Vectors Fields Bump Float.
 Open Scope R_scope.
 
-Lemma a_unit : length (1, 0, 0) = 1.
+Lemma a_unit : magnitude (1, 0, 0) = 1.
 Proof. apply length_of_unit. unfold dot. ring. Qed.
-Lemma a_distance : 0 < length (difference (1, 0, 0) (0, 0, 0)).
-Proof. replace (difference (1, 0, 0) (0, 0, 0)) with ((1, 0, 0) : vector) by (unfold difference, sum, scaled; f_equal; [f_equal|]; ring). rewrite a_unit. lra. Qed.
+Lemma a_distance : 0 < magnitude (difference (1, 0, 0) (0, 0, 0)).
+Proof. replace (difference (1, 0, 0) (0, 0, 0)) with ((1, 0, 0) : vector) by (unfold difference, vector_sum, scaled; f_equal; [f_equal|]; ring). rewrite a_unit. lra. Qed.
 
 Theorem kink_loci__between__point : exists u v k_u k_v, height_sine.h u v k_u k_v <> 0.
 Proof. exact gradients__ridges__point. Qed.
@@ -85,14 +85,14 @@ Theorem ridges_at_crossings__crossing__point : exists k_u k_v : R, 0 < k_u /\ 0 
 Proof. exists 1, 1. lra. Qed.
 Theorem ridges_at_crossings__flat__point : exists k_u k_v eta : R, 0 < k_u /\ 0 < k_v /\ 0 < eta.
 Proof. exists 1, 1, 1. lra. Qed.
-Theorem seam__ridges_jump__point : exists v k_u k_v : R, sin (PI * k_u) <> 0 /\ sin (PI * (k_v * v)) <> 0.
+Theorem seam__ridges_jumps__point : exists v k_u k_v : R, sin (PI * k_u) <> 0 /\ sin (PI * (k_v * v)) <> 0.
 Proof. exists (1/2), (1/2), 1. rewrite sine_of_a_right_angle. replace (PI * (1/2)) with (PI / 2) by field. rewrite sin_PI2. lra. Qed.
-Theorem image_derivative__mu__point : exists (n : R -> R) (beta d : R), is_derive n beta d.
+Theorem image_derivative__mu_derives__point : exists (n : R -> R) (beta d : R), is_derive n beta d.
 Proof. exists (fun b => b), 0, 1. auto_derive; trivial. Qed.
-Theorem image_derivative__blinn__point : exists (n : R -> R) (beta d : R), is_derive n beta d.
-Proof. exact image_derivative__mu__point. Qed.
-Theorem image_derivative__phong__point : exists (n : R -> R) (beta d : R), is_derive n beta d.
-Proof. exact image_derivative__mu__point. Qed.
+Theorem image_derivative__blinn_derives__point : exists (n : R -> R) (beta d : R), is_derive n beta d.
+Proof. exact image_derivative__mu_derives__point. Qed.
+Theorem image_derivative__phong_derives__point : exists (n : R -> R) (beta d : R), is_derive n beta d.
+Proof. exact image_derivative__mu_derives__point. Qed.
 Theorem pole__one_limit__point : exists k_u : R, forall u, k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = k_u ^ 2 / 4.
 Proof. exists 2. intro u. field. Qed.
 Theorem crease_error_area__tents__point : exists epsilon : R, 0 < epsilon.
@@ -110,13 +110,13 @@ Theorem displaced_normal__product__point : exists (h : R -> R -> R) (u v phi h_u
 Proof. exists (fun u v => u + v), 0, 0, (PI / 2), 1, 1. rewrite sin_PI2. split; [lra | split; auto_derive; trivial; ring]. Qed.
 Theorem bump_is_not_displacement__angle__point : exists phi, 0 < sin phi.
 Proof. exact displaced_normal__first_order__point. Qed.
-Theorem specular_lipschitz__along_a_direction__point : exists P L : vector, 0 < length (difference L P).
+Theorem specular_lipschitz__along_a_direction__point : exists P L : vector, 0 < magnitude (difference L P).
 Proof. exists (0, 0, 0), (1, 0, 0). exact a_distance. Qed.
-Theorem specular_lipschitz__mirror__point : exists n : vector, length n = 1.
+Theorem specular_lipschitz__mirror__point : exists n : vector, magnitude n = 1.
 Proof. exists (1, 0, 0). exact a_unit. Qed.
-Theorem specular_lipschitz__phong__point : exists P L n : vector, 0 < length (difference L P) /\ length n = 1.
+Theorem specular_lipschitz__phong__point : exists P L n : vector, 0 < magnitude (difference L P) /\ magnitude n = 1.
 Proof. exists (0, 0, 0), (1, 0, 0), (1, 0, 0). split; [exact a_distance | exact a_unit]. Qed.
-Theorem difference_bound__all_lights__point : exists (f : vector -> R) (l : R), 0 <= l /\ forall n m, Rabs (f n - f m) <= l * length (difference n m).
+Theorem difference_bound__any_lights__point : exists (f : vector -> R) (l : R), 0 <= l /\ forall n m, Rabs (f n - f m) <= l * magnitude (difference n m).
 Proof. exists (fun _ => 0), 0. split; [lra|]. intros. rewrite Rminus_0_r, Rabs_R0. lra. Qed.
 Theorem squared_highlight__is_blinn__point : exists px py pz lx ly lz vx vy vz,
   0 < (lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2 /\ 0 < blinn.halfway_length px py pz lx ly lz vx vy vz.

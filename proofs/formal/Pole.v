@@ -8,7 +8,6 @@ Open Scope R_scope.
 Lemma limit_is_value (f : R -> R) (x l : R) : ex_derive f x -> f x = l -> filterlim f (locally x) (locally l).
 Proof. intros D <-. exact (ex_derive_continuous f x D). Qed.
 
-Definition nothing : vector := (0, 0, 0).
 
 (* On the meridian theta, where u = (theta + pi)/2pi and phi = pi v. *)
 Section meridian.
@@ -26,20 +25,20 @@ Theorem (* clause 1 *) pole__sine : let s := PI * k_v * sin (PI * (k_u * u)) in
   filterlim (fun v => fst (fst (g_of_sine v))) (locally 0) (locally (s * cos theta)) /\
   filterlim (fun v => snd (fst (g_of_sine v))) (locally 0) (locally (s * sin theta)) /\
   filterlim (fun v => snd (g_of_sine v)) (locally 0) (locally 0) /\
-  length (s * cos theta, s * sin theta, 0) = PI * Rabs (k_v * sin (PI * (k_u * u))).
+  magnitude (s * cos theta, s * sin theta, 0) = PI * Rabs (k_v * sin (PI * (k_u * u))).
 Proof.
   cbv zeta. unfold_g. split; [limit | split; [limit | split; [limit|]]]. generalize PI_RGT_0. intro P. set (t := k_v * sin (PI * (k_u * u))).
-  unfold length, dot. replace (_ + _) with (Rsqr (PI * t)) by (unfold Rsqr, t; ring [(sin2 theta)]). rewrite sqrt_Rsqr_abs, Rabs_mult, Rabs_pos_eq by lra. reflexivity.
+  unfold magnitude, dot. replace (_ + _) with (Rsqr (PI * t)) by (unfold Rsqr, t; ring [(sin_squared theta)]). rewrite sqrt_Rsqr_abs, Rabs_mult, Rabs_pos_eq by lra. reflexivity.
 Qed.
 (* Rings' tends to 2 pi k_v (cos theta, sin theta, 0): on opposite meridians 4 pi |k_v| apart. *)
 Theorem (* clause 2 *) pole__rings : let s := 2 * PI * k_v in
   filterlim (fun v => fst (fst (g_of_rings v))) (locally 0) (locally (s * cos theta)) /\
   filterlim (fun v => snd (fst (g_of_rings v))) (locally 0) (locally (s * sin theta)) /\
   filterlim (fun v => snd (g_of_rings v)) (locally 0) (locally 0) /\
-  length (difference (s * cos theta, s * sin theta, 0) (s * cos (theta + PI), s * sin (theta + PI), 0)) = 4 * PI * Rabs k_v.
+  magnitude (difference (s * cos theta, s * sin theta, 0) (s * cos (theta + PI), s * sin (theta + PI), 0)) = 4 * PI * Rabs k_v.
 Proof.
   cbv zeta. unfold_g. split; [limit | split; [limit | split; [limit|]]]. generalize PI_RGT_0. intro P. rewrite neg_cos, neg_sin.
-  unfold length, dot, difference, sum, scaled. replace (_ + _) with (Rsqr (4 * PI * k_v)) by (unfold Rsqr; ring [(sin2 theta)]).
+  unfold magnitude, dot, difference, vector_sum, scaled. replace (_ + _) with (Rsqr (4 * PI * k_v)) by (unfold Rsqr; ring [(sin_squared theta)]).
   rewrite sqrt_Rsqr_abs, Rabs_mult, Rabs_pos_eq by lra. reflexivity.
 Qed.
 End meridian.
@@ -68,13 +67,13 @@ Proof.
   assert (D : forall c, is_derive (fun v => sin (PI * (c * v))) 0 (PI * c)) by (intro c; auto_derive; trivial; rewrite !Rmult_0_r, cos_0; ring).
   assert (Q : forall c, is_lim (fun v => sin (PI * (c * v)) / v) 0 (PI * c)).
   { intro c. generalize (D c). intro Dc. apply is_derive_Reals in Dc. intros S [eps HS]. destruct (Dc eps (cond_pos eps)) as [delta H].
-    exists delta. intros v B N. apply HS. unfold ball. simpl. unfold AbsRing_ball, abs, minus, plus, opp. simpl.
+    exists delta. intros v B normal_at. apply HS. unfold ball. simpl. unfold AbsRing_ball, abs, minus, plus, opp. simpl.
     unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B. rewrite Ropp_0, Rplus_0_r in B.
-    generalize (H v N B). rewrite Rplus_0_l, !Rmult_0_r, sin_0, Rminus_0_r. trivial. }
+    generalize (H v normal_at B). rewrite Rplus_0_l, !Rmult_0_r, sin_0, Rminus_0_r. trivial. }
   apply (is_lim_ext_loc (fun v => (sin (PI * (k * v)) / v) / (sin (PI * (1 * v)) / v))).
-  - exists (mkposreal 1 Rlt_0_1). intros v B N. unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+  - exists (mkposreal 1 Rlt_0_1). intros v B normal_at. unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
     rewrite Ropp_0, Rplus_0_r in B. apply Rabs_def2 in B. assert (E : sin (PI * v) <> 0).
-    { destruct (Rdichotomy v 0 N) as [L|L].
+    { destruct (Rdichotomy v 0 normal_at) as [L|L].
       - assert (0 < sin (PI * - v)) by (apply sin_gt_0; nra). rewrite Ropp_mult_distr_r_reverse, sin_neg in *. lra.
       - assert (0 < sin (PI * v)) by (apply sin_gt_0; nra). lra. }
     rewrite Rmult_1_l. field. split; assumption.
@@ -87,9 +86,9 @@ Section surface.
 Variables theta k_u k_v : R.
 Let u := (theta + PI) / (2 * PI).
 Definition surface_gradient (v : R) : vector :=
-  sum (scaled (gradient_sine.h_u u v k_u k_v / (2 * PI * sin (PI * v))) (e_theta theta)) (scaled (gradient_sine.h_v u v k_u k_v / PI) (e_phi theta (PI * v))).
+  vector_sum (scaled (gradient_sine.h_u u v k_u k_v / (2 * PI * sin (PI * v))) (e_theta theta)) (scaled (gradient_sine.h_v u v k_u k_v / PI) (e_phi theta (PI * v))).
 Definition limit : vector :=
-  scaled k_v (sum (scaled (k_u / 2 * cos (PI * (k_u * u))) (- sin theta, cos theta, 0)) (scaled (sin (PI * (k_u * u))) (cos theta, sin theta, 0))).
+  scaled k_v (vector_sum (scaled (k_u / 2 * cos (PI * (k_u * u))) (- sin theta, cos theta, 0)) (scaled (sin (PI * (k_u * u))) (cos theta, sin theta, 0))).
 
 (* It tends to k_v times a vector of squared length k_u^2/4 + (1 - k_u^2/4) sin^2(pi k_u u). *)
 Theorem (* clause 3 *) pole__surface_gradient :
@@ -106,7 +105,7 @@ Proof.
   { intro v. unfold_fields. fold c. unfold Rdiv. rewrite !Rinv_mult. set (i := / sin (PI * v)). field. lra. }
   assert (F : forall v, gradient_sine.h_v u v k_u k_v / PI = k_v * s * cos (PI * (k_v * v))) by (intro v; unfold_fields; fold s; field; lra).
   unfold surface_gradient, limit, e_theta, e_phi, tangent_frame.e_theta_x, tangent_frame.e_theta_y, tangent_frame.e_theta_z, tangent_frame.e_phi_x,
-    tangent_frame.e_phi_y, tangent_frame.e_phi_z, sum, scaled, dot. cbn [fst snd]. fold c s.
+    tangent_frame.e_phi_y, tangent_frame.e_phi_z, vector_sum, scaled, dot. cbn [fst snd]. fold c s.
   assert (S : forall x (f : R -> R) (l : R), is_lim f 0 l -> is_lim (fun v => gradient_sine.h_u u v k_u k_v / (2 * PI * sin (PI * v)) * x + f v) 0 (k_v * (k_u / 2 * c * x) + l)).
   { intros x f l Hf. apply (is_lim_ext (fun v => k_u / 2 * c * (sin (PI * (k_v * v)) / sin (PI * v)) * x + f v)); [intro v; rewrite E; reflexivity|].
     apply (is_lim_plus' _ f 0 (k_v * (k_u / 2 * c * x)) l); [|exact Hf]. replace (k_v * (k_u / 2 * c * x)) with (k_u / 2 * c * k_v * x) by ring.
@@ -119,23 +118,23 @@ Proof.
     apply B; [auto_derive; trivial | rewrite !Rmult_0_r, !cos_0; ring].
   - apply S, (is_lim_ext (fun v => k_v * s * cos (PI * (k_v * v)) * - sin (PI * v))); [intro v; rewrite F; reflexivity|].
     apply B; [auto_derive; trivial | rewrite !Rmult_0_r, !cos_0, sin_0; ring].
-  - unfold c, s. field_simplify_eq. ring [(sin2 theta) (sin2 (PI * (k_u * u)))].
+  - unfold c, s. field_simplify_eq. ring [(sin_squared theta) (sin_squared (PI * (k_u * u)))].
 Qed.
 End surface.
 
 (* It is the same on every meridian only if k_u = 0 or k_u = +-2. *)
 Theorem (* clause 3 *) pole__one_limit (k_u : R) : (forall u, k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = k_u ^ 2 / 4) -> k_u = 0 \/ k_u = 2 \/ k_u = -2.
 Proof.
-  intro H. destruct (Req_dec k_u 0) as [Z|N]; [left; exact Z|]. right. generalize (H (/ (2 * k_u))).
-  replace (PI * (k_u * / (2 * k_u))) with (PI / 2) by (field; exact N). rewrite sin_PI2. intro E.
+  intro H. destruct (Req_dec k_u 0) as [Z|normal_at]; [left; exact Z|]. right. generalize (H (/ (2 * k_u))).
+  replace (PI * (k_u * / (2 * k_u))) with (PI / 2) by (field; exact normal_at). rewrite sin_PI2. intro E.
   assert (Q : (k_u - 2) * (k_u + 2) = 0) by lra. apply Rmult_integral in Q. lra.
 Qed.
-Theorem (* clause 3 *) pole__at_two (theta k_v : R) : limit theta 0 k_v = nothing /\ limit theta 2 k_v = (0, - k_v, 0) /\ limit theta (-2) k_v = (0, k_v, 0).
+Theorem (* clause 3 *) pole__at_two (theta k_v : R) : limit theta 0 k_v = zero_vector /\ limit theta 2 k_v = (0, - k_v, 0) /\ limit theta (-2) k_v = (0, k_v, 0).
 Proof.
-  generalize PI_RGT_0. intro P. unfold limit, nothing, sum, scaled.
+  generalize PI_RGT_0. intro P. unfold limit, zero_vector, vector_sum, scaled.
   replace (PI * (0 * ((theta + PI) / (2 * PI)))) with 0 by ring. replace (PI * (2 * ((theta + PI) / (2 * PI)))) with (theta + PI) by (field; lra).
   replace (PI * (-2 * ((theta + PI) / (2 * PI)))) with (- (theta + PI)) by (field; lra). rewrite sin_neg, cos_neg, neg_cos, neg_sin, sin_0, cos_0.
-  split; [|split]; f_equal; try f_equal; field_simplify_eq; ring [(sin2 theta)].
+  split; [|split]; f_equal; try f_equal; field_simplify_eq; ring [(sin_squared theta)].
 Qed.
 
 (* For k_u = 2 and whole k_v, h = -y U(z) with a polynomial U (Chebyshev's of the second kind), on the sphere. *)
@@ -149,10 +148,10 @@ Proof.
   replace ((INR n + 1 + 1) * phi) with ((INR n + 1) * phi + phi) by ring. replace (INR n * phi) with ((INR n + 1) * phi - phi) by ring.
   rewrite sin_plus, sin_minus. ring.
 Qed.
-Theorem (* clause 4 *) pole__polynomial (theta phi : R) (k : nat) : let '(x, y, z) := N theta phi in
+Theorem (* clause 4 *) pole__polynomial (theta phi : R) (k : nat) : let '(x, y, z) := normal_at theta phi in
   height_sine.h ((theta + PI) / (2 * PI)) (phi / PI) 2 (INR k) = - y * fst (chebyshev k z).
 Proof.
-  generalize PI_RGT_0. intro P. unfold N, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z. unfold_fields.
+  generalize PI_RGT_0. intro P. unfold normal_at, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z. unfold_fields.
   replace (PI * (2 * ((theta + PI) / (2 * PI)))) with (theta + PI) by (field; lra). replace (PI * (INR k * (phi / PI))) with (INR k * phi) by (field; lra).
   rewrite neg_sin, <- (proj1 (sine_of_a_multiple k phi)). ring.
 Qed.
@@ -170,10 +169,10 @@ Proof.
 Qed.
 Theorem pole__one_limit__false : ~ forall k_u, (forall u, k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = k_u ^ 2 / 4) -> k_u = 0.
 Proof. intro H. assert (2 = 0) by (apply H; intro u; field). lra. Qed.
-Theorem pole__at_two__false : ~ forall theta k_v, limit theta 2 k_v = nothing.
-Proof. intro H. generalize (H 0 1). rewrite (proj1 (proj2 (pole__at_two 0 1))). unfold nothing. intro E. apply (f_equal (fun a => snd (fst a))) in E. cbn in E. lra. Qed.
-Theorem pole__polynomial__false : ~ forall theta phi k, let '(x, y, z) := N theta phi in height_sine.h ((theta + PI) / (2 * PI)) (phi / PI) 2 (INR k) = y * fst (chebyshev k z).
+Theorem pole__at_two__false : ~ forall theta k_v, limit theta 2 k_v = zero_vector.
+Proof. intro H. generalize (H 0 1). rewrite (proj1 (proj2 (pole__at_two 0 1))). unfold zero_vector. intro E. apply (f_equal (fun a => snd (fst a))) in E. cbn in E. lra. Qed.
+Theorem pole__polynomial__false : ~ forall theta phi k, let '(x, y, z) := normal_at theta phi in height_sine.h ((theta + PI) / (2 * PI)) (phi / PI) 2 (INR k) = y * fst (chebyshev k z).
 Proof.
-  intro H. generalize (H (PI / 2) (PI / 2) 1%nat) (pole__polynomial (PI / 2) (PI / 2) 1). unfold N, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z.
+  intro H. generalize (H (PI / 2) (PI / 2) 1%nat) (pole__polynomial (PI / 2) (PI / 2) 1). unfold normal_at, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z.
   cbn [chebyshev fst]. rewrite sin_PI2. intros -> E. lra.
 Qed.

@@ -7,7 +7,7 @@ From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns.
 Open Scope R_scope.
 
-Lemma triangle (a b c x y : R) : Rabs (a - b) <= x -> Rabs (b - c) <= y -> Rabs (a - c) <= x + y.
+Lemma through (a b c x y : R) : Rabs (a - b) <= x -> Rabs (b - c) <= y -> Rabs (a - c) <= x + y.
 Proof. intros A B. replace (a - c) with ((a - b) + (b - c)) by ring. eapply Rle_trans; [apply Rabs_triang | lra]. Qed.
 Lemma size (a ah A e : R) : Rabs a <= A -> Rabs (ah - a) <= e -> Rabs ah <= A + e.
 Proof. intros S E. replace ah with (a + (ah - a)) by ring. eapply Rle_trans; [apply Rabs_triang | lra]. Qed.
@@ -23,16 +23,16 @@ Proof.
     generalize (bpow_le radix2 (-1074) (-100) ltac:(easy)) (bpow_gt_0 radix2 (-1074)). lra. }
   apply Rplus_le_compat; [|exact E']. apply Rmult_le_compat; try apply Rabs_pos; assumption.
 Qed.
-Lemma plus_error (a ah c S e : R) : Rabs (a + c) <= S -> Rabs (ah - a) <= e -> Rabs (rounded (ah + c) - (a + c)) <= (S + e) / 2 ^ 53 + 1 / 2 ^ 100 + e.
+Lemma sum_error (a ah c S e : R) : Rabs (a + c) <= S -> Rabs (ah - a) <= e -> Rabs (rounded (ah + c) - (a + c)) <= (S + e) / 2 ^ 53 + 1 / 2 ^ 100 + e.
 Proof.
-  intros B A. replace (ah - a) with (ah + c - (a + c)) in A by ring. apply triangle with (ah + c); [|exact A]. exact (rounded_error _ _ (size _ _ _ _ B A)).
+  intros B A. replace (ah - a) with (ah + c - (a + c)) in A by ring. apply through with (ah + c); [|exact A]. exact (rounded_error _ _ (size _ _ _ _ B A)).
 Qed.
 Lemma minus_error (a ah c d S e : R) : c = - d -> Rabs (a + d) <= S -> Rabs (ah - a) <= e -> Rabs (rounded (ah - c) - (a + d)) <= (S + e) / 2 ^ 53 + 1 / 2 ^ 100 + e.
-Proof. intros ->. replace (ah - - d) with (ah + d) by ring. apply plus_error. Qed.
+Proof. intros ->. replace (ah - - d) with (ah + d) by ring. apply sum_error. Qed.
 Lemma times_error (z zh a ah Z A ez ea : R) : Rabs z <= Z -> Rabs a <= A -> Rabs (zh - z) <= ez -> Rabs (ah - a) <= ea ->
   Rabs (rounded (zh * ah) - z * a) <= (Z + ez) * (A + ea) / 2 ^ 53 + 1 / 2 ^ 100 + (ez * (A + ea) + Z * ea).
 Proof.
-  intros Bz Ba Ez Ea. generalize (size _ _ _ _ Bz Ez) (size _ _ _ _ Ba Ea). intros Sz Sa. apply triangle with (zh * ah).
+  intros Bz Ba Ez Ea. generalize (size _ _ _ _ Bz Ez) (size _ _ _ _ Ba Ea). intros Sz Sa. apply through with (zh * ah).
   - apply rounded_error. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; assumption.
   - replace (_ - _) with ((zh - z) * ah + z * (ah - a)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult.
     apply Rplus_le_compat; apply Rmult_le_compat; try apply Rabs_pos; assumption.
@@ -41,13 +41,13 @@ Lemma no_error (a : R) : Rabs (a - a) <= 0.
 Proof. rewrite Rminus_diag_eq, Rabs_R0; lra. Qed.
 
 (* Bounds that are not given are found: of a number by interval arithmetic, of an error operation by operation. *)
-Ltac bound := match goal with |- ?x <= _ => let B := fresh in interval_intro x upper as B; exact B end.
-Ltac error :=
+Ltac find_bound := match goal with |- ?x <= _ => let B := fresh in interval_intro x upper as B; exact B end.
+Ltac find_error :=
   lazymatch goal with
   | known : Rabs (?ah - ?a) <= _ |- Rabs (?ah - ?a) <= _ => exact known
-  | |- Rabs (rounded (_ + _) - _) <= _ => eapply Rle_trans; [eapply plus_error; [bound | error] | bound]
-  | |- Rabs (rounded (_ - _) - _) <= _ => eapply Rle_trans; [eapply minus_error; [field | bound | error] | bound]
-  | |- Rabs (rounded (_ * _) - _) <= _ => eapply Rle_trans; [eapply times_error; [bound | bound | error | error] | bound]
+  | |- Rabs (rounded (_ + _) - _) <= _ => eapply Rle_trans; [eapply sum_error; [find_bound | find_error] | find_bound]
+  | |- Rabs (rounded (_ - _) - _) <= _ => eapply Rle_trans; [eapply minus_error; [field | find_bound | find_error] | find_bound]
+  | |- Rabs (rounded (_ * _) - _) <= _ => eapply Rle_trans; [eapply times_error; [find_bound | find_bound | find_error | find_error] | find_bound]
   | |- _ => apply no_error
   end.
 
@@ -65,13 +65,13 @@ Lemma cosine_rounded : Rabs (half_turn_polynomials_float64.cosine_near r - half_
 Proof.
   destruct z_is as [z0 Ez]. unfold half_turn_polynomials_float64.cosine_near, half_turn_polynomials.cosine_near.
   change (half_turn_polynomials_float64.z r) with zh. change (half_turn_polynomials.z r) with z. clearbody zh z.
-  eapply Rle_trans; [error | interval].
+  eapply Rle_trans; [find_error | interval].
 Qed.
 Lemma sine_rounded : Rabs (half_turn_polynomials_float64.sine_near r - half_turn_polynomials.sine_near r) <= 207 / 100 / 2 ^ 53.
 Proof.
   destruct z_is as [z0 Ez]. unfold half_turn_polynomials_float64.sine_near, half_turn_polynomials.sine_near, half_turn_polynomials_float64.sine_tail, half_turn_polynomials.sine_tail.
   change (half_turn_polynomials_float64.z r) with zh. change (half_turn_polynomials.z r) with z. clearbody zh z.
-  eapply Rle_trans; [error | interval].
+  eapply Rle_trans; [find_error | interval].
 Qed.
 End polynomials.
 
@@ -82,10 +82,10 @@ Proof. apply round_generic; [typeclasses eauto|]. change 1 with (bpow radix2 0).
 
 (* In float64 the cosine of a reduced argument is within 5/2 2^-53 of the cosine, *)
 Theorem elementary_functions__cosine_float64 (r : R) : - (1/4) <= r <= 1/4 -> Rabs (half_turn_polynomials_float64.cosine_near r - cos (PI * r)) <= 5/2 * (1 / 2 ^ 53).
-Proof. intro B. eapply Rle_trans; [exact (triangle _ _ _ _ _ (cosine_rounded r B) (elementary_functions__cosine r B)) | lra]. Qed.
+Proof. intro B. eapply Rle_trans; [exact (through _ _ _ _ _ (cosine_rounded r B) (elementary_functions__cosine r B)) | lra]. Qed.
 (* and the sine within 9/4 2^-53 of the sine, *)
 Theorem elementary_functions__sine_float64 (r : R) : - (1/4) <= r <= 1/4 -> Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 9/4 * (1 / 2 ^ 53).
-Proof. intro B. eapply Rle_trans; [exact (triangle _ _ _ _ _ (sine_rounded r B) (elementary_functions__sine r B)) | lra]. Qed.
+Proof. intro B. eapply Rle_trans; [exact (through _ _ _ _ _ (sine_rounded r B) (elementary_functions__sine r B)) | lra]. Qed.
 (* and at a whole number of half-turns, where the reduced argument is 0, nothing is rounded: a crease's zero is exact. *)
 Theorem elementary_functions__zero_float64 : half_turn_polynomials_float64.sine_near 0 = 0 /\ half_turn_polynomials_float64.cosine_near 0 = 1.
 Proof.

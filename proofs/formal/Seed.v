@@ -85,7 +85,7 @@ Proof.
     destruct both as [[[_ B] _] | _]; [simpl in B; lra |].
     destruct both as [_ | [B | B]]; [reflexivity | destruct (B I) | destruct Rlt_dec; simpl in B;
       [lra | destruct (B I)]].
-  - destruct (hit_of_a__misses _ _ 4 1 ltac:(lra) (pixel_off_axis m n) D) as [-> _].
+  - destruct (hit_of_a__no_hit _ _ 4 1 ltac:(lra) (pixel_off_axis m n) D) as [-> _].
     destruct both as [[[B _] _] | _]; [destruct B |].
     destruct both as [_ | [B | B]]; [reflexivity | destruct (B I) | destruct Rlt_dec; simpl in B;
       [lra | destruct (B I)]].
@@ -119,21 +119,21 @@ Theorem seed_pole_rows__beside : ~ forall m n : Z, (0 <= m <= 255)%Z -> (108 <= 
 Proof.
   intros F. assert (D : 0 <= hit_of_a.discriminant_a (pixel_x 127) (pixel_y 108) 4 1).
   { rewrite discriminant_a_value by (lra || apply pixel_off_axis). rewrite pixel_value. lra. }
-  apply (proj2 (pixels_off_the_pole__far 127 108 D)). apply F; lia || exact D.
+  apply (proj2 (pixels_off_the_pole_far 127 108 D)). apply F; lia || exact D.
 Qed.
 
 (* sin phi is more than 0.0044 there, as everywhere. *)
 Theorem seed_pole_rows__beside__false : ~ ~ forall m n : Z, (0 <= m <= 255)%Z -> (108 <= n <= 109)%Z ->
   0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
     44 / 10000 < angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1.
-Proof. intros N. apply N. intros m n _ _ D. apply (pixels_off_the_pole__far m n D). Qed.
+Proof. intros N. apply N. intros m n _ _ D. apply (pixels_off_the_pole_far m n D). Qed.
 
 Lemma near_axis x : / 10 ^ 6 <= x <= / 1000 -> off_axis x 0 4 /\ 0 <= hit_of_a.discriminant_a x 0 4 1 /\
   angles_on_a.sin_phi x 0 4 1 <= 8 / 10 * x.
 Proof.
   intros X. assert (O : off_axis x 0 4) by (apply off_axis_far; nra). split; [exact O |].
   assert (D : 15 <= hit_of_a.discriminant_a x 0 4 1) by (rewrite discriminant_a_value by (lra || exact O); nra).
-  split; [lra |]. destruct (stable_frame__angles x 0 4 1 ltac:(lra) O ltac:(lra)) as
+  split; [lra |]. destruct (stable_frame__true_angles x 0 4 1 ltac:(lra) O ltac:(lra)) as
     (t & a & b & T & _ & _ & _ & (_ & _ & _ & <-) & _ & _ & _ & _ & -> & _).
   rewrite (t_a_value x 0 4 1) in T by (lra || exact O). apply Rbar_finite_eq in T.
   pose proof (sqrt_sqrt (hit_of_a.discriminant_a x 0 4 1) ltac:(lra)).
@@ -145,7 +145,7 @@ Qed.
 (* sin phi < 10^-4 needs rho < 4/3 10^-4. *)
 Theorem seed_pole_rows__needs (x y : R) : off_axis x y 4 -> 0 <= hit_of_a.discriminant_a x y 4 1 ->
   angles_on_a.sin_phi x y 4 1 < 1 / 10000 -> sqrt (x ^ 2 + y ^ 2) < 4 / 3 * (1 / 10000).
-Proof. intros O D S. pose proof (pixels_off_the_pole__linear x y 4 1 ltac:(lra) O D). lra. Qed.
+Proof. intros O D S. pose proof (pixels_off_the_pole_linear x y 4 1 ltac:(lra) O D). lra. Qed.
 
 Theorem seed_pole_rows__needs__point : exists x y : R, off_axis x y 4 /\ 0 <= hit_of_a.discriminant_a x y 4 1 /\
   angles_on_a.sin_phi x y 4 1 < 1 / 10000.
@@ -401,7 +401,7 @@ Qed.
 Theorem ridges_differentiable__derivative : ~ forall u v ku kv : R, ex_derive (fun u => height_ridges.h u v ku kv) u.
 Proof.
   intros F. destruct ridge_point as (_ & _ & S).
-  apply (proj1 (kink_loci__crease_u (1 / 4) (1 / 8) 8 4 ltac:(lra) ltac:(lra))); [exists 2%Z; lra | apply F].
+  apply (proj1 (kink_loci__creased_in_u (1 / 4) (1 / 8) 8 4 ltac:(lra) ltac:(lra))); [exists 2%Z; lra | apply F].
 Qed.
 
 (* It is where it is not 0. *)

@@ -19,7 +19,7 @@ Qed.
 Lemma clamp_is_lipschitz (a b : R) : Rabs (Rmax 0 a - Rmax 0 b) <= Rabs (a - b).
 Proof. unfold Rmax, Rabs. destruct (Rle_dec 0 a), (Rle_dec 0 b); repeat destruct Rcase_abs; lra. Qed.
 
-Lemma dot_is_lipschitz (n m w : vector) : length w = 1 -> Rabs (dot n w - dot m w) <= length (difference n m).
+Lemma dot_is_lipschitz (n m w : vector) : magnitude w = 1 -> Rabs (dot n w - dot m w) <= magnitude (difference n m).
 Proof.
   intro W. replace (dot n w - dot m w) with (dot (difference n m) w) by (unfold difference; rewrite dot_sum, dot_scaled; ring).
   destruct (cauchy_schwarz (difference n m) w) as [A B]. rewrite W in A, B. apply Rabs_le. lra.
@@ -36,31 +36,31 @@ Definition blinn_base (n : vector) : R :=
 Definition phong_base (n : vector) : R :=
   let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in
   phong.specular_base px py pz lx ly lz x y z vx vy vz.
-Definition omega : vector := scaled (/ length (difference L P)) (difference L P).
+Definition omega : vector := scaled (/ magnitude (difference L P)) (difference L P).
 End models.
 
 Lemma mu_is_a_product (P L n : vector) : mu P L n = dot n (omega P L).
 Proof.
   destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z].
   unfold mu, omega, light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z, light_direction.light_scale,
-    light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z, difference, length, dot, scaled, sum.
+    light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z, difference, magnitude, dot, scaled, vector_sum.
   replace ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2) with
     ((lx + -1 * px) * (lx + -1 * px) + (ly + -1 * py) * (ly + -1 * py) + (lz + -1 * pz) * (lz + -1 * pz)) by ring. ring.
 Qed.
-Lemma direction_is_unit (a : vector) : 0 < length a -> length (scaled (/ length a) a) = 1.
+Lemma direction_is_unit (a : vector) : 0 < magnitude a -> magnitude (scaled (/ magnitude a) a) = 1.
 Proof. intro H. rewrite length_scaled, Rabs_pos_eq by (left; apply Rinv_0_lt_compat, H). apply Rinv_l. lra. Qed.
 
 (* mu is Lipschitz with 1 in N'. *)
-Theorem (* clause 1 *) specular_lipschitz__along_a_direction (P L n m : vector) : 0 < length (difference L P) ->
-  Rabs (mu P L n - mu P L m) <= length (difference n m).
+Theorem (* clause 1 *) specular_lipschitz__along_a_direction (P L n m : vector) : 0 < magnitude (difference L P) ->
+  Rabs (mu P L n - mu P L m) <= magnitude (difference n m).
 Proof. intro H. rewrite !mu_is_a_product. apply dot_is_lipschitz, direction_is_unit, H. Qed.
 
-Lemma blinn_base_is (P L v n : vector) : let k := sum (omega P L) v in
-  blinn_base P L v n = if Rlt_dec 0 (length k) then Rmax 0 (dot n (scaled (/ length k) k)) else 0.
+Lemma blinn_base_is (P L v n : vector) : let k := vector_sum (omega P L) v in
+  blinn_base P L v n = if Rlt_dec 0 (magnitude k) then Rmax 0 (dot n (scaled (/ magnitude k) k)) else 0.
 Proof.
   cbv zeta. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
   unfold blinn_base, omega, blinn.specular_base, blinn.halfway_length, blinn.halfway_x, blinn.halfway_y, blinn.halfway_z, blinn.towards_x, blinn.towards_y,
-    blinn.towards_z, blinn.light_scale, blinn.light_distance, blinn.to_light_x, blinn.to_light_y, blinn.to_light_z, difference, length, dot, scaled, sum.
+    blinn.towards_z, blinn.light_scale, blinn.light_distance, blinn.to_light_x, blinn.to_light_y, blinn.to_light_z, difference, magnitude, dot, scaled, vector_sum.
   replace ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2) with
     ((lx + -1 * px) * (lx + -1 * px) + (ly + -1 * py) * (ly + -1 * py) + (lz + -1 * pz) * (lz + -1 * pz)) by ring.
   set (s := / sqrt _). replace (lx - px) with (lx + -1 * px) by ring. replace (ly - py) with (ly + -1 * py) by ring. replace (lz - pz) with (lz + -1 * pz) by ring.
@@ -69,7 +69,7 @@ Proof.
 Qed.
 
 (* Blinn's base is Lipschitz with 1. *)
-Theorem (* clause 1 *) specular_lipschitz__blinn (P L v n m : vector) : Rabs (blinn_base P L v n - blinn_base P L v m) <= length (difference n m).
+Theorem (* clause 1 *) specular_lipschitz__blinn (P L v n m : vector) : Rabs (blinn_base P L v n - blinn_base P L v m) <= magnitude (difference n m).
 Proof.
   rewrite !blinn_base_is. destruct (Rlt_dec _ _) as [H|H].
   - eapply Rle_trans; [apply clamp_is_lipschitz|]. apply dot_is_lipschitz, direction_is_unit, H.
@@ -82,7 +82,7 @@ Proof.
   unfold phong_base, mu, omega, phong.specular_base, phong.mu, phong.towards_x, phong.towards_y, phong.towards_z, phong.light_scale, phong.light_distance,
     phong.to_light_x, phong.to_light_y, phong.to_light_z, light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z,
     light_direction.light_scale, light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z,
-    difference, length, dot, scaled, sum.
+    difference, magnitude, dot, scaled, vector_sum.
   replace ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2) with
     ((lx + -1 * px) * (lx + -1 * px) + (ly + -1 * py) * (ly + -1 * py) + (lz + -1 * pz) * (lz + -1 * pz)) by ring. f_equal. ring.
 Qed.
@@ -92,31 +92,31 @@ Ltac expand_dots :=
   repeat first
     [ rewrite dot_sum | rewrite dot_scaled
     | match goal with
-      | |- context [dot ?a (sum ?b ?c)] => rewrite (dot_comm a (sum b c))
+      | |- context [dot ?a (vector_sum ?b ?c)] => rewrite (dot_comm a (vector_sum b c))
       | |- context [dot ?a (scaled ?t ?b)] => rewrite (dot_comm a (scaled t b))
       end ].
 
 (* Bessel's inequality for two orthogonal vectors. *)
-Lemma bessel (s d w : vector) : dot s d = 0 -> length w = 1 ->
+Lemma bessel (s d w : vector) : dot s d = 0 -> magnitude w = 1 ->
   dot d d * dot s w ^ 2 + dot s s * dot d w ^ 2 <= dot s s * dot d d.
 Proof.
   intros O W. assert (W2 : dot w w = 1) by (rewrite <- length_squared, W; ring).
   generalize (dot_nonneg s) (dot_nonneg d) (cauchy_schwarz s w) (cauchy_schwarz d w). intros PS PD CS CD. rewrite W in CS, CD.
-  set (k := difference (scaled (dot s s * dot d d) w) (sum (scaled (dot d d * dot s w) s) (scaled (dot s s * dot d w) d))).
+  set (k := difference (scaled (dot s s * dot d d) w) (vector_sum (scaled (dot d d * dot s w) s) (scaled (dot s s * dot d w) d))).
   assert (E : dot k k = dot s s * dot d d * (dot s s * dot d d - (dot d d * dot s w ^ 2 + dot s s * dot d w ^ 2))).
   { unfold k. expand_dots. rewrite ?(dot_comm w s), ?(dot_comm w d), ?(dot_comm d s), ?O, W2. ring. }
   generalize (dot_nonneg k). rewrite E. intro K.
   destruct PS as [PS|PS]; [destruct PD as [PD|PD]|].
   - assert (0 < dot s s * dot d d) by nra. nra.
-  - assert (length d = 0) by (unfold length; rewrite <- PD; apply sqrt_0). assert (dot d w = 0) by nra. rewrite <- PD. nra.
-  - assert (length s = 0) by (unfold length; rewrite <- PS; apply sqrt_0). assert (dot s w = 0) by nra. rewrite <- PS. nra.
+  - assert (magnitude d = 0) by (unfold magnitude; rewrite <- PD; apply sqrt_0). assert (dot d w = 0) by nra. rewrite <- PD. nra.
+  - assert (magnitude s = 0) by (unfold magnitude; rewrite <- PS; apply sqrt_0). assert (dot s w = 0) by nra. rewrite <- PS. nra.
 Qed.
 
 (* Mirroring w at the unit vectors n and m gives vectors whose product with v differs by at most 2 |n - m|. *)
-Theorem (* clause 1 *) specular_lipschitz__mirror (n m w v : vector) : length n = 1 -> length m = 1 -> length w = 1 -> length v = 1 ->
-  Rabs ((2 * dot n w * dot n v - dot w v) - (2 * dot m w * dot m v - dot w v)) <= 2 * length (difference n m).
+Theorem (* clause 1 *) specular_lipschitz__mirror (n m w v : vector) : magnitude n = 1 -> magnitude m = 1 -> magnitude w = 1 -> magnitude v = 1 ->
+  Rabs ((2 * dot n w * dot n v - dot w v) - (2 * dot m w * dot m v - dot w v)) <= 2 * magnitude (difference n m).
 Proof.
-  intros Hn Hm Hw Hv. set (s := sum n m). set (d := difference n m).
+  intros Hn Hm Hw Hv. set (s := vector_sum n m). set (d := difference n m).
   replace (2 * dot n w * dot n v - dot w v - (2 * dot m w * dot m v - dot w v)) with (dot s w * dot d v + dot d w * dot s v)
     by (unfold s, d; expand_dots; ring).
   assert (O : dot s d = 0) by (unfold s, d; expand_dots; rewrite (dot_comm m n), <- !length_squared, Hn, Hm; ring).
@@ -131,52 +131,52 @@ Proof.
       eapply Rle_trans; [eassumption|]. apply Rmult_le_compat; nra.
     - rewrite <- PD in *. assert (D = 0) by nra. assert (D' = 0) by nra. subst D D'. rewrite H, H0. nra.
     - rewrite <- PS in *. assert (A = 0) by nra. assert (A' = 0) by nra. subst A A'. rewrite H, H0. nra. }
-  assert (Y : (A * D' + D * A') ^ 2 <= (2 * length d) ^ 2) by (rewrite Rpow_mult_distr, L; nra).
+  assert (Y : (A * D' + D * A') ^ 2 <= (2 * magnitude d) ^ 2) by (rewrite Rpow_mult_distr, L; nra).
   rewrite <- (pow2_abs (A * D' + D * A')) in Y. apply le_of_squares; [lra | exact Y].
 Qed.
 
 (* Phong's base is Lipschitz with 2, between unit normals. *)
-Theorem (* clause 1 *) specular_lipschitz__phong (P L v n m : vector) : 0 < length (difference L P) -> length n = 1 -> length m = 1 -> length v = 1 ->
-  Rabs (phong_base P L v n - phong_base P L v m) <= 2 * length (difference n m).
+Theorem (* clause 1 *) specular_lipschitz__phong (P L v n m : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
+  Rabs (phong_base P L v n - phong_base P L v m) <= 2 * magnitude (difference n m).
 Proof.
   intros H Hn Hm Hv. rewrite !phong_base_is. eapply Rle_trans; [apply clamp_is_lipschitz|].
   apply specular_lipschitz__mirror; trivial. apply direction_is_unit, H.
 Qed.
 
 (* Both bases lie in [0, 1] for unit normals. *)
-Lemma product_of_units (n w : vector) : length n = 1 -> length w = 1 -> -1 <= dot n w <= 1.
-Proof. intros N W. destruct (cauchy_schwarz n w) as [A B]. rewrite N, W in *. lra. Qed.
-Lemma blinn_base_in_unit (P L v n : vector) : length n = 1 -> 0 <= blinn_base P L v n <= 1.
+Lemma product_of_units (n w : vector) : magnitude n = 1 -> magnitude w = 1 -> -1 <= dot n w <= 1.
+Proof. intros normal_at W. destruct (cauchy_schwarz n w) as [A B]. rewrite normal_at, W in *. lra. Qed.
+Lemma blinn_base_in_unit (P L v n : vector) : magnitude n = 1 -> 0 <= blinn_base P L v n <= 1.
 Proof.
-  intro N. rewrite blinn_base_is. destruct (Rlt_dec _ _) as [H|H]; [|lra]. generalize (product_of_units n _ N (direction_is_unit _ H)).
+  intro normal_at. rewrite blinn_base_is. destruct (Rlt_dec _ _) as [H|H]; [|lra]. generalize (product_of_units n _ normal_at (direction_is_unit _ H)).
   unfold Rmax. destruct (Rle_dec _ _); lra.
 Qed.
-Lemma phong_base_in_unit (P L v n : vector) : 0 < length (difference L P) -> length n = 1 -> length v = 1 -> 0 <= phong_base P L v n <= 1.
+Lemma phong_base_in_unit (P L v n : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude v = 1 -> 0 <= phong_base P L v n <= 1.
 Proof.
-  intros H N V. rewrite phong_base_is. generalize (direction_is_unit _ H). fold (omega P L). intro W.
+  intros H normal_at V. rewrite phong_base_is. generalize (direction_is_unit _ H). fold (omega P L). intro W.
   set (r := difference (scaled (2 * dot n (omega P L)) n) (omega P L)).
-  assert (R : length r = 1).
-  { apply length_of_unit. unfold r. expand_dots. rewrite (dot_comm (omega P L) n), <- !length_squared, N, W. ring. }
+  assert (R : magnitude r = 1).
+  { apply length_of_unit. unfold r. expand_dots. rewrite (dot_comm (omega P L) n), <- !length_squared, normal_at, W. ring. }
   replace (2 * dot n (omega P L) * dot n v - dot (omega P L) v) with (dot r v) by (unfold r; expand_dots; ring).
   generalize (product_of_units r v R V). unfold Rmax. destruct (Rle_dec _ _); lra.
 Qed.
 
 (* So the highlight base^p is Lipschitz with p (Blinn) and 2p (Phong), for every whole p. *)
-Theorem (* clause 3 *) specular_lipschitz__power (p : nat) (P L v n m : vector) : 0 < length (difference L P) -> length n = 1 -> length m = 1 -> length v = 1 ->
-  Rabs (blinn_base P L v n ^ p - blinn_base P L v m ^ p) <= INR p * length (difference n m) /\
-  Rabs (phong_base P L v n ^ p - phong_base P L v m ^ p) <= 2 * INR p * length (difference n m).
+Theorem (* clause 3 *) specular_lipschitz__power (p : nat) (P L v n m : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
+  Rabs (blinn_base P L v n ^ p - blinn_base P L v m ^ p) <= INR p * magnitude (difference n m) /\
+  Rabs (phong_base P L v n ^ p - phong_base P L v m ^ p) <= 2 * INR p * magnitude (difference n m).
 Proof.
   intros H Hn Hm Hv. generalize (pos_INR p). intro I. split.
   - eapply Rle_trans; [apply power_lipschitz; apply blinn_base_in_unit; assumption|]. apply Rmult_le_compat_l; [exact I | apply specular_lipschitz__blinn].
   - eapply Rle_trans; [apply power_lipschitz; apply phong_base_in_unit; assumption|].
-    replace (2 * INR p * length (difference n m)) with (INR p * (2 * length (difference n m))) by ring.
+    replace (2 * INR p * magnitude (difference n m)) with (INR p * (2 * magnitude (difference n m))) by ring.
     apply Rmult_le_compat_l; [exact I | apply specular_lipschitz__phong; assumption].
 Qed.
-Theorem specular_lipschitz__power__point : exists P L v n : vector, 0 < length (difference L P) /\ length n = 1 /\ length v = 1.
+Theorem specular_lipschitz__power__point : exists P L v n : vector, 0 < magnitude (difference L P) /\ magnitude n = 1 /\ magnitude v = 1.
 Proof.
   exists (0, 0, 0), (1, 0, 0), (1, 0, 0), (1, 0, 0).
-  assert (E : length (1, 0, 0) = 1) by (apply length_of_unit; unfold dot; ring). split; [|split; exact E].
-  replace (difference (1, 0, 0) (0, 0, 0)) with ((1, 0, 0) : vector) by (unfold difference, sum, scaled; f_equal; [f_equal|]; ring). rewrite E. lra.
+  assert (E : magnitude (1, 0, 0) = 1) by (apply length_of_unit; unfold dot; ring). split; [|split; exact E].
+  replace (difference (1, 0, 0) (0, 0, 0)) with ((1, 0, 0) : vector) by (unfold difference, vector_sum, scaled; f_equal; [f_equal|]; ring). rewrite E. lra.
 Qed.
 (* On [0, 1] itself: |x^p - z^p| <= p |x - z|; one step of the recurrence keeps the factor q of x^p - z^p, and p - q, from being negative. *)
 Theorem (* clauses 2, 3 *) specular_lipschitz__whole_power (p : nat) (x z : R) : 0 <= x <= 1 -> 0 <= z <= 1 -> Rabs (x ^ p - z ^ p) <= INR p * Rabs (x - z).
@@ -209,19 +209,19 @@ Definition share (model : vector -> R) (P L : vector) (i albedo kd ks : R) (p : 
 
 (* It moves by at most i (a k_d + k_s q) |N'_1 - N'_2| where base^p is Lipschitz with q. *)
 Theorem (* clause 1 *) difference_bound__light (model : vector -> R) (P L n m : vector) (i albedo kd ks q : R) (p : nat) :
-  0 <= i -> 0 <= albedo -> 0 <= kd -> 0 <= ks -> 0 < length (difference L P) ->
-  Rabs (model n ^ p - model m ^ p) <= q * length (difference n m) ->
-  Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd ks p m) <= i * (albedo * kd + ks * q) * length (difference n m).
+  0 <= i -> 0 <= albedo -> 0 <= kd -> 0 <= ks -> 0 < magnitude (difference L P) ->
+  Rabs (model n ^ p - model m ^ p) <= q * magnitude (difference n m) ->
+  Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd ks p m) <= i * (albedo * kd + ks * q) * magnitude (difference n m).
 Proof.
   intros I A D S H Q. unfold share, light_term.lit_red, light_term.diffuse, light_term.shine.
   set (x := Rmax 0 (mu P L n)). set (y := Rmax 0 (mu P L m)).
-  assert (M : Rabs (x - y) <= length (difference n m)).
+  assert (M : Rabs (x - y) <= magnitude (difference n m)).
   { eapply Rle_trans; [apply clamp_is_lipschitz | apply specular_lipschitz__along_a_direction, H]. }
   replace (_ - _) with (i * (albedo * kd * (x - y) + ks * (model n ^ p - model m ^ p))) by ring.
   rewrite Rabs_mult, (Rabs_pos_eq i), (Rmult_assoc i (albedo * kd + ks * q)) by exact I. apply Rmult_le_compat_l; [exact I|].
   eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult, (Rabs_pos_eq albedo), (Rabs_pos_eq kd), (Rabs_pos_eq ks) by assumption.
-  assert (albedo * kd * Rabs (x - y) <= albedo * kd * length (difference n m)) by (apply Rmult_le_compat_l; [apply Rmult_le_pos; assumption | exact M]).
-  assert (ks * Rabs (model n ^ p - model m ^ p) <= ks * (q * length (difference n m))) by (apply Rmult_le_compat_l; assumption). lra.
+  assert (albedo * kd * Rabs (x - y) <= albedo * kd * magnitude (difference n m)) by (apply Rmult_le_compat_l; [apply Rmult_le_pos; assumption | exact M]).
+  assert (ks * Rabs (model n ^ p - model m ^ p) <= ks * (q * magnitude (difference n m))) by (apply Rmult_le_compat_l; assumption). lra.
 Qed.
 (* The lines of green and blue are red's. *)
 Theorem (* clause 1 *) difference_bound__channels (colour i albedo kd ks mu specular : R) :
@@ -231,23 +231,23 @@ Proof. unfold light_term.lit_green, light_term.lit_blue, light_term.lit_red. spl
 Theorem difference_bound__channels__false : ~ forall c c' i a kd ks mu s, light_term.lit_green c i a kd ks mu s = light_term.lit_red c' i a kd ks mu s.
 Proof. intro H. generalize (H 0 1 0 0 0 0 0 0). unfold light_term.lit_green, light_term.lit_red. lra. Qed.
 (* The clip adds nothing. *)
-Theorem (* clause 2 *) difference_bound__clip (a b : R) : Rabs (clip.clipped a - clip.clipped b) <= Rabs (a - b).
+Lemma difference_bound_clip (a b : R) : Rabs (clip.clipped a - clip.clipped b) <= Rabs (a - b).
 Proof.
   unfold clip.clipped. eapply Rle_trans; [|apply clamp_is_lipschitz]. unfold Rmin, Rabs. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra.
 Qed.
 (* So |dI| <= sum over the lights of i (a k_d + k_s q), times min(|beta| |dg|, 2): any number of lights. *)
-Theorem (* clause 3 *) difference_bound__all_lights (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R) :
-  (forall f l, In (f, l) shares -> forall n m, length n = 1 -> length m = 1 -> Rabs (f n - f m) <= l * length (difference n m)) ->
+Theorem (* clause 3 *) difference_bound__any_lights (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R) :
+  (forall f l, In (f, l) shares -> forall n m, magnitude n = 1 -> magnitude m = 1 -> Rabs (f n - f m) <= l * magnitude (difference n m)) ->
   let colour n := clip.clipped (ambient + fold_right (fun s c => fst s n + c) 0 shares) in
   let total := fold_right (fun s c => snd s + c) 0 shares in
   (forall f l, In (f, l) shares -> 0 <= l) ->
   Rabs (colour (N' theta phi a_u a_v beta) - colour (N' theta phi b_u b_v beta)) <=
-  total * Rmin (Rabs beta * length (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
+  total * Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
 Proof.
   intros Hs. cbv beta zeta. intro Hl. set (n := N' theta phi a_u a_v beta). set (m := N' theta phi b_u b_v beta).
-  assert (Un : length n = 1) by apply unit_length__length. assert (Um : length m = 1) by apply unit_length__length.
-  eapply Rle_trans; [apply difference_bound__clip|].
-  apply Rle_trans with (fold_right (fun s c => snd s + c) 0 shares * length (difference n m)).
+  assert (Un : magnitude n = 1) by apply unit_length_length. assert (Um : magnitude m = 1) by apply unit_length_length.
+  eapply Rle_trans; [apply difference_bound_clip|].
+  apply Rle_trans with (fold_right (fun s c => snd s + c) 0 shares * magnitude (difference n m)).
   - replace (_ - _) with (fold_right (fun s c => fst s n + c) 0 shares - fold_right (fun s c => fst s m + c) 0 shares) by ring. clear Hl.
     induction shares as [|[f l] rest IH]; [simpl; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; lra|]. cbn [fold_right fst snd].
     replace (_ - _) with ((f n - f m) + (fold_right (fun s c => fst s n + c) 0 rest - fold_right (fun s c => fst s m + c) 0 rest)) by ring.
@@ -309,55 +309,55 @@ Qed.
 (* False variants: each with half its bound, or without what it rests on. *)
 Lemma above_is : omega (0, 0, 0) (0, 0, 1) = (0, 0, 1).
 Proof.
-  unfold omega. replace (difference (0, 0, 1) (0, 0, 0)) with ((0, 0, 1) : vector) by (unfold difference, sum, scaled; f_equal; [f_equal|]; ring).
+  unfold omega. replace (difference (0, 0, 1) (0, 0, 0)) with ((0, 0, 1) : vector) by (unfold difference, vector_sum, scaled; f_equal; [f_equal|]; ring).
   rewrite (length_of_unit (0, 0, 1)), Rinv_1 by (unfold dot; ring). unfold scaled. f_equal; [f_equal|]; ring.
 Qed.
-Lemma above_apart : length (difference (0, 0, 1) (0, 0, 0)) = 1.
-Proof. apply length_of_unit. unfold dot, difference, sum, scaled. ring. Qed.
-Theorem specular_lipschitz__along_a_direction__false : ~ forall P L n m : vector, 0 < length (difference L P) -> Rabs (mu P L n - mu P L m) <= length (difference n m) / 2.
+Lemma above_apart : magnitude (difference (0, 0, 1) (0, 0, 0)) = 1.
+Proof. apply length_of_unit. unfold dot, difference, vector_sum, scaled. ring. Qed.
+Theorem specular_lipschitz__along_a_direction__false : ~ forall P L n m : vector, 0 < magnitude (difference L P) -> Rabs (mu P L n - mu P L m) <= magnitude (difference n m) / 2.
 Proof.
   intro H. generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 0) ltac:(rewrite above_apart; lra)). rewrite !mu_is_a_product, above_is, above_apart. unfold dot. rewrite Rabs_pos_eq; lra.
 Qed.
-Theorem specular_lipschitz__blinn__false : ~ forall P L v n m : vector, Rabs (blinn_base P L v n - blinn_base P L v m) <= length (difference n m) / 2.
+Theorem specular_lipschitz__blinn__false : ~ forall P L v n m : vector, Rabs (blinn_base P L v n - blinn_base P L v m) <= magnitude (difference n m) / 2.
 Proof.
   intro H. generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 1) (0, 0, 0)). rewrite !blinn_base_is, above_is, above_apart.
-  replace (sum (0, 0, 1) (0, 0, 1)) with (scaled 2 (0, 0, 1)) by (unfold sum, scaled; f_equal; [f_equal|]; ring).
+  replace (vector_sum (0, 0, 1) (0, 0, 1)) with (scaled 2 (0, 0, 1)) by (unfold vector_sum, scaled; f_equal; [f_equal|]; ring).
   rewrite length_scaled, (length_of_unit (0, 0, 1)), (Rabs_pos_eq 2) by (try (unfold dot; ring); lra). destruct (Rlt_dec _ _) as [_|X]; [|lra]. unfold dot, scaled.
   rewrite !Rmax_right by lra. rewrite Rabs_pos_eq; lra.
 Qed.
-Theorem specular_lipschitz__mirror__false : ~ forall n m w v : vector, length n = 1 -> length m = 1 -> length w = 1 -> length v = 1 ->
-  Rabs ((2 * dot n w * dot n v - dot w v) - (2 * dot m w * dot m v - dot w v)) <= length (difference n m).
+Theorem specular_lipschitz__mirror__false : ~ forall n m w v : vector, magnitude n = 1 -> magnitude m = 1 -> magnitude w = 1 -> magnitude v = 1 ->
+  Rabs ((2 * dot n w * dot n v - dot w v) - (2 * dot m w * dot m v - dot w v)) <= magnitude (difference n m).
 Proof.
-  assert (A : length (0, 0, 1) = 1) by (apply length_of_unit; unfold dot; ring). assert (B : length (0, 1, 0) = 1) by (apply length_of_unit; unfold dot; ring).
+  assert (A : magnitude (0, 0, 1) = 1) by (apply length_of_unit; unfold dot; ring). assert (B : magnitude (0, 1, 0) = 1) by (apply length_of_unit; unfold dot; ring).
   intro H. generalize (H (0, 0, 1) (0, 1, 0) (0, 0, 1) (0, 0, 1) A B A A) (length_squared (difference (0, 0, 1) (0, 1, 0))) (length_nonneg (difference (0, 0, 1) (0, 1, 0))).
-  set (d := length (difference (0, 0, 1) (0, 1, 0))). unfold dot, difference, sum, scaled. rewrite Rabs_pos_eq by lra. nra.
+  set (d := magnitude (difference (0, 0, 1) (0, 1, 0))). unfold dot, difference, vector_sum, scaled. rewrite Rabs_pos_eq by lra. nra.
 Qed.
-Theorem specular_lipschitz__phong__false : ~ forall P L v n m : vector, 0 < length (difference L P) -> length n = 1 -> length m = 1 -> length v = 1 ->
-  Rabs (phong_base P L v n - phong_base P L v m) <= length (difference n m).
+Theorem specular_lipschitz__phong__false : ~ forall P L v n m : vector, 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
+  Rabs (phong_base P L v n - phong_base P L v m) <= magnitude (difference n m).
 Proof.
-  assert (A : length (0, 0, 1) = 1) by (apply length_of_unit; unfold dot; ring). assert (B : length (0, 4/5, 3/5) = 1) by (apply length_of_unit; unfold dot; field).
+  assert (A : magnitude (0, 0, 1) = 1) by (apply length_of_unit; unfold dot; ring). assert (B : magnitude (0, 4/5, 3/5) = 1) by (apply length_of_unit; unfold dot; field).
   intro H. generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 1) (0, 4/5, 3/5) ltac:(rewrite above_apart; lra) A B A) (length_squared (difference (0, 0, 1) (0, 4/5, 3/5)))
     (length_nonneg (difference (0, 0, 1) (0, 4/5, 3/5))). rewrite !phong_base_is. fold (omega (0, 0, 0) (0, 0, 1)). rewrite above_is.
-  set (d := length (difference (0, 0, 1) (0, 4/5, 3/5))). unfold dot, difference, sum, scaled. rewrite (Rmax_right 0 (2 * _ * _ - _)), (Rmax_left 0 (2 * _ * _ - _)) by lra.
+  set (d := magnitude (difference (0, 0, 1) (0, 4/5, 3/5))). unfold dot, difference, vector_sum, scaled. rewrite (Rmax_right 0 (2 * _ * _ - _)), (Rmax_left 0 (2 * _ * _ - _)) by lra.
   rewrite Rabs_pos_eq by lra. nra.
 Qed.
 Theorem difference_bound__light__false : ~ forall (model : vector -> R) (P L n m : vector) (i albedo kd ks q : R) (p : nat),
-  0 <= i -> 0 <= albedo -> 0 <= kd -> 0 <= ks -> 0 < length (difference L P) -> Rabs (model n ^ p - model m ^ p) <= q * length (difference n m) ->
-  Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd ks p m) <= i * (albedo * kd) * length (difference n m).
+  0 <= i -> 0 <= albedo -> 0 <= kd -> 0 <= ks -> 0 < magnitude (difference L P) -> Rabs (model n ^ p - model m ^ p) <= q * magnitude (difference n m) ->
+  Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd ks p m) <= i * (albedo * kd) * magnitude (difference n m).
 Proof.
   intro H. generalize (H snd (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 0) 1 0 0 1 1 1%nat ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(rewrite above_apart; lra)). rewrite above_apart.
   cbn [snd pow]. unfold share, light_term.lit_red, light_term.diffuse, light_term.shine. cbn [snd pow]. intro K. specialize (K ltac:(rewrite Rabs_pos_eq; lra)). rewrite Rabs_pos_eq in K; lra.
 Qed.
-Theorem difference_bound__all_lights__false : ~ forall (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R),
+Theorem difference_bound__any_lights__false : ~ forall (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R),
   let colour n := clip.clipped (ambient + fold_right (fun s c => fst s n + c) 0 shares) in let total := fold_right (fun s c => snd s + c) 0 shares in
   (forall f l, In (f, l) shares -> 0 <= l) ->
   Rabs (colour (N' theta phi a_u a_v beta) - colour (N' theta phi b_u b_v beta)) <=
-  total * Rmin (Rabs beta * length (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
+  total * Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
 Proof.
-  intro H. assert (K : forall f l, In (f, l) [(dot (N 0 0), 0)] -> 0 <= l) by (intros f l [E|[]]; injection E; lra).
-  generalize (H [(dot (N 0 0), 0)] 0 0 0 0 0 1 0 1 K). cbn [fold_right fst snd]. rewrite (normal_limits__zero 0 0 0 0 1), normal_is_unit.
+  intro H. assert (K : forall f l, In (f, l) [(dot (normal_at 0 0), 0)] -> 0 <= l) by (intros f l [E|[]]; injection E; lra).
+  generalize (H [(dot (normal_at 0 0), 0)] 0 0 0 0 0 1 0 1 K). cbn [fold_right fst snd]. rewrite (normal_limits__zero 0 0 0 0 1), normal_is_unit.
   - generalize (normal_dot_bumped 0 0 1 0 1) (length_squared (M 0 0 1 0 1)) (m_length_at_least_1 0 0 1 0 1). rewrite m_squared. intros -> L B.
-    assert (I : / length (M 0 0 1 0 1) * length (M 0 0 1 0 1) = 1) by (apply Rinv_l; lra). set (m := length (M 0 0 1 0 1)) in *. set (i := / m) in *.
+    assert (I : / magnitude (M 0 0 1 0 1) * magnitude (M 0 0 1 0 1) = 1) by (apply Rinv_l; lra). set (m := magnitude (M 0 0 1 0 1)) in *. set (i := / m) in *.
     assert (J : 0 < i < 1) by (split; nra). unfold clip.clipped. rewrite !Rmax_right, !Rmin_right by lra. rewrite Rabs_pos_eq; lra.
   - right. unfold_vectors. f_equal; [f_equal|]; ring.
 Qed.

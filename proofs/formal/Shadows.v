@@ -32,7 +32,7 @@ Qed.
 (* |P + s a - C|^2 - r^2 = |a|^2 s^2 - 2 (a.w) s + |w|^2 - r^2, with a = L - P, w = C - P: a quadratic whose
    discriminant
    is the program's. *)
-Theorem occlusion_by_signs__quadratic (s px py pz lx ly lz cx cy cz r : R) :
+Lemma occlusion_by_signs_quadratic (s px py pz lx ly lz cx cy cz r : R) :
   let a2 := shadow.segment_squared px py pz lx ly lz in
   let aw := shadow.toward_center px py pz lx ly lz cx cy cz in
   a2 = dot3 (lx - px) (ly - py) (lz - pz) (lx - px) (ly - py) (lz - pz) /\
@@ -61,11 +61,11 @@ Proof.
   intros Hr P L. assert (Z : forall a b c d e f, 0 <= apart2 a b c d e f) by (intros; unfold apart2; squares).
   assert (O : forall n, 0 <= n -> r < sqrt n -> 0 < n - r ^ 2).
   { intros n N S. pose proof (sqrt_sqrt n N). nra. }
-  destruct (occlusion_by_signs__quadratic 1 px py pz lx ly lz cx cy cz r) as (_ & _ & E & D).
+  destruct (occlusion_by_signs_quadratic 1 px py pz lx ly lz cx cy cz r) as (_ & _ & E & D).
   rewrite <- (root_between _ _ (apart2 cx cy cz px py pz - r ^ 2) _); [| shadow_lines; squares | apply O;
     auto | | exact D].
   - split; intros (s & S & Q); exists s; (split; [exact S |]);
-      destruct (occlusion_by_signs__quadratic s px py pz lx ly lz cx cy cz r) as (_ & _ & K & _).
+      destruct (occlusion_by_signs_quadratic s px py pz lx ly lz cx cy cz r) as (_ & _ & K & _).
     + rewrite <- K, <- Q, pow2_sqrt by auto. ring.
     + apply sqrt_is; lra.
   - replace (apart2 _ _ _ cx cy cz) with (apart2 cx cy cz lx ly lz) in E by (unfold apart2; ring).
@@ -95,7 +95,7 @@ Proof.
 Qed.
 
 (* The program reports exactly these signs. *)
-Theorem occlusion_by_signs__program (px py pz lx ly lz cx cy cz r : R) :
+Theorem occlusion_by_signs__numerators (px py pz lx ly lz cx cy cz r : R) :
   let signs := 0 <= shadow.shadow_discriminant px py pz lx ly lz cx cy cz r /\
     0 < shadow.toward_center px py pz lx ly lz cx cy cz < shadow.segment_squared px py pz lx ly lz in
   (shadow.occluded px py pz lx ly lz cx cy cz r = 1 <-> signs) /\
@@ -105,36 +105,11 @@ Proof.
 Qed.
 
 (* Not the first alone. *)
-Theorem occlusion_by_signs__program__false : ~ forall px py pz lx ly lz cx cy cz r : R,
+Theorem occlusion_by_signs__numerators__false : ~ forall px py pz lx ly lz cx cy cz r : R,
   0 <= shadow.shadow_discriminant px py pz lx ly lz cx cy cz r -> shadow.occluded px py pz lx ly lz cx cy cz r = 1.
 Proof.
-  intros F. specialize (F 0 0 0 0 0 0 0 0 0 0). rewrite (proj1 (occlusion_by_signs__program _ _ _ _ _ _ _ _ _ _)) in F.
+  intros F. specialize (F 0 0 0 0 0 0 0 0 0 0). rewrite (proj1 (occlusion_by_signs__numerators _ _ _ _ _ _ _ _ _ _)) in F.
   destruct F as (_ & A & _); [| revert A]; shadow_lines; lra.
-Qed.
-
-(* On the floor and for fixed y, the discriminant is a polynomial of degree at most 2 in x with the leading coefficient
-   r^2 - w_y^2 - w_z^2, w = L - C; |a|^2 and a.w' are quadratics with the leading coefficient 1, and |a|^2 - a.w' is
-   linear. So a row is cut by the roots of two quadratics and one linear polynomial. *)
-Theorem shadow_along_a_row__row (y lx ly lz cx cy cz r : R) :
-  exists b c b1 c1 b2 c2 b3 c3 : R, forall x,
-  shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = (r ^ 2 - (ly - cy) ^ 2 - (lz - cz) ^ 2) * x ^ 2 + b * x + c /\
-  shadow.segment_squared x y 0 lx ly lz = x ^ 2 + b1 * x + c1 /\
-  shadow.toward_center x y 0 lx ly lz cx cy cz = x ^ 2 + b2 * x + c2 /\
-  shadow.segment_squared x y 0 lx ly lz - shadow.toward_center x y 0 lx ly lz cx cy cz = b3 * x + c3 /\
-  (shadow.occluded x y 0 lx ly lz cx cy cz r = 1 <->
-    0 <= (r ^ 2 - (ly - cy) ^ 2 - (lz - cz) ^ 2) * x ^ 2 + b * x + c /\ 0 < x ^ 2 + b2 * x + c2 /\ 0 < b3 * x + c3).
-Proof.
-  set (d x := shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r).
-  set (q x := shadow.segment_squared x y 0 lx ly lz). set (w x := shadow.toward_center x y 0 lx ly lz cx cy cz).
-  exists ((d 1 - d (-1)) / 2), (d 0), ((q 1 - q (-1)) / 2), (q 0), ((w 1 - w (-1)) / 2), (w 0),
-    ((q 1 - w 1) - (q 0 - w 0)), (q 0 - w 0). intros x.
-  assert (D : d x = (r ^ 2 - (ly - cy) ^ 2 - (lz - cz) ^ 2) * x ^ 2 + (d 1 - d (-1)) / 2 * x + d 0)
-    by (unfold d; shadow_lines; field).
-  assert (Q : q x = x ^ 2 + (q 1 - q (-1)) / 2 * x + q 0) by (unfold q; shadow_lines; field).
-  assert (W : w x = x ^ 2 + (w 1 - w (-1)) / 2 * x + w 0) by (unfold w; shadow_lines; field).
-  assert (A : q x - w x = ((q 1 - w 1) - (q 0 - w 0)) * x + (q 0 - w 0)) by (unfold q, w; shadow_lines; ring).
-  split; [exact D |]. split; [exact Q |]. split; [exact W |]. split; [exact A |]. rewrite <- D, <- W, <- A.
-  unfold d, q, w. rewrite (proj1 (occlusion_by_signs__program x y 0 lx ly lz cx cy cz r)). split; intros; lra.
 Qed.
 
 (* Not with the leading coefficient r^2 - w_z^2. *)
@@ -146,7 +121,7 @@ Proof.
 Qed.
 
 (* |a|^2 - a.w' = (P - L).(C - L). *)
-Theorem shadow_along_a_row__away (px py pz lx ly lz cx cy cz : R) :
+Lemma shadow_along_a_row_away (px py pz lx ly lz cx cy cz : R) :
   shadow.segment_squared px py pz lx ly lz - shadow.toward_center px py pz lx ly lz cx cy cz =
   dot3 (px - lx) (py - ly) (pz - lz) (cx - lx) (cy - ly) (cz - lz).
 Proof. shadow_lines. ring. Qed.
@@ -248,11 +223,11 @@ Proof.
   set (c := c_of_light lx ly lz cx cy cz r) in *. set (h := lz - cz) in *. assert (Q : 0 < w) by lra.
   assert (A : forall x y, cast_away x y lx ly lz cx cy cz <->
     dot3 (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) h < 0).
-  { intros x y. unfold cast_away. pose proof (shadow_along_a_row__away x y 0 lx ly lz cx cy cz) as E.
+  { intros x y. unfold cast_away. pose proof (shadow_along_a_row_away x y 0 lx ly lz cx cy cz) as E.
     unfold h, dot3 in *. split; intros; lra. }
   assert (A' : forall x y, cast_back x y lx ly lz cx cy cz <->
     0 < dot3 (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) h).
-  { intros x y. unfold cast_back. pose proof (shadow_along_a_row__away x y 0 lx ly lz cx cy cz) as E.
+  { intros x y. unfold cast_back. pose proof (shadow_along_a_row_away x y 0 lx ly lz cx cy cz) as E.
     unfold h, dot3 in *. split; intros; lra. }
   destruct (two_roots (w ^ 2 - c * w) (- (w * lz * h)) (lz ^ 2 * (h ^ 2 - c)) (lz * h / w)) as (s1 & s2 & O & R1 & R2).
   - nra.
@@ -290,7 +265,7 @@ Lemma cast_side x y lx ly lz cx cy cz r : 0 < lz -> 0 < c_of_light lx ly lz cx c
   0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r ->
   (0 < lz - cz -> cast_away x y lx ly lz cx cy cz) /\ (lz - cz < 0 -> cast_back x y lx ly lz cx cy cz).
 Proof.
-  intros L C H D. pose proof (shadow_along_a_row__away x y 0 lx ly lz cx cy cz) as A.
+  intros L C H D. pose proof (shadow_along_a_row_away x y 0 lx ly lz cx cy cz) as A.
   destruct (shadow_of_b_on_floor__conic lx ly lz cx cy cz r) as (E & _). fold (c_of_light lx ly lz cx cy cz r) in E.
   rewrite E in D. unfold cast_away, cast_back.
   destruct (seen_side lz (lz - cz) (- ((x - lx) * (lx - cx) + (y - ly) * (ly - cy)))
@@ -348,7 +323,7 @@ Qed.
 (* The part cast away is decided by the sign of (P - L).(C - L) = |a|^2 - a.w'. *)
 Theorem shadow_of_b_on_floor__away (x y lx ly lz cx cy cz : R) :
   cast_away x y lx ly lz cx cy cz <-> 0 < dot3 (x - lx) (y - ly) (0 - lz) (cx - lx) (cy - ly) (cz - lz).
-Proof. rewrite <- shadow_along_a_row__away. unfold cast_away. split; intros; lra. Qed.
+Proof. rewrite <- shadow_along_a_row_away. unfold cast_away. split; intros; lra. Qed.
 
 (* Not of the opposite. *)
 Theorem shadow_of_b_on_floor__away__false : ~ forall x y lx ly lz cx cy cz : R,
@@ -359,7 +334,7 @@ Qed.
 
 (* Sphere A's shadow on the floor: with C = 0, d = (P.L)^2 - |L|^2 |P|^2 + R^2 |P - L|^2, a conic of a sphere's shadow's
    type with w_z = L_z, an ellipse if L_z > R. *)
-Theorem shadow_of_a_on_floor__of_a (lx ly lz r : R) : 0 < r -> r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) ->
+Theorem shadow_of_a_on_floor__conic (lx ly lz r : R) : 0 < r -> r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) ->
   (forall x y, shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r =
     dot3 x y 0 lx ly lz ^ 2 - dot3 lx ly lz lx ly lz * dot3 x y 0 x y 0 + r ^ 2 * apart2 x y 0 lx ly lz) /\
   type_of_shadow lx ly lz 0 0 0 r = (lx ^ 2 + ly ^ 2 + lz ^ 2 - r ^ 2) * (lz ^ 2 - r ^ 2) /\
@@ -370,17 +345,17 @@ Proof.
   intros L. apply shadow_of_b_on_floor__ellipse; [exact P | unfold c_of_light, dot3; nra | lra].
 Qed.
 
-Theorem shadow_of_a_on_floor__of_a__point : exists lx ly lz r : R, 0 < r /\ r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2).
+Theorem shadow_of_a_on_floor__conic__point : exists lx ly lz r : R, 0 < r /\ r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2).
 Proof. exists 0, 0, 2, 1. rewrite (sqrt_is _ 2); lra. Qed.
 
 (* Not with - R^2 |P - L|^2. *)
-Theorem shadow_of_a_on_floor__of_a__false : ~ forall x y lx ly lz r : R,
+Theorem shadow_of_a_on_floor__conic__false : ~ forall x y lx ly lz r : R,
   shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r =
   dot3 x y 0 lx ly lz ^ 2 - dot3 lx ly lz lx ly lz * dot3 x y 0 x y 0 - r ^ 2 * apart2 x y 0 lx ly lz.
 Proof. intros F. specialize (F 0 0 1 0 0 1). revert F. unfold apart2. shadow_lines. lra. Qed.
 
 (* The shadow is its part with 0 < a.w' < |a|^2, beyond A: 0 < a.w' says P.L < |P|^2. *)
-Theorem shadow_of_a_on_floor__behind_a (x y lx ly lz r : R) : 0 < r -> r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) ->
+Theorem shadow_of_a_on_floor__beyond_a (x y lx ly lz r : R) : 0 < r -> r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) ->
   r < sqrt (x ^ 2 + y ^ 2) ->
   shadow.toward_center x y 0 lx ly lz 0 0 0 = dot3 x y 0 x y 0 - dot3 x y 0 lx ly lz /\
   ((exists s, 0 < s < 1 /\ sqrt (apart2 (x + s * (lx - x)) (y + s * (ly - y)) (0 + s * (lz - 0)) 0 0 0) = r) <->
@@ -403,12 +378,12 @@ Proof.
   unfold cast_away in A. rewrite T in A. lra.
 Qed.
 
-Theorem shadow_of_a_on_floor__behind_a__point : exists x y lx ly lz r : R, 0 < r /\
+Theorem shadow_of_a_on_floor__beyond_a__point : exists x y lx ly lz r : R, 0 < r /\
   r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) /\ r < sqrt (x ^ 2 + y ^ 2).
 Proof. exists 2, 0, 0, 0, 2, 1. rewrite !(sqrt_is _ 2); lra. Qed.
 
 (* Not with |P|^2 < P.L, on the light's side. *)
-Theorem shadow_of_a_on_floor__behind_a__false : ~ forall x y lx ly lz : R,
+Theorem shadow_of_a_on_floor__beyond_a__false : ~ forall x y lx ly lz : R,
   0 < shadow.toward_center x y 0 lx ly lz 0 0 0 <-> dot3 x y 0 x y 0 < dot3 x y 0 lx ly lz.
 Proof. intros F. destruct (F 1 0 0 0 1) as [G _]. revert G. shadow_lines. lra. Qed.
 

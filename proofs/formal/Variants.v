@@ -83,14 +83,14 @@ Theorem algebraic_gradient__product__false : ~ forall a b c d, fst (Cmult (a, b)
 Proof. intro H. generalize (H 0 1 0 1). simpl. lra. Qed.
 Theorem chart__inside__false : ~ forall phi, 0 <= phi <= PI -> chart.v (cos phi) (sin phi) < 1.
 Proof.
-  intro H. generalize PI_RGT_0. intro P. generalize (H PI ltac:(lra)). destruct (chart__inside 0 PI) as [-> _]; try lra. replace (PI / PI) with 1 by (field; lra). lra.
+  intro H. generalize PI_RGT_0. intro P. generalize (H PI ltac:(lra)). destruct (chart_inside 0 PI) as [-> _]; try lra. replace (PI / PI) with 1 by (field; lra). lra.
 Qed.
 Theorem chart_inverse__unit__false : ~ forall u v, fst (fst (N_of_chart u v)) = sin (PI * v) * cos (PI * (2 * u)).
 Proof.
-  intro H. generalize (H 0 (1/2)). rewrite (proj1 (chart_inverse__unit 0 (1/2))). cbn [fst]. replace (PI * (1/2)) with (PI / 2) by field.
+  intro H. generalize (H 0 (1/2)). rewrite (proj1 (chart_inverse_unit 0 (1/2))). cbn [fst]. replace (PI * (1/2)) with (PI / 2) by field.
   rewrite !Rmult_0_r, sin_PI2, cos_0. lra.
 Qed.
-Theorem tangent_frame__by_phi__false : ~ forall theta phi, is_derive (fun p => snd (N theta p)) phi (sin phi).
+Theorem tangent_frame__by_phi__false : ~ forall theta phi, is_derive (fun p => snd (normal_at theta p)) phi (sin phi).
 Proof.
   intro H. generalize (is_derive_unique _ _ _ (H 0 (PI / 2))). generalize (tangent_frame__by_phi 0 (PI / 2)). unfold_vectors. intros (_ & _ & D).
   rewrite (is_derive_unique _ _ _ D), sin_PI2. lra.
@@ -98,7 +98,7 @@ Qed.
 Theorem unit_length__g_is_tangent__false : ~ forall theta phi h_u h_v beta, dot (M theta phi h_u h_v beta) (g theta phi h_u h_v) = 0.
 Proof. intro H. generalize (H 0 0 1 0 1). rewrite m_is_sum, dot_sum, dot_scaled, g_is_tangent, g_squared. lra. Qed.
 Theorem angle_of_the_bump__arctangent__false : ~ forall theta phi h_u h_v beta,
-  acos (dot (N theta phi) (N' theta phi h_u h_v beta)) = Rabs beta * length (g theta phi h_u h_v).
+  acos (dot (normal_at theta phi) (N' theta phi h_u h_v beta)) = Rabs beta * magnitude (g theta phi h_u h_v).
 Proof.
   intro H. generalize (H 0 0 1 0 1). rewrite angle_of_the_bump__arctangent, (length_of_unit (g 0 0 1 0)) by (rewrite g_squared; ring).
   rewrite Rabs_R1, Rmult_1_r, atan_1. apply Rlt_not_eq. interval.
@@ -138,19 +138,19 @@ Proof.
 Qed.
 Theorem ridges_on_creases__differ_in_v__false : ~ forall u v k_u k_v, ex_derive (fun v => height_ridges.h u v k_u k_v) v.
 Proof. intro H. apply (ridges_on_creases__differ_in_v (1/2) 1 1 0); [lra | rewrite sine_of_a_right_angle; lra | apply H]. Qed.
-Theorem seam__even__false : ~ forall v k_u k_v, gradient_sine.h_u 0 v k_u k_v = gradient_sine.h_u 1 v k_u k_v.
-Proof. exact seam__sine__false. Qed.
-Theorem seam__odd__false : ~ forall v k_v n, gradient_sine.h_u 0 v (IZR (2 * n + 1)) k_v = gradient_sine.h_u 1 v (IZR (2 * n + 1)) k_v.
+Theorem seam__even_slopes__false : ~ forall v k_u k_v, gradient_sine.h_u 0 v k_u k_v = gradient_sine.h_u 1 v k_u k_v.
+Proof. exact seam__sine_jump__false. Qed.
+Theorem seam__odd_slopes__false : ~ forall v k_v n, gradient_sine.h_u 0 v (IZR (2 * n + 1)) k_v = gradient_sine.h_u 1 v (IZR (2 * n + 1)) k_v.
 Proof.
-  intro H. generalize (H (1/2) 1 0%Z) (proj2 (proj2 (seam__odd (1/2) 1 0))) PI_RGT_0. intros ->. rewrite sine_of_a_right_angle. simpl. lra.
+  intro H. generalize (H (1/2) 1 0%Z) (proj2 (proj2 (seam__odd_slopes (1/2) 1 0))) PI_RGT_0. intros ->. rewrite sine_of_a_right_angle. simpl. lra.
 Qed.
-Theorem seam__ridges__false : ~ forall v k_u k_v, height_ridges.h 1 v k_u k_v = 0.
+Theorem seam__ridges_even__false : ~ forall v k_u k_v, height_ridges.h 1 v k_u k_v = 0.
 Proof.
   intro H. generalize (H (1/2) (1/2) 1). unfold_fields. rewrite sine_of_a_right_angle. replace (PI * (1/2 * 1)) with (PI / 2) by field. rewrite sin_PI2, Rmult_1_l, Rabs_R1. lra.
 Qed.
 Theorem seam__even_period__false : ~ forall u v k_v n, height_sine.h (u + 1) v (INR n) k_v = height_sine.h u v (INR n) k_v.
 Proof.
-  intro H. generalize (H (1/2) (1/2) 1 1%nat). unfold_fields. rewrite seam__parity. simpl INR. rewrite sine_of_a_right_angle. simpl. lra.
+  intro H. generalize (H (1/2) (1/2) 1 1%nat). unfold_fields. rewrite seam_parity. simpl INR. rewrite sine_of_a_right_angle. simpl. lra.
 Qed.
-Theorem seam__ridges_jump__false : ~ forall v k_u k_v, 0 < height_ridges.h 1 v k_u k_v.
+Theorem seam__ridges_jumps__false : ~ forall v k_u k_v, 0 < height_ridges.h 1 v k_u k_v.
 Proof. intro H. generalize (H 0 1 1). unfold_fields. rewrite !Rmult_0_r, sin_0, Rmult_0_r, Rabs_R0. lra. Qed.

@@ -13,13 +13,14 @@ Definition cross (a b : vector) : vector :=
   let '(ax, ay, az) := a in let '(bx, by_, bz) := b in (ay * bz - az * by_, az * bx - ax * bz, ax * by_ - ay * bx).
 
 Definition scaled (s : R) (a : vector) : vector := let '(x, y, z) := a in (s * x, s * y, s * z).
-Definition sum (a b : vector) : vector :=
+Definition vector_sum (a b : vector) : vector :=
   let '(ax, ay, az) := a in let '(bx, by_, bz) := b in (ax + bx, ay + by_, az + bz).
-Definition difference (a b : vector) : vector := sum a (scaled (-1) b).
-Definition length (a : vector) : R := sqrt (dot a a).
+Definition difference (a b : vector) : vector := vector_sum a (scaled (-1) b).
+Definition zero_vector : vector := (0, 0, 0).
+Definition magnitude (a : vector) : R := sqrt (dot a a).
 
 (* The unit normal N and the tangent frame of the sphere at the angles theta and phi. *)
-Definition N (theta phi : R) : vector :=
+Definition normal_at (theta phi : R) : vector :=
   (unit_normal.normal_x (cos theta) (sin phi), unit_normal.normal_y (sin theta) (sin phi),
    unit_normal.normal_z (cos phi)).
 Definition e_theta (theta : R) : vector :=
@@ -44,7 +45,7 @@ Definition N' : vector :=
    bumped_normal.bumped_z (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta).
 End bump.
 
-Lemma sin2 (a : R) : sin a ^ 2 = 1 - cos a ^ 2.
+Lemma sin_squared (a : R) : sin a ^ 2 = 1 - cos a ^ 2.
 Proof. generalize (sin2_cos2 a). unfold Rsqr. lra. Qed.
 
 (* The printed directions with the light and the eye straight above. *)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from renderer.generate.coq import float64_source, formulas_source
 from renderer.generate.kernels import kernels_source
+from renderer.generate.statements import statements_source
 from renderer.whole_files import write_whole
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -13,6 +14,7 @@ PRINTED = {
     ROOT / "renderer" / "kernels.py": kernels_source,
     FORMAL / "Formulas.v": formulas_source,
     FORMAL / "Float64.v": float64_source,
+    FORMAL / "Statements.v": statements_source,
 }
 """{file: what returns its text}"""
 

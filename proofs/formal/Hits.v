@@ -1,0 +1,94 @@
+(* The claims about sphere A: where rays hit it, its silhouette, and what of it is visible. *)
+
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From Formal Require Import Preliminaries Formulas Camera Claim.
+From Formal Require Statements.
+Open Scope R_scope.
+
+(* What a ray off the axis, and the program's lines for it, have in common: all about squares. *)
+Lemma lines_of_a (x y e r : R) : e > 0 -> r > 0 -> e > r -> hit_of_a.rho_raw x y >= tiny * e ->
+  let tangent := hit_of_a.tangent_squared e r in let edge := hit_of_a.rho_silhouette e r in let rho := hit_of_a.rho x y e in
+  0 < r < e /\ off_axis x y e /\ tangent = e ^ 2 - r ^ 2 /\ tangent > 0 /\ edge > 0 /\ edge ^ 2 * tangent = e ^ 2 * r ^ 2 /\
+  rho > 0 /\ rho ^ 2 = x ^ 2 + y ^ 2 /\ hit_of_a.discriminant_a x y e r = e ^ 4 - tangent * (e ^ 2 + rho ^ 2).
+Proof.
+  intros E R G O tangent edge rho. assert (H : 0 < r < e) by lra. apply Rge_le in O. destruct (rho_silhouette_squared e r H) as [P S].
+  assert (T : tangent = e ^ 2 - r ^ 2) by (unfold tangent, hit_of_a.tangent_squared; ring).
+  assert (Q : rho = sqrt (x ^ 2 + y ^ 2)) by exact (rho_a x y e O). assert (Z : 0 < rho) by (rewrite Q; apply sqrt_lt_R0, (off_axis_pos x y e E O)).
+  rewrite (discriminant_a_value x y e r H O), T. unfold rho at 2 3. rewrite (rho_a_squared x y e O).
+  repeat split; try lra; try exact O; try nra; try exact P. exact S.
+Qed.
+
+Lemma hit_a (x y e r : R) : 0 < r < e -> off_axis x y e -> hit_of_a.discriminant_a x y e r >= 0 ->
+  let d := hit_of_a.discriminant_a x y e r in let root := hit_of_a.root_a x y e r in
+  Rmax 0 d >= 0 /\ (d >= 0 -> e ^ 2 + root <> 0) /\ is_finite (hit_of_a.t_a x y e r) /\ root >= 0 /\ root ^ 2 = d /\
+  exists t, real (hit_of_a.t_a x y e r) = t /\ 0 < t < 1 /\ t * (x ^ 2 + y ^ 2 + e ^ 2) = e ^ 2 - root /\ t * (e ^ 2 + root) = e ^ 2 - r ^ 2 /\
+  on_a t x y e r /\ (forall s, on_a s x y e r -> t <= s).
+Proof.
+  intros H O D d root. apply Rge_le in D. destruct (t_a_near x y e r H O D) as (t & T & P & L & A & N & _).
+  assert (M : root = sqrt d) by (unfold root, hit_of_a.root_a; rewrite Rmax_right by exact D; reflexivity).
+  pose proof (sqrt_pos d). pose proof (pow2_sqrt d D). rewrite <- M in *. assert (V : t = (e ^ 2 - r ^ 2) / (e ^ 2 + root)) by (rewrite M; generalize (t_a_value x y e r H O D); rewrite T; intro V; apply (f_equal real) in V; exact V).
+  pose proof (Rmax_l 0 d). assert (e ^ 2 + root > 0) by nra.
+  destruct (near_root (x ^ 2 + y ^ 2 + e ^ 2) (e ^ 2) (e ^ 2 - r ^ 2) d) as (_ & I & _); try nra. { exact (discriminant_a_value x y e r H O). }
+  rewrite <- M, <- V in I. rewrite T. unfold is_finite. repeat split; try lra. exists t. repeat split; try lra; try exact A; try exact N. rewrite V. field. lra.
+Qed.
+
+Ltac of_a x y eye radius rho tangent edge d := match goal with R : _ >= _ * eye |- _ => change (hit_of_a.rho_raw x y >= tiny * eye) in R;
+  destruct (lines_of_a x y eye radius ltac:(assumption) ltac:(assumption) ltac:(assumption) R) as (HA & O & T & TP & EP & ES & RP & RS & DV);
+  change (hit_of_a.tangent_squared eye radius) with tangent in *; change (hit_of_a.rho x y eye) with rho in *;
+  change (hit_of_a.rho_silhouette eye radius) with edge in *; change (hit_of_a.discriminant_a x y eye radius) with d in * end.
+Ltac hit x y eye radius d root t := match goal with A : 0 < radius < eye, O : off_axis x y eye, D : d >= 0 |- _ =>
+  destruct (hit_a x y eye radius A O D) as (M0 & N0 & FT & R0 & RR & t1 & TV & TB & TM & TR & TA & TN);
+  change (hit_of_a.t_a x y eye radius) with t in *; change (hit_of_a.root_a x y eye radius) with root in *;
+  change (hit_of_a.discriminant_a x y eye radius) with d in *; unfold on_a, distance2 in TA; rewrite TV end.
+Ltac settled := first [assumption | lra | nra | apply Rgt_not_eq; lra].
+
+Theorem hit_of_a__solves : Statements.hit_of_a__solves.
+Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a. each settled. Qed.
+Theorem hit_of_a__near : Statements.hit_of_a__near.
+Proof.
+  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a.
+  assert (L : t1 <= t) by (apply TN; unfold on_a, distance2; lra). each settled.
+Qed.
+Theorem hit_of_a__misses : Statements.hit_of_a__misses.
+Proof.
+  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a.
+  assert (G : (eye ^ 2 + rho ^ 2) * (eye ^ 2 * (1 - t) ^ 2 + t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2 - radius ^ 2) =
+    ((eye ^ 2 + rho ^ 2) * t - eye ^ 2) ^ 2 - discriminant_a) by (rewrite DV, RS, T; ring).
+  pose proof (pow2_ge_0 ((eye ^ 2 + rho ^ 2) * t - eye ^ 2)). assert (eye ^ 2 + rho ^ 2 > 0) by nra. each settled.
+Qed.
+Theorem silhouette_of_a__quadratic : Statements.silhouette_of_a__quadratic.
+Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. each settled. Qed.
+Theorem silhouette_of_a__inside : Statements.silhouette_of_a__inside.
+Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. each settled. Qed.
+Theorem silhouette_of_a__only_inside : Statements.silhouette_of_a__only_inside.
+Proof.
+  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a.
+  assert (Q : discriminant_a = tangent_squared * (rho_silhouette ^ 2 - rho ^ 2)) by (unfold discriminant_a; ring).
+  assert (rho ^ 2 <= rho_silhouette ^ 2) by nra. each settled.
+Qed.
+Theorem silhouette_of_a__in_front : Statements.silhouette_of_a__in_front.
+Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a. each settled. Qed.
+Theorem silhouette_of_a__tangent : Statements.silhouette_of_a__tangent.
+Proof.
+  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a.
+  assert (E2 : (x ^ 2 + y ^ 2) * (1 - radius ^ 2 / eye ^ 2) = radius ^ 2) by (field_simplify_eq; lra).
+  assert (E3 : rho ^ 2 = rho_silhouette ^ 2) by (apply (Rmult_eq_reg_r tangent_squared); [rewrite ES, RS, T | ]; lra).
+  assert (x ^ 2 * (1 - radius ^ 2 / eye ^ 2) ^ 2 + y ^ 2 * (1 - radius ^ 2 / eye ^ 2) ^ 2 + radius ^ 4 / eye ^ 2 = radius ^ 2).
+  { transitivity ((x ^ 2 + y ^ 2) * (1 - radius ^ 2 / eye ^ 2) * (1 - radius ^ 2 / eye ^ 2) + radius ^ 4 / eye ^ 2); [ring | rewrite E2; field; lra]. }
+  each settled.
+Qed.
+Theorem visible_iff__visible : Statements.visible_iff__visible.
+Proof.
+  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a.
+  assert (Z : eye ^ 2 * (1 - t) >= radius ^ 2) by (apply Rge_le in H5; apply (Rmult_le_compat_r radius) in H5; [field_simplify in H5; lra | lra]).
+  assert (W : radius * (radius - eye ^ 2 * (1 - t) / radius) = radius ^ 2 - eye ^ 2 * (1 - t)) by (field; lra).
+  assert (V : t ^ 2 * rho ^ 2 = t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2) by (rewrite RS; ring). each settled.
+Qed.
+Theorem visible_iff__hidden : Statements.visible_iff__hidden.
+Proof.
+  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a.
+  assert (Z : eye ^ 2 * (1 - t) < radius ^ 2) by (apply (Rmult_lt_compat_r radius) in H5; [field_simplify in H5; lra | lra]).
+  assert (W : radius * (radius - eye ^ 2 * (1 - t) / radius) = radius ^ 2 - eye ^ 2 * (1 - t)) by (field; lra).
+  assert (V : t ^ 2 * rho ^ 2 = t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2) by (rewrite RS; ring). each settled.
+Qed.

@@ -1,0 +1,2863 @@
+(* Printed from proofs/theorems by `python -m renderer.generate`. Do not edit: change the claim instead.
+   Each definition is one claim: what is written by hand proves it, and is compiled afterwards. *)
+
+From Coq Require Import Reals.
+From Coquelicot Require Import Coquelicot.
+From Formal Require Import Preliminaries.
+Open Scope R_scope.
+
+Definition algebraic_gradient__power : Prop :=
+  forall alpha : R,
+  forall real_part imaginary_part : nat -> R,
+  real_part 0%nat = 1 ->
+  (forall n : nat, real_part (S n) = (real_part n) * (cos alpha) - (imaginary_part n) * (sin alpha)) ->
+  imaginary_part 0%nat = 0 ->
+  (forall n : nat, imaginary_part (S n) = (imaginary_part n) * (cos alpha) + (real_part n) * (sin alpha)) ->
+  forall n : nat,
+  real_part n = cos (alpha * (INR n)) /\
+  imaginary_part n = sin (alpha * (INR n)).
+
+Definition algebraic_gradient__negative_power : Prop :=
+  forall alpha : R,
+  forall real_part imaginary_part : nat -> R,
+  real_part 0%nat = 1 ->
+  (forall n : nat, real_part (S n) = (imaginary_part n) * (sin alpha) + (real_part n) * (cos alpha)) ->
+  imaginary_part 0%nat = 0 ->
+  (forall n : nat, imaginary_part (S n) = (imaginary_part n) * (cos alpha) - (real_part n) * (sin alpha)) ->
+  forall n : nat,
+  real_part n = cos (alpha * (INR n)) /\
+  imaginary_part n = -(sin (alpha * (INR n))).
+
+Definition algebraic_gradient__in_u : Prop :=
+  forall theta : R,
+  forall real_part imaginary_part sign_ : nat -> R,
+  real_part 0%nat = 1 ->
+  (forall n : nat, real_part (S n) = (imaginary_part n) * (sin theta) - (real_part n) * (cos theta)) ->
+  imaginary_part 0%nat = 0 ->
+  (forall n : nat, imaginary_part (S n) = -(imaginary_part n) * (cos theta) - (real_part n) * (sin theta)) ->
+  sign_ 0%nat = 1 ->
+  (forall n : nat, sign_ (S n) = -(sign_ n)) ->
+  forall n : nat,
+  real_part n = cos (PI * ((INR n) * (theta + PI) / PI)) /\
+  imaginary_part n = sin (PI * ((INR n) * (theta + PI) / PI)) /\
+  real_part n = (sign_ n) * (cos ((INR n) * theta)) /\
+  imaginary_part n = (sign_ n) * (sin ((INR n) * theta)) /\
+  sign_ n = cos (PI * (INR n)) /\
+  sin (PI * (INR n)) = 0.
+
+Definition algebraic_gradient__in_v : Prop :=
+  forall phi : R,
+  forall real_part imaginary_part : nat -> R,
+  real_part 0%nat = 1 ->
+  (forall n : nat, real_part (S n) = (real_part n) * (cos phi) - (imaginary_part n) * (sin phi)) ->
+  imaginary_part 0%nat = 0 ->
+  (forall n : nat, imaginary_part (S n) = (imaginary_part n) * (cos phi) + (real_part n) * (sin phi)) ->
+  forall n : nat,
+  real_part n = cos (PI * ((INR n) * phi / PI)) /\
+  imaginary_part n = sin (PI * ((INR n) * phi / PI)).
+
+Definition algebraic_gradient__rings_in_v : Prop :=
+  forall phi : R,
+  forall real_part imaginary_part : nat -> R,
+  real_part 0%nat = 1 ->
+  (forall n : nat, real_part (S n) = (real_part n) * (cos phi) - (imaginary_part n) * (sin phi)) ->
+  imaginary_part 0%nat = 0 ->
+  (forall n : nat, imaginary_part (S n) = (imaginary_part n) * (cos phi) + (real_part n) * (sin phi)) ->
+  forall n : nat,
+  real_part n = cos (PI * ((INR n) * phi / PI)) /\
+  imaginary_part n = sin (PI * ((INR n) * phi / PI)).
+
+Definition algebraic_gradient__square : Prop :=
+  forall alpha : R,
+  (cos alpha - (sin alpha)) * (sin alpha + cos alpha) = cos (2 * alpha) /\
+  2 * (sin alpha) * (cos alpha) = sin (2 * alpha).
+
+Definition algebraic_gradient__product : Prop :=
+  forall alpha gamma : R,
+  (cos alpha) * (cos gamma) - (sin alpha) * (sin gamma) = cos (alpha + gamma) /\
+  (sin alpha) * (cos gamma) + (sin gamma) * (cos alpha) = sin (alpha + gamma).
+
+Definition algebraic_gradient__reciprocal : Prop :=
+  forall imaginary_part real_part : R,
+  imaginary_part ^ 2 + real_part ^ 2 = 1 ->
+  imaginary_part ^ 2 + real_part ^ 2 = 1 /\
+  0 = 0.
+
+Definition chart__range : Prop :=
+  forall polar turn : R,
+  let u_closed := (1 / 2) * turn + (1 / 2) in
+  let u := (if Rlt_dec u_closed 1 then u_closed else 0) in
+  let v := polar in
+  turn > -1 ->
+  turn <= 1 ->
+  polar >= 0 ->
+  polar <= 1 ->
+  u >= 0 /\
+  1 > u /\
+  v >= 0 /\
+  1 >= v.
+
+Definition chart__inside : Prop :=
+  forall turn : R,
+  let u_closed := (1 / 2) * turn + (1 / 2) in
+  let u := (if Rlt_dec u_closed 1 then u_closed else 0) in
+  turn < 1 ->
+  u = u_closed /\
+  PI * (2 * u - 1) = PI * turn.
+
+Definition chart__seam : Prop :=
+  forall turn : R,
+  let u_closed := (1 / 2) * turn + (1 / 2) in
+  let u := (if Rlt_dec u_closed 1 then u_closed else 0) in
+  turn = 1 ->
+  u_closed = 1 /\
+  u = 0.
+
+Definition chart__round_trip : Prop :=
+  forall polar turn : R,
+  -(cos (PI * (turn + 1))) = cos (PI * turn) /\
+  -(sin (PI * (turn + 1))) = sin (PI * turn) /\
+  cos (PI * polar) = cos (PI * polar) /\
+  sin (PI * polar) = sin (PI * polar).
+
+Definition chart__on_the_seam : Prop :=
+  -1 = -1 /\
+  0 = 0.
+
+Definition chart_inverse__formula : Prop :=
+  forall u v : R,
+  let cos_theta := -(cos (PI * (2 * u))) in
+  let sin_theta := -(sin (PI * (2 * u))) in
+  let cos_phi := cos (PI * v) in
+  let sin_phi := sin (PI * v) in
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  normal_x = -(sin (PI * v)) * (cos (2 * PI * u)) /\
+  normal_y = -(sin (2 * PI * u)) * (sin (PI * v)) /\
+  normal_z = cos (PI * v).
+
+Definition chart_inverse__unit : Prop :=
+  forall u v : R,
+  (cos (PI * (2 * u))) ^ 2 * (sin (PI * v)) ^ 2 + (cos (PI * v)) ^ 2 + (sin (PI * (2 * u))) ^ 2 * (sin (PI * v)) ^ 2 = 1.
+
+Definition chart_inverse__recovered : Prop :=
+  forall cos_phi cos_theta sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  sin_phi > 0 ->
+  normal_x ^ 2 + normal_y ^ 2 >= 0 /\
+  normal_x ^ 2 + normal_y ^ 2 <> 0 /\
+  normal_x ^ 2 + normal_y ^ 2 = sin_phi ^ 2 /\
+  sqrt (normal_x ^ 2 + normal_y ^ 2) = sin_phi /\
+  normal_z = cos_phi /\
+  normal_x / sqrt (normal_x ^ 2 + normal_y ^ 2) = cos_theta /\
+  normal_y / sqrt (normal_x ^ 2 + normal_y ^ 2) = sin_theta.
+
+Definition clamped_difference__clamp : Prop :=
+  forall epsilon v : R,
+  let v_plus := Rmin 1 (epsilon + v) in
+  let v_minus := Rmax (v - epsilon) 0 in
+  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
+  epsilon > 0 ->
+  v >= 0 ->
+  v - epsilon < 0 ->
+  epsilon + v <= 1 ->
+  v_plus = epsilon + v /\
+  v_minus = 0 /\
+  span_v = epsilon + v.
+
+Definition clamped_difference__first_order : Prop :=
+  forall bend_minus bend_plus epsilon here largest slope v : R,
+  let v_plus := Rmin 1 (epsilon + v) in
+  let v_minus := Rmax (v - epsilon) 0 in
+  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
+  let h_v_plus := (1 / 2) * bend_plus * epsilon ^ 2 + epsilon * slope + here in
+  let h_v_minus := (1 / 2) * bend_minus * v ^ 2 + here - slope * v in
+  let h_v := (h_v_plus - h_v_minus) / span_v in
+  epsilon > 0 ->
+  v >= 0 ->
+  v - epsilon < 0 ->
+  epsilon + v <= 1 ->
+  bend_plus <= largest ->
+  bend_plus >= -largest ->
+  bend_minus <= largest ->
+  bend_minus >= -largest ->
+  span_v <> 0 /\
+  2 * epsilon + 2 * v <> 0 /\
+  (1 / 2) * largest * (epsilon ^ 2 + v ^ 2) - (epsilon + v) * (h_v - slope) >= 0 /\
+  (1 / 2) * largest * (epsilon ^ 2 + v ^ 2) + (epsilon + v) * (h_v - slope) >= 0 /\
+  largest * (epsilon ^ 2 + v ^ 2) / (2 * epsilon + 2 * v) - h_v + slope >= 0 /\
+  h_v + largest * (epsilon ^ 2 + v ^ 2) / (2 * epsilon + 2 * v) - slope >= 0.
+
+Definition clamped_difference__first_order_sharp : Prop :=
+  forall epsilon v : R,
+  let v_plus := Rmin 1 (epsilon + v) in
+  let v_minus := Rmax (v - epsilon) 0 in
+  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
+  let h_v_plus := (1 / 2) * epsilon ^ 2 in
+  let h_v_minus := -(1 / 2) * v ^ 2 in
+  let h_v := (h_v_plus - h_v_minus) / span_v in
+  epsilon > 0 ->
+  v >= 0 ->
+  v - epsilon < 0 ->
+  epsilon + v <= 1 ->
+  span_v <> 0 /\
+  2 * epsilon + 2 * v <> 0 /\
+  h_v = (epsilon ^ 2 + v ^ 2) / (2 * epsilon + 2 * v).
+
+Definition clamped_difference__at_the_pole_itself : Prop :=
+  forall epsilon v : R,
+  let v_plus := epsilon + v in
+  let v_minus := 0 in
+  let span_v := v_plus - v_minus in
+  let h_v_plus := (1 / 2) * v_plus ^ 2 in
+  let h_v_minus := (1 / 2) * v_minus ^ 2 in
+  let h_v := (h_v_plus - h_v_minus) / span_v in
+  epsilon > 0 ->
+  v >= 0 ->
+  v - epsilon < 0 ->
+  epsilon + v <= 1 ->
+  span_v <> 0 /\
+  h_v - v = (1 / 2) * epsilon - (1 / 2) * v.
+
+Definition seed_clamp__costs_an_order : Prop :=
+  ~ (
+  forall epsilon : R,
+  epsilon > 0 ->
+  epsilon <= 1 ->
+  epsilon <> 0 ->
+  Rabs (1 + (epsilon ^ 3 - epsilon) / epsilon) >= epsilon).
+
+Definition straddling__value : Prop :=
+  forall delta epsilon k_u : R,
+  epsilon > 0 ->
+  k_u > 0 ->
+  epsilon - delta > 0 ->
+  delta + epsilon > 0 ->
+  1 - k_u * (delta + epsilon) >= 0 ->
+  1 - k_u * (epsilon - delta) >= 0 ->
+  epsilon <> 0 /\
+  (1 / 2) * (Rabs (sin (PI * (k_u * (delta + epsilon)))) - (Rabs (sin (PI * (-k_u * (epsilon - delta)))))) / epsilon = (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) / epsilon.
+
+Definition straddling__at_the_crease : Prop :=
+  forall epsilon k_u : R,
+  epsilon > 0 ->
+  epsilon <> 0 /\
+  (1 / 2) * (Rabs (sin (PI * (epsilon * k_u))) - (Rabs (sin (PI * (-epsilon * k_u))))) / epsilon = 0 /\
+  -PI * k_u = -PI * k_u.
+
+Definition straddling__every_crease : Prop :=
+  forall delta m : R,
+  sin (PI * m) = 0 ->
+  Rabs (sin (delta + PI * m)) = Rabs (sin delta).
+
+Definition straddling__slope_after : Prop :=
+  forall delta k_u : R,
+  sin (PI * delta * k_u) > 0 ->
+  PI * k_u * (cos (PI * (delta * k_u))) * (sign (sin (PI * (delta * k_u)))) = PI * k_u * (cos (PI * delta * k_u)).
+
+Definition straddling__slope_before : Prop :=
+  forall delta k_u : R,
+  -(sin (PI * delta * k_u)) > 0 ->
+  PI * k_u * (cos (PI * (delta * k_u))) * (sign (sin (PI * (delta * k_u)))) = -PI * k_u * (cos (PI * delta * k_u)).
+
+Definition seed_truncation_slope__descends : Prop :=
+  ~ (
+  forall epsilon omega : R,
+  omega > 0 ->
+  epsilon > 0 ->
+  (1 / 6) * epsilon ^ 2 * omega ^ 3 >= Rabs omega).
+
+Definition truncation_bound__sine : Prop :=
+  forall epsilon k_u k_v u v : R,
+  epsilon > 0 ->
+  u - epsilon >= 0 ->
+  epsilon + u < 1 ->
+  k_u > 0 ->
+  epsilon <> 0 /\
+  1 - (sin (PI * k_v * v)) * (cos (PI * k_u * u)) >= 0 /\
+  (sin (PI * k_v * v)) * (cos (PI * k_u * u)) + 1 >= 0 /\
+  PI * k_u > 0 /\
+  PI ^ 3 * k_u ^ 3 > 0 /\
+  -PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) = -PI ^ 3 * k_u ^ 3 * (sin (PI * k_v * v)) * (cos (PI * k_u * u)) /\
+  PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + PI ^ 3 * k_u ^ 3 >= 0 /\
+  PI ^ 3 * k_u ^ 3 - PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) >= 0 /\
+  epsilon * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (sin (PI * epsilon * k_u) - PI * epsilon * k_u) * (sin (PI * k_v * v)) * (cos (PI * k_u * u)) /\
+  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon) >= 0 /\
+  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) - (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon) >= 0 /\
+  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon >= 0 /\
+  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) - (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon >= 0.
+
+Definition truncation_bound__sine_in_v : Prop :=
+  forall epsilon k_u k_v u v : R,
+  epsilon > 0 ->
+  v - epsilon >= 0 ->
+  epsilon + v <= 1 ->
+  k_v > 0 ->
+  epsilon <> 0 /\
+  1 - (sin (PI * k_u * u)) * (cos (PI * k_v * v)) >= 0 /\
+  (sin (PI * k_u * u)) * (cos (PI * k_v * v)) + 1 >= 0 /\
+  PI * k_v > 0 /\
+  PI ^ 3 * k_v ^ 3 > 0 /\
+  -PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) = -PI ^ 3 * k_v ^ 3 * (sin (PI * k_u * u)) * (cos (PI * k_v * v)) /\
+  PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + PI ^ 3 * k_v ^ 3 >= 0 /\
+  PI ^ 3 * k_v ^ 3 - PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) >= 0 /\
+  epsilon * ((1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u)))) = (sin (PI * epsilon * k_v) - PI * epsilon * k_v) * (sin (PI * k_u * u)) * (cos (PI * k_v * v)) /\
+  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + (1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon) >= 0 /\
+  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) - (1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon) >= 0 /\
+  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + (1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon >= 0 /\
+  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) - (1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon >= 0.
+
+Definition truncation_bound__rings : Prop :=
+  forall epsilon k_v v : R,
+  epsilon > 0 ->
+  v - epsilon >= 0 ->
+  epsilon + v <= 1 ->
+  k_v > 0 ->
+  epsilon <> 0 /\
+  1 - (cos (2 * PI * k_v * v)) >= 0 /\
+  cos (2 * PI * k_v * v) + 1 >= 0 /\
+  2 * PI * k_v > 0 /\
+  8 * PI ^ 3 * k_v ^ 3 > 0 /\
+  -8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) = -8 * PI ^ 3 * k_v ^ 3 * (cos (2 * PI * k_v * v)) /\
+  8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) + 8 * PI ^ 3 * k_v ^ 3 >= 0 /\
+  8 * PI ^ 3 * k_v ^ 3 - 8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) >= 0 /\
+  epsilon * ((1 / 2) * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / epsilon - 2 * PI * k_v * (cos (PI * (2 * k_v * v)))) = (sin (2 * PI * epsilon * k_v) - 2 * PI * epsilon * k_v) * (cos (2 * PI * k_v * v)) /\
+  epsilon * ((4 / 3) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - 2 * PI * k_v * (cos (PI * (2 * k_v * v))) + (1 / 2) * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / epsilon) >= 0 /\
+  epsilon * ((4 / 3) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 2 * PI * k_v * (cos (PI * (2 * k_v * v))) - (1 / 2) * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / epsilon) >= 0 /\
+  (4 / 3) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - 2 * PI * k_v * (cos (PI * (2 * k_v * v))) + (1 / 2) * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / epsilon >= 0 /\
+  (4 / 3) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 2 * PI * k_v * (cos (PI * (2 * k_v * v))) - (1 / 2) * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / epsilon >= 0.
+
+Definition truncation_bound__ridges_u_above : Prop :=
+  forall epsilon k_u k_v u v : R,
+  epsilon > 0 ->
+  u - epsilon >= 0 ->
+  epsilon + u < 1 ->
+  (sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) >= 0 ->
+  (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v))) >= 0 ->
+  (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
+  epsilon <> 0 /\
+  (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (-k_u * (epsilon - u)))) * (sin (PI * (k_v * v)))))) / epsilon = (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
+  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))).
+
+Definition truncation_bound__ridges_u_below : Prop :=
+  forall epsilon k_u k_v u v : R,
+  epsilon > 0 ->
+  u - epsilon >= 0 ->
+  epsilon + u < 1 ->
+  -(sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) >= 0 ->
+  -(sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v))) >= 0 ->
+  -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
+  epsilon <> 0 /\
+  (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (-k_u * (epsilon - u)))) * (sin (PI * (k_v * v)))))) / epsilon = -(1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
+  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = -PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))).
+
+Definition truncation_bound__ridges_v_above : Prop :=
+  forall epsilon k_u k_v u v : R,
+  epsilon > 0 ->
+  v - epsilon >= 0 ->
+  epsilon + v <= 1 ->
+  (sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) >= 0 ->
+  (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))) >= 0 ->
+  (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
+  epsilon <> 0 /\
+  (1 / 2) * (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (-k_v * (epsilon - v))))))) / epsilon = (1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon /\
+  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+
+Definition truncation_bound__ridges_v_below : Prop :=
+  forall epsilon k_u k_v u v : R,
+  epsilon > 0 ->
+  v - epsilon >= 0 ->
+  epsilon + v <= 1 ->
+  -(sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) >= 0 ->
+  -(sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))) >= 0 ->
+  -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
+  epsilon <> 0 /\
+  (1 / 2) * (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (-k_v * (epsilon - v))))))) / epsilon = -(1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon /\
+  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = -PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+
+Definition truncation_bound__apart : Prop :=
+  forall frequency quotient slope : R,
+  PI * frequency - quotient >= 0 ->
+  PI * frequency + quotient >= 0 ->
+  PI * frequency - slope >= 0 ->
+  PI * frequency + slope >= 0 ->
+  2 * PI * frequency - quotient + slope >= 0 /\
+  2 * PI * frequency + quotient - slope >= 0.
+
+Definition tangent_frame__derivatives : Prop :=
+  forall phi theta : R,
+  (cos phi) * (cos theta) = (cos phi) * (cos theta) /\
+  (sin theta) * (cos phi) = (sin theta) * (cos phi) /\
+  -(sin phi) = -(sin phi) /\
+  -(sin phi) * (sin theta) = -(sin phi) * (sin theta) /\
+  (sin phi) * (cos theta) = (sin phi) * (cos theta) /\
+  0 = 0.
+
+Definition tangent_frame__orthonormal : Prop :=
+  forall cos_phi cos_theta sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  e_theta_x ^ 2 + e_theta_y ^ 2 + e_theta_z ^ 2 = 1 /\
+  e_phi_x ^ 2 + e_phi_y ^ 2 + e_phi_z ^ 2 = 1 /\
+  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 /\
+  e_phi_x * e_theta_x + e_phi_y * e_theta_y + e_phi_z * e_theta_z = 0 /\
+  e_theta_x * normal_x + e_theta_y * normal_y + e_theta_z * normal_z = 0 /\
+  e_phi_x * normal_x + e_phi_y * normal_y + e_phi_z * normal_z = 0.
+
+Definition tangent_frame__right_handed : Prop :=
+  forall cos_phi cos_theta sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  e_phi_y * e_theta_z - e_phi_z * e_theta_y = normal_x /\
+  e_phi_z * e_theta_x - e_phi_x * e_theta_z = normal_y /\
+  e_phi_x * e_theta_y - e_phi_y * e_theta_x = normal_z.
+
+Definition seed_bump_as_displacement__parallel : Prop :=
+  ~ (
+  forall beta cos_phi cos_theta h_u h_v sin_phi sin_theta : R,
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  sin_phi > 0 ->
+  sin_phi <> 0 ->
+  beta ^ 2 * cos_phi ^ 2 * cos_theta ^ 2 * h_u * h_v - (1 / 2) * beta ^ 2 * cos_phi ^ 2 * cos_theta ^ 2 * h_u * h_v / sin_phi + beta ^ 2 * cos_phi ^ 2 * h_u * h_v * sin_theta ^ 2 - (1 / 2) * beta ^ 2 * cos_phi ^ 2 * h_u * h_v * sin_theta ^ 2 / sin_phi + beta ^ 2 * cos_theta ^ 2 * h_u * h_v * sin_phi ^ 2 - (1 / 2) * beta ^ 2 * cos_theta ^ 2 * h_u * h_v * sin_phi + beta ^ 2 * h_u * h_v * sin_phi ^ 2 * sin_theta ^ 2 - (1 / 2) * beta ^ 2 * h_u * h_v * sin_phi * sin_theta ^ 2 = 0).
+
+Definition central_difference_of_sine__no_clamp : Prop :=
+  forall epsilon v : R,
+  let v_plus := Rmin 1 (epsilon + v) in
+  let v_minus := Rmax (v - epsilon) 0 in
+  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
+  epsilon > 0 ->
+  v - epsilon >= 0 ->
+  epsilon + v <= 1 ->
+  v_plus = epsilon + v /\
+  v_minus = v - epsilon /\
+  span_v = 2 * epsilon.
+
+Definition central_difference_of_sine__sine_in_u : Prop :=
+  forall epsilon k_u k_v u v : R,
+  epsilon > 0 ->
+  u - epsilon >= 0 ->
+  epsilon + u < 1 ->
+  epsilon <> 0 /\
+  (sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v))) = 2 * (sin (PI * epsilon * k_u)) * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon = (sin (PI * epsilon * k_u)) * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) / epsilon.
+
+Definition central_difference_of_sine__sine_in_v : Prop :=
+  forall epsilon k_u k_v u v : R,
+  epsilon > 0 ->
+  v - epsilon >= 0 ->
+  epsilon + v <= 1 ->
+  epsilon <> 0 /\
+  (sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))) = 2 * (sin (PI * epsilon * k_v)) * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) /\
+  (1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon = (sin (PI * epsilon * k_v)) * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) / epsilon.
+
+Definition central_difference_of_sine__rings_in_v : Prop :=
+  forall epsilon k_v v : R,
+  epsilon > 0 ->
+  v - epsilon >= 0 ->
+  epsilon + v <= 1 ->
+  epsilon <> 0 /\
+  sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon)))) = 2 * (sin (2 * PI * epsilon * k_v)) * (cos (PI * (2 * k_v * v))) /\
+  (1 / 2) * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / epsilon = (sin (2 * PI * epsilon * k_v)) * (cos (PI * (2 * k_v * v))) / epsilon.
+
+Definition central_difference_of_sine__cosine : Prop :=
+  forall epsilon k_u u : R,
+  epsilon > 0 ->
+  epsilon <> 0 /\
+  (1 / 2) * (cos (PI * k_u * (epsilon + u)) - (cos (PI * k_u * (u - epsilon)))) / epsilon = -(sin (PI * epsilon * k_u)) * (sin (PI * k_u * u)) / epsilon.
+
+Definition seed_orientation__left_handed : Prop :=
+  ~ (
+  forall cos_phi cos_theta sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  e_phi_z * e_theta_y - e_phi_y * e_theta_z = normal_x /\
+  e_phi_x * e_theta_z - e_phi_z * e_theta_x = normal_y /\
+  e_phi_y * e_theta_x - e_phi_x * e_theta_y = normal_z).
+
+Definition hit_of_a__solves : Prop :=
+  forall eye radius x y : R,
+  let rho_raw := sqrt (x ^ 2 + y ^ 2) in
+  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let tangent_squared := (eye - radius) * (eye + radius) in
+  let rho_silhouette := eye * radius / sqrt tangent_squared in
+  let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
+  let root_a := sqrt (Rmax 0 discriminant_a) in
+  let t_a := (if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty) in
+  eye > 0 ->
+  radius > 0 ->
+  eye > radius ->
+  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  discriminant_a >= 0 ->
+  x ^ 2 + y ^ 2 >= 0 /\
+  tangent_squared >= 0 /\
+  tangent_squared <> 0 /\
+  Rmax 0 discriminant_a >= 0 /\
+  (discriminant_a >= 0 -> eye ^ 2 + root_a <> 0) /\
+  is_finite t_a /\
+  eye ^ 2 * (1 - (real t_a)) ^ 2 + (real t_a) ^ 2 * x ^ 2 + (real t_a) ^ 2 * y ^ 2 = radius ^ 2 /\
+  real t_a > 0.
+
+Definition hit_of_a__near : Prop :=
+  forall eye radius t x y : R,
+  let rho_raw := sqrt (x ^ 2 + y ^ 2) in
+  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let tangent_squared := (eye - radius) * (eye + radius) in
+  let rho_silhouette := eye * radius / sqrt tangent_squared in
+  let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
+  let root_a := sqrt (Rmax 0 discriminant_a) in
+  let t_a := (if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty) in
+  eye > 0 ->
+  radius > 0 ->
+  eye > radius ->
+  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  discriminant_a >= 0 ->
+  eye ^ 2 * (1 - t) ^ 2 + t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2 = radius ^ 2 ->
+  x ^ 2 + y ^ 2 >= 0 /\
+  tangent_squared >= 0 /\
+  tangent_squared <> 0 /\
+  Rmax 0 discriminant_a >= 0 /\
+  (discriminant_a >= 0 -> eye ^ 2 + root_a <> 0) /\
+  is_finite t_a /\
+  eye ^ 2 + rho ^ 2 > 0 /\
+  (real t_a) * (eye ^ 2 + rho ^ 2) = eye ^ 2 - root_a /\
+  root_a - eye ^ 2 + t * (eye ^ 2 + rho ^ 2) >= 0 /\
+  t >= real t_a.
+
+Definition hit_of_a__misses : Prop :=
+  forall eye radius t x y : R,
+  let rho_raw := sqrt (x ^ 2 + y ^ 2) in
+  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let tangent_squared := (eye - radius) * (eye + radius) in
+  let rho_silhouette := eye * radius / sqrt tangent_squared in
+  let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
+  eye > 0 ->
+  radius > 0 ->
+  eye > radius ->
+  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  discriminant_a < 0 ->
+  x ^ 2 + y ^ 2 >= 0 /\
+  tangent_squared >= 0 /\
+  tangent_squared <> 0 /\
+  eye ^ 2 * (1 - t) ^ 2 + t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2 > radius ^ 2.
+
+Definition gradients__sine : Prop :=
+  forall epsilon k_u k_v u v : R,
+  PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) = PI * k_u * (sin (PI * k_v * v)) * (cos (PI * k_u * u)) /\
+  PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) = PI * k_v * (sin (PI * k_u * u)) * (cos (PI * k_v * v)) /\
+  PI * k_u * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = PI * k_u * (cos (PI * epsilon * k_u) - 1) * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) + PI * k_u * (sin (PI * epsilon * k_u)) * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  PI * k_v * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = PI * k_v * (cos (PI * epsilon * k_v) - 1) * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) + PI * k_v * (sin (PI * epsilon * k_v)) * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+
+Definition gradients__rings : Prop :=
+  forall epsilon k_v v : R,
+  0 = 0 /\
+  2 * PI * k_v * (cos (PI * (2 * k_v * v))) = 2 * PI * k_v * (cos (2 * PI * k_v * v)) /\
+  2 * PI * k_v * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * v)))) = 2 * PI * k_v * (cos (2 * PI * epsilon * k_v) - 1) * (sin (PI * (2 * k_v * v))) + 2 * PI * k_v * (sin (2 * PI * epsilon * k_v)) * (cos (PI * (2 * k_v * v))).
+
+Definition gradients__ridges : Prop :=
+  forall k_u k_v u v : R,
+  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) /\
+  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) /\
+  PI * k_u * (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) ^ 2 /\
+  PI * k_v * (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) ^ 2 * (sin (PI * (k_v * v))).
+
+Definition gradients__same_sign : Prop :=
+  forall d p : R,
+  p > 0 ->
+  d + p >= 0 ->
+  Rabs (d + p) = d * (sign p) + Rabs p.
+
+Definition gradients__same_sign_below : Prop :=
+  forall d p : R,
+  p < 0 ->
+  d + p <= 0 ->
+  Rabs (d + p) = d * (sign p) + Rabs p.
+
+Definition specular_lipschitz__along_a_direction : Prop :=
+  forall apart m_x m_y m_z n_x n_y n_z omega_x omega_y omega_z : R,
+  apart >= 0 ->
+  apart ^ 2 = (n_x - m_x) ^ 2 + (n_y - m_y) ^ 2 + (n_z - m_z) ^ 2 ->
+  omega_x ^ 2 + omega_y ^ 2 + omega_z ^ 2 = 1 ->
+  apart ^ 2 - (omega_x * (n_x - m_x) + omega_y * (n_y - m_y) + omega_z * (n_z - m_z)) ^ 2 >= 0 /\
+  apart + m_x * omega_x + m_y * omega_y + m_z * omega_z - n_x * omega_x - n_y * omega_y - n_z * omega_z >= 0 /\
+  apart - m_x * omega_x - m_y * omega_y - m_z * omega_z + n_x * omega_x + n_y * omega_y + n_z * omega_z >= 0.
+
+Definition specular_lipschitz__clamps : Prop :=
+  forall x z : R,
+  Rabs (x - z) - (Rmax 0 x) + Rmax 0 z >= 0 /\
+  Rabs (x - z) + Rmax 0 x - (Rmax 0 z) >= 0 /\
+  Rabs (x - z) - (Rmin 1 x) + Rmin 1 z >= 0 /\
+  Rabs (x - z) + Rmin 1 x - (Rmin 1 z) >= 0.
+
+Definition specular_lipschitz__blinn : Prop :=
+  forall halfway_length halfway_x halfway_y halfway_z n_x n_y n_z : R,
+  halfway_length > 0 ->
+  halfway_length ^ 2 = halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2 ->
+  halfway_length <> 0 /\
+  (halfway_x * n_x + halfway_y * n_y + halfway_z * n_z) / halfway_length = (halfway_x * n_x + halfway_y * n_y + halfway_z * n_z) / halfway_length /\
+  (halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2) / (halfway_length ^ 2) = 1.
+
+Definition specular_lipschitz__gram : Prop :=
+  forall m_x m_y m_z n_x n_y n_z omega_x omega_y omega_z : R,
+  n_x ^ 2 + n_y ^ 2 + n_z ^ 2 = 1 ->
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 = 1 ->
+  omega_x ^ 2 + omega_y ^ 2 + omega_z ^ 2 = 1 ->
+  (n_x * (m_y * omega_z - m_z * omega_y) + n_y * (m_z * omega_x - m_x * omega_z) + n_z * (m_x * omega_y - m_y * omega_x)) ^ 2 = (m_x * n_x + m_y * n_y + m_z * n_z) * (m_x * omega_x + m_y * omega_y + m_z * omega_z) * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - (m_x * n_x + m_y * n_y + m_z * n_z) ^ 2 - (m_x * omega_x + m_y * omega_y + m_z * omega_z) ^ 2 - (n_x * omega_x + n_y * omega_y + n_z * omega_z) ^ 2 + 1.
+
+Definition specular_lipschitz__mirror : Prop :=
+  forall m_x m_y m_z n_x n_y n_z omega_x omega_y omega_z view_x view_y view_z : R,
+  n_x ^ 2 + n_y ^ 2 + n_z ^ 2 = 1 ->
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 = 1 ->
+  (n_x * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - m_x * (2 * m_x * omega_x + 2 * m_y * omega_y + 2 * m_z * omega_z)) ^ 2 + (n_y * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - m_y * (2 * m_x * omega_x + 2 * m_y * omega_y + 2 * m_z * omega_z)) ^ 2 + (n_z * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - m_z * (2 * m_x * omega_x + 2 * m_y * omega_y + 2 * m_z * omega_z)) ^ 2 = 4 * (m_x * omega_x + m_y * omega_y + m_z * omega_z) ^ 2 - 4 * (m_x * n_x + m_y * n_y + m_z * n_z) * (m_x * omega_x + m_y * omega_y + m_z * omega_z) * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) + 4 * (n_x * omega_x + n_y * omega_y + n_z * omega_z) ^ 2 /\
+  (n_x - m_x) ^ 2 + (n_y - m_y) ^ 2 + (n_z - m_z) ^ 2 = -2 * m_x * n_x - 2 * m_y * n_y - 2 * m_z * n_z + 2 /\
+  -omega_x * view_x - omega_y * view_y - omega_z * view_z + 2 * (n_x * omega_x + n_y * omega_y + n_z * omega_z) * (n_x * view_x + n_y * view_y + n_z * view_z) = view_x * (n_x * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - omega_x) + view_y * (n_y * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - omega_y) + view_z * (n_z * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - omega_z) /\
+  -omega_x * view_x - omega_y * view_y - omega_z * view_z + 2 * (m_x * omega_x + m_y * omega_y + m_z * omega_z) * (m_x * view_x + m_y * view_y + m_z * view_z) = view_x * (m_x * (2 * m_x * omega_x + 2 * m_y * omega_y + 2 * m_z * omega_z) - omega_x) + view_y * (m_y * (2 * m_x * omega_x + 2 * m_y * omega_y + 2 * m_z * omega_z) - omega_y) + view_z * (m_z * (2 * m_x * omega_x + 2 * m_y * omega_y + 2 * m_z * omega_z) - omega_z).
+
+Definition specular_lipschitz__twice : Prop :=
+  forall a apart b c turned : R,
+  apart >= 0 ->
+  2 * a * b * c - a ^ 2 - b ^ 2 - c ^ 2 + 1 >= 0 ->
+  turned ^ 2 = 4 * a ^ 2 - 8 * a * b * c + 4 * b ^ 2 ->
+  apart ^ 2 = 2 - 2 * c ->
+  4 * apart ^ 2 >= turned ^ 2 /\
+  2 * apart >= turned.
+
+Definition specular_lipschitz__factors : Prop :=
+  forall x z : R,
+  forall of_x of_z power_ quotient geometric by_x by_z : nat -> R,
+  of_x 0%nat = 1 ->
+  (forall count : nat, of_x (S count) = (of_x count) * x) ->
+  of_z 0%nat = 1 ->
+  (forall count : nat, of_z (S count) = (of_z count) * z) ->
+  power_ 0%nat = 0 ->
+  (forall count : nat, power_ (S count) = power_ count + 1) ->
+  quotient 0%nat = 0 ->
+  (forall count : nat, quotient (S count) = of_z count + (quotient count) * x) ->
+  geometric 0%nat = 0 ->
+  (forall count : nat, geometric (S count) = geometric count + of_z count) ->
+  by_x 0%nat = 0 ->
+  (forall count : nat, by_x (S count) = (by_x count) * x + power_ count) ->
+  by_z 0%nat = 0 ->
+  (forall count : nat, by_z (S count) = (by_z count) * x + geometric count) ->
+  forall count : nat,
+  of_x count - (of_z count) = (quotient count) * (x - z) /\
+  1 - (of_z count) = (geometric count) * (1 - z) /\
+  power_ count - (quotient count) = (by_x count) * (1 - x) + (by_z count) * (1 - z).
+
+Definition specular_lipschitz__no_state_is_negative : Prop :=
+  forall by_x by_z geometric of_x of_z power_ quotient x z : R,
+  x >= 0 ->
+  z >= 0 ->
+  of_x >= 0 ->
+  of_z >= 0 ->
+  power_ >= 0 ->
+  quotient >= 0 ->
+  geometric >= 0 ->
+  by_x >= 0 ->
+  by_z >= 0 ->
+  of_x * x >= 0 /\
+  of_z * z >= 0 /\
+  power_ + 1 >= 0 /\
+  of_z + quotient * x >= 0 /\
+  geometric + of_z >= 0 /\
+  by_x * x + power_ >= 0 /\
+  by_z * x + geometric >= 0.
+
+Definition specular_lipschitz__power : Prop :=
+  forall by_x by_z of_x of_z power_ quotient x z : R,
+  x <= 1 ->
+  z <= 1 ->
+  x >= z ->
+  quotient >= 0 ->
+  by_x >= 0 ->
+  by_z >= 0 ->
+  of_x - of_z = quotient * (x - z) ->
+  power_ - quotient = by_x * (1 - x) + by_z * (1 - z) ->
+  power_ >= quotient /\
+  of_z - of_x + power_ * (x - z) >= 0 /\
+  of_x - of_z + power_ * (x - z) >= 0.
+
+Definition highlight_below_one__root : Prop :=
+  ~ (
+  forall bound x : R,
+  x >= 0 ->
+  x <= 1 ->
+  bound >= 1 ->
+  x >= 0 ->
+  bound * x >= sqrt x).
+
+Definition squared_highlight__halfway : Prop :=
+  forall light_x light_y light_z point_x point_y point_z view_x view_y view_z : R,
+  let to_light_x := light_x - point_x in
+  let to_light_y := light_y - point_y in
+  let to_light_z := light_z - point_z in
+  let distance_squared := to_light_x ^ 2 + to_light_y ^ 2 + to_light_z ^ 2 in
+  let light_distance := sqrt distance_squared in
+  let halfway_x := light_distance * view_x + to_light_x in
+  let halfway_y := light_distance * view_y + to_light_y in
+  let halfway_z := light_distance * view_z + to_light_z in
+  let to_light_x_plain := light_x - point_x in
+  let to_light_y_plain := light_y - point_y in
+  let to_light_z_plain := light_z - point_z in
+  let light_distance_plain := sqrt (to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2) in
+  let light_scale_plain := / light_distance_plain in
+  let towards_x_plain := light_scale_plain * to_light_x_plain in
+  let towards_y_plain := light_scale_plain * to_light_y_plain in
+  let towards_z_plain := light_scale_plain * to_light_z_plain in
+  let halfway_x_plain := towards_x_plain + view_x in
+  let halfway_y_plain := towards_y_plain + view_y in
+  let halfway_z_plain := towards_z_plain + view_z in
+  light_distance > 0 ->
+  distance_squared >= 0 /\
+  to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2 >= 0 /\
+  light_distance_plain <> 0 /\
+  halfway_x = halfway_x_plain * light_distance /\
+  halfway_y = halfway_y_plain * light_distance /\
+  halfway_z = halfway_z_plain * light_distance.
+
+Definition squared_highlight__cosine : Prop :=
+  forall bumped_x bumped_y bumped_z light_x light_y light_z point_x point_y point_z view_x view_y view_z : R,
+  let to_light_x := light_x - point_x in
+  let to_light_y := light_y - point_y in
+  let to_light_z := light_z - point_z in
+  let distance_squared := to_light_x ^ 2 + to_light_y ^ 2 + to_light_z ^ 2 in
+  let light_distance := sqrt distance_squared in
+  let halfway_x := light_distance * view_x + to_light_x in
+  let halfway_y := light_distance * view_y + to_light_y in
+  let halfway_z := light_distance * view_z + to_light_z in
+  let halfway_squared := halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2 in
+  let along_light := bumped_x * to_light_x + bumped_y * to_light_y + bumped_z * to_light_z in
+  let light_scale := (if Rlt_dec 0 halfway_squared then 1 / (halfway_squared * light_distance) else 0) in
+  let mu := (if Rlt_dec 0 halfway_squared then along_light * halfway_squared * light_scale else -bumped_x * view_x - bumped_y * view_y - bumped_z * view_z) in
+  let to_light_x_plain := light_x - point_x in
+  let to_light_y_plain := light_y - point_y in
+  let to_light_z_plain := light_z - point_z in
+  let light_distance_plain := sqrt (to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2) in
+  let light_scale_plain := / light_distance_plain in
+  let towards_x_plain := light_scale_plain * to_light_x_plain in
+  let towards_y_plain := light_scale_plain * to_light_y_plain in
+  let towards_z_plain := light_scale_plain * to_light_z_plain in
+  let mu_plain := bumped_x * towards_x_plain + bumped_y * towards_y_plain + bumped_z * towards_z_plain in
+  halfway_squared > 0 ->
+  distance_squared >= 0 /\
+  (halfway_squared > 0 -> halfway_squared <> 0) /\
+  (halfway_squared > 0 -> light_distance <> 0) /\
+  to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2 >= 0 /\
+  light_distance_plain <> 0 /\
+  mu = mu_plain.
+
+Definition squared_highlight__base : Prop :=
+  forall along_halfway halfway_length_plain halfway_squared light_distance light_scale specular_base_plain : R,
+  halfway_squared * light_distance * light_scale = 1 ->
+  halfway_length_plain ^ 2 * light_distance ^ 2 = halfway_squared ->
+  halfway_length_plain * light_distance * specular_base_plain = along_halfway ->
+  along_halfway ^ 2 * light_distance * light_scale = specular_base_plain ^ 2.
+
+Definition hit_of_b__quadratic : Prop :=
+  forall ball_center_x ball_center_y ball_center_z ball_radius eye t x y : R,
+  let distance := eye - ball_center_z in
+  let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  (t * x - ball_center_x) ^ 2 - ball_radius ^ 2 + (t * y - ball_center_y) ^ 2 + (eye * (1 - t) - ball_center_z) ^ 2 = ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + t ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - 2 * t * toward_b + (eye - ball_center_z) ^ 2 /\
+  discriminant_b = toward_b ^ 2 - (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2).
+
+Definition hit_of_b__solves : Prop :=
+  forall ball_center_x ball_center_y ball_center_z ball_on ball_radius eye x y : R,
+  let distance := eye - ball_center_z in
+  let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  let root_b := sqrt (Rmax 0 discriminant_b) in
+  let t_b := (if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b)) else p_infty) in
+  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  discriminant_b >= 0 ->
+  toward_b > 0 ->
+  ball_on > 0 ->
+  Rmax 0 discriminant_b >= 0 /\
+  ((ball_on > 0 /\ discriminant_b >= 0 /\ toward_b > 0) -> root_b + toward_b <> 0) /\
+  is_finite t_b /\
+  ((real t_b) * x - ball_center_x) ^ 2 + ((real t_b) * y - ball_center_y) ^ 2 + (eye * (1 - (real t_b)) - ball_center_z) ^ 2 = ball_radius ^ 2 /\
+  real t_b > 0.
+
+Definition hit_of_b__near : Prop :=
+  forall ball_center_x ball_center_y ball_center_z ball_on ball_radius eye t x y : R,
+  let distance := eye - ball_center_z in
+  let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  let root_b := sqrt (Rmax 0 discriminant_b) in
+  let t_b := (if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b)) else p_infty) in
+  eye > 0 ->
+  discriminant_b >= 0 ->
+  toward_b > 0 ->
+  ball_on > 0 ->
+  (t * x - ball_center_x) ^ 2 + (t * y - ball_center_y) ^ 2 + (eye * (1 - t) - ball_center_z) ^ 2 = ball_radius ^ 2 ->
+  Rmax 0 discriminant_b >= 0 /\
+  ((ball_on > 0 /\ discriminant_b >= 0 /\ toward_b > 0) -> root_b + toward_b <> 0) /\
+  is_finite t_b /\
+  eye ^ 2 + x ^ 2 + y ^ 2 > 0 /\
+  (real t_b) * (eye ^ 2 + x ^ 2 + y ^ 2) = toward_b - root_b /\
+  root_b + t * (eye ^ 2 + x ^ 2 + y ^ 2) - toward_b >= 0 /\
+  t >= real t_b.
+
+Definition hit_of_b__behind : Prop :=
+  forall ball_center_x ball_center_y ball_center_z ball_radius eye t x y : R,
+  let distance := eye - ball_center_z in
+  let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
+  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  toward_b <= 0 ->
+  (t * x - ball_center_x) ^ 2 + (t * y - ball_center_y) ^ 2 + (eye * (1 - t) - ball_center_z) ^ 2 = ball_radius ^ 2 ->
+  t < 0.
+
+Definition hit_of_b__outward : Prop :=
+  forall ball_center_x ball_center_y ball_center_z ball_on ball_radius eye x y : R,
+  let distance := eye - ball_center_z in
+  let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  let root_b := sqrt (Rmax 0 discriminant_b) in
+  let t_b := (if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b)) else p_infty) in
+  let moment_x := distance * y - ball_center_y * eye in
+  let moment_y := ball_center_x * eye - distance * x in
+  let moment_z := ball_center_x * y - ball_center_y * x in
+  let ray_length_squared := eye ^ 2 + x ^ 2 + y ^ 2 in
+  let radius_vector_x := (-eye * moment_y - moment_z * y - root_b * x) / ray_length_squared in
+  let radius_vector_y := (eye * moment_x + moment_z * x - root_b * y) / ray_length_squared in
+  let radius_vector_z := (eye * root_b + moment_x * y - moment_y * x) / ray_length_squared in
+  let radius_length := sqrt (radius_vector_x ^ 2 + radius_vector_y ^ 2 + radius_vector_z ^ 2) in
+  let normal_x := radius_vector_x / radius_length in
+  let normal_y := radius_vector_y / radius_length in
+  let normal_z := radius_vector_z / radius_length in
+  let point_x := ball_center_x + ball_radius * normal_x in
+  let point_y := ball_center_y + ball_radius * normal_y in
+  let point_z := ball_center_z + ball_radius * normal_z in
+  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  discriminant_b >= 0 ->
+  toward_b > 0 ->
+  ball_on > 0 ->
+  ball_radius > 0 ->
+  Rmax 0 discriminant_b >= 0 /\
+  ((ball_on > 0 /\ discriminant_b >= 0 /\ toward_b > 0) -> root_b + toward_b <> 0) /\
+  ray_length_squared <> 0 /\
+  radius_vector_x ^ 2 + radius_vector_y ^ 2 + radius_vector_z ^ 2 >= 0 /\
+  radius_length <> 0 /\
+  is_finite t_b /\
+  ray_length_squared > 0 /\
+  radius_vector_x = (real t_b) * x - ball_center_x /\
+  radius_vector_y = (real t_b) * y - ball_center_y /\
+  radius_vector_z = eye * (1 - (real t_b)) - ball_center_z /\
+  radius_length = ball_radius /\
+  ball_radius * normal_x = (real t_b) * x - ball_center_x /\
+  ball_radius * normal_y = (real t_b) * y - ball_center_y /\
+  ball_radius * normal_z = eye * (1 - (real t_b)) - ball_center_z /\
+  point_x = (real t_b) * x /\
+  point_y = (real t_b) * y /\
+  point_z = eye * (1 - (real t_b)).
+
+Definition seed_quadratic_of_b__constant : Prop :=
+  ~ (
+  forall ball_center_x ball_center_y ball_center_z ball_radius eye : R,
+  ball_center_x ^ 2 + ball_center_y ^ 2 + ball_center_z ^ 2 - ball_radius ^ 2 = ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2).
+
+Definition ridges_on_creases__crease_in_u : Prop :=
+  forall k_u k_v m to_u v : R,
+  k_u > 0 ->
+  to_u > 0 ->
+  k_u * to_u <= 1 ->
+  sin (PI * m) = 0 ->
+  k_u <> 0 /\
+  Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * v)))) >= (sin (PI * k_u * to_u)) * (Rabs (sin (PI * k_v * v))) /\
+  (sin (PI * k_u * to_u)) * (Rabs (sin (PI * k_v * v))) >= Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * v)))) /\
+  Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * v)))) = (sin (PI * k_u * to_u)) * (Rabs (sin (PI * k_v * v))) /\
+  Rabs ((sin (PI * (-k_u * (to_u - m / k_u)))) * (sin (PI * (k_v * v)))) >= (sin (PI * k_u * to_u)) * (Rabs (sin (PI * k_v * v))) /\
+  (sin (PI * k_u * to_u)) * (Rabs (sin (PI * k_v * v))) >= Rabs ((sin (PI * (-k_u * (to_u - m / k_u)))) * (sin (PI * (k_v * v)))) /\
+  Rabs ((sin (PI * (-k_u * (to_u - m / k_u)))) * (sin (PI * (k_v * v)))) = (sin (PI * k_u * to_u)) * (Rabs (sin (PI * k_v * v))) /\
+  PI * k_u * to_u * (Rabs (sin (PI * k_v * v))) >= Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * v)))) /\
+  Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * v)))) >= PI * k_u * to_u * (1 - (1 / 6) * PI ^ 2 * k_u ^ 2 * to_u ^ 2) * (Rabs (sin (PI * k_v * v))).
+
+Definition ridges_on_creases__crease_in_v : Prop :=
+  forall k_u k_v m to_v u : R,
+  k_v > 0 ->
+  to_v > 0 ->
+  k_v * to_v <= 1 ->
+  sin (PI * m) = 0 ->
+  k_v <> 0 /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (to_v + m / k_v))))) >= (sin (PI * k_v * to_v)) * (Rabs (sin (PI * k_u * u))) /\
+  (sin (PI * k_v * to_v)) * (Rabs (sin (PI * k_u * u))) >= Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (to_v + m / k_v))))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (to_v + m / k_v))))) = (sin (PI * k_v * to_v)) * (Rabs (sin (PI * k_u * u))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (-k_v * (to_v - m / k_v))))) >= (sin (PI * k_v * to_v)) * (Rabs (sin (PI * k_u * u))) /\
+  (sin (PI * k_v * to_v)) * (Rabs (sin (PI * k_u * u))) >= Rabs ((sin (PI * (k_u * u))) * (sin (PI * (-k_v * (to_v - m / k_v))))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (-k_v * (to_v - m / k_v))))) = (sin (PI * k_v * to_v)) * (Rabs (sin (PI * k_u * u))) /\
+  PI * k_v * to_v * (Rabs (sin (PI * k_u * u))) >= Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (to_v + m / k_v))))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (to_v + m / k_v))))) >= PI * k_v * to_v * (1 - (1 / 6) * PI ^ 2 * k_v ^ 2 * to_v ^ 2) * (Rabs (sin (PI * k_u * u))).
+
+Definition ridges_on_creases__differ : Prop :=
+  forall angle left right slope : R,
+  slope > 0 ->
+  angle ^ 2 <= 1 ->
+  6 * right >= slope * (6 - angle ^ 2) ->
+  left = -right ->
+  6 * right >= 5 * slope /\
+  right - left > slope.
+
+Definition rounded_powers__three_roundings_of_one : Prop :=
+  forall first growth second third unit : R,
+  unit >= 0 ->
+  unit <= (1 / 4) ->
+  unit - first >= 0 ->
+  first + unit >= 0 ->
+  unit - second >= 0 ->
+  second + unit >= 0 ->
+  unit - third >= 0 ->
+  third + unit >= 0 ->
+  growth = (first + 1) * (second + 1) * (third + 1) ->
+  (unit + 1) ^ 2 - (first + 1) * (second + 1) >= 0 /\
+  (first + 1) * (second + 1) - (1 - unit) ^ 2 >= 0 /\
+  (unit + 1) ^ 3 - growth >= 0 /\
+  growth + (unit + 1) ^ 3 - 2 >= 0.
+
+Definition rounded_powers__square : Prop :=
+  forall excess first imaginary_part off_first off_second real_part second : R,
+  off_first = first * (real_part - imaginary_part) * (imaginary_part + real_part) ->
+  off_second = 2 * imaginary_part * real_part * second ->
+  excess - first >= 0 ->
+  excess + first >= 0 ->
+  excess - second >= 0 ->
+  excess + second >= 0 ->
+  4 * imaginary_part ^ 2 * real_part ^ 2 + (real_part - imaginary_part) ^ 2 * (imaginary_part + real_part) ^ 2 = (imaginary_part ^ 2 + real_part ^ 2) ^ 2 /\
+  excess ^ 2 - first ^ 2 >= 0 /\
+  excess ^ 2 - second ^ 2 >= 0 /\
+  excess ^ 2 * (imaginary_part ^ 2 + real_part ^ 2) ^ 2 >= off_first ^ 2 + off_second ^ 2.
+
+Definition rounded_powers__product : Prop :=
+  forall excess first fourth imaginary_part off_first off_second other_imaginary other_real real_part second third unit : R,
+  unit >= 0 ->
+  excess = (unit + 1) ^ 3 - 1 ->
+  off_first = first * other_real * real_part - imaginary_part * other_imaginary * second ->
+  off_second = fourth * imaginary_part * other_real + other_imaginary * real_part * third ->
+  unit ^ 2 - first + 2 * unit >= 0 ->
+  first + unit ^ 2 + 2 * unit >= 0 ->
+  unit ^ 2 - second + 2 * unit >= 0 ->
+  second + unit ^ 2 + 2 * unit >= 0 ->
+  unit ^ 2 - third + 2 * unit >= 0 ->
+  third + unit ^ 2 + 2 * unit >= 0 ->
+  unit ^ 2 - fourth + 2 * unit >= 0 ->
+  fourth + unit ^ 2 + 2 * unit >= 0 ->
+  (other_real * real_part - imaginary_part * other_imaginary) ^ 2 + (imaginary_part * other_real + other_imaginary * real_part) ^ 2 = (imaginary_part ^ 2 + real_part ^ 2) * (other_imaginary ^ 2 + other_real ^ 2) /\
+  (unit ^ 2 + 2 * unit) ^ 2 - first ^ 2 >= 0 /\
+  (unit ^ 2 + 2 * unit) ^ 2 - second ^ 2 >= 0 /\
+  (unit ^ 2 + 2 * unit) ^ 2 - third ^ 2 >= 0 /\
+  (unit ^ 2 + 2 * unit) ^ 2 - fourth ^ 2 >= 0 /\
+  2 * (unit ^ 2 + 2 * unit) ^ 2 * (imaginary_part ^ 2 * other_imaginary ^ 2 + other_real ^ 2 * real_part ^ 2) >= off_first ^ 2 /\
+  2 * (unit ^ 2 + 2 * unit) ^ 2 * (imaginary_part ^ 2 * other_real ^ 2 + other_imaginary ^ 2 * real_part ^ 2) >= off_second ^ 2 /\
+  excess ^ 2 >= 2 * (unit ^ 2 + 2 * unit) ^ 2 /\
+  excess ^ 2 * (imaginary_part ^ 2 + real_part ^ 2) * (other_imaginary ^ 2 + other_real ^ 2) >= off_first ^ 2 + off_second ^ 2.
+
+Definition rounded_powers__power : Prop :=
+  forall excess most most_other off off_first off_second other_size own size : R,
+  excess >= 0 ->
+  size >= 0 ->
+  other_size >= 0 ->
+  off_first >= 0 ->
+  off_second >= 0 ->
+  most - 1 >= off_first ->
+  most_other - 1 >= off_second ->
+  off_first + 1 >= size ->
+  off_second + 1 >= other_size ->
+  excess * other_size * size >= own ->
+  off_first * other_size + off_second + own >= off ->
+  most >= size /\
+  most_other >= other_size /\
+  most * most_other >= other_size * size /\
+  excess * most * most_other >= own /\
+  most_other * (most - 1) >= off_first * other_size /\
+  most * most_other * (excess + 1) - 1 >= off.
+
+Definition rounded_powers__factors : Prop :=
+  forall exact most most_other other_exact other_value value : R,
+  1 - exact >= 0 ->
+  exact + 1 >= 0 ->
+  1 - other_exact >= 0 ->
+  other_exact + 1 >= 0 ->
+  exact + most - value - 1 >= 0 ->
+  most - exact + value - 1 >= 0 ->
+  most_other + other_exact - other_value - 1 >= 0 ->
+  most_other - other_exact + other_value - 1 >= 0 ->
+  most_other - other_value >= 0 /\
+  most_other + other_value >= 0 /\
+  most_other * (most - 1) - other_value * (value - exact) >= 0 /\
+  most_other * (most - 1) + other_value * (value - exact) >= 0 /\
+  most_other - exact * (other_value - other_exact) - 1 >= 0 /\
+  exact * (other_value - other_exact) + most_other - 1 >= 0 /\
+  exact * other_exact + most * most_other - other_value * value - 1 >= 0 /\
+  most * most_other - exact * other_exact + other_value * value - 1 >= 0.
+
+Definition roundoff_bound__in_u : Prop :=
+  forall argument epsilon evaluation excess growth here mean off_minus off_plus steepest : R,
+  let h_u_plus := 2 * epsilon * mean + here + off_plus in
+  let h_u_minus := here + off_minus in
+  let h_u := (1 / 2) * (h_u_plus - h_u_minus) / epsilon in
+  epsilon > 0 ->
+  excess - growth + 1 >= 0 ->
+  excess + growth - 1 >= 0 ->
+  argument * steepest + evaluation - off_plus >= 0 ->
+  argument * steepest + evaluation + off_plus >= 0 ->
+  argument * steepest + evaluation - off_minus >= 0 ->
+  argument * steepest + evaluation + off_minus >= 0 ->
+  steepest - mean >= 0 ->
+  mean + steepest >= 0 ->
+  epsilon <> 0 /\
+  2 * argument * steepest + 2 * evaluation + off_minus - off_plus >= 0 /\
+  2 * argument * steepest + 2 * evaluation - off_minus + off_plus >= 0 /\
+  (excess + 1) * (2 * argument * steepest + 2 * evaluation) - growth * (off_plus - off_minus) >= 0 /\
+  growth * (off_plus - off_minus) + (excess + 1) * (2 * argument * steepest + 2 * evaluation) >= 0 /\
+  excess * steepest - mean * (growth - 1) >= 0 /\
+  excess * steepest + mean * (growth - 1) >= 0 /\
+  2 * epsilon * (growth * h_u - mean) = 2 * epsilon * mean * (growth - 1) + growth * (off_plus - off_minus) /\
+  2 * epsilon * (excess * steepest + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon) - 2 * epsilon * (growth * h_u - mean) >= 0 /\
+  2 * epsilon * (excess * steepest + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon) + 2 * epsilon * (growth * h_u - mean) >= 0 /\
+  excess * steepest - growth * h_u + mean + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon >= 0 /\
+  excess * steepest + growth * h_u - mean + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon >= 0.
+
+Definition roundoff_bound__in_v : Prop :=
+  forall argument epsilon evaluation excess growth here mean off_minus off_plus steepest v : R,
+  let v_plus := Rmin 1 (epsilon + v) in
+  let v_minus := Rmax (v - epsilon) 0 in
+  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
+  let h_v_plus := 2 * epsilon * mean + here + off_plus in
+  let h_v_minus := here + off_minus in
+  let h_v := (h_v_plus - h_v_minus) / span_v in
+  epsilon > 0 ->
+  v - epsilon >= 0 ->
+  epsilon + v <= 1 ->
+  excess - growth + 1 >= 0 ->
+  excess + growth - 1 >= 0 ->
+  argument * steepest + evaluation - off_plus >= 0 ->
+  argument * steepest + evaluation + off_plus >= 0 ->
+  argument * steepest + evaluation - off_minus >= 0 ->
+  argument * steepest + evaluation + off_minus >= 0 ->
+  steepest - mean >= 0 ->
+  mean + steepest >= 0 ->
+  span_v <> 0 /\
+  epsilon <> 0 /\
+  2 * argument * steepest + 2 * evaluation + off_minus - off_plus >= 0 /\
+  2 * argument * steepest + 2 * evaluation - off_minus + off_plus >= 0 /\
+  (excess + 1) * (2 * argument * steepest + 2 * evaluation) - growth * (off_plus - off_minus) >= 0 /\
+  growth * (off_plus - off_minus) + (excess + 1) * (2 * argument * steepest + 2 * evaluation) >= 0 /\
+  excess * steepest - mean * (growth - 1) >= 0 /\
+  excess * steepest + mean * (growth - 1) >= 0 /\
+  2 * epsilon * (growth * h_v - mean) = 2 * epsilon * mean * (growth - 1) + growth * (off_plus - off_minus) /\
+  2 * epsilon * (excess * steepest + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon) - 2 * epsilon * (growth * h_v - mean) >= 0 /\
+  2 * epsilon * (excess * steepest + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon) + 2 * epsilon * (growth * h_v - mean) >= 0 /\
+  excess * steepest - growth * h_v + mean + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon >= 0 /\
+  excess * steepest + growth * h_v - mean + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon >= 0.
+
+Definition roundoff_bound__clamped : Prop :=
+  forall argument epsilon evaluation excess growth here mean off_minus off_plus steepest v : R,
+  let v_plus := Rmin 1 (epsilon + v) in
+  let v_minus := Rmax (v - epsilon) 0 in
+  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
+  let h_v_plus := here + mean * (epsilon + v) + off_plus in
+  let h_v_minus := here + off_minus in
+  let h_v := (h_v_plus - h_v_minus) / span_v in
+  epsilon > 0 ->
+  v >= 0 ->
+  v - epsilon < 0 ->
+  epsilon + v <= 1 ->
+  epsilon + v > 0 ->
+  excess - growth + 1 >= 0 ->
+  excess + growth - 1 >= 0 ->
+  argument * steepest + evaluation - off_plus >= 0 ->
+  argument * steepest + evaluation + off_plus >= 0 ->
+  argument * steepest + evaluation - off_minus >= 0 ->
+  argument * steepest + evaluation + off_minus >= 0 ->
+  steepest - mean >= 0 ->
+  mean + steepest >= 0 ->
+  span_v <> 0 /\
+  epsilon + v <> 0 /\
+  2 * argument * steepest + 2 * evaluation + off_minus - off_plus >= 0 /\
+  2 * argument * steepest + 2 * evaluation - off_minus + off_plus >= 0 /\
+  (excess + 1) * (2 * argument * steepest + 2 * evaluation) - growth * (off_plus - off_minus) >= 0 /\
+  growth * (off_plus - off_minus) + (excess + 1) * (2 * argument * steepest + 2 * evaluation) >= 0 /\
+  excess * steepest - mean * (growth - 1) >= 0 /\
+  excess * steepest + mean * (growth - 1) >= 0 /\
+  (epsilon + v) * (growth * h_v - mean) = growth * (off_plus - off_minus) + mean * (epsilon + v) * (growth - 1) /\
+  (epsilon + v) * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v)) - (epsilon + v) * (growth * h_v - mean) >= 0 /\
+  (epsilon + v) * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v)) + (epsilon + v) * (growth * h_v - mean) >= 0 /\
+  excess * steepest - growth * h_v + mean + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) >= 0 /\
+  excess * steepest + growth * h_v - mean + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) >= 0.
+
+Definition roundoff_bound__two_roundings : Prop :=
+  forall first growth second unit : R,
+  unit > 0 ->
+  unit < 1 ->
+  unit - first >= 0 ->
+  first + unit >= 0 ->
+  unit - second >= 0 ->
+  second + unit >= 0 ->
+  growth = (first + 1) * (second + 1) ->
+  unit ^ 2 - growth + 2 * unit + 1 >= 0 /\
+  growth + unit ^ 2 + 2 * unit - 1 >= 0.
+
+Definition roundoff_bound__three_roundings : Prop :=
+  forall first growth second third unit : R,
+  unit > 0 ->
+  unit < 1 ->
+  unit - first >= 0 ->
+  first + unit >= 0 ->
+  unit - second >= 0 ->
+  second + unit >= 0 ->
+  unit - third >= 0 ->
+  third + unit >= 0 ->
+  growth * (third + 1) = (first + 1) * (second + 1) ->
+  1 - unit <> 0 /\
+  (unit + 1) ^ 2 - (first + 1) * (second + 1) >= 0 /\
+  (first + 1) * (second + 1) - (1 - unit) ^ 2 >= 0 /\
+  unit ^ 2 + 3 * unit - (1 - unit) * (growth - 1) >= 0 /\
+  unit ^ 2 + 3 * unit + (1 - unit) * (growth - 1) >= 0 /\
+  1 - growth + (unit ^ 2 + 3 * unit) / (1 - unit) >= 0 /\
+  growth - 1 + (unit ^ 2 + 3 * unit) / (1 - unit) >= 0.
+
+Definition seed_step_in_beta__verifies : Prop :=
+  ~ (
+  forall beta g_x g_y g_z normal_x normal_y normal_z : R,
+  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
+  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 >= 0 ->
+  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 <> 0 ->
+  (g_x * (beta + (1 / 10000000)) + normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta + (1 / 10000000)) + normal_z) ^ 2 >= 0 ->
+  (g_x * (beta + (1 / 10000000)) + normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta + (1 / 10000000)) + normal_z) ^ 2 <> 0 ->
+  (1 / 1000000000000) >= Rabs ((g_x - (beta * g_x + normal_x) * (g_x * (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + g_y * (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + g_z * (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + 10000000 * (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) - 10000000 * (g_x * (beta + (1 / 10000000)) + normal_x) / sqrt ((g_x * (beta + (1 / 10000000)) + normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta + (1 / 10000000)) + normal_z) ^ 2))).
+
+Definition lagrange_identity__of_b : Prop :=
+  forall ball_center_x ball_center_y ball_center_z ball_radius eye x y : R,
+  let distance := eye - ball_center_z in
+  let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  discriminant_b = toward_b ^ 2 - (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2).
+
+Definition lagrange_identity__of_shadow : Prop :=
+  forall body_radius center_x center_y center_z light_x light_y light_z point_x point_y point_z : R,
+  let segment_x := light_x - point_x in
+  let segment_y := light_y - point_y in
+  let segment_z := light_z - point_z in
+  let offset_x := center_x - point_x in
+  let offset_y := center_y - point_y in
+  let offset_z := center_z - point_z in
+  let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
+  let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
+  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
+  shadow_discriminant = toward_center ^ 2 - segment_squared * (offset_x ^ 2 - body_radius ^ 2 + offset_y ^ 2 + offset_z ^ 2).
+
+Definition shadow_out_of_reach__within : Prop :=
+  forall ball_radius share to_ball_x to_ball_y to_ball_z : R,
+  ball_radius ^ 2 >= to_ball_x ^ 2 + to_ball_y ^ 2 + to_ball_z ^ 2 ->
+  ball_radius ^ 2 * share ^ 2 >= share ^ 2 * to_ball_x ^ 2 + share ^ 2 * to_ball_y ^ 2 + share ^ 2 * to_ball_z ^ 2.
+
+Definition shadow_out_of_reach__cone : Prop :=
+  forall aside_x aside_y aside_z axis_x axis_y axis_z body_radius distance product reach wander : R,
+  body_radius > 0 ->
+  wander >= 0 ->
+  reach >= wander ->
+  distance > body_radius + reach ->
+  distance ^ 2 = axis_x ^ 2 + axis_y ^ 2 + axis_z ^ 2 ->
+  wander ^ 2 = aside_x ^ 2 + aside_y ^ 2 + aside_z ^ 2 ->
+  product = aside_x * axis_x + aside_y * axis_y + aside_z * axis_z ->
+  distance ^ 2 * wander ^ 2 - product ^ 2 = (aside_y * axis_x - aside_x * axis_y) ^ 2 + (aside_x * axis_z - aside_z * axis_x) ^ 2 + (aside_z * axis_y - aside_y * axis_z) ^ 2 /\
+  distance ^ 2 * wander ^ 2 - product ^ 2 >= 0 /\
+  distance * wander >= 0 /\
+  distance * wander + product >= 0 /\
+  (aside_x + axis_x) ^ 2 + (aside_y + axis_y) ^ 2 + (aside_z + axis_z) ^ 2 = 2 * distance * wander + 2 * product + (distance - wander) ^ 2 /\
+  distance - wander > body_radius /\
+  (distance - wander) ^ 2 > body_radius ^ 2 /\
+  (aside_x + axis_x) ^ 2 + (aside_y + axis_y) ^ 2 + (aside_z + axis_z) ^ 2 > body_radius ^ 2.
+
+Definition shadow_out_of_reach__quadratic : Prop :=
+  forall ball_center_x ball_center_y ball_center_z ball_radius body_radius center_x center_y center_z light_x light_y light_z share : R,
+  let from_body_x := light_x - center_x in
+  let from_body_y := light_y - center_y in
+  let from_body_z := light_z - center_z in
+  let along_x := ball_center_x - light_x in
+  let along_y := ball_center_y - light_y in
+  let along_z := ball_center_z - light_z in
+  let at_light := from_body_x ^ 2 - body_radius ^ 2 + from_body_y ^ 2 + from_body_z ^ 2 in
+  let half_slope := along_x * from_body_x + along_y * from_body_y + along_z * from_body_z - ball_radius * body_radius in
+  let curvature := along_x ^ 2 + along_y ^ 2 + along_z ^ 2 - ball_radius ^ 2 in
+  (along_x * share + from_body_x) ^ 2 + (along_y * share + from_body_y) ^ 2 + (along_z * share + from_body_z) ^ 2 - (ball_radius * share + body_radius) ^ 2 = at_light + share * (curvature * share + 2 * half_slope).
+
+Definition shadow_out_of_reach__turns_before : Prop :=
+  forall bend low share slope : R,
+  share >= 0 ->
+  bend > 0 ->
+  slope >= 0 ->
+  low + share * (bend * share + 2 * slope) >= low.
+
+Definition shadow_out_of_reach__turns_between : Prop :=
+  forall at_ bend low share slope : R,
+  bend > 0 ->
+  at_ * bend + slope = 0 ->
+  low + share * (bend * share + 2 * slope) >= at_ * (at_ * bend + 2 * slope) + low.
+
+Definition shadow_out_of_reach__turns_after : Prop :=
+  forall bend low share slope : R,
+  share <= 1 ->
+  bend > 0 ->
+  bend + slope <= 0 ->
+  low + share * (bend * share + 2 * slope) >= bend + low + 2 * slope.
+
+Definition shadow_out_of_reach__bends_down : Prop :=
+  forall bend low share slope : R,
+  share >= 0 ->
+  share <= 1 ->
+  bend <= 0 ->
+  low + share * (bend * share + 2 * slope) >= low * (1 - share) + share * (bend + low + 2 * slope).
+
+Definition pole__sine : Prop :=
+  forall k_u k_v theta : R,
+  k_v * (cos theta) * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) = k_v * (sin ((1 / 2) * k_u * (theta + PI))) * (cos theta) /\
+  k_v * (sin theta) * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) = k_v * (sin theta) * (sin ((1 / 2) * k_u * (theta + PI))) /\
+  0 = 0 /\
+  k_v ^ 2 * (sin theta) ^ 2 * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) ^ 2 + k_v ^ 2 * (cos theta) ^ 2 * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) ^ 2 = k_v ^ 2 * (sin ((1 / 2) * k_u * (theta + PI))) ^ 2 /\
+  0 = 0 /\
+  0 = 0 /\
+  0 = 0 /\
+  0 = 0 /\
+  0 = 0 /\
+  0 = 0 /\
+  0 = 0 /\
+  0 = 0 /\
+  0 = 0.
+
+Definition pole__sine_differs : Prop :=
+  forall k_u k_v theta : R,
+  k_v ^ 2 > 0 ->
+  (sin ((1 / 2) * k_u * (theta + PI))) ^ 2 > 0 ->
+  k_v ^ 2 * (sin theta) ^ 2 * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) ^ 2 + k_v ^ 2 * (cos theta) ^ 2 * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) ^ 2 > 0.
+
+Definition pole__rings : Prop :=
+  forall k_v theta : R,
+  2 * k_v * (cos theta) = 2 * k_v * (cos theta) /\
+  2 * k_v * (sin theta) = 2 * k_v * (sin theta) /\
+  0 = 0 /\
+  4 * k_v ^ 2 * (sin theta) ^ 2 + 4 * k_v ^ 2 * (cos theta) ^ 2 = 4 * k_v ^ 2 /\
+  16 * k_v ^ 2 * (sin theta) ^ 2 + 16 * k_v ^ 2 * (cos theta) ^ 2 = 16 * k_v ^ 2.
+
+Definition pole__surface_gradient : Prop :=
+  forall k_u theta : R,
+  ((sin ((1 / 2) * k_u * (theta + PI))) * (cos theta) - (1 / 2) * k_u * (sin theta) * (cos ((1 / 2) * k_u * (theta + PI)))) ^ 2 + ((1 / 2) * k_u * (cos theta) * (cos ((1 / 2) * k_u * (theta + PI))) + (sin theta) * (sin ((1 / 2) * k_u * (theta + PI)))) ^ 2 = (1 / 4) * k_u ^ 2 + (1 - (1 / 4) * k_u ^ 2) * (sin ((1 / 2) * k_u * (theta + PI))) ^ 2 /\
+  0 = 0 /\
+  0 = 0 /\
+  0 = 0 /\
+  -(sin theta) ^ 2 - (cos theta) ^ 2 = -1 /\
+  0 = 0 /\
+  (sin theta) ^ 2 + (cos theta) ^ 2 = 1.
+
+Definition pole__polynomial : Prop :=
+  forall phi theta : R,
+  forall chebyshev following : nat -> R,
+  chebyshev 0%nat = 0 ->
+  (forall n : nat, chebyshev (S n) = following n) ->
+  following 0%nat = 1 ->
+  (forall n : nat, following (S n) = 2 * (following n) * (cos phi) - (chebyshev n)) ->
+  forall n : nat,
+  sin ((INR n) * phi) = (chebyshev n) * (sin phi) /\
+  sin (phi * (INR n + 1)) = (following n) * (sin phi) /\
+  (sin (PI * ((theta + PI) / PI))) * (sin (PI * ((INR n) * phi / PI))) = -(chebyshev n) * (sin phi) * (sin theta).
+
+Definition sine_is_smooth_everywhere__one_limit : Prop :=
+  ~ (
+  forall k_u k_v theta : R,
+  k_v * (sin theta) * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) = 0).
+
+Definition seed_pole_rows__beside : Prop :=
+  ~ (
+  forall m n : R,
+  (m - 128) * (m - 127) >= 0 ->
+  (n - 109) * (n - 108) >= 0 ->
+  (n - 110) * (n - 107) <= 0 ->
+  (1 / 56250000) > (5 / 3) * ((1083 / 1280) - (1 / 128) * n) ^ 2 + (5 / 196608) * (2 * m - 255) ^ 2).
+
+Definition ridges_at_crossings__crossing : Prop :=
+  forall k_u k_v m n to_u to_v : R,
+  k_u > 0 ->
+  k_v > 0 ->
+  sin (PI * m) = 0 ->
+  sin (PI * n) = 0 ->
+  k_u <> 0 /\
+  k_v <> 0 /\
+  (sin (PI * (k_u * (to_u + m / k_u)))) ^ 2 * (sin (PI * (k_v * (to_v + n / k_v)))) ^ 2 = (sin (PI * k_u * to_u)) ^ 2 * (sin (PI * k_v * to_v)) ^ 2 /\
+  ((sin (PI * k_u * to_u)) ^ 2 + (sin (PI * k_v * to_v)) ^ 2) ^ 2 >= 4 * (sin (PI * (k_u * (to_u + m / k_u)))) ^ 2 * (sin (PI * (k_v * (to_v + n / k_v)))) ^ 2 /\
+  PI ^ 2 * k_u ^ 2 * to_u ^ 2 + PI ^ 2 * k_v ^ 2 * to_v ^ 2 >= (sin (PI * k_u * to_u)) ^ 2 + (sin (PI * k_v * to_v)) ^ 2.
+
+Definition ridges_at_crossings__flat : Prop :=
+  forall a b distance h small_enough steepest : R,
+  h >= 0 ->
+  (a ^ 2 + b ^ 2) ^ 2 >= 4 * h ^ 2 ->
+  distance * steepest >= a ^ 2 + b ^ 2 ->
+  distance >= 0 ->
+  4 * small_enough ^ 2 >= distance * steepest ^ 2 ->
+  a ^ 2 + b ^ 2 >= 2 * h /\
+  distance ^ 2 * steepest ^ 2 >= 4 * h ^ 2 /\
+  distance * small_enough ^ 2 >= h ^ 2.
+
+Definition ridges_differentiable__one_slope : Prop :=
+  ~ (
+  forall k_u k_v u v : R,
+  sin (PI * k_u * u) = 0 ->
+  Rabs (k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = -(Rabs (k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))))).
+
+Definition best_step__least : Prop :=
+  forall best epsilon rounding truncation : R,
+  truncation > 0 ->
+  best > 0 ->
+  epsilon > 0 ->
+  rounding = 2 * best ^ 3 * truncation ->
+  epsilon <> 0 /\
+  best <> 0 /\
+  best * truncation > 0 /\
+  best ^ 2 > 0 /\
+  rounding > 0 /\
+  truncation * (2 * best + epsilon) >= 0 /\
+  epsilon * (epsilon ^ 2 * truncation - 3 * best ^ 2 * truncation) + rounding >= 0 /\
+  epsilon ^ 2 * truncation + rounding / epsilon >= 3 * best ^ 2 * truncation /\
+  best ^ 2 * truncation + rounding / best = 3 * best ^ 2 * truncation /\
+  27 * best ^ 6 * truncation ^ 3 = (27 / 4) * rounding ^ 2 * truncation.
+
+Definition periodic_u_saves_the_seam__slope : Prop :=
+  ~ (
+  forall k_u k_v v : R,
+  sin (PI * k_u) = 0 ->
+  k_u * (sin (PI * (k_v * v))) - k_u * (cos (PI * k_u)) * (sin (PI * (k_v * v))) = 0).
+
+Definition mean_keeps_the_bound__one_more : Prop :=
+  forall bound mean sample share : R,
+  share >= 0 ->
+  share <= 1 ->
+  bound - mean >= 0 ->
+  bound + mean >= 0 ->
+  bound - sample >= 0 ->
+  bound + sample >= 0 ->
+  bound - mean - share * (sample - mean) >= 0 /\
+  bound + mean + share * (sample - mean) >= 0.
+
+Definition third_derivative_at_eight__at_eight : Prop :=
+  512 * PI ^ 3 > 13824 /\
+  13824 > 12000.
+
+Definition third_derivative_at_eight__at_four : Prop :=
+  64 * PI ^ 3 > 1728 /\
+  1987 > 64 * PI ^ 3.
+
+Definition clamped_difference_of_odd__odd : Prop :=
+  forall k_u k_v u v : R,
+  (sin (PI * (k_u * u))) * (sin (PI * (-k_v * v))) = -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  sin (PI * (-2 * k_v * v)) = -(sin (PI * (2 * k_v * v))) /\
+  -(sin (PI * k_v * v)) * (Rabs (sin (PI * k_u * u))) = -(sin (PI * k_v * v)) * (Rabs (sin (PI * k_u * u))).
+
+Definition clamped_difference_of_odd__first_ridge : Prop :=
+  forall k_u k_v u v : R,
+  k_v > 0 ->
+  v >= 0 ->
+  1 - k_v * v >= 0 ->
+  (sin (PI * k_v * v)) * (Rabs (sin (PI * k_u * u))) >= 0 /\
+  (sin (PI * k_v * v)) * (Rabs (sin (PI * k_u * u))) >= Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) >= (sin (PI * k_v * v)) * (Rabs (sin (PI * k_u * u))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (sin (PI * k_v * v)) * (Rabs (sin (PI * k_u * u))).
+
+Definition clamped_difference_of_odd__second_order : Prop :=
+  forall bend_minus bend_plus epsilon largest slope v : R,
+  let v_plus := Rmin 1 (epsilon + v) in
+  let v_minus := Rmax (v - epsilon) 0 in
+  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
+  let h_v_plus := (1 / 24) * bend_plus * (epsilon + v) ^ 3 + (epsilon + v) * (bend_minus * ((1 / 8) * (epsilon + v) ^ 2 - (1 / 2) * v ^ 2) + slope) in
+  let h_v_minus := 0 in
+  let h_v := (h_v_plus - h_v_minus) / span_v in
+  epsilon > 0 ->
+  v >= 0 ->
+  v - epsilon < 0 ->
+  epsilon + v <= 1 ->
+  bend_plus <= largest ->
+  bend_plus >= -largest ->
+  bend_minus <= largest ->
+  bend_minus >= -largest ->
+  span_v <> 0 /\
+  h_v - slope = bend_minus * ((1 / 8) * (epsilon + v) ^ 2 - (1 / 2) * v ^ 2) + (1 / 24) * bend_plus * (epsilon + v) ^ 2 /\
+  (1 / 8) * (epsilon + v) ^ 2 - (1 / 2) * v ^ 2 >= 0 /\
+  (bend_minus + largest) * ((1 / 8) * (epsilon + v) ^ 2 - (1 / 2) * v ^ 2) >= 0 /\
+  (largest - bend_minus) * ((1 / 8) * (epsilon + v) ^ 2 - (1 / 2) * v ^ 2) >= 0 /\
+  largest * ((1 / 6) * epsilon ^ 2 + (1 / 3) * epsilon * v - (1 / 3) * v ^ 2) - h_v + slope >= 0 /\
+  h_v + largest * ((1 / 6) * epsilon ^ 2 + (1 / 3) * epsilon * v - (1 / 3) * v ^ 2) - slope >= 0.
+
+Definition clamped_difference_of_odd__second_order_sharp : Prop :=
+  forall epsilon v : R,
+  epsilon > 0 ->
+  v >= 0 ->
+  v - epsilon < 0 ->
+  epsilon + v <= 1 ->
+  (1 / 6) * (epsilon + v) ^ 2 - (1 / 2) * v ^ 2 = (1 / 6) * epsilon ^ 2 + (1 / 3) * epsilon * v - (1 / 3) * v ^ 2.
+
+Definition displaced_normal__product : Prop :=
+  forall beta h h_phi h_theta phi theta : R,
+  sin phi > 0 ->
+  sin phi <> 0 /\
+  beta * h_theta * (beta * h_phi * (sin phi) * (sin theta) + (beta * h + 1) * (sin theta) * (cos phi)) * (cos phi) - (beta * h_phi * (cos phi) - (beta * h + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * h + 1) * (sin phi) * (cos theta)) = (beta * h + 1) * ((beta * h + 1) * (sin phi) * (cos theta) - beta * (h_phi * (cos phi) * (cos theta) - h_theta * (sin theta) / (sin phi))) * (sin phi) /\
+  (beta * h_phi * (cos phi) - (beta * h + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * h + 1) * (sin phi) * (sin theta)) - beta * h_theta * (beta * h_phi * (sin phi) * (cos theta) + (beta * h + 1) * (cos phi) * (cos theta)) * (cos phi) = (beta * h + 1) * ((beta * h + 1) * (sin phi) * (sin theta) - beta * (h_phi * (sin theta) * (cos phi) + h_theta * (cos theta) / (sin phi))) * (sin phi) /\
+  (beta * h_phi * (sin phi) * (cos theta) + (beta * h + 1) * (cos phi) * (cos theta)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * h + 1) * (sin phi) * (cos theta)) - (beta * h_phi * (sin phi) * (sin theta) + (beta * h + 1) * (sin theta) * (cos phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * h + 1) * (sin phi) * (sin theta)) = (beta * h + 1) * (beta * h_phi * (sin phi) + (beta * h + 1) * (cos phi)) * (sin phi).
+
+Definition displaced_normal__chart_scale : Prop :=
+  forall h_u h_v : R,
+  let h_theta := (1 / 2) * h_u / PI in
+  let h_phi := h_v / PI in
+  h_theta = (1 / 2) * h_u / PI /\
+  h_phi = h_v / PI.
+
+Definition displaced_normal__outward : Prop :=
+  forall beta cos_phi cos_theta h h_u h_v sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  let h_theta := (1 / 2) * h_u / PI in
+  let h_phi := h_v / PI in
+  let lift := beta * h + 1 in
+  let displaced_x := lift * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) in
+  let displaced_y := lift * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) in
+  let displaced_z := lift * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) in
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  sin_phi > 0 ->
+  beta * h + 1 > 0 ->
+  sin_phi <> 0 /\
+  displaced_x * normal_x + displaced_y * normal_y + displaced_z * normal_z = lift /\
+  displaced_x * normal_x + displaced_y * normal_y + displaced_z * normal_z > 0.
+
+Definition displaced_normal__first_order : Prop :=
+  forall beta cos_phi cos_theta h h_u h_v sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  let h_theta := (1 / 2) * h_u / PI in
+  let h_phi := h_v / PI in
+  let lift := beta * h + 1 in
+  let displaced_x := lift * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) in
+  let displaced_y := lift * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) in
+  let displaced_z := lift * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) in
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  sin_phi > 0 ->
+  sin_phi <> 0 /\
+  lift * (normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) - displaced_x = -beta ^ 2 * h * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) /\
+  lift * (normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) - displaced_y = -beta ^ 2 * h * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) /\
+  lift * (normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) - displaced_z = -beta ^ 2 * h * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) /\
+  (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) ^ 2 + (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) ^ 2 + (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) ^ 2 = h_phi ^ 2 + h_theta ^ 2 / (sin_phi ^ 2) /\
+  displaced_y * (normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) - displaced_z * (normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) = -beta ^ 2 * h * (normal_y * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) - normal_z * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) /\
+  displaced_z * (normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) - displaced_x * (normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) = -beta ^ 2 * h * (normal_z * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) - normal_x * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) /\
+  displaced_x * (normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) - displaced_y * (normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) = -beta ^ 2 * h * (normal_x * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) - normal_y * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)).
+
+Definition unit_length__g_is_tangent : Prop :=
+  forall cos_phi cos_theta h_u h_v sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  let g_x := e_phi_x * h_v + e_theta_x * h_u in
+  let g_y := e_phi_y * h_v + e_theta_y * h_u in
+  let g_z := e_phi_z * h_v + e_theta_z * h_u in
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 /\
+  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 = h_u ^ 2 + h_v ^ 2.
+
+Definition unit_length__length : Prop :=
+  forall beta g_x g_y g_z normal_x normal_y normal_z : R,
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  let m_length := sqrt (m_x ^ 2 + m_y ^ 2 + m_z ^ 2) in
+  let m_scale := / m_length in
+  let bumped_x := m_scale * m_x in
+  let bumped_y := m_scale * m_y in
+  let bumped_z := m_scale * m_z in
+  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
+  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
+  m_length <> 0 /\
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) + 1 /\
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 1 /\
+  m_length >= 1 /\
+  m_length ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) + 1 /\
+  bumped_x ^ 2 + bumped_y ^ 2 + bumped_z ^ 2 = 1.
+
+Definition stable_frame__angles : Prop :=
+  forall eye radius x y : R,
+  let rho_raw := sqrt (x ^ 2 + y ^ 2) in
+  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let tangent_squared := (eye - radius) * (eye + radius) in
+  let rho_silhouette := eye * radius / sqrt tangent_squared in
+  let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
+  let root_a := sqrt (Rmax 0 discriminant_a) in
+  let t_a := (if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty) in
+  let rho_inverse := (if Rlt_dec 0 rho then / rho else 0) in
+  let hit_scale := 1 / (radius * (eye ^ 2 + root_a)) in
+  let cos_theta := rho_inverse * x in
+  let sin_theta := rho_inverse * y in
+  let sin_phi := hit_scale * rho * tangent_squared in
+  let cos_phi := eye * hit_scale * (radius ^ 2 + root_a) in
+  eye > 0 ->
+  radius > 0 ->
+  eye > radius ->
+  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  discriminant_a >= 0 ->
+  x ^ 2 + y ^ 2 >= 0 /\
+  tangent_squared >= 0 /\
+  tangent_squared <> 0 /\
+  Rmax 0 discriminant_a >= 0 /\
+  (discriminant_a >= 0 -> eye ^ 2 + root_a <> 0) /\
+  (rho > 0 -> rho <> 0) /\
+  radius <> 0 /\
+  eye ^ 2 + root_a <> 0 /\
+  is_finite t_a /\
+  rho > 0 /\
+  real t_a > 0 /\
+  radius * sin_phi = rho * (real t_a) /\
+  cos_phi * radius = eye * (1 - (real t_a)) /\
+  cos_theta * radius * sin_phi = (real t_a) * x /\
+  radius * sin_phi * sin_theta = (real t_a) * y /\
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 /\
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 /\
+  sin_phi > 0.
+
+Definition stable_frame__seed_frame : Prop :=
+  forall cos_phi cos_theta sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  sin_phi > 0 ->
+  1 - normal_z ^ 2 >= 0 /\
+  1 - normal_z ^ 2 <> 0 /\
+  sqrt (1 - normal_z ^ 2) = sin_phi /\
+  -normal_y / sqrt (1 - normal_z ^ 2) = e_theta_x /\
+  normal_x / sqrt (1 - normal_z ^ 2) = e_theta_y /\
+  0 = e_theta_z /\
+  normal_x * normal_z / sqrt (1 - normal_z ^ 2) = e_phi_x /\
+  normal_y * normal_z / sqrt (1 - normal_z ^ 2) = e_phi_y /\
+  -sqrt (1 - normal_z ^ 2) = e_phi_z.
+
+Definition silhouette_of_a__quadratic : Prop :=
+  forall eye radius x y : R,
+  let rho_raw := sqrt (x ^ 2 + y ^ 2) in
+  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let tangent_squared := (eye - radius) * (eye + radius) in
+  let rho_silhouette := eye * radius / sqrt tangent_squared in
+  let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
+  eye > 0 ->
+  radius > 0 ->
+  eye > radius ->
+  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  x ^ 2 + y ^ 2 >= 0 /\
+  tangent_squared >= 0 /\
+  tangent_squared <> 0 /\
+  discriminant_a = eye ^ 4 - (eye ^ 2 - radius ^ 2) * (eye ^ 2 + rho ^ 2).
+
+Definition silhouette_of_a__inside : Prop :=
+  forall eye radius x y : R,
+  let rho_raw := sqrt (x ^ 2 + y ^ 2) in
+  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let tangent_squared := (eye - radius) * (eye + radius) in
+  let rho_silhouette := eye * radius / sqrt tangent_squared in
+  let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
+  eye > 0 ->
+  radius > 0 ->
+  eye > radius ->
+  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  rho <= rho_silhouette ->
+  x ^ 2 + y ^ 2 >= 0 /\
+  tangent_squared >= 0 /\
+  tangent_squared <> 0 /\
+  tangent_squared > 0 /\
+  rho + rho_silhouette > 0 /\
+  tangent_squared * (rho_silhouette - rho) >= 0 /\
+  discriminant_a >= 0.
+
+Definition silhouette_of_a__only_inside : Prop :=
+  forall eye radius x y : R,
+  let rho_raw := sqrt (x ^ 2 + y ^ 2) in
+  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let tangent_squared := (eye - radius) * (eye + radius) in
+  let rho_silhouette := eye * radius / sqrt tangent_squared in
+  let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
+  eye > 0 ->
+  radius > 0 ->
+  eye > radius ->
+  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  discriminant_a >= 0 ->
+  x ^ 2 + y ^ 2 >= 0 /\
+  tangent_squared >= 0 /\
+  tangent_squared <> 0 /\
+  rho_silhouette > 0 /\
+  rho <= rho_silhouette.
+
+Definition silhouette_of_a__in_front : Prop :=
+  forall eye radius x y : R,
+  let rho_raw := sqrt (x ^ 2 + y ^ 2) in
+  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let tangent_squared := (eye - radius) * (eye + radius) in
+  let rho_silhouette := eye * radius / sqrt tangent_squared in
+  let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
+  let root_a := sqrt (Rmax 0 discriminant_a) in
+  let t_a := (if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty) in
+  eye > 0 ->
+  radius > 0 ->
+  eye > radius ->
+  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  discriminant_a >= 0 ->
+  x ^ 2 + y ^ 2 >= 0 /\
+  tangent_squared >= 0 /\
+  tangent_squared <> 0 /\
+  Rmax 0 discriminant_a >= 0 /\
+  (discriminant_a >= 0 -> eye ^ 2 + root_a <> 0) /\
+  is_finite t_a /\
+  real t_a > 0 /\
+  1 > real t_a.
+
+Definition silhouette_of_a__tangent : Prop :=
+  forall eye radius x y : R,
+  let rho_raw := sqrt (x ^ 2 + y ^ 2) in
+  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let tangent_squared := (eye - radius) * (eye + radius) in
+  let rho_silhouette := eye * radius / sqrt tangent_squared in
+  let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
+  eye > 0 ->
+  radius > 0 ->
+  eye > radius ->
+  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  (eye ^ 2 - radius ^ 2) * (x ^ 2 + y ^ 2) = eye ^ 2 * radius ^ 2 ->
+  x ^ 2 + y ^ 2 >= 0 /\
+  tangent_squared >= 0 /\
+  tangent_squared <> 0 /\
+  eye <> 0 /\
+  discriminant_a = 0 /\
+  rho ^ 2 = rho_silhouette ^ 2 /\
+  x ^ 2 * (1 - radius ^ 2 / (eye ^ 2)) ^ 2 + y ^ 2 * (1 - radius ^ 2 / (eye ^ 2)) ^ 2 + radius ^ 4 / (eye ^ 2) = radius ^ 2 /\
+  x ^ 2 * (1 - radius ^ 2 / (eye ^ 2)) - radius ^ 2 + y ^ 2 * (1 - radius ^ 2 / (eye ^ 2)) = 0 /\
+  radius ^ 2 = radius ^ 2.
+
+Definition seed_covers_the_view__covers : Prop :=
+  forall x y : R,
+  x >= -2 ->
+  x <= 2 ->
+  y >= -2 ->
+  y <= 2 ->
+  (1 / 2) * x + (1 / 2) * y + (54 / 5) > (35 / 4) /\
+  ((1 / 2) * x + (1 / 2) * y + (54 / 5)) ^ 2 > (1225 / 16) /\
+  -(5219 / 2500) * x ^ 2 - (5219 / 2500) * y ^ 2 + ((1 / 2) * x + (1 / 2) * y + (54 / 5)) ^ 2 + (-20876 / 625) > 0.
+
+Definition seed_covers_the_view__before : Prop :=
+  forall b d : R,
+  b > (35 / 4) ->
+  d > 0 ->
+  d >= 0 /\
+  b + sqrt d <> 0 /\
+  b + sqrt d > (35 / 4) /\
+  (5219 / 2500) / (b + sqrt d) > 0 /\
+  (1 / 4) > (5219 / 2500) / (b + sqrt d).
+
+Definition seed_covers_the_view__behind : Prop :=
+  forall eye radius t x y : R,
+  radius > 0 ->
+  eye ^ 2 * (1 - t) ^ 2 + t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2 = radius ^ 2 ->
+  radius >= eye * (1 - t) /\
+  eye * t >= eye - radius.
+
+Definition seam__parity : Prop :=
+  forall alternating : nat -> R,
+  alternating 0%nat = 1 ->
+  (forall n : nat, alternating (S n) = -(alternating n)) ->
+  forall n : nat,
+  cos (PI * (INR n)) = alternating n /\
+  sin (PI * (INR n)) = 0 /\
+  cos (2 * PI * (INR n)) = 1.
+
+Definition seam__sine : Prop :=
+  forall k_u k_v u v : R,
+  -(sin (PI * k_u)) * (sin (PI * (k_v * v))) = -(sin (PI * k_u)) * (sin (PI * (k_v * v))) /\
+  PI * k_u * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * k_u)) * (sin (PI * (k_v * v))) = PI * k_u * (1 - (cos (PI * k_u))) * (sin (PI * (k_v * v))) /\
+  (sin (PI * (k_u * (u + 1)))) * (sin (PI * (k_v * v))) = (sin (PI * k_u)) * (cos (PI * k_u * u)) * (sin (PI * (k_v * v))) + (cos (PI * k_u)) * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))).
+
+Definition seam__even : Prop :=
+  forall k_u k_v u v : R,
+  cos (PI * k_u) = 1 ->
+  -(sin (PI * k_u)) * (sin (PI * (k_v * v))) = 0 /\
+  PI * k_u * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * k_u)) * (sin (PI * (k_v * v))) = 0 /\
+  -PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * k_u)) = 0 /\
+  (sin (PI * (k_u * (u + 1)))) * (sin (PI * (k_v * v))) = (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))).
+
+Definition seam__odd : Prop :=
+  forall k_u k_v v : R,
+  cos (PI * k_u) = -1 ->
+  -(sin (PI * k_u)) * (sin (PI * (k_v * v))) = 0 /\
+  PI * k_u * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * k_u)) * (sin (PI * (k_v * v))) = 2 * PI * k_u * (sin (PI * (k_v * v))).
+
+Definition seam__ridges : Prop :=
+  forall k_u k_v v : R,
+  sin (PI * k_u) = 0 ->
+  0 = 0 /\
+  Rabs ((sin (PI * k_u)) * (sin (PI * (k_v * v)))) = 0.
+
+Definition seam__ridges_crease : Prop :=
+  forall k_u k_v step v : R,
+  sin (PI * k_u) = 0 ->
+  (sin (PI * (k_u * step))) ^ 2 * (sin (PI * (k_v * v))) ^ 2 = (sin (PI * k_u * step)) ^ 2 * (sin (PI * (k_v * v))) ^ 2 /\
+  (sin (PI * (-k_u * (step - 1)))) ^ 2 * (sin (PI * (k_v * v))) ^ 2 = (sin (PI * (k_u * step))) ^ 2 * (sin (PI * (k_v * v))) ^ 2 /\
+  Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v)))) >= Rabs ((sin (PI * (-k_u * (step - 1)))) * (sin (PI * (k_v * v)))) /\
+  Rabs ((sin (PI * (-k_u * (step - 1)))) * (sin (PI * (k_v * v)))) >= Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v)))).
+
+Definition seam__ridges_jump : Prop :=
+  forall k_u k_v v : R,
+  (sin (PI * k_u)) ^ 2 > 0 ->
+  (sin (PI * (k_v * v))) ^ 2 > 0 ->
+  Rabs ((sin (PI * k_u)) * (sin (PI * (k_v * v)))) > 0.
+
+Definition seam__rings : Prop :=
+  forall k_v v : R,
+  sin (PI * (2 * k_v * v)) = sin (PI * (2 * k_v * v)) /\
+  0 = 0.
+
+Definition occlusion_by_signs__quadratic : Prop :=
+  forall body_radius center_x center_y center_z light_x light_y light_z point_x point_y point_z s : R,
+  let segment_x := light_x - point_x in
+  let segment_y := light_y - point_y in
+  let segment_z := light_z - point_z in
+  let offset_x := center_x - point_x in
+  let offset_y := center_y - point_y in
+  let offset_z := center_z - point_z in
+  let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
+  let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
+  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
+  (point_x - center_x + s * segment_x) ^ 2 - body_radius ^ 2 + (point_y - center_y + s * segment_y) ^ 2 + (point_z - center_z + s * segment_z) ^ 2 = offset_x ^ 2 - body_radius ^ 2 + offset_y ^ 2 + offset_z ^ 2 + s ^ 2 * segment_squared - 2 * s * toward_center /\
+  (light_x - center_x) ^ 2 - body_radius ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 = offset_x ^ 2 - body_radius ^ 2 + offset_y ^ 2 + offset_z ^ 2 + segment_squared - 2 * toward_center /\
+  shadow_discriminant = toward_center ^ 2 - segment_squared * (offset_x ^ 2 - body_radius ^ 2 + offset_y ^ 2 + offset_z ^ 2) /\
+  segment_squared >= 0.
+
+Definition occlusion_by_signs__program : Prop :=
+  forall body_radius center_x center_y center_z light_x light_y light_z point_x point_y point_z : R,
+  let segment_x := light_x - point_x in
+  let segment_y := light_y - point_y in
+  let segment_z := light_z - point_z in
+  let offset_x := center_x - point_x in
+  let offset_y := center_y - point_y in
+  let offset_z := center_z - point_z in
+  let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
+  let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
+  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
+  let occluded := (if both (both (Rlt_dec toward_center segment_squared) (Rle_dec 0 shadow_discriminant)) (Rlt_dec 0 toward_center) then 1 else 0) in
+  shadow_discriminant >= 0 ->
+  toward_center > 0 ->
+  toward_center < segment_squared ->
+  occluded = 1.
+
+Definition occlusion_by_signs__if : Prop :=
+  forall a b c d : R,
+  a >= 0 ->
+  c > 0 ->
+  d = b ^ 2 - a * c ->
+  d >= 0 ->
+  b > 0 ->
+  b < a ->
+  d >= 0 /\
+  a <> 0 /\
+  a > 0 /\
+  a - b > 0 /\
+  (b - sqrt d) * (b + sqrt d) = a * c /\
+  b + sqrt d > 0 /\
+  b - sqrt d > 0 /\
+  (a - b - sqrt d) * (a - b + sqrt d) = a * (a - 2 * b + c) /\
+  a - b + sqrt d > 0 /\
+  / a > 0 /\
+  (b - sqrt d) / a > 0 /\
+  1 > (b - sqrt d) / a /\
+  c - 2 * b * (b - sqrt d) / a + (b - sqrt d) ^ 2 / a = 0.
+
+Definition occlusion_by_signs__only_if : Prop :=
+  forall a b c d s : R,
+  a >= 0 ->
+  c > 0 ->
+  d = b ^ 2 - a * c ->
+  a - 2 * b + c > 0 ->
+  s > 0 ->
+  s < 1 ->
+  a * s ^ 2 - 2 * b * s + c = 0 ->
+  b > 0 /\
+  a - b > 0 /\
+  (a * s - b) ^ 2 = d /\
+  d >= 0.
+
+Definition silhouette_of_b__conic : Prop :=
+  forall ball_center_x ball_center_y ball_center_z ball_radius eye x y : R,
+  let distance := eye - ball_center_z in
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  discriminant_b = 2 * ball_center_x * ball_center_y * x * y + 2 * ball_center_x * eye * x * (eye - ball_center_z) + 2 * ball_center_y * eye * y * (eye - ball_center_z) + eye ^ 2 * (-ball_center_x ^ 2 - ball_center_y ^ 2 + ball_radius ^ 2) + x ^ 2 * (ball_radius ^ 2 - ball_center_y ^ 2 - (eye - ball_center_z) ^ 2) + y ^ 2 * (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2) /\
+  (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2) * (ball_radius ^ 2 - ball_center_y ^ 2 - (eye - ball_center_z) ^ 2) - ball_center_x ^ 2 * ball_center_y ^ 2 = ((eye - ball_center_z) ^ 2 - ball_radius ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2) /\
+  ball_center_x * eye * (eye - ball_center_z) * (ball_center_x * ball_center_y ^ 2 * eye * (eye - ball_center_z) - ball_center_x * eye * (eye - ball_center_z) * (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2)) - ball_center_x * ball_center_y * (ball_center_x * ball_center_y * eye ^ 2 * (-ball_center_x ^ 2 - ball_center_y ^ 2 + ball_radius ^ 2) - ball_center_x * ball_center_y * eye ^ 2 * (eye - ball_center_z) ^ 2) + (eye ^ 2 * (-ball_center_x ^ 2 - ball_center_y ^ 2 + ball_radius ^ 2) * (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2) - ball_center_y ^ 2 * eye ^ 2 * (eye - ball_center_z) ^ 2) * (ball_radius ^ 2 - ball_center_y ^ 2 - (eye - ball_center_z) ^ 2) = ball_radius ^ 2 * eye ^ 2 * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2) ^ 2.
+
+Definition silhouette_of_b__ellipse : Prop :=
+  forall ball_center_x ball_center_y ball_center_z ball_radius eye : R,
+  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2 > 0 /\
+  (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2) * (ball_radius ^ 2 - ball_center_y ^ 2 - (eye - ball_center_z) ^ 2) - ball_center_x ^ 2 * ball_center_y ^ 2 > 0.
+
+Definition silhouette_of_b__parabola : Prop :=
+  forall ball_center_x ball_center_y ball_center_z ball_radius eye : R,
+  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  (eye - ball_center_z) ^ 2 = ball_radius ^ 2 ->
+  ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2 > 0 /\
+  (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2) * (ball_radius ^ 2 - ball_center_y ^ 2 - (eye - ball_center_z) ^ 2) - ball_center_x ^ 2 * ball_center_y ^ 2 = 0.
+
+Definition silhouette_of_b__hyperbola : Prop :=
+  forall ball_center_x ball_center_y ball_center_z ball_radius eye : R,
+  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  (eye - ball_center_z) ^ 2 < ball_radius ^ 2 ->
+  ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2 > 0 /\
+  0 > (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2) * (ball_radius ^ 2 - ball_center_y ^ 2 - (eye - ball_center_z) ^ 2) - ball_center_x ^ 2 * ball_center_y ^ 2.
+
+Definition silhouette_of_b__branch : Prop :=
+  forall ball_center_x ball_center_y ball_center_z ball_radius eye x y : R,
+  let distance := eye - ball_center_z in
+  let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  eye > 0 ->
+  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  discriminant_b = 0 ->
+  toward_b ^ 2 = (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2) /\
+  eye ^ 2 + x ^ 2 + y ^ 2 > 0 /\
+  toward_b ^ 2 > 0.
+
+Definition silhouette_of_b__all_seen : Prop :=
+  forall ball_center_x ball_center_y ball_radius distance eye x y : R,
+  eye > 0 ->
+  ball_radius > 0 ->
+  distance >= ball_radius ->
+  ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2 > 0 ->
+  (ball_center_x * x + ball_center_y * y + distance * eye) ^ 2 >= (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2) ->
+  distance > 0 /\
+  distance * eye > 0 /\
+  (distance - ball_radius) * (ball_radius + distance) >= 0 /\
+  x ^ 2 + y ^ 2 >= 0 /\
+  (distance ^ 2 - ball_radius ^ 2) * (x ^ 2 + y ^ 2) >= 0 /\
+  (ball_center_x ^ 2 + ball_center_y ^ 2) * (x ^ 2 + y ^ 2) >= (ball_center_x * x + ball_center_y * y) ^ 2 /\
+  eye ^ 2 > 0 /\
+  eye ^ 2 * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2) > 0 /\
+  (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2) > (ball_center_x * x + ball_center_y * y) ^ 2 /\
+  (ball_center_x * x + ball_center_y * y + distance * eye) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 > 0 /\
+  (ball_center_x * x + ball_center_y * y + distance * eye) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 = distance * eye * (2 * ball_center_x * x + 2 * ball_center_y * y + distance * eye) /\
+  2 * ball_center_x * x + 2 * ball_center_y * y + distance * eye > 0 /\
+  ball_center_x * x + ball_center_y * y + distance * eye > 0.
+
+Definition silhouette_of_b__none_seen : Prop :=
+  forall ball_center_x ball_center_y ball_radius distance eye x y : R,
+  eye > 0 ->
+  ball_radius > 0 ->
+  -distance >= ball_radius ->
+  ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2 > 0 ->
+  (ball_center_x * x + ball_center_y * y + distance * eye) ^ 2 >= (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2) ->
+  -distance > 0 /\
+  -distance * eye > 0 /\
+  (-ball_radius - distance) * (ball_radius - distance) >= 0 /\
+  x ^ 2 + y ^ 2 >= 0 /\
+  (distance ^ 2 - ball_radius ^ 2) * (x ^ 2 + y ^ 2) >= 0 /\
+  (ball_center_x ^ 2 + ball_center_y ^ 2) * (x ^ 2 + y ^ 2) >= (ball_center_x * x + ball_center_y * y) ^ 2 /\
+  eye ^ 2 > 0 /\
+  eye ^ 2 * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2) > 0 /\
+  (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2) > (ball_center_x * x + ball_center_y * y) ^ 2 /\
+  (ball_center_x * x + ball_center_y * y + distance * eye) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 > 0 /\
+  (ball_center_x * x + ball_center_y * y + distance * eye) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 = distance * eye * (2 * ball_center_x * x + 2 * ball_center_y * y + distance * eye) /\
+  -2 * ball_center_x * x - 2 * ball_center_y * y - distance * eye > 0 /\
+  0 > ball_center_x * x + ball_center_y * y + distance * eye.
+
+Definition crease_error_area__tent : Prop :=
+  forall delta epsilon k_u : R,
+  epsilon > 0 ->
+  k_u > 0 ->
+  delta > 0 ->
+  epsilon - delta >= 0 ->
+  1 - k_u * (delta + epsilon) >= 0 ->
+  epsilon <> 0 /\
+  k_u <> 0 /\
+  1 - (cos (PI * delta * k_u)) >= 0 /\
+  1 - (cos (PI * epsilon * k_u)) >= 0 /\
+  PI * k_u > 0 /\
+  PI * epsilon * k_u > 0 /\
+  PI * epsilon * k_u * (-delta / epsilon - (cos (PI * delta * k_u)) + 1 + (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) / (PI * epsilon * k_u)) = PI * epsilon * k_u * (1 - (cos (PI * delta * k_u))) - PI * delta * k_u + (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) /\
+  PI * epsilon * k_u - PI * delta * k_u >= 0 /\
+  PI ^ 2 * epsilon ^ 2 * k_u ^ 2 - PI ^ 2 * delta ^ 2 * k_u ^ 2 >= 0 /\
+  (1 / 6) * PI ^ 3 * epsilon ^ 3 * k_u ^ 3 - PI * delta * k_u + sin (PI * delta * k_u) >= 0 /\
+  (1 / 2) * PI ^ 2 * epsilon ^ 2 * k_u ^ 2 + cos (PI * delta * k_u) - 1 >= 0 /\
+  (1 - (cos (PI * epsilon * k_u))) * (sin (PI * delta * k_u)) >= 0 /\
+  (1 / 2) * PI ^ 3 * epsilon ^ 3 * k_u ^ 3 - (1 - (cos (PI * epsilon * k_u))) * (sin (PI * delta * k_u)) >= 0 /\
+  (2 / 3) * PI ^ 3 * epsilon ^ 3 * k_u ^ 3 - PI * epsilon * k_u * (-delta / epsilon - (cos (PI * delta * k_u)) + 1 + (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) / (PI * epsilon * k_u)) >= 0 /\
+  (2 / 3) * PI ^ 3 * epsilon ^ 3 * k_u ^ 3 + PI * epsilon * k_u * (-delta / epsilon - (cos (PI * delta * k_u)) + 1 + (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) / (PI * epsilon * k_u)) >= 0 /\
+  delta / epsilon + (2 / 3) * PI ^ 2 * epsilon ^ 2 * k_u ^ 2 + cos (PI * delta * k_u) - 1 - (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) / (PI * epsilon * k_u) >= 0 /\
+  (2 / 3) * PI ^ 2 * epsilon ^ 2 * k_u ^ 2 - delta / epsilon - (cos (PI * delta * k_u)) + 1 + (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) / (PI * epsilon * k_u) >= 0.
+
+Definition crease_error_area__tents : Prop :=
+  forall delta epsilon : R,
+  epsilon > 0 ->
+  epsilon <> 0 /\
+  (delta - epsilon) ^ 2 / (epsilon ^ 2) = (delta / epsilon - 1) ^ 2 /\
+  (1 / 3) * epsilon = (1 / 3) * epsilon.
+
+Definition crease_error_area__mean_of_a_square : Prop :=
+  forall k_v v : R,
+  k_v > 0 ->
+  sin (PI * k_v) = 0 ->
+  k_v <> 0 /\
+  (1 / 2) - (1 / 2) * (cos (2 * PI * k_v * v)) = (sin (PI * k_v * v)) ^ 2 /\
+  (1 / 2) - (1 / 4) * (sin (2 * PI * k_v)) / (PI * k_v) = (1 / 2).
+
+Definition crease_error_area__in_u : Prop :=
+  forall epsilon k_u : R,
+  k_u >= 1 ->
+  epsilon > 0 ->
+  epsilon * k_u >= 0 /\
+  epsilon * k_u ^ 3 >= 0 /\
+  PI * k_u > 0 /\
+  epsilon * k_u >= 0 /\
+  (1 / 3) * PI ^ 2 * epsilon * k_u ^ 3 >= 0 /\
+  (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u) >= 0 /\
+  (1 / 3) * PI ^ 2 * epsilon * k_u ^ 3 = (1 / 3) * PI ^ 2 * epsilon * k_u ^ 3 /\
+  (1 / 3) * sqrt 3 * PI * sqrt (epsilon * k_u ^ 3) >= (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u) /\
+  (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u) >= (1 / 3) * sqrt 3 * PI * sqrt (epsilon * k_u ^ 3) /\
+  (1 / 3) * sqrt 3 * PI * sqrt (epsilon * k_u ^ 3) = (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u).
+
+Definition crease_error_area__in_v : Prop :=
+  forall epsilon k_v : R,
+  k_v >= 1 ->
+  epsilon > 0 ->
+  epsilon * (k_v - 1) >= 0 /\
+  PI * k_v > 0 /\
+  epsilon * (k_v - 1) >= 0 /\
+  (1 / 3) * PI ^ 2 * epsilon * k_v ^ 2 * (k_v - 1) >= 0 /\
+  (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)) >= 0 /\
+  (1 / 3) * PI ^ 2 * epsilon * k_v ^ 2 * (k_v - 1) = (1 / 3) * PI ^ 2 * epsilon * k_v ^ 2 * (k_v - 1) /\
+  (1 / 3) * sqrt 3 * PI * sqrt (epsilon * (k_v - 1)) * (Rabs k_v) >= (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)) /\
+  (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)) >= (1 / 3) * sqrt 3 * PI * sqrt (epsilon * (k_v - 1)) * (Rabs k_v) /\
+  (1 / 3) * sqrt 3 * PI * sqrt (epsilon * (k_v - 1)) * (Rabs k_v) = (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)).
+
+Definition bump_is_not_displacement__only_where_flat : Prop :=
+  forall beta cos_phi cos_theta h h_u h_v sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  let h_theta := (1 / 2) * h_u / PI in
+  let h_phi := h_v / PI in
+  let lift := beta * h + 1 in
+  let displaced_x := lift * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) in
+  let displaced_y := lift * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) in
+  let displaced_z := lift * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) in
+  let g_x := e_phi_x * h_v + e_theta_x * h_u in
+  let g_y := e_phi_y * h_v + e_theta_y * h_u in
+  let g_z := e_phi_z * h_v + e_theta_z * h_u in
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  sin_phi > 0 ->
+  beta * h + 1 > 0 ->
+  displaced_z * m_y - displaced_y * m_z = 0 ->
+  displaced_x * m_z - displaced_z * m_x = 0 ->
+  displaced_y * m_x - displaced_x * m_y = 0 ->
+  sin_phi <> 0 /\
+  / sin_phi > 0 /\
+  / PI > 0 /\
+  1 / (PI * sin_phi) > 0 /\
+  lift + (1 / 2) / (PI * sin_phi) > 0 /\
+  lift + / PI > 0 /\
+  beta * h_u * (lift + (1 / 2) / (PI * sin_phi)) = 0 /\
+  beta * h_v * (lift + / PI) = 0 /\
+  beta * h_u = 0 /\
+  beta * h_v = 0.
+
+Definition bump_is_not_displacement__where_flat : Prop :=
+  forall beta cos_phi cos_theta h h_u h_v sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  let h_theta := (1 / 2) * h_u / PI in
+  let h_phi := h_v / PI in
+  let lift := beta * h + 1 in
+  let displaced_x := lift * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) in
+  let displaced_y := lift * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) in
+  let displaced_z := lift * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) in
+  let g_x := e_phi_x * h_v + e_theta_x * h_u in
+  let g_y := e_phi_y * h_v + e_theta_y * h_u in
+  let g_z := e_phi_z * h_v + e_theta_z * h_u in
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  sin_phi > 0 ->
+  beta * h_u = 0 ->
+  beta * h_v = 0 ->
+  sin_phi <> 0 /\
+  displaced_x = lift * m_x /\
+  displaced_y = lift * m_y /\
+  displaced_z = lift * m_z.
+
+Definition bump_is_not_displacement__angle : Prop :=
+  forall beta cos_phi cos_theta h h_u h_v sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  let h_theta := (1 / 2) * h_u / PI in
+  let h_phi := h_v / PI in
+  let lift := beta * h + 1 in
+  let displaced_x := lift * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) in
+  let displaced_y := lift * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) in
+  let displaced_z := lift * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) in
+  let g_x := e_phi_x * h_v + e_theta_x * h_u in
+  let g_y := e_phi_y * h_v + e_theta_y * h_u in
+  let g_z := e_phi_z * h_v + e_theta_z * h_u in
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  sin_phi > 0 ->
+  sin_phi <> 0 /\
+  displaced_x * m_x + displaced_y * m_y + displaced_z * m_z = lift - beta ^ 2 * ((1 / 2) * h_u ^ 2 / (PI * sin_phi) + h_v ^ 2 / PI) /\
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 = beta ^ 2 * (h_u ^ 2 + h_v ^ 2) + 1 /\
+  displaced_x ^ 2 + displaced_y ^ 2 + displaced_z ^ 2 = beta ^ 2 * ((1 / 4) * h_u ^ 2 / (PI ^ 2 * sin_phi ^ 2) + h_v ^ 2 / (PI ^ 2)) + lift ^ 2.
+
+Definition attached_shadow__in_light : Prop :=
+  ~ (
+  forall beta g_x g_y g_z normal_x normal_y normal_z towards_x towards_y towards_z : R,
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  let m_length := sqrt (m_x ^ 2 + m_y ^ 2 + m_z ^ 2) in
+  let m_scale := / m_length in
+  let bumped_x := m_scale * m_x in
+  let bumped_y := m_scale * m_y in
+  let bumped_z := m_scale * m_z in
+  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
+  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  normal_x * towards_x + normal_y * towards_y + normal_z * towards_z > 0 ->
+  towards_x ^ 2 + towards_y ^ 2 + towards_z ^ 2 = 1 ->
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 ->
+  m_length <> 0 ->
+  bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z > 0).
+
+Definition normal_by_beta__derivative : Prop :=
+  forall beta g_x g_y g_z normal_x normal_y normal_z : R,
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  let m_length := sqrt (m_x ^ 2 + m_y ^ 2 + m_z ^ 2) in
+  let m_scale := / m_length in
+  let bumped_x := m_scale * m_x in
+  let bumped_y := m_scale * m_y in
+  let bumped_z := m_scale * m_z in
+  let bumped_by_beta_x := (g_x - bumped_x * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length in
+  let bumped_by_beta_y := (g_y - bumped_y * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length in
+  let bumped_by_beta_z := (g_z - bumped_z * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length in
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 > 0 ->
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
+  m_length <> 0 /\
+  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 >= 0 /\
+  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 <> 0 /\
+  g_x / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_x + normal_x) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = bumped_by_beta_x /\
+  g_y / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_y + normal_y) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = bumped_by_beta_y /\
+  g_z / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_z + normal_z) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = bumped_by_beta_z.
+
+Definition normal_by_beta__tangent_to_directions : Prop :=
+  forall beta g_x g_y g_z normal_x normal_y normal_z : R,
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  let m_length := sqrt (m_x ^ 2 + m_y ^ 2 + m_z ^ 2) in
+  let m_scale := / m_length in
+  let bumped_x := m_scale * m_x in
+  let bumped_y := m_scale * m_y in
+  let bumped_z := m_scale * m_z in
+  let bumped_by_beta_x := (g_x - bumped_x * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length in
+  let bumped_by_beta_y := (g_y - bumped_y * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length in
+  let bumped_by_beta_z := (g_z - bumped_z * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length in
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 > 0 ->
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
+  m_length <> 0 /\
+  bumped_by_beta_x * bumped_x + bumped_by_beta_y * bumped_y + bumped_by_beta_z * bumped_z = 0.
+
+Definition angle_of_the_bump__angle : Prop :=
+  forall beta g_x g_y g_z normal_x normal_y normal_z : R,
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  let m_length := sqrt (m_x ^ 2 + m_y ^ 2 + m_z ^ 2) in
+  let m_scale := / m_length in
+  let bumped_x := m_scale * m_x in
+  let bumped_y := m_scale * m_y in
+  let bumped_z := m_scale * m_z in
+  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
+  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
+  m_length <> 0 /\
+  m_length * (bumped_x * normal_x + bumped_y * normal_y + bumped_z * normal_z) = 1 /\
+  bumped_x * normal_x + bumped_y * normal_y + bumped_z * normal_z > 0 /\
+  (bumped_y * normal_x - bumped_x * normal_y) ^ 2 + (bumped_x * normal_z - bumped_z * normal_x) ^ 2 + (bumped_z * normal_y - bumped_y * normal_z) ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) * (bumped_x * normal_x + bumped_y * normal_y + bumped_z * normal_z) ^ 2.
+
+Definition normal_limits__small_beta : Prop :=
+  forall beta g_x g_y g_z normal_x normal_y normal_z w : R,
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  let m_length := sqrt (m_x ^ 2 + m_y ^ 2 + m_z ^ 2) in
+  let m_scale := / m_length in
+  let bumped_x := m_scale * m_x in
+  let bumped_y := m_scale * m_y in
+  let bumped_z := m_scale * m_z in
+  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
+  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  w = sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) * (Rabs beta) ->
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
+  m_length <> 0 /\
+  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 >= 0 /\
+  (bumped_x - normal_x) ^ 2 + (bumped_y - normal_y) ^ 2 + (bumped_z - normal_z) ^ 2 >= 0 /\
+  m_length * ((bumped_x - normal_x) ^ 2 + (bumped_y - normal_y) ^ 2 + (bumped_z - normal_z) ^ 2) = 2 * m_length - 2 /\
+  beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) - (bumped_x - normal_x) ^ 2 - (bumped_y - normal_y) ^ 2 - (bumped_z - normal_z) ^ 2 >= 0 /\
+  w ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) /\
+  w >= 0 /\
+  w >= sqrt ((bumped_x - normal_x) ^ 2 + (bumped_y - normal_y) ^ 2 + (bumped_z - normal_z) ^ 2).
+
+Definition normal_limits__large_beta : Prop :=
+  forall beta g_x g_y g_z normal_x normal_y normal_z w : R,
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  let m_length := sqrt (m_x ^ 2 + m_y ^ 2 + m_z ^ 2) in
+  let m_scale := / m_length in
+  let bumped_x := m_scale * m_x in
+  let bumped_y := m_scale * m_y in
+  let bumped_z := m_scale * m_z in
+  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
+  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  beta > 0 ->
+  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 > 0 ->
+  w = sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) * (Rabs beta) ->
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
+  m_length <> 0 /\
+  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 >= 0 /\
+  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 <> 0 /\
+  (bumped_x - g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y - g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z - g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 >= 0 /\
+  sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) > 0 /\
+  w > 0 /\
+  w ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) /\
+  m_length ^ 2 = w ^ 2 + 1 /\
+  m_length >= w /\
+  m_length * (bumped_x * g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) + bumped_y * g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) + bumped_z * g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) = w /\
+  m_length * ((bumped_x - g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y - g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z - g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2) = 2 * m_length - 2 * w /\
+  m_length * (m_length + w) * ((bumped_x - g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y - g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z - g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2) = 2 /\
+  1 >= w ^ 2 * ((bumped_x - g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y - g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z - g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2) /\
+  1 >= w * sqrt ((bumped_x - g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y - g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z - g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2).
+
+Definition normal_limits__large_negative_beta : Prop :=
+  forall beta g_x g_y g_z normal_x normal_y normal_z w : R,
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  let m_length := sqrt (m_x ^ 2 + m_y ^ 2 + m_z ^ 2) in
+  let m_scale := / m_length in
+  let bumped_x := m_scale * m_x in
+  let bumped_y := m_scale * m_y in
+  let bumped_z := m_scale * m_z in
+  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
+  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  -beta > 0 ->
+  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 > 0 ->
+  w = sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) * (Rabs beta) ->
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
+  m_length <> 0 /\
+  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 >= 0 /\
+  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 <> 0 /\
+  (bumped_x + g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y + g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z + g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 >= 0 /\
+  sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) > 0 /\
+  w > 0 /\
+  w ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) /\
+  m_length ^ 2 = w ^ 2 + 1 /\
+  m_length >= w /\
+  m_length * (-bumped_x * g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) - bumped_y * g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) - bumped_z * g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) = w /\
+  m_length * ((bumped_x + g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y + g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z + g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2) = 2 * m_length - 2 * w /\
+  m_length * (m_length + w) * ((bumped_x + g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y + g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z + g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2) = 2 /\
+  1 >= w ^ 2 * ((bumped_x + g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y + g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z + g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2) /\
+  1 >= w * sqrt ((bumped_x + g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y + g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z + g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2).
+
+Definition normal_limits__zero_beta : Prop :=
+  forall beta g_x g_y g_z normal_x normal_y normal_z : R,
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  let m_length := sqrt (m_x ^ 2 + m_y ^ 2 + m_z ^ 2) in
+  let m_scale := / m_length in
+  let bumped_x := m_scale * m_x in
+  let bumped_y := m_scale * m_y in
+  let bumped_z := m_scale * m_z in
+  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
+  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  beta = 0 ->
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
+  m_length <> 0 /\
+  bumped_x = normal_x /\
+  bumped_y = normal_y /\
+  bumped_z = normal_z.
+
+Definition normal_limits__zero_height : Prop :=
+  forall beta g_x g_y g_z normal_x normal_y normal_z : R,
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  let m_length := sqrt (m_x ^ 2 + m_y ^ 2 + m_z ^ 2) in
+  let m_scale := / m_length in
+  let bumped_x := m_scale * m_x in
+  let bumped_y := m_scale * m_y in
+  let bumped_z := m_scale * m_z in
+  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
+  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  g_x = 0 ->
+  g_y = 0 ->
+  g_z = 0 ->
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
+  m_length <> 0 /\
+  bumped_x = normal_x /\
+  bumped_y = normal_y /\
+  bumped_z = normal_z.
+
+Definition shadow_line_moves_within__shadow_line : Prop :=
+  forall beta g_x g_y g_z normal_x normal_y normal_z towards_x towards_y towards_z w : R,
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  let m_length := sqrt (m_x ^ 2 + m_y ^ 2 + m_z ^ 2) in
+  let m_scale := / m_length in
+  let bumped_x := m_scale * m_x in
+  let bumped_y := m_scale * m_y in
+  let bumped_z := m_scale * m_z in
+  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
+  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  w = sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) * (Rabs beta) ->
+  towards_x ^ 2 + towards_y ^ 2 + towards_z ^ 2 = 1 ->
+  normal_x * towards_x + normal_y * towards_y + normal_z * towards_z > w ->
+  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
+  m_length <> 0 /\
+  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 >= 0 /\
+  w ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) /\
+  w >= 0 /\
+  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 - (g_x * towards_x + g_y * towards_y + g_z * towards_z) ^ 2 >= 0 /\
+  w ^ 2 - beta ^ 2 * (g_x * towards_x + g_y * towards_y + g_z * towards_z) ^ 2 >= 0 /\
+  beta * (g_x * towards_x + g_y * towards_y + g_z * towards_z) + w >= 0 /\
+  beta * (g_x * towards_x + g_y * towards_y + g_z * towards_z) + normal_x * towards_x + normal_y * towards_y + normal_z * towards_z > 0 /\
+  m_length * (bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z) = beta * (g_x * towards_x + g_y * towards_y + g_z * towards_z) + normal_x * towards_x + normal_y * towards_y + normal_z * towards_z /\
+  bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z > 0.
+
+Definition normalising_is_lipschitz__normalise : Prop :=
+  forall a_x a_y a_z apart b_x b_y b_z length_a length_b product turned : R,
+  length_a >= 1 ->
+  length_b >= 1 ->
+  apart >= 0 ->
+  length_a ^ 2 = a_x ^ 2 + a_y ^ 2 + a_z ^ 2 ->
+  length_b ^ 2 = b_x ^ 2 + b_y ^ 2 + b_z ^ 2 ->
+  product = a_x * b_x + a_y * b_y + a_z * b_z ->
+  apart ^ 2 = (a_x - b_x) ^ 2 + (a_y - b_y) ^ 2 + (a_z - b_z) ^ 2 ->
+  turned ^ 2 = (a_x / length_a - b_x / length_b) ^ 2 + (a_y / length_a - b_y / length_b) ^ 2 + (a_z / length_a - b_z / length_b) ^ 2 ->
+  length_a <> 0 /\
+  length_b <> 0 /\
+  length_a ^ 2 * length_b ^ 2 - product ^ 2 = (a_x * b_y - a_y * b_x) ^ 2 + (a_z * b_x - a_x * b_z) ^ 2 + (a_y * b_z - a_z * b_y) ^ 2 /\
+  length_a ^ 2 * length_b ^ 2 - product ^ 2 >= 0 /\
+  length_a * length_b - 1 >= 0 /\
+  length_a * length_b - product >= 0 /\
+  length_a * length_b + product >= 0 /\
+  length_a * length_b * turned ^ 2 = 2 * length_a * length_b - 2 * product /\
+  apart ^ 2 = length_a ^ 2 + length_b ^ 2 - 2 * product /\
+  length_a * length_b * (apart ^ 2 - turned ^ 2) >= 0 /\
+  apart ^ 2 >= turned ^ 2 /\
+  apart >= turned /\
+  4 >= turned ^ 2 /\
+  2 >= turned.
+
+Definition normalising_is_lipschitz__moved : Prop :=
+  forall beta g_x g_y g_z normal_x normal_y normal_z other_g_x other_g_y other_g_z other_m_x other_m_y other_m_z : R,
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  other_m_x = beta * other_g_x + normal_x ->
+  other_m_y = beta * other_g_y + normal_y ->
+  other_m_z = beta * other_g_z + normal_z ->
+  (m_x - other_m_x) ^ 2 + (m_y - other_m_y) ^ 2 + (m_z - other_m_z) ^ 2 = beta ^ 2 * ((g_x - other_g_x) ^ 2 + (g_y - other_g_y) ^ 2 + (g_z - other_g_z) ^ 2).
+
+Definition kink_loci__projection : Prop :=
+  forall cos_phi cos_theta eye radius sin_phi sin_theta t x y : R,
+  let point_x := cos_theta * radius * sin_phi in
+  let point_y := radius * sin_phi * sin_theta in
+  let point_z := cos_phi * radius in
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  sin_phi >= 0 ->
+  eye > 0 ->
+  radius > 0 ->
+  eye > radius ->
+  t * x = point_x ->
+  t * y = point_y ->
+  eye * (1 - t) = point_z ->
+  eye - cos_phi * radius <> 0 /\
+  x ^ 2 + y ^ 2 >= 0 /\
+  1 - cos_phi >= 0 /\
+  eye - cos_phi * radius > 0 /\
+  eye * t = eye - cos_phi * radius /\
+  t > 0 /\
+  cos_theta * x + sin_theta * y = eye * radius * sin_phi / (eye - cos_phi * radius) /\
+  sin_theta * x = cos_theta * y /\
+  cos_theta * x + sin_theta * y >= 0 /\
+  x ^ 2 + y ^ 2 = eye ^ 2 * radius ^ 2 * sin_phi ^ 2 / ((eye - cos_phi * radius) ^ 2) /\
+  eye * radius * sin_phi / (eye - cos_phi * radius) >= 0 /\
+  sqrt (x ^ 2 + y ^ 2) = eye * radius * sin_phi / (eye - cos_phi * radius).
+
+Definition kink_loci__crease_u : Prop :=
+  forall k_u k_v m v : R,
+  k_u > 0 ->
+  sin (PI * m) = 0 ->
+  sin (PI * m) = 0 /\
+  Rabs ((sin (PI * m)) * (sin (PI * (k_v * v)))) = 0.
+
+Definition kink_loci__crease_v : Prop :=
+  forall k_u k_v m u : R,
+  k_v > 0 ->
+  sin (PI * m) = 0 ->
+  sin (PI * m) = 0 /\
+  Rabs ((sin (PI * m)) * (sin (PI * (k_u * u)))) = 0.
+
+Definition kink_loci__elsewhere_above : Prop :=
+  forall k_u k_v u v : R,
+  (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) > 0 /\
+  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+
+Definition kink_loci__elsewhere_below : Prop :=
+  forall k_u k_v u v : R,
+  -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) > 0 /\
+  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = -PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = -PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+
+Definition visible_iff__visible : Prop :=
+  forall eye radius t x y : R,
+  let rho_raw := sqrt (x ^ 2 + y ^ 2) in
+  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let tangent_squared := (eye - radius) * (eye + radius) in
+  let rho_silhouette := eye * radius / sqrt tangent_squared in
+  let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
+  let root_a := sqrt (Rmax 0 discriminant_a) in
+  let t_a := (if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty) in
+  eye > 0 ->
+  radius > 0 ->
+  eye > radius ->
+  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  discriminant_a >= 0 ->
+  eye ^ 2 * (1 - t) ^ 2 + t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2 = radius ^ 2 ->
+  eye ^ 2 * (1 - t) / radius >= radius ->
+  x ^ 2 + y ^ 2 >= 0 /\
+  tangent_squared >= 0 /\
+  tangent_squared <> 0 /\
+  Rmax 0 discriminant_a >= 0 /\
+  (discriminant_a >= 0 -> eye ^ 2 + root_a <> 0) /\
+  radius <> 0 /\
+  is_finite t_a /\
+  t * (t * (eye ^ 2 + rho ^ 2) - eye ^ 2) = radius * (radius - eye ^ 2 * (1 - t) / radius) /\
+  (t * (eye ^ 2 + rho ^ 2) - eye ^ 2) ^ 2 = discriminant_a /\
+  2 * eye ^ 2 * t = eye ^ 2 - radius ^ 2 + t ^ 2 * (eye ^ 2 + rho ^ 2) /\
+  eye ^ 2 * t > 0 /\
+  t > 0 /\
+  0 >= t * (eye ^ 2 + rho ^ 2) - eye ^ 2 /\
+  eye ^ 2 - t * (eye ^ 2 + rho ^ 2) >= root_a /\
+  root_a >= eye ^ 2 - t * (eye ^ 2 + rho ^ 2) /\
+  t >= real t_a /\
+  real t_a >= t.
+
+Definition visible_iff__hidden : Prop :=
+  forall eye radius t x y : R,
+  let rho_raw := sqrt (x ^ 2 + y ^ 2) in
+  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let tangent_squared := (eye - radius) * (eye + radius) in
+  let rho_silhouette := eye * radius / sqrt tangent_squared in
+  let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
+  let root_a := sqrt (Rmax 0 discriminant_a) in
+  let t_a := (if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty) in
+  eye > 0 ->
+  radius > 0 ->
+  eye > radius ->
+  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  discriminant_a >= 0 ->
+  eye ^ 2 * (1 - t) ^ 2 + t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2 = radius ^ 2 ->
+  eye ^ 2 * (1 - t) / radius < radius ->
+  x ^ 2 + y ^ 2 >= 0 /\
+  tangent_squared >= 0 /\
+  tangent_squared <> 0 /\
+  Rmax 0 discriminant_a >= 0 /\
+  (discriminant_a >= 0 -> eye ^ 2 + root_a <> 0) /\
+  radius <> 0 /\
+  is_finite t_a /\
+  t * (t * (eye ^ 2 + rho ^ 2) - eye ^ 2) = radius * (radius - eye ^ 2 * (1 - t) / radius) /\
+  (t * (eye ^ 2 + rho ^ 2) - eye ^ 2) ^ 2 = discriminant_a /\
+  2 * eye ^ 2 * t = eye ^ 2 - radius ^ 2 + t ^ 2 * (eye ^ 2 + rho ^ 2) /\
+  eye ^ 2 * t > 0 /\
+  t > 0 /\
+  t * (eye ^ 2 + rho ^ 2) - eye ^ 2 > 0 /\
+  t > real t_a.
+
+Definition shadow_along_a_row__row : Prop :=
+  forall body_radius center_x center_y center_z light_x light_y light_z x y : R,
+  let point_x := x in
+  let point_y := y in
+  let point_z := 0 in
+  let segment_x := light_x - point_x in
+  let segment_y := light_y - point_y in
+  let segment_z := light_z - point_z in
+  let offset_x := center_x - point_x in
+  let offset_y := center_y - point_y in
+  let offset_z := center_z - point_z in
+  let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
+  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
+  shadow_discriminant = body_radius ^ 2 * (light_x ^ 2 + light_z ^ 2 + (light_y - y) ^ 2) + x ^ 2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - x * (2 * body_radius ^ 2 * light_x + 2 * (light_y - center_y) * (center_y * light_x - center_x * light_y - y * (light_x - center_x)) + 2 * (center_z - light_z) * (center_x * light_z - center_z * light_x)) - (center_x * light_z - center_z * light_x) ^ 2 - (center_y * light_x - center_x * light_y - y * (light_x - center_x)) ^ 2 - (center_z * light_y - center_y * light_z + y * (light_z - center_z)) ^ 2 /\
+  segment_squared = light_x ^ 2 - 2 * light_x * x + light_z ^ 2 + x ^ 2 + (light_y - y) ^ 2 /\
+  -center_x - light_x + 2 * x = -center_x - light_x + 2 * x.
+
+Definition shadow_along_a_row__leading : Prop :=
+  forall body_radius center_y center_z light_y light_z : R,
+  2 * (body_radius ^ 2 - (center_y - light_y) ^ 2 - (center_z - light_z) ^ 2) = 2 * body_radius ^ 2 - 2 * (light_y - center_y) ^ 2 - 2 * (light_z - center_z) ^ 2.
+
+Definition shadow_along_a_row__away : Prop :=
+  forall center_x center_y center_z light_x light_y light_z x y : R,
+  let point_x := x in
+  let point_y := y in
+  let point_z := 0 in
+  let segment_x := light_x - point_x in
+  let segment_y := light_y - point_y in
+  let segment_z := light_z - point_z in
+  let offset_x := center_x - point_x in
+  let offset_y := center_y - point_y in
+  let offset_z := center_z - point_z in
+  let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
+  let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
+  segment_squared - toward_center = light_z * (light_z - center_z) - (light_x - center_x) * (x - light_x) - (light_y - center_y) * (y - light_y).
+
+Definition shadow_of_b_on_floor__conic : Prop :=
+  forall body_radius center_x center_y center_z light_x light_y light_z x y : R,
+  let point_x := x in
+  let point_y := y in
+  let point_z := 0 in
+  let segment_x := light_x - point_x in
+  let segment_y := light_y - point_y in
+  let segment_z := light_z - point_z in
+  let offset_x := center_x - point_x in
+  let offset_y := center_y - point_y in
+  let offset_z := center_z - point_z in
+  let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
+  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
+  shadow_discriminant = ((light_x - center_x) * (x - light_x) - light_z * (light_z - center_z) + (light_y - center_y) * (y - light_y)) ^ 2 - (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) * ((light_x - center_x) ^ 2 - body_radius ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2) /\
+  shadow_discriminant - x ^ 2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - 2 * x * y * (light_x - center_x) * (light_y - center_y) - y ^ 2 * (body_radius ^ 2 - (light_x - center_x) ^ 2 - (light_z - center_z) ^ 2) = body_radius ^ 2 * (light_x ^ 2 + light_y ^ 2 + light_z ^ 2) + x * (-2 * body_radius ^ 2 * light_x - (2 * light_y - 2 * center_y) * (center_y * light_x - center_x * light_y) - (2 * center_z - 2 * light_z) * (center_x * light_z - center_z * light_x)) + y * (-2 * body_radius ^ 2 * light_y - (2 * center_x - 2 * light_x) * (center_y * light_x - center_x * light_y) - (2 * light_z - 2 * center_z) * (center_z * light_y - center_y * light_z)) - (center_y * light_x - center_x * light_y) ^ 2 - (center_x * light_z - center_z * light_x) ^ 2 - (center_z * light_y - center_y * light_z) ^ 2 /\
+  (body_radius ^ 2 - (light_x - center_x) ^ 2 - (light_z - center_z) ^ 2) * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - (light_x - center_x) ^ 2 * (light_y - center_y) ^ 2 = ((light_z - center_z) ^ 2 - body_radius ^ 2) * ((light_x - center_x) ^ 2 - body_radius ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2).
+
+Definition shadow_of_b_on_floor__ellipse : Prop :=
+  forall body_radius center_x center_y center_z light_x light_y light_z : R,
+  (light_x - center_x) ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 > body_radius ^ 2 ->
+  (light_z - center_z) ^ 2 > body_radius ^ 2 ->
+  (light_x - center_x) ^ 2 - body_radius ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 > 0 /\
+  (body_radius ^ 2 - (light_x - center_x) ^ 2 - (light_z - center_z) ^ 2) * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - (light_x - center_x) ^ 2 * (light_y - center_y) ^ 2 > 0.
+
+Definition shadow_of_b_on_floor__parabola : Prop :=
+  forall body_radius center_x center_y center_z light_x light_y light_z : R,
+  (light_x - center_x) ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 > body_radius ^ 2 ->
+  (light_z - center_z) ^ 2 = body_radius ^ 2 ->
+  (light_x - center_x) ^ 2 - body_radius ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 > 0 /\
+  (body_radius ^ 2 - (light_x - center_x) ^ 2 - (light_z - center_z) ^ 2) * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - (light_x - center_x) ^ 2 * (light_y - center_y) ^ 2 = 0.
+
+Definition shadow_of_b_on_floor__hyperbola : Prop :=
+  forall body_radius center_x center_y center_z light_x light_y light_z : R,
+  (light_x - center_x) ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 > body_radius ^ 2 ->
+  (light_z - center_z) ^ 2 < body_radius ^ 2 ->
+  (light_x - center_x) ^ 2 - body_radius ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 > 0 /\
+  0 > (body_radius ^ 2 - (light_x - center_x) ^ 2 - (light_z - center_z) ^ 2) * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - (light_x - center_x) ^ 2 * (light_y - center_y) ^ 2.
+
+Definition shadow_of_b_on_floor__away : Prop :=
+  forall center_x center_y center_z light_x light_y light_z x y : R,
+  let point_x := x in
+  let point_y := y in
+  let point_z := 0 in
+  let segment_x := light_x - point_x in
+  let segment_y := light_y - point_y in
+  let segment_z := light_z - point_z in
+  let offset_x := center_x - point_x in
+  let offset_y := center_y - point_y in
+  let offset_z := center_z - point_z in
+  let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
+  let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
+  segment_squared - toward_center = light_z * (light_z - center_z) - (light_x - center_x) * (x - light_x) - (light_y - center_y) * (y - light_y).
+
+Definition shadow_of_b_on_floor__all_seen : Prop :=
+  forall body_radius center_x center_y center_z light_x light_y light_z x y : R,
+  light_z > 0 ->
+  body_radius > 0 ->
+  light_z - center_z >= body_radius ->
+  (center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2 > 0 ->
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 >= (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) * ((center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2) ->
+  light_z - center_z > 0 /\
+  light_z * (light_z - center_z) > 0 /\
+  (-body_radius - center_z + light_z) * (body_radius - center_z + light_z) >= 0 /\
+  (x - light_x) ^ 2 + (y - light_y) ^ 2 >= 0 /\
+  ((light_z - center_z) ^ 2 - body_radius ^ 2) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= 0 /\
+  ((center_x - light_x) ^ 2 + (center_y - light_y) ^ 2) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
+  light_z ^ 2 > 0 /\
+  light_z ^ 2 * ((center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2) > 0 /\
+  (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) * ((center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2) > ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 > 0 /\
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 = light_z * (light_z - center_z) * (light_z * (light_z - center_z) + 2 * (center_x - light_x) * (x - light_x) + 2 * (center_y - light_y) * (y - light_y)) /\
+  light_z * (light_z - center_z) + 2 * (center_x - light_x) * (x - light_x) + 2 * (center_y - light_y) * (y - light_y) > 0 /\
+  light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y) > 0.
+
+Definition shadow_of_b_on_floor__none_seen : Prop :=
+  forall body_radius center_x center_y center_z light_x light_y light_z x y : R,
+  light_z > 0 ->
+  body_radius > 0 ->
+  center_z - light_z >= body_radius ->
+  (center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2 > 0 ->
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 >= (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) * ((center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2) ->
+  center_z - light_z > 0 /\
+  -light_z * (light_z - center_z) > 0 /\
+  (center_z - body_radius - light_z) * (body_radius + center_z - light_z) >= 0 /\
+  (x - light_x) ^ 2 + (y - light_y) ^ 2 >= 0 /\
+  ((light_z - center_z) ^ 2 - body_radius ^ 2) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= 0 /\
+  ((center_x - light_x) ^ 2 + (center_y - light_y) ^ 2) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
+  light_z ^ 2 > 0 /\
+  light_z ^ 2 * ((center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2) > 0 /\
+  (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) * ((center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2) > ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 > 0 /\
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 = light_z * (light_z - center_z) * (light_z * (light_z - center_z) + 2 * (center_x - light_x) * (x - light_x) + 2 * (center_y - light_y) * (y - light_y)) /\
+  -light_z * (light_z - center_z) - 2 * (center_x - light_x) * (x - light_x) - 2 * (center_y - light_y) * (y - light_y) > 0 /\
+  0 > light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y).
+
+Definition image_derivative__mu : Prop :=
+  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z towards_x towards_y towards_z : R,
+  bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z = bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z.
+
+Definition image_derivative__blinn : Prop :=
+  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z halfway_length halfway_x halfway_y halfway_z : R,
+  halfway_length > 0 ->
+  halfway_length <> 0 /\
+  (bumped_by_beta_x * halfway_x + bumped_by_beta_y * halfway_y + bumped_by_beta_z * halfway_z) / halfway_length = (bumped_by_beta_x * halfway_x + bumped_by_beta_y * halfway_y + bumped_by_beta_z * halfway_z) / halfway_length.
+
+Definition image_derivative__phong : Prop :=
+  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z towards_x towards_y towards_z view_x view_y view_z : R,
+  2 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z) * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) + 2 * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z) = 2 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z) * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) + 2 * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z).
+
+Definition image_derivative__power_rule : Prop :=
+  forall slope x : R,
+  forall of_x by_s power_ : nat -> R,
+  of_x 0%nat = 1 ->
+  (forall n : nat, of_x (S n) = (of_x n) * x) ->
+  by_s 0%nat = 0 ->
+  (forall n : nat, by_s (S n) = (by_s n) * x + (of_x n) * slope) ->
+  power_ 0%nat = 0 ->
+  (forall n : nat, power_ (S n) = power_ n + 1) ->
+  forall n : nat,
+  (by_s n) * x = (of_x n) * (power_ n) * slope.
+
+Definition image_derivative__lit_shiny : Prop :=
+  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta shininess specular_base : R,
+  mu > 0 ->
+  specular_base > 0 ->
+  raised_by_beta * specular_base = base_by_beta * raised * shininess ->
+  (specular_base > 0 -> specular_base <> 0) /\
+  Rmax 0 mu = mu /\
+  Rmax 0 specular_base = specular_base /\
+  light_red * (albedo_red * kd * mu_by_beta + ks * raised_by_beta) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * raised * shininess / specular_base else 0)).
+
+Definition image_derivative__lit_dull : Prop :=
+  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised shininess specular_base : R,
+  mu > 0 ->
+  specular_base < 0 ->
+  (specular_base > 0 -> specular_base <> 0) /\
+  Rmax 0 mu = mu /\
+  Rmax 0 specular_base = 0 /\
+  albedo_red * kd * light_red * mu_by_beta = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * raised * shininess / specular_base else 0)).
+
+Definition image_derivative__unlit_shiny : Prop :=
+  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta shininess specular_base : R,
+  mu < 0 ->
+  specular_base > 0 ->
+  raised_by_beta * specular_base = base_by_beta * raised * shininess ->
+  (specular_base > 0 -> specular_base <> 0) /\
+  Rmax 0 mu = 0 /\
+  Rmax 0 specular_base = specular_base /\
+  ks * light_red * raised_by_beta = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * raised * shininess / specular_base else 0)).
+
+Definition image_derivative__unlit_dull : Prop :=
+  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised shininess specular_base : R,
+  mu < 0 ->
+  specular_base < 0 ->
+  (specular_base > 0 -> specular_base <> 0) /\
+  Rmax 0 mu = 0 /\
+  Rmax 0 specular_base = 0 /\
+  0 = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * raised * shininess / specular_base else 0)).
+
+Definition image_derivative__inside : Prop :=
+  forall color term_by_beta : R,
+  color > 0 ->
+  color < 1 ->
+  Rmin 1 (Rmax 0 color) = color /\
+  (if both (Rlt_dec color 1) (Rlt_dec 0 color) then term_by_beta else 0) = term_by_beta.
+
+Definition image_derivative__above : Prop :=
+  forall color term_by_beta : R,
+  color > 1 ->
+  Rmin 1 (Rmax 0 color) = 1 /\
+  (if both (Rlt_dec color 1) (Rlt_dec 0 color) then term_by_beta else 0) = 0.
+
+Definition image_derivative__below : Prop :=
+  forall color term_by_beta : R,
+  color < 0 ->
+  Rmax 0 color = 0 /\
+  (if both (Rlt_dec color 1) (Rlt_dec 0 color) then term_by_beta else 0) = 0.
+
+Definition difference_bound__light_0 : Prop :=
+  forall albedo_red before kd ks light_red mu other_mu other_specular q red so_far specular step : R,
+  albedo_red >= 0 ->
+  light_red >= 0 ->
+  kd >= 0 ->
+  ks >= 0 ->
+  before - red + so_far >= 0 ->
+  red - before + so_far >= 0 ->
+  step - (Rmax 0 mu) + Rmax 0 other_mu >= 0 ->
+  step + Rmax 0 mu - (Rmax 0 other_mu) >= 0 ->
+  other_specular + q * step - specular >= 0 ->
+  q * step - other_specular + specular >= 0 ->
+  albedo_red * kd >= 0 /\
+  albedo_red * kd * light_red >= 0 /\
+  ks * light_red >= 0 /\
+  albedo_red * kd * light_red * step - albedo_red * kd * light_red * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  albedo_red * kd * light_red * step + albedo_red * kd * light_red * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  ks * light_red * q * step - ks * light_red * (specular - other_specular) >= 0 /\
+  ks * light_red * q * step + ks * light_red * (specular - other_specular) >= 0 /\
+  before - light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) + light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular) - red + so_far + step * (albedo_red * kd * light_red + ks * light_red * q) >= 0 /\
+  light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) - before - light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular) + red + so_far + step * (albedo_red * kd * light_red + ks * light_red * q) >= 0.
+
+Definition difference_bound__light_1 : Prop :=
+  forall albedo_green before green kd ks light_green mu other_mu other_specular q so_far specular step : R,
+  albedo_green >= 0 ->
+  light_green >= 0 ->
+  kd >= 0 ->
+  ks >= 0 ->
+  before - green + so_far >= 0 ->
+  green - before + so_far >= 0 ->
+  step - (Rmax 0 mu) + Rmax 0 other_mu >= 0 ->
+  step + Rmax 0 mu - (Rmax 0 other_mu) >= 0 ->
+  other_specular + q * step - specular >= 0 ->
+  q * step - other_specular + specular >= 0 ->
+  albedo_green * kd >= 0 /\
+  albedo_green * kd * light_green >= 0 /\
+  ks * light_green >= 0 /\
+  albedo_green * kd * light_green * step - albedo_green * kd * light_green * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  albedo_green * kd * light_green * step + albedo_green * kd * light_green * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  ks * light_green * q * step - ks * light_green * (specular - other_specular) >= 0 /\
+  ks * light_green * q * step + ks * light_green * (specular - other_specular) >= 0 /\
+  before - green - light_green * (albedo_green * kd * (Rmax 0 mu) + ks * specular) + light_green * (albedo_green * kd * (Rmax 0 other_mu) + ks * other_specular) + so_far + step * (albedo_green * kd * light_green + ks * light_green * q) >= 0 /\
+  green - before + light_green * (albedo_green * kd * (Rmax 0 mu) + ks * specular) - light_green * (albedo_green * kd * (Rmax 0 other_mu) + ks * other_specular) + so_far + step * (albedo_green * kd * light_green + ks * light_green * q) >= 0.
+
+Definition difference_bound__light_2 : Prop :=
+  forall albedo_blue before blue kd ks light_blue mu other_mu other_specular q so_far specular step : R,
+  albedo_blue >= 0 ->
+  light_blue >= 0 ->
+  kd >= 0 ->
+  ks >= 0 ->
+  before - blue + so_far >= 0 ->
+  blue - before + so_far >= 0 ->
+  step - (Rmax 0 mu) + Rmax 0 other_mu >= 0 ->
+  step + Rmax 0 mu - (Rmax 0 other_mu) >= 0 ->
+  other_specular + q * step - specular >= 0 ->
+  q * step - other_specular + specular >= 0 ->
+  albedo_blue * kd >= 0 /\
+  albedo_blue * kd * light_blue >= 0 /\
+  ks * light_blue >= 0 /\
+  albedo_blue * kd * light_blue * step - albedo_blue * kd * light_blue * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  albedo_blue * kd * light_blue * step + albedo_blue * kd * light_blue * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  ks * light_blue * q * step - ks * light_blue * (specular - other_specular) >= 0 /\
+  ks * light_blue * q * step + ks * light_blue * (specular - other_specular) >= 0 /\
+  before - blue - light_blue * (albedo_blue * kd * (Rmax 0 mu) + ks * specular) + light_blue * (albedo_blue * kd * (Rmax 0 other_mu) + ks * other_specular) + so_far + step * (albedo_blue * kd * light_blue + ks * light_blue * q) >= 0 /\
+  blue - before + light_blue * (albedo_blue * kd * (Rmax 0 mu) + ks * specular) - light_blue * (albedo_blue * kd * (Rmax 0 other_mu) + ks * other_specular) + so_far + step * (albedo_blue * kd * light_blue + ks * light_blue * q) >= 0.
+
+Definition difference_bound__clip : Prop :=
+  forall bound_on first second : R,
+  bound_on - first + second >= 0 ->
+  bound_on + first - second >= 0 ->
+  bound_on - (Rmin 1 (Rmax 0 first)) + Rmin 1 (Rmax 0 second) >= 0 /\
+  bound_on + Rmin 1 (Rmax 0 first) - (Rmin 1 (Rmax 0 second)) >= 0.
+
+Definition difference_bound__all_lights : Prop :=
+  forall change_1 change_2 change_3 change_4 change_5 factor_1 factor_2 factor_3 factor_4 factor_5 slope_error step : R,
+  factor_1 * step >= change_1 ->
+  change_1 + factor_2 * step >= change_2 ->
+  change_2 + factor_3 * step >= change_3 ->
+  change_3 + factor_4 * step >= change_4 ->
+  change_4 + factor_5 * step >= change_5 ->
+  factor_1 >= 0 ->
+  factor_2 >= 0 ->
+  factor_3 >= 0 ->
+  factor_4 >= 0 ->
+  factor_5 >= 0 ->
+  slope_error >= step ->
+  step * (factor_1 + factor_2 + factor_3 + factor_4 + factor_5) >= change_5 /\
+  factor_1 + factor_2 + factor_3 + factor_4 + factor_5 >= 0 /\
+  slope_error * (factor_1 + factor_2 + factor_3 + factor_4 + factor_5) >= change_5.
+
+Definition pixels_off_the_pole__raster_above : Prop :=
+  forall m n : R,
+  (m - 128) * (m - 127) >= 0 ->
+  n <= 108 ->
+  (2 * m - 255) ^ 2 >= 1 /\
+  (1083 - 10 * n) ^ 2 >= 9 /\
+  (5 / 3) * ((1083 / 1280) - (1 / 128) * n) ^ 2 + (5 / 196608) * (2 * m - 255) ^ 2 >= (17 / 491520).
+
+Definition pixels_off_the_pole__raster_below : Prop :=
+  forall m n : R,
+  (m - 128) * (m - 127) >= 0 ->
+  n >= 109 ->
+  (2 * m - 255) ^ 2 >= 1 /\
+  (1083 - 10 * n) ^ 2 >= 9 /\
+  (5 / 3) * ((1083 / 1280) - (1 / 128) * n) ^ 2 + (5 / 196608) * (2 * m - 255) ^ 2 >= (17 / 491520).
+
+Definition pixels_off_the_pole__linear : Prop :=
+  forall cos_phi eye radius sin_phi : R,
+  let rho := eye * radius * sin_phi / (eye - cos_phi * radius) in
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  sin_phi >= 0 ->
+  eye > 0 ->
+  radius > 0 ->
+  eye > radius ->
+  eye - cos_phi * radius <> 0 /\
+  1 - cos_phi >= 0 /\
+  eye - cos_phi * radius > 0 /\
+  rho >= 0 /\
+  eye * radius * sin_phi >= rho * (eye - radius).
+
+Definition pixels_off_the_pole__far : Prop :=
+  forall rho sin_phi : R,
+  4 * sin_phi >= 3 * rho ->
+  rho >= 0 ->
+  rho ^ 2 >= (17 / 491520) ->
+  sin_phi > (11 / 2500) /\
+  sin_phi > (1 / 10000).
+
+Definition visible_parallels__falling : Prop :=
+  forall a b : R,
+  a >= 0 ->
+  b - a > 0 ->
+  1 - b >= 0 ->
+  cos (PI * a) - (cos (PI * b)) = 2 * (sin (PI * ((1 / 2) * b - (1 / 2) * a))) * (sin (PI * ((1 / 2) * a + (1 / 2) * b))) /\
+  cos (PI * a) > cos (PI * b).
+
+Definition visible_parallels__nearer : Prop :=
+  forall a b eye radius : R,
+  eye > 0 ->
+  cos (PI * a) > cos (PI * b) ->
+  eye * (cos (PI * b)) >= radius ->
+  eye * (cos (PI * a)) > radius.
+
+Definition visible_parallels__pole : Prop :=
+  forall cos_phi eye radius sin_phi : R,
+  let rho := eye * radius * sin_phi / (eye - cos_phi * radius) in
+  sin_phi = 0 ->
+  cos_phi = 1 ->
+  eye > radius ->
+  eye - cos_phi * radius <> 0 /\
+  rho = 0.
+
+Definition visible_parallels__count : Prop :=
+  (1 / 2) * sqrt 2 > (1 / 4) /\
+  (1 / 4) > 0 /\
+  0 > -(1 / 2) * sqrt 2 /\
+  -(1 / 2) * sqrt 2 > -1.
+
+Definition shadow_of_a_on_floor__of_a : Prop :=
+  forall body_radius light_x light_y light_z x y : R,
+  body_radius ^ 2 * (light_z ^ 2 + (light_x - x) ^ 2 + (light_y - y) ^ 2) - light_z ^ 2 * x ^ 2 - light_z ^ 2 * y ^ 2 - (x * (light_y - y) - y * (light_x - x)) ^ 2 = body_radius ^ 2 * (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) - (x ^ 2 + y ^ 2) * (light_x ^ 2 + light_y ^ 2 + light_z ^ 2) + (light_x * x + light_y * y) ^ 2.
+
+Definition shadow_of_a_on_floor__behind_a : Prop :=
+  forall light_x light_y x y : R,
+  -x * (light_x - x) - y * (light_y - y) = -light_x * x - light_y * y + x ^ 2 + y ^ 2.

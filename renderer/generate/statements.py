@@ -1,0 +1,197 @@
+"""The text of `proofs/formal/Statements.v`: every claim of every theorem as a proposition for Coq to prove.
+
+    Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> what it needs, and what it shows.
+
+Coq divides by 0, takes the root of −1, and makes 0 of an infinity. No claim is about such a value: what is divided by
+is not 0, what has a root is not negative, a hit that is computed with is finite. The kernel asks it by name, and here
+it stands before what is shown (`StatementPrinter.needs`). Of a refuted theorem the negation is printed: hypotheses and
+needs hold somewhere, and what is said does not. Neither a cited lemma nor what a claim borrows is a hypothesis: Coq has
+to prove them. A Separation, about what a program reads and not about numbers, is the kernel's alone.
+"""
+
+from collections.abc import Iterable
+
+from sympy import And, Basic, Or, Piecewise, Pow, Rational, S, Symbol, false, pi, sympify, true
+from sympy.core.relational import Relational
+
+from proofs.engine.claim import AnyClaim, Claim, Induction
+from proofs.engine.theorem import Theorem, all_theorems
+from renderer.generate.coq import CoqPrinter
+
+HEADER = """(* Printed from proofs/theorems by `python -m renderer.generate`. Do not edit: change the claim instead.
+   Each definition is one claim: what is written by hand proves it, and is compiled afterwards. *)
+
+From Coq Require Import Reals.
+From Coquelicot Require Import Coquelicot.
+From Formal Require Import Preliminaries.
+Open Scope R_scope.
+"""
+OPERATORS = {"==": "=", "!=": "<>", ">": ">", ">=": ">=", "<": "<", "<=": "<="}
+EXTENDED = {"==": "{0} = {1}", "!=": "{0} <> {1}", ">": "Rbar_lt {1} {0}", ">=": "Rbar_le {1} {0}"}
+EXTENDED |= {"<": "Rbar_lt {0} {1}", "<=": "Rbar_le {0} {1}"}
+COQ_WORDS = """as at by cofix else end exists exists2 fix for forall fun if IF in let match mod Prop return Set then
+    Type using where with"""
+MEANT = """R Rbar nat S INR IZR Int_part Finite is_finite p_infty real sin cos PI sqrt Rabs Rmax Rmin sign power exp ln
+    atan2 atan2pi both either differ Rle_dec Rlt_dec Req_EM_T Rbar_le_dec Rbar_lt_dec Rbar_le Rbar_lt"""
+TAKEN = frozenset(f"{COQ_WORDS} {MEANT}".split())
+"""Words of Coq's, and the names that a printed term means something by."""
+
+
+class StatementPrinter(CoqPrinter):
+    """Prints terms, relations, and what has to be for an expression to have a value.
+
+    spelled: {symbol: term} of those that are not printed by their own name.
+    """
+
+    def __init__(self, symbols: Iterable[Symbol], spelled: dict[Symbol, str] | None = None):
+        super().__init__()
+        names = {s: f"{s.name}_" if s.name in TAKEN else s.name for s in symbols}
+        if len(set(names.values())) < len(names):
+            raise ValueError(f"two of {', '.join(sorted(names.values()))} have one name in Coq")
+        self.own = names
+        self.spelled = names | (spelled or {})
+
+    def _print_Symbol(self, symbol):
+        name = self.spelled[symbol]
+        return name if symbol.is_real else f"real {name}"
+
+    def _extended(self, side):
+        return self.spelled[side] if side.is_Symbol and not side.is_real else super()._extended(side)
+
+    def _print_Piecewise(self, expr):
+        return f"({super()._print_Piecewise(expr)})"
+
+    def binder(self, symbol: Symbol) -> str:
+        """Return the name by which a symbol is bound."""
+        return self.own[symbol]
+
+    def relation(self, relation: Basic) -> str:
+        """Return a relation, or several, as a proposition."""
+        if relation in (true, false):
+            return "True" if relation else "False"
+        if isinstance(relation, And | Or):
+            joined = (" /\\ " if isinstance(relation, And) else " \\/ ").join(
+                self.relation(part) for part in sorted(relation.args, key=str)
+            )
+            return f"({joined})"
+        if not isinstance(relation, Relational):
+            raise ValueError(f"no proposition for {relation}")
+        sides = relation.lhs, relation.rhs
+        if S.Infinity in sides:
+            return EXTENDED[relation.rel_op].format(*map(self._extended, sides))
+        return f"{self._print(sides[0])} {OPERATORS[relation.rel_op]} {self._print(sides[1])}"
+
+    def needs(self, expression: Basic) -> list[str]:
+        """Return what has to be for an expression to have a value, from the inside out, as the kernel asks it."""
+        if isinstance(expression, Piecewise):
+            return self._needs_of_cases(expression)
+        found = []
+        if isinstance(expression, Symbol):
+            found += [] if expression.is_real else [f"is_finite {self.spelled[expression]}"]
+        elif isinstance(expression, Relational) and S.Infinity in expression.args:
+            return []
+        for argument in expression.args:
+            found += self.needs(argument)
+        if isinstance(expression, Pow):
+            found += self._needs_of_power(expression.base, expression.exp)
+        return found
+
+    def _needs_of_power(self, base, exponent):
+        if not (exponent.is_Rational and (2 * exponent).is_Integer):
+            raise ValueError(f"what {base} to the power {exponent} needs is not known")
+        known = base is pi or (isinstance(base, Rational) and base > 0)
+        radicand = [] if known or exponent.is_Integer else [f"{self._print(base)} >= 0"]
+        return radicand + ([] if known or exponent > 0 else [f"{self._print(base)} <> 0"])
+
+    def _needs_of_cases(self, cases):
+        """Each case is reached where no earlier condition holds, and needs something there alone."""
+        found, before = [], []
+        for value, condition in cases.args:
+            asked = [] if condition == true else self.needs(condition)
+            found += [_implied(before, need) for need in asked]
+            here = before if condition == true else [*before, self.relation(condition)]
+            needed = [] if value is S.Infinity else self.needs(value)
+            found += [_implied(here, need) for need in needed]
+            before = [*before, f"~ ({self.relation(condition)})"] if condition != true else before
+        return found
+
+
+def _implied(conditions, need):
+    return f"({' -> '.join([*conditions, need])})" if conditions else need
+
+
+def _symbols(expressions):
+    return sorted(set().union(*(e.free_symbols for e in expressions)), key=lambda s: s.name)
+
+
+def _forall(names, sort):
+    return f"forall {' '.join(names)} : {sort}," if names else ""
+
+
+def _implication(opening, hypotheses, conjuncts):
+    lines = [*opening, *(f"{part} ->" for part in hypotheses), " /\\\n  ".join(conjuncts)]
+    return "\n  ".join(filter(None, lines))
+
+
+def claim_proposition(claim: Claim, refuted: bool = False) -> str:
+    """Return a Claim as a proposition, or its negation. Raises ValueError where it has no form in Coq."""
+    _, program = claim.names()
+    lines = program.definitions if program else ()
+    expressions = [*claim.given, *claim.shows, *(e for line in lines for e in line)]
+    symbols = _symbols(expressions)
+    printer = StatementPrinter(symbols)
+    defined = {symbol for symbol, _ in lines}
+    inputs = [s for s in symbols if s not in defined]
+    opening = [_forall([printer.binder(s) for s in inputs if s.is_real], "R")]
+    opening += [_forall([printer.binder(s) for s in inputs if not s.is_real], "Rbar")]
+    opening += [f"let {printer.binder(s)} := {printer.doprint(e)} in" for s, e in lines]
+    needs = [need for e in (*(e for _, e in lines), *claim.given, *claim.shows) for need in printer.needs(e)]
+    needs = list(dict.fromkeys(needs))
+    given, shows = (list(map(printer.relation, relations)) for relations in (claim.given, claim.shows))
+    if refuted:
+        return f"~ (\n  {_implication(opening, [*given, *needs], shows)})"
+    return _implication(opening, given, [*needs, *shows])
+
+
+def induction_proposition(claim: Induction) -> str:
+    """Return an Induction as a proposition: its states are any sequences that start and go on as it says."""
+    states = [(state, sympify(start), sympify(following)) for state, start, following in claim.states]
+    expressions = (*claim.given, *claim.shows, *(e for state in states for e in state))
+    symbols = _symbols([*expressions, claim.n])
+    plain = StatementPrinter(symbols)
+    n = plain.binder(claim.n)
+    at = {claim.n: f"INR {n}"} | {state: f"{plain.binder(state)} {n}" for state, *_ in states}
+    printer = StatementPrinter(symbols, at)
+    opening = [_forall([plain.binder(s) for s in symbols if s not in at], "R")]
+    opening += [_forall([plain.binder(state) for state, *_ in states], "nat -> R")]
+    given = [plain.relation(relation) for relation in claim.given]
+    for state, start, following in states:
+        name = plain.binder(state)
+        given.append(f"{name} 0%nat = {plain.doprint(start)}")
+        given.append(f"(forall {n} : nat, {name} (S {n}) = {printer.doprint(following)})")
+    if any(map(printer.needs, expressions)):
+        raise ValueError(f"{claim.name}: a radical or a quotient in an induction")
+    first, *others = map(printer.relation, claim.shows)
+    return _implication(opening, given, [f"forall {n} : nat,\n  {first}", *others])
+
+
+def proposition(claim: AnyClaim, refuted: bool = False) -> str | None:
+    """Return a claim as a proposition, None where it is the kernel's alone."""
+    if isinstance(claim, Induction):
+        return induction_proposition(claim)
+    return claim_proposition(claim, refuted) if isinstance(claim, Claim) else None
+
+
+def statements(theorem: Theorem) -> dict[str, str]:
+    """Return {name: proposition} of the claims of a theorem that are printed."""
+    refuted = theorem.expected == "refuted"
+    printed = {f"{theorem.id}__{claim.name}": proposition(claim, refuted) for claim in theorem.claims}
+    return {name: text for name, text in printed.items() if text is not None}
+
+
+def statements_source() -> str:
+    """Return the text of proofs/formal/Statements.v."""
+    texts: dict[str, str] = {}
+    for theorem in all_theorems().values():
+        texts |= statements(theorem)
+    return HEADER + "".join(f"\nDefinition {name} : Prop :=\n  {text}.\n" for name, text in texts.items())

@@ -1,0 +1,109 @@
+"""What Coq is asked once all is compiled: what each theorem says, which claims it proves, and on which axioms."""
+
+import re
+import textwrap
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+AXIOMS = {
+    "ClassicalDedekindReals.sig_forall_dec": "the real numbers",
+    "ClassicalDedekindReals.sig_not_dec": "the real numbers",
+    "FunctionalExtensionality.functional_extensionality_dep": "functions",
+    "Classical_Prop.classic": "the excluded middle",
+}
+"""{axiom: what it is about}. Where `interval` computes, the specifications of Coq's machine numbers come to these."""
+SEPARATOR = "I\n     : True\n"
+CLOSED = "Closed under the global context\n"
+AXIOM = re.compile(r"[\w.]+( : .*)?$|  ")  # its name, and its type there or indented below it
+MACHINE_NUMBERS = ("Uint63.", "PrimInt63.", "PrimFloat.", "FloatAxioms.", "FloatOps.", "Int63.", "Sint63.")
+COQS_OWN = {name.partition(".")[0] for name in (*AXIOMS, *MACHINE_NUMBERS)}
+
+
+class NotAccepted(ValueError):
+    """Coq did not accept a file, or a statement rests on an axiom that is not among those that are named."""
+
+
+@dataclass
+class Said:
+    """What is written by hand of a theorem.
+
+    claims: {a claim's printed name: the file that proves it}. additions: {a statement's name: the clauses, counted from
+    1, that it is said to say}.
+    """
+
+    claims: dict[str, str] = field(default_factory=dict)
+    additions: dict[str, list[int]] = field(default_factory=dict)
+
+
+Statements = dict[str, Said]
+
+
+def groups(named: Statements, record: dict) -> list[list[str]]:
+    """Return lists of theorems: together those that are said to rest on the same axioms, else each alone."""
+    found: dict[object, list[str]] = {}
+    for theorem in named:
+        found.setdefault(tuple(record[theorem]["axioms"]) if theorem in record else theorem, []).append(theorem)
+    return list(found.values())
+
+
+def survey(named: Statements, asked: list[list[str]], order: list[str]) -> str:
+    """Return the text of a file that prints each theorem's statements, then each group's axioms.
+
+    A claim's proof is asked for by its full name, to be of the printed proposition's full name: the kernel decides.
+    """
+    lines = ["From Coq Require Import Reals.", "From Coquelicot Require Import Coquelicot.", "Open Scope R_scope."]
+    lines += [f"From Formal Require Import {' '.join(order)}.", "Set Printing Width 72."]
+    for said in named.values():
+        for name, file in said.claims.items():
+            lines += [f"Definition proved_{name} : Formal.Statements.{name} := Formal.{file}.{name}."]
+        lines += [*(f"Check {name}." for name in said.additions), "Check I."]
+    for group in asked:
+        names = [name for theorem in group for name in named[theorem].additions]
+        names += [f"proved_{name}" for theorem in group for name in named[theorem].claims]
+        lines += [f"Definition all_of_{group[0]} := ({', '.join(names)}, I)."]
+        lines += [f"Print Assumptions all_of_{group[0]}.", "Check I."]
+    return "\n".join([*lines, ""])
+
+
+def names_asked(names: Iterable[str], required: Iterable[str]) -> str:
+    """Return the text of a file that Coq accepts where each of the names is nothing's that it then knows."""
+    return "\n".join([*sorted(set(required)), *(f"Fail Check {name}." for name in sorted(set(names))), ""])
+
+
+def read(named: Statements, asked: list[list[str]], printed: str) -> dict:
+    """Return the record out of what the survey printed."""
+    *parts, rest = printed.split(SEPARATOR)
+    if len(parts) != (number := len(named) + len(asked)) or rest.strip():
+        raise NotAccepted(f"Coq printed {len(parts)} parts, not the {number} of {len(named)} theorems")
+    table = {}
+    for (theorem, said), part in zip(named.items(), parts, strict=False):
+        pieces = re.split(rf"^({'|'.join(said.additions)})\s*:", part, flags=re.M) if said.additions else [part]
+        if pieces[1::2] != list(said.additions) or pieces[0].strip():
+            raise NotAccepted(f"a statement of {theorem} was not printed")
+        texts = {name: _dedented(text) for name, text in zip(pieces[1::2], pieces[2::2], strict=True)}
+        clauses = {name: numbers for name, numbers in said.additions.items() if numbers}
+        table[theorem] = {"claims": list(said.claims), "statements": texts, "clauses": clauses}
+    for group, listed in zip(asked, parts[len(named) :], strict=True):
+        for theorem in group:
+            table[theorem]["axioms"] = _axioms(", ".join(group), listed)
+    return table
+
+
+def _axioms(theorem: str, printed: str) -> list[str]:
+    """Return the axioms out of what Coq printed; raises NotAccepted for others, and for whatever is not an axiom."""
+    if printed == CLOSED:
+        return []
+    heading, _, listed = printed.partition("\n")
+    lines = listed.splitlines()
+    names = [line.partition(" ")[0] for line in lines if not line.startswith(" ")]
+    odd = [line for line in lines if not AXIOM.match(line)]
+    odd += [name for name in names if name not in AXIOMS and not name.startswith(MACHINE_NUMBERS)]
+    if heading != "Axioms:" or odd or not names:
+        raise NotAccepted(f"{theorem} rests on {'; '.join(odd) or printed}")
+    return sorted(names)
+
+
+def _dedented(text: str) -> str:
+    """Return a printed statement without the indentation that its name's line gave it."""
+    first, *others = text.rstrip().split("\n")
+    return textwrap.dedent("\n".join([f"       {first.strip()}", *others])).strip()

@@ -1,0 +1,103 @@
+"""What a file of `proofs/formal/` that is written by hand may say to Coq: definitions, lemmas, tactics and proofs.
+
+What could change how a statement is read cannot be said at all: notations, coercions, arguments that are not shown,
+canonical structures, instances, modules, flags. Nor may a name be given that something has which Coq loads beside it.
+"""
+
+import re
+from collections.abc import Iterable, Mapping
+
+LIBRARIES = {"Coq", "Coquelicot", "Flocq", "Interval", "Formal"}
+FIRST_WORDS = re.compile(
+    r"(?:Theorem|Lemma|Definition|Fixpoint|Inductive|Let|Ltac|Section|End|Variables?|Hypothes[ie]s|Proof|Qed)\b"
+    rf"|From (?:{'|'.join(sorted(LIBRARIES))}) Require\b|Open Scope R_scope$|Import ListNotations$"
+)
+GLOBAL = re.compile(r"(?:Theorem|Lemma|Definition|Fixpoint|Inductive|Ltac) +([\w']+)")
+LOCAL = re.compile(r"(?:Let|Section) +([\w']+)")
+BINDING = re.compile(r"(?:Variables?|Hypothes[ie]s) ")
+SAID = re.compile(r"(?:Theorem|Lemma|Definition|Fixpoint|Inductive|Let|Variables?|Hypothes[ie]s)\b")
+HIDDEN = re.compile(r":>|\{\s*[\w' ]+[:}]")  # a coercion, and an argument that is not shown
+NAMELESS = re.compile(r"\b(?:transparent_)?abstract\b")  # a tactic that gives a name
+
+
+class Unreadable(ValueError):
+    """A file says what could change how a statement is read."""
+
+
+def sentences(text: str) -> list[str]:
+    """Return what a file says, sentence by sentence, without comments, bullets and braces.
+
+    Raises Unreadable where a quotation mark, with which Coq's comments could end elsewhere, stands in it.
+    """
+    if '"' in text:
+        raise Unreadable("a quotation mark")
+    bare, depth = [], 0
+    for part in re.split(r"(\(\*|\*\))", text):
+        if part == "(*":
+            depth += 1
+        elif part == "*)" and depth:
+            depth -= 1
+        elif not depth:
+            bare.append(part)
+    if depth:
+        raise Unreadable("a comment without an end")
+    found = (sentence.lstrip("{}+-* \t\n") for sentence in re.split(r"\.(?=\s|$)", "".join(bare)))
+    return [" ".join(sentence.split()) for sentence in found if sentence]
+
+
+def check(text: str) -> None:
+    """Raise Unreadable unless every command of a file is one of those that may be said."""
+    for sentence in sentences(text):
+        tactic = sentence[0] in "[(!" or (sentence[0].isascii() and sentence[0].isalnum() and not sentence[0].isupper())
+        if not tactic and not FIRST_WORDS.match(sentence):
+            raise Unreadable(sentence)
+        if NAMELESS.search(sentence):
+            raise Unreadable(sentence)
+        if SAID.match(sentence):
+            several = len(re.findall(r"\bwith\b", sentence)) > len(re.findall(r"\bmatch\b", sentence))
+            said = sentence if sentence.startswith("Inductive") else sentence.partition(":=")[0]
+            if several or HIDDEN.search(said):
+                raise Unreadable(sentence)
+
+
+def named(text: str) -> list[str]:
+    """Return the names that a file gives, those of a section's variables included."""
+    found = []
+    for sentence in sentences(text):
+        if match := GLOBAL.match(sentence) or LOCAL.match(sentence):
+            found += [match[1], *_of_inductive(sentence, match[1])]
+        elif match := BINDING.match(sentence):
+            bound = sentence[match.end() :]
+            groups = re.findall(r"\(([\w' ]+):", bound) if bound.startswith("(") else [bound.partition(":")[0]]
+            found += [name for group in groups for name in group.split()]
+    return found
+
+
+def _of_inductive(sentence, name):
+    """Return the names of an inductive predicate's rules, and those that Coq gives for it."""
+    if not sentence.startswith("Inductive "):
+        return []
+    rules = re.findall(r"(?:\||:=)\s*([A-Za-z_][\w']*)", sentence)
+    return [*rules, *(f"{name}_{end}" for end in ("ind", "rec", "rect", "sind"))]
+
+
+def given_twice(texts: Mapping[str, str]) -> list[str]:
+    """Return the names that two files give, or one file twice outside of a section."""
+    seen: set[str] = set()
+    twice = []
+    for text in texts.values():
+        names = {match[1] for sentence in sentences(text) if (match := GLOBAL.match(sentence))}
+        twice += sorted(names & seen)
+        seen |= names
+    return twice
+
+
+def locating(names: Iterable[str]) -> list[str]:
+    """Return the commands that ask Coq what has these names."""
+    return [f"Locate {name}." for name in sorted(set(names))]
+
+
+def taken(names: Iterable[str], printed: str) -> list[str]:
+    """Return those of the names of which Coq, asked as `locating` says, did not print that nothing has them."""
+    free = set(re.findall(r"^No object of basename (\S+)$", printed, re.MULTILINE))
+    return sorted(set(names) - free)
