@@ -6,6 +6,7 @@ and as many of the largest bounds. Writes verify/results/enclosed_pixels.json: c
 
 from collections import defaultdict
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from tqdm import tqdm
@@ -49,7 +50,12 @@ def random_picture(seed: int) -> Picture:
     """Return a Picture of a random scene of any field, model, shininess and method, β from nothing to 1e100."""
     random = np.random.default_rng((24, seed))
     scene, (width, height, crop) = random_scene(random), random_raster(random)
-    waves = [(8, 4), random.integers(-64, 64, 2), random.uniform(-20, 20, 2), 2.0 ** random.uniform(6, 20, 2)]
+    waves: list[Any] = [
+        (8, 4),
+        random.integers(-64, 64, 2),
+        random.uniform(-20, 20, 2),
+        2.0 ** random.uniform(6, 20, 2),
+    ]
     ku, kv = (float(k) for k in waves[seed % 4])
     lights = [Light(light.position, light.color and tuple(random.uniform(0, 1, 3))) for light in scene.lights]
     method = [exact(), exact("general"), *(GradientMethod(m, 10.0 ** random.uniform(-8, -1)) for m in METHODS)]
@@ -86,7 +92,8 @@ def measure(pictures: int, first: int = 1000) -> dict:
     pixels, decided (those of which no channel is on an edge at 256 bits), above_bound (channels), chambers_missed;
     largest_share of a bound; open_share of the pictures; median_ratio, bound by error, of all and of each of KINDS.
     """
-    ratios, counts = defaultdict(list), dict.fromkeys(("pixels", "decided", "above_bound", "chambers_missed"), 0)
+    ratios: dict[str, list[float]] = defaultdict(list)
+    counts = dict.fromkeys(("pixels", "decided", "above_bound", "chambers_missed"), 0)
     opened, drawn = 0, 0
     for seed in tqdm(range(first, first + pictures), desc="pictures", unit="picture", disable=None):
         picture, random = random_picture(seed), np.random.default_rng(seed)
