@@ -5,10 +5,12 @@ hypothesis. Both sides of a relation are translated as they stand, the factors o
 (sum_1, …) of their own, so that the kernel multiplies. A quotient becomes an inverse, a radical a root, with their
 obligations, before anything cancels: in an angle, too. Angles are sums of whole multiples of atoms, each divided by the
 denominators that occur with it: sin and cos of a sum are expanded by the addition formulas; an atom gives two variables
-with c² + s² = 1. |a| is √(a²), or ±a where the sign is given. Max, Min, sign and Piecewise take the branch that is
-given, and its condition is shown; where none is, the claim is split into two statements, one with the condition assumed
-and one with its negation. In an induction cos nα and sin nα are states. Of π only 3 < π < 22/7 is used. Derivatives are
-SymPy's `diff`. Anything else is an error, never a guess.
+with c² + s² = 1. |a| is √(a²), or ±a where the sign is given. Max, Min, and a line's sign and Piecewise, take the branch
+that is given, and its condition is shown; where none is, the claim is split into two statements, one with the condition
+assumed and one with its negation. A Derivative is a name of its own, for what the rules of `derivative` make of it where
+they show that it exists. In a relation sign and Piecewise may be what SymPy made of one: that no condition is at its
+edge is shown. In an induction cos nα and sin nα are states. Of π only 3 < π < 22/7 is used. Anything else is an error,
+never a guess.
 """
 
 import json
@@ -22,6 +24,7 @@ from sympy import (
     Abs,
     And,
     Basic,
+    Derivative,
     Expr,
     Float,
     Max,
@@ -43,19 +46,16 @@ from sympy.core.relational import Eq, Relational, StrictGreaterThan, StrictLessT
 from sympy.polys.polyerrors import BasePolynomialError
 
 from proofs.engine.claim import Claim, Induction
+from proofs.engine.derivative import TRUE_FOR, Untranslatable, branch, inner
 from proofs.formulas.half_turns import cospi, ordinary, sinpi
 
 VERSION = 1
-NAME = re.compile(r"(?!(?:pi|(?:root|inverse|sum)_\d+)$)[A-Za-z][A-Za-z0-9_]*", re.ASCII)  # the others are taken
-TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {-1, 0}}  # signs of left − right
+TAKEN = r"pi|(?:root|inverse|sum|derivative)_\d+"
+NAME = re.compile(rf"(?!(?:{TAKEN})$)[A-Za-z][A-Za-z0-9_]*", re.ASCII)
 RELATIONS = {frozenset(s): (f, r) for f, r, s in (
     (1, "=", {0}), (1, "!=", {-1, 1}), (1, ">", {1}), (1, ">=", {0, 1}), (-1, ">", {-1}), (-1, ">=", {-1, 0})
 )}  # fmt: skip
 ANY = {-1, 0, 1}
-
-
-class Untranslatable(ValueError):
-    """The claim has a part that no rule translates."""
 
 
 class _Undecided(Untranslatable):
@@ -77,15 +77,12 @@ def polynomial_data(expression: Expr) -> dict[str, str]:
 
 
 def plain(symbols: Iterable[Symbol]) -> None:
-    """Raise Untranslatable unless every symbol is real, nothing more, and has a name of its own.
-
-    extended_real says less than real, and is allowed: of a quantity that may be infinite where no claim is made.
-    """
+    """Raise Untranslatable unless every symbol is real, nothing more, and has a name of its own."""
     seen = set()
     for symbol in sorted(symbols, key=str):
         if not NAME.fullmatch(symbol.name):
             raise Untranslatable(f"{symbol.name!r} is no name, or one that the translation makes itself")
-        if symbol not in (Symbol(symbol.name, real=True), Symbol(symbol.name, extended_real=True)):
+        if symbol != Symbol(symbol.name, real=True):
             raise Untranslatable(
                 f"{symbol} is not a plain real symbol: what is known of it is a hypothesis to be stated"
             )
@@ -123,15 +120,18 @@ def _fact(kind, difference, signs):
 
 
 def _symbols(expressions):
-    return set().union(*(e.free_symbols for e in expressions))
+    return set().union(*(e.atoms(Symbol) for e in expressions))
 
 
 class Translation:
     """The steps that some expressions become; `choices` decide the conditions that are not given."""
 
-    def __init__(self, expressions: Iterable[Basic], choices: Sequence[bool] = (), n: Symbol | None = None):
+    def __init__(
+        self, expressions: Iterable[Basic], choices: Sequence[bool] = (), lines: Sequence = (), n: Symbol | None = None
+    ):
         """n: what an induction is over."""
-        self.choices, self.showing = list(choices), False
+        self.choices, self.showing, self.shown = list(choices), False, 0
+        self.lines, self.in_line = {symbol for symbol, _ in lines}, False
         self.n: Any = n
         self.steps: list[dict] = []
         self.variables: list[str] = []
@@ -184,6 +184,7 @@ class Translation:
     def show(self, difference: Expr, signs: set[int]) -> None:
         """Add what is to be proved: the sign of `difference` is one of `signs`. The branches taken are shown, too."""
         fact = _fact("show", difference, signs)
+        self.shown += 1
         self.steps += [fact] * (fact not in self.steps)
 
     def decide(self, condition: Basic) -> bool:
@@ -225,7 +226,9 @@ class Translation:
         if e.is_Add:
             return e.func(*(self.polynomial(a) for a in sorted(e.args, key=_as_text)))
         if e.is_Mul:
-            return e.func(*(self._named(self.polynomial(a)) for a in sorted(e.args, key=_as_text)))
+            factors = [self.polynomial(a) for a in sorted(e.args, key=_as_text)]
+            several = sum(not f.is_Rational for f in factors) > 1
+            return e.func(*(self._named(f) if several else expand(f) for f in factors))
         if e.is_Pow and e.exp.is_Rational and (2 * e.exp).is_Integer:
             base, power = self.polynomial(e.base), 2 * e.exp
             base, power = (base, power / 2) if power % 2 == 0 else (self._generator("root", base), power)
@@ -238,19 +241,20 @@ class Translation:
         if isinstance(e, Abs):
             return self._absolute(e.args[0])
         if isinstance(e, sign):
+            if not self.in_line:
+                return S(self._side(e.args[0]))
             of = e.args[0]
-            return S(
-                1
-                if self.decide(StrictGreaterThan(of, 0, evaluate=False))
-                else -1
-                if self.decide(StrictLessThan(of, 0, evaluate=False))
-                else 0
-            )
+            positive, negative = (r(of, 0, evaluate=False) for r in (StrictGreaterThan, StrictLessThan))
+            return S(1 if self.decide(positive) else -1 if self.decide(negative) else 0)
         if isinstance(e, Max | Min):
             best, *others = sorted(e.args, key=_as_text)
             for other in others:
                 best = other if self._exceeds(*((other, best) if isinstance(e, Max) else (best, other))) else best
             return self.polynomial(best)
+        if isinstance(e, Derivative):
+            return self._derivative(e)
+        if isinstance(e, Piecewise) and not self.in_line:
+            return self.polynomial(branch(e, self._side))
         if isinstance(e, Piecewise):
             value = next((value for value, condition in e.args if self.decide(condition)), None)
             if value is None:
@@ -276,11 +280,12 @@ class Translation:
         whole = self._written_out(of)
         if kind == "inverse" and whole.is_Rational and whole != 0:
             return 1 / whole
-        key = kind, json.dumps(polynomial_data(of if kind == "sum" else whole))
+        abbreviation = kind in ("sum", "derivative")
+        key = kind, json.dumps(polynomial_data(of if abbreviation else whole))
         if key not in self.generators:
             new = Symbol(f"{kind}_{1 + sum(k == kind for k, _ in self.generators)}", real=True)
             self.generators[key] = new
-            if kind == "sum":
+            if abbreviation:
                 self.define(new, of)
             else:
                 self.introduce(kind, new, of)
@@ -288,9 +293,30 @@ class Translation:
                 self.signs[self._known(new)[0]] = {0, 1}
         return self.generators[key]
 
+    def _side(self, f):
+        """Return the sign of f, and make an obligation of f ≠ 0."""
+        difference = self.polynomial(f)
+        whole, (key, _, possible) = self._written_out(difference), self._known(difference)
+        if 0 in possible and not (whole.is_Rational and whole != 0):
+            self.show(difference, {-1, 1})
+            self.signs[key] = self.signs.get(key, ANY) - {0}
+        return 1 if self._decided(difference, {1}) else -1 if self._decided(difference, {-1}) else 0
+
+    def _derivative(self, e):
+        """Return the name of a derivative; what is differentiated has a value, and is written out."""
+        if lines := _symbols([e]) & self.lines:
+            raise Untranslatable(f"{e} is of what a line defines: {', '.join(sorted(map(str, lines)))}")
+        value = self.polynomial(inner(e, self._side))
+        self.polynomial(e.expr)
+        return self._generator("derivative", expand(value))
+
     def _absolute(self, argument):
         of = self.polynomial(argument)
         _, _, signs = self._known(of)
+        if of.is_Rational:
+            return abs(of)
+        if {-1, 1} <= signs and argument.is_Mul:
+            return argument.func(*(self._absolute(a) for a in sorted(argument.args, key=_as_text)))
         if {-1, 1} <= signs:
             return self._generator("root", of**2)
         factor = -1 if -1 in signs else 1
@@ -347,34 +373,46 @@ def _sides(expressions):
 
 
 @cache
-def derivations(claim: Claim) -> list[dict]:
-    """Return the statements of a Claim: one, or one for each combination of conditions that are not given."""
+def _cases(claim: Claim) -> list[tuple[dict, list[int]]]:
+    """Return [(statement, numbers of the relations that it does not say)]: one, or one for each choice of conditions."""
     pending: list[tuple[bool, ...]] = [()]
-    statements: list[dict] = []
+    cases: list[tuple[dict, list[int]]] = []
     while pending:
         choices = pending.pop()
         try:
-            statements.append(_derivation(claim, choices))
+            cases.append(_case(claim, choices))
         except _Undecided:
             pending += [(*choices, False), (*choices, True)]
-        except TypeError as why:  # SymPy compares what has no order, such as 1/0
+        except (TypeError, RecursionError) as why:  # SymPy compares what has no order, such as 1/0; or it is too deep
             raise Untranslatable(f"{claim.name}: {why}") from why
-    return statements
+    return cases
 
 
-def _derivation(claim, choices):
+def derivations(claim: Claim) -> list[dict]:
+    """Return the statements of a Claim."""
+    return [statement for statement, _ in _cases(claim)]
+
+
+def by_definition(claim: Claim) -> list[int]:
+    """Return the numbers of the relations of `shows` that hold by definition: they read 0 = 0, or are given."""
+    return sorted(set.intersection(*(set(idle) for _, idle in _cases(claim))))
+
+
+def _case(claim, choices):
     """Return the statement of one case of a claim. What is given comes as soon as its names are defined."""
     _, lines = claim.names()
     definitions = lines.definitions if lines else ()
     lemmas = [(lemma.relation, lemma.given) for lemma in claim.cited]
-    cited = (r for relation, conditions in lemmas for r in (relation, *conditions))
+    cited = [r for relation, conditions in lemmas for r in (relation, *conditions)]
     expressions = (*claim.given, *claim.shows, *cited, *(e for line in definitions for e in line))
-    plain(_symbols(expressions))
-    t = Translation(expressions, choices)
-    undefined, pending = {s for s, _ in definitions}, [*((given, ()) for given in claim.given), *lemmas]
+    plain(_symbols([*expressions, *claim.everywhere()]))
+    t = Translation(expressions, choices, definitions)
+    undefined, pending = set(t.lines), [*((given, ()) for given in claim.given), *lemmas]
     for symbol, expression in ((None, None), *definitions):
         if symbol is not None:
+            t.in_line = True
             t.define(symbol, t.polynomial(expression))
+            t.in_line = False
             undefined.discard(symbol)
         ready = [p for p in pending if not any(r.free_symbols & undefined for r in (p[0], *p[1]))]
         pending = [p for p in pending if p not in ready]
@@ -383,10 +421,16 @@ def _derivation(claim, choices):
                 t.show(*t.relation(condition))
             for part in relation.args if isinstance(relation, And) else [relation]:
                 t.assume(*t.relation(part))
-    t.showing = True
-    for relation in claim.shows:
-        t.show(*t.relation(relation))
-    return {"version": VERSION, "kind": "derivation", "variables": t.variables, "steps": t.steps}
+    t.showing, idle = True, []
+    given = [step for step in t.steps if step["step"] == "assume"]
+    for number, relation in enumerate(claim.shows):
+        before = t.shown
+        difference, signs = t.relation(relation)
+        fact = _fact("assume", difference, signs)
+        if (not fact["of"] or fact in given) and before == t.shown:  # no branch was taken
+            idle.append(number)
+        t.show(difference, signs)
+    return {"version": VERSION, "kind": "derivation", "variables": t.variables, "steps": t.steps}, idle
 
 
 def induction(claim: Induction) -> dict:

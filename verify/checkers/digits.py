@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import mpmath
-from sympy import And, Basic, Expr, Symbol
+from sympy import And, Basic, Derivative, Expr, Symbol, sympify
 
 from verify.evaluate import DIGITS, MPMATH, Evaluator, code_of, compare
 
@@ -36,11 +36,16 @@ NUMBERS = MPMATH | {"compare": decided, "real": _real}
 """What the code calls, over numbers at mpmath's working precision, where every comparison has to be decided."""
 
 
+def _differentiated(expression):
+    """Return the expression with SymPy's own derivatives, whatever the rules of a translation make of them."""
+    return sympify(expression).replace(Derivative, lambda *parts: Derivative(*parts).doit())
+
+
 class Code(Evaluator):
     """Expressions over some values, and over definitions in terms of these: printed once, for numbers and for balls."""
 
     def __init__(self, expressions: Sequence[Basic], definitions: Lines = ()):
-        self.code = code_of((*definitions, *enumerate(expressions)))
+        self.code = code_of((*definitions, *enumerate(map(_differentiated, expressions))))
         self.results = [str(number) for number in range(len(expressions))]
 
     def __call__(self, values: Mapping, names: Mapping = NUMBERS) -> list:
