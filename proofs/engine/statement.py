@@ -254,7 +254,7 @@ class Translation:
         if isinstance(e, Derivative):
             return self._derivative(e)
         if isinstance(e, Piecewise) and not self.in_line:
-            return self.polynomial(branch(e, self._side))
+            return self._beside(e)
         if isinstance(e, Piecewise):
             value = next((value for value, condition in e.args if self.decide(condition)), None)
             if value is None:
@@ -300,7 +300,19 @@ class Translation:
         if 0 in possible and not (whole.is_Rational and whole != 0):
             self.show(difference, {-1, 1})
             self.signs[key] = self.signs.get(key, ANY) - {0}
-        return 1 if self._decided(difference, {1}) else -1 if self._decided(difference, {-1}) else 0
+        return self._sign(difference)
+
+    def _sign(self, difference):
+        return next((s for s in (1, -1) if self._decided(difference, {s})), 0)
+
+    def _beside(self, e):
+        """Return the value of a relation's Piecewise; at the edge of a condition all its values are shown to agree."""
+        signs = []
+        value = self.polynomial(branch(e, lambda f: signs.append(self._sign(self.polynomial(f))) or signs[-1]))
+        if 0 in signs:
+            for other, _ in e.args:
+                self.show(self.polynomial(other) - value, {0})
+        return value
 
     def _derivative(self, e):
         """Return the name of a derivative; what is differentiated has a value, and is written out."""
