@@ -14,6 +14,7 @@ OUTER = {
     cospi: lambda a: Mul(-1, pi, sinpi(a, evaluate=False), evaluate=False),
 }
 TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {-1, 0}}  # signs of left − right
+HIGHEST = 9  # derivative of a derivative of …
 
 
 class Untranslatable(ValueError):
@@ -45,9 +46,10 @@ def derivative(e: Expr, x: Symbol, side: Callable[[Expr], int]) -> Expr:
             products = (Mul(*e.args[:i], by_x(a), *e.args[i + 1 :], evaluate=False) for i, a in enumerate(e.args))
             return Add(*products, evaluate=False)
         case Pow(base=base, exp=exponent) if exponent.is_Rational and (2 * exponent).is_Integer:
-            if not exponent.is_Integer and beside(base) < 0:
-                raise Untranslatable(f"no rule differentiates {e}, the root of a negative number")
-            return Mul(exponent, Pow(base, exponent - 1, evaluate=exponent == 1), by_x(base), evaluate=False)
+            if exponent.is_Integer:
+                return Mul(exponent, Pow(base, exponent - 1, evaluate=exponent == 1), by_x(base), evaluate=False)
+            powers = (Pow(base, power, evaluate=False) for power in (exponent - S.Half, -S.Half))  # 1/√ of 0 is refused
+            return Mul(exponent, *powers, by_x(base), evaluate=False)
         case sin() | cos() | sinpi() | cospi():
             return Mul(OUTER[e.func](e.args[0]), by_x(e.args[0]), evaluate=False)
         case Abs() | sign():
@@ -68,6 +70,8 @@ def derivative(e: Expr, x: Symbol, side: Callable[[Expr], int]) -> Expr:
 def inner(e: Derivative, side: Callable[[Expr], int]) -> Expr:
     """Return what a Derivative says, one rule after another."""
     result = e.expr
+    if len(e.variables) > HIGHEST:
+        raise Untranslatable(f"no rule differentiates {len(e.variables)} times")
     for x in e.variables:
         result = derivative(result, x, side)
     return result

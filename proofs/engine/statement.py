@@ -17,7 +17,7 @@ import json
 import re
 from collections.abc import Iterable, Sequence
 from functools import cache
-from math import lcm
+from math import comb, lcm, prod
 from typing import Any
 
 from sympy import (
@@ -56,6 +56,7 @@ RELATIONS = {frozenset(s): (f, r) for f, r, s in (
     (1, "=", {0}), (1, "!=", {-1, 1}), (1, ">", {1}), (1, ">=", {0, 1}), (-1, ">", {-1}), (-1, ">=", {-1, 0})
 )}  # fmt: skip
 ANY = {-1, 0, 1}
+LARGEST = 999  # powers, multiples of an angle, cases, terms of a product: the kernel's powers go as far
 
 
 class _Undecided(Untranslatable):
@@ -89,6 +90,11 @@ def plain(symbols: Iterable[Symbol]) -> None:
         if symbol.name in seen:
             raise Untranslatable(f"two symbols are called {symbol}")
         seen.add(symbol.name)
+
+
+def _small(number, e):
+    if number > LARGEST:
+        raise Untranslatable(f"written out, a product has {number} terms or powers, more than {LARGEST}")
 
 
 def _as_text(expression):
@@ -228,11 +234,14 @@ class Translation:
         if e.is_Mul:
             factors = [self.polynomial(a) for a in sorted(e.args, key=_as_text)]
             several = sum(not f.is_Rational for f in factors) > 1
-            return e.func(*(self._named(f) if several else expand(f) for f in factors))
+            factors = [self._named(f) if several else expand(f) for f in factors]
+            _small(prod(len(f.as_ordered_terms()) for f in factors), e)
+            return e.func(*factors)
         if e.is_Pow and e.exp.is_Rational and (2 * e.exp).is_Integer:
             base, power = self.polynomial(e.base), 2 * e.exp
             base, power = (base, power / 2) if power % 2 == 0 else (self._generator("root", base), power)
             base = self._named(base)
+            _small(max(n := abs(int(power)), comb(len(base.as_ordered_terms()) + min(n, 999) - 1, min(n, 999))), e)
             return base**power if power > 0 else self._generator("inverse", base) ** -power
         if isinstance(e, sin | cos | sinpi | cospi):
             if not e.args[0].is_polynomial():
@@ -347,7 +356,7 @@ class Translation:
                 d, t = self.polynomial(d), self.polynomial(t)
             else:
                 whole = multiple * self.denominators.get(atom, 0)
-                if not whole.is_Integer or whole == 0:
+                if not whole.is_Integer or not 0 < abs(whole) <= LARGEST:
                     raise Untranslatable(f"{multiple * atom} is no whole multiple of an angle that occurs")
                 d, t = self._circle(atom / self.denominators[atom])
             t = -t if whole < 0 else t
@@ -390,12 +399,13 @@ def _cases(claim: Claim) -> list[tuple[dict, list[int]]]:
     pending: list[tuple[bool, ...]] = [()]
     cases: list[tuple[dict, list[int]]] = []
     while pending:
+        _small(len(cases) + len(pending), claim)
         choices = pending.pop()
         try:
             cases.append(_case(claim, choices))
         except _Undecided:
             pending += [(*choices, False), (*choices, True)]
-        except (TypeError, RecursionError) as why:  # SymPy compares what has no order, such as 1/0; or it is too deep
+        except TypeError as why:  # SymPy compares what has no order, such as 1/0
             raise Untranslatable(f"{claim.name}: {why}") from why
     return cases
 

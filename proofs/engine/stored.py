@@ -32,10 +32,17 @@ def show_polynomial(p: dict, limit: int = 12) -> str:
 
 
 def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
-    """Return the statements of a claim, as the formulas stand now."""
+    """Return the statements of a claim, as the formulas stand now; raises Untranslatable."""
+    try:
+        return _statements(claim, theorems)
+    except (RecursionError, MemoryError) as why:
+        raise Untranslatable(f"{claim.name}: it is too deep, or too large: {type(why).__name__}") from None
+
+
+def _statements(claim, theorems):
     if isinstance(claim, Separation):
         known = {*claim.lines.inputs, *(symbol for symbol, _ in claim.lines.definitions)}
-        if unknown := set(claim.outputs) - known:
+        if unknown := {*claim.outputs, *claim.avoid} - known:
             raise Untranslatable(f"{claim.name}: the program has no {', '.join(sorted(map(str, unknown)))}")
         lines = [[s.name, sorted(t.name for t in e.free_symbols)] for s, e in claim.lines.definitions]
         outputs, avoid = (sorted(s.name for s in names) for names in (claim.outputs, claim.avoid))

@@ -11,7 +11,13 @@ from sympy import evaluate
 
 from proofs import formulas
 
-for package, is_evaluated in ((formulas.__name__, True), (__name__, False)):
-    with evaluate(is_evaluated):
-        for module in sorted(m.name for m in iter_modules(import_module(package).__path__)):
-            import_module(f"{package}.{module}")
+
+def run_all() -> None:
+    """Run the formulas, which SymPy evaluates, and then the theorems, in which it evaluates nothing."""
+    for package, path, is_evaluated in ((formulas.__name__, formulas.__path__, True), (__name__, __path__, False)):
+        with evaluate(is_evaluated):
+            for module in sorted(m.name for m in iter_modules(path)):
+                import_module(f"{package}.{module}")
+
+
+run_all()

@@ -1,6 +1,6 @@
 """Across the seam u = 0: which fields are continuous there, and which are differentiable (F11)."""
 
-from sympy import Expr, Rational, cos, pi, sin
+from sympy import Expr, Rational, S, cos, pi, sin
 
 from proofs.engine.claim import Claim, Induction, at_least, equation
 from proofs.engine.program import Program, chain
@@ -47,7 +47,9 @@ _odd = Claim(
     (equation(jump(sine.expression), 0), equation(jump(_slope), 2 * pi * k_u * _in_v)),
     (equation(cos(pi * k_u), -1),),
 )
-_ridges = Claim("ridges", zero(ridges.expression.subs(u, 0), ridges.expression.subs(u, 1)), (_whole,))
+_ends = real("h_first h_last")
+_at_ends = tuple((h, ridges.expression.xreplace({u: at})) for h, at in zip(_ends, (S.Zero, S.One), strict=True))
+_ridges = Claim("ridges", zero(*_ends), (_whole,), Program("ends", (k_u, k_v, v), _at_ends))
 _step = real("step")
 _beside = tuple(ridges.expression.subs(u, at) for at in (_step, 1 - _step))
 _crease = Claim(

@@ -32,7 +32,11 @@ def _real(number):
     return number
 
 
-NUMBERS = MPMATH | {"compare": decided, "real": _real}
+def _step(x, *_):
+    return mpmath.mpf(x > 0) if x else mpmath.nan
+
+
+NUMBERS = MPMATH | {"compare": decided, "real": _real, "Heaviside": _step, "DiracDelta": lambda x, *_: 0 * _step(x)}
 """What the code calls, over numbers at mpmath's working precision, where every comparison has to be decided."""
 
 
