@@ -14,7 +14,7 @@ OUTER = {
     cospi: lambda a: Mul(-1, pi, sinpi(a, evaluate=False), evaluate=False),
 }
 TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {-1, 0}}  # signs of left − right
-HIGHEST = 9  # derivative of a derivative of …
+HIGHEST = 3  # derivative of a derivative of …
 
 
 class Untranslatable(ValueError):

@@ -5,12 +5,12 @@ hypothesis. Both sides of a relation are translated as they stand, the factors o
 (sum_1, …) of their own, so that the kernel multiplies. A quotient becomes an inverse, a radical a root, with their
 obligations, before anything cancels: in an angle, too. Angles are sums of whole multiples of atoms, each divided by the
 denominators that occur with it: sin and cos of a sum are expanded by the addition formulas; an atom gives two variables
-with c² + s² = 1. |a| is √(a²), or ±a where the sign is given. Max, Min, and a line's sign and Piecewise, take the branch
-that is given, and its condition is shown; where none is, the claim is split into two statements, one with the condition
-assumed and one with its negation. A Derivative is a name of its own, for what the rules of `derivative` make of it where
-they show that it exists. In a relation sign and Piecewise may be what SymPy made of one: that no condition is at its
-edge is shown. In an induction cos nα and sin nα are states. Of π only 3 < π < 22/7 is used. Anything else is an error,
-never a guess.
+with c² + s² = 1. |a| is √(a²), or ±a where the sign is given. Max, Min, sign and Piecewise take the branch that is
+given, and its condition is shown; where none is, the claim is split into two statements, one with the condition assumed
+and one with its negation. A Derivative is a name of its own, for what the rules of `derivative` make of it where they
+show that it exists. In a relation sign and Piecewise may be what SymPy made of one: that f ≠ 0 is shown of sign(f), and
+at the edge of a condition that all values agree. In an induction cos nα and sin nα are states. Of π only 3 < π < 22/7
+is used. Anything else is an error, never a guess.
 """
 
 import json
@@ -40,12 +40,11 @@ from sympy import (
     pi,
     sign,
     sin,
-    sympify,
 )  # fmt: skip
-from sympy.core.relational import Eq, Relational, StrictGreaterThan, StrictLessThan
+from sympy.core.relational import Relational
 from sympy.polys.polyerrors import BasePolynomialError
 
-from proofs.engine.claim import Claim, Induction
+from proofs.engine.claim import Claim
 from proofs.engine.derivative import TRUE_FOR, Untranslatable, branch, inner
 from proofs.formulas.half_turns import cospi, ordinary, sinpi
 
@@ -125,7 +124,8 @@ def _fact(kind, difference, signs):
     return {"step": kind, "is": relation, "of": polynomial_data(factor * difference)}
 
 
-def _symbols(expressions):
+def symbols_of(expressions: Iterable[Basic]) -> set[Symbol]:
+    """Return every symbol of some expressions, bound ones too."""
     return set().union(*(e.atoms(Symbol) for e in expressions))
 
 
@@ -146,7 +146,7 @@ class Translation:
         self.signs: dict[str, set[int]] = {}
         self.abbreviated: dict[Symbol, Expr] = {}
         self.denominators: dict[Expr, int] = {}
-        for side in _sides(expressions):
+        for side in sides(expressions):
             for e in side.atoms(sin, cos, sinpi, cospi):
                 for multiple, atom in _terms(_angle(e)):
                     self.denominators[atom] = lcm(self.denominators.get(atom, 1), int(multiple.q))
@@ -162,6 +162,11 @@ class Translation:
 
     def _written_out(self, polynomial):
         """Return the polynomial with its abbreviations written out: equal ones then look the same."""
+        for term in polynomial.as_ordered_terms():
+            lengths = (
+                (len(self.abbreviated.get(s, s).as_ordered_terms()), n) for s, n in term.as_powers_dict().items()
+            )
+            _small(prod(comb(terms + n - 1, n) for terms, n in lengths if terms > 1) / 20, polynomial)
         return expand(polynomial.xreplace(self.abbreviated))
 
     # Relations and signs
@@ -250,11 +255,7 @@ class Translation:
         if isinstance(e, Abs):
             return self._absolute(e.args[0])
         if isinstance(e, sign):
-            if not self.in_line:
-                return S(self._side(e.args[0]))
-            of = e.args[0]
-            positive, negative = (r(of, 0, evaluate=False) for r in (StrictGreaterThan, StrictLessThan))
-            return S(1 if self.decide(positive) else -1 if self.decide(negative) else 0)
+            return S(self._sign(self.polynomial(e.args[0])) if self.in_line else self._side(e.args[0]))
         if isinstance(e, Max | Min):
             best, *others = sorted(e.args, key=_as_text)
             for other in others:
@@ -325,7 +326,7 @@ class Translation:
 
     def _derivative(self, e):
         """Return the name of a derivative; what is differentiated has a value, and is written out."""
-        if lines := _symbols([e]) & self.lines:
+        if lines := symbols_of([e]) & self.lines:
             raise Untranslatable(f"{e} is of what a line defines: {', '.join(sorted(map(str, lines)))}")
         value = self.polynomial(inner(e, self._side))
         self.polynomial(e.expr)
@@ -387,7 +388,7 @@ class Translation:
         return state
 
 
-def _sides(expressions):
+def sides(expressions: Iterable[Basic]) -> list[Basic]:
     """Return the expressions, and the sides of those that are relations (a relation itself may evaluate to true)."""
     parts = [part for e in expressions for part in (e.args if isinstance(e, And) else [e])]
     return [side for part in parts for side in (part.args if isinstance(part, Relational) else [part])]
@@ -395,11 +396,11 @@ def _sides(expressions):
 
 @cache
 def _cases(claim: Claim) -> list[tuple[dict, list[int]]]:
-    """Return [(statement, numbers of the relations that it does not say)]: one, or one for each choice of conditions."""
+    """Return [(statement, numbers of the relations that hold by definition)], one for each choice of conditions."""
     pending: list[tuple[bool, ...]] = [()]
     cases: list[tuple[dict, list[int]]] = []
     while pending:
-        _small(len(cases) + len(pending), claim)
+        _small(10 * (len(cases) + len(pending)), claim)
         choices = pending.pop()
         try:
             cases.append(_case(claim, choices))
@@ -427,7 +428,7 @@ def _case(claim, choices):
     lemmas = [(lemma.relation, lemma.given) for lemma in claim.cited]
     cited = [r for relation, conditions in lemmas for r in (relation, *conditions)]
     expressions = (*claim.given, *claim.shows, *cited, *(e for line in definitions for e in line))
-    plain(_symbols([*expressions, *claim.everywhere()]))
+    plain(symbols_of([*expressions, *claim.everywhere()]))
     t = Translation(expressions, choices, definitions)
     undefined, pending = set(t.lines), [*((given, ()) for given in claim.given), *lemmas]
     for symbol, expression in ((None, None), *definitions):
@@ -453,41 +454,3 @@ def _case(claim, choices):
             idle.append(number)
         t.show(difference, signs)
     return {"version": VERSION, "kind": "derivation", "variables": t.variables, "steps": t.steps}, idle
-
-
-def induction(claim: Induction) -> dict:
-    """Return the statement of an Induction. Raises Untranslatable where a quotient or a radical occurs."""
-    relations = (*claim.given, *claim.shows)
-    expressions = (*relations, *(sympify(e) for state in claim.states for e in state))
-    if claim.n not in (Symbol(claim.n.name, integer=True), Symbol(claim.n.name, real=True)):
-        raise Untranslatable(f"{claim.name}: of n it is known that it is whole, and nothing else")
-    plain([*(_symbols(expressions) - {claim.n}), Symbol(claim.n.name, real=True)])
-    if not all(isinstance(r, Eq) for r in claim.shows):
-        raise Untranslatable(f"{claim.name}: an induction shows equations")
-    states = {s for s, *_ in claim.states}
-    if len(states) < len(claim.states):
-        raise Untranslatable(f"{claim.name}: a state is given twice")
-    if _symbols(e for side in _sides(expressions) for e in side.atoms(sin, cos, sinpi, cospi)) & states:
-        raise Untranslatable(f"{claim.name}: a state in an angle, which changes with it")
-    if _symbols([*claim.given, *(sympify(start) for _, start, _ in claim.states)]) & {*states, claim.n}:
-        raise Untranslatable(f"{claim.name}: a state, or n, in what is given or in what a state starts from")
-    t = Translation(expressions, n=claim.n)
-    state: dict[str, Sequence[Expr]]
-    state = {s.name: [t.polynomial(sympify(e)) for e in two] for s, *two in claim.states}
-    shows = [polynomial_data(t.relation(r)[0]) for r in claim.shows]
-    for r in claim.given:
-        t.assume(*t.relation(r))
-    state |= t.turns()
-    if any(step["step"] != "assume" for step in t.steps) or claim.n.name in t.variables:
-        raise Untranslatable(f"{claim.name}: a radical, a quotient, or n itself, in an induction")
-    start, following = ({name: polynomial_data(state[name][i]) for name in sorted(state)} for i in (0, 1))
-    return {
-        "version": VERSION,
-        "kind": "induction",
-        "variables": [v for v in t.variables if v not in state],
-        "state": sorted(state),
-        "assume": [{"of": step["of"], "is": step["is"]} for step in t.steps],
-        "start": start,
-        "next": following,
-        "show": shows,
-    }

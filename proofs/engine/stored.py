@@ -6,7 +6,9 @@ from pathlib import Path
 from proofs.check import FOLDER, contradiction, digest, parsed, text_of
 from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
 from proofs.engine.counterexample import refutation
-from proofs.engine.statement import VERSION, Untranslatable, derivations, induction
+from proofs.engine.derivative import Untranslatable
+from proofs.engine.induction import induction
+from proofs.engine.statement import VERSION, derivations
 from proofs.engine.theorem import Theorem, Theorems, borrowed
 
 Proved = tuple[dict, dict, dict | None]  # a statement, its certificate, a point where its hypotheses hold

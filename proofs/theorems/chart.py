@@ -33,9 +33,7 @@ _round_trip = Claim(
     lines=chart_inverse.at({u: _by_turns.expand(u_closed), v: _by_turns.expand(v)}),
 )
 _on_the_seam = Claim(
-    "on_the_seam",
-    equations(chart_inverse.outputs[:2], [cospi(1), sinpi(1)]),
-    lines=chart_inverse.at({u: S.Zero}),
+    "on_the_seam", equations(chart_inverse.outputs[:2], [cospi(1), sinpi(1)]), lines=chart_inverse.at({u: S.Zero})
 )
 
 _across = sqrt(normal[0] ** 2 + normal[1] ** 2)

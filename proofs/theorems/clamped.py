@@ -91,7 +91,8 @@ first_order = Theorem(
 )
 
 _odd_ridge = Abs(sin(pi * k_u * u)) * sin(pi * k_v * v)
-_odd = Program("odd", (u, v, k_u, k_v), tuple(zip(real("h_sine h_rings h_ridge"), (sine.expression, rings.expression, _odd_ridge))))
+_names, _fields = real("h_sine h_rings h_ridge"), (sine.expression, rings.expression, _odd_ridge)
+_odd = Program("odd", (u, v, k_u, k_v), tuple(zip(_names, _fields, strict=True)))
 _are_odd = Claim("odd", tuple(equation(h, -field) for h, field in _odd.definitions), lines=_odd.at({v: -v}))
 _first_ridge = Claim(
     "first_ridge",

@@ -43,7 +43,10 @@ _value = Claim("value", (equation(across, straddled),), (*straddles, *reach), ci
 difference, after = real("difference after")
 _beside = Program("beside", (k_u, delta, epsilon), ((difference, straddled), (after, slope_after)))
 _centre = Claim(
-    "at_the_crease", (*zero(difference), equation(difference - after, -rate)), (epsilon > 0,), _beside.at({delta: S.Zero})
+    "at_the_crease",
+    (*zero(difference), equation(difference - after, -rate)),
+    (epsilon > 0,),
+    _beside.at({delta: S.Zero}),
 )
 _period = Claim("every_crease", (equation(Abs(sin(pi * m + delta)), Abs(sin(delta))),), zero(sin(pi * m)))
 _slopes = tuple(
@@ -164,7 +167,9 @@ _primitive = (delta - epsilon) ** 3 / (3 * epsilon**2)
 _square = v / 2 - sin(2 * pi * k_v * v) / (4 * pi * k_v)
 _area = _primitive.subs(delta, epsilon) - _primitive.subs(delta, 0)
 _mean = _square.subs(v, 1) - _square.subs(v, 0)
-_tents = Claim("tents", (equation(Derivative(_primitive, delta), _tent**2), equation(_area, epsilon / 3)), (epsilon > 0, k_u > 0))
+_tents = Claim(
+    "tents", (equation(Derivative(_primitive, delta), _tent**2), equation(_area, epsilon / 3)), (epsilon > 0, k_u > 0)
+)
 _means = Claim(
     "mean_of_a_square",
     (equation(Derivative(_square, v), sin(pi * k_v * v) ** 2), equation(_mean, HALF)),

@@ -77,7 +77,10 @@ _origin = (0, 0, 0)
 eye_outside_a = (*lengths_of_a, eye > radius, rho_raw >= POLE * eye)
 ray_meets_a = (*eye_outside_a, discriminant_a >= 0)
 _solves_a = Claim(
-    "solves", (equation(hits_a, 1), equation(distance_squared(along(t_a), _origin), radius**2), t_a > 0), ray_meets_a, hit_of_a
+    "solves",
+    (equation(hits_a, 1), equation(distance_squared(along(t_a), _origin), radius**2), t_a > 0),
+    ray_meets_a,
+    hit_of_a,
 )
 _near_a = Claim(
     "near",
@@ -144,7 +147,10 @@ def _on_the_axis(eye, z, ball_radius):
 _outside = distance_squared(_eye, ball_center) > ball_radius**2
 _sees_b = (_outside, discriminant_b >= 0, toward_b > 0, ball_on > 0)
 _solves_b = Claim(
-    "solves", (equation(hits_b, 1), equation(distance_squared(along(t_b), ball_center), ball_radius**2), t_b > 0), _sees_b, hit_of_b
+    "solves",
+    (equation(hits_b, 1), equation(distance_squared(along(t_b), ball_center), ball_radius**2), t_b > 0),
+    _sees_b,
+    hit_of_b,
 )
 _length = dot(ray_direction, ray_direction)
 _near_b = Claim(

@@ -38,10 +38,7 @@ _sine, _rings = at_pole(sine), at_pole(rings)
 _meridian_direction = Vector((cos(theta), sin(theta), 0))
 _length = Claim(
     "sine",
-    (
-        *equations(g, pi * k_v * sin(_turned) * _meridian_direction),
-        equation(dot(g, g), (pi * k_v * sin(_turned)) ** 2),
-    ),
+    (*equations(g, pi * k_v * sin(_turned) * _meridian_direction), equation(dot(g, g), (pi * k_v * sin(_turned)) ** 2)),
     lines=_sine,
 )
 _vanishes = tuple(

@@ -101,7 +101,11 @@ _behind_a = Claim(
 )
 _leading = Claim(
     "leading",
-    (equation(Derivative(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _w[1] ** 2 - _w[2] ** 2)),),
+    (
+        equation(
+            Derivative(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _w[1] ** 2 - _w[2] ** 2)
+        ),
+    ),
 )
 _given_scene = {light: (0, 0, 3), center: (2, 0, 2), body_radius: 1}
 

@@ -22,8 +22,8 @@ from collections.abc import Callable
 from proofs.check import reasons
 from proofs.engine import kernel
 from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
+from proofs.engine.induction import induction
 from proofs.engine.statement import by_definition as idle
-from proofs.engine.statement import induction
 from proofs.engine.stored import NotFound, Stale, evidence, show_polynomial, stored
 from proofs.engine.theorem import WITHOUT_CLAIMS, Theorem, Theorems, borrowed, incomplete
 from verify.checkers import witness
@@ -97,7 +97,9 @@ def _check_certificates(examination, theorem, theorems, prove, anew):
         examination.problems.append(str(error))
         return
     nothing = {claim.name: by_definition(claim, theorems) for claim in theorem.claims}
-    examination.by_definition = [c.name for c in theorem.claims if len(nothing[c.name]) == len(getattr(c, "shows", "-"))]
+    examination.by_definition = [
+        c.name for c in theorem.claims if len(nothing[c.name]) == len(getattr(c, "shows", "-"))
+    ]
     for claim, cases in claims:
         examination.problems += [f"{claim.name}: {why}" for why in reasons(cases, why_rejected) if why]
     said = [statement for _, cases in claims for statement, *_ in cases]

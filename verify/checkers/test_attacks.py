@@ -41,19 +41,19 @@ from proofs.engine import certificate, kernel
 from proofs.engine import stored as stored_file
 from proofs.engine.certificate import prove
 from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, at_least, equation, greater
+from proofs.engine.derivative import Untranslatable
 from proofs.engine.points import without_unused
 from proofs.engine.program import Program
 from proofs.engine.search import search
-from proofs.engine.statement import Untranslatable
 from proofs.engine.stored import NotFound, Stale, statements, stored
 from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems
 from proofs.formulas.half_turns import cospi, sinpi
 from proofs.theorems.cited import sine_below
 from verify.checkers import witness
 from verify.checkers.kernels import accepted, compact
+from verify.checkers.known_bad import CERTIFICATE, STATEMENT, assume, derivation, show
 from verify.checkers.proof_checker import by_definition, examine
 from verify.checkers.splices import splices
-from verify.checkers.test_checkers import CERTIFICATE, STATEMENT, assume, derivation, show
 
 x, y, n, p, w, m = symbols("x y n p w m", real=True)
 a, s = symbols("a s", real=True)
@@ -122,7 +122,11 @@ def untranslatable():
         yield Claim(f"the angle {angle}", (equation(square + sin(x) ** 2, 1),)), "polynomial"
     yield Claim("exponent", (TO_THE_ONE,)), "no rule"
     program = Program("p", (x,), ((y, x + 1),), (y,))
-    for outputs, avoid in (((Symbol("z", real=True),), (x,)), ((y,), (Symbol("z", real=True),)), ((y,), (x, Symbol("z")))):
+    for outputs, avoid in (
+        ((Symbol("z", real=True),), (x,)),
+        ((y,), (Symbol("z", real=True),)),
+        ((y,), (x, Symbol("z"))),
+    ):
         yield Separation("of another name", program, outputs, avoid), "has no z"
     for corner in (floor(x), Heaviside(x), DiracDelta(x), log(x), atan2(x, y)):
         yield Claim(f"derivative of {corner}", (equation(Derivative(corner, x), 0),)), "no rule differentiates"
@@ -242,12 +246,16 @@ def test_a_relation_that_says_nothing_is_told_apart_from_one_that_says_something
 
 
 def test_what_a_file_of_theorems_says_arrives_as_it_is_written(monkeypatch):
-    lines = ["from proofs.engine.claim import Claim, equation", "from sympy import Abs, Derivative, sqrt, symbols"]
-    lines += ["x, y = symbols('x y', real=True)", "claims = [Claim('c', (r,)) for r in ("]
-    lines += ["equation(x * y / x, y), equation(sqrt(x) ** 2, x), equation(0 / x, 0), equation(Derivative(Abs(x), x) ** 2, 1))]"]
+    text = """
+from sympy import Abs, Derivative, sqrt
+from proofs.engine.claim import Claim, equation
+from proofs.formulas.symbols import x, y
+relations = equation(x * y / x, y), equation(sqrt(x) ** 2, x), equation(0 / x, 0), equation(Derivative(Abs(x), x), 1)
+claims = [Claim("written", (relation,)) for relation in relations]
+"""
     with TemporaryDirectory() as folder:
         monkeypatch.setattr(proofs.theorems, "__path__", [folder])
-        (Path(folder) / "written.py").write_text("\n".join(lines))
+        (Path(folder) / "written.py").write_text(text)
         proofs.theorems.run_all()
     for claim in sys.modules.pop("proofs.theorems.written").claims:
         with pytest.raises(NotFound):
