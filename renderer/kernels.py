@@ -80,7 +80,7 @@ def atan2pi(ordinate, abscissa):
     denominator = larger + node * smaller
     ratio = where(larger > 0.0, (smaller - larger * node) / denominator, 0.0)
     ratio_squared = ratio * ratio
-    arctangent_tail = ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (0.010976202971854851 - 0.010268060844638409 * ratio_squared) - 0.011789255043844099) + 0.012732395447351627) - 0.013839560268860464) + 0.015157613627799556) - 0.016753151904410034) + 0.018724110951987685) - 0.021220659078919377) + 0.02448537586029159) - 0.028937262380344605) + 0.035367765131532294) - 0.04547284088339867) + 0.06366197723675814) - 0.10610329539459688) - 1.9678676675182486e-17
+    arctangent_tail = ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (0.010976202971854851 - 0.010268060844638409 * ratio_squared) - 0.011789255043844099) + 0.012732395447351627) - 0.013839560268860464) + 0.015157613627799556) - 0.016753151904410034) + 0.018724110951987685) - 0.021220659078919377) + 0.02448537586029159) - 0.028937262380344605) + 0.035367765131532294) - 0.04547284088339867) + 0.06366197723675814) - 0.1061032953945969) - 1.9678676675182486e-17
     small_part = node_correction + ratio * (arctangent_tail + 0.3183098861837907)
     first_octant = node_value + small_part
     first_quadrant = where(abs(abscissa) < abs(ordinate), 0.5 - first_octant, first_octant)
@@ -115,7 +115,7 @@ def log(number):
     doublings = binary - scaled_by
     node = where(mantissa < 0.890625, 0.79296875, where(mantissa < 1.125, 1.0, 1.26171875))
     node_short = where(mantissa < 0.890625, -0.231964111328125, where(mantissa < 1.125, 0.0, 0.2324676513671875))
-    node_rest = where(mantissa < 0.890625, -7.354109650143049e-06, where(mantissa < 1.125, 0.0, 7.22737590656492e-06))
+    node_rest = where(mantissa < 0.890625, -7.354109650143049e-06, where(mantissa < 1.125, 0.0, 7.227375906564921e-06))
     above_node = mantissa - node
     lifted = mantissa + 134217728.0
     mantissa_short = lifted - 134217728.0
@@ -154,7 +154,7 @@ def power(number, exponent):
     doublings = binary - scaled_by
     node = where(mantissa < 0.890625, 0.79296875, where(mantissa < 1.125, 1.0, 1.26171875))
     node_short = where(mantissa < 0.890625, -0.231964111328125, where(mantissa < 1.125, 0.0, 0.2324676513671875))
-    node_rest = where(mantissa < 0.890625, -7.354109650143049e-06, where(mantissa < 1.125, 0.0, 7.22737590656492e-06))
+    node_rest = where(mantissa < 0.890625, -7.354109650143049e-06, where(mantissa < 1.125, 0.0, 7.227375906564921e-06))
     above_node = mantissa - node
     lifted = mantissa + 134217728.0
     mantissa_short = lifted - 134217728.0

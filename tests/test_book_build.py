@@ -28,7 +28,7 @@ def test_checks_run_again_when_something_changed_and_until_they_pass(stamped, mo
 
     monkeypatch.setattr(subprocess, "run", run)
     monkeypatch.setattr(report, "REPORT", stamped / "proofs.json")
-    monkeypatch.setattr(check, "sources", lambda: [stamps.LOCK_FILE])
+    monkeypatch.setattr(check, "checked_files", lambda: [stamps.LOCK_FILE])
     for work in (check.run, check.run, report.make):  # the whole run writes the theorems' report, too
         work()
     assert commands == ["verify"]
@@ -36,7 +36,7 @@ def test_checks_run_again_when_something_changed_and_until_they_pass(stamped, mo
     for work in (report.make, report.make, check.run):
         work()
     assert commands == ["verify", "verify/test_theorems.py"]
-    monkeypatch.setattr(check, "sources", lambda: [])
+    monkeypatch.setattr(check, "checked_files", lambda: [])
     failing.add("verify")
     for _ in range(2):
         with pytest.raises(subprocess.CalledProcessError):
@@ -69,7 +69,7 @@ def small_book(stamped, monkeypatch):
     places = {"BOOK": folder, "SITE": site, "INDEX": site / "index.html", "WORK": build / "work"}
     for name, value in (places | {"CACHES": stamped / "caches"}).items():
         monkeypatch.setattr(website, name, value)
-    monkeypatch.setattr(website, "sources", lambda: {f"book/{p.name}": p.read_text() for p in folder.glob("*.md")})
+    monkeypatch.setattr(website, "site_hashes", lambda: {f"book/{p.name}": p.read_text() for p in folder.glob("*.md")})
     monkeypatch.setattr(website, "execution_cache", lambda: stamped / "caches" / "now")
     return folder
 

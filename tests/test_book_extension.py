@@ -13,6 +13,7 @@ from nbformat.v4 import new_code_cell, new_notebook
 from book.assembly.results import UnknownResult, look_up, parse
 from book.extension import assets
 from book.extension.numbers import typeset
+from renderer.picture.differences import Interval
 from tests import one_page
 from verify import records
 
@@ -67,12 +68,22 @@ def test_unknown_numbers_are_refused_with_a_list_of_known_ones(book, id, key, kn
         (True, None, "yes"),
         (1824, ",", "1,824"),
         (0.5, ".0%", "50%"),
+        (Interval(0.0467, 0.04669, 0.04671), ".2f", "0.05"),
+        (Interval(0.0467, 0.04669, 0.04671), None, "0.0467"),
+        (Interval(4.1e-11, 3.96e-11, 4.04e-11), None, "4\u00a0×\u00a010^−11"),
     ],
 )
 def test_typesetting(value, spec, expected):
     parts = typeset(value, spec)
     text = "".join(f"^{part.astext()}" if isinstance(part, nodes.superscript) else part.astext() for part in parts)
     assert text == expected
+
+
+@pytest.mark.parametrize("value", [Interval(0.5, 0.4, 0.6), Interval(7.28e-12, 6.99e-12, 7.63e-12)])
+@pytest.mark.parametrize("spec", [None, ".1e", ".3g"])
+def test_digits_that_are_not_certain_are_refused(value, spec):
+    with pytest.raises(ValueError, match=f"of a number from {value.lower} to {value.upper} is not certain"):
+        typeset(value, spec)
 
 
 @pytest.fixture
@@ -94,6 +105,30 @@ def test_figure_has_number_label_alt_text_and_provenance(build_page):
     assert '<span class="number">0.01214</span>' in html
     assert all(name in html for name in ("sweep.json", "sweep.csv", "sweep.py")) and "figures</span> <span" in html
     assert "0123456789abcdef" in html
+    assert "certified" not in html
+
+
+def test_a_picture_says_how_far_its_colours_can_be_off(book, build_page):
+    path = book / "_generated" / "sweep.json"
+    for undecided, said in ((0, "certified</p>"), (1234, "certified, but for 1,234 pixels that rounding leaves")):
+        found = {"certified": {"within": 8.1e-10, "undecided": undecided}}
+        path.write_text(json.dumps(json.loads(path.read_text()) | found))
+        html, warnings = build_page(FIGURE % ("sweep", ":alt: a falling curve"))
+        assert warnings == ""
+        formula = "of its own formula in exact arithmetic (rounding alone), "
+        assert f"every colour within 8.1\u00a0×\u00a010<sup>−10</sup> {formula}{said}" in html
+
+
+def test_a_page_that_asks_for_uncertain_digits_fails(book, build_page):
+    path = book / "_generated" / "sweep.json"
+    description = json.loads(path.read_text())
+    description["numbers"] |= {"rms_1e-3_lower": 0.01212, "rms_1e-3_upper": 0.01216}
+    path.write_text(json.dumps(description))
+    assert look_up(book, "sweep", "rms_1e-3") == Interval(0.01214, 0.01212, 0.01216)
+    html, warnings = build_page("It is {number}`sweep.rms_1e-3|.2g`.")
+    assert (warnings, "0.012</span>" in html) == ("", True)
+    _, warnings = build_page("It is {number}`sweep.rms_1e-3|.4g`.")
+    assert "of a number from 0.01212 to 0.01216 is not certain" in warnings
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 import io
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,9 +11,11 @@ from PIL import Image
 
 from book.assembly import stamps
 from book.drawing import keys, registry, save
-from book.drawing.registry import Drawing, Registered, plain_numbers
+from book.drawing.registry import Drawing, Registered, certified, plain_numbers
 from book.drawing.style import decades, label_line_end, palette, panels, plot, slope_triangle, styled
 from book.figures.chapter_scene import averaged
+from renderer import Scene, central, exact, render
+from renderer.picture.differences import Interval
 
 
 def curve() -> Drawing:
@@ -46,7 +49,7 @@ def test_figures_are_looked_at_again_when_code_or_a_drawing_changed(monkeypatch,
     assert not keys.nothing_changed()
     keys.remember(keys.all_sources())
     assert keys.nothing_changed()
-    monkeypatch.setattr(keys.check, "sources", lambda: [stamps.LOCK_FILE])
+    monkeypatch.setattr(keys.check, "checked_files", lambda: [stamps.LOCK_FILE])
     assert not keys.nothing_changed()
 
 
@@ -54,6 +57,24 @@ def test_figures_are_looked_at_again_when_code_or_a_drawing_changed(monkeypatch,
 def test_numbers_that_say_nothing_are_refused_by_name(value):
     with pytest.raises(ValueError, match="figure 'f': number 'rms'"):
         plain_numbers("f", {"rms": value})
+
+
+def test_a_number_is_kept_with_its_ends():
+    numbers = plain_numbers("f", {"sine": {"rms": Interval(0.5, 0.4, 0.6)}})
+    assert numbers == {"sine_rms": 0.5, "sine_rms_lower": 0.4, "sine_rms_upper": 0.6}
+
+
+def test_what_is_certain_of_the_frames_that_a_picture_shows():
+    scene = Scene(ball=False)
+    one, other = (render(scene, 24, 24, method, bounds=True) for method in (exact(), central(1e-3)))
+    assert certified(()) is None
+    found = certified((one, other))
+    assert found["within"] >= max(one.bounds.max(), other.bounds.max()) > 0.9 * found["within"]
+    assert found["undecided"] == 0
+    some = SimpleNamespace(bounds=one.bounds, open=np.arange(576).reshape(24, 24) < 5)
+    assert certified((some,))["undecided"] == 5
+    with pytest.raises(ValueError, match="bounds = None is not allowed: a frame drawn by render"):
+        certified((render(scene, 24, 24),))
 
 
 def test_plot_is_saved_light_and_dark_and_the_same_each_time(tmp_path):

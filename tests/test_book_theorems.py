@@ -46,7 +46,7 @@ def fresh_report(tmp_path, monkeypatch):
     path = tmp_path / "proofs.json"
     path.write_text(json.dumps({"version": 1, "theorems": entries}))
     monkeypatch.setattr(report, "REPORT", path)
-    monkeypatch.setattr(report, "sources", lambda: {"proofs/x.py": "1"})
+    monkeypatch.setattr(report, "reported_hashes", lambda: {"proofs/x.py": "1"})
     monkeypatch.setattr(stamps, "STAMPS", tmp_path / "stamps")
     report.remember(report.reported_hashes())
     return path
@@ -129,7 +129,7 @@ def test_a_grade_that_was_not_reached_fails_the_build(build_page, monkeypatch):
 def test_a_report_that_is_stale_edited_by_hand_or_missing_is_refused(fresh_report, monkeypatch):
     assert report.load().keys() == THEOREMS.keys()
     with monkeypatch.context() as changed:
-        changed.setattr(report, "sources", lambda: {"proofs/x.py": "2"})
+        changed.setattr(report, "reported_hashes", lambda: {"proofs/x.py": "2"})
         with pytest.raises(report.NoReport, match=r"stale.*python -m book check"):
             report.load()
     fresh_report.write_text(fresh_report.read_text().replace("refuted", "proved"))

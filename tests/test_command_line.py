@@ -111,6 +111,7 @@ def test_sweep_of_a_grid(tmp_path, capsys):
         expected = table(grid.run(tasks, executor))
     assert capsys.readouterr() == (f"{expected}\nwrote {target}\n", "")
     names = "field,ku,kv,beta,gradient,width,height,eps,largest,rms,flips,straddling"
+    names += ",largest_lower,largest_upper,rms_lower,rms_upper"
     assert target.read_text().splitlines()[0] == names
     assert len(target.read_text().splitlines()) == 1 + len(tasks)
 

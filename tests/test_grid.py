@@ -225,12 +225,15 @@ def test_a_dask_cluster_from_the_command_line(many, tmp_path, capsys):
     with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster:
         assert main([*command, str(target), "--dask", cluster.scheduler_address]) == 0
     assert capsys.readouterr().out.startswith(table({task: many[task] for task in MANY[:4]}) + "\nwrote ")
-    rms = np.genfromtxt(target, delimiter=",", names=True, dtype=None, encoding="utf-8")["rms"]
-    assert list(rms) == [many[task].rms for task in MANY[:4]]
+    upper = np.genfromtxt(target, delimiter=",", names=True, dtype=None, encoding="utf-8")["rms_upper"]
+    assert list(upper) == [many[task].rms_upper for task in MANY[:4]]
 
 
 KEPT_TASKS = grid.grid(Scene(), [(8, 8)], ["central"], (1e-2, 1e-3, 1e-4))
-ROWS = [SweepRow(task.method.eps, 0.1 + 0.2, 1e-300, 0, number) for number, task in enumerate(KEPT_TASKS)]
+ROWS = [
+    SweepRow(task.method.eps, 0.1 + 0.2, 1e-300, 0, number, 0.3, 0.4, 0.0, 1e-299)
+    for number, task in enumerate(KEPT_TASKS)
+]
 RESULTS = dict(zip(KEPT_TASKS, ROWS, strict=True))
 
 

@@ -17,6 +17,7 @@ from book.ledger.check import Run, faults_in
 from book.ledger.entries import FINDINGS, FOLDER, WORDS
 from book.ledger.relations import relation
 from book.ledger.run import last_run, node_exists
+from renderer.picture.differences import Interval
 from tests.processes import python
 from verify.sources import ROOT
 
@@ -174,6 +175,14 @@ def test_a_number_refutes_only_where_the_claims_own_relation_fails(faults):
 def test_relations(text, yes, no):
     assert relation(text).holds(yes)
     assert not relation(text).holds(no)
+
+
+@pytest.mark.parametrize("ends", [(0.4, 0.6), (0.4, 0.5), (0.5, 0.6)])
+def test_a_number_with_ends_has_to_satisfy_a_relation_certainly(ends):
+    value = Interval(0.5, *ends)
+    assert relation("in [0.4, 0.6]").holds(value)
+    assert not relation("in [0.41, 0.59]").holds(value)
+    assert not relation("== 0.5").holds(value)
 
 
 @pytest.mark.parametrize("text", ["", "0", "= 0", "== zero", "in [2, 1]", "in [1]", "< 1 and > 0", 3])

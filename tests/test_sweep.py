@@ -2,15 +2,15 @@
 
 import csv
 import math
-from dataclasses import asdict
 from functools import cache
 
 import numpy as np
 import pytest
 
 from renderer import Scene, central, render
+from renderer.picture.differences import certain_digits, difference_on_a
 from renderer.picture.facts import facts
-from renderer.picture.sweep import difference_on_a, sweep, write_csv
+from renderer.picture.sweep import sweep, table, write_csv
 
 CHAPTER = {
     1e-1: (0.1959, 0.98),
@@ -63,12 +63,23 @@ def test_a_sweep_without_a_pixel_of_a():
     assert (row.largest, row.rms, row.flips, row.straddling) == (0, 0, 0, 0)
 
 
-def test_csv_keeps_every_digit(tmp_path):
+def test_a_table_has_certain_digits_alone(tmp_path):
     rows = list(default_rows().values())
+    lines = [line.split() for line in table(rows).splitlines()[1:]]
+    assert lines[2] == ["0.001", "0.6246", "0.01214", "0", "594"]
+    assert lines[-1][:4] == ["1e-06", "1.2e-10", "<=", "8e-12"]
     write_csv(tmp_path / "a.csv", rows)
     with open(tmp_path / "a.csv", newline="", encoding="utf-8") as file:
         read = list(csv.DictReader(file))
-    assert [{name: float(text) for name, text in row.items()} for row in read] == [asdict(row) for row in rows]
+    for name in ("largest", "rms"):
+        for text, row in zip(read, rows, strict=True):
+            lower, upper = getattr(row, f"{name}_lower"), getattr(row, f"{name}_upper")
+            assert (float(text[f"{name}_lower"]), float(text[f"{name}_upper"])) == (lower, upper)
+            assert text[name] == certain_digits(lower, upper, 15)
+            assert lower <= getattr(row, name) <= upper
+    assert [record["rms"] == "" for record in read] == [False] * 5 + [True]
+    kept = ("eps", "flips", "straddling")
+    assert [[float(record[name]) for name in kept] for record in read] == [[getattr(r, n) for n in kept] for r in rows]
 
 
 def test_facts():

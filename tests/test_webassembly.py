@@ -6,10 +6,14 @@ import numpy as np
 import pytest
 
 from book import simulator_module
-from renderer import Scene, exact, kernels
+from renderer import Scene, central, exact, forward, kernels, render
+from renderer.machines import enclosing, native, numpy_rows
+from renderer.machines.drawing_code import ARGUMENTS, INPUT_BOUNDS
 from renderer.machines.webassembly import compiled_module
 from renderer.picture.views import difference_logarithmic, to_bytes
 from renderer.shader.numbers import want_of
+from renderer.shader.shader import WORK
+from tests.test_machines import SCENES, drawn_by
 from verify.benchmark.methods.compiled import loop_of
 
 KERNELS = {"slope": kernels.slope, "view_length": kernels.view_length}
@@ -60,6 +64,80 @@ def test_our_functions_have_the_same_bits_on_every_machine(browser):
     for output, (name, expected) in zip(found, ours.items(), strict=True):
         np.testing.assert_array_equal(np.array(output, np.uint8).view(float), expected, name)
         np.testing.assert_array_equal(loop_of(getattr(kernels, name), 1)(*inputs[name])[0], expected, name)
+
+
+# Draws by a module on a memory that begins with `drawing_code.ARGUMENTS`: what it is afterwards, as text.
+DRAW = """async ([module, given]) => {
+    const decoded = text => Uint8Array.from(atob(text), c => c.charCodeAt(0)), bytes = decoded(given);
+    const memory = new WebAssembly.Memory({ initial: Math.ceil(bytes.length / 65536) });
+    const { instance } = await WebAssembly.instantiate(decoded(module), { env: { __linear_memory: memory } });
+    const whole = new Uint8Array(memory.buffer);
+    whole.set(bytes);
+    instance.exports.draw(0);
+    let text = "";
+    for (const byte of whole.subarray(0, bytes.length)) text += String.fromCharCode(byte);
+    return btoa(text);
+}"""
+
+
+def drawer_in(tab):
+    """Return a machine's `drawer` that draws in a browser's tab."""
+
+    def drawer(want, job):
+        module, _ = compiled_module({"draw": want}, {}, {})
+
+        def draw(rows):
+            arrays = {name: getattr(job, name) for name in ("x", "y", "columns", "scene", "lights")} | job.planes
+            arrays |= dict(zip(INPUT_BOUNDS, job.bounds, strict=True)) | {"counts": np.zeros(len(WORK), np.int64)}
+            sizes = [8 * len(ARGUMENTS), *(-(-array.nbytes // 8) * 8 for array in arrays.values())]
+            places = dict(zip(arrays, np.cumsum(sizes).tolist(), strict=False))
+            numbers = {"first_row": rows.start, "last_row": rows.stop, "pitch": len(job.x)}
+            given = places | numbers | {"light_count": len(job.lights)}
+            parts = [np.array([given.get(name, 0) for name in ARGUMENTS]), *arrays.values()]
+            memory = b"".join(part.tobytes().ljust(size, b"\0") for part, size in zip(parts, sizes, strict=True))
+            memory = base64.b64decode(tab.evaluate(DRAW, [base64.b64encode(x).decode() for x in (module, memory)]))
+            for name, array in arrays.items():
+                array[...] = np.frombuffer(memory, array.dtype, array.size, places[name]).reshape(array.shape)
+            return arrays["counts"].tolist()
+
+        return draw
+
+    return drawer
+
+
+def bytes_of(drawer, scene, method, size=(49, 32)):
+    """Return the bytes of all that a machine's frame with bounds holds, by name, and what it counted."""
+    with drawn_by(drawer):
+        frame = render(scene, *size, method, threads=1, bounds=True)
+    planes = {"rgb": frame.rgb, "chambers": frame.chambers, "bounds": frame.bounds, "open": frame.open}
+    return {name: plane.tobytes() for name, plane in planes.items()} | frame._counts
+
+
+ENCLOSED = {
+    "sine": (Scene(field="sine"), exact()),
+    "general": (Scene(field="ridges", ku=7.3, model="phong"), exact("general")),
+    "central": (Scene(field="sine", model="phong"), central(1e-3)),
+    "central_rings": (Scene(field="rings", shininess=7.5), central(1e-6)),
+    "forward": (Scene(field="ridges"), forward(1e-2)),
+    "rings": (Scene(field="rings"), exact()),
+    **{name: SCENES[name] for name in ("five_lights", "fractional_phong", "largest", "least", "tiny", "huge", "near")},
+}
+
+
+@pytest.mark.parametrize("name", ENCLOSED)
+def test_bounds_have_the_same_bytes_on_every_machine(name, browser):
+    """And so have colours, chambers and what is open; what is least and largest is among them."""
+    with browser.new_page() as tab:
+        found = bytes_of(drawer_in(tab), *ENCLOSED[name])
+    assert found == bytes_of(native.drawer, *ENCLOSED[name]) == bytes_of(numpy_rows.drawer, *ENCLOSED[name])
+
+
+def test_a_browser_that_bounds_otherwise_is_noticed(browser, monkeypatch):
+    ours = bytes_of(numpy_rows.drawer, *ENCLOSED["sine"])
+    monkeypatch.setattr(enclosing, "ROUNDING", 2.0**-52)
+    with browser.new_page() as tab:
+        found = bytes_of(drawer_in(tab), *ENCLOSED["sine"])
+    assert [name for name in ours if ours[name] != found[name]] == ["bounds"]
 
 
 def test_the_thresholds_are_where_the_renderers_bytes_change():

@@ -49,7 +49,8 @@ PARTLY = {
     "crease_error_area": "how many tents there are, and that they do not overlap",
     "elementary_functions": "the reduction of the argument, how many units in the last place, and all functions but "
     "sine and cosine",
-    "gradient_accuracy": "8 in place of 10, ridges and rings, the algebraic form, and the argument's reduction",
+    "gradient_accuracy": "ridges and rings, and the argument's reduction",
+    "rounded_powers": "what one rounded square or product loses, and what a product of two real factors does",
 }
 """{theorem: what of its words no statement says}"""
 

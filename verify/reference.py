@@ -1,8 +1,10 @@
 """The 50-digit reference of a pixel: its program run on the exact values of a scene's float64 numbers."""
 
+import math
 from functools import lru_cache
 from typing import Any
 
+from flint import arb
 from mpmath import mpf
 
 from proofs.formulas import symbols
@@ -11,12 +13,20 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import CHANNELS, light_color, light_position, pixel
 from renderer import Light, Scene
 from verify.evaluate import DIGITS, Reference
+from verify.evaluate.balls import Balls
+
+COLORS = tuple(f"rgb_{c}" for c in CHANNELS)
+
+
+class Undecided(ValueError):
+    """A pixel on an edge, as far as so many digits tell: its selections, and so its colour, are not known."""
 
 
 @lru_cache(maxsize=64)
-def _pixel_reference(field, model, lights, method):
+def _pixel_references(field, model, lights, method):
     gradient = None if method == "exact" else METHODS[method](HEIGHT_FIELDS[field])
-    return Reference(pixel(HEIGHT_FIELDS[field], model, lights, gradient))
+    program = pixel(HEIGHT_FIELDS[field], model, lights, gradient)
+    return Reference(program), Balls(program)
 
 
 def lights_on(scene: Scene) -> list[Light]:
@@ -62,7 +72,12 @@ def reference_pixel(
     """Return {name: value} of every line of a pixel's program, from the exact values of the scene's numbers.
 
     Among the names: surface, occluded_0 … (lights that are on, in order), dark_square, u, v, h_u, h_v, bumped_x …,
-    rgb_red, rgb_green, rgb_blue. Off the surface that a name belongs to it has no meaning.
+    rgb_red, rgb_green, rgb_blue. Off the surface that a name belongs to it has no meaning. Raises Undecided where balls
+    of as many digits leave the surface open, or a shadow, a square or a side of a crease that the colour depends on.
     """
     values = scene_values(scene, column=column, row=row, width=width, height=height, epsilon=eps)
-    return _pixel_reference(scene.field, scene.model, len(lights_on(scene)), method)(values, digits)
+    reference, balls = _pixel_references(scene.field, scene.model, len(lights_on(scene)), method)
+    enclosed = balls(values, round((digits + 20) / math.log10(2)))
+    if wide := [name for name in ("surface", *COLORS) if not enclosed[name].rad() < arb(10) ** (10 - digits)]:
+        raise Undecided(f"column = {column}, row = {row}: {', '.join(wide)} undecided at {digits} digits")
+    return reference(values, digits)

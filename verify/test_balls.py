@@ -9,9 +9,9 @@ from sympy import And, Max, Or, Piecewise, Pow, sign, sqrt
 from proofs.engine.program import Program
 from proofs.formulas.symbols import real
 from renderer import Scene, render
-from verify.accuracy.pixels import COLORS, SCENES, balls_of, checked_pixel, chosen, problems
+from verify.accuracy.pixels import COLORS, SCENES, checked_pixel, chosen, problems, truth_of
 from verify.evaluate.balls import Balls, ball_of
-from verify.reference import reference_pixel, scene_values
+from verify.reference import reference_pixel
 
 a, b, c, d = real("a b c d")
 SIZE = 96
@@ -19,56 +19,50 @@ SIZE = 96
 
 @pytest.mark.parametrize("name", SCENES)
 def test_balls_enclose_the_reference(name):
-    """At 256 bits to 50 digits, and at 53 bits as well."""
-    rng, scene = random.Random(name), SCENES[name]
+    """At 256 bits to 50 digits, and so does the frame's own bound."""
+    rng, frame = random.Random(name), render(SCENES[name], SIZE, SIZE, bounds=True)
     for _ in range(4):
         column, row = rng.randrange(SIZE), rng.randrange(SIZE)
-        values = scene_values(scene, column=column, row=row, width=SIZE, height=SIZE)
-        truth = reference_pixel(scene, SIZE, SIZE, column, row)
-        fine, _ = balls_of(scene.field, scene.model, 2)(values, 256)
-        coarse, undecided = balls_of(scene.field, scene.model, 2)(values)
+        truth, balls = reference_pixel(frame.scene, SIZE, SIZE, column, row), truth_of(frame, column, row)
         with ctx.workprec(400):
             for color in COLORS:
-                assert abs(fine[color].mid() - ball_of(truth[color])) < arb(10) ** -48
-                assert undecided or coarse[color].contains(fine[color].mid())
+                assert abs(balls[color].mid() - ball_of(truth[color])) < arb(10) ** -48
+        assert problems([checked_pixel(name, frame, "at random", column, row)]) == []
 
 
 def line(expression, **values):
-    """Return (the ball of one line, whether it was left undecided)."""
+    """Return the ball of one line."""
     inputs = tuple(sorted(expression.free_symbols, key=str))
-    found, undecided = Balls(Program("line", inputs, ((d, expression),), (d,)))(values)
-    return found["d"], bool(undecided)
+    return Balls(Program("line", inputs, ((d, expression),), (d,)))(values, 53)["d"]
 
 
-def test_what_is_not_decided_is_named_and_enclosed():
+def test_what_is_not_decided_is_enclosed():
     wide = arb(0, 1)
-    value, undecided = line(Piecewise((1, a < b), (5, True)), a=wide, b=arb(0.5))
-    assert undecided
+    value = line(Piecewise((1, a < b), (5, True)), a=wide, b=arb(0.5))
     assert value.contains(1)
     assert value.contains(5)
-    assert line(Piecewise((1, a < b), (5, True)), a=arb(0, 0.25), b=arb(0.5)) == (arb(1), False)
-    assert line(Piecewise((1, Or(a < b, b > 0)), (5, True)), a=wide, b=arb(0.5)) == (arb(1), False)
-    assert line(Piecewise((1, And(a < b, b < 0)), (5, True)), a=wide, b=arb(0.5)) == (arb(5), False)
-    assert line(sign(a), a=wide)[1]
-    assert line(sign(a), a=arb(0)) == (arb(0), False)
+    assert line(Piecewise((1, a < b), (5, True)), a=arb(0, 0.25), b=arb(0.5)) == 1
+    assert line(Piecewise((1, Or(a < b, b > 0)), (5, True)), a=wide, b=arb(0.5)) == 1
+    assert line(Piecewise((1, And(a < b, b < 0)), (5, True)), a=wide, b=arb(0.5)) == 5
+    assert all(line(sign(a), a=wide).contains(side) for side in (-1, 1))
+    assert line(sign(a), a=arb(0)) == 0
 
 
 def test_a_ball_that_reaches_below_zero_is_cut_off_where_the_line_says_so():
-    assert line(sqrt(a), a=arb(0, 4))[0].contains(2)
-    assert line(Pow(Max(0, a), b), a=arb(0, 0.5), b=arb(3))[0].contains(arb(0.125))
-    assert line(sqrt(a), a=arb(-2))[0].is_nan()
+    assert line(sqrt(a), a=arb(0, 4)).contains(2)
+    assert line(Pow(Max(0, a), b), a=arb(0, 0.5), b=arb(3)).contains(arb(0.125))
+    assert line(sqrt(a), a=arb(-2)).is_nan()
 
 
 def test_a_pixel_that_is_off_is_found():
     scene = Scene()
-    frame = render(scene, 64, 64)
-    kind, column, row = next(p for p in chosen(scene, frame, each=2) if frame.chambers[p[2], p[1]] & 3 == 1)
-    good = checked_pixel("ridges, blinn", scene, frame, kind, column, row)
+    frame = render(scene, 64, 64, bounds=True)
+    place = next(p for p in chosen(scene, frame, each=2) if frame.chambers[p[2], p[1]] & 3 == 1)
+    good = checked_pixel("ridges, blinn", frame, *place)
     assert problems([good]) == []
-    bad = good._replace(error=1e-13), good._replace(error=float("nan")), good._replace(same_chamber=False)
-    assert problems(bad) == list(bad)
-    rim = good._replace(off_rim=False, error=2 * good.radius)
-    assert problems([rim]) == [rim]
-    assert problems([bad[0]._replace(undecided=frozenset({"h_u"}))]) == []
-    frame.rgb[row, column] += 1e-12
-    assert problems([checked_pixel("ridges, blinn", scene, frame, kind, column, row)])
+    off = {"error": 2 * good.bound}, {"error": float("nan")}, {"same_chamber": False}
+    bad = [good._replace(**change) for change in off]
+    assert problems(bad) == bad
+    assert problems([bad[0]._replace(undecided=True)]) == []
+    frame.rgb[place[2], place[1]] += 1e-11
+    assert problems([checked_pixel("ridges, blinn", frame, *place)])

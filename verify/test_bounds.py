@@ -1,7 +1,6 @@
 """What `render(..., bounds=True)` certifies is so: nowhere is a colour further from 256-bit balls than its bound."""
 
 from dataclasses import replace
-from functools import cache
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,7 +11,6 @@ from proofs.engine.program import Program, chain
 from proofs.formulas.camera import point_on_b
 from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
-from proofs.formulas.pixel import pixel
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.symbols import ball_center, ball_radius, eye, normal, point, x, y
 from renderer import Light, Scene, exact, kernels, operations, render
@@ -22,58 +20,28 @@ from renderer.machines.enclosing import Enclosed, Mask
 from renderer.picture import stage
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
-from verify.accuracy.pixels import BITS, COLORS
-from verify.evaluate.balls import BALLS, Balls
-from verify.reference import lights_on, scene_values
+from verify.accuracy.pixels import BITS, COLORS, code_of, errors_of, truth_of
+from verify.evaluate.arrays import response
+from verify.evaluate.balls import BALLS
 from verify.strict import random_raster, random_scene
 
 
-@cache
-def balls_of(field, model, lights, method):
-    """Return the Balls of a pixel by a gradient method."""
-    by = [METHODS[method](HEIGHT_FIELDS[field])] if method != "exact" else []
-    return Balls(pixel(HEIGHT_FIELDS[field], model, lights, *by))
-
-
 class Picture:
-    """A frame with bounds, and the truth about its pixels."""
+    """A frame with bounds, beside the truth about its pixels."""
 
     def __init__(self, scene, width, height, method, crop=None):
         self.frame = render(scene, width, height, method, crop, bounds=True)
-        self.balls = balls_of(scene.field, scene.model, len(lights_on(scene)), method.name)
-        self.size = {"width": width, "height": height, "epsilon": method.eps or 0.0}
-
-    def truth(self, column, row, shaken=lambda number: number):
-        """Return the balls of every line of a pixel of the frame."""
-        left, top, _, _ = self.frame.raster.crop
-        values = scene_values(self.frame.scene, column=left + column, row=top + row, **self.size)
-        with ctx.workprec(BITS):
-            return self.balls({name: shaken(value) for name, value in values.items()}, BITS)[0]
 
     def errors(self, column, row):
         """Return what each channel is certainly off, and its bound; NaN where that is on an edge, at any digits."""
-        true, colors = self.truth(column, row), self.frame.rgb[row, column]
-        with ctx.workprec(BITS):
-            off = [float(abs(arb(float(c)) - true[name]).abs_lower()) for c, name in zip(colors, COLORS, strict=True)]
-        return np.array(off), self.frame.bounds[row, column]
+        off = errors_of(self.frame, column, row, truth_of(self.frame, column, row))
+        return np.array([float(error.abs_lower()) for error in off]), self.frame.bounds[row, column]
 
     def wrong(self, column, row):
         """Return whether an error is above its bound, or another chamber than the true one is not open."""
         off, bounds = self.errors(column, row)
-        other = self.code(column, row) != self.frame.chambers[row, column]
-        return (off > bounds).any() or (other and not self.frame.open[row, column])
-
-    def code(self, column, row):
-        """Return the true chamber code."""
-        true = {name: int(float(number.mid())) for name, number in self.truth(column, row).items() if is_flag(name)}
-        numbers = [n for n, light in enumerate(self.frame.scene.lights) if light.color is not None]
-        shadows = sum(true[f"occluded_{n}"] << (2 + number) for n, number in enumerate(numbers))
-        return true["surface"] | shadows | true["dark_square"] << 7
-
-
-def is_flag(name):
-    """Return whether a line of a pixel is a part of its chamber code."""
-    return name in ("surface", "dark_square") or name.startswith("occluded_")
+        true = code_of(self.frame.scene, truth_of(self.frame, column, row))
+        return (off > bounds).any() or (true != self.frame.chambers[row, column] and not self.frame.open[row, column])
 
 
 def random_picture(seed):
@@ -174,6 +142,16 @@ def test_the_side_of_a_crease_is_open():
     assert max(picture.errors(0, 0)[0].max() for picture in pictures) > 1e-3  # on the wrong side
 
 
+@pytest.mark.parametrize(("radius", "share"), [(1.0, 0.0), (2.0**53, 1.0), (1e40, 1.0)])
+def test_a_floor_without_squares_is_open(radius, share, by_rows):
+    scene = Scene(eye=4 * radius, radius=radius, ball=False, lights=(Light((3 * radius, -4 * radius, 6 * radius)),))
+    frame = render(scene, 16, 16, bounds=True)
+    floor = (frame.chambers & 3) == 3
+    lit = floor & (frame.chambers & 4 == 0)
+    assert frame.open[floor].mean() == share
+    assert (frame.bounds[lit].max(axis=1) > 1e-3).all() == bool(share)
+
+
 WIDE, RATIO = (-50.0, 50.0), (1e-6, 1.0)
 OPERATIONS = {
     "sum": (lambda a, b: a + b, lambda a, b: a + b, WIDE, WIDE),
@@ -236,15 +214,31 @@ def one_sided(mask, value, otherwise):
     return Enclosed(operations.where(*chosen), operations.where(*bound))
 
 
+def without_own_rounding(a, b):
+    """Return a product whose own rounding is left out."""
+    return Enclosed(a.value * b.value, abs(a.value) * b.bound + abs(b.value) * a.bound + a.bound * b.bound)
+
+
+def without_second_order(a, b):
+    """Return a product without the product of the bounds."""
+    own = enclosing.UNIT * abs(a.value * b.value)
+    return Enclosed(a.value * b.value, abs(a.value) * b.bound + abs(b.value) * a.bound + own)
+
+
+def uncounted(kind, value, roundings, keeps_zero=False):
+    """Return an Enclosed whose bound is halved."""
+    return kind(value, 0.5 * enclosing.UNIT * roundings, keeps_zero)
+
+
 @pytest.mark.parametrize(("broken", "name", "value", "operation"), [
-    (enclosing, "_own", lambda *factors: 0.0, "product"),
-    (enclosing, "UNIT", 0.0, "quotient"),
+    (Enclosed, "__mul__", without_own_rounding, "product"),
+    (Enclosed, "counted", classmethod(uncounted), "quotient"),
+    (Enclosed, "counted", classmethod(uncounted), "sum"),
     (enclosing.Operations, "where", staticmethod(one_sided), "selected"),
     (Mask, "__init__", lambda self, holds, open_=None: vars(self).update(holds=holds, open=None), "both"),
     (kernels, "ULPS", {name: ulps / 2 for name, ulps in kernels.ULPS.items()}, "exp"),
     (kernels, "ULPS", {name: ulps / 2 for name, ulps in kernels.ULPS.items()}, "log"),
-    (Enclosed, "__mul__", lambda a, b: Enclosed(a.value * b.value, abs(a.value) * b.bound + abs(b.value) * a.bound
-                                                + enclosing._own(a.value * b.value, a.value, b.value)), "product"),
+    (Enclosed, "__mul__", without_second_order, "product"),
 ])  # fmt: skip
 def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
     """A rounding left out, a selection of one side, a mask taken for decided, constants halved, no second order."""
@@ -271,7 +265,7 @@ def worst_on_b():
 
 def error_on_b(ratio, size):
     """Return the error of a pixel on B by what 64 shakes of all inputs by 1e-16 move it, or its own rounding."""
-    random, scene = np.random.default_rng(3), Scene(eye=1 / ratio, ball=False)
+    scene = Scene(eye=1 / ratio, ball=False)
     (left,), (top,) = Raster(64, 64, (30, 20, 1, 1)).image_points(scene)
     along = 1.3 * ratio  # how far from the image point to the eye
     center = (1 - along) * left + 0.4 * size, (1 - along) * top + 0.3 * size, 1.3
@@ -280,23 +274,29 @@ def error_on_b(ratio, size):
     assert picture.frame.chambers[0, 0] & 3 == 2
     off, bounds = picture.errors(0, 0)
     assert (off <= bounds).all()
-    true, responses = picture.truth(0, 0), [2.0**-53 * picture.frame.rgb.max()]
-    for _ in range(64):
-        moved = picture.truth(0, 0, lambda number: arb(number) * (1 + arb(random.uniform(-1e-16, 1e-16))))
-        responses += [float(abs(moved[name] - true[name])) for name in COLORS]
-    return off.max() / max(responses)
+    true = truth_of(picture.frame, 0, 0)
+
+    def change(shaken):
+        moved = truth_of(picture.frame, 0, 0, shaken)
+        return max(float(abs(moved[name] - true[name])) for name in COLORS)
+
+    return off.max() / response(picture.frame.rgb.max(), change)
 
 
 def test_b_is_as_accurate_as_its_condition():
     assert worst_on_b() <= 30
 
 
-def test_a_normal_that_cancels_is_noticed(monkeypatch, by_rows):
-    """P − C of the hit, which is what was there."""
+def cancelling_normal_of_b():
+    """Return the program of P and N of B by P − C of the hit, which is what was there."""
     from_hit = tuple(p - c for p, c in zip(point, ball_center, strict=True))
-    cancelling = chain("normal_of_b", point_on_b, Program("outward", (point, ball_center, ball_radius),
-                       tuple((n, d / ball_radius) for n, d in zip(normal, from_hit, strict=True))),
-                       outputs=(*point, *normal))  # fmt: skip
+    outward = tuple((n, d / ball_radius) for n, d in zip(normal, from_hit, strict=True))
+    lines = Program("outward", (point, ball_center, ball_radius), outward, normal)
+    return chain("normal_of_b", point_on_b, lines, outputs=(*point, *normal))
+
+
+def test_a_normal_that_cancels_is_noticed(monkeypatch, by_rows):
+    cancelling = cancelling_normal_of_b()
     function, names = function_of(cancelling), [s.name for s in cancelling.inputs]
     wanted = [s.name for s in (x, y, eye, *ball_center, ball_radius)]
     on = {"ball_on": enclosing.enclosed(1.0)}

@@ -8,7 +8,7 @@ import pytest
 from proofs.formulas.half_turns import cospi, ordinary, sinpi
 from proofs.formulas.symbols import u
 from renderer import Light, Scene, central, exact, render
-from verify.reference import reference_pixel
+from verify.reference import Undecided, reference_pixel
 
 SIZE = 48
 SCENES = {
@@ -40,6 +40,20 @@ def test_the_renderer_agrees(name, gradient, method, eps):
             int(truth[f"occluded_{i}"]) for i in range(len(SCENES[name].lights))
         ]
         np.testing.assert_allclose(frame.rgb[row, column], [float(truth[c]) for c in COLORS], rtol=0, atol=tolerance)
+
+
+@pytest.mark.parametrize("digits", [30, 50, 100])
+def test_a_pixel_on_the_silhouette_is_undecided(digits):
+    """ρ = ρ_s = 3.75: the discriminant is 0, and at no number of digits is its sign anything but noise."""
+    scene = Scene(eye=5.0, radius=3.0, ball=False, field="sine")
+    with pytest.raises(Undecided, match=f"column = 10, row = 0: surface, rgb_red.* undecided at {digits} digits"):
+        reference_pixel(scene, 21, 20, 10, 0, digits=digits)
+    assert reference_pixel(scene, 21, 20, 10, 1, digits=digits)["surface"] == 1
+
+
+def test_a_pixel_on_a_crease_is_undecided():
+    with pytest.raises(Undecided, match="column = 10, row = 9: rgb_red, rgb_green, rgb_blue undecided"):
+        reference_pixel(Scene(field="ridges"), 21, 20, 10, 9)
 
 
 @pytest.mark.parametrize("function", [sinpi, cospi])

@@ -69,6 +69,22 @@ def test_no_difference_is_further_off_than_its_bound(name):
 
 
 @np.errstate(all="ignore")
+def test_a_hump_of_ridges_that_ends_inside_the_step_has_no_smooth_bound():
+    """At v = 0.0045 the first one does, at v = 1/256; with the sample at the pole, and without. At v = 0 it begins."""
+    rng, many = np.random.default_rng(3), 20_000
+    at_v = np.concatenate([rng.uniform(0, 0.01, many), [0.0, 0.0045]])
+    eps = np.concatenate([rng.uniform(1e-4, 2e-2, many), [9e-4, 9e-4]])
+    at = 0.798, at_v, 512.0, 256.0
+    errors = np.abs(function_of(central(RIDGES))(*at, eps)[1] - function_of(gradient(RIDGES))(*at)[1])
+    terms = np.array(SLOPE_TERMS["ridges"](*at, eps)[1])
+    ends = (at_v < 1 / 256) & (at_v + eps > 1 / 256)
+    assert (errors <= terms.sum(axis=0)).all()
+    assert (errors[ends] > truncation_bound(eps, 256.0)[ends]).any() and not terms[0][ends].any()
+    assert (errors[-2:] > 4 * truncation_bound(9e-4, 256.0)).all()
+    assert [TERMS[number] for number in terms[:, -2:].argmax(axis=0)] == ["one-sided", "straddling"]
+
+
+@np.errstate(all="ignore")
 def test_the_simulators_bound_is_the_larger_slopes():
     at = drawn(1000)
     bound, leading, *slopes = BOUNDS["ridges"](*at)

@@ -4,6 +4,7 @@ import json
 import re
 from pathlib import Path
 
+from renderer.picture.differences import Interval
 from verify import records
 
 BENCHMARK_PREFIX = "bench:"
@@ -40,11 +41,13 @@ def remark(book: Path, id: str) -> str | None:
     return "; ".join(filter(None, said)) or None
 
 
-def look_up(book: Path, id: str, key: str) -> int | float | str | bool:
-    """One number; an unknown key's error lists the known ones."""
+def look_up(book: Path, id: str, key: str) -> int | float | str | bool | Interval:
+    """One number, an Interval where its ends are kept; an unknown key's error lists the known ones."""
     numbers = load_result(book, id).get("numbers", {})
     if key not in numbers:
         raise UnknownResult(f"{id!r} has no number {key!r}; it has: {', '.join(sorted(numbers)) or 'none'}")
+    if f"{key}_lower" in numbers:
+        return Interval(numbers[key], numbers[f"{key}_lower"], numbers[f"{key}_upper"])
     return numbers[key]
 
 
@@ -56,8 +59,11 @@ def parse(text: str) -> tuple[str, str, str | None]:
     return match["id"], match["key"], match["format"]
 
 
-def formatted(value: int | float | str | bool, spec: str | None = None) -> str:
-    """The value as text, by default with four significant digits for a float."""
+def formatted(value: int | float | str | bool | Interval, spec: str | None = None) -> str:
+    """The value as text, by default with four significant digits for a float, as many as are certain for an Interval.
+
+    Raises ValueError where the format asks for digits of an Interval that are not certain.
+    """
     if isinstance(value, bool):
         return "yes" if value else "no"
     if spec is None:

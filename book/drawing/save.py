@@ -11,7 +11,7 @@ from PIL import Image
 from book.assembly.stamps import write_whole
 from book.drawing.data import SUFFIXES, data_file
 from book.drawing.palette import CSS_PIXELS_PER_INCH
-from book.drawing.registry import Drawing, Registered, plain_numbers
+from book.drawing.registry import Drawing, Registered, certified, plain_numbers
 from book.drawing.style import styled
 
 
@@ -38,6 +38,7 @@ def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
     about = " ".join((entry.draw.__doc__ or "").split("\n\n")[0].split())
     beside = next((f"{entry.id}{suffix}" for suffix in data), None)
     description = {"id": entry.id, "about": about, "kind": kind, "size": size, "exact": exact}
+    description |= {"certified": certified(drawing.shown)}
     return files | data, description | {"data": beside, "numbers": numbers}
 
 

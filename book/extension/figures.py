@@ -25,6 +25,7 @@ from sphinx.writers.html5 import HTML5Translator
 
 from book.assembly.results import load_result, remark
 from book.extension.elements import directive
+from book.extension.numbers import typeset
 
 
 class PixelImage(nodes.image):
@@ -115,7 +116,18 @@ def provenance(id: str, description: dict) -> nodes.paragraph:
         line += [file_link(*link), nodes.Text(" · ")]
     line += [nodes.literal("", f"python -m book figures {id}")]
     line += [nodes.Text(" · drawn from "), nodes.literal("", description["key"])]
+    line += _certified(description.get("certified"))
     return line
+
+
+def _certified(found: dict | None) -> list[nodes.Node]:
+    """What is certain of the colours of the very frames that a picture shows; nothing where it shows none."""
+    if found is None:
+        return []
+    within = typeset(found["within"], ".1e")
+    text = " of its own formula in exact arithmetic (rounding alone), certified"
+    text += f", but for {found['undecided']:,} pixels that rounding leaves undecided" if found["undecided"] else ""
+    return [nodes.Text(" · every colour within "), *within, nodes.Text(text)]
 
 
 def file_link(text: str, target: str, title: str) -> addnodes.download_reference:

@@ -18,12 +18,14 @@ from book.ledger.check import refutes
 from book.ledger.entries import WORDS, Evidence
 from book.ledger.relations import relation
 from book.ledger.run import tests_in
+from renderer.picture.differences import Interval
 
 
 def number_nodes(book: Here, piece: Evidence) -> list[nodes.Node]:
     """A number with its link, and what the claim has in its place where that is something else."""
     value = book.run.number(piece.name)
-    spec = (",.0f" if isinstance(value, float) else ",") if abs(value) >= 1000 else None
+    large = not isinstance(value, Interval) and abs(value) >= 1000
+    spec = (",.0f" if isinstance(value, float) else ",") if large else None
     told = [nodes.Text(", where the claim has "), *in_signs(piece.claimed)] if refutes(piece, book.run) else []
     marked = mark(Path(book.env.srcdir), piece.name.partition(".")[0])
     return [_place_of_number(book, piece.name), nodes.Text(" = "), *typeset(value, spec), *marked, *told]

@@ -3,6 +3,8 @@
 {number}`eps_sweep.rms_1e-3`         four significant digits for a float, as it stands for an int or a string
 {number}`eps_sweep.rms_1e-3|.2e`     any format of Python's; 6.1e-05 is set as 6.1 × 10⁻⁵
 {number}`eps_sweep.rms_1e-3 .2e`     the same with a blank, for use inside tables
+                                     of a number that is enclosed, what is certain; a format that asks for more is an
+                                     error
 {number}`bench:frame.time_ms|.1f`    from verify/benchmark/results/frame.json
 {spread}`bench:frame.time_ms|.1f`    its quartiles, " (1.2 to 1.4)", or nothing where the run kept none
 
@@ -20,12 +22,13 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book.assembly.results import E_NOTATION, formatted, load_result, look_up, measured, parse, remark
 from book.extension.elements import TEMPLATES, directive, on, role
+from renderer.picture.differences import Interval
 
 MINUS = "\N{MINUS SIGN}"
 TIMES = "\N{NO-BREAK SPACE}×\N{NO-BREAK SPACE}"
 
 
-def typeset(value: int | float | str | bool, spec: str | None = None) -> list[nodes.Node]:
+def typeset(value: int | float | str | bool | Interval, spec: str | None = None) -> list[nodes.Node]:
     """The value as it is set in type: a true minus, and powers of ten in place of e-notation."""
     text = formatted(value, spec)
     if isinstance(value, str):

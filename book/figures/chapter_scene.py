@@ -21,14 +21,14 @@ FINE = 3  # samples to a side of a pixel where a picture is for the eye; what is
 
 @cache
 def symbolic(field: str = "ridges", size: int = SIZE) -> Frame:
-    """Return the exact frame of a field on the chapter's scene."""
-    return render(Scene(field=field), size, size, exact())
+    """Return the exact frame of a field on the chapter's scene, with its bounds."""
+    return render(Scene(field=field), size, size, exact(), bounds=True)
 
 
 @cache
-def numeric(field: str = "ridges", size: int = SIZE, eps: float = TELLING_EPS) -> Frame:
+def numeric(field: str = "ridges", size: int = SIZE, eps: float = TELLING_EPS, bounds: bool = False) -> Frame:
     """Return the central-difference frame of a field on the chapter's scene."""
-    return render(Scene(field=field), size, size, central(eps), stage=symbolic(field, size).stage)
+    return render(Scene(field=field), size, size, central(eps), stage=symbolic(field, size).stage, bounds=bounds)
 
 
 def on_picture(frame: Frame, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

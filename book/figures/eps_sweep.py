@@ -9,8 +9,9 @@ from book.drawing.style import DASHED, DOTTED, SHORT, SOLID, curve, decades, lab
 from book.figures.chapter_scene import FIELD_NAMES, SIZE, numeric, symbolic
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, central, render
+from renderer.picture.differences import Interval, distance_on_a
 from renderer.picture.facts import flat_difference, flips_everywhere, pixels_near_the_pole
-from renderer.picture.sweep import DECADES, difference_on_a, records, rms, sweep
+from renderer.picture.sweep import DECADES, records, sweep
 from verify.accuracy.orders import fitted_slope
 
 STEPS = np.logspace(-1, -15, 57)
@@ -19,34 +20,45 @@ SHOWN = 49  # of them, down to 1e-13, in the picture of the RMS alone
 
 @cache
 def _curves(field):
-    """Return the largest and the RMS difference on A at every step."""
+    """Return the largest and the RMS difference on A at every step: [Interval] each."""
     reference = symbolic(field)
     frames = (render(Scene(field=field), SIZE, SIZE, central(float(eps)), stage=reference.stage) for eps in STEPS)
-    deltas = [difference_on_a(frame, reference) for frame in frames]
-    return np.array([np.abs(d).max() for d in deltas]), np.array([rms(d) for d in deltas])
+    return list(zip(*(distance_on_a(frame, reference) for frame in frames), strict=True))
+
+
+def _values(intervals):
+    return np.array([each.value for each in intervals])
+
+
+def _floor(intervals):
+    """Return between which numbers the least over all steps lies, and the step where it was computed."""
+    least = Interval(*(min(getattr(each, end) for each in intervals) for end in ("value", "lower", "upper")))
+    return dict(zip(("from", "to"), least.outward(), strict=True)) | {"eps": STEPS[_values(intervals).argmin()]}
 
 
 @figure
 def eps_sweep() -> Drawing:
     """RMS difference on A against ε for the three fields, 256 × 256."""
     steps, curves = STEPS[:SHOWN], {field: _curves(field)[1][:SHOWN] for field in FIELD_NAMES}
+    shown = {field: _values(intervals) for field, intervals in curves.items()}
     fig, ax = plot(height=4.2)
     for field, side, at, dash in (
         ("sine", "left", 3e-4, DASHED), ("ridges", "above", 1e-4, SOLID), ("rings", "left", 1e-2, DOTTED),
     ):  # fmt: skip
-        curve(ax, steps, curves[field], "difference", field, side, at, linestyle=dash, linewidth=1.6)
+        curve(ax, steps, shown[field], "difference", field, side, at, linestyle=dash, linewidth=1.6)
     decades(ax, 2, 2, ylim=(1e-13, 1), xlabel="step ε", ylabel="RMS difference on A")
     slope_triangle(ax, 2e-4, 1e-8, 2)
     slope_triangle(ax, 3e-5, 6e-4, 0.5)
-    numbers = {field: {"least": rms.min(), "best_eps": steps[rms.argmin()]} for field, rms in curves.items()}
-    return Drawing(fig, numbers, {"step": steps, **curves})
+    numbers = {field: {"best_eps": steps[rms.argmin()]} for field, rms in shown.items()}
+    return Drawing(fig, numbers, {"step": steps, **shown})
 
 
 @figure
 def image_error() -> Drawing:
     """The largest and the RMS difference of the pictures on A against ε, 256 × 256, for sine, ridges and rings."""
     fig, axes = plot("page", 3.4, ncols=3, sharey=True)
-    data = {field: dict(zip(("largest", "rms"), _curves(field), strict=True)) for field in FIELD_NAMES}
+    found = {field: dict(zip(("largest", "rms"), _curves(field), strict=True)) for field in FIELD_NAMES}
+    data = {field: {name: _values(each) for name, each in of_field.items()} for field, of_field in found.items()}
     for ax, (field, errors) in zip(axes, data.items(), strict=True):
         curve(ax, STEPS, errors["largest"], "difference", linewidth=1.5)
         curve(ax, STEPS, errors["rms"], "difference", linewidth=1.2, linestyle=SHORT)
@@ -56,10 +68,7 @@ def image_error() -> Drawing:
     axes[0].set_ylabel("error on A")
     label_line_end(axes[0], STEPS[40], data["sine"]["largest"][40] * 3, "largest", "difference", "above")
     label_line_end(axes[0], STEPS[40], data["sine"]["rms"][40] / 3, "RMS", "difference", "below")
-    numbers = {
-        field: {name: {"least": errors.min(), "eps": STEPS[errors.argmin()]} for name, errors in of_field.items()}
-        for field, of_field in data.items()
-    }
+    numbers = {field: {name: _floor(each) for name, each in of_field.items()} for field, of_field in found.items()}
     return Drawing(fig, numbers, {"step": STEPS} | data)
 
 
@@ -71,7 +80,9 @@ def eps_table() -> Drawing:
     numbers = {}
     for row in rows:
         eps = f"1e{round(np.log10(row['eps']))}"
-        numbers |= {f"{what}_{eps}": row[what] for what in table if what != "eps"}
+        numbers |= {f"{what}_{eps}": row[what] for what in ("flips", "straddling")}
+        for what in ("largest", "rms"):
+            numbers[f"{what}_{eps}"] = Interval(row[what], row[f"{what}_lower"], row[f"{what}_upper"])
     frames, flips = flips_everywhere(scene, SIZE, SIZE)
     near, least = pixels_near_the_pole(scene, SIZE, SIZE)
     fine = symbolic("ridges", 1024).surface_data["v"]
@@ -85,6 +96,6 @@ def eps_table() -> Drawing:
         "least_sine_1024": np.nanmin(np.sin(np.pi * fine)),
         "pixels": SIZE * SIZE,
         "pixels_a": symbolic().stage.on_a.sum(),
-        "black_times_100": 100 * np.abs(difference_on_a(numeric(eps=1e-8), symbolic())).max(),
+        "black_times_100": distance_on_a(numeric(eps=1e-8), symbolic())[0].times(100),
     }
     return Drawing(numbers=numbers, data=table)

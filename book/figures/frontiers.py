@@ -121,7 +121,8 @@ def frontier_leaks() -> Drawing:
     yellow, blue = (0xF0, 0xE4, 0x42), (0x56, 0xB4, 0xE9)
     fig = marked_by_light([((miss, blue), (leak, yellow)) for leak, miss in _leaks(SCENE, MARKED * FINE)])
     counts = {name: {what: np.sum(flags) for what, flags in maps.items()} for name, maps in _leak_maps(256).items()}
-    return Drawing(fig, {"pixels_a": symbolic("ridges", 256).stage.on_a.sum()} | counts, _leak_maps(MARKED))
+    numbers = {"pixels_a": symbolic("ridges", 256).stage.on_a.sum()} | counts
+    return Drawing(fig, numbers, _leak_maps(MARKED), (symbolic("ridges", MARKED * FINE),))
 
 
 @figure

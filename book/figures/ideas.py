@@ -53,7 +53,7 @@ def slope_is_texture() -> Drawing:
     for at, high, mu in ((220, 20, along_circle(between, 0.0)[-1]), (264, 32, light)):
         shown = to_bytes(np.repeat(mu[None, :, None], 3, axis=2))
         pixel_axes(fig, 6, at, 578, high).imshow(shown, aspect="auto", interpolation="nearest")
-    frame = render(Scene(ball=False, lights=(LIGHT,)), 360, 360, exact(), crop=(30, 4, 300, 300))
+    frame = render(Scene(ball=False, lights=(LIGHT,)), 360, 360, exact(), crop=(30, 4, 300, 300), bounds=True)
     right = pixel_axes(fig, 628, 8, 300, 300)
     right.imshow(image_view(frame), interpolation="none", aspect="auto")
     with np.errstate(divide="ignore", invalid="ignore"):  # a selection computes both of its sides
@@ -66,9 +66,9 @@ def slope_is_texture() -> Drawing:
     pixel_text(fig, 6, 214, "the light without the bump", "muted")
     pixel_text(fig, 6, 258, "and with it", "muted")
     numbers = {"u": POINT, "slope": slope, "tilt": tilt, "light": lit, "unlit": unlit}
-    numbers |= {"steepest": np.pi * SCENE.ku, "worst": along_circle(1e-9)[3], "beta": SCENE.beta}
+    numbers |= {"steepest": np.pi * SCENE.ku, "steepest_angle": along_circle(1e-9)[3], "beta": SCENE.beta}
     data = {"u": u, "height": h, "between": between, "light": light, "circle_x": x, "circle_y": y}
-    return Drawing(fig, numbers, data)
+    return Drawing(fig, numbers, data, (frame,))
 
 
 FRAME = ("normal", "e_theta", "e_phi", "g", "m", "bumped")
@@ -182,9 +182,10 @@ def two_slope_lines() -> Drawing:
 @figure
 def pixel_worked() -> Drawing:
     """The chapter's scene, and a white frame around the pixel that is worked through."""
-    picture = image_view(symbolic(size=SIZE // 2)).copy()  # of half the size: the file that is mailed stays small
+    frame = symbolic(size=SIZE // 2)
+    picture = image_view(frame).copy()  # of half the size: the file that is mailed stays small
     row, column = ROW // 2, COLUMN // 2
     down, across = np.indices(picture.shape[:2])
     away = np.maximum(np.abs(down - row), np.abs(across - column))
     picture[away == 3], picture[away == 2] = 0, 255
-    return Drawing(picture, numbers={"column": COLUMN, "row": ROW})
+    return Drawing(picture, numbers={"column": COLUMN, "row": ROW}, shown=(frame,))

@@ -76,6 +76,7 @@ def pole() -> Drawing:
         "fallback_worst": guarded.max(),
         "seed_worst": np.nanmax(plain),
         "stable_worst": stable.max(),
+        "points": len(sines) * len(AZIMUTHS),
     }
     data = {"sin_phi": sines, "seed": plain, "seed_with_fallback": guarded, "stable": stable}
     return Drawing(fig, numbers | _clamped_slopes(), data)

@@ -66,7 +66,7 @@ def chambers() -> Drawing:
     _chamber_legend(fig, codes, TITLE + side + 28)
     _, on_a, on_b, on_floor = np.bincount(symbolic().chambers.ravel() & 3)
     pixels = {"a": on_a, "b": on_b, "floor": on_floor}
-    return Drawing(fig, {"count": len(codes), "pixels": pixels}, {"chambers": shown})
+    return Drawing(fig, {"count": len(codes), "pixels": pixels}, {"chambers": shown}, (fine,))
 
 
 @figure
@@ -122,8 +122,8 @@ def _draw_on_a(ax, frame, distance, angle, **line):
 @figure
 def kink_loci() -> Drawing:
     """The creases of ridges over the picture: rays from the axis and a circle."""
-    frame = render(SCENE, 640, 560)
-    fig = panels([averaged(image_view(render(SCENE, 640 * FINE, 560 * FINE))) // 2 + 40])
+    frame, fine = render(SCENE, 640, 560), render(SCENE, 640 * FINE, 560 * FINE, bounds=True)
+    fig = panels([averaged(image_view(fine)) // 2 + 40])
     ax = fig.axes[0]
     limits = ax.axis()
     rim = float(silhouette_of_a.expand(rho_silhouette).subs({eye: SCENE.eye, radius: SCENE.radius}))
@@ -138,7 +138,7 @@ def kink_loci() -> Drawing:
         ax.annotate(text, on_picture(frame, *at), xytext=(7, -15), textcoords="offset points", color="white")
     ax.axis(limits)
     numbers = {"rays": int(SCENE.ku), "circles": len(parallels), "circle_radius": parallels[1], "rim": rim}
-    return Drawing(fig, numbers, data)
+    return Drawing(fig, numbers, data, (fine,))
 
 
 @cache
@@ -156,4 +156,5 @@ def attached_shadow() -> Drawing:
     counts = {"first": first.sum(), "second": second.sum()}
     shares = {f"{name}_share": count / on_a for name, count in counts.items()}
     numbers = {"beta": SCENE.beta, "pixels_a": on_a, "either_share": (first | second).sum() / on_a}
-    return Drawing(fig, numbers | counts | shares, dict(zip(counts, turned(MARKED), strict=True)))
+    maps = dict(zip(counts, turned(MARKED), strict=True))
+    return Drawing(fig, numbers | counts | shares, maps, (symbolic("ridges", MARKED * FINE),))

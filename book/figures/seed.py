@@ -14,8 +14,8 @@ from proofs.formulas.chart import seed_chart
 from proofs.formulas.symbols import normal
 from renderer import Scene, central, exact, gradient_at, pixel, render
 from renderer.generate.kernels import function_of
+from renderer.picture.differences import difference_on_a, rms
 from renderer.picture.facts import SMOOTH_POINT
-from renderer.picture.sweep import difference_on_a, rms
 from renderer.picture.views import to_bytes
 from verify.accuracy.orders import fitted_slope
 from verify.benchmark.baselines import seed_loops

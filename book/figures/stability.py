@@ -16,7 +16,7 @@ def _draw(ax, name, others=(), at=None, sides=("above", "below")):
     for other, text, side, there, dash in others:
         curve(ax, swept.parameter, swept.worst(other), "numeric", text, side, there, linewidth=1.5, linestyle=dash)
     ours = np.maximum(swept.worst(), LOWEST)
-    curve(ax, swept.parameter, swept.worst_bound(), "bound", "bound", sides[0], at)
+    curve(ax, swept.parameter, swept.bounds.max(axis=1), "bound", "bound", sides[0], at)
     curve(ax, swept.parameter, ours, "symbolic", "ours", sides[1], at, linewidth=1.6)
     return swept
 
@@ -24,17 +24,17 @@ def _draw(ax, name, others=(), at=None, sides=("above", "below")):
 def _data(name):
     """Return the curves of a sweep by name: the parameter, our error, the bound, the others' errors."""
     swept = sweep(name)
-    data = {"parameter": swept.parameter, "ours": np.maximum(swept.worst(), LOWEST), "bound": swept.worst_bound()}
+    data = {"parameter": swept.parameter, "ours": np.maximum(swept.worst(), LOWEST), "bound": swept.bounds.max(axis=1)}
     return data | {other: swept.worst(other) for other in swept.others}
 
 
 def _numbers(*names):
-    """Return the numbers of sweeps: points, escapes, undecided, sharpness, the worst of ours and of the others."""
+    """Return the numbers of sweeps: points, escapes, sharpness, the largest error of ours and of others."""
     numbers = {}
     for name in names:
         swept = sweep(name)
-        numbers[name] = {what: getattr(swept, what) for what in ("points", "escaped", "undecided", "sharpness")}
-        numbers[name]["worst"] = swept.worst().max()
+        numbers[name] = {what: getattr(swept, what) for what in ("points", "escaped", "sharpness")}
+        numbers[name] |= {"worst": swept.worst().max(), "in_responses": swept.in_responses()}
         for other in swept.others:
             numbers[name][other.split(",")[0].replace(" ", "_")] = np.nanmax(swept.worst(other))
     return numbers
@@ -89,7 +89,7 @@ def stability_wave_numbers() -> Drawing:
     below = 0.1 * swept.worst(rounded)
     label_curve(ax, swept.parameter, below, 3e4, "reduced, but the\nproduct rounded", "numeric", "below")
     names = [name for name in SWEEPS if name.startswith("wave_numbers")]
-    return Drawing(fig, _numbers(*names) | {"allowed": 8 * 2.0**-53}, _data("wave_numbers"))
+    return Drawing(fig, _numbers(*names) | {"allowed": 10 * 2.0**-53}, _data("wave_numbers"))
 
 
 _SHADING = {  # sweep: (x label, y label, every how many decades, limits of y)
@@ -115,16 +115,18 @@ def stability_shading() -> Drawing:
 def stability_symmetry() -> Drawing:
     """How far mirrored and turned scenes, and permuted lights, change the picture; numbers only."""
     moved = [symmetry.difference(scene, move) for scene in symmetry.SCENES.values() for move in symmetry.MOVES]
-    largest, creased, flips = zip(*moved, strict=True)
+    largest, above, open_, flips = zip(*moved, strict=True)
     numbers = {"pictures": len(moved), "largest": max(largest), "flips": sum(flips), "size": symmetry.SIZE}
-    numbers |= {"creased": max(creased), "bound": 1e-13}
+    numbers |= {"open": max(open_), "above": sum(above)}
     return Drawing(numbers=numbers | {"permuted": symmetry.permuted_lights(symmetry.FIVE_LIGHTS)})
 
 
 @figure
 def stability_totals() -> Drawing:
-    """All sweeps together: points, escapes, undecided; numbers only."""
+    """All sweeps together: points, escapes, the largest error in responses; numbers only."""
     swept = [sweep(name) for name in SWEEPS]
-    totals = {what: sum(getattr(each, what) for each in swept) for what in ("points", "escaped", "undecided")}
+    totals = {what: sum(getattr(each, what) for each in swept) for what in ("points", "escaped")}
     sharpness = np.median([each.sharpness for each in swept])
-    return Drawing(numbers={"all": totals, "sweeps": len(swept), "sharpness": sharpness})
+    values, largest = sum(len(each.parameter) for each in swept), max(each.in_responses() for each in swept)
+    numbers = {"all": totals, "sweeps": len(swept), "sharpness": sharpness, "values": values, "in_responses": largest}
+    return Drawing(numbers=numbers | _numbers("hit_of_b", "normal_of_b", "shadow"))

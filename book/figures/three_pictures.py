@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from book.drawing.registry import Drawing, figure
+from book.drawing.registry import Drawing, certified, figure
 from book.drawing.style import GAP, panels
 from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, TELLING_EPS, averaged, numeric, symbolic
 from renderer import central, exact, render
-from renderer.picture.sweep import difference_on_a, rms
+from renderer.picture.differences import distance_on_a
 from renderer.picture.views import difference_logarithmic, image_view, kink_view, slope_view, to_bytes
 
 LOW, HIGH = -8, 0
@@ -16,10 +16,19 @@ SEAM = 2  # pixels of paper between the halves
 TITLES = ("numeric", "symbolic", "difference")
 
 
-def _three(field, size):
-    delta = numeric(field, size).rgb - symbolic(field, size).rgb
-    fine = (averaged(image_view(frame(field, size * FINE))) for frame in (numeric, symbolic))
-    return *fine, difference_logarithmic(delta, LOW, HIGH)
+def _frames(field, size):
+    """Return the frames of both pipelines, with their bounds."""
+    return numeric(field, size, bounds=True), symbolic(field, size)
+
+
+def _shown(field):
+    """Return the frames that three pictures show: of the first two, and of their difference."""
+    return *_frames(field, SIDE * FINE), *_frames(field, SIDE)
+
+
+def _three(field):
+    *fine, one, other = _shown(field)
+    return *(averaged(image_view(frame)) for frame in fine), difference_logarithmic(one.rgb - other.rgb, LOW, HIGH)
 
 
 def _column(pictures):
@@ -30,26 +39,28 @@ def _column(pictures):
 
 
 def _sizes(field):
-    """Return the largest and the RMS difference of a field's pictures on A."""
-    delta = difference_on_a(numeric(field, SIDE), symbolic(field, SIDE))
-    return {"largest": np.abs(delta).max(), "rms": rms(delta)}
+    """Return the largest and the RMS difference of a field's pictures on A, were both exact."""
+    return dict(zip(("largest", "rms"), distance_on_a(*_frames(field, SIDE)), strict=True))
 
 
 @figure
 def three_pictures() -> Drawing:
     """Ridges by central differences, exactly, and the difference on a logarithmic scale."""
-    fig = panels(_three("ridges", SIDE), TITLES, (LOW, HIGH))
-    whole = numeric("ridges", SIDE).rgb - symbolic("ridges", SIDE).rgb
-    numbers = {"eps": TELLING_EPS, "side": SIDE} | _sizes("ridges")
-    return Drawing(fig, numbers, {"largest_of_a_channel": np.abs(whole).max(axis=2)})
+    fig, shown = panels(_three("ridges"), TITLES, (LOW, HIGH)), _shown("ridges")
+    one, other = _frames("ridges", SIDE)
+    numbers = {"eps": TELLING_EPS, "side": SIDE} | _sizes("ridges") | certified(shown)
+    if numbers["undecided"]:
+        raise ValueError("a pixel of the three pictures is undecided, and §1 says that every colour has its bound")
+    return Drawing(fig, numbers, {"largest_of_a_channel": np.abs(one.rgb - other.rgb).max(axis=2)}, shown)
 
 
 @figure
 def contact_sheet() -> Drawing:
     """Sine, ridges and rings, from the top: numeric, symbolic, difference."""
-    rows = [_three(field, SIDE) for field in FIELD_NAMES]
+    rows = [_three(field) for field in FIELD_NAMES]
     fig = panels([_column(pictures) for pictures in zip(*rows, strict=True)], TITLES, (LOW, HIGH))
-    return Drawing(fig, {"eps": TELLING_EPS} | {field: _sizes(field) for field in FIELD_NAMES})
+    shown = [frame for field in FIELD_NAMES for frame in _shown(field)]
+    return Drawing(fig, {"eps": TELLING_EPS} | {field: _sizes(field) for field in FIELD_NAMES}, shown=shown)
 
 
 @figure
@@ -63,13 +74,14 @@ def views() -> Drawing:
     frame, stepped = symbolic("ridges", VIEW_SIDE), numeric("ridges", VIEW_SIDE)
     data = {"slope": frame.slope, "kink": frame.kink, "straddling": stepped.straddling}
     shares = {f"{name}_share": data[name].sum() / frame.stage.on_a.sum() for name in ("kink", "straddling")}
-    return Drawing(fig, {"eps": TELLING_EPS, "steepest": frame.slope.max()} | shares, data)
+    return Drawing(fig, {"eps": TELLING_EPS, "steepest": frame.slope.max()} | shares, data, (fine,))
 
 
 @figure
 def hero() -> Drawing:
     """The default scene, by central differences on the left of the middle and exactly on the right."""
-    left, right = (to_bytes(render(SCENE, WIDTH, HEIGHT, method).rgb) for method in (central(HERO_EPS), exact()))
+    frames = [render(SCENE, WIDTH, HEIGHT, method, bounds=True) for method in (central(HERO_EPS), exact())]
+    left, right = (to_bytes(frame.rgb) for frame in frames)
     picture = np.where(np.arange(WIDTH)[None, :, None] < WIDTH // 2, left, right)
     picture[:, WIDTH // 2 - SEAM // 2 : WIDTH // 2 + SEAM // 2] = 252
-    return Drawing(picture, {"eps": HERO_EPS})
+    return Drawing(picture, {"eps": HERO_EPS}, shown=frames)

@@ -114,7 +114,7 @@ def work_precision_frames() -> Drawing:
     """Milliseconds a frame against the image's error at 50 digits: sine by its largest error, ridges by its RMS."""
     rows = read("work_precision")["frames"]
     fig, axes = plot(height=4.2, ncols=2, sharey=True)
-    numbers = label_numbers() | {"side": read("work_precision")["label"]["side"]}
+    numbers = label_numbers() | {"side": read("work_precision")["label"]["side"], "sampled": work_precision.PIXELS}
     shown = (("sine", "largest", "sine: largest"), ("ridges", "rms", "ridges: RMS, creases and all"))
     for ax, (field, error, title) in zip(axes, shown, strict=True):
         chosen = [r for r in rows if r["field"] == field]

@@ -5,6 +5,8 @@ import re
 from collections.abc import Callable
 from typing import NamedTuple
 
+from renderer.picture.differences import Interval
+
 ALLOWED = "one of ==, !=, <, <=, >, >= and a number, or in [a, b]"
 HOLDS: dict[str, Callable[..., bool]] = {
     "==": operator.eq,
@@ -24,9 +26,10 @@ class Relation(NamedTuple):
     sign: str
     numbers: tuple[float, ...]
 
-    def holds(self, value: float) -> bool:
-        """Whether a number satisfies it."""
-        return HOLDS[self.sign](value, *self.numbers)
+    def holds(self, value: float | Interval) -> bool:
+        """Whether a number satisfies it; of one that is enclosed, whether it certainly does."""
+        ends = (value.lower, value.upper) if isinstance(value, Interval) else (value,)
+        return all(HOLDS[self.sign](end, *self.numbers) for end in ends)
 
 
 def relation(text: str) -> Relation:

@@ -8,7 +8,7 @@ import numpy as np
 
 from book.releases.pictures import CANVAS, arrays_of, data_name
 from book.releases.tolerances import is_within
-from renderer.picture.sweep import rms
+from renderer.picture.differences import rms
 from verify.checkers.grades import STANDING
 
 

@@ -6,6 +6,7 @@ Theorem: elementary_functions.
 """
 
 from collections.abc import Sequence
+from sys import float_info
 
 from sympy import Abs, Expr, Max, Min, Piecewise, Rational, Symbol, atan, factorial, floor, pi
 
@@ -21,12 +22,8 @@ SPLITTER = 2**27 + 1
 
 def float64(exact: Expr) -> Rational:
     """Return the float64 nearest to a real number of the normal range, as an exact rational."""
-    value, scale = Rational(str(exact.evalf(60))), Rational(1)
-    while Abs(value) * scale < 2**52:
-        scale *= 2
-    while Abs(value) * scale >= 2**53:
-        scale /= 2
-    return round(value * scale) / scale
+    as_many_digits_as_bits = exact.evalf(float_info.mant_dig)
+    return Rational(float(str(as_many_digits_as_bits)))
 
 
 def polynomial(variable: Symbol, coefficients: Sequence[Expr]) -> Expr:

@@ -135,11 +135,14 @@ second_order = Theorem(
     title="Where the field is odd, the clamp costs no order",
     statement=r"If $h$ is odd about $v = 0$ and $0 \le v < \varepsilon$, then "
     r"$|D_\varepsilon h - h_v| \le \tfrac16(\varepsilon^2+2\varepsilon v-2v^2)\sup|h_{vvv}|$: second order. Sine and "
-    r"rings are odd; on $[0, 1/k_v]$ ridges is $|\sin\pi k_u u|\sin\pi k_v v$, which is; $w^3/6$ attains the bound.",
+    r"rings are odd; on $[0, 1/k_v]$ ridges is $|\sin\pi k_u u|\sin\pi k_v v$, which is, so that for ridges "
+    r"$v+\varepsilon \le 1/k_v$: no hump may end inside the step. $w^3/6$ attains the bound.",
     hypotheses=(
         r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
         r"$s = v+\varepsilon$; the midpoint rule for $h(s) = \int_0^s h_v$: $h(s) = s h_v(s/2) + \tfrac1{24}s^3 a$, "
         r"$|a| \le \sup|h_{vvv}|$",
+        r"$h_v$ at $v = 0$ is the slope upwards; the rule of creases has 0 for ridges there, which is off by up to "
+        r"$\pi k_v$",
         r"the mean value theorem: $|h_{vv}(w)| \le w\sup|h_{vvv}|$, so that $h_v(s/2) = h_v(v) + "
         r"\tfrac12(s^2/4 - v^2)b$, $|b| \le \sup|h_{vvv}|$",
     ),

@@ -38,9 +38,9 @@ def _hints(a, b):
     return c - s, c + s, named(sin(a)), named(cos(b))
 
 
-def _bounded(name, field, output, frequency, given, factors, squares=(), share=1):
+def _bounded(name, field, output, frequency, factors, squares=(), share=1):
     """Return the claim |D − slope| ≤ share · ε²/6 (π frequency)³; slope = π frequency · factors."""
-    coordinate = {h_u: u, h_v: v}[output]
+    coordinate, given = {h_u: (u, nothing_wraps), h_v: (v, nothing_clamps)}[output]
     slope, third = (Derivative(field.expression, coordinate, n) for n in (1, 3))
     rate = slope_bound[steepest].xreplace({half_turns: frequency})
     angle = rate * epsilon
@@ -61,9 +61,9 @@ def _bounded(name, field, output, frequency, given, factors, squares=(), share=1
     return Claim(name, shows, (*given, k > 0), None, squares, cited=lemmas, ranges=INSIDE, example=example)
 
 
-_u = _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(_in_u) * sin(_in_v), _hints(_in_u, _in_v))
-_v = _bounded("sine_in_v", sine, h_v, k_v, nothing_clamps, sin(_in_u) * cos(_in_v), _hints(_in_v, _in_u))
-_rings = _bounded("rings", rings, h_v, 2 * k_v, nothing_clamps, cos(2 * pi * k_v * v))
+_u = _bounded("sine", sine, h_u, k_u, cos(_in_u) * sin(_in_v), _hints(_in_u, _in_v))
+_v = _bounded("sine_in_v", sine, h_v, k_v, sin(_in_u) * cos(_in_v), _hints(_in_v, _in_u))
+_rings = _bounded("rings", rings, h_v, 2 * k_v, cos(2 * pi * k_v * v))
 
 
 def _between_creases(name, output, coordinate, given, side):
@@ -131,7 +131,7 @@ theorem = Theorem(
         ),
         Mutant(
             "a seventh for the sixth",
-            _bounded("sine", sine, h_u, k_u, nothing_wraps, cos(_in_u) * sin(_in_v), (), Rational(6, 7)),
+            _bounded("sine", sine, h_u, k_u, cos(_in_u) * sin(_in_v), (), Rational(6, 7)),
             at={k_u: 1, u: EIGHTH / 2, k_v: 1, v: HALF, epsilon: Rational(1, 100)},
         ),
         variant(

@@ -124,7 +124,8 @@ def _exact_in_u(side, epsilon):
 def _exact_in_v(side, epsilon, inside):
     """Return (kind, bound) of the error in v in exact arithmetic. Zeros at the poles are no creases.
 
-    Clamped at the pole v = 0, a sine keeps second order; whatever is clamped at the other has the crudest bound.
+    Clamped at the pole v = 0, a sine keeps second order, but not where a factor that is folded is 0: at the pole itself
+    its slope is 0 by the rule of creases. Whatever is clamped there, or at the other pole, has the crudest bound.
     """
     smooth, most = truncation_bound(epsilon, side.rate), crease_bound(side.rate)
     clamped = where(side.at + epsilon <= 1.0, clamped_bound(epsilon, side.at, side.rate), inf) if side.is_sine else inf
@@ -136,7 +137,7 @@ def _exact_in_v(side, epsilon, inside):
         nearest = minimum(maximum(rint(product - first) + first, first), last)
         distance, tent = _nearest_crease(side, epsilon, nearest, product, error)
         crossed = (distance < side.rate * epsilon) & (last >= first)
-        bound = where(crossed, where(inside, tent, inf), bound)
+        bound = where(crossed, where(inside, tent, inf), where(side.at > 0.0, bound, inf))
         kind = where(crossed, STRADDLING, kind)
     return kind, minimum(most, bound)
 

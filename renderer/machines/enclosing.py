@@ -4,11 +4,19 @@ What is enclosed is the same formula in real arithmetic, of the exact numbers th
 are its own, to the last bit. A mask says where something holds, and where the bounds leave that open; a selection
 whose mask is open covers both of its sides. A bound that is the float 0.0 is of an exact number, and costs nothing.
 
-Bounds are rounded too: an operation's own has at most seven roundings, which the factor SLACK exceeds, and what they
-and the value's own lose below the normal range is less than LEAST. A bound that is NaN decides nothing.
+A bound is kept as a number of roundings, of 2⁻⁵³ each: a result's own rounding is then at most its size. These counts
+are rounded too, and an operation's by at most eight factors 1 − 2⁻⁵³. What it adds up or multiplies by sizes are counts
+of its operands, which are as much too small as their own operations made them; so a count is too small by n·2⁻⁵⁰ of it
+where n operations lead to it one after another. A pixel has fewer than 2²⁹, so that ROUNDING, the unit by which a count
+becomes a bound, makes up for all of them: where a bound is asked for, compared, or multiplied by another bound. Of
+the elementary functions, which ask for bounds, each one makes up for its own by SLACK.
+
+What is lost below the normal range is less than LEAST, or as a count than LEAST_COUNT. A bound that is NaN decides
+nothing.
 """
 
 import math
+import operator
 from collections.abc import Callable, Sequence
 from contextvars import ContextVar
 from itertools import product
@@ -16,6 +24,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from renderer import kernels, operations
+from renderer.machines.bounded import Bounded, is_zero, plus, times
 from renderer.operations import Constant, where
 from renderer.shader.shader import BOUNDS, Group, Want
 
@@ -23,39 +32,24 @@ UNIT = 2.0**-53
 LEAST, LEAST_NORMAL = 2.0**-1060, 2.0**-1022
 VANISHING = 2.0**-1020  # more than exp(−708), below which exp and power may be 0
 SLACK = 1.0 + 2.0**-49
+ROUNDING = UNIT * (1.0 + 2.0**-20)
+LEAST_COUNT = LEAST / UNIT
+ROOT_OF_ROUNDING = 2.0**26 * 1.4142136  # more than 1/√UNIT
 
 
-def _is_zero(bound):
-    return type(bound) is float and bound == 0.0
-
-
-def _plus(*bounds):
-    """Return a sum of bounds, of which those that are 0 are left out."""
-    total = 0.0
-    for bound in bounds:
-        total = bound if _is_zero(total) else total if _is_zero(bound) else total + bound
-    return total
-
-
-def _times(size, bound):
-    return 0.0 if _is_zero(bound) else size * bound
-
-
-def _own(product, one, other):
-    """Return how far the rounding of a product takes it; a literal power of two moves none that is large enough."""
-    for literal, scaled in ((one, other), (other, one)):
-        if type(literal) is float and abs(math.frexp(literal)[0]) == 0.5:
-            lost = (abs(product) < LEAST_NORMAL) & (abs(scaled) > 0.0)
-            return 0.0 if abs(literal) >= 1.0 else where(lost, LEAST, 0.0)
-    return UNIT * abs(product) + _least(one, other)
+def _scales(number):
+    """Return whether a number is a literal power of two, which moves no bit of what it multiplies."""
+    return type(number.value) is float and abs(math.frexp(number.value)[0]) == 0.5
 
 
 def _least(*factors):
-    """Return what is lost below the normal range: nothing where a factor is 0, as on the picture's middle line."""
-    least = LEAST
+    """Return what is lost below the normal range: nothing where a factor is an exact 0 that is to stay one."""
+    least = LEAST_COUNT
     for factor in factors:
-        if type(factor) is not float:
-            least = where(factor == 0.0, 0.0, least)
+        if type(factor.value) is float:
+            least = least if factor.value else 0.0
+        elif factor.stays_exact:
+            least = where(factor.is_zero, 0.0, least)
     return least
 
 
@@ -98,88 +92,112 @@ def _either(one, other):
     return other if one is None else one if other is None else one | other
 
 
-class Enclosed:
-    """A number of the inner machine, and a bound on its distance from the exact one."""
+class Enclosed(Bounded):
+    """A number of the inner machine, and a bound on its distance from the exact one.
 
-    __hash__ = None  # type: ignore[assignment]
+    stays_exact: whether it is looked for what is exact, at some cost: a product with an exact 0, as on the picture's
+    middle line, and a sum without rounding, as of whole numbers. Its `error` is a count of roundings.
+    """
 
-    def __init__(self, value: Any, bound: Any = 0.0):
-        self.value, self.bound = value, bound
+    def __init__(self, value: Any, bound: Any = 0.0, stays_exact: bool = False):
+        super().__init__(value, times(1.0 / UNIT, bound))
+        self.stays_exact = stays_exact
+
+    @classmethod
+    def counted(cls, value: Any, roundings: Any, stays_exact: bool = False) -> "Enclosed":
+        """Return an Enclosed whose bound is so many roundings."""
+        number = cls(value, stays_exact=stays_exact)
+        number.error = roundings
+        return number
+
+    @property
+    def bound(self) -> Any:
+        """The bound itself."""
+        return times(ROUNDING, self.error)
+
+    @property
+    def size(self) -> Any:
+        """At least the exact number's."""
+        return plus(abs(self.value), self.bound)
+
+    @property
+    def is_zero(self) -> Any:
+        """Where it is an exact 0."""
+        return plus(abs(self.value), self.error) == 0.0
 
     @property
     def machine(self) -> type:
         """What `renderer.operations` asks."""
         return Operations
 
+    @staticmethod
+    def of(number: Any) -> "Enclosed":
+        """Return a number as Enclosed."""
+        return enclosed(number)
+
+    @classmethod
+    def rounded(cls, value: Any, moved: Any, lost: tuple[Any, bool]) -> "Enclosed":
+        """Return a result that is moved so far; lost: by its own rounding, and whether it stays exact."""
+        own, stays_exact = lost
+        return cls.counted(value, plus(moved, own), stays_exact)
+
+    def lost_in_sum(self, other: "Enclosed", total: Any) -> tuple[Any, bool]:
+        """Return what rounding takes from a sum: where it may be none, a number that two more sums find (Knuth)."""
+        stays_exact = self.stays_exact and other.stays_exact
+        if not (stays_exact or is_zero(plus(self.error, other.error))):
+            return abs(total), False
+        part = total - self.value
+        return abs((self.value - (total - part)) + (other.value - part)) * (1.0 / UNIT), stays_exact
+
+    def lost_in_product(self, other: "Enclosed", product: Any) -> tuple[Any, bool]:
+        """Return the same of a product: a literal power of two takes nothing from what is large enough."""
+        stays_exact = self.stays_exact or other.stays_exact
+        for literal, scaled in ((self, other), (other, self)):
+            if _scales(literal):
+                lost = 0.0 if abs(literal.value) >= 1.0 else _least(scaled)
+                if scaled.stays_exact and not is_zero(lost):
+                    lost = where(abs(product) < LEAST_NORMAL, lost, 0.0)
+                return lost, stays_exact
+        return plus(abs(product), _least(self, other)), stays_exact
+
+    def size_of_quotient(self, quotient: Any) -> Any:
+        """Return at least the size of the number's quotient before it is rounded."""
+        return plus(abs(quotient), _least(self))
+
+    def lost_in_quotient(self, size: Any) -> tuple[Any, bool]:
+        """Return what rounding takes from a quotient of that size."""
+        return size, self.stays_exact
+
+    def inverse(self) -> Any:
+        """Return 1/|b| of the smallest b within the bound, infinite if that may be 0."""
+        if is_zero(self.error):
+            return 1.0 / abs(self.value)
+        least = abs(self.value) - self.bound
+        return where(least > 0.0, 1.0 / least, math.inf)
+
     def __neg__(self):
-        return Enclosed(-self.value, self.bound)
+        return Enclosed.counted(-self.value, self.error, self.stays_exact)
 
     def __abs__(self):
-        return Enclosed(abs(self.value), self.bound)
-
-    def __add__(self, other):
-        other = enclosed(other)
-        total = self.value + other.value
-        part = total - self.value  # the sum's own error is a number, which two more sums find (Knuth)
-        error = abs((self.value - (total - part)) + (other.value - part))
-        return Enclosed(total, _plus(self.bound, other.bound, error) * SLACK)
-
-    __radd__ = __add__
-
-    def __sub__(self, other):
-        return self + -enclosed(other)
-
-    def __rsub__(self, other):
-        return enclosed(other) - self
-
-    def __mul__(self, other):
-        other = enclosed(other)
-        product, bounds = self.value * other.value, (self.bound, other.bound)
-        moved = _times(abs(self.value), other.bound), _times(abs(other.value), self.bound)
-        both = 0.0 if any(map(_is_zero, bounds)) else self.bound * other.bound
-        return Enclosed(product, _plus(*moved, both, _own(product, self.value, other.value)) * SLACK)
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other):
-        other = enclosed(other)
-        quotient, least = self.value / other.value, abs(other.value)
-        moved = _plus(self.bound, _times(abs(quotient), other.bound))
-        own = UNIT * abs(quotient) + _least(self.value)
-        if _is_zero(moved):
-            return Enclosed(quotient, own * SLACK)
-        if _is_zero(other.bound):
-            return Enclosed(quotient, (moved / least + own) * SLACK)
-        least = least - other.bound * SLACK
-        return Enclosed(quotient, where(least > 0.0, (moved / least + own) * SLACK, math.inf))
-
-    def __rtruediv__(self, other):
-        return enclosed(other) / self
+        return Enclosed.counted(abs(self.value), self.error, self.stays_exact)
 
     def _compare(compare):
         def compared(self, other):
             if self is other:  # x = x, which asks for NaN
                 return Mask(compare(self.value, self.value))
             other = enclosed(other)
-            bound = _plus(self.bound, other.bound)
+            roundings = plus(self.error, other.error)
             holds = compare(self.value, other.value)
-            if _is_zero(bound):
+            if is_zero(roundings):
                 return Mask(holds)
-            apart = abs(self.value - other.value) > bound * SLACK
-            return Mask(holds, ~apart & ~(bound == 0.0))
+            apart = abs(self.value - other.value) > roundings * ROUNDING
+            return Mask(holds, ~apart & ~(roundings == 0.0))
 
         return compared
 
     __lt__, __le__, __gt__, __ge__, __eq__, __ne__ = map(  # type: ignore[assignment]
         _compare,  # type: ignore[arg-type]
-        (
-            lambda a, b: a < b,
-            lambda a, b: a <= b,
-            lambda a, b: a > b,
-            lambda a, b: a >= b,
-            lambda a, b: a == b,
-            lambda a, b: a != b,
-        ),
+        (operator.lt, operator.le, operator.gt, operator.ge, operator.eq, operator.ne),
     )
 
 
@@ -189,12 +207,13 @@ def enclosed(number: Any) -> Enclosed:
         return number
     if isinstance(number, Constant):
         return Enclosed(float(number), number.error)
-    return Enclosed(float(number) if isinstance(number, int) else number)
+    literal = isinstance(number, int | float)
+    return Enclosed(float(number) if literal else number, stays_exact=literal)
 
 
 def _ends(number):
     """Return between what the exact number is: a number that is exact, or two of the inner machine's."""
-    if _is_zero(number.bound):
+    if is_zero(number.bound):
         return (number.value,)
     reach = (number.bound + 2.0 * UNIT * abs(number.value)) * SLACK
     return number.value - reach, number.value + reach
@@ -210,41 +229,41 @@ class Operations:
             mask = Mask(mask)
         value, otherwise = enclosed(value), enclosed(otherwise)
         chosen = where(mask.holds, value.value, otherwise.value)
-        exact = _is_zero(value.bound) and _is_zero(otherwise.bound)
-        bound = 0.0 if exact else where(mask.holds, value.bound, otherwise.bound)
-        if mask.open is None:
-            return Enclosed(chosen, bound)
-        apart = _plus(abs(value.value - otherwise.value), value.bound, otherwise.bound) * SLACK
-        return Enclosed(chosen, where(mask.open, apart, bound))
+        exact = is_zero(value.error) and is_zero(otherwise.error)
+        roundings = 0.0 if exact else where(mask.holds, value.error, otherwise.error)
+        if mask.open is not None:
+            apart = abs(value.value - otherwise.value) * (1.0 / UNIT)
+            roundings = where(mask.open, plus(apart, value.error, otherwise.error), roundings)
+        return Enclosed.counted(chosen, roundings, value.stays_exact and otherwise.stays_exact)
 
     @staticmethod
     def sqrt(number: Enclosed) -> Enclosed:
         """|√a − √b| is at most |a − b|/√a, and at most √|a − b|."""
-        root = operations.sqrt(number.value)
-        own = UNIT * root
-        if _is_zero(number.bound):
-            return Enclosed(root, own)
-        by_slope, by_size = number.bound / root, operations.sqrt(number.bound)
-        return Enclosed(root, (where(by_slope < by_size, by_slope, by_size) + own) * SLACK)
+        root, moved = operations.sqrt(number.value), 0.0
+        if not is_zero(number.error):
+            by_slope, by_size = number.error / root, operations.sqrt(number.error) * ROOT_OF_ROUNDING
+            moved = where(by_slope < by_size, by_slope, by_size)
+        return Enclosed.counted(root, plus(moved, root), number.stays_exact)
 
     @staticmethod
-    def floor(number: Enclosed) -> Enclosed:
+    def _whole(number, found, away):
+        """Return a whole number that is found, which may be the next one where what changes it is in reach."""
+        if is_zero(number.error):
+            return Enclosed(found, stays_exact=True)
+        reaches = (away <= number.bound * SLACK) & (number.bound > 0.0)
+        return Enclosed(found, where(reaches, 1.0, 0.0) + operations.floor(number.bound), True)
+
+    @classmethod
+    def floor(cls, number: Enclosed) -> Enclosed:
         """A whole number within the bound of the number may be either one's."""
-        below, nearest = operations.floor(number.value), operations.rint(number.value)
-        if _is_zero(number.bound):
-            return Enclosed(below)
-        reaches = (abs(number.value - nearest) <= number.bound * SLACK) & (number.bound > 0.0)
-        return Enclosed(below, where(reaches, 1.0, 0.0) + operations.floor(number.bound))
+        away = abs(number.value - operations.rint(number.value))
+        return cls._whole(number, operations.floor(number.value), away)
 
-    @staticmethod
-    def rint(number: Enclosed) -> Enclosed:
+    @classmethod
+    def rint(cls, number: Enclosed) -> Enclosed:
         """The same of halves."""
         nearest = operations.rint(number.value)
-        if _is_zero(number.bound):
-            return Enclosed(nearest)
-        to_half = abs(abs(number.value - nearest) - 0.5)
-        reaches = to_half <= number.bound * SLACK
-        return Enclosed(nearest, where(reaches, 1.0, 0.0) + operations.floor(number.bound))
+        return cls._whole(number, nearest, abs(abs(number.value - nearest) - 0.5))
 
     @staticmethod
     def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
@@ -254,12 +273,10 @@ class Operations:
     @staticmethod
     def _of_half_turns(kernel, product, factor):
         product, factor = enclosed(product), enclosed(factor)
-        moved = _times(abs(product.value), factor.bound), _times(abs(factor.value), product.bound)
-        both = 0.0 if _is_zero(product.bound) or _is_zero(factor.bound) else product.bound * factor.bound
-        moved = _plus(*moved, both)
+        moved = times(ROUNDING, product.product_moves(factor))
         found = kernel(*kernels.two_product.kernel(product.value, factor.value))
         own = 2.0 * kernels.ULPS[f"{kernel.__name__}_of_product"] * UNIT * abs(found) + LEAST
-        if _is_zero(moved):
+        if is_zero(moved):
             return Enclosed(found, own * SLACK)
         turned = math.pi * SLACK * moved
         return Enclosed(found, (where(turned < 2.0, turned, 2.0) + own) * SLACK)
@@ -283,11 +300,11 @@ class Operations:
         y, x = enclosed(ordinate), enclosed(abscissa)
         found = kernels.atan2pi.kernel(y.value, x.value)
         own = 2.0 * kernels.ULPS["atan2pi"] * UNIT * abs(found) + LEAST
-        moved = _plus(y.bound, x.bound)
-        if _is_zero(moved):
+        moved = plus(y.bound, x.bound)
+        if is_zero(moved):
             return Enclosed(found, own * SLACK)
         radius = operations.sqrt(x.value * x.value + y.value * y.value)
-        across = _plus(_times(abs(x.value), y.bound), _times(abs(y.value), x.bound))
+        across = plus(times(abs(x.value), y.bound), times(abs(y.value), x.bound))
         sine = across / (radius * (radius - moved))
         near = (moved < 0.5 * radius) & (sine < 0.249)
         bound = where(near, sine * (1.02 / math.pi) * SLACK, 2.0) + own
@@ -304,8 +321,8 @@ class Operations:
         def own(result):
             return 2.0 * ulps(result) * UNIT * abs(result) + vanishing
 
-        moved, furthest = _plus(*(argument.bound for argument in arguments)), 0.0
-        if _is_zero(moved):
+        moved, furthest = plus(*(argument.bound for argument in arguments)), 0.0
+        if is_zero(moved):
             return Enclosed(found, own(found) * SLACK)
         for ends in product(*map(_ends, arguments)):
             end = kernel(*ends)
@@ -353,18 +370,19 @@ class Variable:
 
     def __init__(self, machine: Any, number: Any):
         number = enclosed(number)
-        self._value, self._bound = machine.variable(number.value), machine.variable(number.bound)
+        self._stays_exact = number.stays_exact
+        self._value, self._error = machine.variable(number.value), machine.variable(number.error)
 
     @property
     def value(self) -> Enclosed:
         """The present value."""
-        return Enclosed(self._value.value, self._bound.value)
+        return Enclosed.counted(self._value.value, self._error.value, self._stays_exact)
 
     def set(self, number: Any, mask: Mask | None = None) -> None:
         """Put a value in its place, where the mask holds."""
         number = enclosed(number) if mask is None else Operations.where(mask, number, self.value)
         self._value.set(number.value)
-        self._bound.set(number.bound)
+        self._error.set(number.error)
 
 
 class Enclosing:
@@ -402,10 +420,10 @@ class Enclosing:
         """Return `result_of` the alternative of an index that is the same everywhere."""
 
         def parts(alternative):
-            return [part for number in map(enclosed, result_of(alternative)) for part in (number.value, number.bound)]
+            return [part for number in map(enclosed, result_of(alternative)) for part in (number.value, number.error)]
 
         flat = self.inner.choose(alternatives, index.value, parts)
-        return [Enclosed(*flat[at : at + 2]) for at in range(0, len(flat), 2)]
+        return [Enclosed.counted(*flat[at : at + 2]) for at in range(0, len(flat), 2)]
 
     def by_squaring(self, exponent: Enclosed, first: Callable, square: Callable, multiply: Callable) -> None:
         """As the inner machine."""
@@ -439,7 +457,7 @@ class Pixels:
 
     def __init__(self, machine: Enclosing, pixels: Any, x_bound: Any, y_bound: Any):
         self._machine = machine
-        self.x, self.y, self._pixels = Enclosed(pixels.x, x_bound), Enclosed(pixels.y, y_bound), pixels
+        self.x, self.y, self._pixels = Enclosed(pixels.x, x_bound, True), Enclosed(pixels.y, y_bound, True), pixels
 
     def load(self, name: str) -> Enclosed:
         """Return a plane's numbers, which are taken for exact."""
@@ -450,10 +468,12 @@ class Pixels:
         number = enclosed(number)
         self._pixels.store(name, number.value)
         if name == "code":
-            decided = (number.bound == 0.0) & (self._machine.creases.value == 0.0)
+            # two codes differ by 1 at least
+            decided = (number.bound < 0.5) & (self._machine.creases.value == 0.0)
             self._pixels.store("open", where(decided, 0.0, 1.0))
         elif f"{name}_bound" in BOUNDS:
-            self._pixels.store(f"{name}_bound", where(number.bound < 1.0, number.bound, 1.0))  # also where it is NaN
+            bound = number.bound
+            self._pixels.store(f"{name}_bound", where(bound < 1.0, bound, 1.0))  # also where it is NaN
 
 
 def enclosing_group(

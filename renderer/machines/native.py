@@ -31,13 +31,13 @@ _compiling = Lock()
 def host_lanes(want: Want) -> int:
     """Return how many pixels go through the code at a time: 512 bits of them at least, where there are vectors.
 
-    A difference's heights and a power are long chains of dependent operations: twice as many lanes hide each other's
-    latency.
+    A difference's heights, a power and bounds are long chains of dependent operations: twice as many lanes hide each
+    other's latency.
     """
     features = llvm.get_host_cpu_features()
     wide = 8 if features.get("avx512f") or features.get("avx") else 4
     is_long = not want.whole or any(way in HEIGHT_EVALUATIONS for _, way in want.ways)
-    return 2 * wide if is_long and features.get("avx512f") else wide
+    return 2 * wide if (is_long or want.bounds) and features.get("avx512f") else wide
 
 
 def _target():

@@ -1,5 +1,6 @@
 """What is rounded before the shader begins, and how far off it is: image points, A's reach, some colours."""
 
+from functools import lru_cache
 from itertools import repeat
 from types import SimpleNamespace
 
@@ -7,15 +8,20 @@ import numpy as np
 
 from renderer.kernels import ambient_term, floor_albedo, image_extent, image_x, image_y, silhouette_of_a
 from renderer.machines.enclosing import SLACK, UNIT, Enclosed
+from renderer.scene.methods import exact
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import SCENE_FORM, flat, of_form
+from renderer.shader.numbers import flat, of_form, scene_numbers
+
+
+def _lengths(scene):
+    return Enclosed(np.float64(scene.eye)), Enclosed(np.float64(scene.radius))
 
 
 def of_image_points(scene: Scene, raster: Raster) -> tuple[np.ndarray, np.ndarray]:
     """Return bounds of the errors of `Raster.image_points`: (columns,) and (rows,) float64."""
     left, top, wide, high = raster.crop  # type: ignore[misc]  # checked
-    half = image_extent(Enclosed(np.float64(scene.eye)), Enclosed(np.float64(scene.radius)))
+    half = image_extent(*_lengths(scene))
     columns, rows = (
         Enclosed(np.arange(first, first + n, dtype=np.float64)) for first, n in ((left, wide), (top, high))
     )
@@ -26,7 +32,7 @@ def of_image_points(scene: Scene, raster: Raster) -> tuple[np.ndarray, np.ndarra
 @np.errstate(all="ignore")
 def of_scene(scene: Scene, numbers: SimpleNamespace) -> SimpleNamespace:
     """Return bounds of the errors of the scene's numbers (`scene_numbers`) by name: 0 of what is exact."""
-    silhouette = silhouette_of_a(Enclosed(np.float64(scene.eye)), Enclosed(np.float64(scene.radius)))
+    silhouette = silhouette_of_a(*_lengths(scene))
     square = silhouette * silhouette
     off = abs(numbers.reach_of_a - square.value)
     floors = (floor_albedo(Enclosed(np.float64(dark)), Enclosed(np.float64(scene.floor_tint))) for dark in (0.0, 1.0))
@@ -40,11 +46,10 @@ def of_scene(scene: Scene, numbers: SimpleNamespace) -> SimpleNamespace:
     return SimpleNamespace(**vars(of_form(numbers, repeat(0.0))) | own)
 
 
-def input_bounds(
-    scene: Scene, raster: Raster, numbers: np.ndarray, wide: int
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+@lru_cache(maxsize=16)
+def input_bounds(scene: Scene, raster: Raster, wide: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return a Job's `bounds`: of x, (wide,) with 0 beyond the raster, of y, and of the scene's numbers."""
     of_x, of_y = of_image_points(scene, raster)
     padded = np.zeros(wide)
     padded[: len(of_x)] = of_x
-    return padded, of_y, np.array(flat(of_scene(scene, of_form(SCENE_FORM, numbers))))
+    return padded, of_y, np.array(flat(of_scene(scene, scene_numbers(scene, exact()))))

@@ -6,9 +6,9 @@ from itertools import product
 import numpy as np
 
 from renderer.kernels import FIELDS
+from renderer.picture.differences import difference_on_a
 from renderer.picture.drawing import render
 from renderer.picture.frame import Frame
-from renderer.picture.sweep import difference_on_a
 from renderer.scene.methods import central, exact
 from renderer.scene.scene import MODELS, Scene
 from renderer.shader.gradients import gradient_at

@@ -82,6 +82,11 @@ class Frame:
         """(height, width, 3) float64 in [0, 1]."""
         return np.moveaxis(self.planes, 0, -1)  # type: ignore[arg-type]  # an error if they are handed over
 
+    @property
+    def bounded(self) -> bool:
+        """Whether it was drawn with `bounds=True`."""
+        return self._enclosure is not None
+
     def _enclosed(self, name, part):
         if self._enclosure is None:
             raise not_allowed(name, None, "a frame drawn by render(..., bounds=True)")
@@ -101,6 +106,7 @@ class Frame:
     def open(self) -> np.ndarray:
         """(height, width) bool: a chamber or the side of a crease is undecided; the bounds cover each choice.
 
+        Every pixel of a floor whose coordinates reach 2⁵³ is: float64 numbers are whole there, and have no square.
         Raises ValueError without bounds.
         """
         return self._enclosed("open", 1) > 0

@@ -13,6 +13,7 @@ import numpy as np
 from renderer.checks import not_allowed
 from renderer.machines import Job, machine
 from renderer.machines.rounded_inputs import input_bounds
+from renderer.picture.memory import lent
 from renderer.picture.threads import run_bands
 from renderer.scene.geometry import geometry_of
 from renderer.scene.methods import GradientMethod
@@ -68,9 +69,9 @@ class Stage:
         self._elsewhere: tuple[Any, Any] = (None, None)
 
     def new_plane(self, kind: type = np.float64, channels: int | None = None) -> np.ndarray:
-        """Return memory for a plane, or for several, with rows as long as whole groups."""
+        """Return memory for a plane, or for several of float64, with rows as long as whole groups."""
         shape = (len(self.y), len(self._x))
-        return np.empty(shape if channels is None else (channels, *shape), kind)
+        return np.empty(shape, kind) if channels is None else lent((channels, *shape))
 
     def raster_of(self, of_a: bool = False) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return a Job's x, y and columns: all columns, or those of each row that A may be in."""
@@ -91,7 +92,7 @@ class Stage:
         """
         raster = self.raster_of(of_a=want.get("surfaces") == "a")
         numbers = numbers_of(scene, method)
-        bounds = input_bounds(scene, self.raster, numbers[0], len(raster[0])) if want.get("bounds") else None
+        bounds = input_bounds(scene, self.raster, len(raster[0])) if want.get("bounds") else None
         job = Job(*numbers, *raster, {"code": self._codes} | planes, bounds)
         draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)
         starts = range(0, len(self.y), rows)

@@ -10,8 +10,8 @@ import numpy as np
 
 from renderer import whole_files
 from renderer.checks import check_choice
+from renderer.picture.differences import DIGITS, EVERY_DIGIT, certain_digits, distance_on_a, rounded_up
 from renderer.picture.drawing import render
-from renderer.picture.frame import Frame
 from renderer.scene.methods import DIFFERENCES, GradientMethod, difference, exact
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
@@ -19,6 +19,7 @@ from renderer.scene.scene import Scene
 DECADES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
 HEADINGS = {"largest": "max |dI| on A", "rms": "RMS on A"}
+"""{what is enclosed: its heading}"""
 
 
 @dataclass(frozen=True)
@@ -38,46 +39,44 @@ class Task:
 @dataclass(frozen=True)
 class SweepRow:
     """One ε: the largest and the RMS difference over A's pixels and channels, the pixels whose chamber differs
-    (flips), the pixels whose difference straddles a crease."""
+    (flips), the pixels whose difference straddles a crease.
+
+    The difference of the float64 picture from the exact one in real arithmetic lies between `_lower` and `_upper`.
+    """
 
     eps: float
     largest: float
     rms: float
     flips: int
     straddling: int
+    largest_lower: float
+    largest_upper: float
+    rms_lower: float
+    rms_upper: float
 
 
 Results = list[SweepRow] | dict[Task, SweepRow]
 
 
-def difference_on_a(frame: Frame, reference: Frame) -> np.ndarray:
-    """Return the differences of two frames of one raster on sphere A: (pixels, 3)."""
-    return (frame.rgb - reference.rgb)[reference.stage.on_a]
-
-
-def rms(values: np.ndarray) -> float:
-    """Return the root of the mean square, 0 of nothing."""
-    return float(np.sqrt(np.mean(np.square(values)))) if values.size else 0.0
-
-
 def compared(tasks: Iterable[Task], threads: int | None = None) -> Iterator[SweepRow]:
     """Yield the SweepRow of every Task, of which all share their chambers.
 
-    The exact frame is drawn once a scene, on the first one's stage; a difference's frame is drawn whole, so that flips
-    are counted, not assumed.
+    The exact frame is drawn once a scene, on the first one's stage, with its bounds: it stands for the exact picture.
+    A difference's frame stands for itself, rounding and all. It is drawn whole, so that flips are counted, not assumed.
     """
     stage = None
     for _, of_scene in groupby(tasks, lambda task: task.scene):
         reference = None
         for task in of_scene:
             raster = task.scene, task.width, task.height
-            reference = reference or render(*raster, exact(), threads=threads, stage=stage)
+            reference = reference or render(*raster, exact(), threads=threads, stage=stage, bounds=True)
             stage = reference.stage
             frame = render(*raster, task.method, threads=threads)
-            delta = difference_on_a(frame, reference)
+            largest, rms = distance_on_a(frame, reference)
             flips = int(np.count_nonzero(frame.chambers != reference.chambers))
             eps: Any = task.method.eps  # None of the exact gradient alone, which no Task has
-            yield SweepRow(eps, float(np.abs(delta).max(initial=0.0)), rms(delta), flips, int(frame.straddling.sum()))
+            ends = largest.lower, largest.upper, rms.lower, rms.upper
+            yield SweepRow(eps, largest.value, rms.value, flips, int(frame.straddling.sum()), *ends)
 
 
 def sweep(
@@ -104,15 +103,34 @@ def records(results: Results) -> list[dict[str, Any]]:
     ]
 
 
+def _with_certain_digits(record, digits, otherwise):
+    """Return a record in which what is enclosed is text: its certain digits, or `otherwise` of its upper end."""
+    ends = {name: (record[f"{name}_lower"], record[f"{name}_upper"]) for name in HEADINGS}
+    return record | {name: certain_digits(*ends[name], digits) or otherwise(ends[name][1]) for name in HEADINGS}
+
+
 def table(results: Results) -> str:
-    """Return the results, as `records` takes them, as text: a line each."""
-    found = records(results)
-    lines = [[HEADINGS.get(name, name) for name in record] for record in found[:1]]
-    lines += [[f"{value:.4g}" if isinstance(value, float) else str(value) for value in r.values()] for r in found]
+    """Return the results, as `records` takes them, as text, a line each.
+
+    Only digits that are certain: where none is, it says what the number does not exceed.
+    """
+    found = [_with_certain_digits(r, DIGITS, lambda upper: f"<= {rounded_up(upper)}") for r in records(results)]
+    lines = [[HEADINGS.get(name, name) for name in _shown(record)] for record in found[:1]]
+    lines += [[f"{v:.4g}" if isinstance(v, float) else str(v) for v in _shown(record).values()] for record in found]
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     return "\n".join("  ".join(map(str.rjust, line, widths)) for line in lines)
 
 
+def _shown(record):
+    """Return a record without the ends, of which the digits speak."""
+    return {name: value for name, value in record.items() if not name.endswith(("_lower", "_upper"))}
+
+
 def write_csv(path: str | Path, results: Results) -> None:
-    """Write the results, as `records` takes them, with their column names."""
-    whole_files.write_csv(path, records(results))
+    """Write the results, as `records` takes them, with their column names.
+
+    Of what is enclosed, the digits that are certain, nothing where none is; the ends, as they are, in columns of their
+    own.
+    """
+    found = records(results)
+    whole_files.write_csv(path, [_with_certain_digits(record, EVERY_DIGIT, lambda upper: "") for record in found])

@@ -23,31 +23,10 @@ from renderer import kernels
 from verify.accuracy.exponential_ulps import exponential_pieces, logarithm_pieces, power_pieces
 from verify.accuracy.pieces import PRECISION, SMALLEST, Piece, Series, ball, lines, piece_ends
 from verify.evaluate import code_of
+from verify.evaluate.balls import BALLS
 from verify.evaluate.rounding import ZERO, Rounded, between, run
 
 SMALL = 50  # a power below exp(−50) is a small one
-
-
-KERNELS = {name: getattr(kernels, name) for name in ("sinpi", "cospi", "atan2pi", "exp", "log", "power")} | {
-    "sinpi_of_product": lambda a, b: kernels.sinpi(*kernels.two_product(a, b)),
-    "cospi_of_product": lambda a, b: kernels.cospi(*kernels.two_product(a, b)),
-    "small_power": kernels.power,
-}
-"""What the renderer computes, of float64 numbers or arrays."""
-
-
-EXACT: dict[str, Callable[..., arb]] = {
-    "sinpi": arb.sin_pi,
-    "cospi": arb.cos_pi,
-    "sinpi_of_product": lambda a, b: (a * b).sin_pi(),
-    "cospi_of_product": lambda a, b: (a * b).cos_pi(),
-    "atan2pi": lambda y, x: arb.atan2(y, x) / arb.pi(),
-    "exp": arb.exp,
-    "log": arb.log,
-    "power": arb.__pow__,
-    "small_power": arb.__pow__,
-}
-"""The same of balls."""
 
 
 def error_in_ulps(computed: float, exact: arb) -> float:
@@ -58,10 +37,17 @@ def error_in_ulps(computed: float, exact: arb) -> float:
 
 
 def errors_in_ulps(name: str, *arguments: np.ndarray) -> np.ndarray:
-    """Return the errors of a kernel at float64 arrays of one shape."""
+    """Return the errors of what PIECES names at float64 arrays of one shape."""
+    kernel, of_product = name.removeprefix("small_").removesuffix("_of_product"), name.endswith("_of_product")
+    computed = getattr(kernels, kernel)(*(kernels.two_product(*arguments) if of_product else arguments))
+
+    def exactly(*case):
+        balls = [arb(number) for number in case]
+        return BALLS[kernel](*([math.prod(balls)] if of_product else balls))
+
     with ctx.workprec(200):
-        exact = np.frompyfunc(lambda *case: EXACT[name](*map(arb, case)), len(arguments), 1)(*arguments)
-        return np.frompyfunc(error_in_ulps, 2, 1)(KERNELS[name](*arguments), exact).astype(float)
+        exact = np.frompyfunc(exactly, len(arguments), 1)(*arguments)
+        return np.frompyfunc(error_in_ulps, 2, 1)(computed, exact).astype(float)
 
 
 def _sine_coefficient(shift):
@@ -149,13 +135,13 @@ class _Angle:
         smallest = high <= arb((1, SMALLEST))
         choice = {"middle": Rounded(middle), "steep": Rounded(steep)}
         selected = run(self.to_node, dict(choice))
-        node, value, correction = (selected[name].exact for name in ("node", "node_value", "node_correction"))
+        node, value, correction = (selected[name].value for name in ("node", "node_value", "node_correction"))
         ends = [(end - node) / (1 + node * end) for end in (low, high)]
         ratio = Rounded(between(*ends), self._ratio_error(low, high, choice, ends), ends=ends)
         true = [end.atan() / arb.pi() for end in (low, high)]
         off = (correction - (node.atan() / arb.pi() - value)).abs_upper()
         small = [end - value for end in true]
-        known = {"small_part": (*small, self.series.error(ratio.exact) + off), "first_octant": true}
+        known = {"small_part": (*small, self.series.error(ratio.value) + off), "first_octant": true}
         if smallest:
             known["ratio_squared"] = (0, high**2)
         scope = run(self.to_octant, choice | {"ratio": ratio, "node": Rounded(node)}, known)
@@ -164,9 +150,9 @@ class _Angle:
     def _octants(self, octant, smallest):
         """Return the ulps of the angle in the four octants above the axis; the others are their mirror images."""
         for number, code in enumerate(self.octants):
-            low = ZERO if smallest and number < 3 else octant.least
+            low = ZERO if smallest and number < 3 else octant.smallest
             start = Rounded(between(low, octant.largest), octant.error, ends=(low, octant.largest))
-            ends = [run(code, {"first_octant": Rounded(end)})["half_plane"].exact for end in (low, octant.largest)]
+            ends = [run(code, {"first_octant": Rounded(end)})["half_plane"].value for end in (low, octant.largest)]
             yield run(code, {"first_octant": start}, {"half_plane": ends})["half_plane"].ulps()
 
     def _ratio_error(self, low, high, choice, ends):

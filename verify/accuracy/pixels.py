@@ -1,10 +1,10 @@
 """A picture's float64 pixels against balls of the same program: random pixels, and the places that are hard.
 
-Truth is the pixel's program in balls of 256 bits, whose radius is below 1e-50; what rounding may do to it is the radius
-of the same program in balls of 53 bits. A pixel whose chamber or side of a crease those leave open is counted apart.
+Truth is the pixel's program in balls of 256 bits, whose radius is below 1e-50; what rounding may do to it is the bound
+that the frame has of it. A pixel whose chamber or side of a crease is open there is counted apart.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from copy import copy
 from dataclasses import replace
 from functools import lru_cache
@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from flint import arb, ctx
 
+from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import CHANNELS, pixel
 from proofs.formulas.shading import LIGHT_MODELS
@@ -23,7 +24,7 @@ from verify.evaluate.balls import Balls
 from verify.reference import lights_on, scene_values
 
 SIZE, EACH, SEED, BITS = 255, 46, 5, 256  # an odd size: a column of pixels lies on x = 0, on a crease
-OFF_RIM, TOLERANCE = 0.01, 5e-14
+WIDEST = 1e-40
 COLORS = tuple(f"rgb_{c}" for c in CHANNELS)
 SCENES = {f"{field}, {model}": Scene(field=field, model=model) for field, model in product(HEIGHT_FIELDS, LIGHT_MODELS)}
 SHININESSES = {
@@ -33,22 +34,16 @@ SHININESSES = {
 
 
 class Checked(NamedTuple):
-    """One pixel. error: the largest of its channels; radius: of its 53-bit balls; off_rim: 1 − (ρ/ρ_s)² ≥ 0.01."""
+    """One pixel. error, bound: the largest of its channels; undecided: by the frame's bounds, or by the balls."""
 
     scene: str
     kind: str
     column: int
     row: int
     error: float
-    radius: float
-    off_rim: bool
-    undecided: frozenset
+    bound: float
+    undecided: bool
     same_chamber: bool
-
-    def bound(self, share: float = 1.0) -> float:
-        """Return the bound that the pixel is held to; share: of the radius, where that is the bound."""
-        default = not self.scene.startswith("shininess")
-        return TOLERANCE if self.off_rim and default else share * self.radius
 
 
 def _edges(codes):
@@ -86,52 +81,59 @@ def chosen(scene: Scene, frame: Frame, each: int = EACH) -> list[tuple[str, int,
     return found
 
 
-@lru_cache(maxsize=32)
-def balls_of(field: str, model: str, lights: int) -> Balls:
-    """Return the Balls of a whole pixel by the exact gradient in its general form."""
-    return Balls(pixel(HEIGHT_FIELDS[field], model, lights))
+@lru_cache(maxsize=64)
+def balls_of(field: str, model: str, lights: int, method: str = "exact") -> Balls:
+    """Return the Balls of a whole pixel by a gradient method, the exact one in its general form."""
+    by = [METHODS[method](HEIGHT_FIELDS[field])] if method != "exact" else []
+    return Balls(pixel(HEIGHT_FIELDS[field], model, lights, *by))
 
 
-def _off_rim(scene, lines):
-    """Return whether the ray's distance from the centre of the sphere that it hits is below √0.99 radii."""
-    seen = int(lines["surface"].unique_fmpz() or 0)
-    if seen == 1:
-        return bool(1 - (lines["rho"] / lines["rho_silhouette"]) ** 2 >= OFF_RIM)
-    if seen == 2:
-        squared = lines["x"] ** 2 + lines["y"] ** 2 + arb(scene.eye) ** 2
-        return bool(lines["discriminant_b"] / (squared * arb(scene.ball_radius) ** 2) >= OFF_RIM)
-    return seen == 3
-
-
-def _code(lines, lights):
-    names = ("surface", *(f"occluded_{i}" for i in range(lights)), "dark_square")
-    parts = [int(lines[name].unique_fmpz() or 0) for name in names]
-    return parts[0] | sum(bit << (2 + i) for i, bit in enumerate(parts[1:-1])) | parts[-1] << 7
-
-
-def checked_pixel(name: str, scene: Scene, frame: Frame, kind: str, column: int, row: int) -> Checked:
-    """Return a pixel of a frame, Checked."""
-    height, width = frame.raster.shape
-    values, lights = scene_values(scene, column=column, row=row, width=width, height=height), len(lights_on(scene))
-    balls = balls_of(scene.field, scene.model, lights)
-    truth, _ = balls(values, BITS)
-    rounded, undecided = balls(values)
+def truth_of(frame: Frame, column: int, row: int, taken: Callable[[float], arb] = arb) -> dict[str, arb]:
+    """Return the balls of every line of a frame's pixel; taken: what an input is taken for, by default its value."""
+    scene, raster, method = frame.scene, frame.raster, frame.method
+    left, top, *_ = raster.crop or (0, 0)
+    place = {"column": left + column, "row": top + row}
+    size = {"width": raster.width, "height": raster.height, "epsilon": method.eps or 0.0}
+    balls = balls_of(scene.field, scene.model, len(lights_on(scene)), method.name)
     with ctx.workprec(BITS):
-        errors = [abs(arb(float(c)) - truth[n]).upper() for c, n in zip(frame.rgb[row, column], COLORS, strict=True)]
-        error, radius = max(map(float, errors)), max(float(rounded[n].rad()) for n in COLORS)
-        same_chamber = _code(truth, lights) == int(frame.chambers[row, column])
-        return Checked(name, kind, column, row, error, radius, _off_rim(scene, truth), undecided, same_chamber)
+        return balls({name: taken(value) for name, value in scene_values(scene, **place, **size).items()}, BITS)
+
+
+def errors_of(frame: Frame, column: int, row: int, truth: Mapping[str, arb]) -> list[arb]:
+    """Return how far each channel of a pixel is from the truth."""
+    with ctx.workprec(BITS):
+        return [abs(arb(float(c)) - truth[name]) for c, name in zip(frame.rgb[row, column], COLORS, strict=True)]
+
+
+def code_of(scene: Scene, truth: Mapping[str, arb]) -> int:
+    """Return the true chamber code of a pixel of a scene."""
+
+    def whole(name):
+        return int(truth[name].unique_fmpz() or 0)
+
+    on = [number for number, light in enumerate(scene.lights) if light.color is not None]
+    shadows = sum(whole(f"occluded_{n}") << (2 + number) for n, number in enumerate(on))
+    return whole("surface") | shadows | whole("dark_square") << 7
+
+
+def checked_pixel(name: str, frame: Frame, kind: str, column: int, row: int) -> Checked:
+    """Return a pixel of a frame with bounds, Checked."""
+    truth, bounds = truth_of(frame, column, row), frame.bounds[row, column]
+    errors = [float(error.upper()) for error in errors_of(frame, column, row, truth)]
+    undecided = bool(frame.open[row, column]) or any(float(truth[name].rad()) > WIDEST for name in COLORS)
+    same_chamber = code_of(frame.scene, truth) == int(frame.chambers[row, column])
+    return Checked(name, kind, column, row, max(errors), bounds.max(), undecided, same_chamber)
 
 
 def checked_pixels(scenes: Mapping[str, Scene], each: int = EACH) -> list[Checked]:
     """Return every chosen pixel of {name: Scene}, Checked."""
     found = []
     for name, scene in scenes.items():
-        frame = render(scene, SIZE, SIZE)
-        found += [checked_pixel(name, scene, frame, *place) for place in chosen(scene, frame, each)]
+        frame = render(scene, SIZE, SIZE, bounds=True)
+        found += [checked_pixel(name, frame, *place) for place in chosen(scene, frame, each)]
     return found
 
 
 def problems(pixels: Iterable[Checked], share: float = 1.0) -> list[Checked]:
-    """Return the decided pixels that are above their bound or in another chamber."""
-    return [p for p in pixels if not p.undecided and not (p.error <= p.bound(share) and p.same_chamber)]
+    """Return the decided pixels that are in another chamber, or above a share of their bound."""
+    return [p for p in pixels if not p.undecided and not (p.error <= share * p.bound and p.same_chamber)]

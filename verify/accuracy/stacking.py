@@ -12,7 +12,7 @@ import numpy as np
 from proofs.formulas.colour_bounds import light_bound
 from renderer import Light, Scene, central, exact, render
 from renderer.generate.kernels import function_of
-from renderer.picture.sweep import rms
+from renderer.picture.differences import rms
 
 SIDE, EPS = 256, 1e-2
 HALF = 1.5  # of the lamp's side, in radii of A

@@ -15,7 +15,7 @@ import numpy as np
 from tqdm import tqdm
 
 from renderer import exact
-from verify.benchmark.frames import SCENE, frame_cases, image_gradient_case, start_cases, step_cases
+from verify.benchmark.frames import SCENE, bounds_cases, frame_cases, image_gradient_case, start_cases, step_cases
 from verify.benchmark.targets import derived, table
 from verify.benchmark.timing import ROUNDS, load, numbers_by_calls
 from verify.records import command
@@ -37,7 +37,8 @@ def counted(scenes: int) -> dict[str, float]:
 def measure(rounds: int, quick: bool, only: str) -> dict[str, Any]:
     """Return the numbers of whole frames; only: of the cases whose name contains it, and of nothing that is counted."""
     before, rounds = load(), 1 if quick else rounds
-    cases = [*frame_cases(QUICK_SIDE if quick else 2**24), *step_cases(), image_gradient_case(), *start_cases()]
+    cases = [*frame_cases(QUICK_SIDE if quick else 2**24), *bounds_cases(), *step_cases()]
+    cases += [image_gradient_case(), *start_cases()]
     cases = [replace(case, visits=min(rounds, case.visits)) for case in cases if only in case.name]
     if not cases:
         raise SystemExit(f"--only {only}: no case has that in its name")

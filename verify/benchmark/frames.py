@@ -58,6 +58,14 @@ def frame_cases(largest: int) -> list[Case]:
     ]
 
 
+def bounds_cases() -> list[Case]:
+    """Return the cases of a frame of sine on all threads, with bounds and without."""
+    cases = {f"bounds_{side}": (side, True) for side in (256, 1024)}
+    cases |= {f"no_bounds_{side}": (side, False) for side in (256, 1024, 2048)}
+    sine = replace(SCENE, field="sine")
+    return [Case(n, partial(render, sine, side, side, bounds=b), calls(side)) for n, (side, b) in cases.items()]
+
+
 def stepping(scene: Scene, frames: Sequence[tuple[Scene, GradientMethod]], threads: int) -> Callable[[], None]:
     """Return a function that draws the next of `frames`, (scene, method), over the one before, its chambers given."""
     stage = stage_of(scene, STEP, STEP, threads=threads)

@@ -14,6 +14,7 @@ RATIOS = {
     "seed_central_to_exact": ("seed_central_256_1", "seed_exact_256_1"),
     "eps_step_central_to_exact": ("eps_step_central_1024_2", "eps_step_exact_1024_2"),
     "a_alone_central_to_algebraic": ("a_alone_central_1024_1", "a_alone_algebraic_1024_1"),
+    **{f"bounds_to_plain_{side}": (f"bounds_{side}", f"no_bounds_{side}") for side in (256, 1024)},
     "a_alone_central_to_general": ("a_alone_central_1024_1", "a_alone_general_1024_1"),
 }  # fmt: skip
 """{number: (the case that takes so many times as long, as this case)}"""
@@ -29,6 +30,8 @@ def derived(numbers: Mapping[str, float]) -> dict[str, float]:
     for threads in (1, 2):
         if times := timed(*(f"algebraic_{side}_{threads}" for side in FITTED)):  # time ∝ pixels^p
             found[f"exponent_{threads}"] = float(np.polyfit(2 * np.log(FITTED), np.log(times), 1)[0])
+    if times := timed("no_bounds_2048", "no_bounds_1024"):
+        found["pixel_2048_to_1024"] = times[0] / times[1] / 4
     return found
 
 
@@ -43,6 +46,9 @@ TARGETS = {
     "image_gradient_ns": ("exact gradient from the image point, algebraic, one thread, a point", "≤", 8, "ns"),
     "a_alone_central_to_algebraic": ("sphere A alone: central takes, in times of exact", "≥", 2, "×"),
     "exponent_2": ("time ∝ pixels to the power, 256² to 8192²", "≤", 1.05, ""),
+    "bounds_to_plain_256": ("with bounds, exact, sine, 256², all threads, in times of the plain picture", "≤", 4, "×"),
+    "bounds_to_plain_1024": ("… 1024²", "≤", 5, "×"),
+    "pixel_2048_to_1024": ("a pixel of 2048², in times of one of 1024²", "≤", 1.1, "×"),
     "chambers_differing": ("pixels whose chamber differs from the per-pixel reference", "≤", 0, ""),
     "image_error": ("image against the strict scalar reference, largest difference", "≤", 1e-13, ""),
     "start_one_picture_s": ("a fresh interpreter, one picture of 256², imports included", "≤", 1.0, "s"),

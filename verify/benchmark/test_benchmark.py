@@ -10,7 +10,7 @@ import pytest
 
 from verify.benchmark import __main__ as frames
 from verify.benchmark import machines, texture, timing
-from verify.benchmark.frames import FITTED, frame_cases, image_gradient_case, start_cases, step_cases
+from verify.benchmark.frames import FITTED, bounds_cases, frame_cases, image_gradient_case, start_cases, step_cases
 from verify.benchmark.targets import TARGETS, derived, table
 from verify.benchmark.timing import Case
 from verify.records import read
@@ -86,7 +86,7 @@ def test_numbers_follow_from_medians():
 
 
 def test_every_target_is_measured_by_a_case():
-    cases = [*frame_cases(8192), *step_cases(), image_gradient_case(), *start_cases()]
+    cases = [*frame_cases(8192), *bounds_cases(), *step_cases(), image_gradient_case(), *start_cases()]
     times = dict.fromkeys((f"{case.name}_{case.unit}" for case in cases), 1.0)
     assert TARGETS.keys() <= derived(times).keys() | times.keys() | {"chambers_differing", "image_error"}
 

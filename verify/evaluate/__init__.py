@@ -1,8 +1,8 @@
 """Lines of formulas in other numbers than float64: printed once for every kind of number, and run one after another.
 
-What tells the kinds apart is their table of names: `MPMATH` here, `BALLS`, `RUNNING` and `ROUNDED` in the modules
-beside it. The text shares the expressions with the kernels and nothing else: arithmetic and the elementary functions
-are the table's. For float64 there is `renderer.generate.kernels.function_of`.
+What tells the kinds apart is their table of names: `MPMATH` here, `BALLS` and `ROUNDED` in the modules beside it. The
+text shares the expressions with the kernels and nothing else: arithmetic and the elementary functions are the table's.
+For float64 and what is `Enclosed` there is `renderer.generate.kernels.function_of`.
 """
 
 import operator
@@ -107,7 +107,6 @@ class Evaluator:
         computed = dict(values)
         scope = {**names, "value": computed}
         for name, code in self.code:
-            self.line = name
             computed[name] = self.compute(code, scope)
         return computed
 

@@ -1,6 +1,6 @@
-"""One program, three evaluations over arrays of inputs: float64, balls of 50 digits, float64 with running bounds."""
+"""One program, three evaluations over arrays of inputs: float64, balls of 50 digits, float64 with bounds."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -8,26 +8,22 @@ import flint
 import numpy as np
 
 from proofs.engine.program import Program
-from renderer import kernels
+from renderer import kernels, operations
 from renderer.generate.kernels import function_of
-from verify.evaluate import Evaluator, running
+from renderer.machines.enclosing import UNIT, Enclosed, enclosed
 from verify.evaluate.balls import Balls
 
 Inputs = Mapping[str, Any]  # numbers or arrays
-BITS = 300  # 50 digits, and 40 to lose
+Taken = Callable[[float], flint.arb]  # what an input is taken for
+BITS, SHAKES = 300, 64  # 50 digits, and 40 to lose
 WIDEST, NOTHING = 2.0**-110, 1e-60  # a ball wider than both, against its size and at all, is no reference
 LIBM = {"sin": np.sin, "cos": np.cos, "acos": np.arccos, "atan2": np.arctan2}
 """The ordinary functions, which the seed's formulas call."""
 
 
 @lru_cache(maxsize=64)
-def _float64_function(program):
-    return function_of(program, names=vars(kernels) | LIBM)
-
-
-@lru_cache(maxsize=64)
-def _lines(program):
-    return Evaluator(program.keep(*program.outputs))
+def _function(program):
+    return function_of(program, names=vars(kernels) | LIBM | {"sign": operations.sign.kernel})  # no pixel is left open
 
 
 @lru_cache(maxsize=64)
@@ -40,37 +36,55 @@ def _arguments(program, inputs):
     return np.broadcast_arrays(*(np.asarray(inputs[s.name], np.float64) for s in program.inputs))
 
 
-def in_float64(program: Program, inputs: Inputs) -> dict[str, np.ndarray]:
-    """Return {output: array}: the program in float64, sinpi and its kin by our functions, sin and its kin by libm's."""
+def _computed(program, inputs, number):
+    """Return {output: Enclosed arrays}; number: what an input's array is taken for."""
     arguments = _arguments(program, inputs)
     with np.errstate(all="ignore"):
-        results = _float64_function(program)(*arguments)
-    results = results if isinstance(results, tuple) else (results,)
-    shaped = [np.broadcast_to(np.asarray(r, np.float64), arguments[0].shape) for r in results]
+        results = _function(program)(*map(number, arguments))
+    results = map(enclosed, results if isinstance(results, tuple) else (results,))
+    shaped = [Enclosed(*(np.full(arguments[0].shape, part) for part in (r.value, r.bound))) for r in results]
     return {s.name: result for s, result in zip(program.outputs, shaped, strict=True)}
 
 
-def with_bounds(program: Program, inputs: Inputs) -> dict[str, running.Running]:
-    """Return {output: Running}: the same numbers as `in_float64`, and their running error bounds."""
-    arguments = _arguments(program, inputs)
-    exact = {s.name: running.Running(a) for s, a in zip(program.inputs, arguments, strict=True)}
-    with np.errstate(all="ignore"):
-        lines = _lines(program).run(exact, running.RUNNING)
-    return {s.name: running.running(lines[s.name]).spread(arguments[0].shape) for s in program.outputs}
+def in_float64(program: Program, inputs: Inputs) -> dict[str, np.ndarray]:
+    """Return {output: array}: the program in float64, sinpi and its kin by our functions, sin and its kin by libm's."""
+    return {name: result.value for name, result in _computed(program, inputs, np.asarray).items()}
 
 
-def in_balls(program: Program, inputs: Inputs) -> dict[str, np.ndarray]:
-    """Return {output: array of balls} for the exact values of the inputs.
+def with_bounds(program: Program, inputs: Inputs) -> dict[str, Enclosed]:
+    """Return {output: Enclosed arrays}: the numbers of `in_float64`, and bounds on how far they are from exact ones."""
+    return _computed(program, inputs, Enclosed)
+
+
+def in_balls(program: Program, inputs: Inputs, taken: Taken = flint.arb) -> dict[str, np.ndarray]:
+    """Return {output: array of balls}; taken: what an input is taken for, by default its exact value.
 
     A ball that is too wide to judge float64 (an undecided comparison, a division by zero) is None.
     """
     arguments, balls = _arguments(program, inputs), _balls(program)
     names, outputs = [s.name for s in program.inputs], [s.name for s in program.outputs]
     table = np.empty((arguments[0].size, len(outputs)), object)
-    for row, point in zip(table, zip(*(a.ravel().tolist() for a in arguments), strict=True), strict=True):
-        lines, _ = balls(dict(zip(names, point, strict=True)), BITS)
-        row[:] = [lines[name] if _narrow(lines[name]) else None for name in outputs]
+    with flint.ctx.workprec(BITS):
+        for row, point in zip(table, zip(*(a.ravel().tolist() for a in arguments), strict=True), strict=True):
+            lines = balls(dict(zip(names, map(taken, point), strict=True)), BITS)
+            row[:] = [lines[name] if _narrow(lines[name]) else None for name in outputs]
     return {name: column.reshape(arguments[0].shape) for name, column in zip(outputs, table.T, strict=True)}
+
+
+def response(size: Any, change: Callable[[Taken], Any]) -> Any:
+    """Return how far a result is expected to be off: by 2⁻⁵³ of its size, or by what rounded inputs do to it.
+
+    change: given what inputs are taken for, how far the result moves, a number or an array; of 64 shakes of all inputs
+    by up to 1e-16 of themselves it is the largest.
+    """
+    random, most = np.random.default_rng(3), UNIT * size
+
+    def shaken(number):
+        return flint.arb(number) * (1 + flint.arb(random.uniform(-1e-16, 1e-16)))
+
+    for _ in range(SHAKES):
+        most = np.fmax(most, change(shaken))
+    return most
 
 
 def _narrow(ball):
@@ -94,17 +108,9 @@ def distance(values: np.ndarray, balls: np.ndarray) -> np.ndarray:
     return np.abs(signed_distance(values, balls))
 
 
-def vector_distance(
-    values: Mapping[str, np.ndarray], balls: Mapping[str, np.ndarray], names: Iterable[str]
-) -> np.ndarray:
-    """Return |value − ball| of the vector with the given components, √ of the sum of squares."""
-    parts = np.array([distance(values[n], balls[n]) for n in names])
-    largest = parts.max(axis=0)
+def length(parts: Sequence[np.ndarray]) -> np.ndarray:
+    """Return the length of a vector of components, none of which is negative: √ of the sum of squares."""
+    largest = np.max(parts, axis=0)
     with np.errstate(all="ignore"):
         scaled = np.sqrt(((parts / largest) ** 2).sum(axis=0)) * largest
     return np.where((largest > 0) & (largest < np.inf), scaled, largest)
-
-
-def vector_bound(bounds: Mapping[str, running.Running], names: Iterable[str]) -> np.ndarray:
-    """Return the bound on the same distance."""
-    return np.sqrt(sum(bounds[n].bound ** 2 for n in names))

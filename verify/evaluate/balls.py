@@ -1,10 +1,10 @@
 """A straight-line program run in ball arithmetic: each line a midpoint and a radius that enclose its exact value.
 
-At a few hundred bits the balls are a reference that says itself how good it is; at 53 bits their radius bounds what
-rounding can do to the same lines. A selection that the balls do not decide takes both branches, and is named.
+At a few hundred bits the balls are a reference that says itself how good it is. A selection that they do not decide
+takes both branches.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import reduce
 
 import mpmath
@@ -33,10 +33,17 @@ def root(value: arb) -> arb:
     return arb(0).union(high.sqrt()) if high > 0 and not value > 0 else value.sqrt()
 
 
+def where(condition: bool | None, value: Callable[[], arb], otherwise: Callable[[], arb]) -> arb:
+    """Return what is selected, or a ball around both."""
+    return value().union(otherwise()) if condition is None else value() if condition else otherwise()
+
+
 BALLS = ANY_NUMBERS | {
     **{name: getattr(arb, name) for name in ("floor", "sin", "cos", "exp", "log")},
     "rational": lambda p, q: arb(fmpq(p, q)),
     "compare": compare,
+    "where": where,
+    "sign": arb.sgn,
     "sqrt": root,
     "power": power,
     "rint": lambda x: (x + 0.5).floor(),
@@ -47,26 +54,12 @@ BALLS = ANY_NUMBERS | {
     "cospi": arb.cos_pi,
     "atan2pi": lambda y, x: arb(0) if y.is_zero() and x.is_zero() else arb.atan2(y, x) / arb.pi(),
 }
-"""What the text calls, at flint's working precision; `where`, `sign` and `pi` are an evaluation's own."""
+"""What the text calls, at flint's working precision; `pi` is an evaluation's own."""
 
 
 class Balls(Evaluator):
-    """A program in balls: called with {name: float}, it returns ({name: ball} of all, names left undecided)."""
+    """A program in balls: called with {name: number or ball}, it returns {name: ball} of all."""
 
-    def __call__(self, values: Mapping[str, float], bits: int = 53) -> tuple[dict[str, arb], frozenset[str]]:
-        self.undecided: set[str] = set()
+    def __call__(self, values: Mapping[str, float | arb], bits: int) -> dict[str, arb]:
         with ctx.workprec(bits):
-            names = BALLS | {"pi": arb.pi(), "where": self._where, "sign": self._sign}
-            return self.run({name: arb(values[name]) for name in self.inputs}, names), frozenset(self.undecided)
-
-    def _where(self, condition, value, otherwise):
-        if condition is None:
-            self.undecided.add(self.line)
-            return value().union(otherwise())
-        return value() if condition else otherwise()
-
-    def _sign(self, value):
-        if value > 0 or value < 0 or value.is_zero():
-            return value.sgn()
-        self.undecided.add(self.line)
-        return arb(0, 1)
+            return self.run({name: arb(values[name]) for name in self.inputs}, BALLS | {"pi": arb.pi()})

@@ -9,6 +9,7 @@ from types import CodeType
 
 from flint import arb
 
+from renderer.machines.bounded import Bounded
 from verify.evaluate import ANY_NUMBERS
 
 ZERO, TINY = arb(0), arb((1, -100))
@@ -42,91 +43,85 @@ def half_a_unit(magnitude: arb, inherited: arb) -> arb:
     return unit / 2 + magnitude * TINY
 
 
-def _is_power_of_two(value):
-    return value.is_exact() and not value.is_zero() and abs(int(value.man_exp()[0])) == 1
-
-
-class Rounded:
-    """`exact`: a ball around what exact arithmetic gives; `error`: an upper bound of |computed − exact|."""
-
-    __slots__ = ("error", "exact", "inherited", "largest", "least", "rounds")
+class Rounded(Bounded):
+    """`value`: a ball around what exact arithmetic gives; `error`: an upper bound of |computed − exact|."""
 
     def __init__(
-        self, exact: arb | float, error: arb = ZERO, rounds: bool = False, ends: tuple[arb, arb] | None = None
+        self, value: arb | float, moved: arb = ZERO, rounds: bool = False, ends: tuple[arb, arb] | None = None
     ):
-        """error: what is inherited; rounds: whether half a unit is added to it; ends: of `exact`, if not the ball's.
+        """moved: what is inherited; rounds: whether half a unit is added to it; ends: of `value`, if not the ball's.
 
         A ball's radius has 30 bits, so that its ends may lie beyond the power of two at which a range ends.
         """
-        self.exact, self.inherited, self.rounds = arb(exact), arb(error).upper(), rounds
-        if ends:
-            low, high = map(arb, ends)
-            self.largest = max(low.abs_upper(), high.abs_upper())
-            self.least = ZERO if self.exact.contains(0) else min(low.abs_lower(), high.abs_lower())
-        else:
-            self.largest, self.least = self.exact.abs_upper(), self.exact.abs_lower()
-        self.error = self.inherited
+        super().__init__(arb(value), arb(moved).upper())
+        self.moved, self.rounds = self.error, rounds
+        low, high = map(arb, ends or (value, value))
+        self.largest = max(low.abs_upper(), high.abs_upper())
+        self.smallest = ZERO if self.value.contains(0) else min(low.abs_lower(), high.abs_lower())
         if rounds and not self.largest.is_zero():
-            self.error = (self.inherited + half_a_unit(self.largest, self.inherited)).upper()
+            self.error = (self.moved + half_a_unit(self.largest, self.moved)).upper()
 
     def known_as(self, low: arb, high: arb, apart: arb = ZERO) -> "Rounded":
         """Return the number as an approximation of one in [low, high], from which exact arithmetic is `apart`."""
-        return Rounded(between(low, high), self.inherited + apart, self.rounds, ends=(low, high))
+        return Rounded(between(low, high), self.moved + apart, self.rounds, ends=(low, high))
 
     def ulps(self) -> arb:
         """Return the error in ulps of the float64 nearest to the exact number: below 2^e and next to it, of 2^e."""
-        nearest = self.least * (1 + arb((1, -54)) * (1 - arb((1, -30))))
+        nearest = self.smallest * (1 + arb((1, -54)) * (1 - arb((1, -30))))
         return (self.error / unit_in_the_last_place(nearest.lower())).upper()
 
     def computed(self) -> arb:
         """Return a ball around the float64 number."""
-        return self.exact + arb(0, self.error)
+        return self.value + arb(0, self.error)
 
-    def __add__(self, other):
-        other = _rounded(other)
-        exact, inherited = self.exact + other.exact, self.error + other.error
-        plain = _cancels(self, other) or self.is_zero() or other.is_zero()
-        return Rounded(exact, inherited, rounds=not plain)
+    @staticmethod
+    def of(number: "Rounded | arb | float") -> "Rounded":
+        """Return a number as Rounded."""
+        return number if isinstance(number, Rounded) else Rounded(number)
 
-    def __mul__(self, other):
-        other = _rounded(other)
-        inherited = self.exact.abs_upper() * other.error + (other.exact.abs_upper() + other.error) * self.error
-        plain = any(n.is_zero() or (n.error.is_zero() and _is_power_of_two(n.exact)) for n in (self, other))
-        return Rounded(self.exact * other.exact, inherited, rounds=not plain)
+    def rounded(self, value: arb, moved: arb, rounds: bool) -> "Rounded":
+        """Return a result."""
+        return Rounded(value, moved, rounds)
 
-    def __truediv__(self, other):
-        other = _rounded(other)
-        exact, least = self.exact / other.exact, (other.exact.abs_lower() - other.error).lower()
+    def lost_in_sum(self, other: "Rounded", _: arb) -> bool:
+        """Return whether a sum rounds."""
+        return not (_cancels(self, other) or self.computed().is_zero() or other.computed().is_zero())
+
+    def lost_in_product(self, other: "Rounded", _: arb) -> bool:
+        """Return whether a product does: not by 0, nor by a power of two."""
+        return not any(n.computed().is_exact() and abs(int(n.value.man_exp()[0])) <= 1 for n in (self, other))
+
+    @staticmethod
+    def size_of_quotient(quotient: arb) -> arb:
+        """Return the size of a quotient."""
+        return abs(quotient)
+
+    def lost_in_quotient(self, _: arb) -> bool:
+        """Return whether a quotient does."""
+        return True
+
+    @property
+    def size(self) -> arb:
+        """Return how large the float64 number can be."""
+        return abs(self.value) + self.error
+
+    def inverse(self) -> arb:
+        """Return how large the inverse of the float64 number can be. Raises Undecided where that may be 0."""
+        least = self.computed().abs_lower()
         if not least > 0:
             raise Undecided("a division by what may be zero")
-        return Rounded(exact, (self.error + exact.abs_upper() * other.error) / least, rounds=True)
+        return 1 / least
 
     def __neg__(self):
-        return Rounded(-self.exact, self.error)
-
-    def __sub__(self, other):
-        return self + -_rounded(other)
-
-    def __rsub__(self, other):
-        return -self + other
-
-    __radd__, __rmul__ = __add__, __mul__
-
-    def is_zero(self) -> bool:
-        """Return whether the float64 number is certainly 0."""
-        return self.exact.is_zero() and self.error.is_zero()
+        return Rounded(-self.value, self.error)
 
     def __gt__(self, other):
-        mine, others = self.computed(), _rounded(other).computed()
+        mine, others = self.computed(), self.of(other).computed()
         if mine > others:
             return True
         if mine <= others:
             return False
         raise Undecided("a comparison")
-
-
-def _rounded(value):
-    return value if isinstance(value, Rounded) else Rounded(value)
 
 
 def _cancels(a, b):
@@ -144,6 +139,6 @@ ROUNDED = ANY_NUMBERS | {"rational": lambda p, q: p / q}
 def run(code: Iterable[tuple[str, CodeType]], values: dict, known: Mapping[str, tuple] | None = None) -> dict:
     """Run the lines on {name: Rounded}, and return it with theirs; `known` has what `known_as` is told, by name."""
     for name, line in code:
-        value = _rounded(eval(line, {**ROUNDED, "value": values}))
+        value = Rounded.of(eval(line, {**ROUNDED, "value": values}))
         values[name] = value.known_as(*known[name]) if known and name in known else value
     return values

@@ -9,13 +9,13 @@ from proofs.formulas.bump import g
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
 from proofs.formulas.seed_hit import seed_normal
 from proofs.formulas.symbols import normal
-from verify.evaluate.arrays import in_float64
+from verify.evaluate.arrays import in_float64, with_bounds
 from verify.stability.pipelines import our_normal, seed_tangent_vector, tangent_vector
 from verify.stability.sweep import Sweep, measured
 
 EYE, RADIUS = 4.0, 1.0
 SINES = np.logspace(np.log10(0.84), -149, 76)
-VECTOR, NORMAL = [s.name for s in g], [s.name for s in normal]
+VECTOR, NORMAL = ({s.name: 1.0 for s in triple} for triple in (g, normal))
 
 
 def image_points(rho: np.ndarray, samples: int, seed: int, eye: ArrayLike = EYE) -> dict[str, Any]:
@@ -25,7 +25,8 @@ def image_points(rho: np.ndarray, samples: int, seed: int, eye: ArrayLike = EYE)
 
 
 def _of_normal(parameter, inputs):
-    return measured(parameter, our_normal, inputs, NORMAL, seed=in_float64(seed_normal, inputs))
+    seed = {"seed": in_float64(seed_normal, inputs)}
+    return measured(parameter, with_bounds(our_normal, inputs), our_normal, inputs, NORMAL, seed)
 
 
 def toward_the_pole(form: str = "algebraic", sines: np.ndarray = SINES, samples: int = 12, seed: int = 1) -> Sweep:
@@ -37,8 +38,8 @@ def toward_the_pole(form: str = "algebraic", sines: np.ndarray = SINES, samples:
     (rho,) = in_float64(parallel_radius, {"sin_phi": sines, "cos_phi": cosines, "eye": EYE, "radius": RADIUS}).values()
     inputs = image_points(rho, samples, seed) | {"k_u": 8.0, "k_v": 4.0}
     others = {name: seed_tangent_vector("ridges", inputs, name != "seed") for name in ("seed", "seed with fallback")}
-    program, reference = tangent_vector("ridges", form), tangent_vector("ridges", "general")
-    return measured(sines, program, inputs, VECTOR, reference, **others)
+    ours = with_bounds(tangent_vector("ridges", form), inputs)
+    return measured(sines, ours, tangent_vector("ridges", "general"), inputs, VECTOR, others)
 
 
 def toward_the_silhouette(samples: int = 40, values: int = 57, seed: int = 2) -> Sweep:

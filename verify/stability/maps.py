@@ -5,21 +5,21 @@ import numpy as np
 from proofs.formulas.camera import silhouette_of_a
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene
-from verify.evaluate.arrays import distance, in_balls, in_float64, vector_distance
+from renderer.machines.enclosing import UNIT
+from verify.evaluate.arrays import distance, in_balls, in_float64, length
 from verify.evaluate.programs import naive_gradient
-from verify.evaluate.running import U
 from verify.stability.geometry import VECTOR
 from verify.stability.pipelines import seed_tangent_vector, tangent_vector
 
 RIDGES = HEIGHT_FIELDS["ridges"]
-MISSED_ZERO = 1 / U  # all bits lost: a number where there is an exact zero
+MISSED_ZERO = 1 / UNIT  # all bits lost: a number where there is an exact zero
 
 
 def relative(values: np.ndarray, truth: np.ndarray) -> np.ndarray:
     """Return |value − exact| / (2⁻⁵³ |exact|): 0 for an exact zero that is met, MISSED_ZERO for one that is not."""
     off, size = distance(values, truth), distance(np.zeros(np.shape(truth)), truth)
     with np.errstate(all="ignore"):
-        return np.where(off > 0, np.minimum(off / (U * size), MISSED_ZERO), 0.0)
+        return np.where(off > 0, np.minimum(off / (UNIT * size), MISSED_ZERO), 0.0)
 
 
 def over_the_chart(side: int = 128) -> dict[str, np.ndarray]:
@@ -52,9 +52,9 @@ def over_the_image(scene: Scene | None = None, size: int = 192, reach: float = 1
     inputs = {"x": x[on_a], "y": y[on_a], "eye": scene.eye, "radius": scene.radius, "k_u": scene.ku, "k_v": scene.kv}
     truth = in_balls(tangent_vector(scene.field, "general"), inputs)
     ours = in_float64(tangent_vector(scene.field, "algebraic", scene.ku, scene.kv), inputs)
-    maps, unit = np.full((2, size, size), np.nan), U * np.pi * max(scene.ku, scene.kv)
+    maps, unit = np.full((2, size, size), np.nan), UNIT * np.pi * max(scene.ku, scene.kv)
     for plane, vector in zip(maps, (seed_tangent_vector(scene.field, inputs), ours), strict=True):
-        plane[on_a] = vector_distance(vector, truth, VECTOR) / unit
+        plane[on_a] = length([distance(vector[name], truth[name]) for name in VECTOR]) / unit
     return dict(zip(("seed", "ours"), maps, strict=True))
 
 

@@ -1,6 +1,7 @@
 """The normal under any amplitude, and the light: close, far, opposite to the eye, with any shininess."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -10,7 +11,8 @@ from proofs.formulas.camera import point_on_a
 from proofs.formulas.shading import LIGHT_MODELS, highlight, light_direction
 from proofs.formulas.symbols import beta, bumped, mu, normal, specular, specular_base
 from proofs.formulas.tangent_frame import tangent_frame, unit_normal
-from verify.evaluate.arrays import distance, in_balls, in_float64, with_bounds
+from renderer.machines.enclosing import Enclosed
+from verify.evaluate.arrays import in_float64, with_bounds
 from verify.stability.sweep import Sweep, measured
 
 
@@ -34,7 +36,7 @@ def any_amplitude(values: int = 109, samples: int = 24, seed: int = 5) -> Sweep:
     along, down = np.array([frame[t.name] for t in tangent_frame.outputs]).reshape(2, 3, values, samples)
     inputs = frame | dict(zip((n.name for n in g), slopes[0] * along + slopes[1] * down, strict=True))
     inputs[beta.name] = sizes[:, None] * random.choice([-1.0, 1.0], (values, samples))
-    return measured(sizes, perturbed, inputs, [s.name for s in bumped])
+    return measured(sizes, with_bounds(perturbed, inputs), perturbed, inputs, {s.name: 1.0 for s in bumped})
 
 
 def near_and_far_lights(values: int = 73, samples: int = 24, seed: int = 6) -> Sweep:
@@ -47,13 +49,13 @@ def near_and_far_lights(values: int = 73, samples: int = 24, seed: int = 6) -> S
     distances = np.geomspace(2e-9, 0.999e9, values)
     at = angles(random, (values, samples))
     n = np.array([*in_float64(unit_normal, at).values()])
-    aside = _across(n, random.normal(size=n.shape))
+    aside = across(n, random.normal(size=n.shape))
     tilt = random.uniform(0, 1.4, (values, samples))
     light = n + distances[:, None] * (np.cos(tilt) * n + np.sin(tilt) * aside)
     inputs = at | {"radius": 1.0} | {f"light_{axis}": c for axis, c in zip("xyz", light, strict=True)}
     onto = Program("onto", normal, tuple(zip(bumped, normal, strict=True)), bumped)
     lit_point = chain("lit_point", unit_normal, point_on_a, onto, light_direction).keep(mu)
-    return measured(distances, lit_point, inputs, [mu.name])
+    return measured(distances, with_bounds(lit_point, inputs), lit_point, inputs, {mu.name: 1.0})
 
 
 def opposite_light(model: str = "blinn", values: int = 65, samples: int = 24, seed: int = 7) -> Sweep:
@@ -66,25 +68,27 @@ def opposite_light(model: str = "blinn", values: int = 65, samples: int = 24, se
     gaps = np.geomspace(1, 1e-16, values)
     view, aside, up = random.normal(size=(3, 3, values, samples))
     view, up = (vector / np.sqrt((vector**2).sum(axis=0)) for vector in (view, up))
-    towards = -view + gaps[:, None] * _across(view, aside)
+    towards = -view + gaps[:, None] * across(view, aside)
     vectors = {"light": towards, "view": view, "bumped": up, "point": np.zeros((3, 1, 1))}
     inputs = {f"{name}_{axis}": c for name, triple in vectors.items() for axis, c in zip("xyz", triple, strict=True)}
-    found = measured(gaps, LIGHT_MODELS[model].program, inputs, [specular_base.name])
+    program = LIGHT_MODELS[model].program
+    found = measured(gaps, with_bounds(program, inputs), program, inputs, {specular_base.name: 1.0})
     return replace(found, bounds=np.minimum(found.bounds, 2.0))
 
 
-def _across(axis, vectors):
+def across(axis: np.ndarray, vectors: np.ndarray) -> np.ndarray:
     """Return the part of vectors (3, …) at right angles to unit vectors, normalised."""
     vectors = vectors - (vectors * axis).sum(axis=0) * axis
     return vectors / np.sqrt((vectors**2).sum(axis=0))
 
 
-def by_squaring(base: np.ndarray, whole: int) -> np.ndarray:
-    """Return base^whole by repeated squaring, as the renderer raises a whole shininess."""
-    result, square = np.ones_like(base), base
+def by_squaring(base: Any, whole: int) -> Any:
+    """Return base^whole, whole > 0, by repeated squaring, as the renderer raises a whole shininess."""
+    result, square = None, base
     for bit in range(whole.bit_length()):
         square = square * square if bit else square
-        result = result * square if whole >> bit & 1 else result
+        if whole >> bit & 1:
+            result = square if result is None else result * square
     return result
 
 
@@ -99,9 +103,8 @@ def any_shininess(whole: bool = True, values: int = 91, samples: int = 24, seed:
     powers = np.where((powers >= 1) & whole, np.rint(powers), powers)
     base = 1 - random.uniform(0, 1, (values, samples)) * np.minimum(1, 8 / powers)[:, None]
     inputs = {"specular_base": base, "shininess": powers[:, None]}
-    ours, truth = with_bounds(highlight, inputs)[specular.name], in_balls(highlight, inputs)[specular.name]
-    squared = powers == np.rint(powers)
-    raised = ours.value.copy()
-    raised[squared] = [by_squaring(b, int(p)) for b, p in zip(base[squared], powers[squared], strict=True)]
-    bound = ours.bound + (powers[:, None] + 1) * 2.0**-53 * ours.value * (1 + 1e-9)
-    return Sweep(powers, distance(raised, truth), bound)
+    ours = with_bounds(highlight, inputs)
+    for row in np.flatnonzero(powers == np.rint(powers)):
+        raised = by_squaring(Enclosed(base[row]), int(powers[row]))
+        ours[specular.name].value[row], ours[specular.name].error[row] = raised.value, raised.error
+    return measured(powers, ours, highlight, inputs, {specular.name: 1.0})

@@ -9,12 +9,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Light, Scene, render
-from renderer.generate.creases import crease_rates
 from renderer.picture.frame import Frame
 
-ON_A_CREASE = 1e-12  # a crease factor that rounding can turn to either side
 SIZE = 120  # a multiple of 20, and even
 _BELOW = 3 * SIZE // 20  # rows r and SIZE − 1 − _BELOW − r are mirror images
 
@@ -29,16 +26,11 @@ def moved(scene: Scene, move: Callable) -> Scene:
     return replace(scene, ball_center=at(scene.ball_center), lights=lights)
 
 
-def about_the_axis(frame: Frame) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the largest square part of a frame about the axis: (rgb, surface, whether the pixel is on a crease)."""
+def about_the_axis(frame: Frame) -> list[np.ndarray]:
+    """Return the largest square part of a frame about the axis: rgb, its bounds, surface, whether a pixel is open."""
     rows = SIZE - _BELOW
     square = (slice(rows), slice((SIZE - rows) // 2, (SIZE + rows) // 2))
-    (u, v), field = (frame.surface_data[name] for name in ("u", "v")), HEIGHT_FIELDS[frame.scene.field]
-    rates = crease_rates(field)(frame.scene.ku, frame.scene.kv) if field.creases else ()
-    creased = np.zeros(u.shape, bool)
-    for a, b, offset in np.reshape(rates, (-1, 3)):
-        creased |= np.abs(np.sin(np.pi * (a * u + b * v + offset))) < ON_A_CREASE
-    return frame.rgb[square], (frame.chambers & 3)[square], creased[square]
+    return [plane[square] for plane in (frame.rgb, frame.bounds, frame.chambers & 3, frame.open)]
 
 
 MOVES = {
@@ -58,17 +50,19 @@ SCENES = {
 }
 
 
-def difference(scene: Scene, move: str) -> tuple[float, int, int]:
-    """Return (largest |ΔI|, pixels on a crease, pixels whose surface differs) after moving the picture back.
+def difference(scene: Scene, move: str) -> tuple[float, int, int, int]:
+    """Return (largest |ΔI|, how many are above both bounds, open pixels, pixels whose surface differs) after moving the
+    picture back.
 
-    On a crease 53 bits do not decide the side, and the two pictures may take different ones: such pixels are counted
-    apart, and pixels whose surface differs too.
+    On a crease the two pictures may take different sides: pixels that are open are counted apart, and others whose
+    surface differs too.
     """
     position, back = MOVES[move]
-    pictures = (render(s, SIZE, SIZE) for s in (scene, moved(scene, position)))
-    (one, surface, creased), (two, others, _) = map(about_the_axis, pictures)
-    same = surface == back(others)
-    return float(np.abs(one - back(two))[same & ~creased].max()), int(creased.sum()), int((~same).sum())
+    pictures = (render(s, SIZE, SIZE, bounds=True) for s in (scene, moved(scene, position)))
+    (one, bound, surface, open_), (two, *others) = map(about_the_axis, pictures)
+    bound, other, open_ = bound + back(others[0]), surface != back(others[1]), open_ | back(others[2])
+    off, bound = np.abs(one - back(two))[~other & ~open_], bound[~other & ~open_]
+    return float(off.max()), int((off > bound).sum()), int(open_.sum()), int(other.sum())
 
 
 def permuted_lights(scene: Scene) -> float:

@@ -1,12 +1,14 @@
 """Wave numbers: small, large to 2²⁰, negative, zero, not whole; the gradient as a function of float64 (u, v)."""
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from verify.evaluate.arrays import distance, in_balls, in_float64, with_bounds
+from verify.evaluate.arrays import in_float64, with_bounds
 from verify.evaluate.programs import naive_gradient, rounded_product_gradient
-from verify.stability.sweep import Sweep
+from verify.stability.sweep import Sweep, measured
 
 SEED, LARGEST = 4, 2.0**20
 LEAST = 1e-150  # the chart's smallest v off the pole; far below it the product of two sines underflows
@@ -44,15 +46,10 @@ def large_wave_numbers(field: str, pairs: ArrayLike | None = None, samples: int 
     inputs = dict(zip(("u", "v"), points_of_the_chart(waves, samples, random), strict=True))
     inputs |= dict(zip(("k_u", "k_v"), waves[..., None], strict=True))
     program, known = gradient(HEIGHT_FIELDS[field]), HEIGHT_FIELDS[field]
-    truth, ours = in_balls(program, inputs), with_bounds(program, inputs)
     scales = dict(zip(("h_u", "h_v"), np.pi * np.maximum(1, np.abs(waves))[..., None], strict=True))
-
-    def error(values):
-        return np.maximum(*(distance(values[n], truth[n]) / scale for n, scale in scales.items()))
-
     others = {
-        "libm, rounded argument": error(in_float64(naive_gradient(known), inputs)),
-        "reduced, rounded product": error(in_float64(rounded_product_gradient(known), inputs)),
+        "libm, rounded argument": in_float64(naive_gradient(known), inputs),
+        "reduced, rounded product": in_float64(rounded_product_gradient(known), inputs),
     }
-    bound = np.maximum(*(ours[n].bound / scale for n, scale in scales.items()))
-    return Sweep(np.abs(waves[0]), error({n: ours[n].value for n in ours}), bound, others)
+    ours, larger = with_bounds(program, inputs), partial(np.max, axis=0)
+    return measured(np.abs(waves[0]), ours, program, inputs, scales, others, larger)

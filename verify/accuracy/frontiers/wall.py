@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient, height
-from renderer.picture.sweep import rms
+from renderer.picture.differences import rms
 from verify.accuracy.orders import fitted_slope
 from verify.evaluate.arrays import in_float64
 

@@ -7,8 +7,8 @@ from functools import lru_cache
 import numpy as np
 
 from renderer import Scene, central, render
+from renderer.picture.differences import difference_on_a
 from renderer.picture.facts import crease_contrast
-from renderer.picture.sweep import difference_on_a
 from renderer.shader.gradients import height_at
 from verify.checkers.measurement import Measurement, measures
 

@@ -1,0 +1,188 @@
+"""What it costs to take powers of cos t + i sin t by rounded squarings and products, and a gradient from them."""
+
+from sympy import Rational
+
+from proofs.engine.claim import Claim, at_least, equation
+from proofs.engine.theorem import Clause, Step, Theorem, variant
+from proofs.formulas.algebraic_form import (
+    complex_product,
+    complex_square,
+    imaginary_part,
+    other_imaginary,
+    other_real,
+    product_imaginary,
+    product_real,
+    real_part,
+)
+from proofs.formulas.step_bounds import excess, unit
+from proofs.formulas.symbols import real
+from proofs.theorems.relations import EIGHTH, QUARTER, both_ways, nonnegative
+
+first, second, third, fourth, growth = real("first second third fourth growth")
+off_first, off_second, off, own, most, most_other = real("off_first off_second off own most most_other")
+size, other_size, exact, other_exact, value, other_value = real("size other_size exact other_exact value other_value")
+_modulus = real_part**2 + imaginary_part**2
+_moduli = _modulus * (other_real**2 + other_imaginary**2)
+_terms = (
+    real_part * other_real,
+    imaginary_part * other_imaginary,
+    real_part * other_imaginary,
+    imaginary_part * other_real,
+)
+_kappa = equation(excess, (1 + unit) ** 3 - 1)
+_unit = (unit >= 0, unit <= QUARTER)
+_small = tuple((d, (-EIGHTH, EIGHTH)) for d in (unit, first, second, third, fourth, excess))
+
+
+def _roundings(*of):
+    """Return the relations that each is a relative error of one rounding."""
+    return tuple(part for d in of for part in both_ways(unit, d))
+
+
+_three = Claim(
+    "three_roundings_of_one",
+    (
+        *nonnegative((1 + unit) ** 2 - (1 + first) * (1 + second), (1 + first) * (1 + second) - (1 - unit) ** 2),
+        *both_ways((1 + unit) ** 3 - 1, growth - 1),
+    ),
+    (*_unit, *_roundings(first, second, third), equation(growth, (1 + first) * (1 + second) * (1 + third))),
+    ranges=_small,
+)
+_square = Claim(
+    "square",
+    (
+        equation(complex_square.expand(product_real) ** 2 + complex_square.expand(product_imaginary) ** 2, _modulus**2),
+        *nonnegative(excess**2 - first**2, excess**2 - second**2),
+        at_least(excess**2 * _modulus**2, off_first**2 + off_second**2),
+    ),
+    (
+        equation(off_first, first * complex_square.expand(product_real)),
+        equation(off_second, second * complex_square.expand(product_imaginary)),
+        *both_ways(excess, first),
+        *both_ways(excess, second),
+    ),
+    squares=(complex_square.expand(product_real), complex_square.expand(product_imaginary)),
+    ranges=_small,
+)
+_twice = 2 * unit + unit**2
+_product = Claim(
+    "product",
+    (
+        equation(complex_product.expand(product_real) ** 2 + complex_product.expand(product_imaginary) ** 2, _moduli),
+        *nonnegative(*(_twice**2 - d**2 for d in (first, second, third, fourth))),
+        at_least(2 * _twice**2 * (_terms[0] ** 2 + _terms[1] ** 2), off_first**2),
+        at_least(2 * _twice**2 * (_terms[2] ** 2 + _terms[3] ** 2), off_second**2),
+        at_least(excess**2, 2 * _twice**2),
+        at_least(excess**2 * _moduli, off_first**2 + off_second**2),
+    ),
+    (
+        unit >= 0,
+        _kappa,
+        equation(off_first, first * _terms[0] - second * _terms[1]),
+        equation(off_second, third * _terms[2] + fourth * _terms[3]),
+        *(part for d in (first, second, third, fourth) for part in both_ways(_twice, d)),
+    ),
+    squares=(first * _terms[0] + second * _terms[1], third * _terms[2] - fourth * _terms[3], *_terms),
+    ranges=_small,
+)
+_power = Claim(
+    "power",
+    (
+        at_least(most, size),
+        at_least(most_other, other_size),
+        at_least(most * most_other, size * other_size),
+        at_least(excess * most * most_other, own),
+        at_least((most - 1) * most_other, off_first * other_size),
+        at_least((1 + excess) * most * most_other - 1, off),
+    ),
+    (
+        *(part >= 0 for part in (excess, size, other_size, off_first, off_second)),
+        most - 1 >= off_first,
+        most_other - 1 >= off_second,
+        1 + off_first >= size,
+        1 + off_second >= other_size,
+        excess * size * other_size >= own,
+        own + off_first * other_size + off_second >= off,
+    ),
+    ranges=(
+        *((s, (QUARTER, 1)) for s in (excess, size, other_size, off_first, off_second)),
+        *((s, (0, EIGHTH)) for s in (own, off)),
+        *((s, (2, 3)) for s in (most, most_other)),
+    ),
+)
+_factors = Claim(
+    "factors",
+    (
+        *both_ways(most_other, other_value),
+        *both_ways((most - 1) * most_other, (value - exact) * other_value),
+        *both_ways(most_other - 1, exact * (other_value - other_exact)),
+        *both_ways(most * most_other - 1, value * other_value - exact * other_exact),
+    ),
+    (
+        *both_ways(1, exact),
+        *both_ways(1, other_exact),
+        *both_ways(most - 1, value - exact),
+        *both_ways(most_other - 1, other_value - other_exact),
+    ),
+    ranges=(*((s, (-1, 1)) for s in (exact, other_exact, value, other_value)), (most, (1, 2)), (most_other, (1, 2))),
+)
+
+theorem = Theorem(
+    id="rounded_powers",
+    title="What a power by repeated squaring loses",
+    statement=(
+        Clause(
+            r"In the standard model, with unit roundoff $\mu$ and $\kappa = (1+\mu)^3-1$, a rounded square or product "
+            r"of complex numbers is off by at most $\kappa$ of its size.",
+            (_three, _square, _product),
+        ),
+        Clause(
+            r"Where $\hat a$, $\hat b$ are within $A-1$, $B-1$ of $a$, $b$ of size 1, their rounded product is within "
+            r"$(1+\kappa)AB-1$ of $ab$.",
+            (_power,),
+        ),
+        Clause(
+            r"So squarings and products, in whatever order, take a number within $\delta$ of $\cos t + i\sin t$ to one "
+            r"within $(1+\delta)^n(1+\kappa)^{n-1}-1$ of $\cos nt + i\sin nt$.",
+            argued="an induction over every order of the products, which the kernel has no rule for; Coq has one",
+        ),
+        Clause(r"Factors of size at most 1 that are within $A-1$ and $B-1$ have a product within $AB-1$.", (_factors,)),
+    ),
+    hypotheses=(
+        r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu \le \tfrac14$; nothing underflows",
+        "the triangle's inequality, and that the size of a product is the product of the sizes",
+    ),
+    steps=(
+        Step(
+            r"$|\hat a\hat b - ab| \le |\hat a - a||\hat b| + |\hat b - b| \le (A-1)B + B-1$",
+            r"$|a| = 1$, $|\hat b| \le B$",
+        ),
+        Step(
+            r"$\kappa|\hat a||\hat b| \le \kappa AB$, so $(1+\kappa)AB-1$ in all", "the product's own rounding, added"
+        ),
+        Step(r"$A_n = (1+\delta)^n(1+\kappa)^{n-1}$ has $(1+\kappa)A_mA_n = A_{m+n}$", "induction over the products"),
+    ),
+    mutants=(
+        variant(
+            "a product costs one rounding",
+            _product,
+            at_least(unit**2 * _moduli, off_first**2 + off_second**2),
+            at={
+                (real_part, imaginary_part, other_real, other_imaginary): (1, 0, 1, 0),
+                (first, second, third, fourth): (Rational(17, 64), 0, 0, 0),
+                (unit, excess, off_first, off_second): (EIGHTH, Rational(217, 512), Rational(17, 64), 0),
+            },
+        ),
+        variant(
+            "errors add without a second order",
+            _power,
+            at_least(excess + most + most_other - 2, off),
+            at={
+                (excess, off_first, off_second): (1, 1, 1),
+                (size, other_size, most, most_other): (2, 2, 2, 2),
+                (own, off): (4, 7),
+            },
+        ),
+        variant("the larger error alone", _factors, *both_ways(most - 1, value * other_value - exact * other_exact)),
+    ),
+)

@@ -1,0 +1,167 @@
+"""The difference of two pictures is enclosed, whatever is open; and only digits that are certain are printed."""
+
+from decimal import Context, Decimal
+from itertools import chain, combinations
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from flint import arb, ctx
+
+from renderer import Scene, central, exact, render
+from renderer.picture import differences
+from renderer.picture.differences import certain_digits, distance_on_a, rms, rounded_up
+from renderer.picture.frame import Frame
+from verify.accuracy.pixels import BITS, COLORS, truth_of
+
+SIDE = 12
+SCENE = Scene(field="sine")
+
+
+def colours_of(frame, exactly):
+    """Return a frame's colours on A as numbers of 256 bits: its own float64 ones, or the true ones of its formula."""
+    for row, column in np.argwhere(frame.stage.on_a).tolist():
+        truth = truth_of(frame, column, row)
+        own = (arb(float(part)) for part in frame.rgb[row, column])
+        yield from (truth[name] for name in COLORS) if exactly else own
+
+
+def missed(method, bounds):
+    """Return which of the largest and the RMS difference from the exact picture certainly lie outside their ends."""
+    frame, reference = render(SCENE, SIDE, SIDE, method, bounds=bounds), render(SCENE, SIDE, SIDE, bounds=True)
+    with ctx.workprec(BITS):
+        delta = [a - b for a, b in zip(colours_of(frame, bounds), colours_of(reference, True), strict=True)]
+        mean = sum((part * part for part in delta), arb(0)) / len(delta)
+        truth = max((abs(part) for part in delta), key=float), mean.sqrt()
+        found = zip(distance_on_a(frame, reference), truth, strict=True)
+        return [not (arb(each.lower) <= true <= arb(each.upper)) for each, true in found]
+
+
+PAIRS = [(central(eps), bounds) for eps in (1e-2, 1e-6, 1e-9) for bounds in (False, True)]
+
+
+@pytest.mark.parametrize(("method", "bounds"), PAIRS)
+def test_the_truth_lies_between_the_ends(method, bounds):
+    assert missed(method, bounds) == [False, False]
+
+
+def test_bounds_that_are_left_out_are_noticed(monkeypatch):
+    monkeypatch.setattr(Frame, "bounds", property(lambda frame: np.zeros_like(frame.rgb)))
+    assert all(any(missed(*pair)) for pair in PAIRS[2:])
+
+
+def test_ends_are_close():
+    largest, root_mean_square = distance_on_a(render(Scene(), 64, 64, central(1e-2)), render(Scene(), 64, 64))
+    for each in (largest, root_mean_square):
+        assert each.lower <= each.value <= each.upper <= each.lower * (1 + 1e-12)
+    assert distance_on_a(render(SCENE, 8, 8), render(SCENE, 8, 8))[1] == differences.Interval(0, 0, 0)
+
+
+def made(seed, shape=(3, 4)):
+    """Return two frames of made-up colours, of which about half are open, on A or off it."""
+    random = np.random.default_rng(seed)
+    size = 10.0 ** random.uniform(-200 if seed % 3 == 0 else -3, 0)
+    stage, raster = SimpleNamespace(on_a=random.random(shape) < 0.6), SimpleNamespace(shape=shape)
+    frames = []
+    for bounded in (bool(seed % 2), True):
+        rgb, bounds = size * random.random((*shape, 3)), 0.3 * size * random.random((*shape, 3))
+        of_picture = {"rgb": rgb, "bounds": bounds, "open": random.random(shape) < 0.25, "bounded": bounded}
+        frames.append(SimpleNamespace(stage=stage, raster=raster, **of_picture))
+    return frames
+
+
+def choices(one, other):
+    """Yield (largest, RMS) of every choice of the pixels that are on A, all colours as near or as far as may be."""
+    bounded = [each for each in (one, other) if each.bounded]
+    undecided = np.any([each.open for each in bounded], axis=0)
+    delta, within = np.abs(one.rgb - other.rgb), sum(each.bounds for each in bounded)
+    places = np.flatnonzero(undecided)
+    for subset in chain.from_iterable(combinations(places, count) for count in range(len(places) + 1)):
+        on_a = (other.stage.on_a & ~undecided).ravel()
+        on_a[list(subset)] = True
+        for colours in (np.maximum(delta - within, 0.0), delta + within):
+            chosen = colours.reshape(-1, 3)[on_a]
+            unit = chosen.max(initial=0.0) or 1.0
+            yield chosen.max(initial=0.0), unit * rms(chosen / unit)
+
+
+def worst_of_choices(frames):
+    """Return how far beyond an end a choice is, and how far an end is from all choices, relative to the upper end."""
+    beyond, away = [], []
+    for end, of_choices in zip(distance_on_a(*frames), zip(*choices(*frames), strict=True), strict=True):
+        unit = end.upper or 1.0
+        beyond += [(end.lower - min(of_choices)) / unit, (max(of_choices) - end.upper) / unit]
+        away += [(min(of_choices) - end.lower) / unit, (end.upper - max(of_choices)) / unit]
+    return max(beyond), max(away)
+
+
+def test_every_choice_is_covered_and_the_ends_are_reached():
+    found = [worst_of_choices(made(seed)) for seed in range(60)]
+    assert max(beyond for beyond, _ in found) < 1e-15
+    assert np.median([away for _, away in found]) < 1e-14
+
+
+def taken_as_decided(frames):
+    """Return the frames with nothing open."""
+    return [SimpleNamespace(**vars(frame) | {"open": np.zeros_like(frame.open)}) for frame in frames]
+
+
+def test_a_mask_that_is_taken_as_decided_is_noticed(monkeypatch):
+    whole = distance_on_a
+    monkeypatch.setitem(globals(), "distance_on_a", lambda *frames: whole(*taken_as_decided(frames)))
+    assert sum(worst_of_choices(made(seed))[0] > 1e-3 for seed in range(60)) > 40
+
+
+def ends_at_random(seed):
+    """Return ends of which 0 to 16 digits agree."""
+    random = np.random.default_rng(seed)
+    middle = 10.0 ** random.uniform(-30, 3)
+    half = middle * 10.0 ** random.uniform(-16, 0)
+    return max(0.0, middle - half), middle + half
+
+
+def uncertain(printed, lower, upper, digits):
+    """Return whether a number between the ends is printed otherwise when it is rounded to as many digits."""
+    if not printed:
+        return False
+    count = max(len(Decimal(printed).as_tuple().digits), 1)
+    counts = [k for k in range(count, digits + 1) if Context(prec=k).create_decimal(Decimal(lower)) == Decimal(printed)]
+    between = np.linspace(lower, upper, 9).tolist()
+    return not any(
+        {Context(prec=k).create_decimal(Decimal(each)) for each in between} == {Decimal(printed)} for k in counts
+    )
+
+
+@pytest.mark.parametrize("digits", [1, 4, 15])
+def test_what_is_printed_is_certain(digits):
+    ends = [ends_at_random(seed) for seed in range(2000)]
+    printed = [certain_digits(*each, digits) for each in ends]
+    assert not any(uncertain(text, *each, digits) for text, each in zip(printed, ends, strict=True))
+    assert 0.02 < np.mean([text == "" for text in printed]) < 0.4
+    of_middle = [f"{sum(each) / 2:.{digits}g}" for each in ends]  # false variants: the middle, and an end
+    of_lower = [f"{lower:.{digits}g}" for lower, _ in ends]
+    for false in (of_middle, of_lower):
+        assert sum(uncertain(text, *each, digits) for text, each in zip(false, ends, strict=True)) > 50
+
+
+@pytest.mark.parametrize(
+    ("ends", "printed", "above"),
+    [
+        ((0.046749, 0.046751), "0.04675", "0.05"),
+        ((0.1449, 0.1451), "0.145", "0.2"),  # two digits do not agree, three do
+        ((6.9e-12, 7.7e-12), "", "8e-12"),
+        ((9.6, 10.4), "1e+01", "2e+01"),
+        ((0.0, 0.0), "0", "0"),
+        ((0.0, 1e-300), "", "2e-300"),
+        ((0.98499999, 0.98500001), "0.985", "1"),
+    ],
+)
+def test_digits(ends, printed, above):
+    assert (certain_digits(*ends), rounded_up(ends[1])) == (printed, above)
+
+
+def test_one_picture_with_bounds_stands_for_the_exact_one():
+    plain, bounded = render(SCENE, SIDE, SIDE), render(SCENE, SIDE, SIDE, exact(), bounds=True)
+    largest, _ = distance_on_a(plain, bounded)
+    assert (largest.value, largest.lower) == (0.0, 0.0)
+    assert largest.upper == pytest.approx(bounded.bounds[bounded.stage.on_a].max(), rel=1e-14)

@@ -1,0 +1,133 @@
+"""An optimiser climbs toward the worst case of each bound that is measured on samples, and of one that is certified.
+
+What is exhaustive (`crease_products`), of every pixel (`crease_contrast`, `dark_difference`) or a fitted order
+(`difference_slopes`) leaves nothing to climb.
+"""
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+from hypothesis import Phase, given, seed, settings, target
+from hypothesis import strategies as st
+
+from proofs.engine.theorem import all_theorems
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
+from proofs.formulas.symbols import k_v
+from renderer import render
+from renderer.generate.step_terms import SLOPE_TERMS
+from verify.accuracy.base_errors import LEAST_SQUARE, RATIOS
+from verify.accuracy.differences import SLOPES, Case, bounds, parts
+from verify.accuracy.gradient_errors import CERTIFIED, UNIT, errors_at
+from verify.accuracy.pixels import SCENES, SIZE, checked_pixel
+from verify.evaluate.arrays import distance, in_balls, in_float64
+from verify.stability.geometry import toward_the_pole
+from verify.stability.wave_numbers import LARGEST
+
+ALGEBRAIC = [name for name, field in HEIGHT_FIELDS.items() if field.wave_numbers]
+COVERED, EXHAUSTIVE = list(SLOPE_TERMS), {"crease_products", "crease_contrast", "dark_difference", "difference_slopes"}
+
+
+def general_gradient(field, u, v, ku, kv):
+    """Return the error of the general form in units of π max(1, |k|) 2^-53."""
+    if any(0 < abs(product) < 1e-285 for product in (ku * u, kv * v)):
+        return 0.0
+    program, at = gradient(HEIGHT_FIELDS[field]), {"u": u, "v": v, "k_u": ku, "k_v": kv}
+    ours, true = in_float64(program, at), in_balls(program, at)
+    scales = [math.pi * max(1.0, abs(k)) * UNIT for k in (ku, kv)]
+    return max(float(distance(ours[name], true[name])) / scale for name, scale in zip(SLOPES, scales, strict=True))
+
+
+def algebraic_gradient(field, ratio, square, angle, half_u, wave_v):
+    """Return the error of the algebraic form in units of (1 + k) π k 2^-53."""
+    eye = 1 / ratio
+    rho = math.sqrt(1 - square) * (1 - 1e-12) * eye / math.sqrt((eye - 1) * (eye + 1))
+    at = {"eye": eye, "radius": 1.0, "x": np.array([rho * math.cos(angle)]), "y": np.array([rho * math.sin(angle)])}
+    ku, kv = 2.0 * half_u, wave_v / float(HEIGHT_FIELDS[field].wave_numbers[1].subs(k_v, 1))
+    return float(errors_at(HEIGHT_FIELDS[field], at | {"k_u": ku, "k_v": kv})[0])
+
+
+def difference(field, u, v, ku, kv, digits):
+    """Return the largest part of a central difference's error over its bound."""
+    step, shares = [10.0**-digits], []
+    for slope in SLOPES:
+        case = Case("", field, ku, kv, u, v, slope)
+        seen, most = parts(case, step), bounds(case, step)
+        shares += [float(abs(seen[part][0])) / float(most[part][0]) for part in seen if seen[part][0]]
+    return max(shares, default=0.0)
+
+
+def stable_frame(digits, number):
+    """Return the error of g by the stable frame."""
+    return float(toward_the_pole(sines=np.array([10.0**-digits]), samples=1, seed=number).worst().max())
+
+
+@cache
+def _frame(name):
+    return render(SCENES[name], SIZE, SIZE, bounds=True)
+
+
+def pixel(name, column, row):
+    """Return the error of a decided pixel over its bound."""
+    seen = checked_pixel(name, _frame(name), "", column, row)
+    return 0.0 if seen.undecided or not seen.error else float(seen.error / seen.bound)
+
+
+_inside = st.floats(0, 1, exclude_max=True)
+_waves = st.one_of(st.floats(-LARGEST, LARGEST), st.integers(-1000, 1000).map(float))
+_moderate = st.one_of(st.integers(1, 512).map(float), st.floats(1, 512), st.floats(-512, -1))
+_clear = st.one_of(st.just(0.0), st.floats(1e-9, 1 - 1e-9))  # nothing underflows
+_pixels = st.integers(0, SIZE - 1)
+CLIMBS = {
+    "gradient_accuracy": (general_gradient, 10.0, 2.0, {
+        "field": st.sampled_from(ALGEBRAIC), "u": _inside, "v": _inside, "ku": _waves, "kv": _waves}),
+    "algebraic_gradient_accuracy": (algebraic_gradient, CERTIFIED, 0.1, {
+        "field": st.sampled_from(ALGEBRAIC), "ratio": st.floats(*RATIOS), "square": st.floats(LEAST_SQUARE, 1),
+        "angle": st.floats(-math.pi, math.pi), "half_u": st.integers(1, 32), "wave_v": st.integers(1, 64)}),
+    "difference_bounds": (difference, 1.0, 0.3, {
+        "field": st.sampled_from(COVERED), "u": _clear, "v": _clear, "ku": _moderate, "kv": _moderate,
+        "digits": st.floats(1, 16)}),
+    "pole_accuracy": (stable_frame, 1e-12, 1e-16, {"digits": st.floats(3.9, 6.3), "number": st.integers(0, 2**16)}),
+    "pixel_accuracy": (pixel, 1.0, 1e-4, {
+        "name": st.sampled_from(list(SCENES)), "column": _pixels, "row": _pixels}),
+}  # fmt: skip
+"""{theorem: (what is climbed, the bound that it claims, what is found at least, from where)}"""
+
+
+def climb(theorem, examples):
+    """Return the highest value that was reached, by hypothesis, which goes on from the highest ones."""
+    height, _, _, where = CLIMBS[theorem]
+    reached = [0.0]
+
+    @seed(24)
+    @settings(max_examples=examples, deadline=None, database=None, phases=[Phase.generate, Phase.target])
+    @given(st.fixed_dictionaries(where))
+    def look(at):
+        found = height(**at)
+        assert not math.isinf(found), at
+        reached.append(0.0 if math.isnan(found) else found)  # no digits decide there
+        target(reached[-1])
+
+    look()
+    return max(reached)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("theorem", CLIMBS)
+def test_no_climber_gets_above_the_bound(theorem):
+    _, bound, least, _ = CLIMBS[theorem]
+    assert least < climb(theorem, 2000) <= bound
+
+
+@pytest.mark.parametrize("theorem", CLIMBS)
+def test_a_climber_finds_what_is_there(theorem):
+    """A bound this low would be broken within a few steps."""
+    _, bound, least, _ = CLIMBS[theorem]
+    assert least < climb(theorem, 40) <= bound
+
+
+def test_each_measured_bound_has_a_climber():
+    measured = {id for id, theorem in all_theorems().items() if theorem.expected == "measured"}
+    assert measured - EXHAUSTIVE <= CLIMBS.keys()
+    assert measured >= EXHAUSTIVE
