@@ -10,7 +10,7 @@ from verify.evaluate import DIGITS, MPMATH, Evaluator, code_of, compare
 
 Lines = Sequence[tuple[Symbol, Expr]]
 WORKING_DIGITS = DIGITS + 15
-TOLERANCE = mpmath.mpf(10) ** -40
+TOLERANCE, ROUNDING = mpmath.mpf(10) ** -40, mpmath.mpf(10) ** -58
 
 
 class Undefined(ArithmeticError):
@@ -70,11 +70,11 @@ def parts_of(relations: Iterable[Basic]) -> list[Basic]:
 class Relations:
     """Relations over inputs and definitions, as code: called with values, whether all of them hold, to 40 digits.
 
-    exactly: inequalities hold without that tolerance, as what is given has to.
+    slack: by how much, relatively, an inequality may fail; 0 for what is given.
     """
 
-    def __init__(self, relations: Iterable[Basic], definitions: Lines = (), exactly: bool = False):
-        self.slack = 0 if exactly else TOLERANCE
+    def __init__(self, relations: Iterable[Basic], definitions: Lines = (), slack: mpmath.mpf = TOLERANCE):
+        self.slack = slack
         pairs = [(r.lhs, r.rel_op, r.rhs) if r != False else (0, "==", 1) for r in parts_of(relations)]  # noqa: E712
         self.code = Code([side for left, _, right in pairs for side in (left, right)], definitions)
         self.operators = [relation for _, relation, _ in pairs]

@@ -21,7 +21,7 @@ from collections.abc import Callable
 
 from proofs.check import reasons
 from proofs.engine import kernel
-from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
+from proofs.engine.claim import AnyClaim, Induction, Separation
 from proofs.engine.induction import induction
 from proofs.engine.statement import by_definition as idle
 from proofs.engine.stored import NotFound, Stale, evidence, show_polynomial, stored
@@ -143,9 +143,8 @@ def _sampled(examination, theorem, claim, points):
             examination.problems.append(f"{claim.name}: at 50 digits the point is not a counterexample")
         return {"claim": claim.name, "points": 1}
     seed = f"{theorem.id}/{claim.name}"
-    for lemma in getattr(claim, "cited", ()):  # under the source's conditions alone
-        alone = Claim("cited", (lemma.relation,), lemma.given, ranges=claim.ranges)
-        if failing := witness.sample(alone, seed, points, failures=FAILURES).smallest:
+    for lemma in getattr(claim, "cited", ()):
+        if failing := witness.lemma_fails_at(lemma, seed, points):
             examination.problems.append(f"{lemma.text}, from {lemma.source}: false at {witness.printed(failing, 20)}")
     seen = witness.sample(claim, seed, points, failures=FAILURES)
     if seen.failures:

@@ -286,6 +286,11 @@ def graded_claims():
     lemmas = CitedLemma(x <= 10, "Dekker1971"), CitedLemma(sine_below(x).relation, "Dekker1971")
     yield "failed", Claim("false lemma", (greater(11, x),), cited=lemmas[:1]), {}
     yield "failed", Claim("untold", (at_least(x + 1, sin(x)),), (greater(x, 0),), cited=lemmas[1:]), {}
+    for relation, given in FALSE_LEMMAS:
+        lemma = CitedLemma(relation, "Dekker1971", given)
+        narrow = ((x, (Rational(1, 3), Rational(1, 2))), (y, (Rational(1, 3), Rational(1, 2))))
+        shown = Claim(f"false lemma {relation}", (relation,), given, cited=(lemma,), ranges=narrow)
+        yield "failed", shown, {}
     itself = Claim("attack", (greater(x, 10),), borrowed=(("attack", "attack"),))
     yield "failed", itself, {}
     yield "failed", itself, {"uses": ("attack",)}
@@ -305,6 +310,15 @@ def refuted(relation, point):
     return "failed", Claim(str(relation), (relation,)), {"mutants": TRUE, "expected": "refuted", "refuted_at": point}
 
 
+FALSE_LEMMAS = [
+    (at_least(x, sin(x) + TINY), (at_least(x, 0),)),
+    (greater(x * y, 0), (at_least(x * y, 0),)),
+    (greater((7 * x - 1) ** 2, 0), ()),
+    (at_least(x**2, TINY), (at_least(1, x),)),
+    (at_least(20, x), (greater(x, 0),)),
+    (Ne(x * (x - 5) + 1, 1, evaluate=False), ()),
+]
+"""[(what is false at an edge, at one point or far away, or by less than 10⁻⁴⁰, the conditions)]"""
 LATE = CitedLemma(greater(x + 1, x), "Dekker1971", (x >= 1,))
 UNSEEN = [
     (Claim("lemma", (Ne(x**2 + TINY, 0, evaluate=False),), cited=(LATE,)), ((x, 0),)),
