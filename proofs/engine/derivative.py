@@ -15,10 +15,17 @@ OUTER = {
 }
 TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {-1, 0}}  # signs of left − right
 HIGHEST = 3  # derivative of a derivative of …
+LARGEST = 999  # powers, multiples of an angle, cases, terms of a product: the kernel's powers go as far
 
 
 class Untranslatable(ValueError):
     """The claim has a part that no rule translates."""
+
+
+def small(number: float) -> None:
+    """Refuse what would take more than seconds to write out: so many terms, powers or cases."""
+    if number > LARGEST:
+        raise Untranslatable(f"written out, a product has {number} terms or powers, more than {LARGEST}")
 
 
 def derivative(e: Expr, x: Symbol, side: Callable[[Expr], int]) -> Expr:

@@ -7,7 +7,8 @@ from sympy.core.relational import Eq
 
 from proofs.engine.claim import Induction
 from proofs.engine.derivative import Untranslatable
-from proofs.engine.statement import VERSION, Translation, plain, polynomial_data, sides, symbols_of
+from proofs.engine.names import plain, symbols_of
+from proofs.engine.statement import VERSION, Translation, polynomial_data, sides
 from proofs.formulas.half_turns import cospi, sinpi
 
 

@@ -14,7 +14,6 @@ is used. Anything else is an error, never a guess.
 """
 
 import json
-import re
 from collections.abc import Iterable, Sequence
 from functools import cache
 from math import comb, lcm, prod
@@ -45,17 +44,15 @@ from sympy.core.relational import Relational
 from sympy.polys.polyerrors import BasePolynomialError
 
 from proofs.engine.claim import Claim
-from proofs.engine.derivative import TRUE_FOR, Untranslatable, branch, inner
+from proofs.engine.derivative import LARGEST, TRUE_FOR, Untranslatable, branch, inner, small
+from proofs.engine.names import plain, symbols_of
 from proofs.formulas.half_turns import cospi, ordinary, sinpi
 
 VERSION = 1
-TAKEN = r"pi|(?:root|inverse|sum|derivative)_\d+"
-NAME = re.compile(rf"(?!(?:{TAKEN})$)[A-Za-z][A-Za-z0-9_]*", re.ASCII)
 RELATIONS = {frozenset(s): (f, r) for f, r, s in (
     (1, "=", {0}), (1, "!=", {-1, 1}), (1, ">", {1}), (1, ">=", {0, 1}), (-1, ">", {-1}), (-1, ">=", {-1, 0})
 )}  # fmt: skip
 ANY = {-1, 0, 1}
-LARGEST = 999  # powers, multiples of an angle, cases, terms of a product: the kernel's powers go as far
 
 
 class _Undecided(Untranslatable):
@@ -74,26 +71,6 @@ def polynomial_data(expression: Expr) -> dict[str, str]:
         factors = (s.name if e == 1 else f"{s.name}^{e}" for s, e in zip(symbols, monomial, strict=True) if e)
         data[" ".join(factors)] = str(coefficient)
     return dict(sorted(data.items()))
-
-
-def plain(symbols: Iterable[Symbol]) -> None:
-    """Raise Untranslatable unless every symbol is real, nothing more, and has a name of its own."""
-    seen = set()
-    for symbol in sorted(symbols, key=str):
-        if not NAME.fullmatch(symbol.name):
-            raise Untranslatable(f"{symbol.name!r} is no name, or one that the translation makes itself")
-        if symbol != Symbol(symbol.name, real=True):
-            raise Untranslatable(
-                f"{symbol} is not a plain real symbol: what is known of it is a hypothesis to be stated"
-            )
-        if symbol.name in seen:
-            raise Untranslatable(f"two symbols are called {symbol}")
-        seen.add(symbol.name)
-
-
-def _small(number, e):
-    if number > LARGEST:
-        raise Untranslatable(f"written out, a product has {number} terms or powers, more than {LARGEST}")
 
 
 def _as_text(expression):
@@ -124,21 +101,13 @@ def _fact(kind, difference, signs):
     return {"step": kind, "is": relation, "of": polynomial_data(factor * difference)}
 
 
-def symbols_of(expressions: Iterable[Basic]) -> set[Symbol]:
-    """Return every symbol of some expressions, bound ones too."""
-    return set().union(*(e.atoms(Symbol) for e in expressions))
-
-
 class Translation:
     """The steps that some expressions become; `choices` decide the conditions that are not given."""
 
-    def __init__(
-        self, expressions: Iterable[Basic], choices: Sequence[bool] = (), lines: Sequence = (), n: Symbol | None = None
-    ):
+    def __init__(self, expressions: Iterable[Basic], choices: Sequence[bool] = (), lines: Sequence = (), n: Any = None):
         """n: what an induction is over."""
-        self.choices, self.showing, self.shown = list(choices), False, 0
-        self.lines, self.in_line = {symbol for symbol, _ in lines}, False
-        self.n: Any = n
+        self.choices, self.lines, self.n = list(choices), {symbol for symbol, _ in lines}, n
+        self.in_line, self.showing, self.shown = False, False, 0
         self.steps: list[dict] = []
         self.variables: list[str] = []
         self.generators: dict[tuple, Any] = {}
@@ -163,10 +132,8 @@ class Translation:
     def _written_out(self, polynomial):
         """Return the polynomial with its abbreviations written out: equal ones then look the same."""
         for term in polynomial.as_ordered_terms():
-            lengths = (
-                (len(self.abbreviated.get(s, s).as_ordered_terms()), n) for s, n in term.as_powers_dict().items()
-            )
-            _small(prod(comb(terms + n - 1, n) for terms, n in lengths if terms > 1) / 20, polynomial)
+            powers = [(self.abbreviated[s], n) for s, n in term.as_powers_dict().items() if s in self.abbreviated]
+            small(prod(comb(len(p.as_ordered_terms()) + n - 1, n) for p, n in powers) // 20)
         return expand(polynomial.xreplace(self.abbreviated))
 
     # Relations and signs
@@ -240,13 +207,13 @@ class Translation:
             factors = [self.polynomial(a) for a in sorted(e.args, key=_as_text)]
             several = sum(not f.is_Rational for f in factors) > 1
             factors = [self._named(f) if several else expand(f) for f in factors]
-            _small(prod(len(f.as_ordered_terms()) for f in factors), e)
+            small(prod(len(f.as_ordered_terms()) for f in factors))
             return e.func(*factors)
         if e.is_Pow and e.exp.is_Rational and (2 * e.exp).is_Integer:
             base, power = self.polynomial(e.base), 2 * e.exp
             base, power = (base, power / 2) if power % 2 == 0 else (self._generator("root", base), power)
             base = self._named(base)
-            _small(max(n := abs(int(power)), comb(len(base.as_ordered_terms()) + min(n, 999) - 1, min(n, 999))), e)
+            small(max(n := abs(int(power)), comb(len(base.as_ordered_terms()) + min(n, 999) - 1, min(n, 999))))
             return base**power if power > 0 else self._generator("inverse", base) ** -power
         if isinstance(e, sin | cos | sinpi | cospi):
             if not e.args[0].is_polynomial():
@@ -400,7 +367,7 @@ def _cases(claim: Claim) -> list[tuple[dict, list[int]]]:
     pending: list[tuple[bool, ...]] = [()]
     cases: list[tuple[dict, list[int]]] = []
     while pending:
-        _small(10 * (len(cases) + len(pending)), claim)
+        small(10 * (len(cases) + len(pending)))
         choices = pending.pop()
         try:
             cases.append(_case(claim, choices))

@@ -37,8 +37,10 @@ def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
     """Return the statements of a claim, as the formulas stand now; raises Untranslatable."""
     try:
         return _statements(claim, theorems)
-    except (RecursionError, MemoryError) as why:
-        raise Untranslatable(f"{claim.name}: it is too deep, or too large: {type(why).__name__}") from None
+    except Untranslatable:
+        raise
+    except (RecursionError, MemoryError, OverflowError, ValueError) as why:  # too deep, too large; or not borrowed
+        raise Untranslatable(f"{claim.name}: {why}") from None
 
 
 def _statements(claim, theorems):

@@ -2,6 +2,7 @@
 
 import json
 import sys
+from math import prod
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -18,6 +19,7 @@ from sympy import (
     Min,
     Ne,
     Piecewise,
+    Pow,
     Rational,
     S,
     Symbol,
@@ -135,6 +137,18 @@ def untranslatable():
         yield Claim(f"of a line, {line}", (equation(line, 0),), (), defined(p, x + 1)), "what a line defines"
     yield Induction("a state twice", n, (equation(x, 0),), ((x, 1, x), (x, 0, x))), "twice"
     yield from ((claim, None) for claim in WITHOUT_A_RULE)
+    yield from ((Claim(name, (equation(side, 0),)), None) for name, side in endless())
+
+
+def endless():
+    """Yield (name, a side that nobody waits for, or that no stack holds)."""
+    nested, many = x, symbols("a:40", real=True)
+    for _ in range(3000):
+        nested = cos(nested, evaluate=False)
+    yield "nested", nested
+    yield from (("a power", (x + y) ** 10**6), ("a monomial", x**10**9), ("an angle", cos(x / 10**7) + cos(x)))
+    yield from (("a number", Pow(2, 10**8, evaluate=False) * x), ("a derivative", Derivative(x * sin(x), (x, 10**5))))
+    yield from (("cases", sum(Max(each, 0) for each in many)), ("of a product", Abs(prod(x + each for each in many))))
 
 
 WITHOUT_A_RULE = [

@@ -71,10 +71,12 @@ def sample(
 def lemma_fails_at(lemma: CitedLemma, seed: str | int, points: int) -> dict | None:
     """Return a point under the source's conditions alone where a lemma is false, or None.
 
-    Tried are points inside, on the edge of each condition, and, for what is said to be different, where it is equal.
+    Tried are points inside, where each symbol is 0, on the edge of each condition, and, for what is said to be
+    different, where it is equal.
     """
     relation = lemma.relation
     edges = [equation(c.lhs, c.rhs) for c in lemma.given if c.rel_op in (">=", "<=")]
+    edges += [equation(symbol, 0) for symbol in sorted(relation.free_symbols, key=str)]
     claims = [Claim("cited", (relation,), (*lemma.given, *edge)) for edge in ((), *zip(edges))]
     if relation.rel_op in (">", "<", "!="):
         apart = Ne(relation.lhs, relation.rhs, evaluate=False)
