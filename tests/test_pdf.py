@@ -84,11 +84,12 @@ def test_every_figure_is_drawn_on_a_page(paper, pdf):
     for page in pdf:
         text = page.get_textpage()
         for number, words_before_formulas in captions:
-            found = text.search(f"{number} {words_before_formulas}".strip()).get_next()
-            if found:
-                _, _, _, top = text.get_charbox(found[0])
-                assert ink(page, SIDE, top + 3, A4[0] - SIDE, top + 63) > 0.002, number
-                drawn.add(number)
+            mentions, caption = text.search(number), words(number + words_before_formulas)
+            while found := mentions.get_next():
+                if words(text.get_text_range(found[0], 60)).startswith(caption):
+                    _, _, _, top = text.get_charbox(found[0])
+                    assert ink(page, SIDE, top + 3, A4[0] - SIDE, top + 63) > 0.002, number
+                    drawn.add(number)
     assert drawn == {number for number, _ in captions} and len(drawn) > 5
 
 

@@ -79,6 +79,13 @@ RECORDS = {
             ("tests/accepted_scenes.py",),
             ("numpy", "llvmlite", "hypothesis"),
         ),
+        Record(
+            "enclosed_pixels",
+            RESULTS,
+            "-m verify.enclosed_pixels",
+            ("verify/enclosed_pixels.py",),
+            ("numpy", "llvmlite", "python-flint"),
+        ),
         Record("edited_formulas", RESULTS, _CAMPAIGN, ("proofs", "renderer", "verify"), ("sympy", "mpmath")),
     )
 }

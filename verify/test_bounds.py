@@ -9,7 +9,6 @@ from flint import arb, ctx
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.camera import point_on_b
-from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.symbols import ball_center, ball_radius, eye, normal, point, x, y
@@ -18,80 +17,14 @@ from renderer.generate.kernels import function_of
 from renderer.machines import enclosing, numpy_rows
 from renderer.machines.enclosing import Enclosed, Mask
 from renderer.picture import stage
-from renderer.scene.methods import GradientMethod
+from renderer.picture.frame import Frame
 from renderer.scene.raster import Raster
-from verify.accuracy.pixels import BITS, COLORS, code_of, errors_of, truth_of
+from verify.accuracy.pixels import BITS, COLORS, truth_of
+from verify.enclosed_pixels import KINDS, Picture, measure
 from verify.evaluate.arrays import response
 from verify.evaluate.balls import BALLS
-from verify.strict import random_raster, random_scene
 
-
-class Picture:
-    """A frame with bounds, beside the truth about its pixels."""
-
-    def __init__(self, scene, width, height, method, crop=None):
-        self.frame = render(scene, width, height, method, crop, bounds=True)
-
-    def errors(self, column, row):
-        """Return what each channel is certainly off, and its bound; NaN where that is on an edge, at any digits."""
-        off = errors_of(self.frame, column, row, truth_of(self.frame, column, row))
-        return np.array([float(error.abs_lower()) for error in off]), self.frame.bounds[row, column]
-
-    def wrong(self, column, row):
-        """Return whether an error is above its bound, or another chamber than the true one is not open."""
-        off, bounds = self.errors(column, row)
-        true = code_of(self.frame.scene, truth_of(self.frame, column, row))
-        return (off > bounds).any() or (true != self.frame.chambers[row, column] and not self.frame.open[row, column])
-
-
-def random_picture(seed):
-    """Return a Picture of a random scene of any field, model, shininess and method, β from nothing to 1e100."""
-    random = np.random.default_rng((24, seed))
-    scene, (width, height, crop) = random_scene(random), random_raster(random)
-    waves = [(8, 4), random.integers(-64, 64, 2), random.uniform(-20, 20, 2), 2.0 ** random.uniform(6, 20, 2)]
-    ku, kv = (float(k) for k in waves[seed % 4])
-    lights = [Light(light.position, light.color and tuple(random.uniform(0, 1, 3))) for light in scene.lights]
-    method = [exact(), exact("general"), *(GradientMethod(m, 10.0 ** random.uniform(-8, -1)) for m in METHODS)]
-    return Picture(
-        replace(
-            scene,
-            lights=tuple(lights),
-            field=list(HEIGHT_FIELDS)[seed % len(HEIGHT_FIELDS)],
-            model=list(LIGHT_MODELS)[seed % len(LIGHT_MODELS)],
-            shininess=float(random.choice([32.0, 1.0, 7.3, 0.5, 1000.0, 12345.6])),
-            beta=float(random.choice([0.35, 0.0, -20.0, 10.0 ** random.uniform(-3, 100)])),
-            **{"ku": ku, "kv": kv},
-        ),
-        width,
-        height,
-        method[seed // 4 % len(method)],
-        crop,
-    )
-
-
-def places(picture, random, each):
-    """Return `each` pixels at random, and as many of the largest bounds, as (column, row)."""
-    flat = [
-        *random.integers(0, picture.frame.open.size, each),
-        *np.argsort(picture.frame.bounds.max(2).ravel())[-each:],
-    ]
-    rows, columns = np.unravel_index(flat, picture.frame.open.shape)
-    return list(zip(columns.tolist(), rows.tolist(), strict=True))
-
-
-def check_pictures(seeds, each=6):
-    """Check pixels of random pictures; return the shares bound/error of the random ones, and that of open pixels."""
-    shares, opened, pixels, decided = [], 0, 0, []
-    for seed in seeds:
-        picture, random = random_picture(seed), np.random.default_rng(seed)
-        for number, place in enumerate(places(picture, random, each)):
-            assert not picture.wrong(*place), (seed, place)
-            off, bounds = picture.errors(*place)
-            decided.append(np.isfinite(off).all())
-            shares += (bounds[off > 0] / off[off > 0]).tolist() if number < each else []
-        opened, pixels = opened + picture.frame.open.sum(), pixels + picture.frame.open.size
-    assert np.mean(decided) >= 0.95
-    return shares, opened / pixels
+enclosed_bounds = Frame.bounds.fget
 
 
 @pytest.fixture
@@ -100,17 +33,29 @@ def by_rows(monkeypatch):
     monkeypatch.setattr(stage, "machine", lambda: SimpleNamespace(drawer=numpy_rows.drawer))
 
 
+def check(found):
+    """Check what `measure` found: no error above its bound, and bounds that say something of every kind of picture."""
+    assert (found["above_bound"], found["chambers_missed"]) == (0, 0)
+    assert found["decided"] >= 0.95 * found["pixels"]
+    assert all(found[f"median_ratio_{kind}"] <= 1000 for kind in KINDS)
+    assert found["open_share"] <= 1e-3
+
+
 @pytest.mark.usefixtures("by_rows")
 def test_no_error_is_above_its_bound():
-    shares, opened = check_pictures(range(42))
-    assert np.median(shares) <= 1000
-    assert opened <= 1e-3
+    check(measure(42, first=0)["numbers"])
 
 
 @pytest.mark.long
 @pytest.mark.usefixtures("by_rows")
 def test_no_error_of_ten_thousand_is_above_its_bound():
-    check_pictures(range(1000, 1840))
+    check(measure(840)["numbers"])
+
+
+@pytest.mark.usefixtures("by_rows")
+def test_a_bound_that_is_too_small_is_counted(monkeypatch):
+    monkeypatch.setattr(Frame, "bounds", property(lambda frame: 1e-3 * enclosed_bounds(frame)))
+    assert measure(3, first=0)["numbers"]["above_bound"] > 0
 
 
 @pytest.mark.parametrize("field", HEIGHT_FIELDS)

@@ -21,3 +21,9 @@ def accepted_scenes() -> Drawing:
 def edited_formulas() -> Drawing:
     """The committed run over edits of the formulas: its counts and its label; numbers only."""
     return _counts("edited_formulas")
+
+
+@figure("enclosed_pixels", data=[RECORDS["enclosed_pixels"].path])
+def enclosed_pixels() -> Drawing:
+    """The committed run over pixels with bounds: its counts and its label; numbers only."""
+    return _counts("enclosed_pixels")

@@ -1,0 +1,112 @@
+"""Pixels of random pictures with bounds, against 256-bit balls: python -m verify.enclosed_pixels
+
+Scenes of every field, model and gradient method, from the common to the extreme; of each picture some pixels at random,
+and as many of the largest bounds. Writes verify/results/enclosed_pixels.json: commit it.
+"""
+
+from collections import defaultdict
+from dataclasses import replace
+
+import numpy as np
+from tqdm import tqdm
+
+from proofs.formulas.finite_difference import METHODS
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.shading import LIGHT_MODELS
+from renderer import Light, Scene, exact, render
+from renderer.scene.methods import GradientMethod
+from verify.accuracy.pixels import code_of, errors_of, truth_of
+from verify.records import command
+from verify.strict import random_raster, random_scene
+
+EACH = 6  # pixels of a picture at random, and as many of the largest bounds
+KINDS = (*HEIGHT_FIELDS, *LIGHT_MODELS, "exact", *METHODS)
+
+
+class Picture:
+    """A frame with bounds, beside the truth about its pixels."""
+
+    def __init__(self, scene: Scene, width: int, height: int, method: GradientMethod, crop: tuple | None = None):
+        self.frame = render(scene, width, height, method, crop, bounds=True)
+
+    def errors(self, column: int, row: int) -> tuple[np.ndarray, np.ndarray]:
+        """Return what each channel is certainly off, and its bound; NaN where that is on an edge, at any digits."""
+        off = errors_of(self.frame, column, row, truth_of(self.frame, column, row))
+        return np.array([float(error.abs_lower()) for error in off]), self.frame.bounds[row, column]
+
+    def missed(self, column: int, row: int) -> bool:
+        """Return whether a chamber is another than the true one, and not open."""
+        true = code_of(self.frame.scene, truth_of(self.frame, column, row))
+        return bool(true != self.frame.chambers[row, column] and not self.frame.open[row, column])
+
+    def wrong(self, column: int, row: int) -> bool:
+        """Return whether an error is above its bound, or a chamber missed."""
+        off, bounds = self.errors(column, row)
+        return bool((off > bounds).any()) or self.missed(column, row)
+
+
+def random_picture(seed: int) -> Picture:
+    """Return a Picture of a random scene of any field, model, shininess and method, β from nothing to 1e100."""
+    random = np.random.default_rng((24, seed))
+    scene, (width, height, crop) = random_scene(random), random_raster(random)
+    waves = [(8, 4), random.integers(-64, 64, 2), random.uniform(-20, 20, 2), 2.0 ** random.uniform(6, 20, 2)]
+    ku, kv = (float(k) for k in waves[seed % 4])
+    lights = [Light(light.position, light.color and tuple(random.uniform(0, 1, 3))) for light in scene.lights]
+    method = [exact(), exact("general"), *(GradientMethod(m, 10.0 ** random.uniform(-8, -1)) for m in METHODS)]
+    return Picture(
+        replace(
+            scene,
+            lights=tuple(lights),
+            field=list(HEIGHT_FIELDS)[seed % len(HEIGHT_FIELDS)],
+            model=list(LIGHT_MODELS)[seed % len(LIGHT_MODELS)],
+            shininess=float(random.choice([32.0, 1.0, 7.3, 0.5, 1000.0, 12345.6])),
+            beta=float(random.choice([0.35, 0.0, -20.0, 10.0 ** random.uniform(-3, 100)])),
+            **{"ku": ku, "kv": kv},
+        ),
+        width,
+        height,
+        method[seed // 4 % len(method)],
+        crop,
+    )
+
+
+def places(picture: Picture, random: np.random.Generator, each: int) -> list[tuple[int, int]]:
+    """Return `each` pixels at random, and as many of the largest bounds, as (column, row)."""
+    flat = [
+        *random.integers(0, picture.frame.open.size, each),
+        *np.argsort(picture.frame.bounds.max(2).ravel())[-each:],
+    ]
+    rows, columns = np.unravel_index(flat, picture.frame.open.shape)
+    return list(zip(columns.tolist(), rows.tolist(), strict=True))
+
+
+def measure(pictures: int, first: int = 1000) -> dict:
+    """Return what was found of pixels of so many random pictures, as a record's numbers.
+
+    pixels, decided (those of which no channel is on an edge at 256 bits), above_bound (channels), chambers_missed;
+    largest_share of a bound; open_share of the pictures; median_ratio, bound by error, of all and of each of KINDS.
+    """
+    ratios, counts = defaultdict(list), dict.fromkeys(("pixels", "decided", "above_bound", "chambers_missed"), 0)
+    opened, drawn = 0, 0
+    for seed in tqdm(range(first, first + pictures), desc="pictures", unit="picture", disable=None):
+        picture, random = random_picture(seed), np.random.default_rng(seed)
+        frame = picture.frame
+        opened, drawn = opened + int(frame.open.sum()), drawn + frame.open.size
+        for number, place in enumerate(places(picture, random, EACH)):
+            off, bounds = picture.errors(*place)
+            counts["pixels"] += 1
+            counts["decided"] += int(np.isfinite(off).all())
+            counts["above_bound"] += int((off > bounds).sum())
+            counts["chambers_missed"] += picture.missed(*place)
+            known = off > 0
+            ratios["largest"] += (bounds[known] / off[known]).tolist()
+            if number < EACH:
+                for kind in ("all", frame.scene.field, frame.scene.model, frame.method.name):
+                    ratios[kind] += (bounds[known] / off[known]).tolist()
+    shares = {"largest_share": 1 / min(ratios.pop("largest")), "open_share": opened / drawn}
+    medians = {f"median_ratio_{kind}": float(np.median(found)) for kind, found in sorted(ratios.items())}
+    return {"numbers": {"pictures": pictures} | counts | shares | medians}
+
+
+if __name__ == "__main__":
+    command("enclosed_pixels", __doc__, measure, pictures=840)
