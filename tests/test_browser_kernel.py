@@ -9,7 +9,7 @@ from proofs.check import consistency
 from proofs.engine import kernel
 from verify.checkers.breakages import stored
 from verify.checkers.kernels import JAVASCRIPT
-from verify.checkers.test_checkers import NOTHING, UNSOUND, derivation, show
+from verify.checkers.known_bad import NOTHING, UNSOUND, derivation, show
 
 STORED = stored()
 PAIRS = {name: (entry["statement"], entry["certificate"]) for name, entry in STORED.items()}

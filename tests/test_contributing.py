@@ -155,7 +155,7 @@ def test_the_theorems_are_proved_and_a_false_one_is_not(waves, lit):
         assert re.search(rf"{own} +proved .* mutants 2/2", printed[f"python -m pytest verify -q --theorem {own}"])
     path = waves[0] / "proofs" / "theorems" / "waves.py"
     true = path.read_text(encoding="utf-8")
-    false = true.replace("equation(k_v * _h_u, k_u * _h_v)", "equation(k_u * _h_u, k_v * _h_v)", 1)
+    false = true.replace("equation(k_v * h_u, k_u * h_v)", "equation(k_u * h_u, k_v * h_v)", 1)
     assert false != true
     path.write_text(false, encoding="utf-8")
     try:

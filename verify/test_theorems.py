@@ -5,8 +5,15 @@ import pytest
 from proofs.engine.theorem import all_theorems
 from verify.checkers import measured, measurement_cache, proof_checker
 from verify.checkers.grades import NOT_RECHECKED
+from verify.checkers.known_bad import wrong_verdicts
 
 THEOREMS = all_theorems()
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _checkers_that_refuse_what_is_false():
+    """Before anything is graded: known-bad certificates are refused."""
+    assert wrong_verdicts(proof_checker.CHECKERS) == []
 
 
 @pytest.mark.parametrize("theorem_id", THEOREMS)

@@ -6,7 +6,7 @@ from typing import Any, Self
 from sympy import Basic, Symbol, sympify
 from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
 
-from proofs.engine.program import Program
+from proofs.engine.program import Program, evaluated
 
 
 def equation(left: Basic | int, right: Basic | int) -> Basic:
@@ -22,6 +22,12 @@ def greater(left: Basic | int, right: Basic | int) -> Basic:
 def at_least(left: Basic | int, right: Basic | int) -> Basic:
     """Return left ≥ right that SymPy leaves as it is, so that the kernel decides it."""
     return GreaterThan(left, right, evaluate=False)
+
+
+@evaluated
+def number(value: Basic | int | str) -> Basic:
+    """Return an exact number for a range or a point: arithmetic, of which no claim is made."""
+    return sympify(value).doit()
 
 
 @dataclass(frozen=True)
@@ -76,6 +82,14 @@ class Claim(Changeable):
     def __post_init__(self):
         object.__setattr__(self, "shows", tuple(map(sympify, self.shows)))
         object.__setattr__(self, "given", tuple(map(sympify, self.given)))
+        object.__setattr__(self, "ranges", tuple((s, tuple(map(number, ends))) for s, ends in self.ranges))
+        object.__setattr__(self, "example", tuple((s, number(value)) for s, value in self.example))
+
+    def everywhere(self) -> list[Basic]:
+        """Return what else the claim is made of: every line of its program, ranges, coordinates."""
+        lines = (part for line in self.lines.definitions for part in line) if self.lines else ()
+        inputs = self.lines.inputs if self.lines else ()
+        return [*lines, *inputs, *(symbol for symbol, *_ in (*self.ranges, *self.example))]
 
     def names(self) -> tuple[set[Symbol], Program | None]:
         """Return the defined names that the claim needs, and the program kept to them (None without one)."""

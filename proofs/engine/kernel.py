@@ -19,7 +19,7 @@ NEGATION = {"=": (1, "!="), "!=": (1, "="), ">": (-1, ">="), ">=": (-1, ">")}  #
 NAME = r"(?:[A-Za-z][A-Za-z0-9_]{0,99}|(?:cos|sin)\([A-Za-z0-9_*/()+-]{1,99}\))"
 POWER = rf"{NAME}(?:\^(?:[2-9]|[1-9][0-9]{{1,2}}))?"  # "x", or "x^2" to "x^999"
 NUMBER = re.compile(r"-?[0-9]{1,500}(?:/[0-9]{1,500})?")  # and in lowest terms
-LONGEST = 100_000  # items of a list, terms of a polynomial
+LONGEST = 100_000  # items of a list, terms of a polynomial, names in all terms of a product, bits of a number
 
 
 class Rejected(Exception):
@@ -149,9 +149,13 @@ def add(*polynomials: Polynomial) -> Polynomial:
 
 
 def multiply(number: int | Fraction, *polynomials: Polynomial) -> Polynomial:
-    """Return the product of a number and polynomials."""
+    """Return the product of a number and polynomials; reject one that would take more than seconds."""
     product: Polynomial = {(): number}
     for p in polynomials:
+        degree = sum(max(map(len, q), default=0) for q in (product, p))
+        require(len(product) * len(p) * (1 + degree) <= LONGEST, "a product is too long")
+        bits = sum(max((c.numerator.bit_length() for c in q.values()), default=0) for q in (product, p))
+        require(bits <= LONGEST, "a number is too long")
         product = add(*({tuple(sorted(a + b)): c * d for b, d in p.items()} for a, c in product.items()))
     return product
 

@@ -4,11 +4,23 @@ It is the chapter's derivation, line by line. Kernels print it as it stands; pro
 they need.
 """
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
+from functools import wraps
 from typing import Any
 
-from sympy import Expr, Symbol
+from sympy import Expr, Symbol, evaluate
+
+
+def evaluated(make: Callable) -> Callable:
+    """Let a function make the same formulas in a theorem, where SymPy evaluates nothing, as for a kernel."""
+
+    @wraps(make)
+    def making(*arguments, **named):
+        with evaluate(True):
+            return make(*arguments, **named)
+
+    return making
 
 
 def _each(part):
@@ -72,6 +84,12 @@ class Program:
             tuple(line for line in self.definitions if line[0] in needed),
             outputs,
         )
+
+    def at(self, values: Mapping[Symbol, Expr]) -> "Program":
+        """Return the program with values, which may be expressions, in the place of some inputs."""
+        lines = tuple((symbol, expression.xreplace(values)) for symbol, expression in self.definitions)
+        used = set().union(*(expression.free_symbols for _, expression in lines)) - {symbol for symbol, _ in lines}
+        return Program(self.name, tuple(sorted(used, key=str)), lines, self.outputs)
 
     def expand(self, symbol: Any, until: Collection[Symbol] = ()) -> Any:
         """Return a symbol, or each of a vector's, as one expression in the inputs and the names in `until`."""

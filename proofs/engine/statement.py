@@ -7,21 +7,23 @@ obligations, before anything cancels: in an angle, too. Angles are sums of whole
 denominators that occur with it: sin and cos of a sum are expanded by the addition formulas; an atom gives two variables
 with c² + s² = 1. |a| is √(a²), or ±a where the sign is given. Max, Min, sign and Piecewise take the branch that is
 given, and its condition is shown; where none is, the claim is split into two statements, one with the condition assumed
-and one with its negation. In an induction cos nα and sin nα are states. Of π only 3 < π < 22/7 is used. Derivatives are
-SymPy's `diff`. Anything else is an error, never a guess.
+and one with its negation. A Derivative is a name of its own, for what the rules of `derivative` make of it where they
+show that it exists. In a relation sign and Piecewise may be what SymPy made of one: that f ≠ 0 is shown of sign(f), and
+at the edge of a condition that all values agree. In an induction cos nα and sin nα are states. Of π only 3 < π < 22/7
+is used. Anything else is an error, never a guess.
 """
 
 import json
-import re
 from collections.abc import Iterable, Sequence
 from functools import cache
-from math import lcm
+from math import comb, lcm, prod
 from typing import Any
 
 from sympy import (
     Abs,
     And,
     Basic,
+    Derivative,
     Expr,
     Float,
     Max,
@@ -37,25 +39,20 @@ from sympy import (
     pi,
     sign,
     sin,
-    sympify,
 )  # fmt: skip
-from sympy.core.relational import Eq, Relational, StrictGreaterThan, StrictLessThan
+from sympy.core.relational import Relational
 from sympy.polys.polyerrors import BasePolynomialError
 
-from proofs.engine.claim import Claim, Induction
+from proofs.engine.claim import Claim
+from proofs.engine.derivative import LARGEST, TRUE_FOR, Untranslatable, branch, inner, small
+from proofs.engine.names import plain, symbols_of
 from proofs.formulas.half_turns import cospi, ordinary, sinpi
 
 VERSION = 1
-NAME = re.compile(r"(?!(?:pi|(?:root|inverse|sum)_\d+)$)[A-Za-z][A-Za-z0-9_]*", re.ASCII)  # the others are taken
-TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {-1, 0}}  # signs of left − right
 RELATIONS = {frozenset(s): (f, r) for f, r, s in (
     (1, "=", {0}), (1, "!=", {-1, 1}), (1, ">", {1}), (1, ">=", {0, 1}), (-1, ">", {-1}), (-1, ">=", {-1, 0})
 )}  # fmt: skip
 ANY = {-1, 0, 1}
-
-
-class Untranslatable(ValueError):
-    """The claim has a part that no rule translates."""
 
 
 class _Undecided(Untranslatable):
@@ -74,24 +71,6 @@ def polynomial_data(expression: Expr) -> dict[str, str]:
         factors = (s.name if e == 1 else f"{s.name}^{e}" for s, e in zip(symbols, monomial, strict=True) if e)
         data[" ".join(factors)] = str(coefficient)
     return dict(sorted(data.items()))
-
-
-def plain(symbols: Iterable[Symbol]) -> None:
-    """Raise Untranslatable unless every symbol is real, nothing more, and has a name of its own.
-
-    extended_real says less than real, and is allowed: of a quantity that may be infinite where no claim is made.
-    """
-    seen = set()
-    for symbol in sorted(symbols, key=str):
-        if not NAME.fullmatch(symbol.name):
-            raise Untranslatable(f"{symbol.name!r} is no name, or one that the translation makes itself")
-        if symbol not in (Symbol(symbol.name, real=True), Symbol(symbol.name, extended_real=True)):
-            raise Untranslatable(
-                f"{symbol} is not a plain real symbol: what is known of it is a hypothesis to be stated"
-            )
-        if symbol.name in seen:
-            raise Untranslatable(f"two symbols are called {symbol}")
-        seen.add(symbol.name)
 
 
 def _as_text(expression):
@@ -122,17 +101,13 @@ def _fact(kind, difference, signs):
     return {"step": kind, "is": relation, "of": polynomial_data(factor * difference)}
 
 
-def _symbols(expressions):
-    return set().union(*(e.free_symbols for e in expressions))
-
-
 class Translation:
     """The steps that some expressions become; `choices` decide the conditions that are not given."""
 
-    def __init__(self, expressions: Iterable[Basic], choices: Sequence[bool] = (), n: Symbol | None = None):
+    def __init__(self, expressions: Iterable[Basic], choices: Sequence[bool] = (), lines: Sequence = (), n: Any = None):
         """n: what an induction is over."""
-        self.choices, self.showing = list(choices), False
-        self.n: Any = n
+        self.choices, self.lines, self.n = list(choices), {symbol for symbol, _ in lines}, n
+        self.in_line, self.showing, self.shown = False, False, 0
         self.steps: list[dict] = []
         self.variables: list[str] = []
         self.generators: dict[tuple, Any] = {}
@@ -140,7 +115,7 @@ class Translation:
         self.signs: dict[str, set[int]] = {}
         self.abbreviated: dict[Symbol, Expr] = {}
         self.denominators: dict[Expr, int] = {}
-        for side in _sides(expressions):
+        for side in sides(expressions):
             for e in side.atoms(sin, cos, sinpi, cospi):
                 for multiple, atom in _terms(_angle(e)):
                     self.denominators[atom] = lcm(self.denominators.get(atom, 1), int(multiple.q))
@@ -156,6 +131,9 @@ class Translation:
 
     def _written_out(self, polynomial):
         """Return the polynomial with its abbreviations written out: equal ones then look the same."""
+        for term in polynomial.as_ordered_terms():
+            powers = [(self.abbreviated[s], n) for s, n in term.as_powers_dict().items() if s in self.abbreviated]
+            small(prod(comb(len(p.as_ordered_terms()) + n - 1, n) for p, n in powers) // 20)
         return expand(polynomial.xreplace(self.abbreviated))
 
     # Relations and signs
@@ -184,6 +162,7 @@ class Translation:
     def show(self, difference: Expr, signs: set[int]) -> None:
         """Add what is to be proved: the sign of `difference` is one of `signs`. The branches taken are shown, too."""
         fact = _fact("show", difference, signs)
+        self.shown += 1
         self.steps += [fact] * (fact not in self.steps)
 
     def decide(self, condition: Basic) -> bool:
@@ -225,11 +204,16 @@ class Translation:
         if e.is_Add:
             return e.func(*(self.polynomial(a) for a in sorted(e.args, key=_as_text)))
         if e.is_Mul:
-            return e.func(*(self._named(self.polynomial(a)) for a in sorted(e.args, key=_as_text)))
+            factors = [self.polynomial(a) for a in sorted(e.args, key=_as_text)]
+            several = sum(not f.is_Rational for f in factors) > 1
+            factors = [self._named(f) if several else expand(f) for f in factors]
+            small(prod(len(f.as_ordered_terms()) for f in factors))
+            return e.func(*factors)
         if e.is_Pow and e.exp.is_Rational and (2 * e.exp).is_Integer:
             base, power = self.polynomial(e.base), 2 * e.exp
             base, power = (base, power / 2) if power % 2 == 0 else (self._generator("root", base), power)
             base = self._named(base)
+            small(max(n := abs(int(power)), comb(len(base.as_ordered_terms()) + min(n, 999) - 1, min(n, 999))))
             return base**power if power > 0 else self._generator("inverse", base) ** -power
         if isinstance(e, sin | cos | sinpi | cospi):
             if not e.args[0].is_polynomial():
@@ -238,19 +222,16 @@ class Translation:
         if isinstance(e, Abs):
             return self._absolute(e.args[0])
         if isinstance(e, sign):
-            of = e.args[0]
-            return S(
-                1
-                if self.decide(StrictGreaterThan(of, 0, evaluate=False))
-                else -1
-                if self.decide(StrictLessThan(of, 0, evaluate=False))
-                else 0
-            )
+            return S(self._sign(self.polynomial(e.args[0])) if self.in_line else self._side(e.args[0]))
         if isinstance(e, Max | Min):
             best, *others = sorted(e.args, key=_as_text)
             for other in others:
                 best = other if self._exceeds(*((other, best) if isinstance(e, Max) else (best, other))) else best
             return self.polynomial(best)
+        if isinstance(e, Derivative):
+            return self._derivative(e)
+        if isinstance(e, Piecewise) and not self.in_line:
+            return self._beside(e)
         if isinstance(e, Piecewise):
             value = next((value for value, condition in e.args if self.decide(condition)), None)
             if value is None:
@@ -276,11 +257,12 @@ class Translation:
         whole = self._written_out(of)
         if kind == "inverse" and whole.is_Rational and whole != 0:
             return 1 / whole
-        key = kind, json.dumps(polynomial_data(of if kind == "sum" else whole))
+        abbreviation = kind in ("sum", "derivative")
+        key = kind, json.dumps(polynomial_data(of if abbreviation else whole))
         if key not in self.generators:
             new = Symbol(f"{kind}_{1 + sum(k == kind for k, _ in self.generators)}", real=True)
             self.generators[key] = new
-            if kind == "sum":
+            if abbreviation:
                 self.define(new, of)
             else:
                 self.introduce(kind, new, of)
@@ -288,9 +270,42 @@ class Translation:
                 self.signs[self._known(new)[0]] = {0, 1}
         return self.generators[key]
 
+    def _side(self, f):
+        """Return the sign of f, and make an obligation of f ≠ 0."""
+        difference = self.polynomial(f)
+        whole, (key, _, possible) = self._written_out(difference), self._known(difference)
+        if 0 in possible and not (whole.is_Rational and whole != 0):
+            self.show(difference, {-1, 1})
+            self.signs[key] = self.signs.get(key, ANY) - {0}
+        return self._sign(difference)
+
+    def _sign(self, difference):
+        return next((s for s in (1, -1) if self._decided(difference, {s})), 0)
+
+    def _beside(self, e):
+        """Return the value of a relation's Piecewise; at the edge of a condition all its values are shown to agree."""
+        signs = []
+        value = self.polynomial(branch(e, lambda f: signs.append(self._sign(self.polynomial(f))) or signs[-1]))
+        if 0 in signs:
+            for other, _ in e.args:
+                self.show(self.polynomial(other) - value, {0})
+        return value
+
+    def _derivative(self, e):
+        """Return the name of a derivative; what is differentiated has a value, and is written out."""
+        if lines := symbols_of([e]) & self.lines:
+            raise Untranslatable(f"{e} is of what a line defines: {', '.join(sorted(map(str, lines)))}")
+        value = self.polynomial(inner(e, self._side))
+        self.polynomial(e.expr)
+        return self._generator("derivative", expand(value))
+
     def _absolute(self, argument):
         of = self.polynomial(argument)
         _, _, signs = self._known(of)
+        if of.is_Rational:
+            return abs(of)
+        if {-1, 1} <= signs and argument.is_Mul:
+            return argument.func(*(self._absolute(a) for a in sorted(argument.args, key=_as_text)))
         if {-1, 1} <= signs:
             return self._generator("root", of**2)
         factor = -1 if -1 in signs else 1
@@ -309,7 +324,7 @@ class Translation:
                 d, t = self.polynomial(d), self.polynomial(t)
             else:
                 whole = multiple * self.denominators.get(atom, 0)
-                if not whole.is_Integer or whole == 0:
+                if not whole.is_Integer or not 0 < abs(whole) <= LARGEST:
                     raise Untranslatable(f"{multiple * atom} is no whole multiple of an angle that occurs")
                 d, t = self._circle(atom / self.denominators[atom])
             t = -t if whole < 0 else t
@@ -340,41 +355,54 @@ class Translation:
         return state
 
 
-def _sides(expressions):
+def sides(expressions: Iterable[Basic]) -> list[Basic]:
     """Return the expressions, and the sides of those that are relations (a relation itself may evaluate to true)."""
     parts = [part for e in expressions for part in (e.args if isinstance(e, And) else [e])]
     return [side for part in parts for side in (part.args if isinstance(part, Relational) else [part])]
 
 
 @cache
-def derivations(claim: Claim) -> list[dict]:
-    """Return the statements of a Claim: one, or one for each combination of conditions that are not given."""
+def _cases(claim: Claim) -> list[tuple[dict, list[int]]]:
+    """Return [(statement, numbers of the relations that hold by definition)], one for each choice of conditions."""
     pending: list[tuple[bool, ...]] = [()]
-    statements: list[dict] = []
+    cases: list[tuple[dict, list[int]]] = []
     while pending:
+        small(10 * (len(cases) + len(pending)))
         choices = pending.pop()
         try:
-            statements.append(_derivation(claim, choices))
+            cases.append(_case(claim, choices))
         except _Undecided:
             pending += [(*choices, False), (*choices, True)]
         except TypeError as why:  # SymPy compares what has no order, such as 1/0
             raise Untranslatable(f"{claim.name}: {why}") from why
-    return statements
+    return cases
 
 
-def _derivation(claim, choices):
+def derivations(claim: Claim) -> list[dict]:
+    """Return the statements of a Claim."""
+    return [statement for statement, _ in _cases(claim)]
+
+
+def by_definition(claim: Claim) -> list[int]:
+    """Return the numbers of the relations of `shows` that hold by definition: they read 0 = 0, or are given."""
+    return sorted(set.intersection(*(set(idle) for _, idle in _cases(claim))))
+
+
+def _case(claim, choices):
     """Return the statement of one case of a claim. What is given comes as soon as its names are defined."""
     _, lines = claim.names()
     definitions = lines.definitions if lines else ()
     lemmas = [(lemma.relation, lemma.given) for lemma in claim.cited]
-    cited = (r for relation, conditions in lemmas for r in (relation, *conditions))
+    cited = [r for relation, conditions in lemmas for r in (relation, *conditions)]
     expressions = (*claim.given, *claim.shows, *cited, *(e for line in definitions for e in line))
-    plain(_symbols(expressions))
-    t = Translation(expressions, choices)
-    undefined, pending = {s for s, _ in definitions}, [*((given, ()) for given in claim.given), *lemmas]
+    plain(symbols_of([*expressions, *claim.everywhere()]))
+    t = Translation(expressions, choices, definitions)
+    undefined, pending = set(t.lines), [*((given, ()) for given in claim.given), *lemmas]
     for symbol, expression in ((None, None), *definitions):
         if symbol is not None:
+            t.in_line = True
             t.define(symbol, t.polynomial(expression))
+            t.in_line = False
             undefined.discard(symbol)
         ready = [p for p in pending if not any(r.free_symbols & undefined for r in (p[0], *p[1]))]
         pending = [p for p in pending if p not in ready]
@@ -383,45 +411,13 @@ def _derivation(claim, choices):
                 t.show(*t.relation(condition))
             for part in relation.args if isinstance(relation, And) else [relation]:
                 t.assume(*t.relation(part))
-    t.showing = True
-    for relation in claim.shows:
-        t.show(*t.relation(relation))
-    return {"version": VERSION, "kind": "derivation", "variables": t.variables, "steps": t.steps}
-
-
-def induction(claim: Induction) -> dict:
-    """Return the statement of an Induction. Raises Untranslatable where a quotient or a radical occurs."""
-    relations = (*claim.given, *claim.shows)
-    expressions = (*relations, *(sympify(e) for state in claim.states for e in state))
-    if claim.n not in (Symbol(claim.n.name, integer=True), Symbol(claim.n.name, real=True)):
-        raise Untranslatable(f"{claim.name}: of n it is known that it is whole, and nothing else")
-    plain([*(_symbols(expressions) - {claim.n}), Symbol(claim.n.name, real=True)])
-    if not all(isinstance(r, Eq) for r in claim.shows):
-        raise Untranslatable(f"{claim.name}: an induction shows equations")
-    states = {s for s, *_ in claim.states}
-    if len(states) < len(claim.states):
-        raise Untranslatable(f"{claim.name}: a state is given twice")
-    if _symbols(e for side in _sides(expressions) for e in side.atoms(sin, cos, sinpi, cospi)) & states:
-        raise Untranslatable(f"{claim.name}: a state in an angle, which changes with it")
-    if _symbols([*claim.given, *(sympify(start) for _, start, _ in claim.states)]) & {*states, claim.n}:
-        raise Untranslatable(f"{claim.name}: a state, or n, in what is given or in what a state starts from")
-    t = Translation(expressions, n=claim.n)
-    state: dict[str, Sequence[Expr]]
-    state = {s.name: [t.polynomial(sympify(e)) for e in two] for s, *two in claim.states}
-    shows = [polynomial_data(t.relation(r)[0]) for r in claim.shows]
-    for r in claim.given:
-        t.assume(*t.relation(r))
-    state |= t.turns()
-    if any(step["step"] != "assume" for step in t.steps) or claim.n.name in t.variables:
-        raise Untranslatable(f"{claim.name}: a radical, a quotient, or n itself, in an induction")
-    start, following = ({name: polynomial_data(state[name][i]) for name in sorted(state)} for i in (0, 1))
-    return {
-        "version": VERSION,
-        "kind": "induction",
-        "variables": [v for v in t.variables if v not in state],
-        "state": sorted(state),
-        "assume": [{"of": step["of"], "is": step["is"]} for step in t.steps],
-        "start": start,
-        "next": following,
-        "show": shows,
-    }
+    t.showing, idle = True, []
+    given = [step for step in t.steps if step["step"] == "assume"]
+    for number, relation in enumerate(claim.shows):
+        before = t.shown
+        difference, signs = t.relation(relation)
+        fact = _fact("assume", difference, signs)
+        if (not fact["of"] or fact in given) and before == t.shown:  # no branch was taken
+            idle.append(number)
+        t.show(difference, signs)
+    return {"version": VERSION, "kind": "derivation", "variables": t.variables, "steps": t.steps}, idle

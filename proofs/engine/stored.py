@@ -6,7 +6,9 @@ from pathlib import Path
 from proofs.check import FOLDER, contradiction, digest, parsed, text_of
 from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
 from proofs.engine.counterexample import refutation
-from proofs.engine.statement import VERSION, Untranslatable, derivations, induction
+from proofs.engine.derivative import Untranslatable
+from proofs.engine.induction import induction
+from proofs.engine.statement import VERSION, derivations
 from proofs.engine.theorem import Theorem, Theorems, borrowed
 
 Proved = tuple[dict, dict, dict | None]  # a statement, its certificate, a point where its hypotheses hold
@@ -32,10 +34,19 @@ def show_polynomial(p: dict, limit: int = 12) -> str:
 
 
 def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
-    """Return the statements of a claim, as the formulas stand now."""
+    """Return the statements of a claim, as the formulas stand now; raises Untranslatable."""
+    try:
+        return _statements(claim, theorems)
+    except Untranslatable:
+        raise
+    except (RecursionError, MemoryError, OverflowError, ValueError) as why:  # too deep, too large; or not borrowed
+        raise Untranslatable(f"{claim.name}: {why}") from None
+
+
+def _statements(claim, theorems):
     if isinstance(claim, Separation):
         known = {*claim.lines.inputs, *(symbol for symbol, _ in claim.lines.definitions)}
-        if unknown := set(claim.outputs) - known:
+        if unknown := {*claim.outputs, *claim.avoid} - known:
             raise Untranslatable(f"{claim.name}: the program has no {', '.join(sorted(map(str, unknown)))}")
         lines = [[s.name, sorted(t.name for t in e.free_symbols)] for s, e in claim.lines.definitions]
         outputs, avoid = (sorted(s.name for s in names) for names in (claim.outputs, claim.avoid))

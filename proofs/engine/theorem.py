@@ -9,7 +9,7 @@ from typing import Any
 
 from sympy import Basic, Symbol
 
-from proofs.engine.claim import AnyClaim, Claim
+from proofs.engine.claim import AnyClaim, Claim, number
 
 GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition", "proved", "refuted")
 WITHOUT_CLAIMS = ("cited", "measured", "certified")
@@ -21,7 +21,7 @@ def point(values: Any) -> Point:
     """Return ((symbol, value), …) of {symbol or vector of symbols: value or values}, or of what is one already."""
     pairs = values.items() if isinstance(values, Mapping) else values
     lines = (zip(s, v, strict=True) if isinstance(s, tuple) else ((s, v),) for s, v in pairs)
-    return tuple(pair for line in lines for pair in line)
+    return tuple((symbol, number(value)) for line in lines for symbol, value in line)
 
 
 @dataclass(frozen=True)

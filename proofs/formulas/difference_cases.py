@@ -8,7 +8,7 @@ from collections.abc import Mapping
 
 from sympy import Expr, Max, Min, Piecewise, Rational, Symbol, floor
 
-from proofs.engine.program import Program
+from proofs.engine.program import Program, evaluated
 from proofs.formulas.finite_difference import central, h_u_minus, h_u_plus, h_v_minus, h_v_plus
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
 from proofs.formulas.symbols import epsilon, u, v
@@ -19,6 +19,7 @@ nothing_clamps = (epsilon > 0, v - epsilon >= 0, v + epsilon <= 1)
 pole_clamps = (epsilon > 0, v >= 0, v - epsilon < 0, v + epsilon <= 1)
 
 
+@evaluated
 def _decided(program, name, lower, span):
     def decide(line):
         line = line.replace(floor, lambda moved: 0)
@@ -40,6 +41,7 @@ def at_pole(field: HeightField) -> Program:
     return _decided(central(field), "at_pole", lower=False, span=1)
 
 
+@evaluated
 def of_heights(heights: Mapping[Symbol, Expr]) -> Program:
     """Return the central difference with its heights given, {h_v_plus: expression, …}; the others are inputs."""
     program = central(HEIGHT_FIELDS["sine"])

@@ -6,7 +6,7 @@ is one-sided and divides by the clamped span. Domain: 0 < ε ≤ 1/2.
 
 from sympy import And, Max, Min, Piecewise, floor
 
-from proofs.engine.program import Program
+from proofs.engine.program import Program, evaluated
 from proofs.formulas.height_fields import HeightField
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
 
@@ -47,6 +47,7 @@ def _heights(field, *samples):
     return tuple((name, field.expression.xreplace({u: at_u, v: at_v})) for name, at_u, at_v in samples)
 
 
+@evaluated
 def forward(field: HeightField) -> Program:
     """Return (h(u + ε) − h)/ε, and backward in v where v + ε > 1. First order; 3 height evaluations."""
     stepped = real("stepped")
@@ -60,6 +61,7 @@ def forward(field: HeightField) -> Program:
     return _program("forward", field, lines)
 
 
+@evaluated
 def central(field: HeightField) -> Program:
     """Return (h(u + ε) − h(u − ε))/2ε, the same in v, clamped at the poles. Second order; 4 evaluations."""
     lines = (
@@ -71,6 +73,7 @@ def central(field: HeightField) -> Program:
     return _program("central", field, lines)
 
 
+@evaluated
 def central4(field: HeightField) -> Program:
     """Return (8 (h(u + ε) − h(u − ε)) − (h(u + 2ε) − h(u − 2ε)))/12ε; near a pole, central in v. 8 evaluations."""
     lines = (

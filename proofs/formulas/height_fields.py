@@ -26,7 +26,7 @@ from sympy import (
 )
 from sympy.core.relational import Relational
 
-from proofs.engine.program import Program
+from proofs.engine.program import Program, evaluated
 from proofs.formulas.half_turns import cospi, sinpi
 from proofs.formulas.ranges import enclosure
 from proofs.formulas.registry import by_name, check_name, not_allowed
@@ -56,6 +56,7 @@ class HeightField:
     expression: Expr
     seam: bool = False
 
+    @evaluated
     def __post_init__(self):
         check_name(self.name)
         for formula in (self.expression, *self.gradient()):
@@ -74,6 +75,7 @@ class HeightField:
     def _refused(self, why):
         return not_allowed("expression", self.expression, why)
 
+    @evaluated
     def gradient(self) -> tuple[Expr, Expr]:
         """Return (∂h/∂u, ∂h/∂v) by differentiation; valid off the creases, with sign 0 = 0 on them."""
         slopes = (diff(self.expression, coordinate) for coordinate in (u, v))
@@ -86,6 +88,7 @@ class HeightField:
         return self.expression.has(u)
 
     @cached_property
+    @evaluated
     def creases(self) -> tuple[Expr, ...]:
         """The factors sinpi(w), w linear in u and v, at whose zeros a slope of h jumps, or h itself.
 
@@ -106,6 +109,7 @@ class HeightField:
         return tuple(dict.fromkeys(found))
 
     @cached_property
+    @evaluated
     def wave_numbers(self) -> tuple[Expr, Expr] | None:
         """(a, b) if h depends on u and v through the sine and cosine of πa u and πb v alone, else None.
 
@@ -137,6 +141,7 @@ HEIGHT_FIELDS: dict[str, HeightField] = by_name((
 rings: sin(2πk_v v). Domain: u ∈ [0, 1), v ∈ [0, 1], real k_u and k_v. Source: seed, §2."""
 
 
+@evaluated
 def _named_factors(field):
     """Return {trigonometric factor: its name} for a field with an algebraic form."""
     named = ((u, sin_u, cos_u), (v, sin_v, cos_v))
@@ -149,12 +154,14 @@ def height(field: HeightField) -> Program:
     return Program(f"height_{field.name}", (u, v, k_u, k_v), ((h, field.expression),))
 
 
+@evaluated
 def factors(field: HeightField) -> Program:
     """Return the program (u, v, k_u, k_v) → the field's trigonometric factors, by name."""
     lines = tuple((name, factor) for factor, name in sorted(_named_factors(field).items(), key=lambda p: str(p[1])))
     return Program(f"factors_{field.name}", (u, v, k_u, k_v), lines, tuple(name for name, _ in lines))
 
 
+@evaluated
 def gradient_from_factors(field: HeightField) -> Program:
     """Return the program (factors, k_u, k_v) → h_u, h_v: the derivative with its factors named."""
     names = _named_factors(field)
@@ -163,6 +170,7 @@ def gradient_from_factors(field: HeightField) -> Program:
     return Program(f"gradient_from_factors_{field.name}", inputs, (((h_u, h_v), slopes),))
 
 
+@evaluated
 def gradient(field: HeightField) -> Program:
     """Return the program (u, v, k_u, k_v) → h_u, h_v: the general exact gradient, any real k_u and k_v."""
     if field.wave_numbers is None:

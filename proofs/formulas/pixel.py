@@ -7,7 +7,7 @@ from collections.abc import Collection, Mapping
 
 from sympy import Eq, Expr, Max, Piecewise, Symbol
 
-from proofs.engine.program import Program, chain
+from proofs.engine.program import Program, chain, evaluated
 from proofs.formulas import camera, shading, shadow
 from proofs.formulas.bump import bumped_normal
 from proofs.formulas.chart import chart
@@ -50,6 +50,7 @@ def occlusion(number: int) -> Symbol:
     return real(f"occluded_{number}")
 
 
+@evaluated
 def instance(
     program: Program, suffix: str | int, kept: Collection[Symbol] = (), given: Mapping[Symbol, Expr] | None = None
 ) -> Program:
@@ -131,6 +132,7 @@ def _light(number, model, before):
     return [base, power, term, _program(f"after_{number}", *lines)], after
 
 
+@evaluated
 def pixel(
     field: HeightField, model: str = "blinn", lights: int = 2, gradient_program: Program | None = None
 ) -> Program:

@@ -45,7 +45,8 @@ def vector(name: str) -> Vector:
 
 def dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
     """Return the scalar product of two 3-tuples of expressions."""
-    return sum(p * q for p, q in zip(a, b, strict=True))
+    first, *others = (p * q for p, q in zip(a, b, strict=True))
+    return sum(others, first)
 
 
 def cross(a: Sequence[Expr], b: Sequence[Expr]) -> Vector:

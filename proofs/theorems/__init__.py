@@ -1,1 +1,23 @@
-"""The theorems, one module a topic: every `Theorem` at the top level of a module is found."""
+"""The theorems, one module a topic: every `Theorem` at the top level of a module is found.
+
+All are run here under `evaluate(False)`, the formulas before them: a claim is what its file says, and what SymPy would
+cancel, take the root of or decide arrives at the translation as it is written.
+"""
+
+from importlib import import_module
+from pkgutil import iter_modules
+
+from sympy import evaluate
+
+from proofs import formulas
+
+
+def run_all() -> None:
+    """Run the formulas, which SymPy evaluates, and then the theorems, in which it evaluates nothing."""
+    for package, path, is_evaluated in ((formulas.__name__, formulas.__path__, True), (__name__, __path__, False)):
+        with evaluate(is_evaluated):
+            for module in sorted(m.name for m in iter_modules(path)):
+                import_module(f"{package}.{module}")
+
+
+run_all()

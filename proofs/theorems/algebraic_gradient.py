@@ -79,19 +79,17 @@ _rings_in_v = _in_v.but(
 def _on_circle(program, angles, total):
     parts = (f(a) for a in angles for f in (cos, sin))
     given = dict(zip((real_part, imaginary_part, other_real, other_imaginary), parts, strict=False))
-    return (
-        equation(program[product_real].xreplace(given), cos(total)),
-        equation(program[product_imaginary].xreplace(given), sin(total)),
-    )
+    return equations(_parts, (cos(total), sin(total))), (), program.at(given)
 
 
-_square = Claim("square", _on_circle(complex_square, (alpha,), 2 * alpha))
-_times = Claim("product", _on_circle(complex_product, (alpha, gamma), alpha + gamma))
-_itself, _conjugate = (real_part, imaginary_part), (real_part, -imaginary_part)
+_parts = product_real, product_imaginary
+_square = Claim("square", *_on_circle(complex_square, (alpha,), 2 * alpha))
+_times = Claim("product", *_on_circle(complex_product, (alpha, gamma), alpha + gamma))
 _reciprocal = Claim(
     "reciprocal",
-    equations(_product(_itself, _conjugate), (1, 0)),
-    given=(equation(real_part**2 + imaginary_part**2, 1),),
+    equations(_parts, (1, 0)),
+    (equation(real_part**2 + imaginary_part**2, 1),),
+    complex_product.at({other_real: real_part, other_imaginary: -imaginary_part}),
 )
 _half = _factors("sine", {k_u: 2 * n + 1, k_v: n})
 
@@ -116,7 +114,7 @@ theorem = Theorem(
         variant("k_u odd", _in_u, equation(real_part, _half[cos_u])),
         variant("rings with k_v", _rings_in_v, equation(real_part, _factors("rings", {k_v: n})[cos_v])),
         variant("a negative power does not conjugate", _backwards, states=_plain.states),
-        variant("squaring keeps the angle", _square, *_on_circle(complex_square, (alpha,), alpha)),
+        variant("squaring keeps the angle", _square, *_on_circle(complex_square, (alpha,), alpha)[0]),
     ),
     side_conditions=(
         SideCondition(

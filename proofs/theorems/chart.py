@@ -1,6 +1,6 @@
 """The chart of sphere A and its inverse, as far as they are algebraic: the angles' cosines and sines, and N."""
 
-from sympy import Rational, cos, pi, sin, sqrt
+from sympy import Rational, S, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.program import Program, chain
@@ -26,14 +26,15 @@ _seam = Claim("seam", (equation(u_closed, 1), equation(u, 0)), (equation(turn, 1
 _inside = Claim("inside", (equation(u, u_closed), equation(chart_radians[theta], pi * turn)), (turn < 1,), _by_turns)
 
 
-def _back(at):
-    """Return (cos θ, sin θ, cos φ, sin φ) that the inverse gives at the chart point."""
-    return [chart_inverse[name].xreplace(at) for name in (cos_theta, sin_theta, cos_phi, sin_phi)]
-
-
 _angles = [f(a) for a in (turn, polar) for f in (cospi, sinpi)]
-_round_trip = Claim("round_trip", equations(_back({u: _by_turns.expand(u_closed), v: _by_turns.expand(v)}), _angles))
-_on_the_seam = Claim("on_the_seam", equations(_back({u: u * 0})[:2], [a.subs(turn, 1) for a in _angles[:2]]))
+_round_trip = Claim(
+    "round_trip",
+    equations(chart_inverse.outputs, _angles),
+    lines=chart_inverse.at({u: _by_turns.expand(u_closed), v: _by_turns.expand(v)}),
+)
+_on_the_seam = Claim(
+    "on_the_seam", equations(chart_inverse.outputs[:2], [cospi(1), sinpi(1)]), lines=chart_inverse.at({u: S.Zero})
+)
 
 _across = sqrt(normal[0] ** 2 + normal[1] ** 2)
 _recovered = Claim(

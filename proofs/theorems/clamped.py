@@ -3,6 +3,7 @@
 from sympy import Abs, Rational, S, pi, sin
 
 from proofs.engine.claim import Claim, at_least, equation
+from proofs.engine.program import Program
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import at_pole, of_heights, pole_clamps
 from proofs.formulas.finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
@@ -90,7 +91,9 @@ first_order = Theorem(
 )
 
 _odd_ridge = Abs(sin(pi * k_u * u)) * sin(pi * k_v * v)
-_are_odd = Claim("odd", tuple(equation(h.subs(v, -v), -h) for h in (sine.expression, rings.expression, _odd_ridge)))
+_names, _fields = real("h_sine h_rings h_ridge"), (sine.expression, rings.expression, _odd_ridge)
+_odd = Program("odd", (u, v, k_u, k_v), tuple(zip(_names, _fields, strict=True)))
+_are_odd = Claim("odd", tuple(equation(h, -field) for h, field in _odd.definitions), lines=_odd.at({v: -v}))
 _first_ridge = Claim(
     "first_ridge",
     (

@@ -1,8 +1,9 @@
 """The central difference beside a crease of |sin πku|: what it is instead of a derivative, and its mean square."""
 
-from sympy import Abs, Rational, Symbol, cos, diff, pi, sin, sqrt
+from sympy import Abs, Derivative, Rational, S, Symbol, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.program import Program
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import inside
 from proofs.formulas.half_turns import ordinary
@@ -23,7 +24,7 @@ from proofs.formulas.step_bounds import (
 )
 from proofs.formulas.symbols import epsilon, h_u, k_u, k_v, real, u, v
 from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, nonnegative, positive, ridges, zero
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, expanded, named, nonnegative, positive, ridges, zero
 
 delta, m = real("delta m")
 rate = slope_bound[steepest].xreplace({frequency: k_u})
@@ -39,10 +40,13 @@ slope = ridges.gradient()[0].subs(half).subs(u, delta)
 slope_after = rate * cos(rate * delta)  # where sin πkδ > 0, as a claim below says; before the crease, its negative
 
 _value = Claim("value", (equation(across, straddled),), (*straddles, *reach), cited=signs, ranges=ranges)
+difference, after = real("difference after")
+_beside = Program("beside", (k_u, delta, epsilon), ((difference, straddled), (after, slope_after)))
 _centre = Claim(
     "at_the_crease",
-    (equation(across.subs(delta, 0), 0), equation((straddled - slope_after).subs(delta, 0), -rate)),
+    (*zero(difference), equation(difference - after, -rate)),
     (epsilon > 0,),
+    _beside.at({delta: S.Zero}),
 )
 _period = Claim("every_crease", (equation(Abs(sin(pi * m + delta)), Abs(sin(delta))),), zero(sin(pi * m)))
 _slopes = tuple(
@@ -102,7 +106,7 @@ theorem = Theorem(
 
 omega = real("omega")
 _at_crease = {k_u: omega / pi, delta: 0}
-_gap = Abs(ordinary(across.subs(_at_crease)) - slope_after.subs(_at_crease))
+_gap = Abs(expanded(ordinary(across.xreplace(_at_crease)) - slope_after.xreplace(_at_crease)))
 _steps = (omega > 0, epsilon > 0)
 _descends = Claim(
     "descends", (at_least(truncation_bound[truncation].xreplace({third_derivative: omega**3}), _gap),), _steps
@@ -163,10 +167,12 @@ _primitive = (delta - epsilon) ** 3 / (3 * epsilon**2)
 _square = v / 2 - sin(2 * pi * k_v * v) / (4 * pi * k_v)
 _area = _primitive.subs(delta, epsilon) - _primitive.subs(delta, 0)
 _mean = _square.subs(v, 1) - _square.subs(v, 0)
-_tents = Claim("tents", (equation(diff(_primitive, delta), _tent**2), equation(_area, epsilon / 3)), (epsilon > 0,))
+_tents = Claim(
+    "tents", (equation(Derivative(_primitive, delta), _tent**2), equation(_area, epsilon / 3)), (epsilon > 0, k_u > 0)
+)
 _means = Claim(
     "mean_of_a_square",
-    (equation(diff(_square, v), sin(pi * k_v * v) ** 2), equation(_mean, HALF)),
+    (equation(Derivative(_square, v), sin(pi * k_v * v) ** 2), equation(_mean, HALF)),
     (k_v > 0, equation(sin(pi * k_v), 0)),
     ranges=((k_v, (1, 9)),),
 )

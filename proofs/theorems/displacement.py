@@ -1,25 +1,25 @@
 """The surface that the bump pretends to be: its normal and Blinn's, where the chapter's agrees, and the angle (F18)."""
 
-from sympy import Function, Rational, diff, expand, pi, sin
+from sympy import Derivative, Rational, pi, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped_normal, m
 from proofs.formulas.displacement import blinn_normal, displaced, displaced_normal, h_phi, h_theta, lift
-from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, sin_phi, theta
+from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, real, sin_phi, theta
 from proofs.formulas.tangent_frame import e_phi, e_theta
 from proofs.theorems.frame import angles, at_angle, frame, on_circles
-from proofs.theorems.relations import equations, positive, zero
+from proofs.theorems.relations import equations, expanded, positive, zero
 
-_field = Function("field")(theta, phi)
-_values = {diff(_field, theta): h_theta, diff(_field, phi): h_phi, _field: h}
+theta_0, phi_0 = real("theta_0 phi_0")
+_here = equations((theta, phi), (theta_0, phi_0))
+_field = h + h_theta * (theta - theta_0) + h_phi * (phi - phi_0)  # any field, to first order around a point
 
 
 def _along(angle):
-    """Return ∂(P + βhN)/∂angle on the unit sphere, for any field h(θ, φ)."""
-    surface = (1 + beta * _field) * frame.expand(normal).xreplace(angles)
-    return [diff(s, angle).subs(_values) for s in surface]
+    """Return ∂(P + βhN)/∂angle on the unit sphere."""
+    return [Derivative(s, angle) for s in (1 + beta * _field) * frame.expand(normal).xreplace(angles)]
 
 
 def _in_angles(program, names):
@@ -27,11 +27,11 @@ def _in_angles(program, names):
 
 
 _scaled = (1 + beta * h) * sin(phi) * _in_angles(displaced_normal, displaced)
-_product = Claim("product", equations(cross(_along(phi), _along(theta)), _scaled), (sin(phi) > 0,))
+_product = Claim("product", equations(cross(_along(phi), _along(theta)), _scaled), (*_here, sin(phi) > 0))
 _u, _v = (theta + pi) / (2 * pi), phi / pi
 _chart_scale = Claim(
     "chart_scale",
-    (equation(h_theta, h_u * diff(_u, theta)), equation(h_phi, h_v * diff(_v, phi))),
+    (equation(h_theta, h_u * Derivative(_u, theta)), equation(h_phi, h_v * Derivative(_v, phi))),
     (),
     displaced_normal,
 )
@@ -153,7 +153,7 @@ difference_theorem = Theorem(
 )
 
 _sides = [_both.expand(names) for names in (normal, m, displaced)]
-_parallel = Claim("parallel", zero(expand(pi * dot(_sides[0], cross(*_sides[1:])))), _off_the_poles)
+_parallel = Claim("parallel", zero(expanded(pi * dot(_sides[0], cross(*_sides[1:])))), _off_the_poles)
 
 seed_theorem = Theorem(
     id="seed_bump_as_displacement",

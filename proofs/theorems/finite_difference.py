@@ -29,7 +29,8 @@ def _times_sinc(name, field, output, frequency, given):
         equation(2 * epsilon * difference(field, output), 2 * slope / (pi * frequency) * sin(pi * frequency * epsilon)),
         equation(difference(field, output), slope * sinc(pi * frequency * epsilon)),
     )
-    return Claim(name, shows, given, ranges=INSIDE)
+    (k,) = frequency.free_symbols
+    return Claim(name, shows, (*given, k > 0), ranges=INSIDE)
 
 
 _u = _times_sinc("sine_in_u", sine, h_u, k_u, nothing_wraps)
@@ -49,7 +50,7 @@ _cosine = Claim(
             -pi * k_u * sin(pi * k_u * u) * sinc(pi * k_u * epsilon),
         ),
     ),
-    (epsilon > 0,),
+    (epsilon > 0, k_u > 0),
 )
 _angle = pi * k_u * epsilon
 

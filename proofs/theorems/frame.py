@@ -1,11 +1,11 @@
 """The tangent frame of sphere A: tangent, orthonormal, and which way round it is."""
 
-from sympy import Expr, Rational, cos, diff, sin
+from sympy import Derivative, Expr, Rational, cos, sin
 
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import chain
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
-from proofs.formulas.camera import POLE, angles_on_a, t_a
+from proofs.formulas.camera import POLE, angles_on_a
 from proofs.formulas.symbols import (
     cos_phi,
     cos_theta,
@@ -23,7 +23,7 @@ from proofs.formulas.symbols import (
     y,
 )
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, tangent_frame, unit_normal
-from proofs.theorems.hits import ray_meets_a
+from proofs.theorems.hits import met, ray_meets_a, t_a
 from proofs.theorems.relations import equations, positive
 
 frame = chain("frame", unit_normal, tangent_frame)
@@ -37,8 +37,8 @@ def at_angle(c: Expr | int, s: Expr | int) -> dict:
 
 
 _n, _theta, _phi = (frame.expand(names).xreplace(angles) for names in (normal, e_theta, e_phi))
-_along_phi = Claim("e_phi", equations(_phi, [diff(n, phi) for n in _n]))
-_along_theta = Claim("e_theta", equations(sin(phi) * _theta, [diff(n, theta) for n in _n]))
+_along_phi = Claim("e_phi", equations(_phi, [Derivative(n, phi) for n in _n]))
+_along_theta = Claim("e_theta", equations(sin(phi) * _theta, [Derivative(n, theta) for n in _n]))
 _along = _along_phi.but(name="derivatives", shows=(*_along_phi.shows, *_along_theta.shows))
 _unit = Claim(
     "orthonormal",
@@ -66,7 +66,7 @@ theorem = Theorem(
     ),
     mutants=(
         variant("e_θ × e_φ = N (F3)", _right_handed, *equations(cross(e_theta, e_phi), normal)),
-        variant("e_θ = ∂N/∂θ, without sin φ", _along_theta, *equations(_theta, [diff(n, theta) for n in _n])),
+        variant("e_θ = ∂N/∂θ, without sin φ", _along_theta, *equations(_theta, [Derivative(n, theta) for n in _n])),
         variant("e_φ ⟂ N without θ's circle", _unit, equation(dot(e_phi, normal), 0), given=on_circles[1:]),
     ),
 )
@@ -107,7 +107,7 @@ _angles = Claim(
         greater(sin_phi, 0),
     ),
     ray_meets_a,
-    angles_on_a,
+    met(angles_on_a),
 )
 
 stable = Theorem(

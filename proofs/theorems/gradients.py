@@ -1,14 +1,14 @@
 """The gradients of the three fields, as the kernels print them: exact differences, and the sign of ridges."""
 
-from sympy import Abs, Symbol, cos, pi, sign, sin
+from sympy import Abs, Derivative, cos, pi, sign, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.height_fields import gradient
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
-from proofs.theorems.relations import equations, ridges, rings, sine
+from proofs.theorems.relations import equations, ridges, rings, sine, zero
 
-of_sine, of_ridges, of_rings = (gradient(field).expand((h_u, h_v)) for field in (sine, ridges, rings))
+_of_sine = [Derivative(sine.expression, c) for c in (u, v)]
 
 
 def _difference(field, coordinate, slope, frequency):
@@ -21,29 +21,38 @@ def _difference(field, coordinate, slope, frequency):
 _sine = Claim(
     "sine",
     (
-        equation(of_sine[0], pi * k_u * cos(pi * k_u * u) * sin(pi * k_v * v)),
-        equation(of_sine[1], pi * k_v * sin(pi * k_u * u) * cos(pi * k_v * v)),
-        _difference(sine, u, of_sine[0], pi * k_u),
-        _difference(sine, v, of_sine[1], pi * k_v),
+        equation(h_u, pi * k_u * cos(pi * k_u * u) * sin(pi * k_v * v)),
+        equation(h_v, pi * k_v * sin(pi * k_u * u) * cos(pi * k_v * v)),
+        *equations((h_u, h_v), _of_sine),
+        _difference(sine, u, h_u, pi * k_u),
+        _difference(sine, v, h_v, pi * k_v),
     ),
+    lines=gradient(sine),
 )
 _rings = Claim(
     "rings",
     (
-        equation(of_rings[0], 0),
-        equation(of_rings[1], 2 * pi * k_v * cos(2 * pi * k_v * v)),
-        _difference(rings, v, of_rings[1], 2 * pi * k_v),
+        equation(h_u, 0),
+        equation(h_v, 2 * pi * k_v * cos(2 * pi * k_v * v)),
+        *equations((h_u, h_v), [Derivative(rings.expression, c) for c in (u, v)]),
+        _difference(rings, v, h_v, 2 * pi * k_v),
     ),
+    lines=gradient(rings),
 )
 _p = sine.expression
-_ridges = Claim(
-    "ridges",
-    (
-        *equations(of_ridges, [sign(_p) * s for s in of_sine]),
-        *equations([ridges.expression * r for r in of_ridges], [_p * s for s in of_sine]),
-    ),
-    squares=(Symbol("sin(pi*k_u*u)", real=True) * Symbol("sin(pi*k_v*v)", real=True),),
+_ridges = tuple(
+    Claim(
+        f"ridges_{name}",
+        (
+            *equations((h_u, h_v), [Derivative(ridges.expression, c) for c in (u, v)]),
+            *equations((h_u, h_v), [side * s for s in _of_sine]),
+        ),
+        (side * _p > 0,),
+        gradient(ridges),
+    )
+    for name, side in (("above", 1), ("below", -1))
 )
+_printed = Claim("ridges_on_creases", zero(h_u, h_v), zero(_p), gradient(ridges))
 p, d = real("p d")
 _same = equation(Abs(p + d), Abs(p) + sign(p) * d)
 _near = Claim("same_sign", (_same,), (p > 0, p + d >= 0))
@@ -57,7 +66,7 @@ theorem = Theorem(
     r"$h_u = 0$, $h_v = 2\pi k_v\cos 2\pi k_v v$. Ridges, $|p|$ with sine's height $p$: $\operatorname{sign}(p)\,p_u$ "
     r"and $\operatorname{sign}(p)\,p_v$, its derivative where $p \ne 0$; on the creases the kernels print 0.",
     hypotheses=("any real $k_u$, $k_v$", r"$\sin x/x \to 1$ and $(1-\cos x)/x \to 0$ as $x \to 0$"),
-    claims=(_sine, _rings, _ridges, _near, _mirrored),
+    claims=(_sine, _rings, *_ridges, _printed, _near, _mirrored),
     steps=(
         Step(
             r"$\omega(h(u+\varepsilon)-h(u)) = \omega h(\cos\omega\varepsilon-1) + h_u\sin\omega\varepsilon$, "
@@ -66,13 +75,13 @@ theorem = Theorem(
         ),
         Step("the same in $v$, and for rings with $2\\pi k_v$", "the addition formulas"),
         Step(r"$|p+d| = |p| + \operatorname{sign}(p)\,d$ for $|d| \le |p|$", "by the sign of $p$"),
-        Step(r"$h h_u = p p_u$, also on the creases", "both sides are 0 there"),
+        Step(r"on the creases $\operatorname{sign}(p) = 0$", "the kernels' sign"),
     ),
     mutants=(
-        variant("sine with its factors swapped", _sine, equation(of_sine[0], of_sine[1])),
-        variant("the other sign", _sine, _difference(sine, u, -of_sine[0], pi * k_u)),
-        variant("rings with πk_v", _rings, _difference(rings, v, of_rings[1], pi * k_v)),
-        variant("ridges without the sign", _ridges, equation(of_ridges[0], of_sine[0])),
+        variant("sine with its factors swapped", _sine, equation(h_u, h_v)),
+        variant("the other sign", _sine, _difference(sine, u, -h_u, pi * k_u)),
+        variant("rings with πk_v", _rings, _difference(rings, v, h_v, pi * k_v)),
+        variant("ridges without the sign", _ridges[1], equation(h_u, _of_sine[0])),
     ),
     side_conditions=(
         SideCondition(

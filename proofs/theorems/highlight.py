@@ -94,7 +94,7 @@ _twice = Claim(
 _blinn = Claim(
     "blinn",
     (
-        equation(seen_from(n, blinn), dot(n, halfway) / halfway_length),
+        equation(seen_from(n, blinn) * halfway_length, dot(n, halfway)),
         equation(dot(halfway, halfway) / halfway_length**2, 1),
     ),
     (halfway_length > 0, equation(halfway_length**2, dot(halfway, halfway))),

@@ -2,18 +2,16 @@
 
 from collections.abc import Sequence
 
-from sympy import Expr, Rational, sqrt
+from sympy import Expr, Piecewise, Rational, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.program import chain
+from proofs.engine.program import Program, chain, evaluated
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
-from proofs.formulas import symbols
+from proofs.formulas import camera, symbols
 from proofs.formulas.camera import (
     POLE,
     discriminant_a,
     discriminant_b,
-    hit_of_a,
-    hit_of_b,
     normal_of_b,
     radius_length,
     radius_vector,
@@ -22,8 +20,6 @@ from proofs.formulas.camera import (
     rho_raw,
     root_a,
     root_b,
-    t_a,
-    t_b,
     tangent_squared,
     toward_b,
 )
@@ -44,7 +40,27 @@ from proofs.formulas.symbols import (
 )
 from proofs.theorems.relations import HALF, QUARTER
 
-t = real("t")
+t, t_a, t_b, hits_a, hits_b = real("t t_a t_b hits_a hits_b")
+_APART = {camera.t_a: (hits_a, t_a), camera.t_b: (hits_b, t_b)}
+_NUMBERS = {hit: t for hit, (_, t) in _APART.items()}
+
+
+@evaluated
+def met(program: Program) -> Program:
+    """Return a program's lines with each hit, which is infinite where there is none, in two.
+
+    hits_a is 1 where there is one, else 0; t_a is where: the value that the line has there, a real number.
+    """
+    lines: list[tuple] = []
+    for symbol, line in program.definitions:
+        if symbol in _APART:
+            line, condition = line.args[0]
+            lines.append((_APART[symbol][0], Piecewise((1, condition), (0, True))))
+        lines.append((symbol.xreplace(_NUMBERS), line.xreplace(_NUMBERS)))
+    return Program(program.name, program.inputs, tuple(lines), tuple(s.xreplace(_NUMBERS) for s in program.outputs))
+
+
+hit_of_a, hit_of_b = met(camera.hit_of_a), met(camera.hit_of_b)
 
 
 def along(t: Expr) -> tuple[Expr, Expr, Expr]:
@@ -61,7 +77,10 @@ _origin = (0, 0, 0)
 eye_outside_a = (*lengths_of_a, eye > radius, rho_raw >= POLE * eye)
 ray_meets_a = (*eye_outside_a, discriminant_a >= 0)
 _solves_a = Claim(
-    "solves", (equation(distance_squared(along(t_a), _origin), radius**2), t_a > 0), ray_meets_a, hit_of_a
+    "solves",
+    (equation(hits_a, 1), equation(distance_squared(along(t_a), _origin), radius**2), t_a > 0),
+    ray_meets_a,
+    hit_of_a,
 )
 _near_a = Claim(
     "near",
@@ -76,7 +95,7 @@ _near_a = Claim(
 )
 _misses_a = Claim(
     "misses",
-    (distance_squared(along(t), _origin) > radius**2,),
+    (distance_squared(along(t), _origin) > radius**2, equation(hits_a, 0)),
     (*eye_outside_a, discriminant_a < 0),
     hit_of_a,
     squares=((rho**2 + eye**2) * t - eye**2,),
@@ -107,7 +126,7 @@ theorem_a = Theorem(
             r"$\rho \le \rho_s$",
             "solves",
             holds=[{x: 3 * QUARTER, y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}],
-            undefined=[{x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: Rational(3, 5)}],
+            fails=[{x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: Rational(3, 5)}],
         ),
         SideCondition(
             "$e > R$", "solves", undefined=[{x: 0, y: HALF, eye: 1, radius: 1}, {x: 0, y: HALF, eye: HALF, radius: 1}]
@@ -128,7 +147,10 @@ def _on_the_axis(eye, z, ball_radius):
 _outside = distance_squared(_eye, ball_center) > ball_radius**2
 _sees_b = (_outside, discriminant_b >= 0, toward_b > 0, ball_on > 0)
 _solves_b = Claim(
-    "solves", (equation(distance_squared(along(t_b), ball_center), ball_radius**2), t_b > 0), _sees_b, hit_of_b
+    "solves",
+    (equation(hits_b, 1), equation(distance_squared(along(t_b), ball_center), ball_radius**2), t_b > 0),
+    _sees_b,
+    hit_of_b,
 )
 _length = dot(ray_direction, ray_direction)
 _near_b = Claim(
@@ -139,12 +161,12 @@ _near_b = Claim(
 )
 _behind_b = Claim(
     "behind",
-    (t < 0,),
+    (t < 0, equation(hits_b, 0)),
     (_outside, toward_b <= 0, equation(distance_squared(along(t), ball_center), ball_radius**2)),
     hit_of_b,
     squares=(x * t, y * t, eye * t),
 )
-_whole = chain("hit_and_normal_of_b", hit_of_b, normal_of_b)
+_whole = met(chain("hit_and_normal_of_b", camera.hit_of_b, normal_of_b))
 _from_the_center = [p - c for p, c in zip(along(t_b), ball_center, strict=True)]
 _outward_b = Claim(
     "outward",

@@ -1,6 +1,6 @@
 """The image's derivative in β, in closed form: the chain rule through the lines of the shading."""
 
-from sympy import Expr, Max, Pow, diff
+from sympy import Derivative, Max, Pow
 
 from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
@@ -36,11 +36,6 @@ s, n, power, x, slope, of_x, by_s = real("s n power x slope of_x by_s")
 raised, raised_by_beta = real("raised raised_by_beta")
 
 
-def at_zero(expression: Expr) -> Expr:
-    """Return the derivative in s at s = 0."""
-    return diff(expression, s).subs(s, 0)
-
-
 def _inner(program):
     """Return the program's base of the highlight before its clamp, with μ written out."""
     base = program[specular_base]
@@ -55,10 +50,10 @@ def _closed(model):
 
 
 _along = dict(zip(bumped, bumped + s * bumped_by_beta, strict=True))
-_mu = Claim("mu", (equation(at_zero(light_direction[mu].xreplace(_along)), mu_derivative[mu_by_beta]),))
+_mu = Claim("mu", (equation(Derivative(light_direction[mu].xreplace(_along), s), mu_derivative[mu_by_beta]),), zero(s))
 _blinn, _phong = (
-    Claim(model, (equation(at_zero(_inner(program).xreplace(_along)), _closed(model)),), given)
-    for model, program, given in (("blinn", blinn, (halfway_length > 0,)), ("phong", phong, ()))
+    Claim(model, (equation(Derivative(_inner(program).xreplace(_along), s), _closed(model)),), given)
+    for model, program, given in (("blinn", blinn, (halfway_length > 0, *zero(s))), ("phong", phong, zero(s)))
 )
 
 
@@ -66,10 +61,12 @@ def _term(name, given, lit_side, shiny):
     """Return the claim of a light's share where μ and the base have given signs; base^p and its slope are `raised`."""
     share = light_term.expand(lit[0]).xreplace({Max(0, mu): mu * lit_side, specular: raised * shiny})
     share = share.xreplace({mu: mu + s * mu_by_beta, raised: raised + s * raised_by_beta})
-    closed = term_derivative.expand(term_by_beta).xreplace({Pow(specular_base, shininess - 1): raised / specular_base})
+    closed = term_derivative.expand(term_by_beta)
+    (power,) = (p for p in closed.atoms(Pow) if p.exp.has(shininess))
+    closed = closed.xreplace({power: raised / specular_base})
     sides = equations((Max(0, mu), Max(0, specular_base)), (mu * lit_side, specular_base * shiny))
     power_rule = equation(raised_by_beta * specular_base, shininess * raised * base_by_beta)
-    return Claim(name, (*sides, equation(at_zero(share), closed)), (*given, *[power_rule] * shiny))
+    return Claim(name, (*sides, equation(Derivative(share, s), closed)), (*given, *zero(s), *[power_rule] * shiny))
 
 
 _sides = tuple(

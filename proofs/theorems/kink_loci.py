@@ -1,14 +1,19 @@
 """Where the creases of a field are seen: meridians are rays, parallels are circles; and how many parallels are seen."""
 
-from sympy import Basic, Expr, cos, pi, sin, sqrt
+from sympy import Basic, Derivative, Expr, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.program import Program, chain
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import parallel_radius, point_on_a
+from proofs.formulas.height_fields import gradient, height
 from proofs.formulas.symbols import (
     cos_phi,
     cos_theta,
     eye,
+    h,
+    h_u,
+    h_v,
     k_u,
     k_v,
     lengths_of_a,
@@ -28,7 +33,7 @@ from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.hits import along
 from proofs.theorems.relations import QUARTER, equations, ridges, sine, zero
 
-t, m = real("t m")
+t, m, crease = real("t m crease")
 
 
 def whole(number: Expr) -> Basic:
@@ -58,7 +63,12 @@ _projection = Claim(
     squares=(1 - cos_phi, sin_phi),
 )
 _creases = tuple(
-    Claim(f"crease_{c}", zero(factor.subs(c, m / k), ridges.expression.subs(c, m / k)), (k > 0, whole(m)))
+    Claim(
+        f"crease_{c}",
+        zero(crease, h),
+        (k > 0, whole(m)),
+        chain("crease", Program("factor", (u, v, k_u, k_v), ((crease, factor),)), height(ridges)).at({c: m / k}),
+    )
     for factor, c, k in zip(ridges.creases, (u, v), (k_u, k_v), strict=True)
 )
 _on_the_axis = {**at_angle(1, 0), eye: 1, x: 0, y: 0}
@@ -67,11 +77,13 @@ _elsewhere = tuple(
     Claim(
         f"elsewhere_{name}",
         (
-            equation(ridges.expression, side * sine.expression),
-            greater(ridges.expression, 0),
-            *equations(ridges.gradient(), [side * p for p in sine.gradient()]),
+            equation(h, side * sine.expression),
+            greater(h, 0),
+            *equations([Derivative(ridges.expression, c) for c in (u, v)], (h_u, h_v)),
+            *equations((h_u, h_v), [side * Derivative(sine.expression, c) for c in (u, v)]),
         ),
         (side * sine.expression > 0,),
+        chain("ridges", height(ridges), gradient(ridges)),
     )
     for name, side in (("above", 1), ("below", -1))
 )
@@ -105,7 +117,7 @@ theorem = Theorem(
         variant("ρ with e + R cos φ", _projection, _other_sign),
         variant("ρ = R sin φ", _projection, equation(x**2 + y**2, (radius * sin_phi) ** 2)),
         variant("the ray on the other side", _projection, at_least(0, x * cos_theta + y * sin_theta)),
-        variant("the slope of p, whatever its sign", _elsewhere[1], *_elsewhere[0].shows[2:3]),
+        variant("the slope of p, whatever its sign", _elsewhere[1], *_elsewhere[0].shows[4:5]),
     ),
     side_conditions=(
         SideCondition(

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from sympy import Abs, Expr, Rational, diff
+from sympy import Abs, Derivative, Expr, Rational
 
 from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.program import chain
@@ -59,7 +59,7 @@ unit_length = Theorem(
 )
 
 _lines = chain("both", perturbed, normal_by_beta)
-_slopes = [diff(b, beta) for b in perturbed.expand(bumped)]
+_slopes = [Derivative(b, beta) for b in perturbed.expand(bumped)]
 _derivative = Claim("derivative", equations(_slopes, bumped_by_beta), (dot(m, m) > 0,), _lines)
 _on_the_sphere = Claim("tangent_to_directions", zero(dot(bumped, bumped_by_beta)), (dot(m, m) > 0,), _lines)
 

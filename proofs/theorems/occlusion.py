@@ -4,7 +4,7 @@ from sympy import Rational, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
-from proofs.formulas.camera import discriminant_b, hit_of_b, ray_direction, toward_b
+from proofs.formulas.camera import discriminant_b, ray_direction, toward_b
 from proofs.formulas.shadow import (
     body_radius,
     center,
@@ -18,7 +18,7 @@ from proofs.formulas.shadow import (
 )
 from proofs.formulas.shadow_cone import along, at_light, curvature, from_body, half_slope, shadow_clearance
 from proofs.formulas.symbols import ball_center, ball_radius, cross, dot, eye, light, point, real, vector
-from proofs.theorems.hits import distance_squared
+from proofs.theorems.hits import distance_squared, hit_of_b
 from proofs.theorems.relations import HALF, nonnegative, positive
 
 s = real("s")
@@ -47,7 +47,7 @@ _first = (_b - sqrt(_d)) / _a
 _if = Claim(
     "if",
     (
-        *positive(_a, _a - _b),
+        greater(_a, 0),
         equation((_b - sqrt(_d)) * (_b + sqrt(_d)), _a * _c),
         *positive(_b + sqrt(_d), _b - sqrt(_d)),
         equation((_a - _b - sqrt(_d)) * (_a - _b + sqrt(_d)), _a * (_a - 2 * _b + _c)),

@@ -1,8 +1,9 @@
 """At the pole: when the chapter's g has a limit, and when the true surface gradient has one (F12)."""
 
-from sympy import Expr, cos, pi, sin
+from sympy import S, cos, pi, sin
 
 from proofs.engine.claim import Claim, Induction, equation
+from proofs.engine.program import Program, chain
 from proofs.engine.theorem import Clause, Mutant, Step, Theorem, variant
 from proofs.formulas.bump import bumped_normal, g
 from proofs.formulas.height_fields import HeightField, gradient
@@ -11,8 +12,6 @@ from proofs.formulas.symbols import (
     cos_phi,
     cos_theta,
     dot,
-    h_u,
-    h_v,
     k_u,
     k_v,
     phi,
@@ -23,16 +22,15 @@ from proofs.formulas.symbols import (
     u,
     v,
 )
-from proofs.theorems.relations import equations, positive, rings, sine, zero
+from proofs.theorems.relations import equations, expanded, positive, rings, sine, zero
 
 _meridian = u, (theta + pi) / (2 * pi)
 
 
-def at_pole(field: HeightField) -> tuple[Expr, ...]:
-    """Return g/π on the meridian θ as v → 0: its lines at v = 0, φ = 0."""
-    slopes = {s: gradient(field).expand(s).subs(v, 0).subs(*_meridian) / pi for s in (h_u, h_v)}
-    pole = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: 1, sin_phi: 0, **slopes}
-    return tuple(bumped_normal.expand(g_i).subs(pole) for g_i in g)
+def at_pole(field: HeightField) -> Program:
+    """Return the lines of g on the meridian θ as v → 0: those at v = 0, φ = 0."""
+    pole = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: S.One, sin_phi: S.Zero, v: S.Zero}
+    return chain("at_pole", gradient(field), bumped_normal.keep(*g)).at(dict([_meridian]) | pole)
 
 
 _turned = k_u * (theta + pi) / 2
@@ -40,21 +38,28 @@ _sine, _rings = at_pole(sine), at_pole(rings)
 _meridian_direction = Vector((cos(theta), sin(theta), 0))
 _length = Claim(
     "sine",
-    (
-        *equations(_sine, k_v * sin(_turned) * _meridian_direction),
-        equation(dot(_sine, _sine), k_v**2 * sin(_turned) ** 2),
-        *(equation(g_i.subs(at), 0) for at in ({theta: -pi}, {k_u: 0}, {k_v: 0}) for g_i in _sine),
-    ),
+    (*equations(g, pi * k_v * sin(_turned) * _meridian_direction), equation(dot(g, g), (pi * k_v * sin(_turned)) ** 2)),
+    lines=_sine,
 )
-_differs = Claim("sine_differs", positive(dot(_sine, _sine)), (k_v**2 > 0, sin(_turned) ** 2 > 0))
-_round = [g_i - g_i.subs(theta, theta + pi) for g_i in _rings]
+_vanishes = tuple(
+    Claim(f"sine_{name}", zero(*g), lines=_sine.at(at))
+    for name, at in (("seam", {theta: -pi}), ("k_u_0", {k_u: S.Zero}), ("k_v_0", {k_v: S.Zero}))
+)
+_differs = Claim(
+    "sine_differs",
+    (_length.shows[-1], *positive((k_v * sin(_turned)) ** 2, dot(g, g))),
+    (k_v**2 > 0, sin(_turned) ** 2 > 0),
+    _sine,
+)
+_across = [g_i - _rings.expand(g_i).xreplace({theta: theta + pi}) for g_i in g]
 _opposite = Claim(
     "rings",
     (
-        *equations(_rings, 2 * k_v * _meridian_direction),
-        equation(dot(_rings, _rings), 4 * k_v**2),
-        equation(dot(_round, _round), 16 * k_v**2),
+        *equations(g, 2 * pi * k_v * _meridian_direction),
+        equation(dot(g, g), (2 * pi * k_v) ** 2),
+        equation(dot(_across, _across), (4 * pi * k_v) ** 2),
     ),
+    lines=_rings,
 )
 
 n, chebyshev, following = real("n chebyshev following")
@@ -71,14 +76,18 @@ _smooth = Induction(
 )
 # The surface gradient over k_v, at φ → 0: h_θ/sin φ e_θ + h_φ e_φ with sin(k_v φ)/sin φ → k_v.
 _along = Vector((-sin(theta), cos(theta))), Vector((cos(theta), sin(theta)))
-_surface = k_u / 2 * cos(_turned) * _along[0] + sin(_turned) * _along[1]
+_surface = real("surface_x surface_y")
+_tangential = Program(
+    "tangential", (theta, k_u), ((_surface, k_u / 2 * cos(_turned) * _along[0] + sin(_turned) * _along[1]),)
+)
 _limit = Claim(
     "surface_gradient",
-    (
-        equation(dot(_surface, _surface), k_u**2 / 4 + (1 - k_u**2 / 4) * sin(_turned) ** 2),
-        *(equation(s.subs(k_u, 0), 0) for s in _surface),
-        *equations([s.subs(k_u, k) for k in (2, -2) for s in _surface], (0, -1, 0, 1)),
-    ),
+    (equation(dot(_surface, _surface), k_u**2 / 4 + (1 - k_u**2 / 4) * sin(_turned) ** 2),),
+    lines=_tangential,
+)
+_same_limit = tuple(
+    Claim(f"surface_gradient_{k}".replace("-", "minus_"), equations(_surface, limit), lines=_tangential.at({k_u: S(k)}))
+    for k, limit in ((0, (0, 0)), (2, (0, -1)), (-2, (0, 1)))
 )
 
 theorem = Theorem(
@@ -90,7 +99,7 @@ theorem = Theorem(
             r"At $v = 0$ on the meridian $\theta$, sine's $g$ is $\pi k_v\sin\pi k_u u\,(\cos\theta, \sin\theta, 0)$, "
             r"of length $\pi|k_v\sin\pi k_u u|$: 0 everywhere if $k_u k_v = 0$; otherwise 0 on $u = 0$ and not 0 where "
             r"$\sin\pi k_u u \ne 0$, so that two meridians have two limits.",
-            (_length, _differs),
+            (_length, *_vanishes, _differs),
         ),
         Clause(
             r"Rings' is $2\pi k_v(\cos\theta, \sin\theta, 0)$: on opposite meridians $4\pi|k_v|$ apart.", (_opposite,)
@@ -99,7 +108,7 @@ theorem = Theorem(
             r"Sine's surface gradient tends to $k_v$ times a vector of squared length "
             r"$k_u^2/4 + (1-k_u^2/4)\sin^2\pi k_u u$: the same on every meridian only if $k_u = 0$, where it is 0, or "
             r"$k_u = \pm 2$, where it is $(0, \mp 1, 0)$.",
-            (_limit,),
+            (_limit, *_same_limit),
         ),
         Clause(
             r"For $k_u = 2$ and whole $k_v \ge 0$, $h = -y\,U_{k_v-1}(z)$ is a polynomial on the sphere.", (_smooth,)
@@ -130,18 +139,20 @@ theorem = Theorem(
         ),
     ),
     mutants=(
-        variant("sine's g has a limit", _length, *[equation(s.subs(theta, 0), s) for s in _sine]),
-        variant("rings' has one", _opposite, *[equation(s.subs(theta, theta + pi), s) for s in _rings]),
+        variant("sine's g has a limit", _length, *[equation(_sine.expand(s).xreplace({theta: S.Zero}), s) for s in g]),
+        variant("rings' has one", _opposite, *zero(*_across)),
         variant(
             "the true gradient has one for k_u = 1",
             _limit,
-            *[equation(s.subs({k_u: 1, theta: 0}), s.subs(k_u, 1)) for s in _surface],
+            *equations([_tangential.expand(s).xreplace({theta: S.Zero}) for s in _surface], _surface),
+            lines=_tangential.at({k_u: S.One}),
         ),
         variant("h = y U for k_u = 2", _smooth, equation(_two, sin(phi) * sin(theta) * chebyshev)),
     ),
 )
 
-_same = Claim("one_limit", (equation(_sine[1], _sine[1].subs(theta, -pi)),))
+_over_pi = expanded(_sine.expand(g[1]) / pi)
+_same = Claim("one_limit", (equation(_over_pi, expanded(_over_pi.xreplace({theta: -pi}))),))
 
 smooth_everywhere = Theorem(
     id="sine_is_smooth_everywhere",
@@ -154,6 +165,6 @@ smooth_everywhere = Theorem(
     ),
     mutants=(
         variant("true for k_v = 0", _same, given=zero(k_v)),
-        Mutant("true of the surface gradient, k_u = 2", Claim("surface", _limit.shows[3:5])),
+        Mutant("true of the surface gradient, k_u = 2", _same_limit[1]),
     ),
 )

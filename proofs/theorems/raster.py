@@ -21,6 +21,7 @@ from proofs.formulas.symbols import (
     x,
     y,
 )
+from proofs.theorems.relations import expanded
 
 m, n = real("m n")
 FALLBACK = Rational(1, 10**4)  # the seed's: below this sin φ it takes another basis
@@ -60,7 +61,7 @@ _far = Claim(
 _needed = (FALLBACK * Rational(4, 3)) ** 2
 _only_near = Claim("only_near", (greater(_needed, rho**2),), (4 * sin_phi >= 3 * rho, rho >= 0, sin_phi < FALLBACK))
 _no_pixel = tuple(c.but(name=c.name + "_far", shows=(greater(_radius_squared, _needed),)) for c in _on_the_raster)
-_beside = Claim("beside", (greater(_needed, _radius_squared),), (*_whole, (n - 107) * (n - 110) <= 0))
+_beside = Claim("beside", (greater(_needed, expanded(_radius_squared)),), (*_whole, (n - 107) * (n - 110) <= 0))
 
 theorem = Theorem(
     id="pixels_off_the_pole",

@@ -2,9 +2,10 @@
 
 from collections.abc import Sequence
 
-from sympy import Basic, Expr, Rational, Symbol
+from sympy import Basic, Expr, Rational, Symbol, expand
 
 from proofs.engine.claim import at_least, equation, greater
+from proofs.engine.program import evaluated
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
@@ -36,6 +37,13 @@ def both_ways(bound: Expr, quantity: Expr) -> tuple[Basic, ...]:
     return nonnegative(bound - quantity, bound + quantity)
 
 
+@evaluated
 def named(function: Expr) -> Symbol:
     """Return the name that the translation gives to a cosine or a sine, for hints about squares."""
-    return Symbol(str(function).replace(" ", ""), real=True)
+    return Symbol(str(function.doit()).replace(" ", ""), real=True)
+
+
+@evaluated
+def expanded(expression: Expr) -> Expr:
+    """Return what is to be refuted as SymPy expands it: π, which is no coordinate of a point, cancels."""
+    return expand(expression.doit())

@@ -6,7 +6,7 @@ from proofs.engine.claim import CitedLemma, Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.symbols import k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, ridges, sine, zero
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, expanded, named, ridges, sine, zero
 
 to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u, v = n/k_v
 _crossing = ridges.expression.subs({u: m / k_u + to_u, v: n / k_v + to_v})
@@ -50,13 +50,17 @@ _flat = Claim(
 
 def _either_side(name, along, k, step, across):
     """Return the claim about a crease along = m/k, at a distance `step` on both sides, where `across` is sin πk'v."""
-    sides = [ridges.expression.subs(along, m / k + side * step) for side in (1, -1)]
+    beside = [{along: m / k + side * step} for side in (1, -1)]
+    sides = [ridges.expression.xreplace(at) for at in beside]
+    (factor,) = (crease for crease in ridges.creases if crease.has(along))
+    factors = [Abs(factor.xreplace(at)) for at in beside]
     angle, slope = pi * k * step, pi * k * Abs(across)
     height = sin(angle) * Abs(across)
     return Claim(
         name,
         (
-            *(r for side in sides for r in (at_least(side, height), at_least(height, side), equation(side, height))),
+            *(r for f in factors for r in (at_least(f, sin(angle)), at_least(sin(angle), f), equation(f, sin(angle)))),
+            *(equation(side, height) for side in sides),
             at_least(slope * step, sides[0]),
             at_least(sides[0], slope * step * (1 - angle**2 / 6)),
         ),
@@ -144,7 +148,7 @@ on_creases = Theorem(
     ),
 )
 
-_u_slope = sine.gradient()[0] / pi  # in half-turns
+_u_slope = expanded(sine.gradient()[0] / pi)  # in half-turns
 _one_slope = Claim("one_slope", (equation(Abs(_u_slope), -Abs(_u_slope)),), zero(sin(pi * k_u * u)))
 
 differentiable = Theorem(

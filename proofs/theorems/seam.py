@@ -1,12 +1,14 @@
 """Across the seam u = 0: which fields are continuous there, and which are differentiable (F11)."""
 
-from sympy import Expr, Rational, cos, expand, pi, sin
+from sympy import Expr, Rational, S, cos, pi, sin
 
 from proofs.engine.claim import Claim, Induction, at_least, equation
+from proofs.engine.program import Program, chain
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.half_turns import sinpi
-from proofs.formulas.symbols import k_u, k_v, real, u, v
-from proofs.theorems.relations import EIGHTH, HALF, named, positive, ridges, rings, sine, zero
+from proofs.formulas.height_fields import gradient, height
+from proofs.formulas.symbols import h, h_u, k_u, k_v, real, u, v
+from proofs.theorems.relations import EIGHTH, HALF, expanded, named, positive, ridges, rings, sine, zero
 
 n, alternating = real("n alternating")
 _whole, _in_v = equation(sin(pi * k_u), 0), sinpi(k_v * v)
@@ -25,13 +27,15 @@ _parity = Induction(
     (equation(cos(pi * n), alternating), equation(sin(pi * n), 0), equation(cos(2 * pi * n), 1)),
     ((alternating, 1, -alternating),),
 )
+h_jump, slope_jump = real("h_jump slope_jump")
 _sine = Claim(
     "sine",
     (
-        equation(jump(sine.expression), -sin(pi * k_u) * _in_v),
-        equation(jump(_slope), pi * k_u * (1 - cos(pi * k_u)) * _in_v),
+        equation(h_jump, -sin(pi * k_u) * _in_v),
+        equation(slope_jump, pi * k_u * (1 - cos(pi * k_u)) * _in_v),
         equation(_turned, cos(pi * k_u) * sine.expression + sin(pi * k_u) * cos(pi * k_u * u) * _in_v),
     ),
+    lines=Program("jumps", (k_u, k_v, v), ((h_jump, jump(sine.expression)), (slope_jump, jump(_slope)))),
 )
 _even = Claim(
     "even",
@@ -43,7 +47,9 @@ _odd = Claim(
     (equation(jump(sine.expression), 0), equation(jump(_slope), 2 * pi * k_u * _in_v)),
     (equation(cos(pi * k_u), -1),),
 )
-_ridges = Claim("ridges", zero(ridges.expression.subs(u, 0), ridges.expression.subs(u, 1)), (_whole,))
+_ends = real("h_first h_last")
+_at_ends = tuple((h, ridges.expression.xreplace({u: at})) for h, at in zip(_ends, (S.Zero, S.One), strict=True))
+_ridges = Claim("ridges", zero(*_ends), (_whole,), Program("ends", (k_u, k_v, v), _at_ends))
 _step = real("step")
 _beside = tuple(ridges.expression.subs(u, at) for at in (_step, 1 - _step))
 _crease = Claim(
@@ -64,7 +70,9 @@ _broken = Claim(
     ranges=tuple((s, (EIGHTH, 7 * EIGHTH)) for s in (k_u, k_v, v)),  # samples keep off the zeros
 )
 _smooth = Claim(
-    "rings", (equation(rings.expression.subs(u, u + 1), rings.expression), equation(rings.gradient()[0], 0))
+    "rings",
+    (equation(h, rings.expression), *zero(h_u)),
+    lines=chain("rings", height(rings), gradient(rings)).at({u: u + 1}),
 )
 
 theorem = Theorem(
@@ -99,7 +107,7 @@ theorem = Theorem(
     ),
     mutants=(
         variant("C¹ for odd k_u", _odd, *_even.shows),
-        variant("continuous for every k_u", _sine, equation(jump(sine.expression), 0)),
+        variant("continuous for every k_u", _sine, equation(h_jump, 0)),
         variant("ridges continuous for every k_u", _ridges, given=()),
         variant("h(u + 1) = h for whole k_u", _sine, equation(_turned, sine.expression), given=(_whole,)),
     ),
@@ -113,7 +121,7 @@ theorem = Theorem(
     ),
 )
 
-_periodic = Claim("slope", zero(expand(jump(_slope) / pi)), (_whole,))
+_periodic = Claim("slope", zero(expanded(jump(_slope) / pi)), (_whole,))
 
 seam_saved = Theorem(
     id="periodic_u_saves_the_seam",

@@ -1,15 +1,16 @@
 """The shadow of a sphere on the floor: a conic, its type by the light's height, and its degree along a "
 "row of pixels."""
 
-from sympy import diff
+from sympy import Derivative
 
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import chain
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import distance, point_on_floor
 from proofs.formulas.shadow import body_radius, center, segment_squared, shadow, shadow_discriminant, toward_center
-from proofs.formulas.symbols import Vector, ball_center, ball_radius, cross, dot, eye, light, x, y
+from proofs.formulas.symbols import Vector, ball_center, ball_radius, cross, dot, eye, light, real, x, y
 from proofs.theorems.hits import distance_squared
+from proofs.theorems.relations import zero
 from proofs.theorems.silhouettes import conic_types
 from proofs.theorems.silhouettes import theorem as silhouette_of_b
 
@@ -20,18 +21,19 @@ _apart = distance_squared(light, center) > body_radius**2
 _xx, _xy, _yy = _w[0] ** 2 - _c, _w[0] * _w[1], _w[1] ** 2 - _c
 _to_light = Vector((x, y, 0)) - light  # P − L
 _across = dot(_to_light, _w)
+foot_x, foot_y = real("foot_x foot_y")
+_at_foot = _on_floor.expand(shadow_discriminant).xreplace({x: foot_x, y: foot_y})
 _conic = Claim(
     "conic",
     (
         equation(shadow_discriminant, _across**2 - _c * dot(_to_light, _to_light)),
         equation(
             shadow_discriminant - _xx * x**2 - 2 * _xy * x * y - _yy * y**2,
-            sum(c * diff(_on_floor.expand(shadow_discriminant), c).subs({x: 0, y: 0}) for c in (x, y))
-            + _on_floor.expand(shadow_discriminant).subs({x: 0, y: 0}),
+            x * Derivative(_at_foot, foot_x) + y * Derivative(_at_foot, foot_y) + _at_foot,
         ),
         equation(_xx * _yy - _xy**2, _c * (_w[2] ** 2 - body_radius**2)),
     ),
-    (),
+    zero(foot_x, foot_y),
     _on_floor,
 )
 _determinant = _xx * _yy - _xy**2
@@ -49,7 +51,7 @@ _row = Claim(
             - dot(_along_row, _along_row),
         ),
         equation(segment_squared, x**2 - 2 * light[0] * x + light[0] ** 2 + (light[1] - y) ** 2 + light[2] ** 2),
-        equation(diff(_on_floor.expand(toward_center), x), 2 * x - light[0] - center[0]),
+        equation(Derivative(_on_floor.expand(toward_center), x), 2 * x - light[0] - center[0]),
     ),
     (),
     _on_floor,
@@ -99,7 +101,11 @@ _behind_a = Claim(
 )
 _leading = Claim(
     "leading",
-    (equation(diff(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _w[1] ** 2 - _w[2] ** 2)),),
+    (
+        equation(
+            Derivative(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _w[1] ** 2 - _w[2] ** 2)
+        ),
+    ),
 )
 _given_scene = {light: (0, 0, 3), center: (2, 0, 2), body_radius: 1}
 

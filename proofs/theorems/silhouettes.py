@@ -5,9 +5,9 @@ from sympy import Basic, Expr
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
-from proofs.formulas.camera import discriminant_b, distance, hit_of_b, ray_direction, toward_b
+from proofs.formulas.camera import discriminant_b, distance, ray_direction, toward_b
 from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, lengths_of_b, x, y
-from proofs.theorems.hits import distance_squared
+from proofs.theorems.hits import distance_squared, hit_of_b
 from proofs.theorems.relations import nonnegative, positive
 
 _cx, _cy, _cz = ball_center

@@ -1,6 +1,6 @@
 """The truncation error of the central difference of the smooth fields, with its constant."""
 
-from sympy import Expr, Rational, cos, diff, pi, sin
+from sympy import Derivative, Expr, Rational, cos, pi, sin
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
@@ -41,7 +41,7 @@ def _hints(a, b):
 def _bounded(name, field, output, frequency, factors, squares=(), share=1):
     """Return the claim |D − slope| ≤ share · ε²/6 (π frequency)³; slope = π frequency · factors."""
     coordinate, given = {h_u: (u, nothing_wraps), h_v: (v, nothing_clamps)}[output]
-    slope, third = (diff(field.expression, coordinate, n) for n in (1, 3))
+    slope, third = (Derivative(field.expression, coordinate, n) for n in (1, 3))
     rate = slope_bound[steepest].xreplace({half_turns: frequency})
     angle = rate * epsilon
     error, bound = difference(field, output) - slope, share * bound_at(frequency)
@@ -69,7 +69,7 @@ _rings = _bounded("rings", rings, h_v, 2 * k_v, cos(2 * pi * k_v * v))
 def _between_creases(name, output, coordinate, given, side):
     """Return the claim that ridges has sine's difference and slope, times `side`, the sign of sine's heights."""
     sines = [sine.expression.subs(coordinate, coordinate + step) for step in (epsilon, -epsilon, 0)]
-    slopes = [diff(field.expression, coordinate) for field in (ridges, sine)]
+    slopes = [Derivative(field.expression, coordinate) for field in (ridges, sine)]
     return Claim(
         name,
         equations((difference(ridges, output), slopes[0]), (side * difference(sine, output), side * slopes[1])),

@@ -4,9 +4,9 @@ from sympy import Rational
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
-from proofs.formulas.camera import discriminant_a, hit_of_a, ray_direction, root_a, t_a, tangent_squared
+from proofs.formulas.camera import discriminant_a, ray_direction, root_a, tangent_squared
 from proofs.formulas.symbols import dot, eye, radius, real, rho, rho_silhouette, x, y
-from proofs.theorems.hits import along, eye_outside_a, ray_meets_a
+from proofs.theorems.hits import along, eye_outside_a, hit_of_a, ray_meets_a, t_a
 from proofs.theorems.relations import HALF, QUARTER, positive
 
 t = real("t")

@@ -4,13 +4,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import mpmath
-from sympy import And, Basic, Expr, Symbol
+from sympy import And, Basic, Derivative, Expr, Symbol, sympify
 
 from verify.evaluate import DIGITS, MPMATH, Evaluator, code_of, compare
 
 Lines = Sequence[tuple[Symbol, Expr]]
 WORKING_DIGITS = DIGITS + 15
-TOLERANCE = mpmath.mpf(10) ** -40
+TOLERANCE, ROUNDING = mpmath.mpf(10) ** -40, mpmath.mpf(10) ** -58
 
 
 class Undefined(ArithmeticError):
@@ -32,15 +32,24 @@ def _real(number):
     return number
 
 
-NUMBERS = MPMATH | {"compare": decided, "real": _real}
+def _step(x, *_):
+    return mpmath.mpf(x > 0) if x else mpmath.nan
+
+
+NUMBERS = MPMATH | {"compare": decided, "real": _real, "Heaviside": _step, "DiracDelta": lambda x, *_: 0 * _step(x)}
 """What the code calls, over numbers at mpmath's working precision, where every comparison has to be decided."""
+
+
+def _differentiated(expression):
+    """Return the expression with SymPy's own derivatives, whatever the rules of a translation make of them."""
+    return sympify(expression).replace(Derivative, lambda *parts: Derivative(*parts).doit())
 
 
 class Code(Evaluator):
     """Expressions over some values, and over definitions in terms of these: printed once, for numbers and for balls."""
 
     def __init__(self, expressions: Sequence[Basic], definitions: Lines = ()):
-        self.code = code_of((*definitions, *enumerate(expressions)))
+        self.code = code_of((*definitions, *enumerate(map(_differentiated, expressions))))
         self.results = [str(number) for number in range(len(expressions))]
 
     def __call__(self, values: Mapping, names: Mapping = NUMBERS) -> list:
@@ -61,11 +70,11 @@ def parts_of(relations: Iterable[Basic]) -> list[Basic]:
 class Relations:
     """Relations over inputs and definitions, as code: called with values, whether all of them hold, to 40 digits.
 
-    exactly: inequalities hold without that tolerance, as what is given has to.
+    slack: by how much, relatively, an inequality may fail; 0 for what is given.
     """
 
-    def __init__(self, relations: Iterable[Basic], definitions: Lines = (), exactly: bool = False):
-        self.slack = 0 if exactly else TOLERANCE
+    def __init__(self, relations: Iterable[Basic], definitions: Lines = (), slack: mpmath.mpf = TOLERANCE):
+        self.slack = slack
         pairs = [(r.lhs, r.rel_op, r.rhs) if r != False else (0, "==", 1) for r in parts_of(relations)]  # noqa: E712
         self.code = Code([side for left, _, right in pairs for side in (left, right)], definitions)
         self.operators = [relation for _, relation, _ in pairs]

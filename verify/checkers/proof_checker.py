@@ -17,13 +17,15 @@ theorem needs them: no grade of what is proved rests on either.
 """
 
 import importlib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
-from proofs.check import is_empty, reasons
+from proofs.check import reasons
 from proofs.engine import kernel
-from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
-from proofs.engine.stored import NotFound, Proved, Stale, evidence, show_polynomial, stored
-from proofs.engine.theorem import WITHOUT_CLAIMS, Theorem, Theorems, incomplete
+from proofs.engine.claim import AnyClaim, Induction, Separation
+from proofs.engine.induction import induction
+from proofs.engine.statement import by_definition as idle
+from proofs.engine.stored import NotFound, Stale, evidence, show_polynomial, stored
+from proofs.engine.theorem import WITHOUT_CLAIMS, Theorem, Theorems, borrowed, incomplete
 from verify.checkers import witness
 from verify.checkers.counterexamples import FAILURES, counterexample
 from verify.checkers.grades import Examination
@@ -94,15 +96,17 @@ def _check_certificates(examination, theorem, theorems, prove, anew):
     except NotFound as error:
         examination.problems.append(str(error))
         return
+    nothing = {claim.name: by_definition(claim, theorems) for claim in theorem.claims}
+    examination.by_definition = [
+        c.name for c in theorem.claims if len(nothing[c.name]) == len(getattr(c, "shows", "-"))
+    ]
     for claim, cases in claims:
-        if by_definition(claim, cases):
-            examination.by_definition.append(claim.name)
         examination.problems += [f"{claim.name}: {why}" for why in reasons(cases, why_rejected) if why]
     said = [statement for _, cases in claims for statement, *_ in cases]
     given = sum(step["step"] == "assume" for statement in said for step in statement.get("steps", ()))
     examination.record |= {
         "statements": len(said),
-        "by_definition": examination.by_definition,
+        "by_definition": {name: relations for name, relations in nothing.items() if relations},
         "argued": examination.argued,
     }
     examination.record |= {"hypotheses": given}
@@ -110,21 +114,15 @@ def _check_certificates(examination, theorem, theorems, prove, anew):
         examination.record["second_checker"] = "not run"
 
 
-def by_definition(claim: AnyClaim, cases: Sequence[Proved]) -> bool:
-    """Return whether nothing was left for the kernel to decide: all that is shown is 0 = 0, or is given.
-
-    The conditions of branches, which a statement shows besides the claim's own relations, count as something.
-    """
+def by_definition(claim: AnyClaim, theorems: Theorems) -> list[str]:
+    """Return the relations of a claim that say nothing: once translated they read 0 = 0, or are given."""
     if isinstance(claim, Induction):
-        ((said, *_),) = cases
-        given = [step["of"] for step in said.get("assume", ()) if step["is"] == "="]
-        return not is_empty(said) and all(not p or p in given for p in said["show"])
-    if not isinstance(claim, Claim):
-        return False
-    steps = [step for statement, *_ in cases if not is_empty(statement) for step in statement.get("steps", ())]
-    shown = [step for step in steps if step["step"] == "show"]
-    given = [(step["is"], step["of"]) for step in steps if step["step"] == "assume"] * (len(shown) <= len(claim.shows))
-    return bool(shown) and all(not step["of"] or (step["is"], step["of"]) in given for step in shown)
+        said = induction(claim)
+        given = [step["of"] for step in said["assume"] if step["is"] == "="]
+        return [str(r) for r, p in zip(claim.shows, said["show"], strict=True) if not p or p in given]
+    if isinstance(claim, Separation):
+        return []
+    return [str(claim.shows[number]) for number in idle(borrowed(claim, theorems))]
 
 
 def why_unproved(claim: AnyClaim, theorems: Theorems, prove: Callable, **effort: int) -> str | None:
@@ -145,9 +143,8 @@ def _sampled(examination, theorem, claim, points):
             examination.problems.append(f"{claim.name}: at 50 digits the point is not a counterexample")
         return {"claim": claim.name, "points": 1}
     seed = f"{theorem.id}/{claim.name}"
-    for lemma in getattr(claim, "cited", ()):  # under the source's conditions alone
-        alone = Claim("cited", (lemma.relation,), lemma.given, ranges=claim.ranges)
-        if failing := witness.sample(alone, seed, points, failures=FAILURES).smallest:
+    for lemma in getattr(claim, "cited", ()):
+        if failing := witness.lemma_fails_at(lemma, seed, points):
             examination.problems.append(f"{lemma.text}, from {lemma.source}: false at {witness.printed(failing, 20)}")
     seen = witness.sample(claim, seed, points, failures=FAILURES)
     if seen.failures:

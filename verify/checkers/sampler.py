@@ -16,20 +16,23 @@ SIMPLE = [Fraction(p, q) for q in (1, 2, 3, 4, 5, 13) for p in range(-2 * q, 2 *
 
 
 class Sampler:
-    """Random points for a claim: its inputs, with the equations among its givens solved for one symbol each."""
+    """Random points for a claim: its inputs, with the equations among its givens solved for one symbol each.
 
-    def __init__(self, claim: Claim, seed: str | int):
+    slack: by how much, relatively, an inequality that is claimed may fail.
+    """
+
+    def __init__(self, claim: Claim, seed: str | int, slack: mpmath.mpf = TOLERANCE):
         self.random, self.ranges = random.Random(seed), dict(claim.ranges)
         used, lines = claim.names()
         definitions = lines.definitions if lines else ()
         defined = {s for s, _ in definitions}
         self.inputs = sorted((used | set(lines.inputs if lines else ())) - defined, key=lambda s: s.name)
         early = [r for r in claim.given if not r.free_symbols & defined]
-        self.early = Relations(early, exactly=True)
+        self.early = Relations(early, slack=0)
         self.given, self.claimed, self.definitions = parts_of(claim.given), claim.shows, definitions
         equations = {_written_out(r, definitions): r for r in claim.given if isinstance(r, Eq)}
-        self.late = Relations([r for r in claim.given if r.free_symbols & defined], definitions, exactly=True)
-        self.shows = Relations(claim.shows, definitions)
+        self.late = Relations([r for r in claim.given if r.free_symbols & defined], definitions, slack=0)
+        self.shows = Relations(claim.shows, definitions, slack)
         solvable = _solvable([r for r in equations if not r.free_symbols & defined])
         self.solved = [(symbol, coefficients) for symbol, coefficients, _ in solvable]
         self.solved_relations = {equations[r] for *_, r in solvable}

@@ -1,7 +1,7 @@
 """Mutants before the kernel: what a false variant says, with the certificates of its theorem."""
 
 from proofs.engine.claim import AnyClaim
-from proofs.engine.statement import Untranslatable
+from proofs.engine.derivative import Untranslatable
 from proofs.engine.stored import Stale, statements, stored
 from proofs.engine.theorem import Mutant, Theorem, Theorems
 

@@ -7,7 +7,7 @@ searched anew; nothing is searched, and no certificate is checked. It fails wher
 import sys
 from collections.abc import Iterator
 
-from proofs.engine.statement import Untranslatable
+from proofs.engine.derivative import Untranslatable
 from proofs.engine.stored import NotFound, Stale, stored
 from proofs.engine.theorem import Theorem, Theorems, all_theorems
 from renderer.generate.__main__ import PRINTED

@@ -1,22 +1,34 @@
 """Attacks by claims: false ones that must not be proved, true ones that must not be refuted, what has no meaning."""
 
 import json
+import sys
+from math import prod
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
 from sympy import (
     Abs,
+    Derivative,
+    DiracDelta,
     Dummy,
     E,
+    Heaviside,
     I,
     Max,
     Min,
     Ne,
     Piecewise,
+    Pow,
     Rational,
     S,
     Symbol,
+    atan2,
     cos,
+    diff,
     evaluate,
+    floor,
+    log,
     pi,
     sign,
     sin,
@@ -24,25 +36,26 @@ from sympy import (
     symbols,
 )  # fmt: skip
 
+import proofs.theorems
 from proofs import check
 from proofs.check import FOLDER, reasons
 from proofs.engine import certificate, kernel
 from proofs.engine import stored as stored_file
 from proofs.engine.certificate import prove
 from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, at_least, equation, greater
+from proofs.engine.derivative import Untranslatable
 from proofs.engine.points import without_unused
 from proofs.engine.program import Program
 from proofs.engine.search import search
-from proofs.engine.statement import Untranslatable
 from proofs.engine.stored import NotFound, Stale, statements, stored
 from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems
-from proofs.formulas.half_turns import sinpi
+from proofs.formulas.half_turns import cospi, sinpi
 from proofs.theorems.cited import sine_below
 from verify.checkers import witness
 from verify.checkers.kernels import accepted, compact
-from verify.checkers.proof_checker import examine
+from verify.checkers.known_bad import CERTIFICATE, STATEMENT, assume, derivation, show
+from verify.checkers.proof_checker import by_definition, examine
 from verify.checkers.splices import splices
-from verify.checkers.test_checkers import CERTIFICATE, STATEMENT, assume, derivation, show
 
 x, y, n, p, w, m = symbols("x y n p w m", real=True)
 a, s = symbols("a s", real=True)
@@ -89,6 +102,19 @@ def untranslatable():
         symbol = Symbol(name, real=True)
         yield Claim(f"shown {name!r}", (greater(symbol, 3),)), "no name"
         yield Claim(f"defined {name!r}", (greater(symbol, x),), (), defined(symbol, x)), "no name"
+    positive = Symbol("q", positive=True)  # nor where no relation looks at it
+    unused = Program("p", (x, positive), ((p, x + 1), (w, positive)), (p,))
+    lemma, bound = CitedLemma(x <= 10, "Dekker1971", (greater(positive, 0),)), Derivative(positive**2, positive)
+    for name, changes in (
+        ("an unused line", {"lines": unused}),
+        ("an unused input", {"lines": Program("p", (x, positive), ((p, x + 1),), (p,))}),
+        ("a lemma's condition", {"cited": (lemma,)}),
+        ("a lemma", {"cited": (CitedLemma(greater(positive + 1, 0), "Dekker1971"),)}),
+        ("a range", {"ranges": ((positive, (0, 1)),)}),
+        ("a coordinate", {"example": ((positive, 1),)}),
+        ("a derivative", {"shows": (equation(bound, bound),)}),
+    ):
+        yield Claim(name, (greater(x, 0),), (greater(x, 1),)).but(**changes), "plain real"
     for number in (Symbol("n", positive=True), Symbol("n", even=True), Symbol("n", integer=True, zero=False)):
         yield Induction("not every whole number", number, (equation(x, 0),), ((x, 0, x),)), "whole, and nothing else"
     # An angle has a value, and no letter of its own: of e·x and the product of x and a symbol E the cosine would have
@@ -98,9 +124,31 @@ def untranslatable():
         yield Claim(f"the angle {angle}", (equation(square + sin(x) ** 2, 1),)), "polynomial"
     yield Claim("exponent", (TO_THE_ONE,)), "no rule"
     program = Program("p", (x,), ((y, x + 1),), (y,))
-    yield Separation("of another name", program, (Symbol("z", real=True),), (x,)), "has no z"
+    for outputs, avoid in (
+        ((Symbol("z", real=True),), (x,)),
+        ((y,), (Symbol("z", real=True),)),
+        ((y,), (x, Symbol("z"))),
+    ):
+        yield Separation("of another name", program, outputs, avoid), "has no z"
+    for corner in (floor(x), Heaviside(x), DiracDelta(x), log(x), atan2(x, y)):
+        yield Claim(f"derivative of {corner}", (equation(Derivative(corner, x), 0),)), "no rule differentiates"
+        yield Claim(f"derivative of {corner} is", (equation(corner, 0),)), "no rule translates"
+    for line in (Derivative(p, x), Derivative(p**2, p), Derivative(p * x, x)):  # a line's name may change with x
+        yield Claim(f"of a line, {line}", (equation(line, 0),), (), defined(p, x + 1)), "what a line defines"
     yield Induction("a state twice", n, (equation(x, 0),), ((x, 1, x), (x, 0, x))), "twice"
     yield from ((claim, None) for claim in WITHOUT_A_RULE)
+    yield from ((Claim(name, (equation(side, 0),)), None) for name, side in endless())
+
+
+def endless():
+    """Yield (name, a side that nobody waits for, or that no stack holds)."""
+    nested, many = x, symbols("a:40", real=True)
+    for _ in range(3000):
+        nested = cos(nested, evaluate=False)
+    yield "nested", nested
+    yield from (("a power", (x + y) ** 10**6), ("a monomial", x**10**9), ("an angle", cos(x / 10**7) + cos(x)))
+    yield from (("a number", Pow(2, 10**8, evaluate=False) * x), ("a derivative", Derivative(x * sin(x), (x, 10**5))))
+    yield from (("cases", sum(Max(each, 0) for each in many)), ("of a product", Abs(prod(x + each for each in many))))
 
 
 WITHOUT_A_RULE = [
@@ -134,6 +182,20 @@ def test_what_no_rule_translates_is_refused(claim, why):
 # What is not proved, but with a hypothesis
 
 ROOM = (greater(x, 0), greater(x, y))
+STEP, RAMP = Piecewise((1, x > 0), (0, True)), Piecewise((x, x > 0), (0, True))
+WITHOUT_DERIVATIVE = [
+    *(equation(Derivative(Abs(x), x), d) for d in (sign(x), 1, Abs(x) / x)),
+    *(equation(Derivative(step, x), 0) for step in (sign(x), STEP, sign(x) ** 2, Max(sign(x), 2))),
+    *(equation(Derivative(corner, x), 1) for corner in (Max(x, 0), RAMP, Min(2 * x, x))),
+    equation(Derivative(x * Abs(x), x, 2), 2 * sign(x)),
+    equation(2 * sqrt(x) * Derivative(sqrt(x), x), 1),
+    equation(Derivative(1 / x, x), -(x**-2)),
+    *(equation(diff(corner, x), d) for corner, d in ((Abs(x), sign(x)), (Abs(x) ** 3 / 3, x**2 * sign(x)))),
+    equation(diff(Abs(x), x) ** 2, 1),
+    equation(diff(RAMP, x), STEP),
+    at_least(diff(RAMP, x), 0),
+]
+"""What is not so where x = 0, and is where x > 0, or more: most of it as `diff` leaves it, or would."""
 with evaluate(False):  # obligations come before anything cancels, whichever side of an inequality they stand on
     AS_THEY_STAND = [
         equation(sqrt(x) ** 2, x),
@@ -151,6 +213,8 @@ with evaluate(False):  # obligations come before anything cancels, whichever sid
     ]
 UNPROVED = [
     *((Claim(str(relation), (relation,)), ROOM) for relation in AS_THEY_STAND),
+    *((Claim(str(relation), (relation,)), (greater(x, 0),)) for relation in WITHOUT_DERIVATIVE),
+    (Claim("at the root", (equation(Derivative(x * sqrt(x), x), 3 * sqrt(x) / 2),), (x >= 0,)), (x > 0,)),
     (Claim("a third is whole", (equation(sin(pi * w), 0),), (), defined(w, x + Rational(1, 3))), None),
     (Claim("twice what is whole", (equation(sin(2 * pi * m), 0),)), (equation(sin(pi * m), 0),)),
     (Claim("larger", (equation(Max(x, y), x),)), ROOM),
@@ -166,6 +230,51 @@ def test_what_does_not_follow_is_not_proved(claim, given):
         prove(claim, {})
     assert graded(claim) == "failed"
     assert given is None or prove(claim.but(given=given), {})
+
+
+TRUE_DERIVATIVES = [
+    equation(Derivative(x**3 - x * y, x), 3 * x**2 - y),
+    equation(Derivative(sin(x * y) * sinpi(x), x), y * cos(x * y) * sinpi(x) + pi * sin(x * y) * cospi(x)),
+    equation(Derivative(sqrt(1 + x**2), x) ** 2 * (1 + x**2), x**2),
+    equation(Derivative(Abs(1 + x**2), x, 2), 2),
+    equation(Derivative(Max(x**2 + 1, 0), x), 2 * x),
+    at_least(Piecewise((x, x > 0), (-x, True)), 0),
+]
+
+
+@pytest.mark.parametrize("relation", TRUE_DERIVATIVES, ids=str)
+def test_a_derivative_that_exists_is_proved(relation):
+    assert prove(Claim("true", (relation,)), {})
+
+
+NOTHING = (equation(x * y / x, y), equation(sqrt(x) ** 2, x), equation(0 / x, 0), equation(x, x), greater(x, y))
+
+
+def test_a_relation_that_says_nothing_is_told_apart_from_one_that_says_something():
+    for relation in NOTHING:
+        claim = Claim("beside", (relation, greater(x**2 + 1, 0)), (greater(x, y),))
+        theorem = Theorem("attack", "", "", (claim,), FALSE)
+        assert examine(theorem, {}, anew=True).record["by_definition"] == {"beside": [str(relation)]}
+    for theorem in all_theorems().values():
+        assert not any(by_definition(claim, all_theorems()) for claim in theorem.claims), theorem.id
+
+
+def test_what_a_file_of_theorems_says_arrives_as_it_is_written(monkeypatch):
+    text = """
+from sympy import Abs, Derivative, sqrt
+from proofs.engine.claim import Claim, equation
+from proofs.formulas.symbols import x, y
+relations = equation(x * y / x, y), equation(sqrt(x) ** 2, x), equation(0 / x, 0), equation(Derivative(Abs(x), x), 1)
+claims = [Claim("written", (relation,)) for relation in relations]
+"""
+    with TemporaryDirectory() as folder:
+        monkeypatch.setattr(proofs.theorems, "__path__", [folder])
+        (Path(folder) / "written.py").write_text(text)
+        proofs.theorems.run_all()
+    for claim in sys.modules.pop("proofs.theorems.written").claims:
+        with pytest.raises(NotFound):
+            prove(claim, {})
+        assert prove(claim.but(given=(greater(x, 0),)), {})
 
 
 # What a theorem may not be made of
@@ -191,6 +300,11 @@ def graded_claims():
     lemmas = CitedLemma(x <= 10, "Dekker1971"), CitedLemma(sine_below(x).relation, "Dekker1971")
     yield "failed", Claim("false lemma", (greater(11, x),), cited=lemmas[:1]), {}
     yield "failed", Claim("untold", (at_least(x + 1, sin(x)),), (greater(x, 0),), cited=lemmas[1:]), {}
+    for relation, given in FALSE_LEMMAS:
+        lemma = CitedLemma(relation, "Dekker1971", given)
+        narrow = ((x, (Rational(1, 3), Rational(1, 2))), (y, (Rational(1, 3), Rational(1, 2))))
+        shown = Claim(f"false lemma {relation}", (relation,), given, cited=(lemma,), ranges=narrow)
+        yield "failed", shown, {}
     itself = Claim("attack", (greater(x, 10),), borrowed=(("attack", "attack"),))
     yield "failed", itself, {}
     yield "failed", itself, {"uses": ("attack",)}
@@ -210,6 +324,15 @@ def refuted(relation, point):
     return "failed", Claim(str(relation), (relation,)), {"mutants": TRUE, "expected": "refuted", "refuted_at": point}
 
 
+FALSE_LEMMAS = [
+    (at_least(x, sin(x) + TINY), (at_least(x, 0),)),
+    (greater(x * y, 0), (at_least(x * y, 0),)),
+    (greater((7 * x - 1) ** 2, 0), ()),
+    (at_least(x**2, TINY), (at_least(1, x),)),
+    (at_least(20, x), (greater(x, 0),)),
+    (Ne(x * (x - 5) + 1, 1, evaluate=False), ()),
+]
+"""[(what is false at an edge, at one point or far away, or by less than 10⁻⁴⁰, the conditions)]"""
 LATE = CitedLemma(greater(x + 1, x), "Dekker1971", (x >= 1,))
 UNSEEN = [
     (Claim("lemma", (Ne(x**2 + TINY, 0, evaluate=False),), cited=(LATE,)), ((x, 0),)),

@@ -5,9 +5,10 @@ from sympy import Max, Piecewise, Symbol, cos, oo, sin, sqrt, symbols
 
 from proofs.engine.certificate import prove
 from proofs.engine.claim import Claim, Induction, Separation, equation
+from proofs.engine.derivative import Untranslatable
 from proofs.engine.program import Program
 from proofs.engine.search import search
-from proofs.engine.statement import Untranslatable, derivations
+from proofs.engine.statement import derivations
 from proofs.engine.stored import NotFound, statements
 from verify.checkers import witness
 from verify.checkers.counterexamples import path_to_avoided

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from proofs.check import FOLDER
-from verify.checkers.test_checkers import BROKEN, GOOD
+from verify.checkers.known_bad import BROKEN, GOOD
 
 jsonschema = pytest.importorskip("jsonschema")
 SCHEMA = json.loads((FOLDER.parent / "certificates.schema.json").read_text(encoding="utf-8"))
@@ -15,6 +15,8 @@ OF_MEANING = {
     "a proof left over",
     "no steps",
     "no show",
+    "x > 0, as x ≥ 0",
+    "an assumption refuted",
     "a variable twice",
     "the monomial 'x x'",
     "the monomial 'z'",

@@ -9,11 +9,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import mpmath
-from sympy import Symbol, sympify
+from sympy import Ne, Symbol, sympify
 
-from proofs.engine.claim import Claim, Induction
+from proofs.engine.claim import CitedLemma, Claim, Induction, equation
 from proofs.engine.theorem import Point
-from verify.checkers.digits import DIGITS, WORKING_DIGITS, Code, Relations, Undefined
+from verify.checkers.digits import DIGITS, ROUNDING, TOLERANCE, WORKING_DIGITS, Code, Relations, Undefined
 from verify.checkers.sampler import Sampler
 
 
@@ -43,13 +43,18 @@ def printed(point: Mapping[Symbol, mpmath.mpf], digits: int = DIGITS) -> dict[st
 
 
 def sample(
-    claim: Claim | Induction, seed: str | int, points: int = 64, failures: int | None = None, attempts: int = 200
+    claim: Claim | Induction,
+    seed: str | int,
+    points: int = 64,
+    failures: int | None = None,
+    attempts: int = 200,
+    slack: mpmath.mpf = TOLERANCE,
 ) -> Witness:
     """Return the Witness of a claim at `points` random points that satisfy its hypotheses (or until `failures`)."""
     with mpmath.workdps(WORKING_DIGITS):
         if isinstance(claim, Induction):
             return _sample_induction(claim, seed, points, attempts)
-        sampler, witness = Sampler(claim, seed), Witness()
+        sampler, witness = Sampler(claim, seed, slack), Witness()
         for _ in range(points * attempts):
             values = sampler.inputs_at_random()
             verdict = None if values is None else sampler.verdict(values)
@@ -61,6 +66,23 @@ def sample(
             if witness.points >= points or len(witness.failures) >= (failures or points):
                 break
         return witness
+
+
+def lemma_fails_at(lemma: CitedLemma, seed: str | int, points: int) -> dict | None:
+    """Return a point under the source's conditions alone where a lemma is false, or None.
+
+    Tried are points inside, where each symbol is 0, on the edge of each condition, and, for what is said to be
+    different, where it is equal.
+    """
+    relation = lemma.relation
+    edges = [equation(c.lhs, c.rhs) for c in lemma.given if c.rel_op in (">=", "<=")]
+    edges += [equation(symbol, 0) for symbol in sorted(relation.free_symbols, key=str)]
+    claims = [Claim("cited", (relation,), (*lemma.given, *edge)) for edge in ((), *zip(edges))]
+    if relation.rel_op in (">", "<", "!="):
+        apart = Ne(relation.lhs, relation.rhs, evaluate=False)
+        claims.append(Claim("apart", (apart,), (*lemma.given, equation(relation.lhs, relation.rhs))))
+    found = (sample(claim, seed, points, 1, 50, slack=ROUNDING).smallest for claim in claims)
+    return next((point for point in found if point), None)
 
 
 def _exact(point):

@@ -1,0 +1,96 @@
+"""The derivative of an expression by rules, each with what shows that there is one. This file is trusted."""
+
+from collections.abc import Callable
+
+from sympy import Abs, Add, Derivative, Expr, Max, Min, Mul, Piecewise, Pow, S, Symbol, cos, pi, sign, sin
+from sympy.core.relational import Relational
+
+from proofs.formulas.half_turns import cospi, sinpi
+
+OUTER = {
+    sin: lambda a: cos(a, evaluate=False),
+    cos: lambda a: Mul(-1, sin(a, evaluate=False), evaluate=False),
+    sinpi: lambda a: Mul(pi, cospi(a, evaluate=False), evaluate=False),
+    cospi: lambda a: Mul(-1, pi, sinpi(a, evaluate=False), evaluate=False),
+}
+TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {-1, 0}}  # signs of left − right
+HIGHEST = 3  # derivative of a derivative of …
+LARGEST = 999  # powers, multiples of an angle, cases, terms of a product: the kernel's powers go as far
+
+
+class Untranslatable(ValueError):
+    """The claim has a part that no rule translates."""
+
+
+def small(number: float) -> None:
+    """Refuse what would take more than seconds to write out: so many terms, powers or cases."""
+    if number > LARGEST:
+        raise Untranslatable(f"written out, a product has {number} terms or powers, more than {LARGEST}")
+
+
+def derivative(e: Expr, x: Symbol, side: Callable[[Expr], int]) -> Expr:
+    """Return ∂e/∂x as it stands, wherever e has a value; raise Untranslatable where no rule differentiates e.
+
+    side(f) returns the sign of f, after it has made an obligation of f ≠ 0: what has a corner, or a radicand, at f = 0
+    is differentiated beside it, where f, which is differentiable, keeps its sign.
+    """
+
+    def by_x(part: Expr) -> Expr:
+        return derivative(part, x, side)
+
+    def beside(part: Expr) -> int:
+        by_x(part)
+        return side(part)
+
+    match e:
+        case _ if not e.has(x):
+            return S.Zero
+        case Symbol():
+            return S.One
+        case Add():
+            return Add(*map(by_x, e.args), evaluate=False)
+        case Mul():
+            products = (Mul(*e.args[:i], by_x(a), *e.args[i + 1 :], evaluate=False) for i, a in enumerate(e.args))
+            return Add(*products, evaluate=False)
+        case Pow(base=base, exp=exponent) if exponent.is_Rational and (2 * exponent).is_Integer:
+            if exponent.is_Integer:
+                return Mul(exponent, Pow(base, exponent - 1, evaluate=exponent == 1), by_x(base), evaluate=False)
+            powers = (Pow(base, power, evaluate=False) for power in (exponent - S.Half, -S.Half))  # 1/√ of 0 is refused
+            return Mul(exponent, *powers, by_x(base), evaluate=False)
+        case sin() | cos() | sinpi() | cospi():
+            return Mul(OUTER[e.func](e.args[0]), by_x(e.args[0]), evaluate=False)
+        case Abs() | sign():
+            return Mul(beside(e.args[0]), by_x(e.args[0]) if isinstance(e, Abs) else 0, evaluate=False)
+        case Max() | Min():
+            best, *others = e.args
+            for other in others:
+                above = beside(Add(other, Mul(-1, best, evaluate=False), evaluate=False)) > 0
+                best = other if above == isinstance(e, Max) else best
+            return by_x(best)
+        case Piecewise():
+            return by_x(branch(e, beside))
+        case Derivative():
+            return by_x(inner(e, side))
+    raise Untranslatable(f"no rule differentiates {e}")
+
+
+def inner(e: Derivative, side: Callable[[Expr], int]) -> Expr:
+    """Return what a Derivative says, one rule after another."""
+    result = e.expr
+    if len(e.variables) > HIGHEST:
+        raise Untranslatable(f"no rule differentiates {len(e.variables)} times")
+    for x in e.variables:
+        result = derivative(result, x, side)
+    return result
+
+
+def branch(e: Piecewise, side: Callable[[Expr], int]) -> Expr:
+    """Return the value that a Piecewise takes beside the edges of all conditions up to its own."""
+    for value, condition in e.args:
+        for relation in sorted(condition.atoms(Relational), key=str):
+            difference = Add(relation.lhs, Mul(-1, relation.rhs, evaluate=False), evaluate=False)
+            holds = side(difference) in TRUE_FOR[relation.rel_op]
+            condition = condition.xreplace({relation: S.true if holds else S.false})
+        if condition == True:  # noqa: E712  (SymPy's true is not Python's)
+            return value
+    raise Untranslatable(f"{e} has no value where none of its conditions holds")

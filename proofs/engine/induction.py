@@ -1,0 +1,50 @@
+"""From an induction to data. This file is trusted."""
+
+from collections.abc import Sequence
+
+from sympy import Expr, Symbol, cos, sin, sympify
+from sympy.core.relational import Eq
+
+from proofs.engine.claim import Induction
+from proofs.engine.derivative import Untranslatable
+from proofs.engine.names import plain, symbols_of
+from proofs.engine.statement import VERSION, Translation, polynomial_data, sides
+from proofs.formulas.half_turns import cospi, sinpi
+
+
+def induction(claim: Induction) -> dict:
+    """Return the statement of an Induction. Raises Untranslatable where a quotient or a radical occurs."""
+    relations = (*claim.given, *claim.shows)
+    expressions = (*relations, *(sympify(e) for state in claim.states for e in state))
+    if claim.n not in (Symbol(claim.n.name, integer=True), Symbol(claim.n.name, real=True)):
+        raise Untranslatable(f"{claim.name}: of n it is known that it is whole, and nothing else")
+    plain([*(symbols_of(expressions) - {claim.n}), Symbol(claim.n.name, real=True)])
+    if not all(isinstance(r, Eq) for r in claim.shows):
+        raise Untranslatable(f"{claim.name}: an induction shows equations")
+    states = {s for s, *_ in claim.states}
+    if len(states) < len(claim.states):
+        raise Untranslatable(f"{claim.name}: a state is given twice")
+    if symbols_of(e for side in sides(expressions) for e in side.atoms(sin, cos, sinpi, cospi)) & states:
+        raise Untranslatable(f"{claim.name}: a state in an angle, which changes with it")
+    if symbols_of([*claim.given, *(sympify(start) for _, start, _ in claim.states)]) & {*states, claim.n}:
+        raise Untranslatable(f"{claim.name}: a state, or n, in what is given or in what a state starts from")
+    t = Translation(expressions, n=claim.n)
+    state: dict[str, Sequence[Expr]]
+    state = {s.name: [t.polynomial(sympify(e)) for e in two] for s, *two in claim.states}
+    shows = [polynomial_data(t.relation(r)[0]) for r in claim.shows]
+    for r in claim.given:
+        t.assume(*t.relation(r))
+    state |= t.turns()
+    if any(step["step"] != "assume" for step in t.steps) or claim.n.name in t.variables:
+        raise Untranslatable(f"{claim.name}: a radical, a quotient, or n itself, in an induction")
+    start, following = ({name: polynomial_data(state[name][i]) for name in sorted(state)} for i in (0, 1))
+    return {
+        "version": VERSION,
+        "kind": "induction",
+        "variables": [v for v in t.variables if v not in state],
+        "state": sorted(state),
+        "assume": [{"of": step["of"], "is": step["is"]} for step in t.steps],
+        "start": start,
+        "next": following,
+        "show": shows,
+    }
