@@ -10,13 +10,14 @@ Ltac given := first [assumption | lra | nra | apply Rgt_not_eq; lra].
 
 Theorem unit_length__length : Statements.unit_length__length.
 Proof.
-  red. intros. assert (S : m_x ^ 2 + m_y ^ 2 + m_z ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) + 1) by (lines; ideal).
-  assert (m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 1) by (rewrite S; nra).
-  assert (L : m_length ^ 2 = m_x ^ 2 + m_y ^ 2 + m_z ^ 2) by (apply pow2_sqrt; lra). assert (m_length >= 0) by apply Rle_ge, sqrt_pos.
+  red. intros. assert (S : m_z * m_z + m_x * m_x + m_y * m_y = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) + 1).
+  { transitivity (beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) + 2 * beta * (g_z * normal_z + g_x * normal_x + g_y * normal_y) + (normal_z * normal_z + normal_x * normal_x + normal_y * normal_y)); [lines; ring | rewrite H, H0; ring]. }
+  assert (G : m_z * m_z + m_x * m_x + m_y * m_y >= 1) by (rewrite S; nra).
+  assert (L : m_length ^ 2 = m_z * m_z + m_x * m_x + m_y * m_y) by (unfold m_length; rewrite pow2_sqrt; nra). assert (m_length >= 0) by apply Rle_ge, sqrt_pos.
   assert (m_length >= 1) by nra. assert (K : m_scale * m_length = 1) by (unfold m_scale; field; lra).
-  assert (bumped_x ^ 2 + bumped_y ^ 2 + bumped_z ^ 2 = 1).
-  { transitivity (m_scale ^ 2 * (m_x ^ 2 + m_y ^ 2 + m_z ^ 2)); [unfold bumped_x, bumped_y, bumped_z; ring | rewrite <- L, <- Rpow_mult_distr, K; ring]. }
-  each ltac:(first [assumption | lra | apply Rgt_not_eq; lra]).
+  assert (bumped_z * bumped_z + bumped_x * bumped_x + bumped_y * bumped_y = 1).
+  { transitivity (m_scale ^ 2 * (m_z * m_z + m_x * m_x + m_y * m_y)); [unfold bumped_x, bumped_y, bumped_z; ring | rewrite <- L, <- Rpow_mult_distr, K; ring]. }
+  each ltac:(first [assumption | lra | nra | apply Rgt_not_eq; lra]).
 Qed.
 
 Theorem stable_frame__angles : Statements.stable_frame__angles.
@@ -46,16 +47,17 @@ Qed.
 Theorem seam__even : Statements.seam__even.
 Proof.
   red. intros ku kv u v C. assert (Z : sin (PI * ku) = 0) by (generalize (sin2_cos2 (PI * ku)); unfold Rsqr; rewrite C; nra).
-  rewrite C, Z. replace (PI * (ku * (u + 1))) with (PI * (ku * u) + PI * ku) by ring. rewrite sin_plus, C, Z. repeat split; ring.
+  replace (PI * (0 * ku)) with 0 by ring. replace (PI * (1 * ku)) with (PI * ku) by ring.
+  replace (PI * (ku * (u + 1))) with (PI * (ku * u) + PI * ku) by ring. rewrite sin_plus, sin_0, cos_0, C, Z. repeat split; ring.
 Qed.
 Theorem seam__ridges_crease : Statements.seam__ridges_crease.
 Proof.
   red. intros ku kv s v Z. assert (C : cos (PI * ku) ^ 2 = 1) by (generalize (sin2_cos2 (PI * ku)); unfold Rsqr; rewrite Z; nra).
-  replace (PI * ku * s) with (PI * (ku * s)) by ring. replace (PI * (- ku * (s - 1))) with (PI * ku - PI * (ku * s)) by ring. rewrite sin_minus, Z.
+  replace (s * PI * ku) with (PI * (ku * s)) by ring. replace (PI * (ku * (1 - s))) with (PI * ku - PI * (ku * s)) by ring. rewrite sin_minus, Z.
   assert (E : (0 * cos (PI * (ku * s)) - cos (PI * ku) * sin (PI * (ku * s))) ^ 2 = sin (PI * (ku * s)) ^ 2) by (transitivity (cos (PI * ku) ^ 2 * sin (PI * (ku * s)) ^ 2); [ring | rewrite C; ring]).
   assert (F : Rabs (sin (PI * (ku * s)) * sin (PI * (kv * v))) = Rabs ((0 * cos (PI * (ku * s)) - cos (PI * ku) * sin (PI * (ku * s))) * sin (PI * (kv * v)))).
   { apply Rsqr_eq_abs_0. rewrite !Rsqr_pow2, !Rpow_mult_distr, E. reflexivity. }
-  rewrite E, F. repeat split; lra.
+  rewrite <- F. repeat split; try lra. rewrite pow2_abs. ring.
 Qed.
 
 Theorem kink_loci__projection : Statements.kink_loci__projection.
@@ -81,15 +83,15 @@ Theorem occlusion_by_signs__if : Statements.occlusion_by_signs__if.
 Proof.
   red. intros. pose proof (sqrt_pos d) as R0. assert (RR : sqrt d ^ 2 = d) by (apply pow2_sqrt; lra). set (q := sqrt d) in *.
   assert (A : a > 0) by lra. assert (I : / a > 0) by (apply Rinv_0_lt_compat; lra). assert (N : (b - q) * (b + q) = a * c) by nra.
-  assert (B : b - q > 0) by nra. assert (F1 : (a - b - q) * (a - b + q) = a * (a - 2 * b + c)) by nra. assert (F2 : (b - q) / a > 0) by (unfold Rdiv; nra).
+  assert (B : b - q > 0) by nra. assert (F1 : (a - b - q) * (q + a - b) = a * (c + a - 2 * b)) by nra. assert (F2 : (b - q) / a > 0) by (unfold Rdiv; nra).
   assert (F3 : (b - q) / a * a = b - q) by (field; lra). assert (F4 : 1 > (b - q) / a) by nra.
-  assert (F5 : c - 2 * b * (b - q) / a + (b - q) ^ 2 / a = 0) by (apply (Rmult_eq_reg_l a); [field_simplify; nra | lra]).
+  assert (F5 : c + a * ((b - q) / a) ^ 2 - 2 * b * (b - q) / a = 0) by (apply (Rmult_eq_reg_l a); [field_simplify; nra | lra]).
   each ltac:(first [assumption | lra | apply Rgt_not_eq; lra]).
 Qed.
 Theorem occlusion_by_signs__only_if : Statements.occlusion_by_signs__only_if.
 Proof.
   red. intros. assert (a * s ^ 2 >= 0) by nra. assert (b > 0) by nra. assert (a * (1 + s) - 2 * b > 0) by nra.
-  assert ((a * s - b) ^ 2 = d) by (transitivity (a * (a * s ^ 2 - 2 * b * s + c) + (b ^ 2 - a * c)); [ring | rewrite H5; lra]).
+  assert ((a * s - b) ^ 2 = d) by (transitivity (a * (c + a * s ^ 2 - 2 * b * s) + (b ^ 2 - a * c)); [ring | rewrite H5; lra]).
   pose proof (pow2_ge_0 (a * s - b)). each given.
 Qed.
 Theorem occlusion_by_signs__quadratic : Statements.occlusion_by_signs__quadratic.
@@ -109,10 +111,10 @@ Proof.
 Qed.
 Theorem visible_parallels__falling : Statements.visible_parallels__falling.
 Proof.
-  red. intros a b A B C. pose proof PI_RGT_0. assert (E : cos (PI * a) - cos (PI * b) = 2 * sin (PI * (1 / 2 * b - 1 / 2 * a)) * sin (PI * (1 / 2 * a + 1 / 2 * b))).
-  { rewrite (form2 (PI * a) (PI * b)). replace ((PI * a - PI * b) / 2) with (- (PI * (1 / 2 * b - 1 / 2 * a))) by field. rewrite sin_neg.
-    replace ((PI * a + PI * b) / 2) with (PI * (1 / 2 * a + 1 / 2 * b)) by field. ring. }
-  assert (sin (PI * (1 / 2 * b - 1 / 2 * a)) > 0) by (apply sin_gt_0; nra). assert (sin (PI * (1 / 2 * a + 1 / 2 * b)) > 0) by (apply sin_gt_0; nra).
+  red. intros a b A B C. pose proof PI_RGT_0. assert (E : cos (PI * a) - cos (PI * b) = sin (PI * (b - a) / 2) * 2 * sin (PI * (a + b) / 2)).
+  { rewrite (form2 (PI * a) (PI * b)). replace ((PI * a - PI * b) / 2) with (- (PI * (b - a) / 2)) by field. rewrite sin_neg.
+    replace ((PI * a + PI * b) / 2) with (PI * (a + b) / 2) by field. ring. }
+  assert (sin (PI * (b - a) / 2) > 0) by (apply sin_gt_0; nra). assert (sin (PI * (a + b) / 2) > 0) by (apply sin_gt_0; nra).
   split; [exact E | nra].
 Qed.
 
@@ -123,7 +125,10 @@ Proof. claim. Qed.
 Theorem chart__seam : Statements.chart__seam.
 Proof. claim. Qed.
 Theorem chart__round_trip : Statements.chart__round_trip.
-Proof. claim. Qed.
+Proof.
+  red. intros. unfold cos_theta, sin_theta. replace (PI * (2 * (1 / 2 * turn + 1 / 2))) with (PI * turn + PI) by field.
+  rewrite neg_cos, neg_sin. repeat split; ring.
+Qed.
 Theorem chart__on_the_seam : Statements.chart__on_the_seam.
 Proof. claim. Qed.
 Theorem chart_inverse__formula : Statements.chart_inverse__formula.
@@ -141,19 +146,30 @@ Proof. claim. Qed.
 Theorem unit_length__g_is_tangent : Statements.unit_length__g_is_tangent.
 Proof. claim. Qed.
 Theorem seam__sine : Statements.seam__sine.
-Proof. claim. Qed.
+Proof.
+  red. intros. unfold h_jump, slope_jump. replace (PI * (0 * k_u)) with 0 by ring. replace (PI * (1 * k_u)) with (PI * k_u) by ring.
+  replace (u * PI * k_u) with (PI * (k_u * u)) by ring. replace (PI * (k_u * (u + 1))) with (PI * (k_u * u) + PI * k_u) by ring.
+  rewrite sin_plus, sin_0, cos_0. repeat split; ring.
+Qed.
 Theorem seam__odd : Statements.seam__odd.
 Proof. claim. Qed.
 Theorem seam__ridges : Statements.seam__ridges.
 Proof. claim. Qed.
 Theorem seam__ridges_jump : Statements.seam__ridges_jump.
-Proof. claim. Qed.
+Proof.
+  red. intros. replace (PI * (0 * k_u)) with 0 by ring. replace (PI * (1 * k_u)) with (PI * k_u) by ring. rewrite sin_0, Rmult_0_l, Rabs_R0.
+  assert (0 < Rabs (sin (PI * k_u) * sin (PI * (k_v * v)))); [|lra]. apply Rabs_pos_lt, Rmult_integral_contrapositive_currified; intro Z; rewrite Z in *; lra.
+Qed.
 Theorem seam__rings : Statements.seam__rings.
 Proof. claim. Qed.
 Theorem kink_loci__crease_u : Statements.kink_loci__crease_u.
-Proof. claim. Qed.
+Proof.
+  red. intros. unfold h, crease. replace (PI * (k_u * m / k_u)) with (PI * m) by (field; lra). rewrite H0, Rmult_0_l, Rabs_R0. repeat split; lra.
+Qed.
 Theorem kink_loci__crease_v : Statements.kink_loci__crease_v.
-Proof. claim. Qed.
+Proof.
+  red. intros. unfold h, crease. replace (PI * (k_v * m / k_v)) with (PI * m) by (field; lra). rewrite H0, Rmult_0_r, Rabs_R0. repeat split; lra.
+Qed.
 Theorem kink_loci__elsewhere_above : Statements.kink_loci__elsewhere_above.
 Proof. claim. Qed.
 Theorem kink_loci__elsewhere_below : Statements.kink_loci__elsewhere_below.
@@ -206,10 +222,19 @@ Theorem image_derivative__above : Statements.image_derivative__above.
 Proof. claim. Qed.
 Theorem image_derivative__below : Statements.image_derivative__below.
 Proof. claim. Qed.
+Lemma extent_of_a : (5 / 4 * 4 * 1 / (sqrt (1 + 4) * sqrt (4 - 1))) ^ 2 = 5 / 3.
+Proof.
+  assert (Q : sqrt (1 + 4) ^ 2 = 5) by (rewrite pow2_sqrt; lra). assert (S : sqrt (4 - 1) ^ 2 = 3) by (rewrite pow2_sqrt; lra).
+  assert (sqrt (1 + 4) > 0) by (apply sqrt_lt_R0; lra). assert (sqrt (4 - 1) > 0) by (apply sqrt_lt_R0; lra).
+  transitivity (25 / (sqrt (1 + 4) ^ 2 * sqrt (4 - 1) ^ 2)); [field; split; lra | rewrite Q, S; field].
+Qed.
+Ltac of_raster m n := match goal with |- _ /\ _ /\ (?e * ?a) ^ 2 + (?e * ?b / 256) ^ 2 + 0 >= _ =>
+  replace ((e * a) ^ 2 + (e * b / 256) ^ 2 + 0) with (e ^ 2 * ((1083 - 10 * n) ^ 2 / 1638400 + (2 * m - 255) ^ 2 / 65536)) by (set (extent := e); field);
+  rewrite extent_of_a; assert ((2 * m - 255) ^ 2 >= 1) by nra; assert ((1083 - 10 * n) ^ 2 >= 9) by nra; repeat split; lra end.
 Theorem pixels_off_the_pole__raster_above : Statements.pixels_off_the_pole__raster_above.
-Proof. claim. Qed.
+Proof. red. intros. of_raster m n. Qed.
 Theorem pixels_off_the_pole__raster_below : Statements.pixels_off_the_pole__raster_below.
-Proof. claim. Qed.
+Proof. red. intros. of_raster m n. Qed.
 Theorem pixels_off_the_pole__far : Statements.pixels_off_the_pole__far.
 Proof. claim. Qed.
 Theorem visible_parallels__nearer : Statements.visible_parallels__nearer.
@@ -217,4 +242,11 @@ Proof. claim. Qed.
 Theorem visible_parallels__pole : Statements.visible_parallels__pole.
 Proof. claim. Qed.
 Theorem visible_parallels__count : Statements.visible_parallels__count.
-Proof. claim. Qed.
+Proof.
+  red. assert (S : 1 < sqrt 2) by (rewrite <- sqrt_1; apply sqrt_lt_1; lra).
+  assert (Q : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra).
+  assert (F : cos (PI / 4) > 1 / 4) by (rewrite cos_PI4; unfold Rdiv; apply Rmult_lt_compat_l; [lra | apply Rinv_lt_contravar; nra]).
+  assert (T : cos (3 * PI / 4) = - cos (PI / 4)) by (replace (3 * PI / 4) with (- (PI / 4) + PI) by field; rewrite neg_cos, cos_neg; reflexivity).
+  pose proof (COS_bound (PI / 4)). rewrite T, cos_PI2, cos_PI. repeat split; try lra.
+  assert (cos (PI / 4) < 1); [|lra]. rewrite <- cos_0. pose proof PI_RGT_0. apply cos_decreasing_1; lra.
+Qed.

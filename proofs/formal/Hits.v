@@ -38,10 +38,13 @@ Ltac of_a x y eye radius rho tangent edge d := match goal with R : _ >= _ * eye 
   change (hit_of_a.tangent_squared eye radius) with tangent in *; change (hit_of_a.rho x y eye) with rho in *;
   change (hit_of_a.rho_silhouette eye radius) with edge in *; change (hit_of_a.discriminant_a x y eye radius) with d in * end.
 Ltac hit x y eye radius d root t := match goal with A : 0 < radius < eye, O : off_axis x y eye, D : d >= 0 |- _ =>
-  destruct (hit_a x y eye radius A O D) as (M0 & N0 & FT & R0 & RR & t1 & TV & TB & TM & TR & TA & TN);
-  change (hit_of_a.t_a x y eye radius) with t in *; change (hit_of_a.root_a x y eye radius) with root in *;
-  change (hit_of_a.discriminant_a x y eye radius) with d in *; unfold on_a, distance2 in TA; rewrite TV end.
-Ltac settled := first [assumption | lra | nra | apply Rgt_not_eq; lra].
+  destruct (hit_a x y eye radius A O D) as (M0 & N0 & FT & R0 & RR & t1 & _ & TB & TM & TR & TA & TN);
+  change (hit_of_a.root_a x y eye radius) with root in *; change (hit_of_a.discriminant_a x y eye radius) with d in *;
+  unfold on_a, distance2 in TA; assert (PR : eye ^ 2 + root > 0) by nra;
+  assert (TV : t = t1) by (apply (Rmult_eq_reg_r (eye ^ 2 + root)); [unfold t, Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r |]; lra);
+  rewrite TV end.
+Ltac decided := match goal with |- ?hits = _ => unfold hits; match goal with |- context [if ?c then _ else _] => destruct c; lra end end.
+Ltac settled := first [assumption | lra | nra | apply Rgt_not_eq; lra | decided].
 
 Theorem hit_of_a__solves : Statements.hit_of_a__solves.
 Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a. each settled. Qed.
@@ -76,6 +79,11 @@ Proof.
   assert (E3 : rho ^ 2 = rho_silhouette ^ 2) by (apply (Rmult_eq_reg_r tangent_squared); [rewrite ES, RS, T | ]; lra).
   assert (x ^ 2 * (1 - radius ^ 2 / eye ^ 2) ^ 2 + y ^ 2 * (1 - radius ^ 2 / eye ^ 2) ^ 2 + radius ^ 4 / eye ^ 2 = radius ^ 2).
   { transitivity ((x ^ 2 + y ^ 2) * (1 - radius ^ 2 / eye ^ 2) * (1 - radius ^ 2 / eye ^ 2) + radius ^ 4 / eye ^ 2); [ring | rewrite E2; field; lra]. }
+  assert (eye * (1 - (1 - radius ^ 2 / eye ^ 2)) * eye * (1 - (1 - radius ^ 2 / eye ^ 2)) + x * (1 - radius ^ 2 / eye ^ 2) * x * (1 - radius ^ 2 / eye ^ 2) +
+    y * (1 - radius ^ 2 / eye ^ 2) * y * (1 - radius ^ 2 / eye ^ 2) = radius ^ 2) by (etransitivity; [|eassumption]; field; lra).
+  assert (Q : eye * eye * (1 - (1 - radius ^ 2 / eye ^ 2)) = radius ^ 2) by (field; lra).
+  assert (- eye * eye * (1 - (1 - radius ^ 2 / eye ^ 2)) + x * x * (1 - radius ^ 2 / eye ^ 2) + y * y * (1 - radius ^ 2 / eye ^ 2) = 0).
+  { transitivity ((x ^ 2 + y ^ 2) * (1 - radius ^ 2 / eye ^ 2) - eye * eye * (1 - (1 - radius ^ 2 / eye ^ 2))); [ring | rewrite E2, Q; ring]. }
   each settled.
 Qed.
 Theorem visible_iff__visible : Statements.visible_iff__visible.

@@ -21,25 +21,25 @@ Definition algebraic_gradient__negative_power : Prop :=
   forall alpha : R,
   forall real_part imaginary_part : nat -> R,
   real_part 0%nat = 1 ->
-  (forall n : nat, real_part (S n) = (imaginary_part n) * (sin alpha) + (real_part n) * (cos alpha)) ->
+  (forall n : nat, real_part (S n) = (real_part n) * (cos alpha) - (-1) * (imaginary_part n) * (sin alpha)) ->
   imaginary_part 0%nat = 0 ->
-  (forall n : nat, imaginary_part (S n) = (imaginary_part n) * (cos alpha) - (real_part n) * (sin alpha)) ->
+  (forall n : nat, imaginary_part (S n) = (imaginary_part n) * (cos alpha) + (real_part n) * (-(sin alpha))) ->
   forall n : nat,
-  real_part n = cos (alpha * (INR n)) /\
-  imaginary_part n = -(sin (alpha * (INR n))).
+  real_part n = cos (alpha * (-(INR n))) /\
+  imaginary_part n = sin (alpha * (-(INR n))).
 
 Definition algebraic_gradient__in_u : Prop :=
   forall theta : R,
   forall real_part imaginary_part sign_ : nat -> R,
   real_part 0%nat = 1 ->
-  (forall n : nat, real_part (S n) = (imaginary_part n) * (sin theta) - (real_part n) * (cos theta)) ->
+  (forall n : nat, real_part (S n) = (real_part n) * (-(cos theta)) - (-1) * (imaginary_part n) * (sin theta)) ->
   imaginary_part 0%nat = 0 ->
-  (forall n : nat, imaginary_part (S n) = -(imaginary_part n) * (cos theta) - (real_part n) * (sin theta)) ->
+  (forall n : nat, imaginary_part (S n) = (imaginary_part n) * (-(cos theta)) + (real_part n) * (-(sin theta))) ->
   sign_ 0%nat = 1 ->
   (forall n : nat, sign_ (S n) = -(sign_ n)) ->
   forall n : nat,
-  real_part n = cos (PI * ((INR n) * (theta + PI) / PI)) /\
-  imaginary_part n = sin (PI * ((INR n) * (theta + PI) / PI)) /\
+  real_part n = cos (PI * (2 * (INR n) * (theta + PI) / (2 * PI))) /\
+  imaginary_part n = sin (PI * (2 * (INR n) * (theta + PI) / (2 * PI))) /\
   real_part n = (sign_ n) * (cos ((INR n) * theta)) /\
   imaginary_part n = (sign_ n) * (sin ((INR n) * theta)) /\
   sign_ n = cos (PI * (INR n)) /\
@@ -64,24 +64,30 @@ Definition algebraic_gradient__rings_in_v : Prop :=
   imaginary_part 0%nat = 0 ->
   (forall n : nat, imaginary_part (S n) = (imaginary_part n) * (cos phi) + (real_part n) * (sin phi)) ->
   forall n : nat,
-  real_part n = cos (PI * ((INR n) * phi / PI)) /\
-  imaginary_part n = sin (PI * ((INR n) * phi / PI)).
+  real_part n = cos (PI * (2 * (1 / 2) * (INR n) * phi / PI)) /\
+  imaginary_part n = sin (PI * (2 * (1 / 2) * (INR n) * phi / PI)).
 
 Definition algebraic_gradient__square : Prop :=
   forall alpha : R,
-  (cos alpha - (sin alpha)) * (sin alpha + cos alpha) = cos (2 * alpha) /\
-  2 * (sin alpha) * (cos alpha) = sin (2 * alpha).
+  let product_real := (cos alpha - (sin alpha)) * (sin alpha + cos alpha) in
+  let product_imaginary := 2 * (sin alpha) * (cos alpha) in
+  product_real = cos (2 * alpha) /\
+  product_imaginary = sin (2 * alpha).
 
 Definition algebraic_gradient__product : Prop :=
   forall alpha gamma : R,
-  (cos alpha) * (cos gamma) - (sin alpha) * (sin gamma) = cos (alpha + gamma) /\
-  (sin alpha) * (cos gamma) + (sin gamma) * (cos alpha) = sin (alpha + gamma).
+  let product_real := (cos alpha) * (cos gamma) - (sin alpha) * (sin gamma) in
+  let product_imaginary := (sin alpha) * (cos gamma) + (sin gamma) * (cos alpha) in
+  product_real = cos (alpha + gamma) /\
+  product_imaginary = sin (alpha + gamma).
 
 Definition algebraic_gradient__reciprocal : Prop :=
   forall imaginary_part real_part : R,
+  let product_real := real_part * real_part - (-1) * imaginary_part ^ 2 in
+  let product_imaginary := (-imaginary_part) * real_part + imaginary_part * real_part in
   imaginary_part ^ 2 + real_part ^ 2 = 1 ->
-  imaginary_part ^ 2 + real_part ^ 2 = 1 /\
-  0 = 0.
+  product_real = 1 /\
+  product_imaginary = 0.
 
 Definition chart__range : Prop :=
   forall polar turn : R,
@@ -115,14 +121,20 @@ Definition chart__seam : Prop :=
 
 Definition chart__round_trip : Prop :=
   forall polar turn : R,
-  -(cos (PI * (turn + 1))) = cos (PI * turn) /\
-  -(sin (PI * (turn + 1))) = sin (PI * turn) /\
-  cos (PI * polar) = cos (PI * polar) /\
-  sin (PI * polar) = sin (PI * polar).
+  let cos_theta := -(cos (PI * (2 * ((1 / 2) * turn + (1 / 2))))) in
+  let sin_theta := -(sin (PI * (2 * ((1 / 2) * turn + (1 / 2))))) in
+  let cos_phi := cos (PI * polar) in
+  let sin_phi := sin (PI * polar) in
+  cos_theta = cos (PI * turn) /\
+  sin_theta = sin (PI * turn) /\
+  cos_phi = cos (PI * polar) /\
+  sin_phi = sin (PI * polar).
 
 Definition chart__on_the_seam : Prop :=
-  -1 = -1 /\
-  0 = 0.
+  let cos_theta := -(cos (PI * (2 * 0))) in
+  let sin_theta := -(sin (PI * (2 * 0))) in
+  cos_theta = cos (PI * 1) /\
+  sin_theta = sin (PI * 1).
 
 Definition chart_inverse__formula : Prop :=
   forall u v : R,
@@ -133,13 +145,13 @@ Definition chart_inverse__formula : Prop :=
   let normal_x := cos_theta * sin_phi in
   let normal_y := sin_phi * sin_theta in
   let normal_z := cos_phi in
-  normal_x = -(sin (PI * v)) * (cos (2 * PI * u)) /\
-  normal_y = -(sin (2 * PI * u)) * (sin (PI * v)) /\
+  normal_x = (-(sin (PI * v))) * (cos (2 * PI * u)) /\
+  normal_y = (-(sin (PI * v))) * (sin (2 * PI * u)) /\
   normal_z = cos (PI * v).
 
 Definition chart_inverse__unit : Prop :=
   forall u v : R,
-  (cos (PI * (2 * u))) ^ 2 * (sin (PI * v)) ^ 2 + (cos (PI * v)) ^ 2 + (sin (PI * (2 * u))) ^ 2 * (sin (PI * v)) ^ 2 = 1.
+  (-(cos (PI * (2 * u)))) * (sin (PI * v)) * (-(cos (PI * (2 * u)))) * (sin (PI * v)) + (-(sin (PI * (2 * u)))) * (sin (PI * v)) * (-(sin (PI * (2 * u)))) * (sin (PI * v)) + (cos (PI * v)) * (cos (PI * v)) = 1.
 
 Definition chart_inverse__recovered : Prop :=
   forall cos_phi cos_theta sin_phi sin_theta : R,
@@ -149,8 +161,8 @@ Definition chart_inverse__recovered : Prop :=
   cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
   sin_phi > 0 ->
   normal_x ^ 2 + normal_y ^ 2 >= 0 /\
-  normal_x ^ 2 + normal_y ^ 2 <> 0 /\
-  normal_x ^ 2 + normal_y ^ 2 = sin_phi ^ 2 /\
+  sqrt (normal_x ^ 2 + normal_y ^ 2) <> 0 /\
+  (sqrt (normal_x ^ 2 + normal_y ^ 2)) ^ 2 = sin_phi ^ 2 /\
   sqrt (normal_x ^ 2 + normal_y ^ 2) = sin_phi /\
   normal_z = cos_phi /\
   normal_x / sqrt (normal_x ^ 2 + normal_y ^ 2) = cos_theta /\
@@ -174,8 +186,8 @@ Definition clamped_difference__first_order : Prop :=
   let v_plus := Rmin 1 (epsilon + v) in
   let v_minus := Rmax (v - epsilon) 0 in
   let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
-  let h_v_plus := (1 / 2) * bend_plus * epsilon ^ 2 + epsilon * slope + here in
-  let h_v_minus := (1 / 2) * bend_minus * v ^ 2 + here - slope * v in
+  let h_v_plus := bend_plus * epsilon ^ 2 / 2 + epsilon * slope + here in
+  let h_v_minus := bend_minus * v ^ 2 / 2 + here - slope * v in
   let h_v := (h_v_plus - h_v_minus) / span_v in
   epsilon > 0 ->
   v >= 0 ->
@@ -186,27 +198,27 @@ Definition clamped_difference__first_order : Prop :=
   bend_minus <= largest ->
   bend_minus >= -largest ->
   span_v <> 0 /\
-  2 * epsilon + 2 * v <> 0 /\
-  (1 / 2) * largest * (epsilon ^ 2 + v ^ 2) - (epsilon + v) * (h_v - slope) >= 0 /\
-  (1 / 2) * largest * (epsilon ^ 2 + v ^ 2) + (epsilon + v) * (h_v - slope) >= 0 /\
-  largest * (epsilon ^ 2 + v ^ 2) / (2 * epsilon + 2 * v) - h_v + slope >= 0 /\
-  h_v + largest * (epsilon ^ 2 + v ^ 2) / (2 * epsilon + 2 * v) - slope >= 0.
+  2 * (epsilon + v) <> 0 /\
+  largest * (epsilon ^ 2 + v ^ 2) / 2 - (epsilon + v) * (h_v - slope) >= 0 /\
+  largest * (epsilon ^ 2 + v ^ 2) / 2 + (epsilon + v) * (h_v - slope) >= 0 /\
+  largest * (epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)) - (h_v - slope) >= 0 /\
+  largest * (epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)) + h_v - slope >= 0.
 
 Definition clamped_difference__first_order_sharp : Prop :=
   forall epsilon v : R,
   let v_plus := Rmin 1 (epsilon + v) in
   let v_minus := Rmax (v - epsilon) 0 in
   let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
-  let h_v_plus := (1 / 2) * epsilon ^ 2 in
-  let h_v_minus := -(1 / 2) * v ^ 2 in
+  let h_v_plus := epsilon ^ 2 / 2 in
+  let h_v_minus := (-v ^ 2) / 2 in
   let h_v := (h_v_plus - h_v_minus) / span_v in
   epsilon > 0 ->
   v >= 0 ->
   v - epsilon < 0 ->
   epsilon + v <= 1 ->
   span_v <> 0 /\
-  2 * epsilon + 2 * v <> 0 /\
-  h_v = (epsilon ^ 2 + v ^ 2) / (2 * epsilon + 2 * v).
+  2 * (epsilon + v) <> 0 /\
+  h_v = (epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)).
 
 Definition clamped_difference__at_the_pole_itself : Prop :=
   forall epsilon v : R,
@@ -221,15 +233,15 @@ Definition clamped_difference__at_the_pole_itself : Prop :=
   v - epsilon < 0 ->
   epsilon + v <= 1 ->
   span_v <> 0 /\
-  h_v - v = (1 / 2) * epsilon - (1 / 2) * v.
+  h_v - v = (epsilon - v) / 2.
 
 Definition seed_clamp__costs_an_order : Prop :=
   ~ (
   forall epsilon : R,
   epsilon > 0 ->
   epsilon <= 1 ->
-  epsilon <> 0 ->
-  Rabs (1 + (epsilon ^ 3 - epsilon) / epsilon) >= epsilon).
+  epsilon + 0 - 0 <> 0 ->
+  Rabs ((epsilon + 0 - (epsilon + 0) ^ 3 - (0 - 0 ^ 3)) / (epsilon + 0 - 0) - (1 - 3 * 0 ^ 2)) >= epsilon).
 
 Definition straddling__value : Prop :=
   forall delta epsilon k_u : R,
@@ -240,14 +252,16 @@ Definition straddling__value : Prop :=
   1 - k_u * (delta + epsilon) >= 0 ->
   1 - k_u * (epsilon - delta) >= 0 ->
   epsilon <> 0 /\
-  (1 / 2) * (Rabs (sin (PI * (k_u * (delta + epsilon)))) - (Rabs (sin (PI * (-k_u * (epsilon - delta)))))) / epsilon = (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) / epsilon.
+  (1 / 2) * (Rabs ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (k_u * (delta + epsilon))))) - (Rabs ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (k_u * (delta - epsilon))))))) / epsilon = (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon.
 
 Definition straddling__at_the_crease : Prop :=
   forall epsilon k_u : R,
+  let difference := (sin (0 * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon in
+  let after := PI * k_u * (cos (0 * PI * k_u)) in
   epsilon > 0 ->
   epsilon <> 0 /\
-  (1 / 2) * (Rabs (sin (PI * (epsilon * k_u))) - (Rabs (sin (PI * (-epsilon * k_u))))) / epsilon = 0 /\
-  -PI * k_u = -PI * k_u.
+  difference = 0 /\
+  difference - after = -PI * k_u.
 
 Definition straddling__every_crease : Prop :=
   forall delta m : R,
@@ -256,20 +270,20 @@ Definition straddling__every_crease : Prop :=
 
 Definition straddling__slope_after : Prop :=
   forall delta k_u : R,
-  sin (PI * delta * k_u) > 0 ->
-  PI * k_u * (cos (PI * (delta * k_u))) * (sign (sin (PI * (delta * k_u)))) = PI * k_u * (cos (PI * delta * k_u)).
+  1 * (sin (delta * PI * k_u)) > 0 ->
+  PI * k_u * (cos (PI * (delta * k_u))) * (sign ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (delta * k_u))))) * (sin (PI * ((1 / 2) * 1))) = 1 * PI * k_u * (cos (delta * PI * k_u)).
 
 Definition straddling__slope_before : Prop :=
   forall delta k_u : R,
-  -(sin (PI * delta * k_u)) > 0 ->
-  PI * k_u * (cos (PI * (delta * k_u))) * (sign (sin (PI * (delta * k_u)))) = -PI * k_u * (cos (PI * delta * k_u)).
+  -(sin (delta * PI * k_u)) > 0 ->
+  PI * k_u * (cos (PI * (delta * k_u))) * (sign ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (delta * k_u))))) * (sin (PI * ((1 / 2) * 1))) = -PI * k_u * (cos (delta * PI * k_u)).
 
 Definition seed_truncation_slope__descends : Prop :=
   ~ (
   forall epsilon omega : R,
   omega > 0 ->
   epsilon > 0 ->
-  (1 / 6) * epsilon ^ 2 * omega ^ 3 >= Rabs omega).
+  (1 / 6) * epsilon ^ 2 * omega ^ 3 >= Rabs (-omega)).
 
 Definition truncation_bound__sine : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -278,14 +292,14 @@ Definition truncation_bound__sine : Prop :=
   epsilon + u < 1 ->
   k_u > 0 ->
   epsilon <> 0 /\
-  1 - (sin (PI * k_v * v)) * (cos (PI * k_u * u)) >= 0 /\
-  (sin (PI * k_v * v)) * (cos (PI * k_u * u)) + 1 >= 0 /\
+  1 - (sin (v * PI * k_v)) * (cos (u * PI * k_u)) >= 0 /\
+  (sin (v * PI * k_v)) * (cos (u * PI * k_u)) + 1 >= 0 /\
   PI * k_u > 0 /\
-  PI ^ 3 * k_u ^ 3 > 0 /\
-  -PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) = -PI ^ 3 * k_u ^ 3 * (sin (PI * k_v * v)) * (cos (PI * k_u * u)) /\
-  PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + PI ^ 3 * k_u ^ 3 >= 0 /\
-  PI ^ 3 * k_u ^ 3 - PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) >= 0 /\
-  epsilon * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (sin (PI * epsilon * k_u) - PI * epsilon * k_u) * (sin (PI * k_v * v)) * (cos (PI * k_u * u)) /\
+  (PI * k_u) ^ 3 > 0 /\
+  -PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) = (-(PI * k_u) ^ 3) * (sin (v * PI * k_v)) * (cos (u * PI * k_u)) /\
+  PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (PI * k_u) ^ 3 >= 0 /\
+  (PI * k_u) ^ 3 - PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) >= 0 /\
+  epsilon * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (sin (v * PI * k_v)) * (cos (u * PI * k_u)) * (sin (epsilon * PI * k_u) - PI * epsilon * k_u) /\
   epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon) >= 0 /\
   epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) - (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon) >= 0 /\
   (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon >= 0 /\
@@ -297,19 +311,19 @@ Definition truncation_bound__sine_in_v : Prop :=
   v - epsilon >= 0 ->
   epsilon + v <= 1 ->
   k_v > 0 ->
-  epsilon <> 0 /\
-  1 - (sin (PI * k_u * u)) * (cos (PI * k_v * v)) >= 0 /\
-  (sin (PI * k_u * u)) * (cos (PI * k_v * v)) + 1 >= 0 /\
+  2 * epsilon <> 0 /\
+  1 - (sin (u * PI * k_u)) * (cos (v * PI * k_v)) >= 0 /\
+  (sin (u * PI * k_u)) * (cos (v * PI * k_v)) + 1 >= 0 /\
   PI * k_v > 0 /\
-  PI ^ 3 * k_v ^ 3 > 0 /\
-  -PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) = -PI ^ 3 * k_v ^ 3 * (sin (PI * k_u * u)) * (cos (PI * k_v * v)) /\
-  PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + PI ^ 3 * k_v ^ 3 >= 0 /\
-  PI ^ 3 * k_v ^ 3 - PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) >= 0 /\
-  epsilon * ((1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u)))) = (sin (PI * epsilon * k_v) - PI * epsilon * k_v) * (sin (PI * k_u * u)) * (cos (PI * k_v * v)) /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + (1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon) >= 0 /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) - (1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + (1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) - (1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon >= 0.
+  (PI * k_v) ^ 3 > 0 /\
+  -PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) = (-(PI * k_v) ^ 3) * (sin (u * PI * k_u)) * (cos (v * PI * k_v)) /\
+  PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + (PI * k_v) ^ 3 >= 0 /\
+  (PI * k_v) ^ 3 - PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) >= 0 /\
+  epsilon * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u)))) = (sin (u * PI * k_u)) * (cos (v * PI * k_v)) * (sin (epsilon * PI * k_v) - PI * epsilon * k_v) /\
+  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon)) >= 0 /\
+  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) - (1 / 2) / epsilon * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))))) >= 0 /\
+  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) >= 0 /\
+  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) - (1 / 2) / epsilon * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) >= 0.
 
 Definition truncation_bound__rings : Prop :=
   forall epsilon k_v v : R,
@@ -317,30 +331,30 @@ Definition truncation_bound__rings : Prop :=
   v - epsilon >= 0 ->
   epsilon + v <= 1 ->
   k_v > 0 ->
-  epsilon <> 0 /\
-  1 - (cos (2 * PI * k_v * v)) >= 0 /\
-  cos (2 * PI * k_v * v) + 1 >= 0 /\
-  2 * PI * k_v > 0 /\
-  8 * PI ^ 3 * k_v ^ 3 > 0 /\
-  -8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) = -8 * PI ^ 3 * k_v ^ 3 * (cos (2 * PI * k_v * v)) /\
-  8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) + 8 * PI ^ 3 * k_v ^ 3 >= 0 /\
-  8 * PI ^ 3 * k_v ^ 3 - 8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) >= 0 /\
-  epsilon * ((1 / 2) * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / epsilon - 2 * PI * k_v * (cos (PI * (2 * k_v * v)))) = (sin (2 * PI * epsilon * k_v) - 2 * PI * epsilon * k_v) * (cos (2 * PI * k_v * v)) /\
-  epsilon * ((4 / 3) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - 2 * PI * k_v * (cos (PI * (2 * k_v * v))) + (1 / 2) * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / epsilon) >= 0 /\
-  epsilon * ((4 / 3) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 2 * PI * k_v * (cos (PI * (2 * k_v * v))) - (1 / 2) * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / epsilon) >= 0 /\
-  (4 / 3) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - 2 * PI * k_v * (cos (PI * (2 * k_v * v))) + (1 / 2) * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / epsilon >= 0 /\
-  (4 / 3) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 2 * PI * k_v * (cos (PI * (2 * k_v * v))) - (1 / 2) * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / epsilon >= 0.
+  2 * epsilon <> 0 /\
+  1 - (cos (v * 2 * PI * k_v)) >= 0 /\
+  cos (v * 2 * PI * k_v) + 1 >= 0 /\
+  PI * 2 * k_v > 0 /\
+  (PI * 2 * k_v) ^ 3 > 0 /\
+  -8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) = (-(PI * 2 * k_v) ^ 3) * (cos (v * 2 * PI * k_v)) /\
+  8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) + (PI * 2 * k_v) ^ 3 >= 0 /\
+  (PI * 2 * k_v) ^ 3 - 8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) >= 0 /\
+  epsilon * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - 2 * PI * k_v * (cos (PI * (2 * k_v * v)))) = (sin (epsilon * PI * 2 * k_v) - 2 * PI * epsilon * k_v) * (cos (v * 2 * PI * k_v)) /\
+  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - 2 * PI * k_v * (cos (PI * (2 * k_v * v))) + (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon)) >= 0 /\
+  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 2 * PI * k_v * (cos (PI * (2 * k_v * v))) - (1 / 2) / epsilon * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon)))))) >= 0 /\
+  (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - 2 * PI * k_v * (cos (PI * (2 * k_v * v))) + (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) >= 0 /\
+  (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 2 * PI * k_v * (cos (PI * (2 * k_v * v))) - (1 / 2) / epsilon * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) >= 0.
 
 Definition truncation_bound__ridges_u_above : Prop :=
   forall epsilon k_u k_v u v : R,
   epsilon > 0 ->
   u - epsilon >= 0 ->
   epsilon + u < 1 ->
-  (sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) >= 0 ->
-  (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v))) >= 0 ->
-  (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
+  1 * (sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) >= 0 ->
+  1 * (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v))) >= 0 ->
+  1 * (sin (PI * (k_u * (u + 0)))) * (sin (PI * (k_v * v))) > 0 ->
   epsilon <> 0 /\
-  (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (-k_u * (epsilon - u)))) * (sin (PI * (k_v * v)))))) / epsilon = (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
+  (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))))) / epsilon = 1 * (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
   PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))).
 
 Definition truncation_bound__ridges_u_below : Prop :=
@@ -350,9 +364,9 @@ Definition truncation_bound__ridges_u_below : Prop :=
   epsilon + u < 1 ->
   -(sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) >= 0 ->
   -(sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v))) >= 0 ->
-  -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
+  -(sin (PI * (k_u * (u + 0)))) * (sin (PI * (k_v * v))) > 0 ->
   epsilon <> 0 /\
-  (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (-k_u * (epsilon - u)))) * (sin (PI * (k_v * v)))))) / epsilon = -(1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
+  (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))))) / epsilon = -(1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
   PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = -PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))).
 
 Definition truncation_bound__ridges_v_above : Prop :=
@@ -360,11 +374,11 @@ Definition truncation_bound__ridges_v_above : Prop :=
   epsilon > 0 ->
   v - epsilon >= 0 ->
   epsilon + v <= 1 ->
-  (sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) >= 0 ->
-  (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))) >= 0 ->
-  (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
-  epsilon <> 0 /\
-  (1 / 2) * (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (-k_v * (epsilon - v))))))) / epsilon = (1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon /\
+  1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) >= 0 ->
+  1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))) >= 0 ->
+  1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v + 0)))) > 0 ->
+  2 * epsilon <> 0 /\
+  (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))))) / (2 * epsilon) = 1 * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) /\
   PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
 
 Definition truncation_bound__ridges_v_below : Prop :=
@@ -374,9 +388,9 @@ Definition truncation_bound__ridges_v_below : Prop :=
   epsilon + v <= 1 ->
   -(sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) >= 0 ->
   -(sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))) >= 0 ->
-  -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
-  epsilon <> 0 /\
-  (1 / 2) * (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (-k_v * (epsilon - v))))))) / epsilon = -(1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon /\
+  -(sin (PI * (k_u * u))) * (sin (PI * (k_v * (v + 0)))) > 0 ->
+  2 * epsilon <> 0 /\
+  (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))))) / (2 * epsilon) = -((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) /\
   PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = -PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
 
 Definition truncation_bound__apart : Prop :=
@@ -385,17 +399,16 @@ Definition truncation_bound__apart : Prop :=
   PI * frequency + quotient >= 0 ->
   PI * frequency - slope >= 0 ->
   PI * frequency + slope >= 0 ->
-  2 * PI * frequency - quotient + slope >= 0 /\
+  2 * PI * frequency - (quotient - slope) >= 0 /\
   2 * PI * frequency + quotient - slope >= 0.
 
 Definition tangent_frame__derivatives : Prop :=
-  forall phi theta : R,
-  (cos phi) * (cos theta) = (cos phi) * (cos theta) /\
-  (sin theta) * (cos phi) = (sin theta) * (cos phi) /\
-  -(sin phi) = -(sin phi) /\
-  -(sin phi) * (sin theta) = -(sin phi) * (sin theta) /\
-  (sin phi) * (cos theta) = (sin phi) * (cos theta) /\
-  0 = 0.
+  True /\
+  True /\
+  True /\
+  True /\
+  True /\
+  True.
 
 Definition tangent_frame__orthonormal : Prop :=
   forall cos_phi cos_theta sin_phi sin_theta : R,
@@ -410,12 +423,12 @@ Definition tangent_frame__orthonormal : Prop :=
   let e_phi_z := -sin_phi in
   cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
   cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
-  e_theta_x ^ 2 + e_theta_y ^ 2 + e_theta_z ^ 2 = 1 /\
-  e_phi_x ^ 2 + e_phi_y ^ 2 + e_phi_z ^ 2 = 1 /\
-  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 /\
-  e_phi_x * e_theta_x + e_phi_y * e_theta_y + e_phi_z * e_theta_z = 0 /\
-  e_theta_x * normal_x + e_theta_y * normal_y + e_theta_z * normal_z = 0 /\
-  e_phi_x * normal_x + e_phi_y * normal_y + e_phi_z * normal_z = 0.
+  e_theta_z * e_theta_z + e_theta_x * e_theta_x + e_theta_y * e_theta_y = 1 /\
+  e_phi_z * e_phi_z + e_phi_x * e_phi_x + e_phi_y * e_phi_y = 1 /\
+  normal_z * normal_z + normal_x * normal_x + normal_y * normal_y = 1 /\
+  e_phi_z * e_theta_z + e_phi_x * e_theta_x + e_phi_y * e_theta_y = 0 /\
+  e_theta_z * normal_z + e_theta_x * normal_x + e_theta_y * normal_y = 0 /\
+  e_phi_z * normal_z + e_phi_x * normal_x + e_phi_y * normal_y = 0.
 
 Definition tangent_frame__right_handed : Prop :=
   forall cos_phi cos_theta sin_phi sin_theta : R,
@@ -459,33 +472,44 @@ Definition central_difference_of_sine__sine_in_u : Prop :=
   epsilon > 0 ->
   u - epsilon >= 0 ->
   epsilon + u < 1 ->
+  k_u > 0 ->
   epsilon <> 0 /\
-  (sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v))) = 2 * (sin (PI * epsilon * k_u)) * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon = (sin (PI * epsilon * k_u)) * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) / epsilon.
+  PI * k_u <> 0 /\
+  epsilon * PI * k_u <> 0 /\
+  2 * epsilon * (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon = 2 * PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) / (PI * k_u) * (sin (epsilon * PI * k_u)) /\
+  (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon = (sin (epsilon * PI * k_u)) / (epsilon * PI * k_u) * PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))).
 
 Definition central_difference_of_sine__sine_in_v : Prop :=
   forall epsilon k_u k_v u v : R,
   epsilon > 0 ->
   v - epsilon >= 0 ->
   epsilon + v <= 1 ->
-  epsilon <> 0 /\
-  (sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))) = 2 * (sin (PI * epsilon * k_v)) * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) /\
-  (1 / 2) * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / epsilon = (sin (PI * epsilon * k_v)) * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) / epsilon.
+  k_v > 0 ->
+  2 * epsilon <> 0 /\
+  PI * k_v <> 0 /\
+  epsilon * PI * k_v <> 0 /\
+  2 * epsilon * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) = 2 * PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) / (PI * k_v) * (sin (epsilon * PI * k_v)) /\
+  ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) = (sin (epsilon * PI * k_v)) / (epsilon * PI * k_v) * PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
 
 Definition central_difference_of_sine__rings_in_v : Prop :=
   forall epsilon k_v v : R,
   epsilon > 0 ->
   v - epsilon >= 0 ->
   epsilon + v <= 1 ->
-  epsilon <> 0 /\
-  sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon)))) = 2 * (sin (2 * PI * epsilon * k_v)) * (cos (PI * (2 * k_v * v))) /\
-  (1 / 2) * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / epsilon = (sin (2 * PI * epsilon * k_v)) * (cos (PI * (2 * k_v * v))) / epsilon.
+  k_v > 0 ->
+  2 * epsilon <> 0 /\
+  PI * 2 * k_v <> 0 /\
+  epsilon * PI * 2 * k_v <> 0 /\
+  2 * epsilon * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) = 2 * 2 * PI * k_v * (cos (PI * (2 * k_v * v))) / (PI * 2 * k_v) * (sin (epsilon * PI * 2 * k_v)) /\
+  (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) = (sin (epsilon * PI * 2 * k_v)) / (epsilon * PI * 2 * k_v) * 2 * PI * k_v * (cos (PI * (2 * k_v * v))).
 
 Definition central_difference_of_sine__cosine : Prop :=
   forall epsilon k_u u : R,
   epsilon > 0 ->
-  epsilon <> 0 /\
-  (1 / 2) * (cos (PI * k_u * (epsilon + u)) - (cos (PI * k_u * (u - epsilon)))) / epsilon = -(sin (PI * epsilon * k_u)) * (sin (PI * k_u * u)) / epsilon.
+  k_u > 0 ->
+  2 * epsilon <> 0 /\
+  epsilon * PI * k_u <> 0 /\
+  (cos (PI * k_u * (epsilon + u)) - (cos (PI * k_u * (u - epsilon)))) / (2 * epsilon) = (-PI) * k_u * (sin (u * PI * k_u)) * (sin (epsilon * PI * k_u)) / (epsilon * PI * k_u).
 
 Definition seed_orientation__left_handed : Prop :=
   ~ (
@@ -512,7 +536,8 @@ Definition hit_of_a__solves : Prop :=
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
   let root_a := sqrt (Rmax 0 discriminant_a) in
-  let t_a := (if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty) in
+  let hits_a := (if Rle_dec 0 discriminant_a then 1 else 0) in
+  let t_a := tangent_squared / (eye ^ 2 + root_a) in
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
@@ -522,10 +547,10 @@ Definition hit_of_a__solves : Prop :=
   tangent_squared >= 0 /\
   tangent_squared <> 0 /\
   Rmax 0 discriminant_a >= 0 /\
-  (discriminant_a >= 0 -> eye ^ 2 + root_a <> 0) /\
-  is_finite t_a /\
-  eye ^ 2 * (1 - (real t_a)) ^ 2 + (real t_a) ^ 2 * x ^ 2 + (real t_a) ^ 2 * y ^ 2 = radius ^ 2 /\
-  real t_a > 0.
+  eye ^ 2 + root_a <> 0 /\
+  hits_a = 1 /\
+  (eye * (1 - t_a) + 0) ^ 2 + (t_a * y + 0) ^ 2 + (t_a * x + 0) ^ 2 + 0 = radius ^ 2 /\
+  t_a > 0.
 
 Definition hit_of_a__near : Prop :=
   forall eye radius t x y : R,
@@ -535,23 +560,22 @@ Definition hit_of_a__near : Prop :=
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
   let root_a := sqrt (Rmax 0 discriminant_a) in
-  let t_a := (if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty) in
+  let t_a := tangent_squared / (eye ^ 2 + root_a) in
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
   rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
   discriminant_a >= 0 ->
-  eye ^ 2 * (1 - t) ^ 2 + t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2 = radius ^ 2 ->
+  (eye * (1 - t) + 0) ^ 2 + (t * y + 0) ^ 2 + (t * x + 0) ^ 2 + 0 = radius ^ 2 ->
   x ^ 2 + y ^ 2 >= 0 /\
   tangent_squared >= 0 /\
   tangent_squared <> 0 /\
   Rmax 0 discriminant_a >= 0 /\
-  (discriminant_a >= 0 -> eye ^ 2 + root_a <> 0) /\
-  is_finite t_a /\
+  eye ^ 2 + root_a <> 0 /\
   eye ^ 2 + rho ^ 2 > 0 /\
-  (real t_a) * (eye ^ 2 + rho ^ 2) = eye ^ 2 - root_a /\
-  root_a - eye ^ 2 + t * (eye ^ 2 + rho ^ 2) >= 0 /\
-  t >= real t_a.
+  t_a * (eye ^ 2 + rho ^ 2) = eye ^ 2 - root_a /\
+  root_a + t * (eye ^ 2 + rho ^ 2) - eye ^ 2 >= 0 /\
+  t >= t_a.
 
 Definition hit_of_a__misses : Prop :=
   forall eye radius t x y : R,
@@ -560,6 +584,7 @@ Definition hit_of_a__misses : Prop :=
   let tangent_squared := (eye - radius) * (eye + radius) in
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
+  let hits_a := (if Rle_dec 0 discriminant_a then 1 else 0) in
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
@@ -568,27 +593,74 @@ Definition hit_of_a__misses : Prop :=
   x ^ 2 + y ^ 2 >= 0 /\
   tangent_squared >= 0 /\
   tangent_squared <> 0 /\
-  eye ^ 2 * (1 - t) ^ 2 + t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2 > radius ^ 2.
+  (eye * (1 - t) + 0) ^ 2 + (t * y + 0) ^ 2 + (t * x + 0) ^ 2 + 0 > radius ^ 2 /\
+  hits_a = 0.
 
 Definition gradients__sine : Prop :=
   forall epsilon k_u k_v u v : R,
-  PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) = PI * k_u * (sin (PI * k_v * v)) * (cos (PI * k_u * u)) /\
-  PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) = PI * k_v * (sin (PI * k_u * u)) * (cos (PI * k_v * v)) /\
-  PI * k_u * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = PI * k_u * (cos (PI * epsilon * k_u) - 1) * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) + PI * k_u * (sin (PI * epsilon * k_u)) * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  PI * k_v * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = PI * k_v * (cos (PI * epsilon * k_v) - 1) * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) + PI * k_v * (sin (PI * epsilon * k_v)) * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  let cos_u := cos (PI * (k_u * u)) in
+  let cos_v := cos (PI * (k_v * v)) in
+  let sin_u := sin (PI * (k_u * u)) in
+  let sin_v := sin (PI * (k_v * v)) in
+  let h_u := PI * cos_u * k_u * sin_v in
+  let h_v := PI * cos_v * k_v * sin_u in
+  h_u = PI * k_u * (cos (u * PI * k_u)) * (sin (v * PI * k_v)) /\
+  h_v = PI * k_v * (sin (u * PI * k_u)) * (cos (v * PI * k_v)) /\
+  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) /\
+  PI * k_u * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = h_u * (sin (epsilon * PI * k_u)) + PI * k_u * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) * (cos (epsilon * PI * k_u) - 1) /\
+  PI * k_v * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = h_v * (sin (epsilon * PI * k_v)) + PI * k_v * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) * (cos (epsilon * PI * k_v) - 1).
 
 Definition gradients__rings : Prop :=
   forall epsilon k_v v : R,
-  0 = 0 /\
-  2 * PI * k_v * (cos (PI * (2 * k_v * v))) = 2 * PI * k_v * (cos (2 * PI * k_v * v)) /\
-  2 * PI * k_v * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * v)))) = 2 * PI * k_v * (cos (2 * PI * epsilon * k_v) - 1) * (sin (PI * (2 * k_v * v))) + 2 * PI * k_v * (sin (2 * PI * epsilon * k_v)) * (cos (PI * (2 * k_v * v))).
+  let cos_v := cos (PI * (2 * k_v * v)) in
+  let h_u := 0 in
+  let h_v := 2 * PI * cos_v * k_v in
+  h_u = 0 /\
+  h_v = 2 * PI * k_v * (cos (v * 2 * PI * k_v)) /\
+  h_u = 0 /\
+  h_v = 2 * PI * k_v * (cos (PI * (2 * k_v * v))) /\
+  2 * PI * k_v * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * v)))) = h_v * (sin (epsilon * 2 * PI * k_v)) + 2 * PI * k_v * (sin (PI * (2 * k_v * v))) * (cos (epsilon * 2 * PI * k_v) - 1).
 
-Definition gradients__ridges : Prop :=
+Definition gradients__ridges_above : Prop :=
   forall k_u k_v u v : R,
-  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) /\
-  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) /\
-  PI * k_u * (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) ^ 2 /\
-  PI * k_v * (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) ^ 2 * (sin (PI * (k_v * v))).
+  let cos_u := cos (PI * (k_u * u)) in
+  let cos_v := cos (PI * (k_v * v)) in
+  let sin_u := sin (PI * (k_u * u)) in
+  let sin_v := sin (PI * (k_v * v)) in
+  let h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)) in
+  let h_v := PI * cos_v * k_v * sin_u * (sign (sin_u * sin_v)) in
+  1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
+  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) /\
+  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) /\
+  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+
+Definition gradients__ridges_below : Prop :=
+  forall k_u k_v u v : R,
+  let cos_u := cos (PI * (k_u * u)) in
+  let cos_v := cos (PI * (k_v * v)) in
+  let sin_u := sin (PI * (k_u * u)) in
+  let sin_v := sin (PI * (k_v * v)) in
+  let h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)) in
+  let h_v := PI * cos_v * k_v * sin_u * (sign (sin_u * sin_v)) in
+  -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
+  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) /\
+  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) /\
+  h_u = -PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  h_v = -PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+
+Definition gradients__ridges_on_creases : Prop :=
+  forall k_u k_v u v : R,
+  let cos_u := cos (PI * (k_u * u)) in
+  let cos_v := cos (PI * (k_v * v)) in
+  let sin_u := sin (PI * (k_u * u)) in
+  let sin_v := sin (PI * (k_v * v)) in
+  let h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)) in
+  let h_v := PI * cos_v * k_v * sin_u * (sign (sin_u * sin_v)) in
+  (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) = 0 ->
+  h_u = 0 /\
+  h_v = 0.
 
 Definition gradients__same_sign : Prop :=
   forall d p : R,
@@ -605,48 +677,49 @@ Definition gradients__same_sign_below : Prop :=
 Definition specular_lipschitz__along_a_direction : Prop :=
   forall apart m_x m_y m_z n_x n_y n_z omega_x omega_y omega_z : R,
   apart >= 0 ->
-  apart ^ 2 = (n_x - m_x) ^ 2 + (n_y - m_y) ^ 2 + (n_z - m_z) ^ 2 ->
-  omega_x ^ 2 + omega_y ^ 2 + omega_z ^ 2 = 1 ->
-  apart ^ 2 - (omega_x * (n_x - m_x) + omega_y * (n_y - m_y) + omega_z * (n_z - m_z)) ^ 2 >= 0 /\
-  apart + m_x * omega_x + m_y * omega_y + m_z * omega_z - n_x * omega_x - n_y * omega_y - n_z * omega_z >= 0 /\
-  apart - m_x * omega_x - m_y * omega_y - m_z * omega_z + n_x * omega_x + n_y * omega_y + n_z * omega_z >= 0.
+  apart ^ 2 = (n_z - m_z) * (n_z - m_z) + (n_x - m_x) * (n_x - m_x) + (n_y - m_y) * (n_y - m_y) ->
+  omega_z * omega_z + omega_x * omega_x + omega_y * omega_y = 1 ->
+  apart ^ 2 - (omega_z * (n_z - m_z) + omega_x * (n_x - m_x) + omega_y * (n_y - m_y)) ^ 2 >= 0 /\
+  apart - (n_z * omega_z + n_x * omega_x + n_y * omega_y - (m_z * omega_z + m_x * omega_x + m_y * omega_y)) >= 0 /\
+  apart + n_z * omega_z + n_x * omega_x + n_y * omega_y - (m_z * omega_z + m_x * omega_x + m_y * omega_y) >= 0.
 
 Definition specular_lipschitz__clamps : Prop :=
   forall x z : R,
-  Rabs (x - z) - (Rmax 0 x) + Rmax 0 z >= 0 /\
-  Rabs (x - z) + Rmax 0 x - (Rmax 0 z) >= 0 /\
-  Rabs (x - z) - (Rmin 1 x) + Rmin 1 z >= 0 /\
-  Rabs (x - z) + Rmin 1 x - (Rmin 1 z) >= 0.
+  Rabs (x - z) - (Rmax 0 x - (Rmax 0 z)) >= 0 /\
+  Rmax 0 x - (Rmax 0 z) + Rabs (x - z) >= 0 /\
+  Rabs (x - z) - (Rmin 1 x - (Rmin 1 z)) >= 0 /\
+  Rmin 1 x - (Rmin 1 z) + Rabs (x - z) >= 0.
 
 Definition specular_lipschitz__blinn : Prop :=
   forall halfway_length halfway_x halfway_y halfway_z n_x n_y n_z : R,
   halfway_length > 0 ->
-  halfway_length ^ 2 = halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2 ->
+  halfway_length ^ 2 = halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y ->
   halfway_length <> 0 /\
-  (halfway_x * n_x + halfway_y * n_y + halfway_z * n_z) / halfway_length = (halfway_x * n_x + halfway_y * n_y + halfway_z * n_z) / halfway_length /\
-  (halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2) / (halfway_length ^ 2) = 1.
+  halfway_length ^ 2 <> 0 /\
+  halfway_length * (halfway_x * n_x + halfway_y * n_y + halfway_z * n_z) / halfway_length = halfway_z * n_z + halfway_x * n_x + halfway_y * n_y /\
+  (halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y) / (halfway_length ^ 2) = 1.
 
 Definition specular_lipschitz__gram : Prop :=
   forall m_x m_y m_z n_x n_y n_z omega_x omega_y omega_z : R,
-  n_x ^ 2 + n_y ^ 2 + n_z ^ 2 = 1 ->
-  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 = 1 ->
-  omega_x ^ 2 + omega_y ^ 2 + omega_z ^ 2 = 1 ->
-  (n_x * (m_y * omega_z - m_z * omega_y) + n_y * (m_z * omega_x - m_x * omega_z) + n_z * (m_x * omega_y - m_y * omega_x)) ^ 2 = (m_x * n_x + m_y * n_y + m_z * n_z) * (m_x * omega_x + m_y * omega_y + m_z * omega_z) * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - (m_x * n_x + m_y * n_y + m_z * n_z) ^ 2 - (m_x * omega_x + m_y * omega_y + m_z * omega_z) ^ 2 - (n_x * omega_x + n_y * omega_y + n_z * omega_z) ^ 2 + 1.
+  n_z * n_z + n_x * n_x + n_y * n_y = 1 ->
+  m_z * m_z + m_x * m_x + m_y * m_y = 1 ->
+  omega_z * omega_z + omega_x * omega_x + omega_y * omega_y = 1 ->
+  (n_z * (m_x * omega_y - m_y * omega_x) + n_x * (m_y * omega_z - m_z * omega_y) + n_y * (m_z * omega_x - m_x * omega_z)) ^ 2 = (m_z * omega_z + m_x * omega_x + m_y * omega_y) * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) * (m_z * n_z + m_x * n_x + m_y * n_y) + 1 - (n_z * omega_z + n_x * omega_x + n_y * omega_y) ^ 2 - (m_z * omega_z + m_x * omega_x + m_y * omega_y) ^ 2 - (m_z * n_z + m_x * n_x + m_y * n_y) ^ 2.
 
 Definition specular_lipschitz__mirror : Prop :=
   forall m_x m_y m_z n_x n_y n_z omega_x omega_y omega_z view_x view_y view_z : R,
-  n_x ^ 2 + n_y ^ 2 + n_z ^ 2 = 1 ->
-  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 = 1 ->
-  (n_x * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - m_x * (2 * m_x * omega_x + 2 * m_y * omega_y + 2 * m_z * omega_z)) ^ 2 + (n_y * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - m_y * (2 * m_x * omega_x + 2 * m_y * omega_y + 2 * m_z * omega_z)) ^ 2 + (n_z * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - m_z * (2 * m_x * omega_x + 2 * m_y * omega_y + 2 * m_z * omega_z)) ^ 2 = 4 * (m_x * omega_x + m_y * omega_y + m_z * omega_z) ^ 2 - 4 * (m_x * n_x + m_y * n_y + m_z * n_z) * (m_x * omega_x + m_y * omega_y + m_z * omega_z) * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) + 4 * (n_x * omega_x + n_y * omega_y + n_z * omega_z) ^ 2 /\
-  (n_x - m_x) ^ 2 + (n_y - m_y) ^ 2 + (n_z - m_z) ^ 2 = -2 * m_x * n_x - 2 * m_y * n_y - 2 * m_z * n_z + 2 /\
-  -omega_x * view_x - omega_y * view_y - omega_z * view_z + 2 * (n_x * omega_x + n_y * omega_y + n_z * omega_z) * (n_x * view_x + n_y * view_y + n_z * view_z) = view_x * (n_x * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - omega_x) + view_y * (n_y * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - omega_y) + view_z * (n_z * (2 * n_x * omega_x + 2 * n_y * omega_y + 2 * n_z * omega_z) - omega_z) /\
-  -omega_x * view_x - omega_y * view_y - omega_z * view_z + 2 * (m_x * omega_x + m_y * omega_y + m_z * omega_z) * (m_x * view_x + m_y * view_y + m_z * view_z) = view_x * (m_x * (2 * m_x * omega_x + 2 * m_y * omega_y + 2 * m_z * omega_z) - omega_x) + view_y * (m_y * (2 * m_x * omega_x + 2 * m_y * omega_y + 2 * m_z * omega_z) - omega_y) + view_z * (m_z * (2 * m_x * omega_x + 2 * m_y * omega_y + 2 * m_z * omega_z) - omega_z).
+  n_z * n_z + n_x * n_x + n_y * n_y = 1 ->
+  m_z * m_z + m_x * m_x + m_y * m_y = 1 ->
+  (n_x * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_x - (m_x * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_x)) * (n_x * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_x - (m_x * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_x)) + (n_y * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_y - (m_y * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_y)) * (n_y * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_y - (m_y * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_y)) + (n_z * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_z - (m_z * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_z)) * (n_z * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_z - (m_z * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_z)) = 4 * ((m_z * omega_z + m_x * omega_x + m_y * omega_y) ^ 2 + (n_z * omega_z + n_x * omega_x + n_y * omega_y) ^ 2 - 2 * (m_z * n_z + m_x * n_x + m_y * n_y) * (m_z * omega_z + m_x * omega_x + m_y * omega_y) * (n_z * omega_z + n_x * omega_x + n_y * omega_y)) /\
+  (n_z - m_z) * (n_z - m_z) + (n_x - m_x) * (n_x - m_x) + (n_y - m_y) * (n_y - m_y) = 2 - 2 * (m_z * n_z + m_x * n_x + m_y * n_y) /\
+  -omega_x * view_x - omega_y * view_y - omega_z * view_z + 2 * (n_x * omega_x + n_y * omega_y + n_z * omega_z) * (n_x * view_x + n_y * view_y + n_z * view_z) = view_z * (n_z * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_z) + view_x * (n_x * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_x) + view_y * (n_y * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_y) /\
+  -omega_x * view_x - omega_y * view_y - omega_z * view_z + 2 * (m_x * omega_x + m_y * omega_y + m_z * omega_z) * (m_x * view_x + m_y * view_y + m_z * view_z) = view_z * (m_z * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_z) + view_x * (m_x * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_x) + view_y * (m_y * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_y).
 
 Definition specular_lipschitz__twice : Prop :=
   forall a apart b c turned : R,
   apart >= 0 ->
-  2 * a * b * c - a ^ 2 - b ^ 2 - c ^ 2 + 1 >= 0 ->
-  turned ^ 2 = 4 * a ^ 2 - 8 * a * b * c + 4 * b ^ 2 ->
+  c * 2 * a * b + 1 - a ^ 2 - b ^ 2 - c ^ 2 >= 0 ->
+  turned ^ 2 = 4 * (a ^ 2 + b ^ 2 - 2 * a * b * c) ->
   apart ^ 2 = 2 - 2 * c ->
   4 * apart ^ 2 >= turned ^ 2 /\
   2 * apart >= turned.
@@ -703,8 +776,8 @@ Definition specular_lipschitz__power : Prop :=
   of_x - of_z = quotient * (x - z) ->
   power_ - quotient = by_x * (1 - x) + by_z * (1 - z) ->
   power_ >= quotient /\
-  of_z - of_x + power_ * (x - z) >= 0 /\
-  of_x - of_z + power_ * (x - z) >= 0.
+  power_ * (x - z) - (of_x - of_z) >= 0 /\
+  power_ * (x - z) + of_x - of_z >= 0.
 
 Definition highlight_below_one__root : Prop :=
   ~ (
@@ -779,7 +852,7 @@ Definition squared_highlight__base : Prop :=
   forall along_halfway halfway_length_plain halfway_squared light_distance light_scale specular_base_plain : R,
   halfway_squared * light_distance * light_scale = 1 ->
   halfway_length_plain ^ 2 * light_distance ^ 2 = halfway_squared ->
-  halfway_length_plain * light_distance * specular_base_plain = along_halfway ->
+  specular_base_plain * halfway_length_plain * light_distance = along_halfway ->
   along_halfway ^ 2 * light_distance * light_scale = specular_base_plain ^ 2.
 
 Definition hit_of_b__quadratic : Prop :=
@@ -787,8 +860,8 @@ Definition hit_of_b__quadratic : Prop :=
   let distance := eye - ball_center_z in
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
   let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
-  (t * x - ball_center_x) ^ 2 - ball_radius ^ 2 + (t * y - ball_center_y) ^ 2 + (eye * (1 - t) - ball_center_z) ^ 2 = ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + t ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - 2 * t * toward_b + (eye - ball_center_z) ^ 2 /\
-  discriminant_b = toward_b ^ 2 - (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2).
+  (eye * (1 - t) - ball_center_z) ^ 2 + (t * y - ball_center_y) ^ 2 + (t * x - ball_center_x) ^ 2 + 0 - ball_radius ^ 2 = (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 - ball_radius ^ 2 + t ^ 2 * ((-eye) * (-eye) + x * x + y * y) - 2 * t * toward_b /\
+  discriminant_b = toward_b ^ 2 - ((eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 - ball_radius ^ 2) * ((-eye) * (-eye) + x * x + y * y).
 
 Definition hit_of_b__solves : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_on ball_radius eye x y : R,
@@ -796,16 +869,17 @@ Definition hit_of_b__solves : Prop :=
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
   let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
   let root_b := sqrt (Rmax 0 discriminant_b) in
-  let t_b := (if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b)) else p_infty) in
-  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  let hits_b := (if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then 1 else 0) in
+  let t_b := (ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b) in
+  (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 > ball_radius ^ 2 ->
   discriminant_b >= 0 ->
   toward_b > 0 ->
   ball_on > 0 ->
   Rmax 0 discriminant_b >= 0 /\
-  ((ball_on > 0 /\ discriminant_b >= 0 /\ toward_b > 0) -> root_b + toward_b <> 0) /\
-  is_finite t_b /\
-  ((real t_b) * x - ball_center_x) ^ 2 + ((real t_b) * y - ball_center_y) ^ 2 + (eye * (1 - (real t_b)) - ball_center_z) ^ 2 = ball_radius ^ 2 /\
-  real t_b > 0.
+  root_b + toward_b <> 0 /\
+  hits_b = 1 /\
+  (eye * (1 - t_b) - ball_center_z) ^ 2 + (t_b * y - ball_center_y) ^ 2 + (t_b * x - ball_center_x) ^ 2 + 0 = ball_radius ^ 2 /\
+  t_b > 0.
 
 Definition hit_of_b__near : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_on ball_radius eye t x y : R,
@@ -813,28 +887,30 @@ Definition hit_of_b__near : Prop :=
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
   let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
   let root_b := sqrt (Rmax 0 discriminant_b) in
-  let t_b := (if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b)) else p_infty) in
+  let t_b := (ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b) in
   eye > 0 ->
   discriminant_b >= 0 ->
   toward_b > 0 ->
   ball_on > 0 ->
-  (t * x - ball_center_x) ^ 2 + (t * y - ball_center_y) ^ 2 + (eye * (1 - t) - ball_center_z) ^ 2 = ball_radius ^ 2 ->
+  (eye * (1 - t) - ball_center_z) ^ 2 + (t * y - ball_center_y) ^ 2 + (t * x - ball_center_x) ^ 2 + 0 = ball_radius ^ 2 ->
   Rmax 0 discriminant_b >= 0 /\
-  ((ball_on > 0 /\ discriminant_b >= 0 /\ toward_b > 0) -> root_b + toward_b <> 0) /\
-  is_finite t_b /\
-  eye ^ 2 + x ^ 2 + y ^ 2 > 0 /\
-  (real t_b) * (eye ^ 2 + x ^ 2 + y ^ 2) = toward_b - root_b /\
-  root_b + t * (eye ^ 2 + x ^ 2 + y ^ 2) - toward_b >= 0 /\
-  t >= real t_b.
+  root_b + toward_b <> 0 /\
+  (-eye) * (-eye) + x * x + y * y > 0 /\
+  t_b * ((-eye) * (-eye) + x * x + y * y) = toward_b - root_b /\
+  root_b + t * ((-eye) * (-eye) + x * x + y * y) - toward_b >= 0 /\
+  t >= t_b.
 
 Definition hit_of_b__behind : Prop :=
-  forall ball_center_x ball_center_y ball_center_z ball_radius eye t x y : R,
+  forall ball_center_x ball_center_y ball_center_z ball_on ball_radius eye t x y : R,
   let distance := eye - ball_center_z in
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
-  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  let hits_b := (if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then 1 else 0) in
+  (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 > ball_radius ^ 2 ->
   toward_b <= 0 ->
-  (t * x - ball_center_x) ^ 2 + (t * y - ball_center_y) ^ 2 + (eye * (1 - t) - ball_center_z) ^ 2 = ball_radius ^ 2 ->
-  t < 0.
+  (eye * (1 - t) - ball_center_z) ^ 2 + (t * y - ball_center_y) ^ 2 + (t * x - ball_center_x) ^ 2 + 0 = ball_radius ^ 2 ->
+  t < 0 /\
+  hits_b = 0.
 
 Definition hit_of_b__outward : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_on ball_radius eye x y : R,
@@ -842,7 +918,7 @@ Definition hit_of_b__outward : Prop :=
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
   let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
   let root_b := sqrt (Rmax 0 discriminant_b) in
-  let t_b := (if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b)) else p_infty) in
+  let t_b := (ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b) in
   let moment_x := distance * y - ball_center_y * eye in
   let moment_y := ball_center_x * eye - distance * x in
   let moment_z := ball_center_x * y - ball_center_y * x in
@@ -857,33 +933,32 @@ Definition hit_of_b__outward : Prop :=
   let point_x := ball_center_x + ball_radius * normal_x in
   let point_y := ball_center_y + ball_radius * normal_y in
   let point_z := ball_center_z + ball_radius * normal_z in
-  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 > ball_radius ^ 2 ->
   discriminant_b >= 0 ->
   toward_b > 0 ->
   ball_on > 0 ->
   ball_radius > 0 ->
   Rmax 0 discriminant_b >= 0 /\
-  ((ball_on > 0 /\ discriminant_b >= 0 /\ toward_b > 0) -> root_b + toward_b <> 0) /\
+  root_b + toward_b <> 0 /\
   ray_length_squared <> 0 /\
   radius_vector_x ^ 2 + radius_vector_y ^ 2 + radius_vector_z ^ 2 >= 0 /\
   radius_length <> 0 /\
-  is_finite t_b /\
   ray_length_squared > 0 /\
-  radius_vector_x = (real t_b) * x - ball_center_x /\
-  radius_vector_y = (real t_b) * y - ball_center_y /\
-  radius_vector_z = eye * (1 - (real t_b)) - ball_center_z /\
+  radius_vector_x = t_b * x - ball_center_x /\
+  radius_vector_y = t_b * y - ball_center_y /\
+  radius_vector_z = eye * (1 - t_b) - ball_center_z /\
   radius_length = ball_radius /\
-  ball_radius * normal_x = (real t_b) * x - ball_center_x /\
-  ball_radius * normal_y = (real t_b) * y - ball_center_y /\
-  ball_radius * normal_z = eye * (1 - (real t_b)) - ball_center_z /\
-  point_x = (real t_b) * x /\
-  point_y = (real t_b) * y /\
-  point_z = eye * (1 - (real t_b)).
+  ball_radius * normal_x = t_b * x - ball_center_x /\
+  ball_radius * normal_y = t_b * y - ball_center_y /\
+  ball_radius * normal_z = eye * (1 - t_b) - ball_center_z /\
+  point_x = t_b * x /\
+  point_y = t_b * y /\
+  point_z = eye * (1 - t_b).
 
 Definition seed_quadratic_of_b__constant : Prop :=
   ~ (
   forall ball_center_x ball_center_y ball_center_z ball_radius eye : R,
-  ball_center_x ^ 2 + ball_center_y ^ 2 + ball_center_z ^ 2 - ball_radius ^ 2 = ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2).
+  ball_center_z ^ 2 + ball_center_y ^ 2 + ball_center_x ^ 2 + 0 - ball_radius ^ 2 = (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 - ball_radius ^ 2).
 
 Definition ridges_on_creases__crease_in_u : Prop :=
   forall k_u k_v m to_u v : R,
@@ -892,14 +967,16 @@ Definition ridges_on_creases__crease_in_u : Prop :=
   k_u * to_u <= 1 ->
   sin (PI * m) = 0 ->
   k_u <> 0 /\
-  Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * v)))) >= (sin (PI * k_u * to_u)) * (Rabs (sin (PI * k_v * v))) /\
-  (sin (PI * k_u * to_u)) * (Rabs (sin (PI * k_v * v))) >= Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * v)))) /\
-  Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * v)))) = (sin (PI * k_u * to_u)) * (Rabs (sin (PI * k_v * v))) /\
-  Rabs ((sin (PI * (-k_u * (to_u - m / k_u)))) * (sin (PI * (k_v * v)))) >= (sin (PI * k_u * to_u)) * (Rabs (sin (PI * k_v * v))) /\
-  (sin (PI * k_u * to_u)) * (Rabs (sin (PI * k_v * v))) >= Rabs ((sin (PI * (-k_u * (to_u - m / k_u)))) * (sin (PI * (k_v * v)))) /\
-  Rabs ((sin (PI * (-k_u * (to_u - m / k_u)))) * (sin (PI * (k_v * v)))) = (sin (PI * k_u * to_u)) * (Rabs (sin (PI * k_v * v))) /\
-  PI * k_u * to_u * (Rabs (sin (PI * k_v * v))) >= Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * v)))) /\
-  Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * v)))) >= PI * k_u * to_u * (1 - (1 / 6) * PI ^ 2 * k_u ^ 2 * to_u ^ 2) * (Rabs (sin (PI * k_v * v))).
+  Rabs (sin (PI * (k_u * (1 * to_u + m / k_u)))) >= sin (to_u * PI * k_u) /\
+  sin (to_u * PI * k_u) >= Rabs (sin (PI * (k_u * (1 * to_u + m / k_u)))) /\
+  Rabs (sin (PI * (k_u * (1 * to_u + m / k_u)))) = sin (to_u * PI * k_u) /\
+  Rabs (sin (PI * (k_u * (m / k_u - to_u)))) >= sin (to_u * PI * k_u) /\
+  sin (to_u * PI * k_u) >= Rabs (sin (PI * (k_u * (m / k_u - to_u)))) /\
+  Rabs (sin (PI * (k_u * (m / k_u - to_u)))) = sin (to_u * PI * k_u) /\
+  Rabs ((sin (PI * (k_u * (1 * to_u + m / k_u)))) * (sin (PI * (k_v * v)))) = (sin (to_u * PI * k_u)) * (Rabs (sin (v * PI * k_v))) /\
+  Rabs ((sin (PI * (k_u * (m / k_u - to_u)))) * (sin (PI * (k_v * v)))) = (sin (to_u * PI * k_u)) * (Rabs (sin (v * PI * k_v))) /\
+  to_u * PI * k_u * (Rabs (sin (v * PI * k_v))) >= Rabs ((sin (PI * (k_u * (1 * to_u + m / k_u)))) * (sin (PI * (k_v * v)))) /\
+  Rabs ((sin (PI * (k_u * (1 * to_u + m / k_u)))) * (sin (PI * (k_v * v)))) >= to_u * PI * k_u * (Rabs (sin (v * PI * k_v))) * (1 - (1 / 6) * PI ^ 2 * k_u ^ 2 * to_u ^ 2).
 
 Definition ridges_on_creases__crease_in_v : Prop :=
   forall k_u k_v m to_v u : R,
@@ -908,14 +985,16 @@ Definition ridges_on_creases__crease_in_v : Prop :=
   k_v * to_v <= 1 ->
   sin (PI * m) = 0 ->
   k_v <> 0 /\
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (to_v + m / k_v))))) >= (sin (PI * k_v * to_v)) * (Rabs (sin (PI * k_u * u))) /\
-  (sin (PI * k_v * to_v)) * (Rabs (sin (PI * k_u * u))) >= Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (to_v + m / k_v))))) /\
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (to_v + m / k_v))))) = (sin (PI * k_v * to_v)) * (Rabs (sin (PI * k_u * u))) /\
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (-k_v * (to_v - m / k_v))))) >= (sin (PI * k_v * to_v)) * (Rabs (sin (PI * k_u * u))) /\
-  (sin (PI * k_v * to_v)) * (Rabs (sin (PI * k_u * u))) >= Rabs ((sin (PI * (k_u * u))) * (sin (PI * (-k_v * (to_v - m / k_v))))) /\
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (-k_v * (to_v - m / k_v))))) = (sin (PI * k_v * to_v)) * (Rabs (sin (PI * k_u * u))) /\
-  PI * k_v * to_v * (Rabs (sin (PI * k_u * u))) >= Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (to_v + m / k_v))))) /\
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (to_v + m / k_v))))) >= PI * k_v * to_v * (1 - (1 / 6) * PI ^ 2 * k_v ^ 2 * to_v ^ 2) * (Rabs (sin (PI * k_u * u))).
+  Rabs (sin (PI * (k_v * (1 * to_v + m / k_v)))) >= sin (to_v * PI * k_v) /\
+  sin (to_v * PI * k_v) >= Rabs (sin (PI * (k_v * (1 * to_v + m / k_v)))) /\
+  Rabs (sin (PI * (k_v * (1 * to_v + m / k_v)))) = sin (to_v * PI * k_v) /\
+  Rabs (sin (PI * (k_v * (m / k_v - to_v)))) >= sin (to_v * PI * k_v) /\
+  sin (to_v * PI * k_v) >= Rabs (sin (PI * (k_v * (m / k_v - to_v)))) /\
+  Rabs (sin (PI * (k_v * (m / k_v - to_v)))) = sin (to_v * PI * k_v) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (1 * to_v + m / k_v))))) = (sin (to_v * PI * k_v)) * (Rabs (sin (u * PI * k_u))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (m / k_v - to_v))))) = (sin (to_v * PI * k_v)) * (Rabs (sin (u * PI * k_u))) /\
+  to_v * PI * k_v * (Rabs (sin (u * PI * k_u))) >= Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (1 * to_v + m / k_v))))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (1 * to_v + m / k_v))))) >= to_v * PI * k_v * (Rabs (sin (u * PI * k_u))) * (1 - (1 / 6) * PI ^ 2 * k_v ^ 2 * to_v ^ 2).
 
 Definition ridges_on_creases__differ : Prop :=
   forall angle left right slope : R,
@@ -939,18 +1018,18 @@ Definition rounded_powers__three_roundings_of_one : Prop :=
   growth = (first + 1) * (second + 1) * (third + 1) ->
   (unit + 1) ^ 2 - (first + 1) * (second + 1) >= 0 /\
   (first + 1) * (second + 1) - (1 - unit) ^ 2 >= 0 /\
-  (unit + 1) ^ 3 - growth >= 0 /\
-  growth + (unit + 1) ^ 3 - 2 >= 0.
+  (unit + 1) ^ 3 - 1 - (growth - 1) >= 0 /\
+  growth - 1 + (unit + 1) ^ 3 - 1 >= 0.
 
 Definition rounded_powers__square : Prop :=
   forall excess first imaginary_part off_first off_second real_part second : R,
   off_first = first * (real_part - imaginary_part) * (imaginary_part + real_part) ->
-  off_second = 2 * imaginary_part * real_part * second ->
+  off_second = second * 2 * imaginary_part * real_part ->
   excess - first >= 0 ->
   excess + first >= 0 ->
   excess - second >= 0 ->
   excess + second >= 0 ->
-  4 * imaginary_part ^ 2 * real_part ^ 2 + (real_part - imaginary_part) ^ 2 * (imaginary_part + real_part) ^ 2 = (imaginary_part ^ 2 + real_part ^ 2) ^ 2 /\
+  (2 * imaginary_part * real_part) ^ 2 + ((real_part - imaginary_part) * (imaginary_part + real_part)) ^ 2 = (imaginary_part ^ 2 + real_part ^ 2) ^ 2 /\
   excess ^ 2 - first ^ 2 >= 0 /\
   excess ^ 2 - second ^ 2 >= 0 /\
   excess ^ 2 * (imaginary_part ^ 2 + real_part ^ 2) ^ 2 >= off_first ^ 2 + off_second ^ 2.
@@ -960,22 +1039,22 @@ Definition rounded_powers__product : Prop :=
   unit >= 0 ->
   excess = (unit + 1) ^ 3 - 1 ->
   off_first = first * other_real * real_part - imaginary_part * other_imaginary * second ->
-  off_second = fourth * imaginary_part * other_real + other_imaginary * real_part * third ->
-  unit ^ 2 - first + 2 * unit >= 0 ->
+  off_second = fourth * imaginary_part * other_real + third * other_imaginary * real_part ->
+  unit ^ 2 + 2 * unit - first >= 0 ->
   first + unit ^ 2 + 2 * unit >= 0 ->
-  unit ^ 2 - second + 2 * unit >= 0 ->
+  unit ^ 2 + 2 * unit - second >= 0 ->
   second + unit ^ 2 + 2 * unit >= 0 ->
-  unit ^ 2 - third + 2 * unit >= 0 ->
+  unit ^ 2 + 2 * unit - third >= 0 ->
   third + unit ^ 2 + 2 * unit >= 0 ->
-  unit ^ 2 - fourth + 2 * unit >= 0 ->
+  unit ^ 2 + 2 * unit - fourth >= 0 ->
   fourth + unit ^ 2 + 2 * unit >= 0 ->
   (other_real * real_part - imaginary_part * other_imaginary) ^ 2 + (imaginary_part * other_real + other_imaginary * real_part) ^ 2 = (imaginary_part ^ 2 + real_part ^ 2) * (other_imaginary ^ 2 + other_real ^ 2) /\
   (unit ^ 2 + 2 * unit) ^ 2 - first ^ 2 >= 0 /\
   (unit ^ 2 + 2 * unit) ^ 2 - second ^ 2 >= 0 /\
   (unit ^ 2 + 2 * unit) ^ 2 - third ^ 2 >= 0 /\
   (unit ^ 2 + 2 * unit) ^ 2 - fourth ^ 2 >= 0 /\
-  2 * (unit ^ 2 + 2 * unit) ^ 2 * (imaginary_part ^ 2 * other_imaginary ^ 2 + other_real ^ 2 * real_part ^ 2) >= off_first ^ 2 /\
-  2 * (unit ^ 2 + 2 * unit) ^ 2 * (imaginary_part ^ 2 * other_real ^ 2 + other_imaginary ^ 2 * real_part ^ 2) >= off_second ^ 2 /\
+  2 * (unit ^ 2 + 2 * unit) ^ 2 * ((imaginary_part * other_imaginary) ^ 2 + (other_real * real_part) ^ 2) >= off_first ^ 2 /\
+  2 * (unit ^ 2 + 2 * unit) ^ 2 * ((imaginary_part * other_real) ^ 2 + (other_imaginary * real_part) ^ 2) >= off_second ^ 2 /\
   excess ^ 2 >= 2 * (unit ^ 2 + 2 * unit) ^ 2 /\
   excess ^ 2 * (imaginary_part ^ 2 + real_part ^ 2) * (other_imaginary ^ 2 + other_real ^ 2) >= off_first ^ 2 + off_second ^ 2.
 
@@ -990,14 +1069,14 @@ Definition rounded_powers__power : Prop :=
   most_other - 1 >= off_second ->
   off_first + 1 >= size ->
   off_second + 1 >= other_size ->
-  excess * other_size * size >= own ->
-  off_first * other_size + off_second + own >= off ->
+  other_size * excess * size >= own ->
+  off_second + off_first * other_size + own >= off ->
   most >= size /\
   most_other >= other_size /\
   most * most_other >= other_size * size /\
-  excess * most * most_other >= own /\
+  most_other * excess * most >= own /\
   most_other * (most - 1) >= off_first * other_size /\
-  most * most_other * (excess + 1) - 1 >= off.
+  most_other * most * (excess + 1) - 1 >= off.
 
 Definition rounded_powers__factors : Prop :=
   forall exact most most_other other_exact other_value value : R,
@@ -1005,85 +1084,86 @@ Definition rounded_powers__factors : Prop :=
   exact + 1 >= 0 ->
   1 - other_exact >= 0 ->
   other_exact + 1 >= 0 ->
-  exact + most - value - 1 >= 0 ->
-  most - exact + value - 1 >= 0 ->
-  most_other + other_exact - other_value - 1 >= 0 ->
-  most_other - other_exact + other_value - 1 >= 0 ->
+  most - 1 - (value - exact) >= 0 ->
+  value - exact + most - 1 >= 0 ->
+  most_other - 1 - (other_value - other_exact) >= 0 ->
+  most_other - 1 + other_value - other_exact >= 0 ->
   most_other - other_value >= 0 /\
   most_other + other_value >= 0 /\
   most_other * (most - 1) - other_value * (value - exact) >= 0 /\
   most_other * (most - 1) + other_value * (value - exact) >= 0 /\
-  most_other - exact * (other_value - other_exact) - 1 >= 0 /\
+  most_other - 1 - exact * (other_value - other_exact) >= 0 /\
   exact * (other_value - other_exact) + most_other - 1 >= 0 /\
-  exact * other_exact + most * most_other - other_value * value - 1 >= 0 /\
-  most * most_other - exact * other_exact + other_value * value - 1 >= 0.
+  most * most_other - 1 - (other_value * value - exact * other_exact) >= 0 /\
+  other_value * value - exact * other_exact + most * most_other - 1 >= 0.
 
 Definition roundoff_bound__in_u : Prop :=
   forall argument epsilon evaluation excess growth here mean off_minus off_plus steepest : R,
-  let h_u_plus := 2 * epsilon * mean + here + off_plus in
+  let h_u_plus := off_plus + 2 * epsilon * mean + here in
   let h_u_minus := here + off_minus in
   let h_u := (1 / 2) * (h_u_plus - h_u_minus) / epsilon in
   epsilon > 0 ->
-  excess - growth + 1 >= 0 ->
+  excess - (growth - 1) >= 0 ->
   excess + growth - 1 >= 0 ->
   argument * steepest + evaluation - off_plus >= 0 ->
-  argument * steepest + evaluation + off_plus >= 0 ->
+  off_plus + argument * steepest + evaluation >= 0 ->
   argument * steepest + evaluation - off_minus >= 0 ->
-  argument * steepest + evaluation + off_minus >= 0 ->
+  off_minus + argument * steepest + evaluation >= 0 ->
   steepest - mean >= 0 ->
   mean + steepest >= 0 ->
   epsilon <> 0 /\
-  2 * argument * steepest + 2 * evaluation + off_minus - off_plus >= 0 /\
-  2 * argument * steepest + 2 * evaluation - off_minus + off_plus >= 0 /\
-  (excess + 1) * (2 * argument * steepest + 2 * evaluation) - growth * (off_plus - off_minus) >= 0 /\
-  growth * (off_plus - off_minus) + (excess + 1) * (2 * argument * steepest + 2 * evaluation) >= 0 /\
+  2 * epsilon <> 0 /\
+  2 * (argument * steepest + evaluation) - (off_plus - off_minus) >= 0 /\
+  off_plus - off_minus + 2 * (argument * steepest + evaluation) >= 0 /\
+  (excess + 1) * 2 * (argument * steepest + evaluation) - growth * (off_plus - off_minus) >= 0 /\
+  growth * (off_plus - off_minus) + (excess + 1) * 2 * (argument * steepest + evaluation) >= 0 /\
   excess * steepest - mean * (growth - 1) >= 0 /\
   excess * steepest + mean * (growth - 1) >= 0 /\
-  2 * epsilon * (growth * h_u - mean) = 2 * epsilon * mean * (growth - 1) + growth * (off_plus - off_minus) /\
-  2 * epsilon * (excess * steepest + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon) - 2 * epsilon * (growth * h_u - mean) >= 0 /\
-  2 * epsilon * (excess * steepest + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon) + 2 * epsilon * (growth * h_u - mean) >= 0 /\
-  excess * steepest - growth * h_u + mean + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon >= 0 /\
-  excess * steepest + growth * h_u - mean + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon >= 0.
+  2 * epsilon * (growth * h_u - mean) = growth * (off_plus - off_minus) + 2 * epsilon * mean * (growth - 1) /\
+  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) - 2 * epsilon * (growth * h_u - mean) >= 0 /\
+  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) + 2 * epsilon * (growth * h_u - mean) >= 0 /\
+  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) - (growth * h_u - mean) >= 0 /\
+  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) + growth * h_u - mean >= 0.
 
 Definition roundoff_bound__in_v : Prop :=
   forall argument epsilon evaluation excess growth here mean off_minus off_plus steepest v : R,
   let v_plus := Rmin 1 (epsilon + v) in
   let v_minus := Rmax (v - epsilon) 0 in
   let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
-  let h_v_plus := 2 * epsilon * mean + here + off_plus in
+  let h_v_plus := off_plus + 2 * epsilon * mean + here in
   let h_v_minus := here + off_minus in
   let h_v := (h_v_plus - h_v_minus) / span_v in
   epsilon > 0 ->
   v - epsilon >= 0 ->
   epsilon + v <= 1 ->
-  excess - growth + 1 >= 0 ->
+  excess - (growth - 1) >= 0 ->
   excess + growth - 1 >= 0 ->
   argument * steepest + evaluation - off_plus >= 0 ->
-  argument * steepest + evaluation + off_plus >= 0 ->
+  off_plus + argument * steepest + evaluation >= 0 ->
   argument * steepest + evaluation - off_minus >= 0 ->
-  argument * steepest + evaluation + off_minus >= 0 ->
+  off_minus + argument * steepest + evaluation >= 0 ->
   steepest - mean >= 0 ->
   mean + steepest >= 0 ->
   span_v <> 0 /\
-  epsilon <> 0 /\
-  2 * argument * steepest + 2 * evaluation + off_minus - off_plus >= 0 /\
-  2 * argument * steepest + 2 * evaluation - off_minus + off_plus >= 0 /\
-  (excess + 1) * (2 * argument * steepest + 2 * evaluation) - growth * (off_plus - off_minus) >= 0 /\
-  growth * (off_plus - off_minus) + (excess + 1) * (2 * argument * steepest + 2 * evaluation) >= 0 /\
+  2 * epsilon <> 0 /\
+  2 * (argument * steepest + evaluation) - (off_plus - off_minus) >= 0 /\
+  off_plus - off_minus + 2 * (argument * steepest + evaluation) >= 0 /\
+  (excess + 1) * 2 * (argument * steepest + evaluation) - growth * (off_plus - off_minus) >= 0 /\
+  growth * (off_plus - off_minus) + (excess + 1) * 2 * (argument * steepest + evaluation) >= 0 /\
   excess * steepest - mean * (growth - 1) >= 0 /\
   excess * steepest + mean * (growth - 1) >= 0 /\
-  2 * epsilon * (growth * h_v - mean) = 2 * epsilon * mean * (growth - 1) + growth * (off_plus - off_minus) /\
-  2 * epsilon * (excess * steepest + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon) - 2 * epsilon * (growth * h_v - mean) >= 0 /\
-  2 * epsilon * (excess * steepest + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon) + 2 * epsilon * (growth * h_v - mean) >= 0 /\
-  excess * steepest - growth * h_v + mean + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon >= 0 /\
-  excess * steepest + growth * h_v - mean + (1 / 2) * (excess + 1) * (2 * argument * steepest + 2 * evaluation) / epsilon >= 0.
+  2 * epsilon * (growth * h_v - mean) = growth * (off_plus - off_minus) + 2 * epsilon * mean * (growth - 1) /\
+  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) - 2 * epsilon * (growth * h_v - mean) >= 0 /\
+  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) + 2 * epsilon * (growth * h_v - mean) >= 0 /\
+  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) - (growth * h_v - mean) >= 0 /\
+  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) + growth * h_v - mean >= 0.
 
 Definition roundoff_bound__clamped : Prop :=
   forall argument epsilon evaluation excess growth here mean off_minus off_plus steepest v : R,
   let v_plus := Rmin 1 (epsilon + v) in
   let v_minus := Rmax (v - epsilon) 0 in
   let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
-  let h_v_plus := here + mean * (epsilon + v) + off_plus in
+  let h_v_plus := off_plus + here + mean * (epsilon + v) in
   let h_v_minus := here + off_minus in
   let h_v := (h_v_plus - h_v_minus) / span_v in
   epsilon > 0 ->
@@ -1091,27 +1171,27 @@ Definition roundoff_bound__clamped : Prop :=
   v - epsilon < 0 ->
   epsilon + v <= 1 ->
   epsilon + v > 0 ->
-  excess - growth + 1 >= 0 ->
+  excess - (growth - 1) >= 0 ->
   excess + growth - 1 >= 0 ->
   argument * steepest + evaluation - off_plus >= 0 ->
-  argument * steepest + evaluation + off_plus >= 0 ->
+  off_plus + argument * steepest + evaluation >= 0 ->
   argument * steepest + evaluation - off_minus >= 0 ->
-  argument * steepest + evaluation + off_minus >= 0 ->
+  off_minus + argument * steepest + evaluation >= 0 ->
   steepest - mean >= 0 ->
   mean + steepest >= 0 ->
   span_v <> 0 /\
   epsilon + v <> 0 /\
-  2 * argument * steepest + 2 * evaluation + off_minus - off_plus >= 0 /\
-  2 * argument * steepest + 2 * evaluation - off_minus + off_plus >= 0 /\
-  (excess + 1) * (2 * argument * steepest + 2 * evaluation) - growth * (off_plus - off_minus) >= 0 /\
-  growth * (off_plus - off_minus) + (excess + 1) * (2 * argument * steepest + 2 * evaluation) >= 0 /\
+  2 * (argument * steepest + evaluation) - (off_plus - off_minus) >= 0 /\
+  off_plus - off_minus + 2 * (argument * steepest + evaluation) >= 0 /\
+  (excess + 1) * 2 * (argument * steepest + evaluation) - growth * (off_plus - off_minus) >= 0 /\
+  growth * (off_plus - off_minus) + (excess + 1) * 2 * (argument * steepest + evaluation) >= 0 /\
   excess * steepest - mean * (growth - 1) >= 0 /\
   excess * steepest + mean * (growth - 1) >= 0 /\
   (epsilon + v) * (growth * h_v - mean) = growth * (off_plus - off_minus) + mean * (epsilon + v) * (growth - 1) /\
   (epsilon + v) * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v)) - (epsilon + v) * (growth * h_v - mean) >= 0 /\
   (epsilon + v) * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v)) + (epsilon + v) * (growth * h_v - mean) >= 0 /\
-  excess * steepest - growth * h_v + mean + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) >= 0 /\
-  excess * steepest + growth * h_v - mean + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) >= 0.
+  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) - (growth * h_v - mean) >= 0 /\
+  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) + growth * h_v - mean >= 0.
 
 Definition roundoff_bound__two_roundings : Prop :=
   forall first growth second unit : R,
@@ -1122,8 +1202,8 @@ Definition roundoff_bound__two_roundings : Prop :=
   unit - second >= 0 ->
   second + unit >= 0 ->
   growth = (first + 1) * (second + 1) ->
-  unit ^ 2 - growth + 2 * unit + 1 >= 0 /\
-  growth + unit ^ 2 + 2 * unit - 1 >= 0.
+  unit ^ 2 + 2 * unit - (growth - 1) >= 0 /\
+  growth - 1 + unit ^ 2 + 2 * unit >= 0.
 
 Definition roundoff_bound__three_roundings : Prop :=
   forall first growth second third unit : R,
@@ -1139,28 +1219,28 @@ Definition roundoff_bound__three_roundings : Prop :=
   1 - unit <> 0 /\
   (unit + 1) ^ 2 - (first + 1) * (second + 1) >= 0 /\
   (first + 1) * (second + 1) - (1 - unit) ^ 2 >= 0 /\
-  unit ^ 2 + 3 * unit - (1 - unit) * (growth - 1) >= 0 /\
-  unit ^ 2 + 3 * unit + (1 - unit) * (growth - 1) >= 0 /\
-  1 - growth + (unit ^ 2 + 3 * unit) / (1 - unit) >= 0 /\
+  (unit ^ 2 + 3 * unit) / (1 - unit) * (1 - unit) - (1 - unit) * (growth - 1) >= 0 /\
+  (unit ^ 2 + 3 * unit) / (1 - unit) * (1 - unit) + (1 - unit) * (growth - 1) >= 0 /\
+  (unit ^ 2 + 3 * unit) / (1 - unit) - (growth - 1) >= 0 /\
   growth - 1 + (unit ^ 2 + 3 * unit) / (1 - unit) >= 0.
 
 Definition seed_step_in_beta__verifies : Prop :=
   ~ (
   forall beta g_x g_y g_z normal_x normal_y normal_z : R,
-  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
-  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
-  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 >= 0 ->
-  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 <> 0 ->
+  normal_z * normal_z + normal_x * normal_x + normal_y * normal_y = 1 ->
+  g_z * normal_z + g_x * normal_x + g_y * normal_y = 0 ->
   (g_x * (beta + (1 / 10000000)) + normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta + (1 / 10000000)) + normal_z) ^ 2 >= 0 ->
-  (g_x * (beta + (1 / 10000000)) + normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta + (1 / 10000000)) + normal_z) ^ 2 <> 0 ->
-  (1 / 1000000000000) >= Rabs ((g_x - (beta * g_x + normal_x) * (g_x * (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + g_y * (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + g_z * (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + 10000000 * (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) - 10000000 * (g_x * (beta + (1 / 10000000)) + normal_x) / sqrt ((g_x * (beta + (1 / 10000000)) + normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta + (1 / 10000000)) + normal_z) ^ 2))).
+  sqrt ((g_x * (beta + (1 / 10000000)) + normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta + (1 / 10000000)) + normal_z) ^ 2) <> 0 ->
+  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 >= 0 ->
+  sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) <> 0 ->
+  (1 / 1000000000000) >= Rabs (((g_x * (beta + (1 / 10000000)) + normal_x) / sqrt ((g_x * (beta + (1 / 10000000)) + normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta + (1 / 10000000)) + normal_z) ^ 2) - (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) / ((1 / 10000000)) - (g_x - (beta * g_x + normal_x) * (g_x * (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + g_y * (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + g_z * (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2))).
 
 Definition lagrange_identity__of_b : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius eye x y : R,
   let distance := eye - ball_center_z in
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
   let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
-  discriminant_b = toward_b ^ 2 - (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2).
+  discriminant_b = toward_b ^ 2 - ((eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 - ball_radius ^ 2) * ((-eye) * (-eye) + x * x + y * y).
 
 Definition lagrange_identity__of_shadow : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z point_x point_y point_z : R,
@@ -1173,12 +1253,12 @@ Definition lagrange_identity__of_shadow : Prop :=
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
   let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
   let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
-  shadow_discriminant = toward_center ^ 2 - segment_squared * (offset_x ^ 2 - body_radius ^ 2 + offset_y ^ 2 + offset_z ^ 2).
+  shadow_discriminant = toward_center ^ 2 - segment_squared * (offset_z * offset_z + offset_x * offset_x + offset_y * offset_y - body_radius ^ 2).
 
 Definition shadow_out_of_reach__within : Prop :=
   forall ball_radius share to_ball_x to_ball_y to_ball_z : R,
-  ball_radius ^ 2 >= to_ball_x ^ 2 + to_ball_y ^ 2 + to_ball_z ^ 2 ->
-  ball_radius ^ 2 * share ^ 2 >= share ^ 2 * to_ball_x ^ 2 + share ^ 2 * to_ball_y ^ 2 + share ^ 2 * to_ball_z ^ 2.
+  ball_radius ^ 2 >= to_ball_z * to_ball_z + to_ball_x * to_ball_x + to_ball_y * to_ball_y ->
+  (ball_radius * share) ^ 2 >= (share * to_ball_z) ^ 2 + (share * to_ball_y) ^ 2 + (share * to_ball_x) ^ 2 + 0.
 
 Definition shadow_out_of_reach__cone : Prop :=
   forall aside_x aside_y aside_z axis_x axis_y axis_z body_radius distance product reach wander : R,
@@ -1186,17 +1266,17 @@ Definition shadow_out_of_reach__cone : Prop :=
   wander >= 0 ->
   reach >= wander ->
   distance > body_radius + reach ->
-  distance ^ 2 = axis_x ^ 2 + axis_y ^ 2 + axis_z ^ 2 ->
-  wander ^ 2 = aside_x ^ 2 + aside_y ^ 2 + aside_z ^ 2 ->
-  product = aside_x * axis_x + aside_y * axis_y + aside_z * axis_z ->
-  distance ^ 2 * wander ^ 2 - product ^ 2 = (aside_y * axis_x - aside_x * axis_y) ^ 2 + (aside_x * axis_z - aside_z * axis_x) ^ 2 + (aside_z * axis_y - aside_y * axis_z) ^ 2 /\
+  distance ^ 2 = axis_z * axis_z + axis_x * axis_x + axis_y * axis_y ->
+  wander ^ 2 = aside_z * aside_z + aside_x * aside_x + aside_y * aside_y ->
+  product = aside_z * axis_z + aside_x * axis_x + aside_y * axis_y ->
+  distance ^ 2 * wander ^ 2 - product ^ 2 = (aside_y * axis_x - aside_x * axis_y) * (aside_y * axis_x - aside_x * axis_y) + (aside_x * axis_z - aside_z * axis_x) * (aside_x * axis_z - aside_z * axis_x) + (aside_z * axis_y - aside_y * axis_z) * (aside_z * axis_y - aside_y * axis_z) /\
   distance ^ 2 * wander ^ 2 - product ^ 2 >= 0 /\
   distance * wander >= 0 /\
   distance * wander + product >= 0 /\
-  (aside_x + axis_x) ^ 2 + (aside_y + axis_y) ^ 2 + (aside_z + axis_z) ^ 2 = 2 * distance * wander + 2 * product + (distance - wander) ^ 2 /\
+  (aside_z + axis_z) * (aside_z + axis_z) + (aside_x + axis_x) * (aside_x + axis_x) + (aside_y + axis_y) * (aside_y + axis_y) = (distance - wander) ^ 2 + 2 * (distance * wander + product) /\
   distance - wander > body_radius /\
   (distance - wander) ^ 2 > body_radius ^ 2 /\
-  (aside_x + axis_x) ^ 2 + (aside_y + axis_y) ^ 2 + (aside_z + axis_z) ^ 2 > body_radius ^ 2.
+  (aside_z + axis_z) * (aside_z + axis_z) + (aside_x + axis_x) * (aside_x + axis_x) + (aside_y + axis_y) * (aside_y + axis_y) > body_radius ^ 2.
 
 Definition shadow_out_of_reach__quadratic : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius body_radius center_x center_y center_z light_x light_y light_z share : R,
@@ -1209,7 +1289,7 @@ Definition shadow_out_of_reach__quadratic : Prop :=
   let at_light := from_body_x ^ 2 - body_radius ^ 2 + from_body_y ^ 2 + from_body_z ^ 2 in
   let half_slope := along_x * from_body_x + along_y * from_body_y + along_z * from_body_z - ball_radius * body_radius in
   let curvature := along_x ^ 2 + along_y ^ 2 + along_z ^ 2 - ball_radius ^ 2 in
-  (along_x * share + from_body_x) ^ 2 + (along_y * share + from_body_y) ^ 2 + (along_z * share + from_body_z) ^ 2 - (ball_radius * share + body_radius) ^ 2 = at_light + share * (curvature * share + 2 * half_slope).
+  (along_z * share + from_body_z) * (along_z * share + from_body_z) + (along_x * share + from_body_x) * (along_x * share + from_body_x) + (along_y * share + from_body_y) * (along_y * share + from_body_y) - (ball_radius * share + body_radius) ^ 2 = at_light + share * (curvature * share + 2 * half_slope).
 
 Definition shadow_out_of_reach__turns_before : Prop :=
   forall bend low share slope : R,
@@ -1240,43 +1320,158 @@ Definition shadow_out_of_reach__bends_down : Prop :=
 
 Definition pole__sine : Prop :=
   forall k_u k_v theta : R,
-  k_v * (cos theta) * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) = k_v * (sin ((1 / 2) * k_u * (theta + PI))) * (cos theta) /\
-  k_v * (sin theta) * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) = k_v * (sin theta) * (sin ((1 / 2) * k_u * (theta + PI))) /\
-  0 = 0 /\
-  k_v ^ 2 * (sin theta) ^ 2 * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) ^ 2 + k_v ^ 2 * (cos theta) ^ 2 * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) ^ 2 = k_v ^ 2 * (sin ((1 / 2) * k_u * (theta + PI))) ^ 2 /\
-  0 = 0 /\
-  0 = 0 /\
-  0 = 0 /\
-  0 = 0 /\
-  0 = 0 /\
-  0 = 0 /\
-  0 = 0 /\
-  0 = 0 /\
-  0 = 0.
+  let cos_u := cos (PI * (k_u * (theta + PI) / (2 * PI))) in
+  let cos_v := cos (PI * (0 * k_v)) in
+  let sin_u := sin (PI * (k_u * (theta + PI) / (2 * PI))) in
+  let sin_v := sin (PI * (0 * k_v)) in
+  let h_u := PI * cos_u * k_u * sin_v in
+  let h_v := PI * cos_v * k_v * sin_u in
+  let e_theta_x := -(sin theta) in
+  let e_theta_y := cos theta in
+  let e_theta_z := 0 in
+  let e_phi_x := 1 * (cos theta) in
+  let e_phi_y := 1 * (sin theta) in
+  let e_phi_z := -0 in
+  let g_x := e_phi_x * h_v + e_theta_x * h_u in
+  let g_y := e_phi_y * h_v + e_theta_y * h_u in
+  let g_z := e_phi_z * h_v + e_theta_z * h_u in
+  g_x = PI * k_v * (sin (k_u * (theta + PI) / 2)) * (cos theta) /\
+  g_y = PI * k_v * (sin (k_u * (theta + PI) / 2)) * (sin theta) /\
+  g_z = 0 * PI * k_v * (sin (k_u * (theta + PI) / 2)) /\
+  g_z * g_z + g_x * g_x + g_y * g_y = (PI * k_v * (sin (k_u * (theta + PI) / 2))) ^ 2.
+
+Definition pole__sine_seam : Prop :=
+  forall k_u k_v : R,
+  let cos_u := cos (PI * (k_u * (PI - PI) / (2 * PI))) in
+  let cos_v := cos (PI * (0 * k_v)) in
+  let sin_u := sin (PI * (k_u * (PI - PI) / (2 * PI))) in
+  let sin_v := sin (PI * (0 * k_v)) in
+  let h_u := PI * cos_u * k_u * sin_v in
+  let h_v := PI * cos_v * k_v * sin_u in
+  let e_theta_x := -(sin (-PI)) in
+  let e_theta_y := cos (-PI) in
+  let e_theta_z := 0 in
+  let e_phi_x := 1 * (cos (-PI)) in
+  let e_phi_y := 1 * (sin (-PI)) in
+  let e_phi_z := -0 in
+  let g_x := e_phi_x * h_v + e_theta_x * h_u in
+  let g_y := e_phi_y * h_v + e_theta_y * h_u in
+  let g_z := e_phi_z * h_v + e_theta_z * h_u in
+  g_x = 0 /\
+  g_y = 0 /\
+  g_z = 0.
+
+Definition pole__sine_k_u_0 : Prop :=
+  forall k_v theta : R,
+  let cos_u := cos (PI * (0 * (theta + PI) / (2 * PI))) in
+  let cos_v := cos (PI * (0 * k_v)) in
+  let sin_u := sin (PI * (0 * (theta + PI) / (2 * PI))) in
+  let sin_v := sin (PI * (0 * k_v)) in
+  let h_u := 0 * PI * cos_u * sin_v in
+  let h_v := PI * cos_v * k_v * sin_u in
+  let e_theta_x := -(sin theta) in
+  let e_theta_y := cos theta in
+  let e_theta_z := 0 in
+  let e_phi_x := 1 * (cos theta) in
+  let e_phi_y := 1 * (sin theta) in
+  let e_phi_z := -0 in
+  let g_x := e_phi_x * h_v + e_theta_x * h_u in
+  let g_y := e_phi_y * h_v + e_theta_y * h_u in
+  let g_z := e_phi_z * h_v + e_theta_z * h_u in
+  g_x = 0 /\
+  g_y = 0 /\
+  g_z = 0.
+
+Definition pole__sine_k_v_0 : Prop :=
+  forall k_u theta : R,
+  let cos_u := cos (PI * (k_u * (theta + PI) / (2 * PI))) in
+  let cos_v := cos (PI * (0 * 0)) in
+  let sin_u := sin (PI * (k_u * (theta + PI) / (2 * PI))) in
+  let sin_v := sin (PI * (0 * 0)) in
+  let h_u := PI * cos_u * k_u * sin_v in
+  let h_v := 0 * PI * cos_v * sin_u in
+  let e_theta_x := -(sin theta) in
+  let e_theta_y := cos theta in
+  let e_theta_z := 0 in
+  let e_phi_x := 1 * (cos theta) in
+  let e_phi_y := 1 * (sin theta) in
+  let e_phi_z := -0 in
+  let g_x := e_phi_x * h_v + e_theta_x * h_u in
+  let g_y := e_phi_y * h_v + e_theta_y * h_u in
+  let g_z := e_phi_z * h_v + e_theta_z * h_u in
+  g_x = 0 /\
+  g_y = 0 /\
+  g_z = 0.
 
 Definition pole__sine_differs : Prop :=
   forall k_u k_v theta : R,
+  let cos_u := cos (PI * (k_u * (theta + PI) / (2 * PI))) in
+  let cos_v := cos (PI * (0 * k_v)) in
+  let sin_u := sin (PI * (k_u * (theta + PI) / (2 * PI))) in
+  let sin_v := sin (PI * (0 * k_v)) in
+  let h_u := PI * cos_u * k_u * sin_v in
+  let h_v := PI * cos_v * k_v * sin_u in
+  let e_theta_x := -(sin theta) in
+  let e_theta_y := cos theta in
+  let e_theta_z := 0 in
+  let e_phi_x := 1 * (cos theta) in
+  let e_phi_y := 1 * (sin theta) in
+  let e_phi_z := -0 in
+  let g_x := e_phi_x * h_v + e_theta_x * h_u in
+  let g_y := e_phi_y * h_v + e_theta_y * h_u in
+  let g_z := e_phi_z * h_v + e_theta_z * h_u in
   k_v ^ 2 > 0 ->
-  (sin ((1 / 2) * k_u * (theta + PI))) ^ 2 > 0 ->
-  k_v ^ 2 * (sin theta) ^ 2 * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) ^ 2 + k_v ^ 2 * (cos theta) ^ 2 * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) ^ 2 > 0.
+  (sin (k_u * (theta + PI) / 2)) ^ 2 > 0 ->
+  g_z * g_z + g_x * g_x + g_y * g_y = (PI * k_v * (sin (k_u * (theta + PI) / 2))) ^ 2 /\
+  (k_v * (sin (k_u * (theta + PI) / 2))) ^ 2 > 0 /\
+  g_z * g_z + g_x * g_x + g_y * g_y > 0.
 
 Definition pole__rings : Prop :=
   forall k_v theta : R,
-  2 * k_v * (cos theta) = 2 * k_v * (cos theta) /\
-  2 * k_v * (sin theta) = 2 * k_v * (sin theta) /\
-  0 = 0 /\
-  4 * k_v ^ 2 * (sin theta) ^ 2 + 4 * k_v ^ 2 * (cos theta) ^ 2 = 4 * k_v ^ 2 /\
-  16 * k_v ^ 2 * (sin theta) ^ 2 + 16 * k_v ^ 2 * (cos theta) ^ 2 = 16 * k_v ^ 2.
+  let cos_v := cos (PI * (2 * 0)) in
+  let h_u := 0 in
+  let h_v := 2 * PI * cos_v * k_v in
+  let e_theta_x := -(sin theta) in
+  let e_theta_y := cos theta in
+  let e_theta_z := 0 in
+  let e_phi_x := 1 * (cos theta) in
+  let e_phi_y := 1 * (sin theta) in
+  let e_phi_z := -0 in
+  let g_x := e_phi_x * h_v + e_theta_x * h_u in
+  let g_y := e_phi_y * h_v + e_theta_y * h_u in
+  let g_z := e_phi_z * h_v + e_theta_z * h_u in
+  g_x = 2 * PI * k_v * (cos theta) /\
+  g_y = 2 * PI * k_v * (sin theta) /\
+  g_z = 0 * 2 * PI * k_v /\
+  g_z * g_z + g_x * g_x + g_y * g_y = (2 * PI * k_v) ^ 2 /\
+  (g_z - ((-0) * 2 * PI * k_v * (cos (PI * (2 * 0))) + 0 * 0)) * (g_z - ((-0) * 2 * PI * k_v * (cos (PI * (2 * 0))) + 0 * 0)) + (g_x - (2 * PI * k_v * (cos (PI * (2 * 0))) * 1 * (cos (theta + PI)) + 0 * (-(sin (theta + PI))))) * (g_x - (2 * PI * k_v * (cos (PI * (2 * 0))) * 1 * (cos (theta + PI)) + 0 * (-(sin (theta + PI))))) + (g_y - (2 * PI * k_v * (cos (PI * (2 * 0))) * 1 * (sin (theta + PI)) + 0 * (cos (theta + PI)))) * (g_y - (2 * PI * k_v * (cos (PI * (2 * 0))) * 1 * (sin (theta + PI)) + 0 * (cos (theta + PI)))) = (4 * PI * k_v) ^ 2.
 
 Definition pole__surface_gradient : Prop :=
   forall k_u theta : R,
-  ((sin ((1 / 2) * k_u * (theta + PI))) * (cos theta) - (1 / 2) * k_u * (sin theta) * (cos ((1 / 2) * k_u * (theta + PI)))) ^ 2 + ((1 / 2) * k_u * (cos theta) * (cos ((1 / 2) * k_u * (theta + PI))) + (sin theta) * (sin ((1 / 2) * k_u * (theta + PI)))) ^ 2 = (1 / 4) * k_u ^ 2 + (1 - (1 / 4) * k_u ^ 2) * (sin ((1 / 2) * k_u * (theta + PI))) ^ 2 /\
-  0 = 0 /\
-  0 = 0 /\
-  0 = 0 /\
-  -(sin theta) ^ 2 - (cos theta) ^ 2 = -1 /\
-  0 = 0 /\
-  (sin theta) ^ 2 + (cos theta) ^ 2 = 1.
+  let surface_x := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (-(sin theta)) + (sin (k_u * (theta + PI) / 2)) * (cos theta) in
+  let surface_y := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (cos theta) + (sin theta) * (sin (k_u * (theta + PI) / 2)) in
+  surface_x * surface_x + surface_y * surface_y = k_u ^ 2 / 4 + (1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2)) ^ 2.
+
+Definition pole__surface_gradient_0 : Prop :=
+  forall theta : R,
+  let surface_x := 0 / 2 * (cos (0 * (theta + PI) / 2)) * (-(sin theta)) + (sin (0 * (theta + PI) / 2)) * (cos theta) in
+  let surface_y := 0 / 2 * (cos (0 * (theta + PI) / 2)) * (cos theta) + (sin theta) * (sin (0 * (theta + PI) / 2)) in
+  surface_x = 0 /\
+  surface_y = 0.
+
+Definition pole__surface_gradient_2 : Prop :=
+  forall theta : R,
+  let surface_x := 2 / 2 * (cos (2 * (theta + PI) / 2)) * (-(sin theta)) + (sin (2 * (theta + PI) / 2)) * (cos theta) in
+  let surface_y := (sin theta) * (sin (2 * (theta + PI) / 2)) + 2 / 2 * (cos (2 * (theta + PI) / 2)) * (cos theta) in
+  surface_x = 0 /\
+  surface_y = -1.
+
+Definition pole__surface_gradient_minus_2 : Prop :=
+  forall theta : R,
+  let surface_x := (-2 / 2) * (cos ((-2 * (theta + PI)) / 2)) * (-(sin theta)) + (sin ((-2 * (theta + PI)) / 2)) * (cos theta) in
+  let surface_y := (sin theta) * (sin ((-2 * (theta + PI)) / 2)) + (-2 / 2) * (cos ((-2 * (theta + PI)) / 2)) * (cos theta) in
+  surface_x = 0 /\
+  surface_y = 1.
 
 Definition pole__polynomial : Prop :=
   forall phi theta : R,
@@ -1284,16 +1479,16 @@ Definition pole__polynomial : Prop :=
   chebyshev 0%nat = 0 ->
   (forall n : nat, chebyshev (S n) = following n) ->
   following 0%nat = 1 ->
-  (forall n : nat, following (S n) = 2 * (following n) * (cos phi) - (chebyshev n)) ->
+  (forall n : nat, following (S n) = (following n) * 2 * (cos phi) - (chebyshev n)) ->
   forall n : nat,
   sin ((INR n) * phi) = (chebyshev n) * (sin phi) /\
   sin (phi * (INR n + 1)) = (following n) * (sin phi) /\
-  (sin (PI * ((theta + PI) / PI))) * (sin (PI * ((INR n) * phi / PI))) = -(chebyshev n) * (sin phi) * (sin theta).
+  (sin (PI * ((INR n) * phi / PI))) * (sin (PI * (2 * (theta + PI) / (2 * PI)))) = (chebyshev n) * (-(sin phi) * (sin theta)).
 
 Definition sine_is_smooth_everywhere__one_limit : Prop :=
   ~ (
   forall k_u k_v theta : R,
-  k_v * (sin theta) * (sin (PI * ((1 / 2) * k_u * (theta + PI) / PI))) = 0).
+  k_v * (sin theta) * (sin (PI * ((1 / 2) * k_u * theta / PI + (1 / 2) * k_u))) = 0).
 
 Definition seed_pole_rows__beside : Prop :=
   ~ (
@@ -1301,7 +1496,7 @@ Definition seed_pole_rows__beside : Prop :=
   (m - 128) * (m - 127) >= 0 ->
   (n - 109) * (n - 108) >= 0 ->
   (n - 110) * (n - 107) <= 0 ->
-  (1 / 56250000) > (5 / 3) * ((1083 / 1280) - (1 / 128) * n) ^ 2 + (5 / 196608) * (2 * m - 255) ^ 2).
+  ((1 / 10000) * (4 / 3)) ^ 2 > (5 / 49152) * m ^ 2 - (425 / 16384) * m + (5 / 49152) * n ^ 2 - (361 / 16384) * n + (466419 / 163840)).
 
 Definition ridges_at_crossings__crossing : Prop :=
   forall k_u k_v m n to_u to_v : R,
@@ -1311,9 +1506,9 @@ Definition ridges_at_crossings__crossing : Prop :=
   sin (PI * n) = 0 ->
   k_u <> 0 /\
   k_v <> 0 /\
-  (sin (PI * (k_u * (to_u + m / k_u)))) ^ 2 * (sin (PI * (k_v * (to_v + n / k_v)))) ^ 2 = (sin (PI * k_u * to_u)) ^ 2 * (sin (PI * k_v * to_v)) ^ 2 /\
-  ((sin (PI * k_u * to_u)) ^ 2 + (sin (PI * k_v * to_v)) ^ 2) ^ 2 >= 4 * (sin (PI * (k_u * (to_u + m / k_u)))) ^ 2 * (sin (PI * (k_v * (to_v + n / k_v)))) ^ 2 /\
-  PI ^ 2 * k_u ^ 2 * to_u ^ 2 + PI ^ 2 * k_v ^ 2 * to_v ^ 2 >= (sin (PI * k_u * to_u)) ^ 2 + (sin (PI * k_v * to_v)) ^ 2.
+  (Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * (to_v + n / k_v)))))) ^ 2 = ((sin (to_u * PI * k_u)) * (sin (to_v * PI * k_v))) ^ 2 /\
+  ((sin (to_u * PI * k_u)) ^ 2 + (sin (to_v * PI * k_v)) ^ 2) ^ 2 >= 4 * (Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * (to_v + n / k_v)))))) ^ 2 /\
+  (to_u * PI * k_u) ^ 2 + (to_v * PI * k_v) ^ 2 >= (sin (to_u * PI * k_u)) ^ 2 + (sin (to_v * PI * k_v)) ^ 2.
 
 Definition ridges_at_crossings__flat : Prop :=
   forall a b distance h small_enough steepest : R,
@@ -1323,13 +1518,13 @@ Definition ridges_at_crossings__flat : Prop :=
   distance >= 0 ->
   4 * small_enough ^ 2 >= distance * steepest ^ 2 ->
   a ^ 2 + b ^ 2 >= 2 * h /\
-  distance ^ 2 * steepest ^ 2 >= 4 * h ^ 2 /\
+  (distance * steepest) ^ 2 >= (2 * h) ^ 2 /\
   distance * small_enough ^ 2 >= h ^ 2.
 
 Definition ridges_differentiable__one_slope : Prop :=
   ~ (
   forall k_u k_v u v : R,
-  sin (PI * k_u * u) = 0 ->
+  sin (u * PI * k_u) = 0 ->
   Rabs (k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = -(Rabs (k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))))).
 
 Definition best_step__least : Prop :=
@@ -1347,7 +1542,7 @@ Definition best_step__least : Prop :=
   epsilon * (epsilon ^ 2 * truncation - 3 * best ^ 2 * truncation) + rounding >= 0 /\
   epsilon ^ 2 * truncation + rounding / epsilon >= 3 * best ^ 2 * truncation /\
   best ^ 2 * truncation + rounding / best = 3 * best ^ 2 * truncation /\
-  27 * best ^ 6 * truncation ^ 3 = (27 / 4) * rounding ^ 2 * truncation.
+  (3 * best ^ 2 * truncation) ^ 3 = rounding ^ 2 * (27 / 4) * truncation.
 
 Definition periodic_u_saves_the_seam__slope : Prop :=
   ~ (
@@ -1363,39 +1558,42 @@ Definition mean_keeps_the_bound__one_more : Prop :=
   bound + mean >= 0 ->
   bound - sample >= 0 ->
   bound + sample >= 0 ->
-  bound - mean - share * (sample - mean) >= 0 /\
+  bound - (mean + share * (sample - mean)) >= 0 /\
   bound + mean + share * (sample - mean) >= 0.
 
 Definition third_derivative_at_eight__at_eight : Prop :=
-  512 * PI ^ 3 > 13824 /\
+  (8 * PI) ^ 3 > 13824 /\
   13824 > 12000.
 
 Definition third_derivative_at_eight__at_four : Prop :=
-  64 * PI ^ 3 > 1728 /\
-  1987 > 64 * PI ^ 3.
+  (4 * PI) ^ 3 > 1728 /\
+  1987 > (4 * PI) ^ 3.
 
 Definition clamped_difference_of_odd__odd : Prop :=
   forall k_u k_v u v : R,
-  (sin (PI * (k_u * u))) * (sin (PI * (-k_v * v))) = -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  sin (PI * (-2 * k_v * v)) = -(sin (PI * (2 * k_v * v))) /\
-  -(sin (PI * k_v * v)) * (Rabs (sin (PI * k_u * u))) = -(sin (PI * k_v * v)) * (Rabs (sin (PI * k_u * u))).
+  let h_sine := (sin (PI * (k_u * u))) * (sin (PI * (k_v * (-v)))) in
+  let h_rings := sin (PI * (2 * (-1) * k_v * v)) in
+  let h_ridge := (sin ((-v) * PI * k_v)) * (Rabs (sin (u * PI * k_u))) in
+  h_sine = -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  h_rings = -(sin (PI * (2 * k_v * v))) /\
+  h_ridge = -(sin (v * PI * k_v)) * (Rabs (sin (u * PI * k_u))).
 
 Definition clamped_difference_of_odd__first_ridge : Prop :=
   forall k_u k_v u v : R,
   k_v > 0 ->
   v >= 0 ->
   1 - k_v * v >= 0 ->
-  (sin (PI * k_v * v)) * (Rabs (sin (PI * k_u * u))) >= 0 /\
-  (sin (PI * k_v * v)) * (Rabs (sin (PI * k_u * u))) >= Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) /\
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) >= (sin (PI * k_v * v)) * (Rabs (sin (PI * k_u * u))) /\
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (sin (PI * k_v * v)) * (Rabs (sin (PI * k_u * u))).
+  (sin (v * PI * k_v)) * (Rabs (sin (u * PI * k_u))) >= 0 /\
+  (sin (v * PI * k_v)) * (Rabs (sin (u * PI * k_u))) >= Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) >= (sin (v * PI * k_v)) * (Rabs (sin (u * PI * k_u))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (sin (v * PI * k_v)) * (Rabs (sin (u * PI * k_u))).
 
 Definition clamped_difference_of_odd__second_order : Prop :=
   forall bend_minus bend_plus epsilon largest slope v : R,
   let v_plus := Rmin 1 (epsilon + v) in
   let v_minus := Rmax (v - epsilon) 0 in
   let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
-  let h_v_plus := (1 / 24) * bend_plus * (epsilon + v) ^ 3 + (epsilon + v) * (bend_minus * ((1 / 8) * (epsilon + v) ^ 2 - (1 / 2) * v ^ 2) + slope) in
+  let h_v_plus := bend_plus * (epsilon + v) ^ 3 / 24 + (epsilon + v) * (bend_minus * ((epsilon + v) ^ 2 / 8 - (1 / 2) * v ^ 2) + slope) in
   let h_v_minus := 0 in
   let h_v := (h_v_plus - h_v_minus) / span_v in
   epsilon > 0 ->
@@ -1407,12 +1605,12 @@ Definition clamped_difference_of_odd__second_order : Prop :=
   bend_minus <= largest ->
   bend_minus >= -largest ->
   span_v <> 0 /\
-  h_v - slope = bend_minus * ((1 / 8) * (epsilon + v) ^ 2 - (1 / 2) * v ^ 2) + (1 / 24) * bend_plus * (epsilon + v) ^ 2 /\
-  (1 / 8) * (epsilon + v) ^ 2 - (1 / 2) * v ^ 2 >= 0 /\
-  (bend_minus + largest) * ((1 / 8) * (epsilon + v) ^ 2 - (1 / 2) * v ^ 2) >= 0 /\
-  (largest - bend_minus) * ((1 / 8) * (epsilon + v) ^ 2 - (1 / 2) * v ^ 2) >= 0 /\
-  largest * ((1 / 6) * epsilon ^ 2 + (1 / 3) * epsilon * v - (1 / 3) * v ^ 2) - h_v + slope >= 0 /\
-  h_v + largest * ((1 / 6) * epsilon ^ 2 + (1 / 3) * epsilon * v - (1 / 3) * v ^ 2) - slope >= 0.
+  h_v - slope = bend_minus * ((epsilon + v) ^ 2 / 8 - (1 / 2) * v ^ 2) + bend_plus * (epsilon + v) ^ 2 / 24 /\
+  (epsilon + v) ^ 2 / 8 - (1 / 2) * v ^ 2 >= 0 /\
+  (1 * bend_minus + largest) * ((epsilon + v) ^ 2 / 8 - (1 / 2) * v ^ 2) >= 0 /\
+  (largest - bend_minus) * ((epsilon + v) ^ 2 / 8 - (1 / 2) * v ^ 2) >= 0 /\
+  largest * 1 * ((1 / 6) * epsilon ^ 2 + (1 / 3) * epsilon * v - (1 / 3) * v ^ 2) - (h_v - slope) >= 0 /\
+  largest * 1 * ((1 / 6) * epsilon ^ 2 + (1 / 3) * epsilon * v - (1 / 3) * v ^ 2) + h_v - slope >= 0.
 
 Definition clamped_difference_of_odd__second_order_sharp : Prop :=
   forall epsilon v : R,
@@ -1420,15 +1618,18 @@ Definition clamped_difference_of_odd__second_order_sharp : Prop :=
   v >= 0 ->
   v - epsilon < 0 ->
   epsilon + v <= 1 ->
-  (1 / 6) * (epsilon + v) ^ 2 - (1 / 2) * v ^ 2 = (1 / 6) * epsilon ^ 2 + (1 / 3) * epsilon * v - (1 / 3) * v ^ 2.
+  epsilon + v - 0 <> 0 /\
+  ((1 / 6) * (epsilon + v) ^ 3 - (1 / 6) * 0 ^ 3) / (epsilon + v - 0) - (1 / 2) * v ^ 2 = 1 * ((1 / 6) * epsilon ^ 2 + (1 / 3) * epsilon * v - (1 / 3) * v ^ 2).
 
 Definition displaced_normal__product : Prop :=
-  forall beta h h_phi h_theta phi theta : R,
+  forall beta h h_phi h_theta phi phi_0 theta theta_0 : R,
+  theta = theta_0 ->
+  phi = phi_0 ->
   sin phi > 0 ->
   sin phi <> 0 /\
-  beta * h_theta * (beta * h_phi * (sin phi) * (sin theta) + (beta * h + 1) * (sin theta) * (cos phi)) * (cos phi) - (beta * h_phi * (cos phi) - (beta * h + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * h + 1) * (sin phi) * (cos theta)) = (beta * h + 1) * ((beta * h + 1) * (sin phi) * (cos theta) - beta * (h_phi * (cos phi) * (cos theta) - h_theta * (sin theta) / (sin phi))) * (sin phi) /\
-  (beta * h_phi * (cos phi) - (beta * h + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * h + 1) * (sin phi) * (sin theta)) - beta * h_theta * (beta * h_phi * (sin phi) * (cos theta) + (beta * h + 1) * (cos phi) * (cos theta)) * (cos phi) = (beta * h + 1) * ((beta * h + 1) * (sin phi) * (sin theta) - beta * (h_phi * (sin theta) * (cos phi) + h_theta * (cos theta) / (sin phi))) * (sin phi) /\
-  (beta * h_phi * (sin phi) * (cos theta) + (beta * h + 1) * (cos phi) * (cos theta)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * h + 1) * (sin phi) * (cos theta)) - (beta * h_phi * (sin phi) * (sin theta) + (beta * h + 1) * (sin theta) * (cos phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * h + 1) * (sin phi) * (sin theta)) = (beta * h + 1) * (beta * h_phi * (sin phi) + (beta * h + 1) * (cos phi)) * (sin phi).
+  beta * h_theta * (beta * h_phi * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin theta) * (cos phi)) * (cos phi) - (beta * h_phi * (cos phi) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (cos theta)) = (beta * h + 1) * (sin phi) * ((sin phi) * (cos theta) * (beta * h + 1) - beta * (h_phi * (cos phi) * (cos theta) + h_theta * (-(sin theta)) / (sin phi))) /\
+  (beta * h_phi * (cos phi) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (sin theta)) - beta * h_theta * (beta * h_phi * (sin phi) * (cos theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (cos phi) * (cos theta)) * (cos phi) = (beta * h + 1) * (sin phi) * ((sin phi) * (sin theta) * (beta * h + 1) - beta * (h_phi * (sin theta) * (cos phi) + h_theta * (cos theta) / (sin phi))) /\
+  (beta * h_phi * (sin phi) * (cos theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (cos phi) * (cos theta)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (cos theta)) - (beta * h_phi * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin theta) * (cos phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (sin theta)) = (beta * h + 1) * (sin phi) * ((beta * h + 1) * (cos phi) - beta * (h_phi * (-(sin phi)) + 0 * h_theta / (sin phi))).
 
 Definition displaced_normal__chart_scale : Prop :=
   forall h_u h_v : R,
@@ -1459,8 +1660,8 @@ Definition displaced_normal__outward : Prop :=
   sin_phi > 0 ->
   beta * h + 1 > 0 ->
   sin_phi <> 0 /\
-  displaced_x * normal_x + displaced_y * normal_y + displaced_z * normal_z = lift /\
-  displaced_x * normal_x + displaced_y * normal_y + displaced_z * normal_z > 0.
+  displaced_z * normal_z + displaced_x * normal_x + displaced_y * normal_y = lift /\
+  displaced_z * normal_z + displaced_x * normal_x + displaced_y * normal_y > 0.
 
 Definition displaced_normal__first_order : Prop :=
   forall beta cos_phi cos_theta h h_u h_v sin_phi sin_theta : R,
@@ -1483,13 +1684,13 @@ Definition displaced_normal__first_order : Prop :=
   cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
   sin_phi > 0 ->
   sin_phi <> 0 /\
-  lift * (normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) - displaced_x = -beta ^ 2 * h * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) /\
-  lift * (normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) - displaced_y = -beta ^ 2 * h * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) /\
-  lift * (normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) - displaced_z = -beta ^ 2 * h * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) /\
-  (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) ^ 2 + (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) ^ 2 + (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) ^ 2 = h_phi ^ 2 + h_theta ^ 2 / (sin_phi ^ 2) /\
-  displaced_y * (normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) - displaced_z * (normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) = -beta ^ 2 * h * (normal_y * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) - normal_z * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) /\
-  displaced_z * (normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) - displaced_x * (normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) = -beta ^ 2 * h * (normal_z * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) - normal_x * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) /\
-  displaced_x * (normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) - displaced_y * (normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) = -beta ^ 2 * h * (normal_x * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) - normal_y * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)).
+  lift * (1 * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) - displaced_x = (-beta ^ 2) * h * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) /\
+  lift * (1 * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) - displaced_y = (-beta ^ 2) * h * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) /\
+  lift * (1 * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) - displaced_z = (-beta ^ 2) * h * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) /\
+  (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) + (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) + (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) = h_phi ^ 2 + (h_theta / sin_phi) ^ 2 /\
+  displaced_y * (1 * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) - displaced_z * (1 * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) = (-beta ^ 2) * h * (normal_y * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) - normal_z * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) /\
+  displaced_z * (1 * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) - displaced_x * (1 * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) = (-beta ^ 2) * h * (normal_z * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) - normal_x * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) /\
+  displaced_x * (1 * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) - displaced_y * (1 * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) = (-beta ^ 2) * h * (normal_x * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) - normal_y * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)).
 
 Definition unit_length__g_is_tangent : Prop :=
   forall cos_phi cos_theta h_u h_v sin_phi sin_theta : R,
@@ -1507,8 +1708,8 @@ Definition unit_length__g_is_tangent : Prop :=
   let g_z := e_phi_z * h_v + e_theta_z * h_u in
   cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
   cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
-  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 /\
-  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 = h_u ^ 2 + h_v ^ 2.
+  g_z * normal_z + g_x * normal_x + g_y * normal_y = 0 /\
+  g_z * g_z + g_x * g_x + g_y * g_y = h_u ^ 2 + h_v ^ 2.
 
 Definition unit_length__length : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z : R,
@@ -1520,15 +1721,15 @@ Definition unit_length__length : Prop :=
   let bumped_x := m_scale * m_x in
   let bumped_y := m_scale * m_y in
   let bumped_z := m_scale * m_z in
-  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
-  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  normal_z * normal_z + normal_x * normal_x + normal_y * normal_y = 1 ->
+  g_z * normal_z + g_x * normal_x + g_y * normal_y = 0 ->
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
   m_length <> 0 /\
-  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) + 1 /\
-  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 1 /\
+  m_z * m_z + m_x * m_x + m_y * m_y = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) + 1 /\
+  m_z * m_z + m_x * m_x + m_y * m_y >= 1 /\
   m_length >= 1 /\
-  m_length ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) + 1 /\
-  bumped_x ^ 2 + bumped_y ^ 2 + bumped_z ^ 2 = 1.
+  m_length ^ 2 = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) + 1 /\
+  bumped_z * bumped_z + bumped_x * bumped_x + bumped_y * bumped_y = 1.
 
 Definition stable_frame__angles : Prop :=
   forall eye radius x y : R,
@@ -1538,7 +1739,7 @@ Definition stable_frame__angles : Prop :=
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
   let root_a := sqrt (Rmax 0 discriminant_a) in
-  let t_a := (if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty) in
+  let t_a := tangent_squared / (eye ^ 2 + root_a) in
   let rho_inverse := (if Rlt_dec 0 rho then / rho else 0) in
   let hit_scale := 1 / (radius * (eye ^ 2 + root_a)) in
   let cos_theta := rho_inverse * x in
@@ -1554,17 +1755,15 @@ Definition stable_frame__angles : Prop :=
   tangent_squared >= 0 /\
   tangent_squared <> 0 /\
   Rmax 0 discriminant_a >= 0 /\
-  (discriminant_a >= 0 -> eye ^ 2 + root_a <> 0) /\
+  eye ^ 2 + root_a <> 0 /\
   (rho > 0 -> rho <> 0) /\
   radius <> 0 /\
-  eye ^ 2 + root_a <> 0 /\
-  is_finite t_a /\
   rho > 0 /\
-  real t_a > 0 /\
-  radius * sin_phi = rho * (real t_a) /\
-  cos_phi * radius = eye * (1 - (real t_a)) /\
-  cos_theta * radius * sin_phi = (real t_a) * x /\
-  radius * sin_phi * sin_theta = (real t_a) * y /\
+  t_a > 0 /\
+  radius * sin_phi = rho * t_a /\
+  cos_phi * radius = eye * (1 - t_a) /\
+  cos_theta * radius * sin_phi = t_a * x /\
+  sin_theta * radius * sin_phi = t_a * y /\
   cos_theta ^ 2 + sin_theta ^ 2 = 1 /\
   cos_phi ^ 2 + sin_phi ^ 2 = 1 /\
   sin_phi > 0.
@@ -1583,7 +1782,7 @@ Definition stable_frame__seed_frame : Prop :=
   cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
   sin_phi > 0 ->
   1 - normal_z ^ 2 >= 0 /\
-  1 - normal_z ^ 2 <> 0 /\
+  sqrt (1 - normal_z ^ 2) <> 0 /\
   sqrt (1 - normal_z ^ 2) = sin_phi /\
   -normal_y / sqrt (1 - normal_z ^ 2) = e_theta_x /\
   normal_x / sqrt (1 - normal_z ^ 2) = e_theta_y /\
@@ -1654,7 +1853,7 @@ Definition silhouette_of_a__in_front : Prop :=
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
   let root_a := sqrt (Rmax 0 discriminant_a) in
-  let t_a := (if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty) in
+  let t_a := tangent_squared / (eye ^ 2 + root_a) in
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
@@ -1664,10 +1863,9 @@ Definition silhouette_of_a__in_front : Prop :=
   tangent_squared >= 0 /\
   tangent_squared <> 0 /\
   Rmax 0 discriminant_a >= 0 /\
-  (discriminant_a >= 0 -> eye ^ 2 + root_a <> 0) /\
-  is_finite t_a /\
-  real t_a > 0 /\
-  1 > real t_a.
+  eye ^ 2 + root_a <> 0 /\
+  t_a > 0 /\
+  1 > t_a.
 
 Definition silhouette_of_a__tangent : Prop :=
   forall eye radius x y : R,
@@ -1684,12 +1882,12 @@ Definition silhouette_of_a__tangent : Prop :=
   x ^ 2 + y ^ 2 >= 0 /\
   tangent_squared >= 0 /\
   tangent_squared <> 0 /\
-  eye <> 0 /\
+  eye ^ 2 <> 0 /\
   discriminant_a = 0 /\
   rho ^ 2 = rho_silhouette ^ 2 /\
-  x ^ 2 * (1 - radius ^ 2 / (eye ^ 2)) ^ 2 + y ^ 2 * (1 - radius ^ 2 / (eye ^ 2)) ^ 2 + radius ^ 4 / (eye ^ 2) = radius ^ 2 /\
-  x ^ 2 * (1 - radius ^ 2 / (eye ^ 2)) - radius ^ 2 + y ^ 2 * (1 - radius ^ 2 / (eye ^ 2)) = 0 /\
-  radius ^ 2 = radius ^ 2.
+  eye * (1 - (1 - radius ^ 2 / (eye ^ 2))) * eye * (1 - (1 - radius ^ 2 / (eye ^ 2))) + x * (1 - radius ^ 2 / (eye ^ 2)) * x * (1 - radius ^ 2 / (eye ^ 2)) + y * (1 - radius ^ 2 / (eye ^ 2)) * y * (1 - radius ^ 2 / (eye ^ 2)) = radius ^ 2 /\
+  (-eye) * eye * (1 - (1 - radius ^ 2 / (eye ^ 2))) + x * x * (1 - radius ^ 2 / (eye ^ 2)) + y * y * (1 - radius ^ 2 / (eye ^ 2)) = 0 /\
+  eye * eye * (1 - (1 - radius ^ 2 / (eye ^ 2))) = radius ^ 2.
 
 Definition seed_covers_the_view__covers : Prop :=
   forall x y : R,
@@ -1697,24 +1895,24 @@ Definition seed_covers_the_view__covers : Prop :=
   x <= 2 ->
   y >= -2 ->
   y <= 2 ->
-  (1 / 2) * x + (1 / 2) * y + (54 / 5) > (35 / 4) /\
-  ((1 / 2) * x + (1 / 2) * y + (54 / 5)) ^ 2 > (1225 / 16) /\
-  -(5219 / 2500) * x ^ 2 - (5219 / 2500) * y ^ 2 + ((1 / 2) * x + (1 / 2) * y + (54 / 5)) ^ 2 + (-20876 / 625) > 0.
+  (1 / 2) * x + (1 / 2) * y + 4 * (4 - (13 / 10)) > (1 / 4) * 35 /\
+  ((1 / 2) * x + (1 / 2) * y + 4 * (4 - (13 / 10))) ^ 2 > (1225 / 16) /\
+  ((1 / 2) * x + (1 / 2) * y + 4 * (4 - (13 / 10))) ^ 2 - (0 + ((1 / 2)) ^ 2 + ((1 / 2)) ^ 2 + ((13 / 10)) ^ 2 - ((8 / 25)) ^ 2) * (x * x + y * y + (-4) * (-4)) > 0.
 
 Definition seed_covers_the_view__before : Prop :=
   forall b d : R,
-  b > (35 / 4) ->
+  b > (1 / 4) * 35 ->
   d > 0 ->
   d >= 0 /\
   b + sqrt d <> 0 /\
-  b + sqrt d > (35 / 4) /\
-  (5219 / 2500) / (b + sqrt d) > 0 /\
-  (1 / 4) > (5219 / 2500) / (b + sqrt d).
+  b + sqrt d > (1 / 4) * 35 /\
+  (0 + ((1 / 2)) ^ 2 + ((1 / 2)) ^ 2 + ((13 / 10)) ^ 2 - ((8 / 25)) ^ 2) / (b + sqrt d) > 0 /\
+  (1 / 4) > (0 + ((1 / 2)) ^ 2 + ((1 / 2)) ^ 2 + ((13 / 10)) ^ 2 - ((8 / 25)) ^ 2) / (b + sqrt d).
 
 Definition seed_covers_the_view__behind : Prop :=
   forall eye radius t x y : R,
   radius > 0 ->
-  eye ^ 2 * (1 - t) ^ 2 + t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2 = radius ^ 2 ->
+  eye * (1 - t) * eye * (1 - t) + t * x * t * x + t * y * t * y = radius ^ 2 ->
   radius >= eye * (1 - t) /\
   eye * t >= eye - radius.
 
@@ -1729,48 +1927,54 @@ Definition seam__parity : Prop :=
 
 Definition seam__sine : Prop :=
   forall k_u k_v u v : R,
-  -(sin (PI * k_u)) * (sin (PI * (k_v * v))) = -(sin (PI * k_u)) * (sin (PI * (k_v * v))) /\
-  PI * k_u * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * k_u)) * (sin (PI * (k_v * v))) = PI * k_u * (1 - (cos (PI * k_u))) * (sin (PI * (k_v * v))) /\
-  (sin (PI * (k_u * (u + 1)))) * (sin (PI * (k_v * v))) = (sin (PI * k_u)) * (cos (PI * k_u * u)) * (sin (PI * (k_v * v))) + (cos (PI * k_u)) * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))).
+  let h_jump := (sin (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - (sin (PI * (1 * k_u))) * (sin (PI * (k_v * v))) in
+  let slope_jump := PI * k_u * (cos (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * (1 * k_u))) * (sin (PI * (k_v * v))) in
+  h_jump = (-(sin (PI * k_u))) * (sin (PI * (k_v * v))) /\
+  slope_jump = PI * k_u * (1 - (cos (PI * k_u))) * (sin (PI * (k_v * v))) /\
+  (sin (PI * (k_u * (u + 1)))) * (sin (PI * (k_v * v))) = (sin (PI * k_u)) * (cos (u * PI * k_u)) * (sin (PI * (k_v * v))) + (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) * (cos (PI * k_u)).
 
 Definition seam__even : Prop :=
   forall k_u k_v u v : R,
   cos (PI * k_u) = 1 ->
-  -(sin (PI * k_u)) * (sin (PI * (k_v * v))) = 0 /\
-  PI * k_u * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * k_u)) * (sin (PI * (k_v * v))) = 0 /\
-  -PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * k_u)) = 0 /\
+  (sin (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - (sin (PI * (1 * k_u))) * (sin (PI * (k_v * v))) = 0 /\
+  PI * k_u * (cos (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * (1 * k_u))) * (sin (PI * (k_v * v))) = 0 /\
+  PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (0 * k_u))) - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (1 * k_u))) = 0 /\
   (sin (PI * (k_u * (u + 1)))) * (sin (PI * (k_v * v))) = (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))).
 
 Definition seam__odd : Prop :=
   forall k_u k_v v : R,
   cos (PI * k_u) = -1 ->
-  -(sin (PI * k_u)) * (sin (PI * (k_v * v))) = 0 /\
-  PI * k_u * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * k_u)) * (sin (PI * (k_v * v))) = 2 * PI * k_u * (sin (PI * (k_v * v))).
+  (sin (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - (sin (PI * (1 * k_u))) * (sin (PI * (k_v * v))) = 0 /\
+  PI * k_u * (cos (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * (1 * k_u))) * (sin (PI * (k_v * v))) = 2 * PI * k_u * (sin (PI * (k_v * v))).
 
 Definition seam__ridges : Prop :=
   forall k_u k_v v : R,
+  let h_first := Rabs ((sin (PI * (0 * k_u))) * (sin (PI * (k_v * v)))) in
+  let h_last := Rabs ((sin (PI * (1 * k_u))) * (sin (PI * (k_v * v)))) in
   sin (PI * k_u) = 0 ->
-  0 = 0 /\
-  Rabs ((sin (PI * k_u)) * (sin (PI * (k_v * v)))) = 0.
+  h_first = 0 /\
+  h_last = 0.
 
 Definition seam__ridges_crease : Prop :=
   forall k_u k_v step v : R,
   sin (PI * k_u) = 0 ->
-  (sin (PI * (k_u * step))) ^ 2 * (sin (PI * (k_v * v))) ^ 2 = (sin (PI * k_u * step)) ^ 2 * (sin (PI * (k_v * v))) ^ 2 /\
-  (sin (PI * (-k_u * (step - 1)))) ^ 2 * (sin (PI * (k_v * v))) ^ 2 = (sin (PI * (k_u * step))) ^ 2 * (sin (PI * (k_v * v))) ^ 2 /\
-  Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v)))) >= Rabs ((sin (PI * (-k_u * (step - 1)))) * (sin (PI * (k_v * v)))) /\
-  Rabs ((sin (PI * (-k_u * (step - 1)))) * (sin (PI * (k_v * v)))) >= Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v)))).
+  (Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v))))) ^ 2 = (sin (step * PI * k_u)) ^ 2 * (sin (PI * (k_v * v))) ^ 2 /\
+  (Rabs ((sin (PI * (k_u * (1 - step)))) * (sin (PI * (k_v * v))))) ^ 2 = (Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v))))) ^ 2 /\
+  Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v)))) >= Rabs ((sin (PI * (k_u * (1 - step)))) * (sin (PI * (k_v * v)))) /\
+  Rabs ((sin (PI * (k_u * (1 - step)))) * (sin (PI * (k_v * v)))) >= Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v)))).
 
 Definition seam__ridges_jump : Prop :=
   forall k_u k_v v : R,
   (sin (PI * k_u)) ^ 2 > 0 ->
   (sin (PI * (k_v * v))) ^ 2 > 0 ->
-  Rabs ((sin (PI * k_u)) * (sin (PI * (k_v * v)))) > 0.
+  -(Rabs ((sin (PI * (0 * k_u))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (1 * k_u))) * (sin (PI * (k_v * v)))))) > 0.
 
 Definition seam__rings : Prop :=
   forall k_v v : R,
-  sin (PI * (2 * k_v * v)) = sin (PI * (2 * k_v * v)) /\
-  0 = 0.
+  let h := sin (PI * (2 * k_v * v)) in
+  let h_u := 0 in
+  h = sin (PI * (2 * k_v * v)) /\
+  h_u = 0.
 
 Definition occlusion_by_signs__quadratic : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z point_x point_y point_z s : R,
@@ -1783,9 +1987,9 @@ Definition occlusion_by_signs__quadratic : Prop :=
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
   let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
   let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
-  (point_x - center_x + s * segment_x) ^ 2 - body_radius ^ 2 + (point_y - center_y + s * segment_y) ^ 2 + (point_z - center_z + s * segment_z) ^ 2 = offset_x ^ 2 - body_radius ^ 2 + offset_y ^ 2 + offset_z ^ 2 + s ^ 2 * segment_squared - 2 * s * toward_center /\
-  (light_x - center_x) ^ 2 - body_radius ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 = offset_x ^ 2 - body_radius ^ 2 + offset_y ^ 2 + offset_z ^ 2 + segment_squared - 2 * toward_center /\
-  shadow_discriminant = toward_center ^ 2 - segment_squared * (offset_x ^ 2 - body_radius ^ 2 + offset_y ^ 2 + offset_z ^ 2) /\
+  (point_z + s * segment_z - center_z) ^ 2 + (point_y + s * segment_y - center_y) ^ 2 + (point_x + s * segment_x - center_x) ^ 2 + 0 - body_radius ^ 2 = offset_z * offset_z + offset_x * offset_x + offset_y * offset_y - body_radius ^ 2 + s ^ 2 * segment_squared - 2 * s * toward_center /\
+  (light_z - center_z) ^ 2 + (light_y - center_y) ^ 2 + (light_x - center_x) ^ 2 + 0 - body_radius ^ 2 = offset_z * offset_z + offset_x * offset_x + offset_y * offset_y - body_radius ^ 2 + segment_squared - 2 * toward_center /\
+  shadow_discriminant = toward_center ^ 2 - segment_squared * (offset_z * offset_z + offset_x * offset_x + offset_y * offset_y - body_radius ^ 2) /\
   segment_squared >= 0.
 
 Definition occlusion_by_signs__program : Prop :=
@@ -1816,26 +2020,25 @@ Definition occlusion_by_signs__if : Prop :=
   d >= 0 /\
   a <> 0 /\
   a > 0 /\
-  a - b > 0 /\
   (b - sqrt d) * (b + sqrt d) = a * c /\
   b + sqrt d > 0 /\
   b - sqrt d > 0 /\
-  (a - b - sqrt d) * (a - b + sqrt d) = a * (a - 2 * b + c) /\
-  a - b + sqrt d > 0 /\
+  (a - b - sqrt d) * (sqrt d + a - b) = a * (c + a - 2 * b) /\
+  sqrt d + a - b > 0 /\
   / a > 0 /\
   (b - sqrt d) / a > 0 /\
   1 > (b - sqrt d) / a /\
-  c - 2 * b * (b - sqrt d) / a + (b - sqrt d) ^ 2 / a = 0.
+  c + a * ((b - sqrt d) / a) ^ 2 - 2 * b * (b - sqrt d) / a = 0.
 
 Definition occlusion_by_signs__only_if : Prop :=
   forall a b c d s : R,
   a >= 0 ->
   c > 0 ->
   d = b ^ 2 - a * c ->
-  a - 2 * b + c > 0 ->
+  c + a - 2 * b > 0 ->
   s > 0 ->
   s < 1 ->
-  a * s ^ 2 - 2 * b * s + c = 0 ->
+  c + a * s ^ 2 - 2 * b * s = 0 ->
   b > 0 /\
   a - b > 0 /\
   (a * s - b) ^ 2 = d /\
@@ -1845,30 +2048,30 @@ Definition silhouette_of_b__conic : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius eye x y : R,
   let distance := eye - ball_center_z in
   let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
-  discriminant_b = 2 * ball_center_x * ball_center_y * x * y + 2 * ball_center_x * eye * x * (eye - ball_center_z) + 2 * ball_center_y * eye * y * (eye - ball_center_z) + eye ^ 2 * (-ball_center_x ^ 2 - ball_center_y ^ 2 + ball_radius ^ 2) + x ^ 2 * (ball_radius ^ 2 - ball_center_y ^ 2 - (eye - ball_center_z) ^ 2) + y ^ 2 * (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2) /\
-  (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2) * (ball_radius ^ 2 - ball_center_y ^ 2 - (eye - ball_center_z) ^ 2) - ball_center_x ^ 2 * ball_center_y ^ 2 = ((eye - ball_center_z) ^ 2 - ball_radius ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2) /\
-  ball_center_x * eye * (eye - ball_center_z) * (ball_center_x * ball_center_y ^ 2 * eye * (eye - ball_center_z) - ball_center_x * eye * (eye - ball_center_z) * (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2)) - ball_center_x * ball_center_y * (ball_center_x * ball_center_y * eye ^ 2 * (-ball_center_x ^ 2 - ball_center_y ^ 2 + ball_radius ^ 2) - ball_center_x * ball_center_y * eye ^ 2 * (eye - ball_center_z) ^ 2) + (eye ^ 2 * (-ball_center_x ^ 2 - ball_center_y ^ 2 + ball_radius ^ 2) * (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2) - ball_center_y ^ 2 * eye ^ 2 * (eye - ball_center_z) ^ 2) * (ball_radius ^ 2 - ball_center_y ^ 2 - (eye - ball_center_z) ^ 2) = ball_radius ^ 2 * eye ^ 2 * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2) ^ 2.
+  discriminant_b = eye ^ 2 * ((eye - ball_center_z) ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) + y * 2 * ball_center_y * eye * (eye - ball_center_z) + x * 2 * ball_center_x * eye * (eye - ball_center_z) + y ^ 2 * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) + x ^ 2 * (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) + y * x * 2 * ball_center_x * ball_center_y /\
+  (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) - (ball_center_x * ball_center_y) ^ 2 = ((eye - ball_center_z) ^ 2 - ball_radius ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2) /\
+  ball_center_x * eye * (eye - ball_center_z) * (ball_center_x * ball_center_y * ball_center_y * eye * (eye - ball_center_z) - ball_center_x * eye * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (eye - ball_center_z)) + (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (eye ^ 2 * ((eye - ball_center_z) ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) - (ball_center_y * eye * (eye - ball_center_z)) ^ 2) - ball_center_x * ball_center_y * (ball_center_x * ball_center_y * eye ^ 2 * ((eye - ball_center_z) ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) - ball_center_x * ball_center_y * eye ^ 2 * (eye - ball_center_z) ^ 2) = ball_radius ^ 2 * eye ^ 2 * (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2) ^ 2.
 
 Definition silhouette_of_b__ellipse : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius eye : R,
-  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 > ball_radius ^ 2 ->
   (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
-  ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2 > 0 /\
-  (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2) * (ball_radius ^ 2 - ball_center_y ^ 2 - (eye - ball_center_z) ^ 2) - ball_center_x ^ 2 * ball_center_y ^ 2 > 0.
+  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2 > 0 /\
+  (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) - (ball_center_x * ball_center_y) ^ 2 > 0.
 
 Definition silhouette_of_b__parabola : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius eye : R,
-  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 > ball_radius ^ 2 ->
   (eye - ball_center_z) ^ 2 = ball_radius ^ 2 ->
-  ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2 > 0 /\
-  (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2) * (ball_radius ^ 2 - ball_center_y ^ 2 - (eye - ball_center_z) ^ 2) - ball_center_x ^ 2 * ball_center_y ^ 2 = 0.
+  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2 > 0 /\
+  (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) - (ball_center_x * ball_center_y) ^ 2 = 0.
 
 Definition silhouette_of_b__hyperbola : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius eye : R,
-  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 > ball_radius ^ 2 ->
   (eye - ball_center_z) ^ 2 < ball_radius ^ 2 ->
-  ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2 > 0 /\
-  0 > (ball_radius ^ 2 - ball_center_x ^ 2 - (eye - ball_center_z) ^ 2) * (ball_radius ^ 2 - ball_center_y ^ 2 - (eye - ball_center_z) ^ 2) - ball_center_x ^ 2 * ball_center_y ^ 2.
+  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2 > 0 /\
+  0 > (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) - (ball_center_x * ball_center_y) ^ 2.
 
 Definition silhouette_of_b__branch : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius eye x y : R,
@@ -1876,10 +2079,10 @@ Definition silhouette_of_b__branch : Prop :=
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
   let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
   eye > 0 ->
-  ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
+  (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 > ball_radius ^ 2 ->
   discriminant_b = 0 ->
-  toward_b ^ 2 = (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + (eye - ball_center_z) ^ 2) /\
-  eye ^ 2 + x ^ 2 + y ^ 2 > 0 /\
+  toward_b ^ 2 = (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2) * ((-eye) * (-eye) + x * x + y * y) /\
+  (-eye) * (-eye) + x * x + y * y > 0 /\
   toward_b ^ 2 > 0.
 
 Definition silhouette_of_b__all_seen : Prop :=
@@ -1887,42 +2090,42 @@ Definition silhouette_of_b__all_seen : Prop :=
   eye > 0 ->
   ball_radius > 0 ->
   distance >= ball_radius ->
-  ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2 > 0 ->
-  (ball_center_x * x + ball_center_y * y + distance * eye) ^ 2 >= (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2) ->
+  distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 > 0 ->
+  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 >= (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) * (eye ^ 2 + x ^ 2 + y ^ 2) ->
   distance > 0 /\
   distance * eye > 0 /\
   (distance - ball_radius) * (ball_radius + distance) >= 0 /\
   x ^ 2 + y ^ 2 >= 0 /\
-  (distance ^ 2 - ball_radius ^ 2) * (x ^ 2 + y ^ 2) >= 0 /\
+  (x ^ 2 + y ^ 2) * (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2)) >= 0 /\
   (ball_center_x ^ 2 + ball_center_y ^ 2) * (x ^ 2 + y ^ 2) >= (ball_center_x * x + ball_center_y * y) ^ 2 /\
   eye ^ 2 > 0 /\
-  eye ^ 2 * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2) > 0 /\
-  (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2) > (ball_center_x * x + ball_center_y * y) ^ 2 /\
-  (ball_center_x * x + ball_center_y * y + distance * eye) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 > 0 /\
-  (ball_center_x * x + ball_center_y * y + distance * eye) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 = distance * eye * (2 * ball_center_x * x + 2 * ball_center_y * y + distance * eye) /\
-  2 * ball_center_x * x + 2 * ball_center_y * y + distance * eye > 0 /\
-  ball_center_x * x + ball_center_y * y + distance * eye > 0.
+  eye ^ 2 * (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) > 0 /\
+  (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) * (eye ^ 2 + x ^ 2 + y ^ 2) > (ball_center_x * x + ball_center_y * y) ^ 2 /\
+  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 > 0 /\
+  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 = distance * eye * (2 * (distance * eye + ball_center_x * x + ball_center_y * y) - distance * eye) /\
+  2 * (distance * eye + ball_center_x * x + ball_center_y * y) - distance * eye > 0 /\
+  distance * eye + ball_center_x * x + ball_center_y * y > 0.
 
 Definition silhouette_of_b__none_seen : Prop :=
   forall ball_center_x ball_center_y ball_radius distance eye x y : R,
   eye > 0 ->
   ball_radius > 0 ->
   -distance >= ball_radius ->
-  ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2 > 0 ->
-  (ball_center_x * x + ball_center_y * y + distance * eye) ^ 2 >= (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2) ->
+  distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 > 0 ->
+  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 >= (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) * (eye ^ 2 + x ^ 2 + y ^ 2) ->
   -distance > 0 /\
-  -distance * eye > 0 /\
+  distance * (-eye) > 0 /\
   (-ball_radius - distance) * (ball_radius - distance) >= 0 /\
   x ^ 2 + y ^ 2 >= 0 /\
-  (distance ^ 2 - ball_radius ^ 2) * (x ^ 2 + y ^ 2) >= 0 /\
+  (x ^ 2 + y ^ 2) * (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2)) >= 0 /\
   (ball_center_x ^ 2 + ball_center_y ^ 2) * (x ^ 2 + y ^ 2) >= (ball_center_x * x + ball_center_y * y) ^ 2 /\
   eye ^ 2 > 0 /\
-  eye ^ 2 * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2) > 0 /\
-  (eye ^ 2 + x ^ 2 + y ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 + distance ^ 2) > (ball_center_x * x + ball_center_y * y) ^ 2 /\
-  (ball_center_x * x + ball_center_y * y + distance * eye) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 > 0 /\
-  (ball_center_x * x + ball_center_y * y + distance * eye) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 = distance * eye * (2 * ball_center_x * x + 2 * ball_center_y * y + distance * eye) /\
-  -2 * ball_center_x * x - 2 * ball_center_y * y - distance * eye > 0 /\
-  0 > ball_center_x * x + ball_center_y * y + distance * eye.
+  eye ^ 2 * (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) > 0 /\
+  (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) * (eye ^ 2 + x ^ 2 + y ^ 2) > (ball_center_x * x + ball_center_y * y) ^ 2 /\
+  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 > 0 /\
+  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 = distance * eye * (2 * (distance * eye + ball_center_x * x + ball_center_y * y) - distance * eye) /\
+  distance * eye - 2 * (distance * eye + ball_center_x * x + ball_center_y * y) > 0 /\
+  0 > distance * eye + ball_center_x * x + ball_center_y * y.
 
 Definition crease_error_area__tent : Prop :=
   forall delta epsilon k_u : R,
@@ -1932,66 +2135,72 @@ Definition crease_error_area__tent : Prop :=
   epsilon - delta >= 0 ->
   1 - k_u * (delta + epsilon) >= 0 ->
   epsilon <> 0 /\
-  k_u <> 0 /\
-  1 - (cos (PI * delta * k_u)) >= 0 /\
-  1 - (cos (PI * epsilon * k_u)) >= 0 /\
+  PI * k_u <> 0 /\
+  1 - (cos (delta * PI * k_u)) >= 0 /\
+  1 - (cos (epsilon * PI * k_u)) >= 0 /\
   PI * k_u > 0 /\
-  PI * epsilon * k_u > 0 /\
-  PI * epsilon * k_u * (-delta / epsilon - (cos (PI * delta * k_u)) + 1 + (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) / (PI * epsilon * k_u)) = PI * epsilon * k_u * (1 - (cos (PI * delta * k_u))) - PI * delta * k_u + (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) /\
-  PI * epsilon * k_u - PI * delta * k_u >= 0 /\
-  PI ^ 2 * epsilon ^ 2 * k_u ^ 2 - PI ^ 2 * delta ^ 2 * k_u ^ 2 >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 3 * k_u ^ 3 - PI * delta * k_u + sin (PI * delta * k_u) >= 0 /\
-  (1 / 2) * PI ^ 2 * epsilon ^ 2 * k_u ^ 2 + cos (PI * delta * k_u) - 1 >= 0 /\
-  (1 - (cos (PI * epsilon * k_u))) * (sin (PI * delta * k_u)) >= 0 /\
-  (1 / 2) * PI ^ 3 * epsilon ^ 3 * k_u ^ 3 - (1 - (cos (PI * epsilon * k_u))) * (sin (PI * delta * k_u)) >= 0 /\
-  (2 / 3) * PI ^ 3 * epsilon ^ 3 * k_u ^ 3 - PI * epsilon * k_u * (-delta / epsilon - (cos (PI * delta * k_u)) + 1 + (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) / (PI * epsilon * k_u)) >= 0 /\
-  (2 / 3) * PI ^ 3 * epsilon ^ 3 * k_u ^ 3 + PI * epsilon * k_u * (-delta / epsilon - (cos (PI * delta * k_u)) + 1 + (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) / (PI * epsilon * k_u)) >= 0 /\
-  delta / epsilon + (2 / 3) * PI ^ 2 * epsilon ^ 2 * k_u ^ 2 + cos (PI * delta * k_u) - 1 - (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) / (PI * epsilon * k_u) >= 0 /\
-  (2 / 3) * PI ^ 2 * epsilon ^ 2 * k_u ^ 2 - delta / epsilon - (cos (PI * delta * k_u)) + 1 + (sin (PI * delta * k_u)) * (cos (PI * epsilon * k_u)) / (PI * epsilon * k_u) >= 0.
+  epsilon * PI * k_u > 0 /\
+  epsilon * PI * k_u * ((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon)) = epsilon * PI * k_u * (1 - (cos (delta * PI * k_u))) - (delta * PI * k_u - (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u))) /\
+  epsilon * PI * k_u - PI * delta * k_u >= 0 /\
+  (epsilon * PI * k_u) ^ 2 - (delta * PI * k_u) ^ 2 >= 0 /\
+  (epsilon * PI * k_u) ^ 3 / 6 - (delta * PI * k_u - (sin (delta * PI * k_u))) >= 0 /\
+  (epsilon * PI * k_u) ^ 2 / 2 - (1 - (cos (delta * PI * k_u))) >= 0 /\
+  (1 - (cos (epsilon * PI * k_u))) * (sin (delta * PI * k_u)) >= 0 /\
+  (epsilon * PI * k_u) ^ 3 / 2 - (1 - (cos (epsilon * PI * k_u))) * (sin (delta * PI * k_u)) >= 0 /\
+  epsilon * PI * k_u * (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) - PI * epsilon * k_u * ((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon)) >= 0 /\
+  epsilon * PI * k_u * (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) + epsilon * PI * k_u * ((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon)) >= 0 /\
+  (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) - ((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon)) >= 0 /\
+  (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon) + (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) >= 0.
 
 Definition crease_error_area__tents : Prop :=
-  forall delta epsilon : R,
+  forall delta epsilon k_u : R,
   epsilon > 0 ->
+  k_u > 0 ->
   epsilon <> 0 /\
-  (delta - epsilon) ^ 2 / (epsilon ^ 2) = (delta / epsilon - 1) ^ 2 /\
-  (1 / 3) * epsilon = (1 / 3) * epsilon.
+  PI * k_u <> 0 /\
+  3 * epsilon ^ 2 <> 0 /\
+  (delta - epsilon) ^ 2 / (epsilon ^ 2) = ((-PI * k_u * (1 - delta / epsilon)) / (PI * k_u)) ^ 2 /\
+  (epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3 = epsilon / 3.
 
 Definition crease_error_area__mean_of_a_square : Prop :=
   forall k_v v : R,
   k_v > 0 ->
   sin (PI * k_v) = 0 ->
-  k_v <> 0 /\
-  (1 / 2) - (1 / 2) * (cos (2 * PI * k_v * v)) = (sin (PI * k_v * v)) ^ 2 /\
-  (1 / 2) - (1 / 4) * (sin (2 * PI * k_v)) / (PI * k_v) = (1 / 2).
+  4 * PI * k_v <> 0 /\
+  (1 / 2) - (1 / 2) * (cos (2 * PI * k_v * v)) = (sin (v * PI * k_v)) ^ 2 /\
+  1 / 2 - (1 / 4) / (PI * k_v) * (sin (1 * 2 * PI * k_v)) - (0 / 2 - (1 / 4) / (PI * k_v) * (sin (0 * 2 * PI * k_v))) = (1 / 2).
 
 Definition crease_error_area__in_u : Prop :=
   forall epsilon k_u : R,
   k_u >= 1 ->
   epsilon > 0 ->
+  3 * epsilon ^ 2 <> 0 /\
   epsilon * k_u >= 0 /\
-  epsilon * k_u ^ 3 >= 0 /\
+  (1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3) >= 0 /\
   PI * k_u > 0 /\
   epsilon * k_u >= 0 /\
-  (1 / 3) * PI ^ 2 * epsilon * k_u ^ 3 >= 0 /\
+  (1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3) >= 0 /\
   (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u) >= 0 /\
-  (1 / 3) * PI ^ 2 * epsilon * k_u ^ 3 = (1 / 3) * PI ^ 2 * epsilon * k_u ^ 3 /\
-  (1 / 3) * sqrt 3 * PI * sqrt (epsilon * k_u ^ 3) >= (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u) /\
-  (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u) >= (1 / 3) * sqrt 3 * PI * sqrt (epsilon * k_u ^ 3) /\
-  (1 / 3) * sqrt 3 * PI * sqrt (epsilon * k_u ^ 3) = (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u).
+  (1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3) = ((1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u)) ^ 2 /\
+  sqrt ((1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) >= (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u) /\
+  (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u) >= sqrt ((1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) /\
+  sqrt ((1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) = (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u).
 
 Definition crease_error_area__in_v : Prop :=
   forall epsilon k_v : R,
   k_v >= 1 ->
   epsilon > 0 ->
+  3 * epsilon ^ 2 <> 0 /\
   epsilon * (k_v - 1) >= 0 /\
+  (1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3) >= 0 /\
   PI * k_v > 0 /\
   epsilon * (k_v - 1) >= 0 /\
-  (1 / 3) * PI ^ 2 * epsilon * k_v ^ 2 * (k_v - 1) >= 0 /\
+  (1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3) >= 0 /\
   (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)) >= 0 /\
-  (1 / 3) * PI ^ 2 * epsilon * k_v ^ 2 * (k_v - 1) = (1 / 3) * PI ^ 2 * epsilon * k_v ^ 2 * (k_v - 1) /\
-  (1 / 3) * sqrt 3 * PI * sqrt (epsilon * (k_v - 1)) * (Rabs k_v) >= (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)) /\
-  (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)) >= (1 / 3) * sqrt 3 * PI * sqrt (epsilon * (k_v - 1)) * (Rabs k_v) /\
-  (1 / 3) * sqrt 3 * PI * sqrt (epsilon * (k_v - 1)) * (Rabs k_v) = (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)).
+  (1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3) = ((1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1))) ^ 2 /\
+  sqrt ((1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) >= (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)) /\
+  (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)) >= sqrt ((1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) /\
+  sqrt ((1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) = (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)).
 
 Definition bump_is_not_displacement__only_where_flat : Prop :=
   forall beta cos_phi cos_theta h h_u h_v sin_phi sin_theta : R,
@@ -2024,12 +2233,13 @@ Definition bump_is_not_displacement__only_where_flat : Prop :=
   displaced_x * m_z - displaced_z * m_x = 0 ->
   displaced_y * m_x - displaced_x * m_y = 0 ->
   sin_phi <> 0 /\
+  2 * PI * sin_phi <> 0 /\
   / sin_phi > 0 /\
   / PI > 0 /\
   1 / (PI * sin_phi) > 0 /\
-  lift + (1 / 2) / (PI * sin_phi) > 0 /\
+  lift + / (2 * PI * sin_phi) > 0 /\
   lift + / PI > 0 /\
-  beta * h_u * (lift + (1 / 2) / (PI * sin_phi)) = 0 /\
+  beta * h_u * (lift + / (2 * PI * sin_phi)) = 0 /\
   beta * h_v * (lift + / PI) = 0 /\
   beta * h_u = 0 /\
   beta * h_v = 0.
@@ -2092,9 +2302,10 @@ Definition bump_is_not_displacement__angle : Prop :=
   cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
   sin_phi > 0 ->
   sin_phi <> 0 /\
-  displaced_x * m_x + displaced_y * m_y + displaced_z * m_z = lift - beta ^ 2 * ((1 / 2) * h_u ^ 2 / (PI * sin_phi) + h_v ^ 2 / PI) /\
-  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 = beta ^ 2 * (h_u ^ 2 + h_v ^ 2) + 1 /\
-  displaced_x ^ 2 + displaced_y ^ 2 + displaced_z ^ 2 = beta ^ 2 * ((1 / 4) * h_u ^ 2 / (PI ^ 2 * sin_phi ^ 2) + h_v ^ 2 / (PI ^ 2)) + lift ^ 2.
+  2 * PI * sin_phi <> 0 /\
+  displaced_z * m_z + displaced_x * m_x + displaced_y * m_y = lift - beta ^ 2 * (h_u ^ 2 / (2 * PI * sin_phi) + h_v ^ 2 / PI) /\
+  m_z * m_z + m_x * m_x + m_y * m_y = beta ^ 2 * (h_u ^ 2 + h_v ^ 2) + 1 /\
+  displaced_z * displaced_z + displaced_x * displaced_x + displaced_y * displaced_y = beta ^ 2 * ((h_v / PI) ^ 2 + (h_u / (2 * PI * sin_phi)) ^ 2) + lift ^ 2.
 
 Definition attached_shadow__in_light : Prop :=
   ~ (
@@ -2107,13 +2318,13 @@ Definition attached_shadow__in_light : Prop :=
   let bumped_x := m_scale * m_x in
   let bumped_y := m_scale * m_y in
   let bumped_z := m_scale * m_z in
-  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
-  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
-  normal_x * towards_x + normal_y * towards_y + normal_z * towards_z > 0 ->
-  towards_x ^ 2 + towards_y ^ 2 + towards_z ^ 2 = 1 ->
+  normal_z * normal_z + normal_x * normal_x + normal_y * normal_y = 1 ->
+  g_z * normal_z + g_x * normal_x + g_y * normal_y = 0 ->
+  normal_z * towards_z + normal_x * towards_x + normal_y * towards_y > 0 ->
+  towards_z * towards_z + towards_x * towards_x + towards_y * towards_y = 1 ->
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 ->
   m_length <> 0 ->
-  bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z > 0).
+  bumped_z * towards_z + bumped_x * towards_x + bumped_y * towards_y > 0).
 
 Definition normal_by_beta__derivative : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z : R,
@@ -2128,7 +2339,7 @@ Definition normal_by_beta__derivative : Prop :=
   let bumped_by_beta_x := (g_x - bumped_x * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length in
   let bumped_by_beta_y := (g_y - bumped_y * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length in
   let bumped_by_beta_z := (g_z - bumped_z * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length in
-  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 > 0 ->
+  m_z * m_z + m_x * m_x + m_y * m_y > 0 ->
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
   m_length <> 0 /\
   (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 >= 0 /\
@@ -2150,10 +2361,10 @@ Definition normal_by_beta__tangent_to_directions : Prop :=
   let bumped_by_beta_x := (g_x - bumped_x * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length in
   let bumped_by_beta_y := (g_y - bumped_y * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length in
   let bumped_by_beta_z := (g_z - bumped_z * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length in
-  m_x ^ 2 + m_y ^ 2 + m_z ^ 2 > 0 ->
+  m_z * m_z + m_x * m_x + m_y * m_y > 0 ->
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
   m_length <> 0 /\
-  bumped_by_beta_x * bumped_x + bumped_by_beta_y * bumped_y + bumped_by_beta_z * bumped_z = 0.
+  bumped_by_beta_z * bumped_z + bumped_by_beta_x * bumped_x + bumped_by_beta_y * bumped_y = 0.
 
 Definition angle_of_the_bump__angle : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z : R,
@@ -2165,13 +2376,13 @@ Definition angle_of_the_bump__angle : Prop :=
   let bumped_x := m_scale * m_x in
   let bumped_y := m_scale * m_y in
   let bumped_z := m_scale * m_z in
-  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
-  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  normal_z * normal_z + normal_x * normal_x + normal_y * normal_y = 1 ->
+  g_z * normal_z + g_x * normal_x + g_y * normal_y = 0 ->
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
   m_length <> 0 /\
-  m_length * (bumped_x * normal_x + bumped_y * normal_y + bumped_z * normal_z) = 1 /\
-  bumped_x * normal_x + bumped_y * normal_y + bumped_z * normal_z > 0 /\
-  (bumped_y * normal_x - bumped_x * normal_y) ^ 2 + (bumped_x * normal_z - bumped_z * normal_x) ^ 2 + (bumped_z * normal_y - bumped_y * normal_z) ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) * (bumped_x * normal_x + bumped_y * normal_y + bumped_z * normal_z) ^ 2.
+  m_length * (bumped_z * normal_z + bumped_x * normal_x + bumped_y * normal_y) = 1 /\
+  bumped_z * normal_z + bumped_x * normal_x + bumped_y * normal_y > 0 /\
+  (bumped_y * normal_x - bumped_x * normal_y) * (bumped_y * normal_x - bumped_x * normal_y) + (bumped_x * normal_z - bumped_z * normal_x) * (bumped_x * normal_z - bumped_z * normal_x) + (bumped_z * normal_y - bumped_y * normal_z) * (bumped_z * normal_y - bumped_y * normal_z) = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) * (bumped_z * normal_z + bumped_x * normal_x + bumped_y * normal_y) ^ 2.
 
 Definition normal_limits__small_beta : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z w : R,
@@ -2183,18 +2394,18 @@ Definition normal_limits__small_beta : Prop :=
   let bumped_x := m_scale * m_x in
   let bumped_y := m_scale * m_y in
   let bumped_z := m_scale * m_z in
-  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
-  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
-  w = sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) * (Rabs beta) ->
+  normal_z * normal_z + normal_x * normal_x + normal_y * normal_y = 1 ->
+  g_z * normal_z + g_x * normal_x + g_y * normal_y = 0 ->
+  w = sqrt (g_z * g_z + g_x * g_x + g_y * g_y) * (Rabs beta) ->
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
   m_length <> 0 /\
-  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 >= 0 /\
-  (bumped_x - normal_x) ^ 2 + (bumped_y - normal_y) ^ 2 + (bumped_z - normal_z) ^ 2 >= 0 /\
-  m_length * ((bumped_x - normal_x) ^ 2 + (bumped_y - normal_y) ^ 2 + (bumped_z - normal_z) ^ 2) = 2 * m_length - 2 /\
-  beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) - (bumped_x - normal_x) ^ 2 - (bumped_y - normal_y) ^ 2 - (bumped_z - normal_z) ^ 2 >= 0 /\
-  w ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) /\
+  g_z * g_z + g_x * g_x + g_y * g_y >= 0 /\
+  (bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x - normal_x) * (bumped_x - normal_x) + (bumped_y - normal_y) * (bumped_y - normal_y) >= 0 /\
+  m_length * ((bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x - normal_x) * (bumped_x - normal_x) + (bumped_y - normal_y) * (bumped_y - normal_y)) = 2 * (m_length - 1) /\
+  beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) - ((bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x - normal_x) * (bumped_x - normal_x) + (bumped_y - normal_y) * (bumped_y - normal_y)) >= 0 /\
+  w ^ 2 = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) /\
   w >= 0 /\
-  w >= sqrt ((bumped_x - normal_x) ^ 2 + (bumped_y - normal_y) ^ 2 + (bumped_z - normal_z) ^ 2).
+  w >= sqrt ((bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x - normal_x) * (bumped_x - normal_x) + (bumped_y - normal_y) * (bumped_y - normal_y)).
 
 Definition normal_limits__large_beta : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z w : R,
@@ -2206,26 +2417,26 @@ Definition normal_limits__large_beta : Prop :=
   let bumped_x := m_scale * m_x in
   let bumped_y := m_scale * m_y in
   let bumped_z := m_scale * m_z in
-  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
-  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
-  beta > 0 ->
-  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 > 0 ->
-  w = sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) * (Rabs beta) ->
+  normal_z * normal_z + normal_x * normal_x + normal_y * normal_y = 1 ->
+  g_z * normal_z + g_x * normal_x + g_y * normal_y = 0 ->
+  1 * beta > 0 ->
+  g_z * g_z + g_x * g_x + g_y * g_y > 0 ->
+  w = sqrt (g_z * g_z + g_x * g_x + g_y * g_y) * (Rabs beta) ->
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
   m_length <> 0 /\
-  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 >= 0 /\
-  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 <> 0 /\
-  (bumped_x - g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y - g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z - g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 >= 0 /\
-  sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) > 0 /\
+  g_z * g_z + g_x * g_x + g_y * g_y >= 0 /\
+  sqrt (g_z * g_z + g_x * g_x + g_y * g_y) <> 0 /\
+  (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) >= 0 /\
+  sqrt (g_z * g_z + g_x * g_x + g_y * g_y) > 0 /\
   w > 0 /\
-  w ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) /\
+  w ^ 2 = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) /\
   m_length ^ 2 = w ^ 2 + 1 /\
   m_length >= w /\
-  m_length * (bumped_x * g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) + bumped_y * g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) + bumped_z * g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) = w /\
-  m_length * ((bumped_x - g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y - g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z - g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2) = 2 * m_length - 2 * w /\
-  m_length * (m_length + w) * ((bumped_x - g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y - g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z - g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2) = 2 /\
-  1 >= w ^ 2 * ((bumped_x - g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y - g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z - g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2) /\
-  1 >= w * sqrt ((bumped_x - g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y - g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z - g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2).
+  m_length * (bumped_z * 1 * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y) + bumped_x * 1 * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y) + bumped_y * 1 * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) = w /\
+  m_length * ((bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) = 2 * (m_length - w) /\
+  m_length * (m_length + w) * ((bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) = 2 /\
+  1 >= w ^ 2 * ((bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) /\
+  1 >= w * sqrt ((bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))).
 
 Definition normal_limits__large_negative_beta : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z w : R,
@@ -2237,26 +2448,26 @@ Definition normal_limits__large_negative_beta : Prop :=
   let bumped_x := m_scale * m_x in
   let bumped_y := m_scale * m_y in
   let bumped_z := m_scale * m_z in
-  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
-  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  normal_z * normal_z + normal_x * normal_x + normal_y * normal_y = 1 ->
+  g_z * normal_z + g_x * normal_x + g_y * normal_y = 0 ->
   -beta > 0 ->
-  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 > 0 ->
-  w = sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) * (Rabs beta) ->
+  g_z * g_z + g_x * g_x + g_y * g_y > 0 ->
+  w = sqrt (g_z * g_z + g_x * g_x + g_y * g_y) * (Rabs beta) ->
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
   m_length <> 0 /\
-  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 >= 0 /\
-  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 <> 0 /\
-  (bumped_x + g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y + g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z + g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 >= 0 /\
-  sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) > 0 /\
+  g_z * g_z + g_x * g_x + g_y * g_y >= 0 /\
+  sqrt (g_z * g_z + g_x * g_x + g_y * g_y) <> 0 /\
+  (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) >= 0 /\
+  sqrt (g_z * g_z + g_x * g_x + g_y * g_y) > 0 /\
   w > 0 /\
-  w ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) /\
+  w ^ 2 = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) /\
   m_length ^ 2 = w ^ 2 + 1 /\
   m_length >= w /\
-  m_length * (-bumped_x * g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) - bumped_y * g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) - bumped_z * g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) = w /\
-  m_length * ((bumped_x + g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y + g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z + g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2) = 2 * m_length - 2 * w /\
-  m_length * (m_length + w) * ((bumped_x + g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y + g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z + g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2) = 2 /\
-  1 >= w ^ 2 * ((bumped_x + g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y + g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z + g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2) /\
-  1 >= w * sqrt ((bumped_x + g_x / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_y + g_y / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2 + (bumped_z + g_z / sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2)) ^ 2).
+  m_length * (bumped_z * (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y) + bumped_x * (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y) + bumped_y * (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) = w /\
+  m_length * ((bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) = 2 * (m_length - w) /\
+  m_length * (m_length + w) * ((bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) = 2 /\
+  1 >= w ^ 2 * ((bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) /\
+  1 >= w * sqrt ((bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))).
 
 Definition normal_limits__zero_beta : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z : R,
@@ -2268,8 +2479,8 @@ Definition normal_limits__zero_beta : Prop :=
   let bumped_x := m_scale * m_x in
   let bumped_y := m_scale * m_y in
   let bumped_z := m_scale * m_z in
-  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
-  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  normal_z * normal_z + normal_x * normal_x + normal_y * normal_y = 1 ->
+  g_z * normal_z + g_x * normal_x + g_y * normal_y = 0 ->
   beta = 0 ->
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
   m_length <> 0 /\
@@ -2287,8 +2498,8 @@ Definition normal_limits__zero_height : Prop :=
   let bumped_x := m_scale * m_x in
   let bumped_y := m_scale * m_y in
   let bumped_z := m_scale * m_z in
-  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
-  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
+  normal_z * normal_z + normal_x * normal_x + normal_y * normal_y = 1 ->
+  g_z * normal_z + g_x * normal_x + g_y * normal_y = 0 ->
   g_x = 0 ->
   g_y = 0 ->
   g_z = 0 ->
@@ -2308,41 +2519,41 @@ Definition shadow_line_moves_within__shadow_line : Prop :=
   let bumped_x := m_scale * m_x in
   let bumped_y := m_scale * m_y in
   let bumped_z := m_scale * m_z in
-  normal_x ^ 2 + normal_y ^ 2 + normal_z ^ 2 = 1 ->
-  g_x * normal_x + g_y * normal_y + g_z * normal_z = 0 ->
-  w = sqrt (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) * (Rabs beta) ->
-  towards_x ^ 2 + towards_y ^ 2 + towards_z ^ 2 = 1 ->
-  normal_x * towards_x + normal_y * towards_y + normal_z * towards_z > w ->
+  normal_z * normal_z + normal_x * normal_x + normal_y * normal_y = 1 ->
+  g_z * normal_z + g_x * normal_x + g_y * normal_y = 0 ->
+  w = sqrt (g_z * g_z + g_x * g_x + g_y * g_y) * (Rabs beta) ->
+  towards_z * towards_z + towards_x * towards_x + towards_y * towards_y = 1 ->
+  normal_z * towards_z + normal_x * towards_x + normal_y * towards_y > w ->
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
   m_length <> 0 /\
-  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 >= 0 /\
-  w ^ 2 = beta ^ 2 * (g_x ^ 2 + g_y ^ 2 + g_z ^ 2) /\
+  g_z * g_z + g_x * g_x + g_y * g_y >= 0 /\
+  w ^ 2 = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) /\
   w >= 0 /\
-  g_x ^ 2 + g_y ^ 2 + g_z ^ 2 - (g_x * towards_x + g_y * towards_y + g_z * towards_z) ^ 2 >= 0 /\
-  w ^ 2 - beta ^ 2 * (g_x * towards_x + g_y * towards_y + g_z * towards_z) ^ 2 >= 0 /\
-  beta * (g_x * towards_x + g_y * towards_y + g_z * towards_z) + w >= 0 /\
-  beta * (g_x * towards_x + g_y * towards_y + g_z * towards_z) + normal_x * towards_x + normal_y * towards_y + normal_z * towards_z > 0 /\
-  m_length * (bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z) = beta * (g_x * towards_x + g_y * towards_y + g_z * towards_z) + normal_x * towards_x + normal_y * towards_y + normal_z * towards_z /\
-  bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z > 0.
+  g_z * g_z + g_x * g_x + g_y * g_y - (g_z * towards_z + g_x * towards_x + g_y * towards_y) ^ 2 >= 0 /\
+  w ^ 2 - (beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y)) ^ 2 >= 0 /\
+  beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y) + w >= 0 /\
+  beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y) + normal_z * towards_z + normal_x * towards_x + normal_y * towards_y > 0 /\
+  m_length * (bumped_z * towards_z + bumped_x * towards_x + bumped_y * towards_y) = beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y) + normal_z * towards_z + normal_x * towards_x + normal_y * towards_y /\
+  bumped_z * towards_z + bumped_x * towards_x + bumped_y * towards_y > 0.
 
 Definition normalising_is_lipschitz__normalise : Prop :=
   forall a_x a_y a_z apart b_x b_y b_z length_a length_b product turned : R,
   length_a >= 1 ->
   length_b >= 1 ->
   apart >= 0 ->
-  length_a ^ 2 = a_x ^ 2 + a_y ^ 2 + a_z ^ 2 ->
-  length_b ^ 2 = b_x ^ 2 + b_y ^ 2 + b_z ^ 2 ->
-  product = a_x * b_x + a_y * b_y + a_z * b_z ->
-  apart ^ 2 = (a_x - b_x) ^ 2 + (a_y - b_y) ^ 2 + (a_z - b_z) ^ 2 ->
-  turned ^ 2 = (a_x / length_a - b_x / length_b) ^ 2 + (a_y / length_a - b_y / length_b) ^ 2 + (a_z / length_a - b_z / length_b) ^ 2 ->
+  length_a ^ 2 = a_z * a_z + a_x * a_x + a_y * a_y ->
+  length_b ^ 2 = b_z * b_z + b_x * b_x + b_y * b_y ->
+  product = a_z * b_z + a_x * b_x + a_y * b_y ->
+  apart ^ 2 = (a_z - b_z) * (a_z - b_z) + (a_x - b_x) * (a_x - b_x) + (a_y - b_y) * (a_y - b_y) ->
+  turned ^ 2 = (a_z / length_a - b_z / length_b) * (a_z / length_a - b_z / length_b) + (a_x / length_a - b_x / length_b) * (a_x / length_a - b_x / length_b) + (a_y / length_a - b_y / length_b) * (a_y / length_a - b_y / length_b) ->
   length_a <> 0 /\
   length_b <> 0 /\
-  length_a ^ 2 * length_b ^ 2 - product ^ 2 = (a_x * b_y - a_y * b_x) ^ 2 + (a_z * b_x - a_x * b_z) ^ 2 + (a_y * b_z - a_z * b_y) ^ 2 /\
+  length_a ^ 2 * length_b ^ 2 - product ^ 2 = (a_x * b_y - a_y * b_x) * (a_x * b_y - a_y * b_x) + (a_z * b_x - a_x * b_z) * (a_z * b_x - a_x * b_z) + (a_y * b_z - a_z * b_y) * (a_y * b_z - a_z * b_y) /\
   length_a ^ 2 * length_b ^ 2 - product ^ 2 >= 0 /\
   length_a * length_b - 1 >= 0 /\
   length_a * length_b - product >= 0 /\
   length_a * length_b + product >= 0 /\
-  length_a * length_b * turned ^ 2 = 2 * length_a * length_b - 2 * product /\
+  turned ^ 2 * length_a * length_b = 2 * (length_a * length_b - product) /\
   apart ^ 2 = length_a ^ 2 + length_b ^ 2 - 2 * product /\
   length_a * length_b * (apart ^ 2 - turned ^ 2) >= 0 /\
   apart ^ 2 >= turned ^ 2 /\
@@ -2358,7 +2569,7 @@ Definition normalising_is_lipschitz__moved : Prop :=
   other_m_x = beta * other_g_x + normal_x ->
   other_m_y = beta * other_g_y + normal_y ->
   other_m_z = beta * other_g_z + normal_z ->
-  (m_x - other_m_x) ^ 2 + (m_y - other_m_y) ^ 2 + (m_z - other_m_z) ^ 2 = beta ^ 2 * ((g_x - other_g_x) ^ 2 + (g_y - other_g_y) ^ 2 + (g_z - other_g_z) ^ 2).
+  (m_z - other_m_z) * (m_z - other_m_z) + (m_x - other_m_x) * (m_x - other_m_x) + (m_y - other_m_y) * (m_y - other_m_y) = beta ^ 2 * ((g_z - other_g_z) * (g_z - other_g_z) + (g_x - other_g_x) * (g_x - other_g_x) + (g_y - other_g_y) * (g_y - other_g_y)).
 
 Definition kink_loci__projection : Prop :=
   forall cos_phi cos_theta eye radius sin_phi sin_theta t x y : R,
@@ -2383,39 +2594,63 @@ Definition kink_loci__projection : Prop :=
   cos_theta * x + sin_theta * y = eye * radius * sin_phi / (eye - cos_phi * radius) /\
   sin_theta * x = cos_theta * y /\
   cos_theta * x + sin_theta * y >= 0 /\
-  x ^ 2 + y ^ 2 = eye ^ 2 * radius ^ 2 * sin_phi ^ 2 / ((eye - cos_phi * radius) ^ 2) /\
+  x ^ 2 + y ^ 2 = (eye * radius * sin_phi / (eye - cos_phi * radius)) ^ 2 /\
   eye * radius * sin_phi / (eye - cos_phi * radius) >= 0 /\
   sqrt (x ^ 2 + y ^ 2) = eye * radius * sin_phi / (eye - cos_phi * radius).
 
 Definition kink_loci__crease_u : Prop :=
   forall k_u k_v m v : R,
+  let crease := sin (PI * (k_u * m / k_u)) in
+  let h := Rabs ((sin (PI * (k_u * m / k_u))) * (sin (PI * (k_v * v)))) in
   k_u > 0 ->
   sin (PI * m) = 0 ->
-  sin (PI * m) = 0 /\
-  Rabs ((sin (PI * m)) * (sin (PI * (k_v * v)))) = 0.
+  k_u <> 0 /\
+  crease = 0 /\
+  h = 0.
 
 Definition kink_loci__crease_v : Prop :=
   forall k_u k_v m u : R,
+  let crease := sin (PI * (k_v * m / k_v)) in
+  let h := Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * m / k_v)))) in
   k_v > 0 ->
   sin (PI * m) = 0 ->
-  sin (PI * m) = 0 /\
-  Rabs ((sin (PI * m)) * (sin (PI * (k_u * u)))) = 0.
+  k_v <> 0 /\
+  crease = 0 /\
+  h = 0.
 
 Definition kink_loci__elsewhere_above : Prop :=
   forall k_u k_v u v : R,
-  (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) > 0 /\
-  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  let h := Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) in
+  let cos_u := cos (PI * (k_u * u)) in
+  let cos_v := cos (PI * (k_v * v)) in
+  let sin_u := sin (PI * (k_u * u)) in
+  let sin_v := sin (PI * (k_v * v)) in
+  let h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)) in
+  let h_v := PI * cos_v * k_v * sin_u * (sign (sin_u * sin_v)) in
+  1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
+  h = 1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  h > 0 /\
+  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = h_u /\
+  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = h_v /\
+  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
 
 Definition kink_loci__elsewhere_below : Prop :=
   forall k_u k_v u v : R,
+  let h := Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) in
+  let cos_u := cos (PI * (k_u * u)) in
+  let cos_v := cos (PI * (k_v * v)) in
+  let sin_u := sin (PI * (k_u * u)) in
+  let sin_v := sin (PI * (k_v * v)) in
+  let h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)) in
+  let h_v := PI * cos_v * k_v * sin_u * (sign (sin_u * sin_v)) in
   -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) > 0 /\
-  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = -PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = -PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  h = -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  h > 0 /\
+  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = h_u /\
+  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = h_v /\
+  h_u = -PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  h_v = -PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
 
 Definition visible_iff__visible : Prop :=
   forall eye radius t x y : R,
@@ -2425,31 +2660,30 @@ Definition visible_iff__visible : Prop :=
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
   let root_a := sqrt (Rmax 0 discriminant_a) in
-  let t_a := (if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty) in
+  let t_a := tangent_squared / (eye ^ 2 + root_a) in
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
   rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
   discriminant_a >= 0 ->
-  eye ^ 2 * (1 - t) ^ 2 + t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2 = radius ^ 2 ->
-  eye ^ 2 * (1 - t) / radius >= radius ->
+  eye * (1 - t) * eye * (1 - t) + t * x * t * x + t * y * t * y = radius ^ 2 ->
+  eye * eye * (1 - t) / radius >= radius ->
   x ^ 2 + y ^ 2 >= 0 /\
   tangent_squared >= 0 /\
   tangent_squared <> 0 /\
   Rmax 0 discriminant_a >= 0 /\
-  (discriminant_a >= 0 -> eye ^ 2 + root_a <> 0) /\
+  eye ^ 2 + root_a <> 0 /\
   radius <> 0 /\
-  is_finite t_a /\
   t * (t * (eye ^ 2 + rho ^ 2) - eye ^ 2) = radius * (radius - eye ^ 2 * (1 - t) / radius) /\
   (t * (eye ^ 2 + rho ^ 2) - eye ^ 2) ^ 2 = discriminant_a /\
-  2 * eye ^ 2 * t = eye ^ 2 - radius ^ 2 + t ^ 2 * (eye ^ 2 + rho ^ 2) /\
+  2 * eye ^ 2 * t = eye ^ 2 + t ^ 2 * (eye ^ 2 + rho ^ 2) - radius ^ 2 /\
   eye ^ 2 * t > 0 /\
   t > 0 /\
   0 >= t * (eye ^ 2 + rho ^ 2) - eye ^ 2 /\
-  eye ^ 2 - t * (eye ^ 2 + rho ^ 2) >= root_a /\
-  root_a >= eye ^ 2 - t * (eye ^ 2 + rho ^ 2) /\
-  t >= real t_a /\
-  real t_a >= t.
+  -(t * (eye ^ 2 + rho ^ 2) - eye ^ 2) >= root_a /\
+  root_a >= -(t * (eye ^ 2 + rho ^ 2) - eye ^ 2) /\
+  t >= t_a /\
+  t_a >= t.
 
 Definition visible_iff__hidden : Prop :=
   forall eye radius t x y : R,
@@ -2459,28 +2693,27 @@ Definition visible_iff__hidden : Prop :=
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
   let root_a := sqrt (Rmax 0 discriminant_a) in
-  let t_a := (if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty) in
+  let t_a := tangent_squared / (eye ^ 2 + root_a) in
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
   rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
   discriminant_a >= 0 ->
-  eye ^ 2 * (1 - t) ^ 2 + t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2 = radius ^ 2 ->
-  eye ^ 2 * (1 - t) / radius < radius ->
+  eye * (1 - t) * eye * (1 - t) + t * x * t * x + t * y * t * y = radius ^ 2 ->
+  eye * eye * (1 - t) / radius < radius ->
   x ^ 2 + y ^ 2 >= 0 /\
   tangent_squared >= 0 /\
   tangent_squared <> 0 /\
   Rmax 0 discriminant_a >= 0 /\
-  (discriminant_a >= 0 -> eye ^ 2 + root_a <> 0) /\
+  eye ^ 2 + root_a <> 0 /\
   radius <> 0 /\
-  is_finite t_a /\
   t * (t * (eye ^ 2 + rho ^ 2) - eye ^ 2) = radius * (radius - eye ^ 2 * (1 - t) / radius) /\
   (t * (eye ^ 2 + rho ^ 2) - eye ^ 2) ^ 2 = discriminant_a /\
-  2 * eye ^ 2 * t = eye ^ 2 - radius ^ 2 + t ^ 2 * (eye ^ 2 + rho ^ 2) /\
+  2 * eye ^ 2 * t = eye ^ 2 + t ^ 2 * (eye ^ 2 + rho ^ 2) - radius ^ 2 /\
   eye ^ 2 * t > 0 /\
   t > 0 /\
   t * (eye ^ 2 + rho ^ 2) - eye ^ 2 > 0 /\
-  t > real t_a.
+  t > t_a.
 
 Definition shadow_along_a_row__row : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z x y : R,
@@ -2495,13 +2728,13 @@ Definition shadow_along_a_row__row : Prop :=
   let offset_z := center_z - point_z in
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
   let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
-  shadow_discriminant = body_radius ^ 2 * (light_x ^ 2 + light_z ^ 2 + (light_y - y) ^ 2) + x ^ 2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - x * (2 * body_radius ^ 2 * light_x + 2 * (light_y - center_y) * (center_y * light_x - center_x * light_y - y * (light_x - center_x)) + 2 * (center_z - light_z) * (center_x * light_z - center_z * light_x)) - (center_x * light_z - center_z * light_x) ^ 2 - (center_y * light_x - center_x * light_y - y * (light_x - center_x)) ^ 2 - (center_z * light_y - center_y * light_z + y * (light_z - center_z)) ^ 2 /\
-  segment_squared = light_x ^ 2 - 2 * light_x * x + light_z ^ 2 + x ^ 2 + (light_y - y) ^ 2 /\
-  -center_x - light_x + 2 * x = -center_x - light_x + 2 * x.
+  shadow_discriminant = body_radius ^ 2 * (light_z ^ 2 + light_x ^ 2 + (light_y - y) ^ 2) + x ^ 2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - 2 * x * (body_radius ^ 2 * light_x + (0 * (light_x - center_x) - (light_z - center_z)) * (center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) + (0 * (light_y - center_y) + 0 * (light_z - center_z)) * (center_z * light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) + (0 * (light_x - center_x) + 1 * (light_y - center_y)) * (center_y * light_x - center_x * light_y - (y * (light_x - center_x) - 0))) - ((center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) * (center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) + (center_z * light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) * (center_z * light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) + (center_y * light_x - center_x * light_y - (y * (light_x - center_x) - 0)) * (center_y * light_x - center_x * light_y - (y * (light_x - center_x) - 0))) /\
+  segment_squared = light_z ^ 2 + light_x ^ 2 + x ^ 2 - 2 * light_x * x + (light_y - y) ^ 2 /\
+  True.
 
 Definition shadow_along_a_row__leading : Prop :=
   forall body_radius center_y center_z light_y light_z : R,
-  2 * (body_radius ^ 2 - (center_y - light_y) ^ 2 - (center_z - light_z) ^ 2) = 2 * body_radius ^ 2 - 2 * (light_y - center_y) ^ 2 - 2 * (light_z - center_z) ^ 2.
+  2 * (body_radius ^ 2 - (center_y - light_y) ^ 2 - (center_z - light_z) ^ 2) = 2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2).
 
 Definition shadow_along_a_row__away : Prop :=
   forall center_x center_y center_z light_x light_y light_z x y : R,
@@ -2516,10 +2749,10 @@ Definition shadow_along_a_row__away : Prop :=
   let offset_z := center_z - point_z in
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
   let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
-  segment_squared - toward_center = light_z * (light_z - center_z) - (light_x - center_x) * (x - light_x) - (light_y - center_y) * (y - light_y).
+  segment_squared - toward_center = -((light_z - center_z) * (0 - light_z) + (light_x - center_x) * (x - light_x) + (light_y - center_y) * (y - light_y)).
 
 Definition shadow_of_b_on_floor__conic : Prop :=
-  forall body_radius center_x center_y center_z light_x light_y light_z x y : R,
+  forall body_radius center_x center_y center_z foot_x foot_y light_x light_y light_z x y : R,
   let point_x := x in
   let point_y := y in
   let point_z := 0 in
@@ -2531,30 +2764,32 @@ Definition shadow_of_b_on_floor__conic : Prop :=
   let offset_z := center_z - point_z in
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
   let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
-  shadow_discriminant = ((light_x - center_x) * (x - light_x) - light_z * (light_z - center_z) + (light_y - center_y) * (y - light_y)) ^ 2 - (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) * ((light_x - center_x) ^ 2 - body_radius ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2) /\
-  shadow_discriminant - x ^ 2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - 2 * x * y * (light_x - center_x) * (light_y - center_y) - y ^ 2 * (body_radius ^ 2 - (light_x - center_x) ^ 2 - (light_z - center_z) ^ 2) = body_radius ^ 2 * (light_x ^ 2 + light_y ^ 2 + light_z ^ 2) + x * (-2 * body_radius ^ 2 * light_x - (2 * light_y - 2 * center_y) * (center_y * light_x - center_x * light_y) - (2 * center_z - 2 * light_z) * (center_x * light_z - center_z * light_x)) + y * (-2 * body_radius ^ 2 * light_y - (2 * center_x - 2 * light_x) * (center_y * light_x - center_x * light_y) - (2 * light_z - 2 * center_z) * (center_z * light_y - center_y * light_z)) - (center_y * light_x - center_x * light_y) ^ 2 - (center_x * light_z - center_z * light_x) ^ 2 - (center_z * light_y - center_y * light_z) ^ 2 /\
-  (body_radius ^ 2 - (light_x - center_x) ^ 2 - (light_z - center_z) ^ 2) * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - (light_x - center_x) ^ 2 * (light_y - center_y) ^ 2 = ((light_z - center_z) ^ 2 - body_radius ^ 2) * ((light_x - center_x) ^ 2 - body_radius ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2).
+  foot_x = 0 ->
+  foot_y = 0 ->
+  shadow_discriminant = ((light_z - center_z) * (0 - light_z) + (light_x - center_x) * (x - light_x) + (light_y - center_y) * (y - light_y)) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2) * ((0 - light_z) * (0 - light_z) + (x - light_x) * (x - light_x) + (y - light_y) * (y - light_y)) /\
+  shadow_discriminant - x ^ 2 * ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - 2 * x * y * (light_x - center_x) * (light_y - center_y) - y ^ 2 * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) = body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) + x * (body_radius ^ 2 * (2 * foot_x - 2 * light_x) - (2 * light_y - 2 * center_y) * ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) - (2 * center_z - 2 * light_z) * (light_z * (center_x - foot_x) - center_z * (light_x - foot_x))) + y * (body_radius ^ 2 * (2 * foot_y - 2 * light_y) - (2 * center_x - 2 * light_x) * ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) - (2 * light_z - 2 * center_z) * (center_z * (light_y - foot_y) - light_z * (center_y - foot_y))) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2 /\
+  ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2 = ((light_z - center_z) ^ 2 - body_radius ^ 2) * ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2).
 
 Definition shadow_of_b_on_floor__ellipse : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z : R,
-  (light_x - center_x) ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 > body_radius ^ 2 ->
+  (light_z - center_z) ^ 2 + (light_y - center_y) ^ 2 + (light_x - center_x) ^ 2 + 0 > body_radius ^ 2 ->
   (light_z - center_z) ^ 2 > body_radius ^ 2 ->
-  (light_x - center_x) ^ 2 - body_radius ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 > 0 /\
-  (body_radius ^ 2 - (light_x - center_x) ^ 2 - (light_z - center_z) ^ 2) * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - (light_x - center_x) ^ 2 * (light_y - center_y) ^ 2 > 0.
+  (light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2 > 0 /\
+  ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2 > 0.
 
 Definition shadow_of_b_on_floor__parabola : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z : R,
-  (light_x - center_x) ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 > body_radius ^ 2 ->
+  (light_z - center_z) ^ 2 + (light_y - center_y) ^ 2 + (light_x - center_x) ^ 2 + 0 > body_radius ^ 2 ->
   (light_z - center_z) ^ 2 = body_radius ^ 2 ->
-  (light_x - center_x) ^ 2 - body_radius ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 > 0 /\
-  (body_radius ^ 2 - (light_x - center_x) ^ 2 - (light_z - center_z) ^ 2) * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - (light_x - center_x) ^ 2 * (light_y - center_y) ^ 2 = 0.
+  (light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2 > 0 /\
+  ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2 = 0.
 
 Definition shadow_of_b_on_floor__hyperbola : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z : R,
-  (light_x - center_x) ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 > body_radius ^ 2 ->
+  (light_z - center_z) ^ 2 + (light_y - center_y) ^ 2 + (light_x - center_x) ^ 2 + 0 > body_radius ^ 2 ->
   (light_z - center_z) ^ 2 < body_radius ^ 2 ->
-  (light_x - center_x) ^ 2 - body_radius ^ 2 + (light_y - center_y) ^ 2 + (light_z - center_z) ^ 2 > 0 /\
-  0 > (body_radius ^ 2 - (light_x - center_x) ^ 2 - (light_z - center_z) ^ 2) * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - (light_x - center_x) ^ 2 * (light_y - center_y) ^ 2.
+  (light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2 > 0 /\
+  0 > ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2.
 
 Definition shadow_of_b_on_floor__away : Prop :=
   forall center_x center_y center_z light_x light_y light_z x y : R,
@@ -2569,63 +2804,65 @@ Definition shadow_of_b_on_floor__away : Prop :=
   let offset_z := center_z - point_z in
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
   let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
-  segment_squared - toward_center = light_z * (light_z - center_z) - (light_x - center_x) * (x - light_x) - (light_y - center_y) * (y - light_y).
+  segment_squared - toward_center = -((light_z - center_z) * (0 - light_z) + (light_x - center_x) * (x - light_x) + (light_y - center_y) * (y - light_y)).
 
 Definition shadow_of_b_on_floor__all_seen : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z x y : R,
   light_z > 0 ->
   body_radius > 0 ->
   light_z - center_z >= body_radius ->
-  (center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2 > 0 ->
-  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 >= (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) * ((center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2) ->
+  (light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2 > 0 ->
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 >= ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) * (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) ->
   light_z - center_z > 0 /\
   light_z * (light_z - center_z) > 0 /\
-  (-body_radius - center_z + light_z) * (body_radius - center_z + light_z) >= 0 /\
+  (light_z - center_z - body_radius) * (body_radius + light_z - center_z) >= 0 /\
   (x - light_x) ^ 2 + (y - light_y) ^ 2 >= 0 /\
-  ((light_z - center_z) ^ 2 - body_radius ^ 2) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= 0 /\
+  ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2 - ((center_x - light_x) ^ 2 + (center_y - light_y) ^ 2)) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= 0 /\
   ((center_x - light_x) ^ 2 + (center_y - light_y) ^ 2) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
   light_z ^ 2 > 0 /\
-  light_z ^ 2 * ((center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2) > 0 /\
-  (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) * ((center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2) > ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
+  light_z ^ 2 * ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) > 0 /\
+  ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) * (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) > ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
   (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 > 0 /\
-  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 = light_z * (light_z - center_z) * (light_z * (light_z - center_z) + 2 * (center_x - light_x) * (x - light_x) + 2 * (center_y - light_y) * (y - light_y)) /\
-  light_z * (light_z - center_z) + 2 * (center_x - light_x) * (x - light_x) + 2 * (center_y - light_y) * (y - light_y) > 0 /\
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 = light_z * (light_z - center_z) * (2 * (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) - light_z * (light_z - center_z)) /\
+  2 * (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) - light_z * (light_z - center_z) > 0 /\
   light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y) > 0.
 
 Definition shadow_of_b_on_floor__none_seen : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z x y : R,
   light_z > 0 ->
   body_radius > 0 ->
-  center_z - light_z >= body_radius ->
-  (center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2 > 0 ->
-  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 >= (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) * ((center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2) ->
-  center_z - light_z > 0 /\
-  -light_z * (light_z - center_z) > 0 /\
-  (center_z - body_radius - light_z) * (body_radius + center_z - light_z) >= 0 /\
+  -(light_z - center_z) >= body_radius ->
+  (light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2 > 0 ->
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 >= ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) * (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) ->
+  -(light_z - center_z) > 0 /\
+  (-light_z) * (light_z - center_z) > 0 /\
+  (-body_radius - (light_z - center_z)) * (body_radius - (light_z - center_z)) >= 0 /\
   (x - light_x) ^ 2 + (y - light_y) ^ 2 >= 0 /\
-  ((light_z - center_z) ^ 2 - body_radius ^ 2) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= 0 /\
+  ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2 - ((center_x - light_x) ^ 2 + (center_y - light_y) ^ 2)) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= 0 /\
   ((center_x - light_x) ^ 2 + (center_y - light_y) ^ 2) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
   light_z ^ 2 > 0 /\
-  light_z ^ 2 * ((center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2) > 0 /\
-  (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) * ((center_x - light_x) ^ 2 - body_radius ^ 2 + (center_y - light_y) ^ 2 + (light_z - center_z) ^ 2) > ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
+  light_z ^ 2 * ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) > 0 /\
+  ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) * (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) > ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
   (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 > 0 /\
-  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 = light_z * (light_z - center_z) * (light_z * (light_z - center_z) + 2 * (center_x - light_x) * (x - light_x) + 2 * (center_y - light_y) * (y - light_y)) /\
-  -light_z * (light_z - center_z) - 2 * (center_x - light_x) * (x - light_x) - 2 * (center_y - light_y) * (y - light_y) > 0 /\
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 = light_z * (light_z - center_z) * (2 * (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) - light_z * (light_z - center_z)) /\
+  light_z * (light_z - center_z) - 2 * (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) > 0 /\
   0 > light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y).
 
 Definition image_derivative__mu : Prop :=
-  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z towards_x towards_y towards_z : R,
-  bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z = bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z.
+  forall s : R,
+  s = 0 ->
+  True.
 
 Definition image_derivative__blinn : Prop :=
-  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z halfway_length halfway_x halfway_y halfway_z : R,
+  forall halfway_length s : R,
   halfway_length > 0 ->
-  halfway_length <> 0 /\
-  (bumped_by_beta_x * halfway_x + bumped_by_beta_y * halfway_y + bumped_by_beta_z * halfway_z) / halfway_length = (bumped_by_beta_x * halfway_x + bumped_by_beta_y * halfway_y + bumped_by_beta_z * halfway_z) / halfway_length.
+  s = 0 ->
+  True.
 
 Definition image_derivative__phong : Prop :=
-  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z towards_x towards_y towards_z view_x view_y view_z : R,
-  2 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z) * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) + 2 * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z) = 2 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z) * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) + 2 * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z).
+  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z s towards_x towards_y towards_z view_x view_y view_z : R,
+  s = 0 ->
+  2 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z) * (view_x * (bumped_by_beta_x * s + bumped_x) + view_y * (bumped_by_beta_y * s + bumped_y) + view_z * (bumped_by_beta_z * s + bumped_z)) + 2 * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z * s + bumped_z)) = 2 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z) * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) + 2 * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z).
 
 Definition image_derivative__power_rule : Prop :=
   forall slope x : R,
@@ -2637,45 +2874,49 @@ Definition image_derivative__power_rule : Prop :=
   power_ 0%nat = 0 ->
   (forall n : nat, power_ (S n) = power_ n + 1) ->
   forall n : nat,
-  (by_s n) * x = (of_x n) * (power_ n) * slope.
+  (by_s n) * x = slope * (of_x n) * (power_ n).
 
 Definition image_derivative__lit_shiny : Prop :=
-  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta shininess specular_base : R,
+  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta s shininess specular_base : R,
   mu > 0 ->
   specular_base > 0 ->
+  s = 0 ->
   raised_by_beta * specular_base = base_by_beta * raised * shininess ->
   (specular_base > 0 -> specular_base <> 0) /\
-  Rmax 0 mu = mu /\
-  Rmax 0 specular_base = specular_base /\
-  light_red * (albedo_red * kd * mu_by_beta + ks * raised_by_beta) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * raised * shininess / specular_base else 0)).
+  Rmax 0 mu = 1 * mu /\
+  Rmax 0 specular_base = 1 * specular_base /\
+  light_red * (albedo_red * kd * mu_by_beta + ks * raised_by_beta) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
 
 Definition image_derivative__lit_dull : Prop :=
-  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised shininess specular_base : R,
+  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised s shininess specular_base : R,
   mu > 0 ->
   specular_base < 0 ->
+  s = 0 ->
   (specular_base > 0 -> specular_base <> 0) /\
-  Rmax 0 mu = mu /\
-  Rmax 0 specular_base = 0 /\
-  albedo_red * kd * light_red * mu_by_beta = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * raised * shininess / specular_base else 0)).
+  Rmax 0 mu = 1 * mu /\
+  Rmax 0 specular_base = 0 * specular_base /\
+  albedo_red * kd * light_red * mu_by_beta = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
 
 Definition image_derivative__unlit_shiny : Prop :=
-  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta shininess specular_base : R,
+  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta s shininess specular_base : R,
   mu < 0 ->
   specular_base > 0 ->
+  s = 0 ->
   raised_by_beta * specular_base = base_by_beta * raised * shininess ->
   (specular_base > 0 -> specular_base <> 0) /\
-  Rmax 0 mu = 0 /\
-  Rmax 0 specular_base = specular_base /\
-  ks * light_red * raised_by_beta = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * raised * shininess / specular_base else 0)).
+  Rmax 0 mu = 0 * mu /\
+  Rmax 0 specular_base = 1 * specular_base /\
+  ks * light_red * raised_by_beta = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
 
 Definition image_derivative__unlit_dull : Prop :=
-  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised shininess specular_base : R,
+  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised s shininess specular_base : R,
   mu < 0 ->
   specular_base < 0 ->
+  s = 0 ->
   (specular_base > 0 -> specular_base <> 0) /\
-  Rmax 0 mu = 0 /\
-  Rmax 0 specular_base = 0 /\
-  0 = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * raised * shininess / specular_base else 0)).
+  Rmax 0 mu = 0 * mu /\
+  Rmax 0 specular_base = 0 * specular_base /\
+  0 = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
 
 Definition image_derivative__inside : Prop :=
   forall color term_by_beta : R,
@@ -2702,21 +2943,21 @@ Definition difference_bound__light_0 : Prop :=
   light_red >= 0 ->
   kd >= 0 ->
   ks >= 0 ->
-  before - red + so_far >= 0 ->
-  red - before + so_far >= 0 ->
-  step - (Rmax 0 mu) + Rmax 0 other_mu >= 0 ->
+  so_far - (red - before) >= 0 ->
+  so_far + red - before >= 0 ->
+  step - (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 ->
   step + Rmax 0 mu - (Rmax 0 other_mu) >= 0 ->
-  other_specular + q * step - specular >= 0 ->
-  q * step - other_specular + specular >= 0 ->
+  q * step - (specular - other_specular) >= 0 ->
+  q * step + specular - other_specular >= 0 ->
   albedo_red * kd >= 0 /\
-  albedo_red * kd * light_red >= 0 /\
+  kd * albedo_red * light_red >= 0 /\
   ks * light_red >= 0 /\
-  albedo_red * kd * light_red * step - albedo_red * kd * light_red * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
-  albedo_red * kd * light_red * step + albedo_red * kd * light_red * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  step * kd * albedo_red * light_red - albedo_red * kd * light_red * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  step * kd * albedo_red * light_red + kd * albedo_red * light_red * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
   ks * light_red * q * step - ks * light_red * (specular - other_specular) >= 0 /\
   ks * light_red * q * step + ks * light_red * (specular - other_specular) >= 0 /\
-  before - light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) + light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular) - red + so_far + step * (albedo_red * kd * light_red + ks * light_red * q) >= 0 /\
-  light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) - before - light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular) + red + so_far + step * (albedo_red * kd * light_red + ks * light_red * q) >= 0.
+  so_far + step * (kd * albedo_red * light_red + q * ks * light_red) - (light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) + red - (before + light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular))) >= 0 /\
+  so_far + step * (kd * albedo_red * light_red + q * ks * light_red) + light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) + red - (before + light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular)) >= 0.
 
 Definition difference_bound__light_1 : Prop :=
   forall albedo_green before green kd ks light_green mu other_mu other_specular q so_far specular step : R,
@@ -2724,21 +2965,21 @@ Definition difference_bound__light_1 : Prop :=
   light_green >= 0 ->
   kd >= 0 ->
   ks >= 0 ->
-  before - green + so_far >= 0 ->
-  green - before + so_far >= 0 ->
-  step - (Rmax 0 mu) + Rmax 0 other_mu >= 0 ->
+  so_far - (green - before) >= 0 ->
+  so_far + green - before >= 0 ->
+  step - (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 ->
   step + Rmax 0 mu - (Rmax 0 other_mu) >= 0 ->
-  other_specular + q * step - specular >= 0 ->
-  q * step - other_specular + specular >= 0 ->
+  q * step - (specular - other_specular) >= 0 ->
+  q * step + specular - other_specular >= 0 ->
   albedo_green * kd >= 0 /\
-  albedo_green * kd * light_green >= 0 /\
+  kd * albedo_green * light_green >= 0 /\
   ks * light_green >= 0 /\
-  albedo_green * kd * light_green * step - albedo_green * kd * light_green * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
-  albedo_green * kd * light_green * step + albedo_green * kd * light_green * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  step * kd * albedo_green * light_green - albedo_green * kd * light_green * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  step * kd * albedo_green * light_green + kd * albedo_green * light_green * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
   ks * light_green * q * step - ks * light_green * (specular - other_specular) >= 0 /\
   ks * light_green * q * step + ks * light_green * (specular - other_specular) >= 0 /\
-  before - green - light_green * (albedo_green * kd * (Rmax 0 mu) + ks * specular) + light_green * (albedo_green * kd * (Rmax 0 other_mu) + ks * other_specular) + so_far + step * (albedo_green * kd * light_green + ks * light_green * q) >= 0 /\
-  green - before + light_green * (albedo_green * kd * (Rmax 0 mu) + ks * specular) - light_green * (albedo_green * kd * (Rmax 0 other_mu) + ks * other_specular) + so_far + step * (albedo_green * kd * light_green + ks * light_green * q) >= 0.
+  so_far + step * (kd * albedo_green * light_green + q * ks * light_green) - (green + light_green * (albedo_green * kd * (Rmax 0 mu) + ks * specular) - (before + light_green * (albedo_green * kd * (Rmax 0 other_mu) + ks * other_specular))) >= 0 /\
+  so_far + step * (kd * albedo_green * light_green + q * ks * light_green) + green + light_green * (albedo_green * kd * (Rmax 0 mu) + ks * specular) - (before + light_green * (albedo_green * kd * (Rmax 0 other_mu) + ks * other_specular)) >= 0.
 
 Definition difference_bound__light_2 : Prop :=
   forall albedo_blue before blue kd ks light_blue mu other_mu other_specular q so_far specular step : R,
@@ -2746,32 +2987,32 @@ Definition difference_bound__light_2 : Prop :=
   light_blue >= 0 ->
   kd >= 0 ->
   ks >= 0 ->
-  before - blue + so_far >= 0 ->
-  blue - before + so_far >= 0 ->
-  step - (Rmax 0 mu) + Rmax 0 other_mu >= 0 ->
+  so_far - (blue - before) >= 0 ->
+  so_far + blue - before >= 0 ->
+  step - (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 ->
   step + Rmax 0 mu - (Rmax 0 other_mu) >= 0 ->
-  other_specular + q * step - specular >= 0 ->
-  q * step - other_specular + specular >= 0 ->
+  q * step - (specular - other_specular) >= 0 ->
+  q * step + specular - other_specular >= 0 ->
   albedo_blue * kd >= 0 /\
-  albedo_blue * kd * light_blue >= 0 /\
+  kd * albedo_blue * light_blue >= 0 /\
   ks * light_blue >= 0 /\
-  albedo_blue * kd * light_blue * step - albedo_blue * kd * light_blue * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
-  albedo_blue * kd * light_blue * step + albedo_blue * kd * light_blue * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  step * kd * albedo_blue * light_blue - albedo_blue * kd * light_blue * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  step * kd * albedo_blue * light_blue + kd * albedo_blue * light_blue * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
   ks * light_blue * q * step - ks * light_blue * (specular - other_specular) >= 0 /\
   ks * light_blue * q * step + ks * light_blue * (specular - other_specular) >= 0 /\
-  before - blue - light_blue * (albedo_blue * kd * (Rmax 0 mu) + ks * specular) + light_blue * (albedo_blue * kd * (Rmax 0 other_mu) + ks * other_specular) + so_far + step * (albedo_blue * kd * light_blue + ks * light_blue * q) >= 0 /\
-  blue - before + light_blue * (albedo_blue * kd * (Rmax 0 mu) + ks * specular) - light_blue * (albedo_blue * kd * (Rmax 0 other_mu) + ks * other_specular) + so_far + step * (albedo_blue * kd * light_blue + ks * light_blue * q) >= 0.
+  so_far + step * (kd * albedo_blue * light_blue + q * ks * light_blue) - (blue + light_blue * (albedo_blue * kd * (Rmax 0 mu) + ks * specular) - (before + light_blue * (albedo_blue * kd * (Rmax 0 other_mu) + ks * other_specular))) >= 0 /\
+  so_far + step * (kd * albedo_blue * light_blue + q * ks * light_blue) + blue + light_blue * (albedo_blue * kd * (Rmax 0 mu) + ks * specular) - (before + light_blue * (albedo_blue * kd * (Rmax 0 other_mu) + ks * other_specular)) >= 0.
 
 Definition difference_bound__clip : Prop :=
   forall bound_on first second : R,
-  bound_on - first + second >= 0 ->
+  bound_on - (first - second) >= 0 ->
   bound_on + first - second >= 0 ->
-  bound_on - (Rmin 1 (Rmax 0 first)) + Rmin 1 (Rmax 0 second) >= 0 /\
+  bound_on - (Rmin 1 (Rmax 0 first) - (Rmin 1 (Rmax 0 second))) >= 0 /\
   bound_on + Rmin 1 (Rmax 0 first) - (Rmin 1 (Rmax 0 second)) >= 0.
 
 Definition difference_bound__all_lights : Prop :=
   forall change_1 change_2 change_3 change_4 change_5 factor_1 factor_2 factor_3 factor_4 factor_5 slope_error step : R,
-  factor_1 * step >= change_1 ->
+  factor_1 * step + 0 >= change_1 ->
   change_1 + factor_2 * step >= change_2 ->
   change_2 + factor_3 * step >= change_3 ->
   change_3 + factor_4 * step >= change_4 ->
@@ -2782,9 +3023,9 @@ Definition difference_bound__all_lights : Prop :=
   factor_4 >= 0 ->
   factor_5 >= 0 ->
   slope_error >= step ->
-  step * (factor_1 + factor_2 + factor_3 + factor_4 + factor_5) >= change_5 /\
-  factor_1 + factor_2 + factor_3 + factor_4 + factor_5 >= 0 /\
-  slope_error * (factor_1 + factor_2 + factor_3 + factor_4 + factor_5) >= change_5.
+  step * (factor_5 + factor_4 + factor_3 + factor_2 + factor_1 + 0) >= change_5 /\
+  factor_5 + factor_4 + factor_3 + factor_2 + factor_1 + 0 >= 0 /\
+  slope_error * (factor_5 + factor_4 + factor_3 + factor_2 + factor_1 + 0) >= change_5.
 
 Definition pixels_off_the_pole__raster_above : Prop :=
   forall m n : R,
@@ -2792,7 +3033,7 @@ Definition pixels_off_the_pole__raster_above : Prop :=
   n <= 108 ->
   (2 * m - 255) ^ 2 >= 1 /\
   (1083 - 10 * n) ^ 2 >= 9 /\
-  (5 / 3) * ((1083 / 1280) - (1 / 128) * n) ^ 2 + (5 / 196608) * (2 * m - 255) ^ 2 >= (17 / 491520).
+  ((5 / 4) * 4 * 1 / (sqrt (1 + 4) * sqrt (4 - 1)) * ((-2 * n - 1 + 256) / 256 + (-3 / 20))) ^ 2 + ((5 / 4) * 4 * 1 / (sqrt (1 + 4) * sqrt (4 - 1)) * (2 * m - 256 + 1) / 256) ^ 2 + 0 >= (34 / 15) / 65536.
 
 Definition pixels_off_the_pole__raster_below : Prop :=
   forall m n : R,
@@ -2800,7 +3041,7 @@ Definition pixels_off_the_pole__raster_below : Prop :=
   n >= 109 ->
   (2 * m - 255) ^ 2 >= 1 /\
   (1083 - 10 * n) ^ 2 >= 9 /\
-  (5 / 3) * ((1083 / 1280) - (1 / 128) * n) ^ 2 + (5 / 196608) * (2 * m - 255) ^ 2 >= (17 / 491520).
+  ((5 / 4) * 4 * 1 / (sqrt (1 + 4) * sqrt (4 - 1)) * ((-2 * n - 1 + 256) / 256 + (-3 / 20))) ^ 2 + ((5 / 4) * 4 * 1 / (sqrt (1 + 4) * sqrt (4 - 1)) * (2 * m - 256 + 1) / 256) ^ 2 + 0 >= (34 / 15) / 65536.
 
 Definition pixels_off_the_pole__linear : Prop :=
   forall cos_phi eye radius sin_phi : R,
@@ -2814,13 +3055,13 @@ Definition pixels_off_the_pole__linear : Prop :=
   1 - cos_phi >= 0 /\
   eye - cos_phi * radius > 0 /\
   rho >= 0 /\
-  eye * radius * sin_phi >= rho * (eye - radius).
+  sin_phi * eye * radius >= rho * (eye - radius).
 
 Definition pixels_off_the_pole__far : Prop :=
   forall rho sin_phi : R,
   4 * sin_phi >= 3 * rho ->
   rho >= 0 ->
-  rho ^ 2 >= (17 / 491520) ->
+  rho ^ 2 >= (34 / 15) / 65536 ->
   sin_phi > (11 / 2500) /\
   sin_phi > (1 / 10000).
 
@@ -2829,7 +3070,7 @@ Definition visible_parallels__falling : Prop :=
   a >= 0 ->
   b - a > 0 ->
   1 - b >= 0 ->
-  cos (PI * a) - (cos (PI * b)) = 2 * (sin (PI * ((1 / 2) * b - (1 / 2) * a))) * (sin (PI * ((1 / 2) * a + (1 / 2) * b))) /\
+  cos (PI * a) - (cos (PI * b)) = (sin (PI * (b - a) / 2)) * 2 * (sin (PI * (a + b) / 2)) /\
   cos (PI * a) > cos (PI * b).
 
 Definition visible_parallels__nearer : Prop :=
@@ -2849,15 +3090,15 @@ Definition visible_parallels__pole : Prop :=
   rho = 0.
 
 Definition visible_parallels__count : Prop :=
-  (1 / 2) * sqrt 2 > (1 / 4) /\
-  (1 / 4) > 0 /\
-  0 > -(1 / 2) * sqrt 2 /\
-  -(1 / 2) * sqrt 2 > -1.
+  cos (PI / 4) > (1 / 4) /\
+  (1 / 4) > cos (PI / 2) /\
+  cos (PI / 2) > cos (3 * PI / 4) /\
+  cos (3 * PI / 4) > cos PI.
 
 Definition shadow_of_a_on_floor__of_a : Prop :=
   forall body_radius light_x light_y light_z x y : R,
-  body_radius ^ 2 * (light_z ^ 2 + (light_x - x) ^ 2 + (light_y - y) ^ 2) - light_z ^ 2 * x ^ 2 - light_z ^ 2 * y ^ 2 - (x * (light_y - y) - y * (light_x - x)) ^ 2 = body_radius ^ 2 * (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) - (x ^ 2 + y ^ 2) * (light_x ^ 2 + light_y ^ 2 + light_z ^ 2) + (light_x * x + light_y * y) ^ 2.
+  body_radius ^ 2 * ((light_x - x) ^ 2 + (light_y - y) ^ 2 + (light_z - 0) ^ 2) - ((light_z - 0) * (0 - x) - (0 - 0) * (light_x - x)) ^ 2 - ((0 - 0) * (light_y - y) - (light_z - 0) * (0 - y)) ^ 2 - ((light_x - x) * (0 - y) - (light_y - y) * (0 - x)) ^ 2 = body_radius ^ 2 * ((0 - light_z) * (0 - light_z) + (x - light_x) * (x - light_x) + (y - light_y) * (y - light_y)) + (light_x * x + light_y * y) ^ 2 - (x ^ 2 + y ^ 2) * (light_z * light_z + light_x * light_x + light_y * light_y).
 
 Definition shadow_of_a_on_floor__behind_a : Prop :=
-  forall light_x light_y x y : R,
-  -x * (light_x - x) - y * (light_y - y) = -light_x * x - light_y * y + x ^ 2 + y ^ 2.
+  forall light_x light_y light_z x y : R,
+  (light_x - x) * (0 - x) + (light_y - y) * (0 - y) + (0 - 0) * (light_z - 0) = x ^ 2 + y ^ 2 - light_x * x - light_y * y.

@@ -11,7 +11,7 @@ to prove them. A Separation, about what a program reads and not about numbers, i
 
 from collections.abc import Iterable
 
-from sympy import And, Basic, Or, Piecewise, Pow, Rational, S, Symbol, false, pi, sympify, true
+from sympy import And, Basic, Derivative, Or, Piecewise, Pow, S, Symbol, false, sympify, true
 from sympy.core.relational import Relational
 
 from proofs.engine.claim import AnyClaim, Claim, Induction
@@ -99,7 +99,7 @@ class StatementPrinter(CoqPrinter):
     def _needs_of_power(self, base, exponent):
         if not (exponent.is_Rational and (2 * exponent).is_Integer):
             raise ValueError(f"what {base} to the power {exponent} needs is not known")
-        known = base is pi or (isinstance(base, Rational) and base > 0)
+        known = base.is_number and base.is_positive
         radicand = [] if known or exponent.is_Integer else [f"{self._print(base)} >= 0"]
         return radicand + ([] if known or exponent > 0 else [f"{self._print(base)} <> 0"])
 
@@ -133,11 +133,17 @@ def _implication(opening, hypotheses, conjuncts):
     return "\n  ".join(filter(None, lines))
 
 
+def _differentiated(expression: Basic) -> Basic:
+    """Return an expression with its derivatives as SymPy takes them."""
+    return expression.replace(lambda e: isinstance(e, Derivative), lambda e: e.doit())
+
+
 def claim_proposition(claim: Claim, refuted: bool = False) -> str:
     """Return a Claim as a proposition, or its negation. Raises ValueError where it has no form in Coq."""
     _, program = claim.names()
-    lines = program.definitions if program else ()
-    expressions = [*claim.given, *claim.shows, *(e for line in lines for e in line)]
+    lines = [(symbol, _differentiated(e)) for symbol, e in program.definitions] if program else []
+    given, shows = ([_differentiated(relation) for relation in relations] for relations in (claim.given, claim.shows))
+    expressions = [*given, *shows, *(e for line in lines for e in line)]
     symbols = _symbols(expressions)
     printer = StatementPrinter(symbols)
     defined = {symbol for symbol, _ in lines}
@@ -145,12 +151,12 @@ def claim_proposition(claim: Claim, refuted: bool = False) -> str:
     opening = [_forall([printer.binder(s) for s in inputs if s.is_real], "R")]
     opening += [_forall([printer.binder(s) for s in inputs if not s.is_real], "Rbar")]
     opening += [f"let {printer.binder(s)} := {printer.doprint(e)} in" for s, e in lines]
-    needs = [need for e in (*(e for _, e in lines), *claim.given, *claim.shows) for need in printer.needs(e)]
+    needs = [need for e in (*(e for _, e in lines), *given, *shows) for need in printer.needs(e)]
     needs = list(dict.fromkeys(needs))
-    given, shows = (list(map(printer.relation, relations)) for relations in (claim.given, claim.shows))
+    hypotheses, conclusions = (list(map(printer.relation, relations)) for relations in (given, shows))
     if refuted:
-        return f"~ (\n  {_implication(opening, [*given, *needs], shows)})"
-    return _implication(opening, given, [*needs, *shows])
+        return f"~ (\n  {_implication(opening, [*hypotheses, *needs], conclusions)})"
+    return _implication(opening, hypotheses, [*needs, *conclusions])
 
 
 def induction_proposition(claim: Induction) -> str:
