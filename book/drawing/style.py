@@ -93,7 +93,7 @@ def curve(ax: Axes, x: Any, y: Any, role: str, text: str = "", side: str = "righ
 
 def dots(ax: Axes, x: Any, y: Any, role: str, size: float, marker: str = "o") -> None:
     """Draw points without a line between them."""
-    ax.plot(x, y, color=colour_of(role), linewidth=0, marker=marker, markersize=size)
+    ax.plot(x, y, color=colour_of(role), linewidth=0, marker=marker, markersize=size, rasterized=True)
 
 
 def label(ax: Axes, at: tuple[float, float], text: str, role: str, aside: tuple[float, float], **look: Any) -> None:
