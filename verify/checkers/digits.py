@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import mpmath
-from sympy import And, Basic, Derivative, Expr, Symbol, sympify
+from sympy import And, Basic, Derivative, Expr, Mul, Symbol, evaluate, prod, sympify
 
 from verify.evaluate import DIGITS, MPMATH, Evaluator, code_of, compare
 
@@ -41,8 +41,20 @@ NUMBERS = MPMATH | {"compare": decided, "real": _real, "Heaviside": _step, "Dira
 
 
 def _differentiated(expression):
-    """Return the expression with SymPy's own derivatives, whatever the rules of a translation make of them."""
-    return sympify(expression).replace(Derivative, lambda *parts: Derivative(*parts).doit())
+    """Return the expression with SymPy's own derivatives, whatever the rules of a translation make of them.
+
+    Nothing else is evaluated: of a product such as −1 · 0 that is left as it stands SymPy may think it is no integer.
+    """
+    expression = sympify(expression)
+    taken = {part: _without_products_of_numbers(part).doit() for part in expression.atoms(Derivative)}
+    with evaluate(False):
+        return expression.xreplace(taken)
+
+
+def _without_products_of_numbers(expression):
+    numbers = {m: prod(m.args) for m in expression.atoms(Mul) if all(a.is_Rational for a in m.args)}
+    with evaluate(False):
+        return expression.xreplace(numbers)
 
 
 class Code(Evaluator):
