@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 inf, nan = math.inf, math.nan
+UNIT = 2.0**-53  # what rounding to float64 takes from a number at most, over its size
 Number = Any  # a float64, an array of them, or a traced value
 Mask = Any  # for which of them something holds
 

@@ -19,9 +19,8 @@ from proofs.formulas.symbols import v as along_v
 from renderer import kernels
 from renderer.generate.kernels import function_of
 from renderer.generate.programs import field_programs
-from renderer.operations import Number, floor, inf, maximum, minimum, rint, where
+from renderer.operations import UNIT, Number, floor, inf, maximum, minimum, rint, where
 
-UNIT = 2.0**-53
 ROOM = 1 + 2.0**-40
 SINE_ULPS = float(max(CERTIFIED["sinpi_of_product"], CERTIFIED["cospi_of_product"]))
 SHARED = 2 * UNIT * SINE_ULPS  # how far the factor that does not move is off, relatively: the same in both heights

@@ -25,10 +25,9 @@ from typing import Any
 
 from renderer import kernels, operations
 from renderer.machines.bounded import Bounded, is_zero, plus, times
-from renderer.operations import Constant, where
+from renderer.operations import UNIT, Constant, where
 from renderer.shader.shader import BOUNDS, Group, Want
 
-UNIT = 2.0**-53
 LEAST, LEAST_NORMAL = 2.0**-1060, 2.0**-1022
 VANISHING = 2.0**-1020  # more than exp(−708), below which exp and power may be 0
 SLACK = 1.0 + 2.0**-49

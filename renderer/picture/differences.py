@@ -6,9 +6,9 @@ from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 
 import numpy as np
 
+from renderer.operations import UNIT
 from renderer.picture.frame import Frame
 
-UNIT = 2.0**-53
 TINY = 1e-100  # a distance that counts as none, or as this: its square would vanish
 DIGITS, EVERY_DIGIT = 4, 15  # of a table; as many as every float64 has
 

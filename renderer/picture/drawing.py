@@ -65,7 +65,7 @@ def render(
         counts = stage.draw(scene, method, threads, named, bounds=bounds)
     else:
         counts = _draw_on(stage, scene, method, threads, planes, into is None)
-    return Frame(scene, raster, method, stage, planes, counts, enclosure)
+    return Frame(scene, method, stage, planes, counts, enclosure)
 
 
 def _draw_on(stage, scene, method, threads, planes, copies):

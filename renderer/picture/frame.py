@@ -11,7 +11,6 @@ from renderer.kernels import FIELDS, bumped_normal, chart, light_cosine, point_o
 from renderer.machines import machine
 from renderer.picture.stage import SURFACE_BITS, Stage
 from renderer.scene.methods import GradientMethod
-from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import way_of
 from renderer.shader.shader import ON_A
@@ -30,14 +29,13 @@ class Frame:
     def __init__(
         self,
         scene: Scene,
-        raster: Raster,
         method: GradientMethod,
         stage: Stage,
         planes: np.ndarray,
         counts: dict[str, int],
         enclosure: tuple[np.ndarray, np.ndarray] | None = None,
     ):
-        self.scene, self.raster, self.method, self.stage = scene, raster, method, stage
+        self.scene, self.raster, self.method, self.stage = scene, stage.raster, method, stage
         self._planes: np.ndarray | None = planes
         self._counts, self._enclosure = counts, enclosure
 

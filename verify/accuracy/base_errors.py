@@ -15,9 +15,9 @@ import numpy as np
 
 from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.camera import angles_on_a
+from renderer.operations import UNIT
 from verify.evaluate import Evaluator
 
-UNIT = 2.0**-53
 SLACK = 1 + 2.0**-30  # more than what second orders add, and the roundings of bounds that are at most 2^-32
 OUTWARD = 2.0**-50
 LEAST_SQUARE = 0.1

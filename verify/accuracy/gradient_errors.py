@@ -14,11 +14,12 @@ from proofs.formulas.camera import angles_on_a
 from proofs.formulas.chart import chart
 from proofs.formulas.height_fields import HeightField, factors, gradient, sin_u, sin_v
 from proofs.formulas.symbols import h_u, h_v, k_u, k_v
+from renderer.operations import UNIT
 from verify.accuracy.differences import SLOPES
 from verify.evaluate.arrays import Inputs, distance, in_balls, in_float64
 from verify.evaluate.programs import algebraic_gradient
 
-UNIT, SEED, EACH, CERTIFIED = 2.0**-53, 12, 20, 50
+SEED, EACH, CERTIFIED = 12, 20, 50
 WAVE_NUMBERS = ((2.0, 1.0), (8.0, 4.0), (-8.0, 3.0), (60.0, 63.0), (64.0, 64.0), (0.0, 5.0))
 RATIOS = (1e-6, 1e-3, 0.25, 0.5, 0.9, 1 - 1e-6, 1 - 1e-9)
 
