@@ -13,13 +13,14 @@ from hypothesis import Phase, given, seed, settings, target
 from hypothesis import strategies as st
 
 from proofs.engine.theorem import all_theorems
+from proofs.formulas.certified import ALGEBRAIC_GRADIENT
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import k_v
 from renderer import render
 from renderer.generate.step_terms import SLOPE_TERMS
 from verify.accuracy.base_errors import LEAST_SQUARE, RATIOS
 from verify.accuracy.differences import SLOPES, Case, bounds, parts
-from verify.accuracy.gradient_errors import CERTIFIED, UNIT, errors_at
+from verify.accuracy.gradient_errors import UNIT, errors_at
 from verify.accuracy.pixels import SCENES, SIZE, checked_pixel
 from verify.evaluate.arrays import distance, in_balls, in_float64
 from verify.stability.geometry import toward_the_pole
@@ -82,7 +83,7 @@ _pixels = st.integers(0, SIZE - 1)
 CLIMBS = {
     "gradient_accuracy": (general_gradient, 10.0, 2.0, {
         "field": st.sampled_from(ALGEBRAIC), "u": _inside, "v": _inside, "ku": _waves, "kv": _waves}),
-    "algebraic_gradient_accuracy": (algebraic_gradient, CERTIFIED, 0.1, {
+    "algebraic_gradient_accuracy": (algebraic_gradient, ALGEBRAIC_GRADIENT, 0.1, {
         "field": st.sampled_from(ALGEBRAIC), "ratio": st.floats(*RATIOS), "square": st.floats(LEAST_SQUARE, 1),
         "angle": st.floats(-math.pi, math.pi), "half_u": st.integers(1, 32), "wave_v": st.integers(1, 64)}),
     "difference_bounds": (difference, 1.0, 0.3, {

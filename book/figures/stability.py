@@ -4,6 +4,8 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import DASHED, SOLID, curve, decades, label_curve, label_line_end, plot, slope_triangle
+from proofs.formulas.certified import GENERAL_GRADIENT
+from renderer.operations import UNIT
 from verify.stability import symmetry
 from verify.stability.rows import SWEEPS, sweep
 
@@ -89,7 +91,7 @@ def stability_wave_numbers() -> Drawing:
     below = 0.1 * swept.worst(rounded)
     label_curve(ax, swept.parameter, below, 3e4, "reduced, but the\nproduct rounded", "numeric", "below")
     names = [name for name in SWEEPS if name.startswith("wave_numbers")]
-    return Drawing(fig, _numbers(*names) | {"allowed": 10 * 2.0**-53}, _data("wave_numbers"))
+    return Drawing(fig, _numbers(*names) | {"allowed": GENERAL_GRADIENT * UNIT}, _data("wave_numbers"))
 
 
 _SHADING = {  # sweep: (x label, y label, every how many decades, limits of y)

@@ -7,6 +7,7 @@ from book.drawing.style import curve, decades, dots, label_line_end, plot, slope
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene
 from renderer.generate.step_terms import slope_bound
+from renderer.operations import UNIT
 from renderer.picture.facts import SMOOTH_POINT
 from verify.accuracy.best_step import best_of
 from verify.accuracy.differences import Case, parts
@@ -15,7 +16,6 @@ from verify.evaluate.arrays import in_balls
 
 SCENE = Scene(field="sine")
 CASE = Case("the chapter's", SCENE.field, SCENE.ku, SCENE.kv, *SMOOTH_POINT)
-UNIT_ROUNDOFF = 2.0**-53
 
 
 @figure
@@ -46,7 +46,7 @@ def u_curve() -> Drawing:
         "exact": float(in_balls(gradient(HEIGHT_FIELDS[SCENE.field]), CASE.inputs)[CASE.component].item()),
         "third_derivative": third,
         "third_derivative_half": slope_bound(SCENE.ku / 2) ** 3,
-        "predicted_eps": best_of(SCENE.ku, UNIT_ROUNDOFF).step,
+        "predicted_eps": best_of(SCENE.ku, UNIT).step,
     }
     data = {"step": steps, "error": measured, "truncation": truncation}
     return Drawing(fig, numbers | at, data)

@@ -17,3 +17,7 @@ CERTIFIED = {
 
 SMALL_POWER = Fraction(1, 2**72)
 """A power of exp(−50) or more is a `power`; what is below this, a little above exp(−50), may be a `small_power`."""
+
+GENERAL_GRADIENT, ALGEBRAIC_GRADIENT = 10, 50
+"""How far a slope can be off, in units of 2⁻⁵³ π max(1, |k|) and of 2⁻⁵³ π (1 + k) k: theorems gradient_accuracy (which
+is measured) and algebraic_gradient_accuracy."""

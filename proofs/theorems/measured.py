@@ -3,7 +3,7 @@
 The measurements are in verify/checkers/measurements."""
 
 from proofs.engine.theorem import Step, Theorem
-from proofs.formulas.certified import CERTIFIED
+from proofs.formulas.certified import ALGEBRAIC_GRADIENT, CERTIFIED, GENERAL_GRADIENT
 
 products = Theorem(
     id="crease_products",
@@ -61,7 +61,8 @@ pixels = Theorem(
 gradients = Theorem(
     id="gradient_accuracy",
     title="The general form of the exact gradient against the reference",
-    statement=r"With $\mu = 2^{-53}$, the general form is within $10\mu\,\pi\max(1,|k|)$ of the exact gradient at the "
+    statement=rf"With $\mu = 2^{{-53}}$, the general form is within ${GENERAL_GRADIENT}\mu\,\pi\max(1,|k|)$ of the exact "
+    r"gradient at the "
     r"float64 $(u, v)$, $|k| \le 2^{20}$.",
     hypotheses=(r"$k_u u$ and $k_v v$ are 0 or above $10^{-285}$",),
     expected="measured",
@@ -70,11 +71,13 @@ gradients = Theorem(
 algebraic_gradients = Theorem(
     id="algebraic_gradient_accuracy",
     title="What the algebraic form of the gradient can be off",
-    statement=r"With $\mu = 2^{-53}$, the algebraic form is within $50(1+k)\mu\,\pi k$ of the exact gradient at the "
+    statement=rf"With $\mu = 2^{{-53}}$, the algebraic form is within ${ALGEBRAIC_GRADIENT}(1+k)\mu\,\pi k$ of the exact "
+    r"gradient at the "
     r"float64 image point, $k = \max(|k_u|,|k_v|) \le 64$, for rings $2|k_v|$.",
     hypotheses=(
         r"$1-(\rho/\rho_s)^2 \ge 0.1$; $R/e$ from $10^{-6}$ to $1-10^{-9}$; off the pole, and nothing underflows",
-        r"ridges: $|\sin\pi k_u u|$ and $|\sin\pi k_v v|$ are above $50(1+k)\mu$, so that the side of every crease is "
+        r"ridges: $|\sin\pi k_u u|$ and $|\sin\pi k_v v|$ are above "
+        rf"${ALGEBRAIC_GRADIENT}(1+k)\mu$, so that the side of every crease is "
         "certain; nearer than that the form may take the other one's slope",
     ),
     steps=(

@@ -5,6 +5,7 @@ from functools import cache
 
 import numpy as np
 
+from proofs.formulas.certified import ALGEBRAIC_GRADIENT, GENERAL_GRADIENT
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from verify.accuracy import base_errors, orders
 from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, escapes, parts
@@ -44,7 +45,7 @@ def general_gradient(form: str | None = None) -> Measurement:
         samples=sum(seen.points for seen in found.values()),
         seed=SWEEP_SEED,
         worst=max(np.nanmax(seen.worst(form)) for seen in found.values()) / UNIT,
-        bound=10.0,
+        bound=float(GENERAL_GRADIENT),
         holds=not any(seen.escaped for seen in found.values()),
         what="the general form: the largest error over π max(1, |k|) 2^-53",
         numbers={name: np.nanmax(seen.worst(form)) / UNIT for name, seen in found.items()},
@@ -52,7 +53,7 @@ def general_gradient(form: str | None = None) -> Measurement:
 
 
 @measures("gradient_accuracy", false={"within one unit": {"bound": 1.0}})
-def unequal_wave_numbers(bound: float = 10.0) -> Measurement:
+def unequal_wave_numbers(bound: float = GENERAL_GRADIENT) -> Measurement:
     """The general form where k_u and k_v differ, have other signs, or one is zero."""
     found = {field: large_wave_numbers(field, PAIRS, samples=64) for field in HEIGHT_FIELDS}
     units = {field: np.nanmax(seen.worst()) / UNIT for field, seen in found.items()}
@@ -68,7 +69,7 @@ def unequal_wave_numbers(bound: float = 10.0) -> Measurement:
 
 
 @measures("algebraic_gradient_accuracy", false={"within 40 (1 + k)": {"bound": 40}, "up to the rim": {"least": 0.01}})
-def algebraic_gradient(bound: int = 50, least: float = base_errors.LEAST_SQUARE) -> Measurement:
+def algebraic_gradient(bound: int = ALGEBRAIC_GRADIENT, least: float = base_errors.LEAST_SQUARE) -> Measurement:
     """The algebraic form from the image point: its bases over every box of the hits, and their powers."""
     of_u, of_v = base_errors.base_errors(least)
     return Measurement(
