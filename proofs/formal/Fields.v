@@ -176,13 +176,13 @@ Qed.
 Lemma product_at_most_1 (a b : R) : -1 <= sin a * cos b <= 1.
 Proof. pose proof (SIN_bound a). pose proof (COS_bound b). nra. Qed.
 
-Ltac bounded G epsilon := apply Rle_ge; try (apply Rmult_le_pos; [left; assumption|]); apply (Rle_trans _ _ _ G); right; field; split; lra.
+Ltac over_the_step G epsilon := apply Rle_ge; try (apply Rmult_le_pos; [left; assumption|]); apply (Rle_trans _ _ _ G); right; field; split; lra.
 (* F: what the slope has beside pi k, at most 1; T: the third derivative. *)
 Ltac truncated F k epsilon T := pose proof T as Third; rewrite (is_derive_n_unique _ _ _ _ Third); split; [eexists; exact Third|]; clear Third; derivatives;
   assert (W : PI * k > 0) by (apply Rmult_lt_0_compat; lra); pose proof (pow_lt (PI * k) 3 W); assert (B : -1 <= F <= 1) by first [apply product_at_most_1 | apply COS_bound];
   destruct (slack F (PI * k * epsilon) epsilon B ltac:(apply Rmult_lt_0_compat; lra) ltac:(lra)) as [G1 G2];
   assert (0 <= (PI * k) ^ 3 * (1 - F)) by (apply Rmult_le_pos; lra); assert (0 <= (PI * k) ^ 3 * (1 + F)) by (apply Rmult_le_pos; lra).
-Ltac conclusions G1 G2 epsilon := repeat split; first [not_zero | differentiable | lra | ring | field; lra | bounded G1 epsilon | bounded G2 epsilon].
+Ltac conclusions G1 G2 epsilon := repeat split; first [not_zero | differentiable | lra | ring | field; lra | over_the_step G1 epsilon | over_the_step G2 epsilon].
 Theorem truncation_bound__sine : Statements.truncation_bound__sine.
 Proof.
   red. intros. pose proof PI_RGT_0. destruct (central_difference_of_sine__sine_in_u epsilon k_u k_v u v) as (_ & _ & _ & _ & ->); try assumption.
