@@ -85,6 +85,8 @@ Lemma floor_is (n : Z) (w : R) : IZR n <= w < IZR n + 1 -> IZR (Int_part w) = IZ
 Proof.
   intro H. destruct (base_Int_part w) as [A B]. assert (n - 1 < Int_part w < n + 1)%Z by (split; apply lt_IZR; rewrite ?minus_IZR, ?plus_IZR; lra). f_equal. lia.
 Qed.
+Lemma floor_of_a_fraction (w : R) : 0 <= w < 1 -> IZR (Int_part w) = 0.
+Proof. intro H. apply (floor_is 0). lra. Qed.
 Theorem central_difference_of_sine__no_clamp : Statements.central_difference_of_sine__no_clamp.
 Proof. claim. Qed.
 Theorem central_difference_of_sine__sine_in_u : Statements.central_difference_of_sine__sine_in_u.
@@ -104,7 +106,7 @@ Theorem central_difference_of_sine__nothing_wraps (u v k_u k_v epsilon : R) : 0 
 Proof.
   intros E A B. cbv zeta. unfold central_sine.h_u, central_sine.h_u_plus, central_sine.h_u_minus, central_sine.u_plus, central_sine.u_minus,
     central_ridges.h_u, central_ridges.h_u_plus, central_ridges.h_u_minus, central_ridges.u_plus, central_ridges.u_minus.
-  rewrite !(floor_is 0), !Rminus_0_r by lra. split; reflexivity.
+  rewrite !floor_of_a_fraction, !Rminus_0_r by lra. split; reflexivity.
 Qed.
 Theorem central_difference_of_sine__nothing_clamps (u v k_u k_v epsilon : R) : 0 < epsilon -> 0 <= v - epsilon -> epsilon + v <= 1 ->
   let difference := fun h : R -> R => (h (epsilon + v) - h (v - epsilon)) / (2 * epsilon) in
@@ -126,7 +128,7 @@ Theorem central_difference_of_sine__nothing_wraps__false : ~ forall u v k_u k_v 
   central_sine.h_u u v k_u k_v epsilon = 1/2 * (height_sine.h (epsilon + u) v k_u k_v - height_sine.h (u - epsilon) v k_u k_v) / epsilon.
 Proof.
   intro H. generalize (H 0 (1/2) 1 1 (1/2) ltac:(lra)). unfold central_sine.h_u, central_sine.h_u_plus, central_sine.h_u_minus, central_sine.u_plus, central_sine.u_minus.
-  rewrite (floor_is 0), (floor_is (-1)) by lra. replace (0 - 1/2 - -1) with (1/2) by field. replace (1/2 + 0 - 0) with (1/2) by ring. unfold_fields.
+  rewrite floor_of_a_fraction, (floor_is (-1)) by lra. replace (0 - 1/2 - -1) with (1/2) by field. replace (1/2 + 0 - 0) with (1/2) by ring. unfold_fields.
   replace (PI * (1 * (0 - 1/2))) with (- (PI * (1 * (1/2)))) by field. rewrite Rplus_0_r, sin_neg, !sine_of_a_right_angle. lra.
 Qed.
 Theorem central_difference_of_sine__nothing_clamps__false : ~ forall v k_v epsilon, 0 < epsilon ->
@@ -173,6 +175,14 @@ Proof.
   { intro x. simpl. rewrite (Derive_ext _ _ _ A). symmetry. apply is_derive_unique. auto_derive; trivial. ring. }
   apply (is_derive_ext _ _ _ _ B). auto_derive; trivial. ring.
 Qed.
+Lemma at_most (c x y : R) : 0 <= c -> Rabs x <= 1 -> Rabs y <= 1 -> Rabs (c * (x * y)) <= c.
+Proof.
+  intros C X Y. rewrite !Rabs_mult, (Rabs_pos_eq c C). assert (Rabs x * Rabs y <= 1 * 1) by (apply Rmult_le_compat; try apply Rabs_pos; assumption). nra.
+Qed.
+Lemma sine_at_most_1 (x : R) : Rabs (sin x) <= 1.
+Proof. apply Rabs_le, SIN_bound. Qed.
+Lemma cosine_at_most_1 (x : R) : Rabs (cos x) <= 1.
+Proof. apply Rabs_le, COS_bound. Qed.
 Lemma product_at_most_1 (a b : R) : -1 <= sin a * cos b <= 1.
 Proof. pose proof (SIN_bound a). pose proof (COS_bound b). nra. Qed.
 
