@@ -10,6 +10,9 @@ Ltac beside := repeat split; solve [trivial | lra | nra].
 Ltac differentiable := auto_derive; beside.
 Ltac derivatives := repeat match goal with |- context [Derive ?f ?x] =>
   erewrite (is_derive_unique f x) by (auto_derive; [beside | reflexivity]) end.
+(* One after the other. *)
+Lemma next_derivative (n : nat) (f g : R -> R) (x l : R) : (forall t, is_derive_n f n t (g t)) -> is_derive g x l -> is_derive_n f (S n) x l.
+Proof. intros F G. apply (is_derive_ext g); [intro; symmetry; apply is_derive_n_unique, F | exact G]. Qed.
 
 (* Angles that are equal, written alike. *)
 Ltac angle f := match f with sin => idtac | cos => idtac end.

@@ -169,11 +169,9 @@ Lemma slack (F x epsilon : R) : -1 <= F <= 1 -> x > 0 -> epsilon > 0 ->
 Proof. intros B X E. pose proof (sine_from_below x). pose proof (sin_lt_x x X). split; apply Rdiv_le_0_compat; nra. Qed.
 Lemma third_of_a_sine (f : R -> R) (a k : R) : (forall t, a * sin (PI * (k * t)) = f t) -> forall t, is_derive_n f 3 t (- (PI * k) ^ 3 * (a * cos (PI * (k * t)))).
 Proof.
-  intros F t. apply (is_derive_n_ext _ _ _ _ _ F).
-  assert (A : forall t, Derive_n (fun t => a * sin (PI * (k * t))) 1 t = PI * k * (a * cos (PI * (k * t)))) by (intro; apply is_derive_unique; auto_derive; trivial; ring).
-  assert (B : forall t, - (PI * k) ^ 2 * (a * sin (PI * (k * t))) = Derive_n (fun t => a * sin (PI * (k * t))) 2 t).
-  { intro x. simpl. rewrite (Derive_ext _ _ _ A). symmetry. apply is_derive_unique. auto_derive; trivial. ring. }
-  apply (is_derive_ext _ _ _ _ B). auto_derive; trivial. ring.
+  intros F t. apply (is_derive_n_ext _ _ _ _ _ F), (next_derivative 2 _ (fun t => - (PI * k) ^ 2 * (a * sin (PI * (k * t))))); [intro|].
+  - apply (next_derivative 1 _ (fun t => PI * k * (a * cos (PI * (k * t))))); [intro|]; simpl; auto_derive; trivial; ring.
+  - auto_derive; trivial; ring.
 Qed.
 Lemma at_most (c x y : R) : 0 <= c -> Rabs x <= 1 -> Rabs y <= 1 -> Rabs (c * (x * y)) <= c.
 Proof.

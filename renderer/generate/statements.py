@@ -2,12 +2,12 @@
 
     Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> what it needs, and what it shows.
 
-Coq divides by 0, takes the root of −1, and makes 0 of an infinity. No claim is about such a value: what is divided by
-is not 0, what has a root is not negative, a hit that is computed with is finite, and a derivative exists: Coq's `Derive`
-of what has none is some number. The kernel asks it by name, and here it stands before what is shown
-(`StatementPrinter.needs`). Of a refuted theorem the negation is printed: hypotheses and
-needs hold somewhere, and what is said does not. Neither a cited lemma nor what a claim borrows is a hypothesis: Coq has
-to prove them. A Separation, about what a program reads and not about numbers, is the kernel's alone.
+Coq divides by 0, takes the root of −1, makes 0 of an infinity, and has some number for the derivative of what has none.
+No claim is about such a value: what is divided by is not 0, what has a root is not negative, a hit that is computed
+with is finite, a derivative exists. The kernel asks it by name, and here it stands before what is shown
+(`StatementPrinter.needs`). Of a refuted theorem the negation is printed: hypotheses and needs hold somewhere, and what
+is said does not. Neither a cited lemma nor what a claim borrows is a hypothesis: Coq has to prove them. A Separation,
+about what a program reads and not about numbers, is the kernel's alone.
 """
 
 from collections.abc import Iterable
@@ -152,10 +152,8 @@ def _implication(opening, hypotheses, conjuncts):
     return "\n  ".join(filter(None, lines))
 
 
-TAKEN_BY_SYMPY = frozenset(
-    """crease_error_area displaced_normal image_derivative kink_loci normal_by_beta shadow_along_a_row
-    shadow_of_b_on_floor tangent_frame""".split()
-)
+TAKEN_BY_SYMPY = """crease_error_area displaced_normal image_derivative kink_loci normal_by_beta shadow_along_a_row
+    shadow_of_b_on_floor tangent_frame"""
 """The theorems whose derivatives are still printed as SymPy takes them. No other may come."""
 
 
@@ -218,7 +216,7 @@ def proposition(claim: AnyClaim, refuted: bool = False, taken: bool = False) -> 
 
 def statements(theorem: Theorem) -> dict[str, str]:
     """Return {name: proposition} of the claims of a theorem that are printed."""
-    refuted, taken = theorem.expected == "refuted", theorem.id in TAKEN_BY_SYMPY
+    refuted, taken = theorem.expected == "refuted", theorem.id in TAKEN_BY_SYMPY.split()
     printed = {f"{theorem.id}__{claim.name}": proposition(claim, refuted, taken) for claim in theorem.claims}
     return {name: text for name, text in printed.items() if text is not None}
 
