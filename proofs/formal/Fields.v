@@ -1,4 +1,4 @@
-(* The height fields: their gradients, creases, seam and pole, and the algebraic form. *)
+(* The height fields: their gradients, where ridges is creased, central differences and what these lose. *)
 
 From Coq Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
