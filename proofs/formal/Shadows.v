@@ -2,7 +2,8 @@
 
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Camera.
+From Formal Require Import Preliminaries Formulas Camera Claim.
+From Formal Require Statements.
 Open Scope R_scope.
 
 Ltac shadow_lines := unfold shadow.shadow_discriminant, shadow.toward_center, shadow.segment_squared, shadow.segment_x,
@@ -412,9 +413,29 @@ Proof.
   destruct (Rle_lt_dec (a - b) c) as [L | L]; [exact L | exfalso]. assert (c ^ 2 < (a - b) ^ 2) by nra. lra.
 Qed.
 
+Theorem shadow_out_of_reach__within : Statements.shadow_out_of_reach__within.
+Proof. claim. Qed.
+Theorem shadow_out_of_reach__cone : Statements.shadow_out_of_reach__cone.
+Proof.
+  red. intros. assert (N : distance ^ 2 * wander ^ 2 - product ^ 2 = (aside_y * axis_x - aside_x * axis_y) ^ 2 +
+    (aside_x * axis_z - aside_z * axis_x) ^ 2 + (aside_z * axis_y - aside_y * axis_z) ^ 2) by (rewrite H3, H4, H5; ring).
+  assert (distance ^ 2 * wander ^ 2 - product ^ 2 >= 0) by (rewrite N; apply Rle_ge; repeat apply Rplus_le_le_0_compat; apply pow2_ge_0). assert (P : distance * wander >= 0) by nra.
+  assert (distance * wander + product >= 0) by nra. each ltac:(first [assumption | lra | nra]).
+Qed.
+Theorem shadow_out_of_reach__quadratic : Statements.shadow_out_of_reach__quadratic.
+Proof. claim. Qed.
+Theorem shadow_out_of_reach__turns_before : Statements.shadow_out_of_reach__turns_before.
+Proof. claim. Qed.
+Theorem shadow_out_of_reach__turns_between : Statements.shadow_out_of_reach__turns_between.
+Proof. red. intros. assert (0 <= bend * (share - at_) ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]). replace slope with (- (at_ * bend)) by lra. lra. Qed.
+Theorem shadow_out_of_reach__turns_after : Statements.shadow_out_of_reach__turns_after.
+Proof. red. intros. assert (0 <= (1 - share) * (bend * (1 - share) - 2 * (bend + slope))) by (apply Rmult_le_pos; nra). lra. Qed.
+Theorem shadow_out_of_reach__bends_down : Statements.shadow_out_of_reach__bends_down.
+Proof. red. intros. assert (0 <= share * (1 - share) * - bend) by (repeat apply Rmult_le_pos; lra). lra. Qed.
+
 (* The segment from the light L to a point Q of the ball (centre C, radius s) passes at share t of the way within t s of
    L + t (C - L). *)
-Theorem (* clause 1 *) shadow_out_of_reach__within (t lx ly lz bx by_ bz s qx qy qz : R) : 0 <= t ->
+Lemma within_share (t lx ly lz bx by_ bz s qx qy qz : R) : 0 <= t ->
   len (qx - bx) (qy - by_) (qz - bz) <= s ->
   len (lx + t * (qx - lx) - (lx + t * (bx - lx))) (ly + t * (qy - ly) - (ly + t * (by_ - ly)))
     (lz + t * (qz - lz) - (lz + t * (bz - lz))) <= t * s.
@@ -427,27 +448,15 @@ Qed.
 Lemma len_axis x : 0 <= x -> len x 0 0 = x.
 Proof. intros X. apply sqrt_is; [exact X | ring]. Qed.
 
-Theorem shadow_out_of_reach__within__point : exists t bx by_ bz s qx qy qz : R,
-  0 <= t /\ len (qx - bx) (qy - by_) (qz - bz) <= s.
-Proof. exists 1, 0, 0, 0, 1, 1, 0, 0. rewrite !Rminus_0_r, len_axis; lra. Qed.
-
-(* Not within t s / 2. *)
-Theorem shadow_out_of_reach__within__false : ~ forall t lx bx s qx : R, 0 <= t -> len (qx - bx) 0 0 <= s ->
-  len (lx + t * (qx - lx) - (lx + t * (bx - lx))) 0 0 <= t * s / 2.
-Proof.
-  intros F. specialize (F 1 0 0 1 1). replace (0 + 1 * (1 - 0) - (0 + 1 * (0 - 0))) with 1 in F by ring.
-  rewrite !Rminus_0_r, len_axis in F by lra. specialize (F ltac:(lra) ltac:(lra)). lra.
-Qed.
-
 (* If |L - c + t (C - L)| > r + t s for all t in [0, 1], no such segment meets the ball of radius r about c. *)
-Theorem (* clause 2 *) shadow_out_of_reach__cone (lx ly lz cx cy cz r bx by_ bz s : R) :
+Lemma off_the_cone (lx ly lz cx cy cz r bx by_ bz s : R) :
   (forall t, 0 <= t <= 1 -> r + t * s < len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz -
     lz))) ->
   forall t qx qy qz, 0 <= t <= 1 -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
   r < len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz).
 Proof.
   intros H t qx qy qz T Q. specialize (H t T).
-  pose proof (shadow_out_of_reach__within t lx ly lz bx by_ bz s qx qy qz ltac:(lra) Q) as W.
+  pose proof (within_share t lx ly lz bx by_ bz s qx qy qz ltac:(lra) Q) as W.
   pose proof (len_apart (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))
     (lx + t * (qx - lx) - (lx + t * (bx - lx))) (ly + t * (qy - ly) - (ly + t * (by_ - ly)))
     (lz + t * (qz - lz) - (lz + t * (bz - lz)))) as A.
@@ -457,27 +466,8 @@ Proof.
       (lz - cz + t * (bz - lz) + (lz + t * (qz - lz) - (lz + t * (bz - lz))))) by (f_equal; ring). lra.
 Qed.
 
-Theorem shadow_out_of_reach__cone__point : exists lx ly lz cx cy cz r bx by_ bz s : R, forall t, 0 <= t <= 1 ->
-  r + t * s < len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz)).
-Proof.
-  exists 3, 0, 0, 0, 0, 0, 1, 4, 0, 0, 1. intros t T. replace (len _ _ _) with (len (3 + t) 0 0) by (f_equal; ring).
-  rewrite len_axis; lra.
-Qed.
-
-(* Not without the ball's reach: |L - c + t (C - L)| > r is not enough. *)
-Theorem shadow_out_of_reach__cone__false : ~ forall lx cx r bx s : R,
-  (forall t, 0 <= t <= 1 -> r < len (lx - cx + t * (bx - lx)) 0 0) ->
-  forall t qx, 0 <= t <= 1 -> len (qx - bx) 0 0 <= s -> r < len (lx + t * (qx - lx) - cx) 0 0.
-Proof.
-  intros F. assert (H : 1 < len (3 + 1 * (1 - 3) - 0) 0 0).
-  { apply (F 3 0 1 2 1); try lra.
-    - intros t T. rewrite len_axis; lra.
-    - unfold len. rewrite (sqrt_is _ 1); lra. }
-  rewrite len_axis in H; lra.
-Qed.
-
 (* The squares' difference is a quadratic in t with the program's coefficients. *)
-Theorem (* clause 3 *) shadow_out_of_reach__quadratic (t lx ly lz cx cy cz r bx by_ bz s : R) :
+Lemma clearance_quadratic (t lx ly lz cx cy cz r bx by_ bz s : R) :
   len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz)) ^ 2 - (r + t * s) ^ 2 =
   shadow_clearance.at_light lx ly lz cx cy cz r + t * (2 * shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s
     + t * shadow_clearance.curvature lx ly lz bx by_ bz s).
@@ -487,19 +477,8 @@ Proof.
     shadow_clearance.from_body_y, shadow_clearance.from_body_z. ring.
 Qed.
 
-(* Not with a ball of radius s all the way. *)
-Theorem shadow_out_of_reach__quadratic__false : ~ forall t lx cx r bx s : R,
-  len (lx - cx + t * (bx - lx)) 0 0 ^ 2 - (r + s) ^ 2 =
-  shadow_clearance.at_light lx 0 0 cx 0 0 r + t * (2 * shadow_clearance.half_slope lx 0 0 cx 0 0 r bx 0 0 s
-    + t * shadow_clearance.curvature lx 0 0 bx 0 0 s).
-Proof.
-  intros F. specialize (F 0 0 0 0 0 1). rewrite len_squared in F. revert F.
-  unfold shadow_clearance.at_light, shadow_clearance.from_body_x, shadow_clearance.from_body_y,
-    shadow_clearance.from_body_z. lra.
-Qed.
-
 (* On [0, 1] the program's shortest is the least value of that quadratic: at an end or where it turns. *)
-Theorem (* clause 3 *) shadow_out_of_reach__least (lx ly lz cx cy cz r bx by_ bz s : R) :
+Lemma clearance_least (lx ly lz cx cy cz r bx by_ bz s : R) :
   let f t := shadow_clearance.at_light lx ly lz cx cy cz r
     + t * (2 * shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s
            + t * shadow_clearance.curvature lx ly lz bx by_ bz s) in
@@ -537,26 +516,15 @@ Proof.
     apply (Rmult_le_reg_r k); [exact K |]. replace (- h / k * k) with (- h) by (field; lra). lra.
 Qed.
 
-(* Not always at the light. *)
-Theorem shadow_out_of_reach__least__false : ~ forall lx cx r bx s t : R, 0 <= t <= 1 ->
-  shadow_clearance.at_light lx 0 0 cx 0 0 r <= shadow_clearance.at_light lx 0 0 cx 0 0 r
-    + t * (2 * shadow_clearance.half_slope lx 0 0 cx 0 0 r bx 0 0 s + t * shadow_clearance.curvature lx 0 0 bx 0 0 s).
-Proof.
-  intros F. specialize (F 2 0 0 1 0 1 ltac:(lra)). revert F.
-  unfold shadow_clearance.half_slope, shadow_clearance.curvature,
-    shadow_clearance.along_x, shadow_clearance.along_y, shadow_clearance.along_z, shadow_clearance.from_body_x,
-    shadow_clearance.from_body_y, shadow_clearance.from_body_z. lra.
-Qed.
-
 (* So where the program's clearance is positive, no segment from the light to a point of the ball meets the body. *)
-Theorem (* clauses 2, 3 *) shadow_out_of_reach__program (lx ly lz cx cy cz r bx by_ bz s : R) : 0 < r -> 0 < s ->
+Theorem shadow_out_of_reach__program (lx ly lz cx cy cz r bx by_ bz s : R) : 0 < r -> 0 < s ->
   r < len (lx - cx) (ly - cy) (lz - cz) -> 0 < shadow_clearance.clearance lx ly lz cx cy cz r bx by_ bz s ->
   forall t qx qy qz, 0 <= t <= 1 -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
   r < len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz).
 Proof.
-  intros R S O C. apply shadow_out_of_reach__cone. intros t T.
-  destruct (shadow_out_of_reach__least lx ly lz cx cy cz r bx by_ bz s) as (L & _). specialize (L t T).
-  rewrite <- shadow_out_of_reach__quadratic in L.
+  intros R S O C. apply off_the_cone. intros t T.
+  destruct (clearance_least lx ly lz cx cy cz r bx by_ bz s) as (L & _). specialize (L t T).
+  rewrite <- clearance_quadratic in L.
   assert (P : 0 < shadow_clearance.shortest lx ly lz cx cy cz r bx by_ bz s).
   { unfold shadow_clearance.clearance in C. pose proof (len_squared (lx - cx) (ly - cy) (lz - cz)) as Q.
     match type of C with 0 < ?a / ?b => assert (0 < b); [| apply (Rmult_lt_reg_r (/ b));
