@@ -8,17 +8,17 @@ Open Scope R_scope.
 
 Lemma half_turned k t : PI * (k * (t + PI) / (2 * PI)) = k * (t + PI) / 2.
 Proof. pose proof PI_RGT_0. field. lra. Qed.
-Ltac at_the_pole := red; intros; lines; rewrite ?half_turned; repeat rewrite ?Rmult_0_l, ?Rmult_0_r, ?sin_0, ?cos_0.
+Ltac pole_lines := red; intros; lines; rewrite ?half_turned; repeat rewrite ?Rmult_0_l, ?Rmult_0_r, ?sin_0, ?cos_0.
 Ltac on_the_circle t := ring [(sin_squared t)].
 
 Theorem pole__sine : Statements.pole__sine.
-Proof. at_the_pole. repeat split; on_the_circle theta. Qed.
+Proof. pole_lines. repeat split; on_the_circle theta. Qed.
 Theorem pole__sine_seam : Statements.pole__sine_seam.
-Proof. at_the_pole. replace (PI * (k_u * (PI - PI) / (2 * PI))) with 0 by (unfold Rdiv; ring). rewrite sin_0. repeat split; ring. Qed.
+Proof. pole_lines. replace (PI * (k_u * (PI - PI) / (2 * PI))) with 0 by (unfold Rdiv; ring). rewrite sin_0. repeat split; ring. Qed.
 Theorem pole__sine_k_u_0 : Statements.pole__sine_k_u_0.
-Proof. at_the_pole. replace (0 / 2) with 0 by field. rewrite sin_0. repeat split; ring. Qed.
+Proof. pole_lines. replace (0 / 2) with 0 by field. rewrite sin_0. repeat split; ring. Qed.
 Theorem pole__sine_k_v_0 : Statements.pole__sine_k_v_0.
-Proof. at_the_pole. repeat split; ring. Qed.
+Proof. pole_lines. repeat split; ring. Qed.
 Theorem pole__sine_differs : Statements.pole__sine_differs.
 Proof.
   red. intros. destruct (pole__sine k_u k_v theta) as (_ & _ & _ & L). pose proof PI_RGT_0.
@@ -26,7 +26,7 @@ Proof.
   repeat split; [exact L | assumption |]. match goal with |- ?a > 0 => replace a with (PI ^ 2 * (k_v * sin (k_u * (theta + PI) / 2)) ^ 2) by (symmetry; etransitivity; [exact L | ring]) end. apply Rmult_gt_0_compat; [nra | assumption].
 Qed.
 Theorem pole__rings : Statements.pole__rings.
-Proof. at_the_pole. rewrite neg_cos, neg_sin. repeat split; on_the_circle theta. Qed.
+Proof. pole_lines. rewrite neg_cos, neg_sin. repeat split; on_the_circle theta. Qed.
 Theorem pole__surface_gradient : Statements.pole__surface_gradient.
 Proof. red. intros. lines. field_simplify_eq. ring [(sin_squared theta) (sin_squared (k_u * (theta + PI) / 2))]. Qed.
 Theorem pole__surface_gradient_0 : Statements.pole__surface_gradient_0.
