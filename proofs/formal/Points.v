@@ -12,33 +12,7 @@ Lemma a_distance : 0 < magnitude (difference (1, 0, 0) (0, 0, 0)).
 Proof. replace (difference (1, 0, 0) (0, 0, 0)) with ((1, 0, 0) : vector) by (unfold difference, vector_sum, scaled; f_equal; [f_equal|]; ring). rewrite a_unit. lra. Qed.
 
 Theorem kink_loci__between__point : exists u v k_u k_v, height_sine.h u v k_u k_v <> 0.
-Proof. exact gradients__ridges__point. Qed.
-Theorem gradients__on_creases__point : exists u v k_u k_v, height_sine.h u v k_u k_v = 0.
-Proof. exists 0, 0, 1, 1. unfold_fields. rewrite !Rmult_0_r, sin_0. ring. Qed.
-Theorem central_difference_of_sine__rings_in_v__point : exists v k_v epsilon : R, k_v <> 0 /\ 0 < epsilon /\ 0 <= v - epsilon /\ v + epsilon <= 1.
-Proof. exact central_difference_of_sine__sine_in_v__point. Qed.
-Theorem central_difference_of_sine__cosine__point : exists k epsilon : R, k <> 0 /\ 0 < epsilon.
-Proof. exists 1, 1. lra. Qed.
-Theorem truncation_bound__rings__point : exists v k_v epsilon : R, 0 < k_v /\ 0 < epsilon /\ 0 <= v - epsilon /\ v + epsilon <= 1.
-Proof. exists (1/2), 1, (1/4). lra. Qed.
-Theorem truncation_bound__sine_in_v__point : exists v k_v epsilon : R, 0 < k_v /\ 0 < epsilon /\ 0 <= v - epsilon /\ v + epsilon <= 1.
-Proof. exact truncation_bound__rings__point. Qed.
-Theorem truncation_bound__third__point : exists k : R, 0 < k.
-Proof. exists 1. lra. Qed.
-Lemma between_creases (t : R) : 0 < t < 1 -> 0 < sin (PI * (1 * t)).
-Proof. intro T. generalize PI_RGT_0. intro P. apply sin_gt_0; rewrite Rmult_1_l; nra. Qed.
-Theorem truncation_bound__ridges__point : exists u v k_u k_v epsilon s, 0 < k_u /\ 0 < epsilon /\ 0 <= u - epsilon /\ u + epsilon < 1 /\ (s = 1 \/ s = -1) /\
-  0 < s * height_sine.h (u - epsilon) v k_u k_v /\ 0 < s * height_sine.h u v k_u k_v /\ 0 < s * height_sine.h (u + epsilon) v k_u k_v.
-Proof.
-  exists (1/2), (1/2), 1, 1, (1/4), 1. unfold_fields. rewrite sine_of_a_right_angle, !Rmult_1_l, !Rmult_1_r.
-  generalize (between_creases (1/2 - 1/4) ltac:(lra)) (between_creases (1/2) ltac:(lra)) (between_creases (1/2 + 1/4) ltac:(lra)). rewrite !Rmult_1_l. lra.
-Qed.
-Theorem truncation_bound__ridges_in_v__point : exists u v k_u k_v epsilon s, 0 < k_v /\ 0 < epsilon /\ 0 <= v - epsilon /\ v + epsilon <= 1 /\ (s = 1 \/ s = -1) /\
-  0 < s * height_sine.h u (v - epsilon) k_u k_v /\ 0 < s * height_sine.h u v k_u k_v /\ 0 < s * height_sine.h u (v + epsilon) k_u k_v.
-Proof.
-  exists (1/2), (1/2), 1, 1, (1/4), 1. unfold_fields. rewrite sine_of_a_right_angle, !Rmult_1_l.
-  generalize (between_creases (1/2 - 1/4) ltac:(lra)) (between_creases (1/2) ltac:(lra)) (between_creases (1/2 + 1/4) ltac:(lra)). rewrite !Rmult_1_l. lra.
-Qed.
+Proof. exists (1/2), (1/2), 1, 1. unfold_fields. rewrite sine_of_a_right_angle. lra. Qed.
 Theorem elementary_functions__sine__point : exists r : R, - (1/4) <= r <= 1/4.
 Proof. exists 0. lra. Qed.
 Theorem roundoff_bound__standard_model__point : exists x : R, bpow radix2 (-1022) <= Rabs x.
@@ -93,8 +67,6 @@ Theorem image_derivative__blinn_derives__point : exists (n : R -> R) (beta d : R
 Proof. exact image_derivative__mu_derives__point. Qed.
 Theorem image_derivative__phong_derives__point : exists (n : R -> R) (beta d : R), is_derive n beta d.
 Proof. exact image_derivative__mu_derives__point. Qed.
-Theorem pole__one_limit__point : exists k_u : R, forall u, k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = k_u ^ 2 / 4.
-Proof. exists 2. intro u. field. Qed.
 Theorem crease_error_area__tents__point : exists epsilon : R, 0 < epsilon.
 Proof. exists 1. lra. Qed.
 Theorem crease_error_area__mean_of_a_square__point : exists k : nat, (0 < k)%nat.

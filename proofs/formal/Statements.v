@@ -291,19 +291,21 @@ Definition truncation_bound__sine : Prop :=
   u - epsilon >= 0 ->
   epsilon + u < 1 ->
   k_u > 0 ->
+  ex_derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u /\
   epsilon <> 0 /\
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
   1 - (sin (v * PI * k_v)) * (cos (u * PI * k_u)) >= 0 /\
   (sin (v * PI * k_v)) * (cos (u * PI * k_u)) + 1 >= 0 /\
   PI * k_u > 0 /\
   (PI * k_u) ^ 3 > 0 /\
-  -PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) = (-(PI * k_u) ^ 3) * (sin (v * PI * k_v)) * (cos (u * PI * k_u)) /\
-  PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (PI * k_u) ^ 3 >= 0 /\
-  (PI * k_u) ^ 3 - PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) >= 0 /\
-  epsilon * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (sin (v * PI * k_v)) * (cos (u * PI * k_u)) * (sin (epsilon * PI * k_u) - PI * epsilon * k_u) /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon) >= 0 /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) - (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) - (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon >= 0.
+  (Derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u) = (-(PI * k_u) ^ 3) * (sin (v * PI * k_v)) * (cos (u * PI * k_u)) /\
+  (PI * k_u) ^ 3 - (Derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u) >= 0 /\
+  (PI * k_u) ^ 3 + (Derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u) >= 0 /\
+  epsilon * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)) = (sin (v * PI * k_v)) * (cos (u * PI * k_u)) * (sin (epsilon * PI * k_u) - PI * epsilon * k_u) /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + 1 * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u))) >= 0 /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + 1 * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)) >= 0.
 
 Definition truncation_bound__sine_in_v : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -311,19 +313,21 @@ Definition truncation_bound__sine_in_v : Prop :=
   v - epsilon >= 0 ->
   epsilon + v <= 1 ->
   k_v > 0 ->
+  ex_derive_n (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 v /\
   2 * epsilon <> 0 /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
   1 - (sin (u * PI * k_u)) * (cos (v * PI * k_v)) >= 0 /\
   (sin (u * PI * k_u)) * (cos (v * PI * k_v)) + 1 >= 0 /\
   PI * k_v > 0 /\
   (PI * k_v) ^ 3 > 0 /\
-  -PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) = (-(PI * k_v) ^ 3) * (sin (u * PI * k_u)) * (cos (v * PI * k_v)) /\
-  PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + (PI * k_v) ^ 3 >= 0 /\
-  (PI * k_v) ^ 3 - PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) >= 0 /\
-  epsilon * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u)))) = (sin (u * PI * k_u)) * (cos (v * PI * k_v)) * (sin (epsilon * PI * k_v) - PI * epsilon * k_v) /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon)) >= 0 /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) - (1 / 2) / epsilon * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))))) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) - (1 / 2) / epsilon * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) >= 0.
+  (Derive_n (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 v) = (-(PI * k_v) ^ 3) * (sin (u * PI * k_u)) * (cos (v * PI * k_v)) /\
+  (PI * k_v) ^ 3 - (Derive_n (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 v) >= 0 /\
+  (PI * k_v) ^ 3 + (Derive_n (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 v) >= 0 /\
+  epsilon * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v)) = (sin (u * PI * k_u)) * (cos (v * PI * k_v)) * (sin (epsilon * PI * k_v) - PI * epsilon * k_v) /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 1 * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v))) >= 0 /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 1 * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v)) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v)) >= 0.
 
 Definition truncation_bound__rings : Prop :=
   forall epsilon k_v v : R,
@@ -331,19 +335,21 @@ Definition truncation_bound__rings : Prop :=
   v - epsilon >= 0 ->
   epsilon + v <= 1 ->
   k_v > 0 ->
+  ex_derive_n (fun v : R => sin (PI * (2 * k_v * v))) 3 v /\
   2 * epsilon <> 0 /\
+  ex_derive (fun v : R => sin (PI * (2 * k_v * v))) v /\
   1 - (cos (v * 2 * PI * k_v)) >= 0 /\
   cos (v * 2 * PI * k_v) + 1 >= 0 /\
   PI * 2 * k_v > 0 /\
   (PI * 2 * k_v) ^ 3 > 0 /\
-  -8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) = (-(PI * 2 * k_v) ^ 3) * (cos (v * 2 * PI * k_v)) /\
-  8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) + (PI * 2 * k_v) ^ 3 >= 0 /\
-  (PI * 2 * k_v) ^ 3 - 8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) >= 0 /\
-  epsilon * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - 2 * PI * k_v * (cos (PI * (2 * k_v * v)))) = (sin (epsilon * PI * 2 * k_v) - 2 * PI * epsilon * k_v) * (cos (v * 2 * PI * k_v)) /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - 2 * PI * k_v * (cos (PI * (2 * k_v * v))) + (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon)) >= 0 /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 2 * PI * k_v * (cos (PI * (2 * k_v * v))) - (1 / 2) / epsilon * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon)))))) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - 2 * PI * k_v * (cos (PI * (2 * k_v * v))) + (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 2 * PI * k_v * (cos (PI * (2 * k_v * v))) - (1 / 2) / epsilon * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) >= 0.
+  (Derive_n (fun v : R => sin (PI * (2 * k_v * v))) 3 v) = (-(PI * 2 * k_v) ^ 3) * (cos (v * 2 * PI * k_v)) /\
+  (PI * 2 * k_v) ^ 3 - (Derive_n (fun v : R => sin (PI * (2 * k_v * v))) 3 v) >= 0 /\
+  (PI * 2 * k_v) ^ 3 + (Derive_n (fun v : R => sin (PI * (2 * k_v * v))) 3 v) >= 0 /\
+  epsilon * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v)) = (sin (epsilon * PI * 2 * k_v) - 2 * PI * epsilon * k_v) * (cos (v * 2 * PI * k_v)) /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 1 * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v))) >= 0 /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 1 * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v)) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v)) >= 0.
 
 Definition truncation_bound__ridges_u_above : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -354,8 +360,10 @@ Definition truncation_bound__ridges_u_above : Prop :=
   1 * (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v))) >= 0 ->
   1 * (sin (PI * (k_u * (u + 0)))) * (sin (PI * (k_v * v))) > 0 ->
   epsilon <> 0 /\
+  ex_derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u /\
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
   (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))))) / epsilon = 1 * (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
-  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))).
+  (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) = 1 * (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u).
 
 Definition truncation_bound__ridges_u_below : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -366,8 +374,10 @@ Definition truncation_bound__ridges_u_below : Prop :=
   -(sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v))) >= 0 ->
   -(sin (PI * (k_u * (u + 0)))) * (sin (PI * (k_v * v))) > 0 ->
   epsilon <> 0 /\
+  ex_derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u /\
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
   (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))))) / epsilon = -(1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
-  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = -PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))).
+  (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) = -(Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u).
 
 Definition truncation_bound__ridges_v_above : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -378,8 +388,10 @@ Definition truncation_bound__ridges_v_above : Prop :=
   1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))) >= 0 ->
   1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v + 0)))) > 0 ->
   2 * epsilon <> 0 /\
+  ex_derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
   (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))))) / (2 * epsilon) = 1 * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) /\
-  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) = 1 * (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v).
 
 Definition truncation_bound__ridges_v_below : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -390,8 +402,10 @@ Definition truncation_bound__ridges_v_below : Prop :=
   -(sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))) >= 0 ->
   -(sin (PI * (k_u * u))) * (sin (PI * (k_v * (v + 0)))) > 0 ->
   2 * epsilon <> 0 /\
+  ex_derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
   (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))))) / (2 * epsilon) = -((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) /\
-  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = -PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) = -(Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v).
 
 Definition truncation_bound__apart : Prop :=
   forall frequency quotient slope : R,
@@ -604,22 +618,26 @@ Definition gradients__sine : Prop :=
   let sin_v := sin (PI * (k_v * v)) in
   let h_u := PI * cos_u * k_u * sin_v in
   let h_v := PI * cos_v * k_v * sin_u in
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
   h_u = PI * k_u * (cos (u * PI * k_u)) * (sin (v * PI * k_v)) /\
   h_v = PI * k_v * (sin (u * PI * k_u)) * (cos (v * PI * k_v)) /\
-  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) /\
+  h_u = (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u) /\
+  h_v = (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v) /\
   PI * k_u * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = h_u * (sin (epsilon * PI * k_u)) + PI * k_u * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) * (cos (epsilon * PI * k_u) - 1) /\
   PI * k_v * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = h_v * (sin (epsilon * PI * k_v)) + PI * k_v * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) * (cos (epsilon * PI * k_v) - 1).
 
 Definition gradients__rings : Prop :=
-  forall epsilon k_v v : R,
+  forall epsilon k_v u v : R,
   let cos_v := cos (PI * (2 * k_v * v)) in
   let h_u := 0 in
   let h_v := 2 * PI * cos_v * k_v in
+  ex_derive (fun u : R => sin (PI * (2 * k_v * v))) u /\
+  ex_derive (fun v : R => sin (PI * (2 * k_v * v))) v /\
   h_u = 0 /\
   h_v = 2 * PI * k_v * (cos (v * 2 * PI * k_v)) /\
-  h_u = 0 /\
-  h_v = 2 * PI * k_v * (cos (PI * (2 * k_v * v))) /\
+  h_u = (Derive (fun u : R => sin (PI * (2 * k_v * v))) u) /\
+  h_v = (Derive (fun v : R => sin (PI * (2 * k_v * v))) v) /\
   2 * PI * k_v * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * v)))) = h_v * (sin (epsilon * 2 * PI * k_v)) + 2 * PI * k_v * (sin (PI * (2 * k_v * v))) * (cos (epsilon * 2 * PI * k_v) - 1).
 
 Definition gradients__ridges_above : Prop :=
@@ -631,10 +649,14 @@ Definition gradients__ridges_above : Prop :=
   let h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)) in
   let h_v := PI * cos_v * k_v * sin_u * (sign (sin_u * sin_v)) in
   1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
-  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) /\
-  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) /\
-  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  ex_derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u /\
+  ex_derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v /\
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
+  h_u = (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) /\
+  h_v = (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) /\
+  h_u = 1 * (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u) /\
+  h_v = 1 * (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v).
 
 Definition gradients__ridges_below : Prop :=
   forall k_u k_v u v : R,
@@ -645,10 +667,14 @@ Definition gradients__ridges_below : Prop :=
   let h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)) in
   let h_v := PI * cos_v * k_v * sin_u * (sign (sin_u * sin_v)) in
   -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
-  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) /\
-  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) /\
-  h_u = -PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  h_v = -PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  ex_derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u /\
+  ex_derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v /\
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
+  h_u = (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) /\
+  h_v = (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) /\
+  h_u = -(Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u) /\
+  h_v = -(Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v).
 
 Definition gradients__ridges_on_creases : Prop :=
   forall k_u k_v u v : R,

@@ -2,11 +2,12 @@
 
     Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> what it needs, and what it shows.
 
-Coq divides by 0, takes the root of −1, and makes 0 of an infinity. No claim is about such a value: what is divided by
-is not 0, what has a root is not negative, a hit that is computed with is finite. The kernel asks it by name, and here
-it stands before what is shown (`StatementPrinter.needs`). Of a refuted theorem the negation is printed: hypotheses and
-needs hold somewhere, and what is said does not. Neither a cited lemma nor what a claim borrows is a hypothesis: Coq has
-to prove them. A Separation, about what a program reads and not about numbers, is the kernel's alone.
+Coq divides by 0, takes the root of −1, makes 0 of an infinity, and has some number for the derivative of what has none.
+No claim is about such a value: what is divided by is not 0, what has a root is not negative, a hit that is computed
+with is finite, a derivative exists. The kernel asks it by name, and here it stands before what is shown
+(`StatementPrinter.needs`). Of a refuted theorem the negation is printed: hypotheses and needs hold somewhere, and what
+is said does not. Neither a cited lemma nor what a claim borrows is a hypothesis: Coq has to prove them. A Separation,
+about what a program reads and not about numbers, is the kernel's alone.
 """
 
 from collections.abc import Iterable
@@ -61,6 +62,17 @@ class StatementPrinter(CoqPrinter):
     def _print_Piecewise(self, expr):
         return f"({super()._print_Piecewise(expr)})"
 
+    def _print_Derivative(self, expr):
+        return f"({self._of_derivative('Derive', expr)})"
+
+    def _of_derivative(self, said, expr):
+        """Return what is said of an expression as a function of a symbol, at that symbol: Derive, or ex_derive."""
+        if len(expr.variable_count) > 1:
+            raise ValueError(f"no proposition for a derivative by several symbols: {expr}")
+        (x, count) = expr.variable_count[0]
+        name, times = self.spelled[x], "" if count == 1 else f" {count}"
+        return f"{said}{'_n' if times else ''} (fun {name} : R => {self._print(expr.expr)}){times} {name}"
+
     def binder(self, symbol: Symbol) -> str:
         """Return the name by which a symbol is bound."""
         return self.own[symbol]
@@ -82,7 +94,10 @@ class StatementPrinter(CoqPrinter):
         return f"{self._print(sides[0])} {OPERATORS[relation.rel_op]} {self._print(sides[1])}"
 
     def needs(self, expression: Basic) -> list[str]:
-        """Return what has to be for an expression to have a value, from the inside out, as the kernel asks it."""
+        """Return what has to be for an expression to have a value, from the inside out, as the kernel asks it.
+
+        A derivative has to exist, and not at the edge of a root: beyond it Coq's root is 0.
+        """
         if isinstance(expression, Piecewise):
             return self._needs_of_cases(expression)
         found = []
@@ -94,6 +109,9 @@ class StatementPrinter(CoqPrinter):
             found += self.needs(argument)
         if isinstance(expression, Pow):
             found += self._needs_of_power(expression.base, expression.exp)
+        elif isinstance(expression, Derivative):
+            roots = sorted((p.base for p in expression.atoms(Pow) if not p.exp.is_Integer), key=str)
+            found += [*(f"{self._print(base)} > 0" for base in roots), self._of_derivative("ex_derive", expression)]
         return found
 
     def _needs_of_power(self, base, exponent):
@@ -121,7 +139,8 @@ def _implied(conditions, need):
 
 
 def _symbols(expressions):
-    return sorted(set().union(*(e.free_symbols for e in expressions)), key=lambda s: s.name)
+    """Return the symbols that stand in expressions; SymPy has none by which a constant is differentiated."""
+    return sorted(set().union(*(e.atoms(Symbol) for e in expressions)), key=lambda s: s.name)
 
 
 def _forall(names, sort):
@@ -133,16 +152,23 @@ def _implication(opening, hypotheses, conjuncts):
     return "\n  ".join(filter(None, lines))
 
 
-def _differentiated(expression: Basic) -> Basic:
-    """Return an expression with its derivatives as SymPy takes them."""
+TAKEN_BY_SYMPY = """crease_error_area displaced_normal image_derivative kink_loci normal_by_beta shadow_along_a_row
+    shadow_of_b_on_floor tangent_frame"""
+"""The theorems whose derivatives are still printed as SymPy takes them. No other may come."""
+
+
+def _taken(expression: Basic) -> Basic:
     return expression.replace(lambda e: isinstance(e, Derivative), lambda e: e.doit())
 
 
-def claim_proposition(claim: Claim, refuted: bool = False) -> str:
-    """Return a Claim as a proposition, or its negation. Raises ValueError where it has no form in Coq."""
+def claim_proposition(claim: Claim, refuted: bool = False, taken: bool = False) -> str:
+    """Return a Claim as a proposition, or its negation. Raises ValueError where it has no form in Coq.
+
+    taken: with its derivatives as SymPy takes them.
+    """
     _, program = claim.names()
-    lines = [(symbol, _differentiated(e)) for symbol, e in program.definitions] if program else []
-    given, shows = ([_differentiated(relation) for relation in relations] for relations in (claim.given, claim.shows))
+    lines = list(program.definitions) if program else []
+    given, shows = (list(map(_taken, part)) if taken else list(part) for part in (claim.given, claim.shows))
     expressions = [*given, *shows, *(e for line in lines for e in line)]
     symbols = _symbols(expressions)
     printer = StatementPrinter(symbols)
@@ -181,17 +207,17 @@ def induction_proposition(claim: Induction) -> str:
     return _implication(opening, given, [f"forall {n} : nat,\n  {first}", *others])
 
 
-def proposition(claim: AnyClaim, refuted: bool = False) -> str | None:
+def proposition(claim: AnyClaim, refuted: bool = False, taken: bool = False) -> str | None:
     """Return a claim as a proposition, None where it is the kernel's alone."""
     if isinstance(claim, Induction):
         return induction_proposition(claim)
-    return claim_proposition(claim, refuted) if isinstance(claim, Claim) else None
+    return claim_proposition(claim, refuted, taken) if isinstance(claim, Claim) else None
 
 
 def statements(theorem: Theorem) -> dict[str, str]:
     """Return {name: proposition} of the claims of a theorem that are printed."""
-    refuted = theorem.expected == "refuted"
-    printed = {f"{theorem.id}__{claim.name}": proposition(claim, refuted) for claim in theorem.claims}
+    refuted, taken = theorem.expected == "refuted", theorem.id in TAKEN_BY_SYMPY.split()
+    printed = {f"{theorem.id}__{claim.name}": proposition(claim, refuted, taken) for claim in theorem.claims}
     return {name: text for name, text in printed.items() if text is not None}
 
 
