@@ -5,6 +5,7 @@ From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core Plus_error.
 From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns RoundedHalfTurns Rounding.
+From Formal Require Statements.
 Open Scope R_scope.
 
 Lemma whole_is_float64 (n e : Z) : (Z.abs n < 2 ^ 53)%Z -> (-1074 <= e)%Z -> float64 (IZR n * bpow radix2 e).
@@ -293,7 +294,7 @@ Proof.
   change (sign (gradient_ridges_float64.sin_v v k_v)) with (sign (sine_of_half_turns_float64.sine (two_product_float64.product k_v v) (two_product_float64.product_error k_v v))).
   rewrite Su, Sv. unfold gradient_ridges.sin_u, gradient_ridges.sin_v. rewrite <- !sign_mult. split; (apply beside_a_sign; [assumption | apply not_negative]).
 Qed.
-Lemma slope_of_rings (u v k_u k_v : R) : carried (2 * k_v) v -> float64 k_v ->
+Lemma slope_of_rings (v k_v : R) : carried (2 * k_v) v -> float64 k_v ->
   Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs (2 * k_v))).
 Proof.
   intros V F. destruct (factors_near _ _ V) as (_ & C & _). unfold gradient_rings_float64.h_v, gradient_rings_float64.cos_v.
@@ -307,4 +308,34 @@ Proof.
   assert (B1 : Rabs (2 * PI * c) <= 6283186/1000000) by (rewrite Rabs_mult; generalize (Rabs_pos c); nra).
   generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k_v)). intro E2. eapply Rle_trans; [exact E2|].
   assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
+Qed.
+
+(* The printed claims: what is carried out exactly, and where nothing underflows. *)
+Lemma carried_on_the_chart (k x : R) : float64 x -> float64 k -> x >= 0 -> x <= 1 -> Rabs k <= 2 ^ 21 -> (10 ^ 285 * Rabs (k * x) >= 1 \/ k * x = 0) -> carried k x.
+Proof.
+  intros X K L H B U. assert (P : 0 < 10 ^ 285) by (apply pow_lt; lra).
+  split; [exact K|]. split; [exact X|]. split.
+  - destruct U as [U|U]; [right | left; exact U]. apply Rmult_le_reg_r with (10 ^ 285); [exact P|]. apply Rle_trans with 1; [|lra].
+    change (bpow radix2 (-969)) with (/ IZR (Z.pow_pos 2 969)). rewrite <- (Rinv_l (IZR (Z.pow_pos 2 969))) by (apply not_0_IZR; easy).
+    apply Rmult_le_compat_l; [left; apply Rinv_0_lt_compat, IZR_lt; easy|]. rewrite pow_IZR. apply IZR_le. apply Z.leb_le. vm_compute. reflexivity.
+  - rewrite Rabs_mult, (Rabs_pos_eq x) by lra. generalize (Rabs_pos k). nra.
+Qed.
+Theorem gradient_accuracy__sine : Statements.gradient_accuracy__sine.
+Proof.
+  red. intros. replace (10 / 9007199254740992 * PI) with (10 / 2 ^ 53 * PI) by lra. rewrite !(Rmult_assoc (10 / 2 ^ 53)).
+  apply slopes_of_sine; apply carried_on_the_chart; try assumption; lra.
+Qed.
+Theorem gradient_accuracy__ridges : Statements.gradient_accuracy__ridges.
+Proof.
+  red. intros. replace (10 / 9007199254740992 * PI) with (10 / 2 ^ 53 * PI) by lra. rewrite !(Rmult_assoc (10 / 2 ^ 53)).
+  apply slopes_of_ridges; apply carried_on_the_chart; try assumption; lra.
+Qed.
+Theorem gradient_accuracy__rings : Statements.gradient_accuracy__rings.
+Proof.
+  red. intros v k_v V K L H B U. replace (10 / 9007199254740992 * PI) with (10 / 2 ^ 53 * PI) by lra. rewrite Rmult_assoc.
+  apply slope_of_rings; [|exact K]. apply carried_on_the_chart; try assumption.
+  - apply twice_float64, K.
+  - rewrite Rabs_mult, (Rabs_pos_eq 2) by lra. lra.
+  - destruct U as [U|U]; [left | right; rewrite Rmult_assoc, U; ring]. rewrite Rmult_assoc, Rabs_mult, (Rabs_pos_eq 2) by lra.
+    generalize (Rabs_pos (k_v * v)) (pow_lt 10 285 ltac:(lra)). nra.
 Qed.

@@ -3,7 +3,7 @@
 
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries.
+From Formal Require Import Preliminaries Formulas Float Float64.
 Open Scope R_scope.
 
 Definition algebraic_gradient__power : Prop :=
@@ -1030,6 +1030,50 @@ Definition ridges_on_creases__differ : Prop :=
   left = -right ->
   6 * right >= 5 * slope /\
   right - left > slope.
+
+Definition gradient_accuracy__sine : Prop :=
+  forall u v k_u k_v : R,
+  float64 u ->
+  float64 v ->
+  float64 k_u ->
+  float64 k_v ->
+  u >= 0 ->
+  u <= 1 ->
+  Rabs k_u <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_u * u)) >= 1 \/ k_u * u = 0) ->
+  v >= 0 ->
+  v <= 1 ->
+  Rabs k_v <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_v * v)) >= 1 \/ k_v * v = 0) ->
+  Rabs (gradient_sine_float64.h_u u v k_u k_v - gradient_sine.h_u u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs k_u)) /\
+  Rabs (gradient_sine_float64.h_v u v k_u k_v - gradient_sine.h_v u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs k_v)).
+
+Definition gradient_accuracy__ridges : Prop :=
+  forall u v k_u k_v : R,
+  float64 u ->
+  float64 v ->
+  float64 k_u ->
+  float64 k_v ->
+  u >= 0 ->
+  u <= 1 ->
+  Rabs k_u <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_u * u)) >= 1 \/ k_u * u = 0) ->
+  v >= 0 ->
+  v <= 1 ->
+  Rabs k_v <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_v * v)) >= 1 \/ k_v * v = 0) ->
+  Rabs (gradient_ridges_float64.h_u u v k_u k_v - gradient_ridges.h_u u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs k_u)) /\
+  Rabs (gradient_ridges_float64.h_v u v k_u k_v - gradient_ridges.h_v u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs k_v)).
+
+Definition gradient_accuracy__rings : Prop :=
+  forall v k_v : R,
+  float64 v ->
+  float64 k_v ->
+  v >= 0 ->
+  v <= 1 ->
+  Rabs k_v <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_v * v)) >= 1 \/ k_v * v = 0) ->
+  Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs (2 * k_v))).
 
 Definition rounded_powers__three_roundings_of_one : Prop :=
   forall first growth second third unit : R,

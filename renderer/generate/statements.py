@@ -15,7 +15,7 @@ from collections.abc import Iterable
 from sympy import And, Basic, Derivative, Or, Piecewise, Pow, S, Symbol, false, sympify, true
 from sympy.core.relational import Relational
 
-from proofs.engine.claim import AnyClaim, Claim, Induction
+from proofs.engine.claim import AnyClaim, Claim, Induction, Rounded
 from proofs.engine.theorem import Theorem, all_theorems
 from renderer.generate.coq import CoqPrinter
 
@@ -24,7 +24,7 @@ HEADER = """(* Printed from proofs/theorems by `python -m renderer.generate`. Do
 
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries.
+From Formal Require Import Preliminaries Formulas Float Float64.
 Open Scope R_scope.
 """
 OPERATORS = {"==": "=", "!=": "<>", ">": ">", ">=": ">=", "<": "<", "<=": "<="}
@@ -207,6 +207,21 @@ def induction_proposition(claim: Induction) -> str:
     return _implication(opening, given, [f"forall {n} : nat,\n  {first}", *others])
 
 
+def rounded_proposition(claim: Rounded) -> str:
+    """Return a Rounded as a proposition: of float64 inputs, what is printed twice is near itself."""
+    program = claim.program
+    inputs = [s for s in program.inputs if s in program.reaches(*(output for output, _ in claim.bounds))]
+    printer = StatementPrinter(inputs)
+    names = [printer.binder(s) for s in inputs]
+    given = [*(f"float64 {name}" for name in names), *map(printer.relation, claim.given)]
+    shown = []
+    for output, bound in claim.bounds:
+        arguments = " ".join(printer.binder(s) for s in inputs if s in program.reaches(output))
+        computed, exact = (f"{program.name}{kind}.{output.name} {arguments}" for kind in ("_float64", ""))
+        shown.append(f"Rabs ({computed} - {exact}) <= {printer.doprint(bound)}")
+    return _implication([_forall(names, "R")], given, shown)
+
+
 def proposition(claim: AnyClaim, refuted: bool = False, taken: bool = False) -> str | None:
     """Return a claim as a proposition, None where it is the kernel's alone."""
     if isinstance(claim, Induction):
@@ -218,6 +233,7 @@ def statements(theorem: Theorem) -> dict[str, str]:
     """Return {name: proposition} of the claims of a theorem that are printed."""
     refuted, taken = theorem.expected == "refuted", theorem.id in TAKEN_BY_SYMPY.split()
     printed = {f"{theorem.id}__{claim.name}": proposition(claim, refuted, taken) for claim in theorem.claims}
+    printed |= {f"{theorem.id}__{claim.name}": rounded_proposition(claim) for claim in theorem.rounded}
     return {name: text for name, text in printed.items() if text is not None}
 
 
