@@ -41,7 +41,7 @@ Proof.
 Qed.
 
 (* Off mu = 0 and base = 0, a light's share of a channel has the derivative that is printed, for every p. *)
-Theorem (* clause 3 *) image_derivative__share (mu base : R -> R) (beta mu_by_beta base_by_beta i albedo kd ks p : R) :
+Theorem image_derivative__share (mu base : R -> R) (beta mu_by_beta base_by_beta i albedo kd ks p : R) :
   is_derive mu beta mu_by_beta -> is_derive base beta base_by_beta -> mu beta <> 0 -> base beta <> 0 ->
   is_derive (fun b => light_term.lit_red 0 i albedo kd ks (mu b) (highlight_of (Rmax 0 (base b)) p)) beta
     (term_derivative.term_by_beta (mu beta) mu_by_beta (Rmax 0 (base beta)) base_by_beta p kd ks albedo i).
@@ -64,7 +64,7 @@ Lemma times_derive (f : R -> R) (x l c : R) : is_derive f x l -> is_derive (fun 
 Proof. intro D. apply (is_derive_ext (fun t => c * f t)); [intro; apply Rmult_comm|]. rewrite Rmult_comm. apply (is_derive_scal f), D. Qed.
 
 (* (base^p)' base = p base^p base', for every whole p. *)
-Theorem (* clause 2 *) image_derivative__power (base : R -> R) (beta base_by_beta : R) (p : nat) : is_derive base beta base_by_beta ->
+Theorem image_derivative__power (base : R -> R) (beta base_by_beta : R) (p : nat) : is_derive base beta base_by_beta ->
   exists slope, is_derive (fun b => base b ^ p) beta slope /\ slope * base beta = INR p * base beta ^ p * base_by_beta.
 Proof.
   intro D. eexists. split; [apply is_derive_pow, D|]. destruct p as [|p]; [simpl; ring|]. cbn [pred pow]. ring.
@@ -90,12 +90,12 @@ Let ty := light_direction.towards_y px py pz lx ly lz.
 Let tz := light_direction.towards_z px py pz lx ly lz.
 
 (* mu' = N'_beta . omega. *)
-Theorem (* clause 1 *) image_derivative__mu_derives :
+Theorem image_derivative__mu_derives :
   is_derive (fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b)) beta (mu_derivative.mu_by_beta tx ty tz dx dy dz).
 Proof. apply product_derive. Qed.
 
 (* Blinn: base' = N'_beta . H/|H|, before the clamp. *)
-Theorem (* clause 1 *) image_derivative__blinn_derives : let hx := tx + vx in let hy := ty + vy in let hz := tz + vz in let r := blinn.halfway_length px py pz lx ly lz vx vy vz in
+Theorem image_derivative__blinn_derives : let hx := tx + vx in let hy := ty + vy in let hz := tz + vz in let r := blinn.halfway_length px py pz lx ly lz vx vy vz in
   is_derive (fun b => (nx b * hx + ny b * hy + nz b * hz) / r) beta (blinn_base_derivative.base_by_beta hx hy hz r dx dy dz) /\
   (0 < r -> forall b, blinn.specular_base px py pz lx ly lz (nx b) (ny b) (nz b) vx vy vz = Rmax 0 ((nx b * hx + ny b * hy + nz b * hz) / r)).
 Proof.
@@ -105,7 +105,7 @@ Proof.
 Qed.
 
 (* Phong: base' = 2 (mu' N'.v + mu N'_beta.v), before the clamp. *)
-Theorem (* clause 1 *) image_derivative__phong_derives : let m := fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b) in
+Theorem image_derivative__phong_derives : let m := fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b) in
   let m' := mu_derivative.mu_by_beta tx ty tz dx dy dz in
   is_derive (fun b => 2 * m b * (nx b * vx + ny b * vy + nz b * vz) - tx * vx - ty * vy - tz * vz) beta
     (phong_base_derivative.base_by_beta vx vy vz (nx beta) (ny beta) (nz beta) dx dy dz (m beta) m') /\
@@ -122,7 +122,7 @@ Qed.
 End lines.
 
 (* The clip keeps the derivative where the channel is inside (0, 1), and makes it 0 outside. *)
-Theorem (* clause 4 *) image_derivative__clip (channel : R -> R) (beta slope : R) : is_derive channel beta slope -> channel beta <> 0 -> channel beta <> 1 ->
+Theorem image_derivative__clip (channel : R -> R) (beta slope : R) : is_derive channel beta slope -> channel beta <> 0 -> channel beta <> 1 ->
   is_derive (fun b => clip.clipped (channel b)) beta (clip_derivative.clipped (channel beta) slope) /\
   (0 < channel beta < 1 -> clip_derivative.clipped (channel beta) slope = slope) /\
   (channel beta < 0 \/ 1 < channel beta -> clip_derivative.clipped (channel beta) slope = 0).
