@@ -15,8 +15,8 @@ Proof.
   intros lit total S M B E NM NB. assert (D : is_derive lit beta total).
   - unfold total. rewrite E. apply (is_derive_ext (fun b => before b + light_term.lit_red 0 i albedo kd ks (mu b) (highlight_of (Rmax 0 (base b)) p))).
     + intro b. unfold lit, light_term.lit_red. rewrite E. unfold highlight_of. match goal with |- ?x = ?y => change (x = y :> R) end. ring.
-    + apply (is_derive_plus before); [exact S | apply image_derivative__share; assumption].
-  - split; [exact D | intros; apply image_derivative__clip; assumption].
+    + apply (is_derive_plus before); [exact S | apply share_derives; assumption].
+  - split; [exact D | intros; apply clip_derives; assumption].
 Qed.
 
 (* The lines composed: a channel's derivative by beta, light upon light, from the bumped normal to the clip, for both models. *)
@@ -37,9 +37,9 @@ Theorem image_derivative__pixel (nx ny nz gx gy gz beta px py pz lx ly lz vx vy 
     derives (fun b => phong.specular_base px py pz lx ly lz (x b) (y b) (z b) vx vy vz) (phong_base_derivative.base_by_beta vx vy vz (x beta) (y beta) (z beta) dx dy dz (mu beta) mu')).
 Proof.
   intros x y z dx dy dz tx ty tz mu mu' r derives Z S N. destruct (normal_by_beta__derives nx ny nz gx gy gz beta Z) as (X & Y & W).
-  destruct (image_derivative__blinn_derives x y z beta dx dy dz X Y W px py pz lx ly lz vx vy vz) as [B B'].
-  destruct (image_derivative__phong_derives x y z beta dx dy dz X Y W px py pz lx ly lz vx vy vz) as [P P'].
-  generalize (image_derivative__mu_derives x y z beta dx dy dz X Y W px py pz lx ly lz). intro M. split; intros; eapply one_more_light; try eassumption.
+  destruct (blinn_base_derives x y z beta dx dy dz X Y W px py pz lx ly lz vx vy vz) as [B B'].
+  destruct (phong_base_derives x y z beta dx dy dz X Y W px py pz lx ly lz vx vy vz) as [P P'].
+  generalize (mu_derives x y z beta dx dy dz X Y W px py pz lx ly lz). intro M. split; intros; eapply one_more_light; try eassumption.
   - apply B'. assumption.
   - cbv beta. intro E. apply Rmult_integral in E. destruct E as [E|E]; [contradiction | revert E; apply Rinv_neq_0_compat, Rgt_not_eq; assumption].
 Qed.

@@ -85,12 +85,6 @@ Theorem ridges_at_crossings__flat__point : exists k_u k_v eta : R, 0 < k_u /\ 0 
 Proof. exists 1, 1, 1. lra. Qed.
 Theorem seam__ridges_jumps__point : exists v k_u k_v : R, sin (PI * k_u) <> 0 /\ sin (PI * (k_v * v)) <> 0.
 Proof. exists (1/2), (1/2), 1. rewrite sine_of_a_right_angle. replace (PI * (1/2)) with (PI / 2) by field. rewrite sin_PI2. lra. Qed.
-Theorem image_derivative__mu_derives__point : exists (n : R -> R) (beta d : R), is_derive n beta d.
-Proof. exists (fun b => b), 0, 1. auto_derive; trivial. Qed.
-Theorem image_derivative__blinn_derives__point : exists (n : R -> R) (beta d : R), is_derive n beta d.
-Proof. exact image_derivative__mu_derives__point. Qed.
-Theorem image_derivative__phong_derives__point : exists (n : R -> R) (beta d : R), is_derive n beta d.
-Proof. exact image_derivative__mu_derives__point. Qed.
 Theorem pole__one_limit__point : exists k_u : R, forall u, k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = k_u ^ 2 / 4.
 Proof. exists 2. intro u. field. Qed.
 Theorem crease_error_area__tents__point : exists epsilon : R, 0 < epsilon.
