@@ -1,4 +1,4 @@
-(* The printed claims about the bumped normal: its angle to N, normalising, small and large beta, its derivative, shadow lines. *)
+(* The printed claims about the bumped normal: its length, its angle to N, normalising, small and large beta, its derivative, shadow lines. *)
 
 From Coq Require Import Reals Lra Psatz.
 From Formal Require Import Preliminaries Claim.
@@ -23,6 +23,8 @@ Ltac bump := match goal with
   assert (U : bz * bz + bx * bx + by_ * by_ = 1) by (transitivity (s ^ 2 * (x ^ 2 + y ^ 2 + z ^ 2)); [unfold bx, by_, bz; ring |
     rewrite S, <- L, <- Rpow_mult_distr, (Rmult_comm s), K; ring]) end.
 
+Theorem unit_length__length : Statements.unit_length__length.
+Proof. red. intros. bump. each direct. Qed.
 Theorem angle_of_the_bump__angle : Statements.angle_of_the_bump__angle.
 Proof.
   red. intros. bump. rewrite I.
