@@ -8,18 +8,6 @@ Open Scope R_scope.
 
 Ltac given := first [assumption | lra | nra | apply Rgt_not_eq; lra].
 
-Theorem unit_length__length : Statements.unit_length__length.
-Proof.
-  red. intros. assert (S : m_z * m_z + m_x * m_x + m_y * m_y = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) + 1).
-  { transitivity (beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) + 2 * beta * (g_z * normal_z + g_x * normal_x + g_y * normal_y) + (normal_z * normal_z + normal_x * normal_x + normal_y * normal_y)); [lines; ring | rewrite H, H0; ring]. }
-  assert (G : m_z * m_z + m_x * m_x + m_y * m_y >= 1) by (rewrite S; nra).
-  assert (L : m_length ^ 2 = m_z * m_z + m_x * m_x + m_y * m_y) by (unfold m_length; rewrite pow2_sqrt; nra). assert (m_length >= 0) by apply Rle_ge, sqrt_pos.
-  assert (m_length >= 1) by nra. assert (K : m_scale * m_length = 1) by (unfold m_scale; field; lra).
-  assert (bumped_z * bumped_z + bumped_x * bumped_x + bumped_y * bumped_y = 1).
-  { transitivity (m_scale ^ 2 * (m_z * m_z + m_x * m_x + m_y * m_y)); [unfold bumped_x, bumped_y, bumped_z; ring | rewrite <- L, <- Rpow_mult_distr, K; ring]. }
-  each ltac:(first [assumption | lra | nra | apply Rgt_not_eq; lra]).
-Qed.
-
 Theorem stable_frame__angles : Statements.stable_frame__angles.
 Proof.
   red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a.

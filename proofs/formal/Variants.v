@@ -23,16 +23,6 @@ Proof.
   assert (A : Rabs (1/2) <= 1/2) by (rewrite Rabs_pos_eq; lra). assert (B : Rabs (- (1/2)) <= 1/2) by (rewrite Rabs_Ropp; exact A).
   intro H. generalize (H (1/2) (1/2) (1/2) (- (1/2)) ltac:(lra) A A B). replace (_ - 1) with (7/2) by field. rewrite Rabs_pos_eq; lra.
 Qed.
-Theorem algebraic_gradient__in_u__false : ~ forall n theta, complex_power n (- cos theta) (- sin theta) =
-  (cos (PI * (INR n * ((theta + PI) / (2 * PI)))), sin (PI * (INR n * ((theta + PI) / (2 * PI))))).
-Proof.
-  intro H. generalize (f_equal fst (H 1%nat 0)). cbn. unfold complex_product.product_real. rewrite sin_0, cos_0.
-  replace (PI * (1 * ((0 + PI) / (2 * PI)))) with (PI / 2) by (field; generalize PI_RGT_0; lra). rewrite cos_PI2. lra.
-Qed.
-Theorem algebraic_gradient__negative_power__false : ~ forall n phi, snd (complex_power n (cos phi) (sin phi)) = sin (- INR n * phi).
-Proof. intro H. generalize (H 1%nat (PI / 2)). rewrite de_moivre. simpl. rewrite Ropp_mult_distr_l_reverse, Rmult_1_l, sin_neg, sin_PI2. lra. Qed.
-Theorem algebraic_gradient__product__false : ~ forall a b c d, fst (Cmult (a, b) (c, d)) = a * c + b * d.
-Proof. intro H. generalize (H 0 1 0 1). simpl. lra. Qed.
 Theorem chart__inside__false : ~ forall phi, 0 <= phi <= PI -> chart.v (cos phi) (sin phi) < 1.
 Proof.
   intro H. generalize PI_RGT_0. intro P. generalize (H PI ltac:(lra)). destruct (chart_inside 0 PI) as [-> _]; try lra. replace (PI / PI) with 1 by (field; lra). lra.
