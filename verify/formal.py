@@ -50,7 +50,6 @@ PARTLY = {
     "crease_error_area": "how many tents there are, and that they do not overlap",
     "elementary_functions": "the reduction of the argument, how many units in the last place, and all functions but "
     "sine and cosine",
-    "gradient_accuracy": "ridges and rings, and the argument's reduction",
     "rounded_powers": "what one rounded square or product loses, and what a product of two real factors does",
 }
 """{theorem: what of its words no statement says}"""
@@ -159,8 +158,9 @@ def whole(theorem: Theorem, accepted: dict | None) -> bool:
         names = {f"{theorem.id}__{claim.name}" for claim in claims if not isinstance(claim, Separation)}
         return bool(names) and names <= set(accepted["claims"])
 
-    if proved(theorem.claims) or theorem.id not in BY_ADDITIONS:
-        return proved(theorem.claims)
+    claims = (*theorem.claims, *theorem.rounded)
+    if proved(claims) or theorem.id not in BY_ADDITIONS:
+        return proved(claims)
     additions = [name for name in accepted["statements"] if not name.endswith(BESIDE)]
     if len(theorem.clauses) == 1:
         return bool(additions)

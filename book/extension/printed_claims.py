@@ -8,7 +8,7 @@ from sympy import Basic
 from sympy.printing.latex import LatexPrinter
 
 from book.extension.points import tex_name
-from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
+from proofs.engine.claim import AnyClaim, Claim, Induction, Rounded, Separation
 
 
 class Row(NamedTuple):
@@ -37,7 +37,7 @@ def tex(term: Basic | int) -> str:
     return DIGIT.sub(r"\1 \\cdot ", ClaimPrinter().doprint(term))
 
 
-def rows(claim: AnyClaim, by_definition: tuple[str, ...] = (), refuted: bool = False) -> list[Row]:
+def rows(claim: AnyClaim | Rounded, by_definition: tuple[str, ...] = (), refuted: bool = False) -> list[Row]:
     """A claim's rows: lines and states, what is given, what is cited, and what it shows.
 
     by_definition: relations, as text, that say nothing. refuted: what is shown is what a counterexample denies.
@@ -46,6 +46,11 @@ def rows(claim: AnyClaim, by_definition: tuple[str, ...] = (), refuted: bool = F
         of, avoided = (", ".join(map(tex, symbols)) for symbols in (claim.outputs, claim.avoid))
         return [Row("of", of), Row("none reads", avoided)]
     shown = "false" if refuted else "shows"
+    if isinstance(claim, Rounded):
+        within = [
+            Row(shown, rf"\lvert \mathrm{{fl}}({tex(s)}) - {tex(s)} \rvert \leq {tex(e)}") for s, e in claim.bounds
+        ]
+        return [*(Row("given", tex(relation)) for relation in claim.given), *within]
     return [
         *(_lines(claim) if isinstance(claim, Claim) else _states(claim)),
         *(Row("given", tex(relation)) for relation in claim.given),

@@ -63,6 +63,7 @@ pixels = Theorem(
     expected="measured",
 )
 
+
 def _slopes_in_float64(field: str, bounds: tuple[tuple[Symbol, Expr], ...]) -> Rounded:
     """Return what Coq proves of a field's general form: each slope and the rate by which its error is bounded."""
     program = gradient(HEIGHT_FIELDS[field])
@@ -90,7 +91,9 @@ gradients = Theorem(
     ),
     steps=(
         Step(r"$k_u u = p + e$ exactly", "Dekker's product"),
-        Step(r"$\sin\pi k_u u$ and $\cos\pi k_u u$ are off by $3.289\mu$", "exact reduction; two polynomials; quadrant"),
+        Step(
+            r"$\sin\pi k_u u$ and $\cos\pi k_u u$ are off by $3.289\mu$", "exact reduction; two polynomials; quadrant"
+        ),
         Step(r"$\pi$ is off by $1.11\mu$; three products", "each rounds once"),
         Step(r"ridges: the side of a crease is never wrong", "no rounding changes the reduced argument's sign"),
     ),
