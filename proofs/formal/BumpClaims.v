@@ -1,7 +1,8 @@
 (* The printed claims about the bumped normal: its length, its angle to N, normalising, small and large beta, its derivative, shadow lines. *)
 
 From Coq Require Import Reals Lra Psatz.
-From Formal Require Import Preliminaries Claim.
+From Coquelicot Require Import Coquelicot.
+From Formal Require Import Preliminaries Claim Derivatives.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -124,9 +125,14 @@ Ltac length_of l := match goal with l := sqrt ?q |- _ => assert (P : 0 < q) by l
   assert (Q : q = l ^ 2) by (unfold l; rewrite pow2_sqrt; lra) end.
 Theorem normal_by_beta__derivative : Statements.normal_by_beta__derivative.
 Proof.
-  red. intros. length_of m_length.
-  fold m_x m_y m_z. fold m_length. rewrite (power_three_halves _ P). fold m_length.
-  unfold bumped_by_beta_x, bumped_by_beta_y, bumped_by_beta_z, bumped_x, bumped_y, bumped_z, m_scale. rewrite Q. each ltac:(first [direct | nra | field; lra]).
+  red. intros. assert (P : 0 < m_x ^ 2 + m_y ^ 2 + m_z ^ 2) by lra. assert (r0 : 0 < m_length) by (apply sqrt_lt_R0; exact P).
+  assert (r2 : m_length ^ 2 = m_x ^ 2 + m_y ^ 2 + m_z ^ 2) by (apply pow2_sqrt; lra).
+  assert (D : forall g n, is_derive (fun b : R => (b * g + n) / sqrt ((b * g_x + normal_x) ^ 2 + (b * g_y + normal_y) ^ 2 + (b * g_z + normal_z) ^ 2)) beta
+    ((g - m_scale * (beta * g + n) * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length)).
+  { intros. auto_derive; simpl in *; fold m_x m_y m_z; fold m_length; [repeat split; lra|]. unfold bumped_x, bumped_y, bumped_z, m_scale. field_simplify_eq; [|lra].
+    replace (m_length ^ 3) with (m_length * m_length ^ 2) by ring. simpl. rewrite r2. ring. }
+  fold m_x m_y m_z. fold m_length. rewrite (is_derive_unique _ _ _ (D g_x normal_x)), (is_derive_unique _ _ _ (D g_y normal_y)), (is_derive_unique _ _ _ (D g_z normal_z)).
+  repeat split; first [lra | eexists; apply D].
 Qed.
 Theorem normal_by_beta__tangent_to_directions : Statements.normal_by_beta__tangent_to_directions.
 Proof.

@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Camera Claim Hits.
+From Formal Require Import Preliminaries Formulas Camera Claim Hits Derivatives.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -126,7 +126,7 @@ Proof. claim. Qed.
 Theorem chart_inverse__recovered : Statements.chart_inverse__recovered.
 Proof. claim. Qed.
 Theorem tangent_frame__derivatives : Statements.tangent_frame__derivatives.
-Proof. claim. Qed.
+Proof. slopes. Qed.
 Theorem tangent_frame__orthonormal : Statements.tangent_frame__orthonormal.
 Proof. claim. Qed.
 Theorem tangent_frame__right_handed : Statements.tangent_frame__right_handed.
@@ -159,9 +159,9 @@ Proof.
   red. intros. unfold h, crease. replace (PI * (k_v * m / k_v)) with (PI * m) by (field; lra). rewrite H0, Rmult_0_r, Rabs_R0. repeat split; lra.
 Qed.
 Theorem kink_loci__elsewhere_above : Statements.kink_loci__elsewhere_above.
-Proof. claim. Qed.
+Proof. red; intros. each ltac:(first [slope | derivatives; shown]). Qed.
 Theorem kink_loci__elsewhere_below : Statements.kink_loci__elsewhere_below.
-Proof. claim. Qed.
+Proof. red; intros. each ltac:(first [slope | derivatives; shown]). Qed.
 Theorem occlusion_by_signs__program : Statements.occlusion_by_signs__program.
 Proof. claim. Qed.
 Theorem lagrange_identity__of_b : Statements.lagrange_identity__of_b.
@@ -175,9 +175,13 @@ Proof. claim. Qed.
 Theorem mean_keeps_the_bound__one_more : Statements.mean_keeps_the_bound__one_more.
 Proof. claim. Qed.
 Theorem shadow_along_a_row__row : Statements.shadow_along_a_row__row.
-Proof. claim. Qed.
+Proof. slopes. Qed.
 Theorem shadow_along_a_row__leading : Statements.shadow_along_a_row__leading.
-Proof. claim. Qed.
+Proof.
+  red. intros. match goal with |- ex_derive_n ?f _ _ /\ _ => assert (T : is_derive_n f 2 x (2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2))) end.
+  { eapply (next_derivative 1); [intro; simpl; auto_derive; [trivial | reflexivity] | auto_derive; [trivial | ring]]. }
+  split; [eexists; exact T | exact (is_derive_n_unique _ _ _ _ T)].
+Qed.
 Theorem shadow_along_a_row__away : Statements.shadow_along_a_row__away.
 Proof. claim. Qed.
 Theorem difference_bound__light_0 : Statements.difference_bound__light_0.
@@ -191,19 +195,22 @@ Proof. claim. Qed.
 Theorem difference_bound__all_lights : Statements.difference_bound__all_lights.
 Proof. claim. Qed.
 Theorem image_derivative__mu : Statements.image_derivative__mu.
-Proof. claim. Qed.
+Proof. red. intros. subst s. repeat split; slope. Qed.
 Theorem image_derivative__blinn : Statements.image_derivative__blinn.
-Proof. claim. Qed.
+Proof. red. intros. subst s. repeat split; slope. Qed.
 Theorem image_derivative__phong : Statements.image_derivative__phong.
-Proof. claim. Qed.
+Proof. red. intros. subst s. repeat split; slope. Qed.
+Ltac pixel := red; intros; subst; derivatives; repeat match goal with |- context [Rmax 0 ?x] => first [rewrite (Rmax_right 0 x) by lra | rewrite (Rmax_left 0 x) by lra] end; repeat (destruct Rlt_dec; try lra);
+  try match goal with H : ?d * ?b = ?r |- _ => replace d with (r / b) by (rewrite <- H; field; lra) end;
+  repeat split; first [differentiable | intro; lra | ring | field; lra].
 Theorem image_derivative__lit_shiny : Statements.image_derivative__lit_shiny.
-Proof. claim. Qed.
+Proof. pixel. Qed.
 Theorem image_derivative__lit_dull : Statements.image_derivative__lit_dull.
-Proof. claim. Qed.
+Proof. pixel. Qed.
 Theorem image_derivative__unlit_shiny : Statements.image_derivative__unlit_shiny.
-Proof. claim. Qed.
+Proof. pixel. Qed.
 Theorem image_derivative__unlit_dull : Statements.image_derivative__unlit_dull.
-Proof. claim. Qed.
+Proof. pixel. Qed.
 Theorem image_derivative__inside : Statements.image_derivative__inside.
 Proof. claim. Qed.
 Theorem image_derivative__above : Statements.image_derivative__above.

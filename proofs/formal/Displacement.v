@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Vectors Claim Bump BumpClaims.
+From Formal Require Import Preliminaries Formulas Vectors Claim Bump BumpClaims Derivatives.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -42,11 +42,12 @@ Qed.
 (* The printed claims *)
 
 Theorem displaced_normal__chart_scale : Statements.displaced_normal__chart_scale.
-Proof. claim. Qed.
+Proof. slopes. Qed.
 Theorem displaced_normal__product : Statements.displaced_normal__product.
 Proof.
-  red. intros. rewrite H, H0 in *. replace (h + h_phi * (phi_0 - phi_0) + h_theta * (theta_0 - theta_0)) with h by ring. split; [lra|].
-  repeat split; field_simplify_eq; try lra; ring [(sin_squared theta_0) (sin_squared phi_0)].
+  red. intros. subst theta_0 phi_0. derivatives. assert (P : cos phi ^ 2 = 1 - sin phi ^ 2) by (rewrite <- !Rsqr_pow2; apply cos2).
+  assert (T : cos theta ^ 2 = 1 - sin theta ^ 2) by (rewrite <- !Rsqr_pow2; apply cos2).
+  repeat split; first [not_zero | differentiable | field [P T]; lra].
 Qed.
 Ltac circles_of C D := match type of C with ?c ^ 2 + ?s ^ 2 = 1 => assert (C' : c ^ 2 = 1 - s ^ 2) by lra end;
   match type of D with ?c ^ 2 + ?s ^ 2 = 1 => assert (D' : c ^ 2 = 1 - s ^ 2) by lra end.

@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Camera Claim Outlines.
+From Formal Require Import Preliminaries Formulas Camera Claim Outlines Derivatives.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -134,7 +134,7 @@ Theorem shadow_along_a_row__away__false : ~ forall px py pz lx ly lz cx cy cz : 
 Proof. intros F. specialize (F 1 0 0 0 0 0 1 0 0). revert F. shadow_lines. lra. Qed.
 
 Theorem shadow_of_b_on_floor__conic : Statements.shadow_of_b_on_floor__conic.
-Proof. red. intros. subst foot_x foot_y. repeat split; lines; ring. Qed.
+Proof. red. intros. subst foot_x foot_y. repeat split; slope. Qed.
 Theorem shadow_of_b_on_floor__ellipse : Statements.shadow_of_b_on_floor__ellipse.
 Proof. claim. Qed.
 Theorem shadow_of_b_on_floor__parabola : Statements.shadow_of_b_on_floor__parabola.

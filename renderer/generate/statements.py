@@ -152,24 +152,11 @@ def _implication(opening, hypotheses, conjuncts):
     return "\n  ".join(filter(None, lines))
 
 
-TAKEN_BY_SYMPY = """crease_error_area displaced_normal image_derivative kink_loci normal_by_beta shadow_along_a_row
-    shadow_of_b_on_floor tangent_frame"""
-"""The theorems whose derivatives are still printed as SymPy takes them. No other may come."""
-
-
-def _taken(expression: Basic) -> Basic:
-    return expression.replace(lambda e: isinstance(e, Derivative), lambda e: e.doit())
-
-
-def claim_proposition(claim: Claim, refuted: bool = False, taken: bool = False) -> str:
-    """Return a Claim as a proposition, or its negation. Raises ValueError where it has no form in Coq.
-
-    taken: with its derivatives as SymPy takes them.
-    """
+def claim_proposition(claim: Claim, refuted: bool = False) -> str:
+    """Return a Claim as a proposition, or its negation. Raises ValueError where it has no form in Coq."""
     _, program = claim.names()
     lines = list(program.definitions) if program else []
-    given, shows = (list(map(_taken, part)) if taken else list(part) for part in (claim.given, claim.shows))
-    expressions = [*given, *shows, *(e for line in lines for e in line)]
+    expressions = [*claim.given, *claim.shows, *(e for line in lines for e in line)]
     symbols = _symbols(expressions)
     printer = StatementPrinter(symbols)
     defined = {symbol for symbol, _ in lines}
@@ -177,9 +164,9 @@ def claim_proposition(claim: Claim, refuted: bool = False, taken: bool = False) 
     opening = [_forall([printer.binder(s) for s in inputs if s.is_real], "R")]
     opening += [_forall([printer.binder(s) for s in inputs if not s.is_real], "Rbar")]
     opening += [f"let {printer.binder(s)} := {printer.doprint(e)} in" for s, e in lines]
-    needs = [need for e in (*(e for _, e in lines), *given, *shows) for need in printer.needs(e)]
+    needs = [need for e in (*(e for _, e in lines), *claim.given, *claim.shows) for need in printer.needs(e)]
     needs = list(dict.fromkeys(needs))
-    hypotheses, conclusions = (list(map(printer.relation, relations)) for relations in (given, shows))
+    hypotheses, conclusions = (list(map(printer.relation, relations)) for relations in (claim.given, claim.shows))
     if refuted:
         return f"~ (\n  {_implication(opening, [*hypotheses, *needs], conclusions)})"
     return _implication(opening, hypotheses, [*needs, *conclusions])
@@ -222,17 +209,17 @@ def rounded_proposition(claim: Rounded) -> str:
     return _implication([_forall(names, "R")], given, shown)
 
 
-def proposition(claim: AnyClaim, refuted: bool = False, taken: bool = False) -> str | None:
+def proposition(claim: AnyClaim, refuted: bool = False) -> str | None:
     """Return a claim as a proposition, None where it is the kernel's alone."""
     if isinstance(claim, Induction):
         return induction_proposition(claim)
-    return claim_proposition(claim, refuted, taken) if isinstance(claim, Claim) else None
+    return claim_proposition(claim, refuted) if isinstance(claim, Claim) else None
 
 
 def statements(theorem: Theorem) -> dict[str, str]:
     """Return {name: proposition} of the claims of a theorem that are printed."""
-    refuted, taken = theorem.expected == "refuted", theorem.id in TAKEN_BY_SYMPY.split()
-    printed = {f"{theorem.id}__{claim.name}": proposition(claim, refuted, taken) for claim in theorem.claims}
+    refuted = theorem.expected == "refuted"
+    printed = {f"{theorem.id}__{claim.name}": proposition(claim, refuted) for claim in theorem.claims}
     printed |= {f"{theorem.id}__{claim.name}": rounded_proposition(claim) for claim in theorem.rounded}
     return {name: text for name, text in printed.items() if text is not None}
 
