@@ -61,9 +61,8 @@
   function list(table) {
     if (table.offsetWidth <= (table.parentElement?.clientWidth ?? 0)) return;
     const names = Array.from(table.tHead?.rows[0].cells ?? [], (head) => head.textContent.trim());
-    /** @type {NodeListOf<HTMLTableCellElement>} */
-    const cells = table.querySelectorAll("tbody td:not(:first-child)");
-    for (const cell of cells) cell.dataset.column = cell.textContent.trim() && names[cell.cellIndex];
+    for (const cell of table.querySelectorAll(/** @type {"td"} */ ("tbody td:not(:first-child)")))
+      cell.dataset.column = cell.textContent.trim() && names[cell.cellIndex];
     table.classList.add("as-list");
   }
 
@@ -73,9 +72,9 @@
       page.querySelectorAll(/** @type {"img"} */ ("img[data-panels][src]")).forEach(stack);
       page.querySelectorAll(/** @type {"table"} */ ("table.table:not(.as-list)")).forEach(list);
     }
-    const rows = [...page.querySelectorAll("details[open] > .claim > .unset")];
+    const rows = page.querySelectorAll("details[open] > .claim > .unset");
     for (const row of rows) row.className = "math";
-    if (rows[0]) window.MathJax?.typesetPromise?.(rows);
+    if (rows[0]) window.MathJax?.typesetPromise?.([...rows]);
     page.querySelectorAll(SCROLLS).forEach(put_into_reach);
     page.querySelectorAll(`${SCROLLS}, .pst-scrollable-table-container, pre`).forEach(fade);
   }
