@@ -286,7 +286,7 @@ Qed.
 Theorem periodic_u_saves_the_seam__slope : Statements.periodic_u_saves_the_seam__slope.
 Proof.
   intro F. generalize (F 1 1 (1 / 2)). replace (PI * (1 * (1 / 2))) with (PI / 2) by field.
-  rewrite Rmult_1_r, sin_PI, cos_PI, sin_PI2. lra.
+  rewrite !Rmult_0_l, !Rmult_1_r, Rmult_0_r, cos_0, sin_PI, cos_PI, sin_PI2. lra.
 Qed.
 
 (* For whole k_u sine is differentiable across u = 0, with u wrapped to [0, 1): not for k_u = k_v = 1, v = 1/2. *)
@@ -317,8 +317,8 @@ Qed.
 
 Theorem sine_is_smooth_everywhere__one_limit : Statements.sine_is_smooth_everywhere__one_limit.
 Proof.
-  intro F. generalize (F 2 1 (PI / 2)) PI_RGT_0. intros E P. revert E.
-  replace (PI * (1 / 2 * 2 * (PI / 2) / PI + 1 / 2 * 2)) with (PI / 2 + PI) by (field; lra). rewrite neg_sin, sin_PI2. lra.
+  intro F. generalize (F 2 1 (PI / 2)). replace (2 * (PI / 2 + PI) / 2) with (PI / 2 + PI) by field.
+  rewrite neg_sin, sin_neg, sin_PI, sin_PI2. lra.
 Qed.
 
 (* The vector g of sine on the meridian theta, at the distance v from the pole. *)
