@@ -38,7 +38,7 @@ LIBRARY = re.compile(r"^From (?!Formal\b)\w+ Require Import [\w\s]+\.", re.MULTI
 BESIDE = ("__point", "__false")
 """The ends of the names of additions that say nothing of a theorem."""
 COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
-PRINTED = ("Formulas", "Float64", "Statements")
+PRINTED = ("Formulas", "Float64", "Statements", "Mutants")
 TRUSTED = {
     "Preliminaries": "7af9c259025f9b9ad64c897bb9037981fdd9663ac83a65f6b5e68736d406ef93",
     "Float": "b455e3be8bfb6a38292241144bfc0d4c23c56e4256e344741e4d6e690604f001",

@@ -278,6 +278,13 @@ Definition straddling__slope_before : Prop :=
   -(sin (delta * PI * k_u)) > 0 ->
   PI * k_u * (cos (PI * (delta * k_u))) * (sign ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (delta * k_u))))) * (sin (PI * ((1 / 2) * 1))) = -PI * k_u * (cos (delta * PI * k_u)).
 
+Definition seed_truncation_slope__descends : Prop :=
+  ~ (
+  forall epsilon omega : R,
+  omega > 0 ->
+  epsilon > 0 ->
+  (1 / 6) * epsilon ^ 2 * omega ^ 3 >= Rabs (-omega)).
+
 Definition truncation_bound__sine : Prop :=
   forall epsilon k_u k_v u v : R,
   epsilon > 0 ->
@@ -1628,13 +1635,6 @@ Definition clamped_difference_of_odd__second_order_sharp : Prop :=
   epsilon + v <= 1 ->
   epsilon + v - 0 <> 0 /\
   ((1 / 6) * (epsilon + v) ^ 3 - (1 / 6) * 0 ^ 3) / (epsilon + v - 0) - (1 / 2) * v ^ 2 = 1 * ((1 / 6) * epsilon ^ 2 + (1 / 3) * epsilon * v - (1 / 3) * v ^ 2).
-
-Definition seed_truncation_slope__descends : Prop :=
-  ~ (
-  forall epsilon omega : R,
-  omega > 0 ->
-  epsilon > 0 ->
-  (1 / 6) * epsilon ^ 2 * omega ^ 3 >= Rabs (-omega)).
 
 Definition displaced_normal__product : Prop :=
   forall beta h h_phi h_theta phi phi_0 theta theta_0 : R,
