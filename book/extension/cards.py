@@ -70,6 +70,7 @@ def in_coq(theorem: Theorem, entry: dict) -> tuple[dict[tuple, dict[str, str]], 
     """
     record, said = entry["formal"], {}
     points, false = (sum(name.endswith(end) for name in record["statements"]) for end in ("__point", "__false"))
+    false += len(record["mutants"])
     numbered = list(enumerate(theorem.clauses, start=1)) if len(theorem.clauses) > 1 else []
     claims = {f"{theorem.id}__{claim.name}": claim for claim in theorem.claims}
     clauses = {name: tuple(n for n, clause in numbered if claims[name] in clause.claims) for name in record["printed"]}
