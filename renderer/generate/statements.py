@@ -218,9 +218,7 @@ def mutants(theorem: Theorem) -> dict[str, str]:
 
 
 def _source(what, propositions):
-    texts: dict[str, str] = {}
-    for theorem in all_theorems().values():
-        texts |= propositions(theorem)
+    texts = {name: text for theorem in all_theorems().values() for name, text in propositions(theorem).items()}
     return HEADER.format(what) + "".join(f"\nDefinition {name} : Prop :=\n  {text}.\n" for name, text in texts.items())
 
 
