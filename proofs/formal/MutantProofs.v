@@ -2,6 +2,7 @@
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Camera Claim Hits Claims.
 From Formal Require Mutants.
 Open Scope R_scope.
@@ -85,6 +86,8 @@ Lemma sine_of_minus_right : sin (- (PI / 2)) = -1.
 Proof. rewrite sin_neg, sin_PI2. ring. Qed.
 Lemma cosine_of_minus_right : cos (- (PI / 2)) = 0.
 Proof. rewrite cos_neg. apply cos_PI2. Qed.
+Lemma half_turn : 31 / 10 < PI < 32 / 10 /\ 31 < PI ^ 3 < 311 / 10.
+Proof. repeat split; interval. Qed.
 (* A variant at a point: sines and cosines of right angles, roots of squares, and cases of numbers are known. *)
 Ltac right_angle f a b value law := replace (f a) with value by (replace a with b by (field; try apply Rgt_not_eq, PI_RGT_0); symmetry; exact law).
 Ltac known_angle := match goal with
@@ -93,7 +96,7 @@ Ltac known_angle := match goal with
   | |- context [cos ?a] => first [right_angle cos a 0 1 cos_0 | right_angle cos a (PI / 2) 0 cos_PI2 | right_angle cos a PI (-1) cos_PI | right_angle cos a (3 * (PI / 2)) 0 cos_3PI2
       | right_angle cos a (2 * PI) 1 cos_2PI | right_angle cos a (- (PI / 2)) 0 cosine_of_minus_right] end.
 Ltac known_root r := match goal with |- context [sqrt ?x] => replace (sqrt x) with r by (symmetry; apply sqrt_lem_1; lra) end.
-Ltac refuted_at point := generalize point PI_RGT_0; cbv beta zeta; repeat known_angle; repeat first [known_root 1 | known_root 2 | known_root 0 | known_root 3 | known_root (1 / 2) | known_root (5 / 4) | known_root (5 / 3) | known_root 4 | known_root 5 | known_root (3 / 5) | known_root (4 / 5)];
+Ltac refuted_at point := generalize point half_turn; cbv beta zeta; repeat known_angle; repeat first [known_root 1 | known_root 2 | known_root 0 | known_root 3 | known_root (1 / 2) | known_root (5 / 4) | known_root (5 / 3) | known_root 4 | known_root 5 | known_root (3 / 5) | known_root (4 / 5)];
   solve [lra | unfold Rmax, Rmin, Rabs; repeat (match goal with |- context [if ?d then _ else _] => destruct d end; try lra) | cases; lra].
 
 Theorem algebraic_gradient__square_5__false : Mutants.algebraic_gradient__square_5__false.
@@ -224,3 +227,27 @@ Theorem normal_by_beta__derivative_3__false : Mutants.normal_by_beta__derivative
 Proof. intro F. refuted_at (F (-1) (-1) 0 1 1 0 1). Qed.
 Theorem angle_of_the_bump__angle_3__false : Mutants.angle_of_the_bump__angle_3__false.
 Proof. intro F. refuted_at (F 0 0 0 0 1 0 0). Qed.
+Theorem chart__round_trip_3__false : Mutants.chart__round_trip_3__false.
+Proof. intro F. refuted_at (F 0). Qed.
+Theorem seam__odd_1__false : Mutants.seam__odd_1__false.
+Proof. intro F. refuted_at (F 1 1 (1/2) (1/2)). Qed.
+Theorem seam__sine_4__false : Mutants.seam__sine_4__false.
+Proof. intro F. refuted_at (F 1 1 (1/2) (1/2)). Qed.
+Theorem gradients__sine_1__false : Mutants.gradients__sine_1__false.
+Proof. intro F. refuted_at (F 1 1 0 (1/2)). Qed.
+Theorem truncation_bound__rings_1__false : Mutants.truncation_bound__rings_1__false.
+Proof. intro F. refuted_at (F (1/4) 1 (1/2)). Qed.
+Theorem truncation_bound__apart_3__false : Mutants.truncation_bound__apart_3__false.
+Proof. intro F. refuted_at (F 1 3 (-3)). Qed.
+Theorem third_derivative_at_eight__at_eight_1__false : Mutants.third_derivative_at_eight__at_eight_1__false.
+Proof. intro F. refuted_at F. Qed.
+Theorem third_derivative_at_eight__at_four_2__false : Mutants.third_derivative_at_eight__at_four_2__false.
+Proof. intro F. refuted_at F. Qed.
+Theorem ridges_at_crossings__crossing_2__false : Mutants.ridges_at_crossings__crossing_2__false.
+Proof. intro F. refuted_at (F 1 1 1 (1/2) (1/2) 0). Qed.
+Theorem straddling__value_2__false : Mutants.straddling__value_2__false.
+Proof. intro F. refuted_at (F (1/2) 1 1). Qed.
+Theorem central_difference_of_sine__sine_in_u_3__false : Mutants.central_difference_of_sine__sine_in_u_3__false.
+Proof. intro F. refuted_at (F (1/4) 2 (1/2) (1/2) 3). Qed.
+Theorem silhouette_of_b__branch_3__false : Mutants.silhouette_of_b__branch_3__false.
+Proof. intro F. refuted_at (F 0 1 1 1 (1/2) 0 0). Qed.
