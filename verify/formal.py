@@ -2,9 +2,10 @@
 
 What counts is `Theorem x : Statements.x.`, for a claim x that is printed into Statements.v: Coq is asked in a process
 of its own, which loads compiled files only, whether x is that, and for its axioms. A theorem is formal where all of its
-claims are proved so. Other theorems, ID__NAME, are additions of the book's theorem ID. Where not all of its claims are
-proved as they are printed, additions may say its clauses; a comment says which of several: Theorem (* clauses 2, 3 *)
-ID__NAME. ID__NAME__point gives values at which its hypotheses hold, and ID__NAME__false refutes a false variant.
+claims are proved so. `Theorem x : Mutants.x.` likewise refutes a variant of a claim. Other theorems, ID__NAME, are
+additions of the book's theorem ID. Where not all of its claims are proved as they are printed, additions may say its
+clauses; a comment says which of several: Theorem (* clauses 2, 3 *) ID__NAME. ID__NAME__point gives values at which its
+hypotheses hold, and ID__NAME__false refutes a false variant.
 """
 
 import argparse
@@ -32,13 +33,13 @@ FOLDER = ROOT / "proofs" / "formal"
 RECORD = FOLDER / "record.json"
 KEPT = ROOT / ".stamps" / "formal"  # what Coq was last asked about here
 STATEMENT = re.compile(r"^Theorem (?:\(\* clauses? ([\d, ]+) \*\) )?((\w+?)__\w+)", re.MULTILINE)
-PROVED = re.compile(r"(?:Theorem|Lemma) (\w+) : Statements\.(\w+)")
+PROVED = re.compile(r"(?:Theorem|Lemma) (\w+) : (Statements|Mutants)\.(\w+)")
 REQUIRED = re.compile(r"^From Formal Require (?:Import )?([\w\s]+)\.", re.MULTILINE)
 LIBRARY = re.compile(r"^From (?!Formal\b)\w+ Require Import [\w\s]+\.", re.MULTILINE)
 BESIDE = ("__point", "__false")
 """The ends of the names of additions that say nothing of a theorem."""
 COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
-PRINTED = ("Formulas", "Float64", "Statements")
+PRINTED = ("Formulas", "Float64", "Statements", "Mutants")
 TRUSTED = {
     "Preliminaries": "7af9c259025f9b9ad64c897bb9037981fdd9663ac83a65f6b5e68736d406ef93",
     "Float": "73c241b1b86bc955b4cac5bb28e462425ff4e5b6077336289b939010e3de40d3",
@@ -133,11 +134,12 @@ def statements(*wanted: str) -> Statements:
     for path in files(*wanted):
         text = path.read_text(encoding="utf-8")
         matches = filter(None, map(PROVED.fullmatch, vernacular.sentences(text) if path.stem not in PRINTED else ()))
-        proved = {match[1]: match[2] for match in matches}
-        for name, claim in proved.items():
+        proved = {name: (printed, claim) for name, printed, claim in (match.groups() for match in matches)}
+        for name, (printed, claim) in proved.items():
             if name != claim:
                 raise NotAccepted(f"{name} proves {claim}, and has to have its name")
-            named.setdefault(name.partition("__")[0], Said()).claims[name] = path.stem
+            said = named.setdefault(name.partition("__")[0], Said())
+            (said.claims if printed == "Statements" else said.mutants)[name] = path.stem
         for clauses, name, theorem in STATEMENT.findall(text):
             if name not in proved:
                 numbers = [int(number) for number in clauses.split(",") if clauses]
@@ -171,8 +173,8 @@ def whole(theorem: Theorem, accepted: dict | None) -> bool:
 def record() -> dict:
     """Return what Coq accepted, {} if that is stale.
 
-    {theorem: {"claims": [those that are proved as they are printed], "statements": {addition: text}, "clauses":
-    {addition: those it says, of several}, "axioms": [name, …]}}.
+    {theorem: {"claims": [those that are proved as they are printed], "mutants": [likewise], "statements": {addition:
+    text}, "clauses": {addition: those it says, of several}, "axioms": [name, …]}}.
     """
     if not RECORD.is_file():
         return {}
@@ -260,7 +262,8 @@ def main() -> None:
     for theorem, entry in table.items():
         short = sorted({a.split(".")[0 if a.startswith(MACHINE_NUMBERS) else -1] for a in entry["axioms"]})
         rests = ", ".join(short) or "closed under the global context"
-        print(f"{theorem:32} {len(entry['statements']):2} statements {len(entry['claims']):2} claims   {rests}")
+        counts = "  ".join(f"{len(entry[of]):2} {of}" for of in ("claims", "mutants", "statements"))
+        print(f"{theorem:32} {counts}   {rests}")
 
 
 if __name__ == "__main__":

@@ -27,12 +27,13 @@ class NotAccepted(ValueError):
 class Said:
     """What is written by hand of a theorem.
 
-    claims: {a claim's printed name: the file that proves it}. additions: {a statement's name: the clauses, counted from
-    1, that it is said to say}.
+    claims, mutants: {its printed name: the file that proves it}. additions: {a statement's name: the clauses, counted
+    from 1, that it is said to say}.
     """
 
     claims: dict[str, str] = field(default_factory=dict)
     additions: dict[str, list[int]] = field(default_factory=dict)
+    mutants: dict[str, str] = field(default_factory=dict)
 
 
 Statements = dict[str, Said]
@@ -54,12 +55,13 @@ def survey(named: Statements, asked: list[list[str]], order: list[str]) -> str:
     lines = ["From Coq Require Import Reals.", "From Coquelicot Require Import Coquelicot.", "Open Scope R_scope."]
     lines += [f"From Formal Require Import {' '.join(order)}.", "Set Printing Width 72."]
     for said in named.values():
-        for name, file in said.claims.items():
-            lines += [f"Definition proved_{name} : Formal.Statements.{name} := Formal.{file}.{name}."]
+        for printed, proved in (("Statements", said.claims), ("Mutants", said.mutants)):
+            for name, file in proved.items():
+                lines += [f"Definition proved_{name} : Formal.{printed}.{name} := Formal.{file}.{name}."]
         lines += [*(f"Check {name}." for name in said.additions), "Check I."]
     for group in asked:
         names = [name for theorem in group for name in named[theorem].additions]
-        names += [f"proved_{name}" for theorem in group for name in named[theorem].claims]
+        names += [f"proved_{name}" for theorem in group for name in (*named[theorem].claims, *named[theorem].mutants)]
         lines += [f"Definition all_of_{group[0]} := ({', '.join(names)}, I)."]
         lines += [f"Print Assumptions all_of_{group[0]}.", "Check I."]
     return "\n".join([*lines, ""])
@@ -82,7 +84,8 @@ def read(named: Statements, asked: list[list[str]], printed: str) -> dict:
             raise NotAccepted(f"a statement of {theorem} was not printed")
         texts = {name: _dedented(text) for name, text in zip(pieces[1::2], pieces[2::2], strict=True)}
         clauses = {name: numbers for name, numbers in said.additions.items() if numbers}
-        table[theorem] = {"claims": list(said.claims), "statements": texts, "clauses": clauses}
+        proved = {"claims": list(said.claims), "mutants": list(said.mutants)}
+        table[theorem] = proved | {"statements": texts, "clauses": clauses}
     for group, listed in zip(asked, parts[len(named) :], strict=True):
         for theorem in group:
             table[theorem]["axioms"] = _axioms(", ".join(group), listed)

@@ -178,12 +178,18 @@ Open Scope R_scope.
 Definition unit_length__true : Prop := forall x : R, sin x = sin x + 0.
 Definition unit_length__false : Prop := forall x : R, sin x = 0.
 """
+MUTANTS = """From Coq Require Import Reals.
+Open Scope R_scope.
+Definition unit_length__1__false : Prop := ~ forall x : R, x = 0.
+"""
 BY_HAND = """From Coq Require Import Reals Lra.
 From Formal Require Statements.
+From Formal Require Mutants.
 Open Scope R_scope.
 Theorem unit_length__true : Statements.unit_length__true.
 Proof. intro x. lra. Qed.
 """
+MUTANT = "Mutants.unit_length__1__false."
 FALSE = "Theorem unit_length__false : Statements.unit_length__false.\nProof."
 NOT_PROVED = [
     (f"{FALSE} intro x. reflexivity. Qed.", "does not accept One"),
@@ -192,6 +198,14 @@ NOT_PROVED = [
     ("Lemma PI : R.\nProof. exact 3. Qed.", "does not accept Names"),
     ("Inductive odd : Prop := | PI : odd.", "does not accept Names"),
     ("Section s.\nVariable R : Set.\nEnd s.", "does not accept Names"),
+    (
+        "Theorem unit_length__1__false : Mutants.unit_length__1__false.\nProof. intro x. lra. Qed.",
+        "does not accept One",
+    ),
+    (
+        "Theorem unit_length__2__false : Mutants.unit_length__1__false.\nProof. intro x. lra. Qed.",
+        "has to have its name",
+    ),
 ]
 
 
@@ -200,6 +214,7 @@ NOT_PROVED = [
 def test_what_is_proved_is_what_is_printed(text, why, tmp_path, monkeypatch):
     monkeypatch.setattr(formal, "FOLDER", tmp_path)
     (tmp_path / "Statements.v").write_text(CLAIMS)
+    (tmp_path / "Mutants.v").write_text(MUTANTS)
     (tmp_path / "One.v").write_text(BY_HAND + text)
     with pytest.raises(formal.NotAccepted, match=why):
         formal.compile_files()
@@ -209,10 +224,14 @@ def test_what_is_proved_is_what_is_printed(text, why, tmp_path, monkeypatch):
 def test_a_claim_counts_where_its_printed_form_is_proved_and_no_words_count(tmp_path, monkeypatch):
     monkeypatch.setattr(formal, "FOLDER", tmp_path)
     (tmp_path / "Statements.v").write_text(CLAIMS)
+    (tmp_path / "Mutants.v").write_text(MUTANTS)
     said = "Theorem (* clauses 1, 2 *) unit_length__false : True.\nProof. trivial. Qed.\n"
+    said += (
+        "Theorem unit_length__1__false : Mutants.unit_length__1__false.\nProof. intro f. generalize (f 1). lra. Qed.\n"
+    )
     (tmp_path / "One.v").write_text(BY_HAND + said)
     accepted = formal.compile_files()["unit_length"]
-    assert accepted["claims"] == ["unit_length__true"]
+    assert accepted["claims"] == ["unit_length__true"] and accepted["mutants"] == ["unit_length__1__false"]
     assert accepted["statements"] == {"unit_length__false": "True"}
 
 

@@ -6,11 +6,6 @@ From Flocq Require Import Core.
 From Formal Require Import Preliminaries Formulas Vectors Fields Bump Float.
 Open Scope R_scope.
 
-Lemma a_unit : magnitude (1, 0, 0) = 1.
-Proof. apply length_of_unit. unfold dot. ring. Qed.
-Lemma a_distance : 0 < magnitude (difference (1, 0, 0) (0, 0, 0)).
-Proof. replace (difference (1, 0, 0) (0, 0, 0)) with ((1, 0, 0) : vector) by (unfold difference, vector_sum, scaled; f_equal; [f_equal|]; ring). rewrite a_unit. lra. Qed.
-
 Theorem kink_loci__between__point : exists u v k_u k_v, height_sine.h u v k_u k_v <> 0.
 Proof. exists (1/2), (1/2), 1, 1. unfold_fields. rewrite sine_of_a_right_angle. lra. Qed.
 Theorem elementary_functions__sine__point : exists r : R, - (1/4) <= r <= 1/4.
@@ -67,20 +62,5 @@ Theorem crease_error_area__in_u__point : exists k_u epsilon : R, 0 < k_u /\ 0 < 
 Proof. exists 1, 1. lra. Qed.
 Theorem displaced_normal__any_field__point : exists (h : R -> R -> R) (u v phi h_u h_v : R), 0 < sin phi /\ is_derive (fun u => h u v) u h_u /\ is_derive (fun v => h u v) v h_v.
 Proof. exists (fun u v => u + v), 0, 0, (PI / 2), 1, 1. rewrite sin_PI2. split; [lra | split; auto_derive; trivial; ring]. Qed.
-Theorem specular_lipschitz__along_a_direction__point : exists P L : vector, 0 < magnitude (difference L P).
-Proof. exists (0, 0, 0), (1, 0, 0). exact a_distance. Qed.
-Theorem specular_lipschitz__mirror__point : exists n : vector, magnitude n = 1.
-Proof. exists (1, 0, 0). exact a_unit. Qed.
-Theorem specular_lipschitz__phong__point : exists P L n : vector, 0 < magnitude (difference L P) /\ magnitude n = 1.
-Proof. exists (0, 0, 0), (1, 0, 0), (1, 0, 0). split; [exact a_distance | exact a_unit]. Qed.
 Theorem difference_bound__any_lights__point : exists (f : vector -> R) (l : R), 0 <= l /\ forall n m, Rabs (f n - f m) <= l * magnitude (difference n m).
 Proof. exists (fun _ => 0), 0. split; [lra|]. intros. rewrite Rminus_0_r, Rabs_R0. lra. Qed.
-Theorem squared_highlight__is_blinn__point : exists px py pz lx ly lz vx vy vz,
-  0 < (lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2 /\ 0 < blinn.halfway_length px py pz lx ly lz vx vy vz.
-Proof.
-  exists 0, 0, 0, 0, 0, 1, 0, 0, 1. split; [lra|].
-  unfold blinn.halfway_length, blinn.halfway_x, blinn.halfway_y, blinn.halfway_z, blinn.towards_x, blinn.towards_y, blinn.towards_z, blinn.light_scale,
-    blinn.light_distance, blinn.to_light_x, blinn.to_light_y, blinn.to_light_z.
-  replace (sqrt ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2)) with 1 by (symmetry; replace (_ + _) with 1 by ring; apply sqrt_1).
-  rewrite Rinv_1. apply sqrt_lt_R0. lra.
-Qed.

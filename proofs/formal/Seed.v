@@ -1,27 +1,26 @@
-(* The seed's false statements, each refuted at a point: ~ (statement). A refutation shows that the hypotheses hold
-   there. Its false variant is the refutation of the statement put right: that one holds, so ~ ~ (statement put right).
-   *)
+(* The seed's false statements, each refuted at a point: ~ (statement), as it is printed. What is added is over the
+   printed programs, or about limits and derivatives; its false variant is the refutation of the statement put right:
+   that one holds, so ~ ~ (statement put right). *)
 
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Camera.
+From Formal Require Import Preliminaries Formulas Camera Claim.
+From Formal Require Statements.
 Open Scope R_scope.
 
-(* The constant term of sphere B's quadratic is |C|^2 - R_2^2: not in the default scene. *)
-Theorem seed_quadratic_of_b__constant : ~ forall t x y e cx cy cz r : R, distance2 t x y e cx cy cz - r ^ 2 =
-  dot3 x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t + (dot3 cx cy cz cx cy cz - r ^ 2).
-Proof.
-  intros F. specialize (F 0 0 0 4 (1 / 2) (1 / 2) (13 / 10) (8 / 25)). unfold distance2, hit_of_b.toward_b, dot3 in F.
-  lra.
-Qed.
+Theorem seed_quadratic_of_b__constant : Statements.seed_quadratic_of_b__constant.
+Proof. intro F. generalize (F 0 0 1 0 1). lra. Qed.
 
-(* It is |E - C|^2 - R_2^2. *)
-Theorem seed_quadratic_of_b__constant__false : ~ ~ forall t x y e cx cy cz r : R, distance2 t x y e cx cy cz - r ^ 2 =
-  dot3 x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t
-  + (dot3 cx cy (cz - e) cx cy (cz - e) - r ^ 2).
+Theorem seed_covers_the_view__covers : Statements.seed_covers_the_view__covers.
+Proof. claim. Qed.
+Theorem seed_covers_the_view__before : Statements.seed_covers_the_view__before.
 Proof.
-  intros N. apply N. intros. unfold distance2, hit_of_b.toward_b, hit_of_b.distance, dot3. ring.
+  red. intros b d B D. pose proof (sqrt_pos d). repeat split; try lra.
+  - apply Rdiv_lt_0_compat; lra.
+  - apply Rlt_gt, (Rmult_lt_reg_r (b + sqrt d)); [lra |]. field_simplify; lra.
 Qed.
+Theorem seed_covers_the_view__behind : Statements.seed_covers_the_view__behind.
+Proof. red. intros. assert (radius >= eye * (1 - t)) by nra. split; lra. Qed.
 
 (* The default scene's b, and the seed's c = |C|^2 - R_2^2 = 2.0876 in place of |E - C|^2 - R_2^2. *)
 Definition scene_b (x y : R) := hit_of_b.toward_b x y 4 (1 / 2) (1 / 2) (13 / 10).
@@ -30,41 +29,14 @@ Definition seed_d (x y : R) := scene_b x y ^ 2 - dot3 x y (- (4)) x y (- (4)) * 
 
 Ltac seed_scene := unfold seed_d, seed_c, scene_b, hit_of_b.toward_b, hit_of_b.distance, dot3 in *.
 
-(* Every ray with |x|, |y| <= 2 has b^2 - |D|^2 c > 0 and a root c / (b + sqrt d) in (0, 1/4). *)
-Theorem seed_covers_the_view__covers (x y : R) : Rabs x <= 2 -> Rabs y <= 2 ->
-  seed_c = 20876 / 10000 /\ 35 / 4 < scene_b x y /\ 0 < seed_d x y /\
-  0 < seed_c / (scene_b x y + sqrt (seed_d x y)) < 1 / 4.
+Lemma seed_root (x y : R) : Rabs x <= 2 -> Rabs y <= 2 -> 0 < seed_c / (scene_b x y + sqrt (seed_d x y)) < 1 / 4.
 Proof.
-  intros X Y. apply Rabs_le_between in X, Y. assert (C : seed_c = 20876 / 10000) by (seed_scene; lra).
-  assert (B : 35 / 4 < scene_b x y) by (seed_scene; lra).
-  assert (D : 0 < seed_d x y) by (unfold seed_d; rewrite C; unfold dot3; nra).
-  pose proof (sqrt_pos (seed_d x y)). repeat split; try assumption.
-  - apply Rdiv_lt_0_compat; lra.
-  - apply (Rmult_lt_reg_r (scene_b x y + sqrt (seed_d x y))); [lra |]. field_simplify; lra.
+  intros X Y. apply Rabs_le_between in X, Y.
+  destruct (seed_covers_the_view__covers x y) as (B & _ & D); try lra.
+  destruct (seed_covers_the_view__before _ _ B D) as (_ & _ & _ & P & Q). revert P Q.
+  replace (0 + _ + _ + _ - _) with seed_c by (seed_scene; lra). replace (_ + 4 * _) with (scene_b x y) by (seed_scene; lra).
+  replace (_ - _ * (_ + _)) with (seed_d x y) by (unfold seed_d, dot3; ring). lra.
 Qed.
-
-Theorem seed_covers_the_view__covers__point : exists x y : R, Rabs x <= 2 /\ Rabs y <= 2.
-Proof. exists 0, 0. rewrite Rabs_R0. lra. Qed.
-
-(* Not at |x|, |y| <= 3. *)
-Theorem seed_covers_the_view__covers__false : ~ forall x y : R, Rabs x <= 3 -> Rabs y <= 3 -> 35 / 4 < scene_b x y.
-Proof.
-  intros F. assert (A : Rabs (-3) <= 3) by (rewrite Rabs_left; lra). specialize (F (-3) (-3) A A). seed_scene. lra.
-Qed.
-
-(* A's points have t >= 1 - R / e. *)
-Theorem seed_covers_the_view__behind (t x y e r : R) : 0 < r < e -> on_a t x y e r -> 1 - r / e <= t.
-Proof.
-  intros H M. unfold on_a, distance2 in M. assert (e * (1 - t) <= r) by nra.
-  apply (Rmult_le_reg_l e); [lra |]. field_simplify; lra.
-Qed.
-
-Theorem seed_covers_the_view__behind__point : exists t x y e r : R, 0 < r < e /\ on_a t x y e r.
-Proof. exists (3 / 4), 0, 0, 4, 1. unfold on_a, distance2. lra. Qed.
-
-(* Not t >= 1. *)
-Theorem seed_covers_the_view__behind__false : ~ forall t x y e r : R, 0 < r < e -> on_a t x y e r -> 1 <= t.
-Proof. intros F. specialize (F (3 / 4) 0 0 4 1). unfold on_a, distance2 in F. lra. Qed.
 
 (* Every pixel of the default view has |x|, |y| <= 2, so the seed's root of B stands before A and before the floor at
    each: B is what is shown, and A is never drawn. *)
@@ -79,11 +51,11 @@ Proof.
   { rewrite pixel_value. destruct M as [M1 M2], N as [N1 N2]. apply IZR_le in M1, M2, N1, N2.
     assert (((2 * IZR m - 255) / 256) ^ 2 <= 1) by nra.
     assert (((1083 - 10 * IZR n) / 1280) ^ 2 <= 1345 / 1000) by nra. lra. }
-  destruct (V _ _ Q) as [X Y]. destruct (seed_covers_the_view__covers _ _ X Y) as (_ & _ & _ & S). fold seed_t in S.
+  destruct (V _ _ Q) as [X Y]. pose proof (seed_root _ _ X Y : 0 < seed_t < 1 / 4) as S.
   split; [exact S |]. unfold nearest.surface, nearest.t_floor.
   destruct (Rle_lt_dec 0 (hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1)) as [D | D].
   - destruct (t_a_near _ _ 4 1 ltac:(lra) (pixel_off_axis m n) D) as (t & -> & _ & _ & A & _).
-    apply seed_covers_the_view__behind in A; [| lra].
+    unfold on_a, distance2 in A. destruct (seed_covers_the_view__behind 4 1 t (pixel_x m) (pixel_y n)) as [_ L]; try lra.
     destruct both as [[[_ B] _] | _]; [simpl in B; lra |].
     destruct both as [_ | [B | B]]; [reflexivity | destruct (B I) | destruct Rlt_dec; simpl in B;
       [lra | destruct (B I)]].
@@ -114,8 +86,11 @@ Proof.
   destruct both as [_ | [[A | A] | A]]; [lra | destruct (A I) | destruct (A I) | simpl in A; lra].
 Qed.
 
+Theorem seed_pole_rows__beside : Statements.seed_pole_rows__beside.
+Proof. intro F. generalize (F 127 108 ltac:(lra) ltac:(lra) ltac:(lra)). lra. Qed.
+
 (* In the two rows beside the axis the fallback, sin phi < 10^-4, is taken: not at the pixel nearest the axis. *)
-Theorem seed_pole_rows__beside : ~ forall m n : Z, (0 <= m <= 255)%Z -> (108 <= n <= 109)%Z ->
+Theorem seed_pole_rows__fallback : ~ forall m n : Z, (0 <= m <= 255)%Z -> (108 <= n <= 109)%Z ->
   0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
     angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1 < 1 / 10000.
 Proof.
@@ -125,84 +100,18 @@ Proof.
 Qed.
 
 (* sin phi is more than 0.0044 there, as everywhere. *)
-Theorem seed_pole_rows__beside__false : ~ ~ forall m n : Z, (0 <= m <= 255)%Z -> (108 <= n <= 109)%Z ->
+Theorem seed_pole_rows__fallback__false : ~ ~ forall m n : Z, (0 <= m <= 255)%Z -> (108 <= n <= 109)%Z ->
   0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
     44 / 10000 < angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1.
 Proof. intros N. apply N. intros m n _ _ D. apply (pixels_off_the_pole_far m n D). Qed.
 
-Lemma near_axis x : / 10 ^ 6 <= x <= / 1000 -> off_axis x 0 4 /\ 0 <= hit_of_a.discriminant_a x 0 4 1 /\
-  angles_on_a.sin_phi x 0 4 1 <= 8 / 10 * x.
-Proof.
-  intros X. assert (O : off_axis x 0 4) by (apply off_axis_far; nra). split; [exact O |].
-  assert (D : 15 <= hit_of_a.discriminant_a x 0 4 1) by (rewrite discriminant_a_value by (lra || exact O); nra).
-  split; [lra |]. destruct (stable_frame__true_angles x 0 4 1 ltac:(lra) O ltac:(lra)) as
-    (t & a & b & T & _ & _ & _ & (_ & _ & _ & <-) & _ & _ & _ & _ & -> & _).
-  rewrite (t_a_value x 0 4 1) in T by (lra || exact O). apply Rbar_finite_eq in T.
-  pose proof (sqrt_sqrt (hit_of_a.discriminant_a x 0 4 1) ltac:(lra)).
-  pose proof (sqrt_pos (hit_of_a.discriminant_a x 0 4 1)). set (q := sqrt (hit_of_a.discriminant_a x 0 4 1)) in *.
-  assert (t <= 8 / 10) by (rewrite <- T; apply (Rmult_le_reg_r (4 ^ 2 + q)); [lra | field_simplify; nra]).
-  rewrite (sqrt_is _ x) by lra. unfold Rdiv at 1. rewrite Rinv_1. nra.
-Qed.
+Theorem seed_orientation__left_handed : Statements.seed_orientation__left_handed.
+Proof. intro F. generalize (F 0 1 1 0 ltac:(lra)). lra. Qed.
 
-(* sin phi < 10^-4 needs rho < 4/3 10^-4. *)
-Theorem seed_pole_rows__needs (x y : R) : off_axis x y 4 -> 0 <= hit_of_a.discriminant_a x y 4 1 ->
-  angles_on_a.sin_phi x y 4 1 < 1 / 10000 -> sqrt (x ^ 2 + y ^ 2) < 4 / 3 * (1 / 10000).
-Proof. intros O D S. pose proof (pixels_off_the_pole_linear x y 4 1 ltac:(lra) O D). lra. Qed.
+Theorem seed_bump_as_displacement__parallel : Statements.seed_bump_as_displacement__parallel.
+Proof. intro F. generalize (F 1 0 1 1 1 1 0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra. Qed.
 
-Theorem seed_pole_rows__needs__point : exists x y : R, off_axis x y 4 /\ 0 <= hit_of_a.discriminant_a x y 4 1 /\
-  angles_on_a.sin_phi x y 4 1 < 1 / 10000.
-Proof. exists (/ 10 ^ 5), 0. destruct (near_axis (/ 10 ^ 5) ltac:(lra)) as (O & D & S). repeat split; try assumption.
-lra. Qed.
-
-(* Not rho < 10^-4. *)
-Theorem seed_pole_rows__needs__false : ~ forall x y : R, off_axis x y 4 -> 0 <= hit_of_a.discriminant_a x y 4 1 ->
-  angles_on_a.sin_phi x y 4 1 < 1 / 10000 -> sqrt (x ^ 2 + y ^ 2) < 1 / 10000.
-Proof.
-  intros F. destruct (near_axis (12 / 10 ^ 5) ltac:(lra)) as (O & D & S). specialize (F _ _ O D ltac:(lra)).
-  rewrite (sqrt_is _ (12 / 10 ^ 5)) in F by lra. lra.
-Qed.
-
-(* e_theta x e_phi = N: not at theta = 0, phi = pi/2. *)
-Theorem seed_orientation__left_handed : ~ forall theta phi : R,
-  let ax := tangent_frame.e_theta_x (sin theta) in let ay := tangent_frame.e_theta_y (cos theta) in
-  let az := tangent_frame.e_theta_z in let bx := tangent_frame.e_phi_x (cos theta) (cos phi) in
-  let by_ := tangent_frame.e_phi_y (sin theta) (cos phi) in let bz := tangent_frame.e_phi_z (sin phi) in
-  ay * bz - az * by_ = unit_normal.normal_x (cos theta) (sin phi) /\
-  az * bx - ax * bz = unit_normal.normal_y (sin theta) (sin phi) /\
-  ax * by_ - ay * bx = unit_normal.normal_z (cos phi).
-Proof.
-  intros F. destruct (F 0 (PI / 2)) as [G _]. rewrite sin_0, cos_0, sin_PI2, cos_PI2 in G.
-  unfold tangent_frame.e_theta_y, tangent_frame.e_theta_z, tangent_frame.e_phi_y, tangent_frame.e_phi_z,
-    unit_normal.normal_x in G. lra.
-Qed.
-
-(* e_phi x e_theta = N. *)
-Theorem seed_orientation__left_handed__false : ~ ~ forall theta phi : R,
-  let ax := tangent_frame.e_theta_x (sin theta) in let ay := tangent_frame.e_theta_y (cos theta) in
-  let az := tangent_frame.e_theta_z in let bx := tangent_frame.e_phi_x (cos theta) (cos phi) in
-  let by_ := tangent_frame.e_phi_y (sin theta) (cos phi) in let bz := tangent_frame.e_phi_z (sin phi) in
-  by_ * az - bz * ay = unit_normal.normal_x (cos theta) (sin phi) /\
-  bz * ax - bx * az = unit_normal.normal_y (sin theta) (sin phi) /\
-  bx * ay - by_ * ax = unit_normal.normal_z (cos phi).
-Proof.
-  intros N. apply N. intros theta phi. pose proof (sin2_cos2 theta) as T. unfold Rsqr in T.
-  unfold tangent_frame.e_theta_x, tangent_frame.e_theta_y, tangent_frame.e_theta_z, tangent_frame.e_phi_x,
-    tangent_frame.e_phi_y, tangent_frame.e_phi_z, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z.
-  repeat split; try ring. replace (_ - _) with (cos phi * (sin theta * sin theta + cos theta * cos theta)) by ring.
-  rewrite T. ring.
-Qed.
-
-(* pi N.(M x D) at given cosines and sines: 0 where N' and the displaced surface's normal D lie in a plane with N. *)
-Definition triple (ct st cp sp h_u h_v beta h : R) :=
-  let nx := unit_normal.normal_x ct sp in let ny := unit_normal.normal_y st sp in let nz := unit_normal.normal_z cp in
-  let mx := bumped_normal.m_x ct st cp sp h_u h_v beta in let my := bumped_normal.m_y ct st cp sp h_u h_v beta in
-  let mz := bumped_normal.m_z cp sp h_u h_v beta in
-  let dx := displaced_normal.displaced_x ct st cp sp h_u h_v beta h in
-  let dy := displaced_normal.displaced_y ct st cp sp h_u h_v beta h in
-  let dz := displaced_normal.displaced_z cp sp h_u h_v beta h in
-  PI * dot3 nx ny nz (my * dz - mz * dy) (mz * dx - mx * dz) (mx * dy - my * dx).
-
-Ltac both_normals := unfold triple, dot3, displaced_normal.displaced_x, displaced_normal.displaced_y,
+Ltac both_normals := unfold displaced_normal.displaced_x, displaced_normal.displaced_y,
   displaced_normal.displaced_z, displaced_normal.lift, displaced_normal.h_theta, displaced_normal.h_phi,
   displaced_normal.normal_x, displaced_normal.normal_y, displaced_normal.normal_z, displaced_normal.e_theta_x,
   displaced_normal.e_theta_y, displaced_normal.e_theta_z, displaced_normal.e_phi_x, displaced_normal.e_phi_y,
@@ -211,23 +120,8 @@ Ltac both_normals := unfold triple, dot3, displaced_normal.displaced_x, displace
   bumped_normal.e_theta_x, bumped_normal.e_theta_y, bumped_normal.e_theta_z, bumped_normal.e_phi_x,
   bumped_normal.e_phi_y, bumped_normal.e_phi_z, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z.
 
-Lemma triple_point : triple 1 0 0 1 1 1 1 0 = 1 / 2.
-Proof. both_normals. field. apply Rgt_not_eq, PI_RGT_0. Qed.
-
-(* In particular pi N.(M x D) = 0: not at theta = 0, phi = pi/2, h = 0, beta = h_u = h_v = 1. *)
-Theorem seed_bump_as_displacement__parallel : ~ forall theta phi h_u h_v beta h : R, 0 < sin phi -> 0 < 1 + beta * h ->
-  triple (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta h = 0.
-Proof.
-  intros F. specialize (F 0 (PI / 2) 1 1 1 0). rewrite cos_0, sin_0, cos_PI2, sin_PI2, triple_point in F.
-  specialize (F ltac:(lra) ltac:(lra)). lra.
-Qed.
-
-(* It is 0 where beta = 0. *)
-Theorem seed_bump_as_displacement__parallel__false : ~ ~ forall theta phi h_u h_v h : R, 0 < sin phi ->
-  triple (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v 0 h = 0.
-Proof. intros N. apply N. intros theta phi h_u h_v h S. pose proof PI_RGT_0. both_normals. field. lra. Qed.
-
-(* N' is the normal of the displaced surface, D = k M with k > 0: not there either. *)
+(* N' is the normal of the displaced surface, D = k M with k > 0: not at theta = 0, phi = pi/2,
+   h = 0, beta = h_u = h_v = 1. *)
 Theorem seed_bump_as_displacement__same_direction : ~ forall theta phi h_u h_v beta h : R,
   0 < sin phi -> 0 < 1 + beta * h -> exists k, 0 < k /\
   displaced_normal.displaced_x (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta h =
@@ -237,8 +131,9 @@ Theorem seed_bump_as_displacement__same_direction : ~ forall theta phi h_u h_v b
   displaced_normal.displaced_z (cos phi) (sin phi) h_u h_v beta h =
     k * bumped_normal.m_z (cos phi) (sin phi) h_u h_v beta.
 Proof.
-  intros F. apply seed_bump_as_displacement__parallel. intros theta phi h_u h_v beta h S L.
-  destruct (F theta phi h_u h_v beta h S L) as (k & _ & X & Y & Z). unfold triple, dot3. rewrite X, Y, Z. ring.
+  intros F. destruct (F 0 (PI / 2) 1 1 1 0) as (k & P & _ & Y & _); rewrite ?sin_PI2; try lra. revert Y. both_normals.
+  rewrite cos_0, sin_0, cos_PI2, sin_PI2. pose proof PI_RGT_0. intro Y. field_simplify in Y; [| lra].
+  assert (0 < 1 / (2 * PI)) by (apply Rdiv_lt_0_compat; lra). lra.
 Qed.
 
 (* They have the same direction where h_u = h_v = 0. *)
@@ -254,37 +149,20 @@ Proof.
   both_normals. repeat split; field; lra.
 Qed.
 
-(* The one-sided difference of N' with step 10^-7 is its derivative in beta to 10^-12: not where beta g_x = 3/4. *)
-Theorem seed_step_in_beta__verifies : ~ forall nx ny nz gx gy gz beta : R,
-  dot3 nx ny nz nx ny nz = 1 -> dot3 nx ny nz gx gy gz = 0 ->
-  Rabs ((perturbed.bumped_x nx ny nz gx gy gz (beta + 1 / 10 ^ 7) - perturbed.bumped_x nx ny nz gx gy gz beta)
-    / (1 / 10 ^ 7) - normal_by_beta.bumped_by_beta_x nx ny nz gx gy gz beta) <= 1 / 10 ^ 12.
+Theorem seed_step_in_beta__verifies : Statements.seed_step_in_beta__verifies.
 Proof.
   (* |M| = (t + 1/t)/2 is rational where beta g_x = (t - 1/t)/2: t = 2 at beta, and 2 + 4 10^-6 at the step's end. *)
   set (t := 2 + 4 / 10 ^ 6). set (b := (t - / t) / 2). set (g := (b - 3 / 4) * 10 ^ 7). set (beta := 3 / 4 / g).
   assert (T : 0 < t) by (unfold t; lra). assert (G : 24 < g < 26) by (unfold g, b, t; split; lra).
   assert (E : beta * g = 3 / 4) by (unfold beta; field; lra).
-  assert (E' : (beta + 1 / 10 ^ 7) * g = b) by (rewrite Rmult_plus_distr_r, E; unfold g; field).
-  intros F. specialize (F 0 0 1 g 0 0 beta ltac:(unfold dot3; lra) ltac:(unfold dot3; lra)).
-  assert (L : forall a l, 0 <= l -> (a * g) ^ 2 + 1 = l ^ 2 -> perturbed.m_length 0 0 1 g 0 0 a = l).
-  { intros a l P Q. apply sqrt_is; [exact P |]. rewrite <- Q. unfold perturbed.m_x, perturbed.m_y, perturbed.m_z. ring.
-    }
-  assert (L1 : perturbed.m_length 0 0 1 g 0 0 beta = 5 / 4) by (apply L; [| rewrite E]; lra).
-  assert (L2 : perturbed.m_length 0 0 1 g 0 0 (beta + 1 / 10 ^ 7) = (t + / t) / 2).
-  { apply L; [pose proof (Rinv_0_lt_compat t T); lra | rewrite E'; unfold b; field; lra]. }
-  revert F. unfold normal_by_beta.bumped_by_beta_x, normal_by_beta.bumped_x, normal_by_beta.bumped_y,
-    normal_by_beta.bumped_z, normal_by_beta.m_scale.
-  change normal_by_beta.m_length with perturbed.m_length. change normal_by_beta.m_x with perturbed.m_x.
-  unfold perturbed.bumped_x, perturbed.m_scale. rewrite L1, L2. unfold perturbed.m_x. rewrite E, E'.
-  intros F. apply Rabs_le_between in F. revert F.
-  replace (normal_by_beta.m_y 0 0 beta) with 0 by (unfold normal_by_beta.m_y; ring).
-  unfold g, b, t. intros F. lra.
+  assert (E' : g * (beta + 1 / 10000000) = b) by (rewrite Rmult_plus_distr_l, (Rmult_comm g beta), E; unfold g; field).
+  assert (L : sqrt ((beta * g + 0) ^ 2 + (beta * 0 + 0) ^ 2 + (beta * 0 + 1) ^ 2) = 5 / 4).
+  { rewrite E. replace (_ + _ + _) with ((5 / 4) ^ 2) by field. apply sqrt_pow2. lra. }
+  assert (L' : sqrt ((g * (beta + 1 / 10000000) + 0) ^ 2 + (0 * (beta + 1 / 10000000) + 0) ^ 2 + (0 * (beta + 1 / 10000000) + 1) ^ 2) = (t + / t) / 2).
+  { rewrite E'. replace (_ + _ + _) with (((t + / t) / 2) ^ 2) by (unfold b; field; lra). apply sqrt_pow2. pose proof (Rinv_0_lt_compat t T). lra. }
+  intro F. generalize (F beta g 0 0 0 0 1 ltac:(lra) ltac:(lra)). rewrite L, L', E, E'. clear - T G. intro F. pose proof (Rinv_0_lt_compat t T).
+  specialize (F ltac:(nra) ltac:(lra) ltac:(lra) ltac:(lra)). apply Rge_le, Rabs_le_between in F. revert F. clear. unfold g, b, t. intro F. lra.
 Qed.
-
-(* Before normalising, M is linear in beta and the difference is exact. *)
-Theorem seed_step_in_beta__verifies__false : ~ ~ forall nx gx beta step : R, step <> 0 ->
-  (perturbed.m_x nx gx (beta + step) - perturbed.m_x nx gx beta) / step = gx.
-Proof. intros N. apply N. intros nx gx beta step S. unfold perturbed.m_x. field. exact S. Qed.
 
 (* The clamped difference at the pole v = 0 of a field h, with the program's samples and span. *)
 Definition at_pole (h : R -> R) (epsilon : R) :=
@@ -297,8 +175,11 @@ Proof.
   reflexivity.
 Qed.
 
+Theorem seed_clamp__costs_an_order : Statements.seed_clamp__costs_an_order.
+Proof. intro F. generalize (F (1 / 2) ltac:(lra) ltac:(lra) ltac:(lra)). rewrite Rabs_left; lra. Qed.
+
 (* It is of first order for every field, that of v - v^3 errs by epsilon at least: not at epsilon = 1/2. *)
-Theorem seed_clamp__costs_an_order : ~ forall epsilon : R, 0 < epsilon <= 1 ->
+Theorem seed_clamp__first_order : ~ forall epsilon : R, 0 < epsilon <= 1 ->
   epsilon <= Rabs (at_pole (fun v => v - v ^ 3) epsilon - Derive (fun v => v - v ^ 3) 0).
 Proof.
   intros F. specialize (F (1 / 2) ltac:(lra)). rewrite at_pole_value in F by lra.
@@ -307,12 +188,15 @@ Proof.
 Qed.
 
 (* Its error is epsilon^2. *)
-Theorem seed_clamp__costs_an_order__false : ~ ~ forall epsilon : R, 0 < epsilon <= 1 ->
+Theorem seed_clamp__first_order__false : ~ ~ forall epsilon : R, 0 < epsilon <= 1 ->
   at_pole (fun v => v - v ^ 3) epsilon - Derive (fun v => v - v ^ 3) 0 = - epsilon ^ 2.
 Proof.
   intros N. apply N. intros epsilon E. rewrite at_pole_value by exact E.
   rewrite (is_derive_unique _ _ 1) by (auto_derive; [exact I | ring]). field. lra.
 Qed.
+
+Theorem seed_truncation_slope__descends : Statements.seed_truncation_slope__descends.
+Proof. intro F. generalize (F (1 / 2) 1 ltac:(lra) ltac:(lra)). rewrite Rabs_Ropp, Rabs_R1. lra. Qed.
 
 Lemma whole_part (x : R) (m : Z) : IZR m <= x < IZR m + 1 -> IZR (Int_part x) = IZR m.
 Proof.
@@ -355,7 +239,7 @@ Qed.
 
 (* The error of the central difference of ridges is at most epsilon^2 omega^3 / 6, omega = pi k, as for a sine: not at a
    crease, against the slope after it. *)
-Theorem seed_truncation_slope__descends : ~ forall u v ku kv epsilon l : R, 0 < ku -> 0 < epsilon ->
+Theorem seed_truncation_slope__slope_after : ~ forall u v ku kv epsilon l : R, 0 < ku -> 0 < epsilon ->
   slope_after (fun u => height_ridges.h u v ku kv) u l ->
   Rabs (central_ridges.h_u u v ku kv epsilon - l) <= epsilon ^ 2 / 6 * (PI * ku) ^ 3.
 Proof.
@@ -365,7 +249,7 @@ Proof.
 Qed.
 
 (* There the error is omega, whatever the step is. *)
-Theorem seed_truncation_slope__descends__false : ~ ~ exists u v ku kv l : R, 0 < ku /\
+Theorem seed_truncation_slope__slope_after__false : ~ ~ exists u v ku kv l : R, 0 < ku /\
   slope_after (fun u => height_ridges.h u v ku kv) u l /\
   forall epsilon, 0 < epsilon < 1 / 2 -> Rabs (central_ridges.h_u u v ku kv epsilon - l) = PI * ku.
 Proof.
@@ -374,35 +258,17 @@ Proof.
   rewrite Rminus_0_l, Rabs_Ropp, Rabs_pos_eq; lra.
 Qed.
 
-Lemma ridge_point : sin (PI * (8 * (1 / 4))) = 0 /\ cos (PI * (8 * (1 / 4))) = 1 /\ sin (PI * (4 * (1 / 8))) = 1.
+Theorem ridges_differentiable__one_slope : Statements.ridges_differentiable__one_slope.
 Proof.
+  intro F. generalize (F 8 4 (1 / 4) (1 / 8)). replace (1 / 4 * PI * 8) with (2 * PI) by field.
   replace (PI * (8 * (1 / 4))) with (2 * PI) by field. replace (PI * (4 * (1 / 8))) with (PI / 2) by field.
-  rewrite sin_2PI, cos_2PI, sin_PI2. auto.
+  rewrite sin_2PI, cos_2PI, sin_PI2, Rabs_pos_eq; lra.
 Qed.
 
-(* On a crease k_u u = m the slopes of ridges to the right and to the left, +|p_u| and -|p_u|, are the same:
-   not at k_u = 8, k_v = 4, (u, v) = (1/4, 1/8). *)
-Theorem ridges_differentiable__one_slope : ~ forall (u v ku kv : R) (m : Z), ku * u = IZR m ->
-  Rabs (gradient_sine.h_u u v ku kv) = - Rabs (gradient_sine.h_u u v ku kv).
-Proof.
-  intros F. specialize (F (1 / 4) (1 / 8) 8 4 2%Z ltac:(lra)).
-  unfold gradient_sine.h_u, gradient_sine.cos_u, gradient_sine.sin_v in F.
-  destruct ridge_point as (_ & C & S). rewrite C, S in F. pose proof PI_RGT_0. rewrite Rabs_pos_eq in F; lra.
-Qed.
-
-(* They are at a crossing. *)
-Theorem ridges_differentiable__one_slope__false : ~ ~ forall (u v ku kv : R) (m n : Z), ku * u = IZR m ->
-  kv * v = IZR n ->
-  Rabs (gradient_sine.h_u u v ku kv) = - Rabs (gradient_sine.h_u u v ku kv).
-Proof.
-  intros N. apply N. intros u v ku kv m n _ E. unfold gradient_sine.h_u, gradient_sine.sin_v.
-  rewrite (proj2 (sine_zero (kv * v))) by (exists n; exact E). rewrite Rmult_0_r, Rabs_R0. ring.
-Qed.
-
-(* Ridges is differentiable in u: not there. *)
+(* Ridges is differentiable in u: not at k_u = 8, k_v = 4, (u, v) = (1/4, 1/8). *)
 Theorem ridges_differentiable__derivative : ~ forall u v ku kv : R, ex_derive (fun u => height_ridges.h u v ku kv) u.
 Proof.
-  intros F. destruct ridge_point as (_ & _ & S).
+  intros F. assert (S : sin (PI * (4 * (1 / 8))) = 1) by (replace (PI * (4 * (1 / 8))) with (PI / 2) by field; exact sin_PI2).
   apply (proj1 (kink_loci__creased_in_u (1 / 4) (1 / 8) 8 4 ltac:(lra) ltac:(lra))); [exists 2%Z; lra | apply F].
 Qed.
 
@@ -417,26 +283,13 @@ Proof.
   - intros Z. apply H. unfold height_ridges.h. rewrite Z. apply Rabs_R0.
 Qed.
 
-(* For whole k_u the slope of sine is the same on both sides of u = 0: not at k_u = k_v = 1, v = 1/2. *)
-Theorem periodic_u_saves_the_seam__slope : ~ forall (k : Z) (v kv : R),
-  gradient_sine.h_u 0 v (IZR k) kv = gradient_sine.h_u 1 v (IZR k) kv.
+Theorem periodic_u_saves_the_seam__slope : Statements.periodic_u_saves_the_seam__slope.
 Proof.
-  intros F. specialize (F 1%Z (1 / 2) 1). unfold gradient_sine.h_u, gradient_sine.cos_u, gradient_sine.sin_v in F.
-  rewrite half_sine, !Rmult_1_r, !Rmult_0_r, cos_0, cos_PI in F. pose proof PI_RGT_0. lra.
+  intro F. generalize (F 1 1 (1 / 2)). replace (PI * (1 * (1 / 2))) with (PI / 2) by field.
+  rewrite !Rmult_0_l, !Rmult_1_r, Rmult_0_r, cos_0, sin_PI, cos_PI, sin_PI2. lra.
 Qed.
 
-(* It is for even k_u. *)
-Theorem periodic_u_saves_the_seam__slope__false : ~ ~ forall (k : Z) (v kv : R),
-  gradient_sine.h_u 0 v (IZR (2 * k)) kv = gradient_sine.h_u 1 v (IZR (2 * k)) kv.
-Proof.
-  intros N. apply N. intros k v kv. unfold gradient_sine.h_u, gradient_sine.cos_u.
-  replace (cos (PI * (IZR (2 * k) * 0))) with 1 by (rewrite !Rmult_0_r, cos_0; reflexivity).
-  replace (cos (PI * (IZR (2 * k) * 1))) with 1; [reflexivity |].
-  rewrite mult_IZR. replace (PI * (2 * IZR k * 1)) with (2 * (PI * IZR k)) by ring.
-  rewrite cos_2a_sin, (proj2 (sine_zero (IZR k))) by (exists k; reflexivity). ring.
-Qed.
-
-(* So it is differentiable across u = 0, with u wrapped to [0, 1): not there either. *)
+(* For whole k_u sine is differentiable across u = 0, with u wrapped to [0, 1): not for k_u = k_v = 1, v = 1/2. *)
 Theorem periodic_u_saves_the_seam__derivative : ~ forall (k : Z) (v kv : R),
   ex_derive (fun u => height_sine.h (u - IZR (Int_part u)) v (IZR k) kv) 0.
 Proof.
@@ -460,6 +313,12 @@ Theorem periodic_u_saves_the_seam__derivative__false : ~ ~ forall v kv : R,
 Proof.
   intros N. apply N. intros v kv. apply (ex_derive_ext (fun _ => 0)); [| apply ex_derive_const].
   intros t. unfold height_sine.h. rewrite Rmult_0_l, Rmult_0_r, sin_0, Rmult_0_l. reflexivity.
+Qed.
+
+Theorem sine_is_smooth_everywhere__one_limit : Statements.sine_is_smooth_everywhere__one_limit.
+Proof.
+  intro F. generalize (F 2 1 (PI / 2)). replace (2 * (PI / 2 + PI) / 2) with (PI / 2 + PI) by field.
+  rewrite neg_sin, sin_neg, sin_PI, sin_PI2. lra.
 Qed.
 
 (* The vector g of sine on the meridian theta, at the distance v from the pole. *)
@@ -494,7 +353,7 @@ Qed.
 
 (* For sine, g tends to the same vector along every meridian as v -> 0: not for k_u = 2, k_v = 1, where it tends to
    (0, - pi, 0) on theta = pi/2 and to 0 on theta = pi. *)
-Theorem sine_is_smooth_everywhere__one_limit : ~ forall ku kv : R, exists lx ly lz, forall theta, - PI < theta <= PI ->
+Theorem sine_is_smooth_everywhere__limits : ~ forall ku kv : R, exists lx ly lz, forall theta, - PI < theta <= PI ->
   tends_at_pole (meridian_x ku kv theta) lx /\ tends_at_pole (meridian_y ku kv theta) ly /\
   tends_at_pole (meridian_z ku kv theta) lz.
 Proof.
@@ -506,7 +365,7 @@ Proof.
 Qed.
 
 (* It does for k_v = 0. *)
-Theorem sine_is_smooth_everywhere__one_limit__false : ~ ~ forall ku : R, exists lx ly lz, forall theta,
+Theorem sine_is_smooth_everywhere__limits__false : ~ ~ forall ku : R, exists lx ly lz, forall theta,
   - PI < theta <= PI ->
   tends_at_pole (meridian_x ku 0 theta) lx /\ tends_at_pole (meridian_y ku 0 theta) ly /\
   tends_at_pole (meridian_z ku 0 theta) lz.
@@ -514,6 +373,12 @@ Proof.
   intros N. apply N. intros ku. exists 0, 0, 0. intros theta _. repeat split;
     (apply (filterlim_ext (fun _ => 0)); [| apply filterlim_const]); intros v; meridian_lines;
     replace (sin (PI * (0 * v))) with 0 by (rewrite Rmult_0_l, Rmult_0_r, sin_0; reflexivity); ring.
+Qed.
+
+Theorem highlight_below_one__root : Statements.highlight_below_one__root.
+Proof.
+  intro F. generalize (F 32 (1 / 64 ^ 2) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+  replace (1 / 64 ^ 2) with ((1 / 64) ^ 2) by field. rewrite sqrt_pow2; lra.
 Qed.
 
 (* For every p > 0 the power x^p is Lipschitz on [0, 1]: not for p = 1/2. *)
@@ -544,53 +409,8 @@ Proof.
   apply Rmult_le_compat_r; [apply Rabs_pos | lra].
 Qed.
 
-(* At p = 1/2, sqrt x <= L x for some L: for none. *)
-Theorem highlight_below_one__root : ~ exists bound : R, forall x : R, 0 <= x <= 1 -> sqrt x <= bound * x.
+Theorem attached_shadow__in_light : Statements.attached_shadow__in_light.
 Proof.
-  intros [bound L]. set (m := bound ^ 2 + 1). assert (M : 1 <= m /\ bound <= m) by (unfold m; split; nra).
-  assert (S : 0 < / (4 * m) <= 1 / 4).
-  { split; [apply Rinv_0_lt_compat; lra |]. apply (Rmult_le_reg_r (4 * m)); [lra |]. rewrite Rinv_l; lra. }
-  assert (E : / (4 * m) * m = 1 / 4) by (field; lra). set (s := / (4 * m)) in *.
-  specialize (L (s ^ 2) ltac:(nra)). rewrite sqrt_pow2 in L by lra. nra.
-Qed.
-
-(* It holds where x >= 1 / L^2. *)
-Theorem highlight_below_one__root__false : ~ ~ forall bound x : R, 0 < bound -> 1 / bound ^ 2 <= x ->
-  sqrt x <= bound * x.
-Proof.
-  intros N. apply N. intros bound x B X. assert (P : 0 < 1 / bound ^ 2) by (apply Rdiv_lt_0_compat; nra).
-  assert (Q : 1 <= bound ^ 2 * x) by (apply (Rmult_le_compat_l (bound ^ 2)) in X; [field_simplify in X |]; nra).
-  rewrite <- (sqrt_pow2 (bound * x)) by nra. apply sqrt_le_1_alt. nra.
-Qed.
-
-(* The bump moves no shadow: where N faces a light, N.omega > 0, so does N'. Not at N = (0, 0, 1), beta g = (3/4, 0, 0),
-   omega = (-12, 0, 5) / 13. *)
-Theorem attached_shadow__in_light : ~ forall nx ny nz gx gy gz beta px py pz lx ly lz : R,
-  dot3 nx ny nz nx ny nz = 1 -> dot3 nx ny nz gx gy gz = 0 -> 0 < light_direction.light_distance px py pz lx ly lz ->
-  0 < light_direction.mu px py pz lx ly lz nx ny nz ->
-  0 < light_direction.mu px py pz lx ly lz (perturbed.bumped_x nx ny nz gx gy gz beta)
-    (perturbed.bumped_y nx ny nz gx gy gz beta) (perturbed.bumped_z nx ny nz gx gy gz beta).
-Proof.
-  intros F. specialize (F 0 0 1 1 0 0 (3 / 4) 0 0 0 (-12) 0 5).
-  assert (L : light_direction.light_distance 0 0 0 (-12) 0 5 = 13) by (apply sqrt_is; compute; lra).
-  assert (M : perturbed.m_length 0 0 1 1 0 0 (3 / 4) = 5 / 4)
-    by (apply sqrt_is; unfold perturbed.m_x, perturbed.m_y, perturbed.m_z; lra).
-  revert F. unfold light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z,
-    light_direction.light_scale, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z,
-    perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale. rewrite L, M.
-  unfold perturbed.m_x, perturbed.m_y, perturbed.m_z, dot3. lra.
-Qed.
-
-(* It does at beta = 0. *)
-Theorem attached_shadow__in_light__false : ~ ~ forall nx ny nz gx gy gz px py pz lx ly lz : R,
-  dot3 nx ny nz nx ny nz = 1 -> 0 < light_direction.mu px py pz lx ly lz nx ny nz ->
-  0 < light_direction.mu px py pz lx ly lz (perturbed.bumped_x nx ny nz gx gy gz 0)
-    (perturbed.bumped_y nx ny nz gx gy gz 0) (perturbed.bumped_z nx ny nz gx gy gz 0).
-Proof.
-  intros N. apply N. intros nx ny nz gx gy gz px py pz lx ly lz U M.
-  assert (L : perturbed.m_length nx ny nz gx gy gz 0 = 1).
-  { apply sqrt_is; [lra |]. transitivity (dot3 nx ny nz nx ny nz); [| lra].
-    unfold dot3, perturbed.m_x, perturbed.m_y, perturbed.m_z. ring. }
-  unfold perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale. rewrite L, Rinv_1.
-  unfold perturbed.m_x, perturbed.m_y, perturbed.m_z. rewrite !Rmult_0_l, !Rplus_0_l, !Rmult_1_l. exact M.
+  intro F. generalize (F (3 / 4) 1 0 0 0 0 1 (-12 / 13) 0 (5 / 13)). cbv zeta. replace ((_ + 0) ^ 2 + _ + _) with ((5 / 4) ^ 2) by field.
+  rewrite sqrt_pow2 by lra. lra.
 Qed.

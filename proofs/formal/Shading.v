@@ -2,12 +2,79 @@
 
 From Coq Require Import Reals Lra Psatz Lia List.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Vectors Fields Bump.
+From Formal Require Import Preliminaries Formulas Vectors Fields Bump Claim.
+From Formal Require Statements.
 Import ListNotations.
 Open Scope R_scope.
 
+Theorem specular_lipschitz__along_a_direction : Statements.specular_lipschitz__along_a_direction.
+Proof.
+  red. intros a mx my mz nx ny nz ox oy oz A G U. set (w := oz * (nz - mz) + ox * (nx - mx) + oy * (ny - my)).
+  assert (S : a ^ 2 - w ^ 2 = (ox * (ny - my) - oy * (nx - mx)) ^ 2 + (oy * (nz - mz) - oz * (ny - my)) ^ 2 + (oz * (nx - mx) - ox * (nz - mz)) ^ 2).
+  { transitivity (a ^ 2 * (oz * oz + ox * ox + oy * oy) - w ^ 2); [rewrite U; ring | rewrite G; unfold w; ring]. }
+  assert (D : a ^ 2 - w ^ 2 >= 0) by (rewrite S; apply Rle_ge; repeat apply Rplus_le_le_0_compat; apply pow2_ge_0). assert (- a <= w <= a) by (clear - A D; split; nra).
+  split; [exact D | unfold w in *; split; lra].
+Qed.
+Theorem specular_lipschitz__clamps : Statements.specular_lipschitz__clamps.
+Proof. red. intros. unfold Rabs, Rmax, Rmin. repeat destruct Rle_dec; destruct Rcase_abs; lra. Qed.
+Theorem specular_lipschitz__blinn : Statements.specular_lipschitz__blinn.
+Proof.
+  red. intros. rewrite <- H0. repeat split; [lra | apply pow_nonzero; lra | field; lra | field; lra].
+Qed.
+Theorem specular_lipschitz__gram : Statements.specular_lipschitz__gram.
+Proof.
+  red. intros mx my mz nx ny nz ox oy oz N M O.
+  transitivity ((mz * mz + mx * mx + my * my) * (nz * nz + nx * nx + ny * ny) * (oz * oz + ox * ox + oy * oy) + (mz * oz + mx * ox + my * oy) * 2 * (nz * oz + nx * ox + ny * oy) * (mz * nz + mx * nx + my * ny)
+    - (mz * mz + mx * mx + my * my) * (nz * oz + nx * ox + ny * oy) ^ 2 - (nz * nz + nx * nx + ny * ny) * (mz * oz + mx * ox + my * oy) ^ 2 - (oz * oz + ox * ox + oy * oy) * (mz * nz + mx * nx + my * ny) ^ 2); [ring | rewrite N, M, O; ring].
+Qed.
+Theorem specular_lipschitz__twice : Statements.specular_lipschitz__twice.
+Proof.
+  red. intros a d b c t D G T A. assert (4 * d ^ 2 >= t ^ 2) by (rewrite T, A; assert (0 <= (1 - c) ^ 2) by apply pow2_ge_0; lra). split; [assumption | nra].
+Qed.
+Theorem specular_lipschitz__no_state_is_negative : Statements.specular_lipschitz__no_state_is_negative.
+Proof. red. intros. repeat split; nra. Qed.
+Theorem specular_lipschitz__power : Statements.specular_lipschitz__power.
+Proof. red. intros. assert (power_ >= quotient) by nra. repeat split; nra. Qed.
+Theorem specular_lipschitz__factors : Statements.specular_lipschitz__factors.
+Proof.
+  red. intros x z ox oz p q g bx bz X0 X Z0 Z P0 P Q0 Q G0 G BX0 BX BZ0 BZ n.
+  induction n as [|n (A & B & C)]; [rewrite X0, Z0, P0, Q0, G0, BX0, BZ0; repeat split; ring|].
+  rewrite X, Z, P, Q, G, BX, BZ. repeat split; [|lra|].
+  - replace (ox n) with (oz n + q n * (x - z)) by lra. ring.
+  - transitivity ((p n - q n) * x + p n * (1 - x) + (1 - oz n)); [ring | rewrite B, C; ring].
+Qed.
+Theorem specular_lipschitz__mirror : Statements.specular_lipschitz__mirror.
+Proof.
+  red. intros mx my mz nx ny nz ox oy oz vx vy vz N M. set (a := nz * oz + nx * ox + ny * oy). set (b := mz * oz + mx * ox + my * oy).
+  split; [|split; [|split; unfold a, b; ring]].
+  - transitivity (4 * (b ^ 2 * (mz * mz + mx * mx + my * my) + a ^ 2 * (nz * nz + nx * nx + ny * ny) - 2 * (mz * nz + mx * nx + my * ny) * b * a)); [ring | rewrite N, M; ring].
+  - transitivity ((nz * nz + nx * nx + ny * ny) + (mz * mz + mx * mx + my * my) - 2 * (mz * nz + mx * nx + my * ny)); [ring | rewrite N, M; ring].
+Qed.
+Theorem squared_highlight__base : Statements.squared_highlight__base.
+Proof.
+  red. intros a l k d s b S L A. subst a. transitivity (b ^ 2 * (k * d * s)); [rewrite <- L; ring | rewrite S; ring].
+Qed.
+Theorem squared_highlight__halfway : Statements.squared_highlight__halfway.
+Proof.
+  red. intros. assert (distance_squared >= 0) by (apply Rle_ge; repeat apply Rplus_le_le_0_compat; apply pow2_ge_0).
+  change (to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2) with distance_squared in *. change light_distance_plain with light_distance in *.
+  repeat split; try assumption; try (apply Rgt_not_eq; assumption); lines; field; apply Rgt_not_eq; assumption.
+Qed.
+Theorem squared_highlight__cosine : Statements.squared_highlight__cosine.
+Proof.
+  red. intros. change light_distance_plain with light_distance in *.
+  assert (S : distance_squared >= 0) by (apply Rle_ge; repeat apply Rplus_le_le_0_compat; apply pow2_ge_0).
+  assert (L : light_distance <> 0).
+  { intro Z. assert (distance_squared = 0) by (apply sqrt_eq_0; [apply Rge_le, S | exact Z]). unfold distance_squared in *. 
+    assert (to_light_x = 0) by nra. assert (to_light_y = 0) by nra. assert (to_light_z = 0) by nra. 
+    assert (halfway_squared = 0); [|lra]. unfold halfway_squared, halfway_x, halfway_y, halfway_z. rewrite Z, H1, H2, H3. ring. }
+  assert (K : halfway_squared <> 0) by lra. repeat split; trivial.
+  unfold mu, light_scale. destruct (Rlt_dec 0 halfway_squared) as [_|X]; [|lra].
+  unfold mu_plain, towards_x_plain, towards_y_plain, towards_z_plain, light_scale_plain, along_light. change light_distance_plain with light_distance. change to_light_x_plain with to_light_x. change to_light_y_plain with to_light_y. change to_light_z_plain with to_light_z. clearbody light_distance halfway_squared. field. split; assumption.
+Qed.
+
 (* For every whole p, x^p is Lipschitz with p on [0, 1]: by induction. *)
-Lemma power_lipschitz (p : nat) (a b : R) : 0 <= a <= 1 -> 0 <= b <= 1 -> Rabs (a ^ p - b ^ p) <= INR p * Rabs (a - b).
+Theorem specular_lipschitz__whole_power (p : nat) (a b : R) : 0 <= a <= 1 -> 0 <= b <= 1 -> Rabs (a ^ p - b ^ p) <= INR p * Rabs (a - b).
 Proof.
   intros A B. induction p as [|p IH]; [simpl; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; lra|].
   replace (a ^ S p - b ^ S p) with (a * (a ^ p - b ^ p) + b ^ p * (a - b)) by (simpl; ring).
@@ -15,6 +82,11 @@ Proof.
   eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult, (Rabs_pos_eq a), (Rabs_pos_eq (b ^ p)), S_INR by lra.
   generalize (Rabs_pos (a ^ p - b ^ p)) (Rabs_pos (a - b)). nra.
 Qed.
+
+Theorem specular_lipschitz__whole_power__point : exists x z : R, 0 <= x <= 1 /\ 0 <= z <= 1.
+Proof. exists 0, 1. lra. Qed.
+Theorem specular_lipschitz__whole_power__false : ~ forall (p : nat) x z, Rabs (x ^ p - z ^ p) <= INR p * Rabs (x - z).
+Proof. intro H. generalize (H 2%nat 2 1). rewrite !Rabs_pos_eq; simpl; lra. Qed.
 
 Lemma clamp_is_lipschitz (a b : R) : Rabs (Rmax 0 a - Rmax 0 b) <= Rabs (a - b).
 Proof. unfold Rmax, Rabs. destruct (Rle_dec 0 a), (Rle_dec 0 b); repeat destruct Rcase_abs; lra. Qed.
@@ -51,7 +123,7 @@ Lemma direction_is_unit (a : vector) : 0 < magnitude a -> magnitude (scaled (/ m
 Proof. intro H. rewrite length_scaled, Rabs_pos_eq by (left; apply Rinv_0_lt_compat, H). apply Rinv_l. lra. Qed.
 
 (* mu is Lipschitz with 1 in N'. *)
-Theorem (* clause 1 *) specular_lipschitz__along_a_direction (P L n m : vector) : 0 < magnitude (difference L P) ->
+Lemma mu_is_lipschitz (P L n m : vector) : 0 < magnitude (difference L P) ->
   Rabs (mu P L n - mu P L m) <= magnitude (difference n m).
 Proof. intro H. rewrite !mu_is_a_product. apply dot_is_lipschitz, direction_is_unit, H. Qed.
 
@@ -69,7 +141,7 @@ Proof.
 Qed.
 
 (* Blinn's base is Lipschitz with 1. *)
-Theorem (* clause 1 *) specular_lipschitz__blinn (P L v n m : vector) : Rabs (blinn_base P L v n - blinn_base P L v m) <= magnitude (difference n m).
+Lemma blinn_base_is_lipschitz (P L v n m : vector) : Rabs (blinn_base P L v n - blinn_base P L v m) <= magnitude (difference n m).
 Proof.
   rewrite !blinn_base_is. destruct (Rlt_dec _ _) as [H|H].
   - eapply Rle_trans; [apply clamp_is_lipschitz|]. apply dot_is_lipschitz, direction_is_unit, H.
@@ -113,7 +185,7 @@ Proof.
 Qed.
 
 (* Mirroring w at the unit vectors n and m gives vectors whose product with v differs by at most 2 |n - m|. *)
-Theorem (* clause 1 *) specular_lipschitz__mirror (n m w v : vector) : magnitude n = 1 -> magnitude m = 1 -> magnitude w = 1 -> magnitude v = 1 ->
+Lemma mirror_is_lipschitz (n m w v : vector) : magnitude n = 1 -> magnitude m = 1 -> magnitude w = 1 -> magnitude v = 1 ->
   Rabs ((2 * dot n w * dot n v - dot w v) - (2 * dot m w * dot m v - dot w v)) <= 2 * magnitude (difference n m).
 Proof.
   intros Hn Hm Hw Hv. set (s := vector_sum n m). set (d := difference n m).
@@ -136,11 +208,11 @@ Proof.
 Qed.
 
 (* Phong's base is Lipschitz with 2, between unit normals. *)
-Theorem (* clause 1 *) specular_lipschitz__phong (P L v n m : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
+Lemma phong_base_is_lipschitz (P L v n m : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
   Rabs (phong_base P L v n - phong_base P L v m) <= 2 * magnitude (difference n m).
 Proof.
   intros H Hn Hm Hv. rewrite !phong_base_is. eapply Rle_trans; [apply clamp_is_lipschitz|].
-  apply specular_lipschitz__mirror; trivial. apply direction_is_unit, H.
+  apply mirror_is_lipschitz; trivial. apply direction_is_unit, H.
 Qed.
 
 (* Both bases lie in [0, 1] for unit normals. *)
@@ -161,46 +233,24 @@ Proof.
   generalize (product_of_units r v R V). unfold Rmax. destruct (Rle_dec _ _); lra.
 Qed.
 
-(* So the highlight base^p is Lipschitz with p (Blinn) and 2p (Phong), for every whole p. *)
-Theorem (* clause 3 *) specular_lipschitz__power (p : nat) (P L v n m : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
+(* mu is Lipschitz with 1 in N', and the highlight base^p with p (Blinn) and 2p (Phong), for every whole p. *)
+Theorem specular_lipschitz__highlight (p : nat) (P L v n m : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
+  Rabs (mu P L n - mu P L m) <= magnitude (difference n m) /\
   Rabs (blinn_base P L v n ^ p - blinn_base P L v m ^ p) <= INR p * magnitude (difference n m) /\
   Rabs (phong_base P L v n ^ p - phong_base P L v m ^ p) <= 2 * INR p * magnitude (difference n m).
 Proof.
-  intros H Hn Hm Hv. generalize (pos_INR p). intro I. split.
-  - eapply Rle_trans; [apply power_lipschitz; apply blinn_base_in_unit; assumption|]. apply Rmult_le_compat_l; [exact I | apply specular_lipschitz__blinn].
-  - eapply Rle_trans; [apply power_lipschitz; apply phong_base_in_unit; assumption|].
+  intros H Hn Hm Hv. generalize (pos_INR p). intro I. split; [apply mu_is_lipschitz, H | split].
+  - eapply Rle_trans; [apply specular_lipschitz__whole_power; apply blinn_base_in_unit; assumption|]. apply Rmult_le_compat_l; [exact I | apply blinn_base_is_lipschitz].
+  - eapply Rle_trans; [apply specular_lipschitz__whole_power; apply phong_base_in_unit; assumption|].
     replace (2 * INR p * magnitude (difference n m)) with (INR p * (2 * magnitude (difference n m))) by ring.
-    apply Rmult_le_compat_l; [exact I | apply specular_lipschitz__phong; assumption].
+    apply Rmult_le_compat_l; [exact I | apply phong_base_is_lipschitz; assumption].
 Qed.
-Theorem specular_lipschitz__power__point : exists P L v n : vector, 0 < magnitude (difference L P) /\ magnitude n = 1 /\ magnitude v = 1.
+Theorem specular_lipschitz__highlight__point : exists P L v n : vector, 0 < magnitude (difference L P) /\ magnitude n = 1 /\ magnitude v = 1.
 Proof.
   exists (0, 0, 0), (1, 0, 0), (1, 0, 0), (1, 0, 0).
   assert (E : magnitude (1, 0, 0) = 1) by (apply length_of_unit; unfold dot; ring). split; [|split; exact E].
   replace (difference (1, 0, 0) (0, 0, 0)) with ((1, 0, 0) : vector) by (unfold difference, vector_sum, scaled; f_equal; [f_equal|]; ring). rewrite E. lra.
 Qed.
-(* On [0, 1] itself: |x^p - z^p| <= p |x - z|; one step of the recurrence keeps the factor q of x^p - z^p, and p - q, from being negative. *)
-Theorem (* clauses 2, 3 *) specular_lipschitz__whole_power (p : nat) (x z : R) : 0 <= x <= 1 -> 0 <= z <= 1 -> Rabs (x ^ p - z ^ p) <= INR p * Rabs (x - z).
-Proof. apply power_lipschitz. Qed.
-Theorem specular_lipschitz__whole_power__point : exists x z : R, 0 <= x <= 1 /\ 0 <= z <= 1.
-Proof. exists 0, 1. lra. Qed.
-Theorem specular_lipschitz__whole_power__false : ~ forall (p : nat) x z, Rabs (x ^ p - z ^ p) <= INR p * Rabs (x - z).
-Proof. intro H. generalize (H 2%nat 2 1). rewrite !Rabs_pos_eq; simpl; lra. Qed.
-Theorem (* clause 2 *) specular_lipschitz__step (p : nat) (x z q : R) : 0 <= x <= 1 -> 0 <= z <= 1 -> x ^ p - z ^ p = q * (x - z) -> 0 <= q <= INR p ->
-  x ^ S p - z ^ S p = (x * q + z ^ p) * (x - z) /\ 0 <= x * q + z ^ p <= INR (S p).
-Proof.
-  intros X Z E Q. assert (H : 0 <= z ^ p <= 1) by (split; [apply pow_le; lra | rewrite <- (pow1 p); apply pow_incr; lra]). rewrite S_INR. cbn [pow]. split; [|split; nra].
-  replace (x * x ^ p) with (x * (z ^ p + q * (x - z))) by (rewrite <- E; ring). ring.
-Qed.
-Theorem specular_lipschitz__step__point : exists (p : nat) (x z q : R), 0 <= x <= 1 /\ 0 <= z <= 1 /\ x ^ p - z ^ p = q * (x - z) /\ 0 <= q <= INR p.
-Proof. exists 0%nat, 1, 0, 0. simpl. lra. Qed.
-Theorem specular_lipschitz__step__false : ~ forall (p : nat) (x z q : R), 0 <= x <= 1 -> 0 <= z <= 1 -> x ^ p - z ^ p = q * (x - z) -> x ^ S p - z ^ S p = x * q * (x - z).
-Proof. intro H. generalize (H 0%nat 1 0 0 ltac:(lra) ltac:(lra)). simpl. lra. Qed.
-(* With p alone Phong's is not. *)
-Theorem specular_lipschitz__power__false : ~ forall (p : nat) (a b : R), 0 <= a <= 1 -> 0 <= b <= 1 -> Rabs (a ^ p - b ^ p) <= Rabs (a - b).
-Proof.
-  intro H. generalize (H 2%nat 1 (1/2) ltac:(lra) ltac:(lra)). rewrite !Rabs_pos_eq; simpl; lra.
-Qed.
-
 (* The error of a colour *)
 
 (* A light's share of a channel. *)
@@ -216,7 +266,7 @@ Proof.
   intros I A D S H Q. unfold share, light_term.lit_red, light_term.diffuse, light_term.shine.
   set (x := Rmax 0 (mu P L n)). set (y := Rmax 0 (mu P L m)).
   assert (M : Rabs (x - y) <= magnitude (difference n m)).
-  { eapply Rle_trans; [apply clamp_is_lipschitz | apply specular_lipschitz__along_a_direction, H]. }
+  { eapply Rle_trans; [apply clamp_is_lipschitz | apply mu_is_lipschitz, H]. }
   replace (_ - _) with (i * (albedo * kd * (x - y) + ks * (model n ^ p - model m ^ p))) by ring.
   rewrite Rabs_mult, (Rabs_pos_eq i), (Rmult_assoc i (albedo * kd + ks * q)) by exact I. apply Rmult_le_compat_l; [exact I|].
   eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult, (Rabs_pos_eq albedo), (Rabs_pos_eq kd), (Rabs_pos_eq ks) by assumption.
@@ -260,53 +310,45 @@ Proof. exists 1, 1, 1, 1. lra. Qed.
 
 (* The squared highlight *)
 
-(* mu = (N'.d)(k.k)s and base^2 = (N'.k)^2 |d| s where N'.k >= 0: the printed shortcut is the model. *)
-Theorem squared_highlight__is_blinn (px py pz lx ly lz x y z vx vy vz : R) :
-  0 < (lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2 -> 0 < blinn.halfway_length px py pz lx ly lz vx vy vz ->
-  blinn_squared.mu px py pz lx ly lz x y z vx vy vz = blinn.mu px py pz lx ly lz x y z /\
-  blinn_squared.specular_base px py pz lx ly lz x y z vx vy vz = blinn.specular_base px py pz lx ly lz x y z vx vy vz ^ 2.
+Section squared.
+Variables P L v n : vector.
+Definition mu_squared : R :=
+  let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in blinn_squared.mu px py pz lx ly lz x y z vx vy vz.
+Definition base_squared : R :=
+  let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in blinn_squared.specular_base px py pz lx ly lz x y z vx vy vz.
+Let d := difference L P.
+Let k := vector_sum d (scaled (magnitude d) v).
+Let s := / (magnitude d * dot k k).
+Lemma squared_is : 0 < dot k k -> mu_squared = dot n d * dot k k * s /\ base_squared = Rmax 0 (dot n k) ^ 2 * magnitude d * s.
 Proof.
-  intros D0 H0. unfold blinn.specular_base. destruct (Rlt_dec _ _) as [_|H]; [|contradiction].
-  unfold blinn.halfway_length, blinn.halfway_x, blinn.halfway_y, blinn.halfway_z, blinn.mu, blinn.towards_x, blinn.towards_y, blinn.towards_z, blinn.light_scale,
-    blinn.light_distance, blinn.to_light_x, blinn.to_light_y, blinn.to_light_z in *.
+  unfold s, k, d, mu_squared, base_squared. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
   unfold blinn_squared.mu, blinn_squared.specular_base, blinn_squared.light_scale, blinn_squared.along_halfway, blinn_squared.along_light, blinn_squared.halfway_squared,
     blinn_squared.halfway_x, blinn_squared.halfway_y, blinn_squared.halfway_z, blinn_squared.light_distance, blinn_squared.distance_squared, blinn_squared.to_light_x,
-    blinn_squared.to_light_y, blinn_squared.to_light_z.
-  set (r := sqrt ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2)) in *. assert (R : 0 < r) by (apply sqrt_lt_R0; exact D0). clearbody r. clear D0.
-  generalize dependent (lx - px). generalize dependent (ly - py). generalize dependent (lz - pz). intros c b a H0.
-  set (q := (/ r * a + vx) ^ 2 + (/ r * b + vy) ^ 2 + (/ r * c + vz) ^ 2) in *.
-  assert (Q : 0 < q) by (apply Rnot_le_lt; intro L; rewrite (sqrt_neg_0 q L) in H0; lra).
-  assert (E : (r * vx + a) ^ 2 + (r * vy + b) ^ 2 + (r * vz + c) ^ 2 = r ^ 2 * q) by (unfold q; field; lra). rewrite E.
-  assert (Q' : 0 < r ^ 2 * q) by (apply Rmult_lt_0_compat; [apply pow_lt, R | exact Q]).
-  destruct (Rlt_dec 0 (r ^ 2 * q)) as [_|X]; [|contradiction]. split; [field; lra|].
-  assert (S : sqrt q ^ 2 = q) by (apply pow2_sqrt; lra). assert (S0 : 0 < sqrt q) by (apply sqrt_lt_R0; exact Q).
-  set (w := x * (/ r * a + vx) + y * (/ r * b + vy) + z * (/ r * c + vz)).
-  assert (W : x * (r * vx + a) + y * (r * vy + b) + z * (r * vz + c) = r * w) by (unfold w; field; lra). rewrite W.
-  unfold Rmax. destruct (Rle_dec 0 (r * w)) as [T|T], (Rle_dec (w / sqrt q) 0) as [V|V].
-  - assert (w = 0). { assert (0 <= w) by nra. assert (w <= 0); [|lra]. apply Rmult_le_reg_r with (/ sqrt q); [apply Rinv_0_lt_compat, S0|]. unfold Rdiv in V. lra. } subst w. rewrite H. field. lra.
-  - replace ((w / sqrt q) ^ 2) with (w ^ 2 / q) by (rewrite <- S at 1; field; lra). field. lra.
-  - field. lra.
-  - exfalso. apply V. assert (w < 0) by nra. unfold Rdiv. assert (0 < / sqrt q) by (apply Rinv_0_lt_compat, S0). nra.
+    blinn_squared.to_light_y, blinn_squared.to_light_z, difference, magnitude, dot, vector_sum, scaled.
+  replace (lx - px) with (lx + -1 * px) by ring. replace (ly - py) with (ly + -1 * py) by ring. replace (lz - pz) with (lz + -1 * pz) by ring.
+  generalize (lx + -1 * px) (ly + -1 * py) (lz + -1 * pz). intros a b c. replace (a ^ 2 + b ^ 2 + c ^ 2) with (a * a + b * b + c * c) by ring.
+  set (r := sqrt _). rewrite (Rplus_comm (r * vx)), (Rplus_comm (r * vy)), (Rplus_comm (r * vz)). set (kx := a + _). set (ky := b + _). set (kz := c + _).
+  replace (kx ^ 2 + ky ^ 2 + kz ^ 2) with (kx * kx + ky * ky + kz * kz) by ring. intro K.
+  destruct (Rlt_dec _ _) as [_|X]; [|contradiction]. unfold Rdiv. rewrite (Rmult_comm r). split; ring.
 Qed.
-Theorem difference_bound__clip__false : ~ forall a b, Rabs (clip.clipped a - clip.clipped b) = Rabs (a - b).
+(* With d = L - P, k = d + |d| v and s = 1/(|d| k.k): mu = (N'.d)(k.k)s, and the square of Blinn's base is (N'.k)^2 |d| s where N'.k >= 0.
+   The printed shortcut is the model. *)
+Theorem squared_highlight__formulas : 0 < magnitude d -> 0 < dot k k -> mu P L n = dot n d * dot k k * s /\
+  (0 <= dot n k -> blinn_base P L v n ^ 2 = dot n k ^ 2 * magnitude d * s) /\ mu_squared = mu P L n /\ base_squared = blinn_base P L v n ^ 2.
 Proof.
-  intro H. generalize (H 2 1). unfold clip.clipped. rewrite (Rmax_right 0 2), (Rmax_right 0 1), (Rmin_left 1 2), (Rmin_left 1 1) by lra.
-  rewrite Rminus_diag_eq, Rabs_R0, Rabs_pos_eq by lra. lra.
+  intros D K. destruct (squared_is K) as [-> ->]. set (h := vector_sum (omega P L) v).
+  assert (E : k = scaled (magnitude d) h).
+  { unfold k, h, omega. fold d. destruct d as [[a b] c], v as [[x y] z]. unfold vector_sum, scaled. set (r := magnitude _) in *. f_equal; [f_equal|]; field; lra. }
+  assert (Q : dot k k = magnitude d ^ 2 * dot h h) by (rewrite E, dot_scaled, (dot_comm h), dot_scaled; ring).
+  assert (H : 0 < dot h h) by nra. assert (S : magnitude h ^ 2 = dot h h) by apply length_squared. assert (S0 : 0 < magnitude h) by (apply sqrt_lt_R0, H).
+  assert (B : blinn_base P L v n ^ 2 = Rmax 0 (dot n k) ^ 2 * magnitude d * s).
+  { rewrite blinn_base_is. fold h. destruct (Rlt_dec _ _) as [_|X]; [|contradiction]. unfold s. rewrite Q, E, <- S, (dot_comm n (scaled (magnitude d) h)), (dot_comm n), !dot_scaled.
+    assert (F : forall p x, 0 < p -> Rmax 0 (p * x) = p * Rmax 0 x) by (intros p x X; rewrite <- (Rmult_0_r p) at 1; apply RmaxRmult; lra).
+    rewrite !F by (exact D || apply Rinv_0_lt_compat, S0). field. lra. }
+  assert (M : mu P L n = dot n d * dot k k * s) by (rewrite mu_is_a_product; unfold omega, s; fold d; rewrite dot_comm, dot_scaled, (dot_comm d); field; lra).
+  rewrite M, B. repeat split. intro N. rewrite Rmax_right by exact N. reflexivity.
 Qed.
-(* The printed shortcut is the base's square, not the base. *)
-Theorem squared_highlight__is_blinn__false : ~ forall y z,
-  blinn_squared.specular_base 0 0 0 0 0 1 0 y z 0 0 1 = blinn.specular_base 0 0 0 0 0 1 0 y z 0 0 1.
-Proof.
-  assert (R : sqrt ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2) = 1) by (replace (_ + _) with 1 by ring; apply sqrt_1).
-  generalize halfway_above. intro W.
-  intro H. generalize (H (3/5) (4/5)). rewrite (proj2 (squared_highlight__is_blinn 0 0 0 0 0 1 0 (3/5) (4/5) 0 0 1 ltac:(lra) ltac:(rewrite W; lra))).
-  assert (E : blinn.specular_base 0 0 0 0 0 1 0 (3/5) (4/5) 0 0 1 = 4/5).
-  { unfold blinn.specular_base. rewrite W. destruct (Rlt_dec 0 2) as [_|X]; [|lra]. unfold blinn.halfway_x, blinn.halfway_y, blinn.halfway_z, blinn.towards_x,
-      blinn.towards_y, blinn.towards_z, blinn.light_scale, blinn.light_distance, blinn.to_light_x, blinn.to_light_y, blinn.to_light_z.
-    rewrite R, Rinv_1. rewrite Rmax_left; field_simplify; lra. }
-  rewrite E. lra.
-Qed.
-(* False variants: each with half its bound, or without what it rests on. *)
+End squared.
 Lemma above_is : omega (0, 0, 0) (0, 0, 1) = (0, 0, 1).
 Proof.
   unfold omega. replace (difference (0, 0, 1) (0, 0, 0)) with ((0, 0, 1) : vector) by (unfold difference, vector_sum, scaled; f_equal; [f_equal|]; ring).
@@ -314,25 +356,22 @@ Proof.
 Qed.
 Lemma above_apart : magnitude (difference (0, 0, 1) (0, 0, 0)) = 1.
 Proof. apply length_of_unit. unfold dot, difference, vector_sum, scaled. ring. Qed.
-Theorem specular_lipschitz__along_a_direction__false : ~ forall P L n m : vector, 0 < magnitude (difference L P) -> Rabs (mu P L n - mu P L m) <= magnitude (difference n m) / 2.
+Theorem squared_highlight__formulas__point : exists P L v : vector, let d := difference L P in 0 < magnitude d /\ 0 < dot (vector_sum d (scaled (magnitude d) v)) (vector_sum d (scaled (magnitude d) v)).
+Proof. exists (0, 0, 0), (0, 0, 1), (0, 0, 1). cbv zeta. rewrite above_apart. unfold difference, dot, vector_sum, scaled. lra. Qed.
+(* The square, not the base. *)
+Theorem squared_highlight__formulas__false : ~ forall P L v n : vector, let d := difference L P in let k := vector_sum d (scaled (magnitude d) v) in
+  0 < magnitude d -> 0 < dot k k -> 0 <= dot n k -> blinn_base P L v n = dot n k ^ 2 * magnitude d * / (magnitude d * dot k k).
 Proof.
-  intro H. generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 0) ltac:(rewrite above_apart; lra)). rewrite !mu_is_a_product, above_is, above_apart. unfold dot. rewrite Rabs_pos_eq; lra.
+  intro H. set (n := (0, 3/5, 4/5) : vector). generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) n) (squared_highlight__formulas (0, 0, 0) (0, 0, 1) (0, 0, 1) n). cbv zeta.
+  rewrite above_apart. unfold n, difference, dot, vector_sum, scaled. intros E F. destruct F as (_ & F & _); try lra. rewrite E in F; lra.
 Qed.
-Theorem specular_lipschitz__blinn__false : ~ forall P L v n m : vector, Rabs (blinn_base P L v n - blinn_base P L v m) <= magnitude (difference n m) / 2.
+Theorem difference_bound__clip__false : ~ forall a b, Rabs (clip.clipped a - clip.clipped b) = Rabs (a - b).
 Proof.
-  intro H. generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 1) (0, 0, 0)). rewrite !blinn_base_is, above_is, above_apart.
-  replace (vector_sum (0, 0, 1) (0, 0, 1)) with (scaled 2 (0, 0, 1)) by (unfold vector_sum, scaled; f_equal; [f_equal|]; ring).
-  rewrite length_scaled, (length_of_unit (0, 0, 1)), (Rabs_pos_eq 2) by (try (unfold dot; ring); lra). destruct (Rlt_dec _ _) as [_|X]; [|lra]. unfold dot, scaled.
-  rewrite !Rmax_right by lra. rewrite Rabs_pos_eq; lra.
+  intro H. generalize (H 2 1). unfold clip.clipped. rewrite (Rmax_right 0 2), (Rmax_right 0 1), (Rmin_left 1 2), (Rmin_left 1 1) by lra.
+  rewrite Rminus_diag_eq, Rabs_R0, Rabs_pos_eq by lra. lra.
 Qed.
-Theorem specular_lipschitz__mirror__false : ~ forall n m w v : vector, magnitude n = 1 -> magnitude m = 1 -> magnitude w = 1 -> magnitude v = 1 ->
-  Rabs ((2 * dot n w * dot n v - dot w v) - (2 * dot m w * dot m v - dot w v)) <= magnitude (difference n m).
-Proof.
-  assert (A : magnitude (0, 0, 1) = 1) by (apply length_of_unit; unfold dot; ring). assert (B : magnitude (0, 1, 0) = 1) by (apply length_of_unit; unfold dot; ring).
-  intro H. generalize (H (0, 0, 1) (0, 1, 0) (0, 0, 1) (0, 0, 1) A B A A) (length_squared (difference (0, 0, 1) (0, 1, 0))) (length_nonneg (difference (0, 0, 1) (0, 1, 0))).
-  set (d := magnitude (difference (0, 0, 1) (0, 1, 0))). unfold dot, difference, vector_sum, scaled. rewrite Rabs_pos_eq by lra. nra.
-Qed.
-Theorem specular_lipschitz__phong__false : ~ forall P L v n m : vector, 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
+(* False variants: each with half its bound, or without what it rests on. *)
+Theorem specular_lipschitz__highlight__false : ~ forall P L v n m : vector, 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
   Rabs (phong_base P L v n - phong_base P L v m) <= magnitude (difference n m).
 Proof.
   assert (A : magnitude (0, 0, 1) = 1) by (apply length_of_unit; unfold dot; ring). assert (B : magnitude (0, 4/5, 3/5) = 1) by (apply length_of_unit; unfold dot; field).

@@ -470,11 +470,26 @@ Definition tangent_frame__right_handed : Prop :=
 Definition seed_bump_as_displacement__parallel : Prop :=
   ~ (
   forall beta cos_phi cos_theta h_u h_v sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  let g_x := e_phi_x * h_v + e_theta_x * h_u in
+  let g_y := e_phi_y * h_v + e_theta_y * h_u in
+  let g_z := e_phi_z * h_v + e_theta_z * h_u in
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
   cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
   cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
   sin_phi > 0 ->
   sin_phi <> 0 ->
-  beta ^ 2 * cos_phi ^ 2 * cos_theta ^ 2 * h_u * h_v - (1 / 2) * beta ^ 2 * cos_phi ^ 2 * cos_theta ^ 2 * h_u * h_v / sin_phi + beta ^ 2 * cos_phi ^ 2 * h_u * h_v * sin_theta ^ 2 - (1 / 2) * beta ^ 2 * cos_phi ^ 2 * h_u * h_v * sin_theta ^ 2 / sin_phi + beta ^ 2 * cos_theta ^ 2 * h_u * h_v * sin_phi ^ 2 - (1 / 2) * beta ^ 2 * cos_theta ^ 2 * h_u * h_v * sin_phi + beta ^ 2 * h_u * h_v * sin_phi ^ 2 * sin_theta ^ 2 - (1 / 2) * beta ^ 2 * h_u * h_v * sin_phi * sin_theta ^ 2 = 0).
+  normal_z * (m_x * (-beta) * (e_phi_y * h_v + e_theta_y * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_y * (e_phi_x * h_v + e_theta_x * (1 / 2) * h_u / sin_phi)) + normal_x * (m_y * (-beta) * (e_phi_z * h_v + e_theta_z * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_z * (e_phi_y * h_v + e_theta_y * (1 / 2) * h_u / sin_phi)) + normal_y * (m_z * (-beta) * (e_phi_x * h_v + e_theta_x * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_x * (e_phi_z * h_v + e_theta_z * (1 / 2) * h_u / sin_phi)) = 0).
 
 Definition central_difference_of_sine__no_clamp : Prop :=
   forall epsilon v : R,
@@ -1565,7 +1580,7 @@ Definition pole__polynomial : Prop :=
 Definition sine_is_smooth_everywhere__one_limit : Prop :=
   ~ (
   forall k_u k_v theta : R,
-  k_v * (sin theta) * (sin (PI * ((1 / 2) * k_u * theta / PI + (1 / 2) * k_u))) = 0).
+  k_v * (sin theta) * (sin (k_u * (theta + PI) / 2)) = k_v * (sin (-PI)) * (sin (k_u * (PI - PI) / 2))).
 
 Definition seed_pole_rows__beside : Prop :=
   ~ (
@@ -1573,7 +1588,7 @@ Definition seed_pole_rows__beside : Prop :=
   (m - 128) * (m - 127) >= 0 ->
   (n - 109) * (n - 108) >= 0 ->
   (n - 110) * (n - 107) <= 0 ->
-  ((1 / 10000) * (4 / 3)) ^ 2 > (5 / 49152) * m ^ 2 - (425 / 16384) * m + (5 / 49152) * n ^ 2 - (361 / 16384) * n + (466419 / 163840)).
+  ((1 / 10000) * (4 / 3)) ^ 2 > (5 / 3) * (((2 * m - 256 + 1) / 256) ^ 2 + 0 + ((-2 * n - 1 + 256) / 256 + (-3 / 20)) ^ 2)).
 
 Definition ridges_at_crossings__crossing : Prop :=
   forall k_u k_v m n to_u to_v : R,
@@ -1625,7 +1640,7 @@ Definition periodic_u_saves_the_seam__slope : Prop :=
   ~ (
   forall k_u k_v v : R,
   sin (PI * k_u) = 0 ->
-  k_u * (sin (PI * (k_v * v))) - k_u * (cos (PI * k_u)) * (sin (PI * (k_v * v))) = 0).
+  k_u * (cos (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - k_u * (cos (PI * (1 * k_u))) * (sin (PI * (k_v * v))) = 0).
 
 Definition mean_keeps_the_bound__one_more : Prop :=
   forall bound mean sample share : R,

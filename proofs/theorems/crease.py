@@ -6,7 +6,6 @@ from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.program import Program
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import inside
-from proofs.formulas.half_turns import ordinary
 from proofs.formulas.step_bounds import (
     crease_rms,
     creases,
@@ -24,7 +23,7 @@ from proofs.formulas.step_bounds import (
 )
 from proofs.formulas.symbols import epsilon, h_u, k_u, k_v, real, u, v
 from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, expanded, named, nonnegative, positive, ridges, zero
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, nonnegative, positive, ridges, without, zero
 
 delta, m = real("delta m")
 rate = slope_bound[steepest].xreplace({frequency: k_u})
@@ -105,8 +104,7 @@ theorem = Theorem(
 )
 
 omega = real("omega")
-_at_crease = {k_u: omega / pi, delta: 0}
-_gap = Abs(expanded(ordinary(across.xreplace(_at_crease)) - slope_after.xreplace(_at_crease)))
+_gap = Abs(without(pi, _centre.shows[1].rhs).xreplace({k_u: omega}))  # at the crease, with ω for πk
 _steps = (omega > 0, epsilon > 0)
 _descends = Claim(
     "descends", (at_least(truncation_bound[truncation].xreplace({third_derivative: omega**3}), _gap),), _steps

@@ -1,6 +1,6 @@
 """The surface that the bump pretends to be: its normal and Blinn's, where the chapter's agrees, and the angle (F18)."""
 
-from sympy import Derivative, Rational, pi, sin
+from sympy import Derivative, Pow, Rational, pi, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
@@ -10,7 +10,7 @@ from proofs.formulas.displacement import blinn_normal, displaced, displaced_norm
 from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, real, sin_phi, theta
 from proofs.formulas.tangent_frame import e_phi, e_theta
 from proofs.theorems.frame import angles, at_angle, frame, on_circles
-from proofs.theorems.relations import equations, expanded, positive, zero
+from proofs.theorems.relations import equations, positive, without, zero
 
 theta_0, phi_0 = real("theta_0 phi_0")
 _here = equations((theta, phi), (theta_0, phi_0))
@@ -152,15 +152,18 @@ difference_theorem = Theorem(
     ),
 )
 
-_sides = [_both.expand(names) for names in (normal, m, displaced)]
-_parallel = Claim("parallel", zero(expanded(pi * dot(_sides[0], cross(*_sides[1:])))), _off_the_poles)
+_in_half_turns = {slope: without(Pow(pi, -1), displaced_normal[slope]) for slope in (h_theta, h_phi)}
+_parallel = Claim(
+    "parallel", zero(dot(normal, cross(m, -beta * _slopes.xreplace(_in_half_turns)))), _off_the_poles, bumped_normal
+)
 
 seed_theorem = Theorem(
     id="seed_bump_as_displacement",
     title="The bumped normal as the displaced surface's",
-    statement=r"$N'$ is the normal of the displaced surface; in particular $\pi N\cdot(M\times D) = 0$.",
+    statement=r"$N'$ is the normal of the displaced surface, $D = (1+\beta h)N - \beta G$; in particular "
+    r"$N\cdot(M\times D) = N\cdot(M\times -\beta G) = 0$ (in half-turns: $\pi G$ for $G$).",
     claims=(_parallel,),
-    refuted_at={**at_angle(Rational(3, 5), Rational(4, 5)), beta: 1, h: 0, h_u: 1, h_v: 1},
+    refuted_at={**at_angle(Rational(3, 5), Rational(4, 5)), beta: 1, h_u: 1, h_v: 1},
     steps=(
         Step(
             r"$\pi N\cdot(M\times D) = \pm\beta^2h_uh_v(1-1/2\sin\varphi) \ne 0$",

@@ -22,7 +22,7 @@ from proofs.formulas.symbols import (
     u,
     v,
 )
-from proofs.theorems.relations import equations, expanded, positive, rings, sine, zero
+from proofs.theorems.relations import equations, positive, rings, sine, without, zero
 
 _meridian = u, (theta + pi) / (2 * pi)
 
@@ -151,8 +151,8 @@ theorem = Theorem(
     ),
 )
 
-_over_pi = expanded(_sine.expand(g[1]) / pi)
-_same = Claim("one_limit", (equation(_over_pi, expanded(_over_pi.xreplace({theta: -pi}))),))
+_in_y = without(pi, _length.shows[1].rhs)
+_same = Claim("one_limit", (equation(_in_y, _in_y.xreplace({theta: -pi})),))
 
 smooth_everywhere = Theorem(
     id="sine_is_smooth_everywhere",

@@ -2,10 +2,10 @@
 
 from sympy import Rational
 
-from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.claim import Claim, at_least, equation, greater, number
 from proofs.engine.program import chain
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
-from proofs.formulas.camera import image_extent, image_point, parallel_radius
+from proofs.formulas.camera import half, image_extent, image_point, parallel_radius
 from proofs.formulas.symbols import (
     column,
     cos_phi,
@@ -21,7 +21,7 @@ from proofs.formulas.symbols import (
     x,
     y,
 )
-from proofs.theorems.relations import expanded
+from proofs.theorems.relations import without
 
 m, n = real("m n")
 FALLBACK = Rational(1, 10**4)  # the seed's: below this sin φ it takes another basis
@@ -61,7 +61,9 @@ _far = Claim(
 _needed = (FALLBACK * Rational(4, 3)) ** 2
 _only_near = Claim("only_near", (greater(_needed, rho**2),), (4 * sin_phi >= 3 * rho, rho >= 0, sin_phi < FALLBACK))
 _no_pixel = tuple(c.but(name=c.name + "_far", shows=(greater(_radius_squared, _needed),)) for c in _on_the_raster)
-_beside = Claim("beside", (greater(_needed, expanded(_radius_squared)),), (*_whole, (n - 107) * (n - 110) <= 0))
+_half_squared = number(image_extent.expand(half).xreplace(_default) ** 2)  # 5/3: its root is no rational number
+_in_halves = sum(without(half, image_point[c]).xreplace(_default) ** 2 for c in (x, y))
+_beside = Claim("beside", (greater(_needed, _half_squared * _in_halves),), (*_whole, (n - 107) * (n - 110) <= 0))
 
 theorem = Theorem(
     id="pixels_off_the_pole",

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from sympy import Basic, Expr, Rational, Symbol, expand
+from sympy import Basic, Expr, Mul, Rational, Symbol
 
 from proofs.engine.claim import at_least, equation, greater
 from proofs.engine.program import evaluated
@@ -43,7 +43,15 @@ def named(function: Expr) -> Symbol:
     return Symbol(str(function.doit()).replace(" ", ""), real=True)
 
 
-@evaluated
-def expanded(expression: Expr) -> Expr:
-    """Return what is to be refuted as SymPy expands it: π, which is no coordinate of a point, cancels."""
-    return expand(expression.doit())
+def without(factor: Expr, product: Expr) -> Expr:
+    """Return a product without one of its factors: without π, which is no coordinate of a point, say.
+
+    Raises ValueError where it has no such factor.
+    """
+
+    def factors(e):
+        return [f for part in e.args for f in factors(part)] if e.is_Mul else [e]
+
+    found = factors(product)
+    found.remove(factor)
+    return Mul(*found)

@@ -6,7 +6,7 @@ from proofs.engine.claim import CitedLemma, Claim, at_least, equation, greater
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.symbols import k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, expanded, named, ridges, sine, zero
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, ridges, sine, without, zero
 
 to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u, v = n/k_v
 _crossing = ridges.expression.subs({u: m / k_u + to_u, v: n / k_v + to_v})
@@ -148,7 +148,7 @@ on_creases = Theorem(
     ),
 )
 
-_u_slope = expanded(sine.gradient()[0] / pi)  # in half-turns
+_u_slope = without(pi, sine.gradient()[0])  # in half-turns
 _one_slope = Claim("one_slope", (equation(Abs(_u_slope), -Abs(_u_slope)),), zero(sin(pi * k_u * u)))
 
 differentiable = Theorem(

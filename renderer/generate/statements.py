@@ -1,5 +1,7 @@
 """The text of `proofs/formal/Statements.v`: every claim of every theorem as a proposition for Coq to prove.
 
+That of `Mutants.v` likewise: of every false variant its negation, of a refuted theorem's true variants themselves.
+
     Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> what it needs, and what it shows.
 
 Coq divides by 0, takes the root of −1, makes 0 of an infinity, and has some number for the derivative of what has none.
@@ -20,7 +22,7 @@ from proofs.engine.theorem import Theorem, all_theorems
 from renderer.generate.coq import CoqPrinter
 
 HEADER = """(* Printed from proofs/theorems by `python -m renderer.generate`. Do not edit: change the claim instead.
-   Each definition is one claim: what is written by hand proves it, and is compiled afterwards. *)
+   Each definition is one {}: what is written by hand proves it, and is compiled afterwards. *)
 
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
@@ -210,23 +212,50 @@ def rounded_proposition(claim: Rounded) -> str:
 
 
 def proposition(claim: AnyClaim, refuted: bool = False) -> str | None:
-    """Return a claim as a proposition, None where it is the kernel's alone."""
+    """Return a claim, or its negation, as a proposition, None where it is the kernel's alone."""
     if isinstance(claim, Induction):
-        return induction_proposition(claim)
+        text = induction_proposition(claim)
+        return f"~ (\n  {text})" if refuted else text
     return claim_proposition(claim, refuted) if isinstance(claim, Claim) else None
+
+
+def _printed(claims):
+    """Return {name: proposition} of {name: (claim, whether it is refuted)}, of those that are printed."""
+    texts = {name: proposition(*said) for name, said in claims.items()}
+    return {name: text for name, text in texts.items() if text is not None}
 
 
 def statements(theorem: Theorem) -> dict[str, str]:
     """Return {name: proposition} of the claims of a theorem that are printed."""
     refuted = theorem.expected == "refuted"
-    printed = {f"{theorem.id}__{claim.name}": proposition(claim, refuted) for claim in theorem.claims}
-    printed |= {f"{theorem.id}__{claim.name}": rounded_proposition(claim) for claim in theorem.rounded}
-    return {name: text for name, text in printed.items() if text is not None}
+    printed = _printed({f"{theorem.id}__{claim.name}": (claim, refuted) for claim in theorem.claims})
+    return printed | {f"{theorem.id}__{claim.name}": rounded_proposition(claim) for claim in theorem.rounded}
+
+
+def mutants(theorem: Theorem) -> dict[str, str]:
+    """Return {name: proposition} of the variants: that they are false, or, of a refuted theorem's, that they are true.
+
+    They are named by their claim and their number: ID__CLAIM_2__false says that the theorem's second variant is false.
+    A true one that is a claim of another theorem is among the statements.
+    """
+    refuted = theorem.expected != "refuted"
+    end = "false" if refuted else "true"
+    stated = [claim for other in all_theorems().values() for claim in other.claims if not refuted]
+    numbered = enumerate((mutant.claim for mutant in theorem.mutants), start=1)
+    new = [(n, claim) for n, claim in numbered if claim not in stated]
+    return _printed({f"{theorem.id}__{claim.name}_{n}__{end}": (claim, refuted) for n, claim in new})
+
+
+def _source(what, propositions):
+    texts = {name: text for theorem in all_theorems().values() for name, text in propositions(theorem).items()}
+    return HEADER.format(what) + "".join(f"\nDefinition {name} : Prop :=\n  {text}.\n" for name, text in texts.items())
 
 
 def statements_source() -> str:
     """Return the text of proofs/formal/Statements.v."""
-    texts: dict[str, str] = {}
-    for theorem in all_theorems().values():
-        texts |= statements(theorem)
-    return HEADER + "".join(f"\nDefinition {name} : Prop :=\n  {text}.\n" for name, text in texts.items())
+    return _source("claim", statements)
+
+
+def mutants_source() -> str:
+    """Return the text of proofs/formal/Mutants.v."""
+    return _source("variant", mutants)
