@@ -297,13 +297,13 @@ Definition truncation_bound__sine : Prop :=
   PI * k_u > 0 /\
   (PI * k_u) ^ 3 > 0 /\
   -PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) = (-(PI * k_u) ^ 3) * (sin (v * PI * k_v)) * (cos (u * PI * k_u)) /\
-  PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (PI * k_u) ^ 3 >= 0 /\
+  (PI * k_u) ^ 3 - (-1) * PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) >= 0 /\
   (PI * k_u) ^ 3 - PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) >= 0 /\
   epsilon * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (sin (v * PI * k_v)) * (cos (u * PI * k_u)) * (sin (epsilon * PI * k_u) - PI * epsilon * k_u) /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon) >= 0 /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) - (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) - (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon >= 0.
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + 1 * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))))) >= 0 /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + 1 * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))) >= 0.
 
 Definition truncation_bound__sine_in_v : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -317,13 +317,13 @@ Definition truncation_bound__sine_in_v : Prop :=
   PI * k_v > 0 /\
   (PI * k_v) ^ 3 > 0 /\
   -PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) = (-(PI * k_v) ^ 3) * (sin (u * PI * k_u)) * (cos (v * PI * k_v)) /\
-  PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + (PI * k_v) ^ 3 >= 0 /\
+  (PI * k_v) ^ 3 - (-1) * PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) >= 0 /\
   (PI * k_v) ^ 3 - PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) >= 0 /\
   epsilon * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u)))) = (sin (u * PI * k_u)) * (cos (v * PI * k_v)) * (sin (epsilon * PI * k_v) - PI * epsilon * k_v) /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon)) >= 0 /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) - (1 / 2) / epsilon * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))))) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) - (1 / 2) / epsilon * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) >= 0.
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 1 * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))))) >= 0 /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 1 * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u)))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u)))) >= 0.
 
 Definition truncation_bound__rings : Prop :=
   forall epsilon k_v v : R,
@@ -337,13 +337,13 @@ Definition truncation_bound__rings : Prop :=
   PI * 2 * k_v > 0 /\
   (PI * 2 * k_v) ^ 3 > 0 /\
   -8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) = (-(PI * 2 * k_v) ^ 3) * (cos (v * 2 * PI * k_v)) /\
-  8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) + (PI * 2 * k_v) ^ 3 >= 0 /\
+  (PI * 2 * k_v) ^ 3 - (-1) * 8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) >= 0 /\
   (PI * 2 * k_v) ^ 3 - 8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) >= 0 /\
   epsilon * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - 2 * PI * k_v * (cos (PI * (2 * k_v * v)))) = (sin (epsilon * PI * 2 * k_v) - 2 * PI * epsilon * k_v) * (cos (v * 2 * PI * k_v)) /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - 2 * PI * k_v * (cos (PI * (2 * k_v * v))) + (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon)) >= 0 /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 2 * PI * k_v * (cos (PI * (2 * k_v * v))) - (1 / 2) / epsilon * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon)))))) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - 2 * PI * k_v * (cos (PI * (2 * k_v * v))) + (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 2 * PI * k_v * (cos (PI * (2 * k_v * v))) - (1 / 2) / epsilon * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) >= 0.
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 1 * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - 2 * PI * k_v * (cos (PI * (2 * k_v * v))))) >= 0 /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - 2 * PI * k_v * (cos (PI * (2 * k_v * v))))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 1 * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - 2 * PI * k_v * (cos (PI * (2 * k_v * v)))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - 2 * PI * k_v * (cos (PI * (2 * k_v * v)))) >= 0.
 
 Definition truncation_bound__ridges_u_above : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -355,7 +355,7 @@ Definition truncation_bound__ridges_u_above : Prop :=
   1 * (sin (PI * (k_u * (u + 0)))) * (sin (PI * (k_v * v))) > 0 ->
   epsilon <> 0 /\
   (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))))) / epsilon = 1 * (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
-  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))).
+  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = 1 * PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))).
 
 Definition truncation_bound__ridges_u_below : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -379,7 +379,7 @@ Definition truncation_bound__ridges_v_above : Prop :=
   1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v + 0)))) > 0 ->
   2 * epsilon <> 0 /\
   (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))))) / (2 * epsilon) = 1 * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) /\
-  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = 1 * PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
 
 Definition truncation_bound__ridges_v_below : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -403,12 +403,13 @@ Definition truncation_bound__apart : Prop :=
   2 * PI * frequency + quotient - slope >= 0.
 
 Definition tangent_frame__derivatives : Prop :=
-  True /\
-  True /\
-  True /\
-  True /\
-  True /\
-  True.
+  forall phi theta : R,
+  (cos phi) * (cos theta) = (cos phi) * (cos theta) /\
+  (sin theta) * (cos phi) = (sin theta) * (cos phi) /\
+  -(sin phi) = -(sin phi) /\
+  (sin phi) * (-(sin theta)) = -(sin phi) * (sin theta) /\
+  (sin phi) * (cos theta) = (sin phi) * (cos theta) /\
+  0 * (sin phi) = 0.
 
 Definition tangent_frame__orthonormal : Prop :=
   forall cos_phi cos_theta sin_phi sin_theta : R,
@@ -633,8 +634,8 @@ Definition gradients__ridges_above : Prop :=
   1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
   h_u = PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) /\
   h_v = PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) /\
-  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  h_u = 1 * PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  h_v = 1 * PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
 
 Definition gradients__ridges_below : Prop :=
   forall k_u k_v u v : R,
@@ -1627,7 +1628,7 @@ Definition displaced_normal__product : Prop :=
   phi = phi_0 ->
   sin phi > 0 ->
   sin phi <> 0 /\
-  beta * h_theta * (beta * h_phi * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin theta) * (cos phi)) * (cos phi) - (beta * h_phi * (cos phi) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (cos theta)) = (beta * h + 1) * (sin phi) * ((sin phi) * (cos theta) * (beta * h + 1) - beta * (h_phi * (cos phi) * (cos theta) + h_theta * (-(sin theta)) / (sin phi))) /\
+  beta * h_theta * (cos phi) * (beta * h_phi * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin theta) * (cos phi)) - (beta * h_phi * (cos phi) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (cos theta)) = (beta * h + 1) * (sin phi) * ((sin phi) * (cos theta) * (beta * h + 1) - beta * (h_phi * (cos phi) * (cos theta) + h_theta * (-(sin theta)) / (sin phi))) /\
   (beta * h_phi * (cos phi) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (sin theta)) - beta * h_theta * (beta * h_phi * (sin phi) * (cos theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (cos phi) * (cos theta)) * (cos phi) = (beta * h + 1) * (sin phi) * ((sin phi) * (sin theta) * (beta * h + 1) - beta * (h_phi * (sin theta) * (cos phi) + h_theta * (cos theta) / (sin phi))) /\
   (beta * h_phi * (sin phi) * (cos theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (cos phi) * (cos theta)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (cos theta)) - (beta * h_phi * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin theta) * (cos phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (sin theta)) = (beta * h + 1) * (sin phi) * ((beta * h + 1) * (cos phi) - beta * (h_phi * (-(sin phi)) + 0 * h_theta / (sin phi))).
 
@@ -1635,7 +1636,7 @@ Definition displaced_normal__chart_scale : Prop :=
   forall h_u h_v : R,
   let h_theta := (1 / 2) * h_u / PI in
   let h_phi := h_v / PI in
-  h_theta = (1 / 2) * h_u / PI /\
+  h_theta = (1 / 2) / PI * h_u /\
   h_phi = h_v / PI.
 
 Definition displaced_normal__outward : Prop :=
@@ -2632,8 +2633,8 @@ Definition kink_loci__elsewhere_above : Prop :=
   h > 0 /\
   PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = h_u /\
   PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = h_v /\
-  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  h_u = 1 * PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
+  h_v = 1 * PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
 
 Definition kink_loci__elsewhere_below : Prop :=
   forall k_u k_v u v : R,
@@ -2730,7 +2731,7 @@ Definition shadow_along_a_row__row : Prop :=
   let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
   shadow_discriminant = body_radius ^ 2 * (light_z ^ 2 + light_x ^ 2 + (light_y - y) ^ 2) + x ^ 2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - 2 * x * (body_radius ^ 2 * light_x + (0 * (light_x - center_x) - (light_z - center_z)) * (center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) + (0 * (light_y - center_y) + 0 * (light_z - center_z)) * (center_z * light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) + (0 * (light_x - center_x) + 1 * (light_y - center_y)) * (center_y * light_x - center_x * light_y - (y * (light_x - center_x) - 0))) - ((center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) * (center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) + (center_z * light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) * (center_z * light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) + (center_y * light_x - center_x * light_y - (y * (light_x - center_x) - 0)) * (center_y * light_x - center_x * light_y - (y * (light_x - center_x) - 0))) /\
   segment_squared = light_z ^ 2 + light_x ^ 2 + x ^ 2 - 2 * light_x * x + (light_y - y) ^ 2 /\
-  True.
+  -center_x - light_x + 2 * x = 2 * x - light_x - center_x.
 
 Definition shadow_along_a_row__leading : Prop :=
   forall body_radius center_y center_z light_y light_z : R,
@@ -2767,7 +2768,7 @@ Definition shadow_of_b_on_floor__conic : Prop :=
   foot_x = 0 ->
   foot_y = 0 ->
   shadow_discriminant = ((light_z - center_z) * (0 - light_z) + (light_x - center_x) * (x - light_x) + (light_y - center_y) * (y - light_y)) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2) * ((0 - light_z) * (0 - light_z) + (x - light_x) * (x - light_x) + (y - light_y) * (y - light_y)) /\
-  shadow_discriminant - x ^ 2 * ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - 2 * x * y * (light_x - center_x) * (light_y - center_y) - y ^ 2 * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) = body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) + x * (body_radius ^ 2 * (2 * foot_x - 2 * light_x) - (2 * light_y - 2 * center_y) * ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) - (2 * center_z - 2 * light_z) * (light_z * (center_x - foot_x) - center_z * (light_x - foot_x))) + y * (body_radius ^ 2 * (2 * foot_y - 2 * light_y) - (2 * center_x - 2 * light_x) * ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) - (2 * light_z - 2 * center_z) * (center_z * (light_y - foot_y) - light_z * (center_y - foot_y))) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2 /\
+  shadow_discriminant - x ^ 2 * ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - 2 * x * y * (light_x - center_x) * (light_y - center_y) - y ^ 2 * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) = x * (body_radius ^ 2 * (2 * foot_x - 2 * light_x) - (2 * light_y - 2 * center_y) * ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) - (2 * center_z - 2 * light_z) * (light_z * (center_x - foot_x) - center_z * (light_x - foot_x))) + y * (body_radius ^ 2 * (2 * foot_y - 2 * light_y) - (2 * center_x - 2 * light_x) * ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) - (2 * light_z - 2 * center_z) * (center_z * (light_y - foot_y) - light_z * (center_y - foot_y))) + body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2 /\
   ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2 = ((light_z - center_z) ^ 2 - body_radius ^ 2) * ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2).
 
 Definition shadow_of_b_on_floor__ellipse : Prop :=
@@ -2849,15 +2850,16 @@ Definition shadow_of_b_on_floor__none_seen : Prop :=
   0 > light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y).
 
 Definition image_derivative__mu : Prop :=
-  forall s : R,
+  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z s towards_x towards_y towards_z : R,
   s = 0 ->
-  True.
+  bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z = bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z.
 
 Definition image_derivative__blinn : Prop :=
-  forall halfway_length s : R,
+  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z halfway_length halfway_x halfway_y halfway_z s : R,
   halfway_length > 0 ->
   s = 0 ->
-  True.
+  halfway_length <> 0 /\
+  (bumped_by_beta_x * halfway_x + bumped_by_beta_y * halfway_y + bumped_by_beta_z * halfway_z) / halfway_length = (bumped_by_beta_x * halfway_x + bumped_by_beta_y * halfway_y + bumped_by_beta_z * halfway_z) / halfway_length.
 
 Definition image_derivative__phong : Prop :=
   forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z s towards_x towards_y towards_z view_x view_y view_z : R,
