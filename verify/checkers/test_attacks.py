@@ -50,7 +50,7 @@ from proofs.engine.search import search
 from proofs.engine.stored import NotFound, Stale, statements, stored
 from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems
 from proofs.formulas.half_turns import cospi, sinpi
-from proofs.theorems.cited import sine_below
+from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_inside_half_turn, sine_of_half_turn
 from verify.checkers import witness
 from verify.checkers.kernels import accepted, compact
 from verify.checkers.known_bad import CERTIFICATE, STATEMENT, assume, derivation, show
@@ -331,8 +331,16 @@ FALSE_LEMMAS = [
     (at_least(x**2, TINY), (at_least(1, x),)),
     (at_least(20, x), (greater(x, 0),)),
     (Ne(x * (x - 5) + 1, 1, evaluate=False), ()),
+    (at_least((7 * x - 1) ** 2, TINY), ()),
+    (at_least(10**20, x), (x >= 0,)),
+    (at_least(5 - x, Rational(1, 10**5)), (x < 5,)),
+    (Ne(sin(x), Rational(1, 2), evaluate=False), ()),
+    (greater(sin(x) + 1, 0), ()),
+    (at_least(sin(pi * x), TINY), (x > 0, x < 1)),
 ]
-"""[(what is false at an edge, at one point or far away, or by less than 10⁻⁴⁰, the conditions)]"""
+"""[(what is false at or beside an edge, at one point or far away, or by less than 10⁻⁴⁰, the conditions)]"""
+TRUE_LEMMAS = [sine_below(x), sine_above(x), cosine_above(x), sine_inside_half_turn(x), sine_of_half_turn(x)]
+TRUE_LEMMAS.append(CitedLemma(greater(x * y, 0), "DLMF", (x > 0, y > 0)))
 LATE = CitedLemma(greater(x + 1, x), "Dekker1971", (x >= 1,))
 UNSEEN = [
     (Claim("lemma", (Ne(x**2 + TINY, 0, evaluate=False),), cited=(LATE,)), ((x, 0),)),
@@ -344,6 +352,11 @@ UNSEEN = [
 @pytest.mark.parametrize(("grade", "claim", "changes"), [*graded_claims()], ids=lambda part: getattr(part, "name", ""))
 def test_a_theorem_has_no_better_grade(grade, claim, changes):
     assert graded(claim, **changes) == grade
+
+
+def test_what_a_source_says_is_not_refuted():
+    for lemma in TRUE_LEMMAS:
+        assert witness.lemma_fails_at(lemma, "lemma", 32) is None
 
 
 def test_50_digits_see_neither_what_is_undefined_nor_what_is_unseen_as_it_is():
