@@ -39,12 +39,15 @@ ENTRY = {
 }
 
 
+ASKED = {"the second checker": True, "Coq": True}
+
+
 @pytest.fixture
 def fresh_report(tmp_path, monkeypatch):
     """A report of every theorem as its author expects it, with a stamp that says it is fresh."""
     entries = [ENTRY | {"id": id, "expected": t.expected, "grade": t.expected} for id, t in THEOREMS.items()]
     path = tmp_path / "proofs.json"
-    path.write_text(json.dumps({"version": 1, "theorems": entries}))
+    path.write_text(json.dumps({"version": 1, "theorems": entries, "asked": ASKED}))
     monkeypatch.setattr(report, "REPORT", path)
     monkeypatch.setattr(report, "reported_hashes", lambda: {"proofs/x.py": "1"})
     monkeypatch.setattr(stamps, "STAMPS", tmp_path / "stamps")

@@ -15,11 +15,10 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
-
-from tqdm import tqdm
 
 from proofs.engine.claim import Separation
 from proofs.engine.theorem import Theorem
@@ -190,6 +189,17 @@ def seen() -> str:
     return key({"sources": coq_hashes(), "record": RECORD.read_text(encoding="utf-8")})
 
 
+def accepted_here() -> bool:
+    """Return whether Coq has accepted on this machine what the record says of the files as they are."""
+    return bool(record()) and KEPT.is_file() and KEPT.read_text(encoding="utf-8") == seen()
+
+
+def proved_here(theorems: Iterable[Theorem]) -> set[str]:
+    """Return the ids of the theorems that Coq has proved whole on this machine: none on a record's word."""
+    accepted = record() if accepted_here() else {}
+    return {theorem.id for theorem in theorems if whole(theorem, accepted.get(theorem.id))}
+
+
 def _coqc(folder: Path, name: str) -> str:
     done = subprocess.run([*COQC, name], cwd=folder, capture_output=True, text=True)
     if done.returncode:
@@ -203,6 +213,8 @@ def compile_files(*wanted: str, said: dict | None = None) -> dict:
     said: what a record says. Coq takes long to list axioms, so it is then asked once for all theorems that are said to
     rest on the same: each rests on no more than these.
     """
+    from tqdm import tqdm
+
     named, order = statements(*wanted), files(*wanted)
     asked = survey.groups(named, said or {})
     with tempfile.TemporaryDirectory() as name:

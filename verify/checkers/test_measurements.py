@@ -172,3 +172,17 @@ def test_analysis_among_the_hypotheses_is_told_in_the_grade():
     entry = {"id": "limit", "grade": "proved", "uses": (), "source": "DLMF", "problems": []}
     assert given_cited([entry]) == {"limit": ["DLMF"]}
     assert given_cited([entry | {"grade": "cited"}]) == {"limit": []}
+
+
+def test_what_coq_has_proved_here_is_given_by_no_source():
+    """It proves a claim from nothing that is cited or borrowed; who uses it may still rest on another source."""
+    entries = [
+        {"id": "limit", "grade": "proved", "uses": (), "source": "DLMF"},
+        {"id": "product", "grade": "proved", "uses": ("limit",), "source": "Dekker1971"},
+    ]
+    told = {formal: [e["grade_line"] for e in graded(entries, formal)] for formal in ((), ("limit",), ("product",))}
+    assert told == {
+        (): ["proved, given DLMF", "proved, given DLMF, Dekker1971"],
+        ("limit",): ["proved", "proved, given Dekker1971"],
+        ("product",): ["proved, given DLMF", "proved"],
+    }
