@@ -169,6 +169,10 @@ def test_evidence_in_words():
     refuted = {"grade": "refuted", "statements": 1, "mutants": [spared]}
     assert findings(refuted) == ["1 exact counterexample, checked by two kernels", "1 of 1 true variants proved"]
     assert evidence_line({"grade": "cited", "grade_line": "cited: Blinn1978"}) == "Cited: Blinn1978"
+    for here, told in ((True, ""), (False, ", recorded, not re-checked here")):
+        formal = {"printed": {"a": "x = x"}, "statements": {}, "here": here}
+        said = evidence_line({"grade": "proved", "shown": "formal", "formal": formal})
+        assert said == f"Formal: 1 statement in Coq{told}; proved"
 
 
 def test_points_are_set_as_mathematics():

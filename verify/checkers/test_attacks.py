@@ -78,6 +78,7 @@ def defined(symbol, expression):
 # What has no translation: no statement is made of it
 
 HIDDEN = ["positive", "nonnegative", "negative", "integer", "rational", "zero", "nonzero", "finite", "even", "prime"]
+HIDDEN += ["extended_real", "infinite"]
 TAKEN = ["pi", "root_1", "inverse_12", "sum_1", "cos(x)", "sin(pi*x)", "x y", "", "x^2", "2x", "é", "_x", "x\n", "x'"]
 with evaluate(False):
     INFINITE = x * (1 / S.Zero)
@@ -177,6 +178,24 @@ WITHOUT_A_RULE = [
 def test_what_no_rule_translates_is_refused(claim, why):
     with pytest.raises(Untranslatable, match=why):
         statements(claim, {})
+
+
+def plain_claims():
+    """Yield true claims beside those that are refused: of plain symbols, of names that are there, of angles."""
+    q, whole = Symbol("q", real=True), Symbol("n", integer=True)
+    yield Claim("a line", (equation(Abs(q), x - 5), greater(q, x - 6)), (greater(x, 5),), defined(q, x - 5))
+    yield Claim("a lemma", (at_least(x + 1, sin(x)),), (greater(x, 1),), cited=(sine_below(x),))
+    yield Separation("a name", Program("p", (x, w), ((y, x + 1), (p, w)), (y, p)), (y,), (w,))
+    yield Induction("every whole number", whole, (equation(y, 2 * x),), ((y, 2 * x, 3 * y - 4 * x),))
+    turned = ((a, 1, a * cos(x) - s * sin(x)), (s, 0, s * cos(x) + a * sin(x)))
+    yield Induction("an angle", whole, (equation(a, cos(whole * x)), equation(s, sin(whole * x))), turned)
+    yield Claim("angles", (equation(cos(x / 2) ** 2 - sin(x / 2) ** 2, cos(x)),))
+    yield Claim("a power", (at_least((x + y) ** 8, 0),), squares=((x + y) ** 4,))
+
+
+@pytest.mark.parametrize("claim", [*plain_claims()], ids=lambda claim: claim.name)
+def test_what_is_plain_is_proved(claim):
+    assert graded(claim) == "proved"
 
 
 # What is not proved, but with a hypothesis
