@@ -107,11 +107,13 @@ class Meaning:
     def __init__(self, theorem, claim, text):
         _, program = claim.names()
         self.lines = [(symbol, differentiated(e)) for symbol, e in program.definitions] if program else []
-        relations = [differentiated(r) for r in (*claim.given, *claim.shows)]
-        expressions = [*relations, *(e for line in self.lines for e in line)]
+        written = (*claim.given, *claim.shows)
+        relations = [differentiated(r) for r in written]
+        expressions = [*relations, *written, *(e for line in self.lines for e in line)]
         show = StatementPrinter(set().union(*(e.free_symbols for e in expressions)))
         bases = {power.base for e in expressions for power in e.atoms(Pow)}
-        meant = {f"{show.doprint(b)} {s} 0": (r, b) for b in bases for s, r in (("<>", "!="), (">=", ">="))}
+        signs = (("<>", "!="), (">=", ">="), (">", ">"))
+        meant = {f"{show.doprint(b)} {s} 0": (r, b) for b in bases for s, r in signs}
         conditions = {c for e in expressions for cases in e.atoms(Piecewise) for _, c in cases.args if c != true}
         self.conditions = {show.relation(c): (c, True) for c in conditions}
         self.conditions |= {f"~ ({show.relation(c)})": (c, False) for c in conditions}
@@ -155,7 +157,7 @@ def left_out(theorem, claim, text):
             found += [
                 (relation, mpmath.nstr(of[0], 5))
                 for relation, of in asked
-                if not any(r == relation and near(v, one) for r, v in said for one in of)
+                if not any(r in (relation, ">") and near(v, one) for r, v in said for one in of)
             ]
             if found or seen == POINTS:
                 break
