@@ -175,6 +175,14 @@ def test_evidence_in_words():
         assert said == f"Formal: 1 statement in Coq{told}; proved"
 
 
+def test_the_legend_says_which_checkers_were_asked(build_page, monkeypatch):
+    page, warnings = build_page(":::{grades}\n:::")
+    assert not warnings and "Coq has accepted its files, as they are, on the same machine" in page
+    monkeypatch.setattr(report, "asked", lambda: dict.fromkeys(ASKED, False))
+    page, _ = build_page(":::{grades}\n:::")
+    assert "accepted on another day is recorded, not re-checked here" in page and "second checker did not" in page
+
+
 def test_points_are_set_as_mathematics():
     at = {"normal_x": "0", "normal_y": "0", "normal_z": "1", "beta": "3/4", "eye": "1." + "3" * 40}
     assert tex_point(at) == ["N = (0, 0, 1)", r"\beta = 3/4", r"e = 1.33333\ldots"]
