@@ -43,12 +43,15 @@ ENTRY = {
 }
 
 
+ASKED = {"the second checker": True, "Coq": True}
+
+
 @pytest.fixture
 def fresh_report(tmp_path, monkeypatch):
     """A report of every theorem as its author expects it, with a stamp that says it is fresh."""
     entries = [ENTRY | {"id": id, "expected": t.expected, "grade": t.expected} for id, t in THEOREMS.items()]
     path = tmp_path / "proofs.json"
-    path.write_text(json.dumps({"version": 1, "theorems": entries}))
+    path.write_text(json.dumps({"version": 1, "theorems": entries, "asked": ASKED}))
     monkeypatch.setattr(report, "REPORT", path)
     monkeypatch.setattr(report, "reported_hashes", lambda: {"proofs/x.py": "1"})
     monkeypatch.setattr(stamps, "STAMPS", tmp_path / "stamps")
@@ -190,6 +193,18 @@ def test_evidence_in_words():
     refuted = {"grade": "refuted", "statements": 1, "mutants": [spared]}
     assert findings(refuted) == ["1 exact counterexample, checked by two kernels", "1 of 1 true variants proved"]
     assert evidence_line({"grade": "cited", "grade_line": "cited: Blinn1978"}) == "Cited: Blinn1978"
+    for here, told in ((True, ""), (False, ", recorded, not re-checked here")):
+        formal = {"printed": {"a": "x = x"}, "statements": {}, "here": here}
+        said = evidence_line({"grade": "proved", "shown": "formal", "formal": formal})
+        assert said == f"Formal: 1 statement in Coq{told}; proved"
+
+
+def test_the_legend_says_which_checkers_were_asked(build_page, monkeypatch):
+    page, warnings = build_page(":::{grades}\n:::")
+    assert not warnings and "Coq has accepted its files, as they are, on the same machine" in page
+    monkeypatch.setattr(report, "asked", lambda: dict.fromkeys(ASKED, False))
+    page, _ = build_page(":::{grades}\n:::")
+    assert "accepted on another day is recorded, not re-checked here" in page and "second checker did not" in page
 
 
 def test_points_are_set_as_mathematics():

@@ -16,11 +16,10 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
-
-from tqdm import tqdm
 
 from proofs.engine.claim import Separation
 from proofs.engine.theorem import Theorem
@@ -192,6 +191,17 @@ def seen() -> str:
     return key({"sources": coq_hashes(), "record": RECORD.read_text(encoding="utf-8")})
 
 
+def accepted_here() -> bool:
+    """Return whether Coq has accepted on this machine what the record says of the files as they are."""
+    return bool(record()) and KEPT.is_file() and KEPT.read_text(encoding="utf-8") == seen()
+
+
+def proved_here(theorems: Iterable[Theorem]) -> set[str]:
+    """Return the ids of the theorems that Coq has proved whole on this machine: none on a record's word."""
+    accepted = record() if accepted_here() else {}
+    return {theorem.id for theorem in theorems if whole(theorem, accepted.get(theorem.id))}
+
+
 def _asked(folder: Path, *command: str) -> str:
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     if done.returncode:
@@ -212,6 +222,8 @@ def compile_files(*wanted: str, said: dict | None = None, again: bool = False) -
     rest on the same: each rests on no more than these. again: Coq's own checker, which has a kernel and no tactics, has
     to accept each compiled file, too.
     """
+    from tqdm import tqdm
+
     named, order = statements(*wanted), files(*wanted)
     asked = survey.groups(named, said or {})
     with tempfile.TemporaryDirectory() as name:

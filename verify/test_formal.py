@@ -60,7 +60,7 @@ def test_a_theorem_is_whole_by_all_of_its_claims_or_by_what_says_every_clause():
 def test_coq_accepts_what_the_record_says(request):
     """Where these files were accepted here before, Coq is not asked again; with --long it is, theorem by theorem."""
     alone = request.config.getoption("long")
-    if alone or not formal.KEPT.is_file() or formal.KEPT.read_text() != formal.seen():
+    if alone or not formal.accepted_here():
         said = json.loads(formal.RECORD.read_text(encoding="utf-8"))["theorems"]
         assert said == formal.compile_files(said=None if alone else said)
         write_whole(formal.KEPT, formal.seen().encode())
@@ -241,6 +241,20 @@ def test_what_coq_accepted_here_is_kept_with_what_the_record_says(tmp_path, monk
     before = formal.seen()
     formal.RECORD.write_text('{"theorems": {}}')
     assert formal.seen() != before
+
+
+def test_a_record_that_coq_did_not_write_here_proves_nothing(tmp_path, monkeypatch):
+    """Neither without what Coq said here, nor with what it said of another record; `record` itself is no witness."""
+    theorems, kept = all_theorems().values(), tmp_path / "formal"
+    monkeypatch.setattr(formal, "KEPT", kept)
+    assert formal.record() and not formal.accepted_here() and not formal.proved_here(theorems)
+    kept.write_text("another key")
+    assert not formal.accepted_here() and not formal.proved_here(theorems)
+    kept.write_text(formal.seen())
+    assert formal.accepted_here()
+    assert len(proved := formal.proved_here(theorems)) > 40 and not proved & formal.PARTLY.keys()
+    monkeypatch.setattr(formal, "RECORD", tmp_path / "record.json")
+    assert not formal.accepted_here()
 
 
 TRUE = survey.SEPARATOR

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from book.assembly import stamps
+from verify import formal
 
 REPORT = stamps.ROOT / "book" / "_generated" / "proofs.json"
 REMEDY = "python -m book check makes it"
@@ -30,8 +31,13 @@ def digest() -> str:
     return hashlib.sha256(REPORT.read_bytes()).hexdigest() if REPORT.is_file() else "none"
 
 
+def _stamp(sources):
+    """What a report is made from: sources, and whether Coq has accepted them here."""
+    return {"sources": stamps.key(sources), "report": digest(), "Coq": formal.accepted_here()}
+
+
 def remember(before: dict[str, str]) -> None:
-    stamps.write("report", {"sources": stamps.key(before), "report": digest()})
+    stamps.write("report", _stamp(before))
 
 
 def run(tests: str) -> None:
@@ -44,7 +50,7 @@ def run(tests: str) -> None:
 
 def is_fresh() -> bool:
     """Whether the report is the one that a run over the sources as they are has written."""
-    return REPORT.is_file() and stamps.read("report") == {"sources": stamps.key(reported_hashes()), "report": digest()}
+    return REPORT.is_file() and stamps.read("report") == _stamp(reported_hashes())
 
 
 def make() -> None:
@@ -62,3 +68,8 @@ def load() -> dict[str, dict]:
     if not is_fresh():
         raise NoReport(f"the report of the proofs is stale: proofs/, renderer/ or verify/ changed since; {REMEDY}")
     return {entry["id"]: entry for entry in json.loads(REPORT.read_text(encoding="utf-8"))["theorems"]}
+
+
+def asked() -> dict[str, bool]:
+    """Whether the second checker and Coq have read, on this machine, what the report is about."""
+    return json.loads(REPORT.read_text(encoding="utf-8"))["asked"]

@@ -16,6 +16,7 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
+from book.assembly import report
 from book.assembly.contents import page_files, page_title
 from book.extension.cards import card
 from book.extension.checker import check_all
@@ -28,7 +29,7 @@ ORDER = list(GRADES)
 @directive("grades")
 def grades_legend(here: SphinxDirective) -> list[nodes.Node]:
     counts = Counter(kind(entry["shown"]) for entry in Here(here.env).proofs.entries.values())
-    return [filled("grades", counts=counts, grades=[grade for grade in ORDER if counts[grade]])]
+    return [filled("grades", counts=counts, grades=[grade for grade in ORDER if counts[grade]], asked=report.asked())]
 
 
 @directive("check-all")

@@ -45,5 +45,6 @@ def evidence_line(entry: dict) -> str:
     line = f"{grade}: {'; '.join(findings(entry))}" if findings(entry) else grade
     if entry.get("shown") == "formal":
         said = len(set(entry["formal"]["printed"].values())) + len(entry["formal"]["statements"])
-        line = f"formal: {count(said, 'statement')} in Coq; {line}"
+        recorded = "" if entry["formal"]["here"] else ", recorded, not re-checked here"
+        line = f"formal: {count(said, 'statement')} in Coq{recorded}; {line}"
     return line[0].upper() + line[1:]

@@ -84,6 +84,7 @@ def load(book: Path) -> Proofs:
         if entry["formal"]:
             printed = statements(theorems[id])
             entry["formal"] |= {"printed": {name: printed[name] for name in entry["formal"]["claims"]}}
+            entry["formal"]["here"] = report.asked()["Coq"]
         whole = formal.whole(theorems[id], entry["formal"]) and entry["grade"] in ("proved", "argued", "measured")
         entry["shown"] = "formal" if whole else entry["grade"]
     return Proofs(theorems, entries, placements(book, theorems))

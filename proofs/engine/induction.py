@@ -2,14 +2,40 @@
 
 from collections.abc import Sequence
 
-from sympy import Expr, Symbol, cos, sin, sympify
+from sympy import Basic, Expr, S, Symbol, expand, sympify
 from sympy.core.relational import Eq
 
+from proofs.engine.angles import angles_in, circle_of
 from proofs.engine.claim import Induction
 from proofs.engine.derivative import Untranslatable
 from proofs.engine.names import plain, symbols_of
-from proofs.engine.statement import VERSION, Translation, polynomial_data, sides
-from proofs.formulas.half_turns import cospi, sinpi
+from proofs.engine.statement import VERSION, Translation, polynomial_data
+
+
+class Turning(Translation):
+    """A translation in which the cosine and the sine of a multiple of n are states."""
+
+    def __init__(self, expressions: Sequence[Basic], n: Symbol):
+        self.n = n
+        self.turning: dict[Expr, tuple[Symbol, Symbol]] = {}  # {multiple of n: its cosine and sine}
+        super().__init__(expressions)
+
+    def circle(self, part: Expr) -> tuple[Symbol, Symbol]:
+        """Return the names of a part's cosine and sine; those of a multiple of n are kept apart."""
+        if not part.has(self.n):
+            return super().circle(part)
+        return self.turning.setdefault(part, circle_of(part))
+
+    def turns(self) -> dict[str, Sequence[Expr]]:
+        """Return {name: (start, next)} of the cosines and sines of the multiples of n, by the addition formulas."""
+        state: dict[str, Sequence[Expr]] = {}
+        for part, (c, s) in list(self.turning.items()):
+            step, start = expand(part.subs(self.n, self.n + 1) - part), part.subs(self.n, 0)
+            if step.has(self.n) or start != 0:
+                raise Untranslatable(f"{part} is not a multiple of {self.n}")
+            d, t = self.turned(step)
+            state |= {c.name: (S.One, expand(c * d - s * t)), s.name: (S.Zero, expand(s * d + c * t))}
+        return state
 
 
 def induction(claim: Induction) -> dict:
@@ -24,11 +50,11 @@ def induction(claim: Induction) -> dict:
     states = {s for s, *_ in claim.states}
     if len(states) < len(claim.states):
         raise Untranslatable(f"{claim.name}: a state is given twice")
-    if symbols_of(e for side in sides(expressions) for e in side.atoms(sin, cos, sinpi, cospi)) & states:
+    if symbols_of(angles_in(expressions)) & states:
         raise Untranslatable(f"{claim.name}: a state in an angle, which changes with it")
     if symbols_of([*claim.given, *(sympify(start) for _, start, _ in claim.states)]) & {*states, claim.n}:
         raise Untranslatable(f"{claim.name}: a state, or n, in what is given or in what a state starts from")
-    t = Translation(expressions, n=claim.n)
+    t = Turning(expressions, claim.n)
     state: dict[str, Sequence[Expr]]
     state = {s.name: [t.polynomial(sympify(e)) for e in two] for s, *two in claim.states}
     shows = [polynomial_data(t.relation(r)[0]) for r in claim.shows]

@@ -3,50 +3,27 @@
 The rules (`proofs.engine.certificate` has the format). Symbols are plain real ones: a sign, a range, being whole is a
 hypothesis. Both sides of a relation are translated as they stand, the factors of a product that is shown as names
 (sum_1, …) of their own, so that the kernel multiplies. A quotient becomes an inverse, a radical a root, with their
-obligations, before anything cancels: in an angle, too. Angles are sums of whole multiples of atoms, each divided by the
-denominators that occur with it: sin and cos of a sum are expanded by the addition formulas; an atom gives two variables
-with c² + s² = 1. |a| is √(a²), or ±a where the sign is given. Max, Min, sign and Piecewise take the branch that is
-given, and its condition is shown; where none is, the claim is split into two statements, one with the condition assumed
-and one with its negation. A Derivative is a name of its own, for what the rules of `derivative` make of it where they
-show that it exists. In a relation sign and Piecewise may be what SymPy made of one: that f ≠ 0 is shown of sign(f), and
-at the edge of a condition that all values agree. In an induction cos nα and sin nα are states. Of π only 3 < π < 22/7
-is used. Anything else is an error, never a guess.
+obligations, before anything cancels: in an angle, too (`proofs.engine.angles`). |a| is √(a²), or ±a where the sign is
+given. Max, Min, sign and Piecewise take the branch that is given, and its condition is shown; where none is, the claim
+is split into two statements, one with the condition assumed and one with its negation. A Derivative is a name of its
+own, for what the rules of `derivative` make of it where they show that it exists. In a relation sign and Piecewise may
+be what SymPy made of one: that f ≠ 0 is shown of sign(f), and at the edge of a condition that all values agree. Of π
+only 3 < π < 22/7 is used. Anything else is an error, never a guess.
 """
 
 import json
 from collections.abc import Iterable, Sequence
 from functools import cache
-from math import comb, lcm, prod
+from math import comb, prod
 from typing import Any
 
-from sympy import (
-    Abs,
-    And,
-    Basic,
-    Derivative,
-    Expr,
-    Float,
-    Max,
-    Min,
-    Piecewise,
-    Poly,
-    Rational,
-    S,
-    Symbol,
-    cos,
-    expand,
-    expand_mul,
-    pi,
-    sign,
-    sin,
-)  # fmt: skip
+from sympy import Abs, And, Basic, Derivative, Expr, Max, Min, Piecewise, Poly, Rational, S, Symbol, expand, pi, sign
 from sympy.core.relational import Relational
-from sympy.polys.polyerrors import BasePolynomialError
 
+from proofs.engine.angles import COSINES, SINES, angle_of, angles_in, circle_of, denominators_of, parts_of
 from proofs.engine.claim import Claim
-from proofs.engine.derivative import LARGEST, TRUE_FOR, Untranslatable, branch, inner, small
+from proofs.engine.derivative import TRUE_FOR, Untranslatable, branch, inner, small
 from proofs.engine.names import plain, symbols_of
-from proofs.formulas.half_turns import cospi, ordinary, sinpi
 
 VERSION = 1
 RELATIONS = {frozenset(s): (f, r) for f, r, s in (
@@ -73,28 +50,6 @@ def polynomial_data(expression: Expr) -> dict[str, str]:
     return dict(sorted(data.items()))
 
 
-def _as_text(expression):
-    return str(ordinary(expression))  # to sort by, and for nothing else: it simplifies
-
-
-def _angle(e):
-    return pi * e.args[0] if isinstance(e, sinpi | cospi) else e.args[0]
-
-
-def _terms(angle):
-    """Return [(rational, atom)] of an angle, which has to be a polynomial over the rationals in symbols and π."""
-    terms = [term.as_coeff_Mul() for term in sorted(expand_mul(angle).as_ordered_terms(), key=str)]
-    try:
-        for _, atom in terms:
-            Poly(atom, pi, *atom.free_symbols, domain="QQ")
-        rational = all(multiple.is_Rational and not atom.has(Float) for multiple, atom in terms)
-    except BasePolynomialError:
-        rational = False
-    if not rational:
-        raise Untranslatable(f"the angle {angle} is no polynomial over the rationals: it may have no value")
-    return terms
-
-
 def _fact(kind, difference, signs):
     """Return the step that assumes or shows the sign of a difference to be one of `signs`."""
     factor, relation = RELATIONS[frozenset(signs)]
@@ -104,30 +59,27 @@ def _fact(kind, difference, signs):
 class Translation:
     """The steps that some expressions become; `choices` decide the conditions that are not given."""
 
-    def __init__(self, expressions: Iterable[Basic], choices: Sequence[bool] = (), lines: Sequence = (), n: Any = None):
-        """n: what an induction is over."""
-        self.choices, self.lines, self.n = list(choices), {symbol for symbol, _ in lines}, n
+    def __init__(self, expressions: Iterable[Basic], choices: Sequence[bool] = (), lines: Sequence = ()):
+        self.choices, self.lines = list(choices), {symbol for symbol, _ in lines}
         self.in_line, self.showing, self.shown = False, False, 0
         self.steps: list[dict] = []
         self.variables: list[str] = []
         self.generators: dict[tuple, Any] = {}
-        self.turning: dict[Expr, tuple[Symbol, Symbol]] = {}  # {multiple of n: its cosine and sine}
         self.signs: dict[str, set[int]] = {}
         self.abbreviated: dict[Symbol, Expr] = {}
-        self.denominators: dict[Expr, int] = {}
-        for side in sides(expressions):
-            for e in side.atoms(sin, cos, sinpi, cospi):
-                for multiple, atom in _terms(_angle(e)):
-                    self.denominators[atom] = lcm(self.denominators.get(atom, 1), int(multiple.q))
+        self.denominators = denominators_of(angles_in(expressions))
 
     def introduce(self, kind: str, symbol: Symbol, of: Expr) -> None:
-        """Add the step that makes a new symbol of a polynomial: "define", "root" or "inverse"."""
+        """Add the step that makes a new symbol of a polynomial: a "root", an "inverse", or what abbreviates it."""
         self.steps.append({"step": kind, "new": symbol.name, "of": polynomial_data(of)})
+        if kind == "define":
+            self.abbreviated[symbol] = self._written_out(of)
 
-    def define(self, symbol: Symbol, value: Expr) -> None:
-        """Let a symbol abbreviate a polynomial."""
-        self.introduce("define", symbol, value)
-        self.abbreviated[symbol] = self._written_out(value)
+    def line(self, symbol: Symbol, expression: Expr) -> None:
+        """Let a symbol abbreviate what a line of a program defines it to be."""
+        self.in_line = True
+        self.introduce("define", symbol, self.polynomial(expression))
+        self.in_line = False
 
     def _written_out(self, polynomial):
         """Return the polynomial with its abbreviations written out: equal ones then look the same."""
@@ -151,7 +103,8 @@ class Translation:
         leading = Rational(next(iter(data.values()))) if data else S.One
         orientation = 1 if leading > 0 else -1
         key = json.dumps({k: str(Rational(c) / abs(leading) * orientation) for k, c in data.items()})
-        return key, orientation, {orientation * s for s in self.signs.get(key, ANY)}
+        known = self.signs.get(key, ANY) if data.keys() - {""} else {int(bool(data))}
+        return key, orientation, {orientation * s for s in known}
 
     def assume(self, difference: Expr, signs: set[int]) -> None:
         """Add a given: the sign of `difference` is one of `signs`."""
@@ -167,19 +120,14 @@ class Translation:
 
     def decide(self, condition: Basic) -> bool:
         """Return whether a condition holds: as given, or else as chosen."""
-        if condition in (True, False):
-            return bool(condition)
-        if isinstance(condition, And):
-            return all(self.decide(part) for part in sorted(condition.args, key=str))
-        return self._decided(*self.relation(condition))
+        parts = sorted(condition.args, key=str) if isinstance(condition, And) else [condition]
+        return all(part == S.true or self._decided(*self.relation(part)) for part in parts)
 
     def _decided(self, difference, wanted):
-        whole = self._written_out(difference)
-        if whole.is_Rational:
-            return int(sign(whole)) in wanted
         _, _, possible = self._known(difference)
         if possible <= wanted or not possible & wanted:
-            self.show(difference, wanted if possible <= wanted else ANY - wanted)
+            if not self._written_out(difference).is_Rational:
+                self.show(difference, wanted if possible <= wanted else ANY - wanted)
             return possible <= wanted
         if not self.choices:
             raise _Undecided(f"the sign of {difference} is neither given nor chosen")
@@ -202,9 +150,9 @@ class Translation:
         if e.is_Symbol or e is pi:
             return self._variable(e)
         if e.is_Add:
-            return e.func(*(self.polynomial(a) for a in sorted(e.args, key=_as_text)))
+            return e.func(*(self.polynomial(a) for a in sorted(e.args, key=str)))
         if e.is_Mul:
-            factors = [self.polynomial(a) for a in sorted(e.args, key=_as_text)]
+            factors = [self.polynomial(a) for a in sorted(e.args, key=str)]
             several = sum(not f.is_Rational for f in factors) > 1
             factors = [self._named(f) if several else expand(f) for f in factors]
             small(prod(len(f.as_ordered_terms()) for f in factors))
@@ -215,16 +163,16 @@ class Translation:
             base = self._named(base)
             small(max(n := abs(int(power)), comb(len(base.as_ordered_terms()) + min(n, 999) - 1, min(n, 999))))
             return base**power if power > 0 else self._generator("inverse", base) ** -power
-        if isinstance(e, sin | cos | sinpi | cospi):
+        if isinstance(e, (*COSINES, *SINES)):
             if not e.args[0].is_polynomial():
                 self.polynomial(e.args[0])  # for its obligations, before anything cancels
-            return self._turn(_angle(e))[isinstance(e, sin | sinpi)]
+            return self.turned(angle_of(e))[isinstance(e, SINES)]
         if isinstance(e, Abs):
             return self._absolute(e.args[0])
         if isinstance(e, sign):
             return S(self._sign(self.polynomial(e.args[0])) if self.in_line else self._side(e.args[0]))
         if isinstance(e, Max | Min):
-            best, *others = sorted(e.args, key=_as_text)
+            best, *others = sorted(e.args, key=str)
             for other in others:
                 best = other if self._exceeds(*((other, best) if isinstance(e, Max) else (best, other))) else best
             return self.polynomial(best)
@@ -262,10 +210,7 @@ class Translation:
         if key not in self.generators:
             new = Symbol(f"{kind}_{1 + sum(k == kind for k, _ in self.generators)}", real=True)
             self.generators[key] = new
-            if abbreviation:
-                self.define(new, of)
-            else:
-                self.introduce(kind, new, of)
+            self.introduce("define" if abbreviation else kind, new, of)
             if kind == "root":
                 self.signs[self._known(new)[0]] = {0, 1}
         return self.generators[key]
@@ -273,8 +218,8 @@ class Translation:
     def _side(self, f):
         """Return the sign of f, and make an obligation of f ≠ 0."""
         difference = self.polynomial(f)
-        whole, (key, _, possible) = self._written_out(difference), self._known(difference)
-        if 0 in possible and not (whole.is_Rational and whole != 0):
+        key, _, possible = self._known(difference)
+        if 0 in possible:
             self.show(difference, {-1, 1})
             self.signs[key] = self.signs.get(key, ANY) - {0}
         return self._sign(difference)
@@ -302,108 +247,65 @@ class Translation:
     def _absolute(self, argument):
         of = self.polynomial(argument)
         _, _, signs = self._known(of)
-        if of.is_Rational:
-            return abs(of)
         if {-1, 1} <= signs and argument.is_Mul:
-            return argument.func(*(self._absolute(a) for a in sorted(argument.args, key=_as_text)))
+            return argument.func(*(self._absolute(a) for a in sorted(argument.args, key=str)))
         if {-1, 1} <= signs:
             return self._generator("root", of**2)
         factor = -1 if -1 in signs else 1
-        self.show(factor * of, {0, 1})
+        if not of.is_Rational:
+            self.show(factor * of, {0, 1})
         return factor * of
 
-    def _turn(self, angle):
+    def turned(self, angle: Expr) -> tuple[Expr, Expr]:
         """Return (cos, sin) of an angle, by the addition formulas."""
         c, s = S.One, S.Zero
-        for multiple, atom in _terms(angle):
-            whole = 1
-            if atom is pi or multiple == 0:
-                d, t = cos(multiple * atom), sin(multiple * atom)
-                if d.has(cos) or t.has(sin):
-                    raise Untranslatable(f"no closed form of cos({multiple * atom})")
-                d, t = self.polynomial(d), self.polynomial(t)
-            else:
-                whole = multiple * self.denominators.get(atom, 0)
-                if not whole.is_Integer or not 0 < abs(whole) <= LARGEST:
-                    raise Untranslatable(f"{multiple * atom} is no whole multiple of an angle that occurs")
-                d, t = self._circle(atom / self.denominators[atom])
-            t = -t if whole < 0 else t
-            for _ in range(abs(whole)):
+        for times, part, known in parts_of(angle, self.denominators):
+            d, t = map(self.polynomial, known) if known else self.circle(part)
+            t = -t if times < 0 else t
+            for _ in range(abs(times)):
                 c, s = self._named(c * d - s * t), self._named(s * d + c * t)
         return c, s
 
-    def _circle(self, atom):
-        names = tuple(f"{f}({atom})".replace(" ", "") for f in ("cos", "sin"))
-        if ("circle", names) not in self.generators:
-            c, s = self.generators["circle", names] = tuple(Symbol(name, real=True) for name in names)
-            if self.n is not None and atom.has(self.n):
-                self.turning[atom] = c, s
-            else:
-                self.variables += names
-                self.assume(c**2 + s**2 - 1, {0})
-        return self.generators["circle", names]
-
-    def turns(self) -> dict[str, Sequence[Expr]]:
-        """Return {name: (start, next)} of the cosines and sines of the multiples of n, by the addition formulas."""
-        state: dict[str, Sequence[Expr]] = {}
-        for atom, (c, s) in list(self.turning.items()):
-            step, start = expand(atom.subs(self.n, self.n + 1) - atom), atom.subs(self.n, 0)
-            if step.has(self.n) or start != 0:
-                raise Untranslatable(f"{atom} is not a multiple of {self.n}")
-            d, t = self._turn(step)
-            state |= {c.name: (S.One, expand(c * d - s * t)), s.name: (S.Zero, expand(s * d + c * t))}
-        return state
-
-
-def sides(expressions: Iterable[Basic]) -> list[Basic]:
-    """Return the expressions, and the sides of those that are relations (a relation itself may evaluate to true)."""
-    parts = [part for e in expressions for part in (e.args if isinstance(e, And) else [e])]
-    return [side for part in parts for side in (part.args if isinstance(part, Relational) else [part])]
+    def circle(self, part: Expr) -> tuple[Symbol, Symbol]:
+        """Return the names of a part's cosine and sine, of which c² + s² = 1 is given."""
+        c, s = circle_of(part)
+        if c.name not in self.variables:
+            self.variables += [c.name, s.name]
+            self.assume(c**2 + s**2 - 1, {0})
+        return c, s
 
 
 @cache
-def _cases(claim: Claim) -> list[tuple[dict, list[int]]]:
-    """Return [(statement, numbers of the relations that hold by definition)], one for each choice of conditions."""
+def cases_of(claim: Claim) -> list[tuple[dict, set[int]]]:
+    """Return [(statement, numbers of the relations that read 0 = 0, or are given)], for each choice of conditions."""
     pending: list[tuple[bool, ...]] = [()]
-    cases: list[tuple[dict, list[int]]] = []
+    found: list[tuple[dict, set[int]]] = []
     while pending:
-        small(10 * (len(cases) + len(pending)))
+        small(10 * (len(found) + len(pending)))
         choices = pending.pop()
         try:
-            cases.append(_case(claim, choices))
+            found.append(_case(claim, choices))
         except _Undecided:
             pending += [(*choices, False), (*choices, True)]
         except TypeError as why:  # SymPy compares what has no order, such as 1/0
             raise Untranslatable(f"{claim.name}: {why}") from why
-    return cases
-
-
-def derivations(claim: Claim) -> list[dict]:
-    """Return the statements of a Claim."""
-    return [statement for statement, _ in _cases(claim)]
-
-
-def by_definition(claim: Claim) -> list[int]:
-    """Return the numbers of the relations of `shows` that hold by definition: they read 0 = 0, or are given."""
-    return sorted(set.intersection(*(set(idle) for _, idle in _cases(claim))))
+    return found
 
 
 def _case(claim, choices):
     """Return the statement of one case of a claim. What is given comes as soon as its names are defined."""
     _, lines = claim.names()
     definitions = lines.definitions if lines else ()
-    lemmas = [(lemma.relation, lemma.given) for lemma in claim.cited]
-    cited = [r for relation, conditions in lemmas for r in (relation, *conditions)]
-    expressions = (*claim.given, *claim.shows, *cited, *(e for line in definitions for e in line))
+    pending = [*((given, ()) for given in claim.given), *((lemma.relation, lemma.given) for lemma in claim.cited)]
+    relations = (*claim.shows, *(r for relation, conditions in pending for r in (relation, *conditions)))
+    expressions = (*relations, *(e for line in definitions for e in line))
     plain(symbols_of([*expressions, *claim.everywhere()]))
     t = Translation(expressions, choices, definitions)
-    undefined, pending = set(t.lines), [*((given, ()) for given in claim.given), *lemmas]
-    for symbol, expression in ((None, None), *definitions):
-        if symbol is not None:
-            t.in_line = True
-            t.define(symbol, t.polynomial(expression))
-            t.in_line = False
-            undefined.discard(symbol)
+    undefined = set(t.lines)
+    for line in (None, *definitions):
+        if line:
+            t.line(*line)
+            undefined.discard(line[0])
         ready = [p for p in pending if not any(r.free_symbols & undefined for r in (p[0], *p[1]))]
         pending = [p for p in pending if p not in ready]
         for relation, conditions in ready:
@@ -411,13 +313,13 @@ def _case(claim, choices):
                 t.show(*t.relation(condition))
             for part in relation.args if isinstance(relation, And) else [relation]:
                 t.assume(*t.relation(part))
-    t.showing, idle = True, []
+    t.showing, idle = True, set()
     given = [step for step in t.steps if step["step"] == "assume"]
     for number, relation in enumerate(claim.shows):
         before = t.shown
         difference, signs = t.relation(relation)
         fact = _fact("assume", difference, signs)
         if (not fact["of"] or fact in given) and before == t.shown:  # no branch was taken
-            idle.append(number)
+            idle.add(number)
         t.show(difference, signs)
     return {"version": VERSION, "kind": "derivation", "variables": t.variables, "steps": t.steps}, idle

@@ -8,7 +8,7 @@ from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
 from proofs.engine.counterexample import refutation
 from proofs.engine.derivative import Untranslatable
 from proofs.engine.induction import induction
-from proofs.engine.statement import VERSION, derivations
+from proofs.engine.statement import VERSION, cases_of
 from proofs.engine.theorem import Theorem, Theorems, borrowed
 
 Proved = tuple[dict, dict, dict | None]  # a statement, its certificate, a point where its hypotheses hold
@@ -53,7 +53,7 @@ def _statements(claim, theorems):
         return [{"version": VERSION, "kind": "separation", "lines": lines, "outputs": outputs, "avoid": avoid}]
     if isinstance(claim, Induction):
         return [induction(claim)]
-    return derivations(borrowed(claim, theorems))
+    return [statement for statement, _ in cases_of(borrowed(claim, theorems))]
 
 
 def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[Proved]:

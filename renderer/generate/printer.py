@@ -6,7 +6,7 @@ whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals 
 
 from typing import ClassVar
 
-from sympy import Basic, Mul, Rational, S, Symbol
+from sympy import Basic, Derivative, Mul, Rational, S, Symbol, evaluate, prod, sympify
 from sympy.printing.precedence import PRECEDENCE, precedence
 from sympy.printing.str import StrPrinter
 
@@ -129,3 +129,20 @@ class KernelPrinter(StrPrinter):
 
     def _print_Or(self, expr):
         return self._print_And(expr, " | ")
+
+
+def differentiated(expression: Basic) -> Basic:
+    """Return an expression with the derivatives in it as SymPy takes them, whatever the rules of a translation do.
+
+    Nothing else is evaluated: of a product such as −1 · 0 that is left as it stands SymPy may think it is no integer.
+    """
+    expression = sympify(expression)
+    taken = {part: _without_products_of_numbers(part).doit() for part in expression.atoms(Derivative)}
+    with evaluate(False):
+        return expression.xreplace(taken)
+
+
+def _without_products_of_numbers(expression):
+    numbers = {m: prod(m.args) for m in expression.atoms(Mul) if all(a.is_Rational for a in m.args)}
+    with evaluate(False):
+        return expression.xreplace(numbers)

@@ -4,17 +4,16 @@ That of `Mutants.v` likewise: of every false variant its negation, of a refuted 
 
     Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> what it needs, and what it shows.
 
-Coq divides by 0, takes the root of −1, makes 0 of an infinity, and has some number for the derivative of what has none.
-No claim is about such a value: what is divided by is not 0, what has a root is not negative, a hit that is computed
-with is finite, a derivative exists. The kernel asks it by name, and here it stands before what is shown
-(`StatementPrinter.needs`). Of a refuted theorem the negation is printed: hypotheses and needs hold somewhere, and what
-is said does not. Neither a cited lemma nor what a claim borrows is a hypothesis: Coq has to prove them. A Separation,
-about what a program reads and not about numbers, is the kernel's alone.
+Coq divides by 0, takes the root of −1, and has some number for the derivative of what has none. No claim is about such a
+value: what is divided by is not 0, what has a root is not negative, a derivative exists. The kernel asks it by name, and
+here it stands before what is shown (`StatementPrinter.needs`). Of a refuted theorem the negation is printed: hypotheses
+and needs hold somewhere, and what is said does not. Neither a cited lemma nor what a claim borrows is a hypothesis: Coq
+has to prove them. A Separation, about what a program reads and not about numbers, is the kernel's alone.
 """
 
 from collections.abc import Iterable
 
-from sympy import And, Basic, Derivative, Or, Piecewise, Pow, S, Symbol, false, sympify, true
+from sympy import And, Basic, Derivative, Or, Piecewise, Pow, Symbol, false, sympify, true
 from sympy.core.relational import Relational
 
 from proofs.engine.claim import AnyClaim, Claim, Induction, Rounded
@@ -30,8 +29,6 @@ From Formal Require Import Preliminaries Formulas Float Float64.
 Open Scope R_scope.
 """
 OPERATORS = {"==": "=", "!=": "<>", ">": ">", ">=": ">=", "<": "<", "<=": "<="}
-EXTENDED = {"==": "{0} = {1}", "!=": "{0} <> {1}", ">": "Rbar_lt {1} {0}", ">=": "Rbar_le {1} {0}"}
-EXTENDED |= {"<": "Rbar_lt {0} {1}", "<=": "Rbar_le {0} {1}"}
 COQ_WORDS = """as at by cofix else end exists exists2 fix for forall fun if IF in let match mod Prop return Set then
     Type using where with"""
 MEANT = """R Rbar nat S INR IZR Int_part Finite is_finite p_infty real sin cos PI sqrt Rabs Rmax Rmin sign power exp ln
@@ -55,11 +52,7 @@ class StatementPrinter(CoqPrinter):
         self.spelled = names | (spelled or {})
 
     def _print_Symbol(self, symbol):
-        name = self.spelled[symbol]
-        return name if symbol.is_real else f"real {name}"
-
-    def _extended(self, side):
-        return self.spelled[side] if side.is_Symbol and not side.is_real else super()._extended(side)
+        return self.spelled[symbol]
 
     def _print_Piecewise(self, expr):
         return f"({super()._print_Piecewise(expr)})"
@@ -90,10 +83,7 @@ class StatementPrinter(CoqPrinter):
             return f"({joined})"
         if not isinstance(relation, Relational):
             raise ValueError(f"no proposition for {relation}")
-        sides = relation.lhs, relation.rhs
-        if S.Infinity in sides:
-            return EXTENDED[relation.rel_op].format(*map(self._extended, sides))
-        return f"{self._print(sides[0])} {OPERATORS[relation.rel_op]} {self._print(sides[1])}"
+        return f"{self._print(relation.lhs)} {OPERATORS[relation.rel_op]} {self._print(relation.rhs)}"
 
     def needs(self, expression: Basic) -> list[str]:
         """Return what has to be for an expression to have a value, from the inside out, as the kernel asks it.
@@ -102,13 +92,7 @@ class StatementPrinter(CoqPrinter):
         """
         if isinstance(expression, Piecewise):
             return self._needs_of_cases(expression)
-        found = []
-        if isinstance(expression, Symbol):
-            found += [] if expression.is_real else [f"is_finite {self.spelled[expression]}"]
-        elif isinstance(expression, Relational) and S.Infinity in expression.args:
-            return []
-        for argument in expression.args:
-            found += self.needs(argument)
+        found = [need for argument in expression.args for need in self.needs(argument)]
         if isinstance(expression, Pow):
             found += self._needs_of_power(expression.base, expression.exp)
         elif isinstance(expression, Derivative):
@@ -130,8 +114,7 @@ class StatementPrinter(CoqPrinter):
             asked = [] if condition == true else self.needs(condition)
             found += [_implied(before, need) for need in asked]
             here = before if condition == true else [*before, self.relation(condition)]
-            needed = [] if value is S.Infinity else self.needs(value)
-            found += [_implied(here, need) for need in needed]
+            found += [_implied(here, need) for need in self.needs(value)]
             before = [*before, f"~ ({self.relation(condition)})"] if condition != true else before
         return found
 
@@ -163,8 +146,7 @@ def claim_proposition(claim: Claim, refuted: bool = False) -> str:
     printer = StatementPrinter(symbols)
     defined = {symbol for symbol, _ in lines}
     inputs = [s for s in symbols if s not in defined]
-    opening = [_forall([printer.binder(s) for s in inputs if s.is_real], "R")]
-    opening += [_forall([printer.binder(s) for s in inputs if not s.is_real], "Rbar")]
+    opening = [_forall([printer.binder(s) for s in inputs], "R")]
     opening += [f"let {printer.binder(s)} := {printer.doprint(e)} in" for s, e in lines]
     needs = [need for e in (*(e for _, e in lines), *claim.given, *claim.shows) for need in printer.needs(e)]
     needs = list(dict.fromkeys(needs))

@@ -183,4 +183,11 @@ def at(name: str, points: np.ndarray, other: np.ndarray) -> tuple[np.ndarray, ..
     """Return arguments of a kernel at points of its pieces; other: positive numbers, for what a point leaves open."""
     if name == "atan2pi":
         return points * other, other
+    if name.endswith("_of_product"):
+        return points / other, other
     return (np.exp(-other), points / other) if name.endswith("power") else (points,)
+
+
+def errors_on_pieces(name: str, points: np.ndarray) -> np.ndarray:
+    """Return the errors in ulps at an array of points of the pieces; what they leave open is drawn, always the same."""
+    return errors_in_ulps(name, *at(name, points, np.random.default_rng(3).uniform(1, 2, points.shape)))

@@ -13,7 +13,7 @@ from proofs.engine.program import chain
 from proofs.formulas.camera import angles_on_a
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT
 from proofs.formulas.chart import chart
-from proofs.formulas.height_fields import HeightField, factors, gradient, sin_u, sin_v
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, factors, gradient, sin_u, sin_v
 from proofs.formulas.symbols import h_u, h_v, k_u, k_v
 from renderer.operations import UNIT
 from verify.accuracy.differences import SLOPES
@@ -58,13 +58,32 @@ def errors_at(field: HeightField, at: Inputs, sides_certain: bool = True) -> np.
     return off
 
 
+def _wave_numbers(field, waves):
+    """Return k_u and k_v with which the field has these wave numbers; one on which it does not depend, as it is."""
+    multiples = [float(wave.subs({k_u: 1, k_v: 1})) for wave in field.wave_numbers or ()]
+    return tuple(wave / (multiple or 1) for wave, multiple in zip(waves, multiples, strict=True))
+
+
 def worst_at_image_points(field: HeightField, sides_certain: bool = True) -> float:
     """Return the largest of `errors_at` random points, over R/e and k."""
     rng, found = np.random.default_rng(SEED), []
-    multiples = [float(wave.subs({k_u: 1, k_v: 1})) for wave in field.wave_numbers or ()]  # 0: it does not depend on it
     for ratio, waves in product(RATIOS, WAVE_NUMBERS):
-        at_u, at_v = (wave / (multiple or 1) for wave, multiple in zip(waves, multiples, strict=True))
+        at_u, at_v = _wave_numbers(field, waves)
         x, y = image_points(rng, 1 / ratio, 1.0, EACH)
         at = {"eye": 1 / ratio, "radius": 1.0, "x": x, "y": y, "k_u": at_u, "k_v": at_v}
         found.append(errors_at(field, at, sides_certain).max())
     return float(np.max(found))
+
+
+def worst_at_ratios(ratios: np.ndarray) -> np.ndarray:
+    """Return the largest of `errors_at` a random image point for each R/e, of every field that has an algebraic form.
+
+    The shape is that of the ratios.
+    """
+    rng, found = np.random.default_rng(SEED), []
+    for field in (field for field in HEIGHT_FIELDS.values() if field.wave_numbers):
+        x, y = np.concatenate([image_points(rng, 1 / ratio, 1.0, 1) for ratio in ratios.flat], axis=1)
+        at_u, at_v = _wave_numbers(field, WAVE_NUMBERS[rng.integers(len(WAVE_NUMBERS))])
+        at = {"eye": 1 / ratios.ravel(), "radius": 1.0, "x": x, "y": y, "k_u": at_u, "k_v": at_v}
+        found.append(errors_at(field, at))
+    return np.max(found, axis=0).reshape(ratios.shape)

@@ -14,7 +14,7 @@ from flint import arb
 
 from proofs.formulas.certified import CERTIFIED
 from renderer import kernels
-from verify.accuracy.certified_ulps import PIECES, SMALL, at, error_in_ulps, errors_in_ulps
+from verify.accuracy.certified_ulps import PIECES, SMALL, error_in_ulps, errors_in_ulps
 from verify.accuracy.pieces import worst
 
 
@@ -87,16 +87,6 @@ def test_error_in_ulps(name):
 def test_what_is_stated_is_what_is_certified_to_a_hundredth(name):
     certified = float(worst(PIECES[name]()))
     assert certified <= CERTIFIED[name] < certified + 0.01
-
-
-@pytest.mark.parametrize("name", ["sinpi", "cospi", "atan2pi", "exp", "log"])
-def test_no_piece_is_certified_too_low(name):
-    """On each piece of the range the kernel's error stays below that piece's own bound, and on some comes near it."""
-    rng, pieces = np.random.default_rng(3), PIECES[name]()
-    low, high, ulps = (np.array([float(getattr(p, end)) for p in pieces]) for end in ("low", "high", "ulps"))
-    x = np.clip(rng.uniform(low, high, (2, len(pieces))), np.nextafter(low, np.inf), np.nextafter(high, -np.inf))
-    shares = errors_in_ulps(name, *at(name, x, rng.uniform(1, 2, x.shape))) / ulps
-    assert 0.5 < shares.max() <= 1
 
 
 def test_the_measure_sees_an_error():

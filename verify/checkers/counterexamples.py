@@ -9,7 +9,7 @@ import mpmath
 
 from proofs.engine.claim import Claim, Induction, Separation
 from proofs.engine.counterexample import refutation
-from proofs.engine.statement import derivations
+from proofs.engine.statement import cases_of
 from proofs.engine.theorem import Mutant, Theorems, borrowed
 from verify.checkers import witness
 from verify.checkers.digits import TOLERANCE, WORKING_DIGITS
@@ -54,7 +54,7 @@ def exact_counterexample(
     claim: Claim, failures: Iterable[dict], theorems: Theorems, refused: Callable
 ) -> dict[str, str] | None:
     """Return a rational point, {name: text}, near one of the failures, that both checkers accept, or None."""
-    statements = derivations(borrowed(claim, theorems).but(cited=()))
+    statements = [statement for statement, _ in cases_of(borrowed(claim, theorems).but(cited=()))]
     for point in failures:
         rational = {s: _rational(v) for s, v in point.items()}
         if all(q is not None for q in rational.values()):

@@ -4,8 +4,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import mpmath
-from sympy import And, Basic, Derivative, Expr, Mul, Symbol, evaluate, prod, sympify
+from sympy import And, Basic, Expr, Symbol
 
+from renderer.generate.printer import differentiated
 from verify.evaluate import DIGITS, MPMATH, Evaluator, code_of, compare
 
 Lines = Sequence[tuple[Symbol, Expr]]
@@ -40,28 +41,11 @@ NUMBERS = MPMATH | {"compare": decided, "real": _real, "Heaviside": _step, "Dira
 """What the code calls, over numbers at mpmath's working precision, where every comparison has to be decided."""
 
 
-def _differentiated(expression):
-    """Return the expression with SymPy's own derivatives, whatever the rules of a translation make of them.
-
-    Nothing else is evaluated: of a product such as −1 · 0 that is left as it stands SymPy may think it is no integer.
-    """
-    expression = sympify(expression)
-    taken = {part: _without_products_of_numbers(part).doit() for part in expression.atoms(Derivative)}
-    with evaluate(False):
-        return expression.xreplace(taken)
-
-
-def _without_products_of_numbers(expression):
-    numbers = {m: prod(m.args) for m in expression.atoms(Mul) if all(a.is_Rational for a in m.args)}
-    with evaluate(False):
-        return expression.xreplace(numbers)
-
-
 class Code(Evaluator):
     """Expressions over some values, and over definitions in terms of these: printed once, for numbers and for balls."""
 
     def __init__(self, expressions: Sequence[Basic], definitions: Lines = ()):
-        self.code = code_of((*definitions, *enumerate(map(_differentiated, expressions))))
+        self.code = code_of((*definitions, *enumerate(map(differentiated, expressions))))
         self.results = [str(number) for number in range(len(expressions))]
 
     def __call__(self, values: Mapping, names: Mapping = NUMBERS) -> list:

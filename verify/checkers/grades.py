@@ -2,7 +2,7 @@
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -80,12 +80,17 @@ def final_grades(evidences: Iterable[dict]) -> dict[str, tuple[str, str]]:
     return {id: grade(id) for id in by_id}
 
 
-def given_cited(evidences: Iterable[dict]) -> dict[str, list[str]]:
-    """Return {id: the sources whose lemmas or hypotheses it rests on, directly or through what it uses}."""
+def given_cited(evidences: Iterable[dict], in_coq: Collection[str] = ()) -> dict[str, list[str]]:
+    """Return {id: the sources whose lemmas or hypotheses it rests on, directly or through what it uses}.
+
+    in_coq: the theorems that Coq has proved here, from no source and no other theorem.
+    """
     by_id = {e["id"]: e for e in evidences}
 
     @cache
     def sources(id):
+        if id in in_coq:
+            return set()
         record = by_id.get(id, {"uses": ()})
         own = {lemma["source"] for lemma in record.get("cited_lemmas", ())}
         if record.get("source") and record.get("grade") != "cited":
@@ -102,9 +107,12 @@ def grade_line(grade: str, sources: Sequence[str], bibliography_key: str = "") -
     return f"cited: {bibliography_key}" if grade == "cited" else grade
 
 
-def graded(evidences: Sequence[dict]) -> list[dict]:
-    """Return the entries of the report, in order of their ids: what each run found, its grade and its grade line."""
-    grades, sources = final_grades(evidences), given_cited(evidences)
+def graded(evidences: Sequence[dict], in_coq: Collection[str] = ()) -> list[dict]:
+    """Return the entries of the report, in order of their ids: what each run found, its grade and its grade line.
+
+    in_coq: the theorems that Coq has proved here.
+    """
+    grades, sources = final_grades(evidences), given_cited(evidences, in_coq)
     entries = []
     for entry in sorted(evidences, key=lambda e: e["id"]):
         grade, reason = grades[entry["id"]]

@@ -93,6 +93,18 @@ WELL_FORMED: list[list] = [
     [EMPTY_INDUCTION | {"show": [{}]}, {"base": [NOTHING], "step": [NOTHING]}],
 ]
 STATEMENT, CERTIFICATE = GOOD
+nested: list = []
+for _ in range(900):
+    nested = [nested]
+
+
+def huge(power: int) -> list:
+    """Return powers of powers of a sum, which nobody waits for."""
+    steps = [("define", {"x": "1", "y": "1", "": "9" * 500}, {"new": "a0"})]
+    steps += [("define", {f"a{i}^{power}": "1", "x": "1"}, {"new": f"a{i + 1}"}) for i in range(5)]
+    return [derivation(*steps, show({"a5": "1"}, "=")), {"proofs": [NOTHING]}]
+
+
 STEP = STATEMENT["steps"][0]
 BROKEN = {
     **{f"inverse {new!r}": inverse(new) for new in ("", None, "x y", "x", 1, "__proto__", "pi^2")},
@@ -150,6 +162,13 @@ BROKEN = {
     **{f"no counterexample at x = {x}": [ABOVE, {"point": {"x": x}}] for x in ("-1", "1")},
     "no point": [ABOVE, {"point": {}}],
     "0 ≥ 0 refuted": [ZERO[1], {"point": {}}],
+    **{f"powers of powers, {power}": huge(power) for power in (998, 999)},
+    "a large power at a point": refutation({"x^999": "1"}, {"x": "9" * 500}),
+    "an induction over large powers": [
+        COUNT | {"next": {"x": {"x^999": "1", "": "1"}}, "show": [{"x^999": "1"}]},
+        BY_ITSELF,
+    ],
+    "nested lists": [derivation(show({"x": nested}, "=")), {"proofs": [NOTHING]}],
     "a name too many": refutation(X, {"x": "0", "y": "0"}, variables=("x",)),
 }
 

@@ -1,6 +1,6 @@
 """Theorems without claims: their measurements, in every module of verify/checkers/measurements, and their grade.
 
-certified  every measurement holds in ball arithmetic, and rejects its false variants
+certified  everything is an enclosure, over whole ranges, of what the theorem's words state, and rejects false variants
 measured   every measurement holds on its samples, and rejects its false variants
 cited      the source is in the bibliography
 """
@@ -15,7 +15,7 @@ from pathlib import Path
 
 from proofs.engine.theorem import Theorem, Theorems, incomplete
 from verify.checkers.grades import Examination
-from verify.checkers.measurement import REGISTERED
+from verify.checkers.measurement import REGISTERED, Enclosure, record, says
 from verify.optional import lacking
 
 FOLDER = Path(__file__).parent / "measurements"
@@ -58,7 +58,7 @@ def examine(theorem: Theorem, theorems: Theorems) -> Examination:
     examination.problems += incomplete(theorem, theorems)
     examination.check_sources(theorem)
     examination.record["measurements"] = seen = [
-        _measured(examination, *entry) for entry in measurements().get(theorem.id, ())
+        _measured(examination, theorem, *entry) for entry in measurements().get(theorem.id, ())
     ]
     examination.reached = "cited"
     if theorem.expected != "cited":
@@ -69,15 +69,18 @@ def examine(theorem: Theorem, theorems: Theorems) -> Examination:
     return examination
 
 
-def _measured(examination, function, false):
+def _measured(examination, theorem, function, false):
     """Run a measurement, and its false variants, which it has to reject."""
     seen, rejected = function(), []
-    if not seen.accepted:
-        examination.problems.append(f"{seen.what}: worst {seen.worst}, bound {seen.bound}, holds: {seen.holds}")
+    why = seen.why_refused()
+    if isinstance(seen, Enclosure) and not says(theorem.words, seen.bound):
+        why = why or "the theorem's words do not state this bound"
+    if why:
+        examination.problems.append(f"{seen.what}: {why}: worst {seen.worst}, bound {seen.bound}")
     for text, changes in false.items():
-        rejected.append({"variant": text, "rejected": not function(**changes).accepted})
+        rejected.append({"variant": text, "rejected": bool(function(**changes).why_refused())})
         examination.mutants += 1
         examination.mutants_killed += rejected[-1]["rejected"]
         if not rejected[-1]["rejected"]:
             examination.problems.append(f"{seen.what}: does not reject the false variant “{text}”")
-    return seen.record() | {"false_variants": rejected}
+    return record(seen) | {"false_variants": rejected}

@@ -1,4 +1,4 @@
-"""Evidence that is no certificate: what was sampled, or enclosed in balls.
+"""Evidence that is no certificate of polynomials: what was sampled, or enclosed in balls.
 
     @measures("theorem_id", false={"half the bound": {"bound": 5}})
     def bound_holds(bound=10):
@@ -6,19 +6,23 @@
         return Measurement(samples=1000, seed=7, worst=worst, bound=bound, what="…")
 
 The function takes its claim as parameters, with the true one as their defaults; `false` names variants of the claim
-that the same function has to reject, at least one. A run calls both. With certified=True, `worst` and `bound` are
-balls of python-flint (or integers), and the run compares them again.
+that the same function has to reject, at least one. A run calls both. What it returns says which evidence this is: a
+`Measurement` of finitely many samples, or an `Enclosure`, which the run takes apart and tries; nobody declares either.
 """
 
 import math
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
+
 from verify.optional import arb
 
-DIGITS = 6
+DIGITS, SEED, TRIED = 6, 5, 64
+MEASURING = ("verify.accuracy.", "verify.stability.")
 REGISTERED: dict[str, list[tuple[Callable, dict]]] = {}
 """{theorem's id: [(function, {text: keyword arguments of a false variant})]}, once `measured` has asked for all"""
 
@@ -27,8 +31,8 @@ REGISTERED: dict[str, list[tuple[Callable, dict]]] = {}
 class Measurement:
     """One measurement: of `samples` cases drawn with `seed` (None: nothing is random), the worst and its bound.
 
-    holds: whether what else is claimed does, beside worst ≤ bound. certified: every number is a ball that encloses the
-    true value, for all cases and not for samples. numbers: {name: number or text} that a page may print.
+    holds: whether what else is claimed does, beside worst ≤ bound. numbers: {name: number or text} that a page may
+    print.
     """
 
     samples: int
@@ -38,28 +42,86 @@ class Measurement:
     seed: int | None = None
     holds: bool = True
     numbers: dict = field(default_factory=dict)
-    certified: bool = False
 
-    def __post_init__(self):
-        if not self.what or self.samples < 1:
-            raise ValueError("a measurement says what it measured, at least once")
-        if self.certified and not all(isinstance(n, arb | int | Fraction) for n in (self.worst, self.bound)):
-            raise ValueError(f"{self.what}: what is certified is enclosed in balls")
+    def why_refused(self) -> str:
+        """Return why this is no evidence, "" where it is: something was seen, finite and within a finite bound."""
+        if not self.what or not 1 <= self.samples < math.inf:
+            return f"{self.samples} samples of {self.what!r}"
+        if not (math.isfinite(self.worst) and math.isfinite(self.bound)):
+            return "the worst, or its bound, is no finite number"
+        return "" if self.holds and self.worst <= self.bound else "what is claimed does not hold"
+
+
+@dataclass(frozen=True)
+class Enclosure:
+    """What a quantity is at most, on each piece of the ranges of its argument: the statement that is enclosed.
+
+    pieces: (low, high, most), arbs or exact numbers; together they are all of `over`, ranges (low, high) of floats. at:
+    a function of an array of arguments that returns the quantity there, computed in another way. bound: what all of it
+    is at most, exactly, as the theorem says.
+    """
+
+    pieces: Sequence[tuple[Any, Any, Any]]
+    over: tuple[tuple[float, float], ...]
+    at: Callable[[np.ndarray], np.ndarray]
+    bound: Any
+    what: str
+    numbers: dict = field(default_factory=dict)
+    seed = SEED
 
     @property
-    def accepted(self) -> bool:
-        """Whether the claim holds, and what was seen is finite and within its bound (balls: certainly)."""
-        if self.certified:
-            worst, bound = (arb(n.numerator) / n.denominator if isinstance(n, Fraction) else arb(n)
-                            for n in (self.worst, self.bound))  # fmt: skip
-            return bool(self.holds) and bool(worst <= bound)
-        return bool(self.holds) and bool(self.worst <= self.bound) and math.isfinite(self.worst)
+    def samples(self) -> int:
+        """The number of pieces: nothing is sampled."""
+        return len(self.pieces)
 
-    def record(self) -> dict[str, Any]:
-        """Return what the report keeps, with numbers rounded so that they do not depend on the machine's last bits."""
-        numbers = {name: rounded(value) for name, value in sorted(self.numbers.items())}
-        seen = {"samples": self.samples, "seed": self.seed, "certified": self.certified, "what": self.what}
-        return seen | {"worst": rounded(self.worst), "bound": rounded(self.bound), "numbers": numbers}
+    @property
+    def worst(self) -> Any:
+        """The largest value that a piece allows, as a ball."""
+        return max((_ball(most) for *_, most in self.pieces), key=lambda most: float(most.upper()))
+
+    def why_refused(self) -> str:
+        """Return why this encloses nothing, "" where it does."""
+        if not getattr(self.at, "func", self.at).__module__.startswith(MEASURING):
+            return f"the quantity is no function of {' or '.join(MEASURING)}"
+        numbers = [*(number for piece in self.pieces for number in piece), self.bound]
+        if not self.what or not self.pieces or not self.over:
+            return "nothing is enclosed"
+        if not all(isinstance(n, arb | int | Fraction) and _ball(n).is_finite() for n in numbers):
+            return "an end, a value or the bound is no finite ball and no exact number"
+        if not all(low < high and self._covers(low, high) for low, high in self.over):
+            return f"the pieces are not all of {self.over}"
+        if not all(_ball(most) <= _ball(self.bound) for *_, most in self.pieces):
+            return "a piece may exceed the bound"
+        return "" if self._tried() else "a value of the quantity is outside of its piece's enclosure"
+
+    def _covers(self, low, high):
+        """Return whether one piece begins where another one ended, from `low` to `high`."""
+        for first, last, _ in sorted(self.pieces, key=lambda piece: float(piece[0])):
+            low = float(last) if float(first) <= low < float(last) else low
+        return low >= high
+
+    def _tried(self):
+        """Return whether the quantity at random points inside the pieces is what these say."""
+        low, high, most = np.array([[float(number) for number in piece] for piece in self.pieces]).T
+        shares = np.random.default_rng(SEED).uniform(0.01, 0.99, (max(2, TRIED // len(low)), len(low)))
+        return bool((np.abs(self.at(low + (high - low) * shares)) <= most).all())
+
+
+def _ball(number):
+    return arb(number.numerator) / number.denominator if isinstance(number, Fraction) else arb(number)
+
+
+def record(seen: Measurement | Enclosure) -> dict[str, Any]:
+    """Return what the report keeps, with numbers rounded so that they do not depend on the machine's last bits."""
+    numbers = {name: rounded(value) for name, value in sorted(seen.numbers.items())}
+    enclosed = isinstance(seen, Enclosure)
+    kept = {"samples": seen.samples, "seed": None if enclosed else seen.seed, "certified": enclosed, "what": seen.what}
+    return kept | {"worst": rounded(seen.worst), "bound": rounded(seen.bound), "numbers": numbers}
+
+
+def says(words: str, bound: Any) -> bool:
+    """Return whether a theorem's words have a number."""
+    return float(bound) in map(float, re.findall(r"\d+(?:\.\d+)?", words))
 
 
 def rounded(value: Any) -> Any:

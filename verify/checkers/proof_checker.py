@@ -23,7 +23,7 @@ from proofs.check import reasons
 from proofs.engine import kernel
 from proofs.engine.claim import AnyClaim, Induction, Separation
 from proofs.engine.induction import induction
-from proofs.engine.statement import by_definition as idle
+from proofs.engine.statement import cases_of
 from proofs.engine.stored import NotFound, Stale, evidence, show_polynomial, stored
 from proofs.engine.theorem import WITHOUT_CLAIMS, Theorem, Theorems, borrowed, incomplete
 from verify.checkers import witness
@@ -122,7 +122,8 @@ def by_definition(claim: AnyClaim, theorems: Theorems) -> list[str]:
         return [str(r) for r, p in zip(claim.shows, said["show"], strict=True) if not p or p in given]
     if isinstance(claim, Separation):
         return []
-    return [str(claim.shows[number]) for number in idle(borrowed(claim, theorems))]
+    idle = set.intersection(*(idle for _, idle in cases_of(borrowed(claim, theorems))))
+    return [str(claim.shows[number]) for number in sorted(idle)]
 
 
 def why_unproved(claim: AnyClaim, theorems: Theorems, prove: Callable, **effort: int) -> str | None:

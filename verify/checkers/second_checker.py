@@ -119,16 +119,26 @@ class Names:
     def constant(self, text: str) -> fmpq_mpoly:
         return self.ring.constant(_rational(text))
 
-    def __call__(self, data: dict[str, str]) -> fmpq_mpoly:
-        total = self.constant("0")
+    def __call__(self, data: dict[str, str], values: dict[str, fmpq_mpoly] | None = None) -> fmpq_mpoly:
+        values, total = self.value if values is None else values, self.constant("0")
         for monomial, coefficient in data.items():
             term = self.constant(coefficient)
             for factor in monomial.split():
                 name, _, power = factor.partition("^")
-                _need(name in self.value, f"{name} is used before it is introduced")
-                term *= self.value[name] ** int(power or 1)
+                _need(name in values, f"{name} is used before it is introduced")
+                for _ in range(int(power or 1)):
+                    term = _product(term, values[name])
             total += term
         return total
+
+
+def _product(p, q):
+    """Return a product of polynomials; refuse one that would take more than seconds."""
+    terms = len(p) * len(q) * (1 + max(p.total_degree(), 0) + max(q.total_degree(), 0))
+    _need(terms <= MOST, f"a product of {len(p)} terms and {len(q)}")
+    bits = sum(max((c.height_bits() for c in factor.coeffs()), default=0) for factor in (p, q))
+    _need(bits <= MOST, f"a product of numbers of {bits} bits")
+    return p * q
 
 
 def _prove(names, facts, goal, proof):
@@ -143,17 +153,19 @@ def _prove(names, facts, goal, proof):
         for i in proof["positive"]:
             kind, q = facts[i]
             _need(kind in (">", "!="), f"fact {i} need not be positive")
-            left *= q * q if kind == "!=" else q
+            for factor in (q, q) if kind == "!=" else (q,):
+                left = _product(left, factor)
         for coefficient, root, factors in proof["sum"]:
             _need(_rational(coefficient) >= 0, "a negative weight")
-            term = names.constant(coefficient) * names(root) ** 2
+            square = names(root)
+            term = _product(names.constant(coefficient) * square, square)
             for i in factors:
                 _need(facts[i][0] in (">", ">="), f"fact {i} may be negative")
-                term *= facts[i][1]
+                term = _product(term, facts[i][1])
             left += term
     for i, q in proof["cofactors"]:
         _need(facts[i][0] == "=", f"fact {i} is no equation")
-        left -= names(q) * facts[i][1]
+        left -= _product(names(q), facts[i][1])
     _need(left == 0, f"{proof['rule']}: the difference is {left}")
 
 
@@ -178,7 +190,7 @@ def _steps(statement, prove):
             case "inverse":
                 prove(names, facts, ("!=", of))
                 names.value[new] = names.variable[new]
-                facts.append(("=", names.value[new] * of - 1))
+                facts.append(("=", _product(names.value[new], of) - 1))
     return names, facts
 
 
@@ -202,8 +214,10 @@ def _refutation(statement, certificate):
             c, s = at[f"cos{n[3:]}"], at[f"sin{n[3:]}"]
             _need(c * c + s * s == 1, f"{n} is not on the circle")
     point = [at.get(n, fmpq(0)) for n in names.all] or [fmpq(0)]
+    digits = max(value.height_bits() for value in point)
 
     def true_at_point(relation, p):
+        _need(p.total_degree() * digits <= MOST, "a number of too many digits")
         value = p(*point)
         return {"=": value == 0, "!=": value != 0, ">": value > 0, ">=": value >= 0}[relation]
 
@@ -218,15 +232,16 @@ def _induction(statement, certificate):
     facts = [(a["is"], names(a["of"])) for a in statement["assume"]]
     for of in [*(a["of"] for a in statement["assume"]), *statement["start"].values()]:
         parameters(of)  # refuses an assumption about the state, or a start that depends on it
-    claims = [names(p) for p in statement["show"]]
+    said = statement["show"]
+    claims = [names(p) for p in said]
     _need(claims, "nothing is claimed")
     _need(len(claims) == len(certificate["base"]) == len(certificate["step"]), "a base or a step is missing")
 
     def moved(p, values):
         _need(sorted(values) == sorted(state), "a state is not given")
-        return p.compose(*[names(values[n]) if n in state else names.value[n] for n in names.all] or [p])
+        return names(p, names.value | {n: names(values[n]) for n in state})
 
-    for p, base, step in zip(claims, certificate["base"], certificate["step"], strict=True):
+    for p, base, step in zip(said, certificate["base"], certificate["step"], strict=True):
         _prove(names, facts, ("=", moved(p, statement["start"])), base)
         _prove(names, [*facts, *(("=", q) for q in claims)], ("=", moved(p, statement["next"])), step)
 

@@ -50,7 +50,7 @@ from proofs.engine.search import search
 from proofs.engine.stored import NotFound, Stale, statements, stored
 from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems
 from proofs.formulas.half_turns import cospi, sinpi
-from proofs.theorems.cited import sine_below
+from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_inside_half_turn, sine_of_half_turn
 from verify.checkers import witness
 from verify.checkers.kernels import accepted, compact
 from verify.checkers.known_bad import CERTIFICATE, STATEMENT, assume, derivation, show
@@ -78,6 +78,7 @@ def defined(symbol, expression):
 # What has no translation: no statement is made of it
 
 HIDDEN = ["positive", "nonnegative", "negative", "integer", "rational", "zero", "nonzero", "finite", "even", "prime"]
+HIDDEN += ["extended_real", "infinite"]
 TAKEN = ["pi", "root_1", "inverse_12", "sum_1", "cos(x)", "sin(pi*x)", "x y", "", "x^2", "2x", "é", "_x", "x\n", "x'"]
 with evaluate(False):
     INFINITE = x * (1 / S.Zero)
@@ -177,6 +178,24 @@ WITHOUT_A_RULE = [
 def test_what_no_rule_translates_is_refused(claim, why):
     with pytest.raises(Untranslatable, match=why):
         statements(claim, {})
+
+
+def plain_claims():
+    """Yield true claims beside those that are refused: of plain symbols, of names that are there, of angles."""
+    q, whole = Symbol("q", real=True), Symbol("n", integer=True)
+    yield Claim("a line", (equation(Abs(q), x - 5), greater(q, x - 6)), (greater(x, 5),), defined(q, x - 5))
+    yield Claim("a lemma", (at_least(x + 1, sin(x)),), (greater(x, 1),), cited=(sine_below(x),))
+    yield Separation("a name", Program("p", (x, w), ((y, x + 1), (p, w)), (y, p)), (y,), (w,))
+    yield Induction("every whole number", whole, (equation(y, 2 * x),), ((y, 2 * x, 3 * y - 4 * x),))
+    turned = ((a, 1, a * cos(x) - s * sin(x)), (s, 0, s * cos(x) + a * sin(x)))
+    yield Induction("an angle", whole, (equation(a, cos(whole * x)), equation(s, sin(whole * x))), turned)
+    yield Claim("angles", (equation(cos(x / 2) ** 2 - sin(x / 2) ** 2, cos(x)),))
+    yield Claim("a power", (at_least((x + y) ** 8, 0),), squares=((x + y) ** 4,))
+
+
+@pytest.mark.parametrize("claim", [*plain_claims()], ids=lambda claim: claim.name)
+def test_what_is_plain_is_proved(claim):
+    assert graded(claim) == "proved"
 
 
 # What is not proved, but with a hypothesis
@@ -331,8 +350,16 @@ FALSE_LEMMAS = [
     (at_least(x**2, TINY), (at_least(1, x),)),
     (at_least(20, x), (greater(x, 0),)),
     (Ne(x * (x - 5) + 1, 1, evaluate=False), ()),
+    (at_least((7 * x - 1) ** 2, TINY), ()),
+    (at_least(10**20, x), (x >= 0,)),
+    (at_least(5 - x, Rational(1, 10**5)), (x < 5,)),
+    (Ne(sin(x), Rational(1, 2), evaluate=False), ()),
+    (greater(sin(x) + 1, 0), ()),
+    (at_least(sin(pi * x), TINY), (x > 0, x < 1)),
 ]
-"""[(what is false at an edge, at one point or far away, or by less than 10⁻⁴⁰, the conditions)]"""
+"""[(what is false at or beside an edge, at one point or far away, or by less than 10⁻⁴⁰, the conditions)]"""
+TRUE_LEMMAS = [sine_below(x), sine_above(x), cosine_above(x), sine_inside_half_turn(x), sine_of_half_turn(x)]
+TRUE_LEMMAS.append(CitedLemma(greater(x * y, 0), "DLMF", (x > 0, y > 0)))
 LATE = CitedLemma(greater(x + 1, x), "Dekker1971", (x >= 1,))
 UNSEEN = [
     (Claim("lemma", (Ne(x**2 + TINY, 0, evaluate=False),), cited=(LATE,)), ((x, 0),)),
@@ -344,6 +371,11 @@ UNSEEN = [
 @pytest.mark.parametrize(("grade", "claim", "changes"), [*graded_claims()], ids=lambda part: getattr(part, "name", ""))
 def test_a_theorem_has_no_better_grade(grade, claim, changes):
     assert graded(claim, **changes) == grade
+
+
+def test_what_a_source_says_is_not_refuted():
+    for lemma in TRUE_LEMMAS:
+        assert witness.lemma_fails_at(lemma, "lemma", 32) is None
 
 
 def test_50_digits_see_neither_what_is_undefined_nor_what_is_unseen_as_it_is():

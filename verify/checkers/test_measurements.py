@@ -1,15 +1,22 @@
 """Measurements, citations and cited lemmas: what reaches which grade, and what must fail."""
 
+import math
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+
 import pytest
 from flint import arb
 from sympy import cos, sin, symbols
 
 from proofs.engine.claim import CitedLemma, Claim, at_least
 from proofs.engine.theorem import Mutant, Step, Theorem, all_theorems
+from proofs.formulas.certified import CERTIFIED
+from verify.accuracy.certified_ulps import PIECES, errors_on_pieces
 from verify.checkers import proof_checker
 from verify.checkers.grades import given_cited, graded, summary
 from verify.checkers.measured import examine, measurements
-from verify.checkers.measurement import REGISTERED, Measurement, measures, rounded
+from verify.checkers.measurement import REGISTERED, Enclosure, Measurement, measures, rounded
 
 x = symbols("x", real=True)
 
@@ -28,10 +35,8 @@ def measured(expected="measured", **more):
     return Theorem("measured_here", "A measurement", "", expected=expected, **more)
 
 
-def squares(bound=81, certified=False):
-    worst = max(n * n for n in range(10))
-    numbers = arb if certified else float
-    return Measurement(10, numbers(worst), numbers(bound), "squares", numbers={"n": 9}, certified=certified)
+def squares(bound=81.0):
+    return Measurement(10, float(max(n * n for n in range(10))), bound, "squares", numbers={"n": 9})
 
 
 @pytest.mark.usefixtures("registry")
@@ -43,13 +48,7 @@ def test_a_measurement_holds_and_rejects_its_false_variant():
         "samples": 10, "seed": None, "certified": False, "what": "squares", "worst": 81.0, "bound": 81.0,
         "numbers": {"n": 9}, "false_variants": [{"variant": "at most 80", "rejected": True}],
     }  # fmt: skip
-    assert examine(measured("certified"), {}).grade == "measured"  # not balls: short of what was expected
-
-
-@pytest.mark.usefixtures("registry")
-def test_balls_are_certified():
-    measures("measured_here", false={"at most 80": {"bound": 80}})(lambda bound=81: squares(bound, certified=True))
-    assert examine(measured("certified"), {}).grade == "certified"
+    assert examine(measured("certified"), {}).grade == "measured"  # not enclosed: short of what was expected
 
 
 @pytest.mark.usefixtures("registry")
@@ -71,16 +70,55 @@ def test_without_a_measurement_nothing_is_measured():
     assert proof_checker.examine(measured(), {}).grade == "failed"
     with pytest.raises(ValueError, match="false variant"):
         measures("measured_here", false={})
-    with pytest.raises(ValueError, match="balls"):
-        Measurement(1, 1.0, 2.0, "floats", certified=True)
 
 
-def test_a_ball_that_may_exceed_its_bound_is_not_accepted():
-    wide = Measurement(1, arb(1, 0.5), arb(1.25), "wide", certified=True)
-    assert not wide.accepted
-    assert Measurement(1, arb(1, 0.5), 2, "wide", certified=True).accepted
-    assert not Measurement(1, float("nan"), 1.0, "nothing").accepted
-    assert not Measurement(1, 0.0, 1.0, "something else", holds=False).accepted
+SINE = Enclosure(
+    PIECES["sinpi"](), ((0.001, 0.25),), partial(errors_on_pieces, "sinpi"), CERTIFIED["sinpi"], "sine, in ulps"
+)
+TAMPERED = {
+    "no statement": {"what": ""},
+    "nothing": {"pieces": []},
+    "no range": {"over": ()},
+    "an infinite bound": {"bound": arb("inf")},
+    "a bound that is nan": {"bound": arb("nan")},
+    "a bound that is a float": {"bound": 1.34},
+    "a smaller bound": {"bound": Fraction(133, 100)},
+    "one number": {"pieces": [(arb(0.125), arb(0.125), arb(1))], "over": ((0.125, 0.125),)},
+    "one piece": {"pieces": SINE.pieces[:1]},
+    "a gap": {"pieces": SINE.pieces[:300] + SINE.pieces[301:]},
+    "beyond its pieces": {"over": ((0.001, 0.26),)},
+    "a wide ball": {"pieces": [*SINE.pieces[1:], (*SINE.pieces[0][:2], arb(1, 1))]},
+    "an enclosure of another number": {"pieces": [(arb(0), arb(1), arb(0.5))]},
+    "another function": {"at": partial(errors_on_pieces, "sinpi_of_product")},
+    "its own function": {"at": lambda points: 0 * points},
+}
+
+
+@pytest.mark.parametrize("changes", TAMPERED.values(), ids=TAMPERED)
+def test_an_enclosure_is_taken_apart_and_tried(changes):
+    assert SINE.why_refused() == ""
+    assert replace(SINE, **changes).why_refused()
+
+
+@pytest.mark.usefixtures("registry")
+@pytest.mark.parametrize(("words", "grade"), [("At most 1.34 ulps.", "certified"), ("At most 1.3 ulps.", "failed")])
+def test_what_is_enclosed_is_what_the_words_state(words, grade):
+    measures("measured_here", false={"at most 1.33": {"bound": Fraction(133, 100)}})(
+        lambda bound=SINE.bound: replace(SINE, bound=bound)
+    )
+    assert examine(replace(measured("certified"), statement=words), {}).grade == grade
+
+
+NAN, INFINITE = math.nan, math.inf
+NOT_MEASURED = [(0, 1.0, 2.0), (-1, 1.0, 2.0), (INFINITE, 1.0, 2.0), (1, NAN, 2.0), (1, INFINITE, INFINITE)]
+NOT_MEASURED += [(1, 1.0, INFINITE), (1, 1.0, NAN), (1, -INFINITE, 2.0), (1, 3.0, 2.0)]
+
+
+def test_a_measurement_is_of_finite_samples_and_has_a_finite_bound():
+    assert Measurement(1, 1.0, 2.0, "something").why_refused() == ""
+    assert all(Measurement(*numbers, "something").why_refused() for numbers in NOT_MEASURED)
+    assert Measurement(1, 1.0, 2.0, "").why_refused()
+    assert Measurement(1, 0.0, 1.0, "something else", holds=False).why_refused()
     assert rounded(2 / 3) == 0.666667
 
 
@@ -134,3 +172,17 @@ def test_analysis_among_the_hypotheses_is_told_in_the_grade():
     entry = {"id": "limit", "grade": "proved", "uses": (), "source": "DLMF", "problems": []}
     assert given_cited([entry]) == {"limit": ["DLMF"]}
     assert given_cited([entry | {"grade": "cited"}]) == {"limit": []}
+
+
+def test_what_coq_has_proved_here_is_given_by_no_source():
+    """It proves a claim from nothing that is cited or borrowed; who uses it may still rest on another source."""
+    entries = [
+        {"id": "limit", "grade": "proved", "uses": (), "source": "DLMF"},
+        {"id": "product", "grade": "proved", "uses": ("limit",), "source": "Dekker1971"},
+    ]
+    told = {formal: [e["grade_line"] for e in graded(entries, formal)] for formal in ((), ("limit",), ("product",))}
+    assert told == {
+        (): ["proved, given DLMF", "proved, given DLMF, Dekker1971"],
+        ("limit",): ["proved", "proved, given Dekker1971"],
+        ("product",): ["proved, given DLMF", "proved"],
+    }

@@ -8,7 +8,7 @@ from proofs.engine.claim import Claim, Induction, Separation, equation
 from proofs.engine.derivative import Untranslatable
 from proofs.engine.program import Program
 from proofs.engine.search import search
-from proofs.engine.statement import derivations
+from proofs.engine.statement import cases_of
 from proofs.engine.stored import NotFound, statements
 from verify.checkers import witness
 from verify.checkers.counterexamples import path_to_avoided
@@ -67,7 +67,7 @@ def test_false_claims_are_not_proved_and_have_counterexamples(claim):
 @pytest.mark.parametrize("expression", [Symbol("n") ** x, sin(sin(x)) / 2**y, Piecewise((x, x > 0), (oo, True))])
 def test_what_no_rule_translates_is_an_error(expression):
     with pytest.raises(Untranslatable):
-        derivations(Claim("untranslatable", (equation(expression, 0),)))
+        cases_of(Claim("untranslatable", (equation(expression, 0),)))
 
 
 def test_separation_follows_the_program():

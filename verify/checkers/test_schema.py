@@ -36,6 +36,10 @@ OF_MEANING = {
     "no point",
     "0 ≥ 0 refuted",
     "version 1.0",
+    "powers of powers, 998",
+    "powers of powers, 999",
+    "a large power at a point",
+    "an induction over large powers",
 }
 
 

@@ -6,15 +6,20 @@ It knows nothing of the kernel, of certificates, or of the translation into poly
 import random
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import product
 from typing import Any
 
 import mpmath
-from sympy import Ne, Symbol, sympify
+from sympy import Derivative, Ne, Rational, Symbol, evaluate, sympify
 
 from proofs.engine.claim import CitedLemma, Claim, Induction, equation
 from proofs.engine.theorem import Point
+from renderer.generate.printer import differentiated
 from verify.checkers.digits import DIGITS, ROUNDING, TOLERANCE, WORKING_DIGITS, Code, Relations, Undefined
 from verify.checkers.sampler import Sampler
+
+STARTS, EDGE = 12, mpmath.mpf(10) ** -30
+STEPS = tuple(sign * Rational(10) ** power for power in (-6, -45) for sign in (1, -1))
 
 
 @dataclass
@@ -71,18 +76,52 @@ def sample(
 def lemma_fails_at(lemma: CitedLemma, seed: str | int, points: int) -> dict | None:
     """Return a point under the source's conditions alone where a lemma is false, or None.
 
-    Tried are points inside, where each symbol is 0, on the edge of each condition, and, for what is said to be
-    different, where it is equal.
+    Tried are points inside, far away and close to 0; where a symbol is 0; on the edge of each condition and beside it;
+    and where the two sides are equal, or their difference is least or largest.
     """
-    relation = lemma.relation
-    edges = [equation(c.lhs, c.rhs) for c in lemma.given if c.rel_op in (">=", "<=")]
-    edges += [equation(symbol, 0) for symbol in sorted(relation.free_symbols, key=str)]
+    relation, symbols = lemma.relation, sorted(lemma.relation.free_symbols, key=str)
+    apart = relation.rel_op in (">", "<", "!=")
+    shown = Ne(relation.lhs, relation.rhs, evaluate=False) if apart else relation
+    edges = [equation(c.lhs, c.rhs + step) for c in lemma.given for step in (0, *STEPS)]
     claims = [Claim("cited", (relation,), (*lemma.given, *edge)) for edge in ((), *zip(edges))]
-    if relation.rel_op in (">", "<", "!="):
-        apart = Ne(relation.lhs, relation.rhs, evaluate=False)
-        claims.append(Claim("apart", (apart,), (*lemma.given, equation(relation.lhs, relation.rhs))))
+    claims += [Claim("cited", (relation,), (*lemma.given, equation(symbol, 0))) for symbol in symbols]
+    claims += [Claim("apart", (shown,), (*lemma.given, equation(relation.lhs, relation.rhs)))] if apart else []
+    sizes = [Rational(10) ** power for power in (-30, -9, 9, 30)]
+    claims += [claims[0].but(ranges=tuple((s, (-size, size)) for s in symbols)) for size in sizes]
     found = (sample(claim, seed, points, 1, 50, slack=ROUNDING).smallest for claim in claims)
-    return next((point for point in found if point), None)
+    return next((point for point in found if point), None) or _turning_point(lemma, shown, symbols, seed)
+
+
+def _turning_point(lemma, shown, symbols, seed):
+    """Return a point where a lemma is false among those where its sides are equal or turn, along one symbol each."""
+    with mpmath.workdps(WORKING_DIGITS), evaluate(True):
+        sampler = Sampler(Claim("cited", (shown,), lemma.given), seed, ROUNDING)
+        difference = lemma.relation.lhs - lemma.relation.rhs
+        for symbol, of in product(symbols, range(2)):
+            sides = Code((differentiated(Derivative(difference, symbol)) if of else difference,))
+            for _ in range(STARTS):
+                values = sampler.inputs_at_random()
+                root = None if values is None else _root(sides, symbol, values)
+                if root is None or any(abs(_difference(c, values | {symbol: root})) < EDGE for c in lemma.given):
+                    continue  # no nearer to an edge than the root itself is known
+                values[symbol] = root
+                if sampler.early(values) and sampler.verdict(values) == "fails":
+                    return values
+    return None
+
+
+def _root(code, symbol, values):
+    """Return a root of an expression along a symbol, from where the symbol is now on, or None."""
+    start = values[symbol]
+    try:
+        return mpmath.findroot(lambda x: code(values | {symbol: x})[0], (start, start + mpmath.mpf(1) / 8), tol=1e-120)
+    except (ValueError, ZeroDivisionError, Undefined):
+        return None
+
+
+def _difference(condition, values):
+    left, right = Code((condition.lhs, condition.rhs))(values)
+    return left - right
 
 
 def _exact(point):

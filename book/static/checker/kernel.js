@@ -175,9 +175,15 @@ function certificate_kernel() {
   /** @param {Polynomial} p @param {Polynomial} q */
   const less = (p, q) => add(new Map(p), q, MINUS);
 
-  /** @param {Polynomial} p @param {Polynomial} q */
+  const LARGE = 1n << BigInt(MOST);
+  /** @param {Polynomial} p */
+  const degree = (p) => [...p.keys()].reduce((most, word) => Math.max(most, word ? word.split(" ").length : 0), 0);
+
+  /** One that would take more than seconds is refused. @param {Polynomial} p @param {Polynomial} q */
   function product(p, q) {
     work.products += p.size * q.size;
+    insist(p.size * q.size * (1 + degree(p) + degree(q)) <= MOST, "a product is too long");
+    for (const [top] of [...p.values(), ...q.values()]) insist(-LARGE < top && top < LARGE, "a number is too long");
     return [...p].reduce((found, [word, c]) => add(found, q, c, word), constant([0n, 1n]));
   }
 

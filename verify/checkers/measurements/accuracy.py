@@ -1,17 +1,17 @@
 """How accurate the picture, the exact gradient and the central difference are, against balls. See verify/accuracy."""
 
-import math
 from functools import cache
 
 import numpy as np
+from flint import arb
 
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, GENERAL_GRADIENT
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from verify.accuracy import base_errors, orders
 from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, escapes, parts
-from verify.accuracy.gradient_errors import UNIT
+from verify.accuracy.gradient_errors import UNIT, worst_at_ratios
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, checked_pixels, problems
-from verify.checkers.measurement import Measurement, measures
+from verify.checkers.measurement import Enclosure, Measurement, measures
 from verify.stability.rows import SWEEPS, sweep
 from verify.stability.wave_numbers import PAIRS, large_wave_numbers
 from verify.stability.wave_numbers import SEED as SWEEP_SEED
@@ -69,14 +69,15 @@ def unequal_wave_numbers(bound: float = GENERAL_GRADIENT) -> Measurement:
 
 
 @measures("algebraic_gradient_accuracy", false={"within 40 (1 + k)": {"bound": 40}, "up to the rim": {"least": 0.01}})
-def algebraic_gradient(bound: int = ALGEBRAIC_GRADIENT, least: float = base_errors.LEAST_SQUARE) -> Measurement:
+def algebraic_gradient(bound: int = ALGEBRAIC_GRADIENT, least: float = base_errors.LEAST_SQUARE) -> Enclosure:
     """The algebraic form from the image point: its bases over every box of the hits, and their powers."""
     of_u, of_v = base_errors.base_errors(least)
-    return Measurement(
-        samples=math.prod(base_errors.BOXES),
-        worst=base_errors.gradient_bound(of_u, of_v),
+    first, last = base_errors.RATIOS
+    return Enclosure(
+        pieces=[(arb(first), arb(last), base_errors.gradient_bound(of_u, of_v))],
+        over=(base_errors.RATIOS,),
+        at=worst_at_ratios,
         bound=bound,
-        certified=True,
         what="the algebraic form: the bound over π k (1 + k) 2^-53, over all boxes of R/e and ρ/ρ_s, all wave numbers",
         numbers={"base_of_u": of_u / UNIT, "base_of_v": of_v / UNIT},
     )

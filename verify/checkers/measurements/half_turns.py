@@ -1,15 +1,18 @@
 """The certificates of our elementary functions. See verify/accuracy/certified_ulps.py."""
 
+import math
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from proofs.formulas import elementary as e
 from proofs.formulas import exponential as x
 from proofs.formulas.certified import CERTIFIED
-from verify.accuracy.certified_ulps import PIECES
-from verify.accuracy.pieces import off_by, worst
-from verify.checkers.measurement import Measurement, measures
+from verify.accuracy.certified_ulps import PIECES, SMALL, errors_on_pieces
+from verify.accuracy.pieces import SMALLEST, off_by
+from verify.checkers.measurement import Enclosure, measures
 
 CONSTANTS = {
     "sinpi": (e.sine_of_half_turns, e.sine_tail, e.sine_series[0]),
@@ -32,22 +35,32 @@ FALSE: dict[str, dict[str, Any]] = {
 }
 
 
-def certificate(name: str) -> Callable[..., Measurement]:
-    """Return what measures a function's error over every piece of its range."""
+FIRST = 2.0 ** (SMALLEST - 1)  # what is smaller scales
+OVER = {
+    "atan2pi": ((FIRST, 1.0),),
+    "exp": ((-math.log(2) / 2, math.log(2) / 2),),
+    "log": ((2.0**-5.5, 57 / 64), ((1 + FIRST) / (1 - FIRST), 2.0**5.5)),  # of −q it is −log
+    "power": ((0.0, SMALL),),
+    "small_power": ((0.0, 708.0),),
+}
+"""{name: the ranges of the reduced argument}, up to ¼ where none is named"""
 
-    def certified(bound=CERTIFIED[name], off=0):
+
+def certificate(name: str) -> Callable[..., Enclosure]:
+    """Return what encloses a function's error on every piece of its range."""
+
+    def enclosed(bound=CERTIFIED[name], off=0):
         pieces = PIECES[name](program=off_by(*CONSTANTS[name], off)) if off else PIECES[name]()
-        largest = worst(pieces)
-        return Measurement(
-            samples=len(pieces),
-            worst=largest,
+        found = Enclosure(
+            pieces=pieces,
+            over=OVER.get(name, ((FIRST, 0.25),)),
+            at=partial(errors_on_pieces, name),
             bound=bound,
             what=f"{name}: the error in ulps over every piece of the reduced range",
-            numbers={f"{name}_ulps": largest, f"{name}_pieces": len(pieces)},
-            certified=True,
         )
+        return replace(found, numbers={f"{name}_ulps": found.worst, f"{name}_pieces": len(pieces)})
 
-    return certified
+    return enclosed
 
 
 for name, false in FALSE.items():

@@ -1,0 +1,54 @@
+"""The lines that a grade passes through, from claim to grade, Coq's included:  python -m verify.grade_path [FOLDER]
+
+Every module of this repository that the checkers of claims import, or what asks Coq, directly or not, as soon as they
+are imported; lines without comments, docstrings and blanks. What a function imports, such as the search, decides no
+grade. FOLDER is another checkout, to compare with.
+"""
+
+import argparse
+import ast
+from pathlib import Path
+
+from verify.sources import PACKAGES, ROOT, without_prose
+
+ENTRANCES = ("verify/checkers/proof_checker.py", "verify/formal.py", "renderer/generate/coq.py")
+PRINTS_CLAIMS = "renderer/generate/statements.py"  # since there are printed claims
+CLAIMED = ("proofs/formulas/", "proofs/theorems/")  # what is graded, and no part of how
+
+
+def modules(root: Path) -> dict[str, int]:
+    """Return {module's path from the root: its lines} of a checkout."""
+    waiting, found = {*ENTRANCES, PRINTS_CLAIMS}, {}
+    while waiting:
+        name = waiting.pop()
+        if name.startswith(CLAIMED) or not (root / name).is_file():
+            continue
+        found[name] = len(without_prose(root / name).splitlines())
+        waiting |= {path for path in _imported(root, name) if path not in found}
+    return found
+
+
+def _imported(root, name):
+    waiting, names = [ast.parse((root / name).read_text(encoding="utf-8"))], set()
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, ast.ImportFrom) and node.module:
+            names |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+        elif not isinstance(node, ast.FunctionDef):
+            waiting += ast.iter_child_nodes(node)
+    paths = (name.replace(".", "/") for name in names if name.split(".")[0] in PACKAGES)
+    return {file for path in paths for file in (f"{path}.py", f"{path}/__init__.py") if (root / file).is_file()}
+
+
+def main() -> None:
+    """Print the modules, each with its lines, and their sum."""
+    parser = argparse.ArgumentParser(prog="python -m verify.grade_path", description=__doc__)
+    parser.add_argument("folder", nargs="?", type=Path, default=ROOT, help="another checkout")
+    found = modules(parser.parse_args().folder)
+    for name, lines in sorted(found.items()):
+        print(f"{lines:6} {name}")
+    print(f"{sum(found.values()):6} lines in {len(found)} modules")
+
+
+if __name__ == "__main__":
+    main()
