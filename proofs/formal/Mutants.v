@@ -3,7 +3,7 @@
 
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries.
+From Formal Require Import Preliminaries Formulas Float Float64.
 Open Scope R_scope.
 
 Definition algebraic_gradient__in_u_1__false : Prop :=
@@ -231,19 +231,21 @@ Definition truncation_bound__sine_2__false : Prop :=
   u - epsilon >= 0 ->
   epsilon + u < 1 ->
   k_u > 0 ->
+  ex_derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u ->
   epsilon <> 0 ->
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u ->
   1 - (sin (v * PI * k_v)) * (cos (u * PI * k_u)) >= 0 /\
   (sin (v * PI * k_v)) * (cos (u * PI * k_u)) + 1 >= 0 /\
   PI * k_u > 0 /\
   (PI * k_u) ^ 3 > 0 /\
-  -PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) = (-(PI * k_u) ^ 3) * (sin (v * PI * k_v)) * (cos (u * PI * k_u)) /\
-  PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (PI * k_u) ^ 3 >= 0 /\
-  (PI * k_u) ^ 3 - PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) >= 0 /\
-  epsilon * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (sin (v * PI * k_v)) * (cos (u * PI * k_u)) * (sin (epsilon * PI * k_u) - PI * epsilon * k_u) /\
-  epsilon * ((6 / 7) * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon) >= 0 /\
-  epsilon * ((6 / 7) * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) - (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon) >= 0 /\
-  (6 / 7) * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon >= 0 /\
-  (6 / 7) * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) - (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon >= 0).
+  (Derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u) = (-(PI * k_u) ^ 3) * (sin (v * PI * k_v)) * (cos (u * PI * k_u)) /\
+  (PI * k_u) ^ 3 - (Derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u) >= 0 /\
+  (PI * k_u) ^ 3 + (Derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u) >= 0 /\
+  epsilon * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)) = (sin (v * PI * k_v)) * (cos (u * PI * k_u)) * (sin (epsilon * PI * k_u) - PI * epsilon * k_u) /\
+  epsilon * ((6 / 7) * (1 / 6) * epsilon ^ 2 * PI ^ 3 * k_u ^ 3 + 1 * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u))) >= 0 /\
+  epsilon * ((6 / 7) * (1 / 6) * epsilon ^ 2 * PI ^ 3 * k_u ^ 3 - ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u))) >= 0 /\
+  (6 / 7) * (1 / 6) * epsilon ^ 2 * PI ^ 3 * k_u ^ 3 + 1 * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)) >= 0 /\
+  (6 / 7) * (1 / 6) * epsilon ^ 2 * PI ^ 3 * k_u ^ 3 - ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)) >= 0).
 
 Definition truncation_bound__apart_3__false : Prop :=
   ~ (
@@ -275,9 +277,12 @@ Definition tangent_frame__right_handed_1__false : Prop :=
 Definition tangent_frame__e_theta_2__false : Prop :=
   ~ (
   forall phi theta : R,
-  -(sin theta) = -(sin phi) * (sin theta) /\
-  cos theta = (sin phi) * (cos theta) /\
-  True).
+  ex_derive (fun theta : R => (sin phi) * (cos theta)) theta ->
+  ex_derive (fun theta : R => (sin phi) * (sin theta)) theta ->
+  ex_derive (fun theta : R => cos phi) theta ->
+  -(sin theta) = (Derive (fun theta : R => (sin phi) * (cos theta)) theta) /\
+  cos theta = (Derive (fun theta : R => (sin phi) * (sin theta)) theta) /\
+  0 = (Derive (fun theta : R => cos phi) theta)).
 
 Definition tangent_frame__orthonormal_3__false : Prop :=
   ~ (
@@ -504,7 +509,8 @@ Definition gradients__ridges_below_4__false : Prop :=
   let sin_v := sin (PI * (k_v * v)) in
   let h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)) in
   -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
-  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))).
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u ->
+  h_u = (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)).
 
 Definition specular_lipschitz__twice_1__false : Prop :=
   ~ (
@@ -1173,10 +1179,16 @@ Definition displaced_normal__product_1__false : Prop :=
   theta = theta_0 ->
   phi = phi_0 ->
   sin phi > 0 ->
+  ex_derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta ->
+  ex_derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) phi ->
+  ex_derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) theta ->
+  ex_derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi ->
   sin phi <> 0 ->
-  (beta * h_phi * (cos phi) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (cos theta)) - beta * h_theta * (beta * h_phi * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin theta) * (cos phi)) * (cos phi) = (beta * h + 1) * (sin phi) * ((sin phi) * (cos theta) * (beta * h + 1) - beta * (h_phi * (cos phi) * (cos theta) + h_theta * (-(sin theta)) / (sin phi))) /\
-  beta * h_theta * (beta * h_phi * (sin phi) * (cos theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (cos phi) * (cos theta)) * (cos phi) - (beta * h_phi * (cos phi) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (sin theta)) = (beta * h + 1) * (sin phi) * ((sin phi) * (sin theta) * (beta * h + 1) - beta * (h_phi * (sin theta) * (cos phi) + h_theta * (cos theta) / (sin phi))) /\
-  (beta * h_phi * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin theta) * (cos phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (sin theta)) - (beta * h_phi * (sin phi) * (cos theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (cos phi) * (cos theta)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (cos theta)) = (beta * h + 1) * (sin phi) * ((beta * h + 1) * (cos phi) - beta * (h_phi * (-(sin phi)) + 0 * h_theta / (sin phi)))).
+  ex_derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi ->
+  ex_derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta ->
+  (Derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) * (Derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) phi) - (Derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) theta) = (beta * h + 1) * (sin phi) * ((sin phi) * (cos theta) * (beta * h + 1) - beta * (h_phi * (cos phi) * (cos theta) + h_theta * (-(sin theta)) / (sin phi))) /\
+  (Derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) theta) - (Derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) * (Derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) phi) = (beta * h + 1) * (sin phi) * ((sin phi) * (sin theta) * (beta * h + 1) - beta * (h_phi * (sin theta) * (cos phi) + h_theta * (cos theta) / (sin phi))) /\
+  (Derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) - (Derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) * (Derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) = (beta * h + 1) * (sin phi) * ((beta * h + 1) * (cos phi) - beta * (h_phi * (-(sin phi)) + 0 * h_theta / (sin phi)))).
 
 Definition displaced_normal__product_2__false : Prop :=
   ~ (
@@ -1184,10 +1196,16 @@ Definition displaced_normal__product_2__false : Prop :=
   theta = theta_0 ->
   phi = phi_0 ->
   sin phi > 0 ->
+  ex_derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi ->
+  ex_derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) theta ->
+  ex_derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) phi ->
+  ex_derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta ->
   sin phi <> 0 ->
-  beta * h_theta * (beta * h_phi * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin theta) * (cos phi)) * (cos phi) - (beta * h_phi * (cos phi) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (cos theta)) = (beta * h + 1) * (sin phi) * ((sin phi) * (cos theta) * (beta * h + 1) - beta * (h_phi * (cos phi) * (cos theta) + h_theta * (-(sin theta)) / (sin phi))) / (sin phi) /\
-  (beta * h_phi * (cos phi) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (sin theta)) - beta * h_theta * (beta * h_phi * (sin phi) * (cos theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (cos phi) * (cos theta)) * (cos phi) = (beta * h + 1) * (sin phi) * ((sin phi) * (sin theta) * (beta * h + 1) - beta * (h_phi * (sin theta) * (cos phi) + h_theta * (cos theta) / (sin phi))) / (sin phi) /\
-  (beta * h_phi * (sin phi) * (cos theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (cos phi) * (cos theta)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (cos theta)) - (beta * h_phi * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin theta) * (cos phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (sin theta)) = (beta * h + 1) * (sin phi) * ((beta * h + 1) * (cos phi) - beta * (h_phi * (-(sin phi)) + 0 * h_theta / (sin phi))) / (sin phi)).
+  ex_derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta ->
+  ex_derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi ->
+  (Derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) theta) - (Derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) * (Derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) phi) = (beta * h + 1) * (sin phi) * ((sin phi) * (cos theta) * (beta * h + 1) - beta * (h_phi * (cos phi) * (cos theta) + h_theta * (-(sin theta)) / (sin phi))) / (sin phi) /\
+  (Derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) * (Derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) phi) - (Derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) theta) = (beta * h + 1) * (sin phi) * ((sin phi) * (sin theta) * (beta * h + 1) - beta * (h_phi * (sin theta) * (cos phi) + h_theta * (cos theta) / (sin phi))) / (sin phi) /\
+  (Derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) * (Derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) - (Derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) = (beta * h + 1) * (sin phi) * ((beta * h + 1) * (cos phi) - beta * (h_phi * (-(sin phi)) + 0 * h_theta / (sin phi))) / (sin phi)).
 
 Definition displaced_normal__first_order_3__false : Prop :=
   ~ (
@@ -1565,7 +1583,8 @@ Definition crease_error_area__mean_of_a_square_3__false : Prop :=
   forall k_v v : R,
   k_v > 0 ->
   4 * PI * k_v <> 0 ->
-  (1 / 2) - (1 / 2) * (cos (2 * PI * k_v * v)) = (sin (v * PI * k_v)) ^ 2 /\
+  ex_derive (fun v : R => v / 2 - (1 / 4) / (PI * k_v) * (sin (v * 2 * PI * k_v))) v ->
+  (Derive (fun v : R => v / 2 - (1 / 4) / (PI * k_v) * (sin (v * 2 * PI * k_v))) v) = (sin (v * PI * k_v)) ^ 2 /\
   1 / 2 - (1 / 4) / (PI * k_v) * (sin (1 * 2 * PI * k_v)) - (0 / 2 - (1 / 4) / (PI * k_v) * (sin (0 * 2 * PI * k_v))) = (1 / 2)).
 
 Definition crease_error_area__tent_4__false : Prop :=
@@ -1723,11 +1742,15 @@ Definition normal_by_beta__derivative_1__false : Prop :=
   m_z * m_z + m_x * m_x + m_y * m_y > 0 ->
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 ->
   (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 >= 0 ->
-  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 <> 0 ->
+  sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) <> 0 ->
+  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 > 0 ->
+  ex_derive (fun beta : R => (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta ->
   m_length <> 0 ->
-  g_x / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_x + normal_x) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = g_x / m_length /\
-  g_y / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_y + normal_y) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = g_y / m_length /\
-  g_z / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_z + normal_z) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = g_z / m_length).
+  ex_derive (fun beta : R => (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta ->
+  ex_derive (fun beta : R => (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta ->
+  (Derive (fun beta : R => (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = g_x / m_length /\
+  (Derive (fun beta : R => (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = g_y / m_length /\
+  (Derive (fun beta : R => (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = g_z / m_length).
 
 Definition normal_by_beta__derivative_2__false : Prop :=
   ~ (
@@ -1747,10 +1770,14 @@ Definition normal_by_beta__derivative_2__false : Prop :=
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 ->
   m_length <> 0 ->
   (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 >= 0 ->
-  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 <> 0 ->
-  g_x / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_x + normal_x) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = bumped_by_beta_x * m_length /\
-  g_y / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_y + normal_y) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = bumped_by_beta_y * m_length /\
-  g_z / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_z + normal_z) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = bumped_by_beta_z * m_length).
+  sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) <> 0 ->
+  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 > 0 ->
+  ex_derive (fun beta : R => (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta ->
+  ex_derive (fun beta : R => (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta ->
+  ex_derive (fun beta : R => (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta ->
+  (Derive (fun beta : R => (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = bumped_by_beta_x * m_length /\
+  (Derive (fun beta : R => (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = bumped_by_beta_y * m_length /\
+  (Derive (fun beta : R => (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = bumped_by_beta_z * m_length).
 
 Definition normal_by_beta__derivative_3__false : Prop :=
   ~ (
@@ -1770,10 +1797,14 @@ Definition normal_by_beta__derivative_3__false : Prop :=
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 ->
   m_length <> 0 ->
   (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 >= 0 ->
-  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 <> 0 ->
-  g_x / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_x + normal_x) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = -bumped_by_beta_x /\
-  g_y / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_y + normal_y) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = -bumped_by_beta_y /\
-  g_z / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_z + normal_z) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = -bumped_by_beta_z).
+  sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) <> 0 ->
+  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 > 0 ->
+  ex_derive (fun beta : R => (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta ->
+  ex_derive (fun beta : R => (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta ->
+  ex_derive (fun beta : R => (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta ->
+  (Derive (fun beta : R => (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = -bumped_by_beta_x /\
+  (Derive (fun beta : R => (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = -bumped_by_beta_y /\
+  (Derive (fun beta : R => (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = -bumped_by_beta_z).
 
 Definition angle_of_the_bump__angle_1__false : Prop :=
   ~ (
@@ -2036,7 +2067,8 @@ Definition kink_loci__elsewhere_below_4__false : Prop :=
   let sin_v := sin (PI * (k_v * v)) in
   let h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)) in
   -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
-  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))).
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u ->
+  h_u = 1 * (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)).
 
 Definition visible_iff__visible_1__false : Prop :=
   ~ (
@@ -2115,13 +2147,15 @@ Definition visible_iff__hidden_3__false : Prop :=
 
 Definition shadow_along_a_row__leading_1__false : Prop :=
   ~ (
-  forall body_radius center_y center_z light_y light_z : R,
-  2 * (body_radius ^ 2 - (center_y - light_y) ^ 2 - (center_z - light_z) ^ 2) = 2 * (body_radius ^ 2 - (light_z - center_z) ^ 2)).
+  forall body_radius center_x center_y center_z light_x light_y light_z x y : R,
+  ex_derive_n (fun x : R => body_radius ^ 2 * ((light_x - x) ^ 2 + (light_y - y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - y) * (light_x - x) - (center_x - x) * (light_y - y)) ^ 2 - ((center_x - x) * (light_z - 0) - (center_z - 0) * (light_x - x)) ^ 2 - ((center_z - 0) * (light_y - y) - (center_y - y) * (light_z - 0)) ^ 2) 2 x ->
+  (Derive_n (fun x : R => body_radius ^ 2 * ((light_x - x) ^ 2 + (light_y - y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - y) * (light_x - x) - (center_x - x) * (light_y - y)) ^ 2 - ((center_x - x) * (light_z - 0) - (center_z - 0) * (light_x - x)) ^ 2 - ((center_z - 0) * (light_y - y) - (center_y - y) * (light_z - 0)) ^ 2) 2 x) = 2 * (body_radius ^ 2 - (light_z - center_z) ^ 2)).
 
 Definition shadow_along_a_row__leading_2__false : Prop :=
   ~ (
-  forall body_radius center_x center_y center_z light_x light_y light_z : R,
-  2 * (body_radius ^ 2 - (center_y - light_y) ^ 2 - (center_z - light_z) ^ 2) = 2 * (body_radius ^ 2 - (light_x - center_x) ^ 2 - (light_z - center_z) ^ 2)).
+  forall body_radius center_x center_y center_z light_x light_y light_z x y : R,
+  ex_derive_n (fun x : R => body_radius ^ 2 * ((light_x - x) ^ 2 + (light_y - y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - y) * (light_x - x) - (center_x - x) * (light_y - y)) ^ 2 - ((center_x - x) * (light_z - 0) - (center_z - 0) * (light_x - x)) ^ 2 - ((center_z - 0) * (light_y - y) - (center_y - y) * (light_z - 0)) ^ 2) 2 x ->
+  (Derive_n (fun x : R => body_radius ^ 2 * ((light_x - x) ^ 2 + (light_y - y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - y) * (light_x - x) - (center_x - x) * (light_y - y)) ^ 2 - ((center_x - x) * (light_z - 0) - (center_z - 0) * (light_x - x)) ^ 2 - ((center_z - 0) * (light_y - y) - (center_y - y) * (light_z - 0)) ^ 2) 2 x) = 2 * (body_radius ^ 2 - (light_x - center_x) ^ 2 - (light_z - center_z) ^ 2)).
 
 Definition shadow_of_b_on_floor__conic_1__false : Prop :=
   ~ (
@@ -2157,7 +2191,8 @@ Definition image_derivative__phong_1__false : Prop :=
   ~ (
   forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z s towards_x towards_y towards_z view_x view_y view_z : R,
   s = 0 ->
-  4 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z) * (view_x * (bumped_by_beta_x * s + bumped_x) + view_y * (bumped_by_beta_y * s + bumped_y) + view_z * (bumped_by_beta_z * s + bumped_z)) + 4 * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z * s + bumped_z)) = 2 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z) * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) + 2 * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z)).
+  ex_derive (fun s : R => -towards_x * view_x - towards_y * view_y - towards_z * view_z + 2 * (towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z * s + bumped_z)) * (view_x * (bumped_by_beta_x * s + bumped_x) + view_y * (bumped_by_beta_y * s + bumped_y) + view_z * (bumped_by_beta_z * s + bumped_z))) s ->
+  2 * (Derive (fun s : R => -towards_x * view_x - towards_y * view_y - towards_z * view_z + 2 * (towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z * s + bumped_z)) * (view_x * (bumped_by_beta_x * s + bumped_x) + view_y * (bumped_by_beta_y * s + bumped_y) + view_z * (bumped_by_beta_z * s + bumped_z))) s) = 2 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z) * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) + 2 * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z)).
 
 Definition image_derivative__power_rule_2__false : Prop :=
   ~ (
@@ -2174,13 +2209,14 @@ Definition image_derivative__power_rule_2__false : Prop :=
 
 Definition image_derivative__unlit_shiny_3__false : Prop :=
   ~ (
-  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta s shininess specular_base : R,
+  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta red s shininess specular_base : R,
   mu < 0 ->
   specular_base > 0 ->
   s = 0 ->
   raised_by_beta * specular_base = base_by_beta * raised * shininess ->
+  ex_derive (fun s : R => light_red * (albedo_red * kd * 1 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta * s)) + red) s ->
   (specular_base > 0 -> specular_base <> 0) ->
-  light_red * (albedo_red * kd * mu_by_beta + ks * raised_by_beta) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0))).
+  (Derive (fun s : R => light_red * (albedo_red * kd * 1 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta * s)) + red) s) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0))).
 
 Definition difference_bound__clip_1__false : Prop :=
   ~ (

@@ -394,7 +394,7 @@ Theorem difference_bound__any_lights__false : ~ forall (shares : list ((vector -
   total * Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
 Proof.
   intro H. assert (K : forall f l, In (f, l) [(dot (normal_at 0 0), 0)] -> 0 <= l) by (intros f l [E|[]]; injection E; lra).
-  generalize (H [(dot (normal_at 0 0), 0)] 0 0 0 0 0 1 0 1 K). cbn [fold_right fst snd]. rewrite (normal_limits__zero 0 0 0 0 1), normal_is_unit.
+  generalize (H [(dot (normal_at 0 0), 0)] 0 0 0 0 0 1 0 1 K). cbn [fold_right fst snd]. rewrite (normal_unmoved 0 0 0 0 1), normal_is_unit.
   - generalize (normal_dot_bumped 0 0 1 0 1) (length_squared (M 0 0 1 0 1)) (m_length_at_least_1 0 0 1 0 1). rewrite m_squared. intros -> L B.
     assert (I : / magnitude (M 0 0 1 0 1) * magnitude (M 0 0 1 0 1) = 1) by (apply Rinv_l; lra). set (m := magnitude (M 0 0 1 0 1)) in *. set (i := / m) in *.
     assert (J : 0 < i < 1) by (split; nra). unfold clip.clipped. rewrite !Rmax_right, !Rmin_right by lra. rewrite Rabs_pos_eq; lra.
