@@ -121,8 +121,6 @@ Theorem straddling__every_crease_4__false : Mutants.straddling__every_crease_4__
 Proof. intro F. refuted_at (F 0 (1/2)). Qed.
 Theorem tangent_frame__right_handed_1__false : Mutants.tangent_frame__right_handed_1__false.
 Proof. intro F. refuted_at (F (-1) 1 1 0). Qed.
-Theorem tangent_frame__e_theta_2__false : Mutants.tangent_frame__e_theta_2__false.
-Proof. intro F. refuted_at (F (-PI/2) (PI)). Qed.
 Theorem tangent_frame__orthonormal_3__false : Mutants.tangent_frame__orthonormal_3__false.
 Proof. intro F. refuted_at (F (4/5) (3/5) (3/5) (1/2)). Qed.
 Theorem central_difference_of_sine__no_clamp_4__false : Mutants.central_difference_of_sine__no_clamp_4__false.
@@ -221,10 +219,6 @@ Theorem crease_error_area__in_v_1__false : Mutants.crease_error_area__in_v_1__fa
 Proof. intro F. refuted_at (F 3 1). Qed.
 Theorem bump_is_not_displacement__only_where_flat_1__false : Mutants.bump_is_not_displacement__only_where_flat_1__false.
 Proof. intro F. refuted_at (F 0 0 1 0 1 1 1 0). Qed.
-Theorem normal_by_beta__derivative_2__false : Mutants.normal_by_beta__derivative_2__false.
-Proof. intro F. refuted_at (F (-1) (-1) 1 1 1 0 (-1)). Qed.
-Theorem normal_by_beta__derivative_3__false : Mutants.normal_by_beta__derivative_3__false.
-Proof. intro F. refuted_at (F (-1) (-1) 0 1 1 0 1). Qed.
 Theorem angle_of_the_bump__angle_3__false : Mutants.angle_of_the_bump__angle_3__false.
 Proof. intro F. refuted_at (F 0 0 0 0 1 0 0). Qed.
 Theorem chart__round_trip_3__false : Mutants.chart__round_trip_3__false.

@@ -54,3 +54,8 @@ Proof.
   unfold light_direction.towards_x, light_direction.towards_y, light_direction.towards_z, light_direction.light_scale, light_direction.light_distance, light_direction.to_light_x,
     light_direction.to_light_y, light_direction.to_light_z. replace ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2) with 1 by ring. rewrite sqrt_1, Rinv_1. repeat split; ring.
 Qed.
+Lemma halfway_above : blinn.halfway_length 0 0 0 0 0 1 0 0 1 = 2.
+Proof.
+  destruct above as (X & Y & Z). change (sqrt ((light_direction.towards_x 0 0 0 0 0 1 + 0) ^ 2 + (light_direction.towards_y 0 0 0 0 0 1 + 0) ^ 2 + (light_direction.towards_z 0 0 0 0 0 1 + 1) ^ 2) = 2).
+  rewrite X, Y, Z. replace (_ + _) with (2 ^ 2) by ring. apply sqrt_pow2. lra.
+Qed.
