@@ -61,9 +61,8 @@ pixels = Theorem(
 gradients = Theorem(
     id="gradient_accuracy",
     title="The general form of the exact gradient against the reference",
-    statement=rf"With $\mu = 2^{{-53}}$, the general form is within ${GENERAL_GRADIENT}\mu\,\pi\max(1,|k|)$ of the exact "
-    r"gradient at the "
-    r"float64 $(u, v)$, $|k| \le 2^{20}$.",
+    statement=rf"With $\mu = 2^{{-53}}$, the general form is within ${GENERAL_GRADIENT}\mu\,\pi\max(1,|k|)$ of the "
+    r"exact gradient at the float64 $(u, v)$, $|k| \le 2^{20}$.",
     hypotheses=(r"$k_u u$ and $k_v v$ are 0 or above $10^{-285}$",),
     expected="measured",
 )
@@ -71,9 +70,8 @@ gradients = Theorem(
 algebraic_gradients = Theorem(
     id="algebraic_gradient_accuracy",
     title="What the algebraic form of the gradient can be off",
-    statement=rf"With $\mu = 2^{{-53}}$, the algebraic form is within ${ALGEBRAIC_GRADIENT}(1+k)\mu\,\pi k$ of the exact "
-    r"gradient at the "
-    r"float64 image point, $k = \max(|k_u|,|k_v|) \le 64$, for rings $2|k_v|$.",
+    statement=rf"With $\mu = 2^{{-53}}$, the algebraic form is within ${ALGEBRAIC_GRADIENT}(1+k)\mu\,\pi k$ of the "
+    r"exact gradient at the float64 image point, $k = \max(|k_u|,|k_v|) \le 64$, for rings $2|k_v|$.",
     hypotheses=(
         r"$1-(\rho/\rho_s)^2 \ge 0.1$; $R/e$ from $10^{-6}$ to $1-10^{-9}$; off the pole, and nothing underflows",
         r"ridges: $|\sin\pi k_u u|$ and $|\sin\pi k_v v|$ are above "
@@ -82,8 +80,8 @@ algebraic_gradients = Theorem(
     ),
     steps=(
         Step(
-            r"$\cos\theta$, $\sin\theta$ are off by $4.1\mu$ of themselves, $\cos\varphi + i\sin\varphi$ by $44\mu$",
-            r"A's lines on intervals, over every box of $R/e$ and $\rho/\rho_s$",
+            r"$\cos\theta + i\sin\theta$ is off by $4.1\mu$, $\cos\varphi + i\sin\varphi$ by $44\mu$",
+            r"A's lines with bounds, over every box of $\theta$, and of $R/e$ and $\rho/\rho_s$",
         ),
         Step(
             r"the powers $\tfrac12|k_u|$ and $|k_v|$, and their product with $\pi k$, four roundings",
