@@ -273,8 +273,11 @@ class Operations:
     def _of_half_turns(kernel, product, factor):
         product, factor = enclosed(product), enclosed(factor)
         moved = times(ROUNDING, product.product_moves(factor))
-        found = kernel(*kernels.two_product.kernel(product.value, factor.value))
+        whole, rest = kernels.two_product.kernel(product.value, factor.value)
+        found = kernel(whole, rest)
         own = 2.0 * kernels.ULPS[f"{kernel.__name__}_of_product"] * UNIT * abs(found) + LEAST
+        if product.stays_exact or factor.stays_exact:  # the product is, so that 0 is no smaller number
+            own = where((found == 0.0) & ((abs(whole) >= 0.5) | product.is_zero | factor.is_zero), 0.0, own)
         if is_zero(moved):
             return Enclosed(found, own * SLACK)
         turned = math.pi * SLACK * moved
@@ -294,7 +297,8 @@ class Operations:
     def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
         """The angle moves by arcsin s, s = (|x| Δy + |y| Δx)/r(r − Δx − Δy), below a quarter within 1.02 s.
 
-        Where the bounds reach over the cut, y = 0 and x < 0, or s is no such number, it is anywhere.
+        Where the bounds reach over the cut, y = 0 and x < 0, or s is no such number, it is anywhere. On an axis it is
+        exact.
         """
         y, x = enclosed(ordinate), enclosed(abscissa)
         found = kernels.atan2pi.kernel(y.value, x.value)
@@ -308,7 +312,11 @@ class Operations:
         near = (moved < 0.5 * radius) & (sine < 0.249)
         bound = where(near, sine * (1.02 / math.pi) * SLACK, 2.0) + own
         over_the_cut = (x.value < 0.0) & (abs(y.value) <= y.bound * SLACK)
-        return Enclosed(found, where(over_the_cut, 2.0, bound) * SLACK)
+        bound = where(over_the_cut, 2.0, bound) * SLACK
+        if not (x.stays_exact and y.stays_exact):
+            return Enclosed(found, bound)
+        on_axis = (y.is_zero & (abs(x.value) > x.bound)) | (x.is_zero & (abs(y.value) > y.bound))
+        return Enclosed(found, where(on_axis, 0.0, bound), True)
 
     @staticmethod
     def _monotone(kernel, ulps, found, arguments, vanishing=0.0):
