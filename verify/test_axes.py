@@ -69,6 +69,10 @@ def test_on_an_axis_nothing_is_open(column, row, exactly, method):
     assert frame.bounds.max() < 1e-8
 
 
-def test_on_a_diagonal_the_side_of_a_crease_stays_open():
-    """|x| = |y| there, which float64 numbers do not say."""
-    assert render(Scene(), *SIZE, bounds=True).open[9:16, 14:21].any()
+def test_on_the_diagonals_alone_a_crease_is_open():
+    """Where |x| = |y| float64 numbers lie on either side of it."""
+    frame = render(Scene(), 40, 40, bounds=True)
+    across, down = frame.raster.image_points(frame.scene)
+    on_diagonals = np.isclose(np.abs(across), np.abs(down)[:, None], rtol=1e-14)
+    assert frame.open.any()
+    assert not (frame.open & ~on_diagonals).any()
