@@ -19,6 +19,7 @@ import math
 import operator
 from collections.abc import Callable, Sequence
 from contextvars import ContextVar
+from functools import partial
 from itertools import product
 from types import SimpleNamespace
 from typing import Any
@@ -218,6 +219,16 @@ def _ends(number):
     return number.value - reach, number.value + reach
 
 
+def _rarely(mask, value, otherwise):
+    """Return what `value` returns where a mask holds; it is called for no group for which it holds nowhere."""
+    machine = getattr(mask, "machine", None)
+    if machine is None:
+        return where(mask, value(), otherwise)
+    chosen = machine.variable(otherwise)
+    machine.when(mask, lambda: chosen.set(value(), mask))
+    return chosen.value
+
+
 class Operations:
     """What `renderer.operations` and the elementary kernels are on Enclosed numbers."""
 
@@ -237,11 +248,12 @@ class Operations:
 
     @staticmethod
     def sqrt(number: Enclosed) -> Enclosed:
-        """|√a − √b| is at most |a − b|/√a, and at most √|a − b|."""
+        """|√a − √b| is at most |a − b|/√a, and where |a − b| is larger than a, also at most √|a − b|, which is less."""
         root, moved = operations.sqrt(number.value), 0.0
         if not is_zero(number.error):
-            by_slope, by_size = number.error / root, operations.sqrt(number.error) * ROOT_OF_ROUNDING
-            moved = where(by_slope < by_size, by_slope, by_size)
+            near_zero = ~(number.error < number.value * (1.0 / UNIT))
+            by_size = partial(lambda error: operations.sqrt(error) * ROOT_OF_ROUNDING, number.error)
+            moved = _rarely(near_zero, by_size, number.error / root)
         return Enclosed.counted(root, plus(moved, root), number.stays_exact)
 
     @staticmethod
