@@ -1,23 +1,41 @@
-"""What a page or a theorem calls the worst, the largest or the most says of what: certified, of every pixel, of n."""
+"""What a page or a theorem calls the worst, the largest or the most says of what, and that is computed again.
+
+It names a certificate, a raster or a number of cases: `tests.counted_again` has how each is found out once more.
+"""
 
 import re
-from pathlib import Path
+import tomllib
+from collections.abc import Callable
+from functools import partial
+from typing import Any
 
 import pytest
 
+from book.assembly.results import formatted, look_up, parse
 from proofs.engine.theorem import all_theorems
+from tests.counted_again import BOOK, COUNTED, OVER_A_RASTER
+from verify.accuracy.differences import PER_DECADE
+from verify.checkers.measurements.creases import SIZE
+from verify.checkers.measurements.pole import POINTS
 
-BOOK = Path(__file__).resolve().parent.parent / "book"
 PAGES = sorted([*BOOK.glob("chapter/**/*.md"), *BOOK.glob("checked/**/*.md")])
+CLAIMS = sorted(BOOK.glob("ledger/claims/*.toml"))
 EXTREME = re.compile(r"\b(worst|largest|maximum|at most|never exceeds?|never above)\b", re.IGNORECASE)
 MEASURED = re.compile(r"\{number\}`[^`]+`")
 OF_AN_EXTREME = re.compile(r"\{number\}`[\w:.-]*(worst|largest|_most)[|`]")
 ROLE = re.compile(r"\{[\w-]+\}`[^`]*`")
-ITS_CASES = re.compile(
-    r"\bcertified\b|\bproved\b|\{theorem-ref\}|\bevery (pixel|point)\b"
-    r"|\{number\}`[^`]+`²? (random |sampled |chart )*(points|places|errors|pixels|scenes|pictures|steps)\b"
-)
-A_THEOREMS_CASES = re.compile(r"256\^2|255\^2|\b\d+ (points|pixels)\b|\bsteps a decade\b|\bexhaustive")
+NUMBER = r"\{number\}`([^`]+)`"
+CASES = re.compile(NUMBER + r"(?:²| (?:random |sampled |chart )*(?:points|places|errors|pixels|scenes|steps)\b)")
+EVERY = re.compile(r"\bevery (?:pixel|point)\b")
+SQUARED = re.compile(rf"(\d+)²|{NUMBER}(?:²| pixels across)")
+THEOREM = re.compile(r"\{theorem-ref\}`([^`|]+)")
+CERTAIN = ("proved", "certified", "argued")
+OF_A_THEOREM = {
+    "dark_difference": f"${SIZE}^2$",
+    "pole_accuracy": f"of {POINTS} points",
+    "difference_bounds": {40: "forty"}[PER_DECADE],
+}
+"""{theorem: how it says of what its extreme is one}"""
 
 
 def sentences(text):
@@ -28,26 +46,62 @@ def sentences(text):
     return [s for paragraph in paragraphs for s in re.split(r"(?<=[.!?:)])\s+(?=[A-Z*`\[{$(])", paragraph) if s]
 
 
-def of_nothing(text):
-    """Return the sentences that give a measured extreme and not of what it is one."""
-    return [
-        sentence
-        for sentence in sentences(text)
-        if MEASURED.search(sentence)
-        and (OF_AN_EXTREME.search(sentence) or EXTREME.search(ROLE.sub("", sentence)))
-        and not ITS_CASES.search(sentence)
-    ]
+def extremes(text):
+    """Return the sentences of a page that give a measured extreme."""
+    found = (s for s in sentences(text) if MEASURED.search(s))
+    return [s for s in found if OF_AN_EXTREME.search(s) or EXTREME.search(ROLE.sub("", s))]
+
+
+def differs(again: Callable[[], Any], cited: str, number: Callable[..., Any]) -> bool:
+    """Return whether a number, as it is printed, is another one when it is computed again."""
+    id, key, spec = parse(cited)
+    return formatted(number(id, key), spec) != formatted(again(), spec)
+
+
+def objections(sentence: str, number: Callable[..., Any]) -> list[str]:
+    """Return what is wrong with what an extreme says that it is one of; number: (id, key) → a figure's number."""
+    theorems, cited = THEOREM.findall(sentence), re.findall(NUMBER, sentence)
+    found = [f"{id} is no certificate" for id in theorems if all_theorems()[id].expected not in CERTAIN]
+    cases, known = CASES.findall(sentence), len(theorems)
+    for case in cases:
+        key = ".".join(parse(case)[:2])
+        if key not in COUNTED:
+            found.append(f"{key} is not counted again")
+        elif differs(COUNTED[key], case, number):
+            found.append(f"{key} is not {COUNTED[key]()}")
+    side = SQUARED.search(sentence) if EVERY.search(sentence) else None
+    if side:
+        across = int(side[1] or number(*parse(side[2])[:2]))
+        for key, again in ((c, OVER_A_RASTER[k]) for c in cited if (k := ".".join(parse(c)[:2])) in OVER_A_RASTER):
+            cases.append(key)
+            if differs(partial(again, across), key, number):
+                found.append(f"{key} is another one of {across}²")
+    elif EVERY.search(sentence):
+        found.append("every pixel of which raster?")
+    return found if known or cases else [*found, "of what?"]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
-def test_an_extreme_says_of_what_it_is_one(page):
-    assert of_nothing(page.read_text(encoding="utf-8")) == []
+def test_an_extreme_is_of_what_it_says(site, page):
+    check(extremes(page.read_text(encoding="utf-8")))
+
+
+@pytest.mark.parametrize("file", CLAIMS, ids=lambda file: file.stem)
+def test_a_claim_is_too(site, file):
+    claims = tomllib.loads(file.read_text(encoding="utf-8"))["claim"]
+    check(s for claim in claims for words in claim.values() if isinstance(words, str) for s in extremes(words))
+
+
+def check(said):
+    """Check that nothing is wrong with sentences."""
+    assert {s: wrong for s in said if (wrong := objections(s, partial(look_up, BOOK)))} == {}
 
 
 def test_a_measured_theorem_says_so_too():
     for theorem in all_theorems().values():
         said = " ".join((theorem.words, *theorem.hypotheses))
-        assert theorem.expected != "measured" or not EXTREME.search(said) or A_THEOREMS_CASES.search(said), theorem.id
+        if theorem.expected == "measured" and EXTREME.search(said):
+            assert OF_A_THEOREM[theorem.id] in said, theorem.id
 
 
 @pytest.mark.parametrize("sentence", [
@@ -58,15 +112,36 @@ def test_a_measured_theorem_says_so_too():
     ":::{chapter-figure} a\n:alt: every pixel\nThe largest is {number}`a.b`. It was certified.\n:::",
 ])  # fmt: skip
 def test_an_extreme_of_nothing_is_found(sentence):
-    assert len(of_nothing(f"A page. \n\n{sentence}\n\nMore.")) == 1
+    (found,) = extremes(f"A page. \n\n{sentence}\n\nMore.")
+    assert "of what?" in objections(found, lambda *_: 1)
 
 
-@pytest.mark.parametrize("sentence", [
-    "The worst of {number}`a.points|,` sampled points is off by {number}`a.worst|.1e`.",
-    "Over every pixel it is {number}`a.b` at most.",
-    "The certified bound is {number}`a.b` at most.",
-    "No number, and the largest of all.",
-    "A number, {number}`a.b`, of nothing.",
+TRUE = {
+    "The largest of {number}`frontier_wall.points|,` random points is {number}`a.largest`.": 10_000,
+    "Over every pixel of {number}`certified_bounds.whole_side`² it is {number}`certified_bounds.sine_bound|.1e` at "
+    "most.": 256,
+    "By {theorem-ref}`truncation_bound` it is {number}`a.b` at most.": 0,
+}  # fmt: skip
+
+
+def figures(n):
+    """Return a look-up that has n for a number of cases, and the certified bound of sine at 256²."""
+    return lambda id, key: OVER_A_RASTER[f"{id}.{key}"](256) if key == "sine_bound" else n
+
+
+@pytest.mark.parametrize("sentence", TRUE)
+def test_what_is_so_is_left_alone(sentence):
+    assert objections(sentence, figures(TRUE[sentence])) == []
+
+
+@pytest.mark.parametrize(("sentence", "n"), [
+    (next(iter(TRUE)), 10_001),
+    (list(TRUE)[1], 128),
+    ("Over every pixel of 128² it is {number}`certified_bounds.sine_bound|.1e` at most.", 0),
+    ("Over every pixel it is {number}`certified_bounds.sine_bound|.1e` at most.", 0),
+    ("The largest of {number}`a.points|,` points is {number}`a.largest`.", 0),
+    ("By {theorem-ref}`pole_accuracy` it is {number}`a.b` at most.", 0),
+    ("The certified bound is {number}`a.b` at most.", 0),
 ])  # fmt: skip
-def test_what_names_its_cases_is_left_alone(sentence):
-    assert of_nothing(sentence) == []
+def test_a_wrong_number_of_cases_is_rejected(sentence, n):
+    assert objections(sentence, figures(n))

@@ -4,7 +4,7 @@ Scenes of every field, model and gradient method, from the common to the extreme
 and as many of the largest bounds. Writes verify/results/enclosed_pixels.json: commit it.
 """
 
-from collections import defaultdict
+from collections import Counter, defaultdict
 from dataclasses import replace
 from typing import Any
 
@@ -90,15 +90,18 @@ def measure(pictures: int, first: int = 1000) -> dict:
     """Return what was found of pixels of so many random pictures, as a record's numbers.
 
     pixels, decided (those of which no channel is on an edge at 256 bits), above_bound (channels), chambers_missed;
-    largest_share of a bound; open_share of the pictures; median_ratio, bound by error, of all and of each of KINDS.
+    largest_share of a bound; open_share of the pictures, median_ratio, bound by error, of all and of each of KINDS.
     """
     ratios: dict[str, list[float]] = defaultdict(list)
     counts = dict.fromkeys(("pixels", "decided", "above_bound", "chambers_missed"), 0)
-    opened, drawn = 0, 0
+    opened, drawn = Counter[str](), Counter[str]()
     for seed in tqdm(range(first, first + pictures), desc="pictures", unit="picture", disable=None):
         picture, random = random_picture(seed), np.random.default_rng(seed)
         frame = picture.frame
-        opened, drawn = opened + int(frame.open.sum()), drawn + frame.open.size
+        kinds = ("all", frame.scene.field, frame.scene.model, frame.method.name)
+        for kind in kinds:
+            opened[kind] += int(frame.open.sum())
+            drawn[kind] += frame.open.size
         for number, place in enumerate(places(picture, random, EACH)):
             off, bounds = picture.errors(*place)
             counts["pixels"] += 1
@@ -108,9 +111,10 @@ def measure(pictures: int, first: int = 1000) -> dict:
             known = off > 0
             ratios["largest"] += (bounds[known] / off[known]).tolist()
             if number < EACH:
-                for kind in ("all", frame.scene.field, frame.scene.model, frame.method.name):
+                for kind in kinds:
                     ratios[kind] += (bounds[known] / off[known]).tolist()
-    shares = {"largest_share": 1 / min(ratios.pop("largest")), "open_share": opened / drawn}
+    shares = {"largest_share": 1 / min(ratios.pop("largest"))}
+    shares |= {f"open_share_{kind}": opened[kind] / total for kind, total in sorted(drawn.items())}
     medians = {f"median_ratio_{kind}": float(np.median(found)) for kind, found in sorted(ratios.items())}
     return {"numbers": {"pictures": pictures} | counts | shares | medians}
 

@@ -80,4 +80,4 @@ def attribution_shares() -> Drawing:
     for name, (x, y) in zip(TERMS, ((3e-4, 0.5), (1e-9, 0.4), (3e-10, 0.93), (6e-2, 0.82)), strict=False):
         ax.text(x, y, name, ha="center", va="center", color="#1d1c1a", backgroundcolor=COLOURS[name])
     most = {f"{key}_most": values.max() for key, values in zip(KEYS, shares.values(), strict=True)}
-    return Drawing(fig, most | {"points": 400}, {"step": SWEEP, **shares})
+    return Drawing(fig, most | {"points": attribution.POINTS, "steps": len(SWEEP)}, {"step": SWEEP, **shares})

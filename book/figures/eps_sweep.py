@@ -12,7 +12,7 @@ from renderer import Scene, central, render
 from renderer.picture.differences import Interval, distance_on_a
 from renderer.picture.facts import flat_difference, flips_everywhere, pixels_near_the_pole
 from renderer.picture.sweep import DECADES, records, sweep
-from verify.accuracy.orders import fitted_slope
+from verify.accuracy.orders import enclosed_slope
 
 STEPS = np.logspace(-1, -15, 57)
 SHOWN = 49  # of them, down to 1e-13, in the picture of the RMS alone
@@ -72,6 +72,10 @@ def image_error() -> Drawing:
     return Drawing(fig, numbers, {"step": STEPS} | data)
 
 
+def _interval(row, what):
+    return Interval(row[what], row[f"{what}_lower"], row[f"{what}_upper"])
+
+
 @figure
 def eps_table() -> Drawing:
     """The ε-table of the default scene, 256 × 256, and the facts beside it; numbers only."""
@@ -82,12 +86,12 @@ def eps_table() -> Drawing:
         eps = f"1e{round(np.log10(row['eps']))}"
         numbers |= {f"{what}_{eps}": row[what] for what in ("flips", "straddling")}
         for what in ("largest", "rms"):
-            numbers[f"{what}_{eps}"] = Interval(row[what], row[f"{what}_lower"], row[f"{what}_upper"])
+            numbers[f"{what}_{eps}"] = _interval(row, what)
     frames, flips = flips_everywhere(scene, SIZE, SIZE)
     near, least = pixels_near_the_pole(scene, SIZE, SIZE)
     fine = symbolic("ridges", 1024).surface_data["v"]
     numbers |= {
-        "rms_slope": fitted_slope(DECADES[1:5], table["rms"][1:5]),
+        "rms_slope": enclosed_slope(DECADES[1:5], [_interval(row, "rms") for row in rows[1:5]]),
         "frames": frames,
         "flips": flips,
         "flat": flat_difference(scene, SIZE, SIZE),

@@ -14,10 +14,10 @@ from proofs.formulas.chart import seed_chart
 from proofs.formulas.symbols import normal
 from renderer import Scene, central, exact, gradient_at, pixel, render
 from renderer.generate.kernels import function_of
-from renderer.picture.differences import difference_on_a, rms
+from renderer.picture.differences import difference_on_a, distance_on_a
 from renderer.picture.facts import SMOOTH_POINT
 from renderer.picture.views import to_bytes
-from verify.accuracy.orders import fitted_slope
+from verify.accuracy.orders import enclosed_slope
 from verify.benchmark.baselines import seed_loops
 from verify.records import RECORDS, read
 
@@ -138,14 +138,14 @@ def seed_pictures() -> Drawing:
     h_u, h_v = symbolic().surface_data["h_u"][on_a], symbolic().surface_data["h_v"][on_a]
     sum_of_slopes, length = np.abs(h_u) + np.abs(h_v), np.hypot(h_u, h_v)
     steps = (1e-2, 1e-3, 1e-4)
-    sine = [rms(difference_on_a(numeric("sine", eps=eps), symbolic("sine"))) for eps in steps]
+    sine = [distance_on_a(numeric("sine", eps=eps), symbolic("sine"))[1] for eps in steps]
     straddling = large.straddling & on_a
     numbers = {
         "off_a": np.abs(large.rgb - symbolic().rgb)[~on_a].max(),
         "levels_changed": np.mean(levels > 0),
         "sum_over_length": np.max(sum_of_slopes[length > 0] / length[length > 0]),
         "straddled_without_flag": np.mean(~symbolic().kink[straddling]),
-        "sine_rms_slope": fitted_slope(steps, sine),
+        "sine_rms_slope": enclosed_slope(steps, sine),
         "first_visible": first_visible_step(),
         "clamp_1e-3": clamp_taken(1e-3),
         "clamp_1e-6": clamp_taken(1e-6),

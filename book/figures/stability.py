@@ -118,7 +118,7 @@ def stability_symmetry() -> Drawing:
     """How far mirrored and turned scenes, and permuted lights, change the picture; numbers only."""
     moved = [symmetry.difference(scene, move) for scene in symmetry.SCENES.values() for move in symmetry.MOVES]
     largest, above, open_, flips = zip(*moved, strict=True)
-    numbers = {"pictures": len(moved), "largest": max(largest), "flips": sum(flips), "size": symmetry.SIZE}
+    numbers = {"pictures": len(moved), "largest": max(largest), "flips": sum(flips), "side": symmetry.SIDE}
     numbers |= {"open": max(open_), "above": sum(above)}
     return Drawing(numbers=numbers | {"permuted": symmetry.permuted_lights(symmetry.FIVE_LIGHTS)})
 

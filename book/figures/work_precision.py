@@ -106,6 +106,7 @@ def work_precision_figure() -> Drawing:
     ax.annotate(text, (middle, own[0]["error"]), xytext=(0, -48), textcoords="offset points", ha="center", va="top",
                 color=palette()["ink"], arrowprops={"arrowstyle": "-", "color": palette()["muted"]})  # fmt: skip
     numbers = work_precision.gradient_numbers(rows) | label_numbers() | dict(zip(("from", "to"), CLEAR, strict=True))
+    numbers["fewest"] = min(row["points"] for row in rows)
     return Drawing(fig, numbers=numbers, data=columns(rows, ("method", "value", "ns", "error")))
 
 

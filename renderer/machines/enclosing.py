@@ -19,6 +19,7 @@ import math
 import operator
 from collections.abc import Callable, Sequence
 from contextvars import ContextVar
+from functools import partial
 from itertools import product
 from types import SimpleNamespace
 from typing import Any
@@ -218,6 +219,16 @@ def _ends(number):
     return number.value - reach, number.value + reach
 
 
+def _rarely(mask, value, otherwise):
+    """Return what `value` returns where a mask holds; it is called for no group for which it holds nowhere."""
+    machine = getattr(mask, "machine", None)
+    if machine is None:
+        return where(mask, value(), otherwise)
+    chosen = machine.variable(otherwise)
+    machine.when(mask, lambda: chosen.set(value(), mask))
+    return chosen.value
+
+
 class Operations:
     """What `renderer.operations` and the elementary kernels are on Enclosed numbers."""
 
@@ -237,11 +248,12 @@ class Operations:
 
     @staticmethod
     def sqrt(number: Enclosed) -> Enclosed:
-        """|√a − √b| is at most |a − b|/√a, and at most √|a − b|."""
+        """|√a − √b| is at most |a − b|/√a, and where |a − b| is larger than a, also at most √|a − b|, which is less."""
         root, moved = operations.sqrt(number.value), 0.0
         if not is_zero(number.error):
-            by_slope, by_size = number.error / root, operations.sqrt(number.error) * ROOT_OF_ROUNDING
-            moved = where(by_slope < by_size, by_slope, by_size)
+            near_zero = ~(number.error < number.value * (1.0 / UNIT))
+            by_size = partial(lambda error: operations.sqrt(error) * ROOT_OF_ROUNDING, number.error)
+            moved = _rarely(near_zero, by_size, number.error / root)
         return Enclosed.counted(root, plus(moved, root), number.stays_exact)
 
     @staticmethod
@@ -273,8 +285,11 @@ class Operations:
     def _of_half_turns(kernel, product, factor):
         product, factor = enclosed(product), enclosed(factor)
         moved = times(ROUNDING, product.product_moves(factor))
-        found = kernel(*kernels.two_product.kernel(product.value, factor.value))
+        whole, rest = kernels.two_product.kernel(product.value, factor.value)
+        found = kernel(whole, rest)
         own = 2.0 * kernels.ULPS[f"{kernel.__name__}_of_product"] * UNIT * abs(found) + LEAST
+        if product.stays_exact or factor.stays_exact:  # the product is, so that 0 is no smaller number
+            own = where((found == 0.0) & ((abs(whole) >= 0.5) | product.is_zero | factor.is_zero), 0.0, own)
         if is_zero(moved):
             return Enclosed(found, own * SLACK)
         turned = math.pi * SLACK * moved
@@ -294,7 +309,8 @@ class Operations:
     def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
         """The angle moves by arcsin s, s = (|x| Δy + |y| Δx)/r(r − Δx − Δy), below a quarter within 1.02 s.
 
-        Where the bounds reach over the cut, y = 0 and x < 0, or s is no such number, it is anywhere.
+        Where the bounds reach over the cut, y = 0 and x < 0, or s is no such number, it is anywhere. On an axis it is
+        exact.
         """
         y, x = enclosed(ordinate), enclosed(abscissa)
         found = kernels.atan2pi.kernel(y.value, x.value)
@@ -308,7 +324,11 @@ class Operations:
         near = (moved < 0.5 * radius) & (sine < 0.249)
         bound = where(near, sine * (1.02 / math.pi) * SLACK, 2.0) + own
         over_the_cut = (x.value < 0.0) & (abs(y.value) <= y.bound * SLACK)
-        return Enclosed(found, where(over_the_cut, 2.0, bound) * SLACK)
+        bound = where(over_the_cut, 2.0, bound) * SLACK
+        if not (x.stays_exact and y.stays_exact):
+            return Enclosed(found, bound)
+        on_axis = (y.is_zero & (abs(x.value) > x.bound)) | (x.is_zero & (abs(y.value) > y.bound))
+        return Enclosed(found, where(on_axis, 0.0, bound), True)
 
     @staticmethod
     def _monotone(kernel, ulps, found, arguments, vanishing=0.0):

@@ -25,8 +25,14 @@ def of_image_points(scene: Scene, raster: Raster) -> tuple[np.ndarray, np.ndarra
     columns, rows = (
         Enclosed(np.arange(first, first + n, dtype=np.float64)) for first, n in ((left, wide), (top, high))
     )
-    x = image_x(columns, float(raster.width), float(raster.height), half)
-    return x.bound, image_y(rows, float(raster.height), half).bound
+    x, y = image_x(columns, float(raster.width), float(raster.height), half), image_y(rows, float(raster.height), half)
+    return _on_grid(x, half.value / raster.height), _on_grid(y, half.value / (20 * raster.height))
+
+
+def _on_grid(coordinate, step):
+    """Return the bounds of coordinates that are whole multiples of a step: next to 0 none is but 0 itself."""
+    size = abs(coordinate.value)
+    return np.where(size + coordinate.bound < 0.5 * step, size, coordinate.bound)
 
 
 @np.errstate(all="ignore")

@@ -86,7 +86,16 @@ def distance_on_a(frame: Frame, reference: Frame) -> tuple[Interval, Interval]:
     on_a, undecided = reference.stage.on_a, np.zeros(reference.raster.shape, bool)
     for each in bounded:
         undecided |= each.open
-    delta, within = frame.rgb - reference.rgb, sum(each.bounds for each in bounded)
+    return enclosed_distance(frame.rgb - reference.rgb, sum(each.bounds for each in bounded), on_a, undecided)
+
+
+def enclosed_distance(
+    delta: np.ndarray, within: np.ndarray | float, on_a: np.ndarray, undecided: np.ndarray
+) -> tuple[Interval, Interval]:
+    """Return (the largest, the RMS) of differences, (height, width, 3), that are off by as much as `within` says.
+
+    on_a: which pixels count. undecided: which of all may be taken for others.
+    """
     lower, upper = _nearest_and_furthest(np.abs(delta), within)
     certain, possible = on_a & ~undecided, on_a | undecided
     largest = lower[certain].max(initial=0.0), upper[possible].max(initial=0.0)

@@ -1,11 +1,10 @@
 """What the algebraic gradient can be off, certified: its bases over boxes of the hits, and their powers.
 
-Each of A's lines is run on intervals: of the exact values over a box, and of how far the float64 number is off,
-relatively. That has no unit of length: e = 1. All numbers are positive; x and y are, without loss.
+A's lines are run on numbers that are Enclosed twice: the exact ones over a box, and how far float64's are off there.
+That has no unit of length: e = 1. All numbers are positive; x and y are, without loss.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 from itertools import product
@@ -15,101 +14,114 @@ import numpy as np
 
 from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.camera import angles_on_a
+from proofs.formulas.symbols import cos_phi, cos_theta, rho, sin_phi, sin_theta
+from renderer import kernels, operations
+from renderer.machines.bounded import Bounded
+from renderer.machines.enclosing import SLACK, Enclosed, enclosed
 from renderer.operations import UNIT
-from verify.evaluate import Evaluator
+from verify.accuracy.pieces import lines
+from verify.evaluate import ANY_NUMBERS, code_of
+from verify.evaluate.rounding import run
 
-SLACK = 1 + 2.0**-30  # more than what second orders add, and the roundings of bounds that are at most 2^-32
-OUTWARD = 2.0**-50
 LEAST_SQUARE = 0.1
 """The least 1 − (ρ/ρ_s)²."""
 RATIOS = (1e-6, 1 - 1e-9)
 """R/e."""
-BOXES = (12000, 200)
+BOXES, ANGLES = (6000, 200), 2000
 
 
-@dataclass(frozen=True)
-class Off:
-    """Arrays: between what the exact value is, and the most by which the float64 number is off, over that value."""
+class OverBoxes(Bounded):
+    """`value`: an Enclosed of the exact numbers over boxes; `error`: one that is exact, |computed − exact| at most."""
 
-    low: Any
-    high: Any
-    error: Any = 0.0
+    def __init__(self, value: Any, error: Any = 0.0):
+        super().__init__(enclosed(value), Enclosed(enclosed(error).size * SLACK))
 
-    def _rounded(self, low, high, error):
-        error = (error + UNIT) * SLACK
-        return Off(low * (1 - OUTWARD), high * (1 + OUTWARD), np.where(error < 2.0**-32, error, np.inf))
+    @staticmethod
+    def of(number: Any) -> "OverBoxes":
+        """Return a number as OverBoxes."""
+        return number if isinstance(number, OverBoxes) else OverBoxes(number)
 
-    def __add__(self, other):
-        low, moved = self.low + other.low, self.high * self.error + other.high * other.error
-        with np.errstate(
-            invalid="ignore", divide="ignore"
-        ):  # no more than the larger error, and than the two by their shares
-            error = np.fmin(np.maximum(self.error, other.error), moved / low)
-        return self._rounded(low, self.high + other.high, error)
+    def known_as(self, value: Enclosed) -> "OverBoxes":
+        """Return the number, of which more is known than its line says."""
+        return OverBoxes(value, self.error)
 
-    def __sub__(self, other):
-        low = np.maximum(self.low - other.high, 0.0) * (1 - OUTWARD)
-        moved = self.high * self.error + other.high * other.error
-        with np.errstate(invalid="ignore", divide="ignore"):
-            return self._rounded(low, self.high - other.low, np.where(moved > 0, moved / low, 0.0))
+    @property
+    def size(self) -> Enclosed:
+        """How large the float64 number can be."""
+        return abs(self.value) + self.error
 
-    def __mul__(self, other):
-        return self._rounded(self.low * other.low, self.high * other.high, self.error + other.error)
+    def inverse(self) -> Enclosed:
+        """Return how large its inverse can be."""
+        return 1.0 / (abs(self.value) - self.error)
 
-    def __truediv__(self, other):
-        with np.errstate(divide="ignore"):
-            return self._rounded(self.low / other.high, self.high / other.low, self.error + other.error)
+    @staticmethod
+    def size_of_quotient(quotient: Enclosed) -> Enclosed:
+        """Return the size of a quotient."""
+        return abs(quotient)
 
-    def __rtruediv__(self, number):
-        return Off(number, number) / self
+    def lost(self, *_: Any) -> float:
+        """Return what rounding takes at most, over the result: nothing underflows."""
+        return UNIT
 
-    def sqrt(self) -> "Off":
-        """Return the root, whose relative error is half as large."""
-        return self._rounded(np.sqrt(self.low), np.sqrt(self.high), self.error / 2)
+    lost_in_sum = lost_in_product = lost_in_quotient = lost
+
+    @staticmethod
+    def rounded(value: Enclosed, moved: Enclosed, lost: float) -> "OverBoxes":
+        """Return a result."""
+        return OverBoxes(value, moved + (abs(value) + moved) * lost)
+
+    def __neg__(self):
+        return OverBoxes(-self.value, self.error)
+
+    def sqrt(self) -> "OverBoxes":
+        """|√a − √b| = |a − b|/(√a + √b)."""
+        root, least = operations.sqrt(self.value), operations.sqrt(self.value - self.error)
+        return self.rounded(root, self.error / (root + least), UNIT)
+
+    names: Mapping[str, Any] = ANY_NUMBERS | {
+        "rational": lambda p, q: p / q,
+        "sqrt": sqrt,
+        "maximum": lambda zero, number: number,
+        "compare": lambda *sides: True,  # A is hit, off the pole
+    }
 
 
-NAMES = {
-    "rational": lambda p, q: Off(p / q, p / q),
-    "sqrt": Off.sqrt,
-    "maximum": lambda zero, number: number,
-    "compare": lambda *sides: True,  # A is hit, off the pole
-    "where": lambda condition, value, otherwise: value(),
-    "inf": None,
-}
-"""What the lines call."""
+def boxes(ends: np.ndarray, axis: int = -1) -> Enclosed:
+    """Return what lies between neighbouring ends, along an axis of two."""
+    low, high = np.sort([ends[:-1], ends[1:]], axis=0)
+    middle = (low + high) / 2
+    reach = np.maximum(high - middle, middle - low) * (1 + 2.0**-30)
+    return Enclosed(np.expand_dims(middle, -1 - axis), np.expand_dims(reach, -1 - axis))
 
 
-class Lines(Evaluator):
-    """The lines of A's angles, ρ within what the box says."""
+def _errors(outputs, given, values, known):
+    """Return [the errors] of outputs of A's lines, from given symbols on."""
+    found = run(code_of(lines(angles_on_a, given, outputs)), values, known, OverBoxes)
+    return [found[symbol.name].error for symbol in outputs]
 
-    def __init__(self, rho):
-        super().__init__(angles_on_a)
-        self.rho = rho
 
-    def run(self, values: Mapping[str, Any], names: Mapping[str, Any]) -> dict[str, Any]:
-        """Return {name: Off}; √(x² + y²) has the error of its operations, and the box's values."""
-        computed = dict(values)
-        for name, code in self.code:
-            computed[name] = self.compute(code, {**names, "value": computed})
-            if name == "rho_raw":
-                computed[name] = replace(computed[name], low=self.rho[0], high=self.rho[1])
-        return computed
+def _largest(*parts):
+    """Return the largest length of a vector of errors."""
+    return float(np.max(OverBoxes(0.0, operations.sqrt(sum(part * part for part in parts))).error.value))
+
+
+def errors_around(count: int = ANGLES) -> tuple[float, float]:
+    """Return by how much the base of u, and ρ of itself, are off at most: over a quarter of the circle ρ = 1."""
+    angle = boxes(np.linspace(0, 0.5, count + 1))
+    at = {"x": OverBoxes(kernels.cospi(angle)), "y": OverBoxes(kernels.sinpi(angle)), "eye": OverBoxes(1.0)}
+    *of_u, of_rho = _errors((cos_theta, sin_theta, rho), (), at, {"rho_raw": (Enclosed(1.0),)})
+    return _largest(*of_u), _largest(of_rho)
 
 
 def base_errors(least: float = LEAST_SQUARE) -> tuple[float, float]:
     """Return by how much the bases, of u and of v, are off at most where 1 − (ρ/ρ_s)² ≥ `least`."""
-    half, (many, squares) = BOXES[0] // 2, BOXES
-    ratios = np.concatenate([np.geomspace(RATIOS[0], 0.5, half), 1 - np.geomspace(0.5, 1 - RATIOS[1], many - half)[1:]])
-    roots = np.sqrt(1 - np.linspace(least, 1, squares + 1))[::-1]  # ρ/ρ_s
-    low, high = ratios[:-1, None], ratios[1:, None]
-    # ρ_s = R/√((1 − R)(1 + R)) rises with R
-    rim = [r / np.sqrt((1 - r) * (1 + r)) for r in (low, high)]
-    rho = rim[0] * roots[:-1] * (1 - 2.0**-48), rim[1] * roots[1:] * (1 + 2.0**-48)
-    anywhere = Off(0 * rho[0], rho[1])
-    found = Lines(rho).run({"x": anywhere, "y": anywhere, "eye": Off(1.0, 1.0), "radius": Off(low, high)}, NAMES)
-    of_u = np.maximum(found["cos_theta"].error, found["sin_theta"].error)
-    parts = [np.minimum(found[name].high, 1.0) * found[name].error for name in ("cos_phi", "sin_phi")]
-    return float(of_u.max() * SLACK), float(np.hypot(*parts).max() * SLACK)
+    (of_u, of_rho), half = errors_around(), BOXES[0] // 2 + 1
+    ratios = np.concatenate([np.geomspace(RATIOS[0], 0.5, half), 1 - np.geomspace(0.5, 1 - RATIOS[1], half)[1:]])
+    radius, share = boxes(ratios, 0), boxes(np.sqrt(1 - np.linspace(least, 1, BOXES[1] + 1)))  # ρ/ρ_s
+    rho_here = share * radius / operations.sqrt((1.0 - radius) * (1.0 + radius))
+    at = {"eye": OverBoxes(1.0), "radius": OverBoxes(radius), "rho": OverBoxes(rho_here, rho_here * of_rho)}
+    known = {"discriminant_a": (radius * radius * ((1.0 - share) * (1.0 + share)),)}
+    return of_u, _largest(*_errors((cos_phi, sin_phi), (rho,), at, known))
 
 
 @cache

@@ -4,6 +4,8 @@ Over the chart the RMS error of ridges follows theorem crease_error_area. It is 
 points ε away from one, so Gauss–Legendre nodes go there: random points would miss the bands below ε ≈ 6e-5.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import ArrayLike
 from sympy import Abs, diff
@@ -15,7 +17,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
 from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer import Scene, central, exact, gradient_at
 from renderer.generate.kernels import function_of
-from renderer.picture.differences import rms
+from renderer.picture.differences import Interval, rms
 from renderer.picture.frame import Frame
 from verify.accuracy.differences import SLOPES
 from verify.evaluate.arrays import distance, in_balls
@@ -32,6 +34,18 @@ _crease_rms = function_of(step_bounds.crease_rms)
 def fitted_slope(steps: ArrayLike, values: ArrayLike) -> float:
     """Return the slope of log values against log steps by least squares."""
     return float(np.polyfit(np.log(steps), np.log(values), 1)[0])
+
+
+def enclosed_slope(steps: ArrayLike, values: Sequence[Interval]) -> Interval:
+    """Return the same of numbers that are enclosed: it rises with those right of the middle, and falls with others.
+
+    The fit's own roundings are far below 1e-9.
+    """
+    right = np.log(steps) > np.mean(np.log(steps))
+    lower = [v.lower if r else v.upper for v, r in zip(values, right, strict=True)]
+    upper = [v.upper if r else v.lower for v, r in zip(values, right, strict=True)]
+    found = fitted_slope(steps, [v.value for v in values])
+    return Interval(found, fitted_slope(steps, lower) - 1e-9, fitted_slope(steps, upper) + 1e-9)
 
 
 def predicted(component: str, steps: ArrayLike) -> tuple[np.ndarray, np.ndarray]:

@@ -88,13 +88,18 @@ def balls_of(field: str, model: str, lights: int, method: str = "exact") -> Ball
     return Balls(pixel(HEIGHT_FIELDS[field], model, lights, *by))
 
 
-def truth_of(frame: Frame, column: int, row: int, taken: Callable[[float], arb] = arb) -> dict[str, arb]:
-    """Return the balls of every line of a frame's pixel; taken: what an input is taken for, by default its value."""
+def truth_of(
+    frame: Frame, column: int, row: int, taken: Callable[[float], arb] = arb, balls: Balls | None = None
+) -> dict[str, arb]:
+    """Return the balls of every line of a frame's pixel; taken: what an input is taken for, by default its value.
+
+    balls: of lines of which more is known, in place of the pixel's own.
+    """
     scene, raster, method = frame.scene, frame.raster, frame.method
     left, top, *_ = raster.crop or (0, 0)
     place = {"column": left + column, "row": top + row}
     size = {"width": raster.width, "height": raster.height, "epsilon": method.eps or 0.0}
-    balls = balls_of(scene.field, scene.model, len(lights_on(scene)), method.name)
+    balls = balls or balls_of(scene.field, scene.model, len(lights_on(scene)), method.name)
     with ctx.workprec(BITS):
         return balls({name: taken(value) for name, value in scene_values(scene, **place, **size).items()}, BITS)
 

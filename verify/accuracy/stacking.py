@@ -12,7 +12,8 @@ import numpy as np
 from proofs.formulas.colour_bounds import light_bound
 from renderer import Light, Scene, central, exact, render
 from renderer.generate.kernels import function_of
-from renderer.picture.differences import rms
+from renderer.operations import UNIT
+from renderer.picture.differences import Interval, enclosed_distance
 
 SIDE, EPS = 256, 1e-2
 HALF = 1.5  # of the lamp's side, in radii of A
@@ -22,19 +23,22 @@ _bound = function_of(light_bound(0))
 class Stacked(NamedTuple):
     """A mean over samples, (height, width, 3) each: numeric − symbolic, its bound, the symbolic picture.
 
-    on_a: (height, width), the pixels whose samples all lie on A. flips: samples whose chamber is not the same for both.
+    within: how far the difference can be off. on_a: (height, width), the pixels whose samples all lie on A. open: those
+    with a sample that bounds leave open. flips: samples whose chamber is not the same for both.
     """
 
     difference: np.ndarray
     bound: np.ndarray
     picture: np.ndarray
+    within: np.ndarray
     on_a: np.ndarray
+    open: np.ndarray
     flips: int
 
     @property
-    def rms(self) -> float:
-        """The RMS of the difference on A."""
-        return rms(self.difference[self.on_a])
+    def rms(self) -> Interval:
+        """The RMS of the difference on A, as it is in exact arithmetic."""
+        return enclosed_distance(self.difference, self.within, self.on_a, self.open)[1]
 
     @property
     def of_the_bound(self) -> float:
@@ -64,15 +68,19 @@ def _boxes(samples, count):
 
 def stacked(scene: Scene, lamp: int = 1, pixel: int = 1, side: int = SIDE, eps: float = EPS) -> Stacked:
     """Return the mean over lamp² points of a lamp in place of the first light, and over pixel² points of each pixel."""
-    mean, flips, on_a = np.zeros((3, side, side, 3)), 0, np.ones((side, side), bool)
+    mean, flips, open_ = np.zeros((4, side, side, 3)), 0, np.zeros((side, side), bool)
     for number, light in enumerate(lamp_points(scene.lights[0], lamp), start=1):
         lit = replace(scene, lights=(light, *scene.lights[1:]))
-        numeric, symbolic = (render(lit, side * pixel, side * pixel, method) for method in (central(eps), exact()))
+        pair = (render(lit, side * pixel, side * pixel, method, bounds=True) for method in (central(eps), exact()))
+        numeric, symbolic = pair
         bound, there = np.zeros_like(symbolic.rgb), symbolic.stage.on_a
         apart = np.hypot(*(numeric.planes_on_a[4:] - symbolic.planes_on_a[4:]))  # |Δg|: the frame is orthonormal
         bound[there] = abs(lit.beta) * apart[:, None] * steepest(lit)
-        sample = _boxes(np.array([numeric.rgb - symbolic.rgb, bound, symbolic.rgb]), pixel)
+        off = numeric.bounds + symbolic.bounds
+        sample = _boxes(np.array([numeric.rgb - symbolic.rgb, bound, symbolic.rgb, off]), pixel)
         mean += (sample - mean) / number  # the theorem's line, with the share 1/number
         flips += int(np.count_nonzero(numeric.chambers != symbolic.chambers))
-        on_a = there.reshape(side, pixel, side, pixel).all(axis=(1, 3))
-    return Stacked(mean[0], mean[1], mean[2], on_a, flips)
+        on_a, undecided = (flags.reshape(side, pixel, side, pixel) for flags in (there, numeric.open | symbolic.open))
+        open_ |= undecided.any(axis=(1, 3))
+    within = mean[3] + 4 * (lamp**2 + pixel**2) * UNIT  # of numbers up to 1, their mean's own roundings
+    return Stacked(mean[0], mean[1], mean[2], within, on_a.all(axis=(1, 3)), open_, flips)

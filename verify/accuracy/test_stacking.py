@@ -34,8 +34,18 @@ def test_one_point_is_the_plain_pair_of_pictures():
 
 def test_a_mean_does_not_heal_a_difference():
     """What a difference is off by has one sign over a lamp: were it noise, 16 points would leave a quarter."""
-    one, many = (stacked(SINE, lamp=lamp, side=SIDE).rms for lamp in (1, 4))
+    one, many = (stacked(SINE, lamp=lamp, side=SIDE).rms.value for lamp in (1, 4))
     assert 0.9 < many / one < 1
+
+
+@pytest.mark.parametrize("samples", [{}, {"lamp": 2}, {"pixel": 2}], ids=str)
+def test_the_rms_is_enclosed(samples):
+    """Where every sample is moved as far as it may be, to one side, it is still between the ends; 1e-6 more is not."""
+    mean = stacked(SINE, **samples, side=SIDE)
+    moved = mean._replace(difference=mean.difference + np.sign(mean.difference) * mean.within)
+    assert mean.rms.lower < mean.rms.value < moved.rms.value <= mean.rms.upper < mean.rms.value + 1e-9
+    assert moved._replace(difference=moved.difference * (1 + 1e-6)).rms.value > mean.rms.upper
+    assert mean.rms.certain == f"{mean.rms.value:.4g}"
 
 
 def test_a_lamp_is_spread_about_its_light():

@@ -6,6 +6,7 @@ inherits and half a unit in the last place of the largest result that it can hav
 
 from collections.abc import Iterable, Mapping
 from types import CodeType
+from typing import Any
 
 from flint import arb
 
@@ -44,7 +45,12 @@ def half_a_unit(magnitude: arb, inherited: arb) -> arb:
 
 
 class Rounded(Bounded):
-    """`value`: a ball around what exact arithmetic gives; `error`: an upper bound of |computed − exact|."""
+    """`value`: a ball around what exact arithmetic gives; `error`: an upper bound of |computed − exact|.
+
+    names: what the text calls, constants that float64 holds and nothing but arithmetic.
+    """
+
+    names: Mapping[str, Any] = ANY_NUMBERS | {"rational": lambda p, q: p / q}
 
     def __init__(
         self, value: arb | float, moved: arb = ZERO, rounds: bool = False, ends: tuple[arb, arb] | None = None
@@ -132,13 +138,14 @@ def _cancels(a, b):
     return first > 0 and second > 0 and first <= 2 * second and second <= 2 * first
 
 
-ROUNDED = ANY_NUMBERS | {"rational": lambda p, q: p / q}
-"""What the text calls: constants that float64 holds, and nothing but arithmetic."""
+def run(
+    code: Iterable[tuple[str, CodeType]], values: dict, known: Mapping[str, tuple] | None = None, kind: Any = Rounded
+) -> dict:
+    """Run the lines on {name: number of a kind}, and return it with theirs.
 
-
-def run(code: Iterable[tuple[str, CodeType]], values: dict, known: Mapping[str, tuple] | None = None) -> dict:
-    """Run the lines on {name: Rounded}, and return it with theirs; `known` has what `known_as` is told, by name."""
+    known: what `known_as` is told, by name.
+    """
     for name, line in code:
-        value = Rounded.of(eval(line, {**ROUNDED, "value": values}))
+        value = kind.of(eval(line, {**kind.names, "value": values}))
         values[name] = value.known_as(*known[name]) if known and name in known else value
     return values

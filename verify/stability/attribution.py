@@ -14,6 +14,7 @@ from renderer.generate.step_terms import SLOPE_TERMS
 from renderer.picture.frame import Frame
 from verify.accuracy.differences import PARTS, SLOPES, taken_apart
 
+POINTS = 400
 ROUNDED = range(1, len(PARTS) - 1)  # the terms of rounding, among PARTS and among TERMS
 
 
@@ -44,7 +45,7 @@ def over_the_image(frame: Frame, eps: float) -> np.ndarray:
     return result
 
 
-def shares_by_step(frame: Frame, steps: Iterable[float], points: int = 400, seed: int = 10) -> dict[str, np.ndarray]:
+def shares_by_step(frame: Frame, steps: Iterable[float], points: int = POINTS, seed: int = 10) -> dict[str, np.ndarray]:
     """Return {term: its share for each step}, over random pixels of A in the frame."""
     data, on_a = frame.surface_data, frame.stage.on_a
     chosen = np.random.default_rng(seed).choice(np.flatnonzero(on_a), points, replace=False)

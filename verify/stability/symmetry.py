@@ -13,7 +13,7 @@ from renderer import Light, Scene, render
 from renderer.picture.frame import Frame
 
 SIZE = 120  # a multiple of 20, and even
-_BELOW = 3 * SIZE // 20  # rows r and SIZE − 1 − _BELOW − r are mirror images
+SIDE = SIZE - 3 * SIZE // 20  # rows r and SIDE − 1 − r are mirror images
 
 
 def moved(scene: Scene, move: Callable) -> Scene:
@@ -28,8 +28,7 @@ def moved(scene: Scene, move: Callable) -> Scene:
 
 def about_the_axis(frame: Frame) -> list[np.ndarray]:
     """Return the largest square part of a frame about the axis: rgb, its bounds, surface, whether a pixel is open."""
-    rows = SIZE - _BELOW
-    square = (slice(rows), slice((SIZE - rows) // 2, (SIZE + rows) // 2))
+    square = (slice(SIDE), slice((SIZE - SIDE) // 2, (SIZE + SIDE) // 2))
     return [plane[square] for plane in (frame.rgb, frame.bounds, frame.chambers & 3, frame.open)]
 
 
