@@ -134,7 +134,8 @@ def test_flips_are_counted(monkeypatch):
         frame = render(*arguments, **options)
         if frame.method.eps:
             made.append(frame)
-            frame.chambers[0, : len(made)] ^= 128
+            frame.stage.chambers = frame.chambers.copy()
+            frame.stage.chambers[0, : len(made)] ^= 128
         return frame
 
     monkeypatch.setattr("renderer.picture.sweep.render", flipping)

@@ -9,7 +9,7 @@ import os
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from threading import Lock
+from threading import RLock
 from typing import Any
 
 import llvmlite
@@ -24,7 +24,10 @@ from renderer.shader.shader import WORK, Want
 from renderer.whole_files import whole_file
 
 NAME = "llvm"
-_compiling = Lock()
+_compiling = RLock()
+if hasattr(os, "register_at_fork"):  # a child that began while another thread compiles would find LLVM half-way
+    release = _compiling.release
+    os.register_at_fork(before=_compiling.acquire, after_in_parent=release, after_in_child=release)
 
 
 @cache

@@ -14,6 +14,7 @@ from renderer.scene.methods import GradientMethod
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import way_of
 from renderer.shader.shader import ON_A
+from renderer.shared import read_only
 
 SURFACES = {"pixels_a": 1, "pixels_b": 2, "pixels_floor": 3}
 
@@ -111,7 +112,7 @@ class Frame:
 
     @property
     def chambers(self) -> np.ndarray:
-        """(height, width) uint8."""
+        """(height, width) uint8, read-only: every frame of the stage has the same."""
         return self.stage.chambers
 
     @cached_property
@@ -123,7 +124,9 @@ class Frame:
         planes = {name: self.stage.new_plane() for name in ON_A}
         want: dict[str, Any] = {"chambers_known": True, "surfaces": "a", "colors": False, "stored": ON_A}
         self.stage.draw(replace(self.scene, beta=1.0), self.method, 1, planes, **want)
-        return np.stack([planes[name][:, : self.raster.shape[1]][self.stage.on_a] for name in ON_A])
+        on_a = np.stack([planes[name][:, : self.raster.shape[1]][self.stage.on_a] for name in ON_A])
+        read_only(on_a)
+        return on_a
 
     @cached_property
     @np.errstate(all="ignore")
@@ -157,9 +160,12 @@ class Frame:
     def surface_data(self) -> dict[str, np.ndarray]:
         """What is known of sphere A: a dict of (height, width) float64 planes, NaN off A.
 
-        u, v, h, h_u, h_v (by the frame's method), slope, kink (1 or 0), and straddling (1 or 0) for a difference.
+        u, v, h, h_u, h_v (by the frame's method), slope, kink (1 or 0), and straddling (1 or 0) for a difference. They
+        are read-only, and so are `chambers` and `planes_on_a`, which more than one answer is made from.
         """
-        return {name: self._plane(values, np.nan) for name, values in self._on_a.items()}
+        data = {name: self._plane(values, np.nan) for name, values in self._on_a.items()}
+        read_only(*data.values())
+        return data
 
     @property
     def kink(self) -> np.ndarray:

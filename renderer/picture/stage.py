@@ -21,6 +21,7 @@ from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import numbers_of, places_of, want_of
 from renderer.shader.shader import COLORS, WORK
+from renderer.shared import read_only
 
 SURFACE_BITS = 3
 PITCH = 16  # rows of planes are as long as whole groups of pixels, whatever the machine's lanes
@@ -40,6 +41,7 @@ def _prepared(geometry, raster):
     square = reach * (1 + 1e-9) - y * y
     half = np.where(square < 0.0, -np.inf, np.sqrt(np.maximum(square, 0.0)))
     of_a = np.stack([x.searchsorted(-half), x.searchsorted(half, "right")], axis=1).astype(np.int64)
+    read_only(wide, y, everywhere, of_a)
     return wide, y, everywhere, of_a
 
 
@@ -53,7 +55,7 @@ class Stage:
 
     chambers: (height, width) uint8. Bits 0–1 are the surface (0 none, 1 A, 2 B, 3 floor), bit 2 + i says that light i
     is occluded by another body (0 for a light that is off), bit 7 that the floor square is dark. x: (width,) image
-    points of the columns, y: (height,) of the rows.
+    points of the columns, y: (height,) of the rows. Frames share all of these: they are read-only.
     """
 
     def __init__(self, scene: Scene, raster: Raster):
@@ -66,6 +68,7 @@ class Stage:
         self.x = self._x[: raster.shape[1]]
         self._codes = self.new_plane(np.uint8)
         self.chambers = self._codes[:, : raster.shape[1]]
+        read_only(self.chambers)
         self._elsewhere: tuple[Any, Any] = (None, None)
 
     def new_plane(self, kind: type = np.float64, channels: int | None = None) -> np.ndarray:
