@@ -10,7 +10,7 @@ import tempfile
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 from renderer.checks import not_allowed
 
@@ -54,6 +54,26 @@ def _unfinished(path):
     finally:
         file.close()
         Path(file.name).unlink(missing_ok=True)
+
+
+def sole_writer(path: str | Path) -> BinaryIO:
+    """Open a file that is added to, and that nobody else opens so until it is closed; it is made if there is none.
+
+    Raises BlockingIOError where somebody else has it open so. Where a file system has no locks, nobody is kept out.
+    """
+    while True:
+        file = open(path, "ab")  # noqa: SIM115
+        try:
+            if fcntl:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            file.close()
+            raise
+        except OSError:
+            pass
+        if os.fstat(file.fileno()).st_nlink:  # else it was removed before it was locked
+            return file
+        file.close()
 
 
 def remove_abandoned(folder: str | Path) -> None:

@@ -3,11 +3,13 @@
 import argparse
 import logging
 import re
+import signal
 import sys
+import threading
 from argparse import Namespace
 from collections.abc import Callable, Collection, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError, ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import fields
 from functools import partial
 from pathlib import Path
@@ -237,7 +239,12 @@ def print_sweep(options: Namespace) -> None:
 
 def _of_grid(tasks, options):
     """Return the {Task: SweepRow} of a grid of frames, by workers."""
-    checkpoint = grid.Checkpoint(options.checkpoint) if options.checkpoint else None
+    with grid.Checkpoint(options.checkpoint) if options.checkpoint else nullcontext() as checkpoint:
+        return _run_grid(tasks, options, checkpoint)
+
+
+def _run_grid(tasks, options, checkpoint):
+    """Return the same; where it cannot go on, the error says what the checkpoint keeps."""
 
     def kept():
         if checkpoint is None:
@@ -249,8 +256,8 @@ def _of_grid(tasks, options):
         with _workers(options) as executor:
             progress = progress_bar(desc="frames", total=len(tasks), unit="frame")
             return grid.run(tasks, executor, checkpoint, options.threads or 1, progress)
-    except KeyboardInterrupt:
-        raise KeyboardInterrupt(kept()) from None
+    except KeyboardInterrupt as stop:
+        raise type(stop)(kept()) from None
     except (BrokenExecutor, CancelledError):
         raise OSError(f"the workers are gone; {kept()}") from None
 
@@ -281,12 +288,35 @@ def _workers(options):
             raise BrokenExecutor from error
 
 
+class Terminated(KeyboardInterrupt):
+    """What SIGTERM does: the same as Ctrl-C, by its own name and exit status."""
+
+
+@contextmanager
+def _sigterm_stops():
+    """Let SIGTERM stop what is done here as Ctrl-C does: nothing half-written is left behind."""
+    here = threading.current_thread() is threading.main_thread()
+    if not here or signal.getsignal(signal.SIGTERM) != signal.SIG_DFL:  # somebody else's to say
+        yield
+        return
+
+    def stop(number, frame):
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)  # one is enough; the next would hinder the cleaning up
+        raise Terminated
+
+    signal.signal(signal.SIGTERM, stop)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+
+
 VERBS = {"image": (draw_image, OF_IMAGE), "views": (draw_views, OF_VIEWS), "sweep": (print_sweep, OF_SWEEP)}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit status: 0; 2 with one line on stderr about what is not allowed;
-    130 with one line after Ctrl-C."""
+    130 with one line after Ctrl-C, 143 after SIGTERM."""
     parser = OneLineParser(prog="python -m renderer", description=__doc__)
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="|".join(VERBS))
     for name, (run, own) in VERBS.items():
@@ -301,11 +331,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"{prog}: {told}", file=sys.stderr)
     try:
         checked_threads(options.threads)
-        VERBS[options.verb][0](options)
+        with _sigterm_stops():
+            VERBS[options.verb][0](options)
     except (ValueError, OSError, MemoryError, ModuleNotFoundError) as error:
         print(f"{prog}: error: {error}", file=sys.stderr)
         return 2
-    except KeyboardInterrupt as interrupt:
-        print(": ".join([f"{prog}: interrupted", *map(str, interrupt.args)]), file=sys.stderr)
-        return 130
+    except KeyboardInterrupt as stop:
+        told, status = ("terminated", 143) if isinstance(stop, Terminated) else ("interrupted", 130)
+        print(": ".join([f"{prog}: {told}", *map(str, stop.args)]), file=sys.stderr)
+        return status
     return 0

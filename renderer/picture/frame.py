@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from renderer.checks import not_allowed
+from renderer.checks import check_whole, not_allowed
 from renderer.kernels import FIELDS, bumped_normal, chart, light_cosine, point_on_a, slope
 from renderer.machines import machine
 from renderer.picture.stage import SURFACE_BITS, Stage
@@ -66,20 +66,24 @@ class Frame:
 
         Raises ValueError if it has handed them over.
         """
-        if self._planes is None:
-            raise not_allowed("into", self, "another frame has been drawn into it")
-        planes, self._planes = self._planes, None
+        planes, self._planes = self._held("into"), None
         return planes
 
+    def _held(self, name):
+        """Return the memory of the colours, or raise ValueError if it is handed over."""
+        if self._planes is None:
+            raise not_allowed(name, self, "another frame has been drawn into it")
+        return self._planes
+
     @property
-    def planes(self) -> np.ndarray | None:
-        """(3, height, width) float64 in [0, 1]; None when they are handed over."""
-        return None if self._planes is None else self._planes[..., : self.raster.shape[1]]
+    def planes(self) -> np.ndarray:
+        """(3, height, width) float64 in [0, 1]. Raises ValueError when they are handed over."""
+        return self._held("frame")[..., : self.raster.shape[1]]
 
     @property
     def rgb(self) -> np.ndarray:
-        """(height, width, 3) float64 in [0, 1]."""
-        return np.moveaxis(self.planes, 0, -1)  # type: ignore[arg-type]  # an error if they are handed over
+        """(height, width, 3) float64 in [0, 1]. Raises ValueError when they are handed over."""
+        return np.moveaxis(self.planes, 0, -1)
 
     @property
     def bounded(self) -> bool:
@@ -144,8 +148,12 @@ class Frame:
     def light_cosines(self, light: int) -> np.ndarray:
         """Return μ = N'·ω of light number `light` on sphere A, (height, width) float64, NaN off A.
 
-        Its sign decides the attached shadow; a cast shadow of B is not looked at.
+        Its sign decides the attached shadow; a cast shadow of B is not looked at. Raises ValueError on a number that
+        no light of the scene has.
         """
+        if not self.scene.lights:
+            raise not_allowed("light", light, "none, as the scene has no light")
+        light = check_whole("light", light, len(self.scene.lights) - 1, low=0)
         angles, gradient = self.planes_on_a[:4], self.planes_on_a[4:]
         normal = bumped_normal(*angles, *gradient, self.scene.beta)
         point, position = point_on_a(*angles, self.scene.radius), self.scene.lights[light].position

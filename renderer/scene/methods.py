@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from renderer.checks import check_choice, check_number, not_allowed
+from renderer.checks import check_choice, check_kind, check_number, not_allowed
 from renderer.kernels import HEIGHT_EVALUATIONS
 
 DIFFERENCES = tuple(HEIGHT_EVALUATIONS)
@@ -30,6 +30,11 @@ class GradientMethod:
                 raise not_allowed("eps", self.eps, "None for the exact gradient")
         else:
             object.__setattr__(self, "eps", check_number("eps", self.eps, SMALLEST_STEP, 0.5))
+
+
+def checked_method(name: str, method: GradientMethod) -> GradientMethod:
+    """Return `method`, or raise ValueError unless it is one; `name` is what the message calls it."""
+    return check_kind(name, method, GradientMethod, "exact(), central(eps), forward(eps) or central4(eps)")
 
 
 def difference(name: str, eps: float) -> GradientMethod:
