@@ -4,7 +4,6 @@ The other name is `.STEM-????????-unfinished.SUFFIX`, of a file that its writer 
 was left by a writer that was killed, and whoever writes into that folder next removes it.
 """
 
-import csv
 import os
 import tempfile
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -21,12 +20,13 @@ except ImportError:  # Windows, which removes no file that is open: as good as a
 
 
 def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out") -> Path:
-    """Return `path` as a Path, or raise ValueError unless it ends in one of `suffixes` and can be written.
+    """Return `path` as a Path, or raise ValueError unless it ends in one of `suffixes`, in small letters or capitals,
+    and can be written.
 
     `name` is what the message calls it.
     """
     path, shown = Path(path), str(path)
-    if path.suffix not in suffixes:
+    if path.suffix.lower() not in suffixes:
         raise not_allowed(name, shown, f"a file name that ends in {' or '.join(suffixes)}")
     if os.path.isdir(path) or not os.path.isdir(path.parent):  # unlike Path's, False for a name that is too long
         raise not_allowed(name, shown, "a file in a folder that exists")
@@ -111,6 +111,8 @@ def write_whole(path: Path, content: bytes) -> None:
 
 def write_csv(path: str | Path, records: Sequence[Mapping[str, Any]]) -> None:
     """Write dicts of the same keys as a table with its column names."""
+    import csv  # which a picture does not need
+
     with whole_file(path) as name, open(name, "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, [name for record in records[:1] for name in record])
         writer.writeheader()

@@ -152,7 +152,7 @@ def test_sigterm_leaves_the_old_file(name, height, moment, small_blocks, tmp_pat
     monkeypatch.setattr("os.replace", partial(told, then=os.replace))
     (tmp_path / name).write_bytes(b"old")
     assert main(["image", "--width", "200", "--height", height, "--out", str(tmp_path / name)]) == 143
-    assert capsys.readouterr() == ("", "python -m renderer image: terminated\n")
+    assert capsys.readouterr() == ("", "symbolic-rendering image: terminated\n")
     assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(name, b"old")]
     assert signal.getsignal(signal.SIGTERM) == before
 

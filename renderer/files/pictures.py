@@ -1,6 +1,8 @@
 """Pictures as files: PNG, and every buffer of a frame as NPZ."""
 
+import io
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -10,21 +12,31 @@ from renderer.whole_files import whole_file
 PICTURE_SUFFIXES = (".png", ".npz")
 
 
-def write_png(path: str | Path, image: np.ndarray) -> None:
-    """Write a uint8 picture, (height, width, 3 or 4), pixel for pixel."""
+def png_of(image: np.ndarray) -> bytes:
+    """Return a uint8 picture, (height, width, 3 or 4), as the bytes of a PNG, pixel for pixel."""
     from PIL import Image
 
+    file = io.BytesIO()
+    Image.fromarray(image).save(file, "PNG")
+    return file.getvalue()
+
+
+def write_png(path: str | Path, image: np.ndarray) -> None:
+    """Write a uint8 picture, (height, width, 3 or 4), pixel for pixel."""
     with whole_file(path) as name:
-        Image.fromarray(image).save(name)
+        Path(name).write_bytes(png_of(image))
 
 
 def write_bounds(path: str | Path, frame: Frame) -> None:
     """Write what is certain of a frame that was drawn with bounds: `bounds` and `open`."""
-    with whole_file(path) as name:
-        np.savez_compressed(name, bounds=frame.bounds, open=frame.open)
+    _write_arrays(path, {"bounds": frame.bounds, "open": frame.open})
 
 
 def write_npz(path: str | Path, frame: Frame) -> None:
     """Write every buffer of a frame: rgb, chambers, and A's surface data (NaN off A)."""
-    with whole_file(path) as name:
-        np.savez_compressed(name, rgb=frame.rgb, chambers=frame.chambers, **frame.surface_data)  # type: ignore[arg-type]
+    _write_arrays(path, {"rgb": frame.rgb, "chambers": frame.chambers, **frame.surface_data})
+
+
+def _write_arrays(path: str | Path, arrays: dict[str, Any]) -> None:
+    with whole_file(path) as name, open(name, "wb") as file:  # to a name that ends in .NPZ NumPy would add another
+        np.savez_compressed(file, **arrays)

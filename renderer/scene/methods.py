@@ -8,6 +8,7 @@ from renderer.kernels import HEIGHT_EVALUATIONS
 DIFFERENCES = tuple(HEIGHT_EVALUATIONS)
 METHODS = ("exact", *DIFFERENCES)
 FORMS = ("auto", "general", "algebraic")
+DECADES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  # steps of a table
 SMALLEST_STEP = 1e-40  # a jump of h over a smaller step, times the largest β, squared, would overflow
 
 

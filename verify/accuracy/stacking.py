@@ -74,5 +74,5 @@ def stacked(scene: Scene, lamp: int = 1, pixel: int = 1, side: int = SIDE, eps: 
         sample = _boxes(np.array([numeric.rgb - symbolic.rgb, bound, symbolic.rgb]), pixel)
         mean += (sample - mean) / number  # the theorem's line, with the share 1/number
         flips += int(np.count_nonzero(numeric.chambers != symbolic.chambers))
-        on_a = there.reshape(side, pixel, side, pixel).all(axis=(1, 3))
+        on_a = np.array(there.reshape(side, pixel, side, pixel).all(axis=(1, 3)))
     return Stacked(mean[0], mean[1], mean[2], on_a, flips)

@@ -11,6 +11,7 @@ import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 from renderer import Scene, central, exact, render, stage_of
 from renderer.scene.methods import GradientMethod
@@ -98,7 +99,7 @@ def image_gradient_case() -> Case:
     """Return the case of the exact gradient alone, from (x, y) to (h_u, h_v) at the pixels of A: nothing is drawn."""
     stage = stage_of(A_ALONE, IN_CACHE, IN_CACHE)
     planes = {name: stage.new_plane() for name in ON_A}
-    options = {"chambers_known": True, "surfaces": "a", "colors": False, "stored": ON_A}
+    options: dict[str, Any] = {"chambers_known": True, "surfaces": "a", "colors": False, "stored": ON_A}
     work = partial(stage.draw, A_ALONE, exact("algebraic"), 1, planes, **options)
     return Case("image_gradient", work, calls(IN_CACHE), unit="ns", points=int(stage.on_a.sum()))
 
