@@ -50,7 +50,7 @@ def run(*command, cwd):
 
 
 def test_what_it_needs_is_little():
-    assert len(PROJECT["dependencies"]) <= 7
+    assert len(PROJECT["dependencies"]) <= 6
 
 
 def test_it_draws_the_same_bytes(installed, tmp_path):

@@ -31,7 +31,7 @@ class Version(argparse.Action):
     """Says the version and ends; it is looked up when it is asked for, which takes a while where it is installed."""
 
     def __init__(self, *arguments: Any, **options: Any):
-        super().__init__(*arguments, nargs=0, **options)
+        super().__init__(*arguments, **options | {"nargs": 0})
 
     def __call__(self, parser: argparse.ArgumentParser, *arguments: Any, **options: Any) -> None:
         print(parser.prog, renderer.__version__)

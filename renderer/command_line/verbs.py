@@ -1,6 +1,5 @@
 """The command line: image (one picture), views (all of them), sweep (the table of eps), doctor (what draws here)."""
 
-import importlib
 import os
 import signal
 import sys
@@ -83,7 +82,7 @@ def draw_views(options: Namespace) -> None:
     check_choice("gradient", method.name, DIFFERENCES)
     views.difference_linear(0.0, options.gain)
     with extra("plot"):
-        importlib.import_module("matplotlib")  # that it is missing is said before anything is drawn
+        import matplotlib  # noqa: F401  # that it is missing is said before anything is drawn
     folder = Path(options.out)
     with _made(folder):
         symbolic = render(scene, *size, threads=options.threads)

@@ -12,7 +12,6 @@ import numpy as np
 
 from renderer.checks import not_allowed
 from renderer.machines import Job, machine
-from renderer.machines.rounded_inputs import input_bounds
 from renderer.picture.memory import lent
 from renderer.picture.threads import run_bands
 from renderer.scene.geometry import geometry_of
@@ -43,6 +42,12 @@ def _prepared(geometry, raster):
     of_a = np.stack([x.searchsorted(-half), x.searchsorted(half, "right")], axis=1).astype(np.int64)
     read_only(wide, y, everywhere, of_a)
     return wide, y, everywhere, of_a
+
+
+def _bounds(scene, raster, wide):
+    from renderer.machines.rounded_inputs import input_bounds  # what most pictures never need to import
+
+    return input_bounds(scene, raster, wide)
 
 
 def band_rows(rows: int, columns: int) -> int:
@@ -95,7 +100,7 @@ class Stage:
         """
         raster = self.raster_of(of_a=want.get("surfaces") == "a")
         numbers = numbers_of(scene, method)
-        bounds = input_bounds(scene, self.raster, len(raster[0])) if want.get("bounds") else None
+        bounds = _bounds(scene, self.raster, len(raster[0])) if want.get("bounds") else None
         job = Job(*numbers, *raster, {"code": self._codes} | planes, bounds)
         draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)
         starts = range(0, len(self.y), rows)
