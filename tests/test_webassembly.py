@@ -98,7 +98,7 @@ def drawer_in(tab):
             memory = base64.b64decode(tab.evaluate(DRAW, [base64.b64encode(x).decode() for x in (module, memory)]))
             for name, array in arrays.items():
                 if array.flags.writeable:
-                array[...] = np.frombuffer(memory, array.dtype, array.size, places[name]).reshape(array.shape)
+                    array[...] = np.frombuffer(memory, array.dtype, array.size, places[name]).reshape(array.shape)
             return arrays["counts"].tolist()
 
         return draw
