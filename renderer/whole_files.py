@@ -5,7 +5,7 @@ was left by a writer that was killed, and whoever writes into that folder next r
 """
 
 import os
-import tempfile
+import secrets
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -41,10 +41,10 @@ def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out
 @contextmanager
 def _unfinished(path):
     """Make a file beside `path` and yield it, open and locked; remove it at the end if it still has its name."""
-    names = {"dir": path.parent, "prefix": f".{path.stem}-", "suffix": f"-unfinished{path.suffix}"}
     linked = False
     while not linked:  # another process may remove the file before it is locked
-        file = tempfile.NamedTemporaryFile(**names, delete=False)  # noqa: SIM115
+        name = path.with_name(f".{path.stem}-{secrets.token_hex(4)}-unfinished{path.suffix}")
+        file = open(name, "xb")  # noqa: SIM115
         with suppress(OSError):  # where a file system has no locks, nobody can lock it to remove it either
             if fcntl:
                 fcntl.flock(file, fcntl.LOCK_EX)
@@ -93,10 +93,7 @@ def whole_file(path: str | Path) -> Iterator[str]:
     path = Path(path)
     remove_abandoned(path.parent)
     with _unfinished(path) as file:
-        yield file.name
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(file.name, 0o666 & ~mask)
+        yield str(file.name)
         if not fcntl:
             file.close()
         os.replace(file.name, path)
