@@ -1,9 +1,7 @@
 """The command line: image (one picture), views (all of them), sweep (the table of eps), doctor (what draws here)."""
 
 import os
-import signal
 import sys
-import threading
 from argparse import Namespace
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
@@ -22,6 +20,7 @@ from renderer.command_line.options import (
     scene_of,
     size_of,
 )
+from renderer.command_line.signals import Terminated, sigterm_stops
 from renderer.files import pictures as files
 from renderer.files.stream import STREAM_SUFFIXES, stream
 from renderer.machines import machine
@@ -146,39 +145,16 @@ VERBS: dict[str, tuple] = {
 }
 
 
-class Terminated(KeyboardInterrupt):
-    """What SIGTERM does: the same as Ctrl-C, by its own name and exit status."""
-
-
-@contextmanager
-def _sigterm_stops():
-    """Let SIGTERM stop what is done here as Ctrl-C does: nothing half-written is left behind."""
-    here = threading.current_thread() is threading.main_thread()
-    if not here or signal.getsignal(signal.SIGTERM) != signal.SIG_DFL:  # somebody else's to say
-        yield
-        return
-
-    def stop(number, frame):
-        signal.signal(signal.SIGTERM, signal.SIG_IGN)  # one is enough; the next would hinder the cleaning up
-        raise Terminated
-
-    signal.signal(signal.SIGTERM, stop)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, signal.SIG_DFL)
-
-
-def _parser(prog):
-    """Return the parser of all verbs."""
+def _parser(prog, arguments):
+    """Return the parser of all verbs. Options take time: those of a verb that the arguments do not name are left out."""
     parser = OneLineParser(prog=prog, description=__doc__)
     parser.add_argument("--version", action=Version, help="say the version, and end")
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="|".join(VERBS))
     for name, (run, own) in VERBS.items():
         verb = verbs.add_parser(name, help=str(run.__doc__).splitlines()[0], description=run.__doc__)
-        for option, of_argparse in own.items():
-            verb.add_argument(option, **of_argparse)
-        if own:
+        if own and name in arguments:
+            for option, of_argparse in own.items():
+                verb.add_argument(option, **of_argparse)
             add_scene(verb, lists=run is print_sweep)
     return parser
 
@@ -192,7 +168,8 @@ def main(arguments: Sequence[str] | None = None, prog: str = "symbolic-rendering
     for pipe in (sys.stdout, sys.stderr):
         if hasattr(pipe, "reconfigure"):
             pipe.reconfigure(errors="backslashreplace")  # a letter that a terminal lacks is no reason to fail
-    options = _parser(prog).parse_args(arguments)
+    arguments = sys.argv[1:] if arguments is None else arguments
+    options = _parser(prog, arguments).parse_args(arguments)
     prog = f"{prog} {options.verb}"
     try:
         if options.verb != "doctor":
@@ -200,7 +177,7 @@ def main(arguments: Sequence[str] | None = None, prog: str = "symbolic-rendering
             if machine().NAME == "numpy":
                 told = "NumPy draws, the same but slowly, since llvmlite is not installed (or too old)"
                 print(f"{prog}: {told}", file=sys.stderr)
-        with _sigterm_stops():
+        with sigterm_stops():
             VERBS[options.verb][0](options)
         sys.stdout.flush()
     except BrokenPipeError:  # whoever read has what was wanted; Python would complain once more at its end
