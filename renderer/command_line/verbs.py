@@ -146,7 +146,7 @@ VERBS: dict[str, tuple] = {
 
 
 def _parser(prog, arguments):
-    """Return the parser of all verbs. Options take time: those of a verb that the arguments do not name are left out."""
+    """Return the parser of all verbs. Options take time: those of verbs that the arguments do not name are left out."""
     parser = OneLineParser(prog=prog, description=__doc__)
     parser.add_argument("--version", action=Version, help="say the version, and end")
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="|".join(VERBS))
