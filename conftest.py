@@ -24,7 +24,7 @@ LONGEST = (
 def pytest_configure(config):
     """Keep machine code for the other workers and processes: a rendering test's time is mostly the compiler's."""
     if hasattr(config, "cache"):
-        os.environ.setdefault("SYMBOLIC_RENDERING_CODE", str(config.cache.mkdir("compiled")))
+        os.environ.setdefault("SYMBOLIC_RENDERING_CODE", str(config.cache.mkdir("compiled") / "code"))
 
 
 def pytest_collection_modifyitems(items):

@@ -4,6 +4,22 @@ A name is imported when it is first asked for, so that `renderer.generate` runs 
 """
 
 from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:  # what _HOMES says, for type checkers
+    from renderer.picture.drawing import render as render
+    from renderer.picture.drawing import stage_of as stage_of
+    from renderer.picture.frame import Frame as Frame
+    from renderer.picture.pixel_record import pixel as pixel
+    from renderer.scene.methods import central as central
+    from renderer.scene.methods import central4 as central4
+    from renderer.scene.methods import exact as exact
+    from renderer.scene.methods import forward as forward
+    from renderer.scene.scene import Light as Light
+    from renderer.scene.scene import Scene as Scene
+    from renderer.shader.gradients import gradient_at as gradient_at
+    from renderer.shader.gradients import height_at as height_at
+    from renderer.version import __version__ as __version__
 
 _HOMES = {
     "Frame": "picture.frame",
@@ -18,17 +34,20 @@ _HOMES = {
     "pixel": "picture.pixel_record",
     "render": "picture.drawing",
     "stage_of": "picture.drawing",
+    "__version__": "version",
 }
-__all__ = list(_HOMES)
+__all__ = [name for name in _HOMES if name != "__version__"]
 
 
-def __getattr__(name):
-    if name not in _HOMES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
-    globals()[name] = value
-    return value
+if not TYPE_CHECKING:  # whose own list it would hide
+
+    def __getattr__(name: str) -> Any:
+        if name not in _HOMES:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        value = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+        globals()[name] = value
+        return value
 
 
-def __dir__():
+def __dir__() -> list[str]:
     return __all__

@@ -1,7 +1,7 @@
 """Checks of what is given: an error names the argument, its value and what is allowed."""
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Hashable, Iterable, Iterator
 from contextlib import contextmanager
 from numbers import Integral
 from typing import Any, TypeVar
@@ -10,8 +10,11 @@ T = TypeVar("T")
 
 
 def not_allowed(name: str, value: object, allowed: str) -> ValueError:
-    """Return the ValueError that says so."""
-    return ValueError(f"{name} = {value!r} is not allowed: {allowed}")
+    """Return the ValueError that says so, in one line."""
+    shown = repr(value)
+    if "\n" in shown:  # an array
+        shown = " ".join(shown.split())
+    return ValueError(f"{name} = {shown} is not allowed: {allowed}")
 
 
 @contextmanager
@@ -46,15 +49,22 @@ def check_triple(name: str, value: Any, low: float = -math.inf, high: float = ma
     return tuple(check_number(f"{name}[{i}]", item, low, high) for i, item in enumerate(items))
 
 
-def check_whole(name: str, value: Any, high: int) -> int:
-    """Return `value` as an int, or raise ValueError unless it is a whole number from 1 to `high`."""
-    if not isinstance(value, Integral) or isinstance(value, bool) or not 1 <= int(value) <= high:
-        raise not_allowed(name, value, f"a whole number from 1 to {high}")
+def check_whole(name: str, value: Any, high: int, low: int = 1) -> int:
+    """Return `value` as an int, or raise ValueError unless it is a whole number from `low` to `high`."""
+    if not isinstance(value, Integral) or isinstance(value, bool) or not low <= int(value) <= high:
+        raise not_allowed(name, value, f"a whole number from {low} to {high}")
     return int(value)
 
 
 def check_choice(name: str, value: T, choices: Iterable[T]) -> T:
     """Return `value`, or raise ValueError unless it is one of `choices`."""
-    if value not in tuple(choices):
+    if not isinstance(value, Hashable) or value not in tuple(choices):  # an array is neither, nor can it say which
         raise not_allowed(name, value, "one of " + ", ".join(map(repr, choices)))
+    return value
+
+
+def check_kind(name: str, value: Any, kind: type[T], allowed: str = "") -> T:
+    """Return `value`, or raise ValueError unless it is of a class; `allowed` says what is, by default "a CLASS"."""
+    if not isinstance(value, kind):
+        raise not_allowed(name, value, allowed or f"a {kind.__name__}")
     return value

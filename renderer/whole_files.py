@@ -4,13 +4,12 @@ The other name is `.STEM-????????-unfinished.SUFFIX`, of a file that its writer 
 was left by a writer that was killed, and whoever writes into that folder next removes it.
 """
 
-import csv
 import os
-import tempfile
+import secrets
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 from renderer.checks import not_allowed
 
@@ -21,12 +20,13 @@ except ImportError:  # Windows, which removes no file that is open: as good as a
 
 
 def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out") -> Path:
-    """Return `path` as a Path, or raise ValueError unless it ends in one of `suffixes` and can be written.
+    """Return `path` as a Path, or raise ValueError unless it ends in one of `suffixes`, in small letters or capitals,
+    and can be written.
 
     `name` is what the message calls it.
     """
     path, shown = Path(path), str(path)
-    if path.suffix not in suffixes:
+    if path.suffix.lower() not in suffixes:
         raise not_allowed(name, shown, f"a file name that ends in {' or '.join(suffixes)}")
     if os.path.isdir(path) or not os.path.isdir(path.parent):  # unlike Path's, False for a name that is too long
         raise not_allowed(name, shown, "a file in a folder that exists")
@@ -41,10 +41,10 @@ def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out
 @contextmanager
 def _unfinished(path):
     """Make a file beside `path` and yield it, open and locked; remove it at the end if it still has its name."""
-    names = {"dir": path.parent, "prefix": f".{path.stem}-", "suffix": f"-unfinished{path.suffix}"}
     linked = False
     while not linked:  # another process may remove the file before it is locked
-        file = tempfile.NamedTemporaryFile(**names, delete=False)  # noqa: SIM115
+        name = path.with_name(f".{path.stem}-{secrets.token_hex(4)}-unfinished{path.suffix}")
+        file = open(name, "xb")  # noqa: SIM115
         with suppress(OSError):  # where a file system has no locks, nobody can lock it to remove it either
             if fcntl:
                 fcntl.flock(file, fcntl.LOCK_EX)
@@ -54,6 +54,26 @@ def _unfinished(path):
     finally:
         file.close()
         Path(file.name).unlink(missing_ok=True)
+
+
+def sole_writer(path: str | Path) -> BinaryIO:
+    """Open a file that is added to, and that nobody else opens so until it is closed; it is made if there is none.
+
+    Raises BlockingIOError where somebody else has it open so. Where a file system has no locks, nobody is kept out.
+    """
+    while True:
+        file = open(path, "ab")  # noqa: SIM115
+        try:
+            if fcntl:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            file.close()
+            raise
+        except OSError:
+            pass
+        if os.fstat(file.fileno()).st_nlink:  # else it was removed before it was locked
+            return file
+        file.close()
 
 
 def remove_abandoned(folder: str | Path) -> None:
@@ -73,10 +93,7 @@ def whole_file(path: str | Path) -> Iterator[str]:
     path = Path(path)
     remove_abandoned(path.parent)
     with _unfinished(path) as file:
-        yield file.name
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(file.name, 0o666 & ~mask)
+        yield str(file.name)
         if not fcntl:
             file.close()
         os.replace(file.name, path)
@@ -91,6 +108,8 @@ def write_whole(path: Path, content: bytes) -> None:
 
 def write_csv(path: str | Path, records: Sequence[Mapping[str, Any]]) -> None:
     """Write dicts of the same keys as a table with its column names."""
+    import csv  # which a picture does not need
+
     with whole_file(path) as name, open(name, "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, [name for record in records[:1] for name in record])
         writer.writeheader()

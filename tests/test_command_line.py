@@ -1,13 +1,19 @@
 """The command line: what it writes and prints, and how it refuses."""
 
 import dataclasses
+import io
+import os
+import re
+import subprocess
 import sys
+import tomllib
 from concurrent.futures import BrokenExecutor, ThreadPoolExecutor
 
 import numpy as np
 import pytest
 from PIL import Image
 
+import renderer
 from renderer import Light, Scene, central, forward, render
 from renderer.command_line import grid
 from renderer.command_line.verbs import main
@@ -16,6 +22,7 @@ from renderer.picture import views
 from renderer.picture.sweep import sweep, table
 from renderer.scene.scene import DEFAULT_LIGHTS
 from tests.processes import python
+from verify.sources import ROOT
 
 
 def run(*arguments):
@@ -132,7 +139,7 @@ def test_a_sweep_that_is_interrupted_says_what_is_kept(tmp_path, monkeypatch, ca
         (["--checkpoint", kept], f"16 of 20 frames are in {kept}, and the same command goes on from there"),
     ):
         assert run(*command, *options) == 130
-        assert capsys.readouterr() == ("", f"python -m renderer sweep: interrupted: {told}\n")
+        assert capsys.readouterr() == ("", f"symbolic-rendering sweep: interrupted: {told}\n")
 
 
 def test_a_sweep_whose_workers_are_gone(tmp_path, monkeypatch, capsys):
@@ -142,7 +149,7 @@ def test_a_sweep_whose_workers_are_gone(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(grid, "compare_batch", die)
     assert run("sweep", "--size", "8", "--eps", "1e-3", "--beta", "1,2", "--checkpoint", tmp_path / "a.jsonl") == 2
     told = f"the workers are gone; 0 of 2 frames are in {tmp_path / 'a.jsonl'}, and the same command goes on from there"
-    assert capsys.readouterr() == ("", f"python -m renderer sweep: error: {told}\n")
+    assert capsys.readouterr() == ("", f"symbolic-rendering sweep: error: {told}\n")
 
 
 @pytest.mark.parametrize(
@@ -150,7 +157,7 @@ def test_a_sweep_whose_workers_are_gone(tmp_path, monkeypatch, capsys):
     [
         ("distributed", "dask", ["sweep", "--dask", "tcp://localhost:1"]),
         ("tifffile", "tiff", ["image", "--out", "a.tif"]),
-        ("matplotlib", "plot", ["views", "--out", "."]),
+        ("matplotlib", "plot", ["views", "--out", "new/views"]),
     ],
 )
 def test_what_needs_an_extra_that_is_not_installed_names_it(module, extra, arguments, monkeypatch, capsys, tmp_path):
@@ -159,6 +166,7 @@ def test_what_needs_an_extra_that_is_not_installed_names_it(module, extra, argum
     assert run(*arguments, "--size", "8") == 2
     told = f"{module} is not installed: pip install 'symbolic-rendering[{extra}]'"
     assert capsys.readouterr().err.endswith(f"error: {told}\n")
+    assert list(tmp_path.iterdir()) == []  # it is said before anything is drawn
 
 
 REFUSED = {
@@ -178,12 +186,46 @@ REFUSED = {
         (["--size", ""], "argument --size: '' is not allowed: a whole number"),
         (["--beta"], "argument --beta: expected one argument"),
         (["--nonsense", "1"], "unrecognized arguments: --nonsense 1"),
+        (["--bet", "1"], "unrecognized arguments: --bet 1"),
+        (["--siz", "9"], "unrecognized arguments: --siz 9"),
+        (["a.png"], "unrecognized arguments: a.png"),
+        (["--out", "nowhere/a.png"], "out = 'nowhere/a.png' is not allowed: a file in a folder that exists"),
+        (["--out", "file/a.png"], "out = 'file/a.png' is not allowed: a file in a folder that exists"),
+        (["--out", ""], "out = '' is not allowed: a file name that ends in"),
+        (["--out", "a.png.gz"], "out = 'a.png.gz' is not allowed: a file name that ends in"),
+        (["--size", "1e3"], "argument --size: '1e3' is not allowed: a whole number"),
+        (["--size", "16777217"], "width = 16777217 is not allowed: a whole number from 1 to 16777216"),
+        (["--size", "20000"], "width * height = 400000000 is not allowed: at most 268435456 drawn pixels"),
+        (["--width", "0"], "width = 0 is not allowed: a whole number from 1 to 16777216"),
+        (["--height", "-3"], "height = -3 is not allowed: a whole number from 1 to 16777216"),
+        (["--threads", "257"], "threads = 257 is not allowed: a whole number from 1 to 256"),
+        (["--threads", "two"], "argument --threads: 'two' is not allowed: a whole number"),
+        (["--eps", "0"], "eps = 0.0 is not allowed: a finite number from 1e-40 to 0.5"),
+        (["--eps", "nan"], "eps = nan is not allowed: a finite number from 1e-40 to 0.5"),
+        (["--field", "SINE"], f"field = 'SINE' is not allowed: one of {', '.join(map(repr, FIELDS))}"),
+        (["--model", "gouraud"], "model = 'gouraud' is not allowed: one of 'blinn', 'phong'"),
+        (["--kv", "1e7"], "kv = 10000000.0 is not allowed: a finite number from -1.04858e+06 to 1.04858e+06"),
+        (["--radius", "4"], "eye = 4.0 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 4"),
+        (["--ball-center", "0,0,4"], "ball_center = (0.0, 0.0, 4.0) is not allowed: B clear of the eye"),
+        (["--ball-center", "0,0"], "argument --ball-center: '0,0' is not allowed: X,Y,Z"),
+        (["--light", "0,0,0"], "lights[0].position = (0.0, 0.0, 0.0) is not allowed: outside sphere A"),
+        (["--light", "5,5,5,1,1,-1"], "light.color[2] = -1.0 is not allowed: a finite number from 0 to 1e+06"),
+        (["--albedo-a", "0,0,2"], "albedo_a[2] = 2.0 is not allowed: a finite number from 0 to 1"),
+        (["--crop", "a,b,c,d"], "argument --crop: 'a,b,c,d' is not allowed: LEFT,TOP,WIDTH,HEIGHT"),
+        (["--bounds", "nowhere/a.npz"], "bounds = 'nowhere/a.npz' is not allowed: a file in a folder that exists"),
+        (["--no-ball", "1"], "unrecognized arguments: 1"),
     ],
     "views": [
         (["--gradient", "exact"], "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'"),
         (["--gain", "-1"], "gain = -1.0 is not allowed: a finite number from 0 to 1e+300"),
         (["--out", "file"], "out = 'file' is not allowed: File exists"),
+        (["--out", "file/views"], "out = 'file/views' is not allowed: Not a directory"),
+        (["--out", "new/a\0b"], "out = 'new/a\\x00b' is not allowed: embedded null byte"),
+        (["--size", "20000"], "width * height = 400000000 is not allowed: at most 268435456 drawn pixels"),
+        (["--gain", "nan"], "gain = nan is not allowed: a finite number from 0 to 1e+300"),
+        (["--crop", "0,0,1,1"], "unrecognized arguments: --crop 0,0,1,1"),
     ],
+    "doctor": [(["--size", "8"], "unrecognized arguments: --size 8")],
     "sweep": [
         (["--eps", "1e-3", "-1"], "eps = -1.0 is not allowed: a finite number from 1e-40 to 0.5"),
         (["--csv", "a.txt"], "csv = 'a.txt' is not allowed: a file name that ends in .csv"),
@@ -194,19 +236,29 @@ REFUSED = {
         (["--workers", "0"], "workers = 0 is not allowed: a whole number from 1 to 256"),
         (["--dask", "foo", "--workers", "2"], "dask = 'foo' is not allowed: no --workers beside it"),
         (["--dask", "foo"], "dask = 'foo' is not allowed: the address of a scheduler that answers (missing port"),
+        (["--checkpoint", "a.jsonl", "--dask", "foo"], "dask = 'foo' is not allowed: the address of a scheduler"),
+        (["--gradient", "exact"], "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'"),
+        (["--beta", "0.1,"], "argument --beta: '' is not allowed: a number"),
+        (["--csv", "nowhere/a.csv"], "csv = 'nowhere/a.csv' is not allowed: a file in a folder that exists"),
+        (["--eps"], "argument --eps: expected at least one argument"),
+        (["--out", "a.png"], "unrecognized arguments: --out a.png"),
     ],
 }
-TARGETS = {"image": ["--out", "a.png"], "views": ["--out", "views"], "sweep": []}
+TARGETS = {
+    "image": ["--size", "8", "--out", "a.png"],
+    "views": ["--size", "8", "--out", "views"],
+    "sweep": ["--size", "8"],
+}
 
 
 @pytest.mark.parametrize(("verb", "options", "message"), [(verb, *row) for verb in REFUSED for row in REFUSED[verb]])
 def test_what_is_refused_is_said_in_one_line(verb, options, message, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").write_text("old")
-    assert run(verb, "--size", "8", *TARGETS[verb], *options) == 2
+    assert run(verb, *TARGETS.get(verb, []), *options) == 2
     out, err = capsys.readouterr()
     assert (out, err.count("\n"), err[-1]) == ("", 1, "\n")
-    assert err.startswith((f"python -m renderer {verb}: error: {message}", f"python -m renderer: error: {message}"))
+    assert err.startswith((f"symbolic-rendering {verb}: error: {message}", f"symbolic-rendering: error: {message}"))
     assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("file", "old")]
 
 
@@ -225,7 +277,7 @@ def test_too_little_memory_is_one_line(tmp_path, monkeypatch, capsys):
 
     monkeypatch.setattr("renderer.command_line.verbs.render", no_memory)
     assert run("image", "--out", tmp_path / "a.png") == 2
-    assert capsys.readouterr().err == "python -m renderer image: error: Unable to allocate 6.00 GiB\n"
+    assert capsys.readouterr().err == "symbolic-rendering image: error: Unable to allocate 6.00 GiB\n"
 
 
 @pytest.mark.parametrize("arguments", [(), ("draw",), ("image",), ("views",)])
@@ -234,12 +286,67 @@ def test_a_missing_or_unknown_verb_or_target(arguments, capsys):
     assert capsys.readouterr().err.count("\n") == 1
 
 
-@pytest.mark.parametrize("verb", [(), ("image",), ("views",), ("sweep",)])
-def test_help(verb, capsys):
+@pytest.mark.parametrize("verb", [(), ("image",), ("views",), ("sweep",), ("doctor",)])
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252", "utf-8"])
+def test_help(encoding, verb, monkeypatch):
+    printed = io.TextIOWrapper(io.BytesIO(), encoding)
+    monkeypatch.setattr("sys.stdout", printed)
     assert run(*verb, "--help") == 0
-    wanted = ("--field", "--ku", "--light", "--size", "--eps") if verb else ("image", "views", "sweep")
-    out = capsys.readouterr().out
-    assert all(word in out for word in wanted)
+    monkeypatch.undo()
+    printed.flush()
+    of_verb = () if "doctor" in verb else ("--field", "--ku", "--light", "--size", "--eps")
+    out = printed.buffer.getvalue().decode(encoding)
+    assert out.startswith(" ".join(["usage: symbolic-rendering", *verb])) and "\\" not in out
+    assert all(word in out for word in (of_verb if verb else ("image", "views", "sweep", "doctor", "--version")))
+
+
+def test_a_letter_that_the_terminal_lacks_is_no_error(tmp_path):
+    settings = os.environ | {"PYTHONIOENCODING": "ascii"}
+    told, _ = python("-m", "renderer", "image", "--size", "8", "--out", tmp_path / "é.png", env=settings)
+    assert told == f"wrote {tmp_path}/\\xe9.png: 8 x 8 pixels\n"
+
+
+def test_the_version(capsys):
+    assert run("--version") == 0
+    version = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
+    assert capsys.readouterr() == (f"symbolic-rendering {version}\n", "")
+    assert renderer.__version__ == version
+
+
+def test_doctor(tmp_path, monkeypatch, capsys):
+    for kept, told in (("off", "not kept"), (str(tmp_path / "new"), "not there yet"), (str(tmp_path), "0 files")):
+        monkeypatch.setenv("SYMBOLIC_RENDERING_CODE", kept)
+        assert run("doctor") == 0
+        found = dict(re.split(r" \.+ ", line, maxsplit=1) for line in capsys.readouterr().out.splitlines())
+        assert {"symbolic-rendering", "Python", "NumPy", "llvmlite", "machine", "threads"} < found.keys()
+        assert told in found["compiled code"]
+
+
+@pytest.mark.parametrize("suffix", ["PNG", "Npz", "NPY", "TIF"])
+def test_a_suffix_in_capitals(suffix, tmp_path):
+    for name in (f"a.{suffix}", f"b.{suffix.lower()}"):
+        assert run("image", "--size", 8, "--out", tmp_path / name) == 0
+    one, other = (tmp_path / name for name in (f"a.{suffix}", f"b.{suffix.lower()}"))
+    assert sorted(tmp_path.iterdir()) == [one, other]
+    assert one.stat().st_size == other.stat().st_size
+
+
+def test_a_picture_in_a_pipe(tmp_path):
+    """Read to its end, or by somebody who has soon had enough; a terminal is refused."""
+    command = [sys.executable, "-m", "renderer", "image", "--size", "300", "--out", "-"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True)
+    np.testing.assert_array_equal(picture(io.BytesIO(done.stdout)), views.image_view(render(Scene(), 300, 300)))
+    assert (done.returncode, done.stderr.decode()) == (0, "wrote -: 300 x 300 pixels\n")
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
+        child.stdout.close()
+        assert (child.stderr.read(), child.wait()) == (b"", 141)
+
+
+def test_a_picture_is_not_written_to_a_terminal(monkeypatch, capsys):
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
+    assert run("image", "--size", 8, "--out", "-") == 2
+    told = "out = '-' is not allowed: a file, or standard output that is no terminal"
+    assert capsys.readouterr() == ("", f"symbolic-rendering image: error: {told}\n")
 
 
 @pytest.mark.parametrize("lights", [(), DEFAULT_LIGHTS])
@@ -262,7 +369,7 @@ def test_numpy_draws_the_same_where_llvmlite_is_missing_or_old_and_says_so(witho
     code = f"import sys; {without}; from renderer.command_line.verbs import main; sys.exit(main())"
     _, told = python("-W", "error", "-c", code, "image", "--size", "33", "--out", tmp_path / "a.npz")
     expected = "NumPy draws, the same but slowly, since llvmlite is not installed (or too old)"
-    assert told == f"python -m renderer image: {expected}\n"
+    assert told == f"symbolic-rendering image: {expected}\n"
     frame = render(Scene(), 33, 33)
     assert frame.work["machine"] == "llvm"
     np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["rgb"], frame.rgb)

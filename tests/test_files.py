@@ -7,7 +7,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from renderer import Scene, central, render, whole_files
 from renderer.files import pictures as files
@@ -37,6 +39,16 @@ def test_a_failure_leaves_nothing_or_the_old_file(name, content, old, tmp_path, 
     with pytest.raises(Interruption):
         getattr(files, f"write_{name}")(tmp_path / f"a.{name}", content)
     assert [path.read_bytes() for path in tmp_path.iterdir()] == old
+
+
+@pytest.mark.parametrize("shape", [(1, 1, 3), (3, 5, 4), (40, 30, 3)])
+def test_a_png_has_every_pixel(shape, tmp_path):
+    """As another program reads it."""
+    picture = np.random.default_rng(1).integers(0, 256, shape, np.uint8)
+    files.write_png(tmp_path / "a.png", picture)
+    with Image.open(tmp_path / "a.png") as read:
+        assert read.mode == ("RGB" if shape[2] == 3 else "RGBA")
+        np.testing.assert_array_equal(np.asarray(read), picture)
 
 
 WRITE_FOR_EVER = """

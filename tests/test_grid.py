@@ -22,6 +22,7 @@ from renderer.machines import numpy_rows
 from renderer.picture.sweep import SweepRow, Task, sweep, table
 from renderer.scene.methods import GradientMethod, central
 from renderer.scene.raster import Raster
+from tests.processes import python
 from tests.refusals import rejection
 from verify.sources import ROOT
 
@@ -134,7 +135,8 @@ def test_flips_are_counted(monkeypatch):
         frame = render(*arguments, **options)
         if frame.method.eps:
             made.append(frame)
-            frame.chambers[0, : len(made)] ^= 128
+            frame.stage.chambers = frame.chambers.copy()
+            frame.stage.chambers[0, : len(made)] ^= 128
         return frame
 
     monkeypatch.setattr("renderer.picture.sweep.render", flipping)
@@ -148,13 +150,13 @@ def test_a_worker_of_another_version_is_refused():
 
 
 def test_what_is_kept_is_not_computed_again(many, tmp_path):
-    first, second, third = Inline(), Inline(), Inline()
-    assert grid.run(MANY[20:40], first, Checkpoint(tmp_path / "a.jsonl")) == {task: many[task] for task in MANY[20:40]}
-    assert grid.run(MANY, second, Checkpoint(tmp_path / "a.jsonl")) == many
+    asked, executors = (MANY[20:40], MANY, MANY), (Inline(), Inline(), Inline())
+    for tasks, executor in zip(asked, executors, strict=True):
+        with Checkpoint(tmp_path / "a.jsonl") as kept:
+            assert grid.run(tasks, executor, kept) == {task: many[task] for task in tasks}
+    assert [executor.tasks for executor in executors] == [MANY[20:40], MANY[:20] + MANY[40:], []]
     with ThreadPoolExecutor(3) as executor:  # which finishes batches in any order
         assert grid.run(MANY, executor) == many
-    assert grid.run(MANY, third, Checkpoint(tmp_path / "a.jsonl")) == many
-    assert (first.tasks, second.tasks, third.tasks) == (MANY[20:40], MANY[:20] + MANY[40:], [])
 
 
 def test_a_failure_keeps_what_was_finished_and_cancels_the_rest(many, tmp_path, monkeypatch):
@@ -164,8 +166,8 @@ def test_a_failure_keeps_what_was_finished_and_cancels_the_rest(many, tmp_path, 
         return {task: many[task] for task in batch}
 
     monkeypatch.setattr(grid, "compare_batch", failing)
-    executor, kept = ThreadPoolExecutor(1), Checkpoint(tmp_path / "a.jsonl")
-    with executor, pytest.raises(ArithmeticError, match="the third batch"):
+    failure = pytest.raises(ArithmeticError, match="the third batch")
+    with failure, ThreadPoolExecutor(1) as executor, Checkpoint(tmp_path / "a.jsonl") as kept:
         grid.run(MANY, executor, kept)
     assert set(kept.rows) == {key_of(task) for task in MANY[:32]}
 
@@ -203,19 +205,20 @@ def test_a_dask_worker_that_is_killed(long, tmp_path):
         nanny.auto_restart = False
     with cluster, Client(cluster, set_as_default=False) as client:
         workers = client.run(os.getpid)
-        kept = Checkpoint(tmp_path / "a.jsonl")
-        finished = grid.finished(LONG, client.get_executor(), kept)
-        results = [next(finished)]
-        victim = next(worker for worker, work in client.processing().items() if work)
-        killed = workers[victim]
-        os.kill(killed, signal.SIGKILL)
-        results += finished
+        with Checkpoint(tmp_path / "a.jsonl") as kept:
+            finished = grid.finished(LONG, client.get_executor(), kept)
+            results = [next(finished)]
+            victim = next(worker for worker, work in client.processing().items() if work)
+            killed = workers[victim]
+            os.kill(killed, signal.SIGKILL)
+            results += finished
         assert killed not in client.run(os.getpid).values()
     assert len(results) == len(LONG)
     assert dict(results) == long
     assert len(lines(kept.path)) == len(LONG)
     again = Inline()
-    assert grid.run(LONG, again, Checkpoint(kept.path)) == long
+    with Checkpoint(kept.path) as kept:
+        assert grid.run(LONG, again, kept) == long
     assert again.tasks == []
 
 
@@ -240,10 +243,12 @@ RESULTS = dict(zip(KEPT_TASKS, ROWS, strict=True))
 @pytest.fixture
 def full(tmp_path):
     """A file with the three results."""
-    checkpoint = Checkpoint(tmp_path / "a.jsonl")
-    assert (checkpoint.rows, list(tmp_path.iterdir())) == ({}, [])
-    checkpoint.append({task: RESULTS[task] for task in KEPT_TASKS[:2]})
-    checkpoint.append({KEPT_TASKS[2]: ROWS[2]})
+    with Checkpoint(tmp_path / "a.jsonl") as checkpoint:
+        assert checkpoint.rows == {}
+    assert list(tmp_path.iterdir()) == []
+    with Checkpoint(checkpoint.path) as checkpoint:
+        checkpoint.append({task: RESULTS[task] for task in KEPT_TASKS[:2]})
+        checkpoint.append({KEPT_TASKS[2]: ROWS[2]})
     assert checkpoint.rows == {key_of(task): row for task, row in RESULTS.items()}
     assert checkpoint.kept([*KEPT_TASKS, *grid.grid(Scene(), [(9, 9)], ["central"], (1e-2,))]) == RESULTS
     return checkpoint.path
@@ -261,11 +266,22 @@ def test_wherever_the_writer_was_killed_the_whole_lines_are_kept(full):
     last = content.rindex(b"\n", 0, -1) + 1
     for size in [*range(last, len(content), 17), *range(last, last + 12), len(content) - 1]:
         full.write_bytes(content[:size])
-        checkpoint = Checkpoint(full)
-        assert checkpoint.rows == {key_of(task): RESULTS[task] for task in KEPT_TASKS[:2]}
+        with Checkpoint(full) as checkpoint:
+            assert checkpoint.rows == {key_of(task): RESULTS[task] for task in KEPT_TASKS[:2]}
         assert full.read_bytes() == content[:last]
-    checkpoint.append({KEPT_TASKS[2]: ROWS[2]})
+    with Checkpoint(full) as checkpoint:
+        checkpoint.append({KEPT_TASKS[2]: ROWS[2]})
     assert full.read_bytes() == content
+
+
+def test_one_sweep_at_a_time_writes_to_a_checkpoint(full, capsys):
+    """Of this process or another: what computes it is there when the other begins."""
+    options = ["sweep", "--size", "8", "--eps", "1e-2", "--checkpoint", str(full), "--no-facts"]
+    with Checkpoint(full):
+        refused = f"checkpoint = {str(full)!r} is not allowed: one that no other sweep is writing"
+        assert rejection(Checkpoint, full) == refused
+        assert python("-m", "renderer", *options, status=2) == ("", f"python -m renderer sweep: error: {refused}\n")
+    assert main(options) == 0
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,8 @@
 """The pages made from docstrings: everything public is on them, and docstrings are read as plain text."""
 
+import ast
+from pathlib import Path
+
 from sphinx.util.inventory import InventoryFile
 
 import renderer
@@ -29,6 +32,13 @@ def test_everything_public_has_an_entry(site):
     public = {f"{getattr(renderer, name).__module__}.{name}" for name in renderer.__all__}
     assert public | OTHERS <= places.keys()
     assert set(places.values()) == PLACES
+
+
+def test_type_checkers_are_told_the_same_names():
+    tree = ast.parse(Path(renderer.__file__).read_text(encoding="utf-8"))
+    (told,) = (node for node in tree.body if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING")
+    homes = {alias.asname: f"{line.module}.{alias.name}" for line in told.body for alias in line.names}
+    assert homes == {name: f"renderer.{home}.{name}" for name, home in renderer._HOMES.items()}
 
 
 def test_a_docstring_is_plain_text_with_listings_and_named_arguments():

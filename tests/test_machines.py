@@ -99,12 +99,14 @@ def test_whatever_the_scene_the_bits_are_the_same(scene, size, method, lanes, da
     assert differing(*frames) == []
 
 
-def test_code_that_was_kept_is_not_compiled_again(tmp_path, monkeypatch):
-    def drawn(field="ridges"):
-        native.compiled.cache_clear()  # as in another process
-        with drawn_by(native.drawer):
-            return held(render(Scene(field=field), *SIZE))
+def drawn(field="ridges"):
+    """Draw as another process would."""
+    native.compiled.cache_clear()
+    with drawn_by(native.drawer):
+        return held(render(Scene(field=field), *SIZE))
 
+
+def test_code_that_was_kept_is_not_compiled_again(tmp_path, monkeypatch):
     expected = drawn()
     kept = tmp_path / "kept"
     monkeypatch.setenv("SYMBOLIC_RENDERING_CODE", str(kept))

@@ -7,9 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from renderer import Light, Scene, central, exact, render, stage_of
+from renderer import Light, Scene, central, exact, gradient_at, height_at, pixel, render, stage_of
 from renderer.kernels import FIELDS
+from renderer.picture import views
 from renderer.picture.stage import band_rows
+from renderer.picture.sweep import sweep
 from tests.strategies import looks, methods, rasters
 
 DEFAULT = Scene()
@@ -182,6 +184,52 @@ def test_which_scenes_have_an_algebraic_gradient(fields, algebraic):
 def test_what_is_refused(arguments, message):
     with pytest.raises(ValueError, match=message):
         render(*arguments)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: stage_of("ridges", 8, 8), "scene = 'ridges' is not allowed: a Scene"),
+        (lambda: render(DEFAULT, 8, 8, stage="stage"), "stage = 'stage' is not allowed: one made for"),
+        (lambda: render(DEFAULT, 8, 8, bounds=1), "bounds = 1 is not allowed: True or False"),
+        (lambda: sweep("ridges", 8, 8), "scene = 'ridges' is not allowed: a Scene"),
+        (lambda: pixel("ridges", 8, 8, 0, 0), "scene = 'ridges' is not allowed: a Scene"),
+        (lambda: pixel(DEFAULT, 8, 8, 8, 0), "column = 8 is not allowed: a whole number from 0 to 7"),
+        (lambda: pixel(DEFAULT, 8, 8, 0, -1), "row = -1 is not allowed: a whole number from 0 to 7"),
+        (lambda: height_at("sine", 0.1, 0.1), "scene = 'sine' is not allowed: a Scene"),
+        (lambda: height_at(DEFAULT, "a", 0.1), r"\(u, v\) = \('a', 0.1\) is not allowed: numbers, or arrays of shapes"),
+        (
+            lambda: height_at(DEFAULT, [0.1] * 2, [0.1] * 3),
+            r"\(u, v\) = .* is not allowed: numbers, or arrays of shapes",
+        ),
+        (lambda: gradient_at("sine", 0.1, 0.1, exact()), "scene = 'sine' is not allowed: a Scene"),
+        (
+            lambda: gradient_at(DEFAULT, 0.1, 0.1, "exact"),
+            r"method = 'exact' is not allowed: exact\(\), central\(eps\)",
+        ),
+        (
+            lambda: gradient_at(replace(DEFAULT, ku=7.5), 0.1, 0.1, exact("algebraic")),
+            "form = 'algebraic' is not allowed for field 'ridges' with ku = 7.5, kv = 4",
+        ),
+        (lambda: render(DEFAULT, 8, 8).light_cosines(-1), "light = -1 is not allowed: a whole number from 0 to 1"),
+        (lambda: render(DEFAULT, 8, 8).light_cosines(2), "light = 2 is not allowed: a whole number from 0 to 1"),
+        (lambda: render(replace(DEFAULT, lights=()), 8, 8).light_cosines(0), "light = 0 is not allowed: none, as the"),
+        (lambda: views.image_view("picture"), "frame = 'picture' is not allowed: a Frame"),
+        (lambda: views.slope_view("picture"), "frame = 'picture' is not allowed: a Frame"),
+        (lambda: views.kink_view("picture"), "frame = 'picture' is not allowed: a Frame"),
+    ],
+)
+def test_what_is_refused_in_one_place_is_refused_in_all(call, message):
+    with pytest.raises(ValueError, match=message):
+        call()
+
+
+@pytest.mark.parametrize("name", ["rgb", "planes"])
+def test_a_frame_that_is_handed_over_says_so(name):
+    frame = render(DEFAULT, 8, 8)
+    render(DEFAULT, 8, 8, stage=frame.stage, into=frame)
+    with pytest.raises(ValueError, match=r"frame = .* is not allowed: another frame has been drawn into it"):
+        getattr(frame, name)
 
 
 def test_a_tall_raster_shows_the_middle_of_a_wide_one():

@@ -1,9 +1,11 @@
 """Streamed pictures: the same numbers as `render`, in bounded memory, whole or not there at all."""
 
+import os
 import signal
 import subprocess
 import sys
 import time
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -12,6 +14,7 @@ import pytest
 import tifffile
 
 from renderer import Scene, central, render
+from renderer.command_line.verbs import main
 from renderer.files import stream
 from renderer.machines import machine
 from renderer.picture import views
@@ -113,7 +116,11 @@ def heed_interrupts():
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-def test_ctrl_c_in_the_middle_of_a_big_picture(tmp_path):
+STOPS = {"SIGINT": (130, "interrupted"), "SIGTERM": (143, "terminated")}
+
+
+@pytest.mark.parametrize("name", STOPS)
+def test_a_signal_in_the_middle_of_a_big_picture(name, tmp_path):
     (tmp_path / "a.tif").write_bytes(b"old")
     command = [sys.executable, "-m", "renderer", "image", "--size", "16384", "--out", str(tmp_path / "a.tif")]
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
@@ -123,10 +130,31 @@ def test_ctrl_c_in_the_middle_of_a_big_picture(tmp_path):
             assert child.poll() is None, child.stderr.read()
             assert time.monotonic() < deadline
             time.sleep(0.01)
-        child.send_signal(signal.SIGINT)
+        child.send_signal(getattr(signal, name))
         out, err = child.communicate(timeout=60)
-    assert (child.returncode, out, err) == (130, "", "python -m renderer image: interrupted\n")
+    status, told = STOPS[name]
+    assert (child.returncode, out, err) == (status, "", f"python -m renderer image: {told}\n")
     assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [("a.tif", b"old")]
+
+
+@pytest.mark.parametrize("moment", range(10))
+@pytest.mark.parametrize(("name", "height"), [("a.npy", "9"), ("a.tif", "2304")])
+def test_sigterm_leaves_the_old_file(name, height, moment, small_blocks, tmp_path, monkeypatch, capsys):
+    """Sent to this process before a block is drawn, or at the last moment before the file gets its name."""
+    steps, before = iter(range(10)), signal.getsignal(signal.SIGTERM)
+
+    def told(*arguments, then, **options):
+        if next(steps) == moment:
+            os.kill(os.getpid(), signal.SIGTERM)
+        return then(*arguments, **options)
+
+    monkeypatch.setattr(stream, "render", partial(told, then=render))
+    monkeypatch.setattr("os.replace", partial(told, then=os.replace))
+    (tmp_path / name).write_bytes(b"old")
+    assert main(["image", "--width", "200", "--height", height, "--out", str(tmp_path / name)]) == 143
+    assert capsys.readouterr() == ("", "symbolic-rendering image: terminated\n")
+    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(name, b"old")]
+    assert signal.getsignal(signal.SIGTERM) == before
 
 
 MEMORY = """

@@ -97,7 +97,8 @@ def drawer_in(tab):
             memory = b"".join(part.tobytes().ljust(size, b"\0") for part, size in zip(parts, sizes, strict=True))
             memory = base64.b64decode(tab.evaluate(DRAW, [base64.b64encode(x).decode() for x in (module, memory)]))
             for name, array in arrays.items():
-                array[...] = np.frombuffer(memory, array.dtype, array.size, places[name]).reshape(array.shape)
+                if array.flags.writeable:
+                    array[...] = np.frombuffer(memory, array.dtype, array.size, places[name]).reshape(array.shape)
             return arrays["counts"].tolist()
 
         return draw

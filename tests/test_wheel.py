@@ -3,49 +3,91 @@
 import os
 import subprocess
 import sys
+import tarfile
 import tomllib
+import zipfile
+from importlib.metadata import packages_distributions, requires
+from pathlib import PurePosixPath
 
 import numpy as np
 import pytest
+from packaging.requirements import Requirement
 from PIL import Image
 
 from proofs.engine.theorem import all_theorems
 from renderer import Scene, render
 from renderer.picture.views import to_bytes
-from verify.sources import ROOT
+from verify.sources import ROOT, imported
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-EXAMINE = """
-from proofs.engine.theorem import all_theorems
-from verify.checkers.proof_checker import examine
-theorems = all_theorems()
-print(len(theorems), examine(theorems["unit_length"], theorems).grade)
+LARGEST = 1.5e6  # bytes
+SCRIPT = """
+import multiprocessing
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+import renderer
+from renderer import Frame, Light, Scene, central, exact, gradient_at, height_at, pixel, render, stage_of
+
+
+def drawn(beta: float) -> bytes:
+    scene = Scene(beta=beta, lights=(Light((5.0, 5.0, 10.0)),))
+    numeric: Frame = render(scene, 200, 150, gradient=central(eps=1e-3), stage=stage_of(scene, 200, 150))
+    assert gradient_at(scene, 0.31, 0.47, exact())[0].shape == height_at(scene, 0.31, 0.47).shape
+    assert np.array_equal(numeric.rgb[75, 100], pixel(scene, 200, 150, 100, 75, central(eps=1e-3)).rgb)
+    return numeric.rgb.tobytes()
+
+
+if __name__ == "__main__":
+    expected = [drawn(0.1), drawn(0.2)]
+    for method in multiprocessing.get_all_start_methods():
+        with multiprocessing.get_context(method).Pool(2) as pool:
+            assert pool.map(drawn, [0.1, 0.2]) == expected, method
+    with ThreadPoolExecutor(4) as threads:
+        assert list(threads.map(drawn, [0.1, 0.2] * 4)) == expected * 4
+    print(renderer.__version__)
 """
 
 
+def installing(*command, cwd):
+    """Run a command that needs a package index; where there is none, the tests are skipped or fail."""
+    done = subprocess.run([sys.executable, "-m", *command], cwd=cwd, capture_output=True, text=True)
+    if done.returncode:
+        reason = f"the wheel cannot be installed: {done.stderr.strip().splitlines()[-1]}"
+        if os.environ.get("REQUIRE_NOTEBOOKS") == "1":
+            pytest.fail(f"{reason}, and REQUIRE_NOTEBOOKS=1")
+        pytest.skip(reason)
+
+
 @pytest.fixture(scope="module")
-def installed(tmp_path_factory):
-    """The folder of the commands of an environment that has the wheel and what it needs, and nothing else."""
+def built(tmp_path_factory):
+    """The folder of the wheel and of the sources' archive, as the build's own program makes them."""
+    folder = tmp_path_factory.mktemp("built")
+    installing("pip", "install", "-q", "--target", folder / "hatchling", "hatchling>=1.27", cwd=folder)
+    settings = os.environ | {"PYTHONPATH": str(folder / "hatchling")}
+    command = [sys.executable, "-m", "hatchling", "build", "-d", folder / "built"]
+    subprocess.run(command, cwd=ROOT, env=settings, check=True, capture_output=True)
+    return folder / "built"
+
+
+@pytest.fixture(scope="module")
+def installed(built, tmp_path_factory):
+    """The folder of the commands of an environment that has the wheel, what it needs, pytest, and nothing else."""
     folder = tmp_path_factory.mktemp("wheel")
     subprocess.run([sys.executable, "-m", "venv", "--without-pip", folder / "environment"], check=True)
     commands = folder / "environment" / "bin"
-    pip = [sys.executable, "-m", "pip", "--quiet", "--disable-pip-version-check", "--python", commands / "python"]
-    install = ["install", "--no-compile", "symbolic-rendering", "-f", folder]  # Python compiles what is imported
-    for arguments in (["wheel", "--no-deps", ROOT, "-w", folder], install):
-        done = subprocess.run([*pip, *arguments], cwd=folder, capture_output=True, text=True)
-        if done.returncode:
-            reason = f"the wheel cannot be installed: {done.stderr.strip().splitlines()[-1]}"
-            if os.environ.get("REQUIRE_NOTEBOOKS") == "1":
-                pytest.fail(f"{reason}, and REQUIRE_NOTEBOOKS=1")
-            pytest.skip(reason)
+    pip = ["pip", "--quiet", "--disable-pip-version-check", "--python", commands / "python"]
+    wanted = ["--no-compile", next(built.glob("*.whl")), "pytest"]  # Python compiles what is imported
+    installing(*pip, "install", *wanted, cwd=folder)
     return commands
 
 
-def run(*command, cwd):
+def run(*command, cwd, status=0):
     """Run a command away from the repository; return what it prints."""
     settings = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
-    done = subprocess.run(command, cwd=cwd, env=settings, capture_output=True, text=True)
-    assert done.returncode == 0, done.stdout + done.stderr
+    done = subprocess.run(command, cwd=cwd, env=settings, capture_output=True, text=True, timeout=120)
+    assert done.returncode == status, done.stdout + done.stderr
     return done.stdout
 
 
@@ -64,7 +106,61 @@ def test_it_checks_every_certificate(installed, tmp_path):
     assert accepted == total and len(printed) == 1 + len(list((ROOT / "proofs" / "certificates").glob("*.json")))
 
 
-def test_it_examines_a_theorem(installed, tmp_path):
-    number, grade = run(installed / "python", "-c", EXAMINE, cwd=tmp_path).split(maxsplit=1)
-    assert int(number) == len(all_theorems())
-    assert grade.strip() == "proved"
+def test_it_checks_theorems_in_an_empty_folder(installed, tmp_path):
+    """Two of them here: one, and the one that it uses."""
+    two = ["-k", "unit_length or tangent_frame", "-p", "no:cacheprovider"]
+    printed = run(installed / "python", "-m", "pytest", "--pyargs", "verify", "-q", *two, cwd=tmp_path)
+    assert f"2 passed, {len(all_theorems()) - 2} deselected" in printed
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_strangers_script(installed, tmp_path):
+    """It forks, spawns and draws from threads, and its types are checked from outside."""
+    (tmp_path / "script.py").write_text(SCRIPT)
+    assert run(installed / "python", "script.py", cwd=tmp_path) == f"{PROJECT['version']}\n"
+    mypy = [sys.executable, "-m", "mypy", "--strict", "--python-executable", installed / "python", "script.py"]
+    assert run(*mypy, cwd=tmp_path).startswith("Success")
+    (tmp_path / "script.py").write_text(SCRIPT.replace("Scene(beta=beta", "Scene(field=beta"))
+    assert 'Argument "field" to "Scene" has incompatible type "float"' in run(*mypy, cwd=tmp_path, status=1)
+
+
+def test_what_is_in_the_wheel_and_in_the_archive(built):
+    (wheel,), (archive,) = built.glob("*.whl"), built.glob("*.tar.gz")
+    assert max(wheel.stat().st_size, archive.stat().st_size) < LARGEST
+    with zipfile.ZipFile(wheel) as packed, tarfile.open(archive) as sources:
+        held = {PurePosixPath(name) for name in packed.namelist()}
+        of_sources = {PurePosixPath(*PurePosixPath(name).parts[1:]) for name in sources.getnames()}
+        (metadata,) = (packed.read(str(path)).decode() for path in held if path.name == "METADATA")
+    code = {path for path in held if not path.parts[0].endswith(".dist-info")}
+    assert {path.parts[0] for path in code} == {"proofs", "renderer", "verify"}
+    assert code - of_sources == {PurePosixPath("verify/references.bib")}  # of book/
+    assert {path for path in code if path.name.startswith("test_")} == {PurePosixPath("verify/test_theorems.py")}
+    assert not {path for path in of_sources if path.parts[:1] == ("releases",)}
+    for told in ("Author: Dr. L. Van Warren", "Keywords: ", "Classifier: Private :: Do Not Upload"):
+        assert f"\n{told}" in metadata
+    assert "\nLicense" not in metadata  # none has been chosen
+
+
+def needed(requirements):
+    """Return the names of the distributions that requirements bring along, themselves included."""
+    waiting, found = [Requirement(text) for text in requirements], set()
+    while waiting:
+        one = waiting.pop()
+        name = one.name.lower().replace("_", "-")
+        if name == PROJECT["name"]:
+            waiting += [Requirement(text) for extra in one.extras for text in PROJECT["optional-dependencies"][extra]]
+        elif name not in found and (one.marker is None or one.marker.evaluate({"extra": ""})):
+            found.add(name)
+            waiting += [Requirement(text) for text in requires(name) or ()]
+    return found
+
+
+def test_the_extra_of_the_book_has_all_that_the_book_imports():
+    names = {
+        name.split(".")[0] for path in (ROOT / "book").rglob("*.py") for name in imported(path.read_text("utf-8"))[0]
+    }
+    homes = packages_distributions()
+    book = needed([*PROJECT["dependencies"], f"{PROJECT['name']}[book]"])
+    lacking = {n for n in names & homes.keys() if not book & {home.lower().replace("_", "-") for home in homes[n]}}
+    assert "filelock" in names and "sphinx" in names
+    assert lacking == set()

@@ -54,6 +54,7 @@ def scene_values(scene: Scene, **others: Any) -> dict[str, Any]:
     for name, triple in (("ambient", scene.ambient), ("albedo_a", scene.albedo_a), ("albedo_b", scene.albedo_b)):
         values |= {f"{name}_{c}": value for c, value in zip(CHANNELS, triple, strict=True)}
     for number, light in enumerate(lights_on(scene)):
+        assert light.color is not None  # it is on
         values |= {s.name: p for s, p in zip(light_position(number), light.position, strict=True)}
         values |= {s.name: c for s, c in zip(light_color(number), light.color, strict=True)}
     return values

@@ -1,1 +1,1 @@
-"""The commands of `python -m renderer`: image, sweep, views."""
+"""The commands of `python -m renderer`: image, views, sweep, doctor."""

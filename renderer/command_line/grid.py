@@ -23,7 +23,7 @@ from renderer.picture.sweep import SweepRow, Task, compared
 from renderer.scene.geometry import geometry_of
 from renderer.scene.methods import difference
 from renderer.scene.scene import Scene
-from renderer.whole_files import checked_target
+from renderer.whole_files import checked_target, sole_writer
 
 BATCH_TASKS, BATCH_PIXELS = (4, 16), 2**23  # what a worker is given at once, and what is lost if it is killed
 _START = b'{"key": '
@@ -49,12 +49,40 @@ class Checkpoint:
     """The results kept in a .jsonl file: `rows`, by the key of their task.
 
     A line is {"key": …, "task": …, "row": …}. A last line without an end (its writer was killed) is dropped. Raises
-    ValueError if the file cannot be written or holds anything but results. One sweep at a time may write to it.
+    ValueError if the file cannot be written, holds anything but results, or is written by another sweep. It is this
+    one's until `close`, or the end of a `with`.
     """
 
     def __init__(self, path: str | Path):
-        self.path, self.rows = checked_target(path, (".jsonl",), "checkpoint"), {}
-        content = self.path.read_bytes() if self.path.exists() else b""
+        self.path = checked_target(path, (".jsonl",), "checkpoint")
+        self.rows: dict[str, SweepRow] = {}
+        try:
+            self._own = sole_writer(self.path)
+        except OSError as error:
+            busy = isinstance(error, BlockingIOError)
+            allowed = "one that no other sweep is writing" if busy else f"a file that can be written ({error.strerror})"
+            raise not_allowed("checkpoint", str(self.path), allowed) from None
+        try:
+            self._read()
+        except ValueError:
+            self.close()
+            raise
+
+    def __enter__(self) -> "Checkpoint":
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Let others write to the file, which is removed if nothing is kept in it."""
+        if not self._own.closed and os.fstat(self._own.fileno()).st_size == 0:
+            self.path.unlink(missing_ok=True)
+        self._own.close()
+
+    def _read(self):
+        """Read the results, and drop a last line without an end."""
+        content = self.path.read_bytes()
         *lines, torn = content.split(b"\n")
         for number, line in enumerate(lines, 1):
             try:

@@ -60,7 +60,7 @@ def stream(
             yield render(scene, width, height, gradient, block, threads)
 
     with whole_file(path) as name:
-        (_write_npy if Path(path).suffix == ".npy" else _write_tiff)(name, raster.shape, frames)
+        (_write_npy if path.suffix.lower() == ".npy" else _write_tiff)(name, raster.shape, frames)
     return raster.shape
 
 

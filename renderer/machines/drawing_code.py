@@ -4,7 +4,6 @@ from collections.abc import Mapping
 
 import llvmlite.ir as ir
 
-from renderer.machines.enclosing import enclosing_group
 from renderer.machines.stills import MOVING, Stills, vectors
 from renderer.machines.traced import BYTE, FLOAT, WHOLE, Tracer, Value
 from renderer.operations import Number
@@ -68,6 +67,8 @@ def emit(module: ir.Module, name: str, want: Want, lanes: int, stills: Stills | 
     for moving in MOVING:
         vars(scene)[moving].still = None
     if want.bounds:
+        from renderer.machines.enclosing import enclosing_group  # what most pictures never need to import
+
         bounds = of_form(SCENE_FORM, tracer.numbers(address("scene_bounds", FLOAT), SCENE_FORM))
     tracer.light_numbers, tracer.light_count = address("lights", FLOAT), given["light_count"]
     kept, group = address("stills", tracer.vector), tracer.reserve(WHOLE)

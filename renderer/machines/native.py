@@ -1,6 +1,6 @@
 """The shader as machine code for this processor, compiled by LLVM when it is first wanted and kept for the process.
 
-Where the environment variable SYMBOLIC_RENDERING_CODE names a folder, the code is kept there for other processes too.
+`renderer.machines.kept_code` keeps it for other processes too.
 """
 
 import ctypes
@@ -9,7 +9,7 @@ import os
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from threading import Lock
+from threading import RLock
 from typing import Any
 
 import llvmlite
@@ -18,13 +18,15 @@ import llvmlite.ir as ir
 from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options  # since 0.44
 
 from renderer.kernels import HEIGHT_EVALUATIONS
-from renderer.machines import Job
+from renderer.machines import Job, kept_code
 from renderer.machines.drawing_code import ARGUMENTS, INPUT_BOUNDS, emit
 from renderer.shader.shader import WORK, Want
-from renderer.whole_files import whole_file
 
 NAME = "llvm"
-_compiling = Lock()
+_compiling = RLock()
+if hasattr(os, "register_at_fork"):  # a child that began while another thread compiles would find LLVM half-way
+    release = _compiling.release
+    os.register_at_fork(before=_compiling.acquire, after_in_parent=release, after_in_child=release)
 
 
 @cache
@@ -70,17 +72,14 @@ def _processor():
 
 def _object_code(text, target):
     """Return the object code (bytes) of a module's text: compiled, or as an earlier process of this kind left it."""
-    folder = os.environ.get("SYMBOLIC_RENDERING_CODE")
-    if not folder:
-        return target.emit_object(optimized(text, target))
     how = Path(__file__).read_text(encoding="utf-8")
-    key = hashlib.sha256("\n".join([llvmlite.__version__, _processor(), how, text]).encode()).hexdigest()
-    path = Path(folder, f"{key}.o")
-    if not path.is_file():
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with whole_file(path) as unfinished:
-            Path(unfinished).write_bytes(target.emit_object(optimized(text, target)))
-    return path.read_bytes()
+    versions = f"{llvmlite.__version__} {llvm.llvm_version_info}"
+    key = hashlib.sha256("\n".join([versions, _processor(), how, text]).encode()).hexdigest()
+    code = kept_code.load(key)
+    if code is None:
+        code = target.emit_object(optimized(text, target))
+        kept_code.save(key, code)
+    return code
 
 
 def machine_code(emit_into: Callable, *what: Any) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:

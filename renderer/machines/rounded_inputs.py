@@ -12,6 +12,7 @@ from renderer.scene.methods import exact
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import flat, of_form, scene_numbers
+from renderer.shared import read_only
 
 
 def _lengths(scene):
@@ -58,4 +59,6 @@ def input_bounds(scene: Scene, raster: Raster, wide: int) -> tuple[np.ndarray, n
     of_x, of_y = of_image_points(scene, raster)
     padded = np.zeros(wide)
     padded[: len(of_x)] = of_x
-    return padded, of_y, np.array(flat(of_scene(scene, scene_numbers(scene, exact()))))
+    of_numbers = np.array(flat(of_scene(scene, scene_numbers(scene, exact()))))
+    read_only(padded, of_y, of_numbers)
+    return padded, of_y, of_numbers

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from renderer.checks import not_allowed
+from renderer.checks import check_kind, not_allowed
 from renderer.picture.frame import Frame
 from renderer.picture.stage import Stage, shading_of
 from renderer.picture.threads import checked_threads
-from renderer.scene.methods import GradientMethod, exact
+from renderer.scene.methods import GradientMethod, checked_method, exact
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.shader.shader import BOUNDS, COLORS, WORK
@@ -15,8 +15,11 @@ from renderer.shader.shader import BOUNDS, COLORS, WORK
 def stage_of(
     scene: Scene, width: int, height: int, crop: tuple[int, int, int, int] | None = None, threads: int | None = None
 ) -> Stage:
-    """Return the Stage of a scene on a raster: give it to `render` to draw sphere A alone, again and again."""
-    stage = Stage(scene, Raster(width, height, crop))
+    """Return the Stage of a scene on a raster: give it to `render` to draw sphere A alone, again and again.
+
+    Raises ValueError that names what is not allowed.
+    """
+    stage = Stage(check_kind("scene", scene, Scene), Raster(width, height, crop))
     stage.draw(scene, exact(), checked_threads(threads), {}, colors=False)
     return stage
 
@@ -41,15 +44,11 @@ def render(
     earlier frame has no colours any more. bounds: whether `Frame.bounds` and `Frame.open` are wanted: the same picture,
     drawn whole. Raises ValueError that names what is not allowed.
     """
-    method = gradient if gradient is not None else exact()
-    if not isinstance(scene, Scene):
-        raise not_allowed("scene", scene, "a Scene")
-    if not isinstance(method, GradientMethod):
-        raise not_allowed("gradient", method, "exact(), central(eps), forward(eps) or central4(eps)")
-    if not isinstance(bounds, bool):
-        raise not_allowed("bounds", bounds, "True or False")
+    method = checked_method("gradient", gradient if gradient is not None else exact())
+    check_kind("scene", scene, Scene)
+    check_kind("bounds", bounds, bool, "True or False")
     raster, threads = Raster(width, height, crop), checked_threads(threads)
-    if stage is not None and not stage.serves(scene, raster):
+    if stage is not None and not (isinstance(stage, Stage) and stage.serves(scene, raster)):
         raise not_allowed("stage", stage, "one made for the same lengths, lights and raster")
     fits = isinstance(into, Frame) and stage is into.stage and shading_of(scene) == shading_of(into.scene)
     if into is not None and not fits:

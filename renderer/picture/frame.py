@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from renderer.checks import not_allowed
+from renderer.checks import check_whole, not_allowed
 from renderer.kernels import FIELDS, bumped_normal, chart, light_cosine, point_on_a, slope
 from renderer.machines import machine
 from renderer.picture.stage import SURFACE_BITS, Stage
@@ -14,6 +14,7 @@ from renderer.scene.methods import GradientMethod
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import way_of
 from renderer.shader.shader import ON_A
+from renderer.shared import read_only
 
 SURFACES = {"pixels_a": 1, "pixels_b": 2, "pixels_floor": 3}
 
@@ -65,20 +66,24 @@ class Frame:
 
         Raises ValueError if it has handed them over.
         """
-        if self._planes is None:
-            raise not_allowed("into", self, "another frame has been drawn into it")
-        planes, self._planes = self._planes, None
+        planes, self._planes = self._held("into"), None
         return planes
 
+    def _held(self, name):
+        """Return the memory of the colours, or raise ValueError if it is handed over."""
+        if self._planes is None:
+            raise not_allowed(name, self, "another frame has been drawn into it")
+        return self._planes
+
     @property
-    def planes(self) -> np.ndarray | None:
-        """(3, height, width) float64 in [0, 1]; None when they are handed over."""
-        return None if self._planes is None else self._planes[..., : self.raster.shape[1]]
+    def planes(self) -> np.ndarray:
+        """(3, height, width) float64 in [0, 1]. Raises ValueError when they are handed over."""
+        return self._held("frame")[..., : self.raster.shape[1]]
 
     @property
     def rgb(self) -> np.ndarray:
-        """(height, width, 3) float64 in [0, 1]."""
-        return np.moveaxis(self.planes, 0, -1)  # type: ignore[arg-type]  # an error if they are handed over
+        """(height, width, 3) float64 in [0, 1]. Raises ValueError when they are handed over."""
+        return np.moveaxis(self.planes, 0, -1)
 
     @property
     def bounded(self) -> bool:
@@ -111,7 +116,7 @@ class Frame:
 
     @property
     def chambers(self) -> np.ndarray:
-        """(height, width) uint8."""
+        """(height, width) uint8, read-only: every frame of the stage has the same."""
         return self.stage.chambers
 
     @cached_property
@@ -123,7 +128,9 @@ class Frame:
         planes = {name: self.stage.new_plane() for name in ON_A}
         want: dict[str, Any] = {"chambers_known": True, "surfaces": "a", "colors": False, "stored": ON_A}
         self.stage.draw(replace(self.scene, beta=1.0), self.method, 1, planes, **want)
-        return np.stack([planes[name][:, : self.raster.shape[1]][self.stage.on_a] for name in ON_A])
+        on_a = np.stack([planes[name][:, : self.raster.shape[1]][self.stage.on_a] for name in ON_A])
+        read_only(on_a)
+        return on_a
 
     @cached_property
     @np.errstate(all="ignore")
@@ -141,8 +148,12 @@ class Frame:
     def light_cosines(self, light: int) -> np.ndarray:
         """Return μ = N'·ω of light number `light` on sphere A, (height, width) float64, NaN off A.
 
-        Its sign decides the attached shadow; a cast shadow of B is not looked at.
+        Its sign decides the attached shadow; a cast shadow of B is not looked at. Raises ValueError on a number that
+        no light of the scene has.
         """
+        if not self.scene.lights:
+            raise not_allowed("light", light, "none, as the scene has no light")
+        light = check_whole("light", light, len(self.scene.lights) - 1, low=0)
         angles, gradient = self.planes_on_a[:4], self.planes_on_a[4:]
         normal = bumped_normal(*angles, *gradient, self.scene.beta)
         point, position = point_on_a(*angles, self.scene.radius), self.scene.lights[light].position
@@ -157,9 +168,12 @@ class Frame:
     def surface_data(self) -> dict[str, np.ndarray]:
         """What is known of sphere A: a dict of (height, width) float64 planes, NaN off A.
 
-        u, v, h, h_u, h_v (by the frame's method), slope, kink (1 or 0), and straddling (1 or 0) for a difference.
+        u, v, h, h_u, h_v (by the frame's method), slope, kink (1 or 0), and straddling (1 or 0) for a difference. They
+        are read-only, and so are `chambers` and `planes_on_a`, which more than one answer is made from.
         """
-        return {name: self._plane(values, np.nan) for name, values in self._on_a.items()}
+        data = {name: self._plane(values, np.nan) for name, values in self._on_a.items()}
+        read_only(*data.values())
+        return data
 
     @property
     def kink(self) -> np.ndarray:

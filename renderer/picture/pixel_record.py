@@ -6,11 +6,13 @@ from typing import Any
 import numpy as np
 
 from renderer import kernels
+from renderer.checks import check_whole
 from renderer.machines import Job
 from renderer.machines.numpy_rows import Row, Rows
 from renderer.picture.drawing import render
 from renderer.picture.stage import SURFACE_BITS
 from renderer.scene.methods import GradientMethod
+from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import FIRST_LIGHT_BIT, SCENE_FORM, numbers_of, of_form, want_of
 from renderer.shader.shader import COLORS, Group
@@ -58,6 +60,9 @@ def pixel(
 
     `normal` is N' on sphere A. Its rgb is bit for bit that of `render`. Raises ValueError as `render` does.
     """
+    raster = Raster(width, height)
+    column = check_whole("column", column, raster.width - 1, low=0)
+    row = check_whole("row", row, raster.height - 1, low=0)
     frame = render(scene, width, height, gradient, crop=(column, row, 1, 1), threads=1)
     code = int(frame.chambers[0, 0])
     record: dict[str, Any] = {

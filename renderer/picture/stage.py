@@ -12,7 +12,6 @@ import numpy as np
 
 from renderer.checks import not_allowed
 from renderer.machines import Job, machine
-from renderer.machines.rounded_inputs import input_bounds
 from renderer.picture.memory import lent
 from renderer.picture.threads import run_bands
 from renderer.scene.geometry import geometry_of
@@ -21,6 +20,7 @@ from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import numbers_of, places_of, want_of
 from renderer.shader.shader import COLORS, WORK
+from renderer.shared import read_only
 
 SURFACE_BITS = 3
 PITCH = 16  # rows of planes are as long as whole groups of pixels, whatever the machine's lanes
@@ -40,7 +40,14 @@ def _prepared(geometry, raster):
     square = reach * (1 + 1e-9) - y * y
     half = np.where(square < 0.0, -np.inf, np.sqrt(np.maximum(square, 0.0)))
     of_a = np.stack([x.searchsorted(-half), x.searchsorted(half, "right")], axis=1).astype(np.int64)
+    read_only(wide, y, everywhere, of_a)
     return wide, y, everywhere, of_a
+
+
+def _bounds(scene, raster, wide):
+    from renderer.machines.rounded_inputs import input_bounds  # what most pictures never need to import
+
+    return input_bounds(scene, raster, wide)
 
 
 def band_rows(rows: int, columns: int) -> int:
@@ -53,7 +60,7 @@ class Stage:
 
     chambers: (height, width) uint8. Bits 0–1 are the surface (0 none, 1 A, 2 B, 3 floor), bit 2 + i says that light i
     is occluded by another body (0 for a light that is off), bit 7 that the floor square is dark. x: (width,) image
-    points of the columns, y: (height,) of the rows.
+    points of the columns, y: (height,) of the rows. Frames share all of these: they are read-only.
     """
 
     def __init__(self, scene: Scene, raster: Raster):
@@ -66,6 +73,7 @@ class Stage:
         self.x = self._x[: raster.shape[1]]
         self._codes = self.new_plane(np.uint8)
         self.chambers = self._codes[:, : raster.shape[1]]
+        read_only(self.chambers)
         self._elsewhere: tuple[Any, Any] = (None, None)
 
     def new_plane(self, kind: type = np.float64, channels: int | None = None) -> np.ndarray:
@@ -92,7 +100,7 @@ class Stage:
         """
         raster = self.raster_of(of_a=want.get("surfaces") == "a")
         numbers = numbers_of(scene, method)
-        bounds = input_bounds(scene, self.raster, len(raster[0])) if want.get("bounds") else None
+        bounds = _bounds(scene, self.raster, len(raster[0])) if want.get("bounds") else None
         job = Job(*numbers, *raster, {"code": self._codes} | planes, bounds)
         draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)
         starts = range(0, len(self.y), rows)

@@ -9,15 +9,13 @@ from typing import Any
 import numpy as np
 
 from renderer import whole_files
-from renderer.checks import check_choice
+from renderer.checks import check_choice, check_kind
 from renderer.picture.differences import DIGITS, EVERY_DIGIT, certain_digits, distance_on_a, rounded_up
 from renderer.picture.drawing import render
-from renderer.scene.methods import DIFFERENCES, GradientMethod, difference, exact
+from renderer.scene.methods import DECADES, DIFFERENCES, GradientMethod, checked_method, difference, exact
 from renderer.scene.raster import Raster
-from renderer.scene.scene import Scene
+from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene
 
-DECADES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
-MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
 HEADINGS = {"largest": "max |dI| on A", "rms": "RMS on A"}
 """{what is enclosed: its heading}"""
 
@@ -32,8 +30,9 @@ class Task:
     height: int
 
     def __post_init__(self):
+        check_kind("scene", self.scene, Scene)
         Raster(self.width, self.height)
-        check_choice("gradient", self.method.name, DIFFERENCES)
+        check_choice("gradient", checked_method("gradient", self.method).name, DIFFERENCES)
 
 
 @dataclass(frozen=True)

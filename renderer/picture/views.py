@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from renderer.checks import check_number, extra
+from renderer.checks import check_kind, check_number, extra
 from renderer.picture.frame import Frame
 
 if TYPE_CHECKING:
@@ -30,20 +30,20 @@ def to_bytes(rgb: np.ndarray) -> np.ndarray:
 
 
 def image_view(frame: Frame) -> np.ndarray:
-    """Return the picture itself: (height, width, 3) uint8, sRGB."""
-    return to_bytes(frame.rgb)
+    """Return the picture itself: (height, width, 3) uint8, sRGB. Raises ValueError unless it is of a Frame."""
+    return to_bytes(check_kind("frame", frame, Frame).rgb)
 
 
 def slope_view(frame: Frame, highest: float | None = None) -> np.ndarray:
     """Return |∇h| on sphere A in grey, from 0 to `highest` (default: the largest in the frame); black off A."""
-    slope = frame.slope
+    slope = check_kind("frame", frame, Frame).slope
     highest = slope.max() if highest is None else check_number("highest", highest, 0.0)
     return np.repeat(_bytes(slope / highest if highest > 0 else 0.0 * slope)[..., None], 3, axis=2)
 
 
 def kink_view(frame: Frame) -> np.ndarray:
     """Return the kink flags in white over the dimmed picture: (height, width, 3) uint8."""
-    return np.where(frame.kink[..., None], np.uint8(255), to_bytes(frame.rgb) // 3)
+    return np.where(check_kind("frame", frame, Frame).kink[..., None], np.uint8(255), to_bytes(frame.rgb) // 3)
 
 
 def difference_linear(delta: np.ndarray | float, gain: float = 100.0) -> np.ndarray:

@@ -2,12 +2,13 @@
 
 from dataclasses import dataclass
 
-from renderer.checks import check_choice, check_number, not_allowed
+from renderer.checks import check_choice, check_kind, check_number, not_allowed
 from renderer.kernels import HEIGHT_EVALUATIONS
 
 DIFFERENCES = tuple(HEIGHT_EVALUATIONS)
 METHODS = ("exact", *DIFFERENCES)
 FORMS = ("auto", "general", "algebraic")
+DECADES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  # steps of a table
 SMALLEST_STEP = 1e-40  # a jump of h over a smaller step, times the largest β, squared, would overflow
 
 
@@ -30,6 +31,11 @@ class GradientMethod:
                 raise not_allowed("eps", self.eps, "None for the exact gradient")
         else:
             object.__setattr__(self, "eps", check_number("eps", self.eps, SMALLEST_STEP, 0.5))
+
+
+def checked_method(name: str, method: GradientMethod) -> GradientMethod:
+    """Return `method`, or raise ValueError unless it is one; `name` is what the message calls it."""
+    return check_kind(name, method, GradientMethod, "exact(), central(eps), forward(eps) or central4(eps)")
 
 
 def difference(name: str, eps: float) -> GradientMethod:

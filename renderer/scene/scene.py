@@ -7,6 +7,8 @@ from renderer.checks import check_choice, check_number, check_triple, not_allowe
 from renderer.kernels import FIELDS, LIGHT_MODELS
 
 MODELS = tuple(LIGHT_MODELS)
+MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
+"""The fields that no chamber depends on."""
 MAX_LIGHTS = 5
 MAX_WAVE_NUMBER = 2.0**20
 

@@ -3,8 +3,9 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
+from renderer.checks import check_kind, not_allowed
 from renderer.kernels import FIELDS, MAX_ALGEBRAIC
-from renderer.scene.methods import GradientMethod
+from renderer.scene.methods import GradientMethod, checked_method
 from renderer.scene.scene import Scene
 from renderer.shader.shader import difference
 
@@ -35,7 +36,10 @@ def uses_algebraic_form(scene: Scene, method: GradientMethod) -> bool:
 
 
 def _chart_points(u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    x, y = np.broadcast_arrays(np.asarray(u, np.float64), np.asarray(v, np.float64))
+    try:
+        x, y = np.broadcast_arrays(np.asarray(u, np.float64), np.asarray(v, np.float64))
+    except (TypeError, ValueError):
+        raise not_allowed("(u, v)", (u, v), "numbers, or arrays of shapes that go together") from None
     inside = (x >= 0) & (x < 1) & (y >= 0) & (y <= 1)
     if not inside.all():
         raise ValueError(f"(u, v) = ({x[~inside][0]}, {y[~inside][0]}) is not allowed: u in [0, 1), v in [0, 1]")
@@ -45,6 +49,7 @@ def _chart_points(u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
 @np.errstate(all="ignore")
 def height_at(scene: Scene, u: ArrayLike, v: ArrayLike) -> np.ndarray:
     """Return h(u, v) of the scene's field, an array of the broadcast shape. Raises ValueError off the chart."""
+    check_kind("scene", scene, Scene)
     return np.array(FIELDS[scene.field]["height"](*_chart_points(u, v), scene.ku, scene.kv))
 
 
@@ -52,8 +57,11 @@ def height_at(scene: Scene, u: ArrayLike, v: ArrayLike) -> np.ndarray:
 def gradient_at(scene: Scene, u: ArrayLike, v: ArrayLike, method: GradientMethod) -> tuple[np.ndarray, np.ndarray]:
     """Return (h_u, h_v) at chart points by `method` (exact: the general form), arrays of the broadcast shape.
 
-    u ∈ [0, 1), v ∈ [0, 1], else ValueError.
+    u ∈ [0, 1), v ∈ [0, 1], else ValueError; so too where `render` refuses the method for the scene.
     """
+    check_kind("scene", scene, Scene)
+    if checked_method("method", method).name == "exact":
+        uses_algebraic_form(scene, method)
     here = _chart_points(u, v)
     field, waves = FIELDS[scene.field], (scene.ku, scene.kv)
     if method.name == "exact":

@@ -15,6 +15,7 @@ from renderer.scene.methods import GradientMethod, exact
 from renderer.scene.scene import Light, Scene
 from renderer.shader.gradients import algebraic_powers, uses_algebraic_form
 from renderer.shader.shader import FLOOR, NOTHING, Want
+from renderer.shared import read_only
 
 FIRST_LIGHT_BIT = 2
 AS_GIVEN = ("eye", "radius", "ku", "kv", "beta", "kd", "ks", "shininess", "albedo_a", "albedo_b")
@@ -128,4 +129,6 @@ def numbers_of(scene: Scene, method: GradientMethod) -> tuple[np.ndarray, np.nda
         for number, (light, box) in enumerate(zip(scene.lights, boxes, strict=True))
         if box is not None
     ]
-    return np.array(flat(scene_numbers(scene, method))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))
+    found = np.array(flat(scene_numbers(scene, method))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))
+    read_only(*found)
+    return found

@@ -4,12 +4,14 @@ A case's name is renderer_side_threads. No frame is kept: two of 8192² at once 
 """
 
 import itertools
+import os
 import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 from renderer import Scene, central, exact, render, stage_of
 from renderer.scene.methods import GradientMethod
@@ -97,7 +99,7 @@ def image_gradient_case() -> Case:
     """Return the case of the exact gradient alone, from (x, y) to (h_u, h_v) at the pixels of A: nothing is drawn."""
     stage = stage_of(A_ALONE, IN_CACHE, IN_CACHE)
     planes = {name: stage.new_plane() for name in ON_A}
-    options = {"chambers_known": True, "surfaces": "a", "colors": False, "stored": ON_A}
+    options: dict[str, Any] = {"chambers_known": True, "surfaces": "a", "colors": False, "stored": ON_A}
     work = partial(stage.draw, A_ALONE, exact("algebraic"), 1, planes, **options)
     return Case("image_gradient", work, calls(IN_CACHE), unit="ns", points=int(stage.on_a.sum()))
 
@@ -121,7 +123,8 @@ main(["image", "--size", "2048", "--out", f"{sys.argv[1]}/a.png"])
 
 def _from_nothing(program):
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([sys.executable, "-c", program, folder], cwd=ROOT, capture_output=True, check=True)
+        command, settings = [sys.executable, "-c", program, folder], os.environ | {"SYMBOLIC_RENDERING_CODE": "off"}
+        subprocess.run(command, cwd=ROOT, env=settings, capture_output=True, check=True)
 
 
 def start_cases() -> list[Case]:

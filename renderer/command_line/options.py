@@ -1,0 +1,154 @@
+"""What the command line is given: the options of each verb, and the scene, the size and the method that they say."""
+
+import argparse
+import re
+import sys
+from argparse import Namespace
+from collections.abc import Callable, Collection
+from dataclasses import fields
+from functools import partial
+from typing import Any, NoReturn
+
+import renderer
+from renderer.scene.methods import DECADES, DIFFERENCES, METHODS, GradientMethod, exact
+from renderer.scene.scene import MOVE_NO_BOUNDARY, Light, Scene
+
+Option = dict[str, Any]  # what argparse is told of one
+
+
+class OneLineParser(argparse.ArgumentParser):
+    """A parser that says what is wrong in one line, and takes -1e-3 and -6,2,8 for values, not for options."""
+
+    def __init__(self, *arguments: Any, **options: Any):
+        super().__init__(*arguments, **options | {"allow_abbrev": False})
+        self._negative_number_matcher = re.compile(r"-(\d|\.|inf|nan)")  # argparse's own knows no exponent and no list
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(2, f"{self.prog}: error: {message}\n")
+
+
+class Version(argparse.Action):
+    """Says the version and ends; it is looked up when it is asked for, which takes a while where it is installed."""
+
+    def __init__(self, *arguments: Any, **options: Any):
+        super().__init__(*arguments, **options | {"nargs": 0})
+
+    def __call__(self, parser: argparse.ArgumentParser, *arguments: Any, **options: Any) -> None:
+        print(parser.prog, renderer.__version__)
+        parser.exit()
+
+
+def value(read: Callable[[str], Any], allowed: str, metavar: str) -> Option:
+    """Return argparse's options for a value: `read` makes it of a text, or raises ValueError."""
+
+    def parse(text):
+        try:
+            return read(text)
+        except ValueError:
+            raise argparse.ArgumentTypeError(f"{text!r} is not allowed: {allowed}") from None
+
+    return {"type": parse, "metavar": metavar}
+
+
+def several(one: Option) -> Option:
+    """Return argparse's options for values with commas between them, of those for one."""
+    read = one["type"]
+    return one | {"type": lambda text: [read(item) for item in text.split(",")], "metavar": one["metavar"] + ",..."}
+
+
+def numbers(kind: Callable[[str], Any], lengths: Collection[int], form: str, metavar: str) -> Option:
+    """Return argparse's options for a tuple of numbers, "a,b,c", of one of the lengths."""
+
+    def read(text):
+        found = tuple(kind(item) for item in text.split(","))
+        if len(found) not in lengths:
+            raise ValueError
+        return found
+
+    return value(read, form, metavar)
+
+
+NAME, WHOLE, NUMBER = value(str, "", "NAME"), value(int, "a whole number", "N"), value(float, "a number", "X")
+TRIPLE = numbers(float, (3,), "X,Y,Z", "X,Y,Z")
+LIGHT = numbers(float, (3, 6), "X,Y,Z or X,Y,Z,R,G,B", "X,Y,Z[,R,G,B]")
+KINDS: dict[Any, Option] = {str: NAME, float: NUMBER, tuple: TRIPLE, bool: {"action": "store_false"}}
+RASTER = {
+    "--size": WHOLE | {"default": "256", "help": "width and height (default: %(default)s)"},
+    "--width": WHOLE | {"help": "width, if it is not --size"},
+    "--height": WHOLE | {"help": "height, if it is not --size"},
+    "--threads": WHOLE | {"help": "threads for a frame (default: all cores)"},
+}
+GRADIENT = {
+    "--gradient": NAME | {"default": "exact", "help": f"{', '.join(METHODS)} (default: %(default)s)"},
+    "--eps": NUMBER | {"default": 1e-3, "help": "step of a difference (default: 1e-3)"},
+}
+OUT = "a .png; - for one in a pipe; a .npz with every buffer; of any size, in bands: a .npy (float64) or a tiled .tif"
+OF_IMAGE: dict[str, Option] = {
+    "--out": {"required": True, "metavar": "FILE", "help": OUT},
+    "--bounds": {"metavar": "FILE", "help": "write how far off each colour is at most, and what is open, to a .npz"},
+    "--crop": numbers(int, (4,), "LEFT,TOP,WIDTH,HEIGHT", "L,T,W,H") | {"help": "draw this part of the raster alone"},
+    **GRADIENT,
+    **RASTER,
+}
+OF_VIEWS = {
+    "--out": {"required": True, "metavar": "FOLDER", "help": "the folder to write to; it is made if need be"},
+    "--gain": NUMBER | {"default": 100.0, "help": "of the linear map (default: 100)"},
+    **GRADIENT,
+    "--gradient": GRADIENT["--gradient"] | {"default": "central"},
+    **RASTER,
+}
+OF_SWEEP = {
+    "--eps": several(NUMBER) | {"nargs": "+", "default": [DECADES], "help": "steps (default: 1e-1 ... 1e-6)"},
+    "--gradient": several(NAME) | {"default": "central", "help": f"{', '.join(DIFFERENCES)} (default: central)"},
+    "--csv": {"metavar": "FILE", "help": "write the table to a .csv too"},
+    "--no-facts": {"action": "store_true", "help": "print the table alone"},
+    "--checkpoint": {"metavar": "FILE", "help": "a .jsonl that keeps every result: a killed sweep goes on from it"},
+    "--workers": WHOLE | {"help": "threads that draw frames of a grid (default: all cores), each --threads 1"},
+    "--dask": {"metavar": "ADDRESS", "help": "workers of the Dask scheduler there, such as tcp://host:8786"},
+    **RASTER,
+    "--size": several(RASTER["--size"]),
+}
+
+
+def add_scene(parser: argparse.ArgumentParser, lists: bool) -> None:
+    """Add an option for every field of Scene; with `lists`, those that move no boundary take several values."""
+    group = parser.add_argument_group("scene (defaults are the chapter's)", argument_default=argparse.SUPPRESS)
+    for field in fields(Scene):
+        option, kind, what = field.name.replace("_", "-"), KINDS[field.type], field.metadata["help"]
+        if field.name == "lights":
+            option, kind = "light", LIGHT | {"action": "append"}
+        elif field.type is bool:
+            option = f"no-{option}"
+        else:
+            what += f" (default: {field.default})"
+        if lists and field.name in MOVE_NO_BOUNDARY:
+            kind = several(kind)
+        group.add_argument(f"--{option}", dest=field.name, help=what, **kind)
+
+
+def scene_of(options: Namespace) -> Scene:
+    """Return the Scene of the options."""
+    given = {field.name: getattr(options, field.name) for field in fields(Scene) if field.name in options}
+    if "lights" in given:
+        given["lights"] = [Light(light[:3], light[3:] or (1.0, 1.0, 1.0)) for light in given["lights"]]
+    return Scene(**given)
+
+
+def size_of(options: Namespace, size: int) -> tuple[int, int]:
+    """Return (width, height): `size` where --width and --height are not given."""
+    width, height = (size if side is None else side for side in (options.width, options.height))
+    return width, height
+
+
+def method_of(options: Namespace) -> GradientMethod:
+    """Return the gradient method."""
+    is_exact = options.gradient == "exact"
+    difference = GradientMethod("central" if is_exact else options.gradient, options.eps)  # a bad step is never let by
+    return exact() if is_exact else difference
+
+
+def progress_bar(**options: Any) -> Callable:
+    """Return what wraps an iterable with a bar on stderr, where that is a terminal, if it takes more than a second."""
+    from tqdm import tqdm
+
+    return partial(tqdm, delay=1.0, disable=not sys.stderr.isatty(), leave=False, **options)
