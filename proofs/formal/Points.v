@@ -109,8 +109,6 @@ Theorem specular_lipschitz__mirror__point : exists n : vector, magnitude n = 1.
 Proof. exists (1, 0, 0). exact a_unit. Qed.
 Theorem specular_lipschitz__phong__point : exists P L n : vector, 0 < magnitude (difference L P) /\ magnitude n = 1.
 Proof. exists (0, 0, 0), (1, 0, 0), (1, 0, 0). split; [exact a_distance | exact a_unit]. Qed.
-Theorem difference_bound__any_lights__point : exists (f : vector -> R) (l : R), 0 <= l /\ forall n m, Rabs (f n - f m) <= l * magnitude (difference n m).
-Proof. exists (fun _ => 0), 0. split; [lra|]. intros. rewrite Rminus_0_r, Rabs_R0. lra. Qed.
 Theorem squared_highlight__is_blinn__point : exists px py pz lx ly lz vx vy vz,
   0 < (lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2 /\ 0 < blinn.halfway_length px py pz lx ly lz vx vy vz.
 Proof.
