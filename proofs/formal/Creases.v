@@ -82,11 +82,13 @@ Proof.
   intro H. generalize (H (1/2) 1 0 (1/2) Z B) PI_RGT_0. rewrite (proj1 (straddling__of_the_difference 0 (1/2) 1 1 0 (1/2) 0 Z) Rlt_0_1 B (or_introl (ex_intro _ 1%Z eq_refl))).
   rewrite sine_of_a_right_angle, !Rmult_0_r, sin_0, cos_0, Rabs_R1. lra.
 Qed.
+Lemma times_its_sign (w : R) : w * sign w = Rabs w.
+Proof. destruct (Rtotal_order w 0) as [L|[->|L]]; [rewrite sign_eq_m1, Rabs_left by lra | rewrite sign_0, Rabs_R0 | rewrite sign_eq_1, Rabs_pos_eq by lra]; ring. Qed.
 Lemma slope_beside (c s x w : R) : c ^ 2 = 1 -> s <> 0 -> x * c * sign (s * c * w) * w = sign s * x * Rabs w.
 Proof.
   intros C S. assert (C1 : c = 1 \/ c = -1) by (assert (Z : (c - 1) * (c + 1) = 0) by lra; apply Rmult_integral in Z; destruct Z; lra).
-  rewrite !sign_mult. assert (W : sign w * w = Rabs w) by (destruct (Rtotal_order w 0) as [L|[->|L]]; [rewrite sign_eq_m1, Rabs_left by lra | rewrite sign_0, Rabs_R0 | rewrite sign_eq_1, Rabs_pos_eq by lra]; ring).
-  rewrite <- W. destruct C1 as [-> | ->]; [rewrite (sign_eq_1 1) by lra | rewrite (sign_eq_m1 (-1)) by lra]; ring.
+  rewrite !sign_mult.
+  rewrite <- (times_its_sign w). destruct C1 as [-> | ->]; [rewrite (sign_eq_1 1) by lra | rewrite (sign_eq_m1 (-1)) by lra]; ring.
 Qed.
 Theorem straddling__of_the_slope (u v k_u k_v d : R) (m : Z) :
   (0 < k_u -> 0 < Rabs d < 1 / k_u -> gradient_ridges.h_u (IZR m / k_u + d) v k_u k_v = sign d * PI * k_u * cos (PI * (k_u * d)) * Rabs (sin (PI * (k_v * v)))) /\

@@ -88,12 +88,6 @@ Theorem image_derivative__phong_derives__point : exists (n : R -> R) (beta d : R
 Proof. exact image_derivative__mu_derives__point. Qed.
 Theorem pole__one_limit__point : exists k_u : R, forall u, k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = k_u ^ 2 / 4.
 Proof. exists 2. intro u. field. Qed.
-Theorem crease_error_area__tents__point : exists epsilon : R, 0 < epsilon.
-Proof. exists 1. lra. Qed.
-Theorem crease_error_area__mean_of_a_square__point : exists k : nat, (0 < k)%nat.
-Proof. exists 1%nat. lia. Qed.
-Theorem crease_error_area__in_u__point : exists k_u epsilon : R, 0 < k_u /\ 0 < epsilon.
-Proof. exists 1, 1. lra. Qed.
 Theorem normal_by_beta__tangent_to_directions__point : exists nx ny nz gx gy gz beta,
   0 < (beta * gx + nx) ^ 2 + (beta * gy + ny) ^ 2 + (beta * gz + nz) ^ 2.
 Proof. exists 1, 0, 0, 0, 0, 0, 0. lra. Qed.
