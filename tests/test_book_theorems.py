@@ -8,6 +8,7 @@ from functools import partial
 import pytest
 from bs4 import BeautifulSoup
 from docutils import nodes
+from sympy import evaluate, pi, symbols
 
 from book.assembly import report, stamps
 from book.extension import theorems as book_theorems
@@ -16,8 +17,11 @@ from book.extension.dependencies import rows
 from book.extension.elements import typeset
 from book.extension.evidence import evidence_line, findings
 from book.extension.points import tex_point, tex_value
+from book.extension.printed_claims import rows as rows_of
 from book.extension.theorems import Proofs, placements
+from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.theorem import all_theorems
+from proofs.formulas.half_turns import sinpi
 from tests import one_page
 from tests.processes import python
 from verify import formal
@@ -80,6 +84,26 @@ def test_statement_on_the_page_is_the_checked_objects(build_page):
     assert statement_in(page) == THEOREMS["kink_loci"].words
     assert 'href="#theorem-kink_loci">Theorem 1 (The creases are rays and circles)</a>' in page
     assert "pytest verify --theorem kink_loci" in re.sub(r"<[^>]+>", "", page)
+
+
+def test_claims_stand_below_their_clauses_as_mathematics(build_page):
+    page, _ = build_page(":::{theorem} kink_loci\n:::")
+    shown = BeautifulSoup(page, "html.parser").select("details > .claim")
+    claims = [claim for clause in THEOREMS["kink_loci"].clauses for claim in clause.claims]
+    assert [table["aria-label"] for table in shown] == [f"Claim {claim.name}" for claim in claims]
+    for table, claim in zip(shown, claims, strict=True):
+        assert [row.get_text() for row in table.select("dd")] == [rf"\({row.tex}\)" for row in rows_of(claim)]
+
+
+def test_a_printed_claim_is_the_object_as_written():
+    """A number after a factor has a dot, a product of sines has parentheses, and nothing is put in order."""
+    x, cos_theta = symbols("x cos_theta", real=True)
+    with evaluate(False):
+        claim = Claim("c", (equation(pi * 2 * sinpi(x) * cos_theta**2, 0 + x),), (greater(x, 1),))
+    said, given = r"\pi \cdot 2 \sin(\pi x) (\cos\theta)^{2} = 0 + x", ("given", "x > 1")
+    assert rows_of(claim) == [given, ("shows", said)]
+    assert rows_of(claim, by_definition=(str(claim.shows[0]),)) == [given, ("by definition", said)]
+    assert rows_of(claim, refuted=True)[-1].role == "false"
 
 
 def test_words_stand_for_a_statement_which_is_folded_away(build_page):

@@ -357,7 +357,11 @@ def lint(program: str, *arguments) -> None:
 
 @pytest.mark.parametrize(
     ("name", "commands"),
-    [("publish", (".ci/run", "make release-notes", "book/_build/html")), ("weekly", (".ci/run", ".ci/long"))],
+    [
+        ("publish", (".ci/run", "make release-notes", "book/_build/html")),
+        ("weekly", (".ci/run", ".ci/long")),
+        ("checks", (".ci/run", "3.14", "macos", "windows", "pytest -q verify", "tests/test_wheel.py")),
+    ],
 )
 def test_the_workflows_are_valid_pinned_and_without_secrets(name, commands):
     path = stamps.ROOT / ".github" / "workflows" / f"{name}.yml"

@@ -101,6 +101,18 @@ def test_what_is_not_proved_is_not_accepted(tmp_path, monkeypatch):
         formal.compile_files()
 
 
+@needs_coq
+def test_coqs_own_checker_refuses_a_file_that_coq_did_not_compile_so(tmp_path):
+    (tmp_path / "One.v").write_text("Theorem one : 1 = 1. Proof. reflexivity. Qed.", encoding="utf-8")
+    subprocess.run([*formal.COQC, "One.v"], cwd=tmp_path, check=True)
+    formal.check_again(tmp_path, ["One"])
+    compiled = bytearray((tmp_path / "One.vo").read_bytes())
+    compiled[len(compiled) // 2] ^= 1
+    (tmp_path / "One.vo").write_bytes(compiled)
+    with pytest.raises(formal.NotAccepted, match="coqchk does not accept"):
+        formal.check_again(tmp_path, ["One"])
+
+
 AXIOM = "Axiom three : 1 + 1 = 3."
 ONE, TWO = (f"From Formal Require Import {other}.\n" for other in ("Two", "One"))
 REFUSED = [

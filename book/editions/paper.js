@@ -6,7 +6,8 @@
 async function put_on_paper(names) {
   const still =
     "On paper the simulator stands still. It runs in the chapter's site, and in its single file; here are its figures.";
-  const active = "a.headerlink, script, noscript, link, button, input, select, textarea, canvas, dialog, img.only-dark";
+  const active =
+    "a.headerlink, script, noscript, link, button, input, select, textarea, canvas, dialog, img.only-dark, .claim";
   await Chapter.ready(); // then MathJax is there
   document.documentElement.dataset.theme = "light";
   const pages = Chapter.pages.filter(({ dataset: { page = "" } }) =>

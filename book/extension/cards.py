@@ -21,8 +21,8 @@ from book.extension.elements import TEMPLATES, Filled, directive, filled, role
 from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.points import point
+from book.extension.printed_claims import rows
 from book.extension.theorems import GRADES, Here, certificate, kind, module_and_line, script
-from proofs.engine.theorem import Theorem
 from verify import formal
 from verify.survey import AXIOMS
 
@@ -63,22 +63,10 @@ def coq(name: str, statement: str) -> Markup:
     return Markup(KEYWORDS.sub(r'<span class="k">\1</span>', words))
 
 
-def in_coq(theorem: Theorem, entry: dict) -> tuple[dict[tuple, dict[str, str]], int, int]:
-    """A theorem's statements by the clauses that they say, () of the one, and how many points and false variants.
-
-    A claim that is proved as it is printed stands with the clauses that it says.
-    """
-    record, said = entry["formal"], {}
-    points, false = (sum(name.endswith(end) for name in record["statements"]) for end in ("__point", "__false"))
-    numbered = list(enumerate(theorem.clauses, start=1)) if len(theorem.clauses) > 1 else []
-    claims = {f"{theorem.id}__{claim.name}": claim for claim in theorem.claims}
-    clauses = {name: tuple(n for n, clause in numbered if claims[name] in clause.claims) for name in record["printed"]}
-    clauses |= {name: tuple(record["clauses"].get(name, ())) for name in record["statements"]}
-    texts = record["printed"] | record["statements"]
-    for name in sorted(texts, key=lambda name: clauses[name]):
-        if not name.endswith(("__point", "__false")):
-            said.setdefault(clauses[name], {})[name] = texts[name]
-    return said, points, false
+def beside(statements: dict[str, str]) -> tuple[dict[str, str], int, int]:
+    """Of what Coq says beside a theorem's claims: the additions, how many points, and how many false variants."""
+    points, false = (sum(name.endswith(end) for name in statements) for end in ("__point", "__false"))
+    return {n: text for n, text in statements.items() if not n.endswith(formal.BESIDE)}, points, false
 
 
 def axioms(names: list[str]) -> str:
@@ -100,5 +88,5 @@ def theorem_reference(here: SphinxRole) -> list[nodes.Node]:
     return [link(book.label(id) if style == "short" else book.name(id), book.card(id))]
 
 
-TEMPLATES.globals.update(GRADES=GRADES, axioms=axioms, coq=coq, count=count, evidence_line=evidence_line, in_coq=in_coq)
-TEMPLATES.globals.update(killed=killed, kind=kind, point=point)
+TEMPLATES.globals.update(GRADES=GRADES, axioms=axioms, coq=coq, count=count, evidence_line=evidence_line, beside=beside)
+TEMPLATES.globals.update(killed=killed, kind=kind, point=point, rows=rows)

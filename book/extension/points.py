@@ -15,7 +15,20 @@ LONG = 10**9  # numerators and denominators above are given to six digits
 
 
 def tex_name(name: str) -> str:
-    return TEX.get(name) or (latex(Symbol(name)) if name.isidentifier() else rf"\texttt{{{name}}}".replace("_", r"\_"))
+    """A symbol's name in TeX: the chapter's letter, a letter with an index, or a word, upright."""
+    if name in TEX:
+        return TEX[name]
+    base, _, index = name.partition("_")
+    if not name.isidentifier() or (_is_word(base) and len(index) > 1):
+        return rf"\mathrm{{{name}}}".replace("_", r"\_")
+    letter, *below = [
+        rf"\mathrm{{{part}}}" if _is_word(part) else latex(Symbol(part)) for part in (base, index) if part
+    ]
+    return letter + "".join(f"_{{{part}}}" for part in below)
+
+
+def _is_word(part):
+    return len(part) > 1 and "_" not in part and latex(Symbol(part)) == part
 
 
 def tex_value(text: str) -> str:

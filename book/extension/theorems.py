@@ -20,7 +20,7 @@ from verify import formal
 CLAIMS_PAGE = "findings"
 THEOREMS = stamps.ROOT / "proofs" / "theorems"
 GRADES = {  # shape, letter and meaning of each, in the order of the page of findings
-    "formal": ("■", "F", "stated over the printed formulas clause for clause, accepted by Coq's kernel; also proved"),
+    "formal": ("■", "F", "each claim, as it is printed, is accepted by Coq's kernel; also proved, or measured"),
     "proved": ("●", "P", "two checkers accepted a certificate, the samples agree, the false variants were refuted"),
     "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),
     "argued": ("◐", "A", "as proved, but for the words in green, which no claim says"),
@@ -65,7 +65,7 @@ class Proofs:
 
     def label(self, id: str) -> str:
         """The name by which pages call it: "Theorem 3", or "Claim 4" if it is not proved."""
-        word = "Theorem" if kind(self.entries[id]["grade"]) in ("proved", "argued") else "Claim"
+        word = "Theorem" if kind(self.entries[id]["shown"]) in ("formal", "proved", "argued") else "Claim"
         return f"{word} {list(self.places).index(id) + 1}"
 
     def users(self, id: str) -> list[str]:
@@ -84,7 +84,7 @@ def load(book: Path) -> Proofs:
         if entry["formal"]:
             printed = statements(theorems[id])
             entry["formal"] |= {"printed": {name: printed[name] for name in entry["formal"]["claims"]}}
-        whole = formal.whole(theorems[id], entry["formal"]) and entry["grade"] in ("proved", "argued")
+        whole = formal.whole(theorems[id], entry["formal"]) and entry["grade"] in ("proved", "argued", "measured")
         entry["shown"] = "formal" if whole else entry["grade"]
     return Proofs(theorems, entries, placements(book, theorems))
 

@@ -1,10 +1,11 @@
 // A claim that a link leads to opens. What is too wide for its column scrolls in itself, and its edge fades while there
 // is more: the Tab key then reaches it, and the arrow keys move it. On a phone a picture's panels stand one below the other,
-// and a table that is too wide becomes a list.
+// and a table that is too wide becomes a list. A claim's formulas are typeset when it is opened.
 // The theme does so for code and tables; here are figures, formulas, theorems and graphs.
 "use strict";
 (() => {
-  const SCROLLS = "figure .pixels, mjx-container[display], .math, .admonition, .graph, .theorem > p, .theorem details";
+  const SCROLLS =
+    "figure .pixels, mjx-container[display], .math, .admonition, .graph, .claim, .theorem > p, .theorem details";
   const PHONE = matchMedia("(max-width: 600px)");
   const FOCUSABLE = "a[href], button, input, select, textarea, summary, [tabindex='0']";
 
@@ -60,22 +61,20 @@
   function list(table) {
     if (table.offsetWidth <= (table.parentElement?.clientWidth ?? 0)) return;
     const names = Array.from(table.tHead?.rows[0].cells ?? [], (head) => head.textContent.trim());
-    /** @type {NodeListOf<HTMLTableCellElement>} */
-    const cells = table.querySelectorAll("tbody td:not(:first-child)");
-    for (const cell of cells) cell.dataset.column = cell.textContent.trim() && names[cell.cellIndex];
+    for (const cell of table.querySelectorAll(/** @type {"td"} */ ("tbody td:not(:first-child)")))
+      cell.dataset.column = cell.textContent.trim() && names[cell.cellIndex];
     table.classList.add("as-list");
   }
 
   /** @param {Element} page */
   function mend(page) {
     if (PHONE.matches) {
-      /** @type {NodeListOf<HTMLImageElement>} */
-      const images = page.querySelectorAll("img[data-panels][src]");
-      /** @type {NodeListOf<HTMLTableElement>} */
-      const tables = page.querySelectorAll("table.table:not(.as-list)");
-      images.forEach(stack);
-      tables.forEach(list);
+      page.querySelectorAll(/** @type {"img"} */ ("img[data-panels][src]")).forEach(stack);
+      page.querySelectorAll(/** @type {"table"} */ ("table.table:not(.as-list)")).forEach(list);
     }
+    const rows = page.querySelectorAll("details[open] > .claim > .unset");
+    for (const row of rows) row.className = "math";
+    if (rows[0]) window.MathJax?.typesetPromise?.([...rows]);
     page.querySelectorAll(SCROLLS).forEach(put_into_reach);
     page.querySelectorAll(`${SCROLLS}, .pst-scrollable-table-container, pre`).forEach(fade);
   }
@@ -92,8 +91,7 @@
 
   function open_claim() {
     const place = document.getElementById(location.hash.slice(1));
-    const claim = place?.closest(".ledger-list > li")?.querySelector("details");
-    if (claim) claim.open = true;
+    place?.closest(".ledger-list > li")?.querySelector("details")?.setAttribute("open", "");
   }
 
   addEventListener("hashchange", open_claim);

@@ -127,4 +127,18 @@ class Induction(Changeable):
     ranges: tuple[tuple[Symbol, tuple], ...] = ()
 
 
+@dataclass(frozen=True)
+class Rounded(Changeable):
+    """For all float64 inputs: if `given` holds, a program that float64 carries out is near its value in real numbers.
+
+    program: one whose float64 operations are printed for Coq, which alone proves it. bounds: ((output, how far it is
+    off at most), …). given: relations over the inputs, which are finite.
+    """
+
+    name: str
+    program: Program
+    bounds: tuple[tuple[Symbol, Basic], ...]
+    given: tuple[Basic, ...] = ()
+
+
 AnyClaim = Claim | Separation | Induction

@@ -9,7 +9,7 @@ from typing import Any
 
 from sympy import Basic, Symbol
 
-from proofs.engine.claim import AnyClaim, Claim, number
+from proofs.engine.claim import AnyClaim, Claim, Rounded, number
 
 GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition", "proved", "refuted")
 WITHOUT_CLAIMS = ("cited", "measured", "certified")
@@ -101,7 +101,8 @@ class Theorem:
     is `refuted`, and its mutants are the true variants, which that point must not refute. expected: the grade that a
     run has to reach, where the rest does not say it. Without claims it is `measured` or `certified`, by a function in
     verify/checkers/measurements, or `cited`; source: the bibliography's key of what is cited, or of the analysis that a
-    proved theorem takes among its hypotheses (then it is proved, given that source).
+    proved theorem takes among its hypotheses (then it is proved, given that source). rounded: what Coq alone proves, of
+    float64's own operations.
     """
 
     id: str
@@ -116,6 +117,7 @@ class Theorem:
     refuted_at: Any = None
     expected: str = ""
     source: str = ""
+    rounded: tuple[Rounded, ...] = ()
 
     def __post_init__(self):
         if not isinstance(self.statement, str):
@@ -133,14 +135,14 @@ class Theorem:
             raise ValueError(f"{self.id}: needs at least two mutants")
         if self.expected == "cited" and not self.source:
             raise ValueError(f"{self.id}: what is cited needs a source")
-        names = [claim.name for claim in self.claims]
-        if len(set(names)) < len(names) or (checked and not names):
+        names = [claim.name for claim in (*self.claims, *self.rounded)]
+        if len(set(names)) < len(names) or (checked and not self.claims):
             raise ValueError(f"{self.id}: claims need different names")
-        if unknown := {c.claim for c in self.side_conditions} - set(names):
+        if unknown := {c.claim for c in self.side_conditions}.difference(names):
             raise ValueError(f"{self.id}: side conditions of unknown claims {sorted(unknown)}")
         if any(not clause.argued for clause in self.argued):
             raise ValueError(f"{self.id}: a clause without a claim needs a reason")
-        if (self.expected == "refuted") != (self.refuted_at is not None and len(names) == 1):
+        if (self.expected == "refuted") != (self.refuted_at is not None and len(self.claims) == 1):
             raise ValueError(f"{self.id}: a refuted statement, and no other, has a point, and one claim")
 
     @property

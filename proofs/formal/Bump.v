@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Vectors.
+From Formal Require Import Preliminaries Formulas Vectors BumpClaims.
 Open Scope R_scope.
 
 Ltac unfold_vectors :=
@@ -120,7 +120,6 @@ Proof.
   intro H. generalize (length_squared (M 0 0 1 0 1)). rewrite H, m_squared. lra.
 Qed.
 
-(* For |a|, |b| >= 1: |a/|a| - b/|b|| <= min(|a - b|, 2). *)
 Lemma cauchy_schwarz (a b : vector) : dot a b <= magnitude a * magnitude b /\ - (magnitude a * magnitude b) <= dot a b.
 Proof.
   assert (L : dot a b ^ 2 <= (magnitude a * magnitude b) ^ 2).
@@ -130,37 +129,15 @@ Proof.
   split; nra.
 Qed.
 
-Theorem (* clause 1 *) normalising_is_lipschitz__normalise (a b : vector) : 1 <= magnitude a -> 1 <= magnitude b ->
+(* For |a|, |b| >= 1: |a/|a| - b/|b|| <= min(|a - b|, 2). *)
+Lemma normalised_apart (a b : vector) : 1 <= magnitude a -> 1 <= magnitude b ->
   magnitude (difference (scaled (/ magnitude a) a) (scaled (/ magnitude b) b)) <= Rmin (magnitude (difference a b)) 2.
 Proof.
-  intros Ha Hb. destruct (cauchy_schwarz a b) as [C D].
-  assert (E : magnitude (difference (scaled (/ magnitude a) a) (scaled (/ magnitude b) b)) ^ 2 = 2 - 2 * (dot a b / (magnitude a * magnitude b))).
-  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (vector_sum _ _)), !dot_sum, !dot_scaled, !(dot_comm _ (scaled _ _)),
-      !dot_scaled, (dot_comm b a), <- !length_squared. field. lra. }
-  assert (F : magnitude (difference a b) ^ 2 = magnitude a ^ 2 + magnitude b ^ 2 - 2 * dot a b).
-  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (vector_sum _ _)), !dot_sum, !(dot_comm _ (scaled _ _)), !dot_scaled,
-      !(dot_comm _ (scaled _ _)), !dot_scaled, (dot_comm b a), <- !length_squared. ring. }
-  set (q := dot a b / (magnitude a * magnitude b)) in *.
-  assert (P : 1 <= magnitude a * magnitude b) by nra.
-  assert (Q : dot a b = q * (magnitude a * magnitude b)) by (unfold q; field; lra).
-  assert (Q1 : -1 <= q <= 1).
-  { rewrite Q in C, D. split; nra. }
-  apply Rmin_glb; (apply le_of_squares; [try apply length_nonneg; lra|]).
-  - rewrite E, F, Q. assert (0 <= (1 - q) * (magnitude a * magnitude b - 1)) by (apply Rmult_le_pos; lra).
-    generalize (pow2_ge_0 (magnitude a - magnitude b)). nra.
-  - rewrite E. lra.
-Qed.
-Theorem normalising_is_lipschitz__normalise__point : exists a b, 1 <= magnitude a /\ 1 <= magnitude b.
-Proof. exists (1, 0, 0), (0, 1, 0). unfold magnitude, dot. split; (replace 1 with (sqrt 1) at 1 by apply sqrt_1); apply sqrt_le_1_alt; lra. Qed.
-(* Inside the unit ball it is not so. *)
-Theorem normalising_is_lipschitz__normalise__false : ~ forall a b : vector, 0 < magnitude a -> 0 < magnitude b ->
-  magnitude (difference (scaled (/ magnitude a) a) (scaled (/ magnitude b) b)) <= Rmin (magnitude (difference a b)) 2.
-Proof.
-  intro H. assert (L : forall x, 0 <= x -> magnitude (x, 0, 0) = x /\ magnitude (0, x, 0) = x).
-  { intros x Hx. unfold magnitude, dot. split; apply Rsqr_inj; try apply sqrt_pos; trivial; rewrite Rsqr_sqrt; unfold Rsqr; nra. }
-  generalize (H (1/2, 0, 0) (0, 1/2, 0)). destruct (L (1/2)) as [E F]; [lra|]. rewrite E, F. intro K.
-  assert (P : 0 < 1/2) by lra. generalize (K P P). clear. intro K.
-  generalize (Rle_trans _ _ _ K (Rmin_l _ _)). clear K. intro K. apply sqrt_le_0 in K; unfold dot, difference, vector_sum, scaled in *; lra.
+  destruct a as [[ax ay] az] eqn:A, b as [[bx by_] bz] eqn:B. rewrite <- A, <- B. intros La Lb. set (d := difference (scaled _ _) _).
+  destruct (normalising_is_lipschitz__normalise ax ay az (magnitude (difference a b)) bx by_ bz (magnitude a) (magnitude b) (dot a b) (magnitude d))
+    as (_ & _ & _ & _ & _ & _ & _ & _ & _ & _ & _ & E & _ & F);
+    try (apply Rle_ge; assumption || apply length_nonneg); rewrite ?length_squared; subst a b; [unfold d, difference, vector_sum, scaled, dot, Rdiv; ring..|].
+  apply Rmin_glb; lra.
 Qed.
 
 (* The change of N' with that of g: |N'_1 - N'_2| <= min(|beta| |g_1 - g_2|, 2). *)
@@ -169,7 +146,7 @@ Proof.
   unfold magnitude. rewrite dot_scaled, dot_comm, dot_scaled, <- Rmult_assoc.
   rewrite sqrt_mult_alt by (generalize (pow2_ge_0 s); nra). f_equal. apply sqrt_Rsqr_abs.
 Qed.
-Theorem (* clause 2 *) normalising_is_lipschitz__bump (theta phi a_u a_v b_u b_v beta : R) :
+Theorem normalising_is_lipschitz__bump (theta phi a_u a_v b_u b_v beta : R) :
   magnitude (difference (M theta phi a_u a_v beta) (M theta phi b_u b_v beta)) = Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v)) /\
   magnitude (difference (N' theta phi a_u a_v beta) (N' theta phi b_u b_v beta)) <=
   Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
@@ -177,7 +154,7 @@ Proof.
   rewrite !bumped_is_scaled, <- length_scaled.
   replace (scaled beta (difference (g theta phi a_u a_v) (g theta phi b_u b_v)))
     with (difference (M theta phi a_u a_v beta) (M theta phi b_u b_v beta)) by (unfold_vectors; f_equal; [f_equal|]; ring).
-  split; [reflexivity | apply normalising_is_lipschitz__normalise; apply m_length_at_least_1].
+  split; [reflexivity | apply normalised_apart; apply m_length_at_least_1].
 Qed.
 (* It is no equality: |dN'| is at most 2. *)
 Theorem normalising_is_lipschitz__bump__false : ~ forall theta phi a_u a_v b_u b_v beta,
@@ -200,25 +177,6 @@ Proof.
     normal_is_unit. ring.
 Qed.
 
-Lemma lagrange (a b : vector) : dot (cross a b) (cross a b) = dot a a * dot b b - dot a b ^ 2.
-Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. unfold dot, cross. ring. Qed.
-
-Lemma bumped_is_unit (theta phi h_u h_v beta : R) : dot (N' theta phi h_u h_v beta) (N' theta phi h_u h_v beta) = 1.
-Proof. rewrite <- length_squared, (proj2 (proj2 (unit_length_length _ _ _ _ _))). ring. Qed.
-
-(* |N x N'|^2 = beta^2 |g|^2 (N.N')^2. *)
-Theorem angle_of_the_bump__angle (theta phi h_u h_v beta : R) :
-  let n := normal_at theta phi in let n' := N' theta phi h_u h_v beta in let tangent := g theta phi h_u h_v in
-  dot n n' = / magnitude (M theta phi h_u h_v beta) /\ 0 < dot n n' /\
-  dot (cross n n') (cross n n') = beta ^ 2 * dot tangent tangent * dot n n' ^ 2.
-Proof.
-  cbv zeta. rewrite normal_dot_bumped. generalize (m_length_at_least_1 theta phi h_u h_v beta). intro L.
-  split; [reflexivity|]. split; [apply Rinv_0_lt_compat; lra|].
-  rewrite lagrange, normal_is_unit, bumped_is_unit, normal_dot_bumped, g_squared.
-  generalize (length_squared (M theta phi h_u h_v beta)). rewrite m_squared. intro E.
-  field_simplify_eq; [|lra]. rewrite E. ring.
-Qed.
-
 (* The angle is arctan(|beta| |g|): its cosine is N.N'. *)
 Theorem angle_of_the_bump__arctangent (theta phi h_u h_v beta : R) :
   acos (dot (normal_at theta phi) (N' theta phi h_u h_v beta)) = atan (Rabs beta * magnitude (g theta phi h_u h_v)).
@@ -232,11 +190,6 @@ Proof.
     destruct T0 as [P|P]; [left; rewrite <- atan_0; apply atan_increasing; exact P | rewrite <- P, atan_0; lra].
   - rewrite cos_atan. unfold magnitude. rewrite m_squared. unfold Rdiv. rewrite Rmult_1_l. do 2 f_equal. unfold Rsqr. lra.
 Qed.
-Theorem angle_of_the_bump__angle__false : ~ forall theta phi h_u h_v beta, dot (normal_at theta phi) (N' theta phi h_u h_v beta) = 1.
-Proof.
-  intro H. generalize (H 0 0 1 0 1). rewrite normal_dot_bumped. intro E.
-  generalize (length_squared (M 0 0 1 0 1)). rewrite m_squared. rewrite <- (Rinv_inv (magnitude _)), E. lra.
-Qed.
 
 (* How far the bump can move an attached shadow *)
 
@@ -245,7 +198,7 @@ Lemma dot_bumped (theta phi h_u h_v beta : R) (w : vector) :
 Proof. rewrite bumped_is_scaled, dot_scaled, m_is_sum, dot_sum, dot_scaled. ring. Qed.
 
 (* Where N.w > |beta| |g|, also N'.w > 0, and where N.w < - |beta| |g|, also N'.w < 0: the line moves only between; at beta = 0 not at all. *)
-Theorem shadow_line_moves_within__shadow_line (theta phi h_u h_v beta : R) (w : vector) : magnitude w = 1 ->
+Theorem shadow_line_moves_within__both_sides (theta phi h_u h_v beta : R) (w : vector) : magnitude w = 1 ->
   (dot (normal_at theta phi) w > Rabs beta * magnitude (g theta phi h_u h_v) -> dot (N' theta phi h_u h_v beta) w > 0) /\
   (dot (normal_at theta phi) w < - (Rabs beta * magnitude (g theta phi h_u h_v)) -> dot (N' theta phi h_u h_v beta) w < 0) /\
   (beta = 0 -> dot (N' theta phi h_u h_v beta) w = dot (normal_at theta phi) w).
@@ -260,14 +213,14 @@ Proof.
   - intro H. set (i := / _) in *. set (q := dot (normal_at theta phi) w + _) in *. assert (q < 0) by (unfold q; lra). nra.
   - intros ->. rewrite (length_of_unit (M theta phi h_u h_v 0)) by (rewrite m_squared; ring). rewrite Rinv_1. ring.
 Qed.
-Theorem shadow_line_moves_within__shadow_line__point : exists theta phi h_u h_v beta w,
+Theorem shadow_line_moves_within__both_sides__point : exists theta phi h_u h_v beta w,
   magnitude w = 1 /\ dot (normal_at theta phi) w > Rabs beta * magnitude (g theta phi h_u h_v).
 Proof.
   exists 0, 0, 1, 0, 0, (0, 0, 1). rewrite Rabs_R0. split; [apply length_of_unit; unfold dot; ring|].
   unfold_vectors. rewrite cos_0. lra.
 Qed.
 (* Where N.w > 0 alone it is not so. *)
-Theorem shadow_line_moves_within__shadow_line__false : ~ forall theta phi h_u h_v beta (w : vector), magnitude w = 1 ->
+Theorem shadow_line_moves_within__both_sides__false : ~ forall theta phi h_u h_v beta (w : vector), magnitude w = 1 ->
   dot (normal_at theta phi) w > 0 -> dot (N' theta phi h_u h_v beta) w > 0.
 Proof.
   intro H. assert (W : magnitude (0, -4/5, 3/5) = 1).
@@ -277,105 +230,16 @@ Proof.
   set (s := / magnitude (M 0 0 1 0 1)) in *. clearbody s. unfold_vectors. rewrite sin_0, cos_0 in *. nra.
 Qed.
 
-(* Small and large beta *)
-
-(* |N' - N| <= |beta| |g|. *)
-Theorem (* clause 1 *) normal_limits__small_beta (theta phi h_u h_v beta : R) :
-  magnitude (difference (N' theta phi h_u h_v beta) (normal_at theta phi)) <= Rabs beta * magnitude (g theta phi h_u h_v).
-Proof.
-  replace (normal_at theta phi) with (N' theta phi 0 0 beta) at 1.
-  - eapply Rle_trans; [apply normalising_is_lipschitz__bump|]. eapply Rle_trans; [apply Rmin_l|]. right. f_equal. f_equal.
-    unfold_vectors. f_equal; [f_equal|]; ring.
-  - rewrite bumped_is_scaled. replace (magnitude (M theta phi 0 0 beta)) with 1.
-    + rewrite Rinv_1. unfold_vectors. f_equal; [f_equal|]; ring.
-    + symmetry. apply length_of_unit. rewrite m_squared. ring.
-Qed.
-
-(* With equality at beta = 0, and where g = 0: N' = N. *)
-Theorem (* clause 3 *) normal_limits__zero (theta phi h_u h_v beta : R) : beta = 0 \/ g theta phi h_u h_v = (0, 0, 0) -> N' theta phi h_u h_v beta = normal_at theta phi.
+(* N' is N where beta or g is 0. *)
+Lemma normal_unmoved (theta phi h_u h_v beta : R) : beta = 0 \/ g theta phi h_u h_v = (0, 0, 0) -> N' theta phi h_u h_v beta = normal_at theta phi.
 Proof.
   intro H. assert (E : M theta phi h_u h_v beta = normal_at theta phi).
   { rewrite m_is_sum. destruct H as [-> | ->]; destruct (normal_at theta phi) as [[x y] z]; [destruct (g theta phi h_u h_v) as [[a b] c]|]; unfold vector_sum, scaled; f_equal; [f_equal| |f_equal|]; ring. }
   rewrite bumped_is_scaled, E, (length_of_unit (normal_at theta phi)), Rinv_1 by apply normal_is_unit. destruct (normal_at theta phi) as [[x y] z]. unfold scaled. f_equal; [f_equal|]; ring.
 Qed.
-Theorem normal_limits__zero__point : exists theta phi h_u h_v beta : R, beta = 0 \/ g theta phi h_u h_v = (0, 0, 0).
-Proof. exists 0, 0, 1, 1, 0. left. reflexivity. Qed.
-(* Elsewhere it is not. *)
-Lemma another_normal : N' 0 0 1 0 1 <> normal_at 0 0.
-Proof.
-  intro E. generalize (normal_dot_bumped 0 0 1 0 1) (length_squared (M 0 0 1 0 1)). rewrite E, normal_is_unit, m_squared. intros I L.
-  rewrite <- (Rinv_inv (magnitude _)), <- I, Rinv_1 in L. lra.
-Qed.
-Theorem normal_limits__zero__false : ~ forall theta phi h_u h_v beta, N' theta phi h_u h_v beta = normal_at theta phi.
-Proof. intro H. exact (another_normal (H 0 0 1 0 1)). Qed.
-Theorem (* clause 3 *) normal_limits__zero_height (theta phi beta : R) (h : R -> R -> R) : (forall u v, h u v = 0) -> forall u v,
-  N' theta phi (Derive (fun u => h u v) u) (Derive (fun v => h u v) v) beta = normal_at theta phi.
-Proof.
-  intros H u v. rewrite (Derive_ext _ (fun _ => 0)) by (intro; apply H). rewrite (Derive_ext (fun v => h u v) (fun _ => 0)) by (intro; apply H).
-  rewrite !Derive_const, bumped_is_scaled. replace (magnitude (M theta phi 0 0 beta)) with 1.
-  - rewrite Rinv_1. unfold_vectors. f_equal; [f_equal|]; ring.
-  - symmetry. apply length_of_unit. rewrite m_squared. ring.
-Qed.
-
-Theorem normal_limits__zero_height__false : ~ forall theta phi beta (h : R -> R -> R) u v, N' theta phi (Derive (fun u => h u v) u) (Derive (fun v => h u v) v) beta = normal_at theta phi.
-Proof.
-  intro H. generalize (H 0 0 1 (fun u _ => u) 0 0). rewrite Derive_id, Derive_const. exact another_normal.
-Qed.
-
-(* For beta and g not zero: |N' - sign(beta) g/|g|| <= 1/(|beta| |g|). *)
-Theorem (* clause 2 *) normal_limits__large_beta (theta phi h_u h_v beta : R) : let tangent := g theta phi h_u h_v in
-  beta <> 0 -> 0 < magnitude tangent ->
-  magnitude (difference (N' theta phi h_u h_v beta) (scaled (sign beta / magnitude tangent) tangent)) <= / (Rabs beta * magnitude tangent).
-Proof.
-  cbv zeta. intros B G. set (G0 := magnitude (g theta phi h_u h_v)) in *.
-  generalize (m_length_at_least_1 theta phi h_u h_v beta) (length_squared (M theta phi h_u h_v beta)).
-  rewrite m_squared, <- (g_squared theta phi), <- length_squared. fold G0. set (m := magnitude (M theta phi h_u h_v beta)). intros L E.
-  assert (B0 : 0 < Rabs beta) by (apply Rabs_pos_lt; exact B).
-  assert (A : sign beta * beta = Rabs beta /\ sign beta ^ 2 = 1).
-  { unfold Rabs. destruct (Rcase_abs beta) as [n|n]; [rewrite sign_eq_m1 | rewrite sign_eq_1]; try lra. }
-  destruct A as [A A2]. set (b := Rabs beta) in *. assert (B2 : beta ^ 2 = b ^ 2) by (unfold b; rewrite <- pow2_abs; reflexivity).
-  assert (D : magnitude (difference (N' theta phi h_u h_v beta) (scaled (sign beta / G0) (g theta phi h_u h_v))) ^ 2 = 2 - 2 * (b * G0 / m)).
-  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (vector_sum _ _)), !dot_sum, bumped_is_unit, !dot_scaled, !(dot_comm _ (scaled _ _)), !dot_scaled,
-      !(dot_comm (g _ _ _ _) (N' _ _ _ _ _)), dot_bumped, g_is_tangent, <- length_squared. fold G0 m.
-    transitivity (1 + sign beta ^ 2 - 2 * (sign beta * beta) * G0 / m); [field; lra|]. rewrite A, A2. field. lra. }
-  apply le_of_squares; [left; apply Rinv_0_lt_compat, Rmult_lt_0_compat; assumption|]. rewrite D. set (t := b * G0) in *.
-  assert (T : 0 < t) by (apply Rmult_lt_0_compat; assumption). assert (E' : m ^ 2 = 1 + t ^ 2) by (rewrite E, B2; unfold t; ring).
-  apply Rmult_le_reg_r with (t ^ 2 * m); [apply Rmult_lt_0_compat; nra|]. field_simplify; try lra.
-  assert (t <= m) by nra. nra.
-Qed.
-Theorem normal_limits__large_beta__point : exists theta phi h_u h_v beta : R, beta <> 0 /\ 0 < magnitude (g theta phi h_u h_v).
-Proof.
-  exists 0, 0, 1, 0, 1. split; [lra|]. replace (magnitude (g 0 0 1 0)) with 1; [lra|]. symmetry. apply length_of_unit. rewrite g_squared. ring.
-Qed.
-(* Half the bound is too little. *)
-Theorem normal_limits__small_beta__false : ~ forall theta phi h_u h_v beta,
-  magnitude (difference (N' theta phi h_u h_v beta) (normal_at theta phi)) <= Rabs beta * magnitude (g theta phi h_u h_v) / 2.
-Proof.
-  intro H. generalize (H 0 0 1 0 1). rewrite Rabs_R1, (length_of_unit (g 0 0 1 0)) by (rewrite g_squared; ring). intro K.
-  assert (L : magnitude (M 0 0 1 0 1) ^ 2 = 2) by (rewrite length_squared, m_squared; ring).
-  generalize (m_length_at_least_1 0 0 1 0 1). set (m := magnitude (M 0 0 1 0 1)) in *. intro L1.
-  assert (E : magnitude (difference (N' 0 0 1 0 1) (normal_at 0 0)) ^ 2 = 2 - 2 * / m).
-  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (vector_sum _ _)), !dot_sum, !dot_scaled, !(dot_comm _ (scaled _ _)), !dot_scaled,
-      ?(dot_comm (N' _ _ _ _ _) (normal_at _ _)), normal_is_unit, bumped_is_unit, normal_dot_bumped. fold m. ring. }
-  generalize (length_nonneg (difference (N' 0 0 1 0 1) (normal_at 0 0))). intro P.
-  assert (S : magnitude (difference (N' 0 0 1 0 1) (normal_at 0 0)) ^ 2 <= 1 / 4) by nra. rewrite E in S.
-  assert (I : / m * m = 1) by (apply Rinv_l; lra). assert (m > 1.4) by nra. nra.
-Qed.
-(* False variants: N's derivative by theta has the factor sin phi, and the limit for large beta its sign. *)
+(* A false variant: N's derivative by theta has the factor sin phi. *)
 Theorem tangent_frame__by_theta__false : ~ forall theta phi, is_derive (fun t => snd (fst (normal_at t phi))) theta (snd (fst (e_theta theta))).
 Proof.
   intro H. assert (B : Derive (fun t => snd (fst (normal_at t 0))) 0 = 0) by (apply is_derive_unique; unfold_vectors; auto_derive; trivial; rewrite sin_0; ring).
   generalize (eq_trans (eq_sym B) (is_derive_unique _ _ _ (H 0 0))). unfold_vectors. rewrite cos_0. lra.
-Qed.
-Theorem normal_limits__large_beta__false : ~ forall theta phi h_u h_v beta, beta <> 0 -> 0 < magnitude (g theta phi h_u h_v) ->
-  magnitude (difference (N' theta phi h_u h_v beta) (scaled (/ magnitude (g theta phi h_u h_v)) (g theta phi h_u h_v))) <= / (Rabs beta * magnitude (g theta phi h_u h_v)).
-Proof.
-  assert (U : magnitude (g 0 0 1 0) = 1) by (apply length_of_unit; rewrite g_squared; ring).
-  intro H. generalize (H 0 0 1 0 (-3) ltac:(lra) ltac:(rewrite U; lra)). rewrite U, Rinv_1, Rabs_left by lra.
-  assert (E : magnitude (difference (N' 0 0 1 0 (-3)) (scaled 1 (g 0 0 1 0))) ^ 2 = 2 + 6 * / magnitude (M 0 0 1 0 (-3))).
-  { rewrite length_squared. unfold difference. rewrite dot_sum, !(dot_comm _ (vector_sum _ _)), !dot_sum, bumped_is_unit, !dot_scaled, !(dot_comm _ (scaled _ _)), !dot_scaled,
-      ?(dot_comm (g _ _ _ _) (N' _ _ _ _ _)), dot_bumped, g_is_tangent, g_squared. ring. }
-  assert (I : 0 < / magnitude (M 0 0 1 0 (-3))) by (apply Rinv_0_lt_compat; generalize (m_length_at_least_1 0 0 1 0 (-3)); lra).
-  replace (/ (- -3 * 1)) with (1 / 3) by field. set (l := magnitude (difference (N' 0 0 1 0 (-3)) (scaled 1 (g 0 0 1 0)))) in *.
-  intro X. assert (l ^ 2 <= (1 / 3) ^ 2) by (apply pow_incr; split; [apply length_nonneg | exact X]). lra.
 Qed.

@@ -2,23 +2,11 @@
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Camera Claim Hits.
+From Formal Require Import Preliminaries Formulas Camera Claim Hits Derivatives.
 From Formal Require Statements.
 Open Scope R_scope.
 
 Ltac given := first [assumption | lra | nra | apply Rgt_not_eq; lra].
-
-Theorem unit_length__length : Statements.unit_length__length.
-Proof.
-  red. intros. assert (S : m_z * m_z + m_x * m_x + m_y * m_y = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) + 1).
-  { transitivity (beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) + 2 * beta * (g_z * normal_z + g_x * normal_x + g_y * normal_y) + (normal_z * normal_z + normal_x * normal_x + normal_y * normal_y)); [lines; ring | rewrite H, H0; ring]. }
-  assert (G : m_z * m_z + m_x * m_x + m_y * m_y >= 1) by (rewrite S; nra).
-  assert (L : m_length ^ 2 = m_z * m_z + m_x * m_x + m_y * m_y) by (unfold m_length; rewrite pow2_sqrt; nra). assert (m_length >= 0) by apply Rle_ge, sqrt_pos.
-  assert (m_length >= 1) by nra. assert (K : m_scale * m_length = 1) by (unfold m_scale; field; lra).
-  assert (bumped_z * bumped_z + bumped_x * bumped_x + bumped_y * bumped_y = 1).
-  { transitivity (m_scale ^ 2 * (m_z * m_z + m_x * m_x + m_y * m_y)); [unfold bumped_x, bumped_y, bumped_z; ring | rewrite <- L, <- Rpow_mult_distr, K; ring]. }
-  each ltac:(first [assumption | lra | nra | apply Rgt_not_eq; lra]).
-Qed.
 
 Theorem stable_frame__angles : Statements.stable_frame__angles.
 Proof.
@@ -138,7 +126,7 @@ Proof. claim. Qed.
 Theorem chart_inverse__recovered : Statements.chart_inverse__recovered.
 Proof. claim. Qed.
 Theorem tangent_frame__derivatives : Statements.tangent_frame__derivatives.
-Proof. claim. Qed.
+Proof. slopes. Qed.
 Theorem tangent_frame__orthonormal : Statements.tangent_frame__orthonormal.
 Proof. claim. Qed.
 Theorem tangent_frame__right_handed : Statements.tangent_frame__right_handed.
@@ -171,9 +159,9 @@ Proof.
   red. intros. unfold h, crease. replace (PI * (k_v * m / k_v)) with (PI * m) by (field; lra). rewrite H0, Rmult_0_r, Rabs_R0. repeat split; lra.
 Qed.
 Theorem kink_loci__elsewhere_above : Statements.kink_loci__elsewhere_above.
-Proof. claim. Qed.
+Proof. red; intros. each ltac:(first [slope | derivatives; shown]). Qed.
 Theorem kink_loci__elsewhere_below : Statements.kink_loci__elsewhere_below.
-Proof. claim. Qed.
+Proof. red; intros. each ltac:(first [slope | derivatives; shown]). Qed.
 Theorem occlusion_by_signs__program : Statements.occlusion_by_signs__program.
 Proof. claim. Qed.
 Theorem lagrange_identity__of_b : Statements.lagrange_identity__of_b.
@@ -187,9 +175,13 @@ Proof. claim. Qed.
 Theorem mean_keeps_the_bound__one_more : Statements.mean_keeps_the_bound__one_more.
 Proof. claim. Qed.
 Theorem shadow_along_a_row__row : Statements.shadow_along_a_row__row.
-Proof. claim. Qed.
+Proof. slopes. Qed.
 Theorem shadow_along_a_row__leading : Statements.shadow_along_a_row__leading.
-Proof. claim. Qed.
+Proof.
+  red. intros. match goal with |- ex_derive_n ?f _ _ /\ _ => assert (T : is_derive_n f 2 x (2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2))) end.
+  { eapply (next_derivative 1); [intro; simpl; auto_derive; [trivial | reflexivity] | auto_derive; [trivial | ring]]. }
+  split; [eexists; exact T | exact (is_derive_n_unique _ _ _ _ T)].
+Qed.
 Theorem shadow_along_a_row__away : Statements.shadow_along_a_row__away.
 Proof. claim. Qed.
 Theorem difference_bound__light_0 : Statements.difference_bound__light_0.
@@ -203,19 +195,22 @@ Proof. claim. Qed.
 Theorem difference_bound__all_lights : Statements.difference_bound__all_lights.
 Proof. claim. Qed.
 Theorem image_derivative__mu : Statements.image_derivative__mu.
-Proof. claim. Qed.
+Proof. red. intros. subst s. repeat split; slope. Qed.
 Theorem image_derivative__blinn : Statements.image_derivative__blinn.
-Proof. claim. Qed.
+Proof. red. intros. subst s. repeat split; slope. Qed.
 Theorem image_derivative__phong : Statements.image_derivative__phong.
-Proof. claim. Qed.
+Proof. red. intros. subst s. repeat split; slope. Qed.
+Ltac pixel := red; intros; subst; derivatives; repeat match goal with |- context [Rmax 0 ?x] => first [rewrite (Rmax_right 0 x) by lra | rewrite (Rmax_left 0 x) by lra] end; repeat (destruct Rlt_dec; try lra);
+  try match goal with H : ?d * ?b = ?r |- _ => replace d with (r / b) by (rewrite <- H; field; lra) end;
+  repeat split; first [differentiable | intro; lra | ring | field; lra].
 Theorem image_derivative__lit_shiny : Statements.image_derivative__lit_shiny.
-Proof. claim. Qed.
+Proof. pixel. Qed.
 Theorem image_derivative__lit_dull : Statements.image_derivative__lit_dull.
-Proof. claim. Qed.
+Proof. pixel. Qed.
 Theorem image_derivative__unlit_shiny : Statements.image_derivative__unlit_shiny.
-Proof. claim. Qed.
+Proof. pixel. Qed.
 Theorem image_derivative__unlit_dull : Statements.image_derivative__unlit_dull.
-Proof. claim. Qed.
+Proof. pixel. Qed.
 Theorem image_derivative__inside : Statements.image_derivative__inside.
 Proof. claim. Qed.
 Theorem image_derivative__above : Statements.image_derivative__above.

@@ -23,12 +23,17 @@ Proof.
   repeat split; try lra; [revert L | revert U]; apply (over_a_span x); lra || ring.
 Qed.
 Theorem crease_error_area__tents : Statements.crease_error_area__tents.
-Proof. claim. Qed.
+Proof.
+  red. intros d e k E K. generalize PI_RGT_0. intro P. assert (D : is_derive (fun d : R => (d - e) ^ 3 / (3 * e ^ 2)) d ((d - e) ^ 2 / e ^ 2)) by (auto_derive; [trivial | field; lra]).
+  rewrite (is_derive_unique _ _ _ D). split; [nra | split; [eexists; exact D|]]. repeat split; try nra; field; lra.
+Qed.
 Theorem crease_error_area__mean_of_a_square : Statements.crease_error_area__mean_of_a_square.
 Proof.
-  red. intros k v K Z. generalize PI_RGT_0. intro P. split; [nra | split].
-  - replace (2 * PI * k * v) with (2 * (v * PI * k)) by ring. rewrite cos_2a_sin. field.
-  - replace (1 * 2 * PI * k) with (2 * (PI * k)) by ring. replace (0 * 2 * PI * k) with 0 by ring. rewrite sin_2a, Z, sin_0. field. lra.
+  red. intros k v K Z. generalize PI_RGT_0. intro P.
+  assert (D : is_derive (fun v : R => v / 2 - 1 / 4 / (PI * k) * sin (v * 2 * PI * k)) v (sin (v * PI * k) ^ 2)).
+  { auto_derive; [trivial|]. replace (v * 2 * PI * k) with (2 * (v * PI * k)) by ring. rewrite cos_2a_sin. field. lra. }
+  rewrite (is_derive_unique _ _ _ D). split; [nra | split; [eexists; exact D | split; [reflexivity|]]].
+  replace (1 * 2 * PI * k) with (2 * (PI * k)) by ring. replace (0 * 2 * PI * k) with 0 by ring. rewrite sin_2a, Z, sin_0. field. lra.
 Qed.
 Lemma mean_square (k n e total : R) : k >= 1 -> n >= 0 -> e > 0 -> total = (PI * k) ^ 2 * n * (e / 3) -> let constant := 1 / 3 * sqrt 3 * PI * k * sqrt (e * n) in
   e * n >= 0 /\ total >= 0 /\ PI * k > 0 /\ constant >= 0 /\ total = constant ^ 2 /\ sqrt total = constant.

@@ -6,6 +6,8 @@ Open Scope R_scope.
 
 Definition float64 (x : R) : Prop := generic_format radix2 (FLT_exp (-1074) 53) x.
 Definition rounded (x : R) : R := round radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n))) x.
+Definition rint (x : R) : R := IZR (Znearest (fun n => negb (Z.even n)) x).
+Definition whole_below (x : R) : R := IZR (Zfloor x).
 Definition unit_roundoff : R := / 2 * bpow radix2 (-53 + 1).
 
 Global Instance precision : Prec_gt_0 53.

@@ -2,6 +2,7 @@
    The float64 operations of kernels, one after the other as they are carried out, each rounded. *)
 
 From Coq Require Import Reals.
+From Coquelicot Require Import Coquelicot.
 From Formal Require Import Float.
 Open Scope R_scope.
 
@@ -41,6 +42,65 @@ Definition h_u := rounded (rounded ((1 / 2) * rounded (h_u_plus - h_u_minus)) / 
 End program.
 End difference_float64.
 
+Module sine_of_half_turns_float64.
+Section program.
+Variables product product_error : R.
+Definition quarters := rint (rounded (2 * product)).
+Definition remainder_high := rounded (product - rounded ((1 / 2) * quarters)).
+Definition remainder := rounded (product_error + remainder_high).
+Definition quadrant := rounded (quarters - rounded (4 * whole_below (rounded ((1 / 4) * quarters)))).
+Definition z := rounded (remainder * remainder).
+Definition sine_tail := rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded ((7510502657307481 / 9444732965739290427392) * z) - (1617067665348049 / 73786976294838206464))) + (8601768518847843 / 18446744073709551616))) - (8497528335533855 / 1152921504606846976))) + (2959617474655169 / 36028797018963968))) - (2698847510945475 / 4503599627370496))) + (2871229454931313 / 1125899906842624))) - (5818327337647699 / 1125899906842624))) + (4967757600021511 / 40564819207303340847894502572032)).
+Definition sine_near := rounded (remainder * rounded (sine_tail + (884279719003555 / 281474976710656))).
+Definition cosine_near := rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded ((5080167897815029 / 1180591620717411303424) * z) - (7720929367626383 / 73786976294838206464))) + (8898590864194755 / 4611686018427387904))) - (1859582503162531 / 72057594037927936))) + (8478679513545403 / 36028797018963968))) - (3006744454127613 / 2251799813685248))) + (1142425901258417 / 281474976710656))) - (2778046668940015 / 562949953421312))) + 1).
+Definition sine := (if Rlt_dec quadrant (1 / 2) then sine_near else (if Rlt_dec quadrant (3 / 2) then cosine_near else (if Rlt_dec quadrant (5 / 2) then - sine_near else - cosine_near))).
+End program.
+End sine_of_half_turns_float64.
+
+Module cosine_of_half_turns_float64.
+Section program.
+Variables product product_error : R.
+Definition quarters := rint (rounded (2 * product)).
+Definition remainder_high := rounded (product - rounded ((1 / 2) * quarters)).
+Definition remainder := rounded (product_error + remainder_high).
+Definition quadrant := rounded (quarters - rounded (4 * whole_below (rounded ((1 / 4) * quarters)))).
+Definition z := rounded (remainder * remainder).
+Definition sine_tail := rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded ((7510502657307481 / 9444732965739290427392) * z) - (1617067665348049 / 73786976294838206464))) + (8601768518847843 / 18446744073709551616))) - (8497528335533855 / 1152921504606846976))) + (2959617474655169 / 36028797018963968))) - (2698847510945475 / 4503599627370496))) + (2871229454931313 / 1125899906842624))) - (5818327337647699 / 1125899906842624))) + (4967757600021511 / 40564819207303340847894502572032)).
+Definition sine_near := rounded (remainder * rounded (sine_tail + (884279719003555 / 281474976710656))).
+Definition cosine_near := rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded ((5080167897815029 / 1180591620717411303424) * z) - (7720929367626383 / 73786976294838206464))) + (8898590864194755 / 4611686018427387904))) - (1859582503162531 / 72057594037927936))) + (8478679513545403 / 36028797018963968))) - (3006744454127613 / 2251799813685248))) + (1142425901258417 / 281474976710656))) - (2778046668940015 / 562949953421312))) + 1).
+Definition cosine := (if Rlt_dec quadrant (1 / 2) then cosine_near else (if Rlt_dec quadrant (3 / 2) then - sine_near else (if Rlt_dec quadrant (5 / 2) then - cosine_near else sine_near))).
+End program.
+End cosine_of_half_turns_float64.
+
+Module angle_in_half_turns_float64.
+Section program.
+Variables ordinate abscissa : R.
+Definition larger := Rmax (Rabs abscissa) (Rabs ordinate).
+Definition smaller := Rmin (Rabs abscissa) (Rabs ordinate).
+Definition middle := (if Rlt_dec (rounded ((5 / 16) * larger)) smaller then 1 else 0).
+Definition steep := (if Rlt_dec (rounded ((3 / 4) * larger)) smaller then 1 else 0).
+Definition node := (if Rlt_dec 0 steep then 1 else (if Rlt_dec 0 middle then (1 / 2) else 0)).
+Definition node_value := (if Rlt_dec 0 steep then (1 / 4) else (if Rlt_dec 0 middle then (664657525456481 / 4503599627370496) else 0)).
+Definition node_correction := (if Rlt_dec 0 steep then 0 else (if Rlt_dec 0 middle then (1800349617598005 / 162259276829213363391578010288128) else 0)).
+Definition denominator := rounded (larger + rounded (node * smaller)).
+Definition ratio := (if Rlt_dec 0 larger then rounded (rounded (smaller - rounded (larger * node)) / denominator) else 0).
+Definition ratio_squared := rounded (ratio * ratio).
+Definition arctangent_tail := rounded (rounded (ratio_squared * rounded (rounded (ratio_squared * rounded (rounded (ratio_squared * rounded (rounded (ratio_squared * rounded (rounded (ratio_squared * rounded (rounded (ratio_squared * rounded (rounded (ratio_squared * rounded (rounded (ratio_squared * rounded (rounded (ratio_squared * rounded (rounded (ratio_squared * rounded (rounded (ratio_squared * rounded (rounded (ratio_squared * rounded (rounded (ratio_squared * rounded (rounded (ratio_squared * rounded ((790918777823815 / 72057594037927936) - rounded ((5919134079197583 / 576460752303423488) * ratio_squared))) - (6796042831671299 / 576460752303423488))) + (7339726258205003 / 576460752303423488))) - (7977963324135873 / 576460752303423488))) + (2184442338751489 / 144115188075855872))) - (2414383637567435 / 144115188075855872))) + (1349214385699449 / 72057594037927936))) - (6116438548504169 / 288230376151711744))) + (441089318401743 / 18014398509481984))) - (8340598020687503 / 288230376151711744))) + (2548516061876737 / 72057594037927936))) - (6553327016254467 / 144115188075855872))) + (4587328911378127 / 72057594037927936))) - (1911387046407553 / 18014398509481984))) - (3193047846271019 / 162259276829213363391578010288128)).
+Definition small_part := rounded (node_correction + rounded (ratio * rounded (arctangent_tail + (5734161139222659 / 18014398509481984)))).
+Definition first_octant := rounded (node_value + small_part).
+Definition first_quadrant := (if Rlt_dec (Rabs abscissa) (Rabs ordinate) then rounded ((1 / 2) - first_octant) else first_octant).
+Definition half_plane := (if Rlt_dec abscissa 0 then rounded (1 - first_quadrant) else first_quadrant).
+Definition angle := (if Rlt_dec ordinate 0 then - half_plane else half_plane).
+End program.
+End angle_in_half_turns_float64.
+
+Module height_sine_float64.
+Section program.
+Variables u v k_u k_v : R.
+Definition h := rounded (sine_of_half_turns_float64.sine (two_product_float64.product k_u u) (two_product_float64.product_error k_u u) * sine_of_half_turns_float64.sine (two_product_float64.product k_v v) (two_product_float64.product_error k_v v)).
+End program.
+End height_sine_float64.
+
 Module gradient_from_factors_sine_float64.
 Section program.
 Variables sin_u cos_u sin_v cos_v k_u k_v : R.
@@ -48,3 +108,67 @@ Definition h_u := rounded (rounded (rounded (rounded PI * cos_u) * k_u) * sin_v)
 Definition h_v := rounded (rounded (rounded (rounded PI * cos_v) * k_v) * sin_u).
 End program.
 End gradient_from_factors_sine_float64.
+
+Module gradient_sine_float64.
+Section program.
+Variables u v k_u k_v : R.
+Definition cos_u := cosine_of_half_turns_float64.cosine (two_product_float64.product k_u u) (two_product_float64.product_error k_u u).
+Definition cos_v := cosine_of_half_turns_float64.cosine (two_product_float64.product k_v v) (two_product_float64.product_error k_v v).
+Definition sin_u := sine_of_half_turns_float64.sine (two_product_float64.product k_u u) (two_product_float64.product_error k_u u).
+Definition sin_v := sine_of_half_turns_float64.sine (two_product_float64.product k_v v) (two_product_float64.product_error k_v v).
+Definition h_u := rounded (rounded (rounded (rounded PI * cos_u) * k_u) * sin_v).
+Definition h_v := rounded (rounded (rounded (rounded PI * cos_v) * k_v) * sin_u).
+End program.
+End gradient_sine_float64.
+
+Module height_ridges_float64.
+Section program.
+Variables u v k_u k_v : R.
+Definition h := Rabs (rounded (sine_of_half_turns_float64.sine (two_product_float64.product k_u u) (two_product_float64.product_error k_u u) * sine_of_half_turns_float64.sine (two_product_float64.product k_v v) (two_product_float64.product_error k_v v))).
+End program.
+End height_ridges_float64.
+
+Module gradient_from_factors_ridges_float64.
+Section program.
+Variables sin_u cos_u sin_v cos_v k_u k_v : R.
+Definition h_u := rounded (rounded (rounded (rounded (rounded PI * cos_u) * k_u) * sin_v) * rounded (sign sin_u * sign sin_v)).
+Definition h_v := rounded (rounded (rounded (rounded (rounded PI * cos_v) * k_v) * sin_u) * rounded (sign sin_u * sign sin_v)).
+End program.
+End gradient_from_factors_ridges_float64.
+
+Module gradient_ridges_float64.
+Section program.
+Variables u v k_u k_v : R.
+Definition cos_u := cosine_of_half_turns_float64.cosine (two_product_float64.product k_u u) (two_product_float64.product_error k_u u).
+Definition cos_v := cosine_of_half_turns_float64.cosine (two_product_float64.product k_v v) (two_product_float64.product_error k_v v).
+Definition sin_u := sine_of_half_turns_float64.sine (two_product_float64.product k_u u) (two_product_float64.product_error k_u u).
+Definition sin_v := sine_of_half_turns_float64.sine (two_product_float64.product k_v v) (two_product_float64.product_error k_v v).
+Definition h_u := rounded (rounded (rounded (rounded (rounded PI * cos_u) * k_u) * sin_v) * rounded (sign sin_u * sign sin_v)).
+Definition h_v := rounded (rounded (rounded (rounded (rounded PI * cos_v) * k_v) * sin_u) * rounded (sign sin_u * sign sin_v)).
+End program.
+End gradient_ridges_float64.
+
+Module height_rings_float64.
+Section program.
+Variables u v k_u k_v : R.
+Definition h := sine_of_half_turns_float64.sine (two_product_float64.product (rounded (2 * k_v)) v) (two_product_float64.product_error (rounded (2 * k_v)) v).
+End program.
+End height_rings_float64.
+
+Module gradient_from_factors_rings_float64.
+Section program.
+Variables sin_u cos_u sin_v cos_v k_u k_v : R.
+Definition h_u := 0.
+Definition h_v := rounded (rounded (rounded (2 * rounded PI) * cos_v) * k_v).
+End program.
+End gradient_from_factors_rings_float64.
+
+Module gradient_rings_float64.
+Section program.
+Variables u v k_u k_v : R.
+Definition cos_v := cosine_of_half_turns_float64.cosine (two_product_float64.product (rounded (2 * k_v)) v) (two_product_float64.product_error (rounded (2 * k_v)) v).
+Definition sin_v := sine_of_half_turns_float64.sine (two_product_float64.product (rounded (2 * k_v)) v) (two_product_float64.product_error (rounded (2 * k_v)) v).
+Definition h_u := 0.
+Definition h_v := rounded (rounded (rounded (2 * rounded PI) * cos_v) * k_v).
+End program.
+End gradient_rings_float64.

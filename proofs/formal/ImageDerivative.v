@@ -41,7 +41,7 @@ Proof.
 Qed.
 
 (* Off mu = 0 and base = 0, a light's share of a channel has the derivative that is printed, for every p. *)
-Theorem (* clause 3 *) image_derivative__share (mu base : R -> R) (beta mu_by_beta base_by_beta i albedo kd ks p : R) :
+Lemma share_derives (mu base : R -> R) (beta mu_by_beta base_by_beta i albedo kd ks p : R) :
   is_derive mu beta mu_by_beta -> is_derive base beta base_by_beta -> mu beta <> 0 -> base beta <> 0 ->
   is_derive (fun b => light_term.lit_red 0 i albedo kd ks (mu b) (highlight_of (Rmax 0 (base b)) p)) beta
     (term_derivative.term_by_beta (mu beta) mu_by_beta (Rmax 0 (base beta)) base_by_beta p kd ks albedo i).
@@ -57,14 +57,11 @@ Proof.
     + apply (is_derive_scal s), B.
   - unfold plus, zero. simpl. destruct (Rlt_dec 0 (mu beta)), (Rlt_dec 0 (Rmax 0 (base beta))); ring.
 Qed.
-Theorem image_derivative__share__point : exists (mu base : R -> R) (beta m b : R), is_derive mu beta m /\ is_derive base beta b /\ mu beta <> 0 /\ base beta <> 0.
-Proof. exists (fun b => b), (fun b => b), 1, 1, 1. split; [|split; [|lra]]; auto_derive; trivial. Qed.
-
 Lemma times_derive (f : R -> R) (x l c : R) : is_derive f x l -> is_derive (fun t => f t * c) x (l * c).
 Proof. intro D. apply (is_derive_ext (fun t => c * f t)); [intro; apply Rmult_comm|]. rewrite Rmult_comm. apply (is_derive_scal f), D. Qed.
 
 (* (base^p)' base = p base^p base', for every whole p. *)
-Theorem (* clause 2 *) image_derivative__power (base : R -> R) (beta base_by_beta : R) (p : nat) : is_derive base beta base_by_beta ->
+Theorem image_derivative__power (base : R -> R) (beta base_by_beta : R) (p : nat) : is_derive base beta base_by_beta ->
   exists slope, is_derive (fun b => base b ^ p) beta slope /\ slope * base beta = INR p * base beta ^ p * base_by_beta.
 Proof.
   intro D. eexists. split; [apply is_derive_pow, D|]. destruct p as [|p]; [simpl; ring|]. cbn [pred pow]. ring.
@@ -90,12 +87,12 @@ Let ty := light_direction.towards_y px py pz lx ly lz.
 Let tz := light_direction.towards_z px py pz lx ly lz.
 
 (* mu' = N'_beta . omega. *)
-Theorem (* clause 1 *) image_derivative__mu_derives :
+Lemma mu_derives :
   is_derive (fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b)) beta (mu_derivative.mu_by_beta tx ty tz dx dy dz).
 Proof. apply product_derive. Qed.
 
 (* Blinn: base' = N'_beta . H/|H|, before the clamp. *)
-Theorem (* clause 1 *) image_derivative__blinn_derives : let hx := tx + vx in let hy := ty + vy in let hz := tz + vz in let r := blinn.halfway_length px py pz lx ly lz vx vy vz in
+Lemma blinn_base_derives : let hx := tx + vx in let hy := ty + vy in let hz := tz + vz in let r := blinn.halfway_length px py pz lx ly lz vx vy vz in
   is_derive (fun b => (nx b * hx + ny b * hy + nz b * hz) / r) beta (blinn_base_derivative.base_by_beta hx hy hz r dx dy dz) /\
   (0 < r -> forall b, blinn.specular_base px py pz lx ly lz (nx b) (ny b) (nz b) vx vy vz = Rmax 0 ((nx b * hx + ny b * hy + nz b * hz) / r)).
 Proof.
@@ -105,13 +102,13 @@ Proof.
 Qed.
 
 (* Phong: base' = 2 (mu' N'.v + mu N'_beta.v), before the clamp. *)
-Theorem (* clause 1 *) image_derivative__phong_derives : let m := fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b) in
+Lemma phong_base_derives : let m := fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b) in
   let m' := mu_derivative.mu_by_beta tx ty tz dx dy dz in
   is_derive (fun b => 2 * m b * (nx b * vx + ny b * vy + nz b * vz) - tx * vx - ty * vy - tz * vz) beta
     (phong_base_derivative.base_by_beta vx vy vz (nx beta) (ny beta) (nz beta) dx dy dz (m beta) m') /\
   (forall b, phong.specular_base px py pz lx ly lz (nx b) (ny b) (nz b) vx vy vz = Rmax 0 (2 * m b * (nx b * vx + ny b * vy + nz b * vz) - tx * vx - ty * vy - tz * vz)).
 Proof.
-  cbv zeta. split; [|reflexivity]. generalize image_derivative__mu_derives (product_derive vx vy vz). intros A B.
+  cbv zeta. split; [|reflexivity]. generalize mu_derives (product_derive vx vy vz). intros A B.
   set (m := fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b)) in *. set (q := fun b => nx b * vx + ny b * vy + nz b * vz) in *.
   apply (is_derive_ext (fun b => 2 * (m b * q b) - (tx * vx + ty * vy + tz * vz))); [intro t; unfold q, m; cbv beta; match goal with |- ?a = ?b => change (a = b :> R) end; ring|].
   eapply is_derive_is.
@@ -122,12 +119,10 @@ Qed.
 End lines.
 
 (* The clip keeps the derivative where the channel is inside (0, 1), and makes it 0 outside. *)
-Theorem (* clause 4 *) image_derivative__clip (channel : R -> R) (beta slope : R) : is_derive channel beta slope -> channel beta <> 0 -> channel beta <> 1 ->
-  is_derive (fun b => clip.clipped (channel b)) beta (clip_derivative.clipped (channel beta) slope) /\
-  (0 < channel beta < 1 -> clip_derivative.clipped (channel beta) slope = slope) /\
-  (channel beta < 0 \/ 1 < channel beta -> clip_derivative.clipped (channel beta) slope = 0).
+Lemma clip_derives (channel : R -> R) (beta slope : R) : is_derive channel beta slope -> channel beta <> 0 -> channel beta <> 1 ->
+  is_derive (fun b => clip.clipped (channel b)) beta (clip_derivative.clipped (channel beta) slope).
 Proof.
-  intros D N0 N1. split; [|unfold clip_derivative.clipped; destruct (both _ _); split; lra]. unfold clip.clipped, clip_derivative.clipped.
+  intros D N0 N1. unfold clip.clipped, clip_derivative.clipped.
   assert (E : forall c, Rmin 1 (Rmax 0 c) = Rmax 0 c - Rmax 0 (c - 1)).
   { intro c. unfold Rmin, Rmax. repeat destruct Rle_dec; lra. }
   apply (is_derive_ext (fun b => Rmax 0 (channel b) - Rmax 0 (channel b - 1))); [intro; symmetry; apply E|].
@@ -138,64 +133,3 @@ Proof.
     + destruct (Rlt_dec 0 (channel beta)), (Rlt_dec 0 (channel beta - 1)); try lra; ring.
     + destruct (Rlt_dec 0 (channel beta)), (Rlt_dec 0 (channel beta - 1)); destruct H; try lra; ring.
 Qed.
-Theorem image_derivative__clip__point : exists c : R, c <> 0 /\ c <> 1.
-Proof. exists (1/2). lra. Qed.
-(* At the clip's end there is no derivative. *)
-Theorem image_derivative__clip__false : ~ forall (channel : R -> R) (beta slope : R), is_derive channel beta slope ->
-  is_derive (fun b => clip.clipped (channel b)) beta (clip_derivative.clipped (channel beta) slope).
-Proof.
-  intro H. assert (I : is_derive (fun b : R => b) 0 1) by (auto_derive; trivial). generalize (H (fun b => b) 0 1 I). unfold clip_derivative.clipped.
-  destruct (both _ _) as [[A B]|_]; [lra|]. intro D. apply is_derive_Reals in D. destruct (D (1/2) ltac:(lra)) as [delta L].
-  generalize (cond_pos delta). intro P. set (s := Rmin (delta / 2) (1/2)). assert (S : 0 < s) by (apply Rmin_glb_lt; lra).
-  assert (S1 : s <= delta / 2) by apply Rmin_l. assert (S2 : s <= 1/2) by apply Rmin_r. clearbody s.
-  generalize (L s ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)). rewrite Rplus_0_l. unfold clip.clipped. rewrite (Rmax_left 0 0), (Rmax_right 0 s), (Rmin_right 1 s), (Rmin_right 1 0) by lra.
-  replace ((s - 0) / s - 0) with 1 by (field; lra). rewrite Rabs_R1. lra.
-Qed.
-(* False variants: at mu = 0, and with the other sign. *)
-Lemma no_slope_of_a_clamp : ~ is_derive (fun b => Rmax 0 b) 0 0.
-Proof.
-  intro D. apply is_derive_Reals in D. destruct (D (1/2) ltac:(lra)) as [delta L]. generalize (cond_pos delta). intro P.
-  generalize (L (delta / 2) ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)). rewrite Rplus_0_l, (Rmax_left 0 0), (Rmax_right 0 (delta / 2)) by lra. replace ((delta / 2 - 0) / (delta / 2) - 0) with 1 by (field; lra). rewrite Rabs_R1. lra.
-Qed.
-Theorem image_derivative__share__false : ~ forall (mu base : R -> R) (beta m b i albedo kd ks p : R), is_derive mu beta m -> is_derive base beta b -> base beta <> 0 ->
-  is_derive (fun b => light_term.lit_red 0 i albedo kd ks (mu b) (highlight_of (Rmax 0 (base b)) p)) beta
-    (term_derivative.term_by_beta (mu beta) m (Rmax 0 (base beta)) b p kd ks albedo i).
-Proof.
-  intro H. apply no_slope_of_a_clamp.
-  assert (D := H (fun b => b) (fun b => b + 1) 0 1 1 1 1 1 0 1 ltac:(auto_derive; trivial) ltac:(auto_derive; trivial; ring) ltac:(cbv beta; lra)). revert D.
-  unfold light_term.lit_red, light_term.diffuse, light_term.shine, term_derivative.term_by_beta, term_derivative.diffuse_by_beta, term_derivative.shine_by_beta.
-  destruct (Rlt_dec 0 0) as [X|_]; [lra|]. replace (1 * (1 * 0 + _)) with 0 by (destruct (Rlt_dec 0 (Rmax 0 (0 + 1))); ring).
-  apply is_derive_ext. intro t. match goal with |- ?a = ?b => change (a = b :> R) end. ring.
-Qed.
-Section above.
-Let nought (t : R) : R := 0.
-Let same (t : R) : R := t.
-Let nought_derives (x : R) : is_derive nought x 0 := is_derive_const 0 x.
-Let S1 (x : R) : is_derive same x 1 := is_derive_id x.
-Lemma not_its_negative (f : R -> R) (x l : R) : is_derive f x l -> l <> 0 -> ~ is_derive f x (- l).
-Proof. intros A N B. apply N. generalize (eq_trans (eq_sym (is_derive_unique _ _ _ A)) (is_derive_unique _ _ _ B)). lra. Qed.
-Theorem image_derivative__mu_derives__false : ~ forall (nz : R -> R) (beta dz : R), is_derive nz beta dz -> forall px py pz lx ly lz,
-  is_derive (fun b => light_direction.mu px py pz lx ly lz 0 0 (nz b)) beta
-    (- mu_derivative.mu_by_beta (light_direction.towards_x px py pz lx ly lz) (light_direction.towards_y px py pz lx ly lz) (light_direction.towards_z px py pz lx ly lz) 0 0 dz).
-Proof.
-  intro H. generalize (H same 0 1 (S1 0) 0 0 0 0 0 1). apply not_its_negative; [exact (image_derivative__mu_derives nought nought same 0 0 0 1 (nought_derives 0) (nought_derives 0) (S1 0) 0 0 0 0 0 1)|].
-  unfold mu_derivative.mu_by_beta. destruct above as (-> & -> & ->). lra.
-Qed.
-Theorem image_derivative__blinn_derives__false : ~ forall (nz : R -> R) (beta dz : R), is_derive nz beta dz -> forall hx hy hz r, 0 < r ->
-  is_derive (fun b => (0 * hx + 0 * hy + nz b * hz) / r) beta (- blinn_base_derivative.base_by_beta hx hy hz r 0 0 dz).
-Proof.
-  intro H. generalize (H same 0 1 (S1 0) 0 0 2 2 ltac:(lra)). apply not_its_negative; unfold blinn_base_derivative.base_by_beta; [|lra].
-  unfold same. auto_derive; trivial. field.
-Qed.
-Theorem image_derivative__phong_derives__false : ~ forall (nz : R -> R) (beta dz : R), is_derive nz beta dz -> forall px py pz lx ly lz vx vy vz,
-  let m := fun b => light_direction.mu px py pz lx ly lz 0 0 (nz b) in
-  let m' := mu_derivative.mu_by_beta (light_direction.towards_x px py pz lx ly lz) (light_direction.towards_y px py pz lx ly lz) (light_direction.towards_z px py pz lx ly lz) 0 0 dz in
-  is_derive (fun b => 2 * m b * (0 * vx + 0 * vy + nz b * vz) - light_direction.towards_x px py pz lx ly lz * vx - light_direction.towards_y px py pz lx ly lz * vy -
-    light_direction.towards_z px py pz lx ly lz * vz) beta (- phong_base_derivative.base_by_beta vx vy vz 0 0 (nz beta) 0 0 dz (m beta) m').
-Proof.
-  intro H. generalize (H same 1 1 (S1 1) 0 0 0 0 0 1 0 0 1). cbv zeta.
-  apply not_its_negative; [exact (proj1 (image_derivative__phong_derives nought nought same 1 0 0 1 (nought_derives 1) (nought_derives 1) (S1 1) 0 0 0 0 0 1 0 0 1))|].
-  unfold phong_base_derivative.base_by_beta, mu_derivative.mu_by_beta, light_direction.mu. destruct above as (X & Y & W). rewrite ?X, ?Y, ?W. unfold same.
-  unfold light_direction.towards_x, light_direction.towards_y, light_direction.towards_z in X, Y, W. rewrite ?X, ?Y, ?W. lra.
-Qed.
-End above.

@@ -1,13 +1,56 @@
 (* The gradient at the pole: along each meridian it has a limit, and not the same one. *)
 
-From Coq Require Import Reals Lra Psatz Lia.
+From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Vectors Fields.
+From Formal Require Import Preliminaries Formulas Vectors Fields Claim.
+From Formal Require Statements.
 Open Scope R_scope.
+
+Lemma half_turned k t : PI * (k * (t + PI) / (2 * PI)) = k * (t + PI) / 2.
+Proof. pose proof PI_RGT_0. field. lra. Qed.
+Ltac pole_lines := red; intros; lines; rewrite ?half_turned; repeat rewrite ?Rmult_0_l, ?Rmult_0_r, ?sin_0, ?cos_0.
+Ltac on_the_circle t := ring [(sin_squared t)].
+
+Theorem pole__sine : Statements.pole__sine.
+Proof. pole_lines. repeat split; on_the_circle theta. Qed.
+Theorem pole__sine_seam : Statements.pole__sine_seam.
+Proof. pole_lines. replace (PI * (k_u * (PI - PI) / (2 * PI))) with 0 by (unfold Rdiv; ring). rewrite sin_0. repeat split; ring. Qed.
+Theorem pole__sine_k_u_0 : Statements.pole__sine_k_u_0.
+Proof. pole_lines. replace (0 / 2) with 0 by field. rewrite sin_0. repeat split; ring. Qed.
+Theorem pole__sine_k_v_0 : Statements.pole__sine_k_v_0.
+Proof. pole_lines. repeat split; ring. Qed.
+Theorem pole__sine_differs : Statements.pole__sine_differs.
+Proof.
+  red. intros. destruct (pole__sine k_u k_v theta) as (_ & _ & _ & L). pose proof PI_RGT_0.
+  assert ((k_v * sin (k_u * (theta + PI) / 2)) ^ 2 > 0) by (rewrite Rpow_mult_distr; nra).
+  repeat split; [exact L | assumption |]. match goal with |- ?a > 0 => replace a with (PI ^ 2 * (k_v * sin (k_u * (theta + PI) / 2)) ^ 2) by (symmetry; etransitivity; [exact L | ring]) end. apply Rmult_gt_0_compat; [nra | assumption].
+Qed.
+Theorem pole__rings : Statements.pole__rings.
+Proof. pole_lines. rewrite neg_cos, neg_sin. repeat split; on_the_circle theta. Qed.
+Theorem pole__surface_gradient : Statements.pole__surface_gradient.
+Proof. red. intros. lines. field_simplify_eq. ring [(sin_squared theta) (sin_squared (k_u * (theta + PI) / 2))]. Qed.
+Theorem pole__surface_gradient_0 : Statements.pole__surface_gradient_0.
+Proof. red. intros. lines. replace (0 * (theta + PI) / 2) with 0 by field. rewrite sin_0. split; field. Qed.
+Theorem pole__surface_gradient_2 : Statements.pole__surface_gradient_2.
+Proof. red. intros. lines. replace (2 * (theta + PI) / 2) with (theta + PI) by field. rewrite neg_cos, neg_sin. split; field_simplify_eq; on_the_circle theta. Qed.
+Theorem pole__surface_gradient_minus_2 : Statements.pole__surface_gradient_minus_2.
+Proof.
+  red. intros. lines. replace (-2 * (theta + PI) / 2) with (- (theta + PI)) by field. rewrite cos_neg, sin_neg, neg_cos, neg_sin. split; field_simplify_eq; on_the_circle theta.
+Qed.
+Theorem pole__polynomial : Statements.pole__polynomial.
+Proof.
+  red. intros phi theta a b A0 AS B0 BS n. assert (I : sin (INR n * phi) = a n * sin phi /\ sin (phi * (INR n + 1)) = b n * sin phi).
+  { induction n as [|n [A B]]; [rewrite A0, B0, Rmult_0_l, sin_0; split; [ring | rewrite Rplus_0_l, Rmult_1_r; ring]|].
+    rewrite S_INR, AS, BS. split; [rewrite Rmult_comm; exact B|]. replace (phi * (INR n + 1 + 1)) with (phi * (INR n + 1) + phi) by ring.
+    transitivity (2 * cos phi * sin (phi * (INR n + 1)) - sin (INR n * phi)); [|rewrite A, B; ring].
+    replace (INR n * phi) with (phi * (INR n + 1) - phi) by ring. rewrite sin_plus, sin_minus. ring. }
+  destruct I as [A B]. repeat split; [exact A | exact B |]. pose proof PI_RGT_0.
+  replace (PI * (INR n * phi / PI)) with (INR n * phi) by (field; lra). replace (PI * (2 * (theta + PI) / (2 * PI))) with (theta + PI) by (field; lra).
+  rewrite neg_sin, A. ring.
+Qed.
 
 Lemma limit_is_value (f : R -> R) (x l : R) : ex_derive f x -> f x = l -> filterlim f (locally x) (locally l).
 Proof. intros D <-. exact (ex_derive_continuous f x D). Qed.
-
 
 (* On the meridian theta, where u = (theta + pi)/2pi and phi = pi v. *)
 Section meridian.
@@ -21,7 +64,7 @@ Ltac unfold_g := unfold g_of_sine, g_of_rings, g, bumped_normal.g_x, bumped_norm
 Ltac limit := apply limit_is_value; [auto_derive; trivial | rewrite ?Rmult_0_r, ?sin_0, ?cos_0; ring].
 
 (* As v -> 0, sine's g tends to pi k_v sin(pi k_u u) (cos theta, sin theta, 0). *)
-Theorem (* clause 1 *) pole__sine : let s := PI * k_v * sin (PI * (k_u * u)) in
+Theorem pole__sine_limit : let s := PI * k_v * sin (PI * (k_u * u)) in
   filterlim (fun v => fst (fst (g_of_sine v))) (locally 0) (locally (s * cos theta)) /\
   filterlim (fun v => snd (fst (g_of_sine v))) (locally 0) (locally (s * sin theta)) /\
   filterlim (fun v => snd (g_of_sine v)) (locally 0) (locally 0) /\
@@ -31,7 +74,7 @@ Proof.
   unfold magnitude, dot. replace (_ + _) with (Rsqr (PI * t)) by (unfold Rsqr, t; ring [(sin_squared theta)]). rewrite sqrt_Rsqr_abs, Rabs_mult, Rabs_pos_eq by lra. reflexivity.
 Qed.
 (* Rings' tends to 2 pi k_v (cos theta, sin theta, 0): on opposite meridians 4 pi |k_v| apart. *)
-Theorem (* clause 2 *) pole__rings : let s := 2 * PI * k_v in
+Theorem pole__rings_limit : let s := 2 * PI * k_v in
   filterlim (fun v => fst (fst (g_of_rings v))) (locally 0) (locally (s * cos theta)) /\
   filterlim (fun v => snd (fst (g_of_rings v))) (locally 0) (locally (s * sin theta)) /\
   filterlim (fun v => snd (g_of_rings v)) (locally 0) (locally 0) /\
@@ -43,22 +86,42 @@ Proof.
 Qed.
 End meridian.
 
-(* So sine's g has no limit at the pole unless k_u k_v = 0: it is 0 on u = 0, and not 0 where sin(pi k_u u) is not. *)
-Theorem (* clause 1 *) pole__sine_differs (u k_u k_v : R) : k_v <> 0 -> sin (PI * (k_u * u)) <> 0 ->
-  PI * Rabs (k_v * sin (PI * (k_u * 0))) = 0 /\ 0 < PI * Rabs (k_v * sin (PI * (k_u * u))).
+(* A meridian where sine's g is not 0. *)
+Lemma another_meridian (k : R) : k <> 0 -> exists u, 0 <= u < 1 /\ sin (PI * (k * u)) <> 0.
 Proof.
-  intros K S. rewrite !Rmult_0_r, sin_0, Rmult_0_r, Rabs_R0, Rmult_0_r. split; [reflexivity|]. generalize PI_RGT_0. intro P.
-  apply Rmult_lt_0_compat; [exact P|]. apply Rabs_pos_lt. intro E. apply Rmult_integral in E. destruct E; contradiction.
+  intro K. pose proof PI_RGT_0. pose proof (Rabs_pos_lt k K). set (u := / (2 * (1 + Rabs k))). exists u.
+  assert (U : 2 * (1 + Rabs k) * u = 1) by (unfold u; field; lra). assert (0 < u) by (apply Rinv_0_lt_compat; lra).
+  assert (V : 0 < Rabs k * u) by (apply Rmult_lt_0_compat; assumption). split; [lra|].
+  assert (S : 0 < sin (PI * (Rabs k * u))) by (apply sin_gt_0; nra). intro Z. revert S.
+  destruct (Rcase_abs k) as [N|N]; [rewrite (Rabs_left k N); replace (PI * (- k * u)) with (- (PI * (k * u))) by ring; rewrite sin_neg
+    | rewrite (Rabs_right k N)]; lra.
 Qed.
-Theorem pole__sine_differs__point : exists u k_u k_v : R, k_v <> 0 /\ sin (PI * (k_u * u)) <> 0.
-Proof. exists (1/2), 1, 1. replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2. lra. Qed.
-(* With k_u k_v = 0 it is 0 everywhere. *)
-Theorem (* clause 1 *) pole__sine_vanishes (u k_u k_v : R) : k_u * k_v = 0 -> PI * Rabs (k_v * sin (PI * (k_u * u))) = 0.
-Proof. intro E. apply Rmult_integral in E. destruct E as [-> | ->]; rewrite ?Rmult_0_l, ?Rmult_0_r, ?sin_0, ?Rmult_0_r, Rabs_R0; ring. Qed.
-Theorem pole__sine_vanishes__point : exists k_u k_v : R, k_u * k_v = 0.
-Proof. exists 0, 1. ring. Qed.
-Theorem pole__sine__false : ~ forall u k_u k_v, PI * Rabs (k_v * sin (PI * (k_u * u))) = 0.
-Proof. intro H. generalize (H (1/2) 1 1). replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2, Rabs_pos_eq by lra. generalize PI_RGT_0. lra. Qed.
+(* So unless k_u k_v = 0 two meridians have two limits: sine's g has none at the pole. *)
+Definition one_limit_of_sine (k_u k_v : R) := exists x y, forall theta, - PI <= theta < PI ->
+  filterlim (fun v => fst (fst (g_of_sine theta k_u k_v v))) (locally 0) (locally x) /\
+  filterlim (fun v => snd (fst (g_of_sine theta k_u k_v v))) (locally 0) (locally y).
+Theorem pole__two_limits (k_u k_v : R) : k_u * k_v <> 0 -> ~ one_limit_of_sine k_u k_v.
+Proof.
+  intros K (x & y & L). pose proof PI_RGT_0. destruct (another_meridian k_u) as (u & U & S); [intro Z; apply K; rewrite Z; ring|].
+  assert (E : forall w, 0 <= w < 1 -> let s := PI * k_v * sin (PI * (k_u * w)) in x = s * cos (2 * PI * w - PI) /\ y = s * sin (2 * PI * w - PI)).
+  { intros w W s. destruct (L (2 * PI * w - PI)) as [X Y]; [split; nra|]. destruct (pole__sine_limit (2 * PI * w - PI) k_u k_v) as (X' & Y' & _).
+    replace ((2 * PI * w - PI + PI) / (2 * PI)) with w in * by (field; lra).
+    split; [exact (filterlim_locally_unique _ _ _ X X') | exact (filterlim_locally_unique _ _ _ Y Y')]. }
+  destruct (E 0 ltac:(lra)) as [X Y]. rewrite !Rmult_0_r, sin_0, Rmult_0_r in X, Y. destruct (E u U) as [X' Y'].
+  assert (N : PI * k_v * sin (PI * (k_u * u)) <> 0).
+  { apply Rmult_integral_contrapositive_currified; [apply Rmult_integral_contrapositive_currified |]; [lra | intro Z; apply K; rewrite Z; ring | exact S]. }
+  set (n := PI * k_v * sin (PI * (k_u * u))) in *. set (c := cos (2 * PI * u - PI)) in *. set (d := sin (2 * PI * u - PI)) in *.
+  apply N. transitivity (n * c * c + n * d * d); [|rewrite <- X', <- Y', X, Y; ring].
+  transitivity (n * (d * d + c * c)); [|ring]. replace (d * d + c * c) with 1 by (symmetry; exact (sin2_cos2 (2 * PI * u - PI))). ring.
+Qed.
+Theorem pole__two_limits__point : exists k_u k_v : R, k_u * k_v <> 0.
+Proof. exists 1, 1. lra. Qed.
+(* With k_u = 0 it has one. *)
+Theorem pole__two_limits__false : ~ forall k_u k_v, k_v <> 0 -> ~ one_limit_of_sine k_u k_v.
+Proof.
+  intro H. apply (H 0 1 ltac:(lra)). exists 0, 0. intros theta _. destruct (pole__sine_limit theta 0 1) as (X & Y & _).
+  rewrite Rmult_0_l, Rmult_0_r, sin_0, Rmult_0_r, !Rmult_0_l in X, Y. split; assumption.
+Qed.
 
 (* sin(k t)/sin t tends to k. *)
 Lemma ratio_of_sines (k : R) : is_lim (fun v => sin (PI * (k * v)) / sin (PI * v)) 0 k.
@@ -91,7 +154,7 @@ Definition limit : vector :=
   scaled k_v (vector_sum (scaled (k_u / 2 * cos (PI * (k_u * u))) (- sin theta, cos theta, 0)) (scaled (sin (PI * (k_u * u))) (cos theta, sin theta, 0))).
 
 (* It tends to k_v times a vector of squared length k_u^2/4 + (1 - k_u^2/4) sin^2(pi k_u u). *)
-Theorem (* clause 3 *) pole__surface_gradient :
+Theorem pole__surface_limit :
   is_lim (fun v => fst (fst (surface_gradient v))) 0 (fst (fst limit)) /\ is_lim (fun v => snd (fst (surface_gradient v))) 0 (snd (fst limit)) /\
   is_lim (fun v => snd (surface_gradient v)) 0 (snd limit) /\
   dot limit limit = k_v ^ 2 * (k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2).
@@ -122,57 +185,34 @@ Proof.
 Qed.
 End surface.
 
-(* It is the same on every meridian only if k_u = 0 or k_u = +-2. *)
-Theorem (* clause 3 *) pole__one_limit (k_u : R) : (forall u, k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = k_u ^ 2 / 4) -> k_u = 0 \/ k_u = 2 \/ k_u = -2.
+(* If k_v is not 0 this is the same on every meridian only if k_u = 0 or k_u = +-2. *)
+Theorem pole__one_limit (k_u k_v : R) : k_v <> 0 -> (forall theta, - PI <= theta < PI -> limit theta k_u k_v = limit (- PI) k_u k_v) ->
+  k_u = 0 \/ k_u = 2 \/ k_u = -2.
 Proof.
-  intro H. destruct (Req_dec k_u 0) as [Z|normal_at]; [left; exact Z|]. right. generalize (H (/ (2 * k_u))).
-  replace (PI * (k_u * / (2 * k_u))) with (PI / 2) by (field; exact normal_at). rewrite sin_PI2. intro E.
-  assert (Q : (k_u - 2) * (k_u + 2) = 0) by lra. apply Rmult_integral in Q. lra.
+  intros V H. pose proof PI_RGT_0. destruct (Req_dec k_u 0) as [Z|K]; [left; exact Z|]. right. destruct (another_meridian k_u K) as (u & U & S).
+  pose proof (proj2 (proj2 (proj2 (pole__surface_limit (- PI) k_u k_v)))) as A. pose proof (proj2 (proj2 (proj2 (pole__surface_limit (2 * PI * u - PI) k_u k_v)))) as B.
+  rewrite (H (2 * PI * u - PI)), A in B by (split; nra). replace (PI * (k_u * ((- PI + PI) / (2 * PI)))) with 0 in B by (field; lra).
+  replace ((2 * PI * u - PI + PI) / (2 * PI)) with u in B by (field; lra). rewrite sin_0 in B. apply Rmult_eq_reg_l in B; [|apply pow_nonzero, V].
+  assert (E : (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = 0) by lra. apply Rmult_integral in E.
+  destruct E as [E|E]; [|destruct (pow_nonzero _ 2 S E)]. assert (Q : (k_u - 2) * (k_u + 2) = 0) by lra. apply Rmult_integral in Q. lra.
 Qed.
-Theorem (* clause 3 *) pole__at_two (theta k_v : R) : limit theta 0 k_v = zero_vector /\ limit theta 2 k_v = (0, - k_v, 0) /\ limit theta (-2) k_v = (0, k_v, 0).
+Lemma limit_at_two (theta k_v : R) : limit theta 2 k_v = (0, - k_v, 0).
 Proof.
-  generalize PI_RGT_0. intro P. unfold limit, zero_vector, vector_sum, scaled.
-  replace (PI * (0 * ((theta + PI) / (2 * PI)))) with 0 by ring. replace (PI * (2 * ((theta + PI) / (2 * PI)))) with (theta + PI) by (field; lra).
-  replace (PI * (-2 * ((theta + PI) / (2 * PI)))) with (- (theta + PI)) by (field; lra). rewrite sin_neg, cos_neg, neg_cos, neg_sin, sin_0, cos_0.
-  split; [|split]; f_equal; try f_equal; field_simplify_eq; ring [(sin_squared theta)].
+  unfold limit, vector_sum, scaled. replace (PI * (2 * ((theta + PI) / (2 * PI)))) with (theta + PI) by (field; apply PI_neq0).
+  rewrite neg_cos, neg_sin. f_equal; [f_equal|]; field_simplify_eq; on_the_circle theta.
 Qed.
+Theorem pole__one_limit__point : exists k_u k_v, k_v <> 0 /\ forall theta, - PI <= theta < PI -> limit theta k_u k_v = limit (- PI) k_u k_v.
+Proof. exists 2, 1. split; [lra|]. intros. rewrite !limit_at_two. reflexivity. Qed.
 
-(* For k_u = 2 and whole k_v, h = -y U(z) with a polynomial U (Chebyshev's of the second kind), on the sphere. *)
-Fixpoint chebyshev (n : nat) (z : R) : R * R :=
-  match n with O => (0, 1) | S n => let (a, b) := chebyshev n z in (b, 2 * z * b - a) end.
-Lemma sine_of_a_multiple (n : nat) (phi : R) : sin phi * fst (chebyshev n (cos phi)) = sin (INR n * phi) /\ sin phi * snd (chebyshev n (cos phi)) = sin ((INR n + 1) * phi).
-Proof.
-  induction n as [|n [A B]]; [simpl; rewrite Rmult_0_l, sin_0; split; [ring | rewrite Rplus_0_l, Rmult_1_l; ring]|].
-  cbn [chebyshev]. destruct (chebyshev n (cos phi)) as [a b]. cbn [fst snd] in *. rewrite S_INR. split; [exact B|].
-  replace (sin phi * (2 * cos phi * b - a)) with (2 * cos phi * (sin phi * b) - sin phi * a) by ring. rewrite A, B.
-  replace ((INR n + 1 + 1) * phi) with ((INR n + 1) * phi + phi) by ring. replace (INR n * phi) with ((INR n + 1) * phi - phi) by ring.
-  rewrite sin_plus, sin_minus. ring.
-Qed.
-Theorem (* clause 4 *) pole__polynomial (theta phi : R) (k : nat) : let '(x, y, z) := normal_at theta phi in
-  height_sine.h ((theta + PI) / (2 * PI)) (phi / PI) 2 (INR k) = - y * fst (chebyshev k z).
-Proof.
-  generalize PI_RGT_0. intro P. unfold normal_at, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z. unfold_fields.
-  replace (PI * (2 * ((theta + PI) / (2 * PI)))) with (theta + PI) by (field; lra). replace (PI * (INR k * (phi / PI))) with (INR k * phi) by (field; lra).
-  rewrite neg_sin, <- (proj1 (sine_of_a_multiple k phi)). ring.
-Qed.
 (* False variants. *)
-Theorem pole__sine_vanishes__false : ~ forall u k_u k_v, PI * Rabs (k_v * sin (PI * (k_u * u))) = 0.
-Proof. exact pole__sine__false. Qed.
-Theorem pole__rings__false : ~ forall theta k_v, (2 * PI * k_v * cos theta, 2 * PI * k_v * sin theta, 0) = (2 * PI * k_v * cos (theta + PI), 2 * PI * k_v * sin (theta + PI), 0).
+Theorem pole__sine_limit__false : ~ forall u k_u k_v, PI * Rabs (k_v * sin (PI * (k_u * u))) = 0.
+Proof. intro H. generalize (H (1/2) 1 1). replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2, Rabs_pos_eq by lra. generalize PI_RGT_0. lra. Qed.
+Theorem pole__rings_limit__false : ~ forall theta k_v, (2 * PI * k_v * cos theta, 2 * PI * k_v * sin theta, 0) = (2 * PI * k_v * cos (theta + PI), 2 * PI * k_v * sin (theta + PI), 0).
 Proof. intro H. generalize (f_equal (fun a => fst (fst a)) (H 0 1)) PI_RGT_0. cbn [fst]. rewrite neg_cos, cos_0. lra. Qed.
-Theorem pole__sine_differs__false : ~ forall u k_u k_v, k_v <> 0 -> 0 < PI * Rabs (k_v * sin (PI * (k_u * u))).
-Proof. intro H. generalize (H 0 1 1 ltac:(lra)). rewrite !Rmult_0_r, sin_0, Rmult_0_r, Rabs_R0. lra. Qed.
-Theorem pole__surface_gradient__false : ~ forall theta k_u k_v, dot (limit theta k_u k_v) (limit theta k_u k_v) = k_v ^ 2 * (k_u ^ 2 / 4).
+Theorem pole__surface_limit__false : ~ forall theta k_u k_v, dot (limit theta k_u k_v) (limit theta k_u k_v) = k_v ^ 2 * (k_u ^ 2 / 4).
 Proof.
-  intro H. generalize (H 0 1 1) (proj2 (proj2 (proj2 (pole__surface_gradient 0 1 1)))) PI_RGT_0. intros -> E P. revert E.
+  intro H. generalize (H 0 1 1) (proj2 (proj2 (proj2 (pole__surface_limit 0 1 1)))) PI_RGT_0. intros -> E P. revert E.
   replace (PI * (1 * ((0 + PI) / (2 * PI)))) with (PI / 2) by (field; lra). rewrite sin_PI2. lra.
 Qed.
-Theorem pole__one_limit__false : ~ forall k_u, (forall u, k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = k_u ^ 2 / 4) -> k_u = 0.
-Proof. intro H. assert (2 = 0) by (apply H; intro u; field). lra. Qed.
-Theorem pole__at_two__false : ~ forall theta k_v, limit theta 2 k_v = zero_vector.
-Proof. intro H. generalize (H 0 1). rewrite (proj1 (proj2 (pole__at_two 0 1))). unfold zero_vector. intro E. apply (f_equal (fun a => snd (fst a))) in E. cbn in E. lra. Qed.
-Theorem pole__polynomial__false : ~ forall theta phi k, let '(x, y, z) := normal_at theta phi in height_sine.h ((theta + PI) / (2 * PI)) (phi / PI) 2 (INR k) = y * fst (chebyshev k z).
-Proof.
-  intro H. generalize (H (PI / 2) (PI / 2) 1%nat) (pole__polynomial (PI / 2) (PI / 2) 1). unfold normal_at, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z.
-  cbn [chebyshev fst]. rewrite sin_PI2. intros -> E. lra.
-Qed.
+Theorem pole__one_limit__false : ~ forall k_u k_v, k_v <> 0 -> (forall theta, - PI <= theta < PI -> limit theta k_u k_v = limit (- PI) k_u k_v) -> k_u = 0.
+Proof. intro H. assert (2 = 0); [|lra]. apply (H 2 1 ltac:(lra)). intros. rewrite !limit_at_two. reflexivity. Qed.

@@ -53,13 +53,13 @@ Ltac find_error :=
 
 Section polynomials.
 Variable r : R.
-Hypothesis B : - (1/4) <= r <= 1/4.
+Hypothesis B : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
 Let z := r ^ 2.
 Let zh := rounded (r * r).
-Lemma z_is : 0 <= z <= 1/16 /\ Rabs (zh - z) <= 63 / 1000 / 2 ^ 53.
+Lemma z_is : 0 <= z <= 1/16 + 1/2^30 /\ Rabs (zh - z) <= 63 / 1000 / 2 ^ 53.
 Proof.
-  assert (Q : 0 <= z <= 1/16) by (unfold z; nra). split; [exact Q|]. unfold zh. replace (r * r) with z by (unfold z; ring).
-  eapply Rle_trans; [apply (rounded_error _ (1/16)); apply Rabs_le; lra | interval].
+  assert (Q : 0 <= z <= 1/16 + 1/2^30) by (unfold z; split; [apply pow2_ge_0 | interval]). split; [exact Q|]. unfold zh. replace (r * r) with z by (unfold z; ring).
+  eapply Rle_trans; [apply (rounded_error _ (1/16 + 1/2^30)); apply Rabs_le; lra | interval].
 Qed.
 Lemma cosine_rounded : Rabs (half_turn_polynomials_float64.cosine_near r - half_turn_polynomials.cosine_near r) <= 989 / 500 / 2 ^ 53.
 Proof.
@@ -81,10 +81,10 @@ Lemma rounded_1 : rounded 1 = 1.
 Proof. apply round_generic; [typeclasses eauto|]. change 1 with (bpow radix2 0). apply generic_format_bpow. easy. Qed.
 
 (* In float64 the cosine of a reduced argument is within 5/2 2^-53 of the cosine, *)
-Theorem elementary_functions__cosine_float64 (r : R) : - (1/4) <= r <= 1/4 -> Rabs (half_turn_polynomials_float64.cosine_near r - cos (PI * r)) <= 5/2 * (1 / 2 ^ 53).
+Theorem elementary_functions__cosine_float64 (r : R) : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs (half_turn_polynomials_float64.cosine_near r - cos (PI * r)) <= 5/2 * (1 / 2 ^ 53).
 Proof. intro B. eapply Rle_trans; [exact (through _ _ _ _ _ (cosine_rounded r B) (elementary_functions__cosine r B)) | lra]. Qed.
 (* and the sine within 9/4 2^-53 of the sine, *)
-Theorem elementary_functions__sine_float64 (r : R) : - (1/4) <= r <= 1/4 -> Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 9/4 * (1 / 2 ^ 53).
+Theorem elementary_functions__sine_float64 (r : R) : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 9/4 * (1 / 2 ^ 53).
 Proof. intro B. eapply Rle_trans; [exact (through _ _ _ _ _ (sine_rounded r B) (elementary_functions__sine r B)) | lra]. Qed.
 (* and at a whole number of half-turns, where the reduced argument is 0, nothing is rounded: a crease's zero is exact. *)
 Theorem elementary_functions__zero_float64 : half_turn_polynomials_float64.sine_near 0 = 0 /\ half_turn_polynomials_float64.cosine_near 0 = 1.
@@ -92,55 +92,20 @@ Proof.
   unfold half_turn_polynomials_float64.sine_near, half_turn_polynomials_float64.cosine_near, half_turn_polynomials_float64.z.
   rewrite !Rmult_0_l, !rounded_0, !Rmult_0_l, !rounded_0, Rplus_0_l. split; [reflexivity | exact rounded_1].
 Qed.
-Theorem elementary_functions__cosine_float64__point : exists r : R, - (1/4) <= r <= 1/4.
+Theorem elementary_functions__cosine_float64__point : exists r : R, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
 Proof. exists 0. lra. Qed.
-Theorem elementary_functions__sine_float64__point : exists r : R, - (1/4) <= r <= 1/4.
+Theorem elementary_functions__sine_float64__point : exists r : R, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
 Proof. exists 0. lra. Qed.
 (* They are not so near 1 and 0. *)
-Theorem elementary_functions__cosine_float64__false : ~ forall r, - (1/4) <= r <= 1/4 -> Rabs (half_turn_polynomials_float64.cosine_near r - 1) <= 5/2 * (1 / 2 ^ 53).
+Theorem elementary_functions__cosine_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs (half_turn_polynomials_float64.cosine_near r - 1) <= 5/2 * (1 / 2 ^ 53).
 Proof.
   intro H. generalize (H (1/4) ltac:(lra)) (elementary_functions__cosine_float64 (1/4) ltac:(lra)). intros X Y. apply Rabs_le_between in X. apply Rabs_le_between in Y.
   assert (cos (PI * (1/4)) < 1/1 - 6 * (1 / 2 ^ 53)) by interval. lra.
 Qed.
-Theorem elementary_functions__sine_float64__false : ~ forall r, - (1/4) <= r <= 1/4 -> Rabs (half_turn_polynomials_float64.sine_near r) <= 9/4 * (1 / 2 ^ 53).
+Theorem elementary_functions__sine_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs (half_turn_polynomials_float64.sine_near r) <= 9/4 * (1 / 2 ^ 53).
 Proof.
   intro H. generalize (H (1/4) ltac:(lra)) (elementary_functions__sine_float64 (1/4) ltac:(lra)). intros X Y. apply Rabs_le_between in X. apply Rabs_le_between in Y.
   assert (6 * (1 / 2 ^ 53) < sin (PI * (1/4))) by interval. lra.
 Qed.
-Theorem elementary_functions__zero_float64__false : ~ forall r, - (1/4) <= r <= 1/4 -> half_turn_polynomials_float64.sine_near r = 0.
+Theorem elementary_functions__zero_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> half_turn_polynomials_float64.sine_near r = 0.
 Proof. intro H. apply elementary_functions__sine_float64__false. intros r B. rewrite (H r B), Rabs_R0. interval. Qed.
-
-(* The exact gradient of sine, from factors as near as these: within 10 2^-53 PI max(1, |k|). *)
-Lemma slope_rounded (k c s ch sh : R) : Rabs c <= 1 -> Rabs s <= 1 ->
-  Rabs (ch - c) <= 5/2 * (1 / 2 ^ 53) -> Rabs (sh - s) <= 5/2 * (1 / 2 ^ 53) ->
-  Rabs (rounded (rounded (rounded (rounded PI * ch) * k) * sh) - PI * c * k * s) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).
-Proof.
-  intros C S Ec Es. set (K := Rmax 1 (Rabs k)). assert (K1 : 1 <= K) by apply Rmax_l. assert (Bk : Rabs k <= K) by apply Rmax_r.
-  assert (P : Rabs PI <= 22/7) by interval. assert (Ep := rounded_error _ _ P).
-  generalize (times_error _ _ _ _ _ _ _ _ P C Ep Ec). intro E1. assert (B1 : Rabs (PI * c) <= 22/7) by (rewrite Rabs_mult; generalize (Rabs_pos c); nra).
-  generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k)). intro E2.
-  assert (B2 : Rabs (PI * c * k) <= 22/7 * K) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; assumption).
-  generalize (times_error _ _ _ _ _ _ _ _ B2 S E2 Es). intro E3. eapply Rle_trans; [exact E3|].
-  assert (PI * K >= 314159/100000 * K) by (assert (314159/100000 <= PI) by interval; nra). lra.
-Qed.
-Theorem gradient_accuracy__sine (u v k_u k_v sin_u cos_u sin_v cos_v : R) :
-  Rabs (sin_u - gradient_sine.sin_u u k_u) <= 5/2 * (1 / 2 ^ 53) -> Rabs (cos_u - gradient_sine.cos_u u k_u) <= 5/2 * (1 / 2 ^ 53) ->
-  Rabs (sin_v - gradient_sine.sin_v v k_v) <= 5/2 * (1 / 2 ^ 53) -> Rabs (cos_v - gradient_sine.cos_v v k_v) <= 5/2 * (1 / 2 ^ 53) ->
-  Rabs (gradient_from_factors_sine_float64.h_u cos_u sin_v k_u - gradient_sine.h_u u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_u)) /\
-  Rabs (gradient_from_factors_sine_float64.h_v sin_u cos_v k_v - gradient_sine.h_v u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_v)).
-Proof.
-  intros. split; apply slope_rounded; try assumption; apply Rabs_le; (apply SIN_bound || apply COS_bound).
-Qed.
-Theorem gradient_accuracy__sine__point : exists u v k_u k_v sin_u cos_u sin_v cos_v : R,
-  Rabs (sin_u - gradient_sine.sin_u u k_u) <= 5/2 * (1 / 2 ^ 53) /\ Rabs (cos_u - gradient_sine.cos_u u k_u) <= 5/2 * (1 / 2 ^ 53) /\
-  Rabs (sin_v - gradient_sine.sin_v v k_v) <= 5/2 * (1 / 2 ^ 53) /\ Rabs (cos_v - gradient_sine.cos_v v k_v) <= 5/2 * (1 / 2 ^ 53).
-Proof. do 4 exists 0. do 4 eexists. repeat split; (eapply Rle_trans; [apply no_error | lra]). Qed.
-(* Of a cosine that is not so near it is not so. *)
-Theorem gradient_accuracy__sine__false : ~ forall u v k_u k_v cos_u sin_v : R,
-  Rabs (sin_v - gradient_sine.sin_v v k_v) <= 5/2 * (1 / 2 ^ 53) ->
-  Rabs (gradient_from_factors_sine_float64.h_u cos_u sin_v k_u - gradient_sine.h_u u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_u)).
-Proof.
-  intro H. assert (E : 0 <= 5/2 * (1 / 2 ^ 53)) by lra. generalize (H 0 (1/2) 1 1 0 _ (Rle_trans _ _ _ (no_error _) E)). unfold gradient_from_factors_sine_float64.h_u.
-  rewrite Rmult_0_r, rounded_0, Rmult_0_l, rounded_0, Rmult_0_l, rounded_0, Rmax_left by (rewrite Rabs_R1; lra).
-  unfold gradient_sine.h_u, gradient_sine.cos_u, gradient_sine.sin_v. apply Rlt_not_le. interval.
-Qed.

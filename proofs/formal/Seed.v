@@ -19,7 +19,9 @@ Qed.
 Theorem seed_quadratic_of_b__constant__false : ~ ~ forall t x y e cx cy cz r : R, distance2 t x y e cx cy cz - r ^ 2 =
   dot3 x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t
   + (dot3 cx cy (cz - e) cx cy (cz - e) - r ^ 2).
-Proof. intros N. apply N. intros. apply hit_of_b__quadratic. Qed.
+Proof.
+  intros N. apply N. intros. unfold distance2, hit_of_b.toward_b, hit_of_b.distance, dot3. ring.
+Qed.
 
 (* The default scene's b, and the seed's c = |C|^2 - R_2^2 = 2.0876 in place of |E - C|^2 - R_2^2. *)
 Definition scene_b (x y : R) := hit_of_b.toward_b x y 4 (1 / 2) (1 / 2) (13 / 10).

@@ -2,7 +2,8 @@
 
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Camera.
+From Formal Require Import Preliminaries Formulas Camera Claim Outlines Derivatives.
+From Formal Require Statements.
 Open Scope R_scope.
 
 Ltac shadow_lines := unfold shadow.shadow_discriminant, shadow.toward_center, shadow.segment_squared, shadow.segment_x,
@@ -132,74 +133,21 @@ Theorem shadow_along_a_row__away__false : ~ forall px py pz lx ly lz cx cy cz : 
   dot3 (px - lx) (py - ly) (pz - lz) (lx - cx) (ly - cy) (lz - cz).
 Proof. intros F. specialize (F 1 0 0 0 0 0 1 0 0). revert F. shadow_lines. lra. Qed.
 
-(* On the floor the discriminant is ((P - L).w)^2 - c |P - L|^2, w = L - C, c = |w|^2 - r^2: a quadratic in (x, y) whose
-   quadratic part has the determinant c (w_z^2 - r^2). *)
-Theorem shadow_of_b_on_floor__conic (lx ly lz cx cy cz r : R) :
-  let wx := lx - cx in let wy := ly - cy in let wz := lz - cz in let c := dot3 wx wy wz wx wy wz - r ^ 2 in
-  let xx := wx ^ 2 - c in let xy := wx * wy in let yy := wy ^ 2 - c in
-  (forall x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r =
-    dot3 (x - lx) (y - ly) (0 - lz) wx wy wz ^ 2 - c * apart2 x y 0 lx ly lz) /\
-  (exists e f g, forall x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r =
-    xx * x ^ 2 + 2 * xy * x * y + yy * y ^ 2 + e * x + f * y + g) /\
-  xx * yy - xy ^ 2 = c * (wz ^ 2 - r ^ 2).
-Proof.
-  intros. split; [intros; unfold apart2, c, wx, wy, wz; shadow_lines; ring |].
-  split; [| unfold xx, xy, yy, c, dot3; ring].
-  set (d x y := shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r).
-  exists ((d 1 0 - d (-1) 0) / 2), ((d 0 1 - d 0 (-1)) / 2), (d 0 0). intros x y.
-  change (shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r) with (d x y).
-  unfold d, xx, xy, yy, c, wx, wy, wz; shadow_lines; field.
-Qed.
-
-(* Not with the determinant c (w_z^2 + r^2). *)
-Theorem shadow_of_b_on_floor__conic__false : ~ forall wx wy wz r : R, let c := dot3 wx wy wz wx wy wz - r ^ 2 in
-  (wx ^ 2 - c) * (wy ^ 2 - c) - (wx * wy) ^ 2 = c * (wz ^ 2 + r ^ 2).
-Proof. intros F. specialize (F 0 0 2 1). unfold dot3 in F. lra. Qed.
-
-(* The light is outside the sphere where c is positive; the conic's type is the sign of its determinant. *)
-Definition c_of_light (lx ly lz cx cy cz r : R) := dot3 (lx - cx) (ly - cy) (lz - cz) (lx - cx) (ly - cy) (lz - cz) -
-  r ^ 2.
-Definition type_of_shadow (lx ly lz cx cy cz r : R) :=
-  ((lx - cx) ^ 2 - c_of_light lx ly lz cx cy cz r) * ((ly - cy) ^ 2 - c_of_light lx ly lz cx cy cz r)
-  - ((lx - cx) * (ly - cy)) ^ 2.
-
-Lemma type_of_shadow_value lx ly lz cx cy cz r :
-  type_of_shadow lx ly lz cx cy cz r = c_of_light lx ly lz cx cy cz r * ((lz - cz) ^ 2 - r ^ 2).
-Proof. unfold type_of_shadow, c_of_light, dot3. ring. Qed.
-
-(* An ellipse if the light is above the sphere's top or below its lowest point. *)
-Theorem shadow_of_b_on_floor__ellipse (lx ly lz cx cy cz r : R) : 0 < r -> 0 < c_of_light lx ly lz cx cy cz r ->
-  cz + r < lz \/ lz < cz - r -> 0 < type_of_shadow lx ly lz cx cy cz r.
-Proof. intros P C H. rewrite type_of_shadow_value. apply Rmult_lt_0_compat; [exact C |]. destruct H; nra. Qed.
-
-Theorem shadow_of_b_on_floor__ellipse__point : exists lx ly lz cx cy cz r : R,
-  0 < r /\ 0 < c_of_light lx ly lz cx cy cz r /\ (cz + r < lz \/ lz < cz - r).
-Proof. exists 0, 0, 3, 0, 0, 0, 1. unfold c_of_light, dot3. lra. Qed.
-
-(* Not if it is level with the top. *)
-Theorem shadow_of_b_on_floor__ellipse__false : ~ forall lx ly lz cx cy cz r : R, 0 < r ->
-  0 < c_of_light lx ly lz cx cy cz r -> cz + r <= lz -> 0 < type_of_shadow lx ly lz cx cy cz r.
-Proof.
-  intros F. specialize (F 0 0 3 2 0 2 1). unfold type_of_shadow, c_of_light, dot3 in F.
-  specialize (F ltac:(lra) ltac:(lra) ltac:(lra)). lra.
-Qed.
-
-(* A parabola if it is level with either. *)
-Theorem shadow_of_b_on_floor__parabola (lx ly lz cx cy cz r : R) : 0 < r -> 0 < c_of_light lx ly lz cx cy cz r ->
-  lz = cz + r \/ lz = cz - r -> type_of_shadow lx ly lz cx cy cz r = 0.
-Proof. intros P C H. rewrite type_of_shadow_value. destruct H as [-> | ->]; ring. Qed.
-
-Theorem shadow_of_b_on_floor__parabola__point : exists lx ly lz cx cy cz r : R,
-  0 < r /\ 0 < c_of_light lx ly lz cx cy cz r /\ (lz = cz + r \/ lz = cz - r).
-Proof. exists 0, 0, 3, 2, 0, 2, 1. unfold c_of_light, dot3. lra. Qed.
-
-(* Not if it is level with the centre. *)
-Theorem shadow_of_b_on_floor__parabola__false : ~ forall lx ly lz cx cy cz r : R, 0 < r ->
-  0 < c_of_light lx ly lz cx cy cz r -> lz = cz -> type_of_shadow lx ly lz cx cy cz r = 0.
-Proof.
-  intros F. specialize (F 0 0 2 2 0 2 1). unfold type_of_shadow, c_of_light, dot3 in F.
-  specialize (F ltac:(lra) ltac:(lra) eq_refl). lra.
-Qed.
+Theorem shadow_of_b_on_floor__conic : Statements.shadow_of_b_on_floor__conic.
+Proof. red. intros. subst foot_x foot_y. repeat split; slope. Qed.
+Theorem shadow_of_b_on_floor__ellipse : Statements.shadow_of_b_on_floor__ellipse.
+Proof. claim. Qed.
+Theorem shadow_of_b_on_floor__parabola : Statements.shadow_of_b_on_floor__parabola.
+Proof. claim. Qed.
+Theorem shadow_of_b_on_floor__hyperbola : Statements.shadow_of_b_on_floor__hyperbola.
+Proof. claim. Qed.
+Theorem shadow_of_b_on_floor__away : Statements.shadow_of_b_on_floor__away.
+Proof. claim. Qed.
+Ltac outline_from_the_light outline := red; intros r cx cy cz lx ly lz x y; intros; destruct (outline (cx - lx) (cy - ly) r (lz - cz) lz (x - lx) (y - ly)); lra.
+Theorem shadow_of_b_on_floor__all_seen : Statements.shadow_of_b_on_floor__all_seen.
+Proof. outline_from_the_light silhouette_of_b__all_seen. Qed.
+Theorem shadow_of_b_on_floor__none_seen : Statements.shadow_of_b_on_floor__none_seen.
+Proof. outline_from_the_light silhouette_of_b__none_seen. Qed.
 
 (* The part cast away from the light has a.w' < |a|^2, that is (P - L).(C - L) > 0. *)
 Definition cast_away (x y lx ly lz cx cy cz : R) :=
@@ -207,152 +155,86 @@ Definition cast_away (x y lx ly lz cx cy cz : R) :=
 Definition cast_back (x y lx ly lz cx cy cz : R) :=
   shadow.segment_squared x y 0 lx ly lz < shadow.toward_center x y 0 lx ly lz cx cy cz.
 
-(* A hyperbola if it is between: one of its branches is cast away, the other not, and every point is on one of them. *)
-Theorem shadow_of_b_on_floor__hyperbola (lx ly lz cx cy cz r : R) : 0 < lz -> 0 < r ->
-  0 < c_of_light lx ly lz cx cy cz r -> cz - r < lz < cz + r ->
-  type_of_shadow lx ly lz cx cy cz r < 0 /\
+(* The shadow is the sphere's outline, seen from the light: cast away is in front of it. *)
+Lemma from_the_light x y lx ly lz cx cy cz r :
+  let b := hit_of_b.toward_b (x - lx) (y - ly) lz (cx - lx) (cy - ly) cz in
+  shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = hit_of_b.discriminant_b (x - lx) (y - ly) lz (cx - lx) (cy - ly) cz r /\
+  (cast_away x y lx ly lz cx cy cz <-> 0 < b) /\ (cast_back x y lx ly lz cx cy cz <-> b < 0).
+Proof.
+  intro b. assert (B : shadow.segment_squared x y 0 lx ly lz - shadow.toward_center x y 0 lx ly lz cx cy cz = b)
+    by (unfold b, hit_of_b.toward_b, hit_of_b.distance; shadow_lines; ring).
+  unfold cast_away, cast_back. split; [unfold hit_of_b.discriminant_b, hit_of_b.distance; shadow_lines; ring | lra].
+Qed.
+
+Ltac moved_by_the_light x y := match goal with |- context [x + ?lx - ?lx] => replace (x + lx - lx) with x by ring end;
+  match goal with |- context [y + ?ly - ?ly] => replace (y + ly - ly) with y by ring end; assumption.
+
+(* If |L_z - C_z| >= r the shadow has a point, so that what is called an ellipse is one. *)
+Theorem shadow_of_b_on_floor__real (lx ly lz cx cy cz r : R) : 0 < lz -> 0 < r -> 0 < c_of_b lz (cx - lx) (cy - ly) cz r ->
+  r ^ 2 <= (lz - cz) ^ 2 -> exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0.
+Proof.
+  intros L P C H. destruct (silhouette_of_b__real lz (cx - lx) (cy - ly) cz r L P C H) as (x & y & D). exists (x + lx), (y + ly).
+  rewrite (proj1 (from_the_light _ _ _ _ _ _ _ _ _)). moved_by_the_light x y.
+Qed.
+
+Theorem shadow_of_b_on_floor__real__point : exists lx ly lz cx cy cz r : R, 0 < lz /\ 0 < r /\
+  0 < c_of_b lz (cx - lx) (cy - ly) cz r /\ r ^ 2 <= (lz - cz) ^ 2.
+Proof. exists 0, 0, 3, 0, 0, 0, 1. unfold c_of_b, dot3. lra. Qed.
+
+(* Not with the light on the sphere. *)
+Theorem shadow_of_b_on_floor__real__false : ~ forall lx ly lz cx cy cz r : R, 0 < lz -> 0 < r -> r ^ 2 <= (lz - cz) ^ 2 ->
+  exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0.
+Proof. intros F. destruct (F 0 0 4 0 0 3 1) as (x & y & D); try lra. revert D. shadow_lines. lra. Qed.
+
+(* If the light is between top and lowest point, there are points cast away and others, and each is one or the other. *)
+Theorem shadow_of_b_on_floor__two_branches (lx ly lz cx cy cz r : R) : 0 < lz -> 0 < c_of_b lz (cx - lx) (cy - ly) cz r ->
+  cz - r < lz < cz + r ->
   (exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0 /\ cast_away x y lx ly lz cx cy cz) /\
   (exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0 /\ cast_back x y lx ly lz cx cy cz) /\
   (forall x y, 0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r ->
     cast_away x y lx ly lz cx cy cz \/ cast_back x y lx ly lz cx cy cz).
 Proof.
-  intros L P C H. assert (B : (lz - cz) ^ 2 < r ^ 2) by nra. split; [rewrite type_of_shadow_value; nra |].
-  destruct (shadow_of_b_on_floor__conic lx ly lz cx cy cz r) as (D & _). fold (c_of_light lx ly lz cx cy cz r) in D.
-  set (w := (lx - cx) ^ 2 + (ly - cy) ^ 2).
-  assert (W : c_of_light lx ly lz cx cy cz r = w + ((lz - cz) ^ 2 - r ^ 2)) by (unfold c_of_light, dot3, w; ring).
-  set (c := c_of_light lx ly lz cx cy cz r) in *. set (h := lz - cz) in *. assert (Q : 0 < w) by lra.
-  assert (A : forall x y, cast_away x y lx ly lz cx cy cz <->
-    dot3 (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) h < 0).
-  { intros x y. unfold cast_away. pose proof (shadow_along_a_row_away x y 0 lx ly lz cx cy cz) as E.
-    unfold h, dot3 in *. split; intros; lra. }
-  assert (A' : forall x y, cast_back x y lx ly lz cx cy cz <->
-    0 < dot3 (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) h).
-  { intros x y. unfold cast_back. pose proof (shadow_along_a_row_away x y 0 lx ly lz cx cy cz) as E.
-    unfold h, dot3 in *. split; intros; lra. }
-  destruct (two_roots (w ^ 2 - c * w) (- (w * lz * h)) (lz ^ 2 * (h ^ 2 - c)) (lz * h / w)) as (s1 & s2 & O & R1 & R2).
-  - nra.
-  - replace (_ + _ + _) with (- c * lz ^ 2 * (h ^ 2 + w) / w) by (field; lra).
-    assert (0 < c * lz ^ 2 * (h ^ 2 + w) / w); [| unfold Rdiv in *; lra].
-    apply Rdiv_lt_0_compat; [| exact Q]. repeat apply Rmult_lt_0_compat; nra.
-  - assert (K : w * (lz * h / w) = lz * h) by (field; lra).
-    assert (V : forall s, dot3 (lx + s * (lx - cx) - lx) (ly + s * (ly - cy) - ly) (0 - lz) (lx - cx) (ly - cy) h
-      = s * w - lz * h) by (intros; unfold dot3, w; ring).
-    assert (V2 : forall s, apart2 (lx + s * (lx - cx)) (ly + s * (ly - cy)) 0 lx ly lz = s ^ 2 * w + lz ^ 2)
-      by (intros; unfold apart2, w; ring).
-    split; [| split].
-    + exists (lx + s1 * (lx - cx)), (ly + s1 * (ly - cy)). rewrite A, D, V, V2. split; nra.
-    + exists (lx + s2 * (lx - cx)), (ly + s2 * (ly - cy)). rewrite A', D, V, V2. split; nra.
-    + intros x y. rewrite A, A', D. intros N.
-      assert (0 < apart2 x y 0 lx ly lz).
-      { unfold apart2. pose proof (pow2_ge_0 (x - lx)). pose proof (pow2_ge_0 (y - ly)). assert (0 < lz ^ 2) by nra.
-        lra. }
-      assert (0 < c * apart2 x y 0 lx ly lz) by (apply Rmult_lt_0_compat; assumption). nra.
+  intros L C H. destruct (silhouette_of_b__two_branches lz (cx - lx) (cy - ly) cz r L C) as [(x1 & y1 & D1) (x2 & y2 & D2)]; [nra |].
+  split; [exists (x1 + lx), (y1 + ly) | split; [exists (x2 + lx), (y2 + ly) |]].
+  - destruct (from_the_light (x1 + lx) (y1 + ly) lx ly lz cx cy cz r) as (-> & -> & _). moved_by_the_light x1 y1.
+  - destruct (from_the_light (x2 + lx) (y2 + ly) lx ly lz cx cy cz r) as (-> & _ & ->). moved_by_the_light x2 y2.
+  - intros x y. destruct (from_the_light x y lx ly lz cx cy cz r) as (-> & -> & ->).
+    destruct (quadratic_of_b 0 (x - lx) (y - ly) lz (cx - lx) (cy - ly) cz r) as (_ & _ & ->). intro D.
+    assert (0 < dot3 (x - lx) (y - ly) (- lz) (x - lx) (y - ly) (- lz))
+      by (unfold dot3; pose proof (pow2_ge_0 (x - lx)); pose proof (pow2_ge_0 (y - ly)); nra).
+    set (b := hit_of_b.toward_b (x - lx) _ _ _ _ _) in *. destruct (Rtotal_order b 0) as [N | [Z | P]]; [right; exact N | | left; exact P].
+    rewrite Z in D. nra.
 Qed.
 
-Theorem shadow_of_b_on_floor__hyperbola__point : exists lx ly lz cx cy cz r : R, 0 < lz /\ 0 < r /\
-  0 < c_of_light lx ly lz cx cy cz r /\ cz - r < lz < cz + r.
-Proof. exists 0, 0, 2, 2, 0, 2, 1. unfold c_of_light, dot3. lra. Qed.
+Theorem shadow_of_b_on_floor__two_branches__point : exists lx ly lz cx cy cz r : R, 0 < lz /\
+  0 < c_of_b lz (cx - lx) (cy - ly) cz r /\ cz - r < lz < cz + r.
+Proof. exists 0, 0, 2, 2, 0, 2, 1. unfold c_of_b, dot3. lra. Qed.
 
 (* Not if it is level with the top. *)
-Theorem shadow_of_b_on_floor__hyperbola__false : ~ forall lx ly lz cx cy cz r : R, 0 < lz -> 0 < r ->
-  0 < c_of_light lx ly lz cx cy cz r -> cz - r < lz <= cz + r -> type_of_shadow lx ly lz cx cy cz r < 0.
+Theorem shadow_of_b_on_floor__two_branches__false : ~ forall lx ly lz cx cy cz r : R, 0 < lz ->
+  0 < c_of_b lz (cx - lx) (cy - ly) cz r -> cz - r < lz <= cz + r ->
+  exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0 /\ cast_back x y lx ly lz cx cy cz.
 Proof.
-  intros F. specialize (F 0 0 3 2 0 2 1). unfold type_of_shadow, c_of_light, dot3 in F.
-  specialize (F ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+  intros F. specialize (F 0 0 3 2 0 2 1). unfold c_of_b, dot3 in F. destruct F as (x & y & D & B); try lra.
+  revert D B. unfold cast_back. shadow_lines. nra.
 Qed.
 
-Lemma cast_side x y lx ly lz cx cy cz r : 0 < lz -> 0 < c_of_light lx ly lz cx cy cz r -> r ^ 2 <= (lz - cz) ^ 2 ->
-  0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r ->
-  (0 < lz - cz -> cast_away x y lx ly lz cx cy cz) /\ (lz - cz < 0 -> cast_back x y lx ly lz cx cy cz).
+(* Sphere A's shadow is an ellipse if L_z > R: of positive determinant, and with points. *)
+Theorem shadow_of_a_on_floor__ellipse (lx ly lz r : R) : 0 < r < lz -> let c := lx ^ 2 + ly ^ 2 + lz ^ 2 - r ^ 2 in
+  0 < (lx ^ 2 - c) * (ly ^ 2 - c) - (lx * ly) ^ 2 /\ exists x y, shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r = 0.
 Proof.
-  intros L C H D. pose proof (shadow_along_a_row_away x y 0 lx ly lz cx cy cz) as A.
-  destruct (shadow_of_b_on_floor__conic lx ly lz cx cy cz r) as (E & _). fold (c_of_light lx ly lz cx cy cz r) in E.
-  rewrite E in D. unfold cast_away, cast_back.
-  destruct (seen_side lz (lz - cz) (- ((x - lx) * (lx - cx) + (y - ly) * (ly - cy)))
-    (shadow.segment_squared x y 0 lx ly lz - shadow.toward_center x y 0 lx ly lz cx cy cz)
-    (c_of_light lx ly lz cx cy cz r) ((lx - cx) ^ 2 + (ly - cy) ^ 2) ((x - lx) ^ 2 + (y - ly) ^ 2)) as [S N];
-    try assumption.
-  - rewrite A. unfold dot3. ring.
-  - pose proof (pow2_ge_0 ((x - lx) * (ly - cy) - (y - ly) * (lx - cx))). lra.
-  - squares.
-  - unfold c_of_light, dot3. lra.
-  - rewrite A. unfold apart2, dot3 in *. lra.
-  - split; intros G; [specialize (S G) | specialize (N G)]; lra.
+  intros H c. assert (0 < c) by (unfold c; nra). split.
+  - replace (_ - _) with (c * (lz ^ 2 - r ^ 2)) by (unfold c; ring). apply Rmult_lt_0_compat; nra.
+  - apply shadow_of_b_on_floor__real; try nra. unfold c_of_b, dot3. unfold c in *. lra.
 Qed.
 
-(* All of it is cast away if L_z >= C_z + r. *)
-Theorem shadow_of_b_on_floor__all_seen (x y lx ly lz cx cy cz r : R) : 0 < lz -> 0 < r ->
-  0 < c_of_light lx ly lz cx cy cz r -> cz + r <= lz ->
-  0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r -> cast_away x y lx ly lz cx cy cz.
-Proof. intros L P C H D. apply (cast_side x y lx ly lz cx cy cz r); try assumption; nra. Qed.
+Theorem shadow_of_a_on_floor__ellipse__point : exists r lz : R, 0 < r < lz.
+Proof. exists 1, 2. lra. Qed.
 
-Theorem shadow_of_b_on_floor__all_seen__point : exists x y lx ly lz cx cy cz r : R, 0 < lz /\ 0 < r /\
-  0 < c_of_light lx ly lz cx cy cz r /\ cz + r <= lz /\ 0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r.
-Proof. exists 0, 0, 0, 0, 3, 0, 0, 0, 1. unfold c_of_light. shadow_lines. lra. Qed.
-
-(* Not if the light is level with the centre. *)
-Theorem shadow_of_b_on_floor__all_seen__false : ~ forall x y lx ly lz cx cy cz r : R, 0 < lz -> 0 < r ->
-  0 < c_of_light lx ly lz cx cy cz r -> cz <= lz ->
-  0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r -> cast_away x y lx ly lz cx cy cz.
-Proof.
-  intros F. specialize (F (-2) 0 0 0 1 2 0 1 1). revert F. unfold cast_away, c_of_light. shadow_lines. lra.
-Qed.
-
-(* None of it if L_z <= C_z - r. *)
-Theorem shadow_of_b_on_floor__none_seen (x y lx ly lz cx cy cz r : R) : 0 < lz -> 0 < r ->
-  0 < c_of_light lx ly lz cx cy cz r -> lz <= cz - r ->
-  0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r -> ~ cast_away x y lx ly lz cx cy cz.
-Proof.
-  intros L P C H D. assert (cast_back x y lx ly lz cx cy cz)
-    by (apply (cast_side x y lx ly lz cx cy cz r); try assumption; nra).
-  unfold cast_away, cast_back in *. lra.
-Qed.
-
-Theorem shadow_of_b_on_floor__none_seen__point : exists x y lx ly lz cx cy cz r : R, 0 < lz /\ 0 < r /\
-  0 < c_of_light lx ly lz cx cy cz r /\ lz <= cz - r /\ 0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r.
-Proof. exists 0, 0, 0, 0, 1, 0, 0, 3, 1. unfold c_of_light. shadow_lines. lra. Qed.
-
-(* Not if the light is level with the centre. *)
-Theorem shadow_of_b_on_floor__none_seen__false : ~ forall x y lx ly lz cx cy cz r : R, 0 < lz -> 0 < r ->
-  0 < c_of_light lx ly lz cx cy cz r -> lz <= cz ->
-  0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r -> ~ cast_away x y lx ly lz cx cy cz.
-Proof.
-  intros F. specialize (F 2 0 0 0 1 2 0 1 1). revert F. unfold cast_away, c_of_light. shadow_lines. lra.
-Qed.
-
-(* The part cast away is decided by the sign of (P - L).(C - L) = |a|^2 - a.w'. *)
-Theorem shadow_of_b_on_floor__away (x y lx ly lz cx cy cz : R) :
-  cast_away x y lx ly lz cx cy cz <-> 0 < dot3 (x - lx) (y - ly) (0 - lz) (cx - lx) (cy - ly) (cz - lz).
-Proof. rewrite <- shadow_along_a_row_away. unfold cast_away. split; intros; lra. Qed.
-
-(* Not of the opposite. *)
-Theorem shadow_of_b_on_floor__away__false : ~ forall x y lx ly lz cx cy cz : R,
-  cast_away x y lx ly lz cx cy cz <-> 0 < dot3 (x - lx) (y - ly) (0 - lz) (lx - cx) (ly - cy) (lz - cz).
-Proof.
-  intros F. specialize (F 1 0 0 0 1 1 0 0). revert F. unfold cast_away. shadow_lines. intros [F G]. lra.
-Qed.
-
-(* Sphere A's shadow on the floor: with C = 0, d = (P.L)^2 - |L|^2 |P|^2 + R^2 |P - L|^2, a conic of a sphere's shadow's
-   type with w_z = L_z, an ellipse if L_z > R. *)
-Theorem shadow_of_a_on_floor__conic (lx ly lz r : R) : 0 < r -> r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) ->
-  (forall x y, shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r =
-    dot3 x y 0 lx ly lz ^ 2 - dot3 lx ly lz lx ly lz * dot3 x y 0 x y 0 + r ^ 2 * apart2 x y 0 lx ly lz) /\
-  type_of_shadow lx ly lz 0 0 0 r = (lx ^ 2 + ly ^ 2 + lz ^ 2 - r ^ 2) * (lz ^ 2 - r ^ 2) /\
-  (r < lz -> 0 < type_of_shadow lx ly lz 0 0 0 r).
-Proof.
-  intros P H. assert (N : 0 <= lx ^ 2 + ly ^ 2 + lz ^ 2) by squares. pose proof (sqrt_sqrt _ N).
-  split; [intros; unfold apart2; shadow_lines; ring |]. split; [unfold type_of_shadow, c_of_light, dot3; ring |].
-  intros L. apply shadow_of_b_on_floor__ellipse; [exact P | unfold c_of_light, dot3; nra | lra].
-Qed.
-
-Theorem shadow_of_a_on_floor__conic__point : exists lx ly lz r : R, 0 < r /\ r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2).
-Proof. exists 0, 0, 2, 1. rewrite (sqrt_is _ 2); lra. Qed.
-
-(* Not with - R^2 |P - L|^2. *)
-Theorem shadow_of_a_on_floor__conic__false : ~ forall x y lx ly lz r : R,
-  shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r =
-  dot3 x y 0 lx ly lz ^ 2 - dot3 lx ly lz lx ly lz * dot3 x y 0 x y 0 - r ^ 2 * apart2 x y 0 lx ly lz.
-Proof. intros F. specialize (F 0 0 1 0 0 1). revert F. unfold apart2. shadow_lines. lra. Qed.
+(* Not if L_z = R. *)
+Theorem shadow_of_a_on_floor__ellipse__false : ~ forall lx ly lz r : R, 0 < r <= lz -> let c := lx ^ 2 + ly ^ 2 + lz ^ 2 - r ^ 2 in
+  0 < (lx ^ 2 - c) * (ly ^ 2 - c) - (lx * ly) ^ 2.
+Proof. intros F. generalize (F 1 0 1 1 ltac:(lra)). cbv zeta. lra. Qed.
 
 (* The shadow is its part with 0 < a.w' < |a|^2, beyond A: 0 < a.w' says P.L < |P|^2. *)
 Theorem shadow_of_a_on_floor__beyond_a (x y lx ly lz r : R) : 0 < r -> r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) ->
@@ -373,8 +255,8 @@ Proof.
   unfold cast_away. rewrite T. split; [split; intros; lra |]. intros H. split; [intros; lra |]. intros [D B].
   assert (N : 0 <= lx ^ 2 + ly ^ 2 + lz ^ 2) by squares. pose proof (sqrt_sqrt _ N).
   assert (A : cast_away x y lx ly lz 0 0 0).
-  { apply (shadow_of_b_on_floor__all_seen x y lx ly lz 0 0 0 r); try assumption; try lra. unfold c_of_light, dot3. nra.
-    }
+  { apply (from_the_light x y lx ly lz 0 0 0 r). rewrite (proj1 (from_the_light _ _ _ _ _ _ _ _ _)) in D.
+    apply (seen_of_b _ _ _ _ _ _ r); try lra. unfold c_of_b, dot3. nra. }
   unfold cast_away in A. rewrite T in A. lra.
 Qed.
 
@@ -412,9 +294,29 @@ Proof.
   destruct (Rle_lt_dec (a - b) c) as [L | L]; [exact L | exfalso]. assert (c ^ 2 < (a - b) ^ 2) by nra. lra.
 Qed.
 
+Theorem shadow_out_of_reach__within : Statements.shadow_out_of_reach__within.
+Proof. claim. Qed.
+Theorem shadow_out_of_reach__cone : Statements.shadow_out_of_reach__cone.
+Proof.
+  red. intros. assert (N : distance ^ 2 * wander ^ 2 - product ^ 2 = (aside_y * axis_x - aside_x * axis_y) ^ 2 +
+    (aside_x * axis_z - aside_z * axis_x) ^ 2 + (aside_z * axis_y - aside_y * axis_z) ^ 2) by (rewrite H3, H4, H5; ring).
+  assert (distance ^ 2 * wander ^ 2 - product ^ 2 >= 0) by (rewrite N; apply Rle_ge; repeat apply Rplus_le_le_0_compat; apply pow2_ge_0). assert (P : distance * wander >= 0) by nra.
+  assert (distance * wander + product >= 0) by nra. each ltac:(first [assumption | lra | nra]).
+Qed.
+Theorem shadow_out_of_reach__quadratic : Statements.shadow_out_of_reach__quadratic.
+Proof. claim. Qed.
+Theorem shadow_out_of_reach__turns_before : Statements.shadow_out_of_reach__turns_before.
+Proof. claim. Qed.
+Theorem shadow_out_of_reach__turns_between : Statements.shadow_out_of_reach__turns_between.
+Proof. red. intros. assert (0 <= bend * (share - at_) ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]). replace slope with (- (at_ * bend)) by lra. lra. Qed.
+Theorem shadow_out_of_reach__turns_after : Statements.shadow_out_of_reach__turns_after.
+Proof. red. intros. assert (0 <= (1 - share) * (bend * (1 - share) - 2 * (bend + slope))) by (apply Rmult_le_pos; nra). lra. Qed.
+Theorem shadow_out_of_reach__bends_down : Statements.shadow_out_of_reach__bends_down.
+Proof. red. intros. assert (0 <= share * (1 - share) * - bend) by (repeat apply Rmult_le_pos; lra). lra. Qed.
+
 (* The segment from the light L to a point Q of the ball (centre C, radius s) passes at share t of the way within t s of
    L + t (C - L). *)
-Theorem (* clause 1 *) shadow_out_of_reach__within (t lx ly lz bx by_ bz s qx qy qz : R) : 0 <= t ->
+Lemma within_share (t lx ly lz bx by_ bz s qx qy qz : R) : 0 <= t ->
   len (qx - bx) (qy - by_) (qz - bz) <= s ->
   len (lx + t * (qx - lx) - (lx + t * (bx - lx))) (ly + t * (qy - ly) - (ly + t * (by_ - ly)))
     (lz + t * (qz - lz) - (lz + t * (bz - lz))) <= t * s.
@@ -427,27 +329,15 @@ Qed.
 Lemma len_axis x : 0 <= x -> len x 0 0 = x.
 Proof. intros X. apply sqrt_is; [exact X | ring]. Qed.
 
-Theorem shadow_out_of_reach__within__point : exists t bx by_ bz s qx qy qz : R,
-  0 <= t /\ len (qx - bx) (qy - by_) (qz - bz) <= s.
-Proof. exists 1, 0, 0, 0, 1, 1, 0, 0. rewrite !Rminus_0_r, len_axis; lra. Qed.
-
-(* Not within t s / 2. *)
-Theorem shadow_out_of_reach__within__false : ~ forall t lx bx s qx : R, 0 <= t -> len (qx - bx) 0 0 <= s ->
-  len (lx + t * (qx - lx) - (lx + t * (bx - lx))) 0 0 <= t * s / 2.
-Proof.
-  intros F. specialize (F 1 0 0 1 1). replace (0 + 1 * (1 - 0) - (0 + 1 * (0 - 0))) with 1 in F by ring.
-  rewrite !Rminus_0_r, len_axis in F by lra. specialize (F ltac:(lra) ltac:(lra)). lra.
-Qed.
-
 (* If |L - c + t (C - L)| > r + t s for all t in [0, 1], no such segment meets the ball of radius r about c. *)
-Theorem (* clause 2 *) shadow_out_of_reach__cone (lx ly lz cx cy cz r bx by_ bz s : R) :
+Lemma off_the_cone (lx ly lz cx cy cz r bx by_ bz s : R) :
   (forall t, 0 <= t <= 1 -> r + t * s < len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz -
     lz))) ->
   forall t qx qy qz, 0 <= t <= 1 -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
   r < len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz).
 Proof.
   intros H t qx qy qz T Q. specialize (H t T).
-  pose proof (shadow_out_of_reach__within t lx ly lz bx by_ bz s qx qy qz ltac:(lra) Q) as W.
+  pose proof (within_share t lx ly lz bx by_ bz s qx qy qz ltac:(lra) Q) as W.
   pose proof (len_apart (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))
     (lx + t * (qx - lx) - (lx + t * (bx - lx))) (ly + t * (qy - ly) - (ly + t * (by_ - ly)))
     (lz + t * (qz - lz) - (lz + t * (bz - lz)))) as A.
@@ -457,27 +347,8 @@ Proof.
       (lz - cz + t * (bz - lz) + (lz + t * (qz - lz) - (lz + t * (bz - lz))))) by (f_equal; ring). lra.
 Qed.
 
-Theorem shadow_out_of_reach__cone__point : exists lx ly lz cx cy cz r bx by_ bz s : R, forall t, 0 <= t <= 1 ->
-  r + t * s < len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz)).
-Proof.
-  exists 3, 0, 0, 0, 0, 0, 1, 4, 0, 0, 1. intros t T. replace (len _ _ _) with (len (3 + t) 0 0) by (f_equal; ring).
-  rewrite len_axis; lra.
-Qed.
-
-(* Not without the ball's reach: |L - c + t (C - L)| > r is not enough. *)
-Theorem shadow_out_of_reach__cone__false : ~ forall lx cx r bx s : R,
-  (forall t, 0 <= t <= 1 -> r < len (lx - cx + t * (bx - lx)) 0 0) ->
-  forall t qx, 0 <= t <= 1 -> len (qx - bx) 0 0 <= s -> r < len (lx + t * (qx - lx) - cx) 0 0.
-Proof.
-  intros F. assert (H : 1 < len (3 + 1 * (1 - 3) - 0) 0 0).
-  { apply (F 3 0 1 2 1); try lra.
-    - intros t T. rewrite len_axis; lra.
-    - unfold len. rewrite (sqrt_is _ 1); lra. }
-  rewrite len_axis in H; lra.
-Qed.
-
 (* The squares' difference is a quadratic in t with the program's coefficients. *)
-Theorem (* clause 3 *) shadow_out_of_reach__quadratic (t lx ly lz cx cy cz r bx by_ bz s : R) :
+Lemma clearance_quadratic (t lx ly lz cx cy cz r bx by_ bz s : R) :
   len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz)) ^ 2 - (r + t * s) ^ 2 =
   shadow_clearance.at_light lx ly lz cx cy cz r + t * (2 * shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s
     + t * shadow_clearance.curvature lx ly lz bx by_ bz s).
@@ -487,19 +358,8 @@ Proof.
     shadow_clearance.from_body_y, shadow_clearance.from_body_z. ring.
 Qed.
 
-(* Not with a ball of radius s all the way. *)
-Theorem shadow_out_of_reach__quadratic__false : ~ forall t lx cx r bx s : R,
-  len (lx - cx + t * (bx - lx)) 0 0 ^ 2 - (r + s) ^ 2 =
-  shadow_clearance.at_light lx 0 0 cx 0 0 r + t * (2 * shadow_clearance.half_slope lx 0 0 cx 0 0 r bx 0 0 s
-    + t * shadow_clearance.curvature lx 0 0 bx 0 0 s).
-Proof.
-  intros F. specialize (F 0 0 0 0 0 1). rewrite len_squared in F. revert F.
-  unfold shadow_clearance.at_light, shadow_clearance.from_body_x, shadow_clearance.from_body_y,
-    shadow_clearance.from_body_z. lra.
-Qed.
-
 (* On [0, 1] the program's shortest is the least value of that quadratic: at an end or where it turns. *)
-Theorem (* clause 3 *) shadow_out_of_reach__least (lx ly lz cx cy cz r bx by_ bz s : R) :
+Lemma clearance_least (lx ly lz cx cy cz r bx by_ bz s : R) :
   let f t := shadow_clearance.at_light lx ly lz cx cy cz r
     + t * (2 * shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s
            + t * shadow_clearance.curvature lx ly lz bx by_ bz s) in
@@ -537,26 +397,15 @@ Proof.
     apply (Rmult_le_reg_r k); [exact K |]. replace (- h / k * k) with (- h) by (field; lra). lra.
 Qed.
 
-(* Not always at the light. *)
-Theorem shadow_out_of_reach__least__false : ~ forall lx cx r bx s t : R, 0 <= t <= 1 ->
-  shadow_clearance.at_light lx 0 0 cx 0 0 r <= shadow_clearance.at_light lx 0 0 cx 0 0 r
-    + t * (2 * shadow_clearance.half_slope lx 0 0 cx 0 0 r bx 0 0 s + t * shadow_clearance.curvature lx 0 0 bx 0 0 s).
-Proof.
-  intros F. specialize (F 2 0 0 1 0 1 ltac:(lra)). revert F.
-  unfold shadow_clearance.half_slope, shadow_clearance.curvature,
-    shadow_clearance.along_x, shadow_clearance.along_y, shadow_clearance.along_z, shadow_clearance.from_body_x,
-    shadow_clearance.from_body_y, shadow_clearance.from_body_z. lra.
-Qed.
-
 (* So where the program's clearance is positive, no segment from the light to a point of the ball meets the body. *)
-Theorem (* clauses 2, 3 *) shadow_out_of_reach__program (lx ly lz cx cy cz r bx by_ bz s : R) : 0 < r -> 0 < s ->
+Theorem shadow_out_of_reach__program (lx ly lz cx cy cz r bx by_ bz s : R) : 0 < r -> 0 < s ->
   r < len (lx - cx) (ly - cy) (lz - cz) -> 0 < shadow_clearance.clearance lx ly lz cx cy cz r bx by_ bz s ->
   forall t qx qy qz, 0 <= t <= 1 -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
   r < len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz).
 Proof.
-  intros R S O C. apply shadow_out_of_reach__cone. intros t T.
-  destruct (shadow_out_of_reach__least lx ly lz cx cy cz r bx by_ bz s) as (L & _). specialize (L t T).
-  rewrite <- shadow_out_of_reach__quadratic in L.
+  intros R S O C. apply off_the_cone. intros t T.
+  destruct (clearance_least lx ly lz cx cy cz r bx by_ bz s) as (L & _). specialize (L t T).
+  rewrite <- clearance_quadratic in L.
   assert (P : 0 < shadow_clearance.shortest lx ly lz cx cy cz r bx by_ bz s).
   { unfold shadow_clearance.clearance in C. pose proof (len_squared (lx - cx) (ly - cy) (lz - cz)) as Q.
     match type of C with 0 < ?a / ?b => assert (0 < b); [| apply (Rmult_lt_reg_r (/ b));

@@ -3,7 +3,7 @@
 
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries.
+From Formal Require Import Preliminaries Formulas Float Float64.
 Open Scope R_scope.
 
 Definition algebraic_gradient__power : Prop :=
@@ -291,19 +291,21 @@ Definition truncation_bound__sine : Prop :=
   u - epsilon >= 0 ->
   epsilon + u < 1 ->
   k_u > 0 ->
+  ex_derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u /\
   epsilon <> 0 /\
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
   1 - (sin (v * PI * k_v)) * (cos (u * PI * k_u)) >= 0 /\
   (sin (v * PI * k_v)) * (cos (u * PI * k_u)) + 1 >= 0 /\
   PI * k_u > 0 /\
   (PI * k_u) ^ 3 > 0 /\
-  -PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) = (-(PI * k_u) ^ 3) * (sin (v * PI * k_v)) * (cos (u * PI * k_u)) /\
-  PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (PI * k_u) ^ 3 >= 0 /\
-  (PI * k_u) ^ 3 - PI ^ 3 * k_u ^ 3 * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) >= 0 /\
-  epsilon * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (sin (v * PI * k_v)) * (cos (u * PI * k_u)) * (sin (epsilon * PI * k_u) - PI * epsilon * k_u) /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon) >= 0 /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) - (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) + (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) - (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon >= 0.
+  (Derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u) = (-(PI * k_u) ^ 3) * (sin (v * PI * k_v)) * (cos (u * PI * k_u)) /\
+  (PI * k_u) ^ 3 - (Derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u) >= 0 /\
+  (PI * k_u) ^ 3 + (Derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u) >= 0 /\
+  epsilon * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)) = (sin (v * PI * k_v)) * (cos (u * PI * k_u)) * (sin (epsilon * PI * k_u) - PI * epsilon * k_u) /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + 1 * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u))) >= 0 /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + 1 * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)) >= 0.
 
 Definition truncation_bound__sine_in_v : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -311,19 +313,21 @@ Definition truncation_bound__sine_in_v : Prop :=
   v - epsilon >= 0 ->
   epsilon + v <= 1 ->
   k_v > 0 ->
+  ex_derive_n (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 v /\
   2 * epsilon <> 0 /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
   1 - (sin (u * PI * k_u)) * (cos (v * PI * k_v)) >= 0 /\
   (sin (u * PI * k_u)) * (cos (v * PI * k_v)) + 1 >= 0 /\
   PI * k_v > 0 /\
   (PI * k_v) ^ 3 > 0 /\
-  -PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) = (-(PI * k_v) ^ 3) * (sin (u * PI * k_u)) * (cos (v * PI * k_v)) /\
-  PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + (PI * k_v) ^ 3 >= 0 /\
-  (PI * k_v) ^ 3 - PI ^ 3 * k_v ^ 3 * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) >= 0 /\
-  epsilon * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u)))) = (sin (u * PI * k_u)) * (cos (v * PI * k_v)) * (sin (epsilon * PI * k_v) - PI * epsilon * k_v) /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon)) >= 0 /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) - (1 / 2) / epsilon * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))))) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) + ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) - (1 / 2) / epsilon * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) >= 0.
+  (Derive_n (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 v) = (-(PI * k_v) ^ 3) * (sin (u * PI * k_u)) * (cos (v * PI * k_v)) /\
+  (PI * k_v) ^ 3 - (Derive_n (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 v) >= 0 /\
+  (PI * k_v) ^ 3 + (Derive_n (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 v) >= 0 /\
+  epsilon * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v)) = (sin (u * PI * k_u)) * (cos (v * PI * k_v)) * (sin (epsilon * PI * k_v) - PI * epsilon * k_v) /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 1 * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v))) >= 0 /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 1 * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v)) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v)) >= 0.
 
 Definition truncation_bound__rings : Prop :=
   forall epsilon k_v v : R,
@@ -331,19 +335,21 @@ Definition truncation_bound__rings : Prop :=
   v - epsilon >= 0 ->
   epsilon + v <= 1 ->
   k_v > 0 ->
+  ex_derive_n (fun v : R => sin (PI * (2 * k_v * v))) 3 v /\
   2 * epsilon <> 0 /\
+  ex_derive (fun v : R => sin (PI * (2 * k_v * v))) v /\
   1 - (cos (v * 2 * PI * k_v)) >= 0 /\
   cos (v * 2 * PI * k_v) + 1 >= 0 /\
   PI * 2 * k_v > 0 /\
   (PI * 2 * k_v) ^ 3 > 0 /\
-  -8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) = (-(PI * 2 * k_v) ^ 3) * (cos (v * 2 * PI * k_v)) /\
-  8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) + (PI * 2 * k_v) ^ 3 >= 0 /\
-  (PI * 2 * k_v) ^ 3 - 8 * PI ^ 3 * k_v ^ 3 * (cos (PI * (2 * k_v * v))) >= 0 /\
-  epsilon * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - 2 * PI * k_v * (cos (PI * (2 * k_v * v)))) = (sin (epsilon * PI * 2 * k_v) - 2 * PI * epsilon * k_v) * (cos (v * 2 * PI * k_v)) /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - 2 * PI * k_v * (cos (PI * (2 * k_v * v))) + (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon)) >= 0 /\
-  epsilon * ((1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 2 * PI * k_v * (cos (PI * (2 * k_v * v))) - (1 / 2) / epsilon * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon)))))) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - 2 * PI * k_v * (cos (PI * (2 * k_v * v))) + (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) >= 0 /\
-  (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 2 * PI * k_v * (cos (PI * (2 * k_v * v))) - (1 / 2) / epsilon * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) >= 0.
+  (Derive_n (fun v : R => sin (PI * (2 * k_v * v))) 3 v) = (-(PI * 2 * k_v) ^ 3) * (cos (v * 2 * PI * k_v)) /\
+  (PI * 2 * k_v) ^ 3 - (Derive_n (fun v : R => sin (PI * (2 * k_v * v))) 3 v) >= 0 /\
+  (PI * 2 * k_v) ^ 3 + (Derive_n (fun v : R => sin (PI * (2 * k_v * v))) 3 v) >= 0 /\
+  epsilon * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v)) = (sin (epsilon * PI * 2 * k_v) - 2 * PI * epsilon * k_v) * (cos (v * 2 * PI * k_v)) /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 1 * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v))) >= 0 /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 1 * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v)) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v)) >= 0.
 
 Definition truncation_bound__ridges_u_above : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -354,8 +360,10 @@ Definition truncation_bound__ridges_u_above : Prop :=
   1 * (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v))) >= 0 ->
   1 * (sin (PI * (k_u * (u + 0)))) * (sin (PI * (k_v * v))) > 0 ->
   epsilon <> 0 /\
+  ex_derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u /\
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
   (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))))) / epsilon = 1 * (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
-  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))).
+  (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) = 1 * (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u).
 
 Definition truncation_bound__ridges_u_below : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -366,8 +374,10 @@ Definition truncation_bound__ridges_u_below : Prop :=
   -(sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v))) >= 0 ->
   -(sin (PI * (k_u * (u + 0)))) * (sin (PI * (k_v * v))) > 0 ->
   epsilon <> 0 /\
+  ex_derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u /\
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
   (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))))) / epsilon = -(1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
-  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = -PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))).
+  (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) = -(Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u).
 
 Definition truncation_bound__ridges_v_above : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -378,8 +388,10 @@ Definition truncation_bound__ridges_v_above : Prop :=
   1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))) >= 0 ->
   1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v + 0)))) > 0 ->
   2 * epsilon <> 0 /\
+  ex_derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
   (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))))) / (2 * epsilon) = 1 * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) /\
-  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) = 1 * (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v).
 
 Definition truncation_bound__ridges_v_below : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -390,8 +402,10 @@ Definition truncation_bound__ridges_v_below : Prop :=
   -(sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon)))) >= 0 ->
   -(sin (PI * (k_u * u))) * (sin (PI * (k_v * (v + 0)))) > 0 ->
   2 * epsilon <> 0 /\
+  ex_derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
   (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))))) / (2 * epsilon) = -((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) /\
-  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = -PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) = -(Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v).
 
 Definition truncation_bound__apart : Prop :=
   forall frequency quotient slope : R,
@@ -403,12 +417,19 @@ Definition truncation_bound__apart : Prop :=
   2 * PI * frequency + quotient - slope >= 0.
 
 Definition tangent_frame__derivatives : Prop :=
-  True /\
-  True /\
-  True /\
-  True /\
-  True /\
-  True.
+  forall phi theta : R,
+  ex_derive (fun phi : R => (sin phi) * (cos theta)) phi /\
+  ex_derive (fun phi : R => (sin phi) * (sin theta)) phi /\
+  ex_derive (fun phi : R => cos phi) phi /\
+  ex_derive (fun theta : R => (sin phi) * (cos theta)) theta /\
+  ex_derive (fun theta : R => (sin phi) * (sin theta)) theta /\
+  ex_derive (fun theta : R => cos phi) theta /\
+  (cos phi) * (cos theta) = (Derive (fun phi : R => (sin phi) * (cos theta)) phi) /\
+  (sin theta) * (cos phi) = (Derive (fun phi : R => (sin phi) * (sin theta)) phi) /\
+  -(sin phi) = (Derive (fun phi : R => cos phi) phi) /\
+  (sin phi) * (-(sin theta)) = (Derive (fun theta : R => (sin phi) * (cos theta)) theta) /\
+  (sin phi) * (cos theta) = (Derive (fun theta : R => (sin phi) * (sin theta)) theta) /\
+  0 * (sin phi) = (Derive (fun theta : R => cos phi) theta).
 
 Definition tangent_frame__orthonormal : Prop :=
   forall cos_phi cos_theta sin_phi sin_theta : R,
@@ -604,22 +625,26 @@ Definition gradients__sine : Prop :=
   let sin_v := sin (PI * (k_v * v)) in
   let h_u := PI * cos_u * k_u * sin_v in
   let h_v := PI * cos_v * k_v * sin_u in
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
   h_u = PI * k_u * (cos (u * PI * k_u)) * (sin (v * PI * k_v)) /\
   h_v = PI * k_v * (sin (u * PI * k_u)) * (cos (v * PI * k_v)) /\
-  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) /\
+  h_u = (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u) /\
+  h_v = (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v) /\
   PI * k_u * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = h_u * (sin (epsilon * PI * k_u)) + PI * k_u * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) * (cos (epsilon * PI * k_u) - 1) /\
   PI * k_v * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = h_v * (sin (epsilon * PI * k_v)) + PI * k_v * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) * (cos (epsilon * PI * k_v) - 1).
 
 Definition gradients__rings : Prop :=
-  forall epsilon k_v v : R,
+  forall epsilon k_v u v : R,
   let cos_v := cos (PI * (2 * k_v * v)) in
   let h_u := 0 in
   let h_v := 2 * PI * cos_v * k_v in
+  ex_derive (fun u : R => sin (PI * (2 * k_v * v))) u /\
+  ex_derive (fun v : R => sin (PI * (2 * k_v * v))) v /\
   h_u = 0 /\
   h_v = 2 * PI * k_v * (cos (v * 2 * PI * k_v)) /\
-  h_u = 0 /\
-  h_v = 2 * PI * k_v * (cos (PI * (2 * k_v * v))) /\
+  h_u = (Derive (fun u : R => sin (PI * (2 * k_v * v))) u) /\
+  h_v = (Derive (fun v : R => sin (PI * (2 * k_v * v))) v) /\
   2 * PI * k_v * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * v)))) = h_v * (sin (epsilon * 2 * PI * k_v)) + 2 * PI * k_v * (sin (PI * (2 * k_v * v))) * (cos (epsilon * 2 * PI * k_v) - 1).
 
 Definition gradients__ridges_above : Prop :=
@@ -631,10 +656,14 @@ Definition gradients__ridges_above : Prop :=
   let h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)) in
   let h_v := PI * cos_v * k_v * sin_u * (sign (sin_u * sin_v)) in
   1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
-  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) /\
-  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) /\
-  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  ex_derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u /\
+  ex_derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v /\
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
+  h_u = (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) /\
+  h_v = (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) /\
+  h_u = 1 * (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u) /\
+  h_v = 1 * (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v).
 
 Definition gradients__ridges_below : Prop :=
   forall k_u k_v u v : R,
@@ -645,10 +674,14 @@ Definition gradients__ridges_below : Prop :=
   let h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)) in
   let h_v := PI * cos_v * k_v * sin_u * (sign (sin_u * sin_v)) in
   -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
-  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) /\
-  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) /\
-  h_u = -PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  h_v = -PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  ex_derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u /\
+  ex_derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v /\
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
+  h_u = (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) /\
+  h_v = (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) /\
+  h_u = -(Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u) /\
+  h_v = -(Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v).
 
 Definition gradients__ridges_on_creases : Prop :=
   forall k_u k_v u v : R,
@@ -1004,6 +1037,50 @@ Definition ridges_on_creases__differ : Prop :=
   left = -right ->
   6 * right >= 5 * slope /\
   right - left > slope.
+
+Definition gradient_accuracy__sine : Prop :=
+  forall u v k_u k_v : R,
+  float64 u ->
+  float64 v ->
+  float64 k_u ->
+  float64 k_v ->
+  u >= 0 ->
+  u <= 1 ->
+  Rabs k_u <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_u * u)) >= 1 \/ k_u * u = 0) ->
+  v >= 0 ->
+  v <= 1 ->
+  Rabs k_v <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_v * v)) >= 1 \/ k_v * v = 0) ->
+  Rabs (gradient_sine_float64.h_u u v k_u k_v - gradient_sine.h_u u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs k_u)) /\
+  Rabs (gradient_sine_float64.h_v u v k_u k_v - gradient_sine.h_v u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs k_v)).
+
+Definition gradient_accuracy__ridges : Prop :=
+  forall u v k_u k_v : R,
+  float64 u ->
+  float64 v ->
+  float64 k_u ->
+  float64 k_v ->
+  u >= 0 ->
+  u <= 1 ->
+  Rabs k_u <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_u * u)) >= 1 \/ k_u * u = 0) ->
+  v >= 0 ->
+  v <= 1 ->
+  Rabs k_v <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_v * v)) >= 1 \/ k_v * v = 0) ->
+  Rabs (gradient_ridges_float64.h_u u v k_u k_v - gradient_ridges.h_u u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs k_u)) /\
+  Rabs (gradient_ridges_float64.h_v u v k_u k_v - gradient_ridges.h_v u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs k_v)).
+
+Definition gradient_accuracy__rings : Prop :=
+  forall v k_v : R,
+  float64 v ->
+  float64 k_v ->
+  v >= 0 ->
+  v <= 1 ->
+  Rabs k_v <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_v * v)) >= 1 \/ k_v * v = 0) ->
+  Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs (2 * k_v))).
 
 Definition rounded_powers__three_roundings_of_one : Prop :=
   forall first growth second third unit : R,
@@ -1626,17 +1703,25 @@ Definition displaced_normal__product : Prop :=
   theta = theta_0 ->
   phi = phi_0 ->
   sin phi > 0 ->
+  ex_derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi /\
+  ex_derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) theta /\
+  ex_derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) phi /\
+  ex_derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta /\
   sin phi <> 0 /\
-  beta * h_theta * (beta * h_phi * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin theta) * (cos phi)) * (cos phi) - (beta * h_phi * (cos phi) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (cos theta)) = (beta * h + 1) * (sin phi) * ((sin phi) * (cos theta) * (beta * h + 1) - beta * (h_phi * (cos phi) * (cos theta) + h_theta * (-(sin theta)) / (sin phi))) /\
-  (beta * h_phi * (cos phi) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (sin theta)) - beta * h_theta * (beta * h_phi * (sin phi) * (cos theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (cos phi) * (cos theta)) * (cos phi) = (beta * h + 1) * (sin phi) * ((sin phi) * (sin theta) * (beta * h + 1) - beta * (h_phi * (sin theta) * (cos phi) + h_theta * (cos theta) / (sin phi))) /\
-  (beta * h_phi * (sin phi) * (cos theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (cos phi) * (cos theta)) * (beta * h_theta * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (cos theta)) - (beta * h_phi * (sin phi) * (sin theta) + (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin theta) * (cos phi)) * (beta * h_theta * (sin phi) * (cos theta) - (beta * (h + h_phi * (phi - phi_0) + h_theta * (theta - theta_0)) + 1) * (sin phi) * (sin theta)) = (beta * h + 1) * (sin phi) * ((beta * h + 1) * (cos phi) - beta * (h_phi * (-(sin phi)) + 0 * h_theta / (sin phi))).
+  ex_derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta /\
+  ex_derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi /\
+  (Derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) theta) - (Derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) * (Derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) phi) = (beta * h + 1) * (sin phi) * ((sin phi) * (cos theta) * (beta * h + 1) - beta * (h_phi * (cos phi) * (cos theta) + h_theta * (-(sin theta)) / (sin phi))) /\
+  (Derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) * (Derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) phi) - (Derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) theta) = (beta * h + 1) * (sin phi) * ((sin phi) * (sin theta) * (beta * h + 1) - beta * (h_phi * (sin theta) * (cos phi) + h_theta * (cos theta) / (sin phi))) /\
+  (Derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) * (Derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) - (Derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) = (beta * h + 1) * (sin phi) * ((beta * h + 1) * (cos phi) - beta * (h_phi * (-(sin phi)) + 0 * h_theta / (sin phi))).
 
 Definition displaced_normal__chart_scale : Prop :=
-  forall h_u h_v : R,
+  forall h_u h_v phi theta : R,
   let h_theta := (1 / 2) * h_u / PI in
   let h_phi := h_v / PI in
-  h_theta = (1 / 2) * h_u / PI /\
-  h_phi = h_v / PI.
+  ex_derive (fun theta : R => (theta + PI) / (2 * PI)) theta /\
+  ex_derive (fun phi : R => phi / PI) phi /\
+  h_theta = h_u * (Derive (fun theta : R => (theta + PI) / (2 * PI)) theta) /\
+  h_phi = h_v * (Derive (fun phi : R => phi / PI) phi).
 
 Definition displaced_normal__outward : Prop :=
   forall beta cos_phi cos_theta h h_u h_v sin_phi sin_theta : R,
@@ -2156,10 +2241,11 @@ Definition crease_error_area__tents : Prop :=
   forall delta epsilon k_u : R,
   epsilon > 0 ->
   k_u > 0 ->
+  3 * epsilon ^ 2 <> 0 /\
+  ex_derive (fun delta : R => (delta - epsilon) ^ 3 / (3 * epsilon ^ 2)) delta /\
   epsilon <> 0 /\
   PI * k_u <> 0 /\
-  3 * epsilon ^ 2 <> 0 /\
-  (delta - epsilon) ^ 2 / (epsilon ^ 2) = ((-PI * k_u * (1 - delta / epsilon)) / (PI * k_u)) ^ 2 /\
+  (Derive (fun delta : R => (delta - epsilon) ^ 3 / (3 * epsilon ^ 2)) delta) = ((-PI * k_u * (1 - delta / epsilon)) / (PI * k_u)) ^ 2 /\
   (epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3 = epsilon / 3.
 
 Definition crease_error_area__mean_of_a_square : Prop :=
@@ -2167,7 +2253,8 @@ Definition crease_error_area__mean_of_a_square : Prop :=
   k_v > 0 ->
   sin (PI * k_v) = 0 ->
   4 * PI * k_v <> 0 /\
-  (1 / 2) - (1 / 2) * (cos (2 * PI * k_v * v)) = (sin (v * PI * k_v)) ^ 2 /\
+  ex_derive (fun v : R => v / 2 - (1 / 4) / (PI * k_v) * (sin (v * 2 * PI * k_v))) v /\
+  (Derive (fun v : R => v / 2 - (1 / 4) / (PI * k_v) * (sin (v * 2 * PI * k_v))) v) = (sin (v * PI * k_v)) ^ 2 /\
   1 / 2 - (1 / 4) / (PI * k_v) * (sin (1 * 2 * PI * k_v)) - (0 / 2 - (1 / 4) / (PI * k_v) * (sin (0 * 2 * PI * k_v))) = (1 / 2).
 
 Definition crease_error_area__in_u : Prop :=
@@ -2343,10 +2430,14 @@ Definition normal_by_beta__derivative : Prop :=
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
   m_length <> 0 /\
   (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 >= 0 /\
-  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 <> 0 /\
-  g_x / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_x + normal_x) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = bumped_by_beta_x /\
-  g_y / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_y + normal_y) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = bumped_by_beta_y /\
-  g_z / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + (beta * g_z + normal_z) * (-g_x * (beta * g_x + normal_x) - g_y * (beta * g_y + normal_y) - g_z * (beta * g_z + normal_z)) / power ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) ((3 / 2)) = bumped_by_beta_z.
+  sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) <> 0 /\
+  (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 > 0 /\
+  ex_derive (fun beta : R => (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta /\
+  ex_derive (fun beta : R => (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta /\
+  ex_derive (fun beta : R => (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta /\
+  (Derive (fun beta : R => (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = bumped_by_beta_x /\
+  (Derive (fun beta : R => (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = bumped_by_beta_y /\
+  (Derive (fun beta : R => (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = bumped_by_beta_z.
 
 Definition normal_by_beta__tangent_to_directions : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z : R,
@@ -2628,12 +2719,16 @@ Definition kink_loci__elsewhere_above : Prop :=
   let h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)) in
   let h_v := PI * cos_v * k_v * sin_u * (sign (sin_u * sin_v)) in
   1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
+  ex_derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u /\
+  ex_derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v /\
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
   h = 1 * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
   h > 0 /\
-  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = h_u /\
-  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = h_v /\
-  h_u = PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  h_v = PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) = h_u /\
+  (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) = h_v /\
+  h_u = 1 * (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u) /\
+  h_v = 1 * (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v).
 
 Definition kink_loci__elsewhere_below : Prop :=
   forall k_u k_v u v : R,
@@ -2645,12 +2740,16 @@ Definition kink_loci__elsewhere_below : Prop :=
   let h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)) in
   let h_v := PI * cos_v * k_v * sin_u * (sign (sin_u * sin_v)) in
   -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) > 0 ->
+  ex_derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u /\
+  ex_derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v /\
+  ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
+  ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
   h = -(sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
   h > 0 /\
-  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = h_u /\
-  PI * k_v * (cos (PI * (k_v * v))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_u * u))) = h_v /\
-  h_u = -PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /\
-  h_v = -PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) = h_u /\
+  (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) = h_v /\
+  h_u = -(Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u) /\
+  h_v = -(Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v).
 
 Definition visible_iff__visible : Prop :=
   forall eye radius t x y : R,
@@ -2728,13 +2827,15 @@ Definition shadow_along_a_row__row : Prop :=
   let offset_z := center_z - point_z in
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
   let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
+  ex_derive (fun x : R => (center_x - x) * (light_x - x) + (center_y - y) * (light_y - y) + (center_z - 0) * (light_z - 0)) x /\
   shadow_discriminant = body_radius ^ 2 * (light_z ^ 2 + light_x ^ 2 + (light_y - y) ^ 2) + x ^ 2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - 2 * x * (body_radius ^ 2 * light_x + (0 * (light_x - center_x) - (light_z - center_z)) * (center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) + (0 * (light_y - center_y) + 0 * (light_z - center_z)) * (center_z * light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) + (0 * (light_x - center_x) + 1 * (light_y - center_y)) * (center_y * light_x - center_x * light_y - (y * (light_x - center_x) - 0))) - ((center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) * (center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) + (center_z * light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) * (center_z * light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) + (center_y * light_x - center_x * light_y - (y * (light_x - center_x) - 0)) * (center_y * light_x - center_x * light_y - (y * (light_x - center_x) - 0))) /\
   segment_squared = light_z ^ 2 + light_x ^ 2 + x ^ 2 - 2 * light_x * x + (light_y - y) ^ 2 /\
-  True.
+  (Derive (fun x : R => (center_x - x) * (light_x - x) + (center_y - y) * (light_y - y) + (center_z - 0) * (light_z - 0)) x) = 2 * x - light_x - center_x.
 
 Definition shadow_along_a_row__leading : Prop :=
-  forall body_radius center_y center_z light_y light_z : R,
-  2 * (body_radius ^ 2 - (center_y - light_y) ^ 2 - (center_z - light_z) ^ 2) = 2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2).
+  forall body_radius center_x center_y center_z light_x light_y light_z x y : R,
+  ex_derive_n (fun x : R => body_radius ^ 2 * ((light_x - x) ^ 2 + (light_y - y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - y) * (light_x - x) - (center_x - x) * (light_y - y)) ^ 2 - ((center_x - x) * (light_z - 0) - (center_z - 0) * (light_x - x)) ^ 2 - ((center_z - 0) * (light_y - y) - (center_y - y) * (light_z - 0)) ^ 2) 2 x /\
+  (Derive_n (fun x : R => body_radius ^ 2 * ((light_x - x) ^ 2 + (light_y - y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - y) * (light_x - x) - (center_x - x) * (light_y - y)) ^ 2 - ((center_x - x) * (light_z - 0) - (center_z - 0) * (light_x - x)) ^ 2 - ((center_z - 0) * (light_y - y) - (center_y - y) * (light_z - 0)) ^ 2) 2 x) = 2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2).
 
 Definition shadow_along_a_row__away : Prop :=
   forall center_x center_y center_z light_x light_y light_z x y : R,
@@ -2766,8 +2867,10 @@ Definition shadow_of_b_on_floor__conic : Prop :=
   let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
   foot_x = 0 ->
   foot_y = 0 ->
+  ex_derive (fun foot_x : R => body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2) foot_x /\
+  ex_derive (fun foot_y : R => body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2) foot_y /\
   shadow_discriminant = ((light_z - center_z) * (0 - light_z) + (light_x - center_x) * (x - light_x) + (light_y - center_y) * (y - light_y)) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2) * ((0 - light_z) * (0 - light_z) + (x - light_x) * (x - light_x) + (y - light_y) * (y - light_y)) /\
-  shadow_discriminant - x ^ 2 * ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - 2 * x * y * (light_x - center_x) * (light_y - center_y) - y ^ 2 * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) = body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) + x * (body_radius ^ 2 * (2 * foot_x - 2 * light_x) - (2 * light_y - 2 * center_y) * ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) - (2 * center_z - 2 * light_z) * (light_z * (center_x - foot_x) - center_z * (light_x - foot_x))) + y * (body_radius ^ 2 * (2 * foot_y - 2 * light_y) - (2 * center_x - 2 * light_x) * ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) - (2 * light_z - 2 * center_z) * (center_z * (light_y - foot_y) - light_z * (center_y - foot_y))) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2 /\
+  shadow_discriminant - x ^ 2 * ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - 2 * x * y * (light_x - center_x) * (light_y - center_y) - y ^ 2 * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) = x * (Derive (fun foot_x : R => body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2) foot_x) + y * (Derive (fun foot_y : R => body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2) foot_y) + body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2 /\
   ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2 = ((light_z - center_z) ^ 2 - body_radius ^ 2) * ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2).
 
 Definition shadow_of_b_on_floor__ellipse : Prop :=
@@ -2849,20 +2952,24 @@ Definition shadow_of_b_on_floor__none_seen : Prop :=
   0 > light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y).
 
 Definition image_derivative__mu : Prop :=
-  forall s : R,
+  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z s towards_x towards_y towards_z : R,
   s = 0 ->
-  True.
+  ex_derive (fun s : R => towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z * s + bumped_z)) s /\
+  (Derive (fun s : R => towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z * s + bumped_z)) s) = bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z.
 
 Definition image_derivative__blinn : Prop :=
-  forall halfway_length s : R,
+  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z halfway_length halfway_x halfway_y halfway_z s : R,
   halfway_length > 0 ->
   s = 0 ->
-  True.
+  halfway_length <> 0 /\
+  ex_derive (fun s : R => (halfway_x * (bumped_by_beta_x * s + bumped_x) + halfway_y * (bumped_by_beta_y * s + bumped_y) + halfway_z * (bumped_by_beta_z * s + bumped_z)) / halfway_length) s /\
+  (Derive (fun s : R => (halfway_x * (bumped_by_beta_x * s + bumped_x) + halfway_y * (bumped_by_beta_y * s + bumped_y) + halfway_z * (bumped_by_beta_z * s + bumped_z)) / halfway_length) s) = (bumped_by_beta_x * halfway_x + bumped_by_beta_y * halfway_y + bumped_by_beta_z * halfway_z) / halfway_length.
 
 Definition image_derivative__phong : Prop :=
   forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z s towards_x towards_y towards_z view_x view_y view_z : R,
   s = 0 ->
-  2 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z) * (view_x * (bumped_by_beta_x * s + bumped_x) + view_y * (bumped_by_beta_y * s + bumped_y) + view_z * (bumped_by_beta_z * s + bumped_z)) + 2 * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z * s + bumped_z)) = 2 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z) * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) + 2 * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z).
+  ex_derive (fun s : R => -towards_x * view_x - towards_y * view_y - towards_z * view_z + 2 * (towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z * s + bumped_z)) * (view_x * (bumped_by_beta_x * s + bumped_x) + view_y * (bumped_by_beta_y * s + bumped_y) + view_z * (bumped_by_beta_z * s + bumped_z))) s /\
+  (Derive (fun s : R => -towards_x * view_x - towards_y * view_y - towards_z * view_z + 2 * (towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z * s + bumped_z)) * (view_x * (bumped_by_beta_x * s + bumped_x) + view_y * (bumped_by_beta_y * s + bumped_y) + view_z * (bumped_by_beta_z * s + bumped_z))) s) = 2 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z) * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) + 2 * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z).
 
 Definition image_derivative__power_rule : Prop :=
   forall slope x : R,
@@ -2877,46 +2984,50 @@ Definition image_derivative__power_rule : Prop :=
   (by_s n) * x = slope * (of_x n) * (power_ n).
 
 Definition image_derivative__lit_shiny : Prop :=
-  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta s shininess specular_base : R,
+  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta red s shininess specular_base : R,
   mu > 0 ->
   specular_base > 0 ->
   s = 0 ->
   raised_by_beta * specular_base = base_by_beta * raised * shininess ->
+  ex_derive (fun s : R => light_red * (albedo_red * kd * 1 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta * s)) + red) s /\
   (specular_base > 0 -> specular_base <> 0) /\
   Rmax 0 mu = 1 * mu /\
   Rmax 0 specular_base = 1 * specular_base /\
-  light_red * (albedo_red * kd * mu_by_beta + ks * raised_by_beta) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
+  (Derive (fun s : R => light_red * (albedo_red * kd * 1 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta * s)) + red) s) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
 
 Definition image_derivative__lit_dull : Prop :=
-  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised s shininess specular_base : R,
+  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta red s shininess specular_base : R,
   mu > 0 ->
   specular_base < 0 ->
   s = 0 ->
+  ex_derive (fun s : R => light_red * (ks * 0 * (raised + raised_by_beta * s) + albedo_red * kd * 1 * (mu + mu_by_beta * s)) + red) s /\
   (specular_base > 0 -> specular_base <> 0) /\
   Rmax 0 mu = 1 * mu /\
   Rmax 0 specular_base = 0 * specular_base /\
-  albedo_red * kd * light_red * mu_by_beta = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
+  (Derive (fun s : R => light_red * (ks * 0 * (raised + raised_by_beta * s) + albedo_red * kd * 1 * (mu + mu_by_beta * s)) + red) s) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
 
 Definition image_derivative__unlit_shiny : Prop :=
-  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta s shininess specular_base : R,
+  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta red s shininess specular_base : R,
   mu < 0 ->
   specular_base > 0 ->
   s = 0 ->
   raised_by_beta * specular_base = base_by_beta * raised * shininess ->
+  ex_derive (fun s : R => light_red * (albedo_red * kd * 0 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta * s)) + red) s /\
   (specular_base > 0 -> specular_base <> 0) /\
   Rmax 0 mu = 0 * mu /\
   Rmax 0 specular_base = 1 * specular_base /\
-  ks * light_red * raised_by_beta = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
+  (Derive (fun s : R => light_red * (albedo_red * kd * 0 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta * s)) + red) s) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
 
 Definition image_derivative__unlit_dull : Prop :=
-  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised s shininess specular_base : R,
+  forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta red s shininess specular_base : R,
   mu < 0 ->
   specular_base < 0 ->
   s = 0 ->
+  ex_derive (fun s : R => light_red * (albedo_red * kd * 0 * (mu + mu_by_beta * s) + ks * 0 * (raised + raised_by_beta * s)) + red) s /\
   (specular_base > 0 -> specular_base <> 0) /\
   Rmax 0 mu = 0 * mu /\
   Rmax 0 specular_base = 0 * specular_base /\
-  0 = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
+  (Derive (fun s : R => light_red * (albedo_red * kd * 0 * (mu + mu_by_beta * s) + ks * 0 * (raised + raised_by_beta * s)) + red) s) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
 
 Definition image_derivative__inside : Prop :=
   forall color term_by_beta : R,

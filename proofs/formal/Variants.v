@@ -6,56 +6,8 @@ From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Vectors Fields Bump Creases Algebraic Points.
 Open Scope R_scope.
 
-Theorem gradients__rings__false : ~ forall v k_v, gradient_rings.h_v v k_v = PI * k_v * cos (PI * (2 * k_v * v)).
-Proof. intro H. generalize (H 0 1) PI_RGT_0. unfold_fields. rewrite !Rmult_0_r, cos_0. lra. Qed.
-(* On a crease the kernels do not print sine's slope. *)
-Theorem gradients__ridges__false : ~ forall u v k_u k_v, gradient_ridges.h_u u v k_u k_v = gradient_sine.h_u u v k_u k_v.
-Proof.
-  intro H. generalize (H 0 (1/2) 1 1) PI_RGT_0. unfold_fields. rewrite sine_of_a_right_angle, !Rmult_0_r, cos_0, sin_0, Rmult_0_l, sign_0. lra.
-Qed.
 Theorem kink_loci__between__false : ~ forall u v k_u k_v, 0 < height_ridges.h u v k_u k_v.
 Proof. intro H. generalize (H 0 0 1 1). unfold_fields. rewrite !Rmult_0_r, sin_0, Rmult_0_r, Rabs_R0. lra. Qed.
-Theorem third_derivative_at_eight__at_four__false : ~ (4 * PI) ^ 3 < 1728.
-Proof. apply Rle_not_lt. left. interval. Qed.
-
-(* The difference is not the derivative, and half the bound is too little: at k = 4, eps = 1/4 the difference is 0. *)
-Lemma no_difference_in_v : central_sine.h_v (1/2) (1/2) 1 4 (1/4) = 0 /\ gradient_sine.h_v (1/2) (1/2) 1 4 = 4 * PI.
-Proof.
-  rewrite central_difference_of_sine__sine_in_v by lra. unfold_fields. rewrite sine_of_a_right_angle.
-  replace (PI * (4 * (1/4))) with PI by field. replace (PI * (4 * (1/2))) with (2 * PI) by field. rewrite sin_PI, cos_2PI. unfold Rdiv. split; ring.
-Qed.
-Lemma no_difference_in_u : central_sine.h_u (1/2) (1/2) 4 1 (1/4) = 0 /\ gradient_sine.h_u (1/2) (1/2) 4 1 = 4 * PI.
-Proof.
-  rewrite central_difference_of_sine__sine_in_u by lra. unfold_fields. rewrite sine_of_a_right_angle.
-  replace (PI * (4 * (1/4))) with PI by field. replace (PI * (4 * (1/2))) with (2 * PI) by field. rewrite sin_PI, cos_2PI. unfold Rdiv. split; ring.
-Qed.
-Lemma no_difference_of_rings : central_rings.h_v (1/2) 2 (1/4) = 0 /\ gradient_rings.h_v (1/2) 2 = 4 * PI.
-Proof.
-  rewrite central_difference_of_sine__rings_in_v by lra. unfold_fields.
-  replace (PI * (2 * 2 * (1/4))) with PI by field. replace (PI * (2 * 2 * (1/2))) with (2 * PI) by field. rewrite sin_PI, cos_2PI. unfold Rdiv. split; ring.
-Qed.
-Theorem central_difference_of_sine__sine_in_v__false : ~ forall u v k_u k_v epsilon, 0 < epsilon -> central_sine.h_v u v k_u k_v epsilon = gradient_sine.h_v u v k_u k_v.
-Proof. intro H. generalize (H (1/2) (1/2) 1 4 (1/4) ltac:(lra)) PI_RGT_0. destruct no_difference_in_v as [-> ->]. lra. Qed.
-Theorem central_difference_of_sine__rings_in_v__false : ~ forall v k_v epsilon, 0 < epsilon -> central_rings.h_v v k_v epsilon = gradient_rings.h_v v k_v.
-Proof. intro H. generalize (H (1/2) 2 (1/4) ltac:(lra)) PI_RGT_0. destruct no_difference_of_rings as [-> ->]. lra. Qed.
-Theorem truncation_bound__sine__false : ~ forall u v k_u k_v epsilon, 0 < k_u -> 0 < epsilon -> 0 <= u - epsilon -> u + epsilon < 1 ->
-  Rabs (central_sine.h_u u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= epsilon ^ 2 / 12 * (PI * k_u) ^ 3.
-Proof.
-  intro H. generalize (H (1/2) (1/2) 4 1 (1/4) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). destruct no_difference_in_u as [-> ->].
-  rewrite Rminus_0_l, Rabs_Ropp, Rabs_pos_eq by (generalize PI_RGT_0; lra). apply Rlt_not_le. interval.
-Qed.
-Theorem truncation_bound__sine_in_v__false : ~ forall u v k_u k_v epsilon, 0 < k_v -> 0 < epsilon -> 0 <= v - epsilon -> v + epsilon <= 1 ->
-  Rabs (central_sine.h_v u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= epsilon ^ 2 / 12 * (PI * k_v) ^ 3.
-Proof.
-  intro H. generalize (H (1/2) (1/2) 1 4 (1/4) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). destruct no_difference_in_v as [-> ->].
-  rewrite Rminus_0_l, Rabs_Ropp, Rabs_pos_eq by (generalize PI_RGT_0; lra). apply Rlt_not_le. interval.
-Qed.
-Theorem truncation_bound__rings__false : ~ forall v k_v epsilon, 0 < k_v -> 0 < epsilon -> 0 <= v - epsilon -> v + epsilon <= 1 ->
-  Rabs (central_rings.h_v v k_v epsilon - gradient_rings.h_v v k_v) <= epsilon ^ 2 / 6 * (PI * k_v) ^ 3.
-Proof.
-  intro H. generalize (H (1/2) 2 (1/4) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). destruct no_difference_of_rings as [-> ->].
-  rewrite Rminus_0_l, Rabs_Ropp, Rabs_pos_eq by (generalize PI_RGT_0; lra). apply Rlt_not_le. interval.
-Qed.
 Theorem elementary_functions__sine__false : ~ forall r, -1 <= r <= 1 -> Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 56.
 Proof.
   intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. unfold half_turn_polynomials.sine_near, half_turn_polynomials.sine_tail, half_turn_polynomials.z.
@@ -65,16 +17,6 @@ Theorem elementary_functions__zero__false : ~ forall r, half_turn_polynomials.si
 Proof.
   intro H. generalize (H (1/4)). apply Rgt_not_eq. unfold half_turn_polynomials.sine_near, half_turn_polynomials.sine_tail, half_turn_polynomials.z. interval.
 Qed.
-Theorem algebraic_gradient__in_u__false : ~ forall n theta, complex_power n (- cos theta) (- sin theta) =
-  (cos (PI * (INR n * ((theta + PI) / (2 * PI)))), sin (PI * (INR n * ((theta + PI) / (2 * PI))))).
-Proof.
-  intro H. generalize (f_equal fst (H 1%nat 0)). cbn. unfold complex_product.product_real. rewrite sin_0, cos_0.
-  replace (PI * (1 * ((0 + PI) / (2 * PI)))) with (PI / 2) by (field; generalize PI_RGT_0; lra). rewrite cos_PI2. lra.
-Qed.
-Theorem algebraic_gradient__negative_power__false : ~ forall n phi, snd (complex_power n (cos phi) (sin phi)) = sin (- INR n * phi).
-Proof. intro H. generalize (H 1%nat (PI / 2)). rewrite de_moivre. simpl. rewrite Ropp_mult_distr_l_reverse, Rmult_1_l, sin_neg, sin_PI2. lra. Qed.
-Theorem algebraic_gradient__product__false : ~ forall a b c d, fst (Cmult (a, b) (c, d)) = a * c + b * d.
-Proof. intro H. generalize (H 0 1 0 1). simpl. lra. Qed.
 Theorem chart__inside__false : ~ forall phi, 0 <= phi <= PI -> chart.v (cos phi) (sin phi) < 1.
 Proof.
   intro H. generalize PI_RGT_0. intro P. generalize (H PI ltac:(lra)). destruct (chart_inside 0 PI) as [-> _]; try lra. replace (PI / PI) with 1 by (field; lra). lra.

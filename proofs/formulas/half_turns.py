@@ -4,7 +4,7 @@ They are the trigonometric functions, named so that a kernel can reduce the argu
 at the integers, which float64 holds, while sin of a rounded πx has none.
 """
 
-from sympy import Basic, Expr, Function, Integer, atan2, cos, pi, sin
+from sympy import Basic, Expr, Function, Integer, Mul, atan2, cos, pi, sin
 
 
 class _OfHalfTurns(Function):
@@ -21,7 +21,7 @@ class _OfHalfTurns(Function):
 
     def _latex(self, printer, exp=None):
         power = f"^{{{exp}}}" if exp else ""
-        return rf"\{self.plain.__name__}{power} {printer._print(pi * self.args[0])}"
+        return rf"\{self.plain.__name__}{power}({printer._print(Mul(pi, self.args[0], evaluate=False))})"
 
 
 class sinpi(_OfHalfTurns):

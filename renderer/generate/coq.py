@@ -43,6 +43,7 @@ FLOAT64_HEADER = """(* Printed from proofs/formulas by `python -m renderer.gener
    The float64 operations of kernels, one after the other as they are carried out, each rounded. *)
 
 From Coq Require Import Reals.
+From Coquelicot Require Import Coquelicot.
 From Formal Require Import Float.
 Open Scope R_scope.
 """
@@ -209,10 +210,18 @@ def programs() -> dict[str, Program]:
 
 
 OPERATIONS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
+DECISIONS = {ast.Lt: ("Rlt_dec", 1), ast.LtE: ("Rle_dec", 1), ast.Gt: ("Rlt_dec", -1), ast.GtE: ("Rle_dec", -1)}
+EXACT = {"abs": "Rabs", "maximum": "Rmax", "minimum": "Rmin", "sign": "sign", "rint": "rint", "floor": "whole_below"}
+"""{operation of a kernel that float64 carries out without rounding: its name in Coq}"""
+KERNELS = {"sinpi": "sine_of_half_turns_float64.sine", "cospi": "cosine_of_half_turns_float64.cosine"}
+"""{kernel that others call: what is printed of it}; its argument is a product and that product's rounding."""
 
 
 def rounded(text: str) -> str:
     """Return a line of a kernel in Coq, each of its operations and π rounded to float64, in its order."""
+
+    def applied(name: str, *arguments: str) -> str:
+        return " ".join([name, *(f"({a})" if " " in a and not a.startswith("(") else a for a in arguments)])
 
     def term(node: ast.expr) -> str:
         match node:
@@ -227,6 +236,15 @@ def rounded(text: str) -> str:
                 return "rounded PI"
             case ast.Name(name):
                 return name
+            case ast.Call(ast.Name("where"), [ast.Compare(left, [relation], [right]), value, otherwise]):
+                decides, order = DECISIONS[type(relation)]
+                decided = applied(decides, *map(term, (left, right)[::order]))
+                return f"(if {decided} then {term(value)} else {term(otherwise)})"
+            case ast.Call(ast.Name(name), [ast.Starred(ast.Call(_, factors))]):
+                parts = (f"two_product_float64.{part}" for part in ("product", "product_error"))
+                return applied(KERNELS[name], *(applied(part, *map(term, factors)) for part in parts))
+            case ast.Call(ast.Name(name), arguments) if name in EXACT:
+                return applied(EXACT[name], *map(term, arguments))
         raise ValueError(f"no rounded form of {ast.unparse(node)}")
 
     return term(ast.parse(text, mode="eval").body)
@@ -244,8 +262,11 @@ def float64_source() -> str:
     """Return the text of proofs/formal/Float64.v: the operations of kernels as they are carried out."""
     quotient = finite_difference.central(ANY_FIELD)[h_u]
     difference = Program("difference", (h_u_plus, h_u_minus, epsilon), ((h_u, quotient),), (h_u,))
-    gradient = height_fields.gradient_from_factors(height_fields.HEIGHT_FIELDS["sine"])
-    kernels = (elementary.two_product, half_turn_polynomials(), difference, gradient)
+    kernels = [elementary.two_product, half_turn_polynomials(), difference]
+    kernels += [elementary.sine_of_half_turns, elementary.cosine_of_half_turns, elementary.angle_in_half_turns]
+    for field in height_fields.HEIGHT_FIELDS.values():
+        kernels += [height_fields.height(field), height_fields.gradient_from_factors(field)]
+        kernels += [height_fields.gradient(field)]
     return FLOAT64_HEADER + "".join(f"\n{float64_module(program)}" for program in kernels)
 
 

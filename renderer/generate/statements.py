@@ -2,11 +2,12 @@
 
     Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> what it needs, and what it shows.
 
-Coq divides by 0, takes the root of −1, and makes 0 of an infinity. No claim is about such a value: what is divided by
-is not 0, what has a root is not negative, a hit that is computed with is finite. The kernel asks it by name, and here
-it stands before what is shown (`StatementPrinter.needs`). Of a refuted theorem the negation is printed: hypotheses and
-needs hold somewhere, and what is said does not. Neither a cited lemma nor what a claim borrows is a hypothesis: Coq has
-to prove them. A Separation, about what a program reads and not about numbers, is the kernel's alone.
+Coq divides by 0, takes the root of −1, makes 0 of an infinity, and has some number for the derivative of what has none.
+No claim is about such a value: what is divided by is not 0, what has a root is not negative, a hit that is computed
+with is finite, a derivative exists. The kernel asks it by name, and here it stands before what is shown
+(`StatementPrinter.needs`). Of a refuted theorem the negation is printed: hypotheses and needs hold somewhere, and what
+is said does not. Neither a cited lemma nor what a claim borrows is a hypothesis: Coq has to prove them. A Separation,
+about what a program reads and not about numbers, is the kernel's alone.
 """
 
 from collections.abc import Iterable
@@ -14,7 +15,7 @@ from collections.abc import Iterable
 from sympy import And, Basic, Derivative, Or, Piecewise, Pow, S, Symbol, false, sympify, true
 from sympy.core.relational import Relational
 
-from proofs.engine.claim import AnyClaim, Claim, Induction
+from proofs.engine.claim import AnyClaim, Claim, Induction, Rounded
 from proofs.engine.theorem import Theorem, all_theorems
 from renderer.generate.coq import CoqPrinter
 
@@ -23,7 +24,7 @@ HEADER = """(* Printed from proofs/theorems by `python -m renderer.generate`. Do
 
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries.
+From Formal Require Import Preliminaries Formulas Float Float64.
 Open Scope R_scope.
 """
 OPERATORS = {"==": "=", "!=": "<>", ">": ">", ">=": ">=", "<": "<", "<=": "<="}
@@ -61,6 +62,17 @@ class StatementPrinter(CoqPrinter):
     def _print_Piecewise(self, expr):
         return f"({super()._print_Piecewise(expr)})"
 
+    def _print_Derivative(self, expr):
+        return f"({self._of_derivative('Derive', expr)})"
+
+    def _of_derivative(self, said, expr):
+        """Return what is said of an expression as a function of a symbol, at that symbol: Derive, or ex_derive."""
+        if len(expr.variable_count) > 1:
+            raise ValueError(f"no proposition for a derivative by several symbols: {expr}")
+        (x, count) = expr.variable_count[0]
+        name, times = self.spelled[x], "" if count == 1 else f" {count}"
+        return f"{said}{'_n' if times else ''} (fun {name} : R => {self._print(expr.expr)}){times} {name}"
+
     def binder(self, symbol: Symbol) -> str:
         """Return the name by which a symbol is bound."""
         return self.own[symbol]
@@ -82,7 +94,10 @@ class StatementPrinter(CoqPrinter):
         return f"{self._print(sides[0])} {OPERATORS[relation.rel_op]} {self._print(sides[1])}"
 
     def needs(self, expression: Basic) -> list[str]:
-        """Return what has to be for an expression to have a value, from the inside out, as the kernel asks it."""
+        """Return what has to be for an expression to have a value, from the inside out, as the kernel asks it.
+
+        A derivative has to exist, and not at the edge of a root: beyond it Coq's root is 0.
+        """
         if isinstance(expression, Piecewise):
             return self._needs_of_cases(expression)
         found = []
@@ -94,6 +109,9 @@ class StatementPrinter(CoqPrinter):
             found += self.needs(argument)
         if isinstance(expression, Pow):
             found += self._needs_of_power(expression.base, expression.exp)
+        elif isinstance(expression, Derivative):
+            roots = sorted((p.base for p in expression.atoms(Pow) if not p.exp.is_Integer), key=str)
+            found += [*(f"{self._print(base)} > 0" for base in roots), self._of_derivative("ex_derive", expression)]
         return found
 
     def _needs_of_power(self, base, exponent):
@@ -121,7 +139,8 @@ def _implied(conditions, need):
 
 
 def _symbols(expressions):
-    return sorted(set().union(*(e.free_symbols for e in expressions)), key=lambda s: s.name)
+    """Return the symbols that stand in expressions; SymPy has none by which a constant is differentiated."""
+    return sorted(set().union(*(e.atoms(Symbol) for e in expressions)), key=lambda s: s.name)
 
 
 def _forall(names, sort):
@@ -133,17 +152,11 @@ def _implication(opening, hypotheses, conjuncts):
     return "\n  ".join(filter(None, lines))
 
 
-def _differentiated(expression: Basic) -> Basic:
-    """Return an expression with its derivatives as SymPy takes them."""
-    return expression.replace(lambda e: isinstance(e, Derivative), lambda e: e.doit())
-
-
 def claim_proposition(claim: Claim, refuted: bool = False) -> str:
     """Return a Claim as a proposition, or its negation. Raises ValueError where it has no form in Coq."""
     _, program = claim.names()
-    lines = [(symbol, _differentiated(e)) for symbol, e in program.definitions] if program else []
-    given, shows = ([_differentiated(relation) for relation in relations] for relations in (claim.given, claim.shows))
-    expressions = [*given, *shows, *(e for line in lines for e in line)]
+    lines = list(program.definitions) if program else []
+    expressions = [*claim.given, *claim.shows, *(e for line in lines for e in line)]
     symbols = _symbols(expressions)
     printer = StatementPrinter(symbols)
     defined = {symbol for symbol, _ in lines}
@@ -151,9 +164,9 @@ def claim_proposition(claim: Claim, refuted: bool = False) -> str:
     opening = [_forall([printer.binder(s) for s in inputs if s.is_real], "R")]
     opening += [_forall([printer.binder(s) for s in inputs if not s.is_real], "Rbar")]
     opening += [f"let {printer.binder(s)} := {printer.doprint(e)} in" for s, e in lines]
-    needs = [need for e in (*(e for _, e in lines), *given, *shows) for need in printer.needs(e)]
+    needs = [need for e in (*(e for _, e in lines), *claim.given, *claim.shows) for need in printer.needs(e)]
     needs = list(dict.fromkeys(needs))
-    hypotheses, conclusions = (list(map(printer.relation, relations)) for relations in (given, shows))
+    hypotheses, conclusions = (list(map(printer.relation, relations)) for relations in (claim.given, claim.shows))
     if refuted:
         return f"~ (\n  {_implication(opening, [*hypotheses, *needs], conclusions)})"
     return _implication(opening, hypotheses, [*needs, *conclusions])
@@ -181,6 +194,21 @@ def induction_proposition(claim: Induction) -> str:
     return _implication(opening, given, [f"forall {n} : nat,\n  {first}", *others])
 
 
+def rounded_proposition(claim: Rounded) -> str:
+    """Return a Rounded as a proposition: of float64 inputs, what is printed twice is near itself."""
+    program = claim.program
+    inputs = [s for s in program.inputs if s in program.reaches(*(output for output, _ in claim.bounds))]
+    printer = StatementPrinter(inputs)
+    names = [printer.binder(s) for s in inputs]
+    given = [*(f"float64 {name}" for name in names), *map(printer.relation, claim.given)]
+    shown = []
+    for output, bound in claim.bounds:
+        arguments = " ".join(printer.binder(s) for s in inputs if s in program.reaches(output))
+        computed, exact = (f"{program.name}{kind}.{output.name} {arguments}" for kind in ("_float64", ""))
+        shown.append(f"Rabs ({computed} - {exact}) <= {printer.doprint(bound)}")
+    return _implication([_forall(names, "R")], given, shown)
+
+
 def proposition(claim: AnyClaim, refuted: bool = False) -> str | None:
     """Return a claim as a proposition, None where it is the kernel's alone."""
     if isinstance(claim, Induction):
@@ -192,6 +220,7 @@ def statements(theorem: Theorem) -> dict[str, str]:
     """Return {name: proposition} of the claims of a theorem that are printed."""
     refuted = theorem.expected == "refuted"
     printed = {f"{theorem.id}__{claim.name}": proposition(claim, refuted) for claim in theorem.claims}
+    printed |= {f"{theorem.id}__{claim.name}": rounded_proposition(claim) for claim in theorem.rounded}
     return {name: text for name, text in printed.items() if text is not None}
 
 

@@ -1,0 +1,341 @@
+(* The whole exact gradient as float64 carries it out, general form: product in two parts, reduction, polynomials, quadrant, slopes. *)
+
+From Coq Require Import Reals Lra Lia ZArith.
+From Coquelicot Require Import Coquelicot.
+From Flocq Require Import Core Plus_error.
+From Interval Require Import Tactic.
+From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns RoundedHalfTurns Rounding.
+From Formal Require Statements.
+Open Scope R_scope.
+
+Lemma whole_is_float64 (n e : Z) : (Z.abs n < 2 ^ 53)%Z -> (-1074 <= e)%Z -> float64 (IZR n * bpow radix2 e).
+Proof. intros N E. apply generic_format_FLT. exists (Float radix2 n e); [reflexivity | exact N | exact E]. Qed.
+Lemma twice_float64 (x : R) : float64 x -> float64 (2 * x).
+Proof.
+  intro F. apply FLT_format_generic in F; [|easy]. destruct F as [[m e] E M L]. cbn [Fnum Fexp] in *.
+  apply generic_format_FLT. exists (Float radix2 m (e + 1)); [|exact M | cbn [Fexp]; lia]. rewrite E. unfold F2R. cbn [Fnum Fexp]. rewrite bpow_plus. change (bpow radix2 1) with 2. ring.
+Qed.
+Lemma kept (x : R) : float64 x -> rounded x = x.
+Proof. intro F. apply round_generic; [typeclasses eauto | exact F]. Qed.
+
+(* The number of quarters of a turn, and what remains of a float64 product: both are exact. *)
+Definition quarters (p : R) : Z := Znearest (fun n => negb (Z.even n)) (2 * p).
+Lemma near_quarters (p : R) : Rabs (p - IZR (quarters p) / 2) <= 1/4.
+Proof.
+  generalize (Znearest_half (fun n => negb (Z.even n)) (2 * p)). fold (quarters p). set (q := IZR (quarters p)). intro H.
+  apply Rabs_le_between in H. apply Rabs_le. lra.
+Qed.
+Lemma remainder_is_float64 (p : R) : float64 p -> float64 (p - IZR (quarters p) / 2).
+Proof.
+  intro F. destruct (Rlt_le_dec (Rabs p) (1/4)) as [S|S].
+  - replace (quarters p) with 0%Z; [replace (p - 0 / 2) with p by lra; exact F|].
+    symmetry. apply Znearest_imp. apply Rabs_def2 in S. apply Rabs_def1; simpl; lra.
+  - apply FLT_format_generic in F; [|easy]. destruct F as [[m e] E M L]. unfold F2R in E; cbn [Fnum Fexp] in *.
+    destruct (Z_le_gt_dec e (-1)) as [N|P].
+    + set (n := (m - quarters p * 2 ^ (-1 - e))%Z).
+      assert (X : p - IZR (quarters p) / 2 = IZR n * bpow radix2 e).
+      { unfold n. rewrite minus_IZR, mult_IZR, (IZR_Zpower radix2) by lia. rewrite Rmult_minus_distr_r, <- E, Rmult_assoc, <- bpow_plus.
+        replace (-1 - e + e)%Z with (-1)%Z by lia. simpl. lra. }
+      rewrite X. apply whole_is_float64; [|exact L]. apply lt_IZR. apply Rmult_lt_reg_r with (bpow radix2 e); [apply bpow_gt_0|].
+      rewrite abs_IZR. replace (Rabs (IZR n) * bpow radix2 e) with (Rabs (p - IZR (quarters p) / 2)).
+      * apply Rle_lt_trans with (Rabs p); [eapply Rle_trans; [apply near_quarters | exact S]|]. rewrite E, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0.
+        apply Rmult_lt_compat_r; [apply bpow_gt_0|]. rewrite <- abs_IZR. apply IZR_lt. exact M.
+      * rewrite X, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0. reflexivity.
+    + replace (p - IZR (quarters p) / 2) with 0; [apply generic_format_0|].
+      assert (I : 2 * p = IZR (m * 2 ^ (e + 1))) by (rewrite mult_IZR, (IZR_Zpower radix2) by lia; rewrite E, bpow_plus; simpl; lra).
+      unfold quarters. rewrite I, (Zrnd_IZR (Znearest (fun n => negb (Z.even n)))), <- I. lra.
+Qed.
+
+Section reduction.
+Variables p e : R.
+Hypothesis F : float64 p.
+Hypothesis L : Rabs p <= 2 ^ 21.
+Let q := quarters p.
+Lemma few_quarters : (Z.abs q < 2 ^ 23)%Z.
+Proof.
+  apply lt_IZR. rewrite abs_IZR. generalize (near_quarters p). fold q. intro N. apply Rabs_le_between in N. apply Rabs_le_between in L. apply Rabs_def1; simpl; lra.
+Qed.
+Lemma quarters_printed : sine_of_half_turns_float64.quarters p = IZR q.
+Proof. unfold sine_of_half_turns_float64.quarters, rint. rewrite (kept _ (twice_float64 _ F)). reflexivity. Qed.
+Lemma part_of_quarters (f : R) (k : Z) : f = bpow radix2 k -> (-2 <= k)%Z -> rounded (f * IZR q) = f * IZR q.
+Proof. intros -> K. apply kept. rewrite Rmult_comm. apply whole_is_float64; [generalize few_quarters|]; lia. Qed.
+Lemma remainder_printed : sine_of_half_turns_float64.remainder p e = rounded (p - IZR q / 2 + e).
+Proof.
+  unfold sine_of_half_turns_float64.remainder, sine_of_half_turns_float64.remainder_high. rewrite quarters_printed, (part_of_quarters _ (-1)) by (simpl; lra || lia).
+  replace (p - 1 / 2 * IZR q) with (p - IZR q / 2) by field. assert (K : rounded (p - IZR q / 2) = p - IZR q / 2) by exact (kept _ (remainder_is_float64 _ F)). rewrite K. f_equal. ring.
+Qed.
+Lemma quadrant_printed : sine_of_half_turns_float64.quadrant p = IZR (q mod 4).
+Proof.
+  unfold sine_of_half_turns_float64.quadrant, whole_below. rewrite quarters_printed, (part_of_quarters _ (-2)) by (simpl; lra || lia).
+  replace (1 / 4 * IZR q) with (IZR q / IZR 4) by (simpl; field). rewrite Zfloor_div by easy.
+  assert (B := few_quarters). assert (D := Z.div_mod q 4 ltac:(easy)). assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
+  assert (W : forall n : Z, (Z.abs n < 2 ^ 53)%Z -> rounded (IZR n) = IZR n).
+  { intros n N. apply kept. rewrite <- (Rmult_1_r (IZR n)). apply (whole_is_float64 n 0); [exact N | easy]. }
+  rewrite <- mult_IZR, W by lia. rewrite <- minus_IZR, W by lia. f_equal. lia.
+Qed.
+(* What the sine and the cosine return, by the quadrant. *)
+Lemma sine_printed : let r := sine_of_half_turns_float64.remainder p e in let s := half_turn_polynomials_float64.sine_near r in let c := half_turn_polynomials_float64.cosine_near r in
+  sine_of_half_turns_float64.sine p e = match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end /\
+  cosine_of_half_turns_float64.cosine p e = match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
+Proof.
+  intros r s c. unfold sine_of_half_turns_float64.sine, cosine_of_half_turns_float64.cosine.
+  change (cosine_of_half_turns_float64.quadrant p) with (sine_of_half_turns_float64.quadrant p).
+  change (sine_of_half_turns_float64.sine_near p e) with s. change (sine_of_half_turns_float64.cosine_near p e) with c.
+  change (cosine_of_half_turns_float64.sine_near p e) with s. change (cosine_of_half_turns_float64.cosine_near p e) with c.
+  rewrite quadrant_printed. assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
+  assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia.
+  destruct K as [K|[K|[K|K]]]; rewrite K; repeat destruct Rlt_dec; (split; reflexivity) || lra.
+Qed.
+End reduction.
+
+Lemma turn (r : R) (n : Z) : sin (PI * r + IZR (2 * n) * PI) = sin (PI * r) /\ cos (PI * r + IZR (2 * n) * PI) = cos (PI * r).
+Proof.
+  destruct (Z_le_gt_dec 0 n) as [P|N].
+  - replace (IZR (2 * n) * PI) with (2 * INR (Z.to_nat n) * PI) by (rewrite INR_IZR_INZ, Z2Nat.id by lia; rewrite mult_IZR; ring).
+    split; [apply sin_period | apply cos_period].
+  - split; [rewrite <- (sin_period _ (Z.to_nat (- n))) | rewrite <- (cos_period _ (Z.to_nat (- n)))];
+      f_equal; rewrite INR_IZR_INZ, Z2Nat.id by lia; rewrite opp_IZR, mult_IZR; ring.
+Qed.
+Lemma by_quadrant (w : R) (q : Z) : let s := sin (PI * w) in let c := cos (PI * w) in
+  sin (PI * (w + IZR q / 2)) = match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end /\
+  cos (PI * (w + IZR q / 2)) = match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
+Proof.
+  intros s c. assert (D := Z.div_mod q 4 ltac:(easy)). assert (M := Z.mod_pos_bound q 4 ltac:(easy)). destruct (turn w (q / 4)) as [S C].
+  assert (X : PI * (w + IZR q / 2) = PI * w + IZR (2 * (q / 4)) * PI + IZR (q mod 4) * (PI / 2)) by (rewrite D at 1; rewrite plus_IZR, !mult_IZR; field).
+  rewrite X. set (t := PI * w + IZR (2 * (q / 4)) * PI) in *.
+  assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia.
+  destruct K as [K|[K|[K|K]]]; rewrite K.
+  - rewrite Rmult_0_l, Rplus_0_r. auto.
+  - replace (t + 1 * (PI / 2)) with (PI / 2 + t) by ring. rewrite <- cos_sin, C. replace (PI / 2 + t) with (PI / 2 - - t) by ring. rewrite cos_shift, sin_neg, S. auto.
+  - replace (t + 2 * (PI / 2)) with (t + PI) by field. rewrite neg_sin, neg_cos, S, C. auto.
+  - replace (t + 3 * (PI / 2)) with (PI / 2 + t + PI) by field. rewrite neg_sin, neg_cos, <- cos_sin, C. replace (PI / 2 + t) with (PI / 2 - - t) by ring. rewrite cos_shift, sin_neg, S, Ropp_involutive. auto.
+Qed.
+
+Lemma rounded_pi : Rabs (rounded PI - PI) <= 111/100 / 2 ^ 53.
+Proof.
+  set (c := IZR 7074237752028440 * bpow radix2 (-51)). assert (F : float64 c) by (apply whole_is_float64; easy).
+  apply Rle_trans with (Rabs (c - PI)); [|unfold c; change (bpow radix2 (-51)) with (/ IZR (Z.pow_pos 2 51)); interval with (i_prec 80)].
+  apply (round_N_pt radix2 (FLT_exp (-1074) 53) (fun n => negb (Z.even n)) PI). exact F.
+Qed.
+
+Lemma sine_factor (r : R) : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> 1 <= rounded (half_turn_polynomials_float64.sine_tail r + 884279719003555 / 281474976710656).
+Proof.
+  intro B. destruct (z_is r B) as [z0 Ez]. set (c := 884279719003555 / 281474976710656). set (z := r ^ 2) in *. set (zh := rounded (r * r)) in *.
+  assert (E : Rabs (rounded (half_turn_polynomials_float64.sine_tail r + c) - (half_turn_polynomials.sine_tail r + c)) <= 1/100).
+  { unfold c, half_turn_polynomials_float64.sine_tail, half_turn_polynomials.sine_tail. change (half_turn_polynomials_float64.z r) with zh.
+    change (half_turn_polynomials.z r) with z. clearbody zh z. eapply Rle_trans; [find_error | interval]. }
+  assert (X : 2 <= half_turn_polynomials.sine_tail r + c).
+  { unfold c, half_turn_polynomials.sine_tail. change (half_turn_polynomials.z r) with z. clearbody z. interval. }
+  apply Rabs_le_between in E. lra.
+Qed.
+
+(* A product that is carried in two, its reduction, and the sine and cosine of it. *)
+Section product.
+Variables a b : R.
+Hypothesis A : float64 a.
+Hypothesis B : float64 b.
+Hypothesis U : a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b).
+Hypothesis L : Rabs (a * b) <= 2 ^ 21.
+Let p := two_product_float64.product a b.
+Let e := two_product_float64.product_error a b.
+Let w := a * b - IZR (quarters p) / 2.
+Let r := sine_of_half_turns_float64.remainder p e.
+Let s := half_turn_polynomials_float64.sine_near r.
+Let c := half_turn_polynomials_float64.cosine_near r.
+Lemma product_is_float64 : float64 p.
+Proof. apply rounded_is_float64. Qed.
+Lemma product_is_small : Rabs p <= 2 ^ 21.
+Proof.
+  apply abs_round_le_generic; [typeclasses eauto | typeclasses eauto | | exact L].
+  replace (2 ^ 21) with (IZR 1 * bpow radix2 21) by (simpl; lra). apply whole_is_float64; easy.
+Qed.
+Lemma in_two : p + e = a * b.
+Proof. exact (elementary_functions__two_product a b A B U). Qed.
+Lemma error_is_small : Rabs e <= 1 / 2 ^ 31.
+Proof.
+  replace e with (- (p - a * b)) by (rewrite <- in_two; ring). rewrite Rabs_Ropp. eapply Rle_trans; [exact (rounded_error _ _ L) | interval].
+Qed.
+Lemma remainder_near : r = rounded w /\ Rabs w <= 1/4 + 1 / 2 ^ 31.
+Proof.
+  split.
+  - unfold r, w. rewrite (remainder_printed p e product_is_float64 product_is_small). f_equal. rewrite <- in_two. ring.
+  - replace w with (p - IZR (quarters p) / 2 + e) by (unfold w; rewrite <- in_two; ring).
+    eapply Rle_trans; [apply Rabs_triang | apply Rplus_le_compat; [apply near_quarters | exact error_is_small]].
+Qed.
+Lemma remainder_error : Rabs (r - w) <= 251/1000 / 2 ^ 53 /\ - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
+Proof.
+  destruct remainder_near as [R W]. assert (E : Rabs (r - w) <= 251/1000 / 2 ^ 53) by (rewrite R; eapply Rle_trans; [exact (rounded_error _ _ W) | interval]).
+  split; [exact E|]. apply Rabs_le_between. replace r with (w + (r - w)) by ring. eapply Rle_trans; [apply Rabs_triang|].
+  eapply Rle_trans; [exact (Rplus_le_compat _ _ _ _ W E) | interval].
+Qed.
+Lemma turned (f g : R -> R) : (forall x, is_derive f x (g x)) -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * r) - f (PI * w)) <= 789/1000 / 2 ^ 53.
+Proof.
+  intros D G. eapply Rle_trans; [exact (moved_by_at_most f g 1 _ _ D G)|]. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI), Rmult_1_l by (generalize PI_RGT_0; lra).
+  apply Rle_trans with (PI * (251/1000 / 2 ^ 53)); [apply Rmult_le_compat_l; [generalize PI_RGT_0; lra | exact (proj1 remainder_error)] | interval].
+Qed.
+Lemma polynomials_near : Rabs (s - sin (PI * w)) <= 3289/1000 / 2 ^ 53 /\ Rabs (c - cos (PI * w)) <= 3289/1000 / 2 ^ 53.
+Proof.
+  destruct remainder_error as [_ R]. split.
+  - eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_functions__sine_float64 _ R) (turned sin cos is_derive_sin (fun x => Rabs_le _ _ (COS_bound x)))) | lra].
+  - assert (D : forall x, Rabs (- sin x) <= 1) by (intro x; rewrite Rabs_Ropp; apply Rabs_le, SIN_bound).
+    eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_functions__cosine_float64 _ R) (turned cos (fun x => - sin x) is_derive_cos D)) | lra].
+Qed.
+Lemma opposite (x y m : R) : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
+Proof. replace (- x - - y) with (- (x - y)) by ring. rewrite Rabs_Ropp. auto. Qed.
+Lemma half_turns : Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine p e - cos (PI * (a * b))) <= 3289/1000 / 2 ^ 53.
+Proof.
+  replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct polynomials_near as [S C]. destruct (by_quadrant w (quarters p)) as [-> ->].
+  destruct (sine_printed p e product_is_float64 product_is_small) as [-> ->]. fold r s c.
+  assert (M := Z.mod_pos_bound (quarters p) 4 ltac:(easy)).
+  assert (K : (quarters p mod 4 = 0 \/ quarters p mod 4 = 1 \/ quarters p mod 4 = 2 \/ quarters p mod 4 = 3)%Z) by lia.
+  destruct K as [K|[K|[K|K]]]; rewrite K; split; try apply opposite; assumption.
+Qed.
+(* The side of a crease is never wrong: the sine's sign is that of its argument's. *)
+Lemma sign_of_remainder : sign r = sign w.
+Proof.
+  destruct remainder_near as [-> _]. replace w with (p - IZR (quarters p) / 2 + e) by (unfold w; rewrite <- in_two; ring).
+  set (x := p - IZR (quarters p) / 2). assert (X : float64 x) by exact (remainder_is_float64 _ product_is_float64).
+  assert (Y : float64 e) by apply rounded_is_float64. assert (Z : float64 0) by apply generic_format_0.
+  assert (N : x + e <> 0 -> rounded (x + e) <> 0) by exact (round_plus_neq_0 radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n))) x e X Y).
+  destruct (Rtotal_order (x + e) 0) as [S|[S|S]].
+  - assert (rounded (x + e) <= 0) by (apply round_le_generic; [typeclasses eauto | typeclasses eauto | exact Z | lra]). rewrite !sign_eq_m1; [reflexivity | lra | specialize (N ltac:(lra)); lra].
+  - rewrite S, rounded_0. reflexivity.
+  - assert (0 <= rounded (x + e)) by (apply round_ge_generic; [typeclasses eauto | typeclasses eauto | exact Z | lra]). rewrite !sign_eq_1; [reflexivity | lra | specialize (N ltac:(lra)); lra].
+Qed.
+Lemma sign_of_sine : sign s = sign (sin (PI * w)).
+Proof.
+  destruct remainder_error as [_ R]. destruct remainder_near as [Rw W]. apply Rabs_le_between in W.
+  assert (T := sine_factor r R). assert (F : float64 r) by (rewrite Rw; apply rounded_is_float64).
+  assert (G : sign s = sign r).
+  { unfold s, half_turn_polynomials_float64.sine_near. set (t := rounded (half_turn_polynomials_float64.sine_tail r + 884279719003555 / 281474976710656)) in *.
+    destruct (Rtotal_order r 0) as [S|[S|S]].
+    - assert (rounded (r * t) <= r) by (apply round_le_generic; [typeclasses eauto | typeclasses eauto | exact F | nra]). rewrite !sign_eq_m1; lra.
+    - rewrite S, Rmult_0_l, rounded_0. reflexivity.
+    - assert (r <= rounded (r * t)) by (apply round_ge_generic; [typeclasses eauto | typeclasses eauto | exact F | nra]). rewrite !sign_eq_1; lra. }
+  rewrite G, sign_of_remainder. destruct (Rtotal_order w 0) as [S|[S|S]].
+  - rewrite !sign_eq_m1; [reflexivity | | exact S]. assert (0 < sin (PI * - w)) by (apply sin_gt_0; generalize PI_RGT_0; nra).
+    replace (PI * w) with (- (PI * - w)) by ring. rewrite sin_neg. lra.
+  - rewrite S, Rmult_0_r, sin_0. reflexivity.
+  - rewrite !sign_eq_1; [reflexivity | | exact S]. apply sin_gt_0; generalize PI_RGT_0; nra.
+Qed.
+Lemma sign_of_cosine : sign c = sign (cos (PI * w)).
+Proof.
+  destruct remainder_near as [_ W]. destruct polynomials_near as [_ C]. apply Rabs_le_between in C. apply Rabs_le_between in W.
+  assert (cos (PI * w) > 7/10) by interval. rewrite !sign_eq_1; lra.
+Qed.
+Lemma side : sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
+Proof.
+  replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct (by_quadrant w (quarters p)) as [-> _].
+  destruct (sine_printed p e product_is_float64 product_is_small) as [-> _]. fold r s c.
+  assert (M := Z.mod_pos_bound (quarters p) 4 ltac:(easy)).
+  assert (K : (quarters p mod 4 = 0 \/ quarters p mod 4 = 1 \/ quarters p mod 4 = 2 \/ quarters p mod 4 = 3)%Z) by lia.
+  destruct K as [K|[K|[K|K]]]; rewrite K, ?sign_opp, ?sign_of_sine, ?sign_of_cosine; reflexivity.
+Qed.
+End product.
+
+Definition carried (a b : R) : Prop := float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b)) /\ Rabs (a * b) <= 2 ^ 21.
+Lemma factors_near (a b : R) : carried a b ->
+  let p := two_product_float64.product a b in let e := two_product_float64.product_error a b in
+  Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine p e - cos (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\
+  sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
+Proof. intros (A & B & U & L) p e. destruct (half_turns a b A B U L) as [S C]. exact (conj S (conj C (side a b A B U L))). Qed.
+
+Lemma slope_near (k c s ch sh : R) : Rabs c <= 1 -> Rabs s <= 1 -> Rabs (ch - c) <= 3289/1000 / 2 ^ 53 -> Rabs (sh - s) <= 3289/1000 / 2 ^ 53 ->
+  Rabs (rounded (rounded (rounded (rounded PI * ch) * k) * sh) - PI * c * k * s) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).
+Proof.
+  intros C S Ec Es. set (K := Rmax 1 (Rabs k)). assert (K1 : 1 <= K) by apply Rmax_l. assert (Bk : Rabs k <= K) by apply Rmax_r.
+  assert (P : Rabs PI <= 3141593/1000000) by interval.
+  generalize (times_error _ _ _ _ _ _ _ _ P C rounded_pi Ec). intro E1.
+  assert (B1 : Rabs (PI * c) <= 3141593/1000000) by (rewrite Rabs_mult; generalize (Rabs_pos c); nra).
+  generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k)). intro E2.
+  assert (B2 : Rabs (PI * c * k) <= 3141593/1000000 * K) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; assumption).
+  generalize (times_error _ _ _ _ _ _ _ _ B2 S E2 Es). intro E3. eapply Rle_trans; [exact E3|].
+  assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
+Qed.
+Lemma slopes_of_sine (u v k_u k_v : R) : carried k_u u -> carried k_v v ->
+  Rabs (gradient_sine_float64.h_u u v k_u k_v - gradient_sine.h_u u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_u)) /\
+  Rabs (gradient_sine_float64.h_v u v k_u k_v - gradient_sine.h_v u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_v)).
+Proof.
+  intros U V. destruct (factors_near _ _ U) as (? & ? & _). destruct (factors_near _ _ V) as (? & ? & _).
+  split; apply slope_near; try assumption; apply Rabs_le; (apply SIN_bound || apply COS_bound).
+Qed.
+Lemma times_sign (x y s t : R) : float64 x -> rounded (x * rounded (sign s * sign t)) = x * sign (s * t).
+Proof.
+  intro F. assert (S : forall y, sign y = -1 \/ sign y = 0 \/ sign y = 1).
+  { intro z. destruct (Rtotal_order z 0) as [Z|[Z|Z]]; [left; apply sign_eq_m1, Z | right; left; rewrite Z; apply sign_0 | right; right; apply sign_eq_1, Z]. }
+  assert (K : forall z, z = -1 \/ z = 0 \/ z = 1 -> rounded z = z /\ rounded (x * z) = x * z).
+  { intros z [-> | [-> | ->]]; split; apply kept.
+    - replace (-1) with (IZR (-1) * bpow radix2 0) by (simpl; ring). apply whole_is_float64; easy.
+    - replace (x * -1) with (- x) by ring. apply generic_format_opp, F.
+    - apply generic_format_0.
+    - rewrite Rmult_0_r. apply generic_format_0.
+    - replace 1 with (IZR 1 * bpow radix2 0) by (simpl; ring). apply whole_is_float64; easy.
+    - rewrite Rmult_1_r. exact F. }
+  rewrite sign_mult. assert (M : sign s * sign t = -1 \/ sign s * sign t = 0 \/ sign s * sign t = 1).
+  { destruct (S s) as [-> | [-> | ->]], (S t) as [-> | [-> | ->]]; lra. }
+  destruct (K _ M) as [-> ->]. reflexivity.
+Qed.
+Lemma beside_a_sign (x y m s : R) : Rabs (x - y) <= m -> 0 <= m -> Rabs (x * sign s - y * sign s) <= m.
+Proof.
+  intros D M. replace (x * sign s - y * sign s) with ((x - y) * sign s) by ring. rewrite Rabs_mult. assert (Rabs (sign s) <= 1).
+  { destruct (Rtotal_order s 0) as [Z|[Z|Z]]; [rewrite sign_eq_m1 by exact Z | rewrite Z, sign_0 | rewrite sign_eq_1 by exact Z]; apply Rabs_le; lra. }
+  generalize (Rabs_pos (x - y)) (Rabs_pos (sign s)). nra.
+Qed.
+Lemma not_negative (k : R) : 0 <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).
+Proof. assert (1 <= Rmax 1 (Rabs k)) by apply Rmax_l. generalize PI_RGT_0. nra. Qed.
+Lemma slopes_of_ridges (u v k_u k_v : R) : carried k_u u -> carried k_v v ->
+  Rabs (gradient_ridges_float64.h_u u v k_u k_v - gradient_ridges.h_u u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_u)) /\
+  Rabs (gradient_ridges_float64.h_v u v k_u k_v - gradient_ridges.h_v u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_v)).
+Proof.
+  intros U V. destruct (slopes_of_sine u v k_u k_v U V) as [Hu Hv]. destruct (factors_near _ _ U) as (_ & _ & Su). destruct (factors_near _ _ V) as (_ & _ & Sv).
+  unfold gradient_ridges_float64.h_u, gradient_ridges_float64.h_v, gradient_ridges.h_u, gradient_ridges.h_v.
+  rewrite !times_sign by first [exact 0 | apply rounded_is_float64]. rewrite !sign_mult.
+  change (sign (gradient_ridges_float64.sin_u u k_u)) with (sign (sine_of_half_turns_float64.sine (two_product_float64.product k_u u) (two_product_float64.product_error k_u u))).
+  change (sign (gradient_ridges_float64.sin_v v k_v)) with (sign (sine_of_half_turns_float64.sine (two_product_float64.product k_v v) (two_product_float64.product_error k_v v))).
+  rewrite Su, Sv. unfold gradient_ridges.sin_u, gradient_ridges.sin_v. rewrite <- !sign_mult. split; (apply beside_a_sign; [assumption | apply not_negative]).
+Qed.
+Lemma slope_of_rings (v k_v : R) : carried (2 * k_v) v -> float64 k_v ->
+  Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs (2 * k_v))).
+Proof.
+  intros V F. destruct (factors_near _ _ V) as (_ & C & _). unfold gradient_rings_float64.h_v, gradient_rings_float64.cos_v.
+  rewrite (kept _ (twice_float64 _ F)), (kept _ (twice_float64 _ (rounded_is_float64 PI))). set (ch := cosine_of_half_turns_float64.cosine _ _) in *.
+  set (K := Rmax 1 (Rabs (2 * k_v))). assert (K1 : 1 <= K) by apply Rmax_l. assert (Bk : Rabs k_v <= K / 2).
+  { apply Rmult_le_reg_l with 2; [lra|]. replace (2 * (K / 2)) with K by field. rewrite <- (Rabs_pos_eq 2) at 1 by lra. rewrite <- Rabs_mult. apply Rmax_r. }
+  unfold gradient_rings.h_v, gradient_rings.cos_v. set (c := cos _) in *. assert (C1 : Rabs c <= 1) by (apply Rabs_le, COS_bound).
+  assert (P : Rabs (2 * PI) <= 6283186/1000000) by interval.
+  assert (E0 : Rabs (2 * rounded PI - 2 * PI) <= 222/100 / 2 ^ 53) by (generalize rounded_pi; rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq 2) by lra; lra).
+  generalize (times_error _ _ _ _ _ _ _ _ P C1 E0 C). intro E1.
+  assert (B1 : Rabs (2 * PI * c) <= 6283186/1000000) by (rewrite Rabs_mult; generalize (Rabs_pos c); nra).
+  generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k_v)). intro E2. eapply Rle_trans; [exact E2|].
+  assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
+Qed.
+
+(* The printed claims: what is carried out exactly, and where nothing underflows. *)
+Lemma carried_on_the_chart (k x : R) : float64 x -> float64 k -> x >= 0 -> x <= 1 -> Rabs k <= 2 ^ 21 -> (10 ^ 285 * Rabs (k * x) >= 1 \/ k * x = 0) -> carried k x.
+Proof.
+  intros X K L H B U. assert (P : 0 < 10 ^ 285) by (apply pow_lt; lra).
+  split; [exact K|]. split; [exact X|]. split.
+  - destruct U as [U|U]; [right | left; exact U]. apply Rmult_le_reg_r with (10 ^ 285); [exact P|]. apply Rle_trans with 1; [|lra].
+    change (bpow radix2 (-969)) with (/ IZR (Z.pow_pos 2 969)). rewrite <- (Rinv_l (IZR (Z.pow_pos 2 969))) by (apply not_0_IZR; easy).
+    apply Rmult_le_compat_l; [left; apply Rinv_0_lt_compat, IZR_lt; easy|]. rewrite pow_IZR. apply IZR_le. apply Z.leb_le. vm_compute. reflexivity.
+  - rewrite Rabs_mult, (Rabs_pos_eq x) by lra. generalize (Rabs_pos k). nra.
+Qed.
+Theorem gradient_accuracy__sine : Statements.gradient_accuracy__sine.
+Proof.
+  red. intros. replace (10 / 9007199254740992 * PI) with (10 / 2 ^ 53 * PI) by lra. rewrite !(Rmult_assoc (10 / 2 ^ 53)).
+  apply slopes_of_sine; apply carried_on_the_chart; try assumption; lra.
+Qed.
+Theorem gradient_accuracy__ridges : Statements.gradient_accuracy__ridges.
+Proof.
+  red. intros. replace (10 / 9007199254740992 * PI) with (10 / 2 ^ 53 * PI) by lra. rewrite !(Rmult_assoc (10 / 2 ^ 53)).
+  apply slopes_of_ridges; apply carried_on_the_chart; try assumption; lra.
+Qed.
+Theorem gradient_accuracy__rings : Statements.gradient_accuracy__rings.
+Proof.
+  red. intros v k_v V K L H B U. replace (10 / 9007199254740992 * PI) with (10 / 2 ^ 53 * PI) by lra. rewrite Rmult_assoc.
+  apply slope_of_rings; [|exact K]. apply carried_on_the_chart; try assumption.
+  - apply twice_float64, K.
+  - rewrite Rabs_mult, (Rabs_pos_eq 2) by lra. lra.
+  - destruct U as [U|U]; [left | right; rewrite Rmult_assoc, U; ring]. rewrite Rmult_assoc, Rabs_mult, (Rabs_pos_eq 2) by lra.
+    generalize (Rabs_pos (k_v * v)) (pow_lt 10 285 ltac:(lra)). nra.
+Qed.
