@@ -201,19 +201,20 @@ Proof.
   assert (Z : (cos (PI * IZR j) - 1) * (cos (PI * IZR j) + 1) = 0) by (generalize (sin2_cos2 (PI * IZR j)); rewrite S; unfold Rsqr; lra). apply Rmult_integral in Z.
   destruct Z as [Z|Z]; [rewrite sign_eq_1 | rewrite sign_eq_m1]; lra.
 Qed.
-Lemma square_has_a_mean (k : nat) (f C : R -> R) : (0 < k)%nat -> (forall x, continuous C x) ->
+Lemma square_has_a_mean (k : nat) (f C : R -> R) : (0 < k)%nat -> (forall x, 0 <= x <= 1 -> continuity_pt C x) ->
   (forall x, 0 < x < 1 -> f x = C x - PI * INR k * cos (PI * (INR k * x)) * sign (sin (PI * (INR k * x)))) -> ex_RInt (fun x => f x ^ 2) 0 1.
 Proof.
   intros K Cc F. assert (P : 0 < INR k) by (apply lt_0_INR, K). assert (I : forall j, (j <= k)%nat -> ex_RInt (fun x => f x ^ 2) 0 (INR j / INR k)).
   { induction j as [|j IH]; intro J; [simpl; unfold Rdiv; rewrite Rmult_0_l; apply ex_RInt_point|]. apply ex_RInt_Chasles with (INR j / INR k); [apply IH; lia|].
     assert (B : 0 <= INR j /\ INR j + 1 <= INR k) by (split; [apply pos_INR | rewrite <- S_INR; apply le_INR, J]). rewrite S_INR.
     assert (O : INR j / INR k <= (INR j + 1) / INR k) by (apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, P | lra]).
+    assert (A1 : INR k * (INR j / INR k) = INR j) by (field; lra). assert (A2 : INR k * ((INR j + 1) / INR k) = INR j + 1) by (field; lra).
     apply (ex_RInt_ext (fun x => (C x - PI * INR k * cos (PI * (INR k * x)) * cos (PI * IZR (Z.of_nat j))) ^ 2)).
     - rewrite Rmin_left, Rmax_right by exact O. intros x X. assert (Y : INR j < INR k * x < INR j + 1).
-      { assert (A1 : INR k * (INR j / INR k) = INR j) by (field; lra). assert (A2 : INR k * ((INR j + 1) / INR k) = INR j + 1) by (field; lra). split; nra. }
+      { clear - A1 A2 X P. split; nra. }
       rewrite F, (sign_between _ _ (Z.of_nat j)) by (rewrite <- ?INR_IZR_INZ; first [exact Y | split; nra]). reflexivity.
-    - apply (ex_RInt_continuous (V := R_CompleteNormedModule)). intros x _. apply (continuous_comp (fun x => C x - PI * INR k * cos (PI * (INR k * x)) * cos (PI * IZR (Z.of_nat j))) (fun y => y ^ 2)).
-      + apply (continuous_minus C); [apply Cc|]. apply (ex_derive_continuous (fun x => PI * INR k * cos (PI * (INR k * x)) * cos (PI * IZR (Z.of_nat j)))). auto_derive. trivial.
+    - apply (ex_RInt_continuous (V := R_CompleteNormedModule)). rewrite Rmin_left, Rmax_right by exact O. intros x X. apply (continuous_comp (fun x => C x - PI * INR k * cos (PI * (INR k * x)) * cos (PI * IZR (Z.of_nat j))) (fun y => y ^ 2)).
+      + apply (continuous_minus C); [apply continuity_pt_filterlim, Cc; split; nra|]. apply (ex_derive_continuous (fun x => PI * INR k * cos (PI * (INR k * x)) * cos (PI * IZR (Z.of_nat j)))). auto_derive. trivial.
       + apply (ex_derive_continuous (fun y => y ^ 2)). auto_derive. trivial. }
   specialize (I k (le_n k)). replace (INR k / INR k) with 1 in I by (field; lra). exact I.
 Qed.
@@ -312,12 +313,10 @@ Proof.
   generalize reach_is. intros [R1 R2] V. unfold inner. destruct (both _ _) as [[A B]|[A|A]]; [apply near_inner; lra | rewrite Rminus_0_r; apply near_the_pole; lra |].
   rewrite Rminus_0_r. replace v with (1 - (1 - v)) by ring. unfold error_along_v. rewrite whole, seen_from_the_other_pole, <- whole, Rabs_Ropp. apply near_the_pole. lra.
 Qed.
-Lemma is_continuous (f : R -> R) : (forall x, continuity_pt f x) -> forall x, continuous f x.
-Proof. intros H x. apply continuity_pt_filterlim, H. Qed.
 Lemma mean_in_u : ex_RInt (fun u => error_along_u (INR k) epsilon u ^ 2) 0 1.
 Proof.
   apply (square_has_a_mean k _ (fun u => (Rabs (sin (PI * (INR k * (epsilon + u)))) - Rabs (sin (PI * (INR k * (u - epsilon))))) * / (2 * epsilon)) K).
-  - apply is_continuous. intro x. reg.
+  - intros x _. reg.
   - intros u U. unfold error_along_u, central_ridges.h_u, central_ridges.h_u_plus, central_ridges.h_u_minus, central_ridges.u_plus, central_ridges.u_minus. unfold_fields.
     rewrite !Rabs_mult, !wrapped, sine_of_a_right_angle, Rabs_R1, !Rmult_1_r by (left; exists (Z.of_nat k); apply whole). field. lra.
 Qed.
@@ -327,14 +326,11 @@ Proof.
   assert (U : forall v, central_ridges.v_plus v epsilon = up v) by (intro v; unfold up, central_ridges.v_plus, Rmin, Rabs; destruct Rle_dec, Rcase_abs; lra).
   assert (D : forall v, central_ridges.v_minus v epsilon = down v) by (intro v; unfold down, central_ridges.v_minus, Rmax, Rabs; destruct Rle_dec, Rcase_abs; lra).
   assert (S : forall v, 0 < v < 1 -> central_ridges.span_v v epsilon = up v - down v) by (intros v V; unfold central_ridges.span_v; rewrite U, D; unfold up, down, Rabs; destruct both as [[]|[]]; repeat destruct Rcase_abs; lra).
-  generalize reach_is. intros [R1 R2]. assert (N : forall v, epsilon <= Rmax epsilon (up v - down v)) by (intro; apply Rmax_l).
-  assert (M : forall v, 0 < v < 1 -> up v - down v = Rmax epsilon (up v - down v)) by (intros v V; symmetry; apply Rmax_right; unfold up, down, Rabs; repeat destruct Rcase_abs; lra).
-  set (wide v := (epsilon + (up v - down v) + Rabs (epsilon - (up v - down v))) / 2).
-  assert (W : forall v, Rmax epsilon (up v - down v) = wide v) by (intro v; unfold wide, Rmax, Rabs; destruct Rle_dec, Rcase_abs; lra).
-  apply (square_has_a_mean k _ (fun v => (Rabs (sin (PI * (INR k * up v))) - Rabs (sin (PI * (INR k * down v)))) * / wide v) K).
-  - apply is_continuous. intro x. assert (wide x <> 0) by (rewrite <- W; generalize (N x); lra). unfold wide, up, down in *. reg. 
+  generalize reach_is. intros [R1 R2].
+  apply (square_has_a_mean k _ (fun v => (Rabs (sin (PI * (INR k * up v))) - Rabs (sin (PI * (INR k * down v)))) * / (up v - down v)) K).
+  - intros x X. assert (up x - down x <> 0) by (apply Rgt_not_eq; unfold up, down, Rabs; repeat destruct Rcase_abs; lra). unfold up, down in *. reg.
   - intros v V. unfold error_along_v, central_ridges.h_v, central_ridges.h_v_plus, central_ridges.h_v_minus. unfold_fields.
-    rewrite U, D, S, !Rabs_mult, sine_of_a_right_angle, Rabs_R1, !Rmult_1_l, !Rmult_1_r, M, W by exact V. unfold Rdiv. ring.
+    rewrite U, D, S, !Rabs_mult, sine_of_a_right_angle, Rabs_R1, !Rmult_1_l, !Rmult_1_r by exact V. unfold Rdiv. ring.
 Qed.
 End chart.
 
