@@ -19,17 +19,9 @@ Proof.
   - left. apply Rinv_0_lt_compat. lra.
   - rewrite <- Rinv_1. apply Rinv_le_contravar; lra.
 Qed.
-Theorem mean_keeps_the_bound__one_more__point : exists b m x w : R, 0 <= w <= 1 /\ Rabs m <= b /\ Rabs x <= b.
-Proof. exists 1, 1, 1, 1. rewrite Rabs_R1. lra. Qed.
 Theorem mean_keeps_the_bound__any_number__point : exists (b : R) (x : nat -> R), forall i, Rabs (x i) <= b.
 Proof. exists 1, (fun _ => 1). intros _. rewrite Rabs_R1. lra. Qed.
-(* With a share beyond 1 it does not, nor within half of it. *)
-Theorem mean_keeps_the_bound__one_more__false : ~ forall b m x w : R, 0 <= w -> Rabs m <= b -> Rabs x <= b ->
-  Rabs (m + w * (x - m)) <= b.
-Proof.
-  intro H. generalize (H 1 1 (-1) 3 ltac:(lra)). rewrite (Rabs_left (-1)), (Rabs_left (1 + _)), Rabs_R1 by lra.
-  intro K. generalize (K ltac:(lra) ltac:(lra)). lra.
-Qed.
+(* It does not within half of it. *)
 Theorem mean_keeps_the_bound__any_number__false : ~ forall (b : R) (x : nat -> R) (n : nat),
   (forall i, Rabs (x i) <= b) -> Rabs (sum_f_R0 x n / INR (S n)) <= b / 2.
 Proof.

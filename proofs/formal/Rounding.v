@@ -2,68 +2,129 @@
 
 From Coq Require Import Reals Lra Psatz Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From Flocq Require Import Core Relative Plus_error Pff2Flocq.
-From Formal Require Import Float Float64.
+From Flocq Require Import Core Relative Plus_error Mult_error Pff2Flocq.
+From Formal Require Import Preliminaries Formulas Float Float64 Claim Clamped.
+From Formal Require Statements.
 Open Scope R_scope.
+
+(* What is left of a difference of two heights, each off, over the span s, times a factor. *)
+Lemma of_two_heights (argument evaluation excess growth mean plus minus steepest s d : R) : s > 0 ->
+  excess - (growth - 1) >= 0 -> excess + growth - 1 >= 0 -> argument * steepest + evaluation - plus >= 0 -> plus + argument * steepest + evaluation >= 0 ->
+  argument * steepest + evaluation - minus >= 0 -> minus + argument * steepest + evaluation >= 0 -> steepest - mean >= 0 -> mean + steepest >= 0 ->
+  d = mean + (plus - minus) / s ->
+  let each := argument * steepest + evaluation in let most := excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / s in
+  s <> 0 /\ 2 * each - (plus - minus) >= 0 /\ plus - minus + 2 * each >= 0 /\
+  (excess + 1) * 2 * each - growth * (plus - minus) >= 0 /\ growth * (plus - minus) + (excess + 1) * 2 * each >= 0 /\
+  excess * steepest - mean * (growth - 1) >= 0 /\ excess * steepest + mean * (growth - 1) >= 0 /\
+  s * (growth * d - mean) = growth * (plus - minus) + s * mean * (growth - 1) /\
+  s * most - s * (growth * d - mean) >= 0 /\ s * most + s * (growth * d - mean) >= 0 /\ most - (growth * d - mean) >= 0 /\ most + growth * d - mean >= 0.
+Proof.
+  intros S K K' P P' M M' L L' -> each most. set (off := plus - minus) in *. fold each in P, P', M, M'.
+  assert (A : 2 * each - off >= 0) by (unfold off, each in *; lra). assert (B : off + 2 * each >= 0) by (unfold off, each in *; lra).
+  assert (C : (excess + 1) * 2 * each - growth * off >= 0) by nra. assert (D : growth * off + (excess + 1) * 2 * each >= 0) by nra.
+  assert (F : excess * steepest - mean * (growth - 1) >= 0) by nra. assert (G : excess * steepest + mean * (growth - 1) >= 0) by nra.
+  assert (E : s * (growth * (mean + off / s) - mean) = growth * off + s * mean * (growth - 1)) by (field; lra).
+  assert (Q : s * most = s * (excess * steepest) + (excess + 1) * 2 * each) by (unfold most, each; field; lra).
+  assert (X : s * most - s * (growth * (mean + off / s) - mean) >= 0) by (rewrite E, Q; nra).
+  assert (Y : s * most + s * (growth * (mean + off / s) - mean) >= 0) by (rewrite E, Q; nra).
+  repeat split; try assumption; [lra | revert X | revert Y]; apply (over_a_span s); (assumption || ring).
+Qed.
+Theorem roundoff_bound__in_u : Statements.roundoff_bound__in_u.
+Proof.
+  red. intros. destruct (of_two_heights argument evaluation excess growth mean off_plus off_minus steepest (2 * epsilon) h_u) as (N & R); try assumption; [lra | | ].
+  - unfold h_u, h_u_plus, h_u_minus. field. lra.
+  - repeat split; try apply R; lra.
+Qed.
+Theorem roundoff_bound__in_v : Statements.roundoff_bound__in_v.
+Proof.
+  red. intros. assert (S : span_v = 2 * epsilon) by (unfold span_v; destruct both as [|[A|A]]; lra).
+  destruct (of_two_heights argument evaluation excess growth mean off_plus off_minus steepest (2 * epsilon) h_v) as (N & R); try assumption; [lra | | ].
+  - unfold h_v, h_v_plus, h_v_minus. rewrite S. field. lra.
+  - repeat split; try apply R; lra.
+Qed.
+Theorem roundoff_bound__clamped : Statements.roundoff_bound__clamped.
+Proof.
+  red. intros. at_the_pole span_v.
+  destruct (of_two_heights argument evaluation excess growth mean off_plus off_minus steepest (epsilon + v) h_v) as (N & R); try assumption.
+  - unfold h_v, h_v_plus, h_v_minus. rewrite H12. field. lra.
+  - rewrite (Rmult_comm mean (epsilon + v)). repeat split; try apply R; lra.
+Qed.
+Theorem roundoff_bound__two_roundings : Statements.roundoff_bound__two_roundings.
+Proof. claim. Qed.
+Theorem roundoff_bound__three_roundings : Statements.roundoff_bound__three_roundings.
+Proof.
+  red. intros. assert (A : (unit + 1) ^ 2 - (first + 1) * (second + 1) >= 0) by nra. assert (B : (first + 1) * (second + 1) - (1 - unit) ^ 2 >= 0) by nra.
+  assert (E : (unit ^ 2 + 3 * unit) / (1 - unit) * (1 - unit) = unit ^ 2 + 3 * unit) by (field; lra).
+  assert (G : (1 + third) * growth >= (1 - unit) ^ 2) by lra. assert (G0 : growth >= 0) by (apply Rnot_gt_ge; intro; nra).
+  assert (C : (unit ^ 2 + 3 * unit) / (1 - unit) * (1 - unit) - (1 - unit) * (growth - 1) >= 0) by (rewrite E; nra).
+  assert (D : (unit ^ 2 + 3 * unit) / (1 - unit) * (1 - unit) + (1 - unit) * (growth - 1) >= 0) by (rewrite E; nra).
+  repeat split; try assumption; [lra | revert C | revert D]; apply (over_a_span (1 - unit)); lra.
+Qed.
 
 Lemma moved_by_at_most (h h1 : R -> R) (L a b : R) : (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> Rabs (h b - h a) <= L * Rabs (b - a).
 Proof. intros D B. apply (bounded_variation h h1). intros t _. split; [apply D | apply B]. Qed.
-
-(* Of any differentiable h, in the standard model: mu the unit roundoff, heights off by at most eta, arguments by at most alpha. *)
-Theorem (* clauses 1, 3 *) roundoff_bound__bound (h h1 : R -> R) (L u epsilon mu eta alpha u_plus u_minus h_plus h_minus d1 d2 : R) :
-  (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> 0 < epsilon -> 0 < mu < 1 -> Rabs d1 <= mu -> Rabs d2 <= mu ->
-  Rabs (u_plus - (u + epsilon)) <= alpha -> Rabs (u_minus - (u - epsilon)) <= alpha ->
-  Rabs (h_plus - h u_plus) <= eta -> Rabs (h_minus - h u_minus) <= eta ->
-  Rabs ((h_plus - h_minus) * (1 + d1) / (2 * epsilon) * (1 + d2) - (h (u + epsilon) - h (u - epsilon)) / (2 * epsilon)) <=
-  (eta + L * alpha) / epsilon * (1 + mu) ^ 2 + L * (2 * mu + mu ^ 2).
+(* So of any height with slopes of at most L: its samples off by at most eta, its arguments by at most alpha, and a factor in 1 +- kappa. *)
+Theorem roundoff_bound__of_any_height (h h1 : R -> R) (L a b S kappa eta alpha a' b' h_a h_b t : R) :
+  (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> 0 < S -> a - b = S -> Rabs (t - 1) <= kappa ->
+  Rabs (a' - a) <= alpha -> Rabs (b' - b) <= alpha -> Rabs (h_a - h a') <= eta -> Rabs (h_b - h b') <= eta ->
+  Rabs ((h_a - h_b) / S * t - (h a - h b) / S) <= 2 * (eta + L * alpha) / S * (1 + kappa) + L * kappa.
 Proof.
-  intros D B E M D1 D2 A1 A2 H1 H2. assert (L0 : 0 <= L) by (eapply Rle_trans; [apply Rabs_pos | apply (B 0)]).
-  assert (E1 : Rabs (h_plus - h (u + epsilon)) <= eta + L * alpha).
-  { replace (h_plus - h (u + epsilon)) with (h_plus - h u_plus + (h u_plus - h (u + epsilon))) by ring. eapply Rle_trans; [apply Rabs_triang|].
-    generalize (moved_by_at_most h h1 L (u + epsilon) u_plus D B). nra. }
-  assert (E2 : Rabs (h_minus - h (u - epsilon)) <= eta + L * alpha).
-  { replace (h_minus - h (u - epsilon)) with (h_minus - h u_minus + (h u_minus - h (u - epsilon))) by ring. eapply Rle_trans; [apply Rabs_triang|].
-    generalize (moved_by_at_most h h1 L (u - epsilon) u_minus D B). nra. }
-  assert (S : Rabs ((h (u + epsilon) - h (u - epsilon)) / (2 * epsilon)) <= L).
-  { unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ _)) by (left; apply Rinv_0_lt_compat; lra). generalize (moved_by_at_most h h1 L (u - epsilon) (u + epsilon) D B).
-    replace (u + epsilon - (u - epsilon)) with (2 * epsilon) by ring. rewrite (Rabs_pos_eq (2 * epsilon)) by lra. intro X.
-    apply Rmult_le_reg_r with (2 * epsilon); [lra|]. rewrite Rmult_assoc, Rinv_l by lra. lra. }
-  set (a := h (u + epsilon)) in *. set (b := h (u - epsilon)) in *. set (e := eta + L * alpha) in *. set (q := (a - b) / (2 * epsilon)) in *.
-  set (t := (1 + d1) * (1 + d2)). apply Rabs_le_between in D1. apply Rabs_le_between in D2.
-  assert (T : 0 <= t <= (1 + mu) ^ 2) by (unfold t; split; [nra|]; nra).
-  assert (T' : Rabs (t - 1) <= 2 * mu + mu ^ 2) by (apply Rabs_le; unfold t; split; nra).
-  replace (_ - q) with (((h_plus - a) - (h_minus - b)) / (2 * epsilon) * t + q * (t - 1)) by (unfold q, t; field; lra).
-  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat.
-  - unfold Rdiv. rewrite !Rabs_mult, (Rabs_pos_eq (/ _)), (Rabs_pos_eq t) by (try (left; apply Rinv_0_lt_compat); lra).
-    apply Rmult_le_compat; try lra; [apply Rmult_le_pos; [apply Rabs_pos | left; apply Rinv_0_lt_compat; lra]|].
-    apply Rmult_le_reg_r with (2 * epsilon); [lra|]. rewrite Rmult_assoc, Rinv_l by lra. replace (e * / epsilon * (2 * epsilon)) with (e + e) by (field; lra).
-    rewrite Rmult_1_r. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra.
-  - rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; assumption.
+  intros D B P AB T A1 A2 H1 H2. assert (L0 : 0 <= L) by (eapply Rle_trans; [apply Rabs_pos | apply (B 0)]).
+  assert (E : forall x x' y, Rabs (x' - x) <= alpha -> Rabs (y - h x') <= eta -> - (alpha * L + eta) <= y - h x <= alpha * L + eta).
+  { intros x x' y X Y. apply Rabs_le_between. replace (y - h x) with (y - h x' + (h x' - h x)) by ring. eapply Rle_trans; [apply Rabs_triang|].
+    generalize (moved_by_at_most h h1 L x x' D B). nra. }
+  generalize (E _ _ _ A1 H1) (E _ _ _ A2 H2) (moved_by_at_most h h1 L b a D B). rewrite AB, (Rabs_pos_eq S) by lra. intros E1 E2 M. apply Rabs_le_between in M. apply Rabs_le_between in T.
+  assert (Q : (h a - h b) / S * S = h a - h b) by (field; lra). set (mean := (h a - h b) / S) in *.
+  assert (M1 : L - mean >= 0) by (apply (over_a_span S _ (L * S - (h a - h b))); lra). assert (M2 : mean + L >= 0) by (apply (over_a_span S _ (L * S + (h a - h b))); lra).
+  destruct (of_two_heights alpha eta kappa t mean (h_a - h a) (h_b - h b) L S ((h_a - h_b) / S)) as (_ & _ & _ & _ & _ & _ & _ & _ & _ & _ & X & Y); try lra; [unfold mean; field; lra|].
+  replace (2 * (eta + L * alpha) / S * (1 + kappa) + L * kappa) with (kappa * L + (kappa + 1) * (2 * alpha * L + 2 * eta) / S) by (field; lra). apply Rabs_le. lra.
 Qed.
-Theorem roundoff_bound__bound__point : exists (h h1 : R -> R) (L u epsilon mu : R), (forall w, is_derive h w (h1 w)) /\ (forall w, Rabs (h1 w) <= L) /\ 0 < epsilon /\ 0 < mu < 1.
+Theorem roundoff_bound__of_any_height__false : ~ forall (h h1 : R -> R) (L a b S kappa t : R), (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> 0 < S -> a - b = S ->
+  Rabs (t - 1) <= kappa -> Rabs ((h a - h b) / S * t - (h a - h b) / S) <= 0.
 Proof.
-  exists sin, cos, 1, 0, 1, (1/2). split; [|split; [|lra]]; intro w; [auto_derive; trivial; ring | apply Rabs_le, COS_bound].
-Qed.
-(* Without the heights' error it is not so. *)
-Theorem roundoff_bound__bound__false : ~ forall (h : R -> R) (epsilon eta h_plus h_minus : R), 0 < epsilon -> Rabs (h_plus - h epsilon) <= eta -> Rabs (h_minus - h (- epsilon)) <= eta ->
-  (h_plus - h_minus) / (2 * epsilon) = (h epsilon - h (- epsilon)) / (2 * epsilon).
-Proof.
-  intro H. generalize (H (fun _ => 0) 1 1 1 0 ltac:(lra)). rewrite !Rminus_0_r, Rabs_R1, Rabs_R0. intro K. generalize (K ltac:(lra) ltac:(lra)). lra.
+  intro H. generalize (H (fun w => w) (fun _ => 1) 1 1 0 1 1 2 ltac:(intro; auto_derive; trivial) ltac:(intro; cbv beta; rewrite Rabs_R1; lra) ltac:(lra) ltac:(lra)).
+  intro K. specialize (K ltac:(rewrite Rabs_pos_eq; lra)). rewrite Rabs_pos_eq in K; lra.
 Qed.
 
 (* Float64 *)
 
 (* The standard model: an operation that does not underflow is exact but for a factor 1 + d, |d| <= 2^-53. *)
-Theorem (* clause 3 *) roundoff_bound__standard_model (x : R) : bpow radix2 (-1022) <= Rabs x -> exists d, Rabs d <= unit_roundoff /\ rounded x = x * (1 + d).
+Lemma standard_model (x : R) : bpow radix2 (-1022) <= Rabs x -> exists d, Rabs d <= unit_roundoff /\ rounded x = x * (1 + d).
 Proof. intro H. apply (relative_error_N_FLT_ex radix2 (-1074) 53); [easy | exact H]. Qed.
 
 (* The difference of two float64 numbers needs no such condition. *)
-Theorem (* clause 3 *) roundoff_bound__subtraction (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= unit_roundoff /\ rounded (a - b) = (a - b) * (1 + d).
+Lemma rounded_difference (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= unit_roundoff /\ rounded (a - b) = (a - b) * (1 + d).
 Proof.
   intros A B. destruct (FLT_plus_error_N_ex radix2 (-1074) 53 (fun n => negb (Z.even n)) a (- b) A (generic_format_opp _ _ _ B)) as (d & D & E).
   exists d. split; [|exact E]. eapply Rle_trans; [exact D|]. change (u_ro radix2 53) with unit_roundoff.
   assert (P : 0 < unit_roundoff) by (unfold unit_roundoff; generalize (bpow_gt_0 radix2 (-53 + 1)); lra).
   apply Rmult_le_reg_r with (1 + unit_roundoff); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. nra.
+Qed.
+
+(* The kernel's difference of two float64 heights, which are the same or do not underflow: the lines as they are carried out. *)
+Theorem roundoff_bound__of_the_kernel (h h1 : R -> R) (L u epsilon eta alpha u_plus u_minus h_plus h_minus : R) :
+  (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> 0 < epsilon <= 1 -> float64 h_plus -> float64 h_minus ->
+  h_plus = h_minus \/ bpow radix2 (-1021) <= Rabs (h_plus - h_minus) -> Rabs (u_plus - (u + epsilon)) <= alpha -> Rabs (u_minus - (u - epsilon)) <= alpha ->
+  Rabs (h_plus - h u_plus) <= eta -> Rabs (h_minus - h u_minus) <= eta -> let kappa := 2 * unit_roundoff + unit_roundoff ^ 2 in
+  Rabs (difference_float64.h_u h_plus h_minus epsilon - (h (u + epsilon) - h (u - epsilon)) / (2 * epsilon)) <= 2 * (eta + L * alpha) / (2 * epsilon) * (1 + kappa) + L * kappa.
+Proof.
+  intros D B E F G N A1 A2 H1 H2 kappa. assert (U : 0 < unit_roundoff < 1) by (unfold unit_roundoff; simpl; lra).
+  assert (T : exists t, Rabs (t - 1) <= kappa /\ difference_float64.h_u h_plus h_minus epsilon = (h_plus - h_minus) / (2 * epsilon) * t).
+  { unfold difference_float64.h_u. destruct N as [->|N].
+    - exists 1. rewrite (Rminus_diag_eq h_minus), Rminus_diag_eq, Rabs_R0 by reflexivity. unfold rounded. rewrite !round_0, Rmult_0_r, round_0 by typeclasses eauto.
+      unfold Rdiv. rewrite !Rmult_0_l, round_0 by typeclasses eauto. split; [unfold kappa; nra | ring].
+    - destruct (rounded_difference _ _ F G) as (d1 & D1 & R1). set (r := rounded (h_plus - h_minus)) in *.
+      assert (R0 : bpow radix2 (-1021) <= Rabs r) by (apply abs_round_ge_generic; [typeclasses eauto | typeclasses eauto | apply generic_format_bpow; easy | exact N]).
+      assert (X : rounded (1 / 2 * r) = 1 / 2 * r).
+      { replace (1 / 2 * r) with (r * bpow radix2 (-1)) by (change (bpow radix2 (-1)) with (/ 2); lra). apply round_generic; [typeclasses eauto|]. apply mult_bpow_exact_FLT; [apply generic_format_round; typeclasses eauto|].
+        assert (M : (-1021 < mag radix2 r)%Z) by (apply mag_gt_bpow, R0). lia. }
+      rewrite X. assert (I : 1 <= / epsilon) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
+      destruct (standard_model (1 / 2 * r / epsilon)) as (d2 & D2 & R2).
+      { unfold Rdiv. rewrite !Rabs_mult, (Rabs_pos_eq 1), (Rabs_pos_eq (/ 2)), (Rabs_pos_eq (/ epsilon)) by lra. replace (-1022)%Z with (-1021 + -1)%Z by easy. rewrite bpow_plus. change (bpow radix2 (-1)) with (/ 2).
+        assert (0 <= Rabs r * (/ epsilon - 1)) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). lra. }
+      exists ((d1 + 1) * (d2 + 1)). rewrite R2, R1. split; [|field; lra]. apply Rabs_le_between in D1. apply Rabs_le_between in D2.
+      destruct (roundoff_bound__two_roundings d1 ((d1 + 1) * (d2 + 1)) d2 unit_roundoff); try lra. unfold kappa. apply Rabs_le. lra. }
+  destruct T as (t & T & ->). apply roundoff_bound__of_any_height with h1 u_plus u_minus; trivial; lra.
 Qed.
 
 (* Dekker's product: the printed sum and its error are the product itself, where nothing underflows. *)
@@ -84,38 +145,6 @@ Proof.
   f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. unfold two_product_float64.product. ring.
 Qed.
 
-(* Over any span S with a factor in 1 +- kappa: in u and in v, S = 2 eps, and clamped at the pole, S = v + eps. *)
-Theorem (* clauses 1, 2 *) roundoff_bound__any_span (h h1 : R -> R) (L a b S kappa eta alpha a' b' h_a h_b t : R) :
-  (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> 0 < S -> a - b = S -> Rabs (t - 1) <= kappa ->
-  Rabs (a' - a) <= alpha -> Rabs (b' - b) <= alpha -> Rabs (h_a - h a') <= eta -> Rabs (h_b - h b') <= eta ->
-  Rabs ((h_a - h_b) / S * t - (h a - h b) / S) <= 2 * (eta + L * alpha) / S * (1 + kappa) + L * kappa.
-Proof.
-  intros D B P AB K A1 A2 H1 H2. assert (L0 : 0 <= L) by (eapply Rle_trans; [apply Rabs_pos | apply (B 0)]).
-  assert (E : forall x x' y, Rabs (x' - x) <= alpha -> Rabs (y - h x') <= eta -> Rabs (y - h x) <= eta + L * alpha).
-  { intros x x' y X Y. replace (y - h x) with (y - h x' + (h x' - h x)) by ring. eapply Rle_trans; [apply Rabs_triang|].
-    generalize (moved_by_at_most h h1 L x x' D B). nra. }
-  generalize (E _ _ _ A1 H1) (E _ _ _ A2 H2) (moved_by_at_most h h1 L b a D B). rewrite AB, (Rabs_pos_eq S) by lra. intros E1 E2 M.
-  set (e := eta + L * alpha) in *. assert (I : 0 < / S) by (apply Rinv_0_lt_compat, P).
-  assert (Q : Rabs ((h a - h b) / S) <= L).
-  { unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ S)) by lra. apply Rmult_le_reg_r with S; [exact P|]. rewrite Rmult_assoc, Rinv_l by lra. lra. }
-  assert (T : Rabs t <= 1 + kappa) by (replace t with (1 + (t - 1)) by ring; eapply Rle_trans; [apply Rabs_triang|]; rewrite Rabs_R1; lra).
-  replace (_ - _) with (((h_a - h a) - (h_b - h b)) / S * t + (h a - h b) / S * (t - 1)) by (field; lra).
-  eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat.
-  - apply Rmult_le_compat; try apply Rabs_pos; [|exact T]. unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ S)) by lra. apply Rmult_le_compat_r; [lra|].
-    eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra.
-  - apply Rmult_le_compat; try apply Rabs_pos; assumption.
-Qed.
-(* Three roundings, the span's among them: kappa = (3 mu + mu^2)/(1 - mu). *)
-Theorem (* clauses 3, 4 *) roundoff_bound__three_roundings (mu d1 d2 d3 : R) : 0 < mu < 1 -> Rabs d1 <= mu -> Rabs d2 <= mu -> Rabs d3 <= mu ->
-  Rabs ((1 + d1) * (1 + d2) / (1 + d3) - 1) <= (3 * mu + mu ^ 2) / (1 - mu) /\ Rabs ((1 + d1) * (1 + d2) - 1) <= 2 * mu + mu ^ 2.
-Proof.
-  intros M D1 D2 D3. apply Rabs_le_between in D1. apply Rabs_le_between in D2. apply Rabs_le_between in D3.
-  assert (T : - (2 * mu + mu ^ 2) <= (1 + d1) * (1 + d2) - 1 <= 2 * mu + mu ^ 2) by (split; nra).
-  split; [|apply Rabs_le, T]. replace (_ - 1) with (((1 + d1) * (1 + d2) - 1 - d3) / (1 + d3)) by (field; lra).
-  unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ (1 + d3))) by (left; apply Rinv_0_lt_compat; lra).
-  apply Rmult_le_compat; [apply Rabs_pos | left; apply Rinv_0_lt_compat; lra | apply Rabs_le; lra | apply Rinv_le_contravar; lra].
-Qed.
-(* False variants: where it underflows, and with the weight alone. *)
 Lemma float64_is_whole (x : R) : float64 x -> exists m : Z, x = IZR m * bpow radix2 (-1074).
 Proof.
   intro F. apply FLT_format_generic in F; [|easy]. destruct F as [[m e] -> _ E]. cbn [Fnum Fexp] in *. exists (m * radix2 ^ (e + 1074))%Z.
@@ -123,16 +152,6 @@ Proof.
 Qed.
 Lemma rounded_is_float64 (x : R) : float64 (rounded x).
 Proof. apply generic_format_round; typeclasses eauto. Qed.
-Theorem roundoff_bound__standard_model__false : ~ forall x, exists d, Rabs d <= unit_roundoff /\ rounded x = x * (1 + d).
-Proof.
-  intro H. destruct (H (bpow radix2 (-1075))) as (d & D & E). destruct (float64_is_whole _ (rounded_is_float64 (bpow radix2 (-1075)))) as [m M]. rewrite E in M.
-  replace (-1074)%Z with (-1075 + 1)%Z in M by easy. rewrite bpow_plus in M. generalize (bpow_gt_0 radix2 (-1075)). set (b := bpow radix2 (-1075)) in *. intro B.
-  change (bpow radix2 1) with 2 in M. assert (K : 1 + d = 2 * IZR m) by (apply Rmult_eq_reg_l with b; lra).
-  assert (U : unit_roundoff < 1/2) by (unfold unit_roundoff; simpl; lra). apply Rabs_le_between in D.
-  assert (0 < m < 1)%Z by (split; apply lt_IZR; lra). lia.
-Qed.
-Theorem roundoff_bound__subtraction__false : ~ forall a b, exists d, Rabs d <= unit_roundoff /\ rounded (a - b) = (a - b) * (1 + d).
-Proof. intro H. apply roundoff_bound__standard_model__false. intro x. generalize (H x 0). rewrite Rminus_0_r. trivial. Qed.
 Theorem elementary_functions__two_product__false : ~ forall a b, float64 a -> float64 b -> two_product_float64.product a b + two_product_float64.product_error a b = a * b.
 Proof.
   intro H. assert (F : float64 (bpow radix2 (-1074))) by (apply generic_format_bpow; easy). generalize (H _ _ F F).
@@ -142,9 +161,11 @@ Proof.
   set (b := bpow radix2 (-1074)) in *. assert (K : IZR (m + n) = b) by (rewrite plus_IZR; apply Rmult_eq_reg_r with b; lra).
   assert (0 < m + n < 1)%Z by (split; apply lt_IZR; lra). lia.
 Qed.
-Theorem roundoff_bound__any_span__false : ~ forall (h h1 : R -> R) (L a b S kappa t : R), (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> 0 < S -> a - b = S ->
-  Rabs (t - 1) <= kappa -> Rabs ((h a - h b) / S * t - (h a - h b) / S) <= 0.
+(* It is not the quotient itself. *)
+Theorem roundoff_bound__of_the_kernel__false : ~ forall a b epsilon, float64 a -> float64 b -> 0 < epsilon <= 1 -> difference_float64.h_u a b epsilon = (a - b) / (2 * epsilon).
 Proof.
-  intro H. generalize (H (fun w => w) (fun _ => 1) 1 1 0 1 1 2 ltac:(intro; auto_derive; trivial) ltac:(intro; cbv beta; rewrite Rabs_R1; lra) ltac:(lra) ltac:(lra)).
-  intro K. specialize (K ltac:(rewrite Rabs_pos_eq; lra)). rewrite Rabs_pos_eq in K; lra.
+  intro H. assert (F : float64 (bpow radix2 (-1074))) by (apply generic_format_bpow; easy). generalize (H _ 0 1 F (generic_format_0 _ _) ltac:(lra)).
+  destruct (float64_is_whole (difference_float64.h_u (bpow radix2 (-1074)) 0 1) ltac:(apply rounded_is_float64)) as [m ->]. rewrite Rminus_0_r. generalize (bpow_gt_0 radix2 (-1074)).
+  intros B E. assert (K : IZR (2 * m) = 1) by (rewrite mult_IZR; apply Rmult_eq_reg_r with (bpow radix2 (-1074)); lra). assert (0 < 2 * m < 2)%Z by (split; apply lt_IZR; lra).
+  apply eq_IZR in K. lia.
 Qed.

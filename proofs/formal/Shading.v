@@ -258,7 +258,7 @@ Definition share (model : vector -> R) (P L : vector) (i albedo kd ks : R) (p : 
   light_term.lit_red 0 i albedo kd ks (mu P L n) (model n ^ p).
 
 (* It moves by at most i (a k_d + k_s q) |N'_1 - N'_2| where base^p is Lipschitz with q. *)
-Theorem (* clause 1 *) difference_bound__light (model : vector -> R) (P L n m : vector) (i albedo kd ks q : R) (p : nat) :
+Theorem difference_bound__light (model : vector -> R) (P L n m : vector) (i albedo kd ks q : R) (p : nat) :
   0 <= i -> 0 <= albedo -> 0 <= kd -> 0 <= ks -> 0 < magnitude (difference L P) ->
   Rabs (model n ^ p - model m ^ p) <= q * magnitude (difference n m) ->
   Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd ks p m) <= i * (albedo * kd + ks * q) * magnitude (difference n m).
@@ -274,7 +274,7 @@ Proof.
   assert (ks * Rabs (model n ^ p - model m ^ p) <= ks * (q * magnitude (difference n m))) by (apply Rmult_le_compat_l; assumption). lra.
 Qed.
 (* The lines of green and blue are red's. *)
-Theorem (* clause 1 *) difference_bound__channels (colour i albedo kd ks mu specular : R) :
+Theorem difference_bound__channels (colour i albedo kd ks mu specular : R) :
   light_term.lit_green colour i albedo kd ks mu specular = light_term.lit_red colour i albedo kd ks mu specular /\
   light_term.lit_blue colour i albedo kd ks mu specular = light_term.lit_red colour i albedo kd ks mu specular.
 Proof. unfold light_term.lit_green, light_term.lit_blue, light_term.lit_red. split; ring. Qed.
@@ -284,26 +284,6 @@ Proof. intro H. generalize (H 0 1 0 0 0 0 0 0). unfold light_term.lit_green, lig
 Lemma difference_bound_clip (a b : R) : Rabs (clip.clipped a - clip.clipped b) <= Rabs (a - b).
 Proof.
   unfold clip.clipped. eapply Rle_trans; [|apply clamp_is_lipschitz]. unfold Rmin, Rabs. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra.
-Qed.
-(* So |dI| <= sum over the lights of i (a k_d + k_s q), times min(|beta| |dg|, 2): any number of lights. *)
-Theorem (* clause 3 *) difference_bound__any_lights (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R) :
-  (forall f l, In (f, l) shares -> forall n m, magnitude n = 1 -> magnitude m = 1 -> Rabs (f n - f m) <= l * magnitude (difference n m)) ->
-  let colour n := clip.clipped (ambient + fold_right (fun s c => fst s n + c) 0 shares) in
-  let total := fold_right (fun s c => snd s + c) 0 shares in
-  (forall f l, In (f, l) shares -> 0 <= l) ->
-  Rabs (colour (N' theta phi a_u a_v beta) - colour (N' theta phi b_u b_v beta)) <=
-  total * Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
-Proof.
-  intros Hs. cbv beta zeta. intro Hl. set (n := N' theta phi a_u a_v beta). set (m := N' theta phi b_u b_v beta).
-  assert (Un : magnitude n = 1) by apply unit_length_length. assert (Um : magnitude m = 1) by apply unit_length_length.
-  eapply Rle_trans; [apply difference_bound_clip|].
-  apply Rle_trans with (fold_right (fun s c => snd s + c) 0 shares * magnitude (difference n m)).
-  - replace (_ - _) with (fold_right (fun s c => fst s n + c) 0 shares - fold_right (fun s c => fst s m + c) 0 shares) by ring. clear Hl.
-    induction shares as [|[f l] rest IH]; [simpl; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; lra|]. cbn [fold_right fst snd].
-    replace (_ - _) with ((f n - f m) + (fold_right (fun s c => fst s n + c) 0 rest - fold_right (fun s c => fst s m + c) 0 rest)) by ring.
-    eapply Rle_trans; [apply Rabs_triang|]. generalize (Hs f l (or_introl eq_refl) n m Un Um) (IH (fun f' l' h => Hs f' l' (or_intror h))). lra.
-  - apply Rmult_le_compat_l; [|apply normalising_is_lipschitz__bump]. clear - Hl. induction shares as [|[f l] rest IH]; cbn [fold_right snd]; [lra|].
-    generalize (Hl f l (or_introl eq_refl)) (IH (fun f' l' h => Hl f' l' (or_intror h))). lra.
 Qed.
 Theorem difference_bound__light__point : exists i a d s : R, 0 <= i /\ 0 <= a /\ 0 <= d /\ 0 <= s.
 Proof. exists 1, 1, 1, 1. lra. Qed.
@@ -386,17 +366,4 @@ Theorem difference_bound__light__false : ~ forall (model : vector -> R) (P L n m
 Proof.
   intro H. generalize (H snd (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 0) 1 0 0 1 1 1%nat ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(rewrite above_apart; lra)). rewrite above_apart.
   cbn [snd pow]. unfold share, light_term.lit_red, light_term.diffuse, light_term.shine. cbn [snd pow]. intro K. specialize (K ltac:(rewrite Rabs_pos_eq; lra)). rewrite Rabs_pos_eq in K; lra.
-Qed.
-Theorem difference_bound__any_lights__false : ~ forall (shares : list ((vector -> R) * R)) (ambient theta phi a_u a_v b_u b_v beta : R),
-  let colour n := clip.clipped (ambient + fold_right (fun s c => fst s n + c) 0 shares) in let total := fold_right (fun s c => snd s + c) 0 shares in
-  (forall f l, In (f, l) shares -> 0 <= l) ->
-  Rabs (colour (N' theta phi a_u a_v beta) - colour (N' theta phi b_u b_v beta)) <=
-  total * Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
-Proof.
-  intro H. assert (K : forall f l, In (f, l) [(dot (normal_at 0 0), 0)] -> 0 <= l) by (intros f l [E|[]]; injection E; lra).
-  generalize (H [(dot (normal_at 0 0), 0)] 0 0 0 0 0 1 0 1 K). cbn [fold_right fst snd]. rewrite (normal_unmoved 0 0 0 0 1), normal_is_unit.
-  - generalize (normal_dot_bumped 0 0 1 0 1) (length_squared (M 0 0 1 0 1)) (m_length_at_least_1 0 0 1 0 1). rewrite m_squared. intros -> L B.
-    assert (I : / magnitude (M 0 0 1 0 1) * magnitude (M 0 0 1 0 1) = 1) by (apply Rinv_l; lra). set (m := magnitude (M 0 0 1 0 1)) in *. set (i := / m) in *.
-    assert (J : 0 < i < 1) by (split; nra). unfold clip.clipped. rewrite !Rmax_right, !Rmin_right by lra. rewrite Rabs_pos_eq; lra.
-  - right. unfold_vectors. f_equal; [f_equal|]; ring.
 Qed.
