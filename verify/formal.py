@@ -1,11 +1,10 @@
 """The formal proofs:  python -m verify.formal compiles `proofs/formal/` with Coq and records what it accepted.
 
 What counts is `Theorem x : Statements.x.`, for a claim x that is printed into Statements.v: Coq is asked in a process
-of its own, which loads compiled files only, whether x is that, and for its axioms. A theorem is formal where all of its
-claims are proved so. `Theorem x : Mutants.x.` likewise refutes a variant of a claim. Other theorems, ID__NAME, are
-additions of the book's theorem ID. Where not all of its claims are proved as they are printed, additions may say its
-clauses; a comment says which of several: Theorem (* clauses 2, 3 *) ID__NAME. ID__NAME__point gives values at which its
-hypotheses hold, and ID__NAME__false refutes a false variant.
+of its own, which loads compiled files only, whether x is that, and for its axioms. A theorem is formal where all of
+its claims are proved so. `Theorem x : Mutants.x.` likewise refutes a variant of a claim. Other theorems, ID__NAME, are
+additions of the book's theorem ID: ID__NAME__point gives values at which its hypotheses hold, and ID__NAME__false
+refutes a false variant.
 """
 
 import argparse
@@ -31,7 +30,7 @@ from verify.survey import COQS_OWN, MACHINE_NUMBERS, NotAccepted, Said, Statemen
 FOLDER = ROOT / "proofs" / "formal"
 RECORD = FOLDER / "record.json"
 KEPT = ROOT / ".stamps" / "formal"  # what Coq was last asked about here
-STATEMENT = re.compile(r"^Theorem (?:\(\* clauses? ([\d, ]+) \*\) )?((\w+?)__\w+)", re.MULTILINE)
+STATEMENT = re.compile(r"^Theorem ((\w+?)__\w+)", re.MULTILINE)
 PROVED = re.compile(r"(?:Theorem|Lemma) (\w+) : (Statements|Mutants)\.(\w+)")
 REQUIRED = re.compile(r"^From Formal Require (?:Import )?([\w\s]+)\.", re.MULTILINE)
 LIBRARY = re.compile(r"^From (?!Formal\b)\w+ Require Import [\w\s]+\.", re.MULTILINE)
@@ -47,23 +46,11 @@ TRUSTED = {
 
 PARTLY = {
     "bump_moves_no_boundary": "that none of these depends on the bump: the lines printed for them have no such input",
-    "crease_error_area": "how many tents there are, and that they do not overlap",
     "elementary_functions": "the reduction of the argument, how many units in the last place, and all functions but "
     "sine and cosine",
     "rounded_powers": "what one rounded square or product loses, and what a product of two real factors does",
 }
 """{theorem: what of its words no statement says}"""
-
-LEFT = """algebraic_gradient angle_of_the_bump attached_shadow best_step bump_is_not_displacement
-    central_difference_of_sine clamped_difference clamped_difference_of_odd displaced_normal gradients
-    highlight_below_one hit_of_b normal_by_beta normal_limits normalising_is_lipschitz periodic_u_saves_the_seam
-    pole ridges_at_crossings ridges_differentiable ridges_on_creases roundoff_bound seed_bump_as_displacement
-    seed_clamp seed_covers_the_view seed_orientation seed_pole_rows seed_quadratic_of_b seed_step_in_beta
-    seed_truncation_slope shadow_line_moves_within shadow_of_b_on_floor shadow_out_of_reach silhouette_of_b
-    sine_is_smooth_everywhere specular_lipschitz squared_highlight straddling third_derivative_at_eight
-    truncation_bound"""
-BY_ADDITIONS = frozenset(LEFT.split())
-"""The theorems whose clauses additions say, while not all of their claims are proved as printed. No other may come."""
 
 
 def layers(*wanted: str) -> list[list[str]]:
@@ -139,41 +126,27 @@ def statements(*wanted: str) -> Statements:
                 raise NotAccepted(f"{name} proves {claim}, and has to have its name")
             said = named.setdefault(name.partition("__")[0], Said())
             (said.claims if printed == "Statements" else said.mutants)[name] = path.stem
-        for clauses, name, theorem in STATEMENT.findall(text):
+        for name, theorem in STATEMENT.findall(text):
             if name not in proved:
-                numbers = [int(number) for number in clauses.split(",") if clauses]
-                named.setdefault(theorem, Said()).additions[name] = numbers
+                named.setdefault(theorem, Said()).additions.append(name)
     return named
 
 
 def whole(theorem: Theorem, accepted: dict | None) -> bool:
-    """Whether Coq accepted a theorem: each of its claims as it is printed.
+    """Whether Coq accepted a theorem, by its entry of the record: each of its claims as it is printed.
 
-    accepted: its entry of the record. A Separation is the kernel's alone. Of those that stand in BY_ADDITIONS, each
-    clause may be said by an addition instead; where there are several, by one with its number.
+    A Separation is the kernel's alone.
     """
-    if not accepted:
-        return False
-
-    def proved(claims):
-        names = {f"{theorem.id}__{claim.name}" for claim in claims if not isinstance(claim, Separation)}
-        return bool(names) and names <= set(accepted["claims"])
-
     claims = (*theorem.claims, *theorem.rounded)
-    if proved(claims) or theorem.id not in BY_ADDITIONS:
-        return proved(claims)
-    additions = [name for name in accepted["statements"] if not name.endswith(BESIDE)]
-    if len(theorem.clauses) == 1:
-        return bool(additions)
-    by_addition = set().union(*(accepted["clauses"].get(name, ()) for name in additions))
-    return all(proved(clause.claims) or n in by_addition for n, clause in enumerate(theorem.clauses, start=1))
+    names = {f"{theorem.id}__{claim.name}" for claim in claims if not isinstance(claim, Separation)}
+    return bool(accepted and names) and names <= set(accepted["claims"])
 
 
 def record() -> dict:
     """Return what Coq accepted, {} if that is stale.
 
     {theorem: {"claims": [those that are proved as they are printed], "mutants": [likewise], "statements": {addition:
-    text}, "clauses": {addition: those it says, of several}, "axioms": [name, …]}}.
+    text}, "axioms": [name, …]}}.
     """
     if not RECORD.is_file():
         return {}

@@ -27,12 +27,11 @@ class NotAccepted(ValueError):
 class Said:
     """What is written by hand of a theorem.
 
-    claims, mutants: {its printed name: the file that proves it}. additions: {a statement's name: the clauses, counted
-    from 1, that it is said to say}.
+    claims, mutants: {its printed name: the file that proves it}. additions: the names of other statements.
     """
 
     claims: dict[str, str] = field(default_factory=dict)
-    additions: dict[str, list[int]] = field(default_factory=dict)
+    additions: list[str] = field(default_factory=list)
     mutants: dict[str, str] = field(default_factory=dict)
 
 
@@ -83,9 +82,7 @@ def read(named: Statements, asked: list[list[str]], printed: str) -> dict:
         if pieces[1::2] != list(said.additions) or pieces[0].strip():
             raise NotAccepted(f"a statement of {theorem} was not printed")
         texts = {name: _dedented(text) for name, text in zip(pieces[1::2], pieces[2::2], strict=True)}
-        clauses = {name: numbers for name, numbers in said.additions.items() if numbers}
-        proved = {"claims": list(said.claims), "mutants": list(said.mutants)}
-        table[theorem] = proved | {"statements": texts, "clauses": clauses}
+        table[theorem] = {"claims": list(said.claims), "mutants": list(said.mutants), "statements": texts}
     for group, listed in zip(asked, parts[len(named) :], strict=True):
         for theorem in group:
             table[theorem]["axioms"] = _axioms(", ".join(group), listed)

@@ -26,34 +26,21 @@ def test_statements_are_of_theorems_of_the_book():
     for id, found in named.items():
         said = {name for name in found.additions if not name.endswith(formal.BESIDE)}
         refuted = all_theorems()[id].expected == "refuted"
-        assert refuted or {f"{name}__false" for name in said} <= found.additions.keys(), id
+        assert refuted or {f"{name}__false" for name in said} <= set(found.additions), id
 
 
 def test_a_theorem_that_coq_says_is_said_whole_or_by_name_in_part():
     for id, accepted in formal.record().items():
+        assert formal.whole(all_theorems()[id], accepted) != (id in formal.PARTLY), id
+
+
+def test_a_theorem_is_whole_by_all_of_its_claims_and_by_nothing_else():
+    for id in ("normal_limits", "gradient_accuracy"):
         theorem = all_theorems()[id]
-        clauses = {number for numbers in accepted["clauses"].values() for number in numbers}
-        assert clauses <= set(range(1, len(theorem.clauses) + 1)), id
-        assert formal.whole(theorem, accepted) != (id in formal.PARTLY), id
-        by_claims = formal.whole(theorem, accepted | {"statements": {}, "clauses": {}})
-        assert by_claims != (id in formal.BY_ADDITIONS or id in formal.PARTLY), id
-
-
-def test_a_theorem_is_whole_by_all_of_its_claims_or_by_what_says_every_clause():
-    theorem, none = all_theorems()["normal_limits"], {"claims": [], "statements": {}, "clauses": {}}
-    claims = [f"normal_limits__{claim.name}" for claim in theorem.claims]
-    numbers = range(1, len(theorem.clauses) + 1)
-    additions = {f"normal_limits__{n}": [n] for n in numbers}
-    assert formal.whole(theorem, none | {"claims": claims})
-    assert formal.whole(theorem, none | {"statements": additions, "clauses": additions})
-    assert not formal.whole(theorem, none | {"claims": claims[1:]})
-    assert not formal.whole(theorem, none | {"statements": additions, "clauses": {}})
-    beside = {f"{name}__point": said for name, said in additions.items()}
-    assert not formal.whole(theorem, none | {"statements": beside, "clauses": beside})
-    assert not formal.whole(theorem, None)
-    carried_over = all_theorems()["hit_of_a"]
-    assert len(carried_over.clauses) == 1 and carried_over.id not in formal.BY_ADDITIONS
-    assert not formal.whole(carried_over, none | {"statements": {"hit_of_a__any": "True"}})
+        claims = [f"{id}__{claim.name}" for claim in (*theorem.claims, *theorem.rounded)]
+        assert formal.whole(theorem, {"claims": claims, "statements": {}})
+        assert not formal.whole(theorem, {"claims": claims[1:], "statements": {f"{id}__any": "True"}})
+        assert not formal.whole(theorem, None)
 
 
 @needs_coq
@@ -225,7 +212,7 @@ def test_a_claim_counts_where_its_printed_form_is_proved_and_no_words_count(tmp_
     monkeypatch.setattr(formal, "FOLDER", tmp_path)
     (tmp_path / "Statements.v").write_text(CLAIMS)
     (tmp_path / "Mutants.v").write_text(MUTANTS)
-    said = "Theorem (* clauses 1, 2 *) unit_length__false : True.\nProof. trivial. Qed.\n"
+    said = "Theorem unit_length__false : True.\nProof. trivial. Qed.\n"
     said += (
         "Theorem unit_length__1__false : Mutants.unit_length__1__false.\nProof. intro f. generalize (f 1). lra. Qed.\n"
     )

@@ -510,7 +510,7 @@ Qed.
 
 (* Seen from E, the point of A at (theta, phi) is at the image point rho (cos theta, sin theta) with
    rho = e R sin phi / (e - R cos phi): a meridian (theta fixed) is a ray, a parallel (phi fixed) a circle. *)
-Theorem (* clause 1 *) kink_loci__image (t x y e r theta phi : R) : 0 < r < e -> 0 <= sin phi ->
+Theorem kink_loci__image (t x y e r theta phi : R) : 0 < r < e -> 0 <= sin phi ->
   t * x = point_on_a.point_x (cos theta) (sin phi) r -> t * y = point_on_a.point_y (sin theta) (sin phi) r ->
   e * (1 - t) = point_on_a.point_z (cos phi) r ->
   let rho := parallel_radius.rho (sin phi) (cos phi) e r in
@@ -584,7 +584,7 @@ Proof.
 Qed.
 
 (* Ridges is creased in u exactly on the rays k_u u = m with m whole, off the circles where it is 0 all along. *)
-Theorem (* clauses 2, 3 *) kink_loci__creased_in_u (u v ku kv : R) : ku <> 0 -> sin (PI * (kv * v)) <> 0 ->
+Theorem kink_loci__creased_in_u (u v ku kv : R) : ku <> 0 -> sin (PI * (kv * v)) <> 0 ->
   (exists m : Z, ku * u = IZR m) <-> ~ ex_derive (fun u => height_ridges.h u v ku kv) u.
 Proof. apply creased. Qed.
 
@@ -603,7 +603,7 @@ Proof.
 Qed.
 
 (* Ridges is creased in v exactly on the circles k_v v = m with m whole, off the rays where it is 0 all along. *)
-Theorem (* clauses 2, 3 *) kink_loci__creased_in_v (u v ku kv : R) : kv <> 0 -> sin (PI * (ku * u)) <> 0 ->
+Theorem kink_loci__creased_in_v (u v ku kv : R) : kv <> 0 -> sin (PI * (ku * u)) <> 0 ->
   (exists m : Z, kv * v = IZR m) <-> ~ ex_derive (fun v => height_ridges.h u v ku kv) v.
 Proof.
   intros K S. rewrite (creased kv v (sin (PI * (ku * u))) K S).
@@ -638,7 +638,7 @@ Qed.
 
 (* The parallel v = m / k is seen, where no other body hides it, exactly if cos (pi m / k) >= R / e: its point at
    theta is then the near hit of its ray. *)
-Theorem (* clause 2 *) visible_parallels__seen (t x y e r theta : R) (m k : Z) : 0 < r < e -> off_axis x y e -> (0 <= m <= k)%Z ->
+Theorem visible_parallels__seen (t x y e r theta : R) (m k : Z) : 0 < r < e -> off_axis x y e -> (0 <= m <= k)%Z ->
   (0 < k)%Z ->
   let phi := PI * (IZR m / IZR k) in
   t * x = point_on_a.point_x (cos theta) (sin phi) r -> t * y = point_on_a.point_y (sin theta) (sin phi) r ->

@@ -266,7 +266,7 @@ Proof.
   intro H. generalize (H 1%nat (1/2)). rewrite seam_parity. simpl INR. replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2. simpl. lra.
 Qed.
 (* Across u = 0 sine's height jumps by -sin(pi k_u) sin(pi k_v v), and its slope by pi k_u (1 - cos(pi k_u)) sin(pi k_v v). *)
-Theorem (* clause 2 *) seam__sine_jump (v k_u k_v : R) :
+Theorem seam__sine_jump (v k_u k_v : R) :
   height_sine.h 0 v k_u k_v - height_sine.h 1 v k_u k_v = - sin (PI * k_u) * sin (PI * (k_v * v)) /\
   gradient_sine.h_u 0 v k_u k_v - gradient_sine.h_u 1 v k_u k_v = PI * k_u * (1 - cos (PI * k_u)) * sin (PI * (k_v * v)).
 Proof. unfold_fields. rewrite !Rmult_0_r, !Rmult_1_r, sin_0, cos_0. split; ring. Qed.
@@ -276,7 +276,7 @@ Proof.
   rewrite Rmult_1_r, sin_PI2, cos_PI in E. generalize PI_RGT_0. lra.
 Qed.
 (* cos(pi n) = (-1)^n and sin(pi n) = 0 for whole n. *)
-Theorem (* clause 1 *) seam__whole (n : nat) : cos (PI * INR n) = (-1) ^ n /\ sin (PI * INR n) = 0.
+Theorem seam__whole (n : nat) : cos (PI * INR n) = (-1) ^ n /\ sin (PI * INR n) = 0.
 Proof.
   induction n as [|n [C S]]; [simpl; rewrite Rmult_0_r, sin_0, cos_0; split; reflexivity|]. rewrite S_INR, Rmult_plus_distr_l, Rmult_1_r, neg_cos, neg_sin, C, S. simpl. split; ring.
 Qed.
@@ -287,16 +287,16 @@ Proof. rewrite mult_IZR. replace (PI * (2 * IZR n)) with (2 * (PI * IZR n)) by r
 Lemma cosine_of_odd (n : Z) : cos (PI * IZR (2 * n + 1)) = -1.
 Proof. rewrite plus_IZR, Rmult_plus_distr_l, Rmult_1_r, neg_cos, cosine_of_even. reflexivity. Qed.
 (* For even k_u, of either sign, nothing jumps; for odd k_u the slope in u alone does, by 2 pi k_u sin(pi k_v v). *)
-Theorem (* clause 3 *) seam__even_slopes (v k_v : R) (n : Z) : let k_u := IZR (2 * n) in
+Theorem seam__even_slopes (v k_v : R) (n : Z) : let k_u := IZR (2 * n) in
   height_sine.h 0 v k_u k_v = height_sine.h 1 v k_u k_v /\ gradient_sine.h_u 0 v k_u k_v = gradient_sine.h_u 1 v k_u k_v /\
   gradient_sine.h_v 0 v k_u k_v = gradient_sine.h_v 1 v k_u k_v.
 Proof. cbv zeta. unfold_fields. rewrite !Rmult_0_r, !Rmult_1_r, sine_of_whole, cosine_of_even, sin_0, cos_0. repeat split; ring. Qed.
-Theorem (* clause 4 *) seam__odd_slopes (v k_v : R) (n : Z) : let k_u := IZR (2 * n + 1) in
+Theorem seam__odd_slopes (v k_v : R) (n : Z) : let k_u := IZR (2 * n + 1) in
   height_sine.h 0 v k_u k_v = height_sine.h 1 v k_u k_v /\ gradient_sine.h_v 0 v k_u k_v = gradient_sine.h_v 1 v k_u k_v /\
   gradient_sine.h_u 0 v k_u k_v - gradient_sine.h_u 1 v k_u k_v = 2 * PI * k_u * sin (PI * (k_v * v)).
 Proof. cbv zeta. unfold_fields. rewrite !Rmult_0_r, !Rmult_1_r, sine_of_whole, cosine_of_odd, sin_0, cos_0. repeat split; ring. Qed.
 (* Ridges is 0 on the seam for whole k_u, and even about it, as on a crease. *)
-Theorem (* clause 5 *) seam__ridges_even (s v k_v : R) (k : Z) :
+Theorem seam__ridges_even (s v k_v : R) (k : Z) :
   height_ridges.h 0 v (IZR k) k_v = 0 /\ height_ridges.h 1 v (IZR k) k_v = 0 /\ height_ridges.h (1 - s) v (IZR k) k_v = height_ridges.h s v (IZR k) k_v /\
   height_ridges.h s v (IZR k) k_v ^ 2 = sin (PI * (IZR k * s)) ^ 2 * sin (PI * (k_v * v)) ^ 2.
 Proof.
@@ -305,16 +305,16 @@ Proof.
   unfold_fields. rewrite pow2_abs, !Rabs_mult, (H s), <- (H 1). replace (1 - 1) with 0 by ring. rewrite !Rmult_0_r, sin_0, Rabs_R0. repeat split; ring.
 Qed.
 (* Rings does not depend on u: u is in no line of its height, and its slope in u and its central difference are 0. *)
-Theorem (* clause 7 *) seam__rings_whole (v k_v epsilon : R) : height_rings.h v k_v = sin (PI * (2 * k_v * v)) /\ gradient_rings.h_u = 0 /\ central_rings.h_u v k_v epsilon = 0.
+Theorem seam__rings_whole (v k_v epsilon : R) : height_rings.h v k_v = sin (PI * (2 * k_v * v)) /\ gradient_rings.h_u = 0 /\ central_rings.h_u v k_v epsilon = 0.
 Proof. unfold central_rings.h_u, central_rings.h_u_plus, central_rings.h_u_minus, Rdiv. repeat split; ring. Qed.
 (* Sine does. *)
 Theorem seam__rings_whole__false : ~ forall u v k_u k_v, gradient_sine.h_u u v k_u k_v = 0.
 Proof. intro H. apply gradients__on_creases__false. intros u v k_u k_v _. apply H. Qed.
 (* Sine's height is periodic for even k_u: h(u + 1, v) = h(u, v). *)
-Theorem (* clause 3 *) seam__even_period (u v k_v : R) (n : Z) : height_sine.h (u + 1) v (IZR (2 * n)) k_v = height_sine.h u v (IZR (2 * n)) k_v.
+Theorem seam__even_period (u v k_v : R) (n : Z) : height_sine.h (u + 1) v (IZR (2 * n)) k_v = height_sine.h u v (IZR (2 * n)) k_v.
 Proof. unfold_fields. rewrite Rmult_plus_distr_l, Rmult_1_r, Rmult_plus_distr_l, sin_plus, sine_of_whole, cosine_of_even. ring. Qed.
 (* Ridges jumps where neither sin(pi k_u) nor sin(pi k_v v) is 0. *)
-Theorem (* clause 6 *) seam__ridges_jumps (v k_u k_v : R) : sin (PI * k_u) <> 0 -> sin (PI * (k_v * v)) <> 0 -> height_ridges.h 0 v k_u k_v = 0 /\ 0 < height_ridges.h 1 v k_u k_v.
+Theorem seam__ridges_jumps (v k_u k_v : R) : sin (PI * k_u) <> 0 -> sin (PI * (k_v * v)) <> 0 -> height_ridges.h 0 v k_u k_v = 0 /\ 0 < height_ridges.h 1 v k_u k_v.
 Proof.
   intros A B. unfold_fields. rewrite !Rmult_0_r, sin_0, Rmult_0_l, Rabs_R0, Rmult_1_r. split; [reflexivity|].
   apply Rabs_pos_lt. intro E. apply Rmult_integral in E. destruct E; contradiction.

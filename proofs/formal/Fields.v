@@ -227,7 +227,7 @@ Theorem truncation_bound__apart : Statements.truncation_bound__apart.
 Proof. claim. Qed.
 
 (* Off the creases h and its gradient are those of p, or of -p: there is no other crease. *)
-Theorem (* clause 3 *) kink_loci__between (u v k_u k_v : R) : let p := height_sine.h u v k_u k_v in p <> 0 ->
+Theorem kink_loci__between (u v k_u k_v : R) : let p := height_sine.h u v k_u k_v in p <> 0 ->
   0 < height_ridges.h u v k_u k_v /\ exists s, (s = 1 \/ s = -1) /\ height_ridges.h u v k_u k_v = s * p /\
   gradient_ridges.h_u u v k_u k_v = s * gradient_sine.h_u u v k_u k_v /\ gradient_ridges.h_v u v k_u k_v = s * gradient_sine.h_v u v k_u k_v.
 Proof.
@@ -241,7 +241,7 @@ Proof.
   - rewrite sign_eq_m1, Rabs_left by assumption. ring.
 Qed.
 (* Ridges is 0 exactly on the rays k_u u = m and the circles k_v v = m: so p is not 0 everywhere else. *)
-Theorem (* clauses 2, 3 *) kink_loci__zero (u v k_u k_v : R) : height_ridges.h u v k_u k_v = 0 <-> (exists m : Z, k_u * u = IZR m) \/ (exists m : Z, k_v * v = IZR m).
+Theorem kink_loci__zero (u v k_u k_v : R) : height_ridges.h u v k_u k_v = 0 <-> (exists m : Z, k_u * u = IZR m) \/ (exists m : Z, k_v * v = IZR m).
 Proof.
   assert (Z : forall x, sin (PI * x) = 0 <-> exists m : Z, x = IZR m).
   { intro x. generalize PI_RGT_0. intro P. split.

@@ -37,7 +37,7 @@ Proof.
 Qed.
 
 (* The n-th power of a number within delta of cos t + i sin t is within (1 + delta)^n (1 + kappa)^(n - 1) - 1 of cos nt + i sin nt: by induction. *)
-Theorem (* clause 3 *) rounded_powers__error (z : C) (t delta kappa : R) (n : nat) (w : C) : 0 <= kappa -> Cmod (z - on_circle t)%C <= delta -> computed z kappa n w ->
+Theorem rounded_powers__error (z : C) (t delta kappa : R) (n : nat) (w : C) : 0 <= kappa -> Cmod (z - on_circle t)%C <= delta -> computed z kappa n w ->
   Cmod (w - on_circle (INR n * t))%C <= (1 + delta) ^ n * (1 + kappa) ^ (n - 1) - 1.
 Proof.
   intros K D P. induction P as [|m n a b c Pa IHa Pb IHb Own].

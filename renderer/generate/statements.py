@@ -4,11 +4,12 @@ That of `Mutants.v` likewise: of every false variant its negation, of a refuted 
 
     Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> what it needs, and what it shows.
 
-Coq divides by 0, takes the root of −1, and has some number for the derivative of what has none. No claim is about such a
-value: what is divided by is not 0, what has a root is not negative, a derivative exists. The kernel asks it by name, and
-here it stands before what is shown (`StatementPrinter.needs`). Of a refuted theorem the negation is printed: hypotheses
-and needs hold somewhere, and what is said does not. Neither a cited lemma nor what a claim borrows is a hypothesis: Coq
-has to prove them. A Separation, about what a program reads and not about numbers, is the kernel's alone.
+Coq divides by 0, takes the root of −1, and has some number for the derivative of what has none. No claim is about such
+a value: what is divided by is not 0, what has a root is not negative, a derivative exists. The kernel asks it by name,
+and here it stands before what is shown (`StatementPrinter.needs`). Of a refuted theorem the negation is printed:
+hypotheses and needs hold somewhere, and what is said does not. Neither a cited lemma nor what a claim borrows is a
+hypothesis: Coq has to prove them. A Separation, about what a program reads and not about numbers, is the kernel's
+alone.
 """
 
 from collections.abc import Iterable
