@@ -48,7 +48,6 @@ PARTLY = {
     "bump_moves_no_boundary": "that none of these depends on the bump: the lines printed for them have no such input",
     "elementary_functions": "the reduction of the argument, how many units in the last place, and all functions but "
     "sine and cosine",
-    "rounded_powers": "what one rounded square or product loses, and what a product of two real factors does",
 }
 """{theorem: what of its words no statement says}"""
 

@@ -2,6 +2,8 @@
 
 From Coq Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
+From Formal Require Import Claim.
+From Formal Require Statements.
 Open Scope R_scope.
 
 (* What squarings and products make of a computed number, each off by kappa times its result: its n-th power, in any order. *)
@@ -70,3 +72,39 @@ Proof.
   replace (RtoC 2 * RtoC 2 - (1, 0))%C with (RtoC 3) by (unfold RtoC, Cminus, Cplus, Cmult, Copp; simpl; f_equal; ring).
   rewrite Cmod_R, Rabs_pos_eq by lra. lra.
 Qed.
+
+(* The printed claims. *)
+Lemma square_below (m x : R) : m - x >= 0 -> m + x >= 0 -> 0 <= m ^ 2 - x ^ 2.
+Proof. intros. replace (m ^ 2 - x ^ 2) with ((m - x) * (m + x)) by ring. apply Rmult_le_pos; lra. Qed.
+Lemma two_squares (m f s a b : R) : 0 <= m ^ 2 - f ^ 2 -> 0 <= m ^ 2 - s ^ 2 -> (f * a) ^ 2 + (s * b) ^ 2 <= m ^ 2 * (a ^ 2 + b ^ 2).
+Proof. intros F S. generalize (Rmult_le_pos _ _ F (pow2_ge_0 a)) (Rmult_le_pos _ _ S (pow2_ge_0 b)). lra. Qed.
+Theorem rounded_powers__three_roundings_of_one : Statements.rounded_powers__three_roundings_of_one.
+Proof. claim. Qed.
+Theorem rounded_powers__square : Statements.rounded_powers__square.
+Proof.
+  red. intros e f i o1 o2 r s -> -> F F' S S'. assert (Ef := square_below e f F F'). assert (Es := square_below e s S S').
+  repeat split; [ring | lra | lra |]. generalize (two_squares e f s ((r - i) * (i + r)) (2 * i * r) Ef Es).
+  replace (((r - i) * (i + r)) ^ 2 + (2 * i * r) ^ 2) with ((i ^ 2 + r ^ 2) ^ 2) by ring. rewrite <- !Rmult_assoc. lra.
+Qed.
+Theorem rounded_powers__product : Statements.rounded_powers__product.
+Proof.
+  red. intros e f1 f4 i o1 o2 oi or r f2 f3 u U -> -> ->. set (m := u ^ 2 + 2 * u). intros. assert (0 <= m) by (unfold m; nra).
+  assert (B : forall x, m - x >= 0 -> x + u ^ 2 + 2 * u >= 0 -> 0 <= m ^ 2 - x ^ 2) by (intros x P Q; apply square_below; [exact P | unfold m in *; lra]).
+  assert (B1 := B f1 ltac:(assumption) ltac:(assumption)). assert (B2 := B f2 ltac:(assumption) ltac:(assumption)).
+  assert (B3 := B f3 ltac:(assumption) ltac:(assumption)). assert (B4 := B f4 ltac:(assumption) ltac:(assumption)).
+  assert (X : 2 * m ^ 2 * ((i * oi) ^ 2 + (or * r) ^ 2) >= (f1 * or * r - i * oi * f2) ^ 2).
+  { generalize (two_squares m f1 f2 (or * r) (i * oi) B1 B2) (pow2_ge_0 (f1 * (or * r) + f2 * (i * oi))). lra. }
+  assert (Y : 2 * m ^ 2 * ((i * or) ^ 2 + (oi * r) ^ 2) >= (f4 * i * or + f3 * oi * r) ^ 2).
+  { generalize (two_squares m f4 f3 (i * or) (oi * r) B4 B3) (pow2_ge_0 (f4 * (i * or) - f3 * (oi * r))). lra. }
+  assert (E : ((u + 1) ^ 3 - 1) ^ 2 >= 2 * m ^ 2).
+  { assert (L : (u + 1) ^ 3 - 1 >= 3 / 2 * m) by (unfold m; generalize (pow_le u 3 ltac:(lra)) (pow2_ge_0 u); lra).
+    assert (((u + 1) ^ 3 - 1) ^ 2 >= (3 / 2 * m) ^ 2) by (apply Rle_ge, pow_incr; lra). generalize (pow2_ge_0 m). lra. }
+  repeat split; try lra; try ring.
+  assert (N : 0 <= (i ^ 2 + r ^ 2) * (oi ^ 2 + or ^ 2)) by (apply Rmult_le_pos; apply Rplus_le_le_0_compat; apply pow2_ge_0).
+  assert (Z : 2 * m ^ 2 * ((i * oi) ^ 2 + (or * r) ^ 2) + 2 * m ^ 2 * ((i * or) ^ 2 + (oi * r) ^ 2) = 2 * m ^ 2 * ((i ^ 2 + r ^ 2) * (oi ^ 2 + or ^ 2))) by ring.
+  generalize (Rmult_le_compat_r _ _ _ N (Rge_le _ _ E)). lra.
+Qed.
+Theorem rounded_powers__power : Statements.rounded_powers__power.
+Proof. claim. Qed.
+Theorem rounded_powers__factors : Statements.rounded_powers__factors.
+Proof. claim. Qed.
