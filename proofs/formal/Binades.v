@@ -66,26 +66,14 @@ Proof.
     + rewrite T, U. replace (IZR m * s - t * s) with ((IZR m + - t) * s) by ring. assert (IZR (2 ^ 52) + 1 <= IZR m) by (rewrite <- plus_IZR; apply IZR_le; lia).
       unfold s. rewrite rounded_in_binade by (lia || lra). rewrite nearest_inside by (rewrite Rabs_Ropp, Rabs_pos_eq; lra). reflexivity.
 Qed.
-(* The tie: both sums round to u where its significand is even, and move where it is odd, as they do beyond the tie. *)
-Lemma tied (k m : Z) : (-1022 <= k)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> Z.even m = true -> let s := bpow radix2 (k - 52) in let u := IZR m * s in
-  rounded (s / 2 + u) = u /\ rounded (u - s / 2) = u.
+(* The tie, epsilon = s/2: both sums round back where the significand m is even, and both move by s where it is odd. *)
+Lemma tied (k m : Z) : (-1022 <= k)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> let s := bpow radix2 (k - 52) in let w := IZR m * s in
+  let moved := if Z.even m then 0 else s in rounded (s / 2 + w) = w + moved /\ rounded (w - s / 2) = w - moved.
 Proof.
-  intros K M E s u. assert (A : IZR (2 ^ 52) + 1 <= IZR m <= IZR (2 ^ 53) - 2) by (rewrite <- plus_IZR, <- minus_IZR; split; apply IZR_le; lia).
-  split.
-  - replace (s / 2 + u) with ((IZR m + / 2) * s) by (unfold u; field). unfold s. rewrite rounded_in_binade, nearest_tie, E by (lia || lra). reflexivity.
-  - replace (u - s / 2) with ((IZR (m - 1) + / 2) * s) by (unfold u; rewrite minus_IZR; field). unfold s. rewrite rounded_in_binade, nearest_tie by (lia || rewrite minus_IZR; lra).
-    rewrite Z.even_sub, E. change (Bool.eqb true (Z.even 1)) with false. cbv iota. rewrite Z.sub_add. reflexivity.
-Qed.
-Lemma hops (k m : Z) (e : R) : (-1022 <= k)%Z -> (2 ^ 52 + 1 < m < 2 ^ 53 - 1)%Z -> let s := bpow radix2 (k - 52) in let u := IZR m * s in
-  s / 2 <= e < 3 / 2 * s -> (e = s / 2 -> Z.even m = false) -> rounded (e + u) = u + s /\ rounded (u - e) = u - s.
-Proof.
-  intros K M s u E O. assert (S : 0 < s) by apply bpow_gt_0. assert (A : IZR (2 ^ 52) + 2 <= IZR m <= IZR (2 ^ 53) - 2) by (rewrite <- plus_IZR, <- minus_IZR; split; apply IZR_le; lia).
-  set (t := e / s). assert (T : e = t * s) by (unfold t; field; lra). assert (B : / 2 <= t < 3 / 2) by nra. clearbody t.
-  assert (U : u + s = IZR (m + 1) * s /\ u - s = IZR (m - 1) * s) by (rewrite plus_IZR, minus_IZR; unfold u; split; ring). destruct U as [-> ->].
-  replace (e + u) with ((IZR m + t) * s) by (rewrite T; unfold u; ring). replace (u - e) with ((IZR m - t) * s) by (rewrite T; unfold u; ring).
-  unfold s. rewrite !rounded_in_binade by (lia || lra). fold s. destruct (Req_dec t (/ 2)) as [H|H].
-  - rewrite H. replace (IZR m - / 2) with (IZR (m - 1) + / 2) by (rewrite minus_IZR; field). rewrite !nearest_tie, Z.even_sub, O by (rewrite T, H; field). split; reflexivity.
-  - split; do 2 f_equal; apply Znearest_imp; rewrite ?plus_IZR, ?minus_IZR; apply Rabs_def1; lra.
+  intros K M s w moved. assert (A : IZR (2 ^ 52) + 1 <= IZR m <= IZR (2 ^ 53) - 2) by (rewrite <- plus_IZR, <- minus_IZR; split; apply IZR_le; lia).
+  replace (s / 2 + w) with ((IZR m + / 2) * s) by (unfold w; field). replace (w - s / 2) with ((IZR (m - 1) + / 2) * s) by (unfold w; rewrite minus_IZR; field).
+  unfold s. rewrite !rounded_in_binade, !nearest_tie, Z.even_sub by (lia || rewrite ?minus_IZR; lra). unfold moved, w, s.
+  destruct (Z.even m); cbn [Bool.eqb Z.even]; rewrite ?Z.sub_add, ?plus_IZR, ?minus_IZR; split; ring.
 Qed.
 Lemma below_1 (k m : Z) : (k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> let s := bpow radix2 (k - 52) in 0 < s < IZR m * s /\ IZR m * s + s < 1.
 Proof.
@@ -139,41 +127,25 @@ Theorem roundoff_bound__dies_in_v (height : R -> R -> R -> R -> R) (u v k_u k_v 
   central_any_float64.h_v height u v k_u k_v epsilon = 0.
 Proof. intros O F E B L A. apply none_in_v; [generalize (bpow_gt_0 radix2 k); lra | exact E | exact (stays k v epsilon F E B L A)]. Qed.
 
-(* At the tie, epsilon = s/2, an even significand m dies, too. *)
+(* At the tie even significands m die, too; odd ones move by s, and the slope of h = u, or h = v, which is 1, is 2 just before it dies. *)
 Lemma power_float64 (e : Z) : (-1074 <= e)%Z -> float64 (bpow radix2 e).
 Proof. intro E. apply generic_format_bpow. unfold FLT_exp. lia. Qed.
-Theorem roundoff_bound__tie (height : R -> R -> R -> R -> R) (c k_u k_v : R) (k m : Z) : (-1021 <= k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> Z.even m = true ->
-  let s := bpow radix2 (k - 52) in let w := IZR m * s in let epsilon := bpow radix2 (k - 53) in
-  epsilon = s / 2 /\ central_any_float64.h_u height w c k_u k_v epsilon = 0 /\ central_any_float64.h_v height c w k_u k_v epsilon = 0.
-Proof.
-  intros K M E s w epsilon. assert (H : epsilon = s / 2) by (apply half_spacing). split; [exact H|]. destruct (below_1 k m ltac:(lia) ltac:(lia)) as [O O']. fold s w in O, O'.
-  assert (T := tied k m ltac:(lia) M E). cbv zeta in T. fold s w in T. rewrite <- H in T.
-  split; [apply none_in_u | apply none_in_v]; try exact T; [lra | lra | apply power_float64; lia].
-Qed.
-(* From the tie on, there with an odd significand, up to 3/2 s both arguments move by s, whatever epsilon: the slope of h = u, or h = v, which is 1, is s/epsilon. *)
-Theorem roundoff_bound__hops (c k_u k_v epsilon : R) (k m : Z) : (-1021 <= k <= -1)%Z -> (2 ^ 52 + 1 < m < 2 ^ 53 - 1)%Z -> float64 epsilon ->
-  let s := bpow radix2 (k - 52) in let w := IZR m * s in s / 2 <= epsilon < 3 / 2 * s -> (epsilon = s / 2 -> Z.even m = false) ->
-  central_any_float64.u_plus w epsilon = w + s /\ central_any_float64.u_minus w epsilon = w - s /\
-  central_any_float64.v_plus w epsilon = w + s /\ central_any_float64.v_minus w epsilon = w - s /\
-  central_any_float64.h_u (fun u _ _ _ => u) w c k_u k_v epsilon = rounded (s / epsilon) /\ central_any_float64.h_v (fun _ v _ _ => v) c w k_u k_v epsilon = rounded (s / epsilon).
-Proof.
-  intros K M E s w B O. destruct (hops k m epsilon ltac:(lia) M B O) as [P N]. fold s w in P, N. destruct (below_1 k m ltac:(lia) ltac:(lia)) as [L L']. fold s w in L, L'.
-  assert (P' : central_any_float64.u_plus w epsilon = w + s) by (unfold central_any_float64.u_plus; rewrite wrapped; rewrite P; trivial; lra).
-  assert (N' : central_any_float64.u_minus w epsilon = w - s) by (unfold central_any_float64.u_minus; rewrite wrapped; rewrite N; trivial; lra).
-  destruct (arguments_in_v w epsilon E) as (P'' & N'' & S); [lra | lra|]. rewrite P in P''. rewrite N in N''.
-  assert (F : float64 s) by (apply power_float64; lia). assert (D : rounded (w + s - (w - s)) = 2 * s) by (replace (w + s - (w - s)) with (2 * s) by ring; apply kept, twice_float64, F).
-  repeat split; try assumption.
-  - unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus. rewrite P', N', D. replace (1 / 2 * (2 * s)) with s by field. rewrite (kept _ F). reflexivity.
-  - unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P'', N'', D, S. f_equal. field. lra.
-Qed.
-(* So just before it dies, at the tie, the slope is twice what it should be. *)
-Theorem roundoff_bound__doubles (c k_u k_v : R) (k m : Z) : (-1021 <= k <= -1)%Z -> (2 ^ 52 + 1 < m < 2 ^ 53 - 1)%Z -> Z.even m = false ->
+Theorem roundoff_bound__tie (height : R -> R -> R -> R -> R) (c k_u k_v : R) (k m : Z) : (-1021 <= k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z ->
   let w := IZR m * bpow radix2 (k - 52) in let epsilon := bpow radix2 (k - 53) in
-  central_any_float64.h_u (fun u _ _ _ => u) w c k_u k_v epsilon = 2 /\ central_any_float64.h_v (fun _ v _ _ => v) c w k_u k_v epsilon = 2.
+  if Z.even m then central_any_float64.h_u height w c k_u k_v epsilon = 0 /\ central_any_float64.h_v height c w k_u k_v epsilon = 0
+  else central_any_float64.u_plus w epsilon = w + 2 * epsilon /\ central_any_float64.u_minus w epsilon = w - 2 * epsilon /\
+    central_any_float64.h_u (fun u _ _ _ => u) w c k_u k_v epsilon = 2 /\ central_any_float64.h_v (fun _ v _ _ => v) c w k_u k_v epsilon = 2.
 Proof.
-  intros K M E w epsilon. unfold w. assert (S := bpow_gt_0 radix2 (k - 52)). assert (H : epsilon = bpow radix2 (k - 52) / 2) by apply half_spacing.
-  destruct (roundoff_bound__hops c k_u k_v epsilon k m K M) as (_ & _ & _ & _ & -> & ->); [apply power_float64; lia | rewrite H; lra | trivial|].
-  rewrite H. replace (_ / (_ / 2)) with (bpow radix2 1) by (change (bpow radix2 1) with 2; field; lra). rewrite (kept (bpow radix2 1)) by (apply power_float64; easy). split; reflexivity.
+  intros K M w epsilon. assert (F : float64 epsilon) by (apply power_float64; lia). destruct (below_1 k m ltac:(lia) ltac:(lia)) as [L L']. assert (T := tied k m ltac:(lia) M).
+  cbv zeta in T. fold w in L, L', T. rewrite <- half_spacing in T. fold epsilon in T. replace (bpow radix2 (k - 52)) with (2 * epsilon) in * by (unfold epsilon; rewrite half_spacing; field).
+  destruct (Z.even m); [rewrite Rplus_0_r, Rminus_0_r in T; split; [apply none_in_u | apply none_in_v]; try assumption; lra|]. destruct T as [P N].
+  assert (P' : central_any_float64.u_plus w epsilon = w + 2 * epsilon) by (unfold central_any_float64.u_plus; rewrite wrapped; rewrite P; trivial; lra).
+  assert (N' : central_any_float64.u_minus w epsilon = w - 2 * epsilon) by (unfold central_any_float64.u_minus; rewrite wrapped; rewrite N; trivial; lra).
+  destruct (arguments_in_v w epsilon F) as (P'' & N'' & S); [lra | lra|]. rewrite P in P''. rewrite N in N''.
+  assert (D : rounded (w + 2 * epsilon - (w - 2 * epsilon)) = 2 * (2 * epsilon)) by (rewrite <- (kept _ (twice_float64 _ (twice_float64 _ F))); f_equal; ring).
+  assert (Two : rounded 2 = 2) by exact (kept 2 (power_float64 1 ltac:(easy))). split; [exact P' | split; [exact N'|]].
+  unfold central_any_float64.h_u, central_any_float64.h_v, central_any_float64.h_u_plus, central_any_float64.h_u_minus, central_any_float64.h_v_plus, central_any_float64.h_v_minus.
+  rewrite P', N', P'', N'', S, D. replace (1 / 2 * (2 * (2 * epsilon))) with (2 * epsilon) by field. rewrite (kept _ (twice_float64 _ F)). split; (transitivity (rounded 2); [f_equal; field; lra | exact Two]).
 Qed.
 
 (* The pole v = 0 keeps all of the slope: v - epsilon is clamped to 0, and the span is epsilon. *)
@@ -222,8 +194,7 @@ Proof.
     generalize (Rabs_pos rise). nra.
 Qed.
 
-(* Values that the hypotheses have, and false variants: at the tie not every slope dies, nor does it at the pole; an even significand does not move;
-   the span at the pole is not 2 epsilon; the seam does not keep all. *)
+(* Values that the hypotheses have, and false variants: at the tie not every slope dies, nor does it at the pole, and the seam does not keep all of it. *)
 Theorem roundoff_bound__dies_in_u__point : exists (u epsilon : R) (k : Z), (k <= -1)%Z /\ float64 u /\ float64 epsilon /\ bpow radix2 k <= u < bpow radix2 (k + 1) /\
   0 < epsilon < bpow radix2 (k - 53) /\ (u = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)).
 Proof.
@@ -234,13 +205,11 @@ Theorem roundoff_bound__dies_in_v__point : exists (v epsilon : R) (k : Z), v <= 
 Proof.
   exists (bpow radix2 0), (bpow radix2 (-54)), 0%Z. repeat split; try (apply power_float64 || apply bpow_lt || apply bpow_gt_0); try easy; intros; right; reflexivity.
 Qed.
-Lemma odd_tie : (-1021 <= -1 <= -1)%Z /\ (2 ^ 52 + 1 < 2 ^ 52 + 3 < 2 ^ 53 - 1)%Z /\ Z.even (2 ^ 52 + 3) = false.
-Proof. easy. Qed.
 Lemma at_odd_tie : let u := IZR (2 ^ 52 + 3) * bpow radix2 (-53) in let epsilon := bpow radix2 (-54) in
   float64 u /\ float64 epsilon /\ bpow radix2 (-1) < u < bpow radix2 0 /\ 0 < epsilon /\ central_any_float64.h_u (fun u _ _ _ => u) u 0 0 0 epsilon = 2 /\
   central_any_float64.h_v (fun _ v _ _ => v) 0 u 0 0 epsilon = 2.
 Proof.
-  destruct odd_tie as (K & M & O). destruct (roundoff_bound__doubles 0 0 0 (-1) (2 ^ 52 + 3) K M O) as [U V]. intros u epsilon.
+  destruct (roundoff_bound__tie (fun u _ _ _ => u) 0 0 0 (-1) (2 ^ 52 + 3) ltac:(easy) ltac:(easy)) as (_ & _ & U & V). intros u epsilon.
   split; [apply whole_is_float64; easy|]. split; [apply power_float64; easy|]. split; [|split; [apply bpow_gt_0 | exact (conj U V)]].
   change (bpow radix2 (-1)) with (bpow radix2 (52 + -53)). change (bpow radix2 0) with (bpow radix2 (53 + -53)). rewrite !bpow_plus. generalize (bpow_gt_0 radix2 (-53)). unfold u.
   set (s := bpow radix2 (-53)). change (bpow radix2 52) with (IZR (2 ^ 52)). change (bpow radix2 53) with (IZR (2 ^ 53)). simpl. lra.
@@ -259,27 +228,7 @@ Theorem roundoff_bound__tie__point : exists k m : Z, (-1021 <= k <= -1)%Z /\ (2 
 Proof. exists (-1)%Z, (2 ^ 52 + 2)%Z. easy. Qed.
 Theorem roundoff_bound__tie__false : ~ forall (height : R -> R -> R -> R -> R) (c k_u k_v : R) (k m : Z), (-1021 <= k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z ->
   central_any_float64.h_u height (IZR m * bpow radix2 (k - 52)) c k_u k_v (bpow radix2 (k - 53)) = 0.
-Proof. intro H. destruct at_odd_tie as (_ & _ & _ & _ & U & _). generalize (H (fun u _ _ _ => u) 0 0 0 (-1)%Z (2 ^ 52 + 3)%Z ltac:(easy) ltac:(easy)). change (-1 - 52)%Z with (-53)%Z. change (-1 - 53)%Z with (-54)%Z. rewrite U. lra. Qed.
-Theorem roundoff_bound__hops__point : exists (epsilon : R) (k m : Z), (-1021 <= k <= -1)%Z /\ (2 ^ 52 + 1 < m < 2 ^ 53 - 1)%Z /\ float64 epsilon /\
-  let s := bpow radix2 (k - 52) in s / 2 <= epsilon < 3 / 2 * s /\ (epsilon = s / 2 -> Z.even m = false).
-Proof.
-  exists (bpow radix2 (-53)), (-1)%Z, (2 ^ 52 + 3)%Z. destruct odd_tie as (K & M & O). split; [exact K | split; [exact M | split; [apply power_float64; easy|]]].
-  change (-1 - 52)%Z with (-53)%Z. generalize (bpow_gt_0 radix2 (-53)). intros P s. split; [unfold s; lra | trivial].
-Qed.
-(* Within this binade's step the slope of h = u is not 1, but at epsilon = s. *)
-Theorem roundoff_bound__hops__false : ~ forall (c k_u k_v epsilon : R) (k m : Z), (-1021 <= k <= -1)%Z -> (2 ^ 52 + 1 < m < 2 ^ 53 - 1)%Z -> float64 epsilon ->
-  let s := bpow radix2 (k - 52) in s / 2 <= epsilon < 3 / 2 * s -> (epsilon = s / 2 -> Z.even m = false) -> central_any_float64.h_u (fun u _ _ _ => u) (IZR m * s) c k_u k_v epsilon = 1.
-Proof.
-  intro H. destruct odd_tie as (K & M & O). destruct at_odd_tie as (_ & E & _ & _ & U & _). assert (S := bpow_gt_0 radix2 (-53)). assert (T : bpow radix2 (-54) = bpow radix2 (-53) / 2) by exact (half_spacing (-1)).
-  generalize (H 0 0 0 (bpow radix2 (-54)) (-1)%Z (2 ^ 52 + 3)%Z K M E). change (-1 - 52)%Z with (-53)%Z. cbv zeta. rewrite U. intro N. specialize (N ltac:(lra) ltac:(trivial)). lra.
-Qed.
-Theorem roundoff_bound__doubles__point : exists k m : Z, (-1021 <= k <= -1)%Z /\ (2 ^ 52 + 1 < m < 2 ^ 53 - 1)%Z /\ Z.even m = false.
-Proof. exists (-1)%Z, (2 ^ 52 + 3)%Z. exact odd_tie. Qed.
-Theorem roundoff_bound__doubles__false : ~ forall (c k_u k_v : R) (k m : Z), (-1021 <= k <= -1)%Z -> (2 ^ 52 + 1 < m < 2 ^ 53 - 1)%Z ->
-  central_any_float64.h_u (fun u _ _ _ => u) (IZR m * bpow radix2 (k - 52)) c k_u k_v (bpow radix2 (k - 53)) = 2.
-Proof.
-  intro H. generalize (H 0 0 0 (-1)%Z (2 ^ 52 + 2)%Z ltac:(easy) ltac:(easy)). destruct (roundoff_bound__tie (fun u _ _ _ => u) 0 0 0 (-1) (2 ^ 52 + 2) ltac:(easy) ltac:(easy) ltac:(easy)) as (_ & -> & _). lra.
-Qed.
+Proof. intro H. generalize (H (fun u _ _ _ => u) 0 0 0 (-1)%Z (2 ^ 52 + 3)%Z ltac:(easy) ltac:(easy)). destruct at_odd_tie as (_ & _ & _ & _ & U & _). change (-1 - 52)%Z with (-53)%Z. change (-1 - 53)%Z with (-54)%Z. rewrite U. lra. Qed.
 Theorem roundoff_bound__pole__point : exists epsilon : R, float64 epsilon /\ 0 < epsilon <= 1.
 Proof. exists (bpow radix2 0). split; [apply power_float64; easy | simpl; lra]. Qed.
 Theorem roundoff_bound__pole__false : ~ forall (height : R -> R -> R -> R -> R) (u k_u k_v epsilon : R), float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
