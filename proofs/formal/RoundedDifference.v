@@ -198,3 +198,86 @@ Proof.
     unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', !(ridges_height s) by assumption. apply (opposite_quotients s _ _ 0 _ S).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
 Qed.
+
+(* False variants: without the part of the arguments, where the slope dies, and for ridges on any side. *)
+Lemma witness : let k := 201 / 2 in let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in sampled_in_u k w e /\ sampled_in_v k w e /\ carried k w.
+Proof.
+  intros k w e. assert (F : float64 w) by (apply power_float64; easy). assert (E : float64 e) by (apply power_float64; easy).
+  assert (W : w = 1 / 2) by (unfold w; change (bpow radix2 (-1)) with (/ 2); lra). assert (E' : 0 < e <= / 2 ^ 54) by (unfold e; change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)); simpl; lra).
+  destruct (stays (-1) w e F E) as [P M]; [split; [right; reflexivity | apply bpow_lt; easy] | split; [lra | apply bpow_lt; easy] | intros _; right; reflexivity|].
+  assert (C : carried k w).
+  { split; [replace k with (IZR 201 * bpow radix2 (-1)) by (unfold k; simpl; lra); apply whole_is_float64; easy|]. split; [exact F|].
+    generalize (bpow_le radix2 (-969) 0 ltac:(easy)). simpl (bpow radix2 0). unfold k. rewrite W, Rabs_pos_eq by lra. split; [right|]; lra. }
+  unfold sampled_in_u, sampled_in_v. rewrite P, M. unfold k. repeat split; try exact F; try exact E; try apply C; lra.
+Qed.
+Lemma no_slope (height : R -> R -> R -> R -> R) (k_u k_v : R) : let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in
+  central_any_float64.h_u height w w k_u k_v e = 0 /\ central_any_float64.h_v height w w k_u k_v e = 0.
+Proof.
+  assert (F : float64 (bpow radix2 (-1))) by (apply power_float64; easy). assert (E : float64 (bpow radix2 (-55))) by (apply power_float64; easy). intros w e.
+  split; [apply (roundoff_bound__dies_in_u height w w k_u k_v e (-1)) | apply (roundoff_bound__dies_in_v height w w k_u k_v e (-1))]; try assumption; try easy;
+    try (split; [right; reflexivity || apply bpow_gt_0 | apply bpow_lt; easy]); try (intros _; right; reflexivity); try (split; [apply bpow_gt_0 | apply bpow_lt; easy]).
+  apply (bpow_le radix2 (-1) 0). easy.
+Qed.
+Lemma without_arguments : let L := PI * (201 / 2) in let e := bpow radix2 (-55) in e ^ 2 / 6 * L ^ 3 + evaluation_part L e < 100.
+Proof. intros L e. unfold L, e, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). interval with (i_prec 80). Qed.
+Lemma steep_there : let k := 201 / 2 in let w := bpow radix2 (-1) in 100 <= Rabs (0 - PI * cos (PI * (k * w)) * k * sin (PI * (k * w))) /\ 100 <= Rabs (0 - 2 * PI * cos (PI * (k * w)) * (k / 2)) /\
+  0 < sin (PI * (k * w)) * sin (PI * (k * w)).
+Proof. intros k w. unfold k, w. change (bpow radix2 (-1)) with (/ 2). repeat split; interval. Qed.
+Theorem roundoff_bound__sine_in_u__point : exists u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon /\ carried k_v v.
+Proof. do 5 eexists. split; apply witness. Qed.
+Theorem roundoff_bound__sine_in_u__false : ~ forall u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon -> carried k_v v ->
+  Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_u) ^ 3 + evaluation_part (PI * k_u) epsilon.
+Proof.
+  intro H. destruct witness as (U & _ & C). generalize (H _ _ _ _ _ U C) without_arguments (proj1 steep_there).
+  rewrite (proj1 (no_slope height_sine_float64.h (201 / 2) (201 / 2))). cbv zeta. unfold_slopes. lra.
+Qed.
+Theorem roundoff_bound__sine_in_v__point : exists u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon /\ carried k_u u.
+Proof. do 5 eexists. split; apply witness. Qed.
+Theorem roundoff_bound__sine_in_v__false : ~ forall u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon -> carried k_u u ->
+  Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_v) ^ 3 + evaluation_part (PI * k_v) epsilon.
+Proof.
+  intro H. destruct witness as (_ & V & C). generalize (H _ _ _ _ _ V C) without_arguments (proj1 steep_there).
+  rewrite (proj2 (no_slope height_sine_float64.h (201 / 2) (201 / 2))). cbv zeta. unfold_slopes. lra.
+Qed.
+Lemma for_rings : float64 (201 / 2 / 2) /\ sampled_in_v (2 * (201 / 2 / 2)) (bpow radix2 (-1)) (bpow radix2 (-55)).
+Proof.
+  split; [replace (201 / 2 / 2) with (IZR 201 * bpow radix2 (-2)) by (simpl; lra); apply whole_is_float64; easy|].
+  replace (2 * (201 / 2 / 2)) with (201 / 2) by field. apply witness.
+Qed.
+Theorem roundoff_bound__rings_in_v__point : exists v k_v epsilon : R, float64 k_v /\ sampled_in_v (2 * k_v) v epsilon.
+Proof. do 3 eexists. exact for_rings. Qed.
+Theorem roundoff_bound__rings_in_v__false : ~ forall u v k_u k_v epsilon : R, float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
+  Rabs (central_any_float64.h_v (fun _ v _ k_v => height_rings_float64.h v k_v) u v k_u k_v epsilon - gradient_rings.h_v v k_v) <= epsilon ^ 2 / 6 * (PI * (2 * k_v)) ^ 3 + evaluation_part (PI * (2 * k_v)) epsilon.
+Proof.
+  intro H. destruct for_rings as [F V]. generalize (H (bpow radix2 (-1)) _ 0 _ _ F V) without_arguments (proj1 (proj2 steep_there)).
+  rewrite (proj2 (no_slope _ 0 (201 / 2 / 2))). cbv zeta. unfold_slopes. replace (2 * (201 / 2 / 2)) with (201 / 2) by field. lra.
+Qed.
+Lemma for_ridges : let k := 201 / 2 in let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in 0 < 1 * height_sine.h w w k k /\
+  0 <= 1 * height_sine.h (rounded (e + w)) w k k /\ 0 <= 1 * height_sine.h (rounded (w - e)) w k k /\ 0 <= 1 * height_sine.h w (rounded (e + w)) k k /\ 0 <= 1 * height_sine.h w (rounded (w - e)) k k.
+Proof.
+  intros k w e. assert (E : rounded (e + w) = w /\ rounded (w - e) = w).
+  { apply (stays (-1)); [apply power_float64; easy | apply power_float64; easy | split; [right; reflexivity | apply bpow_lt; easy] | split; [apply bpow_gt_0 | apply bpow_lt; easy] | intros _; right; reflexivity]. }
+  destruct E as [-> ->]. generalize (proj2 (proj2 steep_there)). unfold height_sine.h. fold k w. lra.
+Qed.
+Theorem roundoff_bound__ridges_in_u__point : exists u v k_u k_v epsilon s : R, sampled_in_u k_u u epsilon /\ carried k_v v /\ (s = 1 \/ s = -1) /\
+  0 < s * height_sine.h u v k_u k_v /\ 0 <= s * height_sine.h (rounded (epsilon + u)) v k_u k_v /\ 0 <= s * height_sine.h (rounded (u - epsilon)) v k_u k_v.
+Proof. destruct witness as (U & V & C). destruct for_ridges as (P & A & B & D & E). do 5 eexists. exists 1. exact (conj U (conj C (conj (or_introl eq_refl) (conj P (conj A B))))). Qed.
+Theorem roundoff_bound__ridges_in_u__false : ~ forall u v k_u k_v epsilon s : R, sampled_in_u k_u u epsilon -> carried k_v v -> s = 1 \/ s = -1 ->
+  0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h (rounded (epsilon + u)) v k_u k_v -> 0 <= s * height_sine.h (rounded (u - epsilon)) v k_u k_v ->
+  Rabs (central_any_float64.h_u height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_u) ^ 3 + evaluation_part (PI * k_u) epsilon.
+Proof.
+  intro H. destruct witness as (U & V & C). destruct for_ridges as (P & A & B & D & E). generalize (H _ _ _ _ _ 1 U C (or_introl eq_refl) P A B) without_arguments (proj1 steep_there).
+  rewrite (proj1 (no_slope height_ridges_float64.h (201 / 2) (201 / 2))). cbv zeta. unfold gradient_ridges.h_u, gradient_ridges.h_v, gradient_ridges.cos_u, gradient_ridges.cos_v, gradient_ridges.sin_u, gradient_ridges.sin_v.
+  rewrite (sign_eq_1 _ (proj2 (proj2 steep_there))), Rmult_1_r. lra.
+Qed.
+Theorem roundoff_bound__ridges_in_v__point : exists u v k_u k_v epsilon s : R, sampled_in_v k_v v epsilon /\ carried k_u u /\ (s = 1 \/ s = -1) /\
+  0 < s * height_sine.h u v k_u k_v /\ 0 <= s * height_sine.h u (rounded (epsilon + v)) k_u k_v /\ 0 <= s * height_sine.h u (rounded (v - epsilon)) k_u k_v.
+Proof. destruct witness as (U & V & C). destruct for_ridges as (P & A & B & D & E). do 5 eexists. exists 1. exact (conj V (conj C (conj (or_introl eq_refl) (conj P (conj D E))))). Qed.
+Theorem roundoff_bound__ridges_in_v__false : ~ forall u v k_u k_v epsilon s : R, sampled_in_v k_v v epsilon -> carried k_u u -> s = 1 \/ s = -1 ->
+  0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h u (rounded (epsilon + v)) k_u k_v -> 0 <= s * height_sine.h u (rounded (v - epsilon)) k_u k_v ->
+  Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_v) ^ 3 + evaluation_part (PI * k_v) epsilon.
+Proof.
+  intro H. destruct witness as (U & V & C). destruct for_ridges as (P & A & B & D & E). generalize (H _ _ _ _ _ 1 V C (or_introl eq_refl) P D E) without_arguments (proj1 steep_there).
+  rewrite (proj2 (no_slope height_ridges_float64.h (201 / 2) (201 / 2))). cbv zeta. unfold gradient_ridges.h_u, gradient_ridges.h_v, gradient_ridges.cos_u, gradient_ridges.cos_v, gradient_ridges.sin_u, gradient_ridges.sin_v.
+  rewrite (sign_eq_1 _ (proj2 (proj2 steep_there))), Rmult_1_r. lra.
+Qed.
