@@ -26,7 +26,7 @@ Proof.
 Qed.
 (* The difference of two computed heights, over 2 epsilon: two roundings, and what may underflow. *)
 Definition within_two_roundings (q D e : R) : Prop := exists t, Rabs (t - 1) <= kappa /\ Rabs (q - D * t) <= 4 / 2 ^ 100 / e.
-Lemma over_the_step (x y D q e d : R) : 0 < e <= 1 -> Rabs d <= / 2 ^ 53 -> y = D * (2 * e) * (1 + d) -> Rabs (x - y / 2) <= 2 / 2 ^ 100 -> q = rounded (x / e) -> within_two_roundings q D e.
+Lemma divided_by_the_step (x y D q e d : R) : 0 < e <= 1 -> Rabs d <= / 2 ^ 53 -> y = D * (2 * e) * (1 + d) -> Rabs (x - y / 2) <= 2 / 2 ^ 100 -> q = rounded (x / e) -> within_two_roundings q D e.
 Proof.
   intros E B Y X ->. destruct (rounded_near (x / e)) as (d2 & z & B2 & Z & ->). exists ((1 + d) * (1 + d2)).
   assert (I : 1 <= / e) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). apply Rabs_le_between in B. apply Rabs_le_between in B2. split.
@@ -38,12 +38,12 @@ Lemma difference_near (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= 
 Proof. intros A B. destruct (roundoff_bound__subtraction a b A B) as (d & D & E). exists d. rewrite <- unit_roundoff_is. auto. Qed.
 Lemma quotient_in_u (a b e : R) : float64 a -> float64 b -> 0 < e <= 1 -> within_two_roundings (rounded (rounded (1 / 2 * rounded (a - b)) / e)) ((a - b) / (2 * e)) e.
 Proof.
-  intros A B E. destruct (difference_near a b A B) as (d & D & H). apply (over_the_step (rounded (1 / 2 * rounded (a - b))) (rounded (a - b)) _ _ _ d); try assumption; [| apply half_near, rounded_is_float64 | reflexivity].
+  intros A B E. destruct (difference_near a b A B) as (d & D & H). apply (divided_by_the_step (rounded (1 / 2 * rounded (a - b))) (rounded (a - b)) _ _ _ d); try assumption; [| apply half_near, rounded_is_float64 | reflexivity].
   rewrite H. field. lra.
 Qed.
 Lemma quotient_in_v (a b e : R) : float64 a -> float64 b -> 0 < e <= 1 -> within_two_roundings (rounded (rounded (a - b) / (2 * e))) ((a - b) / (2 * e)) e.
 Proof.
-  intros A B E. destruct (difference_near a b A B) as (d & D & H). apply (over_the_step (rounded (a - b) / 2) (rounded (a - b)) _ _ _ d); try assumption.
+  intros A B E. destruct (difference_near a b A B) as (d & D & H). apply (divided_by_the_step (rounded (a - b) / 2) (rounded (a - b)) _ _ _ d); try assumption.
   - rewrite H. field. lra.
   - rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. lra.
   - f_equal. field. lra.
@@ -104,28 +104,28 @@ Ltac unfold_slopes := unfold height_sine.h, height_rings.h, gradient_sine.h_u, g
 Ltac truncation H slope e := repeat match type of H with _ /\ _ /\ _ => destruct H as [_ H] end;
   repeat match type of H with context [Derive ?f ?x] => rewrite (is_derive_unique f x slope) in H by (auto_derive; trivial; unfold_slopes; ring) end;
   destruct H as [H H']; unfold Rdiv in *; revert H H'; unfold_slopes; replace (/ (2 * e)) with (1 / 2 * / e) in * by (field; lra); intros; apply Rabs_le; split; lra.
-Ltac slope := intro; cbv beta; auto_derive; trivial; ring.
-Theorem roundoff_bound__sine_in_u (u v k_u k_v epsilon : R) : sampled_in_u k_u u epsilon -> carried k_v v ->
+Ltac derived := intro; cbv beta; auto_derive; trivial; ring.
+Lemma sine_in_u (u v k_u k_v epsilon : R) : sampled_in_u k_u u epsilon -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon.
 Proof.
   intros I V. destruct (arguments_in_u _ _ _ I) as [P' M']. destruct I as (U & E & K & B & W & Cp & Cm). assert (T := truncation_bound__sine epsilon k_u k_v u v ltac:(lra) ltac:(lra) ltac:(lra) K).
   unfold error_bound. apply (three_parts (fun w => height_sine.h w v k_u k_v) (fun w => PI * k_u * (cos (PI * (k_u * w)) * sin (PI * (k_v * v))))
     (PI * k_u) u epsilon (height_sine_float64.h (rounded (epsilon + u)) v k_u k_v) (height_sine_float64.h (rounded (u - epsilon)) v k_u k_v)); try assumption; try lra.
-  - unfold height_sine.h. slope.
+  - unfold height_sine.h. derived.
   - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1].
   - unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus. rewrite P', M'. apply quotient_in_u; [apply rounded_is_float64 | apply rounded_is_float64 | lra].
   - apply sine_height_near; assumption.
   - apply sine_height_near; assumption.
   - truncation T (gradient_sine.h_u u v k_u k_v) epsilon.
 Qed.
-Theorem roundoff_bound__sine_in_v (u v k_u k_v epsilon : R) : sampled_in_v k_v v epsilon -> carried k_u u ->
+Lemma sine_in_v (u v k_u k_v epsilon : R) : sampled_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon.
 Proof.
   intros I U. destruct I as (V & E & K & B & W & Cp & Cm). destruct (in_chart v epsilon ltac:(lra) W) as [M P]. assert (T := truncation_bound__sine_in_v epsilon k_u k_v u v ltac:(lra) ltac:(lra) ltac:(lra) K).
   destruct (arguments_in_v v epsilon E P M) as (P' & M' & S).
   unfold error_bound. apply (three_parts (fun w => height_sine.h u w k_u k_v) (fun w => PI * k_v * (cos (PI * (k_v * w)) * sin (PI * (k_u * u))))
     (PI * k_v) v epsilon (height_sine_float64.h u (rounded (epsilon + v)) k_u k_v) (height_sine_float64.h u (rounded (v - epsilon)) k_u k_v)); try assumption; try lra.
-  - unfold height_sine.h. slope.
+  - unfold height_sine.h. derived.
   - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1].
   - unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', S. apply quotient_in_v; [apply rounded_is_float64 | apply rounded_is_float64 | lra].
   - exact (sine_height_near _ _ _ _ U Cp).
@@ -137,7 +137,7 @@ Proof.
   assert (O : forall x, float64 x -> float64 (- x)) by (intros x; apply generic_format_opp).
   intro C. unfold sine_of_half_turns_float64.sine. repeat destruct Rlt_dec; try apply O; apply rounded_is_float64.
 Qed.
-Theorem roundoff_bound__rings_in_v (u v k_u k_v epsilon : R) : float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
+Theorem roundoff_bound__rings_in_float64 (u v k_u k_v epsilon : R) : float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
   Rabs (central_any_float64.h_v (fun _ v _ k_v => height_rings_float64.h v k_v) u v k_u k_v epsilon - gradient_rings.h_v v k_v) <= error_bound (PI * (2 * k_v)) v epsilon.
 Proof.
   intros F I. destruct I as (V & E & K & B & W & Cp & Cm). destruct (in_chart v epsilon ltac:(lra) W) as [M P]. assert (T := truncation_bound__rings epsilon k_v v ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
@@ -147,7 +147,7 @@ Proof.
   destruct (N _ Cp) as [Np Fp]. destruct (N _ Cm) as [Nm Fm].
   unfold error_bound. apply (three_parts (fun w => height_rings.h w k_v) (fun w => PI * (2 * k_v) * (cos (PI * (2 * k_v * w)) * 1))
     (PI * (2 * k_v)) v epsilon (height_rings_float64.h (rounded (epsilon + v)) k_v) (height_rings_float64.h (rounded (v - epsilon)) k_v)); try assumption; try lra.
-  - unfold height_rings.h. slope.
+  - unfold height_rings.h. derived.
   - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | rewrite Rabs_R1; lra].
   - unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', S. apply quotient_in_v; [exact Fp | exact Fm | lra].
   - truncation T (gradient_rings.h_v v k_v) epsilon.
@@ -180,26 +180,29 @@ Lemma other_side (s a b c d bound : R) : s = 1 \/ s = -1 -> a = s * b -> c = s *
 Proof. intros S -> -> B. rewrite <- Rmult_minus_distr_l, Rabs_mult. replace (Rabs s) with 1 by (destruct S as [-> | ->]; symmetry; [apply Rabs_R1 | apply Rabs_m1]). lra. Qed.
 Lemma sign_of_height (s p : R) : s = 1 \/ s = -1 -> 0 < s * p -> s = sign p.
 Proof. intros [-> | ->] H; symmetry; [apply sign_eq_1 | apply sign_eq_m1]; lra. Qed.
-Theorem roundoff_bound__ridges_in_u (u v k_u k_v epsilon s : R) : sampled_in_u k_u u epsilon -> carried k_v v -> s = 1 \/ s = -1 ->
-  0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h (rounded (epsilon + u)) v k_u k_v -> 0 <= s * height_sine.h (rounded (u - epsilon)) v k_u k_v ->
-  Rabs (central_any_float64.h_u height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon.
+(* In one: s is the sign of sine's heights, at the point and at both rounded arguments. *)
+Theorem roundoff_bound__in_float64_u (u v k_u k_v epsilon : R) : sampled_in_u k_u u epsilon -> carried k_v v ->
+  Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon /\
+  forall s, s = 1 \/ s = -1 -> 0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h (rounded (epsilon + u)) v k_u k_v -> 0 <= s * height_sine.h (rounded (u - epsilon)) v k_u k_v ->
+    Rabs (central_any_float64.h_u height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon.
 Proof.
-  intros I V S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (roundoff_bound__sine_in_u u v k_u k_v epsilon I V)).
+  intros I V. split; [exact (sine_in_u u v k_u k_v epsilon I V)|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (sine_in_u u v k_u k_v epsilon I V)).
   - destruct (arguments_in_u _ _ _ I) as [P M]. destruct I as (_ & _ & _ & _ & _ & Cp & Cm). unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus.
     rewrite P, M, !(ridges_height s) by assumption. apply (opposite_quotients s _ _ _ 0 S).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
 Qed.
-Theorem roundoff_bound__ridges_in_v (u v k_u k_v epsilon s : R) : sampled_in_v k_v v epsilon -> carried k_u u -> s = 1 \/ s = -1 ->
-  0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h u (rounded (epsilon + v)) k_u k_v -> 0 <= s * height_sine.h u (rounded (v - epsilon)) k_u k_v ->
-  Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon.
+Theorem roundoff_bound__in_float64_v (u v k_u k_v epsilon : R) : sampled_in_v k_v v epsilon -> carried k_u u ->
+  Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon /\
+  forall s, s = 1 \/ s = -1 -> 0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h u (rounded (epsilon + v)) k_u k_v -> 0 <= s * height_sine.h u (rounded (v - epsilon)) k_u k_v ->
+    Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon.
 Proof.
-  intros I U S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (roundoff_bound__sine_in_v u v k_u k_v epsilon I U)).
+  intros I U. split; [exact (sine_in_v u v k_u k_v epsilon I U)|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (sine_in_v u v k_u k_v epsilon I U)).
   - destruct I as (_ & E & _ & B & W & Cp & Cm). destruct (in_chart v epsilon ltac:(lra) W) as [M P]. destruct (arguments_in_v v epsilon E P M) as (P' & M' & _).
     unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', !(ridges_height s) by assumption. apply (opposite_quotients s _ _ 0 _ S).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
 Qed.
 
-(* False variants: without the part of the arguments, where the slope dies, and for ridges on any side. *)
+(* False variants: without the part of the arguments, where the slope dies. *)
 Lemma witness : let k := 201 / 2 in let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in sampled_in_u k w e /\ sampled_in_v k w e /\ carried k w.
 Proof.
   intros k w e. assert (F : float64 w) by (apply power_float64; easy). assert (E : float64 e) by (apply power_float64; easy).
@@ -220,20 +223,20 @@ Proof.
 Qed.
 Lemma without_arguments : let L := PI * (201 / 2) in let e := bpow radix2 (-55) in e ^ 2 / 6 * L ^ 3 + evaluation_part L e < 100.
 Proof. intros L e. unfold L, e, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). interval with (i_prec 80). Qed.
-Lemma steep_there : let k := 201 / 2 in let w := bpow radix2 (-1) in 100 <= Rabs (0 - PI * cos (PI * (k * w)) * k * sin (PI * (k * w))) /\ 100 <= Rabs (0 - 2 * PI * cos (PI * (k * w)) * (k / 2)) /\
-  0 < sin (PI * (k * w)) * sin (PI * (k * w)).
-Proof. intros k w. unfold k, w. change (bpow radix2 (-1)) with (/ 2). repeat split; interval. Qed.
-Theorem roundoff_bound__sine_in_u__point : exists u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon /\ carried k_v v.
+Lemma steep_there : let k := 201 / 2 in let w := bpow radix2 (-1) in 100 <= Rabs (0 - PI * cos (PI * (k * w)) * k * sin (PI * (k * w))) /\
+  100 <= Rabs (0 - 2 * PI * cos (PI * (k * w)) * (k / 2)).
+Proof. intros k w. unfold k, w. change (bpow radix2 (-1)) with (/ 2). split; interval. Qed.
+Theorem roundoff_bound__in_float64_u__point : exists u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon /\ carried k_v v.
 Proof. do 5 eexists. split; apply witness. Qed.
-Theorem roundoff_bound__sine_in_u__false : ~ forall u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon -> carried k_v v ->
+Theorem roundoff_bound__in_float64_u__false : ~ forall u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_u) ^ 3 + evaluation_part (PI * k_u) epsilon.
 Proof.
   intro H. destruct witness as (U & _ & C). generalize (H _ _ _ _ _ U C) without_arguments (proj1 steep_there).
   rewrite (proj1 (no_slope height_sine_float64.h (201 / 2) (201 / 2))). cbv zeta. unfold_slopes. lra.
 Qed.
-Theorem roundoff_bound__sine_in_v__point : exists u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon /\ carried k_u u.
+Theorem roundoff_bound__in_float64_v__point : exists u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon /\ carried k_u u.
 Proof. do 5 eexists. split; apply witness. Qed.
-Theorem roundoff_bound__sine_in_v__false : ~ forall u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon -> carried k_u u ->
+Theorem roundoff_bound__in_float64_v__false : ~ forall u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_v) ^ 3 + evaluation_part (PI * k_v) epsilon.
 Proof.
   intro H. destruct witness as (_ & V & C). generalize (H _ _ _ _ _ V C) without_arguments (proj1 steep_there).
@@ -244,40 +247,11 @@ Proof.
   split; [replace (201 / 2 / 2) with (IZR 201 * bpow radix2 (-2)) by (simpl; lra); apply whole_is_float64; easy|].
   replace (2 * (201 / 2 / 2)) with (201 / 2) by field. apply witness.
 Qed.
-Theorem roundoff_bound__rings_in_v__point : exists v k_v epsilon : R, float64 k_v /\ sampled_in_v (2 * k_v) v epsilon.
+Theorem roundoff_bound__rings_in_float64__point : exists v k_v epsilon : R, float64 k_v /\ sampled_in_v (2 * k_v) v epsilon.
 Proof. do 3 eexists. exact for_rings. Qed.
-Theorem roundoff_bound__rings_in_v__false : ~ forall u v k_u k_v epsilon : R, float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
+Theorem roundoff_bound__rings_in_float64__false : ~ forall u v k_u k_v epsilon : R, float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
   Rabs (central_any_float64.h_v (fun _ v _ k_v => height_rings_float64.h v k_v) u v k_u k_v epsilon - gradient_rings.h_v v k_v) <= epsilon ^ 2 / 6 * (PI * (2 * k_v)) ^ 3 + evaluation_part (PI * (2 * k_v)) epsilon.
 Proof.
-  intro H. destruct for_rings as [F V]. generalize (H (bpow radix2 (-1)) _ 0 _ _ F V) without_arguments (proj1 (proj2 steep_there)).
+  intro H. destruct for_rings as [F V]. generalize (H (bpow radix2 (-1)) _ 0 _ _ F V) without_arguments (proj2 steep_there).
   rewrite (proj2 (no_slope _ 0 (201 / 2 / 2))). cbv zeta. unfold_slopes. replace (2 * (201 / 2 / 2)) with (201 / 2) by field. lra.
-Qed.
-Lemma for_ridges : let k := 201 / 2 in let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in 0 < 1 * height_sine.h w w k k /\
-  0 <= 1 * height_sine.h (rounded (e + w)) w k k /\ 0 <= 1 * height_sine.h (rounded (w - e)) w k k /\ 0 <= 1 * height_sine.h w (rounded (e + w)) k k /\ 0 <= 1 * height_sine.h w (rounded (w - e)) k k.
-Proof.
-  intros k w e. assert (E : rounded (e + w) = w /\ rounded (w - e) = w).
-  { apply (stays (-1)); [apply power_float64; easy | apply power_float64; easy | split; [right; reflexivity | apply bpow_lt; easy] | split; [apply bpow_gt_0 | apply bpow_lt; easy] | intros _; right; reflexivity]. }
-  destruct E as [-> ->]. generalize (proj2 (proj2 steep_there)). unfold height_sine.h. fold k w. lra.
-Qed.
-Theorem roundoff_bound__ridges_in_u__point : exists u v k_u k_v epsilon s : R, sampled_in_u k_u u epsilon /\ carried k_v v /\ (s = 1 \/ s = -1) /\
-  0 < s * height_sine.h u v k_u k_v /\ 0 <= s * height_sine.h (rounded (epsilon + u)) v k_u k_v /\ 0 <= s * height_sine.h (rounded (u - epsilon)) v k_u k_v.
-Proof. destruct witness as (U & V & C). destruct for_ridges as (P & A & B & D & E). do 5 eexists. exists 1. exact (conj U (conj C (conj (or_introl eq_refl) (conj P (conj A B))))). Qed.
-Theorem roundoff_bound__ridges_in_u__false : ~ forall u v k_u k_v epsilon s : R, sampled_in_u k_u u epsilon -> carried k_v v -> s = 1 \/ s = -1 ->
-  0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h (rounded (epsilon + u)) v k_u k_v -> 0 <= s * height_sine.h (rounded (u - epsilon)) v k_u k_v ->
-  Rabs (central_any_float64.h_u height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_u) ^ 3 + evaluation_part (PI * k_u) epsilon.
-Proof.
-  intro H. destruct witness as (U & V & C). destruct for_ridges as (P & A & B & D & E). generalize (H _ _ _ _ _ 1 U C (or_introl eq_refl) P A B) without_arguments (proj1 steep_there).
-  rewrite (proj1 (no_slope height_ridges_float64.h (201 / 2) (201 / 2))). cbv zeta. unfold gradient_ridges.h_u, gradient_ridges.h_v, gradient_ridges.cos_u, gradient_ridges.cos_v, gradient_ridges.sin_u, gradient_ridges.sin_v.
-  rewrite (sign_eq_1 _ (proj2 (proj2 steep_there))), Rmult_1_r. lra.
-Qed.
-Theorem roundoff_bound__ridges_in_v__point : exists u v k_u k_v epsilon s : R, sampled_in_v k_v v epsilon /\ carried k_u u /\ (s = 1 \/ s = -1) /\
-  0 < s * height_sine.h u v k_u k_v /\ 0 <= s * height_sine.h u (rounded (epsilon + v)) k_u k_v /\ 0 <= s * height_sine.h u (rounded (v - epsilon)) k_u k_v.
-Proof. destruct witness as (U & V & C). destruct for_ridges as (P & A & B & D & E). do 5 eexists. exists 1. exact (conj V (conj C (conj (or_introl eq_refl) (conj P (conj D E))))). Qed.
-Theorem roundoff_bound__ridges_in_v__false : ~ forall u v k_u k_v epsilon s : R, sampled_in_v k_v v epsilon -> carried k_u u -> s = 1 \/ s = -1 ->
-  0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h u (rounded (epsilon + v)) k_u k_v -> 0 <= s * height_sine.h u (rounded (v - epsilon)) k_u k_v ->
-  Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_v) ^ 3 + evaluation_part (PI * k_v) epsilon.
-Proof.
-  intro H. destruct witness as (U & V & C). destruct for_ridges as (P & A & B & D & E). generalize (H _ _ _ _ _ 1 V C (or_introl eq_refl) P D E) without_arguments (proj1 steep_there).
-  rewrite (proj2 (no_slope height_ridges_float64.h (201 / 2) (201 / 2))). cbv zeta. unfold gradient_ridges.h_u, gradient_ridges.h_v, gradient_ridges.cos_u, gradient_ridges.cos_v, gradient_ridges.sin_u, gradient_ridges.sin_v.
-  rewrite (sign_eq_1 _ (proj2 (proj2 steep_there))), Rmult_1_r. lra.
 Qed.
