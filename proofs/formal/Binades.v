@@ -5,7 +5,7 @@ From Flocq Require Import Core.
 From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding RoundedGradient.
 Open Scope R_scope.
 
-Definition nearest (t : R) : Z := Znearest (fun n => negb (Z.even n)) t.
+Definition nearest_whole (t : R) : Z := Znearest (fun n => negb (Z.even n)) t.
 
 (* From 2^k up to 2^(k+1) float64 numbers are the multiples of their spacing 2^(k-52). *)
 Lemma spacing (k : Z) (x : R) : (-1022 <= k)%Z -> bpow radix2 k <= x < bpow radix2 (k + 1) -> cexp radix2 (FLT_exp (-1074) 53) x = (k - 52)%Z.
@@ -18,9 +18,9 @@ Proof.
   change (IZR (2 ^ 52)) with (bpow radix2 52). change (IZR (2 ^ 53)) with (bpow radix2 53). assert (S := bpow_gt_0 radix2 (k - 52)).
   replace k with (52 + (k - 52))%Z at 1 by ring. replace (k + 1)%Z with (53 + (k - 52))%Z by ring. rewrite (bpow_plus _ 52), (bpow_plus _ 53). intro T. split; nra.
 Qed.
-Lemma rounded_in_binade (k : Z) (t : R) : (-1022 <= k)%Z -> IZR (2 ^ 52) <= t < IZR (2 ^ 53) -> rounded (t * bpow radix2 (k - 52)) = IZR (nearest t) * bpow radix2 (k - 52).
+Lemma rounded_in_binade (k : Z) (t : R) : (-1022 <= k)%Z -> IZR (2 ^ 52) <= t < IZR (2 ^ 53) -> rounded (t * bpow radix2 (k - 52)) = IZR (nearest_whole t) * bpow radix2 (k - 52).
 Proof.
-  intros K T. unfold rounded, round, F2R, scaled_mantissa. rewrite (spacing k) by (exact K || apply binade_of_multiple, T). cbn [Fnum Fexp]. unfold nearest. do 3 f_equal.
+  intros K T. unfold rounded, round, F2R, scaled_mantissa. rewrite (spacing k) by (exact K || apply binade_of_multiple, T). cbn [Fnum Fexp]. unfold nearest_whole. do 3 f_equal.
   rewrite Rmult_assoc, <- bpow_plus, Z.add_opp_diag_r. apply Rmult_1_r.
 Qed.
 Lemma multiple_in_binade (k : Z) (u : R) : (-1022 <= k)%Z -> float64 u -> bpow radix2 k <= u < bpow radix2 (k + 1) ->
@@ -30,11 +30,11 @@ Proof.
   assert (S := bpow_gt_0 radix2 (k - 52)). replace k with (52 + (k - 52))%Z in B at 1 by ring. replace (k + 1)%Z with (53 + (k - 52))%Z in B by ring. rewrite (bpow_plus _ 52), (bpow_plus _ 53) in B.
   split; [apply le_IZR | apply lt_IZR]; change (IZR (2 ^ 52)) with (bpow radix2 52); change (IZR (2 ^ 53)) with (bpow radix2 53); nra.
 Qed.
-Lemma nearest_inside (m : Z) (t : R) : Rabs t < / 2 -> nearest (IZR m + t) = m.
+Lemma nearest_inside (m : Z) (t : R) : Rabs t < / 2 -> nearest_whole (IZR m + t) = m.
 Proof. intro T. apply Znearest_imp. replace (IZR m + t - IZR m) with t by ring. exact T. Qed.
-Lemma nearest_tie (m : Z) : nearest (IZR m + / 2) = if Z.even m then m else (m + 1)%Z.
+Lemma nearest_tie (m : Z) : nearest_whole (IZR m + / 2) = if Z.even m then m else (m + 1)%Z.
 Proof.
-  unfold nearest, Znearest. rewrite (Zfloor_imp m), (Zceil_imp (m + 1)) by (rewrite ?plus_IZR, ?minus_IZR, ?plus_IZR; lra). rewrite Rcompare_Eq by ring. destruct (Z.even m); reflexivity.
+  unfold nearest_whole, Znearest. rewrite (Zfloor_imp m), (Zceil_imp (m + 1)) by (rewrite ?plus_IZR, ?minus_IZR, ?plus_IZR; lra). rewrite Rcompare_Eq by ring. destruct (Z.even m); reflexivity.
 Qed.
 (* What a positive step of float64 is added to, or taken from, in units of the spacing s. *)
 Lemma float64_step (e : R) (j : Z) : float64 e -> 0 < e -> e <= bpow radix2 j -> (-1074 <= j)%Z.
@@ -83,7 +83,7 @@ Proof.
 Qed.
 
 (* The arguments, as they are printed. *)
-Lemma wrapped (x : R) : 0 <= rounded x < 1 -> rounded (rounded x - whole_below (rounded x)) = rounded x.
+Lemma not_wrapped (x : R) : 0 <= rounded x < 1 -> rounded (rounded x - whole_below (rounded x)) = rounded x.
 Proof.
   intro B. unfold whole_below. rewrite (Zfloor_imp 0) by (simpl; lra). rewrite Rminus_0_r. apply kept, rounded_is_float64.
 Qed.
@@ -98,8 +98,8 @@ Qed.
 Lemma none_in_u (height : R -> R -> R -> R -> R) (w v k_u k_v e : R) : 0 <= w < 1 -> rounded (e + w) = w /\ rounded (w - e) = w ->
   central_any_float64.u_plus w e = w /\ central_any_float64.u_minus w e = w /\ central_any_float64.h_u height w v k_u k_v e = 0.
 Proof.
-  intros B [P M]. assert (P' : central_any_float64.u_plus w e = w) by (unfold central_any_float64.u_plus; rewrite wrapped; rewrite P; trivial).
-  assert (M' : central_any_float64.u_minus w e = w) by (unfold central_any_float64.u_minus; rewrite wrapped; rewrite M; trivial).
+  intros B [P M]. assert (P' : central_any_float64.u_plus w e = w) by (unfold central_any_float64.u_plus; rewrite not_wrapped; rewrite P; trivial).
+  assert (M' : central_any_float64.u_minus w e = w) by (unfold central_any_float64.u_minus; rewrite not_wrapped; rewrite M; trivial).
   split; [exact P' | split; [exact M'|]]. unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus.
   rewrite P', M', Rminus_diag_eq, rounded_0, Rmult_0_r, rounded_0 by reflexivity. unfold Rdiv. rewrite Rmult_0_l. apply rounded_0.
 Qed.
@@ -139,8 +139,8 @@ Proof.
   intros K M w epsilon. assert (F : float64 epsilon) by (apply power_float64; lia). destruct (below_1 k m ltac:(lia) ltac:(lia)) as [L L']. assert (T := tied k m ltac:(lia) M).
   cbv zeta in T. fold w in L, L', T. rewrite <- half_spacing in T. fold epsilon in T. replace (bpow radix2 (k - 52)) with (2 * epsilon) in * by (unfold epsilon; rewrite half_spacing; field).
   destruct (Z.even m); [rewrite Rplus_0_r, Rminus_0_r in T; split; [apply none_in_u | apply none_in_v]; try assumption; lra|]. destruct T as [P N].
-  assert (P' : central_any_float64.u_plus w epsilon = w + 2 * epsilon) by (unfold central_any_float64.u_plus; rewrite wrapped; rewrite P; trivial; lra).
-  assert (N' : central_any_float64.u_minus w epsilon = w - 2 * epsilon) by (unfold central_any_float64.u_minus; rewrite wrapped; rewrite N; trivial; lra).
+  assert (P' : central_any_float64.u_plus w epsilon = w + 2 * epsilon) by (unfold central_any_float64.u_plus; rewrite not_wrapped; rewrite P; trivial; lra).
+  assert (N' : central_any_float64.u_minus w epsilon = w - 2 * epsilon) by (unfold central_any_float64.u_minus; rewrite not_wrapped; rewrite N; trivial; lra).
   destruct (arguments_in_v w epsilon F) as (P'' & N'' & S); [lra | lra|]. rewrite P in P''. rewrite N in N''.
   assert (D : rounded (w + 2 * epsilon - (w - 2 * epsilon)) = 2 * (2 * epsilon)) by (rewrite <- (kept _ (twice_float64 _ (twice_float64 _ F))); f_equal; ring).
   assert (Two : rounded 2 = 2) by exact (kept 2 (power_float64 1 ltac:(easy))). split; [exact P' | split; [exact N'|]].
@@ -177,7 +177,7 @@ Theorem roundoff_bound__seam (height : R -> R -> R -> R -> R) (v k_u k_v epsilon
   central_any_float64.h_u height 0 v k_u k_v epsilon = / 2 * rounded (rise / epsilon).
 Proof.
   intros E B rise H R. assert (L : bpow radix2 (-54) < 1) by (apply (bpow_lt radix2 (-54) 0); easy).
-  assert (P : central_any_float64.u_plus 0 epsilon = epsilon) by (unfold central_any_float64.u_plus; rewrite Rplus_0_r, wrapped; rewrite (kept _ E); trivial; lra).
+  assert (P : central_any_float64.u_plus 0 epsilon = epsilon) by (unfold central_any_float64.u_plus; rewrite Rplus_0_r, not_wrapped; rewrite (kept _ E); trivial; lra).
   assert (M : central_any_float64.u_minus 0 epsilon = 1).
   { unfold central_any_float64.u_minus. rewrite Rminus_0_l, rounded_opp, (kept _ E). unfold whole_below. rewrite (Zfloor_imp (-1)) by (simpl; lra).
     replace (- epsilon - -1) with (bpow radix2 0 - epsilon) by (simpl; ring). apply (stays 0 (bpow radix2 0) epsilon).

@@ -48,9 +48,9 @@ Proof.
   - rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. lra.
   - f_equal. field. lra.
 Qed.
-(* Of a height h that is at most L steep, whose computed values a and b are within 76/10 2^-53 of h at the rounded arguments: the difference is within
-   what the arguments' rounding and the evaluation's cost of the exact one. *)
-Definition arguments_part (L w e : R) : R := L * ((w + e) / 2 ^ 53) / e * (1 + kappa).
+(* Of a height h that is at most L steep, whose computed values a and b are within 76/10 2^-53 of h at p and m, alpha off: the difference is within
+   what the arguments' rounding and the evaluation cost of the exact one. *)
+Definition arguments_part (L alpha e : R) : R := L * alpha / e * (1 + kappa).
 Definition evaluation_part (L e : R) : R := 8 / 2 ^ 53 / e * (1 + kappa) + L * kappa.
 Lemma argument_near (w e : R) : float64 w -> float64 e -> 0 <= e <= w -> Rabs (rounded (e + w) - (e + w)) <= (w + e) / 2 ^ 53 /\ Rabs (rounded (w - e) - (w - e)) <= (w + e) / 2 ^ 53.
 Proof.
@@ -59,19 +59,19 @@ Proof.
     replace (_ - _) with ((w + e) * d) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra. apply Rmult_le_compat_l; lra.
   - destruct (difference_near w e W E) as (d & D & ->). replace (_ - _) with ((w - e) * d) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra. apply Rmult_le_compat; try lra. apply Rabs_pos.
 Qed.
-Lemma three_parts (h h1 : R -> R) (L w e a b q slope truncation : R) : (forall x, is_derive h x (h1 x)) -> (forall x, Rabs (h1 x) <= L) -> float64 w -> float64 e -> 0 < e <= 1 -> e <= w ->
-  within_two_roundings q ((a - b) / (2 * e)) e -> Rabs (a - h (rounded (e + w))) <= 76/10 / 2 ^ 53 -> Rabs (b - h (rounded (w - e))) <= 76/10 / 2 ^ 53 ->
-  Rabs ((h (e + w) - h (w - e)) / (2 * e) - slope) <= truncation -> Rabs (q - slope) <= truncation + arguments_part L w e + evaluation_part L e.
+Lemma three_parts (h h1 : R -> R) (L w e p m alpha a b q slope truncation : R) : (forall x, is_derive h x (h1 x)) -> (forall x, Rabs (h1 x) <= L) -> 0 < e <= 1 ->
+  Rabs (p - (e + w)) <= alpha -> Rabs (m - (w - e)) <= alpha -> within_two_roundings q ((a - b) / (2 * e)) e -> Rabs (a - h p) <= 76/10 / 2 ^ 53 -> Rabs (b - h m) <= 76/10 / 2 ^ 53 ->
+  Rabs ((h (e + w) - h (w - e)) / (2 * e) - slope) <= truncation -> Rabs (q - slope) <= truncation + arguments_part L alpha e + evaluation_part L e.
 Proof.
-  intros D S W E B O (t & K & Q) A' B' T. destruct (argument_near w e W E ltac:(lra)) as [P M].
-  generalize (roundoff_bound__any_span h h1 L (e + w) (w - e) (2 * e) kappa (76/10 / 2 ^ 53) ((w + e) / 2 ^ 53) _ _ a b t D S ltac:(lra) ltac:(ring) K P M A' B'). intro R.
+  intros D S B P M (t & K & Q) A' B' T.
+  generalize (roundoff_bound__any_span h h1 L (e + w) (w - e) (2 * e) kappa (76/10 / 2 ^ 53) alpha _ _ a b t D S ltac:(lra) ltac:(ring) K P M A' B'). intro R.
   assert (I : 0 < / e) by (apply Rinv_0_lt_compat; lra). assert (Kp : 0 <= kappa) by (unfold kappa; lra).
-  replace (2 * (76 / 10 / 2 ^ 53 + L * ((w + e) / 2 ^ 53)) / (2 * e) * (1 + kappa) + L * kappa) with (arguments_part L w e + evaluation_part L e - 4/10 / 2 ^ 53 / e * (1 + kappa)) in R
+  replace (2 * (76 / 10 / 2 ^ 53 + L * alpha) / (2 * e) * (1 + kappa) + L * kappa) with (arguments_part L alpha e + evaluation_part L e - 4/10 / 2 ^ 53 / e * (1 + kappa)) in R
     by (unfold arguments_part, evaluation_part; field; lra).
   assert (X : 4 / 2 ^ 100 / e <= 4/10 / 2 ^ 53 / e * (1 + kappa)) by (unfold Rdiv in *; nra).
   generalize (through _ _ _ _ _ Q (through _ _ _ _ _ R T)). lra.
 Qed.
-Definition error_bound (L w e : R) : R := e ^ 2 / 6 * L ^ 3 + arguments_part L w e + evaluation_part L e.
+Definition error_bound (L w e : R) : R := e ^ 2 / 6 * L ^ 3 + arguments_part L ((w + e) / 2 ^ 53) e + evaluation_part L e.
 
 (* The arguments where nothing wraps or clamps; e + w may not round to 1. *)
 Lemma inside (w e : R) : 0 <= e <= w -> e + w <= 1 - / 2 ^ 53 -> 0 <= rounded (w - e) < 1 /\ 0 <= rounded (e + w) < 1.
@@ -91,7 +91,7 @@ Qed.
 Definition sampled_in_u (k u e : R) : Prop := float64 u /\ float64 e /\ 0 < k /\ 0 < e <= u /\ e + u <= 1 - / 2 ^ 53 /\ carried k (rounded (e + u)) /\ carried k (rounded (u - e)).
 Definition sampled_in_v (k v e : R) : Prop := float64 v /\ float64 e /\ 0 < k /\ 0 < e <= v /\ e + v <= 1 /\ carried k (rounded (e + v)) /\ carried k (rounded (v - e)).
 Lemma arguments_in_u (k u e : R) : sampled_in_u k u e -> central_any_float64.u_plus u e = rounded (e + u) /\ central_any_float64.u_minus u e = rounded (u - e).
-Proof. intros (_ & _ & _ & B & W & _). destruct (inside u e ltac:(lra) W) as [M P]. exact (conj (wrapped _ P) (wrapped _ M)). Qed.
+Proof. intros (_ & _ & _ & B & W & _). destruct (inside u e ltac:(lra) W) as [M P]. exact (conj (not_wrapped _ P) (not_wrapped _ M)). Qed.
 
 (* Sine, ridges and rings *)
 Lemma sine_height_near (u v k_u k_v : R) : carried k_u u -> carried k_v v -> Rabs (height_sine_float64.h u v k_u k_v - height_sine.h u v k_u k_v) <= 76/10 / 2 ^ 53.
@@ -109,8 +109,8 @@ Lemma sine_in_u (u v k_u k_v epsilon : R) : sampled_in_u k_u u epsilon -> carrie
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon.
 Proof.
   intros I V. destruct (arguments_in_u _ _ _ I) as [P' M']. destruct I as (U & E & K & B & W & Cp & Cm). assert (T := truncation_bound__sine epsilon k_u k_v u v ltac:(lra) ltac:(lra) ltac:(lra) K).
-  unfold error_bound. apply (three_parts (fun w => height_sine.h w v k_u k_v) (fun w => PI * k_u * (cos (PI * (k_u * w)) * sin (PI * (k_v * v))))
-    (PI * k_u) u epsilon (height_sine_float64.h (rounded (epsilon + u)) v k_u k_v) (height_sine_float64.h (rounded (u - epsilon)) v k_u k_v)); try assumption; try lra.
+  destruct (argument_near u epsilon U E ltac:(lra)) as [Ap Am]. unfold error_bound. apply (three_parts (fun w => height_sine.h w v k_u k_v) (fun w => PI * k_u * (cos (PI * (k_u * w)) * sin (PI * (k_v * v))))
+    (PI * k_u) u epsilon (rounded (epsilon + u)) (rounded (u - epsilon)) ((u + epsilon) / 2 ^ 53) (height_sine_float64.h (rounded (epsilon + u)) v k_u k_v) (height_sine_float64.h (rounded (u - epsilon)) v k_u k_v)); try assumption; try lra.
   - unfold height_sine.h. derived.
   - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1].
   - unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus. rewrite P', M'. apply quotient_in_u; [apply rounded_is_float64 | apply rounded_is_float64 | lra].
@@ -123,8 +123,8 @@ Lemma sine_in_v (u v k_u k_v epsilon : R) : sampled_in_v k_v v epsilon -> carrie
 Proof.
   intros I U. destruct I as (V & E & K & B & W & Cp & Cm). destruct (in_chart v epsilon ltac:(lra) W) as [M P]. assert (T := truncation_bound__sine_in_v epsilon k_u k_v u v ltac:(lra) ltac:(lra) ltac:(lra) K).
   destruct (arguments_in_v v epsilon E P M) as (P' & M' & S).
-  unfold error_bound. apply (three_parts (fun w => height_sine.h u w k_u k_v) (fun w => PI * k_v * (cos (PI * (k_v * w)) * sin (PI * (k_u * u))))
-    (PI * k_v) v epsilon (height_sine_float64.h u (rounded (epsilon + v)) k_u k_v) (height_sine_float64.h u (rounded (v - epsilon)) k_u k_v)); try assumption; try lra.
+  destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am]. unfold error_bound. apply (three_parts (fun w => height_sine.h u w k_u k_v) (fun w => PI * k_v * (cos (PI * (k_v * w)) * sin (PI * (k_u * u))))
+    (PI * k_v) v epsilon (rounded (epsilon + v)) (rounded (v - epsilon)) ((v + epsilon) / 2 ^ 53) (height_sine_float64.h u (rounded (epsilon + v)) k_u k_v) (height_sine_float64.h u (rounded (v - epsilon)) k_u k_v)); try assumption; try lra.
   - unfold height_sine.h. derived.
   - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1].
   - unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', S. apply quotient_in_v; [apply rounded_is_float64 | apply rounded_is_float64 | lra].
@@ -145,8 +145,8 @@ Proof.
   assert (N : forall w, carried (2 * k_v) w -> Rabs (height_rings_float64.h w k_v - height_rings.h w k_v) <= 76/10 / 2 ^ 53 /\ float64 (height_rings_float64.h w k_v)).
   { intros w C. unfold height_rings_float64.h. rewrite (kept _ (twice_float64 _ F)). split; [|exact (sine_is_float64 _ _ C)]. eapply Rle_trans; [exact (proj1 (factors_near _ _ C)) | lra]. }
   destruct (N _ Cp) as [Np Fp]. destruct (N _ Cm) as [Nm Fm].
-  unfold error_bound. apply (three_parts (fun w => height_rings.h w k_v) (fun w => PI * (2 * k_v) * (cos (PI * (2 * k_v * w)) * 1))
-    (PI * (2 * k_v)) v epsilon (height_rings_float64.h (rounded (epsilon + v)) k_v) (height_rings_float64.h (rounded (v - epsilon)) k_v)); try assumption; try lra.
+  destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am]. unfold error_bound. apply (three_parts (fun w => height_rings.h w k_v) (fun w => PI * (2 * k_v) * (cos (PI * (2 * k_v * w)) * 1))
+    (PI * (2 * k_v)) v epsilon (rounded (epsilon + v)) (rounded (v - epsilon)) ((v + epsilon) / 2 ^ 53) (height_rings_float64.h (rounded (epsilon + v)) k_v) (height_rings_float64.h (rounded (v - epsilon)) k_v)); try assumption; try lra.
   - unfold height_rings.h. derived.
   - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | rewrite Rabs_R1; lra].
   - unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', S. apply quotient_in_v; [exact Fp | exact Fm | lra].
@@ -202,12 +202,48 @@ Proof.
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
 Qed.
 
+(* At the seam, or anywhere, for even k_u: each argument is rounded twice at most, and a whole turn less is the same height. *)
+Lemma wrapped_near (y : R) : Rabs y <= 2 -> let m := rounded (rounded y - whole_below (rounded y)) in exists n : Z, Rabs (m + IZR n - y) <= 4 / 2 ^ 53.
+Proof.
+  intros Y m. exists (Zfloor (rounded y)). assert (A := Zfloor_lb (rounded y)). assert (B := Zfloor_ub (rounded y)). assert (E2 := rounded_error y 2 Y).
+  assert (E := rounded_error (rounded y - whole_below (rounded y)) 1 ltac:(unfold whole_below; apply Rabs_le; lra)). fold m in E. unfold whole_below in E.
+  apply Rabs_le_between in E. apply Rabs_le_between in E2. apply Rabs_le. lra.
+Qed.
+Lemma whole_turn (k n : Z) (w v k_v : R) : height_sine.h (w + IZR n) v (IZR (2 * k)) k_v = height_sine.h w v (IZR (2 * k)) k_v.
+Proof.
+  unfold height_sine.h. f_equal. rewrite <- (proj1 (turn (IZR (2 * k) * w) (k * n))). f_equal. rewrite !mult_IZR. ring.
+Qed.
+Lemma whole_turn_less (k : Z) (w v k_v : R) : height_sine.h (w - IZR (Int_part w)) v (IZR (2 * k)) k_v = height_sine.h w v (IZR (2 * k)) k_v.
+Proof. rewrite <- (whole_turn k (Int_part w)). f_equal. ring. Qed.
+Theorem roundoff_bound__seam_in_float64 (u v k_v epsilon : R) (k : Z) : (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
+  carried k_u (central_any_float64.u_plus u epsilon) -> carried k_u (central_any_float64.u_minus u epsilon) -> carried k_v v ->
+  Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - central_sine.h_u u v k_u k_v epsilon) <= arguments_part (PI * k_u) (4 / 2 ^ 53) epsilon + evaluation_part (PI * k_u) epsilon.
+Proof.
+  intros K U E k_u Cp Cm V. destruct (wrapped_near (epsilon + u)) as [n P]; [apply Rabs_le; lra|]. destruct (wrapped_near (u - epsilon)) as [m M]; [apply Rabs_le; lra|].
+  rewrite <- (Rplus_0_l (arguments_part _ _ _)). apply (three_parts (fun w => height_sine.h w v k_u k_v) (fun w => PI * k_u * (cos (PI * (k_u * w)) * sin (PI * (k_v * v)))) (PI * k_u) u epsilon
+    (central_any_float64.u_plus u epsilon + IZR n) (central_any_float64.u_minus u epsilon + IZR m) (4 / 2 ^ 53)
+    (height_sine_float64.h (central_any_float64.u_plus u epsilon) v k_u k_v) (height_sine_float64.h (central_any_float64.u_minus u epsilon) v k_u k_v)); try assumption.
+  - unfold height_sine.h. derived.
+  - intro x. apply at_most; [assert (0 < k_u) by (apply IZR_lt; lia); generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1].
+  - apply quotient_in_u; [apply rounded_is_float64 | apply rounded_is_float64 | exact E].
+  - unfold k_u. rewrite whole_turn. apply sine_height_near; assumption.
+  - unfold k_u. rewrite whole_turn. apply sine_height_near; assumption.
+  - right. rewrite <- Rabs_R0. f_equal. unfold central_sine.h_u.
+    change (central_sine.h_u_plus u v k_u k_v epsilon) with (height_sine.h (epsilon + u - IZR (Int_part (epsilon + u))) v (IZR (2 * k)) k_v).
+    change (central_sine.h_u_minus u v k_u k_v epsilon) with (height_sine.h (u - epsilon - IZR (Int_part (u - epsilon))) v (IZR (2 * k)) k_v).
+    rewrite !whole_turn_less. fold k_u. field. lra.
+Qed.
+
 (* False variants: without the part of the arguments, where the slope dies. *)
+Lemma step_lost : rounded (bpow radix2 (-55) + bpow radix2 (-1)) = bpow radix2 (-1) /\ rounded (bpow radix2 (-1) - bpow radix2 (-55)) = bpow radix2 (-1).
+Proof.
+  apply (stays (-1)); [apply power_float64; easy | apply power_float64; easy | split; [right; reflexivity | apply bpow_lt; easy] | split; [apply bpow_gt_0 | apply bpow_lt; easy] | intros _; right; reflexivity].
+Qed.
 Lemma witness : let k := 201 / 2 in let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in sampled_in_u k w e /\ sampled_in_v k w e /\ carried k w.
 Proof.
   intros k w e. assert (F : float64 w) by (apply power_float64; easy). assert (E : float64 e) by (apply power_float64; easy).
   assert (W : w = 1 / 2) by (unfold w; change (bpow radix2 (-1)) with (/ 2); lra). assert (E' : 0 < e <= / 2 ^ 54) by (unfold e; change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)); simpl; lra).
-  destruct (stays (-1) w e F E) as [P M]; [split; [right; reflexivity | apply bpow_lt; easy] | split; [lra | apply bpow_lt; easy] | intros _; right; reflexivity|].
+  destruct step_lost as [P M]. fold w e in P, M.
   assert (C : carried k w).
   { split; [replace k with (IZR 201 * bpow radix2 (-1)) by (unfold k; simpl; lra); apply whole_is_float64; easy|]. split; [exact F|].
     generalize (bpow_le radix2 (-969) 0 ltac:(easy)). simpl (bpow radix2 0). unfold k. rewrite W, Rabs_pos_eq by lra. split; [right|]; lra. }
@@ -254,4 +290,26 @@ Theorem roundoff_bound__rings_in_float64__false : ~ forall u v k_u k_v epsilon :
 Proof.
   intro H. destruct for_rings as [F V]. generalize (H (bpow radix2 (-1)) _ 0 _ _ F V) without_arguments (proj2 steep_there).
   rewrite (proj2 (no_slope _ 0 (201 / 2 / 2))). cbv zeta. unfold_slopes. replace (2 * (201 / 2 / 2)) with (201 / 2) by field. lra.
+Qed.
+Lemma seam_witness : carried (IZR (2 * 100)) (central_any_float64.u_plus (bpow radix2 (-1)) (bpow radix2 (-55))) /\ carried (IZR (2 * 100)) (central_any_float64.u_minus (bpow radix2 (-1)) (bpow radix2 (-55))).
+Proof.
+  destruct witness as (U & _ & _ & F & _). destruct (arguments_in_u _ _ _ U) as [-> ->]. destruct step_lost as [-> ->].
+  assert (C : carried (IZR (2 * 100)) (bpow radix2 (-1))); [|exact (conj C C)]. split; [replace (IZR (2 * 100)) with (IZR 200 * bpow radix2 0) by (simpl; lra); apply whole_is_float64; easy|].
+  split; [exact F|]. generalize (bpow_le radix2 (-969) 0 ltac:(easy)). change (bpow radix2 (-1)) with (/ 2). simpl (bpow radix2 0). rewrite Rabs_pos_eq by (simpl; lra). simpl. split; [right|]; lra.
+Qed.
+Theorem roundoff_bound__seam_in_float64__point : exists (u v k_v epsilon : R) (k : Z), (0 < k)%Z /\ 0 <= u <= 1 /\ 0 < epsilon <= 1 /\
+  carried (IZR (2 * k)) (central_any_float64.u_plus u epsilon) /\ carried (IZR (2 * k)) (central_any_float64.u_minus u epsilon) /\ carried k_v v.
+Proof.
+  destruct seam_witness as [P M]. destruct witness as (_ & _ & C). exists (bpow radix2 (-1)), (bpow radix2 (-1)), (201 / 2), (bpow radix2 (-55)), 100%Z.
+  change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)) at 1 2. change (bpow radix2 (-1)) with (/ 2) at 1 2. repeat split; try apply P; try apply M; try apply C; simpl; lra.
+Qed.
+Theorem roundoff_bound__seam_in_float64__false : ~ forall (u v k_v epsilon : R) (k : Z), (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
+  carried k_u (central_any_float64.u_plus u epsilon) -> carried k_u (central_any_float64.u_minus u epsilon) -> carried k_v v ->
+  Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - central_sine.h_u u v k_u k_v epsilon) <= evaluation_part (PI * k_u) epsilon.
+Proof.
+  intro H. destruct seam_witness as [P M]. destruct witness as (_ & _ & C). generalize (H (bpow radix2 (-1)) (bpow radix2 (-1)) (201 / 2) (bpow radix2 (-55)) 100%Z ltac:(easy)
+    ltac:(simpl; lra) ltac:(change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)); simpl; lra) P M C). rewrite (proj1 (no_slope height_sine_float64.h (IZR (2 * 100)) (201 / 2))).
+  set (u := bpow radix2 (-1)). set (e := bpow radix2 (-55)). unfold central_sine.h_u. change (central_sine.h_u_plus u u (IZR (2 * 100)) (201 / 2) e) with (height_sine.h (e + u - IZR (Int_part (e + u))) u (IZR (2 * 100)) (201 / 2)).
+  change (central_sine.h_u_minus u u (IZR (2 * 100)) (201 / 2) e) with (height_sine.h (u - e - IZR (Int_part (u - e))) u (IZR (2 * 100)) (201 / 2)). rewrite !whole_turn_less.
+  unfold u, e, height_sine.h, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). change (bpow radix2 (-1)) with (/ 2). apply Rlt_not_le. apply Rlt_trans with 100; interval with (i_prec 200).
 Qed.
