@@ -194,7 +194,8 @@ Proof.
     generalize (Rabs_pos rise). nra.
 Qed.
 
-(* Values that the hypotheses have, and false variants: at the tie not every slope dies, nor does it at the pole, and the seam does not keep all of it. *)
+(* Values that the hypotheses have, and false variants: at the tie not every slope dies, nor does it below 2^k: at the pole and at the seam, which does not
+   keep all of it. *)
 Theorem roundoff_bound__dies_in_u__point : exists (u epsilon : R) (k : Z), (k <= -1)%Z /\ float64 u /\ float64 epsilon /\ bpow radix2 k <= u < bpow radix2 (k + 1) /\
   0 < epsilon < bpow radix2 (k - 53) /\ (u = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)).
 Proof.
@@ -205,30 +206,14 @@ Theorem roundoff_bound__dies_in_v__point : exists (v epsilon : R) (k : Z), v <= 
 Proof.
   exists (bpow radix2 0), (bpow radix2 (-54)), 0%Z. repeat split; try (apply power_float64 || apply bpow_lt || apply bpow_gt_0); try easy; intros; right; reflexivity.
 Qed.
-Lemma at_odd_tie : let u := IZR (2 ^ 52 + 3) * bpow radix2 (-53) in let epsilon := bpow radix2 (-54) in
-  float64 u /\ float64 epsilon /\ bpow radix2 (-1) < u < bpow radix2 0 /\ 0 < epsilon /\ central_any_float64.h_u (fun u _ _ _ => u) u 0 0 0 epsilon = 2 /\
-  central_any_float64.h_v (fun _ v _ _ => v) 0 u 0 0 epsilon = 2.
-Proof.
-  destruct (roundoff_bound__tie (fun u _ _ _ => u) 0 0 0 (-1) (2 ^ 52 + 3) ltac:(easy) ltac:(easy)) as (_ & _ & U & V). intros u epsilon.
-  split; [apply whole_is_float64; easy|]. split; [apply power_float64; easy|]. split; [|split; [apply bpow_gt_0 | exact (conj U V)]].
-  change (bpow radix2 (-1)) with (bpow radix2 (52 + -53)). change (bpow radix2 0) with (bpow radix2 (53 + -53)). rewrite !bpow_plus. generalize (bpow_gt_0 radix2 (-53)). unfold u.
-  set (s := bpow radix2 (-53)). change (bpow radix2 52) with (IZR (2 ^ 52)). change (bpow radix2 53) with (IZR (2 ^ 53)). simpl. lra.
-Qed.
-Theorem roundoff_bound__dies_in_u__false : ~ forall (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z), (k <= -1)%Z -> float64 u -> float64 epsilon ->
-  bpow radix2 k < u < bpow radix2 (k + 1) -> 0 < epsilon <= bpow radix2 (k - 53) -> central_any_float64.h_u height u v k_u k_v epsilon = 0.
-Proof.
-  intro H. destruct at_odd_tie as (F & E & B & P & U & _). rewrite H with (k := (-1)%Z) in U; try assumption; [lra | easy | split; [exact P | right; reflexivity]].
-Qed.
-Theorem roundoff_bound__dies_in_v__false : ~ forall (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z), float64 v -> float64 epsilon ->
-  bpow radix2 k < v < bpow radix2 (k + 1) -> v <= 1 -> 0 < epsilon <= bpow radix2 (k - 53) -> central_any_float64.h_v height u v k_u k_v epsilon = 0.
-Proof.
-  intro H. destruct at_odd_tie as (F & E & B & P & _ & V). rewrite H with (k := (-1)%Z) in V; try assumption; [lra | simpl (bpow radix2 0) in B; lra | split; [exact P | right; reflexivity]].
-Qed.
 Theorem roundoff_bound__tie__point : exists k m : Z, (-1021 <= k <= -1)%Z /\ (2 ^ 52 < m < 2 ^ 53 - 1)%Z /\ Z.even m = true.
 Proof. exists (-1)%Z, (2 ^ 52 + 2)%Z. easy. Qed.
 Theorem roundoff_bound__tie__false : ~ forall (height : R -> R -> R -> R -> R) (c k_u k_v : R) (k m : Z), (-1021 <= k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z ->
   central_any_float64.h_u height (IZR m * bpow radix2 (k - 52)) c k_u k_v (bpow radix2 (k - 53)) = 0.
-Proof. intro H. generalize (H (fun u _ _ _ => u) 0 0 0 (-1)%Z (2 ^ 52 + 3)%Z ltac:(easy) ltac:(easy)). destruct at_odd_tie as (_ & _ & _ & _ & U & _). change (-1 - 52)%Z with (-53)%Z. change (-1 - 53)%Z with (-54)%Z. rewrite U. lra. Qed.
+Proof.
+  intro H. generalize (H (fun u _ _ _ => u) 0 0 0 (-1)%Z (2 ^ 52 + 3)%Z ltac:(easy) ltac:(easy)).
+  destruct (roundoff_bound__tie (fun u _ _ _ => u) 0 0 0 (-1) (2 ^ 52 + 3) ltac:(easy) ltac:(easy)) as (_ & _ & -> & _). lra.
+Qed.
 Theorem roundoff_bound__pole__point : exists epsilon : R, float64 epsilon /\ 0 < epsilon <= 1.
 Proof. exists (bpow radix2 0). split; [apply power_float64; easy | simpl; lra]. Qed.
 Theorem roundoff_bound__pole__false : ~ forall (height : R -> R -> R -> R -> R) (u k_u k_v epsilon : R), float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
@@ -238,19 +223,32 @@ Proof.
   generalize (H (fun _ v _ _ => v) 0 0 0 (bpow radix2 (-54)) E ltac:(lra)). destruct (roundoff_bound__pole (fun _ v _ _ => v) 0 0 0 (bpow radix2 (-54)) E ltac:(lra)) as (_ & _ & _ & ->).
   rewrite Rminus_0_r, (kept _ E). unfold Rdiv. rewrite Rinv_r, rounded_1 by lra. lra.
 Qed.
-Theorem roundoff_bound__seam__point : exists (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R), float64 epsilon /\ 0 < epsilon <= bpow radix2 (-54) /\
+Theorem roundoff_bound__seam__point : exists (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R), float64 epsilon /\ 0 < epsilon < bpow radix2 (-54) /\
   height 1 v k_u k_v = height 0 v k_u k_v /\ rounded (height epsilon v k_u k_v - height 0 v k_u k_v) = epsilon /\ bpow radix2 (-1021) <= Rabs epsilon.
 Proof.
-  assert (E : float64 (bpow radix2 (-54))) by (apply power_float64; easy). assert (P := bpow_gt_0 radix2 (-54)). assert (L : bpow radix2 (-54) < 1) by (apply (bpow_lt radix2 (-54) 0); easy).
-  exists (fun u _ _ _ => if Rlt_dec u 1 then u else 0), 0, 0, 0, (bpow radix2 (-54)). cbv beta.
-  destruct (Rlt_dec 1 1), (Rlt_dec 0 1), (Rlt_dec (bpow radix2 (-54)) 1); try lra. rewrite Rminus_0_r, (kept _ E), Rabs_pos_eq by lra.
+  assert (E : float64 (bpow radix2 (-55))) by (apply power_float64; easy). assert (P := bpow_gt_0 radix2 (-55)). assert (Q := bpow_lt radix2 (-55) (-54) ltac:(easy)). assert (L : bpow radix2 (-55) < 1) by (apply (bpow_lt radix2 (-55) 0); easy).
+  exists (fun u _ _ _ => if Rlt_dec u 1 then u else 0), 0, 0, 0, (bpow radix2 (-55)). cbv beta.
+  destruct (Rlt_dec 1 1), (Rlt_dec 0 1), (Rlt_dec (bpow radix2 (-55)) 1); try lra. rewrite Rminus_0_r, (kept _ E), Rabs_pos_eq by lra.
   repeat split; try trivial; try lra. apply bpow_le. easy.
 Qed.
 Theorem roundoff_bound__seam__false : ~ forall (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R), float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
   height 1 v k_u k_v = height 0 v k_u k_v -> let rise := rounded (height epsilon v k_u k_v - height 0 v k_u k_v) in rise = 0 \/ bpow radix2 (-1021) <= Rabs rise ->
   central_any_float64.h_u height 0 v k_u k_v epsilon = rounded (rise / epsilon).
 Proof.
-  intro H. destruct roundoff_bound__seam__point as (height & v & k_u & k_v & epsilon & E & B & S & R & N). generalize (H height v k_u k_v epsilon E B S).
+  intro H. destruct roundoff_bound__seam__point as (height & v & k_u & k_v & epsilon & E & [P Q] & S & R & N). assert (B := conj P (Rlt_le _ _ Q)). generalize (H height v k_u k_v epsilon E B S).
   destruct (roundoff_bound__seam height v k_u k_v epsilon E B S) as (_ & _ & ->); rewrite R; [right; exact N|]. cbv zeta. intro K. specialize (K (or_intror N)).
   unfold Rdiv in K. rewrite Rinv_r, rounded_1 in K by lra. lra.
+Qed.
+Theorem roundoff_bound__dies_in_v__false : ~ forall (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z), v <= 1 -> float64 v -> float64 epsilon ->
+  0 <= v < bpow radix2 (k + 1) -> 0 < epsilon < bpow radix2 (k - 53) -> central_any_float64.h_v height u v k_u k_v epsilon = 0.
+Proof.
+  intro H. apply roundoff_bound__pole__false. intros height u k_u k_v epsilon E B. assert (L := bpow_lt radix2 (-54) (0 - 53) ltac:(easy)).
+  apply (H height u 0 k_u k_v epsilon 0%Z); [lra | apply generic_format_0 | exact E | split; [lra | apply bpow_gt_0] | lra].
+Qed.
+Theorem roundoff_bound__dies_in_u__false : ~ forall (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z), (k <= -1)%Z -> float64 u -> float64 epsilon ->
+  0 <= u < bpow radix2 (k + 1) -> 0 < epsilon < bpow radix2 (k - 53) -> central_any_float64.h_u height u v k_u k_v epsilon = 0.
+Proof.
+  intro H. destruct roundoff_bound__seam__point as (height & v & k_u & k_v & epsilon & E & B & S & R & N).
+  generalize (H height 0 v k_u k_v epsilon (-1)%Z ltac:(easy) (generic_format_0 _ _) E ltac:(split; [lra | apply bpow_gt_0]) B).
+  destruct (roundoff_bound__seam height v k_u k_v epsilon E (conj (proj1 B) (Rlt_le _ _ (proj2 B))) S) as (_ & _ & ->); rewrite R; [right; exact N|]. unfold Rdiv. rewrite Rinv_r, rounded_1 by lra. lra.
 Qed.
