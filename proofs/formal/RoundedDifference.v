@@ -73,25 +73,20 @@ Proof.
 Qed.
 Definition error_bound (L w e : R) : R := e ^ 2 / 6 * L ^ 3 + arguments_part L ((w + e) / 2 ^ 53) e + evaluation_part L e.
 
-(* The arguments where nothing wraps or clamps; e + w may not round to 1. *)
-Lemma inside (w e : R) : 0 <= e <= w -> e + w <= 1 - / 2 ^ 53 -> 0 <= rounded (w - e) < 1 /\ 0 <= rounded (e + w) < 1.
+(* The arguments where nothing wraps or clamps. *)
+Lemma in_order (w e : R) : 0 <= e <= w -> 0 <= rounded (w - e) <= rounded (e + w).
+Proof. intro B. split; [rewrite <- rounded_0|]; apply round_le; try typeclasses eauto; lra. Qed.
+Lemma up_to_1 (x : R) : (x <= 1 -> rounded x <= 1) /\ (rounded x < 1 -> x < 1).
 Proof.
-  intros B A. assert (F : float64 (1 - / 2 ^ 53)) by (replace (1 - / 2 ^ 53) with (IZR (2 ^ 53 - 1) * bpow radix2 (-53)) by (simpl; lra); apply whole_is_float64; easy).
-  assert (U : forall x, x <= 1 - / 2 ^ 53 -> rounded x < 1) by (intros x X; apply Rle_lt_trans with (1 - / 2 ^ 53); [apply round_le_generic; trivial; typeclasses eauto | lra]).
-  assert (Z : forall x, 0 <= x -> 0 <= rounded x) by (intros x X; apply round_ge_generic; [typeclasses eauto | typeclasses eauto | apply generic_format_0 | exact X]).
-  repeat split; try apply Z; try apply U; lra.
-Qed.
-Lemma in_chart (w e : R) : 0 <= e <= w -> e + w <= 1 -> 0 <= rounded (w - e) /\ rounded (e + w) <= 1.
-Proof.
-  intros B A. split; [apply round_ge_generic; [typeclasses eauto | typeclasses eauto | apply generic_format_0 | lra]|].
-  apply round_le_generic; [typeclasses eauto | typeclasses eauto | exact (power_float64 0 ltac:(easy)) | exact A].
+  assert (F := power_float64 0 ltac:(easy)). split; intro X; [apply round_le_generic; trivial; typeclasses eauto|]. apply Rnot_le_lt. intro L.
+  assert (1 <= rounded x) by (apply round_ge_generic; trivial; typeclasses eauto). lra.
 Qed.
 
 (* Nothing wraps or clamps, and nothing of k u underflows: where u and v are looked at. *)
-Definition sampled_in_u (k u e : R) : Prop := float64 u /\ float64 e /\ 0 < k /\ 0 < e <= u /\ e + u <= 1 - / 2 ^ 53 /\ carried k (rounded (e + u)) /\ carried k (rounded (u - e)).
+Definition sampled_in_u (k u e : R) : Prop := float64 u /\ float64 e /\ 0 < k /\ 0 < e <= u /\ rounded (e + u) < 1 /\ carried k (rounded (e + u)) /\ carried k (rounded (u - e)).
 Definition sampled_in_v (k v e : R) : Prop := float64 v /\ float64 e /\ 0 < k /\ 0 < e <= v /\ e + v <= 1 /\ carried k (rounded (e + v)) /\ carried k (rounded (v - e)).
 Lemma arguments_in_u (k u e : R) : sampled_in_u k u e -> central_any_float64.u_plus u e = rounded (e + u) /\ central_any_float64.u_minus u e = rounded (u - e).
-Proof. intros (_ & _ & _ & B & W & _). destruct (inside u e ltac:(lra) W) as [M P]. exact (conj (not_wrapped _ P) (not_wrapped _ M)). Qed.
+Proof. intros (_ & _ & _ & B & W & _). assert (O := in_order u e ltac:(lra)). split; apply not_wrapped; lra. Qed.
 
 (* Sine, ridges and rings *)
 Lemma sine_height_near (u v k_u k_v : R) : carried k_u u -> carried k_v v -> Rabs (height_sine_float64.h u v k_u k_v - height_sine.h u v k_u k_v) <= 76/10 / 2 ^ 53.
@@ -108,7 +103,7 @@ Ltac derived := intro; cbv beta; auto_derive; trivial; ring.
 Lemma sine_in_u (u v k_u k_v epsilon : R) : sampled_in_u k_u u epsilon -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon.
 Proof.
-  intros I V. destruct (arguments_in_u _ _ _ I) as [P' M']. destruct I as (U & E & K & B & W & Cp & Cm). assert (T := truncation_bound__sine epsilon k_u k_v u v ltac:(lra) ltac:(lra) ltac:(lra) K).
+  intros I V. destruct (arguments_in_u _ _ _ I) as [P' M']. destruct I as (U & E & K & B & W & Cp & Cm). assert (W' := proj2 (up_to_1 _) W). assert (T := truncation_bound__sine epsilon k_u k_v u v ltac:(lra) ltac:(lra) W' K).
   destruct (argument_near u epsilon U E ltac:(lra)) as [Ap Am]. unfold error_bound. apply (three_parts (fun w => height_sine.h w v k_u k_v) (fun w => PI * k_u * (cos (PI * (k_u * w)) * sin (PI * (k_v * v))))
     (PI * k_u) u epsilon (rounded (epsilon + u)) (rounded (u - epsilon)) ((u + epsilon) / 2 ^ 53) (height_sine_float64.h (rounded (epsilon + u)) v k_u k_v) (height_sine_float64.h (rounded (u - epsilon)) v k_u k_v)); try assumption; try lra.
   - unfold height_sine.h. derived.
@@ -121,7 +116,7 @@ Qed.
 Lemma sine_in_v (u v k_u k_v epsilon : R) : sampled_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon.
 Proof.
-  intros I U. destruct I as (V & E & K & B & W & Cp & Cm). destruct (in_chart v epsilon ltac:(lra) W) as [M P]. assert (T := truncation_bound__sine_in_v epsilon k_u k_v u v ltac:(lra) ltac:(lra) ltac:(lra) K).
+  intros I U. destruct I as (V & E & K & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. assert (P := proj1 (up_to_1 _) W). assert (T := truncation_bound__sine_in_v epsilon k_u k_v u v ltac:(lra) ltac:(lra) ltac:(lra) K).
   destruct (arguments_in_v v epsilon E P M) as (P' & M' & S).
   destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am]. unfold error_bound. apply (three_parts (fun w => height_sine.h u w k_u k_v) (fun w => PI * k_v * (cos (PI * (k_v * w)) * sin (PI * (k_u * u))))
     (PI * k_v) v epsilon (rounded (epsilon + v)) (rounded (v - epsilon)) ((v + epsilon) / 2 ^ 53) (height_sine_float64.h u (rounded (epsilon + v)) k_u k_v) (height_sine_float64.h u (rounded (v - epsilon)) k_u k_v)); try assumption; try lra.
@@ -140,7 +135,7 @@ Qed.
 Theorem roundoff_bound__rings_in_float64 (u v k_u k_v epsilon : R) : float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
   Rabs (central_any_float64.h_v (fun _ v _ k_v => height_rings_float64.h v k_v) u v k_u k_v epsilon - gradient_rings.h_v v k_v) <= error_bound (PI * (2 * k_v)) v epsilon.
 Proof.
-  intros F I. destruct I as (V & E & K & B & W & Cp & Cm). destruct (in_chart v epsilon ltac:(lra) W) as [M P]. assert (T := truncation_bound__rings epsilon k_v v ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+  intros F I. destruct I as (V & E & K & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. assert (P := proj1 (up_to_1 _) W). assert (T := truncation_bound__rings epsilon k_v v ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
   destruct (arguments_in_v v epsilon E P M) as (P' & M' & S).
   assert (N : forall w, carried (2 * k_v) w -> Rabs (height_rings_float64.h w k_v - height_rings.h w k_v) <= 76/10 / 2 ^ 53 /\ float64 (height_rings_float64.h w k_v)).
   { intros w C. unfold height_rings_float64.h. rewrite (kept _ (twice_float64 _ F)). split; [|exact (sine_is_float64 _ _ C)]. eapply Rle_trans; [exact (proj1 (factors_near _ _ C)) | lra]. }
@@ -197,7 +192,7 @@ Theorem roundoff_bound__in_float64_v (u v k_u k_v epsilon : R) : sampled_in_v k_
     Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon.
 Proof.
   intros I U. split; [exact (sine_in_v u v k_u k_v epsilon I U)|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (sine_in_v u v k_u k_v epsilon I U)).
-  - destruct I as (_ & E & _ & B & W & Cp & Cm). destruct (in_chart v epsilon ltac:(lra) W) as [M P]. destruct (arguments_in_v v epsilon E P M) as (P' & M' & _).
+  - destruct I as (_ & E & _ & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. assert (P := proj1 (up_to_1 _) W). destruct (arguments_in_v v epsilon E P M) as (P' & M' & _).
     unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', !(ridges_height s) by assumption. apply (opposite_quotients s _ _ 0 _ S).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
 Qed.
