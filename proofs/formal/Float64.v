@@ -3,7 +3,7 @@
 
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Float.
+From Formal Require Import Preliminaries Float.
 Open Scope R_scope.
 
 Module two_product_float64.
@@ -34,13 +34,6 @@ Definition sine_near := rounded (remainder * rounded (sine_tail + (8842797190035
 Definition cosine_near := rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded ((5080167897815029 / 1180591620717411303424) * z) - (7720929367626383 / 73786976294838206464))) + (8898590864194755 / 4611686018427387904))) - (1859582503162531 / 72057594037927936))) + (8478679513545403 / 36028797018963968))) - (3006744454127613 / 2251799813685248))) + (1142425901258417 / 281474976710656))) - (2778046668940015 / 562949953421312))) + 1).
 End program.
 End half_turn_polynomials_float64.
-
-Module difference_float64.
-Section program.
-Variables h_u_plus h_u_minus epsilon : R.
-Definition h_u := rounded (rounded ((1 / 2) * rounded (h_u_plus - h_u_minus)) / epsilon).
-End program.
-End difference_float64.
 
 Module sine_of_half_turns_float64.
 Section program.
@@ -172,3 +165,21 @@ Definition h_u := 0.
 Definition h_v := rounded (rounded (rounded (2 * rounded PI) * cos_v) * k_v).
 End program.
 End gradient_rings_float64.
+
+Module central_any_float64.
+Section program.
+Variable height : R -> R -> R -> R -> R.
+Variables u v k_u k_v epsilon : R.
+Definition u_plus := rounded (rounded (epsilon + u) - whole_below (rounded (epsilon + u))).
+Definition u_minus := rounded (rounded (u - epsilon) - whole_below (rounded (u - epsilon))).
+Definition v_plus := Rmin 1 (rounded (epsilon + v)).
+Definition v_minus := Rmax 0 (rounded (v - epsilon)).
+Definition span_v := (if both (Rle_dec (rounded (epsilon + v)) 1) (Rle_dec (rounded (epsilon - v)) 0) then rounded (2 * epsilon) else rounded (v_plus - v_minus)).
+Definition h_u_plus := height u_plus v k_u k_v.
+Definition h_u_minus := height u_minus v k_u k_v.
+Definition h_v_plus := height u v_plus k_u k_v.
+Definition h_v_minus := height u v_minus k_u k_v.
+Definition h_u := rounded (rounded ((1 / 2) * rounded (h_u_plus - h_u_minus)) / epsilon).
+Definition h_v := rounded (rounded (h_v_plus - h_v_minus) / span_v).
+End program.
+End central_any_float64.

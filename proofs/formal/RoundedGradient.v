@@ -180,7 +180,7 @@ Proof.
   - assert (D : forall x, Rabs (- sin x) <= 1) by (intro x; rewrite Rabs_Ropp; apply Rabs_le, SIN_bound).
     eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_functions__cosine_float64 _ R) (turned cos (fun x => - sin x) is_derive_cos D)) | lra].
 Qed.
-Lemma opposite_near (x y m : R) : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
+Lemma of_opposites (x y m : R) : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
 Proof. replace (- x - - y) with (- (x - y)) by ring. rewrite Rabs_Ropp. auto. Qed.
 Lemma half_turns : Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine p e - cos (PI * (a * b))) <= 3289/1000 / 2 ^ 53.
 Proof.
@@ -188,7 +188,7 @@ Proof.
   destruct (sine_printed p e product_is_float64 product_is_small) as [-> ->]. fold r s c.
   assert (M := Z.mod_pos_bound (quarters p) 4 ltac:(easy)).
   assert (K : (quarters p mod 4 = 0 \/ quarters p mod 4 = 1 \/ quarters p mod 4 = 2 \/ quarters p mod 4 = 3)%Z) by lia.
-  destruct K as [K|[K|[K|K]]]; rewrite K; split; try apply opposite_near; assumption.
+  destruct K as [K|[K|[K|K]]]; rewrite K; split; try apply of_opposites; assumption.
 Qed.
 (* The side of a crease is never wrong: the sine's sign is that of its argument's. *)
 Lemma sign_of_remainder : sign r = sign w.

@@ -24,9 +24,7 @@ from proofs.formulas import (
     shadow_cone,
     tangent_frame,
 )
-from proofs.formulas.finite_difference import h_u_minus, h_u_plus
 from proofs.formulas.registry import by_name
-from proofs.formulas.symbols import epsilon, h_u
 from renderer.generate.printer import KernelPrinter
 from renderer.generate.programs import ANY_FIELD
 
@@ -44,7 +42,7 @@ FLOAT64_HEADER = """(* Printed from proofs/formulas by `python -m renderer.gener
 
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Float.
+From Formal Require Import Preliminaries Float.
 Open Scope R_scope.
 """
 
@@ -236,38 +234,47 @@ def rounded(text: str) -> str:
                 return "rounded PI"
             case ast.Name(name):
                 return name
-            case ast.Call(ast.Name("where"), [ast.Compare(left, [relation], [right]), value, otherwise]):
-                decides, order = DECISIONS[type(relation)]
-                decided = applied(decides, *map(term, (left, right)[::order]))
-                return f"(if {decided} then {term(value)} else {term(otherwise)})"
+            case ast.Call(ast.Name("where"), [condition, value, otherwise]):
+                return f"(if {decision(condition)} then {term(value)} else {term(otherwise)})"
             case ast.Call(ast.Name(name), [ast.Starred(ast.Call(_, factors))]):
                 parts = (f"two_product_float64.{part}" for part in ("product", "product_error"))
                 return applied(KERNELS[name], *(applied(part, *map(term, factors)) for part in parts))
             case ast.Call(ast.Name(name), arguments) if name in EXACT:
                 return applied(EXACT[name], *map(term, arguments))
+            case ast.Call(ast.Name("height"), arguments):
+                return applied("height", *map(term, arguments))
+        raise ValueError(f"no rounded form of {ast.unparse(node)}")
+
+    def decision(node: ast.expr) -> str:
+        match node:
+            case ast.BinOp(left, ast.BitAnd(), right):
+                return applied("both", decision(left), decision(right))
+            case ast.Compare(left, [relation], [right]):
+                decides, order = DECISIONS[type(relation)]
+                return applied(decides, *map(term, (left, right)[::order]))
         raise ValueError(f"no rounded form of {ast.unparse(node)}")
 
     return term(ast.parse(text, mode="eval").body)
 
 
-def float64_module(program: Program) -> str:
-    """Return a program's float64 operations as the text of a Coq module."""
+def float64_module(program: Program, *variables: str) -> str:
+    """Return a program's float64 operations as the text of a Coq module; variables: those beside the inputs."""
     printer = KernelPrinter()
-    inside = [f"Variables {' '.join(s.name for s in program.inputs)} : R."]
+    inside = [*variables, f"Variables {' '.join(s.name for s in program.inputs)} : R."]
     inside += [f"Definition {s.name} := {rounded(printer.doprint(e))}." for s, e in program.definitions]
     return _in_module(f"{program.name}_float64", inside)
 
 
 def float64_source() -> str:
     """Return the text of proofs/formal/Float64.v: the operations of kernels as they are carried out."""
-    quotient = finite_difference.central(ANY_FIELD)[h_u]
-    difference = Program("difference", (h_u_plus, h_u_minus, epsilon), ((h_u, quotient),), (h_u,))
-    kernels = [elementary.two_product, half_turn_polynomials(), difference]
+    kernels = [elementary.two_product, half_turn_polynomials()]
     kernels += [elementary.sine_of_half_turns, elementary.cosine_of_half_turns, elementary.angle_in_half_turns]
     for field in height_fields.HEIGHT_FIELDS.values():
         kernels += [height_fields.height(field), height_fields.gradient_from_factors(field)]
         kernels += [height_fields.gradient(field)]
-    return FLOAT64_HEADER + "".join(f"\n{float64_module(program)}" for program in kernels)
+    modules = [float64_module(program) for program in kernels]
+    modules.append(float64_module(finite_difference.central(ANY_FIELD), "Variable height : R -> R -> R -> R -> R."))
+    return FLOAT64_HEADER + "".join(f"\n{module}" for module in modules)
 
 
 def formulas_source() -> str:

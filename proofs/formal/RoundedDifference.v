@@ -1,0 +1,310 @@
+(* The three parts of the error of the central difference, as float64 carries it out: truncation, the rounded arguments, the evaluation. *)
+
+From Coq Require Import Reals Lra Lia ZArith.
+From Coquelicot Require Import Coquelicot.
+From Flocq Require Import Core Relative.
+From Interval Require Import Tactic.
+From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedGradient Binades Fields.
+Open Scope R_scope.
+
+Definition kappa : R := 2 / 2 ^ 53 + (/ 2 ^ 53) ^ 2.
+Lemma unit_roundoff_is : unit_roundoff = / 2 ^ 53.
+Proof. unfold unit_roundoff. change (bpow radix2 (-53 + 1)) with (/ IZR (2 ^ 52)). simpl. lra. Qed.
+Lemma rounded_near (x : R) : exists d y, Rabs d <= / 2 ^ 53 /\ Rabs y <= / 2 ^ 100 /\ rounded x = x * (1 + d) + y.
+Proof.
+  destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & y & D & Y & _ & E). exists d, y. split; [|split; [|exact E]].
+  - rewrite <- unit_roundoff_is. exact D.
+  - eapply Rle_trans; [exact Y|]. apply Rle_trans with (bpow radix2 (-100)); [|simpl; lra].
+    generalize (bpow_le radix2 (-1074) (-100) ltac:(easy)) (bpow_gt_0 radix2 (-1074)). lra.
+Qed.
+Lemma half_near (x : R) : float64 x -> Rabs (rounded (1 / 2 * x) - x / 2) <= 2 / 2 ^ 100.
+Proof.
+  intro F. replace (1 / 2 * x) with (/ 2 * x) by field. replace (x / 2) with (/ 2 * x) by field. destruct (Rle_lt_dec (bpow radix2 (-1021)) (Rabs x)) as [L|L].
+  - rewrite half_float64, (kept x F) by exact L. rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. lra.
+  - eapply Rle_trans; [apply (rounded_error _ (/ 2 ^ 53)) | lra]. rewrite Rabs_mult, Rabs_pos_eq by lra.
+    assert (P : bpow radix2 (-53) = / 2 ^ 53) by (simpl; lra). generalize (bpow_le radix2 (-1021) (-53) ltac:(easy)) (Rabs_pos x). lra.
+Qed.
+(* The difference of two computed heights, over 2 epsilon: two roundings, and what may underflow. *)
+Definition within_two_roundings (q D e : R) : Prop := exists t, Rabs (t - 1) <= kappa /\ Rabs (q - D * t) <= 4 / 2 ^ 100 / e.
+Lemma divided_by_the_step (x y D q e d : R) : 0 < e <= 1 -> Rabs d <= / 2 ^ 53 -> y = D * (2 * e) * (1 + d) -> Rabs (x - y / 2) <= 2 / 2 ^ 100 -> q = rounded (x / e) -> within_two_roundings q D e.
+Proof.
+  intros E B Y X ->. destruct (rounded_near (x / e)) as (d2 & z & B2 & Z & ->). exists ((1 + d) * (1 + d2)).
+  assert (I : 1 <= / e) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). apply Rabs_le_between in B. apply Rabs_le_between in B2. split.
+  - apply Rabs_le. unfold kappa. split; nra.
+  - replace (_ - _) with ((x - y / 2) / e * (1 + d2) + z) by (rewrite Y; field; lra). eapply Rle_trans; [apply Rabs_triang|]. unfold Rdiv at 1. rewrite !Rabs_mult, (Rabs_pos_eq (/ e)), (Rabs_pos_eq (1 + d2)) by lra.
+    assert (Rabs (x - y / 2) * / e <= 2 / 2 ^ 100 * / e) by (apply Rmult_le_compat_r; lra). assert (0 <= Rabs (x - y / 2) * / e) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). unfold Rdiv in *. nra.
+Qed.
+Lemma difference_near (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= / 2 ^ 53 /\ rounded (a - b) = (a - b) * (1 + d).
+Proof. intros A B. destruct (roundoff_bound__subtraction a b A B) as (d & D & E). exists d. rewrite <- unit_roundoff_is. auto. Qed.
+Lemma quotient_in_u (a b e : R) : float64 a -> float64 b -> 0 < e <= 1 -> within_two_roundings (rounded (rounded (1 / 2 * rounded (a - b)) / e)) ((a - b) / (2 * e)) e.
+Proof.
+  intros A B E. destruct (difference_near a b A B) as (d & D & H). apply (divided_by_the_step (rounded (1 / 2 * rounded (a - b))) (rounded (a - b)) _ _ _ d); try assumption; [| apply half_near, rounded_is_float64 | reflexivity].
+  rewrite H. field. lra.
+Qed.
+Lemma quotient_in_v (a b e : R) : float64 a -> float64 b -> 0 < e <= 1 -> within_two_roundings (rounded (rounded (a - b) / (2 * e))) ((a - b) / (2 * e)) e.
+Proof.
+  intros A B E. destruct (difference_near a b A B) as (d & D & H). apply (divided_by_the_step (rounded (a - b) / 2) (rounded (a - b)) _ _ _ d); try assumption.
+  - rewrite H. field. lra.
+  - rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. lra.
+  - f_equal. field. lra.
+Qed.
+(* Of a height h that is at most L steep, whose computed values a and b are within 76/10 2^-53 of h at p and m, alpha off: the difference is within
+   what the arguments' rounding and the evaluation cost of the exact one. *)
+Definition arguments_part (L alpha e : R) : R := L * alpha / e * (1 + kappa).
+Definition evaluation_part (L e : R) : R := 8 / 2 ^ 53 / e * (1 + kappa) + L * kappa.
+Lemma argument_near (w e : R) : float64 w -> float64 e -> 0 <= e <= w -> Rabs (rounded (e + w) - (e + w)) <= (w + e) / 2 ^ 53 /\ Rabs (rounded (w - e) - (w - e)) <= (w + e) / 2 ^ 53.
+Proof.
+  intros W E B. assert (M : float64 (- e)) by (apply generic_format_opp, E). split.
+  - replace (e + w) with (w - - e) by ring. destruct (difference_near w (- e) W M) as (d & D & ->).
+    replace (_ - _) with ((w + e) * d) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra. apply Rmult_le_compat_l; lra.
+  - destruct (difference_near w e W E) as (d & D & ->). replace (_ - _) with ((w - e) * d) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra. apply Rmult_le_compat; try lra. apply Rabs_pos.
+Qed.
+Lemma three_parts (h h1 : R -> R) (L w e p m alpha a b q slope truncation : R) : (forall x, is_derive h x (h1 x)) -> (forall x, Rabs (h1 x) <= L) -> 0 < e <= 1 ->
+  Rabs (p - (e + w)) <= alpha -> Rabs (m - (w - e)) <= alpha -> within_two_roundings q ((a - b) / (2 * e)) e -> Rabs (a - h p) <= 76/10 / 2 ^ 53 -> Rabs (b - h m) <= 76/10 / 2 ^ 53 ->
+  Rabs ((h (e + w) - h (w - e)) / (2 * e) - slope) <= truncation -> Rabs (q - slope) <= truncation + arguments_part L alpha e + evaluation_part L e.
+Proof.
+  intros D S B P M (t & K & Q) A' B' T.
+  generalize (roundoff_bound__any_span h h1 L (e + w) (w - e) (2 * e) kappa (76/10 / 2 ^ 53) alpha _ _ a b t D S ltac:(lra) ltac:(ring) K P M A' B'). intro R.
+  assert (I : 0 < / e) by (apply Rinv_0_lt_compat; lra). assert (Kp : 0 <= kappa) by (unfold kappa; lra).
+  replace (2 * (76 / 10 / 2 ^ 53 + L * alpha) / (2 * e) * (1 + kappa) + L * kappa) with (arguments_part L alpha e + evaluation_part L e - 4/10 / 2 ^ 53 / e * (1 + kappa)) in R
+    by (unfold arguments_part, evaluation_part; field; lra).
+  assert (X : 4 / 2 ^ 100 / e <= 4/10 / 2 ^ 53 / e * (1 + kappa)) by (unfold Rdiv in *; nra).
+  generalize (through _ _ _ _ _ Q (through _ _ _ _ _ R T)). lra.
+Qed.
+Definition error_bound (L w e : R) : R := e ^ 2 / 6 * L ^ 3 + arguments_part L ((w + e) / 2 ^ 53) e + evaluation_part L e.
+
+(* The arguments where nothing wraps or clamps. *)
+Lemma in_order (w e : R) : 0 <= e <= w -> 0 <= rounded (w - e) <= rounded (e + w).
+Proof. intro B. split; [rewrite <- rounded_0|]; apply round_le; try typeclasses eauto; lra. Qed.
+Lemma up_to_1 (x : R) : (x <= 1 -> rounded x <= 1) /\ (rounded x < 1 -> x < 1).
+Proof.
+  assert (F := power_float64 0 ltac:(easy)). split; intro X; [apply round_le_generic; trivial; typeclasses eauto|]. apply Rnot_le_lt. intro L.
+  assert (1 <= rounded x) by (apply round_ge_generic; trivial; typeclasses eauto). lra.
+Qed.
+
+(* Nothing wraps or clamps, and nothing of k u underflows: where u and v are looked at. *)
+Definition sampled_in_u (k u e : R) : Prop := float64 u /\ float64 e /\ 0 < k /\ 0 < e <= u /\ rounded (e + u) < 1 /\ carried k (rounded (e + u)) /\ carried k (rounded (u - e)).
+Definition sampled_in_v (k v e : R) : Prop := float64 v /\ float64 e /\ 0 < k /\ 0 < e <= v /\ e + v <= 1 /\ carried k (rounded (e + v)) /\ carried k (rounded (v - e)).
+Lemma arguments_in_u (k u e : R) : sampled_in_u k u e -> central_any_float64.u_plus u e = rounded (e + u) /\ central_any_float64.u_minus u e = rounded (u - e).
+Proof. intros (_ & _ & _ & B & W & _). assert (O := in_order u e ltac:(lra)). split; apply not_wrapped; lra. Qed.
+
+(* Sine, ridges and rings *)
+Lemma sine_height_near (u v k_u k_v : R) : carried k_u u -> carried k_v v -> Rabs (height_sine_float64.h u v k_u k_v - height_sine.h u v k_u k_v) <= 76/10 / 2 ^ 53.
+Proof.
+  intros U V. destruct (factors_near _ _ U) as (Su & _). destruct (factors_near _ _ V) as (Sv & _).
+  eapply Rle_trans; [exact (times_error _ _ _ _ 1 1 _ _ (sine_at_most_1 _) (sine_at_most_1 _) Su Sv) | lra].
+Qed.
+Ltac unfold_slopes := unfold height_sine.h, height_rings.h, gradient_sine.h_u, gradient_sine.h_v, gradient_rings.h_v, gradient_sine.cos_u, gradient_sine.cos_v,
+  gradient_sine.sin_u, gradient_sine.sin_v, gradient_rings.cos_v.
+Ltac truncation H slope e := repeat match type of H with _ /\ _ /\ _ => destruct H as [_ H] end;
+  repeat match type of H with context [Derive ?f ?x] => rewrite (is_derive_unique f x slope) in H by (auto_derive; trivial; unfold_slopes; ring) end;
+  destruct H as [H H']; unfold Rdiv in *; revert H H'; unfold_slopes; replace (/ (2 * e)) with (1 / 2 * / e) in * by (field; lra); intros; apply Rabs_le; split; lra.
+Ltac derived := intro; cbv beta; auto_derive; trivial; ring.
+Lemma sine_in_u (u v k_u k_v epsilon : R) : sampled_in_u k_u u epsilon -> carried k_v v ->
+  Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon.
+Proof.
+  intros I V. destruct (arguments_in_u _ _ _ I) as [P' M']. destruct I as (U & E & K & B & W & Cp & Cm). assert (W' := proj2 (up_to_1 _) W). assert (T := truncation_bound__sine epsilon k_u k_v u v ltac:(lra) ltac:(lra) W' K).
+  destruct (argument_near u epsilon U E ltac:(lra)) as [Ap Am]. unfold error_bound. apply (three_parts (fun w => height_sine.h w v k_u k_v) (fun w => PI * k_u * (cos (PI * (k_u * w)) * sin (PI * (k_v * v))))
+    (PI * k_u) u epsilon (rounded (epsilon + u)) (rounded (u - epsilon)) ((u + epsilon) / 2 ^ 53) (height_sine_float64.h (rounded (epsilon + u)) v k_u k_v) (height_sine_float64.h (rounded (u - epsilon)) v k_u k_v)); try assumption; try lra.
+  - unfold height_sine.h. derived.
+  - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1].
+  - unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus. rewrite P', M'. apply quotient_in_u; [apply rounded_is_float64 | apply rounded_is_float64 | lra].
+  - apply sine_height_near; assumption.
+  - apply sine_height_near; assumption.
+  - truncation T (gradient_sine.h_u u v k_u k_v) epsilon.
+Qed.
+Lemma sine_in_v (u v k_u k_v epsilon : R) : sampled_in_v k_v v epsilon -> carried k_u u ->
+  Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon.
+Proof.
+  intros I U. destruct I as (V & E & K & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. assert (P := proj1 (up_to_1 _) W). assert (T := truncation_bound__sine_in_v epsilon k_u k_v u v ltac:(lra) ltac:(lra) ltac:(lra) K).
+  destruct (arguments_in_v v epsilon E P M) as (P' & M' & S).
+  destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am]. unfold error_bound. apply (three_parts (fun w => height_sine.h u w k_u k_v) (fun w => PI * k_v * (cos (PI * (k_v * w)) * sin (PI * (k_u * u))))
+    (PI * k_v) v epsilon (rounded (epsilon + v)) (rounded (v - epsilon)) ((v + epsilon) / 2 ^ 53) (height_sine_float64.h u (rounded (epsilon + v)) k_u k_v) (height_sine_float64.h u (rounded (v - epsilon)) k_u k_v)); try assumption; try lra.
+  - unfold height_sine.h. derived.
+  - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1].
+  - unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', S. apply quotient_in_v; [apply rounded_is_float64 | apply rounded_is_float64 | lra].
+  - exact (sine_height_near _ _ _ _ U Cp).
+  - exact (sine_height_near _ _ _ _ U Cm).
+  - truncation T (gradient_sine.h_v u v k_u k_v) epsilon.
+Qed.
+Lemma sine_is_float64 (a b : R) : carried a b -> float64 (sine_of_half_turns_float64.sine (two_product_float64.product a b) (two_product_float64.product_error a b)).
+Proof.
+  assert (O : forall x, float64 x -> float64 (- x)) by (intros x; apply generic_format_opp).
+  intro C. unfold sine_of_half_turns_float64.sine. repeat destruct Rlt_dec; try apply O; apply rounded_is_float64.
+Qed.
+Theorem roundoff_bound__rings_in_float64 (u v k_u k_v epsilon : R) : float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
+  Rabs (central_any_float64.h_v (fun _ v _ k_v => height_rings_float64.h v k_v) u v k_u k_v epsilon - gradient_rings.h_v v k_v) <= error_bound (PI * (2 * k_v)) v epsilon.
+Proof.
+  intros F I. destruct I as (V & E & K & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. assert (P := proj1 (up_to_1 _) W). assert (T := truncation_bound__rings epsilon k_v v ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+  destruct (arguments_in_v v epsilon E P M) as (P' & M' & S).
+  assert (N : forall w, carried (2 * k_v) w -> Rabs (height_rings_float64.h w k_v - height_rings.h w k_v) <= 76/10 / 2 ^ 53 /\ float64 (height_rings_float64.h w k_v)).
+  { intros w C. unfold height_rings_float64.h. rewrite (kept _ (twice_float64 _ F)). split; [|exact (sine_is_float64 _ _ C)]. eapply Rle_trans; [exact (proj1 (factors_near _ _ C)) | lra]. }
+  destruct (N _ Cp) as [Np Fp]. destruct (N _ Cm) as [Nm Fm].
+  destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am]. unfold error_bound. apply (three_parts (fun w => height_rings.h w k_v) (fun w => PI * (2 * k_v) * (cos (PI * (2 * k_v * w)) * 1))
+    (PI * (2 * k_v)) v epsilon (rounded (epsilon + v)) (rounded (v - epsilon)) ((v + epsilon) / 2 ^ 53) (height_rings_float64.h (rounded (epsilon + v)) k_v) (height_rings_float64.h (rounded (v - epsilon)) k_v)); try assumption; try lra.
+  - unfold height_rings.h. derived.
+  - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | rewrite Rabs_R1; lra].
+  - unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', S. apply quotient_in_v; [exact Fp | exact Fm | lra].
+  - truncation T (gradient_rings.h_v v k_v) epsilon.
+Qed.
+
+(* Ridges between creases: its heights are sine's, or their opposites, as float64 computes them, too: the side of a crease is never wrong. *)
+Lemma same_side (s x y x' y' : R) : s = 1 \/ s = -1 -> sign x' = sign x -> sign y' = sign y -> 0 <= s * (x * y) -> Rabs (rounded (x' * y')) = s * rounded (x' * y').
+Proof.
+  intros S X Y H. assert (Q : 0 <= s * (x' * y')).
+  { assert (Z : sign (x' * y') = sign (x * y)) by (rewrite !sign_mult, X, Y; reflexivity). set (p := x' * y') in *. set (q := x * y) in *. clearbody p q.
+    destruct S as [-> | ->]; [destruct (Rle_lt_dec 0 p) as [L|L]; [lra|] | destruct (Rle_lt_dec p 0) as [L|L]; [lra|]].
+    - rewrite (sign_eq_m1 p L) in Z. destruct (Rle_lt_or_eq_dec 0 q ltac:(lra)) as [G|G]; [rewrite (sign_eq_1 q G) in Z | rewrite <- G, sign_0 in Z]; lra.
+    - rewrite (sign_eq_1 p L) in Z. destruct (Rle_lt_or_eq_dec q 0 ltac:(lra)) as [G|G]; [rewrite (sign_eq_m1 q G) in Z | rewrite G, sign_0 in Z]; lra. }
+  assert (R : 0 <= s * rounded (x' * y')).
+  { replace (s * rounded (x' * y')) with (rounded (s * (x' * y'))) by (destruct S as [-> | ->]; [rewrite !Rmult_1_l; reflexivity | replace (-1 * (x' * y')) with (- (x' * y')) by ring; rewrite rounded_opp; ring]).
+    apply round_ge_generic; [typeclasses eauto | typeclasses eauto | apply generic_format_0 | exact Q]. }
+  destruct S as [-> | ->]; [rewrite Rabs_pos_eq | rewrite Rabs_left1]; lra.
+Qed.
+Lemma ridges_height (s u v k_u k_v : R) : s = 1 \/ s = -1 -> carried k_u u -> carried k_v v -> 0 <= s * height_sine.h u v k_u k_v -> height_ridges_float64.h u v k_u k_v = s * height_sine_float64.h u v k_u k_v.
+Proof.
+  intros S U V H. destruct (factors_near _ _ U) as (_ & _ & Su). destruct (factors_near _ _ V) as (_ & _ & Sv). exact (same_side _ _ _ _ _ S Su Sv H).
+Qed.
+Lemma opposite_quotients (s a b e S : R) : s = 1 \/ s = -1 -> rounded (rounded (1 / 2 * rounded (s * a - s * b)) / e) = s * rounded (rounded (1 / 2 * rounded (a - b)) / e) /\
+  rounded (rounded (s * a - s * b) / S) = s * rounded (rounded (a - b) / S).
+Proof.
+  intros [-> | ->]; [rewrite !Rmult_1_l; split; reflexivity|]. replace (-1 * a - -1 * b) with (- (a - b)) by ring. rewrite rounded_opp. unfold Rdiv.
+  rewrite <- Ropp_mult_distr_l, <- Ropp_mult_distr_r, !rounded_opp, <- Ropp_mult_distr_l, rounded_opp. split; ring.
+Qed.
+Lemma other_side (s a b c d bound : R) : s = 1 \/ s = -1 -> a = s * b -> c = s * d -> Rabs (b - d) <= bound -> Rabs (a - c) <= bound.
+Proof. intros S -> -> B. rewrite <- Rmult_minus_distr_l, Rabs_mult. replace (Rabs s) with 1 by (destruct S as [-> | ->]; symmetry; [apply Rabs_R1 | apply Rabs_m1]). lra. Qed.
+Lemma sign_of_height (s p : R) : s = 1 \/ s = -1 -> 0 < s * p -> s = sign p.
+Proof. intros [-> | ->] H; symmetry; [apply sign_eq_1 | apply sign_eq_m1]; lra. Qed.
+(* In one: s is the sign of sine's heights, at the point and at both rounded arguments. *)
+Theorem roundoff_bound__in_float64_u (u v k_u k_v epsilon : R) : sampled_in_u k_u u epsilon -> carried k_v v ->
+  Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon /\
+  forall s, s = 1 \/ s = -1 -> 0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h (rounded (epsilon + u)) v k_u k_v -> 0 <= s * height_sine.h (rounded (u - epsilon)) v k_u k_v ->
+    Rabs (central_any_float64.h_u height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon.
+Proof.
+  intros I V. split; [exact (sine_in_u u v k_u k_v epsilon I V)|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (sine_in_u u v k_u k_v epsilon I V)).
+  - destruct (arguments_in_u _ _ _ I) as [P M]. destruct I as (_ & _ & _ & _ & _ & Cp & Cm). unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus.
+    rewrite P, M, !(ridges_height s) by assumption. apply (opposite_quotients s _ _ _ 0 S).
+  - rewrite (sign_of_height s _ S H). unfold_fields. ring.
+Qed.
+Theorem roundoff_bound__in_float64_v (u v k_u k_v epsilon : R) : sampled_in_v k_v v epsilon -> carried k_u u ->
+  Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon /\
+  forall s, s = 1 \/ s = -1 -> 0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h u (rounded (epsilon + v)) k_u k_v -> 0 <= s * height_sine.h u (rounded (v - epsilon)) k_u k_v ->
+    Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon.
+Proof.
+  intros I U. split; [exact (sine_in_v u v k_u k_v epsilon I U)|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (sine_in_v u v k_u k_v epsilon I U)).
+  - destruct I as (_ & E & _ & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. assert (P := proj1 (up_to_1 _) W). destruct (arguments_in_v v epsilon E P M) as (P' & M' & _).
+    unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', !(ridges_height s) by assumption. apply (opposite_quotients s _ _ 0 _ S).
+  - rewrite (sign_of_height s _ S H). unfold_fields. ring.
+Qed.
+
+(* At the seam, or anywhere, for even k_u: each argument is rounded twice at most, and a whole turn less is the same height. *)
+Lemma wrapped_near (y : R) : Rabs y <= 2 -> let m := rounded (rounded y - whole_below (rounded y)) in exists n : Z, Rabs (m + IZR n - y) <= 4 / 2 ^ 53.
+Proof.
+  intros Y m. exists (Zfloor (rounded y)). assert (A := Zfloor_lb (rounded y)). assert (B := Zfloor_ub (rounded y)). assert (E2 := rounded_error y 2 Y).
+  assert (E := rounded_error (rounded y - whole_below (rounded y)) 1 ltac:(unfold whole_below; apply Rabs_le; lra)). fold m in E. unfold whole_below in E.
+  apply Rabs_le_between in E. apply Rabs_le_between in E2. apply Rabs_le. lra.
+Qed.
+Lemma whole_turn (k n : Z) (w v k_v : R) : height_sine.h (w + IZR n) v (IZR (2 * k)) k_v = height_sine.h w v (IZR (2 * k)) k_v.
+Proof.
+  unfold height_sine.h. f_equal. rewrite <- (proj1 (turn (IZR (2 * k) * w) (k * n))). f_equal. rewrite !mult_IZR. ring.
+Qed.
+Lemma whole_turn_less (k : Z) (w v k_v : R) : height_sine.h (w - IZR (Int_part w)) v (IZR (2 * k)) k_v = height_sine.h w v (IZR (2 * k)) k_v.
+Proof. rewrite <- (whole_turn k (Int_part w)). f_equal. ring. Qed.
+Theorem roundoff_bound__seam_in_float64 (u v k_v epsilon : R) (k : Z) : (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
+  carried k_u (central_any_float64.u_plus u epsilon) -> carried k_u (central_any_float64.u_minus u epsilon) -> carried k_v v ->
+  Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - central_sine.h_u u v k_u k_v epsilon) <= arguments_part (PI * k_u) (4 / 2 ^ 53) epsilon + evaluation_part (PI * k_u) epsilon.
+Proof.
+  intros K U E k_u Cp Cm V. destruct (wrapped_near (epsilon + u)) as [n P]; [apply Rabs_le; lra|]. destruct (wrapped_near (u - epsilon)) as [m M]; [apply Rabs_le; lra|].
+  rewrite <- (Rplus_0_l (arguments_part _ _ _)). apply (three_parts (fun w => height_sine.h w v k_u k_v) (fun w => PI * k_u * (cos (PI * (k_u * w)) * sin (PI * (k_v * v)))) (PI * k_u) u epsilon
+    (central_any_float64.u_plus u epsilon + IZR n) (central_any_float64.u_minus u epsilon + IZR m) (4 / 2 ^ 53)
+    (height_sine_float64.h (central_any_float64.u_plus u epsilon) v k_u k_v) (height_sine_float64.h (central_any_float64.u_minus u epsilon) v k_u k_v)); try assumption.
+  - unfold height_sine.h. derived.
+  - intro x. apply at_most; [assert (0 < k_u) by (apply IZR_lt; lia); generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1].
+  - apply quotient_in_u; [apply rounded_is_float64 | apply rounded_is_float64 | exact E].
+  - unfold k_u. rewrite whole_turn. apply sine_height_near; assumption.
+  - unfold k_u. rewrite whole_turn. apply sine_height_near; assumption.
+  - right. rewrite <- Rabs_R0. f_equal. unfold central_sine.h_u.
+    change (central_sine.h_u_plus u v k_u k_v epsilon) with (height_sine.h (epsilon + u - IZR (Int_part (epsilon + u))) v (IZR (2 * k)) k_v).
+    change (central_sine.h_u_minus u v k_u k_v epsilon) with (height_sine.h (u - epsilon - IZR (Int_part (u - epsilon))) v (IZR (2 * k)) k_v).
+    rewrite !whole_turn_less. fold k_u. field. lra.
+Qed.
+
+(* False variants: without the part of the arguments, where the slope dies. *)
+Lemma step_lost : rounded (bpow radix2 (-55) + bpow radix2 (-1)) = bpow radix2 (-1) /\ rounded (bpow radix2 (-1) - bpow radix2 (-55)) = bpow radix2 (-1).
+Proof.
+  apply (stays (-1)); [apply power_float64; easy | apply power_float64; easy | split; [right; reflexivity | apply bpow_lt; easy] | split; [apply bpow_gt_0 | apply bpow_lt; easy] | intros _; right; reflexivity].
+Qed.
+Lemma witness : let k := 201 / 2 in let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in sampled_in_u k w e /\ sampled_in_v k w e /\ carried k w.
+Proof.
+  intros k w e. assert (F : float64 w) by (apply power_float64; easy). assert (E : float64 e) by (apply power_float64; easy).
+  assert (W : w = 1 / 2) by (unfold w; change (bpow radix2 (-1)) with (/ 2); lra). assert (E' : 0 < e <= / 2 ^ 54) by (unfold e; change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)); simpl; lra).
+  destruct step_lost as [P M]. fold w e in P, M.
+  assert (C : carried k w).
+  { split; [replace k with (IZR 201 * bpow radix2 (-1)) by (unfold k; simpl; lra); apply whole_is_float64; easy|]. split; [exact F|].
+    generalize (bpow_le radix2 (-969) 0 ltac:(easy)). simpl (bpow radix2 0). unfold k. rewrite W, Rabs_pos_eq by lra. split; [right|]; lra. }
+  unfold sampled_in_u, sampled_in_v. rewrite P, M. unfold k. repeat split; try exact F; try exact E; try apply C; lra.
+Qed.
+Lemma no_slope (height : R -> R -> R -> R -> R) (k_u k_v : R) : let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in
+  central_any_float64.h_u height w w k_u k_v e = 0 /\ central_any_float64.h_v height w w k_u k_v e = 0.
+Proof.
+  assert (F : float64 (bpow radix2 (-1))) by (apply power_float64; easy). assert (E : float64 (bpow radix2 (-55))) by (apply power_float64; easy). intros w e.
+  split; [apply (roundoff_bound__dies_in_u height w w k_u k_v e (-1)) | apply (roundoff_bound__dies_in_v height w w k_u k_v e (-1))]; try assumption; try easy;
+    try (split; [right; reflexivity || apply bpow_gt_0 | apply bpow_lt; easy]); try (intros _; right; reflexivity); try (split; [apply bpow_gt_0 | apply bpow_lt; easy]).
+  apply (bpow_le radix2 (-1) 0). easy.
+Qed.
+Lemma without_arguments : let L := PI * (201 / 2) in let e := bpow radix2 (-55) in e ^ 2 / 6 * L ^ 3 + evaluation_part L e < 100.
+Proof. intros L e. unfold L, e, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). interval with (i_prec 80). Qed.
+Lemma steep_there : let k := 201 / 2 in let w := bpow radix2 (-1) in 100 <= Rabs (0 - PI * cos (PI * (k * w)) * k * sin (PI * (k * w))) /\
+  100 <= Rabs (0 - 2 * PI * cos (PI * (k * w)) * (k / 2)).
+Proof. intros k w. unfold k, w. change (bpow radix2 (-1)) with (/ 2). split; interval. Qed.
+Theorem roundoff_bound__in_float64_u__point : exists u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon /\ carried k_v v.
+Proof. do 5 eexists. split; apply witness. Qed.
+Theorem roundoff_bound__in_float64_u__false : ~ forall u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon -> carried k_v v ->
+  Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_u) ^ 3 + evaluation_part (PI * k_u) epsilon.
+Proof.
+  intro H. destruct witness as (U & _ & C). generalize (H _ _ _ _ _ U C) without_arguments (proj1 steep_there).
+  rewrite (proj1 (no_slope height_sine_float64.h (201 / 2) (201 / 2))). cbv zeta. unfold_slopes. lra.
+Qed.
+Theorem roundoff_bound__in_float64_v__point : exists u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon /\ carried k_u u.
+Proof. do 5 eexists. split; apply witness. Qed.
+Theorem roundoff_bound__in_float64_v__false : ~ forall u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon -> carried k_u u ->
+  Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_v) ^ 3 + evaluation_part (PI * k_v) epsilon.
+Proof.
+  intro H. destruct witness as (_ & V & C). generalize (H _ _ _ _ _ V C) without_arguments (proj1 steep_there).
+  rewrite (proj2 (no_slope height_sine_float64.h (201 / 2) (201 / 2))). cbv zeta. unfold_slopes. lra.
+Qed.
+Lemma for_rings : float64 (201 / 2 / 2) /\ sampled_in_v (2 * (201 / 2 / 2)) (bpow radix2 (-1)) (bpow radix2 (-55)).
+Proof.
+  split; [replace (201 / 2 / 2) with (IZR 201 * bpow radix2 (-2)) by (simpl; lra); apply whole_is_float64; easy|].
+  replace (2 * (201 / 2 / 2)) with (201 / 2) by field. apply witness.
+Qed.
+Theorem roundoff_bound__rings_in_float64__point : exists v k_v epsilon : R, float64 k_v /\ sampled_in_v (2 * k_v) v epsilon.
+Proof. do 3 eexists. exact for_rings. Qed.
+Theorem roundoff_bound__rings_in_float64__false : ~ forall u v k_u k_v epsilon : R, float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
+  Rabs (central_any_float64.h_v (fun _ v _ k_v => height_rings_float64.h v k_v) u v k_u k_v epsilon - gradient_rings.h_v v k_v) <= epsilon ^ 2 / 6 * (PI * (2 * k_v)) ^ 3 + evaluation_part (PI * (2 * k_v)) epsilon.
+Proof.
+  intro H. destruct for_rings as [F V]. generalize (H (bpow radix2 (-1)) _ 0 _ _ F V) without_arguments (proj2 steep_there).
+  rewrite (proj2 (no_slope _ 0 (201 / 2 / 2))). cbv zeta. unfold_slopes. replace (2 * (201 / 2 / 2)) with (201 / 2) by field. lra.
+Qed.
+Lemma seam_witness : carried (IZR (2 * 100)) (central_any_float64.u_plus (bpow radix2 (-1)) (bpow radix2 (-55))) /\ carried (IZR (2 * 100)) (central_any_float64.u_minus (bpow radix2 (-1)) (bpow radix2 (-55))).
+Proof.
+  destruct witness as (U & _ & _ & F & _). destruct (arguments_in_u _ _ _ U) as [-> ->]. destruct step_lost as [-> ->].
+  assert (C : carried (IZR (2 * 100)) (bpow radix2 (-1))); [|exact (conj C C)]. split; [replace (IZR (2 * 100)) with (IZR 200 * bpow radix2 0) by (simpl; lra); apply whole_is_float64; easy|].
+  split; [exact F|]. generalize (bpow_le radix2 (-969) 0 ltac:(easy)). change (bpow radix2 (-1)) with (/ 2). simpl (bpow radix2 0). rewrite Rabs_pos_eq by (simpl; lra). simpl. split; [right|]; lra.
+Qed.
+Theorem roundoff_bound__seam_in_float64__point : exists (u v k_v epsilon : R) (k : Z), (0 < k)%Z /\ 0 <= u <= 1 /\ 0 < epsilon <= 1 /\
+  carried (IZR (2 * k)) (central_any_float64.u_plus u epsilon) /\ carried (IZR (2 * k)) (central_any_float64.u_minus u epsilon) /\ carried k_v v.
+Proof.
+  destruct seam_witness as [P M]. destruct witness as (_ & _ & C). exists (bpow radix2 (-1)), (bpow radix2 (-1)), (201 / 2), (bpow radix2 (-55)), 100%Z.
+  change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)) at 1 2. change (bpow radix2 (-1)) with (/ 2) at 1 2. repeat split; try apply P; try apply M; try apply C; simpl; lra.
+Qed.
+Theorem roundoff_bound__seam_in_float64__false : ~ forall (u v k_v epsilon : R) (k : Z), (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
+  carried k_u (central_any_float64.u_plus u epsilon) -> carried k_u (central_any_float64.u_minus u epsilon) -> carried k_v v ->
+  Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - central_sine.h_u u v k_u k_v epsilon) <= evaluation_part (PI * k_u) epsilon.
+Proof.
+  intro H. destruct seam_witness as [P M]. destruct witness as (_ & _ & C). generalize (H (bpow radix2 (-1)) (bpow radix2 (-1)) (201 / 2) (bpow radix2 (-55)) 100%Z ltac:(easy)
+    ltac:(simpl; lra) ltac:(change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)); simpl; lra) P M C). rewrite (proj1 (no_slope height_sine_float64.h (IZR (2 * 100)) (201 / 2))).
+  set (u := bpow radix2 (-1)). set (e := bpow radix2 (-55)). unfold central_sine.h_u. change (central_sine.h_u_plus u u (IZR (2 * 100)) (201 / 2) e) with (height_sine.h (e + u - IZR (Int_part (e + u))) u (IZR (2 * 100)) (201 / 2)).
+  change (central_sine.h_u_minus u u (IZR (2 * 100)) (201 / 2) e) with (height_sine.h (u - e - IZR (Int_part (u - e))) u (IZR (2 * 100)) (201 / 2)). rewrite !whole_turn_less.
+  unfold u, e, height_sine.h, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). change (bpow radix2 (-1)) with (/ 2). apply Rlt_not_le. apply Rlt_trans with 100; interval with (i_prec 200).
+Qed.
