@@ -624,6 +624,15 @@ Definition cosine_near := z * (z * (z * (z * (z * (z * (z * ((5080167897815029 /
 End program.
 End half_turn_polynomials.
 
+Module arctangent_polynomial.
+Section program.
+Variables ratio node_correction : R.
+Definition ratio_squared := ratio ^ 2.
+Definition arctangent_tail := ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * ((790918777823815 / 72057594037927936) - (5919134079197583 / 576460752303423488) * ratio_squared) + (-6796042831671299 / 576460752303423488)) + (7339726258205003 / 576460752303423488)) + (-7977963324135873 / 576460752303423488)) + (2184442338751489 / 144115188075855872)) + (-2414383637567435 / 144115188075855872)) + (1349214385699449 / 72057594037927936)) + (-6116438548504169 / 288230376151711744)) + (441089318401743 / 18014398509481984)) + (-8340598020687503 / 288230376151711744)) + (2548516061876737 / 72057594037927936)) + (-6553327016254467 / 144115188075855872)) + (4587328911378127 / 72057594037927936)) + (-1911387046407553 / 18014398509481984)) + (-3193047846271019 / 162259276829213363391578010288128).
+Definition small_part := node_correction + ratio * (arctangent_tail + (5734161139222659 / 18014398509481984)).
+End program.
+End arctangent_polynomial.
+
 Module height_sine.
 Section program.
 Variables u v k_u k_v : R.

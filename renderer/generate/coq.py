@@ -199,10 +199,17 @@ def half_turn_polynomials() -> Program:
     return Program("half_turn_polynomials", (elementary.remainder,), elementary.reduction[first:], outputs)
 
 
+def arctangent_polynomial() -> Program:
+    """Return what the kernels' atan2pi evaluates once a node is taken off: the arctangent of a small ratio, over π."""
+    of_ratio = (elementary.ratio_squared, elementary.arctangent_tail, elementary.small_part)
+    lines = tuple((symbol, elementary.angle_in_half_turns[symbol]) for symbol in of_ratio)
+    return Program("arctangent_polynomial", (elementary.ratio, elementary.node_correction), lines)
+
+
 def programs() -> dict[str, Program]:
     """Return {name: program} of all that is printed, in the order of the modules of proofs/formulas."""
     found = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
-    found += [*image_derivative.base_derivatives.values(), half_turn_polynomials()]
+    found += [*image_derivative.base_derivatives.values(), half_turn_polynomials(), arctangent_polynomial()]
     for field in height_fields.HEIGHT_FIELDS.values():
         found += [height_fields.height(field), height_fields.gradient(field)]
         found += [method(field) for method in finite_difference.METHODS.values()]
