@@ -633,6 +633,17 @@ Definition small_part := node_correction + ratio * (arctangent_tail + (573416113
 End program.
 End arctangent_polynomial.
 
+Module exponential_polynomial.
+Section program.
+Variables away away_error : R.
+Definition away_squared := away ^ 2.
+Definition exponential_tail := away * (away_squared * (away_squared * (away_squared * (away_squared * ((6212541674450185 / 38685626227668133590597632) * away_squared + (1892883791434041 / 75557863725914323419136)) + (1626697008263629 / 590295810358705651712)) + (3660068268593165 / 18446744073709551616)) + (4803839602528529 / 576460752303423488)) + (6004799503160661 / 36028797018963968)) + away_squared * (away_squared * (away_squared * (away_squared * ((630961263811347 / 302231454903657293676544) * away_squared + (1301357606610903 / 4722366482869645213696)) + (3660068268593165 / 147573952589676412928)) + (6405119470038039 / 4611686018427387904)) + (6004799503160661 / 144115188075855872)) + (1 / 2).
+Definition departure_low := away_error + away_squared * exponential_tail.
+Definition departure := away + departure_low.
+Definition exponential_near := departure + 1.
+End program.
+End exponential_polynomial.
+
 Module height_sine.
 Section program.
 Variables u v k_u k_v : R.
