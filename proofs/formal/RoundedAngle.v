@@ -70,7 +70,7 @@ Hypothesis Y : float64 y.
 Hypothesis X : float64 x.
 Let l := angle_in_half_turns_float64.larger y x.
 Let s := angle_in_half_turns_float64.smaller y x.
-Hypothesis N : bpow radix2 (-1018) <= l.
+Hypothesis not_small : bpow radix2 (-1018) <= l.
 Lemma sides : float64 l /\ float64 s /\ 0 <= s <= l /\ 0 < l.
 Proof.
   assert (A := generic_format_abs _ _ _ X). assert (B := generic_format_abs _ _ _ Y). assert (P := bpow_gt_0 radix2 (-1018)).
@@ -218,4 +218,11 @@ Proof.
   generalize (H 0 (-1) (generic_format_0 _ _) F M) (elementary_functions__atan2pi 0 (-1) (generic_format_0 _ _) F M).
   unfold atan2pi, atan2. repeat destruct Rlt_dec; try lra. destruct Rle_dec; try lra. unfold Rdiv. rewrite Rmult_0_l, atan_0, Rmult_0_l, Rplus_0_l, Rinv_r by apply PI_neq0.
   intros A B. apply Rabs_le_between in A. apply Rabs_le_between in B. lra.
+Qed.
+Theorem elementary_functions__origin__false : ~ forall y, float64 y -> angle_in_half_turns_float64.angle y 0 = 0.
+Proof.
+  intro H. assert (F : float64 1) by (apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0); easy). assert (M : bpow radix2 (-1018) <= Rmax (Rabs 0) (Rabs 1)).
+  { rewrite Rabs_R1. eapply Rle_trans; [|apply Rmax_r]. apply (bpow_le radix2 (-1018) 0). easy. }
+  generalize (elementary_functions__atan2pi 1 0 F (generic_format_0 _ _) M). rewrite (H 1 F). unfold atan2pi, atan2. repeat destruct Rlt_dec; try lra.
+  replace (0 - PI / 2 / PI) with (- (1/2)) by (field; apply PI_neq0). rewrite Rabs_Ropp, Rabs_pos_eq; lra.
 Qed.

@@ -4,7 +4,7 @@ From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedAngle.
+From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedFunctions RoundedAngle.
 Open Scope R_scope.
 
 (* On the reduced argument the polynomial is within 2^-57 of the exponential. *)
@@ -14,13 +14,6 @@ Proof.
   interval with (i_taylor r, i_degree 18, i_prec 120).
 Qed.
 
-Lemma exponent_at_least (m e k : Z) : (Z.abs m < 2 ^ 53)%Z -> bpow radix2 k <= Rabs (IZR m * bpow radix2 e) -> (k - 52 <= e)%Z.
-Proof.
-  intros M B. assert (G : bpow radix2 k < bpow radix2 (53 + e)).
-  { eapply Rle_lt_trans; [exact B|]. rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)), bpow_plus by apply bpow_ge_0. apply Rmult_lt_compat_r; [apply bpow_gt_0|].
-    rewrite <- abs_IZR. change (bpow radix2 53) with (IZR (2 ^ 53)). apply IZR_lt, M. }
-  apply lt_bpow in G. lia.
-Qed.
 Lemma doubled_float64 (x : R) (n : Z) : float64 x -> 1/2 <= Rabs x -> (-1021 <= n)%Z -> float64 (x * bpow radix2 n).
 Proof.
   intros F B N. apply FLT_format_generic in F; [|easy]. destruct F as [[m e] E M _]. unfold F2R in E; cbn [Fnum Fexp] in *.
@@ -49,24 +42,24 @@ Variables p e : R.
 Hypothesis F : float64 p.
 Hypothesis B : -708 <= p <= 709.
 Hypothesis E : Rabs e <= 1 / 2 ^ 42.
-Let C := 3248660424278399 / 2251799813685248.
-Let n := Znearest (fun n => negb (Z.even n)) (rounded (C * p)).
+Let scale := 3248660424278399 / 2251799813685248.
+Let n := Znearest (fun n => negb (Z.even n)) (rounded (scale * p)).
 Let r := p + e - IZR n * ln 2.
-Lemma near_doublings : Rabs (IZR n - C * p) <= 1/2 + 1 / 2 ^ 42 /\ (-1021 <= n <= 1023)%Z.
+Lemma near_doublings : Rabs (IZR n - scale * p) <= 1/2 + 1 / 2 ^ 42 /\ (-1021 <= n <= 1023)%Z.
 Proof.
-  assert (R : Rabs (rounded (C * p) - C * p) <= 1 / 2 ^ 42).
-  { eapply Rle_trans; [apply (rounded_error _ 1024); unfold C; interval | lra]. }
-  assert (D : Rabs (IZR n - C * p) <= 1/2 + 1 / 2 ^ 42).
-  { apply through with (rounded (C * p)); [|exact R]. rewrite Rabs_minus_sym. apply Rle_trans with (/ 2); [apply Znearest_half | lra]. }
-  split; [exact D|]. assert (P : -102143/100 <= C * p <= 10229/10) by (unfold C; split; lra). apply Rabs_le_between in D.
+  assert (R : Rabs (rounded (scale * p) - scale * p) <= 1 / 2 ^ 42).
+  { eapply Rle_trans; [apply (rounded_error _ 1024); unfold scale; interval | lra]. }
+  assert (D : Rabs (IZR n - scale * p) <= 1/2 + 1 / 2 ^ 42).
+  { apply through with (rounded (scale * p)); [|exact R]. rewrite Rabs_minus_sym. apply Rle_trans with (/ 2); [apply Znearest_half | lra]. }
+  split; [exact D|]. assert (P : -102143/100 <= scale * p <= 10229/10) by (unfold scale; split; lra). apply Rabs_le_between in D.
   assert (-1022 < n < 1024)%Z by (split; apply lt_IZR; lra). lia.
 Qed.
 Lemma doublings_range : -1021 <= IZR n <= 1023.
 Proof. destruct near_doublings as [_ N]. split; apply IZR_le, N. Qed.
 Lemma doublings_off : Rabs (p - IZR n * ln 2) <= 34658/100000.
 Proof.
-  destruct near_doublings as [D _]. replace (p - IZR n * ln 2) with (p * (1 - C * ln 2) - ln 2 * (IZR n - C * p)) by ring.
-  set (d := IZR n - C * p) in *. clearbody d. apply Rabs_le_between in D. unfold C. interval.
+  destruct near_doublings as [D _]. replace (p - IZR n * ln 2) with (p * (1 - scale * ln 2) - ln 2 * (IZR n - scale * p)) by ring.
+  set (d := IZR n - scale * p) in *. clearbody d. apply Rabs_le_between in D. unfold scale. interval.
 Qed.
 Lemma away_high_printed : exponential_in_range_float64.away_high p = p - IZR n * (22713/32768) /\ Rabs (p - IZR n * (22713/32768)) <= 3481/10000.
 Proof.
@@ -77,7 +70,7 @@ Proof.
   assert (W : IZR n * (22713/32768) = IZR (22713 * n) * bpow radix2 (-15)) by (rewrite mult_IZR; change (bpow radix2 (-15)) with (/ 32768); field).
   assert (K : float64 (IZR n * (22713/32768))) by (rewrite W; apply whole_is_float64; lia).
   rewrite (Rmult_comm (22713/32768)), (kept _ K). apply kept. rewrite W in *. apply rest_is_float64; [exact F | lra|].
-  destruct (Rle_lt_dec (1/4) (Rabs p)) as [G|G]; [left; exact G | right]. apply Rabs_def2 in G. apply Rabs_le_between in D. unfold C in D.
+  destruct (Rle_lt_dec (1/4) (Rabs p)) as [G|G]; [left; exact G | right]. apply Rabs_def2 in G. apply Rabs_le_between in D. unfold scale in D.
   assert (-1 < n < 1)%Z by (split; apply lt_IZR; lra). lia.
 Qed.
 (* What remains of the argument, in two parts. *)
