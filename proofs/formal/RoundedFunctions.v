@@ -72,48 +72,34 @@ Proof.
   rewrite (proj1 remainder_of_float64). fold s c. assert (M := Z.mod_pos_bound q 4 ltac:(easy)). assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia.
   destruct K as [K|[K|[K|K]]]; rewrite K; repeat destruct Rlt_dec; (split; reflexivity) || lra.
 Qed.
-Lemma half_turns_of_float64 : Rabs (sine_of_half_turns_float64.sine x 0 - sin (PI * x)) <= 5/2 * (1 / 2 ^ 53) /\ Rabs (cosine_of_half_turns_float64.cosine x 0 - cos (PI * x)) <= 5/2 * (1 / 2 ^ 53).
+End half_turns.
+
+(* Sine and cosine of half-turns of any float64 are within 5/2 2^-53 of the sine and the cosine, *)
+Theorem elementary_functions__half_turns (x : R) : float64 x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin (PI * x)) <= 5/2 * (1 / 2 ^ 53) /\ Rabs (cosine_of_half_turns_float64.cosine x 0 - cos (PI * x)) <= 5/2 * (1 / 2 ^ 53).
 Proof.
-  destruct sine_of_float64 as [-> ->]. assert (B := proj2 remainder_of_float64). set (r := x - IZR q / 2) in *. assert (N : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30) by lra.
+  intro F. set (q := quarters x). destruct (sine_of_float64 x F) as [-> ->]. assert (B := proj2 (remainder_of_float64 x F)). fold q in B |- *. set (r := x - IZR q / 2) in *. assert (N : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30) by lra.
   assert (C := elementary_functions__cosine_float64 r N). assert (S : Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 5/2 * (1 / 2 ^ 53)) by (generalize (elementary_functions__sine_float64 r N); lra).
   replace x with (r + IZR q / 2) by (unfold r; ring). destruct (by_quadrant r q) as [-> ->]. assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
   assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia. destruct K as [K|[K|[K|K]]]; rewrite K; split; try apply opposite; assumption.
 Qed.
-Lemma exact_quarters (m : Z) : 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = sin (PI * x) /\ cosine_of_half_turns_float64.cosine x 0 = cos (PI * x).
+(* and at every whole number of quarters of a turn they are exact. *)
+Theorem elementary_functions__quarters (x : R) (m : Z) : float64 x -> 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = sin (PI * x) /\ cosine_of_half_turns_float64.cosine x 0 = cos (PI * x).
 Proof.
-  intro H. assert (Q : q = m) by (unfold q, quarters; rewrite H; apply (Zrnd_IZR (Znearest (fun n => negb (Z.even n))))).
-  assert (R : x - IZR q / 2 = 0) by (rewrite Q, <- H; field). destruct sine_of_float64 as [-> ->]. rewrite R. destruct elementary_functions__zero_float64 as [-> ->].
+  intros F H. set (q := quarters x). assert (Q : q = m) by (unfold q, quarters; rewrite H; apply (Zrnd_IZR (Znearest (fun n => negb (Z.even n))))).
+  assert (R : x - IZR q / 2 = 0) by (rewrite Q, <- H; field). destruct (sine_of_float64 x F) as [-> ->]. fold q. rewrite R. destruct elementary_functions__zero_float64 as [-> ->].
   replace x with (0 + IZR q / 2) by lra. destruct (by_quadrant 0 q) as [-> ->]. rewrite Rmult_0_r, sin_0, cos_0. split; reflexivity.
 Qed.
-End half_turns.
-
 Lemma half_is_float64 : float64 (1/2).
 Proof. replace (1/2) with (IZR 1 * bpow radix2 (-1)) by (simpl; lra). apply whole_is_float64; easy. Qed.
-(* The sine of half-turns of any float64 is within 5/2 2^-53 of the sine, *)
-Theorem elementary_functions__sinpi (x : R) : float64 x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin (PI * x)) <= 5/2 * (1 / 2 ^ 53).
-Proof. intro F. apply (half_turns_of_float64 x F). Qed.
-(* and the cosine of the cosine. *)
-Theorem elementary_functions__cospi (x : R) : float64 x -> Rabs (cosine_of_half_turns_float64.cosine x 0 - cos (PI * x)) <= 5/2 * (1 / 2 ^ 53).
-Proof. intro F. apply (half_turns_of_float64 x F). Qed.
-(* At every whole number of quarters of a turn both are exact. *)
-Theorem elementary_functions__quarters (x : R) (m : Z) : float64 x -> 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = sin (PI * x) /\ cosine_of_half_turns_float64.cosine x 0 = cos (PI * x).
-Proof. intro F. apply (exact_quarters x F m). Qed.
+Theorem elementary_functions__half_turns__point : exists x : R, float64 x.
+Proof. exists 0. apply generic_format_0. Qed.
 Theorem elementary_functions__quarters__point : exists (x : R) (m : Z), float64 x /\ 2 * x = IZR m.
 Proof. exists (1/2), 1%Z. split; [apply half_is_float64 | lra]. Qed.
-Theorem elementary_functions__sinpi__point : exists x : R, float64 x.
-Proof. exists 0. apply generic_format_0. Qed.
-Theorem elementary_functions__cospi__point : exists x : R, float64 x.
-Proof. exists 0. apply generic_format_0. Qed.
-(* Of a number that is rounded to float64 first they are not. *)
-Theorem elementary_functions__sinpi__false : ~ forall x, float64 x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin x) <= 5/2 * (1 / 2 ^ 53).
+(* They are not those of the number itself, and not each other. *)
+Theorem elementary_functions__half_turns__false : ~ forall x, float64 x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin x) <= 5/2 * (1 / 2 ^ 53).
 Proof.
-  intro H. generalize (H _ half_is_float64) (elementary_functions__sinpi _ half_is_float64). intros X Y.
+  intro H. generalize (H _ half_is_float64) (proj1 (elementary_functions__half_turns _ half_is_float64)). intros X Y.
   apply Rabs_le_between in X. apply Rabs_le_between in Y. assert (sin (1/2) < sin (PI * (1/2)) - 6 * (1 / 2 ^ 53)) by interval. lra.
-Qed.
-Theorem elementary_functions__cospi__false : ~ forall x, float64 x -> Rabs (cosine_of_half_turns_float64.cosine x 0 - cos x) <= 5/2 * (1 / 2 ^ 53).
-Proof.
-  intro H. generalize (H _ half_is_float64) (elementary_functions__cospi _ half_is_float64). intros X Y.
-  apply Rabs_le_between in X. apply Rabs_le_between in Y. assert (cos (PI * (1/2)) < cos (1/2) - 6 * (1 / 2 ^ 53)) by interval. lra.
 Qed.
 Theorem elementary_functions__quarters__false : ~ forall (x : R) (m : Z), float64 x -> 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = cos (PI * x).
 Proof.

@@ -57,7 +57,8 @@ Proof.
     destruct (Z.eq_dec k 0) as [Z|Z]; [left; rewrite W, Z; ring | right]. rewrite W, Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- abs_IZR by apply bpow_ge_0.
     assert (1 <= IZR (Z.abs k)) by (apply IZR_le; lia). generalize (bpow_le radix2 (-1020) (-54) ltac:(easy)) (bpow_gt_0 radix2 (-54)). nra.
 Qed.
-Lemma half_turns_relative (x : R) : float64 x -> x = 0 \/ bpow radix2 (-1020) <= Rabs x ->
+(* Those of a float64 that is not near underflow are within 18/5 2^-53 of the sine and the cosine, relative to them. *)
+Theorem elementary_functions__half_turns_relative (x : R) : float64 x -> x = 0 \/ bpow radix2 (-1020) <= Rabs x ->
   Rabs (sine_of_half_turns_float64.sine x 0 - sin (PI * x)) <= 18/5 * (1 / 2 ^ 53) * Rabs (sin (PI * x)) /\ Rabs (cosine_of_half_turns_float64.cosine x 0 - cos (PI * x)) <= 18/5 * (1 / 2 ^ 53) * Rabs (cos (PI * x)).
 Proof.
   intros F U. destruct (sine_of_float64 x F) as [-> ->]. assert (B := proj2 (remainder_of_float64 x F)). assert (V := remainder_not_small x F U). cbv zeta in V. set (q := quarters x) in *. set (r := x - IZR q / 2) in *.
@@ -67,30 +68,17 @@ Proof.
   replace x with (r + IZR q / 2) by (unfold r; ring). destruct (by_quadrant r q) as [-> ->]. assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
   assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia. destruct K as [K|[K|[K|K]]]; rewrite K, ?Rabs_Ropp; split; try apply opposite; assumption.
 Qed.
-(* The sine of half-turns of a float64 that is not near underflow is within 18/5 2^-53 of the sine, relative to it, *)
-Theorem elementary_functions__sinpi_relative (x : R) : float64 x -> x = 0 \/ bpow radix2 (-1020) <= Rabs x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin (PI * x)) <= 18/5 * (1 / 2 ^ 53) * Rabs (sin (PI * x)).
-Proof. intros F U. apply (half_turns_relative x F U). Qed.
-(* and the cosine of the cosine. *)
-Theorem elementary_functions__cospi_relative (x : R) : float64 x -> x = 0 \/ bpow radix2 (-1020) <= Rabs x -> Rabs (cosine_of_half_turns_float64.cosine x 0 - cos (PI * x)) <= 18/5 * (1 / 2 ^ 53) * Rabs (cos (PI * x)).
-Proof. intros F U. apply (half_turns_relative x F U). Qed.
 Theorem elementary_functions__sine_relative__point : exists r : R, - (1/4) <= r <= 1/4.
 Proof. exists 0. lra. Qed.
-Theorem elementary_functions__sinpi_relative__point : exists x : R, float64 x /\ (x = 0 \/ bpow radix2 (-1020) <= Rabs x).
+Theorem elementary_functions__half_turns_relative__point : exists x : R, float64 x /\ (x = 0 \/ bpow radix2 (-1020) <= Rabs x).
 Proof. exists 0. split; [apply generic_format_0 | left; reflexivity]. Qed.
-Theorem elementary_functions__cospi_relative__point : exists x : R, float64 x /\ (x = 0 \/ bpow radix2 (-1020) <= Rabs x).
-Proof. exists 0. split; [apply generic_format_0 | left; reflexivity]. Qed.
-(* Over a whole half-turn the polynomial is not so near; nor is either of them the other. *)
+(* Over a whole half-turn the polynomial is not so near; nor is the sine the cosine. *)
 Theorem elementary_functions__sine_relative__false : ~ forall r, -1 <= r <= 1 -> Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 53 * Rabs r.
 Proof.
   intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. unfold half_turn_polynomials.sine_near, half_turn_polynomials.sine_tail, half_turn_polynomials.z. rewrite Rmult_1_r, sin_PI, Rabs_R1. interval with (i_prec 120).
 Qed.
-Theorem elementary_functions__sinpi_relative__false : ~ forall x, float64 x -> x = 0 \/ bpow radix2 (-1020) <= Rabs x -> Rabs (sine_of_half_turns_float64.sine x 0 - cos (PI * x)) <= 18/5 * (1 / 2 ^ 53) * Rabs (cos (PI * x)).
+Theorem elementary_functions__half_turns_relative__false : ~ forall x, float64 x -> x = 0 \/ bpow radix2 (-1020) <= Rabs x -> Rabs (sine_of_half_turns_float64.sine x 0 - cos (PI * x)) <= 18/5 * (1 / 2 ^ 53) * Rabs (cos (PI * x)).
 Proof.
   intro H. generalize (H 0 (generic_format_0 _ _) (or_introl eq_refl)). destruct (elementary_functions__quarters 0 0 (generic_format_0 _ _) ltac:(lra)) as [-> _].
   rewrite Rmult_0_r, sin_0, cos_0, Rabs_R1, Rabs_left; lra.
-Qed.
-Theorem elementary_functions__cospi_relative__false : ~ forall x, float64 x -> x = 0 \/ bpow radix2 (-1020) <= Rabs x -> Rabs (cosine_of_half_turns_float64.cosine x 0 - sin (PI * x)) <= 18/5 * (1 / 2 ^ 53) * Rabs (sin (PI * x)).
-Proof.
-  intro H. generalize (H 0 (generic_format_0 _ _) (or_introl eq_refl)). destruct (elementary_functions__quarters 0 0 (generic_format_0 _ _) ltac:(lra)) as [_ ->].
-  rewrite Rmult_0_r, sin_0, cos_0, Rabs_R0, Rabs_right; lra.
 Qed.
