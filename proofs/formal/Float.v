@@ -8,6 +8,7 @@ Definition float64 (x : R) : Prop := generic_format radix2 (FLT_exp (-1074) 53) 
 Definition rounded (x : R) : R := round radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n))) x.
 Definition rint (x : R) : R := IZR (Znearest (fun n => negb (Z.even n)) x).
 Definition whole_below (x : R) : R := IZR (Zfloor x).
+Definition power_of_two (whole : R) : R := bpow radix2 (Zfloor whole).
 Definition unit_roundoff : R := / 2 * bpow radix2 (-53 + 1).
 
 Global Instance precision : Prec_gt_0 53.

@@ -87,6 +87,24 @@ Definition angle := (if Rlt_dec ordinate 0 then - half_plane else half_plane).
 End program.
 End angle_in_half_turns_float64.
 
+Module exponential_in_range_float64.
+Section program.
+Variables product product_error : R.
+Definition whole := rint (rounded ((3248660424278399 / 2251799813685248) * product)).
+Definition away_high := rounded (product - rounded ((22713 / 32768) * whole)).
+Definition away_low := rounded (rounded ((3373202482714085 / 2361183241434822606848) * whole) - product_error).
+Definition away := rounded (away_high - away_low).
+Definition away_gained := rounded (away_high - away).
+Definition away_error := rounded (away_gained - away_low).
+Definition away_squared := rounded (away * away).
+Definition exponential_tail := rounded (rounded (rounded (away * rounded (rounded (away_squared * rounded (rounded (away_squared * rounded (rounded (away_squared * rounded (rounded (away_squared * rounded (rounded ((6212541674450185 / 38685626227668133590597632) * away_squared) + (1892883791434041 / 75557863725914323419136))) + (1626697008263629 / 590295810358705651712))) + (3660068268593165 / 18446744073709551616))) + (4803839602528529 / 576460752303423488))) + (6004799503160661 / 36028797018963968))) + rounded (away_squared * rounded (rounded (away_squared * rounded (rounded (away_squared * rounded (rounded (away_squared * rounded (rounded ((630961263811347 / 302231454903657293676544) * away_squared) + (1301357606610903 / 4722366482869645213696))) + (3660068268593165 / 147573952589676412928))) + (6405119470038039 / 4611686018427387904))) + (6004799503160661 / 144115188075855872)))) + (1 / 2)).
+Definition departure_low := rounded (away_error + rounded (away_squared * exponential_tail)).
+Definition departure := rounded (away + departure_low).
+Definition exponential_near := rounded (departure + 1).
+Definition exponential := rounded (exponential_near * power_of_two whole).
+End program.
+End exponential_in_range_float64.
+
 Module height_sine_float64.
 Section program.
 Variables u v k_u k_v : R.

@@ -624,6 +624,26 @@ Definition cosine_near := z * (z * (z * (z * (z * (z * (z * ((5080167897815029 /
 End program.
 End half_turn_polynomials.
 
+Module arctangent_polynomial.
+Section program.
+Variables ratio node_correction : R.
+Definition ratio_squared := ratio ^ 2.
+Definition arctangent_tail := ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * ((790918777823815 / 72057594037927936) - (5919134079197583 / 576460752303423488) * ratio_squared) + (-6796042831671299 / 576460752303423488)) + (7339726258205003 / 576460752303423488)) + (-7977963324135873 / 576460752303423488)) + (2184442338751489 / 144115188075855872)) + (-2414383637567435 / 144115188075855872)) + (1349214385699449 / 72057594037927936)) + (-6116438548504169 / 288230376151711744)) + (441089318401743 / 18014398509481984)) + (-8340598020687503 / 288230376151711744)) + (2548516061876737 / 72057594037927936)) + (-6553327016254467 / 144115188075855872)) + (4587328911378127 / 72057594037927936)) + (-1911387046407553 / 18014398509481984)) + (-3193047846271019 / 162259276829213363391578010288128).
+Definition small_part := node_correction + ratio * (arctangent_tail + (5734161139222659 / 18014398509481984)).
+End program.
+End arctangent_polynomial.
+
+Module exponential_polynomial.
+Section program.
+Variables away away_error : R.
+Definition away_squared := away ^ 2.
+Definition exponential_tail := away * (away_squared * (away_squared * (away_squared * (away_squared * ((6212541674450185 / 38685626227668133590597632) * away_squared + (1892883791434041 / 75557863725914323419136)) + (1626697008263629 / 590295810358705651712)) + (3660068268593165 / 18446744073709551616)) + (4803839602528529 / 576460752303423488)) + (6004799503160661 / 36028797018963968)) + away_squared * (away_squared * (away_squared * (away_squared * ((630961263811347 / 302231454903657293676544) * away_squared + (1301357606610903 / 4722366482869645213696)) + (3660068268593165 / 147573952589676412928)) + (6405119470038039 / 4611686018427387904)) + (6004799503160661 / 144115188075855872)) + (1 / 2).
+Definition departure_low := away_error + away_squared * exponential_tail.
+Definition departure := away + departure_low.
+Definition exponential_near := departure + 1.
+End program.
+End exponential_polynomial.
+
 Module height_sine.
 Section program.
 Variables u v k_u k_v : R.

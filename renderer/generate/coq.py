@@ -16,6 +16,7 @@ from proofs.formulas import (
     chart,
     displacement,
     elementary,
+    exponential,
     finite_difference,
     height_fields,
     image_derivative,
@@ -197,10 +198,31 @@ def half_turn_polynomials() -> Program:
     return Program("half_turn_polynomials", (elementary.remainder,), elementary.reduction[first:], outputs)
 
 
+def arctangent_polynomial() -> Program:
+    """Return what the kernels' atan2pi evaluates once a node is taken off: the arctangent of a small ratio, over π."""
+    of_ratio = (elementary.ratio_squared, elementary.arctangent_tail, elementary.small_part)
+    lines = tuple((symbol, elementary.angle_in_half_turns[symbol]) for symbol in of_ratio)
+    return Program("arctangent_polynomial", (elementary.ratio, elementary.node_correction), lines)
+
+
+def exponential_polynomial() -> Program:
+    """Return what the kernels' exp evaluates once the doublings are taken off."""
+    lines = exponential.exponential_of_sum.definitions[len(exponential.exponential_reduction) : -1]
+    return Program("exponential_polynomial", (exponential.away, exponential.away_error), lines)
+
+
+def exponential_in_range() -> Program:
+    """Return the kernels' exp where it is neither 0 nor infinite: the last line's other choices are left out."""
+    *lines, (symbol, selection) = exponential.exponential_of_sum.definitions
+    lines.append((symbol, selection.args[-1].expr))
+    return Program("exponential_in_range", exponential.exponential_of_sum.inputs, tuple(lines))
+
+
 def programs() -> dict[str, Program]:
     """Return {name: program} of all that is printed, in the order of the modules of proofs/formulas."""
     found = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
     found += [*image_derivative.base_derivatives.values(), half_turn_polynomials()]
+    found += [arctangent_polynomial(), exponential_polynomial()]
     for field in height_fields.HEIGHT_FIELDS.values():
         found += [height_fields.height(field), height_fields.gradient(field)]
         found += [method(field) for method in finite_difference.METHODS.values()]
@@ -209,7 +231,15 @@ def programs() -> dict[str, Program]:
 
 OPERATIONS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 DECISIONS = {ast.Lt: ("Rlt_dec", 1), ast.LtE: ("Rle_dec", 1), ast.Gt: ("Rlt_dec", -1), ast.GtE: ("Rle_dec", -1)}
-EXACT = {"abs": "Rabs", "maximum": "Rmax", "minimum": "Rmin", "sign": "sign", "rint": "rint", "floor": "whole_below"}
+EXACT = {
+    "abs": "Rabs",
+    "maximum": "Rmax",
+    "minimum": "Rmin",
+    "sign": "sign",
+    "rint": "rint",
+    "floor": "whole_below",
+    "power_of_two": "power_of_two",
+}
 """{operation of a kernel that float64 carries out without rounding: its name in Coq}"""
 KERNELS = {"sinpi": "sine_of_half_turns_float64.sine", "cospi": "cosine_of_half_turns_float64.cosine"}
 """{kernel that others call: what is printed of it}; its argument is a product and that product's rounding."""
@@ -269,6 +299,7 @@ def float64_source() -> str:
     """Return the text of proofs/formal/Float64.v: the operations of kernels as they are carried out."""
     kernels = [elementary.two_product, half_turn_polynomials()]
     kernels += [elementary.sine_of_half_turns, elementary.cosine_of_half_turns, elementary.angle_in_half_turns]
+    kernels += [exponential_in_range()]
     for field in height_fields.HEIGHT_FIELDS.values():
         kernels += [height_fields.height(field), height_fields.gradient_from_factors(field)]
         kernels += [height_fields.gradient(field)]
