@@ -26,7 +26,7 @@ Proof.
     rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. apply Rabs_le. lra. }
   generalize (through _ _ _ _ _ (rounded_error _ _ (size _ _ _ _ B M)) M). intro T. eapply Rle_trans; [exact T|]. lra.
 Qed.
-Lemma half_is_float64 (x : R) : float64 x -> bpow radix2 (-1020) <= Rabs x -> float64 (1/2 * x).
+Lemma half_of_float64 (x : R) : float64 x -> bpow radix2 (-1020) <= Rabs x -> float64 (1/2 * x).
 Proof.
   intros F B. apply FLT_format_generic in F; [|easy]. destruct F as [[m e] E M L]. unfold F2R in E; cbn [Fnum Fexp] in *.
   destruct (Z.eq_dec e (-1074)) as [S|S].
@@ -98,7 +98,7 @@ Proof.
   { apply Rle_trans with (1/4 * l); [|exact T]. apply Rle_trans with (bpow radix2 (-2) * bpow radix2 (-1018)); [rewrite <- bpow_plus; apply bpow_le; easy|].
     change (bpow radix2 (-2)) with (/ 4). lra. }
   assert (F : forall z, float64 z -> bpow radix2 (-1020) <= z -> float64 (m * z)).
-  { intros z Z Zb. destruct M as [-> | ->]; [apply half_is_float64; [exact Z | eapply Rle_trans; [exact Zb | apply Rle_abs]] | rewrite Rmult_1_l; exact Z]. }
+  { intros z Z Zb. destruct M as [-> | ->]; [apply half_of_float64; [exact Z | eapply Rle_trans; [exact Zb | apply Rle_abs]] | rewrite Rmult_1_l; exact Z]. }
   assert (Fs := F s S G). assert (Fl := F l L (Rle_trans _ _ _ G (proj2 O))). rewrite (Rmult_comm l), (kept _ Fs), (kept _ Fl).
   destruct (sum_float64 _ _ L Fs) as (dd & Dd & ->). destruct (roundoff_bound__subtraction _ _ S Fl) as (dn & Dn & ->).
   apply quotient_error; try assumption. destruct M as [-> | ->]; lra.
