@@ -37,7 +37,7 @@ Proof.
     rewrite E. unfold Zminus. rewrite bpow_plus. change (bpow radix2 (-(1))) with (/ 2). field.
 Qed.
 Lemma sum_float64 (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= unit_roundoff /\ rounded (a + b) = (a + b) * (1 + d).
-Proof. intros A B. destruct (roundoff_bound__subtraction a (- b) A (generic_format_opp _ _ _ B)) as (d & D & E). exists d. split; [exact D|]. replace (a + b) with (a - - b) by ring. exact E. Qed.
+Proof. intros A B. destruct (rounded_difference a (- b) A (generic_format_opp _ _ _ B)) as (d & D & E). exists d. split; [exact D|]. replace (a + b) with (a - - b) by ring. exact E. Qed.
 
 (* What the polynomial loses in float64. *)
 Lemma difference_error (a ah b bh S ea eb : R) : Rabs (a - b) <= S -> Rabs (ah - a) <= ea -> Rabs (bh - b) <= eb -> Rabs (rounded (ah - bh) - (a - b)) <= (S + (ea + eb)) / 2 ^ 53 + 1 / 2 ^ 100 + (ea + eb).
@@ -61,7 +61,7 @@ Proof.
     assert (I : Rabs (rounded (c - rounded (d * zh)) - (c - d * z)) <= 2/100 / 2 ^ 53)
       by (eapply Rle_trans; [eapply difference_error; [find_bound | apply no_error | find_error] | interval]) end.
   match goal with |- Rabs (rounded (k + ?bh) - (k + ?b)) <= _ => replace (k + bh) with (k - - bh) by ring; replace (k + b) with (k - - b) by ring end.
-  eapply Rle_trans; [eapply difference_error; [find_bound | apply no_error | apply opposite; find_error] | interval].
+  eapply Rle_trans; [eapply difference_error; [find_bound | apply no_error | apply of_opposites; find_error] | interval].
 Qed.
 
 Section angle.
@@ -80,7 +80,7 @@ Qed.
 Lemma part_of_larger (c : R) : 1/4 <= c <= 1 -> c * l * (1 - / 2 ^ 53) <= rounded (c * l) <= c * l * (1 + / 2 ^ 53).
 Proof.
   intro C. destruct sides as (_ & _ & _ & P). assert (U : unit_roundoff = / 2 ^ 53) by (unfold unit_roundoff; simpl; lra).
-  destruct (roundoff_bound__standard_model (c * l)) as (d & D & ->).
+  destruct (standard_model (c * l)) as (d & D & ->).
   - rewrite Rabs_pos_eq by nra. apply Rle_trans with (1/4 * l); [|nra]. apply Rle_trans with (bpow radix2 (-2) * bpow radix2 (-1018)); [rewrite <- bpow_plus; apply bpow_le; easy|].
     change (bpow radix2 (-2)) with (/ 4). lra.
   - rewrite U in D. apply Rabs_le_between in D. assert (0 < c * l) by nra. split; nra.
@@ -100,7 +100,7 @@ Proof.
   assert (F : forall z, float64 z -> bpow radix2 (-1020) <= z -> float64 (m * z)).
   { intros z Z Zb. destruct M as [-> | ->]; [apply half_of_float64; [exact Z | eapply Rle_trans; [exact Zb | apply Rle_abs]] | rewrite Rmult_1_l; exact Z]. }
   assert (Fs := F s S G). assert (Fl := F l L (Rle_trans _ _ _ G (proj2 O))). rewrite (Rmult_comm l), (kept _ Fs), (kept _ Fl).
-  destruct (sum_float64 _ _ L Fs) as (dd & Dd & ->). destruct (roundoff_bound__subtraction _ _ S Fl) as (dn & Dn & ->).
+  destruct (sum_float64 _ _ L Fs) as (dd & Dd & ->). destruct (rounded_difference _ _ S Fl) as (dn & Dn & ->).
   apply quotient_error; try assumption. destruct M as [-> | ->]; lra.
 Qed.
 Lemma between_rates (a b Q : R) : 0 < b -> - Q * b <= a <= Q * b -> Rabs (a / b) <= Q.
@@ -182,7 +182,7 @@ Proof.
   set (q := if Rlt_dec (Rabs x) (Rabs y) then 1/2 - o else o). set (qh := if Rlt_dec (Rabs x) (Rabs y) then _ else oh).
   assert (Eq : Rabs (qh - q) <= 136/100 / 2 ^ 53 /\ 0 <= q <= 1/2).
   { unfold qh, q. destruct Rlt_dec; (split; [|lra]); [|lra]. eapply Rle_trans; [exact (Q _ _ (1/2) _ E ltac:(lra)) | lra]. }
-  clearbody q qh. destruct Eq as [Eq Bq]. assert (Eh := Q _ _ 1 _ Eq ltac:(lra)). repeat destruct Rlt_dec; try apply opposite; lra.
+  clearbody q qh. destruct Eq as [Eq Bq]. assert (Eh := Q _ _ 1 _ Eq ltac:(lra)). repeat destruct Rlt_dec; try apply of_opposites; lra.
 Qed.
 End angle.
 

@@ -35,7 +35,7 @@ Proof.
     assert (Rabs (x - y / 2) * / e <= 2 / 2 ^ 100 * / e) by (apply Rmult_le_compat_r; lra). assert (0 <= Rabs (x - y / 2) * / e) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). unfold Rdiv in *. nra.
 Qed.
 Lemma difference_near (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= / 2 ^ 53 /\ rounded (a - b) = (a - b) * (1 + d).
-Proof. intros A B. destruct (roundoff_bound__subtraction a b A B) as (d & D & E). exists d. rewrite <- unit_roundoff_is. auto. Qed.
+Proof. intros A B. destruct (rounded_difference a b A B) as (d & D & E). exists d. rewrite <- unit_roundoff_is. auto. Qed.
 Lemma quotient_in_u (a b e : R) : float64 a -> float64 b -> 0 < e <= 1 -> within_two_roundings (rounded (rounded (1 / 2 * rounded (a - b)) / e)) ((a - b) / (2 * e)) e.
 Proof.
   intros A B E. destruct (difference_near a b A B) as (d & D & H). apply (divided_by_the_step (rounded (1 / 2 * rounded (a - b))) (rounded (a - b)) _ _ _ d); try assumption; [| apply half_near, rounded_is_float64 | reflexivity].
@@ -64,7 +64,7 @@ Lemma three_parts (h h1 : R -> R) (L w e p m alpha a b q slope truncation : R) :
   Rabs ((h (e + w) - h (w - e)) / (2 * e) - slope) <= truncation -> Rabs (q - slope) <= truncation + arguments_part L alpha e + evaluation_part L e.
 Proof.
   intros D S B P M (t & K & Q) A' B' T.
-  generalize (roundoff_bound__any_span h h1 L (e + w) (w - e) (2 * e) kappa (76/10 / 2 ^ 53) alpha _ _ a b t D S ltac:(lra) ltac:(ring) K P M A' B'). intro R.
+  generalize (roundoff_bound__of_any_height h h1 L (e + w) (w - e) (2 * e) kappa (76/10 / 2 ^ 53) alpha _ _ a b t D S ltac:(lra) ltac:(ring) K P M A' B'). intro R.
   assert (I : 0 < / e) by (apply Rinv_0_lt_compat; lra). assert (Kp : 0 <= kappa) by (unfold kappa; lra).
   replace (2 * (76 / 10 / 2 ^ 53 + L * alpha) / (2 * e) * (1 + kappa) + L * kappa) with (arguments_part L alpha e + evaluation_part L e - 4/10 / 2 ^ 53 / e * (1 + kappa)) in R
     by (unfold arguments_part, evaluation_part; field; lra).

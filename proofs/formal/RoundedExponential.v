@@ -105,7 +105,7 @@ Qed.
 End exponential.
 
 Lemma both_error (a ah b bh S ea eb : R) : Rabs (a + b) <= S -> Rabs (ah - a) <= ea -> Rabs (bh - b) <= eb -> Rabs (rounded (ah + bh) - (a + b)) <= (S + (ea + eb)) / 2 ^ 53 + 1 / 2 ^ 100 + (ea + eb).
-Proof. intros S1 A1 B1. replace (ah + bh) with (ah - - bh) by ring. replace (a + b) with (a - - b) in * by ring. apply difference_error; try assumption. apply opposite, B1. Qed.
+Proof. intros S1 A1 B1. replace (ah + bh) with (ah - - bh) by ring. replace (a + b) with (a - - b) in * by ring. apply difference_error; try assumption. apply of_opposites, B1. Qed.
 Lemma near_one (t : R) : - (3467/10000) <= t <= 3467/10000 -> 7/10 <= exp t <= 15/10.
 Proof. split; interval. Qed.
 

@@ -33,7 +33,7 @@ Proof.
   assert (X : Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 53 * Rabs r) by exact (elementary_functions__sine_relative r B). destruct factor_rounded as [F P].
   unfold half_turn_polynomials_float64.sine_near, half_turn_polynomials.sine_near in *. set (f := rounded (_ + _)) in *. set (w := half_turn_polynomials.sine_tail r + _) in *.
   assert (Uf : unit_roundoff = / 2 ^ 53) by (unfold unit_roundoff; simpl; lra). apply Rabs_le_between in F.
-  destruct (roundoff_bound__standard_model (r * f)) as (d & D & ->).
+  destruct (standard_model (r * f)) as (d & D & ->).
   { rewrite Rabs_mult, (Rabs_pos_eq f) by lra. generalize (bpow_le radix2 (-1022) (-1020) ltac:(easy)) (Rabs_pos r). nra. }
   rewrite Uf in D. apply Rabs_le_between in D. set (s := sin (PI * r)) in *. assert (O := Rabs_pos r).
   assert (S : 279/100 * Rabs r <= Rabs s).
@@ -66,7 +66,7 @@ Proof.
   { assert (G : forall t, - (1/4) <= t <= 1/4 -> 7071/10000 <= cos (PI * t)) by (intros; interval). specialize (G r B). rewrite (Rabs_pos_eq (cos _)) by lra.
     generalize (elementary_functions__cosine_float64 r ltac:(lra)). lra. }
   replace x with (r + IZR q / 2) by (unfold r; ring). destruct (by_quadrant r q) as [-> ->]. assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
-  assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia. destruct K as [K|[K|[K|K]]]; rewrite K, ?Rabs_Ropp; split; try apply opposite; assumption.
+  assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia. destruct K as [K|[K|[K|K]]]; rewrite K, ?Rabs_Ropp; split; try apply of_opposites; assumption.
 Qed.
 Theorem elementary_functions__sine_relative__point : exists r : R, - (1/4) <= r <= 1/4.
 Proof. exists 0. lra. Qed.

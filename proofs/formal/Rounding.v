@@ -101,16 +101,16 @@ Proof.
   apply Rmult_le_reg_r with (1 + unit_roundoff); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. nra.
 Qed.
 
-(* The kernel's difference of two float64 heights, which are the same or do not underflow: the lines as they are carried out. *)
+(* The kernel's difference of two float64 heights, which are the same or do not underflow: as central_any_float64.h_u carries it out. *)
 Theorem roundoff_bound__of_the_kernel (h h1 : R -> R) (L u epsilon eta alpha u_plus u_minus h_plus h_minus : R) :
   (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> 0 < epsilon <= 1 -> float64 h_plus -> float64 h_minus ->
   h_plus = h_minus \/ bpow radix2 (-1021) <= Rabs (h_plus - h_minus) -> Rabs (u_plus - (u + epsilon)) <= alpha -> Rabs (u_minus - (u - epsilon)) <= alpha ->
   Rabs (h_plus - h u_plus) <= eta -> Rabs (h_minus - h u_minus) <= eta -> let kappa := 2 * unit_roundoff + unit_roundoff ^ 2 in
-  Rabs (difference_float64.h_u h_plus h_minus epsilon - (h (u + epsilon) - h (u - epsilon)) / (2 * epsilon)) <= 2 * (eta + L * alpha) / (2 * epsilon) * (1 + kappa) + L * kappa.
+  Rabs (rounded (rounded (1 / 2 * rounded (h_plus - h_minus)) / epsilon) - (h (u + epsilon) - h (u - epsilon)) / (2 * epsilon)) <= 2 * (eta + L * alpha) / (2 * epsilon) * (1 + kappa) + L * kappa.
 Proof.
   intros D B E F G N A1 A2 H1 H2 kappa. assert (U : 0 < unit_roundoff < 1) by (unfold unit_roundoff; simpl; lra).
-  assert (T : exists t, Rabs (t - 1) <= kappa /\ difference_float64.h_u h_plus h_minus epsilon = (h_plus - h_minus) / (2 * epsilon) * t).
-  { unfold difference_float64.h_u. destruct N as [->|N].
+  assert (T : exists t, Rabs (t - 1) <= kappa /\ rounded (rounded (1 / 2 * rounded (h_plus - h_minus)) / epsilon) = (h_plus - h_minus) / (2 * epsilon) * t).
+  { destruct N as [->|N].
     - exists 1. rewrite (Rminus_diag_eq h_minus), Rminus_diag_eq, Rabs_R0 by reflexivity. unfold rounded. rewrite !round_0, Rmult_0_r, round_0 by typeclasses eauto.
       unfold Rdiv. rewrite !Rmult_0_l, round_0 by typeclasses eauto. split; [unfold kappa; nra | ring].
     - destruct (rounded_difference _ _ F G) as (d1 & D1 & R1). set (r := rounded (h_plus - h_minus)) in *.
@@ -162,10 +162,10 @@ Proof.
   assert (0 < m + n < 1)%Z by (split; apply lt_IZR; lra). lia.
 Qed.
 (* It is not the quotient itself. *)
-Theorem roundoff_bound__of_the_kernel__false : ~ forall a b epsilon, float64 a -> float64 b -> 0 < epsilon <= 1 -> difference_float64.h_u a b epsilon = (a - b) / (2 * epsilon).
+Theorem roundoff_bound__of_the_kernel__false : ~ forall a b epsilon, float64 a -> float64 b -> 0 < epsilon <= 1 -> rounded (rounded (1 / 2 * rounded (a - b)) / epsilon) = (a - b) / (2 * epsilon).
 Proof.
   intro H. assert (F : float64 (bpow radix2 (-1074))) by (apply generic_format_bpow; easy). generalize (H _ 0 1 F (generic_format_0 _ _) ltac:(lra)).
-  destruct (float64_is_whole (difference_float64.h_u (bpow radix2 (-1074)) 0 1) ltac:(apply rounded_is_float64)) as [m ->]. rewrite Rminus_0_r. generalize (bpow_gt_0 radix2 (-1074)).
+  destruct (float64_is_whole (rounded (rounded (1 / 2 * rounded (bpow radix2 (-1074) - 0)) / 1)) ltac:(apply rounded_is_float64)) as [m ->]. rewrite Rminus_0_r. generalize (bpow_gt_0 radix2 (-1074)).
   intros B E. assert (K : IZR (2 * m) = 1) by (rewrite mult_IZR; apply Rmult_eq_reg_r with (bpow radix2 (-1074)); lra). assert (0 < 2 * m < 2)%Z by (split; apply lt_IZR; lra).
   apply eq_IZR in K. lia.
 Qed.
