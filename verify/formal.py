@@ -138,7 +138,7 @@ def whole(theorem: Theorem, accepted: dict | None) -> bool:
     """
     claims = (*theorem.claims, *theorem.rounded)
     names = {f"{theorem.id}__{claim.name}" for claim in claims if not isinstance(claim, Separation)}
-    return bool(accepted and names) and names <= set(accepted["claims"])
+    return bool(names) and accepted is not None and names <= set(accepted["claims"])
 
 
 def record() -> dict:
