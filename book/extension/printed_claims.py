@@ -50,7 +50,8 @@ def rows(claim: AnyClaim | Rounded, by_definition: tuple[str, ...] = (), refuted
         within = [
             Row(shown, rf"\lvert \mathrm{{fl}}({tex(s)}) - {tex(s)} \rvert \leq {tex(e)}") for s, e in claim.bounds
         ]
-        return [*(Row("given", tex(relation)) for relation in claim.given), *within]
+        kernel = Row("in float64", tex_name(claim.program.name))
+        return [kernel, *(Row("given", tex(relation)) for relation in claim.given), *within]
     return [
         *(_lines(claim) if isinstance(claim, Claim) else _states(claim)),
         *(Row("given", tex(relation)) for relation in claim.given),
