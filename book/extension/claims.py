@@ -40,8 +40,7 @@ def check_all_here(here: SphinxDirective) -> list[nodes.Node]:
 @directive("argued-clauses")
 def argued_clauses(here: SphinxDirective) -> list[nodes.Node]:
     book = Here(here.env)
-    ids = [id for id in book.proofs.places if kind(book.proofs.entries[id]["shown"]) != "formal"]
-    found = [(id, clause) for id in ids for clause in book.proofs.theorems[id].argued]
+    found = [(id, clause) for id in book.proofs.places for clause in book.proofs.theorems[id].argued]
     return [filled("argued_clauses", book=book, found=found)]
 
 
