@@ -90,7 +90,7 @@ def test_statement_on_the_page_is_the_checked_objects(build_page):
 
 def test_claims_stand_below_their_clauses_as_mathematics(build_page):
     page, _ = build_page(":::{theorem} kink_loci\n:::")
-    shown = BeautifulSoup(page, "html.parser").select("details > .claim")
+    shown = BeautifulSoup(page, "html.parser").select("details > .claim > dl")
     claims = [claim for clause in THEOREMS["kink_loci"].clauses for claim in clause.claims]
     assert [table["aria-label"] for table in shown] == [f"Claim {claim.name}" for claim in claims]
     for table, claim in zip(shown, claims, strict=True):

@@ -5,7 +5,7 @@
 "use strict";
 (() => {
   const SCROLLS =
-    "figure .pixels, mjx-container[display], .math, .admonition, .graph, .claim, .theorem > p, .theorem details";
+    "figure .pixels, mjx-container[display], .math, .admonition, .graph, [open] > .claim, .theorem > p, .theorem details";
   const PHONE = matchMedia("(max-width: 600px)");
   const FOCUSABLE = "a[href], button, input, select, textarea, summary, [tabindex='0']";
 
@@ -72,7 +72,7 @@
       page.querySelectorAll(/** @type {"img"} */ ("img[data-panels][src]")).forEach(stack);
       page.querySelectorAll(/** @type {"table"} */ ("table.table:not(.as-list)")).forEach(list);
     }
-    const rows = page.querySelectorAll("details[open] > .claim > .unset");
+    const rows = page.querySelectorAll("[open] > .claim .unset");
     for (const row of rows) row.className = "math";
     if (rows[0]) window.MathJax?.typesetPromise?.([...rows]);
     page.querySelectorAll(SCROLLS).forEach(put_into_reach);
