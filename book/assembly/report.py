@@ -53,7 +53,7 @@ def is_fresh() -> bool:
 
 
 def make() -> None:
-    """Run the theorems, and nothing else of the checker, unless their report is fresh and says whether Coq was asked."""
+    """Run the theorems, and nothing else of the checker, unless their report is fresh, and says if Coq was asked."""
     if is_fresh() and asked()["Coq"] == formal.accepted_here():
         print("  the report of the proofs is up to date")
     else:
