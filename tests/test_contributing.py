@@ -136,7 +136,7 @@ def test_coq_accepts_the_theorem(waves):
     _, printed = waves
     if not shutil.which("coqc"):
         pytest.skip("Coq is not installed")
-    assert re.search(rf"{CLAIM} +0 statements +2 claims", printed["python -m verify.formal Waves"])
+    assert re.search(rf"{CLAIM} +2 claims +0 mutants +0 statements", printed["python -m verify.formal Waves"])
 
 
 def test_the_field_draws_and_is_a_choice_everywhere(waves):
