@@ -74,7 +74,7 @@ def same_bytes() -> int:
         target = folder / "the book, elsewhere"
         clone(stamps.ROOT, target)
         if formal.accepted_here():  # on this machine, which is the clone's
-            write_whole(target / formal.KEPT.relative_to(stamps.ROOT), formal.KEPT.read_bytes())
+            write_whole(target / formal.KEPT.relative_to(formal.ROOT), formal.KEPT.read_bytes())
         subprocess.run([sys.executable, "-m", "book"], cwd=target, env=elsewhere(folder), check=True)
         lines = [f"{part}/{line}" for part in COMPARED for line in differences(stamps.ROOT / part, target / part)]
         files = sum(len(files_of(stamps.ROOT / part)) for part in COMPARED)
