@@ -54,7 +54,7 @@ def is_fresh() -> bool:
 
 def make() -> None:
     """Run the theorems, and nothing else of the checker, unless their report is fresh, and says if Coq was asked."""
-    if is_fresh() and stamps.read("report")["Coq"] == formal.accepted_here():
+    if is_fresh() and (stamps.read("report") or {})["Coq"] == formal.accepted_here():
         print("  the report of the proofs is up to date")
     else:
         run("verify/test_theorems.py")
