@@ -4,8 +4,9 @@ import pytest
 from sympy import Abs, Derivative, cos, sqrt
 
 from proofs.engine.claim import Claim, equation
+from proofs.engine.theorem import all_theorems
 from proofs.formulas.symbols import real
-from renderer.generate.statements import proposition
+from renderer.generate.statements import proposition, rounded_proposition
 
 x, y = real("x y")
 PRINTED = {
@@ -31,3 +32,15 @@ def test_a_derivative_is_coqs_and_has_to_exist(derivative):
 def test_a_derivative_by_several_symbols_has_no_proposition():
     with pytest.raises(ValueError, match="several symbols"):
         proposition(Claim("one", (equation(Derivative(x * y, x, y), 1),)))
+
+
+def test_a_rounded_claim_is_about_its_own_program_inputs_and_bound():
+    """Another bound, a hypothesis left out and another program are other statements, so that no proof fits them all."""
+    claims = {claim.name: claim for claim in all_theorems()["gradient_accuracy"].rounded}
+    sine, rings = claims["sine"], claims["rings"]
+    printed = rounded_proposition(rings)
+    assert printed.startswith("forall v k_v : R,\n  float64 v ->\n  float64 k_v ->")  # u is not an input of it
+    assert "Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= " in printed
+    near = tuple((output, bound / 2) for output, bound in sine.bounds)
+    changed = [sine.but(bounds=near), sine.but(given=sine.given[1:]), sine.but(program=claims["ridges"].program)]
+    assert len({rounded_proposition(claim) for claim in (sine, *changed)}) == 4
