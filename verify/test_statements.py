@@ -1,5 +1,7 @@
 """What stands in a claim that is printed for Coq: its derivatives are Coq's own, and have to exist."""
 
+import re
+
 import pytest
 from sympy import Abs, Derivative, cos, sqrt
 
@@ -7,6 +9,7 @@ from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.symbols import real
 from renderer.generate.statements import proposition, rounded_proposition
+from verify.formal import FOLDER
 
 x, y = real("x y")
 PRINTED = {
@@ -44,3 +47,12 @@ def test_a_rounded_claim_is_about_its_own_program_inputs_and_bound():
     near = tuple((output, bound / 2) for output, bound in sine.bounds)
     changed = [sine.but(bounds=near), sine.but(given=sine.given[1:]), sine.but(program=claims["ridges"].program)]
     assert len({rounded_proposition(claim) for claim in (sine, *changed)}) == 4
+
+
+def test_the_roundings_that_steps_name_are_those_of_the_proof():
+    proof = (FOLDER / "RoundedGradient.v").read_text(encoding="utf-8")
+    words = " ".join(step.what for step in all_theorems()["gradient_accuracy"].steps)
+    named = re.findall(r"(\d+)\.(\d+)\\mu", words)
+    assert len(named) == 2
+    for whole, digits in named:
+        assert f" <= {int(whole + digits)}/{10 ** len(digits)} / 2 ^ 53" in proof
