@@ -1,4 +1,7 @@
-"""The README's picture is what the renderer draws today."""
+"""The README's picture is what the renderer draws today, and a package index shows it."""
+
+import sys
+from types import SimpleNamespace
 
 import numpy as np
 from PIL import Image
@@ -16,3 +19,16 @@ def test_picture_is_the_renderers():
 
 def test_is_short_enough_to_read():
     assert len((ROOT / "README.md").read_text(encoding="utf-8").splitlines()) < 120
+
+
+def test_an_index_shows_links_that_lead_somewhere(monkeypatch):
+    """What the hook derives from is no part of this environment."""
+    hatchling = SimpleNamespace(MetadataHookInterface=object)
+    monkeypatch.setitem(sys.modules, "hatchling.metadata.plugin.interface", hatchling)
+    from book.releases.metadata import shown
+
+    text = "![A sphere](book/a.png)\n[how](HOW.md), [a page](https://example.org/x) and [here](#part)"
+    kept = "[a page](https://example.org/x) and [here](#part)"
+    url = "https://github.com/a/b"
+    assert shown(text, url) == f"![A sphere]({url}/raw/HEAD/book/a.png)\n[how]({url}/blob/HEAD/HOW.md), {kept}"
+    assert shown(text, "") == f"\nhow, {kept}"
