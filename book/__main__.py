@@ -1,6 +1,6 @@
 """One command that makes the book: check the theorems, draw the figures, build the site.
 
-Usage: python -m book [all | check | figures | build | watch | single | pdf | release-notes | release | same-bytes] [--help]
+Usage: python -m book [VERB] [--help]; without a verb, all of it.
 """
 
 import argparse
