@@ -30,8 +30,8 @@ def builder(book: Path, folder: Path) -> Iterator[Callable[[], None]]:
         user_yaml=book / "_config.yml", sourcedir=book, cli_config={"latex_individualpages": False}
     )
     with patch_docutils(str(book)), docutils_namespace():
-        places = [str(book), None, str(folder / "html"), str(folder / ".doctrees")]
-        app = Sphinx(*places, "html", confoverrides=settings, status=None, warning=sys.stderr)
+        out, trees = str(folder / "html"), str(folder / ".doctrees")
+        app = Sphinx(str(book), None, out, trees, "html", settings, status=None, warning=sys.stderr)
 
         def build():
             start = time.perf_counter()
