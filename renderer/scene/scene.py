@@ -85,6 +85,10 @@ class Scene:
             object.__setattr__(self, each.name, each.type(checked))
         self._check_lengths()
 
+    def __repr__(self) -> str:
+        given = [f"{each.name}={now!r}" for each in fields(self) if (now := getattr(self, each.name)) != each.default]
+        return f"Scene({', '.join(given)})"
+
     def _check_lengths(self):
         ratio = self.radius / self.eye if self.eye else math.inf
         if not 1e-6 <= ratio <= 1 - 1e-9:
