@@ -114,7 +114,7 @@ def add_scene(parser: argparse.ArgumentParser, lists: bool) -> None:
     """Add an option for every field of Scene; with `lists`, those that move no boundary take several values."""
     group = parser.add_argument_group("scene (defaults are the chapter's)", argument_default=argparse.SUPPRESS)
     for field in fields(Scene):
-        option, kind, what = field.name.replace("_", "-"), KINDS[field.type], field.metadata["help"]
+        option, kind, what = field.name.replace("_", "-"), KINDS[type(field.default)], field.metadata["help"]
         if field.name == "lights":
             option, kind = "light", LIGHT | {"action": "append"}
         elif field.type is bool:

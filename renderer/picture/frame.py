@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 
 from renderer.checks import check_whole, not_allowed
-from renderer.kernels import FIELDS, bumped_normal, chart, light_cosine, point_on_a, slope
+from renderer.kernels import bumped_normal, chart, light_cosine, point_on_a, slope
 from renderer.machines import machine
 from renderer.picture.stage import SURFACE_BITS, Stage
 from renderer.scene.methods import GradientMethod
+from renderer.scene.own import field_kernels
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import way_of
 from renderer.shader.shader import ON_A
@@ -51,7 +52,7 @@ class Frame:
         chambers = {code: pixels for code, pixels in enumerate(np.bincount(self.chambers.ravel()).tolist()) if pixels}
         pixels = {n: sum(p for c, p in chambers.items() if c & SURFACE_BITS == s) for n, s in SURFACES.items()}
         field, way = way_of(self.scene, self.method)
-        heights, gradients = FIELDS[field]["height_evaluations"].get(way, 0), self._counts["gradients"]
+        heights, gradients = field_kernels(field)["height_evaluations"].get(way, 0), self._counts["gradients"]
         return pixels | {
             "machine": machine().NAME,
             "pixels": chambers,
@@ -136,7 +137,7 @@ class Frame:
     @np.errstate(all="ignore")
     def _on_a(self):
         """What is known of A's pixels: {name: (pixels of A,) float64}, as in `surface_data`."""
-        scene, field, (h_u, h_v) = self.scene, FIELDS[self.scene.field], self.planes_on_a[4:]
+        scene, field, (h_u, h_v) = self.scene, field_kernels(self.scene.field), self.planes_on_a[4:]
         u, v = chart(*self.planes_on_a[:4])
         here = u, v, scene.ku, scene.kv
         found = {"u": u, "v": v, "h": field["height"](*here), "h_u": h_u, "h_v": h_v, "slope": slope(h_u, h_v)}
