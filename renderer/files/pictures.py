@@ -9,6 +9,7 @@ import zlib
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
+from zipfile import ZipFile
 
 import numpy as np
 
@@ -82,10 +83,14 @@ def write_png(path: str | Path, image: np.ndarray, text: str = "", threads: int 
         Path(name).write_bytes(png_of(image, text, threads))
 
 
-def write_npz(path: str | Path, arrays: dict[str, Any]) -> None:
-    """Write arrays by their names; the file appears whole or not at all."""
-    with whole_file(path) as name, open(name, "wb") as file:  # to a name that ends in .NPZ NumPy would add another
+def write_npz(path: str | Path, arrays: dict[str, Any], **texts: str) -> None:
+    """Write arrays by their names, and texts as `NAME.json`; the file appears whole or not at all."""
+    with whole_file(path) as name, open(name, "w+b") as file:  # to a name that ends in .NPZ NumPy would add another
         np.savez_compressed(file, **arrays)
+        with ZipFile(file, "a") as zipped:
+            for member, text in texts.items():
+                with zipped.open(f"{member}.json", "w") as told:
+                    told.write(text.encode("ascii"))
 
 
 def write_npy(path: str | Path, shape: tuple[int, int], parts: Iterable[np.ndarray]) -> None:
