@@ -3,10 +3,14 @@
 import sys
 from types import SimpleNamespace
 
+import textwrap
+
 import numpy as np
 from PIL import Image
 
 from book.figures.three_pictures import hero
+from renderer import Scene, render
+from renderer.picture.views import image_view
 from verify.sources import ROOT
 
 
@@ -15,6 +19,16 @@ def test_picture_is_the_renderers():
     drawn = hero().picture.astype(int)
     assert committed.shape == drawn.shape
     assert np.abs(committed - drawn).max() <= 1  # a byte may round the other way
+
+
+def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    lines = readme.split("## A picture in four lines\n\n")[1].split("\n\nA frame")[0]
+    assert len(lines.split("\n")) == 5  # the import, and a blank line
+    exec(textwrap.dedent(lines), {})
+    (written,) = tmp_path.iterdir()
+    assert np.array_equal(np.asarray(Image.open(written)), image_view(render(Scene(), 256, 256)))
 
 
 def test_is_short_enough_to_read():
