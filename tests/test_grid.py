@@ -77,13 +77,14 @@ def test_a_key_is_of_the_content():
     assert key_of(Task(Scene(beta=0.35, ku=8), central(0.001), 8, 8)) == key_of(task)
 
 
-@pytest.mark.parametrize("edited", ["kernels.py", "machines/traced.py"])
+@pytest.mark.parametrize("edited", ["renderer/kernels.py", "renderer/machines/traced.py", "proofs/formulas/ranges.py"])
 def test_a_key_is_of_the_sources_and_the_machine_too(edited, tmp_path, monkeypatch):
-    shutil.copytree(ROOT / "renderer", tmp_path / "renderer", ignore=shutil.ignore_patterns("__pycache__"))
+    for folder in ("renderer", "proofs"):
+        shutil.copytree(ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("__pycache__"))
     own, key = grid.version(), key_of(Task(Scene(), central(1e-3), 8, 8))
     monkeypatch.setattr(grid, "__file__", str(tmp_path / "renderer" / "command_line" / "grid.py"))
     assert grid.version.__wrapped__() == own
-    with open(tmp_path / "renderer" / edited, "a") as file:
+    with open(tmp_path / edited, "a") as file:
         file.write("\n")
     changed = grid.version.__wrapped__()
     monkeypatch.setattr(grid, "machine", lambda: numpy_rows)

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, as_completed
 from dataclasses import asdict, replace
 from functools import cache
+from importlib import metadata
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -31,18 +32,27 @@ _START = b'{"key": '
 
 @cache
 def version() -> str:
-    """Return a hash of what computes a result: the renderer's sources, the machine that draws, NumPy, llvmlite."""
-    drawing, folder = machine().NAME, Path(__file__).parents[1]  # llvmlite is loaded then, if it draws
+    """Return a hash of what computes a result: the renderer's sources, the machine that draws, NumPy, llvmlite.
+
+    And what a field of one's own is derived by: the sources of the formulas, SymPy.
+    """
+    drawing, root = machine().NAME, Path(__file__).parents[2]  # llvmlite is loaded then, if it draws
     llvmlite = getattr(sys.modules.get("llvmlite"), "__version__", None)
-    digest = hashlib.sha256(f"{drawing} {np.__version__} {llvmlite}".encode())
-    for path in sorted(folder.rglob("*.py")):
-        digest.update(path.relative_to(folder).as_posix().encode() + path.read_bytes())
+    digest = hashlib.sha256(f"{drawing} {np.__version__} {llvmlite} {metadata.version('sympy')}".encode())
+    for folder in ("renderer", "proofs/engine", "proofs/formulas"):
+        for path in sorted((root / folder).rglob("*.py")):
+            digest.update(path.relative_to(root).as_posix().encode() + path.read_bytes())
     return digest.hexdigest()
+
+
+def _record(task):
+    """Return what JSON can say of a Task."""
+    return vars(task) | {"scene": task.scene.as_record(), "method": asdict(task.method)}
 
 
 def key_of(task: Task) -> str:
     """Return a hash of a Task and of what computes it: equal keys, equal results."""
-    return hashlib.sha256(json.dumps([asdict(task), version()], sort_keys=True).encode()).hexdigest()
+    return hashlib.sha256(json.dumps([_record(task), version()], sort_keys=True).encode()).hexdigest()
 
 
 class Checkpoint:
@@ -106,7 +116,7 @@ class Checkpoint:
     def append(self, results: Mapping[Task, SweepRow]) -> None:
         """Keep {task: row}; when this returns, they are on the disk."""
         keys = {task: key_of(task) for task in results}
-        lines = [{"key": keys[task], "task": asdict(task), "row": asdict(row)} for task, row in results.items()]
+        lines = [{"key": keys[task], "task": _record(task), "row": asdict(row)} for task, row in results.items()]
         with open(self.path, "ab") as file:
             file.write("".join(json.dumps(line) + "\n" for line in lines).encode())
             file.flush()

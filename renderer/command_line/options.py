@@ -1,6 +1,7 @@
 """What the command line is given: the options of each verb, and the scene, the size and the method that they say."""
 
 import argparse
+import hashlib
 import re
 import sys
 from argparse import Namespace
@@ -11,6 +12,7 @@ from typing import Any, NoReturn
 
 import renderer
 from renderer.scene.methods import DECADES, DIFFERENCES, METHODS, GradientMethod, exact
+from renderer.scene.own import own_from_record
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Light, Scene
 
 Option = dict[str, Any]  # what argparse is told of one
@@ -127,7 +129,12 @@ def add_scene(parser: argparse.ArgumentParser, lists: bool) -> None:
             what += f" (default: {field.default})"
         if lists and field.name in MOVE_NO_BOUNDARY:
             kind = several(kind)
-        group.add_argument(f"--{option}", dest=field.name, help=what, **kind)
+        either = group.add_mutually_exclusive_group() if field.name == "field" else group
+        either.add_argument(f"--{option}", dest=field.name, help=what, **kind)
+        if field.name == "field":
+            what = "a field of your own instead, of u, v, k_u and k_v, such as 'abs(sinpi(k_u*u))'"
+            either.add_argument("--field-expression", metavar="FORMULA", help=what)
+            group.add_argument("--field-seam", action="store_true", help="let it differ at u = 0 and u = 1")
 
 
 def scene_of(options: Namespace) -> Scene:
@@ -135,6 +142,10 @@ def scene_of(options: Namespace) -> Scene:
     given = {field.name: getattr(options, field.name) for field in fields(Scene) if field.name in options}
     if "lights" in given:
         given["lights"] = [Light(light[:3], light[3:] or (1.0, 1.0, 1.0)) for light in given["lights"]]
+    if "field_expression" in options:
+        text = options.field_expression
+        name = f"own_{hashlib.sha256(text.encode()).hexdigest()[:6]}"
+        given["field"] = own_from_record("field", {"name": name, "expression": text, "seam": "field_seam" in options})
     return replace(Scene.from_file(options.scene) if "scene" in options else Scene(), **given)
 
 

@@ -17,11 +17,12 @@ from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer.checks import not_allowed
 
 LONGEST, DEEPEST, LARGEST_POWER, LARGEST_NUMBER = 2000, 40, 64, 2**256
-MOST_CHOICES = 16  # of abs, max, min, sign and Piecewise: SymPy compares all of them with each other
+MOST_CHOICES = 16  # abs and sign are 1, another of n parts n(n − 1), each four times as many inside another choice
 OF_FIELDS: Mapping[str, Symbol] = {symbol.name: symbol for symbol in (u, v, k_u, k_v)}
 """What an expression may be of, unless it says otherwise."""
-_OF_ONE = {"sinpi": sinpi, "cospi": cospi, "exp": exp, "log": log, "sqrt": sqrt, "abs": Abs, "Abs": Abs, "sign": sign}
-_OF_SEVERAL = {"max": Max, "Max": Max, "min": Min, "Min": Min}
+_OF_ONE = {"sinpi": sinpi, "cospi": cospi, "exp": exp, "log": log, "sqrt": sqrt}
+_CHOICES = {"abs": Abs, "sign": sign, "max": Max, "min": Min, "Piecewise": Piecewise}
+_CHOICES |= {"Abs": Abs, "Max": Max, "Min": Min}  # as SymPy prints them
 _COMPARISONS = {ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge}
 _LETTERS = re.compile(r"[A-Za-z0-9_ .,+\-*/()<>=&|]*")
 _NUMBER = re.compile(r"(\d+(\.\d*)?|\.\d+)(e[+-]?\d\d?)?")
@@ -32,7 +33,8 @@ class _Reader:
     """Reads one text."""
 
     def __init__(self, text: str, names: Mapping[str, Symbol]):
-        self.text, self.names, self.choices = text, {**names, "pi": pi}, 0
+        self.text, self.names = text, {**names, "pi": pi}
+        self.choices, self.inside = 0, 0  # how many there are; in how many the present node lies
 
     def refused(self, why: str) -> ValueError:
         """Return the error that says so of the text, of which it shows the beginning."""
@@ -82,22 +84,18 @@ class _Reader:
             case ast.BinOp(base, ast.Pow(), power):
                 return Pow(self.read(base, depth), self._power(self.read(power, depth), node))
             case ast.Call(ast.Name(name), [argument], []) if name in _OF_ONE:
-                self._count(name in ("abs", "Abs", "sign"))
                 return _OF_ONE[name](self.read(argument, depth))
-            case ast.Call(ast.Name(name), [_, _, *_] as arguments, []) if name in _OF_SEVERAL:
-                self._count(len(arguments))
-                return _OF_SEVERAL[name](*(self.read(argument, depth) for argument in arguments))
-            case ast.Call(ast.Name("Piecewise"), [_, *_] as choices, []):
-                self._count(len(choices))
-                return Piecewise(*(self._choice(choice, depth) for choice in choices))
-        allowed = ", ".join([*self.names, *_OF_ONE, *_OF_SEVERAL])
-        raise self.refused(f"{self.said(node)[:60]!r} is none of numbers, + - * / **, {allowed} and Piecewise")
-
-    def _count(self, more):
-        """Count the choices that a formula has, or refuse it."""
-        self.choices += more
-        if self.choices > MOST_CHOICES:
-            raise self.refused(f"it has more than {MOST_CHOICES} choices by abs, max, min, sign or Piecewise")
+            case ast.Call(ast.Name(name), [_, *_] as arguments, []) if name in _CHOICES:
+                self.choices += max(1, len(arguments) * (len(arguments) - 1)) * 4**self.inside
+                if self.choices > MOST_CHOICES:
+                    raise self.refused(f"it has too many choices by {', '.join(_CHOICES)}, some inside others")
+                self.inside += 1
+                read = self._choice if name == "Piecewise" else self.read
+                found = _CHOICES[name](*[read(argument, depth) for argument in arguments])
+                self.inside -= 1
+                return found
+        allowed = ", ".join([*self.names, *_OF_ONE, *_CHOICES])
+        raise self.refused(f"{self.said(node)[:60]!r} is none of numbers, + - * / **, {allowed}")
 
     def _chained(self, node, join, part_from, inverse, depth):
         """Return the terms of a sum, or the factors of a product: all at once, or SymPy would multiply some out."""
