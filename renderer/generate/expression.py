@@ -10,6 +10,8 @@ import re
 from collections.abc import Mapping
 
 from sympy import Abs, Add, And, Expr, Max, Min, Mul, Or, Piecewise, Pow, Rational, S, Symbol, exp, log, pi, sign, sqrt
+from sympy.printing.precedence import PRECEDENCE
+from sympy.printing.str import StrPrinter
 
 from proofs.engine.program import evaluated
 from proofs.formulas.half_turns import cospi, sinpi
@@ -104,6 +106,9 @@ class _Reader:
             part = self.read(node.right, depth)
             parts.append(part if isinstance(node.op, join) else inverse(part))
             node = node.left
+        if join is ast.Mult and isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            parts.append(S.NegativeOne)
+            node = node.operand
         return [self.read(node, depth), *reversed(parts)]
 
     def _choice(self, node, depth):
@@ -146,6 +151,19 @@ class _Reader:
         return found
 
 
+class _Writer(StrPrinter):
+    """Writes a product factor by factor, as it is read: 1/4/(v + 3), where 1/(4*(v + 3)) would be multiplied out."""
+
+    def _print_Mul(self, expr):
+        first, *factors = expr.args if expr.args[0].is_Rational else (S.One, *expr.args)
+        text = str(first)
+        for factor in factors:
+            below = factor.is_Pow and factor.exp.is_Rational and factor.exp.is_negative
+            part = self.parenthesize(1 / factor if below else factor, PRECEDENCE["Mul"], strict=not below)
+            text += f"/{part}" if below else f"*{part}"
+        return text.removeprefix("1*") if first == 1 else text.replace("-1*", "-", 1) if first == -1 else text
+
+
 @evaluated
 def parse_expression(text: str, names: Mapping[str, Symbol] = OF_FIELDS) -> Expr:
     """Return the SymPy expression of a text: numbers, names, π, + - * / ** and the functions that have kernels.
@@ -159,7 +177,7 @@ def parse_expression(text: str, names: Mapping[str, Symbol] = OF_FIELDS) -> Expr
 
 def expression_text(expression: Expr, names: Mapping[str, Symbol] = OF_FIELDS) -> str:
     """Return the text that `parse_expression` reads as the expression. Raises ValueError where there is none."""
-    text = str(expression)
+    text = _Writer().doprint(expression)
     if parse_expression(text, names) != expression:
         raise not_allowed("expression", text[:60], "one that is as SymPy evaluates it, which a text can say")
     return text
