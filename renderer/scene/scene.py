@@ -2,11 +2,14 @@
 
 import math
 from dataclasses import asdict, dataclass, field, fields
+from pathlib import Path
 from typing import Any
 
 from renderer.checks import check_choice, check_kind, check_number, check_triple, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.scene.own import check_own, own_from_record, own_record
+from renderer.scene.text import distrusted, read_text, read_toml, toml_of
+from renderer.whole_files import checked_target, write_whole
 
 MODELS = tuple(LIGHT_MODELS)
 MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
@@ -95,6 +98,10 @@ class Scene:
             object.__setattr__(self, each.name, each.type(checked) if each.type is not Any else checked)
         self._check_lengths()
 
+    def __repr__(self) -> str:
+        given = [f"{each.name}={now!r}" for each in fields(self) if (now := getattr(self, each.name)) != each.default]
+        return f"Scene({', '.join(given)})"
+
     def as_record(self) -> dict[str, Any]:
         """Return the scene as JSON can say it, by the names of its fields: numbers, lists, dicts and None.
 
@@ -121,6 +128,16 @@ class Scene:
         if isinstance(given.get("lights"), list):
             given["lights"] = [_light_from_record(number, light) for number, light in enumerate(given["lights"])]
         return cls(**given)
+
+    def to_file(self, path: str | Path) -> None:
+        """Write the scene to a `.toml`, for `from_file` and `--scene`. Raises ValueError as `as_record` does."""
+        write_whole(checked_target(path, (".toml",), "path"), toml_of(self.as_record()).encode())
+
+    @classmethod
+    def from_file(cls, path: str | Path) -> "Scene":
+        """Return the scene of a TOML file; what that leaves out is the chapter's. Raises ValueError, OSError."""
+        with distrusted("scene", path):
+            return cls.from_record(read_text(path, read_toml))
 
     def _check_lengths(self):
         ratio = self.radius / self.eye if self.eye else math.inf
