@@ -32,8 +32,9 @@ def test_a_picture_is_drawn_again(name, tmp_path, capsys):
     assert capsys.readouterr().err == ""
     said = record.read(tmp_path / name)
     assert said[:3] == (SCENE, FRAME.method, FRAME.raster)
-    assert run("image", "--again", tmp_path / name, "--beta", 1, "--out", tmp_path / "d.png") == 2
-    assert "no --beta beside it" in capsys.readouterr().err
+    for option, value in (("beta", 1), ("scene", "a.toml"), ("size", 8), ("crop", "0,0,1,1"), ("eps", 0.1)):
+        assert run("image", "--again", tmp_path / name, f"--{option}", value, "--out", tmp_path / "d.png") == 2
+        assert f"no --{option} beside it" in capsys.readouterr().err
 
 
 def with_text(path, text, copies=1):

@@ -85,7 +85,7 @@ def test_a_frame_is_an_array_and_says_what_it_is():
     np.testing.assert_array_equal(np.asarray(FRAME, np.float32), FRAME.rgb.astype(np.float32))
     with pytest.raises(ValueError, match="copy"):
         np.asarray(FRAME, np.float32, copy=False)
-    assert FRAME._repr_png_() == files.png_of(PICTURE)
+    np.testing.assert_array_equal(np.asarray(Image.open(BytesIO(FRAME._repr_png_()))), PICTURE)
     scene = "Scene(field='sine', beta=0.1)"
     frame = render(eval(scene), 24, 16, central(1e-3), (0, 0, 9, 8))
     assert repr(frame) == f"Frame({frame.raster}, {frame.method}, {scene})"

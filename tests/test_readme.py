@@ -1,9 +1,8 @@
 """The README's picture is what the renderer draws today, and a package index shows it."""
 
 import sys
-from types import SimpleNamespace
-
 import textwrap
+from types import SimpleNamespace
 
 import numpy as np
 from PIL import Image

@@ -28,11 +28,14 @@ ENCLOSURES = {
 """{what a height field is made of: the same of intervals}; of a selection, whichever value is selected"""
 
 
+LARGEST = 2.0**1000  # a larger number may be no float64
+
+
 def enclosure(expression: Basic, box: Mapping[Symbol, iv.mpf]) -> iv.mpf:
     """Return an interval around every value of the expression in a box.
 
-    Raises ValueError where it has none, and where it is made of more than the symbols, rationals, π and `ENCLOSURES`.
-    Powers are whole, or square roots.
+    Raises ValueError where a part of it is not shown to be finite, and where it is made of more than the symbols,
+    rationals, π and `ENCLOSURES`. Powers are whole, or square roots.
     """
     if expression in box:
         return box[expression]
@@ -47,4 +50,7 @@ def enclosure(expression: Basic, box: Mapping[Symbol, iv.mpf]) -> iv.mpf:
     kind = getattr(expression, "func", type(expression))
     if kind not in ENCLOSURES or (kind is Pow and not (expression.exp.is_Integer or abs(expression.exp) == S.Half)):
         raise ValueError(f"no kernel has {kind.__name__} as in {expression}")
-    return ENCLOSURES[kind](*(enclosure(part, box) for part in expression.args))
+    found = ENCLOSURES[kind](*(enclosure(part, box) for part in expression.args))
+    if not abs(found).b < LARGEST:
+        raise ValueError(f"on the chart {expression} is not shown to be finite")
+    return found

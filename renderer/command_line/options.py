@@ -11,6 +11,7 @@ from functools import partial
 from typing import Any, NoReturn
 
 import renderer
+from renderer.checks import not_allowed
 from renderer.scene.methods import DECADES, DIFFERENCES, METHODS, GradientMethod, exact
 from renderer.scene.own import own_from_record
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Light, Scene
@@ -142,6 +143,8 @@ def scene_of(options: Namespace) -> Scene:
     given = {field.name: getattr(options, field.name) for field in fields(Scene) if field.name in options}
     if "lights" in given:
         given["lights"] = [Light(light[:3], light[3:] or (1.0, 1.0, 1.0)) for light in given["lights"]]
+    if "field_seam" in options and "field_expression" not in options:
+        raise not_allowed("field-seam", True, "given with --field-expression")
     if "field_expression" in options:
         text = options.field_expression
         name = f"own_{hashlib.sha256(text.encode()).hexdigest()[:6]}"

@@ -8,6 +8,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import fields
 from pathlib import Path
 
+import renderer
 from renderer.checks import check_choice, extra, not_allowed
 from renderer.command_line.options import (
     OF_IMAGE,
@@ -32,10 +33,10 @@ from renderer.scene.methods import DIFFERENCES
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.threads import checked_threads
-from renderer.version import __version__
 from renderer.whole_files import checked_target
 
 PIPE = "-"
+OF_RASTER = ("size", "width", "height", "crop", "gradient", "eps")  # what a picture remembers beside its scene
 
 
 def draw_image(options: Namespace) -> None:
@@ -71,10 +72,12 @@ def _asked_for(options):
 
 def _drawn_again(options):
     """Return those of a picture's file; say where what drew it is not what draws now."""
-    if given := vars(options).keys() & {"scene", *(field.name for field in fields(Scene))}:
+    given = vars(options).keys() & {"scene", *(field.name for field in fields(Scene))}
+    given |= {n for n in OF_RASTER if str(getattr(options, n)) != str(OF_IMAGE[f"--{n}"].get("default"))}
+    if given:
         raise not_allowed("again", options.again, f"no --{min(given).replace('_', '-')} beside it")
     said = record.read(options.again)
-    for what, then, now in (("version", said.version, __version__), ("machine", said.machine, machine().NAME)):
+    for what, then, now in (("version", said.version, renderer.__version__), ("machine", said.machine, machine().NAME)):
         if then != now:
             print(f"{options.again} was drawn by {what} {then}; this is {now}", file=sys.stderr)
     return said[:3]

@@ -14,24 +14,25 @@ from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.scene.text import LARGEST, distrusted, read_json
-from renderer.version import __version__
 
 MEMBER = "record.json"  # of an NPZ, beside its arrays
 NAMES = {"version", "machine", "width", "height", "crop", "gradient", "scene"}
 
 
 class Drawing(NamedTuple):
-    """What is drawn and how, and the version and the machine that draw it."""
+    """What is drawn and how; read from a file, the version and the machine that drew it too."""
 
     scene: Scene
     method: GradientMethod
     raster: Raster
-    version: str = __version__
+    version: str = ""
     machine: str = ""
 
 
 def text_of(drawing: Drawing) -> str:
     """Return the record, ASCII; nothing where a field or a model of one's own has no text."""
+    from renderer.version import __version__  # which takes a while where it is installed
+
     try:
         scene = drawing.scene.as_record()
     except ValueError:

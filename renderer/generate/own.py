@@ -130,7 +130,10 @@ def _program_of(name, lines):
         expression = parse_expression(text, names)
         names[target.strip()] = real(target.strip())
         definitions.append((names[target.strip()], expression))
-    return Program(name, _SEEN_BY_A_LIGHT, tuple(definitions), (mu, specular_base))
+    try:
+        return Program(name, _SEEN_BY_A_LIGHT, tuple(definitions), (mu, specular_base))
+    except ValueError as error:
+        raise not_allowed("program", name, f"{error}") from None
 
 
 def _parts(what, record, kinds, **defaults):

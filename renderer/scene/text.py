@@ -1,7 +1,6 @@
 """Records as text, JSON or TOML, read with distrust: whoever wrote a text may have meant harm."""
 
 import json
-import tomllib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -61,6 +60,8 @@ def toml_of(record: dict[str, Any]) -> str:
 
 def read_toml(text: bytes) -> dict[str, Any]:
     """Return the record of a scene that a TOML text says."""
+    import tomllib  # which a picture does not need
+
     record = tomllib.loads(text.decode())
     for light in record.get("lights", ()):
         if light.get("color") == OFF:

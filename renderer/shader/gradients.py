@@ -51,7 +51,8 @@ def _chart_points(u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
 def height_at(scene: Scene, u: ArrayLike, v: ArrayLike) -> np.ndarray:
     """Return h(u, v) of the scene's field, an array of the broadcast shape. Raises ValueError off the chart."""
     check_kind("scene", scene, Scene)
-    return np.array(field_kernels(scene.field)["height"](*_chart_points(u, v), scene.ku, scene.kv))
+    here = _chart_points(u, v)
+    return np.broadcast_to(field_kernels(scene.field)["height"](*here, scene.ku, scene.kv), here[0].shape).copy()
 
 
 @np.errstate(all="ignore")

@@ -1,0 +1,275 @@
+"""Fields and models of light of one's own: drawn, bounded, refused, written down and read again."""
+
+import json
+import multiprocessing
+import os
+import re
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import suppress
+from dataclasses import replace
+from functools import cache
+from random import Random
+
+import mpmath
+import numpy as np
+import pytest
+from distributed import Client, LocalCluster
+from hypothesis import given
+from sympy import Max, Mul, Rational, exp
+
+from proofs.engine.program import Program
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.shading import LIGHT_MODELS, light_direction
+from proofs.formulas.symbols import bumped, light, mu, point, real, specular_base, view
+from renderer import HeightField, LightModel, Scene, central, central4, exact, forward, gradient_at, height_at, render
+from renderer.command_line import grid
+from renderer.command_line.verbs import main
+from renderer.generate.expression import LONGEST, expression_text, parse_expression
+from renderer.generate.own import k_u, k_v, sinpi, u, v
+from renderer.machines import native, numpy_rows
+from renderer.picture.sweep import Task, compared
+from renderer.scene.own import field_kernels
+from tests.processes import python
+from tests.refusals import rejection
+from tests.strategies import scenes
+from tests.test_machines import differing, drawn_by, held
+from verify.enclosed_pixels import Picture
+
+DUNES = "exp(-8*(v-1/2)**2)*sinpi(k_u*u)"
+WAVES = ("sinpi(k_u*u)", "cospi(2*k_u*u+k_v*v)", "sinpi(k_v*v)", "cospi(k_v*v-1/3)", "sign(2+sinpi(k_u*u))")
+CREASED = ("abs(sinpi(k_u*u)*cospi(k_v*v))", "max(0,sinpi(k_v*v))", "min(0, sinpi(k_u*u+k_v*v))")
+PLAIN = ("v", "u*(1-u)", "(v-1/2)**2", "0.3", "2.5e-1", "pi/4")
+JOINED = ("({0}+{1})", "({0}-{1})", "{0}*{1}", "{0}/(3+{2})", "exp(-2*{0}**2)", "log(4+{2})", "sqrt(4+{2})", "-{0}")
+KU, KV = 6.0, 3.0
+METHODS = (exact(), central(1e-3), forward(1e-2), central4(1e-2))
+
+
+def formula(random, depth=3):
+    """A random text of the grammar."""
+    if not depth:
+        return random.choice(WAVES + CREASED + PLAIN)
+    return random.choice(JOINED).format(*(formula(random, depth - 1) for _ in range(2)), random.choice(WAVES))
+
+
+@cache
+def accepted(count=40):
+    """[(text, HeightField)] of random texts; those that are refused, by most for their creases, are left out."""
+    random, found = Random(28), {}
+    while len(found) < count:
+        text = formula(random)
+        with suppress(ValueError):
+            found[text] = found.get(text) or HeightField(f"random_{len(found)}", parse_expression(text))
+    return list(found.items())
+
+
+def by_mpmath(text):
+    """The function of a text, by Python and mpmath alone."""
+    exactly = re.sub(r"[\d.]+(e-?\d+)?", r"mpf('\g<0>')", text)
+    return eval(f"lambda u, v, k_u={KU}, k_v={KV}: {exactly}", vars(mpmath) | {"min": min, "max": max})
+
+
+def apart(text, field):
+    """How far heights and slopes of a field are from those of a text, over their size, off the creases."""
+    scene, random = Scene(field=field, ku=KU, kv=KV), np.random.default_rng(28)
+    here = random.uniform(0.01, 0.99, (2, 12))
+    here = here[:, field_kernels(field)["straddling"](*here, KU, KV, 1e-6) == np.zeros(12)]
+    found = [height_at(scene, *here), *gradient_at(scene, *here, exact())]
+    with mpmath.workdps(60):
+        true = [[mpmath.diff(by_mpmath(text), at, n) for at in here.T.tolist()] for n in ((0, 0), (1, 0), (0, 1))]
+        return np.max(abs(np.array(found) - true) / (1 + abs(np.array(true))))
+
+
+@pytest.mark.parametrize("number", range(40))
+def test_a_formula_is_drawn_by_both_machines_and_is_what_it_says(number, monkeypatch):
+    """Bits, gradients against mpmath's at 60 digits, bounds against 256-bit balls."""
+    text, field = accepted()[number]
+    assert parse_expression(expression_text(field.expression)) == field.expression
+    assert apart(text, field) < 1e-12
+    scene, method = Scene(field=field, ku=KU, kv=KV), METHODS[number % len(METHODS)]
+    with drawn_by(native.drawer):
+        by_llvm = held(render(scene, 24, 16, method))
+    monkeypatch.setitem(HEIGHT_FIELDS, field, field)
+    with drawn_by(numpy_rows.drawer):
+        picture = Picture(scene, 24, 16, method)
+        assert differing(by_llvm, held(picture.frame)) == []
+    assert not any(picture.wrong(*place) for place in ((10, 6), (13, 9), (8, 8), (12, 4)))
+
+
+def test_a_wrong_slope_is_noticed():
+    text, field = accepted()[0]
+    assert apart(text, HeightField("wrong", field.expression * (1 + Rational(1, 10**9)))) > 1e-12
+
+
+HOSTILE = [
+    "__import__('os')", "u" * 10**6, "(" * 10**4 + "u" + ")" * 10**4, "(" * 500 + "u" + ")" * 500,
+    "-" * (LONGEST - 1) + "u", "9**9**9", "((9**64)**64)**64", "(u**64)**64", "u**65", "u**v", "1e99",
+    "1e999", "*".join("u" * 200), "nan", "inf", "I", "1/u", "1/0", "log(0)", "log(-1)",
+    "sqrt(-1)", "log(v-1)", "u.real", "a.b", "exp.__class__", "ｕ", "υ", "u−v", "lambda: 1", "'u'", '"u"',
+    "u<v", "u<v<1", "u if v else 1", "u and v", "[u]", "(u,)", "u@v", "u//v", "u%v",
+    "u^v", "u|v", "~u", "u\nv", "u\0", "u:=1", "", "u u", "x", "True", "...", "1j",
+    "0x10", "1_000", "exp", "exp(u,v)", "exp(u,v=1)", "max(*u)", "sin(u)", "eval(u)",
+    "Piecewise((u,v))", "await u", "exp(exp(exp(20)))", "sinpi(exp(exp(20)))",
+    "abs(v-" * 9 + "u" + ")" * 9,
+    "max(" + ",".join("uv" * 20) + ")",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("text", HOSTILE, ids=range(len(HOSTILE)))
+def test_a_hostile_formula_is_refused_in_a_sentence(text):
+    said = rejection(Scene.from_record, {"field": {"name": "hostile", "expression": text}})
+    assert said.startswith("expression = ") and len(said) < 400
+
+
+def not_written(expression):
+    return rejection(Scene(field=HeightField(f"own_{len(str(expression))}", expression)).as_record)
+
+
+def test_a_formula_that_no_text_says_is_drawn_and_not_written():
+    assert "as SymPy evaluates it" in not_written(Mul(2, v + Rational(1, 3), evaluate=False))
+    assert "is not allowed: a text of at most" in not_written(sum(sinpi(n * k_v * v) for n in range(1, 200)))
+
+
+@pytest.mark.parametrize(
+    ("make", "text"),
+    [
+        (lambda: Scene(field=HeightField("sine", v)), "name = 'sine' is not allowed: a name that no other formula has"),
+        (lambda: [Scene(field=HeightField("twice", w)) for w in (v, v**2)], "name = 'twice' is not allowed: a name"),
+        (lambda: Scene(field=DUNES), f"field = {DUNES!r} is not allowed: one of 'sine'"),
+        (lambda: Scene(field=LIGHT_MODELS["phong"]), "is not allowed: one of 'sine'"),
+        (lambda: Scene(model=HEIGHT_FIELDS["sine"]), "is not allowed: one of 'blinn'"),
+        (lambda: Scene(model=LightModel("bare", light_direction)), "with the outputs mu and specular_base"),
+    ],
+)
+def test_what_is_no_field_is_refused(make, text):
+    assert text in rejection(make)
+
+
+def test_a_name_may_be_given_again_to_the_same_formula():
+    first, again = (Scene(field=HeightField("same", exp(v) * sinpi(k_u * u))) for _ in range(2))
+    assert again == first and again.field is first.field
+    assert Scene(field=replace(HEIGHT_FIELDS["rings"])) == Scene(field="rings")
+
+
+lambert = real("lambert")
+WRAPPED = Program(
+    "wrapped",
+    (*point, *light, *bumped, *view),
+    (
+        *light_direction.definitions[:-1],
+        (lambert, light_direction[mu]),
+        (mu, (4 * lambert + 1) / 5),
+        (specular_base, Max(0, lambert)),
+    ),
+    (mu, specular_base),
+)
+
+
+def test_a_model_of_light_of_ones_own(monkeypatch):
+    """Drawn, bounded, written down and read again; as it is said, where a known one is given."""
+    scene = Scene(model=LightModel("wrapped", WRAPPED), field=HeightField("wavy", sinpi(k_u * u + k_v * v)))
+    monkeypatch.setitem(LIGHT_MODELS, scene.model, scene.model)
+    monkeypatch.setitem(HEIGHT_FIELDS, scene.field, scene.field)
+    picture = Picture(scene, 24, 16, exact())
+    with drawn_by(numpy_rows.drawer):
+        assert differing(held(picture.frame), held(render(scene, 24, 16))) == []
+    assert not any(picture.wrong(*place) for place in ((10, 6), (13, 9), (2, 14)))
+    assert Scene.from_record(json.loads(json.dumps(scene.as_record()))) == scene
+    for known in LIGHT_MODELS.values():
+        own = Scene(model=replace(known, name=f"own_{known.name}"))
+        drawn = render(Scene.from_record(own.as_record()), 24, 16).rgb
+        assert known is scene.model or (drawn == render(Scene(model=known.name), 24, 16).rgb).all()
+
+
+@given(scenes())
+def test_a_scene_is_read_as_it_was_written(scene):
+    assert Scene.from_record(json.loads(json.dumps(scene.as_record()))) == scene
+
+
+OWN = {"name": "read", "expression": "v"}
+PROGRAM = ["mu = bumped_z", "specular_base = 0*mu"]
+
+
+@pytest.mark.parametrize(
+    ("record", "text"),
+    [
+        ([], "scene = [] is not allowed: a record"),
+        ({"colour": 1}, "scene = 'colour' is not allowed: one of 'radius'"),
+        ({"ku": float("nan")}, "ku = nan is not allowed"),
+        ({"ku": "8"}, "ku = '8' is not allowed"),
+        ({"ball": 1}, "ball = 1 is not allowed: True or False"),
+        ({"ambient": {"red": 1}}, "ambient = {'red': 1} is not allowed: three"),
+        ({"lights": [[5, 5, 5]]}, "lights[0] = [5, 5, 5] is not allowed: a record with a position"),
+        ({"lights": [{"color": None}]}, "lights[0] = {'color': None} is not allowed: a record with a position"),
+        ({"lights": [{"position": [5, 5, 5], "power": 1}]}, "a record with a position and a color"),
+        ({"field": None}, "field = None is not allowed: one of"),
+        ({"field": {"name": "read"}}, "field = {'name': 'read'} is not allowed: one with a expression"),
+        ({"field": OWN | {"more": 1}}, "field = 'more' is not allowed: the parts name, expression, seam"),
+        ({"field": OWN | {"seam": "no"}}, "field.seam = 'no' is not allowed: a bool"),
+        ({"model": {"name": "read", "program": "mu"}}, "model.program = 'mu' is not allowed: a list"),
+        ({"model": {"name": "read", "program": ["mu"]}}, "program = 'mu' is not allowed: lines such as"),
+        ({"model": {"name": "read", "program": ["os.a = 1"]}}, "name = 'os.a' is not allowed: an identifier"),
+        ({"model": {"name": "read", "program": ["sqrt = bumped_z", *PROGRAM]}}, "'sqrt' is not allowed: a name that"),
+        ({"model": {"name": "read", "program": ["mu = u"]}}, "'u' is none of"),
+        ({"model": {"name": "read", "program": PROGRAM[:1]}}, "program = "),
+        ({"model": {"name": "read", "program": PROGRAM * 200}}, "program = 400 is not allowed: at most"),
+    ],
+)
+def test_a_broken_record_is_refused_in_words(record, text):
+    assert text in rejection(Scene.from_record, record)
+
+
+def test_a_plain_scene_asks_for_no_formula():
+    code = """if True:
+        import sys
+        from renderer import *
+        scene = Scene.from_record(Scene(field="rings").as_record())
+        render(scene, 8, 8, central(1e-3), bounds=True)
+        print({"sympy", "mpmath", "proofs"} & {*sys.modules})"""
+    assert python("-c", code) == ("set()\n", "")
+
+
+def test_the_next_process_compiles_nothing(tmp_path):
+    code = f"""if True:
+        import sys
+        from renderer import Scene, render
+        from renderer.machines import native
+        if sys.argv[1] == "2":
+            native.optimized = None
+        record = {{"name": "kept", "expression": {DUNES!r}}}
+        print(render(Scene.from_record({{"field": record}}), 8, 8).rgb.tobytes().hex())"""
+    own = os.environ | {"SYMBOLIC_RENDERING_CODE": str(tmp_path)}
+    drawn = [python("-c", code, seed, env=own | {"PYTHONHASHSEED": seed}) for seed in "12"]
+    assert drawn[0] == drawn[1]
+
+
+def test_a_sweep_of_ones_own_field_by_other_processes(tmp_path):
+    """A pool, a Dask worker, a checkpoint: the same rows, and the scene again from what is kept."""
+    scene = Scene(field=HeightField("swept", parse_expression(DUNES)))
+    tasks = grid.grid(scene, [(24, 16)], ["central"], (1e-2, 1e-3), beta=[0.1, 0.2, 0.3])
+    expected = dict(zip(tasks, compared(tasks), strict=True))
+    kept = tmp_path / "kept.jsonl"
+    with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool, grid.Checkpoint(kept) as checkpoint:
+        assert grid.run(tasks, pool, checkpoint) == expected
+    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+        assert grid.run(tasks, client.get_executor()) == expected
+    for line in kept.read_text().splitlines():
+        found = json.loads(line)["task"]
+        again = Task(Scene.from_record(found["scene"]), central(found["method"]["eps"]), 24, 16)
+        assert again in expected
+        assert grid.key_of(again) == json.loads(line)["key"]
+        assert grid.key_of(replace(again, scene=replace(scene, field="sine"))) != grid.key_of(again)
+
+
+def test_the_command_line_takes_a_formula(tmp_path, capsys):
+    target = tmp_path / "own.npy"
+    own = ["--field-expression", DUNES, "--size", "24"]
+    assert main(["image", *own, "--out", str(target)]) == 0
+    drawn = Scene(field=HeightField("dunes", parse_expression(DUNES)))
+    assert (np.load(target) == render(drawn, 24, 24).rgb).all()
+    assert main(["sweep", *own, "--no-facts", "--eps", "1e-3"]) == 0
+    assert re.search(r"\nown_\w{6}, blinn, 24 x 24", capsys.readouterr().out)
+    refused = {"seam=True": ["--field-expression", "u*v"], "letter": ["--field-expression", "u'"]}
+    for words, more in (refused | {"field-seam = True": ["--field-seam"]}).items():
+        assert main(["image", "--out", str(target), *more]) == 2
+        assert words in capsys.readouterr().err
+    assert main(["image", "--field-expression", "u*v", "--field-seam", "--size", "8", "--out", str(target)]) == 0
