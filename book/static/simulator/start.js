@@ -126,6 +126,7 @@ function simulator_start(root, compiled, module) {
     curve.show(state, pixel_curve, picture_of === curve_key(state) ? picture : none);
     readouts.captions(state);
     cursor.show(state); // after the curve, which asks how wide it is
+    root.dispatchEvent(new CustomEvent("pixel", { detail: state })); // for what shows more of it, such as the loupe
     shown_panels = performance.now();
   }
 
