@@ -18,7 +18,7 @@
  *   fields: Record<string, { ways: Record<string, number>, creases: number }>,
  *   models: Record<string, { index: number, power: number }>, stills: number[], arguments: string[],
  *   kernels: Record<string, [number, number]>, painting: string[], numbers: string[], tables: Tables,
- *   terms: string[], term_colours: string[] }} SimulatorData
+ *   terms: string[], term_colours: string[], scene_bounds?: number[] }} SimulatorData
  * @typedef {{ raster: Raster, pitch: number, addresses: Record<string, number> }} Ground planes in memory
  * @typedef {Ground & { codes: Uint8Array, count: number, at: Int32Array, rows: [number, number], stills: number,
  *   kept?: string, targets: Record<string, number> }} Stage
@@ -81,6 +81,22 @@
  * @typedef {{ eps: number, size: number }} LinePoint
  * @typedef {LinePoint & { max: number }} PicturePoint the root mean square of a picture's difference, and the largest
  * @typedef {Record<string, LinePoint[]>} Lines
+ */
+
+// simulator/loupe.js
+/**
+ * @typedef {{ name: string, step: number, at: number, h: number }} Sample of the height: how many ε away, and the places
+ *   of the argument and of the height among what the kernel returns
+ * @typedef {SimulatorData & { pairs: Record<string, Record<string, [Sample, Sample][]>> }} CloserData
+ * @typedef {[look: string, end: number, of?: bigint]} Run of bits down to a place, of the row's number or of another
+ * @typedef {[CloserData, ...WebAssembly.Module[]]} CloserParts what a module of both programs is made of
+ */
+
+// simulator/certified.js
+/**
+ * @typedef {{ key: string, parts: CloserParts, state: State, raster: Raster }} CertifiedTask
+ * @typedef {{ key: string, maps: Uint32Array<ArrayBuffer>[], rms: number[], largest: number[], extremes: number[][],
+ *   open: number }} CertifiedFound ends of the RMS and of the largest difference; each picture's largest and median bound
  */
 
 // ideas/ideas.js

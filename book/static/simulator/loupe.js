@@ -5,263 +5,221 @@
  * What a module of both programs is made of. The second one is fetched when it is first asked for; the one file has it.
  * @param {SimulatorData} data
  * @param {WebAssembly.Module} compiled
- * @returns {Promise<[SimulatorData, ...WebAssembly.Module[]]>}
+ * @returns {Promise<CloserParts>}
  */
 async function closer_parts(data, compiled) {
-  if (!Simulator.closer) {
-    const { src } = /** @type {HTMLScriptElement} */ (find_element(document, "script[data-later]"));
+  /** @type {HTMLScriptElement | null} */
+  const later = document.querySelector("script[data-later]");
+  if (later)
     await new Promise((done, failed) => {
-      const script = make_element("script", { src });
+      const script = make_element("script", { src: later.src });
       script.onload = done;
-      script.onerror = () => failed(new Error(`${src} is not there`));
+      script.onerror = () => failed(new Error(`${later.src} is not there`));
       document.head.append(script);
     });
-  }
   const { program, kernels, ...more } = Simulator.closer;
-  const all = { ...data, ...more, kernels: { ...data.kernels, ...kernels } };
-  return [all, compiled, await compiled_program(program)];
+  return [{ ...data, ...more, kernels: { ...data.kernels, ...kernels } }, compiled, await compiled_program(program)];
 }
-
-/** The bits of float64 numbers by their places: the bit of place p counts 2^p. */
-const Bits = {
-  LOWEST: -1074,
-  /** A number's size as a multiple of the smallest float64. @param {number} number */
-  units(number) {
-    const [bits] = new BigUint64Array(Float64Array.of(Math.abs(number)).buffer);
-    const [exponent, fraction] = [bits >> 52n, bits & (2n ** 52n - 1n)];
-    return exponent ? (fraction | (2n ** 52n)) << (exponent - 1n) : fraction;
-  },
-  /** The place of the first 1. @param {bigint} units */
-  first: (units) => Bits.LOWEST + units.toString(2).length - 1,
-  /** The place of the last 1. @param {bigint} units */
-  end: (units) => Bits.LOWEST + units.toString(2).length - 1 - units.toString(2).lastIndexOf("1"),
-  /** The last place of a float64. @param {number} number */
-  last: (number) => Math.max(Bits.first(Bits.units(number)) - 52, Bits.LOWEST),
-  /** The bits of so many places down to a last one, as text. @param {bigint} units @param {number} count @param {number} last */
-  text: (units, count, last) =>
-    BigInt.asUintN(count, units >> BigInt(last - Bits.LOWEST)).toString(2).padStart(count, "0")
-};
 
 /**
  * @param {HTMLElement} root
  * @param {States} states
- * @param {SimulatorModule} module with both programs
- * @param {SimulatorData} data of both
+ * @param {CloserData} data
+ * @param {SimulatorModule} module of both programs
  * @param {Act} act
  */
-function simulator_loupe(root, states, module, data, act) {
+function simulator_loupe(root, states, data, module, act) {
   const NAMES = ["numeric", "symbolic", "difference"];
   const SIDE = 16;
-  const MOST = 128; // places of the ruler
+  const APART = SIDE + 1;
+  const MIDDLE = [SIDE / 2, SIDE / 2];
+  const FIRST = 7; // places of the ruler: the bit of place n counts 2^n
+  const LAST = -120;
+  const FINEST = 200; // of a number no more than 2^-200 is looked at
   const EXACT = { name: "exact" };
   const box = find_element(root, "#loupe");
-  const lenses = NAMES.map((name) => find_element(box, `[data-lens=${name}]`));
-  const facts = find_element(box, ".sim-slopes");
-  const ruler = find_element(box, ".sim-bits");
-  /** @type {State} */
-  let shown;
-  let [left, top] = [0, 0];
+  const frame = find_element(box, ".sim-lenses");
+  /** @type {HTMLCanvasElement} */
+  const canvas = find_element(frame, "canvas");
+  const outputs = box.querySelectorAll("output");
+  const body = find_element(box, "tbody");
   /** @type {Float64Array[][]} */
   let colors = [];
+  /** @type {State} */
+  let shown;
+
+  /** @param {number} place */
+  const corner = (place) => place - SIDE / 2;
 
   /** Draw the pixels around the cursor by both pipelines, and their difference. @param {State} state */
   function draw_lenses(state) {
-    const corner = [state.column, state.row].map((at) => clamp(0, at - SIDE / 2, states.side(state) - SIDE));
-    [left, top] = corner;
-    const stage = module.make_stage(state, { ...states.crop(state), left, top, wide: SIDE, high: SIDE });
-    colors = [{ name: state.method, eps: state.eps }, EXACT].map((method, n) => {
+    const raster = {
+      ...states.crop(state),
+      left: corner(state.column),
+      top: corner(state.row),
+      wide: SIDE,
+      high: SIDE
+    };
+    const stage = module.make_stage(state, raster);
+    colors = [{ name: state.method, eps: state.eps }, EXACT].map((each, n) => {
       module.draw_elsewhere(state, stage, NAMES[n]);
-      module.draw_a(state, method, stage, NAMES[n]);
+      module.draw_a(state, each, stage, NAMES[n]);
       module.paint("paint_colors", stage, NAMES[n], { whole: true });
       return module.colors_of(stage, NAMES[n]);
     });
-    const pair = { whole: true, of: NAMES[0], other: NAMES[1], table: "sizes", palette: "inferno" };
-    module.paint("paint_difference_logarithmic", stage, NAMES[2], pair);
+    const pair = { whole: true, of: "numeric", other: "symbolic", table: "sizes", palette: "inferno" };
+    module.paint("paint_difference_logarithmic", stage, "difference", pair);
     for (const [n, name] of NAMES.entries()) {
-      /** @type {HTMLCanvasElement} */
-      const canvas = find_element(lenses[n], "canvas");
-      const bytes = new Uint8ClampedArray(module.bytes(stage, name, [0, SIDE]));
-      canvas.getContext("2d")?.putImageData(new ImageData(bytes, SIDE), 0, 0);
+      const image = new ImageData(module.bytes(stage, name, [0, SIDE]).slice(), SIDE);
+      canvas.getContext("2d")?.putImageData(image, APART * n, 0);
     }
   }
 
-  /** Say what a pixel's values are, and mark it. @param {number} column @param {number} row @param {string} mark */
-  function tell(column, row, mark) {
-    box.style.setProperty(`--${mark}-left`, `${(100 * (column - left)) / SIDE}%`);
-    box.style.setProperty(`--${mark}-top`, `${(100 * (row - top)) / SIDE}%`);
-    const [numeric, symbolic] = colors.map((planes) => planes.map((plane) => plane[(row - top) * SIDE + column - left]));
-    const values = [numeric, symbolic].map((rgb) => rgb.map((value) => value.toFixed(10)));
-    values.push(numeric.map((value, n) => scientific(Math.abs(value - symbolic[n]), 2)));
-    for (const [n, lens] of lenses.entries()) find_element(lens, "output").innerText = values[n].join("\n");
-    find_element(box, "[data-told]").textContent = `${column}, ${row}`;
+  /** Mark a pixel of the lenses, and say what its values are. @param {number[]} place */
+  function tell([x, y]) {
+    frame.style.cssText = `--x: ${x}; --y: ${y}`;
+    const values = colors.map((planes) => planes.map((plane) => plane[SIDE * y + x]));
+    const [numeric, symbolic] = values;
+    values.push(numeric.map((value, n) => Math.abs(value - symbolic[n])));
+    for (const [n, output] of outputs.entries())
+      output.innerText = values[n].map((value) => (n < 2 ? value.toFixed(10) : scientific(value, 2))).join("\n");
+    const at = [corner(shown.column) + x, corner(shown.row) + y];
+    find_element(box, "[data-told]").textContent = at.join(", ");
   }
 
-  /** The pixel under the pointer. @param {PointerEvent | MouseEvent} event @param {Element} lens @returns {[number, number]} */
-  function pointed(event, lens) {
-    const { x, y, width, height } = pointer_in(lens, event);
-    const [right, down] = [x / width, y / height].map((share) => clamp(0, Math.floor(share * SIDE), SIDE - 1));
-    return [left + right, top + down];
+  /** The pixel under the pointer. @param {MouseEvent} event */
+  function pointed(event) {
+    const { x, y, width, height } = pointer_in(frame, event);
+    const across = Math.floor((x / width) * canvas.width) % APART;
+    return [across, (y / height) * SIDE].map((at) => clamp(0, Math.floor(at), SIDE - 1));
   }
+
+  /** A number's size as a whole number of the finest place. @param {number} number */
+  const units = (number) => BigInt(Math.trunc(Math.abs(number) * 2 ** FINEST));
+  /** The place of the first bit. @param {bigint} of */
+  const first = (of) => of.toString(2).length - 1 - FINEST;
+  /** The place of a float64's last bit. @param {number} number */
+  const last = (number) => first(units(number)) - 52;
 
   /**
-   * Where a difference takes the height along an axis, from the largest to the smallest, as the kernel did.
-   * @param {State} state
-   * @param {number[]} here u and v
-   * @param {number[]} found what the kernel noted
+   * Add a row of the ruler: runs of bits down to a place, each of the number itself or of another one.
+   * @param {string} name
+   * @param {number} number
+   * @param {Run[]} runs
    */
-  function samples_of({ axis, method, field, eps }, here, found) {
-    const n = Number(axis === "v");
-    const taken = data.taken[`samples_${method}_${field}`].map((name, i) => {
-      const back = name.includes("minus") || (method === "forward" && n && here[1] + eps > 1);
-      const step = name === "h_here" ? 0 : (back ? -1 : 1) * (name.endsWith("2") ? 2 : 1);
-      return { name, step, at: found[3 * i + n], h: found[3 * i + 2] };
+  function add(name, number, runs, note = "") {
+    const own = units(number);
+    let from = FIRST;
+    /** @type {Run[]} */
+    const all = [["blank", first(own) + 1], ...runs, ["kept", last(number)]];
+    const spans = all.map(([look, end, of = own]) => {
+      const to = Math.max(end, LAST);
+      const count = Math.max(0, from - to + 1);
+      from = Math.min(from, to - 1);
+      const bits = BigInt.asUintN(count, of >> BigInt(to + FINEST)).toString(2);
+      return count ? make_element("span", { class: look }, bits.padStart(count, "0")) : "";
     });
-    const along = taken.filter(({ name }) => name.startsWith(`h_${axis}_`));
-    const all = along.length % 2 ? [...along, ...taken.filter(({ step }) => !step)] : along;
-    return all.sort((one, other) => other.step - one.step);
+    const exponent = number ? `${number < 0 ? "−" : "+"}2${raised(first(own))}` : "0";
+    const cells = [[exponent], [...spans, make_element("small", {}, note)]].map((parts) =>
+      make_element("td", {}, ...parts)
+    );
+    body.append(make_element("tr", {}, make_element("th", { scope: "row" }, name), ...cells));
   }
 
-  /** @typedef {[look: string, last: number, units?: bigint]} Run of bits, down to a place, of the number or another */
-
-  /**
-   * The rows of the ruler: what a number is called, itself, its runs of bits, and what is said of it.
-   * @param {State} state
-   * @param {number[]} here
-   * @param {number[]} found
-   */
-  function rows_of(state, here, found) {
-    const { axis, eps } = state;
-    const at = here[Number(axis === "v")];
-    const samples = samples_of(state, here, found);
-    /** @type {{ name: string, number: number, runs: Run[], note: string }[]} */
-    const rows = [];
-    /** @param {string} name @param {number} number @param {Run[]} runs */
-    function add(name, number, runs, note = "") {
-      const first = Bits.first(Bits.units(number));
-      rows.push({ name, number, runs: [["blank", first + 1], ...runs], note });
-    }
-    /** @param {number} number @returns {Run} */
-    const kept = (number, last = Bits.last(number)) => ["kept", last];
-    const called = (/** @type {number} */ step) =>
-      step ? `${axis} ${step > 0 ? "+" : "−"} ${Math.abs(step) > 1 ? "2" : ""}ε` : axis;
-
-    add(axis, at, [kept(at)]);
-    add("ε", eps, [kept(eps)]);
-    for (const sample of samples.filter(({ step }) => step)) add(called(sample.step), sample.at, ...stepped(sample));
-    for (let n = 0; n < samples.length / 2; n++) {
-      const pair = [samples[n], samples[samples.length - 1 - n]];
-      const [one, other] = pair.map(({ h }) => h);
-      const apart = one * other < 0 ? Infinity : Bits.first(Bits.units(one) ^ Bits.units(other));
-      for (const { step, h } of pair) add(`h(${called(step)})`, h, [["same", apart + 1], kept(h)]);
-      add("difference", one - other, ...subtracted(one, other));
-    }
-    return rows;
-
-    /** A stepped argument: the exact sum's bits that it has no place for are lost. @param {typeof samples[number]} sample @returns {[Run[], string]} */
-    function stepped({ step, at: stored }) {
-      const rounded = at + step * eps;
-      const turn = 1n << BigInt(-Bits.LOWEST);
-      if (axis === "v" && stored !== rounded) return [[kept(stored)], `clamped to ${stored}`];
-      const sum = Bits.units(at) + BigInt(step) * Bits.units(eps);
-      const round = BigInt(Math.round(rounded - stored));
-      const exact = sum - round * turn;
-      const away = Bits.units(stored) - exact;
-      const words = away ? `rounded ${away > 0 ? "up" : "down"}` : "exact";
-      const note = `${stored === at ? `back to ${axis}` : words}${round ? ", around the seam" : ""}`;
-      return [[kept(stored, Math.max(Bits.last(rounded), Bits.last(stored))), ["lost", Bits.end(exact), exact]], note];
-    }
-
-    /** What two heights leave of each other, and how much of it rounding may have made. @param {number} one @param {number} other @returns {[Run[], string]} */
-    function subtracted(one, other) {
-      const left = one - other;
-      if (!left) return [[], "nothing is left"];
-      const noise = `noise_${state.field}`;
-      const known = state.method === "central" && noise in data.kernels;
-      const size = known ? module.kernel(noise, here[0], here[1], state.ku, state.kv, eps)[Number(axis === "v")] : 0;
-      const ends = Math.max(Bits.last(left), Math.min(Bits.last(one), Bits.last(other)));
-      const below = known ? Math.floor(Math.log2(size)) : -Infinity;
-      const bits = Bits.first(Bits.units(left)) - ends + 1;
-      const noisy = clamp(0, below - ends + 1, bits);
-      const note = `${bits} of 53 bits are left${known ? `, ${noisy} of them noise` : ""}`;
-      return [[kept(left, Math.max(ends, below + 1)), ["noise", ends], ["filled", Bits.last(left)]], note];
-    }
+  /** Add two numbers, whose first bits are the same. @param {string[]} names @param {number[]} pair @param {string[]} notes */
+  function add_pair(names, pair, notes = []) {
+    const [one, other] = pair;
+    const same = one * other > 0 ? first(units(one) ^ units(other)) + 1 : FIRST + 1;
+    for (const [n, number] of pair.entries()) add(names[n], number, [["same", Math.max(same, last(number))]], notes[n]);
   }
 
-  /** @param {ReturnType<typeof rows_of>} rows */
-  function ruler_markup(rows) {
-    const units = rows.map(({ number }) => Bits.units(number)).filter(Boolean);
-    const start = Math.max(0, ...units.map(Bits.first));
-    const ends = rows.flatMap(({ number, runs }) => (number ? runs.map(([, last]) => last) : []));
-    const stop = Math.max(start - MOST, Math.min(...ends));
-    const lines = rows.map(({ name, number, runs, note }) => {
-      let from = start;
-      const own = Bits.units(number);
-      const spans = runs.map(([look, last, of = own]) => {
-        const end = Math.max(last, stop);
-        const count = from - end + 1;
-        if (count <= 0) return "";
-        from = end - 1;
-        const tag = look === "lost" ? "s" : "span";
-        return `<${tag} class="${look}">${Bits.text(of, count, end)}</${tag}>`;
-      });
-      const exponent = number ? `${number < 0 ? "−" : "+"}2${raised(Bits.first(own))}` : "0";
-      return `<tr><th scope="row">${name}</th><td>${exponent}</td><td>${spans.join("")}</td><td>${note}</td></tr>`;
-    });
-    let ticks = "";
-    for (let place = start; place >= stop; place--)
-      if (place % 8 === 0) ticks += `|${raised(place)}`.padEnd(8);
-    const lead = " ".repeat(((start % 8) + 8) % 8);
-    return `<thead><tr><td></td><td></td><td>${lead}${ticks}</td><td></td></tr></thead><tbody>${lines.join("")}</tbody>`;
+  /** Add a stepped argument: what the exact sum has below the float's last place is lost. @param {State} state @param {number} at @param {number} step @param {string} name @param {number} stored */
+  function add_stepped({ axis, eps }, at, step, name, stored) {
+    const sum = at + step * eps;
+    const turns = Math.round(sum - stored);
+    if (axis === "v" && sum !== stored) return add(name, stored, [], `clamped: ${stored}`);
+    const exact = units(at) + BigInt(step) * units(eps) - BigInt(turns) * units(1);
+    const away = units(stored) - exact;
+    const words = [away ? `rounded ${away > 0 ? "up" : "down"}` : "exact"];
+    if (stored === at) words.push(`back to ${axis}`);
+    if (turns) words.push("around the seam");
+    const end = Math.max(last(sum), last(stored));
+    add(
+      name,
+      stored,
+      away
+        ? [
+            ["kept", end],
+            ["lost", last(eps), exact]
+          ]
+        : [],
+      words.join(", ")
+    );
   }
 
-  /** The slope along the axis, its error, and the bound. @param {State} state @param {number[]} here @param {number} numeric @param {number} exact */
-  function slopes(state, here, numeric, exact) {
-    const { axis, ku, kv, eps } = state;
-    const bounds = module.bounds_of(state);
-    const bound = bounds && module.kernel(bounds, here[0], here[1], ku, kv, eps)[axis === "v" ? 3 : 2];
-    /** @type {Record<string, string | number>} */
-    const found = {
-      [`h<sub>${axis}</sub> by the difference`]: numeric,
-      [`h<sub>${axis}</sub> exact`]: exact,
-      error: scientific(Math.abs(numeric - exact), 2),
-      "proved bound": bound === null ? "no theorem covers this" : scientific(bound, 2)
-    };
-    return Object.entries(found).map(([name, value]) => entry_markup(name, value));
+  /** Add a difference of heights: what rounding may have made of it is noise, NaN where that is not known. @param {number[]} heights @param {number} noise */
+  function add_difference([one, other], noise) {
+    const left = one - other;
+    const end = Math.max(last(left), Math.min(last(one), last(other)));
+    const below = noise ? Math.floor(Math.log2(noise)) + 1 : LAST;
+    const bits = first(units(left)) - end + 1;
+    const noisy = noise ? `, ${clamp(0, below - end, bits)} of them noise` : "";
+    const note = left ? `${bits} of 53 bits are left${noisy}` : "nothing is left";
+    add(
+      "difference",
+      left,
+      [
+        ["kept", Math.max(end, below)],
+        ["noise", end],
+        ["filled", last(left)]
+      ],
+      note
+    );
   }
 
-  /** @param {State} state */
+  /** Show a state's pixel: the ruler, if it is on A. @param {State} state */
   function show(state) {
+    const { field, method, axis, ku, kv, eps, column, row } = state;
     shown = state;
     draw_lenses(state);
-    for (const mark of ["cursor", "probe"]) tell(state.column, state.row, mark);
-    const { column, row, field, method, ku, kv, eps, axis } = state;
+    tell(MIDDLE);
+    body.replaceChildren();
     const stage = module.make_stage(state, { ...states.crop(state), left: column, top: row, wide: 1, high: 1 });
-    const here = module.chart(stage).map(([number]) => number);
+    if (!stage.count) return;
+    const n = axis === "v" ? 1 : 0;
+    const [u, v] = module.chart(stage).map(([number]) => number);
+    const at = [u, v][n];
     const samples = `samples_${method}_${field}`;
-    const known = stage.count > 0 && samples in data.kernels;
-    ruler.hidden = facts.hidden = !known;
-    if (!known) return;
-    const n = Number(axis === "v");
+    const found = module.kernel(samples, u, v, ku, kv, eps);
+    const [numeric, noise, bound] = [6, 4, 2].map((back) => found[found.length - back + n]);
+    const pairs = data.pairs[samples][axis];
+    add(axis, at, []);
+    add("ε", eps, []);
+    for (const { name, step, at: to } of pairs.flat()) if (step) add_stepped(state, at, step, name, found[to]);
+    for (const pair of pairs) {
+      const heights = pair.map(({ h }) => found[h]);
+      add_pair(
+        pair.map(({ name }) => `h(${name})`),
+        heights
+      );
+      add_difference(heights, noise);
+    }
     const exact = module.gradients(state, EXACT, stage)[n][0];
-    const found = module.kernel(samples, here[0], here[1], ku, kv, eps);
-    facts.innerHTML = slopes(state, here, found[found.length - 2 + n], exact).join("");
-    ruler.innerHTML = ruler_markup(rows_of(state, here, found));
+    const proved = Number.isNaN(bound) ? "no theorem covers this" : `proved: at most ${scientific(bound, 2)}`;
+    const off = `off by ${scientific(Math.abs(numeric - exact), 2)}; ${proved}`;
+    add_pair([`h${"ᵤᵥ"[n]}`, "exact"], [numeric, exact], [off]);
   }
 
-  for (const lens of lenses) {
-    const frame = find_element(lens, ".sim-lens");
-    frame.addEventListener("pointermove", (event) => tell(...pointed(event, frame), "probe"));
-    frame.addEventListener("pointerleave", () => tell(shown.column, shown.row, "probe"));
-    frame.addEventListener("click", (event) => {
-      const [column, row] = pointed(event, frame);
-      act.put({ column, row });
-    });
-    frame.addEventListener("keydown", (event) => {
-      const arrow = arrow_of(event);
-      if (!arrow) return;
-      event.preventDefault();
-      act.move([arrow[0], -arrow[1]]);
-    });
-  }
+  frame.addEventListener("pointermove", (event) => tell(pointed(event)));
+  frame.addEventListener("pointerleave", () => tell(MIDDLE));
+  frame.addEventListener("click", (event) => {
+    const [x, y] = pointed(event);
+    act.move([x - SIDE / 2, y - SIDE / 2]);
+  });
+  frame.addEventListener("keydown", (event) => {
+    const arrow = arrow_of(event);
+    if (arrow) act.move([arrow[0], -arrow[1]]);
+    if (arrow) event.preventDefault();
+  });
   return { show };
 }

@@ -383,8 +383,7 @@ async function simulator_module(data, ...programs) {
   }
 
   /** The colours of a name, three planes. @param {Stage} stage @param {string} name */
-  const colors_of = (stage, name) =>
-    COLORS.map((color) => rows(plane_at(stage, place(stage, name, color)), stage));
+  const colors_of = (stage, name) => COLORS.map((color) => rows(plane_at(stage, place(stage, name, color)), stage));
 
   /**
    * A whole picture by the machine that encloses: its colours, how far each is off at most, and where it is open.
@@ -394,8 +393,21 @@ async function simulator_module(data, ...programs) {
    */
   function draw_bounded(state, method, stage) {
     const { left, top, wide, high, width, height } = stage.raster;
-    const of_x = kernel_over("bound_of_x", float64s(wide, (n) => left + n), width, height, eye, radius);
-    const of_y = kernel_over("bound_of_y", float64s(high, (n) => top + n), height, eye, radius);
+    const of_x = kernel_over(
+      "bound_of_x",
+      float64s(wide, (n) => left + n),
+      width,
+      height,
+      eye,
+      radius
+    );
+    const of_y = kernel_over(
+      "bound_of_y",
+      float64s(high, (n) => top + n),
+      height,
+      eye,
+      radius
+    );
     const open = place(stage, "open", "plane");
     const bounds = COLORS.map((color) => [`${color}_bound`, place(stage, "bound", color)]);
     const [x_bound, y_bound] = [Float64Array.of(...of_x[0], 0), of_y[0]].map(put);

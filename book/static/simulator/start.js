@@ -47,7 +47,7 @@ function simulator_start(root, compiled, module) {
 
   /** @param {string} left_out */
   function key_without(left_out) {
-    const names = Object.keys(states.parameters).filter((name) => !left_out.split(" ").includes(name));
+    const names = Object.keys(states.parameters).filter((name) => !`axis ${left_out}`.split(" ").includes(name));
     /** @param {State} of */
     return (of) => names.map((name) => of[name]).join();
   }
@@ -220,6 +220,29 @@ function simulator_start(root, compiled, module) {
     }
   }
 
+  // The second program, fetched when it is first asked for.
+  /** @type {Promise<CloserParts> | undefined} */
+  let parts;
+  function closer() {
+    parts ??= closer_parts(data, compiled);
+    return parts;
+  }
+
+  function watch_loupe() {
+    const watch = new IntersectionObserver(async ([{ isIntersecting }]) => {
+      if (!isIntersecting) return;
+      watch.disconnect();
+      const [all, ...programs] = await closer();
+      const loupe = simulator_loupe(root, states, all, await simulator_module(all, ...programs), act);
+      const show = () => loupe.show(state);
+      root.addEventListener("pixel", show);
+      show();
+    });
+    watch.observe($("#loupe"));
+    const certified = simulator_certified(root, states, closer);
+    root.addEventListener("pixel", () => certified.ask(state));
+  }
+
   // Take the state of the address, if it has one; say what is wrong with it, if anything is.
   function from_address() {
     try {
@@ -243,6 +266,7 @@ function simulator_start(root, compiled, module) {
   }
 
   wire_buttons();
+  watch_loupe();
   engine.start();
   controls.show(state);
   engine.ask(state);

@@ -63,6 +63,7 @@ function simulator_states(root, { fields, models, scene }) {
     method: choice(offered("method"), "central"),
     view: choice(offered("view"), "image"),
     scale: choice(offered("scale"), "log"),
+    axis: choice(["u", "v"], "u"),
     lights: switches(scene.lights.length),
     ball: {
       start: true,

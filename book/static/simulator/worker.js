@@ -73,7 +73,7 @@ function simulator_worker(post) {
    */
   function shown(name, state, stage) {
     const { view, field, ku, kv, eps } = state;
-    if (["image", "loci"].includes(view)) return null;
+    if (["image", "loci", "bounds"].includes(view)) return null;
     const [u, v] = module.chart(stage);
     if (view === "straddle") return module.kernel_over(`straddling_${field}`, u, v, ku, kv, eps)[0];
     if (view === "kink") return module.kernel_over(`kink_${field}`, module.angles_of(stage)[3], u, v, ku, kv)[0];
