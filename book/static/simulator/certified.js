@@ -21,24 +21,25 @@ function simulator_certifier(post) {
     const pictures = methods.map((method) => module.draw_bounded(state, method, stage));
     const [numeric, symbolic] = pictures;
     const is_open = numeric.open.map((flag, i) => flag | symbolic.open[i]);
+    const is_a = stage.codes.map((code) => Number((code & SURFACE) === A));
+    const open = is_open.reduce((sum, flag) => sum + flag, 0);
+    const certain = is_a.reduce((sum, flag, i) => sum + (flag & ~is_open[i]), 0);
     const sums = [0, 0];
     const largest = [0, 0];
-    let certain = 0;
-    let open = 0;
-    for (const [i, code] of stage.codes.entries()) {
-      if (is_open[i]) open++;
-      else if ((code & SURFACE) === A) certain++;
-      else continue;
-      for (const [c, plane] of numeric.colors.entries()) {
-        const apart = Math.abs(plane[i] - symbolic.colors[c][i]);
+    numeric.colors.forEach((plane, c) => {
+      plane.forEach((color, i) => {
+        if (!is_a[i] && !is_open[i]) return;
+        const apart = Math.abs(color - symbolic.colors[c][i]);
         const within = numeric.bounds[c][i] + symbolic.bounds[c][i];
         const nearest = is_open[i] ? 0 : apart * (1 - ROOM) - within * (1 + ROOM);
-        const furthest = (apart + within) * (1 + ROOM);
-        for (const [n, end] of [nearest > TINY ? nearest : 0, furthest && Math.max(furthest, TINY)].entries()) {
-          sums[n] += end * end;
-          largest[n] = Math.max(largest[n], end);
-        }
-      }
+        take(0, nearest < TINY ? 0 : nearest);
+        take(1, Math.max((apart + within) * (1 + ROOM), TINY));
+      });
+    });
+    /** @param {number} n @param {number} end */
+    function take(n, end) {
+      sums[n] += end * end;
+      largest[n] = Math.max(largest[n], end);
     }
     // An open pixel may be one of A or not: either end is that of the worse choice.
     const slack = 4 * (certain + open + 2) * ROOM;
@@ -46,14 +47,14 @@ function simulator_certifier(post) {
     const bounds = pictures.map(({ bounds: [red, green, blue] }) =>
       red.map((bound, i) => Math.max(bound, green[i], blue[i]))
     );
-    const maps = bounds.map((plane) =>
-      Uint32Array.from(plane, (bound, i) => {
-        const level = Math.floor(256 * (Math.log10(bound) / 16 + 1));
-        return is_open[i] ? OPEN : inferno[Math.max(0, Math.min(level, 255))];
-      })
-    );
-    const on_a = bounds.map((plane) => plane.filter((_, i) => (stage.codes[i] & SURFACE) === A).sort());
-    const extremes = on_a.map((sorted) => [sorted[sorted.length - 1], sorted[sorted.length >> 1]]);
+    /** @param {number} bound @param {number} i */
+    function shade(bound, i) {
+      const level = Math.floor(256 * (Math.log10(bound) / 16 + 1));
+      return is_open[i] ? OPEN : inferno[Math.max(0, Math.min(level, 255))];
+    }
+    const maps = bounds.map((plane) => new Uint32Array(plane.map(shade)));
+    const sorted = bounds.map((plane) => plane.filter((_, i) => is_a[i]).sort());
+    const extremes = sorted.map((plane) => [plane[plane.length - 1], plane[plane.length >> 1]]);
     post({ key, maps, rms, largest, extremes, open });
   };
 }
