@@ -47,6 +47,7 @@ function simulator_loupe(root, states, data, module, act) {
   let colors = [];
   /** @type {State} */
   let shown;
+  let told = MIDDLE;
 
   /** @param {number} place */
   const corner = (place) => place - SIDE / 2;
@@ -76,7 +77,9 @@ function simulator_loupe(root, states, data, module, act) {
   }
 
   /** Mark a pixel of the lenses, and say what its values are. @param {number[]} place */
-  function tell([x, y]) {
+  function tell(place) {
+    const [x, y] = place;
+    told = place;
     frame.style.cssText = `--x: ${x}; --y: ${y}`;
     const values = colors.map((planes) => planes.map((plane) => plane[SIDE * y + x]));
     const [numeric, symbolic] = values;
@@ -119,7 +122,7 @@ function simulator_loupe(root, states, data, module, act) {
       const bits = BigInt.asUintN(count, of >> BigInt(to + FINEST)).toString(2);
       return count ? make_element("span", { class: look }, bits.padStart(count, "0")) : "";
     });
-    const exponent = number ? `${number < 0 ? "−" : "+"}2${raised(first(own))}` : "0";
+    const exponent = `${1 / number < 0 ? "−" : "+"}${number ? `2${raised(first(own))}` : 0}`;
     const cells = [[exponent], [...spans, make_element("small", {}, note)]].map((parts) =>
       make_element("td", {}, ...parts)
     );
@@ -150,7 +153,7 @@ function simulator_loupe(root, states, data, module, act) {
       away
         ? [
             ["kept", end],
-            ["lost", last(eps), exact]
+            ["lost", Math.min(last(at), last(eps), last(stored)), exact]
           ]
         : [],
       words.join(", ")
@@ -182,7 +185,7 @@ function simulator_loupe(root, states, data, module, act) {
     const { field, method, axis, ku, kv, eps, column, row } = state;
     shown = state;
     draw_lenses(state);
-    tell(MIDDLE);
+    tell(told);
     body.replaceChildren();
     const stage = module.make_stage(state, { ...states.crop(state), left: column, top: row, wide: 1, high: 1 });
     if (!stage.count) return;
