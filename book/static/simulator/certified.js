@@ -67,7 +67,7 @@ function simulator_certifier(post) {
 function simulator_certified(root, states, closer) {
   const box = find_element(root, "#certified");
   const canvases = box.querySelectorAll("canvas");
-  const facts = find_element(box, "dl");
+  const facts = find_element(box, ".sim-certain");
   const REST = 300; // milliseconds
   /** @type {Worker | undefined} */
   let worker;
