@@ -20,6 +20,7 @@ from renderer.machines.points_code import inputs_of
 from renderer.machines.rounded_inputs import bound_of_x, bound_of_y, of_scene
 from renderer.machines.webassembly import compiled_module
 from renderer.operations import Number, nan
+from renderer.picture.differences import nearest_and_furthest
 from renderer.shader.numbers import flat, scene_numbers
 from renderer.shader.shader import difference
 
@@ -61,7 +62,7 @@ def samples_of(name: str, method: str) -> Callable:
 
 
 SAMPLES = {samples_of(*pair): pair for pair in product(FIELDS, HEIGHT_EVALUATIONS)}
-KERNELS = (*SAMPLES, bound_of_x, bound_of_y)
+KERNELS = (*SAMPLES, bound_of_x, bound_of_y, nearest_and_furthest)
 BOUNDED = {"draw_bounded": OFF_A._replace(ways=tuple(WAYS), bounds=True)}
 """A whole picture, each colour's bound, and where a chamber or a crease's side is open."""
 

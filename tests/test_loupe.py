@@ -170,9 +170,9 @@ def test_noise_is_what_rounding_made(tab, field):
     assert max(shares) > 2**-8  # no more is called noise than that
 
 
-def test_the_lenses_show_the_renderers_pixels_and_move_the_cursor(tab):
+def test_the_lenses_show_the_renderers_pixels_and_move_the_cursor(visit):
+    tab = visit("s4", fragment="#sim?field=sine&eps=0.01&column=100&row=90&axis=v", until=RUNNING)
     tab.locator("#loupe").scroll_into_view_if_needed()
-    go(tab, "#sim?field=sine&eps=0.01&column=100&row=90&axis=v")
     tab.wait_for_function("document.querySelector('[data-told]').textContent === '100, 90'")
     frame = tab.locator(".sim-lenses")
     box = frame.bounding_box()
@@ -193,7 +193,7 @@ def test_the_lenses_show_the_renderers_pixels_and_move_the_cursor(tab):
 
 @pytest.mark.parametrize("given", [("sine", 1e-3, "central"), ("rings", 1e-9, "central"), ("ridges", 1e-5, "central4")])
 def test_what_is_certified_is_the_renderers(tab, given):
-    """Hardly more: that a side is a power of two, which moves no bit of what it divides, the page does not make use of."""
+    """Hardly more: that a side which is a power of two moves no bit is lost on the page."""
     field, eps, method = given
     found = tab.evaluate(CERTIFIED, {"field": field, "eps": eps, "method": method, "size": 128})
     frames = [render(Scene(field=field), 128, 128, way, bounds=True) for way in (METHODS[method](eps), exact())]
@@ -230,4 +230,4 @@ def test_the_loupe_is_accessible_and_keeps_to_its_width(visit, mode, options):
     page.wait_for_selector(".sim-bits tbody tr")
     page.wait_for_selector("#certified dd")
     assert violations(page, mode, place="#simulator") == []
-    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")  # the ruler scrolls in its own box

@@ -430,7 +430,7 @@ def test_a_hidden_page_has_no_worker(tab):
 
 @pytest.fixture(scope="module")
 def with_two_fields(tmp_path_factory):
-    """compiled.js of a project with two more HEIGHT_FIELDS: no theorem covers them, and one has slanted creases."""
+    """The compiled scripts with two more HEIGHT_FIELDS: no theorem covers them, and one has slanted creases."""
     folder = tmp_path_factory.mktemp("fields")
     copied(folder)
     entries = """
@@ -440,17 +440,17 @@ def with_two_fields(tmp_path_factory):
 """
     place = folder / "proofs" / "formulas" / "height_fields.py"
     place.write_text(place.read_text(encoding="utf-8").replace("\n))  # fmt: skip\n", entries, 1), encoding="utf-8")
-    printing = "from book.simulator_module import source; print(source())"
-    for command in (["-m", "renderer.generate"], ["-c", printing]):
-        printed, _ = python(*command, cwd=folder)
-    return printed
+    python("-m", "renderer.generate", cwd=folder)
+    scripts = {"compiled.js": "simulator_module", "compiled_closer.js": "loupe_module"}
+    printing = "from book.{} import source; print(source())"
+    return {f"**/{script}": python("-c", printing.format(name), cwd=folder)[0] for script, name in scripts.items()}
 
 
 @pytest.mark.parametrize("field, creases", [("doubled", []), ("slanted", [(8, 4, level) for level in range(13)])])
 def test_an_added_field_has_no_false_bound_and_its_own_creases(visit, with_two_fields, field, creases):
     """No bound is printed, drawn or attributed; white lines lie where the crease factor is zero, and nowhere else."""
     fragment = f"#sim?field={field}&view=loci&column=120&row=100"
-    page = visit("s4", fragment=fragment, until=RUNNING, given={"**/compiled.js": with_two_fields})
+    page = visit("s4", fragment=fragment, until=RUNNING, given=with_two_fields)
     settled(page)
     page.wait_for_selector(".sim-curve path.numeric", state="attached")
     offered = page.evaluate("[...document.querySelectorAll('[name=sim-field]')].map(button => button.value)")
@@ -458,6 +458,8 @@ def test_an_added_field_has_no_false_bound_and_its_own_creases(visit, with_two_f
     assert page.locator(f"[name=sim-field][value={field}]").is_checked()
     assert page.locator(".sim-curve path.bound").count() == 0
     assert "no theorem covers this" in page.inner_text(".sim-facts")
+    page.locator("#loupe").scroll_into_view_if_needed()
+    assert "no theorem covers this" in page.inner_text(".sim-bits tbody")
     assert ("has no creases" in page.inner_text(".sim-remark")) is (not creases)
     lines = page.evaluate("Simulator.running.module.crease_lines(Simulator.running.act.state())")
     assert [(line["a"], line["b"], line["level"]) for line in lines] == creases
@@ -467,8 +469,13 @@ def test_an_added_field_has_no_false_bound_and_its_own_creases(visit, with_two_f
 
 
 def test_the_code_is_light(site):
-    """What the page loads for the simulator, compressed as a server would: at most 60 kB, the module at most 80 kB."""
+    """What the page loads for the simulator, compressed as a server would: at most 60 kB, the module at most 80 kB.
+
+    What it loads when it is asked for more: at most 40 kB, the module at most 160 kB.
+    """
     parts = {path.name: path.read_bytes() for path in sorted((site / "_static" / "simulator").iterdir())}
-    assert len(gzip.compress(b"".join(parts.values()))) <= 60_000
-    program = re.search(rb'Simulator.program = "(.*)"', parts["compiled.js"])[1]
-    assert 10_000 < len(gzip.decompress(base64.b64decode(program))) <= 80_000
+    closer = parts.pop("compiled_closer.js")
+    assert len(gzip.compress(b"".join(parts.values()))) <= 60_000 and len(gzip.compress(closer)) <= 40_000
+    for script, most in ((parts["compiled.js"], 80_000), (closer, 160_000)):
+        program = re.search(rb'program = "(.*)"', script)[1]
+        assert 10_000 < len(gzip.decompress(base64.b64decode(program))) <= most

@@ -11,8 +11,6 @@ function simulator_certifier(post) {
   const A = 1;
   const SURFACE = 3;
   const OPEN = 0xff739e00; // the palette's green, which the map has nowhere
-  const ROOM = 2 ** -50; // more than what rounding takes from the lines below
-  const TINY = 1e-100; // its square does not vanish
   return async ({ key, parts, state, raster }) => {
     const module = await simulator_module(...parts);
     const { inferno } = parts[0].tables;
@@ -22,39 +20,33 @@ function simulator_certifier(post) {
     const [numeric, symbolic] = pictures;
     const is_open = numeric.open.map((flag, i) => flag | symbolic.open[i]);
     const is_a = stage.codes.map((code) => Number((code & SURFACE) === A));
-    const open = is_open.reduce((sum, flag) => sum + flag, 0);
-    const certain = is_a.reduce((sum, flag, i) => sum + (flag & ~is_open[i]), 0);
+    // An open pixel may be one of A or not: either end is that of the worse choice.
+    const counted = [is_a.map((flag, i) => flag & ~is_open[i]), is_a.map((flag, i) => flag | is_open[i])];
+    const [certain, possible] = counted.map((flags) => 3 * flags.filter(Boolean).length);
     const sums = [0, 0];
     const largest = [0, 0];
-    numeric.colors.forEach((plane, c) => {
-      plane.forEach((color, i) => {
-        if (!is_a[i] && !is_open[i]) return;
-        const apart = Math.abs(color - symbolic.colors[c][i]);
-        const within = numeric.bounds[c][i] + symbolic.bounds[c][i];
-        const nearest = is_open[i] ? 0 : apart * (1 - ROOM) - within * (1 + ROOM);
-        take(0, nearest < TINY ? 0 : nearest);
-        take(1, Math.max((apart + within) * (1 + ROOM), TINY));
-      });
-    });
-    /** @param {number} n @param {number} end */
-    function take(n, end) {
-      sums[n] += end * end;
-      largest[n] = Math.max(largest[n], end);
+    for (const [c, color] of numeric.colors.entries()) {
+      const apart = color.map((value, i) => Math.abs(value - symbolic.colors[c][i]));
+      const within = numeric.bounds[c].map((bound, i) => bound + symbolic.bounds[c][i]);
+      for (const [n, ends] of module.kernel_over("nearest_and_furthest", apart, within).entries()) {
+        ends.forEach((end, i) => {
+          sums[n] += counted[n][i] * end ** 2;
+          largest[n] = Math.max(largest[n], counted[n][i] * end);
+        });
+      }
     }
-    // An open pixel may be one of A or not: either end is that of the worse choice.
-    const slack = 4 * (certain + open + 2) * ROOM;
-    const rms = [(1 - slack) * (sums[0] / 3 / (certain + open)) ** 0.5, (1 + slack) * (sums[1] / 3 / certain) ** 0.5];
+    const slack = possible * 2 ** -50; // more than what rounding takes from the sums
+    const rms = [(1 - slack) * (sums[0] / possible) ** 0.5, (1 + slack) * (sums[1] / certain) ** 0.5];
     const bounds = pictures.map(({ bounds: [red, green, blue] }) =>
       red.map((bound, i) => Math.max(bound, green[i], blue[i]))
     );
-    /** @param {number} bound @param {number} i */
-    function shade(bound, i) {
-      const level = Math.floor(256 * (Math.log10(bound) / 16 + 1));
-      return is_open[i] ? OPEN : inferno[Math.max(0, Math.min(level, 255))];
-    }
-    const maps = bounds.map((plane) => new Uint32Array(plane.map(shade)));
+    const maps = bounds.map((plane) => {
+      const levels = plane.map((bound) => Math.max(0, Math.min(Math.floor(256 + 16 * Math.log10(bound)), 255)));
+      return new Uint32Array(levels.map((level, i) => (is_open[i] ? OPEN : inferno[level])));
+    });
     const sorted = bounds.map((plane) => plane.filter((_, i) => is_a[i]).sort());
     const extremes = sorted.map((plane) => [plane[plane.length - 1], plane[plane.length >> 1]]);
+    const open = is_open.filter(Boolean).length;
     post({ key, maps, rms, largest, extremes, open });
   };
 }

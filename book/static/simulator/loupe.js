@@ -9,13 +9,11 @@
  */
 async function closer_parts(data, compiled) {
   /** @type {HTMLScriptElement | null} */
-  const later = document.querySelector("script[data-later]");
+  const later = document.querySelector("script[data-later][src]");
   if (later)
-    await new Promise((done, failed) => {
-      const script = make_element("script", { src: later.src });
-      script.onload = done;
-      script.onerror = () => failed(new Error(`${later.src} is not there`));
-      document.head.append(script);
+    await new Promise((onload, onerror) => {
+      const script = make_element("script");
+      document.head.append(Object.assign(script, { src: later.src, onload, onerror }));
     });
   const { program, kernels, ...more } = Simulator.closer;
   return [{ ...data, ...more, kernels: { ...data.kernels, ...kernels } }, compiled, await compiled_program(program)];
@@ -114,7 +112,7 @@ function simulator_loupe(root, states, data, module, act) {
     const own = units(number);
     let from = FIRST;
     /** @type {Run[]} */
-    const all = [["blank", first(own) + 1], ...runs, ["kept", last(number)]];
+    const all = number ? [["blank", first(own) + 1], ...runs, ["kept", last(number)]] : [];
     const spans = all.map(([look, end, of = own]) => {
       const to = Math.max(end, LAST);
       const count = Math.max(0, from - to + 1);
