@@ -59,7 +59,7 @@ function simulator_certifier(post) {
 function simulator_certified(root, states, closer) {
   const box = find_element(root, "#certified");
   const canvases = box.querySelectorAll("canvas");
-  const facts = find_element(box, ".sim-certain");
+  const values = box.querySelectorAll("dd");
   const REST = 300; // milliseconds
   /** @type {Worker | undefined} */
   let worker;
@@ -75,6 +75,11 @@ function simulator_certified(root, states, closer) {
     return `at most ${scientific(1.06 * high, 1)}`;
   }
 
+  /** @param {string[]} texts */
+  function say(texts) {
+    for (const [n, value] of values.entries()) value.textContent = texts[n] ?? "…";
+  }
+
   /** @param {MessageEvent<CertifiedFound>} message */
   function show({ data: { key, maps, rms, largest, extremes, open } }) {
     if (key !== asked) return;
@@ -85,16 +90,7 @@ function simulator_certified(root, states, closer) {
     }
     /** @param {number[]} pair */
     const bound = (pair) => pair.map((end) => scientific(end, 1)).join(", ");
-    const found = {
-      "RMS |ΔI| on A": digits_of(rms),
-      "max |ΔI| on A": digits_of(largest),
-      "numeric: largest bound, median": bound(extremes[0]),
-      "symbolic: largest bound, median": bound(extremes[1]),
-      "pixels left open": open
-    };
-    facts.innerHTML = Object.entries(found)
-      .map(([name, value]) => entry_markup(name, value))
-      .join("");
+    say([digits_of(rms), digits_of(largest), ...extremes.map(bound), String(open)]);
     find_element(root, "[data-readout=rms]").textContent = digits_of(rms, 3);
     find_element(root, "[data-readout=max]").textContent = digits_of(largest, 3);
   }
@@ -105,7 +101,7 @@ function simulator_certified(root, states, closer) {
     box.hidden = state.view !== "bounds";
     if (box.hidden || key === asked) return;
     asked = key;
-    facts.textContent = "…";
+    say([]);
     clearTimeout(timer);
     timer = setTimeout(async () => {
       const parts = await closer();

@@ -138,7 +138,7 @@ function simulator_loupe(root, states, data, module, act) {
   function add_stepped({ axis, eps }, at, step, name, stored) {
     const sum = at + step * eps;
     const turns = Math.round(sum - stored);
-    if (axis === "v" && sum !== stored) return add(name, stored, [], `clamped: ${stored}`);
+    if (axis === "v" && sum !== stored) return add(name, stored, [], `at the pole: taken at ${stored}`);
     const exact = units(at) + BigInt(step) * units(eps) - BigInt(turns) * units(1);
     const away = units(stored) - exact;
     const words = [away ? `rounded ${away > 0 ? "up" : "down"}` : "exact"];
