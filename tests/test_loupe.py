@@ -211,6 +211,7 @@ def test_what_is_certified_is_the_renderers(tab, given):
 def test_digits_are_printed_as_far_as_they_are_certain(tab):
     wanted = {"field": "sine", "eps": 0.01, "size": 128}
     go(tab, "#sim?view=bounds&" + "&".join(f"{name}={value}" for name, value in wanted.items()))
+    tab.locator("#certified").scroll_into_view_if_needed()  # then it is fetched
     tab.wait_for_selector(CERTAIN)
     found = tab.evaluate(CERTIFIED, wanted)
     shown = [text.replace("−", "-") for text in tab.locator("#certified dd").all_inner_texts()]

@@ -289,7 +289,11 @@ class Operations:
         found = kernel(whole, rest)
         own = 2.0 * kernels.ULPS[f"{kernel.__name__}_of_product"] * UNIT * abs(found) + LEAST
         if product.stays_exact or factor.stays_exact:  # the product is, so that 0 is no smaller number
-            own = where((found == 0.0) & ((abs(whole) >= 0.5) | product.is_zero | factor.is_zero), 0.0, own)
+            exact = abs(whole) >= 0.5
+            for part in (product, factor):
+                if part.is_zero is not False:  # as a literal's is
+                    exact = exact | part.is_zero
+            own = where((found == 0.0) & exact, 0.0, own)
         if is_zero(moved):
             return Enclosed(found, own * SLACK)
         turned = math.pi * SLACK * moved

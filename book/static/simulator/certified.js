@@ -54,9 +54,9 @@ function simulator_certifier(post) {
 /**
  * @param {HTMLElement} root
  * @param {States} states
- * @param {() => Promise<CloserParts>} closer
+ * @param {CloserParts} parts
  */
-function simulator_certified(root, states, closer) {
+function simulator_certified(root, states, parts) {
   const box = find_element(root, "#certified");
   const canvases = box.querySelectorAll("canvas");
   const values = box.querySelectorAll("dd");
@@ -98,13 +98,11 @@ function simulator_certified(root, states, closer) {
   /** Ask for a state's bounds, if they are viewed and not asked for yet. @param {State} state */
   function ask(state) {
     const key = states.fragment({ ...state, column: 0, row: 0, axis: "u" });
-    box.hidden = state.view !== "bounds";
-    if (box.hidden || key === asked) return;
+    if (state.view !== "bounds" || key === asked) return;
     asked = key;
     say([]);
     clearTimeout(timer);
-    timer = setTimeout(async () => {
-      const parts = await closer();
+    timer = setTimeout(() => {
       worker ??= worker_of(float64s, simulator_module, simulator_certifier);
       worker.onmessage = show;
       worker.postMessage({ key, parts, state, raster: states.crop(state) });

@@ -2,24 +2,6 @@
 "use strict";
 
 /**
- * What a module of both programs is made of. The second one is fetched when it is first asked for; the one file has it.
- * @param {SimulatorData} data
- * @param {WebAssembly.Module} compiled
- * @returns {Promise<CloserParts>}
- */
-async function closer_parts(data, compiled) {
-  /** @type {HTMLScriptElement | null} */
-  const later = document.querySelector("script[data-later][src]");
-  if (later)
-    await new Promise((onload, onerror) => {
-      const script = make_element("script");
-      document.head.append(Object.assign(script, { src: later.src, onload, onerror }));
-    });
-  const { program, kernels, ...more } = Simulator.closer;
-  return [{ ...data, ...more, kernels: { ...data.kernels, ...kernels } }, compiled, await compiled_program(program)];
-}
-
-/**
  * @param {HTMLElement} root
  * @param {States} states
  * @param {CloserData} data

@@ -242,27 +242,27 @@ function simulator_start(root, compiled, module) {
     }
   }
 
-  // The second program, fetched when it is first asked for.
-  /** @type {Promise<CloserParts> | undefined} */
-  let parts;
-  function closer() {
-    parts ??= closer_parts(data, compiled);
-    return parts;
-  }
-
-  function watch_loupe() {
-    const watch = new IntersectionObserver(async ([{ isIntersecting }]) => {
-      if (!isIntersecting) return;
+  // The loupe and the certified bounds are fetched when they are first in sight; the one file has them.
+  function watch_closer() {
+    const boxes = ["#loupe", "#certified"].map($);
+    const watch = new IntersectionObserver(async (entries) => {
+      if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
       watch.disconnect();
-      const [all, ...programs] = await closer();
+      const parts = await closer_parts(data, compiled);
+      const [all, ...programs] = parts;
       const loupe = simulator_loupe(root, states, all, await simulator_module(all, ...programs), act);
-      const show = () => loupe.show(state);
+      const certified = simulator_certified(root, states, parts);
+      function show() {
+        loupe.show(state);
+        certified.ask(state);
+      }
       root.addEventListener("pixel", show);
       show();
     });
-    watch.observe($("#loupe"));
-    const certified = simulator_certified(root, states, closer);
-    root.addEventListener("pixel", () => certified.ask(state));
+    for (const box of boxes) watch.observe(box);
+    root.addEventListener("pixel", () => {
+      boxes[1].hidden = state.view !== "bounds";
+    });
   }
 
   // Take the state of the address, if it has one; say what is wrong with it, if anything is.
@@ -292,7 +292,7 @@ function simulator_start(root, compiled, module) {
   }
 
   wire_buttons();
-  watch_loupe();
+  watch_closer();
   engine.start();
   controls.show(state);
   engine.ask(state);
@@ -314,6 +314,25 @@ function simulator_start(root, compiled, module) {
     pictures,
     shown: () => shown && states.fragment(shown)
   };
+}
+
+/**
+ * What a module of both programs is made of, once the scripts that wait are there.
+ * @param {SimulatorData} data
+ * @param {WebAssembly.Module} compiled
+ * @returns {Promise<CloserParts>}
+ */
+async function closer_parts(data, compiled) {
+  /** @type {NodeListOf<HTMLScriptElement>} */
+  const later = document.querySelectorAll("script[data-later][src]");
+  for (const { src } of later) {
+    await new Promise((onload, onerror) => {
+      const script = make_element("script");
+      document.head.append(Object.assign(script, { src, onload, onerror }));
+    });
+  }
+  const { program, kernels, ...more } = Simulator.closer;
+  return [{ ...data, ...more, kernels: { ...data.kernels, ...kernels } }, compiled, await compiled_program(program)];
 }
 
 /** @param {HTMLElement} root @param {string} text */
