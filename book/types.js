@@ -84,7 +84,7 @@
  * @typedef {{ eps: number, size: number }} LinePoint
  * @typedef {LinePoint & { max: number, still: Uint8Array }} PicturePoint the root mean square of a picture's difference, and the largest
  * @typedef {Record<string, LinePoint[]>} Lines
- * @typedef {ReturnType<typeof simulator_scale>["colored"]} Colored
+ * @typedef {ReturnType<typeof simulator_scale>["still"]} Still
  */
 
 // simulator/loupe.js

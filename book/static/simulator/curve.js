@@ -115,8 +115,8 @@ function simulator_curve(root, module, act) {
     return texts.join("");
   }
 
-  /** The difference at sixteen steps, each under its place on the axis. @param {Map<number, PicturePoint>} picture @param {Colored} colored */
-  function show_stills(picture, colored) {
+  /** The difference at sixteen steps, each under its place on the axis. @param {Map<number, PicturePoint>} picture @param {Still} in_colour */
+  function show_stills(picture, in_colour) {
     const context = strip.getContext("2d");
     strip.width = STILLS * strip.height;
     strip.style.left = `${x_of(10 ** (LEFT + 0.5))}px`;
@@ -124,7 +124,7 @@ function simulator_curve(root, module, act) {
     for (const { eps, still } of picture.values()) {
       const place = Math.log10(eps) - LEFT - 1;
       if (Number.isInteger(place) && place >= 0 && place < STILLS)
-        context?.putImageData(colored(still, strip.height), strip.height * place, 0);
+        context?.putImageData(in_colour(still, strip.height), strip.height * place, 0);
     }
   }
 
@@ -133,11 +133,11 @@ function simulator_curve(root, module, act) {
    * @param {State} state
    * @param {Lines} pixel
    * @param {Map<number, PicturePoint>} picture
-   * @param {Colored} colored
+   * @param {Still} in_colour
    */
-  function show(state, pixel, picture, colored) {
+  function show(state, pixel, picture, in_colour) {
     const difference = [...picture.values()];
-    const what = [pixel, picture, difference.length, state.scale, svg.clientWidth, svg.clientHeight];
+    const what = [pixel, picture, difference.length, svg.clientWidth, svg.clientHeight];
     if (what.every((part, n) => part === drawn[n])) return;
     drawn = what;
     width = svg.clientWidth;
@@ -151,7 +151,7 @@ function simulator_curve(root, module, act) {
       .filter(({ size }) => size > 0)
       .map(({ eps, size }) => circle_markup("difference", [x_of(eps), y_of(size)], 2));
     svg.innerHTML = axes() + paths.join("") + dots.join("") + least() + names();
-    show_stills(picture, colored);
+    show_stills(picture, in_colour);
     mark(state.eps);
   }
 

@@ -11,7 +11,7 @@ function simulator_layout(root, resized) {
   const TITLE = 26;
   const PLOT = 252; // the least height of curve, stills and step, with the difference's scale
   const COMPACT = 900; // has the curve below the pictures, and the pixel beside that
-  const SCENE = 196; // the least width of the sliders
+  const SCENE = 176; // the least width of the sliders
   const GAP = 16;
   const stage = find_element(root, ".sim-stage");
   const modes = ["apart", "large"].map((name) => find_element(root, `[data-${name}]`));

@@ -90,15 +90,14 @@ function simulator_pictures(root, states, data, module) {
     if (!shown) return;
     for (const [n, canvas] of seen.bases.entries()) {
       const room = screen_side(n) || seen.side;
-      const by = 2 ** Math.max(0, Math.ceil(Math.log2(seen.side / room)));
-      if (NAMES[n] === "difference") put_difference(canvas, by);
+      if (NAMES[n] === "difference") put_difference(canvas, Math.min(seen.side, room));
       canvas.classList.toggle("smooth", canvas.width > room);
     }
   }
 
-  /** @param {HTMLCanvasElement} canvas @param {number} by */
-  function put_difference(canvas, by) {
-    const image = scale.colored(seen.levels, seen.side, by);
+  /** @param {HTMLCanvasElement} canvas @param {number} wide */
+  function put_difference(canvas, wide) {
+    const image = scale.colored(seen.levels, seen.side, wide);
     if (canvas.width !== image.width) resize(canvas, image.width);
     context_of(canvas, false).putImageData(image, 0, 0);
   }
@@ -177,9 +176,9 @@ function simulator_pictures(root, states, data, module) {
     const canvas = seen.bases[NAMES.indexOf(name)];
     if (name !== "difference") return canvas;
     const whole = document.createElement("canvas");
-    put_difference(whole, 1);
+    put_difference(whole, seen.side);
     return whole;
   }
 
-  return { boxes, paint, show, decorate, hold, resized, canvas: canvas_of, colored: scale.colored };
+  return { boxes, paint, show, decorate, hold, resized, canvas: canvas_of, still: scale.still };
 }

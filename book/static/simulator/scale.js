@@ -73,25 +73,27 @@ function simulator_scale(root, data) {
   }
 
   /**
-   * A square of levels in colour, `by` × `by` of them a pixel.
+   * A square of levels in colour, in `wide` pixels a side: each is as bright as the brightest that it stands for.
    * @param {Uint8Array} levels
    * @param {number} side
    */
-  function colored(levels, side, by = 1) {
-    const wide = side / by;
-    const largest = by === 1 ? levels : new Uint8Array(wide * wide);
-    if (by > 1) {
+  function colored(levels, side, wide = side, palette = colors) {
+    const largest = wide === side ? levels : new Uint8Array(wide * wide);
+    if (wide < side) {
       for (let row = 0, i = 0; row < side; row++) {
-        const start = Math.floor(row / by) * wide;
+        const start = Math.floor((row * wide) / side) * wide;
         for (let column = 0; column < side; column++, i++) {
-          const cell = start + Math.floor(column / by);
+          const cell = start + Math.floor((column * wide) / side);
           if (levels[i] > largest[cell]) largest[cell] = levels[i];
         }
       }
     }
-    const pixels = Uint32Array.from(largest, (level) => colors[level]);
+    const pixels = Uint32Array.from(largest, (level) => palette[level]);
     return new ImageData(new Uint8ClampedArray(pixels.buffer), wide);
   }
 
-  return { choose, colored };
+  /** Levels of the logarithmic scale, whatever the picture's is. @param {Uint8Array} levels @param {number} side */
+  const still = (levels, side) => colored(levels, side, side, Uint32Array.from(inferno));
+
+  return { choose, colored, still };
 }

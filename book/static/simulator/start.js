@@ -72,6 +72,7 @@ function simulator_start(root, compiled, module) {
     if (redraw) engine.ask(state);
     else pictures.decorate(state);
     controls.show(state);
+    root.classList.toggle("sim-zoomed", state.zoom > 0); // a finger then moves the part that is shown, and not the page
     if (shown_panels) curve.mark(state.eps);
     panels_soon();
     clearTimeout(saved);
@@ -133,7 +134,7 @@ function simulator_start(root, compiled, module) {
     if (document.hidden) return;
     if (pixel_key(state) !== pixel_of) pixel_curve = curve.at_pixel(state, states.crop(state));
     pixel_of = pixel_key(state);
-    curve.show(state, pixel_curve, picture_of === curve_key(state) ? picture : none, pictures.colored);
+    curve.show(state, pixel_curve, picture_of === curve_key(state) ? picture : none, pictures.still);
     readouts.captions(state);
     cursor.show(state); // after the curve, which asks how wide it is
     root.dispatchEvent(new CustomEvent("pixel", { detail: state })); // for what shows more of it, such as the loupe
@@ -266,9 +267,9 @@ function simulator_start(root, compiled, module) {
   }
 
   // Take the state of the address, if it has one; say what is wrong with it, if anything is.
-  function from_address() {
+  function from_address(hash = location.hash) {
     try {
-      const next = states.from_fragment(location.hash);
+      const next = states.from_fragment(hash);
       if (next) {
         presets.stop();
         act.replace(next);
@@ -298,7 +299,7 @@ function simulator_start(root, compiled, module) {
   engine.ask(state);
   panels();
   if (from_address()) root.scrollIntoView();
-  window.addEventListener("hashchange", from_address);
+  window.addEventListener("hashchange", ({ newURL }) => from_address(new URL(newURL || location.href).hash));
   new ResizeObserver(() => drawn_size && layout.fit(state.size)).observe($(".sim-stage"));
   window.addEventListener("resize", () => layout.fit(state.size));
   document.addEventListener("visibilitychange", show_or_hide);
