@@ -150,6 +150,16 @@ def test_the_bits_are_the_kernels(tab, field, method):
     assert counts >= {"back to"} | ({"seam"} if HEIGHT_FIELDS[field].depends_on_u else set())
 
 
+def test_a_wrong_bit_would_be_seen(tab):
+    """The next step, the next pixel, the other axis: none passes for what is shown."""
+    (column, row, u, v), *_ = some_pixels("sine")
+    (rows,) = tab.evaluate(SHOWN, [{"field": "sine", "column": column, "row": row}])
+    for step, axis, here in ((np.nextafter(1e-3, 1), "u", u), (1e-3, "v", u), (1e-3, "u", np.nextafter(u, 1))):
+        with pytest.raises(AssertionError):
+            assert_rows(rows, ("sine", "central", axis, (column, row, float(here), v)), float(step), set())
+    assert_rows(rows, ("sine", "central", "u", (column, row, u, v)), 1e-3, set())
+
+
 @pytest.mark.parametrize("field", ["sine", "ridges"])
 def test_noise_is_what_rounding_made(tab, field):
     """The exact heights of the exact arguments are apart by what is shown, up to the bits that are called noise."""
