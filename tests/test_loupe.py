@@ -182,7 +182,7 @@ def test_noise_is_what_rounding_made(tab, field):
 
 
 def test_the_lenses_show_the_renderers_pixels_and_move_the_cursor(visit):
-    tab = visit("s4", fragment="#sim?field=sine&eps=0.01&column=100&row=90&axis=v", until=RUNNING)
+    tab = visit("s4", "file", "#sim?field=sine&eps=0.01&column=100&row=90&axis=v", until=RUNNING)
     tab.locator("#loupe").scroll_into_view_if_needed()
     tab.wait_for_function("document.querySelector('[data-told]').textContent === '100, 90'")
     frame = tab.locator(".sim-lenses")
