@@ -74,25 +74,32 @@ function simulator_scale(root, data) {
 
   /**
    * A square of pixels with the largest levels of those that each of them stands for.
-   * @param {Uint8Array} levels
+   * @template {Uint8Array | Uint32Array} Levels
+   * @param {Levels} levels so many a pixel as `largest` has
+   * @param {Levels} largest
    * @param {number} side
    * @param {number} wide
    */
-  function reduced(levels, side, wide) {
-    const largest = new Uint8Array(4 * wide * wide);
+  function reduce(levels, largest, side, wide) {
+    const each = largest.length / (wide * wide);
+    const places = Int32Array.from({ length: side }, (_, n) => Math.floor((n * wide) / side));
     for (let row = 0, i = 0; row < side; row++) {
-      const start = Math.floor((row * wide) / side) * wide;
       for (let column = 0; column < side; column++) {
-        const cell = 4 * (start + Math.floor((column * wide) / side));
-        for (let n = 0; n < 4; n++, i++) if (levels[i] > largest[cell + n]) largest[cell + n] = levels[i];
+        const cell = each * (places[row] * wide + places[column]);
+        for (let n = cell; n < cell + each; n++, i++) if (levels[i] > largest[n]) largest[n] = levels[i];
       }
     }
-    return largest;
   }
 
-  /** A square of levels in colour, in so many pixels a side. @param {Uint8Array} levels @param {number} side */
+  /** A square of levels in colour, in so many pixels a side. @param {Uint8Array<ArrayBuffer>} levels @param {number} side */
   function colored(levels, side, wide = side) {
-    const words = new Uint32Array((wide < side ? reduced(levels, side, wide) : levels).buffer);
+    let words = new Uint32Array(levels.buffer);
+    if (wide < side) {
+      const largest = new Uint32Array(wide * wide);
+      if (is_linear) reduce(levels, new Uint8Array(largest.buffer), side, wide);
+      else reduce(words, largest, side, wide); // a word is larger where its level is
+      words = largest;
+    }
     return image_of(is_linear ? words.slice() : words.map((word) => (word & SOME ? colors[word & 255] : BLACK)), wide);
   }
 
