@@ -100,6 +100,9 @@ def _tables():
         "inferno": _colours(colormaps["inferno"](range(256), bytes=True)[:, :3]),
         "grey": _colours(np.arange(256)[:, None].repeat(3, axis=1)),
         "terms": _colours(bytes_of),
+        "levels": _colours(
+            [[level, 1, 0] for level in range(256)]
+        ),  # for the page to colour; a difference of 0 has no 1
     }
 
 

@@ -12,7 +12,7 @@
  * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
  *   ball_radius: number }} SceneData
  * @typedef {{ srgb: { cells: number, thresholds: number[] }, sizes: { bits: number, thresholds: number[] },
- *   inferno: number[], grey: number[], terms: number[] }} Tables
+ *   inferno: number[], grey: number[], terms: number[], levels: number[] }} Tables
  * @typedef {{ scene: SceneData, scenes: Record<string, { scene: number[], lights: number[][] }>,
  *   offsets: Record<string, number>, light_size: number, max_algebraic: number, counts: number, lanes: number,
  *   fields: Record<string, { ways: Record<string, number>, creases: number }>,
@@ -42,7 +42,7 @@
 /**
  * @typedef {{ kind: "begin", data: SimulatorData, compiled: WebAssembly.Module } | { kind: "stop" } | DrawTask | IdleTask}
  *   Task
- * @typedef {{ kind: "draw", id: number, state: State, band: Raster, part: Part, buffers: Record<string, ArrayBuffer> }}
+ * @typedef {{ kind: "draw", id: number, state: State, band: Raster, part: Part }}
  *   DrawTask
  * @typedef {{ raster: string, bands: number, begin: number }} Part how many bands a raster has, and the rows above this one
  * @typedef {{ kind: "idle", id: number, state: State, band: Raster, steps: number[] | null }} IdleTask
@@ -58,7 +58,7 @@
 
 // simulator/engine.js
 /**
- * @typedef {{ post(task: Task, transfer?: ArrayBuffer[]): void, buffers: Record<string, ArrayBuffer>, stop(): void }} Drawer
+ * @typedef {{ post(task: Task): void, stop(): void }} Drawer
  * @typedef {{ painted(reply: Drawn, by_page: boolean): void, drawn(state: State, replies: Drawn[], asked: number,
  *   by_page: boolean, is_whole: boolean): void, resting(state: State): number[] | null,
  *   counted(all: Counted[]): void, followed(all: Followed[]): void, timed(all: Timed[]): void,

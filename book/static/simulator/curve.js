@@ -25,6 +25,7 @@ function simulator_curve(root, module, act) {
   let width = 0;
   let height = 0;
   let bottom = 0;
+  let at_rest = ""; // what is read while nothing is pointed at
   let inset = 0;
   /** @type {Lines} */
   let lines = {};
@@ -54,14 +55,17 @@ function simulator_curve(root, module, act) {
 
   // Where the proved bound is least, and where this pixel's own error is.
   function least() {
-    const marks = Object.entries({ bound: "best by theorem", numeric: "least here" }).map(([name, words]) => {
+    const found = Object.entries({ bound: "best by theorem", numeric: "least here" }).flatMap(([name, words]) => {
       const points = lines[name] ?? [];
-      if (!points.some(({ size }) => size > 0)) return "";
+      if (!points.some(({ size }) => size > 0)) return [];
       const { eps, size } = points.reduce((best, point) => (point.size < best.size ? point : best));
-      const place = `translate(${x_of(eps).toFixed(1)} ${y_of(size || 1e-16).toFixed(1)})`;
-      return `<path class="least ${name}" transform="${place}" d="M0 -5L4 3H-4Z"><title>${words}: ε = ${scientific(eps, 1)}</title></path>`;
+      const place = `translate(${x_of(eps).toFixed(1)} ${y_of(size).toFixed(1)})`;
+      const markup = `<path class="least ${name}" transform="${place}" d="M0 -5L4 3H-4Z"/>`;
+      return [{ markup, words: `${words}: ε = ${scientific(eps, 1)}` }];
     });
-    return marks.join("");
+    at_rest = found.map(({ words }) => words).join(" · ");
+    if (pointer.hidden) reading.textContent = at_rest;
+    return found.map(({ markup }) => markup).join("");
   }
 
   /** @param {number} eps */
@@ -227,7 +231,7 @@ function simulator_curve(root, module, act) {
   box.addEventListener("pointermove", hover);
   box.addEventListener("pointerleave", () => {
     pointer.hidden = true;
-    reading.textContent = "";
+    reading.textContent = at_rest;
   });
   box.addEventListener("keydown", press);
   return { COARSE, FINE, at_pixel, show, mark, csv };

@@ -29,7 +29,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
   let resting = 0;
   let refined = ""; // the raster that the workers were last asked for
   /** @type {Drawer} */
-  const page = { post: simulator_worker((reply) => receive(reply, page)), buffers: {}, stop() {} };
+  const page = { post: simulator_worker((reply) => receive(reply, page)), stop() {} };
   page.post({ kind: "begin", data, compiled });
 
   // As many as there are cores; each has its own memory, since pages from a disk cannot share any.
@@ -38,11 +38,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
     workers = Array.from({ length: navigator.hardwareConcurrency || 1 }, () => {
       const worker = worker_of(float64s, simulator_module, simulator_worker);
       /** @type {Drawer} */
-      const drawer = {
-        post: (task, transfer = []) => worker.postMessage(task, transfer),
-        stop: () => worker.terminate(),
-        buffers: {}
-      };
+      const drawer = { post: (task) => worker.postMessage(task), stop: () => worker.terminate() };
       worker.onmessage = ({ data }) => receive(data, drawer);
       worker.postMessage({ kind: "begin", data, compiled });
       worker.onerror = (event) => handlers.failed(event.message || "the worker did not start");
@@ -96,10 +92,8 @@ function simulator_engine(data, compiled, states, module, handlers) {
   function send(state, drawers, bands) {
     waiting = { id: ++id, state, asked: performance.now(), replies: [] };
     for (const [n, band] of bands.entries()) {
-      const { post, buffers } = drawers[n];
       const part = { raster: refined, bands: bands.length, begin: band.top - bands[0].top };
-      drawers[n].buffers = {};
-      post({ kind: "draw", id, state, band, part, buffers }, Object.values(buffers));
+      drawers[n].post({ kind: "draw", id, state, band, part });
     }
   }
 
@@ -108,8 +102,6 @@ function simulator_engine(data, compiled, states, module, handlers) {
     if (reply.kind !== "drawn") return found(reply);
     // Also if it comes late, but of the same raster: a drawer sends what has changed, and that once.
     if (drawer === page || reply.part.raster === refined) handlers.painted(reply, drawer === page);
-    const buffers = Object.entries(reply.images).map(([name, { bytes }]) => [name, bytes.buffer]);
-    drawer.buffers = Object.fromEntries(buffers);
     const { state, asked, replies } = waiting;
     if (reply.id !== waiting.id || replies.push(reply) < reply.part.bands) return;
     const is_whole = drawer !== page || state.size <= SMALL;

@@ -67,6 +67,7 @@ function simulator_layout(root, resized) {
   /** @param {number} size */
   function fit(size) {
     spread();
+    if (!stage.clientWidth) return; // a page of the mailed file that is not open
     const { large, small, is_tall } = sides(size);
     root.style.setProperty("--side", `${large}px`);
     root.style.setProperty("--small", `${small}px`);

@@ -56,15 +56,13 @@ function simulator_pictures(root, states, data, module) {
     const into = is_pages ? by_page : by_workers;
     if (into.side !== band.wide) {
       into.side = band.wide;
-      into.levels = new Uint8Array(band.wide * band.wide);
+      into.levels = new Uint8Array(4 * band.wide * band.wide);
       for (const canvas of [...into.bases, into.mask]) resize(canvas, band.wide);
     }
     for (const [name, { top, bytes }] of Object.entries(images)) {
       const first = part.begin + top;
-      if (name === "difference") {
-        const start = first * band.wide;
-        for (let n = 0; 4 * n < bytes.length; n++) into.levels[start + n] = bytes[4 * n];
-      } else if (bytes.length)
+      if (name === "difference") into.levels.set(bytes, 4 * first * band.wide);
+      else if (bytes.length)
         context_of(into.bases[NAMES.indexOf(name)], false).putImageData(new ImageData(bytes, band.wide), 0, first);
     }
     if (!codes) return;

@@ -129,9 +129,15 @@ function simulator_presets(root, states, act) {
   /** @param {KeyboardEvent} event */
   function press(event) {
     if (!now || is_typed(event) || is_shortcut(event)) return;
-    const is_button = event.target instanceof HTMLButtonElement;
+    const target = /** @type {Element} */ (event.target);
+    const is_ours = frame !== 0 || root.contains(target);
     if (event.key === "Escape") stop();
-    else if (event.key === " " && !is_button) toggle();
+    else if (
+      event.key === " " &&
+      is_ours &&
+      !target.closest("button, a, select, summary, [type=radio], [type=checkbox]")
+    )
+      toggle();
     else return;
     event.preventDefault();
   }

@@ -7,35 +7,35 @@
 function simulator_scale(root, data) {
   const { inferno, grey } = data.tables;
   const LEVELS = 256;
+  const SOME = 0x100; // set in a logarithmic level of what is not 0
+  const BLACK = 0xff000000;
   const DECADE = 16; // levels, of the logarithmic scale; level 0 is 10⁻¹⁶ and whatever is less
   const HIGH = 20; // of the counts
   const [bar, marks] = ["span", "p"].map((selector) => find_element(root, `.sim-bar ${selector}`));
-  const counts_path = make_svg(".sim-counts");
+  const counts_path = find_element(root, ".sim-counts path");
+  let is_linear = false;
   let colors = Uint32Array.from(inferno);
   let shown = "";
 
-  /** @param {string} selector */
-  function make_svg(selector) {
-    const svg = find_element(root, selector);
-    svg.innerHTML = path_markup("", "");
-    return find_element(svg, "path");
-  }
+  /** @param {number} a @param {number} b */
+  const sum = (a, b) => a + b;
 
-  /** @param {Uint8Array} levels */
+  /** How many pixels have each level; of a linear difference, in the colour in which it is the largest. @param {Uint8Array} levels */
   function count(levels) {
     const counts = new Uint32Array(LEVELS);
-    for (const level of levels) counts[level]++;
+    for (let i = 0; i < levels.length; i += 4)
+      counts[is_linear ? Math.max(levels[i], levels[i + 1], levels[i + 2]) : levels[i]]++;
     return counts;
   }
 
-  /** The whole decades that a fitted scale shows: all but the least hundredth of what is not 0. @param {Uint32Array} counts */
+  /** The whole decades that a fitted scale shows, two at least: those of more than a thousandth of what is not 0. @param {Uint32Array} counts */
   function fitted(counts) {
-    const many = counts.reduce((sum, number) => sum + number) - counts[0];
-    let low = 1;
-    for (let sum = counts[1]; low < LEVELS - 1 && sum < 0.01 * many; sum += counts[low]) low++;
-    const high = Math.max(low, counts.findLastIndex(Boolean));
-    const first = Math.min(Math.floor(low / DECADE), DECADE - 2);
-    return many ? [first, Math.max(first + 2, Math.ceil((high + 1) / DECADE))] : [0, DECADE];
+    const many = Array.from({ length: DECADE }, (_, n) =>
+      counts.subarray(n * DECADE || 1, (n + 1) * DECADE).reduce(sum)
+    );
+    const some = many.map((number) => number > 0.001 * many.reduce(sum));
+    const last = Math.max(2, some.lastIndexOf(true) + 1);
+    return [clamp(0, some.indexOf(true), last - 2), last];
   }
 
   /** @param {string} scale @param {number[]} decades */
@@ -43,7 +43,6 @@ function simulator_scale(root, data) {
     const key = [scale, first, last].join();
     if (key === shown) return;
     shown = key;
-    const is_linear = Number(scale) > 0;
     const [low, high] = [first, last].map((decade) => decade * DECADE);
     const palette = is_linear ? grey : inferno;
     const place = (/** @type {number} */ level) => clamp(0, Math.round(((level - low) / (high - 1 - low)) * 255), 255);
@@ -60,6 +59,7 @@ function simulator_scale(root, data) {
 
   /** Choose the colours for a picture's levels, and show the scale. @param {string} scale @param {Uint8Array} levels */
   function choose(scale, levels) {
+    is_linear = Number(scale) > 0; // which has a level for each colour
     const counts = count(levels);
     const decades = scale === "fit" ? fitted(counts) : [0, DECADE];
     show_bar(scale, decades);
@@ -73,27 +73,45 @@ function simulator_scale(root, data) {
   }
 
   /**
-   * A square of levels in colour, in `wide` pixels a side: each is as bright as the brightest that it stands for.
-   * @param {Uint8Array} levels
+   * A square of pixels with the largest levels of those that each of them stands for.
+   * @template {Uint8Array | Uint32Array} Levels
+   * @param {Levels} levels so many a pixel as `largest` has
+   * @param {Levels} largest
    * @param {number} side
+   * @param {number} wide
    */
-  function colored(levels, side, wide = side, palette = colors) {
-    const largest = wide === side ? levels : new Uint8Array(wide * wide);
-    if (wide < side) {
-      for (let row = 0, i = 0; row < side; row++) {
-        const start = Math.floor((row * wide) / side) * wide;
-        for (let column = 0; column < side; column++, i++) {
-          const cell = start + Math.floor((column * wide) / side);
-          if (levels[i] > largest[cell]) largest[cell] = levels[i];
-        }
+  function reduce(levels, largest, side, wide) {
+    const each = largest.length / (wide * wide);
+    const places = Int32Array.from({ length: side }, (_, n) => Math.floor((n * wide) / side));
+    for (let row = 0, i = 0; row < side; row++) {
+      for (let column = 0; column < side; column++) {
+        const cell = each * (places[row] * wide + places[column]);
+        for (let n = cell; n < cell + each; n++, i++) if (levels[i] > largest[n]) largest[n] = levels[i];
       }
     }
-    const pixels = Uint32Array.from(largest, (level) => palette[level]);
-    return new ImageData(new Uint8ClampedArray(pixels.buffer), wide);
   }
 
-  /** Levels of the logarithmic scale, whatever the picture's is. @param {Uint8Array} levels @param {number} side */
-  const still = (levels, side) => colored(levels, side, side, Uint32Array.from(inferno));
+  /** A square of levels in colour, in so many pixels a side. @param {Uint8Array<ArrayBuffer>} levels @param {number} side */
+  function colored(levels, side, wide = side) {
+    let words = new Uint32Array(levels.buffer);
+    if (wide < side) {
+      const largest = new Uint32Array(wide * wide);
+      if (is_linear) reduce(levels, new Uint8Array(largest.buffer), side, wide);
+      else reduce(words, largest, side, wide); // a word is larger where its level is
+      words = largest;
+    }
+    return image_of(is_linear ? words.slice() : words.map((word) => (word & SOME ? colors[word & 255] : BLACK)), wide);
+  }
+
+  /** Levels of the logarithmic scale, a byte each, whatever the picture's scale is. @param {Uint8Array} levels @param {number} side */
+  const still = (levels, side) =>
+    image_of(
+      Uint32Array.from(levels, (level) => inferno[level]),
+      side
+    );
+
+  /** @param {Uint32Array<ArrayBuffer>} pixels @param {number} wide */
+  const image_of = (pixels, wide) => new ImageData(new Uint8ClampedArray(pixels.buffer), wide);
 
   return { choose, colored, still };
 }

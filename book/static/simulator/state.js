@@ -7,30 +7,20 @@ function simulator_states(root, { fields, models, scene }) {
   /** @type {Record<string, string>} */
   const SIGNS = { eps: "ε", beta: "β" }; // as the page has them
 
-  /** A decimal number, or one to a whole power, or NaN. @param {string} text */
-  function power_in(text) {
-    const [base, exponent = "1", ...more] = text.split("^");
-    return !more.length && [base, exponent].every((part) => DECIMAL.test(part))
-      ? Number(base) ** Number(exponent)
-      : NaN;
-  }
-
   /** The number in a text as code has it, or as print has: 1e-8, 1.2e−8, 10⁻⁸, 3 · 10⁻⁴, 2^-20, 1/8; NaN in others. @param {string} text */
   function number_in(text) {
-    const lowered = text.replace(
-      /[⁻⁰¹²³⁴-⁹]+/g,
-      (digits) => `^${digits.replace(/./g, (one) => "-0123456789"["⁻⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(one)])}`
-    );
-    const plain = lowered
+    const lowered = text.replace(/[⁻⁰¹²³⁴-⁹]/g, (digit) => "-0123456789"["⁻⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(digit)]);
+    const raised_at = text.search(/[⁻⁰¹²³⁴-⁹]/);
+    const plain = raised_at > 0 ? `${lowered.slice(0, raised_at)}^${lowered.slice(raised_at)}` : lowered;
+    const in_code = plain
       .replaceAll("−", "-")
-      .replace(/[·×]/g, "*")
-      .replace(/ *([*/^]) */g, "$1")
+      .replace(/ *[·×*] *10\^/, "e")
+      .replace(/^ *10\^/, "1e")
       .trim();
-    const [over, under = "1", ...more] = plain
-      .replace(/\*10\^/, "e")
-      .replace(/^10\^/, "1e")
-      .split("/");
-    return more.length ? NaN : power_in(over) / power_in(under) + 0;
+    const [a, n = "1", b = "1", m = "1"] = /^([^/^]+)(?:\^([^/^]+))?(?:\/([^/^]+)(?:\^([^/^]+))?)?$/
+      .exec(in_code)
+      ?.slice(1) ?? [""];
+    return [a, n, b, m].every((part) => DECIMAL.test(part)) ? Number(a) ** Number(n) / Number(b) ** Number(m) + 0 : NaN;
   }
 
   /** @param {number} low @param {number} high @param {number} start @returns {Parameter} */
@@ -194,20 +184,17 @@ function simulator_states(root, { fields, models, scene }) {
   const fragment = (state) =>
     MARK +
     Object.entries(parameters)
-      .map(
-        ([name, p]) => `${name}=${AXES.flat().includes(name) ? share_at(state, name).toFixed(7) : p.write(state[name])}`
-      )
+      .map(([name, p]) => `${name}=${name in OFFSETS ? share_at(state, name) : p.write(state[name])}`)
       .join("&");
 
-  /** @param {string} name */
-  const is_cursor = (name) => AXES.some(([, cursor]) => cursor === name);
-
   // A place in an address is a share of the raster, the same at any size; a whole number is one in pixels.
+  /** @type {Record<string, number>} */
+  const OFFSETS = { left: 0, top: 0, column: 0.5, row: 0.5 }; // of the point that is meant, in its pixel
   /** @param {State} state @param {string} name */
-  const share_at = (state, name) => (state[name] + 0.5 * Number(is_cursor(name))) / side(state);
+  const share_at = (state, name) => ((state[name] + OFFSETS[name]) / side(state)).toFixed(7);
   /** @param {State} state @param {string} name @param {string} text */
   const place_in = (state, name, text) =>
-    /^0?\.\d+$/.test(text) ? Math.round(Number(text) * side(state) - 0.5 * Number(is_cursor(name))) : read(name, text);
+    /^0?\.\d+$/.test(text) ? Math.round(Number(text) * side(state) - OFFSETS[name]) : read(name, text);
 
   /** Return the state of a fragment, null if it is none of ours; throw if it is malformed. @param {string} text */
   function from_fragment(text) {
@@ -220,7 +207,7 @@ function simulator_states(root, { fields, models, scene }) {
       if (!Object.hasOwn(parameters, name))
         throw new Error(`the address sets ${name.slice(0, 40)}, which is not a setting`);
       if (name in found || name in places) throw new Error(`the address sets ${name} twice`);
-      if (AXES.flat().includes(name)) places[name] = value;
+      if (name in OFFSETS) places[name] = value;
       else found[name] = read(name, value);
     }
     const state = zoomed(start(), found);

@@ -101,7 +101,7 @@ function simulator_worker(post) {
 
   /** @param {Stage} stage @param {string} into @param {Painting} options */
   const paint_logarithmic = (stage, into, options) =>
-    module.paint("paint_difference_logarithmic", stage, into, { ...options, table: "sizes" });
+    module.paint("paint_difference_logarithmic", stage, into, { ...options, table: "sizes", palette: "levels" });
 
   /**
    * What was painted of A in SIDE × SIDE cells, the largest level of each.
@@ -128,7 +128,7 @@ function simulator_worker(post) {
   }
 
   /** @param {DrawTask} task */
-  function draw({ id, state, band, part, buffers }) {
+  function draw({ id, state, band, part }) {
     const stage = staged(state, band);
     const codes = kept.stage.fresh ? stage.codes.slice() : null;
     const moved = codes ? [codes.buffer] : [];
@@ -149,12 +149,9 @@ function simulator_worker(post) {
       if (!keep(`${name} on A`, [...around, ...on_a], () => paint(whole)).fresh) return;
       /** @type {[number, number]} */
       const rows = whole ? [0, band.high] : stage.rows;
-      const painted = module.bytes(stage, name, rows);
-      const buffer = buffers[name]?.byteLength === painted.length ? buffers[name] : new ArrayBuffer(painted.length);
-      const bytes = new Uint8ClampedArray(buffer);
-      bytes.set(painted);
+      const bytes = module.bytes(stage, name, rows).slice();
       images[name] = { top: rows[0], bytes };
-      moved.push(buffer);
+      moved.push(bytes.buffer);
     }
 
     for (const name of ["numeric", "symbolic"]) {
