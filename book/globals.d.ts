@@ -1,5 +1,10 @@
 // What other scripts of the pages declare: those that the build prints, the mailed file's, Sphinx's and MathJax.
-declare const Simulator: { data: SimulatorData; program: string; running?: ReturnType<typeof simulator_start> };
+declare const Simulator: {
+  data: SimulatorData;
+  program: string;
+  closer: Pick<CloserData, "kernels" | "pairs" | "scene_bounds"> & { program: string };
+  running?: ReturnType<typeof simulator_start>;
+};
 declare const Ideas: { data: IdeasData; program: string; module?: IdeasModule };
 declare var Chapter: { pages: HTMLElement[]; shown(): Element; ready(): Promise<void>; show(page: Element): Promise<void> };
 declare const SearchText: Record<string, [string, string][]>;

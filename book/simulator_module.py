@@ -35,12 +35,12 @@ CENTRAL = tuple((name, "central") for name in FIELDS)
 WAYS = [*CENTRAL, *(way for way in product(FIELDS, ("general", *HEIGHT_EVALUATIONS)) if way not in CENTRAL)]
 WAYS += [(name, "algebraic") for name, field in FIELDS.items() if field["wave_numbers"]] + [FLAT]
 
-_off_a = Want((FLAT,), tuple(map(style_of, MODELS.values())), SCENE.shininess.is_integer())
-_on_a = _off_a._replace(ways=tuple(WAYS), chambers_known=True, surfaces="a", stored=SLOPES, charted=True)
+OFF_A = Want((FLAT,), tuple(map(style_of, MODELS.values())), SCENE.shininess.is_integer())
+_on_a = OFF_A._replace(ways=tuple(WAYS), chambers_known=True, surfaces="a", stored=SLOPES, charted=True)
 WANTS = {
-    "draw_chambers": _off_a._replace(colors=False),
-    "draw_elsewhere": _off_a._replace(chambers_known=True, surfaces="elsewhere"),
-    "draw_chart": _off_a._replace(chambers_known=True, surfaces="a", colors=False, stored=(*ANGLES, *CHART)),
+    "draw_chambers": OFF_A._replace(colors=False),
+    "draw_elsewhere": OFF_A._replace(chambers_known=True, surfaces="elsewhere"),
+    "draw_chart": OFF_A._replace(chambers_known=True, surfaces="a", colors=False, stored=(*ANGLES, *CHART)),
     "draw_a": _on_a,
     "draw_first": _on_a._replace(ways=CENTRAL, stills="stored"),
     "draw_again": _on_a._replace(ways=CENTRAL, stills="loaded"),
@@ -90,6 +90,9 @@ def _tables():
         "inferno": _colours(colormaps["inferno"](range(256), bytes=True)[:, :3]),
         "grey": _colours(np.arange(256)[:, None].repeat(3, axis=1)),
         "terms": _colours(bytes_of),
+        "levels": _colours(
+            [[level, 1, 0] for level in range(256)]
+        ),  # for the page to colour; a difference of 0 has no 1
     }
 
 

@@ -12,13 +12,13 @@
  * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
  *   ball_radius: number }} SceneData
  * @typedef {{ srgb: { cells: number, thresholds: number[] }, sizes: { bits: number, thresholds: number[] },
- *   inferno: number[], grey: number[], terms: number[] }} Tables
+ *   inferno: number[], grey: number[], terms: number[], levels: number[] }} Tables
  * @typedef {{ scene: SceneData, scenes: Record<string, { scene: number[], lights: number[][] }>,
  *   offsets: Record<string, number>, light_size: number, max_algebraic: number, counts: number, lanes: number,
  *   fields: Record<string, { ways: Record<string, number>, creases: number }>,
  *   models: Record<string, { index: number, power: number }>, stills: number[], arguments: string[],
  *   kernels: Record<string, [number, number]>, painting: string[], numbers: string[], tables: Tables,
- *   terms: string[], term_colours: string[] }} SimulatorData
+ *   terms: string[], term_colours: string[], scene_bounds?: number[] }} SimulatorData
  * @typedef {{ raster: Raster, pitch: number, addresses: Record<string, number> }} Ground planes in memory
  * @typedef {Ground & { codes: Uint8Array, count: number, at: Int32Array, rows: [number, number], stills: number,
  *   kept?: string, targets: Record<string, number> }} Stage
@@ -42,13 +42,15 @@
 /**
  * @typedef {{ kind: "begin", data: SimulatorData, compiled: WebAssembly.Module } | { kind: "stop" } | DrawTask | IdleTask}
  *   Task
- * @typedef {{ kind: "draw", id: number, state: State, band: Raster, buffers: Record<string, ArrayBuffer>, anew: boolean }}
+ * @typedef {{ kind: "draw", id: number, state: State, band: Raster, part: Part }}
  *   DrawTask
+ * @typedef {{ raster: string, bands: number, begin: number }} Part how many bands a raster has, and the rows above this one
  * @typedef {{ kind: "idle", id: number, state: State, band: Raster, steps: number[] | null }} IdleTask
- * @typedef {{ kind: "drawn", id: number, band: Raster, images: Record<string, { top: number, bytes: ImageDataArray }>,
+ * @typedef {{ kind: "drawn", id: number, band: Raster, part: Part, images: Record<string, { top: number, bytes: ImageDataArray }>,
  *   count: number, codes: Uint8Array | null, largest: number, squares: number }} Drawn
  * @typedef {{ kind: "counted", id: number, index: number, flips: number, attached: number[], count: number }} Counted
- * @typedef {{ kind: "followed", id: number, index: number, largest: number, squares: number, count: number }} Followed
+ * @typedef {{ kind: "followed", id: number, index: number, largest: number, squares: number, count: number,
+ *   still: Uint8Array }} Followed
  * @typedef {{ kind: "timed", id: number, index: number, numeric: number, symbolic: number }} Timed
  * @typedef {Drawn | Counted | Followed | Timed} Reply
  * @typedef {(string | number | boolean)[]} Key
@@ -56,8 +58,9 @@
 
 // simulator/engine.js
 /**
- * @typedef {{ post(task: Task, transfer?: ArrayBuffer[]): void, buffers: Record<string, ArrayBuffer>, stop(): void }} Drawer
- * @typedef {{ drawn(state: State, replies: Drawn[], asked: number): void, resting(state: State): number[] | null,
+ * @typedef {{ post(task: Task): void, stop(): void }} Drawer
+ * @typedef {{ painted(reply: Drawn, by_page: boolean): void, drawn(state: State, replies: Drawn[], asked: number,
+ *   by_page: boolean, is_whole: boolean): void, resting(state: State): number[] | null,
  *   counted(all: Counted[]): void, followed(all: Followed[]): void, timed(all: Timed[]): void,
  *   failed(text: string): void }} Handlers
  */
@@ -79,8 +82,25 @@
 // simulator/curve.js
 /**
  * @typedef {{ eps: number, size: number }} LinePoint
- * @typedef {LinePoint & { max: number }} PicturePoint the root mean square of a picture's difference, and the largest
+ * @typedef {LinePoint & { max: number, still: Uint8Array }} PicturePoint the root mean square of a picture's difference, and the largest
  * @typedef {Record<string, LinePoint[]>} Lines
+ * @typedef {ReturnType<typeof simulator_scale>["still"]} Still
+ */
+
+// simulator/loupe.js
+/**
+ * @typedef {{ name: string, step: number, at: number, h: number }} Sample of the height: how many ε away, and the places
+ *   of the argument and of the height among what the kernel returns
+ * @typedef {SimulatorData & { pairs: Record<string, Record<string, [Sample, Sample][]>> }} CloserData
+ * @typedef {[look: string, end: number, of?: bigint]} Run of bits down to a place, of the row's number or of another
+ * @typedef {[CloserData, ...WebAssembly.Module[]]} CloserParts what a module of both programs is made of
+ */
+
+// simulator/certified.js
+/**
+ * @typedef {{ key: string, parts: CloserParts, state: State, raster: Raster }} CertifiedTask
+ * @typedef {{ key: string, maps: Uint32Array<ArrayBuffer>[], rms: number[], largest: number[], extremes: number[][],
+ *   open: number }} CertifiedFound ends of the RMS and of the largest difference; each picture's largest and median bound
  */
 
 // ideas/ideas.js

@@ -111,6 +111,8 @@ def test_page_is_whole_on_a_phone(visit, page):
 @pytest.mark.parametrize("mode", MODES)
 def test_simulator_has_no_violation_when_it_runs_and_when_it_complains(visit, mode):
     tab = visit("s4", until=RUNNING, **MODES[mode])
+    tab.click("[data-preset=sweep]")  # with its bar
+    tab.click("[data-pause]")
     box = tab.locator("[data-parameter=eps] input[type=text]")
     box.fill("nonsense")
     box.press("Tab")

@@ -84,7 +84,7 @@ def assert_same_bits(tab, *what, **more):
 @pytest.mark.parametrize("field", FIELDS)
 def test_pictures_are_the_renderers_to_the_last_bit(tab, field, model):
     state = BASE | {"field": field, "model": model}
-    for eps in (None, 1e-1, 1e-3, 1e-6, 1e-12):
+    for eps in (None, 1e-1, 1e-3, 1e-6, 1e-12, 1e-16, 1e-17, 1e-18):
         assert_same_bits(tab, state, {"name": "central", "eps": eps} if eps else {"name": "exact"})
 
 
@@ -133,7 +133,7 @@ def test_the_comparison_sees_the_next_float(tab):
 
 def painted(tab, name):
     """Return the bytes of a canvas, (size, size, 3)."""
-    script = "name => document.querySelector(`[data-picture=${name}] .pixels`).toDataURL()"
+    script = "name => Simulator.running.pictures.canvas(name).toDataURL()"
     image = Image.open(io.BytesIO(base64.b64decode(tab.evaluate(script, name).split(",")[1])))
     return np.asarray(image.convert("RGB"))
 
@@ -204,7 +204,7 @@ def random_state(rng):
     zoom = rng.choice([0, 0, 3, 10])
     return {
         "field": rng.choice(list(FIELDS)),
-        "eps": rng.choice([0.1, 1e-3, 1e-6, 1e-7, 2.5e-9, 1e-16]),
+        "eps": rng.choice([0.1, 1e-3, 1e-6, 1e-7, 2.5e-9, 1e-16, 1e-17, 1e-18]),
         "beta": rng.choice([0, 0.35, 1.7, 2]),
         "ku": rng.choice([8, 7, -4, 7.3]),
         "kv": rng.choice([4, 3, 0, -3.1]),

@@ -11,10 +11,15 @@ from jupyter_cache.executors import utils
 from sphinx.application import Sphinx
 from sphinx.config import Config
 
-from book import idea_kernels, simulator_module
+from book import idea_kernels, loupe_module, simulator_module
 from book.extension.elements import on
 
 SCRIPT, FONTS = "tex-chtml-full.js", "output/chtml/fonts/woff-v2"
+PROGRAMS = {
+    "simulator/compiled.js": simulator_module,
+    "simulator/compiled_closer.js": loupe_module,
+    "ideas/compiled.js": idea_kernels,
+}
 
 
 @on("builder-inited")
@@ -29,10 +34,10 @@ def copy_mathjax(app: Sphinx) -> None:
 @on("builder-inited")
 def write_simulator(app: Sphinx) -> None:
     """Compile what the simulator and the small interactives run."""
-    for folder, source in (("simulator", simulator_module.source), ("ideas", idea_kernels.source)):
-        place = Path(app.outdir) / "_static" / folder / "compiled.js"
+    for name, module in PROGRAMS.items():
+        place = Path(app.outdir) / "_static" / name
         place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_text(source(), encoding="utf-8")
+        place.write_text(module.source(), encoding="utf-8")
 
 
 @on("config-inited", priority=100)

@@ -7,7 +7,8 @@ from types import SimpleNamespace
 import numpy as np
 
 from renderer.kernels import ambient_term, floor_albedo, image_extent, image_x, image_y, silhouette_of_a
-from renderer.machines.enclosing import SLACK, UNIT, Enclosed
+from renderer.machines.enclosing import SLACK, UNIT, Enclosed, enclosed
+from renderer.operations import Number, where
 from renderer.scene.methods import exact
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
@@ -16,30 +17,39 @@ from renderer.shared import read_only
 
 
 def _lengths(scene):
-    return Enclosed(np.float64(scene.eye)), Enclosed(np.float64(scene.radius))
+    return np.float64(scene.eye), np.float64(scene.radius)
+
+
+def bound_of_x(column: Number, width: Number, height: Number, eye: Number, radius: Number) -> Number:
+    """Return a bound of the error of an image point's x, of a raster's column."""
+    half = image_extent(Enclosed(eye), Enclosed(radius))
+    return _on_grid(image_x(Enclosed(column), enclosed(width), enclosed(height), half), half.value / height)
+
+
+def bound_of_y(row: Number, height: Number, eye: Number, radius: Number) -> Number:
+    """Return the same of its y."""
+    half = image_extent(Enclosed(eye), Enclosed(radius))
+    return _on_grid(image_y(Enclosed(row), enclosed(height), half), half.value / (20 * height))
 
 
 def of_image_points(scene: Scene, raster: Raster) -> tuple[np.ndarray, np.ndarray]:
     """Return bounds of the errors of `Raster.image_points`: (columns,) and (rows,) float64."""
     left, top, wide, high = raster.crop  # type: ignore[misc]  # checked
-    half = image_extent(*_lengths(scene))
-    columns, rows = (
-        Enclosed(np.arange(first, first + n, dtype=np.float64)) for first, n in ((left, wide), (top, high))
-    )
-    x, y = image_x(columns, float(raster.width), float(raster.height), half), image_y(rows, float(raster.height), half)
-    return _on_grid(x, half.value / raster.height), _on_grid(y, half.value / (20 * raster.height))
+    columns, rows = (np.arange(first, first + n, dtype=np.float64) for first, n in ((left, wide), (top, high)))
+    width, height = float(raster.width), float(raster.height)
+    return bound_of_x(columns, width, height, *_lengths(scene)), bound_of_y(rows, height, *_lengths(scene))
 
 
 def _on_grid(coordinate, step):
     """Return the bounds of coordinates that are whole multiples of a step: next to 0 none is but 0 itself."""
     size = abs(coordinate.value)
-    return np.where(size + coordinate.bound < 0.5 * step, size, coordinate.bound)
+    return where(size + coordinate.bound < 0.5 * step, size, coordinate.bound)
 
 
 @np.errstate(all="ignore")
 def of_scene(scene: Scene, numbers: SimpleNamespace) -> SimpleNamespace:
     """Return bounds of the errors of the scene's numbers (`scene_numbers`) by name: 0 of what is exact."""
-    silhouette = silhouette_of_a(*_lengths(scene))
+    silhouette = silhouette_of_a(*map(Enclosed, _lengths(scene)))
     square = silhouette * silhouette
     off = abs(numbers.reach_of_a - square.value)
     floors = (floor_albedo(Enclosed(np.float64(dark)), Enclosed(np.float64(scene.floor_tint))) for dark in (0.0, 1.0))

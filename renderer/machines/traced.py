@@ -247,11 +247,13 @@ class Tracer:
         with self.builder.if_then(self.builder.icmp_unsigned("!=", bits, bits.type(0))):
             body()
 
-    def choose(self, alternatives: Sequence, index: Value, result_of: Callable[[Any], Sequence]) -> Sequence:
-        """Return `result_of` the alternative of an index that is the same everywhere: two numbers."""
+    def choose(
+        self, alternatives: Sequence, index: Value, result_of: Callable[[Any], Sequence], count: int = 2
+    ) -> Sequence:
+        """Return `result_of` the alternative of an index that is the same everywhere: so many numbers of each."""
         if len(alternatives) == 1:
             return result_of(alternatives[0])
-        index, results = self.whole(index), [self.variable(0.0) for _ in range(2)]
+        index, results = self.whole(index), [self.variable(0.0) for _ in range(count)]
         for number, alternative in enumerate(alternatives):
             with self.tracing(alternative), self.builder.if_then(self.builder.icmp_signed("==", index, WHOLE(number))):
                 for variable, value in zip(results, result_of(alternative), strict=True):

@@ -6,7 +6,7 @@ from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 
 import numpy as np
 
-from renderer.operations import UNIT
+from renderer.operations import UNIT, Number, maximum, where
 from renderer.picture.frame import Frame
 
 TINY = 1e-100  # a distance that counts as none, or as this: its square would vanish
@@ -96,7 +96,7 @@ def enclosed_distance(
 
     on_a: which pixels count. undecided: which of all may be taken for others.
     """
-    lower, upper = _nearest_and_furthest(np.abs(delta), within)
+    lower, upper = nearest_and_furthest(np.abs(delta), within)
     certain, possible = on_a & ~undecided, on_a | undecided
     largest = lower[certain].max(initial=0.0), upper[possible].max(initial=0.0)
     least = _root_mean_squares(lower, certain, undecided, 1).min()
@@ -108,14 +108,14 @@ def enclosed_distance(
     )
 
 
-def _nearest_and_furthest(apart, within):
+def nearest_and_furthest(apart: Number, within: Number) -> tuple[Number, Number]:
     """Return how far colours are apart at least, and at most, which are computed so far apart, off by `within`.
 
     The factors are more than the roundings of the subtraction that gave `apart`, and of these lines.
     """
     nearest = apart * (1 - 8 * UNIT) - within * (1 + 8 * UNIT)
     furthest = (apart + within) * (1 + 8 * UNIT)
-    return np.where(nearest < TINY, 0.0, nearest), np.where(furthest > 0.0, np.maximum(furthest, TINY), 0.0)
+    return where(nearest < TINY, 0.0, nearest), where(furthest > 0.0, maximum(furthest, TINY), 0.0)
 
 
 def _root_mean_squares(distances, certain, undecided, order):

@@ -13,11 +13,13 @@ async function compiled_program(program) {
   return WebAssembly.compile(bytes);
 }
 
-/** @param {SimulatorData} data @param {WebAssembly.Module} compiled */
-async function simulator_module(data, compiled) {
+/** One module of one program or several. @param {SimulatorData} data @param {...WebAssembly.Module} programs */
+async function simulator_module(data, ...programs) {
   const memory = new WebAssembly.Memory({ initial: 1 });
-  const instance = await WebAssembly.instantiate(compiled, { env: { __linear_memory: memory } });
-  const exported = /** @type {Record<string, (arguments_at: number) => void>} */ (instance.exports);
+  const imports = { env: { __linear_memory: memory } };
+  const instances = await Promise.all(programs.map((program) => WebAssembly.instantiate(program, imports)));
+  /** @type {Record<string, (arguments_at: number) => void>} */
+  const exported = Object.assign({}, ...instances.map((instance) => instance.exports));
   const { eye, radius } = data.scene;
   const SURFACE = 3;
   const A = 1;
@@ -195,7 +197,7 @@ async function simulator_module(data, compiled) {
     const { scene, lights } = numbers_of(state, method);
     floats(scene_at, scene.length).set(scene);
     floats(lights_at, data.light_size * lights.length).set(lights.flat());
-    const everywhere = ["draw_chambers", "draw_elsewhere"].includes(what);
+    const everywhere = ["draw_chambers", "draw_elsewhere", "draw_bounded"].includes(what);
     const given = {
       ...stage.addresses,
       ...on_rows(stage, everywhere),
@@ -377,8 +379,47 @@ async function simulator_module(data, compiled) {
   function render(state, method, raster, stage = make_stage(state, raster)) {
     draw_elsewhere(state, stage, "picture");
     draw_a(state, method, stage, "picture");
-    const planes = COLORS.map((color) => rows(plane_at(stage, place(stage, "picture", color)), stage));
-    return { planes, codes: stage.codes, stage };
+    return { planes: colors_of(stage, "picture"), codes: stage.codes, stage };
+  }
+
+  /** The colours of a name, three planes. @param {Stage} stage @param {string} name */
+  const colors_of = (stage, name) => COLORS.map((color) => rows(plane_at(stage, place(stage, name, color)), stage));
+
+  /**
+   * A whole picture by the machine that encloses: its colours, how far each is off at most, and where it is open.
+   * @param {SceneState} state
+   * @param {Method} method
+   * @param {Stage} stage
+   */
+  function draw_bounded(state, method, stage) {
+    const { left, top, wide, high, width, height } = stage.raster;
+    const of_x = kernel_over(
+      "bound_of_x",
+      float64s(wide, (n) => left + n),
+      width,
+      height,
+      eye,
+      radius
+    );
+    const of_y = kernel_over(
+      "bound_of_y",
+      float64s(high, (n) => top + n),
+      height,
+      eye,
+      radius
+    );
+    const open = place(stage, "open", "plane");
+    const bounds = COLORS.map((color) => [`${color}_bound`, place(stage, "bound", color)]);
+    const [x_bound, y_bound] = [Float64Array.of(...of_x[0], 0), of_y[0]].map(put);
+    const inputs = { x_bound, y_bound, scene_bounds: put(Float64Array.from(data.scene_bounds ?? [])) };
+    draw("draw_bounded", state, method, stage, {
+      ...target(stage, "bounded", COLORS),
+      ...Object.fromEntries(bounds),
+      ...inputs,
+      open
+    });
+    const opened = rows(new Uint8Array(memory.buffer, open, stage.pitch * high), stage);
+    return { colors: colors_of(stage, "bounded"), bounds: colors_of(stage, "bound"), open: opened };
   }
 
   /** @param {Ground} stage @param {number} address */
@@ -512,6 +553,8 @@ async function simulator_module(data, compiled) {
     chambers_of,
     draw_a,
     draw_elsewhere,
+    draw_bounded,
+    colors_of,
     paint,
     fill,
     bytes,

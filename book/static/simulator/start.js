@@ -22,11 +22,15 @@ function simulator_start(root, compiled, module) {
   let pixel_of = "";
   let counted_of = "";
   let timed_of = "";
+  let addressed = state;
   let wanted = 0;
   let saved = 0;
   let shown_panels = 0;
+  let drawn_size = 0;
   /** @type {{ ready: number }[]} */
   const frames = []; // milliseconds from a change to its pictures in the canvases
+  /** @type {number[]} */
+  const refined = []; // milliseconds that the workers took for all pixels of a larger picture
 
   // Every field and every model of light that the renderer knows; the page has the chapter's models already.
   function add_choices() {
@@ -47,7 +51,7 @@ function simulator_start(root, compiled, module) {
 
   /** @param {string} left_out */
   function key_without(left_out) {
-    const names = Object.keys(states.parameters).filter((name) => !left_out.split(" ").includes(name));
+    const names = Object.keys(states.parameters).filter((name) => !`axis ${left_out}`.split(" ").includes(name));
     /** @param {State} of */
     return (of) => names.map((name) => of[name]).join();
   }
@@ -68,14 +72,19 @@ function simulator_start(root, compiled, module) {
     if (redraw) engine.ask(state);
     else pictures.decorate(state);
     controls.show(state);
+    root.classList.toggle("sim-zoomed", state.zoom > 0); // a finger then moves the part that is shown, and not the page
     if (shown_panels) curve.mark(state.eps);
     panels_soon();
     clearTimeout(saved);
     saved = setTimeout(put_into_address, 300);
   }
 
+  // What changes the pictures is a step that the browser's Back undoes; where the cursor is, is none.
   function put_into_address() {
-    history.replaceState(null, "", states.fragment(state));
+    if (drawn_key(state) === drawn_key(addressed)) return history.replaceState(null, "", states.fragment(state));
+    if (!location.hash.startsWith(states.MARK)) history.replaceState(null, "", states.fragment(addressed));
+    history.pushState(null, "", states.fragment(state));
+    addressed = state;
   }
 
   /** @type {Act} */
@@ -112,9 +121,11 @@ function simulator_start(root, compiled, module) {
   };
 
   const controls = simulator_controls(root, states, act);
-  const presets = simulator_presets(states, act);
+  const presets = simulator_presets(root, states, act);
   const readouts = simulator_readouts(root, data, module);
-  const pictures = simulator_pictures(root, states, data, module, act);
+  const pictures = simulator_pictures(root, states, data, module);
+  const layout = simulator_layout(root, resized);
+  const hand = simulator_hand(pictures, act);
   const curve = simulator_curve(root, module, act);
   const cursor = simulator_cursor(root, states, data, module);
 
@@ -123,10 +134,16 @@ function simulator_start(root, compiled, module) {
     if (document.hidden) return;
     if (pixel_key(state) !== pixel_of) pixel_curve = curve.at_pixel(state, states.crop(state));
     pixel_of = pixel_key(state);
-    curve.show(state, pixel_curve, picture_of === curve_key(state) ? picture : none);
+    curve.show(state, pixel_curve, picture_of === curve_key(state) ? picture : none, pictures.still);
     readouts.captions(state);
     cursor.show(state); // after the curve, which asks how wide it is
+    root.dispatchEvent(new CustomEvent("pixel", { detail: state })); // for what shows more of it, such as the loupe
     shown_panels = performance.now();
+  }
+
+  function resized() {
+    pictures.resized();
+    panels_soon();
   }
 
   /** @template {string} Name @param {Record<Name, number>[]} replies @param {Name} name */
@@ -143,16 +160,20 @@ function simulator_start(root, compiled, module) {
 
   /** @type {Handlers} */
   const handlers = {
-    drawn(of, replies, asked) {
-      pictures.paint(of, replies);
+    painted: pictures.paint,
+    drawn(of, replies, asked, by_page, is_whole) {
+      if (of.size !== drawn_size) layout.fit(of.size);
+      drawn_size = of.size;
+      pictures.show(of, by_page);
       pictures.decorate(state);
       const ready = performance.now() - asked;
-      readouts.apart(apart(replies));
+      readouts.apart(apart(replies), is_whole);
+      if (!by_page) refined.push(ready);
+      if (is_whole) shown = of;
       if (counted_of !== chambers_key(of)) readouts.counted(null);
       if (timed_of !== times_key(of)) readouts.forget_times();
       timed_of = times_key(of);
       requestAnimationFrame(() => frames.push({ ready }));
-      shown = of;
     },
     // What the workers do while nothing moves.
     resting(of) {
@@ -168,7 +189,8 @@ function simulator_start(root, compiled, module) {
     },
     followed(all) {
       const eps = curve.COARSE[all[0].index];
-      picture.set(eps, { eps, ...apart(all) });
+      const still = all[0].still.map((level, cell) => Math.max(level, ...all.map((one) => one.still[cell])));
+      picture.set(eps, { eps, ...apart(all), still });
       panels_soon();
     },
     timed: (all) => readouts.timed(largest(all, "numeric"), largest(all, "symbolic")),
@@ -193,15 +215,17 @@ function simulator_start(root, compiled, module) {
 
   /** What each button does, by its name: told the button's value. @type {Record<string, (value: string, button: Element) => void>} */
   const buttons = {
-    preset(name) {
-      presets.run(name);
-      $(".sim-says").textContent = presets.says(name);
-    },
+    preset: presets.run,
+    pause: presets.toggle,
+    step: (steps) => presets.step(Number(steps)),
+    stop: presets.stop,
+    apart: () => layout.toggle_apart(state.size),
+    large: layout.toggle_large,
     save: (name) => download(`${name}.png`, pictures.canvas(name).toDataURL()),
     zoom: (steps) => act.zoom(Number(steps)),
     reset() {
-      presets.stop();
-      pictures.release();
+      presets.reset();
+      hand.release();
       act.replace(states.start());
     },
     csv: () => download("u-curve.csv", `data:text/csv,${encodeURIComponent(curve.csv(pixel_curve, picture))}`),
@@ -219,11 +243,38 @@ function simulator_start(root, compiled, module) {
     }
   }
 
+  // The loupe and the certified bounds are fetched when they are first in sight; the one file has them.
+  function watch_closer() {
+    const boxes = ["#loupe", "#certified"].map($);
+    const watch = new IntersectionObserver(async (entries) => {
+      if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
+      watch.disconnect();
+      const parts = await closer_parts(data, compiled);
+      const [all, ...programs] = parts;
+      const loupe = simulator_loupe(root, states, all, await simulator_module(all, ...programs), act);
+      const certified = simulator_certified(root, states, parts);
+      function show() {
+        loupe.show(state);
+        certified.ask(state);
+      }
+      root.addEventListener("pixel", show);
+      show();
+    });
+    for (const box of boxes) watch.observe(box);
+    root.addEventListener("pixel", () => {
+      boxes[1].hidden = state.view !== "bounds";
+    });
+  }
+
   // Take the state of the address, if it has one; say what is wrong with it, if anything is.
-  function from_address() {
+  function from_address(hash = location.hash) {
     try {
-      const next = states.from_fragment(location.hash);
-      if (next) act.replace(next);
+      const next = states.from_fragment(hash);
+      if (next) {
+        presets.stop();
+        act.replace(next);
+        addressed = state;
+      }
       return next !== null;
     } catch (error) {
       message(`${error_text(error)}. Nothing was changed.`);
@@ -242,15 +293,47 @@ function simulator_start(root, compiled, module) {
   }
 
   wire_buttons();
+  watch_closer();
   engine.start();
   controls.show(state);
   engine.ask(state);
   panels();
   if (from_address()) root.scrollIntoView();
-  window.addEventListener("hashchange", from_address);
-  window.addEventListener("resize", panels_soon);
+  window.addEventListener("hashchange", ({ newURL }) => from_address(new URL(newURL || location.href).hash));
+  new ResizeObserver(() => drawn_size && layout.fit(state.size)).observe($(".sim-stage"));
+  window.addEventListener("resize", () => layout.fit(state.size));
   document.addEventListener("visibilitychange", show_or_hide);
-  return { act, states, module, cursor, curve, frames, presets, shown: () => shown && states.fragment(shown) };
+  return {
+    act,
+    states,
+    module,
+    cursor,
+    curve,
+    frames,
+    refined,
+    presets,
+    pictures,
+    shown: () => shown && states.fragment(shown)
+  };
+}
+
+/**
+ * What a module of both programs is made of, once the scripts that wait are there.
+ * @param {SimulatorData} data
+ * @param {WebAssembly.Module} compiled
+ * @returns {Promise<CloserParts>}
+ */
+async function closer_parts(data, compiled) {
+  /** @type {NodeListOf<HTMLScriptElement>} */
+  const later = document.querySelectorAll("script[data-later][src]");
+  for (const { src } of later) {
+    await new Promise((onload, onerror) => {
+      const script = make_element("script");
+      document.head.append(Object.assign(script, { src, onload, onerror }));
+    });
+  }
+  const { program, kernels, ...more } = Simulator.closer;
+  return [{ ...data, ...more, kernels: { ...data.kernels, ...kernels } }, compiled, await compiled_program(program)];
 }
 
 /** @param {HTMLElement} root @param {string} text */

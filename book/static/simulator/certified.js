@@ -1,0 +1,112 @@
+// What is certain of the colours: how far each one is off at most, by the renderer's machine that encloses, and how many
+// digits that leaves of the difference. A worker computes it when the view is chosen and nothing moves.
+"use strict";
+
+/**
+ * What the worker does: draw a state's picture by both pipelines with their bounds; post maps, ends and counts.
+ * @param {(found: CertifiedFound) => void} post
+ * @returns {(task: CertifiedTask) => Promise<void>}
+ */
+function simulator_certifier(post) {
+  const A = 1;
+  const SURFACE = 3;
+  const OPEN = 0xff739e00; // the palette's green, which the map has nowhere
+  return async ({ key, parts, state, raster }) => {
+    const module = await simulator_module(...parts);
+    const { inferno } = parts[0].tables;
+    const stage = module.make_stage(state, raster);
+    const methods = [{ name: state.method, eps: state.eps }, { name: "exact" }];
+    const pictures = methods.map((method) => module.draw_bounded(state, method, stage));
+    const [numeric, symbolic] = pictures;
+    const is_open = numeric.open.map((flag, i) => flag | symbolic.open[i]);
+    const is_a = stage.codes.map((code) => Number((code & SURFACE) === A));
+    // An open pixel may be one of A or not: either end is that of the worse choice.
+    const counted = [is_a.map((flag, i) => flag & ~is_open[i]), is_a.map((flag, i) => flag | is_open[i])];
+    const [certain, possible] = counted.map((flags) => 3 * flags.filter(Boolean).length);
+    const sums = [0, 0];
+    const largest = [0, 0];
+    for (const [c, color] of numeric.colors.entries()) {
+      const apart = color.map((value, i) => Math.abs(value - symbolic.colors[c][i]));
+      const within = numeric.bounds[c].map((bound, i) => bound + symbolic.bounds[c][i]);
+      for (const [n, ends] of module.kernel_over("nearest_and_furthest", apart, within).entries()) {
+        ends.forEach((end, i) => {
+          sums[n] += counted[n][i] * end ** 2;
+          largest[n] = Math.max(largest[n], counted[n][i] * end);
+        });
+      }
+    }
+    const slack = possible * 2 ** -50; // more than what rounding takes from the sums
+    const rms = [(1 - slack) * (sums[0] / possible) ** 0.5, (1 + slack) * (sums[1] / certain) ** 0.5];
+    const bounds = pictures.map(({ bounds: [red, green, blue] }) =>
+      red.map((bound, i) => Math.max(bound, green[i], blue[i]))
+    );
+    const maps = bounds.map((plane) => {
+      const levels = plane.map((bound) => Math.max(0, Math.min(Math.floor(256 + 16 * Math.log10(bound)), 255)));
+      return new Uint32Array(levels.map((level, i) => (is_open[i] ? OPEN : inferno[level])));
+    });
+    const sorted = bounds.map((plane) => plane.filter((_, i) => is_a[i]).sort());
+    const extremes = sorted.map((plane) => [plane[plane.length - 1], plane[plane.length >> 1]]);
+    const open = is_open.filter(Boolean).length;
+    post({ key, maps, rms, largest, extremes, open });
+  };
+}
+
+/**
+ * @param {HTMLElement} root
+ * @param {States} states
+ * @param {CloserParts} parts
+ */
+function simulator_certified(root, states, parts) {
+  const box = find_element(root, "#certified");
+  const canvases = box.querySelectorAll("canvas");
+  const values = box.querySelectorAll("dd");
+  const REST = 300; // milliseconds
+  /** @type {Worker | undefined} */
+  let worker;
+  let asked = "";
+  let timer = 0;
+
+  /** The number that both ends are to as many digits as they agree on; else what it is at most. @param {number[]} ends */
+  function digits_of([low, high], most = 15) {
+    for (let count = most; count > 0; count--) {
+      const [text, other] = [low, high].map((end) => scientific(end, count - 1));
+      if (text === other) return text;
+    }
+    return `at most ${scientific(1.06 * high, 1)}`;
+  }
+
+  /** @param {string[]} texts */
+  function say(texts) {
+    for (const [n, value] of values.entries()) value.textContent = texts[n] ?? "…";
+  }
+
+  /** @param {MessageEvent<CertifiedFound>} message */
+  function show({ data: { key, maps, rms, largest, extremes, open } }) {
+    if (key !== asked) return;
+    for (const [n, canvas] of canvases.entries()) {
+      const image = new ImageData(new Uint8ClampedArray(maps[n].buffer), maps[n].length ** 0.5);
+      canvas.width = canvas.height = image.width;
+      canvas.getContext("2d")?.putImageData(image, 0, 0);
+    }
+    /** @param {number[]} pair */
+    const bound = (pair) => pair.map((end) => scientific(end, 1)).join(", ");
+    say([digits_of(rms), digits_of(largest), ...extremes.map(bound), String(open)]);
+    find_element(root, "[data-readout=rms]").textContent = digits_of(rms, 3);
+    find_element(root, "[data-readout=max]").textContent = digits_of(largest, 3);
+  }
+
+  /** Ask for a state's bounds, if they are viewed and not asked for yet. @param {State} state */
+  function ask(state) {
+    const key = states.fragment({ ...state, column: 0, row: 0, axis: "u" });
+    if (state.view !== "bounds" || key === asked) return;
+    asked = key;
+    say([]);
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      worker ??= worker_of(float64s, simulator_module, simulator_certifier);
+      worker.onmessage = show;
+      worker.postMessage({ key, parts, state, raster: states.crop(state) });
+    }, REST);
+  }
+  return { ask };
+}
