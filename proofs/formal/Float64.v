@@ -201,3 +201,43 @@ Definition h_u := rounded (rounded ((1 / 2) * rounded (h_u_plus - h_u_minus)) / 
 Definition h_v := rounded (rounded (h_v_plus - h_v_minus) / span_v).
 End program.
 End central_any_float64.
+
+Module enclosed_sum_float64.
+Section program.
+Variables x x_error y y_error : R.
+Definition total := rounded (x + y).
+Definition total_error := rounded ((rounded (x_error + y_error)) + (Rabs (rounded (x + y)))).
+End program.
+End enclosed_sum_float64.
+
+Module enclosed_product_float64.
+Section program.
+Variables x x_error y y_error : R.
+Definition product := rounded (x * y).
+Definition product_error := rounded ((rounded ((rounded ((Rabs x) * y_error)) + (rounded ((rounded ((Rabs y) + (rounded ((1048577 / 9444732965739290427392) * y_error)))) * x_error)))) + (rounded ((Rabs (rounded (x * y))) + (1 / 2 ^ 1007)))).
+End program.
+End enclosed_product_float64.
+
+Module enclosed_quotient_float64.
+Section program.
+Variables x x_error y y_error : R.
+Definition quotient := rounded (x / y).
+Definition quotient_error := rounded ((rounded ((rounded (x_error + (rounded ((rounded ((Rabs (rounded (x / y))) + (1 / 2 ^ 1007))) * y_error)))) * (if Rlt_dec 0 (rounded ((Rabs y) - (rounded ((1048577 / 9444732965739290427392) * y_error)))) then (rounded (1 / (rounded ((Rabs y) - (rounded ((1048577 / 9444732965739290427392) * y_error)))))) else (real p_infty)))) + (rounded ((Rabs (rounded (x / y))) + (1 / 2 ^ 1007)))).
+End program.
+End enclosed_quotient_float64.
+
+Module enclosed_root_float64.
+Section program.
+Variables x x_error : R.
+Definition root := rounded (sqrt x).
+Definition root_error := rounded ((if Rlt_dec x_error (rounded (x * 9007199254740992)) then (rounded (x_error / (rounded (sqrt x)))) else (rounded ((rounded (sqrt x_error)) * (398065740123893 / 4194304)))) + (rounded (sqrt x))).
+End program.
+End enclosed_root_float64.
+
+Module enclosed_selection_float64.
+Section program.
+Variables left left_error right right_error x x_error y y_error : R.
+Definition chosen := if Rlt_dec left right then x else y.
+Definition chosen_error := if either (Rlt_dec (rounded ((rounded (left_error + right_error)) * (1048577 / 9444732965739290427392))) (Rabs (rounded (left - right)))) (Req_EM_T (rounded (left_error + right_error)) 0) then (if Rlt_dec left right then x_error else y_error) else (rounded ((rounded ((rounded ((Rabs (rounded (x - y))) * 9007199254740992)) + x_error)) + y_error)).
+End program.
+End enclosed_selection_float64.

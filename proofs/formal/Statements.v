@@ -491,6 +491,98 @@ Definition seed_bump_as_displacement__parallel : Prop :=
   sin_phi <> 0 ->
   normal_z * (m_x * (-beta) * (e_phi_y * h_v + e_theta_y * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_y * (e_phi_x * h_v + e_theta_x * (1 / 2) * h_u / sin_phi)) + normal_x * (m_y * (-beta) * (e_phi_z * h_v + e_theta_z * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_z * (e_phi_y * h_v + e_theta_y * (1 / 2) * h_u / sin_phi)) + normal_y * (m_z * (-beta) * (e_phi_x * h_v + e_theta_x * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_x * (e_phi_z * h_v + e_theta_z * (1 / 2) * h_u / sin_phi)) = 0).
 
+Definition enclosing_rules__sum : Prop :=
+  forall slack x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  float64 (enclosed_sum_float64.total_error x x_error y y_error) /\
+  0 <= enclosed_sum_float64.total_error x x_error y y_error /\
+  Rabs (enclosed_sum_float64.total x y - (x_exact + y_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_sum_float64.total_error x x_error y y_error / 2 ^ 53).
+
+Definition enclosing_rules__product : Prop :=
+  forall slack x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  x_error <= 2 ^ 60 ->
+  y_error <= 2 ^ 60 ->
+  float64 (enclosed_product_float64.product_error x x_error y y_error) /\
+  0 <= enclosed_product_float64.product_error x x_error y y_error /\
+  Rabs (enclosed_product_float64.product x y - (x_exact * y_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_product_float64.product_error x x_error y y_error / 2 ^ 53).
+
+Definition enclosing_rules__quotient : Prop :=
+  forall slack x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  Rabs y <= 2 ^ 960 ->
+  Rabs y - (1 / 9007199254740992) * y_error * (/ 524288 + 1) >= / 576460752303423488 ->
+  y_exact <> 0 /\
+  float64 (enclosed_quotient_float64.quotient_error x x_error y y_error) /\
+  0 <= enclosed_quotient_float64.quotient_error x x_error y y_error /\
+  Rabs (enclosed_quotient_float64.quotient x y - (x_exact / y_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_quotient_float64.quotient_error x x_error y y_error / 2 ^ 53).
+
+Definition enclosing_rules__root : Prop :=
+  forall slack x x_error x_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  x >= 0 ->
+  x_exact >= 0 ->
+  x_exact >= 0 /\
+  float64 (enclosed_root_float64.root_error x x_error) /\
+  0 <= enclosed_root_float64.root_error x x_error /\
+  Rabs (enclosed_root_float64.root x - (sqrt x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_root_float64.root_error x x_error / 2 ^ 53).
+
+Definition enclosing_rules__selection : Prop :=
+  forall slack left left_error left_exact right right_error right_exact x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 left ->
+  float64 left_error ->
+  0 <= left_error ->
+  Rabs (left - left_exact) <= slack * (left_error / 2 ^ 53) ->
+  float64 right ->
+  float64 right_error ->
+  0 <= right_error ->
+  Rabs (right - right_exact) <= slack * (right_error / 2 ^ 53) ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  float64 (enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error) /\
+  0 <= enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error /\
+  Rabs (enclosed_selection_float64.chosen left right x y - ((if Rlt_dec left_exact right_exact then x_exact else y_exact))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error / 2 ^ 53).
+
 Definition central_difference_of_sine__no_clamp : Prop :=
   forall epsilon v : R,
   let v_plus := Rmin 1 (epsilon + v) in

@@ -16,6 +16,7 @@ from proofs.formulas import (
     chart,
     displacement,
     elementary,
+    enclosed,
     exponential,
     finite_difference,
     height_fields,
@@ -28,6 +29,7 @@ from proofs.formulas import (
 from proofs.formulas.registry import by_name
 from renderer.generate.printer import KernelPrinter
 from renderer.generate.programs import ANY_FIELD
+from renderer.generate.rules import rule
 
 HEADER = """(* Printed from proofs/formulas by `python -m renderer.generate`. Do not edit: change the formula instead.
    Each module is one program of the chapter; each definition is one line of its derivation. *)
@@ -305,6 +307,7 @@ def float64_source() -> str:
         kernels += [height_fields.gradient(field)]
     modules = [float64_module(program) for program in kernels]
     modules.append(float64_module(finite_difference.central(ANY_FIELD), "Variable height : R -> R -> R -> R -> R."))
+    modules += [_in_module(f"{program.name}_float64", rule(program)) for program in enclosed.RULES.values()]
     return FLOAT64_HEADER + "".join(f"\n{module}" for module in modules)
 
 
