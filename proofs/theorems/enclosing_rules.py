@@ -12,13 +12,13 @@ x_error, y_error, x_exact = real("x_error y_error x_exact")
 theorem = Theorem(
     id="enclosing_rules",
     title="The rules of the enclosing machine",
-    statement=r"A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in float64. "
-    r"By the machine's rules the float64 results of $x + y$, $xy$, $x/y$, $\sqrt x$ and of a selection by $x < y$ are "
-    r"within their counts of the exact results, if the counts before are; each operation makes a count too small by "
-    r"$2^{-49}$ of it at most, and $2^{28}$ of them, one after the other, by $2^{-20}$.",
+    statement=r"A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in "
+    r"float64. By the machine's rules the float64 results of $x + y$, $xy$, $x/y$, $\sqrt x$ and of a selection by "
+    r"$x < y$ are within their counts of the exact results, if the counts before are; each operation makes a count too "
+    r"small by $2^{-49}$ of it at most, and $2^{28}$ of them, one after the other, by $2^{-20}$.",
     hypotheses=(
-        "nothing overflows",
-        r"of a product the counts are at most $2^{60}$; a divisor, at most $2^{960}$, is $2^{-59}$ further from 0 than $1 + 2^{-19}$ times its bound",
+        "nothing overflows; of a product the counts are at most $2^{60}$",
+        r"a divisor, at most $2^{960}$, is $2^{-59}$ further from 0 than $1 + 2^{-19}$ times its bound",
     ),
     rounded=(
         Encloses("sum", RULES["enclosed_sum"]),
@@ -33,7 +33,10 @@ theorem = Theorem(
     ),
     steps=(
         Step("what is inherited", r"$|ab - a'b'| \le |a||b - b'| + |b'||a - a'|$, and its like"),
-        Step("a result's own rounding is at most one", r"of $2^{-53}$ of its size; below $2^{-1022}$, less than $2^{-1074}$"),
+        Step(
+            "a result's own rounding is at most one",
+            r"of $2^{-53}$ of its size; below $2^{-1022}$, less than $2^{-1074}$",
+        ),
         Step("the count's own roundings", r"at most eight factors $1 - 2^{-53}$"),
     ),
     expected="measured",

@@ -273,6 +273,8 @@ def rounded(text: str) -> str:
                 return applied(KERNELS[name], *(applied(part, *map(term, factors)) for part in parts))
             case ast.Call(ast.Name(name), arguments) if name in EXACT:
                 return applied(EXACT[name], *map(term, arguments))
+            case ast.Call(ast.Name("sqrt"), [argument]):
+                return f"rounded ({applied('sqrt', term(argument))})"
             case ast.Call(ast.Name("height"), arguments):
                 return applied("height", *map(term, arguments))
         raise ValueError(f"no rounded form of {ast.unparse(node)}")
@@ -302,6 +304,7 @@ def float64_source() -> str:
     kernels = [elementary.two_product, half_turn_polynomials()]
     kernels += [elementary.sine_of_half_turns, elementary.cosine_of_half_turns, elementary.angle_in_half_turns]
     kernels += [exponential_in_range()]
+    kernels += [bump.perturbed, shading.light_direction, shading.phong, shading.light_term, shading.clip]
     for field in filter(lambda field: field.wave_numbers, height_fields.HEIGHT_FIELDS.values()):
         kernels += [height_fields.height(field), height_fields.gradient_from_factors(field)]
         kernels += [height_fields.gradient(field)]
