@@ -25,9 +25,9 @@ Variables m1 m2 m3 h1 h2 h3 L : R.
 Hypothesis LL : L * L = m1 * m1 + m2 * m2 + m3 * m3.
 Hypothesis low : 1 / 2 ^ 20 <= L.
 Hypothesis high : L <= 2 ^ 450.
-Hypothesis E1 : Rabs (h1 - m1) <= 9/4 * unit53 * L.
-Hypothesis E2 : Rabs (h2 - m2) <= 9/4 * unit53 * L.
-Hypothesis E3 : Rabs (h3 - m3) <= 9/4 * unit53 * L.
+Hypothesis off_by_1 : Rabs (h1 - m1) <= 9/4 * unit53 * L.
+Hypothesis off_by_2 : Rabs (h2 - m2) <= 9/4 * unit53 * L.
+Hypothesis off_by_3 : Rabs (h3 - m3) <= 9/4 * unit53 * L.
 Let q := rounded (rounded (rounded (h1 * h1) + rounded (h2 * h2)) + rounded (h3 * h3)).
 Let r := rounded (sqrt q).
 Let c := rounded (1 / r).
@@ -40,7 +40,7 @@ Qed.
 Lemma square_of_length : Rabs (q - L * L) <= 111/10 * unit53 * (L * L).
 Proof.
   assert (V : 1 / 2 ^ 40 <= L * L) by (apply Rle_trans with (1 / 2 ^ 20 * (1 / 2 ^ 20)); [lra | apply Rmult_le_compat; lra]). assert (T := underflow_is_small).
-  assert (S1 := square_moved h1 m1 E1). assert (S2 := square_moved h2 m2 E2). assert (S3 := square_moved h3 m3 E3).
+  assert (S1 := square_moved h1 m1 off_by_1). assert (S2 := square_moved h2 m2 off_by_2). assert (S3 := square_moved h3 m3 off_by_3).
   assert (W : (Rabs m1 + Rabs m2 + Rabs m3) * L <= 7/4 * (L * L)).
   { replace (7/4 * (L * L)) with (7/4 * L * L) by ring. apply Rmult_le_compat_r; [lra|]. apply less_of_squares; [lra|].
     assert (A : forall a, a * a = Rabs a * Rabs a) by (intro a; unfold Rabs; destruct Rcase_abs; ring). rewrite (A m1), (A m2), (A m3) in LL.

@@ -31,9 +31,9 @@ _shares = tuple(
 theorem = Theorem(
     id="colour_accuracy",
     title="What float64 loses between the gradient and the colour",
-    statement=rf"With $\mu = 2^{{-53}}$, as float64 carries them out: each component of $N'$ is within ${NORMAL}\mu$ of that "
-    rf"of $(N + \beta g)/|N + \beta g|$; the light's cosine is within ${COSINE}\mu$ of $N' \cdot \omega$; a light's share "
-    rf"leaves a channel within ${SHARE}\mu$ of itself and $10^{{-30}}$; and the clip loses nothing.",
+    statement=rf"With $\mu = 2^{{-53}}$, as float64 carries them out: each component of $N'$ is within ${NORMAL}\mu$ "
+    rf"of that of $(N + \beta g)/|N + \beta g|$; the light's cosine is within ${COSINE}\mu$ of $N' \cdot \omega$; a "
+    rf"light's share leaves a channel within ${SHARE}\mu$ of its exact value and $10^{{-30}}$; and the clip loses nothing.",
     hypotheses=(
         r"$1 \le |N + \beta g|^2 \le 2^{900}$, and no $\beta g_i$ is longer than that; $|N'_i| \le 1$",
         r"$2^{-40} \le |L - P|^2 \le 2^{900}$; a light, its weights and what it adds to are not negative",

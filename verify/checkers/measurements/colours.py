@@ -4,6 +4,7 @@ import numpy as np
 from flint import arb, ctx
 from sympy import lambdify
 
+from proofs.engine.claim import Rounded
 from proofs.engine.theorem import all_theorems
 from renderer.generate.kernels import function_of
 from verify.checkers.measurement import Measurement, measures
@@ -32,6 +33,7 @@ def stages(share: float = 1.0) -> Measurement:
     random = np.random.default_rng(SEED)
     ratios: dict[str, float] = {}
     for claim in all_theorems()["colour_accuracy"].rounded:
+        assert isinstance(claim, Rounded)
         stage = claim.program.keep(*(output for output, _ in claim.bounds))
         computed, balls = function_of(stage), Balls(stage)
         bounds = [(output.name, lambdify(stage.inputs, bound.doit())) for output, bound in claim.bounds]
