@@ -134,22 +134,6 @@ Definition mu := rounded (rounded (rounded (bumped_x * towards_x) + rounded (bum
 End program.
 End light_direction_float64.
 
-Module phong_float64.
-Section program.
-Variables point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z view_x view_y view_z : R.
-Definition to_light_x := rounded (light_x - point_x).
-Definition to_light_y := rounded (light_y - point_y).
-Definition to_light_z := rounded (light_z - point_z).
-Definition light_distance := rounded (sqrt (rounded (rounded (rounded (to_light_x * to_light_x) + rounded (to_light_y * to_light_y)) + rounded (to_light_z * to_light_z)))).
-Definition light_scale := rounded (1 / light_distance).
-Definition towards_x := rounded (light_scale * to_light_x).
-Definition towards_y := rounded (light_scale * to_light_y).
-Definition towards_z := rounded (light_scale * to_light_z).
-Definition mu := rounded (rounded (rounded (bumped_x * towards_x) + rounded (bumped_y * towards_y)) + rounded (bumped_z * towards_z)).
-Definition specular_base := Rmax 0 (rounded (rounded (rounded (rounded (rounded (2 * mu) * rounded (rounded (rounded (bumped_x * view_x) + rounded (bumped_y * view_y)) + rounded (bumped_z * view_z))) - rounded (towards_x * view_x)) - rounded (towards_y * view_y)) - rounded (towards_z * view_z))).
-End program.
-End phong_float64.
-
 Module light_term_float64.
 Section program.
 Variables red green blue light_red light_green light_blue albedo_red albedo_green albedo_blue kd ks mu specular : R.

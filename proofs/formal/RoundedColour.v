@@ -134,11 +134,11 @@ Proof.
   replace (sqrt (_ ^ 2 + _ ^ 2 + _ ^ 2)) with L by (unfold L; rewrite V; f_equal; ring). rewrite !(Rmult_comm (/ L)). fold (Rdiv (lx - px) L) (Rdiv (ly - py) L) (Rdiv (lz - pz) L).
   set (tx := (lx - px) / L) in *. set (ty := (ly - py) / L) in *. set (tz := (lz - pz) / L) in *. set (k := rounded (1 / rounded (sqrt _))) in *. set (hx := rounded (k * rounded (lx - px))) in *. set (hy := rounded (k * rounded (ly - py))) in *. set (hz := rounded (k * rounded (lz - pz))) in *.
   assert (T := underflow_is_small).
-  assert (P : forall n t h, Rabs n <= 1 -> Rabs t <= 1 -> Rabs (h - t) <= 12 * unit53 -> Rabs (rounded (n * h) - n * t) <= 131/10 * unit53 /\ Rabs (n * t) <= 1).
-  { intros n t h N S E. assert (G : Rabs (n * t) <= 1) by (rewrite Rabs_mult; generalize (Rabs_pos n) (Rabs_pos t); nra). split; [|exact G]. assert (F : Rabs (n * h - n * t) <= 12 * unit53) by (rewrite <- Rmult_minus_distr_l, Rabs_mult; generalize (Rabs_pos n) (Rabs_pos (h - t)); nra).
-    assert (O := rounding_error (n * h)). assert (Q : Rabs (n * h) <= 1 + 12 * unit53) by (replace (n * h) with (n * t + (n * h - n * t)) by ring; eapply Rle_trans; [apply Rabs_triang | lra]).
+  assert (P : forall n t h, Rabs n <= 1 + 1 / 2 ^ 40 -> Rabs t <= 1 -> Rabs (h - t) <= 12 * unit53 -> Rabs (rounded (n * h) - n * t) <= 131/10 * unit53 /\ Rabs (n * t) <= 1 + 1 / 2 ^ 40).
+  { intros n t h N S E. assert (G : Rabs (n * t) <= 1 + 1 / 2 ^ 40) by (rewrite Rabs_mult, <- (Rmult_1_r (1 + _)); apply Rmult_le_compat; try apply Rabs_pos; assumption). split; [|exact G]. assert (F : Rabs (n * h - n * t) <= (1 + 1 / 2 ^ 40) * (12 * unit53)) by (rewrite <- Rmult_minus_distr_l, Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; assumption).
+    assert (O := rounding_error (n * h)). assert (Q : Rabs (n * h) <= 1 + 1 / 2 ^ 40 + 13 * unit53) by (replace (n * h) with (n * t + (n * h - n * t)) by ring; eapply Rle_trans; [apply Rabs_triang | unfold unit53 in *; lra]).
     replace (rounded (n * h) - n * t) with ((rounded (n * h) - n * h) + (n * h - n * t)) by ring. eapply Rle_trans; [apply Rabs_triang|]. unfold unit53 in *. lra. }
-  destruct (P _ _ _ Bx Ix Tx) as [Ax Gx]. destruct (P _ _ _ By Iy Ty) as [Ay Gy]. destruct (P _ _ _ Bz Iz Tz) as [Az Gz]. clear P. apply Rabs_le_between in Ax. apply Rabs_le_between in Ay. apply Rabs_le_between in Az. apply Rabs_le_between in Gx. apply Rabs_le_between in Gy. apply Rabs_le_between in Gz.
+  replace (/ 1099511627776 + 1) with (1 + 1 / 2 ^ 40) in Bx, By, Bz by lra. destruct (P _ _ _ Bx Ix Tx) as [Ax Gx]. destruct (P _ _ _ By Iy Ty) as [Ay Gy]. destruct (P _ _ _ Bz Iz Tz) as [Az Gz]. clear P. apply Rabs_le_between in Ax. apply Rabs_le_between in Ay. apply Rabs_le_between in Az. apply Rabs_le_between in Gx. apply Rabs_le_between in Gy. apply Rabs_le_between in Gz.
   set (a := rounded (nx * hx)) in *. set (b := rounded (ny * hy)) in *. set (c := rounded (nz * hz)) in *. assert (O1 := rounding_error (a + b)). clearbody a b c. clear - Ax Ay Az Gx Gy Gz O1 T. set (gx := nx * tx) in *. set (gy := ny * ty) in *. set (gz := nz * tz) in *. clearbody gx gy gz. assert (B1 : Rabs (a + b) <= 2 + 1/1000) by (apply Rabs_le; unfold unit53 in *; lra). apply Rabs_le_between in O1. set (s := rounded (a + b)) in *.
   assert (O2 := rounding_error (s + c)). assert (B2 : Rabs (s + c) <= 3 + 1/100) by (apply Rabs_le; unfold unit53 in *; lra). apply Rabs_le_between in O2. apply Rabs_le. unfold unit53 in *. lra.
 Qed.
@@ -172,3 +172,66 @@ Theorem colour_accuracy__share_blue : Statements.colour_accuracy__share_blue.
 Proof. red. intros b. intros. unfold light_term_float64.lit_blue, light_term.lit_blue. rewrite !(Rplus_comm b). apply share_within; try assumption. apply Rmax_l. Qed.
 Theorem colour_accuracy__clip : Statements.colour_accuracy__clip.
 Proof. red. intros. unfold clip_float64.clipped, clip.clipped. apply no_error. Qed.
+
+(* Composed: from the frame, the gradient and the light to the colour, one light's share without another stage's input in between. *)
+Lemma unit_component (x v : R) : 0 < v -> x * x <= v -> Rabs (/ sqrt v * x) <= 1.
+Proof.
+  intros V X. assert (S := sqrt_lt_R0 v V). assert (Q := sqrt_sqrt v ltac:(lra)). rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq (sqrt v)) by lra. apply Rmult_le_reg_l with (sqrt v); [exact S|].
+  rewrite <- Rmult_assoc, Rinv_r, Rmult_1_l, Rmult_1_r by lra. apply less_of_squares; [lra|]. rewrite Q. unfold Rabs; destruct Rcase_abs; lra.
+Qed.
+Lemma clip_moves (x y : R) : Rabs (clip.clipped x - clip.clipped y) <= Rabs (x - y).
+Proof. unfold clip.clipped, Rabs, Rmin, Rmax. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra. Qed.
+Theorem colour_accuracy__composed (nx ny nz gx gy gz beta px py pz lx ly lz b i a kd ks p : R) :
+  let m2 := (beta * gz + nz) * (beta * gz + nz) + (beta * gx + nx) * (beta * gx + nx) + (beta * gy + ny) * (beta * gy + ny) in let d2 := (lz - pz) * (lz - pz) + (lx - px) * (lx - px) + (ly - py) * (ly - py) in
+  let mu' := light_direction_float64.mu px py pz lx ly lz (perturbed_float64.bumped_x nx ny nz gx gy gz beta) (perturbed_float64.bumped_y nx ny nz gx gy gz beta) (perturbed_float64.bumped_z nx ny nz gx gy gz beta) in
+  let mu := light_direction.mu px py pz lx ly lz (perturbed.bumped_x nx ny nz gx gy gz beta) (perturbed.bumped_y nx ny nz gx gy gz beta) (perturbed.bumped_z nx ny nz gx gy gz beta) in
+  float64 nx -> float64 ny -> float64 nz -> float64 gx -> float64 gy -> float64 gz -> float64 beta -> float64 px -> float64 py -> float64 pz -> float64 lx -> float64 ly -> float64 lz ->
+  m2 >= 1 -> m2 <= 2 ^ 900 -> (beta * gx) ^ 2 <= m2 -> (beta * gy) ^ 2 <= m2 -> (beta * gz) ^ 2 <= m2 -> d2 >= / 1099511627776 -> d2 <= 2 ^ 900 ->
+  b >= 0 -> i >= 0 -> a >= 0 -> kd >= 0 -> ks >= 0 -> p >= 0 -> i <= 2 ^ 20 -> a <= 2 ^ 20 ->
+  Rabs (mu' - mu) <= 81 * unit53 /\
+  Rabs (clip_float64.clipped (light_term_float64.lit_red b i a kd ks mu' p) - clip.clipped (light_term.lit_red b i a kd ks mu p)) <=
+    8 / 9007199254740992 * (i * (a * kd * Rmax 0 mu' + ks * p) + b) + / 1000000000000000000000000000000 + i * (a * kd * (81 * unit53)).
+Proof.
+  intros m2 d2 mu' mu Nx Ny Nz Gx Gy Gz Fb Px Py Pz Lx Ly Lz M1 M2 Bx By Bz D1 D2 B I A Kd Ks P Iu Au.
+  destruct (colour_accuracy__normal nx ny nz gx gy gz beta Nx Ny Nz Gx Gy Gz Fb M1 M2 Bx By Bz) as (Ex & Ey & Ez).
+  assert (Ux : Rabs (perturbed.bumped_x nx ny nz gx gy gz beta) <= 1 /\ Rabs (perturbed.bumped_y nx ny nz gx gy gz beta) <= 1 /\ Rabs (perturbed.bumped_z nx ny nz gx gy gz beta) <= 1).
+  { unfold perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale, perturbed.m_length, perturbed.m_x, perturbed.m_y, perturbed.m_z. unfold m2 in M1.
+    generalize (Rle_0_sqr (beta * gx + nx)) (Rle_0_sqr (beta * gy + ny)) (Rle_0_sqr (beta * gz + nz)). unfold Rsqr. intros Sx Sy Sz. repeat split; apply unit_component; simpl; lra. }
+  assert (T : Rabs (light_direction.towards_x px py pz lx ly lz) <= 1 /\ Rabs (light_direction.towards_y px py pz lx ly lz) <= 1 /\ Rabs (light_direction.towards_z px py pz lx ly lz) <= 1).
+  { unfold light_direction.towards_x, light_direction.towards_y, light_direction.towards_z, light_direction.light_scale, light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z. unfold d2 in D1.
+    generalize (Rle_0_sqr (lx - px)) (Rle_0_sqr (ly - py)) (Rle_0_sqr (lz - pz)). unfold Rsqr. intros Sx Sy Sz. repeat split; apply unit_component; simpl; lra. }
+  destruct Ux as (Ux & Uy & Uz). destruct T as (Tx & Ty & Tz). set (x := perturbed.bumped_x _ _ _ _ _ _ _) in *. set (y := perturbed.bumped_y _ _ _ _ _ _ _) in *. set (z := perturbed.bumped_z _ _ _ _ _ _ _) in *.
+  assert (Fx : float64 (perturbed_float64.bumped_x nx ny nz gx gy gz beta)) by exact (rounded_is_float64 _). assert (Fy : float64 (perturbed_float64.bumped_y nx ny nz gx gy gz beta)) by exact (rounded_is_float64 _).
+  assert (Fz : float64 (perturbed_float64.bumped_z nx ny nz gx gy gz beta)) by exact (rounded_is_float64 _).
+  set (x' := perturbed_float64.bumped_x _ _ _ _ _ _ _) in *. set (y' := perturbed_float64.bumped_y _ _ _ _ _ _ _) in *. set (z' := perturbed_float64.bumped_z _ _ _ _ _ _ _) in *. clearbody x y z x' y' z'.
+  assert (W : forall v w, Rabs (v - w) <= 12 / 9007199254740992 -> Rabs w <= 1 -> Rabs v <= / 1099511627776 + 1) by (intros v w E U; replace v with ((v - w) + w) by ring; eapply Rle_trans; [apply Rabs_triang | lra]).
+  assert (C := colour_accuracy__cosine px py pz lx ly lz x' y' z' Px Py Pz Lx Ly Lz Fx Fy Fz D1 D2 (W _ _ Ex Ux) (W _ _ Ey Uy) (W _ _ Ez Uz)). fold mu' in C.
+  assert (K : Rabs (light_direction.mu px py pz lx ly lz x' y' z' - mu) <= 36 * unit53).
+  { unfold mu, light_direction.mu. set (tx := light_direction.towards_x _ _ _ _ _ _) in *. set (ty := light_direction.towards_y _ _ _ _ _ _) in *. set (tz := light_direction.towards_z _ _ _ _ _ _) in *. clearbody tx ty tz.
+    replace (_ - _) with ((x' - x) * tx + (y' - y) * ty + (z' - z) * tz) by ring. assert (H : forall d t, Rabs d <= 12 / 9007199254740992 -> Rabs t <= 1 -> Rabs (d * t) <= 12 * unit53).
+    { intros d t D U. rewrite Rabs_mult, <- (Rmult_1_r (12 * unit53)). apply Rmult_le_compat; try apply Rabs_pos; [unfold unit53; lra | exact U]. }
+    eapply Rle_trans; [apply Rabs_triang|]. generalize (Rabs_triang ((x' - x) * tx) ((y' - y) * ty)) (H _ _ Ex Tx) (H _ _ Ey Ty) (H _ _ Ez Tz). lra. }
+  assert (M : Rabs (mu' - mu) <= 81 * unit53).
+  { replace (mu' - mu) with ((mu' - light_direction.mu px py pz lx ly lz x' y' z') + (light_direction.mu px py pz lx ly lz x' y' z' - mu)) by ring. eapply Rle_trans; [apply Rabs_triang|]. unfold unit53 in *. lra. }
+  split; [exact M|]. clearbody mu mu'. clear - M B I A Kd Ks P Iu Au. change clip_float64.clipped with clip.clipped. eapply Rle_trans; [apply clip_moves|].
+  assert (S := share_within b i a kd ks (Rmax 0 mu') p B I A Kd Ks (Rmax_l 0 mu') P Iu Au). unfold light_term_float64.lit_red, light_term_float64.diffuse, light_term_float64.shine, light_term.lit_red, light_term.diffuse, light_term.shine.
+  match goal with |- Rabs (?h - ?e) <= _ => replace (h - e) with ((h - (i * (a * (kd * Rmax 0 mu') + ks * p) + b)) + (i * (a * kd * (Rmax 0 mu' - Rmax 0 mu)))) by ring end.
+  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [exact S|]. rewrite Rabs_mult, (Rabs_pos_eq i) by lra. apply Rmult_le_compat_l; [lra|]. assert (0 <= a * kd) by (apply Rmult_le_pos; lra). rewrite Rabs_mult, (Rabs_pos_eq (a * kd)) by assumption.
+  apply Rmult_le_compat_l; [assumption|]. eapply Rle_trans; [|exact M]. unfold Rmax, Rabs. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra.
+Qed.
+Theorem colour_accuracy__composed__point : exists nx ny nz gx gy gz beta : R, float64 nx /\ float64 ny /\ float64 nz /\ float64 gx /\ float64 gy /\ float64 gz /\ float64 beta /\
+  1 <= (beta * gz + nz) * (beta * gz + nz) + (beta * gx + nx) * (beta * gx + nx) + (beta * gy + ny) * (beta * gy + ny) <= 2 ^ 900.
+Proof.
+  assert (Z : float64 0) by apply generic_format_0. assert (U : float64 1) by (replace 1 with (bpow radix2 0) by reflexivity; apply generic_format_bpow; easy). assert (1 <= 2 ^ 900) by (apply pow_R1_Rle; lra).
+  exists 0, 0, 1, 0, 0, 0, 0. repeat split; try assumption; lra.
+Qed.
+(* It is not the cosine of another normal: a light above a level place is not grazing. *)
+Theorem colour_accuracy__composed__false : ~ forall lz, float64 lz -> lz >= 1 ->
+  Rabs (light_direction_float64.mu 0 0 0 0 0 lz (perturbed_float64.bumped_x 0 0 1 0 0 0 0) (perturbed_float64.bumped_y 0 0 1 0 0 0 0) (perturbed_float64.bumped_z 0 0 1 0 0 0 0)) <= 81 * unit53.
+Proof.
+  assert (Z : float64 0) by apply generic_format_0. assert (U : float64 1) by (replace 1 with (bpow radix2 0) by reflexivity; apply generic_format_bpow; easy). assert (G : 1 <= 2 ^ 900) by (apply pow_R1_Rle; lra). intro H. specialize (H 1 U ltac:(lra)).
+  destruct (colour_accuracy__composed 0 0 1 0 0 0 0 0 0 0 0 0 1 0 0 0 0 0 0) as [M _]; try assumption; try lra. revert M H. set (mu' := light_direction_float64.mu _ _ _ _ _ _ _ _ _).
+  unfold light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z, light_direction.light_scale, light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z,
+    perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale, perturbed.m_length, perturbed.m_x, perturbed.m_y, perturbed.m_z.
+  replace ((0 * 0 + 0) ^ 2 + (0 * 0 + 0) ^ 2 + (0 * 0 + 1) ^ 2) with 1 by ring. replace ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2) with 1 by ring. rewrite sqrt_1, Rinv_1. intros M H. apply Rabs_le_between in M. apply Rabs_le_between in H. unfold unit53 in *. lra.
+Qed.

@@ -274,9 +274,9 @@ Definition colour_accuracy__cosine : Prop :=
   float64 bumped_z ->
   (light_z - point_z) * (light_z - point_z) + (light_x - point_x) * (light_x - point_x) + (light_y - point_y) * (light_y - point_y) >= / 1099511627776 ->
   (light_z - point_z) * (light_z - point_z) + (light_x - point_x) * (light_x - point_x) + (light_y - point_y) * (light_y - point_y) <= 2 ^ 900 ->
-  Rabs bumped_x <= 1 ->
-  Rabs bumped_y <= 1 ->
-  Rabs bumped_z <= 1 ->
+  Rabs bumped_x <= / 1099511627776 + 1 ->
+  Rabs bumped_y <= / 1099511627776 + 1 ->
+  Rabs bumped_z <= / 1099511627776 + 1 ->
   Rabs (light_direction_float64.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z - light_direction.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z) <= 45 / 9007199254740992.
 
 Definition colour_accuracy__share_red : Prop :=

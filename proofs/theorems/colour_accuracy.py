@@ -33,9 +33,9 @@ theorem = Theorem(
     title="What float64 loses between the gradient and the colour",
     statement=rf"With $\mu = 2^{{-53}}$, as float64 carries them out: each component of $N'$ is within ${NORMAL}\mu$ "
     rf"of that of $(N + \beta g)/|N + \beta g|$; the light's cosine is within ${COSINE}\mu$ of $N' \cdot \omega$; a "
-    rf"light's share leaves a channel within ${SHARE}\mu$ of its exact value and $10^{{-30}}$; and the clip loses nothing.",
+    rf"light's share leaves a channel within ${SHARE}\mu$ of its exact value and $10^{{-30}}$; the clip loses nothing.",
     hypotheses=(
-        r"$1 \le |N + \beta g|^2 \le 2^{900}$, and no $\beta g_i$ is longer than that; $|N'_i| \le 1$",
+        r"$1 \le |N + \beta g|^2 \le 2^{900}$, and no $\beta g_i$ is longer than that; $|N'_i| \le 1 + 2^{-40}$",
         r"$2^{-40} \le |L - P|^2 \le 2^{900}$; a light, its weights and what it adds to are not negative",
         "each stage is of its own float64 inputs",
     ),
@@ -57,7 +57,7 @@ theorem = Theorem(
             (
                 dot(_to_light, _to_light) >= Pow(2, -40),
                 dot(_to_light, _to_light) <= Pow(2, 900),
-                *(Abs(component) <= 1 for component in bumped),
+                *(Abs(component) <= 1 + Pow(2, -40) for component in bumped),
             ),
         ),
         *(

@@ -304,7 +304,7 @@ def float64_source() -> str:
     kernels = [elementary.two_product, half_turn_polynomials()]
     kernels += [elementary.sine_of_half_turns, elementary.cosine_of_half_turns, elementary.angle_in_half_turns]
     kernels += [exponential_in_range()]
-    kernels += [bump.perturbed, shading.light_direction, shading.phong, shading.light_term, shading.clip]
+    kernels += [bump.perturbed, shading.light_direction, shading.light_term, shading.clip]
     for field in filter(lambda field: field.wave_numbers, height_fields.HEIGHT_FIELDS.values()):
         kernels += [height_fields.height(field), height_fields.gradient_from_factors(field)]
         kernels += [height_fields.gradient(field)]
