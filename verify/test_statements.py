@@ -7,8 +7,11 @@ from sympy import Abs, Derivative, cos, sqrt
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import all_theorems
+from proofs.formulas.enclosed import RULES
 from proofs.formulas.symbols import real
+from renderer.generate.rules import rule
 from renderer.generate.statements import proposition, rounded_proposition
+from renderer.machines.enclosing import Enclosed
 from verify.formal import FOLDER
 
 x, y = real("x y")
@@ -47,6 +50,15 @@ def test_a_rounded_claim_is_about_its_own_program_inputs_and_bound():
     near = tuple((output, bound / 2) for output, bound in sine.bounds)
     changed = [sine.but(bounds=near), sine.but(given=sine.given[1:]), sine.but(program=claims["ridges"].program)]
     assert len({rounded_proposition(claim) for claim in (sine, *changed)}) == 4
+
+
+def test_a_rule_is_printed_as_the_machine_carries_it_out(monkeypatch):
+    """A machine that leaves a product's own rounding out prints another rule, of which no proof holds."""
+    product = RULES["enclosed_product"]
+    before = rule(product)
+    monkeypatch.setattr(Enclosed, "lost_in_product", lambda self, other, product: (0.0, False))
+    assert rule(product)[:2] == before[:2]
+    assert rule(product)[2] != before[2]
 
 
 def test_the_roundings_that_steps_name_are_those_of_the_proof():

@@ -141,4 +141,18 @@ class Rounded(Changeable):
     given: tuple[Basic, ...] = ()
 
 
+@dataclass(frozen=True)
+class Encloses(Changeable):
+    """For all float64 numbers and bounds: if `given` holds, a rule of the enclosing machine bounds what it computes.
+
+    program: one of `proofs.formulas.enclosed`, whose rule is printed for Coq, which alone proves it. given: relations
+    over its inputs, as NAME; over the counts of roundings that bound them, NAME_error; and over the exact numbers that
+    they stand for, NAME_exact.
+    """
+
+    name: str
+    program: Program
+    given: tuple[Basic, ...] = ()
+
+
 AnyClaim = Claim | Separation | Induction

@@ -9,7 +9,7 @@ from typing import Any
 
 from sympy import Basic, Symbol
 
-from proofs.engine.claim import AnyClaim, Claim, Rounded, number
+from proofs.engine.claim import AnyClaim, Claim, Encloses, Rounded, number
 
 GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition", "proved", "refuted")
 WITHOUT_CLAIMS = ("cited", "measured", "certified")
@@ -117,7 +117,7 @@ class Theorem:
     refuted_at: Any = None
     expected: str = ""
     source: str = ""
-    rounded: tuple[Rounded, ...] = ()
+    rounded: tuple[Rounded | Encloses, ...] = ()
 
     def __post_init__(self):
         if not isinstance(self.statement, str):

@@ -42,14 +42,6 @@ Lemma tangent_frame_orthonormal (theta phi : R) :
   dot (e_theta theta) (normal_at theta phi) = 0 /\ dot (e_phi theta phi) (normal_at theta phi) = 0.
 Proof. repeat split; ring_of_angles theta phi. Qed.
 
-(* The other order gives -N, which is not N. *)
-Theorem tangent_frame__right_handed__false : ~ forall theta phi, cross (e_theta theta) (e_phi theta phi) = normal_at theta phi.
-Proof.
-  intro H. generalize (H 0 0). unfold_vectors. rewrite sin_0, cos_0. intro E. apply (f_equal snd) in E. cbn in E. lra.
-Qed.
-Theorem tangent_frame__orthonormal__false : ~ forall theta phi, dot (e_theta theta) (e_phi theta phi) = 1.
-Proof. intro H. generalize (H 0 0). rewrite (proj1 (proj2 (proj2 (proj2 (tangent_frame_orthonormal 0 0))))). lra. Qed.
-
 (* Normalising *)
 
 Lemma le_of_squares (x y : R) : 0 <= y -> x ^ 2 <= y ^ 2 -> x <= y.
@@ -114,10 +106,6 @@ Proof.
   cbv zeta. rewrite g_squared. split; [apply m_squared|]. split; [apply m_squared_at_least_1|].
   unfold magnitude at 1. rewrite bumped_is_scaled, dot_scaled, dot_comm, dot_scaled, <- length_squared.
   generalize (m_length_at_least_1 theta phi h_u h_v beta). intro. rewrite <- sqrt_1. f_equal. field. lra.
-Qed.
-Theorem unit_length__length__false : ~ forall theta phi h_u h_v beta, magnitude (M theta phi h_u h_v beta) = 1.
-Proof.
-  intro H. generalize (length_squared (M 0 0 1 0 1)). rewrite H, m_squared. lra.
 Qed.
 
 Lemma cauchy_schwarz (a b : vector) : dot a b <= magnitude a * magnitude b /\ - (magnitude a * magnitude b) <= dot a b.
@@ -230,13 +218,6 @@ Proof.
   set (s := / magnitude (M 0 0 1 0 1)) in *. clearbody s. unfold_vectors. rewrite sin_0, cos_0 in *. nra.
 Qed.
 
-(* N' is N where beta or g is 0. *)
-Lemma normal_unmoved (theta phi h_u h_v beta : R) : beta = 0 \/ g theta phi h_u h_v = (0, 0, 0) -> N' theta phi h_u h_v beta = normal_at theta phi.
-Proof.
-  intro H. assert (E : M theta phi h_u h_v beta = normal_at theta phi).
-  { rewrite m_is_sum. destruct H as [-> | ->]; destruct (normal_at theta phi) as [[x y] z]; [destruct (g theta phi h_u h_v) as [[a b] c]|]; unfold vector_sum, scaled; f_equal; [f_equal| |f_equal|]; ring. }
-  rewrite bumped_is_scaled, E, (length_of_unit (normal_at theta phi)), Rinv_1 by apply normal_is_unit. destruct (normal_at theta phi) as [[x y] z]. unfold scaled. f_equal; [f_equal|]; ring.
-Qed.
 (* A false variant: N's derivative by theta has the factor sin phi. *)
 Theorem tangent_frame__by_theta__false : ~ forall theta phi, is_derive (fun t => snd (fst (normal_at t phi))) theta (snd (fst (e_theta theta))).
 Proof.

@@ -118,8 +118,6 @@ Proof. red. intros. bump. far_away 1. each direct. Qed.
 Theorem normal_limits__large_negative_beta : Statements.normal_limits__large_negative_beta.
 Proof. red. intros. bump. far_away (-1). each direct. Qed.
 
-Lemma power_three_halves (x : R) : 0 < x -> power x (3 / 2) = x * sqrt x.
-Proof. intro P. rewrite power_positive by exact P. replace (3 / 2) with (1 + / 2) by field. rewrite Rpower_plus, Rpower_1, Rpower_sqrt by exact P. reflexivity. Qed.
 
 Ltac length_of l := match goal with l := sqrt ?q |- _ => assert (P : 0 < q) by lra; assert (L : 0 < l) by (apply sqrt_lt_R0, P);
   assert (Q : q = l ^ 2) by (unfold l; rewrite pow2_sqrt; lra) end.

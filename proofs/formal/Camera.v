@@ -190,23 +190,6 @@ Proof.
   unfold on_a, distance2. lra.
 Qed.
 
-(* Not with w = C in place of C - E. *)
-Theorem lagrange_identity__of_b__false : ~ forall x y e cx cy cz r : R,
-  hit_of_b.discriminant_b x y e cx cy cz r =
-    dot3 x y (- e) cx cy (cz - e) ^ 2 - dot3 x y (- e) x y (- e) * (dot3 cx cy cz cx cy cz - r ^ 2).
-Proof. intros F. specialize (F 0 0 1 0 0 0 1). unfold hit_of_b.discriminant_b, hit_of_b.distance, dot3 in F. lra. Qed.
-
-(* Not with + |a x w|^2. *)
-Theorem lagrange_identity__of_shadow__false : ~ forall px py pz lx ly lz cx cy cz r : R,
-  shadow.shadow_discriminant px py pz lx ly lz cx cy cz r =
-  dot3 (lx - px) (ly - py) (lz - pz) (lx - px) (ly - py) (lz - pz) * r ^ 2
-  + cross2 (lx - px) (ly - py) (lz - pz) (cx - px) (cy - py) (cz - pz).
-Proof.
-  intros F. specialize (F 0 0 0 1 0 0 0 1 0 0).
-  unfold shadow.shadow_discriminant, shadow.segment_squared, shadow.segment_x, shadow.segment_y,
-    shadow.segment_z, shadow.offset_x, shadow.offset_y, shadow.offset_z, dot3, cross2 in F. lra.
-Qed.
-
 (* A ray meets A exactly if rho <= rho_s = e R / sqrt (e^2 - R^2). *)
 Theorem silhouette_of_a__meets (x y e r : R) : 0 < r < e -> off_axis x y e ->
   (exists t, on_a t x y e r) <-> sqrt (x ^ 2 + y ^ 2) <= silhouette_of_a.rho_silhouette e r.
@@ -249,30 +232,6 @@ Theorem silhouette_of_a__radius__false : ~ forall e r : R, 0 < r < e ->
 Proof.
   intros F. specialize (F 4 1 ltac:(lra)). destruct (rho_silhouette_squared 4 1 ltac:(lra)) as [_ S].
   rewrite F in S. unfold Rdiv in S. rewrite Rpow_mult_distr, pow_inv, pow2_sqrt in S by lra. lra.
-Qed.
-
-(* The near hit then has 0 < t < 1: it is in front of the floor. *)
-Theorem silhouette_of_a__in_front__point : exists x y e r,
-  0 < r < e /\ off_axis x y e /\ sqrt (x ^ 2 + y ^ 2) <= silhouette_of_a.rho_silhouette e r.
-Proof.
-  destruct point_a as (H & O & D). exists (1 / 2), 0, 4, 1. repeat split; try lra; try exact O.
-  apply silhouette_of_a__meets; try lra; try exact O.
-  destruct (hit_of_a__first_hit (1 / 2) 0 4 1) as (t & _ & _ & _ & M & _);
-    [lra | exact O | lra | exists t; exact M].
-Qed.
-
-(* Not as near as half way. *)
-Theorem silhouette_of_a__in_front__false : ~ forall x y e r : R, 0 < r < e -> off_axis x y e ->
-  sqrt (x ^ 2 + y ^ 2) <= silhouette_of_a.rho_silhouette e r ->
-  exists t, hit_of_a.t_a x y e r = Finite t /\ t < 1 / 2.
-Proof.
-  intros F. destruct point_a as (H & O & D).
-  destruct (F (1 / 2) 0 4 1) as (t & T & L); [lra | exact O | |].
-  - apply silhouette_of_a__meets; try lra; try exact O.
-    destruct (hit_of_a__first_hit (1 / 2) 0 4 1) as (t & _ & _ & _ & M & _);
-      [lra | exact O | lra | exists t; exact M].
-  - destruct (hit_of_a__first_hit (1 / 2) 0 4 1) as (s & U & _ & _ & M & _); [lra | exact O | lra |].
-    rewrite T in U. injection U as <-. unfold on_a, distance2 in M. nra.
 Qed.
 
 (* At rho = rho_s the ray touches A in one point, P.D = 0, at height R^2 / e, that is cos phi = R / e. *)
@@ -475,39 +434,6 @@ Proof.
   assert (t = 1 / 2) by lra. subst t. unfold on_a, distance2 in M. lra.
 Qed.
 
-(* Where sin phi > 0 the seed's frame, from N alone, is the same. *)
-Lemma stable_frame_seed_frame (theta phi : R) : 0 < sin phi ->
-  let nx := unit_normal.normal_x (cos theta) (sin phi) in let ny := unit_normal.normal_y (sin theta) (sin phi) in
-  let nz := unit_normal.normal_z (cos phi) in
-  seed_frame.seed_sin_phi nz = sin phi /\
-  seed_frame.e_theta_x ny nz = tangent_frame.e_theta_x (sin theta) /\
-  seed_frame.e_theta_y nx nz = tangent_frame.e_theta_y (cos theta) /\
-  seed_frame.e_theta_z = tangent_frame.e_theta_z /\
-  seed_frame.e_phi_x nx nz = tangent_frame.e_phi_x (cos theta) (cos phi) /\
-  seed_frame.e_phi_y ny nz = tangent_frame.e_phi_y (sin theta) (cos phi) /\
-  seed_frame.e_phi_z nz = tangent_frame.e_phi_z (sin phi).
-Proof.
-  intros H nx ny nz. assert (S : seed_frame.seed_sin_phi nz = sin phi).
-  { unfold seed_frame.seed_sin_phi, nz, unit_normal.normal_z. pose proof (sin2_cos2 phi) as P. unfold Rsqr in P.
-    replace (1 - cos phi ^ 2) with (sin phi ^ 2) by lra. apply sqrt_pow2. lra. }
-  unfold seed_frame.e_theta_x, seed_frame.e_theta_y, seed_frame.e_phi_x, seed_frame.e_phi_y, seed_frame.e_phi_z.
-  rewrite S. unfold nx, ny, nz, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z,
-    tangent_frame.e_theta_x,
-    tangent_frame.e_theta_y, tangent_frame.e_phi_x, tangent_frame.e_phi_y, tangent_frame.e_phi_z.
-  repeat split; field; lra.
-Qed.
-
-Theorem stable_frame__seed_frame__point : exists phi, 0 < sin phi.
-Proof. exists (PI / 2). rewrite sin_PI2. lra. Qed.
-
-(* Not where sin phi < 0. *)
-Theorem stable_frame__seed_frame__false : ~ forall phi : R,
-  seed_frame.seed_sin_phi (unit_normal.normal_z (cos phi)) = sin phi.
-Proof.
-  intros F. specialize (F (- (PI / 2))). rewrite sin_neg, sin_PI2 in F.
-  pose proof (sqrt_pos (1 - unit_normal.normal_z (cos (- (PI / 2))) ^ 2)). unfold seed_frame.seed_sin_phi in F. lra.
-Qed.
-
 (* Seen from E, the point of A at (theta, phi) is at the image point rho (cos theta, sin theta) with
    rho = e R sin phi / (e - R cos phi): a meridian (theta fixed) is a ray, a parallel (phi fixed) a circle. *)
 Theorem kink_loci__image (t x y e r theta phi : R) : 0 < r < e -> 0 <= sin phi ->
@@ -622,20 +548,6 @@ Proof.
   intros t. unfold height_ridges.h. rewrite !Rmult_0_r, sin_0, Rmult_0_l, Rabs_R0. reflexivity.
 Qed.
 
-(* Above 1/4 only the first of four. *)
-Lemma count_above (m : Z) : (0 < m <= 4)%Z -> 1 / 4 < cos (PI * (IZR m / 4)) <-> m = 1%Z.
-Proof.
-  intros H. assert (m = 1 \/ m = 2 \/ m = 3 \/ m = 4)%Z as [-> | [-> | [-> | ->]]] by lia.
-  - replace (PI * (1 / 4)) with (PI / 4) by field. rewrite cos_PI4. split; [reflexivity | intros _].
-    pose proof (sqrt_lt_R0 2 ltac:(lra)). pose proof (sqrt_sqrt 2 ltac:(lra)).
-    apply (Rmult_lt_reg_l (sqrt 2)); [lra |]. field_simplify; nra.
-  - replace (PI * (2 / 4)) with (PI / 2) by field. rewrite cos_PI2. split; [lra | discriminate].
-  - replace (PI * (3 / 4)) with (3 * (PI / 4)) by field. rewrite cos_3PI4. split; [| discriminate].
-    pose proof (sqrt_lt_R0 2 ltac:(lra)). intros L. assert (0 < 1 / sqrt 2) by (apply Rdiv_lt_0_compat; lra).
-    unfold Rdiv in *. lra.
-  - replace (PI * (4 / 4)) with PI by field. rewrite cos_PI. split; [lra | discriminate].
-Qed.
-
 (* The parallel v = m / k is seen, where no other body hides it, exactly if cos (pi m / k) >= R / e: its point at
    theta is then the near hit of its ray. *)
 Theorem visible_parallels__seen (t x y e r theta : R) (m k : Z) : 0 < r < e -> off_axis x y e -> (0 <= m <= k)%Z ->
@@ -680,56 +592,6 @@ Proof.
     ltac:(lra)).
   pose proof (visible_iff__not_seen 1 1 0 4 1 (PI / 2) ltac:(lra) O M) as N. rewrite cos_PI2, F in N.
   specialize (N ltac:(lra) ltac:(lra)). simpl in N. lra.
-Qed.
-
-(* From pole to pole the cosine falls: where a parallel is seen, so is each nearer the pole. *)
-Lemma visible_parallels_falling (a b e r : R) : 0 <= a -> a < b -> b <= 1 ->
-  cos (PI * b) < cos (PI * a) /\ (r / e <= cos (PI * b) -> r / e <= cos (PI * a)).
-Proof. intros A L B. pose proof PI_RGT_0. enough (cos (PI * b) < cos (PI * a)) by lra. apply cos_decreasing_1; nra. Qed.
-
-Theorem visible_parallels__falling__point : exists a b : R, 0 <= a /\ a < b /\ b <= 1.
-Proof. exists 0, (1 / 4). lra. Qed.
-
-(* It does not rise. *)
-Theorem visible_parallels__falling__false : ~ forall a b : R, 0 <= a -> a < b -> b <= 1 -> cos (PI * a) < cos (PI * b).
-Proof.
-  intros F. specialize (F 0 (1 / 2) ltac:(lra) ltac:(lra) ltac:(lra)).
-  destruct (visible_parallels_falling 0 (1 / 2) 0 0 ltac:(lra) ltac:(lra) ltac:(lra)). lra.
-Qed.
-
-(* m = 0 is the pole, a point. *)
-Theorem visible_parallels__pole__point : exists e r, 0 < r < e.
-Proof. exists 4, 1. lra. Qed.
-
-(* m = 1 is not. *)
-Theorem visible_parallels__pole__false : ~ forall m k : Z, forall e r : R, 0 < r < e ->
-  parallel_radius.rho (sin (PI * (IZR m / IZR k))) (cos (PI * (IZR m / IZR k))) e r = 0.
-Proof.
-  intros F. specialize (F 1%Z 2%Z 4 1 ltac:(lra)). replace (PI * (1 / 2)) with (PI / 2) in F by field.
-  rewrite sin_PI2, cos_PI2 in F. unfold parallel_radius.rho in F. lra.
-Qed.
-
-(* In the default scene, k_v = 4 and R / e = 1/4, it is one circle. *)
-Lemma visible_parallels_count (m : Z) : (0 < m <= 4)%Z -> 1 / 4 <= cos (PI * (IZR m / 4)) <-> m = 1%Z.
-Proof.
-  intros H. rewrite <- (count_above m H). split; [| lra]. intros [L | E]; [exact L | exfalso].
-  assert (m = 1 \/ m = 2 \/ m = 3 \/ m = 4)%Z as [-> | [-> | [-> | ->]]] by lia.
-  - pose proof (proj2 (count_above 1 ltac:(lia)) eq_refl). lra.
-  - replace (PI * (2 / 4)) with (PI / 2) in E by field. rewrite cos_PI2 in E. lra.
-  - destruct (visible_parallels_falling (2 / 4) (3 / 4) 0 0) as [L _]; try lra.
-    replace (PI * (2 / 4)) with (PI / 2) in L by field. rewrite cos_PI2 in L. lra.
-  - replace (PI * (4 / 4)) with PI in E by field. rewrite cos_PI in E. lra.
-Qed.
-
-Theorem visible_parallels__count__point : exists m : Z, (0 < m <= 4)%Z.
-Proof. exists 1%Z. lia. Qed.
-
-(* Not two. *)
-Theorem visible_parallels__count__false : ~ forall m : Z, (0 < m <= 4)%Z -> 1 / 4 <= cos (PI * (IZR m / 4)) <->
-  (m <= 2)%Z.
-Proof.
-  intros F. assert (1 / 4 <= cos (PI * (2 / 4))) as C by (apply (F 2%Z); lia).
-  apply (visible_parallels_count 2 ltac:(lia)) in C. discriminate.
 Qed.
 
 (* The pixel's centre in the default view: e = 4, R = 1, 256^2 pixels. *)
@@ -803,21 +665,6 @@ Proof.
   replace (t * rho / r * (e * r)) with (rho * (e * t)) by (field; lra). apply Rmult_le_compat_l; lra.
 Qed.
 
-Theorem pixels_off_the_pole__linear__point : exists x y e r,
-  0 < r < e /\ off_axis x y e /\ 0 <= hit_of_a.discriminant_a x y e r.
-Proof. exact hit_of_a__first_hit__point. Qed.
-
-(* Not sin phi >= rho / R. *)
-Theorem pixels_off_the_pole__linear__false : ~ forall x y e r : R, 0 < r < e -> off_axis x y e ->
-  0 <= hit_of_a.discriminant_a x y e r -> sqrt (x ^ 2 + y ^ 2) / r <= angles_on_a.sin_phi x y e r.
-Proof.
-  intros F. destruct rim as [O D]. specialize (F (15 / 16) 0 (5 / 4) (3 / 4) ltac:(lra) O ltac:(lra)).
-  destruct (stable_frame__true_angles (15 / 16) 0 (5 / 4) (3 / 4)) as
-    (t & a & b & _ & _ & _ & _ & (_ & _ & _ & S) & _); [lra | exact O | lra |].
-  rewrite <- S in F. replace ((15 / 16) ^ 2 + 0 ^ 2) with ((15 / 16) ^ 2) in F by ring. rewrite sqrt_pow2 in F by lra.
-  pose proof (SIN_bound b). lra.
-Qed.
-
 Lemma pixel_off_axis m n : off_axis (pixel_x m) (pixel_y n) 4.
 Proof. apply off_axis_far; [| pose proof (pixel_far m n)]; lra. Qed.
 
@@ -832,71 +679,11 @@ Proof.
   assert (1503 / 1000 < sqrt (34 / 15)) by nra. split; lra.
 Qed.
 
-Theorem pixels_off_the_pole__far__point : exists m n : Z, 0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1.
-Proof.
-  exists 127%Z, 108%Z. rewrite discriminant_a_value by (lra || apply pixel_off_axis). rewrite pixel_value. lra.
-Qed.
-
-(* Not sin phi > 0.0045. *)
-Theorem pixels_off_the_pole__far__false : ~ forall m n : Z,
-  0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
-  45 / 10000 < angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1.
-Proof.
-  intros F. assert (D : hit_of_a.discriminant_a (pixel_x 127) (pixel_y 108) 4 1 =
-    256 - 15 * (16 + 5 / 3 * ((1 / 256) ^ 2 + (3 / 1280) ^ 2))).
-  { rewrite discriminant_a_value by (lra || apply pixel_off_axis). rewrite pixel_value. lra. }
-  specialize (F 127%Z 108%Z ltac:(lra)).
-  destruct (stable_frame__true_angles (pixel_x 127) (pixel_y 108) 4 1) as
-    (t & a & b & T & _ & _ & _ & (_ & _ & _ & S) & _ & _ & _ & _ & V & _); [lra | apply pixel_off_axis | lra |].
-  rewrite <- S, V in F. rewrite (t_a_value _ _ 4 1) in T by (lra || apply pixel_off_axis). apply Rbar_finite_eq in T.
-  pose proof (sqrt_sqrt (hit_of_a.discriminant_a (pixel_x 127) (pixel_y 108) 4 1) ltac:(lra)) as Q.
-  pose proof (sqrt_pos (hit_of_a.discriminant_a (pixel_x 127) (pixel_y 108) 4 1)) as Q0.
-  set (q := sqrt (hit_of_a.discriminant_a (pixel_x 127) (pixel_y 108) 4 1)) in *. rewrite D in Q.
-  assert (q > 3999 / 1000) by nra.
-  assert (t < 751 / 1000).
-  { rewrite <- T. apply (Rmult_lt_reg_r (4 ^ 2 + q)); [lra |]. unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l; lra. }
-  pose proof (sqrt_sqrt (pixel_x 127 ^ 2 + pixel_y 108 ^ 2) ltac:(nra)) as W. rewrite pixel_value in W.
-  pose proof (sqrt_pos (pixel_x 127 ^ 2 + pixel_y 108 ^ 2)). rewrite pixel_value in *.
-  match type of W with ?s * ?s = _ => assert (s < 59 / 10000) by nra; nra end.
-Qed.
-
 Lemma sqrt_is a b : 0 <= b -> a = b ^ 2 -> sqrt a = b.
 Proof. intros B ->. apply sqrt_pow2, B. Qed.
 
 (* What the printed lines divide by is not 0, and what they take roots of is not negative: in Coq x / 0 and
    sqrt (- 1) are numbers too, so this has to be said. *)
-Lemma hit_of_a_divisors x y e r : 0 < r < e ->
-  0 <= x ^ 2 + y ^ 2 /\ 0 < hit_of_a.tangent_squared e r /\ sqrt (hit_of_a.tangent_squared e r) <> 0 /\
-  0 <= Rmax 0 (hit_of_a.discriminant_a x y e r) /\ e ^ 2 + hit_of_a.root_a x y e r <> 0 /\
-  r * (e ^ 2 + hit_of_a.root_a x y e r) <> 0.
-Proof.
-  intros H. assert (T : 0 < hit_of_a.tangent_squared e r) by (unfold hit_of_a.tangent_squared; nra).
-  pose proof (sqrt_lt_R0 _ T). pose proof (Rmax_l 0 (hit_of_a.discriminant_a x y e r)).
-  assert (0 <= hit_of_a.root_a x y e r) by apply sqrt_pos. assert (0 < e ^ 2 + hit_of_a.root_a x y e r) by nra.
-  repeat split; nra.
-Qed.
-
-Lemma image_divisors e r height : 0 < r < e -> 0 < height ->
-  0 < image_extent.tangent_squared e r /\ sqrt (image_extent.tangent_squared e r) <> 0 /\ height <> 0.
-Proof.
-  intros H P. assert (T : 0 < image_extent.tangent_squared e r) by (unfold image_extent.tangent_squared; nra).
-  pose proof (sqrt_lt_R0 _ T). repeat split; lra.
-Qed.
-
-Lemma view_length_divisors x y e : 0 < e -> 0 < e ^ 2 + x ^ 2 + y ^ 2 /\ sqrt (e ^ 2 + x ^ 2 + y ^ 2) <> 0.
-Proof.
-  intros H. assert (P : 0 < e ^ 2 + x ^ 2 + y ^ 2) by nra. pose proof (sqrt_lt_R0 _ P). split; lra.
-Qed.
-
-Lemma parallel_radius_divisors phi e r : 0 < r < e -> e - cos phi * r <> 0.
-Proof. intros H. pose proof (COS_bound phi). nra. Qed.
-
-Lemma seed_frame_divisors phi : 0 < sin phi -> 0 <= 1 - unit_normal.normal_z (cos phi) ^ 2 /\
-  seed_frame.seed_sin_phi (unit_normal.normal_z (cos phi)) <> 0.
-Proof.
-  intros S. destruct (stable_frame_seed_frame 0 phi S) as (-> & _). pose proof (COS_bound phi).
-  unfold unit_normal.normal_z. split; nra.
-Qed.
 
 Lemma nearest_cases (floor : R) (ta tb : Rbar) :
   let tf := nearest.t_floor floor in let s := nearest.surface floor ta tb in
@@ -1021,16 +808,3 @@ Qed.
 
 (* The view direction is the unit vector from the image point (x, y, 0), and so from every point of its ray, to the
    eye. *)
-Lemma view_direction_value (x y e : R) : 0 < e -> let s := view_length.view_scale x y e in
-  view_direction.view_x x s = (0 - x) / sqrt (dot3 x y (- e) x y (- e)) /\
-  view_direction.view_y y s = (0 - y) / sqrt (dot3 x y (- e) x y (- e)) /\
-  view_direction.view_z e s = (e - 0) / sqrt (dot3 x y (- e) x y (- e)) /\ 0 < sqrt (dot3 x y (- e) x y (- e)) /\
-  view_direction.view_x x s ^ 2 + view_direction.view_y y s ^ 2 + view_direction.view_z e s ^ 2 = 1.
-Proof.
-  intros H s. destruct (view_length_divisors x y e H) as [P N]. pose proof (sqrt_lt_R0 _ P).
-  pose proof (sqrt_sqrt _ (Rlt_le _ _ P)) as Q.
-  unfold s, view_length.view_scale, view_direction.view_x, view_direction.view_y, view_direction.view_z.
-  replace (dot3 x y (- e) x y (- e)) with (e ^ 2 + x ^ 2 + y ^ 2) by (unfold dot3; ring).
-  set (l := sqrt (e ^ 2 + x ^ 2 + y ^ 2)) in *. repeat split; try (field; lra); [assumption |].
-  replace (_ + _ + _) with ((e ^ 2 + x ^ 2 + y ^ 2) / (l * l)) by (field; lra). rewrite Q. field. lra.
-Qed.

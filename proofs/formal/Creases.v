@@ -261,10 +261,6 @@ Proof.
     replace (PI * (INR n + 1) + x) with (PI * INR n + x + PI) by ring. rewrite neg_sin, IH. simpl. ring. }
   rewrite <- H. f_equal. ring.
 Qed.
-Theorem seam__parity__false : ~ forall k u, sin (PI * (INR k * (u + 1))) = sin (PI * (INR k * u)).
-Proof.
-  intro H. generalize (H 1%nat (1/2)). rewrite seam_parity. simpl INR. replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2. simpl. lra.
-Qed.
 (* Across u = 0 sine's height jumps by -sin(pi k_u) sin(pi k_v v), and its slope by pi k_u (1 - cos(pi k_u)) sin(pi k_v v). *)
 Theorem seam__sine_jump (v k_u k_v : R) :
   height_sine.h 0 v k_u k_v - height_sine.h 1 v k_u k_v = - sin (PI * k_u) * sin (PI * (k_v * v)) /\

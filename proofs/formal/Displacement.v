@@ -10,7 +10,7 @@ Open Scope R_scope.
 Section by_beta.
 Variables nx ny nz gx gy gz beta : R.
 Let m2 := (beta * gx + nx) ^ 2 + (beta * gy + ny) ^ 2 + (beta * gz + nz) ^ 2.
-Theorem normal_by_beta__derives : 0 < m2 ->
+Lemma bumped_derives : 0 < m2 ->
   is_derive (fun b => perturbed.bumped_x nx ny nz gx gy gz b) beta (normal_by_beta.bumped_by_beta_x nx ny nz gx gy gz beta) /\
   is_derive (fun b => perturbed.bumped_y nx ny nz gx gy gz b) beta (normal_by_beta.bumped_by_beta_y nx ny nz gx gy gz beta) /\
   is_derive (fun b => perturbed.bumped_z nx ny nz gx gy gz b) beta (normal_by_beta.bumped_by_beta_z nx ny nz gx gy gz beta).
@@ -24,20 +24,6 @@ Proof.
     replace (r ^ 3) with (r * (r * (r * 1))) by ring; replace (r ^ 2) with (r * (r * 1)) by ring; rewrite ?r2; ring.
 Qed.
 End by_beta.
-Theorem normal_by_beta__derives__point : exists nx ny nz gx gy gz beta,
-  0 < (beta * gx + nx) ^ 2 + (beta * gy + ny) ^ 2 + (beta * gz + nz) ^ 2.
-Proof. exists 1, 0, 0, 0, 0, 0, 0. lra. Qed.
-(* It is not g/|M|. *)
-Theorem normal_by_beta__derives__false : ~ forall gx beta, is_derive (fun b => perturbed.bumped_x 0 0 1 gx 0 0 b) beta (gx / sqrt (1 + (beta * gx) ^ 2)).
-Proof.
-  intro H. generalize (H 1 1). intro D. destruct (normal_by_beta__derives 0 0 1 1 0 0 1) as [E _]; [lra|].
-  generalize (is_derive_unique _ _ _ D) (is_derive_unique _ _ _ E). intros -> F.
-  unfold normal_by_beta.bumped_by_beta_x, normal_by_beta.bumped_x, normal_by_beta.bumped_y, normal_by_beta.bumped_z, normal_by_beta.m_scale,
-    normal_by_beta.m_length, normal_by_beta.m_x, normal_by_beta.m_y, normal_by_beta.m_z in F.
-  replace (1 + (1 * 1) ^ 2) with 2 in F by ring. replace ((1 * 1 + 0) ^ 2 + (1 * 0 + 0) ^ 2 + (1 * 0 + 1) ^ 2) with 2 in F by ring.
-  assert (P : 0 < sqrt 2) by (apply sqrt_lt_R0; lra). assert (Q : sqrt 2 ^ 2 = 2) by (apply pow2_sqrt; lra).
-  apply (f_equal (fun t => t * sqrt 2 ^ 3)) in F. field_simplify in F; lra || nra.
-Qed.
 
 (* The printed claims *)
 

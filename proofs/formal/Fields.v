@@ -256,5 +256,3 @@ Proof.
   intro H. destruct (H (1/2) 0 1 1) as [m M]; [unfold_fields; rewrite !Rmult_0_r, sin_0, Rmult_0_r; apply Rabs_R0|].
   assert (0 < m < 1)%Z by (split; apply lt_IZR; lra). lia.
 Qed.
-Lemma sine_of_three_right_angles : sin (PI * (3 * (1/2))) = -1.
-Proof. replace (PI * (3 * (1/2))) with (PI / 2 + PI) by field. rewrite neg_sin, sin_PI2. ring. Qed.

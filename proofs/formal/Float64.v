@@ -105,6 +105,53 @@ Definition exponential := rounded (exponential_near * power_of_two whole).
 End program.
 End exponential_in_range_float64.
 
+Module perturbed_float64.
+Section program.
+Variables normal_x normal_y normal_z g_x g_y g_z beta : R.
+Definition m_x := rounded (rounded (beta * g_x) + normal_x).
+Definition m_y := rounded (rounded (beta * g_y) + normal_y).
+Definition m_z := rounded (rounded (beta * g_z) + normal_z).
+Definition m_length := rounded (sqrt (rounded (rounded (rounded (m_x * m_x) + rounded (m_y * m_y)) + rounded (m_z * m_z)))).
+Definition m_scale := rounded (1 / m_length).
+Definition bumped_x := rounded (m_scale * m_x).
+Definition bumped_y := rounded (m_scale * m_y).
+Definition bumped_z := rounded (m_scale * m_z).
+End program.
+End perturbed_float64.
+
+Module light_direction_float64.
+Section program.
+Variables point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z : R.
+Definition to_light_x := rounded (light_x - point_x).
+Definition to_light_y := rounded (light_y - point_y).
+Definition to_light_z := rounded (light_z - point_z).
+Definition light_distance := rounded (sqrt (rounded (rounded (rounded (to_light_x * to_light_x) + rounded (to_light_y * to_light_y)) + rounded (to_light_z * to_light_z)))).
+Definition light_scale := rounded (1 / light_distance).
+Definition towards_x := rounded (light_scale * to_light_x).
+Definition towards_y := rounded (light_scale * to_light_y).
+Definition towards_z := rounded (light_scale * to_light_z).
+Definition mu := rounded (rounded (rounded (bumped_x * towards_x) + rounded (bumped_y * towards_y)) + rounded (bumped_z * towards_z)).
+End program.
+End light_direction_float64.
+
+Module light_term_float64.
+Section program.
+Variables red green blue light_red light_green light_blue albedo_red albedo_green albedo_blue kd ks mu specular : R.
+Definition diffuse := rounded (kd * Rmax 0 mu).
+Definition shine := rounded (ks * specular).
+Definition lit_red := rounded (rounded (light_red * rounded (rounded (albedo_red * diffuse) + shine)) + red).
+Definition lit_green := rounded (green + rounded (light_green * rounded (rounded (albedo_green * diffuse) + shine))).
+Definition lit_blue := rounded (blue + rounded (light_blue * rounded (rounded (albedo_blue * diffuse) + shine))).
+End program.
+End light_term_float64.
+
+Module clip_float64.
+Section program.
+Variables color : R.
+Definition clipped := Rmin 1 (Rmax 0 color).
+End program.
+End clip_float64.
+
 Module height_sine_float64.
 Section program.
 Variables u v k_u k_v : R.
@@ -201,3 +248,43 @@ Definition h_u := rounded (rounded ((1 / 2) * rounded (h_u_plus - h_u_minus)) / 
 Definition h_v := rounded (rounded (h_v_plus - h_v_minus) / span_v).
 End program.
 End central_any_float64.
+
+Module enclosed_sum_float64.
+Section program.
+Variables x x_error y y_error : R.
+Definition total := rounded (x + y).
+Definition total_error := rounded ((rounded (x_error + y_error)) + (Rabs (rounded (x + y)))).
+End program.
+End enclosed_sum_float64.
+
+Module enclosed_product_float64.
+Section program.
+Variables x x_error y y_error : R.
+Definition product := rounded (x * y).
+Definition product_error := rounded ((rounded ((rounded ((Rabs x) * y_error)) + (rounded ((rounded ((Rabs y) + (rounded ((1048577 / 9444732965739290427392) * y_error)))) * x_error)))) + (rounded ((Rabs (rounded (x * y))) + (1 / 2 ^ 1007)))).
+End program.
+End enclosed_product_float64.
+
+Module enclosed_quotient_float64.
+Section program.
+Variables x x_error y y_error : R.
+Definition quotient := rounded (x / y).
+Definition quotient_error := rounded ((rounded ((rounded (x_error + (rounded ((rounded ((Rabs (rounded (x / y))) + (1 / 2 ^ 1007))) * y_error)))) * (if Rlt_dec 0 (rounded ((Rabs y) - (rounded ((1048577 / 9444732965739290427392) * y_error)))) then (rounded (1 / (rounded ((Rabs y) - (rounded ((1048577 / 9444732965739290427392) * y_error)))))) else (real p_infty)))) + (rounded ((Rabs (rounded (x / y))) + (1 / 2 ^ 1007)))).
+End program.
+End enclosed_quotient_float64.
+
+Module enclosed_root_float64.
+Section program.
+Variables x x_error : R.
+Definition root := rounded (sqrt x).
+Definition root_error := rounded ((if Rlt_dec x_error (rounded (x * 9007199254740992)) then (rounded (x_error / (rounded (sqrt x)))) else (rounded ((rounded (sqrt x_error)) * (398065740123893 / 4194304)))) + (rounded (sqrt x))).
+End program.
+End enclosed_root_float64.
+
+Module enclosed_selection_float64.
+Section program.
+Variables left left_error right right_error x x_error y y_error : R.
+Definition chosen := if Rlt_dec left right then x else y.
+Definition chosen_error := if either (Rlt_dec (rounded ((rounded (left_error + right_error)) * (1048577 / 9444732965739290427392))) (Rabs (rounded (left - right)))) (Req_EM_T (rounded (left_error + right_error)) 0) then (if Rlt_dec left right then x_error else y_error) else (rounded ((rounded ((rounded ((Rabs (rounded (x - y))) * 9007199254740992)) + x_error)) + y_error)).
+End program.
+End enclosed_selection_float64.

@@ -36,7 +36,7 @@ Theorem image_derivative__pixel (nx ny nz gx gy gz beta px py pz lx ly lz vx vy 
   (2 * mu beta * (x beta * vx + y beta * vy + z beta * vz) - tx * vx - ty * vy - tz * vz <> 0 ->
     derives (fun b => phong.specular_base px py pz lx ly lz (x b) (y b) (z b) vx vy vz) (phong_base_derivative.base_by_beta vx vy vz (x beta) (y beta) (z beta) dx dy dz (mu beta) mu')).
 Proof.
-  intros x y z dx dy dz tx ty tz mu mu' r derives Z S N. destruct (normal_by_beta__derives nx ny nz gx gy gz beta Z) as (X & Y & W).
+  intros x y z dx dy dz tx ty tz mu mu' r derives Z S N. destruct (bumped_derives nx ny nz gx gy gz beta Z) as (X & Y & W).
   destruct (blinn_base_derives x y z beta dx dy dz X Y W px py pz lx ly lz vx vy vz) as [B B'].
   destruct (phong_base_derives x y z beta dx dy dz X Y W px py pz lx ly lz vx vy vz) as [P P'].
   generalize (mu_derives x y z beta dx dy dz X Y W px py pz lx ly lz). intro M. split; intros; eapply one_more_light; try eassumption.

@@ -19,8 +19,6 @@ Proof.
   exists (bpow radix2 0), 0. split; [apply generic_format_bpow; easy | split; [apply generic_format_0|]]. rewrite Rminus_0_r, Rabs_pos_eq by apply bpow_ge_0.
   split; [apply Rgt_not_eq, bpow_gt_0 | apply bpow_le; easy].
 Qed.
-Theorem chart__round_trip__point : exists theta phi : R, - PI < theta <= PI /\ 0 <= phi <= PI.
-Proof. exists 0, 0. generalize PI_RGT_0. lra. Qed.
 Theorem clamped_difference__of_any_height__point : exists (h h1 : R -> R) (v epsilon S : R), (forall w, is_derive h w (h1 w)) /\ 0 <= v < epsilon /\ v + epsilon <= 1 /\
   forall w x, 0 <= w <= v + epsilon -> 0 <= x <= v + epsilon -> Rabs (h1 w - h1 x) <= S * Rabs (w - x).
 Proof. exists (fun w => w ^ 2 / 2), (fun w => w), 0, 1, 1. split; [intro; auto_derive; trivial; field | split; [lra | split; [lra | intros; lra]]]. Qed.

@@ -15,64 +15,15 @@ Proof.
   apply lt_bpow in G. lia.
 Qed.
 
-(* Sine and cosine of any float64, however large: the quarters have no more digits than it has. *)
-Section half_turns.
-Variable x : R.
-Hypothesis F : float64 x.
-Let q := quarters x.
-Lemma digits_of_quarters : exists m k : Z, q = (m * 2 ^ k)%Z /\ (Z.abs m < 2 ^ 53)%Z /\ (0 <= k)%Z.
+(* Sine and cosine of any float64. *)
+Lemma remainder_of_float64 (x : R) : float64 x -> sine_of_half_turns_float64.remainder x 0 = x - IZR (quarters x) / 2 /\ - (1/4) <= x - IZR (quarters x) / 2 <= 1/4.
 Proof.
-  assert (D := F). apply FLT_format_generic in D; [|easy]. destruct D as [[m e] E M _]. unfold F2R in E; cbn [Fnum Fexp] in *.
-  destruct (Z_le_gt_dec (-1) e) as [P|N].
-  - exists m, (e + 1)%Z. split; [|split; [exact M | lia]]. unfold q, quarters.
-    replace (2 * x) with (IZR (m * 2 ^ (e + 1))) by (rewrite mult_IZR, (IZR_Zpower radix2) by lia; rewrite E, bpow_plus; simpl; lra).
-    apply (Zrnd_IZR (Znearest (fun n => negb (Z.even n)))).
-  - exists q, 0%Z. split; [ring|]. split; [|easy]. apply lt_IZR. rewrite abs_IZR. assert (S : Rabs x <= 2 ^ 51).
-    { rewrite E, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0. apply Rle_trans with (bpow radix2 53 * bpow radix2 (-2)); [|simpl; lra].
-      apply Rmult_le_compat; [apply Rabs_pos | apply bpow_ge_0 | | apply bpow_le; lia]. change (bpow radix2 53) with (IZR (2 ^ 53)). rewrite <- abs_IZR. apply IZR_le, Z.lt_le_incl, M. }
-    generalize (near_quarters x). fold q. intro H. apply Rabs_le_between in H. apply Rabs_le_between in S. apply Rabs_def1; simpl; lra.
+  intro F. split; [|apply Rabs_le_between, near_quarters]. rewrite (remainder_printed _ _ F), Rplus_0_r. exact (kept _ (remainder_is_float64 _ F)).
 Qed.
-Lemma part_of_all_quarters (f : R) (j : Z) : f = bpow radix2 j -> (-2 <= j)%Z -> rounded (f * IZR q) = f * IZR q.
-Proof.
-  intros -> J. destruct digits_of_quarters as (m & k & -> & M & K). apply kept. rewrite mult_IZR, (IZR_Zpower radix2) by exact K.
-  replace (bpow radix2 j * _) with (IZR m * bpow radix2 (k + j)) by (rewrite bpow_plus; ring). apply whole_is_float64; lia.
-Qed.
-Lemma remainder_of_float64 : sine_of_half_turns_float64.remainder x 0 = x - IZR q / 2 /\ - (1/4) <= x - IZR q / 2 <= 1/4.
-Proof.
-  split; [|apply Rabs_le_between, near_quarters].
-  unfold sine_of_half_turns_float64.remainder, sine_of_half_turns_float64.remainder_high. rewrite (quarters_printed _ F), (part_of_all_quarters _ (-1)) by (simpl; lra || lia).
-  replace (x - 1 / 2 * IZR q) with (x - IZR q / 2) by field. assert (K := remainder_is_float64 _ F : float64 (x - IZR q / 2)). rewrite (kept _ K), Rplus_0_l. exact (kept _ K).
-Qed.
-Lemma quadrant_of_float64 : sine_of_half_turns_float64.quadrant x = IZR (q mod 4).
-Proof.
-  unfold sine_of_half_turns_float64.quadrant, whole_below. rewrite (quarters_printed _ F), (part_of_all_quarters _ (-2)) by (simpl; lra || lia).
-  replace (1 / 4 * IZR q) with (IZR q / IZR 4) by (simpl; field). rewrite Zfloor_div by easy. fold q.
-  assert (D := Z.div_mod q 4 ltac:(easy)). assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
-  assert (W : rounded (4 * IZR (q / 4)) = 4 * IZR (q / 4)).
-  { apply kept. destruct digits_of_quarters as (m & k & E & S & K). destruct (Z_le_gt_dec 2 k) as [T|T].
-    - assert (W4 : q = (m * 2 ^ (k - 2) * 4)%Z).
-      { rewrite E. replace k with (k - 2 + 2)%Z at 1 by ring. rewrite Z.pow_add_r by lia. change (2 ^ 2)%Z with 4%Z. ring. }
-      rewrite W4, Z.div_mul by easy. rewrite mult_IZR, (IZR_Zpower radix2) by lia.
-      replace (4 * _) with (IZR m * bpow radix2 (k - 2 + 2)) by (rewrite bpow_plus; change (bpow radix2 2) with 4; ring). apply whole_is_float64; [exact S | lia].
-    - replace (4 * IZR (q / 4)) with (IZR (q / 4) * bpow radix2 2) by (change (bpow radix2 2) with 4; ring). apply whole_is_float64; [|easy].
-      assert (k = 0 \/ k = 1)%Z as [-> | ->] by lia; simpl in E; lia. }
-  rewrite W. replace (IZR q - 4 * IZR (q / 4)) with (IZR (q mod 4)) by (rewrite D at 2; rewrite plus_IZR, mult_IZR; ring).
-  apply kept. rewrite <- (Rmult_1_r (IZR _)). apply (whole_is_float64 _ 0); lia.
-Qed.
-Lemma sine_of_float64 : let s := half_turn_polynomials_float64.sine_near (x - IZR q / 2) in let c := half_turn_polynomials_float64.cosine_near (x - IZR q / 2) in
-  sine_of_half_turns_float64.sine x 0 = match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end /\
-  cosine_of_half_turns_float64.cosine x 0 = match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
-Proof.
-  intros s c. unfold sine_of_half_turns_float64.sine, cosine_of_half_turns_float64.cosine.
-  change (cosine_of_half_turns_float64.quadrant x) with (sine_of_half_turns_float64.quadrant x). rewrite quadrant_of_float64.
-  change (cosine_of_half_turns_float64.sine_near x 0) with (half_turn_polynomials_float64.sine_near (sine_of_half_turns_float64.remainder x 0)).
-  change (cosine_of_half_turns_float64.cosine_near x 0) with (half_turn_polynomials_float64.cosine_near (sine_of_half_turns_float64.remainder x 0)).
-  change (sine_of_half_turns_float64.sine_near x 0) with (half_turn_polynomials_float64.sine_near (sine_of_half_turns_float64.remainder x 0)).
-  change (sine_of_half_turns_float64.cosine_near x 0) with (half_turn_polynomials_float64.cosine_near (sine_of_half_turns_float64.remainder x 0)).
-  rewrite (proj1 remainder_of_float64). fold s c. assert (M := Z.mod_pos_bound q 4 ltac:(easy)). assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia.
-  destruct K as [K|[K|[K|K]]]; rewrite K; repeat destruct Rlt_dec; (split; reflexivity) || lra.
-Qed.
-End half_turns.
+Lemma sine_of_float64 (x : R) : float64 x -> let s := half_turn_polynomials_float64.sine_near (x - IZR (quarters x) / 2) in let c := half_turn_polynomials_float64.cosine_near (x - IZR (quarters x) / 2) in
+  sine_of_half_turns_float64.sine x 0 = match (quarters x mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end /\
+  cosine_of_half_turns_float64.cosine x 0 = match (quarters x mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
+Proof. intro F. rewrite <- (proj1 (remainder_of_float64 x F)). exact (sine_printed x 0 F). Qed.
 
 (* Sine and cosine of half-turns of any float64 are within 5/2 2^-53 of the sine and the cosine, *)
 Theorem elementary_functions__half_turns (x : R) : float64 x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin (PI * x)) <= 5/2 * (1 / 2 ^ 53) /\ Rabs (cosine_of_half_turns_float64.cosine x 0 - cos (PI * x)) <= 5/2 * (1 / 2 ^ 53).

@@ -49,16 +49,27 @@ Qed.
 Section reduction.
 Variables p e : R.
 Hypothesis F : float64 p.
-Hypothesis L : Rabs p <= 2 ^ 21.
 Let q := quarters p.
-Lemma few_quarters : (Z.abs q < 2 ^ 23)%Z.
-Proof.
-  apply lt_IZR. rewrite abs_IZR. generalize (near_quarters p). fold q. intro N. apply Rabs_le_between in N. apply Rabs_le_between in L. apply Rabs_def1; simpl; lra.
-Qed.
 Lemma quarters_printed : sine_of_half_turns_float64.quarters p = IZR q.
 Proof. unfold sine_of_half_turns_float64.quarters, rint. rewrite (kept _ (twice_float64 _ F)). reflexivity. Qed.
-Lemma part_of_quarters (f : R) (k : Z) : f = bpow radix2 k -> (-2 <= k)%Z -> rounded (f * IZR q) = f * IZR q.
-Proof. intros -> K. apply kept. rewrite Rmult_comm. apply whole_is_float64; [generalize few_quarters|]; lia. Qed.
+(* However large p is: the quarters have no more digits than it has. *)
+Lemma digits_of_quarters : exists m k : Z, q = (m * 2 ^ k)%Z /\ (Z.abs m < 2 ^ 53)%Z /\ (0 <= k)%Z.
+Proof.
+  assert (D := F). apply FLT_format_generic in D; [|easy]. destruct D as [[m x] E M _]. unfold F2R in E; cbn [Fnum Fexp] in *.
+  destruct (Z_le_gt_dec (-1) x) as [P|N].
+  - exists m, (x + 1)%Z. split; [|split; [exact M | lia]]. unfold q, quarters.
+    replace (2 * p) with (IZR (m * 2 ^ (x + 1))) by (rewrite mult_IZR, (IZR_Zpower radix2) by lia; rewrite E, bpow_plus; simpl; lra).
+    apply (Zrnd_IZR (Znearest (fun n => negb (Z.even n)))).
+  - exists q, 0%Z. split; [ring|]. split; [|easy]. apply lt_IZR. rewrite abs_IZR. assert (S : Rabs p <= 2 ^ 51).
+    { rewrite E, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0. apply Rle_trans with (bpow radix2 53 * bpow radix2 (-2)); [|simpl; lra].
+      apply Rmult_le_compat; [apply Rabs_pos | apply bpow_ge_0 | | apply bpow_le; lia]. change (bpow radix2 53) with (IZR (2 ^ 53)). rewrite <- abs_IZR. apply IZR_le, Z.lt_le_incl, M. }
+    generalize (near_quarters p). fold q. intro H. apply Rabs_le_between in H. apply Rabs_le_between in S. apply Rabs_def1; simpl; lra.
+Qed.
+Lemma part_of_quarters (f : R) (j : Z) : f = bpow radix2 j -> (-2 <= j)%Z -> rounded (f * IZR q) = f * IZR q.
+Proof.
+  intros -> J. destruct digits_of_quarters as (m & k & -> & M & K). apply kept. rewrite mult_IZR, (IZR_Zpower radix2) by exact K.
+  replace (bpow radix2 j * _) with (IZR m * bpow radix2 (k + j)) by (rewrite bpow_plus; ring). apply whole_is_float64; lia.
+Qed.
 Lemma remainder_printed : sine_of_half_turns_float64.remainder p e = rounded (p - IZR q / 2 + e).
 Proof.
   unfold sine_of_half_turns_float64.remainder, sine_of_half_turns_float64.remainder_high. rewrite quarters_printed, (part_of_quarters _ (-1)) by (simpl; lra || lia).
@@ -67,11 +78,18 @@ Qed.
 Lemma quadrant_printed : sine_of_half_turns_float64.quadrant p = IZR (q mod 4).
 Proof.
   unfold sine_of_half_turns_float64.quadrant, whole_below. rewrite quarters_printed, (part_of_quarters _ (-2)) by (simpl; lra || lia).
-  replace (1 / 4 * IZR q) with (IZR q / IZR 4) by (simpl; field). rewrite Zfloor_div by easy.
-  assert (B := few_quarters). assert (D := Z.div_mod q 4 ltac:(easy)). assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
-  assert (W : forall n : Z, (Z.abs n < 2 ^ 53)%Z -> rounded (IZR n) = IZR n).
-  { intros n N. apply kept. rewrite <- (Rmult_1_r (IZR n)). apply (whole_is_float64 n 0); [exact N | easy]. }
-  rewrite <- mult_IZR, W by lia. rewrite <- minus_IZR, W by lia. f_equal. lia.
+  replace (1 / 4 * IZR q) with (IZR q / IZR 4) by (simpl; field). rewrite Zfloor_div by easy. fold q.
+  assert (D := Z.div_mod q 4 ltac:(easy)). assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
+  assert (W : rounded (4 * IZR (q / 4)) = 4 * IZR (q / 4)).
+  { apply kept. destruct digits_of_quarters as (m & k & E & S & K). destruct (Z_le_gt_dec 2 k) as [T|T].
+    - assert (W4 : q = (m * 2 ^ (k - 2) * 4)%Z).
+      { rewrite E. replace k with (k - 2 + 2)%Z at 1 by ring. rewrite Z.pow_add_r by lia. change (2 ^ 2)%Z with 4%Z. ring. }
+      rewrite W4, Z.div_mul by easy. rewrite mult_IZR, (IZR_Zpower radix2) by lia.
+      replace (4 * _) with (IZR m * bpow radix2 (k - 2 + 2)) by (rewrite bpow_plus; change (bpow radix2 2) with 4; ring). apply whole_is_float64; [exact S | lia].
+    - replace (4 * IZR (q / 4)) with (IZR (q / 4) * bpow radix2 2) by (change (bpow radix2 2) with 4; ring). apply whole_is_float64; [|easy].
+      assert (k = 0 \/ k = 1)%Z as [-> | ->] by lia; simpl in E; lia. }
+  rewrite W. replace (IZR q - 4 * IZR (q / 4)) with (IZR (q mod 4)) by (rewrite D at 2; rewrite plus_IZR, mult_IZR; ring).
+  apply kept. rewrite <- (Rmult_1_r (IZR _)). apply (whole_is_float64 _ 0); lia.
 Qed.
 (* What the sine and the cosine return, by the quadrant. *)
 Lemma sine_printed : let r := sine_of_half_turns_float64.remainder p e in let s := half_turn_polynomials_float64.sine_near r in let c := half_turn_polynomials_float64.cosine_near r in
@@ -144,11 +162,6 @@ Let s := half_turn_polynomials_float64.sine_near r.
 Let c := half_turn_polynomials_float64.cosine_near r.
 Lemma product_is_float64 : float64 p.
 Proof. apply rounded_is_float64. Qed.
-Lemma product_is_small : Rabs p <= 2 ^ 21.
-Proof.
-  apply abs_round_le_generic; [typeclasses eauto | typeclasses eauto | | exact L].
-  replace (2 ^ 21) with (IZR 1 * bpow radix2 21) by (simpl; lra). apply whole_is_float64; easy.
-Qed.
 Lemma in_two : p + e = a * b.
 Proof. exact (elementary_functions__two_product a b A B U). Qed.
 Lemma error_is_small : Rabs e <= 1 / 2 ^ 31.
@@ -158,7 +171,7 @@ Qed.
 Lemma remainder_near : r = rounded w /\ Rabs w <= 1/4 + 1 / 2 ^ 31.
 Proof.
   split.
-  - unfold r, w. rewrite (remainder_printed p e product_is_float64 product_is_small). f_equal. rewrite <- in_two. ring.
+  - unfold r, w. rewrite (remainder_printed p e product_is_float64). f_equal. rewrite <- in_two. ring.
   - replace w with (p - IZR (quarters p) / 2 + e) by (unfold w; rewrite <- in_two; ring).
     eapply Rle_trans; [apply Rabs_triang | apply Rplus_le_compat; [apply near_quarters | exact error_is_small]].
 Qed.
@@ -185,7 +198,7 @@ Proof. replace (- x - - y) with (- (x - y)) by ring. rewrite Rabs_Ropp. auto. Qe
 Lemma half_turns : Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine p e - cos (PI * (a * b))) <= 3289/1000 / 2 ^ 53.
 Proof.
   replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct polynomials_near as [S C]. destruct (by_quadrant w (quarters p)) as [-> ->].
-  destruct (sine_printed p e product_is_float64 product_is_small) as [-> ->]. fold r s c.
+  destruct (sine_printed p e product_is_float64) as [-> ->]. fold r s c.
   assert (M := Z.mod_pos_bound (quarters p) 4 ltac:(easy)).
   assert (K : (quarters p mod 4 = 0 \/ quarters p mod 4 = 1 \/ quarters p mod 4 = 2 \/ quarters p mod 4 = 3)%Z) by lia.
   destruct K as [K|[K|[K|K]]]; rewrite K; split; try apply of_opposites; assumption.
@@ -226,7 +239,7 @@ Qed.
 Lemma side : sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
 Proof.
   replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct (by_quadrant w (quarters p)) as [-> _].
-  destruct (sine_printed p e product_is_float64 product_is_small) as [-> _]. fold r s c.
+  destruct (sine_printed p e product_is_float64) as [-> _]. fold r s c.
   assert (M := Z.mod_pos_bound (quarters p) 4 ltac:(easy)).
   assert (K : (quarters p mod 4 = 0 \/ quarters p mod 4 = 1 \/ quarters p mod 4 = 2 \/ quarters p mod 4 = 3)%Z) by lia.
   destruct K as [K|[K|[K|K]]]; rewrite K, ?sign_opp, ?sign_of_sine, ?sign_of_cosine; reflexivity.

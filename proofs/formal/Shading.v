@@ -1,10 +1,9 @@
 (* The light models: how the colour depends on the bumped normal. *)
 
-From Coq Require Import Reals Lra Psatz Lia List.
+From Coq Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries Formulas Vectors Fields Bump Claim.
 From Formal Require Statements.
-Import ListNotations.
 Open Scope R_scope.
 
 Theorem specular_lipschitz__along_a_direction : Statements.specular_lipschitz__along_a_direction.
@@ -344,11 +343,6 @@ Theorem squared_highlight__formulas__false : ~ forall P L v n : vector, let d :=
 Proof.
   intro H. set (n := (0, 3/5, 4/5) : vector). generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) n) (squared_highlight__formulas (0, 0, 0) (0, 0, 1) (0, 0, 1) n). cbv zeta.
   rewrite above_apart. unfold n, difference, dot, vector_sum, scaled. intros E F. destruct F as (_ & F & _); try lra. rewrite E in F; lra.
-Qed.
-Theorem difference_bound__clip__false : ~ forall a b, Rabs (clip.clipped a - clip.clipped b) = Rabs (a - b).
-Proof.
-  intro H. generalize (H 2 1). unfold clip.clipped. rewrite (Rmax_right 0 2), (Rmax_right 0 1), (Rmin_left 1 2), (Rmin_left 1 1) by lra.
-  rewrite Rminus_diag_eq, Rabs_R0, Rabs_pos_eq by lra. lra.
 Qed.
 (* False variants: each with half its bound, or without what it rests on. *)
 Theorem specular_lipschitz__highlight__false : ~ forall P L v n m : vector, 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->

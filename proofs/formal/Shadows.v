@@ -43,13 +43,6 @@ Lemma occlusion_by_signs_quadratic (s px py pz lx ly lz cx cy cz r : R) :
   shadow.shadow_discriminant px py pz lx ly lz cx cy cz r = aw ^ 2 - a2 * (apart2 cx cy cz px py pz - r ^ 2).
 Proof. intros a2 aw. unfold a2, aw, apart2. shadow_lines. repeat split; ring. Qed.
 
-(* Not with + 2 (a.w) s. *)
-Theorem occlusion_by_signs__quadratic__false : ~ forall s px py pz lx ly lz cx cy cz r : R,
-  apart2 (px + s * (lx - px)) (py + s * (ly - py)) (pz + s * (lz - pz)) cx cy cz - r ^ 2 =
-  shadow.segment_squared px py pz lx ly lz * s ^ 2 + 2 * shadow.toward_center px py pz lx ly lz cx cy cz * s
-  + (apart2 cx cy cz px py pz - r ^ 2).
-Proof. intros F. specialize (F 1 0 0 0 1 0 0 1 0 0 0). revert F. unfold apart2. shadow_lines. lra. Qed.
-
 (* P and L are outside the sphere about C: then |P + s (L - P) - C| = r for some s in (0, 1) exactly if d >= 0 and
    0 < a.w < |a|^2. *)
 Theorem occlusion_by_signs__iff (px py pz lx ly lz cx cy cz r : R) : 0 < r ->
@@ -112,26 +105,6 @@ Proof.
   intros F. specialize (F 0 0 0 0 0 0 0 0 0 0). rewrite (proj1 (occlusion_by_signs__numerators _ _ _ _ _ _ _ _ _ _)) in F.
   destruct F as (_ & A & _); [| revert A]; shadow_lines; lra.
 Qed.
-
-(* Not with the leading coefficient r^2 - w_z^2. *)
-Theorem shadow_along_a_row__row__false : ~ forall y lx ly lz cx cy cz r : R, exists b c : R, forall x,
-  shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = (r ^ 2 - (lz - cz) ^ 2) * x ^ 2 + b * x + c.
-Proof.
-  intros F. destruct (F 0 0 1 0 0 0 0 0) as (b & c & H). pose proof (H 0). pose proof (H 1). pose proof (H (-1)).
-  revert H0 H1 H2. shadow_lines. lra.
-Qed.
-
-(* |a|^2 - a.w' = (P - L).(C - L). *)
-Lemma shadow_along_a_row_away (px py pz lx ly lz cx cy cz : R) :
-  shadow.segment_squared px py pz lx ly lz - shadow.toward_center px py pz lx ly lz cx cy cz =
-  dot3 (px - lx) (py - ly) (pz - lz) (cx - lx) (cy - ly) (cz - lz).
-Proof. shadow_lines. ring. Qed.
-
-(* Not (P - L).(L - C). *)
-Theorem shadow_along_a_row__away__false : ~ forall px py pz lx ly lz cx cy cz : R,
-  shadow.segment_squared px py pz lx ly lz - shadow.toward_center px py pz lx ly lz cx cy cz =
-  dot3 (px - lx) (py - ly) (pz - lz) (lx - cx) (ly - cy) (lz - cz).
-Proof. intros F. specialize (F 1 0 0 0 0 0 1 0 0). revert F. shadow_lines. lra. Qed.
 
 Theorem shadow_of_b_on_floor__conic : Statements.shadow_of_b_on_floor__conic.
 Proof. red. intros. subst foot_x foot_y. repeat split; slope. Qed.
@@ -438,17 +411,3 @@ Proof.
   replace (3 + 1 / 2 * (-3 - 3) - 0) with 0 in H by field. rewrite len_axis in H; lra.
 Qed.
 
-(* Where the printed lines divide: curvature is not 0 where the turning point is computed, nor the scale. *)
-Lemma shadow_clearance_divisors lx ly lz cx cy cz r bx by_ bz s :
-  ~ 0 <= shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s ->
-  ~ shadow_clearance.curvature lx ly lz bx by_ bz s + shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s <=
-    0 ->
-  shadow_clearance.curvature lx ly lz bx by_ bz s <> 0.
-Proof. intros. lra. Qed.
-
-Lemma shadow_clearance_scale lx ly lz cx cy cz r bx by_ bz : 0 < r -> r < len (lx - cx) (ly - cy) (lz - cz) ->
-  0 < (bx - lx) ^ 2 + (by_ - ly) ^ 2 + (bz - lz) ^ 2 + (lx - cx) ^ 2 + (ly - cy) ^ 2 + (lz - cz) ^ 2.
-Proof.
-  intros R O. pose proof (len_squared (lx - cx) (ly - cy) (lz - cz)). pose proof (pow2_ge_0 (bx - lx)).
-  pose proof (pow2_ge_0 (by_ - ly)). pose proof (pow2_ge_0 (bz - lz)). nra.
-Qed.

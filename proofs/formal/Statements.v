@@ -243,6 +243,104 @@ Definition seed_clamp__costs_an_order : Prop :=
   epsilon + 0 - 0 <> 0 ->
   Rabs ((epsilon + 0 - (epsilon + 0) ^ 3 - (0 - 0 ^ 3)) / (epsilon + 0 - 0) - (1 - 3 * 0 ^ 2)) >= epsilon).
 
+Definition colour_accuracy__normal : Prop :=
+  forall normal_x normal_y normal_z g_x g_y g_z beta : R,
+  float64 normal_x ->
+  float64 normal_y ->
+  float64 normal_z ->
+  float64 g_x ->
+  float64 g_y ->
+  float64 g_z ->
+  float64 beta ->
+  (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) >= 1 ->
+  (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) <= 2 ^ 900 ->
+  (beta * g_x) ^ 2 <= (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) ->
+  (beta * g_y) ^ 2 <= (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) ->
+  (beta * g_z) ^ 2 <= (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) ->
+  Rabs (perturbed_float64.bumped_x normal_x normal_y normal_z g_x g_y g_z beta - perturbed.bumped_x normal_x normal_y normal_z g_x g_y g_z beta) <= 12 / 9007199254740992 /\
+  Rabs (perturbed_float64.bumped_y normal_x normal_y normal_z g_x g_y g_z beta - perturbed.bumped_y normal_x normal_y normal_z g_x g_y g_z beta) <= 12 / 9007199254740992 /\
+  Rabs (perturbed_float64.bumped_z normal_x normal_y normal_z g_x g_y g_z beta - perturbed.bumped_z normal_x normal_y normal_z g_x g_y g_z beta) <= 12 / 9007199254740992.
+
+Definition colour_accuracy__cosine : Prop :=
+  forall point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z : R,
+  float64 point_x ->
+  float64 point_y ->
+  float64 point_z ->
+  float64 light_x ->
+  float64 light_y ->
+  float64 light_z ->
+  float64 bumped_x ->
+  float64 bumped_y ->
+  float64 bumped_z ->
+  (light_z - point_z) * (light_z - point_z) + (light_x - point_x) * (light_x - point_x) + (light_y - point_y) * (light_y - point_y) >= / 1099511627776 ->
+  (light_z - point_z) * (light_z - point_z) + (light_x - point_x) * (light_x - point_x) + (light_y - point_y) * (light_y - point_y) <= 2 ^ 900 ->
+  Rabs bumped_x <= / 1099511627776 + 1 ->
+  Rabs bumped_y <= / 1099511627776 + 1 ->
+  Rabs bumped_z <= / 1099511627776 + 1 ->
+  Rabs (light_direction_float64.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z - light_direction.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z) <= 45 / 9007199254740992.
+
+Definition colour_accuracy__share_red : Prop :=
+  forall red light_red albedo_red kd ks mu specular : R,
+  float64 red ->
+  float64 light_red ->
+  float64 albedo_red ->
+  float64 kd ->
+  float64 ks ->
+  float64 mu ->
+  float64 specular ->
+  red >= 0 ->
+  light_red >= 0 ->
+  albedo_red >= 0 ->
+  kd >= 0 ->
+  ks >= 0 ->
+  specular >= 0 ->
+  light_red <= 2 ^ 20 ->
+  albedo_red <= 2 ^ 20 ->
+  Rabs (light_term_float64.lit_red red light_red albedo_red kd ks mu specular - light_term.lit_red red light_red albedo_red kd ks mu specular) <= 8 / 9007199254740992 * (light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) + red) + / 1000000000000000000000000000000.
+
+Definition colour_accuracy__share_green : Prop :=
+  forall green light_green albedo_green kd ks mu specular : R,
+  float64 green ->
+  float64 light_green ->
+  float64 albedo_green ->
+  float64 kd ->
+  float64 ks ->
+  float64 mu ->
+  float64 specular ->
+  green >= 0 ->
+  light_green >= 0 ->
+  albedo_green >= 0 ->
+  kd >= 0 ->
+  ks >= 0 ->
+  specular >= 0 ->
+  light_green <= 2 ^ 20 ->
+  albedo_green <= 2 ^ 20 ->
+  Rabs (light_term_float64.lit_green green light_green albedo_green kd ks mu specular - light_term.lit_green green light_green albedo_green kd ks mu specular) <= 8 / 9007199254740992 * (green + light_green * (albedo_green * kd * (Rmax 0 mu) + ks * specular)) + / 1000000000000000000000000000000.
+
+Definition colour_accuracy__share_blue : Prop :=
+  forall blue light_blue albedo_blue kd ks mu specular : R,
+  float64 blue ->
+  float64 light_blue ->
+  float64 albedo_blue ->
+  float64 kd ->
+  float64 ks ->
+  float64 mu ->
+  float64 specular ->
+  blue >= 0 ->
+  light_blue >= 0 ->
+  albedo_blue >= 0 ->
+  kd >= 0 ->
+  ks >= 0 ->
+  specular >= 0 ->
+  light_blue <= 2 ^ 20 ->
+  albedo_blue <= 2 ^ 20 ->
+  Rabs (light_term_float64.lit_blue blue light_blue albedo_blue kd ks mu specular - light_term.lit_blue blue light_blue albedo_blue kd ks mu specular) <= 8 / 9007199254740992 * (blue + light_blue * (albedo_blue * kd * (Rmax 0 mu) + ks * specular)) + / 1000000000000000000000000000000.
+
+Definition colour_accuracy__clip : Prop :=
+  forall color : R,
+  float64 color ->
+  Rabs (clip_float64.clipped color - clip.clipped color) <= 0.
+
 Definition straddling__value : Prop :=
   forall delta epsilon k_u : R,
   epsilon > 0 ->
@@ -490,6 +588,98 @@ Definition seed_bump_as_displacement__parallel : Prop :=
   sin_phi > 0 ->
   sin_phi <> 0 ->
   normal_z * (m_x * (-beta) * (e_phi_y * h_v + e_theta_y * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_y * (e_phi_x * h_v + e_theta_x * (1 / 2) * h_u / sin_phi)) + normal_x * (m_y * (-beta) * (e_phi_z * h_v + e_theta_z * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_z * (e_phi_y * h_v + e_theta_y * (1 / 2) * h_u / sin_phi)) + normal_y * (m_z * (-beta) * (e_phi_x * h_v + e_theta_x * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_x * (e_phi_z * h_v + e_theta_z * (1 / 2) * h_u / sin_phi)) = 0).
+
+Definition enclosing_rules__sum : Prop :=
+  forall slack x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  float64 (enclosed_sum_float64.total_error x x_error y y_error) /\
+  0 <= enclosed_sum_float64.total_error x x_error y y_error /\
+  Rabs (enclosed_sum_float64.total x y - (x_exact + y_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_sum_float64.total_error x x_error y y_error / 2 ^ 53).
+
+Definition enclosing_rules__product : Prop :=
+  forall slack x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  x_error <= 2 ^ 60 ->
+  y_error <= 2 ^ 60 ->
+  float64 (enclosed_product_float64.product_error x x_error y y_error) /\
+  0 <= enclosed_product_float64.product_error x x_error y y_error /\
+  Rabs (enclosed_product_float64.product x y - (x_exact * y_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_product_float64.product_error x x_error y y_error / 2 ^ 53).
+
+Definition enclosing_rules__quotient : Prop :=
+  forall slack x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  Rabs y <= 2 ^ 960 ->
+  Rabs y - (1 / 9007199254740992) * y_error * (/ 524288 + 1) >= / 576460752303423488 ->
+  y_exact <> 0 /\
+  float64 (enclosed_quotient_float64.quotient_error x x_error y y_error) /\
+  0 <= enclosed_quotient_float64.quotient_error x x_error y y_error /\
+  Rabs (enclosed_quotient_float64.quotient x y - (x_exact / y_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_quotient_float64.quotient_error x x_error y y_error / 2 ^ 53).
+
+Definition enclosing_rules__root : Prop :=
+  forall slack x x_error x_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  x >= 0 ->
+  x_exact >= 0 ->
+  x_exact >= 0 /\
+  float64 (enclosed_root_float64.root_error x x_error) /\
+  0 <= enclosed_root_float64.root_error x x_error /\
+  Rabs (enclosed_root_float64.root x - (sqrt x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_root_float64.root_error x x_error / 2 ^ 53).
+
+Definition enclosing_rules__selection : Prop :=
+  forall slack left left_error left_exact right right_error right_exact x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 left ->
+  float64 left_error ->
+  0 <= left_error ->
+  Rabs (left - left_exact) <= slack * (left_error / 2 ^ 53) ->
+  float64 right ->
+  float64 right_error ->
+  0 <= right_error ->
+  Rabs (right - right_exact) <= slack * (right_error / 2 ^ 53) ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  float64 (enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error) /\
+  0 <= enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error /\
+  Rabs (enclosed_selection_float64.chosen left right x y - ((if Rlt_dec left_exact right_exact then x_exact else y_exact))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error / 2 ^ 53).
 
 Definition central_difference_of_sine__no_clamp : Prop :=
   forall epsilon v : R,

@@ -17,22 +17,11 @@ Theorem elementary_functions__zero__false : ~ forall r, half_turn_polynomials.si
 Proof.
   intro H. generalize (H (1/4)). apply Rgt_not_eq. unfold half_turn_polynomials.sine_near, half_turn_polynomials.sine_tail, half_turn_polynomials.z. interval.
 Qed.
-Theorem chart__inside__false : ~ forall phi, 0 <= phi <= PI -> chart.v (cos phi) (sin phi) < 1.
-Proof.
-  intro H. generalize PI_RGT_0. intro P. generalize (H PI ltac:(lra)). destruct (chart_inside 0 PI) as [-> _]; try lra. replace (PI / PI) with 1 by (field; lra). lra.
-Qed.
-Theorem chart_inverse__unit__false : ~ forall u v, fst (fst (N_of_chart u v)) = sin (PI * v) * cos (PI * (2 * u)).
-Proof.
-  intro H. generalize (H 0 (1/2)). rewrite (proj1 (chart_inverse_unit 0 (1/2))). cbn [fst]. replace (PI * (1/2)) with (PI / 2) by field.
-  rewrite !Rmult_0_r, sin_PI2, cos_0. lra.
-Qed.
 Theorem tangent_frame__by_phi__false : ~ forall theta phi, is_derive (fun p => snd (normal_at theta p)) phi (sin phi).
 Proof.
   intro H. generalize (is_derive_unique _ _ _ (H 0 (PI / 2))). generalize (tangent_frame__by_phi 0 (PI / 2)). unfold_vectors. intros (_ & _ & D).
   rewrite (is_derive_unique _ _ _ D), sin_PI2. lra.
 Qed.
-Theorem unit_length__g_is_tangent__false : ~ forall theta phi h_u h_v beta, dot (M theta phi h_u h_v beta) (g theta phi h_u h_v) = 0.
-Proof. intro H. generalize (H 0 0 1 0 1). rewrite m_is_sum, dot_sum, dot_scaled, g_is_tangent, g_squared. lra. Qed.
 Theorem angle_of_the_bump__arctangent__false : ~ forall theta phi h_u h_v beta,
   acos (dot (normal_at theta phi) (N' theta phi h_u h_v beta)) = Rabs beta * magnitude (g theta phi h_u h_v).
 Proof.

@@ -16,6 +16,7 @@ from proofs.formulas import (
     chart,
     displacement,
     elementary,
+    enclosed,
     exponential,
     finite_difference,
     height_fields,
@@ -28,6 +29,7 @@ from proofs.formulas import (
 from proofs.formulas.registry import by_name
 from renderer.generate.printer import KernelPrinter
 from renderer.generate.programs import ANY_FIELD
+from renderer.generate.rules import rule
 
 HEADER = """(* Printed from proofs/formulas by `python -m renderer.generate`. Do not edit: change the formula instead.
    Each module is one program of the chapter; each definition is one line of its derivation. *)
@@ -271,6 +273,8 @@ def rounded(text: str) -> str:
                 return applied(KERNELS[name], *(applied(part, *map(term, factors)) for part in parts))
             case ast.Call(ast.Name(name), arguments) if name in EXACT:
                 return applied(EXACT[name], *map(term, arguments))
+            case ast.Call(ast.Name("sqrt"), [argument]):
+                return f"rounded ({applied('sqrt', term(argument))})"
             case ast.Call(ast.Name("height"), arguments):
                 return applied("height", *map(term, arguments))
         raise ValueError(f"no rounded form of {ast.unparse(node)}")
@@ -300,11 +304,13 @@ def float64_source() -> str:
     kernels = [elementary.two_product, half_turn_polynomials()]
     kernels += [elementary.sine_of_half_turns, elementary.cosine_of_half_turns, elementary.angle_in_half_turns]
     kernels += [exponential_in_range()]
+    kernels += [bump.perturbed, shading.light_direction, shading.light_term, shading.clip]
     for field in filter(lambda field: field.wave_numbers, height_fields.HEIGHT_FIELDS.values()):
         kernels += [height_fields.height(field), height_fields.gradient_from_factors(field)]
         kernels += [height_fields.gradient(field)]
     modules = [float64_module(program) for program in kernels]
     modules.append(float64_module(finite_difference.central(ANY_FIELD), "Variable height : R -> R -> R -> R -> R."))
+    modules += [_in_module(f"{program.name}_float64", rule(program)) for program in enclosed.RULES.values()]
     return FLOAT64_HEADER + "".join(f"\n{module}" for module in modules)
 
 

@@ -17,7 +17,7 @@ from collections.abc import Iterable
 from sympy import And, Basic, Derivative, Or, Piecewise, Pow, Symbol, false, sympify, true
 from sympy.core.relational import Relational
 
-from proofs.engine.claim import AnyClaim, Claim, Induction, Rounded
+from proofs.engine.claim import AnyClaim, Claim, Encloses, Induction, Rounded
 from proofs.engine.theorem import Theorem, all_theorems
 from renderer.generate.coq import CoqPrinter
 
@@ -194,6 +194,30 @@ def rounded_proposition(claim: Rounded) -> str:
     return _implication([_forall(names, "R")], given, shown)
 
 
+SLACK = "(1 + 1 / 2 ^ 49)"
+"""By what part of itself a count of roundings is too small after one more operation, as `renderer.machines` says."""
+
+
+def enclosing_proposition(claim: Encloses) -> str:
+    """Return an Encloses as a proposition: whatever is within its count, by a slack, the result is within its own."""
+    program = claim.program
+    names = [s.name for s in program.inputs]
+    exact = {s: f"{s.name}_exact" for s in program.inputs}
+    opening = [_forall(["slack", *(f"{name}{end}" for name in names for end in ("", "_error", "_exact"))], "R")]
+    given = ["1 <= slack", "slack <= 1 + 3 / 2 ^ 22"]
+    for name in names:
+        given += [f"float64 {name}", f"float64 {name}_error", f"0 <= {name}_error"]
+        given.append(f"Rabs ({name} - {name}_exact) <= slack * ({name}_error / 2 ^ 53)")
+    plain, printer = StatementPrinter(_symbols(claim.given)), StatementPrinter(program.inputs, exact)
+    given += map(plain.relation, claim.given)
+    ((output, expression),) = program.definitions
+    module = f"{program.name}_float64.{output.name}"
+    value = " ".join([module, *names])
+    error = " ".join([f"{module}_error", *(f"{name} {name}_error" for name in names)])
+    near = f"Rabs ({value} - ({printer.doprint(expression)})) <= slack * {SLACK} * ({error} / 2 ^ 53)"
+    return _implication(opening, given, [*printer.needs(expression), f"float64 ({error})", f"0 <= {error}", near])
+
+
 def proposition(claim: AnyClaim, refuted: bool = False) -> str | None:
     """Return a claim, or its negation, as a proposition, None where it is the kernel's alone."""
     if isinstance(claim, Induction):
@@ -212,7 +236,10 @@ def statements(theorem: Theorem) -> dict[str, str]:
     """Return {name: proposition} of the claims of a theorem that are printed."""
     refuted = theorem.expected == "refuted"
     printed = _printed({f"{theorem.id}__{claim.name}": (claim, refuted) for claim in theorem.claims})
-    return printed | {f"{theorem.id}__{claim.name}": rounded_proposition(claim) for claim in theorem.rounded}
+    for claim in theorem.rounded:
+        text = rounded_proposition(claim) if isinstance(claim, Rounded) else enclosing_proposition(claim)
+        printed[f"{theorem.id}__{claim.name}"] = text
+    return printed
 
 
 def mutants(theorem: Theorem) -> dict[str, str]:

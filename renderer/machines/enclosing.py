@@ -5,11 +5,12 @@ are its own, to the last bit. A mask says where something holds, and where the b
 whose mask is open covers both of its sides. A bound that is the float 0.0 is of an exact number, and costs nothing.
 
 A bound is kept as a number of roundings, of 2⁻⁵³ each: a result's own rounding is then at most its size. These counts
-are rounded too, and an operation's by at most eight factors 1 − 2⁻⁵³. What it adds up or multiplies by sizes are counts
-of its operands, which are as much too small as their own operations made them; so a count is too small by n·2⁻⁵⁰ of it
-where n operations lead to it one after another. A pixel has fewer than 2²⁹, so that ROUNDING, the unit by which a count
-becomes a bound, makes up for all of them: where a bound is asked for, compared, or multiplied by another bound. Of
-the elementary functions, which ask for bounds, each one makes up for its own by SLACK.
+are rounded too, and an operation makes its own too small by less than 2⁻⁴⁹ of it. What it adds up or multiplies by
+sizes are counts of its operands, which are as much too small as their own operations made them. A pixel has fewer than
+2²⁸ operations one after another, so that ROUNDING, the unit by which a count becomes a bound, makes up for all of them:
+where a bound is asked for, compared, or multiplied by another bound. So says theorem enclosing_rules, which Coq proves
+of what sums, products, quotients, roots and selections do here. Of the elementary functions, which ask for bounds, each
+one makes up for its own by SLACK.
 
 What is lost below the normal range is less than LEAST, or as a count than LEAST_COUNT. A bound that is NaN decides
 nothing.

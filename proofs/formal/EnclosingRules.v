@@ -1,0 +1,267 @@
+(* The rules of the enclosing machine, as it carries them out: what they count bounds how far a result is off. *)
+
+From Coq Require Import Reals Lra Psatz ZArith.
+From Coquelicot Require Import Coquelicot.
+From Flocq Require Import Core Relative Plus_error Mult_error.
+From Interval Require Import Tactic.
+From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding.
+From Formal Require Statements.
+Open Scope R_scope.
+
+(* One rounding takes 2^-53 of a result, and below the normal range less than 2^-1074; what is lost there has a count of its own. *)
+Definition unit53 : R := 1 / 2 ^ 53.
+Definition underflow : R := bpow radix2 (-1074).
+Lemma least_is_power : 1 / 2 ^ 1007 = bpow radix2 (-1007).
+Proof. change (bpow radix2 (-1007)) with (/ IZR (Z.pow_pos 2 1007)). rewrite pow_IZR. unfold Rdiv. rewrite Rmult_1_l. reflexivity. Qed.
+Lemma least_is_float64 : float64 (1 / 2 ^ 1007).
+Proof. rewrite least_is_power. apply generic_format_bpow. easy. Qed.
+Lemma underflow_in_least : 0 < underflow /\ underflow * 2 ^ 67 <= 1 / 2 ^ 1007.
+Proof.
+  split; [apply bpow_gt_0|]. rewrite least_is_power. unfold underflow. replace (2 ^ 67) with (bpow radix2 67) by (simpl; lra). rewrite <- bpow_plus. apply Rle_refl.
+Qed.
+Lemma underflow_is_small : underflow <= 1 / 2 ^ 200.
+Proof. replace (1 / 2 ^ 200) with (bpow radix2 (-200)) by (simpl; lra). apply bpow_le. easy. Qed.
+
+Lemma not_negative_rounded (x : R) : 0 <= x -> 0 <= rounded x.
+Proof. intro P. rewrite <- rounded_0. apply round_le; [typeclasses eauto..| exact P]. Qed.
+Lemma rounded_below (x y : R) : rounded x < rounded y -> x < y.
+Proof. intro L. apply Rnot_le_lt. intro G. apply Rlt_not_le in L. apply L. apply round_le; [typeclasses eauto..| exact G]. Qed.
+Lemma own_rounding (x : R) : Rabs (rounded x - x) <= (1 + 4 * unit53) * unit53 * Rabs (rounded x) + underflow.
+Proof.
+  unfold rounded at 1. destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & e & D & E & Z & R).
+  assert (R' : rounded x = x * (1 + d) + e) by exact R. rewrite R. replace (x * (1 + d) + e - x) with (x * d + e) by ring.
+  assert (D' : Rabs d <= unit53) by (eapply Rle_trans; [exact D | unfold u_ro, unit53; simpl; lra]).
+  assert (E' : Rabs e <= underflow) by (eapply Rle_trans; [exact E|]; unfold underflow; generalize (bpow_gt_0 radix2 (-1074)); lra).
+  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [|exact E'].
+  apply Rmult_integral in Z. destruct Z as [-> | ->].
+  - rewrite Rmult_0_r, Rabs_R0. apply Rmult_le_pos; [unfold unit53; lra | apply Rabs_pos].
+  - rewrite R', Rplus_0_r, !Rabs_mult. assert (P : 1 - unit53 <= Rabs (1 + d)) by (apply Rabs_le_between in D'; rewrite Rabs_pos_eq; unfold unit53 in *; lra).
+    assert (0 <= Rabs x * (Rabs (1 + d) - (1 - unit53))) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). generalize (Rabs_pos x). unfold unit53 in *. nra.
+Qed.
+Lemma own_rounding_of_sum (a b : R) : float64 a -> float64 b -> Rabs (rounded (a + b) - (a + b)) <= unit53 * Rabs (rounded (a + b)).
+Proof.
+  intros A B. destruct (FLT_plus_error_N_round_ex radix2 (-1074) 53 (fun n => negb (Z.even n)) a b A B) as (d & D & E).
+  assert (E' : a + b = rounded (a + b) * (1 + d)) by exact E. rewrite E' at 2. replace (_ - _) with (- (rounded (a + b) * d)) by ring. rewrite Rabs_Ropp, Rabs_mult, Rmult_comm.
+  apply Rmult_le_compat_r; [apply Rabs_pos | eapply Rle_trans; [exact D | unfold u_ro, unit53; simpl; lra]].
+Qed.
+(* So a count, which is not negative, loses no more than that. *)
+Lemma counted_sum (a b : R) : float64 a -> float64 b -> 0 <= a -> 0 <= b -> (a + b) * (1 - unit53) <= rounded (a + b).
+Proof.
+  intros A B P Q. generalize (own_rounding_of_sum a b A B) (not_negative_rounded (a + b) ltac:(lra)). intros O N. rewrite (Rabs_pos_eq (rounded _)) in O by exact N.
+  apply Rabs_le_between in O. unfold unit53 in *. nra.
+Qed.
+Lemma counted (x : R) : 0 <= x -> x * (1 - 11 / 10 * unit53) - 2 * underflow <= rounded x.
+Proof.
+  intro P. generalize (own_rounding x) (not_negative_rounded x P) (proj1 underflow_in_least). intros O N T. rewrite (Rabs_pos_eq (rounded _)) in O by exact N.
+  apply Rabs_le_between in O. unfold unit53 in *. nra.
+Qed.
+Ltac is_float64 := first [assumption | apply rounded_is_float64 | apply generic_format_abs; is_float64 | apply generic_format_bpow; easy].
+
+(* What is moved by m counts, of which each is a slack more, and rounded once to a result of size t, is within c. *)
+Lemma enough (s m t c d lost : R) : 1 <= s -> 0 <= t -> 0 <= lost -> m + (1 + 4 * unit53) * t + lost * 2 ^ 53 <= (1 + 1 / 2 ^ 49) * c ->
+  Rabs d <= s * (m / 2 ^ 53) + ((1 + 4 * unit53) * unit53 * t + lost) -> Rabs d <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
+Proof.
+  intros S T L E D. eapply Rle_trans; [exact D|]. apply Rmult_le_compat_l with (r := s) in E; [|lra]. assert (K : 0 <= (s - 1) * ((1 + 4 * unit53) * t + lost * 2 ^ 53)) by (apply Rmult_le_pos; [lra | unfold unit53; lra]).
+  unfold unit53 in *. lra.
+Qed.
+
+Theorem enclosing_rules__sum : Statements.enclosing_rules__sum.
+Proof.
+  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy. unfold enclosed_sum_float64.total_error, enclosed_sum_float64.total.
+  assert (O := own_rounding_of_sum x y X Y). set (t := rounded (x + y)) in *. assert (T : float64 t) by is_float64.
+  assert (C1 := counted_sum ex ey Ex Ey Px Py). set (e := rounded (ex + ey)) in *. assert (E : float64 e) by is_float64. assert (0 <= e) by (apply not_negative_rounded; lra).
+  assert (C := counted_sum e (Rabs t) E ltac:(is_float64) ltac:(assumption) (Rabs_pos t)). set (c := rounded (e + Rabs t)) in *.
+  split; [is_float64 | split; [apply not_negative_rounded; generalize (Rabs_pos t); lra|]].
+  apply enough with (ex + ey) (Rabs t) 0; try lra; [apply Rabs_pos | generalize (Rabs_pos t); unfold unit53 in *; lra|].
+  replace (t - (x' + y')) with ((t - (x + y)) + ((x - x') + (y - y'))) by ring. eapply Rle_trans; [apply Rabs_triang|]. generalize (Rabs_triang (x - x') (y - y')) (Rabs_pos t). unfold unit53 in *. lra.
+Qed.
+
+(* ROUNDING, by which a count becomes a bound, makes up for the slack of counts, and for one more rounding. *)
+Definition ROUNDING : R := 1048577 / 9444732965739290427392.
+Lemma bound_of (s e : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> 0 <= e -> s * (e / 2 ^ 53) * (1 + 4 * unit53) <= ROUNDING * e * (1 - 4 * unit53) /\ s * (e / 2 ^ 53) - 2 * underflow <= rounded (ROUNDING * e).
+Proof.
+  intros S1 S2 E. assert (M : s * e <= (1 + 3 / 2 ^ 22) * e) by (apply Rmult_le_compat_r; assumption). assert (P : 0 <= ROUNDING * e) by (unfold ROUNDING; lra).
+  generalize (counted (ROUNDING * e) P). unfold ROUNDING, unit53 in *. lra.
+Qed.
+Lemma exact_size (s y ey y' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 y -> 0 <= ey -> Rabs (y - y') <= s * (ey / 2 ^ 53) ->
+  Rabs y' <= Rabs y + s * (ey / 2 ^ 53) /\ (Rabs y + s * (ey / 2 ^ 53)) * (1 - unit53) - 2 * underflow <= rounded (Rabs y + rounded (ROUNDING * ey)).
+Proof.
+  intros S1 S2 Y P D. split; [generalize (Rabs_triang_inv y' y); rewrite (Rabs_minus_sym y' y); lra|].
+  destruct (bound_of s ey S1 S2 P) as [_ B]. set (z := rounded (ROUNDING * ey)) in *. assert (Z : 0 <= z) by (apply not_negative_rounded; unfold ROUNDING; lra).
+  generalize (counted_sum (Rabs y) z ltac:(is_float64) ltac:(is_float64) (Rabs_pos y) Z) (proj1 underflow_in_least). unfold unit53 in *. lra.
+Qed.
+
+Theorem enclosing_rules__product : Statements.enclosing_rules__product.
+Proof.
+  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy Lx Ly. unfold enclosed_product_float64.product_error, enclosed_product_float64.product. fold ROUNDING.
+  destruct (exact_size s y ey y' S1 S2 Y Py Dy) as [Sy Z]. set (size := rounded (Rabs y + _)) in *. set (Y1 := Rabs y + s * (ey / 2 ^ 53)) in *.
+  assert (O := own_rounding (x * y)). set (t := rounded (x * y)) in *. destruct underflow_in_least as [T L]. set (least := 1 / 2 ^ 1007) in *.
+  assert (F : float64 least) by exact least_is_float64.
+  clearbody least. assert (0 <= Y1) by (unfold Y1; assert (0 <= s * (ey / 2 ^ 53)) by (apply Rmult_le_pos; lra); generalize (Rabs_pos y); lra).
+  assert (Sz : 0 <= size) by (apply not_negative_rounded; assert (0 <= rounded (ROUNDING * ey)) by (apply not_negative_rounded; unfold ROUNDING; lra); generalize (Rabs_pos y); lra).
+  assert (A0 : 0 <= Rabs x * ey) by (apply Rmult_le_pos; [apply Rabs_pos | assumption]). assert (B0 : 0 <= size * ex) by (apply Rmult_le_pos; assumption). assert (Q0 : 0 <= Y1 * ex) by (apply Rmult_le_pos; assumption).
+  assert (A := counted _ A0). set (a := rounded (Rabs x * ey)) in *. assert (B := counted _ B0). set (b := rounded (size * ex)) in *.
+  assert (Ba : 0 <= a) by (apply not_negative_rounded; assumption). assert (Bb : 0 <= b) by (apply not_negative_rounded; assumption).
+  assert (C1 := counted_sum a b ltac:(is_float64) ltac:(is_float64) Ba Bb). set (m := rounded (a + b)) in *. assert (Bm : 0 <= m) by (apply not_negative_rounded; lra).
+  assert (C2 := counted_sum (Rabs t) least ltac:(is_float64) F (Rabs_pos t) ltac:(lra)). set (o := rounded (Rabs t + least)) in *. assert (Bo : 0 <= o) by (apply not_negative_rounded; generalize (Rabs_pos t); lra).
+  assert (C := counted_sum m o ltac:(is_float64) ltac:(is_float64) Bm Bo). set (c := rounded (m + o)) in *.
+  split; [is_float64 | split; [apply not_negative_rounded; lra|]].
+  assert (W : Y1 * ex * (1 - unit53) - 2 * underflow * 2 ^ 60 <= size * ex).
+  { apply Rmult_le_compat_r with (r := ex) in Z; [|exact Px]. assert (underflow * ex <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). lra. }
+  apply enough with (Rabs x * ey + Y1 * ex) (Rabs t) underflow; try lra; [apply Rabs_pos | generalize (Rabs_pos t); clearbody a b m o c t size Y1; unfold unit53 in *; lra|].
+  replace (t - x' * y') with ((t - x * y) + (x * (y - y') + y' * (x - x'))) by ring. eapply Rle_trans; [apply Rabs_triang|].
+  assert (M : Rabs (x * (y - y') + y' * (x - x')) <= Rabs x * (s * (ey / 2 ^ 53)) + Y1 * (s * (ex / 2 ^ 53))).
+  { eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat; [apply Rmult_le_compat_l; [apply Rabs_pos | exact Dy] | apply Rmult_le_compat; try apply Rabs_pos; assumption]. }
+  lra.
+Qed.
+
+Lemma root_moved (a b : R) : 0 <= a -> 0 <= b -> Rabs (sqrt a - sqrt b) * sqrt a <= Rabs (a - b) /\ Rabs (sqrt a - sqrt b) <= sqrt (Rabs (a - b)).
+Proof.
+  intros A B. generalize (sqrt_pos a) (sqrt_pos b) (sqrt_sqrt a A) (sqrt_sqrt b B). intros P Q Ea Eb. assert (E : a - b = (sqrt a - sqrt b) * (sqrt a + sqrt b)) by (transitivity (sqrt a * sqrt a - sqrt b * sqrt b); [rewrite Ea, Eb; reflexivity | ring]).
+  assert (R : Rabs (a - b) = Rabs (sqrt a - sqrt b) * (sqrt a + sqrt b)) by (rewrite E, Rabs_mult, (Rabs_pos_eq (_ + _)) by lra; reflexivity).
+  assert (T := Rabs_pos (sqrt a - sqrt b)). split; [rewrite R; nra|]. apply Rsqr_incr_0_var; [|apply sqrt_pos]. unfold Rsqr at 2. rewrite sqrt_sqrt by apply Rabs_pos. rewrite R. unfold Rsqr. apply Rmult_le_compat_l; [exact T|].
+  unfold Rabs. destruct Rcase_abs; lra.
+Qed.
+Lemma own_rounding_of_root (x : R) : float64 x -> 0 < x -> bpow radix2 (-537) <= sqrt x /\ bpow radix2 (-537) <= rounded (sqrt x) /\ Rabs (rounded (sqrt x) - sqrt x) <= unit53 * sqrt x /\ Rabs (rounded (sqrt x) - sqrt x) <= (1 + 4 * unit53) * unit53 * rounded (sqrt x).
+Proof.
+  intros F P. destruct (float64_is_whole x F) as [m E]. assert (M : 1 <= IZR m) by (apply IZR_le; assert (0 < m)%Z; [|lia]; apply lt_IZR; generalize (bpow_gt_0 radix2 (-1074)); nra).
+  assert (L : bpow radix2 (-537) <= sqrt x).
+  { rewrite <- (sqrt_pow2 (bpow radix2 (-537))) by apply bpow_ge_0. apply sqrt_le_1_alt. rewrite E. replace (bpow radix2 (-537) ^ 2) with (bpow radix2 (-1074)) by (rewrite <- Rsqr_pow2; unfold Rsqr; rewrite <- bpow_plus; reflexivity).
+    generalize (bpow_gt_0 radix2 (-1074)). nra. }
+  assert (K : bpow radix2 (-537) <= rounded (sqrt x)) by (apply round_ge_generic; [typeclasses eauto | typeclasses eauto | apply generic_format_bpow; easy | exact L]).
+  destruct (standard_model (sqrt x)) as (d & D & R); [rewrite Rabs_pos_eq by apply sqrt_pos; eapply Rle_trans; [apply bpow_le | exact L]; easy|].
+  assert (D' : Rabs d <= unit53) by (eapply Rle_trans; [exact D | unfold unit_roundoff, unit53; simpl; lra]). assert (S := sqrt_pos x).
+  assert (A : Rabs (rounded (sqrt x) - sqrt x) <= unit53 * sqrt x) by (rewrite R; replace (_ - _) with (sqrt x * d) by ring; rewrite Rabs_mult, (Rabs_pos_eq (sqrt x)) by exact S; rewrite Rmult_comm; apply Rmult_le_compat_r; assumption).
+  split; [exact L | split; [exact K | split; [exact A|]]]. eapply Rle_trans; [exact A|]. apply Rabs_le_between in A. unfold unit53 in *. lra.
+Qed.
+Lemma root_of_one : let K := sqrt (1 / 2 ^ 53) * 2 ^ 53 in 0 < K /\ K * (1 + 1 / 2 ^ 26) <= 398065740123893 / 4194304.
+Proof. split; interval with (i_prec 100). Qed.
+Lemma not_near_zero (x : R) : bpow radix2 (-537) <= x -> underflow <= x / 2 ^ 200.
+Proof.
+  intro L. unfold underflow. replace (-1074)%Z with (-537 + -537)%Z by easy. rewrite bpow_plus. assert (B : bpow radix2 (-537) <= / 2 ^ 200) by (replace (/ 2 ^ 200) with (bpow radix2 (-200)) by (simpl; lra); apply bpow_le; easy).
+  unfold Rdiv. apply Rmult_le_compat; try apply bpow_ge_0; assumption.
+Qed.
+Theorem enclosing_rules__root : Statements.enclosing_rules__root.
+Proof.
+  red. intros s x e x' S1 S2 X E P D X0 X0'. unfold enclosed_root_float64.root_error, enclosed_root_float64.root. destruct underflow_in_least as [T _].
+  set (r := rounded (sqrt x)). assert (R0 : 0 <= r) by apply not_negative_rounded, sqrt_pos. assert (O : Rabs (r - sqrt x) <= (1 + 4 * unit53) * unit53 * r).
+  { destruct (Rle_lt_or_eq_dec 0 x ltac:(lra)) as [Xp|Xz]; [apply (own_rounding_of_root x X Xp)|]. unfold r. rewrite <- Xz, sqrt_0, rounded_0, Rminus_0_r, Rabs_R0. lra. }
+  destruct (root_moved x x' ltac:(lra) ltac:(lra)) as [M1 M2]. split; [exact X0'|].
+  assert (N : Rabs (r - sqrt x') <= Rabs (r - sqrt x) + Rabs (sqrt x - sqrt x')) by (replace (r - sqrt x') with ((r - sqrt x) + (sqrt x - sqrt x')) by ring; apply Rabs_triang).
+  destruct Rlt_dec as [L|_].
+  - assert (Xp : 0 < x) by (apply Rnot_le_lt; intro; replace x with 0 in L by lra; rewrite Rmult_0_l, rounded_0 in L; lra).
+    destruct (own_rounding_of_root x X Xp) as (B & Br & A & _). fold r in Br, A. assert (Q0 : 0 < sqrt x) by (eapply Rlt_le_trans; [apply (bpow_gt_0 radix2) | exact B]). assert (Rp : 0 < r) by (eapply Rlt_le_trans; [apply (bpow_gt_0 radix2) | exact Br]).
+    assert (K0 : 0 <= e / r) by (apply Rmult_le_pos; [assumption | left; apply Rinv_0_lt_compat, Rp]). assert (K := counted _ K0). set (k := rounded (e / r)) in *. assert (Kp : 0 <= k) by (apply not_negative_rounded, K0).
+    assert (C := counted_sum k r ltac:(is_float64) ltac:(is_float64) Kp R0). set (c := rounded (k + r)) in *. split; [is_float64 | split; [apply not_negative_rounded; lra|]].
+    apply enough with (e / r * (1 + unit53)) r 0; try lra; [generalize (not_near_zero r Br); unfold unit53 in *; lra|].
+    assert (V : Rabs (sqrt x - sqrt x') <= s * (e / r * (1 + unit53) / 2 ^ 53)); [|lra].
+    apply Rmult_le_reg_r with (sqrt x); [exact Q0|]. eapply Rle_trans; [exact M1|]. eapply Rle_trans; [exact D|]. replace (_ * sqrt x) with (s * ((e / r * ((1 + unit53) * sqrt x)) / 2 ^ 53)) by (field; lra).
+    apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_r; [lra|]. replace e with (e / r * r) at 1 by (field; lra). apply Rmult_le_compat_l; [exact K0|]. apply Rabs_le_between in A. lra.
+  - destruct root_of_one as [Kp Kc]. set (K := sqrt (1 / 2 ^ 53) * 2 ^ 53) in *. set (w := 398065740123893 / 4194304) in *.
+    assert (W : 0 <= sqrt e) by apply sqrt_pos. assert (Q : sqrt e * (1 - unit53) <= rounded (sqrt e) /\ underflow * 2 ^ 200 <= sqrt e \/ sqrt e = 0).
+    { destruct (Rle_lt_or_eq_dec 0 e P) as [Ep|Ez]; [left | right; rewrite <- Ez; apply sqrt_0]. destruct (own_rounding_of_root e E Ep) as (B & _ & A & _). apply Rabs_le_between in A. generalize (not_near_zero _ B). lra. }
+    assert (Rp : 0 <= rounded (sqrt e)) by apply not_negative_rounded, W. assert (Wp : 1 <= w) by (unfold w; lra).
+    assert (A0 : 0 <= rounded (sqrt e) * w) by (apply Rmult_le_pos; lra). assert (A := counted _ A0). set (k := rounded (rounded (sqrt e) * w)) in *. assert (Bk : 0 <= k) by (apply not_negative_rounded, A0).
+    assert (C := counted_sum k r ltac:(is_float64) ltac:(is_float64) Bk R0). set (c := rounded (k + r)) in *. split; [is_float64 | split; [apply not_negative_rounded; lra|]].
+    apply enough with (sqrt e * K) r 0; try lra.
+    + assert (Z : sqrt e * K <= (1 + unit53) * k).
+      { destruct Q as [[Q Y]|Q]; [|rewrite Q; unfold unit53; lra]. assert (G1 : sqrt e * (K * (1 + 1 / 2 ^ 26)) <= sqrt e * w) by (apply Rmult_le_compat_l; assumption).
+        assert (G2 : sqrt e * (1 - unit53) * w <= rounded (sqrt e) * w) by (apply Rmult_le_compat_r; lra). assert (G3 : sqrt e * 1 <= sqrt e * w) by (apply Rmult_le_compat_l; assumption).
+        clearbody k w K. unfold unit53 in *. lra. }
+      unfold unit53 in *. lra.
+    + assert (V : Rabs (sqrt x - sqrt x') <= s * (sqrt e * K / 2 ^ 53)); [|lra]. eapply Rle_trans; [exact M2|]. eapply Rle_trans; [apply sqrt_le_1_alt; exact D|].
+      replace (s * (e / 2 ^ 53)) with (s * (e * (1 / 2 ^ 53))) by field. rewrite sqrt_mult, sqrt_mult by lra. replace (sqrt e * K / 2 ^ 53) with (sqrt e * sqrt (1 / 2 ^ 53)) by (unfold K; field).
+      apply Rmult_le_compat_r; [apply Rmult_le_pos; apply sqrt_pos|]. rewrite <- (sqrt_square s) at 2 by lra. apply sqrt_le_1_alt. nra.
+Qed.
+
+Theorem enclosing_rules__quotient : Statements.enclosing_rules__quotient.
+Proof.
+  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy U G. unfold enclosed_quotient_float64.quotient_error, enclosed_quotient_float64.quotient. fold ROUNDING.
+  destruct underflow_in_least as [T L]. assert (Ts := underflow_is_small). assert (F := least_is_float64). set (least := 1 / 2 ^ 1007) in *. clearbody least.
+  destruct (bound_of s ey S1 S2 Py) as [_ B]. assert (Z0 : 0 <= ROUNDING * ey) by (unfold ROUNDING; lra). assert (Oz := own_rounding (ROUNDING * ey)). assert (Z := not_negative_rounded _ Z0). set (z := rounded (ROUNDING * ey)) in *.
+  rewrite (Rabs_pos_eq z) in Oz by exact Z. apply Rabs_le_between in Oz. assert (N : / 2 ^ 59 - 4 * underflow <= Rabs y - z) by (unfold ROUNDING, unit53 in *; lra).
+  assert (Ol := own_rounding_of_sum (Rabs y) (- z) ltac:(is_float64) ltac:(apply generic_format_opp; is_float64)). change (Rabs y + - z) with (Rabs y - z) in Ol.
+  assert (L0 := not_negative_rounded (Rabs y - z) ltac:(lra)). set (l := rounded (Rabs y - z)) in *. assert (Fl : float64 l) by is_float64. rewrite (Rabs_pos_eq l) in Ol by exact L0. apply Rabs_le_between in Ol.
+  assert (Ll : / 2 ^ 60 <= l) by (clearbody l z; unfold unit53 in *; lra). assert (Lu : l <= 2 ^ 960 * 2) by (clearbody l z; assert (0 < 2 ^ 960) by (apply pow_lt; lra); unfold unit53 in *; lra).
+  assert (Sy : l * (1 - 2 * unit53) <= Rabs y').
+  { generalize (Rabs_triang_inv y y'). clearbody l z. unfold unit53 in *. lra. }
+  destruct (Rlt_dec 0 l) as [Lp|]; [|lra]. set (J := 1 / l). assert (Jl : J * l = 1) by (unfold J; field; lra). assert (Jp : 0 < J) by (unfold J, Rdiv; rewrite Rmult_1_l; apply Rinv_0_lt_compat, Lp).
+  assert (Ju : J <= 2 ^ 60) by (apply Rmult_le_reg_r with l; [exact Lp | rewrite Jl; lra]).
+  assert (Jt : underflow <= J / 2 ^ 100).
+  { apply Rmult_le_reg_r with l; [exact Lp|]. replace (J / 2 ^ 100 * l) with (J * l / 2 ^ 100) by field. rewrite Jl. apply Rle_trans with (underflow * (2 ^ 960 * 2)); [apply Rmult_le_compat_l; lra|].
+    replace (2 ^ 960 * 2) with (bpow radix2 961) by (change (bpow radix2 961) with (IZR (Z.pow_pos 2 961)); rewrite pow_IZR, <- mult_IZR; apply f_equal; reflexivity).
+    unfold underflow. rewrite <- bpow_plus. simpl. lra. }
+  assert (I := counted J ltac:(lra)). assert (Ip := not_negative_rounded J ltac:(lra)). set (i := rounded J) in *.
+  assert (Y0 : y <> 0) by (intro E; rewrite E, Rabs_R0 in *; lra). assert (Y0' : y' <> 0) by (intro E; rewrite E, Rabs_R0 in Sy; unfold unit53 in *; nra).
+  assert (O := own_rounding (x / y)). set (t := rounded (x / y)) in *. assert (T0 := Rabs_pos t). assert (Ht : Rabs (x / y) <= Rabs t + ((1 + 4 * unit53) * unit53 * Rabs t + underflow)) by (generalize (Rabs_triang_inv (x / y) t); rewrite (Rabs_minus_sym (x / y) t); lra).
+  assert (Cs := counted_sum (Rabs t) least ltac:(is_float64) F T0 ltac:(lra)). assert (Sp := not_negative_rounded (Rabs t + least) ltac:(lra)). set (size := rounded (Rabs t + least)) in *. assert (Fs : float64 size) by is_float64.
+  assert (Hs : Rabs (x / y) <= size * (1 + 3 * unit53)) by (clearbody size t; unfold unit53 in *; lra).
+  assert (W0 : 0 <= size * ey) by (apply Rmult_le_pos; assumption). assert (W := counted _ W0). assert (Wp := not_negative_rounded _ W0). set (w := rounded (size * ey)) in *.
+  assert (V := counted_sum ex w Ex ltac:(is_float64) Px Wp). assert (Vp := not_negative_rounded (ex + w) ltac:(lra)). set (v := rounded (ex + w)) in *.
+  set (E := ex + size * ey). assert (E0 : 0 <= E) by (unfold E; lra). assert (Ve : E * (1 - 22 / 10 * unit53) - 2 * underflow <= v) by (unfold E; clearbody w v size; unfold unit53 in *; lra).
+  assert (Q0 : 0 <= v * i) by (apply Rmult_le_pos; assumption). assert (P := counted _ Q0). assert (Pp := not_negative_rounded _ Q0). set (p := rounded (v * i)) in *.
+  assert (C := counted_sum p size ltac:(is_float64) ltac:(is_float64) Pp Sp). set (c := rounded (p + size)) in *. assert (EJ : 0 <= E * J) by (apply Rmult_le_pos; lra).
+  assert (VI : E * J * (1 - 4 * unit53) - 2 ^ 62 * underflow <= v * i).
+  { apply Rle_trans with (v * (J * (1 - 12 / 10 * unit53))); [|apply Rmult_le_compat_l; [exact Vp | clearbody i; unfold unit53 in *; lra]].
+    apply Rle_trans with ((E * (1 - 22 / 10 * unit53) - 2 * underflow) * (J * (1 - 12 / 10 * unit53))); [|apply Rmult_le_compat_r; [unfold unit53; lra | exact Ve]].
+    assert (underflow * J <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). assert (0 <= underflow * J) by (apply Rmult_le_pos; lra). clearbody E. unfold unit53. lra. }
+  split; [exact Y0' | split; [is_float64 | split; [apply not_negative_rounded; lra|]]].
+  apply enough with (E * J * (1 + 7 * unit53)) (Rabs t) underflow; try lra; [set (K := v * i) in *; clearbody K p c size t E J; unfold unit53 in *; lra|].
+  replace (t - x' / y') with ((t - x / y) + ((x - x') + x / y * (y' - y)) / y') by (field; split; assumption). eapply Rle_trans; [apply Rabs_triang|].
+  assert (H : Rabs (((x - x') + x / y * (y' - y)) / y') <= s * (E * J * (1 + 7 * unit53) / 2 ^ 53)); [|lra].
+  assert (Ay : 0 < Rabs y') by (apply Rabs_pos_lt, Y0'). unfold Rdiv at 1. rewrite Rabs_mult, Rabs_inv. apply Rmult_le_reg_r with (Rabs y'); [exact Ay|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+  apply Rle_trans with (s * (E * (1 + 3 * unit53) / 2 ^ 53)).
+  - eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_minus_sym y' y). assert (M : Rabs (x / y) * Rabs (y - y') <= size * (1 + 3 * unit53) * (s * (ey / 2 ^ 53))) by (apply Rmult_le_compat; try apply Rabs_pos; assumption).
+    assert (0 <= s * ex) by (apply Rmult_le_pos; lra). unfold E. clearbody size. unfold unit53 in *. lra.
+  - rewrite Rmult_assoc. apply Rmult_le_compat_l; [lra|]. replace (E * J * (1 + 7 * unit53) / 2 ^ 53 * Rabs y') with (E * (J * Rabs y' * (1 + 7 * unit53)) / 2 ^ 53) by field. apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; [exact E0|].
+    assert (J * (l * (1 - 2 * unit53)) <= J * Rabs y') by (apply Rmult_le_compat_l; lra). unfold unit53 in *. nra.
+Qed.
+
+(* A comparison that its bounds leave apart is that of the exact numbers. *)
+Lemma decided_apart (s a ea a' b eb b' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 a -> float64 ea -> 0 <= ea -> Rabs (a - a') <= s * (ea / 2 ^ 53) -> float64 b -> float64 eb -> 0 <= eb -> Rabs (b - b') <= s * (eb / 2 ^ 53) ->
+  rounded (rounded (ea + eb) * ROUNDING) < Rabs (rounded (a - b)) \/ rounded (ea + eb) = 0 -> a < b <-> a' < b'.
+Proof.
+  intros S1 S2 A Ea Pa Da B Eb Pb Db H. assert (C := counted_sum ea eb Ea Eb Pa Pb). set (e := rounded (ea + eb)) in *. apply Rabs_le_between in Da. apply Rabs_le_between in Db. destruct H as [H|H].
+  - assert (G : e * ROUNDING < Rabs (a - b)).
+    { unfold rounded in H at 2. rewrite <- round_NE_abs in H by typeclasses eauto. apply rounded_below. exact H. }
+    assert (M : s * (ea + eb) <= (1 + 3 / 2 ^ 22) * (ea + eb)) by (apply Rmult_le_compat_r; lra). assert (K : s * (ea / 2 ^ 53) + s * (eb / 2 ^ 53) < Rabs (a - b)) by (clearbody e; unfold ROUNDING, unit53 in *; lra).
+    revert K. unfold Rabs. destruct Rcase_abs; intro K; split; lra.
+  - assert (ea = 0) by (unfold unit53 in *; lra). assert (eb = 0) by (unfold unit53 in *; lra). subst ea eb. split; lra.
+Qed.
+Theorem enclosing_rules__selection : Statements.enclosing_rules__selection.
+Proof.
+  red. intros s a ea a' b eb b' x ex x' y ey y' S1 S2 A Ea Pa Da B Eb Pb Db X Ex Px Dx Y Ey Py Dy. unfold enclosed_selection_float64.chosen_error, enclosed_selection_float64.chosen. fold ROUNDING.
+  assert (H := decided_apart s a ea a' b eb b' S1 S2 A Ea Pa Da B Eb Pb Db).
+  assert (Wx : s * (ex / 2 ^ 53) <= s * (1 + 1 / 2 ^ 49) * (ex / 2 ^ 53)) by (assert (0 <= s * ex) by (apply Rmult_le_pos; lra); lra).
+  assert (Wy : s * (ey / 2 ^ 53) <= s * (1 + 1 / 2 ^ 49) * (ey / 2 ^ 53)) by (assert (0 <= s * ey) by (apply Rmult_le_pos; lra); lra).
+  destruct (either _ _) as [D|D].
+  - specialize (H D). destruct (Rlt_dec a b), (Rlt_dec a' b'); try (exfalso; tauto); repeat split; try assumption; lra.
+  - clear D H. assert (O := own_rounding_of_sum x (- y) X ltac:(apply generic_format_opp; exact Y)). change (x + - y) with (x - y) in O. set (t := rounded (x - y)) in *. assert (T := Rabs_pos t).
+    assert (F : rounded (Rabs t * 9007199254740992) = Rabs t * 9007199254740992).
+    { apply round_generic; [typeclasses eauto|]. replace 9007199254740992 with (bpow radix2 53) by (simpl; lra). apply mult_bpow_pos_exact_FLT; [is_float64 | easy]. }
+    rewrite F. assert (Ft : float64 (Rabs t * 9007199254740992)) by (rewrite <- F; is_float64).
+    assert (C1 := counted_sum _ ex Ft Ex ltac:(lra) Px). assert (N := not_negative_rounded (Rabs t * 9007199254740992 + ex) ltac:(lra)). set (k := rounded (_ + ex)) in *.
+    assert (C := counted_sum k ey ltac:(is_float64) Ey N Py). assert (Nc := not_negative_rounded (k + ey) ltac:(lra)). set (c := rounded (k + ey)) in *. split; [is_float64 | split; [exact Nc|]].
+    assert (Ty : Rabs (x - y) <= (1 + unit53) * Rabs t) by (generalize (Rabs_triang_inv (x - y) t); rewrite (Rabs_minus_sym (x - y) t); unfold unit53 in *; lra).
+    apply enough with (Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) 0 0; try lra; [clearbody k c t; unfold unit53 in *; lra|].
+    assert (Q : 0 <= (s - 1) * (Rabs t * (1 + unit53))) by (apply Rmult_le_pos; [lra | unfold unit53; lra]). assert (0 <= s * ex) by (apply Rmult_le_pos; lra). assert (0 <= s * ey) by (apply Rmult_le_pos; lra).
+    assert (Near : forall v w w' e, Rabs (v - w) <= (1 + unit53) * Rabs t -> Rabs (w - w') <= s * (e / 2 ^ 53) -> s * e <= s * ex + s * ey -> Rabs (v - w') <= s * ((Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) / 2 ^ 53) + ((1 + 4 * unit53) * unit53 * 0 + 0)).
+    { intros v w w' e V W L. replace (v - w') with ((v - w) + (w - w')) by ring. eapply Rle_trans; [apply Rabs_triang|]. clearbody t. lra. }
+    assert (Zr : forall r, Rabs (r - r) <= (1 + unit53) * Rabs t) by (intro r; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; apply Rmult_le_pos; [unfold unit53; lra | exact T]).
+    destruct (Rlt_dec a b), (Rlt_dec a' b'); [apply Near with x ex | apply Near with y ey | apply Near with x ex | apply Near with y ey]; try assumption; try apply Zr; try lra.
+    rewrite Rabs_minus_sym. exact Ty.
+Qed.
+
+(* So 2^28 operations, one after the other, leave a slack that the rules allow, and that ROUNDING makes up for. *)
+Theorem enclosing_rules__slack (n : nat) : INR n <= 2 ^ 28 -> (1 + 1 / 2 ^ 49) ^ n <= 1 + 3 / 2 ^ 22 /\ (1 + 1 / 2 ^ 49) ^ n / 2 ^ 53 <= ROUNDING.
+Proof.
+  intro N. assert (P : 0 < 1 + 1 / 2 ^ 49) by lra. assert (B : (1 + 1 / 2 ^ 49) ^ n <= 1 + 3 / 2 ^ 22); [|split; [exact B | unfold ROUNDING; lra]].
+  rewrite <- Rpower_pow by exact P. unfold Rpower. apply Rle_trans with (exp (2 ^ 28 * ln (1 + 1 / 2 ^ 49))); [|interval with (i_prec 100)].
+  assert (L : INR n * ln (1 + 1 / 2 ^ 49) <= 2 ^ 28 * ln (1 + 1 / 2 ^ 49)) by (apply Rmult_le_compat_r; [interval with (i_prec 100) | exact N]).
+  destruct (Rle_lt_or_eq_dec _ _ L) as [S|S]; [left; apply exp_increasing, S | right; rewrite S; reflexivity].
+Qed.
+Theorem enclosing_rules__slack__point : exists n : nat, INR n <= 2 ^ 28.
+Proof. exists 0%nat. simpl. lra. Qed.
+(* No slack at all is none. *)
+Theorem enclosing_rules__slack__false : ~ forall n : nat, INR n <= 2 ^ 28 -> (1 + 1 / 2 ^ 49) ^ n <= 1.
+Proof. intro H. generalize (H 1%nat ltac:(simpl; lra)). simpl. lra. Qed.

@@ -1,0 +1,237 @@
+(* What float64 loses between the gradient and the colour: the bumped normal, the light's cosine, a light's share, the clip. *)
+
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From Flocq Require Import Core Relative.
+From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding EnclosingRules.
+From Formal Require Statements.
+Open Scope R_scope.
+
+Lemma rounding_error (x : R) : Rabs (rounded x - x) <= unit53 * Rabs x + underflow.
+Proof.
+  unfold rounded. destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & e & D & E & _ & ->).
+  replace (x * (1 + d) + e - x) with (d * x + e) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult. apply Rplus_le_compat.
+  - apply Rmult_le_compat_r; [apply Rabs_pos | eapply Rle_trans; [exact D | unfold u_ro, unit53; simpl; lra]].
+  - eapply Rle_trans; [exact E|]. unfold underflow. generalize (bpow_gt_0 radix2 (-1074)). lra.
+Qed.
+Lemma rounding_of_positive (x : R) : 0 <= x -> x * (1 - unit53) - underflow <= rounded x <= x * (1 + unit53) + underflow.
+Proof. intro P. generalize (rounding_error x). rewrite (Rabs_pos_eq x) by exact P. intro O. apply Rabs_le_between in O. lra. Qed.
+Lemma less_of_squares (x y : R) : 0 <= y -> x * x <= y * y -> x <= y.
+Proof. intros. nra. Qed.
+
+(* A vector over its length, as float64 carries it out, of components that are off by 9/4 roundings of the length. *)
+Section normalised.
+Variables m1 m2 m3 h1 h2 h3 L : R.
+Hypothesis LL : L * L = m1 * m1 + m2 * m2 + m3 * m3.
+Hypothesis low : 1 / 2 ^ 20 <= L.
+Hypothesis high : L <= 2 ^ 450.
+Hypothesis off_by_1 : Rabs (h1 - m1) <= 9/4 * unit53 * L.
+Hypothesis off_by_2 : Rabs (h2 - m2) <= 9/4 * unit53 * L.
+Hypothesis off_by_3 : Rabs (h3 - m3) <= 9/4 * unit53 * L.
+Let q := rounded (rounded (rounded (h1 * h1) + rounded (h2 * h2)) + rounded (h3 * h3)).
+Let r := rounded (sqrt q).
+Let c := rounded (1 / r).
+Lemma square_moved (h m : R) : Rabs (h - m) <= 9/4 * unit53 * L -> Rabs (h * h - m * m) <= Rabs m * (9/2 * unit53 * L) + 6 * unit53 * unit53 * (L * L).
+Proof.
+  intro E. replace (h * h - m * m) with (2 * m * (h - m) + (h - m) * (h - m)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult, (Rabs_pos_eq 2) by lra.
+  assert (P := Rabs_pos (h - m)). assert (K : Rabs m * Rabs (h - m) <= Rabs m * (9/4 * unit53 * L)) by (apply Rmult_le_compat_l; [apply Rabs_pos | exact E]).
+  assert (Q : Rabs (h - m) * Rabs (h - m) <= (9/4 * unit53 * L) * (9/4 * unit53 * L)) by (apply Rmult_le_compat; assumption). assert (0 <= L * L) by nra. unfold unit53 in *. lra.
+Qed.
+Lemma square_of_length : Rabs (q - L * L) <= 111/10 * unit53 * (L * L).
+Proof.
+  assert (V : 1 / 2 ^ 40 <= L * L) by (apply Rle_trans with (1 / 2 ^ 20 * (1 / 2 ^ 20)); [lra | apply Rmult_le_compat; lra]). assert (T := underflow_is_small).
+  assert (S1 := square_moved h1 m1 off_by_1). assert (S2 := square_moved h2 m2 off_by_2). assert (S3 := square_moved h3 m3 off_by_3).
+  assert (W : (Rabs m1 + Rabs m2 + Rabs m3) * L <= 7/4 * (L * L)).
+  { replace (7/4 * (L * L)) with (7/4 * L * L) by ring. apply Rmult_le_compat_r; [lra|]. apply less_of_squares; [lra|].
+    assert (A : forall a, a * a = Rabs a * Rabs a) by (intro a; unfold Rabs; destruct Rcase_abs; ring). rewrite (A m1), (A m2), (A m3) in LL.
+    assert (0 <= (Rabs m1 - Rabs m2) * (Rabs m1 - Rabs m2)) by apply Rle_0_sqr. assert (0 <= (Rabs m1 - Rabs m3) * (Rabs m1 - Rabs m3)) by apply Rle_0_sqr. assert (0 <= (Rabs m2 - Rabs m3) * (Rabs m2 - Rabs m3)) by apply Rle_0_sqr. nra. }
+  apply Rabs_le_between in S1. apply Rabs_le_between in S2. apply Rabs_le_between in S3.
+  assert (P1 := rounding_of_positive (h1 * h1) (Rle_0_sqr h1)). assert (P2 := rounding_of_positive (h2 * h2) (Rle_0_sqr h2)). assert (P3 := rounding_of_positive (h3 * h3) (Rle_0_sqr h3)).
+  assert (N1 := not_negative_rounded _ (Rle_0_sqr h1)). assert (N2 := not_negative_rounded _ (Rle_0_sqr h2)). assert (N3 := not_negative_rounded _ (Rle_0_sqr h3)). unfold Rsqr in N1, N2, N3.
+  unfold q. set (p1 := rounded (h1 * h1)) in *. set (p2 := rounded (h2 * h2)) in *. set (p3 := rounded (h3 * h3)) in *.
+  assert (P4 := rounding_of_positive (p1 + p2) ltac:(lra)). assert (N4 := not_negative_rounded (p1 + p2) ltac:(lra)). set (s := rounded (p1 + p2)) in *.
+  assert (P5 := rounding_of_positive (s + p3) ltac:(lra)). set (o := rounded (s + p3)) in *. clearbody p1 p2 p3 s o.
+  assert (H1 : Rabs m1 * (9/2 * unit53 * L) + Rabs m2 * (9/2 * unit53 * L) + Rabs m3 * (9/2 * unit53 * L) <= 63/8 * unit53 * (L * L)) by (unfold unit53 in *; lra).
+  set (x1 := Rabs m1 * _) in *. set (x2 := Rabs m2 * _) in *. set (x3 := Rabs m3 * _) in *. set (v := L * L) in *. set (a1 := h1 * h1) in *. set (a2 := h2 * h2) in *. set (a3 := h3 * h3) in *. set (b1 := m1 * m1) in *. set (b2 := m2 * m2) in *. set (b3 := m3 * m3) in *.
+  clearbody x1 x2 x3 v a1 a2 a3 b1 b2 b3. assert (G : v * (1 - 79/10 * unit53) <= a1 + a2 + a3 <= v * (1 + 79/10 * unit53)) by (unfold unit53 in *; lra).
+  assert (K : (a1 + a2 + a3) * (1 - unit53) - 3 * underflow <= p1 + p2 + p3 <= (a1 + a2 + a3) * (1 + unit53) + 3 * underflow) by lra.
+  assert (M : (p1 + p2 + p3) * (1 - unit53) - underflow <= s + p3 <= (p1 + p2 + p3) * (1 + unit53) + underflow) by (unfold unit53 in *; lra).
+  apply Rabs_le. unfold unit53 in *. lra.
+Qed.
+Lemma scale_of_length : Rabs (c * L - 1) <= 8 * unit53.
+Proof.
+  assert (Q := square_of_length). apply Rabs_le_between in Q. assert (V : 0 < L * L) by (apply Rmult_lt_0_compat; lra). assert (T := underflow_is_small). assert (Tp := proj1 underflow_in_least).
+  assert (q0 : 0 <= q) by (unfold unit53 in *; lra). assert (W := sqrt_sqrt q q0). assert (Wp := sqrt_pos q). set (w := sqrt q) in *. unfold c, r.
+  assert (U : w <= L * (1 + 56/10 * unit53)) by (apply less_of_squares; [unfold unit53; lra | rewrite W; unfold unit53 in *; nra]).
+  assert (D : L * (1 - 56/10 * unit53) <= w) by (apply less_of_squares; [exact Wp | rewrite W; unfold unit53 in *; nra]).
+  assert (R := rounding_of_positive w Wp). fold w. set (l := rounded w) in *. assert (B : L * (1 - 67/10 * unit53) <= l <= L * (1 + 67/10 * unit53)) by (clearbody l w; unfold unit53 in *; lra).
+  assert (lp : 0 < l) by (unfold unit53 in *; lra). assert (J : 1 / l * l = 1) by (field; lra). assert (Jp : 0 < 1 / l) by (apply Rdiv_lt_0_compat; lra). assert (C := rounding_of_positive (1 / l) ltac:(lra)). set (j := 1 / l) in *. set (i := rounded j) in *.
+  assert (JL : 1 - 68/10 * unit53 <= j * L <= 1 + 68/10 * unit53).
+  { assert (j * (L * (1 - 67/10 * unit53)) <= j * l) by (apply Rmult_le_compat_l; lra). assert (j * l <= j * (L * (1 + 67/10 * unit53))) by (apply Rmult_le_compat_l; lra). unfold unit53 in *. lra. }
+  assert (TL : underflow * L <= 1 / 2 ^ 200).
+  { apply Rle_trans with (underflow * 2 ^ 450); [apply Rmult_le_compat_l; lra|]. replace (2 ^ 450) with (bpow radix2 450) by (change (bpow radix2 450) with (IZR (Z.pow_pos 2 450)); rewrite pow_IZR; reflexivity).
+    unfold underflow. rewrite <- bpow_plus. replace (1 / 2 ^ 200) with (bpow radix2 (-200)) by (simpl; lra). apply bpow_le. easy. }
+  assert ((j * (1 - unit53) - underflow) * L <= i * L) by (apply Rmult_le_compat_r; lra). assert (i * L <= (j * (1 + unit53) + underflow) * L) by (apply Rmult_le_compat_r; lra). clearbody i j l. apply Rabs_le. unfold unit53 in *. lra.
+Qed.
+Lemma component_normalised (h m : R) : Rabs (h - m) <= 9/4 * unit53 * L -> m * m <= L * L -> Rabs (rounded (c * h) - m / L) <= 12 * unit53.
+Proof.
+  intros E M. assert (S := scale_of_length). assert (T := underflow_is_small). assert (X : Rabs (m / L) <= 1).
+  { unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq L) by lra. apply Rmult_le_reg_r with L; [lra|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_l, Rmult_1_r by lra. apply less_of_squares; [lra|].
+    unfold Rabs; destruct Rcase_abs; lra. }
+  assert (Y : Rabs (h / L - m / L) <= 9/4 * unit53).
+  { replace (h / L - m / L) with ((h - m) * / L) by (field; lra). rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq L) by lra. apply Rmult_le_reg_r with L; [lra|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. exact E. }
+  replace (c * h) with (c * L * (h / L)) by (field; lra). set (k := c * L) in *. set (x := m / L) in *. set (y := h / L) in *. assert (O := rounding_error (k * y)).
+  assert (Z : Rabs (k * y - x) <= 104/10 * unit53).
+  { replace (k * y - x) with ((k - 1) * y + (y - x)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult. assert (Yy : Rabs y <= 1 + 9/4 * unit53) by (replace y with (x + (y - x)) by ring; eapply Rle_trans; [apply Rabs_triang | lra]).
+    assert (Rabs (k - 1) * Rabs y <= 8 * unit53 * (1 + 9/4 * unit53)) by (apply Rmult_le_compat; try apply Rabs_pos; assumption). unfold unit53 in *. lra. }
+  assert (G : Rabs (k * y) <= 1 + 104/10 * unit53) by (replace (k * y) with (x + (k * y - x)) by ring; eapply Rle_trans; [apply Rabs_triang | lra]).
+  replace (rounded (k * y) - x) with ((rounded (k * y) - k * y) + (k * y - x)) by ring. eapply Rle_trans; [apply Rabs_triang|]. unfold unit53 in *. lra.
+Qed.
+End normalised.
+
+Lemma component_rounded (b g n L : R) : float64 n -> 1 <= L -> (b * g) * (b * g) <= L * L -> (b * g + n) * (b * g + n) <= L * L -> Rabs (rounded (rounded (b * g) + n) - (b * g + n)) <= 9/4 * unit53 * L.
+Proof.
+  intros N L1 G M. assert (A : forall x, x * x <= L * L -> Rabs x <= L) by (intros x X; apply less_of_squares; [lra | unfold Rabs; destruct Rcase_abs; lra]).
+  apply A in G. apply A in M. assert (O := rounding_error (b * g)). assert (T := underflow_is_small). set (p := rounded (b * g)) in *. assert (S := own_rounding_of_sum p n ltac:(apply rounded_is_float64) N). set (h := rounded (p + n)) in *.
+  assert (K : Rabs (p + n - (b * g + n)) <= unit53 * L + underflow) by (replace (p + n - (b * g + n)) with (p - b * g) by ring; unfold unit53 in *; lra).
+  assert (H : Rabs h <= Rabs (h - (p + n)) + (Rabs (p + n - (b * g + n)) + Rabs (b * g + n))).
+  { replace h with ((h - (p + n)) + ((p + n - (b * g + n)) + (b * g + n))) at 1 by ring. eapply Rle_trans; [apply Rabs_triang | apply Rplus_le_compat_l, Rabs_triang]. }
+  replace (h - (b * g + n)) with ((h - (p + n)) + (p + n - (b * g + n))) by ring. eapply Rle_trans; [apply Rabs_triang|]. unfold unit53 in *. lra.
+Qed.
+Lemma length_at_most (x : R) : 0 <= x -> x <= 2 ^ 900 -> sqrt x <= 2 ^ 450.
+Proof. intros P U. replace (2 ^ 450) with (sqrt (2 ^ 900)); [apply sqrt_le_1_alt, U|]. change 900%nat with (450 + 450)%nat. rewrite pow_add. apply sqrt_square, pow_le. lra. Qed.
+Theorem colour_accuracy__normal : Statements.colour_accuracy__normal.
+Proof.
+  red. intros nx ny nz gx gy gz b Nx Ny Nz _ _ _ _ low high Bx By Bz. set (v := _ + _ * _) in low, high, Bx, By, Bz. assert (V : v = (b * gx + nx) * (b * gx + nx) + (b * gy + ny) * (b * gy + ny) + (b * gz + nz) * (b * gz + nz)) by (unfold v; ring). clearbody v.
+  set (L := sqrt v). assert (LL : L * L = v) by (apply sqrt_sqrt; lra). assert (L1 : 1 <= L) by (rewrite <- sqrt_1; apply sqrt_le_1_alt; lra). assert (Lu : L <= 2 ^ 450) by (apply length_at_most; lra).
+  assert (Sx := Rle_0_sqr (b * gx + nx)). assert (Sy := Rle_0_sqr (b * gy + ny)). assert (Sz := Rle_0_sqr (b * gz + nz)). unfold Rsqr in Sx, Sy, Sz.
+  assert (Ex := component_rounded b gx nx L Nx L1 ltac:(lra) ltac:(lra)). assert (Ey := component_rounded b gy ny L Ny L1 ltac:(lra) ltac:(lra)). assert (Ez := component_rounded b gz nz L Nz L1 ltac:(lra) ltac:(lra)).
+  assert (H := component_normalised _ _ _ _ _ _ L (eq_trans LL V) ltac:(lra) Lu Ex Ey Ez).
+  unfold perturbed_float64.bumped_x, perturbed_float64.bumped_y, perturbed_float64.bumped_z, perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed_float64.m_scale, perturbed.m_scale, perturbed_float64.m_length, perturbed.m_length,
+    perturbed_float64.m_x, perturbed_float64.m_y, perturbed_float64.m_z, perturbed.m_x, perturbed.m_y, perturbed.m_z.
+  replace (sqrt (_ ^ 2 + _ ^ 2 + _ ^ 2)) with L by (unfold L; rewrite V; f_equal; ring). replace (12 / 9007199254740992) with (12 * unit53) by (unfold unit53; lra).
+  cbv zeta in H. rewrite !(Rmult_comm (/ L)). split; [|split]; (apply H; [assumption | lra]).
+Qed.
+Theorem colour_accuracy__cosine : Statements.colour_accuracy__cosine.
+Proof.
+  red. intros px py pz lx ly lz nx ny nz Px Py Pz Lx Ly Lz _ _ _ low high Bx By Bz. set (v := _ + _ * _) in low, high. assert (V : v = (lx - px) * (lx - px) + (ly - py) * (ly - py) + (lz - pz) * (lz - pz)) by (unfold v; ring). clearbody v.
+  set (L := sqrt v). assert (LL : L * L = v) by (apply sqrt_sqrt; lra). assert (L1 : 1 / 2 ^ 20 <= L).
+  { rewrite <- (sqrt_square (1 / 2 ^ 20)) by lra. apply sqrt_le_1_alt. lra. }
+  assert (Lu : L <= 2 ^ 450) by (apply length_at_most; lra).
+  assert (Sx := Rle_0_sqr (lx - px)). assert (Sy := Rle_0_sqr (ly - py)). assert (Sz := Rle_0_sqr (lz - pz)). unfold Rsqr in Sx, Sy, Sz.
+  assert (K : forall a b, float64 a -> float64 b -> (a - b) * (a - b) <= L * L -> Rabs (rounded (a - b) - (a - b)) <= 9/4 * unit53 * L).
+  { intros a b A B S. destruct (rounded_difference a b A B) as (d & D & ->). replace ((a - b) * (1 + d) - (a - b)) with (d * (a - b)) by ring. rewrite Rabs_mult. assert (D' : Rabs d <= unit53) by (eapply Rle_trans; [exact D | unfold unit_roundoff, unit53; simpl; lra]).
+    assert (R : Rabs (a - b) <= L) by (apply less_of_squares; [lra | unfold Rabs; destruct Rcase_abs; lra]). apply Rle_trans with (unit53 * L); [apply Rmult_le_compat; try apply Rabs_pos; assumption | unfold unit53; lra]. }
+  assert (Ex := K _ _ Lx Px ltac:(lra)). assert (Ey := K _ _ Ly Py ltac:(lra)). assert (Ez := K _ _ Lz Pz ltac:(lra)).
+  assert (H := component_normalised _ _ _ _ _ _ L (eq_trans LL V) L1 Lu Ex Ey Ez). cbv zeta in H.
+  assert (Tx := H _ _ Ex ltac:(lra)). assert (Ty := H _ _ Ey ltac:(lra)). assert (Tz := H _ _ Ez ltac:(lra)). clear H K Ex Ey Ez.
+  assert (I : forall m, m * m <= L * L -> Rabs (m / L) <= 1).
+  { intros m M. unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq L) by lra. apply Rmult_le_reg_r with L; [lra|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_l, Rmult_1_r by lra. apply less_of_squares; [lra | unfold Rabs; destruct Rcase_abs; lra]. }
+  assert (Ix := I (lx - px) ltac:(lra)). assert (Iy := I (ly - py) ltac:(lra)). assert (Iz := I (lz - pz) ltac:(lra)). clear I.
+  unfold light_direction_float64.mu, light_direction.mu, light_direction_float64.towards_x, light_direction_float64.towards_y, light_direction_float64.towards_z, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z,
+    light_direction_float64.light_scale, light_direction.light_scale, light_direction_float64.light_distance, light_direction.light_distance, light_direction_float64.to_light_x, light_direction_float64.to_light_y, light_direction_float64.to_light_z,
+    light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z.
+  replace (sqrt (_ ^ 2 + _ ^ 2 + _ ^ 2)) with L by (unfold L; rewrite V; f_equal; ring). rewrite !(Rmult_comm (/ L)). fold (Rdiv (lx - px) L) (Rdiv (ly - py) L) (Rdiv (lz - pz) L).
+  set (tx := (lx - px) / L) in *. set (ty := (ly - py) / L) in *. set (tz := (lz - pz) / L) in *. set (k := rounded (1 / rounded (sqrt _))) in *. set (hx := rounded (k * rounded (lx - px))) in *. set (hy := rounded (k * rounded (ly - py))) in *. set (hz := rounded (k * rounded (lz - pz))) in *.
+  assert (T := underflow_is_small).
+  assert (P : forall n t h, Rabs n <= 1 + 1 / 2 ^ 40 -> Rabs t <= 1 -> Rabs (h - t) <= 12 * unit53 -> Rabs (rounded (n * h) - n * t) <= 131/10 * unit53 /\ Rabs (n * t) <= 1 + 1 / 2 ^ 40).
+  { intros n t h N S E. assert (G : Rabs (n * t) <= 1 + 1 / 2 ^ 40) by (rewrite Rabs_mult, <- (Rmult_1_r (1 + _)); apply Rmult_le_compat; try apply Rabs_pos; assumption). split; [|exact G]. assert (F : Rabs (n * h - n * t) <= (1 + 1 / 2 ^ 40) * (12 * unit53)) by (rewrite <- Rmult_minus_distr_l, Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; assumption).
+    assert (O := rounding_error (n * h)). assert (Q : Rabs (n * h) <= 1 + 1 / 2 ^ 40 + 13 * unit53) by (replace (n * h) with (n * t + (n * h - n * t)) by ring; eapply Rle_trans; [apply Rabs_triang | unfold unit53 in *; lra]).
+    replace (rounded (n * h) - n * t) with ((rounded (n * h) - n * h) + (n * h - n * t)) by ring. eapply Rle_trans; [apply Rabs_triang|]. unfold unit53 in *. lra. }
+  replace (/ 1099511627776 + 1) with (1 + 1 / 2 ^ 40) in Bx, By, Bz by lra. destruct (P _ _ _ Bx Ix Tx) as [Ax Gx]. destruct (P _ _ _ By Iy Ty) as [Ay Gy]. destruct (P _ _ _ Bz Iz Tz) as [Az Gz]. clear P. apply Rabs_le_between in Ax. apply Rabs_le_between in Ay. apply Rabs_le_between in Az. apply Rabs_le_between in Gx. apply Rabs_le_between in Gy. apply Rabs_le_between in Gz.
+  set (a := rounded (nx * hx)) in *. set (b := rounded (ny * hy)) in *. set (c := rounded (nz * hz)) in *. assert (O1 := rounding_error (a + b)). clearbody a b c. clear - Ax Ay Az Gx Gy Gz O1 T. set (gx := nx * tx) in *. set (gy := ny * ty) in *. set (gz := nz * tz) in *. clearbody gx gy gz. assert (B1 : Rabs (a + b) <= 2 + 1/1000) by (apply Rabs_le; unfold unit53 in *; lra). apply Rabs_le_between in O1. set (s := rounded (a + b)) in *.
+  assert (O2 := rounding_error (s + c)). assert (B2 : Rabs (s + c) <= 3 + 1/100) by (apply Rabs_le; unfold unit53 in *; lra). apply Rabs_le_between in O2. apply Rabs_le. unfold unit53 in *. lra.
+Qed.
+
+Lemma share_rounded (b i a kd ks w p : R) : 0 <= b -> 0 <= i -> 0 <= a -> 0 <= kd -> 0 <= ks -> 0 <= w -> 0 <= p -> i <= 2 ^ 20 -> a <= 2 ^ 20 ->
+  Rabs (rounded (rounded (i * rounded (rounded (a * rounded (kd * w)) + rounded (ks * p))) + b) - (i * (a * (kd * w) + ks * p) + b)) <= 6 * unit53 * (i * (a * (kd * w) + ks * p) + b) + / 10 ^ 30.
+Proof.
+  intros B I A Kd Ks W P Iu Au. assert (T := underflow_is_small). assert (Tp := proj1 underflow_in_least). assert (X0 : 0 <= kd * w) by (apply Rmult_le_pos; assumption). assert (Y0 : 0 <= ks * p) by (apply Rmult_le_pos; assumption).
+  set (X := kd * w) in *. set (Y := ks * p) in *. assert (D := rounding_of_positive X X0). assert (Dp := not_negative_rounded X X0). set (d := rounded X) in *. assert (S := rounding_of_positive Y Y0). assert (Sp := not_negative_rounded Y Y0). set (s := rounded Y) in *.
+  assert (AD0 : 0 <= a * d) by (apply Rmult_le_pos; assumption). assert (G := rounding_of_positive _ AD0). assert (Gp := not_negative_rounded _ AD0). set (g := rounded (a * d)) in *.
+  assert (AD : a * X * (1 - unit53) - 2 ^ 20 * underflow <= a * d <= a * X * (1 + unit53) + 2 ^ 20 * underflow).
+  { assert (a * (X * (1 - unit53) - underflow) <= a * d) by (apply Rmult_le_compat_l; lra). assert (a * d <= a * (X * (1 + unit53) + underflow)) by (apply Rmult_le_compat_l; lra). assert (a * underflow <= 2 ^ 20 * underflow) by (apply Rmult_le_compat_r; lra). lra. }
+  assert (E := rounding_of_positive (g + s) ltac:(lra)). assert (Ep := not_negative_rounded (g + s) ltac:(lra)). set (e := rounded (g + s)) in *. assert (aX : 0 <= a * X) by (apply Rmult_le_pos; assumption). set (Z := a * X) in *. set (ad := a * d) in *.
+  assert (Eb : (Z + Y) * (1 - 31/10 * unit53) - 2 ^ 22 * underflow <= e <= (Z + Y) * (1 + 31/10 * unit53) + 2 ^ 22 * underflow) by (clearbody e g s ad Z Y d; unfold unit53 in *; lra).
+  assert (IE0 : 0 <= i * e) by (apply Rmult_le_pos; assumption). assert (F := rounding_of_positive _ IE0). assert (Fp := not_negative_rounded _ IE0). set (f := rounded (i * e)) in *.
+  assert (IE : i * (Z + Y) * (1 - 31/10 * unit53) - 2 ^ 42 * underflow <= i * e <= i * (Z + Y) * (1 + 31/10 * unit53) + 2 ^ 42 * underflow).
+  { assert (i * ((Z + Y) * (1 - 31/10 * unit53) - 2 ^ 22 * underflow) <= i * e) by (apply Rmult_le_compat_l; lra). assert (i * e <= i * ((Z + Y) * (1 + 31/10 * unit53) + 2 ^ 22 * underflow)) by (apply Rmult_le_compat_l; lra). assert (i * underflow <= 2 ^ 20 * underflow) by (apply Rmult_le_compat_r; lra). lra. }
+  assert (iZ : 0 <= i * (Z + Y)) by (apply Rmult_le_pos; lra). set (Q := i * (Z + Y)) in *. set (ie := i * e) in *. assert (O := rounding_of_positive (f + b) ltac:(lra)). set (o := rounded (f + b)) in *. clearbody o f ie Q. clear - O F IE iZ T Tp B. apply Rabs_le. unfold unit53 in *. lra.
+Qed.
+Lemma share_within (b i a kd ks w p : R) : b >= 0 -> i >= 0 -> a >= 0 -> kd >= 0 -> ks >= 0 -> 0 <= w -> p >= 0 -> i <= 2 ^ 20 -> a <= 2 ^ 20 ->
+  Rabs (rounded (rounded (i * rounded (rounded (a * rounded (kd * w)) + rounded (ks * p))) + b) - (i * (a * (kd * w) + ks * p) + b)) <= 8 / 9007199254740992 * (i * (a * kd * w + ks * p) + b) + / 1000000000000000000000000000000.
+Proof.
+  intros B I A Kd Ks W P Iu Au. eapply Rle_trans; [apply share_rounded; lra|]. assert (X : 0 <= i * (a * (kd * w) + ks * p)) by (repeat (apply Rmult_le_pos || apply Rplus_le_le_0_compat); lra).
+  replace (a * kd * w) with (a * (kd * w)) by ring. set (Q := i * _) in *. clearbody Q. unfold unit53. lra.
+Qed.
+Theorem colour_accuracy__share_red : Statements.colour_accuracy__share_red.
+Proof. red. intros. apply share_within; try assumption. apply Rmax_l. Qed.
+Theorem colour_accuracy__share_green : Statements.colour_accuracy__share_green.
+Proof. red. intros b. intros. unfold light_term_float64.lit_green, light_term.lit_green. rewrite !(Rplus_comm b). apply share_within; try assumption. apply Rmax_l. Qed.
+Theorem colour_accuracy__share_blue : Statements.colour_accuracy__share_blue.
+Proof. red. intros b. intros. unfold light_term_float64.lit_blue, light_term.lit_blue. rewrite !(Rplus_comm b). apply share_within; try assumption. apply Rmax_l. Qed.
+Theorem colour_accuracy__clip : Statements.colour_accuracy__clip.
+Proof. red. intros. unfold clip_float64.clipped, clip.clipped. apply no_error. Qed.
+
+(* Composed: from the frame, the gradient and the light to the colour, one light's share without another stage's input in between. *)
+Lemma unit_component (x v : R) : 0 < v -> x * x <= v -> Rabs (/ sqrt v * x) <= 1.
+Proof.
+  intros V X. assert (S := sqrt_lt_R0 v V). assert (Q := sqrt_sqrt v ltac:(lra)). rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq (sqrt v)) by lra. apply Rmult_le_reg_l with (sqrt v); [exact S|].
+  rewrite <- Rmult_assoc, Rinv_r, Rmult_1_l, Rmult_1_r by lra. apply less_of_squares; [lra|]. rewrite Q. unfold Rabs; destruct Rcase_abs; lra.
+Qed.
+Lemma clip_moves (x y : R) : Rabs (clip.clipped x - clip.clipped y) <= Rabs (x - y).
+Proof. unfold clip.clipped, Rabs, Rmin, Rmax. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra. Qed.
+Theorem colour_accuracy__composed (nx ny nz gx gy gz beta px py pz lx ly lz b i a kd ks p : R) :
+  let m2 := (beta * gz + nz) * (beta * gz + nz) + (beta * gx + nx) * (beta * gx + nx) + (beta * gy + ny) * (beta * gy + ny) in let d2 := (lz - pz) * (lz - pz) + (lx - px) * (lx - px) + (ly - py) * (ly - py) in
+  let mu' := light_direction_float64.mu px py pz lx ly lz (perturbed_float64.bumped_x nx ny nz gx gy gz beta) (perturbed_float64.bumped_y nx ny nz gx gy gz beta) (perturbed_float64.bumped_z nx ny nz gx gy gz beta) in
+  let mu := light_direction.mu px py pz lx ly lz (perturbed.bumped_x nx ny nz gx gy gz beta) (perturbed.bumped_y nx ny nz gx gy gz beta) (perturbed.bumped_z nx ny nz gx gy gz beta) in
+  float64 nx -> float64 ny -> float64 nz -> float64 gx -> float64 gy -> float64 gz -> float64 beta -> float64 px -> float64 py -> float64 pz -> float64 lx -> float64 ly -> float64 lz ->
+  m2 >= 1 -> m2 <= 2 ^ 900 -> (beta * gx) ^ 2 <= m2 -> (beta * gy) ^ 2 <= m2 -> (beta * gz) ^ 2 <= m2 -> d2 >= / 1099511627776 -> d2 <= 2 ^ 900 ->
+  b >= 0 -> i >= 0 -> a >= 0 -> kd >= 0 -> ks >= 0 -> p >= 0 -> i <= 2 ^ 20 -> a <= 2 ^ 20 ->
+  Rabs (mu' - mu) <= 81 * unit53 /\
+  Rabs (clip_float64.clipped (light_term_float64.lit_red b i a kd ks mu' p) - clip.clipped (light_term.lit_red b i a kd ks mu p)) <=
+    8 / 9007199254740992 * (i * (a * kd * Rmax 0 mu' + ks * p) + b) + / 1000000000000000000000000000000 + i * (a * kd * (81 * unit53)).
+Proof.
+  intros m2 d2 mu' mu Nx Ny Nz Gx Gy Gz Fb Px Py Pz Lx Ly Lz M1 M2 Bx By Bz D1 D2 B I A Kd Ks P Iu Au.
+  destruct (colour_accuracy__normal nx ny nz gx gy gz beta Nx Ny Nz Gx Gy Gz Fb M1 M2 Bx By Bz) as (Ex & Ey & Ez).
+  assert (Ux : Rabs (perturbed.bumped_x nx ny nz gx gy gz beta) <= 1 /\ Rabs (perturbed.bumped_y nx ny nz gx gy gz beta) <= 1 /\ Rabs (perturbed.bumped_z nx ny nz gx gy gz beta) <= 1).
+  { unfold perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale, perturbed.m_length, perturbed.m_x, perturbed.m_y, perturbed.m_z. unfold m2 in M1.
+    generalize (Rle_0_sqr (beta * gx + nx)) (Rle_0_sqr (beta * gy + ny)) (Rle_0_sqr (beta * gz + nz)). unfold Rsqr. intros Sx Sy Sz. repeat split; apply unit_component; simpl; lra. }
+  assert (T : Rabs (light_direction.towards_x px py pz lx ly lz) <= 1 /\ Rabs (light_direction.towards_y px py pz lx ly lz) <= 1 /\ Rabs (light_direction.towards_z px py pz lx ly lz) <= 1).
+  { unfold light_direction.towards_x, light_direction.towards_y, light_direction.towards_z, light_direction.light_scale, light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z. unfold d2 in D1.
+    generalize (Rle_0_sqr (lx - px)) (Rle_0_sqr (ly - py)) (Rle_0_sqr (lz - pz)). unfold Rsqr. intros Sx Sy Sz. repeat split; apply unit_component; simpl; lra. }
+  destruct Ux as (Ux & Uy & Uz). destruct T as (Tx & Ty & Tz). set (x := perturbed.bumped_x _ _ _ _ _ _ _) in *. set (y := perturbed.bumped_y _ _ _ _ _ _ _) in *. set (z := perturbed.bumped_z _ _ _ _ _ _ _) in *.
+  assert (Fx : float64 (perturbed_float64.bumped_x nx ny nz gx gy gz beta)) by exact (rounded_is_float64 _). assert (Fy : float64 (perturbed_float64.bumped_y nx ny nz gx gy gz beta)) by exact (rounded_is_float64 _).
+  assert (Fz : float64 (perturbed_float64.bumped_z nx ny nz gx gy gz beta)) by exact (rounded_is_float64 _).
+  set (x' := perturbed_float64.bumped_x _ _ _ _ _ _ _) in *. set (y' := perturbed_float64.bumped_y _ _ _ _ _ _ _) in *. set (z' := perturbed_float64.bumped_z _ _ _ _ _ _ _) in *. clearbody x y z x' y' z'.
+  assert (W : forall v w, Rabs (v - w) <= 12 / 9007199254740992 -> Rabs w <= 1 -> Rabs v <= / 1099511627776 + 1) by (intros v w E U; replace v with ((v - w) + w) by ring; eapply Rle_trans; [apply Rabs_triang | lra]).
+  assert (C := colour_accuracy__cosine px py pz lx ly lz x' y' z' Px Py Pz Lx Ly Lz Fx Fy Fz D1 D2 (W _ _ Ex Ux) (W _ _ Ey Uy) (W _ _ Ez Uz)). fold mu' in C.
+  assert (K : Rabs (light_direction.mu px py pz lx ly lz x' y' z' - mu) <= 36 * unit53).
+  { unfold mu, light_direction.mu. set (tx := light_direction.towards_x _ _ _ _ _ _) in *. set (ty := light_direction.towards_y _ _ _ _ _ _) in *. set (tz := light_direction.towards_z _ _ _ _ _ _) in *. clearbody tx ty tz.
+    replace (_ - _) with ((x' - x) * tx + (y' - y) * ty + (z' - z) * tz) by ring. assert (H : forall d t, Rabs d <= 12 / 9007199254740992 -> Rabs t <= 1 -> Rabs (d * t) <= 12 * unit53).
+    { intros d t D U. rewrite Rabs_mult, <- (Rmult_1_r (12 * unit53)). apply Rmult_le_compat; try apply Rabs_pos; [unfold unit53; lra | exact U]. }
+    eapply Rle_trans; [apply Rabs_triang|]. generalize (Rabs_triang ((x' - x) * tx) ((y' - y) * ty)) (H _ _ Ex Tx) (H _ _ Ey Ty) (H _ _ Ez Tz). lra. }
+  assert (M : Rabs (mu' - mu) <= 81 * unit53).
+  { replace (mu' - mu) with ((mu' - light_direction.mu px py pz lx ly lz x' y' z') + (light_direction.mu px py pz lx ly lz x' y' z' - mu)) by ring. eapply Rle_trans; [apply Rabs_triang|]. unfold unit53 in *. lra. }
+  split; [exact M|]. clearbody mu mu'. clear - M B I A Kd Ks P Iu Au. change clip_float64.clipped with clip.clipped. eapply Rle_trans; [apply clip_moves|].
+  assert (S := share_within b i a kd ks (Rmax 0 mu') p B I A Kd Ks (Rmax_l 0 mu') P Iu Au). unfold light_term_float64.lit_red, light_term_float64.diffuse, light_term_float64.shine, light_term.lit_red, light_term.diffuse, light_term.shine.
+  match goal with |- Rabs (?h - ?e) <= _ => replace (h - e) with ((h - (i * (a * (kd * Rmax 0 mu') + ks * p) + b)) + (i * (a * kd * (Rmax 0 mu' - Rmax 0 mu)))) by ring end.
+  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [exact S|]. rewrite Rabs_mult, (Rabs_pos_eq i) by lra. apply Rmult_le_compat_l; [lra|]. assert (0 <= a * kd) by (apply Rmult_le_pos; lra). rewrite Rabs_mult, (Rabs_pos_eq (a * kd)) by assumption.
+  apply Rmult_le_compat_l; [assumption|]. eapply Rle_trans; [|exact M]. unfold Rmax, Rabs. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra.
+Qed.
+Theorem colour_accuracy__composed__point : exists nx ny nz gx gy gz beta : R, float64 nx /\ float64 ny /\ float64 nz /\ float64 gx /\ float64 gy /\ float64 gz /\ float64 beta /\
+  1 <= (beta * gz + nz) * (beta * gz + nz) + (beta * gx + nx) * (beta * gx + nx) + (beta * gy + ny) * (beta * gy + ny) <= 2 ^ 900.
+Proof.
+  assert (Z : float64 0) by apply generic_format_0. assert (U : float64 1) by (replace 1 with (bpow radix2 0) by reflexivity; apply generic_format_bpow; easy). assert (1 <= 2 ^ 900) by (apply pow_R1_Rle; lra).
+  exists 0, 0, 1, 0, 0, 0, 0. repeat split; try assumption; lra.
+Qed.
+(* It is not the cosine of another normal: a light above a level place is not grazing. *)
+Theorem colour_accuracy__composed__false : ~ forall lz, float64 lz -> lz >= 1 ->
+  Rabs (light_direction_float64.mu 0 0 0 0 0 lz (perturbed_float64.bumped_x 0 0 1 0 0 0 0) (perturbed_float64.bumped_y 0 0 1 0 0 0 0) (perturbed_float64.bumped_z 0 0 1 0 0 0 0)) <= 81 * unit53.
+Proof.
+  assert (Z : float64 0) by apply generic_format_0. assert (U : float64 1) by (replace 1 with (bpow radix2 0) by reflexivity; apply generic_format_bpow; easy). assert (G : 1 <= 2 ^ 900) by (apply pow_R1_Rle; lra). intro H. specialize (H 1 U ltac:(lra)).
+  destruct (colour_accuracy__composed 0 0 1 0 0 0 0 0 0 0 0 0 1 0 0 0 0 0 0) as [M _]; try assumption; try lra. revert M H. set (mu' := light_direction_float64.mu _ _ _ _ _ _ _ _ _).
+  unfold light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z, light_direction.light_scale, light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z,
+    perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale, perturbed.m_length, perturbed.m_x, perturbed.m_y, perturbed.m_z.
+  replace ((0 * 0 + 0) ^ 2 + (0 * 0 + 0) ^ 2 + (0 * 0 + 1) ^ 2) with 1 by ring. replace ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2) with 1 by ring. rewrite sqrt_1, Rinv_1. intros M H. apply Rabs_le_between in M. apply Rabs_le_between in H. unfold unit53 in *. lra.
+Qed.

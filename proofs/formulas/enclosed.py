@@ -1,0 +1,21 @@
+"""The operations whose rules the enclosing machine has: each is a program, which the machine carries out on bounds."""
+
+from sympy import Piecewise, StrictLessThan, sqrt
+
+from proofs.engine.program import Program
+from proofs.formulas.registry import by_name
+from proofs.formulas.symbols import real, x, y
+
+total, product, quotient, root, chosen, left, right = real("total product quotient root chosen left right")
+
+RULES = by_name((
+    Program("enclosed_sum", (x, y), ((total, x + y),)),
+    Program("enclosed_product", (x, y), ((product, x * y),)),
+    Program("enclosed_quotient", (x, y), ((quotient, x / y),)),
+    Program("enclosed_root", (x,), ((root, sqrt(x)),)),
+    Program(
+        "enclosed_selection",
+        (left, right, x, y),
+        ((chosen, Piecewise((x, StrictLessThan(left, right)), (y, True))),),
+    ),
+))  # fmt: skip

@@ -1,0 +1,43 @@
+"""The rules by which the enclosing machine bounds what it computes: theorems about its own float64 operations."""
+
+from sympy import Abs, Pow
+
+from proofs.engine.claim import Encloses
+from proofs.engine.theorem import Step, Theorem
+from proofs.formulas.enclosed import RULES
+from proofs.formulas.symbols import real, x, y
+
+x_error, y_error, x_exact = real("x_error y_error x_exact")
+
+theorem = Theorem(
+    id="enclosing_rules",
+    title="The rules of the enclosing machine",
+    statement=r"A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in "
+    r"float64. By the machine's rules the float64 results of $x + y$, $xy$, $x/y$, $\sqrt x$ and of a selection by "
+    r"$x < y$ are within their counts of the exact results, if the counts before are; each operation makes a count too "
+    r"small by $2^{-49}$ of it at most, and $2^{28}$ of them, one after the other, by $2^{-20}$.",
+    hypotheses=(
+        "nothing overflows; of a product the counts are at most $2^{60}$",
+        r"a divisor, at most $2^{960}$, is $2^{-59}$ further from 0 than $1 + 2^{-19}$ times its bound",
+    ),
+    rounded=(
+        Encloses("sum", RULES["enclosed_sum"]),
+        Encloses("product", RULES["enclosed_product"], (x_error <= Pow(2, 60), y_error <= Pow(2, 60))),
+        Encloses(
+            "quotient",
+            RULES["enclosed_quotient"],
+            (Abs(y) <= Pow(2, 960), Abs(y) - y_error * (1 + Pow(2, -19)) * Pow(2, -53) >= Pow(2, -59)),
+        ),
+        Encloses("root", RULES["enclosed_root"], (x >= 0, x_exact >= 0)),
+        Encloses("selection", RULES["enclosed_selection"]),
+    ),
+    steps=(
+        Step("what is inherited", r"$|ab - a'b'| \le |a||b - b'| + |b'||a - a'|$, and its like"),
+        Step(
+            "a result's own rounding is at most one",
+            r"of $2^{-53}$ of its size; below $2^{-1022}$, less than $2^{-1074}$",
+        ),
+        Step("the count's own roundings", r"at most eight factors $1 - 2^{-53}$"),
+    ),
+    expected="measured",
+)

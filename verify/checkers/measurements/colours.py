@@ -1,0 +1,56 @@
+"""What float64 loses between the gradient and the colour, which Coq proves: the printed stages against balls."""
+
+import numpy as np
+from flint import arb, ctx
+from sympy import lambdify
+
+from proofs.engine.claim import Rounded
+from proofs.engine.theorem import all_theorems
+from renderer.generate.kernels import function_of
+from verify.checkers.measurement import Measurement, measures
+from verify.evaluate.balls import Balls
+
+SEED, SAMPLES, BITS = 27, 300, 256
+
+
+def _inputs(random, claim):
+    """Return float64 inputs that a stage's hypotheses allow: a tangent gradient of any size, a light, weights."""
+    values = dict(
+        zip((s.name for s in claim.program.inputs), random.uniform(0, 1, len(claim.program.inputs)), strict=True)
+    )
+    if claim.name == "normal":
+        normal = random.normal(size=3)
+        normal /= np.linalg.norm(normal) * (1 - 2.0**-40)
+        tangent = np.cross(normal, random.normal(size=3)) * 10.0 ** random.uniform(-6, 6)
+        for axis, n, g in zip("xyz", normal, tangent, strict=True):
+            values |= {f"normal_{axis}": n, f"g_{axis}": g}
+    return values
+
+
+@measures("colour_accuracy", false={"within a tenth of it": {"share": 0.1}})
+def stages(share: float = 1.0) -> Measurement:
+    """Every stage at random, the normal with gradients of all sizes."""
+    random = np.random.default_rng(SEED)
+    ratios: dict[str, float] = {}
+    for claim in all_theorems()["colour_accuracy"].rounded:
+        assert isinstance(claim, Rounded)
+        stage = claim.program.keep(*(output for output, _ in claim.bounds))
+        computed, balls = function_of(stage), Balls(stage)
+        bounds = [(output.name, lambdify(stage.inputs, bound.doit())) for output, bound in claim.bounds]
+        for _ in range(SAMPLES):
+            values = _inputs(random, claim)
+            inputs = [np.float64(values[name]) for name in balls.inputs]
+            exact = balls(values, BITS)
+            for (name, bound), value in zip(bounds, np.atleast_1d(computed(*inputs)), strict=True):
+                with ctx.workprec(BITS):
+                    off = float(abs(arb(float(value)) - exact[name]).upper())
+                most = float(bound(*inputs))
+                ratios[claim.name] = max(ratios.get(claim.name, 0.0), off / most if most else float(off > 0.0))
+    return Measurement(
+        samples=SAMPLES * len(ratios),
+        seed=SEED,
+        worst=max(ratios.values()),
+        bound=share,
+        what="how far a stage's result is off, over its bound",
+        numbers=ratios,
+    )

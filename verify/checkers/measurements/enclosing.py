@@ -1,0 +1,47 @@
+"""The rules of the enclosing machine, which Coq proves: their counts against exact arithmetic."""
+
+import numpy as np
+from flint import arb, ctx
+
+from proofs.formulas.enclosed import RULES
+from renderer.generate.kernels import function_of
+from renderer.machines.enclosing import Enclosed
+from verify.checkers.measurement import Measurement, measures
+from verify.evaluate.balls import Balls
+
+SEED, SAMPLES, BITS = 26, 400, 256
+
+
+def _operands(random, names):
+    """Return numbers and counts of roundings, and {name: an exact number at one end of the bound}."""
+    values = 2.0 ** random.uniform(-20, 20, len(names))
+    counts = np.floor(values * 2.0 ** random.uniform(22, 52, len(names)))
+    with ctx.workprec(BITS):
+        ends = (
+            arb((int(sign * count), -53))
+            for sign, count in zip(random.choice([-1, 1], len(names)), counts, strict=True)
+        )
+        return values, counts, {name: arb(float(v)) + end for name, v, end in zip(names, values, ends, strict=True)}
+
+
+@measures("enclosing_rules", false={"half a count": {"share": 0.5}})
+def rules(share: float = 1.0) -> Measurement:
+    """Every rule, of exact numbers at the ends of their operands' bounds."""
+    random, ratios = np.random.default_rng(SEED), []
+    for program in RULES.values():
+        machine, balls, (output,) = function_of(program), Balls(program), program.outputs
+        for _ in range(SAMPLES):
+            values, counts, ends = _operands(random, balls.inputs)
+            found = machine(*map(Enclosed.counted, values, counts))
+            exact = balls(ends, BITS)[output.name]
+            with ctx.workprec(BITS):
+                off = abs(arb(float(found.value)) - exact) / arb(float(found.bound))
+            ratios.append(float(off.upper()))
+    return Measurement(
+        samples=len(ratios),
+        seed=SEED,
+        worst=max(ratios),
+        bound=share,
+        what="how far a result is off, over its bound",
+        numbers={"rules": len(RULES)},
+    )
