@@ -4,15 +4,15 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import Circle, Polygon, Wedge
+from matplotlib.patches import Circle, Wedge
 from numpy.typing import ArrayLike
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import canvas, curve, label, palette, pixel_axes, pixel_text, plot
 from book.extension.worked import COLUMN, ROW
 from book.figures.chapter_scene import SCENE, SIZE, on_picture, symbolic
-from book.idea_kernels import BUMP_LINES, angles_at, bump_at, bump_lines, lines_at, two_slopes
-from renderer import Scene, exact, kernels, render
+from book.idea_kernels import bump_at, lines_at, two_slopes
+from renderer import Scene, exact, render
 from renderer.generate.creases import crease_point
 from renderer.picture.views import image_view, to_bytes
 
@@ -69,52 +69,6 @@ def slope_is_texture() -> Drawing:
     numbers |= {"steepest": np.pi * SCENE.ku, "steepest_angle": along_circle(1e-9)[3], "beta": SCENE.beta}
     data = {"u": u, "height": h, "between": between, "light": light, "circle_x": x, "circle_y": y}
     return Drawing(fig, numbers, data, (frame,))
-
-
-FRAME = ("normal", "e_theta", "e_phi", "g", "m", "bumped")
-
-
-@figure
-def tilted_frame() -> Drawing:
-    """N, the tangent vector βg, M = N + βg and N' at a point of the sphere."""
-    u, v, beta, turn, tip = 0.53, 0.2, 0.07, 0.95, 0.42
-    c, fig, gradient = palette(), canvas(640, 400), kernels.gradient_ridges(u, v, SCENE.ku, SCENE.kv)
-    lines = dict(zip(BUMP_LINES["lines"], bump_lines(*angles_at(u, v), *gradient, beta), strict=True))
-    vectors = {name: np.array([lines[f"{name}_{axis}"] for axis in "xyz"], float) for name in FRAME}
-    right = np.array([-np.sin(turn), np.cos(turn), 0])
-    up = np.array([-np.sin(tip) * np.cos(turn), -np.sin(tip) * np.sin(turn), np.cos(tip)])
-    ax = pixel_axes(fig, 0, 0, 640, 400, xlim=(-320, 320), ylim=(-164, 236))
-
-    def place(points):
-        return 150 * np.array([points @ right, points @ up])
-
-    ax.add_patch(Circle((0, 0), 150, facecolor=c["surface"], edgecolor=c["muted"]))
-    steps, nets = np.linspace(0, 1, 97), {}
-    meridians = [(np.full(97, m / SCENE.ku), steps) for m in range(int(SCENE.ku))]
-    parallels = [(steps, np.full(97, m / SCENE.kv)) for m in range(1, int(SCENE.kv))]
-    for number, (along, down) in enumerate(meridians + parallels):
-        points = np.stack(kernels.point_on_a(*angles_at(along, down), 1.0), axis=1)
-        x, y = np.where(points @ np.cross(right, up) > 0, place(points), np.nan)
-        curve(ax, x, y, "rule", linewidth=1)
-        nets[number] = {"x": x, "y": y}
-    at, e_theta, e_phi = (vectors[name] for name in ("normal", "e_theta", "e_phi"))
-    corners = [at + 0.34 * (a * e_theta + b * e_phi) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-    ax.add_patch(Polygon([place(p) for p in corners], facecolor=c["symbolic"], alpha=0.14))
-    tangent = beta * vectors["g"]
-    corner = np.array([at + end for end in (at, vectors["m"], tangent)])
-    curve(ax, *place(corner), "muted", linewidth=0.9, linestyle=(0, (2, 3)))
-    for name, end, role, width, aside in (  # where its name stands, in points
-        ("$N$", at, "ink", 1.2, -14),
-        (r"$\beta g$", tangent, "symbolic", 2.2, 6),
-        ("$M$", vectors["m"], "muted", 0.9, 6),
-        ("$N'$", vectors["bumped"], "ink", 3, -14),
-        (r"$e_\theta$", 0.34 * e_theta, "muted", 0.9, 6),
-        (r"$e_\varphi$", 0.34 * e_phi, "muted", 0.9, -14),
-    ):
-        _arrow(ax, place(at), place(at + end), color=c[role], linewidth=width)
-        label(ax, place(at + end), name, role, (aside, 3))
-    ax.plot(*place(at), "o", color=c["symbolic"], markersize=8, markeredgecolor="white")
-    return Drawing(fig, {"u": u, "v": v, "beta": beta}, {"net": nets} | vectors)
 
 
 def _arrow(ax, start, end, **look):
