@@ -20,6 +20,7 @@ from proofs.formulas.pixel import pixel
 from proofs.formulas.symbols import column, half, height, row, shininess, width, x, y
 from renderer import Scene, kernels, render
 from renderer.generate.kernels import function_of
+from renderer.generate.step_terms import SLOPE_TERMS
 from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import compiled_module
 from renderer.operations import Number, sqrt
@@ -86,6 +87,12 @@ def two_slopes(u: Number, v: Number, k_u: Number, k_v: Number, epsilon: Number) 
     return *heights, numeric, exact, kernels.straddling_ridges(u, v, k_u, k_v, epsilon)
 
 
+def slope_parts(u: Number, v: Number, k_u: Number, k_v: Number, epsilon: Number) -> tuple[Number, ...]:
+    """Return the proved bounds of three parts of h_u's error, of ridges: the step's reach, rounded u ± ε, heights."""
+    (truncation, arguments, heights, straddling, _), _ = SLOPE_TERMS["ridges"](u, v, k_u, k_v, epsilon)
+    return truncation + straddling, arguments, heights
+
+
 def every_line(name: str, program: Program) -> tuple[Callable, dict[str, list[str]]]:
     """Return a program as a function that returns all of its lines, and its LINES."""
     symbols = tuple(symbol for symbol, _ in program.definitions)
@@ -107,7 +114,7 @@ pixel_lines, PIXEL_LINES = every_line("pixel_lines", PIXEL)
 LINES = {"pixel_lines": PIXEL_LINES}
 """{kernel: the names of its inputs, and of the lines that it returns}."""
 
-IDEAS = (bump_at, surfaces, two_slopes, kernels.shadow, pixel_lines)
+IDEAS = (bump_at, surfaces, two_slopes, slope_parts, kernels.shadow, pixel_lines)
 """What is compiled for them."""
 
 

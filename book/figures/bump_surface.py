@@ -69,6 +69,6 @@ def bump_surface() -> Drawing:
     for number, (still, title, angle) in enumerate(zip(_stills(), TITLES, angles(), strict=True)):
         left = number * (SIDE + GAP)
         pixel_text(fig, left + 2, 15, title)
-        pixel_text(fig, left + 2, 32, f"{angle:.3g}° off" if angle else "0°: its own normal", "muted")
+        pixel_text(fig, left + 2, 32, f"{angle:.{int(angle < 20)}f}° off" if angle else "0°: its own normal", "muted")
         pixel_axes(fig, left, 44, SIDE, HIGH).imshow(still, interpolation="none", aspect="auto")
     return Drawing(fig, {"beta": SCENE.beta}, {"angle": angles()})
