@@ -42,13 +42,15 @@
 /**
  * @typedef {{ kind: "begin", data: SimulatorData, compiled: WebAssembly.Module } | { kind: "stop" } | DrawTask | IdleTask}
  *   Task
- * @typedef {{ kind: "draw", id: number, state: State, band: Raster, buffers: Record<string, ArrayBuffer>, anew: boolean }}
+ * @typedef {{ kind: "draw", id: number, state: State, band: Raster, part: Part, buffers: Record<string, ArrayBuffer> }}
  *   DrawTask
+ * @typedef {{ raster: string, bands: number, begin: number }} Part how many bands a raster has, and the rows above this one
  * @typedef {{ kind: "idle", id: number, state: State, band: Raster, steps: number[] | null }} IdleTask
- * @typedef {{ kind: "drawn", id: number, band: Raster, images: Record<string, { top: number, bytes: ImageDataArray }>,
+ * @typedef {{ kind: "drawn", id: number, band: Raster, part: Part, images: Record<string, { top: number, bytes: ImageDataArray }>,
  *   count: number, codes: Uint8Array | null, largest: number, squares: number }} Drawn
  * @typedef {{ kind: "counted", id: number, index: number, flips: number, attached: number[], count: number }} Counted
- * @typedef {{ kind: "followed", id: number, index: number, largest: number, squares: number, count: number }} Followed
+ * @typedef {{ kind: "followed", id: number, index: number, largest: number, squares: number, count: number,
+ *   still: Uint8Array }} Followed
  * @typedef {{ kind: "timed", id: number, index: number, numeric: number, symbolic: number }} Timed
  * @typedef {Drawn | Counted | Followed | Timed} Reply
  * @typedef {(string | number | boolean)[]} Key
@@ -57,7 +59,8 @@
 // simulator/engine.js
 /**
  * @typedef {{ post(task: Task, transfer?: ArrayBuffer[]): void, buffers: Record<string, ArrayBuffer>, stop(): void }} Drawer
- * @typedef {{ drawn(state: State, replies: Drawn[], asked: number): void, resting(state: State): number[] | null,
+ * @typedef {{ painted(reply: Drawn, by_page: boolean): void, drawn(state: State, replies: Drawn[], asked: number,
+ *   by_page: boolean, is_whole: boolean): void, resting(state: State): number[] | null,
  *   counted(all: Counted[]): void, followed(all: Followed[]): void, timed(all: Timed[]): void,
  *   failed(text: string): void }} Handlers
  */
@@ -79,8 +82,9 @@
 // simulator/curve.js
 /**
  * @typedef {{ eps: number, size: number }} LinePoint
- * @typedef {LinePoint & { max: number }} PicturePoint the root mean square of a picture's difference, and the largest
+ * @typedef {LinePoint & { max: number, still: Uint8Array }} PicturePoint the root mean square of a picture's difference, and the largest
  * @typedef {Record<string, LinePoint[]>} Lines
+ * @typedef {ReturnType<typeof simulator_scale>["colored"]} Colored
  */
 
 // ideas/ideas.js

@@ -46,7 +46,7 @@ def test_the_page_and_the_simulator_show_one_number():
 def drawn(count):
     """Return random u, v, k_u, k_v and ε: everywhere, beside zeros, the seam and poles; whole waves and others."""
     rng = np.random.default_rng(11)
-    eps, waves = 10.0 ** rng.uniform(-15, np.log10(0.5), count), rng.integers(-16, 17, (2, count)).astype(float)
+    eps, waves = 10.0 ** rng.uniform(-18, np.log10(0.5), count), rng.integers(-16, 17, (2, count)).astype(float)
     waves += rng.choice([0.0, 0.5, 0.3], count)
     near = 10.0 ** rng.uniform(-9, -1, (2, count)) * rng.choice([-1, 1], (2, count))
     places, halves = rng.random((2, count)), rng.choice([0.0, 0.5], (2, count))
@@ -66,6 +66,20 @@ def test_no_difference_is_further_off_than_its_bound(name):
     assert (errors > terms.sum(axis=1) - terms.max(axis=1)).any()  # without its largest term it is no bound
     leading = {TERMS[number] for number in np.unique(terms.argmax(axis=1))}
     assert leading == {*TERMS} - ({"straddling"} if factors_of(field)[0] is None else set())  # rings has no seam
+
+
+@pytest.mark.parametrize("name", BOUNDS)
+@np.errstate(all="ignore")
+def test_where_both_arguments_round_back_the_bound_is_the_slope(name):
+    """The difference is 0 there, and its error the slope itself: the bound is no more than a rounding above it."""
+    rng = np.random.default_rng(5)
+    at = *rng.uniform(0.1, 0.9, (2, 1000)), 8.0, 4.0
+    for eps in (1e-18, 5e-18):
+        assert not np.any(function_of(central(HEIGHT_FIELDS[name]))(*at, eps))
+        for slope, bound in zip(
+            function_of(gradient(HEIGHT_FIELDS[name]))(*at), BOUNDS[name](*at, eps)[2:], strict=True
+        ):
+            assert np.all(np.abs(slope) <= bound) and np.all(bound <= np.abs(slope) * ROOM**2 + 1e-12)
 
 
 @np.errstate(all="ignore")
@@ -91,7 +105,7 @@ def test_the_simulators_bound_is_the_larger_slopes():
     terms = np.array([np.broadcast_arrays(*slope, at[0])[:-1] for slope in SLOPE_TERMS["ridges"](*at)])
     np.testing.assert_allclose(slopes, terms.sum(axis=1))
     larger = terms[np.argmax(slopes, axis=0), :, np.arange(1000)]
-    np.testing.assert_array_equal(leading, larger.argmax(axis=1) + 1)
+    np.testing.assert_array_equal(leading, np.where(larger.any(axis=1), larger.argmax(axis=1) + 1, 0))
     np.testing.assert_array_equal(bound, np.max(slopes, axis=0))
 
 

@@ -79,6 +79,10 @@ function pointer_in(element, { clientX, clientY }) {
 /** Whether a key is pressed together with one that makes it the browser's own. @param {KeyboardEvent} event */
 const is_shortcut = (event) => event.ctrlKey || event.altKey || event.metaKey;
 
+/** Whether a key is typed into a box. @param {KeyboardEvent} event */
+const is_typed = ({ target }) =>
+  target instanceof Element && target.matches("input:not([type=range], [type=radio], [type=checkbox]), textarea");
+
 /** How far an arrow key points to the right and up, further with shift; undefined for other keys. @param {KeyboardEvent} event */
 function arrow_of(event) {
   const far = event.shiftKey ? 10 : 1;

@@ -24,6 +24,7 @@ from renderer.operations import UNIT, Number, floor, inf, maximum, minimum, rint
 ROOM = 1 + 2.0**-40
 SINE_ULPS = float(max(CERTIFIED["sinpi_of_product"], CERTIFIED["cospi_of_product"]))
 SHARED = 2 * UNIT * SINE_ULPS  # how far the factor that does not move is off, relatively: the same in both heights
+ARGUMENT = TERMS.index("argument rounding")
 TRUNCATION, STRADDLING, ONE_SIDED = (float(TERMS.index(term)) for term in ("truncation", "straddling", "one-sided"))
 
 slope_bound, truncation_bound, clamped_bound, crease_bound, tent_bound, rounding_bound = map(
@@ -160,6 +161,9 @@ def _terms(side, still, epsilon, span, excess, moved, exact):
     value = rounding_bound(span, steepest + jump / span, excess, height, 0.0)
     found = [where(kind == float(number), bound, 0.0) for number in range(len(TERMS))]
     found[1:3] = argument, value
+    lost = (side.at + epsilon == side.at) & (side.at - epsilon == side.at)  # one height, twice: the error is the slope
+    slope = slope_bound(side.rate) * fixed * side.slope()
+    found = [where(lost, slope if number == ARGUMENT else 0.0, term) for number, term in enumerate(found)]
     return [where(side.rate > 0.0, ROOM * term, 0.0) for term in found]
 
 

@@ -31,7 +31,11 @@ function simulator_cursor(root, states, data, module) {
     if (!bounds) return { "error led by": "no theorem covers this" };
     const [, leading, of_u, of_v] = module.kernel(bounds, u, v, state.ku, state.kv, state.eps);
     const most = [of_u, of_v].map((bound) => bound.toExponential(2));
-    return { "error led by": data.terms[leading - 1], "|Δh<sub>u</sub>| ≤": most[0], "|Δh<sub>v</sub>| ≤": most[1] };
+    return {
+      "error led by": data.terms[leading - 1] ?? "nothing: it is 0",
+      "|Δh<sub>u</sub>| ≤": most[0],
+      "|Δh<sub>v</sub>| ≤": most[1]
+    };
   }
 
   /** Both records of a pixel, as renderer.pixel gives them. @param {State} state */

@@ -7,21 +7,24 @@ function simulator_curve(root, module, act) {
   const box = find_element(root, ".sim-curve");
   /** @type {SVGSVGElement} */
   const svg = find_element(box, "svg");
+  /** @type {HTMLCanvasElement} */
+  const strip = find_element(box, "canvas");
   const reading = find_element(root, "[data-reading]");
   const [pointer, now, dot] = ["hover", "now", "dot"].map((name) => find_element(box, `.sim-${name}`));
-  const LEFT = -16; // powers of ten: of ε,
+  const LEFT = -18; // powers of ten: of ε,
   const RIGHT = -1;
   const LOWEST = -16; // and of the error
   const HIGHEST = 2;
-  const HEIGHT = 168;
   const TOP = 10;
-  const BOTTOM = HEIGHT - 20;
+  const STILLS = 16; // each a power of ten wide, in the middle of the axis
   const LINE = 15;
-  const FINE = Array.from({ length: 121 }, (_, n) => power_of_ten(-16 + n / 8));
-  const COARSE = Array.from({ length: 31 }, (_, n) => power_of_ten(-1 - n / 2));
+  const FINE = Array.from({ length: 137 }, (_, n) => power_of_ten(LEFT + n / 8));
+  const COARSE = Array.from({ length: 35 }, (_, n) => power_of_ten(-1 - n / 2));
   /** @type {Record<string, string>} */
   const NAMES = { numeric: "gradient here", bound: "proved bound", difference: "picture, RMS" };
   let width = 0;
+  let height = 0;
+  let bottom = 0;
   let inset = 0;
   /** @type {Lines} */
   let lines = {};
@@ -49,11 +52,23 @@ function simulator_curve(root, module, act) {
     return { bound: FINE.map((eps, n) => ({ eps, size: bounds[n] })), numeric };
   }
 
+  // Where the proved bound is least, and where this pixel's own error is.
+  function least() {
+    const marks = Object.entries({ bound: "best by theorem", numeric: "least here" }).map(([name, words]) => {
+      const points = lines[name] ?? [];
+      if (!points.some(({ size }) => size > 0)) return "";
+      const { eps, size } = points.reduce((best, point) => (point.size < best.size ? point : best));
+      const place = `translate(${x_of(eps).toFixed(1)} ${y_of(size || 1e-16).toFixed(1)})`;
+      return `<path class="least ${name}" transform="${place}" d="M0 -5L4 3H-4Z"><title>${words}: ε = ${scientific(eps, 1)}</title></path>`;
+    });
+    return marks.join("");
+  }
+
   /** @param {number} eps */
   const x_of = (eps) => inset + ((Math.log10(eps) - LEFT) / (RIGHT - LEFT)) * (width - 2 * inset);
   /** @param {number} size */
   const y_of = (size) =>
-    TOP + ((HIGHEST - clamp(LOWEST, Math.log10(size), HIGHEST)) / (HIGHEST - LOWEST)) * (BOTTOM - TOP);
+    TOP + ((HIGHEST - clamp(LOWEST, Math.log10(size), HIGHEST)) / (HIGHEST - LOWEST)) * (bottom - TOP);
 
   /** @param {LinePoint[]} points */
   function path(points) {
@@ -77,7 +92,7 @@ function simulator_curve(root, module, act) {
       text += tick(n, inset - 8, y + 4, "beside");
     }
     for (let n = LEFT; n <= RIGHT; n += width < 500 ? 5 : 3) {
-      text += tick(n, x_of(10 ** n), HEIGHT - 4, "below");
+      text += tick(n, x_of(10 ** n), height - 4, "below");
     }
     return text;
   }
@@ -95,26 +110,48 @@ function simulator_curve(root, module, act) {
       label.y = Math.max(label.y, last + LINE);
       last = label.y;
     }
-    const over = Math.max(0, last - BOTTOM);
+    const over = Math.max(0, last - bottom);
     const texts = placed.map(({ name, y }) => text_at(width + 2, y - over, NAMES[name], `${name}-label`));
     return texts.join("");
   }
 
-  /** Draw what is known, where that is new. @param {State} state @param {Lines} pixel @param {Map<number, PicturePoint>} picture */
-  function show(state, pixel, picture) {
+  /** The difference at sixteen steps, each under its place on the axis. @param {Map<number, PicturePoint>} picture @param {Colored} colored */
+  function show_stills(picture, colored) {
+    const context = strip.getContext("2d");
+    strip.width = STILLS * strip.height;
+    strip.style.left = `${x_of(10 ** (LEFT + 0.5))}px`;
+    strip.style.width = `${x_of(10 ** (RIGHT - 0.5)) - x_of(10 ** (LEFT + 0.5))}px`;
+    for (const { eps, still } of picture.values()) {
+      const place = Math.log10(eps) - LEFT - 1;
+      if (Number.isInteger(place) && place >= 0 && place < STILLS)
+        context?.putImageData(colored(still, strip.height), strip.height * place, 0);
+    }
+  }
+
+  /**
+   * Draw what is known, where that is new.
+   * @param {State} state
+   * @param {Lines} pixel
+   * @param {Map<number, PicturePoint>} picture
+   * @param {Colored} colored
+   */
+  function show(state, pixel, picture, colored) {
     const difference = [...picture.values()];
-    const what = [pixel, picture, difference.length, box.clientWidth];
+    const what = [pixel, picture, difference.length, state.scale, svg.clientWidth, svg.clientHeight];
     if (what.every((part, n) => part === drawn[n])) return;
     drawn = what;
-    width = box.clientWidth;
+    width = svg.clientWidth;
+    height = svg.clientHeight;
+    bottom = height - 20;
     inset = 0.5 * parseFloat(getComputedStyle(root).getPropertyValue("--thumb")); // where the slider's thumb stops
-    svg.setAttribute("viewBox", `0 0 ${width} ${HEIGHT}`);
+    svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     lines = difference.length ? { ...pixel, difference } : pixel;
     const paths = Object.entries(lines).map(([name, points]) => path_markup(name, path(points)));
     const dots = difference
       .filter(({ size }) => size > 0)
       .map(({ eps, size }) => circle_markup("difference", [x_of(eps), y_of(size)], 2));
-    svg.innerHTML = axes() + paths.join("") + dots.join("") + names();
+    svg.innerHTML = axes() + paths.join("") + dots.join("") + least() + names();
+    show_stills(picture, colored);
     mark(state.eps);
   }
 
@@ -182,6 +219,7 @@ function simulator_curve(root, module, act) {
   }
 
   box.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
     box.setPointerCapture(event.pointerId);
     act.set({ eps: pointed(event) });
     hover(event);

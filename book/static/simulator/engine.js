@@ -1,6 +1,6 @@
-// The workers, and who draws what: each has a band of rows. One picture is asked for at a time; of the states that
-// come meanwhile only the last is drawn. When nothing moves, the workers are given the idle work. A small picture is
-// drawn by the page itself: that takes less time than to hand it over, and it is there in the slider's own frame.
+// Who draws what. The page itself draws at most 256 × 256 pixels, in the slider's own frame: to hand that over would take
+// longer. When nothing moves any more, the workers draw all pixels of a larger picture, each a band of rows, and then do
+// the idle work. The next move cancels either.
 "use strict";
 
 /**
@@ -11,45 +11,44 @@
  * @param {Handlers} handlers
  */
 function simulator_engine(data, compiled, states, module, handlers) {
-  const IDLE_AFTER = 150; // milliseconds
+  const REFINED_AFTER = 80; // milliseconds
+  const IDLE_AFTER = 150;
   const SMALL = 256; // pixels
-  const AT_ONCE = 12; // milliseconds
   /** @type {Drawer[]} */
   let workers = [];
-  /** @type {{ bands: Raster[], drawers: Drawer[], of: State | null }} */
-  let cut = { bands: [], drawers: [], of: null };
-  /** @type {{ id: number, state: State, asked: number, anew: boolean, sent: number, replies: Drawn[], missing: number } | null} */
-  let waiting = null;
-  /** @type {{ state: State, asked: number } | null} */
-  let next = null;
+  /** @type {{ id: number, state: State, asked: number, replies: Drawn[] }} */
+  let waiting = { id: 0, state: states.start(), asked: 0, replies: [] };
   /** @type {State | null} */
-  let last = null;
+  let next = null; // asked for since the last frame
+  let last = states.start();
   /** @type {Record<string, any[]>} */
   let pieces = {};
+  let frame = 0;
   let timer = 0;
   let id = 0;
   let resting = 0;
-  let usual = 0; // milliseconds that the page takes for a picture
-  const page = [{ post: simulator_worker((reply) => receive(reply, 0)), buffers: {}, stop() {} }];
-  page[0].post({ kind: "begin", data, compiled });
+  let refined = ""; // the raster that the workers were last asked for
+  /** @type {Drawer} */
+  const page = { post: simulator_worker((reply) => receive(reply, page)), buffers: {}, stop() {} };
+  page.post({ kind: "begin", data, compiled });
 
   // As many as there are cores; each has its own memory, since pages from a disk cannot share any.
   function start() {
     if (workers.length) return;
-    workers = Array.from({ length: navigator.hardwareConcurrency || 1 }, (_, number) => {
+    workers = Array.from({ length: navigator.hardwareConcurrency || 1 }, () => {
       const worker = worker_of(float64s, simulator_module, simulator_worker);
-      worker.onmessage = ({ data }) => receive(data, number);
-      worker.postMessage({ kind: "begin", data, compiled });
-      worker.onerror = (event) => handlers.failed(event.message || "the worker did not start");
-      return {
+      /** @type {Drawer} */
+      const drawer = {
         post: (task, transfer = []) => worker.postMessage(task, transfer),
         stop: () => worker.terminate(),
         buffers: {}
       };
+      worker.onmessage = ({ data }) => receive(data, drawer);
+      worker.postMessage({ kind: "begin", data, compiled });
+      worker.onerror = (event) => handlers.failed(event.message || "the worker did not start");
+      return drawer;
     });
-    waiting = null;
-    cut = { bands: [], drawers: [], of: null };
-    if (last) ask(last);
+    ask(last);
   }
 
   function stop() {
@@ -59,7 +58,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
   }
 
   /** Cut the rows into bands of about equal work: a row costs what it has of A, and a little. @param {State} state */
-  function bands_of(state, count = workers.length) {
+  function bands_of(state) {
     const raster = states.crop(state);
     const reach = module.radius_of_a;
     const [, y] = module.image_points(raster);
@@ -68,7 +67,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
     let sum = 0;
     const band_of = cost.map((part) => {
       sum += part;
-      return Math.floor((count * (sum - part / 2)) / whole);
+      return Math.floor((workers.length * (sum - part / 2)) / whole);
     });
     const numbers = [...new Set(band_of)];
     return numbers.map((number) => {
@@ -77,52 +76,52 @@ function simulator_engine(data, compiled, states, module, handlers) {
     });
   }
 
-  /** Draw this state as soon as the workers are free. @param {State} state */
+  /** Draw this state: at once, but only the last of those that a frame of the screen asks for. @param {State} state */
   function ask(state) {
-    clearTimeout(timer);
     last = state;
-    next = { state, asked: performance.now() };
-    if (!waiting && workers.length) send(next);
-  }
-
-  /**
-   * Who draws a state, and each one's band of rows. A drawer keeps what it has as long as its band is the same.
-   * @param {{ state: State, asked: number }} what
-   */
-  function send({ state, asked }) {
-    const drawers = state.size <= SMALL && usual < AT_ONCE ? page : workers;
-    const { of } = cut;
-    const anew =
-      !of || cut.drawers !== drawers || ["size", "zoom", "left", "top"].some((name) => of[name] !== state[name]);
+    next = state;
+    clearTimeout(timer);
+    if (frame || !workers.length) return;
+    frame = requestAnimationFrame(() => {
+      frame = 0;
+      if (next) ask(next);
+    });
     next = null;
-    if (anew) cut = { bands: bands_of(state, drawers.length), of: state, drawers };
-    if (resting && drawers === page) for (const { post } of workers) post({ kind: "stop" });
+    if (resting) for (const { post } of workers) post({ kind: "stop" });
     resting = 0;
-    waiting = { id: ++id, state, asked, anew, sent: performance.now(), replies: [], missing: cut.bands.length };
-    for (const [n, band] of cut.bands.entries()) {
+    send(state, [page], [states.crop(state, Math.max(1, state.size / SMALL))]);
+  }
+
+  /** @param {State} state @param {Drawer[]} drawers @param {Raster[]} bands */
+  function send(state, drawers, bands) {
+    waiting = { id: ++id, state, asked: performance.now(), replies: [] };
+    for (const [n, band] of bands.entries()) {
       const { post, buffers } = drawers[n];
+      const part = { raster: refined, bands: bands.length, begin: band.top - bands[0].top };
       drawers[n].buffers = {};
-      post({ kind: "draw", id, state, band, buffers, anew }, Object.values(buffers));
+      post({ kind: "draw", id, state, band, part, buffers }, Object.values(buffers));
     }
   }
 
-  /** @param {Reply} reply @param {number} number */
-  function receive(reply, number) {
+  /** @param {Reply} reply @param {Drawer} drawer */
+  function receive(reply, drawer) {
     if (reply.kind !== "drawn") return found(reply);
-    if (!waiting || reply.id !== waiting.id) return;
-    waiting.replies[number] = reply;
-    waiting.missing--;
-    if (waiting.missing) return;
-    const { state, asked, anew, sent, replies } = waiting;
-    waiting = null;
-    if (cut.drawers === page && !anew) usual += 0.2 * (performance.now() - sent - usual);
-    handlers.drawn(state, replies, asked);
-    for (const [n, { images }] of replies.entries()) {
-      const buffers = Object.entries(images).map(([name, { bytes }]) => [name, bytes.buffer]);
-      cut.drawers[n].buffers = Object.fromEntries(buffers);
-    }
-    if (next) send(next);
-    else timer = setTimeout(() => rest(state), IDLE_AFTER);
+    // Also if it comes late, but of the same raster: a drawer sends what has changed, and that once.
+    if (drawer === page || reply.part.raster === refined) handlers.painted(reply, drawer === page);
+    const buffers = Object.entries(reply.images).map(([name, { bytes }]) => [name, bytes.buffer]);
+    drawer.buffers = Object.fromEntries(buffers);
+    const { state, asked, replies } = waiting;
+    if (reply.id !== waiting.id || replies.push(reply) < reply.part.bands) return;
+    const is_whole = drawer !== page || state.size <= SMALL;
+    handlers.drawn(state, replies, asked, drawer === page, is_whole);
+    timer = is_whole ? setTimeout(rest, IDLE_AFTER, state) : setTimeout(refine, REFINED_AFTER, state);
+  }
+
+  /** @param {State} state */
+  function refine(state) {
+    if (!workers.length) return;
+    refined = Object.values(states.crop(state)).join();
+    send(state, workers, bands_of(state));
   }
 
   /** Idle work is reported when all have done that piece of it. @param {Counted | Followed | Timed} reply */
@@ -135,10 +134,9 @@ function simulator_engine(data, compiled, states, module, handlers) {
 
   /** @param {State} state */
   function rest(state) {
-    if (document.hidden || waiting) return;
-    usual /= 2; // lest a busy moment keep the page from drawing
+    if (document.hidden || !workers.length) return;
     const steps = handlers.resting(state);
-    const bands = cut.drawers === workers ? cut.bands : bands_of(state);
+    const bands = bands_of(state);
     resting = bands.length;
     pieces = {};
     for (const [n, band] of bands.entries()) workers[n].post({ kind: "idle", id, state, band, steps });

@@ -1,4 +1,4 @@
-// The three pictures: pixels from the workers, over them the exact loci of the creases and the pixel cursor; zoom.
+// The three pictures: pixels from the page or from the workers, over them the exact loci of the creases and the cursor.
 "use strict";
 
 /**
@@ -6,47 +6,41 @@
  * @param {States} states
  * @param {SimulatorData} data
  * @param {SimulatorModule} module
- * @param {Act} act
  */
-function simulator_pictures(root, states, data, module, act) {
+function simulator_pictures(root, states, data, module) {
   const NAMES = ["numeric", "symbolic", "difference"];
   const SURFACE = 3;
   const A = 1;
-  const GAP = 8;
   const POINTS = 257;
+  const TICK = 10; // pixels of the page
   const along = float64s(POINTS, (n) => n / (POINTS - 1));
   const boxes = NAMES.map((name) => find_element(root, `[data-picture="${name}"]`));
-  const strip = find_element(root, ".sim-pictures");
   /** @param {string} selector @returns {HTMLCanvasElement[]} */
   const canvases = (selector) => boxes.map((box) => find_element(box, selector));
-  const [bases, overlays] = [".pixels", ".over"].map(canvases);
-  const mask = document.createElement("canvas");
+  const overlays = canvases(".over");
+  const scale = simulator_scale(root, data);
+  // What the page draws while something moves, and what the workers draw when it rests, each in canvases of its own:
+  // a drawer sends what has changed since its last picture.
+  const [by_page, by_workers] = [canvases(".pixels"), canvases(".pixels").map(copied)].map((bases) => ({
+    bases,
+    mask: document.createElement("canvas"),
+    levels: new Uint8Array(),
+    side: 0
+  }));
+  let seen = by_page;
   /** @type {State | null} */
   let shown = null;
-  /** @type {{ x: number, y: number, left: number, top: number, moved: boolean } | null} */
-  let dragged = null; // where the button went down, as long as it is
-  let pinned = false;
   let decorated = "";
+  let held = false; // the key that shows the crease lines
+
+  /** @param {HTMLCanvasElement} canvas */
+  function copied(canvas) {
+    return /** @type {HTMLCanvasElement} */ (canvas.cloneNode());
+  }
 
   /** @param {HTMLCanvasElement} canvas */
   const context_of = (canvas, alpha = true) =>
     /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d", { alpha }));
-
-  // All three have one size, whatever their raster is: the largest power of two of the screen's pixels for which there
-  // is room. So a pixel of the raster is a whole number of the screen's, or the other way round.
-  function layout() {
-    const dpr = window.devicePixelRatio || 1;
-    const beside = getComputedStyle(strip).overflowX !== "auto";
-    const room = beside ? (strip.clientWidth - 2 * GAP) / 3 : strip.clientWidth;
-    const whole = 2 ** Math.floor(Math.log2(room * dpr)) / dpr;
-    const side = whole < 0.66 * room ? Math.floor(room) : whole;
-    root.style.setProperty("--side", `${side}px`);
-    for (const canvas of overlays) resize(canvas, Math.round(side * dpr));
-    for (const canvas of bases)
-      canvas.classList.toggle("smooth", canvas.width > side * dpr || (side * dpr) % canvas.width !== 0);
-    decorated = "";
-    decorate();
-  }
 
   /** @param {HTMLCanvasElement} canvas @param {number} side */
   function resize(canvas, side) {
@@ -54,53 +48,98 @@ function simulator_pictures(root, states, data, module, act) {
     canvas.height = side;
   }
 
-  /** @param {State} state @param {Drawn[]} replies */
-  function paint(state, replies) {
-    const resized = !shown || bases[0].width !== state.size;
-    if (resized) for (const canvas of [...bases, mask]) resize(canvas, state.size);
-    for (const { images, band, codes } of replies) {
-      const begin = band.top - state.top;
-      for (const [name, { top, bytes }] of Object.entries(images)) {
-        if (bytes.length)
-          context_of(canvas_of(name), false).putImageData(new ImageData(bytes, band.wide), 0, begin + top);
-      }
-      if (!codes) continue;
-      const on_a = new ImageData(band.wide, band.high);
-      for (let i = 0; i < codes.length; i++) on_a.data[4 * i + 3] = (codes[i] & SURFACE) === A ? 255 : 0;
-      context_of(mask).putImageData(on_a, 0, begin);
-      decorated = "";
+  /** How many of the screen's pixels a side of a box has. @param {number} n */
+  const screen_side = (n) => Math.round(boxes[n].clientWidth * (window.devicePixelRatio || 1));
+
+  /** Put what was drawn of a band into its canvases. @param {Drawn} reply @param {boolean} is_pages */
+  function paint({ images, band, part, codes }, is_pages) {
+    const into = is_pages ? by_page : by_workers;
+    if (into.side !== band.wide) {
+      into.side = band.wide;
+      into.levels = new Uint8Array(band.wide * band.wide);
+      for (const canvas of [...into.bases, into.mask]) resize(canvas, band.wide);
     }
+    for (const [name, { top, bytes }] of Object.entries(images)) {
+      const first = part.begin + top;
+      if (name === "difference") {
+        const start = first * band.wide;
+        for (let n = 0; 4 * n < bytes.length; n++) into.levels[start + n] = bytes[4 * n];
+      } else if (bytes.length)
+        context_of(into.bases[NAMES.indexOf(name)], false).putImageData(new ImageData(bytes, band.wide), 0, first);
+    }
+    if (!codes) return;
+    const on_a = new ImageData(band.wide, band.high);
+    for (let i = 0; i < codes.length; i++) on_a.data[4 * i + 3] = (codes[i] & SURFACE) === A ? 255 : 0;
+    context_of(into.mask).putImageData(on_a, 0, part.begin);
+    decorated = "";
+  }
+
+  /** Show what the page or the workers have painted. @param {State} state @param {boolean} is_pages */
+  function show(state, is_pages) {
+    const now = is_pages ? by_page : by_workers;
+    for (const [n, canvas] of now.bases.entries()) if (now !== seen) seen.bases[n].replaceWith(canvas);
+    seen = now;
     shown = state;
-    if (resized) layout();
+    scale.choose(state.scale, seen.levels);
+    fit();
+    decorate();
+  }
+
+  // The difference in as many pixels as the screen has for it; the others as they are.
+  function fit() {
+    if (!shown) return;
+    for (const [n, canvas] of seen.bases.entries()) {
+      const room = screen_side(n) || seen.side;
+      const by = 2 ** Math.max(0, Math.ceil(Math.log2(seen.side / room)));
+      if (NAMES[n] === "difference") put_difference(canvas, by);
+      canvas.classList.toggle("smooth", canvas.width > room);
+    }
+  }
+
+  /** @param {HTMLCanvasElement} canvas @param {number} by */
+  function put_difference(canvas, by) {
+    const image = scale.colored(seen.levels, seen.side, by);
+    if (canvas.width !== image.width) resize(canvas, image.width);
+    context_of(canvas, false).putImageData(image, 0, 0);
   }
 
   /**
-   * Draw the creases as far as they are seen, over A alone.
+   * Draw the creases as far as they are seen, over A alone; or else a tick beyond each end of them.
    * @param {CanvasRenderingContext2D} context
    * @param {State} state
-   * @param {number} scale
+   * @param {boolean} whole
    */
-  function draw_loci(context, state, scale) {
+  function draw_loci(context, state, whole) {
     const place = module.placing_in(states.crop(state));
     const { eye, radius } = data.scene;
+    const { width } = context.canvas;
+    const zoom = width / state.size;
+    const ratio = width / context.canvas.clientWidth;
+    const [middle_x, middle_y] = place(0, 0).map((at) => at * zoom);
     context.beginPath();
     for (const { a, b, level } of module.crease_lines(state)) {
       const [x, y] = module.kernel_over("crease_point", a, b, level, along, eye, radius);
-      let drawing = false;
+      let last = [NaN, NaN];
       for (let n = 0; n < POINTS; n++) {
-        const is_seen = !Number.isNaN(x[n]);
-        const [right, below] = place(x[n], y[n]).map((at) => at * scale);
-        if (is_seen && drawing) context.lineTo(right, below);
-        else if (is_seen) context.moveTo(right, below);
-        drawing = is_seen;
+        const [right, below] = place(x[n], y[n]).map((at) => at * zoom);
+        const is_end = Number.isNaN(right) && !Number.isNaN(last[0]);
+        if (whole && !Number.isNaN(right + last[0])) context.lineTo(right, below);
+        else if (whole && !Number.isNaN(right)) context.moveTo(right, below);
+        else if (!whole && is_end) {
+          const far = 1 + (TICK * ratio) / Math.hypot(last[0] - middle_x, last[1] - middle_y);
+          context.moveTo(last[0], last[1]);
+          context.lineTo(middle_x + far * (last[0] - middle_x), middle_y + far * (last[1] - middle_y));
+        }
+        last = [right, below];
       }
     }
-    context.lineWidth = Math.max(1, window.devicePixelRatio || 1);
+    context.lineWidth = Math.max(1, ratio);
     context.strokeStyle = "white";
     context.stroke();
+    if (!whole) return;
     context.globalCompositeOperation = "destination-in";
     context.imageSmoothingEnabled = false;
-    context.drawImage(mask, 0, 0, context.canvas.width, context.canvas.height);
+    context.drawImage(seen.mask, 0, 0, width, width);
     context.globalCompositeOperation = "source-over";
   }
 
@@ -108,95 +147,39 @@ function simulator_pictures(root, states, data, module, act) {
   function decorate(state = shown) {
     if (!shown || !state) return;
     const { size, zoom, left, top, view, field, ku, kv } = shown;
-    const key = [size, zoom, left, top, view === "loci", field, ku, kv].join();
+    const whole = view === "loci" || held;
     const [across, down] = states.share_of_cursor({ ...shown, column: state.column, row: state.row });
     root.style.setProperty("--across", `${100 * across}%`);
     root.style.setProperty("--down", `${100 * down}%`);
+    const key = [size, zoom, left, top, whole, field, ku, kv, ...boxes.map((_, n) => screen_side(n))].join();
     if (key === decorated) return;
     decorated = key;
-    for (const canvas of overlays) {
-      const context = context_of(canvas);
-      canvas.hidden = view !== "loci";
-      context.clearRect(0, 0, canvas.width, canvas.height);
-      if (view === "loci") draw_loci(context, shown, canvas.width / size);
+    for (const [n, canvas] of overlays.entries()) {
+      canvas.hidden = !whole && NAMES[n] !== "difference";
+      resize(canvas, screen_side(n));
+      if (!canvas.hidden && canvas.width) draw_loci(context_of(canvas), shown, whole);
     }
   }
 
-  // Pointer and keys
-  /** @param {MouseEvent} event @param {HTMLElement} box */
-  function share(event, box) {
-    const { x, y, width, height } = pointer_in(box, event);
-    return [x / width, y / height];
+  /** Show the crease lines, or no longer. @param {boolean} now */
+  function hold(now) {
+    held = now;
+    decorate();
   }
 
-  /** @param {PointerEvent} event @param {HTMLElement} box */
-  function point(event, box) {
-    const { size, left, top } = act.state();
-    const [across, down] = share(event, box).map((part) => clamp(0, Math.floor(part * size), size - 1));
-    act.put({ column: left + across, row: top + down });
+  function resized() {
+    fit();
+    decorate();
   }
 
-  /** @param {PointerEvent} event @param {HTMLElement} box */
-  function drag(event, box) {
-    if (!dragged) return;
-    const pixels = act.state().size / box.getBoundingClientRect().width;
-    const dx = (event.clientX - dragged.x) * pixels;
-    const dy = (event.clientY - dragged.y) * pixels;
-    if (Math.abs(dx) + Math.abs(dy) < 3) return;
-    dragged.moved = true;
-    act.put({ left: dragged.left - dx, top: dragged.top - dy });
+  /** A picture with all of its pixels. @param {string} name */
+  function canvas_of(name) {
+    const canvas = seen.bases[NAMES.indexOf(name)];
+    if (name !== "difference") return canvas;
+    const whole = document.createElement("canvas");
+    put_difference(whole, 1);
+    return whole;
   }
 
-  /** @param {KeyboardEvent} event */
-  function press(event) {
-    const arrow = arrow_of(event);
-    if (arrow) {
-      pinned = true;
-      act.move([arrow[0], -arrow[1]]);
-    } else if (["+", "=", "-"].includes(event.key) && !is_shortcut(event)) act.zoom(event.key === "-" ? -1 : 1);
-    else return;
-    event.preventDefault();
-  }
-
-  /** @param {HTMLElement} box */
-  function wire(box) {
-    box.addEventListener("pointerdown", ({ clientX: x, clientY: y }) => {
-      const { left, top } = act.state();
-      dragged = { x, y, left, top, moved: false };
-    });
-    box.addEventListener("pointermove", (event) => {
-      if (event.pointerType !== "mouse") return;
-      if (dragged && act.state().zoom > 0) drag(event, box);
-      else if (!pinned) point(event, box);
-    });
-    box.addEventListener("pointerup", (event) => {
-      if (dragged && !dragged.moved) {
-        pinned = event.pointerType !== "mouse" || !pinned;
-        point(event, box);
-      }
-      dragged = null;
-    });
-    for (const end of ["pointercancel", "pointerleave"]) {
-      box.addEventListener(end, () => {
-        dragged = null;
-      });
-    }
-    const wheel = (/** @type {WheelEvent} */ event) => {
-      if (!event.ctrlKey && document.activeElement !== box) return; // else the page scrolls
-      event.preventDefault();
-      act.zoom(event.deltaY < 0 ? 1 : -1, share(event, box));
-    };
-    box.addEventListener("wheel", wheel, { passive: false });
-    box.addEventListener("keydown", press);
-  }
-
-  /** @param {string} name */
-  const canvas_of = (name) => bases[NAMES.indexOf(name)];
-  function release() {
-    pinned = false;
-  }
-
-  boxes.forEach(wire);
-  new ResizeObserver(() => shown && layout()).observe(root);
-  return { paint, decorate, release, canvas: canvas_of };
+  return { boxes, paint, show, decorate, hold, resized, canvas: canvas_of, colored: scale.colored };
 }

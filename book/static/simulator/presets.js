@@ -1,29 +1,29 @@
 // The four experiments of the page: a state to begin with, and one quantity that then moves.
 "use strict";
 
-/** @param {States} states @param {Act} act */
-function simulator_presets(states, act) {
+/** @param {HTMLElement} root @param {States} states @param {Act} act */
+function simulator_presets(root, states, act) {
   const no_motion = window.matchMedia("(prefers-reduced-motion: reduce)");
   /** @param {number} exponent */
-  const step = (exponent) => ({ eps: power_of_ten(exponent) });
+  const of_power = (exponent) => ({ eps: power_of_ten(exponent) });
   /** @type {Record<string, Experiment>} */
   const experiments = {
     sweep: {
-      says: "Sine, ε from 10⁻¹ down to 10⁻¹⁶. The difference darkens, and then comes back as grain: where is it darkest?",
+      says: "Sine, ε from 10⁻¹ down to 10⁻¹⁸. The difference darkens, and then comes back as grain: where is it darkest?",
       begin: { field: "sine", eps: 0.1 },
-      seconds: 12,
+      seconds: 14,
       from: -1,
-      to: -16,
-      at: step,
+      to: -18,
+      at: of_power,
       still: -6
     },
     creases: {
-      says: "Ridges, with their crease lines. As ε falls, the glow along them gets narrower, and hardly fainter.",
-      begin: { field: "ridges", view: "loci", eps: 0.1 },
+      says: "Ridges. As ε falls, the glow along the creases gets narrower, and hardly fainter. Hold C to see where they are.",
+      begin: { field: "ridges", eps: 0.1 },
       seconds: 6,
       from: -1,
       to: -3.5,
-      at: step,
+      at: of_power,
       still: -2
     },
     pole: {
@@ -45,30 +45,101 @@ function simulator_presets(states, act) {
       still: 0
     }
   };
-  let running = 0;
+  const says = find_element(root, ".sim-says");
+  const play = find_element(root, ".sim-play");
+  const pause_button = find_element(play, "[data-pause]");
+  /** @type {HTMLInputElement} */
+  const bar = find_element(play, "input");
+  const START = says.textContent;
+  const STEPS = 20;
+  /** @type {Experiment | null} */
+  let now = null;
+  let share = 0; // of the experiment that has gone by
+  let frame = 0;
 
+  /** @param {number} to */
+  function put(to) {
+    if (!now) return;
+    share = clamp(0, to, 1);
+    bar.value = String(share);
+    act.change(now.at(now.from + (now.to - now.from) * share));
+  }
+
+  function pause() {
+    cancelAnimationFrame(frame);
+    frame = 0;
+    pause_button.textContent = "▶";
+    pause_button.setAttribute("aria-label", "go on");
+  }
+
+  function go_on() {
+    if (!now) return;
+    const { seconds } = now;
+    const first = share < 1 ? share : 0;
+    let begun = 0;
+    /** @param {number} time */
+    const tick = (time) => {
+      begun ||= time;
+      put(first + (time - begun) / 1000 / seconds);
+      if (share < 1 && !document.hidden) frame = requestAnimationFrame(tick);
+      else pause();
+    };
+    frame = requestAnimationFrame(tick);
+    pause_button.textContent = "❚❚";
+    pause_button.setAttribute("aria-label", "pause");
+  }
+
+  // The experiment is over, and the state stays as it is.
   function stop() {
-    cancelAnimationFrame(running);
-    running = 0;
+    pause();
+    now = null;
+    play.hidden = true;
+    root.classList.remove("sim-running");
   }
 
   /** @param {string} name */
   function run(name) {
     stop();
-    const { begin, seconds, from, to, at, still } = experiments[name];
+    now = experiments[name];
+    says.textContent = now.says;
     const { size, column, row } = states.zoomed(act.state(), { zoom: 0 });
-    act.replace({ ...states.start(), size, column, row, ...begin });
-    if (no_motion.matches) return act.change(at(still));
-    let first = 0;
-    /** @param {number} now */
-    const tick = (now) => {
-      first ||= now;
-      const share = Math.min(1, (now - first) / 1000 / seconds);
-      act.change(at(from + (to - from) * share));
-      running = share < 1 && !document.hidden ? requestAnimationFrame(tick) : 0;
-    };
-    running = requestAnimationFrame(tick);
+    act.replace({ ...states.start(), size, column, row, ...now.begin });
+    play.hidden = false;
+    root.classList.add("sim-running");
+    if (!no_motion.matches) {
+      share = 0;
+      return go_on();
+    }
+    put((now.still - now.from) / (now.to - now.from));
   }
 
-  return { run, stop, says: (/** @type {string} */ name) => experiments[name].says, running: () => running !== 0 };
+  function reset() {
+    stop();
+    says.textContent = START;
+  }
+
+  const toggle = () => (frame ? pause() : go_on());
+
+  /** A step by hand. @param {number} steps */
+  function step(steps) {
+    pause();
+    put(share + steps / STEPS);
+  }
+
+  /** @param {KeyboardEvent} event */
+  function press(event) {
+    if (!now || is_typed(event) || is_shortcut(event)) return;
+    const is_button = event.target instanceof HTMLButtonElement;
+    if (event.key === "Escape") stop();
+    else if (event.key === " " && !is_button) toggle();
+    else return;
+    event.preventDefault();
+  }
+
+  document.addEventListener("keydown", press);
+  bar.addEventListener("input", () => {
+    pause();
+    put(Number(bar.value));
+  });
+  return { run, stop, reset, toggle, step, running: () => frame !== 0 };
 }

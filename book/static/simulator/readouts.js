@@ -16,8 +16,6 @@ function simulator_readouts(root, data, module) {
   let times = {};
   let captioned = "";
 
-  /** A colour of a palette, whose lowest byte is red. @param {number} color */
-  const css = (color) => `rgb(${[0, 8, 16].map((shift) => (color >>> shift) & 255)})`;
   /** @param {number} x */
   const number = (x) => (x === 0 ? "0" : scientific(x, 2));
 
@@ -28,10 +26,14 @@ function simulator_readouts(root, data, module) {
     return digits === 1 ? `10${raised(power)}` : `${Number(digits.toPrecision(3))} · 10${raised(power)}`;
   }
 
-  /** The largest difference, and the root mean square. @param {{ count: number, max: number, size: number }} found */
-  function apart({ count, max, size }) {
-    put("[data-readout=max]", count ? number(max) : "—");
-    put("[data-readout=rms]", count ? number(size) : "—");
+  /**
+   * The largest difference, and the root mean square: about, while a coarser picture stands for the one that is asked for.
+   * @param {{ count: number, max: number, size: number }} found
+   * @param {boolean} is_whole
+   */
+  function apart({ count, max, size }, is_whole) {
+    for (const [name, one] of Object.entries({ max, rms: size }))
+      put(`[data-readout=${name}]`, count ? `${is_whole ? "" : "≈ "}${number(one)}` : "—");
   }
 
   /** @param {{ count: number, flips: number, attached: number[] } | null} found null: not yet */
@@ -88,17 +90,12 @@ function simulator_readouts(root, data, module) {
     const key = [method, eps, scale, zoom, view, field].join();
     if (key === captioned) return;
     captioned = key;
-    const in_powers = scale === "log";
     const gain = scale === "1e0" ? "" : ` × ${short(Number(scale))}`;
     put("[data-title=numeric]", `${$(`#sim-method [value=${method}]`).textContent}, ε = ${short(eps)}`);
-    put("[data-title=difference]", `|ΔI|${in_powers ? ", logarithmic" : gain}`);
+    put("[data-title=difference]", `|ΔI|${Number(scale) ? gain : ", logarithmic"}`);
     put(".sim-zoom output", zoom ? `${(2 ** (zoom / 2)).toPrecision(3)} ×` : "1 ×");
     put(".sim-remark", remark(state));
     $(".sim-legend").hidden = view !== "terms";
-    const colors = data.tables[in_powers ? "inferno" : "grey"].filter((_, n) => n % 15 === 0).map(css);
-    const marks = in_powers ? ["10⁻¹⁶", "10⁻¹²", "10⁻⁸", "10⁻⁴", "1"] : ["0", short(1 / Number(scale))];
-    $(".sim-bar span").style.background = `linear-gradient(to right, ${colors})`;
-    $(".sim-bar p").replaceChildren(...marks.map((mark) => make_element("span", {}, mark)));
   }
 
   const terms = data.terms.map(

@@ -22,11 +22,15 @@ function simulator_start(root, compiled, module) {
   let pixel_of = "";
   let counted_of = "";
   let timed_of = "";
+  let addressed = state;
   let wanted = 0;
   let saved = 0;
   let shown_panels = 0;
+  let drawn_size = 0;
   /** @type {{ ready: number }[]} */
   const frames = []; // milliseconds from a change to its pictures in the canvases
+  /** @type {number[]} */
+  const refined = []; // milliseconds that the workers took for all pixels of a larger picture
 
   // Every field and every model of light that the renderer knows; the page has the chapter's models already.
   function add_choices() {
@@ -74,8 +78,12 @@ function simulator_start(root, compiled, module) {
     saved = setTimeout(put_into_address, 300);
   }
 
+  // What changes the pictures is a step that the browser's Back undoes; where the cursor is, is none.
   function put_into_address() {
-    history.replaceState(null, "", states.fragment(state));
+    if (drawn_key(state) === drawn_key(addressed)) return history.replaceState(null, "", states.fragment(state));
+    if (!location.hash.startsWith(states.MARK)) history.replaceState(null, "", states.fragment(addressed));
+    history.pushState(null, "", states.fragment(state));
+    addressed = state;
   }
 
   /** @type {Act} */
@@ -112,9 +120,11 @@ function simulator_start(root, compiled, module) {
   };
 
   const controls = simulator_controls(root, states, act);
-  const presets = simulator_presets(states, act);
+  const presets = simulator_presets(root, states, act);
   const readouts = simulator_readouts(root, data, module);
-  const pictures = simulator_pictures(root, states, data, module, act);
+  const pictures = simulator_pictures(root, states, data, module);
+  const layout = simulator_layout(root, resized);
+  const hand = simulator_hand(pictures, act);
   const curve = simulator_curve(root, module, act);
   const cursor = simulator_cursor(root, states, data, module);
 
@@ -123,10 +133,16 @@ function simulator_start(root, compiled, module) {
     if (document.hidden) return;
     if (pixel_key(state) !== pixel_of) pixel_curve = curve.at_pixel(state, states.crop(state));
     pixel_of = pixel_key(state);
-    curve.show(state, pixel_curve, picture_of === curve_key(state) ? picture : none);
+    curve.show(state, pixel_curve, picture_of === curve_key(state) ? picture : none, pictures.colored);
     readouts.captions(state);
     cursor.show(state); // after the curve, which asks how wide it is
+    root.dispatchEvent(new CustomEvent("pixel", { detail: state })); // for what shows more of it, such as the loupe
     shown_panels = performance.now();
+  }
+
+  function resized() {
+    pictures.resized();
+    panels_soon();
   }
 
   /** @template {string} Name @param {Record<Name, number>[]} replies @param {Name} name */
@@ -143,16 +159,20 @@ function simulator_start(root, compiled, module) {
 
   /** @type {Handlers} */
   const handlers = {
-    drawn(of, replies, asked) {
-      pictures.paint(of, replies);
+    painted: pictures.paint,
+    drawn(of, replies, asked, by_page, is_whole) {
+      if (of.size !== drawn_size) layout.fit(of.size);
+      drawn_size = of.size;
+      pictures.show(of, by_page);
       pictures.decorate(state);
       const ready = performance.now() - asked;
-      readouts.apart(apart(replies));
+      readouts.apart(apart(replies), is_whole);
+      if (!by_page) refined.push(ready);
+      if (is_whole) shown = of;
       if (counted_of !== chambers_key(of)) readouts.counted(null);
       if (timed_of !== times_key(of)) readouts.forget_times();
       timed_of = times_key(of);
       requestAnimationFrame(() => frames.push({ ready }));
-      shown = of;
     },
     // What the workers do while nothing moves.
     resting(of) {
@@ -168,7 +188,8 @@ function simulator_start(root, compiled, module) {
     },
     followed(all) {
       const eps = curve.COARSE[all[0].index];
-      picture.set(eps, { eps, ...apart(all) });
+      const still = all[0].still.map((level, cell) => Math.max(level, ...all.map((one) => one.still[cell])));
+      picture.set(eps, { eps, ...apart(all), still });
       panels_soon();
     },
     timed: (all) => readouts.timed(largest(all, "numeric"), largest(all, "symbolic")),
@@ -193,15 +214,17 @@ function simulator_start(root, compiled, module) {
 
   /** What each button does, by its name: told the button's value. @type {Record<string, (value: string, button: Element) => void>} */
   const buttons = {
-    preset(name) {
-      presets.run(name);
-      $(".sim-says").textContent = presets.says(name);
-    },
+    preset: presets.run,
+    pause: presets.toggle,
+    step: (steps) => presets.step(Number(steps)),
+    stop: presets.stop,
+    apart: () => layout.toggle_apart(state.size),
+    large: layout.toggle_large,
     save: (name) => download(`${name}.png`, pictures.canvas(name).toDataURL()),
     zoom: (steps) => act.zoom(Number(steps)),
     reset() {
-      presets.stop();
-      pictures.release();
+      presets.reset();
+      hand.release();
       act.replace(states.start());
     },
     csv: () => download("u-curve.csv", `data:text/csv,${encodeURIComponent(curve.csv(pixel_curve, picture))}`),
@@ -223,7 +246,11 @@ function simulator_start(root, compiled, module) {
   function from_address() {
     try {
       const next = states.from_fragment(location.hash);
-      if (next) act.replace(next);
+      if (next) {
+        presets.stop();
+        act.replace(next);
+        addressed = state;
+      }
       return next !== null;
     } catch (error) {
       message(`${error_text(error)}. Nothing was changed.`);
@@ -248,9 +275,21 @@ function simulator_start(root, compiled, module) {
   panels();
   if (from_address()) root.scrollIntoView();
   window.addEventListener("hashchange", from_address);
-  window.addEventListener("resize", panels_soon);
+  new ResizeObserver(() => drawn_size && layout.fit(state.size)).observe($(".sim-stage"));
+  window.addEventListener("resize", () => layout.fit(state.size));
   document.addEventListener("visibilitychange", show_or_hide);
-  return { act, states, module, cursor, curve, frames, presets, shown: () => shown && states.fragment(shown) };
+  return {
+    act,
+    states,
+    module,
+    cursor,
+    curve,
+    frames,
+    refined,
+    presets,
+    pictures,
+    shown: () => shown && states.fragment(shown)
+  };
 }
 
 /** @param {HTMLElement} root @param {string} text */

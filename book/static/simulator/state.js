@@ -3,12 +3,40 @@
 
 /** @param {HTMLElement} root @param {SimulatorData} data */
 function simulator_states(root, { fields, models, scene }) {
-  const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d{1,3})?$/i;
+  const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d{1,3})?$/i;
+  /** @type {Record<string, string>} */
+  const SIGNS = { eps: "ε", beta: "β" }; // as the page has them
+
+  /** A decimal number, or one to a whole power, or NaN. @param {string} text */
+  function power_in(text) {
+    const [base, exponent = "1", ...more] = text.split("^");
+    return !more.length && [base, exponent].every((part) => DECIMAL.test(part))
+      ? Number(base) ** Number(exponent)
+      : NaN;
+  }
+
+  /** The number in a text as code has it, or as print has: 1e-8, 1.2e−8, 10⁻⁸, 3 · 10⁻⁴, 2^-20, 1/8; NaN in others. @param {string} text */
+  function number_in(text) {
+    const lowered = text.replace(
+      /[⁻⁰¹²³⁴-⁹]+/g,
+      (digits) => `^${digits.replace(/./g, (one) => "-0123456789"["⁻⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(one)])}`
+    );
+    const plain = lowered
+      .replaceAll("−", "-")
+      .replace(/[·×]/g, "*")
+      .replace(/ *([*/^]) */g, "$1")
+      .trim();
+    const [over, under = "1", ...more] = plain
+      .replace(/\*10\^/, "e")
+      .replace(/^10\^/, "1e")
+      .split("/");
+    return more.length ? NaN : power_in(over) / power_in(under) + 0;
+  }
 
   /** @param {number} low @param {number} high @param {number} start @returns {Parameter} */
   const number = (low, high, start) => ({
     start,
-    read: (text) => (decimal.test(text.trim()) ? Number(text) + 0 : NaN),
+    read: number_in,
     write: String,
     holds: (x) => typeof x === "number" && x >= low && x <= high,
     allowed: `a number from ${low} to ${high}`
@@ -55,7 +83,7 @@ function simulator_states(root, { fields, models, scene }) {
   /** @type {Record<string, Parameter>} */
   const parameters = {
     field: choice(Object.keys(fields), scene.field),
-    eps: number(1e-16, 0.1, 1e-3),
+    eps: number(1e-18, 0.1, 1e-3),
     beta: number(0, 2, scene.beta),
     ku: number(-64, 64, scene.ku),
     kv: number(-64, 64, scene.kv),
@@ -88,7 +116,7 @@ function simulator_states(root, { fields, models, scene }) {
 
   /** @param {string} name @param {any} value */
   const refused = (name, value, allowed = parameters[name].allowed) =>
-    new Error(`${name} = ${value} is not allowed: ${allowed}`);
+    new Error(`${SIGNS[name] ?? name} = ${value} is not allowed: ${allowed}`);
 
   /**
    * Return the state with changes, checked; throw an Error that names the value and what is allowed.
@@ -113,8 +141,9 @@ function simulator_states(root, { fields, models, scene }) {
   /** Read one parameter from a text, or throw. @param {string} name @param {string} text */
   function read(name, text) {
     const value = parameters[name].read(text);
-    if (!parameters[name].holds(value)) throw refused(name, text.slice(0, 40));
-    return value;
+    if (parameters[name].holds(value)) return value;
+    const comma = /\d,\d/.test(text) && "write the decimal comma as a point";
+    throw refused(name, text.slice(0, 40), comma || undefined);
   }
 
   /**
@@ -164,30 +193,49 @@ function simulator_states(root, { fields, models, scene }) {
   const fragment = (state) =>
     MARK +
     Object.entries(parameters)
-      .map(([name, p]) => `${name}=${p.write(state[name])}`)
+      .map(
+        ([name, p]) => `${name}=${AXES.flat().includes(name) ? share_at(state, name).toFixed(7) : p.write(state[name])}`
+      )
       .join("&");
+
+  /** @param {string} name */
+  const is_cursor = (name) => AXES.some(([, cursor]) => cursor === name);
+
+  // A place in an address is a share of the raster, the same at any size; a whole number is one in pixels.
+  /** @param {State} state @param {string} name */
+  const share_at = (state, name) => (state[name] + 0.5 * Number(is_cursor(name))) / side(state);
+  /** @param {State} state @param {string} name @param {string} text */
+  const place_in = (state, name, text) =>
+    /^0?\.\d+$/.test(text) ? Math.round(Number(text) * side(state) - 0.5 * Number(is_cursor(name))) : read(name, text);
 
   /** Return the state of a fragment, null if it is none of ours; throw if it is malformed. @param {string} text */
   function from_fragment(text) {
     if (!text.startsWith(MARK)) return null;
+    /** @type {Record<string, string>} */
+    const places = {};
     /** @type {Partial<State>} */
     const found = {};
     for (const [name, value] of new URLSearchParams(text.slice(MARK.length))) {
       if (!Object.hasOwn(parameters, name))
         throw new Error(`the address sets ${name.slice(0, 40)}, which is not a setting`);
-      if (name in found) throw new Error(`the address sets ${name} twice`);
-      found[name] = read(name, value);
+      if (name in found || name in places) throw new Error(`the address sets ${name} twice`);
+      if (AXES.flat().includes(name)) places[name] = value;
+      else found[name] = read(name, value);
     }
-    const state = { ...start(), ...found };
-    if ("column" in found || "row" in found) return changed(state, {});
-    const { column, row } = within(state);
-    return changed(state, { column, row });
+    const state = zoomed(start(), found);
+    for (const [name, value] of Object.entries(places)) state[name] = place_in(state, name, value);
+    const is_pinned = "column" in places || "row" in places;
+    return changed(is_pinned ? state : { ...within(state), left: state.left, top: state.top }, {});
   }
 
-  /** @param {State} state @returns {Raster} */
-  function crop(state) {
-    const { left, top, size } = state;
-    return { width: side(state), height: side(state), left, top, wide: size, high: size };
+  /**
+   * The part of the raster that is shown; in pixels that are so many times as large, along either side.
+   * @param {State} state
+   * @returns {Raster}
+   */
+  function crop(state, coarse = 1) {
+    const [whole, wide, left, top] = [side(state), state.size, state.left, state.top].map((length) => length / coarse);
+    return { width: whole, height: whole, left, top, wide, high: wide };
   }
 
   /**
@@ -224,6 +272,7 @@ function simulator_states(root, { fields, models, scene }) {
     fragment,
     from_fragment,
     python,
-    FURTHEST
+    FURTHEST,
+    MARK
   };
 }

@@ -9,9 +9,10 @@
  */
 function simulator_worker(post) {
   const ROUNDS = 12;
+  const SIDE = 32; // of a still
   const EXACT = { name: "exact" };
   /** @type {Record<string, { key: Key, value: any, version: number, fresh: boolean }>} */
-  let kept = {};
+  const kept = {};
   let apart = { largest: 0, squares: 0 };
   let versions = 0;
   let timer = 0;
@@ -100,18 +101,34 @@ function simulator_worker(post) {
 
   /** @param {Stage} stage @param {string} into @param {Painting} options */
   const paint_logarithmic = (stage, into, options) =>
-    module.paint("paint_difference_logarithmic", stage, into, { ...options, table: "sizes", palette: "inferno" });
+    module.paint("paint_difference_logarithmic", stage, into, { ...options, table: "sizes" });
 
-  /** @param {State} state @param {Stage} stage @param {boolean} whole */
+  /**
+   * What was painted of A in SIDE × SIDE cells, the largest level of each.
+   * @param {State} state
+   * @param {Stage} stage
+   */
+  function still_of({ size, top }, stage) {
+    const { raster, pitch, at } = stage;
+    const cells = new Uint8Array(SIDE * SIDE);
+    const levels = module.bytes(stage, "spare", [0, raster.high]);
+    for (const i of at) {
+      const row = Math.floor(((Math.floor(i / pitch) + raster.top - top) * SIDE) / size);
+      const cell = row * SIDE + Math.floor(((i % pitch) * SIDE) / size);
+      cells[cell] = Math.max(cells[cell], levels[4 * i]);
+    }
+    return cells;
+  }
+
+  /** The difference is painted as its levels; the page gives them colours. @param {State} state @param {Stage} stage @param {boolean} whole */
   function paint_difference({ scale }, stage, whole) {
     const options = { whole, of: "numeric", other: "symbolic" };
-    if (scale === "log") return paint_logarithmic(stage, "difference", options);
+    if (!Number(scale)) return paint_logarithmic(stage, "difference", options);
     return module.paint("paint_difference_linear", stage, "difference", { ...options, gain: Number(scale) });
   }
 
   /** @param {DrawTask} task */
-  function draw({ id, state, band, buffers, anew }) {
-    if (anew) kept = {};
+  function draw({ id, state, band, part, buffers }) {
     const stage = staged(state, band);
     const codes = kept.stage.fresh ? stage.codes.slice() : null;
     const moved = codes ? [codes.buffer] : [];
@@ -149,7 +166,7 @@ function simulator_worker(post) {
     picture("difference", [kept.around.version], pair, (whole) => {
       apart = paint_difference(state, stage, whole);
     });
-    post({ kind: "drawn", id, band, images, ...apart, count: stage.count, codes }, moved);
+    post({ kind: "drawn", id, band, part, images, ...apart, count: stage.count, codes }, moved);
   }
 
   /** How long A takes by a method, drawn again from nothing. @param {Method} method @param {State} state @param {Stage} stage */
@@ -186,7 +203,8 @@ function simulator_worker(post) {
     yield { kind: "counted", id, index: 0, ...count_flips(state, stage), count };
     for (const [index, eps] of (steps ?? []).entries()) {
       module.draw_a(state, { name: state.method, eps }, stage, "spare");
-      yield { kind: "followed", id, index, ...paint_logarithmic(stage, "spare", { other: "symbolic" }), count };
+      const sizes = paint_logarithmic(stage, "spare", { other: "symbolic" });
+      yield { kind: "followed", id, index, ...sizes, count, still: still_of(state, stage) };
     }
     for (let index = 0; index < ROUNDS; index++) {
       const [numeric, symbolic] = [difference(state), EXACT].map((method) => time_of(method, state, stage));

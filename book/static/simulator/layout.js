@@ -1,0 +1,97 @@
+// How large the simulator and its pictures are: as wide as the window lets them be, with the pictures, the curve, the
+// step and the pixel in one screen.
+"use strict";
+
+/** @param {HTMLElement} root @param {() => void} resized is told when the pictures have another size */
+function simulator_layout(root, resized) {
+  const NARROW = 700; // pixels; a phone has less
+  const BESIDE = 440; // that the curve and the step need beside a picture
+  const PIXEL = 600; // that the pixel's table needs there
+  const TABLE = 150; // of its height below
+  const TITLE = 26;
+  const PLOT = 252; // the least height of curve, stills and step, with the difference's scale
+  const COMPACT = 900; // has the curve below the pictures, and the pixel beside that
+  const SCENE = 196; // the least width of the sliders
+  const GAP = 16;
+  const stage = find_element(root, ".sim-stage");
+  const modes = ["apart", "large"].map((name) => find_element(root, `[data-${name}]`));
+  const page = root.closest("main") ?? document.body;
+  let is_apart = false;
+  let last = "";
+
+  /** The largest side for which there is room, if it can be in whole multiples of the raster's pixels. @param {number} room @param {number} size */
+  function side_for(room, size) {
+    const ratio = window.devicePixelRatio || 1;
+    const pixels = room * ratio;
+    const whole = pixels >= size ? Math.floor(pixels / size) * size : size / 2 ** Math.ceil(Math.log2(size / pixels));
+    return (whole < 0.66 * pixels ? Math.floor(pixels) : whole) / ratio;
+  }
+
+  // Break out of the text's column.
+  function spread() {
+    root.style.width = "";
+    root.style.marginLeft = "";
+    if (document.fullscreenElement === root) return;
+    const { left, width } = page.getBoundingClientRect();
+    const edge = width < NARROW ? 8 : 24;
+    const shift = left + edge - root.getBoundingClientRect().left;
+    root.style.marginLeft = `${shift}px`;
+    root.style.width = `${width - 2 * edge}px`;
+  }
+
+  /** The sides of the wiper's picture, or of all three, and of the difference; whether the pixel stands beside. @param {number} size */
+  function sides(size) {
+    const wide = stage.clientWidth;
+    const above = stage.getBoundingClientRect().top - root.getBoundingClientRect().top;
+    const bar =
+      document.fullscreenElement === root ? 0 : (document.querySelector(".bd-header-article")?.clientHeight ?? 0);
+    const high = window.innerHeight - bar - above - TITLE;
+    if (wide < NARROW) return { large: side_for(wide, size), small: side_for(wide, size), is_tall: false };
+    if (is_apart) {
+      const side = side_for(Math.min((wide - 2 * GAP) / 3, high - PLOT - TABLE), size);
+      return { large: side, small: side, is_tall: false };
+    }
+    if (wide < COMPACT) {
+      const side = side_for(Math.min((wide - SCENE) / 2 - GAP, high - PLOT), size);
+      return { large: side, small: side, is_tall: false };
+    }
+    const [below, beside] = [Math.min(high - TABLE, wide - BESIDE), Math.min(high, wide - PIXEL)].map((room) =>
+      side_for(room, size)
+    );
+    const large = Math.max(below, beside);
+    const is_tall = beside > below;
+    const small = side_for(Math.min(wide - large - 2 * GAP - SCENE, large - PLOT - (is_tall ? TABLE : 0)), size);
+    return { large, small, is_tall };
+  }
+
+  /** @param {number} size */
+  function fit(size) {
+    spread();
+    const { large, small, is_tall } = sides(size);
+    root.style.setProperty("--side", `${large}px`);
+    root.style.setProperty("--small", `${small}px`);
+    root.classList.toggle("sim-tall", is_tall);
+    root.classList.toggle("sim-compact", root.clientWidth >= NARROW && root.clientWidth < COMPACT);
+    const now = [large, small, window.devicePixelRatio].join();
+    if (now !== last) resized();
+    last = now;
+  }
+
+  /** @param {number} size */
+  function toggle_apart(size) {
+    is_apart = !is_apart;
+    root.classList.toggle("sim-apart", is_apart);
+    modes[0].setAttribute("aria-pressed", String(is_apart));
+    fit(size);
+  }
+
+  function toggle_large() {
+    if (document.fullscreenElement) document.exitFullscreen();
+    else root.requestFullscreen();
+  }
+
+  document.addEventListener("fullscreenchange", () =>
+    modes[1].setAttribute("aria-pressed", String(document.fullscreenElement === root))
+  );
+  return { fit, toggle_apart, toggle_large };
+}

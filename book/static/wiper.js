@@ -1,0 +1,42 @@
+// A wiper: two pictures in one place, a line between what is seen of the first and of the second, and a knob that moves
+// it. The page writes
+//     <div data-wiper="how much of the numeric picture is shown"><img …><img …></div>
+// with two children of one size; the words name the knob, a slider: drag it, or use the arrow keys, Home and End. The
+// second child is cut off at --wiper, half the width without scripts. The look is in wiper.css.
+"use strict";
+
+/** @param {HTMLElement} box */
+function make_wiper(box) {
+  const knob = make_element("i", {
+    ...{ class: "wiper-knob", role: "slider", tabindex: 0, "aria-label": box.dataset.wiper ?? "" },
+    ...{ "aria-valuemin": 0, "aria-valuemax": 100 }
+  });
+  let share = 50;
+
+  /** @param {number} to per cent of the width */
+  function put(to) {
+    share = clamp(0, to, 100);
+    box.style.setProperty("--wiper", `${share}%`);
+    set_attributes(knob, { "aria-valuenow": Math.round(share), "aria-valuetext": `${Math.round(share)} %` });
+  }
+
+  knob.addEventListener("pointerdown", (event) => {
+    if (event.button === 0) knob.setPointerCapture(event.pointerId);
+  });
+  knob.addEventListener("pointermove", (event) => {
+    if (!knob.hasPointerCapture(event.pointerId)) return;
+    const { x, width } = pointer_in(box, event);
+    put((100 * x) / width);
+  });
+  knob.addEventListener("keydown", (event) => {
+    const arrow = arrow_of(event);
+    const to = arrow ? share + arrow[0] + arrow[1] : { Home: 0, End: 100 }[event.key];
+    if (to === undefined || is_shortcut(event)) return;
+    event.preventDefault();
+    put(to);
+  });
+  put(share);
+  box.append(knob);
+}
+
+when_ready(() => document.querySelectorAll(/** @type {"div"} */ ("[data-wiper]")).forEach(make_wiper));
