@@ -228,6 +228,33 @@ def test_two_slopes_says_what_the_renderer_says(idea):
     assert now(step) > eps
 
 
+def dots(figure, panel):
+    """Return the places of the marked samples in a panel of two_slopes, x and y in pixels."""
+    marked = figure.locator("svg").nth(panel).locator("circle.end").all()
+    return np.array([[float(dot.get_attribute(name)) for name in ("cx", "cy")] for dot in marked])
+
+
+def test_the_microscope_shows_where_float64_puts_the_samples(idea):
+    tab, figure = idea("two_slopes")
+    slider, point = figure.locator("input"), figure.locator(".idea-handle").first
+    unit, met, u = figure.locator("svg").nth(1).bounding_box()["width"] / 4, [], now(point)
+    for exponent in (-3, -6, -15.9, -17):
+        slider.evaluate("(s, to) => { s.value = to; s.dispatchEvent(new Event('input')) }", exponent)
+        next_frame(tab)
+        eps = 10 ** float(slider.input_value())
+        samples = dots(figure, 1)
+        asked, taken = samples[[0, 2], 0], samples[[1, 3], 0]
+        np.testing.assert_allclose(asked, [unit, 3 * unit], atol=0.6)
+        np.testing.assert_allclose(taken, [unit * (2 + ((u + s * eps) - u) / eps) for s in (-1, 1)], atol=0.6)
+        is_lost = "float64 takes no step" in figure.locator(".idea-says").inner_text()
+        assert is_lost is (u + eps == u) is bool(taken[0] == taken[1])
+        met.append([float(figure.locator("circle.met").get_attribute(name)) for name in ("cx", "cy")])
+    assert is_lost and said(figure)[1] == 0.0
+    (_, far), (_, best), (_, near), (_, lost) = met
+    assert best > far and best > near > lost  # down one arm of the U and up the other; y is measured downwards
+    assert [x for x, _ in met] == sorted((x for x, _ in met), reverse=True)
+
+
 @pytest.mark.parametrize(
     "keys, surface", [([], "A"), (["Shift+ArrowRight"] * 4, "B"), (["Shift+ArrowLeft"] * 18, "floor")]
 )
