@@ -40,13 +40,13 @@ def steps_that_are_lost(within: float = 0.5, at_power: float = 0.25, odd: float 
         step = share * spacings(at)
         lost = dies(at, step, within, at_power)
         for slope in _slopes(at, step):
-            wrong += np.count_nonzero(lost & (slope != 0))
+            wrong += int(np.count_nonzero(lost & (slope != 0)))
             samples += lost.size
     inner = at[:, 3:]
     tie = spacings(inner) / 2
     is_odd = np.ldexp(inner, 53 + np.arange(DEEPEST)[:, None]) % 2 == 1
     for slope in _slopes(inner, tie):
-        wrong += np.count_nonzero(slope != np.where(is_odd, odd, 0.0))
+        wrong += int(np.count_nonzero(slope != np.where(is_odd, odd, 0.0)))
         samples += inner.size
     return Measurement(
         samples=samples,
