@@ -6,28 +6,33 @@ the pages as WebAssembly, beside the simulator's (`book.simulator_module`).
 
 import json
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 from sympy import Integer
 
 from book.simulator_module import packed
 from proofs.engine.program import Program
-from proofs.formulas import bump
 from proofs.formulas.chart import chart_inverse
+from proofs.formulas.displacement import blinn_normal, displaced_normal, h_phi, h_theta
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import pixel
 from proofs.formulas.symbols import column, half, height, row, shininess, width, x, y
-from renderer import Scene, kernels
+from renderer import Scene, kernels, render
 from renderer.generate.kernels import function_of
+from renderer.generate.step_terms import SLOPE_TERMS
 from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import compiled_module
-from renderer.operations import Number
+from renderer.operations import Number, sqrt
+from verify.accuracy.frontiers.fiction import angle_maps
 from verify.reference import scene_values
 
 DEGREES = 180.0  # in half a turn
 
 
 angles_at = function_of(chart_inverse.keep(*chart_inverse.outputs, name="angles_at"))
+in_radians = function_of(displaced_normal.keep(h_theta, h_phi, name="in_radians"))
+BLINN, DISPLACED = function_of(blinn_normal), function_of(displaced_normal)
 
 
 def bump_at(
@@ -50,12 +55,42 @@ def bump_at(
     return kernels.height_ridges(u, v, k_u, k_v), *gradient, tilt, kernels.maximum(0.0, mu)
 
 
+def surfaces(
+    u: Number, v: Number, k_u: Number, k_v: Number, beta: Number, light_x: Number, light_y: Number, light_z: Number
+) -> tuple[Number, ...]:
+    """Return a point of the unit sphere, the same displaced by βh of ridges, and max(0, μ) for each of five normals.
+
+    These are the chapter's, that with its sign mended, its scale, its metric, and the displaced surface's own, there.
+    """
+    angles, slopes = angles_at(u, v), kernels.gradient_ridges(u, v, k_u, k_v)
+    h, light = kernels.height_ridges(u, v, k_u, k_v), (light_x, light_y, light_z)
+    smooth, raised = (kernels.point_on_a(*angles, radius) for radius in (0.0 * h + 1.0, beta * h + 1.0))
+    lit = []
+    for point, normal in (
+        (smooth, kernels.bumped_normal(*angles, *slopes, beta)),
+        (smooth, kernels.bumped_normal(*angles, *slopes, -beta)),
+        (smooth, kernels.bumped_normal(*angles, *in_radians(*slopes), -beta)),
+        (smooth, BLINN(*angles, *slopes, beta)),
+        (raised, DISPLACED(*angles, *slopes, beta, h)),
+    ):
+        length = sqrt(sum((part * part for part in normal[1:]), normal[0] * normal[0]))
+        mu = kernels.light_cosine(*point, *light, *normal) / length
+        lit.append(kernels.maximum(0.0, mu))
+    return *smooth, *raised, *lit
+
+
 def two_slopes(u: Number, v: Number, k_u: Number, k_v: Number, epsilon: Number) -> tuple[Number, ...]:
     """Return h of ridges at u − ε, u and u + ε, h_u by the central difference and exact, and 1 where it straddles."""
     heights = tuple(kernels.height_ridges(at, v, k_u, k_v) for at in (u - epsilon, u, u + epsilon))
     numeric, _ = kernels.central(kernels.height_ridges, u, v, k_u, k_v, epsilon)
     exact, _ = kernels.gradient_ridges(u, v, k_u, k_v)
     return *heights, numeric, exact, kernels.straddling_ridges(u, v, k_u, k_v, epsilon)
+
+
+def slope_parts(u: Number, v: Number, k_u: Number, k_v: Number, epsilon: Number) -> tuple[Number, ...]:
+    """Return the proved bounds of three parts of h_u's error, of ridges: the step's reach, rounded u ± ε, heights."""
+    (truncation, arguments, heights, straddling, _), _ = SLOPE_TERMS["ridges"](u, v, k_u, k_v, epsilon)
+    return truncation + straddling, arguments, heights
 
 
 def every_line(name: str, program: Program) -> tuple[Callable, dict[str, list[str]]]:
@@ -75,13 +110,18 @@ def seen_along_a_ray() -> Program:
 
 PLACE = (column, row, width, height)
 PIXEL = seen_along_a_ray()
-bump_lines, BUMP_LINES = every_line("bump_lines", bump.bumped_normal)
 pixel_lines, PIXEL_LINES = every_line("pixel_lines", PIXEL)
-LINES = {"bump_lines": BUMP_LINES, "pixel_lines": PIXEL_LINES}
+LINES = {"pixel_lines": PIXEL_LINES}
 """{kernel: the names of its inputs, and of the lines that it returns}."""
 
-IDEAS = (angles_at, bump_at, two_slopes, kernels.chart, kernels.shadow, bump_lines, pixel_lines)
+IDEAS = (bump_at, surfaces, two_slopes, slope_parts, kernels.shadow, pixel_lines)
 """What is compiled for them."""
+
+
+@cache
+def angles() -> tuple[float, ...]:
+    """Return the median angle of each of the five normals to the displaced surface's, in degrees, over A in 256²."""
+    return *(float(np.nanmedian(found)) for found in angle_maps(render(Scene(), 256, 256)).values()), 0.0
 
 
 def scene_inputs(scene: Scene) -> dict[str, float]:
@@ -102,7 +142,7 @@ def source() -> str:
     """Return the text of the script that their pages load."""
     module, outputs = compiled_module({}, {kernel.__name__: kernel for kernel in IDEAS}, {})
     kernels_of = {kernel.__name__: [len(inputs_of(kernel)), outputs[kernel.__name__]] for kernel in IDEAS}
-    data = {"kernels": kernels_of, "lines": LINES, "given": scene_inputs(Scene())}
+    data = {"kernels": kernels_of, "lines": LINES, "given": scene_inputs(Scene()), "angles": angles()}
     return (
         "// Printed from proofs/ by `python -m book`: what the small interactives ask of the renderer's kernels.\n"
         f'"use strict";\nvar Ideas = Ideas || {{}};\nIdeas.data = {json.dumps(data, separators=(",", ":"))};\n'

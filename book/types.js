@@ -106,10 +106,11 @@
 // ideas/ideas.js
 /**
  * @typedef {{ kernels: Record<string, [number, number]>, given: Record<string, number>,
- *   lines: Record<string, { inputs: string[], lines: string[] }> }} IdeasData
+ *   lines: Record<string, { inputs: string[], lines: string[] }>, angles: number[] }} IdeasData
  * @typedef {SimulatorModule & { own: SimulatorModule }} IdeasModule with the interactives' own kernels
  * @typedef {SimulatorData & IdeasData} AllData
- * @typedef {(stage: ReturnType<typeof idea_stage>, module: IdeasModule, data: AllData) => () => void} Idea sets a stage; returns what draws on it
+ * @typedef {(stage: ReturnType<typeof idea_stage>, module: IdeasModule, data: AllData) => (() => void) | null} Idea
+ *   sets a stage; returns what draws on it, or null where the browser cannot
  * @typedef {(x: number, y: number, begins: boolean) => void} Moved is told of a place on a panel
  * @typedef {(right: number, up: number) => void} Stepped is told of arrow keys, ten times as far with shift
  */

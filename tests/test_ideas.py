@@ -2,14 +2,17 @@
 
 import functools
 import gzip
+import io
 import math
 import random
 import re
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from book import idea_kernels
+from book.figures import bump_surface
 from renderer import Scene, central, exact, gradient_at, height_at, pixel, render
 from renderer.machines.points_code import inputs_of
 from tests.tabs import PHONE, next_frame
@@ -18,7 +21,7 @@ SCENE = Scene()
 PAGES = {
     "slope_is_texture": "s1",
     "scene_from_the_side": "s2",
-    "tilted_frame": "s3",
+    "bump_surface": "s3",
     "two_slopes": "s3",
     "pixel_worked": "s2",
 }
@@ -161,28 +164,50 @@ def test_slope_is_texture_follows_the_pointer(idea):
     assert abs(height_at(SCENE, 0.5, 0.125)) < 1e-12 and said(figure)[0] == 0.0
 
 
-def test_tilted_frame_says_what_the_renderer_says(idea):
-    tab, figure = idea("tilted_frame")
-    view, point, tip = figure.locator("[role=slider]").all()
-    for keys in (["ArrowRight", "Shift+ArrowDown"], ["ArrowLeft", "Shift+ArrowUp"], ["Shift+ArrowRight"] * 3):
-        press(tab, point, *keys)
-        press(tab, tip, keys[0])
-        cells = figure.locator("dd").all_inner_texts()
-        (u, v), (h_u, h_v), n, g, m, (length,), bumped, (tilt,) = map(numbers, cells)
-        u, beta = now(point), now(tip)
-        by_u, by_v = gradient_at(SCENE, u, v, exact())
-        normal, e_theta, e_phi = frame_at(u, v)
-        # v is read with three digits, and the slopes change by up to 400 per unit of v.
-        np.testing.assert_allclose((h_u, h_v, *g), (by_u, by_v, *(by_u * e_theta + by_v * e_phi)), atol=0.3)
-        np.testing.assert_allclose(n, normal, atol=0.003)
-        np.testing.assert_allclose(m, np.array(n) + beta * np.array(g), atol=0.002)
-        np.testing.assert_allclose(bumped, unit(m), atol=0.002)
-        assert abs(length - np.linalg.norm(m)) < 0.002
-        assert abs(tilt - degrees_between(n, bumped)) < 0.3
-        assert beta > 0
-    before = now(view)
-    press(tab, view, "ArrowRight")
-    assert now(view) != before and figure.locator("dd").all_inner_texts() == cells
+def covered(figure, colour):
+    """Return which pixels of a figure's canvas have a colour, to a level."""
+    with Image.open(io.BytesIO(figure.locator("canvas").screenshot())) as picture:
+        return (np.abs(np.asarray(picture.convert("RGB"), float) - colour) < 2).all(axis=2)
+
+
+def test_bump_surface_moves_rim_and_shadow_in_the_last_state_alone(idea):
+    tab, figure = idea("bump_surface")
+    figure.scroll_into_view_if_needed()
+    shadow, floor, seen = (144, 141, 134), (232, 227, 217), []
+    for button, angle in zip(figure.locator(".idea-states button").all(), idea_kernels.angles(), strict=True):
+        button.click()
+        next_frame(tab)
+        assert button.get_attribute("aria-pressed") == "true" and said(figure)[0] == pytest.approx(angle, abs=0.51)
+        seen.append([covered(figure, colour) for colour in (shadow, floor)])
+    assert figure.locator("[aria-pressed=true]").count() == 1 and all(map(np.any, seen[0]))
+    for part, first in enumerate(seen[0]):
+        same = [np.array_equal(first, later[part]) for later in seen[1:]]
+        assert same == [True, True, True, False]
+
+
+def test_bump_surface_turns_by_hand_and_keys_and_stays_still_without_a_card(idea, visit):
+    tab, figure = idea("bump_surface")
+    figure.scroll_into_view_if_needed()
+    view = figure.locator("[role=slider]")
+    start, box = now(view), view.bounding_box()
+    tab.mouse.move(box["x"] + 200, box["y"] + 100)
+    tab.mouse.down()
+    tab.mouse.move(box["x"] + 320, box["y"] + 100, steps=3)
+    tab.mouse.up()
+    next_frame(tab)
+    assert now(view) == start - 57
+    press(tab, view, *["Shift+ArrowDown"] * 9)
+    assert "from 90° above" in view.get_attribute("aria-valuetext") and covered(figure, (232, 227, 217)).any()
+    press(tab, view, *["Shift+ArrowUp"] * 9)
+    assert not covered(figure, (232, 227, 217)).any()  # from below there is no floor
+    none = "HTMLCanvasElement.prototype.getContext = () => null"
+    without = visit("s3", until="document.querySelector('#fig-two_slopes.idea-live')", prepare=none)
+    assert without.locator("#fig-bump_surface .pixels").is_visible()
+
+
+def test_the_stills_of_the_surface_are_the_sphere_s_but_for_the_last():
+    outlines = [still[..., 3] > 0 for still in bump_surface._stills()]
+    assert [np.array_equal(outlines[0], other) for other in outlines[1:]] == [True, True, True, False]
 
 
 def test_two_slopes_says_what_the_renderer_says(idea):
@@ -201,6 +226,33 @@ def test_two_slopes_says_what_the_renderer_says(idea):
     assert apart[0] > apart[1] < apart[2]  # the U
     press(tab, step, "ArrowUp")
     assert now(step) > eps
+
+
+def dots(figure, panel):
+    """Return the places of the marked samples in a panel of two_slopes, x and y in pixels."""
+    marked = figure.locator("svg").nth(panel).locator("circle.end").all()
+    return np.array([[float(dot.get_attribute(name)) for name in ("cx", "cy")] for dot in marked])
+
+
+def test_the_microscope_shows_where_float64_puts_the_samples(idea):
+    tab, figure = idea("two_slopes")
+    slider, point = figure.locator("input"), figure.locator(".idea-handle").first
+    unit, met, u = figure.locator("svg").nth(1).bounding_box()["width"] / 4, [], now(point)
+    for exponent in (-3, -6, -15.9, -17):
+        slider.evaluate("(s, to) => { s.value = to; s.dispatchEvent(new Event('input')) }", exponent)
+        next_frame(tab)
+        eps = 10 ** float(slider.input_value())
+        samples = dots(figure, 1)
+        asked, taken = samples[[0, 2], 0], samples[[1, 3], 0]
+        np.testing.assert_allclose(asked, [unit, 3 * unit], atol=0.6)
+        np.testing.assert_allclose(taken, [unit * (2 + ((u + s * eps) - u) / eps) for s in (-1, 1)], atol=0.6)
+        is_lost = "float64 takes no step" in figure.locator(".idea-says").inner_text()
+        assert is_lost is (u + eps == u) is bool(taken[0] == taken[1])
+        met.append([float(figure.locator("circle.met").get_attribute(name)) for name in ("cx", "cy")])
+    assert is_lost and said(figure)[1] == 0.0
+    (_, far), (_, best), (_, near), (_, lost) = met
+    assert best > far and best > near > lost  # down one arm of the U and up the other; y is measured downwards
+    assert [x for x, _ in met] == sorted((x for x, _ in met), reverse=True)
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ The caption, in MyST: first what to see, then how it was made. Roles work: {numb
 
 Refer to it with {numref}`fig-eps_sweep`. Without a caption it has no number and no label.
 `:panels: 312 312 300` are the widths of a picture's parts, which then stand one below the other on a phone.
+`:wiper: other_id, what that one shows` lays another figure of the same size over it, under a wiper (static/wiper.js).
 `:class:` adds CSS classes; `:plain:` leaves out the provenance line.
 """
 
@@ -24,7 +25,7 @@ from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
 from book.assembly.results import load_result, remark
-from book.extension.elements import directive
+from book.extension.elements import directive, filled
 from book.extension.numbers import typeset
 
 
@@ -50,6 +51,7 @@ OPTIONS = {
     "panels": directives.positive_int_list,
     "class": directives.class_option,
     "plain": directives.flag,
+    "wiper": directives.unchanged,
 }
 
 
@@ -66,7 +68,13 @@ def chapter_figure(here: SphinxDirective) -> list[nodes.Node]:
     width = here.options.get("width", "text")
     figure = nodes.figure("", classes=[f"{width}-width", f"kind-{description['kind']}", *here.options.get("class", [])])
     here.set_source_info(figure)
-    figure += nodes.container("", *_images(here.options, id, description), classes=["pixels"])
+    images = _images(here.options, id, description)
+    if "wiper" in here.options:
+        other, _, alt = here.options["wiper"].partition(", ")
+        images += _images({**here.options, "alt": alt}, other, load_result(book, other))
+        figure += filled("wiper", images=images)
+    else:
+        figure += nodes.container("", *images, classes=["pixels"])
     if here.content:
         _add_caption(here, figure, id)
     if "plain" not in here.options:

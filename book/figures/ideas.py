@@ -4,15 +4,15 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import Circle, Polygon, Wedge
+from matplotlib.patches import Circle, Wedge
 from numpy.typing import ArrayLike
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import canvas, curve, label, palette, pixel_axes, pixel_text, plot
+from book.drawing.style import canvas, curve, decades, dots, label, palette, pixel_axes, pixel_text, plot
 from book.extension.worked import COLUMN, ROW
 from book.figures.chapter_scene import SCENE, SIZE, on_picture, symbolic
-from book.idea_kernels import BUMP_LINES, angles_at, bump_at, bump_lines, lines_at, two_slopes
-from renderer import Scene, exact, kernels, render
+from book.idea_kernels import bump_at, lines_at, slope_parts, two_slopes
+from renderer import Scene, exact, render
 from renderer.generate.creases import crease_point
 from renderer.picture.views import image_view, to_bytes
 
@@ -71,52 +71,6 @@ def slope_is_texture() -> Drawing:
     return Drawing(fig, numbers, data, (frame,))
 
 
-FRAME = ("normal", "e_theta", "e_phi", "g", "m", "bumped")
-
-
-@figure
-def tilted_frame() -> Drawing:
-    """N, the tangent vector βg, M = N + βg and N' at a point of the sphere."""
-    u, v, beta, turn, tip = 0.53, 0.2, 0.07, 0.95, 0.42
-    c, fig, gradient = palette(), canvas(640, 400), kernels.gradient_ridges(u, v, SCENE.ku, SCENE.kv)
-    lines = dict(zip(BUMP_LINES["lines"], bump_lines(*angles_at(u, v), *gradient, beta), strict=True))
-    vectors = {name: np.array([lines[f"{name}_{axis}"] for axis in "xyz"], float) for name in FRAME}
-    right = np.array([-np.sin(turn), np.cos(turn), 0])
-    up = np.array([-np.sin(tip) * np.cos(turn), -np.sin(tip) * np.sin(turn), np.cos(tip)])
-    ax = pixel_axes(fig, 0, 0, 640, 400, xlim=(-320, 320), ylim=(-164, 236))
-
-    def place(points):
-        return 150 * np.array([points @ right, points @ up])
-
-    ax.add_patch(Circle((0, 0), 150, facecolor=c["surface"], edgecolor=c["muted"]))
-    steps, nets = np.linspace(0, 1, 97), {}
-    meridians = [(np.full(97, m / SCENE.ku), steps) for m in range(int(SCENE.ku))]
-    parallels = [(steps, np.full(97, m / SCENE.kv)) for m in range(1, int(SCENE.kv))]
-    for number, (along, down) in enumerate(meridians + parallels):
-        points = np.stack(kernels.point_on_a(*angles_at(along, down), 1.0), axis=1)
-        x, y = np.where(points @ np.cross(right, up) > 0, place(points), np.nan)
-        curve(ax, x, y, "rule", linewidth=1)
-        nets[number] = {"x": x, "y": y}
-    at, e_theta, e_phi = (vectors[name] for name in ("normal", "e_theta", "e_phi"))
-    corners = [at + 0.34 * (a * e_theta + b * e_phi) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-    ax.add_patch(Polygon([place(p) for p in corners], facecolor=c["symbolic"], alpha=0.14))
-    tangent = beta * vectors["g"]
-    corner = np.array([at + end for end in (at, vectors["m"], tangent)])
-    curve(ax, *place(corner), "muted", linewidth=0.9, linestyle=(0, (2, 3)))
-    for name, end, role, width, aside in (  # where its name stands, in points
-        ("$N$", at, "ink", 1.2, -14),
-        (r"$\beta g$", tangent, "symbolic", 2.2, 6),
-        ("$M$", vectors["m"], "muted", 0.9, 6),
-        ("$N'$", vectors["bumped"], "ink", 3, -14),
-        (r"$e_\theta$", 0.34 * e_theta, "muted", 0.9, 6),
-        (r"$e_\varphi$", 0.34 * e_phi, "muted", 0.9, -14),
-    ):
-        _arrow(ax, place(at), place(at + end), color=c[role], linewidth=width)
-        label(ax, place(at + end), name, role, (aside, 3))
-    ax.plot(*place(at), "o", color=c["symbolic"], markersize=8, markeredgecolor="white")
-    return Drawing(fig, {"u": u, "v": v, "beta": beta}, {"net": nets} | vectors)
-
-
 def _arrow(ax, start, end, **look):
     """Draw an arrow from a point to another."""
     ax.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0} | look)
@@ -158,25 +112,45 @@ def scene_from_the_side() -> Drawing:
     return Drawing(fig, {"t_a": lines["t_a"]}, {"hit": hit, "ray": [s, 0.0]})
 
 
+SMALL = 6e-17  # a step that float64 takes for another one
+
+
 @figure("two_slopes")
 def two_slope_lines() -> Drawing:
-    """Ridges across a crease: the tangent at a point, and the secant of a step that reaches over the crease."""
+    """Ridges across a crease, tangent and secant; float64's staircase there; the error of the difference."""
     at, eps = 0.139, 0.03
-    fig, ax = plot(height=2.9)
-    u, rest = np.linspace(0.06, 0.25, 381), (PARALLEL, SCENE.ku, SCENE.kv, eps)
-    heights = two_slopes(u, *rest)[1]
-    left, middle, right, numeric, slope, _ = two_slopes(np.float64(at), *rest)
-    curve(ax, u, heights, "ink", linewidth=1.3)
-    for role, steepness, through, words in (
-        ("symbolic", slope, middle, "the slope"),
-        ("numeric", numeric, (left + right) / 2, "the difference"),
+    fig, (left, middle, right) = plot("page", 3.0, ncols=3)
+    u, rest = np.linspace(0.06, 0.25, 381), (PARALLEL, SCENE.ku, SCENE.kv)
+    heights = two_slopes(u, *rest, eps)[1]
+    across = np.linspace(-2, 2, 801)
+    stairs = two_slopes(at + across * SMALL, *rest, SMALL)[1]
+    before, here, after, numeric, slope, _ = two_slopes(np.float64(at), *rest, eps)
+    down, _, up, small, *_ = two_slopes(np.float64(at), *rest, SMALL)
+    curve(left, u, heights, "ink", linewidth=1.3)
+    curve(middle, across, (stairs - here) / SMALL, "ink", linewidth=1.3)
+    for ax, x, y, role, steepness, words, reach in (
+        (left, at, here, "symbolic", slope, "the slope", 0.02),
+        (left, at, (before + after) / 2, "numeric", numeric, "the difference", 0.04),
+        (middle, 0, 0, "symbolic", slope, "", 2),
+        (middle, 0, ((down + up) / 2 - here) / SMALL, "numeric", small, "", 1),
     ):
-        ends = np.array([-1, 1]) * min(0.04, 0.5 / abs(steepness))
-        curve(ax, at + ends, through + steepness * ends, role, words, linewidth=2)
-    ax.plot([at - eps, at + eps], [left, right], "o", color=palette()["numeric"], markersize=6)
-    ax.plot(at, middle, "o", color=palette()["symbolic"], markersize=7)
-    ax.set(xlabel="$u$", ylabel="$h$", ylim=(-0.12, 1.25))
-    return Drawing(fig, {"u": at, "eps": eps, "numeric": numeric, "slope": slope}, {"u": u, "height": heights})
+        ends = np.array([-reach, reach])
+        curve(ax, x + ends, y + steepness * ends, role, words, linewidth=2)
+    dots(left, [at - eps, at + eps], [before, after], "numeric", 6)
+    dots(middle, [-1, 1], [(down - here) / SMALL, (up - here) / SMALL], "numeric", 6)
+    dots(left, [at], [here], "symbolic", 7)
+    steps = 10.0 ** np.arange(-17, -1.3, 0.05)
+    error = np.abs(two_slopes(np.float64(at), *rest, steps)[3] - slope)
+    dots(right, steps, error, "numeric", 2)
+    parts = dict(zip(("reach", "arguments", "heights"), slope_parts(np.float64(at), *rest, steps), strict=True))
+    for part in parts.values():
+        curve(right, steps, part, "bound", linewidth=0.9)
+    left.set(xlabel="$u$", title="$h$", ylim=(-0.12, 1.25))
+    middle.set(xlabel="away from $u$, in steps", title=r"$\varepsilon = 6\cdot 10^{-17}$", ylim=(-60, 60))
+    decades(right, 4, 4, xlabel="step ε", title="error of $h_u$", ylim=(1e-14, 1e2))
+    numbers = {"u": at, "eps": eps, "numeric": numeric, "slope": slope}
+    stair = {"across": across, "stairs": (stairs - here) / SMALL}
+    return Drawing(fig, numbers, {"u": u, "height": heights, "step": steps, "error": error} | parts | stair)
 
 
 @figure

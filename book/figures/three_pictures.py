@@ -1,18 +1,21 @@
 """The chapter's pictures: the front page's, numeric beside symbolic and their difference, and the views of a frame."""
 
+from functools import cache
+
 import numpy as np
 
 from book.drawing.registry import Drawing, certified, figure
-from book.drawing.style import GAP, panels
+from book.drawing.style import GAP, TITLE, canvas, panels, pixel_axes, pixel_text
 from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, TELLING_EPS, averaged, numeric, symbolic
 from renderer import central, exact, render
 from renderer.picture.differences import distance_on_a
-from renderer.picture.views import difference_logarithmic, image_view, kink_view, slope_view, to_bytes
+from renderer.picture.frame import Frame
+from renderer.picture.views import difference_logarithmic, image_view, kink_view, slope_view
 
 LOW, HIGH = -8, 0
 SIDE, VIEW_SIDE = 264, 220
-WIDTH, HEIGHT, HERO_EPS = 928, 420, 2e-2
-SEAM = 2  # pixels of paper between the halves
+WIDTH, HEIGHT, HERO_EPS = 640, 480, 3e-2
+ENLARGED, CREASE = 4, (690, 270, 272, 216)  # where the creases are that are shown enlarged, in enlarged pixels
 TITLES = ("numeric", "symbolic", "difference")
 
 
@@ -77,11 +80,35 @@ def views() -> Drawing:
     return Drawing(fig, {"eps": TELLING_EPS, "steepest": frame.slope.max()} | shares, data, (fine,))
 
 
+@cache
+def _front(numerically: bool, times: int = 1, crop: tuple[int, int, int, int] | None = None) -> Frame:
+    """Return a frame of the front page's scene, of FINE² samples a pixel; `crop` is in pixels of `times` the raster."""
+    method, fine = central(HERO_EPS) if numerically else exact(), FINE * times
+    finer = crop and tuple(FINE * side for side in crop)
+    return render(SCENE, fine * WIDTH, fine * HEIGHT, method, crop=finer, bounds=True)
+
+
 @figure
 def hero() -> Drawing:
-    """The default scene, by central differences on the left of the middle and exactly on the right."""
-    frames = [render(SCENE, WIDTH, HEIGHT, method, bounds=True) for method in (central(HERO_EPS), exact())]
-    left, right = (to_bytes(frame.rgb) for frame in frames)
-    picture = np.where(np.arange(WIDTH)[None, :, None] < WIDTH // 2, left, right)
-    picture[:, WIDTH // 2 - SEAM // 2 : WIDTH // 2 + SEAM // 2] = 252
-    return Drawing(picture, {"eps": HERO_EPS}, shown=frames)
+    """The default scene by central differences of a step at which the creases glow."""
+    return Drawing(averaged(image_view(_front(True))), {"eps": HERO_EPS}, shown=(_front(True),))
+
+
+@figure
+def hero_symbolic() -> Drawing:
+    """The same scene with the exact derivative."""
+    return Drawing(averaged(image_view(_front(False))), shown=(_front(False),))
+
+
+@figure
+def hero_crease() -> Drawing:
+    """Two creases of the front page's pictures, enlarged: numeric above, symbolic below."""
+    frames = [_front(way, ENLARGED, CREASE) for way in (True, False)]
+    _, _, wide, high = CREASE
+    fig = canvas(wide, 2 * (TITLE + high))
+    for number, (frame, title) in enumerate(zip(frames, TITLES, strict=False)):
+        top = number * (TITLE + high)
+        pixel_text(fig, 0, top + 16, title)
+        picture = averaged(image_view(frame))
+        pixel_axes(fig, 0, top + TITLE, wide, high).imshow(picture, interpolation="none", aspect="auto")
+    return Drawing(fig, {"times": ENLARGED}, {"rgb": averaged(image_view(frames[0]))}, frames)

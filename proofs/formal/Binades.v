@@ -113,7 +113,7 @@ Qed.
 
 (* u, epsilon > 0: float64, u from 2^k up to 2^(k+1) and below 1, s = 2^(k-52). Where epsilon < s/2, and epsilon <= s/4 at u = 2^k, the
    slope is 0, whatever the height. *)
-Theorem roundoff_bound__dies_in_u (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z) : (k <= -1)%Z -> float64 u -> float64 epsilon ->
+Theorem binades__dies_in_u (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z) : (k <= -1)%Z -> float64 u -> float64 epsilon ->
   bpow radix2 k <= u < bpow radix2 (k + 1) -> 0 < epsilon < bpow radix2 (k - 53) -> (u = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)) ->
   central_any_float64.u_plus u epsilon = u /\ central_any_float64.u_minus u epsilon = u /\ central_any_float64.h_u height u v k_u k_v epsilon = 0.
 Proof.
@@ -121,7 +121,7 @@ Proof.
   generalize (bpow_gt_0 radix2 k) (bpow_le radix2 (k + 1) 0 ltac:(lia)). simpl (bpow radix2 0). lra.
 Qed.
 (* In v the same, up to v = 1 = 2^0 itself; the span is 2 epsilon and not 0. *)
-Theorem roundoff_bound__dies_in_v (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z) : v <= 1 -> float64 v -> float64 epsilon ->
+Theorem binades__dies_in_v (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z) : v <= 1 -> float64 v -> float64 epsilon ->
   bpow radix2 k <= v < bpow radix2 (k + 1) -> 0 < epsilon < bpow radix2 (k - 53) -> (v = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)) ->
   central_any_float64.v_plus v epsilon = v /\ central_any_float64.v_minus v epsilon = v /\ central_any_float64.span_v v epsilon = 2 * epsilon /\
   central_any_float64.h_v height u v k_u k_v epsilon = 0.
@@ -130,7 +130,7 @@ Proof. intros O F E B L A. apply none_in_v; [generalize (bpow_gt_0 radix2 k); lr
 (* At the tie even significands m die, too; odd ones move by s, and the slope of h = u, or h = v, which is 1, is 2 just before it dies. *)
 Lemma power_float64 (e : Z) : (-1074 <= e)%Z -> float64 (bpow radix2 e).
 Proof. intro E. apply generic_format_bpow. unfold FLT_exp. lia. Qed.
-Theorem roundoff_bound__tie (height : R -> R -> R -> R -> R) (c k_u k_v : R) (k m : Z) : (-1021 <= k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z ->
+Theorem binades__tie (height : R -> R -> R -> R -> R) (c k_u k_v : R) (k m : Z) : (-1021 <= k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z ->
   let w := IZR m * bpow radix2 (k - 52) in let epsilon := bpow radix2 (k - 53) in
   if Z.even m then central_any_float64.h_u height w c k_u k_v epsilon = 0 /\ central_any_float64.h_v height c w k_u k_v epsilon = 0
   else central_any_float64.u_plus w epsilon = w + 2 * epsilon /\ central_any_float64.u_minus w epsilon = w - 2 * epsilon /\
@@ -149,7 +149,7 @@ Proof.
 Qed.
 
 (* The pole v = 0 keeps all of the slope: v - epsilon is clamped to 0, and the span is epsilon. *)
-Theorem roundoff_bound__pole (height : R -> R -> R -> R -> R) (u k_u k_v epsilon : R) : float64 epsilon -> 0 < epsilon <= 1 ->
+Theorem binades__pole (height : R -> R -> R -> R -> R) (u k_u k_v epsilon : R) : float64 epsilon -> 0 < epsilon <= 1 ->
   central_any_float64.v_plus 0 epsilon = epsilon /\ central_any_float64.v_minus 0 epsilon = 0 /\ central_any_float64.span_v 0 epsilon = epsilon /\
   central_any_float64.h_v height u 0 k_u k_v epsilon = rounded (rounded (height u epsilon k_u k_v - height u 0 k_u k_v) / epsilon).
 Proof.
@@ -171,7 +171,7 @@ Proof.
   unfold rounded, round, F2R, scaled_mantissa. rewrite C. cbn [Fnum Fexp]. rewrite bpow_plus, Z.opp_add_distr, bpow_plus.
   change (bpow radix2 (- -1)) with 2. change (bpow radix2 (-1)) with (/ 2). replace (/ 2 * x * _) with (x * bpow radix2 (- cexp radix2 (FLT_exp (-1074) 53) x)) by field. field.
 Qed.
-Theorem roundoff_bound__seam (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R) : float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
+Theorem binades__seam (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R) : float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
   let rise := rounded (height epsilon v k_u k_v - height 0 v k_u k_v) in height 1 v k_u k_v = height 0 v k_u k_v -> rise = 0 \/ bpow radix2 (-1021) <= Rabs rise ->
   central_any_float64.u_plus 0 epsilon = epsilon /\ central_any_float64.u_minus 0 epsilon = 1 /\
   central_any_float64.h_u height 0 v k_u k_v epsilon = / 2 * rounded (rise / epsilon).
@@ -196,34 +196,34 @@ Qed.
 
 (* Values that the hypotheses have, and false variants: at the tie not every slope dies, nor does it below 2^k: at the pole and at the seam, which does not
    keep all of it. *)
-Theorem roundoff_bound__dies_in_u__point : exists (u epsilon : R) (k : Z), (k <= -1)%Z /\ float64 u /\ float64 epsilon /\ bpow radix2 k <= u < bpow radix2 (k + 1) /\
+Theorem binades__dies_in_u__point : exists (u epsilon : R) (k : Z), (k <= -1)%Z /\ float64 u /\ float64 epsilon /\ bpow radix2 k <= u < bpow radix2 (k + 1) /\
   0 < epsilon < bpow radix2 (k - 53) /\ (u = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)).
 Proof.
   exists (bpow radix2 (-1)), (bpow radix2 (-55)), (-1)%Z. repeat split; try (apply power_float64 || apply bpow_lt || apply bpow_gt_0); try easy; intros; right; reflexivity.
 Qed.
-Theorem roundoff_bound__dies_in_v__point : exists (v epsilon : R) (k : Z), v <= 1 /\ float64 v /\ float64 epsilon /\ bpow radix2 k <= v < bpow radix2 (k + 1) /\
+Theorem binades__dies_in_v__point : exists (v epsilon : R) (k : Z), v <= 1 /\ float64 v /\ float64 epsilon /\ bpow radix2 k <= v < bpow radix2 (k + 1) /\
   0 < epsilon < bpow radix2 (k - 53) /\ (v = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)).
 Proof.
   exists (bpow radix2 0), (bpow radix2 (-54)), 0%Z. repeat split; try (apply power_float64 || apply bpow_lt || apply bpow_gt_0); try easy; intros; right; reflexivity.
 Qed.
-Theorem roundoff_bound__tie__point : exists k m : Z, (-1021 <= k <= -1)%Z /\ (2 ^ 52 < m < 2 ^ 53 - 1)%Z /\ Z.even m = true.
+Theorem binades__tie__point : exists k m : Z, (-1021 <= k <= -1)%Z /\ (2 ^ 52 < m < 2 ^ 53 - 1)%Z /\ Z.even m = true.
 Proof. exists (-1)%Z, (2 ^ 52 + 2)%Z. easy. Qed.
-Theorem roundoff_bound__tie__false : ~ forall (height : R -> R -> R -> R -> R) (c k_u k_v : R) (k m : Z), (-1021 <= k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z ->
+Theorem binades__tie__false : ~ forall (height : R -> R -> R -> R -> R) (c k_u k_v : R) (k m : Z), (-1021 <= k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z ->
   central_any_float64.h_u height (IZR m * bpow radix2 (k - 52)) c k_u k_v (bpow radix2 (k - 53)) = 0.
 Proof.
   intro H. generalize (H (fun u _ _ _ => u) 0 0 0 (-1)%Z (2 ^ 52 + 3)%Z ltac:(easy) ltac:(easy)).
-  destruct (roundoff_bound__tie (fun u _ _ _ => u) 0 0 0 (-1) (2 ^ 52 + 3) ltac:(easy) ltac:(easy)) as (_ & _ & -> & _). lra.
+  destruct (binades__tie (fun u _ _ _ => u) 0 0 0 (-1) (2 ^ 52 + 3) ltac:(easy) ltac:(easy)) as (_ & _ & -> & _). lra.
 Qed.
-Theorem roundoff_bound__pole__point : exists epsilon : R, float64 epsilon /\ 0 < epsilon <= 1.
+Theorem binades__pole__point : exists epsilon : R, float64 epsilon /\ 0 < epsilon <= 1.
 Proof. exists (bpow radix2 0). split; [apply power_float64; easy | simpl; lra]. Qed.
-Theorem roundoff_bound__pole__false : ~ forall (height : R -> R -> R -> R -> R) (u k_u k_v epsilon : R), float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
+Theorem binades__pole__false : ~ forall (height : R -> R -> R -> R -> R) (u k_u k_v epsilon : R), float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
   central_any_float64.h_v height u 0 k_u k_v epsilon = 0.
 Proof.
   intro H. assert (E : float64 (bpow radix2 (-54))) by (apply power_float64; easy). assert (P := bpow_gt_0 radix2 (-54)). assert (L : bpow radix2 (-54) <= 1) by (apply (bpow_le radix2 (-54) 0); easy).
-  generalize (H (fun _ v _ _ => v) 0 0 0 (bpow radix2 (-54)) E ltac:(lra)). destruct (roundoff_bound__pole (fun _ v _ _ => v) 0 0 0 (bpow radix2 (-54)) E ltac:(lra)) as (_ & _ & _ & ->).
+  generalize (H (fun _ v _ _ => v) 0 0 0 (bpow radix2 (-54)) E ltac:(lra)). destruct (binades__pole (fun _ v _ _ => v) 0 0 0 (bpow radix2 (-54)) E ltac:(lra)) as (_ & _ & _ & ->).
   rewrite Rminus_0_r, (kept _ E). unfold Rdiv. rewrite Rinv_r, rounded_1 by lra. lra.
 Qed.
-Theorem roundoff_bound__seam__point : exists (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R), float64 epsilon /\ 0 < epsilon < bpow radix2 (-54) /\
+Theorem binades__seam__point : exists (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R), float64 epsilon /\ 0 < epsilon < bpow radix2 (-54) /\
   height 1 v k_u k_v = height 0 v k_u k_v /\ rounded (height epsilon v k_u k_v - height 0 v k_u k_v) = epsilon /\ bpow radix2 (-1021) <= Rabs epsilon.
 Proof.
   assert (E : float64 (bpow radix2 (-55))) by (apply power_float64; easy). assert (P := bpow_gt_0 radix2 (-55)). assert (Q := bpow_lt radix2 (-55) (-54) ltac:(easy)). assert (L : bpow radix2 (-55) < 1) by (apply (bpow_lt radix2 (-55) 0); easy).
@@ -231,24 +231,24 @@ Proof.
   destruct (Rlt_dec 1 1), (Rlt_dec 0 1), (Rlt_dec (bpow radix2 (-55)) 1); try lra. rewrite Rminus_0_r, (kept _ E), Rabs_pos_eq by lra.
   repeat split; try trivial; try lra. apply bpow_le. easy.
 Qed.
-Theorem roundoff_bound__seam__false : ~ forall (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R), float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
+Theorem binades__seam__false : ~ forall (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R), float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
   height 1 v k_u k_v = height 0 v k_u k_v -> let rise := rounded (height epsilon v k_u k_v - height 0 v k_u k_v) in rise = 0 \/ bpow radix2 (-1021) <= Rabs rise ->
   central_any_float64.h_u height 0 v k_u k_v epsilon = rounded (rise / epsilon).
 Proof.
-  intro H. destruct roundoff_bound__seam__point as (height & v & k_u & k_v & epsilon & E & [P Q] & S & R & N). assert (B := conj P (Rlt_le _ _ Q)). generalize (H height v k_u k_v epsilon E B S).
-  destruct (roundoff_bound__seam height v k_u k_v epsilon E B S) as (_ & _ & ->); rewrite R; [right; exact N|]. cbv zeta. intro K. specialize (K (or_intror N)).
+  intro H. destruct binades__seam__point as (height & v & k_u & k_v & epsilon & E & [P Q] & S & R & N). assert (B := conj P (Rlt_le _ _ Q)). generalize (H height v k_u k_v epsilon E B S).
+  destruct (binades__seam height v k_u k_v epsilon E B S) as (_ & _ & ->); rewrite R; [right; exact N|]. cbv zeta. intro K. specialize (K (or_intror N)).
   unfold Rdiv in K. rewrite Rinv_r, rounded_1 in K by lra. lra.
 Qed.
-Theorem roundoff_bound__dies_in_v__false : ~ forall (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z), v <= 1 -> float64 v -> float64 epsilon ->
+Theorem binades__dies_in_v__false : ~ forall (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z), v <= 1 -> float64 v -> float64 epsilon ->
   0 <= v < bpow radix2 (k + 1) -> 0 < epsilon < bpow radix2 (k - 53) -> central_any_float64.h_v height u v k_u k_v epsilon = 0.
 Proof.
-  intro H. apply roundoff_bound__pole__false. intros height u k_u k_v epsilon E B. assert (L := bpow_lt radix2 (-54) (0 - 53) ltac:(easy)).
+  intro H. apply binades__pole__false. intros height u k_u k_v epsilon E B. assert (L := bpow_lt radix2 (-54) (0 - 53) ltac:(easy)).
   apply (H height u 0 k_u k_v epsilon 0%Z); [lra | apply generic_format_0 | exact E | split; [lra | apply bpow_gt_0] | lra].
 Qed.
-Theorem roundoff_bound__dies_in_u__false : ~ forall (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z), (k <= -1)%Z -> float64 u -> float64 epsilon ->
+Theorem binades__dies_in_u__false : ~ forall (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z), (k <= -1)%Z -> float64 u -> float64 epsilon ->
   0 <= u < bpow radix2 (k + 1) -> 0 < epsilon < bpow radix2 (k - 53) -> central_any_float64.h_u height u v k_u k_v epsilon = 0.
 Proof.
-  intro H. destruct roundoff_bound__seam__point as (height & v & k_u & k_v & epsilon & E & B & S & R & N).
+  intro H. destruct binades__seam__point as (height & v & k_u & k_v & epsilon & E & B & S & R & N).
   generalize (H height 0 v k_u k_v epsilon (-1)%Z ltac:(easy) (generic_format_0 _ _) E ltac:(split; [lra | apply bpow_gt_0]) B).
-  destruct (roundoff_bound__seam height v k_u k_v epsilon E (conj (proj1 B) (Rlt_le _ _ (proj2 B))) S) as (_ & _ & ->); rewrite R; [right; exact N|]. unfold Rdiv. rewrite Rinv_r, rounded_1 by lra. lra.
+  destruct (binades__seam height v k_u k_v epsilon E (conj (proj1 B) (Rlt_le _ _ (proj2 B))) S) as (_ & _ & ->); rewrite R; [right; exact N|]. unfold Rdiv. rewrite Rinv_r, rounded_1 by lra. lra.
 Qed.

@@ -248,7 +248,7 @@ Lemma no_slope (height : R -> R -> R -> R -> R) (k_u k_v : R) : let w := bpow ra
   central_any_float64.h_u height w w k_u k_v e = 0 /\ central_any_float64.h_v height w w k_u k_v e = 0.
 Proof.
   assert (F : float64 (bpow radix2 (-1))) by (apply power_float64; easy). assert (E : float64 (bpow radix2 (-55))) by (apply power_float64; easy). intros w e.
-  split; [apply (roundoff_bound__dies_in_u height w w k_u k_v e (-1)) | apply (roundoff_bound__dies_in_v height w w k_u k_v e (-1))]; try assumption; try easy;
+  split; [apply (binades__dies_in_u height w w k_u k_v e (-1)) | apply (binades__dies_in_v height w w k_u k_v e (-1))]; try assumption; try easy;
     try (split; [right; reflexivity || apply bpow_gt_0 | apply bpow_lt; easy]); try (intros _; right; reflexivity); try (split; [apply bpow_gt_0 | apply bpow_lt; easy]).
   apply (bpow_le radix2 (-1) 0). easy.
 Qed.

@@ -249,7 +249,8 @@ document.addEventListener("DOMContentLoaded", async () => {
     Ideas.module = module;
     for (const figure of figures) {
       const stage = idea_stage(figure);
-      stage.begin(IDEAS[figure.id.replace("fig-", "")](stage, module, data));
+      const draw = IDEAS[figure.id.replace("fig-", "")](stage, module, data);
+      if (draw) stage.begin(draw);
     }
   } catch (error) {
     if (!error_text(error).includes("WebAssembly")) throw error; // without it, the still pictures stay

@@ -1,4 +1,5 @@
-// One height, two slopes: the secant over a step and the tangent, at a smooth point and beside a crease.
+// One height, two slopes: the secant over a step and the tangent; under a microscope that magnifies by 1/ε, down to
+// float64's own steps; and the error against the step. All numbers are float64's.
 "use strict";
 
 IDEAS.two_slopes = (stage, module, data) => {
@@ -10,8 +11,13 @@ IDEAS.two_slopes = (stage, module, data) => {
   const TOP = 12;
   const BASE = 226;
   const TALL = 190;
-  const LEAST = -15;
+  const LEAST = -17;
   const MOST = -1.3;
+  const LINE = 232; // where the microscope's line of float64 numbers lies
+  const SMALLEST = -14; // the exponents of the errors that the U has room for
+  const LARGEST = 2;
+  const across = float64s(401, (n) => n / 100 - 2); // what the microscope shows, in steps
+  const steps = float64s(316, (n) => 10 ** (LEAST + n / 20));
   const curve = float64s(381, (n) => FROM + (n * (TO - FROM)) / 380);
   let u = 0.139;
   let eps = 0.03;
@@ -30,7 +36,11 @@ IDEAS.two_slopes = (stage, module, data) => {
     stage.redraw();
   }
 
-  const panel = stage.panel("The height across a crease, a tangent and a secant", HIGH);
+  const sides = add_element(stage.root, "div", { class: "idea-thirds" });
+  const panel = stage.panel("The height across a crease, a tangent and a secant", HIGH, sides);
+  const lens = stage.panel("The same point, magnified by 1/ε", HIGH, sides);
+  const curve_of_errors = stage.panel("The error of the difference against the step", HIGH, sides);
+  for (const { box } of [panel, lens]) box.classList.add("idea-clipped");
   const range = { min: LEAST, max: MOST, step: 0.01, value: Math.log10(eps) };
   const put_eps = stage.slider(
     "step ε",
@@ -70,6 +80,88 @@ IDEAS.two_slopes = (stage, module, data) => {
     return line_markup(look, ends);
   }
 
+  /** The staircase of h and the float64 numbers beside u, in units of the step. @param {number} h @param {number} exact @param {number[]} ends */
+  function magnified(h, exact, ends) {
+    const unit = lens.width() / 4;
+    /** @param {number} x @param {number} height @returns {Point} */
+    const at = (x, height) => [unit * (x + 2), clamp(18, 112 - (46 * (height - h)) / (Math.PI * ku * eps), 206)];
+    const asked = across.map((x) => u + x * eps);
+    const [, heights] = module.own.kernel_over("two_slopes", asked, V, ku, kv, eps);
+    const spacing = 2 ** (Math.floor(Math.log2(u)) - 52);
+    const few = Math.ceil((2 * eps) / spacing);
+    const ticks = Array.from(
+      { length: few < 40 ? 2 * few + 1 : 0 },
+      (_, n) => unit * (2 + ((n - few) * spacing) / eps)
+    );
+    const samples = [-1, 1].map((side, n) => {
+      const taken = unit * (2 + (u + side * eps - u) / eps);
+      return (
+        path_markup("guide", `M${unit * (2 + side)} 20V${LINE}L${taken} ${LINE}`) +
+        circle_markup("end", at(side, ends[n]), 5) +
+        circle_markup("end", [taken, LINE], 5)
+      );
+    });
+    lens.show(
+      text_at(0, 12, `a window of 4ε, magnified ${in_powers(1 / eps)} times`) +
+        line_markup(
+          "height",
+          Array.from(across, (x, n) => at(x, heights[n]))
+        ) +
+        line_markup("slope", [at(-2, h - 2 * exact * eps), at(2, h + 2 * exact * eps)]) +
+        line_markup("secant", [at(-1, ends[0]), at(1, ends[1])]) +
+        path_markup("few", `M0 ${LINE}H${4 * unit}${ticks.map((x) => `M${x.toFixed(2)} ${LINE - 6}v12`).join("")}`) +
+        samples.join("") +
+        text_at(
+          0,
+          HIGH - 6,
+          ticks.length ? "the float64 numbers beside u" : "float64 numbers, closer than this line shows"
+        )
+    );
+  }
+
+  /** The U of this point, the proved bounds of its three parts, and where the step is. @param {number} exact */
+  function errors(exact) {
+    const wide = curve_of_errors.width() - 30;
+    /** @param {number} step @param {number} size @returns {Point} */
+    const at = (step, size) => [
+      26 + ((Math.log10(step) - LEAST) / (MOST - LEAST)) * wide,
+      20 + ((LARGEST - clamp(SMALLEST, Math.log10(size), LARGEST)) / (LARGEST - SMALLEST)) * 200
+    ];
+    const found = module.own
+      .kernel_over("two_slopes", u, V, ku, kv, steps)[3]
+      .map((numeric) => Math.abs(numeric - exact));
+    const parts = module.own.kernel_over("slope_parts", u, V, ku, kv, steps);
+    const bounds = parts.map((sizes) =>
+      line_markup(
+        "bound",
+        Array.from(steps, (step, n) => at(step, sizes[n])).filter(([, y]) => y < 219)
+      )
+    );
+    const [turn, up] = at(3e-14, 0.06);
+    const [foot, down] = at(1e-13, 1e-13);
+    const names =
+      text_at(turn, up, "rounded <tspan class='i'>u</tspan> ± ε, rounded <tspan class='i'>h</tspan>") +
+      text_at(foot, down, "too far");
+    const grid = [-12, -8, -4, 0].map((power) => {
+      const [, y] = at(1, 10 ** power);
+      return path_markup("few", `M26 ${y}h${wide}`) + text_at(0, y + 4, `10${raised(power)}`, "tick");
+    });
+    const feet = [-16, -12, -8, -4].map((power) =>
+      text_at(at(10 ** power, 1)[0] - 12, 240, `10${raised(power)}`, "tick")
+    );
+    const dots = Array.from(found, (size, n) => (size ? circle_markup("end", at(steps[n], size), 1.3) : ""));
+    const now = at(eps, Math.abs(module.own.kernel("two_slopes", u, V, ku, kv, eps)[3] - exact));
+    curve_of_errors.show(
+      text_at(26, 12, "the error against ε") +
+        grid.join("") +
+        feet.join("") +
+        bounds.join("") +
+        names +
+        dots.join("") +
+        circle_markup("met", now, 6)
+    );
+  }
+
   return () => {
     const [, heights] = module.own.kernel_over("two_slopes", curve, V, ku, kv, eps);
     const [left, h, right, numeric, exact, straddles] = module.own.kernel("two_slopes", u, V, ku, kv, eps);
@@ -87,13 +179,15 @@ IDEAS.two_slopes = (stage, module, data) => {
         through(point, exact, "slope", 100) +
         circle_markup("end", start, 5)
     );
+    magnified(h, exact, [left, right]);
+    errors(exact);
     const apart = Math.abs(numeric - exact);
     const digits = apart && apart < 0.01 ? 8 : 2;
     says.innerHTML =
       `The difference over 2ε is <b class="numeric">${decimal(numeric, digits)}</b>, ` +
       `the slope is <b class="symbolic">${decimal(exact, digits)}</b>: they are ` +
       `<b class="difference">${apart < 0.01 ? in_powers(apart) : decimal(apart)}</b> apart` +
-      `${straddles ? ", since the step reaches across the crease" : ""}.`;
+      `${straddles ? ", since the step reaches across the crease" : ""}${u + eps === u ? ": float64 takes no step" : ""}.`;
     put_point(point, u, `u ${decimal(u, 4)}, slope ${decimal(exact)}`);
     put_step(end, eps, `ε ${in_powers(eps)}, difference ${decimal(numeric)}`);
   };

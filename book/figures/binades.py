@@ -1,0 +1,89 @@
+"""The bump that dies by binades: steps so small that float64 no longer takes them."""
+
+from functools import cache
+from itertools import product
+
+import numpy as np
+from matplotlib import patheffects
+from matplotlib.axes import Axes
+from numpy.typing import ArrayLike
+
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import GAP, TITLE, canvas, pixel_axes, pixel_text
+from book.figures.chapter_scene import SCENE, SIZE, numeric, on_picture
+from renderer import Scene, central, render
+from renderer.generate.creases import crease_point
+from renderer.picture.frame import Frame
+from renderer.picture.views import image_view
+from verify.accuracy.binades import dies
+
+COLUMNS = ((1e-16, 5e-17), (2e-17, 1e-17), (3e-18, 1e-18))  # one above the other: so they stay on a phone
+STEPS = tuple(step for column in COLUMNS for step in column)
+RASTER, CROP = 360, (30, 4, 300, 300)  # sphere A and a little around it
+RIM = np.arccos(SCENE.radius / SCENE.eye) / np.pi  # v of the last circle that the eye sees
+NAMES = {  # by step: the binades of u where none is lost yet, then where h_u, h_v are 0; at which (u, v)
+    1e-16: {"½ ≤ u < 1": (0.79, 0.31), "¼ ≤ u < ½": (0.38, 0.32), "⅛ ≤ u < ¼": (0.19, 0.32), "u < ⅛": (0.07, 0.27)},
+    5e-17: {"$h_u = 0$: ½ ≤ u": (0.78, 0.27)},
+    2e-17: {"$h_u = 0$: ¼ ≤ u": (0.38, 0.17), "$h_v = 0$: ¼ ≤ v": (0.75, 0.335)},
+    1e-17: {"$h_u = 0$: ⅛ ≤ u": (0.3, 0.27), "$h_v = 0$: ⅛ ≤ v": (0.77, 0.24)},
+    3e-18: {"$h_u = 0$: $^1\\!/_{32}$ ≤ u": (0.3, 0.27), "$h_v = 0$: $^1\\!/_{32}$ ≤ v": (0.77, 0.24)},
+    1e-18: {"$h_u = 0$: $^1\\!/_{64}$ ≤ u": (0.3, 0.27), "$h_v = 0$: $^1\\!/_{64}$ ≤ v": (0.77, 0.24)},
+}
+LINE = {"color": "white", "linewidth": 0.8, "linestyle": (0, (2, 3))}
+
+
+@cache
+def drawn(step: float) -> Frame:
+    """Return the frame of sphere A with sine, by central differences of a step, with its bounds."""
+    return render(Scene(field="sine"), RASTER, RASTER, central(step), crop=CROP, bounds=True)
+
+
+@cache
+def shares(step: float) -> dict[str, dict[str, float]]:
+    """Return the shares of A where h_u, h_v and both are 0: by theorem binades, and as the frame counts them."""
+    frame = numeric("sine", SIZE, step)
+    at = {name: plane[frame.stage.on_a] for name, plane in frame.surface_data.items()}
+    found = {"theorem": (dies(at["u"], step), dies(at["v"], step)), "count": (at["h_u"] == 0, at["h_v"] == 0)}
+    return {by: {"u": u.mean(), "v": v.mean(), "both": (u & v).mean()} for by, (u, v) in found.items()}
+
+
+def _place(frame: Frame, u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    """Return the columns and rows of points of A's chart."""
+    with np.errstate(divide="ignore", invalid="ignore"):  # a selection computes both of its sides
+        return on_picture(frame, *crease_point(1.0, 0.0, u, v, SCENE.eye, SCENE.radius))
+
+
+def _edges(frame: Frame, step: float) -> dict[str, dict[str, np.ndarray]]:
+    """Return the edge of what a step loses, of the largest binades where it loses none, and the seam, in pixels."""
+    powers = 0.5 ** np.arange(1, 8)
+    lost = powers[dies(powers, step, at_power=0.5)]
+    ends, round_a = lost[-1:] if lost.size else powers[:3], np.linspace(0, 1, 129)
+    lines = [(np.full(129, u), np.linspace(0.001, 0.999 * RIM, 129)) for u in (*ends, 0.0)]
+    lines += [(round_a, np.full(129, v)) for v in ends[ends < RIM]]
+    return {str(n): dict(zip("xy", _place(frame, *line), strict=True)) for n, line in enumerate(lines)}
+
+
+def _write_names(ax: Axes, frame: Frame, step: float) -> None:
+    for name, at in NAMES[step].items():
+        (x,), (y,) = _place(frame, *np.array(at)[:, None])
+        halo = [patheffects.withStroke(linewidth=2, foreground="#000000a0")]
+        ax.text(x, y, name, color="white", ha="center", va="center", fontsize=10, path_effects=halo)
+
+
+@figure
+def binades() -> Drawing:
+    """Sphere A with sine at six steps from 1e-16 to 1e-18, where binade after binade of u and v loses its slope."""
+    side, edges = CROP[2], {}
+    fig = canvas(len(COLUMNS) * (side + GAP) - GAP, 2 * (TITLE + side) + GAP)
+    for step, (left, top) in zip(STEPS, product(range(3), range(2)), strict=True):
+        x, y = left * (side + GAP), top * (TITLE + side + GAP)
+        ax = pixel_axes(fig, x, y + TITLE, side, side)
+        ax.imshow(image_view(drawn(step)), interpolation="none", aspect="auto")
+        edges[f"{step:.0e}"] = _edges(drawn(step), step)
+        for line in edges[f"{step:.0e}"].values():
+            ax.plot(line["x"], line["y"], **LINE)
+        _write_names(ax, drawn(step), step)
+        digits, power = f"{step:.0e}".split("e-")
+        pixel_text(fig, x, y + 16, rf"$\varepsilon = {digits}\cdot 10^{{-{int(power)}}}$")
+    found = {f"{step:.0e}": shares(step) for step in STEPS}
+    return Drawing(fig, {"side": SIZE} | found, edges, tuple(map(drawn, STEPS)))

@@ -1,0 +1,74 @@
+"""Five stills of one sphere: the chapter's normal, its sign, its scale, its metric mended, and the surface moved."""
+
+from functools import cache
+
+import numpy as np
+
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import GAP, canvas, pixel_axes, pixel_text
+from book.figures.chapter_scene import FINE, SCENE, averaged
+from book.idea_kernels import angles, surfaces
+from renderer.picture.views import to_bytes
+
+TITLES = ("the chapter's normal", "its sign mended", "and its scale", "and its metric", "really displaced")
+SIDE, HIGH, UNIT, MIDDLE = 176, 170, 52, (106, 72)  # a still's pixels, those of the radius, where the centre is
+TURN, TIP = -0.5, 0.45  # where the eye stands around and above, in radians
+FLOOR, DISC = -1.4, (-0.45, -0.4, 1.95)  # the floor's height; its middle and radius
+DENSE = 2000  # points around the sphere: more than the finer pixels that they fall on
+RED, GROUND, AMBIENT, SHADE = (0.72, 0.25, 0.17), (0.8, 0.77, 0.7), 0.08, 0.35
+LIGHT = np.array(SCENE.lights[0].position)
+
+
+def _seen(points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the finer columns and rows on which points (3, n) fall, and how near to the eye they are."""
+    right = np.array([-np.sin(TURN), np.cos(TURN), 0])
+    toward = np.array([np.cos(TIP) * np.cos(TURN), np.cos(TIP) * np.sin(TURN), np.sin(TIP)])
+    columns = FINE * (MIDDLE[0] + UNIT * (right @ points))
+    rows = FINE * (MIDDLE[1] - UNIT * (np.cross(toward, right) @ points))
+    return *(np.rint(each).astype(int) for each in (columns, rows)), toward @ points
+
+
+def _put(picture: np.ndarray, points: np.ndarray, colours: np.ndarray) -> None:
+    """Put points' colours where they fall: of several on a pixel the nearest to the eye."""
+    columns, rows, near = _seen(points)
+    inside = (columns >= 0) & (columns < picture.shape[1]) & (rows >= 0) & (rows < picture.shape[0])
+    order = np.flatnonzero(inside)[np.argsort(near[inside], kind="stable")]
+    picture[rows[order], columns[order]] = colours[order]
+
+
+@cache
+def _stills() -> list[np.ndarray]:
+    """Return the five pictures, (HIGH, SIDE, 4): transparent where there is nothing."""
+    u, v = np.meshgrid((np.arange(DENSE) + 0.5) / DENSE, (np.arange(DENSE // 2) + 0.5) / (DENSE // 2))
+    values = np.array(surfaces(u.ravel(), v.ravel(), SCENE.ku, SCENE.kv, SCENE.beta, *LIGHT))
+    x, y = np.array(np.meshgrid(*2 * [np.linspace(-1, 1, DENSE // 2)])).reshape(2, -1)
+    x, y = DISC[2] * np.array([x, y])[:, x**2 + y**2 <= 1]
+    ground = np.array([DISC[0] + x, DISC[1] + y, np.full(x.size, FLOOR)])
+    stills = []
+    for state, lit in enumerate(values[6:]):
+        points = values[3:6] if state == len(TITLES) - 1 else values[:3]
+        away = (LIGHT[2] - FLOOR) / (LIGHT[2] - points[2])
+        shadow = LIGHT[:, None] + away * (points - LIGHT[:, None])
+        picture = np.zeros((FINE * HIGH, FINE * SIDE, 4))
+        for place, colour, light in (
+            (ground, GROUND, np.ones(x.size)),
+            (shadow, GROUND, np.full(u.size, SHADE)),
+            (points, RED, AMBIENT + (1 - AMBIENT) * lit),
+        ):
+            _put(picture, place, np.insert(light[:, None] * colour, 3, 1, axis=1))
+        stills.append(
+            averaged(np.dstack([to_bytes(picture[..., :3]), np.rint(255 * picture[..., 3]).astype(np.uint8)]))
+        )
+    return stills
+
+
+@figure
+def bump_surface() -> Drawing:
+    """The sphere with its normal mended step by step, and really displaced: five stills with their angles."""
+    fig = canvas(5 * (SIDE + GAP) - GAP, HIGH + 44)
+    for number, (still, title, angle) in enumerate(zip(_stills(), TITLES, angles(), strict=True)):
+        left = number * (SIDE + GAP)
+        pixel_text(fig, left + 2, 15, title)
+        pixel_text(fig, left + 2, 32, f"{angle:.{int(angle < 20)}f}° off" if angle else "0°: its own normal", "muted")
+        pixel_axes(fig, left, 44, SIDE, HIGH).imshow(still, interpolation="none", aspect="auto")
+    return Drawing(fig, {"beta": SCENE.beta}, {"angle": angles()})
