@@ -26,7 +26,8 @@ from book.notebooks import WHOLE
 
 FOLDER = "_downloads/notebooks"
 GITHUB = re.compile(r"https://github\.com/(?P<repository>[\w.-]+/[\w.-]+?)(?:\.git)?/?")
-INPUT = re.compile(r'(?<=<div class="highlight"><pre><span></span>).*?(?=</pre></div>\n</div>\n</div>)', re.DOTALL)
+CODE = 'cell_input docutils container">\n<div class="highlight-ipython3 notranslate"><div class="highlight"><pre><span></span>'
+INPUT = re.compile(f"(?<={CODE}).*?(?=</pre>)", re.DOTALL)
 PARAGRAPH = re.compile(r"(?:.+\n?)+\n*")
 DEFINED = re.compile(r"^def (\w+)", re.MULTILINE)
 FEWEST = 3  # lines that are worth a fold
