@@ -26,7 +26,10 @@ from book.notebooks import WHOLE
 
 FOLDER = "_downloads/notebooks"
 GITHUB = re.compile(r"https://github\.com/(?P<repository>[\w.-]+/[\w.-]+?)(?:\.git)?/?")
-CODE = 'cell_input docutils container">\n<div class="highlight-ipython3 notranslate"><div class="highlight"><pre><span></span>'
+CODE = (
+    'cell_input docutils container">\n<div class="highlight-ipython3 notranslate">'
+    '<div class="highlight"><pre><span></span>'
+)
 INPUT = re.compile(f"(?<={CODE}).*?(?=</pre>)", re.DOTALL)
 PARAGRAPH = re.compile(r"(?:.+\n?)+\n*")
 DEFINED = re.compile(r"^def (\w+)", re.MULTILINE)

@@ -46,12 +46,13 @@ function check_all(place, theorems, clerk) {
   const verdict = verdict_box();
   const button = make_button("Check all", () => show_verdict(button, verdict, check));
 
-  /** @param {string} theorem @param {boolean} accepted */
-  function mark(theorem, accepted) {
+  /** @param {string} theorem @param {boolean} accepted @param {boolean} refuted */
+  function mark(theorem, accepted, refuted) {
     const line = document.querySelector(`[data-claim="${theorem}"]`);
     const kind = accepted ? "accepted" : "rejected";
+    const words = `${refuted ? "refutation " : ""}${kind} here`;
     line?.querySelector(".check-mark")?.remove();
-    line?.append(make_element("span", { class: `check-mark check-${kind}` }, ` ${accepted ? "✓" : "✗"} ${kind} here`));
+    line?.append(make_element("span", { class: `check-mark check-${kind}` }, ` ${accepted ? "✓" : "✗"} ${words}`));
   }
 
   async function check() {
@@ -70,7 +71,11 @@ function check_all(place, theorems, clerk) {
       });
       const accepted = (await Promise.all(answers)).every(Boolean);
       if (!accepted) rejected.push(theorem);
-      mark(theorem, accepted);
+      mark(
+        theorem,
+        accepted,
+        cases.some(({ statement }) => statement.kind === "refutation")
+      );
     });
     await Promise.all(asked);
     const good = `${theorems.length - rejected.length} of ${theorems.length} theorems, ${total} in all`;
