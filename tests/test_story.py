@@ -14,8 +14,8 @@ from book.notebooks.laboratory import BOOK
 
 READ = ("s1", "s2", "s3", "s4")
 PICTURES = "figure, .simulator"
-ASIDE = "script, style, pre, .headerlink, .provenance, .math, mjx-container, .theorem details, section[id^=exercises]"
-"""What is not read on the way: code and formulas, proofs in their cards, exercises after a page's end."""
+ASIDE = "script, style, pre, .headerlink, .provenance, .theorem details, section[id^=exercises]"
+"""What is not read on the way: code, proofs in their cards, exercises after a page's end."""
 WORDS_AT_MOST, WAY_AT_MOST = 7250, 350  # the chapter's length before it had these pictures
 
 
@@ -24,8 +24,10 @@ def ways(page):
     article = page.select_one(".bd-article")
     for aside in article.select(ASIDE):
         aside.decompose()
-    pictures = article.select(PICTURES)
-    total, found = 0, [0]
+    formulas, pictures = article.select(".math"), article.select(PICTURES)
+    total, found = len(formulas), [0]  # a formula is a word of the page, and not of the way
+    for formula in formulas:
+        formula.decompose()
     for node in article.descendants:
         if node in pictures:
             found.append(0)

@@ -27,6 +27,7 @@ from proofs.engine.theorem import Theorem
 from verify import formal
 from verify.survey import AXIOMS
 
+OPEN = 3  # of the lines that a claim shows; the others are folded
 BEFORE = ("let", "given", "state", "cited", "from")  # what a claim starts from: folded, below what it shows
 KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
 
@@ -107,5 +108,5 @@ def theorem_reference(here: SphinxRole) -> list[nodes.Node]:
 
 
 TEMPLATES.globals.update(GRADES=GRADES, axioms=axioms, coq=coq, count=count, evidence_line=evidence_line, beside=beside)
-TEMPLATES.globals.update(BEFORE=BEFORE, behind=behind)
+TEMPLATES.globals.update(BEFORE=BEFORE, OPEN=OPEN, behind=behind)
 TEMPLATES.globals.update(killed=killed, kind=kind, point=point, rows=rows)

@@ -128,3 +128,11 @@ def light_backwards() -> Drawing:
     as_colour = np.where(frame.stage.on_a[..., None], np.rint(127.5 * (normals + 1)), 0).astype(np.uint8)
     pictures = [averaged(each) for each in (image_view(frame), as_colour, slope_view(frame))]
     return Drawing(panels(pictures, ("colour", "normal", "slope")), {"steepest": frame.slope.max()}, shown=(frame,))
+
+
+@figure
+def chart_on_a() -> Drawing:
+    """The coordinates u and v on sphere A, from above, in grey."""
+    frame = render(Scene(ball=False), SMALL, SMALL, exact(), bounds=True)
+    greys = [np.nan_to_num(255 * frame.surface_data[name]).astype(np.uint8)[..., None] for name in "uv"]
+    return Drawing(panels([grey.repeat(3, axis=2) for grey in greys], ("$u$", "$v$")), shown=(frame,))
