@@ -43,7 +43,6 @@ def u_curve() -> Drawing:
         "v": SMOOTH_POINT[1],
         "least": measured[best],
         "near_best": np.median(measured[near]),
-        "as_low": np.mean(measured[near] <= 2 * measured[best]),
         "best_eps": steps[best],
         "slope": fitted_slope(steps[branch], measured[branch]),
         "exact": float(in_balls(gradient(HEIGHT_FIELDS[SCENE.field]), CASE.inputs)[CASE.component].item()),

@@ -109,4 +109,4 @@ def mirrored(scene: Scene, planes: np.ndarray) -> np.ndarray:
 def mirrors_apart(scene: Scene, side: int = SIDE, eps: float = EPS) -> tuple[int, int]:
     """Return of how many pixels of A the mirrored rays of the two pipelines meet something else, and A's pixels."""
     one, other = (mirrored(scene, render(scene, side, side, way).planes_on_a) for way in (central(eps), exact()))
-    return np.count_nonzero(one != other), one.size
+    return int(np.count_nonzero(one != other)), one.size
